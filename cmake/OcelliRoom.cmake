@@ -1,0 +1,26 @@
+# ocelli_room(NAME SOURCES ... PUBLIC ... PRIVATE ...): one library a room, with the settings they all share.
+add_library(ocelli_settings INTERFACE)
+target_compile_features(ocelli_settings INTERFACE cxx_std_20)
+target_include_directories(ocelli_settings INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/ocelli>)
+
+# Private to our own targets: warnings, sanitizers, and no fused multiply-add, so that every compiler gives the same bytes.
+add_library(ocelli_strict INTERFACE)
+target_compile_options(ocelli_strict INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
+  -ffp-contract=off $<$<BOOL:${OCELLI_WERROR}>:-Werror>)
+if(OCELLI_SANITIZE)
+  target_compile_options(ocelli_strict INTERFACE -fsanitize=${OCELLI_SANITIZE} -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
+  target_link_options(ocelli_strict INTERFACE -fsanitize=${OCELLI_SANITIZE})
+endif()
+
+function(ocelli_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(ocelli_${name} STATIC ${ROOM_SOURCES})
+  add_library(Ocelli::${name} ALIAS ocelli_${name})
+  set_target_properties(ocelli_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_link_libraries(ocelli_${name} PUBLIC ocelli_settings ${ROOM_PUBLIC}
+    PRIVATE $<BUILD_INTERFACE:ocelli_strict> ${ROOM_PRIVATE})
+  set_property(GLOBAL APPEND PROPERTY OCELLI_ROOMS ocelli_${name})
+endfunction()

@@ -1,0 +1,27 @@
+// What is thrown for bad input and failed work. Every error says what went wrong, where, and what to do next.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace ocelli {
+
+class Error : public std::runtime_error {
+ public:
+  /// `where` is a file, a file with a line, or a field; `next` tells the user what to try.
+  Error(const std::string& what, const std::string& where, const std::string& next);
+};
+
+/// The command line or an input file is wrong: exit code 2.
+class InputError : public Error {
+ public:
+  using Error::Error;
+};
+
+/// The work itself failed (disk full, unwritable output, device gone): exit code 1.
+class WorkError : public Error {
+ public:
+  using Error::Error;
+};
+
+}  // namespace ocelli

@@ -1,0 +1,116 @@
+#include "oc_core/base/json_fields.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "oc_core/base/error.h"
+
+namespace ocelli {
+
+JsonFields::JsonFields(const nlohmann::json& object, std::string where) : object_(object), where_(std::move(where)) {
+  if (!object_.is_object()) {
+    throw InputError("a JSON object { ... } is expected", where_, "see the schema of this file");
+  }
+}
+
+void JsonFields::fail(const std::string& name, const std::string& problem) const {
+  throw InputError("field \"" + name + "\" " + problem, where_, "see the schema of this file");
+}
+
+const nlohmann::json& JsonFields::value(const std::string& name) {
+  known_.insert(name);
+  const auto found = object_.find(name);
+  if (found == object_.end()) {
+    fail(name, "is missing");
+  }
+  return *found;
+}
+
+double JsonFields::number(const std::string& name, double least, double most) {
+  const nlohmann::json& field = value(name);
+  if (!field.is_number()) {
+    fail(name, "must be a number");
+  }
+  const auto number = field.get<double>();
+  if (!(number >= least && number <= most)) {
+    std::ostringstream range;
+    range << "must lie between " << least << " and " << most << ", not " << number;
+    fail(name, range.str());
+  }
+  return number;
+}
+
+double JsonFields::number(const std::string& name, double least, double most, double otherwise) {
+  return has(name) ? number(name, least, most) : otherwise;
+}
+
+int JsonFields::integer(const std::string& name, int least, int most) {
+  if (!value(name).is_number_integer()) {
+    fail(name, "must be a whole number");
+  }
+  return static_cast<int>(number(name, least, most));
+}
+
+int JsonFields::integer(const std::string& name, int least, int most, int otherwise) {
+  return has(name) ? integer(name, least, most) : otherwise;
+}
+
+bool JsonFields::boolean(const std::string& name, bool otherwise) {
+  if (!has(name)) {
+    return otherwise;
+  }
+  const nlohmann::json& field = value(name);
+  if (!field.is_boolean()) {
+    fail(name, "must be true or false");
+  }
+  return field.get<bool>();
+}
+
+std::string JsonFields::text(const std::string& name) {
+  const nlohmann::json& field = value(name);
+  if (!field.is_string()) {
+    fail(name, "must be a text in quotes");
+  }
+  return field.get<std::string>();
+}
+
+std::string JsonFields::text(const std::string& name, const std::string& otherwise) {
+  return has(name) ? text(name) : otherwise;
+}
+
+void JsonFields::rejectUnknown() const {
+  for (const auto& [name, value] : object_.items()) {
+    if (!known_.contains(name) && name != "$schema" && name != "comment") {
+      std::string allowed;
+      for (const std::string& field : known_) {
+        allowed += allowed.empty() ? field : ", " + field;
+      }
+      throw InputError("field \"" + name + "\" is unknown", where_, "use one of: " + allowed);
+    }
+  }
+}
+
+nlohmann::json parseJson(const std::string& text, const std::string& where) {
+  try {
+    return nlohmann::json::parse(text, nullptr, true, true);
+  } catch (const nlohmann::json::parse_error& error) {
+    const size_t at = std::min<size_t>(error.byte > 0 ? error.byte - 1 : 0, text.size());
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    const size_t lineStart = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
+    const size_t column = at - (lineStart == std::string::npos ? 0 : lineStart + 1) + 1;
+    throw InputError("this is not valid JSON", where + ":" + std::to_string(line) + ":" + std::to_string(column),
+                     "look for a missing comma, quote or bracket there");
+  }
+}
+
+nlohmann::json readJsonFile(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (!file || !(text << file.rdbuf())) {
+    throw InputError("cannot read this file", path.string(), "check the path; an empty file is not JSON");
+  }
+  return parseJson(text.str(), path.string());
+}
+
+}  // namespace ocelli

@@ -1,0 +1,45 @@
+// Reading the fields of a JSON object strictly: a missing, mistyped or unknown field is an InputError that names it.
+// Include it in .cpp files only: nlohmann/json is slow to compile.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+namespace ocelli {
+
+class JsonFields {
+ public:
+  /// `where` names the object in messages: a file, or file and field.
+  JsonFields(const nlohmann::json& object, std::string where);
+
+  bool has(const std::string& name) const { return object_.contains(name); }
+
+  /// A number in [least, most] (NaN and infinity have no JSON form).
+  double number(const std::string& name, double least, double most);
+  double number(const std::string& name, double least, double most, double otherwise);
+  int integer(const std::string& name, int least, int most);
+  int integer(const std::string& name, int least, int most, int otherwise);
+  bool boolean(const std::string& name, bool otherwise);
+  std::string text(const std::string& name);
+  std::string text(const std::string& name, const std::string& otherwise);
+  /// The raw value; marks the field as known. Throws where it is missing.
+  const nlohmann::json& value(const std::string& name);
+
+  /// Throws for every field that nothing above asked for. `$schema` and `comment` are always allowed.
+  void rejectUnknown() const;
+
+  [[noreturn]] void fail(const std::string& name, const std::string& problem) const;
+
+ private:
+  const nlohmann::json& object_;
+  std::string where_;
+  std::set<std::string> known_;
+};
+
+/// Parses a JSON file (// and /* */ comments allowed); an InputError says file, line and column.
+nlohmann::json readJsonFile(const std::filesystem::path& path);
+nlohmann::json parseJson(const std::string& text, const std::string& where);
+
+}  // namespace ocelli

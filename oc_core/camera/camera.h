@@ -1,0 +1,48 @@
+// The contract of every camera model, and the recipe for a new one.
+//
+// A camera maps world points to image points and pixels to rays. The rays of the cameras of this toolkit bend, so a ray is a
+// polyline from near to far; origin plus direction cannot say it.
+//
+//   project(worldPoint)  -> optional<ImagePoint>   nothing where the point has no image
+//   unproject(imagePoint)-> optional<vec3>         nothing where no world point has that image
+//   rayPath(pixel)       -> RayPath                empty where the pixel has no ray
+//
+// `ImagePoint::z` is the distance along the reference view direction (conventions.h), for every camera. Wherever both
+// succeed, project(unproject(q)) is q, and every point of rayPath(p) projects to p.
+// Renderers (oc_core/render) take the camera as a template parameter: no virtual call stands in an inner loop.
+//
+// Recipe for a new camera model, three files:
+//   1. oc_core/camera/NAME_camera.h and .cpp: the class, with its section and equations at the top; it must satisfy Camera.
+//   2. tests/camera/camera_contract_test.cpp: add it to the list of cameras that the contract's suite runs over.
+//   3. cli/camera_choice.cpp: give it a name, so that `--camera NAME` finds it.
+#pragma once
+
+#include <concepts>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+namespace ocelli {
+
+/// (u, v) in pixels from the top left corner, z along the reference view direction, positive in front.
+struct ImagePoint {
+  float u = 0;
+  float v = 0;
+  float z = 0;
+};
+
+/// The ray of one pixel: world points from near to far, joined by straight segments.
+using RayPath = std::vector<glm::vec3>;
+
+template <class C>
+concept Camera = requires(const C& camera, const glm::vec3& worldPoint, const ImagePoint& imagePoint,
+                          const glm::vec2& pixel) {
+  { camera.width() } -> std::convertible_to<int>;
+  { camera.height() } -> std::convertible_to<int>;
+  { camera.project(worldPoint) } -> std::same_as<std::optional<ImagePoint>>;
+  { camera.unproject(imagePoint) } -> std::same_as<std::optional<glm::vec3>>;
+  { camera.rayPath(pixel) } -> std::same_as<RayPath>;
+};
+
+}  // namespace ocelli

@@ -1,0 +1,33 @@
+#include "oc_core/camera/pinhole_camera.h"
+
+#include "oc_core/base/conventions.h"
+#include "oc_core/base/error.h"
+
+namespace ocelli {
+
+PinholeCamera::PinholeCamera(const View& view, int width, int height) : view_(view), width_(width), height_(height) {
+  validate(view, "view");
+  constexpr int kMostPixelsASide = 32768;
+  if (width < 1 || height < 1 || width > kMostPixelsASide || height > kMostPixelsASide) {
+    throw InputError("an image of " + std::to_string(width) + "x" + std::to_string(height) + " pixels cannot be made",
+                     "--size", "choose 1 to 32768 pixels a side");
+  }
+  forward_ = glm::normalize(view.target - view.eye);
+  right_ = glm::normalize(glm::cross(forward_, view.up));
+  down_ = glm::cross(forward_, right_);
+  const double halfFov = radiansFromDegrees(view.resolvedFovVerticalDegrees()) / 2;
+  focal_ = static_cast<float>(height / 2.0 / std::tan(halfFov));
+  centerU_ = static_cast<float>(width) / 2;
+  centerV_ = static_cast<float>(height) / 2;
+}
+
+RayPath PinholeCamera::rayPath(const glm::vec2& pixel) const {
+  const std::optional<glm::vec3> nearest = unproject({pixel.x, pixel.y, view_.zNear});
+  const std::optional<glm::vec3> farthest = unproject({pixel.x, pixel.y, view_.zFar});
+  if (!nearest || !farthest) {
+    return {};
+  }
+  return {*nearest, *farthest};
+}
+
+}  // namespace ocelli

@@ -1,0 +1,70 @@
+// The planar pinhole camera (PPC, section 1.2): all rays are straight and meet at the eye.
+#pragma once
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "oc_core/camera/camera.h"
+#include "oc_core/camera/view.h"
+
+namespace ocelli {
+
+class PinholeCamera {
+ public:
+  /// Throws InputError where the view is degenerate or the size is not in [1, 32768] pixels a side.
+  PinholeCamera(const View& view, int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  const View& view() const { return view_; }
+  const glm::vec3& eye() const { return view_.eye; }
+  /// Focal length in pixels, the same along u and v: a surface at depth z has a pixel footprint of z / focalPixels().
+  float focalPixels() const { return focal_; }
+
+  /// (right, down, forward) coordinates of a world point relative to the eye; `.z` is the image z.
+  glm::vec3 cameraFromWorld(const glm::vec3& worldPoint) const {
+    const glm::vec3 p = worldPoint - view_.eye;
+    return {glm::dot(p, right_), glm::dot(p, down_), glm::dot(p, forward_)};
+  }
+  glm::vec3 worldFromCamera(const glm::vec3& p) const {
+    return view_.eye + right_ * p.x + down_ * p.y + forward_ * p.z;
+  }
+  ImagePoint imageFromCamera(const glm::vec3& p) const {
+    return {centerU_ + focal_ * p.x / p.z, centerV_ + focal_ * p.y / p.z, p.z};
+  }
+  glm::vec3 cameraFromImage(const ImagePoint& q) const {
+    return {(q.u - centerU_) / focal_ * q.z, (q.v - centerV_) / focal_ * q.z, q.z};
+  }
+
+  /// Nothing for a point nearer than zNear or farther than zFar along the view direction. A point outside of the image
+  /// borders still has its image point.
+  std::optional<ImagePoint> project(const glm::vec3& worldPoint) const {
+    const glm::vec3 p = cameraFromWorld(worldPoint);
+    if (!(p.z >= view_.zNear && p.z <= view_.zFar)) {
+      return std::nullopt;
+    }
+    return imageFromCamera(p);
+  }
+  std::optional<glm::vec3> unproject(const ImagePoint& q) const {
+    if (!(q.z >= view_.zNear && q.z <= view_.zFar) || !std::isfinite(q.u) || !std::isfinite(q.v)) {
+      return std::nullopt;
+    }
+    return worldFromCamera(cameraFromImage(q));
+  }
+  RayPath rayPath(const glm::vec2& pixel) const;
+
+ private:
+  View view_;
+  int width_;
+  int height_;
+  float focal_;
+  float centerU_;
+  float centerV_;
+  glm::vec3 right_;
+  glm::vec3 down_;
+  glm::vec3 forward_;
+};
+
+static_assert(Camera<PinholeCamera>);
+
+}  // namespace ocelli

@@ -1,0 +1,109 @@
+#include "oc_core/camera/view.h"
+
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kMostCoordinate = 1e6;
+
+glm::vec3 readVector(JsonFields& fields, const std::string& name, const glm::vec3& otherwise) {
+  if (!fields.has(name)) {
+    return otherwise;
+  }
+  const nlohmann::json& value = fields.value(name);
+  if (!value.is_array() || value.size() != 3) {
+    fields.fail(name, "must be an array of three numbers");
+  }
+  glm::vec3 vector;
+  for (int i = 0; i < 3; ++i) {
+    const nlohmann::json& element = value[static_cast<size_t>(i)];
+    if (!element.is_number() || !(std::abs(element.get<double>()) <= kMostCoordinate)) {
+      fields.fail(name, "must be an array of three numbers of at most 1e6");
+    }
+    vector[i] = element.get<float>();
+  }
+  return vector;
+}
+
+std::array<double, 3> asArray(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+
+}  // namespace
+
+double View::resolvedFovVerticalDegrees() const {
+  if (fovVerticalDegrees > 0) {
+    return fovVerticalDegrees;
+  }
+  return degreesFromRadians(2 * std::asin(1.0 / std::max(1.0f, glm::distance(eye, target))));
+}
+
+void validate(const View& view, const std::string& where) {
+  const glm::vec3 direction = view.target - view.eye;
+  const float distance = glm::length(direction);
+  if (!std::isfinite(distance) || !std::isfinite(glm::length(view.up))) {
+    throw InputError("the view has a coordinate that is not a finite number", where, "give three finite numbers");
+  }
+  if (distance < 1e-6f) {
+    throw InputError("the eye of the view is at its target, so it has no direction", where,
+                     "move \"eye\" or \"target\"");
+  }
+  if (glm::length(view.up) < 1e-6f || glm::length(glm::cross(direction / distance, glm::normalize(view.up))) < 1e-4f) {
+    throw InputError("\"up\" of the view is parallel to its direction", where, "choose another \"up\"");
+  }
+  if (view.fovVerticalDegrees == 0 && distance <= 1.001f) {
+    throw InputError("the eye is within the unit sphere around its target, so no field of view holds that sphere", where,
+                     "move \"eye\" away or give \"fov_vertical_degrees\"");
+  }
+  if (view.fovVerticalDegrees < 0 || view.resolvedFovVerticalDegrees() >= 179) {
+    throw InputError("the vertical field of view must lie between 0 and 179 degrees", where,
+                     "change \"fov_vertical_degrees\"");
+  }
+  if (!(view.zNear > 0) || !(view.zFar > view.zNear)) {
+    throw InputError("\"z_near\" must be positive and less than \"z_far\"", where, "change them");
+  }
+}
+
+View viewFromJsonText(const std::string& text, const std::string& where) {
+  const nlohmann::json json = parseJson(text, where);
+  JsonFields fields(json, where);
+  View view;
+  view.eye = readVector(fields, "eye", view.eye);
+  view.target = readVector(fields, "target", view.target);
+  view.up = readVector(fields, "up", view.up);
+  view.fovVerticalDegrees = fields.number("fov_vertical_degrees", 0, 179, 0);
+  view.zNear = static_cast<float>(fields.number("z_near", 1e-6, 1e6, view.zNear));
+  view.zFar = static_cast<float>(fields.number("z_far", 1e-6, 1e9, view.zFar));
+  fields.rejectUnknown();
+  validate(view, where);
+  return view;
+}
+
+View readView(const std::filesystem::path& path) { return viewFromJsonText(readJsonFile(path).dump(), path.string()); }
+
+std::string jsonText(const View& view) {
+  nlohmann::ordered_json json;
+  json["eye"] = asArray(view.eye);
+  json["target"] = asArray(view.target);
+  json["up"] = asArray(view.up);
+  json["fov_vertical_degrees"] = view.resolvedFovVerticalDegrees();
+  json["z_near"] = view.zNear;
+  json["z_far"] = view.zFar;
+  return json.dump();
+}
+
+View movedEye(const View& view, const glm::vec3& offset) {
+  const glm::vec3 backward = glm::normalize(view.eye - view.target);
+  const glm::vec3 right = glm::normalize(glm::cross(view.up, backward));
+  const glm::vec3 up = glm::cross(backward, right);
+  View moved = view;
+  moved.eye += right * offset.x + up * offset.y + backward * offset.z;
+  moved.fovVerticalDegrees = view.resolvedFovVerticalDegrees();
+  return moved;
+}
+
+}  // namespace ocelli

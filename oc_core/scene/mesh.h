@@ -1,0 +1,42 @@
+// A triangle mesh with a colour at each vertex: what every renderer and the slicer take.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace ocelli {
+
+struct Mesh {
+  std::vector<glm::vec3> positions;   ///< world coordinates
+  std::vector<glm::vec3> colors;      ///< linear RGB in [0, 1], one a vertex; empty means white
+  std::vector<glm::uvec3> triangles;  ///< vertex indices; counter-clockwise seen from outside, though nothing culls
+
+  bool empty() const { return triangles.empty(); }
+  glm::vec3 color(uint32_t vertex) const { return colors.empty() ? glm::vec3(1) : colors[vertex]; }
+};
+
+/// An axis-aligned box; `lower` exceeds `upper` where it holds nothing.
+struct Box {
+  glm::vec3 lower{1e30f};
+  glm::vec3 upper{-1e30f};
+
+  bool empty() const { return lower.x > upper.x; }
+  void add(const glm::vec3& point);
+  glm::vec3 center() const { return (lower + upper) * 0.5f; }
+  glm::vec3 size() const { return upper - lower; }
+};
+
+Box boundsOf(const Mesh& mesh);
+
+/// Appends `part`, moved by `worldFromPart`, to `mesh`. Fills in white where only one of them has colours. A mirroring
+/// transform reverses the triangles, so that outside stays outside.
+void append(Mesh& mesh, const Mesh& part, const glm::mat4& worldFromPart = glm::mat4(1));
+
+/// Throws InputError naming the first NaN or infinite coordinate, out-of-range index, or colour count mismatch, and
+/// where there is no triangle. `where` is the file or scene the mesh came from.
+void validate(const Mesh& mesh, const std::string& where);
+
+}  // namespace ocelli

@@ -1,0 +1,26 @@
+// From what a user writes (`SCENE` on the command line) to the mesh that everything downstream takes.
+//
+// SCENE is a file that Assimp reads, or `builtin:NAME[,key=value...]` (see builtin_scenes.h).
+#pragma once
+
+#include <string>
+
+#include "oc_core/base/progress.h"
+#include "oc_core/scene/mesh.h"
+
+namespace ocelli {
+
+enum class Shading {
+  kLambert,  ///< vertex colours times a fixed light, baked (see shading.h)
+  kNone,     ///< vertex colours as they are
+};
+
+struct SceneOptions {
+  bool fit = true;  ///< into the unit sphere
+  Shading shading = Shading::kLambert;
+};
+
+/// The scene as one validated mesh. Throws InputError for a spec or a file that is wrong.
+Mesh loadScene(const std::string& source, const SceneOptions& options = {}, const Progress& progress = {});
+
+}  // namespace ocelli
