@@ -3,15 +3,18 @@
 #include <glm/geometric.hpp>
 
 #include "oc_core/base/parallel.h"
+#include "oc_core/ocri/coverage.h"
 #include "oc_core/ocri/depth_edges.h"
 #include "oc_core/ocri/distortion_splats.h"
+#include "oc_core/ocri/image_mesh.h"
 #include "oc_core/render/rasterize.h"
 
 namespace ocelli {
 namespace {
 
-/// The parallax between occluder and background, in pixels, over the view cell: a step of the eye along the normal n of the
-/// edge uncovers f * step * (1/zn - 1/zf). The longest step within a square along n is its support |nx| + |ny| half sides.
+/// The parallax between occluder and background, in pixels, over the view cell: a step of the eye along the normal n of
+/// the edge uncovers f * step * (1/zn - 1/zf). The longest step within a square along n is its support |nx| + |ny| half
+/// sides.
 float uncoveredPixels(const DepthEdge& edge, const PinholeCamera& camera, const DdocOptions& options) {
   const float support = options.cellSideRadii / 2 * (std::abs(edge.normal.x) + std::abs(edge.normal.y));
   return camera.focalPixels() * support * (edge.inverseNear - edge.inverseFar);
@@ -38,63 +41,43 @@ DistortionMap mapOf(const std::vector<DistortionSplat>& splats, const SplatOwner
   return smoothMap(finalizeMap(splats, owners, DistortionMap::Lookup::kBilinear), options.smoothingSigmaPixels);
 }
 
-/// "Do no harm": shrinks the splats that bury samples which the reference view sees. Returns how many samples are buried.
-size_t shrinkHarmful(std::vector<DistortionSplat>& splats, const SplatOwners& owners, const FragmentImage& seen,
+/// "Do no harm": shrinks the splats that cost samples which the reference view sees. Returns how many it lacks.
+size_t shrinkHarmful(std::vector<DistortionSplat>& splats, const SplatOwners& owners, const Image<glm::vec4>& seen,
                      const DdocCamera& camera, const Mesh& mesh, const DdocOptions& options) {
   const PinholeCamera& reference = camera.reference();
-  const FragmentImage image = rasterize(camera, mesh, options.subdivision);
-  Image<glm::vec3> points(image.width(), image.height(), glm::vec3(1e30f));
-  parallelFor(image.size(), 1 << 14, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      if (image[i].covered()) {
-        points[i] = reference.cameraFromWorld(positionOf(image[i], mesh));
-      }
-    }
-  });
+  const ReferenceImage image = buildDdocImage(camera, mesh, options.subdivision);
+  const Image<SampleState> states = compareFrames(reference, seen, positionImage(reference, imageMesh(image)));
 
   std::vector<int> harm(splats.size());
-  size_t buried = 0;
+  size_t missing = 0;
+  // Whoever moved is to blame: the sample itself, and what now lies in front of it.
+  const auto blame = [&](float u, float v, float inverseZ) {
+    const int x = static_cast<int>(std::floor(u));
+    const int y = static_cast<int>(std::floor(v));
+    if (owners.contains(x, y) && owners(x, y) >= 0) {
+      const auto owner = static_cast<size_t>(owners(x, y));
+      harm[owner] += inverseZ < splats[owner].edge.inverseNear;
+    }
+  };
   for (int y = 0; y < seen.height(); ++y) {
     for (int x = 0; x < seen.width(); ++x) {
-      if (!seen(x, y).covered()) {
+      if (states(x, y) != SampleState::kMissing && states(x, y) != SampleState::kMissingThick) {
         continue;
       }
-      const glm::vec3 point = reference.cameraFromWorld(positionOf(seen(x, y), mesh));
+      ++missing;
+      const glm::vec3 point = reference.cameraFromWorld(glm::vec3(seen(x, y)));
       const ImagePoint q = camera.distort(reference.imageFromCamera(point));
       const int u = static_cast<int>(std::floor(q.u));
       const int v = static_cast<int>(std::floor(q.v));
-      const float reach = (1.5f + options.mostHiddenPerRoom) * point.z / reference.focalPixels();
-      bool present = false;
-      glm::vec3 blocker(1e30f);
-      for (int dv = -1; dv <= 1 && !present; ++dv) {
-        for (int du = -1; du <= 1 && !present; ++du) {
-          if (points.contains(u + du, v + dv)) {
-            const glm::vec3& other = points(u + du, v + dv);
-            present = glm::distance(other, point) <= reach;
-            if (other.z < blocker.z) {
-              blocker = other;
+      for (int dv = -1; dv <= 1; ++dv) {
+        for (int du = -1; du <= 1; ++du) {
+          if (image.z.contains(u + du, v + dv) && image.z(u + du, v + dv) > 0) {
+            const ImagePoint other = image.undistorted(u + du, v + dv);
+            if (other.z < point.z) {
+              blame(other.u, other.v, 1 / other.z);
             }
           }
         }
-      }
-      if (present) {
-        continue;
-      }
-      ++buried;
-      // Whoever moved is to blame: the sample itself, and what now lies in front of it.
-      const auto blame = [&](float pu, float pv, float inverseZ) {
-        const int px = static_cast<int>(std::floor(pu));
-        const int py = static_cast<int>(std::floor(pv));
-        if (owners.contains(px, py) && owners(px, py) >= 0) {
-          const DistortionSplat& splat = splats[static_cast<size_t>(owners(px, py))];
-          if (inverseZ < splat.edge.inverseNear) {
-            ++harm[static_cast<size_t>(owners(px, py))];
-          }
-        }
-      };
-      if (blocker.z < point.z) {
-        const ImagePoint b = reference.imageFromCamera(blocker);
-        blame(b.u, b.v, 1 / b.z);
       }
       blame(static_cast<float>(x), static_cast<float>(y), 1 / point.z);
     }
@@ -104,7 +87,7 @@ size_t shrinkHarmful(std::vector<DistortionSplat>& splats, const SplatOwners& ow
       splats[i].hidden *= options.feedbackShrink;
     }
   }
-  return buried;
+  return missing;
 }
 
 }  // namespace
@@ -115,6 +98,7 @@ DdocOptions DdocOptions::paper(float constantRadiusPixels) {
   options.constantRadiusPixels = constantRadiusPixels;
   options.mostHiddenPerRoom = 1;
   options.feedbackRounds = 0;
+  options.steepest = 0;
   options.smoothingSigmaPixels = 0;
   return options;
 }
@@ -132,6 +116,7 @@ DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, con
       farthest = std::max(farthest, seen[i].z);
     }
   }
+  const Image<glm::vec4> seenPoints = positionImage(reference, mesh);
   DepthEdgeOptions edgeOptions;
   // A step counts when the view cell can uncover at least one pixel behind it.
   edgeOptions.leastInverseZStep = 1 / (reference.focalPixels() * options.cellSideRadii / 2);
@@ -142,12 +127,18 @@ DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, con
   std::vector<DistortionSplat> splats = makeSplats(edges, reference, options);
   SplatOwners owners = claimPixels(splats, seen.width(), seen.height());
   shrinkConflicts(splats, owners, options.mostHiddenPerRoom);
+  if (options.steepest > 0) {
+    limitSteepness(splats, options.steepest);
+  }
   owners = claimPixels(splats, seen.width(), seen.height());
   DdocCamera camera(reference, mapOf(splats, owners, options));
   for (int round = 0; round < options.feedbackRounds; ++round) {
     report(progress, "do no harm", static_cast<double>(round) / options.feedbackRounds);
-    if (shrinkHarmful(splats, owners, seen, camera, mesh, options) == 0) {
+    if (shrinkHarmful(splats, owners, seenPoints, camera, mesh, options) == 0) {
       break;
+    }
+    if (options.steepest > 0) {
+      limitSteepness(splats, options.steepest);
     }
     owners = claimPixels(splats, seen.width(), seen.height());
     camera = DdocCamera(reference, mapOf(splats, owners, options));

@@ -1,13 +1,17 @@
 #include "oc_core/ocri/distortion_splats.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {
 namespace {
 
-glm::vec2 centreOf(int x, int y) { return {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}; }
+glm::vec2 centreOf(int x, int y) {
+  return {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
+}
 
 }  // namespace
 
@@ -84,6 +88,50 @@ size_t shrinkConflicts(std::vector<DistortionSplat>& splats, const SplatOwners& 
     splats[i].hidden = std::min(splats[i].hidden, mostHiddenPerRoom * room[i]);
   }
   return shrunk;
+}
+
+void limitSteepness(std::vector<DistortionSplat>& splats, float steepest) {
+  // A chamfer sweep on a grid of the splats' pixels: forwards and backwards over the image, as for a distance
+  // transform.
+  int width = 0;
+  int height = 0;
+  for (const DistortionSplat& splat : splats) {
+    width = std::max(width, static_cast<int>(splat.edge.position.x) + 1);
+    height = std::max(height, static_cast<int>(splat.edge.position.y) + 1);
+  }
+  Image<glm::vec2> least(width, height, glm::vec2(1e9f));
+  const auto cell = [&](const DistortionSplat& splat) -> glm::vec2& {
+    return least(static_cast<int>(splat.edge.position.x), static_cast<int>(splat.edge.position.y));
+  };
+  for (const DistortionSplat& splat : splats) {
+    cell(splat) = glm::min(cell(splat), glm::vec2(splat.hidden, splat.room));
+  }
+  const auto relax = [&](int x, int y, int dx, int dy) {
+    if (least.contains(x + dx, y + dy)) {
+      const float distance = dx != 0 && dy != 0 ? std::numbers::sqrt2_v<float> : 1.0f;
+      least(x, y) = glm::min(least(x, y), least(x + dx, y + dy) + steepest * distance);
+    }
+  };
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      relax(x, y, -1, 0);
+      relax(x, y, -1, -1);
+      relax(x, y, 0, -1);
+      relax(x, y, 1, -1);
+    }
+  }
+  for (int y = height; y-- > 0;) {
+    for (int x = width; x-- > 0;) {
+      relax(x, y, 1, 0);
+      relax(x, y, 1, 1);
+      relax(x, y, 0, 1);
+      relax(x, y, -1, 1);
+    }
+  }
+  for (DistortionSplat& splat : splats) {
+    splat.hidden = std::min(splat.hidden, cell(splat).x);
+    splat.room = std::min(splat.room, cell(splat).y);
+  }
 }
 
 DistortionMap finalizeMap(const std::vector<DistortionSplat>& splats, const SplatOwners& owners,

@@ -12,7 +12,11 @@ constexpr uint32_t kNoVertex = 0xffffffffu;
 class ImageMesher {
  public:
   ImageMesher(const ReferenceImage& image, const ImageMeshOptions& options)
-      : image_(image), options_(options), camera_(image.reference()), vertexOf_(image.width(), image.height(), kNoVertex) {}
+      : image_(image),
+        options_(options),
+        camera_(image.reference()),
+        vertexOf_(image.width(), image.height(), kNoVertex),
+        cellTriangles_(image.width(), image.height()) {}
 
   Mesh mesh() {
     addVertices();
@@ -38,7 +42,6 @@ class ImageMesher {
         }
       }
     }
-    trianglesOfVertex_.resize(mesh_.positions.size());
   }
 
   /// The step of 1/z from p to q for each pixel of undistorted distance.
@@ -73,12 +76,9 @@ class ImageMesher {
            (valid(after) && std::abs(here - slope(q, after)) <= tolerance);
   }
 
-  void addTriangle(const Pixel& a, const Pixel& b, const Pixel& c) {
-    const glm::uvec3 t(vertexOf_(a.x, a.y), vertexOf_(b.x, b.y), vertexOf_(c.x, c.y));
-    mesh_.triangles.push_back(t);
-    for (int i = 0; i < 3; ++i) {
-      ++trianglesOfVertex_[t[i]];
-    }
+  void addTriangle(const Pixel& cell, const Pixel& a, const Pixel& b, const Pixel& c) {
+    mesh_.triangles.emplace_back(vertexOf_(a.x, a.y), vertexOf_(b.x, b.y), vertexOf_(c.x, c.y));
+    ++cellTriangles_(cell.x, cell.y);
   }
 
   /// Each cell between four samples gives two triangles, one, or none.
@@ -105,17 +105,17 @@ class ImageMesher {
         }
         if (alongAc > alongBd || (alongAc == alongBd && shorterAc(a, b, c, d))) {
           if (ab && bc) {
-            addTriangle(a, b, c);
+            addTriangle(a, a, b, c);
           }
           if (cd && da) {
-            addTriangle(a, c, d);
+            addTriangle(a, a, c, d);
           }
         } else {
           if (bc && cd) {
-            addTriangle(b, c, d);
+            addTriangle(a, b, c, d);
           }
           if (da && ab) {
-            addTriangle(b, d, a);
+            addTriangle(a, b, d, a);
           }
         }
       }
@@ -127,38 +127,72 @@ class ImageMesher {
     return std::abs(inverse(a) - inverse(c)) <= std::abs(inverse(b) - inverse(d));
   }
 
+  /// The change of 1/z for a pixel to the right and a pixel down in the undistorted image, from the joined neighbours.
+  glm::vec2 gradient(const Pixel& p) const {
+    glm::vec2 rhs(0);
+    float xx = 1e-3f;
+    float xy = 0;
+    float yy = 1e-3f;
+    const ImagePoint a = image_.undistorted(p.x, p.y);
+    for (const Pixel& step : {Pixel{1, 0}, Pixel{-1, 0}, Pixel{0, 1}, Pixel{0, -1}}) {
+      const Pixel q{p.x + step.x, p.y + step.y};
+      if (joined(p, q)) {
+        const ImagePoint b = image_.undistorted(q.x, q.y);
+        const glm::vec2 d(b.u - a.u, b.v - a.v);
+        rhs += d * (1 / b.z - 1 / a.z);
+        xx += d.x * d.x;
+        xy += d.x * d.y;
+        yy += d.y * d.y;
+      }
+    }
+    const float determinant = xx * yy - xy * xy;
+    return glm::vec2(yy * rhs.x - xy * rhs.y, xx * rhs.y - xy * rhs.x) / determinant;
+  }
+
+  /// Is the mesh open at the sample, that is, is one of the four cells around it not filled?
+  bool onRim(int x, int y) const {
+    const auto full = [&](int cx, int cy) { return cellTriangles_.contains(cx, cy) && cellTriangles_(cx, cy) == 2; };
+    return !(full(x - 1, y - 1) && full(x, y - 1) && full(x - 1, y) && full(x, y));
+  }
+
   void addSquares() {
     for (int y = 0; y < image_.height(); ++y) {
       for (int x = 0; x < image_.width(); ++x) {
-        const uint32_t vertex = vertexOf_(x, y);
-        if (vertex == kNoVertex || trianglesOfVertex_[vertex] >= options_.leastTriangles) {
-          continue;
+        if (vertexOf_(x, y) != kNoVertex && onRim(x, y)) {
+          addSquare({x, y});
         }
-        const ImagePoint q = image_.undistorted(x, y);
-        const auto corner = static_cast<uint32_t>(mesh_.positions.size());
-        constexpr std::array<glm::vec2, 4> kCorners{
-            glm::vec2(-0.5f, -0.5f), glm::vec2(-0.5f, 0.5f), glm::vec2(0.5f, 0.5f), glm::vec2(0.5f, -0.5f)};
-        for (const glm::vec2& offset : kCorners) {
-          mesh_.positions.push_back(
-              camera_.worldFromCamera(camera_.cameraFromImage({q.u + offset.x, q.v + offset.y, q.z})));
-          mesh_.colors.push_back(image_.color(x, y));
-        }
-        mesh_.triangles.emplace_back(corner, corner + 1, corner + 2);
-        mesh_.triangles.emplace_back(corner, corner + 2, corner + 3);
       }
     }
+  }
+
+  void addSquare(const Pixel& p) {
+    const ImagePoint q = image_.undistorted(p.x, p.y);
+    const glm::vec2 slope = gradient(p);
+    const float half = options_.squarePixels / 2;
+    const auto corner = static_cast<uint32_t>(mesh_.positions.size());
+    for (const glm::vec2& side : {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)}) {
+      const glm::vec2 offset = side * half;
+      const float inverseZ = std::max(1 / q.z + glm::dot(slope, offset), 0.5f / q.z);
+      mesh_.positions.push_back(
+          camera_.worldFromCamera(camera_.cameraFromImage({q.u + offset.x, q.v + offset.y, 1 / inverseZ})));
+      mesh_.colors.push_back(image_.color(p.x, p.y));
+    }
+    mesh_.triangles.emplace_back(corner, corner + 1, corner + 2);
+    mesh_.triangles.emplace_back(corner, corner + 2, corner + 3);
   }
 
   const ReferenceImage& image_;
   const ImageMeshOptions& options_;
   PinholeCamera camera_;
   Image<uint32_t> vertexOf_;
-  std::vector<int> trianglesOfVertex_;
+  Image<uint8_t> cellTriangles_;  ///< of the cell between pixel (x, y) and (x + 1, y + 1)
   Mesh mesh_;
 };
 
 }  // namespace
 
-Mesh imageMesh(const ReferenceImage& image, const ImageMeshOptions& options) { return ImageMesher(image, options).mesh(); }
+Mesh imageMesh(const ReferenceImage& image, const ImageMeshOptions& options) {
+  return ImageMesher(image, options).mesh();
+}
 
 }  // namespace ocelli

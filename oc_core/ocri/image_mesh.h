@@ -1,5 +1,5 @@
-// The triangle mesh of a reference image (section 3.5.1): neighbouring samples are joined, except across depth discontinuities,
-// and no sample is lost.
+// The triangle mesh of a reference image (section 3.5.1): neighbouring samples are joined, except across depth
+// discontinuities, and no sample is lost.
 #pragma once
 
 #include "oc_core/ocri/reference_image.h"
@@ -14,8 +14,9 @@ struct ImageMeshOptions {
   float depthStepFootprints = 10;
   /// ... or a larger one, where 1/z goes on with the slope it has on one of the two sides, within this many footprints.
   float slopeToleranceFootprints = 3;
-  /// Samples in fewer triangles than this also get a square of a pixel's size, facing the eye.
-  int leastTriangles = 2;
+  /// A sample at the rim of a surface stands for the whole of its pixel, so it gets a square along the surface, of this
+  /// side.
+  float squarePixels = 1.0f;
 };
 
 /// World coordinates, linear colours. Vertices come in pixel order, first the samples, then the corners of squares.
