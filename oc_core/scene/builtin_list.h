@@ -5,7 +5,14 @@
 
 namespace ocelli {
 
+BuiltinScene boxScene();
+BuiltinScene boxesScene();
+BuiltinScene doorsScene();
+BuiltinScene fenceScene();
 BuiltinScene roomScene();
+BuiltinScene sphereScene();
 BuiltinScene statuesScene();
+BuiltinScene teapotScene();
+BuiltinScene torusScene();
 
 }  // namespace ocelli

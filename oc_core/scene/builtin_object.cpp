@@ -2,7 +2,9 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <glm/ext/matrix_transform.hpp>
 
+#include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/scene/palette.h"
 #include "oc_core/scene/panels.h"
@@ -38,6 +40,10 @@ BuiltinParameter meshParameter() {
   return {"mesh", "scene file to show; the teapot where none is given", BuiltinParameter::Kind::kMeshFile, "", 0, 0};
 }
 
+BuiltinParameter turnParameter() {
+  return {"turn", "of the object about the vertical, in degrees", BuiltinParameter::Kind::kNumber, "0", -360, 360};
+}
+
 BuiltinParameter trianglesParameter() {
   return {"triangles",
           "densify to about so many triangles in the whole scene; 0 leaves it as it is",
@@ -57,6 +63,8 @@ Mesh readObject(const BuiltinValues& values) {
     object = flatten(readSceneFile(path));
     validate(object, path.string());
   }
+  const auto turn = static_cast<float>(radiansFromDegrees(values.number("turn")));
+  transform(object, glm::rotate(glm::mat4(1), turn, glm::vec3(0, 1, 0)));
   const Box box = boundsOf(object);
   glm::mat4 standing(1);
   standing[3] = glm::vec4(-box.center().x, -box.lower.y, -box.center().z, 1);
@@ -70,6 +78,15 @@ Mesh makeRoom() {
                   palette::ivory());
   addBrickWall(room, {-kRoomHalf.x, -kRoomHalf.y}, {kRoomHalf.x, kRoomHalf.y}, -kRoomHalf.z, 11, 7);
   return room;
+}
+
+void tiltRoom(Scene& scene) {
+  constexpr double kTiltDegrees = 14;
+  const glm::mat4 tilt =
+      glm::rotate(glm::mat4(1), static_cast<float>(radiansFromDegrees(kTiltDegrees)), glm::vec3(1, 0, 0));
+  for (Instance& instance : scene.instances) {
+    instance.worldFromMesh = tilt * instance.worldFromMesh;
+  }
 }
 
 }  // namespace ocelli

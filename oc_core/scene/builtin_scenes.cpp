@@ -136,7 +136,9 @@ const std::string& BuiltinValues::path(const std::string& name) const {
 }
 
 const std::vector<BuiltinScene>& listBuiltinScenes() {
-  static const std::vector<BuiltinScene> scenes{roomScene(), statuesScene()};
+  static const std::vector<BuiltinScene> scenes{teapotScene(), roomScene(),  statuesScene(),
+                                                fenceScene(),  doorsScene(), boxesScene(),
+                                                sphereScene(), torusScene(), boxScene()};
   return scenes;
 }
 

@@ -20,10 +20,10 @@ struct Place {
 };
 
 // From left to right; near ones stand before the gaps between the far ones.
-constexpr std::array<Place, 4> kPlaces{{{-0.66f, -0.42f, 20, palette::skyBlue},
-                                        {-0.24f, 0.50f, -15, palette::yellow},
-                                        {0.22f, -0.38f, 10, palette::green},
-                                        {0.64f, 0.44f, -30, palette::purple}}};
+constexpr std::array<Place, 4> kPlaces{{{-0.64f, -0.42f, 20, palette::skyBlue},
+                                        {-0.25f, 0.50f, -15, palette::yellow},
+                                        {0.18f, -0.38f, 10, palette::green},
+                                        {0.58f, 0.44f, -30, palette::purple}}};
 
 Scene buildStatues(const BuiltinValues& values) {
   Mesh room = makeRoom();
@@ -33,7 +33,7 @@ Scene buildStatues(const BuiltinValues& values) {
 
   const glm::vec3 size = boundsOf(statue).size();
   const float scale =
-      std::min({0.72f * kRoomHalf.x / size.x, 0.90f * kRoomHalf.y * 2 / size.y, 0.95f * kRoomHalf.z / size.z});
+      std::min({0.95f * kRoomHalf.x / size.x, 0.90f * kRoomHalf.y * 2 / size.y, 0.95f * kRoomHalf.z / size.z});
   const bool plain = statue.colors.empty();
   Scene scene;
   scene.add(std::move(room));
@@ -46,6 +46,7 @@ Scene buildStatues(const BuiltinValues& values) {
     worldFromMesh = glm::scale(worldFromMesh, glm::vec3(scale));
     scene.instances.push_back({1, worldFromMesh, plain ? place.color() : glm::vec3(1)});
   }
+  tiltRoom(scene);
   return scene;
 }
 
@@ -54,7 +55,7 @@ Scene buildStatues(const BuiltinValues& values) {
 BuiltinScene statuesScene() {
   return {"statues",
           "four copies of an object that hide parts of each other, on a floor before a wall",
-          {meshParameter(), trianglesParameter()},
+          {meshParameter(), turnParameter(), trianglesParameter()},
           buildStatues};
 }
 
