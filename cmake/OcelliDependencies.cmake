@@ -4,6 +4,7 @@
 ocelli_find(glm)
 ocelli_find(TBB)
 ocelli_find(PNG)
+ocelli_find(ZLIB)
 ocelli_find(nlohmann_json)
 ocelli_find(assimp)
 ocelli_find(embree 3)

@@ -13,6 +13,7 @@ namespace ocelli {
 struct Instance {
   size_t mesh = 0;
   glm::mat4 worldFromMesh{1};
+  glm::vec3 tint{1};  ///< linear; multiplies the colours of the mesh
 };
 
 struct Scene {
@@ -20,14 +21,26 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
 
+  /// Adds a mesh and one copy of it.
   void add(Mesh mesh, const glm::mat4& worldFromMesh = glm::mat4(1));
 };
 
+/// The most triangles that a scene may have: a guard against typing errors and hostile files, 1 GB as a flat mesh.
+inline constexpr size_t kMostSceneTriangles = 40'000'000;
+
+/// Triangles that flatten() would make.
+size_t triangleCount(const Scene& scene);
+
+/// One mesh of all copies, in the order of the instances. It has colours where any mesh has some or any copy has a
+/// tint.
 Mesh flatten(const Scene& scene);
 
 /// The uniform scale and translation that put the bounding sphere of `mesh` onto the unit sphere around the origin.
-/// The sphere is the one around the centre of the bounding box that holds every vertex.
-glm::mat4 unitFromWorld(const Mesh& mesh);
+/// The sphere is the one around the centre of the bounding box that holds every vertex. Throws InputError naming
+/// `where` if the mesh has no extent.
+glm::mat4 unitFromWorld(const Mesh& mesh, const std::string& where);
+
+/// Moves every vertex. `newFromOld` must be affine and must not mirror: append() is the one that turns triangles round.
 void transform(Mesh& mesh, const glm::mat4& newFromOld);
 
 }  // namespace ocelli

@@ -14,6 +14,7 @@ EVERYTHING = "everything"
 THIRD_PARTIES = {
     "glm/": "glm::glm",
     "png.h": "PNG::PNG",
+    "zlib.h": "ZLIB::ZLIB",
     "tbb/": "TBB::tbb",
     "oneapi/tbb/": "TBB::tbb",
     "nlohmann/": "nlohmann_json::nlohmann_json",
@@ -32,7 +33,7 @@ THIRD_PARTIES = {
     "benchmark/": "benchmark::benchmark",
 }
 # Found without a target: the system's own headers.
-SYSTEM_PREFIXES = ("sys/", "unistd.h", "fcntl.h", "immintrin.h", "malloc.h")
+SYSTEM_PREFIXES = ("sys/", "unistd.h", "fcntl.h", "stdlib.h", "immintrin.h", "malloc.h")
 
 ALLOWED_IN_PUBLIC_HEADERS = {"glm/"}
 PUBLIC_HEADER_EXCEPTIONS = {"oc_core/base/json_fields.h": {"nlohmann/"}}

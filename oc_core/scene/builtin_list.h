@@ -1,0 +1,18 @@
+// The built-in scenes, each defined in its own file. For builtin_scenes.cpp alone.
+#pragma once
+
+#include "oc_core/scene/builtin_scenes.h"
+
+namespace ocelli {
+
+BuiltinScene boxScene();
+BuiltinScene boxesScene();
+BuiltinScene doorsScene();
+BuiltinScene fenceScene();
+BuiltinScene roomScene();
+BuiltinScene sphereScene();
+BuiltinScene statuesScene();
+BuiltinScene teapotScene();
+BuiltinScene torusScene();
+
+}  // namespace ocelli

@@ -1,0 +1,107 @@
+#include "oc_core/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <utility>
+
+#include "oc_core/base/check.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/parallel.h"
+
+namespace ocelli {
+namespace {
+
+constexpr size_t kGrain = 1 << 15;
+
+glm::vec3 movedPoint(const glm::mat4& newFromOld, const glm::vec3& point) {
+  return glm::vec3(newFromOld * glm::vec4(point, 1));
+}
+
+}  // namespace
+
+void Scene::add(Mesh mesh, const glm::mat4& worldFromMesh) {
+  meshes.push_back(std::move(mesh));
+  instances.push_back({meshes.size() - 1, worldFromMesh});
+}
+
+size_t triangleCount(const Scene& scene) {
+  size_t count = 0;
+  for (const Instance& instance : scene.instances) {
+    count += scene.meshes[instance.mesh].triangles.size();
+  }
+  return count;
+}
+
+Mesh flatten(const Scene& scene) {
+  size_t vertices = 0;
+  bool colored = false;
+  for (const Instance& instance : scene.instances) {
+    OC_CHECK(instance.mesh < scene.meshes.size(), "an instance names a mesh of its scene");
+    const Mesh& part = scene.meshes[instance.mesh];
+    vertices += part.positions.size();
+    colored |= !part.colors.empty() || instance.tint != glm::vec3(1);
+  }
+  OC_CHECK(vertices <= 0xffffffffu, "a flat mesh has 32-bit vertex indices");
+
+  Mesh flat;
+  flat.positions.resize(vertices);
+  flat.colors.resize(colored ? vertices : 0);
+  flat.triangles.resize(triangleCount(scene));
+  size_t firstVertex = 0;
+  size_t firstTriangle = 0;
+  for (const Instance& instance : scene.instances) {
+    const Mesh& part = scene.meshes[instance.mesh];
+    parallelFor(part.positions.size(), kGrain, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        flat.positions[firstVertex + i] = movedPoint(instance.worldFromMesh, part.positions[i]);
+        if (colored) {
+          flat.colors[firstVertex + i] = part.color(static_cast<uint32_t>(i)) * instance.tint;
+        }
+      }
+    });
+    const bool mirrored = glm::determinant(glm::mat3(instance.worldFromMesh)) < 0;
+    parallelFor(part.triangles.size(), kGrain, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        const glm::uvec3& t = part.triangles[i];
+        flat.triangles[firstTriangle + i] =
+            (mirrored ? glm::uvec3(t.x, t.z, t.y) : t) + static_cast<uint32_t>(firstVertex);
+      }
+    });
+    firstVertex += part.positions.size();
+    firstTriangle += part.triangles.size();
+  }
+  return flat;
+}
+
+glm::mat4 unitFromWorld(const Mesh& mesh, const std::string& where) {
+  const Box box = boundsOf(mesh);
+  OC_CHECK(!box.empty(), "only a mesh with vertices has a bounding sphere");
+  const glm::dvec3 center = (glm::dvec3(box.lower) + glm::dvec3(box.upper)) * 0.5;
+  double radius = 0;
+  for (const glm::vec3& position : mesh.positions) {
+    radius = std::max(radius, glm::length(glm::dvec3(position) - center));
+  }
+  const double scale = 1 / radius;
+  const glm::vec3 translation(-center * scale);
+  if (!std::isfinite(static_cast<float>(scale)) || static_cast<float>(scale) < 1e-30f) {
+    throw InputError("the scene is too " + std::string(radius < 1 ? "small" : "large") +
+                         " to be fitted to the unit sphere (radius " + std::to_string(radius) + ")",
+                     where, "rescale the mesh, or repair it if its vertices should not coincide");
+  }
+  glm::mat4 unit(static_cast<float>(scale));
+  unit[3] = glm::vec4(translation, 1);
+  return unit;
+}
+
+void transform(Mesh& mesh, const glm::mat4& newFromOld) {
+  OC_CHECK(glm::determinant(glm::mat3(newFromOld)) >= 0, "a mirroring transform would turn the triangles inside out");
+  parallelFor(mesh.positions.size(), kGrain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      mesh.positions[i] = movedPoint(newFromOld, mesh.positions[i]);
+    }
+  });
+}
+
+}  // namespace ocelli
