@@ -1,15 +1,17 @@
+# What the libraries need, for this project and, installed beside OcelliConfig.cmake, for those who link to them.
+# The includer defines ocelli_find(): find_package() here, find_dependency() there.
 # Everything comes from Debian packages; scripts/install_dependencies.sh lists them.
-find_package(glm REQUIRED)
-find_package(TBB REQUIRED)
-find_package(PNG REQUIRED)
-find_package(nlohmann_json REQUIRED)
-find_package(assimp REQUIRED)
-find_package(embree 3 REQUIRED)
+ocelli_find(glm)
+ocelli_find(TBB)
+ocelli_find(PNG)
+ocelli_find(ZLIB)
+ocelli_find(nlohmann_json)
+ocelli_find(assimp)
+ocelli_find(embree 3)
+ocelli_find(zstd)
+ocelli_find(meshoptimizer)
+ocelli_find(fmt)
 # OpenEXR through pkg-config: Debian's CMake files of Imath name a Python library that another package holds.
-find_package(PkgConfig REQUIRED)
+ocelli_find(PkgConfig)
 pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET GLOBAL OpenEXR)
-find_package(zstd REQUIRED)
-find_package(meshoptimizer REQUIRED)
-find_package(CLI11 REQUIRED)
-find_package(fmt REQUIRED)
 pkg_check_modules(stb REQUIRED IMPORTED_TARGET GLOBAL stb)

@@ -1,0 +1,56 @@
+// What every command of the `ocelli` program shares: how it is declared, prints and reports progress.
+//
+// Recipe for a new command, four files:
+//   1. cli/NAME_command.cpp: `void addNameCommand(CLI::App& program, const Frame& frame)`. It adds a subcommand, its
+//      options, and ends with frame.finish(command, examples, run). `run` calls a room and prints: no logic here.
+//   2. cli/command.h: its declaration.
+//   3. cli/main.cpp and cli/CMakeLists.txt: one line each.
+//
+// `run` throws InputError for what the user gave wrongly (exit code 2) and WorkError where the work failed (1); main()
+// prints both as "ocelli: error: ...". Any other exception is exit code 1 too.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "oc_core/base/progress.h"
+
+namespace CLI {
+class App;
+}
+
+namespace ocelli {
+
+class Frame {
+ public:
+  Frame();
+
+  /// Ends the declaration of a command: adds --threads and --quiet, and shows `examples` (one command line a line)
+  /// below its --help. `run` is called once after the whole command line has been read, if the user chose this command.
+  void finish(CLI::App& command, const std::string& examples, std::function<void()> run) const;
+  /// Adds --threads and --quiet alone: for the program itself.
+  void addCommonOptions(CLI::App& command) const;
+
+  /// Prints a result to standard output. Throws WorkError where that is full; a reader that has gone is no error.
+  void print(std::string_view text) const;
+  /// Prints a note on what was done ("wrote FILE ...") to standard error, unless --quiet.
+  void note(std::string_view text) const;
+  /// For a room's last parameter: a bar on standard error where that is a terminal, nothing otherwise or with --quiet.
+  Progress progress() const;
+
+  /// Calls the chosen command's `run`. Does nothing where none was chosen.
+  void run() const;
+  /// Takes the bar off the terminal, so that a message can follow.
+  void clearProgress() const;
+
+ private:
+  struct State;
+  std::shared_ptr<State> state_;
+};
+
+/// Flushes standard output. Throws WorkError where what was printed could not be written in full.
+void flushStandardOutput();
+
+}  // namespace ocelli

@@ -1,0 +1,84 @@
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "cli/command.h"
+#include "cli/progress_bar.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/parallel.h"
+
+namespace ocelli {
+namespace {
+
+constexpr int kMostThreads = 1024;
+
+// A reader that closed its end (`ocelli ... | head`) has seen what it wanted.
+void checkStandardOutput(bool written) {
+  if (written || errno == EPIPE) {
+    return;
+  }
+  throw WorkError(std::string("cannot print (") + std::strerror(errno) + ")", "standard output",
+                  "check where it is redirected to: is the disk full?");
+}
+
+}  // namespace
+
+struct Frame::State {
+  int threads = 0;
+  bool quiet = false;
+  ProgressBar bar;
+  std::function<void()> chosen;
+};
+
+Frame::Frame() : state_(std::make_shared<State>()) {}
+
+void Frame::addCommonOptions(CLI::App& command) const {
+  command.add_option("--threads", state_->threads, "Use at most so many threads; 0 stands for all cores")
+      ->check(CLI::Range(0, kMostThreads))
+      ->type_name("N");
+  command.add_flag("-q,--quiet", state_->quiet, "Print results and errors only");
+}
+
+void Frame::finish(CLI::App& command, const std::string& examples, std::function<void()> run) const {
+  addCommonOptions(command);
+  command.footer("Examples:\n" + examples);
+  command.callback([state = state_, run = std::move(run)] { state->chosen = run; });
+}
+
+void Frame::print(std::string_view text) const {
+  clearProgress();
+  checkStandardOutput(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
+}
+
+void Frame::note(std::string_view text) const {
+  if (!state_->quiet) {
+    clearProgress();
+    std::fprintf(stderr, "%.*s\n", static_cast<int>(text.size()), text.data());
+  }
+}
+
+Progress Frame::progress() const {
+  if (state_->quiet || !ProgressBar::possible()) {
+    return {};
+  }
+  return [state = state_](std::string_view stage, double fraction) { state->bar.show(stage, fraction); };
+}
+
+void Frame::run() const {
+  if (state_->chosen) {
+    setThreadCount(state_->threads);
+    state_->chosen();
+    clearProgress();
+  }
+}
+
+void Frame::clearProgress() const {
+  state_->bar.clear();
+}
+
+void flushStandardOutput() {
+  checkStandardOutput(std::fflush(stdout) == 0);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,105 @@
+// The `ocelli` program. Exit codes: 0 done, 1 the work failed, 2 the command line or an input file is wrong.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "oc_core/base/error.h"
+
+namespace ocelli {
+namespace {
+
+constexpr int kWorkFailed = 1;
+constexpr int kInputWrong = 2;
+
+// One line a command, in the order of `ocelli --help`.
+void addCommands([[maybe_unused]] CLI::App& program, [[maybe_unused]] const Frame& frame) {}
+
+// A closed standard stream would hand its number to the next file that is opened, and our messages would end up in
+// there.
+void openStandardStreams() {
+  int descriptor = open("/dev/null", O_RDWR);
+  while (descriptor >= 0 && descriptor <= STDERR_FILENO) {
+    descriptor = open("/dev/null", O_RDWR);
+  }
+  if (descriptor >= 0) {
+    close(descriptor);
+  }
+}
+
+int fail(const Frame& frame, int code, const std::string& message) {
+  frame.clearProgress();
+  std::fprintf(stderr, "ocelli: error: %s\n", message.c_str());
+  return code;
+}
+
+// The innermost command that the user named: its --help is the one to point at.
+std::string namedCommand(const CLI::App& program) {
+  std::string name = program.get_name();
+  for (const CLI::App* command = &program; !command->get_subcommands().empty();) {
+    command = command->get_subcommands().front();
+    name += " " + command->get_name();
+  }
+  return name;
+}
+
+int run(int argumentCount, char** arguments) {
+  const Frame frame;
+  CLI::App program("Ocelli: non-pinhole cameras, from a scene to a volumetric display.", "ocelli");
+  program.set_version_flag("--version", "ocelli " OCELLI_VERSION);
+  program.require_subcommand(1);
+  program.option_defaults()->always_capture_default();
+  program.footer("`ocelli COMMAND --help` shows the options of a command, with examples.");
+  frame.addCommonOptions(program);
+  addCommands(program, frame);
+  try {
+    program.parse(argumentCount, arguments);
+    frame.run();
+    flushStandardOutput();
+    return 0;
+  } catch (const CLI::Success& help) {
+    std::ostringstream text;
+    program.exit(help, text, text);
+    frame.print(text.str());
+    flushStandardOutput();
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    // CLI11 would only say that a command is missing.
+    const std::vector<std::string> rest = program.remaining();
+    if (program.get_subcommands().empty() && !rest.empty()) {
+      const std::string kind = rest.front().starts_with('-') ? "option" : "command";
+      return fail(frame, kInputWrong, "there is no " + kind + " \"" + rest.front() + "\"\n  try: ocelli --help");
+    }
+    return fail(frame, kInputWrong, std::string(error.what()) + "\n  try: " + namedCommand(program) + " --help");
+  } catch (const InputError& error) {
+    return fail(frame, kInputWrong, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(frame, kWorkFailed, "out of memory\n  try: a smaller scene, image or volume, or close other programs");
+  } catch (const std::exception& error) {
+    return fail(frame, kWorkFailed, error.what());
+  } catch (...) {
+    return fail(frame, kWorkFailed, "something that is no C++ exception was thrown\n  try: report this");
+  }
+}
+
+}  // namespace
+}  // namespace ocelli
+
+int main(int argumentCount, char** arguments) {
+  ocelli::openStandardStreams();
+  std::signal(SIGPIPE, SIG_IGN);
+  try {
+    return ocelli::run(argumentCount, arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "ocelli: error: %s\n", error.what());
+    return ocelli::kWorkFailed;
+  }
+}

@@ -1,0 +1,33 @@
+#include "cli/scene_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace ocelli {
+
+void addSceneOptions(CLI::App& command, SceneChoice& choice) {
+  command.add_option("SCENE", choice.source, "A scene file (PLY, OBJ, STL, glTF, ...) or builtin:NAME[,key=value...]")
+      ->required();
+  command.add_flag_callback(
+      "--no-fit", [&choice] { choice.options.fit = false; }, "Leave the scene where it is, not in the unit sphere");
+  command
+      .add_option_function<std::string>(
+          "--shading",
+          [&choice](const std::string& name) {
+            choice.options.shading = name == "none" ? Shading::kNone : Shading::kLambert;
+          },
+          "A fixed light on the vertex colours, or the colours as they are")
+      ->check(CLI::IsMember({"lambert", "none"}))
+      ->default_str("lambert")
+      ->type_name("NAME");
+}
+
+void addViewOption(CLI::App& command, std::string& path) {
+  command.add_option("--view", path, "Reference view; by default from (0, 0, 10) to the origin")
+      ->type_name("FILE.json");
+}
+
+View readViewOption(const std::string& path) {
+  return path.empty() ? View{} : readView(path);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,65 @@
+#include "cli/values.h"
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "oc_core/base/error.h"
+
+namespace ocelli {
+namespace {
+
+constexpr int kMostPixelsASide = 32768;
+
+[[noreturn]] void fail(const std::string& option, const std::string& text, const std::string& form,
+                       const std::string& example) {
+  throw InputError("\"" + text + "\" is not " + form, option, option + " " + example);
+}
+
+// The numbers between the separators; empty where any part is not a whole, finite number of type T.
+template <class T>
+std::vector<T> numbersFromText(std::string_view text, char separator) {
+  std::vector<T> numbers;
+  while (true) {
+    const size_t length = std::min(text.find(separator), text.size());
+    T number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + length, number);
+    if (error != std::errc() || end != text.data() + length || !std::isfinite(static_cast<double>(number))) {
+      return {};
+    }
+    numbers.push_back(number);
+    if (length == text.size()) {
+      return numbers;
+    }
+    text.remove_prefix(length + 1);
+  }
+}
+
+}  // namespace
+
+ImageSize imageSizeFromText(const std::string& text, const std::string& option) {
+  const std::vector<int> sides = numbersFromText<int>(text, 'x');
+  if (sides.size() != 2 || sides[0] < 1 || sides[1] < 1 || sides[0] > kMostPixelsASide || sides[1] > kMostPixelsASide) {
+    fail(option, text, "a size in pixels, WIDTHxHEIGHT, each from 1 to 32768", "720x480");
+  }
+  return {sides[0], sides[1]};
+}
+
+glm::vec3 pointFromText(const std::string& text, const std::string& option) {
+  const std::vector<float> numbers = numbersFromText<float>(text, ',');
+  if (numbers.size() != 3) {
+    fail(option, text, "a point X,Y,Z", "0,0.2,9.8");
+  }
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+double ratioFromText(const std::string& text, const std::string& option) {
+  const std::vector<double> numbers = numbersFromText<double>(text, '/');
+  if (numbers.empty() || numbers.size() > 2 || (numbers.size() == 2 && numbers[1] == 0)) {
+    fail(option, text, "a number or a ratio", "1/25");
+  }
+  return numbers.size() == 1 ? numbers[0] : numbers[0] / numbers[1];
+}
+
+}  // namespace ocelli

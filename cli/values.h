@@ -1,0 +1,22 @@
+// Reading the small values that several commands take: "720x480", "0,0.2,9.8", "1/25".
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <string>
+
+namespace ocelli {
+
+struct ImageSize {
+  int width = 0;
+  int height = 0;
+};
+
+/// Each of these throws InputError, naming `option`, for anything but the whole text being such a value.
+/// "WIDTHxHEIGHT", each in [1, 32768].
+ImageSize imageSizeFromText(const std::string& text, const std::string& option);
+/// "X,Y,Z", finite.
+glm::vec3 pointFromText(const std::string& text, const std::string& option);
+/// "1/25" or "0.04"; finite.
+double ratioFromText(const std::string& text, const std::string& option);
+
+}  // namespace ocelli

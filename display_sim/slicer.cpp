@@ -1,0 +1,199 @@
+#include "display_sim/slicer.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "display_sim/dither.h"
+#include "display_sim/sector_clip.h"
+#include "display_sim/sweep_geometry.h"
+#include "oc_core/base/conventions.h"
+#include "oc_core/base/parallel.h"
+
+namespace ocelli {
+namespace {
+
+/// A lit voxel of a known slice in 27 bits: colour bits, column and row.
+constexpr uint32_t fragment(int column, int row, unsigned bits) {
+  return bits | static_cast<uint32_t>(column) << 3 | static_cast<uint32_t>(row) << 15;
+}
+static_assert(kMostSliceSide <= 1 << 12, "a fragment holds columns and rows of 12 bits");
+
+/// The volume under construction. OR-ing bits gives the same result in any order, so threads add to it as they come.
+class SharedVolume {
+ public:
+  explicit SharedVolume(const DisplayProfile& profile) : volume_(profile), locks_(volume_.layout().slices) {}
+
+  void add(size_t slice, const std::vector<uint32_t>& fragments) {
+    const VolumeLayout& layout = volume_.layout();
+    const std::scoped_lock lock(locks_[slice]);
+    uint8_t* planes = volume_.slice(static_cast<int>(slice)).data();
+    for (const uint32_t f : fragments) {
+      const uint32_t column = f >> 3 & 0xfffu;
+      uint8_t* byte = planes + (f >> 15) * layout.rowBytes + column / 8;
+      for (unsigned channel = 0; channel < kColorChannels; ++channel, byte += layout.planeBytes) {
+        *byte |= static_cast<uint8_t>((f >> channel & 1u) << column % 8);
+      }
+    }
+  }
+
+  Volume take() { return std::move(volume_); }
+
+ private:
+  Volume volume_;
+  std::vector<std::mutex> locks_;
+};
+
+/// Fragments of one thread, gathered by slice so that a slice is in the cache when they are added to it.
+class FragmentBins {
+ public:
+  explicit FragmentBins(SharedVolume& volume, size_t slices) : volume_(volume), bins_(slices) {}
+
+  void push(int slice, uint32_t fragment) {
+    std::vector<uint32_t>& bin = bins_[static_cast<size_t>(slice)];
+    bin.push_back(fragment);
+    if (bin.size() == kMostFragments) {
+      volume_.add(static_cast<size_t>(slice), bin);
+      bin.clear();
+    }
+  }
+
+  void flush() {
+    for (size_t slice = 0; slice < bins_.size(); ++slice) {
+      volume_.add(slice, bins_[slice]);
+      bins_[slice].clear();
+    }
+  }
+
+ private:
+  static constexpr size_t kMostFragments = 2048;
+  SharedVolume& volume_;
+  std::vector<std::vector<uint32_t>> bins_;
+};
+
+/// A vertex ready for slicing: (x, v, z) as sweepPoint() gives them, and its angle in steps of a sector, in [-N, N].
+struct SweepVertex {
+  glm::dvec3 point;
+  double steps;
+};
+
+std::vector<SweepVertex> sweepVertices(const Mesh& mesh, const SweepGeometry& sweep) {
+  std::vector<SweepVertex> vertices(mesh.positions.size());
+  parallelFor(vertices.size(), 1 << 12, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const glm::vec3& p = mesh.positions[i];
+      // Single precision will do: the angle only proposes sectors, which clipping then confirms.
+      vertices[i] = {sweepPoint(sweep, p), std::atan2(p.z, p.x) / sweep.stepRadians()};
+    }
+  });
+  return vertices;
+}
+
+/// Sectors first, first + 1, ... first + count - 1, each modulo the number of sectors.
+struct SectorRange {
+  int first = 0;
+  int count = 0;
+};
+
+/// The sectors that a triangle may touch: all where it holds the axis or comes too near to it to tell.
+SectorRange sectorsOf(const SweepVertex& a, const SweepVertex& b, const SweepVertex& c, int sectors) {
+  const double half = sectors / 2;
+  const auto stepsFrom = [&](double steps) {
+    return steps > half ? steps - sectors : steps < -half ? steps + sectors : steps;
+  };
+  const double toB = stepsFrom(b.steps - a.steps);
+  const double toC = stepsFrom(c.steps - a.steps);
+  constexpr double kMargin = 1e-2;  // far above the rounding of the angles, in steps
+  const double lo = a.steps + std::min({0.0, toB, toC}) - kMargin;
+  const double hi = a.steps + std::max({0.0, toB, toC}) + kMargin;
+  const auto onAxis = [](const SweepVertex& vertex) { return vertex.point.x == 0 && vertex.point.z == 0; };
+  // Seen from the axis a triangle beside it spans less than half a turn, one that holds it at least that.
+  if (hi - lo >= half || onAxis(a) || onAxis(b) || onAxis(c)) {
+    return {0, sectors};
+  }
+  const int first = static_cast<int>(std::floor(lo + 0.5));
+  const int last = static_cast<int>(std::floor(hi + 0.5));
+  return {(first + sectors) % sectors, last - first + 1};
+}
+
+/// Slices triangles one by one into its bins. One for each thread.
+class TriangleSlicer {
+ public:
+  TriangleSlicer(const Mesh& mesh, const SweepGeometry& sweep, const std::vector<SweepVertex>& vertices,
+                 const SliceOptions& options, SharedVolume& volume, const DisplayProfile& profile)
+      : mesh_(mesh),
+        sweep_(sweep),
+        vertices_(vertices),
+        options_(options),
+        ownSecondHalf_(profile.secondHalfTurn == SecondHalfTurn::kOwn),
+        raster_(profile.width, profile.height),
+        bins_(volume, static_cast<size_t>(profile.storedSlices())) {}
+
+  void slice(const glm::uvec3& t) {
+    const SweepVertex& a = vertices_[t.x];
+    const SweepVertex& b = vertices_[t.y];
+    const SweepVertex& c = vertices_[t.z];
+    const SweepTriangle triangle{{a.point, b.point, c.point}};
+    color_ = mesh_.color(t.x);
+    colorB_ = mesh_.color(t.y) - color_;
+    colorC_ = mesh_.color(t.z) - color_;
+    const SectorRange range = sectorsOf(a, b, c, sweep_.sectors());
+    for (int i = 0, sector = range.first; i < range.count; ++i) {
+      const ScreenPolygon polygon = clipToSector(sweep_, triangle, sector);
+      if (polygon.size > 0) {
+        const int slice = sweep_.sliceOfSector(sector);
+        raster_.touch(polygon, [&](int column, int row, double b1, double b2) { light(slice, column, row, b1, b2); });
+      }
+      sector = sector + 1 == sweep_.sectors() ? 0 : sector + 1;
+    }
+  }
+
+  void flush() { bins_.flush(); }
+
+ private:
+  void light(int slice, int column, int row, double b1, double b2) {
+    const glm::vec3 color = color_ + colorB_ * static_cast<float>(b1) + colorC_ * static_cast<float>(b2);
+    store(slice, column, row, color);
+    if (ownSecondHalf_) {
+      store(slice + sweep_.slicesPerHalfTurn(), sweep_.width() - 1 - column, row, color);
+    }
+  }
+
+  void store(int slice, int column, int row, const glm::vec3& color) {
+    const unsigned bits =
+        options_.colors == ColorReduction::kDither ? ditheredBits(color, slice, column, row) : occupancyBits(color);
+    if (bits != 0) {
+      bins_.push(slice, fragment(column, row, bits));
+    }
+  }
+
+  const Mesh& mesh_;
+  const SweepGeometry& sweep_;
+  const std::vector<SweepVertex>& vertices_;
+  SliceOptions options_;
+  bool ownSecondHalf_;
+  PolygonRaster raster_;
+  FragmentBins bins_;
+  glm::vec3 color_{1};
+  glm::vec3 colorB_{0};
+  glm::vec3 colorC_{0};
+};
+
+}  // namespace
+
+Volume slice(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options) {
+  const SweepGeometry sweep(profile);
+  const std::vector<SweepVertex> vertices = sweepVertices(mesh, sweep);
+  SharedVolume volume(profile);
+  // A few parts for each thread even out the load; each part has its own bins, so not too many.
+  const size_t parts = std::min<size_t>(static_cast<size_t>(threadCount()) * 4, mesh.triangles.size() / 256 + 1);
+  parallelChunks(mesh.triangles.size(), parts, [&](size_t, size_t begin, size_t end) {
+    TriangleSlicer slicer(mesh, sweep, vertices, options, volume, profile);
+    for (size_t i = begin; i < end; ++i) {
+      slicer.slice(mesh.triangles[i]);
+    }
+    slicer.flush();
+  });
+  return volume.take();
+}
+
+}  // namespace ocelli

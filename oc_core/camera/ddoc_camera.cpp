@@ -1,0 +1,78 @@
+#include "oc_core/camera/ddoc_camera.h"
+
+#include <glm/geometric.hpp>
+
+namespace ocelli {
+
+DdocCamera::DdocCamera(const PinholeCamera& reference, DistortionMap map)
+    : reference_(reference), map_(std::move(map)), longestDisplacement_(map_.longestDisplacement()) {
+  OC_CHECK(map_.samples().width() == reference.width() && map_.samples().height() == reference.height(),
+           "a distortion map has one sample for each pixel of its reference camera");
+  leastInverseFar_ = 1 / reference.view().zNear;
+  for (const DistortionSample& sample : map_.samples()) {
+    if (sample.displacement != glm::vec2(0)) {
+      greatestInverseNear_ = std::max(greatestInverseNear_, sample.inverseNear);
+      leastInverseFar_ = std::min(leastInverseFar_, sample.inverseFar);
+    }
+  }
+}
+
+std::optional<ImagePoint> DdocCamera::undistort(const ImagePoint& q, const glm::vec2& guess) const {
+  // Fixed point of x = q - displacement(x, z), damped. It converges where the field contracts (its slope is below 1).
+  constexpr int kMostSteps = 60;
+  constexpr float kTolerancePixels = 1e-3f;
+  const glm::vec2 target(q.u, q.v);
+  glm::vec2 x = guess;
+  float damping = 1;
+  float lastError = 1e30f;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const ImagePoint image = distort({x.x, x.y, q.z});
+    const glm::vec2 residual = target - glm::vec2(image.u, image.v);
+    const float error = glm::length(residual);
+    if (error < kTolerancePixels) {
+      return ImagePoint{x.x, x.y, q.z};
+    }
+    damping = error > lastError ? std::max(damping * 0.5f, 0.1f) : damping;
+    lastError = error;
+    x += residual * damping;
+  }
+  return std::nullopt;
+}
+
+std::optional<glm::vec3> DdocCamera::unproject(const ImagePoint& q) const {
+  if (!reference_.unproject(q)) {  // not finite, or out of the depth range
+    return std::nullopt;
+  }
+  const std::optional<ImagePoint> undistorted = undistort(q, {q.u, q.v});
+  return undistorted ? reference_.unproject(*undistorted) : std::nullopt;
+}
+
+RayPath DdocCamera::rayPath(const glm::vec2& pixel) const {
+  RayPath path = reference_.rayPath(pixel);
+  if (path.empty() || greatestInverseNear_ <= 0) {
+    return path;
+  }
+  // Straight up to the nearest z_n and beyond the farthest z_f of the map; in between, equal steps of 1/z, each solved
+  // from the solution before it. A step without a solution is left out: the ray goes straight over it.
+  constexpr int kSteps = 96;
+  RayPath bent{path.front()};
+  glm::vec2 undistorted = pixel;
+  for (int i = 0; i <= kSteps; ++i) {
+    const float inverseZ =
+        greatestInverseNear_ + (leastInverseFar_ - greatestInverseNear_) * static_cast<float>(i) / kSteps;
+    const ImagePoint q{pixel.x, pixel.y, 1 / inverseZ};
+    if (const std::optional<ImagePoint> solved = undistort(q, undistorted)) {
+      if (const std::optional<glm::vec3> point = reference_.unproject(*solved)) {
+        undistorted = {solved->u, solved->v};
+        bent.push_back(*point);
+      }
+    }
+  }
+  if (const std::optional<glm::vec3> last =
+          reference_.unproject({undistorted.x, undistorted.y, reference_.view().zFar})) {
+    bent.push_back(*last);
+  }
+  return bent;
+}
+
+}  // namespace ocelli

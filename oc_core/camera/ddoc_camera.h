@@ -1,0 +1,60 @@
+// The depth discontinuity occlusion camera (DDOC, section 3.2): a planar pinhole camera whose rays are pushed out from
+// behind the silhouettes of the scene, pixel by pixel, as a distortion map says.
+//
+// Projection (Equation 3.3) is closed: project with the pinhole, look the distortion up at the undistorted pixel,
+// displace. The inverse is not: the map is sampled, so `unproject` and `rayPath` solve for the undistorted pixel depth
+// by depth. Where the field folds (possible with the discontinuous map of the text, kept small by the smooth one), one
+// of the solutions is returned, or none. A reference image therefore stores the displacement of each sample and
+// unprojects exactly (3.2.3).
+#pragma once
+
+#include "oc_core/camera/camera.h"
+#include "oc_core/camera/distortion_map.h"
+#include "oc_core/camera/pinhole_camera.h"
+
+namespace ocelli {
+
+/// A camera that displaces the image points of a pinhole camera: `distort` maps the pinhole's image point to its own.
+template <class C>
+concept DistortedPinhole = Camera<C> && requires(const C& camera, const ImagePoint& undistorted) {
+  { camera.reference() } -> std::same_as<const PinholeCamera&>;
+  { camera.distort(undistorted) } -> std::same_as<ImagePoint>;
+  { camera.longestDisplacement() } -> std::convertible_to<float>;
+};
+
+class DdocCamera {
+ public:
+  /// `map` has one sample for each pixel of `reference`.
+  DdocCamera(const PinholeCamera& reference, DistortionMap map);
+
+  int width() const { return reference_.width(); }
+  int height() const { return reference_.height(); }
+  const PinholeCamera& reference() const { return reference_; }
+  const DistortionMap& map() const { return map_; }
+  float longestDisplacement() const { return longestDisplacement_; }
+
+  ImagePoint distort(const ImagePoint& q) const {
+    const glm::vec2 displacement = map_.at(q.u, q.v).at(1 / q.z);
+    return {q.u + displacement.x, q.v + displacement.y, q.z};
+  }
+
+  std::optional<ImagePoint> project(const glm::vec3& worldPoint) const {
+    const std::optional<ImagePoint> undistorted = reference_.project(worldPoint);
+    return undistorted ? std::optional(distort(*undistorted)) : std::nullopt;
+  }
+  std::optional<glm::vec3> unproject(const ImagePoint& q) const;
+  RayPath rayPath(const glm::vec2& pixel) const;
+
+ private:
+  std::optional<ImagePoint> undistort(const ImagePoint& q, const glm::vec2& guess) const;
+
+  PinholeCamera reference_;
+  DistortionMap map_;
+  float longestDisplacement_;
+  float greatestInverseNear_ = 0;
+  float leastInverseFar_ = 0;
+};
+
+static_assert(DistortedPinhole<DdocCamera>);
+
+}  // namespace ocelli

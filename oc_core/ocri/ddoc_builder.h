@@ -1,0 +1,53 @@
+// Builds a depth discontinuity occlusion camera for a scene and a reference view (section 3.2.2, six steps), and its
+// reference image.
+//
+// Two variants. `DdocOptions::paper()` does what the text says: a constant splat radius D, the nearest sample of the
+// map. The default goes further: DEVIATION: the hidden band of an edge is as wide as the view cell can uncover, f *
+// support(n) * (1/zn - 1/zf), and the
+//   visible band that makes room for it may be narrower than that, which squeezes it harder. The text's D fits no edge.
+// DEVIATION: "do no harm": edges that bury samples the reference view sees are shrunk, for some rounds.
+// DEVIATION: the field is smoothed and looked up bilinearly, so that it neither folds nor tears at the borders of
+// splats.
+#pragma once
+
+#include "oc_core/base/progress.h"
+#include "oc_core/camera/ddoc_camera.h"
+#include "oc_core/ocri/reference_image.h"
+#include "oc_core/render/rasterize_subdivided.h"
+#include "oc_core/scene/mesh.h"
+
+namespace ocelli {
+
+struct DdocOptions {
+  enum class Radius {
+    kConstant,  ///< `constantRadiusPixels` for every edge
+    kViewCell,  ///< from the parallax over the view cell
+  };
+  Radius radius = Radius::kViewCell;
+  float constantRadiusPixels = 15;
+
+  /// The view cell is a cube of this side around the reference eye, display radii (8 in at the reference display).
+  float cellSideRadii = 1.6f;
+  float safetyFactor = 1.15f;      ///< on the parallax
+  float mostHiddenPixels = 48;     ///< cap on the hidden band
+  float roomPerHidden = 1;         ///< visible band for each pixel of hidden band, where nothing competes for it
+  float mostHiddenPerRoom = 3;     ///< hardest squeeze: (hidden + room) / room - 1
+  float steepestBandGrowth = 6;    ///< of the bands along a silhouette, pixels a pixel; 0 leaves them as they are
+  float smoothingSigmaPixels = 1;  ///< of the field; 0 turns smoothing off: nearest lookup, as in the text
+
+  int feedbackRounds = 8;               ///< most "do no harm" rounds; 0 turns it off
+  float feedbackShrink = 0.7f;          ///< what a round leaves of the hidden band of an edge that does harm
+  float harmlessPerHiddenPixel = 0.2f;  ///< missing samples that an edge may cost for each pixel of its hidden band
+
+  SubdivisionOptions subdivision;
+
+  static DdocOptions paper(float constantRadiusPixels = 15);
+};
+
+DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options = {},
+                           const Progress& progress = {});
+
+/// The OCRI. Its `triangleBound` is that of the depth image of the same view.
+ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options = {});
+
+}  // namespace ocelli

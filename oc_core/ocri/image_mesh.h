@@ -1,0 +1,28 @@
+// The triangle mesh of a reference image (section 3.5.1): neighbouring samples are joined, except across depth
+// discontinuities, and no sample is lost.
+#pragma once
+
+#include "oc_core/ocri/reference_image.h"
+#include "oc_core/scene/mesh.h"
+
+namespace ocelli {
+
+struct ImageMeshOptions {
+  /// Neighbours are joined when their depths differ by at most this many pixel footprints (z / focal length) for each
+  /// pixel between their undistorted places,
+  float depthStepFootprints = 10;
+  /// ... or by more, where 1/z goes on with the slope it has on one of the two sides, within this many footprints:
+  /// grazing planes;
+  float slopeToleranceFootprints = 3;
+  /// ... but never when their undistorted places are farther apart than this, pixels.
+  float longestStepPixels = 12;
+  /// The sample at the rim of a surface stands for the whole of its pixel: it gets a square along the surface, of this
+  /// side.
+  float squarePixels = 1;
+};
+
+/// World coordinates, linear colours. Vertices come in pixel order, first the samples, then the corners of squares.
+/// Squares are left out, those of the least open samples first, where the mesh would exceed `image.triangleBound`.
+Mesh imageMesh(const ReferenceImage& image, const ImageMeshOptions& options = {});
+
+}  // namespace ocelli

@@ -1,0 +1,45 @@
+// The reference image: one layer of samples, each with colour, depth and the displacement that unprojects it
+// (section 3.2.3). Built with an occlusion camera it is the OCRI of section 3.5.5; built with the pinhole itself, the
+// depth image (DI).
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <string>
+
+#include "oc_core/base/image.h"
+#include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/render/fragment_image.h"
+
+namespace ocelli {
+
+struct ReferenceImage {
+  std::string camera;  ///< "di", "ddoc", ...
+  View view;           ///< of the reference pinhole
+  Image<glm::vec3> color;
+  Image<float> z;                 ///< 0 marks an empty sample
+  Image<glm::vec2> displacement;  ///< (d_u, d_v), pixels: where the sample is minus where the pinhole sees it
+  /// Triangles of the depth image's mesh for the same view: an OCRI's mesh keeps to it. 0 where there is no bound.
+  size_t triangleBound = 0;
+
+  int width() const { return z.width(); }
+  int height() const { return z.height(); }
+  PinholeCamera reference() const { return {view, width(), height()}; }
+  size_t sampleCount() const;
+
+  /// Where the reference pinhole sees the sample of pixel (x, y); z is 0 for an empty one.
+  ImagePoint undistorted(int x, int y) const {
+    const glm::vec2& d = displacement(x, y);
+    return {static_cast<float>(x) + 0.5f - d.x, static_cast<float>(y) + 0.5f - d.y, z(x, y)};
+  }
+};
+
+/// Turns rendered fragments into a reference image: every sample keeps the displacement that unprojects it to its
+/// surface.
+ReferenceImage referenceImage(const FragmentImage& fragments, const Mesh& mesh, const PinholeCamera& reference,
+                              const std::string& camera);
+
+/// The depth image: what the pinhole sees.
+ReferenceImage buildDepthImage(const PinholeCamera& camera, const Mesh& mesh);
+
+}  // namespace ocelli

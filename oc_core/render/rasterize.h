@@ -1,0 +1,12 @@
+// Rasterisation for the planar pinhole camera: project the vertices, fill the triangles (section 6, introduction).
+#pragma once
+
+#include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/render/fragment_image.h"
+
+namespace ocelli {
+
+/// The closest fragment at each pixel of `camera`. Triangles are clipped to the frustum; both sides are drawn.
+FragmentImage rasterize(const PinholeCamera& camera, const Mesh& mesh);
+
+}  // namespace ocelli

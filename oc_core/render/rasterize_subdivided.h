@@ -1,0 +1,174 @@
+// Rasterisation for cameras that displace the image of a pinhole: triangles are split until they are about a pixel in
+// size, and the pieces are filled as if their edges were straight (section 6.1.3).
+//
+// Whether an edge is split depends on its two end points alone, and its midpoint on nothing else, so triangles that
+// share an edge split it alike: no cracks. Triangles are clipped to the pinhole's frustum first, widened by the longest
+// displacement.
+#pragma once
+
+#include <array>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include "oc_core/base/parallel.h"
+#include "oc_core/camera/ddoc_camera.h"
+#include "oc_core/render/draw_parallel.h"
+#include "oc_core/render/frustum_clip.h"
+
+namespace ocelli {
+
+struct SubdivisionOptions {
+  /// An edge is split while its image, with or without the displacement, is longer than this, pixels.
+  float longestEdgePixels = 1.0f;
+  /// No edge shorter than this is split, pixels at its own depth. What is still torn apart then lies across a
+  /// discontinuity of the distortion, and is not drawn.
+  float shortestEdgePixels = 0.125f;
+  float tornEdgePixels = 2.0f;
+};
+
+template <DistortedPinhole C>
+class SubdividingDrawer {
+ public:
+  SubdividingDrawer(const C& camera, const SubdivisionOptions& options) : camera_(camera), options_(options) {}
+
+  struct Vertex {
+    glm::vec3 p;            ///< in the camera space of the reference pinhole
+    glm::vec2 undistorted;  ///< pixels
+    RasterVertex image;
+  };
+
+  Vertex vertex(const glm::vec3& p, float b1, float b2) const {
+    const ImagePoint q = camera_.reference().imageFromCamera(p);
+    const ImagePoint d = camera_.distort(q);
+    return {p, {q.u, q.v}, {d.u, d.v, 1 / q.z, b1, b2}};
+  }
+
+  /// Draws the part of a scene triangle that the piece abc covers.
+  void draw(VisibilityBuffer& buffer, uint32_t triangle, const Vertex& a, const Vertex& b, const Vertex& c,
+            int depth = 0) const {
+    const bool splitAb = mustSplit(a, b);
+    const bool splitBc = mustSplit(b, c);
+    const bool splitCa = mustSplit(c, a);
+    const int splits = splitAb + splitBc + splitCa;
+    if (splits == 0 || depth >= kDeepest) {
+      if (!torn(a, b) && !torn(b, c) && !torn(c, a)) {
+        buffer.draw(triangle, a.image, b.image, c.image);
+      }
+    } else if (splits == 3) {
+      const Vertex ab = midpoint(a, b);
+      const Vertex bc = midpoint(b, c);
+      const Vertex ca = midpoint(c, a);
+      draw(buffer, triangle, a, ab, ca, depth + 1);
+      draw(buffer, triangle, ab, b, bc, depth + 1);
+      draw(buffer, triangle, ca, bc, c, depth + 1);
+      draw(buffer, triangle, ab, bc, ca, depth + 1);
+    } else if (splits == 2) {
+      // Turn the triangle so that its unsplit edge is ca, cut off the corner b, and cut the rest in two.
+      if (!splitAb) {
+        drawTwoSplits(buffer, triangle, b, c, a, depth);
+      } else if (!splitBc) {
+        drawTwoSplits(buffer, triangle, c, a, b, depth);
+      } else {
+        drawTwoSplits(buffer, triangle, a, b, c, depth);
+      }
+    } else if (splitAb) {
+      drawOneSplit(buffer, triangle, a, b, c, depth);
+    } else if (splitBc) {
+      drawOneSplit(buffer, triangle, b, c, a, depth);
+    } else {
+      drawOneSplit(buffer, triangle, c, a, b, depth);
+    }
+  }
+
+ private:
+  static constexpr int kDeepest = 24;  ///< 2^24 pieces along an edge: only guards against numbers gone wrong
+
+  void drawOneSplit(VisibilityBuffer& buffer, uint32_t triangle, const Vertex& a, const Vertex& b, const Vertex& c,
+                    int depth) const {
+    const Vertex ab = midpoint(a, b);
+    draw(buffer, triangle, a, ab, c, depth + 1);
+    draw(buffer, triangle, ab, b, c, depth + 1);
+  }
+  void drawTwoSplits(VisibilityBuffer& buffer, uint32_t triangle, const Vertex& a, const Vertex& b, const Vertex& c,
+                     int depth) const {
+    const Vertex ab = midpoint(a, b);
+    const Vertex bc = midpoint(b, c);
+    draw(buffer, triangle, ab, b, bc, depth + 1);
+    draw(buffer, triangle, a, ab, bc, depth + 1);
+    draw(buffer, triangle, a, bc, c, depth + 1);
+  }
+
+  static float squared(const glm::vec2& v) { return v.x * v.x + v.y * v.y; }
+  static glm::vec2 image(const Vertex& v) { return {v.image.u, v.image.v}; }
+
+  bool mustSplit(const Vertex& a, const Vertex& b) const {
+    const float longest = options_.longestEdgePixels * options_.longestEdgePixels;
+    if (squared(a.undistorted - b.undistorted) <= longest && squared(image(a) - image(b)) <= longest) {
+      return false;
+    }
+    const float footprint = std::min(a.p.z, b.p.z) / camera_.reference().focalPixels();
+    return glm::distance(a.p, b.p) > options_.shortestEdgePixels * footprint;
+  }
+  bool torn(const Vertex& a, const Vertex& b) const {
+    return squared(image(a) - image(b)) > options_.tornEdgePixels * options_.tornEdgePixels;
+  }
+  Vertex midpoint(const Vertex& a, const Vertex& b) const {
+    return vertex((a.p + b.p) * 0.5f, (a.image.b1 + b.image.b1) * 0.5f, (a.image.b2 + b.image.b2) * 0.5f);
+  }
+
+  const C& camera_;
+  SubdivisionOptions options_;
+};
+
+template <DistortedPinhole C>
+FragmentImage rasterize(const C& camera, const Mesh& mesh, const SubdivisionOptions& options = {}) {
+  using Drawer = SubdividingDrawer<C>;
+  using Vertex = typename Drawer::Vertex;
+  const Drawer drawer(camera, options);
+  const PinholeCamera& reference = camera.reference();
+  const float margin = camera.longestDisplacement() + 2;
+
+  std::vector<Vertex> projected(mesh.positions.size());
+  parallelFor(projected.size(), 1 << 12, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const glm::vec3 p = reference.cameraFromWorld(mesh.positions[i]);
+      if (p.z >= reference.view().zNear && p.z <= reference.view().zFar) {
+        projected[i] = drawer.vertex(p, 0, 0);
+      }
+    }
+  });
+  const auto outside = [&](const Vertex& v) {
+    return v.image.inverseZ <= 0 || v.undistorted.x < -margin || v.undistorted.y < -margin ||
+           v.undistorted.x > static_cast<float>(reference.width()) + margin ||
+           v.undistorted.y > static_cast<float>(reference.height()) + margin;
+  };
+
+  return drawParallel(
+      camera.width(), camera.height(), mesh.triangles.size(), [&](VisibilityBuffer& buffer, size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          const auto triangle = static_cast<uint32_t>(i);
+          const glm::uvec3& t = mesh.triangles[i];
+          Vertex a = projected[t.x];
+          Vertex b = projected[t.y];
+          Vertex c = projected[t.z];
+          if (!outside(a) && !outside(b) && !outside(c)) {
+            b.image.b1 = 1;
+            c.image.b2 = 1;
+            drawer.draw(buffer, triangle, a, b, c);
+            continue;
+          }
+          const ClipPolygon polygon = clipToFrustum(
+              {reference.cameraFromWorld(mesh.positions[t.x]), reference.cameraFromWorld(mesh.positions[t.y]),
+               reference.cameraFromWorld(mesh.positions[t.z])},
+              reference, margin);
+          const auto clipped = [&](size_t k) {
+            return drawer.vertex(polygon.vertices[k].p, polygon.vertices[k].b1, polygon.vertices[k].b2);
+          };
+          for (size_t k = 2; k < polygon.count; ++k) {
+            drawer.draw(buffer, triangle, clipped(0), clipped(k - 1), clipped(k));
+          }
+        }
+      });
+}
+
+}  // namespace ocelli

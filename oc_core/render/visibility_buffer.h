@@ -1,0 +1,141 @@
+// The closest fragment of each pixel, and the scan conversion that fills it.
+//
+// Fill rule: vertices are snapped to 1/256 pixel, edge functions are exact integers, and a pixel centre on an edge
+// belongs to the triangle for which that edge is a top or a left one. Triangles that share an edge thus neither overlap
+// nor leave a gap. 1/z is interpolated linearly over the image. The closest fragment wins, the lower triangle index on
+// a tie, so the result does not depend on the order of drawing; each thread draws into a buffer of its own and the
+// buffers are merged.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "oc_core/render/fragment_image.h"
+
+namespace ocelli {
+
+/// A projected vertex. b1 and b2 are its barycentric weights on the scene triangle that is being drawn.
+struct RasterVertex {
+  float u = 0;
+  float v = 0;
+  float inverseZ = 0;  ///< 1/z; 0 marks a vertex without an image
+  float b1 = 0;
+  float b2 = 0;
+};
+
+class VisibilityBuffer {
+ public:
+  /// Image coordinates of vertices must stay within this many pixels of the origin (28.8 fixed point, 64-bit products).
+  static constexpr float kGuardBandPixels = 4e6f;
+
+  VisibilityBuffer(int width, int height)
+      : width_(width), height_(height), samples_(static_cast<size_t>(width) * static_cast<size_t>(height)) {}
+
+  void draw(uint32_t triangle, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c);
+
+  /// Keeps the closer of the two at each pixel in [begin, end).
+  void mergePixels(const VisibilityBuffer& other, size_t begin, size_t end);
+  Fragment fragment(size_t pixel) const;
+
+ private:
+  static constexpr int kSubPixelBits = 8;
+  static constexpr int64_t kOne = 1 << kSubPixelBits;
+  static constexpr uint64_t kEmpty = ~uint64_t{0};
+
+  struct Sample {
+    uint64_t key = kEmpty;  ///< bits of z (positive, so ordered as integers), then the triangle index
+    float b1 = 0;
+    float b2 = 0;
+  };
+
+  static int64_t snap(float pixels) { return std::llrint(static_cast<double>(pixels) * kOne); }
+
+  int width_;
+  int height_;
+  std::vector<Sample> samples_;
+};
+
+inline void VisibilityBuffer::draw(uint32_t triangle, const RasterVertex& a, const RasterVertex& b0,
+                                   const RasterVertex& c0) {
+  const int64_t ax = snap(a.u);
+  const int64_t ay = snap(a.v);
+  int64_t bx = snap(b0.u);
+  int64_t by = snap(b0.v);
+  int64_t cx = snap(c0.u);
+  int64_t cy = snap(c0.v);
+  const RasterVertex* b = &b0;
+  const RasterVertex* c = &c0;
+  int64_t area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+  if (area == 0) {
+    return;
+  }
+  if (area < 0) {  // both sides of a surface are drawn: turn it around
+    std::swap(bx, cx);
+    std::swap(by, cy);
+    std::swap(b, c);
+    area = -area;
+  }
+
+  // Pixels whose centres lie within the bounding box.
+  const auto firstCentre = [](int64_t lowest) { return (lowest - kOne / 2 + kOne - 1) >> kSubPixelBits; };
+  const auto lastCentre = [](int64_t highest) { return (highest - kOne / 2) >> kSubPixelBits; };
+  const int64_t x0 = std::max<int64_t>(firstCentre(std::min({ax, bx, cx})), 0);
+  const int64_t x1 = std::min<int64_t>(lastCentre(std::max({ax, bx, cx})), width_ - 1);
+  const int64_t y0 = std::max<int64_t>(firstCentre(std::min({ay, by, cy})), 0);
+  const int64_t y1 = std::min<int64_t>(lastCentre(std::max({ay, by, cy})), height_ - 1);
+  if (x0 > x1 || y0 > y1) {
+    return;
+  }
+
+  // Edge functions: positive inside. Edges that are neither top nor left give up their own points.
+  struct Edge {
+    int64_t stepX, stepY, row;
+  };
+  const auto edge = [&](int64_t px, int64_t py, int64_t qx, int64_t qy) {
+    const int64_t dx = qx - px;
+    const int64_t dy = qy - py;
+    const bool topOrLeft = dy < 0 || (dy == 0 && dx > 0);
+    const int64_t startX = x0 * kOne + kOne / 2;
+    const int64_t startY = y0 * kOne + kOne / 2;
+    return Edge{-dy * kOne, dx * kOne, dx * (startY - py) - dy * (startX - px) - (topOrLeft ? 0 : 1)};
+  };
+  Edge ea = edge(bx, by, cx, cy);
+  Edge eb = edge(cx, cy, ax, ay);
+  Edge ec = edge(ax, ay, bx, by);
+
+  const float perArea = 1.0f / static_cast<float>(area);
+  for (int64_t y = y0; y <= y1; ++y) {
+    int64_t wa = ea.row;
+    int64_t wb = eb.row;
+    int64_t wc = ec.row;
+    for (int64_t x = x0; x <= x1; ++x) {
+      if ((wa | wb | wc) >= 0) {
+        const float sb = static_cast<float>(wb) * perArea;
+        const float sc = static_cast<float>(wc) * perArea;
+        const float sa = std::max(1 - sb - sc, 0.0f);
+        const float ia = sa * a.inverseZ;
+        const float ib = sb * b->inverseZ;
+        const float ic = sc * c->inverseZ;
+        const float z = 1 / (ia + ib + ic);
+        Sample& sample = samples_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
+        const uint64_t key = static_cast<uint64_t>(std::bit_cast<uint32_t>(z)) << 32 | triangle;
+        if (key < sample.key) {
+          sample.key = key;
+          sample.b1 = (ia * a.b1 + ib * b->b1 + ic * c->b1) * z;
+          sample.b2 = (ia * a.b2 + ib * b->b2 + ic * c->b2) * z;
+        }
+      }
+      wa += ea.stepX;
+      wb += eb.stepX;
+      wc += ec.stepX;
+    }
+    ea.row += ea.stepY;
+    eb.row += eb.stepY;
+    ec.row += ec.stepY;
+  }
+}
+
+}  // namespace ocelli
