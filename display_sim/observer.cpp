@@ -135,18 +135,26 @@ class Collector {
     forEachLit(volume_, arc.slice, [&](int column, int row, unsigned colorBits) {
       const double r = sweep_.columnRadius(column);
       const glm::dvec3 onAxis = axis_ + up_ * sweep_.rowCenterY(row);
-      const std::vector<Arc>& arcs =
-          parts.forLength(std::abs(r) * radians * eye_.pixelsPerTangent / std::max(onAxis.z - std::abs(r), kNearest));
+      const double pixelsPerRadius = eye_.pixelsPerTangent / std::max(onAxis.z - std::abs(r), kNearest);
+      const std::vector<Arc>& arcs = parts.forLength(std::abs(r) * radians * pixelsPerRadius);
+      const int columnParts = columnPartsFor(sweep_.columnWidth() * pixelsPerRadius);
+      const double width = sweep_.columnWidth() / columnParts;
+      const double partLight = light / static_cast<double>(arcs.size()) / columnParts;
       for (const Arc& part : arcs) {
-        addPart(part, onAxis, r, light / static_cast<double>(arcs.size()), colorBits, image);
+        for (int k = 0; k < columnParts; ++k) {
+          addPart(part, onAxis, r + (k - (columnParts - 1) / 2.0) * width, width, partLight, colorBits, image);
+        }
       }
     });
   }
 
  private:
-  /// A box has the same spread (variance) in both directions of the image as the projected cell, whose sides run
-  /// outwards, up and along the sweep. It is the cell's image itself where those lie along rows and columns.
-  void addPart(const Arc& arc, const glm::dvec3& onAxis, double r, double light, unsigned colorBits,
+  static int columnPartsFor(double pixels) { return static_cast<int>(std::clamp(pixels + 0.5, 1.0, 16.0)); }
+
+  /// A part of a cell, about a pixel large where the number of parts allows that, is drawn as a box that has the same
+  /// spread (variance) in both directions of the image as the part's image, whose sides run outwards, up and along the
+  /// sweep. It is that image itself where they lie along rows and columns.
+  void addPart(const Arc& arc, const glm::dvec3& onAxis, double r, double width, double light, unsigned colorBits,
                LightImage& image) const {
     const glm::dvec3 p = onAxis + arc.outward * r;
     if (p.z < kNearest) {
@@ -158,7 +166,7 @@ class Collector {
     const auto projected = [&](const glm::dvec3& side, double length) {
       return glm::dvec2(side.x - slope.x * side.z, side.y - slope.y * side.z) * (length * scale);
     };
-    const glm::dvec2 outward = projected(arc.outward, sweep_.columnWidth());
+    const glm::dvec2 outward = projected(arc.outward, width);
     const glm::dvec2 up = projected(up_, sweep_.rowHeight());
     const glm::dvec2 along = projected(arc.along, std::abs(r) * arc.radians);
     const glm::dvec2 variance = outward * outward + up * up + along * along;
