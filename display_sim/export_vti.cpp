@@ -18,9 +18,9 @@ namespace {
 
 constexpr size_t kCellsPerBlock = size_t{1} << 20;
 
-/// So many points of a side of this length are less than half a cell apart.
+/// So many points of a side of this length are at most half a cell apart; an odd number, to have one in the middle.
 int samplesAlong(double length, double spacing) {
-  return static_cast<int>(std::ceil(2 * length / spacing));
+  return static_cast<int>(std::ceil(2 * length / spacing)) | 1;
 }
 
 /// Where in the cell's side, from -1/2 to 1/2, the sample stands.
