@@ -1,18 +1,15 @@
 // What every command of the `ocelli` program shares: how it is declared, prints and reports progress.
 //
-// Recipe for a new command, three files:
-//   1. cli/NAME_command.cpp: `void addNameCommand(CLI::App& program, const Frame& frame)`; it adds a subcommand with
-//   its
-//      options and ends with `frame.finish(command, examples, run)`. `run` calls a room and prints: no logic stands
-//      here.
-//   2. cli/command.h: its declaration, below.
+// Recipe for a new command, four files:
+//   1. cli/NAME_command.cpp: `void addNameCommand(CLI::App& program, const Frame& frame)`. It adds a subcommand, its
+//      options, and ends with frame.finish(command, examples, run). `run` calls a room and prints: no logic here.
+//   2. cli/command.h: its declaration.
 //   3. cli/main.cpp and cli/CMakeLists.txt: one line each.
 //
-// `run` throws InputError for what the user gave wrongly (exit code 2) and WorkError where the work failed (exit code
-// 1); main() prints both as "ocelli: error: ...". Any other exception is exit code 1 too.
+// `run` throws InputError for what the user gave wrongly (exit code 2) and WorkError where the work failed (1); main()
+// prints both as "ocelli: error: ...". Any other exception is exit code 1 too.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -55,8 +52,5 @@ class Frame {
 
 /// Flushes standard output. Throws WorkError where what was printed could not be written in full.
 void flushStandardOutput();
-
-/// Writes `text` as a file. Throws WorkError where it cannot be written in full.
-void writeTextFile(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace ocelli

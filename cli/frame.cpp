@@ -81,16 +81,4 @@ void flushStandardOutput() {
   checkStandardOutput(std::fflush(stdout) == 0);
 }
 
-void writeTextFile(const std::filesystem::path& path, std::string_view text) {
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  const bool opened = file != nullptr;
-  const bool written = opened && std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  // Closed in any case: a full disk shows itself here at the latest.
-  const bool closed = opened && std::fclose(file) == 0;
-  if (!written || !closed) {
-    throw WorkError(std::string("cannot write this file (") + std::strerror(errno) + ")", path.string(),
-                    "check that the folder exists, is writable and has space");
-  }
-}
-
 }  // namespace ocelli

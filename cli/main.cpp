@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "cli/command.h"
 #include "oc_core/base/error.h"
@@ -70,6 +72,12 @@ int run(int argumentCount, char** arguments) {
     flushStandardOutput();
     return 0;
   } catch (const CLI::ParseError& error) {
+    // CLI11 would only say that a command is missing.
+    const std::vector<std::string> rest = program.remaining();
+    if (program.get_subcommands().empty() && !rest.empty()) {
+      const std::string kind = rest.front().starts_with('-') ? "option" : "command";
+      return fail(frame, kInputWrong, "there is no " + kind + " \"" + rest.front() + "\"\n  try: ocelli --help");
+    }
     return fail(frame, kInputWrong, std::string(error.what()) + "\n  try: " + namedCommand(program) + " --help");
   } catch (const InputError& error) {
     return fail(frame, kInputWrong, error.what());

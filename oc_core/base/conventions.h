@@ -1,10 +1,10 @@
 // The conventions of the whole toolkit, stated once.
 //
-// Space    Right-handed, y up. Lengths are in metres, except in a display's model space, whose unit is the radius of the
-//          display: a fitted scene lies in the sphere of radius 1 around the origin. Angles are in radians inside, in
-//          degrees at the boundary, and the name says which (`fovVerticalDegrees`).
-// Views    A camera looks along its own -z, as in OpenGL. `z` of an image sample is nevertheless positive in front of the
-//          eye: it is the distance along the reference view direction, and is interpolated as 1/z.
+// Space    Right-handed, y up. Lengths are in metres, except in a display's model space, whose unit is the radius of
+//          the display: a fitted scene lies in the sphere of radius 1 around the origin. Angles are in radians inside,
+//          in degrees at the boundary, and the name says which (`fovVerticalDegrees`).
+// Views    A camera looks along its own -z, as in OpenGL. `z` of an image sample is nevertheless positive in front of
+//          the eye: it is the distance along the reference view direction, and is interpolated as 1/z.
 // Images   Origin at the top left, u to the right, v down, in pixels. The centre of pixel (i, j) is (i + 0.5, j + 0.5).
 // Colour   Linear light in memory, 1 = full. sRGB only where bytes leave or enter: PNG, PLY, OBJ, textures.
 // Names    Transforms read result first: `worldFromCamera * pCamera` is a world point.
@@ -28,7 +28,11 @@ inline constexpr int kDefaultHeight = 480;
 
 inline constexpr double kPi = std::numbers::pi;
 
-constexpr double radiansFromDegrees(double degrees) { return degrees * kPi / 180; }
-constexpr double degreesFromRadians(double radians) { return radians * 180 / kPi; }
+constexpr double radiansFromDegrees(double degrees) {
+  return degrees * kPi / 180;
+}
+constexpr double degreesFromRadians(double radians) {
+  return radians * 180 / kPi;
+}
 
 }  // namespace ocelli

@@ -13,9 +13,7 @@ class Image {
  public:
   Image() = default;
   Image(int width, int height, const Pixel& fill = Pixel{})
-      : width_(width), height_(height), pixels_(static_cast<size_t>(width) * static_cast<size_t>(height), fill) {
-    OC_CHECK(width >= 0 && height >= 0, "an image cannot have a negative size");
-  }
+      : width_(width), height_(height), pixels_(pixelCount(width, height), fill) {}
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -41,6 +39,11 @@ class Image {
   bool operator==(const Image&) const = default;
 
  private:
+  static size_t pixelCount(int width, int height) {
+    OC_CHECK(width >= 0 && height >= 0, "an image cannot have a negative size");
+    return static_cast<size_t>(width) * static_cast<size_t>(height);
+  }
+
   int width_ = 0;
   int height_ = 0;
   std::vector<Pixel> pixels_;

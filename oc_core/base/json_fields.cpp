@@ -1,10 +1,10 @@
 #include "oc_core/base/json_fields.h"
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 
 namespace ocelli {
 
@@ -101,16 +101,13 @@ nlohmann::json parseJson(const std::string& text, const std::string& where) {
     const size_t column = at - (lineStart == std::string::npos ? 0 : lineStart + 1) + 1;
     throw InputError("this is not valid JSON", where + ":" + std::to_string(line) + ":" + std::to_string(column),
                      "look for a missing comma, quote or bracket there");
+  } catch (const nlohmann::json::out_of_range&) {
+    throw InputError("a number in this JSON is too large", where, "keep numbers below 1.8e308");
   }
 }
 
 nlohmann::json readJsonFile(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) {
-    throw InputError("cannot read this file", path.string(), "check the path; an empty file is not JSON");
-  }
-  return parseJson(text.str(), path.string());
+  return parseJson(readFile(path), path.string());
 }
 
 }  // namespace ocelli

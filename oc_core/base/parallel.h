@@ -10,12 +10,13 @@ namespace ocelli {
 void setThreadCount(int threads);
 int threadCount();
 
-/// Calls `body(begin, end)` on disjoint ranges that cover [0, count). `grain` is the least length of a range. Which ranges
-/// there are and in which order they run is not determined: write results by index.
+/// Calls `body(begin, end)` on disjoint ranges that cover [0, count). `grain` is the least length of a range. Which
+/// ranges there are and in which order they run is not determined: write results by index.
 void parallelFor(size_t count, size_t grain, const std::function<void(size_t begin, size_t end)>& body);
 
 /// Calls `body(chunk, begin, end)` once for each of `chunks` equal parts of [0, count). The parts depend on `count` and
 /// `chunks` alone, so results gathered by chunk are the same with any number of threads.
-void parallelChunks(size_t count, size_t chunks, const std::function<void(size_t chunk, size_t begin, size_t end)>& body);
+void parallelChunks(size_t count, size_t chunks,
+                    const std::function<void(size_t chunk, size_t begin, size_t end)>& body);
 
 }  // namespace ocelli

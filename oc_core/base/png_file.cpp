@@ -2,11 +2,12 @@
 
 #include <png.h>
 
-#include <cerrno>
-#include <cstring>
+#include <string>
+#include <string_view>
 
 #include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {
@@ -28,11 +29,14 @@ void writePng(const std::filesystem::path& path, const Image<Rgb8>& image) {
   png.width = static_cast<png_uint_32>(image.width());
   png.height = static_cast<png_uint_32>(image.height());
   png.format = PNG_FORMAT_RGB;
-  if (png_image_write_to_file(&png, path.c_str(), 0, image.data(), 0, nullptr) == 0) {
-    const std::string reason = errno != 0 ? std::strerror(errno) : png.message;
-    throw WorkError("cannot write this PNG file (" + reason + ")", path.string(),
-                    "check that the folder exists, is writable and has space");
+  // Into memory and not into the file: on failure libpng removes what it was told to write to, devices included.
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, image.data(), 0, nullptr) == 0) {
+    throw WorkError(std::string("cannot make a PNG of this image (") + png.message + ")", path.string(),
+                    "use a smaller image");
   }
+  writeFile(path, std::string_view(bytes).substr(0, size));
 }
 
 Image<Rgb8> readPng(const std::filesystem::path& path) {

@@ -1,0 +1,61 @@
+#include "oc_core/base/file_bytes.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <system_error>
+
+#include "oc_core/base/error.h"
+
+namespace ocelli {
+
+void writeFile(const std::filesystem::path& path, std::string_view bytes) {
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  const bool opened = file != nullptr;
+  bool good = opened && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+  int reason = errno;
+  // Closed in any case; a full disk may show itself only here.
+  if (opened && std::fclose(file) != 0 && good) {
+    good = false;
+    reason = errno;
+  }
+  if (good) {
+    return;
+  }
+  std::error_code ignored;
+  // Never a device: root may remove those.
+  if (opened && std::filesystem::is_regular_file(path, ignored)) {
+    std::filesystem::remove(path, ignored);
+  }
+  throw WorkError(std::string("cannot write this file (") + std::strerror(reason) + ")", path.string(),
+                  "check that the folder exists, is writable and has space");
+}
+
+std::string readFile(const std::filesystem::path& path) {
+  const auto fail = [&path](int reason) {
+    throw InputError(std::string("cannot read this file (") + std::strerror(reason) + ")", path.string(),
+                     "check the path and your rights");
+  };
+  struct Closer {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "rb"));
+  if (!file) {
+    fail(errno);
+  }
+  std::string bytes;
+  std::array<char, 1 << 16> block;
+  for (size_t got = block.size(); got == block.size();) {
+    got = std::fread(block.data(), 1, block.size(), file.get());
+    bytes.append(block.data(), got);
+  }
+  // A folder opens, and fails here.
+  if (std::ferror(file.get()) != 0) {
+    fail(errno);
+  }
+  return bytes;
+}
+
+}  // namespace ocelli

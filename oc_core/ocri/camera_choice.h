@@ -1,0 +1,35 @@
+// From what a user writes after `--camera` to a reference image: a name, or a JSON file with a name and options
+// (camera.schema.json).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "oc_core/base/progress.h"
+#include "oc_core/ocri/ddoc_builder.h"
+#include "oc_core/ocri/reference_image.h"
+
+namespace ocelli {
+
+struct CameraChoice {
+  enum class Model { kDepthImage, kDdoc };
+  Model model = Model::kDepthImage;
+  std::string name = "di";
+  DdocOptions ddoc;
+};
+
+struct CameraName {
+  const char* name;
+  const char* description;
+};
+
+/// The names that cameraChoice() knows.
+const std::vector<CameraName>& cameraNames();
+
+/// Throws InputError for an unknown name, and for a file that is wrong.
+CameraChoice cameraChoice(const std::string& nameOrFile);
+
+ReferenceImage buildReferenceImage(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
+                                   const Progress& progress = {});
+
+}  // namespace ocelli

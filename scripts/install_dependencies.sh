@@ -1,0 +1,47 @@
+#!/bin/sh
+# Installs what building and testing Ocelli needs and this Debian 12 machine lacks.
+# Usage: scripts/install_dependencies.sh [--developer]
+#   --developer   also the tools for fuzzing, formatting and linting
+set -eu
+
+packages="cmake ninja-build g++ ccache pkg-config python3-minimal git
+  libglm-dev libtbb-dev libpng-dev zlib1g-dev libassimp-dev libembree-dev libopenexr-dev libimath-dev
+  nlohmann-json3-dev libzstd-dev libmeshoptimizer-dev libfmt-dev libcli11-dev
+  libgtest-dev libgmock-dev libbenchmark-dev"
+
+case "${1-}" in
+  "") ;;
+  --developer) packages="$packages clang libclang-rt-14-dev clang-format clang-tidy" ;;
+  *)
+    echo "usage: $0 [--developer]" >&2
+    exit 2
+    ;;
+esac
+
+# The state of each package is asked for by name: a package that apt knows but has removed counts as missing.
+missing=""
+for package in $packages; do
+  state=$(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$state" = installed ] || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+
+if ! command -v apt-get >/dev/null; then
+  echo "install_dependencies: this is not Debian. Install the equivalents of these packages yourself:$missing" >&2
+  exit 1
+fi
+if [ "$(id -u)" = 0 ]; then
+  as_root=""
+elif command -v sudo >/dev/null; then
+  as_root="sudo"
+else
+  echo "install_dependencies: no rights to install packages. Run this as root:" >&2
+  echo "  apt-get install --no-install-recommends$missing" >&2
+  exit 1
+fi
+
+echo "install_dependencies: installing$missing"
+export DEBIAN_FRONTEND=noninteractive
+$as_root apt-get update -qq
+# shellcheck disable=SC2086  # one word a package
+$as_root apt-get install -qq -y --no-install-recommends $missing </dev/null
