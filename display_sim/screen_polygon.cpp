@@ -37,11 +37,14 @@ CellRange PolygonRaster::findExtents(const ScreenPolygon& polygon) {
     const ScreenPoint& a = polygon.points[static_cast<size_t>(i)];
     const ScreenPoint& b = polygon.points[static_cast<size_t>(i + 1 == polygon.size ? 0 : i + 1)];
     extend(touchedCells(a.v, a.v, height_), a);
-    const double firstBorder = std::max(std::floor(std::min(a.v, b.v)) + 1, 0.0);
-    const double lastBorder = std::min(std::ceil(std::max(a.v, b.v)) - 1, static_cast<double>(height_));
-    for (double border = firstBorder; border <= lastBorder; ++border) {
-      ScreenPoint crossing = mix(a, b, (border - a.v) / (b.v - a.v));
-      extend(touchedCells(border, border, height_), crossing);
+    const CellRange rows = touchedCells(std::min(a.v, b.v), std::max(a.v, b.v), height_);
+    const int firstBorder = std::min(a.v, b.v) < 0 ? 0 : rows.first + 1;
+    const int lastBorder = std::max(a.v, b.v) > height_ ? height_ : rows.last;
+    for (int border = firstBorder; border <= lastBorder; ++border) {
+      const double t = (border - a.v) / (b.v - a.v);
+      if (t > 0 && t < 1) {
+        extend(touchedCells(border, border, height_), mix(a, b, t));
+      }
     }
   }
   return range;

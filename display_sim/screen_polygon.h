@@ -36,9 +36,15 @@ struct CellRange {
 };
 
 inline CellRange touchedCells(double lo, double hi, int count) {
-  const double first = std::max(std::ceil(lo) - 1, 0.0);
-  const double last = std::min(std::floor(hi), count - 1.0);
-  return first <= last ? CellRange{static_cast<int>(first), static_cast<int>(last)} : CellRange{};
+  if (!(hi >= 0 && lo <= count)) {
+    return {};
+  }
+  // Truncation is floor() for what is not negative; it is an instruction of every x86-64, which floor() is not.
+  const int last = static_cast<int>(std::min(hi, static_cast<double>(count)));
+  const double from = std::max(lo, 0.0);
+  const int floorFrom = static_cast<int>(from);
+  const int first = static_cast<double>(floorFrom) == from ? floorFrom - 1 : floorFrom;
+  return {std::max(first, 0), std::min(last, count - 1)};
 }
 
 /// Finds the pixel squares that polygons touch. Holds scratch memory: one for each thread.

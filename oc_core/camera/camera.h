@@ -1,7 +1,7 @@
 // The contract of every camera model, and the recipe for a new one.
 //
-// A camera maps world points to image points and pixels to rays. The rays of the cameras of this toolkit bend, so a ray is a
-// polyline from near to far; origin plus direction cannot say it.
+// A camera maps world points to image points and pixels to rays. The rays of the cameras of this toolkit bend, so a ray
+// is a polyline from near to far; origin plus direction cannot say it.
 //
 //   project(worldPoint)  -> optional<ImagePoint>   nothing where the point has no image
 //   unproject(imagePoint)-> optional<vec3>         nothing where no world point has that image
@@ -12,7 +12,8 @@
 // Renderers (oc_core/render) take the camera as a template parameter: no virtual call stands in an inner loop.
 //
 // Recipe for a new camera model, three files:
-//   1. oc_core/camera/NAME_camera.h and .cpp: the class, with its section and equations at the top; it must satisfy Camera.
+//   1. oc_core/camera/NAME_camera.h and .cpp: the class, with its section and equations at the top; it must satisfy
+//   Camera.
 //   2. tests/camera/camera_contract_test.cpp: add it to the list of cameras that the contract's suite runs over.
 //   3. cli/camera_choice.cpp: give it a name, so that `--camera NAME` finds it.
 #pragma once

@@ -52,8 +52,8 @@ RayPath DdocCamera::rayPath(const glm::vec2& pixel) const {
   if (path.empty() || greatestInverseNear_ <= 0) {
     return path;
   }
-  // Straight up to the nearest z_n and beyond the farthest z_f of the map; in between, equal steps of 1/z, each solved from
-  // the solution before it. A step without a solution is left out: the ray goes straight over it.
+  // Straight up to the nearest z_n and beyond the farthest z_f of the map; in between, equal steps of 1/z, each solved
+  // from the solution before it. A step without a solution is left out: the ray goes straight over it.
   constexpr int kSteps = 96;
   RayPath bent{path.front()};
   glm::vec2 undistorted = pixel;

@@ -1,10 +1,11 @@
-// The depth discontinuity occlusion camera (DDOC, section 3.2): a planar pinhole camera whose rays are pushed out from behind
-// the silhouettes of the scene, pixel by pixel, as a distortion map says.
+// The depth discontinuity occlusion camera (DDOC, section 3.2): a planar pinhole camera whose rays are pushed out from
+// behind the silhouettes of the scene, pixel by pixel, as a distortion map says.
 //
-// Projection (Equation 3.3) is closed: project with the pinhole, look the distortion up at the undistorted pixel, displace.
-// The inverse is not: the map is sampled, so `unproject` and `rayPath` solve for the undistorted pixel depth by depth. Where
-// the field folds (possible with the discontinuous map of the text, kept small by the smooth one), one of the solutions is
-// returned, or none. A reference image therefore stores the displacement of each sample and unprojects exactly (3.2.3).
+// Projection (Equation 3.3) is closed: project with the pinhole, look the distortion up at the undistorted pixel,
+// displace. The inverse is not: the map is sampled, so `unproject` and `rayPath` solve for the undistorted pixel depth
+// by depth. Where the field folds (possible with the discontinuous map of the text, kept small by the smooth one), one
+// of the solutions is returned, or none. A reference image therefore stores the displacement of each sample and
+// unprojects exactly (3.2.3).
 #pragma once
 
 #include "oc_core/camera/camera.h"

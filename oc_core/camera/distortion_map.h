@@ -1,5 +1,5 @@
-// The distortion map of the depth discontinuity occlusion camera (section 3.2.2): how far, which way and over which depths the
-// rays of a reference pinhole camera are pushed, one sample for each of its pixels.
+// The distortion map of the depth discontinuity occlusion camera (section 3.2.2): how far, which way and over which
+// depths the rays of a reference pinhole camera are pushed, one sample for each of its pixels.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace ocelli {
 
-/// The five-tuple (dir_u, dir_v, z_n, z_f, d_f) of the text, with the direction scaled by d_f, and depths as 1/z because the
-/// distortion is linear in 1/z.
+/// The five-tuple (dir_u, dir_v, z_n, z_f, d_f) of the text, with the direction scaled by d_f, and depths as 1/z
+/// because the distortion is linear in 1/z.
 struct DistortionSample {
   glm::vec2 displacement{0};  ///< (dir_u, dir_v) * d_f, pixels: the full displacement, reached at z_f
   float inverseNear = 0;      ///< 1/z_n: nearer points are not displaced

@@ -31,7 +31,9 @@ glm::vec3 readVector(JsonFields& fields, const std::string& name, const glm::vec
   return vector;
 }
 
-std::array<double, 3> asArray(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+std::array<double, 3> asArray(const glm::vec3& v) {
+  return {v.x, v.y, v.z};
+}
 
 }  // namespace
 
@@ -56,8 +58,8 @@ void validate(const View& view, const std::string& where) {
     throw InputError("\"up\" of the view is parallel to its direction", where, "choose another \"up\"");
   }
   if (view.fovVerticalDegrees == 0 && distance <= 1.001f) {
-    throw InputError("the eye is within the unit sphere around its target, so no field of view holds that sphere", where,
-                     "move \"eye\" away or give \"fov_vertical_degrees\"");
+    throw InputError("the eye is within the unit sphere around its target, so no field of view holds that sphere",
+                     where, "move \"eye\" away or give \"fov_vertical_degrees\"");
   }
   if (view.fovVerticalDegrees < 0 || view.resolvedFovVerticalDegrees() >= 179) {
     throw InputError("the vertical field of view must lie between 0 and 179 degrees", where,
@@ -83,7 +85,9 @@ View viewFromJsonText(const std::string& text, const std::string& where) {
   return view;
 }
 
-View readView(const std::filesystem::path& path) { return viewFromJsonText(readJsonFile(path).dump(), path.string()); }
+View readView(const std::filesystem::path& path) {
+  return viewFromJsonText(readJsonFile(path).dump(), path.string());
+}
 
 std::string jsonText(const View& view) {
   nlohmann::ordered_json json;

@@ -24,15 +24,16 @@ struct View {
   bool operator==(const View&) const = default;
 };
 
-/// Throws InputError where eye and target coincide, up is parallel to the direction, a number is not finite, the field of
-/// view is not in (0, 180) or the eye is within the unit sphere while no field of view is given.
+/// Throws InputError where eye and target coincide, up is parallel to the direction, a number is not finite, the field
+/// of view is not in (0, 180) or the eye is within the unit sphere while no field of view is given.
 void validate(const View& view, const std::string& where);
 
 View readView(const std::filesystem::path& path);
 View viewFromJsonText(const std::string& text, const std::string& where);
 std::string jsonText(const View& view);
 
-/// The same view with its eye moved by `offset`, given along (right, up, backward) of the view; it looks at the same target.
+/// The same view with its eye moved by `offset`, given along (right, up, backward) of the view; it looks at the same
+/// target.
 View movedEye(const View& view, const glm::vec3& offset);
 
 }  // namespace ocelli

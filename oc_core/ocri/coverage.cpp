@@ -111,7 +111,9 @@ std::vector<View> ViewCell::edgeViews(const View& reference) const {
 std::vector<View> ViewCell::interiorViews(const View& reference, int count, unsigned seed) const {
   std::mt19937 random(seed);
   // Not std::uniform_real_distribution: its values differ between standard libraries.
-  const auto next = [&] { return (static_cast<float>(random() >> 8) / static_cast<float>(1 << 24) - 0.5f) * sideRadii; };
+  const auto next = [&] {
+    return (static_cast<float>(random() >> 8) / static_cast<float>(1 << 24) - 0.5f) * sideRadii;
+  };
   std::vector<View> views;
   for (int i = 0; i < count; ++i) {
     const float x = next();

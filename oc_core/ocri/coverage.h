@@ -1,10 +1,12 @@
 // Disocclusion error: which samples of the truth a representation lacks, seen from elsewhere (section 3.5.5.7).
 //
-// The truth is the scene's own mesh, rendered from a viewpoint; the frame is the representation's mesh, rendered from the
-// same one at the same size. Both are points in space at each pixel.
-//   strict   A truth sample is missing where no frame sample in the 3x3 pixels around it lies within 1.5 pixel footprints of
+// The truth is the scene's own mesh, rendered from a viewpoint; the frame is the representation's mesh, rendered from
+// the same one at the same size. Both are points in space at each pixel.
+//   strict   A truth sample is missing where no frame sample in the 3x3 pixels around it lies within 1.5 pixel
+//   footprints of
 //            it in space (a footprint is z / focal length at the sample's depth).
-//   thick    Strictly missing samples whose eight neighbours are strictly missing too: holes that are three pixels wide at
+//   thick    Strictly missing samples whose eight neighbours are strictly missing too: holes that are three pixels wide
+//   at
 //            the least, as opposed to seams.
 // Ratios are of truth samples, between 0 and 1.
 #pragma once

@@ -7,10 +7,34 @@
 #include "oc_core/ocri/depth_edges.h"
 #include "oc_core/ocri/distortion_splats.h"
 #include "oc_core/ocri/image_mesh.h"
-#include "oc_core/render/rasterize.h"
 
 namespace ocelli {
 namespace {
+
+/// 1/z of each pixel, 0 where nothing is seen.
+Image<float> inverseDepths(const PinholeCamera& camera, const Image<glm::vec4>& seen) {
+  Image<float> inverseZ(seen.width(), seen.height(), 0);
+  for (size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i].w > 0) {
+      inverseZ[i] = 1 / camera.cameraFromWorld(glm::vec3(seen[i])).z;
+    }
+  }
+  return inverseZ;
+}
+
+std::vector<DepthEdge> findEdges(const PinholeCamera& camera, const Image<float>& inverseZ,
+                                 const DdocOptions& options) {
+  DepthEdgeOptions edgeOptions;
+  // A step counts when the view cell can uncover a pixel behind it.
+  edgeOptions.leastInverseZStep = 1 / (camera.focalPixels() * options.cellSideRadii / 2);
+  // What lies behind everything has no depth of its own: it takes that of the farthest sample.
+  float farthest = 0;
+  for (const float w : inverseZ) {
+    farthest = w > 0 && (farthest == 0 || w < farthest) ? w : farthest;
+  }
+  edgeOptions.backgroundInverseZ = farthest;
+  return findDepthEdges(inverseZ, edgeOptions);
+}
 
 /// The parallax between occluder and background, in pixels, over the view cell: a step of the eye along the normal n of
 /// the edge uncovers f * step * (1/zn - 1/zf). The longest step within a square along n is its support |nx| + |ny| half
@@ -41,11 +65,15 @@ DistortionMap mapOf(const std::vector<DistortionSplat>& splats, const SplatOwner
   return smoothMap(finalizeMap(splats, owners, DistortionMap::Lookup::kBilinear), options.smoothingSigmaPixels);
 }
 
+ReferenceImage render(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options) {
+  return referenceImage(rasterize(camera, mesh, options), mesh, camera.reference(), "ddoc");
+}
+
 /// "Do no harm": shrinks the splats that cost samples which the reference view sees. Returns how many it lacks.
 size_t shrinkHarmful(std::vector<DistortionSplat>& splats, const SplatOwners& owners, const Image<glm::vec4>& seen,
                      const DdocCamera& camera, const Mesh& mesh, const DdocOptions& options) {
   const PinholeCamera& reference = camera.reference();
-  const ReferenceImage image = buildDdocImage(camera, mesh, options.subdivision);
+  const ReferenceImage image = render(camera, mesh, options.subdivision);
   const Image<SampleState> states = compareFrames(reference, seen, positionImage(reference, imageMesh(image)));
 
   std::vector<int> harm(splats.size());
@@ -83,7 +111,7 @@ size_t shrinkHarmful(std::vector<DistortionSplat>& splats, const SplatOwners& ow
     }
   }
   for (size_t i = 0; i < splats.size(); ++i) {
-    if (harm[i] > 0) {
+    if (static_cast<float>(harm[i]) > options.harmlessPerHiddenPixel * splats[i].hidden) {
       splats[i].hidden *= options.feedbackShrink;
     }
   }
@@ -98,7 +126,7 @@ DdocOptions DdocOptions::paper(float constantRadiusPixels) {
   options.constantRadiusPixels = constantRadiusPixels;
   options.mostHiddenPerRoom = 1;
   options.feedbackRounds = 0;
-  options.steepest = 0;
+  options.steepestBandGrowth = 0;
   options.smoothingSigmaPixels = 0;
   return options;
 }
@@ -107,47 +135,33 @@ DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, con
                            const Progress& progress) {
   // Steps 1 and 2.
   report(progress, "depth edges", 0);
-  const FragmentImage seen = rasterize(reference, mesh);
-  Image<float> inverseZ(seen.width(), seen.height(), 0);
-  float farthest = 0;
-  for (size_t i = 0; i < seen.size(); ++i) {
-    if (seen[i].covered()) {
-      inverseZ[i] = 1 / seen[i].z;
-      farthest = std::max(farthest, seen[i].z);
-    }
-  }
-  const Image<glm::vec4> seenPoints = positionImage(reference, mesh);
-  DepthEdgeOptions edgeOptions;
-  // A step counts when the view cell can uncover at least one pixel behind it.
-  edgeOptions.leastInverseZStep = 1 / (reference.focalPixels() * options.cellSideRadii / 2);
-  edgeOptions.backgroundInverseZ = farthest > 0 ? 1 / farthest : 0;
-  const std::vector<DepthEdge> edges = findDepthEdges(inverseZ, edgeOptions);
+  const Image<glm::vec4> seen = positionImage(reference, mesh);
+  const std::vector<DepthEdge> edges = findEdges(reference, inverseDepths(reference, seen), options);
 
   // Steps 3 to 6.
   std::vector<DistortionSplat> splats = makeSplats(edges, reference, options);
   SplatOwners owners = claimPixels(splats, seen.width(), seen.height());
   shrinkConflicts(splats, owners, options.mostHiddenPerRoom);
-  if (options.steepest > 0) {
-    limitSteepness(splats, options.steepest);
-  }
+  limitBandGrowth(splats, options.steepestBandGrowth);
   owners = claimPixels(splats, seen.width(), seen.height());
   DdocCamera camera(reference, mapOf(splats, owners, options));
   for (int round = 0; round < options.feedbackRounds; ++round) {
     report(progress, "do no harm", static_cast<double>(round) / options.feedbackRounds);
-    if (shrinkHarmful(splats, owners, seenPoints, camera, mesh, options) == 0) {
+    if (shrinkHarmful(splats, owners, seen, camera, mesh, options) == 0) {
       break;
     }
-    if (options.steepest > 0) {
-      limitSteepness(splats, options.steepest);
-    }
+    limitBandGrowth(splats, options.steepestBandGrowth);
     owners = claimPixels(splats, seen.width(), seen.height());
     camera = DdocCamera(reference, mapOf(splats, owners, options));
   }
+  report(progress, "do no harm", 1);
   return camera;
 }
 
 ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options) {
-  return referenceImage(rasterize(camera, mesh, options), mesh, camera.reference(), "ddoc");
+  ReferenceImage image = render(camera, mesh, options);
+  image.triangleBound = imageMesh(buildDepthImage(camera.reference(), mesh)).triangles.size();
+  return image;
 }
 
 }  // namespace ocelli

@@ -30,13 +30,14 @@ struct DdocOptions {
   float cellSideRadii = 1.6f;
   float safetyFactor = 1.15f;      ///< on the parallax
   float mostHiddenPixels = 48;     ///< cap on the hidden band
-  float roomPerHidden = 1.0f;      ///< visible band for each pixel of hidden band, where nothing competes
-  float mostHiddenPerRoom = 2.2f;  ///< hardest squeeze: (hidden + room) / room - 1
+  float roomPerHidden = 1;         ///< visible band for each pixel of hidden band, where nothing competes for it
+  float mostHiddenPerRoom = 3;     ///< hardest squeeze: (hidden + room) / room - 1
+  float steepestBandGrowth = 6;    ///< of the bands along a silhouette, pixels a pixel; 0 leaves them as they are
+  float smoothingSigmaPixels = 1;  ///< of the field; 0 turns smoothing off: nearest lookup, as in the text
 
-  float steepest = 0.5f;
-  int feedbackRounds = 6;  ///< "do no harm" rounds; 0 turns it off
-  float feedbackShrink = 0.7f;
-  float smoothingSigmaPixels = 2;  ///< 0 turns smoothing off: nearest lookup, as in the text
+  int feedbackRounds = 8;               ///< most "do no harm" rounds; 0 turns it off
+  float feedbackShrink = 0.7f;          ///< what a round leaves of the hidden band of an edge that does harm
+  float harmlessPerHiddenPixel = 0.2f;  ///< missing samples that an edge may cost for each pixel of its hidden band
 
   SubdivisionOptions subdivision;
 
@@ -46,6 +47,7 @@ struct DdocOptions {
 DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options = {},
                            const Progress& progress = {});
 
+/// The OCRI. Its `triangleBound` is that of the depth image of the same view.
 ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options = {});
 
 }  // namespace ocelli

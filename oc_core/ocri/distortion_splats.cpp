@@ -90,7 +90,10 @@ size_t shrinkConflicts(std::vector<DistortionSplat>& splats, const SplatOwners& 
   return shrunk;
 }
 
-void limitSteepness(std::vector<DistortionSplat>& splats, float steepest) {
+void limitBandGrowth(std::vector<DistortionSplat>& splats, float steepestGrowth) {
+  if (splats.empty() || steepestGrowth <= 0) {
+    return;
+  }
   // A chamfer sweep on a grid of the splats' pixels: forwards and backwards over the image, as for a distance
   // transform.
   int width = 0;
@@ -109,7 +112,7 @@ void limitSteepness(std::vector<DistortionSplat>& splats, float steepest) {
   const auto relax = [&](int x, int y, int dx, int dy) {
     if (least.contains(x + dx, y + dy)) {
       const float distance = dx != 0 && dy != 0 ? std::numbers::sqrt2_v<float> : 1.0f;
-      least(x, y) = glm::min(least(x, y), least(x + dx, y + dy) + steepest * distance);
+      least(x, y) = glm::min(least(x, y), least(x + dx, y + dy) + steepestGrowth * distance);
     }
   };
   for (int y = 0; y < height; ++y) {

@@ -33,9 +33,9 @@ SplatOwners claimPixels(const std::vector<DistortionSplat>& splats, int width, i
 /// shrank.
 size_t shrinkConflicts(std::vector<DistortionSplat>& splats, const SplatOwners& owners, float mostHiddenPerRoom);
 
-/// Makes the bands change gradually along the silhouettes: hidden and room grow by at most `steepest` pixels for each
-/// pixel between two splats.
-void limitSteepness(std::vector<DistortionSplat>& splats, float steepest);
+/// Makes the bands change gradually along the silhouettes: hidden and room grow by at most `steepestGrowth` pixels for
+/// each pixel between two splats; 0 leaves them as they are.
+void limitBandGrowth(std::vector<DistortionSplat>& splats, float steepestGrowth);
 
 /// Steps 5 and 6: the map of the displacements. Pixels out of their splat's band get none.
 DistortionMap finalizeMap(const std::vector<DistortionSplat>& splats, const SplatOwners& owners,

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace ocelli {
 namespace {
@@ -149,17 +150,28 @@ class ImageMesher {
     return glm::vec2(yy * rhs.x - xy * rhs.y, xx * rhs.y - xy * rhs.x) / determinant;
   }
 
-  /// Is the mesh open at the sample, that is, is one of the four cells around it not filled?
-  bool onRim(int x, int y) const {
-    const auto full = [&](int cx, int cy) { return cellTriangles_.contains(cx, cy) && cellTriangles_(cx, cy) == 2; };
-    return !(full(x - 1, y - 1) && full(x, y - 1) && full(x - 1, y) && full(x, y));
+  int trianglesAround(int x, int y) const {
+    const auto triangles = [&](int cx, int cy) { return cellTriangles_.contains(cx, cy) ? cellTriangles_(cx, cy) : 0; };
+    return triangles(x - 1, y - 1) + triangles(x, y - 1) + triangles(x - 1, y) + triangles(x, y);
   }
 
+  /// Six of the eight triangles around a sample leave no opening that matters; with fewer, its surface ends here.
   void addSquares() {
+    constexpr size_t kClosed = 6;
+    std::array<std::vector<Pixel>, kClosed> rims;  // by the number of triangles around: the most open first
     for (int y = 0; y < image_.height(); ++y) {
       for (int x = 0; x < image_.width(); ++x) {
-        if (vertexOf_(x, y) != kNoVertex && onRim(x, y)) {
-          addSquare({x, y});
+        const auto around = static_cast<size_t>(trianglesAround(x, y));
+        if (vertexOf_(x, y) != kNoVertex && around < rims.size()) {
+          rims[around].push_back({x, y});
+        }
+      }
+    }
+    const size_t bound = image_.triangleBound > 0 ? image_.triangleBound : std::numeric_limits<size_t>::max();
+    for (const std::vector<Pixel>& rim : rims) {
+      for (const Pixel& p : rim) {
+        if (mesh_.triangles.size() + 2 <= bound) {
+          addSquare(p);
         }
       }
     }

@@ -8,18 +8,21 @@
 namespace ocelli {
 
 struct ImageMeshOptions {
-  /// Neighbours are joined up to this distance between their undistorted places, pixels.
-  float longestStepPixels = 3.5f;
-  /// ... and up to this depth step, in pixel footprints for each pixel of distance,
+  /// Neighbours are joined when their depths differ by at most this many pixel footprints (z / focal length) for each
+  /// pixel between their undistorted places,
   float depthStepFootprints = 10;
-  /// ... or a larger one, where 1/z goes on with the slope it has on one of the two sides, within this many footprints.
+  /// ... or by more, where 1/z goes on with the slope it has on one of the two sides, within this many footprints:
+  /// grazing planes;
   float slopeToleranceFootprints = 3;
-  /// A sample at the rim of a surface stands for the whole of its pixel, so it gets a square along the surface, of this
+  /// ... but never when their undistorted places are farther apart than this, pixels.
+  float longestStepPixels = 12;
+  /// The sample at the rim of a surface stands for the whole of its pixel: it gets a square along the surface, of this
   /// side.
-  float squarePixels = 1.0f;
+  float squarePixels = 1;
 };
 
 /// World coordinates, linear colours. Vertices come in pixel order, first the samples, then the corners of squares.
+/// Squares are left out, those of the least open samples first, where the mesh would exceed `image.triangleBound`.
 Mesh imageMesh(const ReferenceImage& image, const ImageMeshOptions& options = {});
 
 }  // namespace ocelli

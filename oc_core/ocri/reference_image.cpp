@@ -25,8 +25,7 @@ ReferenceImage referenceImage(const FragmentImage& fragments, const Mesh& mesh, 
         if (!fragment.covered()) {
           continue;
         }
-        const ImagePoint q =
-            reference.imageFromCamera(reference.cameraFromWorld(positionOf(fragment, mesh)));
+        const ImagePoint q = reference.imageFromCamera(reference.cameraFromWorld(positionOf(fragment, mesh)));
         image.color(x, y) = colorOf(fragment, mesh);
         image.z(x, y) = q.z;
         image.displacement(x, y) = {static_cast<float>(x) + 0.5f - q.u, static_cast<float>(y) + 0.5f - q.v};

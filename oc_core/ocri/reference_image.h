@@ -1,5 +1,6 @@
-// The reference image: one layer of samples, each with colour, depth and the displacement that unprojects it (section 3.2.3).
-// Built with an occlusion camera it is the OCRI of section 3.5.5; built with the pinhole itself, the depth image (DI).
+// The reference image: one layer of samples, each with colour, depth and the displacement that unprojects it
+// (section 3.2.3). Built with an occlusion camera it is the OCRI of section 3.5.5; built with the pinhole itself, the
+// depth image (DI).
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -16,8 +17,10 @@ struct ReferenceImage {
   std::string camera;  ///< "di", "ddoc", ...
   View view;           ///< of the reference pinhole
   Image<glm::vec3> color;
-  Image<float> z;                ///< 0 marks an empty sample
+  Image<float> z;                 ///< 0 marks an empty sample
   Image<glm::vec2> displacement;  ///< (d_u, d_v), pixels: where the sample is minus where the pinhole sees it
+  /// Triangles of the depth image's mesh for the same view: an OCRI's mesh keeps to it. 0 where there is no bound.
+  size_t triangleBound = 0;
 
   int width() const { return z.width(); }
   int height() const { return z.height(); }
@@ -31,7 +34,8 @@ struct ReferenceImage {
   }
 };
 
-/// Turns rendered fragments into a reference image: every sample keeps the displacement that unprojects it to its surface.
+/// Turns rendered fragments into a reference image: every sample keeps the displacement that unprojects it to its
+/// surface.
 ReferenceImage referenceImage(const FragmentImage& fragments, const Mesh& mesh, const PinholeCamera& reference,
                               const std::string& camera);
 

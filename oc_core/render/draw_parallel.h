@@ -1,6 +1,6 @@
-// Draws many triangles on all threads: the workers take blocks of triangles from a common counter, each fills a visibility
-// buffer of its own, and the buffers are merged. Merging keeps the closest, so the image is the same for any number of
-// threads.
+// Draws many triangles on all threads: the workers take blocks of triangles from a common counter, each fills a
+// visibility buffer of its own, and the buffers are merged. Merging keeps the closest, so the image is the same for any
+// number of threads.
 #pragma once
 
 #include <cstddef>

@@ -22,10 +22,10 @@ bool withinMargin(const PinholeCamera& camera, const RasterVertex& v) {
 
 void drawClipped(VisibilityBuffer& buffer, const PinholeCamera& camera, const Mesh& mesh, uint32_t triangle) {
   const glm::uvec3& t = mesh.triangles[triangle];
-  const ClipPolygon polygon = clipToFrustum(
-      {camera.cameraFromWorld(mesh.positions[t.x]), camera.cameraFromWorld(mesh.positions[t.y]),
-       camera.cameraFromWorld(mesh.positions[t.z])},
-      camera, kClipMargin);
+  const ClipPolygon polygon =
+      clipToFrustum({camera.cameraFromWorld(mesh.positions[t.x]), camera.cameraFromWorld(mesh.positions[t.y]),
+                     camera.cameraFromWorld(mesh.positions[t.z])},
+                    camera, kClipMargin);
   std::array<RasterVertex, ClipPolygon::kMost> vertices;
   for (size_t i = 0; i < polygon.count; ++i) {
     vertices[i] = rasterVertex(camera, polygon.vertices[i].p);
@@ -54,22 +54,22 @@ FragmentImage rasterize(const PinholeCamera& camera, const Mesh& mesh) {
     }
   });
 
-  return drawParallel(
-      camera.width(), camera.height(), mesh.triangles.size(), [&](VisibilityBuffer& buffer, size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-          const glm::uvec3& t = mesh.triangles[i];
-          RasterVertex a = projected[t.x];
-          RasterVertex b = projected[t.y];
-          RasterVertex c = projected[t.z];
-          if (a.inverseZ > 0 && b.inverseZ > 0 && c.inverseZ > 0) {
-            b.b1 = 1;
-            c.b2 = 1;
-            buffer.draw(static_cast<uint32_t>(i), a, b, c);
-          } else {
-            drawClipped(buffer, camera, mesh, static_cast<uint32_t>(i));
-          }
-        }
-      });
+  return drawParallel(camera.width(), camera.height(), mesh.triangles.size(),
+                      [&](VisibilityBuffer& buffer, size_t begin, size_t end) {
+                        for (size_t i = begin; i < end; ++i) {
+                          const glm::uvec3& t = mesh.triangles[i];
+                          RasterVertex a = projected[t.x];
+                          RasterVertex b = projected[t.y];
+                          RasterVertex c = projected[t.z];
+                          if (a.inverseZ > 0 && b.inverseZ > 0 && c.inverseZ > 0) {
+                            b.b1 = 1;
+                            c.b2 = 1;
+                            buffer.draw(static_cast<uint32_t>(i), a, b, c);
+                          } else {
+                            drawClipped(buffer, camera, mesh, static_cast<uint32_t>(i));
+                          }
+                        }
+                      });
 }
 
 }  // namespace ocelli

@@ -1,8 +1,9 @@
-// Rasterisation for cameras that displace the image of a pinhole: triangles are split until they are about a pixel in size,
-// and the pieces are filled as if their edges were straight (section 6.1.3).
+// Rasterisation for cameras that displace the image of a pinhole: triangles are split until they are about a pixel in
+// size, and the pieces are filled as if their edges were straight (section 6.1.3).
 //
-// Whether an edge is split depends on its two end points alone, and its midpoint on nothing else, so triangles that share an
-// edge split it alike: no cracks. Triangles are clipped to the pinhole's frustum first, widened by the longest displacement.
+// Whether an edge is split depends on its two end points alone, and its midpoint on nothing else, so triangles that
+// share an edge split it alike: no cracks. Triangles are clipped to the pinhole's frustum first, widened by the longest
+// displacement.
 #pragma once
 
 #include <array>
@@ -19,8 +20,8 @@ namespace ocelli {
 struct SubdivisionOptions {
   /// An edge is split while its image, with or without the displacement, is longer than this, pixels.
   float longestEdgePixels = 1.0f;
-  /// No edge shorter than this is split, pixels at its own depth. What is still torn apart then lies across a discontinuity
-  /// of the distortion, and is not drawn.
+  /// No edge shorter than this is split, pixels at its own depth. What is still torn apart then lies across a
+  /// discontinuity of the distortion, and is not drawn.
   float shortestEdgePixels = 0.125f;
   float tornEdgePixels = 2.0f;
 };
@@ -156,10 +157,10 @@ FragmentImage rasterize(const C& camera, const Mesh& mesh, const SubdivisionOpti
             drawer.draw(buffer, triangle, a, b, c);
             continue;
           }
-          const ClipPolygon polygon = clipToFrustum({reference.cameraFromWorld(mesh.positions[t.x]),
-                                                     reference.cameraFromWorld(mesh.positions[t.y]),
-                                                     reference.cameraFromWorld(mesh.positions[t.z])},
-                                                    reference, margin);
+          const ClipPolygon polygon = clipToFrustum(
+              {reference.cameraFromWorld(mesh.positions[t.x]), reference.cameraFromWorld(mesh.positions[t.y]),
+               reference.cameraFromWorld(mesh.positions[t.z])},
+              reference, margin);
           const auto clipped = [&](size_t k) {
             return drawer.vertex(polygon.vertices[k].p, polygon.vertices[k].b1, polygon.vertices[k].b2);
           };

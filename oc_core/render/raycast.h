@@ -33,8 +33,7 @@ FragmentImage castPixels(int width, int height, const std::function<Fragment(int
 template <Camera C>
 FragmentImage raycast(const C& camera, const Mesh& mesh, const RayScene& scene) {
   return castPixels(camera.width(), camera.height(), [&](int x, int y) {
-    Fragment fragment =
-        scene.intersect(camera.rayPath({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
+    Fragment fragment = scene.intersect(camera.rayPath({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
     if (fragment.covered()) {
       const std::optional<ImagePoint> q = camera.project(positionOf(fragment, mesh));
       fragment = q ? Fragment{q->z, fragment.triangle, fragment.b1, fragment.b2} : Fragment{};

@@ -1,10 +1,10 @@
 // The closest fragment of each pixel, and the scan conversion that fills it.
 //
-// Fill rule: vertices are snapped to 1/256 pixel, edge functions are exact integers, and a pixel centre on an edge belongs
-// to the triangle for which that edge is a top or a left one. Triangles that share an edge thus neither overlap nor leave a
-// gap. 1/z is interpolated linearly over the image.
-// The closest fragment wins, the lower triangle index on a tie, so the result does not depend on the order of drawing; each
-// thread draws into a buffer of its own and the buffers are merged.
+// Fill rule: vertices are snapped to 1/256 pixel, edge functions are exact integers, and a pixel centre on an edge
+// belongs to the triangle for which that edge is a top or a left one. Triangles that share an edge thus neither overlap
+// nor leave a gap. 1/z is interpolated linearly over the image. The closest fragment wins, the lower triangle index on
+// a tie, so the result does not depend on the order of drawing; each thread draws into a buffer of its own and the
+// buffers are merged.
 #pragma once
 
 #include <algorithm>

@@ -3,15 +3,22 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
+#include <array>
 #include <assimp/Importer.hpp>
-#include <exception>
+#include <fstream>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
+#include "oc_core/scene/file_materials.h"
+#include "oc_core/scene/ply_file.h"
 #include "oc_core/scene/share_vertices.h"
+#include "oc_core/scene/texture_bake.h"
 
 namespace ocelli {
 namespace {
@@ -19,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr uintmax_t kMostFileBytes = 8ull << 30;
+constexpr size_t kMostInstances = 10'000'000;
 
 void checkFile(const fs::path& path) {
   std::error_code error;
@@ -35,8 +43,17 @@ void checkFile(const fs::path& path) {
     throw InputError("the file is empty", path.string(), "copy or export it again");
   }
   if (bytes > kMostFileBytes) {
-    throw InputError("the file is larger than 8 GiB", path.string(), "reduce the mesh, or export it as binary PLY");
+    throw InputError("the file is larger than 8 GiB", path.string(), "reduce the mesh");
   }
+  if (!std::ifstream(path, std::ios::binary)) {
+    throw InputError("this file cannot be opened", path.string(), "check its permissions");
+  }
+}
+
+bool isPly(const fs::path& path) {
+  std::array<char, 4> start{};
+  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+  return std::string_view(start.data(), 3) == "ply" && (start[3] == '\n' || start[3] == '\r');
 }
 
 [[noreturn]] void failParse(const fs::path& path, const std::string& reason) {
@@ -61,7 +78,27 @@ void checkIndices(const aiScene& scene, const fs::path& path) {
   }
 }
 
-Mesh convert(const aiMesh& source) {
+glm::vec3 linearVertexColor(const aiColor4D& color, bool isLinear) {
+  const auto channel = [&](float value) {
+    const float inRange = value > 0 ? std::min(value, 1.0f) : 0.0f;  // NaN becomes 0
+    return isLinear ? inRange : linearFromSrgb(inRange);
+  };
+  return {channel(color.r), channel(color.g), channel(color.b)};
+}
+
+/// Vertex colours, else the material's; for glTF their product. None where that is white everywhere.
+void setColors(Mesh& mesh, const aiMesh& source, const FileMaterial& material, bool isGltf) {
+  const glm::vec3 factor = source.HasVertexColors(0) && !isGltf ? glm::vec3(1) : material.color;
+  if (!source.HasVertexColors(0) && factor == glm::vec3(1)) {
+    return;
+  }
+  mesh.colors.assign(mesh.positions.size(), factor);
+  for (size_t i = 0; source.HasVertexColors(0) && i < mesh.colors.size(); ++i) {
+    mesh.colors[i] *= linearVertexColor(source.mColors[0][i], isGltf);
+  }
+}
+
+Mesh convertGeometry(const aiMesh& source) {
   Mesh mesh;
   mesh.positions.resize(source.mNumVertices);
   for (unsigned i = 0; i < source.mNumVertices; ++i) {
@@ -75,50 +112,97 @@ Mesh convert(const aiMesh& source) {
       mesh.triangles.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
     }
   }
-  if (mesh.positions.size() >= mesh.triangles.size() * 3) {
-    shareVertices(mesh);
-  } else {
-    dropUnusedVertices(mesh);
-  }
   return mesh;
+}
+
+std::vector<glm::vec2> textureCoordinates(const aiMesh& source, unsigned channel) {
+  std::vector<glm::vec2> uvs(source.mNumVertices);
+  for (unsigned i = 0; i < source.mNumVertices; ++i) {
+    uvs[i] = {source.mTextureCoords[channel][i].x, source.mTextureCoords[channel][i].y};
+  }
+  return uvs;
+}
+
+std::vector<Mesh> convertMeshes(const aiScene& source, FileMaterials&& found, const SceneFileOptions& options) {
+  std::vector<Mesh> meshes(source.mNumMeshes);
+  std::vector<TexturedMesh> textured;
+  std::vector<size_t> meshOfTextured;
+  for (unsigned m = 0; m < source.mNumMeshes; ++m) {
+    const aiMesh& from = *source.mMeshes[m];
+    const FileMaterial material =
+        from.mMaterialIndex < found.materials.size() ? found.materials[from.mMaterialIndex] : FileMaterial{};
+    meshes[m] = convertGeometry(from);
+    setColors(meshes[m], from, material, found.isGltf);
+    const bool hasUvs =
+        material.uvChannel < AI_MAX_NUMBER_OF_TEXTURECOORDS && from.HasTextureCoords(material.uvChannel);
+    if (material.texture && hasUvs && !meshes[m].empty()) {
+      textured.push_back({std::move(meshes[m]), textureCoordinates(from, material.uvChannel), *material.texture});
+      meshOfTextured.push_back(m);
+    }
+  }
+  bakeTextures(textured, std::move(found.textures), options.textureTriangles);
+  for (size_t i = 0; i < textured.size(); ++i) {
+    meshes[meshOfTextured[i]] = std::move(textured[i].mesh);
+  }
+  for (Mesh& mesh : meshes) {
+    if (mesh.positions.size() >= mesh.triangles.size() * 3) {
+      shareVertices(mesh);
+    } else {
+      dropUnusedVertices(mesh);
+    }
+  }
+  return meshes;
 }
 
 glm::mat4 matrixOf(const aiMatrix4x4& m) {
   return glm::transpose(glm::make_mat4(&m.a1));
 }
 
-void addNode(Scene& scene, const aiNode& node, const glm::mat4& worldFromParent) {
+void addNode(Scene& scene, const aiNode& node, const glm::mat4& worldFromParent, const fs::path& path) {
   const glm::mat4 worldFromNode = worldFromParent * matrixOf(node.mTransformation);
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
     if (node.mMeshes[i] < scene.meshes.size() && !scene.meshes[node.mMeshes[i]].empty()) {
       scene.instances.push_back({node.mMeshes[i], worldFromNode});
     }
   }
+  if (scene.instances.size() > kMostInstances) {
+    throw InputError("the scene has more than " + std::to_string(kMostInstances) + " copies of meshes", path.string(),
+                     "reduce it");
+  }
   for (unsigned i = 0; i < node.mNumChildren; ++i) {
-    addNode(scene, *node.mChildren[i], worldFromNode);
+    addNode(scene, *node.mChildren[i], worldFromNode, path);
   }
 }
 
-}  // namespace
-
-Scene readSceneFile(const fs::path& path) {
-  checkFile(path);
+Scene readWithAssimp(const fs::path& path, const SceneFileOptions& options) {
   Assimp::Importer importer;
   const aiScene* source = importer.ReadFile(path.string(), 0);
   if (source == nullptr || source->mRootNode == nullptr) {
     failParse(path, importer.GetErrorString());
   }
   checkIndices(*source, path);
-  source = importer.ApplyPostProcessing(aiProcess_Triangulate);
+  source = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_TransformUVCoords);
   if (source == nullptr) {
     failParse(path, importer.GetErrorString());
   }
   Scene scene;
-  scene.name = path.string();
-  for (unsigned m = 0; m < source->mNumMeshes; ++m) {
-    scene.meshes.push_back(convert(*source->mMeshes[m]));
+  scene.meshes = convertMeshes(*source, readMaterials(*source, path, options.textures), options);
+  addNode(scene, *source->mRootNode, glm::mat4(1), path);
+  return scene;
+}
+
+}  // namespace
+
+Scene readSceneFile(const fs::path& path, const SceneFileOptions& options) {
+  checkFile(path);
+  Scene scene;
+  if (isPly(path)) {
+    scene.add(readPly(path));
+    dropUnusedVertices(scene.meshes.back());
+  } else {
+    scene = readWithAssimp(path, options);
   }
-  addNode(scene, *source->mRootNode, glm::mat4(1));
+  scene.name = path.string();
   if (triangleCount(scene) > kMostSceneTriangles) {
     throw InputError("the scene has " + std::to_string(triangleCount(scene)) + " triangles, more than " +
                          std::to_string(kMostSceneTriangles),

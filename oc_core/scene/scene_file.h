@@ -1,16 +1,29 @@
-// Scene files: everything that Assimp reads (PLY, OBJ, STL, glTF, ...).
+// Scene files: PLY through our own reader, and everything else that Assimp reads (OBJ, STL, glTF, ...).
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 
 #include "oc_core/scene/scene.h"
 
 namespace ocelli {
 
+struct SceneFileOptions {
+  bool textures = true;  ///< bake them to vertex colours; else materials have their plain colours
+  /// Triangles that may be added, in all, so that textures survive (texture_bake.h).
+  size_t textureTriangles = 1'000'000;
+};
+
 /// Reads a file with its node transforms and copies. Polygons are triangulated, points and lines left out, vertices
 /// that no triangle uses dropped, and formats that repeat a vertex for each triangle (OBJ, STL) get shared ones back.
+///
+/// Colours are those of the vertices, else the diffuse or base colours of the materials, times their diffuse texture,
+/// which may be embedded or a file beside the scene; there are none where the file says nothing of colours. The ones of
+/// glTF are linear and multiply each other; all others are sRGB.
+///
 /// Throws InputError naming the file where it is missing, is a folder, is empty, cannot be parsed, holds no triangle,
-/// an index out of range or a coordinate that is not finite, or is larger than 8 GiB or kMostSceneTriangles.
-Scene readSceneFile(const std::filesystem::path& path);
+/// an index out of range or a coordinate that is not finite, lacks a texture, or is larger than 8 GiB or
+/// kMostSceneTriangles.
+Scene readSceneFile(const std::filesystem::path& path, const SceneFileOptions& options = {});
 
 }  // namespace ocelli

@@ -9,7 +9,8 @@ namespace ocelli {
 
 Mesh loadScene(const std::string& source, const SceneOptions& options, const Progress& progress) {
   report(progress, "loading the scene", 0);
-  Mesh mesh = flatten(isBuiltinScene(source) ? makeBuiltinScene(source) : readSceneFile(source));
+  Mesh mesh = flatten(isBuiltinScene(source) ? makeBuiltinScene(source)
+                                             : readSceneFile(source, {.textures = options.textures}));
   validate(mesh, source);
   report(progress, "loading the scene", 0.7);
   if (options.fit) {

@@ -18,6 +18,7 @@ enum class Shading {
 struct SceneOptions {
   bool fit = true;  ///< into the unit sphere
   Shading shading = Shading::kLambert;
+  bool textures = true;  ///< bake the textures of a file to vertex colours
 };
 
 /// The scene as one validated mesh. Throws InputError for a spec or a file that is wrong.

@@ -1,0 +1,39 @@
+// A file that appears under its name only when it is complete.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace ocelli {
+
+/// Writes to `PATH.partial` and renames it on commit(); until then a file at `path` stays as it was, and without
+/// commit() nothing is left. A path that is no regular file (a pipe, a device) is written directly. Every failure is a
+/// WorkError.
+class OutputFile {
+ public:
+  explicit OutputFile(std::filesystem::path path);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  void write(std::span<const uint8_t> bytes);
+  void write(std::string_view text);
+  void commit();
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  [[noreturn]] void fail() const;
+
+  std::filesystem::path path_;
+  std::filesystem::path writtenPath_;
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+}  // namespace ocelli

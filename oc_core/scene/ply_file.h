@@ -1,0 +1,27 @@
+// PLY files (Greg Turk, Stanford 1994). They are read by our own reader, because Assimp's takes truncated files for
+// whole ones, invents faces for them, or fills the memory.
+//
+// What is written is binary little-endian, with vertex colour: any mesh viewer opens it, and readPly() reads it back.
+//
+//   element vertex   float x y z; uchar red green blue (sRGB), left out where the mesh has no colours
+//   element face     list uchar int vertex_indices
+#pragma once
+
+#include <filesystem>
+
+#include "oc_core/scene/mesh.h"
+
+namespace ocelli {
+
+/// Reads ascii and binary PLY of either byte order. The vertex element must have x, y and z, and may have sRGB colours
+/// (red, green, blue, or r, g, b, or diffuse_red, ...) of any type: whole numbers fill the range of their type, others
+/// run from 0 to 1. Faces with more than three corners become fans. Everything else is skipped. Throws InputError
+/// naming the file and the vertex or face for anything that is malformed, incomplete or out of range. Memory is bounded
+/// by the mesh that results, and that by the size of the file.
+Mesh readPly(const std::filesystem::path& path);
+
+/// Writes the whole file or nothing: it grows under a temporary name in the same folder and gets its own at the end.
+/// Throws WorkError naming the file where that fails. Memory use does not depend on the size of the mesh.
+void writePly(const std::filesystem::path& path, const Mesh& mesh);
+
+}  // namespace ocelli
