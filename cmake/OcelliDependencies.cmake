@@ -14,11 +14,4 @@ ocelli_find(fmt)
 # OpenEXR through pkg-config: Debian's CMake files of Imath name a Python library that another package holds.
 ocelli_find(PkgConfig)
 pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET GLOBAL OpenEXR)
-<<<<<<< HEAD
-find_package(zstd REQUIRED)
-find_package(meshoptimizer REQUIRED)
-find_package(CLI11 REQUIRED)
-find_package(fmt REQUIRED)
 pkg_check_modules(stb REQUIRED IMPORTED_TARGET GLOBAL stb)
-=======
->>>>>>> house
