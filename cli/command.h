@@ -53,4 +53,6 @@ class Frame {
 /// Flushes standard output. Throws WorkError where what was printed could not be written in full.
 void flushStandardOutput();
 
+void addSceneCommand(CLI::App& program, const Frame& frame);
+
 }  // namespace ocelli

@@ -6,7 +6,7 @@ set -eu
 
 packages="cmake ninja-build g++ ccache pkg-config python3-minimal git
   libglm-dev libtbb-dev libpng-dev zlib1g-dev libassimp-dev libembree-dev libopenexr-dev libimath-dev
-  nlohmann-json3-dev libzstd-dev libmeshoptimizer-dev libfmt-dev libcli11-dev
+  nlohmann-json3-dev libzstd-dev libmeshoptimizer-dev libfmt-dev libcli11-dev libstb-dev
   libgtest-dev libgmock-dev libbenchmark-dev"
 
 case "${1-}" in
