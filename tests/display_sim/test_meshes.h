@@ -82,7 +82,9 @@ inline Mesh box(const glm::vec3& lower, const glm::vec3& upper) {
 
 inline void addTriangle(Mesh& mesh, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const auto first = static_cast<uint32_t>(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), {a, b, c});
+  for (const glm::vec3& corner : {a, b, c}) {
+    mesh.positions.push_back(corner);
+  }
   mesh.triangles.emplace_back(first, first + 1, first + 2);
 }
 

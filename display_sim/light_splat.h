@@ -1,0 +1,32 @@
+// Spreading the light of voxels over the pixels of an image.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ocelli {
+
+/// Light of red, green and blue in units of 1 / kLightUnit. Whole numbers add up to the same in any order.
+using FixedLight = std::array<uint64_t, 3>;
+inline constexpr double kLightUnit = 1 << 24;
+
+class LightImage {
+ public:
+  LightImage(int width, int height)
+      : width_(width), height_(height), pixels_(static_cast<size_t>(width) * static_cast<size_t>(height)) {}
+
+  /// Adds `light` to the channels in `colorBits`, spread evenly over the box of the given size around (u, v); what
+  /// falls outside of the image is lost.
+  void add(double u, double v, double boxWidth, double boxHeight, double light, unsigned colorBits);
+
+  const std::vector<FixedLight>& pixels() const { return pixels_; }
+
+ private:
+  int width_;
+  int height_;
+  std::vector<FixedLight> pixels_;
+};
+
+}  // namespace ocelli

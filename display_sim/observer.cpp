@@ -1,0 +1,250 @@
+#include "display_sim/observer.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "display_sim/exposure.h"
+#include "display_sim/light_splat.h"
+#include "display_sim/sweep_geometry.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/parallel.h"
+
+namespace ocelli {
+namespace {
+
+/// Voxels nearer to the eye's plane than this have no image.
+constexpr double kNearest = 1e-4;
+constexpr int kMostPixels = 1 << 26;
+
+void validate(const ObserverOptions& options, const DisplayProfile& profile) {
+  const auto fail = [](const std::string& what, const std::string& next) { throw InputError(what, "observer", next); };
+  const glm::vec3& eye = options.eye;
+  if (!std::isfinite(eye.x) || !std::isfinite(eye.y) || !std::isfinite(eye.z)) {
+    fail("the eye has a coordinate that is not a finite number", "give three finite numbers");
+  }
+  const bool inDisplay = std::hypot(eye.x, eye.z) <= 1 && std::abs(eye.y) <= profile.halfHeightRadii;
+  if (inDisplay || glm::length(eye) <= 1.001f) {
+    fail("the eye is inside of the display", "move it more than one display radius away from the centre");
+  }
+  if (options.width < 1 || options.height < 1 || options.width > kMostPixels / options.height) {
+    fail("the image must have at least one and at most 2^26 pixels", "change its size");
+  }
+  if (!(options.fovVerticalDegrees >= 0 && options.fovVerticalDegrees < 179)) {
+    fail("the vertical field of view must lie between 0 and 179 degrees", "change it");
+  }
+  if (!(options.exposureSeconds >= 0 && options.exposureSeconds <= 3600)) {
+    fail("the exposure must lie between 0 and 3600 seconds", "change it");
+  }
+  if (!std::isfinite(options.missingSectorStartDegrees) || std::abs(options.missingSectorStartDegrees) > 360) {
+    fail("the start of the missing sector must lie between -360 and 360 degrees", "change it");
+  }
+  if (!(options.gain >= 0 && options.gain <= 1e9) || !(options.gamma >= 0.1 && options.gamma <= 10)) {
+    fail("the gain must lie between 0 and 1e9, gamma between 0.1 and 10", "change them");
+  }
+}
+
+/// The perspective of the eye: (right, down, forward) coordinates from the eye and pixels from those.
+class EyePerspective {
+ public:
+  explicit EyePerspective(const ObserverOptions& options)
+      : eye_(options.eye), centerU_(options.width / 2.0), centerV_(options.height / 2.0) {
+    distance = glm::length(eye_);
+    forward_ = -eye_ / distance;
+    // Straight from above or below there is no "up" on the y axis: what is farther from the default eye is up then.
+    const glm::dvec3 up = std::abs(forward_.y) > 0.99999 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
+    right_ = glm::normalize(glm::cross(forward_, up));
+    down_ = glm::cross(forward_, right_);
+    const double halfFov =
+        options.fovVerticalDegrees > 0 ? radiansFromDegrees(options.fovVerticalDegrees) / 2 : std::asin(1 / distance);
+    pixelsPerTangent = options.height / 2.0 / std::tan(halfFov);
+  }
+
+  glm::dvec3 direction(const glm::dvec3& d) const {
+    return {glm::dot(d, right_), glm::dot(d, down_), glm::dot(d, forward_)};
+  }
+  glm::dvec3 point(const glm::dvec3& p) const { return direction(p - eye_); }
+  /// `p` is in eye coordinates with positive z.
+  glm::dvec2 pixel(const glm::dvec3& p) const {
+    return {centerU_ + pixelsPerTangent * p.x / p.z, centerV_ + pixelsPerTangent * p.y / p.z};
+  }
+
+  double distance = 0;          ///< of the display's centre
+  double pixelsPerTangent = 0;  ///< focal length in pixels
+
+ private:
+  glm::dvec3 eye_;
+  double centerU_;
+  double centerV_;
+  glm::dvec3 forward_{0};
+  glm::dvec3 right_{0};
+  glm::dvec3 down_{0};
+};
+
+/// A short arc around the axis, in eye coordinates: unit vectors outwards and along the sweep at its middle.
+struct Arc {
+  glm::dvec3 outward;
+  glm::dvec3 along;
+  double radians;
+};
+
+/// An exposed arc cut into 1, 2, 4, ... equal parts, so that a voxel far from the axis can be drawn as several.
+class ArcParts {
+ public:
+  static constexpr int kLevels = 6;
+
+  ArcParts(const ExposedArc& arc, const EyePerspective& eye) {
+    for (int level = 0; level < kLevels; ++level) {
+      const int parts = 1 << level;
+      const double radians = (arc.toRadians - arc.fromRadians) / parts;
+      for (int k = 0; k < parts; ++k) {
+        const double angle = arc.fromRadians + (k + 0.5) * radians;
+        levels_[static_cast<size_t>(level)].push_back({eye.direction({std::cos(angle), 0, std::sin(angle)}),
+                                                       eye.direction({-std::sin(angle), 0, std::cos(angle)}), radians});
+      }
+    }
+  }
+
+  /// Parts no longer than a pixel, if there are so many, for an arc of so many pixels.
+  const std::vector<Arc>& forLength(double pixels) const {
+    const auto parts =
+        static_cast<unsigned>(std::clamp(std::ceil(pixels), 1.0, static_cast<double>(1 << (kLevels - 1))));
+    return levels_[static_cast<size_t>(std::bit_width(parts - 1))];
+  }
+
+ private:
+  std::array<std::vector<Arc>, kLevels> levels_;
+};
+
+class Collector {
+ public:
+  Collector(const Volume& volume, const ObserverOptions& options)
+      : volume_(volume),
+        sweep_(volume.profile()),
+        eye_(options),
+        up_(eye_.direction({0, 1, 0})),
+        axis_(eye_.point({0, 0, 0})) {}
+
+  void add(const ExposedArc& arc, LightImage& image) const {
+    const ArcParts parts(arc, eye_);
+    const double radians = arc.toRadians - arc.fromRadians;
+    const double light = arc.passes * radians / sweep_.stepRadians();
+    forEachLit(volume_, arc.slice, [&](int column, int row, unsigned colorBits) {
+      const double r = sweep_.columnRadius(column);
+      const glm::dvec3 onAxis = axis_ + up_ * sweep_.rowCenterY(row);
+      const double pixelsPerRadius = eye_.pixelsPerTangent / std::max(onAxis.z - std::abs(r), kNearest);
+      const std::vector<Arc>& arcs = parts.forLength(std::abs(r) * radians * pixelsPerRadius);
+      const int columnParts = columnPartsFor(sweep_.columnWidth() * pixelsPerRadius);
+      const double width = sweep_.columnWidth() / columnParts;
+      const double partLight = light / static_cast<double>(arcs.size()) / columnParts;
+      for (const Arc& part : arcs) {
+        for (int k = 0; k < columnParts; ++k) {
+          addPart(part, onAxis, r + (k - (columnParts - 1) / 2.0) * width, width, partLight, colorBits, image);
+        }
+      }
+    });
+  }
+
+ private:
+  static int columnPartsFor(double pixels) { return static_cast<int>(std::clamp(pixels + 0.5, 1.0, 16.0)); }
+
+  /// A part of a cell, about a pixel large where the number of parts allows that, is drawn as a box that has the same
+  /// spread (variance) in both directions of the image as the part's image, whose sides run outwards, up and along the
+  /// sweep. It is that image itself where they lie along rows and columns.
+  void addPart(const Arc& arc, const glm::dvec3& onAxis, double r, double width, double light, unsigned colorBits,
+               LightImage& image) const {
+    const glm::dvec3 p = onAxis + arc.outward * r;
+    if (p.z < kNearest) {
+      return;
+    }
+    const glm::dvec2 at = eye_.pixel(p);
+    const double scale = eye_.pixelsPerTangent / p.z;
+    const glm::dvec2 slope(p.x / p.z, p.y / p.z);
+    const auto projected = [&](const glm::dvec3& side, double length) {
+      return glm::dvec2(side.x - slope.x * side.z, side.y - slope.y * side.z) * (length * scale);
+    };
+    const glm::dvec2 outward = projected(arc.outward, width);
+    const glm::dvec2 up = projected(up_, sweep_.rowHeight());
+    const glm::dvec2 along = projected(arc.along, std::abs(r) * arc.radians);
+    const glm::dvec2 variance = outward * outward + up * up + along * along;
+    const double nearer = eye_.distance / p.z;
+    image.add(at.x, at.y, std::sqrt(variance.x), std::sqrt(variance.y), light * nearer * nearer, colorBits);
+  }
+
+  const Volume& volume_;
+  SweepGeometry sweep_;
+  EyePerspective eye_;
+  glm::dvec3 up_;
+  glm::dvec3 axis_;
+};
+
+float brightest(const glm::vec3& color) {
+  return std::max({color.x, color.y, color.z});
+}
+
+}  // namespace
+
+Image<glm::vec3> collectLight(const Volume& volume, const ObserverOptions& options) {
+  validate(options, volume.profile());
+  const double seconds = options.exposureSeconds > 0 ? options.exposureSeconds : 1 / volume.profile().refreshHertz();
+  const std::vector<ExposedArc> arcs = exposedArcs(volume.profile(), seconds, options.missingSectorStartDegrees);
+  const Collector collector(volume, options);
+  // Each part has an image of its own; whole numbers make their sum independent of who drew what.
+  const size_t parts = static_cast<size_t>(std::clamp(threadCount(), 1, 16));
+  std::vector<LightImage> images(parts, LightImage(options.width, options.height));
+  parallelChunks(parts, parts, [&](size_t part, size_t, size_t) {
+    for (size_t i = part; i < arcs.size(); i += parts) {
+      collector.add(arcs[i], images[part]);
+    }
+  });
+  Image<glm::vec3> light(options.width, options.height);
+  parallelFor(light.size(), 1 << 14, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      FixedLight sum{};
+      for (const LightImage& image : images) {
+        for (size_t channel = 0; channel < sum.size(); ++channel) {
+          sum[channel] += image.pixels()[i][channel];
+        }
+      }
+      light[i] = glm::vec3(glm::dvec3(sum[0], sum[1], sum[2]) / kLightUnit);
+    }
+  });
+  return light;
+}
+
+double automaticGain(const Image<glm::vec3>& light) {
+  std::vector<float> lit;
+  for (const glm::vec3& pixel : light) {
+    if (brightest(pixel) > 0) {
+      lit.push_back(brightest(pixel));
+    }
+  }
+  if (lit.empty()) {
+    return 1;
+  }
+  const auto percentile = lit.begin() + static_cast<std::ptrdiff_t>((lit.size() - 1) * 99 / 100);
+  std::ranges::nth_element(lit, percentile);
+  return 0.95 / static_cast<double>(*percentile);
+}
+
+void tone(Image<glm::vec3>& image, double gain, double gamma) {
+  const auto factor = static_cast<float>(gain);
+  const auto exponent = static_cast<float>(1 / gamma);
+  for (glm::vec3& pixel : image) {
+    pixel *= factor;
+    if (gamma != 1) {
+      pixel = {std::pow(pixel.x, exponent), std::pow(pixel.y, exponent), std::pow(pixel.z, exponent)};
+    }
+  }
+}
+
+Image<glm::vec3> observe(const Volume& volume, const ObserverOptions& options) {
+  Image<glm::vec3> image = collectLight(volume, options);
+  tone(image, options.gain > 0 ? options.gain : automaticGain(image), options.gamma);
+  return image;
+}
+
+}  // namespace ocelli

@@ -1,0 +1,244 @@
+#include "display_sim/observer.h"
+
+#include <gtest/gtest.h>
+
+#include "display_sim/slicer.h"
+#include "display_sim/sweep_geometry.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/parallel.h"
+#include "tests/display_sim/test_meshes.h"
+#include "tests/display_sim/test_profiles.h"
+
+namespace ocelli {
+namespace {
+
+using testing::smallProfile;
+
+glm::dvec3 sumOf(const Image<glm::vec3>& image) {
+  glm::dvec3 sum(0);
+  for (const glm::vec3& pixel : image) {
+    sum += glm::dvec3(pixel);
+  }
+  return sum;
+}
+
+/// White and right across the display, at height 0.
+Volume whiteFloor(const DisplayProfile& profile) {
+  Mesh mesh;
+  testing::addTriangle(mesh, {-9, 0.01f, -9}, {9, 0.01f, -9}, {0, 0.01f, 9});
+  return slice(mesh, profile);
+}
+
+// A voxel's light, spread over arcs and pixels, is (d / z)^2, z between the nearest and the farthest point of its cell.
+// The rest is the 2^-24 of the fixed point and of floats.
+TEST(Observer, aVoxelsLightIsConserved) {
+  const DisplayProfile profile = smallProfile(20, 32, 32);
+  const SweepGeometry sweep(profile);
+  for (const glm::vec3& eye : {glm::vec3(0, 0, 10), glm::vec3(3, 4, -2), glm::vec3(0, 7, 0)}) {
+    for (const int slice : {0, 7, 19}) {
+      for (const int column : {0, 15, 16, 27}) {
+        Volume volume(profile);
+        volume.light(slice, column, 12, 5);
+        const glm::dvec3 sum = sumOf(collectLight(volume, {.eye = eye, .width = 300, .height = 200}));
+        const double distance = glm::length(glm::dvec3(eye));
+        const double z = distance - glm::dot(sweep.voxelCenter(slice, column, 12), glm::dvec3(eye) / distance);
+        const double cell = std::hypot(sweep.stepRadians() / 2, 1.0 / 32);
+        EXPECT_GE(sum.x, std::pow(distance / (z + cell), 2) - 1e-5);
+        EXPECT_LE(sum.x, std::pow(distance / (z - cell), 2) + 1e-5);
+        EXPECT_EQ(sum.y, 0);
+        EXPECT_EQ(sum.z, sum.x);
+      }
+    }
+  }
+}
+
+TEST(Observer, aVoxelAppearsWhereItIs) {
+  const DisplayProfile profile = smallProfile(90, 64, 64);
+  // Slice 0 is the plane z = 0, seen straight on from (0, 0, 10): 100 pixels hold tan(asin(0.1)) x 10 radii.
+  Volume volume(profile);
+  volume.light(0, 50, 10, 7);
+  const Image<glm::vec3> image = collectLight(volume, {.width = 200, .height = 200});
+  glm::dvec2 centroid(0);
+  for (int y = 0; y < 200; ++y) {
+    for (int x = 0; x < 200; ++x) {
+      centroid += glm::dvec2(x + 0.5, y + 0.5) * static_cast<double>(image(x, y).x);
+    }
+  }
+  centroid /= sumOf(image).x;
+  const double pixelsPerRadius = 100 / (10 * std::tan(std::asin(0.1)));
+  // The cell's arc bulges towards and away from the eye; that moves its image by less than a hundredth of a pixel.
+  EXPECT_NEAR(centroid.x, 100 + pixelsPerRadius * (50.5 - 32) / 32, 0.01);
+  EXPECT_NEAR(centroid.y, 100 - pixelsPerRadius * (32 - 10.5) / 32, 0.01);
+}
+
+TEST(Observer, lightAddsAndNothingHides) {
+  const DisplayProfile profile = smallProfile(20, 48, 48);
+  const Mesh small = testing::sphere(0.3, 12);
+  const Mesh large = testing::sphere(0.9, 12);
+  Mesh both = small;
+  append(both, large);
+  const ObserverOptions options{.width = 100, .height = 100};
+  const Image<glm::vec3> a = collectLight(slice(small, profile), options);
+  const Image<glm::vec3> b = collectLight(slice(large, profile), options);
+  const Image<glm::vec3> sum = collectLight(slice(both, profile), options);
+  EXPECT_GT(b(50, 50).x, 0) << "the large sphere is before the small one";
+  for (size_t i = 0; i < sum.size(); ++i) {
+    EXPECT_FLOAT_EQ(sum[i].x, a[i].x + b[i].x);
+  }
+}
+
+/// Angle in degrees, modulo a half turn, of the point of the plane y = 0 that a pixel shows, seen from above, and its
+/// radius.
+struct FloorPoint {
+  double degrees;
+  double radius;
+};
+
+constexpr int kFloorSize = 300;
+
+FloorPoint floorPointOf(int x, int y) {
+  const double radiusPerPixel = 10 * std::tan(std::asin(0.1)) / (kFloorSize / 2.0);
+  const double px = (x + 0.5 - kFloorSize / 2.0) * radiusPerPixel;
+  const double pz = (y + 0.5 - kFloorSize / 2.0) * radiusPerPixel;  // far from the default eye is up
+  return {std::fmod(degreesFromRadians(std::atan2(pz, px)) + 360, 180), std::hypot(px, pz)};
+}
+
+TEST(Observer, exactlyTheMissingSectorIsDark) {
+  const Volume floor = whiteFloor(loadProfile("perspecta"));
+  const double start = 30;
+  const Image<glm::vec3> image = collectLight(floor, {.eye = {0, 10, 0},
+                                                      .width = kFloorSize,
+                                                      .height = kFloorSize,
+                                                      .exposureSeconds = 1.0 / 25,
+                                                      .missingSectorStartDegrees = start});
+  int dark = 0;
+  for (int y = 0; y < kFloorSize; ++y) {
+    for (int x = 0; x < kFloorSize; ++x) {
+      const FloorPoint p = floorPointOf(x, y);
+      // A pixel's corner is up to 0.71 pixels from its centre, the floor's images up to 1.5 (a box of a part of an
+      // arc).
+      const double slack = degreesFromRadians(std::atan(2.2 / (kFloorSize / 2.0) / p.radius));
+      const bool within = p.degrees > start + slack && p.degrees < start + 7.2 - slack;
+      const bool beside = p.degrees < start - slack || p.degrees > start + 7.2 + slack;
+      if (within && p.radius < 1.1) {
+        EXPECT_EQ(image(x, y), glm::vec3(0)) << x << " " << y;
+        ++dark;
+      } else if (beside && p.radius < 0.97) {
+        EXPECT_GT(image(x, y).x, 0) << x << " " << y;
+      }
+    }
+  }
+  EXPECT_GT(dark, 500);
+}
+
+// Even where the screen moves by several voxels from slice to slice, the picture of an even floor shows no gaps. Voxels
+// of equal light stand in rings of N: light for the area falls as 1 / r.
+TEST(Observer, noGapsBetweenSlicesAtTheRim) {
+  const DisplayProfile profile = smallProfile(60, 128, 128);  // at the rim a step is 3.4 columns
+  for (const int size : {kFloorSize, 2 * kFloorSize}) {
+    const Image<glm::vec3> image =
+        collectLight(whiteFloor(profile), {.eye = {0, 10, 0}, .width = size, .height = size});
+    double least = 1e9;
+    double most = 0;
+    for (int y = 0; y < size; ++y) {
+      for (int x = 0; x < size; ++x) {
+        const double scale = static_cast<double>(kFloorSize) / size;
+        const double px = (x + 0.5 - size / 2.0) * scale;
+        const double py = (y + 0.5 - size / 2.0) * scale;
+        const double radius = std::hypot(px, py) / (kFloorSize / 2.0);
+        if (radius > 0.5 && radius < 0.95) {
+          least = std::min(least, image(x, y).x * radius);
+          most = std::max(most, image(x, y).x * radius);
+        }
+      }
+    }
+    // Where the sweep runs diagonally through the image, boxes of about a pixel stand for turned squares of the same
+    // spread and ripple by up to a quarter either way. A gap would be 0.
+    EXPECT_GT(least, 0.6 * most) << size;
+  }
+}
+
+TEST(Observer, longExposuresCollectMoreLight) {
+  const Volume floor = whiteFloor(smallProfile(20, 32, 32));
+  const ObserverOptions options{.width = 64, .height = 64};
+  const Image<glm::vec3> once = collectLight(floor, options);
+  ObserverOptions longer = options;
+  longer.exposureSeconds = 3.0 / 24;
+  const Image<glm::vec3> thrice = collectLight(floor, longer);
+  for (size_t i = 0; i < once.size(); ++i) {
+    EXPECT_NEAR(thrice[i].x, 3 * once[i].x, 1e-5f * thrice[i].x + 1e-5f);  // fixed point rounds each share to 2^-24
+  }
+  longer.exposureSeconds = 1.5 / 24;
+  EXPECT_NEAR(sumOf(collectLight(floor, longer)).x / sumOf(once).x, 1.5, 1e-3) << "near and far halves cancel";
+}
+
+TEST(Observer, halfATurnShowsHalfOfOwnSlices) {
+  const DisplayProfile profile = smallProfile(10, 32, 32, SecondHalfTurn::kOwn);
+  Volume volume(profile);
+  volume.light(3, 20, 16, 1);
+  volume.light(13, 20, 16, 2);
+  ObserverOptions options{.width = 64, .height = 64};
+  options.exposureSeconds = 1.0 / 24;
+  options.missingSectorStartDegrees = 171;
+  const glm::dvec3 half = sumOf(collectLight(volume, options));
+  EXPECT_GT(half.x, 0.5);
+  EXPECT_EQ(half.y, 0);
+  options.exposureSeconds = 0;
+  const glm::dvec3 whole = sumOf(collectLight(volume, options));
+  EXPECT_GT(whole.x, 0.5);
+  EXPECT_GT(whole.y, 0.5);
+}
+
+TEST(Observer, automaticGainTakesTheBrightToNearWhite) {
+  Image<glm::vec3> light(10, 30, glm::vec3(0));
+  for (size_t i = 0; i < 201; ++i) {
+    light[i] = glm::vec3(0, 0, static_cast<float>(i + 1));
+  }
+  EXPECT_DOUBLE_EQ(automaticGain(light), 0.95 / 199) << "the 99th percentile of 1 ... 201";
+  EXPECT_EQ(automaticGain(Image<glm::vec3>(4, 4, glm::vec3(0))), 1);
+  tone(light, 0.5, 2);
+  EXPECT_FLOAT_EQ(light[7].z, 2);
+}
+
+TEST(Observer, sameBytesWithAnyNumberOfThreads) {
+  Mesh mesh = testing::torus(0.6, 0.3, 60, 40);
+  for (const glm::vec3& p : mesh.positions) {
+    mesh.colors.push_back(glm::abs(p));
+  }
+  const Volume volume = slice(mesh, smallProfile(50, 96, 96));
+  const ObserverOptions options{.eye = {2, 1, 2}, .width = 120, .height = 90};
+  setThreadCount(1);
+  const Image<glm::vec3> one = observe(volume, options);
+  for (const int threads : {2, 8}) {
+    setThreadCount(threads);
+    EXPECT_EQ(observe(volume, options), one) << threads;
+  }
+  setThreadCount(0);
+}
+
+TEST(Observer, badOptionsAreInputErrors) {
+  const Volume volume(smallProfile(4, 8, 8));
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(observe(volume, {.eye = {0.3f, 0.5f, 0.3f}}), InputError) << "inside of the display";
+  EXPECT_THROW(observe(volume, {.eye = {0, 0, 0}}), InputError);
+  EXPECT_THROW(observe(volume, {.eye = {0, 0, 1}}), InputError);
+  EXPECT_THROW(observe(volume, {.eye = {0, nan, 9}}), InputError);
+  EXPECT_THROW(observe(volume, {.width = 0}), InputError);
+  EXPECT_THROW(observe(volume, {.width = 1 << 15, .height = 1 << 15}), InputError);
+  EXPECT_THROW(observe(volume, {.fovVerticalDegrees = 180}), InputError);
+  EXPECT_THROW(observe(volume, {.exposureSeconds = -1}), InputError);
+  EXPECT_THROW(observe(volume, {.gain = -1}), InputError);
+  EXPECT_THROW(observe(volume, {.gamma = 0}), InputError);
+  EXPECT_NO_THROW(observe(volume, {.eye = {0, 0, 1.1f}}));
+}
+
+TEST(Observer, anEyeCloseByIsSafe) {
+  const Volume volume = slice(testing::sphere(0.99, 20), smallProfile(20, 32, 32));
+  const Image<glm::vec3> image = observe(volume, {.eye = {1.01f, 0, 0}, .width = 64, .height = 64});
+  for (const glm::vec3& pixel : image) {
+    EXPECT_TRUE(std::isfinite(pixel.x));
+  }
+}
+
+}  // namespace
+}  // namespace ocelli
