@@ -50,7 +50,13 @@ class Frame {
   std::shared_ptr<State> state_;
 };
 
+void addOcriCommand(CLI::App& program, const Frame& frame);
+void addRenderCommand(CLI::App& program, const Frame& frame);
+void addEvaluateCommand(CLI::App& program, const Frame& frame);
+
 /// Flushes standard output. Throws WorkError where what was printed could not be written in full.
 void flushStandardOutput();
+
+void addSceneCommand(CLI::App& program, const Frame& frame);
 
 }  // namespace ocelli

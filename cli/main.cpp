@@ -21,7 +21,12 @@ constexpr int kWorkFailed = 1;
 constexpr int kInputWrong = 2;
 
 // One line a command, in the order of `ocelli --help`.
-void addCommands([[maybe_unused]] CLI::App& program, [[maybe_unused]] const Frame& frame) {}
+void addCommands(CLI::App& program, const Frame& frame) {
+  addSceneCommand(program, frame);
+  addRenderCommand(program, frame);
+  addOcriCommand(program, frame);
+  addEvaluateCommand(program, frame);
+}
 
 // A closed standard stream would hand its number to the next file that is opened, and our messages would end up in
 // there.

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "oc_core/ocri/camera_choice.h"
+
 namespace ocelli {
 
 void addSceneOptions(CLI::App& command, SceneChoice& choice) {
@@ -19,6 +21,20 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice) {
       ->check(CLI::IsMember({"lambert", "none"}))
       ->default_str("lambert")
       ->type_name("NAME");
+  command.add_flag_callback(
+      "--no-textures", [&choice] { choice.options.textures = false; }, "Leave the textures of a file out");
+}
+
+void addCameraOption(CLI::App& command, std::string& camera) {
+  std::string help = "Camera, or a JSON file with its options:";
+  for (const CameraName& name : cameraNames()) {
+    help += std::string("\n  ") + name.name + ": " + name.description;
+  }
+  command.add_option("--camera", camera, help)->type_name("NAME|FILE.json");
+}
+
+void addSizeOption(CLI::App& command, std::string& size) {
+  command.add_option("--size", size, "Size of the image in pixels")->type_name("WIDTHxHEIGHT");
 }
 
 void addViewOption(CLI::App& command, std::string& path) {

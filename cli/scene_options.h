@@ -17,8 +17,13 @@ struct SceneChoice {
   SceneOptions options;
 };
 
-/// Adds the argument SCENE, --no-fit and --shading. `choice` must outlive the parsing.
+/// Adds the argument SCENE, --no-fit, --shading and --no-textures. `choice` must outlive the parsing.
 void addSceneOptions(CLI::App& command, SceneChoice& choice);
+
+/// Adds --camera NAME|FILE.json.
+void addCameraOption(CLI::App& command, std::string& camera);
+/// Adds --size WIDTHxHEIGHT. Read it with imageSizeFromText() when the command runs.
+void addSizeOption(CLI::App& command, std::string& size);
 
 /// Adds --view FILE.json. Read it with readViewOption() when the command runs.
 void addViewOption(CLI::App& command, std::string& path);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 
 namespace ocelli {
@@ -52,6 +53,21 @@ glm::vec3 pointFromText(const std::string& text, const std::string& option) {
     fail(option, text, "a point X,Y,Z", "0,0.2,9.8");
   }
   return {numbers[0], numbers[1], numbers[2]};
+}
+
+float cellSideFromText(const std::string& text, const std::string& option) {
+  const bool inches = text.ends_with("in");
+  const bool metres = !inches && text.ends_with("m");
+  const std::vector<double> numbers =
+      numbersFromText<double>(std::string_view(text).substr(0, text.size() - (inches ? 2 : 1)), ',');
+  const double side = (inches || metres) && numbers.size() == 1
+                          ? numbers[0] * (inches ? kInchMetres : 1) / kReferenceDisplayRadiusMetres
+                          : 0;
+  constexpr double kMostRadii = 18;  // beyond it the cell would reach the display from the default eye
+  if (!(side > 0) || side > kMostRadii) {
+    fail(option, text, "a length in inches or metres, above 0 and up to 90in", "8in");
+  }
+  return static_cast<float>(side);
 }
 
 double ratioFromText(const std::string& text, const std::string& option) {

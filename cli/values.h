@@ -16,6 +16,8 @@ struct ImageSize {
 ImageSize imageSizeFromText(const std::string& text, const std::string& option);
 /// "X,Y,Z", finite.
 glm::vec3 pointFromText(const std::string& text, const std::string& option);
+/// "8in" or "0.2m": a length at the reference display, in its radii; positive.
+float cellSideFromText(const std::string& text, const std::string& option);
 /// "1/25" or "0.04"; finite.
 double ratioFromText(const std::string& text, const std::string& option);
 

@@ -2,6 +2,8 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/render/raycast.h"
+#include "oc_core/scene/winding_number.h"
 
 namespace ocelli {
 namespace {
@@ -52,6 +54,15 @@ void readDdocOptions(JsonFields& fields, DdocOptions& options) {
   readFloat("longest_edge_pixels", 0.1, 100, options.subdivision.longestEdgePixels);
 }
 
+ReferenceImage finished(ReferenceImage image, const CameraChoice& choice) {
+  if (image.sampleCount() == 0) {
+    throw InputError("the view sees nothing of the scene", "view",
+                     "turn \"target\" towards the scene; a fitted scene lies in the unit sphere around the origin");
+  }
+  image.camera = choice.name;
+  return image;
+}
+
 }  // namespace
 
 const std::vector<CameraName>& cameraNames() {
@@ -80,17 +91,32 @@ CameraChoice cameraChoice(const std::string& nameOrFile) {
 
 ReferenceImage buildReferenceImage(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                    const Progress& progress) {
-  ReferenceImage image;
+  requireOutside(mesh, reference.eye(), "view");
   switch (choice.model) {
     case CameraChoice::Model::kDepthImage:
-      image = buildDepthImage(reference, mesh);
-      break;
+      return finished(buildDepthImage(reference, mesh), choice);
     case CameraChoice::Model::kDdoc:
-      image = buildDdocImage(buildDdocCamera(reference, mesh, choice.ddoc, progress), mesh, choice.ddoc.subdivision);
-      break;
+      return finished(
+          buildDdocImage(buildDdocCamera(reference, mesh, choice.ddoc, progress), mesh, choice.ddoc.subdivision),
+          choice);
   }
-  image.camera = choice.name;
-  return image;
+  OC_CHECK(false, "every camera model has a builder");
+}
+
+ReferenceImage raycastReferenceImage(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
+                                     const Progress& progress) {
+  requireOutside(mesh, reference.eye(), "view");
+  const RayScene scene(mesh);
+  const auto cast = [&](const Camera auto& camera) {
+    return finished(referenceImage(raycast(camera, mesh, scene), mesh, reference, choice.name), choice);
+  };
+  switch (choice.model) {
+    case CameraChoice::Model::kDepthImage:
+      return cast(reference);
+    case CameraChoice::Model::kDdoc:
+      return cast(buildDdocCamera(reference, mesh, choice.ddoc, progress));
+  }
+  OC_CHECK(false, "every camera model has a builder");
 }
 
 }  // namespace ocelli

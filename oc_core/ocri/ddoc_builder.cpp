@@ -73,7 +73,7 @@ ReferenceImage render(const DdocCamera& camera, const Mesh& mesh, const Subdivis
 size_t shrinkHarmful(std::vector<DistortionSplat>& splats, const SplatOwners& owners, const Image<glm::vec4>& seen,
                      const DdocCamera& camera, const Mesh& mesh, const DdocOptions& options) {
   const PinholeCamera& reference = camera.reference();
-  const ReferenceImage image = render(camera, mesh, options.subdivision);
+  const ReferenceImage image = render(camera, mesh, options.feedbackSubdivision);
   const Image<SampleState> states = compareFrames(reference, seen, positionImage(reference, imageMesh(image)));
 
   std::vector<int> harm(splats.size());

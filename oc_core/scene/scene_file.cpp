@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
+#include <cctype>
 #include <fstream>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
@@ -50,10 +51,14 @@ void checkFile(const fs::path& path) {
   }
 }
 
+/// By its name or its first bytes: what claims to be PLY never reaches Assimp.
 bool isPly(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   std::array<char, 4> start{};
   std::ifstream(path, std::ios::binary).read(start.data(), start.size());
-  return std::string_view(start.data(), 3) == "ply" && (start[3] == '\n' || start[3] == '\r');
+  return extension == ".ply" || (std::string_view(start.data(), 3) == "ply" && (start[3] == '\n' || start[3] == '\r'));
 }
 
 [[noreturn]] void failParse(const fs::path& path, const std::string& reason) {
@@ -145,7 +150,9 @@ std::vector<Mesh> convertMeshes(const aiScene& source, FileMaterials&& found, co
     meshes[meshOfTextured[i]] = std::move(textured[i].mesh);
   }
   for (Mesh& mesh : meshes) {
-    if (mesh.positions.size() >= mesh.triangles.size() * 3) {
+    // A mesh that shares its vertices has half as many of them as triangles; one that repeats them, twice to three
+    // times.
+    if (mesh.positions.size() > mesh.triangles.size()) {
       shareVertices(mesh);
     } else {
       dropUnusedVertices(mesh);

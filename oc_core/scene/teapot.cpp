@@ -63,21 +63,22 @@ Patch sweptQuarter(const Profile& profile) {
   return patch;
 }
 
-std::array<float, 4> bernstein(float t) {
-  const float s = 1 - t;
+std::array<double, 4> bernstein(double t) {
+  const double s = 1 - t;
   return {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
 }
 
-glm::vec3 evaluate(const Patch& patch, float u, float v) {
-  const std::array<float, 4> rows = bernstein(u);
-  const std::array<float, 4> columns = bernstein(v);
-  glm::vec3 point(0);
+/// In double precision, so that control points that coincide give points that coincide once they are floats.
+glm::vec3 evaluate(const Patch& patch, double u, double v) {
+  const std::array<double, 4> rows = bernstein(u);
+  const std::array<double, 4> columns = bernstein(v);
+  glm::dvec3 point(0);
   for (size_t row = 0; row < 4; ++row) {
     for (size_t column = 0; column < 4; ++column) {
-      point += rows[row] * columns[column] * patch[4 * row + column];
+      point += rows[row] * columns[column] * glm::dvec3(patch[4 * row + column]);
     }
   }
-  return point;
+  return glm::vec3(point);
 }
 
 /// Adds the patch with its x and y multiplied by 1 or -1, in our axes (y up). The table's patches face inwards.
@@ -87,8 +88,7 @@ void addPatch(Mesh& mesh, const Patch& patch, int segments, float signX, float s
   const auto stride = static_cast<uint32_t>(segments + 1);
   for (int i = 0; i <= segments; ++i) {
     for (int j = 0; j <= segments; ++j) {
-      const glm::vec3 p = evaluate(patch, static_cast<float>(i) / static_cast<float>(segments),
-                                   static_cast<float>(j) / static_cast<float>(segments));
+      const glm::vec3 p = evaluate(patch, static_cast<double>(i) / segments, static_cast<double>(j) / segments);
       // Adding zero turns -0 into 0, so that mirrored seams are equal bit by bit.
       mesh.positions.push_back(glm::vec3(signX * p.x, p.z, -signY * p.y) + 0.0f);
     }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 #include <utility>
 
 #include "oc_core/base/check.h"
@@ -14,7 +13,8 @@
 namespace ocelli {
 namespace {
 
-constexpr float kPixelsInEdge = 2;
+/// A little more than the diagonal of a pixel, so that a square pixel becomes two triangles and is left at that.
+constexpr float kPixelsInEdge = 1.5f;
 /// Each round halves the edges: enough for the longest texture, and an end for coordinates that are out of all bounds.
 constexpr int kMostRounds = 16;
 
@@ -23,14 +23,14 @@ glm::vec2 pixelsOf(const TexturedMesh& part, const std::vector<Texture>& texture
   return {image.width(), image.height()};
 }
 
-/// About how many triangles the splitting will add: two cover a square of kPixelsInEdge pixels a side.
+/// About how many triangles the splitting will add: each covers half a pixel.
 double estimateNew(const TexturedMesh& part, const glm::vec2& pixels) {
   double added = 0;
   for (const glm::uvec3& t : part.mesh.triangles) {
     const glm::vec2 ab = (part.uvs[t.y] - part.uvs[t.x]) * pixels;
     const glm::vec2 ac = (part.uvs[t.z] - part.uvs[t.x]) * pixels;
     const double area = std::abs(static_cast<double>(ab.x) * ac.y - static_cast<double>(ab.y) * ac.x) / 2;
-    const double wanted = area * 2 / (kPixelsInEdge * kPixelsInEdge);
+    const double wanted = area * 2;
     added += std::isfinite(wanted) ? std::max(0.0, wanted - 1) : 0.0;
   }
   return added;

@@ -25,6 +25,7 @@ THIRD_PARTIES = {
     "Imath": "PkgConfig::OpenEXR",
     "Iex": "PkgConfig::OpenEXR",
     "OpenEXR/": "PkgConfig::OpenEXR",
+    "stb/": "PkgConfig::stb",
     "zstd": "zstd::libzstd_shared",
     "CLI/": "CLI11::CLI11",
     "fmt/": "fmt::fmt",

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command.h"
+#include "cli/scene_options.h"
+#include "cli/values.h"
+#include "oc_core/ocri/camera_choice.h"
+#include "oc_core/ocri/image_mesh.h"
+#include "oc_core/ocri/reference_image_file.h"
+#include "oc_core/scene/ply_file.h"
+
+namespace ocelli {
+namespace {
+
+struct BuildChoice {
+  SceneChoice scene;
+  std::string camera = "ddoc";
+  std::string view;
+  std::string size = "720x480";
+  std::string output;
+};
+
+void addBuild(CLI::App& ocri, const Frame& frame) {
+  CLI::App& command = *ocri.add_subcommand("build", "Build the reference image of a scene");
+  const auto choice = std::make_shared<BuildChoice>();
+  addSceneOptions(command, choice->scene);
+  addCameraOption(command, choice->camera);
+  addViewOption(command, choice->view);
+  addSizeOption(command, choice->size);
+  command.add_option("-o,--output", choice->output, "Where the image goes")->required()->type_name("FILE.exr");
+  frame.finish(command,
+               "  ocelli ocri build builtin:statues -o statues.exr\n"
+               "  ocelli ocri build bunny.obj --camera di --size 180x120 -o bunny.exr",
+               [choice, frame] {
+                 const CameraChoice camera = cameraChoice(choice->camera);
+                 const ImageSize size = imageSizeFromText(choice->size, "--size");
+                 const PinholeCamera reference(readViewOption(choice->view), size.width, size.height);
+                 const Mesh mesh = loadScene(choice->scene.source, choice->scene.options, frame.progress());
+                 const ReferenceImage image = buildReferenceImage(camera, reference, mesh, frame.progress());
+                 writeReferenceImage(choice->output, image);
+                 frame.note(fmt::format("wrote {}: {} of {}x{}, {} samples", choice->output, image.camera,
+                                        image.width(), image.height(), image.sampleCount()));
+               });
+}
+
+void addMesh(CLI::App& ocri, const Frame& frame) {
+  CLI::App& command = *ocri.add_subcommand("mesh", "Turn a reference image into its bounded triangle mesh");
+  struct Choice {
+    std::string input;
+    std::string output;
+  };
+  const auto choice = std::make_shared<Choice>();
+  command.add_option("IMAGE", choice->input, "A reference image (.exr)")->required();
+  command.add_option("-o,--output", choice->output, "Where the mesh goes")->required()->type_name("FILE.ply");
+  frame.finish(command, "  ocelli ocri mesh statues.exr -o statues.ply", [choice, frame] {
+    const Mesh mesh = imageMesh(readReferenceImage(choice->input));
+    writePly(choice->output, mesh);
+    frame.note(fmt::format("wrote {}: {} triangles", choice->output, mesh.triangles.size()));
+  });
+}
+
+}  // namespace
+
+void addOcriCommand(CLI::App& program, const Frame& frame) {
+  CLI::App& ocri = *program.add_subcommand("ocri", "Build occlusion camera reference images and their meshes");
+  ocri.require_subcommand(1);
+  addBuild(ocri, frame);
+  addMesh(ocri, frame);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command.h"
+#include "cli/scene_options.h"
+#include "cli/values.h"
+#include "oc_core/base/png_file.h"
+#include "oc_core/ocri/camera_choice.h"
+#include "oc_core/ocri/reference_image_file.h"
+
+namespace ocelli {
+namespace {
+
+struct RenderChoice {
+  SceneChoice scene;
+  std::string camera = "di";
+  std::string method = "raster";
+  std::string view;
+  std::string size = "720x480";
+  std::string output;
+};
+
+void render(const RenderChoice& choice, const Frame& frame) {
+  const CameraChoice camera = cameraChoice(choice.camera);
+  const ImageSize size = imageSizeFromText(choice.size, "--size");
+  const PinholeCamera reference(readViewOption(choice.view), size.width, size.height);
+  const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, frame.progress());
+  const ReferenceImage image = choice.method == "raycast"
+                                   ? raycastReferenceImage(camera, reference, mesh, frame.progress())
+                                   : buildReferenceImage(camera, reference, mesh, frame.progress());
+  if (choice.output.ends_with(".exr")) {
+    writeReferenceImage(choice.output, image);
+  } else {
+    writePng(choice.output, srgbFromLinear(image.color));
+  }
+  frame.note(fmt::format("wrote {}: {} of {}x{}", choice.output, image.camera, image.width(), image.height()));
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& program, const Frame& frame) {
+  CLI::App& command = *program.add_subcommand("render", "Render a scene with any camera");
+  const auto choice = std::make_shared<RenderChoice>();
+  addSceneOptions(command, choice->scene);
+  addCameraOption(command, choice->camera);
+  command.add_option("--method", choice->method, "How: fill projected triangles, or follow the rays (slow reference)")
+      ->check(CLI::IsMember({"raster", "raycast"}))
+      ->type_name("NAME");
+  addViewOption(command, choice->view);
+  addSizeOption(command, choice->size);
+  command.add_option("-o,--output", choice->output, "Where the image goes: PNG, or EXR with depth and offsets")
+      ->required()
+      ->check([](const std::string& path) {
+        return path.ends_with(".png") || path.ends_with(".exr") ? "" : "the output must end in .png or .exr";
+      })
+      ->type_name("FILE");
+  frame.finish(command,
+               "  ocelli render builtin:teapot -o teapot.png\n"
+               "  ocelli render builtin:statues --camera ddoc --size 1440x960 -o statues.png\n"
+               "  ocelli render builtin:statues --camera ddoc --method raycast -o reference.exr",
+               [choice, frame] { render(*choice, frame); });
+}
+
+}  // namespace ocelli
