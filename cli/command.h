@@ -58,4 +58,6 @@ void addEvaluateCommand(CLI::App& program, const Frame& frame);
 /// Flushes standard output. Throws WorkError where what was printed could not be written in full.
 void flushStandardOutput();
 
+void addSceneCommand(CLI::App& program, const Frame& frame);
+
 }  // namespace ocelli

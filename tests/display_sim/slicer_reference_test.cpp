@@ -52,7 +52,7 @@ TEST_P(Profiles, soupOfEverySize) {
   PointSource source(11);
   for (const float size : {0.02f, 0.2f, 1.5f}) {
     Mesh mesh;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 150; ++i) {
       const glm::vec3 center = source.point(0.9f);
       addTriangle(mesh, center + source.point(size), center + source.point(size), center + source.point(size));
     }
@@ -63,7 +63,7 @@ TEST_P(Profiles, soupOfEverySize) {
 TEST_P(Profiles, slivers) {
   PointSource source(12);
   Mesh mesh;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 150; ++i) {
     const glm::vec3 a = source.point(0.9f);
     const glm::vec3 b = source.point(0.9f);
     addTriangle(mesh, a, b, a + (b - a) * source.uniform(0, 1) + source.point(1e-5f));

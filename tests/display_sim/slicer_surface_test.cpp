@@ -59,7 +59,7 @@ Solid boxSolid(const char* name, const glm::vec3& lower, const glm::vec3& upper)
 
 class ClosedSolids : public ::testing::TestWithParam<Solid> {
  protected:
-  const DisplayProfile profile_ = smallProfile(60, 96, 96);
+  const DisplayProfile profile_ = smallProfile(48, 80, 80);
   const SweepGeometry sweep_{profile_};
   const Volume volume_ = slice(GetParam().mesh, profile_);
 };
@@ -87,7 +87,7 @@ TEST_P(ClosedSolids, areWatertight) {
       }
     }
   }
-  EXPECT_GT(inside, 1000u);
+  EXPECT_GT(inside, 500u);
   EXPECT_EQ(leaks, 0u);
   EXPECT_EQ(walledOff, 0u);
 }
@@ -154,7 +154,7 @@ TEST_P(ClosedSolids, litVoxelsLieWithinOneAndAHalfVoxelsOfTheSurface) {
       farthest = std::max(farthest, nearest);
     });
   }
-  EXPECT_GT(lit, 5000u);
+  EXPECT_GT(lit, 2000u);
   EXPECT_LE(farthest, 1.5);
 }
 
