@@ -11,11 +11,12 @@
 // succeed, project(unproject(q)) is q, and every point of rayPath(p) projects to p.
 // Renderers (oc_core/render) take the camera as a template parameter: no virtual call stands in an inner loop.
 //
-// Recipe for a new camera model, three files:
+// Recipe for a new camera model, three places:
 //   1. oc_core/camera/NAME_camera.h and .cpp: the class, with its section and equations at the top; it must satisfy
-//   Camera.
+//      Camera.
 //   2. tests/camera/camera_contract_test.cpp: add it to the list of cameras that the contract's suite runs over.
-//   3. cli/camera_choice.cpp: give it a name, so that `--camera NAME` finds it.
+//   3. oc_core/ocri/camera_choice.h and .cpp: give it a name and say how its image is built, so that `--camera NAME`
+//      finds it. Options that a JSON file may set go into oc_core/ocri/camera.schema.json too.
 #pragma once
 
 #include <concepts>

@@ -53,25 +53,23 @@ RayPath DdocCamera::rayPath(const glm::vec2& pixel) const {
     return path;
   }
   // Straight up to the nearest z_n and beyond the farthest z_f of the map; in between, equal steps of 1/z, each solved
-  // from the solution before it. A step without a solution is left out: the ray goes straight over it.
+  // from the solution before it. A step without a solution is left out: the ray goes straight over it, or ends before
+  // it where none follows.
   constexpr int kSteps = 96;
   RayPath bent{path.front()};
   glm::vec2 undistorted = pixel;
-  for (int i = 0; i <= kSteps; ++i) {
-    const float inverseZ =
-        greatestInverseNear_ + (leastInverseFar_ - greatestInverseNear_) * static_cast<float>(i) / kSteps;
-    const ImagePoint q{pixel.x, pixel.y, 1 / inverseZ};
-    if (const std::optional<ImagePoint> solved = undistort(q, undistorted)) {
+  const auto addPointAt = [&](float z) {
+    if (const std::optional<ImagePoint> solved = undistort({pixel.x, pixel.y, z}, undistorted)) {
       if (const std::optional<glm::vec3> point = reference_.unproject(*solved)) {
         undistorted = {solved->u, solved->v};
         bent.push_back(*point);
       }
     }
+  };
+  for (int i = 0; i <= kSteps; ++i) {
+    addPointAt(1 / (greatestInverseNear_ + (leastInverseFar_ - greatestInverseNear_) * static_cast<float>(i) / kSteps));
   }
-  if (const std::optional<glm::vec3> last =
-          reference_.unproject({undistorted.x, undistorted.y, reference_.view().zFar})) {
-    bent.push_back(*last);
-  }
+  addPointAt(reference_.view().zFar);
   return bent;
 }
 

@@ -36,14 +36,15 @@ class PinholeCamera {
     return {(q.u - centerU_) / focal_ * q.z, (q.v - centerV_) / focal_ * q.z, q.z};
   }
 
-  /// Nothing for a point nearer than zNear or farther than zFar along the view direction. A point outside of the image
-  /// borders still has its image point.
+  /// Nothing for a point nearer than zNear or farther than zFar along the view direction, or so far out that its image
+  /// coordinates are not finite. A point outside of the image borders still has its image point.
   std::optional<ImagePoint> project(const glm::vec3& worldPoint) const {
     const glm::vec3 p = cameraFromWorld(worldPoint);
     if (!(p.z >= view_.zNear && p.z <= view_.zFar)) {
       return std::nullopt;
     }
-    return imageFromCamera(p);
+    const ImagePoint q = imageFromCamera(p);
+    return std::isfinite(q.u) && std::isfinite(q.v) ? std::optional(q) : std::nullopt;
   }
   std::optional<glm::vec3> unproject(const ImagePoint& q) const {
     if (!(q.z >= view_.zNear && q.z <= view_.zFar) || !std::isfinite(q.u) || !std::isfinite(q.v)) {

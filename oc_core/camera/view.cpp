@@ -47,8 +47,9 @@ double View::resolvedFovVerticalDegrees() const {
 void validate(const View& view, const std::string& where) {
   const glm::vec3 direction = view.target - view.eye;
   const float distance = glm::length(direction);
-  if (!std::isfinite(distance) || !std::isfinite(glm::length(view.up))) {
-    throw InputError("the view has a coordinate that is not a finite number", where, "give three finite numbers");
+  if (!std::isfinite(distance) || !std::isfinite(glm::length(view.up)) || !std::isfinite(view.fovVerticalDegrees) ||
+      !std::isfinite(view.zNear) || !std::isfinite(view.zFar)) {
+    throw InputError("the view has a number that is not finite", where, "give finite numbers");
   }
   if (distance < 1e-6f) {
     throw InputError("the eye of the view is at its target, so it has no direction", where,

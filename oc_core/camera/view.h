@@ -25,7 +25,8 @@ struct View {
 };
 
 /// Throws InputError where eye and target coincide, up is parallel to the direction, a number is not finite, the field
-/// of view is not in (0, 180) or the eye is within the unit sphere while no field of view is given.
+/// of view is not in (0, 179) degrees, the eye is within the unit sphere while no field of view is given, or zNear is
+/// not positive and less than zFar.
 void validate(const View& view, const std::string& where);
 
 View readView(const std::filesystem::path& path);

@@ -1,0 +1,242 @@
+// The contract of camera.h, checked for every camera: each is one entry of `AllCameras` at the end of the fixture.
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "oc_core/camera/ddoc_camera.h"
+#include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/ocri/ddoc_builder.h"
+#include "tests/ocri/test_scenes.h"
+
+namespace ocelli {
+namespace {
+
+using test::kHeight;
+using test::kWidth;
+using test::smallCamera;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+// For each camera: make() gives one with distortion, undistorted() one without, both of the small camera's size and
+// view. `kUnsolvable` is the share of image points that may lack a world point.
+struct Pinhole {
+  static constexpr double kUnsolvable = 0;
+  static PinholeCamera make() { return smallCamera(); }
+  static PinholeCamera undistorted() { return smallCamera(); }
+};
+
+struct SmoothDdoc {
+  static constexpr double kUnsolvable = 0;
+  static DdocCamera make() { return {smallCamera(), test::wavyMap(kWidth, kHeight, 3, 40)}; }
+  static DdocCamera undistorted() {
+    return {smallCamera(), DistortionMap(kWidth, kHeight, DistortionMap::Lookup::kBilinear)};
+  }
+};
+
+struct SceneDdoc {
+  // Where the field of a built camera folds, ddoc_camera.h promises one of the solutions or none.
+  static constexpr double kUnsolvable = 0.01;
+  static DdocCamera make() { return buildDdocCamera(smallCamera(), test::boxBeforeWall()); }
+  static DdocCamera undistorted() { return buildDdocCamera(smallCamera(), test::tiltedPlane(0.5f)); }
+};
+
+template <class Source>
+class CameraContract : public ::testing::Test {
+ protected:
+  using Camera = decltype(Source::make());
+  // Building from a scene takes a while: once for all cases.
+  static const Camera& camera() {
+    static const Camera camera = Source::make();
+    return camera;
+  }
+
+  // Unprojection of a distorted point stops within 1e-3 pixels. World coordinates of 10 units, those of the eye, round
+  // by half of 1e-6, which moves an image point half an image width from the middle by that over z.
+  static float pixels(float z) { return 1.5e-3f + kWidth / 2.0f * 1e-6f / z; }
+  static bool near(const ImagePoint& q, const glm::vec2& pixel) {
+    return std::abs(q.u - pixel.x) < pixels(q.z) && std::abs(q.v - pixel.y) < pixels(q.z);
+  }
+
+  template <class Check>
+  static void forGrid(const Check& check) {
+    for (const float z : {0.02f, 5.0f, 8.5f, 9.3f, 9.6f, 10.2f, 10.9f, 12.5f, 500.0f}) {
+      for (int y = 0; y < kHeight; y += 3) {
+        for (int x = 0; x < kWidth; x += 3) {
+          check(ImagePoint{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, z});
+        }
+      }
+    }
+  }
+};
+
+using AllCameras = ::testing::Types<Pinhole, SmoothDdoc, SceneDdoc>;
+TYPED_TEST_SUITE(CameraContract, AllCameras);
+
+TYPED_TEST(CameraContract, hasTheSizeOfItsReference) {
+  EXPECT_EQ(this->camera().width(), kWidth);
+  EXPECT_EQ(this->camera().height(), kHeight);
+}
+
+TYPED_TEST(CameraContract, projectOfUnprojectIsTheImagePoint) {
+  size_t tried = 0;
+  size_t unsolved = 0;
+  this->forGrid([&](const ImagePoint& q) {
+    ++tried;
+    const std::optional<glm::vec3> point = this->camera().unproject(q);
+    if (!point) {
+      ++unsolved;
+      return;
+    }
+    const std::optional<ImagePoint> back = this->camera().project(*point);
+    ASSERT_TRUE(back) << q.u << " " << q.v << " " << q.z;
+    EXPECT_TRUE(this->near(*back, {q.u, q.v})) << q.u << " " << q.v << " " << q.z;
+    EXPECT_NEAR(back->z, q.z, 1e-6f * (1 + q.z)) << "rounding of world coordinates";
+  });
+  EXPECT_LE(static_cast<double>(unsolved), TypeParam::kUnsolvable * static_cast<double>(tried));
+}
+
+TYPED_TEST(CameraContract, rayPathProjectsToItsPixel) {
+  size_t rays = 0;
+  size_t broken = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const glm::vec2 pixel(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+      const RayPath path = this->camera().rayPath(pixel);
+      ASSERT_GE(path.size(), 2u);
+      ++rays;
+      bool holds = true;
+      for (const glm::vec3& point : path) {
+        const std::optional<ImagePoint> q = this->camera().project(point);
+        // The ends lie on the near and far plane: rounding may put them a hair outside.
+        holds = holds && (!q ? (&point == &path.front() || &point == &path.back()) : this->near(*q, pixel));
+      }
+      broken += !holds;
+    }
+  }
+  EXPECT_EQ(broken, 0u) << "of " << rays;
+}
+
+TYPED_TEST(CameraContract, rayPathBetweenItsPointsProjectsNearItsPixel) {
+  // A ray bends between the points of its polyline too. Half way between two of them it may be off by what the slope of
+  // the field (below 1) makes of the length of one step, itself below 1/96 of the longest displacement (5 pixels).
+  constexpr float kBend = 0.06f;
+  size_t joints = 0;
+  size_t off = 0;
+  for (int y = 0; y < kHeight; y += 2) {
+    for (int x = 0; x < kWidth; x += 2) {
+      const glm::vec2 pixel(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+      const RayPath path = this->camera().rayPath(pixel);
+      for (size_t i = 1; i < path.size(); ++i) {
+        const std::optional<ImagePoint> q = this->camera().project((path[i - 1] + path[i]) * 0.5f);
+        ASSERT_TRUE(q);
+        ++joints;
+        off += std::abs(q->u - pixel.x) > kBend || std::abs(q->v - pixel.y) > kBend;
+      }
+    }
+  }
+  EXPECT_LE(static_cast<double>(off), TypeParam::kUnsolvable * static_cast<double>(joints));
+}
+
+TYPED_TEST(CameraContract, rayPathRunsFromNearToFar) {
+  const PinholeCamera reference = smallCamera();
+  int rays = 0;
+  int shortRays = 0;
+  for (int y = 0; y < kHeight; y += 4) {
+    for (int x = 0; x < kWidth; x += 4) {
+      const RayPath path = this->camera().rayPath({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+      ASSERT_GE(path.size(), 2u);
+      for (size_t i = 1; i < path.size(); ++i) {
+        EXPECT_GT(reference.cameraFromWorld(path[i]).z, reference.cameraFromWorld(path[i - 1]).z);
+      }
+      // World coordinates of 10 (near end) and 1000 (far end) units round by half a unit in their last place.
+      EXPECT_NEAR(reference.cameraFromWorld(path.front()).z, reference.view().zNear, 2e-6f);
+      ++rays;
+      shortRays += reference.cameraFromWorld(path.back()).z < reference.view().zFar - 2e-4f;
+    }
+  }
+  EXPECT_LE(shortRays, TypeParam::kUnsolvable * rays);
+}
+
+TYPED_TEST(CameraContract, imageBordersHaveRays) {
+  for (const glm::vec2 pixel :
+       {glm::vec2(0, 0), glm::vec2(kWidth, 0), glm::vec2(0, kHeight), glm::vec2(kWidth, kHeight),
+        glm::vec2(0.5f, kHeight - 0.5f), glm::vec2(kWidth - 0.5f, 0.5f)}) {
+    EXPECT_GE(this->camera().rayPath(pixel).size(), 2u);
+    const std::optional<glm::vec3> point = this->camera().unproject({pixel.x, pixel.y, 10});
+    ASSERT_TRUE(point) << pixel.x << " " << pixel.y;
+    const std::optional<ImagePoint> back = this->camera().project(*point);
+    ASSERT_TRUE(back);
+    EXPECT_TRUE(this->near(*back, pixel));
+  }
+}
+
+TYPED_TEST(CameraContract, pointsOutOfTheBordersHaveFiniteImages) {
+  for (const glm::vec3 point : {glm::vec3(50, 0, 0), glm::vec3(0, -50, 0), glm::vec3(-1e6f, 1e6f, 0)}) {
+    const std::optional<ImagePoint> q = this->camera().project(point);
+    ASSERT_TRUE(q);
+    EXPECT_TRUE(std::isfinite(q->u) && std::isfinite(q->v));
+    EXPECT_FALSE(q->u >= 0 && q->u <= kWidth && q->v >= 0 && q->v <= kHeight);
+  }
+}
+
+TYPED_TEST(CameraContract, pointsWithoutAnImageHaveNone) {
+  const auto hasNone = [&](const glm::vec3& point) {
+    EXPECT_FALSE(this->camera().project(point)) << point.x << " " << point.y << " " << point.z;
+  };
+  hasNone({0, 0, 10});       // at the eye
+  hasNone({0, 0, 9.995f});   // nearer than zNear
+  hasNone({0, 0, 11});       // behind the eye
+  hasNone({3, -2, 1000});    // far behind the eye
+  hasNone({0, 0, -990.5f});  // beyond zFar
+  hasNone({0, 0, -1e30f});
+  hasNone({3e38f, -3e38f, 0});  // its image coordinates are no numbers
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float value : {kNan, kInfinity, -kInfinity}) {
+      glm::vec3 point(0);
+      point[axis] = value;
+      hasNone(point);
+    }
+  }
+}
+
+TYPED_TEST(CameraContract, imagePointsWithoutAWorldPointHaveNone) {
+  const auto hasNone = [&](const ImagePoint& q) {
+    EXPECT_FALSE(this->camera().unproject(q)) << q.u << " " << q.v << " " << q.z;
+  };
+  for (const float z : {0.0f, -1.0f, 0.0099f, 1000.1f, kNan, kInfinity, -kInfinity}) {
+    hasNone({45, 30, z});
+  }
+  for (const float value : {kNan, kInfinity, -kInfinity}) {
+    hasNone({value, 30, 10});
+    hasNone({45, value, 10});
+    EXPECT_TRUE(this->camera().rayPath({value, 30}).empty());
+    EXPECT_TRUE(this->camera().rayPath({45, value}).empty());
+  }
+}
+
+// The eye at (0, 0, 10) looks along -z: u = w/2 + f x / z, v = h/2 - f y / z with z = 10 - z_world, and the field of
+// view holds the unit sphere: tan(fov / 2) = 1 / sqrt(10^2 - 1), f = h/2 * sqrt(99).
+TYPED_TEST(CameraContract, reducesToThePinholeWithoutDistortion) {
+  const auto camera = TypeParam::undistorted();
+  const double focal = kHeight / 2.0 * std::sqrt(99.0);
+  for (const float x : {-1.2f, -0.3f, 0.0f, 0.7f}) {
+    for (const float y : {-0.9f, 0.0f, 0.4f}) {
+      for (const float z : {-2.0f, 0.0f, 0.9f, 5.0f}) {
+        const std::optional<ImagePoint> q = camera.project({x, y, z});
+        ASSERT_TRUE(q);
+        const double depth = 10.0 - z;
+        EXPECT_NEAR(q->u, kWidth / 2.0 + focal * x / depth, 1e-4);
+        EXPECT_NEAR(q->v, kHeight / 2.0 - focal * y / depth, 1e-4);
+        EXPECT_NEAR(q->z, depth, 2e-6);
+        const std::optional<glm::vec3> back = camera.unproject(*q);
+        ASSERT_TRUE(back);
+        EXPECT_LT(glm::distance(*back, glm::vec3(x, y, z)), 1e-5f);
+      }
+    }
+  }
+  EXPECT_EQ(camera.rayPath({12.5f, 40.5f}), smallCamera().rayPath({12.5f, 40.5f}));
+}
+
+}  // namespace
+}  // namespace ocelli
