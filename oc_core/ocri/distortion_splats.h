@@ -28,9 +28,11 @@ using SplatOwners = Image<int>;
 /// Step 3: every pixel goes to the splat with the closest centre among those that reach it.
 SplatOwners claimPixels(const std::vector<DistortionSplat>& splats, int width, int height);
 
-/// Step 4: where pixels of two splats touch whose normals differ by more than 90 degrees, the rooms are shrunk until
-/// the splats no longer overlap. `hidden` follows so that `hidden <= mostSqueeze * room`. Returns how many splats
-/// shrank.
+/// Step 4: where pixels of two splats touch that face each other (normals more than 90 degrees apart, each in front of
+/// the other), the rooms are shrunk until they no longer overlap. `hidden` follows, so that
+/// `hidden <= mostHiddenPerRoom * room`. Returns how many rooms shrank.
+/// DEVIATION: the text shrinks splats that stand back to back too, on both sides of a thin occluder. These do not
+/// compete for visible room: each pixel of the occluder goes to the nearer edge.
 size_t shrinkConflicts(std::vector<DistortionSplat>& splats, const SplatOwners& owners, float mostHiddenPerRoom);
 
 /// Makes the bands change gradually along the silhouettes: hidden and room grow by at most `steepestGrowth` pixels for
@@ -41,8 +43,8 @@ void limitBandGrowth(std::vector<DistortionSplat>& splats, float steepestGrowth)
 DistortionMap finalizeMap(const std::vector<DistortionSplat>& splats, const SplatOwners& owners,
                           DistortionMap::Lookup lookup);
 
-/// Makes the field continuous: displacements and depth intervals are averaged with a Gaussian, intervals over the
-/// pixels that have one. Displaced pixels weigh on depths only.
+/// Makes the field continuous: displacements are averaged with a Gaussian over all pixels, depth intervals over the
+/// pixels that have one.
 DistortionMap smoothMap(const DistortionMap& map, float sigmaPixels);
 
 }  // namespace ocelli
