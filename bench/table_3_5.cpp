@@ -82,8 +82,6 @@ void measure(const Case& row, int runs, const DisplayProfile& profile) {
   Mesh ocriMesh;
   const double ocriBuild =
       medianMilliseconds(runs, [&] { ocriMesh = imageMesh(buildDdocImage(buildDdocCamera(camera, scene), scene)); });
-  Mesh simpleMesh;
-  const double simpleBuild = medianMilliseconds(1, [&] { simpleMesh = decimated(scene, ocriMesh.triangles.size()); });
   const double geometrySlice = sliceTime(scene);
 
   const auto print = [&](const char* what, const Mesh& mesh, double build, double sliceMs, double textTriangles,
@@ -103,7 +101,11 @@ void measure(const Case& row, int runs, const DisplayProfile& profile) {
   print("DI", depthMesh, depthBuild, sliceTime(depthMesh), text.imageTriangles, 0, text.depthSeconds);
   print("OCRI (DDOC)", ocriMesh, ocriBuild, sliceTime(ocriMesh), text.imageTriangles, text.constructionSeconds,
         text.ocriSeconds);
-  print("decimated", simpleMesh, simpleBuild, sliceTime(simpleMesh), 0, 0, 0);
+  if (ocriMesh.triangles.size() < scene.triangles.size()) {
+    Mesh simpleMesh;
+    const double simpleBuild = medianMilliseconds(1, [&] { simpleMesh = decimated(scene, ocriMesh.triangles.size()); });
+    print("decimated", simpleMesh, simpleBuild, sliceTime(simpleMesh), 0, 0, 0);
+  }
 }
 
 int run(int argumentCount, char** arguments) {

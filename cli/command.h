@@ -51,6 +51,7 @@ class Frame {
 };
 
 void addOcriCommand(CLI::App& program, const Frame& frame);
+void addObserveCommand(CLI::App& program, const Frame& frame);
 void addDemoCommand(CLI::App& program, const Frame& frame);
 void addRenderCommand(CLI::App& program, const Frame& frame);
 void addEvaluateCommand(CLI::App& program, const Frame& frame);
@@ -59,5 +60,7 @@ void addEvaluateCommand(CLI::App& program, const Frame& frame);
 void flushStandardOutput();
 
 void addSceneCommand(CLI::App& program, const Frame& frame);
+void addSliceCommand(CLI::App& program, const Frame& frame);
+void addVolumeCommand(CLI::App& program, const Frame& frame);
 
 }  // namespace ocelli

@@ -26,6 +26,9 @@ void addCommands(CLI::App& program, const Frame& frame) {
   addSceneCommand(program, frame);
   addRenderCommand(program, frame);
   addOcriCommand(program, frame);
+  addSliceCommand(program, frame);
+  addObserveCommand(program, frame);
+  addVolumeCommand(program, frame);
   addEvaluateCommand(program, frame);
 }
 

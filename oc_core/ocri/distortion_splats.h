@@ -48,8 +48,8 @@ void limitBandGrowth(std::vector<DistortionSplat>& splats, float steepestGrowth)
 DistortionMap finalizeMap(const std::vector<DistortionSplat>& splats, const SplatOwners& owners,
                           DistortionMap::Lookup lookup);
 
-/// Makes the field continuous: displacements and depth intervals are averaged with a Gaussian, intervals over the
-/// pixels that have one. Displaced pixels weigh on depths only.
+/// Makes the field continuous: displacements are averaged with a Gaussian over all pixels, depth intervals over the
+/// pixels that have one.
 DistortionMap smoothMap(const DistortionMap& map, float sigmaPixels);
 
 }  // namespace ocelli

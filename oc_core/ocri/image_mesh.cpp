@@ -31,7 +31,7 @@ class ImageMesher {
     int x, y;
   };
 
-  bool valid(const Pixel& p) const { return image_.z.contains(p.x, p.y) && image_.z(p.x, p.y) > 0; }
+  bool valid(const Pixel& p) const { return vertexOf_.contains(p.x, p.y) && vertexOf_(p.x, p.y) != kNoVertex; }
 
   void addVertices() {
     for (int y = 0; y < image_.height(); ++y) {

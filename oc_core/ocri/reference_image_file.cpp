@@ -7,6 +7,7 @@
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
+#include <ImfVersion.h>
 
 #include <array>
 #include <cmath>
@@ -21,8 +22,10 @@ namespace {
 
 constexpr int kFormat = 1;
 constexpr const char* kAttribute = "ocelli";
+constexpr std::array<const char*, 6> kChannels{"R", "G", "B", "Z", "offset.u", "offset.v"};
 constexpr int kMostPixelsASide = 32768;
 constexpr int64_t kMostPixels = int64_t{1} << 27;
+constexpr int64_t kMostCompression = 1032;  ///< the most that deflate can do
 constexpr const char* kNext = "build it again with `ocelli ocri build`";
 
 /// An OpenEXR stream into a string.
@@ -66,21 +69,37 @@ class BytesIn : public Imf::IStream {
   size_t position_ = 0;
 };
 
+/// The header alone: it is judged before OpenEXR makes buffers for the image that it promises.
+Imf::Header headerOf(std::string_view bytes) {
+  const auto byte = [&](size_t i) { return static_cast<uint32_t>(static_cast<unsigned char>(bytes[i])); };
+  const auto word = [&](size_t i) { return byte(i) | byte(i + 1) << 8 | byte(i + 2) << 16 | byte(i + 3) << 24; };
+  constexpr size_t kMagicAndVersion = 8;
+  if (bytes.size() < kMagicAndVersion || word(0) != static_cast<uint32_t>(Imf::MAGIC)) {
+    throw std::runtime_error("it does not start like one");
+  }
+  BytesIn stream(bytes);
+  stream.seekg(kMagicAndVersion);
+  auto version = static_cast<int>(word(4));
+  Imf::Header header;
+  header.readFrom(stream, version);
+  return header;
+}
+
 struct Channel {
   const char* name;
   const void* first;  ///< the value of the first pixel
   size_t stride;      ///< bytes from one pixel to the next
 };
 
-std::array<Channel, 6> channelsOf(const ReferenceImage& image) {
+std::array<Channel, kChannels.size()> channelsOf(const ReferenceImage& image) {
   const glm::vec3* color = image.color.data();
   const glm::vec2* displacement = image.displacement.data();
-  return {Channel{"R", &color->x, sizeof(*color)},
-          Channel{"G", &color->y, sizeof(*color)},
-          Channel{"B", &color->z, sizeof(*color)},
-          Channel{"Z", image.z.data(), sizeof(float)},
-          Channel{"offset.u", &displacement->x, sizeof(*displacement)},
-          Channel{"offset.v", &displacement->y, sizeof(*displacement)}};
+  return {Channel{kChannels[0], &color->x, sizeof(*color)},
+          Channel{kChannels[1], &color->y, sizeof(*color)},
+          Channel{kChannels[2], &color->z, sizeof(*color)},
+          Channel{kChannels[3], image.z.data(), sizeof(float)},
+          Channel{kChannels[4], &displacement->x, sizeof(*displacement)},
+          Channel{kChannels[5], &displacement->y, sizeof(*displacement)}};
 }
 
 Imf::FrameBuffer frameBufferOf(const ReferenceImage& image) {
@@ -116,6 +135,40 @@ void readAttribute(const std::string& text, const std::string& where, ReferenceI
   fields.rejectUnknown();
 }
 
+/// Camera, view and an image of the right size, from a header that fits a reference image of `fileBytes` bytes.
+void readHeader(const Imf::Header& header, size_t fileBytes, const std::string& where, ReferenceImage& image) {
+  const Imath::Box2i& window = header.dataWindow();
+  const int64_t width = int64_t{window.max.x} - window.min.x + 1;
+  const int64_t height = int64_t{window.max.y} - window.min.y + 1;
+  if (window.min.x != 0 || window.min.y != 0 || width < 1 || height < 1 || width > kMostPixelsASide ||
+      height > kMostPixelsASide || width * height > kMostPixels) {
+    throw InputError("its data window is not that of a reference image of at most 2^27 pixels", where, kNext);
+  }
+  const auto* attribute = header.findTypedAttribute<Imf::StringAttribute>(kAttribute);
+  if (attribute == nullptr) {
+    throw InputError("it has no \"ocelli\" attribute, so it is no reference image", where, kNext);
+  }
+  readAttribute(attribute->value(), where, image);
+  for (const char* name : kChannels) {
+    const Imf::Channel* stored = header.channels().findChannel(name);
+    if (stored == nullptr || stored->type != Imf::FLOAT || stored->xSampling != 1 || stored->ySampling != 1) {
+      throw InputError("channel " + std::string(name) + " is missing or no full-size 32-bit float", where, kNext);
+    }
+  }
+  // No more memory than the file can fill.
+  if (width * height * static_cast<int64_t>(kChannels.size() * sizeof(float)) >
+      kMostCompression * static_cast<int64_t>(fileBytes)) {
+    throw InputError(
+        "it is too short for the " + std::to_string(width) + "x" + std::to_string(height) + " samples of its header",
+        where, kNext);
+  }
+  const int w = static_cast<int>(width);
+  const int h = static_cast<int>(height);
+  image.color = Image<glm::vec3>(w, h);
+  image.z = Image<float>(w, h);
+  image.displacement = Image<glm::vec2>(w, h);
+}
+
 void validate(const ReferenceImage& image, const std::string& where) {
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
@@ -137,8 +190,8 @@ void writeReferenceImage(const std::filesystem::path& path, const ReferenceImage
   OC_CHECK(!image.z.empty(), "an empty image has no EXR form");
   Imf::Header header(image.width(), image.height());
   header.compression() = Imf::ZIP_COMPRESSION;
-  for (const Channel& channel : channelsOf(image)) {
-    header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+  for (const char* name : kChannels) {
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
   }
   header.insert(kAttribute, Imf::StringAttribute(attributeText(image)));
   BytesOut stream;
@@ -153,35 +206,11 @@ void writeReferenceImage(const std::filesystem::path& path, const ReferenceImage
 ReferenceImage referenceImageFromBytes(std::string_view bytes, const std::string& where) {
   ReferenceImage image;
   try {
+    readHeader(headerOf(bytes), bytes.size(), where, image);
     BytesIn stream(bytes);
     Imf::InputFile file(stream);
-    const Imf::Header& header = file.header();
-    const Imath::Box2i& window = header.dataWindow();
-    const int64_t width = int64_t{window.max.x} - window.min.x + 1;
-    const int64_t height = int64_t{window.max.y} - window.min.y + 1;
-    if (window.min.x != 0 || window.min.y != 0 || width < 1 || height < 1 || width > kMostPixelsASide ||
-        height > kMostPixelsASide || width * height > kMostPixels) {
-      throw InputError("its data window is not that of a reference image of at most 2^27 pixels", where, kNext);
-    }
-    const auto* attribute = header.findTypedAttribute<Imf::StringAttribute>(kAttribute);
-    if (attribute == nullptr) {
-      throw InputError("it has no \"ocelli\" attribute, so it is no reference image", where, kNext);
-    }
-    readAttribute(attribute->value(), where, image);
-    const int w = static_cast<int>(width);
-    const int h = static_cast<int>(height);
-    image.color = Image<glm::vec3>(w, h);
-    image.z = Image<float>(w, h);
-    image.displacement = Image<glm::vec2>(w, h);
-    for (const Channel& channel : channelsOf(image)) {
-      const Imf::Channel* stored = header.channels().findChannel(channel.name);
-      if (stored == nullptr || stored->type != Imf::FLOAT || stored->xSampling != 1 || stored->ySampling != 1) {
-        throw InputError("channel " + std::string(channel.name) + " is missing or no full-size 32-bit float", where,
-                         kNext);
-      }
-    }
     file.setFrameBuffer(frameBufferOf(image));
-    file.readPixels(0, h - 1);
+    file.readPixels(0, image.height() - 1);
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {

@@ -1,44 +1,81 @@
 #include "oc_core/render/frustum_clip.h"
 
+#include <algorithm>
+
 namespace ocelli {
 namespace {
 
-/// Sutherland-Hodgman against one plane: keeps where dot(normal, p) + offset >= 0.
-ClipPolygon clip(const ClipPolygon& polygon, const glm::vec3& normal, float offset) {
-  ClipPolygon kept;
+/// A vertex while it is clipped: in double precision, so that corners far away do not move the cut next to the eye.
+struct Corner {
+  glm::dvec3 p;
+  double b1 = 0;
+  double b2 = 0;
+};
+
+struct Polygon {
+  std::array<Corner, ClipPolygon::kMost> corners;
+  size_t count = 0;
+};
+
+/// Sutherland-Hodgman against one plane: keeps where dot(normal, p) + offset >= 0. A cut is computed from its inner end
+/// to its outer one, so triangles that share an edge cut it at the same point whichever way they run along it.
+Polygon clip(const Polygon& polygon, const glm::dvec3& normal, double offset) {
+  Polygon kept;
   for (size_t i = 0; i < polygon.count; ++i) {
-    const ClipVertex& a = polygon.vertices[i];
-    const ClipVertex& b = polygon.vertices[(i + 1) % polygon.count];
-    const float da = glm::dot(normal, a.p) + offset;
-    const float db = glm::dot(normal, b.p) + offset;
+    const Corner& a = polygon.corners[i];
+    const Corner& b = polygon.corners[(i + 1) % polygon.count];
+    const double da = glm::dot(normal, a.p) + offset;
+    const double db = glm::dot(normal, b.p) + offset;
     if (da >= 0 && kept.count < ClipPolygon::kMost) {
-      kept.vertices[kept.count++] = a;
+      kept.corners[kept.count++] = a;
     }
     if ((da >= 0) != (db >= 0) && kept.count < ClipPolygon::kMost) {
-      const float t = da / (da - db);
-      kept.vertices[kept.count++] = {a.p + (b.p - a.p) * t, a.b1 + (b.b1 - a.b1) * t, a.b2 + (b.b2 - a.b2) * t};
+      const Corner& inner = da >= 0 ? a : b;
+      const Corner& outer = da >= 0 ? b : a;
+      const double t = da >= 0 ? da / (da - db) : db / (db - da);
+      kept.corners[kept.count++] = {inner.p + (outer.p - inner.p) * t, inner.b1 + (outer.b1 - inner.b1) * t,
+                                    inner.b2 + (outer.b2 - inner.b2) * t};
     }
   }
   return kept;
 }
 
+bool isFinite(const glm::vec3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
 }  // namespace
 
 ClipPolygon clipToFrustum(const std::array<glm::vec3, 3>& triangle, const PinholeCamera& camera, float marginPixels) {
-  ClipPolygon polygon;
+  ClipPolygon clipped;
+  if (!isFinite(triangle[0]) || !isFinite(triangle[1]) || !isFinite(triangle[2])) {
+    return clipped;
+  }
+  Polygon polygon;
   polygon.count = 3;
-  polygon.vertices[0] = {triangle[0], 0, 0};
-  polygon.vertices[1] = {triangle[1], 1, 0};
-  polygon.vertices[2] = {triangle[2], 0, 1};
-  const float right = (static_cast<float>(camera.width()) / 2 + marginPixels) / camera.focalPixels();
-  const float down = (static_cast<float>(camera.height()) / 2 + marginPixels) / camera.focalPixels();
-  polygon = clip(polygon, {0, 0, 1}, -camera.view().zNear);
-  polygon = clip(polygon, {0, 0, -1}, camera.view().zFar);
+  polygon.corners[0] = {triangle[0], 0, 0};
+  polygon.corners[1] = {triangle[1], 1, 0};
+  polygon.corners[2] = {triangle[2], 0, 1};
+  const double zNear = camera.view().zNear;
+  const double zFar = camera.view().zFar;
+  const double right = (camera.width() / 2.0 + marginPixels) / camera.focalPixels();
+  const double down = (camera.height() / 2.0 + marginPixels) / camera.focalPixels();
+  polygon = clip(polygon, {0, 0, 1}, -zNear);
+  polygon = clip(polygon, {0, 0, -1}, zFar);
   polygon = clip(polygon, {1, 0, right}, 0);
   polygon = clip(polygon, {-1, 0, right}, 0);
   polygon = clip(polygon, {0, 1, down}, 0);
   polygon = clip(polygon, {0, -1, down}, 0);
-  return polygon;
+  // Corners of 1e20 units leave cuts that are off by more than the frustum: keep what comes out within it.
+  for (; clipped.count < polygon.count; ++clipped.count) {
+    const Corner& corner = polygon.corners[clipped.count];
+    const double z = std::clamp(corner.p.z, zNear, zFar);
+    clipped.vertices[clipped.count] = {
+        {std::clamp(corner.p.x, -right * z, right * z), std::clamp(corner.p.y, -down * z, down * z), z},
+        static_cast<float>(corner.b1),
+        static_cast<float>(corner.b2)};
+  }
+  return clipped;
 }
 
 }  // namespace ocelli

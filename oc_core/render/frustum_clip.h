@@ -21,7 +21,8 @@ struct ClipPolygon {
   size_t count = 0;
 };
 
-/// The part of the triangle with zNear <= z <= zFar and an image within `marginPixels` of the image borders.
+/// The part of the triangle with zNear <= z <= zFar and an image within `marginPixels` of the image borders. Triangles
+/// that share an edge get the same points on it. Nothing where a coordinate is not finite.
 ClipPolygon clipToFrustum(const std::array<glm::vec3, 3>& triangle, const PinholeCamera& camera, float marginPixels);
 
 }  // namespace ocelli

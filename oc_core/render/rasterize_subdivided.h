@@ -131,9 +131,8 @@ FragmentImage rasterize(const C& camera, const Mesh& mesh, const SubdivisionOpti
   std::vector<Vertex> projected(mesh.positions.size());
   parallelFor(projected.size(), 1 << 12, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      const glm::vec3 p = reference.cameraFromWorld(mesh.positions[i]);
-      if (p.z >= reference.view().zNear && p.z <= reference.view().zFar) {
-        projected[i] = drawer.vertex(p, 0, 0);
+      if (reference.project(mesh.positions[i])) {
+        projected[i] = drawer.vertex(reference.cameraFromWorld(mesh.positions[i]), 0, 0);
       }
     }
   });

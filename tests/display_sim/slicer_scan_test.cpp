@@ -15,7 +15,7 @@
 namespace ocelli {
 namespace {
 
-using testing::FloodFill;
+using test::FloodFill;
 
 /// Every edge, by the positions of its ends, has two triangles.
 bool isClosed(const Mesh& mesh) {
@@ -57,7 +57,7 @@ TEST_P(Scans, areWatertight) {
   }
   const Mesh mesh = loadScene(std::string(folder) + "/" + GetParam(), {.shading = Shading::kNone});
   ASSERT_TRUE(isClosed(mesh));
-  const DisplayProfile profile = testing::smallProfile(96, 256, 256);
+  const DisplayProfile profile = test::smallProfile(96, 256, 256);
   const SweepGeometry sweep(profile);
   const Volume volume = slice(mesh, profile, {ColorReduction::kOccupancy});
   const FloodFill flood(volume);
