@@ -51,10 +51,16 @@ class Frame {
 };
 
 void addOcriCommand(CLI::App& program, const Frame& frame);
+void addObserveCommand(CLI::App& program, const Frame& frame);
+void addDemoCommand(CLI::App& program, const Frame& frame);
 void addRenderCommand(CLI::App& program, const Frame& frame);
 void addEvaluateCommand(CLI::App& program, const Frame& frame);
 
 /// Flushes standard output. Throws WorkError where what was printed could not be written in full.
 void flushStandardOutput();
+
+void addSceneCommand(CLI::App& program, const Frame& frame);
+void addSliceCommand(CLI::App& program, const Frame& frame);
+void addVolumeCommand(CLI::App& program, const Frame& frame);
 
 }  // namespace ocelli

@@ -22,8 +22,13 @@ constexpr int kInputWrong = 2;
 
 // One line a command, in the order of `ocelli --help`.
 void addCommands(CLI::App& program, const Frame& frame) {
+  addDemoCommand(program, frame);
+  addSceneCommand(program, frame);
   addRenderCommand(program, frame);
   addOcriCommand(program, frame);
+  addSliceCommand(program, frame);
+  addObserveCommand(program, frame);
+  addVolumeCommand(program, frame);
   addEvaluateCommand(program, frame);
 }
 

@@ -21,6 +21,8 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice) {
       ->check(CLI::IsMember({"lambert", "none"}))
       ->default_str("lambert")
       ->type_name("NAME");
+  command.add_flag_callback(
+      "--no-textures", [&choice] { choice.options.textures = false; }, "Leave the textures of a file out");
 }
 
 void addCameraOption(CLI::App& command, std::string& camera) {

@@ -17,7 +17,7 @@ struct SceneChoice {
   SceneOptions options;
 };
 
-/// Adds the argument SCENE, --no-fit and --shading. `choice` must outlive the parsing.
+/// Adds the argument SCENE, --no-fit, --shading and --no-textures. `choice` must outlive the parsing.
 void addSceneOptions(CLI::App& command, SceneChoice& choice);
 
 /// Adds --camera NAME|FILE.json.

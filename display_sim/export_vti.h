@@ -1,7 +1,8 @@
 // A volume as VTK image data (`.vti`), which ParaView opens: the lit voxels resampled to a grid of cubes.
 //
 // A cell of the grid has the colour bits of every voxel that reaches into it, found by points at most half a grid cell
-// apart, so that surfaces stay whole at any resolution. Cell data `color`: three bytes, 0 or 255. Coordinates are display radii, y up.
+// apart, so that surfaces stay whole at any resolution. Cell data `color`: three bytes, 0 or 255. Coordinates are
+// display radii, y up.
 #pragma once
 
 #include <filesystem>

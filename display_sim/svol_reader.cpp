@@ -32,7 +32,7 @@ SvolReader::SvolReader(std::istream& in, std::string where) : in_(in), where_(st
 
 void SvolReader::fail(const std::string& what) const {
   const std::string part = inSlice_ ? "slice " + std::to_string(next_) + ": " : "header: ";
-  throw InputError(part + what, where_, "the file is damaged or no .svol file: write it again");
+  throw InputError(part + what, where_, "write the file again, or give another one");
 }
 
 void SvolReader::readExactly(std::span<uint8_t> bytes) {
@@ -119,7 +119,7 @@ void SvolReader::readSlice(std::span<uint8_t> planes) {
   ++next_;
   if (atEnd() && in_.peek() != std::istream::traits_type::eof()) {
     inSlice_ = false;
-    throw InputError("there are bytes after the last slice", where_, "the file is damaged: write it again");
+    throw InputError("there are bytes after the last slice", where_, "write the file again, or give another one");
   }
 }
 

@@ -26,7 +26,7 @@ void read(const std::vector<uint8_t>& bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   std::vector<uint8_t> bytes(data, data + size);
   read(bytes);
-  ocelli::testing::repairSvolChecksums(bytes);
+  ocelli::test::repairSvolChecksums(bytes);
   read(bytes);
   return 0;
 }

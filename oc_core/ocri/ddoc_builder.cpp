@@ -73,7 +73,7 @@ ReferenceImage render(const DdocCamera& camera, const Mesh& mesh, const Subdivis
 size_t shrinkHarmful(std::vector<DistortionSplat>& splats, const SplatOwners& owners, const Image<glm::vec4>& seen,
                      const DdocCamera& camera, const Mesh& mesh, const DdocOptions& options) {
   const PinholeCamera& reference = camera.reference();
-  const ReferenceImage image = render(camera, mesh, options.subdivision);
+  const ReferenceImage image = render(camera, mesh, options.feedbackSubdivision);
   const Image<SampleState> states = compareFrames(reference, seen, positionImage(reference, imageMesh(image)));
 
   std::vector<int> harm(splats.size());
@@ -124,6 +124,7 @@ DdocOptions DdocOptions::paper(float constantRadiusPixels) {
   DdocOptions options;
   options.radius = Radius::kConstant;
   options.constantRadiusPixels = constantRadiusPixels;
+  options.conflicts = Conflicts::kAll;
   options.mostHiddenPerRoom = 1;
   options.feedbackRounds = 0;
   options.steepestBandGrowth = 0;
@@ -141,7 +142,7 @@ DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, con
   // Steps 3 to 6.
   std::vector<DistortionSplat> splats = makeSplats(edges, reference, options);
   SplatOwners owners = claimPixels(splats, seen.width(), seen.height());
-  shrinkConflicts(splats, owners, options.mostHiddenPerRoom);
+  shrinkConflicts(splats, owners, options.conflicts, options.mostHiddenPerRoom);
   limitBandGrowth(splats, options.steepestBandGrowth);
   owners = claimPixels(splats, seen.width(), seen.height());
   DdocCamera camera(reference, mapOf(splats, owners, options));

@@ -5,6 +5,7 @@
 // map. The default goes further: DEVIATION: the hidden band of an edge is as wide as the view cell can uncover, f *
 // support(n) * (1/zn - 1/zf), and the
 //   visible band that makes room for it may be narrower than that, which squeezes it harder. The text's D fits no edge.
+// DEVIATION: only splats that face each other conflict (step 4): behind a thin occluder two splats share what it hides.
 // DEVIATION: "do no harm": edges that bury samples the reference view sees are shrunk, for some rounds.
 // DEVIATION: the field is smoothed and looked up bilinearly, so that it neither folds nor tears at the borders of
 // splats.
@@ -12,6 +13,7 @@
 
 #include "oc_core/base/progress.h"
 #include "oc_core/camera/ddoc_camera.h"
+#include "oc_core/ocri/distortion_splats.h"
 #include "oc_core/ocri/reference_image.h"
 #include "oc_core/render/rasterize_subdivided.h"
 #include "oc_core/scene/mesh.h"
@@ -28,18 +30,21 @@ struct DdocOptions {
 
   /// The view cell is a cube of this side around the reference eye, display radii (8 in at the reference display).
   float cellSideRadii = 1.6f;
-  float safetyFactor = 1.15f;      ///< on the parallax
-  float mostHiddenPixels = 48;     ///< cap on the hidden band
-  float roomPerHidden = 1;         ///< visible band for each pixel of hidden band, where nothing competes for it
+  float safetyFactor = 1.15f;   ///< on the parallax
+  float mostHiddenPixels = 48;  ///< cap on the hidden band
+  float roomPerHidden = 1;      ///< visible band for each pixel of hidden band, where nothing competes for it
+  Conflicts conflicts = Conflicts::kFacing;
   float mostHiddenPerRoom = 3;     ///< hardest squeeze: (hidden + room) / room - 1
   float steepestBandGrowth = 6;    ///< of the bands along a silhouette, pixels a pixel; 0 leaves them as they are
   float smoothingSigmaPixels = 1;  ///< of the field; 0 turns smoothing off: nearest lookup, as in the text
 
-  int feedbackRounds = 8;               ///< most "do no harm" rounds; 0 turns it off
+  int feedbackRounds = 6;               ///< most "do no harm" rounds; 0 turns it off
   float feedbackShrink = 0.7f;          ///< what a round leaves of the hidden band of an edge that does harm
   float harmlessPerHiddenPixel = 0.2f;  ///< missing samples that an edge may cost for each pixel of its hidden band
 
   SubdivisionOptions subdivision;
+  /// Of the rounds, whose images only have to show what is lost: coarser, and three times as fast.
+  SubdivisionOptions feedbackSubdivision{.longestEdgePixels = 2, .shortestEdgePixels = 0.25f, .tornEdgePixels = 4};
 
   static DdocOptions paper(float constantRadiusPixels = 15);
 };

@@ -47,7 +47,8 @@ SplatOwners claimPixels(const std::vector<DistortionSplat>& splats, int width, i
   return owners;
 }
 
-size_t shrinkConflicts(std::vector<DistortionSplat>& splats, const SplatOwners& owners, float mostHiddenPerRoom) {
+size_t shrinkConflicts(std::vector<DistortionSplat>& splats, const SplatOwners& owners, Conflicts conflicts,
+                       float mostHiddenPerRoom) {
   std::vector<float> room(splats.size());
   for (size_t i = 0; i < splats.size(); ++i) {
     room[i] = splats[i].room;
@@ -61,8 +62,8 @@ size_t shrinkConflicts(std::vector<DistortionSplat>& splats, const SplatOwners& 
     const DepthEdge& ea = splats[a].edge;
     const DepthEdge& eb = splats[b].edge;
     const glm::vec2 between = eb.position - ea.position;
-    // Only splats that face each other compete for visible room; back to back they share the hidden side.
-    if (glm::dot(ea.normal, eb.normal) >= 0 || glm::dot(between, ea.normal) <= 0) {
+    const bool facing = glm::dot(between, ea.normal) > 0;
+    if (glm::dot(ea.normal, eb.normal) >= 0 || (conflicts == Conflicts::kFacing && !facing)) {
       return;
     }
     const float distance = glm::length(between);

@@ -28,12 +28,17 @@ using SplatOwners = Image<int>;
 /// Step 3: every pixel goes to the splat with the closest centre among those that reach it.
 SplatOwners claimPixels(const std::vector<DistortionSplat>& splats, int width, int height);
 
-/// Step 4: where pixels of two splats touch that face each other (normals more than 90 degrees apart, each in front of
-/// the other), the rooms are shrunk until they no longer overlap. `hidden` follows, so that
-/// `hidden <= mostHiddenPerRoom * room`. Returns how many rooms shrank.
-/// DEVIATION: the text shrinks splats that stand back to back too, on both sides of a thin occluder. These do not
-/// compete for visible room: each pixel of the occluder goes to the nearer edge.
-size_t shrinkConflicts(std::vector<DistortionSplat>& splats, const SplatOwners& owners, float mostHiddenPerRoom);
+/// Step 4: which splats with normals more than 90 degrees apart are in conflict where their pixels touch.
+enum class Conflicts {
+  kAll,     ///< as in the text
+  kFacing,  ///< those that compete for visible room; splats back to back, behind a thin occluder, just share its hidden
+            ///< side
+};
+
+/// Shrinks the rooms of splats in conflict until they no longer overlap. `hidden` follows, so that
+/// `hidden <= mostHiddenPerRoom * room`. Returns how many splats shrank.
+size_t shrinkConflicts(std::vector<DistortionSplat>& splats, const SplatOwners& owners, Conflicts conflicts,
+                       float mostHiddenPerRoom);
 
 /// Makes the bands change gradually along the silhouettes: hidden and room grow by at most `steepestGrowth` pixels for
 /// each pixel between two splats; 0 leaves them as they are.

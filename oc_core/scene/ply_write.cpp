@@ -22,10 +22,16 @@ static_assert(std::endian::native == std::endian::little, "values are written as
 
 constexpr size_t kRecordsInBlock = 1 << 15;
 
-/// A file under a temporary name, removed again unless it is kept.
+/// A file that grows under a temporary name, and is removed again unless it is kept. A device is written as it stands.
 class PendingFile {
  public:
-  explicit PendingFile(const fs::path& path) : path_(path), temporary_(path.string() + ".part") {
+  explicit PendingFile(const fs::path& path) : path_(path), target_(path), temporary_(path) {
+    std::error_code ignored;
+    if (fs::exists(path, ignored)) {
+      target_ = fs::canonical(path, ignored);  // a link stays one
+    }
+    isDevice_ = fs::exists(path, ignored) && !fs::is_regular_file(path, ignored) && !fs::is_directory(path, ignored);
+    temporary_ = isDevice_ ? target_ : fs::path(target_.string() + ".part");
     errno = 0;
     stream_.open(temporary_, std::ios::binary | std::ios::trunc);
     check();
@@ -33,8 +39,8 @@ class PendingFile {
   PendingFile(const PendingFile&) = delete;
   PendingFile& operator=(const PendingFile&) = delete;
   ~PendingFile() {
-    if (!kept_) {
-      stream_.close();
+    stream_.close();
+    if (!kept_ && !isDevice_) {
       std::error_code ignored;
       fs::remove(temporary_, ignored);
     }
@@ -49,7 +55,9 @@ class PendingFile {
     stream_.close();
     check();
     std::error_code error;
-    fs::rename(temporary_, path_, error);
+    if (!isDevice_) {
+      fs::rename(temporary_, target_, error);
+    }
     if (error) {
       fail(error.message());
     }
@@ -67,9 +75,11 @@ class PendingFile {
                     "check that the folder exists, is writable and has space");
   }
 
-  fs::path path_;
+  fs::path path_;    ///< as the user wrote it
+  fs::path target_;  ///< where that leads
   fs::path temporary_;
   std::ofstream stream_;
+  bool isDevice_ = false;
   bool kept_ = false;
 };
 

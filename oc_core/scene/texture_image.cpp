@@ -74,7 +74,7 @@ Texture Texture::halved() const {
 
 Image<Rgb8> decodeImage(const std::vector<unsigned char>& bytes, const std::string& where) {
   const auto fail = [&](const std::string& what) {
-    throw InputError(what, where, "convert the texture to PNG or JPEG, or load the scene without textures");
+    throw InputError(what, where, "convert the texture to PNG or JPEG, or load the scene with --no-textures");
   };
   int width = 0;
   int height = 0;
@@ -102,7 +102,7 @@ Image<Rgb8> readImage(const std::filesystem::path& path) {
   const std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (bytes.empty()) {
     throw InputError("there is no such texture file, or it is empty", path.string(),
-                     "put the image there, or load the scene without textures");
+                     "put the image there, or load the scene with --no-textures");
   }
   return decodeImage(bytes, path.string());
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "display_sim/export_nrrd.h"
@@ -11,6 +12,7 @@
 #include "display_sim/sweep_geometry.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/display_sim/test_files.h"
 #include "tests/display_sim/test_meshes.h"
 #include "tests/display_sim/test_profiles.h"
@@ -18,12 +20,12 @@
 namespace ocelli {
 namespace {
 
-using testing::bytesOf;
-using testing::smallProfile;
-using testing::TestFolder;
+using test::bytesOf;
+using test::smallProfile;
+using test::TemporaryFolder;
 
 Volume coloredTorus(const DisplayProfile& profile) {
-  Mesh mesh = testing::torus(0.6, 0.3, 40, 30);
+  Mesh mesh = test::torus(0.6, 0.3, 40, 30);
   for (const glm::vec3& p : mesh.positions) {
     mesh.colors.push_back(glm::abs(p));
   }
@@ -31,7 +33,7 @@ Volume coloredTorus(const DisplayProfile& profile) {
 }
 
 TEST(ExportPng, holdsEverySliceAsTheConventionSays) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   const Volume volume = coloredTorus(smallProfile(11, 20, 17));
   exportPngStack(folder / "new folder", volume);
   for (int i = 0; i < 11; ++i) {
@@ -51,13 +53,13 @@ TEST(ExportPng, holdsEverySliceAsTheConventionSays) {
 }
 
 TEST(ExportPng, aFileInPlaceOfTheFolderIsAWorkError) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   std::ofstream(folder / "file") << "text";
   EXPECT_THROW(exportPngStack(folder / "file", Volume(smallProfile(2, 8, 8))), WorkError);
 }
 
 TEST(ExportNrrd, holdsTheNativeArray) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   const Volume volume = coloredTorus(smallProfile(7, 20, 17));
   exportNrrd(folder / "a.nrrd", volume);
   const std::vector<uint8_t> file = bytesOf(folder / "a.nrrd");
@@ -136,7 +138,7 @@ TEST(ExportVti, everyLitVoxelLightsTheCubeAtItsCentreAndNoCubeIsFarFromOne) {
 }
 
 TEST(ExportVti, standsAsVtkReadsIt) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   const Volume volume = coloredTorus(loadProfile("vortex"));
   exportVti(folder / "a.vti", volume, {.cellsAcross = 150});
   const std::vector<uint8_t> file = bytesOf(folder / "a.vti");
@@ -174,7 +176,7 @@ TEST(ExportVti, standsAsVtkReadsIt) {
 }
 
 TEST(ExportVti, sameBytesWithAnyNumberOfThreads) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   const Volume volume = coloredTorus(loadProfile("test"));
   setThreadCount(1);
   exportVti(folder / "one.vti", volume, {.cellsAcross = 90});
@@ -185,7 +187,7 @@ TEST(ExportVti, sameBytesWithAnyNumberOfThreads) {
 }
 
 TEST(ExportVti, aSizeOutOfRangeIsAnInputError) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   const Volume volume(loadProfile("test"));
   EXPECT_THROW(exportVti(folder / "a.vti", volume, {.cellsAcross = 1}), InputError);
   EXPECT_THROW(exportVti(folder / "a.vti", volume, {.cellsAcross = 1025}), InputError);

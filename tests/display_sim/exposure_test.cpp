@@ -50,7 +50,7 @@ TEST(Exposure, aTwentyFifthOfASecondMissesSevenPointTwoDegrees) {
 }
 
 TEST(Exposure, longerThanARefreshRevisits) {
-  const DisplayProfile profile = testing::smallProfile(10, 16, 16);  // 24 Hz
+  const DisplayProfile profile = test::smallProfile(10, 16, 16);  // 24 Hz
   const std::vector<ExposedArc> arcs = exposedArcs(profile, 2.5 / 24, 90);
   EXPECT_NEAR(seenDegrees(arcs), 2.5 * 180, 1e-9);
   for (const ExposedArc& arc : arcs) {
@@ -60,7 +60,7 @@ TEST(Exposure, longerThanARefreshRevisits) {
 }
 
 TEST(Exposure, anOwnSecondHalfTurnTakesATurnToSee) {
-  const DisplayProfile profile = testing::smallProfile(10, 16, 16, SecondHalfTurn::kOwn);
+  const DisplayProfile profile = test::smallProfile(10, 16, 16, SecondHalfTurn::kOwn);
   EXPECT_NEAR(seenDegrees(exposedArcs(profile, 1.0 / 12, 0)), 360, 1e-9);
   for (const ExposedArc& arc : exposedArcs(profile, 1.0 / 24, 171)) {  // a slice ends at 9.5 * 18 = 171 degrees
     EXPECT_LT(arc.slice, 10);

@@ -6,7 +6,7 @@
 
 #include "display_sim/volume.h"
 
-namespace ocelli::testing {
+namespace ocelli::test {
 
 struct Voxel {
   int slice;
@@ -69,4 +69,4 @@ class FloodFill {
   std::vector<Voxel> open_;
 };
 
-}  // namespace ocelli::testing
+}  // namespace ocelli::test

@@ -12,7 +12,7 @@
 namespace ocelli {
 namespace {
 
-using testing::smallProfile;
+using test::smallProfile;
 
 glm::dvec3 sumOf(const Image<glm::vec3>& image) {
   glm::dvec3 sum(0);
@@ -25,7 +25,7 @@ glm::dvec3 sumOf(const Image<glm::vec3>& image) {
 /// White and right across the display, at height 0.
 Volume whiteFloor(const DisplayProfile& profile) {
   Mesh mesh;
-  testing::addTriangle(mesh, {-9, 0.01f, -9}, {9, 0.01f, -9}, {0, 0.01f, 9});
+  test::addTriangle(mesh, {-9, 0.01f, -9}, {9, 0.01f, -9}, {0, 0.01f, 9});
   return slice(mesh, profile);
 }
 
@@ -73,8 +73,8 @@ TEST(Observer, aVoxelAppearsWhereItIs) {
 
 TEST(Observer, lightAddsAndNothingHides) {
   const DisplayProfile profile = smallProfile(20, 48, 48);
-  const Mesh small = testing::sphere(0.3, 12);
-  const Mesh large = testing::sphere(0.9, 12);
+  const Mesh small = test::sphere(0.3, 12);
+  const Mesh large = test::sphere(0.9, 12);
   Mesh both = small;
   append(both, large);
   const ObserverOptions options{.width = 100, .height = 100};
@@ -201,7 +201,7 @@ TEST(Observer, automaticGainTakesTheBrightToNearWhite) {
 }
 
 TEST(Observer, sameBytesWithAnyNumberOfThreads) {
-  Mesh mesh = testing::torus(0.6, 0.3, 60, 40);
+  Mesh mesh = test::torus(0.6, 0.3, 60, 40);
   for (const glm::vec3& p : mesh.positions) {
     mesh.colors.push_back(glm::abs(p));
   }
@@ -233,7 +233,7 @@ TEST(Observer, badOptionsAreInputErrors) {
 }
 
 TEST(Observer, anEyeCloseByIsSafe) {
-  const Volume volume = slice(testing::sphere(0.99, 20), smallProfile(20, 32, 32));
+  const Volume volume = slice(test::sphere(0.99, 20), smallProfile(20, 32, 32));
   const Image<glm::vec3> image = observe(volume, {.eye = {1.01f, 0, 0}, .width = 64, .height = 64});
   for (const glm::vec3& pixel : image) {
     EXPECT_TRUE(std::isfinite(pixel.x));

@@ -10,9 +10,9 @@
 namespace ocelli {
 namespace {
 
-using testing::addTriangle;
-using testing::PointSource;
-using testing::smallProfile;
+using test::addTriangle;
+using test::PointSource;
+using test::smallProfile;
 
 /// Each bit of `inner` is in `outer`.
 ::testing::AssertionResult contains(const Volume& outer, const Volume& inner) {
@@ -52,7 +52,7 @@ TEST_P(Profiles, soupOfEverySize) {
   PointSource source(11);
   for (const float size : {0.02f, 0.2f, 1.5f}) {
     Mesh mesh;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 150; ++i) {
       const glm::vec3 center = source.point(0.9f);
       addTriangle(mesh, center + source.point(size), center + source.point(size), center + source.point(size));
     }
@@ -63,7 +63,7 @@ TEST_P(Profiles, soupOfEverySize) {
 TEST_P(Profiles, slivers) {
   PointSource source(12);
   Mesh mesh;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 150; ++i) {
     const glm::vec3 a = source.point(0.9f);
     const glm::vec3 b = source.point(0.9f);
     addTriangle(mesh, a, b, a + (b - a) * source.uniform(0, 1) + source.point(1e-5f));
@@ -114,9 +114,9 @@ TEST_P(Profiles, trianglesLargerThanTheDisplay) {
 }
 
 TEST_P(Profiles, closedSolids) {
-  expectBracketed(testing::sphere(0.83, 10, {0.01, 0.02, 0.03}), GetParam().profile);
-  expectBracketed(testing::torus(0.55, 0.3, 14, 9, {0.3, 0, 0.05}), GetParam().profile);
-  expectBracketed(testing::box({-0.71f, -0.6f, -0.33f}, {0.62f, 0.67f, 0.49f}), GetParam().profile);
+  expectBracketed(test::sphere(0.83, 10, {0.01, 0.02, 0.03}), GetParam().profile);
+  expectBracketed(test::torus(0.55, 0.3, 14, 9, {0.3, 0, 0.05}), GetParam().profile);
+  expectBracketed(test::box({-0.71f, -0.6f, -0.33f}, {0.62f, 0.67f, 0.49f}), GetParam().profile);
 }
 
 INSTANTIATE_TEST_SUITE_P(SlicerReference, Profiles,
@@ -142,7 +142,7 @@ TEST(SlicerReference, facesOnCellBordersLightBothSides) {
 // voxel; with red = height, by one row.
 TEST(SlicerReference, colorsAgreeWithinAVoxel) {
   const DisplayProfile profile = smallProfile(16, 32, 32);
-  Mesh mesh = testing::sphere(0.9, 12);
+  Mesh mesh = test::sphere(0.9, 12);
   for (const glm::vec3& p : mesh.positions) {
     mesh.colors.emplace_back((p.y + 1) / 2, 0, 0);
   }

@@ -11,8 +11,8 @@
 namespace ocelli {
 namespace {
 
-using testing::addTriangle;
-using testing::smallProfile;
+using test::addTriangle;
+using test::smallProfile;
 
 Mesh rectangle(const glm::vec3& corner, const glm::vec3& side, const glm::vec3& otherSide) {
   Mesh mesh;
@@ -110,14 +110,14 @@ TEST(Slicer, theWrapContinuesInTheMirroredColumn) {
 
 TEST(Slicer, cutsOffWhatLiesOutside) {
   const DisplayProfile profile = smallProfile(10, 16, 16);
-  EXPECT_EQ(slice(testing::sphere(0.3, 8, {5, 0, 0}), profile).litVoxels(), 0u);
-  EXPECT_EQ(slice(testing::sphere(0.3, 8, {0, -5, 0}), profile).litVoxels(), 0u);
-  EXPECT_EQ(slice(testing::sphere(7, 8), profile).litVoxels(), 0u);
+  EXPECT_EQ(slice(test::sphere(0.3, 8, {5, 0, 0}), profile).litVoxels(), 0u);
+  EXPECT_EQ(slice(test::sphere(0.3, 8, {0, -5, 0}), profile).litVoxels(), 0u);
+  EXPECT_EQ(slice(test::sphere(7, 8), profile).litVoxels(), 0u);
 }
 
 TEST(Slicer, blackLightsNothingAndFullWhiteEverything) {
   const DisplayProfile profile = smallProfile(10, 16, 16);
-  Mesh mesh = testing::sphere(0.7, 12);
+  Mesh mesh = test::sphere(0.7, 12);
   const Volume white = slice(mesh, profile);
   EXPECT_EQ(white, slice(mesh, profile, {ColorReduction::kOccupancy}));
   mesh.colors.assign(mesh.positions.size(), glm::vec3(0));
@@ -181,7 +181,7 @@ TEST(Slicer, interpolatesColorsBetweenVertices) {
 }
 
 TEST(Slicer, ownSecondHalfTurnHoldsTheSameVoxelsMirrored) {
-  const Mesh mesh = testing::torus(0.6, 0.25, 30, 20);
+  const Mesh mesh = test::torus(0.6, 0.25, 30, 20);
   const Volume half = slice(mesh, smallProfile(11, 20, 18));
   const Volume whole = slice(mesh, smallProfile(11, 20, 18, SecondHalfTurn::kOwn));
   ASSERT_EQ(whole.slices(), 22);
@@ -196,8 +196,8 @@ TEST(Slicer, ownSecondHalfTurnHoldsTheSameVoxelsMirrored) {
 }
 
 TEST(Slicer, sameBytesWithAnyNumberOfThreads) {
-  Mesh mesh = testing::torus(0.55, 0.4, 150, 90, {0.04, 0, 0});
-  testing::PointSource source(3);
+  Mesh mesh = test::torus(0.55, 0.4, 150, 90, {0.04, 0, 0});
+  test::PointSource source(3);
   for (size_t i = 0; i < mesh.positions.size(); ++i) {
     mesh.colors.push_back(glm::abs(source.point(1)));
   }

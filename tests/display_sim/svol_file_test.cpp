@@ -8,6 +8,7 @@
 #include "display_sim/svol_format.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/display_sim/test_files.h"
 #include "tests/display_sim/test_meshes.h"
 #include "tests/display_sim/test_profiles.h"
@@ -15,13 +16,13 @@
 namespace ocelli {
 namespace {
 
-using testing::bytesOf;
+using test::bytesOf;
+using test::smallProfile;
+using test::TemporaryFolder;
 using ::testing::HasSubstr;
-using testing::smallProfile;
-using testing::TestFolder;
 
 Volume coloredTorus(const DisplayProfile& profile) {
-  Mesh mesh = testing::torus(0.6, 0.3, 40, 30);
+  Mesh mesh = test::torus(0.6, 0.3, 40, 30);
   for (const glm::vec3& p : mesh.positions) {
     mesh.colors.push_back(glm::abs(p));
   }
@@ -29,7 +30,7 @@ Volume coloredTorus(const DisplayProfile& profile) {
 }
 
 TEST(SvolFile, readsBackWhatWasWritten) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   for (const DisplayProfile& profile : {loadProfile("test"), loadProfile("vortex"), smallProfile(5, 17, 9),
                                         smallProfile(4, 16, 9, SecondHalfTurn::kOwn)}) {
     const Volume volume = coloredTorus(profile);
@@ -43,7 +44,7 @@ TEST(SvolFile, readsBackWhatWasWritten) {
 }
 
 TEST(SvolFile, streamedSlicesGiveTheSameBytesWithAnyNumberOfThreads) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   const Volume volume = coloredTorus(loadProfile("test"));
   SvolWriter writer(folder / "streamed.svol", volume.profile());
   for (int i = 0; i < volume.slices(); ++i) {
@@ -60,7 +61,7 @@ TEST(SvolFile, streamedSlicesGiveTheSameBytesWithAnyNumberOfThreads) {
 
 // Reads the fields as docs/svol.md places them, without our reader.
 TEST(SvolFile, standsAsTheSpecificationSays) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   const Volume volume = coloredTorus(smallProfile(3, 17, 9));
   writeSvol(folder / "a.svol", volume);
   const std::vector<uint8_t> file = bytesOf(folder / "a.svol");
@@ -90,7 +91,7 @@ TEST(SvolFile, standsAsTheSpecificationSays) {
 }
 
 TEST(SvolFile, appearsOnlyWhenFinished) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   const Volume volume = coloredTorus(smallProfile(3, 17, 9));
   {
     SvolWriter writer(folder / "a.svol", volume.profile());
@@ -101,7 +102,7 @@ TEST(SvolFile, appearsOnlyWhenFinished) {
 
 TEST(SvolFile, unwritableOutputIsAWorkError) {
   const Volume volume = coloredTorus(smallProfile(3, 17, 9));
-  const TestFolder folder;
+  const TemporaryFolder folder;
   EXPECT_THROW(writeSvol(folder / "missing folder/a.svol", volume), WorkError);
   EXPECT_THROW(writeSvol(folder.path(), volume), WorkError) << "a folder is no file";
   if (std::filesystem::exists("/dev/full")) {
@@ -115,7 +116,7 @@ TEST(SvolFile, unwritableOutputIsAWorkError) {
 }
 
 TEST(SvolFile, missingEmptyAndForeignFilesAreInputErrors) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   const auto expectProblem = [](const std::filesystem::path& path, const std::string& problem) {
     try {
       readSvol(path);
@@ -134,7 +135,7 @@ TEST(SvolFile, missingEmptyAndForeignFilesAreInputErrors) {
 }
 
 TEST(SvolFile, errorsNameTheSlice) {
-  const TestFolder folder;
+  const TemporaryFolder folder;
   const Volume volume = coloredTorus(smallProfile(3, 17, 9));
   writeSvol(folder / "a.svol", volume);
   std::vector<uint8_t> file = bytesOf(folder / "a.svol");

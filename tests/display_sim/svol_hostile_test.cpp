@@ -12,7 +12,7 @@
 namespace ocelli {
 namespace {
 
-using testing::bytesOf;
+using test::bytesOf;
 
 const std::filesystem::path kCorpus = OCELLI_CORPUS_FOLDER;
 
@@ -68,7 +68,7 @@ TEST_P(GoodFiles, everyByteChangedBehindGoodChecksumsIsSafe) {
     for (const int flip : {0x01, 0x04, 0x10, 0x80, 0xff}) {
       std::vector<uint8_t> damaged = file_;
       damaged[at] ^= static_cast<uint8_t>(flip);
-      testing::repairSvolChecksums(damaged);
+      test::repairSvolChecksums(damaged);
       const std::optional<Volume> volume = readBytes(damaged);
       refused += volume ? 0 : 1;
       if (volume) {

@@ -8,7 +8,7 @@
 
 #include "display_sim/svol_format.h"
 
-namespace ocelli::testing {
+namespace ocelli::test {
 
 /// Follows the sizes as they stand, as far as they stay within the file.
 inline void repairSvolChecksums(std::vector<uint8_t>& file) {
@@ -30,4 +30,4 @@ inline void repairSvolChecksums(std::vector<uint8_t>& file) {
   }
 }
 
-}  // namespace ocelli::testing
+}  // namespace ocelli::test

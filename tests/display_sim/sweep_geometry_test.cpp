@@ -32,7 +32,7 @@ TEST(SweepGeometry, aQuarterTurnIsExact) {
 }
 
 TEST(SweepGeometry, theSecondHalfTurnMirrorsTheFirst) {
-  const SweepGeometry sweep(testing::smallProfile(7, 10, 6));
+  const SweepGeometry sweep(test::smallProfile(7, 10, 6));
   for (int slice = 0; slice < 7; ++slice) {
     for (int column = 0; column < 10; ++column) {
       const glm::dvec3 difference = sweep.voxelCenter(slice, column, 2) - sweep.voxelCenter(slice + 7, 9 - column, 2);

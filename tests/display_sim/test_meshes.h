@@ -8,7 +8,7 @@
 #include "oc_core/base/conventions.h"
 #include "oc_core/scene/mesh.h"
 
-namespace ocelli::testing {
+namespace ocelli::test {
 
 /// A closed grid of quads over two angles, `point(s, t)` with s and t in [0, 1); both directions wrap around.
 template <class Point>
@@ -101,4 +101,4 @@ class PointSource {
   std::mt19937 engine_;
 };
 
-}  // namespace ocelli::testing
+}  // namespace ocelli::test

@@ -3,7 +3,7 @@
 
 #include "display_sim/display_profile.h"
 
-namespace ocelli::testing {
+namespace ocelli::test {
 
 inline DisplayProfile smallProfile(int slices, int width, int height,
                                    SecondHalfTurn secondHalfTurn = SecondHalfTurn::kMirrored) {
@@ -16,4 +16,4 @@ inline DisplayProfile smallProfile(int slices, int width, int height,
   return profile;
 }
 
-}  // namespace ocelli::testing
+}  // namespace ocelli::test

@@ -14,12 +14,13 @@
 #include "oc_core/scene/ply_file.h"
 #include "oc_core/scene/scene_source.h"
 #include "oc_core/scene/solids.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/scene/mesh_checks.h"
-#include "tests/scene/temporary_folder.h"
 
 namespace ocelli {
 namespace {
 
+using test::TemporaryFolder;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;

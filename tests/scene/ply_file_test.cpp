@@ -9,12 +9,13 @@
 #include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
 #include "oc_core/scene/solids.h"
-#include "tests/scene/temporary_folder.h"
+#include "tests/base/temporary_folder.h"
 
 namespace ocelli {
 namespace {
 
 namespace fs = std::filesystem;
+using test::TemporaryFolder;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
@@ -205,9 +206,7 @@ TEST(WritePly, RoundTrips) {
     }
   }
   writePly(folder.path() / "b.ply", back);
-  std::ifstream a(folder.path() / "a.ply", std::ios::binary);
-  std::ifstream b(folder.path() / "b.ply", std::ios::binary);
-  EXPECT_TRUE(std::equal(std::istreambuf_iterator<char>(a), {}, std::istreambuf_iterator<char>(b), {}))
+  EXPECT_EQ(test::fileBytes(folder / "a.ply"), test::fileBytes(folder / "b.ply"))
       << "bytes are stable once the colours are bytes";
 }
 
@@ -230,6 +229,22 @@ TEST(WritePly, LeavesNothingBehindWhereItFails) {
     ++entries;
   }
   EXPECT_EQ(entries, 1u);
+}
+
+TEST(WritePly, LeavesDevicesInTheirPlace) {
+  const Mesh box = makeBox(glm::vec3(1));
+  EXPECT_THAT([&] { writePly("/dev/full", box); }, ThrowsMessage<WorkError>(HasSubstr("/dev/full")));
+  EXPECT_NO_THROW(writePly("/dev/null", box));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST(WritePly, FollowsALink) {
+  const TemporaryFolder folder;
+  folder.write("target.ply", "old");
+  fs::create_symlink("target.ply", folder / "link.ply");
+  writePly(folder / "link.ply", makeBox(glm::vec3(1)));
+  EXPECT_TRUE(fs::is_symlink(folder / "link.ply"));
+  EXPECT_EQ(readPly(folder / "target.ply").triangles.size(), 12u);
 }
 
 }  // namespace

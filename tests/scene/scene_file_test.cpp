@@ -10,13 +10,14 @@
 #include "oc_core/base/error.h"
 #include "oc_core/scene/scene_source.h"
 #include "oc_core/scene/solids.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/scene/mesh_checks.h"
-#include "tests/scene/temporary_folder.h"
 
 namespace ocelli {
 namespace {
 
 namespace fs = std::filesystem;
+using test::TemporaryFolder;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
@@ -177,7 +178,7 @@ TEST(LoadBadScene, BrokenTextureNamesItself) {
   const fs::path scene = folder.write(
       "a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl tex\nf 1/1 2/2 3/3\n");
   EXPECT_THAT([&] { loadScene(scene.string()); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("wood.png"), HasSubstr("without textures"))));
+              ThrowsMessage<InputError>(AllOf(HasSubstr("wood.png"), HasSubstr("--no-textures"))));
   fs::create_directory(folder.path() / "sub");
   folder.write("sub/wood.png", "\x89PNG\r\n\x1a\nrubbish");
   EXPECT_THAT([&] { loadScene(scene.string()); }, ThrowsMessage<InputError>(HasSubstr("wood.png")));

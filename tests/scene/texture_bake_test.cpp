@@ -7,11 +7,13 @@
 #include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
 #include "oc_core/scene/scene_file.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/scene/mesh_checks.h"
-#include "tests/scene/temporary_folder.h"
 
 namespace ocelli {
 namespace {
+
+using test::TemporaryFolder;
 
 const Rgb8 kRed(255, 0, 0);
 const Rgb8 kBlue(0, 0, 255);

@@ -1,0 +1,144 @@
+// Table 3.5 of the dissertation, measured again: how long it takes to turn a scene into the slices of the display, from
+// its geometry, from its depth image (DI) and from its occlusion camera reference image (OCRI).
+//
+// The construction of DI and OCRI is given by itself, and the speedup over geometry both without and with it. The peer
+// in the same run is meshoptimizer: the scene decimated once to as many triangles as the OCRI has, its time taken as
+// construction. Times are medians of --runs runs, after one run that is not counted.
+#include <fmt/format.h>
+#include <meshoptimizer.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+#include "display_sim/display_profile.h"
+#include "display_sim/slicer.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/parallel.h"
+#include "oc_core/ocri/ddoc_builder.h"
+#include "oc_core/ocri/image_mesh.h"
+#include "oc_core/scene/scene_source.h"
+
+namespace ocelli {
+namespace {
+
+/// A row of the published table; seconds, thousands of triangles.
+struct Published {
+  double imageTriangles, depthSeconds, constructionSeconds, ocriSeconds, geometryTriangles, geometrySeconds;
+};
+
+struct Case {
+  const char* name;
+  const char* scene;
+  int width, height;
+  Published published;
+};
+
+constexpr Case kCases[] = {
+    {"Bunny", "builtin:room,mesh=bunny.obj", 720, 480, {612, 12.0, 2.73, 11.8, 321, 8.02}},
+    {"Bunny QR", "builtin:room,mesh=bunny.obj", 180, 120, {37.8, 0.766, 0.875, 0.75, 321, 7.81}},
+    {"Buddha statues",
+     "builtin:statues,mesh=buddha.obj,triangles=4603000",
+     720,
+     480,
+     {612, 11.4, 12.1, 11.5, 4603, 131}},
+    {"10 M stand-in", "builtin:room,mesh=dragon.obj,triangles=10252000", 720, 480, {612, 12.5, 20.3, 13.9, 10252, 292}},
+};
+
+template <class Work>
+double medianMilliseconds(int runs, const Work& work) {
+  std::vector<double> times;
+  for (int run = 0; run <= runs; ++run) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+  }
+  times.erase(times.begin());
+  std::nth_element(times.begin(), times.begin() + runs / 2, times.end());
+  return times[static_cast<size_t>(runs / 2)];
+}
+
+Mesh decimated(const Mesh& mesh, size_t triangles) {
+  Mesh simple = mesh;
+  std::vector<unsigned> indices(mesh.triangles.size() * 3);
+  const auto* source = reinterpret_cast<const unsigned*>(mesh.triangles.data());
+  const size_t count = meshopt_simplify(indices.data(), source, indices.size(), &mesh.positions[0].x,
+                                        mesh.positions.size(), sizeof(glm::vec3), triangles * 3, 1.0f, 0, nullptr);
+  simple.triangles.clear();
+  for (size_t i = 0; i + 2 < count; i += 3) {
+    simple.triangles.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
+  }
+  return simple;
+}
+
+void measure(const Case& row, int runs, const DisplayProfile& profile) {
+  const Mesh scene = loadScene(row.scene);
+  const PinholeCamera camera(View{}, row.width, row.height);
+  const auto sliceTime = [&](const Mesh& mesh) { return medianMilliseconds(runs, [&] { slice(mesh, profile); }); };
+
+  Mesh depthMesh;
+  const double depthBuild = medianMilliseconds(runs, [&] { depthMesh = imageMesh(buildDepthImage(camera, scene)); });
+  Mesh ocriMesh;
+  const double ocriBuild =
+      medianMilliseconds(runs, [&] { ocriMesh = imageMesh(buildDdocImage(buildDdocCamera(camera, scene), scene)); });
+  const double geometrySlice = sliceTime(scene);
+
+  const auto print = [&](const char* what, const Mesh& mesh, double build, double sliceMs, double textTriangles,
+                         double textBuild, double textSlice) {
+    fmt::print("{:<15} {:<12} {:>10.1f} {:>10.1f} {:>10.1f} {:>9.2f} {:>9.2f}", row.name, what,
+               static_cast<double>(mesh.triangles.size()) / 1000, build, sliceMs, geometrySlice / sliceMs,
+               geometrySlice / (build + sliceMs));
+    if (textSlice > 0) {
+      fmt::print("   {:>10.1f} {:>10.2f} {:>10.2f} {:>9.2f} {:>9.2f}", textTriangles, textBuild, textSlice,
+                 row.published.geometrySeconds / textSlice, row.published.geometrySeconds / (textBuild + textSlice));
+    }
+    fmt::print("\n");
+    std::fflush(stdout);
+  };
+  const Published& text = row.published;
+  print("geometry", scene, 0, geometrySlice, text.geometryTriangles, 0, text.geometrySeconds);
+  print("DI", depthMesh, depthBuild, sliceTime(depthMesh), text.imageTriangles, 0, text.depthSeconds);
+  print("OCRI (DDOC)", ocriMesh, ocriBuild, sliceTime(ocriMesh), text.imageTriangles, text.constructionSeconds,
+        text.ocriSeconds);
+  if (ocriMesh.triangles.size() < scene.triangles.size()) {
+    Mesh simpleMesh;
+    const double simpleBuild = medianMilliseconds(1, [&] { simpleMesh = decimated(scene, ocriMesh.triangles.size()); });
+    print("decimated", simpleMesh, simpleBuild, sliceTime(simpleMesh), 0, 0, 0);
+  }
+}
+
+int run(int argumentCount, char** arguments) {
+  CLI::App program("Table 3.5: time to slice geometry, depth image and OCRI. Needs OCELLI_DATA_DIR.");
+  int runs = 5;
+  int threads = 0;
+  std::string profile = "perspecta";
+  program.add_option("--runs", runs, "Runs a figure")->check(CLI::Range(1, 1000))->capture_default_str();
+  program.add_option("--threads", threads, "0 stands for all cores")->check(CLI::Range(0, 1024))->capture_default_str();
+  program.add_option("--profile", profile, "Display profile")->capture_default_str();
+  CLI11_PARSE(program, argumentCount, arguments);
+  setThreadCount(threads);
+  try {
+    const DisplayProfile display = loadProfile(profile);
+    fmt::print("{} threads, display {}, medians of {} runs\n\n", threadCount(), profile, runs);
+    fmt::print("{:<15} {:<12} {:^52}   {:^52}\n", "", "", "measured here", "dissertation, Table 3.5");
+    fmt::print("{:<15} {:<12} {:>10} {:>10} {:>10} {:>9} {:>9}   {:>10} {:>10} {:>10} {:>9} {:>9}\n", "scene", "sliced",
+               "triangles", "build", "slice", "speedup", "with", "triangles", "build", "slice", "speedup", "with");
+    fmt::print("{:<15} {:<12} {:>10} {:>10} {:>10} {:>9} {:>9}   {:>10} {:>10} {:>10} {:>9} {:>9}\n", "", "", "x1000",
+               "ms", "ms", "", "build", "x1000", "s", "s", "", "build");
+    for (const Case& row : kCases) {
+      measure(row, runs, display);
+    }
+    return 0;
+  } catch (const Error& error) {
+    fmt::print(stderr, "table_3_5: error: {}\n", error.what());
+    return 1;
+  }
+}
+
+}  // namespace
+}  // namespace ocelli
+
+int main(int argumentCount, char** arguments) {
+  return ocelli::run(argumentCount, arguments);
+}

@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command.h"
+#include "cli/demo_page.h"
+#include "cli/values.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
+#include "oc_core/scene/builtin_scenes.h"
+
+namespace ocelli {
+namespace {
+
+struct DemoChoice {
+  std::string output = "demo";
+  std::vector<std::string> scenes;
+  bool only = false;
+  std::string size = "720x480";
+  std::string profile = "perspecta";
+};
+
+struct TitledScene {
+  std::string title;
+  std::string source;
+  std::string name;  // of its folder
+};
+
+const std::vector<TitledScene> kBuiltinScenes{
+    {"A teapot in a room", "builtin:room", "room"},
+    {"Four statues", "builtin:statues", "statues"},
+    {"A fence before a wall", "builtin:fence", "fence"},
+    {"Behind a double door", "builtin:doors", "doors"},
+};
+
+// A mesh file is put into a room, so that there is something that it can hide.
+TitledScene sceneOf(const std::string& argument, size_t index) {
+  const std::string name = fmt::format("given-{}", index);
+  if (isBuiltinScene(argument)) {
+    return {argument, argument, name};
+  }
+  if (argument.find(',') != std::string::npos) {
+    throw InputError("the demo cannot take a path with a comma", argument,
+                     "rename the file, or give it through a link");
+  }
+  return {std::filesystem::path(argument).filename().string() + " in a room", "builtin:room,mesh=" + argument, name};
+}
+
+void runDemo(const DemoChoice& choice, const Frame& frame) {
+  DemoOptions options;
+  const ImageSize size = imageSizeFromText(choice.size, "--size");
+  options.width = size.width;
+  options.height = size.height;
+  options.profile = loadProfile(choice.profile);
+  // The given ones first: a wrong path shows at once.
+  std::vector<TitledScene> wanted;
+  for (const std::string& argument : choice.scenes) {
+    wanted.push_back(sceneOf(argument, wanted.size() + 1));
+  }
+  if (!choice.only) {
+    wanted.insert(wanted.end(), kBuiltinScenes.begin(), kBuiltinScenes.end());
+  }
+  if (wanted.empty()) {
+    throw InputError("no scene is given", "--only", "ocelli demo --only bunny.obj");
+  }
+  std::vector<DemoScene> scenes;
+  for (const TitledScene& each : wanted) {
+    frame.note(fmt::format("{} ({})", each.title, each.source));
+    scenes.push_back(runDemoScene(each.title, each.source, choice.output, each.name, options, frame.progress()));
+    frame.print(each.title + "\n" + evaluationTable(scenes.back().figures) + "\n");
+  }
+  const std::filesystem::path page = std::filesystem::path(choice.output) / "index.html";
+  writeFile(page, demoPage(scenes, options, OCELLI_VERSION));
+  frame.note("wrote " + page.string());
+}
+
+}  // namespace
+
+void addDemoCommand(CLI::App& program, const Frame& frame) {
+  CLI::App& command =
+      *program.add_subcommand("demo", "Run the whole way from scene to display, and leave a page that shows it");
+  const auto choice = std::make_shared<DemoChoice>();
+  command.add_option("SCENE", choice->scenes,
+                     "More scenes: mesh files, put into a room, or builtin:NAME[,key=value...]");
+  command.add_option("-o,--output", choice->output, "Folder for index.html and its images")->type_name("DIR");
+  command.add_flag("--only", choice->only, "Show the given scenes alone, without those that come with it");
+  command.add_option("--size", choice->size, "Of the reference images")->type_name("WIDTHxHEIGHT");
+  command.add_option("--profile", choice->profile, "Display to slice for")->type_name("NAME|FILE.json");
+  frame.finish(command,
+               "  ocelli demo\n"
+               "  ocelli demo -o page bunny.obj\n"
+               "  ocelli demo --only --profile perspecta-99 builtin:boxes,seed=3",
+               [choice, frame] { runDemo(*choice, frame); });
+}
+
+}  // namespace ocelli

@@ -1,0 +1,235 @@
+#include "cli/demo_scene.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <glm/geometric.hpp>
+#include <system_error>
+
+#include "display_sim/observer.h"
+#include "display_sim/slicer.h"
+#include "oc_core/base/color.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/png_file.h"
+#include "oc_core/ocri/image_mesh.h"
+#include "oc_core/render/rasterize.h"
+#include "oc_core/scene/scene_source.h"
+
+namespace ocelli {
+namespace {
+
+constexpr float kLeftRadii = 0.8f;               // 4 in at the reference display
+constexpr glm::vec3 kSideEye{9.6f, 2.4f, 1.4f};  // from the right, a little above: Figure 3.48's side view
+constexpr glm::vec3 kBackground{0.012f, 0.014f, 0.02f};
+// Vermilion and yellow of the palette of Okabe and Ito: they differ in lightness, to every kind of colour vision.
+const glm::vec3 kMissing = linearFromSrgb({0.835f, 0.369f, 0.0f});
+const glm::vec3 kMissingThick = linearFromSrgb({0.941f, 0.894f, 0.259f});
+constexpr float kDimmed = 0.4f;
+
+// A mesh that stands for the scene, and how the page names it.
+struct Representation {
+  std::string id;
+  std::string name;
+  const Mesh* mesh;
+};
+
+class DemoFolder {
+ public:
+  DemoFolder(const std::filesystem::path& folder, std::string name) : folder_(folder), name_(std::move(name)) {
+    std::error_code error;
+    std::filesystem::create_directories(folder_ / name_, error);
+    if (error) {
+      throw WorkError("cannot make this folder (" + error.message() + ")", (folder_ / name_).string(),
+                      "choose another one with -o");
+    }
+  }
+
+  DemoImage write(const std::string& file, const Image<glm::vec3>& image, const std::string& name,
+                  const std::string& caption) const {
+    const std::string path = name_ + "/" + file + ".png";
+    writePng(folder_ / path, srgbFromLinear(image));
+    return {path, name, caption, image.width(), image.height()};
+  }
+
+ private:
+  std::filesystem::path folder_;
+  std::string name_;
+};
+
+Image<glm::vec3> pictureOf(const ReferenceImage& image) {
+  Image<glm::vec3> picture = image.color;
+  for (size_t i = 0; i < picture.size(); ++i) {
+    if (image.z[i] <= 0) {
+      picture[i] = kBackground;
+    }
+  }
+  return picture;
+}
+
+Image<glm::vec3> pictureOf(const Mesh& mesh, const PinholeCamera& camera) {
+  return colorImage(rasterize(camera, mesh), mesh, kBackground);
+}
+
+// Grey and dim, so that what is missing stands out.
+Image<glm::vec3> markMissing(Image<glm::vec3> picture, const Image<SampleState>& states) {
+  for (size_t i = 0; i < picture.size(); ++i) {
+    switch (states[i]) {
+      case SampleState::kMissing:
+        picture[i] = kMissing;
+        break;
+      case SampleState::kMissingThick:
+        picture[i] = kMissingThick;
+        break;
+      case SampleState::kNoTruth:
+      case SampleState::kPresent:
+        picture[i] = glm::vec3(kDimmed * glm::dot(picture[i], glm::vec3(0.2126f, 0.7152f, 0.0722f)));
+        break;
+    }
+  }
+  return picture;
+}
+
+DemoRow referenceRow(const DemoFolder& folder, const ReferenceImage& di, const ReferenceImage& ddoc) {
+  return {
+      "The reference images",
+      "Both are taken from the same place. The rays of the occlusion camera are bent around silhouettes, so its image "
+      "also holds what lies just behind them, in the same number of pixels.",
+      {folder.write("reference-ppc", pictureOf(di), "Pinhole camera (PPC)",
+                    "The depth image: " + groupedDigits(di.sampleCount()) + " samples."),
+       folder.write("reference-ddoc", pictureOf(ddoc), "Occlusion camera (DDOC)",
+                    "The OCRI: " + groupedDigits(ddoc.sampleCount()) + " samples in one layer.")}};
+}
+
+DemoRow leftRow(const DemoFolder& folder, const std::vector<Representation>& representations,
+                const PinholeCamera& camera) {
+  DemoRow row{"From 4 in to the left",
+              "The head has moved; the data has not. The meshes of both reference images, seen from there.",
+              {}};
+  for (const Representation& each : representations) {
+    row.images.push_back(folder.write("left-" + each.id, pictureOf(*each.mesh, camera), each.name,
+                                      groupedDigits(each.mesh->triangles.size()) + " triangles."));
+  }
+  return row;
+}
+
+DemoRow missingRow(const DemoFolder& folder, const std::vector<Representation>& representations, const Mesh& truth,
+                   const PinholeCamera& camera) {
+  DemoRow row{
+      "What is missing there",
+      "Samples of the full geometry that the mesh does not show: orange, and yellow in holes of three pixels or "
+      "more.",
+      {}};
+  const Image<glm::vec4> truthPositions = positionImage(camera, truth);
+  const Image<glm::vec3> truthPicture = pictureOf(truth, camera);
+  for (const Representation& each : representations) {
+    if (each.mesh == &truth) {
+      continue;
+    }
+    const Image<SampleState> states = compareFrames(camera, truthPositions, positionImage(camera, *each.mesh));
+    const MissingSamples missing = countMissing(states);
+    row.images.push_back(folder.write("left-missing-" + each.id, markMissing(truthPicture, states), each.name,
+                                      fmt::format("{:.2f} % of the samples are missing, {:.2f} % in larger holes.",
+                                                  100 * missing.strictRatio(), 100 * missing.thickRatio())));
+  }
+  return row;
+}
+
+DemoRow sideRow(const DemoFolder& folder, const std::vector<Representation>& representations,
+                const PinholeCamera& side) {
+  DemoRow row{
+      "From the side: the shadow",
+      "No viewer in front of the display gets here; it shows what was left out. Behind the object, the depth image "
+      "has no samples: its shadow. The OCRI shrinks the shadow, and leaves out what no nearby view needs.",
+      {}};
+  for (const Representation& each : representations) {
+    row.images.push_back(folder.write("side-" + each.id, pictureOf(*each.mesh, side), each.name, ""));
+  }
+  return row;
+}
+
+// Every representation with the same gain.
+DemoRow displayRow(const DemoFolder& folder, const std::vector<Representation>& representations,
+                   const std::vector<Volume>& volumes, const DemoOptions& options, const glm::vec3& eye, double gain,
+                   const std::string& id, const std::string& title, const std::string& text) {
+  DemoRow row{title, text, {}};
+  for (size_t i = 0; i < volumes.size(); ++i) {
+    ObserverOptions observer;
+    observer.eye = eye;
+    observer.width = options.observedSide;
+    observer.height = options.observedSide;
+    observer.gain = gain;
+    row.images.push_back(folder.write("display-" + id + "-" + representations[i].id, observe(volumes[i], observer),
+                                      representations[i].name, groupedDigits(volumes[i].litVoxels()) + " lit voxels."));
+  }
+  return row;
+}
+
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+std::string groupedDigits(size_t number) {
+  std::string digits = std::to_string(number);
+  for (size_t at = digits.size(); at > 3;) {
+    at -= 3;
+    digits.insert(at, "\u202f");  // a narrow space that does not break
+  }
+  return digits;
+}
+
+DemoScene runDemoScene(const std::string& title, const std::string& source, const std::filesystem::path& folder,
+                       const std::string& name, const DemoOptions& options, const Progress& progress) {
+  DemoScene scene{title, source, {}, 0, 0, {}};
+  const DemoFolder images(folder, name);
+  const Mesh geometry = loadScene(source, {}, progress);
+  const View view;
+  const PinholeCamera reference(view, options.width, options.height);
+  const ReferenceImage di = buildReferenceImage(cameraChoice("di"), reference, geometry, progress);
+  const ReferenceImage ddoc = buildReferenceImage(cameraChoice("ddoc"), reference, geometry, progress);
+  const Mesh diMesh = imageMesh(di);
+  const Mesh ddocMesh = imageMesh(ddoc);
+  const std::vector<Representation> representations{
+      {"di", "Depth image", &diMesh}, {"ddoc", "OCRI", &ddocMesh}, {"geometry", "Full geometry", &geometry}};
+
+  scene.rows.push_back(referenceRow(images, di, ddoc));
+  const PinholeCamera left(movedEye(view, {-kLeftRadii, 0, 0}), options.width, options.height);
+  scene.rows.push_back(leftRow(images, representations, left));
+  scene.rows.push_back(missingRow(images, representations, geometry, left));
+  View sideView;
+  sideView.eye = kSideEye;
+  scene.rows.push_back(sideRow(images, representations, PinholeCamera(sideView, options.width, options.height)));
+
+  std::vector<Volume> volumes;
+  for (const Representation& each : representations) {
+    report(progress, "slicing", static_cast<double>(volumes.size()) / static_cast<double>(representations.size()));
+    const auto start = std::chrono::steady_clock::now();
+    volumes.push_back(slice(*each.mesh, options.profile));
+    scene.geometrySliceMilliseconds = millisecondsSince(start);  // the last one is the geometry
+  }
+  scene.geometryTriangles = geometry.triangles.size();
+  report(progress, "observing", 0);
+  ObserverOptions front;
+  front.width = options.observedSide;
+  front.height = options.observedSide;
+  const double gain = automaticGain(collectLight(volumes[1], front));  // suits the OCRI
+  scene.rows.push_back(displayRow(
+      images, representations, volumes, options, view.eye, gain, "front", "On the display, from the front",
+      "Simulated light of every lit voxel, all with the same exposure. The display emits and hides nothing: the full "
+      "geometry also shows its back and inner sides, which the reference images left out. What the OCRI keeps of them "
+      "shines through along the silhouettes."));
+  scene.rows.push_back(displayRow(images, representations, volumes, options, left.eye(), gain, "left",
+                                  "On the display, from 4 in to the left", ""));
+
+  EvaluationOptions evaluation;
+  evaluation.view = view;
+  evaluation.width = options.width;
+  evaluation.height = options.height;
+  evaluation.slice = [&options](const Mesh& mesh) { slice(mesh, options.profile); };
+  scene.figures = evaluate(geometry, {cameraChoice("di"), cameraChoice("ddoc"), cameraChoice("ddoc-constant")},
+                           evaluation, progress);
+  return scene;
+}
+
+}  // namespace ocelli

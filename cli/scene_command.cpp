@@ -1,0 +1,126 @@
+// `ocelli scene`: what scenes there are, what is in one, and the mesh that everything downstream takes.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.h"
+#include "cli/scene_options.h"
+#include "oc_core/scene/builtin_scenes.h"
+#include "oc_core/scene/ply_file.h"
+
+namespace ocelli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string kindName(BuiltinParameter::Kind kind) {
+  switch (kind) {
+    case BuiltinParameter::Kind::kInteger:
+      return "integer";
+    case BuiltinParameter::Kind::kNumber:
+      return "number";
+    case BuiltinParameter::Kind::kMeshFile:
+      return "file";
+  }
+  return "";
+}
+
+std::string listAsText() {
+  std::string text;
+  for (const BuiltinScene& scene : listBuiltinScenes()) {
+    text += fmt::format("builtin:{:<10} {}\n", scene.name, scene.summary);
+    for (const BuiltinParameter& parameter : scene.parameters) {
+      const bool isFile = parameter.kind == BuiltinParameter::Kind::kMeshFile;
+      const std::string key = parameter.name + "=" + (isFile ? "FILE" : parameter.otherwise);
+      text += fmt::format("    {:<14} {}", key, parameter.summary);
+      text += isFile ? "\n" : fmt::format(" ({:.10g} to {:.10g})\n", parameter.least, parameter.most);
+    }
+  }
+  return text;
+}
+
+std::string listAsJson() {
+  Json scenes = Json::array();
+  for (const BuiltinScene& scene : listBuiltinScenes()) {
+    Json parameters = Json::array();
+    for (const BuiltinParameter& parameter : scene.parameters) {
+      Json entry{{"name", parameter.name}, {"kind", kindName(parameter.kind)}, {"summary", parameter.summary}};
+      entry["default"] = parameter.otherwise;
+      if (parameter.kind != BuiltinParameter::Kind::kMeshFile) {
+        entry["least"] = parameter.least;
+        entry["most"] = parameter.most;
+      }
+      parameters.push_back(entry);
+    }
+    scenes.push_back({{"name", scene.name}, {"summary", scene.summary}, {"parameters", parameters}});
+  }
+  return scenes.dump(2) + "\n";
+}
+
+std::string infoAsText(const std::string& source, const Mesh& mesh) {
+  const Box box = boundsOf(mesh);
+  return fmt::format(
+      "{}\n  triangles  {}\n  vertices   {}\n  x          {:.6g} to {:.6g}\n  y          {:.6g} to {:.6g}\n"
+      "  z          {:.6g} to {:.6g}\n",
+      source, mesh.triangles.size(), mesh.positions.size(), box.lower.x, box.upper.x, box.lower.y, box.upper.y,
+      box.lower.z, box.upper.z);
+}
+
+std::string infoAsJson(const std::string& source, const Mesh& mesh) {
+  const Box box = boundsOf(mesh);
+  const auto list = [](const glm::vec3& p) { return Json::array({p.x, p.y, p.z}); };
+  const Json info{{"scene", source},
+                  {"triangles", mesh.triangles.size()},
+                  {"vertices", mesh.positions.size()},
+                  {"lower", list(box.lower)},
+                  {"upper", list(box.upper)}};
+  return info.dump(2) + "\n";
+}
+
+void addList(CLI::App& parent, const Frame& frame) {
+  CLI::App& command = *parent.add_subcommand("list", "Show the built-in scenes and their parameters");
+  const auto asJson = std::make_shared<bool>(false);
+  command.add_flag("--json", *asJson, "Print them as JSON");
+  frame.finish(command, "  ocelli scene list", [asJson, frame] { frame.print(*asJson ? listAsJson() : listAsText()); });
+}
+
+void addInfo(CLI::App& parent, const Frame& frame) {
+  CLI::App& command = *parent.add_subcommand("info", "Count what is in a scene, as everything downstream sees it");
+  const auto scene = std::make_shared<SceneChoice>();
+  const auto asJson = std::make_shared<bool>(false);
+  addSceneOptions(command, *scene);
+  command.add_flag("--json", *asJson, "Print the figures as JSON");
+  frame.finish(command, "  ocelli scene info bunny.obj\n  ocelli scene info bunny.obj --no-fit --shading none",
+               [scene, asJson, frame] {
+                 const Mesh mesh = loadScene(scene->source, scene->options, frame.progress());
+                 frame.print(*asJson ? infoAsJson(scene->source, mesh) : infoAsText(scene->source, mesh));
+               });
+}
+
+void addExport(CLI::App& parent, const Frame& frame) {
+  CLI::App& command = *parent.add_subcommand("export", "Write the mesh that everything downstream takes");
+  const auto scene = std::make_shared<SceneChoice>();
+  const auto path = std::make_shared<std::string>();
+  addSceneOptions(command, *scene);
+  command.add_option("-o,--output", *path, "The mesh, as binary PLY with vertex colours")
+      ->required()
+      ->type_name("FILE.ply");
+  frame.finish(command, "  ocelli scene export builtin:statues,triangles=4600000 -o statues.ply", [scene, path, frame] {
+    const Mesh mesh = loadScene(scene->source, scene->options, frame.progress());
+    writePly(*path, mesh);
+    frame.note(fmt::format("wrote {} ({} triangles)", *path, mesh.triangles.size()));
+  });
+}
+
+}  // namespace
+
+void addSceneCommand(CLI::App& program, const Frame& frame) {
+  CLI::App& command = *program.add_subcommand("scene", "List built-in scenes, look into a scene, export it");
+  command.require_subcommand(1);
+  addList(command, frame);
+  addInfo(command, frame);
+  addExport(command, frame);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,83 @@
+// `ocelli slice`: from a scene, a mesh or a reference image to the slices of a display.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.h"
+#include "cli/scene_options.h"
+#include "display_sim/slicer.h"
+#include "display_sim/svol_file.h"
+#include "oc_core/ocri/image_mesh.h"
+#include "oc_core/ocri/reference_image_file.h"
+
+namespace ocelli {
+namespace {
+
+struct SliceChoice {
+  SceneChoice scene;
+  std::string profile = "perspecta";
+  bool undithered = false;
+  bool json = false;
+  std::string output;
+};
+
+Mesh loadMesh(const SceneChoice& scene, const Progress& progress) {
+  return scene.source.ends_with(".exr") ? imageMesh(readReferenceImage(scene.source))
+                                        : loadScene(scene.source, scene.options, progress);
+}
+
+bool liesWithin(const Mesh& mesh, const DisplayProfile& profile) {
+  constexpr double kRounding = 1e-5;  // of fitting a scene
+  return std::ranges::all_of(mesh.positions, [&](const glm::vec3& p) {
+    return std::hypot(p.x, p.z) <= 1 + kRounding && std::abs(p.y) <= profile.halfHeightRadii + kRounding;
+  });
+}
+
+void run(const SliceChoice& choice, const Frame& frame) {
+  const DisplayProfile profile = loadProfile(choice.profile);
+  const Mesh mesh = loadMesh(choice.scene, frame.progress());
+  const auto start = std::chrono::steady_clock::now();
+  const Volume volume =
+      slice(mesh, profile, {choice.undithered ? ColorReduction::kOccupancy : ColorReduction::kDither});
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  writeSvol(choice.output, volume);
+  if (!liesWithin(mesh, profile)) {
+    frame.note("a part of the scene lies outside of the display and is cut off");
+  }
+  if (choice.json) {
+    const nlohmann::ordered_json json = {{"profile", profile.name},
+                                         {"triangles", mesh.triangles.size()},
+                                         {"slices", volume.slices()},
+                                         {"lit_voxels", volume.litVoxels()},
+                                         {"slice_ms", time.count()}};
+    frame.print(json.dump(2) + "\n");
+  }
+  frame.note(fmt::format("wrote {}: {} slices of {}x{}, {} lit voxels from {} triangles in {:.0f} ms", choice.output,
+                         volume.slices(), volume.width(), volume.height(), volume.litVoxels(), mesh.triangles.size(),
+                         time.count()));
+}
+
+}  // namespace
+
+void addSliceCommand(CLI::App& program, const Frame& frame) {
+  CLI::App& command =
+      *program.add_subcommand("slice", "Slice a scene, a mesh or a reference image (.exr) for a display");
+  const auto choice = std::make_shared<SliceChoice>();
+  addSceneOptions(command, choice->scene);
+  command.add_option("--profile", choice->profile, "The display: a name, or a profile of your own")
+      ->type_name("NAME|FILE.json");
+  command.add_flag("--undithered", choice->undithered, "Light a channel wherever it has any light at all");
+  command.add_flag("--json", choice->json, "Print the figures as JSON");
+  command.add_option("-o,--output", choice->output, "Where the volume goes")->required()->type_name("FILE.svol");
+  frame.finish(command,
+               "  ocelli slice builtin:teapot -o teapot.svol\n"
+               "  ocelli slice statues.exr --profile perspecta-99 -o statues.svol\n"
+               "  ocelli slice statues.ply --no-fit --shading none -o statues.svol   (a mesh of `ocelli ocri mesh`)",
+               [choice, frame] { run(*choice, frame); });
+}
+
+}  // namespace ocelli

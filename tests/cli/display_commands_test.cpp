@@ -1,0 +1,102 @@
+// `ocelli slice`, `ocelli observe` and `ocelli volume` from outside.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "display_sim/svol_file.h"
+#include "oc_core/base/png_file.h"
+#include "tests/base/temporary_folder.h"
+#include "tests/cli/run_program.h"
+
+namespace ocelli::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// A folder with the slices of a coarse teapot.
+class DisplayCommands : public testing::Test {
+ protected:
+  void SetUp() override {
+    const ProgramResult result = runProgram("slice builtin:teapot,segments=4 --profile test -o " + quoted("a.svol"));
+    ASSERT_EQ(result.exitCode, 0) << result.error;
+    EXPECT_THAT(result.error, AllOf(HasSubstr("wrote"), HasSubstr("a.svol")));
+  }
+
+  std::string quoted(const std::string& name) const {
+    std::string path = "'";
+    path += (folder_ / name).string();
+    return path += "'";
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(DisplayCommands, sliceWritesAVolumeOfTheProfile) {
+  const Volume volume = readSvol(folder_ / "a.svol");
+  EXPECT_EQ(volume.profile(), loadProfile("test"));
+  const ProgramResult result =
+      runProgram("slice builtin:teapot,segments=4 --profile test --json --quiet -o " + quoted("b.svol"));
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json["lit_voxels"], volume.litVoxels());
+  EXPECT_EQ(json["triangles"], 992);
+  EXPECT_EQ(fileBytes(folder_ / "a.svol"), fileBytes(folder_ / "b.svol"));
+}
+
+TEST_F(DisplayCommands, sliceTakesReferenceImages) {
+  ASSERT_EQ(runProgram("ocri build builtin:teapot,segments=4 --camera di --size 60x60 -o " + quoted("a.exr")).exitCode,
+            0);
+  const ProgramResult result = runProgram("slice " + quoted("a.exr") + " --profile test -o " + quoted("c.svol"));
+  EXPECT_EQ(result.exitCode, 0) << result.error;
+  EXPECT_GT(readSvol(folder_ / "c.svol").litVoxels(), 100u);
+}
+
+TEST_F(DisplayCommands, observeWritesAPicture) {
+  const ProgramResult result =
+      runProgram("observe " + quoted("a.svol") + " --eye 3,4,9 --exposure 1/25 --missing-sector 30 --size 90x60 -o " +
+                 quoted("eye.png"));
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  const Image<Rgb8> picture = readPng(folder_ / "eye.png");
+  EXPECT_EQ(picture.width(), 90);
+  EXPECT_EQ(picture.height(), 60);
+  EXPECT_TRUE(std::ranges::any_of(picture, [](const Rgb8& pixel) { return pixel.x > 100; }));
+}
+
+TEST_F(DisplayCommands, volumeInfoVerifyAndExport) {
+  const ProgramResult info = runProgram("volume info --json " + quoted("a.svol"));
+  ASSERT_EQ(info.exitCode, 0) << info.error;
+  EXPECT_EQ(nlohmann::json::parse(info.output)["profile"]["name"], "test");
+  EXPECT_THAT(runProgram("volume info " + quoted("a.svol")).output, HasSubstr("24 of 64x64"));
+  EXPECT_THAT(runProgram("volume verify " + quoted("a.svol")).output, HasSubstr("all 24 slices are whole"));
+  for (const char* output : {"a.vti", "a.nrrd", "slices"}) {
+    EXPECT_EQ(runProgram("volume export " + quoted("a.svol") + " -o " + quoted(output)).exitCode, 0) << output;
+  }
+  EXPECT_TRUE(fileBytes(folder_ / "a.nrrd").starts_with("NRRD0005"));
+  EXPECT_TRUE(fileBytes(folder_ / "a.vti").starts_with("<?xml"));
+  EXPECT_EQ(readPng(folder_ / "slices/slice_0023.png").width(), 64);
+}
+
+TEST_F(DisplayCommands, exitCodesTellWhoseFaultItIs) {
+  std::string bytes = fileBytes(folder_ / "a.svol");
+  bytes[bytes.size() / 2] ^= 1;
+  folder_.write("damaged.svol", bytes);
+  const ProgramResult damaged = runProgram("volume verify " + quoted("damaged.svol"));
+  EXPECT_EQ(damaged.exitCode, 2);
+  EXPECT_THAT(damaged.error, AllOf(HasSubstr("damaged.svol"), HasSubstr("slice "), HasSubstr("checksum")));
+  EXPECT_EQ(runProgram("observe " + quoted("damaged.svol") + " -o " + quoted("x.png")).exitCode, 2);
+  EXPECT_EQ(runProgram("observe " + quoted("a.svol") + " --eye 0,0,0.5 -o " + quoted("x.png")).exitCode, 2);
+  EXPECT_EQ(runProgram("observe " + quoted("a.svol") + " --exposure soon -o " + quoted("x.png")).exitCode, 2);
+  EXPECT_EQ(runProgram("volume info " + quoted("missing.svol")).exitCode, 2);
+  EXPECT_EQ(runProgram("volume export " + quoted("a.svol") + " -o " + quoted("a.txt")).exitCode, 2);
+  EXPECT_EQ(runProgram("slice builtin:teapot --profile nothing -o " + quoted("x.svol")).exitCode, 2);
+  const ProgramResult unwritable =
+      runProgram("slice builtin:teapot,segments=4 --profile test -o /no/such/folder/x.svol");
+  EXPECT_EQ(unwritable.exitCode, 1);
+  EXPECT_THAT(unwritable.error, AllOf(HasSubstr("/no/such/folder/x.svol"), HasSubstr("try:")));
+}
+
+}  // namespace
+}  // namespace ocelli::test
