@@ -14,6 +14,11 @@ JsonFields::JsonFields(const nlohmann::json& object, std::string where) : object
   }
 }
 
+bool JsonFields::has(const std::string& name) {
+  known_.insert(name);
+  return object_.contains(name);
+}
+
 void JsonFields::fail(const std::string& name, const std::string& problem) const {
   throw InputError("field \"" + name + "\" " + problem, where_, "see the schema of this file");
 }

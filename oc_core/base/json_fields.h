@@ -14,7 +14,8 @@ class JsonFields {
   /// `where` names the object in messages: a file, or file and field.
   JsonFields(const nlohmann::json& object, std::string where);
 
-  bool has(const std::string& name) const { return object_.contains(name); }
+  /// Marks the field as known.
+  bool has(const std::string& name);
 
   /// A number in [least, most] (NaN and infinity have no JSON form).
   double number(const std::string& name, double least, double most);

@@ -1,5 +1,6 @@
 #include "oc_core/ocri/image_mesh.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -8,6 +9,9 @@
 namespace ocelli {
 namespace {
 
+/// Neighbours farther apart than this get no more tolerance of depth for it: a longer join is more likely to be a skin
+/// across a gap.
+constexpr float kLongestScaledStep = 1.5f;
 constexpr uint32_t kNoVertex = 0xffffffffu;
 
 class ImageMesher {
@@ -64,17 +68,17 @@ class ImageMesher {
       return false;
     }
     const float footprint = std::min(a.z, b.z) / camera_.focalPixels();
-    const float depthStep = std::abs(a.z - b.z);
-    if (depthStep <= options_.depthStepFootprints * footprint * std::max(distance, 1.0f)) {
+    if (std::abs(a.z - b.z) <=
+        options_.depthStepFootprints * footprint * std::clamp(distance, 1.0f, kLongestScaledStep)) {
       return true;
     }
-    // A grazing surface: large steps of z, but an even slope of 1/z.
+    // A grazing or a stretched surface: large steps of z, but 1/z goes on as on one of the two sides.
     const float tolerance = options_.slopeToleranceFootprints * footprint / (a.z * b.z);
     const Pixel before{2 * p.x - q.x, 2 * p.y - q.y};
     const Pixel after{2 * q.x - p.x, 2 * q.y - p.y};
-    const float here = slope(p, q);
-    return (valid(before) && std::abs(here - slope(before, p)) <= tolerance) ||
-           (valid(after) && std::abs(here - slope(q, after)) <= tolerance);
+    const float step = 1 / b.z - 1 / a.z;
+    return (valid(before) && std::abs(step - slope(before, p) * distance) <= tolerance) ||
+           (valid(after) && std::abs(step - slope(q, after) * distance) <= tolerance);
   }
 
   void addTriangle(const Pixel& cell, const Pixel& a, const Pixel& b, const Pixel& c) {

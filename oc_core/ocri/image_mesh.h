@@ -8,12 +8,12 @@
 namespace ocelli {
 
 struct ImageMeshOptions {
-  /// Neighbours are joined when their depths differ by at most this many pixel footprints (z / focal length) for each
-  /// pixel between their undistorted places,
+  /// Neighbours are joined when their depths differ by at most this many pixel footprints (z / focal length), times the
+  /// pixels between their undistorted places, taken as 1 to 1.5,
   float depthStepFootprints = 10;
   /// ... or by more, where 1/z goes on with the slope it has on one of the two sides, within this many footprints:
-  /// grazing planes;
-  float slopeToleranceFootprints = 3;
+  /// grazing and stretched surfaces;
+  float slopeToleranceFootprints = 1;
   /// ... but never when their undistorted places are farther apart than this, pixels.
   float longestStepPixels = 12;
   /// The sample at the rim of a surface stands for the whole of its pixel: it gets a square along the surface, of this

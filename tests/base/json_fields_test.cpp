@@ -86,6 +86,14 @@ TEST(JsonFields, RejectsAnUnknownFieldByName) {
   EXPECT_THAT(messageOf([&] { fields.rejectUnknown(); }), HasSubstr("list"));
 }
 
+TEST(JsonFields, ListsTheKnownFieldsWhetherOrNotTheyAreThere) {
+  const nlohmann::json object = parseJson(R"({"colour": 1})", "p.json");
+  JsonFields fields(object, "p.json");
+  fields.number("radius", 0, 1, 0.5);
+  fields.has("name");
+  EXPECT_THAT(messageOf([&] { fields.rejectUnknown(); }), HasSubstr("use one of: name, radius"));
+}
+
 TEST(JsonFields, AllowsSchemaAndComment) {
   const nlohmann::json object = parseJson(R"({"$schema": "x", "comment": "y"})", "p.json");
   EXPECT_NO_THROW(JsonFields(object, "p.json").rejectUnknown());

@@ -27,8 +27,10 @@ inline PinholeCamera smallCamera() {
 inline void addQuad(Mesh& mesh, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d,
                     const glm::vec3& color = glm::vec3(0.5f)) {
   const auto first = static_cast<uint32_t>(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), {a, b, c, d});
-  mesh.colors.insert(mesh.colors.end(), 4, color);
+  for (const glm::vec3& corner : {a, b, c, d}) {
+    mesh.positions.push_back(corner);
+    mesh.colors.push_back(color);
+  }
   mesh.triangles.emplace_back(first, first + 1, first + 2);
   mesh.triangles.emplace_back(first, first + 2, first + 3);
 }
@@ -56,9 +58,10 @@ inline constexpr float kBoxHalf = 0.3f;
 inline constexpr float kBoxFrontZ = 0.7f;
 inline constexpr float kWallZ = -0.9f;
 
-/// A red box around the view axis before a grey wall that fills the image of every viewpoint of the view cell.
-inline Mesh boxBeforeWall() {
-  Mesh mesh = wall(kWallZ);
+/// A red box around the view axis before a grey wall. As it is the wall fills the image of every viewpoint of the view
+/// cell; one of half side 0.9 is seen whole by all of them, so that what is missing is what the box hides.
+inline Mesh boxBeforeWall(float wallHalf = 3) {
+  Mesh mesh = wall(kWallZ, wallHalf);
   Mesh box = makeBox(glm::vec3(kBoxHalf));
   paint(box, {0.8f, 0.1f, 0.1f});
   append(mesh, box, glm::translate(glm::mat4(1), glm::vec3(0, 0, kBoxFrontZ - kBoxHalf)));

@@ -1,0 +1,93 @@
+// camera.schema.json says what camera_choice.cpp reads.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
+#include "oc_core/ocri/camera_choice.h"
+#include "tests/base/schema_agreement.h"
+#include "tests/base/temporary_folder.h"
+
+namespace ocelli {
+namespace {
+
+const nlohmann::json& schema() {
+  static const nlohmann::json schema = readJsonFile(OCELLI_CAMERA_SCHEMA);
+  return schema;
+}
+
+CameraChoice read(const std::string& text) {
+  static const test::TemporaryFolder folder;
+  return cameraChoice(folder.write("camera.json", text));
+}
+
+std::string errorOf(const std::string& text) {
+  try {
+    read(text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CameraSchema, agreesWithTheReader) {
+  test::SchemaAgreement{schema(), errorOf, {{"camera", "ddoc"}}}.check();
+}
+
+TEST(CameraSchema, camerasWithoutOptionsTakeOnlyWhatItSays) {
+  for (const nlohmann::json& camera : schema().at("if").at("properties").at("camera").at("enum")) {
+    std::set<std::string> allowed;
+    for (const nlohmann::json& name : schema().at("then").at("propertyNames").at("enum")) {
+      allowed.insert(name);
+    }
+    for (const auto& [name, property] : schema().at("properties").items()) {
+      if (property.contains("default")) {
+        const nlohmann::json document{{"camera", camera}, {name, property.at("default")}};
+        EXPECT_EQ(errorOf(document.dump()).empty(), allowed.contains(name)) << camera << " " << name;
+      }
+    }
+  }
+}
+
+TEST(CameraSchema, namesAreThoseOfTheList) {
+  std::set<std::string> listed{"pinhole"};  // another word for di
+  for (const CameraName& camera : cameraNames()) {
+    listed.insert(camera.name);
+  }
+  std::set<std::string> described;
+  for (const nlohmann::json& name : schema().at("properties").at("camera").at("enum")) {
+    described.insert(name);
+  }
+  EXPECT_EQ(described, listed);
+}
+
+TEST(CameraSchema, defaultsAreTheReaders) {
+  const DdocOptions ddoc;
+  const std::map<std::string, double> defaults{
+      {"cell_side_radii", ddoc.cellSideRadii},
+      {"safety_factor", ddoc.safetyFactor},
+      {"most_hidden_pixels", ddoc.mostHiddenPixels},
+      {"room_per_hidden", ddoc.roomPerHidden},
+      {"most_hidden_per_room", ddoc.mostHiddenPerRoom},
+      {"steepest_band_growth", ddoc.steepestBandGrowth},
+      {"smoothing_sigma_pixels", ddoc.smoothingSigmaPixels},
+      {"feedback_rounds", ddoc.feedbackRounds},
+      {"feedback_shrink", ddoc.feedbackShrink},
+      {"harmless_per_hidden_pixel", ddoc.harmlessPerHiddenPixel},
+      {"longest_edge_pixels", ddoc.subdivision.longestEdgePixels},
+  };
+  std::set<std::string> described;
+  for (const auto& [name, property] : schema().at("properties").items()) {
+    if (property.contains("default")) {
+      described.insert(name);
+      ASSERT_TRUE(defaults.contains(name)) << name;
+      EXPECT_FLOAT_EQ(property.at("default").get<float>(), static_cast<float>(defaults.at(name))) << name;
+    }
+  }
+  EXPECT_EQ(described.size(), defaults.size());
+}
+
+}  // namespace
+}  // namespace ocelli

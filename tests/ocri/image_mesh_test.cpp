@@ -1,0 +1,150 @@
+#include "oc_core/ocri/image_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include "oc_core/ocri/ddoc_builder.h"
+#include "tests/ocri/test_scenes.h"
+
+namespace ocelli {
+namespace {
+
+using test::kHeight;
+using test::kWidth;
+using test::smallCamera;
+
+constexpr size_t kSamples = static_cast<size_t>(kWidth) * kHeight;
+constexpr size_t kJoined = 2 * static_cast<size_t>(kWidth - 1) * (kHeight - 1);
+/// A sample at the border of the image has at most three or four of eight triangles around it: it gets a square.
+constexpr size_t kBorderSamples = 2 * static_cast<size_t>(kWidth + kHeight) - 4;
+
+/// Triangles between samples, not of squares: samples come first among the vertices.
+size_t joinedTriangles(const Mesh& mesh, size_t samples) {
+  size_t count = 0;
+  for (const glm::uvec3& t : mesh.triangles) {
+    count += t.x < samples && t.y < samples && t.z < samples;
+  }
+  return count;
+}
+
+ReferenceImage emptyImage() {
+  return {"di", View{}, Image<glm::vec3>(kWidth, kHeight, glm::vec3(0.25f)), Image<float>(kWidth, kHeight),
+          Image<glm::vec2>(kWidth, kHeight)};
+}
+
+TEST(ImageMesh, planesAreJoinedWholly) {
+  // The last one grazes: its depth grows from 5 to 100 over the image, by 30 footprints a pixel and more far away.
+  for (const Mesh& plane : {test::wall(0), test::tiltedPlane(3, 30), test::tiltedPlane(9, 60)}) {
+    const Mesh mesh = imageMesh(buildDepthImage(smallCamera(), plane));
+    EXPECT_EQ(joinedTriangles(mesh, kSamples), kJoined);
+    EXPECT_EQ(mesh.triangles.size(), kJoined + 2 * kBorderSamples);
+    EXPECT_EQ(mesh.positions.size(), kSamples + 4 * kBorderSamples);
+    EXPECT_EQ(mesh.colors.size(), mesh.positions.size());
+  }
+}
+
+TEST(ImageMesh, liesOnThePlaneThatItSamples) {
+  constexpr float kSteepness = 3;
+  const Mesh mesh = imageMesh(buildDepthImage(smallCamera(), test::tiltedPlane(kSteepness, 30)));
+  for (const glm::vec3& p : mesh.positions) {
+    // Snapping by 0.003 pixels of 0.03 units, times the steepness; squares end half a pixel beyond.
+    EXPECT_NEAR(p.z, -kSteepness * p.y, 2e-3f);
+  }
+}
+
+TEST(ImageMesh, noTriangleSpansTwoDepths) {
+  for (const bool distorted : {false, true}) {
+    const Mesh scene = test::boxBeforeWall();
+    const ReferenceImage image = distorted ? buildDdocImage(buildDdocCamera(smallCamera(), scene), scene)
+                                           : buildDepthImage(smallCamera(), scene);
+    const Mesh mesh = imageMesh(image);
+    size_t onBox = 0;
+    for (const glm::uvec3& t : mesh.triangles) {
+      int wall = 0;
+      for (int i = 0; i < 3; ++i) {
+        wall += mesh.positions[t[i]].z < -0.5f;
+      }
+      EXPECT_TRUE(wall == 0 || wall == 3);
+      onBox += wall == 0;
+    }
+    EXPECT_GT(onBox, 2 * 18 * 18u) << "the front of the box is 19 pixels wide";
+    EXPECT_GT(mesh.triangles.size() - onBox, kJoined / 2);
+  }
+}
+
+TEST(ImageMesh, everySampleIsAVertexWithItsColour) {
+  const ReferenceImage image = buildDepthImage(smallCamera(), test::boxBeforeWall());
+  const Mesh mesh = imageMesh(image);
+  size_t vertex = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x, ++vertex) {
+      EXPECT_EQ(mesh.colors[vertex], image.color(x, y));
+      EXPECT_EQ(mesh.positions[vertex], *smallCamera().unproject(image.undistorted(x, y)));
+    }
+  }
+}
+
+TEST(ImageMesh, isolatedSampleKeepsASquareOfAPixel) {
+  ReferenceImage image = emptyImage();
+  image.z(20, 30) = 8;
+  image.displacement(20, 30) = {4, -2};
+  const Mesh mesh = imageMesh(image);
+  ASSERT_EQ(mesh.triangles.size(), 2u);
+  ASSERT_EQ(mesh.positions.size(), 5u);
+  // The pinhole sees it at (20.5 - 4, 30.5 + 2).
+  for (size_t i = 1; i < 5; ++i) {
+    const std::optional<ImagePoint> q = smallCamera().project(mesh.positions[i]);
+    ASSERT_TRUE(q);
+    EXPECT_NEAR(std::abs(q->u - 16.5f), 0.5f, 1e-3f);
+    EXPECT_NEAR(std::abs(q->v - 32.5f), 0.5f, 1e-3f);
+    EXPECT_NEAR(q->z, 8, 1e-5f);
+    EXPECT_EQ(mesh.colors[i], glm::vec3(0.25f));
+  }
+}
+
+TEST(ImageMesh, emptyImageGivesAnEmptyMesh) {
+  EXPECT_TRUE(imageMesh(emptyImage()).empty());
+}
+
+TEST(ImageMesh, neighboursFarApartInSpaceAreNotJoined) {
+  ReferenceImage image = emptyImage();
+  std::fill(image.z.begin(), image.z.end(), 10.0f);
+  // Two halves at the same depth, seen 13 pixels apart: more than the longest step of 12.
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = kWidth / 2; x < kWidth; ++x) {
+      image.displacement(x, y) = {-12, 0};
+    }
+  }
+  const Mesh mesh = imageMesh(image);
+  EXPECT_EQ(joinedTriangles(mesh, kSamples), kJoined - 2 * (kHeight - 1));
+}
+
+TEST(ImageMesh, squaresKeepToTheTriangleBound) {
+  ReferenceImage image = buildDepthImage(smallCamera(), test::boxBeforeWall());
+  const Mesh free = imageMesh(image);
+  const size_t joined = joinedTriangles(free, kSamples);
+  ASSERT_GT(free.triangles.size(), joined + 100);
+  image.triangleBound = joined + 21;
+  const Mesh bound = imageMesh(image);
+  EXPECT_EQ(bound.triangles.size(), joined + 20) << "ten squares of two triangles";
+  EXPECT_EQ(joinedTriangles(bound, kSamples), joined);
+  image.triangleBound = free.triangles.size();
+  EXPECT_EQ(imageMesh(image).triangles.size(), free.triangles.size());
+}
+
+// A file may hold depths that its own view does not see.
+TEST(ImageMesh, samplesOutOfTheDepthRangeAreLeftOut) {
+  ReferenceImage image = buildDepthImage(smallCamera(), test::wall(0));
+  for (int y = 10; y < 20; ++y) {
+    for (int x = 10; x < 20; ++x) {
+      image.z(x, y) = x < 15 ? 1e9f : 1e-9f;
+    }
+  }
+  const Mesh mesh = imageMesh(image);
+  EXPECT_GT(mesh.triangles.size(), kSamples);
+  for (const glm::uvec3& t : mesh.triangles) {
+    ASSERT_LT(std::max({t.x, t.y, t.z}), mesh.positions.size());
+  }
+}
+
+}  // namespace
+}  // namespace ocelli
