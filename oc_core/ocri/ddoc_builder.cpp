@@ -1,5 +1,6 @@
 #include "oc_core/ocri/ddoc_builder.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "oc_core/base/parallel.h"
@@ -7,23 +8,25 @@
 #include "oc_core/ocri/depth_edges.h"
 #include "oc_core/ocri/distortion_splats.h"
 #include "oc_core/ocri/image_mesh.h"
+#include "oc_core/ocri/visible_part.h"
 
 namespace ocelli {
 namespace {
 
-/// 1/z of each pixel, 0 where nothing is seen.
-Image<float> inverseDepths(const PinholeCamera& camera, const Image<glm::vec4>& seen) {
-  Image<float> inverseZ(seen.width(), seen.height(), 0);
+/// z of each pixel, 0 where nothing is seen.
+Image<float> depthsOf(const PinholeCamera& camera, const Image<glm::vec4>& seen) {
+  Image<float> z(seen.width(), seen.height(), 0);
   for (size_t i = 0; i < seen.size(); ++i) {
     if (seen[i].w > 0) {
-      inverseZ[i] = 1 / camera.cameraFromWorld(glm::vec3(seen[i])).z;
+      z[i] = camera.cameraFromWorld(glm::vec3(seen[i])).z;
     }
   }
-  return inverseZ;
+  return z;
 }
 
-std::vector<DepthEdge> findEdges(const PinholeCamera& camera, const Image<float>& inverseZ,
-                                 const DdocOptions& options) {
+std::vector<DepthEdge> findEdges(const PinholeCamera& camera, const Image<float>& depths, const DdocOptions& options) {
+  Image<float> inverseZ(depths.width(), depths.height(), 0);
+  std::transform(depths.begin(), depths.end(), inverseZ.begin(), [](float z) { return z > 0 ? 1 / z : 0; });
   DepthEdgeOptions edgeOptions;
   // A step counts when the view cell can uncover a pixel behind it.
   edgeOptions.leastInverseZStep = 1 / (camera.focalPixels() * options.cellSideRadii / 2);
@@ -71,9 +74,8 @@ ReferenceImage render(const DdocCamera& camera, const Mesh& mesh, const Subdivis
 
 /// "Do no harm": shrinks the splats that cost samples which the reference view sees. Returns how many it lacks.
 size_t shrinkHarmful(std::vector<DistortionSplat>& splats, const SplatOwners& owners, const Image<glm::vec4>& seen,
-                     const DdocCamera& camera, const Mesh& mesh, const DdocOptions& options) {
+                     const DdocCamera& camera, const ReferenceImage& image, const DdocOptions& options) {
   const PinholeCamera& reference = camera.reference();
-  const ReferenceImage image = render(camera, mesh, options.feedbackSubdivision);
   const Image<SampleState> states = compareFrames(reference, seen, positionImage(reference, imageMesh(image)));
 
   std::vector<int> harm(splats.size());
@@ -137,7 +139,8 @@ DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, con
   // Steps 1 and 2.
   report(progress, "depth edges", 0);
   const Image<glm::vec4> seen = positionImage(reference, mesh);
-  const std::vector<DepthEdge> edges = findEdges(reference, inverseDepths(reference, seen), options);
+  const Image<float> depths = depthsOf(reference, seen);
+  const std::vector<DepthEdge> edges = findEdges(reference, depths, options);
 
   // Steps 3 to 6.
   std::vector<DistortionSplat> splats = makeSplats(edges, reference, options);
@@ -146,9 +149,16 @@ DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, con
   limitBandGrowth(splats, options.steepestBandGrowth);
   owners = claimPixels(splats, seen.width(), seen.height());
   DdocCamera camera(reference, mapOf(splats, owners, options));
+
+  // The first round draws the whole scene, later ones what can show in images that differ from it by less displacement.
+  Mesh part;
   for (int round = 0; round < options.feedbackRounds; ++round) {
     report(progress, "do no harm", static_cast<double>(round) / options.feedbackRounds);
-    if (shrinkHarmful(splats, owners, seen, camera, mesh, options) == 0) {
+    const ReferenceImage image = render(camera, round == 0 ? mesh : part, options.feedbackSubdivision);
+    if (round == 0) {
+      part = visiblePart(mesh, camera, depths, image.z);
+    }
+    if (shrinkHarmful(splats, owners, seen, camera, image, options) == 0) {
       break;
     }
     limitBandGrowth(splats, options.steepestBandGrowth);

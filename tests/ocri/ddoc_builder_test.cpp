@@ -193,5 +193,18 @@ TEST(DdocBuilder, progressRunsToItsEnd) {
   EXPECT_EQ(last, 1);
 }
 
+// A false skin would span the space between box and wall, 1.2 units or 40 pixel footprints wide.
+TEST(DdocBuilder, meshHasNoSkinsAcrossDiscontinuities) {
+  const Mesh scene = test::boxBeforeWall();
+  const PinholeCamera camera = smallCamera();
+  const Mesh mesh = imageMesh(buildDdocImage(buildDdocCamera(camera, scene), scene));
+  ASSERT_GT(mesh.triangles.size(), 1000u);
+  const float threeFootprints = 3 * (10 - kWallZ) / camera.focalPixels();
+  for (const glm::uvec3& t : mesh.triangles) {
+    const glm::vec3 centroid = (mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0f;
+    EXPECT_LT(distanceToBoxOrWall(centroid), threeFootprints);
+  }
+}
+
 }  // namespace
 }  // namespace ocelli
