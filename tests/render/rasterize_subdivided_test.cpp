@@ -183,7 +183,14 @@ TEST(RasterizeSubdivided, absurdCoordinatesDoNoHarm) {
 }
 
 TEST(RasterizeSubdivided, sameBytesWithAnyNumberOfThreads) {
-  const Mesh mesh = test::randomTriangles(5000, 3);
+  // Several blocks of 2048 triangles, each a tenth as large as its corners are apart.
+  Mesh mesh = test::randomTriangles(5000, 3);
+  for (const glm::uvec3& t : mesh.triangles) {
+    const glm::vec3 middle = (mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0f;
+    for (int i = 0; i < 3; ++i) {
+      mesh.positions[t[i]] = middle + (mesh.positions[t[i]] - middle) * 0.1f;
+    }
+  }
   setThreadCount(1);
   const FragmentImage one = rasterize(wavyCamera(), mesh);
   for (const int threads : {2, 8}) {
