@@ -7,10 +7,10 @@ namespace ocelli {
 
 PinholeCamera::PinholeCamera(const View& view, int width, int height) : view_(view), width_(width), height_(height) {
   validate(view, "view");
-  constexpr int kMostPixelsASide = 32768;
-  if (width < 1 || height < 1 || width > kMostPixelsASide || height > kMostPixelsASide) {
+  if (width < 1 || height < 1 || width > kMostPixelsASide || height > kMostPixelsASide ||
+      int64_t{width} * height > kMostPixels) {
     throw InputError("an image of " + std::to_string(width) + "x" + std::to_string(height) + " pixels cannot be made",
-                     "--size", "choose 1 to 32768 pixels a side");
+                     "--size", "choose 1 to 32768 pixels a side, and 2^26 in all (8192x8192)");
   }
   forward_ = glm::normalize(view.target - view.eye);
   right_ = glm::normalize(glm::cross(forward_, view.up));

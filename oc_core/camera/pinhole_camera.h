@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 
 #include "oc_core/camera/camera.h"
@@ -11,7 +12,10 @@ namespace ocelli {
 
 class PinholeCamera {
  public:
-  /// Throws InputError where the view is degenerate or the size is not in [1, 32768] pixels a side.
+  static constexpr int kMostPixelsASide = 32768;
+  static constexpr int64_t kMostPixels = int64_t{1} << 26;  ///< several gigabytes while such an image is made
+
+  /// Throws InputError where the view is degenerate or the size exceeds these limits or is not positive.
   PinholeCamera(const View& view, int width, int height);
 
   int width() const { return width_; }

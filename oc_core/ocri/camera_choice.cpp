@@ -19,7 +19,7 @@ std::string listOfNames() {
 CameraChoice namedCamera(const std::string& name, const std::string& where) {
   CameraChoice choice;
   choice.name = name;
-  if (name == "di" || name == "pinhole") {
+  if (name == "di" || name == "ppc") {
     choice.model = CameraChoice::Model::kDepthImage;
   } else if (name == "ddoc") {
     choice.model = CameraChoice::Model::kDdoc;
@@ -67,7 +67,7 @@ ReferenceImage finished(ReferenceImage image, const CameraChoice& choice) {
 
 const std::vector<CameraName>& cameraNames() {
   static const std::vector<CameraName> names{
-      {"di", "depth image of the planar pinhole"},
+      {"di", "depth image of the planar pinhole camera (ppc is the same)"},
       {"ddoc", "depth discontinuity occlusion camera, radii from the view cell"},
       {"ddoc-constant", "the same as the dissertation has it, with a constant radius of 15 pixels"},
   };

@@ -23,8 +23,8 @@ namespace {
 constexpr int kFormat = 1;
 constexpr const char* kAttribute = "ocelli";
 constexpr std::array<const char*, 6> kChannels{"R", "G", "B", "Z", "offset.u", "offset.v"};
-constexpr int kMostPixelsASide = 32768;
-constexpr int64_t kMostPixels = int64_t{1} << 27;
+constexpr int kMostPixelsASide = PinholeCamera::kMostPixelsASide;
+constexpr int64_t kMostPixels = PinholeCamera::kMostPixels;
 constexpr int64_t kMostCompression = 1032;  ///< the most that deflate can do
 constexpr const char* kNext = "build it again with `ocelli ocri build`";
 
@@ -142,7 +142,7 @@ void readHeader(const Imf::Header& header, size_t fileBytes, const std::string& 
   const int64_t height = int64_t{window.max.y} - window.min.y + 1;
   if (window.min.x != 0 || window.min.y != 0 || width < 1 || height < 1 || width > kMostPixelsASide ||
       height > kMostPixelsASide || width * height > kMostPixels) {
-    throw InputError("its data window is not that of a reference image of at most 2^27 pixels", where, kNext);
+    throw InputError("its data window is not that of a reference image of at most 2^26 pixels", where, kNext);
   }
   const auto* attribute = header.findTypedAttribute<Imf::StringAttribute>(kAttribute);
   if (attribute == nullptr) {

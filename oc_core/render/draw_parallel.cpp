@@ -11,7 +11,11 @@ FragmentImage drawParallel(int width, int height, size_t triangleCount,
                            const std::function<void(VisibilityBuffer&, size_t, size_t)>& draw) {
   constexpr size_t kBlock = 2048;
   const size_t blocks = (triangleCount + kBlock - 1) / kBlock;
-  const size_t workers = std::max<size_t>(std::min(blocks, static_cast<size_t>(threadCount())), 1);
+  // Many threads must not take more memory for their buffers than a machine has.
+  constexpr size_t kMostBufferPixels = size_t{1} << 28;
+  const size_t fitting =
+      kMostBufferPixels / std::max<size_t>(static_cast<size_t>(width) * static_cast<size_t>(height), 1);
+  const size_t workers = std::max<size_t>(std::min({blocks, static_cast<size_t>(threadCount()), fitting}), 1);
   std::vector<std::unique_ptr<VisibilityBuffer>> buffers(workers);
   std::atomic<size_t> nextBlock{0};
   parallelChunks(workers, workers, [&](size_t worker, size_t, size_t) {

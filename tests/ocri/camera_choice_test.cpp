@@ -50,7 +50,7 @@ TEST(CameraChoice, everyNameBuildsItsImage) {
 
 TEST(CameraChoice, namesStandForTheirOptions) {
   EXPECT_EQ(cameraChoice("di").model, CameraChoice::Model::kDepthImage);
-  EXPECT_EQ(cameraChoice("pinhole").model, CameraChoice::Model::kDepthImage);
+  EXPECT_EQ(cameraChoice("ppc").model, CameraChoice::Model::kDepthImage);
   EXPECT_EQ(cameraChoice("ddoc").model, CameraChoice::Model::kDdoc);
   EXPECT_EQ(cameraChoice("ddoc").ddoc.radius, DdocOptions::Radius::kViewCell);
   EXPECT_EQ(cameraChoice("ddoc-constant").model, CameraChoice::Model::kDdoc);

@@ -52,7 +52,7 @@ TEST(CameraSchema, camerasWithoutOptionsTakeOnlyWhatItSays) {
 }
 
 TEST(CameraSchema, namesAreThoseOfTheList) {
-  std::set<std::string> listed{"pinhole"};  // another word for di
+  std::set<std::string> listed{"ppc"};  // another word for di
   for (const CameraName& camera : cameraNames()) {
     listed.insert(camera.name);
   }

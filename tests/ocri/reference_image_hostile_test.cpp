@@ -204,8 +204,8 @@ TEST(ReferenceImageHostile, promisesOfHugeImagesTakeNoMemory) {
                              {-2147483647, -2147483647}}) {
     EXPECT_THAT(errorOf(withDataWindow(good, x, y)), HasSubstr("data window")) << x << " " << y;
   }
-  // 2^27 pixels are allowed; 3 GB for a file of a few kB are not.
-  EXPECT_THAT(errorOf(withDataWindow(good, 32767, 4095)), HasSubstr("too short"));
+  // 2^26 pixels are allowed; 1.6 GB for a file of a few kB are not.
+  EXPECT_THAT(errorOf(withDataWindow(good, 32767, 2047)), HasSubstr("too short"));
 }
 
 }  // namespace
