@@ -12,7 +12,9 @@ namespace ocelli {
 /// ones.
 double windingNumber(const Mesh& mesh, const glm::vec3& point);
 
-/// Throws InputError where `eye` lies inside a closed object, so that a view from there shows its inside only.
+/// Throws InputError where `eye` lies inside a closed object, so that a view from there shows its inside only. An
+/// object is what shares vertices, or the mesh as a whole. Costs nothing to speak of for an eye out of the mesh's
+/// bounds.
 void requireOutside(const Mesh& mesh, const glm::vec3& eye, const std::string& where);
 
 }  // namespace ocelli
