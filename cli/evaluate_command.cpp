@@ -8,6 +8,7 @@
 #include "display_sim/display_profile.h"
 #include "display_sim/slicer.h"
 #include "oc_core/base/file_bytes.h"
+#include "oc_core/base/output_file.h"
 #include "oc_core/ocri/evaluation.h"
 
 namespace ocelli {
@@ -26,6 +27,10 @@ struct EvaluateChoice {
 };
 
 void runEvaluate(const EvaluateChoice& choice, const Frame& frame) {
+  const bool toFile = !choice.json.empty() && choice.json != "-";
+  if (toFile) {
+    checkWritable(choice.json);
+  }
   std::vector<CameraChoice> cameras;
   for (const std::string& name : choice.cameras) {
     cameras.push_back(cameraChoice(name));
@@ -52,7 +57,7 @@ void runEvaluate(const EvaluateChoice& choice, const Frame& frame) {
     return;
   }
   frame.print(evaluationTable(figures));
-  if (!choice.json.empty()) {
+  if (toFile) {
     writeFile(choice.json, json);
   }
 }

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
+#include "cli/output_option.h"
 #include "cli/values.h"
 #include "display_sim/observer.h"
 #include "display_sim/svol_file.h"
@@ -57,7 +58,7 @@ void addObserveCommand(CLI::App& program, const Frame& frame) {
   command.add_option("--gain", choice->options.gain, "Factor on the light; 0 chooses one for the picture")
       ->type_name("FACTOR");
   command.add_option("--gamma", choice->options.gamma, "Exponent 1/GAMMA on the light")->type_name("GAMMA");
-  command.add_option("-o,--output", choice->output, "Where the picture goes")->required()->type_name("FILE.png");
+  addOutputOption(command, choice->output, "Where the picture goes", {".png"});
   frame.finish(command,
                "  ocelli observe teapot.svol -o teapot.png\n"
                "  ocelli observe teapot.svol --eye 0,4,9 --exposure 1/25 --missing-sector 30 -o teapot.png",

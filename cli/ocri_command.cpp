@@ -3,8 +3,10 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
+#include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
+#include "oc_core/base/output_file.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/ocri/reference_image_file.h"
@@ -28,11 +30,12 @@ void addBuild(CLI::App& ocri, const Frame& frame) {
   addCameraOption(command, choice->camera);
   addViewOption(command, choice->view);
   addSizeOption(command, choice->size);
-  command.add_option("-o,--output", choice->output, "Where the image goes")->required()->type_name("FILE.exr");
+  addOutputOption(command, choice->output, "Where the image goes", {".exr"});
   frame.finish(command,
                "  ocelli ocri build builtin:statues -o statues.exr\n"
                "  ocelli ocri build bunny.obj --camera di --size 180x120 -o bunny.exr",
                [choice, frame] {
+                 checkWritable(choice->output);
                  const CameraChoice camera = cameraChoice(choice->camera);
                  const ImageSize size = imageSizeFromText(choice->size, "--size");
                  const PinholeCamera reference(readViewOption(choice->view), size.width, size.height);
@@ -52,7 +55,7 @@ void addMesh(CLI::App& ocri, const Frame& frame) {
   };
   const auto choice = std::make_shared<Choice>();
   command.add_option("IMAGE", choice->input, "A reference image (.exr)")->required();
-  command.add_option("-o,--output", choice->output, "Where the mesh goes")->required()->type_name("FILE.ply");
+  addOutputOption(command, choice->output, "Where the mesh goes", {".ply"});
   frame.finish(command, "  ocelli ocri mesh statues.exr -o statues.ply", [choice, frame] {
     const Mesh mesh = imageMesh(readReferenceImage(choice->input));
     writePly(choice->output, mesh);

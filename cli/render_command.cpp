@@ -3,8 +3,10 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
+#include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
+#include "oc_core/base/output_file.h"
 #include "oc_core/base/png_file.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/reference_image_file.h"
@@ -22,6 +24,7 @@ struct RenderChoice {
 };
 
 void render(const RenderChoice& choice, const Frame& frame) {
+  checkWritable(choice.output);
   const CameraChoice camera = cameraChoice(choice.camera);
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   const PinholeCamera reference(readViewOption(choice.view), size.width, size.height);
@@ -49,12 +52,8 @@ void addRenderCommand(CLI::App& program, const Frame& frame) {
       ->type_name("NAME");
   addViewOption(command, choice->view);
   addSizeOption(command, choice->size);
-  command.add_option("-o,--output", choice->output, "Where the image goes: PNG, or EXR with depth and offsets")
-      ->required()
-      ->check([](const std::string& path) {
-        return path.ends_with(".png") || path.ends_with(".exr") ? "" : "the output must end in .png or .exr";
-      })
-      ->type_name("FILE");
+  addOutputOption(command, choice->output, "Where the image goes: PNG, or EXR with depth and offsets",
+                  {".png", ".exr"});
   frame.finish(command,
                "  ocelli render builtin:teapot -o teapot.png\n"
                "  ocelli render builtin:statues --camera ddoc --size 1440x960 -o statues.png\n"

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
+#include "cli/output_option.h"
 #include "cli/scene_options.h"
+#include "oc_core/base/output_file.h"
 #include "oc_core/scene/builtin_scenes.h"
 #include "oc_core/scene/ply_file.h"
 
@@ -103,10 +105,9 @@ void addExport(CLI::App& parent, const Frame& frame) {
   const auto scene = std::make_shared<SceneChoice>();
   const auto path = std::make_shared<std::string>();
   addSceneOptions(command, *scene);
-  command.add_option("-o,--output", *path, "The mesh, as binary PLY with vertex colours")
-      ->required()
-      ->type_name("FILE.ply");
+  addOutputOption(command, *path, "The mesh, as binary PLY with vertex colours", {".ply"});
   frame.finish(command, "  ocelli scene export builtin:statues,triangles=4600000 -o statues.ply", [scene, path, frame] {
+    checkWritable(*path);
     const Mesh mesh = loadScene(scene->source, scene->options, frame.progress());
     writePly(*path, mesh);
     frame.note(fmt::format("wrote {} ({} triangles)", *path, mesh.triangles.size()));

@@ -8,9 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
+#include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "display_sim/slicer.h"
 #include "display_sim/svol_file.h"
+#include "oc_core/base/output_file.h"
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/ocri/reference_image_file.h"
 
@@ -38,6 +40,7 @@ bool liesWithin(const Mesh& mesh, const DisplayProfile& profile) {
 }
 
 void run(const SliceChoice& choice, const Frame& frame) {
+  checkWritable(choice.output);
   const DisplayProfile profile = loadProfile(choice.profile);
   const Mesh mesh = loadMesh(choice.scene, frame.progress());
   const auto start = std::chrono::steady_clock::now();
@@ -72,7 +75,7 @@ void addSliceCommand(CLI::App& program, const Frame& frame) {
       ->type_name("NAME|FILE.json");
   command.add_flag("--undithered", choice->undithered, "Light a channel wherever it has any light at all");
   command.add_flag("--json", choice->json, "Print the figures as JSON");
-  command.add_option("-o,--output", choice->output, "Where the volume goes")->required()->type_name("FILE.svol");
+  addOutputOption(command, choice->output, "Where the volume goes", {".svol"});
   frame.finish(command,
                "  ocelli slice builtin:teapot -o teapot.svol\n"
                "  ocelli slice statues.exr --profile perspecta-99 -o statues.svol\n"

@@ -12,7 +12,7 @@ struct ImageSize {
 };
 
 /// Each of these throws InputError, naming `option`, for anything but the whole text being such a value.
-/// "WIDTHxHEIGHT", each in [1, 32768].
+/// "WIDTHxHEIGHT", each in [1, 32768], of at most 2^26 pixels.
 ImageSize imageSizeFromText(const std::string& text, const std::string& option);
 /// "X,Y,Z", finite.
 glm::vec3 pointFromText(const std::string& text, const std::string& option);

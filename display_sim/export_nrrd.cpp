@@ -5,7 +5,7 @@
 #include <array>
 #include <string>
 
-#include "display_sim/output_file.h"
+#include "oc_core/base/output_file.h"
 
 namespace ocelli {
 namespace {

@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <string>
 
-#include "display_sim/output_file.h"
 #include "display_sim/sweep_geometry.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/output_file.h"
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "display_sim/display_profile.h"
-#include "display_sim/output_file.h"
 #include "display_sim/volume.h"
+#include "oc_core/base/output_file.h"
 
 namespace ocelli {
 

@@ -5,32 +5,16 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <system_error>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/output_file.h"
 
 namespace ocelli {
 
 void writeFile(const std::filesystem::path& path, std::string_view bytes) {
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  const bool opened = file != nullptr;
-  bool good = opened && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-  int reason = errno;
-  // Closed in any case; a full disk may show itself only here.
-  if (opened && std::fclose(file) != 0 && good) {
-    good = false;
-    reason = errno;
-  }
-  if (good) {
-    return;
-  }
-  std::error_code ignored;
-  // Never a device: root may remove those.
-  if (opened && std::filesystem::is_regular_file(path, ignored)) {
-    std::filesystem::remove(path, ignored);
-  }
-  throw WorkError(std::string("cannot write this file (") + std::strerror(reason) + ")", path.string(),
-                  "check that the folder exists, is writable and has space");
+  OutputFile file(path);
+  file.write(bytes);
+  file.commit();
 }
 
 std::string readFile(const std::filesystem::path& path) {

@@ -7,7 +7,7 @@
 
 namespace ocelli {
 
-/// Writes `bytes` as a file. Throws WorkError where it cannot be written in full; a file cut short does not stay.
+/// Writes `bytes` as a file that appears complete or not at all (output_file.h). Throws WorkError.
 void writeFile(const std::filesystem::path& path, std::string_view bytes);
 
 /// Throws InputError where the file is missing, is a folder or cannot be read.

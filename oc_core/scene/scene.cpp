@@ -1,5 +1,7 @@
 #include "oc_core/scene/scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -87,7 +89,7 @@ glm::mat4 unitFromWorld(const Mesh& mesh, const std::string& where) {
   const glm::vec3 translation(-center * scale);
   if (!std::isfinite(static_cast<float>(scale)) || static_cast<float>(scale) < 1e-30f) {
     throw InputError("the scene is too " + std::string(radius < 1 ? "small" : "large") +
-                         " to be fitted to the unit sphere (radius " + std::to_string(radius) + ")",
+                         " to be fitted to the unit sphere (radius " + fmt::format("{:g}", radius) + ")",
                      where, "rescale the mesh, or repair it if its vertices should not coincide");
   }
   glm::mat4 unit(static_cast<float>(scale));

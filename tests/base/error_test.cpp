@@ -14,6 +14,11 @@ TEST(Error, LeavesOutWhatIsNotKnown) {
   EXPECT_STREQ(WorkError("the disk is full", "", "").what(), "the disk is full");
 }
 
+TEST(Error, ShowsNoControlCharacters) {
+  const std::string keyword("a\0b\x1b[2J", 7);
+  EXPECT_STREQ(InputError("no '" + keyword + "'", "a.ply", "").what(), "a.ply: no 'a?b?[2J'");
+}
+
 TEST(Error, KindsAreDistinct) {
   // Exit codes 2 and 1 hang on it.
   EXPECT_THROW(throw InputError("a", "", ""), InputError);

@@ -79,6 +79,14 @@ TEST_F(DisplayCommands, volumeInfoVerifyAndExport) {
   EXPECT_EQ(readPng(folder_ / "slices/slice_0023.png").width(), 64);
 }
 
+TEST_F(DisplayCommands, aFileOfAnotherKindIsNotOverwritten) {
+  folder_.write("mesh.stl", "mine");
+  const ProgramResult result = runProgram("slice builtin:box --profile test -o " + quoted("mesh.stl"));
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_THAT(result.error, AllOf(HasSubstr("mesh.stl"), HasSubstr(".svol")));
+  EXPECT_EQ(fileBytes(folder_ / "mesh.stl"), "mine");
+}
+
 TEST_F(DisplayCommands, exitCodesTellWhoseFaultItIs) {
   std::string bytes = fileBytes(folder_ / "a.svol");
   bytes[bytes.size() / 2] ^= 1;

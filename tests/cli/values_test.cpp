@@ -17,7 +17,7 @@ TEST(ImageSizeFromText, ReadsWidthAndHeight) {
 
 TEST(ImageSizeFromText, RejectsEverythingElse) {
   for (const char* text : {"", "720", "720x", "x480", "720x480x3", "0x480", "720x-1", "32769x1", "1x99999999999",
-                           "a x b", "720X480", " 720x480", "720x480 ", "7.5x4"}) {
+                           "a x b", "720X480", " 720x480", "720x480 ", "7.5x4", "8193x8192", "32768x32768"}) {
     EXPECT_THROW(imageSizeFromText(text, "--size"), InputError) << text;
   }
 }

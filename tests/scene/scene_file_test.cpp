@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <ostream>
 
 #include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
@@ -130,6 +131,11 @@ struct BadFile {
   std::string bytes;
   std::string message;
 };
+
+// The parameter as tests are listed with it: without this, as raw bytes.
+void PrintTo(const BadFile& file, std::ostream* out) {
+  *out << file.name;
+}
 
 class LoadBadScene : public testing::TestWithParam<BadFile> {};
 

@@ -1,7 +1,6 @@
 // A file that appears under its name only when it is complete.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -12,8 +11,8 @@
 namespace ocelli {
 
 /// Writes to `PATH.partial` and renames it on commit(); until then a file at `path` stays as it was, and without
-/// commit() nothing is left. A path that is no regular file (a pipe, a device) is written directly. Every failure is a
-/// WorkError.
+/// commit() nothing is left. A link stays one, and what it names is replaced. A path that is no regular file (a pipe, a
+/// device) is written directly. Every failure is a WorkError.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);
@@ -29,11 +28,15 @@ class OutputFile {
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
-  [[noreturn]] void fail() const;
+  [[noreturn]] void fail(int reason) const;
 
-  std::filesystem::path path_;
-  std::filesystem::path writtenPath_;
+  std::filesystem::path path_;     ///< as the user wrote it
+  std::filesystem::path target_;   ///< where that leads
+  std::filesystem::path written_;  ///< a temporary name, or target_ itself
   std::unique_ptr<std::FILE, Close> file_;
 };
+
+/// Throws now what OutputFile(path) would throw: for before long work. Leaves no trace.
+void checkWritable(const std::filesystem::path& path);
 
 }  // namespace ocelli

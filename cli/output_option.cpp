@@ -1,0 +1,26 @@
+#include "cli/output_option.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+namespace ocelli {
+
+void addOutputOption(CLI::App& command, std::string& path, const std::string& help,
+                     const std::vector<std::string>& endings) {
+  std::string type;
+  std::string wanted;
+  for (const std::string& ending : endings) {
+    type += (type.empty() ? "FILE" : "|FILE") + ending;
+    wanted += (wanted.empty() ? "" : " or ") + ending;
+  }
+  command.add_option("-o,--output", path, help)
+      ->required()
+      ->check([endings, wanted](const std::string& given) {
+        const bool fits = given.starts_with("/dev/") ||
+                          std::ranges::any_of(endings, [&](const auto& ending) { return given.ends_with(ending); });
+        return fits ? std::string() : "\"" + given + "\" does not end in " + wanted;
+      })
+      ->type_name(type);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,18 @@
+// The option -o of every command that writes one file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace ocelli {
+
+/// Adds the required -o,--output. A path must end in one of `endings` (".png"), so that no file of another kind is
+/// overwritten by mistake; what lies below /dev may have any name. Call checkWritable() with it before long work.
+void addOutputOption(CLI::App& command, std::string& path, const std::string& help,
+                     const std::vector<std::string>& endings);
+
+}  // namespace ocelli
