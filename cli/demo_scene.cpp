@@ -35,7 +35,7 @@ struct Representation {
 
 class DemoFolder {
  public:
-  DemoFolder(const std::filesystem::path& folder, std::string name) : folder_(folder), name_(std::move(name)) {
+  DemoFolder(std::filesystem::path folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {
     std::error_code error;
     std::filesystem::create_directories(folder_ / name_, error);
     if (error) {

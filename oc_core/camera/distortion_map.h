@@ -50,12 +50,12 @@ class DistortionMap {
 };
 
 inline DistortionSample DistortionMap::at(float u, float v) const {
-  const float lastX = static_cast<float>(samples_.width() - 1);
-  const float lastY = static_cast<float>(samples_.height() - 1);
+  const auto lastX = static_cast<float>(samples_.width() - 1);
+  const auto lastY = static_cast<float>(samples_.height() - 1);
   const float x = std::clamp(u - 0.5f, 0.0f, lastX);
   const float y = std::clamp(v - 0.5f, 0.0f, lastY);
   if (lookup_ == Lookup::kNearest) {
-    return samples_(static_cast<int>(x + 0.5f), static_cast<int>(y + 0.5f));
+    return samples_(static_cast<int>(std::floor(x + 0.5f)), static_cast<int>(std::floor(y + 0.5f)));
   }
   const int x0 = static_cast<int>(x);
   const int y0 = static_cast<int>(y);

@@ -162,9 +162,9 @@ DistortionMap smoothMap(const DistortionMap& map, float sigmaPixels) {
   const int width = map.samples().width();
   const int height = map.samples().height();
   const int reach = static_cast<int>(std::ceil(2.5f * sigmaPixels));
-  std::vector<float> kernel;
+  Image<float> kernel(2 * reach + 1, 1);
   for (int i = -reach; i <= reach; ++i) {
-    kernel.push_back(std::exp(-0.5f * static_cast<float>(i * i) / (sigmaPixels * sigmaPixels)));
+    kernel(i + reach, 0) = std::exp(-0.5f * static_cast<float>(i * i) / (sigmaPixels * sigmaPixels));
   }
   struct Sums {
     glm::vec2 displacement{0};
@@ -188,8 +188,7 @@ DistortionMap smoothMap(const DistortionMap& map, float sigmaPixels) {
         for (int i = std::max(-reach, -x); i <= std::min(reach, width - 1 - x); ++i) {
           const DistortionSample& s = map.samples()(x + i, y);
           const float has = s.inverseNear > s.inverseFar ? 1.0f : 0.0f;
-          add(rows(x, y), {s.displacement, 1, s.inverseNear * has, s.inverseFar * has, has},
-              kernel[static_cast<size_t>(i + reach)]);
+          add(rows(x, y), {s.displacement, 1, s.inverseNear * has, s.inverseFar * has, has}, kernel(i + reach, 0));
         }
       }
     }
@@ -201,7 +200,7 @@ DistortionMap smoothMap(const DistortionMap& map, float sigmaPixels) {
       for (int x = 0; x < width; ++x) {
         Sums sums;
         for (int i = std::max(-reach, -y); i <= std::min(reach, height - 1 - y); ++i) {
-          add(sums, rows(x, y + i), kernel[static_cast<size_t>(i + reach)]);
+          add(sums, rows(x, y + i), kernel(i + reach, 0));
         }
         if (sums.depthWeight > 1e-6f) {
           smooth.samples()(x, y) = {sums.displacement / sums.weight, sums.inverseNear / sums.depthWeight,

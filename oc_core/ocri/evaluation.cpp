@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "oc_core/base/json_fields.h"
@@ -73,10 +74,8 @@ std::vector<RepresentationFigures> evaluate(const Mesh& mesh, const std::vector<
     return figures;
   };
 
-  std::vector<RepresentationFigures> rows;
-  for (const CameraChoice& choice : choices) {
-    rows.push_back(measure(choice));
-  }
+  std::vector<RepresentationFigures> rows(choices.size());
+  std::transform(choices.begin(), choices.end(), rows.begin(), measure);
   // The ratios need the depth image, whether or not it was asked for.
   const Mesh depthMesh = imageMesh(buildDepthImage(reference, mesh));
   const MissingSamples depth = missingFrom(depthMesh, edges);
