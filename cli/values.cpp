@@ -1,5 +1,6 @@
 #include "cli/values.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -8,12 +9,10 @@
 
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
+#include "oc_core/camera/pinhole_camera.h"
 
 namespace ocelli {
 namespace {
-
-constexpr int kMostPixelsASide = 32768;
-constexpr int64_t kMostPixels = int64_t{1} << 26;  // some 50 bytes each while an image is drawn
 
 [[noreturn]] void fail(const std::string& option, const std::string& text, const std::string& form,
                        const std::string& example) {
@@ -43,10 +42,10 @@ std::vector<T> numbersFromText(std::string_view text, char separator) {
 
 ImageSize imageSizeFromText(const std::string& text, const std::string& option) {
   const std::vector<int> sides = numbersFromText<int>(text, 'x');
-  if (sides.size() != 2 || sides[0] < 1 || sides[1] < 1 || sides[0] > kMostPixelsASide || sides[1] > kMostPixelsASide) {
+  if (sides.size() != 2 || sides[0] < 1 || sides[1] < 1 || std::ranges::max(sides) > PinholeCamera::kMostPixelsASide) {
     fail(option, text, "a size in pixels, WIDTHxHEIGHT, each from 1 to 32768", "720x480");
   }
-  if (int64_t{sides[0]} * sides[1] > kMostPixels) {
+  if (int64_t{sides[0]} * sides[1] > PinholeCamera::kMostPixels) {
     throw InputError("\"" + text + "\" has more than 2^26 pixels", option, option + " 8192x8192, or less");
   }
   return {sides[0], sides[1]};
