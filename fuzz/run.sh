@@ -10,5 +10,5 @@ cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_
 cmake --build "$build" --target svol_fuzzer
 mkdir -p "$build/svol_found"
 cd "$build"
-fuzz/svol_fuzzer -max_total_time="$seconds" -max_len=4096 -rss_limit_mb=4096 -timeout=10 -print_final_stats=1 \
+fuzz/svol_fuzzer -max_total_time="$seconds" -max_len=4096 -rss_limit_mb=4096 -timeout=10 -verbosity=0 -print_final_stats=1 \
   svol_found "$root/tests/display_sim/corpus"

@@ -8,7 +8,6 @@
 #include "display_sim/export_nrrd.h"
 #include "display_sim/export_png.h"
 #include "display_sim/export_vti.h"
-#include "display_sim/slicer.h"
 #include "display_sim/sweep_geometry.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
@@ -21,16 +20,9 @@ namespace ocelli {
 namespace {
 
 using test::bytesOf;
+using test::coloredTorus;
 using test::smallProfile;
 using test::TemporaryFolder;
-
-Volume coloredTorus(const DisplayProfile& profile) {
-  Mesh mesh = test::torus(0.6, 0.3, 40, 30);
-  for (const glm::vec3& p : mesh.positions) {
-    mesh.colors.push_back(glm::abs(p));
-  }
-  return slice(mesh, profile);
-}
 
 TEST(ExportPng, holdsEverySliceAsTheConventionSays) {
   const TemporaryFolder folder;

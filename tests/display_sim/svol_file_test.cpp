@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-#include "display_sim/slicer.h"
 #include "display_sim/svol_format.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
@@ -17,17 +16,10 @@ namespace ocelli {
 namespace {
 
 using test::bytesOf;
+using test::coloredTorus;
 using test::smallProfile;
 using test::TemporaryFolder;
 using ::testing::HasSubstr;
-
-Volume coloredTorus(const DisplayProfile& profile) {
-  Mesh mesh = test::torus(0.6, 0.3, 40, 30);
-  for (const glm::vec3& p : mesh.positions) {
-    mesh.colors.push_back(glm::abs(p));
-  }
-  return slice(mesh, profile);
-}
 
 TEST(SvolFile, readsBackWhatWasWritten) {
   const TemporaryFolder folder;

@@ -1,10 +1,12 @@
-// Meshes made by code for the tests of this room.
+// Meshes and volumes made by code for the tests of this room.
 #pragma once
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "display_sim/slicer.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/scene/mesh.h"
 
@@ -100,5 +102,14 @@ class PointSource {
  private:
   std::mt19937 engine_;
 };
+
+/// A sliced ring with a colour of its own at every point.
+inline Volume coloredTorus(const DisplayProfile& profile) {
+  Mesh mesh = torus(0.6, 0.3, 40, 30);
+  for (const glm::vec3& p : mesh.positions) {
+    mesh.colors.push_back(glm::abs(p));
+  }
+  return slice(mesh, profile);
+}
 
 }  // namespace ocelli::test
