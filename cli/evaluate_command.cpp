@@ -31,10 +31,6 @@ void runEvaluate(const EvaluateChoice& choice, const Frame& frame) {
   if (toFile) {
     checkWritable(choice.json);
   }
-  std::vector<CameraChoice> cameras;
-  for (const std::string& name : choice.cameras) {
-    cameras.push_back(cameraChoice(name));
-  }
   EvaluationOptions options;
   options.view = readViewOption(choice.view);
   const ImageSize size = imageSizeFromText(choice.size, "--size");
@@ -43,8 +39,9 @@ void runEvaluate(const EvaluateChoice& choice, const Frame& frame) {
   options.cell.sideRadii = cellSideFromText(choice.cell, "--cell");
   options.interiorViews = choice.interiorViews;
   options.seed = choice.seed;
-  for (CameraChoice& camera : cameras) {
-    camera.ddoc.cellSideRadii = options.cell.sideRadii;
+  std::vector<CameraChoice> cameras;
+  for (const std::string& name : choice.cameras) {
+    cameras.push_back(cameraChoice(name, options.cell.sideRadii));
   }
   const DisplayProfile profile = loadProfile(choice.profile);
   options.slice = [&profile](const Mesh& mesh) { slice(mesh, profile); };

@@ -74,13 +74,16 @@ const std::vector<CameraName>& cameraNames() {
   return names;
 }
 
-CameraChoice cameraChoice(const std::string& nameOrFile) {
+CameraChoice cameraChoice(const std::string& nameOrFile, float cellSideRadii) {
   if (!nameOrFile.ends_with(".json")) {
-    return namedCamera(nameOrFile, "--camera");
+    CameraChoice choice = namedCamera(nameOrFile, "--camera");
+    choice.ddoc.cellSideRadii = cellSideRadii;
+    return choice;
   }
   const nlohmann::json json = readJsonFile(nameOrFile);
   JsonFields fields(json, nameOrFile);
   CameraChoice choice = namedCamera(fields.text("camera"), nameOrFile + ", field \"camera\"");
+  choice.ddoc.cellSideRadii = cellSideRadii;
   choice.name = fields.text("name", choice.name);
   if (choice.model == CameraChoice::Model::kDdoc) {
     readDdocOptions(fields, choice.ddoc);

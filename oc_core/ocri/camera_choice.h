@@ -26,8 +26,9 @@ struct CameraName {
 /// The names that cameraChoice() knows.
 const std::vector<CameraName>& cameraNames();
 
-/// Throws InputError for an unknown name, and for a file that is wrong.
-CameraChoice cameraChoice(const std::string& nameOrFile);
+/// A camera that is built for a view cell takes the one with sides of `cellSideRadii` (display radii), unless its file
+/// sets another. Throws InputError for an unknown name, and for a file that is wrong.
+CameraChoice cameraChoice(const std::string& nameOrFile, float cellSideRadii = DdocOptions{}.cellSideRadii);
 
 /// Throws InputError where the eye lies inside an object, or the view sees nothing of the scene.
 ReferenceImage buildReferenceImage(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,

@@ -2,13 +2,18 @@
 // reference image.
 //
 // Two variants. `DdocOptions::paper()` does what the text says: a constant splat radius D, the nearest sample of the
-// map. The default goes further: DEVIATION: the hidden band of an edge is as wide as the view cell can uncover, f *
-// support(n) * (1/zn - 1/zf), and the
-//   visible band that makes room for it may be narrower than that, which squeezes it harder. The text's D fits no edge.
+// map. The default goes further:
+//
+// DEVIATION: the hidden band of an edge is as wide as the view cell can uncover, f * support(n) * (1/zn - 1/zf). The
+// visible band that makes room for it may be narrower, which squeezes it harder. The text's D fits no edge.
+//
 // DEVIATION: only splats that face each other conflict (step 4): behind a thin occluder two splats share what it hides.
+//
+// DEVIATION: the bands change gradually along a silhouette: neighbours of different width tear the image.
+//
 // DEVIATION: "do no harm": edges that bury samples the reference view sees are shrunk, for some rounds.
-// DEVIATION: the field is smoothed and looked up bilinearly, so that it neither folds nor tears at the borders of
-// splats.
+//
+// DEVIATION: the field is smoothed and looked up bilinearly, so that it folds and tears less at the borders of splats.
 #pragma once
 
 #include "oc_core/base/progress.h"
@@ -49,6 +54,8 @@ struct DdocOptions {
   static DdocOptions paper(float constantRadiusPixels = 15);
 };
 
+/// `mesh` is in the coordinates of the view of `reference`. Throws nothing of its own: a view that sees nothing gives a
+/// camera that displaces nothing.
 DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options = {},
                            const Progress& progress = {});
 

@@ -69,6 +69,16 @@ TEST(CameraChoice, unknownNamesListTheKnownOnes) {
   EXPECT_THAT(errorOf([] { cameraChoice("no_such_file.json"); }), HasSubstr("no_such_file.json"));
 }
 
+TEST(CameraChoice, cellIsTheCallersUnlessTheFileSetsIt) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(cameraChoice("ddoc").ddoc.cellSideRadii, DdocOptions{}.cellSideRadii);
+  EXPECT_EQ(cameraChoice("ddoc", 0.8f).ddoc.cellSideRadii, 0.8f);
+  EXPECT_EQ(cameraChoice(folder.write("plain.json", R"({"camera": "ddoc"})"), 0.8f).ddoc.cellSideRadii, 0.8f);
+  EXPECT_EQ(
+      cameraChoice(folder.write("own.json", R"({"camera": "ddoc", "cell_side_radii": 2})"), 0.8f).ddoc.cellSideRadii,
+      2.0f);
+}
+
 TEST(CameraChoice, fileSetsNameAndOptions) {
   const CameraChoice choice = fromJson(
       R"({"camera": "ddoc", "name": "gentle", "cell_side_radii": 0.8, "feedback_rounds": 3, "longest_edge_pixels": 2})");
