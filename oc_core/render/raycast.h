@@ -20,6 +20,8 @@ class RayScene {
 
   /// The first triangle that the polyline meets, with its barycentric weights; `z` is left 0.
   Fragment intersect(const RayPath& path) const;
+  /// Whether a point of the surface lies within `reach` of `point`.
+  bool hasSurfaceNear(const glm::vec3& point, float reach) const;
 
  private:
   struct Impl;
