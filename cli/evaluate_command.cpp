@@ -9,7 +9,8 @@
 #include "display_sim/slicer.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/output_file.h"
-#include "oc_core/ocri/evaluation.h"
+#include "oc_core/evaluation/evaluation_json.h"
+#include "oc_core/evaluation/evaluation_table.h"
 
 namespace ocelli {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "oc_core/evaluation/error_picture.h"
 #include "oc_core/evaluation/truth_frames.h"
-#include "oc_core/ocri/image_mesh.h"
+#include "oc_core/ocri/union_mesh.h"
 #include "oc_core/scene/winding_number.h"
 
 namespace ocelli {
@@ -23,15 +23,6 @@ double milliseconds(const std::function<void()>& work) {
 
 double ratio(double value, double reference) {
   return reference > 0 ? value / reference : 0;
-}
-
-MadeRepresentation makeRepresentation(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& scene,
-                                      const Progress& progress) {
-  MadeRepresentation made;
-  made.buildMilliseconds =
-      milliseconds([&] { made.images.push_back(buildReferenceImage(choice, reference, scene, progress)); });
-  made.meshMilliseconds = milliseconds([&] { made.mesh = imageMesh(made.images.front()); });
-  return made;
 }
 
 /// Frames [first, last) of the truth belong together.
@@ -95,9 +86,9 @@ struct Evaluator::Impl {
         truth(mesh, camerasOf(viewpoints.views, given.width, given.height)),
         surface(mesh) {
     for (const View& view : viewpoints.views) {
-      requireOutside(scene, view.eye,
-                     fmt::format("viewpoint ({:.3g}, {:.3g}, {:.3g}) of the view cell", view.eye.x, view.eye.y,
-                                 view.eye.z));
+      requireOutside(
+          scene, view.eye,
+          fmt::format("viewpoint ({:.3g}, {:.3g}, {:.3g}) of the view cell", view.eye.x, view.eye.y, view.eye.z));
     }
   }
 
@@ -116,8 +107,7 @@ struct Evaluator::Impl {
           report(progress_, name_, static_cast<double>(done_++) / static_cast<double>(errors_.size()));
           const std::shared_ptr<const ViewFrame> truth = impl_.truth.frame(i);
           const ViewFrame frame = renderFrame(impl_.truth.camera(i), mesh_);
-          errors_[i] =
-              countErrors(compareViewFrames(impl_.truth.camera(i), *truth, frame, impl_.surface), frame);
+          errors_[i] = countErrors(compareViewFrames(impl_.truth.camera(i), *truth, frame, impl_.surface), frame);
           if (pictures) {
             addPictureErrors(*errors_[i], *truth, frame);
           }
@@ -139,11 +129,11 @@ struct Evaluator::Impl {
   /// The ratios need the depth image, whether or not it is among what is measured.
   const MissingSamples& missingFromDepthImage() {
     if (!depthImage) {
-      const Mesh mesh = imageMesh(buildDepthImage(reference(), scene));
+      const Mesh mesh = unionMesh({buildDepthImage(reference(), scene)});
       MissingSamples missing;
       for (size_t i = viewpoints.edges.first; i < viewpoints.edges.last; ++i) {
-        missing += countMissing(
-            compareFrames(truth.camera(i), truth.frame(i)->points, positionImage(truth.camera(i), mesh)));
+        missing +=
+            countMissing(compareFrames(truth.camera(i), truth.frame(i)->points, positionImage(truth.camera(i), mesh)));
       }
       depthImage = missing;
     }
@@ -165,36 +155,40 @@ Evaluator::~Evaluator() = default;
 
 RepresentationFigures Evaluator::measure(const CameraChoice& choice, const Progress& progress) {
   return measure(
-      choice.name, [&] { return makeRepresentation(choice, impl_->reference(), impl_->scene, progress); }, progress);
+      choice.name,
+      [&](RepresentationTimes& times) {
+        return buildRepresentation(choice, impl_->reference(), impl_->scene, progress, &times);
+      },
+      progress);
 }
 
-RepresentationFigures Evaluator::measure(const std::string& name, const std::function<MadeRepresentation()>& make,
+RepresentationFigures Evaluator::measure(const std::string& name, const MakeRepresentation& make,
                                          const Progress& progress) {
   const EvaluationOptions& options = impl_->options;
   RepresentationFigures figures;
   figures.name = name;
-  MadeRepresentation made;
+  Representation made;
   for (int run = 0; run < std::max(options.runs, 1); ++run) {
     report(progress, name, 0);
-    made = make();
+    RepresentationTimes times;
+    made = make(times);
     const bool first = run == 0;
-    takeBest(figures.buildMilliseconds, made.buildMilliseconds, first);
-    takeBest(figures.meshMilliseconds, made.meshMilliseconds, first);
+    takeBest(figures.buildMilliseconds, times.buildMilliseconds, first);
+    takeBest(figures.meshMilliseconds, times.meshMilliseconds, first);
     // No representation reuses anything of an earlier one yet, so a changed scene costs as much as a new one.
-    takeBest(figures.updateMilliseconds, made.buildMilliseconds + made.meshMilliseconds, first);
+    takeBest(figures.updateMilliseconds, times.buildMilliseconds + times.meshMilliseconds, first);
     if (options.slice) {
       takeBest(figures.sliceMilliseconds, milliseconds([&] { options.slice(made.mesh); }), first);
     }
   }
   figures.triangles = made.mesh.triangles.size();
-  for (const ReferenceImage& image : made.images) {
-    figures.samples += image.sampleCount();
-    figures.pixels += image.z.size();
-    figures.bytes += storedSize(image);
-  }
+  figures.samples = made.sampleCount();
+  figures.pixels = made.pixelCount();
   if (made.images.empty()) {
-    figures.samples = made.mesh.positions.size();
     figures.bytes = storedSize(made.mesh);
+  }
+  for (const ReferenceImage& image : made.images) {
+    figures.bytes += storedSize(image);
   }
   Impl::Measured measured(*impl_, made.mesh, name, progress);
   figures.edges = measured.at(impl_->viewpoints.edges, options.comparePictures);

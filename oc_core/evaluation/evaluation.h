@@ -13,7 +13,7 @@
 #include "oc_core/evaluation/frame_errors.h"
 #include "oc_core/evaluation/stored_size.h"
 #include "oc_core/evaluation/view_cell.h"
-#include "oc_core/ocri/camera_choice.h"
+#include "oc_core/ocri/representation.h"
 
 namespace ocelli {
 
@@ -58,13 +58,8 @@ struct RepresentationFigures {
   double thickRatioToDi = 0;
 };
 
-/// A representation, and how long it took to make.
-struct MadeRepresentation {
-  std::vector<ReferenceImage> images;  ///< none where it is a mesh only
-  Mesh mesh;
-  double buildMilliseconds = 0;
-  double meshMilliseconds = 0;
-};
+/// Makes a representation anew, and says how long it took.
+using MakeRepresentation = std::function<Representation(RepresentationTimes& times)>;
 
 class Evaluator {
  public:
@@ -77,9 +72,8 @@ class Evaluator {
 
   /// Makes the representation of a camera, and measures it. The stage of the progress is `choice.name`.
   RepresentationFigures measure(const CameraChoice& choice, const Progress& progress = {});
-  /// The same of anything that `make` makes, each time anew.
-  RepresentationFigures measure(const std::string& name, const std::function<MadeRepresentation()>& make,
-                                const Progress& progress = {});
+  /// The same of anything that `make` makes.
+  RepresentationFigures measure(const std::string& name, const MakeRepresentation& make, const Progress& progress = {});
 
   /// Half a side to the left, or along a segment against its direction: a viewpoint to show pictures of.
   View exampleView() const;

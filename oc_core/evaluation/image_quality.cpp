@@ -23,8 +23,7 @@ Image<float> lumaOf(const Image<Rgb8>& image) {
   Image<float> luma(image.width(), image.height());
   for (size_t i = 0; i < image.size(); ++i) {
     const Rgb8& c = image[i];
-    luma[i] =
-        0.299f * static_cast<float>(c.x) + 0.587f * static_cast<float>(c.y) + 0.114f * static_cast<float>(c.z);
+    luma[i] = 0.299f * static_cast<float>(c.x) + 0.587f * static_cast<float>(c.y) + 0.114f * static_cast<float>(c.z);
   }
   return luma;
 }

@@ -92,16 +92,16 @@ CameraChoice cameraChoice(const std::string& nameOrFile, float cellSideRadii) {
   return choice;
 }
 
-ReferenceImage buildReferenceImage(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
-                                   const Progress& progress) {
+ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
+                                     const Progress& progress) {
   requireOutside(mesh, reference.eye(), "view");
   switch (choice.model) {
     case CameraChoice::Model::kDepthImage:
-      return finished(buildDepthImage(reference, mesh), choice);
+      return {finished(buildDepthImage(reference, mesh), choice)};
     case CameraChoice::Model::kDdoc:
-      return finished(
+      return {finished(
           buildDdocImage(buildDdocCamera(reference, mesh, choice.ddoc, progress), mesh, choice.ddoc.subdivision),
-          choice);
+          choice)};
   }
   OC_CHECK(false, "every camera model has a builder");
 }

@@ -59,8 +59,8 @@ Image<SampleState> compareFrames(const PinholeCamera& camera, const Image<glm::v
   forRows([&](int x, int y) {
     if (truth(x, y).w > 0) {
       const glm::vec3 point(truth(x, y));
-      states(x, y) = hasSampleNear(frame, x, y, point, nearReach(camera, point)) ? SampleState::kPresent
-                                                                                 : SampleState::kMissing;
+      states(x, y) =
+          hasSampleNear(frame, x, y, point, nearReach(camera, point)) ? SampleState::kPresent : SampleState::kMissing;
     }
   });
   const Image<SampleState> strict = states;

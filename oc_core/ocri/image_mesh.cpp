@@ -49,6 +49,16 @@ class ImageMesher {
     }
   }
 
+  /// Whether nothing says that the two have nothing to do with each other.
+  bool sameTile(const Pixel& p, const Pixel& q) const {
+    const int firstRow = image_.pinholeSize.y;
+    if (image_.tileSide <= 0 || (p.y < firstRow && q.y < firstRow)) {
+      return true;
+    }
+    return p.y >= firstRow && q.y >= firstRow && p.x / image_.tileSide == q.x / image_.tileSide &&
+           (p.y - firstRow) / image_.tileSide == (q.y - firstRow) / image_.tileSide;
+  }
+
   /// The step of 1/z from p to q for each pixel of undistorted distance.
   float slope(const Pixel& p, const Pixel& q) const {
     const ImagePoint a = image_.undistorted(p.x, p.y);
@@ -58,7 +68,7 @@ class ImageMesher {
   }
 
   bool joined(const Pixel& p, const Pixel& q) const {
-    if (!valid(p) || !valid(q)) {
+    if (!valid(p) || !valid(q) || !sameTile(p, q)) {
       return false;
     }
     const ImagePoint a = image_.undistorted(p.x, p.y);

@@ -108,8 +108,8 @@ bool RayScene::hasSurfaceNear(const glm::vec3& point, float reach) const {
   const auto visit = [](RTCPointQueryFunctionArguments* arguments) {
     NearSearch& state = *static_cast<NearSearch*>(arguments->userPtr);
     const glm::uvec3& t = state.mesh->triangles[arguments->primID];
-    const glm::vec3 closest = closestPoint(state.point, state.mesh->positions[t.x], state.mesh->positions[t.y],
-                                           state.mesh->positions[t.z]);
+    const glm::vec3 closest =
+        closestPoint(state.point, state.mesh->positions[t.x], state.mesh->positions[t.y], state.mesh->positions[t.z]);
     if (state.found || glm::distance(closest, state.point) > state.reach) {
       return false;
     }

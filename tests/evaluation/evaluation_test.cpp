@@ -1,4 +1,4 @@
-#include "oc_core/ocri/evaluation.h"
+#include "oc_core/evaluation/evaluation_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
