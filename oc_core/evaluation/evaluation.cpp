@@ -153,17 +153,18 @@ Evaluator::Evaluator(const Mesh& scene, const EvaluationOptions& options)
 
 Evaluator::~Evaluator() = default;
 
-RepresentationFigures Evaluator::measure(const CameraChoice& choice, const Progress& progress) {
+RepresentationFigures Evaluator::measure(const CameraChoice& choice, const Progress& progress,
+                                         const MeshVisitor& visit) {
   return measure(
       choice.name,
       [&](RepresentationTimes& times) {
         return buildRepresentation(choice, impl_->reference(), impl_->scene, progress, &times);
       },
-      progress);
+      progress, visit);
 }
 
 RepresentationFigures Evaluator::measure(const std::string& name, const MakeRepresentation& make,
-                                         const Progress& progress) {
+                                         const Progress& progress, const MeshVisitor& visit) {
   const EvaluationOptions& options = impl_->options;
   RepresentationFigures figures;
   figures.name = name;
@@ -199,8 +200,8 @@ RepresentationFigures Evaluator::measure(const std::string& name, const MakeRepr
   }
   figures.strictRatioToDi = ratio(figures.edges.strictRatio(), impl_->missingFromDepthImage().strictRatio());
   figures.thickRatioToDi = ratio(figures.edges.thickRatio(), impl_->missingFromDepthImage().thickRatio());
-  if (options.visit) {
-    options.visit(name, made.mesh);
+  if (visit) {
+    visit(made.mesh);
   }
   report(progress, name, 1);
   return figures;

@@ -32,8 +32,6 @@ struct EvaluationOptions {
   int runs = 1;              ///< how often each representation is made and sliced; the best times count
   /// Slices a mesh; its time is `sliceMilliseconds`. May be empty: the rooms above this one know how.
   std::function<void(const Mesh&)> slice;
-  /// Called once with each representation that was measured. May be empty.
-  std::function<void(const std::string& name, const Mesh&)> visit;
 };
 
 /// The distances that the `evaluate` command takes: closer where errors begin.
@@ -61,6 +59,8 @@ struct RepresentationFigures {
 /// Makes a representation anew, and says how long it took.
 using MakeRepresentation = std::function<Representation(RepresentationTimes& times)>;
 
+using MeshVisitor = std::function<void(const Mesh&)>;
+
 class Evaluator {
  public:
   /// `scene` must outlive it. Throws InputError where a viewpoint of the cell lies inside an object of the scene, or
@@ -70,10 +70,13 @@ class Evaluator {
   Evaluator(const Evaluator&) = delete;
   Evaluator& operator=(const Evaluator&) = delete;
 
-  /// Makes the representation of a camera, and measures it. The stage of the progress is `choice.name`.
-  RepresentationFigures measure(const CameraChoice& choice, const Progress& progress = {});
+  /// Makes the representation of a camera, and measures it. The stage of the progress is `choice.name`. `visit` gets
+  /// the mesh; it may be empty.
+  RepresentationFigures measure(const CameraChoice& choice, const Progress& progress = {},
+                                const MeshVisitor& visit = {});
   /// The same of anything that `make` makes.
-  RepresentationFigures measure(const std::string& name, const MakeRepresentation& make, const Progress& progress = {});
+  RepresentationFigures measure(const std::string& name, const MakeRepresentation& make, const Progress& progress = {},
+                                const MeshVisitor& visit = {});
 
   /// Half a side to the left, or along a segment against its direction: a viewpoint to show pictures of.
   View exampleView() const;
