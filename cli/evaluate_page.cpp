@@ -86,18 +86,20 @@ std::vector<Column> costColumns() {
   };
 }
 
-/// The text that is marked: the best value as it is printed, so that equal texts are equally good.
+/// The text that is marked: the best value as it is printed, so that equal texts are equally good. None where all are.
 std::string bestText(const Column& column, const Rows& rows) {
-  double best = column.moreIsBetter ? -1e300 : 1e300;
-  size_t compared = 0;
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
   for (const RepresentationFigures& row : rows) {
     if (row.name != kSceneItself) {
-      const double value = column.value(row);
-      best = column.moreIsBetter ? std::max(best, value) : std::min(best, value);
-      ++compared;
+      least = std::min(least, column.value(row));
+      most = std::max(most, column.value(row));
     }
   }
-  return compared > 1 ? column.text(best) : "";
+  if (least >= most || column.text(least) == column.text(most)) {
+    return "";
+  }
+  return column.text(column.moreIsBetter ? most : least);
 }
 
 std::string tableOf(const std::string& caption, const std::vector<Column>& columns, const Rows& rows) {

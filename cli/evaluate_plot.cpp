@@ -14,7 +14,7 @@ namespace {
 constexpr double kWidth = 640;
 constexpr double kHeight = 430;
 constexpr double kLeft = 72;
-constexpr double kTop = 44;
+constexpr double kTop = 64;
 constexpr double kBottom = 56;
 constexpr double kZeroRow = 26;     // height of the row for zeros, below the axis
 constexpr double kLetterWidth = 7;  // of the labels, on average
@@ -137,7 +137,7 @@ std::string opening(const std::string& title) {
   return fmt::format(
       "<svg viewBox=\"0 0 {0} {1}\" role=\"img\" aria-label=\"{2}\">\n<text x=\"{3}\" y=\"24\" "
       "style=\"font-weight: 600\">{2}</text>\n",
-      kWidth, kHeight, htmlFromText(title), kLeft - 48);
+      kWidth, kHeight, htmlFromText(title), kLeft - 56);
 }
 
 std::string line(const char* kind, double x0, double y0, double x1, double y1) {
@@ -175,7 +175,7 @@ struct ErrorAxis {
       svg += line("axis", kLeft, bottom() - kZeroRow, right, bottom() - kZeroRow);
     }
     svg += fmt::format("<path class=\"axis\" d=\"M{} {}V{:.1f}H{:.1f}\"/>\n", kLeft, kTop, bottom(), right);
-    svg += fmt::format(R"(<text class="tick" x="{}" y="{}">{}</text>)", kLeft - 48, kTop - 4, htmlFromText(yTitle));
+    svg += fmt::format(R"(<text class="tick" x="{}" y="{}">{}</text>)", kLeft - 56, kTop - 22, htmlFromText(yTitle));
     return svg;
   }
 };
@@ -267,9 +267,10 @@ std::string frontierPlot(const std::string& title, const std::string& xTitle, co
     const double y = vertical.at(errors[i]);
     const Rectangle label = placeLabel(x, y, series[i].name, taken, right);
     taken.push_back(label);
-    svg += fmt::format("<g><title>{0}: {1:.0f}, {2:.4g} %</title>{3}<text x=\"{4:.1f}\" y=\"{5:.1f}\">{0}</text></g>\n",
-                       htmlFromText(series[i].name), counts[i], 100 * errors[i], marker(x, y, series[i].style), label.x,
-                       label.y + 11);
+    svg += fmt::format(
+        "<g><title>{0}: {1:.0f}, {2:.4g} %</title>{3}<text class=\"label\" x=\"{4:.1f}\" "
+        "y=\"{5:.1f}\">{0}</text></g>\n",
+        htmlFromText(series[i].name), counts[i], 100 * errors[i], marker(x, y, series[i].style), label.x, label.y + 11);
   }
   return svg + "</svg>\n";
 }
@@ -326,7 +327,7 @@ std::string curvePlot(const std::string& title, const std::string& xTitle, const
     markers += marker(right, end, each.style);
     svg += fmt::format(
         "<g><title>{0}</title><path d=\"{1}\" style=\"fill: none; stroke: {2}; stroke-width: 2; stroke-dasharray: "
-        "{3}\"/>{4}{5}<text x=\"{6:.1f}\" y=\"{7:.1f}\">{0}</text></g>\n",
+        "{3}\"/>{4}{5}<text class=\"label\" x=\"{6:.1f}\" y=\"{7:.1f}\">{0}</text></g>\n",
         htmlFromText(each.name), path, colorOf(each.style), dashOf(each.style), markers,
         line("leader", right + kMarker + 2, end, right + 20, labelY[rank]), right + 23, labelY[rank] + 4);
   }

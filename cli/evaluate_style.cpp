@@ -14,6 +14,8 @@ const std::string_view kEvaluateStyle = R"css(
     --series-5: #e6a93c; --series-6: #8fcdf2; --grid: #2b3036; --best: #20394c;
   }
 }
+.scroll table { font-size: .875rem; }
+.scroll th, .scroll td { padding: .35rem .5rem; }
 th[scope=colgroup] { text-align: center; }
 td.best { background: var(--best); font-weight: 700; }
 td.best::before { content: "\2605\00a0"; color: var(--accent); }
@@ -23,6 +25,7 @@ td.best::before { content: "\2605\00a0"; color: var(--accent); }
 .plots svg { display: block; width: 100%; height: auto; background: var(--card); border: 1px solid var(--line);
   border-radius: 6px; }
 svg text { fill: var(--text); font: 13px system-ui, "DejaVu Sans", sans-serif; }
+svg .label { paint-order: stroke; stroke: var(--card); stroke-width: 3px; stroke-linejoin: round; }
 svg .tick { fill: var(--soft); font-size: 12px; }
 svg .axis { stroke: var(--soft); fill: none; }
 svg .grid { stroke: var(--grid); fill: none; }
@@ -34,7 +37,7 @@ svg .leader { stroke: var(--line); fill: none; }
 .shown { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(34rem, 100%), 1fr)); gap: 1.5rem; }
 .shown h3 { margin: 0 0 .4rem; }
 .pair { display: grid; grid-template-columns: 1fr 1fr; gap: .5rem; }
-.pair img, .single img { aspect-ratio: auto; object-fit: contain; }
+.single img { aspect-ratio: auto; object-fit: contain; }
 .single { max-width: 34rem; }
 dt { font-weight: 600; margin-top: .75rem; }
 dd { margin: .1rem 0 0; max-width: 52rem; }

@@ -10,6 +10,13 @@ void note(int) {
   noted = 1;
 }
 
+void install(int signal, const struct sigaction& action, struct sigaction& old) {
+  sigaction(signal, &action, &old);
+  if (old.sa_handler == SIG_IGN) {
+    sigaction(signal, &old, nullptr);
+  }
+}
+
 }  // namespace
 
 InterruptGuard::InterruptGuard() {
@@ -18,8 +25,8 @@ InterruptGuard::InterruptGuard() {
   action.sa_handler = note;
   action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
   sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, &oldInterrupt_);
-  sigaction(SIGTERM, &action, &oldTerminate_);
+  install(SIGINT, action, oldInterrupt_);
+  install(SIGTERM, action, oldTerminate_);
 }
 
 InterruptGuard::~InterruptGuard() {

@@ -6,7 +6,7 @@
 namespace ocelli {
 
 /// While it lives, the first SIGINT or SIGTERM is noted; a second one ends the program at once, as it does without
-/// this. At most one lives at a time.
+/// this. At most one lives at a time. Where a signal is ignored (nohup) it stays so.
 class InterruptGuard {
  public:
   InterruptGuard();

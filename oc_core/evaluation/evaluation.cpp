@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <numeric>
 #include <optional>
 
+#include "oc_core/base/parallel.h"
 #include "oc_core/evaluation/error_picture.h"
 #include "oc_core/evaluation/truth_frames.h"
 #include "oc_core/ocri/union_mesh.h"
@@ -101,29 +103,38 @@ struct Evaluator::Impl {
         : impl_(impl), mesh_(mesh), name_(name), progress_(progress), errors_(impl.truth.count()) {}
 
     FrameErrors at(const Place& place, bool pictures) {
+      parallelFor(place.last - place.first, 1, [&](size_t begin, size_t end) {
+        for (size_t i = place.first + begin; i < place.first + end; ++i) {
+          measure(i, pictures);
+        }
+      });
       FrameErrors sum;
       for (size_t i = place.first; i < place.last; ++i) {
-        if (!errors_[i]) {
-          report(progress_, name_, static_cast<double>(done_++) / static_cast<double>(errors_.size()));
-          const std::shared_ptr<const ViewFrame> truth = impl_.truth.frame(i);
-          const ViewFrame frame = renderFrame(impl_.truth.camera(i), mesh_);
-          errors_[i] = countErrors(compareViewFrames(impl_.truth.camera(i), *truth, frame, impl_.surface), frame);
-          if (pictures) {
-            addPictureErrors(*errors_[i], *truth, frame);
-          }
-        }
         sum += *errors_[i];
       }
       return sum;
     }
 
    private:
+    void measure(size_t i, bool pictures) {
+      if (errors_[i]) {
+        return;
+      }
+      report(progress_, name_, static_cast<double>(done_++) / static_cast<double>(errors_.size()));
+      const std::shared_ptr<const ViewFrame> truth = impl_.truth.frame(i);
+      const ViewFrame frame = renderFrame(impl_.truth.camera(i), mesh_);
+      errors_[i] = countErrors(compareViewFrames(impl_.truth.camera(i), *truth, frame, impl_.surface), frame);
+      if (pictures) {
+        addPictureErrors(*errors_[i], *truth, frame);
+      }
+    }
+
     Impl& impl_;
     const Mesh& mesh_;
     const std::string& name_;
     const Progress& progress_;
     std::vector<std::optional<FrameErrors>> errors_;
-    size_t done_ = 0;
+    std::atomic<size_t> done_ = 0;
   };
 
   /// The ratios need the depth image, whether or not it is among what is measured.

@@ -6,12 +6,17 @@ TruthFrames::TruthFrames(const Mesh& scene, std::vector<PinholeCamera> cameras, 
     : scene_(scene), cameras_(std::move(cameras)), mostBytes_(mostBytes), frames_(cameras_.size()) {}
 
 std::shared_ptr<const ViewFrame> TruthFrames::frame(size_t index) {
-  if (frames_[index]) {
-    return frames_[index];
+  {
+    const std::scoped_lock lock(mutex_);
+    if (frames_[index]) {
+      return frames_[index];
+    }
   }
+  // Without the lock: a thread that waits for its part of a picture may be given another viewpoint meanwhile.
   auto frame = std::make_shared<const ViewFrame>(renderFrame(cameras_[index], scene_));
   const size_t bytes = frame->points.size() * (sizeof(glm::vec4) + sizeof(Rgb8));
-  if (bytes_ + bytes <= mostBytes_) {
+  const std::scoped_lock lock(mutex_);
+  if (!frames_[index] && bytes_ + bytes <= mostBytes_) {
     bytes_ += bytes;
     ++kept_;
     frames_[index] = frame;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "oc_core/evaluation/frame_errors.h"
@@ -18,6 +19,7 @@ class TruthFrames {
 
   size_t count() const { return cameras_.size(); }
   const PinholeCamera& camera(size_t index) const { return cameras_[index]; }
+  /// May be called from several threads.
   std::shared_ptr<const ViewFrame> frame(size_t index);
   size_t keptFrames() const { return kept_; }
 
@@ -25,6 +27,7 @@ class TruthFrames {
   const Mesh& scene_;
   std::vector<PinholeCamera> cameras_;
   size_t mostBytes_;
+  std::mutex mutex_;  ///< guards what follows
   size_t bytes_ = 0;
   size_t kept_ = 0;
   std::vector<std::shared_ptr<const ViewFrame>> frames_;
