@@ -34,6 +34,9 @@ struct Column {
 std::string percentText(double ratio) {
   return fmt::format("{:.3f}", 100 * ratio);
 }
+std::string wholePercentText(double ratio) {
+  return fmt::format("{:.1f}", 100 * ratio);
+}
 std::string decibelText(double value) {
   return std::isinf(value) ? "\u221e" : fmt::format("{:.2f}", value);
 }
@@ -58,8 +61,8 @@ std::vector<Column> errorColumns() {
       {"Missing, strict, %", "at ref.", [](const Row& r) { return r.reference.strictRatio(); }, percentText},
       {"Missing, thick, %", "edges", [](const Row& r) { return r.edges.thickRatio(); }, percentText},
       {"Missing, thick, %", "inside", [](const Row& r) { return r.interior.thickRatio(); }, percentText},
-      {"Of DI\u2019s", "strict", [](const Row& r) { return r.strictRatioToDi; }, percentText},
-      {"Of DI\u2019s", "thick", [](const Row& r) { return r.thickRatioToDi; }, percentText},
+      {"Of DI\u2019s, %", "strict", [](const Row& r) { return r.strictRatioToDi; }, wholePercentText},
+      {"Of DI\u2019s, %", "thick", [](const Row& r) { return r.thickRatioToDi; }, wholePercentText},
       {"Wrong front, %", "edges", [](const Row& r) { return r.edges.wrongFrontRatio(); }, percentText},
       {"Wrong front, %", "at ref.", [](const Row& r) { return r.reference.wrongFrontRatio(); }, percentText},
       {"False skins, %", "edges", [](const Row& r) { return r.edges.falseSkinRatio(); }, percentText},
@@ -207,13 +210,13 @@ std::string descriptionOf(const std::string& name) {
 
 std::string pictureSection(const EvaluatePage& page, const EvaluationOptions& options, const Rows& rows) {
   std::string html = fmt::format(
-      "<figure class=\"single\">{}<figcaption><b>The scene</b> as it is, from there.</figcaption></figure>\n"
+      "<div class=\"key\"><figure>{}<figcaption><b>The scene</b> as it is, from there.</figcaption></figure>\n"
       "<ul class=\"legend\">\n",
       imageTag(page.truthPicture, options, "The scene from the example viewpoint"));
   html += swatch(kWrongFrontColor, "wrong front: a false surface hides the scene") +
           swatch(kFalseSkinColor, "false skin: a surface where the scene has none") +
           swatch(kMissingThickColor, "missing, thick: in holes of three pixels or more") +
-          swatch(kMissingColor, "missing, strict only: in narrower ones") + "</ul>\n<div class=\"shown\">\n";
+          swatch(kMissingColor, "missing, strict only: in narrower ones") + "</ul></div>\n<div class=\"shown\">\n";
   for (size_t i = 0; i < rows.size(); ++i) {
     const RepresentationFigures& row = rows[i];
     html += fmt::format(
@@ -251,7 +254,7 @@ std::string definitions(const EvaluationOptions& options) {
                "scene\u2019s samples.") +
          entry("Missing, thick",
                "Strictly missing samples whose eight neighbours are missing too: holes of three pixels or more.") +
-         entry("Of DI\u2019s", "Missing over the edges, relative to the depth image of the same view and size.") +
+         entry("Of DI\u2019s, %", "Missing over the edges, relative to the depth image of the same view and size.") +
          entry("False skins",
                "Samples of the representation\u2019s rendering that lie farther than 1.5 pixel footprints from every "
                "point of the scene\u2019s surface, seen or hidden. Ratio of the representation\u2019s samples.") +

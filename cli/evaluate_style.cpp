@@ -31,14 +31,15 @@ svg .axis { stroke: var(--soft); fill: none; }
 svg .grid { stroke: var(--grid); fill: none; }
 svg .front { stroke: var(--soft); fill: none; stroke-dasharray: 2 4; stroke-width: 1.5; }
 svg .leader { stroke: var(--line); fill: none; }
-.legend { display: flex; flex-wrap: wrap; gap: .25rem 1.5rem; padding: 0; margin: .5rem 0 1rem; list-style: none; }
+.legend { padding: 0; margin: 0; list-style: none; }
+.legend li { margin: .3rem 0; }
 .swatch { display: inline-block; width: 1.1em; height: 1.1em; margin-right: .45em; vertical-align: -.2em;
   border: 1px solid var(--soft); border-radius: 3px; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
-.shown { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(34rem, 100%), 1fr)); gap: 1.5rem; }
+.shown { margin-top: 1.5rem; display: grid; grid-template-columns: repeat(auto-fill, minmax(min(34rem, 100%), 1fr)); gap: 1.5rem; }
 .shown h3 { margin: 0 0 .4rem; }
 .pair { display: grid; grid-template-columns: 1fr 1fr; gap: .5rem; }
-.single img { aspect-ratio: auto; object-fit: contain; }
-.single { max-width: 34rem; }
+.key { display: grid; grid-template-columns: minmax(0, 18rem) 1fr; gap: 1.5rem; align-items: center; }
+@media (max-width: 40rem) { .key { grid-template-columns: 1fr; } }
 dt { font-weight: 600; margin-top: .75rem; }
 dd { margin: .1rem 0 0; max-width: 52rem; }
 @media print {
