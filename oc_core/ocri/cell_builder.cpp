@@ -6,6 +6,7 @@
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/ocri/image_mesh.h"
+#include "oc_core/ocri/set_difference.h"
 #include "oc_core/render/rasterize.h"
 
 namespace ocelli {
@@ -95,30 +96,6 @@ Image<uint8_t> missingGroups(const Image<SampleState>& states, int least) {
     }
   }
   return marks;
-}
-
-/// Also marks the neighbours along rows and columns whose depth is that of the same surface.
-void growAlongSurface(Image<uint8_t>& marks, const ReferenceImage& image) {
-  const float focal = image.reference().focalPixels();
-  const Image<uint8_t> before = marks;
-  for (int y = 0; y < marks.height(); ++y) {
-    for (int x = 0; x < marks.width(); ++x) {
-      if (before(x, y) == 0) {
-        continue;
-      }
-      for (const glm::ivec2& step : {glm::ivec2{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-        const int u = x + step.x;
-        const int v = y + step.y;
-        if (!marks.contains(u, v) || image.z(u, v) <= 0) {
-          continue;
-        }
-        const float footprint = std::min(image.z(x, y), image.z(u, v)) / focal;
-        if (std::abs(image.z(x, y) - image.z(u, v)) <= ImageMeshOptions{}.depthStepFootprints * footprint) {
-          marks(u, v) = 1;
-        }
-      }
-    }
-  }
 }
 
 /// What one viewpoint sees, and what of it is stored.
@@ -213,9 +190,7 @@ std::optional<std::vector<Part>> findParts(const PinholeCamera& reference, const
     for (int step = 0; step < options.seamPixels; ++step) {
       growAlongSurface(marks, part.image);
     }
-    for (size_t pixel = 0; pixel < marks.size(); ++pixel) {
-      part.image.z[pixel] = marks[pixel] != 0 ? part.image.z[pixel] : 0;
-    }
+    keepMarked(part.image, marks);
     samples += static_cast<size_t>(kTileOverhead * static_cast<float>(part.image.sampleCount()));
     if (samples > most) {
       if (mayStop) {
