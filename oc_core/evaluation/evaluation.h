@@ -12,7 +12,7 @@
 #include "oc_core/base/progress.h"
 #include "oc_core/evaluation/frame_errors.h"
 #include "oc_core/evaluation/stored_size.h"
-#include "oc_core/evaluation/view_cell.h"
+#include "oc_core/ocri/view_cell.h"
 #include "oc_core/ocri/representation.h"
 
 namespace ocelli {

@@ -1,4 +1,4 @@
-#include "oc_core/evaluation/view_cell.h"
+#include "oc_core/ocri/view_cell.h"
 
 #include <glm/geometric.hpp>
 #include <random>
