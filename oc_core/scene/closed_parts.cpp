@@ -3,24 +3,15 @@
 #include <meshoptimizer.h>
 
 #include <algorithm>
+#include <atomic>
 #include <glm/geometric.hpp>
 #include <numeric>
 
 #include "oc_core/base/conventions.h"
+#include "oc_core/base/parallel.h"
 
 namespace ocelli {
 namespace {
-
-/// The triangles with vertices of equal position made one.
-std::vector<glm::uvec3> weldedTriangles(const Mesh& mesh) {
-  std::vector<uint32_t> weld(mesh.positions.size());
-  meshopt_generateVertexRemap(weld.data(), nullptr, mesh.positions.size(), mesh.positions.data(), mesh.positions.size(),
-                              sizeof(glm::vec3));
-  std::vector<glm::uvec3> triangles(mesh.triangles.size());
-  std::transform(mesh.triangles.begin(), mesh.triangles.end(), triangles.begin(),
-                 [&](const glm::uvec3& t) { return glm::uvec3(weld[t.x], weld[t.y], weld[t.z]); });
-  return triangles;
-}
 
 /// Disjoint sets of vertices.
 class VertexSets {
@@ -39,58 +30,113 @@ class VertexSets {
     b = find(b);
     parent_[std::max(a, b)] = std::min(a, b);
   }
+  /// Makes every find() a single step. A parent is never the higher of two vertices, so one pass does it.
+  void flatten() {
+    for (uint32_t& parent : parent_) {
+      parent = parent_[parent];
+    }
+  }
 
  private:
   std::vector<uint32_t> parent_;
 };
 
-/// An edge as the vertex with the lower index lists it.
-struct ListedEdge {
-  uint32_t other;   ///< the vertex with the higher index
-  int32_t forward;  ///< 1 where a triangle runs along it from the lower to the higher vertex, -1 where back
-  uint32_t triangle;
-  uint32_t corner;  ///< the edge runs from this corner of the triangle to the next one
+/// `times` more triangles run along it in this direction than in the other.
+struct BorderEdge {
+  uint32_t from, to;
+  int32_t times;
 };
 
-/// Calls `onBorder(triangle, corner, times)` for the edges with more triangles along them in one direction than in the
-/// other.
-template <class OnBorder>
-void forEachBorderEdge(const std::vector<glm::uvec3>& triangles, size_t vertexCount, const OnBorder& onBorder) {
-  const auto forEachEdge = [&](const auto& body) {
-    for (size_t i = 0; i < triangles.size(); ++i) {
-      for (uint32_t corner = 0; corner < 3; ++corner) {
-        const uint32_t from = triangles[i][static_cast<int>(corner)];
-        const uint32_t to = triangles[i][static_cast<int>((corner + 1) % 3)];
-        if (from != to) {
-          body(std::min(from, to),
-               ListedEdge{std::max(from, to), from < to ? 1 : -1, static_cast<uint32_t>(i), corner});
-        }
-      }
+/// The edges that are left over when those of opposite direction cancel, by their vertices.
+std::vector<BorderEdge> unmatched(std::vector<BorderEdge> edges) {
+  for (BorderEdge& edge : edges) {
+    if (edge.from > edge.to) {
+      edge = {edge.to, edge.from, -edge.times};
     }
-  };
-  std::vector<size_t> ends(vertexCount + 1);
-  forEachEdge([&](uint32_t lower, const ListedEdge&) { ++ends[lower + 1]; });
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<ListedEdge> edges(ends.back());
-  std::vector<size_t> next(ends.begin(), ends.end() - 1);
-  forEachEdge([&](uint32_t lower, const ListedEdge& edge) { edges[next[lower]++] = edge; });
+  }
+  std::sort(edges.begin(), edges.end(),
+            [](const BorderEdge& a, const BorderEdge& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; });
+  std::vector<BorderEdge> left;
+  for (auto edge = edges.begin(); edge != edges.end();) {
+    BorderEdge sum{edge->from, edge->to, 0};
+    for (; edge != edges.end() && edge->from == sum.from && edge->to == sum.to; ++edge) {
+      sum.times += edge->times;
+    }
+    if (sum.times > 0) {
+      left.push_back(sum);
+    } else if (sum.times < 0) {
+      left.push_back({sum.to, sum.from, -sum.times});
+    }
+  }
+  return left;
+}
 
-  for (size_t vertex = 0; vertex < vertexCount; ++vertex) {
-    const auto last = edges.begin() + static_cast<std::ptrdiff_t>(ends[vertex + 1]);
-    auto run = edges.begin() + static_cast<std::ptrdiff_t>(ends[vertex]);
-    std::sort(run, last, [](const ListedEdge& a, const ListedEdge& b) {
-      return a.other != b.other ? a.other < b.other : a.triangle < b.triangle;
-    });
-    while (run != last) {
-      int32_t balance = 0;
-      const ListedEdge& first = *run;
-      for (; run != last && run->other == first.other; ++run) {
-        balance += run->forward;
-      }
-      if (balance != 0) {
-        onBorder(first.triangle, first.corner, std::abs(balance));
-      }
+uint64_t mixed(uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
+template <class Body>
+void forEachEdge(const glm::uvec3& t, const Body& body) {
+  for (int corner = 0; corner < 3; ++corner) {
+    if (t[corner] != t[(corner + 1) % 3]) {
+      body(t[corner], t[(corner + 1) % 3]);
     }
+  }
+}
+
+/// The unmatched edges of the triangles as they are. Nearly all edges of a scan match: those are found by sums that
+/// cancel, one a vertex, over its edges to higher vertices; the few others are sorted.
+std::vector<BorderEdge> unmatchedEdges(const Mesh& mesh) {
+  std::vector<uint64_t> sums(mesh.positions.size());
+  parallelFor(mesh.triangles.size(), 1 << 14, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      forEachEdge(mesh.triangles[i], [&](uint32_t from, uint32_t to) {
+        const uint64_t term = mixed(uint64_t{std::max(from, to)} + 1);
+        std::atomic_ref(sums[std::min(from, to)]).fetch_add(from < to ? term : ~term + 1, std::memory_order_relaxed);
+      });
+    }
+  });
+  std::vector<BorderEdge> edges;
+  for (const glm::uvec3& t : mesh.triangles) {
+    forEachEdge(t, [&](uint32_t from, uint32_t to) {
+      if (sums[std::min(from, to)] != 0) {
+        edges.push_back({from, to, 1});
+      }
+    });
+  }
+  return unmatched(std::move(edges));
+}
+
+/// Joins the vertices of the edges that lie at the same place: each edge names the first of them. Adds them to the same
+/// set.
+void weld(std::vector<BorderEdge>& edges, const Mesh& mesh, VertexSets& sets) {
+  if (edges.empty()) {
+    return;
+  }
+  std::vector<uint32_t> vertices;
+  for (const BorderEdge& edge : edges) {
+    vertices.push_back(edge.from);
+    vertices.push_back(edge.to);
+  }
+  std::vector<glm::vec3> positions(vertices.size());
+  std::transform(vertices.begin(), vertices.end(), positions.begin(), [&](uint32_t v) { return mesh.positions[v]; });
+  std::vector<uint32_t> places(vertices.size());
+  meshopt_generateVertexRemap(places.data(), nullptr, positions.size(), positions.data(), positions.size(),
+                              sizeof(glm::vec3));
+  std::vector<uint32_t> first(
+      vertices.size());  // of each place; places are numbered in the order of their first vertex
+  uint32_t known = 0;
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    if (places[i] == known) {
+      first[known++] = vertices[i];
+    }
+    sets.unite(first[places[i]], vertices[i]);
+  }
+  for (size_t i = 0; i < edges.size(); ++i) {
+    edges[i].from = first[places[2 * i]];
+    edges[i].to = first[places[2 * i + 1]];
   }
 }
 
@@ -106,56 +152,46 @@ std::vector<Closure> closureOfTriangles(const Mesh& mesh, double largestHole) {
   if (mesh.empty()) {
     return {};
   }
-  const std::vector<glm::uvec3> triangles = weldedTriangles(mesh);
-  // Welding numbers the vertices anew and densely, so there are no more of them than before.
   const size_t vertexCount = mesh.positions.size();
   VertexSets sets(vertexCount);
-  for (const glm::uvec3& t : triangles) {
+  for (const glm::uvec3& t : mesh.triangles) {
     sets.unite(t.x, t.y);
     sets.unite(t.y, t.z);
   }
+  std::vector<BorderEdge> border = unmatchedEdges(mesh);
+  weld(border, mesh, sets);
+  border = unmatched(std::move(border));
+  sets.flatten();
 
   std::vector<Part> parts(vertexCount);  // by the set's lowest vertex
-  std::vector<glm::dvec3> origins(vertexCount, glm::dvec3(0));
-  std::vector<bool> hasOrigin(vertexCount);
-  const auto corner = [&](size_t triangle, uint32_t k) {
-    return glm::dvec3(mesh.positions[mesh.triangles[triangle][static_cast<int>(k % 3)]]);
-  };
-  for (size_t i = 0; i < triangles.size(); ++i) {
-    const uint32_t part = sets.find(triangles[i].x);
-    if (!hasOrigin[part]) {
-      hasOrigin[part] = true;
-      origins[part] = corner(i, 0);
-    }
-    const glm::dvec3 a = corner(i, 0) - origins[part];
-    const glm::dvec3 b = corner(i, 1) - origins[part];
-    const glm::dvec3 c = corner(i, 2) - origins[part];
+  for (const glm::uvec3& t : mesh.triangles) {
+    const uint32_t part = sets.find(t.x);
+    const glm::dvec3 origin(mesh.positions[part]);
+    const glm::dvec3 a = glm::dvec3(mesh.positions[t.x]) - origin;
+    const glm::dvec3 b = glm::dvec3(mesh.positions[t.y]) - origin;
+    const glm::dvec3 c = glm::dvec3(mesh.positions[t.z]) - origin;
     parts[part].area += glm::length(glm::cross(b - a, c - a)) / 2;
     parts[part].volume += glm::dot(a, glm::cross(b, c));
   }
   // Borders are loops of edges. One of length L surrounds no more than a circle does: L^2 / 4 pi.
-  struct BorderEdge {
-    uint32_t vertex;
-    double length;
-  };
-  std::vector<BorderEdge> border;
   VertexSets loops(vertexCount);
-  forEachBorderEdge(triangles, vertexCount, [&](uint32_t triangle, uint32_t k, int32_t times) {
-    const glm::uvec3& t = triangles[triangle];
-    border.push_back({t[static_cast<int>(k)], times * glm::distance(corner(triangle, k), corner(triangle, k + 1))});
-    loops.unite(t[static_cast<int>(k)], t[static_cast<int>((k + 1) % 3)]);
-  });
+  for (const BorderEdge& edge : border) {
+    loops.unite(edge.from, edge.to);
+  }
   std::vector<double> loopLengths(vertexCount);
   for (const BorderEdge& edge : border) {
-    loopLengths[loops.find(edge.vertex)] += edge.length;
+    loopLengths[loops.find(edge.from)] +=
+        edge.times * glm::distance(glm::dvec3(mesh.positions[edge.from]), glm::dvec3(mesh.positions[edge.to]));
   }
   for (size_t loop = 0; loop < vertexCount; ++loop) {
-    parts[sets.find(static_cast<uint32_t>(loop))].holes += loopLengths[loop] * loopLengths[loop] / (4 * kPi);
+    if (loopLengths[loop] > 0) {
+      parts[sets.find(static_cast<uint32_t>(loop))].holes += loopLengths[loop] * loopLengths[loop] / (4 * kPi);
+    }
   }
 
-  std::vector<Closure> closures(triangles.size());
-  for (size_t i = 0; i < triangles.size(); ++i) {
-    const Part& part = parts[sets.find(triangles[i].x)];
+  std::vector<Closure> closures(mesh.triangles.size());
+  for (size_t i = 0; i < closures.size(); ++i) {
+    const Part& part = parts[sets.find(mesh.triangles[i].x)];
     if (part.holes < largestHole * part.area && part.volume != 0) {
       closures[i] = part.volume > 0 ? Closure::kFacesOut : Closure::kFacesIn;
     }
