@@ -124,7 +124,7 @@ class Session {
       state.counters["made"] = static_cast<double>(made);
     }
     const auto compare = [&](const char* counter, const char* name) {
-      if (const double reference = bestMilliseconds(source, name); reference > 0) {
+      if (const double reference = referenceMilliseconds(source, name); reference > 0) {
         state.counters[counter] = best / reference;
       }
     };
@@ -144,15 +144,11 @@ class Session {
   }
 
   /// The best of five runs of a row that others are compared with, 0 where there is no such row.
-  double bestMilliseconds(const std::string& source, const std::string& name) {
+  double referenceMilliseconds(const std::string& source, const std::string& name) {
     const auto row = std::find_if(rows().begin(), rows().end(), [&](const Row& r) { return r.name == name; });
     double& best = best_[source + " " + name];
     if (best == 0 && row != rows().end()) {
-      const Work work = row->prepare(caseOf(source));
-      best = milliseconds(work);
-      for (int run = 1; run < 5; ++run) {
-        best = std::min(best, milliseconds(work));
-      }
+      best = bestMilliseconds(5, row->prepare(caseOf(source)));
     }
     return best;
   }

@@ -116,6 +116,52 @@ TEST(LayeredDepthImage, samplesKeepTheirColours) {
   EXPECT_NEAR(layers[1].color(kWidth / 2, kHeight / 2).r, 0.5f, 1e-6f) << "the wall behind it";
 }
 
+// Behind the middle of a large wall nothing is seen; behind its rim the wall behind is, as far in as the cell uncovers
+// it: half a side of 0.8 at a depth step from 9 to 11 is 0.8 * (11 - 9) / 9 = 0.18 on the wall behind.
+TEST(LayeredDepthImage, unseenSamplesAreDropped) {
+  const PinholeCamera camera = smallCamera();
+  Mesh scene = test::wall(1, 0.5f);
+  test::addWall(scene, -1, 3);
+  std::vector<ReferenceImage> layers = buildLayeredDepthImage(camera, scene, 2);
+  ASSERT_EQ(layers.size(), 2u);
+  const std::vector<ReferenceImage> all = layers;
+  dropUnseenSamples(layers, scene, ViewCell{1.6f});
+  EXPECT_TRUE(sameBytes(layers[0].z, all[0].z));
+  // The wall in front hides |x|, |y| < 0.5 * 11 / 9 = 0.61 of the one behind. The corners of the cell that are nearest
+  // to the scene, 0.8 further on, uncover a little more.
+  const float hiddenHalf = 0.5f * 11 / 9;
+  const float least = 0.8f * 2 / 9.0f;
+  const float most = 0.8f * 2 / (9 - 0.8f) + 0.5f * (10.2f / 8.2f - 11 / 9.0f);
+  const float pixel = 11 / camera.focalPixels();
+  size_t dropped = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      if (all[1].z(x, y) == 0) {
+        EXPECT_EQ(layers[1].z(x, y), 0);
+        continue;
+      }
+      const glm::vec3 p = *camera.unproject(all[1].undistorted(x, y));
+      const float fromRim = hiddenHalf - std::max(std::abs(p.x), std::abs(p.y));
+      if (fromRim < least - 3 * pixel) {
+        EXPECT_EQ(layers[1].z(x, y), all[1].z(x, y)) << x << " " << y;
+      } else if (fromRim > most + 3 * pixel) {
+        EXPECT_EQ(layers[1].z(x, y), 0) << x << " " << y;
+        ++dropped;
+      }
+    }
+  }
+  EXPECT_GT(dropped, 100u);
+}
+
+TEST(LayeredDepthImage, unseenSamplesOfNothingAreNone) {
+  std::vector<ReferenceImage> none;
+  dropUnseenSamples(none, {}, ViewCell{});
+  EXPECT_TRUE(none.empty());
+  std::vector<ReferenceImage> single = buildLayeredDepthImage(smallCamera(), test::wall(0), 1);
+  dropUnseenSamples(single, test::wall(0), ViewCell{});
+  EXPECT_EQ(single[0].sampleCount(), static_cast<size_t>(kWidth * kHeight));
+}
+
 TEST(LayeredDepthImage, refusesNoLayersAndTooMany) {
   for (const int layers : {-1, 0, kMostLayers + 1}) {
     EXPECT_THROW(buildLayeredDepthImage(smallCamera(), test::wall(0), layers), InputError);
