@@ -14,16 +14,6 @@ double milliseconds(const Work& work) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The least of `runs` runs, the first of which warms up: what the work takes on a machine with other work to do.
-template <class Work>
-double bestMilliseconds(int runs, const Work& work) {
-  double best = milliseconds(work);
-  for (int run = 1; run < runs; ++run) {
-    best = std::min(best, milliseconds(work));
-  }
-  return best;
-}
-
 /// Of `runs` runs, after one run that is not counted.
 template <class Work>
 double medianMilliseconds(int runs, const Work& work) {
