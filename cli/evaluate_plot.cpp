@@ -81,7 +81,7 @@ class LogAxis {
     }
     if (most == 0) {
       least = 1e-4;
-      most = 1;
+      most = 1e-2;
     }
     low_ = roundedDown(least);
     high_ = roundedDown(most);
