@@ -286,8 +286,14 @@ void addEvaluateCommand(CLI::App& program, const Frame& frame) {
       ->type_name("FILE");
   command.add_option("--page", choice->page, "Also make a page with plots and pictures in this folder")
       ->type_name("DIR");
-  command.add_flag("--resume,!--no-resume", choice->resume,
-                   "Go on with an interrupted run, or start again; by default go on where its work file fits");
+  CLI::Option* resume = command.add_flag_callback(
+      "--resume", [choice] { choice->resume = true; },
+      "Go on with an interrupted run, which is what is done anyway where its work file fits; an error where it does "
+      "not");
+  command
+      .add_flag_callback(
+          "--no-resume", [choice] { choice->resume = false; }, "Start again")
+      ->excludes(resume);
   frame.finish(command,
                "  ocelli evaluate builtin:statues\n"
                "  ocelli evaluate bunny.obj --cameras di,ddoc,ddoc-constant --cell 4in --json bunny.json\n"

@@ -89,7 +89,8 @@ std::vector<Column> costColumns() {
   };
 }
 
-/// The text that is marked: the best value as it is printed, so that equal texts are equally good. None where all are.
+/// The text that is marked: the best value as it is printed, so that equal texts are equally good. None where most
+/// are.
 std::string bestText(const Column& column, const Rows& rows) {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
@@ -99,10 +100,11 @@ std::string bestText(const Column& column, const Rows& rows) {
       most = std::max(most, column.value(row));
     }
   }
-  if (least >= most || column.text(least) == column.text(most)) {
-    return "";
-  }
-  return column.text(column.moreIsBetter ? most : least);
+  const std::string best = column.text(column.moreIsBetter ? most : least);
+  const auto holders = std::count_if(rows.begin(), rows.end(), [&](const RepresentationFigures& row) {
+    return row.name != kSceneItself && column.text(column.value(row)) == best;
+  });
+  return 2 * static_cast<size_t>(holders) > rows.size() ? "" : best;
 }
 
 std::string tableOf(const std::string& caption, const std::vector<Column>& columns, const Rows& rows) {
@@ -202,7 +204,7 @@ std::string imageTag(const std::string& file, const EvaluationOptions& options, 
 std::string descriptionOf(const std::string& name) {
   for (const CameraName& known : cameraNames()) {
     if (known.name == name) {
-      return known.description;
+      return std::string(known.description) + ". ";
     }
   }
   return "";
@@ -220,10 +222,12 @@ std::string pictureSection(const EvaluatePage& page, const EvaluationOptions& op
   for (size_t i = 0; i < rows.size(); ++i) {
     const RepresentationFigures& row = rows[i];
     html += fmt::format(
-        "<article><h3>{}</h3>\n<figure><div class=\"pair\">{}{}</div><figcaption>{}</figcaption></figure></article>\n",
+        "<article><h3>{}</h3>\n<figure><div class=\"pair\">{}{}</div><figcaption>{}{} % missing strictly and {} % in "
+        "thick holes, over the edges of the cell.</figcaption></figure></article>\n",
         htmlFromText(row.name), imageTag(page.pictures[i].frame, options, row.name + ": what it shows"),
         imageTag(page.pictures[i].errors, options, row.name + ": its errors in false colours"),
-        htmlFromText(descriptionOf(row.name)));
+        htmlFromText(descriptionOf(row.name)), percentText(row.edges.strictRatio()),
+        percentText(row.edges.thickRatio()));
   }
   return html + "</div>\n";
 }

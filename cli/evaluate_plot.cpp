@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "cli/demo_page.h"
 
@@ -16,8 +17,8 @@ constexpr double kHeight = 430;
 constexpr double kLeft = 72;
 constexpr double kTop = 64;
 constexpr double kBottom = 56;
-constexpr double kZeroRow = 34;     // height of the row for zeros, below the axis
-constexpr double kLetterWidth = 7;  // of the labels, on average
+constexpr double kZeroRow = 34;       // height of the row for zeros, below the axis
+constexpr double kLetterWidth = 7.4;  // of the labels, on average
 constexpr double kLineHeight = 15;
 constexpr double kMarker = 5.5;  // half size
 constexpr size_t kColors = 7;
@@ -80,7 +81,7 @@ class LogAxis {
     }
     if (most == 0) {
       least = 1e-4;
-      most = 1;
+      most = 1e-2;
     }
     low_ = roundedDown(least);
     high_ = roundedDown(most);
@@ -190,32 +191,62 @@ std::string xTitleText(double right, const std::string& title) {
                      kHeight - 14, htmlFromText(title));
 }
 
-/// Beside the marker, where it covers the least of what is there already.
-Rectangle placeLabel(double x, double y, const std::string& text, const std::vector<Rectangle>& taken, double right) {
+/// A place beside the marker where the label covers nothing.
+std::optional<Rectangle> freePlace(double x, double y, const std::string& text, const std::vector<Rectangle>& taken,
+                                   double right) {
   const double width = textWidth(text);
   const double gap = kMarker + 4;
-  const std::array<Rectangle, 8> places{{{x + gap, y - kLineHeight / 2, width, kLineHeight},
+  const std::array<Rectangle, 4> places{{{x + gap, y - kLineHeight / 2, width, kLineHeight},
                                          {x - gap - width, y - kLineHeight / 2, width, kLineHeight},
                                          {x - width / 2, y - gap - kLineHeight, width, kLineHeight},
-                                         {x - width / 2, y + gap, width, kLineHeight},
-                                         {x + gap, y - gap - kLineHeight, width, kLineHeight},
-                                         {x + gap, y + gap, width, kLineHeight},
-                                         {x - gap - width, y - gap - kLineHeight, width, kLineHeight},
-                                         {x - gap - width, y + gap, width, kLineHeight}}};
-  size_t best = 0;
-  size_t fewest = taken.size() + 2;
-  for (size_t i = 0; i < places.size(); ++i) {
-    const Rectangle& place = places[i];
-    const bool outside = place.x < kLeft || place.x + place.width > right || place.y < kTop - kLineHeight;
-    const size_t covered = (outside ? taken.size() + 1 : 0) +
-                           static_cast<size_t>(std::count_if(taken.begin(), taken.end(),
-                                                             [&](const Rectangle& o) { return place.overlaps(o); }));
-    if (covered < fewest) {
-      fewest = covered;
-      best = i;
+                                         {x - width / 2, y + gap, width, kLineHeight}}};
+  for (const Rectangle& place : places) {
+    const bool inside = place.x >= kLeft && place.x + place.width <= right && place.y >= kTop - kLineHeight / 2;
+    if (inside && std::none_of(taken.begin(), taken.end(), [&](const Rectangle& o) { return place.overlaps(o); })) {
+      return place;
     }
   }
-  return places[best];
+  return std::nullopt;
+}
+
+/// A label in the right margin, with a line to what it names.
+struct MarginLabel {
+  const PlotSeries* series;
+  double x;  ///< of what it names
+  double y;
+};
+
+/// From the highest down; they push each other apart.
+std::string marginLabels(std::vector<MarginLabel> labels, double right, double bottom) {
+  std::stable_sort(labels.begin(), labels.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
+  std::vector<double> at(labels.size());
+  double above = kTop - kLineHeight;
+  for (size_t i = 0; i < labels.size(); ++i) {
+    above = std::max(labels[i].y, above + kLineHeight);
+    at[i] = above;
+  }
+  double below = bottom + kLineHeight;
+  for (size_t i = labels.size(); i-- > 0;) {
+    below = std::min(at[i], below - kLineHeight);
+    at[i] = below;
+  }
+  std::string svg;
+  for (size_t i = 0; i < labels.size(); ++i) {
+    svg += line("leader", labels[i].x, labels[i].y, right + 18, at[i]) +
+           marker(right + 24, at[i], labels[i].series->style) +
+           fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", right + 34, at[i] + 4,
+                       htmlFromText(labels[i].series->name));
+  }
+  return svg;
+}
+
+/// The right edge of a plot that leaves room for labels in the margin.
+double rightEdge(const std::vector<PlotSeries>& series) {
+  double widest = 0;
+  for (const PlotSeries& each : series) {
+    widest = std::max(widest, textWidth(each.name));
+  }
+  return kWidth - std::min(widest, kWidth / 3) - 50;
 }
 
 }  // namespace
@@ -228,7 +259,7 @@ std::string frontierPlot(const std::string& title, const std::string& xTitle, co
     counts.push_back(each.points.front().first);
     errors.push_back(each.points.front().second);
   }
-  const double right = kWidth - 24;
+  const double right = rightEdge(series);
   const ErrorAxis vertical(errors, right);
   const LogAxis horizontal(counts, kLeft + 20, right - 20);
   std::string svg = opening(title) + vertical.svg(yTitle);
@@ -262,30 +293,34 @@ std::string frontierPlot(const std::string& title, const std::string& xTitle, co
   for (size_t i = 0; i < series.size(); ++i) {
     taken.push_back({xOf(i) - kMarker, vertical.at(errors[i]) - kMarker, 2 * kMarker, 2 * kMarker});
   }
+  std::string labels;
+  std::string markers;
+  std::vector<MarginLabel> inMargin;
   for (size_t i = 0; i < series.size(); ++i) {
     const double x = xOf(i);
     const double y = vertical.at(errors[i]);
-    const Rectangle label = placeLabel(x, y, series[i].name, taken, right);
-    taken.push_back(label);
-    svg += fmt::format(
-        "<g><title>{0}: {1:.0f}, {2:.4g} %</title>{3}<text class=\"label\" x=\"{4:.1f}\" "
-        "y=\"{5:.1f}\">{0}</text></g>\n",
-        htmlFromText(series[i].name), counts[i], 100 * errors[i], marker(x, y, series[i].style), label.x, label.y + 11);
+    markers += fmt::format("<g><title>{}: {:.0f}, {:.4g} %</title>{}</g>\n", htmlFromText(series[i].name), counts[i],
+                           100 * errors[i], marker(x, y, series[i].style));
+    if (const auto label = freePlace(x, y, series[i].name, taken, right)) {
+      taken.push_back(*label);
+      labels += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", label->x, label->y + 11,
+                            htmlFromText(series[i].name));
+    } else {
+      inMargin.push_back({&series[i], x, y});
+    }
   }
-  return svg + "</svg>\n";
+  return svg + marginLabels(inMargin, right, vertical.bottom()) + labels + markers + "</svg>\n";
 }
 
 std::string curvePlot(const std::string& title, const std::string& xTitle, const std::string& yTitle,
                       const std::vector<PlotSeries>& series) {
   std::vector<double> errors;
-  double labelWidth = 0;
   for (const PlotSeries& each : series) {
-    labelWidth = std::max(labelWidth, textWidth(each.name));
     for (const auto& [x, error] : each.points) {
       errors.push_back(error);
     }
   }
-  const double right = kWidth - std::min(labelWidth, kWidth / 3) - 40;
+  const double right = rightEdge(series);
   const ErrorAxis vertical(errors, right);
   const auto xAt = [&](double offset) { return kLeft + (right - kLeft) * offset; };
   std::string svg = opening(title) + vertical.svg(yTitle);
@@ -296,42 +331,23 @@ std::string curvePlot(const std::string& title, const std::string& xTitle, const
   }
   svg += xTitleText(right, xTitle);
 
-  // Labels stand at the ends of their curves, from the highest down, and push each other apart.
-  std::vector<size_t> order;
-  for (size_t i = 0; i < series.size(); ++i) {
-    if (!series[i].points.empty()) {
-      order.push_back(i);
+  std::vector<MarginLabel> labels;
+  for (const PlotSeries& each : series) {
+    if (each.points.empty()) {
+      continue;
     }
-  }
-  const auto endOf = [&](size_t i) { return vertical.at(series[i].points.back().second); };
-  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return endOf(a) < endOf(b); });
-  std::vector<double> labelY(order.size());
-  double above = kTop - kLineHeight;
-  for (size_t rank = 0; rank < order.size(); ++rank) {
-    above = std::max(endOf(order[rank]), above + kLineHeight);
-    labelY[rank] = above;
-  }
-  double below = vertical.bottom() + kLineHeight;
-  for (size_t rank = order.size(); rank-- > 0;) {
-    below = std::min(labelY[rank], below - kLineHeight);
-    labelY[rank] = below;
-  }
-  for (size_t rank = 0; rank < order.size(); ++rank) {
-    const PlotSeries& each = series[order[rank]];
     std::string path;
-    std::string markers;
     for (const auto& [x, error] : each.points) {
       path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", xAt(x), vertical.at(error));
     }
-    const double end = endOf(order[rank]);
-    markers += marker(right, end, each.style);
+    const double end = vertical.at(each.points.back().second);
     svg += fmt::format(
-        "<g><title>{0}</title><path d=\"{1}\" style=\"fill: none; stroke: {2}; stroke-width: 2; stroke-dasharray: "
-        "{3}\"/>{4}{5}<text class=\"label\" x=\"{6:.1f}\" y=\"{7:.1f}\">{0}</text></g>\n",
-        htmlFromText(each.name), path, colorOf(each.style), dashOf(each.style), markers,
-        line("leader", right + kMarker + 2, end, right + 20, labelY[rank]), right + 23, labelY[rank] + 4);
+        "<g><title>{}</title><path d=\"{}\" style=\"fill: none; stroke: {}; stroke-width: 2; stroke-dasharray: "
+        "{}\"/></g>\n",
+        htmlFromText(each.name), path, colorOf(each.style), dashOf(each.style));
+    labels.push_back({&each, right, end});
   }
-  return svg + "</svg>\n";
+  return svg + marginLabels(labels, right, vertical.bottom()) + "</svg>\n";
 }
 
 }  // namespace ocelli

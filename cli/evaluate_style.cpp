@@ -30,7 +30,7 @@ svg .tick { fill: var(--soft); font-size: 12px; }
 svg .axis { stroke: var(--soft); fill: none; }
 svg .grid { stroke: var(--grid); fill: none; }
 svg .front { stroke: var(--soft); fill: none; stroke-dasharray: 2 4; stroke-width: 1.5; }
-svg .leader { stroke: var(--line); fill: none; }
+svg .leader { stroke: var(--soft); stroke-opacity: .5; fill: none; }
 .legend { padding: 0; margin: 0; list-style: none; }
 .legend li { margin: .3rem 0; }
 .swatch { display: inline-block; width: 1.1em; height: 1.1em; margin-right: .45em; vertical-align: -.2em;
