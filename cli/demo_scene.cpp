@@ -27,7 +27,7 @@ const glm::vec3 kMissingThick = linearFromSrgb({0.941f, 0.894f, 0.259f});
 constexpr float kDimmed = 0.4f;
 
 // A mesh that stands for the scene, and how the page names it.
-struct Representation {
+struct ShownMesh {
   std::string id;
   std::string name;
   const Mesh* mesh;
@@ -100,19 +100,18 @@ DemoRow referenceRow(const DemoFolder& folder, const ReferenceImage& di, const R
                     "The OCRI: " + groupedDigits(ddoc.sampleCount()) + " samples in one layer.")}};
 }
 
-DemoRow leftRow(const DemoFolder& folder, const std::vector<Representation>& representations,
-                const PinholeCamera& camera) {
+DemoRow leftRow(const DemoFolder& folder, const std::vector<ShownMesh>& representations, const PinholeCamera& camera) {
   DemoRow row{"From 4 in to the left",
               "The head has moved; the data has not. The meshes of both reference images, seen from there.",
               {}};
-  for (const Representation& each : representations) {
+  for (const ShownMesh& each : representations) {
     row.images.push_back(folder.write("left-" + each.id, pictureOf(*each.mesh, camera), each.name,
                                       groupedDigits(each.mesh->triangles.size()) + " triangles."));
   }
   return row;
 }
 
-DemoRow missingRow(const DemoFolder& folder, const std::vector<Representation>& representations, const Mesh& truth,
+DemoRow missingRow(const DemoFolder& folder, const std::vector<ShownMesh>& representations, const Mesh& truth,
                    const PinholeCamera& camera) {
   DemoRow row{
       "What is missing there",
@@ -121,7 +120,7 @@ DemoRow missingRow(const DemoFolder& folder, const std::vector<Representation>& 
       {}};
   const Image<glm::vec4> truthPositions = positionImage(camera, truth);
   const Image<glm::vec3> truthPicture = pictureOf(truth, camera);
-  for (const Representation& each : representations) {
+  for (const ShownMesh& each : representations) {
     if (each.mesh == &truth) {
       continue;
     }
@@ -134,21 +133,20 @@ DemoRow missingRow(const DemoFolder& folder, const std::vector<Representation>& 
   return row;
 }
 
-DemoRow sideRow(const DemoFolder& folder, const std::vector<Representation>& representations,
-                const PinholeCamera& side) {
+DemoRow sideRow(const DemoFolder& folder, const std::vector<ShownMesh>& representations, const PinholeCamera& side) {
   DemoRow row{
       "From the side: the shadow",
       "No viewer in front of the display gets here; it shows what was left out. Behind the object, the depth image "
       "has no samples: its shadow. The OCRI shrinks the shadow, and leaves out what no nearby view needs.",
       {}};
-  for (const Representation& each : representations) {
+  for (const ShownMesh& each : representations) {
     row.images.push_back(folder.write("side-" + each.id, pictureOf(*each.mesh, side), each.name, ""));
   }
   return row;
 }
 
 // Every representation with the same gain.
-DemoRow displayRow(const DemoFolder& folder, const std::vector<Representation>& representations,
+DemoRow displayRow(const DemoFolder& folder, const std::vector<ShownMesh>& representations,
                    const std::vector<Volume>& volumes, const DemoOptions& options, const glm::vec3& eye, double gain,
                    const std::string& id, const std::string& title, const std::string& text) {
   DemoRow row{title, text, {}};
@@ -186,11 +184,11 @@ DemoScene runDemoScene(const std::string& title, const std::string& source, cons
   const Mesh geometry = loadScene(source, {}, progress);
   const View view;
   const PinholeCamera reference(view, options.width, options.height);
-  const ReferenceImage di = buildReferenceImage(cameraChoice("di"), reference, geometry, progress);
-  const ReferenceImage ddoc = buildReferenceImage(cameraChoice("ddoc"), reference, geometry, progress);
+  const ReferenceImage di = buildReferenceImages(cameraChoice("di"), reference, geometry, progress).front();
+  const ReferenceImage ddoc = buildReferenceImages(cameraChoice("ddoc"), reference, geometry, progress).front();
   const Mesh diMesh = imageMesh(di);
   const Mesh ddocMesh = imageMesh(ddoc);
-  const std::vector<Representation> representations{
+  const std::vector<ShownMesh> representations{
       {"di", "Depth image", &diMesh}, {"ddoc", "OCRI", &ddocMesh}, {"geometry", "Full geometry", &geometry}};
 
   scene.rows.push_back(referenceRow(images, di, ddoc));
@@ -202,7 +200,7 @@ DemoScene runDemoScene(const std::string& title, const std::string& source, cons
   scene.rows.push_back(sideRow(images, representations, PinholeCamera(sideView, options.width, options.height)));
 
   std::vector<Volume> volumes;
-  for (const Representation& each : representations) {
+  for (const ShownMesh& each : representations) {
     report(progress, "slicing", static_cast<double>(volumes.size()) / static_cast<double>(representations.size()));
     const auto start = std::chrono::steady_clock::now();
     volumes.push_back(slice(*each.mesh, options.profile));

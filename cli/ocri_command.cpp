@@ -8,8 +8,8 @@
 #include "cli/values.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/ocri/camera_choice.h"
-#include "oc_core/ocri/image_mesh.h"
 #include "oc_core/ocri/reference_image_file.h"
+#include "oc_core/ocri/union_mesh.h"
 #include "oc_core/scene/ply_file.h"
 
 namespace ocelli {
@@ -40,10 +40,12 @@ void addBuild(CLI::App& ocri, const Frame& frame) {
                  const ImageSize size = imageSizeFromText(choice->size, "--size");
                  const PinholeCamera reference(readViewOption(choice->view), size.width, size.height);
                  const Mesh mesh = loadScene(choice->scene.source, choice->scene.options, frame.progress());
-                 const ReferenceImage image = buildReferenceImage(camera, reference, mesh, frame.progress());
-                 writeReferenceImage(choice->output, image);
-                 frame.note(fmt::format("wrote {}: {} of {}x{}, {} samples", choice->output, image.camera,
-                                        image.width(), image.height(), image.sampleCount()));
+                 const ReferenceImages images = buildReferenceImages(camera, reference, mesh, frame.progress());
+                 writeReferenceImages(choice->output, images);
+                 for (const ReferenceImage& image : images) {
+                   frame.note(fmt::format("wrote {}: {} of {}x{}, {} samples", choice->output, image.camera,
+                                          image.width(), image.height(), image.sampleCount()));
+                 }
                });
 }
 
@@ -57,7 +59,7 @@ void addMesh(CLI::App& ocri, const Frame& frame) {
   command.add_option("IMAGE", choice->input, "A reference image (.exr)")->required();
   addOutputOption(command, choice->output, "Where the mesh goes", {".ply"});
   frame.finish(command, "  ocelli ocri mesh statues.exr -o statues.ply", [choice, frame] {
-    const Mesh mesh = imageMesh(readReferenceImage(choice->input));
+    const Mesh mesh = unionMesh(readReferenceImages(choice->input));
     writePly(choice->output, mesh);
     frame.note(fmt::format("wrote {}: {} triangles", choice->output, mesh.triangles.size()));
   });

@@ -6,6 +6,7 @@
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
+#include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/base/png_file.h"
 #include "oc_core/ocri/camera_choice.h"
@@ -29,11 +30,16 @@ void render(const RenderChoice& choice, const Frame& frame) {
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   const PinholeCamera reference(readViewOption(choice.view), size.width, size.height);
   const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, frame.progress());
-  const ReferenceImage image = choice.method == "raycast"
-                                   ? raycastReferenceImage(camera, reference, mesh, frame.progress())
-                                   : buildReferenceImage(camera, reference, mesh, frame.progress());
+  const ReferenceImages images = choice.method == "raycast"
+                                     ? ReferenceImages{raycastReferenceImage(camera, reference, mesh, frame.progress())}
+                                     : buildReferenceImages(camera, reference, mesh, frame.progress());
+  const ReferenceImage& image = images.front();
   if (choice.output.ends_with(".exr")) {
-    writeReferenceImage(choice.output, image);
+    writeReferenceImages(choice.output, images);
+  } else if (images.size() > 1) {
+    throw InputError("\"" + image.camera + "\" is a union of " + std::to_string(images.size()) +
+                         " images, which one PNG does not hold",
+                     "-o " + choice.output, "write an .exr file, which holds them all");
   } else {
     writePng(choice.output, srgbFromLinear(image.color));
   }

@@ -13,8 +13,8 @@
 #include "display_sim/slicer.h"
 #include "display_sim/svol_file.h"
 #include "oc_core/base/output_file.h"
-#include "oc_core/ocri/image_mesh.h"
 #include "oc_core/ocri/reference_image_file.h"
+#include "oc_core/ocri/union_mesh.h"
 
 namespace ocelli {
 namespace {
@@ -28,7 +28,7 @@ struct SliceChoice {
 };
 
 Mesh loadMesh(const SceneChoice& scene, const Progress& progress) {
-  return scene.source.ends_with(".exr") ? imageMesh(readReferenceImage(scene.source))
+  return scene.source.ends_with(".exr") ? unionMesh(readReferenceImages(scene.source))
                                         : loadScene(scene.source, scene.options, progress);
 }
 

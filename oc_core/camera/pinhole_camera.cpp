@@ -17,8 +17,8 @@ PinholeCamera::PinholeCamera(const View& view, int width, int height) : view_(vi
   down_ = glm::cross(forward_, right_);
   const double halfFov = radiansFromDegrees(view.resolvedFovVerticalDegrees()) / 2;
   focal_ = static_cast<float>(height / 2.0 / std::tan(halfFov));
-  centerU_ = static_cast<float>(width) / 2;
-  centerV_ = static_cast<float>(height) / 2;
+  centerU_ = static_cast<float>(width) / 2 + view.centerShift.x * static_cast<float>(height);
+  centerV_ = static_cast<float>(height) / 2 + view.centerShift.y * static_cast<float>(height);
 }
 
 RayPath PinholeCamera::rayPath(const glm::vec2& pixel) const {

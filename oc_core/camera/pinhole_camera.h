@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 
 #include "oc_core/camera/camera.h"
 #include "oc_core/camera/view.h"
@@ -24,6 +25,8 @@ class PinholeCamera {
   const glm::vec3& eye() const { return view_.eye; }
   /// Focal length in pixels, the same along u and v: a surface at depth z has a pixel footprint of z / focalPixels().
   float focalPixels() const { return focal_; }
+  /// Where the view direction meets the image, pixels: its middle, unless the view is sheared.
+  glm::vec2 centerPixels() const { return {centerU_, centerV_}; }
 
   /// (right, down, forward) coordinates of a world point relative to the eye; `.z` is the image z.
   glm::vec3 cameraFromWorld(const glm::vec3& worldPoint) const {

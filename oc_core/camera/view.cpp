@@ -11,20 +11,24 @@ namespace ocelli {
 namespace {
 
 constexpr double kMostCoordinate = 1e6;
+constexpr float kMostCenterShift = 10;
 
-glm::vec3 readVector(JsonFields& fields, const std::string& name, const glm::vec3& otherwise) {
+template <int kLength>
+glm::vec<kLength, float> readVector(JsonFields& fields, const std::string& name,
+                                    const glm::vec<kLength, float>& otherwise) {
   if (!fields.has(name)) {
     return otherwise;
   }
+  const std::string numbers = std::string("an array of ") + (kLength == 2 ? "two" : "three") + " numbers";
   const nlohmann::json& value = fields.value(name);
-  if (!value.is_array() || value.size() != 3) {
-    fields.fail(name, "must be an array of three numbers");
+  if (!value.is_array() || value.size() != kLength) {
+    fields.fail(name, "must be " + numbers);
   }
-  glm::vec3 vector;
-  for (int i = 0; i < 3; ++i) {
+  glm::vec<kLength, float> vector;
+  for (int i = 0; i < kLength; ++i) {
     const nlohmann::json& element = value[static_cast<size_t>(i)];
     if (!element.is_number() || !(std::abs(element.get<double>()) <= kMostCoordinate)) {
-      fields.fail(name, "must be an array of three numbers of at most 1e6");
+      fields.fail(name, "must be " + numbers + " of at most 1e6");
     }
     vector[i] = element.get<float>();
   }
@@ -66,6 +70,10 @@ void validate(const View& view, const std::string& where) {
     throw InputError("the vertical field of view must lie between 0 and 179 degrees", where,
                      "change \"fov_vertical_degrees\"");
   }
+  if (!(std::abs(view.centerShift.x) <= kMostCenterShift) || !(std::abs(view.centerShift.y) <= kMostCenterShift)) {
+    throw InputError("the centre of the view is shifted by more than 10 image heights", where,
+                     "change \"center_shift\"");
+  }
   if (!(view.zNear > 0) || !(view.zFar > view.zNear)) {
     throw InputError("\"z_near\" must be positive and less than \"z_far\"", where, "change them");
   }
@@ -75,12 +83,13 @@ View viewFromJsonText(const std::string& text, const std::string& where) {
   const nlohmann::json json = parseJson(text, where);
   JsonFields fields(json, where);
   View view;
-  view.eye = readVector(fields, "eye", view.eye);
-  view.target = readVector(fields, "target", view.target);
-  view.up = readVector(fields, "up", view.up);
+  view.eye = readVector<3>(fields, "eye", view.eye);
+  view.target = readVector<3>(fields, "target", view.target);
+  view.up = readVector<3>(fields, "up", view.up);
   view.fovVerticalDegrees = fields.number("fov_vertical_degrees", 0, 179, 0);
   view.zNear = static_cast<float>(fields.number("z_near", 1e-6, 1e6, view.zNear));
   view.zFar = static_cast<float>(fields.number("z_far", 1e-6, 1e9, view.zFar));
+  view.centerShift = readVector<2>(fields, "center_shift", view.centerShift);
   fields.rejectUnknown();
   validate(view, where);
   return view;
@@ -98,6 +107,9 @@ std::string jsonText(const View& view) {
   json["fov_vertical_degrees"] = view.resolvedFovVerticalDegrees();
   json["z_near"] = view.zNear;
   json["z_far"] = view.zFar;
+  if (view.centerShift != glm::vec2(0)) {
+    json["center_shift"] = {view.centerShift.x, view.centerShift.y};
+  }
   return json.dump();
 }
 

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
 
@@ -17,6 +18,9 @@ struct View {
   double fovVerticalDegrees = 0;  ///< 0 stands for "just holds the unit sphere around the target"
   float zNear = 0.01f;            ///< nearest distance along the view direction that has an image
   float zFar = 1000.0f;
+  /// Where the view direction meets the image, from its middle, to the right and down, in image heights: a sheared
+  /// frustum, whose image plane stays as it is while it looks to the side.
+  glm::vec2 centerShift{0};
 
   /// The vertical field of view with the 0 resolved: 2 asin(1 / distance). At least one unit away from the target.
   double resolvedFovVerticalDegrees() const;
@@ -25,8 +29,8 @@ struct View {
 };
 
 /// Throws InputError where eye and target coincide, up is parallel to the direction, a number is not finite, the field
-/// of view is not in (0, 179) degrees, the eye is within the unit sphere while no field of view is given, or zNear is
-/// not positive and less than zFar.
+/// of view is not in (0, 179) degrees, the shift is beyond 10 image heights, the eye is within the unit sphere while no
+/// field of view is given, or zNear is not positive and less than zFar.
 void validate(const View& view, const std::string& where);
 
 View readView(const std::filesystem::path& path);

@@ -6,16 +6,18 @@
 #include <vector>
 
 #include "oc_core/base/progress.h"
+#include "oc_core/ocri/cell_builder.h"
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/ocri/reference_image.h"
 
 namespace ocelli {
 
 struct CameraChoice {
-  enum class Model { kDepthImage, kDdoc };
+  enum class Model { kDepthImage, kDdoc, kCell };
   Model model = Model::kDepthImage;
   std::string name = "di";
   DdocOptions ddoc;
+  CellOptions cell;
 };
 
 struct CameraName {
@@ -30,9 +32,10 @@ const std::vector<CameraName>& cameraNames();
 /// sets another. Throws InputError for an unknown name, and for a file that is wrong.
 CameraChoice cameraChoice(const std::string& nameOrFile, float cellSideRadii = DdocOptions{}.cellSideRadii);
 
-/// Throws InputError where the eye lies inside an object, or the view sees nothing of the scene.
-ReferenceImage buildReferenceImage(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
-                                   const Progress& progress = {});
+/// The reference images of a camera: one, but for those that are unions. Throws InputError where the eye lies inside an
+/// object, or the view sees nothing of the scene.
+ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
+                                     const Progress& progress = {});
 
 /// The same camera, its image cast along its rays: the slow reference.
 ReferenceImage raycastReferenceImage(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,

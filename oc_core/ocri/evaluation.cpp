@@ -6,7 +6,8 @@
 #include <chrono>
 
 #include "oc_core/base/json_fields.h"
-#include "oc_core/ocri/image_mesh.h"
+#include "oc_core/ocri/representation.h"
+#include "oc_core/ocri/union_mesh.h"
 
 namespace ocelli {
 namespace {
@@ -57,19 +58,19 @@ std::vector<RepresentationFigures> evaluate(const Mesh& mesh, const std::vector<
   const auto measure = [&](const CameraChoice& choice) {
     RepresentationFigures figures;
     figures.name = choice.name;
-    ReferenceImage image;
-    Mesh imagesMesh;
-    figures.buildMilliseconds = milliseconds([&] { image = buildReferenceImage(choice, reference, mesh, progress); });
-    figures.meshMilliseconds = milliseconds([&] { imagesMesh = imageMesh(image); });
+    RepresentationTimes times;
+    const Representation representation = buildRepresentation(choice, reference, mesh, progress, &times);
+    figures.buildMilliseconds = times.buildMilliseconds;
+    figures.meshMilliseconds = times.meshMilliseconds;
     if (options.slice) {
-      figures.sliceMilliseconds = milliseconds([&] { options.slice(imagesMesh); });
+      figures.sliceMilliseconds = milliseconds([&] { options.slice(representation.mesh); });
     }
-    figures.triangles = imagesMesh.triangles.size();
-    figures.samples = image.sampleCount();
+    figures.triangles = representation.mesh.triangles.size();
+    figures.samples = representation.sampleCount();
     report(progress, choice.name, 0);
-    figures.edges = missingFrom(imagesMesh, edges);
-    figures.interior = missingFrom(imagesMesh, interior);
-    figures.reference = missingFrom(imagesMesh, centre);
+    figures.edges = missingFrom(representation.mesh, edges);
+    figures.interior = missingFrom(representation.mesh, interior);
+    figures.reference = missingFrom(representation.mesh, centre);
     report(progress, choice.name, 1);
     return figures;
   };
@@ -77,7 +78,7 @@ std::vector<RepresentationFigures> evaluate(const Mesh& mesh, const std::vector<
   std::vector<RepresentationFigures> rows(choices.size());
   std::transform(choices.begin(), choices.end(), rows.begin(), measure);
   // The ratios need the depth image, whether or not it was asked for.
-  const Mesh depthMesh = imageMesh(buildDepthImage(reference, mesh));
+  const Mesh depthMesh = unionMesh({buildDepthImage(reference, mesh)});
   const MissingSamples depth = missingFrom(depthMesh, edges);
   for (RepresentationFigures& row : rows) {
     row.strictRatioToDi = ratio(row.edges.strictRatio(), depth.strictRatio());

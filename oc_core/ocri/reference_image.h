@@ -6,12 +6,20 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
+#include <vector>
 
 #include "oc_core/base/image.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/render/fragment_image.h"
 
 namespace ocelli {
+
+/// How the rows of a reference image lie beside each other.
+enum class ImageRows {
+  kAligned,      ///< the sample below one of its own surface lies below it, or nearly
+  kShifted,      ///< rows are epipolar lines, and each is stretched by itself (section 3.3)
+  kShiftedRing,  ///< the same, and the last row is next to the first: epipolar lines around a point in the image
+};
 
 struct ReferenceImage {
   std::string camera;  ///< "di", "ddoc", ...
@@ -21,10 +29,20 @@ struct ReferenceImage {
   Image<glm::vec2> displacement;  ///< (d_u, d_v), pixels: where the sample is minus where the pinhole sees it
   /// Triangles of the depth image's mesh for the same view: an OCRI's mesh keeps to it. 0 where there is no bound.
   size_t triangleBound = 0;
+  /// Width and height of the reference pinhole, where they are not those of the image.
+  glm::ivec2 pinholeSize{0};
+  ImageRows rows = ImageRows::kAligned;
+  /// Where not 0: the rows below the pinhole's height hold square tiles of this side that have nothing to do with their
+  /// neighbours.
+  int tileSide = 0;
+  float tileSpacing = 1;  ///< between neighbouring samples in tiles, pixels of the reference pinhole
 
   int width() const { return z.width(); }
   int height() const { return z.height(); }
-  PinholeCamera reference() const { return {view, width(), height()}; }
+  PinholeCamera reference() const {
+    return pinholeSize.x > 0 ? PinholeCamera{view, pinholeSize.x, pinholeSize.y}
+                             : PinholeCamera{view, width(), height()};
+  }
   size_t sampleCount() const;
 
   /// Where the reference pinhole sees the sample of pixel (x, y); z is 0 for an empty one.
@@ -33,6 +51,9 @@ struct ReferenceImage {
     return {static_cast<float>(x) + 0.5f - d.x, static_cast<float>(y) + 0.5f - d.y, z(x, y)};
   }
 };
+
+/// A union: what they show together.
+using ReferenceImages = std::vector<ReferenceImage>;
 
 /// Turns rendered fragments into a reference image: every sample keeps the displacement that unprojects it to its
 /// surface.

@@ -4,10 +4,14 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
-#include <ImfInputFile.h>
-#include <ImfOutputFile.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
+#include <ImfMultiPartOutputFile.h>
+#include <ImfOutputPart.h>
+#include <ImfPartType.h>
 #include <ImfStringAttribute.h>
 #include <ImfVersion.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
@@ -25,6 +29,7 @@ constexpr const char* kAttribute = "ocelli";
 constexpr std::array<const char*, 6> kChannels{"R", "G", "B", "Z", "offset.u", "offset.v"};
 constexpr int kMostPixelsASide = PinholeCamera::kMostPixelsASide;
 constexpr int64_t kMostPixels = PinholeCamera::kMostPixels;
+constexpr size_t kMostParts = 64;
 constexpr int64_t kMostCompression = 1032;  ///< the most that deflate can do
 constexpr const char* kNext = "build it again with `ocelli ocri build`";
 
@@ -69,8 +74,8 @@ class BytesIn : public Imf::IStream {
   size_t position_ = 0;
 };
 
-/// The header alone: it is judged before OpenEXR makes buffers for the image that it promises.
-Imf::Header headerOf(std::string_view bytes) {
+/// The headers alone: they are judged before OpenEXR makes buffers for the images that they promise.
+std::vector<Imf::Header> headersOf(std::string_view bytes) {
   const auto byte = [&](size_t i) { return static_cast<uint32_t>(static_cast<unsigned char>(bytes[i])); };
   const auto word = [&](size_t i) { return byte(i) | byte(i + 1) << 8 | byte(i + 2) << 16 | byte(i + 3) << 24; };
   constexpr size_t kMagicAndVersion = 8;
@@ -80,9 +85,23 @@ Imf::Header headerOf(std::string_view bytes) {
   BytesIn stream(bytes);
   stream.seekg(kMagicAndVersion);
   auto version = static_cast<int>(word(4));
-  Imf::Header header;
-  header.readFrom(stream, version);
-  return header;
+  std::vector<Imf::Header> headers;
+  const auto readOne = [&] {
+    Imf::Header header;
+    header.readFrom(stream, version);
+    headers.push_back(header);
+  };
+  readOne();
+  if (Imf::isMultiPart(version)) {
+    const auto atEnd = [&] { return stream.tellg() >= bytes.size() || bytes[stream.tellg()] == '\0'; };
+    while (!atEnd()) {
+      if (headers.size() == kMostParts) {
+        throw std::runtime_error("it has more than " + std::to_string(kMostParts) + " parts");
+      }
+      readOne();
+    }
+  }
+  return headers;
 }
 
 struct Channel {
@@ -113,6 +132,13 @@ Imf::FrameBuffer frameBufferOf(const ReferenceImage& image) {
   return buffer;
 }
 
+struct RowsName {
+  ImageRows rows;
+  const char* name;
+};
+constexpr std::array<RowsName, 3> kRowsNames{
+    {{ImageRows::kAligned, "aligned"}, {ImageRows::kShifted, "shifted"}, {ImageRows::kShiftedRing, "shifted_ring"}}};
+
 std::string attributeText(const ReferenceImage& image) {
   nlohmann::ordered_json json;
   json["format"] = kFormat;
@@ -121,7 +147,27 @@ std::string attributeText(const ReferenceImage& image) {
   if (image.triangleBound > 0) {
     json["triangle_bound"] = image.triangleBound;
   }
+  if (image.pinholeSize.x > 0) {
+    json["pinhole_size"] = {{"width", image.pinholeSize.x}, {"height", image.pinholeSize.y}};
+  }
+  if (image.rows != ImageRows::kAligned) {
+    json["rows"] = kRowsNames[static_cast<size_t>(image.rows)].name;
+  }
+  if (image.tileSide > 0) {
+    json["tile_side"] = image.tileSide;
+    json["tile_spacing"] = image.tileSpacing;
+  }
   return json.dump();
+}
+
+ImageRows readRows(JsonFields& fields) {
+  const std::string name = fields.text("rows", kRowsNames[0].name);
+  for (const RowsName& known : kRowsNames) {
+    if (name == known.name) {
+      return known.rows;
+    }
+  }
+  fields.fail("rows", "must be aligned, shifted or shifted_ring");
 }
 
 void readAttribute(const std::string& text, const std::string& where, ReferenceImage& image) {
@@ -132,6 +178,17 @@ void readAttribute(const std::string& text, const std::string& where, ReferenceI
   image.camera = fields.text("camera");
   image.view = viewFromJsonText(fields.value("view").dump(), attribute + ", \"view\"");
   image.triangleBound = static_cast<size_t>(fields.integer("triangle_bound", 0, 2147483647, 0));
+  if (fields.has("pinhole_size")) {
+    JsonFields size(fields.value("pinhole_size"), attribute + ", \"pinhole_size\"");
+    image.pinholeSize = {size.integer("width", 1, kMostPixelsASide), size.integer("height", 1, kMostPixelsASide)};
+    size.rejectUnknown();
+    if (int64_t{image.pinholeSize.x} * image.pinholeSize.y > kMostPixels) {
+      fields.fail("pinhole_size", "must be at most 2^26 pixels in all");
+    }
+  }
+  image.rows = readRows(fields);
+  image.tileSide = fields.integer("tile_side", 2, kMostPixelsASide, 0);
+  image.tileSpacing = static_cast<float>(fields.number("tile_spacing", 0.01, 100, 1));
   fields.rejectUnknown();
 }
 
@@ -184,44 +241,77 @@ void validate(const ReferenceImage& image, const std::string& where) {
   }
 }
 
+std::string partName(const std::string& where, size_t part, size_t parts) {
+  return parts == 1 ? where : fmt::format("{}, part {}", where, part);
+}
+
 }  // namespace
 
-void writeReferenceImage(const std::filesystem::path& path, const ReferenceImage& image) {
-  OC_CHECK(!image.z.empty(), "an empty image has no EXR form");
-  Imf::Header header(image.width(), image.height());
-  header.compression() = Imf::ZIP_COMPRESSION;
-  for (const char* name : kChannels) {
-    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+void writeReferenceImages(const std::filesystem::path& path, const ReferenceImages& images) {
+  OC_CHECK(!images.empty() && images.size() <= kMostParts, "a file holds 1 to 64 reference images");
+  // All parts of a file share one display window.
+  Imath::Box2i window({0, 0}, {0, 0});
+  for (const ReferenceImage& image : images) {
+    window.extendBy(Imath::V2i(image.width() - 1, image.height() - 1));
   }
-  header.insert(kAttribute, Imf::StringAttribute(attributeText(image)));
+  std::vector<Imf::Header> headers;
+  for (const ReferenceImage& image : images) {
+    OC_CHECK(!image.z.empty(), "an empty image has no EXR form");
+    Imf::Header header(window, Imath::Box2i({0, 0}, {image.width() - 1, image.height() - 1}));
+    header.setName(fmt::format("{:02} {}", headers.size(), image.camera));
+    header.setType(Imf::SCANLINEIMAGE);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const char* name : kChannels) {
+      header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    }
+    header.insert(kAttribute, Imf::StringAttribute(attributeText(image)));
+    headers.push_back(header);
+  }
   BytesOut stream;
   {
-    Imf::OutputFile file(stream, header);
-    file.setFrameBuffer(frameBufferOf(image));
-    file.writePixels(image.height());
+    Imf::MultiPartOutputFile file(stream, headers.data(), static_cast<int>(headers.size()));
+    for (size_t i = 0; i < images.size(); ++i) {
+      Imf::OutputPart part(file, static_cast<int>(i));
+      part.setFrameBuffer(frameBufferOf(images[i]));
+      part.writePixels(images[i].height());
+    }
   }
   writeFile(path, stream.bytes);
 }
 
-ReferenceImage referenceImageFromBytes(std::string_view bytes, const std::string& where) {
-  ReferenceImage image;
+ReferenceImages referenceImagesFromBytes(std::string_view bytes, const std::string& where) {
+  ReferenceImages images;
   try {
-    readHeader(headerOf(bytes), bytes.size(), where, image);
+    const std::vector<Imf::Header> headers = headersOf(bytes);
+    int64_t pixels = 0;
+    for (const Imf::Header& header : headers) {
+      images.emplace_back();
+      readHeader(header, bytes.size(), partName(where, images.size() - 1, headers.size()), images.back());
+      pixels += static_cast<int64_t>(images.back().z.size());
+      if (pixels > kMostPixels) {
+        throw InputError("its images have more than 2^26 pixels in all", where, kNext);
+      }
+    }
     BytesIn stream(bytes);
-    Imf::InputFile file(stream);
-    file.setFrameBuffer(frameBufferOf(image));
-    file.readPixels(0, image.height() - 1);
+    Imf::MultiPartInputFile file(stream);
+    for (size_t i = 0; i < images.size(); ++i) {
+      Imf::InputPart part(file, static_cast<int>(i));
+      part.setFrameBuffer(frameBufferOf(images[i]));
+      part.readPixels(0, images[i].height() - 1);
+    }
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {
     throw InputError("cannot read this as an EXR file (" + std::string(error.what()) + ")", where, kNext);
   }
-  validate(image, where);
-  return image;
+  for (size_t i = 0; i < images.size(); ++i) {
+    validate(images[i], partName(where, i, images.size()));
+  }
+  return images;
 }
 
-ReferenceImage readReferenceImage(const std::filesystem::path& path) {
-  return referenceImageFromBytes(readFile(path), path.string());
+ReferenceImages readReferenceImages(const std::filesystem::path& path) {
+  return referenceImagesFromBytes(readFile(path), path.string());
 }
 
 }  // namespace ocelli

@@ -1,8 +1,10 @@
-// Reference images as OpenEXR files.
+// Reference images as OpenEXR files: one image a file, or a union of several as a multi-part file.
 //
 // Channels, all 32-bit float: R G B (linear), Z (0 marks an empty sample) and offset.u, offset.v: the displacement, so
 // that the pinhole of the stored view sees the sample of pixel centre (u, v) at (u - offset.u, v - offset.v). The
-// string attribute `ocelli` is a JSON object: "format" (1), "camera", "view" and, where there is one, "triangle_bound".
+// string attribute `ocelli` of each part is a JSON object: "format" (1), "camera", "view" and, where they say
+// something, "triangle_bound", "pinhole_size", "rows" ("shifted" or "shifted_ring"), "tile_side" and "tile_spacing"
+// (docs/files.md).
 #pragma once
 
 #include <filesystem>
@@ -12,12 +14,12 @@
 
 namespace ocelli {
 
-/// Throws WorkError where the file cannot be written in full.
-void writeReferenceImage(const std::filesystem::path& path, const ReferenceImage& image);
+/// At least one image. Throws WorkError where the file cannot be written in full.
+void writeReferenceImages(const std::filesystem::path& path, const ReferenceImages& images);
 
-/// Throws InputError for a file that is missing, broken, no EXR, or no reference image.
-ReferenceImage readReferenceImage(const std::filesystem::path& path);
+/// Throws InputError for a file that is missing, broken, no EXR, or holds something else than reference images.
+ReferenceImages readReferenceImages(const std::filesystem::path& path);
 /// The same from the bytes of a file; `where` names them in messages.
-ReferenceImage referenceImageFromBytes(std::string_view bytes, const std::string& where);
+ReferenceImages referenceImagesFromBytes(std::string_view bytes, const std::string& where);
 
 }  // namespace ocelli

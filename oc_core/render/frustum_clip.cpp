@@ -58,20 +58,23 @@ ClipPolygon clipToFrustum(const std::array<glm::vec3, 3>& triangle, const Pinhol
   polygon.corners[2] = {triangle[2], 0, 1};
   const double zNear = camera.view().zNear;
   const double zFar = camera.view().zFar;
-  const double right = (camera.width() / 2.0 + marginPixels) / camera.focalPixels();
-  const double down = (camera.height() / 2.0 + marginPixels) / camera.focalPixels();
+  // The borders of the image, as x and y at z = 1.
+  const glm::dvec2 center(camera.centerPixels());
+  const glm::dvec2 least = (-center - static_cast<double>(marginPixels)) / static_cast<double>(camera.focalPixels());
+  const glm::dvec2 most = (glm::dvec2(camera.width(), camera.height()) - center + static_cast<double>(marginPixels)) /
+                          static_cast<double>(camera.focalPixels());
   polygon = clip(polygon, {0, 0, 1}, -zNear);
   polygon = clip(polygon, {0, 0, -1}, zFar);
-  polygon = clip(polygon, {1, 0, right}, 0);
-  polygon = clip(polygon, {-1, 0, right}, 0);
-  polygon = clip(polygon, {0, 1, down}, 0);
-  polygon = clip(polygon, {0, -1, down}, 0);
+  polygon = clip(polygon, {1, 0, -least.x}, 0);
+  polygon = clip(polygon, {-1, 0, most.x}, 0);
+  polygon = clip(polygon, {0, 1, -least.y}, 0);
+  polygon = clip(polygon, {0, -1, most.y}, 0);
   // Corners of 1e20 units leave cuts that are off by more than the frustum: keep what comes out within it.
   for (; clipped.count < polygon.count; ++clipped.count) {
     const Corner& corner = polygon.corners[clipped.count];
     const double z = std::clamp(corner.p.z, zNear, zFar);
     clipped.vertices[clipped.count] = {
-        {std::clamp(corner.p.x, -right * z, right * z), std::clamp(corner.p.y, -down * z, down * z), z},
+        {std::clamp(corner.p.x, least.x * z, most.x * z), std::clamp(corner.p.y, least.y * z, most.y * z), z},
         static_cast<float>(corner.b1),
         static_cast<float>(corner.b2)};
   }

@@ -43,6 +43,7 @@ TEST(View, jsonTextReadsBackBitForBit) {
   view.fovVerticalDegrees = 100.0 / 7;
   view.zNear = 0.123f;
   view.zFar = 98765.4f;
+  view.centerShift = {0.3f, -1 / 7.0f};
   EXPECT_EQ(viewFromJsonText(jsonText(view), "text"), view);
 }
 
@@ -70,6 +71,8 @@ TEST(View, wrongFieldsAreNamed) {
   EXPECT_THAT(errorOf(R"({"fov_vertical_degrees": 180})"), HasSubstr("fov_vertical_degrees"));
   EXPECT_THAT(errorOf(R"({"fov_vertical_degrees": "wide"})"), HasSubstr("fov_vertical_degrees"));
   EXPECT_THAT(errorOf(R"({"z_near": -1})"), HasSubstr("z_near"));
+  EXPECT_THAT(errorOf(R"({"center_shift": [0, 0, 0]})"), HasSubstr("an array of two numbers"));
+  EXPECT_THAT(errorOf(R"({"center_shift": [0, 11]})"), HasSubstr("center_shift"));
   EXPECT_THAT(errorOf(R"([1, 2])"), HasSubstr("view.json"));
   EXPECT_THAT(errorOf("{"), HasSubstr("view.json:1"));
 }
@@ -100,6 +103,26 @@ TEST(View, numbersThatAreNotFiniteAreRefused) {
     view = View{};
     view.zFar = bad;
     expectRefused(view);
+    view = View{};
+    view.centerShift.y = bad;
+    expectRefused(view);
+  }
+}
+
+// A plane that faces the view: its image moves by the shift, and keeps its size.
+TEST(PinholeCamera, shearedFrustumMovesTheImageWithoutTurningIt) {
+  View view;
+  const PinholeCamera straight(view, 300, 200);
+  view.centerShift = {0.25f, -0.5f};
+  const PinholeCamera sheared(view, 300, 200);
+  for (const glm::vec3& point : {glm::vec3(0, 0, 0), glm::vec3(0.5f, 0.25f, 0), glm::vec3(-0.7f, 0.1f, 3)}) {
+    const std::optional<ImagePoint> a = straight.project(point);
+    const std::optional<ImagePoint> b = sheared.project(point);
+    ASSERT_TRUE(a && b);
+    EXPECT_NEAR(b->u, a->u + 50, 1e-3);
+    EXPECT_NEAR(b->v, a->v - 100, 1e-3);
+    EXPECT_EQ(b->z, a->z);
+    EXPECT_LT(glm::distance(*sheared.unproject(*b), point), 1e-5f);
   }
 }
 

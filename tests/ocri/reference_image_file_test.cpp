@@ -26,8 +26,10 @@ TEST(ReferenceImageFile, readsBackBitForBit) {
   const TemporaryFolder folder;
   ReferenceImage image = ocri();
   image.camera = "a \"quoted\" name";
-  writeReferenceImage(folder / "image.exr", image);
-  const ReferenceImage back = readReferenceImage(folder / "image.exr");
+  writeReferenceImages(folder / "image.exr", {image});
+  const ReferenceImages images = readReferenceImages(folder / "image.exr");
+  ASSERT_EQ(images.size(), 1u);
+  const ReferenceImage& back = images[0];
   EXPECT_EQ(back.camera, image.camera);
   EXPECT_EQ(back.triangleBound, image.triangleBound);
   EXPECT_TRUE(test::sameBytes(back.color, image.color));
@@ -43,10 +45,36 @@ TEST(ReferenceImageFile, unusualSizesReadBack) {
   const TemporaryFolder folder;
   for (const auto& [width, height] : {std::pair(1, 1), {1, 37}, {37, 1}, {17, 33}, {300, 200}}) {
     const ReferenceImage image = buildDepthImage(PinholeCamera(View{}, width, height), test::wall(0));
-    writeReferenceImage(folder / "image.exr", image);
-    const ReferenceImage back = readReferenceImage(folder / "image.exr");
+    writeReferenceImages(folder / "image.exr", {image});
+    const ReferenceImage back = readReferenceImages(folder / "image.exr").at(0);
     EXPECT_TRUE(test::sameBytes(back.z, image.z)) << width << "x" << height;
     EXPECT_EQ(back.triangleBound, 0u);
+  }
+}
+
+TEST(ReferenceImageFile, unionReadsBackPartByPart) {
+  const TemporaryFolder folder;
+  ReferenceImage shifted = buildDepthImage(PinholeCamera(View{}, 40, 20), test::wall(0));
+  shifted.camera = "other";
+  shifted.pinholeSize = {20, 40};
+  shifted.rows = ImageRows::kShiftedRing;
+  ReferenceImage tiled = shifted;
+  tiled.rows = ImageRows::kShifted;
+  tiled.tileSide = 8;
+  tiled.tileSpacing = 1.25f;
+  const ReferenceImages images{ocri(), shifted, tiled};
+  writeReferenceImages(folder / "union.exr", images);
+  const ReferenceImages back = readReferenceImages(folder / "union.exr");
+  ASSERT_EQ(back.size(), images.size());
+  for (size_t i = 0; i < images.size(); ++i) {
+    EXPECT_EQ(back[i].camera, images[i].camera);
+    EXPECT_EQ(back[i].pinholeSize, images[i].pinholeSize);
+    EXPECT_EQ(back[i].rows, images[i].rows);
+    EXPECT_EQ(back[i].tileSide, images[i].tileSide);
+    EXPECT_EQ(back[i].tileSpacing, images[i].tileSpacing);
+    EXPECT_EQ(back[i].reference().focalPixels(), images[i].reference().focalPixels());
+    EXPECT_TRUE(test::sameBytes(back[i].z, images[i].z));
+    EXPECT_TRUE(test::sameBytes(back[i].displacement, images[i].displacement));
   }
 }
 
@@ -55,7 +83,7 @@ TEST(ReferenceImageFile, sameImageGivesTheSameBytes) {
   std::string first;
   for (const int threads : {1, 2, 8}) {
     setThreadCount(threads);
-    writeReferenceImage(folder / "image.exr", ocri());
+    writeReferenceImages(folder / "image.exr", {ocri()});
     const std::string bytes = fileBytes(folder / "image.exr");
     first = first.empty() ? bytes : first;
     EXPECT_EQ(bytes, first) << threads;
@@ -66,8 +94,8 @@ TEST(ReferenceImageFile, sameImageGivesTheSameBytes) {
 TEST(ReferenceImageFile, placesThatCannotBeWrittenAreWorkErrors) {
   const TemporaryFolder folder;
   const ReferenceImage image = buildDepthImage(smallCamera(), test::wall(0));
-  EXPECT_THROW(writeReferenceImage(folder.path(), image), WorkError);
-  EXPECT_THROW(writeReferenceImage(folder / "no/such/folder.exr", image), WorkError);
+  EXPECT_THROW(writeReferenceImages(folder.path(), {image}), WorkError);
+  EXPECT_THROW(writeReferenceImages(folder / "no/such/folder.exr", {image}), WorkError);
 }
 
 TEST(ReferenceImageFile, whatIsNoFileIsNamed) {
@@ -76,7 +104,7 @@ TEST(ReferenceImageFile, whatIsNoFileIsNamed) {
                            folder.write("text.exr", "this is no image at all, whatever its name says"),
                            folder.write("magic.exr", std::string("\x76\x2f\x31\x01\x02\0\0\0", 8))}) {
     try {
-      readReferenceImage(path);
+      readReferenceImages(path);
       FAIL() << path;
     } catch (const InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr(path.string()));

@@ -13,8 +13,8 @@
 #include <memory>
 
 #include "oc_core/base/error.h"
-#include "oc_core/ocri/image_mesh.h"
 #include "oc_core/ocri/reference_image_file.h"
+#include "oc_core/ocri/union_mesh.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/ocri/test_scenes.h"
 
@@ -31,8 +31,7 @@ constexpr const char* kAttributeText = R"({"format": 1, "camera": "di", "view": 
 /// The message of the error, empty where the bytes are an image; that one can be meshed without harm.
 std::string errorOf(std::string_view bytes) {
   try {
-    const ReferenceImage image = referenceImageFromBytes(bytes, "bytes");
-    const Mesh mesh = imageMesh(image);
+    const Mesh mesh = unionMesh(referenceImagesFromBytes(bytes, "bytes"));
     for (const glm::uvec3& t : mesh.triangles) {
       EXPECT_LT(std::max({t.x, t.y, t.z}), mesh.positions.size());
     }
@@ -46,7 +45,7 @@ std::string goodBytes() {
   const TemporaryFolder folder;
   ReferenceImage image = buildDepthImage(PinholeCamera(View{}, kSide, kSide), test::boxBeforeWall());
   image.triangleBound = 4000;
-  writeReferenceImage(folder / "image.exr", image);
+  writeReferenceImages(folder / "image.exr", {image});
   return fileBytes(folder / "image.exr");
 }
 
@@ -94,8 +93,21 @@ TEST(ReferenceImageHostile, theForgedFileItselfIsGood) {
   EXPECT_EQ(forgedError([](Forged&) {}), "");
 }
 
-TEST(ReferenceImageHostile, truncatedFilesAreRefused) {
-  const std::string good = goodBytes();
+std::string goodUnionBytes() {
+  const TemporaryFolder folder;
+  const ReferenceImage image = buildDepthImage(PinholeCamera(View{}, kSide, kSide), test::boxBeforeWall());
+  writeReferenceImages(folder / "union.exr", {image, image});
+  return fileBytes(folder / "union.exr");
+}
+
+class ReferenceImageHostileFiles : public ::testing::TestWithParam<bool> {
+ protected:
+  static std::string bytes() { return GetParam() ? goodUnionBytes() : goodBytes(); }
+};
+INSTANTIATE_TEST_SUITE_P(OneOrTwoParts, ReferenceImageHostileFiles, ::testing::Bool());
+
+TEST_P(ReferenceImageHostileFiles, truncatedFilesAreRefused) {
+  const std::string good = bytes();
   ASSERT_EQ(errorOf(good), "");
   for (size_t size = 0; size < good.size(); size += size < 600 ? 1 : 97) {
     EXPECT_NE(errorOf(std::string_view(good).substr(0, size)), "") << size;
@@ -103,8 +115,8 @@ TEST(ReferenceImageHostile, truncatedFilesAreRefused) {
   EXPECT_NE(errorOf(std::string_view(good).substr(0, good.size() - 1)), "");
 }
 
-TEST(ReferenceImageHostile, flippedBytesAreRefusedOrHarmless) {
-  const std::string good = goodBytes();
+TEST_P(ReferenceImageHostileFiles, flippedBytesAreRefusedOrHarmless) {
+  const std::string good = bytes();
   size_t refused = 0;
   for (size_t at = 0; at < good.size(); ++at) {
     for (const int flip : {0x01, 0x80, 0xff}) {
@@ -157,6 +169,13 @@ TEST(ReferenceImageHostile, attributeIsNeededAndChecked) {
   EXPECT_THAT(errorWith(R"({"format": 1, "camera": "di", "view": {}, "triangle_bound": -1})"),
               HasSubstr("triangle_bound"));
   EXPECT_THAT(errorWith(R"({"format": 1, "camera": "di", "view": {}, "extra": 0})"), HasSubstr("extra"));
+  EXPECT_THAT(errorWith(R"({"format": 1, "camera": "di", "view": {}, "rows": "crooked"})"), HasSubstr("rows"));
+  EXPECT_THAT(errorWith(R"({"format": 1, "camera": "di", "view": {}, "tile_side": 1})"), HasSubstr("tile_side"));
+  EXPECT_THAT(errorWith(R"({"format": 1, "camera": "di", "view": {}, "pinhole_size": {"width": 9}})"),
+              HasSubstr("height"));
+  EXPECT_THAT(
+      errorWith(R"({"format": 1, "camera": "di", "view": {}, "pinhole_size": {"width": 32768, "height": 32768}})"),
+      HasSubstr("2^26"));
 }
 
 TEST(ReferenceImageHostile, valuesThatAreNoNumbersAreNamedByTheirPixel) {
