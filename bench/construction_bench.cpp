@@ -44,7 +44,7 @@ struct Row {
   std::function<Work(const Case&)> prepare;
 };
 
-size_t samplesOf(const std::vector<ReferenceImage>& images) {
+size_t samplesOf(const ReferenceImages& images) {
   size_t samples = 0;
   for (const ReferenceImage& image : images) {
     samples += image.sampleCount();
@@ -52,7 +52,7 @@ size_t samplesOf(const std::vector<ReferenceImage>& images) {
   return samples;
 }
 
-Row imagesRow(const char* name, const std::function<std::vector<ReferenceImage>(const Case&)>& build) {
+Row imagesRow(const char* name, const std::function<ReferenceImages(const Case&)>& build) {
   return {name, [build](const Case& c) -> Work { return [build, &c] { return samplesOf(build(c)); }; }};
 }
 
@@ -62,7 +62,7 @@ Row simplifyRow(const char* name, SimplifyMethod method) {
           }};
 }
 
-std::vector<ReferenceImage> ddoc(const Case& c, int feedbackRounds) {
+ReferenceImages ddoc(const Case& c, int feedbackRounds) {
   DdocOptions options;
   options.feedbackRounds = feedbackRounds;
   return {buildDdocImage(buildDdocCamera(c.camera, c.scene, options), c.scene, options.subdivision)};

@@ -93,11 +93,13 @@ OsMesaRenderer::OsMesaRenderer(const PinholeCamera& camera, const Mesh& mesh) : 
   impl_->indices = static_cast<GLsizei>(mesh.triangles.size() * 3);
 
   impl_->range = depthRangeOf(camera, mesh);
-  const double halfWidth = camera.width() / 2.0 / camera.focalPixels() * impl_->range.zNear;
-  const double halfHeight = camera.height() / 2.0 / camera.focalPixels() * impl_->range.zNear;
+  const glm::dvec2 center(camera.centerPixels());
+  const auto nearPerPixel = static_cast<double>(impl_->range.zNear / camera.focalPixels());
   glMatrixMode(GL_PROJECTION);
   glLoadIdentity();
-  glFrustum(-halfWidth, halfWidth, -halfHeight, halfHeight, impl_->range.zNear, impl_->range.zFar);
+  glFrustum(-center.x * nearPerPixel, (camera.width() - center.x) * nearPerPixel,
+            (center.y - camera.height()) * nearPerPixel, center.y * nearPerPixel, impl_->range.zNear,
+            impl_->range.zFar);
   // OpenGL's eye space is (right, up, backward).
   glm::mat4 eyeFromWorld(1);
   const glm::vec3 origin = camera.cameraFromWorld(glm::vec3(0));

@@ -30,6 +30,7 @@
 #include "oc_core/ocri/layered_depth_image.h"
 #include "oc_core/ocri/layered_mesh.h"
 #include "oc_core/ocri/simplified_mesh.h"
+#include "oc_core/ocri/union_mesh.h"
 #include "oc_core/scene/scene_source.h"
 
 namespace ocelli {
@@ -78,20 +79,12 @@ void print(const Row& row, double imageSeconds) {
   }
 }
 
-double bytesOf(const std::vector<ReferenceImage>& layers) {
+double bytesOf(const ReferenceImages& layers) {
   size_t hidden = 0;
   for (size_t layer = 1; layer < layers.size(); ++layer) {
     hidden += layers[layer].sampleCount();
   }
   return kPixels * kBytesOfSample + static_cast<double>(hidden) * (kBytesOfSample + kBytesOfPixelNumber);
-}
-
-Mesh meshOf(const std::vector<ReferenceImage>& images) {
-  Mesh mesh;
-  for (const ReferenceImage& image : images) {
-    append(mesh, imageMesh(image));
-  }
-  return mesh;
 }
 
 double bytesOf(const Mesh& mesh) {
@@ -122,7 +115,7 @@ double missingRatio(const Mesh& mesh, const Mesh& scene) {
 
 void measure(const Mesh& scene, int runs, int layers) {
   const PinholeCamera camera(View{}, kDefaultWidth, kDefaultHeight);
-  std::vector<ReferenceImage> images;
+  ReferenceImages images;
   Mesh mesh;
   const auto ocri = [&](int feedbackRounds) {
     return [&, feedbackRounds] {
@@ -131,7 +124,7 @@ void measure(const Mesh& scene, int runs, int layers) {
       images = {buildDdocImage(buildDdocCamera(camera, scene, options), scene, options.subdivision)};
     };
   };
-  const auto imagesMesh = [&] { return meshOf(images); };
+  const auto imagesMesh = [&] { return unionMesh(images); };
   const auto imagesBytes = [&] { return static_cast<double>(images.size()) * kPixels * kBytesOfSample; };
   const auto ocriBytes = [&] { return kPixels * (kBytesOfSample + kBytesOfPlace); };
   const auto layersMesh = [&] { return layeredMesh(images); };

@@ -4,14 +4,14 @@
 
 namespace ocelli {
 
-std::vector<ReferenceImage> buildCornerDepthImages(const PinholeCamera& reference, const Mesh& mesh,
-                                                   const ViewCell& cell, int corners) {
+ReferenceImages buildCornerDepthImages(const PinholeCamera& reference, const Mesh& mesh, const ViewCell& cell,
+                                       int corners) {
   if (corners != 4 && corners != 8) {
     throw InputError("a cube has no choice of " + std::to_string(corners) + " corners to look from", "corners",
                      "choose 4 (those towards the scene) or 8");
   }
   const float half = cell.sideRadii / 2;
-  std::vector<ReferenceImage> images{buildDepthImage(reference, mesh)};
+  ReferenceImages images{buildDepthImage(reference, mesh)};
   for (const float backward : {-half, half}) {
     for (const float up : {-half, half}) {
       for (const float right : {-half, half}) {

@@ -2,8 +2,6 @@
 // things.
 #pragma once
 
-#include <vector>
-
 #include "oc_core/ocri/reference_image.h"
 #include "oc_core/ocri/view_cell.h"
 
@@ -13,7 +11,7 @@ namespace ocelli {
 /// target. `corners` is 8 for all of them, or 4 for those of the face towards the scene: closer to it they look farther
 /// behind things, and 4 in one plane cover left and right as well as above and below. Throws InputError for another
 /// count.
-std::vector<ReferenceImage> buildCornerDepthImages(const PinholeCamera& reference, const Mesh& mesh,
+ReferenceImages buildCornerDepthImages(const PinholeCamera& reference, const Mesh& mesh,
                                                    const ViewCell& cell, int corners);
 
 }  // namespace ocelli

@@ -50,12 +50,12 @@ std::vector<DrawnSides> visibleSides(const Mesh& mesh) {
   return sides;
 }
 
-std::vector<ReferenceImage> buildLayeredDepthImage(const PinholeCamera& reference, const Mesh& mesh, int layers) {
+ReferenceImages buildLayeredDepthImage(const PinholeCamera& reference, const Mesh& mesh, int layers) {
   if (layers < 1 || layers > kMostLayers) {
     throw InputError("a layered depth image of " + std::to_string(layers) + " layers cannot be made", "layers",
                      "choose 1 to " + std::to_string(kMostLayers));
   }
-  std::vector<ReferenceImage> images;
+  ReferenceImages images;
   for (const FragmentImage& fragments : rasterizeLayers(reference, mesh, layers, visibleSides(mesh))) {
     ReferenceImage image = referenceImage(fragments, mesh, reference, "ldi");
     // As in the depth image: a pinhole displaces nothing, what is left is rounding.
@@ -68,7 +68,7 @@ std::vector<ReferenceImage> buildLayeredDepthImage(const PinholeCamera& referenc
   return images;
 }
 
-void dropUnseenSamples(std::vector<ReferenceImage>& layers, const Mesh& mesh, const ViewCell& cell) {
+void dropUnseenSamples(ReferenceImages& layers, const Mesh& mesh, const ViewCell& cell) {
   if (layers.size() < 2) {
     return;
   }

@@ -11,8 +11,6 @@
 // one pass over the scene. Surfaces edge-on to the reference view are sampled as sparsely as in the depth image.
 #pragma once
 
-#include <vector>
-
 #include "oc_core/ocri/reference_image.h"
 #include "oc_core/ocri/view_cell.h"
 #include "oc_core/render/rasterize_layers.h"
@@ -24,12 +22,12 @@ std::vector<DrawnSides> visibleSides(const Mesh& mesh);
 
 /// One image a layer, all of the same view, the closest first; trailing layers without a sample are left out, except
 /// the first. Throws InputError where `layers` is not in 1 to kMostLayers.
-std::vector<ReferenceImage> buildLayeredDepthImage(const PinholeCamera& reference, const Mesh& mesh, int layers);
+ReferenceImages buildLayeredDepthImage(const PinholeCamera& reference, const Mesh& mesh, int layers);
 
 /// Empties the samples behind the first layer that none of the viewpoints on the edges of `cell` sees: those that have
 /// nothing more than 1.5 pixel footprints in front of them at one of the 3x3 pixels around their image. What is left is
 /// what an LDI merged from the images of these viewpoints would hold, where it holds it. Layers must be of one view and
 /// size.
-void dropUnseenSamples(std::vector<ReferenceImage>& layers, const Mesh& mesh, const ViewCell& cell);
+void dropUnseenSamples(ReferenceImages& layers, const Mesh& mesh, const ViewCell& cell);
 
 }  // namespace ocelli

@@ -15,7 +15,7 @@ constexpr float kLongestScaledStep = 1.5f;  ///< as in image_mesh.cpp
 
 class LayeredMesher {
  public:
-  LayeredMesher(const std::vector<ReferenceImage>& layers, const ImageMeshOptions& options)
+  LayeredMesher(const ReferenceImages& layers, const ImageMeshOptions& options)
       : layers_(layers),
         options_(options),
         camera_(layers[0].reference()),
@@ -274,7 +274,7 @@ class LayeredMesher {
     mesh_.triangles.emplace_back(corner, corner + 2, corner + 3);
   }
 
-  const std::vector<ReferenceImage>& layers_;
+  const ReferenceImages& layers_;
   const ImageMeshOptions& options_;
   PinholeCamera camera_;
   int width_;
@@ -289,7 +289,7 @@ class LayeredMesher {
 
 }  // namespace
 
-Mesh layeredMesh(const std::vector<ReferenceImage>& layers, const ImageMeshOptions& options) {
+Mesh layeredMesh(const ReferenceImages& layers, const ImageMeshOptions& options) {
   if (layers.empty()) {
     return {};
   }

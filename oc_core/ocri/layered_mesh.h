@@ -4,8 +4,6 @@
 // another layer where something comes in front of it, and its samples are joined across layers.
 #pragma once
 
-#include <vector>
-
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/ocri/reference_image.h"
 #include "oc_core/scene/mesh.h"
@@ -16,6 +14,6 @@ namespace ocelli {
 /// that continue each other best, by the rules of imageMesh(); a single layer is joined as imageMesh() joins it.
 /// Vertices come in pixel order, the layers of a pixel from near to far, then the corners of squares. Layers must be of
 /// one view and size; they displace nothing. No layer gives an empty mesh.
-Mesh layeredMesh(const std::vector<ReferenceImage>& layers, const ImageMeshOptions& options = {});
+Mesh layeredMesh(const ReferenceImages& layers, const ImageMeshOptions& options = {});
 
 }  // namespace ocelli

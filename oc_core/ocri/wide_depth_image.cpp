@@ -81,8 +81,9 @@ ReferenceImage buildWideDepthImage(const PinholeCamera& reference, const Mesh& m
   const int width = reference.width() + 2 * marginOf(reference.width(), factor);
   const int height = reference.height() + 2 * marginOf(reference.height(), factor);
   View view = reference.view();
-  // The focal length in pixels stays.
+  // The focal length in pixels stays, and so does the shift of the centre.
   view.fovVerticalDegrees = degreesFromRadians(2 * std::atan(height / 2.0 / reference.focalPixels()));
+  view.centerShift *= static_cast<float>(reference.height()) / static_cast<float>(height);
   ReferenceImage image = buildDepthImage(PinholeCamera(view, width, height), mesh);
   image.camera = "di-wide";
   return image;

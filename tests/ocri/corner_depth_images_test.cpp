@@ -18,8 +18,7 @@ bool isCorner(const glm::vec3& eye, float half) {
 }
 
 TEST(CornerDepthImages, eightCornersAreTheCorners) {
-  const std::vector<ReferenceImage> images =
-      buildCornerDepthImages(smallCamera(), test::boxBeforeWall(), ViewCell{2}, 8);
+  const ReferenceImages images = buildCornerDepthImages(smallCamera(), test::boxBeforeWall(), ViewCell{2}, 8);
   ASSERT_EQ(images.size(), 9u);
   EXPECT_EQ(images[0].view, View{});
   for (size_t i = 1; i < images.size(); ++i) {
@@ -31,8 +30,7 @@ TEST(CornerDepthImages, eightCornersAreTheCorners) {
 }
 
 TEST(CornerDepthImages, fourCornersAreThoseTowardsTheScene) {
-  const std::vector<ReferenceImage> images =
-      buildCornerDepthImages(smallCamera(), test::boxBeforeWall(), ViewCell{2}, 4);
+  const ReferenceImages images = buildCornerDepthImages(smallCamera(), test::boxBeforeWall(), ViewCell{2}, 4);
   ASSERT_EQ(images.size(), 5u);
   for (size_t i = 1; i < images.size(); ++i) {
     EXPECT_TRUE(isCorner(images[i].view.eye, 1));

@@ -49,7 +49,7 @@ Mesh meshOfBoxes() {
 
 TEST(LayeredDepthImage, layersOfBoxesAreWhereTheRayEntersThem) {
   const PinholeCamera camera = smallCamera();
-  const std::vector<ReferenceImage> layers = buildLayeredDepthImage(camera, meshOfBoxes(), 8);
+  const ReferenceImages layers = buildLayeredDepthImage(camera, meshOfBoxes(), 8);
   ASSERT_EQ(layers.size(), 4u) << "no ray meets more than four of the boxes";
   size_t checked = 0;
   for (int y = 0; y < kHeight; ++y) {
@@ -98,19 +98,19 @@ TEST(LayeredDepthImage, solidsHaveNoBackAndSheetsHave) {
   for (glm::uvec3& t : ball.triangles) {
     std::swap(t.y, t.z);
   }
-  const std::vector<ReferenceImage> insideOut = buildLayeredDepthImage(smallCamera(), ball, 4);
+  const ReferenceImages insideOut = buildLayeredDepthImage(smallCamera(), ball, 4);
   ASSERT_EQ(insideOut.size(), 1u);
   EXPECT_NEAR(insideOut[0].z(kWidth / 2, kHeight / 2), 9, 0.01);
 
   Mesh sheets = test::wall(0.5f);
   test::addQuad(sheets, {3, -3, 0}, {-3, -3, 0}, {-3, 3, 0}, {3, 3, 0});
-  const std::vector<ReferenceImage> layers = buildLayeredDepthImage(smallCamera(), sheets, 4);
+  const ReferenceImages layers = buildLayeredDepthImage(smallCamera(), sheets, 4);
   ASSERT_EQ(layers.size(), 2u);
   EXPECT_EQ(layers[1].sampleCount(), static_cast<size_t>(kWidth * kHeight));
 }
 
 TEST(LayeredDepthImage, samplesKeepTheirColours) {
-  const std::vector<ReferenceImage> layers = buildLayeredDepthImage(smallCamera(), test::boxBeforeWall(), 2);
+  const ReferenceImages layers = buildLayeredDepthImage(smallCamera(), test::boxBeforeWall(), 2);
   ASSERT_EQ(layers.size(), 2u);
   EXPECT_NEAR(layers[0].color(kWidth / 2, kHeight / 2).r, 0.8f, 1e-6f) << "the box";
   EXPECT_NEAR(layers[1].color(kWidth / 2, kHeight / 2).r, 0.5f, 1e-6f) << "the wall behind it";
@@ -122,9 +122,9 @@ TEST(LayeredDepthImage, unseenSamplesAreDropped) {
   const PinholeCamera camera = smallCamera();
   Mesh scene = test::wall(1, 0.5f);
   test::addWall(scene, -1, 3);
-  std::vector<ReferenceImage> layers = buildLayeredDepthImage(camera, scene, 2);
+  ReferenceImages layers = buildLayeredDepthImage(camera, scene, 2);
   ASSERT_EQ(layers.size(), 2u);
-  const std::vector<ReferenceImage> all = layers;
+  const ReferenceImages all = layers;
   dropUnseenSamples(layers, scene, ViewCell{1.6f});
   EXPECT_TRUE(sameBytes(layers[0].z, all[0].z));
   // The wall in front hides |x|, |y| < 0.5 * 11 / 9 = 0.61 of the one behind. The corners of the cell that are nearest
@@ -154,10 +154,10 @@ TEST(LayeredDepthImage, unseenSamplesAreDropped) {
 }
 
 TEST(LayeredDepthImage, unseenSamplesOfNothingAreNone) {
-  std::vector<ReferenceImage> none;
+  ReferenceImages none;
   dropUnseenSamples(none, {}, ViewCell{});
   EXPECT_TRUE(none.empty());
-  std::vector<ReferenceImage> single = buildLayeredDepthImage(smallCamera(), test::wall(0), 1);
+  ReferenceImages single = buildLayeredDepthImage(smallCamera(), test::wall(0), 1);
   dropUnseenSamples(single, test::wall(0), ViewCell{});
   EXPECT_EQ(single[0].sampleCount(), static_cast<size_t>(kWidth * kHeight));
 }
@@ -169,7 +169,7 @@ TEST(LayeredDepthImage, refusesNoLayersAndTooMany) {
 }
 
 TEST(LayeredDepthImage, anEmptySceneGivesOneEmptyLayer) {
-  const std::vector<ReferenceImage> layers = buildLayeredDepthImage(smallCamera(), {}, 4);
+  const ReferenceImages layers = buildLayeredDepthImage(smallCamera(), {}, 4);
   ASSERT_EQ(layers.size(), 1u);
   EXPECT_EQ(layers[0].sampleCount(), 0u);
 }

@@ -19,7 +19,7 @@ using test::smallCamera;
 
 constexpr size_t kJoined = 2 * static_cast<size_t>(kWidth - 1) * (kHeight - 1);
 
-size_t samplesOf(const std::vector<ReferenceImage>& layers) {
+size_t samplesOf(const ReferenceImages& layers) {
   size_t count = 0;
   for (const ReferenceImage& layer : layers) {
     count += layer.sampleCount();
@@ -62,7 +62,7 @@ TEST(LayeredMesh, aSingleLayerIsJoinedLikeADepthImage) {
 }
 
 TEST(LayeredMesh, aWallGoesOnBehindABox) {
-  const std::vector<ReferenceImage> layers = buildLayeredDepthImage(smallCamera(), test::boxBeforeWall(), 2);
+  const ReferenceImages layers = buildLayeredDepthImage(smallCamera(), test::boxBeforeWall(), 2);
   const Mesh mesh = layeredMesh(layers);
   size_t onWall = 0;
   for (const auto& t : joinedTriangles(mesh, samplesOf(layers))) {
@@ -81,7 +81,7 @@ TEST(LayeredMesh, parallelSheetsAreNotMixedUp) {
   const float apart = kSteepness * footprint * 0.9f;
   Mesh sheets = test::tiltedPlane(kSteepness, 60);
   append(sheets, test::tiltedPlane(kSteepness, 60), glm::translate(glm::mat4(1), glm::vec3(0, 0, -apart)));
-  const std::vector<ReferenceImage> layers = buildLayeredDepthImage(smallCamera(), sheets, 2);
+  const ReferenceImages layers = buildLayeredDepthImage(smallCamera(), sheets, 2);
   const Mesh mesh = layeredMesh(layers);
   const auto isBehind = [&](uint32_t vertex) {
     const glm::vec3& p = mesh.positions[vertex];
@@ -96,7 +96,7 @@ TEST(LayeredMesh, parallelSheetsAreNotMixedUp) {
 
 TEST(LayeredMesh, missesLessThanTheDepthImageAndThanUnjoinedLayers) {
   const Mesh scene = test::boxBeforeWall(0.9f);
-  const std::vector<ReferenceImage> layers = buildLayeredDepthImage(smallCamera(), scene, 2);
+  const ReferenceImages layers = buildLayeredDepthImage(smallCamera(), scene, 2);
   const MissingSamples layered = missingFrom(layeredMesh(layers), scene);
   const MissingSamples image = missingFrom(imageMesh(layers[0]), scene);
   EXPECT_GT(image.strict, 1000u);
@@ -106,7 +106,7 @@ TEST(LayeredMesh, missesLessThanTheDepthImageAndThanUnjoinedLayers) {
 }
 
 TEST(LayeredMesh, everySampleIsAVertexInPixelOrder) {
-  const std::vector<ReferenceImage> layers = buildLayeredDepthImage(smallCamera(), test::ballBeforePlane(), 2);
+  const ReferenceImages layers = buildLayeredDepthImage(smallCamera(), test::ballBeforePlane(), 2);
   ASSERT_EQ(layers.size(), 2u);
   const Mesh mesh = layeredMesh(layers);
   size_t vertex = 0;
@@ -125,8 +125,7 @@ TEST(LayeredMesh, everySampleIsAVertexInPixelOrder) {
 }
 
 TEST(LayeredMesh, sameForAnyNumberOfThreads) {
-  const std::vector<ReferenceImage> layers =
-      buildLayeredDepthImage(smallCamera(), test::randomTriangles(400, 11), kMostLayers);
+  const ReferenceImages layers = buildLayeredDepthImage(smallCamera(), test::randomTriangles(400, 11), kMostLayers);
   setThreadCount(1);
   const Mesh expected = layeredMesh(layers);
   for (const int threads : {2, 5}) {
