@@ -17,21 +17,22 @@ struct ImageBox {
 
 /// What the points of `box` times factors in [least, greatest] lie between.
 inline ImageBox scaled(const ImageBox& box, float least, float greatest) {
-  return {glm::min(glm::min(box.lower * least, box.lower * greatest), glm::min(box.upper * least, box.upper * greatest)),
-          glm::max(glm::max(box.lower * least, box.lower * greatest), glm::max(box.upper * least, box.upper * greatest))};
+  return {
+      glm::min(glm::min(box.lower * least, box.lower * greatest), glm::min(box.upper * least, box.upper * greatest)),
+      glm::max(glm::max(box.lower * least, box.lower * greatest), glm::max(box.upper * least, box.upper * greatest))};
 }
 
 /// `distort` maps the pinhole's image point to that of the camera, at the same depth. `longestDisplacement` holds for
 /// every point with an image inside of the borders. `displacementOver` bounds the displacement of every undistorted
 /// image point in a box whose 1/z lies in a range: never too tight.
 template <class C>
-concept DistortedPinhole =
-    Camera<C> && requires(const C& camera, const ImagePoint& undistorted, const ImageBox& box, float inverseZ) {
-      { camera.reference() } -> std::same_as<const PinholeCamera&>;
-      { camera.distort(undistorted) } -> std::same_as<ImagePoint>;
-      { camera.longestDisplacement() } -> std::convertible_to<float>;
-      { camera.displacementOver(box, inverseZ, inverseZ) } -> std::same_as<ImageBox>;
-    };
+concept DistortedPinhole = Camera<C> &&
+    requires(const C& camera, const ImagePoint& undistorted, const ImageBox& box, float inverseZ) {
+  { camera.reference() } -> std::same_as<const PinholeCamera&>;
+  { camera.distort(undistorted) } -> std::same_as<ImagePoint>;
+  { camera.longestDisplacement() } -> std::convertible_to<float>;
+  { camera.displacementOver(box, inverseZ, inverseZ) } -> std::same_as<ImageBox>;
+};
 
 /// A pinhole is one that displaces nothing: these let renderers treat it alike.
 inline const PinholeCamera& referenceOf(const PinholeCamera& camera) {

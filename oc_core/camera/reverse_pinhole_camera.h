@@ -29,8 +29,8 @@ class ReversePinholeCamera {
   ReversePinholeCamera(const PinholeCamera& reference, float sameImageDepth, float meetingDepth);
 
   /// Opposite to the eye, around the middle of the depths of those `points` that `reference` has an image of: z' is the
-  /// middle, and z_m twice that. The range of depths becomes that of the points, a little wider. Throws InputError where
-  /// no point is in view.
+  /// middle, and z_m twice that. The range of depths becomes that of the points, a little wider. Throws InputError
+  /// where no point is in view.
   static ReversePinholeCamera around(const PinholeCamera& reference, std::span<const glm::vec3> points);
 
   int width() const { return reference_.width(); }

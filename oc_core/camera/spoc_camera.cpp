@@ -22,10 +22,7 @@ glm::vec2 distanceRange(float lower, float upper) {
 }  // namespace
 
 SpocCamera::SpocCamera(const PinholeCamera& reference, const SpocDistortion& d)
-    : reference_(reference),
-      distortion_(d),
-      inverseNear_(1 / d.zNear),
-      perInverseZ_(1 / (inverseNear_ - 1 / d.zFar)) {
+    : reference_(reference), distortion_(d), inverseNear_(1 / d.zNear), perInverseZ_(1 / (inverseNear_ - 1 / d.zFar)) {
   const std::string where = "single pole occlusion camera";
   if (!std::isfinite(d.pole.x) || !std::isfinite(d.pole.y) || !std::isfinite(d.zNear) || !std::isfinite(d.zFar) ||
       !std::isfinite(d.nearPixels) || !std::isfinite(d.farPixels)) {
@@ -88,8 +85,8 @@ SpocCamera SpocCamera::aroundObject(const PinholeCamera& reference, std::span<co
 
 std::optional<ImagePoint> SpocCamera::project(const glm::vec3& worldPoint) const {
   const std::optional<ImagePoint> undistorted = reference_.project(worldPoint);
-  if (!undistorted || (glm::vec2(undistorted->u, undistorted->v) == distortion_.pole &&
-                       displacementAt(undistorted->z) > 0)) {
+  if (!undistorted ||
+      (glm::vec2(undistorted->u, undistorted->v) == distortion_.pole && displacementAt(undistorted->z) > 0)) {
     return std::nullopt;
   }
   return distort(*undistorted);
@@ -118,6 +115,9 @@ std::optional<glm::vec3> SpocCamera::unproject(const ImagePoint& q) const {
 }
 
 RayPath SpocCamera::rayPath(const glm::vec2& pixel) const {
+  if (distortion_.farPixels == 0) {
+    return reference_.rayPath(pixel);
+  }
   const float zFirst = reference_.view().zNear;
   const float zLast = reference_.view().zFar;
   const float fromPole = glm::distance(pixel, distortion_.pole);
@@ -144,8 +144,9 @@ RayPath SpocCamera::rayPath(const glm::vec2& pixel) const {
   }
   const float zNear = distortion_.zNear;
   if (zNear > zFirst && zNear < zLast) {
-    // Either the corner of the ray or, where the projection jumps, its step aside.
-    addPointAt(distortion_.nearPixels > 0 ? std::nextafter(zNear, 0.0f) : zNear, 0);
+    // Either the corner of the ray or, where the projection jumps, its step aside, over less than anything seen.
+    constexpr float kStep = 1e-5f;
+    addPointAt(distortion_.nearPixels > 0 ? zNear * (1 - kStep) : zNear, 0);
     if (distortion_.nearPixels > longest) {
       return path;
     }

@@ -34,8 +34,8 @@ struct SpocOptions {
 
 class SpocCamera {
  public:
-  /// Throws InputError where a number is not finite, not 0 < z_n < z_f, not 0 <= d_n <= d_f, or where d_f is longer than
-  /// 10 image diagonals.
+  /// Throws InputError where a number is not finite, not 0 < z_n < z_f, not 0 <= d_n <= d_f, or where d_f is longer
+  /// than 10 image diagonals.
   SpocCamera(const PinholeCamera& reference, const SpocDistortion& distortion);
 
   /// The pole goes through the centroid of the images of `object`, z_f lies at the farthest point of `scene` in view.

@@ -37,9 +37,7 @@ class DepthKeys {
   float z(size_t pixel) const {
     return std::bit_cast<float>(static_cast<uint32_t>(keys_[pixel].load(std::memory_order_relaxed) >> 32));
   }
-  uint32_t triangle(size_t pixel) const {
-    return static_cast<uint32_t>(keys_[pixel].load(std::memory_order_relaxed));
-  }
+  uint32_t triangle(size_t pixel) const { return static_cast<uint32_t>(keys_[pixel].load(std::memory_order_relaxed)); }
 
  private:
   static constexpr uint64_t kEmpty = ~uint64_t{0};

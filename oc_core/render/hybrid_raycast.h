@@ -43,8 +43,8 @@ class RayPathTable {
   std::vector<glm::vec3> points_;
 };
 
-/// The closest of all triangles at each pixel; the lower triangle index on a tie. `cornersOf(triangle)` gives a triangle
-/// in the camera space of `paths`, `footprintOf(corners)` the pixels that may see it.
+/// The closest of all triangles at each pixel; the lower triangle index on a tie. `cornersOf(triangle)` gives a
+/// triangle in the camera space of `paths`, `footprintOf(corners)` the pixels that may see it.
 FragmentImage castTriangles(const RayPathTable& paths, size_t triangleCount,
                             const std::function<std::array<glm::vec3, 3>(size_t triangle)>& cornersOf,
                             const std::function<PixelBox(const std::array<glm::vec3, 3>& corners)>& footprintOf);

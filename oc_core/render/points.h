@@ -1,9 +1,9 @@
-// Point-based rendering (section 6.1.2): the scene as samples of its surfaces, each projected by the camera and splatted
-// onto the pixels around its image point. Connectivity is used to place samples, not to fill between them.
+// Point-based rendering (section 6.1.2): the scene as samples of its surfaces, each projected by the camera and
+// splatted onto the pixels around its image point. Connectivity is used to place samples, not to fill between them.
 //
-// Vertices are samples. A triangle whose image is larger than the spacing of the splats gets more: it is halved until no
-// point of the surface is farther from a sample than a splat reaches. So the image has no holes except where the camera
-// itself tears it.
+// Vertices are samples. A triangle whose image is larger than the spacing of the splats gets more: it is halved until
+// no point of the surface is farther from a sample than a splat reaches. So the image has no holes except where the
+// camera itself tears it.
 #pragma once
 
 #include <functional>
@@ -60,9 +60,10 @@ class PointSampler {
       }
     }
     const PinholeCamera& reference = referenceOf(camera_);
-    const ClipPolygon polygon = partInView({reference.cameraFromWorld(corners[0]), reference.cameraFromWorld(corners[1]),
-                                            reference.cameraFromWorld(corners[2])},
-                                           reference, clipMargin(camera_));
+    const ClipPolygon polygon =
+        partInView({reference.cameraFromWorld(corners[0]), reference.cameraFromWorld(corners[1]),
+                    reference.cameraFromWorld(corners[2])},
+                   reference, clipMargin(camera_));
     const auto corner = [&](size_t i) { return sampleAt(corners, polygon.vertices[i].b1, polygon.vertices[i].b2); };
     for (size_t i = 2; i < polygon.count; ++i) {
       split(corners, corner(0), corner(i - 1), corner(i), emit);

@@ -43,8 +43,8 @@ FragmentImage castRays(int width, int height, const RayScene& scene,
 /// The closest fragment along the ray path of each pixel centre.
 template <Camera C>
 FragmentImage raycast(const C& camera, const Mesh& mesh, const RayScene& scene) {
-  FragmentImage fragments = castRays(camera.width(), camera.height(), scene,
-                                     [&](const glm::vec2& pixel) { return camera.rayPath(pixel); });
+  FragmentImage fragments =
+      castRays(camera.width(), camera.height(), scene, [&](const glm::vec2& pixel) { return camera.rayPath(pixel); });
   parallelFor(fragments.size(), 1 << 12, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       if (fragments[i].covered()) {
