@@ -2,6 +2,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace ocelli {
@@ -9,6 +10,15 @@ namespace {
 
 constexpr unsigned kLanes = 8;  ///< rays of a packet
 constexpr int kTile = 8;        ///< pixels a side: whose rays are cast together
+
+/// Embree stops the program where a ray is not finite, or as long as 1.8e18.
+bool castable(const glm::vec3& origin, const glm::vec3& step) {
+  constexpr float kMost = 1e18f;
+  const auto within = [](const glm::vec3& p) {
+    return std::abs(p.x) < kMost && std::abs(p.y) < kMost && std::abs(p.z) < kMost;
+  };
+  return within(origin) && within(step);
+}
 
 RTCIntersectContext coherentContext() {
   RTCIntersectContext context;
@@ -54,6 +64,9 @@ Fragment RayScene::intersect(const RayPath& path) const {
   for (size_t i = 1; i < path.size(); ++i) {
     const glm::vec3& origin = path[i - 1];
     const glm::vec3 step = path[i] - origin;
+    if (!castable(origin, step)) {
+      continue;
+    }
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRayHit hit{};
@@ -94,10 +107,10 @@ void RayScene::intersect(std::span<const RayPath> paths, std::span<Fragment> fra
       RTC_ALIGN(32) int valid[kLanes];
       RTCRayHit8 packet{};
       for (size_t lane = 0; lane < kLanes; ++lane) {
-        valid[lane] = lane < count ? -1 : 0;
         const RayPath& path = paths[active[first + std::min(lane, count - 1)]];
         const glm::vec3& origin = path[segment - 1];
         const glm::vec3 step = path[segment] - origin;
+        valid[lane] = lane < count && castable(origin, step) ? -1 : 0;
         packet.ray.org_x[lane] = origin.x;
         packet.ray.org_y[lane] = origin.y;
         packet.ray.org_z[lane] = origin.z;
