@@ -16,7 +16,7 @@ std::string listOfNames() {
   return names;
 }
 
-CameraChoice namedCamera(const std::string& name, const std::string& where) {
+CameraChoice namedCamera(const std::string& name, float cellSideRadii, const std::string& where) {
   CameraChoice choice;
   choice.name = name;
   if (name == "di" || name == "ppc") {
@@ -26,11 +26,25 @@ CameraChoice namedCamera(const std::string& name, const std::string& where) {
   } else if (name == "ddoc-constant") {
     choice.model = CameraChoice::Model::kDdoc;
     choice.ddoc = DdocOptions::paper();
+  } else if (name == "cell") {
+    choice.model = CameraChoice::Model::kCell;
   } else {
     throw InputError("there is no camera \"" + name + "\"", where,
                      "use " + listOfNames() + ", or a JSON file with a \"camera\" field");
   }
+  choice.ddoc.cellSideRadii = cellSideRadii;
+  choice.cell.cell.sideRadii = cellSideRadii;
   return choice;
+}
+
+constexpr double kLeastCellSide = 1e-3;
+constexpr double kMostCellSide = 100;
+
+void readCellOptions(JsonFields& fields, CellOptions& options) {
+  options.cell.sideRadii =
+      static_cast<float>(fields.number("cell_side_radii", kLeastCellSide, kMostCellSide, options.cell.sideRadii));
+  options.mostSamples = static_cast<float>(fields.number("most_samples", 1, 100, options.mostSamples));
+  options.mostSatellites = fields.integer("most_satellites", 0, 1000, options.mostSatellites);
 }
 
 void readDdocOptions(JsonFields& fields, DdocOptions& options) {
@@ -41,7 +55,7 @@ void readDdocOptions(JsonFields& fields, DdocOptions& options) {
     options.radius = DdocOptions::Radius::kConstant;
     readFloat("constant_radius_pixels", 0, 1000, options.constantRadiusPixels);
   }
-  readFloat("cell_side_radii", 1e-3, 100, options.cellSideRadii);
+  readFloat("cell_side_radii", kLeastCellSide, kMostCellSide, options.cellSideRadii);
   readFloat("safety_factor", 0.01, 100, options.safetyFactor);
   readFloat("most_hidden_pixels", 0, 1000, options.mostHiddenPixels);
   readFloat("room_per_hidden", 0.01, 100, options.roomPerHidden);
@@ -69,6 +83,7 @@ const std::vector<CameraName>& cameraNames() {
   static const std::vector<CameraName> names{
       {"di", "depth image of the planar pinhole camera (ppc is the same)"},
       {"ddoc", "depth discontinuity occlusion camera, radii from the view cell"},
+      {"cell", "view-region occlusion camera: what is seen from anywhere in the view cell, in one image"},
       {"ddoc-constant", "the same as the dissertation has it, with a constant radius of 15 pixels"},
   };
   return names;
@@ -76,17 +91,16 @@ const std::vector<CameraName>& cameraNames() {
 
 CameraChoice cameraChoice(const std::string& nameOrFile, float cellSideRadii) {
   if (!nameOrFile.ends_with(".json")) {
-    CameraChoice choice = namedCamera(nameOrFile, "--camera");
-    choice.ddoc.cellSideRadii = cellSideRadii;
-    return choice;
+    return namedCamera(nameOrFile, cellSideRadii, "--camera");
   }
   const nlohmann::json json = readJsonFile(nameOrFile);
   JsonFields fields(json, nameOrFile);
-  CameraChoice choice = namedCamera(fields.text("camera"), nameOrFile + ", field \"camera\"");
-  choice.ddoc.cellSideRadii = cellSideRadii;
+  CameraChoice choice = namedCamera(fields.text("camera"), cellSideRadii, nameOrFile + ", field \"camera\"");
   choice.name = fields.text("name", choice.name);
   if (choice.model == CameraChoice::Model::kDdoc) {
     readDdocOptions(fields, choice.ddoc);
+  } else if (choice.model == CameraChoice::Model::kCell) {
+    readCellOptions(fields, choice.cell);
   }
   fields.rejectUnknown();
   return choice;
@@ -102,6 +116,8 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
       return {finished(
           buildDdocImage(buildDdocCamera(reference, mesh, choice.ddoc, progress), mesh, choice.ddoc.subdivision),
           choice)};
+    case CameraChoice::Model::kCell:
+      return {finished(buildCellImage(buildCellCamera(reference, mesh, choice.cell, progress), mesh), choice)};
   }
   OC_CHECK(false, "every camera model has a builder");
 }
@@ -118,6 +134,10 @@ ReferenceImage raycastReferenceImage(const CameraChoice& choice, const PinholeCa
       return cast(reference);
     case CameraChoice::Model::kDdoc:
       return cast(buildDdocCamera(reference, mesh, choice.ddoc, progress));
+    case CameraChoice::Model::kCell: {
+      const CellCamera camera = buildCellCamera(reference, mesh, choice.cell, progress);
+      return finished(cellImage(camera, raycast(camera, mesh, scene), mesh), choice);
+    }
   }
   OC_CHECK(false, "every camera model has a builder");
 }

@@ -6,16 +6,18 @@
 #include <vector>
 
 #include "oc_core/base/progress.h"
+#include "oc_core/ocri/cell_builder.h"
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/ocri/reference_image.h"
 
 namespace ocelli {
 
 struct CameraChoice {
-  enum class Model { kDepthImage, kDdoc };
+  enum class Model { kDepthImage, kDdoc, kCell };
   Model model = Model::kDepthImage;
   std::string name = "di";
   DdocOptions ddoc;
+  CellOptions cell;
 };
 
 struct CameraName {

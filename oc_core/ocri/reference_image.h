@@ -35,6 +35,7 @@ struct ReferenceImage {
   /// Where not 0: the rows below the pinhole's height hold square tiles of this side that have nothing to do with their
   /// neighbours.
   int tileSide = 0;
+  float tileSpacing = 1;  ///< between neighbouring samples in tiles, pixels of the reference pinhole
 
   int width() const { return z.width(); }
   int height() const { return z.height(); }

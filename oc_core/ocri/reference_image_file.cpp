@@ -155,6 +155,7 @@ std::string attributeText(const ReferenceImage& image) {
   }
   if (image.tileSide > 0) {
     json["tile_side"] = image.tileSide;
+    json["tile_spacing"] = image.tileSpacing;
   }
   return json.dump();
 }
@@ -187,6 +188,7 @@ void readAttribute(const std::string& text, const std::string& where, ReferenceI
   }
   image.rows = readRows(fields);
   image.tileSide = fields.integer("tile_side", 2, kMostPixelsASide, 0);
+  image.tileSpacing = static_cast<float>(fields.number("tile_spacing", 0.01, 100, 1));
   fields.rejectUnknown();
 }
 
