@@ -3,6 +3,7 @@
 #include <embree3/rtcore.h>
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace ocelli {
@@ -18,6 +19,18 @@ bool castable(const glm::vec3& origin, const glm::vec3& step) {
     return std::abs(p.x) < kMost && std::abs(p.y) < kMost && std::abs(p.z) < kMost;
   };
   return within(origin) && within(step);
+}
+
+/// How far a segment reaches, 1 being its end. A surface just where two segments meet must not fall between them: all
+/// but the last go on for as much as coordinates are rounded by.
+float reachOf(const RayPath& path, size_t segment) {
+  if (segment + 1 == path.size()) {
+    return 1;
+  }
+  constexpr float kRounding = 1e-6f;
+  const glm::vec3 largest = glm::max(glm::abs(path[segment - 1]), glm::abs(path[segment]));
+  const float length = glm::distance(path[segment - 1], path[segment]);
+  return 1 + kRounding * std::max({largest.x, largest.y, largest.z}) / std::max(length, kRounding);
 }
 
 RTCIntersectContext coherentContext() {
@@ -77,7 +90,7 @@ Fragment RayScene::intersect(const RayPath& path) const {
     hit.ray.dir_y = step.y;
     hit.ray.dir_z = step.z;
     hit.ray.tnear = 0;
-    hit.ray.tfar = 1;
+    hit.ray.tfar = reachOf(path, i);
     hit.ray.mask = 0xffffffffu;
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(impl_->scene, &context, &hit);
@@ -118,7 +131,7 @@ void RayScene::intersect(std::span<const RayPath> paths, std::span<Fragment> fra
         packet.ray.dir_y[lane] = step.y;
         packet.ray.dir_z[lane] = step.z;
         packet.ray.tnear[lane] = 0;
-        packet.ray.tfar[lane] = 1;
+        packet.ray.tfar[lane] = reachOf(path, segment);
         packet.ray.mask[lane] = 0xffffffffu;
         packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
       }

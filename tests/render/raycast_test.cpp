@@ -26,6 +26,22 @@ TEST(RayScene, firstTriangleAlongTheSegmentsIsHit) {
   EXPECT_LT(glm::distance(positionOf(far, mesh), glm::vec3(0.75f, 0.25f, -1)), 1e-5f);
 }
 
+// A wall just where two segments meet: rounding must not make it fall between them.
+TEST(RayScene, surfacesWhereSegmentsMeetAreHit) {
+  const Mesh mesh = test::wall(0.7f, 1);
+  const RayScene scene(mesh);
+  size_t missed = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const float x = 1e-3f * static_cast<float>(i) - 0.5f;
+    const RayPath path{{0.3f, 0.2f, 10}, {x, 0.37f * x, 0.7f}, {0.9f * x, 0.4f, -1.7f}};
+    missed += !scene.intersect(path).covered();
+    std::vector<Fragment> met(1);
+    scene.intersect(std::span(&path, 1), met);
+    missed += !met[0].covered();
+  }
+  EXPECT_EQ(missed, 0u);
+}
+
 TEST(RayScene, whatLiesBeyondTheLastPointIsNotHit) {
   const Mesh mesh = test::wall(0, 1);
   const RayScene scene(mesh);

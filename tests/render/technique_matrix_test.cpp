@@ -5,9 +5,8 @@
 
 #include <cstdio>
 
-#include "oc_core/camera/reverse_pinhole_camera.h"
-#include "oc_core/camera/spoc_camera.h"
 #include "oc_core/ocri/ddoc_builder.h"
+#include "oc_core/ocri/spoc_builder.h"
 #include "oc_core/render/hybrid_raycast.h"
 #include "oc_core/render/points.h"
 #include "oc_core/render/rasterize.h"
@@ -37,8 +36,9 @@ constexpr double kFolds = 0.005;
 template <class Visit>
 void forEachCamera(const PinholeCamera& reference, const Mesh& mesh, const Visit& visit) {
   visit("ppc", reference, 0.0);
-  visit("rppc", ReversePinholeCamera::around(reference, mesh.positions), 0.0);
-  visit("spoc", SpocCamera::aroundObject(reference, mesh.positions, mesh.positions), 0.0);
+  visit("rppc", buildReversePinhole(reference, mesh), 0.0);
+  visit("spoc", buildSpocCamera(reference, mesh), 0.0);
+  visit("spoc-", buildSpocCamera(reference, mesh, {.farDisplacementPerHeight = 0.2f, .maskPole = false}), 0.0);
   visit("ddoc", buildDdocCamera(reference, mesh), kFolds);
 }
 
