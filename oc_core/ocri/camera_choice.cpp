@@ -2,6 +2,9 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/ocri/spoc_builder.h"
+#include "oc_core/render/hybrid_raycast.h"
+#include "oc_core/render/points.h"
 #include "oc_core/render/raycast.h"
 #include "oc_core/scene/winding_number.h"
 
@@ -21,6 +24,10 @@ CameraChoice namedCamera(const std::string& name, float cellSideRadii, const std
   choice.name = name;
   if (name == "di" || name == "ppc") {
     choice.model = CameraChoice::Model::kDepthImage;
+  } else if (name == "rppc") {
+    choice.model = CameraChoice::Model::kReversePinhole;
+  } else if (name == "spoc") {
+    choice.model = CameraChoice::Model::kSpoc;
   } else if (name == "ddoc") {
     choice.model = CameraChoice::Model::kDdoc;
   } else if (name == "ddoc-constant") {
@@ -82,6 +89,8 @@ ReferenceImage finished(ReferenceImage image, const CameraChoice& choice) {
 const std::vector<CameraName>& cameraNames() {
   static const std::vector<CameraName> names{
       {"di", "depth image of the planar pinhole camera (ppc is the same)"},
+      {"rppc", "reverse pinhole: its straight rays meet behind the scene"},
+      {"spoc", "single pole occlusion camera around the foreground"},
       {"ddoc", "depth discontinuity occlusion camera, radii from the view cell"},
       {"cell", "view-region occlusion camera: what is seen from anywhere in the view cell, in one image"},
       {"ddoc-constant", "the same as the dissertation has it, with a constant radius of 15 pixels"},
@@ -112,6 +121,10 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
   switch (choice.model) {
     case CameraChoice::Model::kDepthImage:
       return {finished(buildDepthImage(reference, mesh), choice)};
+    case CameraChoice::Model::kReversePinhole:
+      return {finished(buildReversePinholeImage(buildReversePinhole(reference, mesh), reference, mesh), choice)};
+    case CameraChoice::Model::kSpoc:
+      return {finished(buildSpocImage(buildSpocCamera(reference, mesh), mesh), choice)};
     case CameraChoice::Model::kDdoc:
       return {finished(
           buildDdocImage(buildDdocCamera(reference, mesh, choice.ddoc, progress), mesh, choice.ddoc.subdivision),
@@ -122,24 +135,48 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
   OC_CHECK(false, "every camera model has a builder");
 }
 
-ReferenceImage raycastReferenceImage(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
-                                     const Progress& progress) {
+ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choice, const PinholeCamera& reference,
+                                  const Mesh& mesh, const Progress& progress) {
   requireOutside(mesh, reference.eye(), "view");
-  const RayScene scene(mesh);
-  const auto cast = [&](const Camera auto& camera) {
-    return finished(referenceImage(raycast(camera, mesh, scene), mesh, reference, choice.name), choice);
+  const auto draw = [&](const BoundedCamera auto& camera) {
+    const auto fragments = [&] {
+      switch (technique) {
+        case Technique::kPoints:
+          return renderPoints(camera, mesh);
+        case Technique::kHybrid:
+          return hybridRaycast(camera, mesh);
+        case Technique::kRaycast:
+          return raycast(camera, mesh, RayScene(mesh));
+      }
+      OC_CHECK(false, "every technique draws");
+    };
+    return finished(referenceImage(fragments(), mesh, reference, choice.name), choice);
   };
   switch (choice.model) {
     case CameraChoice::Model::kDepthImage:
-      return cast(reference);
+      return draw(reference);
+    case CameraChoice::Model::kReversePinhole:
+      return draw(buildReversePinhole(reference, mesh));
+    case CameraChoice::Model::kSpoc:
+      return draw(buildSpocCamera(reference, mesh));
     case CameraChoice::Model::kDdoc:
-      return cast(buildDdocCamera(reference, mesh, choice.ddoc, progress));
+      return draw(buildDdocCamera(reference, mesh, choice.ddoc, progress));
     case CameraChoice::Model::kCell: {
+      if (technique != Technique::kRaycast) {
+        throw InputError(
+            "camera \"" + choice.name + "\" is drawn from several viewpoints, not by points or hybrid rays", "--method",
+            "use raster or raycast");
+      }
       const CellCamera camera = buildCellCamera(reference, mesh, choice.cell, progress);
-      return finished(cellImage(camera, raycast(camera, mesh, scene), mesh), choice);
+      return finished(cellImage(camera, raycast(camera, mesh, RayScene(mesh)), mesh), choice);
     }
   }
-  OC_CHECK(false, "every camera model has a builder");
+  OC_CHECK(false, "every camera model is drawn");
+}
+
+ReferenceImage raycastReferenceImage(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
+                                     const Progress& progress) {
+  return drawReferenceImage(Technique::kRaycast, choice, reference, mesh, progress);
 }
 
 }  // namespace ocelli
