@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "oc_core/base/parallel.h"
+#include "oc_core/ocri/coverage.h"
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/ocri/set_difference.h"
 #include "oc_core/render/rasterize.h"

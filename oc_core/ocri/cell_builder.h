@@ -9,8 +9,8 @@
 
 #include "oc_core/base/progress.h"
 #include "oc_core/camera/cell_camera.h"
-#include "oc_core/ocri/coverage.h"
 #include "oc_core/ocri/reference_image.h"
+#include "oc_core/ocri/view_cell.h"
 #include "oc_core/scene/mesh.h"
 
 namespace ocelli {

@@ -30,6 +30,8 @@ class RayScene {
   Fragment intersect(const RayPath& path) const;
   /// The same for each of many paths, in packets: neighbours should run alike.
   void intersect(std::span<const RayPath> paths, std::span<Fragment> fragments) const;
+  /// Whether a point of the surface lies within `reach` of `point`.
+  bool hasSurfaceNear(const glm::vec3& point, float reach) const;
 
  private:
   struct Impl;

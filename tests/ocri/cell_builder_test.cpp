@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "oc_core/base/parallel.h"
+#include "oc_core/ocri/coverage.h"
 #include "oc_core/ocri/union_mesh.h"
 #include "oc_core/render/raycast.h"
 #include "tests/ocri/test_scenes.h"
