@@ -9,34 +9,6 @@
 namespace ocelli {
 namespace {
 
-/// The point of triangle (a, b, c) that is closest to `p`: of its plane where that lies inside, else of an edge.
-glm::vec3 closestPoint(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  const glm::vec3 normal = glm::cross(b - a, c - a);
-  const auto leftOf = [&](const glm::vec3& from, const glm::vec3& to) {
-    return glm::dot(glm::cross(to - from, p - from), normal) >= 0;
-  };
-  const float normal2 = glm::dot(normal, normal);
-  if (normal2 > 0 && leftOf(a, b) && leftOf(b, c) && leftOf(c, a)) {
-    return p - normal * (glm::dot(p - a, normal) / normal2);
-  }
-  const auto onEdge = [&](const glm::vec3& from, const glm::vec3& to) {
-    const glm::vec3 along = to - from;
-    const float length2 = glm::dot(along, along);
-    return from + along * (length2 > 0 ? glm::clamp(glm::dot(p - from, along) / length2, 0.0f, 1.0f) : 0.0f);
-  };
-  const auto nearer = [&](const glm::vec3& q, const glm::vec3& r) {
-    return glm::dot(q - p, q - p) <= glm::dot(r - p, r - p) ? q : r;
-  };
-  return nearer(nearer(onEdge(a, b), onEdge(b, c)), onEdge(c, a));
-}
-
-struct NearSearch {
-  const Mesh* mesh;
-  glm::vec3 point;
-  float reach;
-  bool found = false;
-};
-
 constexpr unsigned kLanes = 8;  ///< rays of a packet
 constexpr int kTile = 8;        ///< pixels a side: whose rays are cast together
 
@@ -67,6 +39,34 @@ RTCIntersectContext coherentContext() {
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   return context;
 }
+
+/// The point of triangle (a, b, c) that is closest to `p`: of its plane where that lies inside, else of an edge.
+glm::vec3 closestPoint(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  const glm::vec3 normal = glm::cross(b - a, c - a);
+  const auto leftOf = [&](const glm::vec3& from, const glm::vec3& to) {
+    return glm::dot(glm::cross(to - from, p - from), normal) >= 0;
+  };
+  const float normal2 = glm::dot(normal, normal);
+  if (normal2 > 0 && leftOf(a, b) && leftOf(b, c) && leftOf(c, a)) {
+    return p - normal * (glm::dot(p - a, normal) / normal2);
+  }
+  const auto onEdge = [&](const glm::vec3& from, const glm::vec3& to) {
+    const glm::vec3 along = to - from;
+    const float length2 = glm::dot(along, along);
+    return from + along * (length2 > 0 ? glm::clamp(glm::dot(p - from, along) / length2, 0.0f, 1.0f) : 0.0f);
+  };
+  const auto nearer = [&](const glm::vec3& q, const glm::vec3& r) {
+    return glm::dot(q - p, q - p) <= glm::dot(r - p, r - p) ? q : r;
+  };
+  return nearer(nearer(onEdge(a, b), onEdge(b, c)), onEdge(c, a));
+}
+
+struct NearSearch {
+  const Mesh* mesh;
+  glm::vec3 point;
+  float reach;
+  bool found = false;
+};
 
 }  // namespace
 
@@ -131,31 +131,6 @@ Fragment RayScene::intersect(const RayPath& path) const {
   return {};
 }
 
-bool RayScene::hasSurfaceNear(const glm::vec3& point, float reach) const {
-  NearSearch search{impl_->mesh, point, reach};
-  RTCPointQuery query{};
-  query.x = point.x;
-  query.y = point.y;
-  query.z = point.z;
-  query.radius = reach;
-  RTCPointQueryContext context;
-  rtcInitPointQueryContext(&context);
-  const auto visit = [](RTCPointQueryFunctionArguments* arguments) {
-    NearSearch& state = *static_cast<NearSearch*>(arguments->userPtr);
-    const glm::uvec3& t = state.mesh->triangles[arguments->primID];
-    const glm::vec3 closest =
-        closestPoint(state.point, state.mesh->positions[t.x], state.mesh->positions[t.y], state.mesh->positions[t.z]);
-    if (state.found || glm::distance(closest, state.point) > state.reach) {
-      return false;
-    }
-    state.found = true;
-    arguments->query->radius = 0;  // there is nothing left to look for
-    return true;
-  };
-  rtcPointQuery(impl_->scene, &query, &context, visit, &search);
-  return search.found;
-}
-
 void RayScene::intersect(std::span<const RayPath> paths, std::span<Fragment> fragments) const {
   OC_CHECK(paths.size() == fragments.size(), "one fragment a path");
   RTCIntersectContext context = coherentContext();
@@ -202,6 +177,31 @@ void RayScene::intersect(std::span<const RayPath> paths, std::span<Fragment> fra
     }
     active.resize(kept);
   }
+}
+
+bool RayScene::hasSurfaceNear(const glm::vec3& point, float reach) const {
+  NearSearch search{impl_->mesh, point, reach};
+  RTCPointQuery query{};
+  query.x = point.x;
+  query.y = point.y;
+  query.z = point.z;
+  query.radius = reach;
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  const auto visit = [](RTCPointQueryFunctionArguments* arguments) {
+    NearSearch& state = *static_cast<NearSearch*>(arguments->userPtr);
+    const glm::uvec3& t = state.mesh->triangles[arguments->primID];
+    const glm::vec3 closest =
+        closestPoint(state.point, state.mesh->positions[t.x], state.mesh->positions[t.y], state.mesh->positions[t.z]);
+    if (state.found || glm::distance(closest, state.point) > state.reach) {
+      return false;
+    }
+    state.found = true;
+    arguments->query->radius = 0;  // there is nothing left to look for
+    return true;
+  };
+  rtcPointQuery(impl_->scene, &query, &context, visit, &search);
+  return search.found;
 }
 
 FragmentImage castRays(int width, int height, const RayScene& scene,
