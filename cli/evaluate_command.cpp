@@ -151,6 +151,14 @@ void resume(EvaluationWork& work, const fs::path& file, std::optional<bool> want
   work.remove();
 }
 
+/// Two builds of one version may measure differently.
+std::string programStamp() {
+  const fs::path program = "/proc/self/exe";
+  std::error_code ignored;
+  return fmt::format("{} {} {}", OCELLI_VERSION, fs::file_size(program, ignored),
+                     fs::last_write_time(program, ignored).time_since_epoch().count());
+}
+
 std::string truthPictureName() {
   return "truth.png";
 }
@@ -199,7 +207,8 @@ void runEvaluate(const EvaluateChoice& choice, const Frame& frame) {
     const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, progress);
     sceneTriangles = mesh.triangles.size();
     if (const auto file = outputs.workFile()) {
-      work.emplace(*file, evaluationKey(mesh, options, choice.scene.source + " " OCELLI_VERSION " " + profile.name));
+      work.emplace(*file, evaluationKey(mesh, options,
+                                        fmt::format("{} {} {}", choice.scene.source, profile.name, programStamp())));
       resume(*work, *file, choice.resume, frame);
     }
     Evaluator evaluator(mesh, options);

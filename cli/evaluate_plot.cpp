@@ -249,17 +249,19 @@ double rightEdge(const std::vector<PlotSeries>& series) {
   return kWidth - std::min(widest, kWidth / 3) - 50;
 }
 
-}  // namespace
+struct FrontierDrawing {
+  std::string svg;
+  bool usesMargin = false;  ///< whether labels stand right of `right`
+};
 
-std::string frontierPlot(const std::string& title, const std::string& xTitle, const std::string& yTitle,
-                         const std::vector<PlotSeries>& series) {
+FrontierDrawing drawFrontier(const std::string& title, const std::string& xTitle, const std::string& yTitle,
+                             const std::vector<PlotSeries>& series, double right) {
   std::vector<double> counts;
   std::vector<double> errors;
   for (const PlotSeries& each : series) {
     counts.push_back(each.points.front().first);
     errors.push_back(each.points.front().second);
   }
-  const double right = rightEdge(series);
   const ErrorAxis vertical(errors, right);
   const LogAxis horizontal(counts, kLeft + 20, right - 20);
   std::string svg = opening(title) + vertical.svg(yTitle);
@@ -309,7 +311,16 @@ std::string frontierPlot(const std::string& title, const std::string& xTitle, co
       inMargin.push_back({&series[i], x, y});
     }
   }
-  return svg + marginLabels(inMargin, right, vertical.bottom()) + labels + markers + "</svg>\n";
+  return {svg + marginLabels(inMargin, right, vertical.bottom()) + labels + markers + "</svg>\n", !inMargin.empty()};
+}
+
+}  // namespace
+
+std::string frontierPlot(const std::string& title, const std::string& xTitle, const std::string& yTitle,
+                         const std::vector<PlotSeries>& series) {
+  // Labels beside their markers need no margin.
+  const FrontierDrawing wide = drawFrontier(title, xTitle, yTitle, series, kWidth - 24);
+  return wide.usesMargin ? drawFrontier(title, xTitle, yTitle, series, rightEdge(series)).svg : wide.svg;
 }
 
 std::string curvePlot(const std::string& title, const std::string& xTitle, const std::string& yTitle,

@@ -50,8 +50,10 @@ dd { margin: .1rem 0 0; max-width: 52rem; }
     --series-2: #d55e00; --series-3: #00785a; --series-4: #a8487f; --series-5: #a86f00; --series-6: #2b83b8;
   }
   body { padding: 0; max-width: none; font-size: 9pt; }
-  table { font-size: 8pt; }
-  th, td { padding: .2rem .4rem; }
+  h1 { font-size: 16pt; }
+  h2 { font-size: 13pt; margin-top: 1.5rem; padding-top: .5rem; }
+  .scroll table { font-size: 7.5pt; }
+  .scroll th, .scroll td { padding: .15rem .3rem; }
   td.best { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   .scroll { overflow: visible; }
   .plots, .shown { grid-template-columns: 1fr 1fr; }

@@ -12,8 +12,8 @@
 #include "oc_core/base/progress.h"
 #include "oc_core/evaluation/frame_errors.h"
 #include "oc_core/evaluation/stored_size.h"
-#include "oc_core/ocri/view_cell.h"
 #include "oc_core/ocri/representation.h"
+#include "oc_core/ocri/view_cell.h"
 
 namespace ocelli {
 
