@@ -10,7 +10,11 @@ ReferenceImages buildCornerDepthImages(const PinholeCamera& reference, const Mes
     throw InputError("a cube has no choice of " + std::to_string(corners) + " corners to look from", "corners",
                      "choose 4 (those towards the scene) or 8");
   }
-  const float half = cell.sideRadii / 2;
+  if (cell.shape != ViewCell::Shape::kCube) {
+    throw InputError("a view cell that is a " + cellShapeName(cell.shape) + " has no corners to look from", "--cell",
+                     "choose a cube");
+  }
+  const float half = cell.halfSide();
   ReferenceImages images{buildDepthImage(reference, mesh)};
   for (const float backward : {-half, half}) {
     for (const float up : {-half, half}) {

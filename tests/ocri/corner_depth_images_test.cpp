@@ -52,6 +52,9 @@ TEST(CornerDepthImages, refusesOtherCounts) {
   for (const int count : {-4, 0, 1, 5, 9}) {
     EXPECT_THROW(buildCornerDepthImages(smallCamera(), test::wall(0), ViewCell{}, count), InputError);
   }
+  for (const ViewCell::Shape shape : {ViewCell::Shape::kSphere, ViewCell::Shape::kSegment}) {
+    EXPECT_THROW(buildCornerDepthImages(smallCamera(), test::wall(0), ViewCell{1.6f, shape}, 8), InputError);
+  }
 }
 
 }  // namespace

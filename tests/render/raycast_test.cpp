@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
-#include "tests/ocri/test_scenes.h"
+#include "tests/render/camera_cases.h"
 
 namespace ocelli {
 namespace {
@@ -24,6 +25,25 @@ TEST(RayScene, firstTriangleAlongTheSegmentsIsHit) {
   EXPECT_GE(far.triangle, 2u);
   // Half way along the last segment.
   EXPECT_LT(glm::distance(positionOf(far, mesh), glm::vec3(0.75f, 0.25f, -1)), 1e-5f);
+}
+
+// Rays that bend just at the front of a box: it must not fall between their segments. 1e-3: rounding of its edges.
+TEST(Raycast, surfacesWhereSegmentsMeetAreHit) {
+  const Mesh mesh = test::boxBeforeWall();
+  const float zNear = test::smallCamera().cameraFromWorld(mesh.positions.back()).z;
+  const SpocCamera camera(test::smallCamera(), {{45, 30}, zNear, 10.9f, 0, 6});
+  const FragmentImage image = raycast(camera, mesh, RayScene(mesh));
+  const double half = static_cast<double>(test::kBoxHalf * test::smallCamera().focalPixels() / zNear);
+  size_t front = 0;
+  for (int y = 0; y < test::kHeight; ++y) {
+    for (int x = 0; x < test::kWidth; ++x) {
+      if (std::max(std::abs(x + 0.5 - 45), std::abs(y + 0.5 - 30)) < half - 1e-3) {
+        ++front;
+        EXPECT_NEAR(image(x, y).z, zNear, 1e-5f) << x << " " << y;
+      }
+    }
+  }
+  EXPECT_GT(front, 300u);
 }
 
 TEST(RayScene, whatLiesBeyondTheLastPointIsNotHit) {
@@ -118,6 +138,88 @@ TEST(Raycast, ballHasItsAnalyticDepth) {
       }
     }
   }
+}
+
+// One ray at a time is the reference of the packets, for rays of different lengths, whole tiles and parts of them.
+TEST(RayScene, packetsMeetWhatSingleRaysMeet) {
+  const Mesh mesh = test::randomTriangles(60, 8);
+  for (const auto quality : {RayScene::Quality::kLow, RayScene::Quality::kMedium}) {
+    const RayScene scene(mesh, quality);
+    test::forEachSmallCamera([&](const char* name, const auto& camera) {
+      const FragmentImage packets =
+          castRays(test::kWidth, test::kHeight, scene, [&](const glm::vec2& pixel) { return camera.rayPath(pixel); });
+      size_t covered = 0;
+      size_t different = 0;
+      for (int y = 0; y < test::kHeight; ++y) {
+        for (int x = 0; x < test::kWidth; ++x) {
+          const Fragment single =
+              scene.intersect(camera.rayPath({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
+          covered += single.covered();
+          // Where two triangles share what is met, rounding may choose either.
+          different += single.triangle != packets(x, y).triangle;
+          if (single.triangle == packets(x, y).triangle) {
+            EXPECT_NEAR(single.b1, packets(x, y).b1, 1e-4f) << name;
+            EXPECT_NEAR(single.b2, packets(x, y).b2, 1e-4f) << name;
+          }
+        }
+      }
+      EXPECT_GT(covered, 1000u) << name;
+      EXPECT_LE(different, 1u) << name;
+    });
+  }
+}
+
+TEST(RayScene, shortPathsAmongLongOnesMeetNothing) {
+  const Mesh mesh = test::wall(0, 1);
+  const RayScene scene(mesh);
+  const std::vector<RayPath> paths{{},
+                                   {{0.5f, 0, 3}},
+                                   {{0.5f, 0, 3}, {0.5f, 0, 1}, {0.5f, 0, -1}},
+                                   {{0.5f, 0, 3}, {0.5f, 0, 1}},
+                                   {{0.25f, 0, 3}, {0.25f, 0, -1}}};
+  std::vector<Fragment> met(paths.size(), Fragment{5, 5, 5, 5});
+  scene.intersect(paths, met);
+  for (size_t i = 0; i < paths.size(); ++i) {
+    EXPECT_EQ(met[i].covered(), i == 2 || i == 4) << i;
+  }
+}
+
+TEST(RayScene, badMeshesDoNoHarm) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  const Mesh none;
+  EXPECT_TRUE(
+      test::sameBytes(raycast(test::smallCamera(), none, RayScene(none)), FragmentImage(test::kWidth, test::kHeight)));
+  Mesh broken = test::wall(0, 1);
+  broken.positions.emplace_back(kNan, 0, 0);
+  broken.colors.clear();
+  broken.triangles.emplace_back(0, 1, 4);
+  broken.triangles.emplace_back(0, 0, 0);
+  const RayScene scene(broken);
+  EXPECT_EQ(scene.intersect({{0.5f, -0.5f, 3}, {0.5f, -0.5f, -3}}).triangle, 0u);
+  // Segments that are no rays are skipped, one by one and in packets.
+  const std::vector<RayPath> paths{{{kNan, 0, 3}, {0, 0, -3}},
+                                   {{0.5f, -0.5f, 3}, {0.5f, -0.5f, 3e38f}, {0.5f, -0.5f, -3e38f}},
+                                   {{0.5f, -0.5f, 3}, {kNan, 0, 0}, {0.5f, -0.5f, 3}, {0.5f, -0.5f, -3}}};
+  std::vector<Fragment> met(paths.size());
+  scene.intersect(paths, met);
+  for (size_t i = 0; i < paths.size(); ++i) {
+    EXPECT_EQ(scene.intersect(paths[i]).covered(), i == 2);
+    EXPECT_EQ(met[i].covered(), i == 2);
+  }
+}
+
+TEST(Raycast, sameBytesWithAnyNumberOfThreads) {
+  const Mesh mesh = test::randomTriangles(100, 9);
+  const RayScene scene(mesh);
+  test::forEachSmallCamera([&](const char* name, const auto& camera) {
+    setThreadCount(1);
+    const FragmentImage one = raycast(camera, mesh, scene);
+    for (const int threads : {2, 8}) {
+      setThreadCount(threads);
+      EXPECT_TRUE(test::sameBytes(raycast(camera, mesh, scene), one)) << name << " " << threads;
+    }
+    setThreadCount(0);
+  });
 }
 
 }  // namespace
