@@ -34,10 +34,9 @@ EpipolarCamera::EpipolarCamera(const PinholeCamera& base, const glm::vec3& right
       last = edge.position;
       shift += edge.added;
       Shadow shadow{edge.position, edge.clip, edge.added, shift};
-      shadow.x = lines_.x(row, edge.position);
-      const double yNear = static_cast<double>(edge.inverseNear) * lines_.inverseZScale(shadow.x);
-      shadow.xRight = shadow.x - disparity * yNear;
-      OC_CHECK(lines_.has(row, edge.position) && lines_.has(row, edge.position - edge.added),
+      const double x = lines_.x(row, edge.position);
+      shadow.xRight = x - disparity * static_cast<double>(edge.inverseNear) * lines_.inverseZScale(x);
+      OC_CHECK(lines_.has(row, edge.position + 0.5) && lines_.has(row, edge.position - edge.added),
                "an edge and its columns lie on their line");
       shadow.yFar = (lines_.x(row, edge.position - edge.added) - shadow.xRight) / disparity;
       shadows_.push_back(shadow);
@@ -46,13 +45,13 @@ EpipolarCamera::EpipolarCamera(const PinholeCamera& base, const glm::vec3& right
     width_ = std::max(width_, lines_.length(row) + shift);
   }
 
-  const auto stride = static_cast<size_t>(lines_.longest());
+  const auto stride = static_cast<size_t>(lines_.longest()) + 1;
   overFirst_.assign(static_cast<size_t>(rows) * stride + 1, 0);
   std::vector<std::vector<uint32_t>> over(stride);
   for (int row = 0; row < rows; ++row) {
     const std::span<const Shadow> edges = shadows(row);
     for (size_t i = edges.size(); i-- > 0;) {
-      for (auto j = static_cast<size_t>(edges[i].clip); j < static_cast<size_t>(edges[i].position); ++j) {
+      for (auto j = static_cast<size_t>(edges[i].clip) + 1; j <= static_cast<size_t>(edges[i].position); ++j) {
         if (over[j].empty() || edges[i].xRight < edges[over[j].back()].xRight) {
           over[j].push_back(static_cast<uint32_t>(i));
         }
@@ -71,14 +70,14 @@ std::span<const EpipolarCamera::Shadow> EpipolarCamera::shadows(int row) const {
   return std::span(shadows_).subspan(rowFirst_[i], rowFirst_[i + 1] - rowFirst_[i]);
 }
 
-std::span<const uint32_t> EpipolarCamera::shadowsOver(int row, int basePixel) const {
-  const size_t i = static_cast<size_t>(row) * static_cast<size_t>(lines_.longest()) + static_cast<size_t>(basePixel);
+std::span<const uint32_t> EpipolarCamera::shadowsOver(int row, int cell) const {
+  const size_t i = static_cast<size_t>(row) * (static_cast<size_t>(lines_.longest()) + 1) + static_cast<size_t>(cell);
   return std::span(over_).subspan(overFirst_[i], overFirst_[i + 1] - overFirst_[i]);
 }
 
-const EpipolarCamera::Shadow* EpipolarCamera::shadowOf(int row, int basePixel, double xRight) const {
+const EpipolarCamera::Shadow* EpipolarCamera::shadowOf(int row, int cell, double xRight) const {
   const std::span<const Shadow> edges = shadows(row);
-  for (const uint32_t i : shadowsOver(row, basePixel)) {
+  for (const uint32_t i : shadowsOver(row, cell)) {
     if (xRight > edges[i].xRight) {
       return &edges[i];
     }
@@ -117,8 +116,8 @@ std::optional<ImagePoint> EpipolarCamera::project(const glm::vec3& worldPoint) c
   } else if (place.position >= 0) {
     const double x = lines_.x(row, place.position);
     const double y = lines_.inverseZScale(x) / static_cast<double>(q->z);
-    const Shadow* shadow = shadowOf(row, static_cast<int>(place.position), x - lines_.disparity() * y);
-    if (shadow != nullptr) {
+    const Shadow* shadow = shadowOf(row, cellOf(place.position), x - lines_.disparity() * y);
+    if (shadow != nullptr && (y >= shadow->yFar || place.position < shadow->position)) {
       const double xFar = x - lines_.disparity() * std::max(0.0, y - shadow->yFar);
       column = lines_.position(row, xFar) + shadow->shift;
     } else {
@@ -131,7 +130,7 @@ std::optional<ImagePoint> EpipolarCamera::project(const glm::vec3& worldPoint) c
 EpipolarCamera::PlaneRay EpipolarCamera::straightRay(int row, double position) const {
   PlaneRay ray{lines_.x(row, position), kNever, kNever, 0};
   if (position >= 0 && position < lines_.length(row)) {
-    const std::span<const uint32_t> over = shadowsOver(row, static_cast<int>(position));
+    const std::span<const uint32_t> over = shadowsOver(row, cellOf(position));
     if (!over.empty()) {
       const double margin = lines_.x(row, position) - lines_.x(row, position - kMarginPixels);
       const Shadow& first = shadows(row)[over.back()];
@@ -148,24 +147,24 @@ std::optional<EpipolarCamera::PlaneRay> EpipolarCamera::bentRay(int row, const S
   // As a ray of R it runs from the edge to where the shadow is clipped, but for what is in the shadow of another edge
   // farther right: those shadows reach from beyond the edge to where they are clipped themselves.
   const std::span<const Shadow> edges = shadows(row);
-  double from = shadow.position;
+  double from = shadow.position + 0.5;
   double leastXRight = kNever;
   for (const Shadow* other = &shadow + 1; other != edges.data() + edges.size(); ++other) {
     if (other->xRight < xRight) {
-      from = std::min<double>(from, other->clip);
+      from = std::min(from, other->clip + 0.5);
     }
-    if (other->clip <= position) {
+    if (other->clip + 0.5 <= position) {
       leastXRight = std::min(leastXRight, other->xRight);
     }
   }
   const double margin = ray.xFar - lines_.x(row, position - kMarginPixels);
   const double xStart = lines_.x(row, from) - margin;
-  const double xClip = lines_.x(row, shadow.clip) + margin;
+  const double xClip = lines_.x(row, shadow.clip + 0.5) + margin;
   if (xStart <= std::max(ray.xFar, xClip)) {
     return std::nullopt;
   }
   ray.yStart = shadow.yFar + (xStart - ray.xFar) / disparity;
-  ray.yEnd = xClip > ray.xFar ? shadow.yFar + (xClip - ray.xFar) / disparity
+  ray.yEnd = xClip - 2 * margin > ray.xFar ? shadow.yFar + (xClip - ray.xFar) / disparity
                               : std::max(0.0, (ray.xFar - leastXRight + margin) / disparity);
   return ray;
 }

@@ -28,11 +28,12 @@
 
 namespace ocelli {
 
-/// A depth discontinuity of a row of the base image, near before and far behind it. Positions are borders between base
-/// pixels.
+/// A depth discontinuity of a row of the base image, near before and far behind it. Its shadow reaches from the centre of
+/// base pixel `clip` to that of base pixel `position`, the first one behind the occluder: where between the two rays of L
+/// the occluder ends is not known, and what curves away there is seen from R.
 struct EpipolarEdge {
-  int position = 0;       ///< where the occluder ends
-  int clip = 0;           ///< where its shadow is cut off, below `position`
+  int position = 0;       ///< the border between base pixels where the occluder ends
+  int clip = 0;           ///< the first base pixel in its shadow, below `position`
   int added = 0;          ///< columns that make room for the shadow, at least 1
   float inverseNear = 0;  ///< 1/z of the occluder
 };
@@ -45,7 +46,6 @@ class EpipolarCamera {
     int clip = 0;
     int added = 0;
     int shift = 0;      ///< columns added up to this edge
-    double x = 0;       ///< of the edge
     double xRight = 0;  ///< x - D y_n: where R sees the edge
     double yFar = 0;    ///< y_f: rays of R above, rays of L below
   };
@@ -73,10 +73,14 @@ class EpipolarCamera {
 
   /// The edges of a row, from left to right.
   std::span<const Shadow> shadows(int row) const;
-  /// Those whose shadows lie over a base pixel and can win there, from right to left: xRight falls.
-  std::span<const uint32_t> shadowsOver(int row, int basePixel) const;
-  /// The shadow that a point over a base pixel is in, given its x - D y; nullptr for none.
-  const Shadow* shadowOf(int row, int basePixel, double xRight) const;
+  /// A row falls into cells between the centres of base pixels: cell k is [k - 0.5, k + 0.5), for k from 0 to the row's
+  /// length. A shadow covers whole cells.
+  static int cellOf(double position) { return static_cast<int>(position + 0.5); }
+  int cellCount(int row) const { return lines_.length(row) + 1; }
+  /// Those whose shadows lie over a cell and can win there, from right to left: xRight falls.
+  std::span<const uint32_t> shadowsOver(int row, int cell) const;
+  /// The shadow that a point over a cell is in, given its x - D y; nullptr for none.
+  const Shadow* shadowOf(int row, int cell, double xRight) const;
   /// Columns that are added before a base position on a row.
   int shiftAt(int row, double position) const;
   /// Columns of a row; the image may be wider.
@@ -95,7 +99,7 @@ class EpipolarCamera {
   int width_ = 1;
   std::vector<size_t> rowFirst_;  ///< in shadows_
   std::vector<Shadow> shadows_;
-  std::vector<uint32_t> overFirst_;  ///< in over_, for each base pixel of each row
+  std::vector<uint32_t> overFirst_;  ///< in over_, for each cell of each row
   std::vector<uint32_t> over_;       ///< indices of shadows within their row
 };
 

@@ -147,6 +147,28 @@ float farthestInverseZ(const PinholeCamera& camera, const Mesh& mesh) {
   return 1 / std::max(farthest, camera.view().zNear);
 }
 
+/// The edges of a row without the columns at their left ends that hold no sample: rays of R that graze the occluder.
+std::vector<EpipolarEdge> trimmedEdges(const EpipolarCamera& camera, int row, const FragmentImage& fragments) {
+  const EpipolarLines& lines = camera.lines();
+  std::vector<EpipolarEdge> edges;
+  for (const EpipolarCamera::Shadow& shadow : camera.shadows(row)) {
+    const int begin = shadow.position - shadow.added;
+    int first = begin;
+    while (first < shadow.position && !fragments(first + shadow.shift, row).covered()) {
+      ++first;
+    }
+    if (first < shadow.position) {
+      // The rays that stay keep their places: the shadow now begins between the last one that goes and the first one
+      // that stays.
+      const double xRight = shadow.xRight + lines.x(row, first) - lines.x(row, begin);
+      const double x = lines.x(row, shadow.position);
+      const double inverseNear = (x - xRight) / lines.disparity() / lines.inverseZScale(x);
+      edges.push_back({shadow.position, shadow.clip, shadow.position - first, static_cast<float>(inverseNear)});
+    }
+  }
+  return edges;
+}
+
 EpipolarCamera cameraFrom(const PinholeCamera& base, const glm::vec3& right, const EpipolarLines& lines,
                           const FragmentImage& baseImage, const Mesh& mesh, const EocOptions& options) {
   const float background = farthestInverseZ(base, mesh);
@@ -160,6 +182,16 @@ EpipolarCamera cameraFrom(const PinholeCamera& base, const glm::vec3& right, con
         inverseZ.push_back(fragment.covered() ? 1 / fragment.z : 0);
       }
       edges[row] = findEpipolarEdges(inverseZ, static_cast<int>(row), lines, base.view().zNear, background, options);
+    }
+  });
+  const EpipolarCamera camera(base, right, edges);
+  if (!options.trim) {
+    return camera;
+  }
+  const FragmentImage fragments = rasterize(camera, mesh, baseImage);
+  parallelFor(edges.size(), 8, [&](size_t begin, size_t end) {
+    for (size_t row = begin; row < end; ++row) {
+      edges[row] = trimmedEdges(camera, static_cast<int>(row), fragments);
     }
   });
   return {base, right, edges};
@@ -238,7 +270,12 @@ std::vector<EpipolarEdge> findEpipolarEdges(const std::vector<float>& inverseZ, 
     }
     const double yNear = near * scale;
     const auto uncovered = [&](double y) { return j + 1 - lines.position(row, x - disparity * (yNear - y)); };
-    int added = static_cast<int>(std::ceil(uncovered(far * scale)));
+    double farthest = far;
+    for (int k = j + 2; k < std::min(count, j + 1 + options.backgroundReachPixels); ++k) {
+      const double other = inverseZ[static_cast<size_t>(k)];
+      farthest = other > 0 ? std::min(farthest, other) : farthest;
+    }
+    int added = static_cast<int>(std::ceil(uncovered(farthest * scale)));
     // The first added ray, from the edge to the left and away: as far as it stays under what L sees.
     int clip = j + 1;
     while (clip > 0 && clip > j + 1 - added) {

@@ -10,6 +10,11 @@
 // DEVIATION: what an edge adds is bounded by what its occluder hides ("compact" rows). Where a narrow occluder leaves
 // the text's rays of R without a sample (the black gaps of Figure 3.20, right), they turn into rays of L sooner.
 //
+// DEVIATION: z_f is that of the farthest surface among the next `backgroundReachPixels` of the row. The text takes the
+// pixel next to the edge; what that surface hides in turn then stays hidden, though R sees it between the two.
+//
+// DEVIATION: added columns that turn out to hold nothing, at the left end of those of an edge, are taken out again.
+//
 // DEVIATION: behind the last surface of a row the text has no z_f: what nothing covers counts as far as the farthest
 // vertex of the scene.
 #pragma once
@@ -26,6 +31,9 @@ struct EocOptions {
   /// Bound the columns of an edge by what its occluder hides and `compactSlackPixels`.
   bool compact = true;
   int compactSlackPixels = 2;
+  int backgroundReachPixels = 50;
+  /// Take out columns that hold nothing: costs drawing what is hidden once more.
+  bool trim = true;
 };
 
 /// Directions of view segments, along (right, up, backward) of a view.

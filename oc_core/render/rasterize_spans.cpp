@@ -313,11 +313,11 @@ RowRange centresWithin(double from, double to, int length) {
 class ShadowDrawer {
  public:
   ShadowDrawer(const EpipolarCamera& camera, FragmentImage& fragments)
-      : camera_(camera), lines_(camera.lines()), fragments_(fragments), tops_(lines_.longest(), lines_.rowCount()) {
+      : camera_(camera), lines_(camera.lines()), fragments_(fragments), tops_(lines_.longest() + 1, lines_.rowCount()) {
     parallelFor(static_cast<size_t>(lines_.rowCount()), 16, [&](size_t begin, size_t end) {
       for (size_t row = begin; row < end; ++row) {
-        for (int j = 0; j < lines_.longest(); ++j) {
-          tops_(j, static_cast<int>(row)) = shadowTop(static_cast<int>(row), j);
+        for (int cell = 0; cell < camera.cellCount(static_cast<int>(row)); ++cell) {
+          tops_(cell, static_cast<int>(row)) = shadowTop(static_cast<int>(row), cell);
         }
       }
     });
@@ -326,22 +326,22 @@ class ShadowDrawer {
   /// Whether some of a triangle may lie in a shadow.
   bool touches(const LineProjection& projection, const LineTriangle& piece, const RowRange& range) const {
     const float farthest = std::min({piece[0].vertex.inverseZ, piece[1].vertex.inverseZ, piece[2].vertex.inverseZ});
-    constexpr int kMostPixels = 64;  // larger ones are few: take them
-    int pixels = 0;
+    constexpr int kMostCells = 64;  // larger ones are few: take them
+    int cells = 0;
     for (int i = range.first; i <= range.last; ++i) {
       const int row = projection.row(i);
       const glm::vec2 positions = projection.positionsOf(piece, row);
       if (!(positions.y >= 0) || !(positions.x < static_cast<float>(lines_.length(row)))) {
         continue;
       }
-      const int first = std::max(static_cast<int>(positions.x), 0);
-      const int last = std::min(static_cast<int>(positions.y), lines_.length(row) - 1);
-      pixels += last - first + 1;
-      if (pixels > kMostPixels) {
+      const int first = EpipolarCamera::cellOf(std::max(positions.x, 0.0f));
+      const int last = EpipolarCamera::cellOf(std::min(positions.y, static_cast<float>(lines_.length(row))));
+      cells += last - first + 1;
+      if (cells > kMostCells) {
         return true;
       }
-      for (int j = first; j <= last; ++j) {
-        if (farthest < tops_(j, row)) {
+      for (int cell = first; cell <= last; ++cell) {
+        if (farthest < tops_(cell, row)) {
           return true;
         }
       }
@@ -356,31 +356,29 @@ class ShadowDrawer {
     }
     const RowRange centres = centresWithin(span.from.position, span.to.position, length);
     const double farthest = std::min(span.fromInverseZ, span.toInverseZ);
-    const int first = static_cast<int>(std::max(span.from.position, 0.0));
-    const int last = std::min(static_cast<int>(span.to.position), length - 1);
-    for (int j = first; j <= last; ++j) {
-      if (farthest < static_cast<double>(tops_(j, span.row))) {
-        if (j >= centres.first && j <= centres.last) {
-          drawLeft(triangle, piece, span, j);
+    const int first = EpipolarCamera::cellOf(std::max(span.from.position, 0.0));
+    const int last = EpipolarCamera::cellOf(std::min(span.to.position, static_cast<double>(length)));
+    for (int cell = first; cell <= last; ++cell) {
+      if (farthest < static_cast<double>(tops_(cell, span.row))) {
+        // A cell begins at the centre of the base pixel before it.
+        if (cell - 1 >= centres.first && cell - 1 <= centres.last) {
+          drawLeft(triangle, piece, span, cell - 1);
         }
-        drawRight(triangle, piece, span, j);
+        drawRight(triangle, piece, span, cell);
       }
     }
   }
 
  private:
-  /// The greatest 1/z of a shadow over a base pixel; 0 for none.
-  float shadowTop(int row, int j) const {
-    if (j >= lines_.length(row)) {
-      return 0;
-    }
-    const std::span<const uint32_t> over = camera_.shadowsOver(row, j);
+  /// The greatest 1/z of a shadow over a cell; 0 for none.
+  float shadowTop(int row, int cell) const {
+    const std::span<const uint32_t> over = camera_.shadowsOver(row, cell);
     if (over.empty()) {
       return 0;
     }
     const double xRight = camera_.shadows(row)[over.back()].xRight;
     double top = 0;
-    for (const int border : {j, j + 1}) {
+    for (const double border : {cell - 0.5, cell + 0.5}) {
       if (lines_.has(row, border)) {
         const double x = lines_.x(row, border);
         top = std::max(top, (x - xRight) / lines_.disparity() / lines_.inverseZScale(x));
@@ -395,14 +393,14 @@ class ShadowDrawer {
     const double w = span.fromInverseZ + (span.toInverseZ - span.fromInverseZ) * t;
     const double x = lines_.x(span.row, j + 0.5);
     const double y = w * lines_.inverseZScale(x);
-    const EpipolarCamera::Shadow* shadow = camera_.shadowOf(span.row, j, x - lines_.disparity() * y);
+    const EpipolarCamera::Shadow* shadow = camera_.shadowOf(span.row, j + 1, x - lines_.disparity() * y);
     if (shadow != nullptr && y < shadow->yFar && j >= shadow->position - shadow->added) {
       keep(fragments_(j + shadow->shift, span.row), triangle, piece, span, t);
     }
   }
 
-  /// Rays of R that cross the span over base pixel j.
-  void drawRight(uint32_t triangle, const LineTriangle& piece, const Span& span, int j) {
+  /// Rays of R that cross the span over a cell.
+  void drawRight(uint32_t triangle, const LineTriangle& piece, const Span& span, int cell) {
     // Over the whole span y = slope x + offset, and R sees it from xRight(from) to xRight(to).
     const double disparity = lines_.disparity();
     const double fromX = lines_.x(span.row, span.from.position);
@@ -415,13 +413,13 @@ class ShadowDrawer {
     const double slope = (toY - fromY) / (toX - fromX);
     const auto [leastRight, mostRight] = std::minmax({fromX - disparity * fromY, toX - disparity * toY});
     const double spread = 1 - disparity * slope;
-    // The part over the pixel.
-    const double x0 = std::max(fromX, lines_.x(span.row, j));
-    const double x1 = lines_.has(span.row, j + 1.0) ? std::min(toX, lines_.x(span.row, j + 1.0)) : toX;
+    // The part over the cell.
+    const double x0 = std::max(fromX, lines_.x(span.row, cell - 0.5));
+    const double x1 = lines_.has(span.row, cell + 0.5) ? std::min(toX, lines_.x(span.row, cell + 0.5)) : toX;
     const double right0 = fromX - disparity * fromY + (x0 - fromX) * spread;
     const double right1 = fromX - disparity * fromY + (x1 - fromX) * spread;
     const std::span<const EpipolarCamera::Shadow> shadows = camera_.shadows(span.row);
-    for (const uint32_t index : camera_.shadowsOver(span.row, j)) {
+    for (const uint32_t index : camera_.shadowsOver(span.row, cell)) {
       const EpipolarCamera::Shadow& shadow = shadows[index];
       constexpr double kRounding = 1e-6;
       const double a = lines_.position(span.row, right0 + disparity * shadow.yFar);
@@ -438,7 +436,8 @@ class ShadowDrawer {
         const double x = fromX + (xRight - (fromX - disparity * fromY)) / spread;
         const double y = (x - xRight) / disparity;
         const double position = lines_.position(span.row, x);
-        if (y >= shadow.yFar && std::floor(position) == j && camera_.shadowOf(span.row, j, xRight) == &shadow) {
+        if (y >= shadow.yFar && EpipolarCamera::cellOf(position) == cell &&
+            camera_.shadowOf(span.row, cell, xRight) == &shadow) {
           const double t = (position - span.from.position) / (span.to.position - span.from.position);
           keep(fragments_(column + shadow.shift, span.row), triangle, piece, span, std::clamp(t, 0.0, 1.0));
         }
@@ -471,7 +470,7 @@ void copyBase(FragmentImage& fragments, const EpipolarCamera& camera, const Frag
         }
         const double x = lines.x(row, j + 0.5);
         const double y = lines.inverseZScale(x) / static_cast<double>(fragment.z);
-        if (camera.shadowOf(row, j, x - lines.disparity() * y) == nullptr) {
+        if (camera.shadowOf(row, j + 1, x - lines.disparity() * y) == nullptr) {
           fragments(j + shift, row) = fragment;
         }
       }
