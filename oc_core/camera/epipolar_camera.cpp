@@ -33,7 +33,7 @@ EpipolarCamera::EpipolarCamera(const PinholeCamera& base, const glm::vec3& right
                "edges come from left to right, and each adds columns for what it hides");
       last = edge.position;
       shift += edge.added;
-      Shadow shadow{edge.position, edge.clip, edge.added, shift};
+      Shadow shadow{edge.position, std::max(edge.clip, edge.position - edge.added), edge.added, shift};
       const double x = lines_.x(row, edge.position);
       shadow.xRight = x - disparity * static_cast<double>(edge.inverseNear) * lines_.inverseZScale(x);
       OC_CHECK(lines_.has(row, edge.position + 0.5) && lines_.has(row, edge.position - edge.added),
@@ -51,7 +51,7 @@ EpipolarCamera::EpipolarCamera(const PinholeCamera& base, const glm::vec3& right
   for (int row = 0; row < rows; ++row) {
     const std::span<const Shadow> edges = shadows(row);
     for (size_t i = edges.size(); i-- > 0;) {
-      for (auto j = static_cast<size_t>(edges[i].clip) + 1; j <= static_cast<size_t>(edges[i].position); ++j) {
+      for (auto j = static_cast<size_t>(edges[i].clip + 1); j <= static_cast<size_t>(edges[i].position); ++j) {
         if (over[j].empty() || edges[i].xRight < edges[over[j].back()].xRight) {
           over[j].push_back(static_cast<uint32_t>(i));
         }
@@ -147,25 +147,25 @@ std::optional<EpipolarCamera::PlaneRay> EpipolarCamera::bentRay(int row, const S
   // As a ray of R it runs from the edge to where the shadow is clipped, but for what is in the shadow of another edge
   // farther right: those shadows reach from beyond the edge to where they are clipped themselves.
   const std::span<const Shadow> edges = shadows(row);
-  double from = shadow.position + 0.5;
+  double from = cellBegin(shadow.position + 1);
   double leastXRight = kNever;
   for (const Shadow* other = &shadow + 1; other != edges.data() + edges.size(); ++other) {
     if (other->xRight < xRight) {
-      from = std::min(from, other->clip + 0.5);
+      from = std::min(from, cellBegin(other->clip + 1));
     }
-    if (other->clip + 0.5 <= position) {
+    if (cellBegin(other->clip + 1) <= position) {
       leastXRight = std::min(leastXRight, other->xRight);
     }
   }
   const double margin = ray.xFar - lines_.x(row, position - kMarginPixels);
   const double xStart = lines_.x(row, from) - margin;
-  const double xClip = lines_.x(row, shadow.clip + 0.5) + margin;
+  const double xClip = lines_.x(row, cellBegin(shadow.clip + 1)) + margin;
   if (xStart <= std::max(ray.xFar, xClip)) {
     return std::nullopt;
   }
   ray.yStart = shadow.yFar + (xStart - ray.xFar) / disparity;
   ray.yEnd = xClip - 2 * margin > ray.xFar ? shadow.yFar + (xClip - ray.xFar) / disparity
-                              : std::max(0.0, (ray.xFar - leastXRight + margin) / disparity);
+                                           : std::max(0.0, (ray.xFar - leastXRight + margin) / disparity);
   return ray;
 }
 

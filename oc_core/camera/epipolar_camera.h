@@ -28,9 +28,10 @@
 
 namespace ocelli {
 
-/// A depth discontinuity of a row of the base image, near before and far behind it. Its shadow reaches from the centre of
-/// base pixel `clip` to that of base pixel `position`, the first one behind the occluder: where between the two rays of L
-/// the occluder ends is not known, and what curves away there is seen from R.
+/// A depth discontinuity of a row of the base image, near before and far behind it. Its shadow reaches from the centre
+/// of base pixel `clip` to that of base pixel `position`, the first one behind the occluder: where between the two rays
+/// of L the occluder ends is not known, and what curves away there is seen from R. It reaches no farther than the
+/// columns that it adds.
 struct EpipolarEdge {
   int position = 0;       ///< the border between base pixels where the occluder ends
   int clip = 0;           ///< the first base pixel in its shadow, below `position`
@@ -73,9 +74,11 @@ class EpipolarCamera {
 
   /// The edges of a row, from left to right.
   std::span<const Shadow> shadows(int row) const;
-  /// A row falls into cells between the centres of base pixels: cell k is [k - 0.5, k + 0.5), for k from 0 to the row's
-  /// length. A shadow covers whole cells.
-  static int cellOf(double position) { return static_cast<int>(position + 0.5); }
+  /// A row falls into cells between the centres of base pixels, for k from 0 to the row's length: cell k begins just
+  /// before the centre of base pixel k - 1, so that rounding does not move that centre out of it. A shadow covers whole
+  /// cells.
+  static int cellOf(double position) { return static_cast<int>(position - cellBegin(0)); }
+  static double cellBegin(int cell) { return cell - 0.51; }
   int cellCount(int row) const { return lines_.length(row) + 1; }
   /// Those whose shadows lie over a cell and can win there, from right to left: xRight falls.
   std::span<const uint32_t> shadowsOver(int row, int cell) const;

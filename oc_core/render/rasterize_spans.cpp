@@ -378,7 +378,7 @@ class ShadowDrawer {
     }
     const double xRight = camera_.shadows(row)[over.back()].xRight;
     double top = 0;
-    for (const double border : {cell - 0.5, cell + 0.5}) {
+    for (const double border : {EpipolarCamera::cellBegin(cell), EpipolarCamera::cellBegin(cell + 1)}) {
       if (lines_.has(row, border)) {
         const double x = lines_.x(row, border);
         top = std::max(top, (x - xRight) / lines_.disparity() / lines_.inverseZScale(x));
@@ -401,23 +401,35 @@ class ShadowDrawer {
 
   /// Rays of R that cross the span over a cell.
   void drawRight(uint32_t triangle, const LineTriangle& piece, const Span& span, int cell) {
-    // Over the whole span y = slope x + offset, and R sees it from xRight(from) to xRight(to).
     const double disparity = lines_.disparity();
-    const double fromX = lines_.x(span.row, span.from.position);
-    const double fromY = span.fromInverseZ * lines_.inverseZScale(fromX);
-    const double toX = lines_.x(span.row, span.to.position);
-    const double toY = span.toInverseZ * lines_.inverseZScale(toX);
-    if (!(toX > fromX) || !std::isfinite(toX)) {
+    const double from = span.from.position;
+    const double to = span.to.position;
+    if (!(to > from)) {
       return;
     }
-    const double slope = (toY - fromY) / (toX - fromX);
-    const auto [leastRight, mostRight] = std::minmax({fromX - disparity * fromY, toX - disparity * toY});
+    // 1/z is linear over the span, so y = slope x + offset; R sees the span from leastRight to mostRight.
+    const double change = (span.toInverseZ - span.fromInverseZ) / (to - from);
+    double slope = change;
+    double offset = span.fromInverseZ - change * from;
+    double sign = 0;
+    if (!lines_.isParallel()) {
+      sign = lines_.advance() > 0 ? 1 : -1;
+      offset = -sign * change;
+      slope = sign * (span.fromInverseZ - offset * lines_.radius(span.row, from));
+    }
+    const auto xRightAt = [&](double position, double inverseZ) {
+      const double x = lines_.x(span.row, position);
+      return lines_.isParallel() ? x - disparity * inverseZ : x * (1 - sign * disparity * inverseZ);
+    };
+    const auto [leastRight, mostRight] =
+        std::minmax({xRightAt(from, span.fromInverseZ), xRightAt(to, span.toInverseZ)});
     const double spread = 1 - disparity * slope;
     // The part over the cell.
-    const double x0 = std::max(fromX, lines_.x(span.row, cell - 0.5));
-    const double x1 = lines_.has(span.row, cell + 0.5) ? std::min(toX, lines_.x(span.row, cell + 0.5)) : toX;
-    const double right0 = fromX - disparity * fromY + (x0 - fromX) * spread;
-    const double right1 = fromX - disparity * fromY + (x1 - fromX) * spread;
+    const double end = EpipolarCamera::cellBegin(cell + 1);
+    const double x0 = lines_.x(span.row, std::max(from, EpipolarCamera::cellBegin(cell)));
+    const double x1 = lines_.x(span.row, lines_.has(span.row, end) ? std::min(to, end) : to);
+    const double right0 = x0 * spread - disparity * offset;
+    const double right1 = x1 * spread - disparity * offset;
     const std::span<const EpipolarCamera::Shadow> shadows = camera_.shadows(span.row);
     for (const uint32_t index : camera_.shadowsOver(span.row, cell)) {
       const EpipolarCamera::Shadow& shadow = shadows[index];
@@ -433,12 +445,12 @@ class ShadowDrawer {
         if (xRight < leastRight || xRight >= mostRight) {
           continue;
         }
-        const double x = fromX + (xRight - (fromX - disparity * fromY)) / spread;
+        const double x = (xRight + disparity * offset) / spread;
         const double y = (x - xRight) / disparity;
         const double position = lines_.position(span.row, x);
         if (y >= shadow.yFar && EpipolarCamera::cellOf(position) == cell &&
             camera_.shadowOf(span.row, cell, xRight) == &shadow) {
-          const double t = (position - span.from.position) / (span.to.position - span.from.position);
+          const double t = (position - from) / (to - from);
           keep(fragments_(column + shadow.shift, span.row), triangle, piece, span, std::clamp(t, 0.0, 1.0));
         }
       }
