@@ -55,8 +55,8 @@ std::optional<SceneExtent> extentOf(const PinholeCamera& camera, const Mesh& mes
     if (!whole[chunk]) {
       return std::nullopt;
     }
-    sum.window.add(extents[chunk].window.lower);
-    sum.window.add(extents[chunk].window.upper);
+    sum.window.lower = glm::min(sum.window.lower, extents[chunk].window.lower);
+    sum.window.upper = glm::max(sum.window.upper, extents[chunk].window.upper);
     sum.zLeast = std::min(sum.zLeast, extents[chunk].zLeast);
     sum.zMost = std::max(sum.zMost, extents[chunk].zMost);
   }
@@ -90,13 +90,18 @@ PinholeCamera pinholeWith(View view, float focalPixels, const Window& window) {
   return {view, static_cast<int>(size.x), static_cast<int>(size.y)};
 }
 
-/// The window of a frustum of the size of the reference's that holds the same part of the plane through its target.
-Window windowOfTarget(const PinholeCamera& reference, const PinholeCamera& base, float roll) {
+/// A corner of the reference's image, in the plane through its target.
+glm::vec3 targetPoint(const PinholeCamera& reference, const glm::vec2& corner) {
   const float distance = glm::distance(reference.view().target, reference.eye());
-  const glm::vec2 middle = glm::vec2(reference.width(), reference.height()) / 2.0f;
-  const glm::vec2 center =
-      fromCenter(base, reference.worldFromCamera(reference.cameraFromImage({middle.x, middle.y, distance})));
+  const glm::vec2 pixel = corner * glm::vec2(reference.width(), reference.height());
+  return reference.worldFromCamera(reference.cameraFromImage({pixel.x, pixel.y, distance}));
+}
+
+/// The window of a frustum of the size of the reference's, around the same point of the plane through its target.
+Window windowOfTarget(const PinholeCamera& reference, const PinholeCamera& base, float roll) {
+  const glm::vec2 center = fromCenter(base, targetPoint(reference, glm::vec2(0.5f)));
   const glm::vec2 along(std::abs(std::cos(roll)), std::abs(std::sin(roll)));
+  const glm::vec2 middle = glm::vec2(reference.width(), reference.height()) / 2.0f;
   const glm::vec2 half(middle.x * along.x + middle.y * along.y, middle.x * along.y + middle.y * along.x);
   Window window;
   window.add(center - half);
@@ -104,27 +109,24 @@ Window windowOfTarget(const PinholeCamera& reference, const PinholeCamera& base,
   return window;
 }
 
-/// Adds what the reference view sees when its eye moves to the ends and the middle of the segment, where the scene is.
+/// Adds what is seen through the reference's window in the plane through its target, from the ends and the middle of
+/// the segment, where the scene is.
 void addSeen(Window& window, const PinholeCamera& reference, const ViewSegment& segment, const PinholeCamera& base,
              const SceneExtent& extent) {
   Window seen;
   for (const glm::vec3& eye : {segment.left, (segment.left + segment.right) * 0.5f, segment.right}) {
-    View view = reference.view();
-    view.eye = eye;
-    view.fovVerticalDegrees = view.resolvedFovVerticalDegrees();
-    const PinholeCamera moved(view, reference.width(), reference.height());
     const glm::vec3 start = base.cameraFromWorld(eye);
     for (const glm::vec2& corner : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1), glm::vec2(1, 1)}) {
-      const glm::vec2 pixel = corner * glm::vec2(moved.width(), moved.height());
-      const glm::vec3 step =
-          base.cameraFromWorld(moved.worldFromCamera(moved.cameraFromImage({pixel.x, pixel.y, 1}))) - start;
+      const glm::vec3 step = base.cameraFromWorld(targetPoint(reference, corner)) - start;
       for (const float z : {extent.zLeast, extent.zMost}) {
-        const glm::vec3 p = start + step * ((z - start.z) / step.z);
-        seen.add(glm::vec2(p) / p.z * base.focalPixels());
+        if (step.z > 0 && z >= start.z) {
+          const glm::vec3 p = start + step * ((z - start.z) / step.z);
+          seen.add(glm::vec2(p) / p.z * base.focalPixels());
+        }
       }
     }
   }
-  // No more than the scene takes up; a NaN changes nothing.
+  // No more than the scene takes up; a comparison with a NaN is false, and changes nothing.
   const glm::vec2 lower = glm::max(seen.lower, extent.window.lower);
   const glm::vec2 upper = glm::min(seen.upper, extent.window.upper);
   for (int axis = 0; axis < 2; ++axis) {

@@ -55,8 +55,10 @@ class RowMesher {
     }
     setDirections();
     forRows([&](size_t y) { sortSamples(rows_[y]); });
-    forRows([&](size_t y) { findPartners(y); });
-    forRows([&](size_t y) { joinAlong(rows_[y]); });
+    forRows([&](size_t y) {
+      findPartners(y);
+      joinAlong(rows_[y]);
+    });
     forRows([&](size_t y) { closeStrip(y); });
     for (const Row& row : rows_) {
       mesh_.triangles.insert(mesh_.triangles.end(), row.triangles.begin(), row.triangles.end());
@@ -209,14 +211,40 @@ class RowMesher {
     }
   }
 
+  /// Of a row, the sample next to `from` that is nearest to a position along the row; from itself, or one that is
+  /// joined to it. No place where `from` is kNone.
+  static ImagePoint placeNear(const Row& row, int from, float along) {
+    if (from == kNone) {
+      return {};
+    }
+    const auto i = static_cast<size_t>(from);
+    const RowSample* nearest = &row.samples[i];
+    const auto consider = [&](const RowSample& other) {
+      if (std::abs(other.along - along) < std::abs(nearest->along - along)) {
+        nearest = &other;
+      }
+    };
+    if (i > 0 && row.samples[i - 1].joinsNext) {
+      consider(row.samples[i - 1]);
+    }
+    if (row.samples[i].joinsNext) {
+      consider(row.samples[i + 1]);
+    }
+    return nearest->place;
+  }
+
   /// Whether a sample of row y and one of the row below lie on one surface.
   bool joinsAcross(size_t y, const RowSample& a, const RowSample& b) const {
+    if (samplesJoin({}, a.place, b.place, {}, false, focal_, options_)) {
+      return true;
+    }
+    // The samples that go on in the same direction beyond a and b.
     const std::optional<size_t> up = above(y);
     const std::optional<size_t> next = below(*below(y));
-    return samplesJoin(
-        up && a.above != kNone ? rows_[*up].samples[static_cast<size_t>(a.above)].place : ImagePoint{}, a.place,
-        b.place, next && b.below != kNone ? rows_[*next].samples[static_cast<size_t>(b.below)].place : ImagePoint{},
-        false, focal_, options_);
+    const float step = b.along - a.along;
+    const ImagePoint before = up ? placeNear(rows_[*up], a.above, a.along - step) : ImagePoint{};
+    const ImagePoint after = next ? placeNear(rows_[*next], b.below, b.along + step) : ImagePoint{};
+    return samplesJoin(before, a.place, b.place, after, false, focal_, options_);
   }
 
   /// The longest list of partners that keeps the order of columns in both rows: for each sample of `row` its partner in
@@ -272,10 +300,12 @@ class RowMesher {
     RowSample& b(int k) const { return lower.samples[static_cast<size_t>(k)]; }
 
     bool canAdvanceUpper() const {
-      return i + 1 < static_cast<int>(upper.samples.size()) && a(i).joinsNext && mesher.joinsAcross(y, a(i + 1), b(j));
+      return i + 1 < static_cast<int>(upper.samples.size()) && a(i).joinsNext && !a(i).closedBelow &&
+             mesher.joinsAcross(y, a(i + 1), b(j));
     }
     bool canAdvanceLower() const {
-      return j + 1 < static_cast<int>(lower.samples.size()) && b(j).joinsNext && mesher.joinsAcross(y, a(i), b(j + 1));
+      return j + 1 < static_cast<int>(lower.samples.size()) && b(j).joinsNext && !b(j).closedAbove &&
+             mesher.joinsAcross(y, a(i), b(j + 1));
     }
     float cost(int ia, int jb) const {
       const ImagePoint& p = a(ia).place;
