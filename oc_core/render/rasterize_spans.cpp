@@ -103,28 +103,18 @@ class LineProjection {
   }
 
   RowRange rowsOf(const LineTriangle& triangle) const {
-    float least = 0;
-    float most = 0;
-    const float first = triangle[0].vertex.row;
-    float sum = 0;
-    for (size_t i = 0; i < 3; ++i) {
-      least = std::min(least, rowStep(first, triangle[i].vertex.row));
-      most = std::max(most, rowStep(first, triangle[i].vertex.row));
-      sum += rowStep(triangle[i].vertex.row, triangle[(i + 1) % 3].vertex.row);
-    }
-    if (lines_.isRing() && std::abs(sum) > static_cast<float>(lines_.rowCount()) / 2) {
-      return {0, lines_.rowCount() - 1};  // the epipole lies in it
-    }
-    // A row belongs to what crosses its centre; a little more for rounding.
-    constexpr float kRounding = 0.01f;
-    RowRange range{static_cast<int>(std::ceil(first + least - 0.5f - kRounding)),
-                   static_cast<int>(std::floor(first + most - 0.5f + kRounding))};
+    const float a = triangle[0].vertex.row;
+    const float b = triangle[1].vertex.row;
+    const float c = triangle[2].vertex.row;
     if (!lines_.isRing()) {
-      range = {std::max(range.first, 0), std::min(range.last, lines_.rowCount() - 1)};
-    } else if (range.last - range.first >= lines_.rowCount()) {
-      range = {0, lines_.rowCount() - 1};
+      const RowRange range = rowsBetween(std::min({a, b, c}), std::max({a, b, c}));
+      return {std::max(range.first, 0), std::min(range.last, lines_.rowCount() - 1)};
     }
-    return range;
+    const float toB = rowStep(a, b);
+    const float toC = rowStep(a, c);
+    const RowRange range = rowsBetween(a + std::min({0.0f, toB, toC}), a + std::max({0.0f, toB, toC}));
+    const bool holdsEpipole = std::abs(toB + rowStep(b, c) + rowStep(c, a)) > static_cast<float>(lines_.rowCount()) / 2;
+    return holdsEpipole || range.last - range.first >= lines_.rowCount() ? RowRange{0, lines_.rowCount() - 1} : range;
   }
   /// The row that the i-th of a range stands for.
   int row(int i) const {
@@ -223,12 +213,15 @@ class LineProjection {
            v.v < static_cast<float>(base_.height()) + kClipMargin;
   }
   glm::dvec2 fromEpipole(const LineVertex& vertex) const { return glm::dvec2(vertex.u, vertex.v) - lines_.epipole(); }
-  /// From one row coordinate to another, the short way round.
+  /// A row belongs to what crosses its centre; a little more for rounding.
+  static RowRange rowsBetween(float least, float most) {
+    constexpr float kRounding = 0.01f;
+    return {static_cast<int>(std::ceil(least - 0.5f - kRounding)),
+            static_cast<int>(std::floor(most - 0.5f + kRounding))};
+  }
+  /// From one row coordinate of a ring to another, the short way round.
   float rowStep(float from, float to) const {
     const float step = to - from;
-    if (!lines_.isRing()) {
-      return step;
-    }
     const auto rows = static_cast<float>(lines_.rowCount());
     return step > rows / 2 ? step - rows : step < -rows / 2 ? step + rows : step;
   }
