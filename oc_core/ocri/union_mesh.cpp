@@ -2,6 +2,7 @@
 
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/ocri/layered_mesh.h"
+#include "oc_core/ocri/row_mesh.h"
 
 namespace ocelli {
 
@@ -13,8 +14,11 @@ Mesh unionMesh(const ReferenceImages& images) {
       ++end;
     }
     const auto part = images.begin() + static_cast<std::ptrdiff_t>(first);
-    append(mesh, end - first > 1 ? layeredMesh({part, part + static_cast<std::ptrdiff_t>(end - first)})
-                                 : imageMesh(images[first]));
+    if (end - first > 1) {
+      append(mesh, layeredMesh({part, part + static_cast<std::ptrdiff_t>(end - first)}));
+    } else {
+      append(mesh, part->rows == ImageRows::kAligned ? imageMesh(*part) : rowMesh(*part));
+    }
     first = end;
   }
   return mesh;

@@ -1,0 +1,350 @@
+#include "oc_core/ocri/eoc_builder.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "oc_core/base/conventions.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/parallel.h"
+#include "oc_core/render/rasterize_spans.h"
+#include "oc_core/scene/winding_number.h"
+
+namespace ocelli {
+namespace {
+
+/// A rectangle in the image plane of a pinhole, pixels from where the view direction meets it.
+struct Window {
+  glm::vec2 lower{1e30f};
+  glm::vec2 upper{-1e30f};
+
+  void add(const glm::vec2& p) {
+    lower = glm::min(lower, p);
+    upper = glm::max(upper, p);
+  }
+};
+
+/// What the scene takes up in front of a pinhole. Nothing where a vertex is nearer than zNear, or none is in front.
+struct SceneExtent {
+  Window window;
+  float zLeast = 1e30f;
+  float zMost = 0;
+};
+
+std::optional<SceneExtent> extentOf(const PinholeCamera& camera, const Mesh& mesh) {
+  constexpr size_t kChunks = 16;
+  std::array<SceneExtent, kChunks> extents;
+  std::array<bool, kChunks> whole{};
+  parallelChunks(mesh.positions.size(), kChunks, [&](size_t chunk, size_t begin, size_t end) {
+    SceneExtent extent;
+    bool all = true;
+    for (size_t i = begin; i < end; ++i) {
+      const glm::vec3 p = camera.cameraFromWorld(mesh.positions[i]);
+      all = all && p.z >= camera.view().zNear;
+      extent.window.add(glm::vec2(p) / p.z);
+      extent.zLeast = std::min(extent.zLeast, p.z);
+      extent.zMost = std::max(extent.zMost, p.z);
+    }
+    extents[chunk] = extent;
+    whole[chunk] = all;
+  });
+  SceneExtent sum;
+  for (size_t chunk = 0; chunk < kChunks; ++chunk) {
+    if (!whole[chunk]) {
+      return std::nullopt;
+    }
+    sum.window.lower = glm::min(sum.window.lower, extents[chunk].window.lower);
+    sum.window.upper = glm::max(sum.window.upper, extents[chunk].window.upper);
+    sum.zLeast = std::min(sum.zLeast, extents[chunk].zLeast);
+    sum.zMost = std::max(sum.zMost, extents[chunk].zMost);
+  }
+  sum.window.lower *= camera.focalPixels();
+  sum.window.upper *= camera.focalPixels();
+  return sum.zMost > 0 ? std::optional(sum) : std::nullopt;
+}
+
+/// Where a pinhole sees a world point, from where the view direction meets the image.
+glm::vec2 fromCenter(const PinholeCamera& camera, const glm::vec3& worldPoint) {
+  const ImagePoint q = camera.imageFromCamera(camera.cameraFromWorld(worldPoint));
+  return glm::vec2(q.u, q.v) - camera.centerPixels();
+}
+
+glm::vec3 forwardOf(const PinholeCamera& camera) {
+  return camera.worldFromCamera({0, 0, 1}) - camera.eye();
+}
+
+/// A pinhole of the given focal length whose image is a window of its image plane.
+PinholeCamera pinholeWith(View view, float focalPixels, const Window& window) {
+  // Windows whose sides are whole pixels but for rounding stay as they are.
+  constexpr float kRounding = 0.01f;
+  const glm::vec2 size = glm::max(glm::ceil(window.upper - window.lower - kRounding), 1.0f);
+  const glm::vec2 center = (window.lower + window.upper) / 2.0f;
+  view.fovVerticalDegrees = degreesFromRadians(2 * std::atan(static_cast<double>(size.y) / 2 / focalPixels));
+  view.centerShift = -center / size.y;
+  if (!(std::max(size.x, size.y) <= static_cast<float>(PinholeCamera::kMostPixelsASide))) {
+    throw InputError("the image that covers the view segment would be larger than an image may be", "view segment",
+                     "choose a shorter segment");
+  }
+  return {view, static_cast<int>(size.x), static_cast<int>(size.y)};
+}
+
+/// A corner of the reference's image, in the plane through its target.
+glm::vec3 targetPoint(const PinholeCamera& reference, const glm::vec2& corner) {
+  const float distance = glm::distance(reference.view().target, reference.eye());
+  const glm::vec2 pixel = corner * glm::vec2(reference.width(), reference.height());
+  return reference.worldFromCamera(reference.cameraFromImage({pixel.x, pixel.y, distance}));
+}
+
+/// The window of a frustum of the size of the reference's, around the same point of the plane through its target.
+Window windowOfTarget(const PinholeCamera& reference, const PinholeCamera& base, float roll) {
+  const glm::vec2 center = fromCenter(base, targetPoint(reference, glm::vec2(0.5f)));
+  const glm::vec2 along(std::abs(std::cos(roll)), std::abs(std::sin(roll)));
+  const glm::vec2 middle = glm::vec2(reference.width(), reference.height()) / 2.0f;
+  const glm::vec2 half(middle.x * along.x + middle.y * along.y, middle.x * along.y + middle.y * along.x);
+  Window window;
+  window.add(center - half);
+  window.add(center + half);
+  return window;
+}
+
+/// Adds what is seen through the reference's window in the plane through its target, from the ends and the middle of
+/// the segment, where the scene is.
+void addSeen(Window& window, const PinholeCamera& reference, const ViewSegment& segment, const PinholeCamera& base,
+             const SceneExtent& extent) {
+  Window seen;
+  for (const glm::vec3& eye : {segment.left, (segment.left + segment.right) * 0.5f, segment.right}) {
+    const glm::vec3 start = base.cameraFromWorld(eye);
+    for (const glm::vec2& corner : {glm::vec2(0, 0), glm::vec2(1, 0), glm::vec2(0, 1), glm::vec2(1, 1)}) {
+      const glm::vec3 step = base.cameraFromWorld(targetPoint(reference, corner)) - start;
+      for (const float z : {extent.zLeast, extent.zMost}) {
+        if (step.z > 0 && z >= start.z) {
+          const glm::vec3 p = start + step * ((z - start.z) / step.z);
+          seen.add(glm::vec2(p) / p.z * base.focalPixels());
+        }
+      }
+    }
+  }
+  // No more than the scene takes up; a comparison with a NaN is false, and changes nothing.
+  const glm::vec2 lower = glm::max(seen.lower, extent.window.lower);
+  const glm::vec2 upper = glm::min(seen.upper, extent.window.upper);
+  for (int axis = 0; axis < 2; ++axis) {
+    if (lower[axis] < window.lower[axis]) {
+      window.lower[axis] -= std::ceil(window.lower[axis] - lower[axis]);
+    }
+    if (upper[axis] > window.upper[axis]) {
+      window.upper[axis] += std::ceil(upper[axis] - window.upper[axis]);
+    }
+  }
+}
+
+/// 1/z of the farthest vertex that the pinhole may see.
+float farthestInverseZ(const PinholeCamera& camera, const Mesh& mesh) {
+  float farthest = 0;
+  for (const glm::vec3& p : mesh.positions) {
+    const float z = camera.cameraFromWorld(p).z;
+    farthest = z <= camera.view().zFar ? std::max(farthest, z) : farthest;
+  }
+  return 1 / std::max(farthest, camera.view().zNear);
+}
+
+/// The edges of a row without the columns at their left ends that hold no sample: rays of R that graze the occluder.
+std::vector<EpipolarEdge> trimmedEdges(const EpipolarCamera& camera, int row, const FragmentImage& fragments) {
+  const EpipolarLines& lines = camera.lines();
+  std::vector<EpipolarEdge> edges;
+  for (const EpipolarCamera::Shadow& shadow : camera.shadows(row)) {
+    const int begin = shadow.position - shadow.added;
+    int first = begin;
+    while (first < shadow.position && !fragments(first + shadow.shift, row).covered()) {
+      ++first;
+    }
+    if (first < shadow.position) {
+      // The rays that stay keep their places: the shadow now begins between the last one that goes and the first one
+      // that stays.
+      const double xRight = shadow.xRight + lines.x(row, first) - lines.x(row, begin);
+      const double x = lines.x(row, shadow.position);
+      const double inverseNear = (x - xRight) / lines.disparity() / lines.inverseZScale(x);
+      edges.push_back({shadow.position, shadow.clip, shadow.position - first, static_cast<float>(inverseNear)});
+    }
+  }
+  return edges;
+}
+
+EpipolarCamera cameraFrom(const PinholeCamera& base, const glm::vec3& right, const EpipolarLines& lines,
+                          const FragmentImage& baseImage, const Mesh& mesh, const EocOptions& options) {
+  const float background = farthestInverseZ(base, mesh);
+  std::vector<std::vector<EpipolarEdge>> edges(static_cast<size_t>(lines.rowCount()));
+  parallelFor(edges.size(), 8, [&](size_t begin, size_t end) {
+    std::vector<float> inverseZ;
+    for (size_t row = begin; row < end; ++row) {
+      inverseZ.clear();
+      for (int j = 0; j < lines.length(static_cast<int>(row)); ++j) {
+        const Fragment& fragment = baseImage(j, static_cast<int>(row));
+        inverseZ.push_back(fragment.covered() ? 1 / fragment.z : 0);
+      }
+      edges[row] = findEpipolarEdges(inverseZ, static_cast<int>(row), lines, base.view().zNear, background, options);
+    }
+  });
+  const EpipolarCamera camera(base, right, edges);
+  if (!options.trim) {
+    return camera;
+  }
+  const FragmentImage fragments = rasterize(camera, mesh, baseImage);
+  parallelFor(edges.size(), 8, [&](size_t begin, size_t end) {
+    for (size_t row = begin; row < end; ++row) {
+      edges[row] = trimmedEdges(camera, static_cast<int>(row), fragments);
+    }
+  });
+  return {base, right, edges};
+}
+
+void requireOutsideEnds(const ViewSegment& segment, const Mesh& mesh) {
+  validate(segment, "view segment");
+  requireOutside(mesh, segment.left, "view segment, left end");
+  requireOutside(mesh, segment.right, "view segment, right end");
+}
+
+}  // namespace
+
+ViewSegment segmentAround(const View& view, const glm::vec3& direction, float lengthRadii) {
+  const float length = glm::length(direction);
+  if (!std::isfinite(length) || !(length > 0) || !std::isfinite(lengthRadii) || !(lengthRadii > 0)) {
+    throw InputError("the view segment has no length or no direction", "view segment",
+                     "give a positive length and a direction such as 1,0,0");
+  }
+  const glm::vec3 half = direction * (lengthRadii / 2 / length);
+  const ViewSegment segment{movedEye(view, -half).eye, movedEye(view, half).eye};
+  validate(segment, "view segment");
+  return segment;
+}
+
+PinholeCamera basePinhole(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh) {
+  validate(segment, "view segment");
+  View view = reference.view();
+  view.eye = segment.left;
+  view.target = segment.left + forwardOf(reference) * glm::distance(reference.view().target, reference.eye());
+  view.centerShift = glm::vec2(0);
+  view.fovVerticalDegrees = view.resolvedFovVerticalDegrees();
+  float roll = 0;
+  PinholeCamera base(view, reference.width(), reference.height());
+  const glm::vec3 step = base.cameraFromWorld(segment.right);
+  // Those that are parallel but for the rounding of the eyes.
+  constexpr float kLeastAdvance = 1e-4f;
+  if (std::abs(step.z) <= kLeastAdvance * glm::length(step)) {
+    roll = std::atan2(step.y, step.x);
+    view.up = base.eye() - base.worldFromCamera({-std::sin(roll), std::cos(roll), 0});
+    base = PinholeCamera(view, reference.width(), reference.height());
+  }
+  Window window = windowOfTarget(reference, base, roll);
+  if (const std::optional<SceneExtent> extent = extentOf(base, mesh)) {
+    addSeen(window, reference, segment, base, *extent);
+  }
+  return pinholeWith(view, reference.focalPixels(), window);
+}
+
+std::vector<EpipolarEdge> findEpipolarEdges(const std::vector<float>& inverseZ, int row, const EpipolarLines& lines,
+                                            float zNear, float backgroundInverseZ, const EocOptions& options) {
+  std::vector<EpipolarEdge> edges;
+  const int count = static_cast<int>(inverseZ.size());
+  const double disparity = lines.disparity();
+  const auto depthAt = [&](int j) {
+    const float w = inverseZ[static_cast<size_t>(std::clamp(j, 0, count - 1))];
+    return static_cast<double>(w > 0 ? w : backgroundInverseZ);
+  };
+  for (int j = 0; j + 1 < count; ++j) {
+    const double near = inverseZ[static_cast<size_t>(j)];
+    const double far = depthAt(j + 1);
+    if (!(near > far) || !lines.has(row, j + 1)) {
+      continue;
+    }
+    // Columns of base pixels that the segment uncovers for each 1/z of the step.
+    const double x = lines.x(row, j + 1);
+    const double scale = lines.inverseZScale(x);
+    const double pixels = disparity * scale / (x - lines.x(row, j));
+    const double least = static_cast<double>(options.leastAddedPixels) / pixels;
+    const double step = near - far;
+    if (step < least || step - (depthAt(j - 1) - near) < least || step - (far - depthAt(j + 2)) < least) {
+      continue;
+    }
+    if (lines.advance() > 0 && near * (lines.advance() + static_cast<double>(zNear)) >= 1) {
+      continue;  // R is beyond the occluder
+    }
+    const double yNear = near * scale;
+    const auto uncovered = [&](double y) { return j + 1 - lines.position(row, x - disparity * (yNear - y)); };
+    double farthest = far;
+    for (int k = j + 2; k < std::min(count, j + 1 + options.backgroundReachPixels); ++k) {
+      const double other = inverseZ[static_cast<size_t>(k)];
+      farthest = other > 0 ? std::min(farthest, other) : farthest;
+    }
+    int added = static_cast<int>(std::ceil(uncovered(farthest * scale)));
+    // The first added ray, from the edge to the left and away: as far as it stays under what L sees.
+    int clip = j + 1;
+    while (clip > 0 && clip > j + 1 - added) {
+      const double centre = lines.x(row, clip - 0.5);
+      const double ray = (yNear - (x - centre) / disparity) / lines.inverseZScale(centre);
+      if (!(ray < static_cast<double>(inverseZ[static_cast<size_t>(clip - 1)]))) {
+        break;
+      }
+      --clip;
+    }
+    const int hidden = j + 1 - clip;
+    added = options.compact ? std::min(added, hidden + options.compactSlackPixels) : added;
+    // Not beyond the horizon of R, nor the end of the line.
+    added = std::min(added, static_cast<int>(std::floor(uncovered(0))));
+    while (added > 0 && !lines.has(row, j + 1 - added)) {
+      --added;
+    }
+    if (hidden > 0 && added > 0) {
+      edges.push_back({j + 1, clip, added, static_cast<float>(near)});
+    }
+  }
+  return edges;
+}
+
+EpipolarCamera buildEpipolarCamera(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
+                                   const EocOptions& options) {
+  requireOutsideEnds(segment, mesh);
+  const PinholeCamera base = basePinhole(reference, segment, mesh);
+  const EpipolarLines lines(base, segment.right);
+  return cameraFrom(base, segment.right, lines, rasterizeLines(base, lines, mesh), mesh, options);
+}
+
+ReferenceImage eocImage(const FragmentImage& fragments, const EpipolarCamera& camera, const Mesh& mesh) {
+  const PinholeCamera& base = camera.base();
+  const EpipolarLines& lines = camera.lines();
+  ReferenceImage image = referenceImage(fragments, mesh, base, "eoc");
+  image.pinholeSize = {base.width(), base.height()};
+  image.rows = lines.isRing() ? ImageRows::kShiftedRing : ImageRows::kShifted;
+  // Straight rays keep to the centres of base pixels: what referenceImage() leaves there is rounding.
+  parallelFor(static_cast<size_t>(image.height()), 8, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const int row = static_cast<int>(i);
+      for (int column = 0; column < image.width(); ++column) {
+        const float z = image.z(column, row);
+        const std::optional<EpipolarCamera::PlaneRay> ray = z > 0 ? camera.planeRay(row, column + 0.5) : std::nullopt;
+        if (ray && lines.inverseZScale(ray->xFar) < ray->yFar * static_cast<double>(z)) {
+          const glm::dvec2 place = lines.imagePoint({row + 0.5, lines.position(row, ray->xFar)});
+          image.displacement(column, row) = glm::vec2(glm::dvec2(column + 0.5, row + 0.5) - place);
+        }
+      }
+    }
+  });
+  return image;
+}
+
+ReferenceImage buildEocImage(const EpipolarCamera& camera, const Mesh& mesh) {
+  return eocImage(rasterize(camera, mesh), camera, mesh);
+}
+
+ReferenceImage buildEocImage(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
+                             const EocOptions& options) {
+  requireOutsideEnds(segment, mesh);
+  const PinholeCamera base = basePinhole(reference, segment, mesh);
+  const EpipolarLines lines(base, segment.right);
+  const FragmentImage baseImage = rasterizeLines(base, lines, mesh);
+  const EpipolarCamera camera = cameraFrom(base, segment.right, lines, baseImage, mesh, options);
+  return eocImage(rasterize(camera, mesh, baseImage), camera, mesh);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,524 @@
+#include "oc_core/render/rasterize_spans.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "oc_core/base/conventions.h"
+#include "oc_core/base/parallel.h"
+#include "oc_core/render/frustum_clip.h"
+#include "oc_core/render/rasterize.h"
+
+namespace ocelli {
+namespace {
+
+/// How far beyond the image borders a vertex may project before its triangle is clipped, pixels.
+constexpr float kClipMargin = 4096;
+constexpr int kBandRows = 16;
+constexpr size_t kChunks = 32;
+
+/// A vertex in the base image.
+struct LineVertex {
+  float u = 0;
+  float v = 0;
+  float inverseZ = 0;  ///< 0 marks a vertex whose triangles have to be clipped
+  float row = 0;       ///< coordinate of its epipolar line
+};
+
+/// A corner of a triangle, or of what is left of it by clipping, with its barycentric weights on the whole.
+struct LineCorner {
+  LineVertex vertex;
+  float b1 = 0;
+  float b2 = 0;
+};
+using LineTriangle = std::array<LineCorner, 3>;
+
+/// Where a line crosses the border of a triangle; weights of the corners, linear over the image.
+struct Crossing {
+  double position = 0;
+  glm::dvec3 weights{0};
+};
+
+/// The part of a row that a triangle covers.
+struct Span {
+  int row = 0;
+  Crossing from;  ///< the lower position
+  Crossing to;
+  double fromInverseZ = 0;
+  double toInverseZ = 0;
+};
+
+/// Rows that may cross a triangle; `last` may be beyond the last row of a ring.
+struct RowRange {
+  int first = 0;
+  int last = -1;
+};
+
+class LineProjection {
+ public:
+  LineProjection(const PinholeCamera& base, const EpipolarLines& lines, const Mesh& mesh)
+      : base_(base), lines_(lines), mesh_(mesh), vertices_(mesh.positions.size()) {
+    if (!lines.isParallel()) {
+      for (int row = 0; row < lines.rowCount(); ++row) {
+        directions_.push_back(lines.direction(row + 0.5));
+      }
+    }
+    parallelFor(vertices_.size(), 1 << 13, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        const glm::vec3 p = base.cameraFromWorld(mesh.positions[i]);
+        if (p.z >= base.view().zNear && p.z <= base.view().zFar) {
+          const LineVertex vertex = project(p);
+          if (withinMargin(vertex)) {
+            vertices_[i] = vertex;
+          }
+        }
+      }
+    });
+  }
+
+  const PinholeCamera& base() const { return base_; }
+  const EpipolarLines& lines() const { return lines_; }
+
+  /// Calls `body` for the pieces of a scene triangle: one, or as many as clipping leaves.
+  template <class Body>
+  void forPieces(uint32_t triangle, const Body& body) const {
+    const glm::uvec3& t = mesh_.triangles[triangle];
+    const LineTriangle whole{{{vertices_[t.x], 0, 0}, {vertices_[t.y], 1, 0}, {vertices_[t.z], 0, 1}}};
+    if (whole[0].vertex.inverseZ > 0 && whole[1].vertex.inverseZ > 0 && whole[2].vertex.inverseZ > 0) {
+      body(whole);
+      return;
+    }
+    const ClipPolygon polygon =
+        clipToFrustum({base_.cameraFromWorld(mesh_.positions[t.x]), base_.cameraFromWorld(mesh_.positions[t.y]),
+                       base_.cameraFromWorld(mesh_.positions[t.z])},
+                      base_, kClipMargin);
+    const auto corner = [&](size_t i) {
+      const ClipVertex& vertex = polygon.vertices[i];
+      return LineCorner{project(vertex.p), vertex.b1, vertex.b2};
+    };
+    for (size_t i = 2; i < polygon.count; ++i) {
+      body(LineTriangle{{corner(0), corner(i - 1), corner(i)}});
+    }
+  }
+
+  RowRange rowsOf(const LineTriangle& triangle) const {
+    const float a = triangle[0].vertex.row;
+    const float b = triangle[1].vertex.row;
+    const float c = triangle[2].vertex.row;
+    if (!lines_.isRing()) {
+      const RowRange range = rowsBetween(std::min({a, b, c}), std::max({a, b, c}));
+      return {std::max(range.first, 0), std::min(range.last, lines_.rowCount() - 1)};
+    }
+    const float toB = rowStep(a, b);
+    const float toC = rowStep(a, c);
+    const RowRange range = rowsBetween(a + std::min({0.0f, toB, toC}), a + std::max({0.0f, toB, toC}));
+    const bool holdsEpipole = std::abs(toB + rowStep(b, c) + rowStep(c, a)) > static_cast<float>(lines_.rowCount()) / 2;
+    return holdsEpipole || range.last - range.first >= lines_.rowCount() ? RowRange{0, lines_.rowCount() - 1} : range;
+  }
+  /// The row that the i-th of a range stands for.
+  int row(int i) const {
+    const int rows = lines_.rowCount();
+    return i < 0 ? i + rows : i >= rows ? i - rows : i;
+  }
+
+  /// Positions that a triangle may reach on a row.
+  glm::vec2 positionsOf(const LineTriangle& triangle, int row) const {
+    if (lines_.isParallel()) {
+      const auto [least, most] = std::minmax({triangle[0].vertex.u, triangle[1].vertex.u, triangle[2].vertex.u});
+      return {least, most};
+    }
+    // Nothing of a triangle is nearer to the epipole than its nearest corner by more than half its longest side.
+    double nearest = 1e30;
+    double farthest = 0;
+    double longest = 0;
+    for (size_t i = 0; i < 3; ++i) {
+      const glm::dvec2 a = fromEpipole(triangle[i].vertex);
+      const double radius = glm::length(a);
+      nearest = std::min(nearest, radius);
+      farthest = std::max(farthest, radius);
+      longest = std::max(longest, glm::distance(a, fromEpipole(triangle[(i + 1) % 3].vertex)));
+    }
+    const double a = lines_.positionAtRadius(row, std::max(nearest - longest / 2, 0.0));
+    const double b = lines_.positionAtRadius(row, farthest);
+    return {static_cast<float>(std::min(a, b)), static_cast<float>(std::max(a, b))};
+  }
+
+  /// The part of a row's centre line within the triangle; false for none.
+  bool cut(const LineTriangle& triangle, int row, Span& span) const {
+    int count = 0;
+    std::array<Crossing, 2> crossings;
+    std::array<double, 3> side{};
+    std::array<glm::dvec2, 3> p;
+    const glm::dvec2 direction = lines_.isParallel() ? glm::dvec2(1, 0) : directions_[static_cast<size_t>(row)];
+    for (size_t i = 0; i < 3; ++i) {
+      const LineVertex& vertex = triangle[i].vertex;
+      p[i] = lines_.isParallel() ? glm::dvec2(vertex.u, vertex.v - (row + 0.5)) : fromEpipole(vertex);
+      side[i] = direction.x * p[i].y - direction.y * p[i].x;
+    }
+    for (size_t i = 0; i < 3; ++i) {
+      size_t a = i;
+      size_t b = (i + 1) % 3;
+      if ((side[a] >= 0) == (side[b] >= 0)) {
+        continue;
+      }
+      // The same crossing for both triangles at an edge: from the same end.
+      if (side[a] < 0) {
+        std::swap(a, b);
+      }
+      const double t = side[a] / (side[a] - side[b]);
+      const double along = glm::dot(direction, p[a] + (p[b] - p[a]) * t);
+      if (!lines_.isParallel() && along <= 0) {
+        continue;  // on the line of the opposite angle
+      }
+      Crossing& crossing = crossings[static_cast<size_t>(count++)];
+      crossing.position = lines_.isParallel() ? along : lines_.positionAtRadius(row, along);
+      crossing.weights[static_cast<int>(a)] = 1 - t;
+      crossing.weights[static_cast<int>(b)] = t;
+    }
+    if (count == 0) {
+      return false;
+    }
+    if (count == 1) {
+      // The triangle holds the epipole, where the line ends.
+      const auto cross = [](const glm::dvec2& m, const glm::dvec2& n) { return m.x * n.y - m.y * n.x; };
+      const glm::dvec3 areas(cross(p[1], p[2]), cross(p[2], p[0]), cross(p[0], p[1]));
+      const double sum = areas.x + areas.y + areas.z;
+      if (sum == 0) {
+        return false;
+      }
+      constexpr double kEnd = 1e-3;  // pixels: x is infinite at the epipole itself
+      crossings[1] = {lines_.positionAtRadius(row, kEnd), areas / sum};
+    }
+    if (crossings[0].position > crossings[1].position) {
+      std::swap(crossings[0], crossings[1]);
+    }
+    span = {row, crossings[0], crossings[1], inverseZ(triangle, crossings[0].weights),
+            inverseZ(triangle, crossings[1].weights)};
+    return true;
+  }
+
+  static double inverseZ(const LineTriangle& triangle, const glm::dvec3& weights) {
+    return weights.x * triangle[0].vertex.inverseZ + weights.y * triangle[1].vertex.inverseZ +
+           weights.z * triangle[2].vertex.inverseZ;
+  }
+
+ private:
+  LineVertex project(const glm::vec3& cameraPoint) const {
+    const ImagePoint q = base_.imageFromCamera(cameraPoint);
+    return {q.u, q.v, 1 / q.z, lines_.isParallel() ? q.v : static_cast<float>(lines_.place({q.u, q.v}).row)};
+  }
+  bool withinMargin(const LineVertex& v) const {
+    return v.u > -kClipMargin && v.v > -kClipMargin && v.u < static_cast<float>(base_.width()) + kClipMargin &&
+           v.v < static_cast<float>(base_.height()) + kClipMargin;
+  }
+  glm::dvec2 fromEpipole(const LineVertex& vertex) const { return glm::dvec2(vertex.u, vertex.v) - lines_.epipole(); }
+  /// A row belongs to what crosses its centre; a little more for rounding.
+  static RowRange rowsBetween(float least, float most) {
+    constexpr float kRounding = 0.01f;
+    return {static_cast<int>(std::ceil(least - 0.5f - kRounding)),
+            static_cast<int>(std::floor(most - 0.5f + kRounding))};
+  }
+  /// From one row coordinate of a ring to another, the short way round.
+  float rowStep(float from, float to) const {
+    const float step = to - from;
+    const auto rows = static_cast<float>(lines_.rowCount());
+    return step > rows / 2 ? step - rows : step < -rows / 2 ? step + rows : step;
+  }
+
+  const PinholeCamera& base_;
+  const EpipolarLines& lines_;
+  const Mesh& mesh_;
+  std::vector<LineVertex> vertices_;
+  std::vector<glm::dvec2> directions_;
+};
+
+/// Draws the triangles that `touches(piece, range)` accepts: `draw(fragments, triangle, piece, span)` for each span.
+template <class Touches, class Draw>
+void drawSpans(FragmentImage& fragments, const LineProjection& projection, size_t triangles, const Touches& touches,
+               const Draw& draw) {
+  const int rows = fragments.height();
+  const auto bands = static_cast<size_t>((rows + kBandRows - 1) / kBandRows);
+  std::vector<std::vector<uint32_t>> bins(kChunks * bands);  // by chunk, then by band
+  parallelChunks(triangles, kChunks, [&](size_t chunk, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const auto triangle = static_cast<uint32_t>(i);
+      projection.forPieces(triangle, [&](const LineTriangle& piece) {
+        const RowRange range = projection.rowsOf(piece);
+        if (range.first > range.last || !touches(piece, range)) {
+          return;
+        }
+        for (int row = range.first; row <= range.last;) {
+          const int band = projection.row(row) / kBandRows;
+          std::vector<uint32_t>& bin = bins[chunk * bands + static_cast<size_t>(band)];
+          if (bin.empty() || bin.back() != triangle) {
+            bin.push_back(triangle);
+          }
+          row += std::min(kBandRows * (band + 1), rows) - projection.row(row);
+        }
+      });
+    }
+  });
+  parallelFor(bands, 1, [&](size_t firstBand, size_t lastBand) {
+    for (size_t band = firstBand; band < lastBand; ++band) {
+      const int begin = static_cast<int>(band) * kBandRows;
+      const int end = std::min(begin + kBandRows, rows);
+      Span span;
+      for (size_t chunk = 0; chunk < kChunks; ++chunk) {
+        for (const uint32_t triangle : bins[chunk * bands + band]) {
+          projection.forPieces(triangle, [&](const LineTriangle& piece) {
+            const RowRange range = projection.rowsOf(piece);
+            for (int i = range.first; i <= range.last; ++i) {
+              const int row = projection.row(i);
+              if (row >= begin && row < end && projection.cut(piece, row, span)) {
+                draw(triangle, piece, span);
+              }
+            }
+          });
+        }
+      }
+    }
+  });
+}
+
+/// Keeps the sample at `t` of the way along a span where it is the closest at its pixel.
+void keep(Fragment& fragment, uint32_t triangle, const LineTriangle& piece, const Span& span, double t) {
+  const glm::dvec3 weights = glm::max(span.from.weights + (span.to.weights - span.from.weights) * t, 0.0);
+  const double inverseZ = LineProjection::inverseZ(piece, weights);
+  const auto z = static_cast<float>(1 / inverseZ);
+  if (!fragment.covered() || z < fragment.z || (z == fragment.z && triangle < fragment.triangle)) {
+    glm::dvec2 b(0);
+    for (int i = 0; i < 3; ++i) {
+      const LineCorner& corner = piece[static_cast<size_t>(i)];
+      b += glm::dvec2(corner.b1, corner.b2) * (weights[i] * static_cast<double>(corner.vertex.inverseZ) / inverseZ);
+    }
+    fragment = {z, triangle, static_cast<float>(b.x), static_cast<float>(b.y)};
+  }
+}
+
+/// The base pixels whose centres lie in [from, to).
+RowRange centresWithin(double from, double to, int length) {
+  return {static_cast<int>(std::clamp(std::ceil(from - 0.5), 0.0, static_cast<double>(length))),
+          static_cast<int>(std::clamp(std::ceil(to - 0.5), 0.0, static_cast<double>(length))) - 1};
+}
+
+/// Draws what lies in the shadows of a camera.
+class ShadowDrawer {
+ public:
+  ShadowDrawer(const EpipolarCamera& camera, FragmentImage& fragments)
+      : camera_(camera), lines_(camera.lines()), fragments_(fragments), tops_(lines_.longest() + 1, lines_.rowCount()) {
+    parallelFor(static_cast<size_t>(lines_.rowCount()), 16, [&](size_t begin, size_t end) {
+      for (size_t row = begin; row < end; ++row) {
+        for (int cell = 0; cell < camera.cellCount(static_cast<int>(row)); ++cell) {
+          tops_(cell, static_cast<int>(row)) = shadowTop(static_cast<int>(row), cell);
+        }
+      }
+    });
+  }
+
+  /// Whether some of a triangle may lie in a shadow.
+  bool touches(const LineProjection& projection, const LineTriangle& piece, const RowRange& range) const {
+    const float farthest = std::min({piece[0].vertex.inverseZ, piece[1].vertex.inverseZ, piece[2].vertex.inverseZ});
+    constexpr int kMostCells = 64;  // larger ones are few: take them
+    int cells = 0;
+    for (int i = range.first; i <= range.last; ++i) {
+      const int row = projection.row(i);
+      const glm::vec2 positions = projection.positionsOf(piece, row);
+      if (!(positions.y >= 0) || !(positions.x < static_cast<float>(lines_.length(row)))) {
+        continue;
+      }
+      const int first = EpipolarCamera::cellOf(std::max(positions.x, 0.0f));
+      const int last = EpipolarCamera::cellOf(std::min(positions.y, static_cast<float>(lines_.length(row))));
+      cells += last - first + 1;
+      if (cells > kMostCells) {
+        return true;
+      }
+      for (int cell = first; cell <= last; ++cell) {
+        if (farthest < tops_(cell, row)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  void draw(uint32_t triangle, const LineTriangle& piece, const Span& span) {
+    const int length = lines_.length(span.row);
+    if (!(span.to.position >= 0) || !(span.from.position < length)) {
+      return;
+    }
+    const RowRange centres = centresWithin(span.from.position, span.to.position, length);
+    const double farthest = std::min(span.fromInverseZ, span.toInverseZ);
+    const int first = EpipolarCamera::cellOf(std::max(span.from.position, 0.0));
+    const int last = EpipolarCamera::cellOf(std::min(span.to.position, static_cast<double>(length)));
+    for (int cell = first; cell <= last; ++cell) {
+      if (farthest < static_cast<double>(tops_(cell, span.row))) {
+        // A cell begins at the centre of the base pixel before it.
+        if (cell - 1 >= centres.first && cell - 1 <= centres.last) {
+          drawLeft(triangle, piece, span, cell - 1);
+        }
+        drawRight(triangle, piece, span, cell);
+      }
+    }
+  }
+
+ private:
+  /// The greatest 1/z of a shadow over a cell; 0 for none.
+  float shadowTop(int row, int cell) const {
+    const std::span<const uint32_t> over = camera_.shadowsOver(row, cell);
+    if (over.empty()) {
+      return 0;
+    }
+    const double xRight = camera_.shadows(row)[over.back()].xRight;
+    double top = 0;
+    for (const double border : {EpipolarCamera::cellBegin(cell), EpipolarCamera::cellBegin(cell + 1)}) {
+      if (lines_.has(row, border)) {
+        const double x = lines_.x(row, border);
+        top = std::max(top, (x - xRight) / lines_.disparity() / lines_.inverseZScale(x));
+      }
+    }
+    return static_cast<float>(top * 1.001);
+  }
+
+  /// The ray of L through the centre of base pixel j, where it lies in a shadow.
+  void drawLeft(uint32_t triangle, const LineTriangle& piece, const Span& span, int j) {
+    const double t = (j + 0.5 - span.from.position) / (span.to.position - span.from.position);
+    const double w = span.fromInverseZ + (span.toInverseZ - span.fromInverseZ) * t;
+    const double x = lines_.x(span.row, j + 0.5);
+    const double y = w * lines_.inverseZScale(x);
+    const EpipolarCamera::Shadow* shadow = camera_.shadowOf(span.row, j + 1, x - lines_.disparity() * y);
+    if (shadow != nullptr && y < shadow->yFar && j >= shadow->position - shadow->added) {
+      keep(fragments_(j + shadow->shift, span.row), triangle, piece, span, t);
+    }
+  }
+
+  /// Rays of R that cross the span over a cell.
+  void drawRight(uint32_t triangle, const LineTriangle& piece, const Span& span, int cell) {
+    const double disparity = lines_.disparity();
+    const double from = span.from.position;
+    const double to = span.to.position;
+    if (!(to > from)) {
+      return;
+    }
+    // 1/z is linear over the span, so y = slope x + offset; R sees the span from leastRight to mostRight.
+    const double change = (span.toInverseZ - span.fromInverseZ) / (to - from);
+    double slope = change;
+    double offset = span.fromInverseZ - change * from;
+    double sign = 0;
+    if (!lines_.isParallel()) {
+      sign = lines_.advance() > 0 ? 1 : -1;
+      offset = -sign * change;
+      slope = sign * (span.fromInverseZ - offset * lines_.radius(span.row, from));
+    }
+    const auto xRightAt = [&](double position, double inverseZ) {
+      const double x = lines_.x(span.row, position);
+      return lines_.isParallel() ? x - disparity * inverseZ : x * (1 - sign * disparity * inverseZ);
+    };
+    const auto [leastRight, mostRight] =
+        std::minmax({xRightAt(from, span.fromInverseZ), xRightAt(to, span.toInverseZ)});
+    const double spread = 1 - disparity * slope;
+    // The part over the cell.
+    const double end = EpipolarCamera::cellBegin(cell + 1);
+    const double x0 = lines_.x(span.row, std::max(from, EpipolarCamera::cellBegin(cell)));
+    const double x1 = lines_.x(span.row, lines_.has(span.row, end) ? std::min(to, end) : to);
+    const double right0 = x0 * spread - disparity * offset;
+    const double right1 = x1 * spread - disparity * offset;
+    const std::span<const EpipolarCamera::Shadow> shadows = camera_.shadows(span.row);
+    for (const uint32_t index : camera_.shadowsOver(span.row, cell)) {
+      const EpipolarCamera::Shadow& shadow = shadows[index];
+      constexpr double kRounding = 1e-6;
+      const double a = lines_.position(span.row, right0 + disparity * shadow.yFar);
+      const double b = lines_.position(span.row, right1 + disparity * shadow.yFar);
+      const double least = shadow.position - shadow.added;
+      const double most = shadow.position - 1;
+      const int first = static_cast<int>(std::clamp(std::ceil(std::min(a, b) - 0.5 - kRounding), least, most + 1));
+      const int last = static_cast<int>(std::clamp(std::floor(std::max(a, b) - 0.5 + kRounding), least - 1, most));
+      for (int column = first; column <= last; ++column) {
+        const double xRight = lines_.x(span.row, column + 0.5) - disparity * shadow.yFar;
+        if (xRight < leastRight || xRight >= mostRight) {
+          continue;
+        }
+        const double x = (xRight + disparity * offset) / spread;
+        const double y = (x - xRight) / disparity;
+        const double position = lines_.position(span.row, x);
+        if (y >= shadow.yFar && EpipolarCamera::cellOf(position) == cell &&
+            camera_.shadowOf(span.row, cell, xRight) == &shadow) {
+          const double t = (position - from) / (to - from);
+          keep(fragments_(column + shadow.shift, span.row), triangle, piece, span, std::clamp(t, 0.0, 1.0));
+        }
+      }
+    }
+  }
+
+  const EpipolarCamera& camera_;
+  const EpipolarLines& lines_;
+  FragmentImage& fragments_;
+  Image<float> tops_;
+};
+
+/// Copies what the base pinhole sees, where it is in no shadow, to the columns of its rays.
+void copyBase(FragmentImage& fragments, const EpipolarCamera& camera, const FragmentImage& baseImage) {
+  const EpipolarLines& lines = camera.lines();
+  parallelFor(static_cast<size_t>(lines.rowCount()), 8, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const int row = static_cast<int>(i);
+      const std::span<const EpipolarCamera::Shadow> shadows = camera.shadows(row);
+      size_t edge = 0;
+      int shift = 0;
+      for (int j = 0; j < lines.length(row); ++j) {
+        if (edge < shadows.size() && shadows[edge].position <= j) {
+          shift = shadows[edge++].shift;
+        }
+        const Fragment& fragment = baseImage(j, row);
+        if (!fragment.covered()) {
+          continue;
+        }
+        const double x = lines.x(row, j + 0.5);
+        const double y = lines.inverseZScale(x) / static_cast<double>(fragment.z);
+        if (camera.shadowOf(row, j + 1, x - lines.disparity() * y) == nullptr) {
+          fragments(j + shift, row) = fragment;
+        }
+      }
+    }
+  });
+}
+
+}  // namespace
+
+FragmentImage rasterizeLines(const PinholeCamera& base, const EpipolarLines& lines, const Mesh& mesh) {
+  if (lines.isParallel()) {
+    return rasterize(base, mesh);
+  }
+  FragmentImage fragments(lines.longest(), lines.rowCount());
+  const LineProjection projection(base, lines, mesh);
+  drawSpans(
+      fragments, projection, mesh.triangles.size(), [](const LineTriangle&, const RowRange&) { return true; },
+      [&](uint32_t triangle, const LineTriangle& piece, const Span& span) {
+        const RowRange centres = centresWithin(span.from.position, span.to.position, lines.length(span.row));
+        for (int j = centres.first; j <= centres.last; ++j) {
+          keep(fragments(j, span.row), triangle, piece, span,
+               (j + 0.5 - span.from.position) / (span.to.position - span.from.position));
+        }
+      });
+  return fragments;
+}
+
+FragmentImage rasterize(const EpipolarCamera& camera, const Mesh& mesh, const FragmentImage& baseImage) {
+  OC_CHECK(baseImage.width() == camera.lines().longest() && baseImage.height() == camera.lines().rowCount(),
+           "the base image holds the camera's epipolar lines");
+  FragmentImage fragments(camera.width(), camera.height());
+  copyBase(fragments, camera, baseImage);
+  const LineProjection projection(camera.base(), camera.lines(), mesh);
+  ShadowDrawer drawer(camera, fragments);
+  drawSpans(
+      fragments, projection, mesh.triangles.size(),
+      [&](const LineTriangle& piece, const RowRange& range) { return drawer.touches(projection, piece, range); },
+      [&](uint32_t triangle, const LineTriangle& piece, const Span& span) { drawer.draw(triangle, piece, span); });
+  return fragments;
+}
+
+FragmentImage rasterize(const EpipolarCamera& camera, const Mesh& mesh) {
+  return rasterize(camera, mesh, rasterizeLines(camera.base(), camera.lines(), mesh));
+}
+
+}  // namespace ocelli

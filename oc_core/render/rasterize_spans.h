@@ -1,0 +1,27 @@
+// Hybrid ray casting by epipolar spans for the epipolar occlusion camera (section 3.4.2): each triangle is cut along
+// the epipolar lines, and each piece, a span, is intersected with the rays of its row that can meet it.
+//
+// Three kinds of rays, three ways. Rays that no edge added see what the base pinhole sees: its image is taken as it is.
+// The far ends of added rays, rays of L, are sampled at the centres of base pixels. Their near ends, rays of R, are
+// sampled where the span, seen from R, passes their place.
+//
+// DEVIATION: the text processes every triangle with the whole camera. What L sees lies in no shadow, so here only
+// triangles that reach into a shadow are cut into spans.
+//
+// A sample on the common edge of two triangles belongs to one of them; the closest fragment wins, the lower triangle
+// index on a tie. Rows are drawn in bands, each by one thread: the same bytes for any number of threads.
+#pragma once
+
+#include "oc_core/camera/epipolar_camera.h"
+#include "oc_core/render/fragment_image.h"
+
+namespace ocelli {
+
+/// What `base` sees along its epipolar lines: a row for each line, a column for each base pixel of the longest.
+FragmentImage rasterizeLines(const PinholeCamera& base, const EpipolarLines& lines, const Mesh& mesh);
+
+/// The closest fragment along each ray of `camera`. `baseImage` is rasterizeLines() of its base and lines.
+FragmentImage rasterize(const EpipolarCamera& camera, const Mesh& mesh, const FragmentImage& baseImage);
+FragmentImage rasterize(const EpipolarCamera& camera, const Mesh& mesh);
+
+}  // namespace ocelli
