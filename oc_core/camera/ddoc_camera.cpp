@@ -5,16 +5,25 @@
 namespace ocelli {
 
 DdocCamera::DdocCamera(const PinholeCamera& reference, DistortionMap map)
-    : reference_(reference), map_(std::move(map)), longestDisplacement_(map_.longestDisplacement()) {
+    : reference_(reference), map_(std::move(map)), displacedBefore_(reference.width() + 1, reference.height() + 1, 0) {
   OC_CHECK(map_.samples().width() == reference.width() && map_.samples().height() == reference.height(),
            "a distortion map has one sample for each pixel of its reference camera");
   leastInverseFar_ = 1 / reference.view().zNear;
-  for (const DistortionSample& sample : map_.samples()) {
-    if (sample.displacement != glm::vec2(0)) {
-      greatestInverseNear_ = std::max(greatestInverseNear_, sample.inverseNear);
-      leastInverseFar_ = std::min(leastInverseFar_, sample.inverseFar);
+  float longestSquared = 0;
+  for (int y = 0; y < height(); ++y) {
+    uint32_t inRow = 0;
+    for (int x = 0; x < width(); ++x) {
+      const DistortionSample& sample = map_.samples()(x, y);
+      if (sample.displacement != glm::vec2(0)) {
+        ++inRow;
+        longestSquared = std::max(longestSquared, glm::dot(sample.displacement, sample.displacement));
+        greatestInverseNear_ = std::max(greatestInverseNear_, sample.inverseNear);
+        leastInverseFar_ = std::min(leastInverseFar_, sample.inverseFar);
+      }
+      displacedBefore_(x + 1, y + 1) = displacedBefore_(x + 1, y) + inRow;
     }
   }
+  longestDisplacement_ = std::sqrt(longestSquared);
 }
 
 std::optional<ImagePoint> DdocCamera::undistort(const ImagePoint& q, const glm::vec2& guess) const {

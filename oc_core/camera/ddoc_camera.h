@@ -8,18 +8,30 @@
 // unprojects exactly (3.2.3).
 #pragma once
 
+#include <cstdint>
+#include <glm/common.hpp>
+
 #include "oc_core/camera/camera.h"
 #include "oc_core/camera/distortion_map.h"
 #include "oc_core/camera/pinhole_camera.h"
 
 namespace ocelli {
 
-/// A camera that displaces the image points of a pinhole camera: `distort` maps the pinhole's image point to its own.
+/// Image points with lower.x <= u <= upper.x and lower.y <= v <= upper.y, pixels.
+struct ImageBox {
+  glm::vec2 lower;
+  glm::vec2 upper;
+};
+
+/// A camera that displaces the image points of a pinhole camera: `distort` maps the pinhole's image point to its own,
+/// and says of a box of undistorted ones whether it may displace any.
 template <class C>
-concept DistortedPinhole = Camera<C> && requires(const C& camera, const ImagePoint& undistorted) {
+concept DistortedPinhole = Camera<C> &&
+    requires(const C& camera, const ImagePoint& undistorted, const ImageBox& undistortedBox) {
   { camera.reference() } -> std::same_as<const PinholeCamera&>;
   { camera.distort(undistorted) } -> std::same_as<ImagePoint>;
   { camera.longestDisplacement() } -> std::convertible_to<float>;
+  { camera.displacesWithin(undistortedBox) } -> std::convertible_to<bool>;
 };
 
 class DdocCamera {
@@ -32,6 +44,8 @@ class DdocCamera {
   const PinholeCamera& reference() const { return reference_; }
   const DistortionMap& map() const { return map_; }
   float longestDisplacement() const { return longestDisplacement_; }
+  /// False where no point with an undistorted image in the box is displaced, whatever its depth.
+  bool displacesWithin(const ImageBox& undistorted) const;
 
   ImagePoint distort(const ImagePoint& q) const {
     const glm::vec2 displacement = map_.at(q.u, q.v).at(1 / q.z);
@@ -50,11 +64,22 @@ class DdocCamera {
 
   PinholeCamera reference_;
   DistortionMap map_;
-  float longestDisplacement_;
+  float longestDisplacement_ = 0;
+  Image<uint32_t> displacedBefore_;  ///< map samples that displace, above and to the left of each corner of a pixel
   float greatestInverseNear_ = 0;
   float leastInverseFar_ = 0;
 };
 
 static_assert(DistortedPinhole<DdocCamera>);
+
+inline bool DdocCamera::displacesWithin(const ImageBox& undistorted) const {
+  // The map is looked up between pixel centres, and beyond the borders at the nearest one.
+  const glm::vec2 last(static_cast<float>(width() - 1), static_cast<float>(height() - 1));
+  const glm::ivec2 lower = glm::clamp(undistorted.lower - 0.5f, glm::vec2(0), last);
+  const glm::ivec2 upper =
+      glm::min(glm::ivec2(glm::clamp(undistorted.upper - 0.5f, glm::vec2(0), last)) + 2, glm::ivec2(width(), height()));
+  return displacedBefore_(upper.x, upper.y) + displacedBefore_(lower.x, lower.y) !=
+         displacedBefore_(lower.x, upper.y) + displacedBefore_(upper.x, lower.y);
+}
 
 }  // namespace ocelli

@@ -99,9 +99,7 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
     case CameraChoice::Model::kDepthImage:
       return {finished(buildDepthImage(reference, mesh), choice)};
     case CameraChoice::Model::kDdoc:
-      return {finished(
-          buildDdocImage(buildDdocCamera(reference, mesh, choice.ddoc, progress), mesh, choice.ddoc.subdivision),
-          choice)};
+      return {finished(buildDdocImage(reference, mesh, choice.ddoc, progress), choice)};
   }
   OC_CHECK(false, "every camera model has a builder");
 }
