@@ -40,36 +40,34 @@ void drawClipped(VisibilityBuffer& buffer, const PinholeCamera& camera, const Me
 }  // namespace
 
 FragmentImage rasterize(const PinholeCamera& camera, const Mesh& mesh) {
-  // Project each vertex once; 1/z = 0 marks those whose triangles have to be clipped.
-  std::vector<RasterVertex> projected(mesh.positions.size());
+  // Project each vertex once, to (u, v, 1/z); 1/z = 0 marks those whose triangles have to be clipped.
+  std::vector<glm::vec3> projected(mesh.positions.size(), glm::vec3(0));
   parallelFor(projected.size(), 1 << 13, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const glm::vec3 p = camera.cameraFromWorld(mesh.positions[i]);
       if (p.z >= camera.view().zNear && p.z <= camera.view().zFar) {
         const RasterVertex vertex = rasterVertex(camera, p);
         if (withinMargin(camera, vertex)) {
-          projected[i] = vertex;
+          projected[i] = {vertex.u, vertex.v, vertex.inverseZ};
         }
       }
     }
   });
 
-  return drawParallel(camera.width(), camera.height(), mesh.triangles.size(),
-                      [&](VisibilityBuffer& buffer, size_t begin, size_t end) {
-                        for (size_t i = begin; i < end; ++i) {
-                          const glm::uvec3& t = mesh.triangles[i];
-                          RasterVertex a = projected[t.x];
-                          RasterVertex b = projected[t.y];
-                          RasterVertex c = projected[t.z];
-                          if (a.inverseZ > 0 && b.inverseZ > 0 && c.inverseZ > 0) {
-                            b.b1 = 1;
-                            c.b2 = 1;
-                            buffer.draw(static_cast<uint32_t>(i), a, b, c);
-                          } else {
-                            drawClipped(buffer, camera, mesh, static_cast<uint32_t>(i));
-                          }
-                        }
-                      });
+  return drawParallel(
+      camera.width(), camera.height(), mesh.triangles.size(), [&](VisibilityBuffer& buffer, size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          const glm::uvec3& t = mesh.triangles[i];
+          const glm::vec3& a = projected[t.x];
+          const glm::vec3& b = projected[t.y];
+          const glm::vec3& c = projected[t.z];
+          if (a.z > 0 && b.z > 0 && c.z > 0) {
+            buffer.draw(static_cast<uint32_t>(i), {a.x, a.y, a.z, 0, 0}, {b.x, b.y, b.z, 1, 0}, {c.x, c.y, c.z, 0, 1});
+          } else {
+            drawClipped(buffer, camera, mesh, static_cast<uint32_t>(i));
+          }
+        }
+      });
 }
 
 }  // namespace ocelli

@@ -71,6 +71,17 @@ inline void VisibilityBuffer::draw(uint32_t triangle, const RasterVertex& a, con
   int64_t by = snap(b0.v);
   int64_t cx = snap(c0.u);
   int64_t cy = snap(c0.v);
+  // Pixels whose centres lie within the bounding box: none for many a small triangle.
+  const auto firstCentre = [](int64_t lowest) { return (lowest - kOne / 2 + kOne - 1) >> kSubPixelBits; };
+  const auto lastCentre = [](int64_t highest) { return (highest - kOne / 2) >> kSubPixelBits; };
+  const int64_t x0 = std::max<int64_t>(firstCentre(std::min({ax, bx, cx})), 0);
+  const int64_t x1 = std::min<int64_t>(lastCentre(std::max({ax, bx, cx})), width_ - 1);
+  const int64_t y0 = std::max<int64_t>(firstCentre(std::min({ay, by, cy})), 0);
+  const int64_t y1 = std::min<int64_t>(lastCentre(std::max({ay, by, cy})), height_ - 1);
+  if (x0 > x1 || y0 > y1) {
+    return;
+  }
+
   const RasterVertex* b = &b0;
   const RasterVertex* c = &c0;
   int64_t area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
@@ -82,17 +93,6 @@ inline void VisibilityBuffer::draw(uint32_t triangle, const RasterVertex& a, con
     std::swap(by, cy);
     std::swap(b, c);
     area = -area;
-  }
-
-  // Pixels whose centres lie within the bounding box.
-  const auto firstCentre = [](int64_t lowest) { return (lowest - kOne / 2 + kOne - 1) >> kSubPixelBits; };
-  const auto lastCentre = [](int64_t highest) { return (highest - kOne / 2) >> kSubPixelBits; };
-  const int64_t x0 = std::max<int64_t>(firstCentre(std::min({ax, bx, cx})), 0);
-  const int64_t x1 = std::min<int64_t>(lastCentre(std::max({ax, bx, cx})), width_ - 1);
-  const int64_t y0 = std::max<int64_t>(firstCentre(std::min({ay, by, cy})), 0);
-  const int64_t y1 = std::min<int64_t>(lastCentre(std::max({ay, by, cy})), height_ - 1);
-  if (x0 > x1 || y0 > y1) {
-    return;
   }
 
   // Edge functions: positive inside. Edges that are neither top nor left give up their own points.
