@@ -11,28 +11,11 @@
 #include <cstdint>
 #include <glm/common.hpp>
 
-#include "oc_core/camera/camera.h"
+#include "oc_core/camera/displacement_bounds.h"
+#include "oc_core/camera/distorted_pinhole.h"
 #include "oc_core/camera/distortion_map.h"
-#include "oc_core/camera/pinhole_camera.h"
 
 namespace ocelli {
-
-/// Image points with lower.x <= u <= upper.x and lower.y <= v <= upper.y, pixels.
-struct ImageBox {
-  glm::vec2 lower;
-  glm::vec2 upper;
-};
-
-/// A camera that displaces the image points of a pinhole camera: `distort` maps the pinhole's image point to its own,
-/// and says of a box of undistorted ones whether it may displace any.
-template <class C>
-concept DistortedPinhole = Camera<C> &&
-    requires(const C& camera, const ImagePoint& undistorted, const ImageBox& undistortedBox) {
-  { camera.reference() } -> std::same_as<const PinholeCamera&>;
-  { camera.distort(undistorted) } -> std::same_as<ImagePoint>;
-  { camera.longestDisplacement() } -> std::convertible_to<float>;
-  { camera.displacesWithin(undistortedBox) } -> std::convertible_to<bool>;
-};
 
 class DdocCamera {
  public:
@@ -46,6 +29,9 @@ class DdocCamera {
   float longestDisplacement() const { return longestDisplacement_; }
   /// False where no point with an undistorted image in the box is displaced, whatever its depth.
   bool displacesWithin(const ImageBox& undistorted) const;
+  ImageBox displacementOver(const ImageBox& undistorted, float leastInverseZ, float greatestInverseZ) const {
+    return bounds_.over(undistorted).at(leastInverseZ, greatestInverseZ);
+  }
 
   ImagePoint distort(const ImagePoint& q) const {
     const glm::vec2 displacement = map_.at(q.u, q.v).at(1 / q.z);
@@ -64,10 +50,9 @@ class DdocCamera {
 
   PinholeCamera reference_;
   DistortionMap map_;
-  float longestDisplacement_ = 0;
+  float longestDisplacement_;
+  DisplacementBounds bounds_;
   Image<uint32_t> displacedBefore_;  ///< map samples that displace, above and to the left of each corner of a pixel
-  float greatestInverseNear_ = 0;
-  float leastInverseFar_ = 0;
 };
 
 static_assert(DistortedPinhole<DdocCamera>);

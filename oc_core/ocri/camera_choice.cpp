@@ -2,6 +2,9 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/ocri/spoc_builder.h"
+#include "oc_core/render/hybrid_raycast.h"
+#include "oc_core/render/points.h"
 #include "oc_core/render/raycast.h"
 #include "oc_core/scene/winding_number.h"
 
@@ -16,21 +19,39 @@ std::string listOfNames() {
   return names;
 }
 
-CameraChoice namedCamera(const std::string& name, const std::string& where) {
+CameraChoice namedCamera(const std::string& name, float cellSideRadii, const std::string& where) {
   CameraChoice choice;
   choice.name = name;
   if (name == "di" || name == "ppc") {
     choice.model = CameraChoice::Model::kDepthImage;
+  } else if (name == "rppc") {
+    choice.model = CameraChoice::Model::kReversePinhole;
+  } else if (name == "spoc") {
+    choice.model = CameraChoice::Model::kSpoc;
   } else if (name == "ddoc") {
     choice.model = CameraChoice::Model::kDdoc;
   } else if (name == "ddoc-constant") {
     choice.model = CameraChoice::Model::kDdoc;
     choice.ddoc = DdocOptions::paper();
+  } else if (name == "cell") {
+    choice.model = CameraChoice::Model::kCell;
   } else {
     throw InputError("there is no camera \"" + name + "\"", where,
                      "use " + listOfNames() + ", or a JSON file with a \"camera\" field");
   }
+  choice.ddoc.cellSideRadii = cellSideRadii;
+  choice.cell.cell.sideRadii = cellSideRadii;
   return choice;
+}
+
+constexpr double kLeastCellSide = 1e-3;
+constexpr double kMostCellSide = 100;
+
+void readCellOptions(JsonFields& fields, CellOptions& options) {
+  options.cell.sideRadii =
+      static_cast<float>(fields.number("cell_side_radii", kLeastCellSide, kMostCellSide, options.cell.sideRadii));
+  options.mostSamples = static_cast<float>(fields.number("most_samples", 1, 100, options.mostSamples));
+  options.mostSatellites = fields.integer("most_satellites", 0, 1000, options.mostSatellites);
 }
 
 void readDdocOptions(JsonFields& fields, DdocOptions& options) {
@@ -41,7 +62,7 @@ void readDdocOptions(JsonFields& fields, DdocOptions& options) {
     options.radius = DdocOptions::Radius::kConstant;
     readFloat("constant_radius_pixels", 0, 1000, options.constantRadiusPixels);
   }
-  readFloat("cell_side_radii", 1e-3, 100, options.cellSideRadii);
+  readFloat("cell_side_radii", kLeastCellSide, kMostCellSide, options.cellSideRadii);
   readFloat("safety_factor", 0.01, 100, options.safetyFactor);
   readFloat("most_hidden_pixels", 0, 1000, options.mostHiddenPixels);
   readFloat("room_per_hidden", 0.01, 100, options.roomPerHidden);
@@ -68,7 +89,10 @@ ReferenceImage finished(ReferenceImage image, const CameraChoice& choice) {
 const std::vector<CameraName>& cameraNames() {
   static const std::vector<CameraName> names{
       {"di", "depth image of the planar pinhole camera (ppc is the same)"},
+      {"rppc", "reverse pinhole: its straight rays meet behind the scene"},
+      {"spoc", "single pole occlusion camera around the foreground"},
       {"ddoc", "depth discontinuity occlusion camera, radii from the view cell"},
+      {"cell", "view-region occlusion camera: what is seen from anywhere in the view cell, in one image"},
       {"ddoc-constant", "the same as the dissertation has it, with a constant radius of 15 pixels"},
   };
   return names;
@@ -76,17 +100,16 @@ const std::vector<CameraName>& cameraNames() {
 
 CameraChoice cameraChoice(const std::string& nameOrFile, float cellSideRadii) {
   if (!nameOrFile.ends_with(".json")) {
-    CameraChoice choice = namedCamera(nameOrFile, "--camera");
-    choice.ddoc.cellSideRadii = cellSideRadii;
-    return choice;
+    return namedCamera(nameOrFile, cellSideRadii, "--camera");
   }
   const nlohmann::json json = readJsonFile(nameOrFile);
   JsonFields fields(json, nameOrFile);
-  CameraChoice choice = namedCamera(fields.text("camera"), nameOrFile + ", field \"camera\"");
-  choice.ddoc.cellSideRadii = cellSideRadii;
+  CameraChoice choice = namedCamera(fields.text("camera"), cellSideRadii, nameOrFile + ", field \"camera\"");
   choice.name = fields.text("name", choice.name);
   if (choice.model == CameraChoice::Model::kDdoc) {
     readDdocOptions(fields, choice.ddoc);
+  } else if (choice.model == CameraChoice::Model::kCell) {
+    readCellOptions(fields, choice.cell);
   }
   fields.rejectUnknown();
   return choice;
@@ -98,26 +121,60 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
   switch (choice.model) {
     case CameraChoice::Model::kDepthImage:
       return {finished(buildDepthImage(reference, mesh), choice)};
+    case CameraChoice::Model::kReversePinhole:
+      return {finished(buildReversePinholeImage(buildReversePinhole(reference, mesh), reference, mesh), choice)};
+    case CameraChoice::Model::kSpoc:
+      return {finished(buildSpocImage(buildSpocCamera(reference, mesh), mesh), choice)};
     case CameraChoice::Model::kDdoc:
       return {finished(buildDdocImage(reference, mesh, choice.ddoc, progress), choice)};
+    case CameraChoice::Model::kCell:
+      return {finished(buildCellImage(buildCellCamera(reference, mesh, choice.cell, progress), mesh), choice)};
   }
   OC_CHECK(false, "every camera model has a builder");
 }
 
-ReferenceImage raycastReferenceImage(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
-                                     const Progress& progress) {
+ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choice, const PinholeCamera& reference,
+                                  const Mesh& mesh, const Progress& progress) {
   requireOutside(mesh, reference.eye(), "view");
-  const RayScene scene(mesh);
-  const auto cast = [&](const Camera auto& camera) {
-    return finished(referenceImage(raycast(camera, mesh, scene), mesh, reference, choice.name), choice);
+  const auto draw = [&](const BoundedCamera auto& camera) {
+    const auto fragments = [&] {
+      switch (technique) {
+        case Technique::kPoints:
+          return renderPoints(camera, mesh);
+        case Technique::kHybrid:
+          return hybridRaycast(camera, mesh);
+        case Technique::kRaycast:
+          return raycast(camera, mesh, RayScene(mesh));
+      }
+      OC_CHECK(false, "every technique draws");
+    };
+    return finished(referenceImage(fragments(), mesh, reference, choice.name), choice);
   };
   switch (choice.model) {
     case CameraChoice::Model::kDepthImage:
-      return cast(reference);
+      return draw(reference);
+    case CameraChoice::Model::kReversePinhole:
+      return draw(buildReversePinhole(reference, mesh));
+    case CameraChoice::Model::kSpoc:
+      return draw(buildSpocCamera(reference, mesh));
     case CameraChoice::Model::kDdoc:
-      return cast(buildDdocCamera(reference, mesh, choice.ddoc, progress));
+      return draw(buildDdocCamera(reference, mesh, choice.ddoc, progress));
+    case CameraChoice::Model::kCell: {
+      if (technique != Technique::kRaycast) {
+        throw InputError(
+            "camera \"" + choice.name + "\" is drawn from several viewpoints, not by points or hybrid rays", "--method",
+            "use raster or raycast");
+      }
+      const CellCamera camera = buildCellCamera(reference, mesh, choice.cell, progress);
+      return finished(cellImage(camera, raycast(camera, mesh, RayScene(mesh)), mesh), choice);
+    }
   }
-  OC_CHECK(false, "every camera model has a builder");
+  OC_CHECK(false, "every camera model is drawn");
+}
+
+ReferenceImage raycastReferenceImage(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
+                                     const Progress& progress) {
+  return drawReferenceImage(Technique::kRaycast, choice, reference, mesh, progress);
 }
 
 }  // namespace ocelli

@@ -6,16 +6,18 @@
 #include <vector>
 
 #include "oc_core/base/progress.h"
+#include "oc_core/ocri/cell_builder.h"
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/ocri/reference_image.h"
 
 namespace ocelli {
 
 struct CameraChoice {
-  enum class Model { kDepthImage, kDdoc };
+  enum class Model { kDepthImage, kReversePinhole, kSpoc, kDdoc, kCell };
   Model model = Model::kDepthImage;
   std::string name = "di";
   DdocOptions ddoc;
+  CellOptions cell;
 };
 
 struct CameraName {
@@ -35,7 +37,14 @@ CameraChoice cameraChoice(const std::string& nameOrFile, float cellSideRadii = D
 ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                      const Progress& progress = {});
 
-/// The same camera, its image cast along its rays: the slow reference.
+/// How an image is drawn (section 6.1), other than as buildReferenceImages() does, with the fastest.
+enum class Technique { kPoints, kHybrid, kRaycast };
+
+/// The image of the same camera, drawn as told. Throws InputError as buildReferenceImages() does, and for cameras that
+/// cannot be drawn so.
+ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choice, const PinholeCamera& reference,
+                                  const Mesh& mesh, const Progress& progress = {});
+/// Cast along the rays: the reference for all others.
 ReferenceImage raycastReferenceImage(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                      const Progress& progress = {});
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "oc_core/camera/ddoc_camera.h"
 #include "oc_core/ocri/coverage.h"
 #include "oc_core/ocri/distortion_splats.h"
 #include "oc_core/ocri/reference_image.h"

@@ -31,11 +31,14 @@ class ImageMesher {
         joins_(image.width(), image.height()),
         cellTriangles_(image.width(), image.height()) {}
 
-  Mesh mesh() {
+  Mesh mesh(std::vector<uint32_t>* pixelOfVertex) {
     addVertices();
     joinPixels();
     joinNeighbours();
     addSquares();
+    if (pixelOfVertex != nullptr) {
+      *pixelOfVertex = std::move(pixelOfVertex_);
+    }
     return std::move(mesh_);
   }
 
@@ -68,6 +71,7 @@ class ImageMesher {
     std::partial_sum(firstOfRow.begin(), firstOfRow.end(), firstOfRow.begin());
     mesh_.positions.resize(firstOfRow.back());
     mesh_.colors.resize(firstOfRow.back());
+    pixelOfVertex_.resize(firstOfRow.back());
     forRows([&](int y) {
       uint32_t next = firstOfRow[static_cast<size_t>(y)];
       for (int x = 0; x < image_.width(); ++x) {
@@ -75,6 +79,7 @@ class ImageMesher {
           vertexOf_(x, y) = next;
           mesh_.positions[next] = *point;
           mesh_.colors[next] = image_.color(x, y);
+          pixelOfVertex_[next] = static_cast<uint32_t>(image_.z.index(x, y));
           ++next;
         }
       }
@@ -105,6 +110,10 @@ class ImageMesher {
            (p.y - firstRow) / image_.tileSide == (q.y - firstRow) / image_.tileSide;
   }
 
+  bool inTile(const Pixel& p) const { return image_.tileSide > 0 && p.y >= image_.pinholeSize.y; }
+  /// Pixels of the pinhole from a sample to the next.
+  float spacing(const Pixel& p) const { return inTile(p) ? image_.tileSpacing : 1; }
+
   /// The step of 1/z from p to q for each pixel of undistorted distance.
   float slope(const Pixel& p, const Pixel& q) const {
     const ImagePoint a = image_.undistorted(p.x, p.y);
@@ -123,9 +132,9 @@ class ImageMesher {
     if (distance > options_.longestStepPixels) {
       return false;
     }
-    const float footprint = std::min(a.z, b.z) / camera_.focalPixels();
+    const float footprint = std::min(a.z, b.z) / camera_.focalPixels() * spacing(p);
     if (std::abs(a.z - b.z) <=
-        options_.depthStepFootprints * footprint * std::clamp(distance, 1.0f, kLongestScaledStep)) {
+        options_.depthStepFootprints * footprint * std::clamp(distance / spacing(p), 1.0f, kLongestScaledStep)) {
       return true;
     }
     // A grazing or a stretched surface: large steps of z, but 1/z goes on as on one of the two sides.
@@ -279,16 +288,10 @@ class ImageMesher {
 
   /// A square around the sample or, in one triangle, the half of it that points to the opening.
   void addRim(const Pixel& p, bool whole) {
-    const ImagePoint q = image_.undistorted(p.x, p.y);
-    const glm::vec2 slope = gradient(p);
-    const glm::vec2 across = sampleStep(p, {1, 0}) * (options_.squarePixels / 2);
-    const glm::vec2 down = sampleStep(p, {0, 1}) * (options_.squarePixels / 2);
     const auto addCorner = [&](const glm::vec2& side) {
-      const glm::vec2 offset = across * side.x + down * side.y;
-      const float inverseZ = std::max(1 / q.z + glm::dot(slope, offset), 0.5f / q.z);
-      mesh_.positions.push_back(
-          camera_.worldFromCamera(camera_.cameraFromImage({q.u + offset.x, q.v + offset.y, 1 / inverseZ})));
+      mesh_.positions.push_back(inTile(p) ? tileCorner(p, side) : pinholeCorner(p, side));
       mesh_.colors.push_back(image_.color(p.x, p.y));
+      pixelOfVertex_.push_back(static_cast<uint32_t>(image_.z.index(p.x, p.y)));
     };
     const auto first = static_cast<uint32_t>(mesh_.positions.size());
     mesh_.triangles.emplace_back(first, first + 1, first + 2);
@@ -309,6 +312,44 @@ class ImageMesher {
     }
   }
 
+  /// Half a step away from the sample in the pinhole's image, on the plane of the surface.
+  glm::vec3 pinholeCorner(const Pixel& p, const glm::vec2& side) const {
+    const ImagePoint q = image_.undistorted(p.x, p.y);
+    const glm::vec2 offset =
+        (sampleStep(p, {1, 0}) * side.x + sampleStep(p, {0, 1}) * side.y) * (options_.squarePixels / 2);
+    const float inverseZ = std::max(1 / q.z + glm::dot(gradient(p), offset), 0.5f / q.z);
+    return camera_.worldFromCamera(camera_.cameraFromImage({q.u + offset.x, q.v + offset.y, 1 / inverseZ}));
+  }
+
+  /// Half way to the next samples of the tile. Another viewpoint took them: the surface may lie along the rays of the
+  /// pinhole, where half a pixel of its image is a long way.
+  glm::vec3 tileCorner(const Pixel& p, const glm::vec2& side) const {
+    const glm::vec3 center = mesh_.positions[vertexOf_(p.x, p.y)];
+    const float half = options_.squarePixels / 2;
+    return center + side.x * half * tileStep(p, {1, 0}) + side.y * half * tileStep(p, {0, 1});
+  }
+
+  /// From sample to sample along a row or column of the tile; as the pinhole would step where the surface is one sample
+  /// wide.
+  glm::vec3 tileStep(const Pixel& p, const Pixel& step) const {
+    const glm::vec3 center = mesh_.positions[vertexOf_(p.x, p.y)];
+    glm::vec3 sum(0);
+    float count = 0;
+    for (const int sign : {-1, 1}) {
+      const Pixel q{p.x + sign * step.x, p.y + sign * step.y};
+      if (areJoined(p, q)) {
+        sum += static_cast<float>(sign) * (mesh_.positions[vertexOf_(q.x, q.y)] - center);
+        ++count;
+      }
+    }
+    if (count > 0) {
+      return sum / count;
+    }
+    const float footprint = image_.z(p.x, p.y) / camera_.focalPixels() * spacing(p);
+    const glm::vec3 along(static_cast<float>(step.x) * footprint, static_cast<float>(step.y) * footprint, 0);
+    return camera_.worldFromCamera(along) - camera_.worldFromCamera(glm::vec3(0));
+  }
+
   const ReferenceImage& image_;
   const ImageMeshOptions& options_;
   PinholeCamera camera_;
@@ -316,12 +357,13 @@ class ImageMesher {
   Image<uint8_t> joins_;          ///< to the neighbours on the right and below
   Image<uint8_t> cellTriangles_;  ///< of the cell between pixel (x, y) and (x + 1, y + 1)
   Mesh mesh_;
+  std::vector<uint32_t> pixelOfVertex_;
 };
 
 }  // namespace
 
-Mesh imageMesh(const ReferenceImage& image, const ImageMeshOptions& options) {
-  return ImageMesher(image, options).mesh();
+Mesh imageMesh(const ReferenceImage& image, const ImageMeshOptions& options, std::vector<uint32_t>* pixelOfVertex) {
+  return ImageMesher(image, options).mesh(pixelOfVertex);
 }
 
 }  // namespace ocelli

@@ -1,13 +1,21 @@
 #include "oc_core/ocri/union_mesh.h"
 
 #include "oc_core/ocri/image_mesh.h"
+#include "oc_core/ocri/layered_mesh.h"
 
 namespace ocelli {
 
 Mesh unionMesh(const ReferenceImages& images) {
   Mesh mesh;
-  for (const ReferenceImage& image : images) {
-    append(mesh, imageMesh(image));
+  for (size_t first = 0; first < images.size();) {
+    size_t end = first + 1;
+    while (end < images.size() && images[end].layer > 0) {
+      ++end;
+    }
+    const auto part = images.begin() + static_cast<std::ptrdiff_t>(first);
+    append(mesh, end - first > 1 ? layeredMesh({part, part + static_cast<std::ptrdiff_t>(end - first)})
+                                 : imageMesh(images[first]));
+    first = end;
   }
   return mesh;
 }

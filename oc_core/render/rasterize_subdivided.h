@@ -15,7 +15,7 @@
 #include <glm/vec2.hpp>
 
 #include "oc_core/base/parallel.h"
-#include "oc_core/camera/ddoc_camera.h"
+#include "oc_core/camera/distorted_pinhole.h"
 #include "oc_core/render/draw_parallel.h"
 #include "oc_core/render/frustum_clip.h"
 #include "oc_core/render/rasterize.h"
@@ -31,6 +31,17 @@ struct SubdivisionOptions {
   float shortestEdgePixels = 0.125f;
   float tornEdgePixels = 2.0f;
 };
+
+/// Whether the camera may displace a point with an undistorted image in the box.
+template <DistortedPinhole C>
+bool displacesWithin(const C& camera, const ImageBox& undistorted) {
+  if constexpr (requires { camera.displacesWithin(undistorted); }) {
+    return camera.displacesWithin(undistorted);
+  } else {
+    const ImageBox displacement = camera.displacementOver(undistorted, 0, 1 / camera.reference().view().zNear);
+    return displacement.lower != glm::vec2(0) || displacement.upper != glm::vec2(0);
+  }
+}
 
 template <DistortedPinhole C>
 class SubdividingDrawer {
@@ -124,7 +135,7 @@ class SubdividingDrawer {
     return squared(image(a) - image(b)) > options_.tornEdgePixels * options_.tornEdgePixels;
   }
   bool staysPut(const Vertex& a, const Vertex& b, const Vertex& c) const {
-    return !camera_.displacesWithin(boxAround(a.undistorted, b.undistorted, c.undistorted));
+    return !displacesWithin(camera_, boxAround(a.undistorted, b.undistorted, c.undistorted));
   }
   Vertex midpoint(const Vertex& a, const Vertex& b) const {
     return vertex((a.p + b.p) * 0.5f, (a.image.b1 + b.image.b1) * 0.5f, (a.image.b2 + b.image.b2) * 0.5f);
@@ -138,7 +149,7 @@ class SubdividingDrawer {
 template <DistortedPinhole C>
 TrianglePart displacedPart(const C& camera, const Mesh& mesh) {
   return selectTriangles(mesh, camera.reference(),
-                         [&](const ImageBox& undistorted) { return camera.displacesWithin(undistorted); });
+                         [&](const ImageBox& undistorted) { return displacesWithin(camera, undistorted); });
 }
 
 /// As below, for scenes that are drawn more than once. `seen` is what the reference pinhole sees of the scene, `part`

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "oc_core/camera/ddoc_camera.h"
+#include "oc_core/camera/distorted_pinhole.h"
 #include "oc_core/scene/mesh.h"
 
 namespace ocelli {

@@ -149,5 +149,36 @@ TEST(RaycastReferenceImage, agreesWithTheRasterisedOne) {
   EXPECT_LE(different("ddoc"), 77u) << "a pixel along the box's silhouette, where the field is steepest";
 }
 
+// The images themselves are compared in technique_matrix_test.cpp: here only that each technique is what it says.
+TEST(DrawReferenceImage, techniquesDrawTheSameCamera) {
+  const Mesh mesh = test::boxBeforeWall();
+  for (const char* name : {"di", "rppc", "spoc", "ddoc"}) {
+    const CameraChoice choice = cameraChoice(name);
+    const ReferenceImage cast = drawReferenceImage(Technique::kRaycast, choice, smallCamera(), mesh);
+    const ReferenceImage hybrid = drawReferenceImage(Technique::kHybrid, choice, smallCamera(), mesh);
+    const ReferenceImage points = drawReferenceImage(Technique::kPoints, choice, smallCamera(), mesh);
+    size_t hybridDiffers = 0;
+    size_t pointsLack = 0;
+    for (size_t i = 0; i < cast.z.size(); ++i) {
+      hybridDiffers += std::abs(hybrid.z[i] - cast.z[i]) > 1e-3f;
+      pointsLack += cast.z[i] > 0 && points.z[i] == 0;
+    }
+    EXPECT_EQ(hybrid.camera, name);
+    EXPECT_EQ(points.camera, name);
+    EXPECT_LE(hybridDiffers, 2u) << name << ": rounding";
+    EXPECT_EQ(pointsLack, 0u) << name;
+    // Samples of a splat stand next to the centre of its pixel, those of rays in it.
+    EXPECT_FALSE(test::sameBytes(points.displacement, cast.displacement)) << name;
+  }
+}
+
+TEST(DrawReferenceImage, camerasThatATechniqueCannotDrawAreRefused) {
+  const Mesh mesh = test::boxBeforeWall();
+  for (const Technique technique : {Technique::kPoints, Technique::kHybrid}) {
+    EXPECT_THAT(errorOf([&] { drawReferenceImage(technique, cameraChoice("cell"), smallCamera(), mesh); }),
+                HasSubstr("--method"));
+  }
+}
+
 }  // namespace
 }  // namespace ocelli

@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 
+#include "oc_core/evaluation/evaluation_table.h"
 #include "oc_core/ocri/ddoc_builder.h"
-#include "oc_core/ocri/evaluation.h"
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/scene/scene_source.h"
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "oc_core/camera/ddoc_camera.h"
 #include "oc_core/render/rasterize.h"
 #include "oc_core/render/raycast.h"
 #include "tests/ocri/test_scenes.h"
