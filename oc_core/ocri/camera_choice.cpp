@@ -224,7 +224,7 @@ ReferenceImages imagesOf(const CameraChoice& choice, const PinholeCamera& refere
     case CameraChoice::Model::kSpocUnion:
       return spocUnion(reference, mesh);
     case CameraChoice::Model::kDdoc:
-      return {buildDdocImage(buildDdocCamera(reference, mesh, choice.ddoc, progress), mesh, choice.ddoc.subdivision)};
+      return {buildDdocImage(reference, mesh, choice.ddoc, progress)};
     case CameraChoice::Model::kEoc:
       return {buildEocImage(reference, segmentAround(reference.view(), choice.segmentDirection, choice.cellSideRadii),
                             mesh)};
