@@ -5,19 +5,18 @@
 // in the same run is meshoptimizer: the scene decimated once to as many triangles as the OCRI has, its time taken as
 // construction. Times are medians of --runs runs, after one run that is not counted.
 #include <fmt/format.h>
-#include <meshoptimizer.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 
+#include "bench/timing.h"
 #include "display_sim/display_profile.h"
 #include "display_sim/slicer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/ocri/image_mesh.h"
+#include "oc_core/ocri/simplified_mesh.h"
 #include "oc_core/scene/scene_source.h"
 
 namespace ocelli {
@@ -45,32 +44,6 @@ constexpr Case kCases[] = {
      {612, 11.4, 12.1, 11.5, 4603, 131}},
     {"10 M stand-in", "builtin:room,mesh=dragon.obj,triangles=10252000", 720, 480, {612, 12.5, 20.3, 13.9, 10252, 292}},
 };
-
-template <class Work>
-double medianMilliseconds(int runs, const Work& work) {
-  std::vector<double> times;
-  for (int run = 0; run <= runs; ++run) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    times.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-  }
-  times.erase(times.begin());
-  std::nth_element(times.begin(), times.begin() + runs / 2, times.end());
-  return times[static_cast<size_t>(runs / 2)];
-}
-
-Mesh decimated(const Mesh& mesh, size_t triangles) {
-  Mesh simple = mesh;
-  std::vector<unsigned> indices(mesh.triangles.size() * 3);
-  const auto* source = reinterpret_cast<const unsigned*>(mesh.triangles.data());
-  const size_t count = meshopt_simplify(indices.data(), source, indices.size(), &mesh.positions[0].x,
-                                        mesh.positions.size(), sizeof(glm::vec3), triangles * 3, 1.0f, 0, nullptr);
-  simple.triangles.clear();
-  for (size_t i = 0; i + 2 < count; i += 3) {
-    simple.triangles.emplace_back(indices[i], indices[i + 1], indices[i + 2]);
-  }
-  return simple;
-}
 
 void measure(const Case& row, int runs, const DisplayProfile& profile) {
   const Mesh scene = loadScene(row.scene);
@@ -103,7 +76,8 @@ void measure(const Case& row, int runs, const DisplayProfile& profile) {
         text.ocriSeconds);
   if (ocriMesh.triangles.size() < scene.triangles.size()) {
     Mesh simpleMesh;
-    const double simpleBuild = medianMilliseconds(1, [&] { simpleMesh = decimated(scene, ocriMesh.triangles.size()); });
+    const double simpleBuild = medianMilliseconds(
+        1, [&] { simpleMesh = simplifyMesh(scene, ocriMesh.triangles.size(), SimplifyMethod::kTopological).mesh; });
     print("decimated", simpleMesh, simpleBuild, sliceTime(simpleMesh), 0, 0, 0);
   }
 }

@@ -7,6 +7,7 @@
 #include "cli/values.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
+#include "oc_core/evaluation/evaluation_table.h"
 #include "oc_core/scene/builtin_scenes.h"
 
 namespace ocelli {

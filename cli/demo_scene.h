@@ -7,7 +7,7 @@
 
 #include "display_sim/display_profile.h"
 #include "oc_core/base/progress.h"
-#include "oc_core/ocri/evaluation.h"
+#include "oc_core/evaluation/evaluation.h"
 
 namespace ocelli {
 

@@ -1,61 +1,254 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <optional>
+#include <system_error>
 
 #include "cli/command.h"
+#include "cli/evaluate_page.h"
+#include "cli/interrupt.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
 #include "display_sim/display_profile.h"
 #include "display_sim/slicer.h"
+#include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/output_file.h"
-#include "oc_core/ocri/evaluation.h"
+#include "oc_core/evaluation/evaluation_csv.h"
+#include "oc_core/evaluation/evaluation_json.h"
+#include "oc_core/evaluation/evaluation_table.h"
+#include "oc_core/evaluation/evaluation_work.h"
 
 namespace ocelli {
 namespace {
+
+namespace fs = std::filesystem;
 
 struct EvaluateChoice {
   SceneChoice scene;
   std::vector<std::string> cameras{"di", "ddoc"};
   std::string cell = "8in";
+  std::string cellShape = "cube";
+  std::string segmentDirection = "1,0,0";
   std::string view;
   std::string size = "720x480";
   std::string profile = "perspecta";
   int interiorViews = 12;
   unsigned seed = 1;
+  int offsetDirections = 4;
+  int runs = 3;
   std::string json;
+  std::string csv;
+  std::string offsetsCsv;
+  std::string page;
+  std::optional<bool> resume;
 };
 
-void runEvaluate(const EvaluateChoice& choice, const Frame& frame) {
-  const bool toFile = !choice.json.empty() && choice.json != "-";
-  if (toFile) {
-    checkWritable(choice.json);
+/// A camera that was asked for, and a text that no other camera has.
+struct AskedCamera {
+  CameraChoice choice;
+  std::string identity;
+};
+
+std::vector<AskedCamera> askedCameras(const std::vector<std::string>& names, float cellSideRadii) {
+  std::vector<AskedCamera> cameras;
+  for (const std::string& name : names) {
+    // What a file says may change between two runs.
+    const std::string identity = name.ends_with(".json") ? name + " " + textHash(readFile(name)) : name;
+    cameras.push_back({cameraChoice(name, cellSideRadii), identity});
   }
+  return cameras;
+}
+
+EvaluationOptions evaluationOptions(const EvaluateChoice& choice) {
   EvaluationOptions options;
   options.view = readViewOption(choice.view);
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   options.width = size.width;
   options.height = size.height;
   options.cell.sideRadii = cellSideFromText(choice.cell, "--cell");
+  options.cell.shape = cellShapeFromName(choice.cellShape, "--cell-shape");
+  options.cell.segmentDirection = pointFromText(choice.segmentDirection, "--segment-direction");
+  if (options.cell.segmentDirection == glm::vec3(0)) {
+    throw InputError("a segment needs a direction, and 0,0,0 has none", "--segment-direction",
+                     "--segment-direction 1,0,0");
+  }
   options.interiorViews = choice.interiorViews;
   options.seed = choice.seed;
-  std::vector<CameraChoice> cameras;
-  for (const std::string& name : choice.cameras) {
-    cameras.push_back(cameraChoice(name, options.cell.sideRadii));
+  options.comparePictures = true;
+  options.offsets = choice.offsetDirections > 0 ? defaultOffsets() : std::vector<float>{};
+  options.offsetDirections = choice.offsetDirections;
+  options.runs = choice.runs;
+  return options;
+}
+
+/// Where the results of `ocelli evaluate` go. Each place is checked before the work begins.
+class Outputs {
+ public:
+  explicit Outputs(const EvaluateChoice& choice) : choice_(choice) {
+    for (const std::string& path : files()) {
+      checkWritable(path);
+    }
+    if (!choice.page.empty()) {
+      std::error_code error;
+      fs::create_directories(choice.page, error);
+      if (error) {
+        throw WorkError("cannot make this folder (" + error.message() + ")", choice.page,
+                        "choose another one with --page");
+      }
+      checkWritable(pageFile());
+    }
   }
+
+  bool jsonToStandardOutput() const { return choice_.json == "-"; }
+  /// In the folder of the page, whose pictures belong to it; else beside the first file; none where nothing is written.
+  std::optional<fs::path> workFile() const {
+    if (hasPage()) {
+      return inPage("evaluation.work");
+    }
+    const std::vector<std::string> written = files();
+    return written.empty() ? std::nullopt : std::optional(fs::path(written.front() + ".work"));
+  }
+  bool hasPage() const { return !choice_.page.empty(); }
+  fs::path pageFile() const { return fs::path(choice_.page) / "index.html"; }
+  fs::path inPage(const std::string& name) const { return fs::path(choice_.page) / name; }
+
+  bool havePictures(const EvaluatePictures& pictures) const {
+    std::error_code ignored;
+    return !hasPage() || (fs::exists(inPage(pictures.frame), ignored) && fs::exists(inPage(pictures.errors), ignored));
+  }
+
+ private:
+  std::vector<std::string> files() const {
+    std::vector<std::string> paths;
+    for (const std::string& path : {choice_.json, choice_.csv, choice_.offsetsCsv}) {
+      if (!path.empty() && path != "-") {
+        paths.push_back(path);
+      }
+    }
+    return paths;
+  }
+
+  const EvaluateChoice& choice_;
+};
+
+/// Takes over what an earlier run has finished, as --resume says.
+void resume(EvaluationWork& work, const fs::path& file, std::optional<bool> wanted, const Frame& frame) {
+  std::error_code ignored;
+  if (wanted != false && (wanted == true || fs::exists(file, ignored))) {
+    try {
+      work.load();
+      frame.note(fmt::format("going on with {}: {} finished", file.string(), work.count()));
+      return;
+    } catch (const InputError& error) {
+      if (wanted == true) {
+        throw;
+      }
+      frame.note(fmt::format("starting again: {}", error.what()));
+    }
+  }
+  // What the pictures of a page are of must not be in doubt.
+  work.remove();
+}
+
+/// Two builds of one version may measure differently.
+std::string programStamp() {
+  const fs::path program = "/proc/self/exe";
+  std::error_code ignored;
+  return fmt::format("{} {} {}", OCELLI_VERSION, fs::file_size(program, ignored),
+                     fs::last_write_time(program, ignored).time_since_epoch().count());
+}
+
+std::string truthPictureName() {
+  return "truth.png";
+}
+
+void writeOutputs(const EvaluateChoice& choice, const Outputs& outputs, const EvaluationOptions& options,
+                  const std::vector<RepresentationFigures>& rows, const std::vector<EvaluatePictures>& pictures,
+                  size_t sceneTriangles, const Frame& frame) {
+  const bool complete = rows.size() == choice.cameras.size();
+  const std::string json = evaluationJson(choice.scene.source, options, rows, complete);
+  frame.print(outputs.jsonToStandardOutput() ? json : evaluationTable(rows));
+  if (!choice.json.empty() && !outputs.jsonToStandardOutput()) {
+    writeFile(choice.json, json);
+  }
+  if (!choice.csv.empty()) {
+    writeFile(choice.csv, evaluationCsv(options, rows));
+  }
+  if (!choice.offsetsCsv.empty()) {
+    writeFile(choice.offsetsCsv, offsetsCsv(options, rows));
+  }
+  if (outputs.hasPage()) {
+    const EvaluatePage page{choice.scene.source, OCELLI_VERSION, sceneTriangles,
+                            truthPictureName(),  pictures,       complete};
+    writeFile(outputs.pageFile(), evaluatePage(page, options, rows));
+    frame.note("wrote " + outputs.pageFile().string());
+  }
+}
+
+void runEvaluate(const EvaluateChoice& choice, const Frame& frame) {
+  EvaluationOptions options = evaluationOptions(choice);
+  const std::vector<AskedCamera> cameras = askedCameras(choice.cameras, options.cell.sideRadii);
   const DisplayProfile profile = loadProfile(choice.profile);
   options.slice = [&profile](const Mesh& mesh) { slice(mesh, profile); };
+  const Outputs outputs(choice);
 
-  const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, frame.progress());
-  const std::vector<RepresentationFigures> figures = evaluate(mesh, cameras, options, frame.progress());
-  const std::string json = evaluationJson(choice.scene.source, options, figures);
-  if (choice.json == "-") {
-    frame.print(json);
-    return;
+  const InterruptGuard guard;
+  std::string position;  // "2/16 " before the name of what is measured
+  const Progress progress = [&, bar = frame.progress()](std::string_view stage, double fraction) {
+    guard.check();
+    report(bar, position + std::string(stage), fraction);
+  };
+  std::vector<RepresentationFigures> rows;
+  std::vector<EvaluatePictures> pictures;
+  size_t sceneTriangles = 0;
+  std::optional<EvaluationWork> work;
+  try {
+    const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, progress);
+    sceneTriangles = mesh.triangles.size();
+    if (const auto file = outputs.workFile()) {
+      work.emplace(*file, evaluationKey(mesh, options,
+                                        fmt::format("{} {} {}", choice.scene.source, profile.name, programStamp())));
+      resume(*work, *file, choice.resume, frame);
+    }
+    Evaluator evaluator(mesh, options);
+    if (outputs.hasPage()) {
+      writePng(outputs.inPage(truthPictureName()), evaluator.examplePicture());
+    }
+    for (const AskedCamera& camera : cameras) {
+      const EvaluatePictures names = pictureNames(camera.choice.name, camera.identity);
+      position = fmt::format("{}/{} ", rows.size() + 1, cameras.size());
+      std::optional<RepresentationFigures> row;
+      if (work && outputs.havePictures(names)) {
+        row = work->find(camera.identity);
+      }
+      if (!row) {
+        row = evaluator.measure(camera.choice, progress, [&](const Mesh& representation) {
+          if (outputs.hasPage()) {
+            const Evaluator::Example example = evaluator.example(representation);
+            writePng(outputs.inPage(names.frame), example.picture);
+            writePng(outputs.inPage(names.errors), example.errors);
+          }
+        });
+        if (work) {
+          work->add(camera.identity, *row);
+        }
+      }
+      rows.push_back(*row);
+      pictures.push_back(names);
+    }
+  } catch (const Interrupted&) {
+    if (!rows.empty()) {
+      writeOutputs(choice, outputs, options, rows, pictures, sceneTriangles, frame);
+    }
+    throw WorkError(fmt::format("interrupted with {} of {} representations done", rows.size(), cameras.size()),
+                    work ? outputs.workFile()->string() : choice.scene.source,
+                    work ? "the same command again goes on from there"
+                         : "give --json FILE, --csv FILE or --page DIR, so that an interrupted run can go on");
   }
-  frame.print(evaluationTable(figures));
-  if (toFile) {
-    writeFile(choice.json, json);
+  writeOutputs(choice, outputs, options, rows, pictures, sceneTriangles, frame);
+  if (work) {
+    work->remove();
   }
 }
 
@@ -69,22 +262,51 @@ void addEvaluateCommand(CLI::App& program, const Frame& frame) {
   command.add_option("--cameras", choice->cameras, "Cameras to compare: names or JSON files")
       ->delimiter(',')
       ->type_name("NAME,...");
-  command.add_option("--cell", choice->cell, "Side of the cube of viewpoints, in inches at the reference display")
+  command.add_option("--cell", choice->cell, "Size of the cell of viewpoints, in inches at the reference display")
       ->type_name("SIDE");
+  command.add_option("--cell-shape", choice->cellShape, "Shape of the cell")
+      ->check(CLI::IsMember({"cube", "sphere", "segment"}))
+      ->type_name("NAME");
+  command
+      .add_option("--segment-direction", choice->segmentDirection,
+                  "Direction of a segment: right, up and backward in the view")
+      ->type_name("X,Y,Z");
   addViewOption(command, choice->view);
   addSizeOption(command, choice->size);
   command.add_option("--profile", choice->profile, "Display whose slicing is timed")->type_name("NAME|FILE.json");
   command.add_option("--interior", choice->interiorViews, "How many viewpoints inside of the cell")
       ->check(CLI::Range(0, 10000))
       ->type_name("N");
-  command.add_option("--seed", choice->seed, "Of the viewpoints inside")->type_name("S");
+  command
+      .add_option("--directions", choice->offsetDirections,
+                  "Along how many directions the error is measured against the offset; 0 for none")
+      ->check(CLI::Range(0, 1000))
+      ->type_name("N");
+  command.add_option("--seed", choice->seed, "Of the viewpoints inside, and the directions")->type_name("S");
+  command.add_option("--runs", choice->runs, "How often each step is timed; the best counts")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
   command.add_option("--json", choice->json, "Also write the figures here; alone or as - they go to standard output")
       ->expected(0, 1)
       ->default_str("-")
       ->type_name("FILE");
+  command.add_option("--csv", choice->csv, "Also write the figures here, a line a representation")->type_name("FILE");
+  command.add_option("--csv-offsets", choice->offsetsCsv, "Also write the errors against the offset here")
+      ->type_name("FILE");
+  command.add_option("--page", choice->page, "Also make a page with plots and pictures in this folder")
+      ->type_name("DIR");
+  CLI::Option* resume = command.add_flag_callback(
+      "--resume", [choice] { choice->resume = true; },
+      "Go on with an interrupted run, which is what is done anyway where its work file fits; an error where it does "
+      "not");
+  command
+      .add_flag_callback(
+          "--no-resume", [choice] { choice->resume = false; }, "Start again")
+      ->excludes(resume);
   frame.finish(command,
                "  ocelli evaluate builtin:statues\n"
-               "  ocelli evaluate bunny.obj --cameras di,ddoc,ddoc-constant --cell 4in --json bunny.json",
+               "  ocelli evaluate bunny.obj --cameras di,ddoc,ddoc-constant --cell 4in --json bunny.json\n"
+               "  ocelli evaluate builtin:fence --cell-shape segment --page fence",
                [choice, frame] { runEvaluate(*choice, frame); });
 }
 

@@ -24,15 +24,27 @@ struct RenderChoice {
   std::string output;
 };
 
+/// Nothing for "raster": what a camera builds its image with.
+std::optional<Technique> techniqueOf(const std::string& method) {
+  if (method == "points") {
+    return Technique::kPoints;
+  }
+  if (method == "hybrid") {
+    return Technique::kHybrid;
+  }
+  return method == "raycast" ? std::optional(Technique::kRaycast) : std::nullopt;
+}
+
 void render(const RenderChoice& choice, const Frame& frame) {
   checkWritable(choice.output);
   const CameraChoice camera = cameraChoice(choice.camera);
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   const PinholeCamera reference(readViewOption(choice.view), size.width, size.height);
   const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, frame.progress());
-  const ReferenceImages images = choice.method == "raycast"
-                                     ? ReferenceImages{raycastReferenceImage(camera, reference, mesh, frame.progress())}
-                                     : buildReferenceImages(camera, reference, mesh, frame.progress());
+  const auto technique = techniqueOf(choice.method);
+  const ReferenceImages images =
+      technique ? ReferenceImages{drawReferenceImage(*technique, camera, reference, mesh, frame.progress())}
+                : buildReferenceImages(camera, reference, mesh, frame.progress());
   const ReferenceImage& image = images.front();
   if (choice.output.ends_with(".exr")) {
     writeReferenceImages(choice.output, images);
@@ -53,8 +65,12 @@ void addRenderCommand(CLI::App& program, const Frame& frame) {
   const auto choice = std::make_shared<RenderChoice>();
   addSceneOptions(command, choice->scene);
   addCameraOption(command, choice->camera);
-  command.add_option("--method", choice->method, "How: fill projected triangles, or follow the rays (slow reference)")
-      ->check(CLI::IsMember({"raster", "raycast"}))
+  command
+      .add_option(
+          "--method", choice->method,
+          "How: fill projected triangles, splat samples of them, meet each with the rays around it, or follow the "
+          "rays (the reference)")
+      ->check(CLI::IsMember({"raster", "points", "hybrid", "raycast"}))
       ->type_name("NAME");
   addViewOption(command, choice->view);
   addSizeOption(command, choice->size);

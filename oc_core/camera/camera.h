@@ -23,7 +23,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
-#include <vector>
+
+#include "oc_core/camera/ray_path.h"
 
 namespace ocelli {
 
@@ -33,9 +34,6 @@ struct ImagePoint {
   float v = 0;
   float z = 0;
 };
-
-/// The ray of one pixel: world points from near to far, joined by straight segments.
-using RayPath = std::vector<glm::vec3>;
 
 template <class C>
 concept Camera = requires(const C& camera, const glm::vec3& worldPoint, const ImagePoint& imagePoint,

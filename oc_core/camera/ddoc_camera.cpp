@@ -5,16 +5,9 @@
 namespace ocelli {
 
 DdocCamera::DdocCamera(const PinholeCamera& reference, DistortionMap map)
-    : reference_(reference), map_(std::move(map)), longestDisplacement_(map_.longestDisplacement()) {
+    : reference_(reference), map_(std::move(map)), longestDisplacement_(map_.longestDisplacement()), bounds_(map_) {
   OC_CHECK(map_.samples().width() == reference.width() && map_.samples().height() == reference.height(),
            "a distortion map has one sample for each pixel of its reference camera");
-  leastInverseFar_ = 1 / reference.view().zNear;
-  for (const DistortionSample& sample : map_.samples()) {
-    if (sample.displacement != glm::vec2(0)) {
-      greatestInverseNear_ = std::max(greatestInverseNear_, sample.inverseNear);
-      leastInverseFar_ = std::min(leastInverseFar_, sample.inverseFar);
-    }
-  }
 }
 
 std::optional<ImagePoint> DdocCamera::undistort(const ImagePoint& q, const glm::vec2& guess) const {
@@ -49,26 +42,46 @@ std::optional<glm::vec3> DdocCamera::unproject(const ImagePoint& q) const {
 
 RayPath DdocCamera::rayPath(const glm::vec2& pixel) const {
   RayPath path = reference_.rayPath(pixel);
-  if (path.empty() || greatestInverseNear_ <= 0) {
+  if (path.empty()) {
     return path;
   }
-  // Straight up to the nearest z_n and beyond the farthest z_f of the map; in between, equal steps of 1/z, each solved
-  // from the solution before it. A step without a solution is left out: the ray goes straight over it, or ends before
-  // it where none follows.
-  constexpr int kSteps = 96;
+  // The displacement that brings a point to this pixel is the longest one at most, so it is one of those within that
+  // distance, which may be shorter, and so on.
+  float reach = longestDisplacement_;
+  DisplacementBounds::Range around;
+  for (int round = 0; round < 4 && reach > 0; ++round) {
+    around = bounds_.over({pixel - reach, pixel + reach});
+    if (around.longest() >= reach) {
+      break;
+    }
+    reach = around.longest();
+  }
+  if (around.rampUpper <= 0 || reach <= 0) {
+    return path;
+  }
+  // Straight up to the nearest z_n and beyond the farthest z_f of those; in between, equal steps of 1/z, each solved
+  // from the solution before it, about a quarter of a pixel apart. A step without a solution is left out: the ray goes
+  // straight over it, or ends before it where none follows. The search for a solution starts where the last two point.
+  constexpr float kStepsPerPixel = 4;
+  constexpr float kMostSteps = 96;
+  const int steps = static_cast<int>(std::clamp(reach * kStepsPerPixel, 4.0f, kMostSteps));
   RayPath bent{path.front()};
   glm::vec2 undistorted = pixel;
+  glm::vec2 advance(0);
   const auto addPointAt = [&](float z) {
-    if (const std::optional<ImagePoint> solved = undistort({pixel.x, pixel.y, z}, undistorted)) {
+    if (const std::optional<ImagePoint> solved = undistort({pixel.x, pixel.y, z}, undistorted + advance)) {
       if (const std::optional<glm::vec3> point = reference_.unproject(*solved)) {
+        advance = glm::vec2(solved->u, solved->v) - undistorted;
         undistorted = {solved->u, solved->v};
         bent.push_back(*point);
       }
     }
   };
-  for (int i = 0; i <= kSteps; ++i) {
-    addPointAt(1 / (greatestInverseNear_ + (leastInverseFar_ - greatestInverseNear_) * static_cast<float>(i) / kSteps));
+  for (int i = 0; i <= steps; ++i) {
+    const float share = static_cast<float>(i) / static_cast<float>(steps);
+    addPointAt(1 / (around.rampUpper + (around.rampLower - around.rampUpper) * share));
   }
+  advance = glm::vec2(0);
   addPointAt(reference_.view().zFar);
   return bent;
 }

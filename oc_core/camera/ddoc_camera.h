@@ -8,19 +8,11 @@
 // unprojects exactly (3.2.3).
 #pragma once
 
-#include "oc_core/camera/camera.h"
+#include "oc_core/camera/displacement_bounds.h"
+#include "oc_core/camera/distorted_pinhole.h"
 #include "oc_core/camera/distortion_map.h"
-#include "oc_core/camera/pinhole_camera.h"
 
 namespace ocelli {
-
-/// A camera that displaces the image points of a pinhole camera: `distort` maps the pinhole's image point to its own.
-template <class C>
-concept DistortedPinhole = Camera<C> && requires(const C& camera, const ImagePoint& undistorted) {
-  { camera.reference() } -> std::same_as<const PinholeCamera&>;
-  { camera.distort(undistorted) } -> std::same_as<ImagePoint>;
-  { camera.longestDisplacement() } -> std::convertible_to<float>;
-};
 
 class DdocCamera {
  public:
@@ -32,6 +24,9 @@ class DdocCamera {
   const PinholeCamera& reference() const { return reference_; }
   const DistortionMap& map() const { return map_; }
   float longestDisplacement() const { return longestDisplacement_; }
+  ImageBox displacementOver(const ImageBox& undistorted, float leastInverseZ, float greatestInverseZ) const {
+    return bounds_.over(undistorted).at(leastInverseZ, greatestInverseZ);
+  }
 
   ImagePoint distort(const ImagePoint& q) const {
     const glm::vec2 displacement = map_.at(q.u, q.v).at(1 / q.z);
@@ -51,8 +46,7 @@ class DdocCamera {
   PinholeCamera reference_;
   DistortionMap map_;
   float longestDisplacement_;
-  float greatestInverseNear_ = 0;
-  float leastInverseFar_ = 0;
+  DisplacementBounds bounds_;
 };
 
 static_assert(DistortedPinhole<DdocCamera>);

@@ -108,4 +108,9 @@ class EpipolarCamera {
 
 static_assert(Camera<EpipolarCamera>);
 
+/// As for cameras that displace the image of a pinhole (distorted_pinhole.h): the one that z is measured along.
+inline const PinholeCamera& referenceOf(const EpipolarCamera& camera) {
+  return camera.base();
+}
+
 }  // namespace ocelli

@@ -1,7 +1,16 @@
 #include "oc_core/ocri/camera_choice.h"
 
+#include <algorithm>
+
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/ocri/corner_depth_images.h"
+#include "oc_core/ocri/layered_depth_image.h"
+#include "oc_core/ocri/set_difference.h"
+#include "oc_core/ocri/spoc_builder.h"
+#include "oc_core/ocri/wide_depth_image.h"
+#include "oc_core/render/hybrid_raycast.h"
+#include "oc_core/render/points.h"
 #include "oc_core/render/raycast.h"
 #include "oc_core/scene/winding_number.h"
 
@@ -16,21 +25,83 @@ std::string listOfNames() {
   return names;
 }
 
-CameraChoice namedCamera(const std::string& name, const std::string& where) {
-  CameraChoice choice;
-  choice.name = name;
-  if (name == "di" || name == "ppc") {
-    choice.model = CameraChoice::Model::kDepthImage;
-  } else if (name == "ddoc") {
-    choice.model = CameraChoice::Model::kDdoc;
-  } else if (name == "ddoc-constant") {
-    choice.model = CameraChoice::Model::kDdoc;
-    choice.ddoc = DdocOptions::paper();
-  } else {
+struct NamedModel {
+  CameraName name;
+  CameraChoice::Model model;
+  int count = 0;
+};
+
+const std::vector<NamedModel>& namedModels() {
+  using Model = CameraChoice::Model;
+  static const std::vector<NamedModel> models{
+      {{"di", "depth image of the planar pinhole camera (ppc is the same)"}, Model::kDepthImage},
+      {{"di-wide", "depth image as wide as what the view cell sees beside the reference frustum"},
+       Model::kWideDepthImage},
+      {{"corners-4",
+        "depth images of the reference view and of the four corners of the view cell nearest to the scene"},
+       Model::kCornerDepthImages,
+       4},
+      {{"corners-8", "the same with all eight corners"}, Model::kCornerDepthImages, 8},
+      {{"ldi-4", "layered depth image of four layers (any number from ldi-1 to ldi-16)"}, Model::kLayeredDepthImage, 4},
+      {{"rppc", "reverse pinhole: its straight rays meet behind the scene"}, Model::kReversePinhole},
+      {{"spoc", "single pole occlusion camera around the foreground"}, Model::kSpoc},
+      {{"di+spoc", "depth image, and what the single pole occlusion camera adds to it"}, Model::kSpocUnion},
+      {{"ddoc", "depth discontinuity occlusion camera, radii from the view cell"}, Model::kDdoc},
+      {{"ddoc-constant", "the same as the dissertation has it, with a constant radius of 15 pixels"}, Model::kDdoc},
+      {{"cell", "view-region occlusion camera: what is seen from anywhere in the view cell, in one image"},
+       Model::kCell},
+      {{"simplified", "the scene with as many triangles as the depth image's mesh: a mesh, no image"},
+       Model::kSimplified},
+      {{"simplified-sloppy", "the same faster, by clusters of vertices: a mesh, no image"}, Model::kSimplifiedSloppy},
+      {{"geometry", "the scene itself: a mesh, no image"}, Model::kGeometry},
+  };
+  return models;
+}
+
+/// N of "ldi-N", 0 where it is none.
+int layersFromName(const std::string& name) {
+  for (int layers = 1; layers <= kMostLayers; ++layers) {
+    if (name == "ldi-" + std::to_string(layers)) {
+      return layers;
+    }
+  }
+  return 0;
+}
+
+CameraChoice namedCamera(const std::string& name, float cellSideRadii, const std::string& where) {
+  const int layers = layersFromName(name);
+  const std::string listed = name == "ppc" ? "di" : layers > 0 ? "ldi-4" : name;
+  const auto& models = namedModels();
+  const auto found =
+      std::find_if(models.begin(), models.end(), [&](const NamedModel& each) { return each.name.name == listed; });
+  if (found == models.end()) {
     throw InputError("there is no camera \"" + name + "\"", where,
                      "use " + listOfNames() + ", or a JSON file with a \"camera\" field");
   }
+  CameraChoice choice;
+  choice.model = found->model;
+  choice.name = name;
+  choice.count = layers > 0 ? layers : found->count;
+  choice.cellSideRadii = cellSideRadii;
+  if (name == "ddoc-constant") {
+    choice.ddoc = DdocOptions::paper();
+  }
+  choice.ddoc.cellSideRadii = cellSideRadii;
+  choice.cell.cell.sideRadii = cellSideRadii;
   return choice;
+}
+
+constexpr double kLeastCellSide = 1e-3;
+constexpr double kMostCellSide = 100;
+
+float readCellSide(JsonFields& fields, float otherwise) {
+  return static_cast<float>(fields.number("cell_side_radii", kLeastCellSide, kMostCellSide, otherwise));
+}
+
+void readCellOptions(JsonFields& fields, CellOptions& options) {
+  options.cell.sideRadii = readCellSide(fields, options.cell.sideRadii);
+  options.mostSamples = static_cast<float>(fields.number("most_samples", 1, 100, options.mostSamples));
+  options.mostSatellites = fields.integer("most_satellites", 0, 1000, options.mostSatellites);
 }
 
 void readDdocOptions(JsonFields& fields, DdocOptions& options) {
@@ -41,7 +112,7 @@ void readDdocOptions(JsonFields& fields, DdocOptions& options) {
     options.radius = DdocOptions::Radius::kConstant;
     readFloat("constant_radius_pixels", 0, 1000, options.constantRadiusPixels);
   }
-  readFloat("cell_side_radii", 1e-3, 100, options.cellSideRadii);
+  options.cellSideRadii = readCellSide(fields, options.cellSideRadii);
   readFloat("safety_factor", 0.01, 100, options.safetyFactor);
   readFloat("most_hidden_pixels", 0, 1000, options.mostHiddenPixels);
   readFloat("room_per_hidden", 0.01, 100, options.roomPerHidden);
@@ -54,39 +125,93 @@ void readDdocOptions(JsonFields& fields, DdocOptions& options) {
   readFloat("longest_edge_pixels", 0.1, 100, options.subdivision.longestEdgePixels);
 }
 
-ReferenceImage finished(ReferenceImage image, const CameraChoice& choice) {
-  if (image.sampleCount() == 0) {
+ReferenceImages finished(ReferenceImages images, const CameraChoice& choice) {
+  size_t samples = 0;
+  for (ReferenceImage& image : images) {
+    samples += image.sampleCount();
+    image.camera = choice.name;
+  }
+  if (samples == 0) {
     throw InputError("the view sees nothing of the scene", "view",
                      "turn \"target\" towards the scene; a fitted scene lies in the unit sphere around the origin");
   }
-  image.camera = choice.name;
-  return image;
+  return images;
+}
+
+ReferenceImages layeredDepthImage(const PinholeCamera& reference, const Mesh& mesh, int layers) {
+  ReferenceImages images = buildLayeredDepthImage(reference, mesh, layers);
+  for (size_t i = 0; i < images.size(); ++i) {
+    images[i].layer = static_cast<int>(i);
+  }
+  return images;
+}
+
+ReferenceImages spocUnion(const PinholeCamera& reference, const Mesh& mesh) {
+  ReferenceImages images{buildDepthImage(reference, mesh), buildSpocImage(buildSpocCamera(reference, mesh), mesh)};
+  subtract(images[1], images[0], [&](const glm::vec3& point) { return reference.project(point); });
+  images[1].triangleBound = 0;
+  return images;
+}
+
+ReferenceImages imagesOf(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
+                         const Progress& progress) {
+  const ViewCell cell{.sideRadii = choice.cellSideRadii};
+  switch (choice.model) {
+    case CameraChoice::Model::kDepthImage:
+      return {buildDepthImage(reference, mesh)};
+    case CameraChoice::Model::kWideDepthImage:
+      return {buildWideDepthImage(reference, mesh, wideFactor(reference, mesh, cell))};
+    case CameraChoice::Model::kCornerDepthImages:
+      return buildCornerDepthImages(reference, mesh, cell, choice.count);
+    case CameraChoice::Model::kLayeredDepthImage:
+      return layeredDepthImage(reference, mesh, choice.count);
+    case CameraChoice::Model::kReversePinhole:
+      return {buildReversePinholeImage(buildReversePinhole(reference, mesh), reference, mesh)};
+    case CameraChoice::Model::kSpoc:
+      return {buildSpocImage(buildSpocCamera(reference, mesh), mesh)};
+    case CameraChoice::Model::kSpocUnion:
+      return spocUnion(reference, mesh);
+    case CameraChoice::Model::kDdoc:
+      return {buildDdocImage(buildDdocCamera(reference, mesh, choice.ddoc, progress), mesh, choice.ddoc.subdivision)};
+    case CameraChoice::Model::kCell:
+      return {buildCellImage(buildCellCamera(reference, mesh, choice.cell, progress), mesh)};
+    case CameraChoice::Model::kSimplified:
+    case CameraChoice::Model::kSimplifiedSloppy:
+    case CameraChoice::Model::kGeometry:
+      throw InputError("\"" + choice.name + "\" is a mesh and has no image", "--camera",
+                       "measure it with `ocelli evaluate`, or write the scene with `ocelli scene export`");
+  }
+  OC_CHECK(false, "every camera model has a builder");
 }
 
 }  // namespace
 
 const std::vector<CameraName>& cameraNames() {
-  static const std::vector<CameraName> names{
-      {"di", "depth image of the planar pinhole camera (ppc is the same)"},
-      {"ddoc", "depth discontinuity occlusion camera, radii from the view cell"},
-      {"ddoc-constant", "the same as the dissertation has it, with a constant radius of 15 pixels"},
-  };
+  static const std::vector<CameraName> names = [] {
+    std::vector<CameraName> all;
+    for (const NamedModel& each : namedModels()) {
+      all.push_back(each.name);
+    }
+    return all;
+  }();
   return names;
 }
 
 CameraChoice cameraChoice(const std::string& nameOrFile, float cellSideRadii) {
   if (!nameOrFile.ends_with(".json")) {
-    CameraChoice choice = namedCamera(nameOrFile, "--camera");
-    choice.ddoc.cellSideRadii = cellSideRadii;
-    return choice;
+    return namedCamera(nameOrFile, cellSideRadii, "--camera");
   }
   const nlohmann::json json = readJsonFile(nameOrFile);
   JsonFields fields(json, nameOrFile);
-  CameraChoice choice = namedCamera(fields.text("camera"), nameOrFile + ", field \"camera\"");
-  choice.ddoc.cellSideRadii = cellSideRadii;
+  CameraChoice choice = namedCamera(fields.text("camera"), cellSideRadii, nameOrFile + ", field \"camera\"");
   choice.name = fields.text("name", choice.name);
   if (choice.model == CameraChoice::Model::kDdoc) {
     readDdocOptions(fields, choice.ddoc);
+  } else if (choice.model == CameraChoice::Model::kCell) {
+    readCellOptions(fields, choice.cell);
+  } else if (choice.model == CameraChoice::Model::kWideDepthImage ||
+             choice.model == CameraChoice::Model::kCornerDepthImages) {
+    choice.cellSideRadii = readCellSide(fields, choice.cellSideRadii);
   }
   fields.rejectUnknown();
   return choice;
@@ -95,31 +220,59 @@ CameraChoice cameraChoice(const std::string& nameOrFile, float cellSideRadii) {
 ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                      const Progress& progress) {
   requireOutside(mesh, reference.eye(), "view");
+  return finished(imagesOf(choice, reference, mesh, progress), choice);
+}
+
+ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choice, const PinholeCamera& reference,
+                                  const Mesh& mesh, const Progress& progress) {
+  requireOutside(mesh, reference.eye(), "view");
+  const auto draw = [&](const BoundedCamera auto& camera) {
+    const auto fragments = [&] {
+      switch (technique) {
+        case Technique::kPoints:
+          return renderPoints(camera, mesh);
+        case Technique::kHybrid:
+          return hybridRaycast(camera, mesh);
+        case Technique::kRaycast:
+          return raycast(camera, mesh, RayScene(mesh));
+      }
+      OC_CHECK(false, "every technique draws");
+    };
+    return finished({referenceImage(fragments(), mesh, reference, choice.name)}, choice).front();
+  };
   switch (choice.model) {
     case CameraChoice::Model::kDepthImage:
-      return {finished(buildDepthImage(reference, mesh), choice)};
+      return draw(reference);
+    case CameraChoice::Model::kReversePinhole:
+      return draw(buildReversePinhole(reference, mesh));
+    case CameraChoice::Model::kSpoc:
+      return draw(buildSpocCamera(reference, mesh));
     case CameraChoice::Model::kDdoc:
-      return {finished(
-          buildDdocImage(buildDdocCamera(reference, mesh, choice.ddoc, progress), mesh, choice.ddoc.subdivision),
-          choice)};
+      return draw(buildDdocCamera(reference, mesh, choice.ddoc, progress));
+    case CameraChoice::Model::kCell: {
+      if (technique != Technique::kRaycast) {
+        throw InputError(
+            "camera \"" + choice.name + "\" is drawn from several viewpoints, not by points or hybrid rays", "--method",
+            "use raster or raycast");
+      }
+      const CellCamera camera = buildCellCamera(reference, mesh, choice.cell, progress);
+      return finished({cellImage(camera, raycast(camera, mesh, RayScene(mesh)), mesh)}, choice).front();
+    }
+    case CameraChoice::Model::kWideDepthImage:
+    case CameraChoice::Model::kCornerDepthImages:
+    case CameraChoice::Model::kLayeredDepthImage:
+    case CameraChoice::Model::kSpocUnion:
+    case CameraChoice::Model::kSimplified:
+    case CameraChoice::Model::kSimplifiedSloppy:
+    case CameraChoice::Model::kGeometry:
+      throw InputError("\"" + choice.name + "\" is drawn in one way only", "--method", "use raster");
   }
-  OC_CHECK(false, "every camera model has a builder");
+  OC_CHECK(false, "every camera model is drawn");
 }
 
 ReferenceImage raycastReferenceImage(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                      const Progress& progress) {
-  requireOutside(mesh, reference.eye(), "view");
-  const RayScene scene(mesh);
-  const auto cast = [&](const Camera auto& camera) {
-    return finished(referenceImage(raycast(camera, mesh, scene), mesh, reference, choice.name), choice);
-  };
-  switch (choice.model) {
-    case CameraChoice::Model::kDepthImage:
-      return cast(reference);
-    case CameraChoice::Model::kDdoc:
-      return cast(buildDdocCamera(reference, mesh, choice.ddoc, progress));
-  }
-  OC_CHECK(false, "every camera model has a builder");
+  return drawReferenceImage(Technique::kRaycast, choice, reference, mesh, progress);
 }
 
 }  // namespace ocelli

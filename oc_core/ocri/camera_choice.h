@@ -6,16 +6,38 @@
 #include <vector>
 
 #include "oc_core/base/progress.h"
+#include "oc_core/ocri/cell_builder.h"
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/ocri/reference_image.h"
 
 namespace ocelli {
 
 struct CameraChoice {
-  enum class Model { kDepthImage, kDdoc };
+  enum class Model {
+    kDepthImage,
+    kWideDepthImage,
+    kCornerDepthImages,
+    kLayeredDepthImage,
+    kReversePinhole,
+    kSpoc,
+    kSpocUnion,  ///< of the depth image and what the single pole camera adds (section 3.1.4)
+    kDdoc,
+    kCell,
+    kSimplified,        ///< a mesh, no image
+    kSimplifiedSloppy,  ///< a mesh, no image
+    kGeometry,          ///< a mesh, no image
+  };
   Model model = Model::kDepthImage;
   std::string name = "di";
+  int count = 0;  ///< of corners, or layers
+  float cellSideRadii = 1.6f;
   DdocOptions ddoc;
+  CellOptions cell;
+
+  /// Whether there are reference images; otherwise only buildRepresentation() makes it.
+  bool hasImages() const {
+    return model != Model::kSimplified && model != Model::kSimplifiedSloppy && model != Model::kGeometry;
+  }
 };
 
 struct CameraName {
@@ -31,11 +53,18 @@ const std::vector<CameraName>& cameraNames();
 CameraChoice cameraChoice(const std::string& nameOrFile, float cellSideRadii = DdocOptions{}.cellSideRadii);
 
 /// The reference images of a camera: one, but for those that are unions. Throws InputError where the eye lies inside an
-/// object, or the view sees nothing of the scene.
+/// object, or the view sees nothing of the scene, and for choices that have no image.
 ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                      const Progress& progress = {});
 
-/// The same camera, its image cast along its rays: the slow reference.
+/// How an image is drawn (section 6.1), other than as buildReferenceImages() does, with the fastest.
+enum class Technique { kPoints, kHybrid, kRaycast };
+
+/// The image of the same camera, drawn as told. Throws InputError as buildReferenceImages() does, and for cameras that
+/// cannot be drawn so.
+ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choice, const PinholeCamera& reference,
+                                  const Mesh& mesh, const Progress& progress = {});
+/// Cast along the rays: the reference for all others.
 ReferenceImage raycastReferenceImage(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                      const Progress& progress = {});
 

@@ -1,29 +1,22 @@
 #include "oc_core/ocri/coverage.h"
 
 #include <glm/geometric.hpp>
-#include <random>
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/render/rasterize.h"
 
 namespace ocelli {
-namespace {
-
-constexpr float kStrictFootprints = 1.5f;
-
-bool isPresent(const PinholeCamera& camera, const glm::vec3& point, const Image<glm::vec4>& frame, int x, int y) {
-  const float reach = kStrictFootprints * camera.cameraFromWorld(point).z / camera.focalPixels();
+bool hasSampleNear(const Image<glm::vec4>& positions, int x, int y, const glm::vec3& point, float reach) {
   for (int v = y - 1; v <= y + 1; ++v) {
     for (int u = x - 1; u <= x + 1; ++u) {
-      if (frame.contains(u, v) && frame(u, v).w > 0 && glm::distance(glm::vec3(frame(u, v)), point) <= reach) {
+      if (positions.contains(u, v) && positions(u, v).w > 0 &&
+          glm::distance(glm::vec3(positions(u, v)), point) <= reach) {
         return true;
       }
     }
   }
   return false;
 }
-
-}  // namespace
 
 MissingSamples& MissingSamples::operator+=(const MissingSamples& other) {
   truth += other.truth;
@@ -33,7 +26,10 @@ MissingSamples& MissingSamples::operator+=(const MissingSamples& other) {
 }
 
 Image<glm::vec4> positionImage(const PinholeCamera& camera, const Mesh& mesh) {
-  const FragmentImage fragments = rasterize(camera, mesh);
+  return positionImage(rasterize(camera, mesh), mesh);
+}
+
+Image<glm::vec4> positionImage(const FragmentImage& fragments, const Mesh& mesh) {
   Image<glm::vec4> positions(fragments.width(), fragments.height(), glm::vec4(0));
   parallelFor(fragments.size(), 1 << 14, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
@@ -62,8 +58,9 @@ Image<SampleState> compareFrames(const PinholeCamera& camera, const Image<glm::v
   };
   forRows([&](int x, int y) {
     if (truth(x, y).w > 0) {
+      const glm::vec3 point(truth(x, y));
       states(x, y) =
-          isPresent(camera, glm::vec3(truth(x, y)), frame, x, y) ? SampleState::kPresent : SampleState::kMissing;
+          hasSampleNear(frame, x, y, point, nearReach(camera, point)) ? SampleState::kPresent : SampleState::kMissing;
     }
   });
   const Image<SampleState> strict = states;
@@ -88,40 +85,6 @@ MissingSamples countMissing(const Image<SampleState>& states) {
     count.thick += state == SampleState::kMissingThick;
   }
   return count;
-}
-
-std::vector<View> ViewCell::edgeViews(const View& reference) const {
-  std::vector<View> views;
-  const float half = sideRadii / 2;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int corner = 0; corner < 4; ++corner) {
-      glm::vec3 offset(0);
-      offset[(axis + 1) % 3] = (corner & 1) != 0 ? half : -half;
-      offset[(axis + 2) % 3] = (corner & 2) != 0 ? half : -half;
-      views.push_back(movedEye(reference, offset));
-    }
-  }
-  for (int corner = 0; corner < 8; ++corner) {
-    views.push_back(movedEye(reference, {(corner & 1) != 0 ? half : -half, (corner & 2) != 0 ? half : -half,
-                                         (corner & 4) != 0 ? half : -half}));
-  }
-  return views;
-}
-
-std::vector<View> ViewCell::interiorViews(const View& reference, int count, unsigned seed) const {
-  std::mt19937 random(seed);
-  // Not std::uniform_real_distribution: its values differ between standard libraries.
-  const auto next = [&] {
-    return (static_cast<float>(random() >> 8) / static_cast<float>(1 << 24) - 0.5f) * sideRadii;
-  };
-  std::vector<View> views;
-  for (int i = 0; i < count; ++i) {
-    const float x = next();
-    const float y = next();
-    const float z = next();
-    views.push_back(movedEye(reference, {x, y, z}));
-  }
-  return views;
 }
 
 }  // namespace ocelli

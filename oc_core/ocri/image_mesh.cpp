@@ -23,10 +23,13 @@ class ImageMesher {
         vertexOf_(image.width(), image.height(), kNoVertex),
         cellTriangles_(image.width(), image.height()) {}
 
-  Mesh mesh() {
+  Mesh mesh(std::vector<uint32_t>* pixelOfVertex) {
     addVertices();
     joinNeighbours();
     addSquares();
+    if (pixelOfVertex != nullptr) {
+      *pixelOfVertex = std::move(pixelOfVertex_);
+    }
     return std::move(mesh_);
   }
 
@@ -44,6 +47,7 @@ class ImageMesher {
           vertexOf_(x, y) = static_cast<uint32_t>(mesh_.positions.size());
           mesh_.positions.push_back(*point);
           mesh_.colors.push_back(image_.color(x, y));
+          pixelOfVertex_.push_back(static_cast<uint32_t>(image_.z.index(x, y)));
         }
       }
     }
@@ -58,6 +62,10 @@ class ImageMesher {
     return p.y >= firstRow && q.y >= firstRow && p.x / image_.tileSide == q.x / image_.tileSide &&
            (p.y - firstRow) / image_.tileSide == (q.y - firstRow) / image_.tileSide;
   }
+
+  bool inTile(const Pixel& p) const { return image_.tileSide > 0 && p.y >= image_.pinholeSize.y; }
+  /// Pixels of the pinhole from a sample to the next.
+  float spacing(const Pixel& p) const { return inTile(p) ? image_.tileSpacing : 1; }
 
   /// The step of 1/z from p to q for each pixel of undistorted distance.
   float slope(const Pixel& p, const Pixel& q) const {
@@ -77,9 +85,9 @@ class ImageMesher {
     if (distance > options_.longestStepPixels) {
       return false;
     }
-    const float footprint = std::min(a.z, b.z) / camera_.focalPixels();
+    const float footprint = std::min(a.z, b.z) / camera_.focalPixels() * spacing(p);
     if (std::abs(a.z - b.z) <=
-        options_.depthStepFootprints * footprint * std::clamp(distance, 1.0f, kLongestScaledStep)) {
+        options_.depthStepFootprints * footprint * std::clamp(distance / spacing(p), 1.0f, kLongestScaledStep)) {
       return true;
     }
     // A grazing or a stretched surface: large steps of z, but 1/z goes on as on one of the two sides.
@@ -192,19 +200,51 @@ class ImageMesher {
   }
 
   void addSquare(const Pixel& p) {
-    const ImagePoint q = image_.undistorted(p.x, p.y);
-    const glm::vec2 slope = gradient(p);
-    const float half = options_.squarePixels / 2;
     const auto corner = static_cast<uint32_t>(mesh_.positions.size());
     for (const glm::vec2& side : {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)}) {
-      const glm::vec2 offset = side * half;
-      const float inverseZ = std::max(1 / q.z + glm::dot(slope, offset), 0.5f / q.z);
-      mesh_.positions.push_back(
-          camera_.worldFromCamera(camera_.cameraFromImage({q.u + offset.x, q.v + offset.y, 1 / inverseZ})));
+      mesh_.positions.push_back(inTile(p) ? tileCorner(p, side) : pinholeCorner(p, side));
       mesh_.colors.push_back(image_.color(p.x, p.y));
+      pixelOfVertex_.push_back(static_cast<uint32_t>(image_.z.index(p.x, p.y)));
     }
     mesh_.triangles.emplace_back(corner, corner + 1, corner + 2);
     mesh_.triangles.emplace_back(corner, corner + 2, corner + 3);
+  }
+
+  /// Half a pixel away from the sample in the pinhole's image, on the plane of the surface.
+  glm::vec3 pinholeCorner(const Pixel& p, const glm::vec2& side) const {
+    const ImagePoint q = image_.undistorted(p.x, p.y);
+    const glm::vec2 offset = side * (options_.squarePixels / 2);
+    const float inverseZ = std::max(1 / q.z + glm::dot(gradient(p), offset), 0.5f / q.z);
+    return camera_.worldFromCamera(camera_.cameraFromImage({q.u + offset.x, q.v + offset.y, 1 / inverseZ}));
+  }
+
+  /// Half way to the next samples of the tile. Another viewpoint took them: the surface may lie along the rays of the
+  /// pinhole, where half a pixel of its image is a long way.
+  glm::vec3 tileCorner(const Pixel& p, const glm::vec2& side) const {
+    const glm::vec3 center = mesh_.positions[vertexOf_(p.x, p.y)];
+    const float half = options_.squarePixels / 2;
+    return center + side.x * half * tileStep(p, {1, 0}) + side.y * half * tileStep(p, {0, 1});
+  }
+
+  /// From sample to sample along a row or column of the tile; as the pinhole would step where the surface is one sample
+  /// wide.
+  glm::vec3 tileStep(const Pixel& p, const Pixel& step) const {
+    const glm::vec3 center = mesh_.positions[vertexOf_(p.x, p.y)];
+    glm::vec3 sum(0);
+    float count = 0;
+    for (const int sign : {-1, 1}) {
+      const Pixel q{p.x + sign * step.x, p.y + sign * step.y};
+      if (joined(p, q)) {
+        sum += static_cast<float>(sign) * (mesh_.positions[vertexOf_(q.x, q.y)] - center);
+        ++count;
+      }
+    }
+    if (count > 0) {
+      return sum / count;
+    }
+    const float footprint = image_.z(p.x, p.y) / camera_.focalPixels() * spacing(p);
+    const glm::vec3 along(static_cast<float>(step.x) * footprint, static_cast<float>(step.y) * footprint, 0);
+    return camera_.worldFromCamera(along) - camera_.worldFromCamera(glm::vec3(0));
   }
 
   const ReferenceImage& image_;
@@ -213,12 +253,13 @@ class ImageMesher {
   Image<uint32_t> vertexOf_;
   Image<uint8_t> cellTriangles_;  ///< of the cell between pixel (x, y) and (x + 1, y + 1)
   Mesh mesh_;
+  std::vector<uint32_t> pixelOfVertex_;
 };
 
 }  // namespace
 
-Mesh imageMesh(const ReferenceImage& image, const ImageMeshOptions& options) {
-  return ImageMesher(image, options).mesh();
+Mesh imageMesh(const ReferenceImage& image, const ImageMeshOptions& options, std::vector<uint32_t>* pixelOfVertex) {
+  return ImageMesher(image, options).mesh(pixelOfVertex);
 }
 
 }  // namespace ocelli

@@ -23,6 +23,8 @@ struct ImageMeshOptions {
 
 /// World coordinates, linear colours. Vertices come in pixel order, first the samples, then the corners of squares.
 /// Squares are left out, those of the least open samples first, where the mesh would exceed `image.triangleBound`.
-Mesh imageMesh(const ReferenceImage& image, const ImageMeshOptions& options = {});
+/// `pixelOfVertex` receives the index of the pixel that each vertex comes from.
+Mesh imageMesh(const ReferenceImage& image, const ImageMeshOptions& options = {},
+               std::vector<uint32_t>* pixelOfVertex = nullptr);
 
 }  // namespace ocelli

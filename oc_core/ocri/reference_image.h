@@ -32,9 +32,11 @@ struct ReferenceImage {
   /// Width and height of the reference pinhole, where they are not those of the image.
   glm::ivec2 pinholeSize{0};
   ImageRows rows = ImageRows::kAligned;
+  int layer = 0;  ///< of a layered depth image: one above 0 lies behind the image that comes before it in the union
   /// Where not 0: the rows below the pinhole's height hold square tiles of this side that have nothing to do with their
   /// neighbours.
   int tileSide = 0;
+  float tileSpacing = 1;  ///< between neighbouring samples in tiles, pixels of the reference pinhole
 
   int width() const { return z.width(); }
   int height() const { return z.height(); }

@@ -20,6 +20,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/ocri/layered_depth_image.h"
 
 namespace ocelli {
 namespace {
@@ -153,8 +154,12 @@ std::string attributeText(const ReferenceImage& image) {
   if (image.rows != ImageRows::kAligned) {
     json["rows"] = kRowsNames[static_cast<size_t>(image.rows)].name;
   }
+  if (image.layer > 0) {
+    json["layer"] = image.layer;
+  }
   if (image.tileSide > 0) {
     json["tile_side"] = image.tileSide;
+    json["tile_spacing"] = image.tileSpacing;
   }
   return json.dump();
 }
@@ -186,7 +191,9 @@ void readAttribute(const std::string& text, const std::string& where, ReferenceI
     }
   }
   image.rows = readRows(fields);
+  image.layer = fields.integer("layer", 1, kMostLayers, 0);
   image.tileSide = fields.integer("tile_side", 2, kMostPixelsASide, 0);
+  image.tileSpacing = static_cast<float>(fields.number("tile_spacing", 0.01, 100, 1));
   fields.rejectUnknown();
 }
 
@@ -303,7 +310,15 @@ ReferenceImages referenceImagesFromBytes(std::string_view bytes, const std::stri
     throw InputError("cannot read this as an EXR file (" + std::string(error.what()) + ")", where, kNext);
   }
   for (size_t i = 0; i < images.size(); ++i) {
-    validate(images[i], partName(where, i, images.size()));
+    const std::string part = partName(where, i, images.size());
+    validate(images[i], part);
+    const ReferenceImage* before = i > 0 ? &images[i - 1] : nullptr;
+    if (images[i].layer > 0 &&
+        (before == nullptr || images[i].layer != before->layer + 1 || images[i].width() != before->width() ||
+         images[i].height() != before->height() || images[i].view != before->view)) {
+      throw InputError("it is layer " + std::to_string(images[i].layer) + " of another image than the part before it",
+                       part, kNext);
+    }
   }
   return images;
 }

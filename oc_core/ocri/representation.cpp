@@ -2,9 +2,21 @@
 
 #include <chrono>
 
+#include "oc_core/ocri/simplified_mesh.h"
 #include "oc_core/ocri/union_mesh.h"
 
 namespace ocelli {
+namespace {
+
+Mesh meshAlone(const CameraChoice& choice, const Mesh& mesh, size_t targetTriangles) {
+  if (choice.model == CameraChoice::Model::kGeometry) {
+    return mesh;
+  }
+  const bool sloppy = choice.model == CameraChoice::Model::kSimplifiedSloppy;
+  return simplifyMesh(mesh, targetTriangles, sloppy ? SimplifyMethod::kSloppy : SimplifyMethod::kTopological).mesh;
+}
+
+}  // namespace
 
 size_t Representation::sampleCount() const {
   size_t samples = 0;
@@ -25,10 +37,19 @@ size_t Representation::pixelCount() const {
 Representation buildRepresentation(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                    const Progress& progress, RepresentationTimes* times) {
   using Clock = std::chrono::steady_clock;
+  // As many triangles as the meshes that it is compared with; finding that out is no part of its work.
+  const size_t target = choice.hasImages() ? 0 : unionMesh({buildDepthImage(reference, mesh)}).triangles.size();
   const auto start = Clock::now();
-  Representation representation{choice.name, buildReferenceImages(choice, reference, mesh, progress), {}};
+  Representation representation{choice.name, {}, {}};
+  if (choice.hasImages()) {
+    representation.images = buildReferenceImages(choice, reference, mesh, progress);
+  } else {
+    representation.mesh = meshAlone(choice, mesh, target);
+  }
   const auto built = Clock::now();
-  representation.mesh = unionMesh(representation.images);
+  if (choice.hasImages()) {
+    representation.mesh = unionMesh(representation.images);
+  }
   if (times != nullptr) {
     times->buildMilliseconds = std::chrono::duration<double, std::milli>(built - start).count();
     times->meshMilliseconds = std::chrono::duration<double, std::milli>(Clock::now() - built).count();

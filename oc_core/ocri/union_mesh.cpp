@@ -1,14 +1,29 @@
 #include "oc_core/ocri/union_mesh.h"
 
 #include "oc_core/ocri/image_mesh.h"
+#include "oc_core/ocri/layered_mesh.h"
 #include "oc_core/ocri/row_mesh.h"
 
 namespace ocelli {
+namespace {
+
+Mesh meshOf(const ReferenceImage& image) {
+  return image.rows == ImageRows::kAligned ? imageMesh(image) : rowMesh(image);
+}
+
+}  // namespace
 
 Mesh unionMesh(const ReferenceImages& images) {
   Mesh mesh;
-  for (const ReferenceImage& image : images) {
-    append(mesh, image.rows == ImageRows::kAligned ? imageMesh(image) : rowMesh(image));
+  for (size_t first = 0; first < images.size();) {
+    size_t end = first + 1;
+    while (end < images.size() && images[end].layer > 0) {
+      ++end;
+    }
+    const auto part = images.begin() + static_cast<std::ptrdiff_t>(first);
+    append(mesh, end - first > 1 ? layeredMesh({part, part + static_cast<std::ptrdiff_t>(end - first)})
+                                 : meshOf(images[first]));
+    first = end;
   }
   return mesh;
 }

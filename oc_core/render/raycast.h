@@ -1,45 +1,62 @@
-// Ray casting along the rays of any camera, with Embree: slow, obvious, and the reference for every other renderer
-// (section 6.1.1).
+// Ray casting along the rays of any camera, with Embree: the reference for every other renderer (section 6.1.1). With
+// its acceleration structure standing, its cost hardly grows with the scene.
 #pragma once
 
 #include <functional>
 #include <memory>
+#include <span>
 
+#include "oc_core/base/parallel.h"
 #include "oc_core/camera/camera.h"
 #include "oc_core/render/fragment_image.h"
 
 namespace ocelli {
 
-/// A mesh prepared for intersection. The mesh must outlive it.
+/// A mesh prepared for intersection with the rays of any number of cameras. The mesh must outlive it.
 class RayScene {
  public:
-  explicit RayScene(const Mesh& mesh);
+  enum class Quality {
+    kLow,     ///< sooner built
+    kMedium,  ///< sooner intersected
+  };
+
+  explicit RayScene(const Mesh& mesh, Quality quality = Quality::kMedium);
   ~RayScene();
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
 
-  /// The first triangle that the polyline meets, with its barycentric weights; `z` is left 0.
+  /// The first triangle that the polyline meets, with its barycentric weights; `z` is left 0. Coordinates that are not
+  /// finite meet nothing.
   Fragment intersect(const RayPath& path) const;
+  /// The same for each of many paths, in packets: neighbours should run alike.
+  void intersect(std::span<const RayPath> paths, std::span<Fragment> fragments) const;
+  /// Whether a point of the surface lies within `reach` of `point`.
+  bool hasSurfaceNear(const glm::vec3& point, float reach) const;
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 
-/// For each pixel, `fragmentAt(x, y)`, on all threads.
-FragmentImage castPixels(int width, int height, const std::function<Fragment(int x, int y)>& fragmentAt);
+/// What the ray path of each pixel centre meets first; `z` is left 0. On all threads.
+FragmentImage castRays(int width, int height, const RayScene& scene,
+                       const std::function<RayPath(const glm::vec2& pixel)>& rayPath);
 
 /// The closest fragment along the ray path of each pixel centre.
 template <Camera C>
 FragmentImage raycast(const C& camera, const Mesh& mesh, const RayScene& scene) {
-  return castPixels(camera.width(), camera.height(), [&](int x, int y) {
-    Fragment fragment = scene.intersect(camera.rayPath({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
-    if (fragment.covered()) {
-      const std::optional<ImagePoint> q = camera.project(positionOf(fragment, mesh));
-      fragment = q ? Fragment{q->z, fragment.triangle, fragment.b1, fragment.b2} : Fragment{};
+  FragmentImage fragments =
+      castRays(camera.width(), camera.height(), scene, [&](const glm::vec2& pixel) { return camera.rayPath(pixel); });
+  parallelFor(fragments.size(), 1 << 12, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      if (fragments[i].covered()) {
+        const std::optional<ImagePoint> q = camera.project(positionOf(fragments[i], mesh));
+        fragments[i].z = q ? q->z : 0;
+        fragments[i] = q ? fragments[i] : Fragment{};
+      }
     }
-    return fragment;
   });
+  return fragments;
 }
 
 }  // namespace ocelli

@@ -10,13 +10,4 @@ void VisibilityBuffer::mergePixels(const VisibilityBuffer& other, size_t begin, 
   }
 }
 
-Fragment VisibilityBuffer::fragment(size_t pixel) const {
-  const Sample& sample = samples_[pixel];
-  if (sample.key == kEmpty) {
-    return {};
-  }
-  return {std::bit_cast<float>(static_cast<uint32_t>(sample.key >> 32)), static_cast<uint32_t>(sample.key), sample.b1,
-          sample.b2};
-}
-
 }  // namespace ocelli

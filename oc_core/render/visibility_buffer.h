@@ -11,6 +11,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <vector>
 
 #include "oc_core/render/fragment_image.h"
@@ -26,6 +27,46 @@ struct RasterVertex {
   float b2 = 0;
 };
 
+/// Snaps a pixel coordinate to the grid of 1/256 pixel on which triangles are filled.
+inline constexpr int kSubPixelBits = 8;
+inline int64_t snapToSubPixel(float pixels) {
+  return std::llrint(static_cast<double>(pixels) * (1 << kSubPixelBits));
+}
+
+/// Twice the signed area of the triangle on that grid: negative where its vertices run counter-clockwise as seen, which
+/// is its front; 0 where it fills nothing.
+inline int64_t snappedArea(const RasterVertex& a, const RasterVertex& b, const RasterVertex& c) {
+  const int64_t ax = snapToSubPixel(a.u);
+  const int64_t ay = snapToSubPixel(a.v);
+  return (snapToSubPixel(b.u) - ax) * (snapToSubPixel(c.v) - ay) -
+         (snapToSubPixel(b.v) - ay) * (snapToSubPixel(c.u) - ax);
+}
+
+/// A sample as buffers keep it. Keys order samples: bits of z (positive, so ordered as integers), then the triangle.
+struct KeyedSample {
+  static constexpr uint64_t kEmpty = ~uint64_t{0};
+
+  uint64_t key = kEmpty;
+  float b1 = 0;
+  float b2 = 0;
+
+  static uint64_t keyOf(float z, uint32_t triangle) {
+    return static_cast<uint64_t>(std::bit_cast<uint32_t>(z)) << 32 | triangle;
+  }
+  Fragment fragment() const {
+    if (key == kEmpty) {
+      return {};
+    }
+    return {std::bit_cast<float>(static_cast<uint32_t>(key >> 32)), static_cast<uint32_t>(key), b1, b2};
+  }
+};
+
+/// Calls `emit(pixel, z, weights)` for every pixel of a `width` x `height` image that the triangle covers; `weights()`
+/// gives b1 and b2 there.
+template <class Emit>
+void scanTriangle(int width, int height, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
+                  const Emit& emit);
+
 class VisibilityBuffer {
  public:
   /// Image coordinates of vertices must stay within this many pixels of the origin (28.8 fixed point, 64-bit products).
@@ -34,38 +75,36 @@ class VisibilityBuffer {
   VisibilityBuffer(int width, int height)
       : width_(width), height_(height), samples_(static_cast<size_t>(width) * static_cast<size_t>(height)) {}
 
-  void draw(uint32_t triangle, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c);
+  void draw(uint32_t triangle, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c) {
+    scanTriangle(width_, height_, a, b, c, [&](size_t pixel, float z, const auto& weights) {
+      const uint64_t key = KeyedSample::keyOf(z, triangle);
+      if (key < samples_[pixel].key) {
+        const glm::vec2 w = weights();
+        samples_[pixel] = {key, w.x, w.y};
+      }
+    });
+  }
 
   /// Keeps the closer of the two at each pixel in [begin, end).
   void mergePixels(const VisibilityBuffer& other, size_t begin, size_t end);
-  Fragment fragment(size_t pixel) const;
+  Fragment fragment(size_t pixel) const { return samples_[pixel].fragment(); }
 
  private:
-  static constexpr int kSubPixelBits = 8;
-  static constexpr int64_t kOne = 1 << kSubPixelBits;
-  static constexpr uint64_t kEmpty = ~uint64_t{0};
-
-  struct Sample {
-    uint64_t key = kEmpty;  ///< bits of z (positive, so ordered as integers), then the triangle index
-    float b1 = 0;
-    float b2 = 0;
-  };
-
-  static int64_t snap(float pixels) { return std::llrint(static_cast<double>(pixels) * kOne); }
-
   int width_;
   int height_;
-  std::vector<Sample> samples_;
+  std::vector<KeyedSample> samples_;
 };
 
-inline void VisibilityBuffer::draw(uint32_t triangle, const RasterVertex& a, const RasterVertex& b0,
-                                   const RasterVertex& c0) {
-  const int64_t ax = snap(a.u);
-  const int64_t ay = snap(a.v);
-  int64_t bx = snap(b0.u);
-  int64_t by = snap(b0.v);
-  int64_t cx = snap(c0.u);
-  int64_t cy = snap(c0.v);
+template <class Emit>
+void scanTriangle(int width, int height, const RasterVertex& a, const RasterVertex& b0, const RasterVertex& c0,
+                  const Emit& emit) {
+  constexpr int64_t kOne = 1 << kSubPixelBits;
+  const int64_t ax = snapToSubPixel(a.u);
+  const int64_t ay = snapToSubPixel(a.v);
+  int64_t bx = snapToSubPixel(b0.u);
+  int64_t by = snapToSubPixel(b0.v);
+  int64_t cx = snapToSubPixel(c0.u);
+  int64_t cy = snapToSubPixel(c0.v);
   const RasterVertex* b = &b0;
   const RasterVertex* c = &c0;
   int64_t area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
@@ -83,9 +122,9 @@ inline void VisibilityBuffer::draw(uint32_t triangle, const RasterVertex& a, con
   const auto firstCentre = [](int64_t lowest) { return (lowest - kOne / 2 + kOne - 1) >> kSubPixelBits; };
   const auto lastCentre = [](int64_t highest) { return (highest - kOne / 2) >> kSubPixelBits; };
   const int64_t x0 = std::max<int64_t>(firstCentre(std::min({ax, bx, cx})), 0);
-  const int64_t x1 = std::min<int64_t>(lastCentre(std::max({ax, bx, cx})), width_ - 1);
+  const int64_t x1 = std::min<int64_t>(lastCentre(std::max({ax, bx, cx})), width - 1);
   const int64_t y0 = std::max<int64_t>(firstCentre(std::min({ay, by, cy})), 0);
-  const int64_t y1 = std::min<int64_t>(lastCentre(std::max({ay, by, cy})), height_ - 1);
+  const int64_t y1 = std::min<int64_t>(lastCentre(std::max({ay, by, cy})), height - 1);
   if (x0 > x1 || y0 > y1) {
     return;
   }
@@ -120,13 +159,8 @@ inline void VisibilityBuffer::draw(uint32_t triangle, const RasterVertex& a, con
         const float ib = sb * b->inverseZ;
         const float ic = sc * c->inverseZ;
         const float z = 1 / (ia + ib + ic);
-        Sample& sample = samples_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
-        const uint64_t key = static_cast<uint64_t>(std::bit_cast<uint32_t>(z)) << 32 | triangle;
-        if (key < sample.key) {
-          sample.key = key;
-          sample.b1 = (ia * a.b1 + ib * b->b1 + ic * c->b1) * z;
-          sample.b2 = (ia * a.b2 + ib * b->b2 + ic * c->b2) * z;
-        }
+        emit(static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x), z,
+             [&] { return glm::vec2(ia * a.b1 + ib * b->b1 + ic * c->b1, ia * a.b2 + ib * b->b2 + ic * c->b2) * z; });
       }
       wa += ea.stepX;
       wb += eb.stepX;

@@ -15,7 +15,9 @@ using testing::Not;
 RepresentationFigures figures(const std::string& name, size_t strict) {
   RepresentationFigures row;
   row.name = name;
-  row.edges = {.truth = 1000, .strict = strict, .thick = strict / 2};
+  row.edges.truth = 1000;
+  row.edges.strict = strict;
+  row.edges.thick = strict / 2;
   row.strictRatioToDi = static_cast<double>(strict) / 100;
   return row;
 }

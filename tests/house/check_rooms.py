@@ -32,6 +32,7 @@ THIRD_PARTIES = {
     "gtest/": "GTest::gtest",
     "gmock/": "GTest::gmock",
     "benchmark/": "benchmark::benchmark",
+    "GL/": "PkgConfig::OSMesa",
 }
 # Found without a target: the system's own headers.
 SYSTEM_PREFIXES = ("sys/", "unistd.h", "fcntl.h", "stdlib.h", "immintrin.h", "malloc.h")

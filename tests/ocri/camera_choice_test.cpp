@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "oc_core/base/error.h"
+#include "oc_core/ocri/representation.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/ocri/test_scenes.h"
 
@@ -40,25 +41,30 @@ TEST(CameraChoice, everyNameBuildsItsImage) {
     const CameraChoice choice = cameraChoice(name.name);
     EXPECT_EQ(choice.name, name.name);
     EXPECT_STRNE(name.description, "");
-    const ReferenceImages images = buildReferenceImages(choice, smallCamera(), mesh);
-    size_t samples = 0;
-    for (const ReferenceImage& image : images) {
+    const Representation made = buildRepresentation(choice, smallCamera(), mesh);
+    EXPECT_EQ(made.name, name.name);
+    EXPECT_EQ(made.images.empty(), !choice.hasImages()) << name.name;
+    for (const ReferenceImage& image : made.images) {
       EXPECT_EQ(image.camera, name.name);
-      samples += image.sampleCount();
     }
-    EXPECT_GT(samples, static_cast<size_t>(kWidth * kHeight) * 9 / 10);
+    EXPECT_GT(made.mesh.triangles.size(), choice.hasImages() ? static_cast<size_t>(kWidth * kHeight) : 10u)
+        << name.name;
   }
 }
 
-TEST(CameraChoice, namesStandForTheirOptions) {
-  EXPECT_EQ(cameraChoice("di").model, CameraChoice::Model::kDepthImage);
-  EXPECT_EQ(cameraChoice("ppc").model, CameraChoice::Model::kDepthImage);
-  EXPECT_EQ(cameraChoice("ddoc").model, CameraChoice::Model::kDdoc);
-  EXPECT_EQ(cameraChoice("ddoc").ddoc.radius, DdocOptions::Radius::kViewCell);
-  EXPECT_EQ(cameraChoice("ddoc-constant").model, CameraChoice::Model::kDdoc);
-  EXPECT_EQ(cameraChoice("ddoc-constant").ddoc.radius, DdocOptions::Radius::kConstant);
-  EXPECT_EQ(cameraChoice("ddoc-constant").ddoc.constantRadiusPixels, 15);
-  EXPECT_EQ(cameraChoice("ddoc-constant").ddoc.feedbackRounds, 0);
+TEST(CameraChoice, meshesHaveNoImage) {
+  for (const char* name : {"simplified", "simplified-sloppy", "geometry"}) {
+    EXPECT_THAT(errorOf([&] { buildReferenceImages(cameraChoice(name), smallCamera(), test::boxBeforeWall()); }),
+                HasSubstr("is a mesh and has no image"));
+  }
+}
+
+TEST(CameraChoice, layersAreCountedByTheName) {
+  EXPECT_EQ(cameraChoice("ldi-1").count, 1);
+  EXPECT_EQ(cameraChoice("ldi-16").count, 16);
+  for (const char* name : {"ldi-0", "ldi-17", "ldi-", "ldi-04", "ldi-4x"}) {
+    EXPECT_THAT(errorOf([&] { cameraChoice(name); }), HasSubstr(name));
+  }
 }
 
 TEST(CameraChoice, unknownNamesListTheKnownOnes) {
@@ -147,6 +153,37 @@ TEST(RaycastReferenceImage, agreesWithTheRasterisedOne) {
   };
   EXPECT_LE(different("di"), 4u) << "rounding at silhouettes";
   EXPECT_LE(different("ddoc"), 77u) << "a pixel along the box's silhouette, where the field is steepest";
+}
+
+// The images themselves are compared in technique_matrix_test.cpp: here only that each technique is what it says.
+TEST(DrawReferenceImage, techniquesDrawTheSameCamera) {
+  const Mesh mesh = test::boxBeforeWall();
+  for (const char* name : {"di", "rppc", "spoc", "ddoc"}) {
+    const CameraChoice choice = cameraChoice(name);
+    const ReferenceImage cast = drawReferenceImage(Technique::kRaycast, choice, smallCamera(), mesh);
+    const ReferenceImage hybrid = drawReferenceImage(Technique::kHybrid, choice, smallCamera(), mesh);
+    const ReferenceImage points = drawReferenceImage(Technique::kPoints, choice, smallCamera(), mesh);
+    size_t hybridDiffers = 0;
+    size_t pointsLack = 0;
+    for (size_t i = 0; i < cast.z.size(); ++i) {
+      hybridDiffers += std::abs(hybrid.z[i] - cast.z[i]) > 1e-3f;
+      pointsLack += cast.z[i] > 0 && points.z[i] == 0;
+    }
+    EXPECT_EQ(hybrid.camera, name);
+    EXPECT_EQ(points.camera, name);
+    EXPECT_LE(hybridDiffers, 2u) << name << ": rounding";
+    EXPECT_EQ(pointsLack, 0u) << name;
+    // Samples of a splat stand next to the centre of its pixel, those of rays in it.
+    EXPECT_FALSE(test::sameBytes(points.displacement, cast.displacement)) << name;
+  }
+}
+
+TEST(DrawReferenceImage, camerasThatATechniqueCannotDrawAreRefused) {
+  const Mesh mesh = test::boxBeforeWall();
+  for (const Technique technique : {Technique::kPoints, Technique::kHybrid}) {
+    EXPECT_THAT(errorOf([&] { drawReferenceImage(technique, cameraChoice("cell"), smallCamera(), mesh); }),
+                HasSubstr("--method"));
+  }
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "oc_core/ocri/evaluation.h"
+#include "oc_core/evaluation/evaluation_table.h"
 #include "oc_core/scene/scene_source.h"
 
 namespace ocelli {

@@ -61,6 +61,7 @@ TEST(ReferenceImageFile, unionReadsBackPartByPart) {
   ReferenceImage tiled = shifted;
   tiled.rows = ImageRows::kShifted;
   tiled.tileSide = 8;
+  tiled.tileSpacing = 1.25f;
   const ReferenceImages images{ocri(), shifted, tiled};
   writeReferenceImages(folder / "union.exr", images);
   const ReferenceImages back = readReferenceImages(folder / "union.exr");
@@ -70,6 +71,7 @@ TEST(ReferenceImageFile, unionReadsBackPartByPart) {
     EXPECT_EQ(back[i].pinholeSize, images[i].pinholeSize);
     EXPECT_EQ(back[i].rows, images[i].rows);
     EXPECT_EQ(back[i].tileSide, images[i].tileSide);
+    EXPECT_EQ(back[i].tileSpacing, images[i].tileSpacing);
     EXPECT_EQ(back[i].reference().focalPixels(), images[i].reference().focalPixels());
     EXPECT_TRUE(test::sameBytes(back[i].z, images[i].z));
     EXPECT_TRUE(test::sameBytes(back[i].displacement, images[i].displacement));

@@ -100,11 +100,14 @@ std::string goodUnionBytes() {
   return fileBytes(folder / "union.exr");
 }
 
-class ReferenceImageHostileFiles : public ::testing::TestWithParam<std::string (*)()> {};
-INSTANTIATE_TEST_SUITE_P(SingleAndUnion, ReferenceImageHostileFiles, ::testing::Values(&goodBytes, &goodUnionBytes));
+class ReferenceImageHostileFiles : public ::testing::TestWithParam<bool> {
+ protected:
+  static std::string bytes() { return GetParam() ? goodUnionBytes() : goodBytes(); }
+};
+INSTANTIATE_TEST_SUITE_P(OneOrTwoParts, ReferenceImageHostileFiles, ::testing::Bool());
 
 TEST_P(ReferenceImageHostileFiles, truncatedFilesAreRefused) {
-  const std::string good = GetParam()();
+  const std::string good = bytes();
   ASSERT_EQ(errorOf(good), "");
   for (size_t size = 0; size < good.size(); size += size < 600 ? 1 : 97) {
     EXPECT_NE(errorOf(std::string_view(good).substr(0, size)), "") << size;
@@ -113,7 +116,7 @@ TEST_P(ReferenceImageHostileFiles, truncatedFilesAreRefused) {
 }
 
 TEST_P(ReferenceImageHostileFiles, flippedBytesAreRefusedOrHarmless) {
-  const std::string good = GetParam()();
+  const std::string good = bytes();
   size_t refused = 0;
   for (size_t at = 0; at < good.size(); ++at) {
     for (const int flip : {0x01, 0x80, 0xff}) {

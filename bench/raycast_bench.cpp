@@ -1,0 +1,126 @@
+// Reference images of one scene at growing triangle counts: ray-cast against a standing acceleration structure, next to
+// rasterisation, points and hybrid ray casting (chapter 6) in the same run.
+//
+// What it shows: the cost of a ray-cast image is bounded by its pixels, that of the others grows with the scene. Times
+// are processor time, summed over threads, the best of --runs, taken in turn for all techniques: other work on the
+// machine hardly counts.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <ctime>
+#include <functional>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/parallel.h"
+#include "oc_core/camera/spoc_camera.h"
+#include "oc_core/ocri/ddoc_builder.h"
+#include "oc_core/render/hybrid_raycast.h"
+#include "oc_core/render/points.h"
+#include "oc_core/render/rasterize.h"
+#include "oc_core/render/rasterize_subdivided.h"
+#include "oc_core/render/raycast.h"
+#include "oc_core/scene/scene_source.h"
+
+namespace ocelli {
+namespace {
+
+struct BenchChoice {
+  std::string scene = "builtin:statues,triangles={}";
+  std::vector<size_t> triangles{300'000, 4'000'000, 10'000'000};
+  int runs = 3;
+  int threads = 1;
+  int width = kDefaultWidth;
+  int height = kDefaultHeight;
+};
+
+double processorMilliseconds(const std::function<void()>& work) {
+  const std::clock_t start = std::clock();
+  work();
+  return static_cast<double>(std::clock() - start) * 1000 / CLOCKS_PER_SEC;
+}
+
+struct Technique {
+  const char* name;
+  std::function<void()> draw;
+  double best = 1e30;
+};
+
+/// Best times of each technique, ray casting first.
+using Times = std::vector<double>;
+
+template <Camera C>
+Times measure(const char* cameraName, const C& camera, const Mesh& mesh, const RayScene& rays, int runs,
+              const Times& smallest) {
+  std::vector<Technique> techniques{
+      {"ray casting", [&] { raycast(camera, mesh, rays); }}, {"of it, paths", [&] { RayPathTable{camera}; }},
+      {"rasterised", [&] { rasterize(camera, mesh); }},      {"hybrid", [&] { hybridRaycast(camera, mesh); }},
+      {"points", [&] { renderPoints(camera, mesh); }},
+  };
+  for (int run = 0; run <= runs; ++run) {  // the first is not counted
+    for (Technique& technique : techniques) {
+      const double time = processorMilliseconds(technique.draw);
+      technique.best = run > 0 ? std::min(technique.best, time) : technique.best;
+    }
+  }
+  Times times;
+  for (const Technique& technique : techniques) {
+    const size_t i = times.size();
+    times.push_back(technique.best);
+    fmt::print("{:>12} {:<5} {:<13} {:>9.1f} {:>9.2f} {:>9.1f}\n", mesh.triangles.size(), cameraName, technique.name,
+               technique.best, technique.best / (smallest.empty() ? times[i] : smallest[i]),
+               camera.width() * camera.height() / technique.best / 1000);
+  }
+  std::fflush(stdout);
+  return times;
+}
+
+void measureScenes(const BenchChoice& choice) {
+  fmt::print("{} threads, {}x{}, best of {} runs\n\n", threadCount(), choice.width, choice.height, choice.runs);
+  fmt::print("{:>12} {:<5} {:<13} {:>9} {:>9} {:>9}\n", "triangles", "", "", "ms", "x first", "Mpixel/s");
+  std::array<Times, 3> smallest;
+  for (const size_t triangles : choice.triangles) {
+    const Mesh mesh = loadScene(fmt::format(fmt::runtime(choice.scene), triangles));
+    for (const auto quality : {RayScene::Quality::kLow, RayScene::Quality::kMedium}) {
+      fmt::print("{:>12} {:<5} {:<13} {:>9.1f}\n", mesh.triangles.size(), "",
+                 quality == RayScene::Quality::kLow ? "build, low" : "build, medium", processorMilliseconds([&] {
+                   RayScene{mesh, quality};
+                 }));
+    }
+    const RayScene rays(mesh);
+    const PinholeCamera pinhole(View{}, choice.width, choice.height);
+    const std::array<Times, 3> times{
+        measure("di", pinhole, mesh, rays, choice.runs, smallest[0]),
+        measure("spoc", SpocCamera::aroundObject(pinhole, mesh.positions, mesh.positions), mesh, rays, choice.runs,
+                smallest[1]),
+        measure("ddoc", buildDdocCamera(pinhole, mesh), mesh, rays, choice.runs, smallest[2])};
+    smallest = smallest[0].empty() ? times : smallest;
+  }
+}
+
+int run(int argumentCount, char** arguments) {
+  CLI::App program("Ray casting against a standing acceleration structure, at growing triangle counts.");
+  BenchChoice choice;
+  program.add_option("--scene", choice.scene, "Scene, with {} for the triangle count")->capture_default_str();
+  program.add_option("--triangles", choice.triangles, "Triangle counts")->delimiter(',')->capture_default_str();
+  program.add_option("--runs", choice.runs, "Runs a figure")->check(CLI::Range(1, 1000))->capture_default_str();
+  program.add_option("--threads", choice.threads, "0 stands for all cores")->check(CLI::Range(0, 1024));
+  program.add_option("--width", choice.width, "Pixels")->check(CLI::Range(1, 8192))->capture_default_str();
+  program.add_option("--height", choice.height, "Pixels")->check(CLI::Range(1, 8192))->capture_default_str();
+  CLI11_PARSE(program, argumentCount, arguments);
+  setThreadCount(choice.threads);
+  try {
+    measureScenes(choice);
+    return 0;
+  } catch (const Error& error) {
+    fmt::print(stderr, "raycast_bench: error: {}\n", error.what());
+    return 1;
+  }
+}
+
+}  // namespace
+}  // namespace ocelli
+
+int main(int argumentCount, char** arguments) {
+  return ocelli::run(argumentCount, arguments);
+}

@@ -1,0 +1,47 @@
+#include "cli/interrupt.h"
+
+namespace ocelli {
+namespace {
+
+// A signal handler can reach nothing but a global.
+volatile std::sig_atomic_t noted = 0;
+
+void note(int) {
+  noted = 1;
+}
+
+void install(int signal, const struct sigaction& action, struct sigaction& old) {
+  sigaction(signal, &action, &old);
+  if (old.sa_handler == SIG_IGN) {
+    sigaction(signal, &old, nullptr);
+  }
+}
+
+}  // namespace
+
+InterruptGuard::InterruptGuard() {
+  noted = 0;
+  struct sigaction action {};
+  action.sa_handler = note;
+  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  install(SIGINT, action, oldInterrupt_);
+  install(SIGTERM, action, oldTerminate_);
+}
+
+InterruptGuard::~InterruptGuard() {
+  sigaction(SIGINT, &oldInterrupt_, nullptr);
+  sigaction(SIGTERM, &oldTerminate_, nullptr);
+}
+
+bool InterruptGuard::interrupted() const {
+  return noted != 0;
+}
+
+void InterruptGuard::check() const {
+  if (interrupted()) {
+    throw Interrupted{};
+  }
+}
+
+}  // namespace ocelli

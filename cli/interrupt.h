@@ -1,0 +1,28 @@
+// Ctrl-C as something that long work can ask about, so that it ends with what is done written.
+#pragma once
+
+#include <csignal>
+
+namespace ocelli {
+
+/// While it lives, the first SIGINT or SIGTERM is noted; a second one ends the program at once, as it does without
+/// this. At most one lives at a time. Where a signal is ignored (nohup) it stays so.
+class InterruptGuard {
+ public:
+  InterruptGuard();
+  ~InterruptGuard();
+  InterruptGuard(const InterruptGuard&) = delete;
+  InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+  bool interrupted() const;
+  /// Throws Interrupted where interrupted() holds.
+  void check() const;
+
+ private:
+  struct sigaction oldInterrupt_ {};
+  struct sigaction oldTerminate_ {};
+};
+
+struct Interrupted {};
+
+}  // namespace ocelli

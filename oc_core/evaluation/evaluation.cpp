@@ -1,0 +1,248 @@
+#include "oc_core/evaluation/evaluation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <numeric>
+#include <optional>
+
+#include "oc_core/base/parallel.h"
+#include "oc_core/evaluation/error_picture.h"
+#include "oc_core/evaluation/truth_frames.h"
+#include "oc_core/ocri/union_mesh.h"
+#include "oc_core/scene/winding_number.h"
+
+namespace ocelli {
+namespace {
+
+double milliseconds(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+double ratio(double value, double reference) {
+  return reference > 0 ? value / reference : 0;
+}
+
+/// Frames [first, last) of the truth belong together.
+struct Place {
+  size_t first = 0;
+  size_t last = 0;
+};
+
+/// The viewpoints of all places, one after the other.
+class Viewpoints {
+ public:
+  explicit Viewpoints(const EvaluationOptions& options) {
+    edges = add(options.cell.edgeViews(options.view));
+    interior = add(options.cell.interiorViews(options.view, options.interiorViews, options.seed));
+    reference = add({options.view});
+    const std::vector<glm::vec3> directions = options.cell.directions(options.offsetDirections, options.seed);
+    for (const float offset : options.offsets) {
+      std::vector<View> there;
+      for (const glm::vec3& direction : directions) {
+        there.push_back(movedEye(options.view, direction * (offset * options.cell.halfSide())));
+      }
+      offsets.push_back(offset == 0 ? reference : add(there));
+    }
+  }
+
+  std::vector<View> views;
+  Place edges, interior, reference;
+  std::vector<Place> offsets;
+
+ private:
+  Place add(const std::vector<View>& more) {
+    const Place place{views.size(), views.size() + more.size()};
+    views.insert(views.end(), more.begin(), more.end());
+    return place;
+  }
+};
+
+std::vector<PinholeCamera> camerasOf(const std::vector<View>& views, int width, int height) {
+  std::vector<PinholeCamera> cameras;
+  for (const View& view : views) {
+    cameras.emplace_back(view, width, height);
+  }
+  return cameras;
+}
+
+void takeBest(double& best, double time, bool first) {
+  best = first ? time : std::min(best, time);
+}
+
+}  // namespace
+
+std::vector<float> defaultOffsets() {
+  return {0, 0.02f, 0.05f, 0.1f, 0.15f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f, 0.7f, 0.8f, 0.9f, 1};
+}
+
+struct Evaluator::Impl {
+  Impl(const Mesh& mesh, const EvaluationOptions& given)
+      : scene(mesh),
+        options(given),
+        viewpoints(given),
+        truth(mesh, camerasOf(viewpoints.views, given.width, given.height)),
+        surface(mesh) {
+    for (const View& view : viewpoints.views) {
+      requireOutside(
+          scene, view.eye,
+          fmt::format("viewpoint ({:.3g}, {:.3g}, {:.3g}) of the view cell", view.eye.x, view.eye.y, view.eye.z));
+    }
+  }
+
+  const PinholeCamera& reference() const { return truth.camera(viewpoints.reference.first); }
+
+  /// Errors are measured once at each viewpoint, although the reference belongs to two places.
+  class Measured {
+   public:
+    Measured(Impl& impl, const Mesh& mesh, const std::string& name, const Progress& progress)
+        : impl_(impl), mesh_(mesh), name_(name), progress_(progress), errors_(impl.truth.count()) {}
+
+    FrameErrors at(const Place& place, bool pictures) {
+      parallelFor(place.last - place.first, 1, [&](size_t begin, size_t end) {
+        for (size_t i = place.first + begin; i < place.first + end; ++i) {
+          measure(i, pictures);
+        }
+      });
+      FrameErrors sum;
+      for (size_t i = place.first; i < place.last; ++i) {
+        sum += *errors_[i];
+      }
+      return sum;
+    }
+
+   private:
+    void measure(size_t i, bool pictures) {
+      if (errors_[i]) {
+        return;
+      }
+      report(progress_, name_, static_cast<double>(done_++) / static_cast<double>(errors_.size()));
+      const std::shared_ptr<const ViewFrame> truth = impl_.truth.frame(i);
+      const ViewFrame frame = renderFrame(impl_.truth.camera(i), mesh_);
+      errors_[i] = countErrors(compareViewFrames(impl_.truth.camera(i), *truth, frame, impl_.surface), frame);
+      if (pictures) {
+        addPictureErrors(*errors_[i], *truth, frame);
+      }
+    }
+
+    Impl& impl_;
+    const Mesh& mesh_;
+    const std::string& name_;
+    const Progress& progress_;
+    std::vector<std::optional<FrameErrors>> errors_;
+    std::atomic<size_t> done_ = 0;
+  };
+
+  /// The ratios need the depth image, whether or not it is among what is measured.
+  const MissingSamples& missingFromDepthImage() {
+    if (!depthImage) {
+      const Mesh mesh = unionMesh({buildDepthImage(reference(), scene)});
+      MissingSamples missing;
+      for (size_t i = viewpoints.edges.first; i < viewpoints.edges.last; ++i) {
+        missing +=
+            countMissing(compareFrames(truth.camera(i), truth.frame(i)->points, positionImage(truth.camera(i), mesh)));
+      }
+      depthImage = missing;
+    }
+    return *depthImage;
+  }
+
+  const Mesh& scene;
+  EvaluationOptions options;
+  Viewpoints viewpoints;
+  TruthFrames truth;
+  RayScene surface;
+  std::optional<MissingSamples> depthImage;
+};
+
+Evaluator::Evaluator(const Mesh& scene, const EvaluationOptions& options)
+    : impl_(std::make_unique<Impl>(scene, options)) {}
+
+Evaluator::~Evaluator() = default;
+
+RepresentationFigures Evaluator::measure(const CameraChoice& choice, const Progress& progress,
+                                         const MeshVisitor& visit) {
+  return measure(
+      choice.name,
+      [&](RepresentationTimes& times) {
+        return buildRepresentation(choice, impl_->reference(), impl_->scene, progress, &times);
+      },
+      progress, visit);
+}
+
+RepresentationFigures Evaluator::measure(const std::string& name, const MakeRepresentation& make,
+                                         const Progress& progress, const MeshVisitor& visit) {
+  const EvaluationOptions& options = impl_->options;
+  RepresentationFigures figures;
+  figures.name = name;
+  Representation made;
+  for (int run = 0; run < std::max(options.runs, 1); ++run) {
+    report(progress, name, 0);
+    RepresentationTimes times;
+    made = make(times);
+    const bool first = run == 0;
+    takeBest(figures.buildMilliseconds, times.buildMilliseconds, first);
+    takeBest(figures.meshMilliseconds, times.meshMilliseconds, first);
+    // No representation reuses anything of an earlier one yet, so a changed scene costs as much as a new one.
+    takeBest(figures.updateMilliseconds, times.buildMilliseconds + times.meshMilliseconds, first);
+    if (options.slice) {
+      takeBest(figures.sliceMilliseconds, milliseconds([&] { options.slice(made.mesh); }), first);
+    }
+  }
+  figures.triangles = made.mesh.triangles.size();
+  figures.samples = made.sampleCount();
+  figures.pixels = made.pixelCount();
+  if (made.images.empty()) {
+    figures.bytes = storedSize(made.mesh);
+  }
+  for (const ReferenceImage& image : made.images) {
+    figures.bytes += storedSize(image);
+  }
+  Impl::Measured measured(*impl_, made.mesh, name, progress);
+  figures.edges = measured.at(impl_->viewpoints.edges, options.comparePictures);
+  figures.interior = measured.at(impl_->viewpoints.interior, options.comparePictures);
+  figures.reference = measured.at(impl_->viewpoints.reference, options.comparePictures);
+  for (const Place& place : impl_->viewpoints.offsets) {
+    figures.offsets.push_back(measured.at(place, false));
+  }
+  figures.strictRatioToDi = ratio(figures.edges.strictRatio(), impl_->missingFromDepthImage().strictRatio());
+  figures.thickRatioToDi = ratio(figures.edges.thickRatio(), impl_->missingFromDepthImage().thickRatio());
+  if (visit) {
+    visit(made.mesh);
+  }
+  report(progress, name, 1);
+  return figures;
+}
+
+View Evaluator::exampleView() const {
+  const ViewCell& cell = impl_->options.cell;
+  const glm::vec3 left = cell.shape == ViewCell::Shape::kSegment ? cell.directions(2, 0).back() : glm::vec3(-1, 0, 0);
+  return movedEye(impl_->options.view, left * cell.halfSide());
+}
+
+Image<Rgb8> Evaluator::examplePicture() const {
+  return renderFrame({exampleView(), impl_->options.width, impl_->options.height}, impl_->scene).picture;
+}
+
+Evaluator::Example Evaluator::example(const Mesh& mesh) const {
+  const PinholeCamera camera(exampleView(), impl_->options.width, impl_->options.height);
+  const ViewFrame truth = renderFrame(camera, impl_->scene);
+  const ViewFrame frame = renderFrame(camera, mesh);
+  return {frame.picture, errorPicture(truth, compareViewFrames(camera, truth, frame, impl_->surface))};
+}
+
+std::vector<RepresentationFigures> evaluate(const Mesh& mesh, const std::vector<CameraChoice>& choices,
+                                            const EvaluationOptions& options, const Progress& progress) {
+  Evaluator evaluator(mesh, options);
+  std::vector<RepresentationFigures> rows;
+  for (const CameraChoice& choice : choices) {
+    rows.push_back(evaluator.measure(choice, progress));
+  }
+  return rows;
+}
+
+}  // namespace ocelli

@@ -1,0 +1,63 @@
+#include "oc_core/evaluation/frame_errors.h"
+
+#include <algorithm>
+
+#include "oc_core/evaluation/flip.h"
+#include "oc_core/evaluation/image_quality.h"
+#include "oc_core/render/rasterize.h"
+
+namespace ocelli {
+
+ViewFrame renderFrame(const PinholeCamera& camera, const Mesh& mesh) {
+  const FragmentImage fragments = rasterize(camera, mesh);
+  return {positionImage(fragments, mesh), srgbFromLinear(colorImage(fragments, mesh, glm::vec3(0)))};
+}
+
+FrameComparison compareViewFrames(const PinholeCamera& camera, const ViewFrame& truth, const ViewFrame& frame,
+                                  const RayScene& scene) {
+  FrameComparison comparison;
+  comparison.states = compareFrames(camera, truth.points, frame.points);
+  comparison.wrongFronts = wrongFronts(camera, truth.points, frame.points, comparison.states);
+  comparison.falseSkins = falseSkins(camera, truth.points, frame.points, scene);
+  return comparison;
+}
+
+FrameErrors& FrameErrors::operator+=(const FrameErrors& other) {
+  MissingSamples::operator+=(other);
+  wrongFront += other.wrongFront;
+  frame += other.frame;
+  falseSkin += other.falseSkin;
+  pictures += other.pictures;
+  squaredError += other.squaredError;
+  ssim += other.ssim;
+  flip += other.flip;
+  return *this;
+}
+
+double FrameErrors::meanPsnrDecibels() const {
+  return pictures > 0 ? psnrDecibels(mean(squaredError, pictures)) : 0;
+}
+
+FrameErrors countErrors(const FrameComparison& comparison, const ViewFrame& frame) {
+  const auto marked = [](const Image<uint8_t>& map) {
+    return static_cast<size_t>(std::count(map.begin(), map.end(), uint8_t{1}));
+  };
+  FrameErrors errors;
+  errors.MissingSamples::operator+=(countMissing(comparison.states));
+  errors.wrongFront = marked(comparison.wrongFronts);
+  errors.frame = static_cast<size_t>(
+      std::count_if(frame.points.begin(), frame.points.end(), [](const glm::vec4& p) { return p.w > 0; }));
+  errors.falseSkin = marked(comparison.falseSkins);
+  return errors;
+}
+
+void addPictureErrors(FrameErrors& errors, const ViewFrame& truth, const ViewFrame& frame) {
+  FrameErrors picture;
+  picture.pictures = 1;
+  picture.squaredError = meanSquaredError(truth.picture, frame.picture);
+  picture.ssim = ssim(truth.picture, frame.picture);
+  picture.flip = flip(truth.picture, frame.picture);
+  errors += picture;
+}
+
+}  // namespace ocelli

@@ -1,0 +1,27 @@
+#include "oc_core/evaluation/truth_frames.h"
+
+namespace ocelli {
+
+TruthFrames::TruthFrames(const Mesh& scene, std::vector<PinholeCamera> cameras, size_t mostBytes)
+    : scene_(scene), cameras_(std::move(cameras)), mostBytes_(mostBytes), frames_(cameras_.size()) {}
+
+std::shared_ptr<const ViewFrame> TruthFrames::frame(size_t index) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (frames_[index]) {
+      return frames_[index];
+    }
+  }
+  // Without the lock: a thread that waits for its part of a picture may be given another viewpoint meanwhile.
+  auto frame = std::make_shared<const ViewFrame>(renderFrame(cameras_[index], scene_));
+  const size_t bytes = frame->points.size() * (sizeof(glm::vec4) + sizeof(Rgb8));
+  const std::scoped_lock lock(mutex_);
+  if (!frames_[index] && bytes_ + bytes <= mostBytes_) {
+    bytes_ += bytes;
+    ++kept_;
+    frames_[index] = frame;
+  }
+  return frame;
+}
+
+}  // namespace ocelli

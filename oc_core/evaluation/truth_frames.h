@@ -1,0 +1,36 @@
+// What the scene shows from many viewpoints: rendered when first asked for, and kept as long as there is room.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "oc_core/evaluation/frame_errors.h"
+
+namespace ocelli {
+
+class TruthFrames {
+ public:
+  /// Frames that would take more memory than this together are rendered anew each time.
+  static constexpr size_t kMostBytes = size_t{1} << 30;
+
+  /// `scene` must outlive it.
+  TruthFrames(const Mesh& scene, std::vector<PinholeCamera> cameras, size_t mostBytes = kMostBytes);
+
+  size_t count() const { return cameras_.size(); }
+  const PinholeCamera& camera(size_t index) const { return cameras_[index]; }
+  /// May be called from several threads.
+  std::shared_ptr<const ViewFrame> frame(size_t index);
+  size_t keptFrames() const { return kept_; }
+
+ private:
+  const Mesh& scene_;
+  std::vector<PinholeCamera> cameras_;
+  size_t mostBytes_;
+  std::mutex mutex_;  ///< guards what follows
+  size_t bytes_ = 0;
+  size_t kept_ = 0;
+  std::vector<std::shared_ptr<const ViewFrame>> frames_;
+};
+
+}  // namespace ocelli

@@ -1,0 +1,273 @@
+#include "oc_core/ocri/cell_builder.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "oc_core/base/parallel.h"
+#include "oc_core/ocri/coverage.h"
+#include "oc_core/ocri/image_mesh.h"
+#include "oc_core/ocri/set_difference.h"
+#include "oc_core/render/rasterize.h"
+
+namespace ocelli {
+namespace {
+
+/// Samples stored for each one of a satellite: tiles repeat the first row and column of the next ones.
+constexpr float kTileOverhead = 16.0f * 16 / (15 * 15);
+
+/// The i-th number of the van der Corput sequence in a base: points spread evenly over [0, 1).
+float radicalInverse(int i, int base) {
+  float value = 0;
+  float digit = 1.0f / static_cast<float>(base);
+  for (; i > 0; i /= base) {
+    value += static_cast<float>(i % base) * digit;
+    digit /= static_cast<float>(base);
+  }
+  return value;
+}
+
+/// Corners of the cell first, those that face each other one after the other, then points spread over the cell.
+std::vector<View> satelliteViews(const View& reference, const CellOptions& options) {
+  const float half = options.cell.sideRadii / 2;
+  constexpr std::array<glm::vec3, 8> kCorners{
+      {{-1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}, {1, 1, 1}, {-1, 1, 1}, {1, -1, 1}}};
+  std::vector<View> views;
+  for (int i = 0; i < options.mostSatellites; ++i) {
+    const auto corner = static_cast<size_t>(i);
+    const int point = i - static_cast<int>(kCorners.size()) + 1;
+    const glm::vec3 place =
+        corner < kCorners.size()
+            ? kCorners[corner]
+            : glm::vec3(radicalInverse(point, 2), radicalInverse(point, 3), radicalInverse(point, 5)) * 2.0f - 1.0f;
+    views.push_back(movedEye(reference, place * half));
+  }
+  return views;
+}
+
+/// World positions of the samples, w = 0 where there is none.
+Image<glm::vec4> positionsOf(const ReferenceImage& image) {
+  const PinholeCamera camera = image.reference();
+  Image<glm::vec4> positions(image.width(), image.height(), glm::vec4(0));
+  parallelFor(static_cast<size_t>(image.height()), 8, [&](size_t begin, size_t end) {
+    for (size_t row = begin; row < end; ++row) {
+      const int y = static_cast<int>(row);
+      for (int x = 0; x < image.width(); ++x) {
+        if (const auto point = camera.unproject(image.undistorted(x, y))) {
+          positions(x, y) = glm::vec4(*point, 1);
+        }
+      }
+    }
+  });
+  return positions;
+}
+
+bool isMissing(SampleState state) {
+  return state == SampleState::kMissing || state == SampleState::kMissingThick;
+}
+
+/// Marks the missing pixels that lie in groups of at least `least`, neighbours along rows, columns and diagonals.
+Image<uint8_t> missingGroups(const Image<SampleState>& states, int least) {
+  Image<uint8_t> marks(states.width(), states.height(), 0);
+  Image<uint8_t> visited(states.width(), states.height(), 0);
+  std::vector<glm::ivec2> group;
+  for (int y = 0; y < states.height(); ++y) {
+    for (int x = 0; x < states.width(); ++x) {
+      if (!isMissing(states(x, y)) || visited(x, y) != 0) {
+        continue;
+      }
+      group.assign(1, {x, y});
+      visited(x, y) = 1;
+      for (size_t next = 0; next < group.size(); ++next) {
+        const glm::ivec2 p = group[next];
+        for (int v = p.y - 1; v <= p.y + 1; ++v) {
+          for (int u = p.x - 1; u <= p.x + 1; ++u) {
+            if (states.contains(u, v) && isMissing(states(u, v)) && visited(u, v) == 0) {
+              visited(u, v) = 1;
+              group.push_back({u, v});
+            }
+          }
+        }
+      }
+      if (group.size() >= static_cast<size_t>(least)) {
+        for (const glm::ivec2& p : group) {
+          marks(p.x, p.y) = 1;
+        }
+      }
+    }
+  }
+  return marks;
+}
+
+/// What one viewpoint sees, and what of it is stored.
+struct Part {
+  PinholeCamera camera;
+  Image<glm::vec4> truth;
+  ReferenceImage image;
+  size_t firstVertex = 0;  ///< of its mesh in the mesh of all
+  std::vector<uint32_t> pixelOfVertex{};
+};
+
+/// Appends the mesh of the part.
+void appendPart(Mesh& mesh, Part& part) {
+  part.firstVertex = mesh.positions.size();
+  append(mesh, imageMesh(part.image, {}, &part.pixelOfVertex));
+}
+
+Mesh meshOf(std::vector<Part>& parts) {
+  Mesh mesh;
+  for (Part& part : parts) {
+    appendPart(mesh, part);
+  }
+  return mesh;
+}
+
+/// Takes out the satellite samples whose triangles lie in front of what a viewpoint sees. Returns how many.
+size_t removeHarmful(std::vector<Part>& parts, const Mesh& mesh) {
+  std::vector<Image<uint8_t>> harm;
+  for (const Part& part : parts) {
+    harm.emplace_back(part.image.width(), part.image.height(), 0);
+  }
+  for (const Part& viewer : parts) {
+    const FragmentImage frame = rasterize(viewer.camera, mesh);
+    const Image<SampleState> states = compareFrames(viewer.camera, viewer.truth, positionImage(viewer.camera, mesh));
+    for (int y = 0; y < frame.height(); ++y) {
+      for (int x = 0; x < frame.width(); ++x) {
+        if (!isMissing(states(x, y)) || !frame(x, y).covered() ||
+            frame(x, y).z >= viewer.camera.cameraFromWorld(glm::vec3(viewer.truth(x, y))).z) {
+          continue;
+        }
+        const glm::uvec3& triangle = mesh.triangles[frame(x, y).triangle];
+        size_t owner = parts.size() - 1;
+        while (parts[owner].firstVertex > triangle.x) {
+          --owner;
+        }
+        for (int corner = 0; corner < 3 && owner > 0; ++corner) {
+          uint8_t& count = harm[owner][parts[owner].pixelOfVertex[triangle[corner] - parts[owner].firstVertex]];
+          count = static_cast<uint8_t>(std::min(count + 1, 255));
+        }
+      }
+    }
+  }
+  size_t removed = 0;
+  for (size_t i = 1; i < parts.size(); ++i) {
+    for (size_t pixel = 0; pixel < harm[i].size(); ++pixel) {
+      if (harm[i][pixel] > 0 && parts[i].image.z[pixel] > 0) {
+        parts[i].image.z[pixel] = 0;
+        ++removed;
+      }
+    }
+  }
+  return removed;
+}
+
+/// The reference part, and the satellites that add to it; nothing where they come to more than `mostSamples`.
+std::optional<std::vector<Part>> findParts(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
+                                           float spacing, bool mayStop, const Progress& progress) {
+  std::vector<Part> parts;
+  parts.push_back({reference, {}, buildDepthImage(reference, mesh)});
+  parts[0].truth = positionsOf(parts[0].image);
+  size_t samples = parts[0].image.sampleCount();
+  const auto share = [&](float relative) { return static_cast<size_t>(relative * static_cast<float>(samples)); };
+  const size_t least = share(options.leastShare);
+  const size_t most = share(options.mostSamples);
+  Mesh held;
+  appendPart(held, parts[0]);
+
+  const auto scaled = [&](int pixels) {
+    return std::max(static_cast<int>(std::lround(static_cast<float>(pixels) / spacing)), 1);
+  };
+  const std::vector<View> views = satelliteViews(reference.view(), options);
+  for (size_t i = 0; i < views.size(); ++i) {
+    report(progress, "satellites", static_cast<double>(i) / static_cast<double>(views.size()));
+    const PinholeCamera camera(views[i], scaled(reference.width()), scaled(reference.height()));
+    Part part{camera, {}, buildDepthImage(camera, mesh)};
+    part.truth = positionsOf(part.image);
+    Image<uint8_t> marks =
+        missingGroups(compareFrames(camera, part.truth, positionImage(camera, held)), options.leastGroup);
+    if (static_cast<size_t>(std::count(marks.begin(), marks.end(), 1)) <= least) {
+      continue;
+    }
+    for (int step = 0; step < options.seamPixels; ++step) {
+      growAlongSurface(marks, part.image);
+    }
+    keepMarked(part.image, marks);
+    samples += static_cast<size_t>(kTileOverhead * static_cast<float>(part.image.sampleCount()));
+    if (samples > most) {
+      if (mayStop) {
+        return parts;
+      }
+      return std::nullopt;
+    }
+    appendPart(held, part);
+    parts.push_back(std::move(part));
+  }
+  for (int round = 0; round < options.feedbackRounds; ++round) {
+    report(progress, "do no harm", static_cast<double>(round) / options.feedbackRounds);
+    if (removeHarmful(parts, held) == 0) {
+      break;
+    }
+    held = meshOf(parts);
+  }
+  report(progress, "do no harm", 1);
+  return parts;
+}
+
+}  // namespace
+
+CellCamera buildCellCamera(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
+                           const Progress& progress) {
+  // From pixel to pixel where the samples suffice, then coarser and coarser.
+  constexpr float kCoarser = 1.12f;
+  std::optional<std::vector<Part>> parts;
+  for (float spacing = 1; !parts; spacing *= kCoarser) {
+    const bool last = spacing * kCoarser > options.coarsestSpacing;
+    parts = findParts(reference, mesh, options, spacing, last, progress);
+  }
+  std::vector<CellCamera::Viewpoint> viewpoints;
+  for (Part& part : *parts) {
+    viewpoints.push_back({part.camera, std::move(part.image.z)});
+  }
+  for (float& reach : viewpoints[0].reach) {
+    reach = reach > 0 ? reach : reference.view().zFar;
+  }
+  return CellCamera(std::move(viewpoints));
+}
+
+ReferenceImage cellImage(const CellCamera& camera, const FragmentImage& fragments, const Mesh& mesh) {
+  const PinholeCamera& reference = camera.reference();
+  ReferenceImage image = referenceImage(fragments, mesh, reference, "cell");
+  image.pinholeSize = {reference.width(), reference.height()};
+  image.tileSide = CellCamera::kTileSide;
+  if (camera.viewpoints().size() > 1) {
+    image.tileSpacing = reference.focalPixels() / camera.viewpoints()[1].camera.focalPixels();
+  }
+  return image;
+}
+
+ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh) {
+  FragmentImage fragments(camera.width(), camera.height());
+  const auto copy = [&](size_t viewpoint, const FragmentImage& seen, const glm::ivec2& from, const glm::ivec2& extent,
+                        const glm::ivec2& to) {
+    const Image<float>& reach = camera.viewpoints()[viewpoint].reach;
+    for (int y = 0; y < extent.y; ++y) {
+      for (int x = 0; x < extent.x; ++x) {
+        if (reach.contains(from.x + x, from.y + y) && reach(from.x + x, from.y + y) > 0) {
+          fragments(to.x + x, to.y + y) = seen(from.x + x, from.y + y);
+        }
+      }
+    }
+  };
+  const PinholeCamera& reference = camera.reference();
+  copy(0, rasterize(reference, mesh), {0, 0}, {reference.width(), reference.height()}, {0, 0});
+  for (size_t tile = 0; tile < camera.tiles().size();) {
+    const size_t viewpoint = camera.tiles()[tile].viewpoint;
+    const FragmentImage seen = rasterize(camera.viewpoints()[viewpoint].camera, mesh);
+    for (; tile < camera.tiles().size() && camera.tiles()[tile].viewpoint == viewpoint; ++tile) {
+      copy(viewpoint, seen, camera.tiles()[tile].corner, glm::ivec2(CellCamera::kTileSide), camera.cornerOf(tile));
+    }
+  }
+  return cellImage(camera, fragments, mesh);
+}
+
+}  // namespace ocelli

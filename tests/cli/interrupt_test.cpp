@@ -1,0 +1,51 @@
+#include "cli/interrupt.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+namespace ocelli {
+namespace {
+
+TEST(InterruptGuard, notesTheFirstSignal) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const InterruptGuard guard;
+    EXPECT_FALSE(guard.interrupted());
+    EXPECT_NO_THROW(guard.check());
+    std::raise(signal);
+    EXPECT_TRUE(guard.interrupted());
+    EXPECT_THROW(guard.check(), Interrupted);
+  }
+}
+
+TEST(InterruptGuardDeathTest, theSecondSignalEndsTheProgram) {
+  EXPECT_EXIT(
+      {
+        const InterruptGuard guard;
+        std::raise(SIGINT);
+        std::raise(SIGINT);
+      },
+      testing::KilledBySignal(SIGINT), "");
+}
+
+TEST(InterruptGuardDeathTest, withoutItTheFirstOneDoes) {
+  EXPECT_EXIT(
+      {
+        { const InterruptGuard guard; }
+        std::raise(SIGINT);
+      },
+      testing::KilledBySignal(SIGINT), "");
+}
+
+TEST(InterruptGuard, leavesAnIgnoredSignalIgnored) {
+  std::signal(SIGINT, SIG_IGN);
+  {
+    const InterruptGuard guard;
+    std::raise(SIGINT);
+    EXPECT_FALSE(guard.interrupted());
+  }
+  EXPECT_EQ(std::signal(SIGINT, SIG_DFL), SIG_IGN);
+}
+
+}  // namespace
+}  // namespace ocelli
