@@ -60,6 +60,7 @@ class EpipolarCamera {
   };
 
   /// The eye of `base` is L, `right` is R; one list of edges a row of EpipolarLines(base, right), from left to right.
+  /// Throws InputError where EpipolarLines does, and where the columns are more than an image may have.
   EpipolarCamera(const PinholeCamera& base, const glm::vec3& right,
                  const std::vector<std::vector<EpipolarEdge>>& rowEdges);
 
