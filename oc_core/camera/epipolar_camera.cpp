@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "oc_core/base/check.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -43,6 +44,10 @@ EpipolarCamera::EpipolarCamera(const PinholeCamera& base, const glm::vec3& right
     }
     rowFirst_.push_back(shadows_.size());
     width_ = std::max(width_, lines_.length(row) + shift);
+  }
+  if (int64_t{width_} * rows > PinholeCamera::kMostPixels) {
+    throw InputError("an image of " + std::to_string(width_) + "x" + std::to_string(rows) + " pixels cannot be made",
+                     "view segment", "choose a shorter segment or a smaller image");
   }
 
   const auto stride = static_cast<size_t>(lines_.longest()) + 1;

@@ -60,6 +60,7 @@ class EpipolarCamera {
   };
 
   /// The eye of `base` is L, `right` is R; one list of edges a row of EpipolarLines(base, right), from left to right.
+  /// Throws InputError where EpipolarLines does, and where the columns are more than an image may have.
   EpipolarCamera(const PinholeCamera& base, const glm::vec3& right,
                  const std::vector<std::vector<EpipolarEdge>>& rowEdges);
 
@@ -107,5 +108,10 @@ class EpipolarCamera {
 };
 
 static_assert(Camera<EpipolarCamera>);
+
+/// As for cameras that displace the image of a pinhole (distorted_pinhole.h): the one that z is measured along.
+inline const PinholeCamera& referenceOf(const EpipolarCamera& camera) {
+  return camera.base();
+}
 
 }  // namespace ocelli

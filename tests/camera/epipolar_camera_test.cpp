@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "oc_core/base/error.h"
 #include "tests/camera/random_edges.h"
 #include "tests/ocri/test_scenes.h"
 
@@ -154,6 +155,12 @@ TEST(EpipolarCamera, theRightmostShadowWins) {
   // Half a pixel of R's image behind the first edge, where nobody sees past the second one: the first column added.
   const double w = 1 / 9.0 - 0.6 / disparity;
   EXPECT_NEAR(columnOf(camera, 39.9, 1 / w), 40 - 18 + 0.5 + 18, 5e-3);
+}
+
+TEST(EpipolarCamera, refusesMoreColumnsThanAnImageMayHave) {
+  RowEdges rows(kHeight);
+  rows[kRow] = {{50, 40, 2'000'000, 1 / 9.0f}};
+  EXPECT_THROW(EpipolarCamera(smallCamera(), kRight, rows), InputError);
 }
 
 TEST(EpipolarCameraDeathTest, edgesThatMakeNoSenseAreBugs) {
