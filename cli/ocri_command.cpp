@@ -20,6 +20,7 @@ struct BuildChoice {
   std::string camera = "ddoc";
   std::string view;
   std::string size = "720x480";
+  std::string construction = "auto";
   std::string output;
 };
 
@@ -30,18 +31,28 @@ void addBuild(CLI::App& ocri, const Frame& frame) {
   addCameraOption(command, choice->camera);
   addViewOption(command, choice->view);
   addSizeOption(command, choice->size);
+  command
+      .add_option("--construction", choice->construction,
+                  "By rasterisation or by rays; rays build an acceleration structure (BVH) first, which takes longer "
+                  "than rasterising one image of any scene: auto rasterises")
+      ->type_name("auto|raster|rays")
+      ->capture_default_str();
   addOutputOption(command, choice->output, "Where the image goes", {".exr"});
   frame.finish(command,
                "  ocelli ocri build builtin:statues -o statues.exr\n"
                "  ocelli ocri build bunny.obj --camera di --size 180x120 -o bunny.exr",
                [choice, frame] {
                  checkWritable(choice->output);
+                 const Construction construction = constructionFromText(choice->construction, "--construction");
                  const CameraChoice camera = cameraChoice(choice->camera);
                  const ImageSize size = imageSizeFromText(choice->size, "--size");
                  const PinholeCamera reference(readViewOption(choice->view), size.width, size.height);
                  const Mesh mesh = loadScene(choice->scene.source, choice->scene.options, frame.progress());
-                 const ReferenceImages images = buildReferenceImages(camera, reference, mesh, frame.progress());
+                 ConstructionReport report;
+                 const ReferenceImages images =
+                     buildReferenceImages(camera, reference, mesh, frame.progress(), construction, nullptr, &report);
                  writeReferenceImages(choice->output, images);
+                 frame.note("constructed " + describe(report));
                  for (const ReferenceImage& image : images) {
                    frame.note(fmt::format("wrote {}: {} of {}x{}, {} samples", choice->output, image.camera,
                                           image.width(), image.height(), image.sampleCount()));

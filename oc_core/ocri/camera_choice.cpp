@@ -1,6 +1,7 @@
 #include "oc_core/ocri/camera_choice.h"
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 
 #include "oc_core/base/error.h"
@@ -172,8 +173,9 @@ ReferenceImages layeredDepthImage(const PinholeCamera& reference, const Mesh& me
   return images;
 }
 
-ReferenceImages spocUnion(const PinholeCamera& reference, const Mesh& mesh) {
-  ReferenceImages images{buildDepthImage(reference, mesh), buildSpocImage(buildSpocCamera(reference, mesh), mesh)};
+ReferenceImages spocUnion(const PinholeCamera& reference, const Mesh& mesh, const RayScene* rays) {
+  ReferenceImages images{buildDepthImage(reference, mesh, rays),
+                         buildSpocImage(buildSpocCamera(reference, mesh, {}, rays), mesh, rays)};
   subtract(images[1], images[0], [&](const glm::vec3& point) { return reference.project(point); });
   images[1].triangleBound = 0;
   return images;
@@ -181,7 +183,7 @@ ReferenceImages spocUnion(const PinholeCamera& reference, const Mesh& mesh) {
 
 /// Two EOCs whose segments cross at the reference eye, and a DDOC if wanted; each without what those before it hold.
 ReferenceImages crossedEocs(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh, bool withDdoc,
-                            const Progress& progress) {
+                            const Progress& progress, const RayScene* rays) {
   ReferenceImages images;
   std::vector<Projection> projections;
   const auto add = [&](ReferenceImage image, Projection projection) {
@@ -193,24 +195,24 @@ ReferenceImages crossedEocs(const CameraChoice& choice, const PinholeCamera& ref
     projections.push_back(std::move(projection));
   };
   for (const glm::vec3& direction : {kHorizontalSegment, kVerticalSegment}) {
-    const auto camera = std::make_shared<EpipolarCamera>(
-        buildEpipolarCamera(reference, segmentAround(reference.view(), direction, choice.cellSideRadii), mesh));
-    add(buildEocImage(*camera, mesh), [camera](const glm::vec3& point) { return camera->project(point); });
+    const ViewSegment segment = segmentAround(reference.view(), direction, choice.cellSideRadii);
+    const auto camera = std::make_shared<EpipolarCamera>(buildEpipolarCamera(reference, segment, mesh, {}, rays));
+    add(buildEocImage(*camera, mesh, rays), [camera](const glm::vec3& point) { return camera->project(point); });
   }
   if (withDdoc) {
-    const auto camera = std::make_shared<DdocCamera>(buildDdocCamera(reference, mesh, choice.ddoc, progress));
-    add(buildDdocImage(*camera, mesh, choice.ddoc.subdivision),
+    const auto camera = std::make_shared<DdocCamera>(buildDdocCamera(reference, mesh, choice.ddoc, progress, rays));
+    add(buildDdocImage(*camera, mesh, choice.ddoc.subdivision, rays),
         [camera](const glm::vec3& point) { return camera->project(point); });
   }
   return images;
 }
 
 ReferenceImages imagesOf(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
-                         const Progress& progress) {
+                         const Progress& progress, const RayScene* rays) {
   const ViewCell cell{.sideRadii = choice.cellSideRadii};
   switch (choice.model) {
     case CameraChoice::Model::kDepthImage:
-      return {buildDepthImage(reference, mesh)};
+      return {buildDepthImage(reference, mesh, rays)};
     case CameraChoice::Model::kWideDepthImage:
       return {buildWideDepthImage(reference, mesh, wideFactor(reference, mesh, cell))};
     case CameraChoice::Model::kCornerDepthImages:
@@ -220,20 +222,20 @@ ReferenceImages imagesOf(const CameraChoice& choice, const PinholeCamera& refere
     case CameraChoice::Model::kReversePinhole:
       return {buildReversePinholeImage(buildReversePinhole(reference, mesh), reference, mesh)};
     case CameraChoice::Model::kSpoc:
-      return {buildSpocImage(buildSpocCamera(reference, mesh), mesh)};
+      return {buildSpocImage(buildSpocCamera(reference, mesh, {}, rays), mesh, rays)};
     case CameraChoice::Model::kSpocUnion:
-      return spocUnion(reference, mesh);
+      return spocUnion(reference, mesh, rays);
     case CameraChoice::Model::kDdoc:
-      return {buildDdocImage(reference, mesh, choice.ddoc, progress)};
+      return {buildDdocImage(reference, mesh, choice.ddoc, progress, rays)};
     case CameraChoice::Model::kEoc:
       return {buildEocImage(reference, segmentAround(reference.view(), choice.segmentDirection, choice.cellSideRadii),
-                            mesh)};
+                            mesh, {}, rays)};
     case CameraChoice::Model::kCrossedEocs:
-      return crossedEocs(choice, reference, mesh, false, progress);
+      return crossedEocs(choice, reference, mesh, false, progress, rays);
     case CameraChoice::Model::kCrossedEocsDdoc:
-      return crossedEocs(choice, reference, mesh, true, progress);
+      return crossedEocs(choice, reference, mesh, true, progress, rays);
     case CameraChoice::Model::kCell:
-      return {buildCellImage(buildCellCamera(reference, mesh, choice.cell, progress), mesh)};
+      return {buildCellImage(buildCellCamera(reference, mesh, choice.cell, progress, rays), mesh, rays)};
     case CameraChoice::Model::kSimplified:
     case CameraChoice::Model::kSimplifiedSloppy:
     case CameraChoice::Model::kGeometry:
@@ -241,6 +243,48 @@ ReferenceImages imagesOf(const CameraChoice& choice, const PinholeCamera& refere
                        "measure it with `ocelli evaluate`, or write the scene with `ocelli scene export`");
   }
   OC_CHECK(false, "every camera model has a builder");
+}
+
+/// Triangles from which on rays are faster; nothing for models that are built by rasterisation only.
+std::optional<size_t> rayCrossover(CameraChoice::Model model) {
+  switch (model) {
+    case CameraChoice::Model::kDepthImage:
+      return RayCrossover::kDepthImage;
+    case CameraChoice::Model::kSpoc:
+    case CameraChoice::Model::kSpocUnion:
+      return RayCrossover::kSpoc;
+    case CameraChoice::Model::kDdoc:
+      return RayCrossover::kDdoc;
+    case CameraChoice::Model::kEoc:
+    case CameraChoice::Model::kCrossedEocs:
+    case CameraChoice::Model::kCrossedEocsDdoc:
+      return RayCrossover::kEoc;
+    case CameraChoice::Model::kCell:
+      return RayCrossover::kCell;
+    case CameraChoice::Model::kWideDepthImage:
+    case CameraChoice::Model::kCornerDepthImages:
+    case CameraChoice::Model::kLayeredDepthImage:
+    case CameraChoice::Model::kReversePinhole:
+    case CameraChoice::Model::kSimplified:
+    case CameraChoice::Model::kSimplifiedSloppy:
+    case CameraChoice::Model::kGeometry:
+      return std::nullopt;
+  }
+  OC_CHECK(false, "every camera model is known");
+}
+
+/// The ends of the segments of epipolar cameras; those that rasterise check them on their own.
+void requireOutsideSegments(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh) {
+  std::vector<glm::vec3> directions;
+  if (choice.model == CameraChoice::Model::kEoc) {
+    directions = {choice.segmentDirection};
+  } else if (choice.model == CameraChoice::Model::kCrossedEocs ||
+             choice.model == CameraChoice::Model::kCrossedEocsDdoc) {
+    directions = {kHorizontalSegment, kVerticalSegment};
+  }
+  for (const glm::vec3& direction : directions) {
+    requireOutsideEnds(segmentAround(reference.view(), direction, choice.cellSideRadii), mesh);
+  }
 }
 
 }  // namespace
@@ -282,8 +326,36 @@ CameraChoice cameraChoice(const std::string& nameOrFile, float cellSideRadii) {
 
 ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                      const Progress& progress) {
-  requireOutside(mesh, reference.eye(), "view");
-  return finished(imagesOf(choice, reference, mesh, progress), choice);
+  return buildReferenceImages(choice, reference, mesh, progress, Construction::kRaster, nullptr);
+}
+
+ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
+                                     const Progress& progress, Construction wanted, const RayScene* rays,
+                                     ConstructionReport* report) {
+  const std::optional<size_t> crossover = rayCrossover(choice.model);
+  if (wanted == Construction::kRays && choice.hasImages() && !crossover) {
+    throw InputError("camera \"" + choice.name + "\" is not constructed by rays", "--construction",
+                     "use auto or raster");
+  }
+  ConstructionReport done{
+      .byRays = crossover && constructWithRays(wanted, *crossover, mesh.triangles.size(), rays != nullptr),
+      .triangles = mesh.triangles.size()};
+  if (rays == nullptr || !done.byRays) {
+    requireOutside(mesh, reference.eye(), "view");
+  }
+  std::optional<RayScene> built;
+  if (done.byRays && rays == nullptr) {
+    requireOutsideSegments(choice, reference, mesh);
+    ocelli::report(progress, "acceleration structure", 0);
+    const auto start = std::chrono::steady_clock::now();
+    built.emplace(mesh);
+    done.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    rays = &*built;
+  }
+  if (report != nullptr) {
+    *report = done;
+  }
+  return finished(imagesOf(choice, reference, mesh, progress, done.byRays ? rays : nullptr), choice);
 }
 
 ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choice, const PinholeCamera& reference,

@@ -7,6 +7,7 @@
 
 #include "oc_core/base/progress.h"
 #include "oc_core/ocri/cell_builder.h"
+#include "oc_core/ocri/construction.h"
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/ocri/reference_image.h"
 
@@ -60,6 +61,14 @@ CameraChoice cameraChoice(const std::string& nameOrFile, float cellSideRadii = D
 /// object, or the view sees nothing of the scene, and for choices that have no image.
 ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                      const Progress& progress = {});
+
+/// The same by rasterisation or by rays. `rays` is the acceleration structure of the mesh where one stands; where rays
+/// are wanted and none does, it is built. Whether a viewpoint lies inside an object takes a look at all triangles:
+/// where a structure stands, whoever calls has checked that. Throws InputError where rays are wanted for a camera that
+/// is built by rasterisation only.
+ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
+                                     const Progress& progress, Construction wanted, const RayScene* rays,
+                                     ConstructionReport* report = nullptr);
 
 /// How an image is drawn (section 6.1), other than as buildReferenceImages() does, with the fastest.
 enum class Technique { kPoints, kHybrid, kRaycast };

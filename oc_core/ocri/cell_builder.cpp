@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "oc_core/base/parallel.h"
+#include "oc_core/ocri/construction.h"
 #include "oc_core/ocri/coverage.h"
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/ocri/set_difference.h"
@@ -163,9 +164,10 @@ size_t removeHarmful(std::vector<Part>& parts, const Mesh& mesh) {
 
 /// The reference part, and the satellites that add to it; nothing where they come to more than `mostSamples`.
 std::optional<std::vector<Part>> findParts(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
-                                           float spacing, bool mayStop, const Progress& progress) {
+                                           float spacing, bool mayStop, const Progress& progress,
+                                           const RayScene* rays) {
   std::vector<Part> parts;
-  parts.push_back({reference, {}, buildDepthImage(reference, mesh)});
+  parts.push_back({reference, {}, buildDepthImage(reference, mesh, rays)});
   parts[0].truth = positionsOf(parts[0].image);
   size_t samples = parts[0].image.sampleCount();
   const auto share = [&](float relative) { return static_cast<size_t>(relative * static_cast<float>(samples)); };
@@ -181,7 +183,7 @@ std::optional<std::vector<Part>> findParts(const PinholeCamera& reference, const
   for (size_t i = 0; i < views.size(); ++i) {
     report(progress, "satellites", static_cast<double>(i) / static_cast<double>(views.size()));
     const PinholeCamera camera(views[i], scaled(reference.width()), scaled(reference.height()));
-    Part part{camera, {}, buildDepthImage(camera, mesh)};
+    Part part{camera, {}, buildDepthImage(camera, mesh, rays)};
     part.truth = positionsOf(part.image);
     Image<uint8_t> marks =
         missingGroups(compareFrames(camera, part.truth, positionImage(camera, held)), options.leastGroup);
@@ -216,13 +218,13 @@ std::optional<std::vector<Part>> findParts(const PinholeCamera& reference, const
 }  // namespace
 
 CellCamera buildCellCamera(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
-                           const Progress& progress) {
+                           const Progress& progress, const RayScene* rays) {
   // From pixel to pixel where the samples suffice, then coarser and coarser.
   constexpr float kCoarser = 1.12f;
   std::optional<std::vector<Part>> parts;
   for (float spacing = 1; !parts; spacing *= kCoarser) {
     const bool last = spacing * kCoarser > options.coarsestSpacing;
-    parts = findParts(reference, mesh, options, spacing, last, progress);
+    parts = findParts(reference, mesh, options, spacing, last, progress, rays);
   }
   std::vector<CellCamera::Viewpoint> viewpoints;
   for (Part& part : *parts) {
@@ -245,7 +247,10 @@ ReferenceImage cellImage(const CellCamera& camera, const FragmentImage& fragment
   return image;
 }
 
-ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh) {
+ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh, const RayScene* rays) {
+  if (rays != nullptr) {
+    return cellImage(camera, raycast(camera, mesh, *rays), mesh);
+  }
   FragmentImage fragments(camera.width(), camera.height());
   const auto copy = [&](size_t viewpoint, const FragmentImage& seen, const glm::ivec2& from, const glm::ivec2& extent,
                         const glm::ivec2& to) {

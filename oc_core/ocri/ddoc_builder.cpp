@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
+#include "oc_core/ocri/construction.h"
 #include "oc_core/ocri/depth_edges.h"
 #include "oc_core/ocri/harm_meter.h"
 #include "oc_core/ocri/image_mesh.h"
-#include "oc_core/render/rasterize.h"
+#include "oc_core/render/displacement_reach.h"
 
 namespace ocelli {
 namespace {
@@ -64,17 +65,17 @@ void shrinkHarmful(std::vector<DistortionSplat>& splats, const Harm& harm, const
 }
 
 /// A camera under construction with what its image can share.
-struct Construction {
+struct Built {
   FragmentImage seen;  ///< by the reference pinhole
   DdocCamera camera;
-  TrianglePart part;  ///< what the camera may displace
+  TrianglePart part;  ///< what the camera may displace; nothing where rays draw it
 };
 
-Construction construct(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
-                       const Progress& progress) {
+Built construct(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options, const Progress& progress,
+                const RayScene* rays) {
   // Steps 1 and 2.
   report(progress, "depth edges", 0);
-  FragmentImage seen = rasterize(reference, mesh);
+  FragmentImage seen = seenFrom(reference, mesh, rays);
   const std::vector<DepthEdge> edges = findEdges(reference, seen, options);
 
   // Steps 3 to 6.
@@ -87,9 +88,9 @@ Construction construct(const PinholeCamera& reference, const Mesh& mesh, const D
     return DdocCamera(reference, mapOf(splats, owners, options));
   };
   DdocCamera camera = cameraOfSplats();
-  TrianglePart part = displacedPart(camera, mesh);
+  TrianglePart part = rays != nullptr ? TrianglePart{} : displacedPart(camera, mesh);
 
-  HarmMeter meter(reference, mesh, seen, part, options.feedbackSubdivision);
+  HarmMeter meter(reference, mesh, seen, part, options.feedbackSubdivision, rays);
   for (int round = 0; round < options.feedbackRounds; ++round) {
     report(progress, "do no harm", static_cast<double>(round) / options.feedbackRounds);
     const Harm harm = meter.measure(camera, splats, owners);
@@ -103,10 +104,11 @@ Construction construct(const PinholeCamera& reference, const Mesh& mesh, const D
   return {std::move(seen), std::move(camera), std::move(part)};
 }
 
-ReferenceImage imageOf(const Construction& built, const Mesh& mesh, const SubdivisionOptions& options) {
+ReferenceImage imageOf(const Built& built, const Mesh& mesh, const SubdivisionOptions& options, const RayScene* rays) {
   const PinholeCamera& reference = built.camera.reference();
-  ReferenceImage image =
-      referenceImage(rasterize(built.camera, built.seen, built.part, options), mesh, reference, "ddoc");
+  const FragmentImage fragments = rays != nullptr ? raycast(built.camera, built.seen, mesh, *rays)
+                                                  : rasterize(built.camera, built.seen, built.part, options);
+  ReferenceImage image = referenceImage(fragments, mesh, reference, "ddoc");
   image.triangleBound = imageMesh(referenceImage(built.seen, mesh, reference, "di")).triangles.size();
   return image;
 }
@@ -127,17 +129,19 @@ DdocOptions DdocOptions::paper(float constantRadiusPixels) {
 }
 
 DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
-                           const Progress& progress) {
-  return construct(reference, mesh, options, progress).camera;
+                           const Progress& progress, const RayScene* rays) {
+  return construct(reference, mesh, options, progress, rays).camera;
 }
 
-ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options) {
-  return imageOf({rasterize(camera.reference(), mesh), camera, displacedPart(camera, mesh)}, mesh, options);
+ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options,
+                              const RayScene* rays) {
+  TrianglePart part = rays != nullptr ? TrianglePart{} : displacedPart(camera, mesh);
+  return imageOf({seenFrom(camera.reference(), mesh, rays), camera, std::move(part)}, mesh, options, rays);
 }
 
 ReferenceImage buildDdocImage(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
-                              const Progress& progress) {
-  return imageOf(construct(reference, mesh, options, progress), mesh, options.subdivision);
+                              const Progress& progress, const RayScene* rays) {
+  return imageOf(construct(reference, mesh, options, progress, rays), mesh, options.subdivision, rays);
 }
 
 }  // namespace ocelli

@@ -55,15 +55,16 @@ struct DdocOptions {
 };
 
 /// `mesh` is in the coordinates of the view of `reference`. Throws nothing of its own: a view that sees nothing gives a
-/// camera that displaces nothing.
+/// camera that displaces nothing. With `rays`, here and below, no step touches all triangles (construction.h).
 DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options = {},
-                           const Progress& progress = {});
+                           const Progress& progress = {}, const RayScene* rays = nullptr);
 
 /// The OCRI. Its `triangleBound` is that of the depth image of the same view.
-ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options = {});
+ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options = {},
+                              const RayScene* rays = nullptr);
 
 /// The same image without the camera: both share what they draw, which is faster than one after the other.
 ReferenceImage buildDdocImage(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
-                              const Progress& progress = {});
+                              const Progress& progress = {}, const RayScene* rays = nullptr);
 
 }  // namespace ocelli

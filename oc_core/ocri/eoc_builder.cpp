@@ -5,11 +5,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <span>
 
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/render/rasterize_spans.h"
+#include "oc_core/render/raycast.h"
 #include "oc_core/scene/winding_number.h"
 
 namespace ocelli {
@@ -33,15 +35,15 @@ struct SceneExtent {
   float zMost = 0;
 };
 
-std::optional<SceneExtent> extentOf(const PinholeCamera& camera, const Mesh& mesh) {
+std::optional<SceneExtent> extentOf(const PinholeCamera& camera, std::span<const glm::vec3> points) {
   constexpr size_t kChunks = 16;
   std::array<SceneExtent, kChunks> extents;
   std::array<bool, kChunks> whole{};
-  parallelChunks(mesh.positions.size(), kChunks, [&](size_t chunk, size_t begin, size_t end) {
+  parallelChunks(points.size(), kChunks, [&](size_t chunk, size_t begin, size_t end) {
     SceneExtent extent;
     bool all = true;
     for (size_t i = begin; i < end; ++i) {
-      const glm::vec3 p = camera.cameraFromWorld(mesh.positions[i]);
+      const glm::vec3 p = camera.cameraFromWorld(points[i]);
       all = all && p.z >= camera.view().zNear;
       extent.window.add(glm::vec2(p) / p.z);
       extent.zLeast = std::min(extent.zLeast, p.z);
@@ -139,15 +141,90 @@ void addSeen(Window& window, const PinholeCamera& reference, const ViewSegment& 
   }
 }
 
-/// 1/z of the farthest vertex that the pinhole may see.
-float farthestInverseZ(const PinholeCamera& camera, const Mesh& mesh) {
-  float farthest = 0;
-  for (const glm::vec3& p : mesh.positions) {
-    const float z = camera.cameraFromWorld(p).z;
-    farthest = z <= camera.view().zFar ? std::max(farthest, z) : farthest;
+/// basePinhole() of a scene that lies between the points.
+PinholeCamera baseAround(const PinholeCamera& reference, const ViewSegment& segment,
+                         std::span<const glm::vec3> outerPoints) {
+  validate(segment, "view segment");
+  View view = reference.view();
+  view.eye = segment.left;
+  view.target = segment.left + forwardOf(reference) * glm::distance(reference.view().target, reference.eye());
+  view.centerShift = glm::vec2(0);
+  view.fovVerticalDegrees = view.resolvedFovVerticalDegrees();
+  float roll = 0;
+  PinholeCamera base(view, reference.width(), reference.height());
+  const glm::vec3 step = base.cameraFromWorld(segment.right);
+  // Those that are parallel but for the rounding of the eyes.
+  constexpr float kLeastAdvance = 1e-4f;
+  if (std::abs(step.z) <= kLeastAdvance * glm::length(step)) {
+    roll = std::atan2(step.y, step.x);
+    view.up = base.eye() - base.worldFromCamera({-std::sin(roll), std::cos(roll), 0});
+    base = PinholeCamera(view, reference.width(), reference.height());
   }
-  return 1 / std::max(farthest, camera.view().zNear);
+  Window window = windowOfTarget(reference, base, roll);
+  if (const std::optional<SceneExtent> extent = extentOf(base, outerPoints)) {
+    addSeen(window, reference, segment, base, *extent);
+  }
+  return pinholeWith(view, reference.focalPixels(), window);
 }
+
+/// 1/z of the farthest of the points, as far as the pinhole sees.
+float farthestInverseZ(const PinholeCamera& camera, std::span<const glm::vec3> points) {
+  float farthest = 0;
+  for (const glm::vec3& p : points) {
+    farthest = std::max(farthest, camera.cameraFromWorld(p).z);
+  }
+  return 1 / std::clamp(farthest, camera.view().zNear, camera.view().zFar);
+}
+
+/// None for an empty box.
+std::vector<glm::vec3> cornersOf(const Box& box) {
+  std::vector<glm::vec3> corners;
+  for (int i = 0; i < 8 && !box.empty(); ++i) {
+    corners.push_back(box.lower + box.size() * glm::vec3(i & 1, i >> 1 & 1, i >> 2));
+  }
+  return corners;
+}
+
+/// How the scene is looked at: by rays where there are any.
+struct Scene {
+  const Mesh& mesh;
+  const RayScene* rays;
+  std::vector<glm::vec3> corners;
+
+  Scene(const Mesh& ofMesh, const RayScene* byRays)
+      : mesh(ofMesh),
+        rays(byRays),
+        corners(byRays != nullptr ? cornersOf(byRays->bounds()) : std::vector<glm::vec3>{}) {}
+
+  /// The scene lies between these: its vertices, or the corners of the box around it.
+  std::span<const glm::vec3> outerPoints() const { return rays != nullptr ? corners : mesh.positions; }
+
+  /// What `base` sees along its epipolar lines.
+  FragmentImage lines(const PinholeCamera& base, const EpipolarLines& lines) const {
+    if (rays == nullptr) {
+      return rasterizeLines(base, lines, mesh);
+    }
+    FragmentImage image = castRays(lines.longest(), lines.rowCount(), *rays, [&](const glm::vec2& pixel) {
+      const int row = static_cast<int>(pixel.y);
+      const double position = static_cast<double>(pixel.x);
+      return pixel.x < static_cast<float>(lines.length(row)) && lines.has(row, position)
+                 ? base.rayPath(glm::vec2(lines.imagePoint({static_cast<double>(pixel.y), position})))
+                 : RayPath{};
+    });
+    parallelFor(image.size(), 1 << 12, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        image[i].z = image[i].covered() ? base.cameraFromWorld(positionOf(image[i], mesh)).z : 0;
+      }
+    });
+    return image;
+  }
+
+  /// The closest fragment along each ray.
+  FragmentImage draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const {
+    return rays != nullptr ? raycast(camera, mesh, *rays, baseFragments(camera, baseImage))
+                           : rasterize(camera, mesh, baseImage);
+  }
+};
 
 /// The edges of a row without the columns at their left ends that hold no sample: rays of R that graze the occluder.
 std::vector<EpipolarEdge> trimmedEdges(const EpipolarCamera& camera, int row, const FragmentImage& fragments) {
@@ -172,8 +249,8 @@ std::vector<EpipolarEdge> trimmedEdges(const EpipolarCamera& camera, int row, co
 }
 
 EpipolarCamera cameraFrom(const PinholeCamera& base, const glm::vec3& right, const EpipolarLines& lines,
-                          const FragmentImage& baseImage, const Mesh& mesh, const EocOptions& options) {
-  const float background = farthestInverseZ(base, mesh);
+                          const FragmentImage& baseImage, const Scene& scene, const EocOptions& options) {
+  const float background = farthestInverseZ(base, scene.outerPoints());
   std::vector<std::vector<EpipolarEdge>> edges(static_cast<size_t>(lines.rowCount()));
   parallelFor(edges.size(), 8, [&](size_t begin, size_t end) {
     std::vector<float> inverseZ;
@@ -190,19 +267,13 @@ EpipolarCamera cameraFrom(const PinholeCamera& base, const glm::vec3& right, con
   if (!options.trim) {
     return camera;
   }
-  const FragmentImage fragments = rasterize(camera, mesh, baseImage);
+  const FragmentImage fragments = scene.draw(camera, baseImage);
   parallelFor(edges.size(), 8, [&](size_t begin, size_t end) {
     for (size_t row = begin; row < end; ++row) {
       edges[row] = trimmedEdges(camera, static_cast<int>(row), fragments);
     }
   });
   return {base, right, edges};
-}
-
-void requireOutsideEnds(const ViewSegment& segment, const Mesh& mesh) {
-  validate(segment, "view segment");
-  requireOutside(mesh, segment.left, "view segment, left end");
-  requireOutside(mesh, segment.right, "view segment, right end");
 }
 
 }  // namespace
@@ -220,27 +291,7 @@ ViewSegment segmentAround(const View& view, const glm::vec3& direction, float le
 }
 
 PinholeCamera basePinhole(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh) {
-  validate(segment, "view segment");
-  View view = reference.view();
-  view.eye = segment.left;
-  view.target = segment.left + forwardOf(reference) * glm::distance(reference.view().target, reference.eye());
-  view.centerShift = glm::vec2(0);
-  view.fovVerticalDegrees = view.resolvedFovVerticalDegrees();
-  float roll = 0;
-  PinholeCamera base(view, reference.width(), reference.height());
-  const glm::vec3 step = base.cameraFromWorld(segment.right);
-  // Those that are parallel but for the rounding of the eyes.
-  constexpr float kLeastAdvance = 1e-4f;
-  if (std::abs(step.z) <= kLeastAdvance * glm::length(step)) {
-    roll = std::atan2(step.y, step.x);
-    view.up = base.eye() - base.worldFromCamera({-std::sin(roll), std::cos(roll), 0});
-    base = PinholeCamera(view, reference.width(), reference.height());
-  }
-  Window window = windowOfTarget(reference, base, roll);
-  if (const std::optional<SceneExtent> extent = extentOf(base, mesh)) {
-    addSeen(window, reference, segment, base, *extent);
-  }
-  return pinholeWith(view, reference.focalPixels(), window);
+  return baseAround(reference, segment, mesh.positions);
 }
 
 std::vector<EpipolarEdge> findEpipolarEdges(const std::vector<float>& inverseZ, int row, const EpipolarLines& lines,
@@ -302,12 +353,21 @@ std::vector<EpipolarEdge> findEpipolarEdges(const std::vector<float>& inverseZ, 
   return edges;
 }
 
+void requireOutsideEnds(const ViewSegment& segment, const Mesh& mesh) {
+  validate(segment, "view segment");
+  requireOutside(mesh, segment.left, "view segment, left end");
+  requireOutside(mesh, segment.right, "view segment, right end");
+}
+
 EpipolarCamera buildEpipolarCamera(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
-                                   const EocOptions& options) {
-  requireOutsideEnds(segment, mesh);
-  const PinholeCamera base = basePinhole(reference, segment, mesh);
+                                   const EocOptions& options, const RayScene* rays) {
+  if (rays == nullptr) {
+    requireOutsideEnds(segment, mesh);
+  }
+  const Scene scene(mesh, rays);
+  const PinholeCamera base = baseAround(reference, segment, scene.outerPoints());
   const EpipolarLines lines(base, segment.right);
-  return cameraFrom(base, segment.right, lines, rasterizeLines(base, lines, mesh), mesh, options);
+  return cameraFrom(base, segment.right, lines, scene.lines(base, lines), scene, options);
 }
 
 ReferenceImage eocImage(const FragmentImage& fragments, const EpipolarCamera& camera, const Mesh& mesh) {
@@ -333,18 +393,21 @@ ReferenceImage eocImage(const FragmentImage& fragments, const EpipolarCamera& ca
   return image;
 }
 
-ReferenceImage buildEocImage(const EpipolarCamera& camera, const Mesh& mesh) {
-  return eocImage(rasterize(camera, mesh), camera, mesh);
+ReferenceImage buildEocImage(const EpipolarCamera& camera, const Mesh& mesh, const RayScene* rays) {
+  return eocImage(rays != nullptr ? raycast(camera, mesh, *rays) : rasterize(camera, mesh), camera, mesh);
 }
 
 ReferenceImage buildEocImage(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
-                             const EocOptions& options) {
-  requireOutsideEnds(segment, mesh);
-  const PinholeCamera base = basePinhole(reference, segment, mesh);
+                             const EocOptions& options, const RayScene* rays) {
+  if (rays == nullptr) {
+    requireOutsideEnds(segment, mesh);
+  }
+  const Scene scene(mesh, rays);
+  const PinholeCamera base = baseAround(reference, segment, scene.outerPoints());
   const EpipolarLines lines(base, segment.right);
-  const FragmentImage baseImage = rasterizeLines(base, lines, mesh);
-  const EpipolarCamera camera = cameraFrom(base, segment.right, lines, baseImage, mesh, options);
-  return eocImage(rasterize(camera, mesh, baseImage), camera, mesh);
+  const FragmentImage baseImage = scene.lines(base, lines);
+  const EpipolarCamera camera = cameraFrom(base, segment.right, lines, baseImage, scene, options);
+  return eocImage(scene.draw(camera, baseImage), camera, mesh);
 }
 
 }  // namespace ocelli

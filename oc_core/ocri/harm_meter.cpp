@@ -6,6 +6,7 @@
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/ocri/image_mesh.h"
+#include "oc_core/render/displacement_reach.h"
 
 namespace ocelli {
 namespace {
@@ -87,7 +88,9 @@ ReferenceImage HarmMeter::draw(const DdocCamera& camera) {
   if (!surfaces_.empty()) {
     return sampleImage(rasterize(camera, seen_, surfacesPart_, subdivision_), surfaces_, seen_, reference_);
   }
-  ReferenceImage image = sampleImage(rasterize(camera, seen_, part_, subdivision_), mesh_, seen_, reference_);
+  const FragmentImage drawn =
+      rays_ != nullptr ? raycast(camera, seen_, mesh_, *rays_) : rasterize(camera, seen_, part_, subdivision_);
+  ReferenceImage image = sampleImage(drawn, mesh_, seen_, reference_);
   gatherSurfaces(camera, image);
   return image;
 }

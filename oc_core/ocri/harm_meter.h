@@ -19,10 +19,10 @@ struct Harm {
 class HarmMeter {
  public:
   /// `seen` is what `reference` sees of `mesh`, `part` what the first camera to be measured may displace. All are kept
-  /// by reference.
+  /// by reference. With `rays` the first image is cast, and `part` may be empty.
   HarmMeter(const PinholeCamera& reference, const Mesh& mesh, const FragmentImage& seen, const TrianglePart& part,
-            const SubdivisionOptions& subdivision)
-      : reference_(reference), mesh_(mesh), seen_(seen), part_(part), subdivision_(subdivision) {}
+            const SubdivisionOptions& subdivision, const RayScene* rays = nullptr)
+      : reference_(reference), mesh_(mesh), seen_(seen), part_(part), subdivision_(subdivision), rays_(rays) {}
 
   /// Each camera may displace less than the one before, but nothing that this one did not. `splats` and `owners` are
   /// those that its map was made from.
@@ -41,6 +41,7 @@ class HarmMeter {
   const FragmentImage& seen_;
   const TrianglePart& part_;
   SubdivisionOptions subdivision_;
+  const RayScene* rays_;
   Mesh surfaces_;              ///< what the reference view and the first image show of what is displaced
   TrianglePart surfacesPart_;  ///< all of it
 };

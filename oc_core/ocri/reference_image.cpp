@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "oc_core/base/parallel.h"
-#include "oc_core/render/rasterize.h"
+#include "oc_core/ocri/construction.h"
 
 namespace ocelli {
 
@@ -35,11 +35,15 @@ ReferenceImage referenceImage(const FragmentImage& fragments, const Mesh& mesh, 
   return image;
 }
 
-ReferenceImage buildDepthImage(const PinholeCamera& camera, const Mesh& mesh) {
-  ReferenceImage image = referenceImage(rasterize(camera, mesh), mesh, camera, "di");
+ReferenceImage depthImage(const FragmentImage& seen, const PinholeCamera& camera, const Mesh& mesh) {
+  ReferenceImage image = referenceImage(seen, mesh, camera, "di");
   // A pinhole displaces nothing: what is left is rounding.
   std::fill(image.displacement.begin(), image.displacement.end(), glm::vec2(0));
   return image;
+}
+
+ReferenceImage buildDepthImage(const PinholeCamera& camera, const Mesh& mesh, const RayScene* rays) {
+  return depthImage(seenFrom(camera, mesh, rays), camera, mesh);
 }
 
 }  // namespace ocelli

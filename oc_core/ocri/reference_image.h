@@ -14,6 +14,8 @@
 
 namespace ocelli {
 
+class RayScene;
+
 /// How the rows of a reference image lie beside each other.
 enum class ImageRows {
   kAligned,      ///< the sample below one of its own surface lies below it, or nearly
@@ -61,7 +63,9 @@ using ReferenceImages = std::vector<ReferenceImage>;
 ReferenceImage referenceImage(const FragmentImage& fragments, const Mesh& mesh, const PinholeCamera& reference,
                               const std::string& camera);
 
-/// The depth image: what the pinhole sees.
-ReferenceImage buildDepthImage(const PinholeCamera& camera, const Mesh& mesh);
+/// The depth image: what the pinhole sees; by `rays` where there are any, at a cost that its pixels bound.
+ReferenceImage buildDepthImage(const PinholeCamera& camera, const Mesh& mesh, const RayScene* rays = nullptr);
+/// The same from what the pinhole saw.
+ReferenceImage depthImage(const FragmentImage& seen, const PinholeCamera& camera, const Mesh& mesh);
 
 }  // namespace ocelli

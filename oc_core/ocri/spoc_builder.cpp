@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "oc_core/ocri/construction.h"
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/render/rasterize.h"
 #include "oc_core/render/rasterize_subdivided.h"
@@ -46,26 +47,45 @@ float inverseZBetween(const std::vector<float>& inverseZ) {
   return *least + bin * static_cast<float>(split);
 }
 
-/// What the pinhole sees, and where the vertices are: hidden parts are part of the scene too.
-std::vector<glm::vec3> pointsOf(const FragmentImage& seen, const Mesh& mesh) {
-  std::vector<glm::vec3> points = mesh.positions;
-  for (const Fragment& fragment : seen) {
+void addPoints(std::vector<glm::vec3>& points, const FragmentImage& fragments, const Mesh& mesh) {
+  for (const Fragment& fragment : fragments) {
     if (fragment.covered()) {
       points.push_back(positionOf(fragment, mesh));
     }
   }
+}
+
+/// What the pinhole sees, and where the vertices are: hidden parts are part of the scene too.
+std::vector<glm::vec3> pointsOf(const FragmentImage& seen, const Mesh& mesh) {
+  std::vector<glm::vec3> points = mesh.positions;
+  addPoints(points, seen, mesh);
   return points;
 }
 
-ReferenceImage boundedBy(ReferenceImage image, const PinholeCamera& reference, const Mesh& mesh) {
-  image.triangleBound = imageMesh(buildDepthImage(reference, mesh)).triangles.size();
+/// What the pinhole sees, and what lies farthest behind it.
+std::vector<glm::vec3> pointsAlongRays(const FragmentImage& seen, const PinholeCamera& reference, const Mesh& mesh,
+                                       const RayScene& rays) {
+  std::vector<glm::vec3> points;
+  addPoints(points, seen, mesh);
+  const auto fromBehind = [&](const glm::vec2& pixel) {
+    const RayPath path = reference.rayPath(pixel);
+    return path.empty() ? RayPath{} : RayPath{path.back(), path.front()};
+  };
+  addPoints(points, castRays(reference.width(), reference.height(), rays, fromBehind), mesh);
+  return points;
+}
+
+ReferenceImage boundedBy(ReferenceImage image, const PinholeCamera& reference, const Mesh& mesh,
+                         const RayScene* rays = nullptr) {
+  image.triangleBound = imageMesh(buildDepthImage(reference, mesh, rays)).triangles.size();
   return image;
 }
 
 }  // namespace
 
-SpocCamera buildSpocCamera(const PinholeCamera& reference, const Mesh& mesh, const SpocOptions& options) {
-  const FragmentImage seen = rasterize(reference, mesh);
+SpocCamera buildSpocCamera(const PinholeCamera& reference, const Mesh& mesh, const SpocOptions& options,
+                           const RayScene* rays) {
+  const FragmentImage seen = seenFrom(reference, mesh, rays);
   std::vector<float> inverseZ;
   for (const Fragment& fragment : seen) {
     if (fragment.covered()) {
@@ -81,15 +101,18 @@ SpocCamera buildSpocCamera(const PinholeCamera& reference, const Mesh& mesh, con
       }
     }
   }
-  return SpocCamera::aroundObject(reference, foreground, pointsOf(seen, mesh), options);
+  const std::vector<glm::vec3> scene =
+      rays != nullptr ? pointsAlongRays(seen, reference, mesh, *rays) : pointsOf(seen, mesh);
+  return SpocCamera::aroundObject(reference, foreground, scene, options);
 }
 
 ReversePinholeCamera buildReversePinhole(const PinholeCamera& reference, const Mesh& mesh) {
   return ReversePinholeCamera::around(reference, pointsOf(rasterize(reference, mesh), mesh));
 }
 
-ReferenceImage buildSpocImage(const SpocCamera& camera, const Mesh& mesh) {
-  return boundedBy(referenceImage(rasterize(camera, mesh), mesh, camera.reference(), "spoc"), camera.reference(), mesh);
+ReferenceImage buildSpocImage(const SpocCamera& camera, const Mesh& mesh, const RayScene* rays) {
+  const FragmentImage fragments = rays != nullptr ? raycast(camera, mesh, *rays) : rasterize(camera, mesh);
+  return boundedBy(referenceImage(fragments, mesh, camera.reference(), "spoc"), camera.reference(), mesh, rays);
 }
 
 ReferenceImage buildReversePinholeImage(const ReversePinholeCamera& camera, const PinholeCamera& reference,

@@ -13,14 +13,16 @@
 
 namespace ocelli {
 
-/// Throws InputError where the view sees nothing, or all of it is equally far away.
-SpocCamera buildSpocCamera(const PinholeCamera& reference, const Mesh& mesh, const SpocOptions& options = {});
+/// Throws InputError where the view sees nothing, or all of it is equally far away. With `rays` z_f is that of the
+/// farthest surface along the pinhole's rays, instead of the farthest vertex in view: that takes a look from behind.
+SpocCamera buildSpocCamera(const PinholeCamera& reference, const Mesh& mesh, const SpocOptions& options = {},
+                           const RayScene* rays = nullptr);
 
 /// Around all that is in view. Throws InputError where that is nothing, or too deep.
 ReversePinholeCamera buildReversePinhole(const PinholeCamera& reference, const Mesh& mesh);
 
 /// Displacements are relative to `reference`. Its `triangleBound` is that of the depth image of the same view.
-ReferenceImage buildSpocImage(const SpocCamera& camera, const Mesh& mesh);
+ReferenceImage buildSpocImage(const SpocCamera& camera, const Mesh& mesh, const RayScene* rays = nullptr);
 ReferenceImage buildReversePinholeImage(const ReversePinholeCamera& camera, const PinholeCamera& reference,
                                         const Mesh& mesh);
 

@@ -456,9 +456,31 @@ class ShadowDrawer {
   Image<float> tops_;
 };
 
-/// Copies what the base pinhole sees, where it is in no shadow, to the columns of its rays.
-void copyBase(FragmentImage& fragments, const EpipolarCamera& camera, const FragmentImage& baseImage) {
+}  // namespace
+
+FragmentImage rasterizeLines(const PinholeCamera& base, const EpipolarLines& lines, const Mesh& mesh) {
+  if (lines.isParallel()) {
+    return rasterize(base, mesh);
+  }
+  FragmentImage fragments(lines.longest(), lines.rowCount());
+  const LineProjection projection(base, lines, mesh);
+  drawSpans(
+      fragments, projection, mesh.triangles.size(), [](const LineTriangle&, const RowRange&) { return true; },
+      [&](uint32_t triangle, const LineTriangle& piece, const Span& span) {
+        const RowRange centres = centresWithin(span.from.position, span.to.position, lines.length(span.row));
+        for (int j = centres.first; j <= centres.last; ++j) {
+          keep(fragments(j, span.row), triangle, piece, span,
+               (j + 0.5 - span.from.position) / (span.to.position - span.from.position));
+        }
+      });
+  return fragments;
+}
+
+FragmentImage baseFragments(const EpipolarCamera& camera, const FragmentImage& baseImage) {
   const EpipolarLines& lines = camera.lines();
+  OC_CHECK(baseImage.width() == lines.longest() && baseImage.height() == lines.rowCount(),
+           "the base image holds the camera's epipolar lines");
+  FragmentImage fragments(camera.width(), camera.height());
   parallelFor(static_cast<size_t>(lines.rowCount()), 8, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const int row = static_cast<int>(i);
@@ -481,33 +503,11 @@ void copyBase(FragmentImage& fragments, const EpipolarCamera& camera, const Frag
       }
     }
   });
-}
-
-}  // namespace
-
-FragmentImage rasterizeLines(const PinholeCamera& base, const EpipolarLines& lines, const Mesh& mesh) {
-  if (lines.isParallel()) {
-    return rasterize(base, mesh);
-  }
-  FragmentImage fragments(lines.longest(), lines.rowCount());
-  const LineProjection projection(base, lines, mesh);
-  drawSpans(
-      fragments, projection, mesh.triangles.size(), [](const LineTriangle&, const RowRange&) { return true; },
-      [&](uint32_t triangle, const LineTriangle& piece, const Span& span) {
-        const RowRange centres = centresWithin(span.from.position, span.to.position, lines.length(span.row));
-        for (int j = centres.first; j <= centres.last; ++j) {
-          keep(fragments(j, span.row), triangle, piece, span,
-               (j + 0.5 - span.from.position) / (span.to.position - span.from.position));
-        }
-      });
   return fragments;
 }
 
 FragmentImage rasterize(const EpipolarCamera& camera, const Mesh& mesh, const FragmentImage& baseImage) {
-  OC_CHECK(baseImage.width() == camera.lines().longest() && baseImage.height() == camera.lines().rowCount(),
-           "the base image holds the camera's epipolar lines");
-  FragmentImage fragments(camera.width(), camera.height());
-  copyBase(fragments, camera, baseImage);
+  FragmentImage fragments = baseFragments(camera, baseImage);
   const LineProjection projection(camera.base(), camera.lines(), mesh);
   ShadowDrawer drawer(camera, fragments);
   drawSpans(

@@ -20,6 +20,9 @@ namespace ocelli {
 /// What `base` sees along its epipolar lines: a row for each line, a column for each base pixel of the longest.
 FragmentImage rasterizeLines(const PinholeCamera& base, const EpipolarLines& lines, const Mesh& mesh);
 
+/// What the base pinhole sees, where it is in no shadow, at the columns of its rays; nothing at all others.
+FragmentImage baseFragments(const EpipolarCamera& camera, const FragmentImage& baseImage);
+
 /// The closest fragment along each ray of `camera`. `baseImage` is rasterizeLines() of its base and lines.
 FragmentImage rasterize(const EpipolarCamera& camera, const Mesh& mesh, const FragmentImage& baseImage);
 FragmentImage rasterize(const EpipolarCamera& camera, const Mesh& mesh);

@@ -152,6 +152,27 @@ TrianglePart displacedPart(const C& camera, const Mesh& mesh) {
                          [&](const ImageBox& undistorted) { return displacesWithin(camera, undistorted); });
 }
 
+/// A sample of the pinhole's that is not displaced stays where it is, behind nothing but what was drawn nearer.
+template <DistortedPinhole C>
+void keepUndisplaced(const C& camera, const FragmentImage& seen, FragmentImage& fragments) {
+  parallelFor(static_cast<size_t>(seen.height()), 16, [&](size_t begin, size_t end) {
+    for (size_t row = begin; row < end; ++row) {
+      const int y = static_cast<int>(row);
+      for (int x = 0; x < seen.width(); ++x) {
+        const Fragment& sample = seen(x, y);
+        Fragment& drawn = fragments(x, y);
+        const ImagePoint q{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, sample.z};
+        if (sample.covered() && (!drawn.covered() || sample.z < drawn.z)) {
+          const ImagePoint d = camera.distort(q);
+          if (d.u == q.u && d.v == q.v) {
+            drawn = sample;
+          }
+        }
+      }
+    }
+  });
+}
+
 /// As below, for scenes that are drawn more than once. `seen` is what the reference pinhole sees of the scene, `part`
 /// holds at least what displacedPart() gives.
 template <DistortedPinhole C>
@@ -202,23 +223,7 @@ FragmentImage rasterize(const C& camera, const FragmentImage& seen, const Triang
         }
       });
 
-  // A sample of the pinhole's that is not displaced stays where it is.
-  parallelFor(static_cast<size_t>(seen.height()), 16, [&](size_t begin, size_t end) {
-    for (size_t row = begin; row < end; ++row) {
-      const int y = static_cast<int>(row);
-      for (int x = 0; x < seen.width(); ++x) {
-        const Fragment& sample = seen(x, y);
-        Fragment& drawn = fragments(x, y);
-        const ImagePoint q{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, sample.z};
-        if (sample.covered() && (!drawn.covered() || sample.z < drawn.z)) {
-          const ImagePoint d = camera.distort(q);
-          if (d.u == q.u && d.v == q.v) {
-            drawn = sample;
-          }
-        }
-      }
-    }
-  });
+  keepUndisplaced(camera, seen, fragments);
   return fragments;
 }
 

@@ -179,6 +179,15 @@ void RayScene::intersect(std::span<const RayPath> paths, std::span<Fragment> fra
   }
 }
 
+Box RayScene::bounds() const {
+  if (impl_->mesh->triangles.empty()) {
+    return {};
+  }
+  RTCBounds bounds;
+  rtcGetSceneBounds(impl_->scene, &bounds);
+  return {{bounds.lower_x, bounds.lower_y, bounds.lower_z}, {bounds.upper_x, bounds.upper_y, bounds.upper_z}};
+}
+
 bool RayScene::hasSurfaceNear(const glm::vec3& point, float reach) const {
   NearSearch search{impl_->mesh, point, reach};
   RTCPointQuery query{};

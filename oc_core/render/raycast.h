@@ -30,6 +30,8 @@ class RayScene {
   Fragment intersect(const RayPath& path) const;
   /// The same for each of many paths, in packets: neighbours should run alike.
   void intersect(std::span<const RayPath> paths, std::span<Fragment> fragments) const;
+  /// Around all triangles; empty as boundsOf() of an empty mesh.
+  Box bounds() const;
   /// Whether a point of the surface lies within `reach` of `point`.
   bool hasSurfaceNear(const glm::vec3& point, float reach) const;
 
@@ -42,14 +44,17 @@ class RayScene {
 FragmentImage castRays(int width, int height, const RayScene& scene,
                        const std::function<RayPath(const glm::vec2& pixel)>& rayPath);
 
-/// The closest fragment along the ray path of each pixel centre.
+/// As below, but for the pixels that `known` covers: those are not cast.
 template <Camera C>
-FragmentImage raycast(const C& camera, const Mesh& mesh, const RayScene& scene) {
-  FragmentImage fragments =
-      castRays(camera.width(), camera.height(), scene, [&](const glm::vec2& pixel) { return camera.rayPath(pixel); });
+FragmentImage raycast(const C& camera, const Mesh& mesh, const RayScene& scene, const FragmentImage& known) {
+  FragmentImage fragments = castRays(camera.width(), camera.height(), scene, [&](const glm::vec2& pixel) {
+    return known(static_cast<int>(pixel.x), static_cast<int>(pixel.y)).covered() ? RayPath{} : camera.rayPath(pixel);
+  });
   parallelFor(fragments.size(), 1 << 12, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      if (fragments[i].covered()) {
+      if (known[i].covered()) {
+        fragments[i] = known[i];
+      } else if (fragments[i].covered()) {
         const std::optional<ImagePoint> q = camera.project(positionOf(fragments[i], mesh));
         fragments[i].z = q ? q->z : 0;
         fragments[i] = q ? fragments[i] : Fragment{};
@@ -57,6 +62,12 @@ FragmentImage raycast(const C& camera, const Mesh& mesh, const RayScene& scene) 
     }
   });
   return fragments;
+}
+
+/// The closest fragment along the ray path of each pixel centre.
+template <Camera C>
+FragmentImage raycast(const C& camera, const Mesh& mesh, const RayScene& scene) {
+  return raycast(camera, mesh, scene, FragmentImage(camera.width(), camera.height()));
 }
 
 }  // namespace ocelli

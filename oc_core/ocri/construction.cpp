@@ -1,0 +1,55 @@
+#include "oc_core/ocri/construction.h"
+
+#include <fmt/format.h>
+
+#include "oc_core/base/error.h"
+#include "oc_core/render/rasterize.h"
+
+namespace ocelli {
+namespace {
+
+/// With a comma between thousands.
+std::string grouped(size_t number) {
+  return number < 1000 ? fmt::format("{}", number) : fmt::format("{},{:03}", grouped(number / 1000), number % 1000);
+}
+
+}  // namespace
+
+bool constructWithRays(Construction wanted, size_t crossover, size_t triangleCount, bool structureStands) {
+  switch (wanted) {
+    case Construction::kAuto:
+      return structureStands && triangleCount >= crossover;
+    case Construction::kRaster:
+      return false;
+    case Construction::kRays:
+      return true;
+  }
+  OC_CHECK(false, "every construction is decided");
+}
+
+Construction constructionFromText(const std::string& text, const std::string& where) {
+  if (text == "auto") {
+    return Construction::kAuto;
+  }
+  if (text == "raster") {
+    return Construction::kRaster;
+  }
+  if (text == "rays") {
+    return Construction::kRays;
+  }
+  throw InputError(fmt::format("there is no construction \"{}\"", text), where, "use auto, raster or rays");
+}
+
+std::string describe(const ConstructionReport& report) {
+  if (!report.byRays) {
+    return "by rasterisation";
+  }
+  const std::string built = report.buildSeconds > 0 ? fmt::format("built in {:.1f} s", report.buildSeconds) : "at hand";
+  return fmt::format("by rays (BVH of {} triangles {})", grouped(report.triangles), built);
+}
+
+FragmentImage seenFrom(const PinholeCamera& camera, const Mesh& mesh, const RayScene* rays) {
+  return rays != nullptr ? raycast(camera, mesh, *rays) : rasterize(camera, mesh);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,50 @@
+// How a reference image is constructed: by rasterisation, which draws all triangles, or by rays against a standing
+// acceleration structure (raycast.h), which costs what its pixels cost, however large the scene.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/render/raycast.h"
+
+namespace ocelli {
+
+enum class Construction {
+  kAuto,  ///< whichever is sooner done
+  kRaster,
+  kRays,
+};
+
+/// Triangles from which on rays are sooner done than rasterisation, where the acceleration structure stands: processor
+/// time at 720x480, measured by bench/raycast_bench on `builtin:statues`. In between the cost of rasterisation grows in
+/// proportion.
+struct RayCrossover {
+  static constexpr size_t kDepthImage = 400'000;
+  static constexpr size_t kSpoc = 0;
+  static constexpr size_t kDdoc = 4'000'000;
+  static constexpr size_t kEoc = 400'000;
+  static constexpr size_t kCell = 400'000;
+};
+
+/// Whether to construct by rays. Where no acceleration structure stands, one image is sooner rasterised, whatever the
+/// scene: building the structure takes longer than drawing all triangles once.
+bool constructWithRays(Construction wanted, size_t crossover, size_t triangleCount, bool structureStands);
+
+/// Throws InputError, naming `where`, for anything but "auto", "raster" and "rays".
+Construction constructionFromText(const std::string& text, const std::string& where);
+
+/// How reference images were constructed.
+struct ConstructionReport {
+  bool byRays = false;
+  size_t triangles = 0;     ///< of the scene
+  double buildSeconds = 0;  ///< what the acceleration structure took, where it did not stand
+};
+
+/// For a message: "by rays (BVH of 1,071,000 triangles built in 0.5 s)" or "by rasterisation".
+std::string describe(const ConstructionReport& report);
+
+/// What the pinhole sees: by rays where there are any.
+FragmentImage seenFrom(const PinholeCamera& camera, const Mesh& mesh, const RayScene* rays);
+
+}  // namespace ocelli
