@@ -248,9 +248,6 @@ ReferenceImage cellImage(const CellCamera& camera, const FragmentImage& fragment
 }
 
 ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh, const RayScene* rays) {
-  if (rays != nullptr) {
-    return cellImage(camera, raycast(camera, mesh, *rays), mesh);
-  }
   FragmentImage fragments(camera.width(), camera.height());
   const auto copy = [&](size_t viewpoint, const FragmentImage& seen, const glm::ivec2& from, const glm::ivec2& extent,
                         const glm::ivec2& to) {
@@ -264,10 +261,10 @@ ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh, const 
     }
   };
   const PinholeCamera& reference = camera.reference();
-  copy(0, rasterize(reference, mesh), {0, 0}, {reference.width(), reference.height()}, {0, 0});
+  copy(0, seenFrom(reference, mesh, rays), {0, 0}, {reference.width(), reference.height()}, {0, 0});
   for (size_t tile = 0; tile < camera.tiles().size();) {
     const size_t viewpoint = camera.tiles()[tile].viewpoint;
-    const FragmentImage seen = rasterize(camera.viewpoints()[viewpoint].camera, mesh);
+    const FragmentImage seen = seenFrom(camera.viewpoints()[viewpoint].camera, mesh, rays);
     for (; tile < camera.tiles().size() && camera.tiles()[tile].viewpoint == viewpoint; ++tile) {
       copy(viewpoint, seen, camera.tiles()[tile].corner, glm::ivec2(CellCamera::kTileSide), camera.cornerOf(tile));
     }

@@ -20,11 +20,11 @@ enum class Construction {
 /// time at 720x480, measured by bench/raycast_bench on `builtin:statues`. In between the cost of rasterisation grows in
 /// proportion.
 struct RayCrossover {
-  static constexpr size_t kDepthImage = 400'000;
+  static constexpr size_t kDepthImage = 600'000;
   static constexpr size_t kSpoc = 0;
-  static constexpr size_t kDdoc = 4'000'000;
-  static constexpr size_t kEoc = 400'000;
-  static constexpr size_t kCell = 400'000;
+  static constexpr size_t kDdoc = 4'500'000;
+  static constexpr size_t kEoc = 1'100'000;
+  static constexpr size_t kCell = 300'000;
 };
 
 /// Whether to construct by rays. Where no acceleration structure stands, one image is sooner rasterised, whatever the

@@ -102,15 +102,18 @@ TEST(Construction, raysRefuseViewpointsInsideObjects) {
       << "0.8 to the left is the middle of the box";
 }
 
-/// Samples that one image has and the other has not, or that lie farther apart than `kSame`.
+/// Samples that one image has and the other has not, or that lie farther apart than rounding explains.
 size_t differing(const ReferenceImage& a, const ReferenceImage& b) {
-  constexpr float kSame = 1e-3f;  // pixels, and radii: floats of some hundreds and of about 10, some roundings each
+  // Floats of some hundreds and of about 10; on sides seen nearly edge-on some ten roundings of a barycentric weight.
+  constexpr float kSamePixels = 5e-3f;
+  constexpr float kSameRadii = 1e-3f;
   size_t count = 0;
   for (int y = 0; y < a.height(); ++y) {
     for (int x = 0; x < a.width(); ++x) {
       const bool held = a.z(x, y) > 0;
-      count += held != (b.z(x, y) > 0) || (held && (std::abs(a.z(x, y) - b.z(x, y)) > kSame ||
-                                                    glm::distance(a.displacement(x, y), b.displacement(x, y)) > kSame));
+      count += held != (b.z(x, y) > 0) ||
+               (held && (std::abs(a.z(x, y) - b.z(x, y)) > kSameRadii ||
+                         glm::distance(a.displacement(x, y), b.displacement(x, y)) > kSamePixels));
     }
   }
   return count;
