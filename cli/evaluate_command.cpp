@@ -196,7 +196,7 @@ void runEvaluate(const EvaluateChoice& choice, const Frame& frame) {
   const InterruptGuard guard;
   std::string position;  // "2/16 " before the name of what is measured
   const Progress progress = [&, bar = frame.progress()](std::string_view stage, double fraction) {
-    guard.check();
+    InterruptGuard::check();
     report(bar, position + std::string(stage), fraction);
   };
   std::vector<RepresentationFigures> rows;

@@ -97,9 +97,11 @@ class LogAxis {
   std::vector<std::pair<double, bool>> ticks() const {
     std::vector<std::pair<double, bool>> ticks;
     const bool few = std::log10(high_ / low_) < 2.1;
-    for (double value = low_; value <= high_ * 1.0001; value = next(value)) {
+    double value = low_;
+    while (value <= high_ * 1.0001) {
       const double mantissa = value / std::pow(10, std::floor(std::log10(value) + 1e-9));
       ticks.emplace_back(value, few || mantissa < 1.5);
+      value = next(value);
     }
     return ticks;
   }
@@ -159,7 +161,7 @@ struct ErrorAxis {
   static bool hasZero(const std::vector<double>& errors) {
     return std::any_of(errors.begin(), errors.end(), [](double error) { return !(error > 0); });
   }
-  double bottom() const { return kHeight - kBottom; }
+  static double bottom() { return kHeight - kBottom; }
   double at(double error) const { return error > 0 ? axis.at(error) : bottom() - kZeroRow / 2; }
 
   std::string svg(const std::string& yTitle) const {

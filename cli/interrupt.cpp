@@ -34,11 +34,11 @@ InterruptGuard::~InterruptGuard() {
   sigaction(SIGTERM, &oldTerminate_, nullptr);
 }
 
-bool InterruptGuard::interrupted() const {
+bool InterruptGuard::interrupted() {
   return noted != 0;
 }
 
-void InterruptGuard::check() const {
+void InterruptGuard::check() {
   if (interrupted()) {
     throw Interrupted{};
   }

@@ -14,9 +14,9 @@ class InterruptGuard {
   InterruptGuard(const InterruptGuard&) = delete;
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-  bool interrupted() const;
+  static bool interrupted();
   /// Throws Interrupted where interrupted() holds.
-  void check() const;
+  static void check();
 
  private:
   struct sigaction oldInterrupt_ {};

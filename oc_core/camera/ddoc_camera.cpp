@@ -5,9 +5,20 @@
 namespace ocelli {
 
 DdocCamera::DdocCamera(const PinholeCamera& reference, DistortionMap map)
-    : reference_(reference), map_(std::move(map)), longestDisplacement_(map_.longestDisplacement()), bounds_(map_) {
+    : reference_(reference),
+      map_(std::move(map)),
+      longestDisplacement_(map_.longestDisplacement()),
+      bounds_(map_),
+      displacedBefore_(reference.width() + 1, reference.height() + 1, 0) {
   OC_CHECK(map_.samples().width() == reference.width() && map_.samples().height() == reference.height(),
            "a distortion map has one sample for each pixel of its reference camera");
+  for (int y = 0; y < height(); ++y) {
+    uint32_t inRow = 0;
+    for (int x = 0; x < width(); ++x) {
+      inRow += map_.samples()(x, y).displacement != glm::vec2(0);
+      displacedBefore_(x + 1, y + 1) = displacedBefore_(x + 1, y) + inRow;
+    }
+  }
 }
 
 std::optional<ImagePoint> DdocCamera::undistort(const ImagePoint& q, const glm::vec2& guess) const {

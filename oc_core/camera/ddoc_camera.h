@@ -8,6 +8,9 @@
 // unprojects exactly (3.2.3).
 #pragma once
 
+#include <cstdint>
+#include <glm/common.hpp>
+
 #include "oc_core/camera/displacement_bounds.h"
 #include "oc_core/camera/distorted_pinhole.h"
 #include "oc_core/camera/distortion_map.h"
@@ -24,6 +27,8 @@ class DdocCamera {
   const PinholeCamera& reference() const { return reference_; }
   const DistortionMap& map() const { return map_; }
   float longestDisplacement() const { return longestDisplacement_; }
+  /// False where no point with an undistorted image in the box is displaced, whatever its depth.
+  bool displacesWithin(const ImageBox& undistorted) const;
   ImageBox displacementOver(const ImageBox& undistorted, float leastInverseZ, float greatestInverseZ) const {
     return bounds_.over(undistorted).at(leastInverseZ, greatestInverseZ);
   }
@@ -47,8 +52,19 @@ class DdocCamera {
   DistortionMap map_;
   float longestDisplacement_;
   DisplacementBounds bounds_;
+  Image<uint32_t> displacedBefore_;  ///< map samples that displace, above and to the left of each corner of a pixel
 };
 
 static_assert(DistortedPinhole<DdocCamera>);
+
+inline bool DdocCamera::displacesWithin(const ImageBox& undistorted) const {
+  // The map is looked up between pixel centres, and beyond the borders at the nearest one.
+  const glm::vec2 last(static_cast<float>(width() - 1), static_cast<float>(height() - 1));
+  const glm::ivec2 lower = glm::clamp(undistorted.lower - 0.5f, glm::vec2(0), last);
+  const glm::ivec2 upper =
+      glm::min(glm::ivec2(glm::clamp(undistorted.upper - 0.5f, glm::vec2(0), last)) + 2, glm::ivec2(width(), height()));
+  return displacedBefore_(upper.x, upper.y) + displacedBefore_(lower.x, lower.y) !=
+         displacedBefore_(lower.x, upper.y) + displacedBefore_(upper.x, lower.y);
+}
 
 }  // namespace ocelli

@@ -46,7 +46,10 @@ class PinholeCamera {
   /// Nothing for a point nearer than zNear or farther than zFar along the view direction, or so far out that its image
   /// coordinates are not finite. A point outside of the image borders still has its image point.
   std::optional<ImagePoint> project(const glm::vec3& worldPoint) const {
-    const glm::vec3 p = cameraFromWorld(worldPoint);
+    return projectCamera(cameraFromWorld(worldPoint));
+  }
+  /// The same for a point in camera coordinates.
+  std::optional<ImagePoint> projectCamera(const glm::vec3& p) const {
     if (!(p.z >= view_.zNear && p.z <= view_.zFar)) {
       return std::nullopt;
     }

@@ -41,7 +41,7 @@ Image<float> filterRows(const Image<float>& image, const Kernel& kernel) {
   const int width = image.width();
   Image<float> filtered(width, image.height());
   parallelFor(static_cast<size_t>(image.height()), kRowsAtOnce, [&](size_t begin, size_t end) {
-    std::vector<float> padded(static_cast<size_t>(width + 2 * radius));
+    std::vector<float> padded(static_cast<size_t>(width) + kernel.size() - 1);
     for (size_t row = begin; row < end; ++row) {
       const float* in = &image(0, static_cast<int>(row));
       std::fill_n(padded.begin(), radius, in[0]);
@@ -61,9 +61,9 @@ Image<float> filterColumns(const Image<float>& image, const Kernel& kernel) {
   parallelFor(static_cast<size_t>(image.height()), kRowsAtOnce, [&](size_t begin, size_t end) {
     for (size_t row = begin; row < end; ++row) {
       const int y = static_cast<int>(row);
-      for (int i = -radius; i <= radius; ++i) {
-        addScaled(&filtered(0, y), &image(0, std::clamp(y + i, 0, image.height() - 1)),
-                  kernel[static_cast<size_t>(i + radius)], image.width());
+      for (size_t i = 0; i < kernel.size(); ++i) {
+        const int from = std::clamp(y + static_cast<int>(i) - radius, 0, image.height() - 1);
+        addScaled(&filtered(0, y), &image(0, from), kernel[i], image.width());
       }
     }
   });

@@ -1,10 +1,12 @@
 #include "oc_core/ocri/camera_choice.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/ocri/corner_depth_images.h"
+#include "oc_core/ocri/eoc_builder.h"
 #include "oc_core/ocri/layered_depth_image.h"
 #include "oc_core/ocri/set_difference.h"
 #include "oc_core/ocri/spoc_builder.h"
@@ -29,6 +31,7 @@ struct NamedModel {
   CameraName name;
   CameraChoice::Model model;
   int count = 0;
+  glm::vec3 direction = kHorizontalSegment;
 };
 
 const std::vector<NamedModel>& namedModels() {
@@ -48,6 +51,11 @@ const std::vector<NamedModel>& namedModels() {
       {{"di+spoc", "depth image, and what the single pole occlusion camera adds to it"}, Model::kSpocUnion},
       {{"ddoc", "depth discontinuity occlusion camera, radii from the view cell"}, Model::kDdoc},
       {{"ddoc-constant", "the same as the dissertation has it, with a constant radius of 15 pixels"}, Model::kDdoc},
+      {{"eoc-h", "epipolar occlusion camera for a horizontal segment as long as the view cell"}, Model::kEoc},
+      {{"eoc-v", "the same for a vertical segment"}, Model::kEoc, 0, kVerticalSegment},
+      {{"eoc-forward", "the same for a segment along the view"}, Model::kEoc, 0, kForwardSegment},
+      {{"eoc-hv", "union of eoc-h and of what eoc-v adds to it"}, Model::kCrossedEocs},
+      {{"eoc-hv+ddoc", "union of eoc-hv and of what ddoc adds to it"}, Model::kCrossedEocsDdoc},
       {{"cell", "view-region occlusion camera: what is seen from anywhere in the view cell, in one image"},
        Model::kCell},
       {{"simplified", "the scene with as many triangles as the depth image's mesh: a mesh, no image"},
@@ -82,6 +90,7 @@ CameraChoice namedCamera(const std::string& name, float cellSideRadii, const std
   choice.model = found->model;
   choice.name = name;
   choice.count = layers > 0 ? layers : found->count;
+  choice.segmentDirection = found->direction;
   choice.cellSideRadii = cellSideRadii;
   if (name == "ddoc-constant") {
     choice.ddoc = DdocOptions::paper();
@@ -96,6 +105,23 @@ constexpr double kMostCellSide = 100;
 
 float readCellSide(JsonFields& fields, float otherwise) {
   return static_cast<float>(fields.number("cell_side_radii", kLeastCellSide, kMostCellSide, otherwise));
+}
+
+void readEocOptions(JsonFields& fields, CameraChoice& choice) {
+  choice.cellSideRadii = readCellSide(fields, choice.cellSideRadii);
+  if (fields.has("segment_direction")) {
+    const nlohmann::json& value = fields.value("segment_direction");
+    if (!value.is_array() || value.size() != 3) {
+      fields.fail("segment_direction", "must be an array of three numbers");
+    }
+    for (int i = 0; i < 3; ++i) {
+      const nlohmann::json& element = value[static_cast<size_t>(i)];
+      if (!element.is_number() || !(std::abs(element.get<double>()) <= 1)) {
+        fields.fail("segment_direction", "must be an array of three numbers between -1 and 1");
+      }
+      choice.segmentDirection[i] = element.get<float>();
+    }
+  }
 }
 
 void readCellOptions(JsonFields& fields, CellOptions& options) {
@@ -153,6 +179,32 @@ ReferenceImages spocUnion(const PinholeCamera& reference, const Mesh& mesh) {
   return images;
 }
 
+/// Two EOCs whose segments cross at the reference eye, and a DDOC if wanted; each without what those before it hold.
+ReferenceImages crossedEocs(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh, bool withDdoc,
+                            const Progress& progress) {
+  ReferenceImages images;
+  std::vector<Projection> projections;
+  const auto add = [&](ReferenceImage image, Projection projection) {
+    for (size_t i = 0; i < images.size(); ++i) {
+      subtract(image, images[i], projections[i]);
+    }
+    image.triangleBound = 0;
+    images.push_back(std::move(image));
+    projections.push_back(std::move(projection));
+  };
+  for (const glm::vec3& direction : {kHorizontalSegment, kVerticalSegment}) {
+    const auto camera = std::make_shared<EpipolarCamera>(
+        buildEpipolarCamera(reference, segmentAround(reference.view(), direction, choice.cellSideRadii), mesh));
+    add(buildEocImage(*camera, mesh), [camera](const glm::vec3& point) { return camera->project(point); });
+  }
+  if (withDdoc) {
+    const auto camera = std::make_shared<DdocCamera>(buildDdocCamera(reference, mesh, choice.ddoc, progress));
+    add(buildDdocImage(*camera, mesh, choice.ddoc.subdivision),
+        [camera](const glm::vec3& point) { return camera->project(point); });
+  }
+  return images;
+}
+
 ReferenceImages imagesOf(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                          const Progress& progress) {
   const ViewCell cell{.sideRadii = choice.cellSideRadii};
@@ -172,7 +224,14 @@ ReferenceImages imagesOf(const CameraChoice& choice, const PinholeCamera& refere
     case CameraChoice::Model::kSpocUnion:
       return spocUnion(reference, mesh);
     case CameraChoice::Model::kDdoc:
-      return {buildDdocImage(buildDdocCamera(reference, mesh, choice.ddoc, progress), mesh, choice.ddoc.subdivision)};
+      return {buildDdocImage(reference, mesh, choice.ddoc, progress)};
+    case CameraChoice::Model::kEoc:
+      return {buildEocImage(reference, segmentAround(reference.view(), choice.segmentDirection, choice.cellSideRadii),
+                            mesh)};
+    case CameraChoice::Model::kCrossedEocs:
+      return crossedEocs(choice, reference, mesh, false, progress);
+    case CameraChoice::Model::kCrossedEocsDdoc:
+      return crossedEocs(choice, reference, mesh, true, progress);
     case CameraChoice::Model::kCell:
       return {buildCellImage(buildCellCamera(reference, mesh, choice.cell, progress), mesh)};
     case CameraChoice::Model::kSimplified:
@@ -209,8 +268,12 @@ CameraChoice cameraChoice(const std::string& nameOrFile, float cellSideRadii) {
     readDdocOptions(fields, choice.ddoc);
   } else if (choice.model == CameraChoice::Model::kCell) {
     readCellOptions(fields, choice.cell);
+  } else if (choice.model == CameraChoice::Model::kEoc) {
+    readEocOptions(fields, choice);
   } else if (choice.model == CameraChoice::Model::kWideDepthImage ||
-             choice.model == CameraChoice::Model::kCornerDepthImages) {
+             choice.model == CameraChoice::Model::kCornerDepthImages ||
+             choice.model == CameraChoice::Model::kCrossedEocs ||
+             choice.model == CameraChoice::Model::kCrossedEocsDdoc) {
     choice.cellSideRadii = readCellSide(fields, choice.cellSideRadii);
   }
   fields.rejectUnknown();
@@ -258,10 +321,21 @@ ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choic
       const CellCamera camera = buildCellCamera(reference, mesh, choice.cell, progress);
       return finished({cellImage(camera, raycast(camera, mesh, RayScene(mesh)), mesh)}, choice).front();
     }
+    case CameraChoice::Model::kEoc: {
+      if (technique != Technique::kRaycast) {
+        throw InputError("camera \"" + choice.name + "\" is drawn by epipolar spans or ray casting", "--method",
+                         "use raster or raycast");
+      }
+      const EpipolarCamera camera = buildEpipolarCamera(
+          reference, segmentAround(reference.view(), choice.segmentDirection, choice.cellSideRadii), mesh);
+      return finished({eocImage(raycast(camera, mesh, RayScene(mesh)), camera, mesh)}, choice).front();
+    }
     case CameraChoice::Model::kWideDepthImage:
     case CameraChoice::Model::kCornerDepthImages:
     case CameraChoice::Model::kLayeredDepthImage:
     case CameraChoice::Model::kSpocUnion:
+    case CameraChoice::Model::kCrossedEocs:
+    case CameraChoice::Model::kCrossedEocsDdoc:
     case CameraChoice::Model::kSimplified:
     case CameraChoice::Model::kSimplifiedSloppy:
     case CameraChoice::Model::kGeometry:

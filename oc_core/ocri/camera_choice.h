@@ -22,6 +22,9 @@ struct CameraChoice {
     kSpoc,
     kSpocUnion,  ///< of the depth image and what the single pole camera adds (section 3.1.4)
     kDdoc,
+    kEoc,
+    kCrossedEocs,      ///< a horizontal and a vertical EOC, without what the first one holds (section 3.5.1)
+    kCrossedEocsDdoc,  ///< the same, and what a DDOC adds
     kCell,
     kSimplified,        ///< a mesh, no image
     kSimplifiedSloppy,  ///< a mesh, no image
@@ -31,6 +34,7 @@ struct CameraChoice {
   std::string name = "di";
   int count = 0;  ///< of corners, or layers
   float cellSideRadii = 1.6f;
+  glm::vec3 segmentDirection{1, 0, 0};  ///< of an EOC: right, up and backward in the reference view
   DdocOptions ddoc;
   CellOptions cell;
 

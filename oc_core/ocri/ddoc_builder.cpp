@@ -1,32 +1,18 @@
 #include "oc_core/ocri/ddoc_builder.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 
-#include "oc_core/base/parallel.h"
-#include "oc_core/ocri/coverage.h"
 #include "oc_core/ocri/depth_edges.h"
-#include "oc_core/ocri/distortion_splats.h"
+#include "oc_core/ocri/harm_meter.h"
 #include "oc_core/ocri/image_mesh.h"
-#include "oc_core/ocri/visible_part.h"
+#include "oc_core/render/rasterize.h"
 
 namespace ocelli {
 namespace {
 
-/// z of each pixel, 0 where nothing is seen.
-Image<float> depthsOf(const PinholeCamera& camera, const Image<glm::vec4>& seen) {
-  Image<float> z(seen.width(), seen.height(), 0);
-  for (size_t i = 0; i < seen.size(); ++i) {
-    if (seen[i].w > 0) {
-      z[i] = camera.cameraFromWorld(glm::vec3(seen[i])).z;
-    }
-  }
-  return z;
-}
-
-std::vector<DepthEdge> findEdges(const PinholeCamera& camera, const Image<float>& depths, const DdocOptions& options) {
-  Image<float> inverseZ(depths.width(), depths.height(), 0);
-  std::transform(depths.begin(), depths.end(), inverseZ.begin(), [](float z) { return z > 0 ? 1 / z : 0; });
+std::vector<DepthEdge> findEdges(const PinholeCamera& camera, const FragmentImage& seen, const DdocOptions& options) {
+  Image<float> inverseZ(seen.width(), seen.height(), 0);
+  std::transform(seen.begin(), seen.end(), inverseZ.begin(), [](const Fragment& f) { return f.z > 0 ? 1 / f.z : 0; });
   DepthEdgeOptions edgeOptions;
   // A step counts when the view cell can uncover a pixel behind it.
   edgeOptions.leastInverseZStep = 1 / (camera.focalPixels() * options.cellSideRadii / 2);
@@ -68,56 +54,61 @@ DistortionMap mapOf(const std::vector<DistortionSplat>& splats, const SplatOwner
   return smoothMap(finalizeMap(splats, owners, DistortionMap::Lookup::kBilinear), options.smoothingSigmaPixels);
 }
 
-ReferenceImage render(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options) {
-  return referenceImage(rasterize(camera, mesh, options), mesh, camera.reference(), "ddoc");
-}
-
-/// "Do no harm": shrinks the splats that cost samples which the reference view sees. Returns how many it lacks.
-size_t shrinkHarmful(std::vector<DistortionSplat>& splats, const SplatOwners& owners, const Image<glm::vec4>& seen,
-                     const DdocCamera& camera, const ReferenceImage& image, const DdocOptions& options) {
-  const PinholeCamera& reference = camera.reference();
-  const Image<SampleState> states = compareFrames(reference, seen, positionImage(reference, imageMesh(image)));
-
-  std::vector<int> harm(splats.size());
-  size_t missing = 0;
-  // Whoever moved is to blame: the sample itself, and what now lies in front of it.
-  const auto blame = [&](float u, float v, float inverseZ) {
-    const int x = static_cast<int>(std::floor(u));
-    const int y = static_cast<int>(std::floor(v));
-    if (owners.contains(x, y) && owners(x, y) >= 0) {
-      const auto owner = static_cast<size_t>(owners(x, y));
-      harm[owner] += inverseZ < splats[owner].edge.inverseNear;
-    }
-  };
-  for (int y = 0; y < seen.height(); ++y) {
-    for (int x = 0; x < seen.width(); ++x) {
-      if (states(x, y) != SampleState::kMissing && states(x, y) != SampleState::kMissingThick) {
-        continue;
-      }
-      ++missing;
-      const glm::vec3 point = reference.cameraFromWorld(glm::vec3(seen(x, y)));
-      const ImagePoint q = camera.distort(reference.imageFromCamera(point));
-      const int u = static_cast<int>(std::floor(q.u));
-      const int v = static_cast<int>(std::floor(q.v));
-      for (int dv = -1; dv <= 1; ++dv) {
-        for (int du = -1; du <= 1; ++du) {
-          if (image.z.contains(u + du, v + dv) && image.z(u + du, v + dv) > 0) {
-            const ImagePoint other = image.undistorted(u + du, v + dv);
-            if (other.z < point.z) {
-              blame(other.u, other.v, 1 / other.z);
-            }
-          }
-        }
-      }
-      blame(static_cast<float>(x), static_cast<float>(y), 1 / point.z);
-    }
-  }
+/// "Do no harm": what harms gives in.
+void shrinkHarmful(std::vector<DistortionSplat>& splats, const Harm& harm, const DdocOptions& options) {
   for (size_t i = 0; i < splats.size(); ++i) {
-    if (static_cast<float>(harm[i]) > options.harmlessPerHiddenPixel * splats[i].hidden) {
+    if (static_cast<float>(harm.ofSplats[i]) > options.harmlessPerHiddenPixel * splats[i].hidden) {
       splats[i].hidden *= options.feedbackShrink;
     }
   }
-  return missing;
+}
+
+/// A camera under construction with what its image can share.
+struct Construction {
+  FragmentImage seen;  ///< by the reference pinhole
+  DdocCamera camera;
+  TrianglePart part;  ///< what the camera may displace
+};
+
+Construction construct(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
+                       const Progress& progress) {
+  // Steps 1 and 2.
+  report(progress, "depth edges", 0);
+  FragmentImage seen = rasterize(reference, mesh);
+  const std::vector<DepthEdge> edges = findEdges(reference, seen, options);
+
+  // Steps 3 to 6.
+  std::vector<DistortionSplat> splats = makeSplats(edges, reference, options);
+  SplatOwners owners = claimPixels(splats, seen.width(), seen.height());
+  shrinkConflicts(splats, owners, options.conflicts, options.mostHiddenPerRoom);
+  const auto cameraOfSplats = [&] {
+    limitBandGrowth(splats, options.steepestBandGrowth);
+    owners = claimPixels(splats, seen.width(), seen.height());
+    return DdocCamera(reference, mapOf(splats, owners, options));
+  };
+  DdocCamera camera = cameraOfSplats();
+  TrianglePart part = displacedPart(camera, mesh);
+
+  HarmMeter meter(reference, mesh, seen, part, options.feedbackSubdivision);
+  for (int round = 0; round < options.feedbackRounds; ++round) {
+    report(progress, "do no harm", static_cast<double>(round) / options.feedbackRounds);
+    const Harm harm = meter.measure(camera, splats, owners);
+    if (harm.missing == 0) {
+      break;
+    }
+    shrinkHarmful(splats, harm, options);
+    camera = cameraOfSplats();
+  }
+  report(progress, "do no harm", 1);
+  return {std::move(seen), std::move(camera), std::move(part)};
+}
+
+ReferenceImage imageOf(const Construction& built, const Mesh& mesh, const SubdivisionOptions& options) {
+  const PinholeCamera& reference = built.camera.reference();
+  ReferenceImage image =
+      referenceImage(rasterize(built.camera, built.seen, built.part, options), mesh, reference, "ddoc");
+  image.triangleBound = imageMesh(referenceImage(built.seen, mesh, reference, "di")).triangles.size();
+  return image;
 }
 
 }  // namespace
@@ -127,6 +118,7 @@ DdocOptions DdocOptions::paper(float constantRadiusPixels) {
   options.radius = Radius::kConstant;
   options.constantRadiusPixels = constantRadiusPixels;
   options.conflicts = Conflicts::kAll;
+  options.roomPerHidden = 1;
   options.mostHiddenPerRoom = 1;
   options.feedbackRounds = 0;
   options.steepestBandGrowth = 0;
@@ -136,43 +128,16 @@ DdocOptions DdocOptions::paper(float constantRadiusPixels) {
 
 DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
                            const Progress& progress) {
-  // Steps 1 and 2.
-  report(progress, "depth edges", 0);
-  const Image<glm::vec4> seen = positionImage(reference, mesh);
-  const Image<float> depths = depthsOf(reference, seen);
-  const std::vector<DepthEdge> edges = findEdges(reference, depths, options);
-
-  // Steps 3 to 6.
-  std::vector<DistortionSplat> splats = makeSplats(edges, reference, options);
-  SplatOwners owners = claimPixels(splats, seen.width(), seen.height());
-  shrinkConflicts(splats, owners, options.conflicts, options.mostHiddenPerRoom);
-  limitBandGrowth(splats, options.steepestBandGrowth);
-  owners = claimPixels(splats, seen.width(), seen.height());
-  DdocCamera camera(reference, mapOf(splats, owners, options));
-
-  // The first round draws the whole scene, later ones what can show in images that differ from it by less displacement.
-  Mesh part;
-  for (int round = 0; round < options.feedbackRounds; ++round) {
-    report(progress, "do no harm", static_cast<double>(round) / options.feedbackRounds);
-    const ReferenceImage image = render(camera, round == 0 ? mesh : part, options.feedbackSubdivision);
-    if (round == 0) {
-      part = visiblePart(mesh, camera, depths, image.z);
-    }
-    if (shrinkHarmful(splats, owners, seen, camera, image, options) == 0) {
-      break;
-    }
-    limitBandGrowth(splats, options.steepestBandGrowth);
-    owners = claimPixels(splats, seen.width(), seen.height());
-    camera = DdocCamera(reference, mapOf(splats, owners, options));
-  }
-  report(progress, "do no harm", 1);
-  return camera;
+  return construct(reference, mesh, options, progress).camera;
 }
 
 ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options) {
-  ReferenceImage image = render(camera, mesh, options);
-  image.triangleBound = imageMesh(buildDepthImage(camera.reference(), mesh)).triangles.size();
-  return image;
+  return imageOf({rasterize(camera.reference(), mesh), camera, displacedPart(camera, mesh)}, mesh, options);
+}
+
+ReferenceImage buildDdocImage(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
+                              const Progress& progress) {
+  return imageOf(construct(reference, mesh, options, progress), mesh, options.subdivision);
 }
 
 }  // namespace ocelli

@@ -37,15 +37,15 @@ struct DdocOptions {
   float cellSideRadii = 1.6f;
   float safetyFactor = 1.15f;   ///< on the parallax
   float mostHiddenPixels = 48;  ///< cap on the hidden band
-  float roomPerHidden = 1;      ///< visible band for each pixel of hidden band, where nothing competes for it
+  float roomPerHidden = 0.6f;   ///< visible band for each pixel of hidden band, where nothing competes for it
   Conflicts conflicts = Conflicts::kFacing;
-  float mostHiddenPerRoom = 3;     ///< hardest squeeze: (hidden + room) / room - 1
+  float mostHiddenPerRoom = 6;     ///< hardest squeeze: (hidden + room) / room - 1
   float steepestBandGrowth = 6;    ///< of the bands along a silhouette, pixels a pixel; 0 leaves them as they are
   float smoothingSigmaPixels = 1;  ///< of the field; 0 turns smoothing off: nearest lookup, as in the text
 
-  int feedbackRounds = 6;               ///< most "do no harm" rounds; 0 turns it off
-  float feedbackShrink = 0.7f;          ///< what a round leaves of the hidden band of an edge that does harm
-  float harmlessPerHiddenPixel = 0.2f;  ///< missing samples that an edge may cost for each pixel of its hidden band
+  int feedbackRounds = 3;               ///< most "do no harm" rounds; 0 turns it off
+  float feedbackShrink = 0.5f;          ///< what a round leaves of the hidden band of an edge that does harm
+  float harmlessPerHiddenPixel = 0.1f;  ///< missing samples that an edge may cost for each pixel of its hidden band
 
   SubdivisionOptions subdivision;
   /// Of the rounds, whose images only have to show what is lost: coarser, and three times as fast.
@@ -61,5 +61,9 @@ DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, con
 
 /// The OCRI. Its `triangleBound` is that of the depth image of the same view.
 ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options = {});
+
+/// The same image without the camera: both share what they draw, which is faster than one after the other.
+ReferenceImage buildDdocImage(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
+                              const Progress& progress = {});
 
 }  // namespace ocelli

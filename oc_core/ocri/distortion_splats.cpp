@@ -1,5 +1,8 @@
 #include "oc_core/ocri/distortion_splats.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -13,6 +16,37 @@ glm::vec2 centreOf(int x, int y) {
   return {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
 }
 
+constexpr float kUnlimited = 1e9f;
+
+/// Lowers each value to what its neighbours and the growth per pixel between them allow for: a chamfer sweep, forwards
+/// and backwards over the image, as for a distance transform. The first and the last column are a margin.
+void spreadLeast(Image<float>& least, float growth) {
+  const float diagonal = growth * std::numbers::sqrt2_v<float>;
+  const int last = least.width() - 2;
+  const auto takeFrom = [&](int y, int other) {
+    for (int x = 1; x <= last; ++x) {
+      const float side = std::min(least(x - 1, other), least(x + 1, other)) + diagonal;
+      least(x, y) = std::min(least(x, y), std::min(side, least(x, other) + growth));
+    }
+  };
+  for (int y = 0; y < least.height(); ++y) {
+    if (y > 0) {
+      takeFrom(y, y - 1);
+    }
+    for (int x = 1; x <= last; ++x) {
+      least(x, y) = std::min(least(x, y), least(x - 1, y) + growth);
+    }
+  }
+  for (int y = least.height(); y-- > 0;) {
+    if (y + 1 < least.height()) {
+      takeFrom(y, y + 1);
+    }
+    for (int x = last; x >= 1; --x) {
+      least(x, y) = std::min(least(x, y), least(x + 1, y) + growth);
+    }
+  }
+}
+
 }  // namespace
 
 SplatOwners claimPixels(const std::vector<DistortionSplat>& splats, int width, int height) {
@@ -22,24 +56,29 @@ SplatOwners claimPixels(const std::vector<DistortionSplat>& splats, int width, i
   constexpr size_t kBands = 64;
   parallelChunks(static_cast<size_t>(height), kBands, [&](size_t, size_t firstRow, size_t lastRow) {
     for (size_t i = 0; i < splats.size(); ++i) {
-      const glm::vec2 centre = splats[i].edge.position;
-      const float reach = splats[i].reach();
+      const DistortionSplat& splat = splats[i];
+      const glm::vec2 centre = splat.edge.position;
+      const float reach = splat.reach();
       const int y0 = std::max(static_cast<int>(std::ceil(centre.y - reach - 0.5f)), static_cast<int>(firstRow));
       const int y1 = std::min(static_cast<int>(std::floor(centre.y + reach - 0.5f)), static_cast<int>(lastRow) - 1);
-      const int x0 = std::max(static_cast<int>(std::ceil(centre.x - reach - 0.5f)), 0);
-      const int x1 = std::min(static_cast<int>(std::floor(centre.x + reach - 0.5f)), width - 1);
       for (int y = y0; y <= y1; ++y) {
-        for (int x = x0; x <= x1; ++x) {
-          const glm::vec2 offset = centreOf(x, y) - centre;
-          const float squared = glm::dot(offset, offset);
-          if (squared >= nearest(x, y) || squared > reach * reach) {
-            continue;
-          }
-          const float side = glm::dot(offset, splats[i].edge.normal);
-          if (side >= -splats[i].hidden && side <= splats[i].room) {
-            nearest(x, y) = squared;
-            owners(x, y) = static_cast<int>(i);
-          }
+        const float dy = static_cast<float>(y) + 0.5f - centre.y;
+        const float chord = std::sqrt(std::max(reach * reach - dy * dy, 0.0f));
+        const int x0 = std::max(static_cast<int>(std::ceil(centre.x - chord - 0.5f)), 0);
+        const int x1 = std::min(static_cast<int>(std::floor(centre.x + chord - 0.5f)), width - 1);
+        if (x0 > x1) {
+          continue;
+        }
+        // Without branches, so that it is done for several pixels at once.
+        float* const near = &nearest(x0, y);
+        int* const owner = &owners(x0, y);
+        for (int k = 0; k <= x1 - x0; ++k) {
+          const float dx = static_cast<float>(x0 + k) + 0.5f - centre.x;
+          const float squared = dx * dx + dy * dy;
+          const float side = dx * splat.edge.normal.x + dy * splat.edge.normal.y;
+          const bool claims = (squared < near[k]) & (side >= -splat.hidden) & (side <= splat.room);
+          near[k] = claims ? squared : near[k];
+          owner[k] = claims ? static_cast<int>(i) : owner[k];
         }
       }
     }
@@ -95,66 +134,52 @@ void limitBandGrowth(std::vector<DistortionSplat>& splats, float steepestGrowth)
   if (splats.empty() || steepestGrowth <= 0) {
     return;
   }
-  // A chamfer sweep on a grid of the splats' pixels: forwards and backwards over the image, as for a distance
-  // transform.
   int width = 0;
   int height = 0;
   for (const DistortionSplat& splat : splats) {
     width = std::max(width, static_cast<int>(splat.edge.position.x) + 1);
     height = std::max(height, static_cast<int>(splat.edge.position.y) + 1);
   }
-  Image<glm::vec2> least(width, height, glm::vec2(1e9f));
-  const auto cell = [&](const DistortionSplat& splat) -> glm::vec2& {
-    return least(static_cast<int>(splat.edge.position.x), static_cast<int>(splat.edge.position.y));
-  };
-  for (const DistortionSplat& splat : splats) {
-    cell(splat) = glm::min(cell(splat), glm::vec2(splat.hidden, splat.room));
-  }
-  const auto relax = [&](int x, int y, int dx, int dy) {
-    if (least.contains(x + dx, y + dy)) {
-      const float distance = dx != 0 && dy != 0 ? std::numbers::sqrt2_v<float> : 1.0f;
-      least(x, y) = glm::min(least(x, y), least(x + dx, y + dy) + steepestGrowth * distance);
+  // Hidden and visible bands have nothing to do with each other.
+  constexpr std::array<float DistortionSplat::*, 2> kBands{&DistortionSplat::hidden, &DistortionSplat::room};
+  parallelFor(kBands.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t band = begin; band < end; ++band) {
+      // The least band of each pixel. A column on each side of them stays unlimited.
+      Image<float> least(width + 2, height, kUnlimited);
+      const auto cell = [&](const DistortionSplat& splat) -> float& {
+        return least(static_cast<int>(splat.edge.position.x) + 1, static_cast<int>(splat.edge.position.y));
+      };
+      for (const DistortionSplat& splat : splats) {
+        cell(splat) = std::min(cell(splat), splat.*kBands[band]);
+      }
+      spreadLeast(least, steepestGrowth);
+      for (DistortionSplat& splat : splats) {
+        splat.*kBands[band] = std::min(splat.*kBands[band], cell(splat));
+      }
     }
-  };
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      relax(x, y, -1, 0);
-      relax(x, y, -1, -1);
-      relax(x, y, 0, -1);
-      relax(x, y, 1, -1);
-    }
-  }
-  for (int y = height; y-- > 0;) {
-    for (int x = width; x-- > 0;) {
-      relax(x, y, 1, 0);
-      relax(x, y, 1, 1);
-      relax(x, y, 0, 1);
-      relax(x, y, -1, 1);
-    }
-  }
-  for (DistortionSplat& splat : splats) {
-    splat.hidden = std::min(splat.hidden, cell(splat).x);
-    splat.room = std::min(splat.room, cell(splat).y);
-  }
+  });
 }
 
 DistortionMap finalizeMap(const std::vector<DistortionSplat>& splats, const SplatOwners& owners,
                           DistortionMap::Lookup lookup) {
   DistortionMap map(owners.width(), owners.height(), lookup);
-  for (int y = 0; y < owners.height(); ++y) {
-    for (int x = 0; x < owners.width(); ++x) {
-      if (owners(x, y) < 0) {
-        continue;
-      }
-      const DistortionSplat& splat = splats[static_cast<size_t>(owners(x, y))];
-      const glm::vec2 offset = centreOf(x, y) - splat.edge.position;
-      const float side = glm::dot(offset, splat.edge.normal);
-      DistortionSample& sample = map.samples()(x, y);
-      if (glm::length(offset) <= splat.reach() && side >= -splat.hidden && side <= splat.room) {
-        sample = {splat.edge.normal * splat.displacementAt(side), splat.edge.inverseNear, splat.edge.inverseFar};
+  parallelFor(static_cast<size_t>(owners.height()), 16, [&](size_t begin, size_t end) {
+    for (size_t row = begin; row < end; ++row) {
+      const int y = static_cast<int>(row);
+      for (int x = 0; x < owners.width(); ++x) {
+        if (owners(x, y) < 0) {
+          continue;
+        }
+        const DistortionSplat& splat = splats[static_cast<size_t>(owners(x, y))];
+        const glm::vec2 offset = centreOf(x, y) - splat.edge.position;
+        const float side = glm::dot(offset, splat.edge.normal);
+        DistortionSample& sample = map.samples()(x, y);
+        if (glm::length(offset) <= splat.reach() && side >= -splat.hidden && side <= splat.room) {
+          sample = {splat.edge.normal * splat.displacementAt(side), splat.edge.inverseNear, splat.edge.inverseFar};
+        }
       }
     }
-  }
+  });
   return map;
 }
 
@@ -162,49 +187,65 @@ DistortionMap smoothMap(const DistortionMap& map, float sigmaPixels) {
   const int width = map.samples().width();
   const int height = map.samples().height();
   const int reach = static_cast<int>(std::ceil(2.5f * sigmaPixels));
-  Image<float> kernel(2 * reach + 1, 1);
+  std::vector<float> kernel;
   for (int i = -reach; i <= reach; ++i) {
-    kernel(i + reach, 0) = std::exp(-0.5f * static_cast<float>(i * i) / (sigmaPixels * sigmaPixels));
+    kernel.push_back(std::exp(-0.5f * static_cast<float>(i * i) / (sigmaPixels * sigmaPixels)));
   }
+  const auto weight = [&](int offset) { return kernel[static_cast<size_t>(offset + reach)]; };
+  /// The weight of all pixels around the one at `i` of a row or column of `count`.
+  const auto wholeWeight = [&](int i, int count) {
+    float sum = 0;
+    for (int k = std::max(-reach, -i); k <= std::min(reach, count - 1 - i); ++k) {
+      sum += weight(k);
+    }
+    return sum;
+  };
+  /// Over the pixels with a depth interval; the others have no displacement.
   struct Sums {
     glm::vec2 displacement{0};
-    float weight = 0;  ///< of all pixels
     float inverseNear = 0;
     float inverseFar = 0;
-    float depthWeight = 0;  ///< of the pixels with a depth interval
+    float weight = 0;
+
+    void add(const Sums& more, float times) {
+      displacement += more.displacement * times;
+      inverseNear += more.inverseNear * times;
+      inverseFar += more.inverseFar * times;
+      weight += more.weight * times;
+    }
   };
-  const auto add = [](Sums& sums, const Sums& more, float weight) {
-    sums.displacement += more.displacement * weight;
-    sums.weight += more.weight * weight;
-    sums.inverseNear += more.inverseNear * weight;
-    sums.inverseFar += more.inverseFar * weight;
-    sums.depthWeight += more.depthWeight * weight;
-  };
-  Image<Sums> rows(width, height);
-  parallelFor(static_cast<size_t>(height), 4, [&](size_t begin, size_t end) {
-    for (size_t row = begin; row < end; ++row) {
-      const int y = static_cast<int>(row);
+
+  DistortionMap smooth(width, height, DistortionMap::Lookup::kBilinear);
+  constexpr int kBandRows = 32;
+  const auto bands = static_cast<size_t>((height + kBandRows - 1) / kBandRows);
+  parallelChunks(static_cast<size_t>(height), bands, [&](size_t, size_t begin, size_t end) {
+    const int firstRow = std::max(static_cast<int>(begin) - reach, 0);
+    const int lastRow = std::min(static_cast<int>(end) + reach, height);
+    // Along the rows first, then along the columns; both only where there is something to average.
+    Image<Sums> rows(width, lastRow - firstRow);
+    for (int y = firstRow; y < lastRow; ++y) {
       for (int x = 0; x < width; ++x) {
-        for (int i = std::max(-reach, -x); i <= std::min(reach, width - 1 - x); ++i) {
-          const DistortionSample& s = map.samples()(x + i, y);
-          const float has = s.inverseNear > s.inverseFar ? 1.0f : 0.0f;
-          add(rows(x, y), {s.displacement, 1, s.inverseNear * has, s.inverseFar * has, has}, kernel(i + reach, 0));
+        const DistortionSample& s = map.samples()(x, y);
+        if (s.inverseNear > s.inverseFar) {
+          for (int i = std::max(-reach, -x); i <= std::min(reach, width - 1 - x); ++i) {
+            rows(x + i, y - firstRow).add({s.displacement, s.inverseNear, s.inverseFar, 1}, weight(i));
+          }
         }
       }
     }
-  });
-  DistortionMap smooth(width, height, DistortionMap::Lookup::kBilinear);
-  parallelFor(static_cast<size_t>(height), 4, [&](size_t begin, size_t end) {
-    for (size_t row = begin; row < end; ++row) {
-      const int y = static_cast<int>(row);
+    for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
+      const float columnWeight = wholeWeight(y, height);
       for (int x = 0; x < width; ++x) {
         Sums sums;
         for (int i = std::max(-reach, -y); i <= std::min(reach, height - 1 - y); ++i) {
-          add(sums, rows(x, y + i), kernel(i + reach, 0));
+          const Sums& row = rows(x, y + i - firstRow);
+          if (row.weight > 0) {
+            sums.add(row, weight(i));
+          }
         }
-        if (sums.depthWeight > 1e-6f) {
-          smooth.samples()(x, y) = {sums.displacement / sums.weight, sums.inverseNear / sums.depthWeight,
-                                    sums.inverseFar / sums.depthWeight};
+        if (sums.weight > 1e-6f) {
+          smooth.samples()(x, y) = {sums.displacement / (columnWeight * wholeWeight(x, width)),
+                                    sums.inverseNear / sums.weight, sums.inverseFar / sums.weight};
         }
       }
     }

@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
+#include <optional>
+
+#include "oc_core/base/parallel.h"
 
 namespace ocelli {
 namespace {
@@ -13,6 +18,8 @@ namespace {
 /// across a gap.
 constexpr float kLongestScaledStep = 1.5f;
 constexpr uint32_t kNoVertex = 0xffffffffu;
+constexpr uint8_t kJoinedRight = 1;
+constexpr uint8_t kJoinedDown = 2;
 
 class ImageMesher {
  public:
@@ -21,10 +28,12 @@ class ImageMesher {
         options_(options),
         camera_(image.reference()),
         vertexOf_(image.width(), image.height(), kNoVertex),
+        joins_(image.width(), image.height()),
         cellTriangles_(image.width(), image.height()) {}
 
   Mesh mesh(std::vector<uint32_t>* pixelOfVertex) {
     addVertices();
+    joinPixels();
     joinNeighbours();
     addSquares();
     if (pixelOfVertex != nullptr) {
@@ -38,19 +47,57 @@ class ImageMesher {
     int x, y;
   };
 
+  /// Rows in parallel: what `body` writes belongs to its row.
+  void forRows(const std::function<void(int y)>& body) const {
+    parallelFor(static_cast<size_t>(image_.height()), 8, [&](size_t begin, size_t end) {
+      for (size_t y = begin; y < end; ++y) {
+        body(static_cast<int>(y));
+      }
+    });
+  }
+
   bool valid(const Pixel& p) const { return vertexOf_.contains(p.x, p.y) && vertexOf_(p.x, p.y) != kNoVertex; }
 
   void addVertices() {
-    for (int y = 0; y < image_.height(); ++y) {
+    const auto pointOf = [&](int x, int y) {
+      return image_.z(x, y) > 0 ? camera_.unproject(image_.undistorted(x, y)) : std::nullopt;
+    };
+    std::vector<uint32_t> firstOfRow(static_cast<size_t>(image_.height()) + 1, 0);
+    forRows([&](int y) {
       for (int x = 0; x < image_.width(); ++x) {
-        if (const auto point = camera_.unproject(image_.undistorted(x, y))) {
-          vertexOf_(x, y) = static_cast<uint32_t>(mesh_.positions.size());
-          mesh_.positions.push_back(*point);
-          mesh_.colors.push_back(image_.color(x, y));
-          pixelOfVertex_.push_back(static_cast<uint32_t>(image_.z.index(x, y)));
+        firstOfRow[static_cast<size_t>(y) + 1] += pointOf(x, y).has_value();
+      }
+    });
+    std::partial_sum(firstOfRow.begin(), firstOfRow.end(), firstOfRow.begin());
+    mesh_.positions.resize(firstOfRow.back());
+    mesh_.colors.resize(firstOfRow.back());
+    pixelOfVertex_.resize(firstOfRow.back());
+    forRows([&](int y) {
+      uint32_t next = firstOfRow[static_cast<size_t>(y)];
+      for (int x = 0; x < image_.width(); ++x) {
+        if (const std::optional<glm::vec3> point = pointOf(x, y)) {
+          vertexOf_(x, y) = next;
+          mesh_.positions[next] = *point;
+          mesh_.colors[next] = image_.color(x, y);
+          pixelOfVertex_[next] = static_cast<uint32_t>(image_.z.index(x, y));
+          ++next;
         }
       }
-    }
+    });
+  }
+
+  void joinPixels() {
+    forRows([&](int y) {
+      for (int x = 0; x < image_.width(); ++x) {
+        joins_(x, y) = static_cast<uint8_t>((joined({x, y}, {x + 1, y}) ? kJoinedRight : 0) |
+                                            (joined({x, y}, {x, y + 1}) ? kJoinedDown : 0));
+      }
+    });
+  }
+  /// What joined() says, for two pixels side by side or one above the other.
+  bool areJoined(const Pixel& p, const Pixel& q) const {
+    const Pixel first{std::min(p.x, q.x), std::min(p.y, q.y)};
+    return valid(p) && valid(q) && (joins_(first.x, first.y) & (p.y == q.y ? kJoinedRight : kJoinedDown)) != 0;
   }
 
   /// Whether nothing says that the two have nothing to do with each other.
@@ -99,48 +146,54 @@ class ImageMesher {
            (valid(after) && std::abs(step - slope(q, after) * distance) <= tolerance);
   }
 
-  void addTriangle(const Pixel& cell, const Pixel& a, const Pixel& b, const Pixel& c) {
-    mesh_.triangles.emplace_back(vertexOf_(a.x, a.y), vertexOf_(b.x, b.y), vertexOf_(c.x, c.y));
-    ++cellTriangles_(cell.x, cell.y);
-  }
-
   /// Each cell between four samples gives two triangles, one, or none.
   void joinNeighbours() {
-    for (int y = 0; y + 1 < image_.height(); ++y) {
-      for (int x = 0; x + 1 < image_.width(); ++x) {
-        const Pixel a{x, y};
-        const Pixel b{x, y + 1};
-        const Pixel c{x + 1, y + 1};
-        const Pixel d{x + 1, y};
-        const bool ab = joined(a, b);
-        const bool bc = joined(b, c);
-        const bool cd = joined(c, d);
-        const bool da = joined(d, a);
-        if (ab + bc + cd + da < 2) {
-          continue;
-        }
-        const bool ac = joined(a, c);
-        const bool bd = joined(b, d);
-        const int alongAc = ac ? (ab && bc) + (cd && da) : 0;
-        const int alongBd = bd ? (bc && cd) + (da && ab) : 0;
-        if (alongAc == 0 && alongBd == 0) {
-          continue;
-        }
-        if (alongAc > alongBd || (alongAc == alongBd && shorterAc(a, b, c, d))) {
-          if (ab && bc) {
-            addTriangle(a, a, b, c);
-          }
-          if (cd && da) {
-            addTriangle(a, a, c, d);
-          }
-        } else {
-          if (bc && cd) {
-            addTriangle(a, b, c, d);
-          }
-          if (da && ab) {
-            addTriangle(a, b, d, a);
-          }
-        }
+    std::vector<std::vector<glm::uvec3>> rows(static_cast<size_t>(image_.height()));
+    forRows([&](int y) {
+      for (int x = 0; x + 1 < image_.width() && y + 1 < image_.height(); ++x) {
+        addCell({x, y}, rows[static_cast<size_t>(y)]);
+      }
+    });
+    for (const std::vector<glm::uvec3>& row : rows) {
+      mesh_.triangles.insert(mesh_.triangles.end(), row.begin(), row.end());
+    }
+  }
+
+  void addCell(const Pixel& a, std::vector<glm::uvec3>& triangles) {
+    const Pixel b{a.x, a.y + 1};
+    const Pixel c{a.x + 1, a.y + 1};
+    const Pixel d{a.x + 1, a.y};
+    const bool ab = areJoined(a, b);
+    const bool bc = areJoined(b, c);
+    const bool cd = areJoined(c, d);
+    const bool da = areJoined(d, a);
+    if (ab + bc + cd + da < 2) {
+      return;
+    }
+    const bool ac = joined(a, c);
+    const bool bd = joined(b, d);
+    const int alongAc = ac ? (ab && bc) + (cd && da) : 0;
+    const int alongBd = bd ? (bc && cd) + (da && ab) : 0;
+    if (alongAc == 0 && alongBd == 0) {
+      return;
+    }
+    const auto add = [&](const Pixel& p, const Pixel& q, const Pixel& r) {
+      triangles.emplace_back(vertexOf_(p.x, p.y), vertexOf_(q.x, q.y), vertexOf_(r.x, r.y));
+      ++cellTriangles_(a.x, a.y);
+    };
+    if (alongAc > alongBd || (alongAc == alongBd && shorterAc(a, b, c, d))) {
+      if (ab && bc) {
+        add(a, b, c);
+      }
+      if (cd && da) {
+        add(a, c, d);
+      }
+    } else {
+      if (bc && cd) {
+        add(b, c, d);
+      }
+      if (da && ab) {
+        add(b, d, a);
       }
     }
   }
@@ -159,7 +212,7 @@ class ImageMesher {
     const ImagePoint a = image_.undistorted(p.x, p.y);
     for (const Pixel& step : {Pixel{1, 0}, Pixel{-1, 0}, Pixel{0, 1}, Pixel{0, -1}}) {
       const Pixel q{p.x + step.x, p.y + step.y};
-      if (joined(p, q)) {
+      if (areJoined(p, q)) {
         const ImagePoint b = image_.undistorted(q.x, q.y);
         const glm::vec2 d(b.u - a.u, b.v - a.v);
         rhs += d * (1 / b.z - 1 / a.z);
@@ -180,40 +233,90 @@ class ImageMesher {
   /// Six of the eight triangles around a sample leave no opening that matters; with fewer, its surface ends here.
   void addSquares() {
     constexpr size_t kClosed = 6;
-    std::array<std::vector<Pixel>, kClosed> rims;  // by the number of triangles around: the most open first
+    std::array<std::vector<Pixel>, kClosed> rimsByTriangles;
     for (int y = 0; y < image_.height(); ++y) {
       for (int x = 0; x < image_.width(); ++x) {
         const auto around = static_cast<size_t>(trianglesAround(x, y));
-        if (vertexOf_(x, y) != kNoVertex && around < rims.size()) {
-          rims[around].push_back({x, y});
+        if (vertexOf_(x, y) != kNoVertex && around < kClosed) {
+          rimsByTriangles[around].push_back({x, y});
         }
       }
     }
+    std::vector<Pixel> rims;  // the most open first
+    for (const std::vector<Pixel>& part : rimsByTriangles) {
+      rims.insert(rims.end(), part.begin(), part.end());
+    }
     const size_t bound = image_.triangleBound > 0 ? image_.triangleBound : std::numeric_limits<size_t>::max();
-    for (const std::vector<Pixel>& rim : rims) {
-      for (const Pixel& p : rim) {
-        if (mesh_.triangles.size() + 2 <= bound) {
-          addSquare(p);
-        }
-      }
+    const size_t affordable = bound - std::min(bound, mesh_.triangles.size());
+    const size_t covered = std::min(rims.size(), affordable);
+    const size_t squares = std::min(covered, affordable - covered);
+    for (size_t i = 0; i < covered; ++i) {
+      addRim(rims[i], i < squares);
     }
   }
 
-  void addSquare(const Pixel& p) {
-    const auto corner = static_cast<uint32_t>(mesh_.positions.size());
-    for (const glm::vec2& side : {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)}) {
+  /// What a step of one pixel is in the undistorted image, from the joined neighbours: longer where samples are
+  /// squeezed.
+  glm::vec2 sampleStep(const Pixel& p, const glm::ivec2& direction) const {
+    glm::vec2 sum(0);
+    float count = 0;
+    const ImagePoint a = image_.undistorted(p.x, p.y);
+    for (const int sign : {1, -1}) {
+      const Pixel q{p.x + sign * direction.x, p.y + sign * direction.y};
+      if (image_.rows == ImageRows::kAligned && areJoined(p, q)) {
+        const ImagePoint b = image_.undistorted(q.x, q.y);
+        sum += glm::vec2(b.u - a.u, b.v - a.v) * static_cast<float>(sign);
+        ++count;
+      }
+    }
+    const float length = count > 0 ? glm::length(sum) / count : 0;
+    if (length <= 1) {
+      return direction;
+    }
+    return sum / count * std::min(options_.longestSquarePixels / length, 1.0f);
+  }
+
+  /// Towards the opening around a sample, each component -1, 0 or 1.
+  glm::vec2 opening(const Pixel& p) const {
+    const auto triangles = [&](int dx, int dy) {
+      return cellTriangles_.contains(p.x + dx, p.y + dy) ? cellTriangles_(p.x + dx, p.y + dy) : 0;
+    };
+    const int right = triangles(-1, -1) + triangles(-1, 0) - triangles(0, -1) - triangles(0, 0);
+    const int down = triangles(-1, -1) + triangles(0, -1) - triangles(-1, 0) - triangles(0, 0);
+    return {static_cast<float>((right > 0) - (right < 0)), static_cast<float>((down > 0) - (down < 0))};
+  }
+
+  /// A square around the sample or, in one triangle, the half of it that points to the opening.
+  void addRim(const Pixel& p, bool whole) {
+    const auto addCorner = [&](const glm::vec2& side) {
       mesh_.positions.push_back(inTile(p) ? tileCorner(p, side) : pinholeCorner(p, side));
       mesh_.colors.push_back(image_.color(p.x, p.y));
       pixelOfVertex_.push_back(static_cast<uint32_t>(image_.z.index(p.x, p.y)));
+    };
+    const auto first = static_cast<uint32_t>(mesh_.positions.size());
+    mesh_.triangles.emplace_back(first, first + 1, first + 2);
+    if (whole) {
+      for (const glm::vec2& side : {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)}) {
+        addCorner(side);
+      }
+      mesh_.triangles.emplace_back(first, first + 2, first + 3);
+    } else {
+      glm::vec2 outward = opening(p);
+      outward = outward == glm::vec2(0) ? glm::vec2(1, 0) : outward;
+      // A little inwards, so that the sample itself is safely covered.
+      constexpr float kOverlap = 0.25f;
+      const glm::vec2 along(-outward.y, outward.x);
+      addCorner(along - outward * kOverlap);
+      addCorner(-along - outward * kOverlap);
+      addCorner(outward);
     }
-    mesh_.triangles.emplace_back(corner, corner + 1, corner + 2);
-    mesh_.triangles.emplace_back(corner, corner + 2, corner + 3);
   }
 
-  /// Half a pixel away from the sample in the pinhole's image, on the plane of the surface.
+  /// Half a step away from the sample in the pinhole's image, on the plane of the surface.
   glm::vec3 pinholeCorner(const Pixel& p, const glm::vec2& side) const {
     const ImagePoint q = image_.undistorted(p.x, p.y);
-    const glm::vec2 offset = side * (options_.squarePixels / 2);
+    const glm::vec2 offset =
+        (sampleStep(p, {1, 0}) * side.x + sampleStep(p, {0, 1}) * side.y) * (options_.squarePixels / 2);
     const float inverseZ = std::max(1 / q.z + glm::dot(gradient(p), offset), 0.5f / q.z);
     return camera_.worldFromCamera(camera_.cameraFromImage({q.u + offset.x, q.v + offset.y, 1 / inverseZ}));
   }
@@ -234,7 +337,7 @@ class ImageMesher {
     float count = 0;
     for (const int sign : {-1, 1}) {
       const Pixel q{p.x + sign * step.x, p.y + sign * step.y};
-      if (joined(p, q)) {
+      if (areJoined(p, q)) {
         sum += static_cast<float>(sign) * (mesh_.positions[vertexOf_(q.x, q.y)] - center);
         ++count;
       }
@@ -251,6 +354,7 @@ class ImageMesher {
   const ImageMeshOptions& options_;
   PinholeCamera camera_;
   Image<uint32_t> vertexOf_;
+  Image<uint8_t> joins_;          ///< to the neighbours on the right and below
   Image<uint8_t> cellTriangles_;  ///< of the cell between pixel (x, y) and (x + 1, y + 1)
   Mesh mesh_;
   std::vector<uint32_t> pixelOfVertex_;

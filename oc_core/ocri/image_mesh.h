@@ -17,13 +17,15 @@ struct ImageMeshOptions {
   /// ... but never when their undistorted places are farther apart than this, pixels.
   float longestStepPixels = 12;
   /// The sample at the rim of a surface stands for the whole of its pixel: it gets a square along the surface, of this
-  /// side.
+  /// side,
   float squarePixels = 1;
+  /// ... or larger where a camera squeezes samples together, along with the distance between them, up to this.
+  float longestSquarePixels = 4;
 };
 
 /// World coordinates, linear colours. Vertices come in pixel order, first the samples, then the corners of squares.
-/// Squares are left out, those of the least open samples first, where the mesh would exceed `image.triangleBound`.
-/// `pixelOfVertex` receives the index of the pixel that each vertex comes from.
+/// Where the mesh would exceed `image.triangleBound`, one triangle has to do for a square, and then none; the least
+/// open samples are the first to give in. `pixelOfVertex` receives the index of the pixel that each vertex comes from.
 Mesh imageMesh(const ReferenceImage& image, const ImageMeshOptions& options = {},
                std::vector<uint32_t>* pixelOfVertex = nullptr);
 

@@ -5,13 +5,6 @@
 #include "oc_core/ocri/row_mesh.h"
 
 namespace ocelli {
-namespace {
-
-Mesh meshOf(const ReferenceImage& image) {
-  return image.rows == ImageRows::kAligned ? imageMesh(image) : rowMesh(image);
-}
-
-}  // namespace
 
 Mesh unionMesh(const ReferenceImages& images) {
   Mesh mesh;
@@ -21,8 +14,11 @@ Mesh unionMesh(const ReferenceImages& images) {
       ++end;
     }
     const auto part = images.begin() + static_cast<std::ptrdiff_t>(first);
-    append(mesh, end - first > 1 ? layeredMesh({part, part + static_cast<std::ptrdiff_t>(end - first)})
-                                 : meshOf(images[first]));
+    if (end - first > 1) {
+      append(mesh, layeredMesh({part, part + static_cast<std::ptrdiff_t>(end - first)}));
+    } else {
+      append(mesh, part->rows == ImageRows::kAligned ? imageMesh(*part) : rowMesh(*part));
+    }
     first = end;
   }
   return mesh;

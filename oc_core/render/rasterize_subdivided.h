@@ -4,16 +4,22 @@
 // Whether an edge is split depends on its two end points alone, and its midpoint on nothing else, so triangles that
 // share an edge split it alike: no cracks. Triangles are clipped to the pinhole's frustum first, widened by the longest
 // displacement.
+//
+// Where the camera displaces nothing its image is the pinhole's: those pixels are taken from there, and only what lies
+// in or reaches into the displaced part of the image is split and drawn.
 #pragma once
 
 #include <array>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
 #include "oc_core/base/parallel.h"
-#include "oc_core/camera/ddoc_camera.h"
+#include "oc_core/camera/distorted_pinhole.h"
 #include "oc_core/render/draw_parallel.h"
 #include "oc_core/render/frustum_clip.h"
+#include "oc_core/render/rasterize.h"
+#include "oc_core/render/triangle_part.h"
 
 namespace ocelli {
 
@@ -25,6 +31,17 @@ struct SubdivisionOptions {
   float shortestEdgePixels = 0.125f;
   float tornEdgePixels = 2.0f;
 };
+
+/// Whether the camera may displace a point with an undistorted image in the box.
+template <DistortedPinhole C>
+bool displacesWithin(const C& camera, const ImageBox& undistorted) {
+  if constexpr (requires { camera.displacesWithin(undistorted); }) {
+    return camera.displacesWithin(undistorted);
+  } else {
+    const ImageBox displacement = camera.displacementOver(undistorted, 0, 1 / camera.reference().view().zNear);
+    return displacement.lower != glm::vec2(0) || displacement.upper != glm::vec2(0);
+  }
+}
 
 template <DistortedPinhole C>
 class SubdividingDrawer {
@@ -43,7 +60,7 @@ class SubdividingDrawer {
     return {p, {q.u, q.v}, {d.u, d.v, 1 / q.z, b1, b2}};
   }
 
-  /// Draws the part of a scene triangle that the piece abc covers.
+  /// Draws the part of a scene triangle that the piece abc covers, less what is displaced nowhere.
   void draw(VisibilityBuffer& buffer, uint32_t triangle, const Vertex& a, const Vertex& b, const Vertex& c,
             int depth = 0) const {
     const bool splitAb = mustSplit(a, b);
@@ -54,7 +71,12 @@ class SubdividingDrawer {
       if (!torn(a, b) && !torn(b, c) && !torn(c, a)) {
         buffer.draw(triangle, a.image, b.image, c.image);
       }
-    } else if (splits == 3) {
+      return;
+    }
+    if (staysPut(a, b, c)) {
+      return;
+    }
+    if (splits == 3) {
       const Vertex ab = midpoint(a, b);
       const Vertex bc = midpoint(b, c);
       const Vertex ca = midpoint(c, a);
@@ -112,6 +134,9 @@ class SubdividingDrawer {
   bool torn(const Vertex& a, const Vertex& b) const {
     return squared(image(a) - image(b)) > options_.tornEdgePixels * options_.tornEdgePixels;
   }
+  bool staysPut(const Vertex& a, const Vertex& b, const Vertex& c) const {
+    return !displacesWithin(camera_, boxAround(a.undistorted, b.undistorted, c.undistorted));
+  }
   Vertex midpoint(const Vertex& a, const Vertex& b) const {
     return vertex((a.p + b.p) * 0.5f, (a.image.b1 + b.image.b1) * 0.5f, (a.image.b2 + b.image.b2) * 0.5f);
   }
@@ -120,19 +145,29 @@ class SubdividingDrawer {
   SubdivisionOptions options_;
 };
 
+/// The triangles with something to draw that the camera may displace.
 template <DistortedPinhole C>
-FragmentImage rasterize(const C& camera, const Mesh& mesh, const SubdivisionOptions& options = {}) {
+TrianglePart displacedPart(const C& camera, const Mesh& mesh) {
+  return selectTriangles(mesh, camera.reference(),
+                         [&](const ImageBox& undistorted) { return displacesWithin(camera, undistorted); });
+}
+
+/// As below, for scenes that are drawn more than once. `seen` is what the reference pinhole sees of the scene, `part`
+/// holds at least what displacedPart() gives.
+template <DistortedPinhole C>
+FragmentImage rasterize(const C& camera, const FragmentImage& seen, const TrianglePart& part,
+                        const SubdivisionOptions& options = {}) {
   using Drawer = SubdividingDrawer<C>;
   using Vertex = typename Drawer::Vertex;
   const Drawer drawer(camera, options);
   const PinholeCamera& reference = camera.reference();
   const float margin = camera.longestDisplacement() + 2;
 
-  std::vector<Vertex> projected(mesh.positions.size());
+  std::vector<Vertex> projected(part.points.size());
   parallelFor(projected.size(), 1 << 12, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      if (reference.project(mesh.positions[i])) {
-        projected[i] = drawer.vertex(reference.cameraFromWorld(mesh.positions[i]), 0, 0);
+      if (reference.projectCamera(part.points[i])) {
+        projected[i] = drawer.vertex(part.points[i], 0, 0);
       }
     }
   });
@@ -142,11 +177,11 @@ FragmentImage rasterize(const C& camera, const Mesh& mesh, const SubdivisionOpti
            v.undistorted.y > static_cast<float>(reference.height()) + margin;
   };
 
-  return drawParallel(
-      camera.width(), camera.height(), mesh.triangles.size(), [&](VisibilityBuffer& buffer, size_t begin, size_t end) {
+  FragmentImage fragments = drawParallel(
+      camera.width(), camera.height(), part.triangles.size(), [&](VisibilityBuffer& buffer, size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
-          const auto triangle = static_cast<uint32_t>(i);
-          const glm::uvec3& t = mesh.triangles[i];
+          const uint32_t triangle = part.meshTriangles[i];
+          const glm::uvec3& t = part.triangles[i];
           Vertex a = projected[t.x];
           Vertex b = projected[t.y];
           Vertex c = projected[t.z];
@@ -156,10 +191,8 @@ FragmentImage rasterize(const C& camera, const Mesh& mesh, const SubdivisionOpti
             drawer.draw(buffer, triangle, a, b, c);
             continue;
           }
-          const ClipPolygon polygon = clipToFrustum(
-              {reference.cameraFromWorld(mesh.positions[t.x]), reference.cameraFromWorld(mesh.positions[t.y]),
-               reference.cameraFromWorld(mesh.positions[t.z])},
-              reference, margin);
+          const ClipPolygon polygon =
+              clipToFrustum({part.points[t.x], part.points[t.y], part.points[t.z]}, reference, margin);
           const auto clipped = [&](size_t k) {
             return drawer.vertex(polygon.vertices[k].p, polygon.vertices[k].b1, polygon.vertices[k].b2);
           };
@@ -168,6 +201,31 @@ FragmentImage rasterize(const C& camera, const Mesh& mesh, const SubdivisionOpti
           }
         }
       });
+
+  // A sample of the pinhole's that is not displaced stays where it is.
+  parallelFor(static_cast<size_t>(seen.height()), 16, [&](size_t begin, size_t end) {
+    for (size_t row = begin; row < end; ++row) {
+      const int y = static_cast<int>(row);
+      for (int x = 0; x < seen.width(); ++x) {
+        const Fragment& sample = seen(x, y);
+        Fragment& drawn = fragments(x, y);
+        const ImagePoint q{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, sample.z};
+        if (sample.covered() && (!drawn.covered() || sample.z < drawn.z)) {
+          const ImagePoint d = camera.distort(q);
+          if (d.u == q.u && d.v == q.v) {
+            drawn = sample;
+          }
+        }
+      }
+    }
+  });
+  return fragments;
+}
+
+/// The closest fragment at each pixel of `camera`; both sides of triangles are drawn.
+template <DistortedPinhole C>
+FragmentImage rasterize(const C& camera, const Mesh& mesh, const SubdivisionOptions& options = {}) {
+  return rasterize(camera, rasterize(camera.reference(), mesh), displacedPart(camera, mesh), options);
 }
 
 }  // namespace ocelli

@@ -29,8 +29,11 @@ struct RasterVertex {
 
 /// Snaps a pixel coordinate to the grid of 1/256 pixel on which triangles are filled.
 inline constexpr int kSubPixelBits = 8;
+/// To the nearest, ties to even, as std::llrint does, but inlined: the last bit of the sum stands for 1.
 inline int64_t snapToSubPixel(float pixels) {
-  return std::llrint(static_cast<double>(pixels) * (1 << kSubPixelBits));
+  constexpr double kIntegerBits = 6755399441055744.0;  // 1.5 * 2^52
+  return std::bit_cast<int64_t>(static_cast<double>(pixels) * (1 << kSubPixelBits) + kIntegerBits) -
+         std::bit_cast<int64_t>(kIntegerBits);
 }
 
 /// Twice the signed area of the triangle on that grid: negative where its vertices run counter-clockwise as seen, which
@@ -105,6 +108,17 @@ void scanTriangle(int width, int height, const RasterVertex& a, const RasterVert
   int64_t by = snapToSubPixel(b0.v);
   int64_t cx = snapToSubPixel(c0.u);
   int64_t cy = snapToSubPixel(c0.v);
+  // Pixels whose centres lie within the bounding box: none for many a small triangle.
+  const auto firstCentre = [](int64_t lowest) { return (lowest - kOne / 2 + kOne - 1) >> kSubPixelBits; };
+  const auto lastCentre = [](int64_t highest) { return (highest - kOne / 2) >> kSubPixelBits; };
+  const int64_t x0 = std::max<int64_t>(firstCentre(std::min({ax, bx, cx})), 0);
+  const int64_t x1 = std::min<int64_t>(lastCentre(std::max({ax, bx, cx})), width - 1);
+  const int64_t y0 = std::max<int64_t>(firstCentre(std::min({ay, by, cy})), 0);
+  const int64_t y1 = std::min<int64_t>(lastCentre(std::max({ay, by, cy})), height - 1);
+  if (x0 > x1 || y0 > y1) {
+    return;
+  }
+
   const RasterVertex* b = &b0;
   const RasterVertex* c = &c0;
   int64_t area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
@@ -116,17 +130,6 @@ void scanTriangle(int width, int height, const RasterVertex& a, const RasterVert
     std::swap(by, cy);
     std::swap(b, c);
     area = -area;
-  }
-
-  // Pixels whose centres lie within the bounding box.
-  const auto firstCentre = [](int64_t lowest) { return (lowest - kOne / 2 + kOne - 1) >> kSubPixelBits; };
-  const auto lastCentre = [](int64_t highest) { return (highest - kOne / 2) >> kSubPixelBits; };
-  const int64_t x0 = std::max<int64_t>(firstCentre(std::min({ax, bx, cx})), 0);
-  const int64_t x1 = std::min<int64_t>(lastCentre(std::max({ax, bx, cx})), width - 1);
-  const int64_t y0 = std::max<int64_t>(firstCentre(std::min({ay, by, cy})), 0);
-  const int64_t y1 = std::min<int64_t>(lastCentre(std::max({ay, by, cy})), height - 1);
-  if (x0 > x1 || y0 > y1) {
-    return;
   }
 
   // Edge functions: positive inside. Edges that are neither top nor left give up their own points.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "tests/ocri/test_scenes.h"
 
 namespace ocelli {
@@ -46,6 +48,42 @@ TEST(DdocCamera, looksTheDistortionUpAtTheUndistortedPixel) {
   EXPECT_EQ(camera.distort({50.5f, 30.5f, 12}).u, 60.5f);
   EXPECT_EQ(camera.distort({60.5f, 30.5f, 12}).u, 60.5f) << "where another sample lands, nothing is displaced";
   EXPECT_FLOAT_EQ(camera.longestDisplacement(), 10);
+}
+
+// Two displaced samples, at (20, 10) and (70, 40). A lookup mixes the four samples around a point, so each is felt
+// between the centres of its neighbours, a pixel away.
+TEST(DdocCamera, saysWhereItMayDisplace) {
+  DistortionMap map(kWidth, kHeight, DistortionMap::Lookup::kBilinear);
+  map.samples()(20, 10) = {{1, 0}, 1 / 8.0f, 1 / 12.0f};
+  map.samples()(70, 40) = {{0, 1}, 1 / 8.0f, 1 / 12.0f};
+  const DdocCamera camera(smallCamera(), map);
+  const auto displaces = [&](float left, float top, float right, float bottom) {
+    return camera.displacesWithin({{left, top}, {right, bottom}});
+  };
+  EXPECT_TRUE(displaces(0, 0, kWidth, kHeight));
+  EXPECT_TRUE(displaces(20.5f, 10.5f, 20.5f, 10.5f));
+  EXPECT_TRUE(displaces(21.4f, 11.4f, 30, 12));
+  EXPECT_TRUE(displaces(0, 0, 19.6f, 9.6f));
+  EXPECT_FALSE(displaces(0, 0, 18.4f, kHeight));
+  EXPECT_FALSE(displaces(22.6f, 0, 68.4f, kHeight));
+  EXPECT_FALSE(displaces(0, 12.6f, 68.4f, kHeight));
+  EXPECT_FALSE(displaces(-500, -500, -1, -1)) << "there it is what it is at the corner";
+
+  // Wherever a point is displaced, no box around it may deny it.
+  std::mt19937 random(3);
+  const auto next = [&](float most) { return most * static_cast<float>(random() >> 8) / static_cast<float>(1 << 24); };
+  int displaced = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const glm::vec2 point(18 + next(6), 8 + next(6));
+    const ImagePoint moved = camera.distort({point.x, point.y, 1e6f});
+    if (moved.u != point.x || moved.v != point.y) {
+      ++displaced;
+      const glm::vec2 margin(next(3), next(3));
+      EXPECT_TRUE(camera.displacesWithin({point, point}));
+      EXPECT_TRUE(camera.displacesWithin({point - margin, point + margin}));
+    }
+  }
+  EXPECT_GT(displaced, 2000) << "2 x 2 of 6 x 6 pixels";
 }
 
 // "They remain unaffected until they reach z_n ... the rays continue with a constant amount of distortion d_f" (3.2.1).

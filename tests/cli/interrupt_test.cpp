@@ -10,11 +10,11 @@ namespace {
 TEST(InterruptGuard, notesTheFirstSignal) {
   for (const int signal : {SIGINT, SIGTERM}) {
     const InterruptGuard guard;
-    EXPECT_FALSE(guard.interrupted());
-    EXPECT_NO_THROW(guard.check());
+    EXPECT_FALSE(InterruptGuard::interrupted());
+    EXPECT_NO_THROW(InterruptGuard::check());
     std::raise(signal);
-    EXPECT_TRUE(guard.interrupted());
-    EXPECT_THROW(guard.check(), Interrupted);
+    EXPECT_TRUE(InterruptGuard::interrupted());
+    EXPECT_THROW(InterruptGuard::check(), Interrupted);
   }
 }
 
@@ -42,7 +42,7 @@ TEST(InterruptGuard, leavesAnIgnoredSignalIgnored) {
   {
     const InterruptGuard guard;
     std::raise(SIGINT);
-    EXPECT_FALSE(guard.interrupted());
+    EXPECT_FALSE(InterruptGuard::interrupted());
   }
   EXPECT_EQ(std::signal(SIGINT, SIG_DFL), SIG_IGN);
 }

@@ -101,7 +101,7 @@ TEST(CameraSchema, defaultsAreTheReaders) {
   };
   std::set<std::string> described;
   for (const auto& [name, property] : schema().at("properties").items()) {
-    if (property.contains("default")) {
+    if (property.contains("default") && property.at("type") != "array") {
       described.insert(name);
       ASSERT_TRUE(defaults.contains(name)) << name;
       EXPECT_FLOAT_EQ(property.at("default").get<float>(), static_cast<float>(defaults.at(name))) << name;

@@ -122,13 +122,69 @@ TEST(ImageMesh, squaresKeepToTheTriangleBound) {
   ReferenceImage image = buildDepthImage(smallCamera(), test::boxBeforeWall());
   const Mesh free = imageMesh(image);
   const size_t joined = joinedTriangles(free, kSamples);
-  ASSERT_GT(free.triangles.size(), joined + 100);
-  image.triangleBound = joined + 21;
-  const Mesh bound = imageMesh(image);
-  EXPECT_EQ(bound.triangles.size(), joined + 20) << "ten squares of two triangles";
-  EXPECT_EQ(joinedTriangles(bound, kSamples), joined);
-  image.triangleBound = free.triangles.size();
-  EXPECT_EQ(imageMesh(image).triangles.size(), free.triangles.size());
+  const size_t rims = (free.triangles.size() - joined) / 2;
+  ASSERT_GT(rims, 50u);
+  for (const size_t affordable : {size_t{0}, size_t{21}, rims, rims + 7, 2 * rims}) {
+    image.triangleBound = joined + affordable;
+    const Mesh bound = imageMesh(image);
+    EXPECT_EQ(bound.triangles.size(), joined + affordable);
+    EXPECT_EQ(joinedTriangles(bound, kSamples), joined);
+    // As many rims as can be get at least one triangle, of three corners of its own; squares have a fourth.
+    const size_t covered = std::min(rims, affordable);
+    const size_t squares = affordable - covered;
+    EXPECT_EQ(bound.positions.size(), kSamples + 3 * covered + squares);
+  }
+  image.triangleBound = joined - 1;
+  EXPECT_EQ(imageMesh(image).triangles.size(), joined) << "only squares are left out";
+}
+
+// The wall's last column, x = 89.5, ends in an opening to the right: the half square reaches as far as the whole one.
+TEST(ImageMesh, halfSquaresPointToTheOpening) {
+  ReferenceImage image = buildDepthImage(smallCamera(), test::wall(0));
+  const size_t joined = joinedTriangles(imageMesh(image), kSamples);
+  image.triangleBound = joined + kBorderSamples;
+  const Mesh mesh = imageMesh(image);
+  const PinholeCamera camera = smallCamera();
+  glm::vec2 lower(1e30f);
+  glm::vec2 upper(-1e30f);
+  for (const glm::vec3& point : mesh.positions) {
+    const std::optional<ImagePoint> q = camera.project(point);
+    ASSERT_TRUE(q);
+    lower = glm::min(lower, glm::vec2(q->u, q->v));
+    upper = glm::max(upper, glm::vec2(q->u, q->v));
+  }
+  // Single precision at a distance of 10 units: a micrometre, 1e-4 pixels.
+  EXPECT_NEAR(lower.x, 0, 1e-3f);
+  EXPECT_NEAR(lower.y, 0, 1e-3f);
+  EXPECT_NEAR(upper.x, kWidth, 1e-3f);
+  EXPECT_NEAR(upper.y, kHeight, 1e-3f);
+}
+
+// Samples squeezed by a factor stand for so much more of their surface: half a step beyond the outermost ones. The
+// longest square has 4 pixels.
+TEST(ImageMesh, squaresGrowWithTheSqueeze) {
+  for (const float squeeze : {1.0f, 2.5f, 6.0f}) {
+    ReferenceImage image = emptyImage();
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 40; x < 50; ++x) {
+        image.z(x, y) = 10;
+        image.displacement(x, y) = {(1 - squeeze) * static_cast<float>(x - 45), 0};
+      }
+    }
+    const PinholeCamera camera = smallCamera();
+    float upper = 0;
+    for (const glm::vec3& point : imageMesh(image).positions) {
+      upper = std::max(upper, camera.project(point)->u);
+    }
+    EXPECT_NEAR(upper, image.undistorted(49, 0).u + std::min(squeeze, 4.0f) / 2, 1e-3f) << squeeze;
+    // Rows of their own each: what is next to them says nothing about the squeeze.
+    image.rows = ImageRows::kShifted;
+    upper = 0;
+    for (const glm::vec3& point : imageMesh(image).positions) {
+      upper = std::max(upper, camera.project(point)->u);
+    }
+    EXPECT_NEAR(upper, image.undistorted(49, 0).u + 0.5f, 1e-3f) << squeeze;
+  }
 }
 
 // A file may hold depths that its own view does not see.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "oc_core/camera/ddoc_camera.h"
 #include "oc_core/render/rasterize.h"
 #include "oc_core/render/raycast.h"
 #include "tests/ocri/test_scenes.h"
@@ -75,6 +76,56 @@ TEST(RasterizeSubdivided, zeroMapGivesThePinholesImage) {
     }
     EXPECT_LT(different, whole.size() / 50);
   }
+}
+
+/// The same camera without what is known about where it displaces: every triangle is split and drawn.
+struct DrawnWholly : DdocCamera {
+  using DdocCamera::DdocCamera;
+  bool displacesWithin(const ImageBox&) const { return true; }
+};
+
+// Pieces end at other places than whole triangles, so their edges may be off by a snap, and no more. Nothing else may
+// differ where the map displaces only in the middle of the image.
+TEST(RasterizeSubdivided, whatIsNotDisplacedIsThePinholes) {
+  const PinholeCamera camera = smallCamera();
+  DistortionMap map(kWidth, kHeight, DistortionMap::Lookup::kBilinear);
+  const DistortionMap wavy = test::wavyMap(kWidth, kHeight, 3, 40);
+  for (int y = 20; y < 40; ++y) {
+    for (int x = 30; x < 60; ++x) {
+      map.samples()(x, y) = wavy.samples()(x, y);
+    }
+  }
+  const DdocCamera quick(camera, map);
+  const DrawnWholly slow(camera, map);
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    const Mesh mesh = test::randomTriangles(seed * 100, seed);
+    const FragmentImage got = rasterize(quick, mesh);
+    const FragmentImage expected = rasterize(slow, mesh);
+    const FragmentImage pinhole = rasterize(camera, mesh);
+    int different = 0;
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        different += got(x, y).triangle != expected(x, y).triangle;
+        if (got(x, y).triangle == expected(x, y).triangle && got(x, y).covered()) {
+          const test::TriangleImage image(camera, mesh, got(x, y).triangle);
+          EXPECT_NEAR(1 / got(x, y).z, 1 / expected(x, y).z, glm::length(image.slope) * 0.3 + 2e-6) << x << " " << y;
+        }
+        // The longest displacement is 4.3 pixels.
+        if (x < 24 || x >= 66 || y < 14 || y >= 46) {
+          EXPECT_EQ(got(x, y), pinhole(x, y)) << x << " " << y;
+        }
+      }
+    }
+    EXPECT_LT(different, kWidth * kHeight / 50);
+    EXPECT_LT(displacedPart(quick, mesh).triangles.size(), mesh.triangles.size());
+  }
+}
+
+TEST(RasterizeSubdivided, drawsAPartAsItDrawsTheWhole) {
+  const Mesh mesh = test::ballBeforePlane();
+  const DdocCamera camera = wavyCamera();
+  const FragmentImage seen = rasterize(smallCamera(), mesh);
+  EXPECT_TRUE(test::sameBytes(rasterize(camera, seen, displacedPart(camera, mesh)), rasterize(camera, mesh)));
 }
 
 // How far the straight edge of a piece, a pixel long, may be off: a quarter of the turn that the field takes on it. At
