@@ -88,10 +88,6 @@ struct ReversePinhole : Traits {
   }
 };
 
-const PinholeCamera& referenceOf(const EpipolarCamera& camera) {
-  return camera.base();
-}
-
 EpipolarCamera eocAt(const glm::vec3& right, const Mesh& mesh) {
   const PinholeCamera base = smallCamera();
   const EpipolarLines lines(base, right);
