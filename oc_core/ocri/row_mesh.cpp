@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <ranges>
 #include <span>
 
 #include "oc_core/base/parallel.h"
@@ -108,7 +109,8 @@ class RowMesher {
     }
   }
 
-  /// Rows run towards larger columns. One whose samples are all at one place runs as the row above does.
+  /// Rows run towards larger columns. One whose samples are all at one place runs as the next one
+  /// below it that has a direction, or else as the last one above.
   void setDirections() {
     constexpr float kLeastLength = 1;
     std::optional<glm::vec2> last;
@@ -130,13 +132,12 @@ class RowMesher {
     for (Row& row : rows_) {
       set(row);
     }
-    // Those above the first row that has a direction.
-    for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
-      set(*row);
+    for (Row& row : std::views::reverse(rows_)) {
+      set(row);
     }
   }
 
-  void sortSamples(Row& row) {
+  static void sortSamples(Row& row) {
     if (row.samples.empty()) {
       return;
     }
@@ -444,7 +445,7 @@ class RowMesher {
     return after != nullptr ? std::optional(step(p, *after, 0.5f)) : std::nullopt;
   }
 
-  ImagePoint halfStepAlong(const Row& row, size_t i) const {
+  static ImagePoint halfStepAlong(const Row& row, size_t i) {
     const ImagePoint* before = i > 0 && row.samples[i - 1].joinsNext ? &row.samples[i - 1].place : nullptr;
     const ImagePoint* after = row.samples[i].joinsNext ? &row.samples[i + 1].place : nullptr;
     return halfStep(row.samples[i].place, before, after)
