@@ -208,7 +208,7 @@ class RowMesher {
     for (size_t i = 0; i + 1 < row.samples.size(); ++i) {
       RowSample& sample = row.samples[i];
       sample.joinsNext = row.samples[i + 1].column == sample.column + 1 &&
-                         samplesJoin(place(i - 1), sample.place, place(i + 1), place(i + 2), true, focal_, options_);
+                         samplesJoin(place(i - 1), sample.place, place(i + 1), place(i + 2), true, focal_, 1, options_);
     }
   }
 
@@ -236,7 +236,7 @@ class RowMesher {
 
   /// Whether a sample of row y and one of the row below lie on one surface.
   bool joinsAcross(size_t y, const RowSample& a, const RowSample& b) const {
-    if (samplesJoin({}, a.place, b.place, {}, false, focal_, options_)) {
+    if (samplesJoin({}, a.place, b.place, {}, false, focal_, 1, options_)) {
       return true;
     }
     // The samples that go on in the same direction beyond a and b.
@@ -245,7 +245,7 @@ class RowMesher {
     const float step = b.along - a.along;
     const ImagePoint before = up ? placeNear(rows_[*up], a.above, a.along - step) : ImagePoint{};
     const ImagePoint after = next ? placeNear(rows_[*next], b.below, b.along + step) : ImagePoint{};
-    return samplesJoin(before, a.place, b.place, after, false, focal_, options_);
+    return samplesJoin(before, a.place, b.place, after, false, focal_, 1, options_);
   }
 
   /// The longest list of partners that keeps the order of columns in both rows: for each sample of `row` its partner in
