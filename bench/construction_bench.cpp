@@ -13,8 +13,10 @@
 
 #include "bench/timing.h"
 #include "oc_core/base/error.h"
+#include "oc_core/ocri/cell_builder.h"
 #include "oc_core/ocri/corner_depth_images.h"
 #include "oc_core/ocri/ddoc_builder.h"
+#include "oc_core/ocri/eoc_builder.h"
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/ocri/layered_depth_image.h"
 #include "oc_core/ocri/simplified_mesh.h"
@@ -65,7 +67,7 @@ Row simplifyRow(const char* name, SimplifyMethod method) {
 ReferenceImages ddoc(const Case& c, int feedbackRounds) {
   DdocOptions options;
   options.feedbackRounds = feedbackRounds;
-  return {buildDdocImage(buildDdocCamera(c.camera, c.scene, options), c.scene, options.subdivision)};
+  return {buildDdocImage(c.camera, c.scene, options)};
 }
 
 #ifdef OCELLI_BENCH_OSMESA
@@ -92,11 +94,20 @@ Work drawWithOpenGl(const Case& c) {
 const char* const kDepthImage = "di";
 const char* const kOpenGl = "peer_gl_depth_image";
 
+ReferenceImages eoc(const Case& c, const glm::vec3& direction) {
+  return {buildEocImage(c.camera, segmentAround(c.camera.view(), direction, ViewCell{}.sideRadii), c.scene)};
+}
+
 const std::vector<Row>& rows() {
   static const std::vector<Row> all{
-      imagesRow(kDepthImage, [](const Case& c) { return std::vector{buildDepthImage(c.camera, c.scene)}; }),
+      imagesRow(kDepthImage, [](const Case& c) { return ReferenceImages{buildDepthImage(c.camera, c.scene)}; }),
       imagesRow("ddoc_plain", [](const Case& c) { return ddoc(c, 0); }),
       imagesRow("ddoc", [](const Case& c) { return ddoc(c, DdocOptions{}.feedbackRounds); }),
+      imagesRow("eoc_h", [](const Case& c) { return eoc(c, kHorizontalSegment); }),
+      imagesRow("eoc_v", [](const Case& c) { return eoc(c, kVerticalSegment); }),
+      imagesRow(
+          "cell",
+          [](const Case& c) { return ReferenceImages{buildCellImage(buildCellCamera(c.camera, c.scene), c.scene)}; }),
       imagesRow("ldi_4", [](const Case& c) { return buildLayeredDepthImage(c.camera, c.scene, 4); }),
       imagesRow("corners_8", [](const Case& c) { return buildCornerDepthImages(c.camera, c.scene, ViewCell{}, 8); }),
       simplifyRow("peer_simplify", SimplifyMethod::kTopological),

@@ -50,12 +50,12 @@ struct AskedCamera {
   std::string identity;
 };
 
-std::vector<AskedCamera> askedCameras(const std::vector<std::string>& names, float cellSideRadii) {
+std::vector<AskedCamera> askedCameras(const std::vector<std::string>& names, const ViewCell& cell) {
   std::vector<AskedCamera> cameras;
   for (const std::string& name : names) {
     // What a file says may change between two runs.
     const std::string identity = name.ends_with(".json") ? name + " " + textHash(readFile(name)) : name;
-    cameras.push_back({cameraChoice(name, cellSideRadii), identity});
+    cameras.push_back({cameraChoice(name, cell), identity});
   }
   return cameras;
 }
@@ -188,7 +188,7 @@ void writeOutputs(const EvaluateChoice& choice, const Outputs& outputs, const Ev
 
 void runEvaluate(const EvaluateChoice& choice, const Frame& frame) {
   EvaluationOptions options = evaluationOptions(choice);
-  const std::vector<AskedCamera> cameras = askedCameras(choice.cameras, options.cell.sideRadii);
+  const std::vector<AskedCamera> cameras = askedCameras(choice.cameras, options.cell);
   const DisplayProfile profile = loadProfile(choice.profile);
   options.slice = [&profile](const Mesh& mesh) { slice(mesh, profile); };
   const Outputs outputs(choice);

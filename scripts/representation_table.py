@@ -87,7 +87,7 @@ def main():
                     f"{100 * mean([row['missing_strict']['interior'] for row in rows]):.2f} %",
                     f"{100 * mean([row['missing_strict']['reference'] for row in rows]):.3f} %",
                     f"{100 * mean([row['false_skins']['edges'] for row in rows]):.2f} %",
-                    f"{mean([row['pictures']['edges']['flip'] for row in rows]):.4f}",
+                    f"{mean([row['flip']['edges'] for row in rows]):.4f}",
                     f"{mean([row['triangles'] for row in rows]) / 1000:.0f}",
                     f"{mean([row['bytes']['raw'] for row in rows]) / 1e6:.1f}",
                     f"{mean([row['bytes']['zstd'] for row in rows]) / 1e6:.2f}",

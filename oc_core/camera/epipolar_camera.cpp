@@ -56,7 +56,8 @@ EpipolarCamera::EpipolarCamera(const PinholeCamera& base, const glm::vec3& right
   for (int row = 0; row < rows; ++row) {
     const std::span<const Shadow> edges = shadows(row);
     for (size_t i = edges.size(); i-- > 0;) {
-      for (auto j = static_cast<size_t>(edges[i].clip + 1); j <= static_cast<size_t>(edges[i].position); ++j) {
+      const auto last = static_cast<size_t>(edges[i].position);
+      for (size_t j = static_cast<size_t>(edges[i].clip) + 1; j <= last; ++j) {
         if (over[j].empty() || edges[i].xRight < edges[over[j].back()].xRight) {
           over[j].push_back(static_cast<uint32_t>(i));
         }

@@ -77,7 +77,7 @@ int layersFromName(const std::string& name) {
   return 0;
 }
 
-CameraChoice namedCamera(const std::string& name, float cellSideRadii, const std::string& where) {
+CameraChoice namedCamera(const std::string& name, const ViewCell& cell, const std::string& where) {
   const int layers = layersFromName(name);
   const std::string listed = name == "ppc" ? "di" : layers > 0 ? "ldi-4" : name;
   const auto& models = namedModels();
@@ -92,12 +92,12 @@ CameraChoice namedCamera(const std::string& name, float cellSideRadii, const std
   choice.name = name;
   choice.count = layers > 0 ? layers : found->count;
   choice.segmentDirection = found->direction;
-  choice.cellSideRadii = cellSideRadii;
+  choice.cellSideRadii = cell.sideRadii;
   if (name == "ddoc-constant") {
     choice.ddoc = DdocOptions::paper();
   }
-  choice.ddoc.cellSideRadii = cellSideRadii;
-  choice.cell.cell.sideRadii = cellSideRadii;
+  choice.ddoc.cellSideRadii = cell.sideRadii;
+  choice.cell.cell = cell;
   return choice;
 }
 
@@ -300,13 +300,13 @@ const std::vector<CameraName>& cameraNames() {
   return names;
 }
 
-CameraChoice cameraChoice(const std::string& nameOrFile, float cellSideRadii) {
+CameraChoice cameraChoice(const std::string& nameOrFile, const ViewCell& cell) {
   if (!nameOrFile.ends_with(".json")) {
-    return namedCamera(nameOrFile, cellSideRadii, "--camera");
+    return namedCamera(nameOrFile, cell, "--camera");
   }
   const nlohmann::json json = readJsonFile(nameOrFile);
   JsonFields fields(json, nameOrFile);
-  CameraChoice choice = namedCamera(fields.text("camera"), cellSideRadii, nameOrFile + ", field \"camera\"");
+  CameraChoice choice = namedCamera(fields.text("camera"), cell, nameOrFile + ", field \"camera\"");
   choice.name = fields.text("name", choice.name);
   if (choice.model == CameraChoice::Model::kDdoc) {
     readDdocOptions(fields, choice.ddoc);

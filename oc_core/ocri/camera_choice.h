@@ -53,9 +53,9 @@ struct CameraName {
 /// The names that cameraChoice() knows.
 const std::vector<CameraName>& cameraNames();
 
-/// A camera that is built for a view cell takes the one with sides of `cellSideRadii` (display radii), unless its file
+/// A camera that is built for a view cell takes this one (all but the cell camera its size alone), unless its file
 /// sets another. Throws InputError for an unknown name, and for a file that is wrong.
-CameraChoice cameraChoice(const std::string& nameOrFile, float cellSideRadii = DdocOptions{}.cellSideRadii);
+CameraChoice cameraChoice(const std::string& nameOrFile, const ViewCell& cell = {});
 
 /// The reference images of a camera: one, but for those that are unions. Throws InputError where the eye lies inside an
 /// object, or the view sees nothing of the scene, and for choices that have no image.

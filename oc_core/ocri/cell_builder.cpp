@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 
 #include "oc_core/base/parallel.h"
@@ -28,21 +30,29 @@ float radicalInverse(int i, int base) {
   return value;
 }
 
-/// Corners of the cell first, those that face each other one after the other, then points spread over the cell.
+/// The farthest viewpoints of the cell first, corners that face each other one after the other, then points spread over
+/// the cell.
 std::vector<View> satelliteViews(const View& reference, const CellOptions& options) {
-  const float half = options.cell.sideRadii / 2;
   constexpr std::array<glm::vec3, 8> kCorners{
       {{-1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, 1}, {1, 1, 1}, {-1, 1, 1}, {1, -1, 1}}};
+  const ViewCell& cell = options.cell;
   std::vector<View> views;
-  for (int i = 0; i < options.mostSatellites; ++i) {
-    const auto corner = static_cast<size_t>(i);
-    const int point = i - static_cast<int>(kCorners.size()) + 1;
-    const glm::vec3 place =
-        corner < kCorners.size()
-            ? kCorners[corner]
-            : glm::vec3(radicalInverse(point, 2), radicalInverse(point, 3), radicalInverse(point, 5)) * 2.0f - 1.0f;
-    views.push_back(movedEye(reference, place * half));
+  if (cell.shape == ViewCell::Shape::kCube) {
+    for (const glm::vec3& corner : kCorners) {
+      views.push_back(movedEye(reference, corner * cell.halfSide()));
+    }
+  } else {
+    views = cell.edgeViews(reference);
   }
+  for (int i = 1; static_cast<int>(views.size()) < options.mostSatellites; ++i) {
+    const glm::vec3 spread = glm::vec3(radicalInverse(i, 2), radicalInverse(i, 3), radicalInverse(i, 5)) * 2.0f - 1.0f;
+    if (cell.shape == ViewCell::Shape::kSegment) {
+      views.push_back(movedEye(reference, glm::normalize(cell.segmentDirection) * (spread.x * cell.halfSide())));
+    } else if (cell.shape == ViewCell::Shape::kCube || glm::length(spread) <= 1) {
+      views.push_back(movedEye(reference, spread * cell.halfSide()));
+    }
+  }
+  views.resize(static_cast<size_t>(options.mostSatellites), reference);
   return views;
 }
 
@@ -131,7 +141,7 @@ size_t removeHarmful(std::vector<Part>& parts, const Mesh& mesh) {
   }
   for (const Part& viewer : parts) {
     const FragmentImage frame = rasterize(viewer.camera, mesh);
-    const Image<SampleState> states = compareFrames(viewer.camera, viewer.truth, positionImage(viewer.camera, mesh));
+    const Image<SampleState> states = compareFrames(viewer.camera, viewer.truth, positionImage(frame, mesh));
     for (int y = 0; y < frame.height(); ++y) {
       for (int x = 0; x < frame.width(); ++x) {
         if (!isMissing(states(x, y)) || !frame(x, y).covered() ||
@@ -162,19 +172,27 @@ size_t removeHarmful(std::vector<Part>& parts, const Mesh& mesh) {
   return removed;
 }
 
-/// The reference part, and the satellites that add to it; nothing where they come to more than `mostSamples`.
-std::optional<std::vector<Part>> findParts(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
-                                           float spacing, bool mayStop, const Progress& progress,
-                                           const RayScene* rays) {
+/// The reference part, then the satellites that add to it.
+struct Found {
   std::vector<Part> parts;
-  parts.push_back({reference, {}, buildDepthImage(reference, mesh, rays)});
-  parts[0].truth = positionsOf(parts[0].image);
-  size_t samples = parts[0].image.sampleCount();
-  const auto share = [&](float relative) { return static_cast<size_t>(relative * static_cast<float>(samples)); };
-  const size_t least = share(options.leastShare);
-  const size_t most = share(options.mostSamples);
-  Mesh held;
-  appendPart(held, parts[0]);
+  Mesh mesh;           ///< of all parts
+  size_t samples = 0;  ///< that they take
+};
+
+size_t mostSamples(const Found& found, const CellOptions& options) {
+  return static_cast<size_t>(options.mostSamples * static_cast<float>(found.parts[0].image.sampleCount()));
+}
+
+/// With satellites whose samples are `spacing` apart. Once they take too many samples: what there is so far where it
+/// `mayStop`, nothing otherwise.
+std::optional<Found> findParts(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
+                               float spacing, bool mayStop, const Progress& progress, const RayScene* rays) {
+  Found found;
+  found.parts.push_back({reference, {}, buildDepthImage(reference, mesh, rays)});
+  found.parts[0].truth = positionsOf(found.parts[0].image);
+  found.samples = found.parts[0].image.sampleCount();
+  const auto least = static_cast<size_t>(options.leastShare * static_cast<float>(found.samples));
+  appendPart(found.mesh, found.parts[0]);
 
   const auto scaled = [&](int pixels) {
     return std::max(static_cast<int>(std::lround(static_cast<float>(pixels) / spacing)), 1);
@@ -186,7 +204,7 @@ std::optional<std::vector<Part>> findParts(const PinholeCamera& reference, const
     Part part{camera, {}, buildDepthImage(camera, mesh, rays)};
     part.truth = positionsOf(part.image);
     Image<uint8_t> marks =
-        missingGroups(compareFrames(camera, part.truth, positionImage(camera, held)), options.leastGroup);
+        missingGroups(compareFrames(camera, part.truth, positionImage(camera, found.mesh)), options.leastGroup);
     if (static_cast<size_t>(std::count(marks.begin(), marks.end(), 1)) <= least) {
       continue;
     }
@@ -194,40 +212,55 @@ std::optional<std::vector<Part>> findParts(const PinholeCamera& reference, const
       growAlongSurface(marks, part.image);
     }
     keepMarked(part.image, marks);
-    samples += static_cast<size_t>(kTileOverhead * static_cast<float>(part.image.sampleCount()));
-    if (samples > most) {
-      if (mayStop) {
-        return parts;
-      }
-      return std::nullopt;
+    const auto added = static_cast<size_t>(kTileOverhead * static_cast<float>(part.image.sampleCount()));
+    if (found.samples + added > mostSamples(found, options)) {
+      return mayStop ? std::optional(std::move(found)) : std::nullopt;
     }
-    appendPart(held, part);
-    parts.push_back(std::move(part));
+    found.samples += added;
+    appendPart(found.mesh, part);
+    found.parts.push_back(std::move(part));
   }
+  return found;
+}
+
+/// The closest spacing of samples for which those of satellites should suffice, given what they take at the coarsest:
+/// groups have an area and a border.
+float expectedSpacing(const Found& coarsest, const CellOptions& options) {
+  constexpr float kGrowth = 1.5f;
+  const auto own = static_cast<float>(coarsest.parts[0].image.sampleCount());
+  const float taken = static_cast<float>(coarsest.samples) - own;
+  const float given = (options.mostSamples - 1) * own;
+  return given > 0 ? options.coarsestSpacing * std::pow(taken / given, 1 / kGrowth) : options.coarsestSpacing;
+}
+
+void takeOutHarmful(Found& found, const CellOptions& options, const Progress& progress) {
   for (int round = 0; round < options.feedbackRounds; ++round) {
     report(progress, "do no harm", static_cast<double>(round) / options.feedbackRounds);
-    if (removeHarmful(parts, held) == 0) {
+    if (removeHarmful(found.parts, found.mesh) == 0) {
       break;
     }
-    held = meshOf(parts);
+    found.mesh = meshOf(found.parts);
   }
   report(progress, "do no harm", 1);
-  return parts;
 }
 
 }  // namespace
 
 CellCamera buildCellCamera(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
                            const Progress& progress, const RayScene* rays) {
-  // From pixel to pixel where the samples suffice, then coarser and coarser.
   constexpr float kCoarser = 1.12f;
-  std::optional<std::vector<Part>> parts;
-  for (float spacing = 1; !parts; spacing *= kCoarser) {
-    const bool last = spacing * kCoarser > options.coarsestSpacing;
-    parts = findParts(reference, mesh, options, spacing, last, progress, rays);
+  Found found = *findParts(reference, mesh, options, options.coarsestSpacing, true, progress, rays);
+  for (float spacing = std::max(expectedSpacing(found, options), 1.0f); spacing < options.coarsestSpacing;
+       spacing *= kCoarser) {
+    if (std::optional<Found> finer = findParts(reference, mesh, options, spacing, false, progress, rays)) {
+      found = std::move(*finer);
+      break;
+    }
   }
+  takeOutHarmful(found, options, progress);
+
   std::vector<CellCamera::Viewpoint> viewpoints;
-  for (Part& part : *parts) {
+  for (Part& part : found.parts) {
     viewpoints.push_back({part.camera, std::move(part.image.z)});
   }
   for (float& reach : viewpoints[0].reach) {

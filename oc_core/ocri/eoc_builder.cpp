@@ -263,7 +263,7 @@ EpipolarCamera cameraFrom(const PinholeCamera& base, const glm::vec3& right, con
       edges[row] = findEpipolarEdges(inverseZ, static_cast<int>(row), lines, base.view().zNear, background, options);
     }
   });
-  const EpipolarCamera camera(base, right, edges);
+  EpipolarCamera camera(base, right, edges);
   if (!options.trim) {
     return camera;
   }

@@ -10,13 +10,11 @@
 #include <optional>
 
 #include "oc_core/base/parallel.h"
+#include "oc_core/ocri/sample_join.h"
 
 namespace ocelli {
 namespace {
 
-/// Neighbours farther apart than this get no more tolerance of depth for it: a longer join is more likely to be a skin
-/// across a gap.
-constexpr float kLongestScaledStep = 1.5f;
 constexpr uint32_t kNoVertex = 0xffffffffu;
 constexpr uint8_t kJoinedRight = 1;
 constexpr uint8_t kJoinedDown = 2;
@@ -114,36 +112,13 @@ class ImageMesher {
   /// Pixels of the pinhole from a sample to the next.
   float spacing(const Pixel& p) const { return inTile(p) ? image_.tileSpacing : 1; }
 
-  /// The step of 1/z from p to q for each pixel of undistorted distance.
-  float slope(const Pixel& p, const Pixel& q) const {
-    const ImagePoint a = image_.undistorted(p.x, p.y);
-    const ImagePoint b = image_.undistorted(q.x, q.y);
-    const float distance = std::max(glm::distance(glm::vec2(a.u, a.v), glm::vec2(b.u, b.v)), 0.1f);
-    return (1 / b.z - 1 / a.z) / distance;
-  }
+  /// The undistorted sample, z = 0 where there is none.
+  ImagePoint sample(const Pixel& p) const { return valid(p) ? image_.undistorted(p.x, p.y) : ImagePoint{}; }
 
   bool joined(const Pixel& p, const Pixel& q) const {
-    if (!valid(p) || !valid(q) || !sameTile(p, q)) {
-      return false;
-    }
-    const ImagePoint a = image_.undistorted(p.x, p.y);
-    const ImagePoint b = image_.undistorted(q.x, q.y);
-    const float distance = glm::distance(glm::vec2(a.u, a.v), glm::vec2(b.u, b.v));
-    if (distance > options_.longestStepPixels) {
-      return false;
-    }
-    const float footprint = std::min(a.z, b.z) / camera_.focalPixels() * spacing(p);
-    if (std::abs(a.z - b.z) <=
-        options_.depthStepFootprints * footprint * std::clamp(distance / spacing(p), 1.0f, kLongestScaledStep)) {
-      return true;
-    }
-    // A grazing or a stretched surface: large steps of z, but 1/z goes on as on one of the two sides.
-    const float tolerance = options_.slopeToleranceFootprints * footprint / (a.z * b.z);
-    const Pixel before{2 * p.x - q.x, 2 * p.y - q.y};
-    const Pixel after{2 * q.x - p.x, 2 * q.y - p.y};
-    const float step = 1 / b.z - 1 / a.z;
-    return (valid(before) && std::abs(step - slope(before, p) * distance) <= tolerance) ||
-           (valid(after) && std::abs(step - slope(q, after) * distance) <= tolerance);
+    return valid(p) && valid(q) && sameTile(p, q) &&
+           samplesJoin(sample({2 * p.x - q.x, 2 * p.y - q.y}), sample(p), sample(q),
+                       sample({2 * q.x - p.x, 2 * q.y - p.y}), false, camera_.focalPixels(), spacing(p), options_);
   }
 
   /// Each cell between four samples gives two triangles, one, or none.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <ranges>
 #include <span>
 
 #include "oc_core/base/parallel.h"
@@ -108,7 +109,8 @@ class RowMesher {
     }
   }
 
-  /// Rows run towards larger columns. One whose samples are all at one place runs as the row above does.
+  /// Rows run towards larger columns. One whose samples are all at one place runs as the next one
+  /// below it that has a direction, or else as the last one above.
   void setDirections() {
     constexpr float kLeastLength = 1;
     std::optional<glm::vec2> last;
@@ -130,13 +132,12 @@ class RowMesher {
     for (Row& row : rows_) {
       set(row);
     }
-    // Those above the first row that has a direction.
-    for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
-      set(*row);
+    for (Row& row : std::views::reverse(rows_)) {
+      set(row);
     }
   }
 
-  void sortSamples(Row& row) {
+  static void sortSamples(Row& row) {
     if (row.samples.empty()) {
       return;
     }
@@ -207,7 +208,7 @@ class RowMesher {
     for (size_t i = 0; i + 1 < row.samples.size(); ++i) {
       RowSample& sample = row.samples[i];
       sample.joinsNext = row.samples[i + 1].column == sample.column + 1 &&
-                         samplesJoin(place(i - 1), sample.place, place(i + 1), place(i + 2), true, focal_, options_);
+                         samplesJoin(place(i - 1), sample.place, place(i + 1), place(i + 2), true, focal_, 1, options_);
     }
   }
 
@@ -235,7 +236,7 @@ class RowMesher {
 
   /// Whether a sample of row y and one of the row below lie on one surface.
   bool joinsAcross(size_t y, const RowSample& a, const RowSample& b) const {
-    if (samplesJoin({}, a.place, b.place, {}, false, focal_, options_)) {
+    if (samplesJoin({}, a.place, b.place, {}, false, focal_, 1, options_)) {
       return true;
     }
     // The samples that go on in the same direction beyond a and b.
@@ -244,7 +245,7 @@ class RowMesher {
     const float step = b.along - a.along;
     const ImagePoint before = up ? placeNear(rows_[*up], a.above, a.along - step) : ImagePoint{};
     const ImagePoint after = next ? placeNear(rows_[*next], b.below, b.along + step) : ImagePoint{};
-    return samplesJoin(before, a.place, b.place, after, false, focal_, options_);
+    return samplesJoin(before, a.place, b.place, after, false, focal_, 1, options_);
   }
 
   /// The longest list of partners that keeps the order of columns in both rows: for each sample of `row` its partner in
@@ -444,7 +445,7 @@ class RowMesher {
     return after != nullptr ? std::optional(step(p, *after, 0.5f)) : std::nullopt;
   }
 
-  ImagePoint halfStepAlong(const Row& row, size_t i) const {
+  static ImagePoint halfStepAlong(const Row& row, size_t i) {
     const ImagePoint* before = i > 0 && row.samples[i - 1].joinsNext ? &row.samples[i - 1].place : nullptr;
     const ImagePoint* after = row.samples[i].joinsNext ? &row.samples[i + 1].place : nullptr;
     return halfStep(row.samples[i].place, before, after)

@@ -17,9 +17,10 @@ inline float undistortedDistance(const ImagePoint& a, const ImagePoint& b) {
 }
 
 /// Undistorted samples, with the ones before a and after b in the same direction; z = 0 where there is none. They are
-/// `evenSteps` where samples of a plane have equal steps of 1/z, however far apart they are undistorted.
+/// `evenSteps` where samples of a plane have equal steps of 1/z, however far apart they are undistorted. `spacing` is
+/// what lies between neighbours on a surface that faces the pinhole, pixels.
 inline bool samplesJoin(const ImagePoint& before, const ImagePoint& a, const ImagePoint& b, const ImagePoint& after,
-                        bool evenSteps, float focalPixels, const ImageMeshOptions& options) {
+                        bool evenSteps, float focalPixels, float spacing, const ImageMeshOptions& options) {
   /// Neighbours farther apart than this get no more tolerance of depth for it: a longer join is more likely to be a
   /// skin across a gap.
   constexpr float kLongestScaledStep = 1.5f;
@@ -27,8 +28,9 @@ inline bool samplesJoin(const ImagePoint& before, const ImagePoint& a, const Ima
   if (!(a.z > 0) || !(b.z > 0) || !(distance <= options.longestStepPixels)) {
     return false;
   }
-  const float footprint = std::min(a.z, b.z) / focalPixels;
-  if (std::abs(a.z - b.z) <= options.depthStepFootprints * footprint * std::clamp(distance, 1.0f, kLongestScaledStep)) {
+  const float footprint = std::min(a.z, b.z) / focalPixels * spacing;
+  if (std::abs(a.z - b.z) <=
+      options.depthStepFootprints * footprint * std::clamp(distance / spacing, 1.0f, kLongestScaledStep)) {
     return true;
   }
   // A grazing or a stretched surface: large steps of z, but 1/z goes on as on one of the two sides.

@@ -1,4 +1,6 @@
 // The contract of camera.h, checked for every camera: each is one entry of `AllCameras` at the end of the fixture.
+// The cell camera is not among them: its rays end at the surfaces that they sample, and parts of its image have none.
+// cell_camera_test.cpp checks what the contract says of such a camera.
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -80,10 +80,13 @@ TEST(CameraChoice, unknownNamesListTheKnownOnes) {
 TEST(CameraChoice, cellIsTheCallersUnlessTheFileSetsIt) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(cameraChoice("ddoc").ddoc.cellSideRadii, DdocOptions{}.cellSideRadii);
-  EXPECT_EQ(cameraChoice("ddoc", 0.8f).ddoc.cellSideRadii, 0.8f);
-  EXPECT_EQ(cameraChoice(folder.write("plain.json", R"({"camera": "ddoc"})"), 0.8f).ddoc.cellSideRadii, 0.8f);
+  EXPECT_EQ(cameraChoice("ddoc", ViewCell{.sideRadii = 0.8f}).ddoc.cellSideRadii, 0.8f);
   EXPECT_EQ(
-      cameraChoice(folder.write("own.json", R"({"camera": "ddoc", "cell_side_radii": 2})"), 0.8f).ddoc.cellSideRadii,
+      cameraChoice(folder.write("plain.json", R"({"camera": "ddoc"})"), ViewCell{.sideRadii = 0.8f}).ddoc.cellSideRadii,
+      0.8f);
+  EXPECT_EQ(
+      cameraChoice(folder.write("own.json", R"({"camera": "ddoc", "cell_side_radii": 2})"), ViewCell{.sideRadii = 0.8f})
+          .ddoc.cellSideRadii,
       2.0f);
 }
 

@@ -106,6 +106,30 @@ TEST(CellBuilder, keepsToTheSamplesItIsGiven) {
   }
 }
 
+TEST(CellBuilder, satellitesStandInTheCell) {
+  const Mesh mesh = test::boxBeforeWall();
+  for (const ViewCell::Shape shape : {ViewCell::Shape::kCube, ViewCell::Shape::kSphere, ViewCell::Shape::kSegment}) {
+    CellOptions options;
+    options.cell.shape = shape;
+    options.cell.segmentDirection = {0, 3, 0};
+    options.leastShare = 0;
+    options.mostSatellites = 40;
+    options.mostSamples = 3;
+    const CellCamera camera = buildCellCamera(smallCamera(), mesh, options);
+    EXPECT_GT(camera.viewpoints().size(), 2u);
+    for (const CellCamera::Viewpoint& viewpoint : camera.viewpoints()) {
+      const glm::vec3 offset = glm::abs(viewpoint.camera.eye() - smallCamera().eye());
+      constexpr float kHalf = 0.8f + 1e-5f;
+      EXPECT_LE(std::max({offset.x, offset.y, offset.z}), kHalf);
+      if (shape == ViewCell::Shape::kSphere) {
+        EXPECT_LE(glm::length(offset), kHalf);
+      } else if (shape == ViewCell::Shape::kSegment) {
+        EXPECT_LE(std::max(offset.x, offset.z), 1e-5f);
+      }
+    }
+  }
+}
+
 TEST(CellBuilder, wallNeedsNoSatelliteWithinItsBorders) {
   CellOptions options;
   options.cell.sideRadii = 0.1f;
