@@ -34,7 +34,7 @@ void addBuild(CLI::App& ocri, const Frame& frame) {
   command
       .add_option("--construction", choice->construction,
                   "By rasterisation or by rays; rays build an acceleration structure (BVH) first, which takes longer "
-                  "than rasterising one image of any scene: auto rasterises")
+                  "than rasterising one image of any scene, but for large ones with cell: auto rasterises")
       ->type_name("auto|raster|rays")
       ->capture_default_str();
   addOutputOption(command, choice->output, "Where the image goes", {".exr"});

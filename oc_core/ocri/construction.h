@@ -24,11 +24,11 @@ struct RayCrossover {
   static constexpr size_t kSpoc = 0;
   static constexpr size_t kDdoc = 4'500'000;
   static constexpr size_t kEoc = 1'100'000;
-  static constexpr size_t kCell = 300'000;
+  static constexpr size_t kCell = 400'000;
 };
 
-/// Whether to construct by rays. Where no acceleration structure stands, one image is sooner rasterised, whatever the
-/// scene: building the structure takes longer than drawing all triangles once.
+/// Whether to construct by rays. Where no acceleration structure stands, kAuto rasterises: to build the structure takes
+/// longer than to draw all triangles of any scene once. Only a cell camera, which draws many views, would gain.
 bool constructWithRays(Construction wanted, size_t crossover, size_t triangleCount, bool structureStands);
 
 /// Throws InputError, naming `where`, for anything but "auto", "raster" and "rays".
