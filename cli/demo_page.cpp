@@ -22,7 +22,13 @@ std::string displayName(const std::string& representation) {
   if (representation == "ddoc") {
     return "OCRI (DDOC)";
   }
-  return representation == "ddoc-constant" ? "OCRI, one radius for every edge" : representation;
+  if (representation == "ddoc-constant") {
+    return "OCRI, one radius for every edge";
+  }
+  if (representation == "eoc-hv") {
+    return "Two crossing epipolar cameras (EOC)";
+  }
+  return representation == "cell" ? "Cell camera" : representation;
 }
 
 std::string imageTag(const DemoImage& image, const std::string& alternative) {

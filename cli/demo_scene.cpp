@@ -225,8 +225,11 @@ DemoScene runDemoScene(const std::string& title, const std::string& source, cons
   evaluation.width = options.width;
   evaluation.height = options.height;
   evaluation.slice = [&options](const Mesh& mesh) { slice(mesh, options.profile); };
-  scene.figures = evaluate(geometry, {cameraChoice("di"), cameraChoice("ddoc"), cameraChoice("ddoc-constant")},
-                           evaluation, progress);
+  std::vector<CameraChoice> cameras;
+  for (const char* camera : {"di", "ddoc", "ddoc-constant", "eoc-hv", "cell"}) {
+    cameras.push_back(cameraChoice(camera));
+  }
+  scene.figures = evaluate(geometry, cameras, evaluation, progress);
   return scene;
 }
 
