@@ -24,7 +24,7 @@ struct PointOptions {
   float shortestEdgePixels = 1.0f / 64;
 };
 
-/// Gives each triangle's samples, in an order that depends on nothing else.
+/// Gives each triangle's samples, in an order that depends on nothing else. Camera and mesh must outlive it.
 template <BoundedCamera C>
 class PointSampler {
  public:

@@ -103,10 +103,11 @@ TEST(Points, coverWhatTheRaysMeet) {
 
 TEST(Points, smallTrianglesAreTheirVertices) {
   Mesh mesh;
-  const float footprint = 10 / smallCamera().focalPixels();
+  const PinholeCamera camera = smallCamera();
+  const float footprint = 10 / camera.focalPixels();
   mesh.positions = {{0, 0, 0}, {0.3f * footprint, 0, 0}, {0, 0.3f * footprint, 0}};
   mesh.triangles = {{0, 1, 2}};
-  const PointSampler<PinholeCamera> sampler(smallCamera(), mesh, {});
+  const PointSampler<PinholeCamera> sampler(camera, mesh, {});
   int samples = 0;
   sampler.sample(0, [&](const ImagePoint&, float b1, float b2) {
     EXPECT_EQ(b1 + b2, samples == 0 ? 0.0f : 1.0f);
