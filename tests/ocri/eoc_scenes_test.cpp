@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <string>
 
 #include "oc_core/ocri/coverage.h"
 #include "oc_core/ocri/eoc_builder.h"
@@ -52,7 +53,7 @@ struct Goal {
 };
 
 void expectFigures(const Goal& goal) {
-  if (std::getenv("OCELLI_DATA_DIR") == nullptr) {
+  if (std::string(goal.scene).find("mesh=") != std::string::npos && std::getenv("OCELLI_DATA_DIR") == nullptr) {
     GTEST_SKIP() << "OCELLI_DATA_DIR is not set: the meshes of the published scenes are not at hand";
   }
   const Mesh scene = loadScene(goal.scene);
