@@ -106,7 +106,8 @@ std::optional<CellCamera::Place> CellCamera::placeOf(const glm::vec2& pixel) con
     return Place{0, pixel};
   }
   const int column = static_cast<int>(pixel.x) / kTileSide;
-  const auto tile = static_cast<size_t>(below / kTileSide * tilesPerRow_ + column);
+  const size_t tile =
+      static_cast<size_t>(below / kTileSide) * static_cast<size_t>(tilesPerRow_) + static_cast<size_t>(column);
   if (column >= tilesPerRow_ || tile >= tiles_.size()) {
     return std::nullopt;
   }

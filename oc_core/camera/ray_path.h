@@ -30,7 +30,8 @@ class RayPath {
     return *this;
   }
 
-  void push_back(const glm::vec3& point) {
+  // As std::vector calls it.
+  void push_back(const glm::vec3& point) {  // NOLINT(readability-identifier-naming)
     OC_CHECK(size_ < kMostPoints, "a ray path has too many points");
     points_[size_++] = point;
   }

@@ -136,6 +136,7 @@ Mesh meshOf(std::vector<Part>& parts) {
 /// Takes out the satellite samples whose triangles lie in front of what a viewpoint sees. Returns how many.
 size_t removeHarmful(std::vector<Part>& parts, const Mesh& mesh) {
   std::vector<Image<uint8_t>> harm;
+  harm.reserve(parts.size());
   for (const Part& part : parts) {
     harm.emplace_back(part.image.width(), part.image.height(), 0);
   }
@@ -250,12 +251,14 @@ CellCamera buildCellCamera(const PinholeCamera& reference, const Mesh& mesh, con
                            const Progress& progress, const RayScene* rays) {
   constexpr float kCoarser = 1.12f;
   Found found = *findParts(reference, mesh, options, options.coarsestSpacing, true, progress, rays);
-  for (float spacing = std::max(expectedSpacing(found, options), 1.0f); spacing < options.coarsestSpacing;
-       spacing *= kCoarser) {
-    if (std::optional<Found> finer = findParts(reference, mesh, options, spacing, false, progress, rays)) {
-      found = std::move(*finer);
-      break;
-    }
+  float spacing = std::max(expectedSpacing(found, options), 1.0f);
+  std::optional<Found> finer;
+  while (!finer && spacing < options.coarsestSpacing) {
+    finer = findParts(reference, mesh, options, spacing, false, progress, rays);
+    spacing *= kCoarser;
+  }
+  if (finer) {
+    found = std::move(*finer);
   }
   takeOutHarmful(found, options, progress);
 
