@@ -1,0 +1,34 @@
+// A mesh in the memory of the GPU, uploaded once.
+#pragma once
+
+#include "oc_core/gl/gl_object.h"
+#include "oc_core/scene/mesh.h"
+
+namespace ocelli {
+
+class GlMesh {
+ public:
+  /// Throws GlError where the GPU has no room. Hold a GlScope.
+  GlMesh(GlContext& context, const Mesh& mesh);
+
+  /// Tightly packed: three floats a vertex, three floats a vertex (linear RGB, white where the mesh has none), three
+  /// indices (uint32) a triangle.
+  const GlObject& positions() const { return positions_; }
+  const GlObject& colors() const { return colors_; }
+  const GlObject& triangles() const { return triangles_; }
+  size_t vertexCount() const { return vertexCount_; }
+  size_t triangleCount() const { return triangleCount_; }
+
+  /// A vertex array for glDrawElements(): location 0 is the position, location 1 the colour.
+  const GlObject& vertexArray() const { return vertexArray_; }
+
+ private:
+  size_t vertexCount_;
+  size_t triangleCount_;
+  GlObject positions_;
+  GlObject colors_;
+  GlObject triangles_;
+  GlObject vertexArray_;
+};
+
+}  // namespace ocelli
