@@ -5,6 +5,7 @@
 #include "oc_core/gl/gl_state.h"
 #include "oc_core/gl/pinhole_pass.h"
 #include "oc_core/gl/shaders.h"
+#include "oc_core/gl/span_pass.h"
 #include "oc_core/gl/subdivision_pass.h"
 
 namespace ocelli {
@@ -14,12 +15,14 @@ struct GlRenderer::Impl {
       : mesh(context, scene),
         pinhole(context),
         subdivision(context),
+        spans(context),
         color(makeProgram(context, "color_resolve",
                           {{GL_COMPUTE_SHADER, {shaders::kMesh, shaders::kFragment, shaders::kColorResolveComp}}})) {}
 
   GlMesh mesh;
   PinholePass pinhole;
   SubdivisionPass subdivision;
+  SpanPass spans;
   GlObject color;
 };
 
@@ -54,6 +57,11 @@ FragmentImage GlRenderer::render(const DdocCamera& camera, const SubdivisionOpti
   return draw(camera, options).read();
 }
 
+FragmentImage GlRenderer::render(const EpipolarCamera& camera) const {
+  const GlScope scope(context_);
+  return draw(camera).read();
+}
+
 GlFragments GlRenderer::draw(const PinholeCamera& camera) const {
   return impl_->pinhole.draw(camera, impl_->mesh);
 }
@@ -68,6 +76,14 @@ GlFragments GlRenderer::draw(const ReversePinholeCamera& camera, const Subdivisi
 
 GlFragments GlRenderer::draw(const DdocCamera& camera, const SubdivisionOptions& options) const {
   return impl_->subdivision.draw(camera, draw(camera.reference()), impl_->mesh, options);
+}
+
+GlFragments GlRenderer::draw(const EpipolarCamera& camera) const {
+  return impl_->spans.draw(camera, drawLines(camera.base(), camera.lines()), impl_->mesh);
+}
+
+GlFragments GlRenderer::drawLines(const PinholeCamera& base, const EpipolarLines& lines) const {
+  return lines.isParallel() ? draw(base) : impl_->spans.drawLines(base, lines, impl_->mesh);
 }
 
 GlObject GlRenderer::colors(const GlFragments& fragments, const glm::vec3& background) const {

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "oc_core/camera/ddoc_camera.h"
+#include "oc_core/camera/epipolar_camera.h"
 #include "oc_core/camera/reverse_pinhole_camera.h"
 #include "oc_core/camera/spoc_camera.h"
 #include "oc_core/gl/gl_fragments.h"
@@ -32,12 +33,17 @@ class GlRenderer {
   FragmentImage render(const SpocCamera& camera, const SubdivisionOptions& options = {}) const;
   FragmentImage render(const ReversePinholeCamera& camera, const SubdivisionOptions& options = {}) const;
   FragmentImage render(const DdocCamera& camera, const SubdivisionOptions& options = {}) const;
+  FragmentImage render(const EpipolarCamera& camera) const;
 
   /// The same, left on the GPU. Hold a GlScope, here and below.
   GlFragments draw(const PinholeCamera& camera) const;
   GlFragments draw(const SpocCamera& camera, const SubdivisionOptions& options = {}) const;
   GlFragments draw(const ReversePinholeCamera& camera, const SubdivisionOptions& options = {}) const;
   GlFragments draw(const DdocCamera& camera, const SubdivisionOptions& options = {}) const;
+  GlFragments draw(const EpipolarCamera& camera) const;
+
+  /// What `base` sees along its epipolar lines (oc_core/render/rasterize_spans.h).
+  GlFragments drawLines(const PinholeCamera& base, const EpipolarLines& lines) const;
 
   /// Linear colours as a texture of GL_RGBA32F, `background` where nothing is seen; alpha says which.
   GlObject colors(const GlFragments& fragments, const glm::vec3& background) const;

@@ -17,8 +17,8 @@ PinholePass::PinholePass(GlContext& context)
                                {GL_FRAGMENT_SHADER, {shaders::kPinholeVisibilityFrag}}})),
       resolve_(makeProgram(context, "pinhole_resolve",
                            {{GL_COMPUTE_SHADER,
-                             {shaders::kPinhole, shaders::kMesh, shaders::kFragment, shaders::kPinholeResolveComp}}})) {
-}
+                             {shaders::kPinhole, shaders::kMesh, shaders::kFragment, shaders::kWeights,
+                              shaders::kPinholeResolveComp}}})) {}
 
 GlFragments PinholePass::draw(const PinholeCamera& camera, const GlMesh& mesh) const {
   const GladGLContext& gl = context_.gl();

@@ -63,7 +63,7 @@ struct SubdivisionPass::Block {
   float farPixels = 0;
   float sameImageDepth = 0;
   float meetingDepth = 0;
-  float longestDisplacement = 0;
+  float clipMargin = 0;
   uint32_t bilinear = 0;
   float longestEdge = 0;
   float shortestEdge = 0;
@@ -71,7 +71,7 @@ struct SubdivisionPass::Block {
   glm::vec2 unused{0};
 
   Block(float longest, const SubdivisionOptions& options)
-      : longestDisplacement(longest),
+      : clipMargin(longest + 2),
         longestEdge(options.longestEdgePixels),
         shortestEdge(options.shortestEdgePixels),
         tornEdge(options.tornEdgePixels) {}

@@ -1,4 +1,4 @@
-// Clips triangles to the frustum, widened by the longest displacement, as oc_core/render/frustum_clip.h does; what is
+// Clips triangles to the frustum, widened by `clipMargin` pixels, as oc_core/render/frustum_clip.h does; what is
 // left goes to the children, as triangles around its first corner. Counted first (STAGE COUNT), written then (EMIT).
 #define COUNT 1
 #define EMIT 2
@@ -57,9 +57,9 @@ void clipTriangle(uint triangle) {
   weights[1] = dvec2(1, 0);
   weights[2] = dvec2(0, 1);
   corners = 3;
-  double margin = double(longestDisplacement) + 2.0;
+  double margin = double(clipMargin);
   dvec2 least = (-dvec2(center) - margin) / double(focal);
-  dvec2 most = (dvec2(imageSize) - dvec2(center) + margin) / double(focal);
+  dvec2 most = (dvec2(pinholeSize) - dvec2(center) + margin) / double(focal);
   clip(dvec3(0, 0, 1), -double(zNear));
   clip(dvec3(0, 0, -1), double(zFar));
   clip(dvec3(1, 0, -least.x), 0.0);

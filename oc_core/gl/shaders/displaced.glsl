@@ -12,7 +12,7 @@ layout(std140, binding = 1) uniform Displacement {
   float farPixels;         // SPOC: d_f
   float sameImageDepth;    // reverse pinhole: z'
   float meetingDepth;      // reverse pinhole: z_m
-  float longestDisplacement;
+  float clipMargin;        // pixels beyond the borders from where the longest displacement leads into the image
   uint bilinear;           // DDOC: the lookup
   float longestEdge;       // of subdivision, pixels
   float shortestEdge;

@@ -5,7 +5,7 @@ layout(binding = 0, rgba32ui) uniform uimage2D drawn;
 
 void main() {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(pixel, ivec2(imageSize)))) {
+  if (any(greaterThanEqual(pixel, ivec2(pinholeSize)))) {
     return;
   }
   uvec4 sample_ = texelFetch(seen, pixel, 0);

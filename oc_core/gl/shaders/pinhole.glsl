@@ -10,7 +10,7 @@ layout(std140, binding = 0) uniform Pinhole {
   vec3 forward;
   float unused;
   vec2 center;
-  vec2 imageSize;
+  vec2 pinholeSize;
 };
 
 // In this order, so that every driver rounds alike.
@@ -32,8 +32,8 @@ vec2 imageFromCamera(vec3 p) {
 // OpenGL's clip coordinates of an image point at depth z. Image row 0 is row 0 of the texture. Depth is zNear / z: 1 at
 // zNear, 0 at infinity, and as precise far away as nearby.
 vec4 clipFromImage(vec2 q, float z) {
-  return vec4((2.0 * q / imageSize - 1.0) * z, zNear, z);
+  return vec4((2.0 * q / pinholeSize - 1.0) * z, zNear, z);
 }
 vec4 clipFromCamera(vec3 p) {
-  return vec4(2.0 * (center * p.z + focal * p.xy) / imageSize - p.z, zNear, p.z);
+  return vec4(2.0 * (center * p.z + focal * p.xy) / pinholeSize - p.z, zNear, p.z);
 }

@@ -51,12 +51,12 @@ uint decide(vec3 pa, vec3 pb, vec3 pc) {
 #if SOURCE == TRIANGLES
 // On which sides of the frustum, widened by the longest displacement, a point lies outside.
 uint outside(vec3 p) {
-  float margin = longestDisplacement + 2.0;
+  float margin = clipMargin;
   vec2 q = imageFromCamera(p);
   uint sides = (p.z >= zNear ? 0u : 1u) | (p.z <= zFar ? 0u : 2u);
   if (p.z > 0.0) {
-    sides |= (q.x >= -margin ? 0u : 4u) | (q.y >= -margin ? 0u : 8u) | (q.x <= imageSize.x + margin ? 0u : 16u) |
-             (q.y <= imageSize.y + margin ? 0u : 32u);
+    sides |= (q.x >= -margin ? 0u : 4u) | (q.y >= -margin ? 0u : 8u) | (q.x <= pinholeSize.x + margin ? 0u : 16u) |
+             (q.y <= pinholeSize.y + margin ? 0u : 32u);
   }
   return sides;
 }
