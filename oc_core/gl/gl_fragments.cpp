@@ -13,6 +13,12 @@ static_assert(sizeof(Fragment) == 16 && offsetof(Fragment, z) == 0 && offsetof(F
 GlFragments::GlFragments(GlContext& context, int width, int height)
     : context_(&context), width_(width), height_(height), texture_(makeTexture(context, GL_RGBA32UI, width, height)) {}
 
+GlFragments::GlFragments(GlContext& context, const FragmentImage& fragments)
+    : GlFragments(context, fragments.width(), fragments.height()) {
+  context.gl().TextureSubImage2D(texture_.id(), 0, 0, 0, width_, height_, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
+                                 fragments.data());
+}
+
 void GlFragments::clear() {
   const Fragment empty;
   context_->gl().ClearTexImage(texture_.id(), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, &empty);

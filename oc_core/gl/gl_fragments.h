@@ -11,6 +11,7 @@ class GlFragments {
  public:
   /// What it holds is undefined. Hold a GlScope, here and below.
   GlFragments(GlContext& context, int width, int height);
+  GlFragments(GlContext& context, const FragmentImage& fragments);
 
   const GlObject& texture() const { return texture_; }
   int width() const { return width_; }

@@ -37,53 +37,59 @@ const GlMesh& GlRenderer::mesh() const {
   return impl_->mesh;
 }
 
-FragmentImage GlRenderer::render(const PinholeCamera& camera) const {
+FragmentImage GlRenderer::draw(const PinholeCamera& camera) const {
   const GlScope scope(context_);
-  return draw(camera).read();
+  return drawOnGpu(camera).read();
 }
 
-FragmentImage GlRenderer::render(const SpocCamera& camera, const SubdivisionOptions& options) const {
+FragmentImage GlRenderer::draw(const SpocCamera& camera) const {
   const GlScope scope(context_);
-  return draw(camera, options).read();
+  return drawOnGpu(camera).read();
 }
 
-FragmentImage GlRenderer::render(const ReversePinholeCamera& camera, const SubdivisionOptions& options) const {
+FragmentImage GlRenderer::draw(const ReversePinholeCamera& camera) const {
   const GlScope scope(context_);
-  return draw(camera, options).read();
+  return drawOnGpu(camera).read();
 }
 
-FragmentImage GlRenderer::render(const DdocCamera& camera, const SubdivisionOptions& options) const {
+FragmentImage GlRenderer::draw(const DdocCamera& camera, const FragmentImage& seen,
+                               const SubdivisionOptions& subdivision) const {
   const GlScope scope(context_);
-  return draw(camera, options).read();
+  return impl_->subdivision.draw(camera, GlFragments(context_, seen), impl_->mesh, subdivision).read();
 }
 
-FragmentImage GlRenderer::render(const EpipolarCamera& camera) const {
+FragmentImage GlRenderer::drawLines(const PinholeCamera& base, const EpipolarLines& lines) const {
   const GlScope scope(context_);
-  return draw(camera).read();
+  return drawLinesOnGpu(base, lines).read();
 }
 
-GlFragments GlRenderer::draw(const PinholeCamera& camera) const {
+FragmentImage GlRenderer::draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const {
+  const GlScope scope(context_);
+  return impl_->spans.draw(camera, GlFragments(context_, baseImage), impl_->mesh).read();
+}
+
+GlFragments GlRenderer::drawOnGpu(const PinholeCamera& camera) const {
   return impl_->pinhole.draw(camera, impl_->mesh);
 }
 
-GlFragments GlRenderer::draw(const SpocCamera& camera, const SubdivisionOptions& options) const {
-  return impl_->subdivision.draw(camera, draw(camera.reference()), impl_->mesh, options);
+GlFragments GlRenderer::drawOnGpu(const SpocCamera& camera, const SubdivisionOptions& options) const {
+  return impl_->subdivision.draw(camera, drawOnGpu(camera.reference()), impl_->mesh, options);
 }
 
-GlFragments GlRenderer::draw(const ReversePinholeCamera& camera, const SubdivisionOptions& options) const {
-  return impl_->subdivision.draw(camera, draw(camera.reference()), impl_->mesh, options);
+GlFragments GlRenderer::drawOnGpu(const ReversePinholeCamera& camera, const SubdivisionOptions& options) const {
+  return impl_->subdivision.draw(camera, drawOnGpu(camera.reference()), impl_->mesh, options);
 }
 
-GlFragments GlRenderer::draw(const DdocCamera& camera, const SubdivisionOptions& options) const {
-  return impl_->subdivision.draw(camera, draw(camera.reference()), impl_->mesh, options);
+GlFragments GlRenderer::drawOnGpu(const DdocCamera& camera, const SubdivisionOptions& options) const {
+  return impl_->subdivision.draw(camera, drawOnGpu(camera.reference()), impl_->mesh, options);
 }
 
-GlFragments GlRenderer::draw(const EpipolarCamera& camera) const {
-  return impl_->spans.draw(camera, drawLines(camera.base(), camera.lines()), impl_->mesh);
+GlFragments GlRenderer::drawOnGpu(const EpipolarCamera& camera) const {
+  return impl_->spans.draw(camera, drawLinesOnGpu(camera.base(), camera.lines()), impl_->mesh);
 }
 
-GlFragments GlRenderer::drawLines(const PinholeCamera& base, const EpipolarLines& lines) const {
-  return lines.isParallel() ? draw(base) : impl_->spans.drawLines(base, lines, impl_->mesh);
+GlFragments GlRenderer::drawLinesOnGpu(const PinholeCamera& base, const EpipolarLines& lines) const {
+  return lines.isParallel() ? drawOnGpu(base) : impl_->spans.drawLines(base, lines, impl_->mesh);
 }
 
 GlObject GlRenderer::colors(const GlFragments& fragments, const glm::vec3& background) const {

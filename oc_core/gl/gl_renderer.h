@@ -8,42 +8,39 @@
 
 #include <memory>
 
-#include "oc_core/camera/ddoc_camera.h"
-#include "oc_core/camera/epipolar_camera.h"
-#include "oc_core/camera/reverse_pinhole_camera.h"
-#include "oc_core/camera/spoc_camera.h"
 #include "oc_core/gl/gl_fragments.h"
 #include "oc_core/gl/gl_mesh.h"
-#include "oc_core/render/rasterize_subdivided.h"
+#include "oc_core/render/scene_drawer.h"
 
 namespace ocelli {
 
-class GlRenderer {
+class GlRenderer final : public SceneDrawer {
  public:
   /// Throws GlError where the GPU has no room for the mesh, or its driver refuses a shader. The context must outlive
   /// it.
   GlRenderer(GlContext& context, const Mesh& mesh);
-  ~GlRenderer();
+  ~GlRenderer() override;
 
   GlContext& context() const { return context_; }
   const GlMesh& mesh() const;
 
   /// The closest fragment at each pixel, as on the processor. Throws GlError where the GPU fails.
-  FragmentImage render(const PinholeCamera& camera) const;
-  FragmentImage render(const SpocCamera& camera, const SubdivisionOptions& options = {}) const;
-  FragmentImage render(const ReversePinholeCamera& camera, const SubdivisionOptions& options = {}) const;
-  FragmentImage render(const DdocCamera& camera, const SubdivisionOptions& options = {}) const;
-  FragmentImage render(const EpipolarCamera& camera) const;
+  FragmentImage draw(const PinholeCamera& camera) const override;
+  FragmentImage draw(const SpocCamera& camera) const override;
+  FragmentImage draw(const ReversePinholeCamera& camera) const override;
+  FragmentImage draw(const DdocCamera& camera, const FragmentImage& seen,
+                     const SubdivisionOptions& subdivision) const override;
+  FragmentImage drawLines(const PinholeCamera& base, const EpipolarLines& lines) const override;
+  FragmentImage draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const override;
 
-  /// The same, left on the GPU. Hold a GlScope, here and below.
-  GlFragments draw(const PinholeCamera& camera) const;
-  GlFragments draw(const SpocCamera& camera, const SubdivisionOptions& options = {}) const;
-  GlFragments draw(const ReversePinholeCamera& camera, const SubdivisionOptions& options = {}) const;
-  GlFragments draw(const DdocCamera& camera, const SubdivisionOptions& options = {}) const;
-  GlFragments draw(const EpipolarCamera& camera) const;
-
-  /// What `base` sees along its epipolar lines (oc_core/render/rasterize_spans.h).
-  GlFragments drawLines(const PinholeCamera& base, const EpipolarLines& lines) const;
+  /// The same, left on the GPU; cameras that need what their pinhole sees draw that as well. Hold a GlScope, here and
+  /// below.
+  GlFragments drawOnGpu(const PinholeCamera& camera) const;
+  GlFragments drawOnGpu(const SpocCamera& camera, const SubdivisionOptions& options = {}) const;
+  GlFragments drawOnGpu(const ReversePinholeCamera& camera, const SubdivisionOptions& options = {}) const;
+  GlFragments drawOnGpu(const DdocCamera& camera, const SubdivisionOptions& options = {}) const;
+  GlFragments drawOnGpu(const EpipolarCamera& camera) const;
+  GlFragments drawLinesOnGpu(const PinholeCamera& base, const EpipolarLines& lines) const;
 
   /// Linear colours as a texture of GL_RGBA32F, `background` where nothing is seen; alpha says which.
   GlObject colors(const GlFragments& fragments, const glm::vec3& background) const;
