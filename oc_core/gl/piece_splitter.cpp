@@ -7,7 +7,9 @@
 namespace ocelli {
 namespace {
 
-constexpr GLuint kGroup = 64;             // of shaders/split_counts.glsl
+// Invocations in a group, as shaders/split_counts.glsl has it; fewer where each keeps a polygon in shared memory.
+constexpr GLuint kGroup = 64;
+constexpr GLuint kClipGroup = PieceSplitter::kClipGroup;
 constexpr uint32_t kCapacity = 1u << 20;  // pieces in a list: 28 MiB
 constexpr size_t kPieceBytes = 28;
 
@@ -19,15 +21,15 @@ constexpr GLuint kChildren = 5;
 constexpr GLuint kCodes = 6;
 constexpr GLuint kClips = 7;
 
-GLuint groupsOf(uint32_t items) {
-  return (items + kGroup - 1) / kGroup;
+GLuint groupsOf(uint32_t items, GLuint group) {
+  return (items + group - 1) / group;
 }
 
 }  // namespace
 
 PieceSplitter::PieceSplitter(GlContext& context)
     : context_(context),
-      groups_(makeBuffer(context, (groupsOf(kCapacity) + 1) * sizeof(Counts))),
+      groups_(makeBuffer(context, (groupsOf(kCapacity, kClipGroup) + 1) * sizeof(Counts))),
       codes_(makeBuffer(context, kCapacity * sizeof(uint32_t))),
       leaves_(makeBuffer(context, kCapacity * kPieceBytes)) {}
 
@@ -80,13 +82,17 @@ void PieceSplitter::splitNext() {
   levels_.push_back(std::move(clips));
 }
 
+uint32_t PieceSplitter::groupOf(const Level& level) {
+  return level.kind == Level::Kind::kClips ? kClipGroup : kGroup;
+}
+
 PieceSplitter::Counts PieceSplitter::countNext(const Level& level, uint32_t items) {
   const GladGLContext& gl = context_.gl();
   const GlObject& program = level.kind == Level::Kind::kTriangles ? programs_->decideTriangles
                             : level.kind == Level::Kind::kPieces  ? programs_->decidePieces
                                                                   : programs_->countClipped;
   run(program, level, items, level.depth);
-  const GLuint groups = groupsOf(items);
+  const GLuint groups = groupsOf(items, groupOf(level));
   gl.UseProgram(programs_->prefixSum.id());
   gl.Uniform1ui(0, groups);
   gl.DispatchCompute(1, 1, 1);
@@ -109,7 +115,7 @@ void PieceSplitter::run(const GlObject& program, const Level& level, uint32_t it
   if (level.kind != Level::Kind::kClips) {
     gl.Uniform1ui(2, argument);
   }
-  gl.DispatchCompute(groupsOf(items), 1, 1);
+  gl.DispatchCompute(groupsOf(items, groupOf(level)), 1, 1);
   gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 

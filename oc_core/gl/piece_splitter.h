@@ -23,6 +23,8 @@ struct SplitPrograms {
 /// image. It is kept from one drawing to the next.
 class PieceSplitter {
  public:
+  static constexpr uint32_t kClipGroup = 32;  ///< invocations in a group of shaders/clip.comp
+
   /// Hold a GlScope, here and below.
   explicit PieceSplitter(GlContext& context);
 
@@ -48,6 +50,7 @@ class PieceSplitter {
     uint32_t unused = 0;
   };
 
+  static uint32_t groupOf(const Level& level);
   void splitNext();
   Counts countNext(const Level& level, uint32_t items);
   void run(const GlObject& program, const Level& level, uint32_t items, uint32_t argument);

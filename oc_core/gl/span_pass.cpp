@@ -7,6 +7,7 @@
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"
 #include "oc_core/gl/gl_state.h"
+#include "oc_core/gl/piece_splitter.h"
 #include "oc_core/gl/shaders.h"
 
 namespace ocelli {
@@ -51,7 +52,7 @@ GlObject makeClip(GlContext& context, const std::string& stage) {
                      {{GL_COMPUTE_SHADER,
                        {shaders::kPinhole, shaders::kMesh, shaders::kPiece, shaders::kEpipolarLines,
                         shaders::kSplitCounts, shaders::kClipComp}}},
-                     "#define STAGE " + stage + "\n");
+                     "#define GROUP " + std::to_string(PieceSplitter::kClipGroup) + "\n#define STAGE " + stage + "\n");
 }
 
 GlObject makeResolve(GlContext& context, const char* name, std::string_view source) {
@@ -212,7 +213,7 @@ GlObject SpanPass::clip(const GlObject& triangles, uint32_t count, uint32_t& pie
   constexpr GLuint kGroups = 3;
   constexpr GLuint kChildren = 5;
   const GladGLContext& gl = context_.gl();
-  const GLuint groups = groupsOf(count);
+  const GLuint groups = (count + PieceSplitter::kClipGroup - 1) / PieceSplitter::kClipGroup;
   const GlObject groupCounts = makeBuffer(context_, (groups + 1) * sizeof(glm::uvec4));
   const auto run = [&](const GlObject& program) {
     gl.UseProgram(program.id());

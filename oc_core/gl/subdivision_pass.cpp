@@ -33,6 +33,7 @@ GlObject makeCompute(GlContext& context, int model, const char* name, std::strin
 SplitPrograms makePrograms(GlContext& context, int model) {
   const std::string triangles = "#define SOURCE TRIANGLES\n";
   const std::string pieces = "#define SOURCE PIECES\n";
+  const std::string clip = "#define GROUP " + std::to_string(PieceSplitter::kClipGroup) + "\n";
   const auto compute = [&](const char* name, std::string_view source, const std::string& define) {
     return makeCompute(context, model, name, source, define);
   };
@@ -41,8 +42,8 @@ SplitPrograms makePrograms(GlContext& context, int model) {
       compute("split_decide", shaders::kSplitDecideComp, pieces),
       compute("split_emit", shaders::kSplitEmitComp, triangles),
       compute("split_emit", shaders::kSplitEmitComp, pieces),
-      compute("clip", shaders::kClipComp, "#define STAGE COUNT\n"),
-      compute("clip", shaders::kClipComp, "#define STAGE EMIT\n"),
+      compute("clip", shaders::kClipComp, clip + "#define STAGE COUNT\n"),
+      compute("clip", shaders::kClipComp, clip + "#define STAGE EMIT\n"),
       makeProgram(context, "prefix_sum", {{GL_COMPUTE_SHADER, {shaders::kPrefixSumComp}}}),
       makeProgram(context, "leaves",
                   {{GL_VERTEX_SHADER,

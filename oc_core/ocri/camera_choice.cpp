@@ -220,7 +220,7 @@ ReferenceImages imagesOf(const CameraChoice& choice, const PinholeCamera& refere
     case CameraChoice::Model::kLayeredDepthImage:
       if (drawer != nullptr) {
         throw InputError("camera \"" + choice.name + "\" peels layers, which only rasterisation on the processor does",
-                         "--camera", "leave the renderer out, or choose another camera");
+                         "--camera", "draw it without OpenGL, or choose another camera");
       }
       return layeredDepthImage(reference, mesh, choice.count);
     case CameraChoice::Model::kReversePinhole:

@@ -37,7 +37,7 @@ Construction constructionFromText(const std::string& text, const std::string& wh
   if (text == "rays") {
     return Construction::kRays;
   }
-  throw InputError(fmt::format("there is no construction \"{}\"", text), where, "use auto, raster or rays");
+  throw InputError(fmt::format("there is no construction \"{}\"", text), where, "use auto, raster, rays or gl");
 }
 
 std::string describe(const ConstructionReport& report) {

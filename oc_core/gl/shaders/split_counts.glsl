@@ -1,8 +1,11 @@
 // How many leaves, children and triangles to be clipped the items of each group have, and then how many come before
 // them: pieces are counted first and written then, at places that follow from those counts. So their order, and with it
 // the image, does not depend on which is done first.
-const uint kGroup = 64u;
-layout(local_size_x = 64) in;
+#ifndef GROUP
+#define GROUP 64
+#endif
+const uint kGroup = GROUP;
+layout(local_size_x = GROUP) in;
 layout(std430, binding = 3) buffer Groups { uvec4 groups[]; };
 layout(location = 0) uniform uint first;  // of the source
 layout(location = 1) uniform uint count;
