@@ -16,10 +16,6 @@
 namespace ocelli {
 namespace {
 
-constexpr const char* kWithoutWindow =
-    "; what needs no window also works without OpenGL, on the processor, and `ocelli doctor` shows what this machine "
-    "has";
-
 std::string lastError() {
   const char* description = nullptr;
   glfwGetError(&description);
@@ -33,9 +29,8 @@ void initialiseGlfw() {
   }
   const char* display = std::getenv("DISPLAY");
   const bool named = display != nullptr && *display != '\0';
-  throw GlError("no display can be opened" + lastError(),
-                named ? "DISPLAY=" + std::string(display) : "DISPLAY, which is not set",
-                std::string("set DISPLAY to a running X server, or use --offscreen") + kWithoutWindow);
+  throw GlError("no display can be opened" + lastError(), named ? "DISPLAY=" + std::string(display) : "DISPLAY",
+                "set DISPLAY to a running X server, or use --offscreen");
 }
 
 class GlfwPlatform final : public GlPlatform {
@@ -71,7 +66,7 @@ GLFWwindow* createWindow(const GlWindowOptions& options) {
     }
   }
   throw GlError("no window with OpenGL 4.5 can be opened" + lastError(), "window",
-                std::string("update the graphics driver, or use --offscreen") + kWithoutWindow);
+                "update the graphics driver, or use --offscreen");
 }
 
 /// The screen that shows most of a window; none where no screen is attached.
@@ -243,7 +238,7 @@ void GlWindow::setFullscreen(bool fullscreen) {
   GLFWmonitor* monitor = monitorOf(state.window);
   const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
   if (mode == nullptr) {
-    throw GlError("no screen is attached", "window", std::string("attach one, or use --offscreen") + kWithoutWindow);
+    throw GlError("no screen is attached", "window", "attach one, or use --offscreen");
   }
   glfwGetWindowPos(state.window, &state.left, &state.top);
   glfwGetWindowSize(state.window, &state.width, &state.height);
