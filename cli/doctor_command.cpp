@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "cli/command.h"
@@ -32,7 +33,7 @@ struct Findings {
   std::optional<std::filesystem::path> ffmpeg;
   std::optional<std::string> font;
   Json providers = Json::array();
-  std::string packages;  ///< that hold the providers which do not work
+  std::set<std::string> packages;  ///< that hold the providers which do not work
 };
 
 #ifdef OCELLI_WITH_OPENGL
@@ -60,7 +61,8 @@ void findOpenGl(Findings& findings) {
   for (const GlProviderReport& report : reportGlProviders()) {
     findings.providers.push_back(jsonOf(report));
     if (!report.info) {
-      findings.packages += std::string(" ") + packagesOf(report.provider);
+      const std::vector<std::string> packages = packagesOf(report.provider);
+      findings.packages.insert(packages.begin(), packages.end());
     }
   }
   if (const auto font = findSystemFont()) {
@@ -123,8 +125,8 @@ std::string verdict(const Findings& findings) {
   }
   if (!anyProvider(findings, "works", true)) {
     return "OpenGL: not available. Everything but the window works all the same, on the processor.\n"
-           "To install Mesa's OpenGL, on Debian, as root:\n  apt-get install --no-install-recommends" +
-           findings.packages + "\n";
+           "To install Mesa's OpenGL, on Debian, as root:\n  apt-get install --no-install-recommends " +
+           fmt::format("{}\n", fmt::join(findings.packages, " "));
   }
   if (!anyProvider(findings, "software", false)) {
     return "OpenGL: available, drawn by the processor. No GPU was found; if there is one, install its driver.\n";

@@ -27,14 +27,14 @@ std::vector<GlProviderReport> reportGlProviders() {
   return reports;
 }
 
-const char* packagesOf(GlProvider provider) {
+std::vector<std::string> packagesOf(GlProvider provider) {
   switch (provider) {
     case GlProvider::kEgl:
-      return "libegl1 libgl1-mesa-dri";
+      return {"libegl1", "libgl1-mesa-dri"};
     case GlProvider::kOsMesa:
-      return "libosmesa6";
+      return {"libosmesa6"};
     case GlProvider::kWindow:
-      return "libgl1 libgl1-mesa-dri";
+      return {"libgl1", "libgl1-mesa-dri"};
   }
   OC_CHECK(false, "every provider has its packages");
 }

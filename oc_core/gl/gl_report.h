@@ -18,7 +18,7 @@ struct GlProviderReport {
 /// Tries to open a context of each, one after the other: EGL, OSMesa, and a window, which stays invisible.
 std::vector<GlProviderReport> reportGlProviders();
 
-/// The Debian packages that hold Mesa's drivers for a provider: "libegl1 libgl1-mesa-dri".
-const char* packagesOf(GlProvider provider);
+/// The Debian packages that hold Mesa's drivers for a provider.
+std::vector<std::string> packagesOf(GlProvider provider);
 
 }  // namespace ocelli

@@ -233,7 +233,7 @@ TEST(GlReportTest, tellsOfEveryProviderInTurn) {
   for (size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(reports[i].provider, (std::array{GlProvider::kEgl, GlProvider::kOsMesa, GlProvider::kWindow})[i]);
     EXPECT_NE(reports[i].info.has_value(), !reports[i].error.empty()) << "either works, or says why not";
-    EXPECT_THAT(packagesOf(reports[i].provider), HasSubstr("lib"));
+    EXPECT_THAT(packagesOf(reports[i].provider), testing::Contains(HasSubstr("lib")));
   }
   ASSERT_TRUE(reports[0].info.has_value()) << reports[0].error;
   ASSERT_TRUE(reports[1].info.has_value()) << reports[1].error;

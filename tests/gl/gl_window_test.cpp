@@ -22,6 +22,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using Rgb = std::array<uint8_t, 3>;
+constexpr const char* kNoDisplay = "there is no display: install xvfb and xauth, and configure again";
 constexpr double kPatience = 5;  // seconds that a busy X server may take; a working one needs milliseconds
 
 double secondsSince(Clock::time_point start) {
@@ -69,7 +70,7 @@ class GlWindowTest : public testing::Test {
  protected:
   void SetUp() override {
     if (std::getenv("DISPLAY") == nullptr) {
-      GTEST_SKIP() << "there is no display: install xvfb and xauth, and configure again";
+      GTEST_SKIP() << kNoDisplay;
     }
     window_.emplace(GlWindowOptions{
         .title = "test", .width = 300, .height = 200, .visible = true, .debug = GlDebug::kErrorsAreFatal});
@@ -306,6 +307,45 @@ TEST_F(GlWindowTest, panelsTakeItsEvents) {
     window_->show(framebuffer, width, height);
   }
   EXPECT_TRUE(pressed);
+}
+
+GLenum GLAD_API_PTR reportReset() {
+  return GL_UNKNOWN_CONTEXT_RESET;
+}
+
+TEST_F(GlWindowTest, tellsOfALostContextWhereAFrameIsShown) {
+  showQuarters();
+  const GlScope scope(window_->context());
+  const GlObject color = makeTexture(window_->context(), GL_RGBA8, 4, 4);
+  const GlObject framebuffer = makeFramebuffer(window_->context(), std::array{color.id()}, 0);
+  window_->context().functions().GetGraphicsResetStatus = reportReset;
+  try {
+    window_->show(framebuffer, 4, 4);
+    FAIL() << "nothing was thrown";
+  } catch (const GlError& error) {
+    EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("window"), testing::HasSubstr("context is lost"),
+                                             testing::HasSubstr("showing a frame")));
+  }
+}
+
+// Drivers read their environment once, so it is a process of its own.
+TEST(GlWindowDeathTest, refusesADriverBelow45) {
+  if (std::getenv("DISPLAY") == nullptr) {
+    GTEST_SKIP() << kNoDisplay;
+  }
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto open = [] {
+    setenv("MESA_GL_VERSION_OVERRIDE", "3.3", 1);
+    try {
+      GlWindow window({.visible = false});
+    } catch (const GlError& error) {
+      std::fputs(error.what(), stderr);
+    }
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(open(), testing::ExitedWithCode(0),
+              testing::AllOf(testing::HasSubstr("OpenGL 4.5"), testing::HasSubstr("window"),
+                             testing::HasSubstr("--offscreen"), testing::HasSubstr("on the processor")));
 }
 
 TEST_F(GlWindowTest, opensAndClosesAHundredTimes) {
