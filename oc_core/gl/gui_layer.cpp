@@ -79,7 +79,7 @@ GuiRenderer makeRenderer(GlContext& context) {
 }  // namespace
 
 GuiLayer::GuiLayer(GlContext& context, double contentScale)
-    : glContext_(&context), context_(nullptr), renderer_(makeRenderer(context)), contentScale_(contentScale) {
+    : glContext_(&context), renderer_(makeRenderer(context)), contentScale_(contentScale) {
   IMGUI_CHECKVERSION();
   ImGuiContext* const before = ImGui::GetCurrentContext();
   context_ = ImGui::CreateContext();

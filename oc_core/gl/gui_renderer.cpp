@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "oc_core/base/check.h"
@@ -143,7 +144,7 @@ void GuiRenderer::draw(const ImDrawData& data) {
       }
       gl.BindTextureUnit(0, static_cast<GLuint>(reinterpret_cast<uintptr_t>(command.GetTexID())));
       gl.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), kIndexType,
-                                reinterpret_cast<const void*>((firstIndex + command.IdxOffset) * sizeof(ImDrawIdx)),
+                                std::bit_cast<const void*>((firstIndex + command.IdxOffset) * sizeof(ImDrawIdx)),
                                 static_cast<GLint>(firstVertex + command.VtxOffset));
     }
     firstVertex += static_cast<size_t>(list.VtxBuffer.Size);

@@ -16,8 +16,6 @@ namespace ocelli {
 namespace {
 
 using testing::Each;
-using testing::Gt;
-using testing::Lt;
 using Pixel = std::array<uint8_t, 4>;
 
 constexpr int kWidth = 320;
