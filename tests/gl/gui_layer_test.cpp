@@ -111,6 +111,35 @@ TEST_P(GuiLayerTest, drawsWhereAndInWhatColorItIsTold) {
   }
 }
 
+TEST_P(GuiLayerTest, drawsTheSameWhateverOthersHaveLeft) {
+  const GlScope scope(*context_);
+  const GladGLContext& gl = context_->gl();
+  // A framebuffer that could convert to sRGB shows the values as they are.
+  const GlObject color = makeTexture(*context_, GL_SRGB8_ALPHA8, kWidth, kHeight);
+  const GlObject framebuffer = makeFramebuffer(*context_, std::array{color.id()}, 0);
+  GuiLayer gui(*context_, 1);
+  gui.handle(ResizeEvent{kWidth, kHeight, 1, 1});
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  for (const GLenum on :
+       {GL_DEPTH_TEST, GL_CULL_FACE, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_CLIP_DISTANCE0, GL_FRAMEBUFFER_SRGB}) {
+    gl.Enable(on);
+  }
+  gl.Scissor(0, 0, 1, 1);
+  gl.CullFace(GL_FRONT_AND_BACK);
+  gl.StencilFunc(GL_NEVER, 0, ~0U);
+  gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  gl.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
+  gl.BlendEquation(GL_FUNC_SUBTRACT);
+  gui.beginFrame(1.0 / 60);
+  ImGui::GetBackgroundDrawList()->AddRectFilled({10, 20}, {60, 50}, kGuiAccent.packed());
+  gui.endFrame();
+  const auto image = readTexture<Pixel>(*context_, color, kWidth, kHeight, GL_RGBA, GL_UNSIGNED_BYTE);
+  EXPECT_EQ(image(12, 22), pixelOf(kGuiAccent));
+  EXPECT_EQ(image(35, 35), pixelOf(kGuiAccent));
+  EXPECT_EQ(image(57, 47), pixelOf(kGuiAccent));
+}
+
 TEST_P(GuiLayerTest, clipsToPanels) {
   Screen screen(*context_);
   const auto image = screen.show([] {
