@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/gl/gui_style.h"
@@ -188,6 +189,7 @@ bool GuiLayer::take(const InputEvent& event, Taken& taken) {
 }
 
 void GuiLayer::applyScale() {
+  OC_CHECK(contentScale_ > 0 && pixelsPerUnit_ > 0, "a window has a scale");
   applyGuiStyle(lengthScale());
   io().Fonts->Clear();
   fontName_ = loadFont();

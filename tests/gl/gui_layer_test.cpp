@@ -402,6 +402,12 @@ TEST_P(GuiLayerTest, aWindowOfNoSizeDrawsNothing) {
   EXPECT_THAT(std::vector(image.begin(), image.end()), Each(kBlack));
 }
 
+TEST(GuiLayerDeathTest, aScreenWithoutAScaleIsABug) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto context = openTestContext(GlProvider::kOsMesa);
+  EXPECT_DEATH(GuiLayer(*context, 0), "a window has a scale");
+}
+
 TEST(GuiLayerProvidersTest, drawTheSame) {
   const auto form = [](GlProvider provider) {
     const auto context = openTestContext(provider);
