@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "oc_core/base/error.h"
-#ifdef OCELLI_OPENGL
+#ifdef OCELLI_WITH_OPENGL
 #include "oc_core/gl/gl_renderer.h"
 #endif
 
@@ -16,7 +16,7 @@ void addGlOption(CLI::App& command, std::string& provider) {
       ->capture_default_str();
 }
 
-#ifdef OCELLI_OPENGL
+#ifdef OCELLI_WITH_OPENGL
 
 struct GlDrawing::Impl {
   std::unique_ptr<GlContext> context;
