@@ -1,0 +1,87 @@
+#include "display_sim/gl/gl_slicer.h"
+
+#include "display_sim/gl/shaders.h"
+#include "display_sim/sweep_geometry.h"
+#include "oc_core/gl/gl_api.h"
+#include "oc_core/gl/gl_program.h"
+
+namespace ocelli {
+namespace {
+
+constexpr size_t kGroupSize = 64;      // local_size_x of the shaders
+constexpr size_t kMostGroups = 65535;  // in a direction, on any GPU
+/// Groups that share the queue: enough to fill a large GPU, few enough to cost nothing where the queue is empty.
+constexpr GLuint kQueueGroups = 1024;
+
+GlObject makeSlicer(GlContext& context, const std::string& name, std::string_view main) {
+  const GlScope scope(context);
+  return makeProgram(context, name, {{GL_COMPUTE_SHADER, {shaders::kSlicer, main}}});
+}
+
+void setUniforms(const GladGLContext& gl, GLuint program, const SweepGeometry& sweep, bool ownSecondHalf, bool dithered,
+                 size_t triangles) {
+  gl.ProgramUniform1i(program, 0, sweep.slicesPerHalfTurn());
+  gl.ProgramUniform1i(program, 1, sweep.width());
+  gl.ProgramUniform1i(program, 2, sweep.height());
+  gl.ProgramUniform1d(program, 3, sweep.halfHeight());
+  gl.ProgramUniform1d(program, 4, sweep.tanHalfStep());
+  gl.ProgramUniform1i(program, 5, ownSecondHalf ? 1 : 0);
+  gl.ProgramUniform1i(program, 6, dithered ? 1 : 0);
+  gl.ProgramUniform1ui(program, 7, static_cast<GLuint>(triangles));
+}
+
+}  // namespace
+
+GlSlicer::GlSlicer(GlContext& context)
+    : context_(&context),
+      small_(makeSlicer(context, "slice_small", shaders::kSliceSmall)),
+      large_(makeSlicer(context, "slice_large", shaders::kSliceLarge)) {}
+
+void GlSlicer::prepare(const GlMesh& mesh, const DisplayProfile& profile) {
+  if (slices_ != profile.slicesPerHalfTurn) {
+    const SweepGeometry sweep(profile);
+    std::vector<glm::dvec2> directions;
+    for (int sector = 0; sector < sweep.sectors(); ++sector) {
+      directions.push_back(sweep.sectorDirection(sector));
+    }
+    directions_ = makeBuffer(*context_, directions);
+    slices_ = profile.slicesPerHalfTurn;
+  }
+  if (!queue_ || queueRoom_ < mesh.triangleCount()) {
+    queue_ = makeBuffer(*context_, (1 + mesh.triangleCount()) * sizeof(uint32_t));
+    queueRoom_ = mesh.triangleCount();
+  }
+}
+
+void GlSlicer::slice(const GlMesh& mesh, GlVolume& volume, const SliceOptions& options) {
+  const GlScope scope(*context_);
+  const GladGLContext& gl = context_->gl();
+  const DisplayProfile& profile = volume.profile();
+  prepare(mesh, profile);
+  volume.clear();
+  gl.ClearNamedBufferSubData(queue_.id(), GL_R32UI, 0, sizeof(uint32_t), GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  if (mesh.triangleCount() == 0) {
+    return;
+  }
+  const SweepGeometry sweep(profile);
+  for (const GlObject* program : {&small_, &large_}) {
+    setUniforms(gl, program->id(), sweep, profile.secondHalfTurn == SecondHalfTurn::kOwn,
+                options.colors == ColorReduction::kDither, mesh.triangleCount());
+  }
+  GLuint binding = 0;
+  for (const GLuint buffer : {mesh.positions().id(), mesh.colors().id(), mesh.triangles().id(), directions_.id(),
+                              volume.words().id(), queue_.id()}) {
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding++, buffer);
+  }
+  const size_t groups = (mesh.triangleCount() + kGroupSize - 1) / kGroupSize;
+  const size_t across = std::min(groups, kMostGroups);
+  gl.UseProgram(small_.id());
+  gl.DispatchCompute(static_cast<GLuint>(across), static_cast<GLuint>((groups + across - 1) / across), 1);
+  gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  gl.UseProgram(large_.id());
+  gl.DispatchCompute(kQueueGroups, 1, 1);
+  gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  context_->check("slicing " + std::to_string(mesh.triangleCount()) + " triangles");
+}
+
+}  // namespace ocelli

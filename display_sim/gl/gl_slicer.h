@@ -1,0 +1,37 @@
+// slice() on the GPU: the same voxels, cell by cell, in compute shaders.
+//
+// A first pass gives each triangle to one invocation, which clips it to the sectors it may touch and lights the pixel
+// squares that its parts touch; triangles too large for that are queued, and a second pass shares the sectors and rows
+// of each between many invocations. All of it in double precision, with the operations of slicer.cpp in their order, so
+// the volumes are equal wherever the GPU rounds as IEEE 754 does. Where it does not, cells whose faces lie within
+// kSliceRounding of the surface may differ.
+#pragma once
+
+#include "display_sim/gl/gl_volume.h"
+#include "display_sim/slicer.h"
+#include "oc_core/gl/gl_mesh.h"
+
+namespace ocelli {
+
+class GlSlicer {
+ public:
+  /// Throws GlError where the driver refuses a shader.
+  explicit GlSlicer(GlContext& context);
+
+  /// Replaces what `volume` holds. The mesh and the volume are of this context; positions in display radii. Returns
+  /// before the GPU is done. Throws GlError where it has no room.
+  void slice(const GlMesh& mesh, GlVolume& volume, const SliceOptions& options = {});
+
+ private:
+  void prepare(const GlMesh& mesh, const DisplayProfile& profile);
+
+  GlContext* context_;
+  GlObject small_;
+  GlObject large_;
+  GlObject directions_;  ///< of the sectors of so many slices
+  int slices_ = 0;
+  GlObject queue_;  ///< with room for so many triangles
+  size_t queueRoom_ = 0;
+};
+
+}  // namespace ocelli

@@ -1,0 +1,267 @@
+// Lights the voxels that triangles pass through: sector_clip.cpp, screen_polygon.cpp and dither.h on the GPU, with the
+// same operations in the same order, so that where double precision rounds as IEEE 754 does, the bits are the same.
+// `precise` keeps compilers from fusing and reordering them.
+
+layout(std430, binding = 0) readonly buffer Positions { float positions[]; };
+layout(std430, binding = 1) readonly buffer Colors { float colors[]; };
+layout(std430, binding = 2) readonly buffer Triangles { uint corners[]; };
+layout(std430, binding = 3) readonly buffer Directions { dvec2 directions[]; };  // of sectors
+layout(std430, binding = 4) buffer Voxels { uint voxels[]; };                    // laid out as gl_volume.h says
+layout(std430, binding = 5) buffer Queue {
+  uint queuedCount;
+  uint queued[];  // large triangles
+};
+
+layout(location = 0) uniform int slices;  // of a half turn
+layout(location = 1) uniform int width;
+layout(location = 2) uniform int height;
+layout(location = 3) uniform double halfHeight;
+layout(location = 4) uniform double slope;  // tan of half a sector
+layout(location = 5) uniform bool ownSecondHalf;
+layout(location = 6) uniform bool dithered;
+layout(location = 7) uniform uint triangleCount;
+
+struct Triangle {
+  dvec3 corner[3];  // (x, v, z) in columns from the axis and rows from the top
+  vec3 color;       // at the first corner, and what the others have more
+  vec3 colorB;
+  vec3 colorC;
+};
+
+vec3 positionOf(uint vertex) {
+  return vec3(positions[3 * vertex], positions[3 * vertex + 1], positions[3 * vertex + 2]);
+}
+
+vec3 colorOf(uint vertex) {
+  return vec3(colors[3 * vertex], colors[3 * vertex + 1], colors[3 * vertex + 2]);
+}
+
+dvec3 sweepPoint(vec3 position) {
+  precise dvec3 p = dvec3(position.x * (width / 2.0LF), (1.0LF - position.y / halfHeight) * (height / 2.0LF),
+                          position.z * (width / 2.0LF));
+  return p;
+}
+
+Triangle loadTriangle(uint index) {
+  uvec3 t = uvec3(corners[3 * index], corners[3 * index + 1], corners[3 * index + 2]);
+  Triangle triangle;
+  for (int k = 0; k < 3; ++k) {
+    triangle.corner[k] = sweepPoint(positionOf(t[k]));
+  }
+  triangle.color = colorOf(t.x);
+  precise vec3 colorB = colorOf(t.y) - triangle.color;
+  precise vec3 colorC = colorOf(t.z) - triangle.color;
+  triangle.colorB = colorB;
+  triangle.colorC = colorC;
+  return triangle;
+}
+
+// The first and last of the `count` unit cells that the closed interval [lo, hi] touches, faces included.
+ivec2 touchedCells(double lo, double hi, int count) {
+  if (!(hi >= 0.0LF && lo <= double(count))) {
+    return ivec2(0, -1);
+  }
+  int last = int(min(hi, double(count)));
+  double from = max(lo, 0.0LF);
+  int first = int(from);
+  first -= double(first) == from ? 1 : 0;
+  return ivec2(max(first, 0), min(last, count - 1));
+}
+
+ivec2 touchedRows(Triangle t) {
+  return touchedCells(min(t.corner[0].y, min(t.corner[1].y, t.corner[2].y)),
+                      max(t.corner[0].y, max(t.corner[1].y, t.corner[2].y)), height);
+}
+
+// ---- sectors
+
+// Sectors x, x + 1, ..., x + y - 1, each modulo their number: those that a triangle may touch.
+ivec2 sectorsOf(uint triangle) {
+  // atan() may be wrong by 4096 units of the last place, here of pi, and two angles are subtracted.
+  const float kAngleError = 2 * 4096 * 2.4e-7;
+  float stepsPerRadian = slices / 3.14159265;
+  float angles[3];
+  bool onAxis = false;
+  for (int k = 0; k < 3; ++k) {
+    vec3 p = positionOf(corners[3 * triangle + k]);
+    onAxis = onAxis || (p.x == 0 && p.z == 0);
+    angles[k] = atan(p.z, p.x) * stepsPerRadian;
+  }
+  float lo = 0;
+  float hi = 0;
+  for (int k = 1; k < 3; ++k) {
+    float steps = angles[k] - angles[0];
+    steps += steps > slices ? -2 * slices : steps < -slices ? 2 * slices : 0;
+    lo = min(lo, steps);
+    hi = max(hi, steps);
+  }
+  float margin = 1e-2 + kAngleError * stepsPerRadian;
+  lo += angles[0] - margin;
+  hi += angles[0] + margin;
+  // Seen from the axis a triangle beside it spans less than half a turn, one that holds it at least that.
+  if (onAxis || hi - lo >= slices) {
+    return ivec2(0, 2 * slices);
+  }
+  int first = int(floor(lo + 0.5));
+  int last = int(floor(hi + 0.5));
+  return ivec2((first + 2 * slices) % (2 * slices), last - first + 1);
+}
+
+// ---- the part of a triangle in a sector
+
+const int kMostPoints = 6;
+
+// x: outward, y: across, in columns; z: v; b: weights of the triangle's second and third corner.
+struct SectorPoint {
+  dvec3 at;
+  dvec2 b;
+};
+
+SectorPoint sectorPoint(SectorPoint a, SectorPoint b, double t) {
+  precise dvec3 at = a.at + (b.at - a.at) * t;
+  precise dvec2 weights = a.b + (b.b - a.b) * t;
+  return SectorPoint(at, weights);
+}
+
+double inside(SectorPoint p, double side) {
+  precise double value = p.at.x * slope + side * p.at.y;
+  return value;
+}
+
+// Keeps what has outward * slope + side * across >= 0.
+void clipToBorder(inout SectorPoint points[kMostPoints], inout int size, double side) {
+  SectorPoint whole[kMostPoints] = points;
+  int wholeSize = size;
+  size = 0;
+  SectorPoint a = whole[wholeSize - 1];
+  double inA = inside(a, side);
+  for (int i = 0; i < wholeSize; ++i) {
+    SectorPoint b = whole[i];
+    double inB = inside(b, side);
+    if ((inA < 0.0LF) != (inB < 0.0LF)) {
+      precise double t = inA / (inA - inB);
+      points[size++] = sectorPoint(a, b, t);
+    }
+    if (inB >= 0.0LF) {
+      points[size++] = b;
+    }
+    a = b;
+    inA = inB;
+  }
+}
+
+// x: q; y: v; z, w: weights. Returns how many.
+int clipToSector(Triangle triangle, int sector, out dvec4 screen[kMostPoints]) {
+  dvec2 direction = directions[sector];
+  SectorPoint points[kMostPoints];
+  int size = 3;
+  int outsideLeft = 0;
+  int outsideRight = 0;
+  for (int k = 0; k < 3; ++k) {
+    dvec3 p = triangle.corner[k];
+    precise double outward = p.x * direction.x + p.z * direction.y;
+    precise double across = p.z * direction.x - p.x * direction.y;
+    points[k] = SectorPoint(dvec3(outward, across, p.y), dvec2(k == 1 ? 1.0LF : 0.0LF, k == 2 ? 1.0LF : 0.0LF));
+    outsideLeft += inside(points[k], 1.0LF) < 0.0LF ? 1 : 0;
+    outsideRight += inside(points[k], -1.0LF) < 0.0LF ? 1 : 0;
+  }
+  if (outsideLeft == 3 || outsideRight == 3) {
+    return 0;
+  }
+  if (outsideLeft > 0) {
+    clipToBorder(points, size, 1.0LF);
+  }
+  if (outsideRight > 0 && size > 0) {
+    clipToBorder(points, size, -1.0LF);
+  }
+  for (int k = 0; k < size; ++k) {
+    precise double q = width / 2.0LF + (sector < slices ? 1.0LF : -1.0LF) * points[k].at.x;
+    screen[k] = dvec4(q, points[k].at.z, points[k].b);
+  }
+  return size;
+}
+
+// ---- voxels
+
+uint reducedBits(vec3 color, int slice, int column, int row) {
+  uint sum = uint(column) * 3518319155u + uint(row) * 2882110345u + uint(slice) * 2360945575u;
+  float threshold = dithered ? (float(sum >> 9) + 0.5) * (1.0 / 8388608.0) : 0.0;
+  return (color.x > threshold ? 1u : 0u) | (color.y > threshold ? 2u : 0u) | (color.z > threshold ? 4u : 0u);
+}
+
+// Lights columns of a row between two points of the triangle, at whose chord the colours are taken. `mirrored`: in the
+// slice that the second half turn has of its own.
+void lightColumns(Triangle triangle, int slice, int row, dvec4 lo, dvec4 hi, ivec2 columns, bool mirrored) {
+  slice += mirrored ? slices : 0;
+  uint rowWords = uint(width + 7) / 8;
+  uint base = (uint(slice) * uint(height) + uint(row)) * rowWords;
+  uint at = 0;
+  uint word = 0;
+  precise double span = hi.x - lo.x;
+  for (int column = columns.x; column <= columns.y; ++column) {
+    precise double t = span > 0.0LF ? clamp((column + 0.5LF - lo.x) / span, 0.0LF, 1.0LF) : 0.0LF;
+    precise dvec2 b = lo.zw + (hi.zw - lo.zw) * t;
+    precise vec3 color = triangle.color + triangle.colorB * float(b.x) + triangle.colorC * float(b.y);
+    int shown = mirrored ? width - 1 - column : column;
+    if (word != 0u && at != uint(shown) / 8) {
+      atomicOr(voxels[base + at], word);
+      word = 0;
+    }
+    at = uint(shown) / 8;
+    word |= reducedBits(color, slice, shown, row) << (shown % 8 * 4);
+  }
+  if (word != 0u) {
+    atomicOr(voxels[base + at], word);
+  }
+}
+
+void extend(inout dvec4 lo, inout dvec4 hi, dvec4 point) {
+  if (point.x < lo.x) {
+    lo = point;
+  }
+  if (point.x > hi.x) {
+    hi = point;
+  }
+}
+
+// Lights what the triangle touches in a sector, of the rows given.
+void lightSector(Triangle triangle, int sector, ivec2 within) {
+  dvec4 points[kMostPoints];
+  int size = clipToSector(triangle, sector, points);
+  if (size == 0) {
+    return;
+  }
+  double top = points[0].y;
+  double bottom = top;
+  for (int i = 1; i < size; ++i) {
+    top = min(top, points[i].y);
+    bottom = max(bottom, points[i].y);
+  }
+  ivec2 rows = touchedCells(top, bottom, height);
+  rows = ivec2(max(rows.x, within.x), min(rows.y, within.y));
+  int slice = sector < slices ? sector : sector - slices;
+  for (int row = rows.x; row <= rows.y; ++row) {
+    // Within a row the extreme points are corners of the polygon or lie where its outline crosses the row's border.
+    dvec4 lo = dvec4(1e30LF);
+    dvec4 hi = dvec4(-1e30LF);
+    for (int i = 0; i < size; ++i) {
+      dvec4 a = points[i];
+      dvec4 b = points[i + 1 == size ? 0 : i + 1];
+      if (a.y >= double(row) && a.y <= double(row + 1)) {
+        extend(lo, hi, a);
+      }
+      for (int border = row; border <= row + 1; ++border) {
+        precise double t = (double(border) - a.y) / (b.y - a.y);
+        if (t > 0.0LF && t < 1.0LF) {
+          precise dvec4 crossing = a + (b - a) * t;
+          extend(lo, hi, crossing);
+        }
+      }
+    }
+    ivec2 columns = touchedCells(lo.x, hi.x, width);
+    lightColumns(triangle, slice, row, lo, hi, columns, false);
+    if (ownSecondHalf) {
+      lightColumns(triangle, slice, row, lo, hi, columns, true);
+    }
+  }
+}
