@@ -13,18 +13,35 @@ constexpr size_t kMostGroups = 65535;  // in a direction, on any GPU
 /// Groups that share the queue: enough to fill a large GPU, few enough to cost nothing where the queue is empty.
 constexpr GLuint kQueueGroups = 1024;
 
-GlObject makeSlicer(GlContext& context, const std::string& name, std::string_view main) {
+GlObject makeSlicer(GlContext& context, const std::string& name, std::string_view main, GlPrecision precision) {
   const GlScope scope(context);
-  return makeProgram(context, name, {{GL_COMPUTE_SHADER, {shaders::kSlicer, main}}});
+  return makeProgram(context, name, {{GL_COMPUTE_SHADER, {shaders::kSlicer, main}}},
+                     precision == GlPrecision::kSingle ? "#define SINGLE\n" : "");
 }
 
-void setUniforms(const GladGLContext& gl, GLuint program, const SweepGeometry& sweep, bool ownSecondHalf, bool dithered,
-                 size_t triangles) {
+/// In the precision of the shaders.
+GlObject makeDirections(GlContext& context, const SweepGeometry& sweep, GlPrecision precision) {
+  std::vector<glm::dvec2> directions;
+  for (int sector = 0; sector < sweep.sectors(); ++sector) {
+    directions.push_back(sweep.sectorDirection(sector));
+  }
+  return precision == GlPrecision::kDouble
+             ? makeBuffer(context, directions)
+             : makeBuffer(context, std::vector<glm::vec2>(directions.begin(), directions.end()));
+}
+
+void setUniforms(const GladGLContext& gl, GLuint program, const SweepGeometry& sweep, GlPrecision precision,
+                 bool ownSecondHalf, bool dithered, size_t triangles) {
   gl.ProgramUniform1i(program, 0, sweep.slicesPerHalfTurn());
   gl.ProgramUniform1i(program, 1, sweep.width());
   gl.ProgramUniform1i(program, 2, sweep.height());
-  gl.ProgramUniform1d(program, 3, sweep.halfHeight());
-  gl.ProgramUniform1d(program, 4, sweep.tanHalfStep());
+  if (precision == GlPrecision::kDouble) {
+    gl.ProgramUniform1d(program, 3, sweep.halfHeight());
+    gl.ProgramUniform1d(program, 4, sweep.tanHalfStep());
+  } else {
+    gl.ProgramUniform1f(program, 3, static_cast<float>(sweep.halfHeight()));
+    gl.ProgramUniform1f(program, 4, static_cast<float>(sweep.tanHalfStep()));
+  }
   gl.ProgramUniform1i(program, 5, ownSecondHalf ? 1 : 0);
   gl.ProgramUniform1i(program, 6, dithered ? 1 : 0);
   gl.ProgramUniform1ui(program, 7, static_cast<GLuint>(triangles));
@@ -32,19 +49,15 @@ void setUniforms(const GladGLContext& gl, GLuint program, const SweepGeometry& s
 
 }  // namespace
 
-GlSlicer::GlSlicer(GlContext& context)
+GlSlicer::GlSlicer(GlContext& context, GlPrecision precision)
     : context_(&context),
-      small_(makeSlicer(context, "slice_small", shaders::kSliceSmall)),
-      large_(makeSlicer(context, "slice_large", shaders::kSliceLarge)) {}
+      precision_(precision),
+      small_(makeSlicer(context, "slice_small", shaders::kSliceSmall, precision)),
+      large_(makeSlicer(context, "slice_large", shaders::kSliceLarge, precision)) {}
 
 void GlSlicer::prepare(const GlMesh& mesh, const DisplayProfile& profile) {
   if (slices_ != profile.slicesPerHalfTurn) {
-    const SweepGeometry sweep(profile);
-    std::vector<glm::dvec2> directions;
-    for (int sector = 0; sector < sweep.sectors(); ++sector) {
-      directions.push_back(sweep.sectorDirection(sector));
-    }
-    directions_ = makeBuffer(*context_, directions);
+    directions_ = makeDirections(*context_, SweepGeometry(profile), precision_);
     slices_ = profile.slicesPerHalfTurn;
   }
   if (!queue_ || queueRoom_ < mesh.triangleCount()) {
@@ -65,7 +78,7 @@ void GlSlicer::slice(const GlMesh& mesh, GlVolume& volume, const SliceOptions& o
   }
   const SweepGeometry sweep(profile);
   for (const GlObject* program : {&small_, &large_}) {
-    setUniforms(gl, program->id(), sweep, profile.secondHalfTurn == SecondHalfTurn::kOwn,
+    setUniforms(gl, program->id(), sweep, precision_, profile.secondHalfTurn == SecondHalfTurn::kOwn,
                 options.colors == ColorReduction::kDither, mesh.triangleCount());
   }
   GLuint binding = 0;

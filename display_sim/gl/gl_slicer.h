@@ -2,9 +2,7 @@
 //
 // A first pass gives each triangle to one invocation, which clips it to the sectors it may touch and lights the pixel
 // squares that its parts touch; triangles too large for that are queued, and a second pass shares the sectors and rows
-// of each between many invocations. All of it in double precision, with the operations of slicer.cpp in their order, so
-// the volumes are equal wherever the GPU rounds as IEEE 754 does. Where it does not, cells whose faces lie within
-// kSliceRounding of the surface may differ.
+// of each between many invocations.
 #pragma once
 
 #include "display_sim/gl/gl_volume.h"
@@ -13,10 +11,22 @@
 
 namespace ocelli {
 
+enum class GlPrecision {
+  /// The operations of slice() in their order: the same bits wherever the GPU rounds as IEEE 754 does. Where it does
+  /// not, cells whose faces lie within kSliceRounding of the surface may differ.
+  kDouble,
+  /// For GPUs that are slow at double precision: cells whose faces lie within kSingleSliceRounding of the surface may
+  /// differ, far less than one in a thousand of the lit ones.
+  kSingle,
+};
+
+/// kSliceRounding's like in single precision, for displays of at most 1024 columns and rows.
+inline constexpr double kSingleSliceRounding = 2e-3;
+
 class GlSlicer {
  public:
   /// Throws GlError where the driver refuses a shader.
-  explicit GlSlicer(GlContext& context);
+  explicit GlSlicer(GlContext& context, GlPrecision precision = GlPrecision::kDouble);
 
   /// Replaces what `volume` holds. The mesh and the volume are of this context; positions in display radii. Returns
   /// before the GPU is done. Throws GlError where it has no room.
@@ -26,6 +36,7 @@ class GlSlicer {
   void prepare(const GlMesh& mesh, const DisplayProfile& profile);
 
   GlContext* context_;
+  GlPrecision precision_;
   GlObject small_;
   GlObject large_;
   GlObject directions_;  ///< of the sectors of so many slices

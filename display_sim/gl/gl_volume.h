@@ -1,8 +1,9 @@
 // A volume in the memory of the GPU, where the slicer lights it and the observer looks at it.
 //
-// Laid out as a Volume is (volume.h), but a word of 32 bits stands for the byte of each of the three planes: word k of a
-// slice holds the eight voxels of byte k, four bits each from the least significant, bit 0 red, 1 green, 2 blue, 3 zero.
-// So a voxel is lit by one atomic operation, and rows and slices need no padding beside that of rows to eight voxels.
+// Laid out as a Volume is (volume.h), but a word of 32 bits stands for the byte of each of the three planes: word k of
+// a slice holds the eight voxels of byte k, four bits each from the least significant, bit 0 red, 1 green, 2 blue, 3
+// zero. So a voxel is lit by one atomic operation, and rows and slices need no padding beside that of rows to eight
+// voxels.
 #pragma once
 
 #include "display_sim/volume.h"

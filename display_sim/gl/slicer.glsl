@@ -1,11 +1,26 @@
 // Lights the voxels that triangles pass through: sector_clip.cpp, screen_polygon.cpp and dither.h on the GPU, with the
-// same operations in the same order, so that where double precision rounds as IEEE 754 does, the bits are the same.
-// `precise` keeps compilers from fusing and reordering them.
+// same operations in the same order. `precise` keeps compilers from fusing and reordering them.
+//
+// Real is double, or float where SINGLE is defined. Then rounding could have a surface along the border of two sectors
+// miss both, so these overlap by more than it (Triangle.slack).
+#ifdef SINGLE
+#define Real float
+#define Real2 vec2
+#define Real3 vec3
+#define Real4 vec4
+const Real kRounding = 1.0 / 2097152.0;  // 2^-21: some operations of 2^-24 each
+#else
+#define Real double
+#define Real2 dvec2
+#define Real3 dvec3
+#define Real4 dvec4
+const Real kRounding = 0;
+#endif
 
 layout(std430, binding = 0) readonly buffer Positions { float positions[]; };
 layout(std430, binding = 1) readonly buffer Colors { float colors[]; };
 layout(std430, binding = 2) readonly buffer Triangles { uint corners[]; };
-layout(std430, binding = 3) readonly buffer Directions { dvec2 directions[]; };  // of sectors
+layout(std430, binding = 3) readonly buffer Directions { Real2 directions[]; };  // of sectors
 layout(std430, binding = 4) buffer Voxels { uint voxels[]; };                    // laid out as gl_volume.h says
 layout(std430, binding = 5) buffer Queue {
   uint queuedCount;
@@ -15,14 +30,15 @@ layout(std430, binding = 5) buffer Queue {
 layout(location = 0) uniform int slices;  // of a half turn
 layout(location = 1) uniform int width;
 layout(location = 2) uniform int height;
-layout(location = 3) uniform double halfHeight;
-layout(location = 4) uniform double slope;  // tan of half a sector
+layout(location = 3) uniform Real halfHeight;
+layout(location = 4) uniform Real slope;  // tan of half a sector
 layout(location = 5) uniform bool ownSecondHalf;
 layout(location = 6) uniform bool dithered;
 layout(location = 7) uniform uint triangleCount;
 
 struct Triangle {
-  dvec3 corner[3];  // (x, v, z) in columns from the axis and rows from the top
+  Real3 corner[3];  // (x, v, z) in columns from the axis and rows from the top
+  Real slack;       // how far sectors reach beyond their borders, in columns
   vec3 color;       // at the first corner, and what the others have more
   vec3 colorB;
   vec3 colorC;
@@ -36,17 +52,19 @@ vec3 colorOf(uint vertex) {
   return vec3(colors[3 * vertex], colors[3 * vertex + 1], colors[3 * vertex + 2]);
 }
 
-dvec3 sweepPoint(vec3 position) {
-  precise dvec3 p = dvec3(position.x * (width / 2.0LF), (1.0LF - position.y / halfHeight) * (height / 2.0LF),
-                          position.z * (width / 2.0LF));
+Real3 sweepPoint(vec3 position) {
+  precise Real3 p = Real3(position.x * (width / Real(2)), (1 - position.y / halfHeight) * (height / Real(2)),
+                          position.z * (width / Real(2)));
   return p;
 }
 
 Triangle loadTriangle(uint index) {
   uvec3 t = uvec3(corners[3 * index], corners[3 * index + 1], corners[3 * index + 2]);
   Triangle triangle;
+  triangle.slack = 0;
   for (int k = 0; k < 3; ++k) {
     triangle.corner[k] = sweepPoint(positionOf(t[k]));
+    triangle.slack = max(triangle.slack, kRounding * max(abs(triangle.corner[k].x), abs(triangle.corner[k].z)));
   }
   triangle.color = colorOf(t.x);
   precise vec3 colorB = colorOf(t.y) - triangle.color;
@@ -57,14 +75,14 @@ Triangle loadTriangle(uint index) {
 }
 
 // The first and last of the `count` unit cells that the closed interval [lo, hi] touches, faces included.
-ivec2 touchedCells(double lo, double hi, int count) {
-  if (!(hi >= 0.0LF && lo <= double(count))) {
+ivec2 touchedCells(Real lo, Real hi, int count) {
+  if (!(hi >= 0 && lo <= Real(count))) {
     return ivec2(0, -1);
   }
-  int last = int(min(hi, double(count)));
-  double from = max(lo, 0.0LF);
+  int last = int(min(hi, Real(count)));
+  Real from = max(lo, Real(0));
   int first = int(from);
-  first -= double(first) == from ? 1 : 0;
+  first -= Real(first) == from ? 1 : 0;
   return ivec2(max(first, 0), min(last, count - 1));
 }
 
@@ -113,36 +131,37 @@ const int kMostPoints = 6;
 
 // x: outward, y: across, in columns; z: v; b: weights of the triangle's second and third corner.
 struct SectorPoint {
-  dvec3 at;
-  dvec2 b;
+  Real3 at;
+  Real2 b;
 };
 
-SectorPoint sectorPoint(SectorPoint a, SectorPoint b, double t) {
-  precise dvec3 at = a.at + (b.at - a.at) * t;
-  precise dvec2 weights = a.b + (b.b - a.b) * t;
+SectorPoint sectorPoint(SectorPoint a, SectorPoint b, Real t) {
+  precise Real3 at = a.at + (b.at - a.at) * t;
+  precise Real2 weights = a.b + (b.b - a.b) * t;
   return SectorPoint(at, weights);
 }
 
-double inside(SectorPoint p, double side) {
-  precise double value = p.at.x * slope + side * p.at.y;
+// Not negative on the inner side of a border: side is 1 or -1.
+Real inside(SectorPoint p, Real side, Real slack) {
+  precise Real value = p.at.x * slope + side * p.at.y + slack;
   return value;
 }
 
-// Keeps what has outward * slope + side * across >= 0.
-void clipToBorder(inout SectorPoint points[kMostPoints], inout int size, double side) {
+// Keeps what is inside of one border (Sutherland and Hodgman).
+void clipToBorder(inout SectorPoint points[kMostPoints], inout int size, Real side, Real slack) {
   SectorPoint whole[kMostPoints] = points;
   int wholeSize = size;
   size = 0;
   SectorPoint a = whole[wholeSize - 1];
-  double inA = inside(a, side);
+  Real inA = inside(a, side, slack);
   for (int i = 0; i < wholeSize; ++i) {
     SectorPoint b = whole[i];
-    double inB = inside(b, side);
-    if ((inA < 0.0LF) != (inB < 0.0LF)) {
-      precise double t = inA / (inA - inB);
+    Real inB = inside(b, side, slack);
+    if ((inA < 0) != (inB < 0)) {
+      precise Real t = inA / (inA - inB);
       points[size++] = sectorPoint(a, b, t);
     }
-    if (inB >= 0.0LF) {
+    if (inB >= 0) {
       points[size++] = b;
     }
     a = b;
@@ -151,32 +170,30 @@ void clipToBorder(inout SectorPoint points[kMostPoints], inout int size, double 
 }
 
 // x: q; y: v; z, w: weights. Returns how many.
-int clipToSector(Triangle triangle, int sector, out dvec4 screen[kMostPoints]) {
-  dvec2 direction = directions[sector];
+int clipToSector(Triangle triangle, int sector, out Real4 screen[kMostPoints]) {
+  Real2 direction = directions[sector];
   SectorPoint points[kMostPoints];
-  int size = 3;
-  int outsideLeft = 0;
-  int outsideRight = 0;
+  ivec2 outside = ivec2(0);  // corners beyond either border
   for (int k = 0; k < 3; ++k) {
-    dvec3 p = triangle.corner[k];
-    precise double outward = p.x * direction.x + p.z * direction.y;
-    precise double across = p.z * direction.x - p.x * direction.y;
-    points[k] = SectorPoint(dvec3(outward, across, p.y), dvec2(k == 1 ? 1.0LF : 0.0LF, k == 2 ? 1.0LF : 0.0LF));
-    outsideLeft += inside(points[k], 1.0LF) < 0.0LF ? 1 : 0;
-    outsideRight += inside(points[k], -1.0LF) < 0.0LF ? 1 : 0;
+    Real3 p = triangle.corner[k];
+    precise Real outward = p.x * direction.x + p.z * direction.y;
+    precise Real across = p.z * direction.x - p.x * direction.y;
+    points[k] = SectorPoint(Real3(outward, across, p.y), Real2(k == 1, k == 2));
+    outside.x += inside(points[k], 1, triangle.slack) < 0 ? 1 : 0;
+    outside.y += inside(points[k], -1, triangle.slack) < 0 ? 1 : 0;
   }
-  if (outsideLeft == 3 || outsideRight == 3) {
+  if (outside.x == 3 || outside.y == 3) {
     return 0;
   }
-  if (outsideLeft > 0) {
-    clipToBorder(points, size, 1.0LF);
-  }
-  if (outsideRight > 0 && size > 0) {
-    clipToBorder(points, size, -1.0LF);
+  int size = 3;
+  for (int border = 0; border < 2; ++border) {
+    if (outside[border] > 0 && size > 0) {
+      clipToBorder(points, size, Real(1 - 2 * border), triangle.slack);
+    }
   }
   for (int k = 0; k < size; ++k) {
-    precise double q = width / 2.0LF + (sector < slices ? 1.0LF : -1.0LF) * points[k].at.x;
-    screen[k] = dvec4(q, points[k].at.z, points[k].b);
+    precise Real q = width / Real(2) + Real(sector < slices ? 1 : -1) * points[k].at.x;
+    screen[k] = Real4(q, points[k].at.z, points[k].b);
   }
   return size;
 }
@@ -191,16 +208,16 @@ uint reducedBits(vec3 color, int slice, int column, int row) {
 
 // Lights columns of a row between two points of the triangle, at whose chord the colours are taken. `mirrored`: in the
 // slice that the second half turn has of its own.
-void lightColumns(Triangle triangle, int slice, int row, dvec4 lo, dvec4 hi, ivec2 columns, bool mirrored) {
+void lightColumns(Triangle triangle, int slice, int row, Real4 lo, Real4 hi, ivec2 columns, bool mirrored) {
   slice += mirrored ? slices : 0;
   uint rowWords = uint(width + 7) / 8;
   uint base = (uint(slice) * uint(height) + uint(row)) * rowWords;
   uint at = 0;
   uint word = 0;
-  precise double span = hi.x - lo.x;
+  precise Real span = hi.x - lo.x;
   for (int column = columns.x; column <= columns.y; ++column) {
-    precise double t = span > 0.0LF ? clamp((column + 0.5LF - lo.x) / span, 0.0LF, 1.0LF) : 0.0LF;
-    precise dvec2 b = lo.zw + (hi.zw - lo.zw) * t;
+    precise Real t = span > 0 ? clamp((column + Real(0.5) - lo.x) / span, Real(0), Real(1)) : Real(0);
+    precise Real2 b = lo.zw + (hi.zw - lo.zw) * t;
     precise vec3 color = triangle.color + triangle.colorB * float(b.x) + triangle.colorC * float(b.y);
     int shown = mirrored ? width - 1 - column : column;
     if (word != 0u && at != uint(shown) / 8) {
@@ -215,7 +232,7 @@ void lightColumns(Triangle triangle, int slice, int row, dvec4 lo, dvec4 hi, ive
   }
 }
 
-void extend(inout dvec4 lo, inout dvec4 hi, dvec4 point) {
+void extend(inout Real4 lo, inout Real4 hi, Real4 point) {
   if (point.x < lo.x) {
     lo = point;
   }
@@ -226,13 +243,13 @@ void extend(inout dvec4 lo, inout dvec4 hi, dvec4 point) {
 
 // Lights what the triangle touches in a sector, of the rows given.
 void lightSector(Triangle triangle, int sector, ivec2 within) {
-  dvec4 points[kMostPoints];
+  Real4 points[kMostPoints];
   int size = clipToSector(triangle, sector, points);
   if (size == 0) {
     return;
   }
-  double top = points[0].y;
-  double bottom = top;
+  Real top = points[0].y;
+  Real bottom = top;
   for (int i = 1; i < size; ++i) {
     top = min(top, points[i].y);
     bottom = max(bottom, points[i].y);
@@ -242,26 +259,25 @@ void lightSector(Triangle triangle, int sector, ivec2 within) {
   int slice = sector < slices ? sector : sector - slices;
   for (int row = rows.x; row <= rows.y; ++row) {
     // Within a row the extreme points are corners of the polygon or lie where its outline crosses the row's border.
-    dvec4 lo = dvec4(1e30LF);
-    dvec4 hi = dvec4(-1e30LF);
+    Real4 lo = Real4(1e30);
+    Real4 hi = Real4(-1e30);
     for (int i = 0; i < size; ++i) {
-      dvec4 a = points[i];
-      dvec4 b = points[i + 1 == size ? 0 : i + 1];
-      if (a.y >= double(row) && a.y <= double(row + 1)) {
+      Real4 a = points[i];
+      Real4 b = points[i + 1 == size ? 0 : i + 1];
+      if (a.y >= Real(row) && a.y <= Real(row + 1)) {
         extend(lo, hi, a);
       }
       for (int border = row; border <= row + 1; ++border) {
-        precise double t = (double(border) - a.y) / (b.y - a.y);
-        if (t > 0.0LF && t < 1.0LF) {
-          precise dvec4 crossing = a + (b - a) * t;
+        precise Real t = (Real(border) - a.y) / (b.y - a.y);
+        if (t > 0 && t < Real(1)) {
+          precise Real4 crossing = a + (b - a) * t;
           extend(lo, hi, crossing);
         }
       }
     }
     ivec2 columns = touchedCells(lo.x, hi.x, width);
-    lightColumns(triangle, slice, row, lo, hi, columns, false);
-    if (ownSecondHalf) {
-      lightColumns(triangle, slice, row, lo, hi, columns, true);
+    for (int turn = 0; turn < (ownSecondHalf ? 2 : 1); ++turn) {
+      lightColumns(triangle, slice, row, lo, hi, columns, turn == 1);
     }
   }
 }
