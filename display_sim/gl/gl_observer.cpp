@@ -13,8 +13,9 @@ namespace ocelli {
 namespace {
 
 /// Enough to fill a large GPU; their invocations share what there is to do.
-constexpr GLuint kGroups = 4096;
+constexpr GLuint kGroups = 512;
 constexpr double kShaderLightUnit = 1 << 20;  // kLightUnit of observe.glsl
+constexpr size_t kSumsPerPixel = 4;           // likewise
 constexpr size_t kFirstRoom = 1 << 20;
 
 GlObject makeCompute(GlContext& context, const std::string& name, std::string_view source) {
@@ -94,7 +95,7 @@ void GlObserver::resize(int width, int height) {
   }
   width_ = height_ = 0;
   const GladGLContext& gl = context_->gl();
-  const size_t bytes = static_cast<size_t>(width) * static_cast<size_t>(height) * kColorChannels * sizeof(uint32_t);
+  const size_t bytes = static_cast<size_t>(width) * static_cast<size_t>(height) * kSumsPerPixel * sizeof(uint32_t);
   low_ = makeBuffer(*context_, bytes);
   high_ = makeBuffer(*context_, bytes);
   clear(gl, low_);
@@ -131,16 +132,17 @@ double GlObserver::bindArcs(const std::vector<ExposedArc>& arcs) {
   return most;
 }
 
-void GlObserver::draw(const ObserverOptions& options, const std::optional<SweepWindow>& window) {
+void GlObserver::draw(const GlObserverOptions& options) {
   OC_CHECK(volume_ != nullptr, "the observer has no volume to look at");
   const DisplayProfile& profile = volume_->profile();
-  checkObserverOptions(options, profile);
-  const double seconds = options.exposureSeconds > 0 ? options.exposureSeconds : 1 / profile.refreshHertz();
-  const std::vector<ExposedArc> arcs =
-      window ? windowArcs(profile, *window) : exposedArcs(profile, seconds, options.missingSectorStartDegrees);
+  const ObserverOptions& view = options.view;
+  checkObserverOptions(view, profile);
+  const double seconds = view.exposureSeconds > 0 ? view.exposureSeconds : 1 / profile.refreshHertz();
+  const std::vector<ExposedArc> arcs = options.window ? windowArcs(profile, *options.window)
+                                                      : exposedArcs(profile, seconds, view.missingSectorStartDegrees);
   const GlScope scope(*context_);
   const GladGLContext& gl = context_->gl();
-  resize(options.width, options.height);
+  resize(view.width, view.height);
   const double scale = bindArcs(arcs);
   GLuint binding = 0;
   for (const GLuint buffer : {volume_->words().id(), lit_.id()}) {
@@ -148,11 +150,12 @@ void GlObserver::draw(const ObserverOptions& options, const std::optional<SweepW
   }
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, low_.id());
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, high_.id());
-  setUniforms(gl, observe_.id(), options, SweepGeometry(profile));
+  setUniforms(gl, observe_.id(), view, SweepGeometry(profile));
+  gl.ProgramUniform1i(observe_.id(), 6, options.splat == GlSplat::kPoints ? 1 : 0);
   gl.UseProgram(observe_.id());
   gl.DispatchCompute(kGroups, 1, 1);
   gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  gl.ProgramUniform2i(resolve_.id(), 0, options.width, options.height);
+  gl.ProgramUniform2i(resolve_.id(), 0, view.width, view.height);
   gl.ProgramUniform1f(resolve_.id(), 1, static_cast<float>(scale / kShaderLightUnit));
   gl.BindImageTexture(0, light_.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
   gl.UseProgram(resolve_.id());

@@ -13,6 +13,18 @@
 
 namespace ocelli {
 
+/// How the parts of voxels, about a pixel large, appear in the image.
+enum class GlSplat {
+  kBoxes,   ///< spread over the pixels that they cover, as collectLight() does
+  kPoints,  ///< in the pixel of their centre: the same light, grainier, and less work
+};
+
+struct GlObserverOptions {
+  ObserverOptions view;               ///< its gain and gamma are for tone()
+  std::optional<SweepWindow> window;  ///< where given, this part of the sweep counts, not the exposure
+  GlSplat splat = GlSplat::kBoxes;
+};
+
 class GlObserver {
  public:
   /// Throws GlError where the driver refuses a shader.
@@ -23,10 +35,9 @@ class GlObserver {
   void look(const GlVolume& volume);
   size_t litVoxels() const { return litVoxels_; }
 
-  /// Draws the light that reaches each pixel. With a `window` it is the sweep's part that counts, not the exposure.
-  /// Gain and gamma are for tone(). Throws as checkObserverOptions(), and GlError for an image that the GPU has no room
-  /// for.
-  void draw(const ObserverOptions& options, const std::optional<SweepWindow>& window = {});
+  /// Draws the light that reaches each pixel. Throws as checkObserverOptions() and windowArcs() do, and GlError for an
+  /// image that the GPU has no room for.
+  void draw(const GlObserverOptions& options);
 
   /// RGBA32F, row 0 at the top, alpha 1: what draw() drew.
   const GlObject& light() const { return light_; }

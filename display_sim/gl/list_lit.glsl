@@ -1,5 +1,5 @@
 // Lists the lit voxels of a volume, in any order: voxel 8 k + i is the i-th of word k.
-layout(local_size_x = 128) in;
+layout(local_size_x = 256) in;
 
 layout(std430, binding = 0) readonly buffer Voxels { uint voxels[]; };
 layout(std430, binding = 1) buffer Lit {

@@ -1,8 +1,9 @@
 // Adds the light of lit voxels to an image, as Collector of observer.cpp does: one invocation a voxel.
 //
-// Light adds up in whole numbers, of kLightUnit to a voxel's light, so that their order does not matter. A pixel has 32
-// bits for each channel and 32 more for what these carry.
-layout(local_size_x = 64) in;
+// Light adds up in whole numbers, of kLightUnit to a voxel's light, so that their order does not matter. A pixel has four
+// of 32 bits, and as many for what these carry: red, green, blue, and white, which is the colour of most voxels of most
+// scenes and so takes one addition instead of three.
+layout(local_size_x = 256) in;
 
 layout(std430, binding = 0) readonly buffer Voxels { uint voxels[]; };
 layout(std430, binding = 1) readonly buffer Lit {
@@ -21,13 +22,19 @@ layout(location = 2) uniform float halfHeight;
 layout(location = 3) uniform vec3 axis;  // the display's centre, in eye coordinates: right, down, forward
 layout(location = 4) uniform mat3 eyeFromWorld;
 layout(location = 5) uniform float pixelsPerTangent;
+layout(location = 6) uniform bool asPoints;
 
 const float kNearest = 1e-4;
 const float kLightUnit = 1048576;
 
-void addShare(uint at, uint share) {
-  if (atomicAdd(low[at], share) > ~share) {
-    atomicAdd(high[at], 1u);
+void addToPixel(int column, int row, float light, uint colorBits) {
+  uint share = uint(min(light * kLightUnit + 0.5, 4294967040.0));
+  uint at = uint(row * imageSize.x + column) * 4u;
+  for (uint bits = colorBits == 7u ? 8u : colorBits; bits != 0u; bits &= bits - 1u) {
+    uint sum = at + uint(findLSB(bits));
+    if (atomicAdd(low[sum], share) > ~share) {
+      atomicAdd(high[sum], 1u);
+    }
   }
 }
 
@@ -37,19 +44,18 @@ void addBox(vec2 center, vec2 size, float light, uint colorBits) {
   vec2 hi = center + size / 2;
   ivec2 first = ivec2(clamp(lo, vec2(0), vec2(imageSize)));
   ivec2 end = min(ivec2(clamp(hi, vec2(-1), vec2(imageSize))) + 1, imageSize);
-  float density = light * kLightUnit / (size.x * size.y);
+  float density = light / (size.x * size.y);
   for (int row = first.y; row < end.y; ++row) {
     float rowDensity = density * max(min(hi.y, row + 1) - max(lo.y, row), 0);
     for (int column = first.x; column < end.x; ++column) {
-      float share = rowDensity * max(min(hi.x, column + 1) - max(lo.x, column), 0);
-      uint whole = uint(min(share + 0.5, 4294967040.0));
-      uint at = uint(row * imageSize.x + column) * 3u;
-      for (uint channel = 0u; channel < 3u; ++channel) {
-        if ((colorBits >> channel & 1u) != 0u) {
-          addShare(at + channel, whole);
-        }
-      }
+      addToPixel(column, row, rowDensity * max(min(hi.x, column + 1) - max(lo.x, column), 0), colorBits);
     }
+  }
+}
+
+void addPoint(vec2 at, float light, uint colorBits) {
+  if (all(greaterThanEqual(at, vec2(0))) && all(lessThan(at, vec2(imageSize)))) {
+    addToPixel(int(at.x), int(at.y), light, colorBits);
   }
 }
 
@@ -66,18 +72,23 @@ vec2 turned(vec2 direction, float angle) {
   return vec2(direction.x * cosine - direction.y * sine, direction.x * sine + direction.y * cosine);
 }
 
-// A part of a cell, as a box that has the same spread in both directions of the image.
+// A part of a cell, as a box that has the same spread in both directions of the image, or as a point.
 void addPart(vec3 onAxis, vec2 direction, float radians, float r, float width, float light, uint colorBits) {
   vec3 p = onAxis + eyeFromWorld * vec3(direction.x * r, 0, direction.y * r);
   if (p.z < kNearest) {
     return;
   }
+  float nearer = length(axis) / p.z;
+  vec2 center = imageSize / 2.0 + pixelsPerTangent * p.xy / p.z;
+  light *= nearer * nearer;
+  if (asPoints) {
+    addPoint(center, light, colorBits);
+    return;
+  }
   vec2 outward = projected(eyeFromWorld * vec3(direction.x, 0, direction.y) * width, p);
   vec2 up = projected(eyeFromWorld[1] * (2 * halfHeight / sliceSize.y), p);
   vec2 along = projected(eyeFromWorld * vec3(-direction.y, 0, direction.x) * (abs(r) * radians), p);
-  float nearer = length(axis) / p.z;
-  addBox(imageSize / 2.0 + pixelsPerTangent * p.xy / p.z, sqrt(outward * outward + up * up + along * along),
-         light * nearer * nearer, colorBits);
+  addBox(center, sqrt(outward * outward + up * up + along * along), light, colorBits);
 }
 
 // The parts of a cell on one arc: no longer than a pixel, where that takes at most 32 along the arc and 16 outwards.
