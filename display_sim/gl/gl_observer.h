@@ -20,8 +20,8 @@ enum class GlSplat {
 };
 
 struct GlObserverOptions {
-  ObserverOptions view;               ///< its gain and gamma are for tone()
-  std::optional<SweepWindow> window;  ///< where given, this part of the sweep counts, not the exposure
+  ObserverOptions view;                              ///< its gain and gamma are for tone()
+  std::optional<SweepWindow> window = std::nullopt;  ///< where given, this part of the sweep counts, not the exposure
   GlSplat splat = GlSplat::kBoxes;
 };
 

@@ -5,6 +5,8 @@
 // of each between many invocations.
 #pragma once
 
+#include <algorithm>
+
 #include "display_sim/gl/gl_volume.h"
 #include "display_sim/slicer.h"
 #include "oc_core/gl/gl_mesh.h"
@@ -15,13 +17,16 @@ enum class GlPrecision {
   /// The operations of slice() in their order: the same bits wherever the GPU rounds as IEEE 754 does. Where it does
   /// not, cells whose faces lie within kSliceRounding of the surface may differ.
   kDouble,
-  /// For GPUs that are slow at double precision: cells whose faces lie within kSingleSliceRounding of the surface may
-  /// differ, far less than one in a thousand of the lit ones.
+  /// For GPUs that are slow at double precision: cells whose faces lie within singleSliceRounding() of the surface may
+  /// differ, on scanned objects fewer than one in ten thousand of the lit ones. Closed surfaces stay closed.
   kSingle,
 };
 
-/// kSliceRounding's like in single precision, for displays of at most 1024 columns and rows.
-inline constexpr double kSingleSliceRounding = 2e-3;
+/// kSliceRounding's like in single precision.
+inline double singleSliceRounding(const DisplayProfile& profile) {
+  // Some tens of operations, each of which rounds by 2^-24 of a coordinate, and the slack of slicer.glsl.
+  return 2e-6 * std::max(profile.width, profile.height);
+}
 
 class GlSlicer {
  public:
