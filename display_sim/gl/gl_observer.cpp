@@ -16,11 +16,14 @@ namespace {
 constexpr GLuint kGroups = 512;
 constexpr double kShaderLightUnit = 1 << 20;  // kLightUnit of observe.glsl
 constexpr size_t kSumsPerPixel = 4;           // likewise
+constexpr size_t kVoxelsPerGroup = 4 * 256;   // observe_small.glsl
+constexpr size_t kMostGroups = 65535;         // in a direction, on any GPU
+constexpr uint32_t kMostRowGroups = 64;       // as many as a voxel right before the eye may need
 constexpr size_t kFirstRoom = 1 << 20;
 
-GlObject makeCompute(GlContext& context, const std::string& name, std::string_view source) {
+GlObject makeCompute(GlContext& context, const std::string& name, const std::vector<std::string_view>& pieces) {
   const GlScope scope(context);
-  return makeProgram(context, name, {{GL_COMPUTE_SHADER, {source}}});
+  return makeProgram(context, name, {{GL_COMPUTE_SHADER, pieces}});
 }
 
 void clear(const GladGLContext& gl, const GlObject& buffer) {
@@ -31,9 +34,10 @@ std::array<float, 3> floats(const glm::dvec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-void setUniforms(const GladGLContext& gl, GLuint program, const ObserverOptions& options, const SweepGeometry& sweep) {
-  const EyePerspective eye(options);
-  gl.ProgramUniform2i(program, 0, options.width, options.height);
+void setUniforms(const GladGLContext& gl, GLuint program, const GlObserverOptions& options,
+                 const SweepGeometry& sweep) {
+  const EyePerspective eye(options.view);
+  gl.ProgramUniform2i(program, 0, options.view.width, options.view.height);
   gl.ProgramUniform2i(program, 1, sweep.width(), sweep.height());
   gl.ProgramUniform1f(program, 2, static_cast<float>(sweep.halfHeight()));
   gl.ProgramUniform3fv(program, 3, 1, floats(eye.point({0, 0, 0})).data());
@@ -45,15 +49,17 @@ void setUniforms(const GladGLContext& gl, GLuint program, const ObserverOptions&
   }
   gl.ProgramUniformMatrix3fv(program, 4, 1, GL_FALSE, eyeFromWorld.data());
   gl.ProgramUniform1f(program, 5, static_cast<float>(eye.pixelsPerTangent));
+  gl.ProgramUniform1i(program, 6, options.splat == GlSplat::kPoints ? 1 : 0);
 }
 
 }  // namespace
 
 GlObserver::GlObserver(GlContext& context)
     : context_(&context),
-      list_(makeCompute(context, "list_lit", shaders::kListLit)),
-      observe_(makeCompute(context, "observe", shaders::kObserve)),
-      resolve_(makeCompute(context, "resolve_light", shaders::kResolveLight)) {}
+      list_(makeCompute(context, "list_lit", {shaders::kListLit})),
+      small_(makeCompute(context, "observe_small", {shaders::kObserve, shaders::kObserveSmall})),
+      large_(makeCompute(context, "observe_large", {shaders::kObserve, shaders::kObserveLarge})),
+      resolve_(makeCompute(context, "resolve_light", {shaders::kResolveLight})) {}
 
 void GlObserver::look(const GlVolume& volume) {
   const GlScope scope(*context_);
@@ -64,7 +70,7 @@ void GlObserver::look(const GlVolume& volume) {
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, volume.words().id());
   for (size_t room = std::max(litRoom_, kFirstRoom);; room = litVoxels_ + litVoxels_ / 4) {
     if (room > litRoom_) {
-      const size_t most = static_cast<size_t>(context_->info().maxStorageBytes) / sizeof(uint32_t) - 1;
+      const size_t most = static_cast<size_t>(context_->info().maxStorageBytes) / sizeof(uint32_t) - 2;
       if (litVoxels_ > most) {
         throw GlError(std::to_string(litVoxels_) +
                           " voxels are lit, and this GPU's shaders address a list of at most " + std::to_string(most),
@@ -72,6 +78,7 @@ void GlObserver::look(const GlVolume& volume) {
       }
       litRoom_ = std::min(room, most);
       lit_ = makeBuffer(*context_, (1 + litRoom_) * sizeof(uint32_t));
+      queue_ = makeBuffer(*context_, (2 + litRoom_) * sizeof(uint32_t));
     }
     gl.ProgramUniform1ui(list_.id(), 1, static_cast<GLuint>(litRoom_));
     gl.ClearNamedBufferSubData(lit_.id(), GL_R32UI, 0, sizeof(uint32_t), GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
@@ -132,6 +139,20 @@ double GlObserver::bindArcs(const std::vector<ExposedArc>& arcs) {
   return most;
 }
 
+void GlObserver::drawLarge() {
+  std::array<uint32_t, 2> head{};
+  readBuffer(*context_, queue_, sizeof(head), head.data());
+  const auto [queued, rowGroups] = head;
+  const GladGLContext& gl = context_->gl();
+  gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  gl.UseProgram(large_.id());
+  for (size_t first = 0; first < queued; first += kMostGroups) {
+    gl.ProgramUniform1ui(large_.id(), 7, static_cast<GLuint>(first));
+    gl.DispatchCompute(static_cast<GLuint>(std::min(queued - first, kMostGroups)), std::min(rowGroups, kMostRowGroups),
+                       1);
+  }
+}
+
 void GlObserver::draw(const GlObserverOptions& options) {
   OC_CHECK(volume_ != nullptr, "the observer has no volume to look at");
   const DisplayProfile& profile = volume_->profile();
@@ -150,10 +171,14 @@ void GlObserver::draw(const GlObserverOptions& options) {
   }
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, low_.id());
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, high_.id());
-  setUniforms(gl, observe_.id(), view, SweepGeometry(profile));
-  gl.ProgramUniform1i(observe_.id(), 6, options.splat == GlSplat::kPoints ? 1 : 0);
-  gl.UseProgram(observe_.id());
-  gl.DispatchCompute(kGroups, 1, 1);
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, queue_.id());
+  for (const GlObject* program : {&small_, &large_}) {
+    setUniforms(gl, program->id(), options, SweepGeometry(profile));
+  }
+  gl.ClearNamedBufferSubData(queue_.id(), GL_R32UI, 0, 2 * sizeof(uint32_t), GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  gl.UseProgram(small_.id());
+  gl.DispatchCompute(static_cast<GLuint>(litVoxels_ / kVoxelsPerGroup + 1), 1, 1);
+  drawLarge();
   gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   gl.ProgramUniform2i(resolve_.id(), 0, view.width, view.height);
   gl.ProgramUniform1f(resolve_.id(), 1, static_cast<float>(scale / kShaderLightUnit));

@@ -45,15 +45,18 @@ class GlObserver {
 
  private:
   void resize(int width, int height);
+  void drawLarge();
   double bindArcs(const std::vector<ExposedArc>& arcs);
 
   GlContext* context_;
   GlObject list_;
-  GlObject observe_;
+  GlObject small_;
+  GlObject large_;
   GlObject resolve_;
 
   const GlVolume* volume_ = nullptr;
-  GlObject lit_;  ///< their count, then their indices
+  GlObject lit_;    ///< their count, then their indices
+  GlObject queue_;  ///< likewise, of those that cover many pixels
   size_t litRoom_ = 0;
   size_t litVoxels_ = 0;
 

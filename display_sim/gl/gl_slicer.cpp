@@ -10,8 +10,10 @@ namespace {
 
 constexpr size_t kGroupSize = 64;      // local_size_x of the shaders
 constexpr size_t kMostGroups = 65535;  // in a direction, on any GPU
-/// Groups that share the queue: enough to fill a large GPU, few enough to cost nothing where the queue is empty.
-constexpr GLuint kQueueGroups = 1024;
+constexpr GLuint kQueueBinding = 5;
+constexpr size_t kFirstRoom = size_t{1} << 14;
+constexpr size_t kQueueHead = 2 * sizeof(uint32_t);  // the count, and what aligns the items
+constexpr size_t kQueueItem = 2 * sizeof(uint32_t);
 
 GlObject makeSlicer(GlContext& context, const std::string& name, std::string_view main, GlPrecision precision) {
   const GlScope scope(context);
@@ -55,14 +57,37 @@ GlSlicer::GlSlicer(GlContext& context, GlPrecision precision)
       small_(makeSlicer(context, "slice_small", shaders::kSliceSmall, precision)),
       large_(makeSlicer(context, "slice_large", shaders::kSliceLarge, precision)) {}
 
-void GlSlicer::prepare(const GlMesh& mesh, const DisplayProfile& profile) {
-  if (slices_ != profile.slicesPerHalfTurn) {
-    directions_ = makeDirections(*context_, SweepGeometry(profile), precision_);
-    slices_ = profile.slicesPerHalfTurn;
+void GlSlicer::makeRoom(size_t items) {
+  const size_t most = (static_cast<size_t>(context_->info().maxStorageBytes) - kQueueHead) / kQueueItem;
+  if (items > most) {
+    throw GlError("the scene's large triangles have more parts than this GPU's shaders address", "slicer",
+                  "use a smaller scene or a profile with fewer slices, or slice without OpenGL");
   }
-  if (!queue_ || queueRoom_ < mesh.triangleCount()) {
-    queue_ = makeBuffer(*context_, (1 + mesh.triangleCount()) * sizeof(uint32_t));
-    queueRoom_ = mesh.triangleCount();
+  queueRoom_ = std::min(std::max(items + items / 4, kFirstRoom), most);
+  queue_ = makeBuffer(*context_, kQueueHead + queueRoom_ * kQueueItem);
+}
+
+size_t GlSlicer::sliceSmall(size_t triangles) {
+  const GladGLContext& gl = context_->gl();
+  gl.ClearNamedBufferSubData(queue_.id(), GL_R32UI, 0, sizeof(uint32_t), GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  gl.ProgramUniform1ui(small_.id(), 8, static_cast<GLuint>(queueRoom_));
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kQueueBinding, queue_.id());
+  const size_t groups = (triangles + kGroupSize - 1) / kGroupSize;
+  const size_t across = std::min(groups, kMostGroups);
+  gl.UseProgram(small_.id());
+  gl.DispatchCompute(static_cast<GLuint>(across), static_cast<GLuint>((groups + across - 1) / across), 1);
+  uint32_t queued = 0;
+  readBuffer(*context_, queue_, sizeof(queued), &queued);
+  return queued;
+}
+
+void GlSlicer::sliceLarge(size_t queued) {
+  const GladGLContext& gl = context_->gl();
+  gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  gl.UseProgram(large_.id());
+  for (size_t first = 0; first < queued; first += kMostGroups) {
+    gl.ProgramUniform1ui(large_.id(), 9, static_cast<GLuint>(first));
+    gl.DispatchCompute(static_cast<GLuint>(std::min(queued - first, kMostGroups)), 1, 1);
   }
 }
 
@@ -70,11 +95,16 @@ void GlSlicer::slice(const GlMesh& mesh, GlVolume& volume, const SliceOptions& o
   const GlScope scope(*context_);
   const GladGLContext& gl = context_->gl();
   const DisplayProfile& profile = volume.profile();
-  prepare(mesh, profile);
   volume.clear();
-  gl.ClearNamedBufferSubData(queue_.id(), GL_R32UI, 0, sizeof(uint32_t), GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
   if (mesh.triangleCount() == 0) {
     return;
+  }
+  if (slices_ != profile.slicesPerHalfTurn) {
+    directions_ = makeDirections(*context_, SweepGeometry(profile), precision_);
+    slices_ = profile.slicesPerHalfTurn;
+  }
+  if (!queue_) {
+    makeRoom(0);
   }
   const SweepGeometry sweep(profile);
   for (const GlObject* program : {&small_, &large_}) {
@@ -82,17 +112,16 @@ void GlSlicer::slice(const GlMesh& mesh, GlVolume& volume, const SliceOptions& o
                 options.colors == ColorReduction::kDither, mesh.triangleCount());
   }
   GLuint binding = 0;
-  for (const GLuint buffer : {mesh.positions().id(), mesh.colors().id(), mesh.triangles().id(), directions_.id(),
-                              volume.words().id(), queue_.id()}) {
+  for (const GLuint buffer :
+       {mesh.positions().id(), mesh.colors().id(), mesh.triangles().id(), directions_.id(), volume.words().id()}) {
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding++, buffer);
   }
-  const size_t groups = (mesh.triangleCount() + kGroupSize - 1) / kGroupSize;
-  const size_t across = std::min(groups, kMostGroups);
-  gl.UseProgram(small_.id());
-  gl.DispatchCompute(static_cast<GLuint>(across), static_cast<GLuint>((groups + across - 1) / across), 1);
-  gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  gl.UseProgram(large_.id());
-  gl.DispatchCompute(kQueueGroups, 1, 1);
+  size_t queued = sliceSmall(mesh.triangleCount());
+  if (queued > queueRoom_) {
+    makeRoom(queued);
+    queued = sliceSmall(mesh.triangleCount());  // what is lit already stays lit
+  }
+  sliceLarge(queued);
   gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
   context_->check("slicing " + std::to_string(mesh.triangleCount()) + " triangles");
 }

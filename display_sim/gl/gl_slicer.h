@@ -1,8 +1,8 @@
 // slice() on the GPU: the same voxels, cell by cell, in compute shaders.
 //
 // A first pass gives each triangle to one invocation, which clips it to the sectors it may touch and lights the pixel
-// squares that its parts touch; triangles too large for that are queued, and a second pass shares the sectors and rows
-// of each between many invocations.
+// squares that its parts touch. The parts of larger triangles are queued instead, and a second pass gives each part to
+// one invocation, so that neither a wall over all slices nor a triangle at the axis holds up the rest.
 #pragma once
 
 #include <algorithm>
@@ -33,12 +33,15 @@ class GlSlicer {
   /// Throws GlError where the driver refuses a shader.
   explicit GlSlicer(GlContext& context, GlPrecision precision = GlPrecision::kDouble);
 
-  /// Replaces what `volume` holds. The mesh and the volume are of this context; positions in display radii. Returns
-  /// before the GPU is done. Throws GlError where it has no room.
+  /// Replaces what `volume` holds. The mesh and the volume are of this context; positions in display radii.  Throws
+  /// GlError where it has no room.
   void slice(const GlMesh& mesh, GlVolume& volume, const SliceOptions& options = {});
 
  private:
-  void prepare(const GlMesh& mesh, const DisplayProfile& profile);
+  void makeRoom(size_t items);
+  /// Returns how many items belong into the queue, which may be more than it has room for.
+  size_t sliceSmall(size_t triangles);
+  void sliceLarge(size_t queued);
 
   GlContext* context_;
   GlPrecision precision_;
@@ -46,7 +49,7 @@ class GlSlicer {
   GlObject large_;
   GlObject directions_;  ///< of the sectors of so many slices
   int slices_ = 0;
-  GlObject queue_;  ///< with room for so many triangles
+  GlObject queue_;
   size_t queueRoom_ = 0;
 };
 

@@ -23,8 +23,8 @@ layout(std430, binding = 2) readonly buffer Triangles { uint corners[]; };
 layout(std430, binding = 3) readonly buffer Directions { Real2 directions[]; };  // of sectors
 layout(std430, binding = 4) buffer Voxels { uint voxels[]; };                    // laid out as gl_volume.h says
 layout(std430, binding = 5) buffer Queue {
-  uint queuedCount;
-  uint queued[];  // large triangles
+  uint queuedCount;   // goes on counting where the queue is full
+  uvec2 queued[];     // a large triangle, and which kGroupParts of its parts
 };
 
 layout(location = 0) uniform int slices;  // of a half turn
@@ -35,6 +35,14 @@ layout(location = 4) uniform Real slope;  // tan of half a sector
 layout(location = 5) uniform bool ownSecondHalf;
 layout(location = 6) uniform bool dithered;
 layout(location = 7) uniform uint triangleCount;
+layout(location = 8) uniform uint room;  // of the queue
+layout(location = 9) uniform uint firstGroup;
+
+// Software renderers end a shader after 65535 turns of its loops, all together. So an invocation lights at most so many
+// voxels, or a row of a part.
+const int kMostVoxels = 16384;
+const int kMostBandRows = 16;
+const uint kGroupParts = 64u;
 
 struct Triangle {
   Real3 corner[3];  // (x, v, z) in columns from the axis and rows from the top
@@ -89,6 +97,15 @@ ivec2 touchedCells(Real lo, Real hi, int count) {
 ivec2 touchedRows(Triangle t) {
   return touchedCells(min(t.corner[0].y, min(t.corner[1].y, t.corner[2].y)),
                       max(t.corner[0].y, max(t.corner[1].y, t.corner[2].y)), height);
+}
+
+// A part is a sector and a band of so many rows.
+int bandRows() {
+  return clamp(kMostVoxels / width, 1, kMostBandRows);
+}
+
+uint bandsOf(ivec2 rows) {
+  return uint((rows.y - rows.x) / bandRows() + 1);
 }
 
 // ---- sectors

@@ -234,6 +234,28 @@ TEST_P(GlSlicerTest, takesMillionsOfTriangles) {
   EXPECT_EQ(sliced(slicer, mesh, profile).litVoxels(), slice(mesh, profile).litVoxels());
 }
 
+// So many parts of large triangles that the queue grows, and far more work than the 65535 turns of loops after which
+// software renderers end a shader.
+TEST_P(GlSlicerTest, takesManyLargeTriangles) {
+  PointSource source(21);
+  Mesh mesh;
+  for (int i = 0; i < 250; ++i) {
+    const glm::vec3 inside = source.point(0.5f);
+    const glm::vec3 u = source.point(5);
+    const glm::vec3 v = source.point(5);
+    addTriangle(mesh, inside - u - v, inside + u, inside + v);
+  }
+  for (glm::vec3& p : mesh.positions) {
+    mesh.colors.push_back(glm::abs(p) * 0.003f);  // or all voxels would be lit
+  }
+  const DisplayProfile profile = smallProfile(180, 1100, 400);
+  GlSlicer slicer(*context_);
+  const Volume onGpu = sliced(slicer, mesh, profile);
+  const Volume processors = slice(mesh, profile);
+  EXPECT_LT(processors.litVoxels(), size_t{180} * 1100 * 400 / 2);
+  EXPECT_LE(test::differingVoxels(onGpu, processors), context_->info().isSoftware ? 0 : processors.litVoxels() / 1000);
+}
+
 TEST_P(GlSlicerTest, leavesNothingBehind) {
   {
     GlSlicer slicer(*context_);
