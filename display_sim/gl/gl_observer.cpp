@@ -65,6 +65,7 @@ void GlObserver::look(const GlVolume& volume) {
   const GlScope scope(*context_);
   const GladGLContext& gl = context_->gl();
   volume_ = nullptr;
+  litVoxels_ = 0;
   gl.UseProgram(list_.id());
   gl.ProgramUniform1ui(list_.id(), 0, static_cast<GLuint>(volume.wordCount()));
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, volume.words().id());
@@ -177,7 +178,7 @@ void GlObserver::draw(const GlObserverOptions& options) {
   }
   gl.ClearNamedBufferSubData(queue_.id(), GL_R32UI, 0, 2 * sizeof(uint32_t), GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
   gl.UseProgram(small_.id());
-  gl.DispatchCompute(static_cast<GLuint>(litVoxels_ / kVoxelsPerGroup + 1), 1, 1);
+  gl.DispatchCompute(static_cast<GLuint>(std::min(litVoxels_ / kVoxelsPerGroup + 1, kMostGroups)), 1, 1);
   drawLarge();
   gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   gl.ProgramUniform2i(resolve_.id(), 0, view.width, view.height);
