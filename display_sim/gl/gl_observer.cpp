@@ -16,7 +16,7 @@ namespace {
 constexpr GLuint kGroups = 512;
 constexpr double kShaderLightUnit = 1 << 20;  // kLightUnit of observe.glsl
 constexpr size_t kSumsPerPixel = 4;           // likewise
-constexpr size_t kVoxelsPerGroup = 4 * 256;   // observe_small.glsl
+constexpr size_t kVoxelsPerGroup = 1024;      // 4 of 256 invocations
 constexpr size_t kMostGroups = 65535;         // in a direction, on any GPU
 constexpr uint32_t kMostRowGroups = 64;       // as many as a voxel right before the eye may need
 constexpr size_t kFirstRoom = 1 << 20;

@@ -63,9 +63,9 @@ std::vector<uint32_t> wordsOf(const Volume& volume) {
 
 }  // namespace
 
-GlVolume::GlVolume(GlContext& context, const DisplayProfile& profile)
+GlVolume::GlVolume(GlContext& context, DisplayProfile profile)
     : context_(&context),
-      profile_(profile),
+      profile_(std::move(profile)),
       layout_(profile_),
       words_(makeWords(context, profile_, wordCount(), nullptr)) {
   clear();
