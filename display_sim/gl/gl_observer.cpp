@@ -1,6 +1,8 @@
 #include "display_sim/gl/gl_observer.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/vec4.hpp>
 
 #include "display_sim/eye_perspective.h"

@@ -1,5 +1,7 @@
 #include "display_sim/gl/gl_slicer.h"
 
+#include <algorithm>
+
 #include "display_sim/gl/shaders.h"
 #include "display_sim/sweep_geometry.h"
 #include "oc_core/gl/gl_api.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/gl/gl_api.h"
