@@ -332,6 +332,26 @@ TEST_P(GlRendererTest, morePiecesThanAListHolds) {
   EXPECT_LE(d.differing, d.samples / 1000) << d;
 }
 
+// Drivers may end a shader whose loops are long: rows of many pixels are drawn in parts.
+TEST_P(GlRendererTest, longEpipolarLines) {
+  // A wall of two triangles, and a bar before it.
+  const Mesh mesh{
+      {{-9, -9, -1}, {9, -9, -1}, {9, 9, -1}, {-9, 9, -1}, {-0.2f, -9, 1}, {0, -9, 1}, {0, 9, 1}, {-0.2f, 9, 1}},
+      {},
+      {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
+  View view;
+  view.fovVerticalDegrees = 0.015;  // 12 degrees wide
+  const PinholeCamera wide(view, 10000, 12);
+  const GlRenderer renderer(*context_, mesh);
+  for (const glm::vec3& direction : {glm::vec3(1, 0, 0), glm::vec3(1, 0, 0.1f)}) {
+    const EpipolarCamera camera = buildEpipolarCamera(wide, segmentAround(view, direction, 0.02f), mesh);
+    const GlScope scope(*context_);
+    const Difference d = compare(rasterize(camera, mesh), renderer.drawOnGpu(camera).read(), mesh);
+    EXPECT_GT(d.samples, 110000u);
+    EXPECT_LE(d.differing, d.samples / 1000) << d;
+  }
+}
+
 TEST_P(GlRendererTest, leavesNoObjects) {
   const Mesh mesh = loadScene("builtin:boxes", {}, {});
   {

@@ -5,6 +5,16 @@ layout(std430, binding = 7) readonly buffer Pieces { uint pieces[]; };
 
 const uint kIsPiece = 0x80000000u;
 
+// An item of work is a triangle in a block: so many rows, and so many cells of each. Its loops stay short, since a
+// driver may end a shader after 2^16 turns of them, silently. Blocks are numbered row by row.
+const int kBlockCells = 4096;
+int blockRows() {
+  return clamp(4096 / longest, 1, 16);
+}
+int blocksPerRow() {
+  return longest / kBlockCells + 1;
+}
+
 struct LineVertex {
   vec2 q;
   float inverseZ;

@@ -1,7 +1,7 @@
-// Which triangles, or pieces of clipped ones, have to be cut into spans, each with the bands of rows that it reaches.
+// Which triangles, or pieces of clipped ones, have to be cut into spans, each with the blocks of rows that it reaches.
 // Triangles that leave the frustum go to a list to be clipped. Lists are in no order: whatever takes them is not, either.
 layout(local_size_x = 64) in;
-layout(std430, binding = 2) writeonly buffer Items { uvec2 items[]; };  // source and band
+layout(std430, binding = 2) writeonly buffer Items { uvec2 items[]; };  // source and block
 layout(std430, binding = 3) buffer Counters {
   uint itemCount;
   uint clipCount;
@@ -16,7 +16,6 @@ layout(std430, binding = 5) writeonly buffer Clips { uint clips[]; };
 #endif
 
 const int kMostCells = 64;  // larger triangles are few: take them
-const int kBandRows = 16;
 
 // Positions that a triangle may reach on a row.
 vec2 positionsOf(LineTriangle t, int row) {
@@ -103,14 +102,15 @@ void main() {
     return;
   }
 #endif
-  // The bands that the rows fall in; a range may run over the end of a ring to its beginning.
+  // The blocks that the rows fall in; a range may run over the end of a ring to its beginning.
+  int beside = blocksPerRow();
   for (int i = range.x; i <= range.y;) {
     int row = wrappedRow(i);
-    int band = row / kBandRows;
-    uint at = atomicAdd(itemCount, 1u);
-    if (at < capacity) {
-      items[at] = uvec2(source, uint(band));
+    int band = row / blockRows();
+    uint at = atomicAdd(itemCount, uint(beside));
+    for (int k = 0; k < beside && at + uint(k) < capacity; ++k) {
+      items[at + uint(k)] = uvec2(source, uint(band * beside + k));
     }
-    i += min(kBandRows * (band + 1), rowCount) - row;
+    i += min(blockRows() * (band + 1), rowCount) - row;
   }
 }

@@ -16,9 +16,9 @@ layout(binding = 0, r32ui) readonly uniform uimage2D depths;
 layout(binding = 1, r32ui) uniform uimage2D indices;
 #endif
 
-const int kBandRows = 16;
-
 uint triangle;
+int firstCell;  // of the block, and the one behind its last
+int endCell;
 
 void keep(ivec2 at, double inverseZ) {
   uint bits = floatBitsToUint(float(1.0LF / inverseZ));
@@ -112,7 +112,7 @@ ivec2 centresWithin(Span span) {
 #if TARGET == BASE
 void draw(Span span) {
   ivec2 centres = centresWithin(span);
-  for (int j = centres.x; j < centres.y; ++j) {
+  for (int j = max(centres.x, firstCell); j < min(centres.y, endCell); ++j) {
     keep(ivec2(j, span.row), inverseZAt(span, j + 0.5LF));
   }
 }
@@ -185,8 +185,8 @@ void draw(Span span) {
   }
   ivec2 centres = centresWithin(span);
   float farthest = float(min(span.fromInverseZ, span.toInverseZ));
-  int cell = cellOf(max(span.from, 0.0LF));
-  int last = cellOf(min(span.to, double(size)));
+  int cell = max(cellOf(max(span.from, 0.0LF)), firstCell);
+  int last = min(cellOf(min(span.to, double(size))), endCell - 1);
   while (true) {
     while (cell <= last && farthest >= texelFetch(tops, ivec2(cell, span.row), 0).x) {
       ++cell;
@@ -213,9 +213,11 @@ void main() {
   uvec2 item = items[first + gl_GlobalInvocationID.x];
   LineTriangle t = lineTriangle(item.x);
   triangle = t.triangle;
-  int firstRow = int(item.y) * kBandRows;
-  int lastRow = min(firstRow + kBandRows, rowCount);
-  for (int row = firstRow; row < lastRow; ++row) {
+  int firstRow = int(item.y) / blocksPerRow() * blockRows();
+  int endRow = min(firstRow + blockRows(), rowCount);
+  firstCell = int(item.y) % blocksPerRow() * kBlockCells;
+  endCell = firstCell + kBlockCells;
+  for (int row = firstRow; row < endRow; ++row) {
     Span span;
     if (cut(t, row, span)) {
       draw(span);
