@@ -7,30 +7,13 @@
 #include <vector>
 
 #include "oc_core/base/conventions.h"
+#include "oc_core/base/random.h"
 #include "oc_core/scene/builtin_list.h"
 #include "oc_core/scene/palette.h"
 #include "oc_core/scene/solids.h"
 
 namespace ocelli {
 namespace {
-
-/// SplitMix64 (Steele, Lea and Flood 2014). The standard library's distributions differ between implementations.
-class Random {
- public:
-  explicit Random(uint64_t seed) : state_(seed) {}
-  uint64_t next() {
-    uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-  float inRange(float least, float most) {
-    return least + (most - least) * static_cast<float>(static_cast<double>(next() >> 11) * 0x1p-53);
-  }
-
- private:
-  uint64_t state_;
-};
 
 /// Throws darts into the unit sphere until `count` balls of the given radius stand in it and none meets another.
 std::vector<glm::vec3> separateCenters(size_t count, float radius, Random& random) {

@@ -9,6 +9,7 @@ BuiltinScene boxScene();
 BuiltinScene boxesScene();
 BuiltinScene doorsScene();
 BuiltinScene fenceScene();
+BuiltinScene mazeScene();
 BuiltinScene roomScene();
 BuiltinScene sphereScene();
 BuiltinScene statuesScene();
