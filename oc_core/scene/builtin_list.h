@@ -15,5 +15,6 @@ BuiltinScene sphereScene();
 BuiltinScene statuesScene();
 BuiltinScene teapotScene();
 BuiltinScene torusScene();
+BuiltinScene townScene();
 
 }  // namespace ocelli
