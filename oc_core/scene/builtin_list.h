@@ -7,6 +7,7 @@ namespace ocelli {
 
 BuiltinScene boxScene();
 BuiltinScene boxesScene();
+BuiltinScene canyonScene();
 BuiltinScene doorsScene();
 BuiltinScene fenceScene();
 BuiltinScene mazeScene();

@@ -131,7 +131,8 @@ BuiltinScene townScene() {
   return {"town",
           "a cartoon town of streets, houses that one can look into, and a clock tower; in metres",
           {{"seed", "of the random numbers", BuiltinParameter::Kind::kInteger, "1", 0, 4294967295.0},
-           {"detail", "of the walls: 3 gives about a million triangles", BuiltinParameter::Kind::kInteger, "1", 1, 8}},
+           {"detail", "cells of a wall between openings; 4 makes a million triangles of the town",
+            BuiltinParameter::Kind::kInteger, "1", 1, 8}},
           buildTown};
 }
 

@@ -66,7 +66,7 @@ Mesh makeCar(const glm::vec3& color) {
     for (const float side : {-90.0f, 90.0f}) {
       const glm::mat4 carFromWheel = at({x, 0.36f, side > 0 ? 0.68f : -0.68f}, side, {1, 0, 0});
       add(car, makeTurned({{0, 0}, {0.36f, 0}, {0.36f, 0.2f}, {0.28f, 0.24f}, {0, 0.24f}}, 16), carFromWheel,
-          palette::fromSrgbBytes(58, 58, 64));
+          palette::fromSrgbBytes(96, 96, 104));
       add(car, makeTurned({{0, 0.22f}, {0.19f, 0.22f}, {0.17f, 0.27f}, {0, 0.27f}}, 16), carFromWheel,
           palette::ivory() * 0.8f);
     }
