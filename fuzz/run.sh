@@ -12,9 +12,9 @@ cd "$build"
 
 # run NAME CORPUS
 run() {
-  mkdir -p "$1_found"
-  "fuzz/$1_fuzzer" -max_total_time="$seconds" -max_len=4096 -rss_limit_mb=4096 -timeout=10 -verbosity=0 \
-    -print_final_stats=1 "$1_found" "$root/tests/$2"
+  mkdir -p "${1}_found"
+  "fuzz/${1}_fuzzer" -max_total_time="$seconds" -max_len=4096 -rss_limit_mb=4096 -timeout=10 -verbosity=0 \
+    -print_final_stats=1 "${1}_found" "$root/tests/$2"
 }
 run svol display_sim/corpus
 run maze scene/maze_corpus

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
@@ -100,6 +102,24 @@ TEST(MazeFile, RefusesHostileDocuments) {
   EXPECT_THAT(errorOf(document.dump()), AllOf(HasSubstr("landmark 1"), HasSubstr("(row 0, column 5)")));
   document["landmarks"] = nlohmann::json(std::vector<nlohmann::json>(4097, nlohmann::json::object()));
   EXPECT_THAT(errorOf(document.dump()), HasSubstr("4096"));
+}
+
+TEST(MazeFile, CorpusReadsAsItsNamesSay) {
+  size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(OCELLI_MAZE_CORPUS)) {
+    const bool bad = entry.path().filename().string().starts_with("bad_");
+    EXPECT_EQ(errorOf(readFile(entry.path())).empty(), !bad) << entry.path();
+    ++files;
+  }
+  EXPECT_GE(files, 5u);
+}
+
+TEST(MazeFile, GuideShowsAMaze) {
+  const std::string guide = readFile(OCELLI_SOURCE_DIR "/docs/files.md");
+  const size_t start = guide.find("```json\n", guide.find("## Maze")) + 8;
+  const Maze maze = mazeFromJsonText(guide.substr(start, guide.find("```", start) - start), "docs/files.md");
+  EXPECT_EQ(maze.rows(), 3);
+  EXPECT_EQ(maze.landmarks.size(), 2u);
 }
 
 TEST(MazeFile, AgreesWithItsSchema) {
