@@ -2,6 +2,7 @@
 // takes them behaves alike. Positions and sizes are in screen coordinates, origin at the top left.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@ enum class Key {
   kEscape, kTab, kEnter, kBackspace, kSpace, kMinus, kEqual, kComma, kPeriod, kSlash,
   // clang-format on
 };
+inline constexpr size_t kKeyCount = static_cast<size_t>(Key::kSlash) + 1;
 
 /// Keys that are held while something else happens.
 struct Modifiers {

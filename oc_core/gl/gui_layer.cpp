@@ -1,0 +1,251 @@
+#include "oc_core/gl/gui_layer.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
+#include "oc_core/gl/gui_style.h"
+#include "oc_core/gl/system_font.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kOwnFontPixels = 13;  // Dear ImGui's own font is made of dots and stays crisp at multiples of it
+
+// What Dear ImGui does with keys. It has keys of its own for a few of ours alone.
+constexpr std::array<std::pair<ImGuiKey, Key>, 21> kKeys{{{ImGuiKey_Tab, Key::kTab},
+                                                          {ImGuiKey_LeftArrow, Key::kLeft},
+                                                          {ImGuiKey_RightArrow, Key::kRight},
+                                                          {ImGuiKey_UpArrow, Key::kUp},
+                                                          {ImGuiKey_DownArrow, Key::kDown},
+                                                          {ImGuiKey_PageUp, Key::kPageUp},
+                                                          {ImGuiKey_PageDown, Key::kPageDown},
+                                                          {ImGuiKey_Home, Key::kHome},
+                                                          {ImGuiKey_End, Key::kEnd},
+                                                          {ImGuiKey_Insert, Key::kInsert},
+                                                          {ImGuiKey_Delete, Key::kDelete},
+                                                          {ImGuiKey_Backspace, Key::kBackspace},
+                                                          {ImGuiKey_Space, Key::kSpace},
+                                                          {ImGuiKey_Enter, Key::kEnter},
+                                                          {ImGuiKey_Escape, Key::kEscape},
+                                                          {ImGuiKey_A, Key::kA},
+                                                          {ImGuiKey_C, Key::kC},
+                                                          {ImGuiKey_V, Key::kV},
+                                                          {ImGuiKey_X, Key::kX},
+                                                          {ImGuiKey_Y, Key::kY},
+                                                          {ImGuiKey_Z, Key::kZ}}};
+
+// Latin, Greek, Cyrillic, and the signs that captions use: dashes, quotes, arrows, minus and comparisons.
+constexpr std::array<ImWchar, 13> kCharacters{0x0020, 0x017F, 0x0370, 0x03FF, 0x0400, 0x04FF, 0x2010,
+                                              0x2026, 0x2190, 0x2193, 0x2212, 0x2265, 0};
+
+/// Whether a key does something by itself, besides the text that it types.
+bool isCommand(const KeyEvent& event) {
+  const bool isLetter = event.key <= Key::kZ;
+  return !isLetter || event.modifiers.control;
+}
+
+/// What the reader of fonts in Dear ImGui takes; it stops the program at anything else.
+bool looksLikeFont(const std::string& bytes) {
+  using namespace std::string_view_literals;
+  return std::ranges::any_of(std::array{"\0\1\0\0"sv, "true"sv, "OTTO"sv, "ttcf"sv},
+                             [&](std::string_view start) { return bytes.starts_with(start); });
+}
+
+/// The font of the system; none where it cannot be read.
+std::optional<std::pair<SystemFont, std::string>> readSystemFont() {
+  std::optional<SystemFont> font = findSystemFont();
+  if (!font) {
+    return std::nullopt;
+  }
+  try {
+    std::string bytes = readFile(font->file);
+    return looksLikeFont(bytes) ? std::optional(std::pair(*font, std::move(bytes))) : std::nullopt;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+GuiRenderer makeRenderer(GlContext& context) {
+  const GlScope scope(context);
+  return GuiRenderer(context);
+}
+
+}  // namespace
+
+GuiLayer::GuiLayer(GlContext& context, double contentScale)
+    : glContext_(&context), context_(nullptr), renderer_(makeRenderer(context)), contentScale_(contentScale) {
+  IMGUI_CHECKVERSION();
+  ImGuiContext* const before = ImGui::GetCurrentContext();
+  context_ = ImGui::CreateContext();
+  makeCurrent();
+  io().IniFilename = nullptr;
+  io().LogFilename = nullptr;
+  io().BackendRendererName = "Ocelli";
+  io().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  io().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  io().ConfigWindowsMoveFromTitleBarOnly = true;
+  for (const auto& [theirs, ours] : kKeys) {
+    io().KeyMap[theirs] = static_cast<int>(ours);
+  }
+  io().DisplaySize = {0, 0};
+  try {
+    applyScale();
+  } catch (...) {
+    ImGui::DestroyContext(context_);
+    ImGui::SetCurrentContext(before);
+    throw;
+  }
+}
+
+GuiLayer::~GuiLayer() {
+  ImGui::DestroyContext(context_);
+}
+
+void GuiLayer::makeCurrent() const {
+  ImGui::SetCurrentContext(context_);
+}
+
+ImGuiIO& GuiLayer::io() const {
+  makeCurrent();
+  return ImGui::GetIO();
+}
+
+void GuiLayer::handle(const InputEvent& event) {
+  events_.push_back(event);
+}
+
+bool GuiLayer::wantsPointer() const {
+  return io().WantCaptureMouse;
+}
+
+bool GuiLayer::wantsKeyboard() const {
+  return io().WantCaptureKeyboard;
+}
+
+bool GuiLayer::wantsText() const {
+  return io().WantTextInput;
+}
+
+void GuiLayer::setModifiers(const Modifiers& modifiers) {
+  io().KeyShift = modifiers.shift;
+  io().KeyCtrl = modifiers.control;
+  io().KeyAlt = modifiers.alt;
+}
+
+bool GuiLayer::take(const InputEvent& event, Taken& taken) {
+  ImGuiIO& state = io();
+  if (const auto* resize = std::get_if<ResizeEvent>(&event)) {
+    state.DisplaySize = {static_cast<float>(resize->width), static_cast<float>(resize->height)};
+    if (resize->contentScale != contentScale_ || resize->pixelsPerUnit != pixelsPerUnit_) {
+      contentScale_ = resize->contentScale;
+      pixelsPerUnit_ = resize->pixelsPerUnit;
+      applyScale();
+    }
+  } else if (const auto* move = std::get_if<PointerMoveEvent>(&event)) {
+    if (taken.button || taken.scroll) {
+      return false;
+    }
+    state.MousePos = {static_cast<float>(move->x), static_cast<float>(move->y)};
+  } else if (const auto* button = std::get_if<PointerButtonEvent>(&event)) {
+    if (taken.button || taken.scroll || taken.command) {
+      return false;
+    }
+    state.MouseDown[static_cast<size_t>(button->button)] = button->pressed;  // in the same order
+    setModifiers(button->modifiers);
+    taken.button = true;
+  } else if (const auto* scroll = std::get_if<ScrollEvent>(&event)) {
+    if (taken.button) {
+      return false;
+    }
+    state.MouseWheel += static_cast<float>(scroll->up);
+    state.MouseWheelH -= static_cast<float>(scroll->right);
+    taken.scroll = true;
+  } else if (const auto* key = std::get_if<KeyEvent>(&event)) {
+    const auto index = static_cast<size_t>(key->key);
+    if (taken.keys[index] || (isCommand(*key) && (taken.text || taken.button))) {
+      return false;
+    }
+    state.KeysDown[index] = key->pressed;
+    setModifiers(key->modifiers);
+    taken.keys[index] = true;
+    taken.command = taken.command || isCommand(*key);
+  } else if (const auto* text = std::get_if<TextEvent>(&event)) {
+    if (taken.button || taken.command) {
+      return false;
+    }
+    // What arrives as text is text, whatever keys have made it.
+    setModifiers({});
+    state.AddInputCharacter(text->character);
+    taken.text = true;
+  }
+  return true;
+}
+
+void GuiLayer::applyScale() {
+  applyGuiStyle(lengthScale());
+  io().Fonts->Clear();
+  fontName_ = loadFont();
+  // Glyphs are made in the framebuffer's pixels, so that they stay crisp, and laid out in screen coordinates.
+  io().FontGlobalScale = static_cast<float>(1 / pixelsPerUnit_);
+  io().DisplayFramebufferScale = {static_cast<float>(pixelsPerUnit_), static_cast<float>(pixelsPerUnit_)};
+
+  unsigned char* opacity = nullptr;
+  int width = 0;
+  int height = 0;
+  io().Fonts->GetTexDataAsAlpha8(&opacity, &width, &height);
+  const GlScope scope(*glContext_);
+  fontTexture_ = renderer_.makeFontTexture(width, height, opacity);
+  io().Fonts->SetTexID(imageOf(fontTexture_));
+  io().Fonts->ClearTexData();
+}
+
+std::string GuiLayer::loadFont() {
+  ImFontAtlas& fonts = *io().Fonts;
+  if (auto font = readSystemFont()) {
+    fontBytes_ = std::move(font->second);
+    ImFontConfig config;
+    config.FontDataOwnedByAtlas = false;
+    config.FontNo = font->first.index;
+    config.OversampleH = 2;
+    const auto pixels = static_cast<float>(std::round(kGuiTextPixels * contentScale_));
+    fonts.AddFontFromMemoryTTF(fontBytes_.data(), static_cast<int>(fontBytes_.size()), pixels, &config,
+                               kCharacters.data());
+    if (fonts.Build()) {
+      return font->first.name;
+    }
+    fonts.Clear();
+  }
+  ImFontConfig config;
+  config.SizePixels = static_cast<float>(kOwnFontPixels * std::max(1.0, std::round(contentScale_)));
+  fonts.AddFontDefault(&config);
+  return "ProggyClean";
+}
+
+void GuiLayer::beginFrame(double secondsSinceLast) {
+  ImGuiIO& state = io();
+  const auto isDown = [](bool down) { return down; };
+  if (std::ranges::none_of(state.KeysDown, isDown) && std::ranges::none_of(state.MouseDown, isDown)) {
+    setModifiers({});
+  }
+  for (Taken taken; !events_.empty() && take(events_.front(), taken);) {
+    events_.pop_front();
+  }
+  // Dear ImGui needs time to pass.
+  state.DeltaTime = static_cast<float>(std::max(secondsSinceLast, 1e-6));
+  ImGui::NewFrame();
+}
+
+void GuiLayer::endFrame() {
+  makeCurrent();
+  ImGui::Render();
+  const GlScope scope(*glContext_);
+  renderer_.draw(*ImGui::GetDrawData());
+}
+
+}  // namespace ocelli
