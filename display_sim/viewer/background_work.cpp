@@ -163,8 +163,9 @@ void BackgroundWork::makeAll(const WorkWanted& wanted, Done& done) {
     const auto start = std::chrono::steady_clock::now();
     Volume volume = slice(wanted.sliceScene ? mesh : done.camera->representation.mesh, profile);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return WorkResult{.volume =
-                          std::make_shared<const SlicedVolume>(SlicedVolume{std::move(volume), 1000 * seconds})};
+    const size_t lit = volume.litVoxels();
+    return WorkResult{
+        .volume = std::make_shared<const SlicedVolume>(SlicedVolume{std::move(volume), lit, 1000 * seconds})};
   });
   make(wanted, WorkStep::kRays, done.raysKey, [&](const Progress& progress) {
     report(progress, "rays of the camera", 0);

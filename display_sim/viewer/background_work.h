@@ -36,6 +36,7 @@ struct BuiltCamera {
 
 struct SlicedVolume {
   Volume volume;
+  size_t litVoxels = 0;
   double milliseconds = 0;
 };
 
@@ -43,12 +44,12 @@ enum class WorkStep { kScene, kCamera, kVolume, kRays };
 
 /// What has been finished, or has failed, since the last look: null pointers stand for "nothing new".
 struct WorkResult {
-  std::shared_ptr<const LoadedScene> scene;
-  std::shared_ptr<const BuiltCamera> camera;
-  std::shared_ptr<const std::vector<RayFunction>> rays;
-  std::shared_ptr<const SlicedVolume> volume;
+  std::shared_ptr<const LoadedScene> scene = nullptr;
+  std::shared_ptr<const BuiltCamera> camera = nullptr;
+  std::shared_ptr<const std::vector<RayFunction>> rays = nullptr;
+  std::shared_ptr<const SlicedVolume> volume = nullptr;
 
-  std::exception_ptr error;  ///< of `step`
+  std::exception_ptr error = nullptr;  ///< of `step`
   WorkStep step = WorkStep::kScene;
 };
 

@@ -42,6 +42,9 @@ View panned(const View& view, double right, double up) {
   View moved = withFieldOfView(view);
   const double imageHeight = 2 * glm::length(arm) * std::tan(radiansFromDegrees(moved.fovVerticalDegrees) / 2);
   const glm::vec3 step(imageHeight * (right * rightward + up * upward));
+  if (glm::length(moved.target + step) > kFarthestTarget) {
+    return moved;
+  }
   moved.eye += step;
   moved.target += step;
   return moved;

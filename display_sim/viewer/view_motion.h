@@ -8,6 +8,8 @@ namespace ocelli {
 /// A hand-moved eye keeps such a distance from its target.
 inline constexpr float kLeastViewDistance = 0.05f;
 inline constexpr float kMostViewDistance = 500;
+/// Nor is its target moved farther than this from the origin.
+inline constexpr float kFarthestTarget = 1000;
 
 /// The eye turned around the target: to the right around "up", then upwards, short of the poles. Angles in radians. The
 /// field of view stays as it is, here and below: one that was given as "just holds the unit sphere" gets its value.

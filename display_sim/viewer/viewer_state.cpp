@@ -76,6 +76,7 @@ ViewerState viewerState(const std::string& source, const SceneOptions& options, 
   state.work.width = width;
   state.work.height = height;
   state.work.profile = profile;
+  state.work.lastRevision = 1;
   state.work.sceneRevision = state.work.cameraRevision = state.work.displayRevision = 1;
   for (const Pane pane : kPanes) {
     resetPane(state, pane);
@@ -85,13 +86,21 @@ ViewerState viewerState(const std::string& source, const SceneOptions& options, 
 
 void openScene(ViewerState& state, const std::string& source) {
   state.work.source = source;
-  ++state.work.sceneRevision;
+  state.work.sceneRevision = ++state.work.lastRevision;
 }
 
-void chooseCamera(ViewerState& state, const std::string& name) {
-  state.work.camera = cameraChoice(name, cellOf(state.work.camera));
+void cameraChanged(ViewerState& state) {
+  state.work.cameraRevision = ++state.work.lastRevision;
+}
+
+void displayChanged(ViewerState& state) {
+  state.work.displayRevision = ++state.work.lastRevision;
+}
+
+void chooseCamera(ViewerState& state, const std::string& nameOrFile) {
+  state.work.camera = cameraChoice(nameOrFile, cellOf(state.work.camera));
   state.reference.image = 0;
-  ++state.work.cameraRevision;
+  cameraChanged(state);
 }
 
 void chooseNextCamera(ViewerState& state, int step) {
@@ -102,13 +111,13 @@ void chooseCellSide(ViewerState& state, double sideRadii) {
   const auto side = static_cast<float>(std::clamp(sideRadii, kLeastCellSide, kMostCellSide));
   CameraChoice& camera = state.work.camera;
   camera.cellSideRadii = camera.ddoc.cellSideRadii = camera.cell.cell.sideRadii = side;
-  ++state.work.cameraRevision;
+  cameraChanged(state);
 }
 
 void chooseProfile(ViewerState& state, const std::string& nameOrFile) {
   loadProfile(nameOrFile);
   state.work.profile = nameOrFile;
-  ++state.work.displayRevision;
+  displayChanged(state);
 }
 
 void chooseNextProfile(ViewerState& state) {
@@ -120,12 +129,18 @@ void chooseNextProfile(ViewerState& state) {
 void chooseImageSize(ViewerState& state, int width, int height) {
   state.work.width = std::clamp(width, kLeastImageSide, kMostImageSide);
   state.work.height = std::clamp(height, kLeastImageSide, kMostImageSide);
-  ++state.work.cameraRevision;
+  cameraChanged(state);
+}
+
+void chooseReference(ViewerState& state, const View& view) {
+  state.work.reference = view;
+  state.reconstruction.view = view;
+  cameraChanged(state);
 }
 
 void moveReferenceToEye(ViewerState& state) {
   state.work.reference = state.reconstruction.view;
-  ++state.work.cameraRevision;
+  cameraChanged(state);
 }
 
 void orbitPane(ViewerState& state, Pane pane, double right, double up) {
@@ -211,6 +226,13 @@ void advance(ViewerState& state, double seconds, double rotationsPerMinute) {
 
 void changeSpeed(ViewerState& state, double factor) {
   state.display.speed = std::clamp(state.display.speed * factor, kLeastSpeed, kMostSpeed);
+}
+
+void stepDisplay(ViewerState& state, int slices) {
+  state.display.running = false;
+  const double step = 180.0 / loadProfile(state.work.profile).slicesPerHalfTurn;
+  const double slice = std::round(state.display.sweepDegrees / step) + slices;
+  state.display.sweepDegrees = std::fmod(slice * step + 360, 360.0);
 }
 
 const View& displayView(const ViewerState& state) {

@@ -21,8 +21,9 @@ inline constexpr std::array kPanes{Pane::kScene, Pane::kReference, Pane::kRecons
 /// "Scene", "Reference image", "Reconstruction", "Display".
 std::string_view titleOf(Pane pane);
 
-/// What has to be made; whoever changes a part of it raises its revision.
+/// What has to be made; whoever changes a part of it gives it the next revision.
 struct WorkWanted {
+  uint64_t lastRevision = 0;
   std::string source;
   SceneOptions sceneOptions;
   uint64_t sceneRevision = 0;
@@ -104,8 +105,12 @@ ViewerState viewerState(const std::string& source, const SceneOptions& options, 
 
 /// Shows another scene. The views stay as they are.
 void openScene(ViewerState& state, const std::string& source);
-/// By its name; a view cell that was set stays so. Throws InputError for a name that is none.
-void chooseCamera(ViewerState& state, const std::string& name);
+/// By its name, or a file; a view cell that was set stays so, unless a file sets one. Throws InputError as
+/// cameraChoice() does.
+void chooseCamera(ViewerState& state, const std::string& nameOrFile);
+/// After a change of parameters of `state.work.camera`, or of what is sliced for the display.
+void cameraChanged(ViewerState& state);
+void displayChanged(ViewerState& state);
 /// The one that is `step` places further on in cameraNames(); those of a mesh alone are passed over.
 void chooseNextCamera(ViewerState& state, int step);
 void chooseCellSide(ViewerState& state, double sideRadii);
@@ -113,6 +118,8 @@ void chooseCellSide(ViewerState& state, double sideRadii);
 void chooseProfile(ViewerState& state, const std::string& nameOrFile);
 void chooseNextProfile(ViewerState& state);
 void chooseImageSize(ViewerState& state, int width, int height);
+/// Another reference view; the user's eye goes there.
+void chooseReference(ViewerState& state, const View& view);
 /// What the user's eye sees becomes the reference view.
 void moveReferenceToEye(ViewerState& state);
 inline constexpr double kLeastCellSide = 0.01;
@@ -132,6 +139,8 @@ void resetPane(ViewerState& state, Pane pane);
 /// Lets time pass: the screen of the display turns. `rotationsPerMinute` are those of the display.
 void advance(ViewerState& state, double seconds, double rotationsPerMinute);
 void changeSpeed(ViewerState& state, double factor);
+/// Stops the screen so many slices further on, in the middle of one.
+void stepDisplay(ViewerState& state, int slices);
 
 /// The view of the display pane: its own, or that of the user's eye.
 const View& displayView(const ViewerState& state);

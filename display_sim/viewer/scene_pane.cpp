@@ -1,0 +1,34 @@
+#include "display_sim/viewer/scene_pane.h"
+
+#include "display_sim/viewer/viewer_colors.h"
+#include "oc_core/gl/gl_api.h"
+
+namespace ocelli {
+
+void ScenePane::draw(const ViewerState& state, const ViewerData& data, const std::optional<PickedPixel>& picked,
+                     const glm::ivec2& size, float lineScale, MeshDraw& meshes) {
+  target_.begin(size.x, size.y, rgb(kPaneColor));
+  shown_ = {};
+  if (!data.scene) {
+    return;
+  }
+  const PinholeCamera camera(state.scene.view, size.x, size.y);
+  if (data.camera) {
+    shown_ = sceneLines(state, *data.camera, data.rays.get(), data.scene->bounds, picked, lineScale);
+  }
+  Box drawn = data.scene->bounds;
+  for (const ColoredLine& line : shown_.lines) {
+    drawn.add(line.from);
+    drawn.add(line.to);
+  }
+  const DepthRange range = depthRange(camera, drawn);
+  if (state.scene.samples && data.cameraMesh) {
+    meshes.drawVertices(*data.cameraMesh, camera, range, lineScale);
+  } else {
+    meshes.draw(*data.sceneMesh, camera, range);
+  }
+  constexpr float kSeenThrough = 0.3f;
+  lines_.draw(shown_.lines, camera, range, kSeenThrough);
+}
+
+}  // namespace ocelli
