@@ -52,6 +52,7 @@ class Frame {
 
 void addOcriCommand(CLI::App& program, const Frame& frame);
 void addObserveCommand(CLI::App& program, const Frame& frame);
+void addDoctorCommand(CLI::App& program, const Frame& frame);
 void addDemoCommand(CLI::App& program, const Frame& frame);
 void addRenderCommand(CLI::App& program, const Frame& frame);
 void addEvaluateCommand(CLI::App& program, const Frame& frame);

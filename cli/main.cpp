@@ -30,6 +30,7 @@ void addCommands(CLI::App& program, const Frame& frame) {
   addObserveCommand(program, frame);
   addVolumeCommand(program, frame);
   addEvaluateCommand(program, frame);
+  addDoctorCommand(program, frame);
 }
 
 // A closed standard stream would hand its number to the next file that is opened, and our messages would end up in

@@ -11,8 +11,6 @@
 namespace ocelli {
 namespace {
 
-constexpr const char* kWithoutGpu = "; every command also works without OpenGL, on the processor";
-
 /// OpenGL has one current context a thread; this remembers which of ours it is.
 thread_local GlContext* currentContext = nullptr;
 
@@ -64,12 +62,12 @@ std::unique_ptr<GlContext> openEgl(GlDebug debug) {
       }
       onProcessor = onProcessor ? std::move(onProcessor) : std::move(context);
     } catch (const GlError& error) {
-      said += std::string("\n    ") + error.what();
+      said += "\n    " + error.reason();
     }
   }
   if (!onProcessor) {
-    throw GlError("it has no OpenGL 4.5" + said, "EGL",
-                  std::string("install libgl1-mesa-dri, or your GPU's driver") + kWithoutGpu);
+    throw GlError(said.empty() ? "it has no driver that draws without a window" : "it has no OpenGL 4.5:" + said, "EGL",
+                  "install libgl1-mesa-dri, or your GPU's driver");
   }
   return onProcessor;
 }
@@ -97,7 +95,7 @@ GlContext::GlContext(GlProvider provider, std::unique_ptr<GlPlatform> platform, 
     return reinterpret_cast<GLADapiproc>(static_cast<GlPlatform*>(from)->function(name));
   };
   const int loaded = gladLoadGLContextUserPtr(gl_.get(), load, platform_.get());
-  if (loaded != 0) {
+  if (gl_->GetString != nullptr) {
     info_.vendor = text(*gl_, GL_VENDOR);
     info_.renderer = text(*gl_, GL_RENDERER);
     info_.version = text(*gl_, GL_VERSION);
@@ -106,7 +104,7 @@ GlContext::GlContext(GlProvider provider, std::unique_ptr<GlPlatform> platform, 
   if (loaded < GLAD_MAKE_VERSION(kGlMajorVersion, kGlMinorVersion)) {
     throw GlError("OpenGL 4.5 is needed, and this driver has " +
                       (info_.version.empty() ? "none that could be loaded" : "\"" + info_.version + "\""),
-                  nameOf(provider), std::string("update the graphics driver, or use OSMesa") + kWithoutGpu);
+                  nameOf(provider), "update the graphics driver, or use OSMesa");
   }
   info_.shadingLanguage = text(*gl_, GL_SHADING_LANGUAGE_VERSION);
   gl_->GetIntegerv(GL_MAX_TEXTURE_SIZE, &info_.maxTextureSize);
@@ -134,7 +132,7 @@ void GlContext::check(std::string_view doing) const {
   const std::string where = std::string(nameOf(info_.provider)) + " (" + info_.renderer + "), " + std::string(doing);
   if (gl_->GetGraphicsResetStatus() != GL_NO_ERROR) {
     throw GlError("the GPU was reset and the OpenGL context is lost", where,
-                  std::string("try again; if it happens again, update the graphics driver") + kWithoutGpu);
+                  "try again; if it happens again, update the graphics driver");
   }
   const GLenum error = gl_->GetError();
   if (error == GL_NO_ERROR) {
@@ -143,11 +141,10 @@ void GlContext::check(std::string_view doing) const {
   while (gl_->GetError() != GL_NO_ERROR) {  // several may be waiting
   }
   if (error == GL_OUT_OF_MEMORY) {
-    throw GlError("the GPU has not enough memory", where,
-                  std::string("use a smaller scene or image, or close other programs") + kWithoutGpu);
+    throw GlError("the GPU has not enough memory", where, "use a smaller scene or image, or close other programs");
   }
   throw GlError(std::string("OpenGL refused a call: ") + nameOfError(error), where,
-                std::string("update the graphics driver; if that does not help, report this") + kWithoutGpu);
+                "update the graphics driver; if that does not help, report this");
 }
 
 GlScope::GlScope(GlContext& context) : context_(&context), before_(currentContext) {
@@ -163,7 +160,7 @@ GlScope::GlScope(GlContext& context) : context_(&context), before_(currentContex
       currentContext = before_;
     }
     throw GlError("the OpenGL context cannot be made current", nameOf(context_->info_.provider),
-                  std::string("use it on one thread only; otherwise the context is lost: try again") + kWithoutGpu);
+                  "use it on one thread only; otherwise the context is lost: try again");
   }
   currentContext = context_;
 }
@@ -188,12 +185,11 @@ std::unique_ptr<GlContext> openOffscreenContext() {
     try {
       return openGlContext(provider);
     } catch (const GlError& error) {
-      said += std::string("\n    ") + error.what();
+      said += "\n    " + error.reason();
     }
   }
-  throw GlError(
-      "no OpenGL context can be opened", "EGL and OSMesa said:" + said,
-      std::string("install libegl1, libgl1-mesa-dri or libosmesa6; `ocelli doctor` shows what works") + kWithoutGpu);
+  throw GlError("neither EGL nor OSMesa can open a context:" + said, "OpenGL",
+                "install libegl1, libgl1-mesa-dri or libosmesa6; `ocelli doctor` shows what works");
 }
 
 std::unique_ptr<GlContext> openGlContext(const std::string& name, const std::string& where) {

@@ -1,14 +1,24 @@
 // What is thrown where OpenGL cannot do the work: no context, a driver that is too old, a full or a lost GPU.
 #pragma once
 
+#include <string>
+
 #include "oc_core/base/error.h"
 
 namespace ocelli {
 
-/// `next` always holds a way that works without a GPU.
 class GlError : public WorkError {
  public:
-  using WorkError::WorkError;
+  /// That nobody needs a GPU is added to `next`.
+  GlError(const std::string& what, const std::string& where, const std::string& next)
+      : WorkError(what, where, next + "; everything but windows also works without OpenGL, on the processor"),
+        reason_(where + ": " + what) {}
+
+  /// Where and what, for an error that tells of several.
+  const std::string& reason() const { return reason_; }
+
+ private:
+  std::string reason_;
 };
 
 }  // namespace ocelli

@@ -46,7 +46,7 @@ void requireTextureSize(const GlContext& context, int width, int height) {
   if (width > most || height > most) {
     throw GlError("an image of " + std::to_string(width) + "x" + std::to_string(height) +
                       " pixels is larger than this GPU's " + std::to_string(most) + "x" + std::to_string(most),
-                  nameOf(context.info().provider), "use a smaller image, or draw without OpenGL");
+                  nameOf(context.info().provider), "use a smaller image");
   }
 }
 
@@ -68,7 +68,7 @@ GlObject makeBuffer(GlContext& context, size_t bytes, const void* data) {
   if (bytes > static_cast<size_t>(context.info().maxStorageBytes)) {
     throw GlError("a buffer of " + std::to_string(bytes >> 20) + " MiB is larger than the " +
                       std::to_string(context.info().maxStorageBytes >> 20) + " MiB that this GPU's shaders can read",
-                  nameOf(context.info().provider), "use a smaller scene, or draw without OpenGL");
+                  nameOf(context.info().provider), "use a smaller scene");
   }
   const GladGLContext& gl = context.gl();
   uint32_t id = 0;
@@ -94,7 +94,7 @@ GlObject makeTextureLayers(GlContext& context, uint32_t internalFormat, int widt
   if (layers > context.info().maxTextureLayers) {
     throw GlError(
         std::to_string(layers) + " layers are more than this GPU's " + std::to_string(context.info().maxTextureLayers),
-        nameOf(context.info().provider), "use a profile with fewer slices, or work without OpenGL");
+        nameOf(context.info().provider), "use a profile with fewer slices");
   }
   GlObject texture = newTexture(context, GL_TEXTURE_2D_ARRAY);
   context.gl().TextureStorage3D(texture.id(), 1, internalFormat, width, height, layers);
@@ -119,7 +119,7 @@ GlObject makeFramebuffer(GlContext& context, std::span<const uint32_t> colors, u
   gl.NamedFramebufferDrawBuffers(id, static_cast<GLsizei>(targets.size()), targets.data());
   if (gl.CheckNamedFramebufferStatus(id, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     throw GlError("this driver cannot draw to the images that are needed", nameOf(context.info().provider),
-                  "update the graphics driver, or draw without OpenGL");
+                  "update the graphics driver");
   }
   context.check("making a framebuffer");
   return framebuffer;

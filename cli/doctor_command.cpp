@@ -1,0 +1,175 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "cli/command.h"
+#include "oc_core/base/machine.h"
+
+#ifdef OCELLI_WITH_OPENGL
+#include "oc_core/gl/gl_report.h"
+#include "oc_core/gl/system_font.h"
+#endif
+
+namespace ocelli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kCompiler = "C++ compiler " __VERSION__;
+#ifdef OCELLI_WITH_OPENGL
+constexpr bool kWithOpenGl = true;
+#else
+constexpr bool kWithOpenGl = false;
+#endif
+
+/// What is printed, in words or as JSON.
+struct Findings {
+  MachineInfo machine;
+  std::optional<std::filesystem::path> ffmpeg;
+  std::optional<std::string> font;
+  Json providers = Json::array();
+  std::set<std::string> packages;  ///< that hold the providers which do not work
+};
+
+#ifdef OCELLI_WITH_OPENGL
+Json jsonOf(const GlProviderReport& report) {
+  Json json = {{"provider", nameOf(report.provider)}, {"works", report.info.has_value()}};
+  if (!report.info) {
+    json["error"] = report.error;
+    return json;
+  }
+  const GlInfo& info = *report.info;
+  json.update({{"software", info.isSoftware},
+               {"renderer", info.renderer},
+               {"vendor", info.vendor},
+               {"version", info.version},
+               {"shading_language", info.shadingLanguage},
+               {"device", info.device},
+               {"max_texture_size", info.maxTextureSize},
+               {"max_texture_layers", info.maxTextureLayers},
+               {"max_storage_bytes", info.maxStorageBytes},
+               {"max_compute_invocations", info.maxComputeInvocations}});
+  return json;
+}
+
+void findOpenGl(Findings& findings) {
+  for (const GlProviderReport& report : reportGlProviders()) {
+    findings.providers.push_back(jsonOf(report));
+    if (!report.info) {
+      const std::vector<std::string> packages = packagesOf(report.provider);
+      findings.packages.insert(packages.begin(), packages.end());
+    }
+  }
+  if (const auto font = findSystemFont()) {
+    findings.font = font->name;
+  }
+}
+#else
+void findOpenGl(Findings& /*findings*/) {}
+#endif
+
+bool anyProvider(const Findings& findings, const char* field, bool value) {
+  return std::ranges::any_of(findings.providers,
+                             [&](const Json& provider) { return provider.value(field, !value) == value; });
+}
+
+std::string asJson(const Findings& findings) {
+  const MachineInfo& machine = findings.machine;
+  const Json json = {
+      {"version", OCELLI_VERSION},
+      {"compiler", __VERSION__},
+      {"built_with_opengl", kWithOpenGl},
+      {"processor", {{"name", machine.processor}, {"threads", machine.threads}, {"avx2", machine.hasAvx2}}},
+      {"memory", {{"bytes", machine.memoryBytes}, {"available_bytes", machine.availableBytes}}},
+      {"ffmpeg", findings.ffmpeg ? Json(findings.ffmpeg->string()) : Json()},
+      {"font", findings.font ? Json(*findings.font) : Json()},
+      {"opengl", anyProvider(findings, "works", true)},
+      {"gpu", anyProvider(findings, "software", false)},
+      {"providers", findings.providers}};
+  return json.dump(2) + "\n";
+}
+
+std::string row(const std::string& name, const std::string& text) {
+  std::string indented;
+  for (const char c : text) {
+    indented += c == '\n' ? std::string("\n") + std::string(14, ' ') : std::string(1, c);
+  }
+  return fmt::format("  {:<10}  {}\n", name, indented);
+}
+
+std::string rowOf(const Json& provider) {
+  const std::string name = provider.at("provider");
+  if (!provider.at("works")) {
+    return row(name, "does not work\n" + provider.at("error").get<std::string>());
+  }
+  const std::string device = provider.at("device");
+  return row(
+      name,
+      fmt::format("works, on {}: {}{}\nOpenGL {}\nimages up to {} pixels a side, {} layers; buffers up to {} MiB",
+                  provider.at("software").get<bool>() ? "the processor" : "a GPU",
+                  provider.at("renderer").get<std::string>(), device.empty() ? "" : " (" + device + ")",
+                  provider.at("version").get<std::string>(), provider.at("max_texture_size").get<int>(),
+                  provider.at("max_texture_layers").get<int>(), provider.at("max_storage_bytes").get<int64_t>() >> 20));
+}
+
+/// What it comes down to, and what to install.
+std::string verdict(const Findings& findings) {
+  if (!kWithOpenGl) {
+    return "OpenGL: not available, for this program was built without it (OCELLI_WITH_OPENGL=OFF).\n"
+           "Everything but the window works, on the processor.\n";
+  }
+  if (!anyProvider(findings, "works", true)) {
+    return "OpenGL: not available. Everything but the window works all the same, on the processor.\n"
+           "To install Mesa's OpenGL, on Debian, as root:\n  apt-get install --no-install-recommends " +
+           fmt::format("{}\n", fmt::join(findings.packages, " "));
+  }
+  if (!anyProvider(findings, "software", false)) {
+    return "OpenGL: available, drawn by the processor. No GPU was found; if there is one, install its driver.\n";
+  }
+  return "OpenGL: available, on a GPU.\n";
+}
+
+std::string asText(const Findings& findings) {
+  const MachineInfo& machine = findings.machine;
+  constexpr double kGibibyte = 1 << 30;
+  std::string text = fmt::format("Ocelli {}\n", OCELLI_VERSION);
+  text += row("built", fmt::format("{}, OpenGL {}", kCompiler, kWithOpenGl ? "on" : "off"));
+  text += row("processor", fmt::format("{}{}{} threads, {}", machine.processor, machine.processor.empty() ? "" : ", ",
+                                       machine.threads, machine.hasAvx2 ? "AVX2" : "no AVX2"));
+  text += row("memory",
+              fmt::format("{:.1f} GiB, {:.1f} GiB of it free", static_cast<double>(machine.memoryBytes) / kGibibyte,
+                          static_cast<double>(machine.availableBytes) / kGibibyte));
+  text += row("ffmpeg", findings.ffmpeg ? findings.ffmpeg->string()
+                                        : "not found; it makes films of series of images (apt-get install ffmpeg)");
+  if (kWithOpenGl) {
+    text +=
+        row("font", findings.font.value_or("none found; panels use a plain one (apt-get install fonts-dejavu-core)"));
+  }
+  for (const Json& provider : findings.providers) {
+    text += rowOf(provider);
+  }
+  return text + "\n" + verdict(findings);
+}
+
+}  // namespace
+
+void addDoctorCommand(CLI::App& program, const Frame& frame) {
+  CLI::App& command = *program.add_subcommand("doctor", "What works on this machine, and what to install");
+  const auto json = std::make_shared<bool>(false);
+  command.add_flag("--json", *json, "Print the findings as JSON");
+  frame.finish(command,
+               "  ocelli doctor\n"
+               "  LIBGL_ALWAYS_SOFTWARE=1 ocelli doctor      (without the GPU)",
+               [json, frame] {
+                 Findings findings{machineInfo(), findProgram("ffmpeg"), std::nullopt, Json::array(), {}};
+                 findOpenGl(findings);
+                 frame.print(*json ? asJson(findings) : asText(findings));
+               });
+}
+
+}  // namespace ocelli
