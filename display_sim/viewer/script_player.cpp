@@ -133,7 +133,7 @@ void ScriptPlayer::perform(const SaveStep& step) {
   const std::filesystem::path path = folder_ / step.file;
   std::error_code ignored;
   std::filesystem::create_directories(path.parent_path(), ignored);
-  writePng(path, viewer_.image().read());
+  writePng(path, viewer_.picture());
   if (saved_) {
     saved_(path.string());
   }

@@ -230,7 +230,7 @@ void Viewer::saveView() {
 
 void Viewer::saveScreenshot() {
   const std::filesystem::path path = makeFreeFile(options_.folder, "ocelli", ".png");
-  writePng(path, drawing_->image.read());
+  writePng(path, picture());
   say("wrote " + path.string(), false);
 }
 
@@ -380,6 +380,11 @@ void Viewer::drawGui() {
   if (wishes.dismissMessage) {
     say("", false);
   }
+}
+
+Image<Rgb8> Viewer::picture() const {
+  const GlScope scope(context_);
+  return drawing_->image.read();
 }
 
 void Viewer::draw() {

@@ -47,6 +47,7 @@ class Viewer {
 
   /// What was drawn last.
   const PaneTarget& image() const { return drawing_->image; }
+  Image<Rgb8> picture() const;
   const ViewerState& state() const { return state_; }
   const ViewerFacts& facts() const { return facts_; }
   /// Asked to by a key or a CloseEvent.
