@@ -72,10 +72,13 @@ bool drawDdoc(DdocOptions& options) {
   if (options.radius == DdocOptions::Radius::kConstant) {
     slider("pixels", options.constantRadiusPixels, 0, 60, "%.0f");
   } else {
-    slider("safety", options.safetyFactor, 0.1f, 3, "%.2f");
     slider("most hidden", options.mostHiddenPixels, 0, 150, "%.0f pixels");
-    slider("room", options.roomPerHidden, 0.05f, 3, "%.2f per hidden");
   }
+  if (!ImGui::TreeNodeEx("more", ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
+    return changed;
+  }
+  slider("safety", options.safetyFactor, 0.1f, 3, "%.2f");
+  slider("room", options.roomPerHidden, 0.05f, 3, "%.2f per hidden");
   slider("smoothing", options.smoothingSigmaPixels, 0, 8, "%.1f pixels");
   changed |= ImGui::SliderInt("feedback", &options.feedbackRounds, 0, 8, "%d rounds", ImGuiSliderFlags_AlwaysClamp);
   return changed;

@@ -59,6 +59,12 @@ void SidePanel::draw(const PanelDrawing& drawing) {
     ImGui::SetNextWindowFocus();
     wantsFocus_ = false;
   }
+  // Dense, so that all of it shows in a window of 800 lines; dark handles, so that the values on them can be read.
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(7 * drawing.scale, 2 * drawing.scale));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8 * drawing.scale, 4 * drawing.scale));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * drawing.scale, 4 * drawing.scale));
+  ImGui::PushStyleColor(ImGuiCol_SliderGrab, kGuiAccentDeep.packed());
+  ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, kGuiAccentDeep.packed());
   beginFixedWindow("panel", drawing.layout.panel, kGuiPanel);
   ImGui::BeginChild("contents");  // scrolls by itself where the window is low
   drawScene(drawing);
@@ -67,6 +73,8 @@ void SidePanel::draw(const PanelDrawing& drawing) {
   drawShown(drawing);
   ImGui::EndChild();
   ImGui::End();
+  ImGui::PopStyleColor(2);
+  ImGui::PopStyleVar(3);
 }
 
 void SidePanel::drawScene(const PanelDrawing& drawing) {

@@ -11,19 +11,19 @@ namespace {
 
 constexpr double kBlinkSeconds = 0.5;
 
-/// From above on the right, far enough away to see the scene and the ends of the rays before it.
+/// From beside the scene, above: the scene near by on the left, the reference eye and its cell far away on the right.
 View outsideView() {
   View view;
-  view.eye = {4.6f, 2.3f, 5.2f};
-  view.target = {0, 0, 0.6f};
-  view.fovVerticalDegrees = 30;
+  view.eye = {-4.6f, 2.5f, -0.9f};
+  view.target = {0, 0, 2.4f};
+  view.fovVerticalDegrees = 50;
   return view;
 }
 
 View displayFrontView() {
   View view;
   view.eye = {0, 2.6f, 9.6f};
-  view.fovVerticalDegrees = 13.5;
+  view.fovVerticalDegrees = 15;
   return view;
 }
 
@@ -81,6 +81,9 @@ ViewerState viewerState(const std::string& source, const SceneOptions& options, 
   for (const Pane pane : kPanes) {
     resetPane(state, pane);
   }
+  // On the edge of the view cell, where something is missing.
+  const float half = camera.cellSideRadii / 2;
+  state.reconstruction.view = movedEye(reference, {-half, half, 0});
   return state;
 }
 

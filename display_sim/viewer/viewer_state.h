@@ -99,7 +99,8 @@ struct ViewerState {
   double seconds = 0;  ///< that have passed
 };
 
-/// Of a scene seen through a camera, from its reference view. The size is that of the reference image.
+/// Of a scene seen through a camera. The size is that of the reference image. The user's eye starts at an edge of the
+/// view cell.
 ViewerState viewerState(const std::string& source, const SceneOptions& options, const CameraChoice& camera,
                         const View& reference, int width, int height, const std::string& profile);
 
@@ -133,7 +134,7 @@ void orbitPane(ViewerState& state, Pane pane, double right, double up);
 void panPane(ViewerState& state, Pane pane, double right, double up);
 /// Above 1 nearer.
 void zoomPane(ViewerState& state, Pane pane, double factor);
-/// Back to where it was when the viewer opened: the eye to the reference view.
+/// Back to where it was when the viewer opened; the user's eye to the reference view.
 void resetPane(ViewerState& state, Pane pane);
 
 /// Lets time pass: the screen of the display turns. `rotationsPerMinute` are those of the display.

@@ -108,10 +108,9 @@ void drawHelp(const PanelDrawing& drawing) {
   }
   const float scale = drawing.scale;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  const ImVec2 size(std::min(960 * scale, window.x - 16 * scale), std::min(668 * scale, window.y - 16 * scale));
+  const ImVec2 size(std::min(960 * scale, window.x - 16 * scale), std::min(590 * scale, window.y - 16 * scale));
   ImGui::SetNextWindowPos({(window.x - size.x) / 2, (window.y - size.y) / 2});
   ImGui::SetNextWindowSize(size);
-  ImGui::SetNextWindowBgAlpha(0.97f);
   ImGui::Begin("help", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
