@@ -8,6 +8,7 @@
 #include <string>
 
 #include "display_sim/exposure.h"
+#include "display_sim/eye_perspective.h"
 #include "display_sim/light_splat.h"
 #include "display_sim/sweep_geometry.h"
 #include "oc_core/base/error.h"
@@ -16,73 +17,7 @@
 namespace ocelli {
 namespace {
 
-/// Voxels nearer to the eye's plane than this have no image.
-constexpr double kNearest = 1e-4;
 constexpr int kMostPixels = 1 << 26;
-
-void validate(const ObserverOptions& options, const DisplayProfile& profile) {
-  const auto fail = [](const std::string& what, const std::string& next) { throw InputError(what, "observer", next); };
-  const glm::vec3& eye = options.eye;
-  if (!std::isfinite(eye.x) || !std::isfinite(eye.y) || !std::isfinite(eye.z)) {
-    fail("the eye has a coordinate that is not a finite number", "give three finite numbers");
-  }
-  const bool inDisplay = std::hypot(eye.x, eye.z) <= 1 && std::abs(eye.y) <= profile.halfHeightRadii;
-  if (inDisplay || glm::length(eye) <= 1.001f) {
-    fail("the eye is inside of the display", "move it more than one display radius away from the centre");
-  }
-  if (options.width < 1 || options.height < 1 || options.width > kMostPixels / options.height) {
-    fail("the image must have at least one and at most 2^26 pixels", "change its size");
-  }
-  if (!(options.fovVerticalDegrees >= 0 && options.fovVerticalDegrees < 179)) {
-    fail("the vertical field of view must lie between 0 and 179 degrees", "change it");
-  }
-  if (!(options.exposureSeconds >= 0 && options.exposureSeconds <= 3600)) {
-    fail("the exposure must lie between 0 and 3600 seconds", "change it");
-  }
-  if (!std::isfinite(options.missingSectorStartDegrees) || std::abs(options.missingSectorStartDegrees) > 360) {
-    fail("the start of the missing sector must lie between -360 and 360 degrees", "change it");
-  }
-  if (!(options.gain >= 0 && options.gain <= 1e9) || !(options.gamma >= 0.1 && options.gamma <= 10)) {
-    fail("the gain must lie between 0 and 1e9, gamma between 0.1 and 10", "change them");
-  }
-}
-
-/// The perspective of the eye: (right, down, forward) coordinates from the eye and pixels from those.
-class EyePerspective {
- public:
-  explicit EyePerspective(const ObserverOptions& options)
-      : eye_(options.eye), centerU_(options.width / 2.0), centerV_(options.height / 2.0) {
-    distance = glm::length(eye_);
-    forward_ = -eye_ / distance;
-    // Straight from above or below there is no "up" on the y axis: what is farther from the default eye is up then.
-    const glm::dvec3 up = std::abs(forward_.y) > 0.99999 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
-    right_ = glm::normalize(glm::cross(forward_, up));
-    down_ = glm::cross(forward_, right_);
-    const double halfFov =
-        options.fovVerticalDegrees > 0 ? radiansFromDegrees(options.fovVerticalDegrees) / 2 : std::asin(1 / distance);
-    pixelsPerTangent = options.height / 2.0 / std::tan(halfFov);
-  }
-
-  glm::dvec3 direction(const glm::dvec3& d) const {
-    return {glm::dot(d, right_), glm::dot(d, down_), glm::dot(d, forward_)};
-  }
-  glm::dvec3 point(const glm::dvec3& p) const { return direction(p - eye_); }
-  /// `p` is in eye coordinates with positive z.
-  glm::dvec2 pixel(const glm::dvec3& p) const {
-    return {centerU_ + pixelsPerTangent * p.x / p.z, centerV_ + pixelsPerTangent * p.y / p.z};
-  }
-
-  double distance = 0;          ///< of the display's centre
-  double pixelsPerTangent = 0;  ///< focal length in pixels
-
- private:
-  glm::dvec3 eye_;
-  double centerU_;
-  double centerV_;
-  glm::dvec3 forward_{0};
-  glm::dvec3 right_{0};
-  glm::dvec3 down_{0};
-};
 
 /// A short arc around the axis, in eye coordinates: unit vectors outwards and along the sweep at its middle.
 struct Arc {
@@ -135,7 +70,7 @@ class Collector {
     forEachLit(volume_, arc.slice, [&](int column, int row, unsigned colorBits) {
       const double r = sweep_.columnRadius(column);
       const glm::dvec3 onAxis = axis_ + up_ * sweep_.rowCenterY(row);
-      const double pixelsPerRadius = eye_.pixelsPerTangent / std::max(onAxis.z - std::abs(r), kNearest);
+      const double pixelsPerRadius = eye_.pixelsPerTangent / std::max(onAxis.z - std::abs(r), kNearestToEye);
       const std::vector<Arc>& arcs = parts.forLength(std::abs(r) * radians * pixelsPerRadius);
       const int columnParts = columnPartsFor(sweep_.columnWidth() * pixelsPerRadius);
       const double width = sweep_.columnWidth() / columnParts;
@@ -157,7 +92,7 @@ class Collector {
   void addPart(const Arc& arc, const glm::dvec3& onAxis, double r, double width, double light, unsigned colorBits,
                LightImage& image) const {
     const glm::dvec3 p = onAxis + arc.outward * r;
-    if (p.z < kNearest) {
+    if (p.z < kNearestToEye) {
       return;
     }
     const glm::dvec2 at = eye_.pixel(p);
@@ -187,8 +122,35 @@ float brightest(const glm::vec3& color) {
 
 }  // namespace
 
+void checkObserverOptions(const ObserverOptions& options, const DisplayProfile& profile) {
+  const auto fail = [](const std::string& what, const std::string& next) { throw InputError(what, "observer", next); };
+  const glm::vec3& eye = options.eye;
+  if (!std::isfinite(eye.x) || !std::isfinite(eye.y) || !std::isfinite(eye.z)) {
+    fail("the eye has a coordinate that is not a finite number", "give three finite numbers");
+  }
+  const bool inDisplay = std::hypot(eye.x, eye.z) <= 1 && std::abs(eye.y) <= profile.halfHeightRadii;
+  if (inDisplay || glm::length(eye) <= 1.001f) {
+    fail("the eye is inside of the display", "move it more than one display radius away from the centre");
+  }
+  if (options.width < 1 || options.height < 1 || options.width > kMostPixels / options.height) {
+    fail("the image must have at least one and at most 2^26 pixels", "change its size");
+  }
+  if (!(options.fovVerticalDegrees >= 0 && options.fovVerticalDegrees < 179)) {
+    fail("the vertical field of view must lie between 0 and 179 degrees", "change it");
+  }
+  if (!(options.exposureSeconds >= 0 && options.exposureSeconds <= 3600)) {
+    fail("the exposure must lie between 0 and 3600 seconds", "change it");
+  }
+  if (!std::isfinite(options.missingSectorStartDegrees) || std::abs(options.missingSectorStartDegrees) > 360) {
+    fail("the start of the missing sector must lie between -360 and 360 degrees", "change it");
+  }
+  if (!(options.gain >= 0 && options.gain <= 1e9) || !(options.gamma >= 0.1 && options.gamma <= 10)) {
+    fail("the gain must lie between 0 and 1e9, gamma between 0.1 and 10", "change them");
+  }
+}
+
 Image<glm::vec3> collectLight(const Volume& volume, const ObserverOptions& options) {
-  validate(options, volume.profile());
+  checkObserverOptions(options, volume.profile());
   const double seconds = options.exposureSeconds > 0 ? options.exposureSeconds : 1 / volume.profile().refreshHertz();
   const std::vector<ExposedArc> arcs = exposedArcs(volume.profile(), seconds, options.missingSectorStartDegrees);
   const Collector collector(volume, options);

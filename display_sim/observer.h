@@ -28,9 +28,12 @@ struct ObserverOptions {
   double gamma = 1;  ///< of tone()
 };
 
-/// collectLight(), then tone(). Linear light; the same bytes with any number of threads. Throws InputError for an eye
-/// in the display and other options that make no sense.
+/// collectLight(), then tone(). Linear light; the same bytes with any number of threads. Throws as
+/// checkObserverOptions() does.
 Image<glm::vec3> observe(const Volume& volume, const ObserverOptions& options = {});
+
+/// Throws InputError for an eye in the display and other options that make no sense.
+void checkObserverOptions(const ObserverOptions& options, const DisplayProfile& profile);
 
 /// The light that reaches each pixel; its sum over the image is the light of all voxels that the image holds.
 Image<glm::vec3> collectLight(const Volume& volume, const ObserverOptions& options);

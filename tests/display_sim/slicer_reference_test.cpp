@@ -6,27 +6,15 @@
 
 #include "tests/display_sim/test_meshes.h"
 #include "tests/display_sim/test_profiles.h"
+#include "tests/display_sim/volume_checks.h"
 
 namespace ocelli {
 namespace {
 
 using test::addTriangle;
+using test::contains;
 using test::PointSource;
 using test::smallProfile;
-
-/// Each bit of `inner` is in `outer`.
-::testing::AssertionResult contains(const Volume& outer, const Volume& inner) {
-  for (int i = 0; i < inner.slices(); ++i) {
-    for (size_t at = 0; at < inner.layout().sliceBytes; ++at) {
-      if ((inner.slice(i)[at] & ~outer.slice(i)[at]) != 0) {
-        return ::testing::AssertionFailure()
-               << "slice " << i << ", row " << at % inner.layout().planeBytes / inner.layout().rowBytes << ", byte "
-               << at % inner.layout().rowBytes;
-      }
-    }
-  }
-  return ::testing::AssertionSuccess();
-}
 
 /// `reach` is the largest coordinate, in display radii: the rounding bound grows with it.
 void expectBracketed(const Mesh& mesh, const DisplayProfile& profile, double reach = 1) {

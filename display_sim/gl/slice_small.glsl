@@ -1,0 +1,42 @@
+// One invocation a triangle: small ones are sliced here, the parts of large ones queued.
+layout(local_size_x = 64) in;
+
+// What an invocation does alone: at most so many sectors times rows, and these times columns.
+const int kMostRowsAlone = 64;
+const int kMostVoxelsAlone = 1024;
+
+// No part of it is wider, in columns.
+Real widthOf(Triangle t) {
+  Real square = 0;
+  for (int k = 0; k < 3; ++k) {
+    Real2 side = t.corner[k].xz - t.corner[k == 2 ? 0 : k + 1].xz;
+    square = max(square, dot(side, side));
+  }
+  return sqrt(square);
+}
+
+void main() {
+  // Two dimensions of groups, as one may be limited to 65535 of them.
+  uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+  if (index >= triangleCount) {
+    return;
+  }
+  ivec2 sectors = sectorsOf(index);
+  Triangle triangle = loadTriangle(index);
+  ivec2 rows = touchedRows(triangle);
+  if (rows.x > rows.y) {
+    return;
+  }
+  int work = sectors.y * (rows.y - rows.x + 1);
+  if (work <= kMostRowsAlone && work * (widthOf(triangle) + 2) <= kMostVoxelsAlone) {
+    for (int i = 0; i < sectors.y; ++i) {
+      lightSector(triangle, (sectors.x + i) % (2 * slices), rows);
+    }
+    return;
+  }
+  uint groups = (uint(sectors.y) * bandsOf(rows) + kGroupParts - 1u) / kGroupParts;
+  uint at = atomicAdd(queuedCount, groups);
+  for (uint i = 0u; i < groups && at + i < room; ++i) {
+    queued[at + i] = uvec2(index, i);
+  }
+}
