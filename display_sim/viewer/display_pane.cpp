@@ -16,8 +16,8 @@ namespace {
 constexpr int kRimSegments = 96;
 constexpr int kGainImageSide = 256;
 
-double sliceSeconds(const DisplayProfile& profile) {
-  return 30 / profile.rotationsPerMinute / profile.slicesPerHalfTurn;
+double focalPixels(const ObserverOptions& options) {
+  return options.height / 2.0 / std::tan(radiansFromDegrees(options.fovVerticalDegrees) / 2);
 }
 
 /// The place on the screen at an angle: `outward` from -1 to 1, `up` from -1 to 1.
@@ -28,9 +28,19 @@ glm::vec3 onScreen(const DisplayProfile& profile, double degrees, double outward
 
 }  // namespace
 
-double shownExposure(const DisplayShown& shown, const DisplayProfile& profile) {
-  const double refresh = 1 / profile.refreshHertz();
-  return std::clamp(shown.persistenceSeconds * shown.speed, std::min(sliceSeconds(profile), refresh), refresh);
+ShownSweep shownSweep(const DisplayShown& shown, const DisplayProfile& profile) {
+  const double step = kPi / profile.slicesPerHalfTurn;
+  const double refresh = step * profile.storedSlices();
+  const double radiansPerSecond = shown.speed * profile.rotationsPerMinute / 60 * 2 * kPi;
+  const double fade = std::max(shown.persistenceSeconds * radiansPerSecond, step);
+  const double end = radiansFromDegrees(shown.sweepDegrees);
+  if (fade >= refresh) {
+    return {{.endRadians = end, .sweptRadians = refresh}, 1};
+  }
+  constexpr double kFades = 6;  // e^-6 of the light is too little to see
+  const double swept = std::min(kFades * fade, refresh);
+  return {{.endRadians = end, .sweptRadians = swept, .fadeRadians = fade},
+          std::min(refresh / fade, kMostSlowMotionGain)};
 }
 
 DisplayPane::DisplayPane(GlContext& context)
@@ -40,54 +50,67 @@ DisplayPane::DisplayPane(GlContext& context)
       program_(makeProgram(context, "light of the display",
                            {{GL_VERTEX_SHADER, {shaders::kScreenVertex}},
                             {GL_FRAGMENT_SHADER, {shaders::kEncode, shaders::kLightFragment}}})),
-      vertexArray_(makeVertexArray(context)) {}
+      vertexArray_(makeVertexArray(context)),
+      observer_(context) {}
+
+/// The gain is that of a view from in front, so that it does not change while the eye moves.
+void DisplayPane::look(const SlicedVolume& volume) {
+  glVolume_.reset();
+  glVolume_.emplace(*context_, volume.volume);
+  observer_.look(*glVolume_);
+  const DisplayProfile& profile = volume.volume.profile();
+  GlObserverOptions front;
+  front.view.eye = {0, 0, static_cast<float>(profile.viewingDistanceRadii())};
+  front.view.width = front.view.height = kGainImageSide;
+  front.view.fovVerticalDegrees = degreesFromRadians(2 * std::asin(1 / profile.viewingDistanceRadii()));
+  observer_.draw(front);
+  gain_ = automaticGain(observer_.readLight()) * std::pow(focalPixels(front.view), 2);
+}
 
 void DisplayPane::draw(const ViewerState& state, const ViewerData& data, const glm::ivec2& size, float lineScale) {
-  target_.begin(size.x, size.y, rgb(kSpaceColor));
   problem_.clear();
-  if (!data.volume) {
+  if (data.volume != volume_) {
+    if (data.volume) {
+      look(*data.volume);
+    }
+    volume_ = data.volume;
+  }
+  if (!volume_) {
+    target_.begin(size.x, size.y, rgb(kSpaceColor));
     return;
   }
-  const Volume& volume = data.volume->volume;
-  const DisplayProfile& profile = volume.profile();
+  const DisplayProfile& profile = volume_->volume.profile();
   View view = displayView(state);
-  view.target = {0, 0, 0};  // an observer looks at the middle of the display
-  ObserverOptions options{.eye = view.eye, .width = size.x, .height = size.y};
-  options.fovVerticalDegrees = displayView(state).resolvedFovVerticalDegrees();
-  options.missingSectorStartDegrees = state.display.sweepDegrees;
+  const ShownSweep sweep = shownSweep(state.display, profile);
+  GlObserverOptions options;
+  options.view.eye = view.eye;
+  options.view.width = size.x;
+  options.view.height = size.y;
+  options.view.fovVerticalDegrees = view.resolvedFovVerticalDegrees();
+  options.window = sweep.window;
   try {
-    if (gainVersion_ != data.version) {  // seen from in front, so that it does not change while the eye moves
-      gain_ = automaticGain(collectLight(volume, {.eye = {0, 0, static_cast<float>(profile.viewingDistanceRadii())},
-                                                  .width = kGainImageSide,
-                                                  .height = kGainImageSide}));
-      gainVersion_ = data.version;
-    }
-    options.exposureSeconds = shownExposure(state.display, profile);
-    const double slowness = 1 / (options.exposureSeconds * profile.refreshHertz());
-    showLight(collectLight(volume, options), gain_ * state.display.gain * std::min(slowness, kMostSlowMotionGain));
+    observer_.draw(options);
   } catch (const InputError&) {
+    target_.begin(size.x, size.y, rgb(kSpaceColor));
     problem_ = "your eye is inside of the display";
     return;
   }
-  view.fovVerticalDegrees = options.fovVerticalDegrees;
+  target_.begin(size.x, size.y, rgb(kSpaceColor));
+  showLight(gain_ / std::pow(focalPixels(options.view), 2) * sweep.gain * state.display.gain);
+  view.target = {0, 0, 0};  // an observer looks at the middle of the display
+  view.up = {0, 1, 0};
+  view.fovVerticalDegrees = options.view.fovVerticalDegrees;
   const float reach = glm::length(view.eye) + 2 + static_cast<float>(profile.halfHeightRadii);
   lineDraw_.draw(lines(state.display, profile, lineScale), {view, size.x, size.y}, {view.zNear, reach}, 1);
 }
 
-void DisplayPane::showLight(const Image<glm::vec3>& light, double gain) {
+void DisplayPane::showLight(double gain) {
   const GladGLContext& gl = context_->gl();
-  const glm::ivec2 size(light.width(), light.height());
-  if (size != lightSize_) {
-    light_ = makeTexture(*context_, GL_RGB32F, size.x, size.y);
-    lightSize_ = size;
-  }
-  gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl.TextureSubImage2D(light_.id(), 0, 0, 0, size.x, size.y, GL_RGB, GL_FLOAT, light.data());
   gl.ProgramUniform1f(program_.id(), 0, static_cast<float>(gain));
   gl.Disable(GL_DEPTH_TEST);
   gl.UseProgram(program_.id());
   gl.BindVertexArray(vertexArray_.id());
-  gl.BindTextureUnit(0, light_.id());
+  gl.BindTextureUnit(0, observer_.light().id());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
   gl.Enable(GL_DEPTH_TEST);
   context_->check("showing the display");

@@ -4,19 +4,23 @@
 
 #include <string>
 
-#include "display_sim/observer.h"
+#include "display_sim/gl/gl_observer.h"
 #include "display_sim/viewer/pane_target.h"
 #include "display_sim/viewer/scene_draw.h"
 #include "display_sim/viewer/viewer_data.h"
 
 namespace ocelli {
 
-/// What the eye holds on to, in seconds of a display that turns as fast as it does: persistence times speed, but at
-/// least one slice and at most one refresh of those that stand.
-double shownExposure(const DisplayShown& shown, const DisplayProfile& profile);
+/// What the eye still sees of the sweep, and how much brighter that is than what the display shows at its own speed.
+struct ShownSweep {
+  SweepWindow window;
+  double gain = 1;
+};
 
-/// A display that turns slower shows a slice for longer: the light of a shorter exposure is raised in proportion, up to
-/// this.
+/// The light of a slice fades over the persistence: over `persistence x speed` of sweep, but over one slice at least.
+/// Where that is a whole refresh or more, the eye sees a steady image. A display that turns slower shows each slice for
+/// longer: what is left of the sweep is as much brighter, up to kMostSlowMotionGain.
+ShownSweep shownSweep(const DisplayShown& shown, const DisplayProfile& profile);
 inline constexpr double kMostSlowMotionGain = 6;
 
 class DisplayPane {
@@ -31,7 +35,8 @@ class DisplayPane {
   const std::string& problem() const { return problem_; }
 
  private:
-  void showLight(const Image<glm::vec3>& light, double gain);
+  void look(const SlicedVolume& volume);
+  void showLight(double gain);
   std::vector<ColoredLine> lines(const DisplayShown& shown, const DisplayProfile& profile, float lineScale) const;
 
   GlContext* context_;
@@ -39,10 +44,10 @@ class DisplayPane {
   LineDraw lineDraw_;
   GlObject program_;
   GlObject vertexArray_;
-  GlObject light_;
-  glm::ivec2 lightSize_{0};
-  double gain_ = 0;  ///< automatic, of one whole refresh
-  uint64_t gainVersion_ = 0;
+  GlObserver observer_;
+  std::shared_ptr<const SlicedVolume> volume_;  ///< that the observer looks at
+  std::optional<GlVolume> glVolume_;
+  double gain_ = 0;  ///< automatic, for one refresh, on the light of an image whose focal length is one pixel
   std::string problem_;
 };
 

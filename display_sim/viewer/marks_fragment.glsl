@@ -10,7 +10,10 @@ void main() {
   ivec2 size = textureSize(states, 0);
   ivec2 at = ivec2(gl_FragCoord.xy);
   uint state = texelFetch(states, at, 0).r;
-  shownColor = texelFetch(frameColors, at, 0);
+  // Greyish and dim, so that the false colours stand out from any scene.
+  vec3 color = texelFetch(frameColors, at, 0).rgb;
+  float grey = dot(color, vec3(0.299, 0.587, 0.114));
+  shownColor = vec4(0.6 * mix(color, vec3(grey), 0.8), 1);
   if (state == 0) {
     return;
   }

@@ -16,8 +16,8 @@ struct LegendEntry {
   std::string text;
 };
 
-/// At the bottom left of a pane, on a dimmed ground.
-void drawLegend(const WindowRect& image, const std::vector<LegendEntry>& entries, float scale) {
+/// At the bottom of a pane, on a dimmed ground; to the right in the scene's, where there is less to hide.
+void drawLegend(Pane pane, const WindowRect& image, const std::vector<LegendEntry>& entries, float scale) {
   if (entries.empty()) {
     return;
   }
@@ -33,7 +33,8 @@ void drawLegend(const WindowRect& image, const std::vector<LegendEntry>& entries
     return;  // the pane is too small for it
   }
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const ImVec2 corner(image.x + margin, image.bottom() - margin - size.y);
+  const float left = pane == Pane::kScene ? image.right() - margin - size.x : image.x + margin;
+  const ImVec2 corner(left, image.bottom() - margin - size.y);
   list.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, kGuiBackground.packed(205), 4 * scale);
   float y = corner.y + margin / 2 + 1.5f * scale;
   for (const LegendEntry& entry : entries) {
@@ -208,10 +209,11 @@ std::string sampleText(const ReferenceImage& image, const glm::ivec2& pixel) {
   if (!(z > 0)) {
     return where + "no sample";
   }
+  const auto hundredths = [](float value) { return std::round(value * 100) / 100 + 0.0f; };  // no "-0.00"
   const glm::vec2 d = image.displacement(pixel.x, pixel.y);
   const glm::vec3 c = image.color(pixel.x, pixel.y);
-  return fmt::format("{}z {:.4f}, displaced {:+.2f} {:+.2f}, colour {:.2f} {:.2f} {:.2f}", where, z, d.x, d.y, c.x, c.y,
-                     c.z);
+  return fmt::format("{}z {:.4f}, displaced {:.2f} {:.2f}\ncolour {:.2f} {:.2f} {:.2f} (linear)", where, z,
+                     hundredths(d.x), hundredths(d.y), c.x, c.y, c.z);
 }
 
 std::string missingText(const MissingSamples& missing) {
@@ -221,7 +223,7 @@ std::string missingText(const MissingSamples& missing) {
 void drawPaneOverlays(const PanelDrawing& drawing) {
   for (const PaneLayout& layout : drawing.layout.panes) {
     drawHeader(drawing, layout);
-    drawLegend(layout.image, legendOf(drawing, layout.pane), drawing.scale);
+    drawLegend(layout.pane, layout.image, legendOf(drawing, layout.pane), drawing.scale);
     drawNotes(drawing, layout);
   }
 }

@@ -9,7 +9,7 @@ namespace ocelli {
 /// Between the beginning and the end of a frame of the GuiLayer.
 void drawPaneOverlays(const PanelDrawing& drawing);
 
-/// "pixel 312, 200: z 9.874, displaced +12.3 -0.4, colour 0.81 0.55 0.20"; "... no sample".
+/// "pixel 312, 200: z 9.8740, displaced 12.30 -0.40", then its colour on a second line; or "... no sample".
 std::string sampleText(const ReferenceImage& image, const glm::ivec2& pixel);
 /// "missing 1.23 %, thick 0.10 %".
 std::string missingText(const MissingSamples& missing);

@@ -130,6 +130,8 @@ void ScriptPlayer::perform(const SecondsStep& step) {
 }
 
 void ScriptPlayer::perform(const SaveStep& step) {
+  viewer_.update(0);
+  viewer_.draw();  // a panel that has just opened is laid out in its first frame, and shows in the next
   const std::filesystem::path path = folder_ / step.file;
   std::error_code ignored;
   std::filesystem::create_directories(path.parent_path(), ignored);

@@ -160,7 +160,7 @@ void SidePanel::drawDisplay(const PanelDrawing& drawing) {
     display.speed = std::exp2(std::round(exponent));
   }
   auto persistence = static_cast<float>(display.persistenceSeconds * 1000);
-  if (ImGui::SliderFloat("persistence", &persistence, 1, 500, "%.0f ms",
+  if (ImGui::SliderFloat("persistence", &persistence, 1, 5000, "%.0f ms",
                          ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic)) {
     display.persistenceSeconds = persistence / 1000.0;
   }

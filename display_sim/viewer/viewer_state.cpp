@@ -15,7 +15,7 @@ constexpr double kBlinkSeconds = 0.5;
 View outsideView() {
   View view;
   view.eye = {-4.6f, 2.5f, -0.9f};
-  view.target = {0, 0, 2.4f};
+  view.target = {0, 0, 3.1f};
   view.fovVerticalDegrees = 50;
   return view;
 }
@@ -23,7 +23,7 @@ View outsideView() {
 View displayFrontView() {
   View view;
   view.eye = {0, 2.6f, 9.6f};
-  view.fovVerticalDegrees = 15;
+  view.fovVerticalDegrees = 16.5;
   return view;
 }
 

@@ -79,7 +79,7 @@ struct DisplayShown {
   bool running = true;
   double speed = 1;         ///< 1 turns as fast as the display does
   double sweepDegrees = 0;  ///< angle of the screen, in [0, 360)
-  double persistenceSeconds = 1.0 / 24;  ///< what the eye holds on to
+  double persistenceSeconds = 0.1;  ///< until what the eye sees has faded to 1 / e
   double gain = 1;          ///< on the automatic one
 };
 inline constexpr double kLeastSpeed = 1.0 / 16384;
