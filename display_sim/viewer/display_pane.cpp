@@ -64,10 +64,15 @@ void DisplayPane::look(const SlicedVolume& volume) {
   front.view.width = front.view.height = kGainImageSide;
   front.view.fovVerticalDegrees = degreesFromRadians(2 * std::asin(1 / profile.viewingDistanceRadii()));
   observer_.draw(front);
-  gain_ = automaticGain(observer_.readLight()) * std::pow(focalPixels(front.view), 2);
+  gain_ = automaticGain(observer_.readLight()) / std::pow(focalPixels(front.view), 2);
 }
 
 void DisplayPane::draw(const ViewerState& state, const ViewerData& data, const glm::ivec2& size, float lineScale) {
+  const Key key{data.volume, state.display, displayView(state), size, lineScale};
+  if (key == drawn_) {
+    return;
+  }
+  drawn_ = key;
   problem_.clear();
   if (data.volume != volume_) {
     if (data.volume) {
@@ -96,7 +101,7 @@ void DisplayPane::draw(const ViewerState& state, const ViewerData& data, const g
     return;
   }
   target_.begin(size.x, size.y, rgb(kSpaceColor));
-  showLight(gain_ / std::pow(focalPixels(options.view), 2) * sweep.gain * state.display.gain);
+  showLight(gain_ * std::pow(focalPixels(options.view), 2) * sweep.gain * state.display.gain);
   view.target = {0, 0, 0};  // an observer looks at the middle of the display
   view.up = {0, 1, 0};
   view.fovVerticalDegrees = options.view.fovVerticalDegrees;

@@ -47,7 +47,17 @@ class DisplayPane {
   GlObserver observer_;
   std::shared_ptr<const SlicedVolume> volume_;  ///< that the observer looks at
   std::optional<GlVolume> glVolume_;
-  double gain_ = 0;  ///< automatic, for one refresh, on the light of an image whose focal length is one pixel
+  double gain_ = 0;  ///< automatic, for one refresh, times the square of the focal length in pixels
+  /// What the image was drawn for.
+  struct Key {
+    std::shared_ptr<const SlicedVolume> volume;
+    DisplayShown shown;
+    View view;
+    glm::ivec2 size{0};
+    float lineScale = 0;
+    bool operator==(const Key&) const = default;
+  };
+  std::optional<Key> drawn_;
   std::string problem_;
 };
 

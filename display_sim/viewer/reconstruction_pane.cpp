@@ -31,13 +31,19 @@ void ReconstructionPane::show(const PaneTarget& image, const Place& place) {
 void ReconstructionPane::draw(const ViewerState& state, const ViewerData& data, const glm::ivec2& size,
                               MeshDraw& meshes) {
   using Content = ReconstructionShown::Content;
+  const Content content = state.reconstruction.content;
+  const View& view = state.reconstruction.view;
+  const Key key{view, content, content == Content::kBlink && blinkShowsTruth(state), data.version, size};
+  if (key == drawn_) {
+    return;
+  }
+  drawn_ = key;
   places_.clear();
   if (!data.camera) {
     missing_.reset();
     target_.begin(size.x, size.y, rgb(kPaneColor));
     return;
   }
-  const View& view = state.reconstruction.view;
   const auto compare = [&](int width, int height) {
     return comparison_.draw(*data.sceneMesh, *data.cameraMesh, data.scene->bounds, {view, width, height},
                             rgb(kSpaceColor), meshes);
@@ -49,7 +55,6 @@ void ReconstructionPane::draw(const ViewerState& state, const ViewerData& data, 
     missingView_ = view;
   }
 
-  const Content content = state.reconstruction.content;
   const double aspect = static_cast<double>(reference.width()) / reference.height();
   places_ = placesBeside(size, aspect, content == Content::kSideBySide ? 2 : 1);
   compare(places_[0].size.x, places_[0].size.y);

@@ -34,6 +34,16 @@ class ReconstructionPane {
   View missingView_;
   uint64_t missingVersion_ = 0;
   std::vector<Place> places_;
+  /// What the image was drawn for.
+  struct Key {
+    View view;
+    ReconstructionShown::Content content = ReconstructionShown::Content::kMarked;
+    bool blinks = false;
+    uint64_t version = 0;
+    glm::ivec2 size{0};
+    bool operator==(const Key&) const = default;
+  };
+  std::optional<Key> drawn_;
 };
 
 /// `count` images of this aspect ratio (width to height) beside each other in a pane, as large as possible.

@@ -64,6 +64,11 @@ void ReferencePane::upload(const ReferenceImage& image) {
 
 void ReferencePane::draw(const ViewerState& state, const ViewerData& data, const std::optional<glm::ivec2>& picked,
                          const glm::ivec2& size) {
+  const Key key{state.reference, data.version, picked, size};
+  if (key == drawn_) {
+    return;
+  }
+  drawn_ = key;
   const GladGLContext& gl = context_->gl();
   target_.begin(size.x, size.y, rgb(kPaneColor));
   const ReferenceImage* image = shownImage(state, data);

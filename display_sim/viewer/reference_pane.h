@@ -42,6 +42,15 @@ class ReferencePane {
   uint64_t uploadedVersion_ = 0;
   int uploadedImage_ = -1;
   ReferenceScale scale_;
+  /// What the image was drawn for.
+  struct Key {
+    ReferenceShown shown;
+    uint64_t version = 0;
+    std::optional<glm::ivec2> picked;
+    glm::ivec2 size{0};
+    bool operator==(const Key&) const = default;
+  };
+  std::optional<Key> drawn_;
 };
 
 /// The image that the state asks for; null where there is none.

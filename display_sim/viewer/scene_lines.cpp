@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "display_sim/viewer/viewer_colors.h"
+#include "oc_core/base/parallel.h"
 #include "oc_core/ocri/eoc_builder.h"
 
 namespace ocelli {
@@ -81,69 +83,71 @@ void addEye(std::vector<ColoredLine>& lines, const View& view, const PinholeCame
   lines.push_back({view.eye, view.target, withOpacity(kEyeColor, 0.4f), 0.75f * width});
 }
 
-class RayLines {
- public:
-  RayLines(const BuiltCamera& camera, const std::vector<RayFunction>& rays, const Box& bounds)
-      : camera_(camera), rays_(rays), bounds_(bounds), depths_(depthsOf(camera.reference, bounds)) {}
+}  // namespace
 
-  std::vector<glm::vec3> points(const PickedPixel& at) const {
-    const ReferenceImage& image = camera_.representation.images[static_cast<size_t>(at.image)];
-    const float z = image.z(at.pixel.x, at.pixel.y);
-    const glm::vec2 center = glm::vec2(at.pixel) + 0.5f;
-    // Depths of a sample are along its own image's view, those of other ends along the reference's.
-    const PinholeCamera reference = image.reference();
-    const float farthest = z > 0 ? z : depthsOf(reference, bounds_).farthest;
-    return rayBetween(rays_[static_cast<size_t>(at.image)](center), reference, reference.view().zNear, farthest);
+std::vector<glm::vec3> sampledRay(const BuiltCamera& camera, const std::vector<RayFunction>& rays, const Box& bounds,
+                                  const PickedPixel& at) {
+  const auto index = static_cast<size_t>(at.image);
+  if (index >= rays.size()) {
+    return {};
   }
+  // Depths of a sample are along its own image's view.
+  const ReferenceImage& image = camera.representation.images[index];
+  const PinholeCamera reference = image.reference();
+  const float z = image.z(at.pixel.x, at.pixel.y);
+  const float farthest = z > 0 ? z : depthsOf(reference, bounds).farthest;
+  return rayBetween(rays[index](glm::vec2(at.pixel) + 0.5f), reference, reference.view().zNear, farthest);
+}
 
-  void addGrid(const SceneShown& shown, float width, SceneLines& result) const {
-    const ReferenceImages& images = camera_.representation.images;
-    std::vector<ColoredLine> bent;
-    for (size_t i = 0; i < images.size(); ++i) {
-      for (int row = 0; row < shown.rayRows; ++row) {
-        for (int column = 0; column < shown.rayColumns; ++column) {
-          const PickedPixel at{static_cast<int>(i),
-                               {(2 * column + 1) * images[i].width() / (2 * shown.rayColumns),
-                                (2 * row + 1) * images[i].height() / (2 * shown.rayRows)}};
-          if (!(images[i].z(at.pixel.x, at.pixel.y) > 0)) {
-            continue;  // it samples nothing
+RayGrid rayGrid(const BuiltCamera& camera, const std::vector<RayFunction>& rays, const Box& bounds, int columns,
+                int rows) {
+  RayGrid grid;
+  const ReferenceImages& images = camera.representation.images;
+  for (size_t i = 0; i < images.size(); ++i) {
+    const ReferenceImage& image = images[i];
+    std::vector<RayGrid> ofRows(static_cast<size_t>(rows));
+    parallelFor(ofRows.size(), 1, [&](size_t begin, size_t end) {
+      for (size_t row = begin; row < end; ++row) {
+        const int y = (2 * static_cast<int>(row) + 1) * image.height() / (2 * rows);
+        const int steps = columns * kBentSearch;
+        for (int step = 0; step < steps; ++step) {
+          const int x = (2 * step + 1) * image.width() / (2 * steps);
+          if (!(image.z(x, y) > 0)) {
+            continue;
           }
-          const std::vector<glm::vec3> ray = points(at);
+          std::vector<glm::vec3> ray = sampledRay(camera, rays, bounds, {static_cast<int>(i), {x, y}});
           if (isBent(ray, kBendTolerance)) {
-            addPolyline(bent, ray, withOpacity(kBentRayColor, 0.9f), width);
-            ++result.bentRays;
-          } else if (shown.straightRays && ray.size() > 1) {
-            addPolyline(result.lines, ray, withOpacity(kRayColor, 0.28f), 0.75f * width);
-            ++result.straightRays;
+            ofRows[row].bent.push_back(std::move(ray));
+          } else if (step % kBentSearch == kBentSearch / 2 && ray.size() > 1) {
+            ofRows[row].straight.push_back(std::move(ray));
           }
         }
       }
+    });
+    for (RayGrid& row : ofRows) {
+      std::ranges::move(row.straight, std::back_inserter(grid.straight));
+      std::ranges::move(row.bent, std::back_inserter(grid.bent));
     }
-    result.lines.insert(result.lines.end(), bent.begin(), bent.end());
   }
+  return grid;
+}
 
- private:
-  const BuiltCamera& camera_;
-  const std::vector<RayFunction>& rays_;
-  Box bounds_;
-  Depths depths_;
-};
-
-}  // namespace
-
-SceneLines sceneLines(const ViewerState& state, const BuiltCamera& camera, const std::vector<RayFunction>* rays,
-                      const Box& bounds, const std::optional<PickedPixel>& picked, float lineScale) {
+SceneLines sceneLines(const ViewerState& state, const BuiltCamera& camera, const RayGrid& rays, const Box& bounds,
+                      float lineScale) {
   SceneLines result;
-  const Depths depths = depthsOf(camera.reference, bounds);
-  if (rays != nullptr) {
-    const RayLines rayLines(camera, *rays, bounds);
-    if (state.scene.rays) {
-      rayLines.addGrid(state.scene, 1.25f * lineScale, result);
+  if (state.scene.rays && state.scene.straightRays) {
+    for (const auto& ray : rays.straight) {
+      addPolyline(result.lines, ray, withOpacity(kRayColor, 0.3f), lineScale);
     }
-    if (picked && static_cast<size_t>(picked->image) < rays->size()) {
-      addPolyline(result.lines, rayLines.points(*picked), opaque(kPickedColor), 2.5f * lineScale);
-    }
+    result.straightRays = rays.straight.size();
   }
+  if (state.scene.rays) {
+    for (const auto& ray : rays.bent) {
+      addPolyline(result.lines, ray, withOpacity(kBentRayColor, 0.6f), lineScale);
+    }
+    result.bentRays = rays.bent.size();
+  }
+  const Depths depths = depthsOf(camera.reference, bounds);
   if (state.scene.frustum) {
     addFrustum(result.lines, camera.reference, {depths.nearest, depths.farthest}, opaque(kReferenceColor), lineScale);
   }

@@ -16,15 +16,31 @@ struct PickedPixel {
   bool operator==(const PickedPixel&) const = default;
 };
 
+/// The ray of a pixel, from the eye to the sample that it holds; to the far end of `bounds` where it holds none. Empty
+/// where there is no such image.
+std::vector<glm::vec3> sampledRay(const BuiltCamera& camera, const std::vector<RayFunction>& rays, const Box& bounds,
+                                  const PickedPixel& at);
+
+/// Rays that hold samples.
+struct RayGrid {
+  std::vector<std::vector<glm::vec3>> straight;
+  std::vector<std::vector<glm::vec3>> bent;
+};
+
+/// Straight rays from a grid over each of the images. Bent ones, of which there are few, are looked for kBentSearch
+/// times as densely along its rows.
+RayGrid rayGrid(const BuiltCamera& camera, const std::vector<RayFunction>& rays, const Box& bounds, int columns,
+                int rows);
+inline constexpr int kBentSearch = 8;
+
 struct SceneLines {
   std::vector<ColoredLine> lines;
-  size_t straightRays = 0;  ///< that were drawn
+  size_t straightRays = 0;  ///< that are drawn
   size_t bentRays = 0;
 };
 
-/// Rays end at the sample that they hold; those without one at the far end of `bounds`. `rays` may be null: not known
-/// yet. Widths are in pixels times `lineScale`.
-SceneLines sceneLines(const ViewerState& state, const BuiltCamera& camera, const std::vector<RayFunction>* rays,
-                      const Box& bounds, const std::optional<PickedPixel>& picked, float lineScale);
+/// Widths are in pixels times `lineScale`.
+SceneLines sceneLines(const ViewerState& state, const BuiltCamera& camera, const RayGrid& rays, const Box& bounds,
+                      float lineScale);
 
 }  // namespace ocelli

@@ -7,6 +7,11 @@ namespace ocelli {
 
 void ScenePane::draw(const ViewerState& state, const ViewerData& data, const std::optional<PickedPixel>& picked,
                      const glm::ivec2& size, float lineScale, MeshDraw& meshes) {
+  const Key key{state.scene, state.reconstruction.view, picked, data.version, size, lineScale};
+  if (key == drawn_) {
+    return;
+  }
+  drawn_ = key;
   target_.begin(size.x, size.y, rgb(kPaneColor));
   shown_ = {};
   if (!data.scene) {
@@ -14,7 +19,16 @@ void ScenePane::draw(const ViewerState& state, const ViewerData& data, const std
   }
   const PinholeCamera camera(state.scene.view, size.x, size.y);
   if (data.camera) {
-    shown_ = sceneLines(state, *data.camera, data.rays.get(), data.scene->bounds, picked, lineScale);
+    const RayKey rayKey{data.version, state.scene.rayColumns, state.scene.rayRows};
+    if (rayKey != raysOf_) {
+      rays_ = data.rays ? rayGrid(*data.camera, *data.rays, data.scene->bounds, rayKey.columns, rayKey.rows) : RayGrid();
+      raysOf_ = rayKey;
+    }
+    shown_ = sceneLines(state, *data.camera, rays_, data.scene->bounds, lineScale);
+    if (picked && data.rays) {
+      const auto ray = sampledRay(*data.camera, *data.rays, data.scene->bounds, *picked);
+      addPolyline(shown_.lines, ray, opaque(kPickedColor), 2.5f * lineScale);
+    }
   }
   Box drawn = data.scene->bounds;
   for (const ColoredLine& line : shown_.lines) {

@@ -23,7 +23,26 @@ class ScenePane {
  private:
   PaneTarget target_;
   LineDraw lines_;
+  RayGrid rays_;
   SceneLines shown_;
+  /// What the rays are of, and what the image was drawn for.
+  struct RayKey {
+    uint64_t version = 0;
+    int columns = 0;
+    int rows = 0;
+    bool operator==(const RayKey&) const = default;
+  };
+  struct Key {
+    SceneShown shown;
+    View eye;
+    std::optional<PickedPixel> picked;
+    uint64_t version = 0;
+    glm::ivec2 size{0};
+    float lineScale = 0;
+    bool operator==(const Key&) const = default;
+  };
+  std::optional<RayKey> raysOf_;
+  std::optional<Key> drawn_;
 };
 
 }  // namespace ocelli

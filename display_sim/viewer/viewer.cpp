@@ -162,8 +162,14 @@ void Viewer::handleScroll(const ScrollEvent& event) {
   if (pane->pane == Pane::kReference && image != nullptr) {
     const glm::vec2 at = (pointer_ - glm::vec2(pane->image.x, pane->image.y)) * static_cast<float>(window_.pixelsPerUnit);
     zoomAt(state_.reference, {image->width(), image->height()}, pixelsOf(pane->image), at, factor);
-  } else {
-    zoomPane(state_, pane->pane, factor);
+    return;
+  }
+  zoomPane(state_, pane->pane, factor);
+  if (pane->pane == Pane::kScene) {  // towards the pointer
+    const WindowRect& area = pane->image;
+    const glm::vec2 fromMiddle = pointer_ - glm::vec2(area.x + area.width / 2, area.y + area.height / 2);
+    const glm::dvec2 share = glm::dvec2(fromMiddle) / static_cast<double>(area.height) * (factor - 1);
+    panPane(state_, pane->pane, share.x, -share.y);
   }
 }
 

@@ -115,6 +115,7 @@ const std::vector<KeyBinding>& keyBindings() {
       {Key::kF, kToggleFrustum, kShow, "F  X  D", "scene: frustum, view cell, samples"},
       {Key::kX, kToggleCell, kShow, "", ""},
       {Key::kD, kToggleSamples, kShow, "", ""},
+      {Key::kV, kToggleCloseUp, kShow, "V", "scene: from close by, from afar"},
       {Key::kQ, kNextQuantity, kShow, "Q", "image: colour, depth, displacement"},
       {Key::kI, kNextImage, kShow, "I", "image: next of a union"},
       {Key::kM, kNextContent, kShow, "M", "reconstruction: marked, plain, truth, ..."},
@@ -219,6 +220,9 @@ bool applyAction(ViewerState& state, ViewerAction action) {
       return true;
     case kToggleSamples:
       toggle(state.scene.samples);
+      return true;
+    case kToggleCloseUp:
+      toggleCloseUp(state);
       return true;
     case kNextQuantity:
       state.reference.quantity = next(state.reference.quantity);

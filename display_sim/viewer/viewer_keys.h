@@ -15,7 +15,7 @@ enum class ViewerAction {
   kTurnLeft, kTurnRight, kTurnUp, kTurnDown, kMoveLeft, kMoveRight, kMoveUp, kMoveDown, kZoomIn, kZoomOut, kResetView,
   kNextPane, kPreviousPane, kMaximise1, kMaximise2, kMaximise3, kMaximise4, kShowAll,
   kNextCamera, kPreviousCamera, kWiderCell, kNarrowerCell, kReferenceToEye,
-  kToggleRays, kToggleStraightRays, kToggleFrustum, kToggleCell, kToggleSamples,
+  kToggleRays, kToggleStraightRays, kToggleFrustum, kToggleCell, kToggleSamples, kToggleCloseUp,
   kNextQuantity, kNextImage,
   kNextContent, kToggleBlink,
   kRunOrStop, kSlower, kFaster, kStepBack, kStepForward, kToggleFollow, kNextProfile, kToggleSliced,

@@ -15,8 +15,17 @@ constexpr double kBlinkSeconds = 0.5;
 View outsideView() {
   View view;
   view.eye = {-4.6f, 2.5f, -0.9f};
-  view.target = {0, 0, 3.1f};
+  view.target = {0, 0, 2.9f};
   view.fovVerticalDegrees = 50;
+  return view;
+}
+
+/// From beside the scene, close enough to see its rays bend.
+View closeUpView() {
+  View view;
+  view.eye = {-2.4f, 1.5f, 1.9f};
+  view.target = {0, -0.1f, 0.1f};
+  view.fovVerticalDegrees = 38;
   return view;
 }
 
@@ -217,6 +226,10 @@ void resetPane(ViewerState& state, Pane pane) {
       state.display.view = displayFrontView();
       return;
   }
+}
+
+void toggleCloseUp(ViewerState& state) {
+  state.scene.view = state.scene.view == closeUpView() ? outsideView() : closeUpView();
 }
 
 void advance(ViewerState& state, double seconds, double rotationsPerMinute) {

@@ -49,6 +49,7 @@ struct SceneShown {
   bool samples = false;
   int rayColumns = 24;
   int rayRows = 16;
+  bool operator==(const SceneShown&) const = default;
 };
 inline constexpr int kMostRayColumns = 96;
 inline constexpr int kMostRayRows = 64;
@@ -60,6 +61,7 @@ struct ReferenceShown {
   int image = 0;              ///< of a union
   glm::vec2 center{0.5f};     ///< what lies in the middle of the pane, as a share of the image
   double zoom = 1;            ///< 1 just holds the image
+  bool operator==(const ReferenceShown&) const = default;
 };
 inline constexpr double kMostReferenceZoom = 200;
 std::string_view nameOf(ReferenceShown::Quantity quantity);
@@ -81,6 +83,7 @@ struct DisplayShown {
   double sweepDegrees = 0;  ///< angle of the screen, in [0, 360)
   double persistenceSeconds = 0.1;  ///< until what the eye sees has faded to 1 / e
   double gain = 1;          ///< on the automatic one
+  bool operator==(const DisplayShown&) const = default;
 };
 inline constexpr double kLeastSpeed = 1.0 / 16384;
 inline constexpr double kMostSpeed = 4;
@@ -136,6 +139,9 @@ void panPane(ViewerState& state, Pane pane, double right, double up);
 void zoomPane(ViewerState& state, Pane pane, double factor);
 /// Back to where it was when the viewer opened; the user's eye to the reference view.
 void resetPane(ViewerState& state, Pane pane);
+
+/// The scene pane from close by, or from afar again.
+void toggleCloseUp(ViewerState& state);
 
 /// Lets time pass: the screen of the display turns. `rotationsPerMinute` are those of the display.
 void advance(ViewerState& state, double seconds, double rotationsPerMinute);
