@@ -41,6 +41,7 @@ void drawLegend(Pane pane, const WindowRect& image, const std::vector<LegendEntr
     const float top = y + (ImGui::GetTextLineHeight() - swatch) / 2;
     list.AddRectFilled({corner.x + margin, top}, {corner.x + margin + swatch, top + swatch}, entry.color.packed(),
                        2 * scale);
+    list.AddRect({corner.x + margin, top}, {corner.x + margin + swatch, top + swatch}, kGuiTextDim.packed(), 2 * scale);
     list.AddText({corner.x + 2 * margin + swatch, y}, kGuiText.packed(), entry.text.c_str());
     y += line;
   }

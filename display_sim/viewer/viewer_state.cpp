@@ -15,8 +15,8 @@ constexpr double kBlinkSeconds = 0.5;
 View outsideView() {
   View view;
   view.eye = {-4.6f, 2.5f, -0.9f};
-  view.target = {0, 0, 2.9f};
-  view.fovVerticalDegrees = 50;
+  view.target = {0, 0, 3};
+  view.fovVerticalDegrees = 54;
   return view;
 }
 
