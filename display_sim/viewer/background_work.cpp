@@ -135,7 +135,8 @@ std::optional<WorkResult> BackgroundWork::make(const WorkWanted& wanted, WorkSte
 void BackgroundWork::makeAll(const WorkWanted& wanted, Done& done) {
   if (done.scene == nullptr || done.scene->revision != wanted.sceneRevision) {
     const auto made = make(wanted, WorkStep::kScene, done.sceneKey, [&](const Progress& progress) {
-      LoadedScene scene{wanted.source, wanted.sceneRevision, loadScene(wanted.source, wanted.sceneOptions, progress), {}};
+      LoadedScene scene{
+          wanted.source, wanted.sceneRevision, loadScene(wanted.source, wanted.sceneOptions, progress), {}};
       scene.bounds = boundsOf(scene.mesh);
       return WorkResult{.scene = std::make_shared<const LoadedScene>(std::move(scene))};
     });
@@ -164,14 +165,14 @@ void BackgroundWork::makeAll(const WorkWanted& wanted, Done& done) {
     Volume volume = slice(wanted.sliceScene ? mesh : done.camera->representation.mesh, profile);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const size_t lit = volume.litVoxels();
-    return WorkResult{
-        .volume = std::make_shared<const SlicedVolume>(SlicedVolume{std::move(volume), lit, 1000 * seconds})};
+    return WorkResult{.volume =
+                          std::make_shared<const SlicedVolume>(SlicedVolume{std::move(volume), lit, 1000 * seconds})};
   });
   make(wanted, WorkStep::kRays, done.raysKey, [&](const Progress& progress) {
     report(progress, "rays of the camera", 0);
-    return WorkResult{.rays = std::make_shared<const std::vector<RayFunction>>(
-                          cameraRays(done.camera->choice, done.camera->reference, mesh,
-                                     done.camera->representation.images, progress))};
+    return WorkResult{
+        .rays = std::make_shared<const std::vector<RayFunction>>(cameraRays(
+            done.camera->choice, done.camera->reference, mesh, done.camera->representation.images, progress))};
   });
 }
 

@@ -49,8 +49,7 @@ bool drawCellSide(CameraChoice& camera) {
 
 bool drawSegment(CameraChoice& camera) {
   glm::vec3 direction = camera.segmentDirection;
-  const bool changed =
-      ImGui::SliderFloat3("segment", &direction.x, -1, 1, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+  const bool changed = ImGui::SliderFloat3("segment", &direction.x, -1, 1, "%.2f", ImGuiSliderFlags_AlwaysClamp);
   ImGui::TextDisabled("to the right, up, backward");
   if (!changed || glm::length(direction) < 0.05f) {  // one without a direction is none
     return false;

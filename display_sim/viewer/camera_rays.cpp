@@ -18,8 +18,7 @@ RayFunction raysOf(C camera) {
 
 RayFunction epipolarRays(const CameraChoice& choice, const glm::vec3& direction, const PinholeCamera& reference,
                          const Mesh& mesh) {
-  return raysOf(
-      buildEpipolarCamera(reference, segmentAround(reference.view(), direction, choice.cellSideRadii), mesh));
+  return raysOf(buildEpipolarCamera(reference, segmentAround(reference.view(), direction, choice.cellSideRadii), mesh));
 }
 
 }  // namespace

@@ -26,6 +26,12 @@ glm::vec3 onScreen(const DisplayProfile& profile, double degrees, double outward
   return {outward * std::cos(t), up * profile.halfHeightRadii, outward * std::sin(t)};
 }
 
+/// A fast screen is a blur that nobody sees.
+bool showsScreen(const DisplayShown& shown) {
+  constexpr double kFastest = 0.5;
+  return !shown.running || shown.speed <= kFastest;
+}
+
 }  // namespace
 
 ShownSweep shownSweep(const DisplayShown& shown, const DisplayProfile& profile) {
@@ -68,7 +74,12 @@ void DisplayPane::look(const SlicedVolume& volume) {
 }
 
 void DisplayPane::draw(const ViewerState& state, const ViewerData& data, const glm::ivec2& size, float lineScale) {
-  const Key key{data.volume, state.display, displayView(state), size, lineScale};
+  DisplayShown shown = state.display;
+  const bool isSteady = data.volume && shownSweep(shown, data.volume->volume.profile()).window.fadeRadians == 0;
+  if (isSteady && !showsScreen(shown)) {  // wherever the screen stands, it looks the same
+    shown.sweepDegrees = 0;
+  }
+  const Key key{data.volume, shown, displayView(state), size, lineScale};
   if (key == drawn_) {
     return;
   }
@@ -86,7 +97,7 @@ void DisplayPane::draw(const ViewerState& state, const ViewerData& data, const g
   }
   const DisplayProfile& profile = volume_->volume.profile();
   View view = displayView(state);
-  const ShownSweep sweep = shownSweep(state.display, profile);
+  const ShownSweep sweep = shownSweep(shown, profile);
   GlObserverOptions options;
   options.view.eye = view.eye;
   options.view.width = size.x;
@@ -101,12 +112,12 @@ void DisplayPane::draw(const ViewerState& state, const ViewerData& data, const g
     return;
   }
   target_.begin(size.x, size.y, rgb(kSpaceColor));
-  showLight(gain_ * std::pow(focalPixels(options.view), 2) * sweep.gain * state.display.gain);
+  showLight(gain_ * std::pow(focalPixels(options.view), 2) * sweep.gain * shown.gain);
   view.target = {0, 0, 0};  // an observer looks at the middle of the display
   view.up = {0, 1, 0};
   view.fovVerticalDegrees = options.view.fovVerticalDegrees;
   const float reach = glm::length(view.eye) + 2 + static_cast<float>(profile.halfHeightRadii);
-  lineDraw_.draw(lines(state.display, profile, lineScale), {view, size.x, size.y}, {view.zNear, reach}, 1);
+  lineDraw_.draw(lines(shown, profile, lineScale), {view, size.x, size.y}, {view.zNear, reach}, 1);
 }
 
 void DisplayPane::showLight(double gain) {
@@ -132,12 +143,10 @@ std::vector<ColoredLine> DisplayPane::lines(const DisplayShown& shown, const Dis
     }
     addPolyline(lines, circle, rim, lineScale);
   }
-  lines.push_back({onScreen(profile, 0, 0, -1), onScreen(profile, 0, 0, 1), withOpacity(kDisplayColor, 0.3f), lineScale});
-  // A fast screen is a blur that nobody sees.
-  const auto sharpness = static_cast<float>(std::clamp(0.2 / shown.speed, 0.0, 1.0));
-  const bool visible = !shown.running || sharpness > 0.25f;
-  if (visible) {
-    const glm::vec4 color = withOpacity(kDisplayColor, shown.running ? sharpness : 1);
+  lines.push_back(
+      {onScreen(profile, 0, 0, -1), onScreen(profile, 0, 0, 1), withOpacity(kDisplayColor, 0.3f), lineScale});
+  if (showsScreen(shown)) {
+    const glm::vec4 color = opaque(kDisplayColor);
     const auto corner = [&](double outward, double up) { return onScreen(profile, shown.sweepDegrees, outward, up); };
     addPolyline(lines, {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1), corner(-1, -1)}, color,
                 1.75f * lineScale);

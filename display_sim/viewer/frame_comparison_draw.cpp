@@ -31,9 +31,9 @@ FrameComparisonDraw::FrameComparisonDraw(GlContext& context)
       missingProgram_(makeProgram(
           context, "missing samples",
           {{GL_VERTEX_SHADER, {shaders::kScreenVertex}}, {GL_FRAGMENT_SHADER, {shaders::kMissingFragment}}})),
-      marksProgram_(makeProgram(
-          context, "marks of missing samples",
-          {{GL_VERTEX_SHADER, {shaders::kScreenVertex}}, {GL_FRAGMENT_SHADER, {shaders::kMarksFragment}}})),
+      marksProgram_(
+          makeProgram(context, "marks of missing samples",
+                      {{GL_VERTEX_SHADER, {shaders::kScreenVertex}}, {GL_FRAGMENT_SHADER, {shaders::kMarksFragment}}})),
       vertexArray_(makeVertexArray(context)) {
   setColor(context.gl(), marksProgram_, kMissingLocation, rgb(kMissingGui));
   setColor(context.gl(), marksProgram_, kMissingThickLocation, rgb(kMissingThickGui));

@@ -19,8 +19,7 @@ bool comboOfNames(const char* label, int& index, int count, const std::function<
 template <class Enum>
 bool comboOf(const char* label, Enum& value, int count) {
   int index = static_cast<int>(value);
-  const bool changed =
-      comboOfNames(label, index, count, [](int i) { return nameOf(static_cast<Enum>(i)); });
+  const bool changed = comboOfNames(label, index, count, [](int i) { return nameOf(static_cast<Enum>(i)); });
   value = static_cast<Enum>(index);
   return changed;
 }

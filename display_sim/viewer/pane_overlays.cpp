@@ -65,8 +65,9 @@ std::string detailOf(const PanelDrawing& drawing, Pane pane) {
   const ReferenceImage* image = shownImage(state, *facts.data);
   switch (pane) {
     case Pane::kScene:
-      return facts.data->rays ? fmt::format("{} rays, {} of them bent", facts.straightRays + facts.bentRays, facts.bentRays)
-                              : std::string();
+      return facts.data->rays
+                 ? fmt::format("{} rays, {} of them bent", facts.straightRays + facts.bentRays, facts.bentRays)
+                 : std::string();
     case Pane::kReference: {
       if (image == nullptr) {
         return {};

@@ -9,7 +9,7 @@
 namespace ocelli {
 
 std::vector<ReconstructionPane::Place> placesBeside(const glm::ivec2& pane, double aspect, int count) {
-  const int gap = count > 1 ? 2 : 0;
+  const int gap = count > 1 && pane.x > 16 ? 2 : 0;
   const int room = std::max((pane.x - gap * (count - 1)) / count, 1);
   const int width = std::clamp(static_cast<int>(std::lround(pane.y * aspect)), 1, room);
   const int height = std::clamp(static_cast<int>(std::lround(width / aspect)), 1, std::max(pane.y, 1));

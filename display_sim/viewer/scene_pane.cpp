@@ -21,7 +21,8 @@ void ScenePane::draw(const ViewerState& state, const ViewerData& data, const std
   if (data.camera) {
     const RayKey rayKey{data.version, state.scene.rayColumns, state.scene.rayRows};
     if (rayKey != raysOf_) {
-      rays_ = data.rays ? rayGrid(*data.camera, *data.rays, data.scene->bounds, rayKey.columns, rayKey.rows) : RayGrid();
+      rays_ =
+          data.rays ? rayGrid(*data.camera, *data.rays, data.scene->bounds, rayKey.columns, rayKey.rows) : RayGrid();
       raysOf_ = rayKey;
     }
     shown_ = sceneLines(state, *data.camera, rays_, data.scene->bounds, lineScale);

@@ -19,8 +19,7 @@ constexpr float kValueWidth = 184;
 bool inputText(const char* label, std::string& text) {
   std::array<char, 1024> buffer{};
   text.copy(buffer.data(), buffer.size() - 1);
-  const bool entered =
-      ImGui::InputText(label, buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputText(label, buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   text = buffer.data();
   return entered;
 }

@@ -65,8 +65,9 @@ ViewerLayout Viewer::layout() const {
 }
 
 glm::ivec2 Viewer::pixelsOf(const WindowRect& rect) const {
-  return glm::max(glm::ivec2(glm::round(glm::vec2(rect.width, rect.height) * static_cast<float>(window_.pixelsPerUnit))),
-                  glm::ivec2(1));
+  return glm::max(
+      glm::ivec2(glm::round(glm::vec2(rect.width, rect.height) * static_cast<float>(window_.pixelsPerUnit))),
+      glm::ivec2(1));
 }
 
 void Viewer::handle(const InputEvent& event) {
@@ -160,7 +161,8 @@ void Viewer::handleScroll(const ScrollEvent& event) {
   const double factor = std::pow(kZoomPerScroll, event.up);
   const ReferenceImage* image = shownImage(state_, data_);
   if (pane->pane == Pane::kReference && image != nullptr) {
-    const glm::vec2 at = (pointer_ - glm::vec2(pane->image.x, pane->image.y)) * static_cast<float>(window_.pixelsPerUnit);
+    const glm::vec2 at =
+        (pointer_ - glm::vec2(pane->image.x, pane->image.y)) * static_cast<float>(window_.pixelsPerUnit);
     zoomAt(state_.reference, {image->width(), image->height()}, pixelsOf(pane->image), at, factor);
     return;
   }
@@ -312,7 +314,8 @@ void Viewer::drawPanes() {
       facts_.picked ? std::optional(facts_.picked->pixel) : std::optional<glm::ivec2>();
   const auto lineScale = static_cast<float>(window_.contentScale);
   const ViewerLayout where = layout();
-  const glm::ivec2 windowPixels = pixelsOf({0, 0, static_cast<float>(window_.width), static_cast<float>(window_.height)});
+  const glm::ivec2 windowPixels =
+      pixelsOf({0, 0, static_cast<float>(window_.width), static_cast<float>(window_.height)});
   for (const PaneLayout& pane : where.panes) {
     const glm::ivec2 size = pixelsOf(pane.image);
     switch (pane.pane) {
@@ -335,8 +338,8 @@ void Viewer::drawPanes() {
     const PaneTarget& target = drawing_->targetOf(pane.pane);
     const auto x = static_cast<GLint>(std::lround(pane.image.x * window_.pixelsPerUnit));
     const auto y = static_cast<GLint>(std::lround(pane.image.y * window_.pixelsPerUnit));
-    context_.gl().BlitNamedFramebuffer(target.framebuffer().id(), drawing_->image.framebuffer().id(), 0, 0, target.width(),
-                                       target.height(), x, y, x + target.width(), y + target.height(),
+    context_.gl().BlitNamedFramebuffer(target.framebuffer().id(), drawing_->image.framebuffer().id(), 0, 0,
+                                       target.width(), target.height(), x, y, x + target.width(), y + target.height(),
                                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
   context_.check("composing the window");
@@ -402,9 +405,9 @@ void Viewer::draw() {
     context_.gl().Finish();
     const double milliseconds =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    facts_.frameMilliseconds = facts_.frameMilliseconds > 0 ? kFrameSmoothing * facts_.frameMilliseconds +
-                                                                  (1 - kFrameSmoothing) * milliseconds
-                                                            : milliseconds;
+    facts_.frameMilliseconds = facts_.frameMilliseconds > 0
+                                   ? kFrameSmoothing * facts_.frameMilliseconds + (1 - kFrameSmoothing) * milliseconds
+                                   : milliseconds;
   }
   if (wantsScreenshot_) {
     wantsScreenshot_ = false;

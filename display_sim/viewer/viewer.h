@@ -67,7 +67,12 @@ class Viewer {
   /// What draws, made under one GlScope.
   struct Drawing {
     explicit Drawing(GlContext& context)
-        : meshes(context), scene(context), reference(context), reconstruction(context), display(context), image(context) {}
+        : meshes(context),
+          scene(context),
+          reference(context),
+          reconstruction(context),
+          display(context),
+          image(context) {}
 
     const PaneTarget& targetOf(Pane pane) const;
 

@@ -10,18 +10,18 @@
 
 namespace ocelli {
 
-inline constexpr GuiColor kReferenceColor = kOkabeItoSkyBlue;     ///< the reference view
-inline constexpr GuiColor kRayColor = kOkabeItoSkyBlue;           ///< straight rays
-inline constexpr GuiColor kBentRayColor = kOkabeItoOrange;        ///< rays that bend
-inline constexpr GuiColor kPickedColor{255, 255, 255};            ///< the ray of the pixel under the pointer
-inline constexpr GuiColor kCellColor = kOkabeItoYellow;           ///< the view cell
-inline constexpr GuiColor kEyeColor = kOkabeItoReddishPurple;     ///< the user's eye
-inline constexpr GuiColor kDisplayColor = kOkabeItoBluishGreen;   ///< the display itself: screen, rim
+inline constexpr GuiColor kReferenceColor = kOkabeItoSkyBlue;    ///< the reference view
+inline constexpr GuiColor kRayColor = kOkabeItoSkyBlue;          ///< straight rays
+inline constexpr GuiColor kBentRayColor = kOkabeItoOrange;       ///< rays that bend
+inline constexpr GuiColor kPickedColor{255, 255, 255};           ///< the ray of the pixel under the pointer
+inline constexpr GuiColor kCellColor = kOkabeItoYellow;          ///< the view cell
+inline constexpr GuiColor kEyeColor = kOkabeItoReddishPurple;    ///< the user's eye
+inline constexpr GuiColor kDisplayColor = kOkabeItoBluishGreen;  ///< the display itself: screen, rim
 inline constexpr GuiColor kPaneColor{12, 13, 15};                ///< behind what a pane shows
 /// The ends of the ramp of reference_fragment.glsl.
 inline constexpr GuiColor kRampDark{0, 36, 92};
 inline constexpr GuiColor kRampLight{252, 232, 84};
-inline constexpr GuiColor kSpaceColor{0, 0, 0};                  ///< behind a scene seen by an eye
+inline constexpr GuiColor kSpaceColor{0, 0, 0};  ///< behind a scene seen by an eye
 /// As on the pages of `ocelli evaluate`.
 inline constexpr GuiColor kMissingGui{kMissingColor.x, kMissingColor.y, kMissingColor.z};
 inline constexpr GuiColor kMissingThickGui{kMissingThickColor.x, kMissingThickColor.y, kMissingThickColor.z};

@@ -22,7 +22,8 @@ PaneLayout paneIn(Pane pane, const WindowRect& rect, float headerHeight) {
 }  // namespace
 
 const PaneLayout* ViewerLayout::paneAt(const glm::vec2& at) const {
-  const auto found = std::find_if(panes.begin(), panes.end(), [&](const PaneLayout& p) { return p.image.contains(at); });
+  const auto found =
+      std::find_if(panes.begin(), panes.end(), [&](const PaneLayout& p) { return p.image.contains(at); });
   return found == panes.end() ? nullptr : &*found;
 }
 

@@ -15,9 +15,7 @@ struct WindowRect {
 
   float right() const { return x + width; }
   float bottom() const { return y + height; }
-  bool contains(const glm::vec2& at) const {
-    return at.x >= x && at.y >= y && at.x < right() && at.y < bottom();
-  }
+  bool contains(const glm::vec2& at) const { return at.x >= x && at.y >= y && at.x < right() && at.y < bottom(); }
 };
 
 struct PaneLayout {

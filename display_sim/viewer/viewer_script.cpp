@@ -91,8 +91,10 @@ ScriptStep readKey(JsonFields& fields) {
   }
   const std::optional<Key> key = keyFromName(name);
   if (!key) {
-    fields.fail("key", "must be a key such as H, 1, F1, Left, PageUp, Escape, Space, Minus, Comma, with Shift+, Ctrl+ or "
-                       "Alt+ before it, not \"" + name + "\"");
+    fields.fail("key",
+                "must be a key such as H, 1, F1, Left, PageUp, Escape, Space, Minus, Comma, with Shift+, Ctrl+ or "
+                "Alt+ before it, not \"" +
+                    name + "\"");
   }
   step.key = *key;
   return step;

@@ -58,9 +58,9 @@ inline constexpr int kMostRayRows = 64;
 struct ReferenceShown {
   enum class Quantity { kColor, kDepth, kDisplacement };
   Quantity quantity = Quantity::kColor;
-  int image = 0;              ///< of a union
-  glm::vec2 center{0.5f};     ///< what lies in the middle of the pane, as a share of the image
-  double zoom = 1;            ///< 1 just holds the image
+  int image = 0;           ///< of a union
+  glm::vec2 center{0.5f};  ///< what lies in the middle of the pane, as a share of the image
+  double zoom = 1;         ///< 1 just holds the image
   bool operator==(const ReferenceShown&) const = default;
 };
 inline constexpr double kMostReferenceZoom = 200;
@@ -79,10 +79,10 @@ struct DisplayShown {
   View view;
   bool followsEye = false;  ///< of the reconstruction pane
   bool running = true;
-  double speed = 1;         ///< 1 turns as fast as the display does
-  double sweepDegrees = 0;  ///< angle of the screen, in [0, 360)
+  double speed = 1;                 ///< 1 turns as fast as the display does
+  double sweepDegrees = 0;          ///< angle of the screen, in [0, 360)
   double persistenceSeconds = 0.1;  ///< until what the eye sees has faded to 1 / e
-  double gain = 1;          ///< on the automatic one
+  double gain = 1;                  ///< on the automatic one
   bool operator==(const DisplayShown&) const = default;
 };
 inline constexpr double kLeastSpeed = 1.0 / 16384;

@@ -85,9 +85,9 @@ void drawStatusBar(const PanelDrawing& drawing) {
   ImGui::SetCursorPosY(y);
   if (facts.work.busy) {
     ImGui::PushStyleColor(ImGuiCol_Text, kOkabeItoOrange.packed());
-    ImGui::TextUnformatted(fmt::format("{} {:.0f} %", facts.work.stage.empty() ? "working" : facts.work.stage,
-                                       100 * facts.work.fraction)
-                               .c_str());
+    ImGui::TextUnformatted(
+        fmt::format("{} {:.0f} %", facts.work.stage.empty() ? "working" : facts.work.stage, 100 * facts.work.fraction)
+            .c_str());
     ImGui::PopStyleColor();
     ImGui::SameLine(0, 16 * drawing.scale);
   }

@@ -37,6 +37,7 @@ TEST_P(CameraRays, goThroughTheSamplesOfTheirPixels) {
   ASSERT_EQ(rays.size(), images.size());
   size_t samples = 0;
   size_t beside = 0;
+  size_t without = 0;
   for (size_t i = 0; i < images.size(); ++i) {
     const PinholeCamera own = images[i].reference();
     for (int y = 1; y < images[i].height(); y += 5) {
@@ -52,12 +53,15 @@ TEST_P(CameraRays, goThroughTheSamplesOfTheirPixels) {
           nearest = std::min(nearest, distanceToSegment(point, ray[k], ray[k + 1]));
         }
         ++samples;
-        beside += nearest > undistorted.z / own.focalPixels();
+        without += ray.empty();
+        beside += !ray.empty() && nearest > undistorted.z / own.focalPixels();
       }
     }
   }
   EXPECT_GT(samples, 100U);
   // A sample may lie up to a pixel beside the ray of its pixel's centre where a map folds or jumps.
+  // A cell camera stores some samples twice, to close seams: those have no ray of their own.
+  EXPECT_LE(without, choice.model == CameraChoice::Model::kCell ? samples / 8 : 0);
   EXPECT_LE(static_cast<double>(beside), 0.02 * static_cast<double>(samples)) << beside << " of " << samples;
 }
 

@@ -32,9 +32,8 @@ Built build(const std::string& name) {
 }
 
 size_t countColored(const std::vector<ColoredLine>& lines, GuiColor color) {
-  return static_cast<size_t>(std::count_if(lines.begin(), lines.end(), [&](const ColoredLine& line) {
-    return glm::vec3(line.color) == rgb(color);
-  }));
+  return static_cast<size_t>(std::count_if(
+      lines.begin(), lines.end(), [&](const ColoredLine& line) { return glm::vec3(line.color) == rgb(color); }));
 }
 
 TEST(SceneLines, aPinholeHasStraightRaysOnly) {

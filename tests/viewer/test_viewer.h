@@ -5,7 +5,6 @@
 
 #include "display_sim/viewer/script_player.h"
 #include "display_sim/viewer/viewer_colors.h"
-#include "oc_core/gl/gl_api.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/gl/gl_test_context.h"
 
@@ -28,9 +27,7 @@ class TestViewer {
   void key(Key key, Modifiers modifiers = {}) { player.play(KeyStep{key, modifiers}); }
   void settle() { player.play(WaitStep{}); }
 
-  PaneLayout layoutOf(Pane pane) const {
-    return *viewerLayout(viewer.state(), {kWidth, kHeight}, 1).find(pane);
-  }
+  PaneLayout layoutOf(Pane pane) const { return *viewerLayout(viewer.state(), {kWidth, kHeight}, 1).find(pane); }
   /// What a pane shows, with the texts over it.
   Image<Rgb8> paneImage(Pane pane) const {
     const WindowRect rect = layoutOf(pane).image;

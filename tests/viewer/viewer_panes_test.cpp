@@ -86,7 +86,8 @@ TEST_P(ViewerPanesTest, theReferenceImageShowsItsSamples) {
 TEST_P(ViewerPanesTest, depthsRunFromLightToDark) {
   TestViewer test(GetParam(), "builtin:room", "di");
   test.key(Key::kQ);
-  const ReferenceImage image = buildReferenceImages(cameraChoice("di"), {View{}, 180, 120}, loadScene("builtin:room"))[0];
+  const ReferenceImage image =
+      buildReferenceImages(cameraChoice("di"), {View{}, 180, 120}, loadScene("builtin:room"))[0];
   const ReferenceScale scale = scaleOf(image);
   const Image<Rgb8> pane = test.paneImage(Pane::kReference);
   const ImagePlacement placement = placeImage(test.viewer.state().reference, {180, 120}, {pane.width(), pane.height()});
@@ -129,22 +130,26 @@ TEST(SampleText, saysWhatTheSampleHolds) {
   image.displacement(1, 0) = {12.25f, -0.001f};
   image.color(1, 0) = {0.25f, 0.5f, 1};
   EXPECT_EQ(sampleText(image, {0, 0}), "pixel 0, 0: no sample");
-  EXPECT_EQ(sampleText(image, {1, 0}),
-            "pixel 1, 0: z 9.5000, displaced 12.25 0.00\ncolour 0.25 0.50 1.00 (linear)");
+  EXPECT_EQ(sampleText(image, {1, 0}), "pixel 1, 0: z 9.5000, displaced 12.25 0.00\ncolour 0.25 0.50 1.00 (linear)");
 }
 
 TEST_P(ViewerPanesTest, whatIsMissingIsCountedAndMarked) {
-  TestViewer test(GetParam(), "builtin:room", "di");
-  const Mesh scene = loadScene("builtin:room");
+  TestViewer test(GetParam(), "builtin:statues", "di");
+  const Mesh scene = loadScene("builtin:statues");
   const Mesh mesh = buildRepresentation(cameraChoice("di"), {View{}, 180, 120}, scene).mesh;
   const PinholeCamera camera(test.viewer.state().reconstruction.view, 180, 120);
   const MissingSamples expected =
       countMissing(compareFrames(camera, positionImage(camera, scene), positionImage(camera, mesh)));
   ASSERT_TRUE(test.viewer.facts().missing.has_value());
   EXPECT_GT(expected.thick, 0U);
-  // As in frame_comparison_draw_test.cpp.
-  EXPECT_NEAR(test.viewer.facts().missing->strictRatio(), expected.strictRatio(), 1e-4);
-  EXPECT_NEAR(test.viewer.facts().missing->thickRatio(), expected.thickRatio(), 1e-4);
+  // The GPU snaps edges to a grid of its own: as in frame_comparison_draw_test.cpp, of a smaller image.
+  constexpr double kMostSamples = 3;
+  EXPECT_NEAR(static_cast<double>(test.viewer.facts().missing->strict), static_cast<double>(expected.strict),
+              kMostSamples);
+  EXPECT_NEAR(static_cast<double>(test.viewer.facts().missing->thick), static_cast<double>(expected.thick),
+              kMostSamples);
+  EXPECT_NEAR(static_cast<double>(test.viewer.facts().missing->truth), static_cast<double>(expected.truth),
+              kMostSamples);
   EXPECT_GT(countNear(test.paneImage(Pane::kReconstruction), kMissingThickColor, 0), 20U);
   EXPECT_GT(countNear(test.paneImage(Pane::kReconstruction), kMissingColor, 0), 20U);
   // At the reference view next to nothing is missing.
@@ -233,8 +238,7 @@ TEST_P(ViewerPanesTest, aDisplayThatRunsAtItsOwnSpeedStandsStill) {
   const double angle = test.viewer.state().display.sweepDegrees;
   test.player.play(SecondsStep{0.2});
   EXPECT_NE(test.viewer.state().display.sweepDegrees, angle);
-  // The order of additions differs with the angle where the sweep is cut.
-  EXPECT_LT(countDifferent(one, test.paneImage(Pane::kDisplay)), one.size() / 50);
+  EXPECT_EQ(countDifferent(one, test.paneImage(Pane::kDisplay)), 0U);
 }
 
 TEST(ShownSweep, fadesOverThePersistence) {

@@ -32,8 +32,7 @@ ScriptStep stepOf(const std::string& step) {
 }
 
 TEST(ViewerScript, readsSizeAndScale) {
-  const ViewerScript script =
-      viewerScriptFromJsonText(R"({"size": [2560, 1600], "scale": 2, "steps": []})", "script");
+  const ViewerScript script = viewerScriptFromJsonText(R"({"size": [2560, 1600], "scale": 2, "steps": []})", "script");
   EXPECT_EQ(script.width, 2560);
   EXPECT_EQ(script.height, 1600);
   EXPECT_EQ(script.scale, 2);
@@ -71,23 +70,44 @@ TEST(ViewerScript, saysWhichStepIsWrongAndWhy) {
   EXPECT_THAT(errorOfStep(R"({"kay": "H"})"), HasSubstr("\"kay\" is unknown"));
   EXPECT_THAT(errorOfStep(R"({"key": "Hyper"})"), HasSubstr("\"Hyper\""));
   EXPECT_THAT(errorOfStep(R"({"drag": {"from": [1, 2]}})"), HasSubstr("\"to\" is missing"));
-  EXPECT_THAT(errorOfStep(R"({"drag": {"from": [1, 2], "to": [1, 2], "speed": 3}})"), HasSubstr("\"speed\" is unknown"));
+  EXPECT_THAT(errorOfStep(R"({"drag": {"from": [1, 2], "to": [1, 2], "speed": 3}})"),
+              HasSubstr("\"speed\" is unknown"));
 }
 
 TEST(ViewerScript, refusesHostileValues) {
-  for (const char* step :
-       {R"({})", R"([])", R"("H")", R"(null)", R"({"key": "H", "text": "a"})", R"({"key": ""})", R"({"key": "Shift+"})",
-        R"({"key": 5})", R"({"open": ""})", R"({"open": 1})", R"({"move": [1]})", R"({"move": [1, 2, 3]})",
-        R"({"move": [-1, 2]})", R"({"move": [1, 1e300]})", R"({"move": ["a", "b"]})", R"({"seconds": -1})",
-        R"({"seconds": 1e9})", R"({"seconds": null})", R"({"wait": "forever"})", R"({"save": "picture.jpg"})",
-        R"({"save": ""})", R"({"drag": 3})", R"({"scroll": {"at": [1, 2], "up": 1e9}})", R"({"scroll": {"up": 1}})",
-        R"({"click": {"at": [1, 2], "button": "none"}})", R"({"resize": {"size": [100.5, 100]}})",
-        R"({"resize": {"size": [1, 1]}})", R"({"resize": {"size": [100000, 100]}})"}) {
+  for (const char* step : {R"({})",
+                           R"([])",
+                           R"("H")",
+                           R"(null)",
+                           R"({"key": "H", "text": "a"})",
+                           R"({"key": ""})",
+                           R"({"key": "Shift+"})",
+                           R"({"key": 5})",
+                           R"({"open": ""})",
+                           R"({"open": 1})",
+                           R"({"move": [1]})",
+                           R"({"move": [1, 2, 3]})",
+                           R"({"move": [-1, 2]})",
+                           R"({"move": [1, 1e300]})",
+                           R"({"move": ["a", "b"]})",
+                           R"({"seconds": -1})",
+                           R"({"seconds": 1e9})",
+                           R"({"seconds": null})",
+                           R"({"wait": "forever"})",
+                           R"({"save": "picture.jpg"})",
+                           R"({"save": ""})",
+                           R"({"drag": 3})",
+                           R"({"scroll": {"at": [1, 2], "up": 1e9}})",
+                           R"({"scroll": {"up": 1}})",
+                           R"({"click": {"at": [1, 2], "button": "none"}})",
+                           R"({"resize": {"size": [100.5, 100]}})",
+                           R"({"resize": {"size": [1, 1]}})",
+                           R"({"resize": {"size": [100000, 100]}})"}) {
     EXPECT_NE(errorOfStep(step), "") << step;
   }
-  for (const char* script : {"", "[]", "{}", R"({"steps": {}})", R"({"steps": [], "more": 1})",
-                             R"({"steps": [], "size": [0, 0]})", R"({"steps": [], "size": [1e10, 100]})",
-                             R"({"steps": [], "scale": 0})", R"({"steps": [], "scale": 100})"}) {
+  for (const char* script :
+       {"", "[]", "{}", R"({"steps": {}})", R"({"steps": [], "more": 1})", R"({"steps": [], "size": [0, 0]})",
+        R"({"steps": [], "size": [1e10, 100]})", R"({"steps": [], "scale": 0})", R"({"steps": [], "scale": 100})"}) {
     EXPECT_NE(errorOf(script), "") << script;
   }
 }
@@ -130,12 +150,15 @@ TEST(ViewerScript, theSchemaHasTheLimitsThatAreRead) {
   const auto stepWith = [](const std::string& name, const Json& value) {
     return Json{{"steps", Json::array({Json{{name, value}}})}}.dump();
   };
-  expectRange(schema.at("$defs").at("place").at("items"),
-              [&](const Json& number) { return stepWith("move", Json::array({number, 5})); });
-  expectRange(schema.at("$defs").at("size").at("items"),
-              [](const Json& number) { return Json{{"steps", Json::array()}, {"size", {number, 100}}}.dump(); });
-  expectRange(resolved(schema, schema.at("properties").at("scale")),
-              [](const Json& number) { return Json{{"steps", Json::array()}, {"scale", number}}.dump(); });
+  expectRange(schema.at("$defs").at("place").at("items"), [&](const Json& number) {
+    return stepWith("move", Json::array({number, 5}));
+  });
+  expectRange(schema.at("$defs").at("size").at("items"), [](const Json& number) {
+    return Json{{"steps", Json::array()}, {"size", {number, 100}}}.dump();
+  });
+  expectRange(resolved(schema, schema.at("properties").at("scale")), [](const Json& number) {
+    return Json{{"steps", Json::array()}, {"scale", number}}.dump();
+  });
   expectRange(steps.at("seconds"), [&](const Json& number) { return stepWith("seconds", number); });
   expectRange(steps.at("scroll").at("properties").at("up"), [&](const Json& number) {
     return stepWith("scroll", Json{{"at", {1, 2}}, {"up", number}});
