@@ -85,8 +85,8 @@ void addEye(std::vector<ColoredLine>& lines, const View& view, const PinholeCame
 
 }  // namespace
 
-std::vector<glm::vec3> sampledRay(const BuiltCamera& camera, const std::vector<RayFunction>& rays, const Box& bounds,
-                                  const PickedPixel& at) {
+SampledRay sampledRay(const BuiltCamera& camera, const std::vector<RayFunction>& rays, const Box& bounds,
+                      const PickedPixel& at) {
   const auto index = static_cast<size_t>(at.image);
   if (index >= rays.size()) {
     return {};
@@ -94,40 +94,73 @@ std::vector<glm::vec3> sampledRay(const BuiltCamera& camera, const std::vector<R
   // Depths of a sample are along its own image's view.
   const ReferenceImage& image = camera.representation.images[index];
   const PinholeCamera reference = image.reference();
+  const float nearest = reference.view().zNear;
+  const float farthest = depthsOf(reference, bounds).farthest;
   const float z = image.z(at.pixel.x, at.pixel.y);
-  const float farthest = z > 0 ? z : depthsOf(reference, bounds).farthest;
-  return rayBetween(rays[index](glm::vec2(at.pixel) + 0.5f), reference, reference.view().zNear, farthest);
+  const RayPath ray = rays[index](glm::vec2(at.pixel) + 0.5f);
+  if (!(z > 0)) {
+    return {{}, rayBetween(ray, reference, nearest, farthest)};
+  }
+  return {rayBetween(ray, reference, nearest, z), rayBetween(ray, reference, z, std::max(z, farthest))};
 }
+
+namespace {
+
+bool bends(const SampledRay& ray) {
+  std::vector<glm::vec3> all = ray.toSample;
+  all.insert(all.end(), ray.beyond.begin(), ray.beyond.end());
+  return isBent(all, kBendTolerance);
+}
+
+/// Rays of one row of pixels, `steps` of them; every kBentSearch-th counts as one of the grid.
+struct RowOfRays {
+  RayGrid onGrid;
+  std::vector<SampledRay> bentBetween;
+};
+
+RowOfRays rowOfRays(const BuiltCamera& camera, const std::vector<RayFunction>& rays, const Box& bounds, int imageIndex,
+                    int y, int steps) {
+  const ReferenceImage& image = camera.representation.images[static_cast<size_t>(imageIndex)];
+  RowOfRays row;
+  for (int step = 0; step < steps; ++step) {
+    const int x = (2 * step + 1) * image.width() / (2 * steps);
+    SampledRay ray = sampledRay(camera, rays, bounds, {imageIndex, {x, y}});
+    if (ray.toSample.size() < 2) {
+      continue;
+    }
+    const bool bent = bends(ray);
+    if (step % kBentSearch == kBentSearch / 2) {
+      (bent ? row.onGrid.bent : row.onGrid.straight).push_back(std::move(ray));
+    } else if (bent) {
+      row.bentBetween.push_back(std::move(ray));
+    }
+  }
+  return row;
+}
+
+}  // namespace
 
 RayGrid rayGrid(const BuiltCamera& camera, const std::vector<RayFunction>& rays, const Box& bounds, int columns,
                 int rows) {
-  RayGrid grid;
   const ReferenceImages& images = camera.representation.images;
-  for (size_t i = 0; i < images.size(); ++i) {
-    const ReferenceImage& image = images[i];
-    std::vector<RayGrid> ofRows(static_cast<size_t>(rows));
-    parallelFor(ofRows.size(), 1, [&](size_t begin, size_t end) {
-      for (size_t row = begin; row < end; ++row) {
-        const int y = (2 * static_cast<int>(row) + 1) * image.height() / (2 * rows);
-        const int steps = columns * kBentSearch;
-        for (int step = 0; step < steps; ++step) {
-          const int x = (2 * step + 1) * image.width() / (2 * steps);
-          if (!(image.z(x, y) > 0)) {
-            continue;
-          }
-          std::vector<glm::vec3> ray = sampledRay(camera, rays, bounds, {static_cast<int>(i), {x, y}});
-          if (isBent(ray, kBendTolerance)) {
-            ofRows[row].bent.push_back(std::move(ray));
-          } else if (step % kBentSearch == kBentSearch / 2 && ray.size() > 1) {
-            ofRows[row].straight.push_back(std::move(ray));
-          }
-        }
-      }
-    });
-    for (RayGrid& row : ofRows) {
-      std::ranges::move(row.straight, std::back_inserter(grid.straight));
-      std::ranges::move(row.bent, std::back_inserter(grid.bent));
+  const auto rowsOfImage = static_cast<size_t>(rows);
+  std::vector<RowOfRays> found(images.size() * rowsOfImage);
+  parallelFor(found.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const size_t image = i / rowsOfImage;
+      const int y = (2 * static_cast<int>(i % rowsOfImage) + 1) * images[image].height() / (2 * rows);
+      found[i] = rowOfRays(camera, rays, bounds, static_cast<int>(image), y, columns * kBentSearch);
     }
+  });
+  RayGrid grid;
+  std::vector<SampledRay> between;
+  for (RowOfRays& row : found) {
+    std::ranges::move(row.onGrid.straight, std::back_inserter(grid.straight));
+    std::ranges::move(row.onGrid.bent, std::back_inserter(grid.bent));
+    std::ranges::move(row.bentBetween, std::back_inserter(between));
+  }
+  if (grid.bent.size() < kFewBent) {
+    std::ranges::move(between, std::back_inserter(grid.bent));
   }
   return grid;
 }
@@ -136,14 +169,15 @@ SceneLines sceneLines(const ViewerState& state, const BuiltCamera& camera, const
                       float lineScale) {
   SceneLines result;
   if (state.scene.rays && state.scene.straightRays) {
-    for (const auto& ray : rays.straight) {
-      addPolyline(result.lines, ray, withOpacity(kRayColor, 0.3f), lineScale);
+    for (const SampledRay& ray : rays.straight) {
+      addPolyline(result.lines, ray.toSample, withOpacity(kRayColor, 0.3f), lineScale);
     }
     result.straightRays = rays.straight.size();
   }
   if (state.scene.rays) {
-    for (const auto& ray : rays.bent) {
-      addPolyline(result.lines, ray, withOpacity(kBentRayColor, 0.6f), lineScale);
+    for (const SampledRay& ray : rays.bent) {
+      addPolyline(result.lines, ray.toSample, withOpacity(kBentRayColor, 0.65f), lineScale);
+      addPolyline(result.lines, ray.beyond, withOpacity(kBentRayColor, 0.25f), lineScale);
     }
     result.bentRays = rays.bent.size();
   }

@@ -16,22 +16,28 @@ struct PickedPixel {
   bool operator==(const PickedPixel&) const = default;
 };
 
-/// The ray of a pixel, from the eye to the sample that it holds; to the far end of `bounds` where it holds none. Empty
-/// where there is no such image.
-std::vector<glm::vec3> sampledRay(const BuiltCamera& camera, const std::vector<RayFunction>& rays, const Box& bounds,
-                                  const PickedPixel& at);
+/// The ray of a pixel: from the eye to the sample that it holds, and how it would go on to the far end of the scene.
+struct SampledRay {
+  std::vector<glm::vec3> toSample;  ///< empty where the pixel holds no sample, or has no ray of its own
+  std::vector<glm::vec3> beyond;
+};
+
+/// `at` is a pixel of one of the images; nothing where there is no such image.
+SampledRay sampledRay(const BuiltCamera& camera, const std::vector<RayFunction>& rays, const Box& bounds,
+                      const PickedPixel& at);
 
 /// Rays that hold samples.
 struct RayGrid {
-  std::vector<std::vector<glm::vec3>> straight;
-  std::vector<std::vector<glm::vec3>> bent;
+  std::vector<SampledRay> straight;
+  std::vector<SampledRay> bent;  ///< before their sample, or behind it
 };
 
-/// Straight rays from a grid over each of the images. Bent ones, of which there are few, are looked for kBentSearch
-/// times as densely along its rows.
+/// From a grid over each of the images. Where it meets few bent ones, they are looked for kBentSearch times as densely
+/// along its rows.
 RayGrid rayGrid(const BuiltCamera& camera, const std::vector<RayFunction>& rays, const Box& bounds, int columns,
                 int rows);
 inline constexpr int kBentSearch = 8;
+inline constexpr size_t kFewBent = 48;
 
 struct SceneLines {
   std::vector<ColoredLine> lines;

@@ -27,8 +27,9 @@ void ScenePane::draw(const ViewerState& state, const ViewerData& data, const std
     }
     shown_ = sceneLines(state, *data.camera, rays_, data.scene->bounds, lineScale);
     if (picked && data.rays) {
-      const auto ray = sampledRay(*data.camera, *data.rays, data.scene->bounds, *picked);
-      addPolyline(shown_.lines, ray, opaque(kPickedColor), 2.5f * lineScale);
+      const SampledRay ray = sampledRay(*data.camera, *data.rays, data.scene->bounds, *picked);
+      addPolyline(shown_.lines, ray.toSample, opaque(kPickedColor), 2.5f * lineScale);
+      addPolyline(shown_.lines, ray.beyond, withOpacity(kPickedColor, 0.4f), 2.5f * lineScale);
     }
   }
   Box drawn = data.scene->bounds;
