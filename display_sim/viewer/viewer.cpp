@@ -102,7 +102,7 @@ void Viewer::handleKey(const KeyEvent& event) {
     return;
   }
   if (event.key == Key::kEscape && (panelHasKeys_ || facts_.messageIsError)) {
-    panelHasKeys_ = false;
+    leavePanel();
     say("", false);
     return;
   }
@@ -122,9 +122,14 @@ void Viewer::handleButton(const PointerButtonEvent& event) {
   if (pane == nullptr) {
     return;
   }
-  panelHasKeys_ = false;
+  leavePanel();
   state_.active = pane->pane;
   drag_ = Drag{pane->pane, event.button == PointerButton::kLeft && !event.modifiers.shift};
+}
+
+void Viewer::leavePanel() {
+  leavesPanel_ = panelHasKeys_;
+  panelHasKeys_ = false;
 }
 
 void Viewer::handleMove(const glm::vec2& to) {
@@ -368,8 +373,9 @@ void Viewer::drawGui() {
   context_.gl().BindFramebuffer(GL_FRAMEBUFFER, drawing_->image.framebuffer().id());
   gui_.beginFrame(secondsOfFrame_);
   secondsOfFrame_ = 0;
-  if (!panelHasKeys_ && !gui_.wantsText() && !popupIsOpen() && !ImGui::IsAnyMouseDown()) {
+  if (leavesPanel_) {
     ImGui::SetWindowFocus(nullptr);
+    leavesPanel_ = false;
   }
   const ViewerLayout where = layout();
   PanelWishes wishes;

@@ -90,6 +90,7 @@ class Viewer {
 
   void handleKey(const KeyEvent& event);
   void handleButton(const PointerButtonEvent& event);
+  void leavePanel();
   void handleMove(const glm::vec2& to);
   void handleScroll(const ScrollEvent& event);
   void openDropped(const std::string& file);
@@ -120,7 +121,8 @@ class Viewer {
   ViewerFacts facts_;
   uint64_t loadedRevision_ = 0;  ///< of the scene that shows; 0: none yet
   std::string loadedSource_;
-  bool panelHasKeys_ = false;
+  bool panelHasKeys_ = false;  ///< after F6
+  bool leavesPanel_ = false;   ///< in the next frame
   ResizeEvent window_;
   glm::vec2 pointer_{-1};
   std::optional<Drag> drag_;

@@ -134,6 +134,32 @@ TEST_P(ViewerTest, thePanelIsReachedAndLeftByKeys) {
   EXPECT_EQ(test.viewer.state().reconstruction.content, ReconstructionShown::Content::kPlain);
 }
 
+TEST_P(ViewerTest, thePanelTakesClicks) {
+  TestViewer test(GetParam());
+  const Image<Rgb8> before = test.viewer.picture();
+  test.player.play(ClickStep{{150, 113}});  // the list of cameras opens
+  EXPECT_GT(countDifferent(before, test.viewer.picture()), 5000U);
+  test.player.play(ClickStep{{60, 160}});  // one of its first entries
+  test.settle();
+  EXPECT_NE(test.viewer.state().work.camera.name, "ddoc");
+  // A click into a pane is not the panel's.
+  test.player.play(ClickStep{test.at(Pane::kDisplay, 50, 50)});
+  EXPECT_EQ(test.viewer.state().active, Pane::kDisplay);
+}
+
+TEST_P(ViewerTest, aSceneIsTypedIntoThePanel) {
+  TestViewer test(GetParam());
+  test.player.play(ClickStep{{150, 42}});
+  test.key(Key::kA, {.control = true});
+  test.player.play(TextStep{"builtin:fence"});
+  EXPECT_EQ(test.viewer.state().reconstruction.content, ReconstructionShown::Content::kMarked);  // letters are no keys
+  test.key(Key::kEnter);
+  test.settle();
+  EXPECT_EQ(test.viewer.facts().data->scene->source, "builtin:fence");
+  test.key(Key::kM);
+  EXPECT_EQ(test.viewer.state().reconstruction.content, ReconstructionShown::Content::kPlain);
+}
+
 TEST_P(ViewerTest, dragsAndWheelMoveThePaneUnderThePointer) {
   TestViewer test(GetParam());
   const ViewerState before = test.viewer.state();
