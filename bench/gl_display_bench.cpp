@@ -1,5 +1,6 @@
 // Slicing and observing with OpenGL against the same on the processor, in one run. Counters: triangles, lit voxels, the
-// time of the processor's way in ms (best of all runs), and this way's relative to it (x_cpu, best of all runs).
+// times of this way and the processor's in ms, best of all runs (ms, cpu_ms), one relative to the other (x_cpu), and
+// voxels whose bits differ (differing).
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -7,7 +8,9 @@
 #include <memory>
 
 #include "bench/timing.h"
+#include "display_sim/gl/gl_observer.h"
 #include "display_sim/gl/gl_slicer.h"
+#include "display_sim/observer.h"
 #include "display_sim/slicer.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/ocri/ddoc_builder.h"
@@ -34,11 +37,16 @@ Mesh meshOf(const Source& source) {
 /// One mesh on the processor and on the GPU, and its volume on both.
 struct Case {
   Case(GlContext& context, const Source& source)
-      : mesh(meshOf(source)), volume(slice(mesh, profile)), glMesh(context, mesh), glVolume(context, volume) {}
+      : mesh(meshOf(source)),
+        volume(slice(mesh, profile)),
+        lit(volume.litVoxels()),
+        glMesh(context, mesh),
+        glVolume(context, volume) {}
 
   DisplayProfile profile = loadProfile("perspecta");
   Mesh mesh;
   Volume volume;
+  size_t lit;
   GlMesh glMesh;
   GlVolume glVolume;
 };
@@ -46,13 +54,28 @@ struct Case {
 /// What benchmarks of one run have in common.
 class Session {
  public:
-  explicit Session(GlContext& context) : context_(context), scope_(context), slicer_(context) {}
+  explicit Session(GlContext& context)
+      : context_(context),
+        scope_(context),
+        slicer_(context),
+        singleSlicer_(context, GlPrecision::kSingle),
+        observer_(context) {}
 
-  void sliceOnGpu(benchmark::State& state, const Source& source) {
+  void sliceOnGpu(benchmark::State& state, const Source& source, GlPrecision precision) {
     Case& c = caseOf(source);
+    GlSlicer& slicer = precision == GlPrecision::kDouble ? slicer_ : singleSlicer_;
     compare(
-        state, c, [&] { slicer_.slice(c.glMesh, c.glVolume); }, [&] { c.volume = slice(c.mesh, c.profile); });
-    state.counters["lit"] = static_cast<double>(c.glVolume.read().litVoxels());
+        state, c, [&] { slicer.slice(c.glMesh, c.glVolume); }, [&] { c.volume = slice(c.mesh, c.profile); });
+    const Volume sliced = c.glVolume.read();
+    size_t differing = 0;
+    for (int i = 0; i < sliced.slices(); ++i) {
+      forEachLit(sliced, i, [&](int column, int row, unsigned bits) {
+        differing += c.volume.colorBits(i, column, row) != bits ? 1 : 0;
+      });
+      forEachLit(c.volume, i,
+                 [&](int column, int row, unsigned) { differing += sliced.colorBits(i, column, row) == 0 ? 1 : 0; });
+    }
+    state.counters["differing"] = static_cast<double>(differing);
   }
 
   /// The whole way from a mesh in the memory of the processor to a volume there.
@@ -65,6 +88,24 @@ class Session {
           benchmark::DoNotOptimize(c.glVolume.read());
         },
         [&] { c.volume = slice(c.mesh, c.profile); });
+  }
+
+  /// A frame of a display whose volume stays.
+  void observeOnGpu(benchmark::State& state, const Source& source, int width, int height, GlSplat splat) {
+    Case& c = caseOf(source);
+    const ObserverOptions view{.width = width, .height = height};
+    observer_.look(c.glVolume);
+    compare(
+        state, c, [&] { observer_.draw({.view = view, .splat = splat}); },
+        [&] { benchmark::DoNotOptimize(collectLight(c.volume, view)); });
+    state.counters["frames_per_s"] = 1000 / state.counters["ms"];
+  }
+
+  /// What a new volume adds to that.
+  void lookOnGpu(benchmark::State& state, const Source& source) {
+    Case& c = caseOf(source);
+    compare(
+        state, c, [&] { observer_.look(c.glVolume); }, [&] { benchmark::DoNotOptimize(c.volume.litVoxels()); });
   }
 
  private:
@@ -90,7 +131,9 @@ class Session {
         bestOnProcessor = std::min(bestOnProcessor, milliseconds(onProcessor));
       }
     }
+    state.counters["ms"] = best;
     state.counters["triangles"] = static_cast<double>(c.mesh.triangles.size());
+    state.counters["lit"] = static_cast<double>(c.lit);
     state.counters["cpu_ms"] = bestOnProcessor;
     state.counters["x_cpu"] = best / bestOnProcessor;
   }
@@ -108,6 +151,8 @@ class Session {
   GlContext& context_;
   GlScope scope_;
   GlSlicer slicer_;
+  GlSlicer singleSlicer_;
+  GlObserver observer_;
   std::string name_;
   std::unique_ptr<Case> case_;
 };
@@ -119,19 +164,29 @@ void registerAll(Session& session) {
       all.push_back({"bunny", std::string(folder) + "/bunny.obj"});
     }
     all.push_back({"ocri", "builtin:statues,triangles=1000000", true});
-    all.push_back({"1M", "builtin:statues,triangles=1000000"});
+    all.push_back({"600K", "builtin:statues,triangles=600000"});
     all.push_back({"4.6M", "builtin:statues,triangles=4600000"});
     return all;
   }();
   for (const Source& source : sources) {
-    const auto add = [&](const char* name, void (Session::*run)(benchmark::State&, const Source&)) {
-      benchmark::RegisterBenchmark((std::string(name) + "/" + source.name).c_str(),
-                                   [&session, &source, run](benchmark::State& state) { (session.*run)(state, source); })
+    const auto add = [&](const char* name, const std::function<void(benchmark::State&)>& run) {
+      benchmark::RegisterBenchmark((std::string(name) + "/" + source.name).c_str(), run)
           ->Unit(benchmark::kMillisecond)
           ->UseManualTime();
     };
-    add("slice", &Session::sliceOnGpu);
-    add("slice_with_transfers", &Session::sliceThroughGpu);
+    using State = benchmark::State;
+    add("slice", [&](State& state) { session.sliceOnGpu(state, source, GlPrecision::kDouble); });
+    add("slice_single", [&](State& state) { session.sliceOnGpu(state, source, GlPrecision::kSingle); });
+    add("slice_with_transfers", [&](State& state) { session.sliceThroughGpu(state, source); });
+    add("look", [&](State& state) { session.lookOnGpu(state, source); });
+    for (const auto& [name, splat] : {std::pair("boxes", GlSplat::kBoxes), std::pair("points", GlSplat::kPoints)}) {
+      for (const auto& [width, height] : {std::pair(720, 480), std::pair(768, 768)}) {
+        const std::string full = std::string("observe_") + name + "_" + std::to_string(height);
+        add(full.c_str(), [&session, &source, width = width, height = height, splat = splat](State& state) {
+          session.observeOnGpu(state, source, width, height, splat);
+        });
+      }
+    }
   }
 }
 

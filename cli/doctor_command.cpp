@@ -91,7 +91,7 @@ std::string asJson(const Findings& findings) {
       {"opengl", anyProvider(findings, "works", true)},
       {"gpu", anyProvider(findings, "software", false)},
       {"providers", findings.providers}};
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string row(const std::string& name, const std::string& text) {

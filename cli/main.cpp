@@ -30,9 +30,7 @@ void addCommands(CLI::App& program, const Frame& frame) {
   addObserveCommand(program, frame);
   addVolumeCommand(program, frame);
   addEvaluateCommand(program, frame);
-#ifdef OCELLI_WITH_OPENGL
   addViewCommand(program, frame);
-#endif
   addDoctorCommand(program, frame);
 }
 

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
+#include "cli/gl_drawing.h"
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
@@ -21,6 +22,7 @@ struct BuildChoice {
   std::string view;
   std::string size = "720x480";
   std::string construction = "auto";
+  std::string gl = "auto";
   std::string output;
 };
 
@@ -34,30 +36,37 @@ void addBuild(CLI::App& ocri, const Frame& frame) {
   command
       .add_option("--construction", choice->construction,
                   "By rasterisation or by rays; rays build an acceleration structure (BVH) first, which takes longer "
-                  "than rasterising one image of any scene, but for large ones with cell: auto rasterises")
-      ->type_name("auto|raster|rays")
+                  "than rasterising one image of any scene, but for large ones with cell: auto rasterises. gl draws on "
+                  "the GPU with OpenGL")
+      ->type_name("auto|raster|rays|gl")
       ->capture_default_str();
+  addGlOption(command, choice->gl);
   addOutputOption(command, choice->output, "Where the image goes", {".exr"});
-  frame.finish(command,
-               "  ocelli ocri build builtin:statues -o statues.exr\n"
-               "  ocelli ocri build bunny.obj --camera di --size 180x120 -o bunny.exr",
-               [choice, frame] {
-                 checkWritable(choice->output);
-                 const Construction construction = constructionFromText(choice->construction, "--construction");
-                 const CameraChoice camera = cameraChoice(choice->camera);
-                 const ImageSize size = imageSizeFromText(choice->size, "--size");
-                 const PinholeCamera reference(readViewOption(choice->view), size.width, size.height);
-                 const Mesh mesh = loadScene(choice->scene.source, choice->scene.options, frame.progress());
-                 ConstructionReport report;
-                 const ReferenceImages images =
-                     buildReferenceImages(camera, reference, mesh, frame.progress(), construction, nullptr, &report);
-                 writeReferenceImages(choice->output, images);
-                 frame.note("constructed " + describe(report));
-                 for (const ReferenceImage& image : images) {
-                   frame.note(fmt::format("wrote {}: {} of {}x{}, {} samples", choice->output, image.camera,
-                                          image.width(), image.height(), image.sampleCount()));
-                 }
-               });
+  frame.finish(
+      command,
+      "  ocelli ocri build builtin:statues -o statues.exr\n"
+      "  ocelli ocri build bunny.obj --camera di --size 180x120 -o bunny.exr",
+      [choice, frame] {
+        checkWritable(choice->output);
+        const bool onGpu = choice->construction == "gl";
+        const Construction construction = constructionFromText(onGpu ? "auto" : choice->construction, "--construction");
+        const CameraChoice camera = cameraChoice(choice->camera);
+        const ImageSize size = imageSizeFromText(choice->size, "--size");
+        const PinholeCamera reference(readViewOption(choice->view), size.width, size.height);
+        const auto gl = onGpu ? std::make_unique<GlDrawing>(choice->gl) : nullptr;
+        const Mesh mesh = loadScene(choice->scene.source, choice->scene.options, frame.progress());
+        ConstructionReport report;
+        const ReferenceImages images =
+            gl != nullptr
+                ? buildReferenceImages(camera, reference, mesh, frame.progress(), gl->drawerOf(mesh))
+                : buildReferenceImages(camera, reference, mesh, frame.progress(), construction, nullptr, &report);
+        writeReferenceImages(choice->output, images);
+        frame.note("constructed " + (gl != nullptr ? "with " + gl->description() : describe(report)));
+        for (const ReferenceImage& image : images) {
+          frame.note(fmt::format("wrote {}: {} of {}x{}, {} samples", choice->output, image.camera, image.width(),
+                                 image.height(), image.sampleCount()));
+        }
+      });
 }
 
 void addMesh(CLI::App& ocri, const Frame& frame) {

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
+#include "cli/gl_drawing.h"
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
@@ -19,12 +20,13 @@ struct RenderChoice {
   SceneChoice scene;
   std::string camera = "di";
   std::string method = "raster";
+  std::string gl = "auto";
   std::string view;
   std::string size = "720x480";
   std::string output;
 };
 
-/// Nothing for "raster": what a camera builds its image with.
+/// Nothing for "raster", what a camera builds its image with, and for "gl".
 std::optional<Technique> techniqueOf(const std::string& method) {
   if (method == "points") {
     return Technique::kPoints;
@@ -40,11 +42,13 @@ void render(const RenderChoice& choice, const Frame& frame) {
   const CameraChoice camera = cameraChoice(choice.camera);
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   const PinholeCamera reference(readViewOption(choice.view), size.width, size.height);
+  const auto gl = choice.method == "gl" ? std::make_unique<GlDrawing>(choice.gl) : nullptr;
   const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, frame.progress());
   const auto technique = techniqueOf(choice.method);
   const ReferenceImages images =
-      technique ? ReferenceImages{drawReferenceImage(*technique, camera, reference, mesh, frame.progress())}
-                : buildReferenceImages(camera, reference, mesh, frame.progress());
+      technique       ? ReferenceImages{drawReferenceImage(*technique, camera, reference, mesh, frame.progress())}
+      : gl != nullptr ? buildReferenceImages(camera, reference, mesh, frame.progress(), gl->drawerOf(mesh))
+                      : buildReferenceImages(camera, reference, mesh, frame.progress());
   const ReferenceImage& image = images.front();
   if (choice.output.ends_with(".exr")) {
     writeReferenceImages(choice.output, images);
@@ -68,10 +72,11 @@ void addRenderCommand(CLI::App& program, const Frame& frame) {
   command
       .add_option(
           "--method", choice->method,
-          "How: fill projected triangles, splat samples of them, meet each with the rays around it, or follow the "
-          "rays (the reference)")
-      ->check(CLI::IsMember({"raster", "points", "hybrid", "raycast"}))
+          "How: fill projected triangles, splat samples of them, meet each with the rays around it, follow the rays "
+          "(the reference), or draw on the GPU with OpenGL")
+      ->check(CLI::IsMember({"raster", "points", "hybrid", "raycast", "gl"}))
       ->type_name("NAME");
+  addGlOption(command, choice->gl);
   addViewOption(command, choice->view);
   addSizeOption(command, choice->size);
   addOutputOption(command, choice->output, "Where the image goes: PNG, or EXR with depth and offsets",
@@ -79,7 +84,8 @@ void addRenderCommand(CLI::App& program, const Frame& frame) {
   frame.finish(command,
                "  ocelli render builtin:teapot -o teapot.png\n"
                "  ocelli render builtin:statues --camera ddoc --size 1440x960 -o statues.png\n"
-               "  ocelli render builtin:statues --camera ddoc --method raycast -o reference.exr",
+               "  ocelli render builtin:statues --camera ddoc --method raycast -o reference.exr\n"
+               "  ocelli render builtin:statues --camera eoc-h --method gl -o statues.png",
                [choice, frame] { render(*choice, frame); });
 }
 

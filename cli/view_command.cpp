@@ -2,10 +2,13 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
+#include "cli/gl_drawing.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
+#ifdef OCELLI_WITH_OPENGL
 #include "display_sim/viewer/viewer_run.h"
 #include "oc_core/gl/gl_context.h"
+#endif
 
 namespace ocelli {
 namespace {
@@ -21,6 +24,7 @@ struct ViewChoice {
   std::string folder = ".";
 };
 
+#ifdef OCELLI_WITH_OPENGL
 ViewerOptions viewerOptions(const ViewChoice& choice) {
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   ViewerOptions options;
@@ -45,6 +49,11 @@ void view(const ViewChoice& choice, const Frame& frame) {
   const std::unique_ptr<GlContext> context = openGlContext(choice.gl, "--gl");
   runViewerScript(*context, options, script, [&](const std::string& file) { frame.note("wrote " + file); });
 }
+#else
+void view(const ViewChoice&, const Frame&) {
+  failWithoutOpenGl();
+}
+#endif
 
 }  // namespace
 
@@ -59,9 +68,7 @@ void addViewCommand(CLI::App& program, const Frame& frame) {
   command.add_option("-o,--output", choice->folder, "Folder for saved pictures and views")->type_name("DIR");
   command.add_option("--offscreen", choice->script, "Play a script to the viewer, without a display")
       ->type_name("SCRIPT.json");
-  command.add_option("--gl", choice->gl, "What draws for --offscreen")
-      ->check(CLI::IsMember({"auto", "egl", "osmesa"}))
-      ->type_name("NAME");
+  addGlOption(command, choice->gl);
   frame.finish(command,
                "  ocelli view builtin:statues\n"
                "  ocelli view bunny.obj --camera cell --size 1440x960\n"

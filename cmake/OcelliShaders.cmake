@@ -1,6 +1,6 @@
-# ocelli_embed_shaders(TARGET FILE.glsl ...): compiles GLSL sources into a target. FILE.glsl becomes
-# `ocelli::shaders::kFile` (snake_case to kUpperCamel), a std::string_view, in "<folder of the target>/shaders.h" of the
-# build tree, for .cpp files.
+# ocelli_embed_shaders(TARGET FILE ...): compiles GLSL sources into a target. some_file.glsl becomes
+# `ocelli::shaders::kSomeFile`, some_file.comp `kSomeFileComp`, a std::string_view, in "<folder of the target>/shaders.h"
+# of the build tree, for .cpp files.
 function(ocelli_embed_shaders target)
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   set(declarations "")
@@ -8,8 +8,9 @@ function(ocelli_embed_shaders target)
     set(file ${CMAKE_CURRENT_SOURCE_DIR}/${shader})
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     file(READ ${file} source)
-    get_filename_component(name ${shader} NAME_WE)
-    string(REPLACE "_" ";" words ${name})
+    get_filename_component(name ${shader} NAME)
+    string(REGEX REPLACE "\\.glsl$" "" name ${name})
+    string(REGEX REPLACE "[_.]" ";" words ${name})
     set(constant "k")
     foreach(word IN LISTS words)
       string(SUBSTRING ${word} 0 1 first)

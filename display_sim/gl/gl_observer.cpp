@@ -1,6 +1,8 @@
 #include "display_sim/gl/gl_observer.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/vec4.hpp>
 
 #include "display_sim/eye_perspective.h"
@@ -16,7 +18,7 @@ namespace {
 constexpr GLuint kGroups = 512;
 constexpr double kShaderLightUnit = 1 << 20;  // kLightUnit of observe.glsl
 constexpr size_t kSumsPerPixel = 4;           // likewise
-constexpr size_t kVoxelsPerGroup = 4 * 256;   // observe_small.glsl
+constexpr size_t kVoxelsPerGroup = 1024;      // 4 of 256 invocations
 constexpr size_t kMostGroups = 65535;         // in a direction, on any GPU
 constexpr uint32_t kMostRowGroups = 64;       // as many as a voxel right before the eye may need
 constexpr size_t kFirstRoom = 1 << 20;
@@ -65,6 +67,7 @@ void GlObserver::look(const GlVolume& volume) {
   const GlScope scope(*context_);
   const GladGLContext& gl = context_->gl();
   volume_ = nullptr;
+  litVoxels_ = 0;
   gl.UseProgram(list_.id());
   gl.ProgramUniform1ui(list_.id(), 0, static_cast<GLuint>(volume.wordCount()));
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, volume.words().id());
@@ -177,7 +180,7 @@ void GlObserver::draw(const GlObserverOptions& options) {
   }
   gl.ClearNamedBufferSubData(queue_.id(), GL_R32UI, 0, 2 * sizeof(uint32_t), GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
   gl.UseProgram(small_.id());
-  gl.DispatchCompute(static_cast<GLuint>(litVoxels_ / kVoxelsPerGroup + 1), 1, 1);
+  gl.DispatchCompute(static_cast<GLuint>(std::min(litVoxels_ / kVoxelsPerGroup + 1, kMostGroups)), 1, 1);
   drawLarge();
   gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   gl.ProgramUniform2i(resolve_.id(), 0, view.width, view.height);

@@ -30,8 +30,8 @@ class GlObserver {
   /// Throws GlError where the driver refuses a shader.
   explicit GlObserver(GlContext& context);
 
-  /// Lists the lit voxels of `volume`, of this context, which must stay as it is while it is looked at. Waits for the
-  /// GPU. Throws GlError where there are more than its buffers hold.
+  /// Lists the lit voxels of `volume`, of this context, which must live and stay as it is while it is looked at.
+  /// Waits for the GPU. Throws GlError where there are more than its buffers hold.
   void look(const GlVolume& volume);
   size_t litVoxels() const { return litVoxels_; }
 

@@ -1,5 +1,7 @@
 #include "display_sim/gl/gl_slicer.h"
 
+#include <algorithm>
+
 #include "display_sim/gl/shaders.h"
 #include "display_sim/sweep_geometry.h"
 #include "oc_core/gl/gl_api.h"
@@ -24,6 +26,7 @@ GlObject makeSlicer(GlContext& context, const std::string& name, std::string_vie
 /// In the precision of the shaders.
 GlObject makeDirections(GlContext& context, const SweepGeometry& sweep, GlPrecision precision) {
   std::vector<glm::dvec2> directions;
+  directions.reserve(static_cast<size_t>(sweep.sectors()));
   for (int sector = 0; sector < sweep.sectors(); ++sector) {
     directions.push_back(sweep.sectorDirection(sector));
   }

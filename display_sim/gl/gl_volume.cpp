@@ -1,6 +1,8 @@
 #include "display_sim/gl/gl_volume.h"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/gl/gl_api.h"
@@ -9,6 +11,8 @@ namespace ocelli {
 namespace {
 
 constexpr size_t kSliceGrain = 8;
+/// Shaders count voxels, of which a word has eight, in 32 bits.
+constexpr size_t kMostBytes = size_t{1} << 31;
 
 /// The bits of a byte four apart.
 constexpr std::array<uint32_t, 256> kSpread = [] {
@@ -32,7 +36,7 @@ uint8_t gathered(uint32_t word) {
 GlObject makeWords(GlContext& context, const DisplayProfile& profile, size_t words, const uint32_t* data) {
   const GlScope scope(context);
   const size_t bytes = words * sizeof(uint32_t);
-  const auto most = static_cast<size_t>(context.info().maxStorageBytes);
+  const size_t most = std::min(static_cast<size_t>(context.info().maxStorageBytes), kMostBytes);
   if (bytes > most) {
     throw GlError("a volume of this display takes " + std::to_string(bytes >> 20) + " MiB, and this GPU's shaders " +
                       "address at most " + std::to_string(most >> 20) + " MiB",
@@ -60,9 +64,9 @@ std::vector<uint32_t> wordsOf(const Volume& volume) {
 
 }  // namespace
 
-GlVolume::GlVolume(GlContext& context, const DisplayProfile& profile)
+GlVolume::GlVolume(GlContext& context, DisplayProfile profile)
     : context_(&context),
-      profile_(profile),
+      profile_(std::move(profile)),
       layout_(profile_),
       words_(makeWords(context, profile_, wordCount(), nullptr)) {
   clear();

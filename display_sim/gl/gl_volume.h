@@ -14,7 +14,7 @@ namespace ocelli {
 class GlVolume {
  public:
   /// All voxels dark. Throws GlError where the GPU has no room for the profile.
-  GlVolume(GlContext& context, const DisplayProfile& profile);
+  GlVolume(GlContext& context, DisplayProfile profile);
   GlVolume(GlContext& context, const Volume& volume);
 
   const DisplayProfile& profile() const { return profile_; }

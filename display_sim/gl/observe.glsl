@@ -138,5 +138,7 @@ void addPart(Cell cell, int part, ivec2 rows) {
   vec2 outward = projected(eyeFromWorld * vec3(direction.x, 0, direction.y) * width, p);
   vec2 up = projected(eyeFromWorld[1] * (2 * halfHeight / sliceSize.y), p);
   vec2 along = projected(eyeFromWorld * vec3(-direction.y, 0, direction.x) * (abs(r) * radians), p);
-  addBox(center, sqrt(outward * outward + up * up + along * along), light, cell.colorBits, rows);
+  // Seen along its plane a part at the axis has no extent in one direction.
+  vec2 size = max(sqrt(outward * outward + up * up + along * along), vec2(1e-3));
+  addBox(center, size, light, cell.colorBits, rows);
 }

@@ -164,25 +164,48 @@ Real inside(SectorPoint p, Real side, Real slack) {
   return value;
 }
 
-// Keeps what is inside of one border (Sutherland and Hodgman).
-void clipToBorder(inout SectorPoint points[kMostPoints], inout int size, Real side, Real slack) {
+// Points are kept where constants index them: arrays that are indexed by variables are slow memory on many GPUs, and far
+// slower on software renderers.
+void keep(inout SectorPoint points[kMostPoints], inout int size, SectorPoint p) {
+  for (int i = 0; i < kMostPoints; ++i) {
+    if (i == size) {
+      points[i] = p;
+    }
+  }
+  ++size;
+}
+
+// The edge from a to b; goes on to b.
+void clipEdge(inout SectorPoint points[kMostPoints], inout int size, inout SectorPoint a, inout Real inA, SectorPoint b,
+              Real side, Real slack) {
+  Real inB = inside(b, side, slack);
+  if ((inA < 0) != (inB < 0)) {
+    precise Real t = inA / (inA - inB);
+    keep(points, size, sectorPoint(a, b, t));
+  }
+  if (inB >= 0) {
+    keep(points, size, b);
+  }
+  a = b;
+  inA = inB;
+}
+
+// Keeps what is inside of one border (Sutherland and Hodgman), of no more than `most` points.
+void clipToBorder(inout SectorPoint points[kMostPoints], inout int size, const int most, Real side, Real slack) {
   SectorPoint whole[kMostPoints] = points;
   int wholeSize = size;
   size = 0;
-  SectorPoint a = whole[wholeSize - 1];
+  SectorPoint a = whole[0];
+  for (int i = 1; i < most; ++i) {
+    if (i < wholeSize) {
+      a = whole[i];
+    }
+  }
   Real inA = inside(a, side, slack);
-  for (int i = 0; i < wholeSize; ++i) {
-    SectorPoint b = whole[i];
-    Real inB = inside(b, side, slack);
-    if ((inA < 0) != (inB < 0)) {
-      precise Real t = inA / (inA - inB);
-      points[size++] = sectorPoint(a, b, t);
+  for (int i = 0; i < most; ++i) {
+    if (i < wholeSize) {
+      clipEdge(points, size, a, inA, whole[i], side, slack);
     }
-    if (inB >= 0) {
-      points[size++] = b;
-    }
-    a = b;
-    inA = inB;
   }
 }
 
@@ -203,12 +226,13 @@ int clipToSector(Triangle triangle, int sector, out Real4 screen[kMostPoints]) {
     return 0;
   }
   int size = 3;
-  for (int border = 0; border < 2; ++border) {
-    if (outside[border] > 0 && size > 0) {
-      clipToBorder(points, size, Real(1 - 2 * border), triangle.slack);
-    }
+  if (outside.x > 0) {
+    clipToBorder(points, size, 3, 1, triangle.slack);
   }
-  for (int k = 0; k < size; ++k) {
+  if (outside.y > 0 && size > 0) {
+    clipToBorder(points, size, 4, -1, triangle.slack);
+  }
+  for (int k = 0; k < kMostPoints; ++k) {
     precise Real q = width / Real(2) + Real(sector < slices ? 1 : -1) * points[k].at.x;
     screen[k] = Real4(q, points[k].at.z, points[k].b);
   }
@@ -258,6 +282,20 @@ void extend(inout Real4 lo, inout Real4 hi, Real4 point) {
   }
 }
 
+// What a corner and the edge after it add to the extent of a row.
+void extendByEdge(inout Real4 lo, inout Real4 hi, Real4 a, Real4 b, int row) {
+  if (a.y >= Real(row) && a.y <= Real(row + 1)) {
+    extend(lo, hi, a);
+  }
+  for (int border = row; border <= row + 1; ++border) {
+    precise Real t = (Real(border) - a.y) / (b.y - a.y);
+    if (t > 0 && t < 1) {
+      precise Real4 crossing = a + (b - a) * t;
+      extend(lo, hi, crossing);
+    }
+  }
+}
+
 // Lights what the triangle touches in a sector, of the rows given.
 void lightSector(Triangle triangle, int sector, ivec2 within) {
   Real4 points[kMostPoints];
@@ -267,9 +305,11 @@ void lightSector(Triangle triangle, int sector, ivec2 within) {
   }
   Real top = points[0].y;
   Real bottom = top;
-  for (int i = 1; i < size; ++i) {
-    top = min(top, points[i].y);
-    bottom = max(bottom, points[i].y);
+  for (int i = 1; i < kMostPoints; ++i) {
+    if (i < size) {
+      top = min(top, points[i].y);
+      bottom = max(bottom, points[i].y);
+    }
   }
   ivec2 rows = touchedCells(top, bottom, height);
   rows = ivec2(max(rows.x, within.x), min(rows.y, within.y));
@@ -278,18 +318,9 @@ void lightSector(Triangle triangle, int sector, ivec2 within) {
     // Within a row the extreme points are corners of the polygon or lie where its outline crosses the row's border.
     Real4 lo = Real4(1e30);
     Real4 hi = Real4(-1e30);
-    for (int i = 0; i < size; ++i) {
-      Real4 a = points[i];
-      Real4 b = points[i + 1 == size ? 0 : i + 1];
-      if (a.y >= Real(row) && a.y <= Real(row + 1)) {
-        extend(lo, hi, a);
-      }
-      for (int border = row; border <= row + 1; ++border) {
-        precise Real t = (Real(border) - a.y) / (b.y - a.y);
-        if (t > 0 && t < Real(1)) {
-          precise Real4 crossing = a + (b - a) * t;
-          extend(lo, hi, crossing);
-        }
+    for (int i = 0; i < kMostPoints; ++i) {
+      if (i < size) {
+        extendByEdge(lo, hi, points[i], i + 1 == size || i + 1 == kMostPoints ? points[0] : points[min(i + 1, kMostPoints - 1)], row);
       }
     }
     ivec2 columns = touchedCells(lo.x, hi.x, width);

@@ -29,6 +29,8 @@ class DdocCamera {
   float longestDisplacement() const { return longestDisplacement_; }
   /// False where no point with an undistorted image in the box is displaced, whatever its depth.
   bool displacesWithin(const ImageBox& undistorted) const;
+  /// Map samples that displace, above and to the left of each corner of a pixel.
+  const Image<uint32_t>& displacedBefore() const { return displacedBefore_; }
   ImageBox displacementOver(const ImageBox& undistorted, float leastInverseZ, float greatestInverseZ) const {
     return bounds_.over(undistorted).at(leastInverseZ, greatestInverseZ);
   }
@@ -52,7 +54,7 @@ class DdocCamera {
   DistortionMap map_;
   float longestDisplacement_;
   DisplacementBounds bounds_;
-  Image<uint32_t> displacedBefore_;  ///< map samples that displace, above and to the left of each corner of a pixel
+  Image<uint32_t> displacedBefore_;
 };
 
 static_assert(DistortedPinhole<DdocCamera>);

@@ -60,6 +60,12 @@ class EpipolarLines {
   /// The epipole in the base image, pixels, and the direction of a line there. Only where lines are radial.
   const glm::dvec2& epipole() const { return epipole_; }
   glm::dvec2 direction(double row) const;
+  /// Angle of the first row's border and that of a row, radians. Only where lines are radial.
+  double firstAngle() const { return firstAngle_; }
+  double angleStep() const { return angleStep_; }
+  /// Distance of position 0 of a row from the epipole, pixels; 0 where lines are parallel.
+  int start(int row) const { return starts_[static_cast<size_t>(row)]; }
+  bool isForward() const { return forward_; }
   /// Position on a row at a distance from the epipole.
   double positionAtRadius(int row, double radius) const {
     const double start = starts_[static_cast<size_t>(row)];

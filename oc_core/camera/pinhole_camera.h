@@ -27,6 +27,10 @@ class PinholeCamera {
   float focalPixels() const { return focal_; }
   /// Where the view direction meets the image, pixels: its middle, unless the view is sheared.
   glm::vec2 centerPixels() const { return {centerU_, centerV_}; }
+  /// The axes of camera coordinates: unit vectors in the world.
+  const glm::vec3& right() const { return right_; }
+  const glm::vec3& down() const { return down_; }
+  const glm::vec3& forward() const { return forward_; }
 
   /// (right, down, forward) coordinates of a world point relative to the eye; `.z` is the image z.
   glm::vec3 cameraFromWorld(const glm::vec3& worldPoint) const {

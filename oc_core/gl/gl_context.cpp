@@ -101,7 +101,7 @@ GlContext::GlContext(GlProvider provider, std::unique_ptr<GlPlatform> platform, 
     info_.version = text(*gl_, GL_VERSION);
     info_.isSoftware = isSoftware(info_.renderer);
   }
-  if (loaded < GLAD_MAKE_VERSION(kGlMajorVersion, kGlMinorVersion)) {
+  if (gl_->GetString == nullptr || loaded < GLAD_MAKE_VERSION(kGlMajorVersion, kGlMinorVersion)) {
     throw GlError("OpenGL 4.5 is needed, and this driver has " +
                       (info_.version.empty() ? "none that could be loaded" : "\"" + info_.version + "\""),
                   nameOf(provider), "update the graphics driver, or use OSMesa");

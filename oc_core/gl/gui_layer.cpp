@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/gl/gui_style.h"
@@ -79,7 +80,7 @@ GuiRenderer makeRenderer(GlContext& context) {
 }  // namespace
 
 GuiLayer::GuiLayer(GlContext& context, double contentScale)
-    : glContext_(&context), context_(nullptr), renderer_(makeRenderer(context)), contentScale_(contentScale) {
+    : glContext_(&context), renderer_(makeRenderer(context)), contentScale_(contentScale) {
   IMGUI_CHECKVERSION();
   ImGuiContext* const before = ImGui::GetCurrentContext();
   context_ = ImGui::CreateContext();
@@ -188,6 +189,7 @@ bool GuiLayer::take(const InputEvent& event, Taken& taken) {
 }
 
 void GuiLayer::applyScale() {
+  OC_CHECK(contentScale_ > 0 && pixelsPerUnit_ > 0, "a window has a scale");
   applyGuiStyle(lengthScale());
   io().Fonts->Clear();
   fontName_ = loadFont();

@@ -14,6 +14,7 @@
 // program, which beginFrame() sets.
 #pragma once
 
+#include <bit>
 #include <bitset>
 #include <cstdint>
 #include <deque>
@@ -53,7 +54,7 @@ class GuiLayer {
   void endFrame();
 
   /// For ImGui::Image(): shows a texture, its row 0 at the top.
-  static void* imageOf(const GlObject& texture) { return reinterpret_cast<void*>(uintptr_t{texture.id()}); }
+  static void* imageOf(const GlObject& texture) { return std::bit_cast<void*>(uintptr_t{texture.id()}); }
 
   /// Screen coordinates for a length of 1 at 96 dots an inch.
   double lengthScale() const { return contentScale_ / pixelsPerUnit_; }
@@ -79,7 +80,7 @@ class GuiLayer {
   std::string loadFont();
 
   GlContext* glContext_;
-  ImGuiContext* context_;
+  ImGuiContext* context_ = nullptr;
   GuiRenderer renderer_;
   GlObject fontTexture_;
   std::string fontBytes_;

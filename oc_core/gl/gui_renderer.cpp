@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "oc_core/base/check.h"
@@ -28,10 +29,11 @@ void describe(const GladGLContext& gl, GLuint array, GLuint location, GLint coun
 
 /// Everything off that others may have left on.
 void setPlainState(const GladGLContext& gl) {
-  for (const GLenum off :
-       {GL_DEPTH_TEST, GL_CULL_FACE, GL_STENCIL_TEST, GL_BLEND, GL_SCISSOR_TEST, GL_FRAMEBUFFER_SRGB}) {
+  for (const GLenum off : {GL_DEPTH_TEST, GL_CULL_FACE, GL_STENCIL_TEST, GL_BLEND, GL_SCISSOR_TEST, GL_CLIP_DISTANCE0,
+                           GL_FRAMEBUFFER_SRGB}) {
     gl.Disable(off);
   }
+  gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
   gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
@@ -57,7 +59,7 @@ bool clip(const GladGLContext& gl, const ImDrawData& data, const ImVec4& rectang
 GuiRenderer::GuiRenderer(GlContext& context)
     : context_(&context),
       program_(makeProgram(context, "gui",
-                           {{GL_VERTEX_SHADER, {shaders::kGuiVertex}}, {GL_FRAGMENT_SHADER, {shaders::kGuiFragment}}})),
+                           {{GL_VERTEX_SHADER, {shaders::kGuiVert}}, {GL_FRAGMENT_SHADER, {shaders::kGuiFrag}}})),
       vertexArray_(makeVertexArray(context)) {
   const GladGLContext& gl = context.gl();
   describe(gl, vertexArray_.id(), 0, 2, GL_FLOAT, false, offsetof(ImDrawVert, pos));
@@ -143,7 +145,7 @@ void GuiRenderer::draw(const ImDrawData& data) {
       }
       gl.BindTextureUnit(0, static_cast<GLuint>(reinterpret_cast<uintptr_t>(command.GetTexID())));
       gl.DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), kIndexType,
-                                reinterpret_cast<const void*>((firstIndex + command.IdxOffset) * sizeof(ImDrawIdx)),
+                                std::bit_cast<const void*>((firstIndex + command.IdxOffset) * sizeof(ImDrawIdx)),
                                 static_cast<GLint>(firstVertex + command.VtxOffset));
     }
     firstVertex += static_cast<size_t>(list.VtxBuffer.Size);

@@ -12,7 +12,7 @@ ImVec4 color(GuiColor color, float alpha = 1) {
 
 void applyColors(ImGuiStyle& style) {
   const ImVec4 none(0, 0, 0, 0);
-  ImVec4* const colors = static_cast<ImVec4*>(style.Colors);
+  auto* const colors = static_cast<ImVec4*>(style.Colors);
   colors[ImGuiCol_Text] = color(kGuiText);
   colors[ImGuiCol_TextDisabled] = color(kGuiTextDim);
   colors[ImGuiCol_TextSelectedBg] = color(kGuiAccentDeep);

@@ -173,9 +173,9 @@ ReferenceImages layeredDepthImage(const PinholeCamera& reference, const Mesh& me
   return images;
 }
 
-ReferenceImages spocUnion(const PinholeCamera& reference, const Mesh& mesh, const RayScene* rays) {
-  ReferenceImages images{buildDepthImage(reference, mesh, rays),
-                         buildSpocImage(buildSpocCamera(reference, mesh, {}, rays), mesh, rays)};
+ReferenceImages spocUnion(const PinholeCamera& reference, const Mesh& mesh, const SceneDrawer* drawer) {
+  ReferenceImages images{buildDepthImage(reference, mesh, drawer),
+                         buildSpocImage(buildSpocCamera(reference, mesh, {}, drawer), mesh, drawer)};
   subtract(images[1], images[0], [&](const glm::vec3& point) { return reference.project(point); });
   images[1].triangleBound = 0;
   return images;
@@ -183,7 +183,7 @@ ReferenceImages spocUnion(const PinholeCamera& reference, const Mesh& mesh, cons
 
 /// Two EOCs whose segments cross at the reference eye, and a DDOC if wanted; each without what those before it hold.
 ReferenceImages crossedEocs(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh, bool withDdoc,
-                            const Progress& progress, const RayScene* rays) {
+                            const Progress& progress, const SceneDrawer* drawer) {
   ReferenceImages images;
   std::vector<Projection> projections;
   const auto add = [&](ReferenceImage image, Projection projection) {
@@ -196,46 +196,50 @@ ReferenceImages crossedEocs(const CameraChoice& choice, const PinholeCamera& ref
   };
   for (const glm::vec3& direction : {kHorizontalSegment, kVerticalSegment}) {
     const ViewSegment segment = segmentAround(reference.view(), direction, choice.cellSideRadii);
-    const auto camera = std::make_shared<EpipolarCamera>(buildEpipolarCamera(reference, segment, mesh, {}, rays));
-    add(buildEocImage(*camera, mesh, rays), [camera](const glm::vec3& point) { return camera->project(point); });
+    const auto camera = std::make_shared<EpipolarCamera>(buildEpipolarCamera(reference, segment, mesh, {}, drawer));
+    add(buildEocImage(*camera, mesh, drawer), [camera](const glm::vec3& point) { return camera->project(point); });
   }
   if (withDdoc) {
-    const auto camera = std::make_shared<DdocCamera>(buildDdocCamera(reference, mesh, choice.ddoc, progress, rays));
-    add(buildDdocImage(*camera, mesh, choice.ddoc.subdivision, rays),
+    const auto camera = std::make_shared<DdocCamera>(buildDdocCamera(reference, mesh, choice.ddoc, progress, drawer));
+    add(buildDdocImage(*camera, mesh, choice.ddoc.subdivision, drawer),
         [camera](const glm::vec3& point) { return camera->project(point); });
   }
   return images;
 }
 
 ReferenceImages imagesOf(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
-                         const Progress& progress, const RayScene* rays) {
+                         const Progress& progress, const SceneDrawer* drawer) {
   const ViewCell cell{.sideRadii = choice.cellSideRadii};
   switch (choice.model) {
     case CameraChoice::Model::kDepthImage:
-      return {buildDepthImage(reference, mesh, rays)};
+      return {buildDepthImage(reference, mesh, drawer)};
     case CameraChoice::Model::kWideDepthImage:
-      return {buildWideDepthImage(reference, mesh, wideFactor(reference, mesh, cell))};
+      return {buildWideDepthImage(reference, mesh, wideFactor(reference, mesh, cell), drawer)};
     case CameraChoice::Model::kCornerDepthImages:
-      return buildCornerDepthImages(reference, mesh, cell, choice.count);
+      return buildCornerDepthImages(reference, mesh, cell, choice.count, drawer);
     case CameraChoice::Model::kLayeredDepthImage:
+      if (drawer != nullptr) {
+        throw InputError("camera \"" + choice.name + "\" peels layers, which only rasterisation on the processor does",
+                         "--camera", "draw it without OpenGL, or choose another camera");
+      }
       return layeredDepthImage(reference, mesh, choice.count);
     case CameraChoice::Model::kReversePinhole:
-      return {buildReversePinholeImage(buildReversePinhole(reference, mesh), reference, mesh)};
+      return {buildReversePinholeImage(buildReversePinhole(reference, mesh, drawer), reference, mesh, drawer)};
     case CameraChoice::Model::kSpoc:
-      return {buildSpocImage(buildSpocCamera(reference, mesh, {}, rays), mesh, rays)};
+      return {buildSpocImage(buildSpocCamera(reference, mesh, {}, drawer), mesh, drawer)};
     case CameraChoice::Model::kSpocUnion:
-      return spocUnion(reference, mesh, rays);
+      return spocUnion(reference, mesh, drawer);
     case CameraChoice::Model::kDdoc:
-      return {buildDdocImage(reference, mesh, choice.ddoc, progress, rays)};
+      return {buildDdocImage(reference, mesh, choice.ddoc, progress, drawer)};
     case CameraChoice::Model::kEoc:
       return {buildEocImage(reference, segmentAround(reference.view(), choice.segmentDirection, choice.cellSideRadii),
-                            mesh, {}, rays)};
+                            mesh, {}, drawer)};
     case CameraChoice::Model::kCrossedEocs:
-      return crossedEocs(choice, reference, mesh, false, progress, rays);
+      return crossedEocs(choice, reference, mesh, false, progress, drawer);
     case CameraChoice::Model::kCrossedEocsDdoc:
-      return crossedEocs(choice, reference, mesh, true, progress, rays);
+      return crossedEocs(choice, reference, mesh, true, progress, drawer);
     case CameraChoice::Model::kCell:
-      return {buildCellImage(buildCellCamera(reference, mesh, choice.cell, progress, rays), mesh, rays)};
+      return {buildCellImage(buildCellCamera(reference, mesh, choice.cell, progress, drawer), mesh, drawer)};
     case CameraChoice::Model::kSimplified:
     case CameraChoice::Model::kSimplifiedSloppy:
     case CameraChoice::Model::kGeometry:
@@ -355,7 +359,17 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
   if (report != nullptr) {
     *report = done;
   }
-  return finished(imagesOf(choice, reference, mesh, progress, done.byRays ? rays : nullptr), choice);
+  if (!done.byRays) {
+    return finished(imagesOf(choice, reference, mesh, progress, nullptr), choice);
+  }
+  const RayDrawer drawer(mesh, *rays);
+  return finished(imagesOf(choice, reference, mesh, progress, &drawer), choice);
+}
+
+ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
+                                     const Progress& progress, const SceneDrawer& drawer) {
+  requireOutside(mesh, reference.eye(), "view");
+  return finished(imagesOf(choice, reference, mesh, progress, &drawer), choice);
 }
 
 ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choice, const PinholeCamera& reference,

@@ -187,9 +187,9 @@ size_t mostSamples(const Found& found, const CellOptions& options) {
 /// With satellites whose samples are `spacing` apart. Once they take too many samples: what there is so far where it
 /// `mayStop`, nothing otherwise.
 std::optional<Found> findParts(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
-                               float spacing, bool mayStop, const Progress& progress, const RayScene* rays) {
+                               float spacing, bool mayStop, const Progress& progress, const SceneDrawer* drawer) {
   Found found;
-  found.parts.push_back({reference, {}, buildDepthImage(reference, mesh, rays)});
+  found.parts.push_back({reference, {}, buildDepthImage(reference, mesh, drawer)});
   found.parts[0].truth = positionsOf(found.parts[0].image);
   found.samples = found.parts[0].image.sampleCount();
   const auto least = static_cast<size_t>(options.leastShare * static_cast<float>(found.samples));
@@ -202,7 +202,7 @@ std::optional<Found> findParts(const PinholeCamera& reference, const Mesh& mesh,
   for (size_t i = 0; i < views.size(); ++i) {
     report(progress, "satellites", static_cast<double>(i) / static_cast<double>(views.size()));
     const PinholeCamera camera(views[i], scaled(reference.width()), scaled(reference.height()));
-    Part part{camera, {}, buildDepthImage(camera, mesh, rays)};
+    Part part{camera, {}, buildDepthImage(camera, mesh, drawer)};
     part.truth = positionsOf(part.image);
     Image<uint8_t> marks =
         missingGroups(compareFrames(camera, part.truth, positionImage(camera, found.mesh)), options.leastGroup);
@@ -248,13 +248,13 @@ void takeOutHarmful(Found& found, const CellOptions& options, const Progress& pr
 }  // namespace
 
 CellCamera buildCellCamera(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
-                           const Progress& progress, const RayScene* rays) {
+                           const Progress& progress, const SceneDrawer* drawer) {
   constexpr float kCoarser = 1.12f;
-  Found found = *findParts(reference, mesh, options, options.coarsestSpacing, true, progress, rays);
+  Found found = *findParts(reference, mesh, options, options.coarsestSpacing, true, progress, drawer);
   float spacing = std::max(expectedSpacing(found, options), 1.0f);
   std::optional<Found> finer;
   while (!finer && spacing < options.coarsestSpacing) {
-    finer = findParts(reference, mesh, options, spacing, false, progress, rays);
+    finer = findParts(reference, mesh, options, spacing, false, progress, drawer);
     spacing *= kCoarser;
   }
   if (finer) {
@@ -283,7 +283,7 @@ ReferenceImage cellImage(const CellCamera& camera, const FragmentImage& fragment
   return image;
 }
 
-ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh, const RayScene* rays) {
+ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh, const SceneDrawer* drawer) {
   FragmentImage fragments(camera.width(), camera.height());
   const auto copy = [&](size_t viewpoint, const FragmentImage& seen, const glm::ivec2& from, const glm::ivec2& extent,
                         const glm::ivec2& to) {
@@ -297,10 +297,10 @@ ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh, const 
     }
   };
   const PinholeCamera& reference = camera.reference();
-  copy(0, seenFrom(reference, mesh, rays), {0, 0}, {reference.width(), reference.height()}, {0, 0});
+  copy(0, seenFrom(reference, mesh, drawer), {0, 0}, {reference.width(), reference.height()}, {0, 0});
   for (size_t tile = 0; tile < camera.tiles().size();) {
     const size_t viewpoint = camera.tiles()[tile].viewpoint;
-    const FragmentImage seen = seenFrom(camera.viewpoints()[viewpoint].camera, mesh, rays);
+    const FragmentImage seen = seenFrom(camera.viewpoints()[viewpoint].camera, mesh, drawer);
     for (; tile < camera.tiles().size() && camera.tiles()[tile].viewpoint == viewpoint; ++tile) {
       copy(viewpoint, seen, camera.tiles()[tile].corner, glm::ivec2(CellCamera::kTileSide), camera.cornerOf(tile));
     }

@@ -30,13 +30,13 @@ struct CellOptions {
   int feedbackRounds = 2;  ///< "do no harm": satellite samples that bury what a viewpoint sees are taken out again
 };
 
-/// A view that sees nothing gives a camera without satellites. With `rays`, here and below, no step touches all
-/// triangles (construction.h).
+/// A view that sees nothing gives a camera without satellites. `drawer`, here and below, draws the images that the
+/// construction takes.
 CellCamera buildCellCamera(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options = {},
-                           const Progress& progress = {}, const RayScene* rays = nullptr);
+                           const Progress& progress = {}, const SceneDrawer* drawer = nullptr);
 
 /// The samples of each viewpoint, where its rays end.
-ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh, const RayScene* rays = nullptr);
+ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh, const SceneDrawer* drawer = nullptr);
 
 /// The same from fragments that some renderer left at the pixels of the camera.
 ReferenceImage cellImage(const CellCamera& camera, const FragmentImage& fragments, const Mesh& mesh);

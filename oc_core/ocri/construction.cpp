@@ -37,7 +37,7 @@ Construction constructionFromText(const std::string& text, const std::string& wh
   if (text == "rays") {
     return Construction::kRays;
   }
-  throw InputError(fmt::format("there is no construction \"{}\"", text), where, "use auto, raster or rays");
+  throw InputError(fmt::format("there is no construction \"{}\"", text), where, "use auto, raster, rays or gl");
 }
 
 std::string describe(const ConstructionReport& report) {
@@ -48,8 +48,8 @@ std::string describe(const ConstructionReport& report) {
   return fmt::format("by rays (BVH of {} triangles {})", grouped(report.triangles), built);
 }
 
-FragmentImage seenFrom(const PinholeCamera& camera, const Mesh& mesh, const RayScene* rays) {
-  return rays != nullptr ? raycast(camera, mesh, *rays) : rasterize(camera, mesh);
+FragmentImage seenFrom(const PinholeCamera& camera, const Mesh& mesh, const SceneDrawer* drawer) {
+  return drawer != nullptr ? drawer->draw(camera) : rasterize(camera, mesh);
 }
 
 }  // namespace ocelli

@@ -6,7 +6,6 @@
 #include "oc_core/ocri/depth_edges.h"
 #include "oc_core/ocri/harm_meter.h"
 #include "oc_core/ocri/image_mesh.h"
-#include "oc_core/render/displacement_reach.h"
 
 namespace ocelli {
 namespace {
@@ -68,14 +67,14 @@ void shrinkHarmful(std::vector<DistortionSplat>& splats, const Harm& harm, const
 struct Built {
   FragmentImage seen;  ///< by the reference pinhole
   DdocCamera camera;
-  TrianglePart part;  ///< what the camera may displace; nothing where rays draw it
+  TrianglePart part;  ///< what the camera may displace; nothing where another draws it
 };
 
 Built construct(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options, const Progress& progress,
-                const RayScene* rays) {
+                const SceneDrawer* drawer) {
   // Steps 1 and 2.
   report(progress, "depth edges", 0);
-  FragmentImage seen = seenFrom(reference, mesh, rays);
+  FragmentImage seen = seenFrom(reference, mesh, drawer);
   const std::vector<DepthEdge> edges = findEdges(reference, seen, options);
 
   // Steps 3 to 6.
@@ -88,9 +87,9 @@ Built construct(const PinholeCamera& reference, const Mesh& mesh, const DdocOpti
     return DdocCamera(reference, mapOf(splats, owners, options));
   };
   DdocCamera camera = cameraOfSplats();
-  TrianglePart part = rays != nullptr ? TrianglePart{} : displacedPart(camera, mesh);
+  TrianglePart part = drawer != nullptr ? TrianglePart{} : displacedPart(camera, mesh);
 
-  HarmMeter meter(reference, mesh, seen, part, options.feedbackSubdivision, rays);
+  HarmMeter meter(reference, mesh, seen, part, options.feedbackSubdivision, drawer);
   for (int round = 0; round < options.feedbackRounds; ++round) {
     report(progress, "do no harm", static_cast<double>(round) / options.feedbackRounds);
     const Harm harm = meter.measure(camera, splats, owners);
@@ -104,10 +103,11 @@ Built construct(const PinholeCamera& reference, const Mesh& mesh, const DdocOpti
   return {std::move(seen), std::move(camera), std::move(part)};
 }
 
-ReferenceImage imageOf(const Built& built, const Mesh& mesh, const SubdivisionOptions& options, const RayScene* rays) {
+ReferenceImage imageOf(const Built& built, const Mesh& mesh, const SubdivisionOptions& options,
+                       const SceneDrawer* drawer) {
   const PinholeCamera& reference = built.camera.reference();
-  const FragmentImage fragments = rays != nullptr ? raycast(built.camera, built.seen, mesh, *rays)
-                                                  : rasterize(built.camera, built.seen, built.part, options);
+  const FragmentImage fragments = drawer != nullptr ? drawer->draw(built.camera, built.seen, options)
+                                                    : rasterize(built.camera, built.seen, built.part, options);
   ReferenceImage image = referenceImage(fragments, mesh, reference, "ddoc");
   image.triangleBound = imageMesh(referenceImage(built.seen, mesh, reference, "di")).triangles.size();
   return image;
@@ -129,19 +129,19 @@ DdocOptions DdocOptions::paper(float constantRadiusPixels) {
 }
 
 DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
-                           const Progress& progress, const RayScene* rays) {
-  return construct(reference, mesh, options, progress, rays).camera;
+                           const Progress& progress, const SceneDrawer* drawer) {
+  return construct(reference, mesh, options, progress, drawer).camera;
 }
 
 ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options,
-                              const RayScene* rays) {
-  TrianglePart part = rays != nullptr ? TrianglePart{} : displacedPart(camera, mesh);
-  return imageOf({seenFrom(camera.reference(), mesh, rays), camera, std::move(part)}, mesh, options, rays);
+                              const SceneDrawer* drawer) {
+  TrianglePart part = drawer != nullptr ? TrianglePart{} : displacedPart(camera, mesh);
+  return imageOf({seenFrom(camera.reference(), mesh, drawer), camera, std::move(part)}, mesh, options, drawer);
 }
 
 ReferenceImage buildDdocImage(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
-                              const Progress& progress, const RayScene* rays) {
-  return imageOf(construct(reference, mesh, options, progress, rays), mesh, options.subdivision, rays);
+                              const Progress& progress, const SceneDrawer* drawer) {
+  return imageOf(construct(reference, mesh, options, progress, drawer), mesh, options.subdivision, drawer);
 }
 
 }  // namespace ocelli

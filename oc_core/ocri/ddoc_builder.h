@@ -55,16 +55,16 @@ struct DdocOptions {
 };
 
 /// `mesh` is in the coordinates of the view of `reference`. Throws nothing of its own: a view that sees nothing gives a
-/// camera that displaces nothing. With `rays`, here and below, no step touches all triangles (construction.h).
+/// camera that displaces nothing. `drawer`, here and below, draws the images that the construction takes.
 DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options = {},
-                           const Progress& progress = {}, const RayScene* rays = nullptr);
+                           const Progress& progress = {}, const SceneDrawer* drawer = nullptr);
 
 /// The OCRI. Its `triangleBound` is that of the depth image of the same view.
 ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options = {},
-                              const RayScene* rays = nullptr);
+                              const SceneDrawer* drawer = nullptr);
 
 /// The same image without the camera: both share what they draw, which is faster than one after the other.
 ReferenceImage buildDdocImage(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
-                              const Progress& progress = {}, const RayScene* rays = nullptr);
+                              const Progress& progress = {}, const SceneDrawer* drawer = nullptr);
 
 }  // namespace ocelli

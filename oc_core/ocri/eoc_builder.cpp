@@ -11,7 +11,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/render/rasterize_spans.h"
-#include "oc_core/render/raycast.h"
+#include "oc_core/render/scene_drawer.h"
 #include "oc_core/scene/winding_number.h"
 
 namespace ocelli {
@@ -185,44 +185,33 @@ std::vector<glm::vec3> cornersOf(const Box& box) {
   return corners;
 }
 
-/// How the scene is looked at: by rays where there are any.
+/// The acceleration structure of whoever draws the scene, where there is one.
+const RayScene* raysOf(const SceneDrawer* drawer) {
+  return drawer != nullptr ? drawer->rays() : nullptr;
+}
+
+/// How the scene is looked at: by a drawer where there is one.
 struct Scene {
   const Mesh& mesh;
-  const RayScene* rays;
+  const SceneDrawer* drawer;
   std::vector<glm::vec3> corners;
 
-  Scene(const Mesh& ofMesh, const RayScene* byRays)
+  Scene(const Mesh& ofMesh, const SceneDrawer* by)
       : mesh(ofMesh),
-        rays(byRays),
-        corners(byRays != nullptr ? cornersOf(byRays->bounds()) : std::vector<glm::vec3>{}) {}
+        drawer(by),
+        corners(raysOf(by) != nullptr ? cornersOf(raysOf(by)->bounds()) : std::vector<glm::vec3>{}) {}
 
   /// The scene lies between these: its vertices, or the corners of the box around it.
-  std::span<const glm::vec3> outerPoints() const { return rays != nullptr ? corners : mesh.positions; }
+  std::span<const glm::vec3> outerPoints() const { return raysOf(drawer) != nullptr ? corners : mesh.positions; }
 
   /// What `base` sees along its epipolar lines.
   FragmentImage lines(const PinholeCamera& base, const EpipolarLines& lines) const {
-    if (rays == nullptr) {
-      return rasterizeLines(base, lines, mesh);
-    }
-    FragmentImage image = castRays(lines.longest(), lines.rowCount(), *rays, [&](const glm::vec2& pixel) {
-      const int row = static_cast<int>(pixel.y);
-      const double position = static_cast<double>(pixel.x);
-      return pixel.x < static_cast<float>(lines.length(row)) && lines.has(row, position)
-                 ? base.rayPath(glm::vec2(lines.imagePoint({static_cast<double>(pixel.y), position})))
-                 : RayPath{};
-    });
-    parallelFor(image.size(), 1 << 12, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        image[i].z = image[i].covered() ? base.cameraFromWorld(positionOf(image[i], mesh)).z : 0;
-      }
-    });
-    return image;
+    return drawer != nullptr ? drawer->drawLines(base, lines) : rasterizeLines(base, lines, mesh);
   }
 
   /// The closest fragment along each ray.
   FragmentImage draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const {
-    return rays != nullptr ? raycast(camera, mesh, *rays, baseFragments(camera, baseImage))
-                           : rasterize(camera, mesh, baseImage);
+    return drawer != nullptr ? drawer->draw(camera, baseImage) : rasterize(camera, mesh, baseImage);
   }
 };
 
@@ -360,11 +349,11 @@ void requireOutsideEnds(const ViewSegment& segment, const Mesh& mesh) {
 }
 
 EpipolarCamera buildEpipolarCamera(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
-                                   const EocOptions& options, const RayScene* rays) {
-  if (rays == nullptr) {
+                                   const EocOptions& options, const SceneDrawer* drawer) {
+  if (raysOf(drawer) == nullptr) {
     requireOutsideEnds(segment, mesh);
   }
-  const Scene scene(mesh, rays);
+  const Scene scene(mesh, drawer);
   const PinholeCamera base = baseAround(reference, segment, scene.outerPoints());
   const EpipolarLines lines(base, segment.right);
   return cameraFrom(base, segment.right, lines, scene.lines(base, lines), scene, options);
@@ -393,16 +382,17 @@ ReferenceImage eocImage(const FragmentImage& fragments, const EpipolarCamera& ca
   return image;
 }
 
-ReferenceImage buildEocImage(const EpipolarCamera& camera, const Mesh& mesh, const RayScene* rays) {
-  return eocImage(rays != nullptr ? raycast(camera, mesh, *rays) : rasterize(camera, mesh), camera, mesh);
+ReferenceImage buildEocImage(const EpipolarCamera& camera, const Mesh& mesh, const SceneDrawer* drawer) {
+  const Scene scene(mesh, drawer);
+  return eocImage(scene.draw(camera, scene.lines(camera.base(), camera.lines())), camera, mesh);
 }
 
 ReferenceImage buildEocImage(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
-                             const EocOptions& options, const RayScene* rays) {
-  if (rays == nullptr) {
+                             const EocOptions& options, const SceneDrawer* drawer) {
+  if (raysOf(drawer) == nullptr) {
     requireOutsideEnds(segment, mesh);
   }
-  const Scene scene(mesh, rays);
+  const Scene scene(mesh, drawer);
   const PinholeCamera base = baseAround(reference, segment, scene.outerPoints());
   const EpipolarLines lines(base, segment.right);
   const FragmentImage baseImage = scene.lines(base, lines);

@@ -53,19 +53,19 @@ PinholeCamera basePinhole(const PinholeCamera& reference, const ViewSegment& seg
 std::vector<EpipolarEdge> findEpipolarEdges(const std::vector<float>& inverseZ, int row, const EpipolarLines& lines,
                                             float zNear, float backgroundInverseZ, const EocOptions& options);
 
-/// Throws InputError where an end of the segment lies inside an object, or the segment is none. With `rays`, here and
-/// below, no step touches all triangles (construction.h): the box around the scene stands for its vertices, and whoever
-/// calls has checked the ends.
+/// Throws InputError where an end of the segment lies inside an object, or the segment is none. Where
+/// `drawer`, here and below, has rays, no step touches all triangles (construction.h): the box around the scene stands
+/// for its vertices, and whoever calls has checked the ends.
 EpipolarCamera buildEpipolarCamera(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
-                                   const EocOptions& options = {}, const RayScene* rays = nullptr);
+                                   const EocOptions& options = {}, const SceneDrawer* drawer = nullptr);
 /// As that throws; this touches all triangles.
 void requireOutsideEnds(const ViewSegment& segment, const Mesh& mesh);
 
 /// The OCRI. Its `reference()` is the base pinhole.
-ReferenceImage buildEocImage(const EpipolarCamera& camera, const Mesh& mesh, const RayScene* rays = nullptr);
+ReferenceImage buildEocImage(const EpipolarCamera& camera, const Mesh& mesh, const SceneDrawer* drawer = nullptr);
 /// Both steps at once: faster, as they share what the base pinhole sees.
 ReferenceImage buildEocImage(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
-                             const EocOptions& options = {}, const RayScene* rays = nullptr);
+                             const EocOptions& options = {}, const SceneDrawer* drawer = nullptr);
 
 /// Turns what a renderer left for `camera` into a reference image.
 ReferenceImage eocImage(const FragmentImage& fragments, const EpipolarCamera& camera, const Mesh& mesh);

@@ -14,7 +14,7 @@
 
 namespace ocelli {
 
-class RayScene;
+class SceneDrawer;
 
 /// How the rows of a reference image lie beside each other.
 enum class ImageRows {
@@ -63,8 +63,8 @@ using ReferenceImages = std::vector<ReferenceImage>;
 ReferenceImage referenceImage(const FragmentImage& fragments, const Mesh& mesh, const PinholeCamera& reference,
                               const std::string& camera);
 
-/// The depth image: what the pinhole sees; by `rays` where there are any, at a cost that its pixels bound.
-ReferenceImage buildDepthImage(const PinholeCamera& camera, const Mesh& mesh, const RayScene* rays = nullptr);
+/// The depth image: what the pinhole sees; by `drawer` where there is one.
+ReferenceImage buildDepthImage(const PinholeCamera& camera, const Mesh& mesh, const SceneDrawer* drawer = nullptr);
 /// The same from what the pinhole saw.
 ReferenceImage depthImage(const FragmentImage& seen, const PinholeCamera& camera, const Mesh& mesh);
 

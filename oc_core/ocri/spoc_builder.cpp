@@ -64,28 +64,28 @@ std::vector<glm::vec3> pointsOf(const FragmentImage& seen, const Mesh& mesh) {
 
 /// What the pinhole sees, and what lies farthest behind it.
 std::vector<glm::vec3> pointsAlongRays(const FragmentImage& seen, const PinholeCamera& reference, const Mesh& mesh,
-                                       const RayScene& rays) {
+                                       const RayScene& drawer) {
   std::vector<glm::vec3> points;
   addPoints(points, seen, mesh);
   const auto fromBehind = [&](const glm::vec2& pixel) {
     const RayPath path = reference.rayPath(pixel);
     return path.empty() ? RayPath{} : RayPath{path.back(), path.front()};
   };
-  addPoints(points, castRays(reference.width(), reference.height(), rays, fromBehind), mesh);
+  addPoints(points, castRays(reference.width(), reference.height(), drawer, fromBehind), mesh);
   return points;
 }
 
 ReferenceImage boundedBy(ReferenceImage image, const PinholeCamera& reference, const Mesh& mesh,
-                         const RayScene* rays = nullptr) {
-  image.triangleBound = imageMesh(buildDepthImage(reference, mesh, rays)).triangles.size();
+                         const SceneDrawer* drawer = nullptr) {
+  image.triangleBound = imageMesh(buildDepthImage(reference, mesh, drawer)).triangles.size();
   return image;
 }
 
 }  // namespace
 
 SpocCamera buildSpocCamera(const PinholeCamera& reference, const Mesh& mesh, const SpocOptions& options,
-                           const RayScene* rays) {
-  const FragmentImage seen = seenFrom(reference, mesh, rays);
+                           const SceneDrawer* drawer) {
+  const FragmentImage seen = seenFrom(reference, mesh, drawer);
   std::vector<float> inverseZ;
   for (const Fragment& fragment : seen) {
     if (fragment.covered()) {
@@ -101,23 +101,25 @@ SpocCamera buildSpocCamera(const PinholeCamera& reference, const Mesh& mesh, con
       }
     }
   }
-  const std::vector<glm::vec3> scene =
-      rays != nullptr ? pointsAlongRays(seen, reference, mesh, *rays) : pointsOf(seen, mesh);
+  const std::vector<glm::vec3> scene = drawer != nullptr && drawer->rays() != nullptr
+                                           ? pointsAlongRays(seen, reference, mesh, *drawer->rays())
+                                           : pointsOf(seen, mesh);
   return SpocCamera::aroundObject(reference, foreground, scene, options);
 }
 
-ReversePinholeCamera buildReversePinhole(const PinholeCamera& reference, const Mesh& mesh) {
-  return ReversePinholeCamera::around(reference, pointsOf(rasterize(reference, mesh), mesh));
+ReversePinholeCamera buildReversePinhole(const PinholeCamera& reference, const Mesh& mesh, const SceneDrawer* drawer) {
+  return ReversePinholeCamera::around(reference, pointsOf(seenFrom(reference, mesh, drawer), mesh));
 }
 
-ReferenceImage buildSpocImage(const SpocCamera& camera, const Mesh& mesh, const RayScene* rays) {
-  const FragmentImage fragments = rays != nullptr ? raycast(camera, mesh, *rays) : rasterize(camera, mesh);
-  return boundedBy(referenceImage(fragments, mesh, camera.reference(), "spoc"), camera.reference(), mesh, rays);
+ReferenceImage buildSpocImage(const SpocCamera& camera, const Mesh& mesh, const SceneDrawer* drawer) {
+  const FragmentImage fragments = drawer != nullptr ? drawer->draw(camera) : rasterize(camera, mesh);
+  return boundedBy(referenceImage(fragments, mesh, camera.reference(), "spoc"), camera.reference(), mesh, drawer);
 }
 
 ReferenceImage buildReversePinholeImage(const ReversePinholeCamera& camera, const PinholeCamera& reference,
-                                        const Mesh& mesh) {
-  return boundedBy(referenceImage(rasterize(camera, mesh), mesh, reference, "rppc"), reference, mesh);
+                                        const Mesh& mesh, const SceneDrawer* drawer) {
+  const FragmentImage fragments = drawer != nullptr ? drawer->draw(camera) : rasterize(camera, mesh);
+  return boundedBy(referenceImage(fragments, mesh, reference, "rppc"), reference, mesh, drawer);
 }
 
 }  // namespace ocelli

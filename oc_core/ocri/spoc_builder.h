@@ -13,17 +13,19 @@
 
 namespace ocelli {
 
-/// Throws InputError where the view sees nothing, or all of it is equally far away. With `rays` z_f is that of the
-/// farthest surface along the pinhole's rays, instead of the farthest vertex in view: that takes a look from behind.
+/// Throws InputError where the view sees nothing, or all of it is equally far away. Where `drawer` has rays,
+/// z_f is that of the farthest surface along the pinhole's, instead of the farthest vertex in view: that takes a look
+/// from behind.
 SpocCamera buildSpocCamera(const PinholeCamera& reference, const Mesh& mesh, const SpocOptions& options = {},
-                           const RayScene* rays = nullptr);
+                           const SceneDrawer* drawer = nullptr);
 
 /// Around all that is in view. Throws InputError where that is nothing, or too deep.
-ReversePinholeCamera buildReversePinhole(const PinholeCamera& reference, const Mesh& mesh);
+ReversePinholeCamera buildReversePinhole(const PinholeCamera& reference, const Mesh& mesh,
+                                         const SceneDrawer* drawer = nullptr);
 
 /// Displacements are relative to `reference`. Its `triangleBound` is that of the depth image of the same view.
-ReferenceImage buildSpocImage(const SpocCamera& camera, const Mesh& mesh, const RayScene* rays = nullptr);
+ReferenceImage buildSpocImage(const SpocCamera& camera, const Mesh& mesh, const SceneDrawer* drawer = nullptr);
 ReferenceImage buildReversePinholeImage(const ReversePinholeCamera& camera, const PinholeCamera& reference,
-                                        const Mesh& mesh);
+                                        const Mesh& mesh, const SceneDrawer* drawer = nullptr);
 
 }  // namespace ocelli

@@ -73,7 +73,8 @@ float wideFactor(const PinholeCamera& reference, const Mesh& mesh, const ViewCel
   return factor;
 }
 
-ReferenceImage buildWideDepthImage(const PinholeCamera& reference, const Mesh& mesh, float factor) {
+ReferenceImage buildWideDepthImage(const PinholeCamera& reference, const Mesh& mesh, float factor,
+                                   const SceneDrawer* drawer) {
   if (!(factor >= 1) || factor > static_cast<float>(PinholeCamera::kMostPixelsASide)) {
     throw InputError("a depth image " + std::to_string(factor) + " times as wide cannot be made", "wide factor",
                      "choose 1 or more");
@@ -84,7 +85,7 @@ ReferenceImage buildWideDepthImage(const PinholeCamera& reference, const Mesh& m
   // The focal length in pixels stays, and so does the shift of the centre.
   view.fovVerticalDegrees = degreesFromRadians(2 * std::atan(height / 2.0 / reference.focalPixels()));
   view.centerShift *= static_cast<float>(reference.height()) / static_cast<float>(height);
-  ReferenceImage image = buildDepthImage(PinholeCamera(view, width, height), mesh);
+  ReferenceImage image = buildDepthImage(PinholeCamera(view, width, height), mesh, drawer);
   image.camera = "di-wide";
   return image;
 }

@@ -18,6 +18,7 @@ float wideFactor(const PinholeCamera& reference, const Mesh& mesh, const ViewCel
 /// The depth image of the pinhole with the same eye, axis and focal length and `factor` times as many pixels each way,
 /// rounded up so that its pixels fall onto those of the reference. `factor` is 1 or more; throws InputError for others,
 /// and where the image would exceed the limits of PinholeCamera.
-ReferenceImage buildWideDepthImage(const PinholeCamera& reference, const Mesh& mesh, float factor);
+ReferenceImage buildWideDepthImage(const PinholeCamera& reference, const Mesh& mesh, float factor,
+                                   const SceneDrawer* drawer = nullptr);
 
 }  // namespace ocelli

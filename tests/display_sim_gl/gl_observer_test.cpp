@@ -198,6 +198,37 @@ TEST_P(GlObserverTest, anEyeCloseByIsSafe) {
   }
 }
 
+// Voxels at the axis, seen from straight above, have no extent along the sweep.
+TEST_P(GlObserverTest, lightWithoutExtentIsNotLost) {
+  Volume volume(smallProfile(4, 9, 9));
+  volume.light(0, 4, 4, 7);
+  const Image<glm::vec3> image = observed(volume, {.view = {.eye = {0, 7, 0}, .width = 61, .height = 61}});
+  EXPECT_NEAR(sumOf(image).x, 1, 1e-3);  // it stands at the centre, where light is not scaled by distance
+  EXPECT_GT(image(30, 30).x, 0);
+}
+
+TEST_P(GlObserverTest, moreLitVoxelsThanTheGpuListsSaySo) {
+  const DisplayProfile profile = loadProfile("perspecta");
+  Volume volume(profile);
+  for (int i = 0; i < volume.slices(); ++i) {
+    std::ranges::fill(volume.slice(i), uint8_t{0xff});  // no padding: its width is a multiple of 8
+  }
+  if (static_cast<size_t>(context_->info().maxStorageBytes) / sizeof(uint32_t) > volume.litVoxels() + 2) {
+    GTEST_SKIP() << "this GPU lists all of them";
+  }
+  const GlVolume onGpu(*context_, volume);
+  try {
+    observer_.look(onGpu);
+    FAIL() << "listed them";
+  } catch (const GlError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("116785152 voxels are lit"));
+    EXPECT_THAT(error.what(), HasSubstr("without OpenGL"));
+  }
+  const GlVolume dark(*context_, smallProfile(4, 8, 8));
+  observer_.look(dark);
+  EXPECT_EQ(observer_.litVoxels(), 0u) << "it goes on working";
+}
+
 TEST(GlObserverTest, providersAgreeAndNothingIsLeftBehind) {
   const Volume volume = test::coloredTorus(smallProfile(48, 100, 100));
   std::vector<Image<glm::vec3>> images;

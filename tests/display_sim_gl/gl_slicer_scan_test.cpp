@@ -15,7 +15,7 @@ namespace {
 
 class GlSlicerScan : public testing::TestWithParam<GlProvider> {
  protected:
-  void expectSameVoxels(const Mesh& mesh) {
+  static void expectSameVoxels(const Mesh& mesh) {
     const DisplayProfile profile = loadProfile("perspecta");
     const Volume processors = slice(mesh, profile);
     const auto context = openTestContext(GetParam());

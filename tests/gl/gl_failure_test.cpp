@@ -20,7 +20,6 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::MatchesRegex;
 
 /// The message of the GlError that `work` throws.
 std::string messageOf(const std::function<void()>& work) {

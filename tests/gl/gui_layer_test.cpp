@@ -16,8 +16,6 @@ namespace ocelli {
 namespace {
 
 using testing::Each;
-using testing::Gt;
-using testing::Lt;
 using Pixel = std::array<uint8_t, 4>;
 
 constexpr int kWidth = 320;
@@ -111,6 +109,35 @@ TEST_P(GuiLayerTest, drawsWhereAndInWhatColorItIsTold) {
       ASSERT_EQ(image(x, y), expected) << x << " " << y;
     }
   }
+}
+
+TEST_P(GuiLayerTest, drawsTheSameWhateverOthersHaveLeft) {
+  const GlScope scope(*context_);
+  const GladGLContext& gl = context_->gl();
+  // A framebuffer that could convert to sRGB shows the values as they are.
+  const GlObject color = makeTexture(*context_, GL_SRGB8_ALPHA8, kWidth, kHeight);
+  const GlObject framebuffer = makeFramebuffer(*context_, std::array{color.id()}, 0);
+  GuiLayer gui(*context_, 1);
+  gui.handle(ResizeEvent{kWidth, kHeight, 1, 1});
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  for (const GLenum on :
+       {GL_DEPTH_TEST, GL_CULL_FACE, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_CLIP_DISTANCE0, GL_FRAMEBUFFER_SRGB}) {
+    gl.Enable(on);
+  }
+  gl.Scissor(0, 0, 1, 1);
+  gl.CullFace(GL_FRONT_AND_BACK);
+  gl.StencilFunc(GL_NEVER, 0, ~0U);
+  gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  gl.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
+  gl.BlendEquation(GL_FUNC_SUBTRACT);
+  gui.beginFrame(1.0 / 60);
+  ImGui::GetBackgroundDrawList()->AddRectFilled({10, 20}, {60, 50}, kGuiAccent.packed());
+  gui.endFrame();
+  const auto image = readTexture<Pixel>(*context_, color, kWidth, kHeight, GL_RGBA, GL_UNSIGNED_BYTE);
+  EXPECT_EQ(image(12, 22), pixelOf(kGuiAccent));
+  EXPECT_EQ(image(35, 35), pixelOf(kGuiAccent));
+  EXPECT_EQ(image(57, 47), pixelOf(kGuiAccent));
 }
 
 TEST_P(GuiLayerTest, clipsToPanels) {
@@ -373,6 +400,12 @@ TEST_P(GuiLayerTest, aWindowOfNoSizeDrawsNothing) {
   screen.gui.handle(ResizeEvent{0, 0, 1, 1});
   const auto image = screen.show([] { panel([] { ImGui::Button("here"); }); });
   EXPECT_THAT(std::vector(image.begin(), image.end()), Each(kBlack));
+}
+
+TEST(GuiLayerDeathTest, aScreenWithoutAScaleIsABug) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto context = openTestContext(GlProvider::kOsMesa);
+  EXPECT_DEATH(GuiLayer(*context, 0), "a window has a scale");
 }
 
 TEST(GuiLayerProvidersTest, drawTheSame) {

@@ -5,6 +5,30 @@
 #include "oc_core/base/png_file.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/scene/mesh.h"
+#ifdef WITH_OPENGL
+#include "oc_core/gl/gl_report.h"
+#include "oc_core/gl/gui_layer.h"
+#endif
+
+namespace {
+
+#ifdef WITH_OPENGL
+/// Links all that OpenGL needs, and draws panels where a context can be opened.
+bool openGlIsThere() {
+  const auto reports = ocelli::reportGlProviders();
+  if (reports[0].info) {
+    const auto context = ocelli::openGlContext(reports[0].provider);
+    return !ocelli::GuiLayer(*context, 1).fontName().empty();
+  }
+  return reports.size() == 3;
+}
+#else
+bool openGlIsThere() {
+  return true;
+}
+#endif
+
+}  // namespace
 
 int main() {
   const ocelli::PinholeCamera camera(ocelli::View{}, 720, 480);
@@ -13,10 +37,11 @@ int main() {
   const auto back = image ? camera.unproject(*image) : std::nullopt;
   // The origin is the centre of the default view.
   const auto center = camera.project({0, 0, 0});
-  const bool good = back && glm::distance(*back, point) < 1e-4f && center && center->u == 360 && center->v == 240;
+  bool good = back && glm::distance(*back, point) < 1e-4f && center && center->u == 360 && center->v == 240;
   ocelli::writePng("consumer.png", ocelli::Image<ocelli::Rgb8>(2, 2));
   ocelli::Box box;
   box.add(point);
-  std::printf("the installed package %s\n", good && !box.empty() ? "works" : "does not work");
+  good = good && !box.empty() && openGlIsThere();
+  std::printf("the installed package %s\n", good ? "works" : "does not work");
   return good ? 0 : 1;
 }

@@ -1,0 +1,72 @@
+#include "cli/gl_drawing.h"
+
+#include <CLI/CLI.hpp>
+
+#include "oc_core/base/error.h"
+#ifdef OCELLI_WITH_OPENGL
+#include "oc_core/gl/gl_renderer.h"
+#endif
+
+namespace ocelli {
+
+void addGlOption(CLI::App& command, std::string& provider) {
+  command.add_option("--gl", provider, "Where OpenGL comes from; auto takes EGL, or else OSMesa")
+      ->check(CLI::IsMember({"auto", "egl", "osmesa"}))
+      ->type_name("NAME")
+      ->capture_default_str();
+}
+
+void addMethodOption(CLI::App& command, std::string& method) {
+  command.add_option("--method", method, "How: on the processor, or with OpenGL")
+      ->check(CLI::IsMember({"processor", "gl"}))
+      ->type_name("NAME")
+      ->capture_default_str();
+}
+
+void failWithoutOpenGl() {
+  throw InputError("this program was built without OpenGL", "--method or --construction",
+                   "leave \"gl\" out, or build with -DOCELLI_WITH_OPENGL=ON");
+}
+
+#ifdef OCELLI_WITH_OPENGL
+
+struct GlDrawing::Impl {
+  std::unique_ptr<GlContext> context;
+  std::unique_ptr<GlRenderer> renderer;
+};
+
+GlDrawing::GlDrawing(const std::string& provider) : impl_(std::make_unique<Impl>()) {
+  impl_->context = openGlContext(provider, "--gl");
+}
+
+const SceneDrawer& GlDrawing::drawerOf(const Mesh& mesh) {
+  impl_->renderer = std::make_unique<GlRenderer>(*impl_->context, mesh);
+  return *impl_->renderer;
+}
+
+std::string GlDrawing::description() const {
+  const GlInfo& info = impl_->context->info();
+  return "OpenGL on " + info.renderer + ", through " + nameOf(info.provider);
+}
+
+#else
+
+struct GlDrawing::Impl {};
+
+GlDrawing::GlDrawing(const std::string& /*provider*/) {
+  failWithoutOpenGl();
+}
+
+const SceneDrawer& GlDrawing::drawerOf(const Mesh& /*mesh*/) {
+  failWithoutOpenGl();
+}
+
+std::string GlDrawing::description() const {
+  return {};
+}
+
+#endif
+
+GlDrawing::~GlDrawing() = default;
+
+}  // namespace ocelli

@@ -1,0 +1,44 @@
+// `--gl`, and what `--method gl` and `--construction gl` draw scenes with: a renderer on the GPU for one scene, with
+// the context that it needs.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "oc_core/render/scene_drawer.h"
+
+namespace CLI {
+class App;
+}
+
+namespace ocelli {
+
+/// Adds `--gl auto|egl|osmesa`.
+void addGlOption(CLI::App& command, std::string& provider);
+
+/// Adds `--method processor|gl`, for work that has these two ways.
+void addMethodOption(CLI::App& command, std::string& method);
+
+/// Throws InputError: this program was built without OpenGL.
+[[noreturn]] void failWithoutOpenGl();
+
+class GlDrawing {
+ public:
+  /// Opens the context: before the scene is loaded, so that a machine without OpenGL says so at once. Throws InputError
+  /// where this program was built without OpenGL, GlError where no context can be opened.
+  explicit GlDrawing(const std::string& provider);
+  ~GlDrawing();
+  GlDrawing(const GlDrawing&) = delete;
+  GlDrawing& operator=(const GlDrawing&) = delete;
+
+  /// Uploads the mesh, which it does not keep. Throws GlError where the GPU has no room for it.
+  const SceneDrawer& drawerOf(const Mesh& mesh);
+  /// "OpenGL on llvmpipe (EGL)".
+  std::string description() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace ocelli

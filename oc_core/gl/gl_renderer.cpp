@@ -1,0 +1,109 @@
+#include "oc_core/gl/gl_renderer.h"
+
+#include "oc_core/gl/gl_api.h"
+#include "oc_core/gl/gl_program.h"
+#include "oc_core/gl/gl_state.h"
+#include "oc_core/gl/pinhole_pass.h"
+#include "oc_core/gl/shaders.h"
+#include "oc_core/gl/span_pass.h"
+#include "oc_core/gl/subdivision_pass.h"
+
+namespace ocelli {
+
+struct GlRenderer::Impl {
+  Impl(GlContext& context, const Mesh& scene)
+      : mesh(context, scene),
+        pinhole(context),
+        subdivision(context),
+        spans(context),
+        color(makeProgram(context, "color_resolve",
+                          {{GL_COMPUTE_SHADER, {shaders::kMesh, shaders::kFragment, shaders::kColorResolveComp}}})) {}
+
+  GlMesh mesh;
+  PinholePass pinhole;
+  SubdivisionPass subdivision;
+  SpanPass spans;
+  GlObject color;
+};
+
+GlRenderer::GlRenderer(GlContext& context, const Mesh& mesh) : context_(context) {
+  const GlScope scope(context);
+  impl_ = std::make_unique<Impl>(context, mesh);
+}
+
+GlRenderer::~GlRenderer() = default;
+
+const GlMesh& GlRenderer::mesh() const {
+  return impl_->mesh;
+}
+
+FragmentImage GlRenderer::draw(const PinholeCamera& camera) const {
+  const GlScope scope(context_);
+  return drawOnGpu(camera).read();
+}
+
+FragmentImage GlRenderer::draw(const SpocCamera& camera) const {
+  const GlScope scope(context_);
+  return drawOnGpu(camera).read();
+}
+
+FragmentImage GlRenderer::draw(const ReversePinholeCamera& camera) const {
+  const GlScope scope(context_);
+  return drawOnGpu(camera).read();
+}
+
+FragmentImage GlRenderer::draw(const DdocCamera& camera, const FragmentImage& seen,
+                               const SubdivisionOptions& subdivision) const {
+  const GlScope scope(context_);
+  return impl_->subdivision.draw(camera, GlFragments(context_, seen), impl_->mesh, subdivision).read();
+}
+
+FragmentImage GlRenderer::drawLines(const PinholeCamera& base, const EpipolarLines& lines) const {
+  const GlScope scope(context_);
+  return drawLinesOnGpu(base, lines).read();
+}
+
+FragmentImage GlRenderer::draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const {
+  const GlScope scope(context_);
+  return impl_->spans.draw(camera, GlFragments(context_, baseImage), impl_->mesh).read();
+}
+
+GlFragments GlRenderer::drawOnGpu(const PinholeCamera& camera) const {
+  return impl_->pinhole.draw(camera, impl_->mesh);
+}
+
+GlFragments GlRenderer::drawOnGpu(const SpocCamera& camera, const SubdivisionOptions& options) const {
+  return impl_->subdivision.draw(camera, drawOnGpu(camera.reference()), impl_->mesh, options);
+}
+
+GlFragments GlRenderer::drawOnGpu(const ReversePinholeCamera& camera, const SubdivisionOptions& options) const {
+  return impl_->subdivision.draw(camera, drawOnGpu(camera.reference()), impl_->mesh, options);
+}
+
+GlFragments GlRenderer::drawOnGpu(const DdocCamera& camera, const SubdivisionOptions& options) const {
+  return impl_->subdivision.draw(camera, drawOnGpu(camera.reference()), impl_->mesh, options);
+}
+
+GlFragments GlRenderer::drawOnGpu(const EpipolarCamera& camera) const {
+  return impl_->spans.draw(camera, drawLinesOnGpu(camera.base(), camera.lines()), impl_->mesh);
+}
+
+GlFragments GlRenderer::drawLinesOnGpu(const PinholeCamera& base, const EpipolarLines& lines) const {
+  return lines.isParallel() ? drawOnGpu(base) : impl_->spans.drawLines(base, lines, impl_->mesh);
+}
+
+GlObject GlRenderer::colors(const GlFragments& fragments, const glm::vec3& background) const {
+  const GladGLContext& gl = context_.gl();
+  GlObject image = makeTexture(context_, GL_RGBA32F, fragments.width(), fragments.height());
+  gl.UseProgram(impl_->color.id());
+  gl.Uniform3f(0, background.x, background.y, background.z);
+  bindMesh(context_, impl_->mesh);
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, impl_->mesh.colors().id());
+  gl.BindTextureUnit(0, fragments.texture().id());
+  gl.BindImageTexture(0, image.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+  dispatchPixels(context_, fragments.width(), fragments.height());
+  context_.check("colouring fragments");
+  return image;
+}
+
+}  // namespace ocelli

@@ -1,0 +1,55 @@
+// The renderer of section 6 on the GPU: what every camera sees of a mesh that is uploaded once. The fragments are those
+// of the renderers in oc_core/render, but for rounding at silhouettes; OpenGL 4.5 is enough.
+//
+// Pinhole cameras are drawn as they are. Cameras that displace the image of a pinhole are drawn by subdivision, the
+// epipolar camera by spans of epipolar lines: as on the processor, since the reasons are the same (a ray that bends has
+// no projective map), with compute shaders in place of threads.
+#pragma once
+
+#include <memory>
+
+#include "oc_core/gl/gl_fragments.h"
+#include "oc_core/gl/gl_mesh.h"
+#include "oc_core/render/scene_drawer.h"
+
+namespace ocelli {
+
+class GlRenderer final : public SceneDrawer {
+ public:
+  /// Throws GlError where the GPU has no room for the mesh, or its driver refuses a shader. The context must outlive
+  /// it.
+  GlRenderer(GlContext& context, const Mesh& mesh);
+  ~GlRenderer() override;
+
+  GlContext& context() const { return context_; }
+  const GlMesh& mesh() const;
+
+  /// The closest fragment at each pixel, as on the processor. Throws GlError where the GPU fails.
+  FragmentImage draw(const PinholeCamera& camera) const override;
+  FragmentImage draw(const SpocCamera& camera) const override;
+  FragmentImage draw(const ReversePinholeCamera& camera) const override;
+  FragmentImage draw(const DdocCamera& camera, const FragmentImage& seen,
+                     const SubdivisionOptions& subdivision) const override;
+  FragmentImage drawLines(const PinholeCamera& base, const EpipolarLines& lines) const override;
+  FragmentImage draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const override;
+
+  /// The same, left on the GPU; cameras that need what their pinhole sees draw that as well. Hold a GlScope, here and
+  /// below.
+  GlFragments drawOnGpu(const PinholeCamera& camera) const;
+  GlFragments drawOnGpu(const SpocCamera& camera, const SubdivisionOptions& options = {}) const;
+  GlFragments drawOnGpu(const ReversePinholeCamera& camera, const SubdivisionOptions& options = {}) const;
+  GlFragments drawOnGpu(const DdocCamera& camera, const SubdivisionOptions& options = {}) const;
+  GlFragments drawOnGpu(const EpipolarCamera& camera) const;
+  GlFragments drawLinesOnGpu(const PinholeCamera& base, const EpipolarLines& lines) const;
+
+  /// Linear colours as a texture of GL_RGBA32F, `background` where nothing is seen; alpha says which.
+  GlObject colors(const GlFragments& fragments, const glm::vec3& background) const;
+
+ private:
+  struct Impl;
+
+  GlContext& context_;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace ocelli

@@ -1,0 +1,142 @@
+#include "oc_core/gl/piece_splitter.h"
+
+#include <algorithm>
+
+#include "oc_core/gl/gl_api.h"
+
+namespace ocelli {
+namespace {
+
+// Invocations in a group, as shaders/split_counts.glsl has it; fewer where each keeps a polygon in shared memory.
+constexpr GLuint kGroup = 64;
+constexpr GLuint kClipGroup = PieceSplitter::kClipGroup;
+constexpr uint32_t kCapacity = 1u << 20;  // pieces in a list: 28 MiB
+constexpr size_t kPieceBytes = 28;
+
+// Bindings of the lists.
+constexpr GLuint kSource = 2;
+constexpr GLuint kGroups = 3;
+constexpr GLuint kLeaves = 4;
+constexpr GLuint kChildren = 5;
+constexpr GLuint kCodes = 6;
+constexpr GLuint kClips = 7;
+
+GLuint groupsOf(uint32_t items, GLuint group) {
+  return (items + group - 1) / group;
+}
+
+}  // namespace
+
+PieceSplitter::PieceSplitter(GlContext& context)
+    : context_(context),
+      groups_(makeBuffer(context, (groupsOf(kCapacity, kClipGroup) + 1) * sizeof(Counts))),
+      codes_(makeBuffer(context, kCapacity * sizeof(uint32_t))),
+      leaves_(makeBuffer(context, kCapacity * kPieceBytes)) {}
+
+void PieceSplitter::draw(const SplitPrograms& programs, const GlMesh& mesh) {
+  programs_ = &programs;
+  levels_.push_back({Level::Kind::kTriangles, 0, {}, 0, static_cast<uint32_t>(mesh.triangleCount())});
+  while (!levels_.empty()) {
+    if (levels_.back().next < levels_.back().count) {
+      splitNext();
+    } else {
+      if (levels_.back().items) {
+        spare_.push_back(std::move(levels_.back().items));
+      }
+      levels_.pop_back();
+    }
+  }
+  drawLeaves();
+}
+
+/// Splits as many of the next items of the deepest level as the lists have room for. Their children become a level of
+/// their own, and so do the triangles that are to be clipped.
+void PieceSplitter::splitNext() {
+  Level& level = levels_.back();
+  uint32_t items = std::min(level.count - level.next, kCapacity);
+  Counts total = countNext(level, items);
+  while (total.leaves > kCapacity || total.children > kCapacity) {
+    items = (items + 1) / 2;
+    total = countNext(level, items);
+  }
+  if (leafCount_ + total.leaves > kCapacity) {
+    drawLeaves();
+  }
+  Level children{Level::Kind::kPieces, level.depth + 1, {}, 0, total.children};
+  Level clips{Level::Kind::kClips, level.depth, {}, 0, total.clips};
+  if (total.leaves + total.children + total.clips > 0) {
+    const GladGLContext& gl = context_.gl();
+    children.items = takeList();
+    clips.items = total.clips > 0 ? takeList() : GlObject();
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kLeaves, leaves_.id());
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kChildren, children.items.id());
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kClips, total.clips > 0 ? clips.items.id() : codes_.id());
+    const GlObject& program = level.kind == Level::Kind::kTriangles ? programs_->emitTriangles
+                              : level.kind == Level::Kind::kPieces  ? programs_->emitPieces
+                                                                    : programs_->emitClipped;
+    run(program, level, items, leafCount_);
+    leafCount_ += total.leaves;
+  }
+  level.next += items;
+  levels_.push_back(std::move(children));
+  levels_.push_back(std::move(clips));
+}
+
+uint32_t PieceSplitter::groupOf(const Level& level) {
+  return level.kind == Level::Kind::kClips ? kClipGroup : kGroup;
+}
+
+PieceSplitter::Counts PieceSplitter::countNext(const Level& level, uint32_t items) {
+  const GladGLContext& gl = context_.gl();
+  const GlObject& program = level.kind == Level::Kind::kTriangles ? programs_->decideTriangles
+                            : level.kind == Level::Kind::kPieces  ? programs_->decidePieces
+                                                                  : programs_->countClipped;
+  run(program, level, items, level.depth);
+  const GLuint groups = groupsOf(items, groupOf(level));
+  gl.UseProgram(programs_->prefixSum.id());
+  gl.Uniform1ui(0, groups);
+  gl.DispatchCompute(1, 1, 1);
+  gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  Counts total;
+  gl.GetNamedBufferSubData(groups_.id(), static_cast<GLintptr>(groups * sizeof(total)), sizeof(total), &total);
+  return total;
+}
+
+void PieceSplitter::run(const GlObject& program, const Level& level, uint32_t items, uint32_t argument) {
+  const GladGLContext& gl = context_.gl();
+  gl.UseProgram(program.id());
+  if (level.items) {
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kSource, level.items.id());
+  }
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kGroups, groups_.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kCodes, codes_.id());
+  gl.Uniform1ui(0, level.next);
+  gl.Uniform1ui(1, items);
+  if (level.kind != Level::Kind::kClips) {
+    gl.Uniform1ui(2, argument);
+  }
+  gl.DispatchCompute(groupsOf(items, groupOf(level)), 1, 1);
+  gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+GlObject PieceSplitter::takeList() {
+  if (spare_.empty()) {
+    return makeBuffer(context_, kCapacity * kPieceBytes);
+  }
+  GlObject list = std::move(spare_.back());
+  spare_.pop_back();
+  return list;
+}
+
+void PieceSplitter::drawLeaves() {
+  if (leafCount_ == 0) {
+    return;
+  }
+  const GladGLContext& gl = context_.gl();
+  gl.UseProgram(programs_->drawLeaves.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kLeaves, leaves_.id());
+  gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * leafCount_));
+  leafCount_ = 0;
+}
+
+}  // namespace ocelli

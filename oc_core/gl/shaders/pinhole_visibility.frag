@@ -1,0 +1,5 @@
+layout(location = 0) out uint triangle;
+
+void main() {
+  triangle = uint(gl_PrimitiveID);
+}
