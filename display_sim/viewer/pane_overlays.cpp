@@ -78,7 +78,7 @@ std::string detailOf(const PanelDrawing& drawing, Pane pane) {
                          nameOf(state.reference.quantity));
     }
     case Pane::kReconstruction:
-      return facts.missing ? missingText(*facts.missing) : std::string();
+      return facts.missing ? missingText(*facts.missing) : std::string(facts.data->camera ? "moving" : "");
     case Pane::kDisplay: {
       if (!facts.data->volume) {
         return {};

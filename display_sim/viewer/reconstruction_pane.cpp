@@ -34,30 +34,32 @@ void ReconstructionPane::draw(const ViewerState& state, const ViewerData& data, 
   const Content content = state.reconstruction.content;
   const View& view = state.reconstruction.view;
   const Key key{view, content, content == Content::kBlink && blinkShowsTruth(state), data.version, size};
+  const auto compare = [&](FrameComparisonDraw& comparison, int width, int height) {
+    return comparison.draw(*data.sceneMesh, *data.cameraMesh, data.scene->bounds, {view, width, height},
+                           rgb(kSpaceColor), meshes);
+  };
   if (key == drawn_) {
+    if (wantsToMeasure()) {
+      missing_ = compare(measurement_, data.camera->reference.width(), data.camera->reference.height());
+    }
     return;
   }
   drawn_ = key;
   places_.clear();
-  if (!data.camera) {
+  measurable_ = data.camera != nullptr;
+  if (missingVersion_ != data.version || !(missingView_ == view)) {
     missing_.reset();
-    target_.begin(size.x, size.y, rgb(kPaneColor));
-    return;
-  }
-  const auto compare = [&](int width, int height) {
-    return comparison_.draw(*data.sceneMesh, *data.cameraMesh, data.scene->bounds, {view, width, height},
-                            rgb(kSpaceColor), meshes);
-  };
-  const PinholeCamera& reference = data.camera->reference;
-  if (!missing_ || missingVersion_ != data.version || !(missingView_ == view)) {
-    missing_ = compare(reference.width(), reference.height());
     missingVersion_ = data.version;
     missingView_ = view;
   }
-
+  if (!measurable_) {
+    target_.begin(size.x, size.y, rgb(kPaneColor));
+    return;
+  }
+  const PinholeCamera& reference = data.camera->reference;
   const double aspect = static_cast<double>(reference.width()) / reference.height();
   places_ = placesBeside(size, aspect, content == Content::kSideBySide ? 2 : 1);
-  compare(places_[0].size.x, places_[0].size.y);
+  compare(comparison_, places_[0].size.x, places_[0].size.y);
   target_.begin(size.x, size.y, rgb(kPaneColor));
   switch (content) {
     case Content::kMarked:

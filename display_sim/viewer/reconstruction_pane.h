@@ -8,15 +8,18 @@ namespace ocelli {
 
 class ReconstructionPane {
  public:
-  explicit ReconstructionPane(GlContext& context) : context_(&context), target_(context), comparison_(context) {}
+  explicit ReconstructionPane(GlContext& context)
+      : context_(&context), target_(context), comparison_(context), measurement_(context) {}
 
-  /// Hold a GlScope.
+  /// Where nothing has changed since the last call it draws nothing, but measures what is missing if that is not known
+  /// yet: so not while the eye moves. Hold a GlScope.
   void draw(const ViewerState& state, const ViewerData& data, const glm::ivec2& size, MeshDraw& meshes);
 
   const PaneTarget& target() const { return target_; }
   /// Of the view that was drawn last, at the size of the reference image, whatever that of the pane: what `ocelli
-  /// evaluate` counts.
+  /// evaluate` counts. Nothing where it is not known yet.
   const std::optional<MissingSamples>& missing() const { return missing_; }
+  bool wantsToMeasure() const { return drawn_ && measurable_ && !missing_; }
   /// Where the images lie in the pane, pixels from its top left corner; the first holds the reconstruction.
   struct Place {
     glm::ivec2 corner{0};
@@ -30,6 +33,8 @@ class ReconstructionPane {
   GlContext* context_;
   PaneTarget target_;
   FrameComparisonDraw comparison_;
+  FrameComparisonDraw measurement_;
+  bool measurable_ = false;
   std::optional<MissingSamples> missing_;
   View missingView_;
   uint64_t missingVersion_ = 0;

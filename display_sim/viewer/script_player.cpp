@@ -59,6 +59,13 @@ void ScriptPlayer::showFrames() {
   } while (viewer_.hasWaitingEvents());
 }
 
+void ScriptPlayer::settle() {
+  do {
+    viewer_.update(0);
+    viewer_.draw();
+  } while (viewer_.isSettling());
+}
+
 void ScriptPlayer::press(const glm::dvec2& at, PointerButton button, bool pressed) {
   give({PointerMoveEvent{at.x, at.y}, PointerButtonEvent{button, pressed, {}}});
 }
@@ -119,6 +126,7 @@ void ScriptPlayer::perform(const WaitStep&) {
     viewer_.update(0);
   } while (viewer_.facts().work.busy);
   showFrames();
+  settle();
 }
 
 void ScriptPlayer::perform(const SecondsStep& step) {
@@ -130,8 +138,7 @@ void ScriptPlayer::perform(const SecondsStep& step) {
 }
 
 void ScriptPlayer::perform(const SaveStep& step) {
-  viewer_.update(0);
-  viewer_.draw();  // a panel that has just opened is laid out in its first frame, and shows in the next
+  settle();  // a panel that has just opened is laid out in its first frame, and shows in the next
   const std::filesystem::path path = folder_ / step.file;
   std::error_code ignored;
   std::filesystem::create_directories(path.parent_path(), ignored);

@@ -26,6 +26,8 @@ class ScriptPlayer {
   void give(const std::vector<InputEvent>& events);
   /// Frames until every event has been seen, one at the least.
   void showFrames();
+  /// Frames without time passing, until they tell all.
+  void settle();
   void press(const glm::dvec2& at, PointerButton button, bool pressed);
   void perform(const OpenStep& step);
   void perform(const CameraStep& step);

@@ -293,7 +293,7 @@ void Viewer::update(double seconds) {
 
 bool Viewer::isMoving() const {
   const bool blinks = state_.reconstruction.content == ReconstructionShown::Content::kBlink;
-  return facts_.work.busy || state_.display.running || blinks || gui_.hasWaitingEvents() || wantsScreenshot_ ||
+  return facts_.work.busy || state_.display.running || blinks || isSettling() || wantsScreenshot_ ||
          (!facts_.message.empty() && !facts_.messageIsError);
 }
 

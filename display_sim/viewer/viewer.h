@@ -56,6 +56,8 @@ class Viewer {
   bool isMoving() const;
   /// Whether events still wait for a frame.
   bool hasWaitingEvents() const { return gui_.hasWaitingEvents(); }
+  /// Whether the next frame would tell more, though nothing moves.
+  bool isSettling() const { return hasWaitingEvents() || drawing_->reconstruction.wantsToMeasure(); }
   /// Until nothing is being made any more. Update and draw afterwards.
   void waitUntilMade() { work_.waitUntilIdle(); }
 

@@ -15,7 +15,7 @@ struct ViewerFacts {
   bool showTimes = true;         ///< those that differ from run to run
   std::string renderer;
   const ViewerData* data = nullptr;
-  std::optional<MissingSamples> missing;
+  std::optional<MissingSamples> missing;  ///< nothing while the eye moves
   size_t straightRays = 0;
   size_t bentRays = 0;
   ReferenceScale scale;
