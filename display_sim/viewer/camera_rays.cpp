@@ -1,5 +1,6 @@
 #include "display_sim/viewer/camera_rays.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <memory>
 
@@ -99,12 +100,8 @@ bool isBent(const std::vector<glm::vec3>& ray, float tolerance) {
     return false;
   }
   const glm::vec3 direction = glm::normalize(ray.back() - ray.front());
-  for (const glm::vec3& point : ray) {
-    if (glm::length(glm::cross(point - ray.front(), direction)) > tolerance) {
-      return true;
-    }
-  }
-  return false;
+  return std::ranges::any_of(
+      ray, [&](const glm::vec3& point) { return glm::length(glm::cross(point - ray.front(), direction)) > tolerance; });
 }
 
 }  // namespace ocelli

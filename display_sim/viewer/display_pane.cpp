@@ -32,6 +32,28 @@ bool showsScreen(const DisplayShown& shown) {
   return !shown.running || shown.speed <= kFastest;
 }
 
+/// The display itself: its rims, its axis, and the screen.
+std::vector<ColoredLine> linesOf(const DisplayShown& shown, const DisplayProfile& profile, float lineScale) {
+  std::vector<ColoredLine> lines;
+  const glm::vec4 rim = withOpacity(kDisplayColor, 0.45f);
+  for (const double up : {-1.0, 1.0}) {
+    std::vector<glm::vec3> circle;
+    for (int i = 0; i <= kRimSegments; ++i) {
+      circle.push_back(onScreen(profile, 360.0 * i / kRimSegments, 1, up));
+    }
+    addPolyline(lines, circle, rim, lineScale);
+  }
+  lines.push_back(
+      {onScreen(profile, 0, 0, -1), onScreen(profile, 0, 0, 1), withOpacity(kDisplayColor, 0.3f), lineScale});
+  if (showsScreen(shown)) {
+    const glm::vec4 color = opaque(kDisplayColor);
+    const auto corner = [&](double outward, double up) { return onScreen(profile, shown.sweepDegrees, outward, up); };
+    addPolyline(lines, {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1), corner(-1, -1)}, color,
+                1.75f * lineScale);
+  }
+  return lines;
+}
+
 }  // namespace
 
 ShownSweep shownSweep(const DisplayShown& shown, const DisplayProfile& profile) {
@@ -117,7 +139,7 @@ void DisplayPane::draw(const ViewerState& state, const ViewerData& data, const g
   view.up = {0, 1, 0};
   view.fovVerticalDegrees = options.view.fovVerticalDegrees;
   const float reach = glm::length(view.eye) + 2 + static_cast<float>(profile.halfHeightRadii);
-  lineDraw_.draw(lines(shown, profile, lineScale), {view, size.x, size.y}, {view.zNear, reach}, 1);
+  lineDraw_.draw(linesOf(shown, profile, lineScale), {view, size.x, size.y}, {view.zNear, reach}, 1);
 }
 
 void DisplayPane::showLight(double gain) {
@@ -130,28 +152,6 @@ void DisplayPane::showLight(double gain) {
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
   gl.Enable(GL_DEPTH_TEST);
   context_->check("showing the display");
-}
-
-std::vector<ColoredLine> DisplayPane::lines(const DisplayShown& shown, const DisplayProfile& profile,
-                                            float lineScale) const {
-  std::vector<ColoredLine> lines;
-  const glm::vec4 rim = withOpacity(kDisplayColor, 0.45f);
-  for (const double up : {-1.0, 1.0}) {
-    std::vector<glm::vec3> circle;
-    for (int i = 0; i <= kRimSegments; ++i) {
-      circle.push_back(onScreen(profile, 360.0 * i / kRimSegments, 1, up));
-    }
-    addPolyline(lines, circle, rim, lineScale);
-  }
-  lines.push_back(
-      {onScreen(profile, 0, 0, -1), onScreen(profile, 0, 0, 1), withOpacity(kDisplayColor, 0.3f), lineScale});
-  if (showsScreen(shown)) {
-    const glm::vec4 color = opaque(kDisplayColor);
-    const auto corner = [&](double outward, double up) { return onScreen(profile, shown.sweepDegrees, outward, up); };
-    addPolyline(lines, {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1), corner(-1, -1)}, color,
-                1.75f * lineScale);
-  }
-  return lines;
 }
 
 }  // namespace ocelli

@@ -37,7 +37,6 @@ class DisplayPane {
  private:
   void look(const SlicedVolume& volume);
   void showLight(double gain);
-  std::vector<ColoredLine> lines(const DisplayShown& shown, const DisplayProfile& profile, float lineScale) const;
 
   GlContext* context_;
   PaneTarget target_;

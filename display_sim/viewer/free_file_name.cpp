@@ -14,7 +14,7 @@ std::filesystem::path makeFreeFile(const std::filesystem::path& folder, const st
                                    const std::string& ending) {
   constexpr int kMostFiles = 1'000'000;
   for (int number = 1; number < kMostFiles; ++number) {
-    const std::filesystem::path path = folder / fmt::format("{}-{:03}{}", stem, number, ending);
+    std::filesystem::path path = folder / fmt::format("{}-{:03}{}", stem, number, ending);
     if (std::FILE* file = std::fopen(path.c_str(), "wbx")) {  // x: fails where it exists
       std::fclose(file);
       return path;

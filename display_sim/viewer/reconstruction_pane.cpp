@@ -14,6 +14,7 @@ std::vector<ReconstructionPane::Place> placesBeside(const glm::ivec2& pane, doub
   const int width = std::clamp(static_cast<int>(std::lround(pane.y * aspect)), 1, room);
   const int height = std::clamp(static_cast<int>(std::lround(width / aspect)), 1, std::max(pane.y, 1));
   std::vector<ReconstructionPane::Place> places;
+  places.reserve(static_cast<size_t>(count));
   const int left = (pane.x - count * width - (count - 1) * gap) / 2;
   for (int i = 0; i < count; ++i) {
     places.push_back({{left + i * (width + gap), (pane.y - height) / 2}, {width, height}});

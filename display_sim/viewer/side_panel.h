@@ -16,8 +16,8 @@ class SidePanel {
   void drawScene(const PanelDrawing& drawing);
   void drawCamera(const PanelDrawing& drawing);
   void drawImageSize(const PanelDrawing& drawing);
-  void drawDisplay(const PanelDrawing& drawing);
-  void drawShown(const PanelDrawing& drawing);
+  static void drawDisplay(const PanelDrawing& drawing);
+  static void drawShown(const PanelDrawing& drawing);
 
   bool wantsFocus_ = false;
   std::string source_;       ///< as it is being typed

@@ -52,10 +52,10 @@ ViewerLayout viewerLayout(const ViewerState& state, const glm::vec2& windowSize,
   const float height = std::floor((area.height - gap) / 2);
   for (const Pane pane : kPanes) {
     const auto index = static_cast<size_t>(pane);
-    layout.panes.push_back(paneIn(pane,
-                                  {area.x + static_cast<float>(index % 2) * (width + gap),
-                                   area.y + static_cast<float>(index / 2) * (height + gap), width, height},
-                                  header));
+    const bool isRight = index % 2 != 0;
+    const bool isLow = index / 2 != 0;
+    layout.panes.push_back(paneIn(
+        pane, {area.x + (isRight ? width + gap : 0), area.y + (isLow ? height + gap : 0), width, height}, header));
   }
   return layout;
 }

@@ -65,7 +65,7 @@ PointerButton readButton(JsonFields& fields) {
 }
 
 std::string readName(JsonFields& fields, const std::string& name) {
-  const std::string text = fields.text(name);
+  std::string text = fields.text(name);
   if (text.empty()) {
     fields.fail(name, "must not be empty");
   }

@@ -5,6 +5,7 @@
 
 #include "display_sim/display_profile.h"
 #include "display_sim/viewer/view_motion.h"
+#include "oc_core/base/check.h"
 
 namespace ocelli {
 namespace {
@@ -44,6 +45,7 @@ ViewCell cellOf(const CameraChoice& camera) {
 std::string nameFurtherOn(const std::string& name, int step) {
   const auto& names = cameraNames();
   const auto count = static_cast<int>(names.size());
+  OC_CHECK(count > 0, "there are cameras");
   int at = 0;
   for (int i = 0; i < count; ++i) {
     if (name == names[static_cast<size_t>(i)].name) {

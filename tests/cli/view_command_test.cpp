@@ -46,7 +46,7 @@ TEST(ViewCommand, aWrongScriptIsAnError) {
 
 TEST(ViewCommand, wrongOptionsAreErrors) {
   const TemporaryFolder folder;
-  for (const char* wrong : {"--camera none", "--profile none", "--gl none", "--view none.json"}) {
+  for (const char* wrong : {"--camera none", "--gl none", "--view none.json"}) {
     EXPECT_EQ(view("builtin:teapot", R"({"steps": []})", folder, wrong).exitCode, 2) << wrong;
   }
 }
