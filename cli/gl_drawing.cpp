@@ -16,6 +16,18 @@ void addGlOption(CLI::App& command, std::string& provider) {
       ->capture_default_str();
 }
 
+void addMethodOption(CLI::App& command, std::string& method) {
+  command.add_option("--method", method, "How: on the processor, or with OpenGL")
+      ->check(CLI::IsMember({"processor", "gl"}))
+      ->type_name("NAME")
+      ->capture_default_str();
+}
+
+void failWithoutOpenGl() {
+  throw InputError("this program was built without OpenGL", "--method or --construction",
+                   "leave \"gl\" out, or build with -DOCELLI_WITH_OPENGL=ON");
+}
+
 #ifdef OCELLI_WITH_OPENGL
 
 struct GlDrawing::Impl {
@@ -42,12 +54,11 @@ std::string GlDrawing::description() const {
 struct GlDrawing::Impl {};
 
 GlDrawing::GlDrawing(const std::string& /*provider*/) {
-  throw InputError("this program was built without OpenGL", "--method or --construction",
-                   "leave \"gl\" out, or build with -DOCELLI_WITH_OPENGL=ON");
+  failWithoutOpenGl();
 }
 
 const SceneDrawer& GlDrawing::drawerOf(const Mesh& /*mesh*/) {
-  OC_CHECK(false, "there is no OpenGL");
+  failWithoutOpenGl();
 }
 
 std::string GlDrawing::description() const {

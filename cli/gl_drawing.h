@@ -1,4 +1,5 @@
-// `--method gl` and `--construction gl`: a renderer on the GPU for one scene, with the context that it needs.
+// `--gl`, and what `--method gl` and `--construction gl` draw scenes with: a renderer on the GPU for one scene, with
+// the context that it needs.
 #pragma once
 
 #include <memory>
@@ -14,6 +15,12 @@ namespace ocelli {
 
 /// Adds `--gl auto|egl|osmesa`.
 void addGlOption(CLI::App& command, std::string& provider);
+
+/// Adds `--method processor|gl`, for work that has these two ways.
+void addMethodOption(CLI::App& command, std::string& method);
+
+/// Throws InputError: this program was built without OpenGL.
+[[noreturn]] void failWithoutOpenGl();
 
 class GlDrawing {
  public:

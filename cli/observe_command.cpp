@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
+#include "cli/gl_display.h"
+#include "cli/gl_drawing.h"
 #include "cli/output_option.h"
 #include "cli/values.h"
 #include "display_sim/observer.h"
@@ -19,6 +21,8 @@ struct ObserveChoice {
   std::string exposure;
   std::string size = "768x768";
   ObserverOptions options;
+  std::string method = "processor";
+  std::string gl = "auto";
   std::string output;
 };
 
@@ -58,6 +62,8 @@ void addObserveCommand(CLI::App& program, const Frame& frame) {
   command.add_option("--gain", choice->options.gain, "Factor on the light; 0 chooses one for the picture")
       ->type_name("FACTOR");
   command.add_option("--gamma", choice->options.gamma, "Exponent 1/GAMMA on the light")->type_name("GAMMA");
+  addMethodOption(command, choice->method);
+  addGlOption(command, choice->gl);
   addOutputOption(command, choice->output, "Where the picture goes", {".png"});
   frame.finish(command,
                "  ocelli observe teapot.svol -o teapot.png\n"
@@ -65,7 +71,10 @@ void addObserveCommand(CLI::App& program, const Frame& frame) {
                [choice, frame] {
                  const Volume volume = readSvol(choice->volume);
                  const ObserverOptions options = observerOptions(*choice, volume.profile());
-                 writePng(choice->output, srgbFromLinear(observe(volume, options)));
+                 Image<glm::vec3> light = choice->method == "gl" ? collectLightWithGl(choice->gl, volume, options)
+                                                                 : collectLight(volume, options);
+                 tone(light, options.gain > 0 ? options.gain : automaticGain(light), options.gamma);
+                 writePng(choice->output, srgbFromLinear(light));
                  frame.note(fmt::format("wrote {}: seen from {:g},{:g},{:g}", choice->output, options.eye.x,
                                         options.eye.y, options.eye.z));
                });

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
+#include "cli/gl_display.h"
+#include "cli/gl_drawing.h"
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "display_sim/slicer.h"
@@ -24,6 +26,8 @@ struct SliceChoice {
   std::string profile = "perspecta";
   bool undithered = false;
   bool json = false;
+  std::string method = "processor";
+  std::string gl = "auto";
   std::string output;
 };
 
@@ -44,8 +48,9 @@ void run(const SliceChoice& choice, const Frame& frame) {
   const DisplayProfile profile = loadProfile(choice.profile);
   const Mesh mesh = loadMesh(choice.scene, frame.progress());
   const auto start = std::chrono::steady_clock::now();
+  const SliceOptions options{choice.undithered ? ColorReduction::kOccupancy : ColorReduction::kDither};
   const Volume volume =
-      slice(mesh, profile, {choice.undithered ? ColorReduction::kOccupancy : ColorReduction::kDither});
+      choice.method == "gl" ? sliceWithGl(choice.gl, mesh, profile, options) : slice(mesh, profile, options);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   writeSvol(choice.output, volume);
   if (!liesWithin(mesh, profile)) {
@@ -74,6 +79,8 @@ void addSliceCommand(CLI::App& program, const Frame& frame) {
   command.add_option("--profile", choice->profile, "The display: a name, or a profile of your own")
       ->type_name("NAME|FILE.json");
   command.add_flag("--undithered", choice->undithered, "Light a channel wherever it has any light at all");
+  addMethodOption(command, choice->method);
+  addGlOption(command, choice->gl);
   command.add_flag("--json", choice->json, "Print the figures as JSON");
   addOutputOption(command, choice->output, "Where the volume goes", {".svol"});
   frame.finish(command,
