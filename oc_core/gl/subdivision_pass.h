@@ -3,7 +3,8 @@
 // straight. The same rules as oc_core/render/rasterize_subdivided.h.
 //
 // Why no tessellation shader: its levels are bounded and uniform over a triangle, where the field of a DDOC, or
-// a floor that reaches from the eye to the horizon, needs pieces of very different size.
+// a floor that reaches from the eye to the horizon, needs pieces of very different size. Measured on a software
+// renderer, it is slower for scans and wrong for large triangles (docs/results.md, "On the GPU").
 #pragma once
 
 #include "oc_core/camera/ddoc_camera.h"

@@ -92,13 +92,13 @@ void main() {
   int which = 0;
   int corners = item < count ? clipped(loadTriangle(source[first + item]), which) : 0;
   uint pieces = uint(max(corners - 2, 0));
-  uvec4 sum = sumInGroup(uvec4(0u, pieces, 0u, 0u));
+  uint sum = sumInGroup(packCounts(0u, pieces, 0u));
 #if STAGE == COUNT
   if (gl_LocalInvocationID.x == kGroup - 1u) {
-    groups[gl_WorkGroupID.x] = sum;
+    groups[gl_WorkGroupID.x] = unpackCounts(sum);
   }
 #else
-  uint at = kPieceWords * (groups[gl_WorkGroupID.x].y + sum.y - pieces);
+  uint at = kPieceWords * (groups[gl_WorkGroupID.x].y + unpackCounts(sum).y - pieces);
   for (int i = 2; i < corners; ++i) {
     children[at] = source[first + item];
     for (int k = 0; k < 3; ++k) {

@@ -6,9 +6,20 @@ const uint kDrop = 0u;
 const uint kLeaf = 8u;
 const uint kClip = 16u;
 
-uvec4 countsOf(uint code) {
-  return code == kDrop ? uvec4(0u)
-       : code == kLeaf ? uvec4(1u, 0u, 0u, 0u)
-       : code == kClip ? uvec4(0u, 0u, 1u, 0u)
-                       : uvec4(0u, uint(bitCount(code)) + 1u, 0u, 0u);
+uint countsOf(uint code) {
+  return code == kDrop ? 0u
+       : code == kLeaf ? packCounts(1u, 0u, 0u)
+       : code == kClip ? packCounts(0u, 0u, 1u)
+                       : packCounts(0u, uint(bitCount(code)) + 1u, 0u);
+}
+
+// What is kept of a piece from deciding to writing: its code, and the counts of those before it in its group.
+uint withPlace(uint code, uint before) {
+  return code | before << 5;
+}
+uint codeOf(uint kept) {
+  return kept & 31u;
+}
+uint beforeOf(uint kept) {
+  return kept >> 5;
 }

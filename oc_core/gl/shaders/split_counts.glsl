@@ -10,18 +10,35 @@ layout(std430, binding = 3) buffer Groups { uvec4 groups[]; };
 layout(location = 0) uniform uint first;  // of the source
 layout(location = 1) uniform uint count;
 
-shared uvec4 sums[kGroup];
+// Counts within a group fit into one word, nine bits each.
+uint packCounts(uint leaves, uint children, uint clips) {
+  return leaves | children << 9 | clips << 18;
+}
+uvec4 unpackCounts(uint packed_) {
+  return uvec4(packed_ & 511u, packed_ >> 9 & 511u, packed_ >> 18 & 511u, 0u);
+}
 
-// The sum of `own` over this and the lower lanes of the group.
-uvec4 sumInGroup(uvec4 own) {
+const uint kRun = 8u;
+shared uint sums[kGroup];
+shared uint sumsOfRuns[kGroup / kRun];
+
+// The sum of `own` over this and the lower lanes of the group. In two steps, as each barrier costs more than some
+// additions: on a software renderer a dozen of them took longer than all else.
+uint sumInGroup(uint own) {
   uint lane = gl_LocalInvocationID.x;
+  uint run = lane / kRun;
   sums[lane] = own;
   barrier();
-  for (uint step = 1u; step < kGroup; step *= 2u) {
-    uvec4 lower = lane >= step ? sums[lane - step] : uvec4(0u);
-    barrier();
-    sums[lane] += lower;
-    barrier();
+  uint sum = 0u;
+  for (uint i = run * kRun; i <= lane; ++i) {
+    sum += sums[i];
   }
-  return sums[lane];
+  if (lane % kRun == kRun - 1u) {
+    sumsOfRuns[run] = sum;
+  }
+  barrier();
+  for (uint i = 0u; i < run; ++i) {
+    sum += sumsOfRuns[i];
+  }
+  return sum;
 }

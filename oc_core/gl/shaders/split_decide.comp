@@ -36,13 +36,31 @@ bool torn(Corner a, Corner b) {
   return squared(a.image - b.image) > tornEdge * tornEdge;
 }
 
+// Whether a triangle may cover the centre of a pixel. Most leaves cover none, and nothing is as dear as to draw them.
+const float kRounding = 1.0 / 64.0;  // pixels: rasterisers snap corners, to 1/256 at least
+bool leftOf(vec2 from, vec2 to, vec2 at, float side) {
+  vec2 along = to - from;
+  return side * (along.x * (at.y - from.y) - along.y * (at.x - from.x)) < -kRounding * length(along);
+}
+bool coversCentre(vec2 a, vec2 b, vec2 c) {
+  vec2 first = ceil(min(a, min(b, c)) - 0.5 - kRounding);
+  vec2 last = floor(max(a, max(b, c)) - 0.5 + kRounding);
+  if (any(lessThan(last, first))) {
+    return false;
+  }
+  vec2 at = first + 0.5;
+  float side = sign((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+  return any(greaterThan(last, first)) || !(leftOf(a, b, at, side) || leftOf(b, c, at, side) || leftOf(c, a, at, side));
+}
+
 uint decide(vec3 pa, vec3 pb, vec3 pc) {
   Corner a = corner(pa);
   Corner b = corner(pb);
   Corner c = corner(pc);
   uint split = (mustSplit(a, b) ? kSplitAb : 0u) | (mustSplit(b, c) ? kSplitBc : 0u) | (mustSplit(c, a) ? kSplitCa : 0u);
   if (split == 0u || depth >= kDeepest) {
-    return torn(a, b) || torn(b, c) || torn(c, a) ? kDrop : kLeaf;
+    bool drawn = coversCentre(a.image, b.image, c.image) && !(torn(a, b) || torn(b, c) || torn(c, a));
+    return drawn ? kLeaf : kDrop;
   }
   return displacesWithin(min(a.undistorted, min(b.undistorted, c.undistorted)),
                          max(a.undistorted, max(b.undistorted, c.undistorted))) ? split : kDrop;
@@ -96,10 +114,13 @@ void main() {
   uint code = kDrop;
   if (gl_GlobalInvocationID.x < count) {
     code = decideItem(first + gl_GlobalInvocationID.x);
-    codes[gl_GlobalInvocationID.x] = code;
   }
-  uvec4 sum = sumInGroup(countsOf(code));
+  uint own = countsOf(code);
+  uint sum = sumInGroup(own);
+  if (gl_GlobalInvocationID.x < count) {
+    codes[gl_GlobalInvocationID.x] = withPlace(code, sum - own);
+  }
   if (gl_LocalInvocationID.x == kGroup - 1u) {
-    groups[gl_WorkGroupID.x] = sum;
+    groups[gl_WorkGroupID.x] = unpackCounts(sum);
   }
 }

@@ -28,12 +28,12 @@ uint place;
 
 void main() {
   uint item = gl_GlobalInvocationID.x;
-  uint code = item < count ? codes[item] : kDrop;
-  uvec4 own = countsOf(code);
-  uvec4 places = groups[gl_WorkGroupID.x] + sumInGroup(own) - own;
+  uint kept = item < count ? codes[item] : kDrop;
+  uint code = codeOf(kept);
   if (code == kDrop) {
     return;
   }
+  uvec4 places = groups[gl_WorkGroupID.x] + unpackCounts(beforeOf(kept));
 #if SOURCE == TRIANGLES
   triangle = first + item;
   vec2 a = vec2(0, 0);
@@ -55,7 +55,7 @@ void main() {
     return;
   }
   // Turned so that one split is at ab, and two are at ab and bc.
-  uint splits = own.y - 1u;
+  uint splits = uint(bitCount(code));
   if (code == kSplitBc || code == (kSplitBc | kSplitCa)) {
     vec2 turn = a;
     a = b;
