@@ -46,7 +46,7 @@ Scene makeBlocksOnFloor(size_t count, uint64_t seed) {
   // A quarter of the places stays free.
   const auto side = static_cast<size_t>(std::ceil(std::sqrt(static_cast<double>(count) / 0.75)));
   const float cell = 2 * kFloorHalf / static_cast<float>(side);
-  const float radius = 0.4f * cell;
+  const float radius = 0.46f * cell;
   const std::vector<glm::vec2> places = placesOf(count, radius, cell, side, random);
   const auto target = static_cast<size_t>(
       std::min_element(places.begin(), places.end(),
@@ -62,9 +62,9 @@ Scene makeBlocksOnFloor(size_t count, uint64_t seed) {
   const float tallest = std::min(2.2f * cell, 0.5f);
   for (size_t i = 0; i < count; ++i) {
     glm::vec3 half;
-    half.x = random.inRange(0.4f, 0.7f) * radius;
+    half.x = random.inRange(0.42f, 0.7f) * radius;
     half.z = random.inRange(0.35f, 0.7f) * radius;  // 0.7 sqrt(2) < 1: within the radius however it turns
-    half.y = (i == target ? 0.2f : random.inRange(0.1f, 0.5f)) * tallest;
+    half.y = (i == target ? 0.28f : random.inRange(0.1f, 0.5f)) * tallest;
     const float angle = random.inRange(0, static_cast<float>(kPi));
     glm::vec3 color = colors[random.below(colors.size())];
     if (i == target) {

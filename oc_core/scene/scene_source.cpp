@@ -11,15 +11,15 @@ namespace ocelli {
 namespace {
 
 /// Takes the scene, so that it is gone when its mesh is worked on.
-LoadedScene flattened(Scene scene) {
+GuidedScene flattened(Scene scene) {
   return {flatten(scene), objectOfTriangles(scene), std::move(scene.guides), glm::mat4(1)};
 }
 
 }  // namespace
 
-LoadedScene loadSceneWithGuides(const std::string& source, const SceneOptions& options, const Progress& progress) {
+GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& options, const Progress& progress) {
   report(progress, "loading the scene", 0);
-  LoadedScene loaded = flattened(isBuiltinScene(source) ? makeBuiltinScene(source)
+  GuidedScene loaded = flattened(isBuiltinScene(source) ? makeBuiltinScene(source)
                                                         : readSceneFile(source, {.textures = options.textures}));
   Mesh& mesh = loaded.mesh;
   validate(mesh, source);
@@ -41,7 +41,7 @@ LoadedScene loadSceneWithGuides(const std::string& source, const SceneOptions& o
 }
 
 Mesh loadScene(const std::string& source, const SceneOptions& options, const Progress& progress) {
-  return loadSceneWithGuides(source, options, progress).mesh;
+  return loadGuidedScene(source, options, progress).mesh;
 }
 
 }  // namespace ocelli

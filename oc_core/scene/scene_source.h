@@ -25,7 +25,7 @@ struct SceneOptions {
 };
 
 /// A scene with what its mesh alone does not say.
-struct LoadedScene {
+struct GuidedScene {
   Mesh mesh;
   std::vector<uint32_t> objectOfTriangle;  ///< the identity of each triangle of `mesh`; 0 is structure
   SceneGuides guides;                      ///< in the world of `mesh`
@@ -33,8 +33,7 @@ struct LoadedScene {
 };
 
 /// Throws InputError for a spec or a file that is wrong.
-LoadedScene loadSceneWithGuides(const std::string& source, const SceneOptions& options = {},
-                                const Progress& progress = {});
+GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& options = {}, const Progress& progress = {});
 
 /// The scene as one validated mesh. Throws InputError for a spec or a file that is wrong.
 Mesh loadScene(const std::string& source, const SceneOptions& options = {}, const Progress& progress = {});

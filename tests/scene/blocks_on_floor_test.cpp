@@ -33,7 +33,7 @@ TEST(BlocksOnFloor, StandApart) {
 }
 
 TEST(BlocksOnFloor, KnowTheirTarget) {
-  const LoadedScene scene = loadSceneWithGuides("builtin:boxes,count=700,floor=1", {.shading = Shading::kNone});
+  const GuidedScene scene = loadGuidedScene("builtin:boxes,count=700,floor=1", {.shading = Shading::kNone});
   ASSERT_TRUE(scene.guides.target);
   Box box;
   size_t red = 0;

@@ -70,17 +70,17 @@ TEST(Canyon, HasItsRiverWhereThePathSays) {
 }
 
 TEST(BuiltinCanyon, ComesWithItsPathInTheWorld) {
-  const LoadedScene canyon = loadSceneWithGuides("builtin:canyon,seed=3,cells=32");
+  const GuidedScene canyon = loadGuidedScene("builtin:canyon,seed=3,cells=32");
   ASSERT_EQ(canyon.guides.path.size(), canyonPath(3).size());
   for (size_t i = 0; i < canyon.guides.path.size(); ++i) {
     const glm::vec3 expected(canyon.worldFromScene * glm::vec4(canyonPath(3)[i], 1));
     EXPECT_EQ(canyon.guides.path[i], expected);
     EXPECT_LT(glm::length(expected), 1.0f);
   }
-  const LoadedScene again = loadSceneWithGuides("builtin:canyon,seed=3,cells=32");
+  const GuidedScene again = loadGuidedScene("builtin:canyon,seed=3,cells=32");
   EXPECT_EQ(canyon.mesh.positions, again.mesh.positions);
   EXPECT_EQ(canyon.mesh.colors, again.mesh.colors);
-  EXPECT_NE(canyon.mesh.positions, loadSceneWithGuides("builtin:canyon,seed=4,cells=32").mesh.positions);
+  EXPECT_NE(canyon.mesh.positions, loadGuidedScene("builtin:canyon,seed=4,cells=32").mesh.positions);
 }
 
 }  // namespace

@@ -112,8 +112,8 @@ TEST(MazeMesh, LandmarksAreClosedWithTheirVolumes) {
 }
 
 TEST(BuiltinMaze, ComesWithItsGuidesInTheWorld) {
-  const LoadedScene fitted = loadSceneWithGuides("builtin:maze,seed=4,rows=3,columns=5");
-  const LoadedScene plain = loadSceneWithGuides("builtin:maze,seed=4,rows=3,columns=5", {.fit = false});
+  const GuidedScene fitted = loadGuidedScene("builtin:maze,seed=4,rows=3,columns=5");
+  const GuidedScene plain = loadGuidedScene("builtin:maze,seed=4,rows=3,columns=5", {.fit = false});
   ASSERT_TRUE(fitted.guides.maze && plain.guides.maze);
   EXPECT_EQ(*plain.guides.maze, generateMaze({.seed = 4, .rows = 3, .columns = 5}));
   EXPECT_EQ(plain.worldFromScene, glm::mat4(1));
@@ -137,7 +137,7 @@ TEST(BuiltinMaze, ReadsAFile) {
   const Maze maze = generateMaze({.seed = 9, .rows = 4, .columns = 3});
   const std::string path = (folder.path() / "maze.json").string();
   writeFile(path, jsonText(maze));
-  EXPECT_EQ(loadSceneWithGuides("builtin:maze,file=" + path, {.fit = false}).guides.maze, maze);
+  EXPECT_EQ(loadGuidedScene("builtin:maze,file=" + path, {.fit = false}).guides.maze, maze);
   EXPECT_THROW(makeBuiltinScene("builtin:maze,seed=1,file=" + path), InputError);
   EXPECT_THROW(makeBuiltinScene("builtin:maze,file=none.json"), InputError);
   EXPECT_THROW(makeBuiltinScene("builtin:maze,file="), InputError);

@@ -154,7 +154,7 @@ TEST(TownPortals, AreOpenAndLookOntoTheStreet) {
 }
 
 TEST(BuiltinTown, HasTrianglesObjectsAndGuides) {
-  const LoadedScene town = loadSceneWithGuides("builtin:town", {.fit = false, .shading = Shading::kNone});
+  const GuidedScene town = loadGuidedScene("builtin:town", {.fit = false, .shading = Shading::kNone});
   EXPECT_GE(town.mesh.triangles.size(), 100'000u);
   ASSERT_EQ(town.objectOfTriangle.size(), town.mesh.triangles.size());
   const std::set<uint32_t> objects(town.objectOfTriangle.begin(), town.objectOfTriangle.end());
@@ -175,7 +175,7 @@ TEST(BuiltinTown, HasTrianglesObjectsAndGuides) {
   EXPECT_LT(glm::distance(tower.lower, town.guides.target->box.lower), 1e-5f);
   EXPECT_LT(glm::distance(tower.upper, town.guides.target->box.upper), 1e-5f);
 
-  const LoadedScene fitted = loadSceneWithGuides("builtin:town");
+  const GuidedScene fitted = loadGuidedScene("builtin:town");
   const Portal expected = moved(town.guides.portals[5], fitted.worldFromScene);
   EXPECT_EQ(fitted.guides.portals[5].corners(), expected.corners());
   EXPECT_LT(glm::length(expected.corners()[0]), 1.0f);
