@@ -29,8 +29,10 @@ std::vector<glm::vec2> placesOf(size_t count, float radius, float cell, size_t s
   std::vector<glm::vec2> places;
   const float play = cell / 2 - radius;
   for (size_t i = 0; i < count; ++i) {
-    const float x = cell * (static_cast<float>(order[i] % side) + 0.5f) + random.inRange(-play, play);
-    const float z = cell * (static_cast<float>(order[i] / side) + 0.5f) + random.inRange(-play, play);
+    const size_t column = order[i] % side;
+    const size_t row = order[i] / side;
+    const float x = cell * (static_cast<float>(column) + 0.5f) + random.inRange(-play, play);
+    const float z = cell * (static_cast<float>(row) + 0.5f) + random.inRange(-play, play);
     places.emplace_back(x - kFloorHalf, z - kFloorHalf);
   }
   return places;

@@ -43,7 +43,7 @@ Scene buildMaze(const BuiltinValues& values) {
   options.leastFourWay = values.count("four");
   options.landmarks = values.count("landmarks");
   if (!values.isGiven("landmarks")) {
-    options.landmarks = std::min(options.landmarks, static_cast<size_t>(options.rows * options.columns));
+    options.landmarks = std::min(options.landmarks, values.count("rows") * values.count("columns"));
   }
   return makeMazeScene(generateMaze(options));
 }

@@ -39,7 +39,7 @@ class ValueNoise {
     const float left = std::floor(x);
     const float top = std::floor(z);
     const auto value = [&](int dx, int dz) {
-      const auto wrap = [](int i) { return static_cast<size_t>(((i % kSide) + kSide) % kSide); };
+      const auto wrap = [](int i) { return static_cast<size_t>(i + (1 << 20)) % kSide; };
       return values_[wrap(static_cast<int>(top) + dz) * kSide + wrap(static_cast<int>(left) + dx)];
     };
     const float u = smooth(x - left);
@@ -51,7 +51,7 @@ class ValueNoise {
   }
 
  private:
-  static constexpr int kSide = 32;
+  static constexpr size_t kSide = 32;
   std::array<float, kSide * kSide> values_{};
 };
 
@@ -81,9 +81,8 @@ class Terrain {
 
   /// x of the middle of the river.
   float riverAt(float z) const {
-    const float t = (1 - z / kCanyonHalfSize) / 2 * static_cast<float>(path_.size() - 1);
-    const auto i = static_cast<size_t>(glm::clamp(t, 0.0f, static_cast<float>(path_.size() - 2)));
-    return glm::mix(path_[i].x, path_[i + 1].x, t - static_cast<float>(i));
+    const size_t i = segmentAt(z);
+    return glm::mix(path_[i].x, path_[i + 1].x, pathPlace(z) - static_cast<float>(i));
   }
 
   glm::vec3 color(const glm::vec3& point, float slope) const {
@@ -112,17 +111,34 @@ class Terrain {
   }
 
  private:
-  float waterHeight(float z) const { return kFall * 0.5f * (1 - z / kCanyonHalfSize); }
+  static float waterHeight(float z) { return kFall * 0.5f * (1 - z / kCanyonHalfSize); }
+
+  /// The place of z along the path, whose points are evenly spaced in z, counted in points.
+  float pathPlace(float z) const { return (1 - z / kCanyonHalfSize) / 2 * static_cast<float>(path_.size() - 1); }
+
+  size_t segmentAt(float z) const {
+    return static_cast<size_t>(glm::clamp(pathPlace(z), 0.0f, static_cast<float>(path_.size() - 2)));
+  }
 
   float distanceToRiver(float x, float z) const {
-    float least2 = 1e12f;
     const glm::vec2 point(x, z);
-    for (size_t i = 0; i + 1 < path_.size(); ++i) {
+    float least2 = 1e12f;
+    const auto visit = [&](size_t i) {
       const glm::vec2 a(path_[i].x, path_[i].z);
       const glm::vec2 along = glm::vec2(path_[i + 1].x, path_[i + 1].z) - a;
       const float t = glm::clamp(glm::dot(point - a, along) / glm::dot(along, along), 0.0f, 1.0f);
       const glm::vec2 away = point - a - t * along;
       least2 = std::min(least2, glm::dot(away, away));
+    };
+    // z falls along the path: from the segment at this z both ways, until z alone is farther than what was found.
+    const auto reaches = [&](float segmentZ) { return (segmentZ - z) * (segmentZ - z) < least2; };
+    const size_t start = segmentAt(z);
+    visit(start);
+    for (size_t i = start; i > 0 && reaches(path_[i].z); --i) {
+      visit(i - 1);
+    }
+    for (size_t i = start + 1; i + 1 < path_.size() && reaches(path_[i].z); ++i) {
+      visit(i);
     }
     return std::sqrt(least2);
   }

@@ -77,8 +77,7 @@ size_t Maze::wallIndex(const MazeCell& cell, Direction direction) const {
   const bool far = direction == Direction::kNorth || direction == Direction::kWest;  // the neighbour keeps it
   const MazeCell keeper = far ? cell.neighbor(direction) : cell;
   OC_CHECK(contains(keeper), "a wall between two cells of the maze");
-  return (isEastWest(direction) ? 0 : static_cast<size_t>(rows_ * columns_)) +
-         static_cast<size_t>(keeper.row * columns_ + keeper.column);
+  return (isEastWest(direction) ? 0 : cellCount()) + indexOf(keeper);
 }
 
 bool Maze::isOpen(const MazeCell& cell, Direction direction) const {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -77,6 +78,11 @@ struct Maze {
   int rows() const { return rows_; }
   int columns() const { return columns_; }
   bool contains(const MazeCell& cell) const;
+  size_t cellCount() const { return static_cast<size_t>(rows_) * static_cast<size_t>(columns_); }
+  /// Row by row.
+  size_t indexOf(const MazeCell& cell) const {
+    return static_cast<size_t>(cell.row) * static_cast<size_t>(columns_) + static_cast<size_t>(cell.column);
+  }
 
   /// Whether there is a passage to the neighbour; false at the border, whatever the entrance.
   bool isOpen(const MazeCell& cell, Direction direction) const;

@@ -40,16 +40,18 @@ size_t countOf(const Maze& maze, CellKind kind) {
 /// Which cells hang together, while passages are opened one after the other.
 class Components {
  public:
-  explicit Components(const Maze& maze) : columns_(maze.columns()) {
-    for (size_t i = 0; i < static_cast<size_t>(maze.rows() * maze.columns()); ++i) {
+  explicit Components(const Maze& maze) : columns_(static_cast<size_t>(maze.columns())) {
+    for (size_t i = 0; i < maze.cellCount(); ++i) {
       of_.push_back(i);
     }
   }
-  size_t of(const MazeCell& cell) const { return of_[static_cast<size_t>(cell.row * columns_ + cell.column)]; }
+  size_t of(const MazeCell& cell) const {
+    return of_[static_cast<size_t>(cell.row) * columns_ + static_cast<size_t>(cell.column)];
+  }
   void join(const MazeCell& a, const MazeCell& b) { std::replace(of_.begin(), of_.end(), of(a), size_t{of(b)}); }
 
  private:
-  int columns_;
+  size_t columns_;
   std::vector<size_t> of_;
 };
 
@@ -276,7 +278,7 @@ Maze generateMaze(const MazeOptions& options) {
   if (!(options.loops >= 0 && options.loops <= 1)) {
     throw InputError("the share of walls to open again is not from 0 to 1", kWhere, "0 makes no loops, 0.15 a few");
   }
-  const auto cells = static_cast<size_t>(options.rows * options.columns);
+  const size_t cells = static_cast<size_t>(options.rows) * static_cast<size_t>(options.columns);
   if (options.landmarks > cells) {
     throw InputError(fmt::format("{} landmarks are asked for, in {} cells", options.landmarks, cells), kWhere,
                      "ask for fewer landmarks or more cells");

@@ -11,9 +11,9 @@ constexpr size_t kNoCorridor = std::numeric_limits<size_t>::max();
 }  // namespace
 
 MazeGraph::MazeGraph(const Maze& maze)
-    : columns_(maze.columns()), corridorOfCell_(2 * static_cast<size_t>(maze.rows() * maze.columns()), kNoCorridor) {
+    : columns_(static_cast<size_t>(maze.columns())), corridorOfCell_(2 * maze.cellCount(), kNoCorridor) {
   const auto slot = [&](const MazeCell& cell, bool eastWest) -> size_t& {
-    return corridorOfCell_[2 * static_cast<size_t>(cell.row * columns_ + cell.column) + (eastWest ? 0 : 1)];
+    return corridorOfCell_[2 * maze.indexOf(cell) + (eastWest ? 0 : 1)];
   };
   size_t passages = 0;
   for (int row = 0; row < maze.rows(); ++row) {
@@ -35,7 +35,7 @@ MazeGraph::MazeGraph(const Maze& maze)
       }
     }
   }
-  loops = passages + 1 - static_cast<size_t>(maze.rows() * maze.columns());
+  loops = passages + 1 - maze.cellCount();
   for (int row = 0; row < maze.rows(); ++row) {
     for (int column = 0; column < maze.columns(); ++column) {
       const MazeCell cell{row, column};
@@ -50,8 +50,8 @@ MazeGraph::MazeGraph(const Maze& maze)
 }
 
 std::optional<size_t> MazeGraph::corridorOf(const MazeCell& cell, bool eastWest) const {
-  const size_t corridor =
-      corridorOfCell_.at(2 * static_cast<size_t>(cell.row * columns_ + cell.column) + (eastWest ? 0 : 1));
+  const size_t corridor = corridorOfCell_.at(
+      2 * (static_cast<size_t>(cell.row) * columns_ + static_cast<size_t>(cell.column)) + (eastWest ? 0 : 1));
   return corridor == kNoCorridor ? std::nullopt : std::optional(corridor);
 }
 

@@ -39,7 +39,7 @@ struct MazeGraph {
   size_t count(CellKind kind) const;
 
  private:
-  int columns_;
+  size_t columns_;
   std::vector<size_t> corridorOfCell_;  ///< two a cell: east-west, north-south
 };
 

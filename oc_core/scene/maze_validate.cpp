@@ -44,24 +44,23 @@ void checkEntrance(const Maze& maze, const std::string& where) {
 }
 
 void checkReachability(const Maze& maze, const std::string& where) {
-  const auto index = [&](const MazeCell& cell) { return static_cast<size_t>(cell.row * maze.columns() + cell.column); };
-  std::vector<bool> reached(static_cast<size_t>(maze.rows() * maze.columns()));
+  std::vector<bool> reached(maze.cellCount());
   std::vector<MazeCell> waiting{maze.entrance->cell};
-  reached[index(waiting.back())] = true;
+  reached[maze.indexOf(waiting.back())] = true;
   while (!waiting.empty()) {
     const MazeCell cell = waiting.back();
     waiting.pop_back();
     for (const Direction direction : maze.passages(cell)) {
       const MazeCell next = cell.neighbor(direction);
-      if (!reached[index(next)]) {
-        reached[index(next)] = true;
+      if (!reached[maze.indexOf(next)]) {
+        reached[maze.indexOf(next)] = true;
         waiting.push_back(next);
       }
     }
   }
   for (int row = 0; row < maze.rows(); ++row) {
     for (int column = 0; column < maze.columns(); ++column) {
-      if (!reached[index({row, column})]) {
+      if (!reached[maze.indexOf({row, column})]) {
         throw InputError(fmt::format("the cell {} cannot be reached from the entrance", nameOf(MazeCell{row, column})),
                          where, "open a wall that closes it off");
       }

@@ -103,7 +103,7 @@ class HouseBuilder {
     wall.isOpen = [&](size_t i, size_t j) {
       const size_t column = i / detail_;
       const size_t row = j / detail_;
-      const bool isDoor = isFront && row == 0 && column == static_cast<size_t>(2 * house_.doorBay + 1);
+      const bool isDoor = isFront && row == 0 && column == 2 * static_cast<size_t>(house_.doorBay) + 1;
       return isDoor || (column % 2 == 1 && row % 2 == 1);
     };
     const glm::mat4 houseFromWall = at(place, turnDegrees);

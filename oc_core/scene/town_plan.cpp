@@ -161,7 +161,7 @@ class Planner {
     }
     for (const float x : plan_.streetsNorthSouth) {
       for (int j = 0; j < kBlocksZ; ++j) {
-        const float z = plan_.blocks[static_cast<size_t>(j * kBlocksX)].lower.y + random_.inRange(4, kBlockDepth - 4);
+        const float z = plan_.blocks[static_cast<size_t>(j) * kBlocksX].lower.y + random_.inRange(4, kBlockDepth - 4);
         const bool northward = random_.below(2) == 0;
         addCar({x + (northward ? lane : -lane), 0, z}, northward ? 90.0f : 270.0f);
       }

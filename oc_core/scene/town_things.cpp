@@ -47,7 +47,7 @@ Mesh makeRoundTree(const glm::vec3& color) {
 Mesh makePointedTree(const glm::vec3& color) {
   Mesh tree = makeTrunk(1.6f);
   for (int i = 0; i < 3; ++i) {
-    const float step = static_cast<float>(i);
+    const auto step = static_cast<float>(i);
     const float radius = 1.6f - 0.4f * step;
     add(tree, makeTurned({{0, 0}, {radius, -0.25f}, {0.5f * radius, 0.8f}, {0, 2.0f}}, 24),
         at({0, 1.3f + 1.15f * step, 0}), color * (0.6f + 0.15f * step));
