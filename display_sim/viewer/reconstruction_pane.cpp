@@ -22,6 +22,11 @@ std::vector<ReconstructionPane::Place> placesBeside(const glm::ivec2& pane, doub
   return places;
 }
 
+std::optional<MissingSamples> ReconstructionPane::missing(const ViewerState& state, const ViewerData& data) const {
+  const bool fits = missingVersion_ == data.version && missingView_ == state.reconstruction.view;
+  return fits ? missing_ : std::nullopt;
+}
+
 void ReconstructionPane::show(const PaneTarget& image, const Place& place) {
   const GladGLContext& gl = context_->gl();
   gl.BlitNamedFramebuffer(image.framebuffer().id(), target_.framebuffer().id(), 0, 0, image.width(), image.height(),

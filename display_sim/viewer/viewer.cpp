@@ -297,6 +297,11 @@ bool Viewer::isMoving() const {
          (!facts_.message.empty() && !facts_.messageIsError);
 }
 
+bool Viewer::isSettling() const {
+  const bool measures = drawing_->reconstruction.wantsToMeasure() && layout().find(Pane::kReconstruction) != nullptr;
+  return hasWaitingEvents() || measures;
+}
+
 void Viewer::pickPixel() {
   facts_.picked.reset();
   const ViewerLayout where = layout();
@@ -348,7 +353,7 @@ void Viewer::drawPanes() {
                                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
   context_.check("composing the window");
-  facts_.missing = drawing_->reconstruction.missing();
+  facts_.missing = drawing_->reconstruction.missing(state_, data_);
   facts_.straightRays = drawing_->scene.shownLines().straightRays;
   facts_.bentRays = drawing_->scene.shownLines().bentRays;
   facts_.scale = drawing_->reference.scale();

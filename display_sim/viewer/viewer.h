@@ -57,7 +57,7 @@ class Viewer {
   /// Whether events still wait for a frame.
   bool hasWaitingEvents() const { return gui_.hasWaitingEvents(); }
   /// Whether the next frame would tell more, though nothing moves.
-  bool isSettling() const { return hasWaitingEvents() || drawing_->reconstruction.wantsToMeasure(); }
+  bool isSettling() const;
   /// Until nothing is being made any more. Update and draw afterwards.
   void waitUntilMade() { work_.waitUntilIdle(); }
 

@@ -270,6 +270,47 @@ TEST_P(ViewerTest, everyCameraIsShownWithoutAnError) {
   } while (test.viewer.state().work.camera.name != "di");
 }
 
+TEST_P(ViewerTest, aMeasurementThatIsHiddenHoldsNothingUp) {
+  TestViewer test(GetParam(), "builtin:teapot");
+  EXPECT_TRUE(test.viewer.facts().missing.has_value());
+  const ViewerScript script = viewerScriptFromJsonText(
+      R"({"size": [960, 640], "steps": [{"wait": "idle"}, {"key": "3"}, {"scroll": {"at": [700, 300], "up": 3}},
+          {"key": "2"}, {"save": "x.png"}, {"wait": "idle"}]})",
+      "script");
+  test.player.play(script);
+  EXPECT_TRUE(std::filesystem::exists(test.folder / "x.png"));
+  EXPECT_FALSE(test.viewer.isSettling());
+  EXPECT_FALSE(test.viewer.facts().missing.has_value());  // of an eye that has moved since
+  test.key(Key::k3);
+  test.settle();
+  EXPECT_TRUE(test.viewer.facts().missing.has_value());
+}
+
+TEST_P(ViewerTest, aHiddenReconstructionTellsNothingOfAnotherCamera) {
+  TestViewer test(GetParam());
+  test.key(Key::k2);
+  test.settle();
+  EXPECT_TRUE(test.viewer.facts().missing.has_value());  // still known
+  test.player.play(CameraStep{"di"});
+  test.settle();
+  EXPECT_FALSE(test.viewer.facts().missing.has_value());
+}
+
+TEST_P(ViewerTest, stepsAfterTheViewerHasClosedAreAnError) {
+  TestViewer test(GetParam());
+  const auto script = [](const std::string& steps) {
+    return viewerScriptFromJsonText(R"({"size": [960, 640], "steps": [)" + steps + "]}", "script");
+  };
+  try {
+    test.player.play(script(R"({"key": "H"}, {"key": "Ctrl+Q"}, {"save": "after.png"}, {"key": "H"})"));
+    FAIL() << "nothing was thrown";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("step 2 closed the viewer; 2 steps are left"));
+  }
+  TestViewer last(GetParam());
+  EXPECT_NO_THROW(last.player.play(script(R"({"key": "Ctrl+Q"})")));
+}
+
 TEST(ViewerScripts, theSameScriptGivesTheSameBytesOnEglAndOsMesa) {
   const ViewerScript script = viewerScriptFromJsonText(
       R"({"size": [960, 640], "steps": [{"wait": "idle"}, {"save": "1.png"}, {"key": "Comma"}, {"key": "Comma"},
