@@ -100,6 +100,10 @@ class GraphCamera {
   std::optional<glm::dvec3> unprojectExactly(const ExactImagePoint& imagePoint) const;
   /// The frustum that holds a point; -1 for none.
   int frustumOf(const glm::dvec3& worldPoint) const;
+  /// z of a point that frustum `i` holds.
+  double depth(int i, const glm::dvec3& point) const;
+  /// The child of frustum `i` that rays of a pixel go on to; -1 where they go straight on.
+  int childAt(int i, const glm::dvec2& pixel) const;
 
   std::optional<ImagePoint> project(const glm::vec3& worldPoint) const;
   std::optional<glm::vec3> unproject(const ImagePoint& q) const;
@@ -108,9 +112,7 @@ class GraphCamera {
  private:
   [[noreturn]] void fail(const std::string& name, const std::string& what, const std::string& next) const;
   bool holds(int i, const glm::dvec3& point, double pixelRounding) const;
-  int childAt(int i, const glm::dvec2& pixel) const;
   glm::dvec3 seenByParent(int i, const glm::dvec3& point) const;
-  double depth(int i, const glm::dvec3& point) const;
   /// The ray of a pixel in a frustum: from where it begins, along a direction whose length advances z by 1.
   struct Segment {
     glm::dvec3 from;
