@@ -14,9 +14,6 @@ namespace {
 /// What rounding of pixels and heights may amount to: coordinates of 1e4 in double precision, with room for chains of
 /// turns.
 constexpr double kPixelRounding = 1e-7;
-/// What rounding of world points to single precision amounts to: at the borders no other frustum may hold them.
-constexpr double kSinglePixelRounding = 1e-3;
-constexpr double kSingleDepthRounding = 1e-6;
 constexpr double kHeightRounding = 1e-10;
 /// Parts with less than this many square pixels hold no rays.
 constexpr double kLeastArea = 1e-6;
@@ -54,31 +51,7 @@ GraphCamera::Part clippedTo(GraphCamera::Part part, const GraphCamera::Part& by)
   return part;
 }
 
-/// The central projection from `viewpoint` onto `plane`, with positive weights beyond the plane.
-glm::dmat4 ontoPlane(const Plane& plane, const glm::dvec3& viewpoint) {
-  const glm::dvec4 p(plane.normal, -plane.distance);
-  const glm::dvec4 c(viewpoint, 1);
-  return glm::outerProduct(c, p) - glm::dmat4(glm::dot(p, c));
-}
-
-/// Rows u, v, none and weight of a pinhole's projection.
-glm::dmat4 pixelFromWorld(const PinholeCamera& camera) {
-  const glm::dvec3 eye(camera.eye());
-  const auto row = [&](const glm::dvec3& axis) { return glm::dvec4(axis, -glm::dot(axis, eye)); };
-  const glm::dvec4 z = row(glm::dvec3(camera.forward()));
-  const auto focal = static_cast<double>(camera.focalPixels());
-  const glm::dvec2 center(camera.centerPixels());
-  const glm::dvec4 u = row(glm::dvec3(camera.right())) * focal + z * center.x;
-  const glm::dvec4 v = row(glm::dvec3(camera.down())) * focal + z * center.y;
-  return glm::transpose(glm::dmat4(u, v, glm::dvec4(0), z));
-}
-
 }  // namespace
-
-Plane Plane::through(const glm::dvec3& point, const glm::dvec3& normal) {
-  const glm::dvec3 unit = glm::normalize(normal);
-  return {unit, glm::dot(unit, point)};
-}
 
 GraphCamera::GraphCamera(const PinholeCamera& root) : root_(root) {
   const double width = root.width();
@@ -309,19 +282,12 @@ int GraphCamera::frustumOf(const glm::dvec3& worldPoint) const {
   return -1;
 }
 
-/// Where the ray to a point of a frustum crosses its plane.
-glm::dvec3 GraphCamera::seenByParent(int i, const glm::dvec3& point) const {
-  const Frustum& frustum = frusta_[static_cast<size_t>(i)];
-  const double before = frustum.plane.height(frustum.viewpoint);
-  const double beyond = frustum.plane.height(point);
-  return (frustum.viewpoint * beyond - point * before) / (beyond - before);
-}
-
 double GraphCamera::depth(int i, const glm::dvec3& point) const {
   double length = 0;
   glm::dvec3 at = point;
   for (; i != kRoot; i = frusta_[static_cast<size_t>(i)].parent) {
-    const glm::dvec3 crossing = seenByParent(i, at);
+    const Frustum& frustum = frusta_[static_cast<size_t>(i)];
+    const glm::dvec3 crossing = frustum.plane.crossing(frustum.viewpoint, at);
     length += glm::distance(crossing, at);
     at = crossing;
   }
@@ -364,12 +330,7 @@ std::optional<glm::dvec3> GraphCamera::unprojectExactly(const ExactImagePoint& q
 }
 
 std::optional<ImagePoint> GraphCamera::project(const glm::vec3& worldPoint) const {
-  const std::optional<ExactImagePoint> q = projectExactly(glm::dvec3(worldPoint));
-  if (!q) {
-    return std::nullopt;
-  }
-  const ImagePoint image{static_cast<float>(q->u), static_cast<float>(q->v), static_cast<float>(q->z)};
-  return std::isfinite(image.u) && std::isfinite(image.v) ? std::optional(image) : std::nullopt;
+  return inSinglePrecision(projectExactly(glm::dvec3(worldPoint)));
 }
 
 std::optional<glm::vec3> GraphCamera::unproject(const ImagePoint& q) const {

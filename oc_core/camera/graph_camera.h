@@ -20,32 +20,16 @@
 // each parent of a merge has a sub-frustum of its own, of one viewpoint and one plane.
 #pragma once
 
-#include <glm/mat4x4.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "oc_core/camera/camera.h"
+#include "oc_core/camera/exact_image_point.h"
 #include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/camera/plane.h"
 
 namespace ocelli {
-
-/// n . x = distance, with a unit normal.
-struct Plane {
-  glm::dvec3 normal{0, 0, 1};
-  double distance = 0;
-
-  static Plane through(const glm::dvec3& point, const glm::dvec3& normal);
-  /// Positive on the side that the normal points to.
-  double height(const glm::dvec3& point) const { return glm::dot(normal, point) - distance; }
-};
-
-/// An image point in double precision.
-struct ExactImagePoint {
-  double u = 0;
-  double v = 0;
-  double z = 0;
-};
 
 class GraphCamera {
  public:
@@ -112,7 +96,6 @@ class GraphCamera {
  private:
   [[noreturn]] void fail(const std::string& name, const std::string& what, const std::string& next) const;
   bool holds(int i, const glm::dvec3& point, double pixelRounding) const;
-  glm::dvec3 seenByParent(int i, const glm::dvec3& point) const;
   /// The ray of a pixel in a frustum: from where it begins, along a direction whose length advances z by 1.
   struct Segment {
     glm::dvec3 from;

@@ -13,6 +13,7 @@
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/ocri/eoc_builder.h"
 #include "oc_core/render/rasterize_spans.h"
+#include "tests/camera/test_curved_cameras.h"
 #include "tests/camera/test_graph_cameras.h"
 #include "tests/ocri/test_scenes.h"
 
@@ -166,6 +167,17 @@ struct Graph : Traits {
   }
 };
 
+struct CurvedRays : Graph {
+  // Arcs are polylines: points between their corners lie off by a little.
+  static constexpr double kAside = 0.5;
+  static CurvedRayCamera make() { return test::turningTwice(); }
+  static CurvedRayCamera undistorted() {
+    CurvedRayCamera straight(smallCamera());
+    straight.turn(test::rightTurn(), {0, 0, 10});
+    return straight;
+  }
+};
+
 template <class Source>
 class CameraContract : public ::testing::Test {
  protected:
@@ -203,8 +215,8 @@ class CameraContract : public ::testing::Test {
   }
 };
 
-using AllCameras =
-    ::testing::Types<Pinhole, SmoothDdoc, SceneDdoc, Spoc, SteppingSpoc, ReversePinhole, EocAcross, EocForward, Graph>;
+using AllCameras = ::testing::Types<Pinhole, SmoothDdoc, SceneDdoc, Spoc, SteppingSpoc, ReversePinhole, EocAcross,
+                                    EocForward, Graph, CurvedRays>;
 TYPED_TEST_SUITE(CameraContract, AllCameras);
 
 TYPED_TEST(CameraContract, hasItsSize) {
