@@ -63,5 +63,6 @@ void flushStandardOutput();
 void addSceneCommand(CLI::App& program, const Frame& frame);
 void addSliceCommand(CLI::App& program, const Frame& frame);
 void addVolumeCommand(CLI::App& program, const Frame& frame);
+void addViewCommand(CLI::App& program, const Frame& frame);
 
 }  // namespace ocelli

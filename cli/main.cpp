@@ -30,6 +30,7 @@ void addCommands(CLI::App& program, const Frame& frame) {
   addObserveCommand(program, frame);
   addVolumeCommand(program, frame);
   addEvaluateCommand(program, frame);
+  addViewCommand(program, frame);
   addDoctorCommand(program, frame);
 }
 

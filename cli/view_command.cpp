@@ -1,0 +1,79 @@
+// `ocelli view`: a window to look around in, or the same driven by a script.
+#include <CLI/CLI.hpp>
+
+#include "cli/command.h"
+#include "cli/gl_drawing.h"
+#include "cli/scene_options.h"
+#include "cli/values.h"
+#ifdef OCELLI_WITH_OPENGL
+#include "display_sim/viewer/viewer_run.h"
+#include "oc_core/gl/gl_context.h"
+#endif
+
+namespace ocelli {
+namespace {
+
+struct ViewChoice {
+  SceneChoice scene;
+  std::string camera = "ddoc";
+  std::string view;
+  std::string size = "720x480";
+  std::string profile = "perspecta";
+  std::string script;
+  std::string gl = "auto";
+  std::string folder = ".";
+};
+
+#ifdef OCELLI_WITH_OPENGL
+ViewerOptions viewerOptions(const ViewChoice& choice) {
+  const ImageSize size = imageSizeFromText(choice.size, "--size");
+  ViewerOptions options;
+  options.source = choice.scene.source;
+  options.sceneOptions = choice.scene.options;
+  options.camera = cameraChoice(choice.camera);
+  options.reference = readViewOption(choice.view);
+  options.width = size.width;
+  options.height = size.height;
+  options.profile = choice.profile;
+  options.folder = choice.folder;
+  return options;
+}
+
+void view(const ViewChoice& choice, const Frame& frame) {
+  const ViewerOptions options = viewerOptions(choice);
+  if (choice.script.empty()) {
+    runViewerWindow(options);
+    return;
+  }
+  const ViewerScript script = readViewerScript(choice.script);
+  const std::unique_ptr<GlContext> context = openGlContext(choice.gl, "--gl");
+  runViewerScript(*context, options, script, [&](const std::string& file) { frame.note("wrote " + file); });
+}
+#else
+void view(const ViewChoice&, const Frame&) {
+  failWithoutOpenGl();
+}
+#endif
+
+}  // namespace
+
+void addViewCommand(CLI::App& program, const Frame& frame) {
+  CLI::App& command = *program.add_subcommand("view", "Look around in a window: scene, rays, reconstruction, display");
+  const auto choice = std::make_shared<ViewChoice>();
+  addSceneOptions(command, choice->scene);
+  addCameraOption(command, choice->camera);
+  addViewOption(command, choice->view);
+  addSizeOption(command, choice->size);
+  command.add_option("--profile", choice->profile, "Display to simulate")->type_name("NAME|FILE.json");
+  command.add_option("-o,--output", choice->folder, "Folder for saved pictures and views")->type_name("DIR");
+  command.add_option("--offscreen", choice->script, "Play a script to the viewer, without a display")
+      ->type_name("SCRIPT.json");
+  addGlOption(command, choice->gl);
+  frame.finish(command,
+               "  ocelli view builtin:statues\n"
+               "  ocelli view bunny.obj --camera cell --size 1440x960\n"
+               "  ocelli view builtin:room --offscreen tour.json -o frames",
+               [choice, frame] { view(*choice, frame); });
+}
+
+}  // namespace ocelli

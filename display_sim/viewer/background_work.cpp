@@ -1,0 +1,179 @@
+#include "display_sim/viewer/background_work.h"
+
+#include <chrono>
+
+#include "display_sim/slicer.h"
+
+namespace ocelli {
+namespace {
+
+/// Thrown through work that a newer request has made useless.
+struct Superseded {};
+
+}  // namespace
+
+/// What stands, and what was tried last, whether it came off or not.
+struct BackgroundWork::Done {
+  std::shared_ptr<const LoadedScene> scene;
+  std::shared_ptr<const BuiltCamera> camera;
+  Key sceneKey;
+  Key cameraKey;
+  Key volumeKey;
+  Key raysKey;
+};
+
+BackgroundWork::BackgroundWork() : thread_([this] { run(); }) {}
+
+BackgroundWork::~BackgroundWork() {
+  {
+    const std::scoped_lock lock(mutex_);
+    stop_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void BackgroundWork::want(const WorkWanted& wanted) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (wanted_ && keyOf(*wanted_, WorkStep::kVolume) == keyOf(wanted, WorkStep::kVolume)) {
+      return;
+    }
+    wanted_ = wanted;
+    fresh_ = true;
+    busy_ = true;
+  }
+  changed_.notify_all();
+}
+
+WorkStatus BackgroundWork::status() const {
+  const std::scoped_lock lock(mutex_);
+  WorkStatus status = status_;
+  status.busy = busy_;
+  return status;
+}
+
+std::optional<WorkResult> BackgroundWork::take() {
+  const std::scoped_lock lock(mutex_);
+  if (results_.empty()) {
+    return std::nullopt;
+  }
+  WorkResult result = std::move(results_.front());
+  results_.erase(results_.begin());
+  return result;
+}
+
+void BackgroundWork::waitUntilIdle() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return !busy_; });
+}
+
+BackgroundWork::Key BackgroundWork::keyOf(const WorkWanted& wanted, WorkStep step) {
+  Key key{.scene = wanted.sceneRevision};
+  if (step != WorkStep::kScene) {
+    key.camera = wanted.cameraRevision;
+  }
+  if (step == WorkStep::kVolume) {
+    key.display = wanted.displayRevision;
+  }
+  return key;
+}
+
+void BackgroundWork::run() {
+  Done done;
+  while (true) {
+    WorkWanted wanted;
+    {
+      std::unique_lock lock(mutex_);
+      busy_ = fresh_;
+      status_ = {};
+      changed_.notify_all();
+      changed_.wait(lock, [&] { return stop_ || fresh_; });
+      if (stop_) {
+        return;
+      }
+      wanted = *wanted_;
+      fresh_ = false;
+    }
+    try {
+      makeAll(wanted, done);
+    } catch (const Superseded&) {  // there is something else to make
+    }
+  }
+}
+
+std::optional<WorkResult> BackgroundWork::make(const WorkWanted& wanted, WorkStep step, Key& done, const Make& body) {
+  const Key key = keyOf(wanted, step);
+  if (key == done) {
+    return std::nullopt;
+  }
+  const auto requireWanted = [&] {  // hold the lock
+    if (stop_ || keyOf(*wanted_, step) != key) {
+      throw Superseded{};
+    }
+  };
+  const Progress progress = [&](std::string_view stage, double fraction) {
+    const std::scoped_lock lock(mutex_);
+    requireWanted();
+    status_.stage = stage;
+    status_.fraction = fraction;
+  };
+  WorkResult result;
+  try {
+    result = body(progress);
+  } catch (const std::exception&) {
+    result = {.error = std::current_exception()};
+  }
+  result.step = step;
+  const std::scoped_lock lock(mutex_);
+  requireWanted();
+  results_.push_back(result);
+  done = key;
+  return result;
+}
+
+void BackgroundWork::makeAll(const WorkWanted& wanted, Done& done) {
+  if (done.scene == nullptr || done.scene->revision != wanted.sceneRevision) {
+    const auto made = make(wanted, WorkStep::kScene, done.sceneKey, [&](const Progress& progress) {
+      LoadedScene scene{
+          wanted.source, wanted.sceneRevision, loadScene(wanted.source, wanted.sceneOptions, progress), {}};
+      scene.bounds = boundsOf(scene.mesh);
+      return WorkResult{.scene = std::make_shared<const LoadedScene>(std::move(scene))};
+    });
+    if (!made || !made->scene) {
+      return;
+    }
+    done.scene = made->scene;
+  }
+  const Mesh& mesh = done.scene->mesh;
+  const auto builtCamera = make(wanted, WorkStep::kCamera, done.cameraKey, [&](const Progress& progress) {
+    report(progress, "building \"" + wanted.camera.name + "\"", 0);
+    BuiltCamera built{wanted.camera, {wanted.reference, wanted.width, wanted.height}, {}, {}};
+    built.representation = buildRepresentation(built.choice, built.reference, mesh, progress, &built.times);
+    return WorkResult{.camera = std::make_shared<const BuiltCamera>(std::move(built))};
+  });
+  if (builtCamera) {
+    done.camera = builtCamera->camera;
+  }
+  if (done.camera == nullptr) {
+    return;
+  }
+  make(wanted, WorkStep::kVolume, done.volumeKey, [&](const Progress& progress) {
+    report(progress, "slicing", 0);
+    const DisplayProfile profile = loadProfile(wanted.profile);
+    const auto start = std::chrono::steady_clock::now();
+    Volume volume = slice(wanted.sliceScene ? mesh : done.camera->representation.mesh, profile);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const size_t lit = volume.litVoxels();
+    return WorkResult{.volume =
+                          std::make_shared<const SlicedVolume>(SlicedVolume{std::move(volume), lit, 1000 * seconds})};
+  });
+  make(wanted, WorkStep::kRays, done.raysKey, [&](const Progress& progress) {
+    report(progress, "rays of the camera", 0);
+    return WorkResult{
+        .rays = std::make_shared<const std::vector<RayFunction>>(cameraRays(
+            done.camera->choice, done.camera->reference, mesh, done.camera->representation.images, progress))};
+  });
+}
+
+}  // namespace ocelli

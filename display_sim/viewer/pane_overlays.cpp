@@ -1,0 +1,233 @@
+#include "display_sim/viewer/pane_overlays.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <cmath>
+
+#include "display_sim/viewer/gui_pieces.h"
+#include "display_sim/viewer/viewer_colors.h"
+
+namespace ocelli {
+namespace {
+
+struct LegendEntry {
+  GuiColor color;
+  std::string text;
+};
+
+/// At the bottom of a pane, on a dimmed ground; to the right in the scene's, where there is less to hide.
+void drawLegend(Pane pane, const WindowRect& image, const std::vector<LegendEntry>& entries, float scale) {
+  if (entries.empty()) {
+    return;
+  }
+  const float line = ImGui::GetTextLineHeight() + 3 * scale;
+  const float swatch = 11 * scale;
+  const float margin = 8 * scale;
+  float width = 0;
+  for (const LegendEntry& entry : entries) {
+    width = std::max(width, ImGui::CalcTextSize(entry.text.c_str()).x);
+  }
+  const ImVec2 size(width + swatch + 3 * margin, static_cast<float>(entries.size()) * line + margin);
+  if (size.x > image.width - 2 * margin || size.y > image.height - 2 * margin) {
+    return;  // the pane is too small for it
+  }
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float left = pane == Pane::kScene ? image.right() - margin - size.x : image.x + margin;
+  const ImVec2 corner(left, image.bottom() - margin - size.y);
+  list.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, kGuiBackground.packed(205), 4 * scale);
+  float y = corner.y + margin / 2 + 1.5f * scale;
+  for (const LegendEntry& entry : entries) {
+    const float top = y + (ImGui::GetTextLineHeight() - swatch) / 2;
+    list.AddRectFilled({corner.x + margin, top}, {corner.x + margin + swatch, top + swatch}, entry.color.packed(),
+                       2 * scale);
+    list.AddRect({corner.x + margin, top}, {corner.x + margin + swatch, top + swatch}, kGuiTextDim.packed(), 2 * scale);
+    list.AddText({corner.x + 2 * margin + swatch, y}, kGuiText.packed(), entry.text.c_str());
+    y += line;
+  }
+}
+
+/// A line of text on a dimmed ground, at the top left of a pane.
+void drawNote(const WindowRect& image, const std::string& text, float scale) {
+  const float margin = 8 * scale;
+  const float room = image.width - 4 * margin;
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const ImVec2 corner(image.x + margin, image.y + margin);
+  list.AddRectFilled(corner, {corner.x + size.x + 2 * margin, corner.y + size.y + margin}, kGuiBackground.packed(205),
+                     4 * scale);
+  list.AddText(nullptr, 0, {corner.x + margin, corner.y + margin / 2}, kGuiText.packed(), text.c_str(), nullptr, room);
+}
+
+std::string detailOf(const PanelDrawing& drawing, Pane pane) {
+  const ViewerState& state = drawing.state;
+  const ViewerFacts& facts = drawing.facts;
+  const ReferenceImage* image = shownImage(state, *facts.data);
+  switch (pane) {
+    case Pane::kScene:
+      return facts.data->rays
+                 ? fmt::format("{} rays, {} of them bent", facts.straightRays + facts.bentRays, facts.bentRays)
+                 : std::string();
+    case Pane::kReference: {
+      if (image == nullptr) {
+        return {};
+      }
+      const size_t count = facts.data->camera->representation.images.size();
+      const std::string which = count > 1 ? fmt::format("{} of {}, ", state.reference.image + 1, count) : std::string();
+      return fmt::format("{}, {}{} x {}, {}", image->camera, which, image->width(), image->height(),
+                         nameOf(state.reference.quantity));
+    }
+    case Pane::kReconstruction:
+      return facts.missing ? missingText(*facts.missing) : std::string(facts.data->camera ? "moving" : "");
+    case Pane::kDisplay: {
+      if (!facts.data->volume) {
+        return {};
+      }
+      const DisplayProfile& profile = facts.data->volume->volume.profile();
+      const int slices = profile.slicesPerHalfTurn;
+      const int slice = static_cast<int>(std::lround(state.display.sweepDegrees / 180 * slices)) % slices;
+      return fmt::format("{}, {} {}, slice {} of {}", profile.name, state.display.running ? "speed" : "stopped at",
+                         speedText(state.display.speed), slice + 1, slices);
+    }
+  }
+  return {};
+}
+
+void drawHeader(const PanelDrawing& drawing, const PaneLayout& layout) {
+  const bool active = layout.pane == drawing.state.active;
+  const std::string name = fmt::format("header {}", titleOf(layout.pane));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10 * drawing.scale, 0));
+  beginFixedWindow(name.c_str(), layout.header, active ? kGuiAccentDeep : kGuiPanel,
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  ImGui::SetCursorPosY((layout.header.height - ImGui::GetTextLineHeight()) / 2);
+  ImGui::TextUnformatted(fmt::format("{}  {}", static_cast<int>(layout.pane) + 1, titleOf(layout.pane)).c_str());
+  const std::string detail = detailOf(drawing, layout.pane);
+  ImGui::SameLine();
+  const float left = ImGui::GetCursorPosX() + 8 * drawing.scale;
+  const float right = layout.header.width - ImGui::CalcTextSize(detail.c_str()).x - 10 * drawing.scale;
+  if (right >= left) {
+    ImGui::SetCursorPosX(right);
+    ImGui::PushStyleColor(ImGuiCol_Text, active ? kGuiText.packed() : kGuiTextDim.packed());
+    ImGui::TextUnformatted(detail.c_str());
+    ImGui::PopStyleColor();
+  }
+  if (ImGui::IsWindowHovered()) {
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+      const bool alone = drawing.state.maximised.has_value();
+      drawing.state.maximised = alone ? std::nullopt : std::optional(layout.pane);
+    }
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+      drawing.state.active = layout.pane;
+    }
+  }
+  ImGui::End();
+}
+
+std::vector<LegendEntry> legendOf(const PanelDrawing& drawing, Pane pane) {
+  const ViewerState& state = drawing.state;
+  const ViewerFacts& facts = drawing.facts;
+  if (!facts.data->camera) {
+    return {};
+  }
+  std::vector<LegendEntry> entries;
+  switch (pane) {
+    case Pane::kScene:
+      if (state.scene.rays && facts.bentRays > 0) {
+        entries.push_back({kBentRayColor, "bent rays"});
+      }
+      if (state.scene.rays && state.scene.straightRays && facts.straightRays > 0) {
+        entries.push_back({kRayColor, "straight rays, reference view"});
+      } else if (state.scene.frustum) {
+        entries.push_back({kReferenceColor, "reference view"});
+      }
+      if (state.scene.cell) {
+        const bool segment = facts.data->camera->choice.model == CameraChoice::Model::kEoc;
+        entries.push_back({kCellColor, segment ? "view segment" : "view cell"});
+      }
+      entries.push_back({kEyeColor, "your eye"});
+      return entries;
+    case Pane::kReference: {
+      const ReferenceScale& scale = facts.scale;
+      if (state.reference.quantity == ReferenceShown::Quantity::kDepth) {
+        return {{kRampLight, fmt::format("near, z {:.3f}", scale.nearest)},
+                {kRampDark, fmt::format("far, z {:.3f}", scale.farthest)}};
+      }
+      if (state.reference.quantity == ReferenceShown::Quantity::kDisplacement) {
+        return {{kRampLight, fmt::format("{:.1f} pixels", scale.longestDisplacement)}, {kRampDark, "0 pixels"}};
+      }
+      return {};
+    }
+    case Pane::kReconstruction:
+      if (state.reconstruction.content == ReconstructionShown::Content::kMarked ||
+          state.reconstruction.content == ReconstructionShown::Content::kSideBySide) {
+        return {{kMissingThickGui, "missing, three pixels wide or more"}, {kMissingGui, "missing"}};
+      }
+      return {};
+    case Pane::kDisplay:
+      return {};
+  }
+  return {};
+}
+
+void drawReconstructionCaption(const PanelDrawing& drawing, const PaneLayout& layout) {
+  using Content = ReconstructionShown::Content;
+  const Content content = drawing.state.reconstruction.content;
+  if (content == Content::kSideBySide) {
+    drawNote(layout.image, "left: what stands for the scene    right: the scene itself", drawing.scale);
+  } else if (content == Content::kTruth || (content == Content::kBlink && blinkShowsTruth(drawing.state))) {
+    drawNote(layout.image, "the scene itself", drawing.scale);
+  } else if (content == Content::kBlink) {
+    drawNote(layout.image, "what stands for the scene", drawing.scale);
+  }
+}
+
+void drawNotes(const PanelDrawing& drawing, const PaneLayout& layout) {
+  const ViewerFacts& facts = drawing.facts;
+  const bool empty = layout.pane == Pane::kScene     ? !facts.data->scene
+                     : layout.pane == Pane::kDisplay ? !facts.data->volume
+                                                     : !facts.data->camera;
+  if (empty) {
+    drawNote(layout.image, facts.work.busy ? "in the making ..." : "nothing to show", drawing.scale);
+    return;
+  }
+  if (layout.pane == Pane::kDisplay && !facts.displayProblem.empty()) {
+    drawNote(layout.image, facts.displayProblem, drawing.scale);
+  }
+  if (layout.pane == Pane::kReconstruction) {
+    drawReconstructionCaption(drawing, layout);
+  }
+  const ReferenceImage* image = shownImage(drawing.state, *facts.data);
+  if (layout.pane == Pane::kReference && facts.picked && image != nullptr) {
+    drawNote(layout.image, sampleText(*image, facts.picked->pixel), drawing.scale);
+  }
+}
+
+}  // namespace
+
+std::string sampleText(const ReferenceImage& image, const glm::ivec2& pixel) {
+  const std::string where = fmt::format("pixel {}, {}: ", pixel.x, pixel.y);
+  const float z = image.z(pixel.x, pixel.y);
+  if (!(z > 0)) {
+    return where + "no sample";
+  }
+  const auto hundredths = [](float value) { return std::round(value * 100) / 100 + 0.0f; };  // no "-0.00"
+  const glm::vec2 d = image.displacement(pixel.x, pixel.y);
+  const glm::vec3 c = image.color(pixel.x, pixel.y);
+  return fmt::format("{}z {:.4f}, displaced {:.2f} {:.2f}\ncolour {:.2f} {:.2f} {:.2f} (linear)", where, z,
+                     hundredths(d.x), hundredths(d.y), c.x, c.y, c.z);
+}
+
+std::string missingText(const MissingSamples& missing) {
+  return fmt::format("missing {:.2f} %, thick {:.2f} %", 100 * missing.strictRatio(), 100 * missing.thickRatio());
+}
+
+void drawPaneOverlays(const PanelDrawing& drawing) {
+  for (const PaneLayout& layout : drawing.layout.panes) {
+    drawHeader(drawing, layout);
+    drawLegend(layout.pane, layout.image, legendOf(drawing, layout.pane), drawing.scale);
+    drawNotes(drawing, layout);
+  }
+}
+
+}  // namespace ocelli

@@ -1,0 +1,151 @@
+#include "display_sim/viewer/script_player.h"
+
+#include <cmath>
+
+#include "oc_core/base/error.h"
+
+namespace ocelli {
+namespace {
+
+constexpr int kDragMoves = 4;
+
+/// The characters of a UTF-8 text; bytes that are none stand for themselves.
+std::u32string charactersOf(const std::string& text) {
+  std::u32string characters;
+  for (size_t i = 0; i < text.size();) {
+    const auto first = static_cast<unsigned char>(text[i]);
+    const size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : first >= 0xC0 ? 2 : 1;
+    char32_t character = length == 1 ? first : first & (0xFFU >> (length + 1));
+    for (size_t k = 1; k < length && i + k < text.size(); ++k) {
+      character = character << 6U | (static_cast<unsigned char>(text[i + k]) & 0x3FU);
+    }
+    characters.push_back(character);
+    i += length;
+  }
+  return characters;
+}
+
+}  // namespace
+
+ScriptPlayer::ScriptPlayer(Viewer& viewer, std::filesystem::path folder,
+                           std::function<void(const std::string& file)> saved)
+    : viewer_(viewer), folder_(std::move(folder)), saved_(std::move(saved)) {}
+
+void ScriptPlayer::play(const ViewerScript& script) {
+  play(ResizeStep{script.width, script.height, script.scale});
+  for (const ScriptStep& step : script.steps) {
+    play(step);
+    if (viewer_.wantsClose()) {
+      return;
+    }
+  }
+}
+
+void ScriptPlayer::play(const ScriptStep& step) {
+  std::visit([this](const auto& each) { perform(each); }, step);
+}
+
+void ScriptPlayer::give(const std::vector<InputEvent>& events) {
+  for (const InputEvent& event : events) {
+    viewer_.handle(event);
+    showFrames();
+  }
+}
+
+void ScriptPlayer::showFrames() {
+  do {
+    viewer_.update(kScriptFrameSeconds);
+    viewer_.draw();
+  } while (viewer_.hasWaitingEvents());
+}
+
+void ScriptPlayer::settle() {
+  do {
+    viewer_.update(0);
+    viewer_.draw();
+  } while (viewer_.isSettling());
+}
+
+void ScriptPlayer::press(const glm::dvec2& at, PointerButton button, bool pressed) {
+  give({PointerMoveEvent{at.x, at.y}, PointerButtonEvent{button, pressed, {}}});
+}
+
+void ScriptPlayer::perform(const OpenStep& step) {
+  viewer_.open(step.source);
+  showFrames();
+}
+
+void ScriptPlayer::perform(const CameraStep& step) {
+  viewer_.choose(step.camera);
+  showFrames();
+}
+
+void ScriptPlayer::perform(const DropStep& step) {
+  give({DropEvent{{step.file}}});
+}
+
+void ScriptPlayer::perform(const KeyStep& step) {
+  give({KeyEvent{step.key, true, step.modifiers}, KeyEvent{step.key, false, step.modifiers}});
+}
+
+void ScriptPlayer::perform(const TextStep& step) {
+  for (const char32_t character : charactersOf(step.text)) {
+    give({TextEvent{character}});
+  }
+}
+
+void ScriptPlayer::perform(const MoveStep& step) {
+  give({PointerMoveEvent{step.to.x, step.to.y}});
+}
+
+void ScriptPlayer::perform(const ClickStep& step) {
+  press(step.at, step.button, true);
+  press(step.at, step.button, false);
+}
+
+void ScriptPlayer::perform(const DragStep& step) {
+  press(step.from, step.button, true);
+  for (int i = 1; i <= kDragMoves; ++i) {
+    const glm::dvec2 at = step.from + (step.to - step.from) * (static_cast<double>(i) / kDragMoves);
+    give({PointerMoveEvent{at.x, at.y}});
+  }
+  press(step.to, step.button, false);
+}
+
+void ScriptPlayer::perform(const ScrollStep& step) {
+  give({PointerMoveEvent{step.at.x, step.at.y}, ScrollEvent{0, step.up}});
+}
+
+void ScriptPlayer::perform(const ResizeStep& step) {
+  give({ResizeEvent{step.width, step.height, 1, step.scale}});
+}
+
+void ScriptPlayer::perform(const WaitStep&) {
+  do {
+    viewer_.waitUntilMade();
+    viewer_.update(0);
+  } while (viewer_.facts().work.busy);
+  showFrames();
+  settle();
+}
+
+void ScriptPlayer::perform(const SecondsStep& step) {
+  const int frames = static_cast<int>(std::ceil(step.seconds / kScriptFrameSeconds - 1e-9));
+  for (int i = 1; i < frames; ++i) {  // the last one is shown
+    viewer_.update(kScriptFrameSeconds);
+  }
+  showFrames();
+}
+
+void ScriptPlayer::perform(const SaveStep& step) {
+  settle();  // a panel that has just opened is laid out in its first frame, and shows in the next
+  const std::filesystem::path path = folder_ / step.file;
+  std::error_code ignored;
+  std::filesystem::create_directories(path.parent_path(), ignored);
+  writePng(path, viewer_.picture());
+  if (saved_) {
+    saved_(path.string());
+  }
+}
+
+}  // namespace ocelli

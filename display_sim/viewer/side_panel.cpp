@@ -1,0 +1,217 @@
+#include "display_sim/viewer/side_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+
+#include "display_sim/display_profile.h"
+#include "display_sim/viewer/camera_form.h"
+#include "display_sim/viewer/gui_pieces.h"
+
+namespace ocelli {
+namespace {
+
+constexpr float kValueWidth = 184;
+
+/// ImGui edits text in place.
+bool inputText(const char* label, std::string& text) {
+  std::array<char, 1024> buffer{};
+  text.copy(buffer.data(), buffer.size() - 1);
+  const bool entered = ImGui::InputText(label, buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  text = buffer.data();
+  return entered;
+}
+
+std::vector<const CameraName*> offeredCameras() {
+  std::vector<const CameraName*> offered;
+  for (const CameraName& name : cameraNames()) {
+    if (cameraChoice(name.name).hasImages()) {
+      offered.push_back(&name);
+    }
+  }
+  return offered;
+}
+
+std::string descriptionOf(const std::string& name) {
+  for (const CameraName& each : cameraNames()) {
+    if (name == each.name) {
+      return each.description;
+    }
+  }
+  return "from a file";
+}
+
+/// Milliseconds where they may be shown.
+std::string timeText(const ViewerFacts& facts, double milliseconds) {
+  return facts.showTimes ? fmt::format(" in {:.0f} ms", milliseconds) : std::string();
+}
+
+}  // namespace
+
+void SidePanel::draw(const PanelDrawing& drawing) {
+  if (drawing.layout.panel.width <= 0) {
+    return;
+  }
+  if (wantsFocus_) {
+    ImGui::SetNextWindowFocus();
+    wantsFocus_ = false;
+  }
+  // Dense, so that all of it shows in a window of 800 lines; dark handles, so that the values on them can be read.
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(7 * drawing.scale, 2 * drawing.scale));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8 * drawing.scale, 4 * drawing.scale));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * drawing.scale, 4 * drawing.scale));
+  ImGui::PushStyleColor(ImGuiCol_SliderGrab, kGuiAccentDeep.packed());
+  ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, kGuiAccentDeep.packed());
+  beginFixedWindow("panel", drawing.layout.panel, kGuiPanel);
+  ImGui::BeginChild("contents");  // scrolls by itself where the window is low
+  drawScene(drawing);
+  drawCamera(drawing);
+  drawDisplay(drawing);
+  drawShown(drawing);
+  ImGui::EndChild();
+  ImGui::End();
+  ImGui::PopStyleColor(2);
+  ImGui::PopStyleVar(3);
+}
+
+void SidePanel::drawScene(const PanelDrawing& drawing) {
+  const ViewerFacts& facts = drawing.facts;
+  sectionTitle("Scene");
+  if (knownSource_ != drawing.state.work.source) {
+    knownSource_ = source_ = drawing.state.work.source;
+  }
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  if (inputText("##source", source_) && !source_.empty()) {
+    drawing.wishes.open = source_;
+  }
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("A file, or builtin:NAME[,key=value...]; Enter opens it");
+  }
+  noteText(facts.data->scene ? grouped(facts.data->scene->mesh.triangles.size()) + " triangles" : "nothing loaded yet");
+}
+
+void SidePanel::drawCamera(const PanelDrawing& drawing) {
+  ViewerState& state = drawing.state;
+  const ViewerFacts& facts = drawing.facts;
+  sectionTitle("Camera");
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  if (ImGui::BeginCombo("##camera", state.work.camera.name.c_str(), ImGuiComboFlags_HeightLarge)) {
+    for (const CameraName* name : offeredCameras()) {
+      if (ImGui::Selectable(name->name, state.work.camera.name == name->name)) {
+        chooseCamera(state, name->name);
+      }
+      if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("%s", name->description);
+      }
+    }
+    ImGui::EndCombo();
+  }
+  noteText(descriptionOf(state.work.camera.name));
+  if (drawCameraForm(state.work.camera, kValueWidth * drawing.scale)) {
+    cameraChanged(state);
+  }
+  drawImageSize(drawing);
+  if (ImGui::Button("Reference view to your eye")) {
+    drawing.wishes.actions.push_back(ViewerAction::kReferenceToEye);
+  }
+  if (const auto& camera = facts.data->camera) {
+    const Representation& made = camera->representation;
+    noteText(grouped(made.sampleCount()) + " samples" + timeText(facts, camera->times.buildMilliseconds) + ", " +
+             grouped(made.mesh.triangles.size()) + " triangles" + timeText(facts, camera->times.meshMilliseconds));
+  }
+}
+
+void SidePanel::drawImageSize(const PanelDrawing& drawing) {
+  ViewerState& state = drawing.state;
+  const glm::ivec2 current(state.work.width, state.work.height);
+  if (knownSize_ != current) {
+    knownSize_ = size_ = current;
+  }
+  ImGui::SetNextItemWidth(kValueWidth * drawing.scale);
+  ImGui::InputInt2("image size", &size_.x);
+  if (ImGui::IsItemDeactivatedAfterEdit()) {
+    chooseImageSize(state, size_.x, size_.y);
+    knownSize_ = size_ = {state.work.width, state.work.height};
+  }
+}
+
+void SidePanel::drawDisplay(const PanelDrawing& drawing) {
+  DisplayShown& display = drawing.state.display;
+  sectionTitle("Display");
+  ImGui::PushItemWidth(kValueWidth * drawing.scale);
+  if (ImGui::BeginCombo("profile", drawing.state.work.profile.c_str())) {
+    for (const std::string& name : builtinProfileNames()) {
+      if (ImGui::Selectable(name.c_str(), drawing.state.work.profile == name)) {
+        chooseProfile(drawing.state, name);
+      }
+    }
+    ImGui::EndCombo();
+  }
+  int sliced = drawing.state.work.sliceScene ? 1 : 0;
+  if (ImGui::Combo("slices of", &sliced, "camera's mesh\0scene itself\0")) {
+    drawing.wishes.actions.push_back(ViewerAction::kToggleSliced);
+  }
+  auto exponent = static_cast<float>(std::log2(display.speed));
+  const std::string speed = speedText(display.speed) + " of real speed";
+  if (ImGui::SliderFloat("speed", &exponent, -14, 2, speed.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
+    display.speed = std::exp2(std::round(exponent));
+  }
+  auto persistence = static_cast<float>(display.persistenceSeconds * 1000);
+  if (ImGui::SliderFloat("persistence", &persistence, 1, 5000, "%.0f ms",
+                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic)) {
+    display.persistenceSeconds = persistence / 1000.0;
+  }
+  auto gain = static_cast<float>(display.gain);
+  if (ImGui::SliderFloat("gain", &gain, 0.1f, 10, "%.2f x",
+                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic)) {
+    display.gain = gain;
+  }
+  ImGui::PopItemWidth();
+  if (ImGui::Button(display.running ? "Stop" : "Run", {60 * drawing.scale, 0})) {
+    drawing.wishes.actions.push_back(ViewerAction::kRunOrStop);
+  }
+  ImGui::SameLine();
+  ImGui::Checkbox("observer is your eye", &display.followsEye);
+  if (const auto& volume = drawing.facts.data->volume) {
+    noteText(grouped(volume->litVoxels) + " lit voxels" + timeText(drawing.facts, volume->milliseconds));
+  }
+}
+
+void SidePanel::drawShown(const PanelDrawing& drawing) {
+  ViewerState& state = drawing.state;
+  sectionTitle("Panes show");
+  SceneShown& scene = state.scene;
+  const float column = 104 * drawing.scale;
+  ImGui::Checkbox("rays", &scene.rays);
+  ImGui::SameLine(column);
+  ImGui::Checkbox("straight", &scene.straightRays);
+  ImGui::SameLine(2 * column);
+  ImGui::Checkbox("cell", &scene.cell);
+  ImGui::Checkbox("frustum", &scene.frustum);
+  ImGui::SameLine(column);
+  ImGui::Checkbox("samples", &scene.samples);
+  ImGui::PushItemWidth(kValueWidth * drawing.scale);
+  glm::ivec2 grid(scene.rayColumns, scene.rayRows);
+  if (ImGui::SliderInt2("ray grid", &grid.x, 1, kMostRayRows, "%d", ImGuiSliderFlags_AlwaysClamp)) {
+    scene.rayColumns = grid.x;
+    scene.rayRows = grid.y;
+  }
+  comboOf("image", state.reference.quantity, 3);
+  comboOf("eye sees", state.reconstruction.content, 5);
+  ImGui::PopItemWidth();
+  if (ImGui::Button("Help (H)")) {
+    drawing.wishes.actions.push_back(ViewerAction::kHelp);
+  }
+  ImGui::SameLine();
+  if (ImGui::Button("Picture (S)")) {
+    drawing.wishes.actions.push_back(ViewerAction::kScreenshot);
+  }
+  ImGui::SameLine();
+  if (ImGui::Button("View (J)")) {
+    drawing.wishes.actions.push_back(ViewerAction::kSaveView);
+  }
+}
+
+}  // namespace ocelli

@@ -1,0 +1,424 @@
+#include "display_sim/viewer/viewer.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "display_sim/viewer/free_file_name.h"
+#include "display_sim/viewer/pane_overlays.h"
+#include "display_sim/viewer/viewer_colors.h"
+#include "display_sim/viewer/window_overlays.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
+#include "oc_core/base/output_file.h"
+#include "oc_core/gl/gl_api.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kMessageSeconds = 5;
+constexpr double kTurnPerPaneHeight = kPi;  // a drag over the whole pane turns half around
+constexpr double kZoomPerScroll = 1.15;
+constexpr double kFrameSmoothing = 0.8;  // of the frame time that is shown
+
+std::string messageOf(const std::exception_ptr& error) {
+  try {
+    std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    return "out of memory\n  try: a smaller scene or image";
+  } catch (const std::exception& known) {
+    return known.what();
+  }
+}
+
+bool popupIsOpen() {
+  return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
+}  // namespace
+
+Viewer::Viewer(GlContext& context, const ViewerOptions& options)
+    : context_(context),
+      options_(options),
+      state_(viewerState(options.source, options.sceneOptions, options.camera, options.reference, options.width,
+                         options.height, options.profile)),
+      profile_(loadProfile(options.profile)),
+      gui_(context, 1) {
+  const GlScope scope(context);
+  drawing_ = std::make_unique<Drawing>(context);
+  facts_.renderer = context.info().renderer;
+  facts_.showTimes = options.showTimes;
+  facts_.data = &data_;
+  work_.want(state_.work);
+}
+
+Viewer::~Viewer() = default;
+
+float Viewer::lengthScale() const {
+  return static_cast<float>(window_.contentScale / window_.pixelsPerUnit);
+}
+
+ViewerLayout Viewer::layout() const {
+  return viewerLayout(state_, {window_.width, window_.height}, lengthScale());
+}
+
+glm::ivec2 Viewer::pixelsOf(const WindowRect& rect) const {
+  return glm::max(
+      glm::ivec2(glm::round(glm::vec2(rect.width, rect.height) * static_cast<float>(window_.pixelsPerUnit))),
+      glm::ivec2(1));
+}
+
+void Viewer::handle(const InputEvent& event) {
+  if (const auto* key = std::get_if<KeyEvent>(&event)) {
+    handleKey(*key);
+    return;
+  }
+  gui_.handle(event);
+  if (const auto* resize = std::get_if<ResizeEvent>(&event)) {
+    window_ = *resize;
+  } else if (const auto* button = std::get_if<PointerButtonEvent>(&event)) {
+    handleButton(*button);
+  } else if (const auto* move = std::get_if<PointerMoveEvent>(&event)) {
+    handleMove({move->x, move->y});
+  } else if (const auto* scroll = std::get_if<ScrollEvent>(&event)) {
+    handleScroll(*scroll);
+  } else if (const auto* drop = std::get_if<DropEvent>(&event)) {
+    if (!drop->files.empty()) {
+      attempt([&] { openDropped(drop->files.front()); });
+    }
+  } else if (std::holds_alternative<CloseEvent>(event)) {
+    wantsClose_ = true;
+  }
+}
+
+void Viewer::handleKey(const KeyEvent& event) {
+  const bool typing = gui_.wantsText() || popupIsOpen();
+  if (typing || panelHasKeys_ || !event.pressed) {
+    gui_.handle(event);
+  }
+  if (!event.pressed || typing) {
+    return;
+  }
+  if (event.key == Key::kEscape && (panelHasKeys_ || facts_.messageIsError)) {
+    leavePanel();
+    say("", false);
+    return;
+  }
+  const std::optional<ViewerAction> action = actionOf(event);
+  if (action && (!panelHasKeys_ || *action == ViewerAction::kQuit)) {
+    perform(*action);
+  }
+}
+
+void Viewer::handleButton(const PointerButtonEvent& event) {
+  if (!event.pressed) {
+    drag_.reset();
+    return;
+  }
+  const ViewerLayout where = layout();
+  const PaneLayout* pane = gui_.wantsPointer() ? nullptr : where.paneAt(pointer_);
+  if (pane == nullptr) {
+    return;
+  }
+  leavePanel();
+  state_.active = pane->pane;
+  drag_ = Drag{pane->pane, event.button == PointerButton::kLeft && !event.modifiers.shift};
+}
+
+void Viewer::leavePanel() {
+  leavesPanel_ = panelHasKeys_;
+  panelHasKeys_ = false;
+}
+
+void Viewer::handleMove(const glm::vec2& to) {
+  const glm::vec2 by = to - pointer_;
+  pointer_ = to;
+  const ViewerLayout where = layout();
+  const PaneLayout* pane = drag_ ? where.find(drag_->pane) : nullptr;
+  if (pane == nullptr) {
+    return;
+  }
+  const ReferenceImage* image = shownImage(state_, data_);
+  if (drag_->pane == Pane::kReference) {
+    if (image != nullptr) {
+      dragImage(state_.reference, {image->width(), image->height()}, pixelsOf(pane->image),
+                by * static_cast<float>(window_.pixelsPerUnit));
+    }
+    return;
+  }
+  // What is seen follows the pointer: the eye goes the other way.
+  const glm::dvec2 share = glm::dvec2(by) / static_cast<double>(pane->image.height);
+  if (drag_->turns) {
+    orbitPane(state_, drag_->pane, -share.x * kTurnPerPaneHeight, share.y * kTurnPerPaneHeight);
+  } else {
+    panPane(state_, drag_->pane, -share.x, share.y);
+  }
+}
+
+void Viewer::handleScroll(const ScrollEvent& event) {
+  const ViewerLayout where = layout();
+  const PaneLayout* pane = gui_.wantsPointer() ? nullptr : where.paneAt(pointer_);
+  if (pane == nullptr) {
+    return;
+  }
+  const double factor = std::pow(kZoomPerScroll, event.up);
+  const ReferenceImage* image = shownImage(state_, data_);
+  if (pane->pane == Pane::kReference && image != nullptr) {
+    const glm::vec2 at =
+        (pointer_ - glm::vec2(pane->image.x, pane->image.y)) * static_cast<float>(window_.pixelsPerUnit);
+    zoomAt(state_.reference, {image->width(), image->height()}, pixelsOf(pane->image), at, factor);
+    return;
+  }
+  zoomPane(state_, pane->pane, factor);
+  if (pane->pane == Pane::kScene) {  // towards the pointer
+    const WindowRect& area = pane->image;
+    const glm::vec2 fromMiddle = pointer_ - glm::vec2(area.x + area.width / 2, area.y + area.height / 2);
+    const glm::dvec2 share = glm::dvec2(fromMiddle) / static_cast<double>(area.height) * (factor - 1);
+    panPane(state_, pane->pane, share.x, -share.y);
+  }
+}
+
+void Viewer::openDropped(const std::string& file) {
+  if (!file.ends_with(".json")) {
+    openScene(state_, file);
+  } else if (readJsonFile(file).contains("camera")) {
+    chooseCamera(state_, file);
+    say("camera of " + file, false);
+  } else {
+    chooseReference(state_, readView(file));
+    say("reference view of " + file, false);
+  }
+}
+
+void Viewer::open(const std::string& source) {
+  openScene(state_, source);
+}
+
+void Viewer::choose(const std::string& camera) {
+  attempt([&] { chooseCamera(state_, camera); });
+}
+
+void Viewer::perform(ViewerAction action) {
+  attempt([&] {
+    if (applyAction(state_, action)) {
+      return;
+    }
+    if (action == ViewerAction::kScreenshot) {
+      wantsScreenshot_ = true;  // of the next frame
+    } else if (action == ViewerAction::kSaveView) {
+      saveView();
+    } else if (action == ViewerAction::kFocusPanel) {
+      state_.panel = true;
+      panelHasKeys_ = true;
+      panel_.focus();
+    } else if (action == ViewerAction::kQuit) {
+      wantsClose_ = true;
+    }
+  });
+}
+
+void Viewer::attempt(const std::function<void()>& body) {
+  try {
+    body();
+  } catch (const Error& error) {
+    say(error.what(), true);
+  }
+}
+
+void Viewer::say(const std::string& text, bool isError) {
+  facts_.message = text;
+  facts_.messageIsError = isError && !text.empty();
+  messageSeconds_ = kMessageSeconds;
+}
+
+void Viewer::saveView() {
+  const std::filesystem::path path = makeFreeFile(options_.folder, "ocelli-view", ".json");
+  OutputFile file(path);
+  file.write(jsonText(state_.reconstruction.view) + "\n");
+  file.commit();
+  say("wrote " + path.string() + ": give it to --view, or drop it here", false);
+}
+
+void Viewer::saveScreenshot() {
+  const std::filesystem::path path = makeFreeFile(options_.folder, "ocelli", ".png");
+  writePng(path, picture());
+  say("wrote " + path.string(), false);
+}
+
+void Viewer::take(const WorkResult& result) {
+  if (result.error) {
+    if (result.step == WorkStep::kScene && loadedRevision_ == 0) {
+      std::rethrow_exception(result.error);
+    }
+    say(messageOf(result.error), true);
+    if (result.step == WorkStep::kScene) {  // what was there stays
+      state_.work.source = loadedSource_;
+      state_.work.sceneRevision = loadedRevision_;
+    }
+  }
+  try {
+    data_.take(context_, result);
+  } catch (const GlError& error) {
+    say(error.what(), true);
+  }
+  if (result.scene) {
+    loadedSource_ = result.scene->source;
+    loadedRevision_ = result.scene->revision;
+  }
+}
+
+void Viewer::update(double seconds) {
+  const GlScope scope(context_);
+  if (profileName_ != state_.work.profile) {
+    profileName_ = state_.work.profile;
+    profile_ = loadProfile(profileName_);
+  }
+  advance(state_, seconds, profile_.rotationsPerMinute);
+  secondsOfFrame_ += seconds;
+  if (!facts_.messageIsError && (messageSeconds_ -= seconds) <= 0) {
+    facts_.message.clear();
+  }
+  work_.want(state_.work);
+  while (const std::optional<WorkResult> result = work_.take()) {
+    take(*result);
+  }
+  work_.want(state_.work);  // what failed may have been taken back
+  facts_.work = work_.status();
+  if (data_.camera && static_cast<size_t>(state_.reference.image) >= data_.camera->representation.images.size()) {
+    state_.reference.image = 0;
+  }
+}
+
+bool Viewer::isMoving() const {
+  const bool blinks = state_.reconstruction.content == ReconstructionShown::Content::kBlink;
+  return facts_.work.busy || state_.display.running || blinks || isSettling() || wantsScreenshot_ ||
+         (!facts_.message.empty() && !facts_.messageIsError);
+}
+
+void Viewer::pickPixel() {
+  facts_.picked.reset();
+  const ViewerLayout where = layout();
+  const PaneLayout* pane = gui_.wantsPointer() ? nullptr : where.paneAt(pointer_);
+  const ReferenceImage* image = shownImage(state_, data_);
+  if (pane == nullptr || pane->pane != Pane::kReference || image == nullptr) {
+    return;
+  }
+  const glm::ivec2 size(image->width(), image->height());
+  const ImagePlacement placement = placeImage(state_.reference, size, pixelsOf(pane->image));
+  const glm::vec2 at = (pointer_ - glm::vec2(pane->image.x, pane->image.y)) * static_cast<float>(window_.pixelsPerUnit);
+  if (const auto pixel = pixelAt(placement, size, at)) {
+    facts_.picked = PickedPixel{state_.reference.image, *pixel};
+  }
+}
+
+void Viewer::drawPanes() {
+  pickPixel();
+  const std::optional<glm::ivec2> pixel =
+      facts_.picked ? std::optional(facts_.picked->pixel) : std::optional<glm::ivec2>();
+  const auto lineScale = static_cast<float>(window_.contentScale);
+  const ViewerLayout where = layout();
+  const glm::ivec2 windowPixels =
+      pixelsOf({0, 0, static_cast<float>(window_.width), static_cast<float>(window_.height)});
+  for (const PaneLayout& pane : where.panes) {
+    const glm::ivec2 size = pixelsOf(pane.image);
+    switch (pane.pane) {
+      case Pane::kScene:
+        drawing_->scene.draw(state_, data_, facts_.picked, size, lineScale, drawing_->meshes);
+        break;
+      case Pane::kReference:
+        drawing_->reference.draw(state_, data_, pixel, size);
+        break;
+      case Pane::kReconstruction:
+        drawing_->reconstruction.draw(state_, data_, size, drawing_->meshes);
+        break;
+      case Pane::kDisplay:
+        drawing_->display.draw(state_, data_, size, lineScale);
+        break;
+    }
+  }
+  drawing_->image.begin(windowPixels.x, windowPixels.y, rgb(kGuiBackground));
+  for (const PaneLayout& pane : where.panes) {
+    const PaneTarget& target = drawing_->targetOf(pane.pane);
+    const auto x = static_cast<GLint>(std::lround(pane.image.x * window_.pixelsPerUnit));
+    const auto y = static_cast<GLint>(std::lround(pane.image.y * window_.pixelsPerUnit));
+    context_.gl().BlitNamedFramebuffer(target.framebuffer().id(), drawing_->image.framebuffer().id(), 0, 0,
+                                       target.width(), target.height(), x, y, x + target.width(), y + target.height(),
+                                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  context_.check("composing the window");
+  facts_.missing = drawing_->reconstruction.missing();
+  facts_.straightRays = drawing_->scene.shownLines().straightRays;
+  facts_.bentRays = drawing_->scene.shownLines().bentRays;
+  facts_.scale = drawing_->reference.scale();
+  facts_.displayProblem = drawing_->display.problem();
+}
+
+const PaneTarget& Viewer::Drawing::targetOf(Pane pane) const {
+  switch (pane) {
+    case Pane::kScene:
+      return scene.target();
+    case Pane::kReference:
+      return reference.target();
+    case Pane::kReconstruction:
+      return reconstruction.target();
+    case Pane::kDisplay:
+      return display.target();
+  }
+  OC_CHECK(false, "every pane has its image");
+}
+
+void Viewer::drawGui() {
+  context_.gl().BindFramebuffer(GL_FRAMEBUFFER, drawing_->image.framebuffer().id());
+  gui_.beginFrame(secondsOfFrame_);
+  secondsOfFrame_ = 0;
+  if (leavesPanel_) {
+    ImGui::SetWindowFocus(nullptr);
+    leavesPanel_ = false;
+  }
+  const ViewerLayout where = layout();
+  PanelWishes wishes;
+  const PanelDrawing drawing{state_, facts_, where, lengthScale(), wishes};
+  attempt([&] { panel_.draw(drawing); });
+  drawPaneOverlays(drawing);
+  drawStatusBar(drawing);
+  drawHelp(drawing);
+  drawMessage(drawing);
+  gui_.endFrame();
+  for (const ViewerAction action : wishes.actions) {
+    perform(action);
+  }
+  if (!wishes.open.empty()) {
+    open(wishes.open);
+  }
+  if (wishes.dismissMessage) {
+    say("", false);
+  }
+}
+
+Image<Rgb8> Viewer::picture() const {
+  const GlScope scope(context_);
+  return drawing_->image.read();
+}
+
+void Viewer::draw() {
+  const auto start = std::chrono::steady_clock::now();
+  const GlScope scope(context_);
+  drawPanes();
+  drawGui();
+  if (options_.showTimes) {
+    context_.gl().Finish();
+    const double milliseconds =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    facts_.frameMilliseconds = facts_.frameMilliseconds > 0
+                                   ? kFrameSmoothing * facts_.frameMilliseconds + (1 - kFrameSmoothing) * milliseconds
+                                   : milliseconds;
+  }
+  if (wantsScreenshot_) {
+    wantsScreenshot_ = false;
+    attempt([&] { saveScreenshot(); });
+  }
+}
+
+}  // namespace ocelli

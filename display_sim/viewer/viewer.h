@@ -1,0 +1,137 @@
+// The viewer: linked panes of a scene, its reference camera, what stands for the scene, and the simulated display. It
+// takes input events and draws a picture of a window; it knows neither windows nor scripts.
+//
+//   Viewer viewer(context, options);
+//   viewer.handle(event);            // as they come; a ResizeEvent first
+//   viewer.update(secondsSinceLast);
+//   viewer.draw();                   // to image()
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "display_sim/viewer/display_pane.h"
+#include "display_sim/viewer/reconstruction_pane.h"
+#include "display_sim/viewer/reference_pane.h"
+#include "display_sim/viewer/scene_pane.h"
+#include "display_sim/viewer/side_panel.h"
+#include "oc_core/gl/gui_layer.h"
+
+namespace ocelli {
+
+struct ViewerOptions {
+  std::string source;
+  SceneOptions sceneOptions;
+  CameraChoice camera;
+  View reference;
+  int width = kDefaultWidth;  ///< of the reference image
+  int height = kDefaultHeight;
+  std::string profile = "perspecta";
+  std::filesystem::path folder = ".";  ///< where pictures and views are saved
+  bool showTimes = true;               ///< figures that differ from run to run
+};
+
+class Viewer {
+ public:
+  Viewer(GlContext& context, const ViewerOptions& options);
+  ~Viewer();
+  Viewer(const Viewer&) = delete;
+  Viewer& operator=(const Viewer&) = delete;
+
+  void handle(const InputEvent& event);
+  /// Takes over what has been made meanwhile, and lets time pass. Throws InputError where the first scene cannot be
+  /// loaded: there is nothing to view then. All other errors are messages in the window.
+  void update(double seconds);
+  /// Throws GlError.
+  void draw();
+
+  /// What was drawn last.
+  const PaneTarget& image() const { return drawing_->image; }
+  Image<Rgb8> picture() const;
+  const ViewerState& state() const { return state_; }
+  const ViewerFacts& facts() const { return facts_; }
+  /// Asked to by a key or a CloseEvent.
+  bool wantsClose() const { return wantsClose_; }
+  /// Whether another frame would look different: something moves, waits or is being made.
+  bool isMoving() const;
+  /// Whether events still wait for a frame.
+  bool hasWaitingEvents() const { return gui_.hasWaitingEvents(); }
+  /// Whether the next frame would tell more, though nothing moves.
+  bool isSettling() const { return hasWaitingEvents() || drawing_->reconstruction.wantsToMeasure(); }
+  /// Until nothing is being made any more. Update and draw afterwards.
+  void waitUntilMade() { work_.waitUntilIdle(); }
+
+  /// As if these had been asked for in the window.
+  void open(const std::string& source);
+  void choose(const std::string& camera);
+
+ private:
+  /// What draws, made under one GlScope.
+  struct Drawing {
+    explicit Drawing(GlContext& context)
+        : meshes(context),
+          scene(context),
+          reference(context),
+          reconstruction(context),
+          display(context),
+          image(context) {}
+
+    const PaneTarget& targetOf(Pane pane) const;
+
+    MeshDraw meshes;
+    ScenePane scene;
+    ReferencePane reference;
+    ReconstructionPane reconstruction;
+    DisplayPane display;
+    PaneTarget image;
+  };
+  struct Drag {
+    Pane pane = Pane::kScene;
+    bool turns = true;
+  };
+
+  void handleKey(const KeyEvent& event);
+  void handleButton(const PointerButtonEvent& event);
+  void leavePanel();
+  void handleMove(const glm::vec2& to);
+  void handleScroll(const ScrollEvent& event);
+  void openDropped(const std::string& file);
+  void perform(ViewerAction action);
+  /// Runs `body`, and shows its error as a message.
+  void attempt(const std::function<void()>& body);
+  void say(const std::string& text, bool isError);
+  void take(const WorkResult& result);
+  void saveScreenshot();
+  void saveView();
+  void pickPixel();
+  void drawPanes();
+  void drawGui();
+  ViewerLayout layout() const;
+  float lengthScale() const;
+  glm::ivec2 pixelsOf(const WindowRect& rect) const;
+
+  GlContext& context_;
+  ViewerOptions options_;
+  ViewerState state_;
+  std::string profileName_;  ///< of `profile_`
+  DisplayProfile profile_;
+  BackgroundWork work_;
+  ViewerData data_;
+  GuiLayer gui_;
+  SidePanel panel_;
+  std::unique_ptr<Drawing> drawing_;
+  ViewerFacts facts_;
+  uint64_t loadedRevision_ = 0;  ///< of the scene that shows; 0: none yet
+  std::string loadedSource_;
+  bool panelHasKeys_ = false;  ///< after F6
+  bool leavesPanel_ = false;   ///< in the next frame
+  ResizeEvent window_;
+  glm::vec2 pointer_{-1};
+  std::optional<Drag> drag_;
+  double secondsOfFrame_ = 0;
+  double messageSeconds_ = 0;  ///< left to show it; errors stay
+  bool wantsScreenshot_ = false;
+  bool wantsClose_ = false;
+};
+
+}  // namespace ocelli

@@ -1,0 +1,63 @@
+#include "display_sim/viewer/viewer_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ocelli {
+namespace {
+
+constexpr float kPanelWidth = 316;
+constexpr float kMostPanelShare = 0.45f;
+constexpr float kStatusHeight = 28;
+constexpr float kHeaderHeight = 28;
+constexpr float kGap = 2;
+
+PaneLayout paneIn(Pane pane, const WindowRect& rect, float headerHeight) {
+  const float header = std::min(headerHeight, rect.height);
+  return {pane,
+          {rect.x, rect.y, rect.width, header},
+          {rect.x, rect.y + header, rect.width, std::max(rect.height - header, 1.0f)}};
+}
+
+}  // namespace
+
+const PaneLayout* ViewerLayout::paneAt(const glm::vec2& at) const {
+  const auto found =
+      std::find_if(panes.begin(), panes.end(), [&](const PaneLayout& p) { return p.image.contains(at); });
+  return found == panes.end() ? nullptr : &*found;
+}
+
+const PaneLayout* ViewerLayout::find(Pane pane) const {
+  const auto found = std::find_if(panes.begin(), panes.end(), [&](const PaneLayout& p) { return p.pane == pane; });
+  return found == panes.end() ? nullptr : &*found;
+}
+
+ViewerLayout viewerLayout(const ViewerState& state, const glm::vec2& windowSize, float lengthScale) {
+  const glm::vec2 size(std::max(windowSize.x, 4.0f), std::max(windowSize.y, 4.0f));
+  ViewerLayout layout;
+  const float statusHeight = std::min(std::round(kStatusHeight * lengthScale), size.y / 2);
+  layout.status = {0, size.y - statusHeight, size.x, statusHeight};
+  const float panelWidth = std::round(std::min(kPanelWidth * lengthScale, kMostPanelShare * size.x));
+  layout.panel = {0, 0, state.panel ? panelWidth : 0, size.y - statusHeight};
+
+  const float gap = std::round(kGap * lengthScale);
+  const float header = std::round(kHeaderHeight * lengthScale);
+  const float left = layout.panel.width > 0 ? layout.panel.width + gap : 0;
+  const WindowRect area{left, 0, size.x - left, size.y - statusHeight - gap};
+  if (state.maximised) {
+    layout.panes.push_back(paneIn(*state.maximised, area, header));
+    return layout;
+  }
+  const float width = std::floor((area.width - gap) / 2);
+  const float height = std::floor((area.height - gap) / 2);
+  for (const Pane pane : kPanes) {
+    const auto index = static_cast<size_t>(pane);
+    const bool isRight = index % 2 != 0;
+    const bool isLow = index / 2 != 0;
+    layout.panes.push_back(paneIn(
+        pane, {area.x + (isRight ? width + gap : 0), area.y + (isLow ? height + gap : 0), width, height}, header));
+  }
+  return layout;
+}
+
+}  // namespace ocelli

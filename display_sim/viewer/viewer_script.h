@@ -1,0 +1,89 @@
+// A script that drives the viewer without a display: what a person would do, and pictures of the window in between.
+//
+//   {"size": [1280, 800], "scale": 1, "steps": [{"wait": "idle"}, {"key": "M"}, {"save": "frame.png"}, ...]}
+//
+// viewer_script.schema.json lists every step. Time is the script's own, so the same script gives the same pictures.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "oc_core/gl/input_event.h"
+
+namespace ocelli {
+
+/// A scene to load, as SCENE on the command line.
+struct OpenStep {
+  std::string source;
+};
+/// A camera's name or file.
+struct CameraStep {
+  std::string camera;
+};
+/// A file that is dropped onto the window.
+struct DropStep {
+  std::string file;
+};
+/// A key that is pressed and released: "H", "Shift+Tab", "Ctrl+Q".
+struct KeyStep {
+  Key key = Key::kSpace;
+  Modifiers modifiers;
+};
+/// Text that is typed.
+struct TextStep {
+  std::string text;
+};
+/// The pointer goes somewhere, in pixels of the window.
+struct MoveStep {
+  glm::dvec2 to{0};
+};
+/// ... and a button is pressed and released there.
+struct ClickStep {
+  glm::dvec2 at{0};
+  PointerButton button = PointerButton::kLeft;
+};
+struct DragStep {
+  glm::dvec2 from{0};
+  glm::dvec2 to{0};
+  PointerButton button = PointerButton::kLeft;
+};
+/// The wheel, upwards where positive.
+struct ScrollStep {
+  glm::dvec2 at{0};
+  double up = 1;
+};
+/// The window gets another size, in pixels, and density.
+struct ResizeStep {
+  int width = 0;
+  int height = 0;
+  double scale = 1;
+};
+/// Until nothing is being made any more.
+struct WaitStep {};
+/// Time passes.
+struct SecondsStep {
+  double seconds = 0;
+};
+/// A picture of the window; a PNG file.
+struct SaveStep {
+  std::string file;
+};
+
+using ScriptStep = std::variant<OpenStep, CameraStep, DropStep, KeyStep, TextStep, MoveStep, ClickStep, DragStep,
+                                ScrollStep, ResizeStep, WaitStep, SecondsStep, SaveStep>;
+
+struct ViewerScript {
+  int width = 1280;
+  int height = 800;
+  double scale = 1;  ///< how much larger than at 96 dots an inch things are drawn
+  std::vector<ScriptStep> steps;
+};
+
+/// Throws InputError naming the step and the field that is missing, unknown or out of range.
+ViewerScript viewerScriptFromJsonText(const std::string& text, const std::string& where);
+ViewerScript readViewerScript(const std::filesystem::path& path);
+
+}  // namespace ocelli

@@ -1,0 +1,264 @@
+#include "display_sim/viewer/viewer_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "display_sim/display_profile.h"
+#include "display_sim/viewer/view_motion.h"
+#include "oc_core/base/check.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kBlinkSeconds = 0.5;
+
+/// From beside the scene, above: the scene near by on the left, the reference eye and its cell far away on the right.
+View outsideView() {
+  View view;
+  view.eye = {-4.6f, 2.5f, -0.9f};
+  view.target = {0, 0, 3};
+  view.fovVerticalDegrees = 54;
+  return view;
+}
+
+/// From beside the scene, close enough to see its rays bend.
+View closeUpView() {
+  View view;
+  view.eye = {-2.4f, 1.5f, 1.9f};
+  view.target = {0, -0.1f, 0.1f};
+  view.fovVerticalDegrees = 38;
+  return view;
+}
+
+View displayFrontView() {
+  View view;
+  view.eye = {0, 2.6f, 9.6f};
+  view.fovVerticalDegrees = 16.5;
+  return view;
+}
+
+ViewCell cellOf(const CameraChoice& camera) {
+  return {.sideRadii = camera.cellSideRadii};
+}
+
+/// The names that the viewer offers, `step` places further on than `name`.
+std::string nameFurtherOn(const std::string& name, int step) {
+  const auto& names = cameraNames();
+  const auto count = static_cast<int>(names.size());
+  OC_CHECK(count > 0, "there are cameras");
+  int at = 0;
+  for (int i = 0; i < count; ++i) {
+    if (name == names[static_cast<size_t>(i)].name) {
+      at = i;
+    }
+  }
+  do {
+    at = ((at + step) % count + count) % count;
+  } while (!cameraChoice(names[static_cast<size_t>(at)].name).hasImages());
+  return names[static_cast<size_t>(at)].name;
+}
+
+template <class Enum>
+std::string_view named(std::initializer_list<std::string_view> names, Enum value) {
+  return names.begin()[static_cast<size_t>(value)];
+}
+
+}  // namespace
+
+std::string_view titleOf(Pane pane) {
+  return named({"Scene", "Reference image", "Reconstruction", "Display"}, pane);
+}
+
+std::string_view nameOf(ReferenceShown::Quantity quantity) {
+  return named({"colour", "depth", "displacement"}, quantity);
+}
+
+std::string_view nameOf(ReconstructionShown::Content content) {
+  return named({"missing marked", "as it is", "truth", "beside truth", "blinking with truth"}, content);
+}
+
+ViewerState viewerState(const std::string& source, const SceneOptions& options, const CameraChoice& camera,
+                        const View& reference, int width, int height, const std::string& profile) {
+  ViewerState state;
+  state.work.source = source;
+  state.work.sceneOptions = options;
+  state.work.camera = camera;
+  state.work.reference = reference;
+  state.work.width = width;
+  state.work.height = height;
+  state.work.profile = profile;
+  state.work.lastRevision = 1;
+  state.work.sceneRevision = state.work.cameraRevision = state.work.displayRevision = 1;
+  for (const Pane pane : kPanes) {
+    resetPane(state, pane);
+  }
+  // On the edge of the view cell, where something is missing.
+  const float half = camera.cellSideRadii / 2;
+  state.reconstruction.view = movedEye(reference, {-half, half, 0});
+  return state;
+}
+
+void openScene(ViewerState& state, const std::string& source) {
+  state.work.source = source;
+  state.work.sceneRevision = ++state.work.lastRevision;
+}
+
+void cameraChanged(ViewerState& state) {
+  state.work.cameraRevision = ++state.work.lastRevision;
+}
+
+void displayChanged(ViewerState& state) {
+  state.work.displayRevision = ++state.work.lastRevision;
+}
+
+void chooseCamera(ViewerState& state, const std::string& nameOrFile) {
+  state.work.camera = cameraChoice(nameOrFile, cellOf(state.work.camera));
+  state.reference.image = 0;
+  cameraChanged(state);
+}
+
+void chooseNextCamera(ViewerState& state, int step) {
+  chooseCamera(state, nameFurtherOn(state.work.camera.name, step));
+}
+
+void chooseCellSide(ViewerState& state, double sideRadii) {
+  const auto side = static_cast<float>(std::clamp(sideRadii, kLeastCellSide, kMostCellSide));
+  CameraChoice& camera = state.work.camera;
+  camera.cellSideRadii = camera.ddoc.cellSideRadii = camera.cell.cell.sideRadii = side;
+  cameraChanged(state);
+}
+
+void chooseProfile(ViewerState& state, const std::string& nameOrFile) {
+  loadProfile(nameOrFile);
+  state.work.profile = nameOrFile;
+  displayChanged(state);
+}
+
+void chooseNextProfile(ViewerState& state) {
+  const std::vector<std::string>& names = builtinProfileNames();
+  const auto found = std::find(names.begin(), names.end(), state.work.profile);
+  chooseProfile(state, found == names.end() || found + 1 == names.end() ? names.front() : *(found + 1));
+}
+
+void chooseImageSize(ViewerState& state, int width, int height) {
+  state.work.width = std::clamp(width, kLeastImageSide, kMostImageSide);
+  state.work.height = std::clamp(height, kLeastImageSide, kMostImageSide);
+  cameraChanged(state);
+}
+
+void chooseReference(ViewerState& state, const View& view) {
+  state.work.reference = view;
+  state.reconstruction.view = view;
+  cameraChanged(state);
+}
+
+void moveReferenceToEye(ViewerState& state) {
+  state.work.reference = state.reconstruction.view;
+  cameraChanged(state);
+}
+
+void orbitPane(ViewerState& state, Pane pane, double right, double up) {
+  switch (pane) {
+    case Pane::kScene:
+      state.scene.view = orbited(state.scene.view, right, up);
+      return;
+    case Pane::kReference:
+      panPane(state, pane, right / kPi, up / kPi);
+      return;
+    case Pane::kReconstruction:
+      state.reconstruction.view = orbited(state.reconstruction.view, right, up);
+      return;
+    case Pane::kDisplay:
+      View& view = state.display.followsEye ? state.reconstruction.view : state.display.view;
+      view = orbited(view, right, up);
+      return;
+  }
+}
+
+void panPane(ViewerState& state, Pane pane, double right, double up) {
+  switch (pane) {
+    case Pane::kScene:
+      state.scene.view = panned(state.scene.view, right, up);
+      return;
+    case Pane::kReference: {
+      const glm::vec2 step(right / state.reference.zoom, -up / state.reference.zoom);
+      state.reference.center = glm::clamp(state.reference.center + step, glm::vec2(0), glm::vec2(1));
+      return;
+    }
+    case Pane::kReconstruction:
+      state.reconstruction.view = panned(state.reconstruction.view, right, up);
+      return;
+    case Pane::kDisplay:  // an observer looks at the middle of the display
+      orbitPane(state, pane, right, up);
+      return;
+  }
+}
+
+void zoomPane(ViewerState& state, Pane pane, double factor) {
+  switch (pane) {
+    case Pane::kScene:
+      state.scene.view = zoomed(state.scene.view, 1 / factor);
+      return;
+    case Pane::kReference:
+      state.reference.zoom = std::clamp(state.reference.zoom * factor, 1.0, kMostReferenceZoom);
+      return;
+    case Pane::kReconstruction:
+      state.reconstruction.view = zoomed(state.reconstruction.view, 1 / factor);
+      return;
+    case Pane::kDisplay:
+      View& view = state.display.followsEye ? state.reconstruction.view : state.display.view;
+      view = zoomed(view, 1 / factor);
+      return;
+  }
+}
+
+void resetPane(ViewerState& state, Pane pane) {
+  switch (pane) {
+    case Pane::kScene:
+      state.scene.view = outsideView();
+      return;
+    case Pane::kReference:
+      state.reference.center = glm::vec2(0.5f);
+      state.reference.zoom = 1;
+      return;
+    case Pane::kReconstruction:
+      state.reconstruction.view = state.work.reference;
+      return;
+    case Pane::kDisplay:
+      state.display.view = displayFrontView();
+      return;
+  }
+}
+
+void toggleCloseUp(ViewerState& state) {
+  state.scene.view = state.scene.view == closeUpView() ? outsideView() : closeUpView();
+}
+
+void advance(ViewerState& state, double seconds, double rotationsPerMinute) {
+  state.seconds += seconds;
+  if (state.display.running) {
+    const double turns = seconds * state.display.speed * rotationsPerMinute / 60;
+    state.display.sweepDegrees = std::fmod(state.display.sweepDegrees + 360 * turns, 360.0);
+  }
+}
+
+void changeSpeed(ViewerState& state, double factor) {
+  state.display.speed = std::clamp(state.display.speed * factor, kLeastSpeed, kMostSpeed);
+}
+
+void stepDisplay(ViewerState& state, int slices) {
+  state.display.running = false;
+  const double step = 180.0 / loadProfile(state.work.profile).slicesPerHalfTurn;
+  const double slice = std::round(state.display.sweepDegrees / step) + slices;
+  state.display.sweepDegrees = std::fmod(slice * step + 360, 360.0);
+}
+
+const View& displayView(const ViewerState& state) {
+  return state.display.followsEye ? state.reconstruction.view : state.display.view;
+}
+
+bool blinkShowsTruth(const ViewerState& state) {
+  return std::fmod(state.seconds, 2 * kBlinkSeconds) >= kBlinkSeconds;
+}
+
+}  // namespace ocelli

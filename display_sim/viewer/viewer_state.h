@@ -1,0 +1,157 @@
+// What the viewer shows and how, as plain data, and the functions that change it. No OpenGL, no window.
+//
+// Changes that need work (loading, building, slicing) raise the revision of that work; background_work.h does it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "oc_core/camera/view.h"
+#include "oc_core/ocri/camera_choice.h"
+#include "oc_core/scene/scene_source.h"
+
+namespace ocelli {
+
+enum class Pane { kScene, kReference, kReconstruction, kDisplay };
+inline constexpr size_t kPaneCount = 4;
+inline constexpr std::array kPanes{Pane::kScene, Pane::kReference, Pane::kReconstruction, Pane::kDisplay};
+/// "Scene", "Reference image", "Reconstruction", "Display".
+std::string_view titleOf(Pane pane);
+
+/// What has to be made; whoever changes a part of it gives it the next revision.
+struct WorkWanted {
+  uint64_t lastRevision = 0;
+  std::string source;
+  SceneOptions sceneOptions;
+  uint64_t sceneRevision = 0;
+
+  CameraChoice camera;
+  View reference;
+  int width = kDefaultWidth;
+  int height = kDefaultHeight;
+  uint64_t cameraRevision = 0;
+
+  std::string profile = "perspecta";
+  bool sliceScene = false;  ///< the scene itself, instead of what stands for it
+  uint64_t displayRevision = 0;
+};
+
+/// The scene pane: the scene from outside, with the camera in it.
+struct SceneShown {
+  View view;
+  bool frustum = true;
+  bool rays = true;
+  bool straightRays = true;  ///< the others bend
+  bool cell = true;
+  bool samples = false;
+  int rayColumns = 24;
+  int rayRows = 16;
+  bool operator==(const SceneShown&) const = default;
+};
+inline constexpr int kMostRayColumns = 96;
+inline constexpr int kMostRayRows = 64;
+
+/// The reference image pane.
+struct ReferenceShown {
+  enum class Quantity { kColor, kDepth, kDisplacement };
+  Quantity quantity = Quantity::kColor;
+  int image = 0;           ///< of a union
+  glm::vec2 center{0.5f};  ///< what lies in the middle of the pane, as a share of the image
+  double zoom = 1;         ///< 1 just holds the image
+  bool operator==(const ReferenceShown&) const = default;
+};
+inline constexpr double kMostReferenceZoom = 200;
+std::string_view nameOf(ReferenceShown::Quantity quantity);
+
+/// The reconstruction pane.
+struct ReconstructionShown {
+  enum class Content { kMarked, kPlain, kTruth, kSideBySide, kBlink };
+  View view;  ///< where the user's eye is
+  Content content = Content::kMarked;
+};
+std::string_view nameOf(ReconstructionShown::Content content);
+
+/// The display pane.
+struct DisplayShown {
+  View view;
+  bool followsEye = false;  ///< of the reconstruction pane
+  bool running = true;
+  double speed = 1;                 ///< 1 turns as fast as the display does
+  double sweepDegrees = 0;          ///< angle of the screen, in [0, 360)
+  double persistenceSeconds = 0.1;  ///< until what the eye sees has faded to 1 / e
+  double gain = 1;                  ///< on the automatic one
+  bool operator==(const DisplayShown&) const = default;
+};
+inline constexpr double kLeastSpeed = 1.0 / 16384;
+inline constexpr double kMostSpeed = 4;
+
+struct ViewerState {
+  WorkWanted work;
+  SceneShown scene;
+  ReferenceShown reference;
+  ReconstructionShown reconstruction;
+  DisplayShown display;
+
+  Pane active = Pane::kReconstruction;  ///< the one that keys move
+  std::optional<Pane> maximised;
+  bool panel = true;
+  bool help = false;
+  double seconds = 0;  ///< that have passed
+};
+
+/// Of a scene seen through a camera. The size is that of the reference image. The user's eye starts at an edge of the
+/// view cell.
+ViewerState viewerState(const std::string& source, const SceneOptions& options, const CameraChoice& camera,
+                        const View& reference, int width, int height, const std::string& profile);
+
+/// Shows another scene. The views stay as they are.
+void openScene(ViewerState& state, const std::string& source);
+/// By its name, or a file; a view cell that was set stays so, unless a file sets one. Throws InputError as
+/// cameraChoice() does.
+void chooseCamera(ViewerState& state, const std::string& nameOrFile);
+/// After a change of parameters of `state.work.camera`, or of what is sliced for the display.
+void cameraChanged(ViewerState& state);
+void displayChanged(ViewerState& state);
+/// The one that is `step` places further on in cameraNames(); those of a mesh alone are passed over.
+void chooseNextCamera(ViewerState& state, int step);
+void chooseCellSide(ViewerState& state, double sideRadii);
+/// Throws InputError where the profile cannot be loaded.
+void chooseProfile(ViewerState& state, const std::string& nameOrFile);
+void chooseNextProfile(ViewerState& state);
+void chooseImageSize(ViewerState& state, int width, int height);
+/// Another reference view; the user's eye goes there.
+void chooseReference(ViewerState& state, const View& view);
+/// What the user's eye sees becomes the reference view.
+void moveReferenceToEye(ViewerState& state);
+inline constexpr double kLeastCellSide = 0.01;
+inline constexpr double kMostCellSide = 18;
+inline constexpr int kLeastImageSide = 16;
+inline constexpr int kMostImageSide = 8192;
+
+/// Turns, moves or zooms what a pane shows; `right` and `up` as the eye goes. Angles in radians, distances in heights
+/// of the pane. In the image, both move it.
+void orbitPane(ViewerState& state, Pane pane, double right, double up);
+void panPane(ViewerState& state, Pane pane, double right, double up);
+/// Above 1 nearer.
+void zoomPane(ViewerState& state, Pane pane, double factor);
+/// Back to where it was when the viewer opened; the user's eye to the reference view.
+void resetPane(ViewerState& state, Pane pane);
+
+/// The scene pane from close by, or from afar again.
+void toggleCloseUp(ViewerState& state);
+
+/// Lets time pass: the screen of the display turns. `rotationsPerMinute` are those of the display.
+void advance(ViewerState& state, double seconds, double rotationsPerMinute);
+void changeSpeed(ViewerState& state, double factor);
+/// Stops the screen so many slices further on, in the middle of one.
+void stepDisplay(ViewerState& state, int slices);
+
+/// The view of the display pane: its own, or that of the user's eye.
+const View& displayView(const ViewerState& state);
+/// Whether a blinking reconstruction shows the truth now.
+bool blinkShowsTruth(const ViewerState& state);
+
+}  // namespace ocelli

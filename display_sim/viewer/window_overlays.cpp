@@ -1,0 +1,166 @@
+#include "display_sim/viewer/window_overlays.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "display_sim/viewer/gui_pieces.h"
+
+namespace ocelli {
+namespace {
+
+std::string figures(const ViewerFacts& facts) {
+  std::string text = facts.frameMilliseconds > 0 ? fmt::format("{:.1f} ms a frame", facts.frameMilliseconds) : "";
+  const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "   ") + more; };
+  if (facts.data->scene) {
+    add("scene " + grouped(facts.data->scene->mesh.triangles.size()) + " triangles");
+  }
+  if (const auto& camera = facts.data->camera) {
+    add(camera->choice.name + " " + grouped(camera->representation.mesh.triangles.size()) + " triangles, " +
+        grouped(camera->representation.sampleCount()) + " samples");
+  }
+  if (facts.missing) {
+    add(fmt::format("{:.2f} % missing", 100 * facts.missing->strictRatio()));
+  }
+  return text;
+}
+
+/// Two columns of groups, and what the pointer does.
+void helpRow(std::string_view keys, std::string_view text) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushStyleColor(ImGuiCol_Text, kOkabeItoYellow.packed());
+  ImGui::TextUnformatted(keys.data(), keys.data() + keys.size());
+  ImGui::PopStyleColor();
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+}
+
+void beginHelpGroup(const char* title, float keyWidth) {
+  sectionTitle(title);
+  ImGui::BeginTable(title, 2);
+  ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, keyWidth);
+  ImGui::TableSetupColumn("text", ImGuiTableColumnFlags_WidthStretch);
+}
+
+void drawPointerHelp(float keyWidth) {
+  beginHelpGroup("Pointer", keyWidth);
+  for (const PointerBinding& binding : pointerBindings()) {
+    helpRow(binding.what, binding.text);
+  }
+  ImGui::EndTable();
+}
+
+void drawKeyHelp(const std::string& group, float keyWidth) {
+  beginHelpGroup(group.c_str(), keyWidth);
+  for (const KeyBinding& binding : keyBindings()) {
+    if (binding.group == group && *binding.keys != '\0') {
+      helpRow(binding.keys, binding.text);
+    }
+  }
+  ImGui::EndTable();
+}
+
+std::vector<std::string> helpGroups() {
+  std::vector<std::string> groups;
+  for (const KeyBinding& binding : keyBindings()) {
+    if (groups.empty() || groups.back() != binding.group) {
+      groups.emplace_back(binding.group);
+    }
+  }
+  return groups;
+}
+
+}  // namespace
+
+void drawStatusBar(const PanelDrawing& drawing) {
+  const ViewerFacts& facts = drawing.facts;
+  const WindowRect& bar = drawing.layout.status;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12 * drawing.scale, 0));
+  beginFixedWindow("status", bar, kGuiBackground, ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  const float y = (bar.height - ImGui::GetTextLineHeight()) / 2;
+  ImGui::SetCursorPosY(y);
+  if (facts.work.busy) {
+    ImGui::PushStyleColor(ImGuiCol_Text, kOkabeItoOrange.packed());
+    ImGui::TextUnformatted(
+        fmt::format("{} {:.0f} %", facts.work.stage.empty() ? "working" : facts.work.stage, 100 * facts.work.fraction)
+            .c_str());
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0, 16 * drawing.scale);
+  }
+  ImGui::TextUnformatted(figures(facts).c_str());
+  ImGui::SameLine(0, 24 * drawing.scale);
+  const float left = ImGui::GetCursorPosX();
+  const float right = bar.width - ImGui::CalcTextSize(facts.renderer.c_str()).x - 12 * drawing.scale;
+  ImGui::SetCursorPos({std::max(left, right), y});
+  ImGui::PushStyleColor(ImGuiCol_Text, kGuiTextDim.packed());
+  ImGui::TextUnformatted(facts.renderer.c_str());
+  ImGui::PopStyleColor();
+  ImGui::End();
+}
+
+void drawHelp(const PanelDrawing& drawing) {
+  if (!drawing.state.help) {
+    return;
+  }
+  const float scale = drawing.scale;
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const ImVec2 size(std::min(960 * scale, window.x - 16 * scale), std::min(590 * scale, window.y - 16 * scale));
+  ImGui::SetNextWindowPos({(window.x - size.x) / 2, (window.y - size.y) / 2});
+  ImGui::SetNextWindowSize(size);
+  ImGui::Begin("help", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::BeginChild("help contents");
+  if (ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingStretchSame)) {
+    const float keyWidth = 126 * scale;
+    const std::vector<std::string> groups = helpGroups();
+    const size_t inFirst = groups.size() / 2;
+    ImGui::TableNextColumn();
+    drawPointerHelp(keyWidth);
+    for (size_t i = 0; i < inFirst; ++i) {
+      drawKeyHelp(groups[i], keyWidth);
+    }
+    ImGui::TableNextColumn();
+    for (size_t i = inFirst; i < groups.size(); ++i) {
+      drawKeyHelp(groups[i], keyWidth);
+    }
+    ImGui::EndTable();
+  }
+  ImGui::EndChild();
+  ImGui::End();
+}
+
+void drawMessage(const PanelDrawing& drawing) {
+  const ViewerFacts& facts = drawing.facts;
+  if (facts.message.empty()) {
+    return;
+  }
+  const float scale = drawing.scale;
+  const WindowRect& panel = drawing.layout.panel;
+  const float left = panel.right();
+  const float room = drawing.layout.status.width - left;
+  const float width = std::min(640 * scale, room - 24 * scale);
+  ImGui::SetNextWindowPos({left + room / 2, drawing.layout.status.y - 12 * scale}, ImGuiCond_Always, {0.5f, 1.0f});
+  ImGui::SetNextWindowSize({std::max(width, 1.0f), 0});
+  ImGui::PushStyleColor(ImGuiCol_Border, (facts.messageIsError ? kOkabeItoVermillion : kGuiAccent).packed());
+  ImGui::Begin("message", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::PopStyleColor();
+  if (facts.messageIsError) {
+    ImGui::PushStyleColor(ImGuiCol_Text, kOkabeItoOrange.packed());
+    ImGui::TextUnformatted("That did not work");
+    ImGui::PopStyleColor();
+  }
+  ImGui::TextWrapped("%s", facts.message.c_str());
+  if (facts.messageIsError && ImGui::Button("Close (Escape)")) {
+    drawing.wishes.dismissMessage = true;
+  }
+  ImGui::End();
+}
+
+}  // namespace ocelli

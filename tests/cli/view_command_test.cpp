@@ -1,0 +1,61 @@
+// `ocelli view --offscreen`: pictures, and errors that say what is wrong.
+#include <gmock/gmock.h>
+
+#include "oc_core/base/png_file.h"
+#include "tests/base/temporary_folder.h"
+#include "tests/cli/run_program.h"
+
+namespace ocelli::test {
+namespace {
+
+using testing::HasSubstr;
+
+ProgramResult view(const std::string& scene, const std::string& script, const TemporaryFolder& folder,
+                   const std::string& more = "") {
+  const std::string file = folder.write("script.json", script).string();
+  return runProgram("view " + scene + " --size 90x60 --profile test --offscreen " + file + " -o " +
+                    (folder / "frames").string() + " " + more);
+}
+
+TEST(ViewCommand, writesTheFramesOfAScript) {
+  const TemporaryFolder folder;
+  for (const char* provider : {"egl", "osmesa"}) {
+    const ProgramResult result =
+        view("builtin:teapot", R"({"size": [640, 400], "steps": [{"wait": "idle"}, {"save": "a.png"}]})", folder,
+             std::string("--gl ") + provider);
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    EXPECT_THAT(result.error, HasSubstr("a.png"));
+    EXPECT_EQ(readPng(folder / "frames/a.png").width(), 640);
+    std::filesystem::remove(folder / "frames/a.png");
+  }
+}
+
+TEST(ViewCommand, aSceneThatIsNoneIsAnError) {
+  const TemporaryFolder folder;
+  const ProgramResult result = view("no-such-scene.obj", R"({"steps": [{"wait": "idle"}]})", folder);
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_THAT(result.error, HasSubstr("no-such-scene.obj"));
+}
+
+TEST(ViewCommand, aWrongScriptIsAnError) {
+  const TemporaryFolder folder;
+  const ProgramResult result = view("builtin:teapot", R"({"steps": [{"key": "H"}, {"kay": "H"}]})", folder);
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_THAT(result.error, HasSubstr("step 2"));
+}
+
+TEST(ViewCommand, wrongOptionsAreErrors) {
+  const TemporaryFolder folder;
+  for (const char* wrong : {"--camera none", "--gl none", "--view none.json"}) {
+    EXPECT_EQ(view("builtin:teapot", R"({"steps": []})", folder, wrong).exitCode, 2) << wrong;
+  }
+}
+
+TEST(ViewCommand, withoutADisplayAWindowIsAnErrorThatSaysWhatToDo) {
+  const ProgramResult result = runShell("unset DISPLAY WAYLAND_DISPLAY\n\"$OCELLI\" view builtin:teapot");
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_THAT(result.error, HasSubstr("--offscreen"));
+}
+
+}  // namespace
+}  // namespace ocelli::test

@@ -1,0 +1,305 @@
+// The whole viewer, driven as a person would.
+#include "display_sim/viewer/viewer.h"
+
+#include <gmock/gmock.h>
+
+#include "display_sim/viewer/viewer_run.h"
+#include "oc_core/base/error.h"
+#include "tests/viewer/test_viewer.h"
+
+namespace ocelli {
+namespace {
+
+using test::countDifferent;
+using test::TestViewer;
+using testing::HasSubstr;
+
+class ViewerTest : public testing::TestWithParam<GlProvider> {};
+INSTANTIATE_TEST_SUITE_P(Providers, ViewerTest, kOffscreenProviders, providerName);
+
+size_t filesIn(const test::TemporaryFolder& folder) {
+  return static_cast<size_t>(std::distance(std::filesystem::directory_iterator(folder.path()), {}));
+}
+
+TEST_P(ViewerTest, aBrokenFileIsAMessageAndTheOldSceneStays) {
+  TestViewer test(GetParam());
+  const std::string broken = test.folder.write("broken.ply", "ply\nformat ascii 1.0\nelement vertex 1e9\n").string();
+  const Image<Rgb8> before = test.paneImage(Pane::kReference);
+  test.player.play(DropStep{broken});
+  test.settle();
+  EXPECT_THAT(test.viewer.facts().message, HasSubstr("broken.ply"));
+  EXPECT_TRUE(test.viewer.facts().messageIsError);
+  EXPECT_EQ(test.viewer.state().work.source, "builtin:room");
+  EXPECT_EQ(countDifferent(before, test.paneImage(Pane::kReference)), 0U);
+  // It still works: another camera, then another file.
+  test.key(Key::kEscape);
+  EXPECT_EQ(test.viewer.facts().message, "");
+  test.key(Key::kC);
+  test.settle();
+  EXPECT_GT(countDifferent(before, test.paneImage(Pane::kReference)), 100U);
+  test.player.play(OpenStep{"builtin:fence"});
+  test.settle();
+  EXPECT_EQ(test.viewer.facts().data->scene->source, "builtin:fence");
+  EXPECT_FALSE(test.viewer.facts().messageIsError);
+}
+
+TEST_P(ViewerTest, brokenViewsAndCamerasAreMessagesToo) {
+  TestViewer test(GetParam());
+  for (const char* text : {"{\"eye\": [0, 0]}", "{\"camera\": \"none\"}", "not JSON", "[]"}) {
+    test.player.play(DropStep{test.folder.write("broken.json", text).string()});
+    EXPECT_TRUE(test.viewer.facts().messageIsError) << text;
+    test.key(Key::kEscape);
+  }
+  test.player.play(CameraStep{"no-such-camera"});
+  EXPECT_THAT(test.viewer.facts().message, HasSubstr("no-such-camera"));
+}
+
+TEST_P(ViewerTest, aCameraThatCannotBeBuiltIsAMessage) {
+  TestViewer test(GetParam(), "builtin:teapot");
+  const std::string inside =
+      test.folder.write("inside.json", R"({"eye": [0, 0, 0.05], "fov_vertical_degrees": 50})").string();
+  test.player.play(DropStep{inside});
+  test.settle();
+  EXPECT_TRUE(test.viewer.facts().messageIsError);
+  EXPECT_FALSE(test.viewer.facts().data->camera);
+  EXPECT_FALSE(test.viewer.facts().missing.has_value());
+}
+
+TEST_P(ViewerTest, aFirstSceneThatIsNoneEndsIt) {
+  try {
+    TestViewer test(GetParam(), "no-such-file.obj");
+    FAIL() << "nothing was thrown";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no-such-file.obj"));
+  }
+}
+
+TEST_P(ViewerTest, theKeyboardReachesEverything) {
+  TestViewer test(GetParam());
+  std::vector<Image<Rgb8>> seen{test.viewer.picture()};
+  const auto expectChange = [&](const char* what) {
+    seen.push_back(test.viewer.picture());
+    EXPECT_GT(countDifferent(seen[seen.size() - 1], seen[seen.size() - 2]), 30U) << what;
+  };
+  test.key(Key::kSpace);  // the display holds still from here on
+  seen.back() = test.viewer.picture();
+  const std::vector<std::pair<Key, const char*>> keys{{Key::k1, "the scene alone"},
+                                                      {Key::kLeft, "turned"},
+                                                      {Key::kEqual, "nearer"},
+                                                      {Key::kV, "close by"},
+                                                      {Key::kT, "straight rays"},
+                                                      {Key::kD, "samples"},
+                                                      {Key::kHome, "back"},
+                                                      {Key::k2, "reference image"},
+                                                      {Key::kQ, "depth"},
+                                                      {Key::kEqual, "zoomed"},
+                                                      {Key::kRight, "moved"},
+                                                      {Key::k3, "reconstruction"},
+                                                      {Key::kUp, "turned up"},
+                                                      {Key::kMinus, "farther"},
+                                                      {Key::kM, "plain"},
+                                                      {Key::k4, "display"},
+                                                      {Key::kDown, "turned down"},
+                                                      {Key::kPageUp, "nearer"},
+                                                      {Key::kL, "observer is the eye"},
+                                                      {Key::k0, "all"},
+                                                      {Key::kG, "no panel"},
+                                                      {Key::kG, "panel"},
+                                                      {Key::kH, "help"},
+                                                      {Key::kEscape, "no help"},
+                                                      {Key::kTab, "next pane"},
+                                                      {Key::kW, "wider cell"}};
+  for (const auto& [key, what] : keys) {
+    test.key(key);
+    test.settle();
+    expectChange(what);
+  }
+  for (const Key key : {Key::kC, Key::kP, Key::kZ, Key::kE}) {
+    test.key(key);
+    test.settle();
+    expectChange("work");
+    EXPECT_FALSE(test.viewer.facts().messageIsError) << test.viewer.facts().message;
+  }
+  test.key(Key::kQ, {.control = true});
+  EXPECT_TRUE(test.viewer.wantsClose());
+}
+
+TEST_P(ViewerTest, thePanelIsReachedAndLeftByKeys) {
+  TestViewer test(GetParam());
+  test.key(Key::kF6);
+  test.key(Key::kM);  // the panel has the keys now
+  EXPECT_EQ(test.viewer.state().reconstruction.content, ReconstructionShown::Content::kMarked);
+  test.key(Key::kEscape);
+  test.key(Key::kM);
+  EXPECT_EQ(test.viewer.state().reconstruction.content, ReconstructionShown::Content::kPlain);
+}
+
+TEST_P(ViewerTest, thePanelTakesClicks) {
+  TestViewer test(GetParam());
+  const Image<Rgb8> before = test.viewer.picture();
+  test.player.play(ClickStep{{150, 113}});  // the list of cameras opens
+  EXPECT_GT(countDifferent(before, test.viewer.picture()), 5000U);
+  test.player.play(ClickStep{{60, 160}});  // one of its first entries
+  test.settle();
+  EXPECT_NE(test.viewer.state().work.camera.name, "ddoc");
+  // A click into a pane is not the panel's.
+  test.player.play(ClickStep{test.at(Pane::kDisplay, 50, 50)});
+  EXPECT_EQ(test.viewer.state().active, Pane::kDisplay);
+}
+
+TEST_P(ViewerTest, aSceneIsTypedIntoThePanel) {
+  TestViewer test(GetParam());
+  test.player.play(ClickStep{{150, 42}});
+  test.key(Key::kA, {.control = true});
+  test.player.play(TextStep{"builtin:fence"});
+  EXPECT_EQ(test.viewer.state().reconstruction.content, ReconstructionShown::Content::kMarked);  // letters are no keys
+  test.key(Key::kEnter);
+  test.settle();
+  EXPECT_EQ(test.viewer.facts().data->scene->source, "builtin:fence");
+  test.key(Key::kM);
+  EXPECT_EQ(test.viewer.state().reconstruction.content, ReconstructionShown::Content::kPlain);
+}
+
+TEST_P(ViewerTest, dragsAndWheelMoveThePaneUnderThePointer) {
+  TestViewer test(GetParam());
+  const ViewerState before = test.viewer.state();
+  const auto from = test.at(Pane::kScene, 50, 50);
+  test.player.play(DragStep{from, from + glm::dvec2(30, 10)});
+  EXPECT_NE(test.viewer.state().scene.view, before.scene.view);
+  EXPECT_EQ(test.viewer.state().scene.view.target, before.scene.view.target);
+  EXPECT_EQ(test.viewer.state().active, Pane::kScene);
+  test.player.play(DragStep{from, from + glm::dvec2(30, 10), PointerButton::kRight});
+  EXPECT_NE(test.viewer.state().scene.view.target, before.scene.view.target);
+  test.player.play(ScrollStep{test.at(Pane::kReconstruction, 90, 90), 3});
+  EXPECT_LT(glm::length(test.viewer.state().reconstruction.view.eye), glm::length(before.reconstruction.view.eye));
+  // In the image the wheel zooms, and a drag moves it.
+  const auto middle = test.at(Pane::kReference, 100, 120);
+  test.player.play(ScrollStep{middle, 5});
+  EXPECT_GT(test.viewer.state().reference.zoom, 1.5);
+  const glm::vec2 center = test.viewer.state().reference.center;
+  test.player.play(DragStep{middle, middle + glm::dvec2(20, 0)});
+  EXPECT_LT(test.viewer.state().reference.center.x, center.x);
+  // The panel is no pane.
+  const ViewerState after = test.viewer.state();
+  test.player.play(DragStep{{5, 600}, {60, 500}});
+  EXPECT_EQ(test.viewer.state().scene.view, after.scene.view);
+}
+
+TEST_P(ViewerTest, aPictureOfTheWindowIsSavedUnderANewName) {
+  TestViewer test(GetParam());
+  test.folder.write("ocelli-001.png", "mine");
+  test.key(Key::kSpace);
+  test.key(Key::kS);
+  const Image<Rgb8> saved = readPng(test.folder / "ocelli-002.png");
+  EXPECT_EQ(saved.width(), TestViewer::kWidth);
+  EXPECT_EQ(saved.height(), TestViewer::kHeight);
+  EXPECT_THAT(test.viewer.facts().message, HasSubstr("ocelli-002.png"));
+  EXPECT_EQ(test::fileBytes(test.folder / "ocelli-001.png"), "mine");
+}
+
+TEST_P(ViewerTest, aSavedViewIsWhatViewTakesAndWhatADropOpens) {
+  TestViewer test(GetParam());
+  test.key(Key::kRight);
+  test.key(Key::kUp);
+  const View eye = test.viewer.state().reconstruction.view;
+  test.key(Key::kJ);
+  const std::filesystem::path path = test.folder / "ocelli-view-001.json";
+  const View read = readView(path);
+  EXPECT_EQ(read.eye, eye.eye);
+  EXPECT_EQ(read.target, eye.target);
+  EXPECT_NEAR(read.fovVerticalDegrees, eye.resolvedFovVerticalDegrees(), 1e-9);
+  test.key(Key::kHome);
+  test.player.play(DropStep{path.string()});
+  test.settle();
+  EXPECT_EQ(test.viewer.state().work.reference.eye, eye.eye);
+  EXPECT_EQ(test.viewer.state().reconstruction.view.eye, eye.eye);
+  EXPECT_LT(test.viewer.facts().missing->strictRatio(), 0.02);  // the eye is at the reference view
+}
+
+TEST_P(ViewerTest, aFolderThatCannotBeWrittenIsAMessage) {
+  TestViewer test(GetParam());
+  std::filesystem::remove_all(test.folder.path());
+  test.key(Key::kJ);
+  EXPECT_TRUE(test.viewer.facts().messageIsError);
+  std::filesystem::create_directory(test.folder.path());
+}
+
+TEST_P(ViewerTest, nothingIsRememberedUnlessAsked) {
+  TestViewer test(GetParam());
+  test.key(Key::kC);
+  test.settle();
+  EXPECT_EQ(filesIn(test.folder), 0U);
+}
+
+TEST_P(ViewerTest, aDenseScreenShowsTheSameLarger) {
+  TestViewer test(GetParam());
+  test.player.play(ResizeStep{2 * TestViewer::kWidth, 2 * TestViewer::kHeight, 2});
+  const ViewerLayout once = viewerLayout(test.viewer.state(), {TestViewer::kWidth, TestViewer::kHeight}, 1);
+  const ViewerLayout twice = viewerLayout(test.viewer.state(), {2 * TestViewer::kWidth, 2 * TestViewer::kHeight}, 2);
+  for (size_t i = 0; i < once.panes.size(); ++i) {
+    EXPECT_NEAR(twice.panes[i].image.width, 2 * once.panes[i].image.width, 2);
+    EXPECT_NEAR(twice.panes[i].header.height, 2 * once.panes[i].header.height, 1);
+  }
+  EXPECT_EQ(test.viewer.picture().width(), 2 * TestViewer::kWidth);
+}
+
+TEST_P(ViewerTest, aTinyWindowIsNoError) {
+  TestViewer test(GetParam());
+  test.player.play(ResizeStep{64, 64, 4});
+  test.key(Key::kH);
+  test.player.play(ResizeStep{TestViewer::kWidth, TestViewer::kHeight, 1});
+  EXPECT_EQ(test.viewer.picture().width(), TestViewer::kWidth);
+}
+
+TEST_P(ViewerTest, aUnionShowsEachOfItsImages) {
+  TestViewer test(GetParam(), "builtin:boxes", "eoc-hv+ddoc");
+  ASSERT_EQ(test.viewer.facts().data->camera->representation.images.size(), 3U);
+  for (const int image : {1, 2, 0}) {
+    test.key(Key::kI);
+    EXPECT_EQ(test.viewer.state().reference.image, image);
+  }
+}
+
+TEST_P(ViewerTest, everyCameraIsShownWithoutAnError) {
+  TestViewer test(GetParam(), "builtin:boxes", "di");
+  do {
+    test.key(Key::kC);
+    test.settle();
+    EXPECT_FALSE(test.viewer.facts().messageIsError) << test.viewer.facts().message;
+    EXPECT_TRUE(test.viewer.facts().data->rays) << test.viewer.state().work.camera.name;
+  } while (test.viewer.state().work.camera.name != "di");
+}
+
+TEST(ViewerScripts, theSameScriptGivesTheSameBytesOnEglAndOsMesa) {
+  const ViewerScript script = viewerScriptFromJsonText(
+      R"({"size": [960, 640], "steps": [{"wait": "idle"}, {"save": "1.png"}, {"key": "Comma"}, {"key": "Comma"},
+          {"key": "Comma"}, {"seconds": 0.3}, {"drag": {"from": [400, 500], "to": [450, 480]}}, {"save": "2.png"},
+          {"camera": "eoc-h"}, {"key": "Q"}, {"wait": "idle"}, {"save": "3.png"}, {"key": "H"}, {"save": "4.png"}]})",
+      "script");
+  std::vector<std::string> bytes;
+  for (const GlProvider provider : {GlProvider::kEgl, GlProvider::kOsMesa, GlProvider::kOsMesa}) {
+    const test::TemporaryFolder folder;
+    const auto context = openTestContext(provider);
+    ViewerOptions options;
+    options.source = "builtin:room";
+    options.camera = cameraChoice("ddoc");
+    options.width = 180;
+    options.height = 120;
+    options.profile = "test";
+    options.folder = folder.path();
+    size_t saved = 0;
+    runViewerScript(*context, options, script, [&](const std::string&) { ++saved; });
+    EXPECT_EQ(saved, 4U);
+    std::string all;
+    for (const char* name : {"1.png", "2.png", "3.png", "4.png"}) {
+      all += test::fileBytes(folder / name);
+    }
+    bytes.push_back(all);
+    EXPECT_EQ(context->liveObjects(), 0);
+  }
+  EXPECT_TRUE(bytes[1] == bytes[2]);
+  EXPECT_TRUE(bytes[0] == bytes[1]);
+}
+
+}  // namespace
+}  // namespace ocelli
