@@ -7,16 +7,21 @@ namespace ocelli {
 namespace {
 
 /// The root in [0, 1] of the quadratic with these Bernstein coefficients, of which the first and the last differ in
-/// sign, or are 0.
+/// sign, but for rounding at the ends.
 double bernsteinRoot(double b0, double b1, double b2) {
-  const double root = std::sqrt(std::max(b1 * b1 - b0 * b2, 0.0));
-  // b0 (1-t)^2 + 2 b1 t (1-t) + b2 t^2 = 0 for r = t / (1-t): b2 r^2 + 2 b1 r + b0 = 0, of which one root is positive.
-  // Of its two forms the one without cancellation.
-  const double sign = b0 > 0 || (b0 == 0 && b2 < 0) ? 1 : -1;
-  const double numerator = b1 * sign >= 0 ? b1 * sign + root : -b0 * sign;
-  const double denominator = b1 * sign >= 0 ? -b2 * sign : b1 * sign - root;
-  const double sum = numerator + denominator;
-  return sum != 0 ? std::clamp(numerator / sum, 0.0, 1.0) : 0;
+  const double sign = std::abs(b0) > std::abs(b2) ? (b0 > 0 ? 1 : -1) : (b2 < 0 ? 1 : -1);
+  b0 *= sign;
+  b1 *= sign;
+  b2 *= sign;
+  if (!(b0 > 0) || !(b2 < 0)) {
+    return b0 > 0 ? 1 : 0;
+  }
+  // For r = t / (1-t) it is b2 r^2 + 2 b1 r + b0 = 0. Of the two forms of its positive root the one that does not
+  // cancel.
+  const double root = std::sqrt(b1 * b1 - b0 * b2);
+  const double numerator = b1 >= 0 ? b1 + root : b0;
+  const double denominator = b1 >= 0 ? -b2 : root - b1;
+  return numerator / (numerator + denominator);
 }
 
 /// Where a line crosses the plane through `on` with this normal.
