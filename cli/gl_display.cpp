@@ -10,37 +10,58 @@ namespace ocelli {
 
 #ifdef OCELLI_WITH_OPENGL
 
-Volume sliceWithGl(const std::string& provider, const Mesh& mesh, const DisplayProfile& profile,
-                   const SliceOptions& options) {
-  const auto context = openGlContext(provider, "--gl");
-  const GlScope scope(*context);
-  GlVolume volume(*context, profile);
-  GlSlicer(*context).slice(GlMesh(*context, mesh), volume, options);
+struct GlDisplay::Impl {
+  std::unique_ptr<GlContext> context;
+};
+
+GlDisplay::GlDisplay(const std::string& provider) : impl_(std::make_unique<Impl>()) {
+  impl_->context = openGlContext(provider, "--gl");
+}
+
+Volume GlDisplay::slice(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options) {
+  GlContext& context = *impl_->context;
+  const GlScope scope(context);
+  GlVolume volume(context, profile);
+  GlSlicer(context).slice(GlMesh(context, mesh), volume, options);
   return volume.read();
 }
 
-Image<glm::vec3> collectLightWithGl(const std::string& provider, const Volume& volume, const ObserverOptions& options) {
-  const auto context = openGlContext(provider, "--gl");
-  const GlScope scope(*context);
-  const GlVolume onGpu(*context, volume);
-  GlObserver observer(*context);
+Image<glm::vec3> GlDisplay::collectLight(const Volume& volume, const ObserverOptions& options) {
+  GlContext& context = *impl_->context;
+  const GlScope scope(context);
+  const GlVolume onGpu(context, volume);
+  GlObserver observer(context);
   observer.look(onGpu);
   observer.draw({options});
   return observer.readLight();
 }
 
+std::string GlDisplay::description() const {
+  return describe(impl_->context->info());
+}
+
 #else
 
-Volume sliceWithGl(const std::string& /*provider*/, const Mesh& /*mesh*/, const DisplayProfile& /*profile*/,
-                   const SliceOptions& /*options*/) {
+struct GlDisplay::Impl {};
+
+GlDisplay::GlDisplay(const std::string& /*provider*/) {
   failWithoutOpenGl();
 }
 
-Image<glm::vec3> collectLightWithGl(const std::string& /*provider*/, const Volume& /*volume*/,
-                                    const ObserverOptions& /*options*/) {
+Volume GlDisplay::slice(const Mesh& /*mesh*/, const DisplayProfile& /*profile*/, const SliceOptions& /*options*/) {
   failWithoutOpenGl();
+}
+
+Image<glm::vec3> GlDisplay::collectLight(const Volume& /*volume*/, const ObserverOptions& /*options*/) {
+  failWithoutOpenGl();
+}
+
+std::string GlDisplay::description() const {
+  return {};
 }
 
 #endif
+
+GlDisplay::~GlDisplay() = default;
 
 }  // namespace ocelli

@@ -1,7 +1,7 @@
-// `--method gl` of the commands that slice and observe. The context is opened for one piece of work; `provider` is what
-// --gl says. Both throw InputError where this program was built without OpenGL, and GlError where the GPU cannot.
+// `--method gl` of the commands that slice and observe.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "display_sim/observer.h"
@@ -9,10 +9,25 @@
 
 namespace ocelli {
 
-/// As slice().
-Volume sliceWithGl(const std::string& provider, const Mesh& mesh, const DisplayProfile& profile,
-                   const SliceOptions& options);
-/// As collectLight().
-Image<glm::vec3> collectLightWithGl(const std::string& provider, const Volume& volume, const ObserverOptions& options);
+class GlDisplay {
+ public:
+  /// `provider` is what --gl says. Throws InputError where this program was built without OpenGL, GlError where no
+  /// context can be opened.
+  explicit GlDisplay(const std::string& provider);
+  ~GlDisplay();
+  GlDisplay(const GlDisplay&) = delete;
+  GlDisplay& operator=(const GlDisplay&) = delete;
+
+  /// As the slice() of the processor. Throws GlError where the GPU cannot, here and below.
+  Volume slice(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options);
+  /// As collectLight().
+  Image<glm::vec3> collectLight(const Volume& volume, const ObserverOptions& options);
+  /// "OpenGL on llvmpipe, through EGL".
+  std::string description() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace ocelli

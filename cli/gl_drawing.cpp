@@ -23,6 +23,12 @@ void addMethodOption(CLI::App& command, std::string& method) {
       ->capture_default_str();
 }
 
+void requireGlUsed(const std::string& provider, bool used, const std::string& by) {
+  if (provider != "auto" && !used) {
+    throw InputError("nothing draws with OpenGL here", "--gl " + provider, "add " + by + ", or leave --gl out");
+  }
+}
+
 void failWithoutOpenGl() {
   throw InputError("this program was built without OpenGL", "--method or --construction",
                    "leave \"gl\" out, or build with -DOCELLI_WITH_OPENGL=ON");
@@ -45,8 +51,7 @@ const SceneDrawer& GlDrawing::drawerOf(const Mesh& mesh) {
 }
 
 std::string GlDrawing::description() const {
-  const GlInfo& info = impl_->context->info();
-  return "OpenGL on " + info.renderer + ", through " + nameOf(info.provider);
+  return describe(impl_->context->info());
 }
 
 #else

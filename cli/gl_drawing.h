@@ -19,6 +19,9 @@ void addGlOption(CLI::App& command, std::string& provider);
 /// Adds `--method processor|gl`, for work that has these two ways.
 void addMethodOption(CLI::App& command, std::string& method);
 
+/// Throws InputError where --gl names a provider but nothing draws with OpenGL; `by` is the option that makes it so.
+void requireGlUsed(const std::string& provider, bool used, const std::string& by);
+
 /// Throws InputError: this program was built without OpenGL.
 [[noreturn]] void failWithoutOpenGl();
 
@@ -33,7 +36,7 @@ class GlDrawing {
 
   /// Uploads the mesh, which it does not keep. Throws GlError where the GPU has no room for it.
   const SceneDrawer& drawerOf(const Mesh& mesh);
-  /// "OpenGL on llvmpipe (EGL)".
+  /// "OpenGL on llvmpipe, through EGL".
   std::string description() const;
 
  private:

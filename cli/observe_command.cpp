@@ -69,12 +69,17 @@ void addObserveCommand(CLI::App& program, const Frame& frame) {
                "  ocelli observe teapot.svol -o teapot.png\n"
                "  ocelli observe teapot.svol --eye 0,4,9 --exposure 1/25 --missing-sector 30 -o teapot.png",
                [choice, frame] {
+                 requireGlUsed(choice->gl, choice->method == "gl", "--method gl");
+                 const auto gl = choice->method == "gl" ? std::make_unique<GlDisplay>(choice->gl) : nullptr;
                  const Volume volume = readSvol(choice->volume);
                  const ObserverOptions options = observerOptions(*choice, volume.profile());
-                 Image<glm::vec3> light = choice->method == "gl" ? collectLightWithGl(choice->gl, volume, options)
-                                                                 : collectLight(volume, options);
+                 Image<glm::vec3> light =
+                     gl != nullptr ? gl->collectLight(volume, options) : collectLight(volume, options);
                  tone(light, options.gain > 0 ? options.gain : automaticGain(light), options.gamma);
                  writePng(choice->output, srgbFromLinear(light));
+                 if (gl != nullptr) {
+                   frame.note("drawn with " + gl->description());
+                 }
                  frame.note(fmt::format("wrote {}: seen from {:g},{:g},{:g}", choice->output, options.eye.x,
                                         options.eye.y, options.eye.z));
                });

@@ -49,6 +49,7 @@ void addBuild(CLI::App& ocri, const Frame& frame) {
       [choice, frame] {
         checkWritable(choice->output);
         const bool onGpu = choice->construction == "gl";
+        requireGlUsed(choice->gl, onGpu, "--construction gl");
         const Construction construction = constructionFromText(onGpu ? "auto" : choice->construction, "--construction");
         const CameraChoice camera = cameraChoice(choice->camera);
         const ImageSize size = imageSizeFromText(choice->size, "--size");

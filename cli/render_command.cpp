@@ -38,6 +38,7 @@ std::optional<Technique> techniqueOf(const std::string& method) {
 }
 
 void render(const RenderChoice& choice, const Frame& frame) {
+  requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
   checkWritable(choice.output);
   const CameraChoice camera = cameraChoice(choice.camera);
   const ImageSize size = imageSizeFromText(choice.size, "--size");
@@ -58,6 +59,9 @@ void render(const RenderChoice& choice, const Frame& frame) {
                      "-o " + choice.output, "write an .exr file, which holds them all");
   } else {
     writePng(choice.output, srgbFromLinear(image.color));
+  }
+  if (gl != nullptr) {
+    frame.note("drawn with " + gl->description());
   }
   frame.note(fmt::format("wrote {}: {} of {}x{}", choice.output, image.camera, image.width(), image.height()));
 }

@@ -44,13 +44,14 @@ bool liesWithin(const Mesh& mesh, const DisplayProfile& profile) {
 }
 
 void run(const SliceChoice& choice, const Frame& frame) {
+  requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
   checkWritable(choice.output);
+  const auto gl = choice.method == "gl" ? std::make_unique<GlDisplay>(choice.gl) : nullptr;
   const DisplayProfile profile = loadProfile(choice.profile);
   const Mesh mesh = loadMesh(choice.scene, frame.progress());
   const auto start = std::chrono::steady_clock::now();
   const SliceOptions options{choice.undithered ? ColorReduction::kOccupancy : ColorReduction::kDither};
-  const Volume volume =
-      choice.method == "gl" ? sliceWithGl(choice.gl, mesh, profile, options) : slice(mesh, profile, options);
+  const Volume volume = gl != nullptr ? gl->slice(mesh, profile, options) : slice(mesh, profile, options);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   writeSvol(choice.output, volume);
   if (!liesWithin(mesh, profile)) {
@@ -63,6 +64,9 @@ void run(const SliceChoice& choice, const Frame& frame) {
                                          {"lit_voxels", volume.litVoxels()},
                                          {"slice_ms", time.count()}};
     frame.print(json.dump(2) + "\n");
+  }
+  if (gl != nullptr) {
+    frame.note("sliced with " + gl->description());
   }
   frame.note(fmt::format("wrote {}: {} slices of {}x{}, {} lit voxels from {} triangles in {:.0f} ms", choice.output,
                          volume.slices(), volume.width(), volume.height(), volume.litVoxels(), mesh.triangles.size(),

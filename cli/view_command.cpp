@@ -7,6 +7,7 @@
 #include "cli/values.h"
 #ifdef OCELLI_WITH_OPENGL
 #include "display_sim/viewer/viewer_run.h"
+#include "oc_core/base/error.h"
 #include "oc_core/gl/gl_context.h"
 #endif
 
@@ -41,6 +42,9 @@ ViewerOptions viewerOptions(const ViewChoice& choice) {
 
 void view(const ViewChoice& choice, const Frame& frame) {
   const ViewerOptions options = viewerOptions(choice);
+  if (choice.script.empty() && choice.gl != "auto") {
+    throw InputError("only with --offscreen", "--gl", "leave it out: a window is drawn by what its display offers");
+  }
   if (choice.script.empty()) {
     runViewerWindow(options);
     return;

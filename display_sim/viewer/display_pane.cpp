@@ -71,6 +71,10 @@ ShownSweep shownSweep(const DisplayShown& shown, const DisplayProfile& profile) 
           std::min(refresh / fade, kMostSlowMotionGain)};
 }
 
+bool looksSteady(const DisplayShown& shown, const DisplayProfile& profile) {
+  return !showsScreen(shown) && shownSweep(shown, profile).window.fadeRadians == 0;
+}
+
 DisplayPane::DisplayPane(GlContext& context)
     : context_(&context),
       target_(context),
@@ -95,19 +99,19 @@ void DisplayPane::look(const SlicedVolume& volume) {
   gain_ = automaticGain(observer_.readLight()) / std::pow(focalPixels(front.view), 2);
 }
 
-void DisplayPane::draw(const ViewerState& state, const ViewerData& data, const glm::ivec2& size, float lineScale) {
+bool DisplayPane::draw(const ViewerState& state, const ViewerData& data, const glm::ivec2& size, float lineScale) {
   DisplayShown shown = state.display;
-  const bool isSteady = data.volume && shownSweep(shown, data.volume->volume.profile()).window.fadeRadians == 0;
-  if (isSteady && !showsScreen(shown)) {  // wherever the screen stands, it looks the same
+  if (data.volume && looksSteady(shown, data.volume->volume.profile())) {
     shown.sweepDegrees = 0;
   }
   const Key key{data.volume, shown, displayView(state), size, lineScale};
   if (key == drawn_) {
-    return;
+    return false;
   }
   drawn_ = key;
   problem_.clear();
   if (data.volume != volume_) {
+    volume_.reset();
     if (data.volume) {
       look(*data.volume);
     }
@@ -115,7 +119,7 @@ void DisplayPane::draw(const ViewerState& state, const ViewerData& data, const g
   }
   if (!volume_) {
     target_.begin(size.x, size.y, rgb(kSpaceColor));
-    return;
+    return true;
   }
   const DisplayProfile& profile = volume_->volume.profile();
   View view = displayView(state);
@@ -131,7 +135,7 @@ void DisplayPane::draw(const ViewerState& state, const ViewerData& data, const g
   } catch (const InputError&) {
     target_.begin(size.x, size.y, rgb(kSpaceColor));
     problem_ = "your eye is inside of the display";
-    return;
+    return true;
   }
   target_.begin(size.x, size.y, rgb(kSpaceColor));
   showLight(gain_ * std::pow(focalPixels(options.view), 2) * sweep.gain * shown.gain);
@@ -140,6 +144,7 @@ void DisplayPane::draw(const ViewerState& state, const ViewerData& data, const g
   view.fovVerticalDegrees = options.view.fovVerticalDegrees;
   const float reach = glm::length(view.eye) + 2 + static_cast<float>(profile.halfHeightRadii);
   lineDraw_.draw(linesOf(shown, profile, lineScale), {view, size.x, size.y}, {view.zNear, reach}, 1);
+  return true;
 }
 
 void DisplayPane::showLight(double gain) {

@@ -23,12 +23,16 @@ struct ShownSweep {
 ShownSweep shownSweep(const DisplayShown& shown, const DisplayProfile& profile);
 inline constexpr double kMostSlowMotionGain = 6;
 
+/// Whether it looks the same wherever the screen stands: at full speed it is a blur, and its light does not flicker.
+bool looksSteady(const DisplayShown& shown, const DisplayProfile& profile);
+
 class DisplayPane {
  public:
   explicit DisplayPane(GlContext& context);
 
-  /// Hold a GlScope.
-  void draw(const ViewerState& state, const ViewerData& data, const glm::ivec2& size, float lineScale);
+  /// Returns whether it drew: not where nothing has
+  /// changed since the last call. Hold a GlScope.
+  bool draw(const ViewerState& state, const ViewerData& data, const glm::ivec2& size, float lineScale);
 
   const PaneTarget& target() const { return target_; }
   /// Why there is nothing to see; empty where there is.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "display_sim/viewer/display_pane.h"
 #include "display_sim/viewer/gui_pieces.h"
 #include "display_sim/viewer/viewer_colors.h"
 
@@ -63,14 +64,18 @@ std::string detailOf(const PanelDrawing& drawing, Pane pane) {
   const ViewerState& state = drawing.state;
   const ViewerFacts& facts = drawing.facts;
   const ReferenceImage* image = shownImage(state, *facts.data);
+  const bool hasImages = facts.data->camera && !facts.data->camera->representation.images.empty();
+  if (!facts.failures[static_cast<size_t>(pane)].empty()) {
+    return {};
+  }
   switch (pane) {
     case Pane::kScene:
-      return facts.data->rays
+      return facts.data->rays && hasImages
                  ? fmt::format("{} rays, {} of them bent", facts.straightRays + facts.bentRays, facts.bentRays)
                  : std::string();
     case Pane::kReference: {
       if (image == nullptr) {
-        return {};
+        return facts.data->camera ? facts.data->camera->choice.name : std::string();
       }
       const size_t count = facts.data->camera->representation.images.size();
       const std::string which = count > 1 ? fmt::format("{} of {}, ", state.reference.image + 1, count) : std::string();
@@ -84,6 +89,9 @@ std::string detailOf(const PanelDrawing& drawing, Pane pane) {
         return {};
       }
       const DisplayProfile& profile = facts.data->volume->volume.profile();
+      if (state.display.running && looksSteady(state.display, profile)) {
+        return fmt::format("{}, speed {}", profile.name, speedText(state.display.speed));
+      }
       const int slices = profile.slicesPerHalfTurn;
       const int slice = static_cast<int>(std::lround(state.display.sweepDegrees / 180 * slices)) % slices;
       return fmt::format("{}, {} {}, slice {} of {}", profile.name, state.display.running ? "speed" : "stopped at",
@@ -184,6 +192,11 @@ void drawReconstructionCaption(const PanelDrawing& drawing, const PaneLayout& la
 
 void drawNotes(const PanelDrawing& drawing, const PaneLayout& layout) {
   const ViewerFacts& facts = drawing.facts;
+  const std::string& failure = facts.failures[static_cast<size_t>(layout.pane)];
+  if (!failure.empty()) {
+    drawNote(layout.image, failure, drawing.scale);
+    return;
+  }
   const bool empty = layout.pane == Pane::kScene     ? !facts.data->scene
                      : layout.pane == Pane::kDisplay ? !facts.data->volume
                                                      : !facts.data->camera;
@@ -198,6 +211,9 @@ void drawNotes(const PanelDrawing& drawing, const PaneLayout& layout) {
     drawReconstructionCaption(drawing, layout);
   }
   const ReferenceImage* image = shownImage(drawing.state, *facts.data);
+  if (layout.pane == Pane::kReference && image == nullptr) {
+    drawNote(layout.image, "this camera has no image", drawing.scale);
+  }
   if (layout.pane == Pane::kReference && facts.picked && image != nullptr) {
     drawNote(layout.image, sampleText(*image, facts.picked->pixel), drawing.scale);
   }

@@ -22,6 +22,11 @@ std::vector<ReconstructionPane::Place> placesBeside(const glm::ivec2& pane, doub
   return places;
 }
 
+std::optional<MissingSamples> ReconstructionPane::missing(const ViewerState& state, const ViewerData& data) const {
+  const bool fits = missingVersion_ == data.version && missingView_ == state.reconstruction.view;
+  return fits ? missing_ : std::nullopt;
+}
+
 void ReconstructionPane::show(const PaneTarget& image, const Place& place) {
   const GladGLContext& gl = context_->gl();
   gl.BlitNamedFramebuffer(image.framebuffer().id(), target_.framebuffer().id(), 0, 0, image.width(), image.height(),
@@ -29,7 +34,7 @@ void ReconstructionPane::show(const PaneTarget& image, const Place& place) {
                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-void ReconstructionPane::draw(const ViewerState& state, const ViewerData& data, const glm::ivec2& size,
+bool ReconstructionPane::draw(const ViewerState& state, const ViewerData& data, const glm::ivec2& size,
                               MeshDraw& meshes) {
   using Content = ReconstructionShown::Content;
   const Content content = state.reconstruction.content;
@@ -41,9 +46,11 @@ void ReconstructionPane::draw(const ViewerState& state, const ViewerData& data, 
   };
   if (key == drawn_) {
     if (wantsToMeasure()) {
+      measurable_ = false;  // where it fails, it would fail again
       missing_ = compare(measurement_, data.camera->reference.width(), data.camera->reference.height());
+      measurable_ = true;
     }
-    return;
+    return false;
   }
   drawn_ = key;
   places_.clear();
@@ -55,7 +62,7 @@ void ReconstructionPane::draw(const ViewerState& state, const ViewerData& data, 
   }
   if (!measurable_) {
     target_.begin(size.x, size.y, rgb(kPaneColor));
-    return;
+    return true;
   }
   const PinholeCamera& reference = data.camera->reference;
   const double aspect = static_cast<double>(reference.width()) / reference.height();
@@ -65,21 +72,22 @@ void ReconstructionPane::draw(const ViewerState& state, const ViewerData& data, 
   switch (content) {
     case Content::kMarked:
       show(comparison_.marked(), places_[0]);
-      return;
+      break;
     case Content::kPlain:
       show(comparison_.frame(), places_[0]);
-      return;
+      break;
     case Content::kTruth:
       show(comparison_.truth(), places_[0]);
-      return;
+      break;
     case Content::kSideBySide:
       show(comparison_.marked(), places_[0]);
       show(comparison_.truth(), places_[1]);
-      return;
+      break;
     case Content::kBlink:
       show(blinkShowsTruth(state) ? comparison_.truth() : comparison_.frame(), places_[0]);
-      return;
+      break;
   }
+  return true;
 }
 
 }  // namespace ocelli

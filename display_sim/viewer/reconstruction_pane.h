@@ -12,13 +12,13 @@ class ReconstructionPane {
       : context_(&context), target_(context), comparison_(context), measurement_(context) {}
 
   /// Where nothing has changed since the last call it draws nothing, but measures what is missing if that is not known
-  /// yet: so not while the eye moves. Hold a GlScope.
-  void draw(const ViewerState& state, const ViewerData& data, const glm::ivec2& size, MeshDraw& meshes);
+  /// yet: so not while the eye moves. Returns whether it drew. Hold a GlScope.
+  bool draw(const ViewerState& state, const ViewerData& data, const glm::ivec2& size, MeshDraw& meshes);
 
   const PaneTarget& target() const { return target_; }
-  /// Of the view that was drawn last, at the size of the reference image, whatever that of the pane: what `ocelli
-  /// evaluate` counts. Nothing where it is not known yet.
-  const std::optional<MissingSamples>& missing() const { return missing_; }
+  /// Of the user's eye, at the size of the reference image, whatever that of the pane: what `ocelli evaluate` counts.
+  /// Nothing where it is not known: not yet, or the pane is hidden and something has changed since.
+  std::optional<MissingSamples> missing(const ViewerState& state, const ViewerData& data) const;
   bool wantsToMeasure() const { return drawn_ && measurable_ && !missing_; }
   /// Where the images lie in the pane, pixels from its top left corner; the first holds the reconstruction.
   struct Place {

@@ -62,11 +62,11 @@ void ReferencePane::upload(const ReferenceImage& image) {
   scale_ = scaleOf(image);
 }
 
-void ReferencePane::draw(const ViewerState& state, const ViewerData& data, const std::optional<glm::ivec2>& picked,
+bool ReferencePane::draw(const ViewerState& state, const ViewerData& data, const std::optional<glm::ivec2>& picked,
                          const glm::ivec2& size) {
   const Key key{state.reference, data.version, picked, size};
   if (key == drawn_) {
-    return;
+    return false;
   }
   drawn_ = key;
   const GladGLContext& gl = context_->gl();
@@ -74,7 +74,7 @@ void ReferencePane::draw(const ViewerState& state, const ViewerData& data, const
   const ReferenceImage* image = shownImage(state, data);
   if (image == nullptr) {
     scale_ = {};
-    return;
+    return true;
   }
   if (data.version != uploadedVersion_ || state.reference.image != uploadedImage_) {
     upload(*image);
@@ -101,6 +101,7 @@ void ReferencePane::draw(const ViewerState& state, const ViewerData& data, const
   gl.BindTextures(0, textures.size(), textures.data());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
   context_->check("drawing the reference image");
+  return true;
 }
 
 const ReferenceImage* shownImage(const ViewerState& state, const ViewerData& data) {

@@ -22,8 +22,9 @@ class ReferencePane {
  public:
   explicit ReferencePane(GlContext& context);
 
-  /// Hold a GlScope.
-  void draw(const ViewerState& state, const ViewerData& data, const std::optional<glm::ivec2>& picked,
+  /// Returns whether it drew: not where nothing has
+  /// changed since the last call. Hold a GlScope.
+  bool draw(const ViewerState& state, const ViewerData& data, const std::optional<glm::ivec2>& picked,
             const glm::ivec2& size);
 
   const PaneTarget& target() const { return target_; }

@@ -5,17 +5,17 @@
 
 namespace ocelli {
 
-void ScenePane::draw(const ViewerState& state, const ViewerData& data, const std::optional<PickedPixel>& picked,
+bool ScenePane::draw(const ViewerState& state, const ViewerData& data, const std::optional<PickedPixel>& picked,
                      const glm::ivec2& size, float lineScale, MeshDraw& meshes) {
   const Key key{state.scene, state.reconstruction.view, picked, data.version, size, lineScale};
   if (key == drawn_) {
-    return;
+    return false;
   }
   drawn_ = key;
   target_.begin(size.x, size.y, rgb(kPaneColor));
   shown_ = {};
   if (!data.scene) {
-    return;
+    return true;
   }
   const PinholeCamera camera(state.scene.view, size.x, size.y);
   if (data.camera) {
@@ -45,6 +45,7 @@ void ScenePane::draw(const ViewerState& state, const ViewerData& data, const std
   }
   constexpr float kSeenThrough = 0.3f;
   lines_.draw(shown_.lines, camera, range, kSeenThrough);
+  return true;
 }
 
 }  // namespace ocelli

@@ -12,8 +12,9 @@ class ScenePane {
  public:
   explicit ScenePane(GlContext& context) : target_(context), lines_(context) {}
 
-  /// `lineScale`: pixels for a line of width 1. Hold a GlScope.
-  void draw(const ViewerState& state, const ViewerData& data, const std::optional<PickedPixel>& picked,
+  /// `lineScale`: pixels for a line of width 1. Returns whether it drew: not where nothing has
+  /// changed since the last call. Hold a GlScope.
+  bool draw(const ViewerState& state, const ViewerData& data, const std::optional<PickedPixel>& picked,
             const glm::ivec2& size, float lineScale, MeshDraw& meshes);
 
   const PaneTarget& target() const { return target_; }

@@ -1,5 +1,7 @@
 #include "display_sim/viewer/script_player.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "oc_core/base/error.h"
@@ -8,6 +10,21 @@ namespace ocelli {
 namespace {
 
 constexpr int kDragMoves = 4;
+constexpr int kMostFrames = 1000;  // that a step may take to settle; a few are enough
+
+/// Draws frames, `seconds` apart, until `isDone()`. Throws WorkError where that never comes.
+template <class IsDone>
+void showUntil(Viewer& viewer, double seconds, const IsDone& isDone) {
+  for (int frame = 0; frame < kMostFrames; ++frame) {
+    viewer.update(seconds);
+    viewer.draw();
+    if (isDone()) {
+      return;
+    }
+  }
+  throw WorkError(fmt::format("the viewer has not come to rest after {} frames", kMostFrames), "a script",
+                  "leave out steps to find the one that keeps it busy");
+}
 
 /// The characters of a UTF-8 text; bytes that are none stand for themselves.
 std::u32string charactersOf(const std::string& text) {
@@ -33,10 +50,14 @@ ScriptPlayer::ScriptPlayer(Viewer& viewer, std::filesystem::path folder,
 
 void ScriptPlayer::play(const ViewerScript& script) {
   play(ResizeStep{script.width, script.height, script.scale});
-  for (const ScriptStep& step : script.steps) {
-    play(step);
-    if (viewer_.wantsClose()) {
-      return;
+  const size_t count = script.steps.size();
+  for (size_t i = 0; i < count; ++i) {
+    play(script.steps[i]);
+    const size_t left = count - i - 1;
+    if (viewer_.wantsClose() && left > 0) {
+      throw InputError(fmt::format("step {} closed the viewer; {} left", i + 1,
+                                   left == 1 ? "1 step is" : fmt::format("{} steps are", left)),
+                       "the script", "let it be the last step");
     }
   }
 }
@@ -53,17 +74,11 @@ void ScriptPlayer::give(const std::vector<InputEvent>& events) {
 }
 
 void ScriptPlayer::showFrames() {
-  do {
-    viewer_.update(kScriptFrameSeconds);
-    viewer_.draw();
-  } while (viewer_.hasWaitingEvents());
+  showUntil(viewer_, kScriptFrameSeconds, [this] { return !viewer_.hasWaitingEvents(); });
 }
 
 void ScriptPlayer::settle() {
-  do {
-    viewer_.update(0);
-    viewer_.draw();
-  } while (viewer_.isSettling());
+  showUntil(viewer_, 0, [this] { return !viewer_.isSettling(); });
 }
 
 void ScriptPlayer::press(const glm::dvec2& at, PointerButton button, bool pressed) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -14,6 +15,12 @@ namespace ocelli {
 namespace {
 
 constexpr float kValueWidth = 184;
+
+/// Leaves room for the label where the panel is narrow.
+float valueWidth(float scale) {
+  constexpr float kMostShare = 0.6f;
+  return std::min(kValueWidth * scale, kMostShare * ImGui::GetContentRegionAvail().x);
+}
 
 /// ImGui edits text in place.
 bool inputText(const char* label, std::string& text) {
@@ -65,7 +72,8 @@ void SidePanel::draw(const PanelDrawing& drawing) {
   ImGui::PushStyleColor(ImGuiCol_SliderGrab, kGuiAccentDeep.packed());
   ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, kGuiAccentDeep.packed());
   beginFixedWindow("panel", drawing.layout.panel, kGuiPanel);
-  ImGui::BeginChild("contents");  // scrolls by itself where the window is low
+  // Scrolls by itself where the window is low; flattened, so that keys get to what is in it.
+  ImGui::BeginChild("contents", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   drawScene(drawing);
   drawCamera(drawing);
   drawDisplay(drawing);
@@ -109,7 +117,7 @@ void SidePanel::drawCamera(const PanelDrawing& drawing) {
     ImGui::EndCombo();
   }
   noteText(descriptionOf(state.work.camera.name));
-  if (drawCameraForm(state.work.camera, kValueWidth * drawing.scale)) {
+  if (drawCameraForm(state.work.camera, valueWidth(drawing.scale))) {
     cameraChanged(state);
   }
   drawImageSize(drawing);
@@ -129,7 +137,7 @@ void SidePanel::drawImageSize(const PanelDrawing& drawing) {
   if (knownSize_ != current) {
     knownSize_ = size_ = current;
   }
-  ImGui::SetNextItemWidth(kValueWidth * drawing.scale);
+  ImGui::SetNextItemWidth(valueWidth(drawing.scale));
   ImGui::InputInt2("image size", &size_.x);
   if (ImGui::IsItemDeactivatedAfterEdit()) {
     chooseImageSize(state, size_.x, size_.y);
@@ -140,7 +148,7 @@ void SidePanel::drawImageSize(const PanelDrawing& drawing) {
 void SidePanel::drawDisplay(const PanelDrawing& drawing) {
   DisplayShown& display = drawing.state.display;
   sectionTitle("Display");
-  ImGui::PushItemWidth(kValueWidth * drawing.scale);
+  ImGui::PushItemWidth(valueWidth(drawing.scale));
   if (ImGui::BeginCombo("profile", drawing.state.work.profile.c_str())) {
     for (const std::string& name : builtinProfileNames()) {
       if (ImGui::Selectable(name.c_str(), drawing.state.work.profile == name)) {
@@ -192,7 +200,7 @@ void SidePanel::drawShown(const PanelDrawing& drawing) {
   ImGui::Checkbox("frustum", &scene.frustum);
   ImGui::SameLine(column);
   ImGui::Checkbox("samples", &scene.samples);
-  ImGui::PushItemWidth(kValueWidth * drawing.scale);
+  ImGui::PushItemWidth(valueWidth(drawing.scale));
   glm::ivec2 grid(scene.rayColumns, scene.rayRows);
   if (ImGui::SliderInt2("ray grid", &grid.x, 1, kMostRayRows, "%d", ImGuiSliderFlags_AlwaysClamp)) {
     scene.rayColumns = grid.x;

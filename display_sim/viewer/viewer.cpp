@@ -292,9 +292,18 @@ void Viewer::update(double seconds) {
 }
 
 bool Viewer::isMoving() const {
-  const bool blinks = state_.reconstruction.content == ReconstructionShown::Content::kBlink;
-  return facts_.work.busy || state_.display.running || blinks || isSettling() || wantsScreenshot_ ||
+  const ViewerLayout where = layout();
+  const bool blinks = state_.reconstruction.content == ReconstructionShown::Content::kBlink &&
+                      where.find(Pane::kReconstruction) != nullptr;
+  const bool turns = state_.display.running && data_.volume && where.find(Pane::kDisplay) != nullptr &&
+                     !looksSteady(state_.display, data_.volume->volume.profile());
+  return facts_.work.busy || turns || blinks || isSettling() || wantsScreenshot_ ||
          (!facts_.message.empty() && !facts_.messageIsError);
+}
+
+bool Viewer::isSettling() const {
+  const bool measures = drawing_->reconstruction.wantsToMeasure() && layout().find(Pane::kReconstruction) != nullptr;
+  return hasWaitingEvents() || measures;
 }
 
 void Viewer::pickPixel() {
@@ -313,33 +322,50 @@ void Viewer::pickPixel() {
   }
 }
 
+bool Viewer::drawAnew(const PaneLayout& pane) {
+  const auto lineScale = static_cast<float>(window_.contentScale);
+  const glm::ivec2 size = pixelsOf(pane.image);
+  switch (pane.pane) {
+    case Pane::kScene:
+      return drawing_->scene.draw(state_, data_, facts_.picked, size, lineScale, drawing_->meshes);
+    case Pane::kReference:
+      return drawing_->reference.draw(
+          state_, data_, facts_.picked ? std::optional(facts_.picked->pixel) : std::optional<glm::ivec2>(), size);
+    case Pane::kReconstruction:
+      return drawing_->reconstruction.draw(state_, data_, size, drawing_->meshes);
+    case Pane::kDisplay:
+      return drawing_->display.draw(state_, data_, size, lineScale);
+  }
+  OC_CHECK(false, "every pane is drawn");
+}
+
+void Viewer::drawPane(const PaneLayout& pane) {
+  std::string& failure = facts_.failures[static_cast<size_t>(pane.pane)];
+  try {
+    if (drawAnew(pane)) {
+      failure.clear();
+    }
+  } catch (const GlError& error) {
+    if (error.reason().find("context is lost") != std::string::npos) {
+      throw;  // nothing can be drawn any more
+    }
+    failure = error.what();
+  }
+}
+
 void Viewer::drawPanes() {
   pickPixel();
-  const std::optional<glm::ivec2> pixel =
-      facts_.picked ? std::optional(facts_.picked->pixel) : std::optional<glm::ivec2>();
-  const auto lineScale = static_cast<float>(window_.contentScale);
   const ViewerLayout where = layout();
   const glm::ivec2 windowPixels =
       pixelsOf({0, 0, static_cast<float>(window_.width), static_cast<float>(window_.height)});
   for (const PaneLayout& pane : where.panes) {
-    const glm::ivec2 size = pixelsOf(pane.image);
-    switch (pane.pane) {
-      case Pane::kScene:
-        drawing_->scene.draw(state_, data_, facts_.picked, size, lineScale, drawing_->meshes);
-        break;
-      case Pane::kReference:
-        drawing_->reference.draw(state_, data_, pixel, size);
-        break;
-      case Pane::kReconstruction:
-        drawing_->reconstruction.draw(state_, data_, size, drawing_->meshes);
-        break;
-      case Pane::kDisplay:
-        drawing_->display.draw(state_, data_, size, lineScale);
-        break;
-    }
+    drawPane(pane);
   }
   drawing_->image.begin(windowPixels.x, windowPixels.y, rgb(kGuiBackground));
   for (const PaneLayout& pane : where.panes) {
+    if (!facts_.failures[static_cast<size_t>(pane.pane)].empty()) {
+      continue;
+    }
     const PaneTarget& target = drawing_->targetOf(pane.pane);
     const auto x = static_cast<GLint>(std::lround(pane.image.x * window_.pixelsPerUnit));
     const auto y = static_cast<GLint>(std::lround(pane.image.y * window_.pixelsPerUnit));
@@ -348,7 +374,7 @@ void Viewer::drawPanes() {
                                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
   context_.check("composing the window");
-  facts_.missing = drawing_->reconstruction.missing();
+  facts_.missing = drawing_->reconstruction.missing(state_, data_);
   facts_.straightRays = drawing_->scene.shownLines().straightRays;
   facts_.bentRays = drawing_->scene.shownLines().bentRays;
   facts_.scale = drawing_->reference.scale();

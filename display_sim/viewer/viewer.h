@@ -42,7 +42,7 @@ class Viewer {
   /// Takes over what has been made meanwhile, and lets time pass. Throws InputError where the first scene cannot be
   /// loaded: there is nothing to view then. All other errors are messages in the window.
   void update(double seconds);
-  /// Throws GlError.
+  /// What OpenGL has no room for is told in its pane. Throws GlError where nothing can be drawn at all.
   void draw();
 
   /// What was drawn last.
@@ -57,7 +57,7 @@ class Viewer {
   /// Whether events still wait for a frame.
   bool hasWaitingEvents() const { return gui_.hasWaitingEvents(); }
   /// Whether the next frame would tell more, though nothing moves.
-  bool isSettling() const { return hasWaitingEvents() || drawing_->reconstruction.wantsToMeasure(); }
+  bool isSettling() const;
   /// Until nothing is being made any more. Update and draw afterwards.
   void waitUntilMade() { work_.waitUntilIdle(); }
 
@@ -104,6 +104,11 @@ class Viewer {
   void saveScreenshot();
   void saveView();
   void pickPixel();
+  /// Whether there was something to draw.
+  bool drawAnew(const PaneLayout& pane);
+  /// The same; where OpenGL cannot do it, that is shown in the pane and the others go on. Throws GlError where the
+  /// context is lost.
+  void drawPane(const PaneLayout& pane);
   void drawPanes();
   void drawGui();
   ViewerLayout layout() const;

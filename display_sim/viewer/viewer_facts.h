@@ -1,6 +1,8 @@
 // What the panels tell beside the state: what has been made, what was drawn, and what went wrong.
 #pragma once
 
+#include <array>
+
 #include "display_sim/viewer/reconstruction_pane.h"
 #include "display_sim/viewer/reference_pane.h"
 #include "display_sim/viewer/scene_lines.h"
@@ -21,6 +23,7 @@ struct ViewerFacts {
   ReferenceScale scale;
   std::optional<PickedPixel> picked;
   std::string displayProblem;
+  std::array<std::string, kPaneCount> failures;  ///< why OpenGL could not draw a pane; empty where it could
   std::string message;
   bool messageIsError = false;
 };

@@ -136,7 +136,7 @@ const std::vector<KeyBinding>& keyBindings() {
       {Key::kF6, kFocusPanel, kWindow, "F6", "into the panel; Escape leaves"},
       {Key::kS, kScreenshot, kWindow, "S", "save a picture of the window"},
       {Key::kJ, kSaveView, kWindow, "J", "save your view, for --view"},
-      {Key::kEscape, kEscape, kWindow, "Escape", "leave help, or a lone pane"},
+      {Key::kEscape, kEscape, kWindow, "Escape", "leave help, a message, or a lone pane"},
       {Key::kQ, kQuit, kWindow, "Ctrl + Q", "quit", false, true},
   };
   return bindings;

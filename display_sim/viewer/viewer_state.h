@@ -51,7 +51,6 @@ struct SceneShown {
   int rayRows = 16;
   bool operator==(const SceneShown&) const = default;
 };
-inline constexpr int kMostRayColumns = 96;
 inline constexpr int kMostRayRows = 64;
 
 /// The reference image pane.

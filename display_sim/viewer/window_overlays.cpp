@@ -11,9 +11,18 @@
 namespace ocelli {
 namespace {
 
-std::string figures(const ViewerFacts& facts) {
-  std::string text = facts.frameMilliseconds > 0 ? fmt::format("{:.1f} ms a frame", facts.frameMilliseconds) : "";
-  const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "   ") + more; };
+/// As many as fit into `room`.
+std::string figures(const ViewerFacts& facts, float room) {
+  std::string text;
+  const auto add = [&](const std::string& more) {
+    const std::string longer = text + (text.empty() ? "" : "   ") + more;
+    if (ImGui::CalcTextSize(longer.c_str()).x <= room) {
+      text = longer;
+    }
+  };
+  if (facts.frameMilliseconds > 0) {
+    add(fmt::format("{:.1f} ms a frame", facts.frameMilliseconds));
+  }
   if (facts.data->scene) {
     add("scene " + grouped(facts.data->scene->mesh.triangles.size()) + " triangles");
   }
@@ -27,7 +36,6 @@ std::string figures(const ViewerFacts& facts) {
   return text;
 }
 
-/// Two columns of groups, and what the pointer does.
 void helpRow(std::string_view keys, std::string_view text) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -35,7 +43,9 @@ void helpRow(std::string_view keys, std::string_view text) {
   ImGui::TextUnformatted(keys.data(), keys.data() + keys.size());
   ImGui::PopStyleColor();
   ImGui::TableNextColumn();
+  ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
 }
 
 void beginHelpGroup(const char* title, float keyWidth) {
@@ -91,17 +101,20 @@ void drawStatusBar(const PanelDrawing& drawing) {
     ImGui::PopStyleColor();
     ImGui::SameLine(0, 16 * drawing.scale);
   }
-  ImGui::TextUnformatted(figures(facts).c_str());
+  ImGui::TextUnformatted(figures(facts, bar.width - ImGui::GetCursorPosX() - 12 * drawing.scale).c_str());
   ImGui::SameLine(0, 24 * drawing.scale);
   const float left = ImGui::GetCursorPosX();
   const float right = bar.width - ImGui::CalcTextSize(facts.renderer.c_str()).x - 12 * drawing.scale;
-  ImGui::SetCursorPos({std::max(left, right), y});
-  ImGui::PushStyleColor(ImGuiCol_Text, kGuiTextDim.packed());
-  ImGui::TextUnformatted(facts.renderer.c_str());
-  ImGui::PopStyleColor();
+  if (right >= left) {
+    ImGui::SetCursorPos({right, y});
+    ImGui::PushStyleColor(ImGuiCol_Text, kGuiTextDim.packed());
+    ImGui::TextUnformatted(facts.renderer.c_str());
+    ImGui::PopStyleColor();
+  }
   ImGui::End();
 }
 
+/// What the pointer does, and groups of keys, in two columns; in one where the window is narrow.
 void drawHelp(const PanelDrawing& drawing) {
   if (!drawing.state.help) {
     return;
@@ -115,8 +128,9 @@ void drawHelp(const PanelDrawing& drawing) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::BeginChild("help contents");
-  if (ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingStretchSame)) {
-    const float keyWidth = 126 * scale;
+  const float keyWidth = 126 * scale;
+  const int columns = size.x >= 840 * scale ? 2 : 1;
+  if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame)) {
     const std::vector<std::string> groups = helpGroups();
     const size_t inFirst = groups.size() / 2;
     ImGui::TableNextColumn();

@@ -114,9 +114,14 @@ class EglPlatform final : public GlPlatform {
   EglPlatform& operator=(const EglPlatform&) = delete;
 
   bool makeCurrent() override {
-    return egl_.MakeCurrent(candidate_.display, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
+    // The bound API is that of a thread, and a context may move to another one.
+    return egl_.BindAPI(EGL_OPENGL_API) == EGL_TRUE &&
+           egl_.MakeCurrent(candidate_.display, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
   }
-  void release() override { egl_.MakeCurrent(candidate_.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+  void release() override {
+    egl_.BindAPI(EGL_OPENGL_API);
+    egl_.MakeCurrent(candidate_.display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+  }
   Function function(const char* name) const override { return reinterpret_cast<Function>(egl_.GetProcAddress(name)); }
   std::string device() const override { return candidate_.name; }
 

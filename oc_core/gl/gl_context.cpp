@@ -67,7 +67,7 @@ std::unique_ptr<GlContext> openEgl(GlDebug debug) {
   }
   if (!onProcessor) {
     throw GlError(said.empty() ? "it has no driver that draws without a window" : "it has no OpenGL 4.5:" + said, "EGL",
-                  "install libgl1-mesa-dri, or your GPU's driver");
+                  "install libgl1-mesa-dri or your GPU's driver, or update it");
   }
   return onProcessor;
 }
@@ -84,6 +84,10 @@ const char* nameOf(GlProvider provider) {
       return "window";
   }
   OC_CHECK(false, "every provider has a name");
+}
+
+std::string describe(const GlInfo& info) {
+  return "OpenGL on " + info.renderer + ", through " + nameOf(info.provider);
 }
 
 GlContext::GlContext(GlProvider provider, std::unique_ptr<GlPlatform> platform, GlDebug debug)
@@ -138,7 +142,8 @@ void GlContext::check(std::string_view doing) const {
   if (error == GL_NO_ERROR) {
     return;
   }
-  while (gl_->GetError() != GL_NO_ERROR) {  // several may be waiting
+  // Several may be waiting; a lost context may answer for ever.
+  for (int waiting = 0; waiting < 16 && gl_->GetError() != GL_NO_ERROR; ++waiting) {
   }
   if (error == GL_OUT_OF_MEMORY) {
     throw GlError("the GPU has not enough memory", where, "use a smaller scene or image, or close other programs");

@@ -48,6 +48,9 @@ struct GlInfo {
   int maxComputeInvocations = 0;
 };
 
+/// For a message: "OpenGL on llvmpipe, through EGL".
+std::string describe(const GlInfo& info);
+
 /// How a provider makes contexts: the little that differs between them.
 class GlPlatform {
  public:

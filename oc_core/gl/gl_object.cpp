@@ -23,9 +23,6 @@ void deleteObject(const GladGLContext& gl, GlObjectKind kind, uint32_t id) {
     case GlObjectKind::kProgram:
       gl.DeleteProgram(id);
       return;
-    case GlObjectKind::kQuery:
-      gl.DeleteQueries(1, &id);
-      return;
   }
 }
 
@@ -68,7 +65,7 @@ GlObject makeBuffer(GlContext& context, size_t bytes, const void* data) {
   if (bytes > static_cast<size_t>(context.info().maxStorageBytes)) {
     throw GlError("a buffer of " + std::to_string(bytes >> 20) + " MiB is larger than the " +
                       std::to_string(context.info().maxStorageBytes >> 20) + " MiB that this GPU's shaders can read",
-                  nameOf(context.info().provider), "use a smaller scene");
+                  nameOf(context.info().provider), "use a smaller scene or image");
   }
   const GladGLContext& gl = context.gl();
   uint32_t id = 0;
@@ -129,30 +126,6 @@ GlObject makeVertexArray(GlContext& context) {
   uint32_t id = 0;
   context.gl().CreateVertexArrays(1, &id);
   return {context, GlObjectKind::kVertexArray, id};
-}
-
-GlTimer::GlTimer(GlContext& context) : context_(&context) {
-  for (GlObject* query : {&begin_, &end_}) {
-    uint32_t id = 0;
-    context.gl().CreateQueries(GL_TIMESTAMP, 1, &id);
-    *query = GlObject(context, GlObjectKind::kQuery, id);
-  }
-}
-
-void GlTimer::start() {
-  context_->gl().QueryCounter(begin_.id(), GL_TIMESTAMP);
-}
-
-void GlTimer::stop() {
-  context_->gl().QueryCounter(end_.id(), GL_TIMESTAMP);
-}
-
-double GlTimer::seconds() const {
-  GLuint64 begin = 0;
-  GLuint64 end = 0;
-  context_->gl().GetQueryObjectui64v(begin_.id(), GL_QUERY_RESULT, &begin);
-  context_->gl().GetQueryObjectui64v(end_.id(), GL_QUERY_RESULT, &end);
-  return static_cast<double>(end - begin) * 1e-9;
 }
 
 void readTextureBytes(GlContext& context, const GlObject& texture, uint32_t format, uint32_t type, size_t bytes,

@@ -12,7 +12,7 @@
 
 namespace ocelli {
 
-enum class GlObjectKind { kBuffer, kTexture, kFramebuffer, kVertexArray, kProgram, kQuery };
+enum class GlObjectKind { kBuffer, kTexture, kFramebuffer, kVertexArray, kProgram };
 
 /// Owns one object of a context, which outlives it. Empty after a move.
 class GlObject {
@@ -64,21 +64,6 @@ GlObject makeTextureLayers(GlContext& context, uint32_t internalFormat, int widt
 GlObject makeFramebuffer(GlContext& context, std::span<const uint32_t> colors, uint32_t depth);
 
 GlObject makeVertexArray(GlContext& context);
-
-/// GPU time that passes between start() and stop(). On a software renderer it is what the processor takes.
-class GlTimer {
- public:
-  explicit GlTimer(GlContext& context);
-  void start();
-  void stop();
-  /// Waits for it.
-  double seconds() const;
-
- private:
-  GlContext* context_;
-  GlObject begin_;
-  GlObject end_;
-};
 
 /// Reads one level of a texture, row 0 as the first. `format` and `type` as glGetTextureImage() takes them, for pixels
 /// of type Pixel.

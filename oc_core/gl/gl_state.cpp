@@ -14,9 +14,10 @@ void beginDepthDraw(GlContext& context, const GlObject& framebuffer, int width, 
   gl.DepthFunc(GL_GREATER);
   gl.DepthMask(GL_TRUE);
   gl.Enable(GL_CLIP_DISTANCE0);
-  gl.Disable(GL_CULL_FACE);
-  gl.Disable(GL_BLEND);
-  gl.Disable(GL_SCISSOR_TEST);
+  for (const GLenum off : {GL_CULL_FACE, GL_STENCIL_TEST, GL_BLEND, GL_SCISSOR_TEST, GL_FRAMEBUFFER_SRGB}) {
+    gl.Disable(off);
+  }
+  gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   const GLfloat farthest = 0;
   gl.ClearNamedFramebufferfv(framebuffer.id(), GL_DEPTH, 0, &farthest);

@@ -11,7 +11,7 @@ namespace ocelli {
 /// depth this clears; both sides of triangles; the first of equal depths stays.
 void beginDepthDraw(GlContext& context, const GlObject& framebuffer, int width, int height);
 
-/// Buffers as shaders/mesh.glsl takes them. Throws GlError where one exceeds what a shader can read.
+/// Buffers as shaders/mesh.glsl takes them.
 void bindMesh(GlContext& context, const GlMesh& mesh);
 
 /// Runs the bound compute shader, of groups of 8x8, over an image, and lets what follows see what it wrote.

@@ -218,10 +218,6 @@ void GlWindow::show(const GlObject& framebuffer, int width, int height) {
   std::this_thread::sleep_for(std::chrono::duration<double>(state_->pacer.wait(glfwGetTime())));
 }
 
-void GlWindow::setTitle(const std::string& title) {
-  glfwSetWindowTitle(state_->window, title.c_str());
-}
-
 bool GlWindow::isFullscreen() const {
   return glfwGetWindowMonitor(state_->window) != nullptr;
 }

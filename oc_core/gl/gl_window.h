@@ -55,7 +55,6 @@ class GlWindow {
   /// Then waits for the screen. Hold a GlScope. Throws GlError.
   void show(const GlObject& framebuffer, int width, int height);
 
-  void setTitle(const std::string& title);
   /// Over the whole of the screen that shows most of the window, and back.
   void setFullscreen(bool fullscreen);
   bool isFullscreen() const;

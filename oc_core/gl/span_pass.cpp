@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "oc_core/base/check.h"
 #include "oc_core/gl/epipolar_uniforms.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"
@@ -144,6 +145,7 @@ SpanPass::Samples SpanPass::drawSpans(const Target& target, const GlMesh& mesh, 
     const uint32_t count = std::min(most, triangles - first);
     Selection selection = select(target, first, count);
     if (selection.count > kCapacity) {
+      OC_CHECK(count > 1, "a list has room for the blocks of one triangle");
       most = (count + 1) / 2;
       continue;
     }

@@ -51,6 +51,12 @@ TEST(ViewCommand, wrongOptionsAreErrors) {
   }
 }
 
+TEST(ViewCommand, aWindowTakesNoProvider) {
+  const ProgramResult result = runProgram("view builtin:teapot --gl osmesa");
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_THAT(result.error, HasSubstr("only with --offscreen"));
+}
+
 TEST(ViewCommand, withoutADisplayAWindowIsAnErrorThatSaysWhatToDo) {
   const ProgramResult result = runShell("unset DISPLAY WAYLAND_DISPLAY\n\"$OCELLI\" view builtin:teapot");
   EXPECT_EQ(result.exitCode, 1);

@@ -12,8 +12,6 @@
 namespace ocelli {
 namespace {
 
-using testing::HasSubstr;
-
 class GlContextTest : public testing::TestWithParam<GlProvider> {};
 INSTANTIATE_TEST_SUITE_P(Providers, GlContextTest, kOffscreenProviders, providerName);
 
@@ -42,7 +40,7 @@ Image<std::array<uint8_t, 4>> drawnOrange(GlContext& context) {
 TEST_P(GlContextTest, saysWhatItIs) {
   const auto context = openTestContext(GetParam());
   EXPECT_EQ(context->info().provider, GetParam());
-  EXPECT_THAT(context->info().version, HasSubstr("4.5"));
+  EXPECT_GE(std::stod(context->info().version), 4.5);
   EXPECT_FALSE(context->info().renderer.empty());
   EXPECT_GE(context->info().maxTextureSize, 16384);  // what OpenGL 4.5 promises
   EXPECT_GE(context->info().maxStorageBytes, 1 << 27);

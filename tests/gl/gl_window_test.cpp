@@ -125,7 +125,7 @@ class GlWindowTest : public testing::Test {
 
 TEST_F(GlWindowTest, opensWithOpenGl45) {
   EXPECT_EQ(window_->context().info().provider, GlProvider::kWindow);
-  EXPECT_THAT(window_->context().info().version, testing::HasSubstr("4.5"));
+  EXPECT_GE(std::stod(window_->context().info().version), 4.5);
   const auto events = window_->poll();
   ASSERT_FALSE(events.empty());
   const auto* size = std::get_if<ResizeEvent>(&events.front());

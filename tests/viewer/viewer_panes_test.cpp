@@ -259,6 +259,21 @@ TEST(ShownSweep, fadesOverThePersistence) {
   EXPECT_NEAR(shownSweep(shown, profile).window.fadeRadians, kPi / 198, 1e-12);  // one slice
 }
 
+TEST(LooksSteady, onlyWhereNeitherScreenNorLightMoves) {
+  const DisplayProfile profile = loadProfile("perspecta");  // a refresh takes 1/24 s
+  DisplayShown shown;
+  EXPECT_TRUE(looksSteady(shown, profile));
+  shown.persistenceSeconds = 0.01;  // the light flickers
+  EXPECT_FALSE(looksSteady(shown, profile));
+  shown.persistenceSeconds = 5;
+  EXPECT_TRUE(looksSteady(shown, profile));
+  shown.speed = 0.5;  // the screen shows
+  EXPECT_FALSE(looksSteady(shown, profile));
+  shown.speed = 1;
+  shown.running = false;
+  EXPECT_FALSE(looksSteady(shown, profile));
+}
+
 TEST_P(ViewerPanesTest, anEyeInTheDisplayIsSaidSo) {
   TestViewer test(GetParam());
   test.key(Key::k4);

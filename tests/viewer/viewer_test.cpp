@@ -5,6 +5,7 @@
 
 #include "display_sim/viewer/viewer_run.h"
 #include "oc_core/base/error.h"
+#include "oc_core/gl/gl_api.h"
 #include "tests/viewer/test_viewer.h"
 
 namespace ocelli {
@@ -268,6 +269,136 @@ TEST_P(ViewerTest, everyCameraIsShownWithoutAnError) {
     EXPECT_FALSE(test.viewer.facts().messageIsError) << test.viewer.facts().message;
     EXPECT_TRUE(test.viewer.facts().data->rays) << test.viewer.state().work.camera.name;
   } while (test.viewer.state().work.camera.name != "di");
+}
+
+TEST_P(ViewerTest, aMeasurementThatIsHiddenHoldsNothingUp) {
+  TestViewer test(GetParam(), "builtin:teapot");
+  EXPECT_TRUE(test.viewer.facts().missing.has_value());
+  const ViewerScript script = viewerScriptFromJsonText(
+      R"({"size": [960, 640], "steps": [{"wait": "idle"}, {"key": "3"}, {"scroll": {"at": [700, 300], "up": 3}},
+          {"key": "2"}, {"save": "x.png"}, {"wait": "idle"}]})",
+      "script");
+  test.player.play(script);
+  EXPECT_TRUE(std::filesystem::exists(test.folder / "x.png"));
+  EXPECT_FALSE(test.viewer.isSettling());
+  EXPECT_FALSE(test.viewer.facts().missing.has_value());  // of an eye that has moved since
+  test.key(Key::k3);
+  test.settle();
+  EXPECT_TRUE(test.viewer.facts().missing.has_value());
+}
+
+TEST_P(ViewerTest, aHiddenReconstructionTellsNothingOfAnotherCamera) {
+  TestViewer test(GetParam());
+  test.key(Key::k2);
+  test.settle();
+  EXPECT_TRUE(test.viewer.facts().missing.has_value());  // still known
+  test.player.play(CameraStep{"di"});
+  test.settle();
+  EXPECT_FALSE(test.viewer.facts().missing.has_value());
+}
+
+thread_local int errorsToReport = 0;
+
+GLenum GLAD_API_PTR reportOutOfMemory() {
+  return errorsToReport-- > 0 ? GL_OUT_OF_MEMORY : GL_NO_ERROR;
+}
+
+GLenum GLAD_API_PTR reportReset() {
+  return GL_INNOCENT_CONTEXT_RESET;
+}
+
+TEST_P(ViewerTest, aPaneThatCannotBeDrawnSaysSoAndTheOthersGoOn) {
+  TestViewer test(GetParam());
+  const auto& failures = test.viewer.facts().failures;
+  test.context->functions().GetError = reportOutOfMemory;
+  errorsToReport = 1;
+  test.player.play(ResizeStep{900, 600, 1});  // panes of another size; the scene's is the first
+  EXPECT_THAT(failures[0], HasSubstr("not enough memory"));
+  test.key(Key::kM);
+  test.settle();
+  EXPECT_EQ(test.viewer.state().reconstruction.content, ReconstructionShown::Content::kPlain);
+  EXPECT_THAT(failures[0], HasSubstr("not enough memory"));  // it was not drawn since
+  for (const size_t other : {1U, 2U, 3U}) {
+    EXPECT_EQ(failures[other], "");
+  }
+  test.player.play(ResizeStep{TestViewer::kWidth, TestViewer::kHeight, 1});
+  EXPECT_EQ(failures[0], "");
+}
+
+TEST_P(ViewerTest, aMeasurementThatFailsIsNotTriedForEver) {
+  TestViewer test(GetParam());
+  const auto showFrame = [&] {
+    test.viewer.update(0);
+    test.viewer.draw();
+  };
+  test.key(Key::k3);
+  test.context->functions().GetError = reportOutOfMemory;
+  test.viewer.handle(KeyEvent{Key::kRight, true, {}});
+  showFrame();
+  EXPECT_TRUE(test.viewer.isSettling());
+  errorsToReport = 1;
+  showFrame();
+  EXPECT_THAT(test.viewer.facts().failures[2], HasSubstr("not enough memory"));
+  EXPECT_FALSE(test.viewer.isSettling());
+  test.key(Key::kLeft);
+  EXPECT_EQ(test.viewer.facts().failures[2], "");
+}
+
+TEST_P(ViewerTest, aLostContextEndsIt) {
+  TestViewer test(GetParam());
+  test.context->functions().GetGraphicsResetStatus = reportReset;
+  EXPECT_THROW(test.key(Key::kRight), GlError);
+}
+
+TEST_P(ViewerTest, aWindowRestsWhereNothingThatShowsChanges) {
+  TestViewer test(GetParam());
+  ASSERT_TRUE(test.viewer.state().display.running);
+  EXPECT_FALSE(test.viewer.isMoving());  // at full speed the display is one steady image
+  for (int i = 0; i < 6; ++i) {
+    test.key(Key::kComma);
+  }
+  test.settle();
+  EXPECT_TRUE(test.viewer.isMoving());
+  test.key(Key::k1);
+  test.settle();
+  EXPECT_FALSE(test.viewer.isMoving());
+  test.key(Key::k4);
+  EXPECT_TRUE(test.viewer.isMoving());
+  test.key(Key::kSpace);
+  EXPECT_FALSE(test.viewer.isMoving());
+}
+
+TEST_P(ViewerTest, aCameraWithoutAnImageSaysSo) {
+  TestViewer test(GetParam(), "builtin:teapot", "geometry");
+  ASSERT_TRUE(test.viewer.facts().data->camera);
+  const Image<Rgb8> image = test.paneImage(Pane::kReference);
+  EXPECT_GT(countDifferent(image, Image<Rgb8>(image.width(), image.height(), image(image.width() - 1, 0))), 300U);
+}
+
+TEST_P(ViewerTest, valuesOfThePanelChangeByKeys) {
+  TestViewer test(GetParam());
+  test.key(Key::kF6);
+  test.key(Key::kDown);   // the scene
+  test.key(Key::kDown);   // the list of cameras
+  test.key(Key::kSpace);  // opens
+  test.key(Key::kDown);
+  test.key(Key::kSpace);
+  EXPECT_NE(test.viewer.state().work.camera.name, "ddoc");
+}
+
+TEST_P(ViewerTest, stepsAfterTheViewerHasClosedAreAnError) {
+  TestViewer test(GetParam());
+  const auto script = [](const std::string& steps) {
+    return viewerScriptFromJsonText(R"({"size": [960, 640], "steps": [)" + steps + "]}", "script");
+  };
+  try {
+    test.player.play(script(R"({"key": "H"}, {"key": "Ctrl+Q"}, {"save": "after.png"}, {"key": "H"})"));
+    FAIL() << "nothing was thrown";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("step 2 closed the viewer; 2 steps are left"));
+  }
+  TestViewer last(GetParam());
+  EXPECT_NO_THROW(last.player.play(script(R"({"key": "Ctrl+Q"})")));
 }
 
 TEST(ViewerScripts, theSameScriptGivesTheSameBytesOnEglAndOsMesa) {

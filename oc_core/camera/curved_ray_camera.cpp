@@ -1,0 +1,237 @@
+#include "oc_core/camera/curved_ray_camera.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "oc_core/base/error.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kPixelRounding = 1e-7;
+constexpr double kHeightRounding = 1e-10;
+/// How far from one line the planes of a turn may meet, relative to the unit length of their normals.
+constexpr double kLineRounding = 1e-6;
+/// Points of an arc in a ray path, where the path has room for so many.
+constexpr size_t kArcPoints = 24;
+
+[[noreturn]] void fail(size_t number, const std::string& what, const std::string& next) {
+  throw InputError(what, "curved ray camera, turn " + std::to_string(number), next);
+}
+
+void requireCommonLine(const TransitionPlanes& planes, size_t number) {
+  for (const Plane* plane : {&planes.from, &planes.middle, &planes.to}) {
+    if (!(std::abs(glm::length(plane->normal) - 1) < kLineRounding) || !std::isfinite(plane->distance)) {
+      fail(number, "a plane is not finite, or its normal has no length", "give finite numbers");
+    }
+  }
+  const glm::dvec3 along = glm::cross(planes.from.normal, planes.to.normal);
+  if (!(glm::length(along) > kLineRounding)) {
+    fail(number, "its first and its last plane are parallel, or one", "turn them apart");
+  }
+  const glm::dvec3 point = (glm::cross(planes.to.normal, along) * planes.from.distance +
+                            glm::cross(along, planes.from.normal) * planes.to.distance) /
+                           glm::dot(along, along);
+  if (!(std::abs(glm::dot(planes.middle.normal, glm::normalize(along))) < kLineRounding) ||
+      !(std::abs(planes.middle.height(point)) < kLineRounding * (1 + glm::length(point)))) {
+    fail(number, "its planes do not meet in a line", "let the middle plane pass the line where the others meet");
+  }
+}
+
+}  // namespace
+
+CurvedRayCamera::CurvedRayCamera(const PinholeCamera& root)
+    : root_(root), pixelFromWorld_{ocelli::pixelFromWorld(root)} {}
+
+void CurvedRayCamera::turn(const TransitionPlanes& planes, const glm::dvec3& viewpoint) {
+  const size_t number = turns_.size() + 1;
+  if (number > kMostTurns) {
+    fail(number, "there are more than " + std::to_string(kMostTurns) + " turns", "use fewer");
+  }
+  requireCommonLine(planes, number);
+  if (!std::isfinite(glm::length(viewpoint)) || !(planes.middle.height(viewpoint) < -kHeightRounding) ||
+      !(planes.to.height(viewpoint) < -kHeightRounding)) {
+    fail(number, "its viewpoint does not lie before its middle and last plane", "move the viewpoint or the planes");
+  }
+  const glm::dvec3 before = turns_.empty() ? glm::dvec3(root_.eye()) : turns_.back().beyond();
+  const double width = root_.width();
+  const double height = root_.height();
+  const glm::dvec3 along = glm::normalize(glm::cross(planes.from.normal, planes.to.normal));
+  const glm::dvec3 axis = viewpoint - before;
+  glm::dvec3 border(0);
+  double farthest = -1;
+  double side = 0;
+  for (const glm::dvec2 corner :
+       {glm::dvec2(0, 0), glm::dvec2(width, 0), glm::dvec2(width, height), glm::dvec2(0, height)}) {
+    const Segment ray = segmentAfter(turns_.size(), corner);
+    double last = ray.z;
+    for (const Plane* plane : {&planes.from, &planes.middle}) {
+      const double forward = glm::dot(plane->normal, ray.direction);
+      const double z = ray.z - plane->height(ray.from) / forward;
+      if (!(forward > 0) || !(z > last) || !(z < static_cast<double>(root_.view().zFar))) {
+        fail(number, "not every ray crosses its planes in order, behind the turn before and before zFar",
+             "move its planes, or turn them towards the rays");
+      }
+      last = z;
+    }
+    const glm::dvec3 s = planes.middle.crossing(ray.from, ray.from + ray.direction);
+    const glm::dvec3 onward = glm::normalize(s - viewpoint);
+    if (!(glm::dot(planes.to.normal, onward) > 0) || !(planes.to.height(s) < -kHeightRounding)) {
+      fail(number, "not every ray crosses its planes in order", "move its last plane, or turn it towards the rays");
+    }
+    // How far from the line where the planes meet.
+    const double fromLine = planes.from.height(s) / glm::length(glm::cross(planes.from.normal, planes.middle.normal));
+    if (fromLine > farthest) {
+      farthest = fromLine;
+      border = s;
+    }
+    const double across = glm::dot(glm::cross(axis, s - before), along);
+    if (glm::length(axis) > kHeightRounding && (!(std::abs(across) > kHeightRounding) || across * side < 0)) {
+      fail(number, "its viewpoint is moved along the line where its planes meet, as some ray sees it",
+           "move the viewpoint across that line");
+    }
+    side = across;
+  }
+  turns_.emplace_back(planes, before, viewpoint, border);
+  pixelFromWorld_.push_back(pixelFromWorld_.back() * ontoPlane(planes.middle, viewpoint));
+}
+
+CurvedRayCamera::Segment CurvedRayCamera::rootSegment(const glm::dvec2& pixel) const {
+  const glm::dvec2 offset = (pixel - glm::dvec2(root_.centerPixels())) / static_cast<double>(root_.focalPixels());
+  const glm::dvec3 direction =
+      glm::dvec3(root_.right()) * offset.x + glm::dvec3(root_.down()) * offset.y + glm::dvec3(root_.forward());
+  const double z = static_cast<double>(root_.view().zNear);
+  return {glm::dvec3(root_.eye()) + direction * z, direction, z};
+}
+
+RayTransition::Arc CurvedRayCamera::arcOf(const Segment& segment, size_t turn) const {
+  return turns_[turn].arcThrough(turns_[turn].planes().middle.crossing(segment.from, segment.from + segment.direction));
+}
+
+CurvedRayCamera::Segment CurvedRayCamera::behind(const Segment& segment, const RayTransition::Arc& arc,
+                                                 size_t turn) const {
+  const double speed = glm::length(segment.direction);
+  return {arc.q, glm::normalize(arc.q - turns_[turn].beyond()) * speed, segment.zOf(arc.t) + arc.length() / speed};
+}
+
+CurvedRayCamera::Segment CurvedRayCamera::segmentAfter(size_t turns, const glm::dvec2& pixel) const {
+  Segment segment = rootSegment(pixel);
+  for (size_t i = 0; i < turns; ++i) {
+    segment = behind(segment, arcOf(segment, i), i);
+  }
+  return segment;
+}
+
+/// Where a point is seen that lies on the straight piece of a ray after so many turns, or its prolongation.
+std::optional<glm::dvec2> CurvedRayCamera::pixelOf(size_t turns, const glm::dvec3& point, double rounding) const {
+  const glm::dvec4 h = pixelFromWorld_[turns] * glm::dvec4(point, 1);
+  const glm::dvec2 pixel(h.x / h.w, h.y / h.w);
+  const bool inside = h.w > 0 && pixel.x >= -rounding && pixel.y >= -rounding && pixel.x <= width() + rounding &&
+                      pixel.y <= height() + rounding;
+  return inside ? std::optional(pixel) : std::nullopt;
+}
+
+std::optional<ExactImagePoint> CurvedRayCamera::inStretch(size_t turns, const glm::dvec3& point,
+                                                          double rounding) const {
+  const bool begun = turns == 0 ? glm::dot(glm::dvec3(root_.forward()), point - glm::dvec3(root_.eye())) >=
+                                      static_cast<double>(root_.view().zNear) - kHeightRounding
+                                : turns_[turns - 1].planes().to.height(point) >= -kHeightRounding;
+  const bool ended = turns < turns_.size() && turns_[turns].planes().from.height(point) > 0;
+  if (!begun || ended) {
+    return std::nullopt;
+  }
+  const std::optional<glm::dvec2> pixel = pixelOf(turns, point, rounding);
+  return pixel ? std::optional(ExactImagePoint{pixel->x, pixel->y, segmentAfter(turns, *pixel).zOf(point)})
+               : std::nullopt;
+}
+
+std::optional<ExactImagePoint> CurvedRayCamera::inTurn(size_t turn, const glm::dvec3& point, double rounding) const {
+  const RayTransition& transition = turns_[turn];
+  if (!(transition.planes().from.height(point) >= 0) || !(transition.planes().to.height(point) <= 0)) {
+    return std::nullopt;
+  }
+  const std::optional<RayTransition::Place> place = transition.find(point);
+  const std::optional<glm::dvec2> pixel = place ? pixelOf(turn, place->arc.s, rounding) : std::nullopt;
+  if (!pixel) {
+    return std::nullopt;
+  }
+  const Segment segment = segmentAfter(turn, *pixel);
+  const double advance = transition.shareAt(*place) * place->arc.length() / glm::length(segment.direction);
+  return ExactImagePoint{pixel->x, pixel->y, segment.zOf(place->arc.t) + advance};
+}
+
+std::optional<ExactImagePoint> CurvedRayCamera::projectExactly(const glm::dvec3& worldPoint) const {
+  std::optional<ExactImagePoint> q;
+  for (const double rounding : {kPixelRounding, kSinglePixelRounding}) {
+    for (size_t i = 0; !q && i <= turns_.size(); ++i) {
+      q = inStretch(i, worldPoint, rounding);
+      if (!q && i < turns_.size()) {
+        q = inTurn(i, worldPoint, rounding);
+      }
+    }
+  }
+  if (!q) {
+    // As a pinhole it has an image beyond the borders too.
+    const glm::dvec4 h = pixelFromWorld_[0] * glm::dvec4(worldPoint, 1);
+    q = ExactImagePoint{h.x / h.w, h.y / h.w, h.w};
+    const bool beyond = q->u < 0 || q->v < 0 || q->u > width() || q->v > height();
+    if (!(h.w >= static_cast<double>(root_.view().zNear)) || !beyond) {
+      return std::nullopt;
+    }
+  }
+  const bool inDepth = q->z <= static_cast<double>(root_.view().zFar) * (1 + kSingleDepthRounding);
+  return inDepth && std::isfinite(q->u) && std::isfinite(q->v) ? q : std::nullopt;
+}
+
+std::optional<glm::dvec3> CurvedRayCamera::unprojectExactly(const ExactImagePoint& q) const {
+  if (!(q.z >= static_cast<double>(root_.view().zNear) && q.z <= static_cast<double>(root_.view().zFar)) ||
+      !std::isfinite(q.u) || !std::isfinite(q.v)) {
+    return std::nullopt;
+  }
+  Segment segment = rootSegment({q.u, q.v});
+  for (size_t i = 0; i < turns_.size(); ++i) {
+    const RayTransition::Arc arc = arcOf(segment, i);
+    const double begin = segment.zOf(arc.t);
+    if (q.z <= begin) {
+      break;
+    }
+    const Segment next = behind(segment, arc, i);
+    if (q.z < next.z) {
+      return arc.at(turns_[i].parameterAt(arc, (q.z - begin) / (next.z - begin)));
+    }
+    segment = next;
+  }
+  return segment.from + segment.direction * (q.z - segment.z);
+}
+
+std::optional<ImagePoint> CurvedRayCamera::project(const glm::vec3& worldPoint) const {
+  return inSinglePrecision(projectExactly(glm::dvec3(worldPoint)));
+}
+
+std::optional<glm::vec3> CurvedRayCamera::unproject(const ImagePoint& q) const {
+  const std::optional<glm::dvec3> point =
+      unprojectExactly({static_cast<double>(q.u), static_cast<double>(q.v), static_cast<double>(q.z)});
+  return point ? std::optional(glm::vec3(*point)) : std::nullopt;
+}
+
+RayPath CurvedRayCamera::rayPath(const glm::vec2& pixel) const {
+  RayPath path;
+  if (!std::isfinite(pixel.x) || !std::isfinite(pixel.y)) {
+    return path;
+  }
+  Segment segment = rootSegment(glm::dvec2(pixel));
+  path.push_back(glm::vec3(segment.from));
+  const size_t points = std::min(kArcPoints, (RayPath::kMostPoints - 2) / std::max<size_t>(turns_.size(), 1));
+  for (size_t i = 0; i < turns_.size(); ++i) {
+    const RayTransition::Arc arc = arcOf(segment, i);
+    for (size_t k = 0; k < points; ++k) {
+      path.push_back(glm::vec3(arc.at(static_cast<double>(k) / static_cast<double>(points - 1))));
+    }
+    segment = behind(segment, arc, i);
+  }
+  path.push_back(glm::vec3(segment.from + segment.direction * (static_cast<double>(root_.view().zFar) - segment.z)));
+  return path;
+}
+
+}  // namespace ocelli

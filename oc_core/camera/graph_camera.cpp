@@ -1,0 +1,357 @@
+#include "oc_core/camera/graph_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+#include <limits>
+
+#include "oc_core/base/error.h"
+
+namespace ocelli {
+namespace {
+
+/// What rounding of pixels and heights may amount to: coordinates of 1e4 in double precision, with room for chains of
+/// turns.
+constexpr double kPixelRounding = 1e-7;
+constexpr double kHeightRounding = 1e-10;
+/// Parts with less than this many square pixels hold no rays.
+constexpr double kLeastArea = 1e-6;
+
+double cross(const glm::dvec2& a, const glm::dvec2& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+double areaOf(const GraphCamera::Part& part) {
+  double twice = 0;
+  for (size_t i = 0; i < part.size(); ++i) {
+    twice += cross(part[i], part[(i + 1) % part.size()]);
+  }
+  return twice / 2;
+}
+
+/// How far to the right of the edge a -> b, pixels: inside, for parts that run clockwise as seen.
+double insideEdge(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& pixel) {
+  return cross(b - a, pixel - a) / glm::length(b - a);
+}
+
+/// The least of these over all edges.
+double inside(const GraphCamera::Part& part, const glm::dvec2& pixel) {
+  double least = std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < part.size(); ++i) {
+    least = std::min(least, insideEdge(part[i], part[(i + 1) % part.size()], pixel));
+  }
+  return least;
+}
+
+GraphCamera::Part clippedTo(GraphCamera::Part part, const GraphCamera::Part& by) {
+  for (size_t i = 0; i < by.size() && !part.empty(); ++i) {
+    part = GraphCamera::cut(part, by[i], by[(i + 1) % by.size()]).first;
+  }
+  return part;
+}
+
+}  // namespace
+
+GraphCamera::GraphCamera(const PinholeCamera& root) : root_(root) {
+  const double width = root.width();
+  const double height = root.height();
+  const glm::dvec3 forward(root.forward());
+  const glm::dvec3 eye(root.eye());
+  Frustum frustum{"root",
+                  -1,
+                  eye,
+                  Plane::through(eye + forward * static_cast<double>(root.view().zNear), forward),
+                  {{0, 0}, {width, 0}, {width, height}, {0, height}}};
+  frustum.pixelFromWorld = ocelli::pixelFromWorld(root);
+  frusta_.push_back(frustum);
+}
+
+void GraphCamera::fail(const std::string& name, const std::string& what, const std::string& next) const {
+  throw InputError(what, "graph camera, frustum \"" + name + "\"", next);
+}
+
+std::pair<GraphCamera::Part, GraphCamera::Part> GraphCamera::cut(const Part& part, const glm::dvec2& from,
+                                                                 const glm::dvec2& to) {
+  std::pair<Part, Part> halves;
+  for (size_t i = 0; i < part.size(); ++i) {
+    const glm::dvec2& a = part[i];
+    const glm::dvec2& b = part[(i + 1) % part.size()];
+    const double sideA = insideEdge(from, to, a);
+    const double sideB = insideEdge(from, to, b);
+    if (sideA >= 0) {
+      halves.first.push_back(a);
+    }
+    if (sideA <= 0) {
+      halves.second.push_back(a);
+    }
+    if ((sideA > 0 && sideB < 0) || (sideA < 0 && sideB > 0)) {
+      const glm::dvec2 crossing = a + (b - a) * (sideA / (sideA - sideB));
+      halves.first.push_back(crossing);
+      halves.second.push_back(crossing);
+    }
+  }
+  for (Part* half : {&halves.first, &halves.second}) {
+    if (areaOf(*half) < kLeastArea) {
+      half->clear();
+    }
+  }
+  return halves;
+}
+
+int GraphCamera::bend(int i, const Turn& turn, const std::string& name, const Part& wanted) {
+  OC_CHECK(i >= 0 && static_cast<size_t>(i) < frusta_.size(), "there is no such frustum");
+  if (frusta_.size() >= kMostFrusta) {
+    fail(name, "there are more than " + std::to_string(kMostFrusta) + " frusta", "build fewer");
+  }
+  size_t turns = 1;
+  for (int k = i; k != kRoot; k = frusta_[static_cast<size_t>(k)].parent) {
+    ++turns;
+  }
+  if (turns > kMostTurns) {
+    fail(name, "its rays turn more than " + std::to_string(kMostTurns) + " times", "build fewer turns");
+  }
+  const Frustum& parent = frusta_[static_cast<size_t>(i)];
+  const Part part = wanted.empty() ? parent.part : wanted;
+  const double size = glm::length(turn.plane.normal);
+  if (!(std::abs(size - 1) < 1e-6) || !std::isfinite(turn.plane.distance) ||
+      !std::isfinite(glm::length(turn.viewpoint))) {
+    fail(name, "its plane or its viewpoint is not finite, or the normal has no length", "give finite numbers");
+  }
+  for (size_t k = 0; k < part.size(); ++k) {
+    const glm::dvec2& next = part[(k + 1) % part.size()];
+    if (!(inside(part, next) >= -kPixelRounding)) {  // not for coordinates that are none
+      fail(name, "its part of the image is not convex, or its corners do not run clockwise", "order its corners");
+    }
+    if (!(inside(parent.part, part[k]) >= -kPixelRounding)) {
+      fail(name, "its part of the image is not within that of \"" + parent.name + "\"", "make it smaller");
+    }
+  }
+  if (part.size() < 3 || !(areaOf(part) >= kLeastArea)) {
+    fail(name, "its part of the image is empty", "make it larger");
+  }
+  for (const int child : parent.children) {
+    if (areaOf(clippedTo(part, frusta_[static_cast<size_t>(child)].part)) > kLeastArea) {
+      fail(name, "it takes rays that \"" + frusta_[static_cast<size_t>(child)].name + "\" has",
+           "make parts that do not overlap");
+    }
+  }
+  if (!(turn.plane.height(turn.viewpoint) < -kHeightRounding)) {
+    fail(name, "its viewpoint does not lie before its plane",
+         "move the viewpoint to the side that \"" + parent.name + "\" comes from");
+  }
+  // Each corner's ray crosses the plane after that of the parent, from before it, and before zFar.
+  for (const glm::dvec2& corner : part) {
+    const Segment ray = segmentIn(i, corner);
+    const double along = glm::dot(turn.plane.normal, ray.direction);
+    const double before = turn.plane.height(ray.from);
+    if (!(along > 0 && before < -kHeightRounding && ray.z - before / along < root_.view().zFar)) {
+      fail(name,
+           "not every ray of \"" + parent.name + "\" in its part crosses its plane, from before it and before zFar",
+           "turn the plane towards those rays, move it, or make the part smaller");
+    }
+  }
+  Frustum frustum{name, i, turn.viewpoint, turn.plane, part};
+  frustum.pixelFromWorld = parent.pixelFromWorld * ontoPlane(turn.plane, turn.viewpoint);
+  const int index = static_cast<int>(frusta_.size());
+  frusta_[static_cast<size_t>(i)].children.push_back(index);
+  frusta_.push_back(std::move(frustum));
+  return index;
+}
+
+std::pair<int, int> GraphCamera::split(int i, const Turn& one, const Turn& other, const std::string& oneName,
+                                       const std::string& otherName) {
+  const Frustum& parent = frusta_[static_cast<size_t>(i)];
+  // Two points of the line where the planes meet, as the frustum sees them.
+  const glm::dvec3 along = glm::cross(one.plane.normal, other.plane.normal);
+  if (!(glm::length(along) > 1e-9)) {
+    fail(oneName, "its plane is parallel to that of \"" + otherName + "\"", "turn the planes to different sides");
+  }
+  const glm::dvec3 point = (glm::cross(other.plane.normal, along) * one.plane.distance +
+                            glm::cross(along, one.plane.normal) * other.plane.distance) /
+                           glm::dot(along, along);
+  const auto image = [&](const glm::dvec4& p) { return parent.pixelFromWorld * p; };
+  const glm::dvec4 a = image(glm::dvec4(point, 1));
+  const glm::dvec4 b = image(glm::dvec4(glm::normalize(along), 0));
+  // The line through both, in homogeneous coordinates: also where one of them is at infinity.
+  const glm::dvec3 line = glm::cross(glm::dvec3(a.x, a.y, a.w), glm::dvec3(b.x, b.y, b.w));
+  const glm::dvec2 normal(line.x, line.y);
+  if (!(glm::length(normal) > 0)) {
+    fail(oneName, "its plane meets that of \"" + otherName + "\" out of sight", "move the planes");
+  }
+  const glm::dvec2 nearest = -normal * (line.z / glm::dot(normal, normal));
+  const glm::dvec2 direction(normal.y, -normal.x);
+  auto [first, second] = cut(parent.part, nearest, nearest + direction);
+  if (first.empty() || second.empty()) {
+    fail(oneName, "its plane meets that of \"" + otherName + "\" out of the sight of \"" + parent.name + "\"",
+         "move the planes until the line where they meet is in view, or bend instead");
+  }
+  // The plane that the rays of the first half cross first.
+  glm::dvec2 middle(0);
+  for (const glm::dvec2& corner : first) {
+    middle += corner / static_cast<double>(first.size());
+  }
+  const Segment ray = segmentIn(i, middle);
+  const auto way = [&](const Plane& plane) {
+    const double advance = -plane.height(ray.from) / glm::dot(plane.normal, ray.direction);
+    return advance > 0 ? advance : std::numeric_limits<double>::infinity();
+  };
+  if (way(other.plane) < way(one.plane)) {
+    std::swap(first, second);
+  }
+  // Both or none.
+  GraphCamera changed = *this;
+  const int a1 = changed.bend(i, one, oneName, first);
+  const int a2 = changed.bend(i, other, otherName, second);
+  *this = std::move(changed);
+  return {a1, a2};
+}
+
+std::pair<int, int> GraphCamera::merge(int i, int j, const Turn& turn, const std::string& name) {
+  GraphCamera changed = *this;
+  const int one = changed.bend(i, turn, name + " of " + frusta_[static_cast<size_t>(i)].name);
+  const int other = changed.bend(j, turn, name + " of " + frusta_[static_cast<size_t>(j)].name);
+  *this = std::move(changed);
+  return {one, other};
+}
+
+int GraphCamera::childAt(int i, const glm::dvec2& pixel) const {
+  for (const int child : frusta_[static_cast<size_t>(i)].children) {
+    if (inside(frusta_[static_cast<size_t>(child)].part, pixel) >= -kPixelRounding) {
+      return child;
+    }
+  }
+  return -1;
+}
+
+GraphCamera::Segment GraphCamera::rootSegment(const glm::dvec2& pixel) const {
+  const glm::dvec2 offset = (pixel - glm::dvec2(root_.centerPixels())) / static_cast<double>(root_.focalPixels());
+  const glm::dvec3 direction =
+      glm::dvec3(root_.right()) * offset.x + glm::dvec3(root_.down()) * offset.y + glm::dvec3(root_.forward());
+  const double z = static_cast<double>(root_.view().zNear);
+  return {glm::dvec3(root_.eye()) + direction * z, direction, z};
+}
+
+GraphCamera::Segment GraphCamera::next(const Segment& segment, int i) const {
+  const Frustum& child = frusta_[static_cast<size_t>(i)];
+  const double advance = -child.plane.height(segment.from) / glm::dot(child.plane.normal, segment.direction);
+  const glm::dvec3 from = segment.from + segment.direction * advance;
+  const glm::dvec3 direction = glm::normalize(from - child.viewpoint) * glm::length(segment.direction);
+  return {from, direction, segment.z + advance};
+}
+
+GraphCamera::Segment GraphCamera::segmentIn(int i, const glm::dvec2& pixel) const {
+  return i == kRoot ? rootSegment(pixel) : next(segmentIn(frusta_[static_cast<size_t>(i)].parent, pixel), i);
+}
+
+/// Calls `visit(frustum, segment)` along the ray of a pixel until it returns false.
+template <class Visit>
+void GraphCamera::walk(const glm::dvec2& pixel, const Visit& visit) const {
+  Segment segment = rootSegment(pixel);
+  for (int i = kRoot; visit(i, segment);) {
+    i = childAt(i, pixel);
+    if (i < 0) {
+      return;
+    }
+    segment = next(segment, i);
+  }
+}
+
+bool GraphCamera::holds(int i, const glm::dvec3& point, double pixelRounding) const {
+  const Frustum& frustum = frusta_[static_cast<size_t>(i)];
+  if (!(frustum.plane.height(point) >= -kHeightRounding)) {
+    return false;
+  }
+  const glm::dvec4 h = frustum.pixelFromWorld * glm::dvec4(point, 1);
+  const glm::dvec2 pixel(h.x / h.w, h.y / h.w);
+  if (!(h.w > 0) || !(inside(frustum.part, pixel) >= -pixelRounding)) {
+    return false;
+  }
+  const int child = childAt(i, pixel);
+  return child < 0 || frusta_[static_cast<size_t>(child)].plane.height(point) <= 0;
+}
+
+int GraphCamera::frustumOf(const glm::dvec3& worldPoint) const {
+  for (const double rounding : {kPixelRounding, kSinglePixelRounding}) {
+    for (int i = 0; i < static_cast<int>(frusta_.size()); ++i) {
+      if (holds(i, worldPoint, rounding)) {
+        return i;
+      }
+    }
+  }
+  return -1;
+}
+
+double GraphCamera::depth(int i, const glm::dvec3& point) const {
+  double length = 0;
+  glm::dvec3 at = point;
+  for (; i != kRoot; i = frusta_[static_cast<size_t>(i)].parent) {
+    const Frustum& frustum = frusta_[static_cast<size_t>(i)];
+    const glm::dvec3 crossing = frustum.plane.crossing(frustum.viewpoint, at);
+    length += glm::distance(crossing, at);
+    at = crossing;
+  }
+  const glm::dvec3 first = at - glm::dvec3(root_.eye());
+  const double z = glm::dot(glm::dvec3(root_.forward()), first);
+  return z + length * z / glm::length(first);
+}
+
+std::optional<ExactImagePoint> GraphCamera::projectExactly(const glm::dvec3& worldPoint) const {
+  int i = frustumOf(worldPoint);
+  if (i < 0) {
+    // As a pinhole the root has an image beyond the borders too.
+    const glm::dvec4 h = frusta_[kRoot].pixelFromWorld * glm::dvec4(worldPoint, 1);
+    const glm::dvec2 pixel(h.x / h.w, h.y / h.w);
+    if (!(frusta_[kRoot].plane.height(worldPoint) >= -kHeightRounding) || !(inside(frusta_[kRoot].part, pixel) < 0)) {
+      return std::nullopt;
+    }
+    i = kRoot;
+  }
+  const glm::dvec4 h = frusta_[static_cast<size_t>(i)].pixelFromWorld * glm::dvec4(worldPoint, 1);
+  const ExactImagePoint q{h.x / h.w, h.y / h.w, depth(i, worldPoint)};
+  const bool inDepth = q.z <= static_cast<double>(root_.view().zFar) * (1 + kSingleDepthRounding);
+  return inDepth && std::isfinite(q.u) && std::isfinite(q.v) ? std::optional(q) : std::nullopt;
+}
+
+std::optional<glm::dvec3> GraphCamera::unprojectExactly(const ExactImagePoint& q) const {
+  if (!(q.z >= static_cast<double>(root_.view().zNear) && q.z <= static_cast<double>(root_.view().zFar)) ||
+      !std::isfinite(q.u) || !std::isfinite(q.v)) {
+    return std::nullopt;
+  }
+  glm::dvec3 point(0);
+  walk({q.u, q.v}, [&](int, const Segment& segment) {
+    if (segment.z > q.z) {
+      return false;
+    }
+    point = segment.from + segment.direction * (q.z - segment.z);
+    return true;
+  });
+  return point;
+}
+
+std::optional<ImagePoint> GraphCamera::project(const glm::vec3& worldPoint) const {
+  return inSinglePrecision(projectExactly(glm::dvec3(worldPoint)));
+}
+
+std::optional<glm::vec3> GraphCamera::unproject(const ImagePoint& q) const {
+  const std::optional<glm::dvec3> point =
+      unprojectExactly({static_cast<double>(q.u), static_cast<double>(q.v), static_cast<double>(q.z)});
+  return point ? std::optional(glm::vec3(*point)) : std::nullopt;
+}
+
+RayPath GraphCamera::rayPath(const glm::vec2& pixel) const {
+  RayPath path;
+  if (!std::isfinite(pixel.x) || !std::isfinite(pixel.y)) {
+    return path;
+  }
+  glm::dvec3 end(0);
+  walk(glm::dvec2(pixel), [&](int, const Segment& segment) {
+    path.push_back(glm::vec3(segment.from));
+    end = segment.from + segment.direction * (static_cast<double>(root_.view().zFar) - segment.z);
+    return true;
+  });
+  path.push_back(glm::vec3(end));
+  return path;
+}
+
+}  // namespace ocelli

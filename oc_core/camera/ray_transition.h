@@ -1,0 +1,92 @@
+// The transition of the curved ray camera (section 4.2.2, Appendix B): where rays that come from one viewpoint, C0,
+// turn into rays of another, C1, along conics that are tangent to both.
+//
+// Three planes t0, t1 and t2 that meet in a line l define it. A ray meets t0 at T and would meet t1 at S; the ray of C1
+// through S meets t2 at Q. In an epipolar plane, one through C0 and C1, one ray is the quadratic Bezier arc over its T,
+// S and Q (Equation 4.1). All others are images of that arc b under the perspective collineation whose centre is A, the
+// point of l in the plane, and whose axis is the line C0C1; it takes t0, t1 and t2 into themselves. So they are
+// rational Bezier arcs, over T, S and Q, whose weights are those that the collineation gives the control points of b.
+//
+// To project P is to find the point P_n of b on the line AP, a root of a quadratic; P and P_n then say which
+// collineation it is, and that takes the S of b to the S of the ray. This is the construction of 4.2.2.1, but it holds
+// up next to t2 too, where the line P_nQ_n of the text is not defined.
+//
+// The arc b is that of the rays through a line in t1 parallel to l: the border of the image, as far from l as any ray
+// is (the text's "left-most" ray). Weights are positive then.
+#pragma once
+
+#include <optional>
+
+#include "oc_core/camera/plane.h"
+
+namespace ocelli {
+
+/// Normals point the way that rays run.
+struct TransitionPlanes {
+  Plane from;    ///< t0
+  Plane middle;  ///< t1
+  Plane to;      ///< t2
+};
+
+class RayTransition {
+ public:
+  /// Where a ray turns: its control points, and their weights.
+  struct Arc {
+    glm::dvec3 t{0};
+    glm::dvec3 s{0};
+    glm::dvec3 q{0};
+    glm::dvec3 weights{1};
+
+    glm::dvec3 at(double parameter) const;
+    /// Its direction at the parameter, not normalised.
+    glm::dvec3 tangent(double parameter) const;
+    /// Length of the control polygon.
+    double length() const { return glm::distance(t, s) + glm::distance(s, q); }
+  };
+  /// The arc that a point lies on, and where.
+  struct Place {
+    Arc arc;
+    double parameter = 0;
+  };
+
+  /// `border` is a point of t1 that no ray passes farther away from l. The planes meet in a line, which is not parallel
+  /// to the line C0C1.
+  RayTransition(const TransitionPlanes& planes, const glm::dvec3& before, const glm::dvec3& beyond,
+                const glm::dvec3& border);
+
+  const TransitionPlanes& planes() const { return planes_; }
+  const glm::dvec3& before() const { return before_; }  ///< C0
+  const glm::dvec3& beyond() const { return beyond_; }  ///< C1
+
+  /// The arc of the ray that meets t1 at S.
+  Arc arcThrough(const glm::dvec3& s) const;
+  /// For a point between t0 and t2. Nothing where its epipolar plane holds no arc.
+  std::optional<Place> find(const glm::dvec3& point) const;
+
+  /// How far along an arc a point is, from 0 to 1: for a ray that does not turn, the share of its length. It grows
+  /// along every arc.
+  double shareAt(const Place& place) const;
+  /// The parameter at which the share is so much.
+  double parameterAt(const Arc& arc, double share) const;
+
+ private:
+  /// What an epipolar plane holds: A, the control points of b, and how far these are from the line C0C1.
+  struct Epipolar {
+    glm::dvec3 normal{0};
+    glm::dvec3 a{0};
+    Arc b;
+    glm::dvec3 heights{0};
+  };
+  std::optional<Epipolar> epipolarThrough(const glm::dvec3& point) const;
+  Arc arcOf(const glm::dvec3& s, const glm::dvec3& weights) const;
+
+  TransitionPlanes planes_;
+  glm::dvec3 before_;
+  glm::dvec3 beyond_;
+  glm::dvec3 linePoint_{0};      ///< of l
+  glm::dvec3 lineDirection_{0};  ///< of l, and of the border in t1
+  glm::dvec3 border_;
+  bool straight_;  ///< C0 is C1: rays do not turn
+};
+
+}  // namespace ocelli

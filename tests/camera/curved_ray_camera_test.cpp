@@ -1,0 +1,223 @@
+#include "oc_core/camera/curved_ray_camera.h"
+
+#include <gmock/gmock.h>
+
+#include <random>
+
+#include "oc_core/base/error.h"
+#include "tests/camera/test_curved_cameras.h"
+
+namespace ocelli {
+namespace {
+
+using test::planesThrough;
+using test::rightTurn;
+using test::smallCamera;
+using test::turningRight;
+using test::turningTwice;
+using testing::HasSubstr;
+
+/// The same numbers on every platform.
+class Numbers {
+ public:
+  double between(double least, double most) {
+    return least + (most - least) * static_cast<double>(generator_()) / 4294967295.0;
+  }
+
+ private:
+  std::mt19937 generator_{11};
+};
+
+std::string messageOfTurn(const TransitionPlanes& planes, const glm::dvec3& viewpoint) {
+  try {
+    CurvedRayCamera(smallCamera()).turn(planes, viewpoint);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+/// Where the line through a and b meets that through c and d, all in a plane.
+glm::dvec3 meet(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
+  const glm::dvec3 normal = glm::cross(b - a, glm::cross(b - a, d - c));
+  return c + (d - c) * (glm::dot(normal, a - c) / glm::dot(normal, d - c));
+}
+
+TEST(CurvedRayCamera, projectionAndRaysAreInverse) {
+  for (const CurvedRayCamera& camera :
+       {turningRight(), turningTwice(), turningTwice(PinholeCamera(View{}, 1920, 1200))}) {
+    Numbers numbers;
+    double worstPixel = 0;
+    double worstPoint = 0;
+    size_t inTurns = 0;
+    for (int i = 0; i < 1000000; ++i) {
+      const ExactImagePoint q{numbers.between(0, camera.width()), numbers.between(0, camera.height()),
+                              numbers.between(5, 30)};
+      const auto point = camera.unprojectExactly(q);
+      ASSERT_TRUE(point);
+      const TransitionPlanes& planes = camera.turns()[0].planes();
+      inTurns += planes.from.height(*point) > 0 && planes.to.height(*point) < 0;
+      const auto back = camera.projectExactly(*point);
+      ASSERT_TRUE(back) << q.u << ' ' << q.v << ' ' << q.z;
+      const auto again = camera.unprojectExactly(*back);
+      ASSERT_TRUE(again);
+      worstPoint = std::max(worstPoint, glm::distance(*again, *point) / q.z);
+      worstPixel = std::max({worstPixel, std::abs(back->u - q.u) / camera.width(),
+                             std::abs(back->v - q.v) / camera.height(), std::abs(back->z - q.z) / q.z});
+    }
+    EXPECT_GT(inTurns, 50000u);
+    EXPECT_LT(worstPixel, 1e-6);
+    EXPECT_LT(worstPoint, 1e-6);
+  }
+}
+
+// The five steps of section 4.2.2.1, as the text has them.
+TEST(CurvedRayCamera, projectsAsTheTextDoes) {
+  const CurvedRayCamera camera = turningRight();
+  const RayTransition& turn = camera.turns()[0];
+  const glm::dvec3 c0 = turn.before();
+  const glm::dvec3 c1 = turn.beyond();
+  Numbers numbers;
+  size_t points = 0;
+  while (points < 1000) {
+    const glm::dvec3 p(numbers.between(-2, 3), numbers.between(-1, 1), numbers.between(-2, 2));
+    if (turn.planes().from.height(p) < 0.01 || turn.planes().to.height(p) > -0.01) {
+      continue;
+    }
+    const auto place = turn.find(p);
+    if (!place || !camera.projectExactly(p) || camera.projectExactly(p)->u < 0) {
+      continue;
+    }
+    ++points;
+    // The epipolar plane: A, and an arc b other than that of P: the Bezier arc of Equation 4.1, which is that of the
+    // border. Its rays pass the corner of the image at the left.
+    const glm::dvec3 normal = glm::cross(c1 - c0, p - c0);
+    const auto onVertical = [&](const glm::dvec3& at) {
+      return at + glm::dvec3(0, 1, 0) * (glm::dot(normal, c0 - at) / normal.y);
+    };
+    const glm::dvec3 a = onVertical({4, 0, 0});
+    const ExactImagePoint corner{0, 0, 1};
+    const glm::dvec3 onCornerRay = *camera.unprojectExactly(corner);
+    const glm::dvec3 s = onVertical(turn.planes().middle.crossing(c0, onCornerRay));
+    const glm::dvec3 t = turn.planes().from.crossing(c0, s);
+    const glm::dvec3 q = turn.planes().to.crossing(c1, s);
+    // Step 1, by bisection.
+    double below = 0;
+    double above = 1;
+    const auto onB = [&](double u) { return t * (1 - u) * (1 - u) + s * 2.0 * u * (1 - u) + q * u * u; };
+    const auto side = [&](double u) { return glm::dot(normal, glm::cross(p - a, onB(u) - a)); };
+    const bool rising = side(1) > side(0);
+    for (int i = 0; i < 100; ++i) {
+      const double middle = (below + above) / 2;
+      ((side(middle) > 0) == rising ? above : below) = middle;
+    }
+    const glm::dvec3 pn = onB(below);
+    // Steps 2 to 4.
+    const glm::dvec3 r = meet(pn, q, c0, c1);
+    const glm::dvec3 ownQ = turn.planes().to.crossing(r, p);
+    const glm::dvec3 ownS = turn.planes().middle.crossing(c1, ownQ);
+    EXPECT_LT(glm::distance(ownS, place->arc.s), 1e-6) << p.x << ' ' << p.y << ' ' << p.z;
+  }
+}
+
+TEST(CurvedRayCamera, raysAreSmoothAtBothEndsOfATurn) {
+  const CurvedRayCamera camera = turningRight();
+  const RayTransition& turn = camera.turns()[0];
+  for (double v = 0; v <= camera.height(); v += 5) {
+    for (double u = 0; u <= camera.width(); u += 5) {
+      const glm::dvec3 s = turn.planes().middle.crossing(turn.before(), *camera.unprojectExactly({u, v, 1}));
+      const RayTransition::Arc arc = turn.arcThrough(s);
+      const auto angle = [](const glm::dvec3& a, const glm::dvec3& b) {
+        return glm::length(glm::cross(glm::normalize(a), glm::normalize(b)));
+      };
+      EXPECT_LT(angle(arc.tangent(0), s - turn.before()), 1e-9);
+      EXPECT_LT(angle(arc.tangent(1), arc.q - turn.beyond()), 1e-9);
+      // The same by differences, from both sides.
+      constexpr double kStep = 1e-6;
+      EXPECT_LT(angle(arc.at(kStep) - arc.at(0), s - turn.before()), 1e-4);
+      EXPECT_LT(angle(arc.at(1) - arc.at(1 - kStep), arc.q - turn.beyond()), 1e-4);
+    }
+  }
+}
+
+// The ray of the border is the Bezier arc of Equation 4.1; the others are nearly.
+TEST(CurvedRayCamera, arcsAreNearlyThoseOfTheUnmodifiedModel) {
+  const CurvedRayCamera camera = turningRight();
+  const RayTransition& turn = camera.turns()[0];
+  for (double u = 0; u <= camera.width(); u += 5) {
+    const glm::dvec3 s = turn.planes().middle.crossing(turn.before(), *camera.unprojectExactly({u, 30, 1}));
+    const RayTransition::Arc arc = turn.arcThrough(s);
+    for (double at = 0; at <= 1; at += 0.125) {
+      const glm::dvec3 bezier = arc.t * (1 - at) * (1 - at) + arc.s * 2.0 * at * (1 - at) + arc.q * at * at;
+      EXPECT_LT(glm::distance(bezier, arc.at(at)), u == 0 ? 1e-12 : 0.03 * arc.length());
+    }
+  }
+}
+
+// Two rays come no nearer to each other in a turn than a share of what they are apart where it begins.
+TEST(CurvedRayCamera, raysDoNotCross) {
+  for (const CurvedRayCamera& camera : {turningRight(), turningTwice()}) {
+    Numbers numbers;
+    for (int pair = 0; pair < 100000; ++pair) {
+      const glm::dvec2 a(numbers.between(0, camera.width()), numbers.between(0, camera.height()));
+      const glm::dvec2 b(numbers.between(0, camera.width()), numbers.between(0, camera.height()));
+      const double z = numbers.between(8, 16);
+      // A point of one ray projects to that ray alone.
+      const glm::dvec3 point = *camera.unprojectExactly({a.x, a.y, z});
+      const ExactImagePoint q = *camera.projectExactly(point);
+      ASSERT_LT(glm::distance(glm::dvec2(q.u, q.v), a), 1e-6 * camera.width());
+      ASSERT_GT(glm::distance(glm::dvec2(q.u, q.v), b) + 1e-6 * camera.width(), glm::distance(a, b));
+      ASSERT_GT(glm::distance(point, *camera.unprojectExactly({b.x, b.y, z})), 1e-9 * glm::distance(a, b));
+    }
+  }
+}
+
+TEST(CurvedRayCamera, withoutATurnItIsThePinhole) {
+  const PinholeCamera pinhole = smallCamera();
+  CurvedRayCamera straight(pinhole);
+  straight.turn(rightTurn(), glm::dvec3(0, 0, 10));
+  Numbers numbers;
+  for (const CurvedRayCamera& camera : {CurvedRayCamera(pinhole), straight}) {
+    for (int i = 0; i < 10000; ++i) {
+      const glm::vec3 point(numbers.between(-0.8, 0.8), numbers.between(-0.5, 0.5), numbers.between(-20, 5));
+      const auto expected = pinhole.project(point);
+      const auto got = camera.project(point);
+      ASSERT_TRUE(expected && got);
+      EXPECT_NEAR(got->u, expected->u, 1e-3);
+      EXPECT_NEAR(got->v, expected->v, 1e-3);
+      EXPECT_NEAR(got->z / expected->z, 1, 1e-5);
+    }
+  }
+}
+
+TEST(CurvedRayCamera, refusesWhatCannotBe) {
+  EXPECT_THAT(messageOfTurn({Plane::through({4, 0, 0}, {-0.25, 0, -1}), Plane::through({4, 0, 0}, {0, 0.3, -1}),
+                             Plane::through({4, 0, 0}, {0.25, 0, -1})},
+                            {-2, 0, 6}),
+              HasSubstr("turn 1: its planes do not meet in a line"));
+  EXPECT_THAT(messageOfTurn({Plane::through({4, 0, 0}, {-0.25, 0, -1}), Plane::through({4, 0, 1}, {0, 0, -1}),
+                             Plane::through({4, 0, 0}, {0.25, 0, -1})},
+                            {-2, 0, 6}),
+              HasSubstr("do not meet in a line"));
+  EXPECT_THAT(messageOfTurn({Plane::through({0, 0, 1}, {0, 0, -1}), Plane::through({0, 0, 0}, {0, 0, -1}),
+                             Plane::through({0, 0, -1}, {0, 0, -1})},
+                            {-2, 0, 6}),
+              HasSubstr("parallel"));
+  EXPECT_THAT(messageOfTurn({{{0, 0, 2}, 0}, {{0, 0, 1}, 0}, {{0, 0, 1}, 0}}, {0, 0, 5}), HasSubstr("not finite"));
+  EXPECT_THAT(messageOfTurn({{{0, 0, 1}, NAN}, {{0, 0, 1}, 0}, {{0, 0, 1}, 0}}, {0, 0, 5}), HasSubstr("not finite"));
+  EXPECT_THAT(messageOfTurn(rightTurn(), {-2, 0, -6}), HasSubstr("viewpoint does not lie before"));
+  EXPECT_THAT(messageOfTurn(rightTurn(), {-2, NAN, 6}), HasSubstr("viewpoint"));
+  EXPECT_THAT(messageOfTurn(planesThrough({4, 0, 20}, {-0.25, 0, -1}, {0, 0, -1}, {0.25, 0, -1}), {0, 0, 30}),
+              HasSubstr("not every ray"))
+      << "behind the eye";
+  EXPECT_THAT(messageOfTurn(planesThrough({0.2, 0, 0}, {-0.25, 0, -1}, {0, 0, -1}, {0.25, 0, -1}), {-2, 0, 6}),
+              HasSubstr("not every ray"))
+      << "the line runs through the image";
+  EXPECT_THAT(messageOfTurn(rightTurn(), {0, 2, 10}), HasSubstr("along the line where its planes meet"));
+  CurvedRayCamera camera = turningRight();
+  EXPECT_THROW(camera.turn(rightTurn(), {-2, 0, 6}), InputError) << "before the turn that is there already";
+  EXPECT_EQ(camera.turns().size(), 1u);
+}
+
+}  // namespace
+}  // namespace ocelli

@@ -1,0 +1,71 @@
+// `--method gl` and `--construction gl`: the same results as the processor's, and errors that say what is wrong.
+#include <gmock/gmock.h>
+
+#include "display_sim/svol_file.h"
+#include "oc_core/ocri/reference_image_file.h"
+#include "tests/base/temporary_folder.h"
+#include "tests/cli/run_program.h"
+
+namespace ocelli::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+TEST(GlCommands, renderAndConstructTheSameImages) {
+  const TemporaryFolder folder;
+  for (const char* camera : {"di", "ddoc", "eoc-h", "cell"}) {
+    const std::string common = std::string(" builtin:boxes --size 180x120 --camera ") + camera + " -o ";
+    const std::string raster = (folder / "raster.exr").string();
+    const std::string gl = (folder / "gl.exr").string();
+    ASSERT_EQ(runProgram("ocri build" + common + raster).exitCode, 0);
+    for (const char* command : {"render --method gl", "ocri build --construction gl --gl osmesa"}) {
+      const ProgramResult result = runProgram(command + common + gl);
+      ASSERT_EQ(result.exitCode, 0) << result.error;
+      EXPECT_THAT(result.error, HasSubstr("with OpenGL on "));
+      const ReferenceImage expected = readReferenceImages(raster).front();
+      const ReferenceImage got = readReferenceImages(gl).front();
+      ASSERT_EQ(got.width(), expected.width()) << camera;
+      // Feedback, and which tiles a cell camera takes, may tip over at single samples.
+      EXPECT_NEAR(static_cast<double>(got.sampleCount()), static_cast<double>(expected.sampleCount()),
+                  0.005 * static_cast<double>(expected.sampleCount()))
+          << camera;
+    }
+  }
+}
+
+TEST(GlCommands, sliceAndObserveTheSame) {
+  const TemporaryFolder folder;
+  const std::string processor = (folder / "processor.svol").string();
+  const std::string gl = (folder / "gl.svol").string();
+  const std::string slice = "slice builtin:teapot --profile test -o ";
+  ASSERT_EQ(runProgram(slice + processor).exitCode, 0);
+  const ProgramResult result = runProgram(slice + gl + " --method gl");
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  EXPECT_THAT(result.error, HasSubstr("sliced with OpenGL on "));
+  EXPECT_EQ(readSvol(gl), readSvol(processor));
+  const ProgramResult seen = runProgram("observe " + gl + " --method gl -o " + (folder / "seen.png").string());
+  EXPECT_EQ(seen.exitCode, 0) << seen.error;
+}
+
+TEST(GlCommands, sayWhatIsWrong) {
+  const TemporaryFolder folder;
+  const std::string image = (folder / "x.png").string();
+  const auto failure = [](const std::string& arguments) {
+    const ProgramResult result = runProgram(arguments);
+    return std::to_string(result.exitCode) + " " + result.error;
+  };
+  EXPECT_THAT(failure("render builtin:teapot --gl egl -o " + image),
+              AllOf(HasSubstr("2 "), HasSubstr("nothing draws with OpenGL"), HasSubstr("--method gl")));
+  EXPECT_THAT(failure("render builtin:teapot --method gl --gl vulkan -o " + image), HasSubstr("2 "));
+  EXPECT_THAT(failure("render builtin:boxes --method gl --camera ldi-4 -o " + (folder / "x.exr").string()),
+              AllOf(HasSubstr("2 "), HasSubstr("peels layers")));
+  EXPECT_THAT(failure("render no-such-file.obj --method gl -o " + image), HasSubstr("no-such-file.obj"));
+  const ProgramResult old =
+      runShell("MESA_GL_VERSION_OVERRIDE=3.3 \"$OCELLI\" render builtin:teapot --method gl -o " + image);
+  EXPECT_EQ(old.exitCode, 1);
+  EXPECT_THAT(old.error, AllOf(HasSubstr("4.5"), HasSubstr("without OpenGL")));
+}
+
+}  // namespace
+}  // namespace ocelli::test
