@@ -22,7 +22,7 @@ std::string kindName(BuiltinParameter::Kind kind) {
       return "integer";
     case BuiltinParameter::Kind::kNumber:
       return "number";
-    case BuiltinParameter::Kind::kMeshFile:
+    case BuiltinParameter::Kind::kFile:
       return "file";
   }
   return "";
@@ -33,7 +33,7 @@ std::string listAsText() {
   for (const BuiltinScene& scene : listBuiltinScenes()) {
     text += fmt::format("builtin:{:<10} {}\n", scene.name, scene.summary);
     for (const BuiltinParameter& parameter : scene.parameters) {
-      const bool isFile = parameter.kind == BuiltinParameter::Kind::kMeshFile;
+      const bool isFile = parameter.kind == BuiltinParameter::Kind::kFile;
       const std::string key = parameter.name + "=" + (isFile ? "FILE" : parameter.otherwise);
       text += fmt::format("    {:<14} {}", key, parameter.summary);
       text += isFile ? "\n" : fmt::format(" ({:.10g} to {:.10g})\n", parameter.least, parameter.most);
@@ -49,7 +49,7 @@ std::string listAsJson() {
     for (const BuiltinParameter& parameter : scene.parameters) {
       Json entry{{"name", parameter.name}, {"kind", kindName(parameter.kind)}, {"summary", parameter.summary}};
       entry["default"] = parameter.otherwise;
-      if (parameter.kind != BuiltinParameter::Kind::kMeshFile) {
+      if (parameter.kind != BuiltinParameter::Kind::kFile) {
         entry["least"] = parameter.least;
         entry["most"] = parameter.most;
       }

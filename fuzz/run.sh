@@ -1,5 +1,5 @@
 #!/bin/sh
-# fuzz/run.sh [SECONDS]: builds the fuzz targets and runs each for so long (60 by default), starting from the seed corpus
+# fuzz/run.sh [SECONDS]: builds the fuzz targets and runs each for so long (60 by default), starting from the seed corpora
 # in tests/. A finding ends it with an error and leaves the bytes in build/fuzz/.
 set -eu
 seconds=${1:-60}
@@ -7,8 +7,14 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 build="$root/build/fuzz"
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_COMPILER=clang++ \
   -DOCELLI_BUILD_FUZZERS=ON -DOCELLI_BUILD_TESTS=OFF -DOCELLI_SANITIZE=address,undefined,fuzzer-no-link >/dev/null
-cmake --build "$build" --target svol_fuzzer
-mkdir -p "$build/svol_found"
+cmake --build "$build" --target svol_fuzzer maze_fuzzer
 cd "$build"
-fuzz/svol_fuzzer -max_total_time="$seconds" -max_len=4096 -rss_limit_mb=4096 -timeout=10 -verbosity=0 -print_final_stats=1 \
-  svol_found "$root/tests/display_sim/corpus"
+
+# run NAME CORPUS
+run() {
+  mkdir -p "${1}_found"
+  "fuzz/${1}_fuzzer" -max_total_time="$seconds" -max_len=4096 -rss_limit_mb=4096 -timeout=10 -verbosity=0 \
+    -print_final_stats=1 "${1}_found" "$root/tests/$2"
+}
+run svol display_sim/corpus
+run maze scene/maze_corpus

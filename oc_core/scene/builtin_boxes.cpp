@@ -1,4 +1,5 @@
-// `builtin:boxes`: seeded random blocks that float in the unit sphere and hide parts of each other.
+// `builtin:boxes`: seeded random blocks that float in the unit sphere, or stand on a floor, and hide parts of each
+// other.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -7,30 +8,14 @@
 #include <vector>
 
 #include "oc_core/base/conventions.h"
+#include "oc_core/base/random.h"
+#include "oc_core/scene/blocks_on_floor.h"
 #include "oc_core/scene/builtin_list.h"
 #include "oc_core/scene/palette.h"
 #include "oc_core/scene/solids.h"
 
 namespace ocelli {
 namespace {
-
-/// SplitMix64 (Steele, Lea and Flood 2014). The standard library's distributions differ between implementations.
-class Random {
- public:
-  explicit Random(uint64_t seed) : state_(seed) {}
-  uint64_t next() {
-    uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-  float inRange(float least, float most) {
-    return least + (most - least) * static_cast<float>(static_cast<double>(next() >> 11) * 0x1p-53);
-  }
-
- private:
-  uint64_t state_;
-};
 
 /// Throws darts into the unit sphere until `count` balls of the given radius stand in it and none meets another.
 std::vector<glm::vec3> separateCenters(size_t count, float radius, Random& random) {
@@ -72,6 +57,9 @@ std::vector<glm::vec3> separateCenters(size_t count, float radius, Random& rando
 }
 
 Scene buildBoxes(const BuiltinValues& values) {
+  if (values.count("floor") == 1) {
+    return makeBlocksOnFloor(values.count("count"), values.count("seed"));
+  }
   const std::vector<glm::vec3> colors{palette::orange(), palette::skyBlue(),   palette::green(), palette::yellow(),
                                       palette::blue(),   palette::vermilion(), palette::purple()};
   const size_t count = values.count("count");
@@ -92,7 +80,9 @@ Scene buildBoxes(const BuiltinValues& values) {
     const float angle = random.inRange(0, static_cast<float>(2 * kPi));
     glm::mat4 worldFromMesh = glm::translate(glm::mat4(1), center);
     worldFromMesh = glm::rotate(worldFromMesh, angle, glm::normalize(axis + glm::vec3(0, 1e-3f, 0)));
-    scene.instances.push_back({0, glm::scale(worldFromMesh, half), colors[random.next() % colors.size()]});
+    const glm::vec3 color = colors[random.next() % colors.size()];
+    scene.instances.push_back(
+        {0, glm::scale(worldFromMesh, half), color, static_cast<uint32_t>(scene.instances.size() + 1)});
   }
   return scene;
 }
@@ -103,7 +93,9 @@ BuiltinScene boxesScene() {
   return {"boxes",
           "seeded random blocks that float and hide parts of each other",
           {{"count", "how many", BuiltinParameter::Kind::kInteger, "120", 1, 1'000'000},
-           {"seed", "of the random numbers", BuiltinParameter::Kind::kInteger, "1", 0, 4294967295.0}},
+           {"seed", "of the random numbers", BuiltinParameter::Kind::kInteger, "1", 0, 4294967295.0},
+           {"floor", "1: they stand on a floor, and one near the middle is red", BuiltinParameter::Kind::kInteger, "0",
+            0, 1}},
           buildBoxes};
 }
 

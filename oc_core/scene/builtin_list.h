@@ -7,12 +7,15 @@ namespace ocelli {
 
 BuiltinScene boxScene();
 BuiltinScene boxesScene();
+BuiltinScene canyonScene();
 BuiltinScene doorsScene();
 BuiltinScene fenceScene();
+BuiltinScene mazeScene();
 BuiltinScene roomScene();
 BuiltinScene sphereScene();
 BuiltinScene statuesScene();
 BuiltinScene teapotScene();
 BuiltinScene torusScene();
+BuiltinScene townScene();
 
 }  // namespace ocelli

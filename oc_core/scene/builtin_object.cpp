@@ -12,32 +12,29 @@
 #include "oc_core/scene/teapot.h"
 
 namespace ocelli {
-namespace {
 
 namespace fs = std::filesystem;
 
-fs::path findMeshFile(const std::string& given) {
+fs::path findFile(const std::string& given, const std::string& what) {
   std::error_code error;
   if (fs::exists(given, error)) {
     return given;
   }
   const char* folder = std::getenv("OCELLI_DATA_DIR");
   if (folder == nullptr || *folder == '\0') {
-    throw InputError("there is no such mesh file", given,
+    throw InputError("there is no such " + what + " file", given,
                      "give its path, or set OCELLI_DATA_DIR to the folder that holds it");
   }
   const fs::path below = fs::path(folder) / given;
   if (!fs::exists(below, error)) {
-    throw InputError("there is no such mesh file, neither here nor at " + below.string(), given,
+    throw InputError("there is no such " + what + " file, neither here nor at " + below.string(), given,
                      "give its path, or set OCELLI_DATA_DIR to the folder that holds it");
   }
   return below;
 }
 
-}  // namespace
-
 BuiltinParameter meshParameter() {
-  return {"mesh", "scene file to show; the teapot where none is given", BuiltinParameter::Kind::kMeshFile, "", 0, 0};
+  return {"mesh", "scene file to show; the teapot where none is given", BuiltinParameter::Kind::kFile, "", 0, 0};
 }
 
 BuiltinParameter turnParameter() {
@@ -59,7 +56,7 @@ Mesh readObject(const BuiltinValues& values) {
   if (given.empty()) {
     object = makeTeapot(24);
   } else {
-    const fs::path path = findMeshFile(given);
+    const fs::path path = findFile(given, "mesh");
     object = flatten(readSceneFile(path));
     validate(object, path.string());
   }

@@ -2,6 +2,9 @@
 // in.
 #pragma once
 
+#include <filesystem>
+#include <string>
+
 #include "oc_core/scene/builtin_scenes.h"
 
 namespace ocelli {
@@ -12,6 +15,10 @@ BuiltinParameter meshParameter();
 BuiltinParameter turnParameter();
 /// The parameter `triangles`: of the whole scene; 0 leaves the object as it is.
 BuiltinParameter trianglesParameter();
+
+/// The file that the user gave, as it is or below $OCELLI_DATA_DIR; `what` it is stands in the InputError that names
+/// both places.
+std::filesystem::path findFile(const std::string& given, const std::string& what);
 
 /// The object of `mesh=`, turned by `turn=` and moved so that it stands on y = 0 with the centre of its box over the
 /// origin. Throws InputError that names both places where the file was looked for.

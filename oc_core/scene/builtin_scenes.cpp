@@ -80,7 +80,7 @@ class BuiltinReader {
     }
     for (const BuiltinParameter& parameter : scene_.parameters) {
       if (parameter.name == key) {
-        if (!given_.insert(key).second) {
+        if (!values_.given_.insert(key).second) {
           throw InputError("'" + key + "' is given twice", source_, "leave one of them out");
         }
         set(parameter, piece.substr(equals + 1));
@@ -100,7 +100,7 @@ class BuiltinReader {
   }
 
   void set(const BuiltinParameter& parameter, const std::string& text) {
-    if (parameter.kind == BuiltinParameter::Kind::kMeshFile) {
+    if (parameter.kind == BuiltinParameter::Kind::kFile) {
       values_.paths_[parameter.name] = text;
       return;
     }
@@ -115,7 +115,6 @@ class BuiltinReader {
 
   const BuiltinScene& scene_;
   const std::string& source_;
-  std::set<std::string> given_;
   BuiltinValues values_;
 };
 
@@ -136,9 +135,9 @@ const std::string& BuiltinValues::path(const std::string& name) const {
 }
 
 const std::vector<BuiltinScene>& listBuiltinScenes() {
-  static const std::vector<BuiltinScene> scenes{teapotScene(), roomScene(),  statuesScene(),
-                                                fenceScene(),  doorsScene(), boxesScene(),
-                                                sphereScene(), torusScene(), boxScene()};
+  static const std::vector<BuiltinScene> scenes{teapotScene(), roomScene(),   statuesScene(), fenceScene(),
+                                                doorsScene(),  boxesScene(),  mazeScene(),    townScene(),
+                                                canyonScene(), sphereScene(), torusScene(),   boxScene()};
   return scenes;
 }
 

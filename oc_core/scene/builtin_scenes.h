@@ -3,11 +3,13 @@
 // Recipe for a new one, two files:
 //   1. oc_core/scene/builtin_NAME.cpp: a function that returns its BuiltinScene, declared in builtin_list.h;
 //   2. oc_core/scene/builtin_scenes.cpp: add it to the list.
-// Made to fit the unit sphere with its front towards +z, whence the default view looks.
+// Those of one object fit the unit sphere, with their front towards +z, whence the default view looks. Those to walk
+// through (mazes, the town, the canyon) are in metres; fitting a scene scales them down, and GuidedScene says how.
 #pragma once
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,7 +22,7 @@ struct BuiltinParameter {
   enum class Kind {
     kInteger,
     kNumber,
-    kMeshFile,  ///< a path; as given, else below $OCELLI_DATA_DIR
+    kFile,  ///< a path; as given, else below $OCELLI_DATA_DIR
   };
 
   std::string name;
@@ -38,11 +40,14 @@ class BuiltinValues {
   double number(const std::string& name) const;
   size_t count(const std::string& name) const;
   const std::string& path(const std::string& name) const;
+  /// Whether the user gave it.
+  bool isGiven(const std::string& name) const { return given_.contains(name); }
 
  private:
   friend class BuiltinReader;
   std::map<std::string, double> numbers_;
   std::map<std::string, std::string> paths_;
+  std::set<std::string> given_;
 };
 
 struct BuiltinScene {

@@ -77,6 +77,15 @@ Mesh flatten(const Scene& scene) {
   return flat;
 }
 
+std::vector<uint32_t> objectOfTriangles(const Scene& scene) {
+  std::vector<uint32_t> objects;
+  objects.reserve(triangleCount(scene));
+  for (const Instance& instance : scene.instances) {
+    objects.insert(objects.end(), scene.meshes[instance.mesh].triangles.size(), instance.object);
+  }
+  return objects;
+}
+
 glm::mat4 unitFromWorld(const Mesh& mesh, const std::string& where) {
   const Box box = boundsOf(mesh);
   OC_CHECK(!box.empty(), "only a mesh with vertices has a bounding sphere");

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "oc_core/scene/mesh.h"
+#include "oc_core/scene/scene_guides.h"
 
 namespace ocelli {
 
@@ -13,13 +15,15 @@ namespace ocelli {
 struct Instance {
   size_t mesh = 0;
   glm::mat4 worldFromMesh{1};
-  glm::vec3 tint{1};  ///< linear; multiplies the colours of the mesh
+  glm::vec3 tint{1};    ///< linear; multiplies the colours of the mesh
+  uint32_t object = 0;  ///< its identity; 0 is the structure, such as floors, walls and what no one asks for
 };
 
 struct Scene {
   std::string name;  ///< as the user wrote it
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
+  SceneGuides guides;
 
   /// Adds a mesh and one copy of it.
   void add(Mesh mesh, const glm::mat4& worldFromMesh = glm::mat4(1));
@@ -34,6 +38,9 @@ size_t triangleCount(const Scene& scene);
 /// One mesh of all copies, in the order of the instances. It has colours where any mesh has some or any copy has a
 /// tint.
 Mesh flatten(const Scene& scene);
+
+/// The identity of each triangle that flatten() makes.
+std::vector<uint32_t> objectOfTriangles(const Scene& scene);
 
 /// The uniform scale and translation that put the bounding sphere of `mesh` onto the unit sphere around the origin.
 /// The sphere is the one around the centre of the bounding box that holds every vertex. Throws InputError naming

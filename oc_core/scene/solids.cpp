@@ -76,6 +76,58 @@ Mesh makeTorus(float tubeRadius, int segments) {
   return torus;
 }
 
+Mesh makeTurned(const std::vector<glm::vec2>& profile, int segments) {
+  OC_CHECK(segments >= 3 && profile.size() >= 3, "a turned solid has a volume");
+  const size_t last = profile.size() - 1;
+  Mesh solid;
+  solid.positions.push_back({0, profile[0].y, 0});
+  for (size_t ring = 1; ring < last; ++ring) {
+    OC_CHECK(profile[ring].x > 0, "only the ends of a profile are on the axis");
+    for (int i = 0; i < segments; ++i) {
+      solid.positions.push_back(glm::vec3(profile[ring].x * std::sin(turn(i, segments)), profile[ring].y,
+                                          profile[ring].x * std::cos(turn(i, segments))));
+    }
+  }
+  solid.positions.push_back({0, profile[last].y, 0});
+  const auto vertex = [&](size_t ring, int i) {
+    return static_cast<uint32_t>(ring == 0 ? 0
+                                           : 1 + (ring - 1) * static_cast<size_t>(segments) +
+                                                 (ring == last ? 0 : static_cast<size_t>(i % segments)));
+  };
+  for (int i = 0; i < segments; ++i) {
+    for (size_t ring = 0; ring < last; ++ring) {
+      if (ring > 0) {
+        solid.triangles.push_back({vertex(ring, i), vertex(ring, i + 1), vertex(ring + 1, i + 1)});
+      }
+      if (ring + 1 < last) {
+        solid.triangles.push_back({vertex(ring, i), vertex(ring + 1, i + 1), vertex(ring + 1, i)});
+      }
+    }
+  }
+  return solid;
+}
+
+Mesh makePrism(const std::vector<glm::vec2>& outline, float halfDepth) {
+  OC_CHECK(outline.size() >= 3, "an outline has three corners or more");
+  const auto count = static_cast<uint32_t>(outline.size());
+  Mesh prism;
+  for (const float z : {halfDepth, -halfDepth}) {
+    for (const glm::vec2& corner : outline) {
+      prism.positions.push_back({corner, z});
+    }
+  }
+  for (uint32_t i = 0; i < count; ++i) {
+    const uint32_t j = (i + 1) % count;
+    if (i > 0 && j > 0) {
+      prism.triangles.push_back({0, i, j});
+      prism.triangles.push_back({count, count + j, count + i});
+    }
+    prism.triangles.push_back({i, i + count, j + count});
+    prism.triangles.push_back({i, j + count, j});
+  }
+  return prism;
+}
+
 void paint(Mesh& mesh, const glm::vec3& color) {
   mesh.colors.assign(mesh.positions.size(), color);
 }

@@ -62,7 +62,7 @@ TEST_P(EveryBuiltin, IsTheSameWithAnyNumberOfThreads) {
 TEST_P(EveryBuiltin, TakesTheEndsOfItsRanges) {
   for (const BuiltinScene& scene : listBuiltinScenes()) {
     for (const BuiltinParameter& parameter : scene.parameters) {
-      if (scene.name != GetParam() || parameter.kind == BuiltinParameter::Kind::kMeshFile) {
+      if (scene.name != GetParam() || parameter.kind == BuiltinParameter::Kind::kFile) {
         continue;
       }
       const std::string source = "builtin:" + scene.name + "," + parameter.name + "=";

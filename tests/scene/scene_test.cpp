@@ -55,6 +55,20 @@ TEST(Scene, MirroredCopyKeepsItsOutsideOutside) {
   EXPECT_DOUBLE_EQ(signedVolume(flat), 8.0);
 }
 
+TEST(Scene, KnowsTheObjectOfEachTriangle) {
+  Scene scene;
+  scene.add(makeBox(glm::vec3(1)));
+  scene.instances.push_back({0, glm::mat4(1), glm::vec3(1), 7});
+  scene.add(makeSphere(3));
+  scene.instances.back().object = 2;
+  std::vector<uint32_t> expected(12, 0);
+  expected.insert(expected.end(), 12, 7);
+  expected.insert(expected.end(), scene.meshes[1].triangles.size(), 2);
+  EXPECT_EQ(objectOfTriangles(scene), expected);
+  EXPECT_EQ(flatten(scene).triangles.size(), expected.size());
+  EXPECT_TRUE(objectOfTriangles(Scene()).empty());
+}
+
 TEST(UnitFromWorld, PutsTheBoundingSphereOntoTheUnitSphere) {
   Mesh mesh = makeBox({1, 2, 3});
   transform(mesh, glm::translate(glm::mat4(1), {10, -20, 30}));

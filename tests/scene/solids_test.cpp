@@ -39,6 +39,29 @@ TEST(Solids, TorusIsClosedAndHasItsVolume) {
   EXPECT_NEAR(signedVolume(makeTorus(0.3f, 256)), volume, volume * 2.5e-3);
 }
 
+TEST(Solids, TurnedProfileIsClosedAndHasItsVolume) {
+  for (const int segments : {3, 4, 33}) {
+    const Mesh cone = makeTurned({{0, 0}, {2, 0}, {0, 3}}, segments);
+    EXPECT_TRUE(isClosed(cone));
+    // A pyramid over a regular polygon: n/2 r^2 sin(2 pi / n) h / 3.
+    const double volume = segments / 2.0 * 4 * std::sin(2 * kPi / segments);
+    EXPECT_NEAR(signedVolume(cone), volume, volume * 1e-6);
+  }
+  const Mesh cylinder = makeTurned({{0, 1}, {1, 1}, {1, 2}, {0, 2}}, 4);
+  EXPECT_TRUE(isClosed(cylinder));
+  EXPECT_NEAR(signedVolume(cylinder), 2.0, 1e-6);
+  EXPECT_EQ(cylinder.triangles.size(), 16u);
+}
+
+TEST(Solids, PrismIsClosedAndHasItsVolume) {
+  const Mesh gable = makePrism({{-1, 0}, {1, 0}, {0, 2}}, 3);
+  EXPECT_TRUE(isClosed(gable));
+  EXPECT_DOUBLE_EQ(signedVolume(gable), 12.0);
+  const Mesh pentagon = makePrism({{0, 0}, {2, 0}, {2, 1}, {1, 2}, {0, 1}}, 0.5f);
+  EXPECT_TRUE(isClosed(pentagon));
+  EXPECT_DOUBLE_EQ(signedVolume(pentagon), 3.0);
+}
+
 TEST(Teapot, HasThePublishedExtent) {
   const Box box = boundsOf(makeTeapot(32));
   // From the control points: the knob's top at 3.15, the bottom at 0, the handle's end at x = -3. The body's control

@@ -1,0 +1,24 @@
+// Maze files: JSON, described by maze.schema.json and docs/files.md. The plan is a drawing:
+//
+//   +-+-+-+
+//   |     |      Line 2r + 1, character 2c + 1 is the cell in row r, column c. Beside it, `|` and `-` are walls and a
+//   + +-+ +      space is a passage; the one space in the outer wall is the entrance. Posts, `+`, always stand.
+//   |   | |
+//   +-+-+ +
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "oc_core/scene/maze.h"
+
+namespace ocelli {
+
+/// A valid maze. Throws InputError that says the file and the field or cell.
+Maze readMaze(const std::filesystem::path& path);
+Maze mazeFromJsonText(const std::string& text, const std::string& where);
+
+/// Reading it gives the same maze again, but for `origin`, which a file does not hold.
+std::string jsonText(const Maze& maze);
+
+}  // namespace ocelli
