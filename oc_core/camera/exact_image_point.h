@@ -9,6 +9,7 @@
 
 namespace ocelli {
 
+/// As ImagePoint: u and v in pixels from the top left corner, z in world units as the camera measures it.
 struct ExactImagePoint {
   double u = 0;
   double v = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "oc_core/gl/gl_api.h"
+#include "oc_core/gl/piece_lists.h"
 
 namespace ocelli {
 namespace {
@@ -11,30 +12,24 @@ namespace {
 constexpr GLuint kGroup = 64;
 constexpr GLuint kClipGroup = PieceSplitter::kClipGroup;
 constexpr uint32_t kCapacity = 1u << 20;  // pieces in a list: 28 MiB
-constexpr size_t kPieceBytes = 28;
 
-// Bindings of the lists.
-constexpr GLuint kSource = 2;
-constexpr GLuint kGroups = 3;
+// Bindings of the lists, beside those of piece_lists.h.
 constexpr GLuint kLeaves = 4;
-constexpr GLuint kChildren = 5;
 constexpr GLuint kCodes = 6;
 constexpr GLuint kClips = 7;
-
-GLuint groupsOf(uint32_t items, GLuint group) {
-  return (items + group - 1) / group;
-}
 
 }  // namespace
 
 PieceSplitter::PieceSplitter(GlContext& context)
     : context_(context),
-      groups_(makeBuffer(context, (groupsOf(kCapacity, kClipGroup) + 1) * sizeof(Counts))),
+      groups_(makeBuffer(context, (groupsOf(kCapacity, kClipGroup) + 1) * sizeof(glm::uvec4))),
       codes_(makeBuffer(context, kCapacity * sizeof(uint32_t))),
       leaves_(makeBuffer(context, kCapacity * kPieceBytes)) {}
 
 void PieceSplitter::draw(const SplitPrograms& programs, const GlMesh& mesh) {
   programs_ = &programs;
+  levels_.clear();  // of a drawing that failed
+  leafCount_ = 0;
   levels_.push_back({Level::Kind::kTriangles, 0, {}, 0, static_cast<uint32_t>(mesh.triangleCount())});
   while (!levels_.empty()) {
     if (levels_.back().next < levels_.back().count) {
@@ -69,7 +64,7 @@ void PieceSplitter::splitNext() {
     children.items = takeList();
     clips.items = total.clips > 0 ? takeList() : GlObject();
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kLeaves, leaves_.id());
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kChildren, children.items.id());
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kChildrenBinding, children.items.id());
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kClips, total.clips > 0 ? clips.items.id() : codes_.id());
     const GlObject& program = level.kind == Level::Kind::kTriangles ? programs_->emitTriangles
                               : level.kind == Level::Kind::kPieces  ? programs_->emitPieces
@@ -87,28 +82,21 @@ uint32_t PieceSplitter::groupOf(const Level& level) {
 }
 
 PieceSplitter::Counts PieceSplitter::countNext(const Level& level, uint32_t items) {
-  const GladGLContext& gl = context_.gl();
   const GlObject& program = level.kind == Level::Kind::kTriangles ? programs_->decideTriangles
                             : level.kind == Level::Kind::kPieces  ? programs_->decidePieces
                                                                   : programs_->countClipped;
   run(program, level, items, level.depth);
-  const GLuint groups = groupsOf(items, groupOf(level));
-  gl.UseProgram(programs_->prefixSum.id());
-  gl.Uniform1ui(0, groups);
-  gl.DispatchCompute(1, 1, 1);
-  gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-  Counts total;
-  gl.GetNamedBufferSubData(groups_.id(), static_cast<GLintptr>(groups * sizeof(total)), sizeof(total), &total);
-  return total;
+  const glm::uvec4 total = sumGroups(context_, programs_->prefixSum, groups_, groupsOf(items, groupOf(level)));
+  return {total.x, total.y, total.z};
 }
 
 void PieceSplitter::run(const GlObject& program, const Level& level, uint32_t items, uint32_t argument) {
   const GladGLContext& gl = context_.gl();
   gl.UseProgram(program.id());
   if (level.items) {
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kSource, level.items.id());
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kSourceBinding, level.items.id());
   }
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kGroups, groups_.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kGroupsBinding, groups_.id());
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kCodes, codes_.id());
   gl.Uniform1ui(0, level.next);
   gl.Uniform1ui(1, items);

@@ -42,12 +42,10 @@ class PieceSplitter {
     uint32_t next = 0;
     uint32_t count = 0;
   };
-  /// As the shaders have it, in this order.
   struct Counts {
     uint32_t leaves = 0;
     uint32_t children = 0;
     uint32_t clips = 0;
-    uint32_t unused = 0;
   };
 
   static uint32_t groupOf(const Level& level);

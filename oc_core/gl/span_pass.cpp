@@ -8,6 +8,7 @@
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"
 #include "oc_core/gl/gl_state.h"
+#include "oc_core/gl/piece_lists.h"
 #include "oc_core/gl/piece_splitter.h"
 #include "oc_core/gl/shaders.h"
 
@@ -23,10 +24,6 @@ constexpr GLuint kItems = 2;
 constexpr GLuint kCounters = 3;
 constexpr GLuint kClips = 5;
 constexpr GLuint kPieces = 7;
-
-GLuint groupsOf(uint32_t items) {
-  return (items + kGroup - 1) / kGroup;
-}
 
 void bindList(const GladGLContext& gl, GLuint binding, const GlObject& list) {
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, list.id());
@@ -162,7 +159,7 @@ SpanPass::Samples SpanPass::drawSpans(const Target& target, const GlMesh& mesh, 
       bindList(gl, kPieces, selection.pieces);
       gl.Uniform1ui(0, 0);
       gl.Uniform1ui(1, selection.count);
-      gl.DispatchCompute(groupsOf(selection.count), 1, 1);
+      gl.DispatchCompute(groupsOf(selection.count, kGroup), 1, 1);
     }
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
   }
@@ -188,7 +185,7 @@ SpanPass::Selection SpanPass::select(const Target& target, uint32_t first, uint3
     gl.Uniform1ui(0, from);
     gl.Uniform1ui(1, items);
     gl.Uniform1ui(2, kCapacity);
-    gl.DispatchCompute(groupsOf(items), 1, 1);
+    gl.DispatchCompute(groupsOf(items, kGroup), 1, 1);
     gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     readBuffer(context_, counterBuffer, sizeof(counters), &counters);
   };
@@ -210,32 +207,22 @@ SpanPass::Selection SpanPass::select(const Target& target, uint32_t first, uint3
 }
 
 GlObject SpanPass::clip(const GlObject& triangles, uint32_t count, uint32_t& pieces) const {
-  constexpr size_t kPieceBytes = 28;
-  constexpr GLuint kSource = 2;
-  constexpr GLuint kGroups = 3;
-  constexpr GLuint kChildren = 5;
   const GladGLContext& gl = context_.gl();
-  const GLuint groups = (count + PieceSplitter::kClipGroup - 1) / PieceSplitter::kClipGroup;
+  const GLuint groups = groupsOf(count, PieceSplitter::kClipGroup);
   const GlObject groupCounts = makeBuffer(context_, (groups + 1) * sizeof(glm::uvec4));
   const auto run = [&](const GlObject& program) {
     gl.UseProgram(program.id());
-    bindList(gl, kSource, triangles);
-    bindList(gl, kGroups, groupCounts);
+    bindList(gl, kSourceBinding, triangles);
+    bindList(gl, kGroupsBinding, groupCounts);
     gl.Uniform1ui(0, 0);
     gl.Uniform1ui(1, count);
     gl.DispatchCompute(groups, 1, 1);
     gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   };
   run(countClipped_);
-  gl.UseProgram(prefixSum_.id());
-  gl.Uniform1ui(0, groups);
-  gl.DispatchCompute(1, 1, 1);
-  gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-  glm::uvec4 total(0);
-  gl.GetNamedBufferSubData(groupCounts.id(), static_cast<GLintptr>(groups * sizeof(total)), sizeof(total), &total);
-  pieces = total.y;
+  pieces = sumGroups(context_, prefixSum_, groupCounts, groups).y;
   GlObject list = makeBuffer(context_, pieces * kPieceBytes);
-  bindList(gl, kChildren, list);
+  bindList(gl, kChildrenBinding, list);
   run(emitClipped_);
   return list;
 }

@@ -170,8 +170,6 @@ struct Graph : Traits {
 };
 
 struct CurvedRays : Graph {
-  // Arcs are polylines: points between their corners lie off by a little.
-  static constexpr double kAside = 0.5;
   static CurvedRayCamera make() { return test::turningTwice(); }
   static CurvedRayCamera undistorted() {
     CurvedRayCamera straight(smallCamera());

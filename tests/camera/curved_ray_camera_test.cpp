@@ -2,31 +2,22 @@
 
 #include <gmock/gmock.h>
 
-#include <random>
-
 #include "oc_core/base/error.h"
+#include "tests/camera/inverse_errors.h"
 #include "tests/camera/test_curved_cameras.h"
 
 namespace ocelli {
 namespace {
 
+using test::InverseErrors;
+using test::Numbers;
 using test::planesThrough;
 using test::rightTurn;
 using test::smallCamera;
 using test::turningRight;
 using test::turningTwice;
+using test::worstInverse;
 using testing::HasSubstr;
-
-/// The same numbers on every platform.
-class Numbers {
- public:
-  double between(double least, double most) {
-    return least + (most - least) * static_cast<double>(generator_()) / 4294967295.0;
-  }
-
- private:
-  std::mt19937 generator_{11};
-};
 
 std::string messageOfTurn(const TransitionPlanes& planes, const glm::dvec3& viewpoint) {
   try {
@@ -46,28 +37,14 @@ glm::dvec3 meet(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, c
 TEST(CurvedRayCamera, projectionAndRaysAreInverse) {
   for (const CurvedRayCamera& camera :
        {turningRight(), turningTwice(), turningTwice(PinholeCamera(View{}, 1920, 1200))}) {
-    Numbers numbers;
-    double worstPixel = 0;
-    double worstPoint = 0;
     size_t inTurns = 0;
-    for (int i = 0; i < 1000000; ++i) {
-      const ExactImagePoint q{numbers.between(0, camera.width()), numbers.between(0, camera.height()),
-                              numbers.between(5, 30)};
-      const auto point = camera.unprojectExactly(q);
-      ASSERT_TRUE(point);
+    const InverseErrors worst = worstInverse(camera, [&](const glm::dvec3& point) {
       const TransitionPlanes& planes = camera.turns()[0].planes();
-      inTurns += planes.from.height(*point) > 0 && planes.to.height(*point) < 0;
-      const auto back = camera.projectExactly(*point);
-      ASSERT_TRUE(back) << q.u << ' ' << q.v << ' ' << q.z;
-      const auto again = camera.unprojectExactly(*back);
-      ASSERT_TRUE(again);
-      worstPoint = std::max(worstPoint, glm::distance(*again, *point) / q.z);
-      worstPixel = std::max({worstPixel, std::abs(back->u - q.u) / camera.width(),
-                             std::abs(back->v - q.v) / camera.height(), std::abs(back->z - q.z) / q.z});
-    }
+      inTurns += planes.from.height(point) > 0 && planes.to.height(point) < 0;
+    });
     EXPECT_GT(inTurns, 50000u);
-    EXPECT_LT(worstPixel, 1e-6);
-    EXPECT_LT(worstPoint, 1e-6);
+    EXPECT_LT(worst.pixel, 1e-6);
+    EXPECT_LT(worst.point, 1e-6);
   }
 }
 

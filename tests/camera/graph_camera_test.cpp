@@ -2,29 +2,20 @@
 
 #include <gmock/gmock.h>
 
-#include <random>
-
 #include "oc_core/base/error.h"
+#include "tests/camera/inverse_errors.h"
 #include "tests/camera/test_graph_cameras.h"
 
 namespace ocelli {
 namespace {
 
 using test::crossroads;
+using test::InverseErrors;
+using test::Numbers;
 using test::smallCamera;
 using test::turnAt;
+using test::worstInverse;
 using testing::HasSubstr;
-
-/// The same numbers on every platform.
-class Numbers {
- public:
-  double between(double least, double most) {
-    return least + (most - least) * static_cast<double>(generator_()) / 4294967295.0;
-  }
-
- private:
-  std::mt19937 generator_{7};
-};
 
 template <class Make>
 std::string messageOf(const Make& make) {
@@ -86,28 +77,12 @@ TEST(GraphCamera, bendByHand) {
 TEST(GraphCamera, projectionAndRaysAreInverse) {
   const PinholeCamera large(View{}, 1920, 1200);
   for (const GraphCamera& graph : {crossroads(), aroundObject(), crossroads(large)}) {
-    Numbers numbers;
-    double worstPixel = 0;
-    double worstPoint = 0;
     size_t turned = 0;
-    for (int i = 0; i < 1000000; ++i) {
-      const ExactImagePoint q{numbers.between(0, graph.width()), numbers.between(0, graph.height()),
-                              numbers.between(5, 30)};
-      const auto point = graph.unprojectExactly(q);
-      ASSERT_TRUE(point);
-      const int frustum = graph.frustumOf(*point);
-      turned += frustum > 0;
-      const auto back = graph.projectExactly(*point);
-      ASSERT_TRUE(back) << q.u << ' ' << q.v << ' ' << q.z;
-      const auto again = graph.unprojectExactly(*back);
-      ASSERT_TRUE(again);
-      worstPoint = std::max(worstPoint, glm::distance(*again, *point) / q.z);
-      worstPixel = std::max({worstPixel, std::abs(back->u - q.u) / graph.width(),
-                             std::abs(back->v - q.v) / graph.height(), std::abs(back->z - q.z) / q.z});
-    }
+    const InverseErrors worst =
+        worstInverse(graph, [&](const glm::dvec3& point) { turned += graph.frustumOf(point) > 0; });
     EXPECT_GT(turned, 400000u);
-    EXPECT_LT(worstPixel, 1e-6);
-    EXPECT_LT(worstPoint, 1e-6);
+    EXPECT_LT(worst.pixel, 1e-6);
+    EXPECT_LT(worst.point, 1e-6);
   }
 }
 
