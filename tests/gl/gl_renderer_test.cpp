@@ -352,6 +352,34 @@ TEST_P(GlRendererTest, longEpipolarLines) {
   }
 }
 
+int checksUntilFailure = 0;
+
+GLenum failingGetError() {
+  return --checksUntilFailure == 0 ? GL_OUT_OF_MEMORY : GL_NO_ERROR;
+}
+
+// Wherever drawing breaks off, the next drawing starts anew.
+TEST_P(GlRendererTest, drawsAfterAFailure) {
+  const Mesh mesh = loadScene("builtin:boxes", {}, {});
+  const SpocCamera camera(pinhole(), {{100, 100}, 5, 9.5f, 0, 9});
+  const FragmentImage expected = GlRenderer(*context_, mesh).draw(camera);
+  const auto getError = context_->functions().GetError;
+  int failures = 0;
+  for (int checks = 1; checks <= 16; ++checks) {
+    const GlRenderer renderer(*context_, mesh);
+    checksUntilFailure = checks;
+    context_->functions().GetError = failingGetError;
+    try {
+      renderer.draw(camera);
+    } catch (const GlError&) {
+      ++failures;
+    }
+    context_->functions().GetError = getError;
+    EXPECT_EQ(renderer.draw(camera), expected) << checks;
+  }
+  EXPECT_GE(failures, 12) << "what failed must have said so";
+}
+
 TEST_P(GlRendererTest, leavesNoObjects) {
   const Mesh mesh = loadScene("builtin:boxes", {}, {});
   {
