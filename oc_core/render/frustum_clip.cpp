@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "oc_core/base/finite.h"
+
 namespace ocelli {
 namespace {
 
@@ -38,10 +40,6 @@ Polygon clip(const Polygon& polygon, const glm::dvec3& normal, double offset) {
     }
   }
   return kept;
-}
-
-bool isFinite(const glm::vec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/vec4.hpp>
 
+#include "oc_core/base/finite.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/render/draw_parallel.h"
 
@@ -138,6 +139,7 @@ class FrustumDrawer {
     return true;
   }
 
+  /// `triangle` has finite corners.
   void draw(FrustumBuffer& buffer, uint32_t triangle) {
     const glm::uvec3& t = mesh_.triangles[triangle];
     polygon_ = {{glm::dvec3(mesh_.positions[t.x]), {0, 0}},
@@ -191,12 +193,24 @@ class FrustumDrawer {
   std::vector<RasterVertex> vertices_;
 };
 
-/// Boxes around blocks of neighbouring triangles. A block with a coordinate that is not finite has an empty one.
+bool hasFiniteCorners(const Mesh& mesh, size_t triangle) {
+  for (int k = 0; k < 3; ++k) {
+    if (!isFinite(mesh.positions[mesh.triangles[triangle][k]])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Boxes around blocks of neighbouring triangles, those with a corner that is not finite left out.
 std::vector<Box> blockBoxes(const Mesh& mesh) {
   std::vector<Box> boxes((mesh.triangles.size() + kBlock - 1) / kBlock);
   parallelFor(boxes.size(), 64, [&](size_t begin, size_t end) {
     for (size_t block = begin; block < end; ++block) {
       for (size_t i = block * kBlock; i < std::min((block + 1) * kBlock, mesh.triangles.size()); ++i) {
+        if (!hasFiniteCorners(mesh, i)) {
+          continue;
+        }
         for (int k = 0; k < 3; ++k) {
           boxes[block].add(mesh.positions[mesh.triangles[i][k]]);
         }
@@ -230,7 +244,7 @@ FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh) {
       for (size_t k = begin; k < end; ++k) {
         const size_t block = blocks[k / kBlock];
         const size_t triangle = block * kBlock + k % kBlock;
-        if (triangle < mesh.triangles.size()) {
+        if (triangle < mesh.triangles.size() && hasFiniteCorners(mesh, triangle)) {
           drawer.draw(buffer, static_cast<uint32_t>(triangle));
         }
       }

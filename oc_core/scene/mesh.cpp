@@ -1,10 +1,10 @@
 #include "oc_core/scene/mesh.h"
 
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/finite.h"
 
 namespace ocelli {
 
@@ -51,7 +51,7 @@ void validate(const Mesh& mesh, const std::string& where) {
   }
   for (size_t i = 0; i < mesh.positions.size(); ++i) {
     const glm::vec3& p = mesh.positions[i];
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) {
+    if (!isFinite(p)) {
       fail("vertex " + std::to_string(i) + " has a coordinate that is not a finite number", "repair the mesh");
     }
   }
