@@ -15,6 +15,8 @@ namespace {
 /// turns.
 constexpr double kPixelRounding = 1e-7;
 constexpr double kHeightRounding = 1e-10;
+/// What rays end at may come in single precision: the end of a ray still belongs to it.
+constexpr double kLimitRounding = 1e-6;
 /// Parts with less than this many square pixels hold no rays.
 constexpr double kLeastArea = 1e-6;
 
@@ -42,6 +44,18 @@ double inside(const GraphCamera::Part& part, const glm::dvec2& pixel) {
     least = std::min(least, insideEdge(part[i], part[(i + 1) % part.size()], pixel));
   }
   return least;
+}
+
+glm::dvec2 middleOf(const GraphCamera::Part& part) {
+  glm::dvec2 middle(0);
+  for (const glm::dvec2& corner : part) {
+    middle += corner / static_cast<double>(part.size());
+  }
+  return middle;
+}
+
+bool isSound(const Plane& plane) {
+  return std::abs(glm::length(plane.normal) - 1) < 1e-6 && std::isfinite(plane.distance);
 }
 
 GraphCamera::Part clippedTo(GraphCamera::Part part, const GraphCamera::Part& by) {
@@ -113,9 +127,7 @@ int GraphCamera::bend(int i, const Turn& turn, const std::string& name, const Pa
   }
   const Frustum& parent = frusta_[static_cast<size_t>(i)];
   const Part part = wanted.empty() ? parent.part : wanted;
-  const double size = glm::length(turn.plane.normal);
-  if (!(std::abs(size - 1) < 1e-6) || !std::isfinite(turn.plane.distance) ||
-      !std::isfinite(glm::length(turn.viewpoint))) {
+  if (!isSound(turn.plane) || !std::isfinite(glm::length(turn.viewpoint))) {
     fail(name, "its plane or its viewpoint is not finite, or the normal has no length", "give finite numbers");
   }
   for (size_t k = 0; k < part.size(); ++k) {
@@ -187,11 +199,7 @@ std::pair<int, int> GraphCamera::split(int i, const Turn& one, const Turn& other
          "move the planes until the line where they meet is in view, or bend instead");
   }
   // The plane that the rays of the first half cross first.
-  glm::dvec2 middle(0);
-  for (const glm::dvec2& corner : first) {
-    middle += corner / static_cast<double>(first.size());
-  }
-  const Segment ray = segmentIn(i, middle);
+  const Segment ray = segmentIn(i, middleOf(first));
   const auto way = [&](const Plane& plane) {
     const double advance = -plane.height(ray.from) / glm::dot(plane.normal, ray.direction);
     return advance > 0 ? advance : std::numeric_limits<double>::infinity();
@@ -213,6 +221,25 @@ std::pair<int, int> GraphCamera::merge(int i, int j, const Turn& turn, const std
   const int other = changed.bend(j, turn, name + " of " + frusta_[static_cast<size_t>(j)].name);
   *this = std::move(changed);
   return {one, other};
+}
+
+void GraphCamera::limit(int i, const Plane& plane) {
+  OC_CHECK(i >= 0 && static_cast<size_t>(i) < frusta_.size(), "there is no such frustum");
+  Frustum& frustum = frusta_[static_cast<size_t>(i)];
+  if (!isSound(plane)) {
+    fail(frustum.name, "one of its limits is not finite, or its normal has no length", "give finite numbers");
+  }
+  if (!(plane.height(segmentIn(i, middleOf(frustum.part)).from) < 0)) {
+    fail(frustum.name, "its middle begins beyond one of its limits", "turn the normal of the limit outwards");
+  }
+  frustum.limits.push_back(plane);
+}
+
+bool GraphCamera::isBeyondLimits(int i, const glm::dvec3& point) const {
+  const std::vector<Plane>& limits = frusta_[static_cast<size_t>(i)].limits;
+  const double rounding = kLimitRounding * (1 + glm::length(point));
+  return std::any_of(limits.begin(), limits.end(),
+                     [&](const Plane& limit) { return limit.height(point) > rounding; });
 }
 
 int GraphCamera::childAt(int i, const glm::dvec2& pixel) const {
@@ -244,6 +271,21 @@ GraphCamera::Segment GraphCamera::segmentIn(int i, const glm::dvec2& pixel) cons
   return i == kRoot ? rootSegment(pixel) : next(segmentIn(frusta_[static_cast<size_t>(i)].parent, pixel), i);
 }
 
+/// The z at which a ray of frustum `i` ends that goes on to no child.
+double GraphCamera::endOf(int i, const Segment& segment) const {
+  double end = static_cast<double>(root_.view().zFar);
+  for (const Plane& limit : frusta_[static_cast<size_t>(i)].limits) {
+    const double height = limit.height(segment.from);
+    const double rise = glm::dot(limit.normal, segment.direction);
+    if (height >= 0) {
+      end = segment.z;
+    } else if (rise > 0) {
+      end = std::min(end, segment.z - height / rise);
+    }
+  }
+  return end;
+}
+
 /// Calls `visit(frustum, segment)` along the ray of a pixel until it returns false.
 template <class Visit>
 void GraphCamera::walk(const glm::dvec2& pixel, const Visit& visit) const {
@@ -268,7 +310,7 @@ bool GraphCamera::holds(int i, const glm::dvec3& point, double pixelRounding) co
     return false;
   }
   const int child = childAt(i, pixel);
-  return child < 0 || frusta_[static_cast<size_t>(child)].plane.height(point) <= 0;
+  return child < 0 ? !isBeyondLimits(i, point) : frusta_[static_cast<size_t>(child)].plane.height(point) <= 0;
 }
 
 int GraphCamera::frustumOf(const glm::dvec3& worldPoint) const {
@@ -302,7 +344,8 @@ std::optional<ExactImagePoint> GraphCamera::projectExactly(const glm::dvec3& wor
     // As a pinhole the root has an image beyond the borders too.
     const glm::dvec4 h = frusta_[kRoot].pixelFromWorld * glm::dvec4(worldPoint, 1);
     const glm::dvec2 pixel(h.x / h.w, h.y / h.w);
-    if (!(frusta_[kRoot].plane.height(worldPoint) >= -kHeightRounding) || !(inside(frusta_[kRoot].part, pixel) < 0)) {
+    if (!(frusta_[kRoot].plane.height(worldPoint) >= -kHeightRounding) || !(inside(frusta_[kRoot].part, pixel) < 0) ||
+        isBeyondLimits(kRoot, worldPoint)) {
       return std::nullopt;
     }
     i = kRoot;
@@ -319,14 +362,19 @@ std::optional<glm::dvec3> GraphCamera::unprojectExactly(const ExactImagePoint& q
     return std::nullopt;
   }
   glm::dvec3 point(0);
-  walk({q.u, q.v}, [&](int, const Segment& segment) {
+  int last = kRoot;
+  double end = 0;
+  walk({q.u, q.v}, [&](int i, const Segment& segment) {
     if (segment.z > q.z) {
       return false;
     }
     point = segment.from + segment.direction * (q.z - segment.z);
+    last = i;
+    end = endOf(i, segment);
     return true;
   });
-  return point;
+  const bool ends = childAt(last, {q.u, q.v}) < 0;
+  return ends && q.z > end * (1 + kSingleDepthRounding) ? std::nullopt : std::optional(point);
 }
 
 std::optional<ImagePoint> GraphCamera::project(const glm::vec3& worldPoint) const {
@@ -345,9 +393,9 @@ RayPath GraphCamera::rayPath(const glm::vec2& pixel) const {
     return path;
   }
   glm::dvec3 end(0);
-  walk(glm::dvec2(pixel), [&](int, const Segment& segment) {
+  walk(glm::dvec2(pixel), [&](int i, const Segment& segment) {
     path.push_back(glm::vec3(segment.from));
-    end = segment.from + segment.direction * (static_cast<double>(root_.view().zFar) - segment.z);
+    end = segment.from + segment.direction * (endOf(i, segment) - segment.z);
     return true;
   });
   path.push_back(glm::vec3(end));

@@ -4,7 +4,8 @@
 //
 // A frustum begins at a plane, where its parent ends. Beyond it rays go on from where they cross it, away from the
 // frustum's viewpoint, which lies before the plane. Its part of the image is a convex polygon: the rays that pass
-// through it. Rays of a frustum that belong to no child go straight on.
+// through it. Rays of a frustum that belong to no child go straight on, to zFar or to the first of the frustum's
+// limits: planes, such as walls, that keep it out of what others see.
 //
 // Projection (Appendix A): a point P of a frustum with viewpoint C and plane p is seen where the line CP crosses p, by
 // the parent. In homogeneous coordinates that is the matrix
@@ -47,6 +48,7 @@ class GraphCamera {
     Plane plane;  ///< where it begins; its normal points into it. Of the root: zNear
     Part part;
     std::vector<int> children{};
+    std::vector<Plane> limits{};   ///< normals point out of it
     glm::dmat4 pixelFromWorld{1};  ///< M_0i: rows 0, 1 and 3 give u, v and their weight
   };
   /// Where rays go on: beyond a plane, away from a viewpoint before it.
@@ -69,6 +71,9 @@ class GraphCamera {
                             const std::string& otherName);
   /// One viewpoint for the rays of two frusta, beyond one plane.
   std::pair<int, int> merge(int i, int j, const Turn& turn, const std::string& name);
+  /// Those rays of frustum `i` that belong to no child end where they cross the plane, whose normal points out of the
+  /// frustum. Throws InputError, naming the frustum, where the plane is not finite, or all of the frustum is beyond it.
+  void limit(int i, const Plane& plane);
 
   int width() const { return root_.width(); }
   int height() const { return root_.height(); }
@@ -88,6 +93,8 @@ class GraphCamera {
   double depth(int i, const glm::dvec3& point) const;
   /// The child of frustum `i` that rays of a pixel go on to; -1 where they go straight on.
   int childAt(int i, const glm::dvec2& pixel) const;
+  /// Whether a point lies beyond a limit of frustum `i`.
+  bool isBeyondLimits(int i, const glm::dvec3& point) const;
 
   std::optional<ImagePoint> project(const glm::vec3& worldPoint) const;
   std::optional<glm::vec3> unproject(const ImagePoint& q) const;
@@ -105,6 +112,7 @@ class GraphCamera {
   Segment rootSegment(const glm::dvec2& pixel) const;
   Segment next(const Segment& segment, int child) const;
   Segment segmentIn(int i, const glm::dvec2& pixel) const;
+  double endOf(int i, const Segment& segment) const;
   template <class Visit>
   void walk(const glm::dvec2& pixel, const Visit& visit) const;
 

@@ -171,11 +171,12 @@ class FrustumDrawer {
         return;
       }
       const glm::vec2 on = weights();
-      const Fragment fragment{weight, triangle, on.x, on.y};
-      if (next >= 0) {
-        const glm::dvec3 point(positionOf(fragment, mesh_));
-        if (camera_.frusta()[static_cast<size_t>(next)].plane.height(point) > 0) {
-          return;  // that frustum shows it
+      if (next >= 0 || !frustum_.limits.empty()) {
+        const glm::dvec3 point(positionOf({weight, triangle, on.x, on.y}, mesh_));
+        const bool beyond = next >= 0 ? camera_.frusta()[static_cast<size_t>(next)].plane.height(point) > 0
+                                      : camera_.isBeyondLimits(index_, point);
+        if (beyond) {
+          return;  // another frustum shows it, or none
         }
       }
       buffer.offer(pixel, KeyedSample::keyOf(weight, triangle), on);

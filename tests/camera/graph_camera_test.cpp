@@ -139,6 +139,53 @@ TEST(GraphCamera, raysThatNoChildTakesGoStraightOn) {
   EXPECT_EQ(graph.frustumOf(glm::dvec3(*graph.unproject({10, 10, 20}))), 0);
 }
 
+TEST(GraphCamera, raysEndAtLimits) {
+  GraphCamera graph(smallCamera());
+  const int bent = graph.bend(0, turnAt({0, 0, 0}, {0, 0, -1}, {0, 0, 5}), "bent");
+  graph.limit(bent, Plane::through({0, 0, -2}, {0, 0, -1}));
+  graph.limit(bent, Plane::through({0.5, 0, 0}, {1, 0, 0}));
+  const glm::vec2 middle = glm::vec2(smallCamera().centerPixels());
+  EXPECT_NEAR(glm::distance(graph.rayPath(middle).back(), glm::vec3(0, 0, -2)), 0, 1e-6);
+  // z is the pinhole's on the ray that does not turn.
+  EXPECT_TRUE(graph.unproject({middle.x, middle.y, 11.9f}));
+  EXPECT_FALSE(graph.unproject({middle.x, middle.y, 12.1f}));
+  EXPECT_TRUE(graph.project({0, 0, -1.9f}));
+  EXPECT_FALSE(graph.project({0, 0, -2.1f}));
+  EXPECT_TRUE(graph.project({0.45f, 0, -1}));
+  EXPECT_FALSE(graph.project({0.55f, 0, -1}));
+  EXPECT_TRUE(graph.project({0.55f, 0, 1})) << "limits of a frustum are not those of its parent";
+  Numbers numbers;
+  for (int i = 0; i < 1000; ++i) {
+    const glm::vec2 pixel(numbers.between(0, 180), numbers.between(0, 120));
+    const RayPath path = graph.rayPath(pixel);
+    const auto end = graph.project(path.back());
+    ASSERT_TRUE(end) << pixel.x << " " << pixel.y;
+    EXPECT_LT(glm::distance(glm::vec2(end->u, end->v), pixel), 0.01f);
+  }
+}
+
+// A ray that begins beyond a limit of its frustum ends where it begins.
+TEST(GraphCamera, limitsMayCutAwayWholeRays) {
+  GraphCamera graph(smallCamera());
+  const int bent = graph.bend(0, turnAt({0, 0, 0}, {0, 0, -1}, {0, 0, 5}), "bent");
+  graph.limit(bent, Plane::through({0.1, 0, 0}, {1, 0, 0}));
+  const auto onPlane = graph.project({0.2f, 0, 0.001f});
+  ASSERT_TRUE(onPlane);
+  const RayPath path = graph.rayPath({onPlane->u, onPlane->v});
+  EXPECT_NEAR(path.back().z, 0, 1e-5);
+  EXPECT_FALSE(graph.project({0.25f, 0, -1}));
+}
+
+// What a child sees beyond its plane is its own affair.
+TEST(GraphCamera, limitsDoNotEndRaysThatGoOnToAChild) {
+  GraphCamera graph(smallCamera());
+  const int bent = graph.bend(0, turnAt({0, 0, 0}, {0, 0, -1}, {0, 0, 5}), "bent");
+  graph.limit(bent, Plane::through({0, 0, -0.5}, {0, 0, -1}));
+  graph.bend(bent, turnAt({0, 0, -1}, {0, 0, -1}, {0, 0, 4}), "further");
+  EXPECT_TRUE(graph.project({0, 0, -0.8f}));
+  EXPECT_TRUE(graph.project({0, 0, -5}));
+}
+
 TEST(GraphCamera, refusesWhatCannotBe) {
   const auto bending = [](const GraphCamera::Turn& turn, const GraphCamera::Part& part = {}) {
     return messageOf([&] { GraphCamera(smallCamera()).bend(0, turn, "corner", part); });

@@ -1,0 +1,61 @@
+#include "oc_core/constructor/camera_constructors.h"
+
+#include <algorithm>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
+
+namespace ocelli {
+namespace {
+
+const CameraConstructor* find(const std::string& name) {
+  const auto& all = cameraConstructors();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const CameraConstructor& each) { return each.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+bool isFile(const std::string& nameOrFile) {
+  return nameOrFile.ends_with(".json");
+}
+
+std::string listOfNames() {
+  std::string names;
+  for (const CameraConstructor& each : cameraConstructors()) {
+    names += names.empty() ? each.name : std::string(", ") + each.name;
+  }
+  return names;
+}
+
+}  // namespace
+
+const std::vector<CameraConstructor>& cameraConstructors() {
+  static const std::vector<CameraConstructor> constructors{};
+  return constructors;
+}
+
+bool namesConstructor(const std::string& nameOrFile) {
+  if (!isFile(nameOrFile)) {
+    return find(nameOrFile) != nullptr;
+  }
+  const nlohmann::json json = readJsonFile(nameOrFile);
+  return json.is_object() && json.contains("camera") && json["camera"].is_string() &&
+         find(json["camera"].get<std::string>()) != nullptr;
+}
+
+MultiperspectiveCamera constructCamera(const std::string& nameOrFile, const GuidedScene& scene,
+                                       const PinholeCamera& reference) {
+  const nlohmann::json json = isFile(nameOrFile) ? readJsonFile(nameOrFile) : nlohmann::json{{"camera", nameOrFile}};
+  const std::string where = isFile(nameOrFile) ? nameOrFile : "--camera " + nameOrFile;
+  JsonFields fields(json, where);
+  const std::string name = fields.text("camera");
+  const CameraConstructor* constructor = find(name);
+  if (constructor == nullptr) {
+    throw InputError("there is no constructor of cameras \"" + name + "\"", where, "use " + listOfNames());
+  }
+  MultiperspectiveCamera camera = constructor->build(fields, scene, reference);
+  fields.rejectUnknown();
+  return camera;
+}
+
+}  // namespace ocelli
