@@ -4,6 +4,8 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/constructor/curved_turns.h"
+#include "oc_core/constructor/graph_operations.h"
 
 namespace ocelli {
 namespace {
@@ -30,7 +32,16 @@ std::string listOfNames() {
 }  // namespace
 
 const std::vector<CameraConstructor>& cameraConstructors() {
-  static const std::vector<CameraConstructor> constructors{};
+  static const std::vector<CameraConstructor> constructors{
+      {"graph", "graph camera of a JSON file's bend, split, merge and limit operations",
+       [](JsonFields& options, const GuidedScene&, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(readGraphCamera(options, reference));
+       }},
+      {"curved", "curved ray camera of a JSON file's turns",
+       [](JsonFields& options, const GuidedScene&, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(readCurvedRayCamera(options, reference));
+       }},
+  };
   return constructors;
 }
 
