@@ -8,6 +8,7 @@
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/constructor/path_constructor.h"
 #include "oc_core/constructor/portal_constructor.h"
+#include "oc_core/constructor/target_constructor.h"
 
 namespace ocelli {
 namespace {
@@ -50,6 +51,10 @@ const std::vector<CameraConstructor>& cameraConstructors() {
       {"path", "curved ray camera that previews a path behind its next turns",
        [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
          return MultiperspectiveCamera(buildPathCamera(readPathOptions(options), scene.guides, reference));
+       }},
+      {"target", "curved ray camera that bends around what hides a target",
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(buildTargetCamera(readTargetOptions(options), scene, reference));
        }},
   };
   return constructors;
