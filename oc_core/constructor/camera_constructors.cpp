@@ -6,6 +6,7 @@
 #include "oc_core/base/json_fields.h"
 #include "oc_core/constructor/curved_turns.h"
 #include "oc_core/constructor/graph_operations.h"
+#include "oc_core/constructor/occluder_constructor.h"
 #include "oc_core/constructor/path_constructor.h"
 #include "oc_core/constructor/portal_constructor.h"
 #include "oc_core/constructor/target_constructor.h"
@@ -51,6 +52,10 @@ const std::vector<CameraConstructor>& cameraConstructors() {
       {"path", "curved ray camera that previews a path behind its next turns",
        [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
          return MultiperspectiveCamera(buildPathCamera(readPathOptions(options), scene.guides, reference));
+       }},
+      {"occluder", "graph camera that looks around a box",
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(buildOccluderCamera(readOccluderOptions(options), scene, reference));
        }},
       {"target", "curved ray camera that bends around what hides a target",
        [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {

@@ -6,6 +6,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/constructor/camera_constructors.h"
+#include "oc_core/constructor/occluder_constructor.h"
 #include "oc_core/constructor/path_constructor.h"
 #include "oc_core/constructor/portal_constructor.h"
 #include "oc_core/constructor/target_constructor.h"
@@ -102,6 +103,14 @@ TEST(ConstructorSchema, targetIsWhatItsReaderTakes) {
                             {"most_f", options.mostF},
                             {"visible_share", options.visibleShare},
                             {"enlarged", options.enlarged}});
+}
+
+TEST(ConstructorSchema, occluderIsWhatItsReaderTakes) {
+  const nlohmann::json base =
+      nlohmann::json::parse(R"({"camera": "occluder", "box": {"lower": [-1, -2, -3], "upper": [1, 2, 3]}})");
+  test::SchemaAgreement{schemaOf("occluder"), errorOf, base}.check();
+  const OccluderOptions options;
+  expectDefaults("occluder", {{"object", options.object}, {"shadow", options.shadow}});
 }
 
 TEST(ConstructorSchema, pathIsWhatItsReaderTakes) {
