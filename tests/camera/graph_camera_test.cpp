@@ -156,7 +156,7 @@ TEST(GraphCamera, raysEndAtLimits) {
   EXPECT_TRUE(graph.project({0.55f, 0, 1})) << "limits of a frustum are not those of its parent";
   Numbers numbers;
   for (int i = 0; i < 1000; ++i) {
-    const glm::vec2 pixel(numbers.between(0, 180), numbers.between(0, 120));
+    const glm::vec2 pixel(numbers.between(0, 90), numbers.between(0, 60));
     const RayPath path = graph.rayPath(pixel);
     const auto end = graph.project(path.back());
     ASSERT_TRUE(end) << pixel.x << " " << pixel.y;

@@ -27,7 +27,7 @@ TEST(CurvedTurns, textOfACameraMakesItAgain) {
   ASSERT_EQ(again.turns().size(), 2u);
   test::Numbers numbers;
   for (int i = 0; i < 1000; ++i) {
-    const ExactImagePoint q{numbers.between(0, 180), numbers.between(0, 120), numbers.between(1, 30)};
+    const ExactImagePoint q{numbers.between(0, 90), numbers.between(0, 60), numbers.between(1, 30)};
     const auto one = camera.unprojectExactly(q);
     const auto other = again.unprojectExactly(q);
     ASSERT_TRUE(one && other);
