@@ -238,8 +238,7 @@ void GraphCamera::limit(int i, const Plane& plane) {
 bool GraphCamera::isBeyondLimits(int i, const glm::dvec3& point) const {
   const std::vector<Plane>& limits = frusta_[static_cast<size_t>(i)].limits;
   const double rounding = kLimitRounding * (1 + glm::length(point));
-  return std::any_of(limits.begin(), limits.end(),
-                     [&](const Plane& limit) { return limit.height(point) > rounding; });
+  return std::any_of(limits.begin(), limits.end(), [&](const Plane& limit) { return limit.height(point) > rounding; });
 }
 
 int GraphCamera::childAt(int i, const glm::dvec2& pixel) const {

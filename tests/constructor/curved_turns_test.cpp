@@ -14,11 +14,13 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 CurvedRayCamera cameraOf(const std::string& text) {
-  return test::fromText(text, readCurvedRayCamera);
+  CurvedRayCamera camera(smallCamera());
+  test::readText(text, [&](JsonFields& fields) { camera = readCurvedRayCamera(fields, smallCamera()); });
+  return camera;
 }
 
 std::string errorOf(const std::string& text) {
-  return test::errorOf(text, readCurvedRayCamera);
+  return test::errorOfText(text, [](JsonFields& fields) { readCurvedRayCamera(fields, smallCamera()); });
 }
 
 TEST(CurvedTurns, textOfACameraMakesItAgain) {

@@ -17,11 +17,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 GraphCamera cameraOf(const std::string& text) {
-  return test::fromText(text, readGraphCamera);
+  GraphCamera camera(smallCamera());
+  test::readText(text, [&](JsonFields& fields) { camera = readGraphCamera(fields, smallCamera()); });
+  return camera;
 }
 
 std::string errorOf(const std::string& text) {
-  return test::errorOf(text, readGraphCamera);
+  return test::errorOfText(text, [](JsonFields& fields) { readGraphCamera(fields, smallCamera()); });
 }
 
 std::string errorOfOperations(const std::string& operations) {
