@@ -65,7 +65,8 @@ std::vector<FrustumOverlap> overlapsOf(const GraphCamera& camera, const glm::dve
                      "give its lower and its upper corner, such as those of the scene's bounds");
   }
   if (!(leastOverlap > 0) || !std::isfinite(leastOverlap)) {
-    throw InputError("the least overlap is not positive or not finite", kWhere, "give a share of the world's diagonal, such as 1e-4");
+    throw InputError("the least overlap is not positive or not finite", kWhere,
+                     "give a share of the world's diagonal, such as 1e-4");
   }
   const std::vector<Core> cores = coresOf(camera, ConvexPolyhedron(lower, upper), leastOverlap * diagonal / 2);
   std::vector<FrustumOverlap> overlaps;
