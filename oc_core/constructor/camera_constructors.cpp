@@ -4,6 +4,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/constructor/comprehensive_constructor.h"
 
 namespace ocelli {
 namespace {
@@ -30,7 +31,9 @@ std::string listOfNames() {
 }  // namespace
 
 const std::vector<CameraConstructor>& cameraConstructors() {
-  static const std::vector<CameraConstructor> constructors{};
+  static const std::vector<CameraConstructor> constructors{
+      {"comprehensive", "a whole maze in one image, each place once", buildComprehensiveCamera},
+  };
   return constructors;
 }
 
