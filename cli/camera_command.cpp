@@ -23,11 +23,7 @@ struct CameraInScene {
 
 void addCameraInScene(CLI::App& command, CameraInScene& choice) {
   addSceneOptions(command, choice.scene);
-  std::string help = "Its constructor, or a JSON file with options:";
-  for (const CameraConstructor& each : cameraConstructors()) {
-    help += fmt::format("\n  {}: {}", each.name, each.description);
-  }
-  command.add_option("--camera", choice.camera, help)->type_name("NAME|FILE.json")->required();
+  addConstructorOption(command, choice.camera);
   addViewOption(command, choice.view);
   addSizeOption(command, choice.size);
 }

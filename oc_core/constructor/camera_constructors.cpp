@@ -4,6 +4,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/constructor/comprehensive_constructor.h"
 #include "oc_core/constructor/curved_turns.h"
 #include "oc_core/constructor/graph_operations.h"
 
@@ -41,6 +42,7 @@ const std::vector<CameraConstructor>& cameraConstructors() {
        [](JsonFields& options, const GuidedScene&, const PinholeCamera& reference) {
          return MultiperspectiveCamera(readCurvedRayCamera(options, reference));
        }},
+      {"comprehensive", "a whole maze in one image, each place once", buildComprehensiveCamera},
   };
   return constructors;
 }

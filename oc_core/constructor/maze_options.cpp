@@ -1,0 +1,47 @@
+#include "oc_core/constructor/maze_options.h"
+
+#include <fmt/format.h>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
+
+namespace ocelli {
+
+const Maze& mazeOf(const GuidedScene& scene, const std::string& where) {
+  if (!scene.guides.maze) {
+    throw InputError("the scene has no maze", where, "use builtin:maze, or builtin:maze,file=MAZE.json");
+  }
+  return *scene.guides.maze;
+}
+
+void checkCell(const Maze& maze, const MazeCell& cell, const std::string& where) {
+  if (!maze.contains(cell)) {
+    throw InputError("the cell " + nameOf(cell) + " is not in the maze", where,
+                     fmt::format("rows are 0 to {}, columns 0 to {}", maze.rows() - 1, maze.columns() - 1));
+  }
+}
+
+std::optional<MazeCell> readCell(JsonFields& fields, const std::string& name) {
+  if (!fields.has(name)) {
+    return std::nullopt;
+  }
+  JsonFields cell(fields.value(name), name);
+  const MazeCell result{cell.integer("row", 0, kMostMazeSide - 1), cell.integer("column", 0, kMostMazeSide - 1)};
+  cell.rejectUnknown();
+  return result;
+}
+
+std::optional<Direction> readDirection(JsonFields& fields, const std::string& name) {
+  if (!fields.has(name)) {
+    return std::nullopt;
+  }
+  const std::string text = fields.text(name);
+  for (const Direction direction : kDirections) {
+    if (text == nameOf(direction)) {
+      return direction;
+    }
+  }
+  fields.fail(name, "is \"" + text + "\", but must be north, east, south or west");
+}
+
+}  // namespace ocelli
