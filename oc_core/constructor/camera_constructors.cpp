@@ -35,8 +35,8 @@ std::string listOfNames() {
 const std::vector<CameraConstructor>& cameraConstructors() {
   static const std::vector<CameraConstructor> constructors{
       {"graph", "graph camera of a JSON file's bend, split, merge and limit operations",
-       [](JsonFields& options, const GuidedScene&, const PinholeCamera& reference) {
-         return MultiperspectiveCamera(readGraphCamera(options, reference));
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(readGraphCamera(options, reference, boundsOf(scene.mesh)));
        }},
       {"curved", "curved ray camera of a JSON file's turns",
        [](JsonFields& options, const GuidedScene&, const PinholeCamera& reference) {

@@ -26,8 +26,8 @@ struct ComprehensiveOptions {
   double evenness = 0.7;             ///< 0 gives ways equal shares, 1 shares by the cells that they lead to
 };
 
-/// An image of that size. Throws InputError where the start is not in the maze, where a wall stands behind or before it,
-/// and where the image is too small for the maze, or a way has more turns than a graph camera takes.
+/// An image of that size. Throws InputError where the start is not in the maze, where a wall stands behind or before
+/// it, and where the image is too small for the maze, or a way has more turns than a graph camera takes.
 GraphCamera makeComprehensiveCamera(const Maze& maze, const ComprehensiveOptions& options, int width, int height);
 
 /// Reads "order", "start", "heading", "nearness" and "evenness". Throws InputError as well for a scene without a maze.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "oc_core/base/error.h"
+#include "oc_core/camera/graph_overlap.h"
 #include "oc_core/constructor/camera_fields.h"
 
 namespace ocelli {
@@ -245,7 +246,11 @@ std::vector<std::string> uniqueNames(const GraphCamera& camera) {
 
 }  // namespace
 
-GraphCamera readGraphCamera(JsonFields& fields, const PinholeCamera& reference) {
+GraphCamera readGraphCamera(JsonFields& fields, const PinholeCamera& reference, const Box& world) {
+  const std::string overlap = fields.text("overlap", "refused");
+  if (overlap != "refused" && overlap != "allowed") {
+    fields.fail("overlap", "must be refused or allowed");
+  }
   Builder builder(readRoot(fields, reference));
   std::vector<Operation> left = readOperations(fields);
   while (!left.empty()) {
@@ -256,6 +261,9 @@ GraphCamera readGraphCamera(JsonFields& fields, const PinholeCamera& reference) 
     }
     std::for_each(left.begin(), waiting, [&](const Operation& each) { builder.apply(each); });
     left.erase(left.begin(), waiting);
+  }
+  if (overlap == "refused" && !world.empty()) {
+    checkDisjoint(builder.camera(), glm::dvec3(world.lower), glm::dvec3(world.upper));
   }
   return builder.camera();
 }
@@ -280,7 +288,7 @@ std::string jsonText(const GraphCamera& camera) {
     }
   }
   const nlohmann::ordered_json json{
-      {"camera", "graph"}, {"view", jsonOf(camera.root().view())}, {"operations", operations}};
+      {"camera", "graph"}, {"view", jsonOf(camera.root().view())}, {"overlap", "allowed"}, {"operations", operations}};
   return json.dump(1);
 }
 

@@ -122,6 +122,26 @@ TEST(GraphOperations, textOfACameraMakesItAgain) {
   EXPECT_THAT(namesOf(cameraOf(jsonText(twins))), ElementsAre("root", "twin", "twin 2"));
 }
 
+// Two frusta whose rays cross beyond the plane.
+TEST(GraphOperations, overlapsAreRefusedUnlessAllowed) {
+  const auto side = [](const std::string& name, const std::string& part, double x) {
+    return "{'operation': 'bend', 'of': 'root', 'into': {'name': '" + name +
+           "', 'plane': " + plane("[0, 0, 1]", "[0, 0, -1]") + ", 'viewpoint': [" + std::to_string(x) +
+           ", 0, 5], 'part': " + part + "}}";
+  };
+  const std::string operations = "'operations': [" + side("left", "[[0, 0], [0.5, 0], [0.5, 1], [0, 1]]", -3) + ", " +
+                                 side("right", "[[0.5, 0], [1, 0], [1, 1], [0.5, 1]]", 3) + "]}";
+  const auto errorIn = [](const std::string& text, const Box& world) {
+    return test::errorOfText(text, [&](JsonFields& fields) { readGraphCamera(fields, smallCamera(), world); });
+  };
+  const Box world{glm::vec3(-3), glm::vec3(3)};
+  EXPECT_THAT(errorIn("{" + operations, world), AllOf(HasSubstr("\"left\""), HasSubstr("\"right\"")));
+  EXPECT_EQ(errorIn("{'overlap': 'allowed', " + operations, world), "");
+  EXPECT_EQ(errorIn("{" + operations, Box{{-3, -3, 1.5f}, {3, 3, 3}}), "") << "not where they overlap";
+  EXPECT_EQ(errorIn("{" + operations, Box{}), "");
+  EXPECT_THAT(errorIn("{'overlap': 'perhaps', " + operations, world), HasSubstr("refused or allowed"));
+}
+
 TEST(GraphOperations, circlesAreNamed) {
   const std::string error = errorOfOperations(bend("c", "a", 0) + "," + bend("a", "b", -1) + "," + bend("b", "c", -2) +
                                               "," + bend("c", "outside", -3));
