@@ -164,7 +164,9 @@ int GraphCamera::bend(int i, const Turn& turn, const std::string& name, const Pa
     }
   }
   Frustum frustum{name, i, turn.viewpoint, turn.plane, part};
-  frustum.pixelFromWorld = parent.pixelFromWorld * ontoPlane(turn.plane, turn.viewpoint);
+  // Weights stay as they are on the plane, so that those of long chains do not overflow.
+  frustum.pixelFromWorld =
+      parent.pixelFromWorld * ontoPlane(turn.plane, turn.viewpoint) / -turn.plane.height(turn.viewpoint);
   const int index = static_cast<int>(frusta_.size());
   frusta_[static_cast<size_t>(i)].children.push_back(index);
   frusta_.push_back(std::move(frustum));

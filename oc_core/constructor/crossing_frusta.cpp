@@ -179,8 +179,10 @@ void limitToBox(GraphCamera& camera, int i, const Box& box) {
 }
 
 Box roomOf(const Maze& maze, const MazeCell& cell) {
-  Box box = maze.cellBox(cell);
-  box.lower.y -= maze.wallThickness / 2;
+  const float rounding = 1e-4f * maze.cellSize;  // of points on its walls
+  Box box = maze.clearBox(cell);
+  box.lower -= rounding;
+  box.upper += rounding;
   return box;
 }
 

@@ -63,7 +63,7 @@ GraphCamera::Part partBetween(const GraphCamera& camera, int i, const glm::dvec3
 /// Rays of frustum `i` that go on to no child end at the sides of the box and in its floor.
 void limitToBox(GraphCamera& camera, int i, const Box& box);
 
-/// The cell to the middle of its walls and of its floor.
+/// The clear box of the cell with its floor and its walls, which rays must reach.
 Box roomOf(const Maze& maze, const MazeCell& cell);
 
 /// Of the width that rays ahead have at the crossing, how deep in the box they turn.
