@@ -33,7 +33,9 @@ std::string jsonText(const CurvedRayCamera& camera) {
                      {"to", jsonOf(turn.planes().to)},
                      {"viewpoint", jsonOf(turn.beyond())}});
   }
-  const nlohmann::ordered_json json{{"camera", "curved"}, {"view", jsonOf(camera.root().view())}, {"turns", turns}};
+  nlohmann::ordered_json json{{"camera", "curved"}};
+  writeRoot(json, camera.root());
+  json["turns"] = turns;
   return json.dump(1);
 }
 

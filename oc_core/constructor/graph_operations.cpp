@@ -287,8 +287,10 @@ std::string jsonText(const GraphCamera& camera) {
       operations.push_back({{"operation", "limit"}, {"of", names[i]}, {"plane", jsonOf(limit)}});
     }
   }
-  const nlohmann::ordered_json json{
-      {"camera", "graph"}, {"view", jsonOf(camera.root().view())}, {"overlap", "allowed"}, {"operations", operations}};
+  nlohmann::ordered_json json{{"camera", "graph"}};
+  writeRoot(json, camera.root());
+  json["overlap"] = "allowed";
+  json["operations"] = operations;
   return json.dump(1);
 }
 

@@ -111,6 +111,13 @@ TEST(GraphOperations, viewOfTheFileGoesBeforeTheUsers) {
   EXPECT_EQ(cameraOf("{'operations': []}").root().eye(), smallCamera().eye());
 }
 
+TEST(GraphOperations, filesMayAskForAShapeOfImages) {
+  EXPECT_EQ(cameraOf("{'size': {'width': 1800, 'height': 1200}, 'operations': []}").width(), smallCamera().width());
+  EXPECT_THAT(errorOf("{'size': {'width': 1280, 'height': 720}, 'operations': []}"),
+              AllOf(HasSubstr("1280x720, not 90x60"), HasSubstr("--size")));
+  EXPECT_THAT(errorOf("{'size': {'width': 0, 'height': 720}, 'operations': []}"), HasSubstr("\"width\""));
+}
+
 TEST(GraphOperations, textOfACameraMakesItAgain) {
   GraphCamera limited = crossroads();
   limited.limit(1, Plane::through({0, 0, -4}, {0.1, 0, -1}));

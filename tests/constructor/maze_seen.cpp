@@ -93,7 +93,8 @@ MazeWithObjects::MazeWithObjects(uint64_t seed) : maze(makeMaze(seed)) {
   for (int row = 0; row < maze.rows(); ++row) {
     for (int column = 0; column < maze.columns(); ++column) {
       const MazeCell cell{row, column};
-      if (std::none_of(maze.landmarks.begin(), maze.landmarks.end(), [&](const Landmark& l) { return l.cell == cell; })) {
+      if (std::none_of(maze.landmarks.begin(), maze.landmarks.end(),
+                       [&](const Landmark& l) { return l.cell == cell; })) {
         free.push_back(cell);
       }
     }
