@@ -62,9 +62,12 @@ inline GraphCamera randomGraph(Numbers& numbers, int operations, double most = 0
         case 1: {
           const glm::dvec3 at = turn.plane.crossing(ray.from, ray.from + ray.direction);
           const glm::dvec3 aside = glm::normalize(glm::cross(ray.direction, randomVector(numbers, 1)));
-          const double spread = numbers.between(-2, 2);
-          graph.split(index, turnAt(at, turn.plane.normal + aside * 0.2, turn.viewpoint - aside * spread),
-                      turnAt(at, turn.plane.normal - aside * 0.2, turn.viewpoint + aside * spread), name + " one",
+          // Viewpoints apart along the split line leave the two in touch.
+          const bool touch = randomIndex(numbers, 2) == 0;
+          const glm::dvec3 line = glm::normalize(glm::cross(turn.plane.normal, aside));
+          const glm::dvec3 spread = (touch ? line : aside) * numbers.between(-2, 2);
+          graph.split(index, turnAt(at, turn.plane.normal + aside * 0.2, turn.viewpoint - spread),
+                      turnAt(at, turn.plane.normal - aside * 0.2, turn.viewpoint + spread), name + " one",
                       name + " other");
           break;
         }
@@ -87,6 +90,7 @@ inline GraphCamera randomGraph(Numbers& numbers, int operations, double most = 0
             corner = middle + (corner - middle) * 0.6;
           }
           graph.bend(index, turn, name, window);
+          graph.limit(index, turn.plane);  // what passes beside the window
         }
       }
     } catch (const InputError&) {
