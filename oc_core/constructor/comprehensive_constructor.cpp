@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/constructor/crossing_frusta.h"
 #include "oc_core/constructor/maze_options.h"
+#include "oc_core/constructor/maze_start.h"
 
 namespace ocelli {
 namespace {
@@ -23,7 +23,7 @@ class Builder {
         legs_(tourOf(maze, start, heading, options.order)),
         frustumOf_(legs_.size(), -1),
         width_(CrossingFrame(maze, start, heading).width),
-        eyeHeight_(maze.wallHeight) {}
+        eyeHeight_(options.eyeHeight * static_cast<double>(maze.wallHeight)) {}
 
   GraphCamera build(int width, int height) {
     GraphCamera camera = beforeStart(width, height);
@@ -46,30 +46,18 @@ class Builder {
     return static_cast<double>(leg.cells.size()) * static_cast<double>(maze_.cellSize);
   }
 
-  /// The root, and the first leg as frustum of its own: what is beside the entrance belongs to the root.
+  /// The root, and the first leg.
   GraphCamera beforeStart(int width, int height) {
     const TourLeg& leg = legs_.front();
-    const glm::dvec3 heading(vectorOf(leg.heading));
-    const glm::dvec3 right(vectorOf(rightOf(leg.heading)));
-    const glm::dvec3 begin =
-        glm::dvec3(maze_.centerOf(leg.cells.front())) - heading * (static_cast<double>(maze_.cellSize) / 2);
-    const double distance = viewDistance(leg);
-    View view;
-    view.eye = glm::vec3(begin - heading * distance + glm::dvec3(0, eyeHeight_, 0));
-    view.target = view.eye + vectorOf(leg.heading);
-    // The opening just fits; its upper edge is the image's.
-    const double tall = std::max(eyeHeight_, width_ * height / width);
-    view.fovVerticalDegrees = 2 * std::atan(tall / 2 / distance) * 180 / kPi;
-    view.centerShift = {0, -0.5f};
-    view.zNear = static_cast<float>(distance) - (options_.start ? 1e-3f : 1.0f) * maze_.wallThickness;
-    view.zFar = static_cast<float>(4 * (distance + lengthOfAll()));
-    GraphCamera camera(PinholeCamera(view, width, height));
-    const Plane entrance = Plane::through(begin, heading);
-    camera.limit(GraphCamera::kRoot, entrance);
-    const GraphCamera::Part part =
-        partBetween(camera, GraphCamera::kRoot, begin - right * (width_ / 2), begin + right * (width_ / 2), eyeHeight_);
-    frustumOf_.front() = camera.bend(GraphCamera::kRoot, {entrance, glm::dvec3(view.eye)}, "entrance", part);
-    return camera;
+    MazeStart start = startOf(maze_, {leg.cells.front(), leg.heading, eyeHeight_, lengthOfAll()}, width, height);
+    const glm::dvec3 viewpoint =
+        (start.left + start.right) / 2.0 - start.heading * viewDistance(leg) + glm::dvec3(0, eyeHeight_, 0);
+    const Plane plane = Plane::through(start.left, start.heading);
+    frustumOf_.front() = start.camera.bend(start.frustum, {plane, viewpoint}, "start",
+                                           partBetween(start.camera, start.frustum, start.left, start.right,
+                                                       eyeHeight_));
+    start.camera.limit(start.frustum, plane);
+    return std::move(start.camera);
   }
   double lengthOfAll() const { return static_cast<double>(maze_.cellCount()) * static_cast<double>(maze_.cellSize); }
 
@@ -93,12 +81,13 @@ class Builder {
       const TourLeg& next = legs_[static_cast<size_t>(child)];
       const size_t side = sideOf(leg, next);
       weights[side] = std::pow(static_cast<double>(next.cells.size() + next.cellsAfter), options_.evenness);
-      ways[side].viewDistance = viewDistance(next);
+      ways.way[side].viewDistance = viewDistance(next);
     }
     const std::array<double, 3> shares = widthsOf(weights);
     for (size_t side = 0; side < 3; ++side) {
-      ways[side].share = shares[side];
+      ways.way[side].share = shares[side];
     }
+    ways.depth = shares[1] > 0 ? shares[1] : 1;  // one viewpoint for all of a crossing
     const std::array<int, 3> added =
         addWaysOut(camera, frustum, maze_, leg.cells.back(), leg.heading, ways, eyeHeight_);
     for (const int child : leg.children) {
@@ -116,14 +105,9 @@ class Builder {
     if (weights[1] == 0) {
       return {weights[0] / sides, 0, weights[2] / sides};
     }
-    // A width f ahead keeps f^2 of the area; a side keeps the mean of the heights at E and at S0, and where these
-    // differ by how deep rays turn: widths x = f^2 x weight / kept.
-    double f = 1;
-    for (int round = 0; round < 50; ++round) {  // f + f^2 q = 1 with q of the last f; it contracts
-      const double kept = (1 + turnDepth(f)) / 2;
-      const double q = sides / weights[1] / kept;
-      f = q > 0 ? (std::sqrt(1 + 4 * q) - 1) / (2 * q) : 1;
-    }
+    // A width f ahead keeps f^2 of the area, as the image of the way grows to all sides. A side of width s keeps all of
+    // the height at E and f of it at S0. So f^2 sides = (1 - f) (1 + f) / 2 ahead.
+    const double f = std::sqrt(weights[1] / (weights[1] + 2 * sides));
     return {(1 - f) * weights[0] / sides, f, (1 - f) * weights[2] / sides};
   }
 
@@ -164,7 +148,8 @@ MultiperspectiveCamera buildComprehensiveCamera(JsonFields& fields, const Guided
   options.heading = readDirection(fields, "heading");
   options.nearness = fields.number("nearness", 0.1, 100, options.nearness);
   options.evenness = fields.number("evenness", 0, 1, options.evenness);
-  return makeComprehensiveCamera(mazeOf(scene, "comprehensive camera"), options, reference.width(), reference.height());
+  return makeComprehensiveCamera(mazeOf(scene, "comprehensive camera"), options, reference.width(),
+                                 reference.height());
 }
 
 }  // namespace ocelli

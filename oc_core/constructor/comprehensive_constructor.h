@@ -22,6 +22,7 @@ struct ComprehensiveOptions {
   TourOrder order = TourOrder::kBreadthFirst;
   std::optional<MazeCell> start;     ///< instead of the entrance
   std::optional<Direction> heading;  ///< into the start; given with it, and only with it
+  double eyeHeight = 1;              ///< of all viewpoints, in heights of the walls; at least 1
   double nearness = 2;               ///< more shows what is near larger
   double evenness = 0.7;             ///< 0 gives ways equal shares, 1 shares by the cells that they lead to
 };

@@ -28,18 +28,19 @@ class Crossing {
         frame_(maze, cell, heading),
         ways_(ways),
         eye_(eyeHeight),
-        depth_(turnDepth(ways[1].share) * frame_.width) {}
+        tall_(std::max(frame_.height, eyeHeight)),
+        depth_(ways.depth * frame_.width) {}
 
   std::array<int, 3> add() {
     std::array<int, 3> out{-1, -1, -1};
-    if (ways_[0].share > 0) {
-      out[0] = addSide(frame_, ways_[0], "left");
+    if (ways_.way[0].share > 0) {
+      out[0] = addSide(frame_, ways_.way[0], "left");
     }
-    if (ways_[1].share > 0) {
+    if (ways_.way[1].share > 0) {
       out[1] = addAhead();
     }
-    if (ways_[2].share > 0) {
-      out[2] = addSide(frame_.mirrored(), ways_[2], "right");
+    if (ways_.way[2].share > 0) {
+      out[2] = addSide(frame_.mirrored(), ways_.way[2], "right");
     }
     return out;
   }
@@ -53,8 +54,8 @@ class Crossing {
     const glm::dvec3 left = -frame.right;
     const Plane plane = wallThrough(near, turn, frame.up, left);
     const std::string name = name_ + ", " + side;
-    const GraphCamera::Part part = partBetween(camera_, in_, near, turn, frame.height);
-    if (ways_[1].share <= 0) {
+    const GraphCamera::Part part = partBetween(camera_, in_, near, turn, tall_);
+    if (ways_.depth >= 1) {
       return bendPart(in_, {plane, frame.at(way.share * w / 2 + way.viewDistance, w / 2, eye_)}, name, part);
     }
     // On the line S0-Pl, as far ahead as E.
@@ -65,22 +66,22 @@ class Crossing {
 
   int addAhead() {
     const double w = frame_.width;
-    const double x0 = ways_[0].share * w;
-    const double x1 = (1 - ways_[2].share) * w;
+    const double x0 = ways_.way[0].share * w;
+    const double x1 = (1 - ways_.way[2].share) * w;
     const glm::dvec3 a = frame_.at(x0, depth_);
     const glm::dvec3 b = frame_.at(x1, depth_);
     const std::string name = name_ + ", ahead";
     const Mouth mouth{frame_.at(0, (1 + kBeyond) * w), frame_.at(w, (1 + kBeyond) * w), frame_.ahead};
     if (!(x1 - x0 < w)) {
-      return addCorridor(in_, mouth, ways_[1], name);
+      return addCorridor(in_, mouth, ways_.way[1], name);
     }
     // Where the lines S0-Pl and S1-Pr meet.
     const double before = (w - depth_) * (x1 - x0) / (w - (x1 - x0));
     const glm::dvec3 viewpoint = frame_.at(x0 + before * x0 / (w - depth_), depth_ - before, eye_);
     const int fan = bendPart(in_, {wallThrough(a, b, frame_.up, frame_.ahead), viewpoint}, name,
-                             partBetween(camera_, in_, a, b, frame_.height));
+                                 partBetween(camera_, in_, a, b, tall_));
     limitToBox(camera_, fan, room_);
-    return addCorridor(fan, mouth, ways_[1], name);
+    return addCorridor(fan, mouth, ways_.way[1], name);
   }
 
   struct Mouth {
@@ -91,7 +92,7 @@ class Crossing {
   int addCorridor(int fan, const Mouth& mouth, const WayOut& way, const std::string& name) {
     const glm::dvec3 viewpoint = (mouth.a + mouth.b) / 2.0 - mouth.heading * way.viewDistance + frame_.up * eye_;
     return bendPart(fan, {Plane::through(mouth.a, mouth.heading), viewpoint}, name + ", corridor",
-                    partBetween(camera_, fan, mouth.a, mouth.b, frame_.height));
+                    partBetween(camera_, fan, mouth.a, mouth.b, tall_));
   }
 
   int bendPart(int i, const GraphCamera::Turn& turn, const std::string& name, const GraphCamera::Part& part) {
@@ -109,6 +110,7 @@ class Crossing {
   CrossingFrame frame_;
   WaysOut ways_;
   double eye_;
+  double tall_;  ///< of what is seen through a way
   double depth_;
 };
 
@@ -138,10 +140,6 @@ CrossingFrame CrossingFrame::mirrored() const {
   other.corner += right * width;
   other.right = -right;
   return other;
-}
-
-double turnDepth(double shareAhead) {
-  return 1 - 0.8 * shareAhead;
 }
 
 std::array<int, 3> addWaysOut(GraphCamera& camera, int i, const Maze& maze, const MazeCell& cell, Direction heading,

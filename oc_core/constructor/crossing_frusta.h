@@ -10,7 +10,9 @@
 //       | /        \   |          the side way begins. Those ahead turn at Pl-Pr, and fan out from there to S0 and S1,
 //     E |/__________\__| E'       where they turn again. So every point of the box is seen once.
 //
-// How far ahead Pl lies is a compromise: rays to the side lose height the nearer it is, those ahead the farther.
+// How deep Pl lies is a matter of choice: rays to the side lose height the nearer it is, those ahead the farther. Where
+// its depth is the share of the way ahead, all three fans have one viewpoint, on the near face: then the image has no
+// jump within the box. In any case it has one beyond S0 and S1, where walls part the ways.
 //
 // All planes are vertical and all viewpoints at one height, so vertical lines stay vertical in the image.
 //
@@ -47,11 +49,13 @@ struct WayOut {
   double viewDistance = 1;  ///< how far behind the beginning of the way the viewpoint of its rays lies
 };
 
-/// To the left, ahead and to the right.
-using WaysOut = std::array<WayOut, 3>;
+struct WaysOut {
+  std::array<WayOut, 3> way;  ///< to the left, ahead and to the right; shares add up to 1
+  double depth = 1;           ///< of Pl and Pr, in widths from the near face; 1 for the far wall, without a way ahead
+};
 
 /// Adds the frusta of the ways out of the crossing `cell`, for the rays of frustum `i` with the viewpoints' height
-/// above the floor. The last frustum of each way, -1 for none. Shares add up to 1.
+/// above the floor. The last frustum of each way, -1 for none.
 std::array<int, 3> addWaysOut(GraphCamera& camera, int i, const Maze& maze, const MazeCell& cell, Direction heading,
                               const WaysOut& ways, double eyeHeight);
 
@@ -65,8 +69,5 @@ void limitToBox(GraphCamera& camera, int i, const Box& box);
 
 /// The clear box of the cell with its floor and its walls, which rays must reach.
 Box roomOf(const Maze& maze, const MazeCell& cell);
-
-/// Of the width that rays ahead have at the crossing, how deep in the box they turn.
-double turnDepth(double shareAhead);
 
 }  // namespace ocelli
