@@ -7,6 +7,7 @@
 #include "oc_core/constructor/comprehensive_constructor.h"
 #include "oc_core/constructor/curved_turns.h"
 #include "oc_core/constructor/graph_operations.h"
+#include "oc_core/constructor/portal_constructor.h"
 
 namespace ocelli {
 namespace {
@@ -43,6 +44,10 @@ const std::vector<CameraConstructor>& cameraConstructors() {
          return MultiperspectiveCamera(readCurvedRayCamera(options, reference));
        }},
       {"comprehensive", "a whole maze in one image, each place once", buildComprehensiveCamera},
+      {"portal", "graph camera that looks straight into every portal in view",
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(buildPortalCamera(readPortalOptions(options), scene.guides, reference));
+       }},
   };
   return constructors;
 }
@@ -64,7 +69,8 @@ MultiperspectiveCamera constructCamera(const std::string& nameOrFile, const Guid
   const std::string name = fields.text("camera");
   const CameraConstructor* constructor = find(name);
   if (constructor == nullptr) {
-    throw InputError("there is no constructor of cameras \"" + name + "\"", where, "use " + listOfNames());
+    throw InputError("there is no constructor of cameras \"" + name + "\"", where + ", field \"camera\"",
+                     "use " + listOfNames());
   }
   MultiperspectiveCamera camera = constructor->build(fields, scene, reference);
   fields.rejectUnknown();
