@@ -37,6 +37,8 @@ class CurvedRayCamera {
   int height() const { return root_.height(); }
   const PinholeCamera& root() const { return root_; }
   const std::vector<RayTransition>& turns() const { return turns_; }
+  /// Rows 0, 1 and 3 give u, v and their weight of a point where rays run straight, after so many turns.
+  const glm::dmat4& pixelFromWorld(size_t turns) const { return pixelFromWorld_[turns]; }
 
   /// Nothing for points that no ray passes, but those that the pinhole sees beyond the borders.
   std::optional<ExactImagePoint> projectExactly(const glm::dvec3& worldPoint) const;

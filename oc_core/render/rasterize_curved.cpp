@@ -1,0 +1,101 @@
+#include "oc_core/render/rasterize_curved.h"
+
+#include "oc_core/render/draw_tasks.h"
+#include "oc_core/render/pixel_ray.h"
+#include "oc_core/render/turn_drawer.h"
+
+namespace ocelli {
+namespace {
+
+/// What lies before, between and behind the turns. Its rays are all of one kind.
+std::vector<Stretch> stretchesOf(const CurvedRayCamera& camera) {
+  const PinholeCamera& root = camera.root();
+  const double width = camera.width();
+  const double height = camera.height();
+  const glm::dvec3 eye(root.eye());
+  const glm::dvec3 forward(root.forward());
+  std::vector<Stretch> stretches;
+  for (size_t i = 0; i <= camera.turns().size(); ++i) {
+    Stretch stretch;
+    stretch.order = static_cast<uint8_t>(2 * i);
+    stretch.pixelFromWorld = camera.pixelFromWorld(i);
+    stretch.part = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+    stretch.viewpoint = i == 0 ? eye : camera.turns()[i - 1].beyond();
+    stretch.begin = i == 0 ? Plane::through(eye + forward * static_cast<double>(root.view().zNear), forward)
+                           : camera.turns()[i - 1].planes().to;
+    stretch.ends.emplace_back();
+    if (i < camera.turns().size()) {
+      stretch.ends.back().push_back(camera.turns()[i].planes().from);
+    }
+    stretch.endsOfLeaf = {0};
+    stretches.push_back(std::move(stretch));
+  }
+  return stretches;
+}
+
+/// z of a point that the ray of a pixel passes in a piece, as the camera measures it.
+double depthOf(const CurvedRayCamera& camera, PixelRay ray, size_t order, const glm::dvec3& point) {
+  const auto bend = [&](const RayTransition& turn) { ray.bend(turn.planes().middle, turn.beyond()); };
+  for (size_t i = 0; i < order / 2; ++i) {
+    bend(camera.turns()[i]);
+  }
+  if (order % 2 == 0) {
+    return ray.zOf(point);
+  }
+  const RayTransition& turn = camera.turns()[order / 2];
+  const Plane& from = turn.planes().from;
+  const Plane& to = turn.planes().to;
+  const double begin = ray.zOf(ray.cross(from));
+  const double fromShare = std::max(from.height(point), 0.0) / glm::dot(from.normal, glm::normalize(ray.direction()));
+  bend(turn);
+  const double end = ray.zOf(ray.cross(to));
+  const double toShare = std::max(-to.height(point), 0.0) / glm::dot(to.normal, glm::normalize(ray.direction()));
+  const double share = fromShare + toShare > 0 ? fromShare / (fromShare + toShare) : 0;
+  return begin + (end - begin) * share;
+}
+
+}  // namespace
+
+FragmentImage rasterize(const CurvedRayCamera& camera, const MeshBlocks& blocks) {
+  const PixelLeaves leaves(camera.width(), camera.height(), 0);
+  const std::vector<Stretch> stretches = stretchesOf(camera);
+  std::vector<StretchDrawer> straight;
+  std::vector<TurnDrawer> turns;
+  std::vector<BlockTask> tasks;
+  for (size_t i = 0; i < stretches.size(); ++i) {
+    straight.emplace_back(stretches[i], blocks, leaves);
+    straight.back().findBlocks(static_cast<uint32_t>(2 * i), tasks);
+    if (i < camera.turns().size()) {
+      const size_t order = 2 * i + 1;
+      turns.emplace_back(camera, i, static_cast<uint8_t>(order), blocks);
+      turns.back().findBlocks(static_cast<uint32_t>(order), tasks);
+    }
+  }
+  struct Scratch {
+    StretchDrawer::Scratch straight;
+    TurnDrawer::Scratch turn;
+  };
+  const OrderedBuffer buffer = drawTasks(
+      leaves.size(), tasks, [] { return Scratch(); },
+      [&](OrderedBuffer& drawn, const BlockTask& task, Scratch& scratch) {
+        if (task.piece % 2 == 0) {
+          straight[task.piece / 2].draw(drawn, task, scratch.straight);
+        } else {
+          turns[task.piece / 2].draw(drawn, task, scratch.turn);
+        }
+      });
+  const PixelRays rays(camera.root());
+  const auto width = static_cast<size_t>(camera.width());
+  return fragmentsOf(
+      buffer, blocks.mesh(), camera.width(), camera.height(), static_cast<double>(camera.root().view().zFar),
+      [&](size_t pixel, size_t order, const glm::dvec3& point) {
+        const glm::dvec2 centre(static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5);
+        return depthOf(camera, PixelRay(rays, centre), order, point);
+      });
+}
+
+FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh) {
+  return rasterize(camera, MeshBlocks(mesh));
+}
+
+}  // namespace ocelli
