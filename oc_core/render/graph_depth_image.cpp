@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "oc_core/base/finite.h"
+
 namespace ocelli {
 namespace {
 
@@ -14,10 +16,6 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kParallel = 1e-12;
 /// How much steeper than next to there a surface may be between two pixels.
 constexpr double kSteeper = 1.5;
-
-bool isFinite(const glm::dvec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 struct Ray {
   glm::dvec3 origin;

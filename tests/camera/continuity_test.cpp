@@ -134,6 +134,7 @@ TEST(Continuity, ofGraphCamerasButAcrossSplitLines) {
           ++crossings;
           worstShare = std::max(worstShare, share);
           worstRest = std::max(worstRest, moved(graph, way, step));
+          EXPECT_NEAR(graph.projectExactly(way.at(step.from))->z, graph.projectExactly(way.at(step.to))->z, 1e-9);
         } else {
           // A jump, then: from the border of one part to that of another.
           ++jumps;

@@ -167,6 +167,22 @@ TEST(CurvedRayCamera, withoutATurnItIsThePinhole) {
   }
 }
 
+TEST(CurvedRayCamera, seesNothingFarBeyondTheBorders) {
+  EXPECT_FALSE(turningRight().unprojectExactly({10, 3e160, 15})) << "where rays have no coordinates";
+}
+
+// A turn may end behind zFar; rays do not run back to there.
+TEST(CurvedRayCamera, raysNeverRunBack) {
+  View view;
+  view.zFar = 10.5f;
+  CurvedRayCamera camera(PinholeCamera(view, 90, 60));
+  camera.turn(rightTurn(), {-2, 0, 6});
+  const RayPath path = camera.rayPath({10, 30});
+  for (size_t i = 2; i < path.size(); ++i) {
+    EXPECT_GE(glm::dot(path[i] - path[i - 1], path[i - 1] - path[i - 2]), 0.0f) << i;
+  }
+}
+
 TEST(CurvedRayCamera, refusesWhatCannotBe) {
   EXPECT_THAT(messageOfTurn({Plane::through({4, 0, 0}, {-0.25, 0, -1}), Plane::through({4, 0, 0}, {0, 0.3, -1}),
                              Plane::through({4, 0, 0}, {0.25, 0, -1})},
@@ -184,6 +200,7 @@ TEST(CurvedRayCamera, refusesWhatCannotBe) {
   EXPECT_THAT(messageOfTurn({{{0, 0, 1}, NAN}, {{0, 0, 1}, 0}, {{0, 0, 1}, 0}}, {0, 0, 5}), HasSubstr("not finite"));
   EXPECT_THAT(messageOfTurn(rightTurn(), {-2, 0, -6}), HasSubstr("viewpoint does not lie before"));
   EXPECT_THAT(messageOfTurn(rightTurn(), {-2, NAN, 6}), HasSubstr("viewpoint"));
+  EXPECT_THAT(messageOfTurn(rightTurn(), {-2, 1e40, 6}), HasSubstr("too far away for single precision"));
   EXPECT_THAT(messageOfTurn(planesThrough({4, 0, 20}, {-0.25, 0, -1}, {0, 0, -1}, {0.25, 0, -1}), {0, 0, 30}),
               HasSubstr("not every ray"))
       << "behind the eye";

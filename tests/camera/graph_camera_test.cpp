@@ -235,6 +235,15 @@ TEST(GraphCamera, refusesWhatCannotBe) {
               HasSubstr("turn more than 64 times"));
 }
 
+TEST(GraphCameraDeath, refusesFrustaThatAreNone) {
+  GraphCamera graph(smallCamera());
+  const GraphCamera::Turn turn = turnAt({0, 0, 0}, {0, 0, -1}, {1, 0, 5});
+  EXPECT_DEATH(graph.bend(1, turn, "bent"), "no such frustum");
+  EXPECT_DEATH(graph.split(-1, turn, turn, "one", "other"), "no such frustum");
+  EXPECT_DEATH(graph.merge(0, 1, turn, "merged"), "no such frustum");
+  EXPECT_DEATH(graph.limit(7, turn.plane), "no such frustum");
+}
+
 TEST(GraphCamera, aFailedSplitLeavesItAsItWas) {
   GraphCamera graph(smallCamera());
   EXPECT_THROW(graph.split(0, turnAt({0, 0, 0.5}, {-0.3, 0, -1}, {1.5, 0, 7}),
