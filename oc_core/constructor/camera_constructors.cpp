@@ -5,6 +5,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/constructor/comprehensive_constructor.h"
+#include "oc_core/constructor/maze_constructor.h"
 
 namespace ocelli {
 namespace {
@@ -33,6 +34,7 @@ std::string listOfNames() {
 const std::vector<CameraConstructor>& cameraConstructors() {
   static const std::vector<CameraConstructor> constructors{
       {"comprehensive", "a whole maze in one image, each place once", buildComprehensiveCamera},
+      {"maze", "along a corridor to the next crossing, and along all ways that leave it", buildMazeCamera},
   };
   return constructors;
 }
