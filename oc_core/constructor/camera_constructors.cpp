@@ -7,6 +7,7 @@
 #include "oc_core/constructor/comprehensive_constructor.h"
 #include "oc_core/constructor/curved_turns.h"
 #include "oc_core/constructor/graph_operations.h"
+#include "oc_core/constructor/maze_constructor.h"
 #include "oc_core/constructor/portal_constructor.h"
 
 namespace ocelli {
@@ -48,6 +49,7 @@ const std::vector<CameraConstructor>& cameraConstructors() {
        [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
          return MultiperspectiveCamera(buildPortalCamera(readPortalOptions(options), scene.guides, reference));
        }},
+      {"maze", "along a corridor to the next crossing, and along all ways that leave it", buildMazeCamera},
   };
   return constructors;
 }

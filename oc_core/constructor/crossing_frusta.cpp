@@ -36,7 +36,7 @@ class Crossing {
     if (ways_.way[0].share > 0) {
       out[0] = addSide(frame_, ways_.way[0], "left");
     }
-    if (ways_.way[1].share > 0) {
+    if (ways_.way[1].share > 0 && ways_.way[1].viewDistance > 0) {
       out[1] = addAhead();
     }
     if (ways_.way[2].share > 0) {

@@ -46,7 +46,7 @@ struct CrossingFrame {
 /// Of a way out of a crossing.
 struct WayOut {
   double share = 0;         ///< of the crossing's width; 0 where there is no such way
-  double viewDistance = 1;  ///< how far behind the beginning of the way the viewpoint of its rays lies
+  double viewDistance = 1;  ///< how far behind the beginning of the way the viewpoint of its rays lies; 0 for a wall
 };
 
 struct WaysOut {
