@@ -8,6 +8,7 @@
 #include "oc_core/constructor/curved_turns.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/constructor/maze_constructor.h"
+#include "oc_core/constructor/path_constructor.h"
 #include "oc_core/constructor/portal_constructor.h"
 
 namespace ocelli {
@@ -50,6 +51,10 @@ const std::vector<CameraConstructor>& cameraConstructors() {
          return MultiperspectiveCamera(buildPortalCamera(readPortalOptions(options), scene.guides, reference));
        }},
       {"maze", "along a corridor to the next crossing, and along all ways that leave it", buildMazeCamera},
+      {"path", "curved ray camera that previews a path behind its next turns",
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(buildPathCamera(readPathOptions(options), scene.guides, reference));
+       }},
   };
   return constructors;
 }
