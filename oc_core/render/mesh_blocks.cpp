@@ -1,31 +1,28 @@
 #include "oc_core/render/mesh_blocks.h"
 
+#include <array>
+#include <glm/common.hpp>
+
 #include "oc_core/base/finite.h"
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {
 
-bool hasFiniteCorners(const Mesh& mesh, size_t triangle) {
-  const glm::uvec3& t = mesh.triangles[triangle];
-  return isFinite(mesh.positions[t.x]) && isFinite(mesh.positions[t.y]) && isFinite(mesh.positions[t.z]);
-}
-
 MeshBlocks::MeshBlocks(const Mesh& mesh)
-    : mesh_(mesh),
-      blocks_((mesh.triangles.size() + kTriangles - 1) / kTriangles),
-      runs_((blocks_.size() + kRun - 1) / kRun) {
+    : blocks_((mesh.triangles.size() + kTriangles - 1) / kTriangles), runs_((blocks_.size() + kRun - 1) / kRun) {
   parallelFor(runs_.size(), 2, [&](size_t begin, size_t end) {
     for (size_t i = begin * kRun; i < std::min(end * kRun, blocks_.size()); ++i) {
       Block& block = blocks_[i];
       for (size_t k = i * kTriangles; k < std::min((i + 1) * kTriangles, mesh.triangles.size()); ++k) {
-        if (!hasFiniteCorners(mesh, k)) {
-          block.whole = false;
+        const glm::uvec3& t = mesh.triangles[k];
+        const std::array<glm::vec3, 3> corners{mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]};
+        if (!std::all_of(corners.begin(), corners.end(), isFinite)) {
           continue;
         }
-        for (int corner = 0; corner < 3; ++corner) {
-          const glm::vec3& p = mesh.positions[mesh.triangles[k][corner]];
-          block.box.lower = glm::min(block.box.lower, p);
-          block.box.upper = glm::max(block.box.upper, p);
+        block.finite |= 1u << (k - i * kTriangles);
+        for (const glm::vec3& corner : corners) {
+          block.box.lower = glm::min(block.box.lower, corner);
+          block.box.upper = glm::max(block.box.upper, corner);
         }
       }
       if (!block.box.empty()) {

@@ -5,6 +5,8 @@
 // so blocks of neighbours in that order do, and take a small part of the time to build.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,29 +21,32 @@ class MeshBlocks {
   static constexpr size_t kRun = 32;        ///< blocks of a run
 
   struct Block {
-    Box box;            ///< around the triangles whose corners are finite
-    bool whole = true;  ///< all corners of all its triangles are finite
+    Box box;              ///< around the triangles whose corners are finite
+    uint32_t finite = 0;  ///< which these are: bit i is triangle i of the block
   };
 
-  /// The mesh must outlive it, and not change.
   explicit MeshBlocks(const Mesh& mesh);
 
-  const Mesh& mesh() const { return mesh_; }
   const Block& operator[](size_t block) const { return blocks_[block]; }
   size_t size() const { return blocks_.size(); }
-
+  /// Calls `visit(triangle)`, in order, for the triangles of a block whose corners are finite.
+  template <class Visit>
+  void forEachTriangle(uint32_t block, const Visit& visit) const;
   /// Calls `visit(block, placement)`, in order, for the blocks that are not outside of the half spaces.
   template <class Visit>
   void forEachWithin(std::span<const HalfSpace> spaces, const Visit& visit) const;
 
  private:
-  const Mesh& mesh_;
   std::vector<Block> blocks_;
   std::vector<Box> runs_;
 };
 
-/// Whether the corners of a triangle are numbers.
-bool hasFiniteCorners(const Mesh& mesh, size_t triangle);
+template <class Visit>
+void MeshBlocks::forEachTriangle(uint32_t block, const Visit& visit) const {
+  for (uint32_t left = blocks_[block].finite; left != 0; left &= left - 1) {
+    visit(block * static_cast<uint32_t>(kTriangles) + static_cast<uint32_t>(std::countr_zero(left)));
+  }
+}
 
 template <class Visit>
 void MeshBlocks::forEachWithin(std::span<const HalfSpace> spaces, const Visit& visit) const {

@@ -56,18 +56,18 @@ double depthOf(const CurvedRayCamera& camera, PixelRay ray, size_t order, const 
 
 }  // namespace
 
-FragmentImage rasterize(const CurvedRayCamera& camera, const MeshBlocks& blocks) {
+FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {
   const PixelLeaves leaves(camera.width(), camera.height(), 0);
   const std::vector<Stretch> stretches = stretchesOf(camera);
   std::vector<StretchDrawer> straight;
   std::vector<TurnDrawer> turns;
   std::vector<BlockTask> tasks;
   for (size_t i = 0; i < stretches.size(); ++i) {
-    straight.emplace_back(stretches[i], blocks, leaves);
-    straight.back().findBlocks(static_cast<uint32_t>(2 * i), tasks);
+    straight.emplace_back(stretches[i], mesh, blocks, leaves);
+    straight.back().bounds().findBlocks(blocks, static_cast<uint32_t>(2 * i), tasks);
     if (i < camera.turns().size()) {
       const size_t order = 2 * i + 1;
-      turns.emplace_back(camera, i, static_cast<uint8_t>(order), blocks);
+      turns.emplace_back(camera, i, static_cast<uint8_t>(order), mesh, blocks);
       turns.back().findBlocks(static_cast<uint32_t>(order), tasks);
     }
   }
@@ -86,16 +86,16 @@ FragmentImage rasterize(const CurvedRayCamera& camera, const MeshBlocks& blocks)
       });
   const PixelRays rays(camera.root());
   const auto width = static_cast<size_t>(camera.width());
-  return fragmentsOf(
-      buffer, blocks.mesh(), camera.width(), camera.height(), static_cast<double>(camera.root().view().zFar),
-      [&](size_t pixel, size_t order, const glm::dvec3& point) {
-        const glm::dvec2 centre(static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5);
-        return depthOf(camera, PixelRay(rays, centre), order, point);
-      });
+  return fragmentsOf(buffer, mesh, camera.width(), camera.height(), static_cast<double>(camera.root().view().zFar),
+                     [&](size_t pixel, size_t order, const glm::dvec3& point) {
+                       const glm::dvec2 centre(static_cast<double>(pixel % width) + 0.5,
+                                               static_cast<double>(pixel / width) + 0.5);
+                       return depthOf(camera, PixelRay(rays, centre), order, point);
+                     });
 }
 
 FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh) {
-  return rasterize(camera, MeshBlocks(mesh));
+  return rasterize(camera, mesh, MeshBlocks(mesh));
 }
 
 }  // namespace ocelli

@@ -6,14 +6,14 @@
 
 namespace ocelli {
 
-FragmentImage rasterize(const GraphCamera& camera, const MeshBlocks& blocks) {
+FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {
   const PixelLeaves leaves = leavesOf(camera);
   const std::vector<Stretch> stretches = stretchesOf(camera, leaves);
   std::vector<StretchDrawer> drawers;
   std::vector<BlockTask> tasks;
   for (const Stretch& stretch : stretches) {
-    drawers.emplace_back(stretch, blocks, leaves);
-    drawers.back().findBlocks(static_cast<uint32_t>(drawers.size() - 1), tasks);
+    drawers.emplace_back(stretch, mesh, blocks, leaves);
+    drawers.back().bounds().findBlocks(blocks, static_cast<uint32_t>(drawers.size() - 1), tasks);
   }
   const OrderedBuffer buffer = drawTasks(
       leaves.size(), tasks, [] { return StretchDrawer::Scratch(); },
@@ -30,7 +30,7 @@ FragmentImage rasterize(const GraphCamera& camera, const MeshBlocks& blocks) {
   const PixelRays rays(camera.root());
   const auto width = static_cast<size_t>(camera.width());
   return fragmentsOf(
-      buffer, blocks.mesh(), camera.width(), camera.height(), static_cast<double>(camera.root().view().zFar),
+      buffer, mesh, camera.width(), camera.height(), static_cast<double>(camera.root().view().zFar),
       [&](size_t pixel, size_t order, const glm::dvec3& point) {
         PixelRay ray(rays, {static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5});
         for (size_t i = 1; i <= order; ++i) {
@@ -41,7 +41,7 @@ FragmentImage rasterize(const GraphCamera& camera, const MeshBlocks& blocks) {
 }
 
 FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh) {
-  return rasterize(camera, MeshBlocks(mesh));
+  return rasterize(camera, mesh, MeshBlocks(mesh));
 }
 
 }  // namespace ocelli

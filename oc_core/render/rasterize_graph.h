@@ -14,7 +14,7 @@ namespace ocelli {
 
 /// The closest fragment along the ray of each pixel; both sides of triangles are drawn.
 FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh);
-/// The same, of a mesh that is drawn more than once.
-FragmentImage rasterize(const GraphCamera& camera, const MeshBlocks& blocks);
+/// The same, of a mesh that is drawn more than once: `blocks` are its own.
+FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh, const MeshBlocks& blocks);
 
 }  // namespace ocelli

@@ -78,28 +78,15 @@ PixelRect rectAround(const std::vector<glm::dvec2>& part, const PixelLeaves& lea
 
 }  // namespace
 
-StretchDrawer::StretchDrawer(const Stretch& stretch, const MeshBlocks& blocks, const PixelLeaves& leaves)
+StretchBounds::StretchBounds(const Stretch& stretch)
     : stretch_(stretch),
-      blocks_(blocks),
-      leaves_(leaves),
       margin_(-1e-3 * stretch.begin.height(stretch.viewpoint)),
-      rect_(rectAround(stretch.part, leaves)) {
-  const glm::dmat4 rows = glm::transpose(stretch.pixelFromWorld);
-  uRow_ = rows[0];
-  vRow_ = rows[1];
-  weightRow_ = rows[3];
-  spaces_ = within(stretch.part, stretch.pixelFromWorld, kPartMargin);
+      spaces_(within(stretch.part, stretch.pixelFromWorld, kPartMargin)) {
   spaces_.push_back(beyond(stretch.begin, margin_));
-  holdsAllPixels_ = true;
-  for (int y = rect_.y0; y < rect_.y1; ++y) {
-    for (int x = rect_.x0; x < rect_.x1; ++x) {
-      holdsAllPixels_ = holdsAllPixels_ && stretch.endsOfLeaf[leaves(x, y)] >= 0;
-    }
-  }
 }
 
 /// Whether no ray ends before the box does.
-bool StretchDrawer::endsBehind(const Box& box) const {
+bool StretchBounds::endsBehind(const Box& box) const {
   return std::all_of(stretch_.ends.begin(), stretch_.ends.end(), [&](const std::vector<Plane>& planes) {
     return std::all_of(planes.begin(), planes.end(),
                        [&](const Plane& plane) { return heights(plane, box).second <= 0; });
@@ -107,21 +94,41 @@ bool StretchDrawer::endsBehind(const Box& box) const {
 }
 
 /// Whether all rays end before the box begins.
-bool StretchDrawer::endsBefore(const Box& box) const {
+bool StretchBounds::endsBefore(const Box& box) const {
   return std::all_of(stretch_.ends.begin(), stretch_.ends.end(), [&](const std::vector<Plane>& planes) {
     return std::any_of(planes.begin(), planes.end(),
                        [&](const Plane& plane) { return heights(plane, box).first > margin_; });
   });
 }
 
-void StretchDrawer::findBlocks(uint32_t piece, std::vector<BlockTask>& tasks) const {
-  blocks_.forEachWithin(spaces_, [&](uint32_t block, Placement placement) {
-    const Box& box = blocks_[block].box;
+void StretchBounds::findBlocks(const MeshBlocks& blocks, uint32_t piece, std::vector<BlockTask>& tasks) const {
+  blocks.forEachWithin(spaces_, [&](uint32_t block, Placement placement) {
+    const Box& box = blocks[block].box;
     if (!endsBefore(box)) {
       const bool inside = placement == Placement::kInside && heights(stretch_.begin, box).first >= 0;
       tasks.push_back({piece, block, inside && endsBehind(box)});
     }
   });
+}
+
+StretchDrawer::StretchDrawer(const Stretch& stretch, const Mesh& mesh, const MeshBlocks& blocks,
+                             const PixelLeaves& leaves)
+    : stretch_(stretch),
+      mesh_(mesh),
+      blocks_(blocks),
+      leaves_(leaves),
+      bounds_(stretch),
+      rect_(rectAround(stretch.part, leaves)) {
+  const glm::dmat4 rows = glm::transpose(stretch.pixelFromWorld);
+  uRow_ = rows[0];
+  vRow_ = rows[1];
+  weightRow_ = rows[3];
+  holdsAllPixels_ = true;
+  for (int y = rect_.y0; y < rect_.y1 && holdsAllPixels_; ++y) {
+    for (int x = rect_.x0; x < rect_.x1; ++x) {
+      holdsAllPixels_ = holdsAllPixels_ && stretch.endsOfLeaf[leaves(x, y)] >= 0;
+    }
+  }
 }
 
 RasterVertex StretchDrawer::project(const glm::dvec3& p) const {
@@ -137,12 +144,13 @@ const StretchDrawer::Scratch::Vertex& StretchDrawer::vertex(uint32_t index, bool
   if (held.tag == tag) {
     return held;
   }
-  const glm::dvec3 p(blocks_.mesh().positions[index]);
+  const glm::dvec3 p(mesh_.positions[index]);
   held = {tag, project(p), 0};
   if (!inside) {
     const double height = stretch_.begin.height(p);
+    const double margin = bounds_.margin();
     const RasterVertex& v = held.image;
-    const bool imaged = height >= -margin_ && v.inverseZ > 0 && v.u > -kGuardPixels && v.v > -kGuardPixels &&
+    const bool imaged = height >= -margin && v.inverseZ > 0 && v.u > -kGuardPixels && v.v > -kGuardPixels &&
                         v.u < static_cast<float>(leaves_.width()) + kGuardPixels &&
                         v.v < static_cast<float>(leaves_.height()) + kGuardPixels;
     const bool isBeyond =
@@ -150,24 +158,16 @@ const StretchDrawer::Scratch::Vertex& StretchDrawer::vertex(uint32_t index, bool
           return std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) { return plane.height(p) > 0; });
         });
     held.flags = static_cast<uint8_t>((height < 0 ? kBefore : 0) | (isBeyond ? kBeyond : 0) | (imaged ? 0 : kClip) |
-                                      (height < -margin_ ? kHidden : 0));
+                                      (height < -margin ? kHidden : 0));
   }
   return held;
 }
 
 void StretchDrawer::draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& scratch) const {
-  const Mesh& mesh = blocks_.mesh();
-  const bool whole = blocks_[task.block].whole;
   const uint8_t order = stretch_.order;
   ++scratch.serial;
-  const size_t begin = task.block * MeshBlocks::kTriangles;
-  const size_t end = std::min(begin + MeshBlocks::kTriangles, mesh.triangles.size());
-  for (size_t i = begin; i < end; ++i) {
-    if (!whole && !hasFiniteCorners(mesh, i)) {
-      continue;
-    }
-    const auto triangle = static_cast<uint32_t>(i);
-    const glm::uvec3& t = mesh.triangles[i];
+  blocks_.forEachTriangle(task.block, [&](uint32_t triangle) {
+    const glm::uvec3& t = mesh_.triangles[triangle];
     const Scratch::Vertex a = vertex(t.x, task.inside, scratch);
     Scratch::Vertex b = vertex(t.y, task.inside, scratch);
     Scratch::Vertex c = vertex(t.z, task.inside, scratch);
@@ -176,7 +176,7 @@ void StretchDrawer::draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& 
       if ((a.flags & b.flags & c.flags & kHidden) == 0) {
         drawCut(buffer, triangle, (flags & kClip) != 0, scratch);
       }
-      continue;
+      return;
     }
     b.image.b1 = 1;
     c.image.b2 = 1;
@@ -186,15 +186,14 @@ void StretchDrawer::draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& 
                      buffer.offer(pixel, order, weight, triangle, weights);
                    }
                  });
-  }
+  });
 }
 
 void StretchDrawer::drawCut(OrderedBuffer& buffer, uint32_t triangle, bool clips, Scratch& scratch) const {
-  const Mesh& mesh = blocks_.mesh();
-  const glm::uvec3& t = mesh.triangles[triangle];
+  const glm::uvec3& t = mesh_.triangles[triangle];
   const std::vector<ClipCorner>& polygon =
-      scratch.clipper.clip(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z],
-                           clips ? std::span<const HalfSpace>(spaces_) : std::span<const HalfSpace>());
+      scratch.clipper.clip(mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z],
+                           clips ? std::span<const HalfSpace>(bounds_.spaces()) : std::span<const HalfSpace>());
   std::vector<RasterVertex>& corners = scratch.corners;
   corners.clear();
   for (const ClipCorner& corner : polygon) {

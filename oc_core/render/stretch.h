@@ -37,6 +37,28 @@ struct BlockTask {
   bool inside = false;  ///< wholly: nothing is to be clipped or tested
 };
 
+/// Where a stretch is, and which blocks of a mesh it may show.
+class StretchBounds {
+ public:
+  /// It must outlive this.
+  explicit StretchBounds(const Stretch& stretch);
+
+  /// How far before its first plane, and beyond its last ones, triangles are still drawn, and then tested by pixels.
+  double margin() const { return margin_; }
+  /// That it lies in, with that margin and one around its part of the image.
+  const HalfSpaces& spaces() const { return spaces_; }
+  /// Appends the blocks that the stretch may show, as tasks of this piece.
+  void findBlocks(const MeshBlocks& blocks, uint32_t piece, std::vector<BlockTask>& tasks) const;
+
+ private:
+  bool endsBefore(const Box& box) const;
+  bool endsBehind(const Box& box) const;
+
+  const Stretch& stretch_;
+  double margin_;
+  HalfSpaces spaces_;
+};
+
 class StretchDrawer {
  public:
   /// What a thread keeps from one block to the next.
@@ -55,15 +77,12 @@ class StretchDrawer {
   };
 
   /// All must outlive it.
-  StretchDrawer(const Stretch& stretch, const MeshBlocks& blocks, const PixelLeaves& leaves);
+  StretchDrawer(const Stretch& stretch, const Mesh& mesh, const MeshBlocks& blocks, const PixelLeaves& leaves);
 
-  /// Appends the blocks that the stretch may show, as tasks of this piece.
-  void findBlocks(uint32_t piece, std::vector<BlockTask>& tasks) const;
+  const StretchBounds& bounds() const { return bounds_; }
   void draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& scratch) const;
 
  private:
-  bool endsBefore(const Box& box) const;
-  bool endsBehind(const Box& box) const;
   RasterVertex project(const glm::dvec3& point) const;
   const Scratch::Vertex& vertex(uint32_t index, bool inside, Scratch& scratch) const;
   void drawCut(OrderedBuffer& buffer, uint32_t triangle, bool clips, Scratch& scratch) const;
@@ -71,13 +90,13 @@ class StretchDrawer {
                   const std::array<glm::dvec3, 3>& points) const;
 
   const Stretch& stretch_;
+  const Mesh& mesh_;
   const MeshBlocks& blocks_;
   const PixelLeaves& leaves_;
   glm::dvec4 uRow_{0};
   glm::dvec4 vRow_{0};
   glm::dvec4 weightRow_{0};
-  double margin_;  ///< how far before its first plane it is still cut, and beyond its last ones
-  HalfSpaces spaces_;
+  StretchBounds bounds_;
   PixelRect rect_;
   bool holdsAllPixels_;  ///< of the rectangle
 };

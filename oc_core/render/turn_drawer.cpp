@@ -67,8 +67,10 @@ double weightOf(const glm::dmat4& pixelFromWorld, const glm::dvec3& p) {
 
 }  // namespace
 
-TurnDrawer::TurnDrawer(const CurvedRayCamera& camera, size_t turn, uint8_t order, const MeshBlocks& blocks)
+TurnDrawer::TurnDrawer(const CurvedRayCamera& camera, size_t turn, uint8_t order, const Mesh& mesh,
+                       const MeshBlocks& blocks)
     : transition_(camera.turns()[turn]),
+      mesh_(mesh),
       blocks_(blocks),
       turn_(static_cast<uint32_t>(turn)),
       order_(order),
@@ -129,37 +131,30 @@ const TurnDrawer::Vertex& TurnDrawer::meshVertex(uint32_t index, Scratch& scratc
   Scratch::Entry& held = scratch.cache[index % Scratch::kVertices];
   const uint64_t tag = static_cast<uint64_t>(turn_) << 32 | index;
   if (held.tag != tag) {
-    held = {tag, vertex(glm::dvec3(blocks_.mesh().positions[index]), {0, 0})};
+    held = {tag, vertex(glm::dvec3(mesh_.positions[index]), {0, 0})};
   }
   return held.vertex;
 }
 
 void TurnDrawer::draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& scratch) const {
-  const Mesh& mesh = blocks_.mesh();
-  const bool whole = blocks_[task.block].whole;
   const Plane& from = transition_.planes().from;
   const Plane& to = transition_.planes().to;
-  const size_t begin = task.block * MeshBlocks::kTriangles;
-  const size_t end = std::min(begin + MeshBlocks::kTriangles, mesh.triangles.size());
-  for (size_t i = begin; i < end; ++i) {
-    if (!whole && !hasFiniteCorners(mesh, i)) {
-      continue;
-    }
-    const Sink sink{buffer, static_cast<uint32_t>(i)};
-    const glm::uvec3& t = mesh.triangles[i];
+  blocks_.forEachTriangle(task.block, [&](uint32_t triangle) {
+    const Sink sink{buffer, triangle};
+    const glm::uvec3& t = mesh_.triangles[triangle];
     int before = 0;
     int beyond = 0;
     for (int k = 0; k < 3; ++k) {
-      const glm::dvec3 p(mesh.positions[t[k]]);
+      const glm::dvec3 p(mesh_.positions[t[k]]);
       before += from.height(p) < 0;
       beyond += to.height(p) > 0;
     }
     if (before == 3 || beyond == 3) {
-      continue;
+      return;
     }
     if (before + beyond > 0) {
       drawClipped(sink, scratch);
-      continue;
+      return;
     }
     const Vertex a = meshVertex(t.x, scratch);
     Vertex b = meshVertex(t.y, scratch);
@@ -167,16 +162,15 @@ void TurnDrawer::draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& scr
     b.b.x = b.image.b1 = 1;
     c.b.y = c.image.b2 = 1;
     refine(sink, a, b, c, 0);
-  }
+  });
 }
 
 void TurnDrawer::drawClipped(const Sink& sink, Scratch& scratch) const {
-  const Mesh& mesh = blocks_.mesh();
-  const glm::uvec3& t = mesh.triangles[sink.triangle];
+  const glm::uvec3& t = mesh_.triangles[sink.triangle];
   std::vector<Vertex>& corners = scratch.corners;
   corners.clear();
   for (const ClipCorner& corner :
-       scratch.clipper.clip(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z], slab_)) {
+       scratch.clipper.clip(mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z], slab_)) {
     corners.push_back(vertex(corner.p, corner.b));
   }
   for (size_t i = 2; i < corners.size(); ++i) {

@@ -41,7 +41,7 @@ class TurnDrawer {
   };
 
   /// All must outlive it.
-  TurnDrawer(const CurvedRayCamera& camera, size_t turn, uint8_t order, const MeshBlocks& blocks);
+  TurnDrawer(const CurvedRayCamera& camera, size_t turn, uint8_t order, const Mesh& mesh, const MeshBlocks& blocks);
 
   /// Appends the blocks that the turn may show, as tasks of this piece.
   void findBlocks(uint32_t piece, std::vector<BlockTask>& tasks) const;
@@ -66,6 +66,7 @@ class TurnDrawer {
   void fill(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const;
 
   const RayTransition& transition_;
+  const Mesh& mesh_;
   const MeshBlocks& blocks_;
   uint32_t turn_;
   uint8_t order_;
