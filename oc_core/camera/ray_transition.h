@@ -66,6 +66,7 @@ class RayTransition {
   const TransitionPlanes& planes() const { return planes_; }
   const glm::dvec3& before() const { return before_; }  ///< C0
   const glm::dvec3& beyond() const { return beyond_; }  ///< C1
+  const glm::dvec3& border() const { return border_; }
 
   /// The arc of the ray that meets t1 at S.
   Arc arcThrough(const glm::dvec3& s) const;

@@ -24,6 +24,10 @@ FragmentImage raycast(const MultiperspectiveCamera& camera, const Mesh& mesh) {
   return std::visit([&](const auto& each) { return raycast(each, mesh, RayScene(mesh)); }, camera);
 }
 
+FragmentImage draw(const MultiperspectiveCamera& camera, const SceneDrawer& drawer) {
+  return std::visit([&](const auto& each) { return drawer.draw(each); }, camera);
+}
+
 void writeMultiperspectiveImage(const std::filesystem::path& path, const FragmentImage& fragments,
                                 const GuidedScene& scene, const MultiperspectiveCamera& camera) {
   const Image<glm::vec3> color = colorImage(fragments, scene.mesh, glm::vec3(0));

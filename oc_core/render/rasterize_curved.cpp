@@ -1,37 +1,12 @@
 #include "oc_core/render/rasterize_curved.h"
 
+#include "oc_core/render/camera_stretches.h"
 #include "oc_core/render/draw_tasks.h"
 #include "oc_core/render/pixel_ray.h"
 #include "oc_core/render/turn_drawer.h"
 
 namespace ocelli {
 namespace {
-
-/// What lies before, between and behind the turns. Its rays are all of one kind.
-std::vector<Stretch> stretchesOf(const CurvedRayCamera& camera) {
-  const PinholeCamera& root = camera.root();
-  const double width = camera.width();
-  const double height = camera.height();
-  const glm::dvec3 eye(root.eye());
-  const glm::dvec3 forward(root.forward());
-  std::vector<Stretch> stretches;
-  for (size_t i = 0; i <= camera.turns().size(); ++i) {
-    Stretch stretch;
-    stretch.order = static_cast<uint8_t>(2 * i);
-    stretch.pixelFromWorld = camera.pixelFromWorld(i);
-    stretch.part = {{0, 0}, {width, 0}, {width, height}, {0, height}};
-    stretch.viewpoint = i == 0 ? eye : camera.turns()[i - 1].beyond();
-    stretch.begin = i == 0 ? Plane::through(eye + forward * static_cast<double>(root.view().zNear), forward)
-                           : camera.turns()[i - 1].planes().to;
-    stretch.ends.emplace_back();
-    if (i < camera.turns().size()) {
-      stretch.ends.back().push_back(camera.turns()[i].planes().from);
-    }
-    stretch.endsOfLeaf = {0};
-    stretches.push_back(std::move(stretch));
-  }
-  return stretches;
-}
 
 /// z of a point that the ray of a pixel passes in a piece, as the camera measures it.
 double depthOf(const CurvedRayCamera& camera, PixelRay ray, size_t order, const glm::dvec3& point) {
@@ -68,7 +43,7 @@ FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh, const M
     if (i < camera.turns().size()) {
       const size_t order = 2 * i + 1;
       turns.emplace_back(camera, i, static_cast<uint8_t>(order), mesh, blocks);
-      turns.back().findBlocks(static_cast<uint32_t>(order), tasks);
+      turns.back().bounds().findBlocks(blocks, static_cast<uint32_t>(order), tasks);
     }
   }
   struct Scratch {

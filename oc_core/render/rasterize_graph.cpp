@@ -1,7 +1,7 @@
 #include "oc_core/render/rasterize_graph.h"
 
+#include "oc_core/render/camera_stretches.h"
 #include "oc_core/render/draw_tasks.h"
-#include "oc_core/render/graph_leaves.h"
 #include "oc_core/render/pixel_ray.h"
 
 namespace ocelli {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "oc_core/render/pixel_ray.h"
-
 namespace ocelli {
 namespace {
 
@@ -17,50 +15,6 @@ constexpr double kMostPixels = 1e6;
 constexpr double kLeastWeight = 0.05;
 constexpr int kDeepest = 24;  // only guards against numbers gone wrong
 
-/// Points whose convex hull holds all rays of a turn: where those of the corners of the image cross its planes. An arc
-/// lies in the hull of its control points.
-std::vector<glm::dvec3> hullOf(const CurvedRayCamera& camera, size_t turn) {
-  const PixelRays rays(camera.root());
-  const double width = camera.width();
-  const double height = camera.height();
-  std::vector<glm::dvec3> points;
-  for (const glm::dvec2 corner :
-       {glm::dvec2(0, 0), glm::dvec2(width, 0), glm::dvec2(width, height), glm::dvec2(0, height)}) {
-    PixelRay ray(rays, corner);
-    for (size_t i = 0; i < turn; ++i) {
-      ray.bend(camera.turns()[i].planes().middle, camera.turns()[i].beyond());
-    }
-    const TransitionPlanes& planes = camera.turns()[turn].planes();
-    points.push_back(ray.cross(planes.from));
-    points.push_back(ray.cross(planes.middle));
-    ray.bend(planes.middle, camera.turns()[turn].beyond());
-    points.push_back(ray.cross(planes.to));
-  }
-  return points;
-}
-
-/// Half spaces around a hull: those given, moved outwards where they must be, and an axis-aligned box.
-HalfSpaces around(const std::vector<glm::dvec3>& hull, const HalfSpaces& candidates) {
-  HalfSpaces spaces = candidates;
-  Box box;
-  for (const glm::dvec3& point : hull) {
-    box.add(glm::vec3(point));
-  }
-  const glm::vec3 room = box.size() * 0.01f;
-  for (int axis = 0; axis < 3; ++axis) {
-    glm::dvec3 normal(0);
-    normal[axis] = 1;
-    spaces.emplace_back(normal, static_cast<double>(room[axis] - box.lower[axis]));
-    spaces.emplace_back(-normal, static_cast<double>(room[axis] + box.upper[axis]));
-  }
-  for (HalfSpace& space : spaces) {
-    for (const glm::dvec3& point : hull) {
-      space.w -= std::min(glm::dot(space, glm::dvec4(point, 1)), 0.0);
-    }
-  }
-  return spaces;
-}
-
 double weightOf(const glm::dmat4& pixelFromWorld, const glm::dvec3& p) {
   return (pixelFromWorld * glm::dvec4(p, 1)).w;
 }
@@ -72,33 +26,11 @@ TurnDrawer::TurnDrawer(const CurvedRayCamera& camera, size_t turn, uint8_t order
     : transition_(camera.turns()[turn]),
       mesh_(mesh),
       blocks_(blocks),
+      bounds_(camera, turn),
       turn_(static_cast<uint32_t>(turn)),
       order_(order),
       width_(camera.width()),
-      height_(camera.height()),
-      before_(camera.pixelFromWorld(turn)),
-      after_(camera.pixelFromWorld(turn + 1) / -transition_.planes().middle.height(transition_.beyond())) {
-  const std::vector<glm::dvec3> hull = hullOf(camera, turn);
-  const double width = width_;
-  const double height = height_;
-  const std::array<glm::dvec2, 4> image{glm::dvec2(0, 0), {width, 0}, {width, height}, {0, height}};
-  HalfSpaces sides = within(image, before_, 2);
-  const HalfSpaces sidesAfter = within(image, after_, 2);
-  sides.insert(sides.end(), sidesAfter.begin(), sidesAfter.end());
-  spaces_ = around(hull, sides);
-  slab_ = {beyond(transition_.planes().from), before(transition_.planes().to)};
-  double least = std::numeric_limits<double>::infinity();
-  for (const glm::dvec3& point : hull) {
-    least = std::min(least, weightOf(before_, point));
-  }
-  shortestEdge_ = 0.25 * std::abs(least) / static_cast<double>(camera.root().focalPixels());
-}
-
-void TurnDrawer::findBlocks(uint32_t piece, std::vector<BlockTask>& tasks) const {
-  HalfSpaces spaces = slab_;
-  spaces.insert(spaces.end(), spaces_.begin(), spaces_.end());
-  blocks_.forEachWithin(spaces, [&](uint32_t block, Placement) { tasks.push_back({piece, block, false}); });
-}
+      height_(camera.height()) {}
 
 /// Where a point of the turn is seen: its ray meets the middle plane at S, which is projected by a matrix.
 TurnDrawer::Vertex TurnDrawer::vertex(const glm::dvec3& p, const glm::dvec2& b) const {
@@ -111,7 +43,7 @@ TurnDrawer::Vertex TurnDrawer::vertex(const glm::dvec3& p, const glm::dvec2& b) 
   if (!place) {
     return v;
   }
-  const glm::dvec4 h = before_ * glm::dvec4(place->arc.s, 1);
+  const glm::dvec4 h = bounds_.before() * glm::dvec4(place->arc.s, 1);
   const glm::dvec2 pixel(h.x / h.w, h.y / h.w);
   if (!(h.w > 0) || !(std::abs(pixel.x) < kMostPixels) || !(std::abs(pixel.y) < kMostPixels)) {
     return v;
@@ -119,8 +51,8 @@ TurnDrawer::Vertex TurnDrawer::vertex(const glm::dvec3& p, const glm::dvec2& b) 
   // Any weight would do; one between those before and after the turn needs the fewest pieces.
   const double share = first + last > 0 ? first / (first + last) : 0;
   const double least = kLeastWeight * h.w;
-  const double weight =
-      (1 - share) * std::max(weightOf(before_, p), least) + share * std::max(weightOf(after_, p), least);
+  const double weight = (1 - share) * std::max(weightOf(bounds_.before(), p), least) +
+                        share * std::max(weightOf(bounds_.after(), p), least);
   v.image = {static_cast<float>(pixel.x), static_cast<float>(pixel.y), static_cast<float>(1 / weight),
              static_cast<float>(b.x), static_cast<float>(b.y)};
   v.imaged = true;
@@ -170,7 +102,7 @@ void TurnDrawer::drawClipped(const Sink& sink, Scratch& scratch) const {
   std::vector<Vertex>& corners = scratch.corners;
   corners.clear();
   for (const ClipCorner& corner :
-       scratch.clipper.clip(mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z], slab_)) {
+       scratch.clipper.clip(mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z], bounds_.slab())) {
     corners.push_back(vertex(corner.p, corner.b));
   }
   for (size_t i = 2; i < corners.size(); ++i) {
@@ -182,7 +114,7 @@ void TurnDrawer::drawClipped(const Sink& sink, Scratch& scratch) const {
 /// at in the world.
 bool TurnDrawer::missesImage(const Vertex& a, const Vertex& b, const Vertex& c) const {
   if (!a.imaged || !b.imaged || !c.imaged) {
-    return std::any_of(spaces_.begin(), spaces_.end(), [&](const HalfSpace& space) {
+    return std::any_of(bounds_.sides().begin(), bounds_.sides().end(), [&](const HalfSpace& space) {
       const auto isOutside = [&](const Vertex& v) { return glm::dot(space, glm::dvec4(v.p, 1)) < 0; };
       return isOutside(a) && isOutside(b) && isOutside(c);
     });
@@ -198,7 +130,8 @@ bool TurnDrawer::missesImage(const Vertex& a, const Vertex& b, const Vertex& c) 
 std::optional<TurnDrawer::Vertex> TurnDrawer::splitOf(const Vertex& a, const Vertex& b) const {
   const bool imaged = a.imaged && b.imaged;
   const glm::vec2 between(a.image.u - b.image.u, a.image.v - b.image.v);
-  if (imaged ? glm::dot(between, between) <= kShortPixels * kShortPixels : glm::distance(a.p, b.p) <= shortestEdge_) {
+  if (imaged ? glm::dot(between, between) <= kShortPixels * kShortPixels
+             : glm::distance(a.p, b.p) <= bounds_.shortestEdge()) {
     return std::nullopt;
   }
   const Vertex middle = vertex((a.p + b.p) * 0.5, (a.b + b.b) * 0.5);

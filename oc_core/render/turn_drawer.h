@@ -11,7 +11,7 @@
 #pragma once
 
 #include "oc_core/camera/curved_ray_camera.h"
-#include "oc_core/render/stretch.h"
+#include "oc_core/render/turn_bounds.h"
 
 namespace ocelli {
 
@@ -43,8 +43,7 @@ class TurnDrawer {
   /// All must outlive it.
   TurnDrawer(const CurvedRayCamera& camera, size_t turn, uint8_t order, const Mesh& mesh, const MeshBlocks& blocks);
 
-  /// Appends the blocks that the turn may show, as tasks of this piece.
-  void findBlocks(uint32_t piece, std::vector<BlockTask>& tasks) const;
+  const TurnBounds& bounds() const { return bounds_; }
   void draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& scratch) const;
 
  private:
@@ -68,15 +67,11 @@ class TurnDrawer {
   const RayTransition& transition_;
   const Mesh& mesh_;
   const MeshBlocks& blocks_;
+  TurnBounds bounds_;
   uint32_t turn_;
   uint8_t order_;
   int width_;
   int height_;
-  glm::dmat4 before_;  ///< pixels from the world, before and after the turn; weights alike in the middle plane
-  glm::dmat4 after_;
-  double shortestEdge_;  ///< no shorter edge is split where an end has no image
-  HalfSpaces slab_;      ///< between its first and its last plane
-  HalfSpaces spaces_;    ///< that hold all rays of the turn
 };
 
 }  // namespace ocelli

@@ -1,4 +1,4 @@
-#include "oc_core/render/graph_leaves.h"
+#include "oc_core/render/camera_stretches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,6 +86,31 @@ std::vector<Stretch> stretchesOf(const GraphCamera& camera, const PixelLeaves& l
       }
       parent.endsOfLeaf[leaf] = static_cast<int16_t>(endsAt[child]);
     }
+  }
+  return stretches;
+}
+
+std::vector<Stretch> stretchesOf(const CurvedRayCamera& camera) {
+  const PinholeCamera& root = camera.root();
+  const double width = camera.width();
+  const double height = camera.height();
+  const glm::dvec3 eye(root.eye());
+  const glm::dvec3 forward(root.forward());
+  std::vector<Stretch> stretches;
+  for (size_t i = 0; i <= camera.turns().size(); ++i) {
+    Stretch stretch;
+    stretch.order = static_cast<uint8_t>(2 * i);
+    stretch.pixelFromWorld = camera.pixelFromWorld(i);
+    stretch.part = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+    stretch.viewpoint = i == 0 ? eye : camera.turns()[i - 1].beyond();
+    stretch.begin = i == 0 ? Plane::through(eye + forward * static_cast<double>(root.view().zNear), forward)
+                           : camera.turns()[i - 1].planes().to;
+    stretch.ends.emplace_back();
+    if (i < camera.turns().size()) {
+      stretch.ends.back().push_back(camera.turns()[i].planes().from);
+    }
+    stretch.endsOfLeaf = {0};
+    stretches.push_back(std::move(stretch));
   }
   return stretches;
 }
