@@ -80,19 +80,29 @@ class Builder {
     GraphCamera camera(PinholeCamera(
         viewOf(maze_, pose_.eye, glm::dvec3(vectorOf(pose_.heading)), lens, aspect), width, height));
     addWaysOut(camera, GraphCamera::kRoot, maze_, crossing->cell, pose_.heading,
-               waysOut(*crossing, frame, {x, lens.behind + crossing->distance}),
+               waysOut(*crossing, frame.width, rootOf(*crossing, frame, x, lens)),
                pose_.eye.y - static_cast<double>(maze_.origin.y));
     return camera;
   }
 
  private:
-  /// The viewpoint of the root, in the plan of the crossing.
-  struct Viewpoint {
-    double x;
-    double before;  ///< the near face
+  /// The rays of the root in the plan of the crossing, in its widths.
+  struct Root {
+    double x;       ///< of the viewpoint
+    double before;  ///< how far the viewpoint lies before the near face
+    double left;    ///< where on the near face, or beside it, the image begins
+    double right;   ///< and ends
   };
 
-  WaysOut waysOut(const CrossingAhead& crossing, const CrossingFrame& frame, const Viewpoint& root) const {
+  static Root rootOf(const CrossingAhead& crossing, const CrossingFrame& frame, double x, const Lens& lens) {
+    const double before = (lens.behind + crossing.distance) / frame.width;
+    const double span = 2 * lens.tangent * before;
+    x /= frame.width;
+    return {x, before, x - (0.5 + lens.aside) * span, x + (0.5 - lens.aside) * span};
+  }
+
+  /// Of rays, as far as there are ways: to the left and to the right.
+  std::array<double, 2> raysAside(const CrossingAhead& crossing) const {
     std::array<double, 3> split{crossing.left ? options_.split[0] : 0, crossing.ahead ? options_.split[1] : 0,
                                 crossing.right ? options_.split[2] : 0};
     double sum = split[0] + split[1] + split[2];
@@ -100,26 +110,34 @@ class Builder {
       split = {crossing.left ? 1.0 : 0, crossing.ahead ? 1.0 : 0, crossing.right ? 1.0 : 0};
       sum = split[0] + split[1] + split[2];
     }
-    const double w = frame.width;
-    const double corridor = w / 2 / tanHalf(options_.fovCorridorDegrees);
-    std::array<double, 3> shares{deployed_ * split[0] / sum, 0, deployed_ * split[2] / sum};
-    const double ahead = 1 - shares[0] - shares[2];
+    return {deployed_ * split[0] / sum, deployed_ * split[2] / sum};
+  }
+
+  WaysOut waysOut(const CrossingAhead& crossing, double width, const Root& root) const {
+    const double corridor = width / 2 / tanHalf(options_.fovCorridorDegrees);
+    const std::array<double, 2> rays = raysAside(crossing);
+    const double ahead = 1 - rays[0] - rays[1];
+    // The part of the near face in the image, measured from each side.
+    const double first = std::max(root.left, 0.0);
+    const double last = std::min(root.right, 1.0);
+    const std::array<double, 2> near{first + rays[0] * (last - first), 1 - last + rays[1] * (last - first)};
+    const std::array<double, 2> viewpoint{root.x, 1 - root.x};
+    // At Pl and Pr, rays have gone on from the near face: not so far that they leave the box.
     WaysOut ways;
     ways.depth = std::min(0.999, 1 - 0.8 * ahead);
-    // Shares of the near face, as the root sees it, are those of rays: at Pl and Pr these have gone on.
-    const double spread = ways.depth * w / root.before;
-    shares[0] = shares[0] > kLeastShare ? shares[0] + (shares[0] - root.x / w) * spread : 0;
-    shares[2] = shares[2] > kLeastShare ? shares[2] + (shares[2] - (1 - root.x / w)) * spread : 0;
-    for (size_t side : {size_t{0}, size_t{2}}) {
-      ways.way[side] = {std::max(shares[side], 0.0), corridor};
+    for (size_t k = 0; k < 2; ++k) {
+      if (rays[k] > kLeastShare && viewpoint[k] > near[k]) {
+        ways.depth = std::min(ways.depth, 0.5 * near[k] * root.before / (viewpoint[k] - near[k]));
+      }
     }
-    ways.way[1] = {1 - ways.way[0].share - ways.way[2].share, corridor};
-    if (!crossing.ahead || ahead < kLeastShare) {
-      ways.way[1].viewDistance = 0;  // rays go straight on, to the far wall
-    } else {
-      // Retracted, it sees the way as the root does.
-      ways.way[1].viewDistance = 1 / mix(1 / (root.before + w), 1 / corridor, deployed_);
+    for (size_t k = 0; k < 2; ++k) {
+      const double there = near[k] + (near[k] - viewpoint[k]) * ways.depth / root.before;
+      ways.way[2 * k] = {rays[k] > kLeastShare ? there : 0, corridor};
     }
+    // Without a way ahead, rays go straight on to the far wall.
+    ways.way[1] = {1 - ways.way[0].share - ways.way[2].share, crossing.ahead && ahead > kLeastShare ? corridor : 0};
+    ways.straight = 1 - deployed_;
+    ways.endInBox = false;
     return ways;
   }
 
