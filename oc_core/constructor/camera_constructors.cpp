@@ -4,8 +4,10 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/constructor/comprehensive_constructor.h"
 #include "oc_core/constructor/curved_turns.h"
 #include "oc_core/constructor/graph_operations.h"
+#include "oc_core/constructor/maze_constructor.h"
 #include "oc_core/constructor/occluder_constructor.h"
 #include "oc_core/constructor/path_constructor.h"
 #include "oc_core/constructor/portal_constructor.h"
@@ -38,17 +40,19 @@ std::string listOfNames() {
 const std::vector<CameraConstructor>& cameraConstructors() {
   static const std::vector<CameraConstructor> constructors{
       {"graph", "graph camera of a JSON file's bend, split, merge and limit operations",
-       [](JsonFields& options, const GuidedScene&, const PinholeCamera& reference) {
-         return MultiperspectiveCamera(readGraphCamera(options, reference));
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(readGraphCamera(options, reference, boundsOf(scene.mesh)));
        }},
       {"curved", "curved ray camera of a JSON file's turns",
        [](JsonFields& options, const GuidedScene&, const PinholeCamera& reference) {
          return MultiperspectiveCamera(readCurvedRayCamera(options, reference));
        }},
+      {"comprehensive", "a whole maze in one image, each place once", buildComprehensiveCamera},
       {"portal", "graph camera that looks straight into every portal in view",
        [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
          return MultiperspectiveCamera(buildPortalCamera(readPortalOptions(options), scene.guides, reference));
        }},
+      {"maze", "along a corridor to the next crossing, and along all ways that leave it", buildMazeCamera},
       {"path", "curved ray camera that previews a path behind its next turns",
        [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
          return MultiperspectiveCamera(buildPathCamera(readPathOptions(options), scene.guides, reference));

@@ -1,5 +1,9 @@
 #include "oc_core/constructor/camera_fields.h"
 
+#include <cmath>
+
+#include "oc_core/base/error.h"
+
 namespace ocelli {
 
 glm::dvec3 readVector(JsonFields& fields, const std::string& name) {
@@ -19,6 +23,20 @@ Plane readPlane(const nlohmann::json& json, const std::string& where) {
 }
 
 PinholeCamera readRoot(JsonFields& fields, const PinholeCamera& reference) {
+  if (fields.has("size")) {
+    JsonFields size(fields.value("size"), fields.where() + ", \"size\"");
+    const int width = size.integer("width", 1, PinholeCamera::kMostPixelsASide);
+    const int height = size.integer("height", 1, PinholeCamera::kMostPixelsASide);
+    size.rejectUnknown();
+    // As many rows as the shape asks for, give or take rounding to whole ones.
+    const double rows = static_cast<double>(reference.width()) * height / width;
+    if (std::abs(rows - reference.height()) > 1) {
+      throw InputError("the camera is made for images of the shape " + std::to_string(width) + "x" +
+                           std::to_string(height) + ", not " + std::to_string(reference.width()) + "x" +
+                           std::to_string(reference.height()),
+                       fields.where() + ", \"size\"", "draw it with --size of that shape, or make it anew");
+    }
+  }
   if (!fields.has("view")) {
     return reference;
   }
@@ -34,8 +52,9 @@ nlohmann::ordered_json jsonOf(const Plane& plane) {
   return {{"point", jsonOf(plane.normal * plane.distance)}, {"normal", jsonOf(plane.normal)}};
 }
 
-nlohmann::ordered_json jsonOf(const View& view) {
-  return nlohmann::ordered_json::parse(jsonText(view));
+void writeRoot(nlohmann::ordered_json& json, const PinholeCamera& root) {
+  json["view"] = nlohmann::ordered_json::parse(jsonText(root.view()));
+  json["size"] = {{"width", root.width()}, {"height", root.height()}};
 }
 
 }  // namespace ocelli

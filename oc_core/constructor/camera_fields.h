@@ -13,10 +13,12 @@ glm::dvec3 readVector(JsonFields& fields, const std::string& name);
 /// {"point": [x, y, z], "normal": [x, y, z]}.
 Plane readPlane(const nlohmann::json& json, const std::string& where);
 /// The camera of the view in the field "view", of the size of `reference`; `reference` where there is no such field.
+/// Throws InputError where the field "size" has another shape than `reference`: rays would run elsewhere.
 PinholeCamera readRoot(JsonFields& fields, const PinholeCamera& reference);
 
 nlohmann::ordered_json jsonOf(const glm::dvec3& vector);
 nlohmann::ordered_json jsonOf(const Plane& plane);
-nlohmann::ordered_json jsonOf(const View& view);
+/// The fields "view" and "size".
+void writeRoot(nlohmann::ordered_json& json, const PinholeCamera& root);
 
 }  // namespace ocelli

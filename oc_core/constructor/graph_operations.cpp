@@ -1,11 +1,13 @@
 #include "oc_core/constructor/graph_operations.h"
 
 #include <algorithm>
+#include <list>
 #include <map>
 #include <set>
 #include <vector>
 
 #include "oc_core/base/error.h"
+#include "oc_core/camera/graph_overlap.h"
 #include "oc_core/constructor/camera_fields.h"
 
 namespace ocelli {
@@ -107,12 +109,12 @@ Operation readOperation(const nlohmann::json& json, const std::string& where) {
   return operation;
 }
 
-std::vector<Operation> readOperations(JsonFields& fields) {
+std::list<Operation> readOperations(JsonFields& fields) {
   const nlohmann::json& list = fields.value("operations");
   if (!list.is_array() || list.size() > GraphCamera::kMostFrusta) {
     fields.fail("operations", "must be an array of at most " + std::to_string(GraphCamera::kMostFrusta));
   }
-  std::vector<Operation> operations;
+  std::list<Operation> operations;
   std::set<std::string> names{kRootName};
   for (const nlohmann::json& each : list) {
     const std::string where = fields.where() + ", operation " + std::to_string(operations.size() + 1);
@@ -203,7 +205,7 @@ class Builder {
 };
 
 /// `left` comes from nothing that is there, so following what they come from leads round in a circle.
-[[noreturn]] void failOnCircle(const std::vector<Operation>& left) {
+[[noreturn]] void failOnCircle(const std::list<Operation>& left) {
   std::map<std::string, const Operation*> made;
   for (const Operation& operation : left) {
     for (const NewFrustum& frustum : operation.into) {
@@ -245,17 +247,24 @@ std::vector<std::string> uniqueNames(const GraphCamera& camera) {
 
 }  // namespace
 
-GraphCamera readGraphCamera(JsonFields& fields, const PinholeCamera& reference) {
+GraphCamera readGraphCamera(JsonFields& fields, const PinholeCamera& reference, const Box& world) {
+  const std::string overlap = fields.text("overlap", "refused");
+  if (overlap != "refused" && overlap != "allowed") {
+    fields.fail("overlap", "must be refused or allowed");
+  }
   Builder builder(readRoot(fields, reference));
-  std::vector<Operation> left = readOperations(fields);
+  std::list<Operation> left = readOperations(fields);
   while (!left.empty()) {
-    const auto waiting =
-        std::stable_partition(left.begin(), left.end(), [&](const Operation& each) { return builder.isReady(each); });
-    if (waiting == left.begin()) {
+    const auto ready =
+        std::find_if(left.begin(), left.end(), [&](const Operation& each) { return builder.isReady(each); });
+    if (ready == left.end()) {
       failOnCircle(left);
     }
-    std::for_each(left.begin(), waiting, [&](const Operation& each) { builder.apply(each); });
-    left.erase(left.begin(), waiting);
+    builder.apply(*ready);
+    left.erase(ready);
+  }
+  if (overlap == "refused" && !world.empty()) {
+    checkDisjoint(builder.camera(), glm::dvec3(world.lower), glm::dvec3(world.upper));
   }
   return builder.camera();
 }
@@ -279,8 +288,10 @@ std::string jsonText(const GraphCamera& camera) {
       operations.push_back({{"operation", "limit"}, {"of", names[i]}, {"plane", jsonOf(limit)}});
     }
   }
-  const nlohmann::ordered_json json{
-      {"camera", "graph"}, {"view", jsonOf(camera.root().view())}, {"operations", operations}};
+  nlohmann::ordered_json json{{"camera", "graph"}};
+  writeRoot(json, camera.root());
+  json["overlap"] = "allowed";
+  json["operations"] = operations;
   return json.dump(1);
 }
 

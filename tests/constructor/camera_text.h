@@ -1,35 +1,19 @@
 // Cameras from JSON texts, for tests.
 #pragma once
 
+#include <functional>
 #include <string>
 
-#include "oc_core/base/error.h"
-#include "oc_core/base/json_fields.h"
-#include "tests/ocri/test_scenes.h"
+namespace ocelli {
+class JsonFields;
+}
 
 namespace ocelli::test {
 
-/// What `read` makes of the text, in which ' stands for ".
-template <class Read>
-auto fromText(std::string text, const Read& read) {
-  std::replace(text.begin(), text.end(), '\'', '"');
-  const nlohmann::json json = parseJson(text, "camera.json");
-  JsonFields fields(json, "camera.json");
-  fields.has("camera");
-  auto camera = read(fields, smallCamera());
-  fields.rejectUnknown();
-  return camera;
-}
+/// Hands `read` the fields of the text, in which ' stands for ", and refuses those that it does not know.
+void readText(std::string text, const std::function<void(JsonFields&)>& read);
 
-/// The message of the InputError that it throws, empty for none.
-template <class Read>
-std::string errorOf(const std::string& text, const Read& read) {
-  try {
-    fromText(text, read);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+/// The message of the InputError that this throws, empty for none.
+std::string errorOfText(const std::string& text, const std::function<void(JsonFields&)>& read);
 
 }  // namespace ocelli::test

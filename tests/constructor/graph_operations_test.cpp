@@ -17,11 +17,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 GraphCamera cameraOf(const std::string& text) {
-  return test::fromText(text, readGraphCamera);
+  GraphCamera camera(smallCamera());
+  test::readText(text, [&](JsonFields& fields) { camera = readGraphCamera(fields, smallCamera()); });
+  return camera;
 }
 
 std::string errorOf(const std::string& text) {
-  return test::errorOf(text, readGraphCamera);
+  return test::errorOfText(text, [](JsonFields& fields) { readGraphCamera(fields, smallCamera()); });
 }
 
 std::string errorOfOperations(const std::string& operations) {
@@ -109,6 +111,13 @@ TEST(GraphOperations, viewOfTheFileGoesBeforeTheUsers) {
   EXPECT_EQ(cameraOf("{'operations': []}").root().eye(), smallCamera().eye());
 }
 
+TEST(GraphOperations, filesMayAskForAShapeOfImages) {
+  EXPECT_EQ(cameraOf("{'size': {'width': 1800, 'height': 1200}, 'operations': []}").width(), smallCamera().width());
+  EXPECT_THAT(errorOf("{'size': {'width': 1280, 'height': 720}, 'operations': []}"),
+              AllOf(HasSubstr("1280x720, not 90x60"), HasSubstr("--size")));
+  EXPECT_THAT(errorOf("{'size': {'width': 0, 'height': 720}, 'operations': []}"), HasSubstr("\"width\""));
+}
+
 TEST(GraphOperations, textOfACameraMakesItAgain) {
   GraphCamera limited = crossroads();
   limited.limit(1, Plane::through({0, 0, -4}, {0.1, 0, -1}));
@@ -118,6 +127,26 @@ TEST(GraphOperations, textOfACameraMakesItAgain) {
   twins.bend(twins.bend(0, turnAt({0, 0, 1}, {0, 0, -1}, {1, 0, 5}), "twin"), turnAt({0, 0, 0}, {0, 0, -1}, {1, 0, 5}),
              "twin");
   EXPECT_THAT(namesOf(cameraOf(jsonText(twins))), ElementsAre("root", "twin", "twin 2"));
+}
+
+// Two frusta whose rays cross beyond the plane.
+TEST(GraphOperations, overlapsAreRefusedUnlessAllowed) {
+  const auto side = [](const std::string& name, const std::string& part, double x) {
+    return "{'operation': 'bend', 'of': 'root', 'into': {'name': '" + name +
+           "', 'plane': " + plane("[0, 0, 1]", "[0, 0, -1]") + ", 'viewpoint': [" + std::to_string(x) +
+           ", 0, 5], 'part': " + part + "}}";
+  };
+  const std::string operations = "'operations': [" + side("left", "[[0, 0], [0.5, 0], [0.5, 1], [0, 1]]", -3) + ", " +
+                                 side("right", "[[0.5, 0], [1, 0], [1, 1], [0.5, 1]]", 3) + "]}";
+  const auto errorIn = [](const std::string& text, const Box& world) {
+    return test::errorOfText(text, [&](JsonFields& fields) { readGraphCamera(fields, smallCamera(), world); });
+  };
+  const Box world{glm::vec3(-3), glm::vec3(3)};
+  EXPECT_THAT(errorIn("{" + operations, world), AllOf(HasSubstr("\"left\""), HasSubstr("\"right\"")));
+  EXPECT_EQ(errorIn("{'overlap': 'allowed', " + operations, world), "");
+  EXPECT_EQ(errorIn("{" + operations, Box{{-3, -3, 1.5f}, {3, 3, 3}}), "") << "not where they overlap";
+  EXPECT_EQ(errorIn("{" + operations, Box{}), "");
+  EXPECT_THAT(errorIn("{'overlap': 'perhaps', " + operations, world), HasSubstr("refused or allowed"));
 }
 
 TEST(GraphOperations, circlesAreNamed) {
