@@ -40,7 +40,8 @@ void expectItWorks(const C& camera, Numbers& numbers) {
     const double hostility = i % 2 == 0 ? 0 : 0.4;
     const glm::dvec3 point = hostileVector(numbers, hostility);
     const auto image = camera.projectExactly(point);
-    ASSERT_TRUE(!image || isFinite(glm::dvec3(image->u, image->v, image->z))) << point.x << ' ' << point.y << ' ' << point.z;
+    ASSERT_TRUE(!image || isFinite(glm::dvec3(image->u, image->v, image->z)))
+        << point.x << ' ' << point.y << ' ' << point.z;
     const auto single = camera.project(glm::vec3(point));
     ASSERT_TRUE(!single || std::isfinite(single->u + single->v + single->z));
     const ExactImagePoint q{numbers.between(0, camera.width()), hostileNumber(numbers, hostility) * 3 + 30,
