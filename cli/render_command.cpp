@@ -41,22 +41,28 @@ std::optional<Technique> techniqueOf(const std::string& method) {
   return method == "raycast" ? std::optional(Technique::kRaycast) : std::nullopt;
 }
 
-FragmentImage drawn(const RenderChoice& choice, const MultiperspectiveCamera& camera, const Mesh& mesh) {
+FragmentImage drawn(const RenderChoice& choice, const MultiperspectiveCamera& camera, const Mesh& mesh,
+                    const Frame& frame) {
   if (choice.method == "raster") {
     return rasterize(camera, mesh);
   }
   if (choice.method == "raycast") {
     return raycast(camera, mesh);
   }
+  if (choice.method == "gl") {
+    GlDrawing gl(choice.gl);
+    frame.note("drawn with " + gl.description());
+    return draw(camera, gl.drawerOf(mesh));
+  }
   throw InputError("graph and curved ray cameras are not drawn by " + choice.method, "--method",
-                   "use raster or raycast");
+                   "use raster, raycast or gl");
 }
 
 /// Graph and curved ray cameras, which have no reference image: nothing displaces a pinhole's image into theirs.
 void renderMultiperspective(const RenderChoice& choice, const PinholeCamera& reference, const Frame& frame) {
   const GuidedScene scene = loadGuidedScene(choice.scene.source, choice.scene.options, frame.progress());
   const MultiperspectiveCamera camera = constructCamera(choice.camera, scene, reference);
-  const FragmentImage fragments = drawn(choice, camera, scene.mesh);
+  const FragmentImage fragments = drawn(choice, camera, scene.mesh, frame);
   if (std::none_of(fragments.begin(), fragments.end(), [](const Fragment& each) { return each.covered(); })) {
     throw InputError("the camera sees nothing of the scene", "--camera " + choice.camera,
                      "turn its view towards the scene; a fitted scene lies in the unit sphere around the origin");

@@ -42,8 +42,8 @@ void requireCommonLine(const TransitionPlanes& planes, size_t number) {
 
 }  // namespace
 
-CurvedRayCamera::CurvedRayCamera(const PinholeCamera& root)
-    : root_(root), pixelFromWorld_{ocelli::pixelFromWorld(root)} {}
+CurvedRayCamera::CurvedRayCamera(const PinholeCamera& root, ArcModel model)
+    : root_(root), model_(model), pixelFromWorld_{ocelli::pixelFromWorld(root)} {}
 
 void CurvedRayCamera::turn(const TransitionPlanes& planes, const glm::dvec3& viewpoint) {
   const size_t number = turns_.size() + 1;
@@ -98,7 +98,7 @@ void CurvedRayCamera::turn(const TransitionPlanes& planes, const glm::dvec3& vie
     }
     side = across;
   }
-  turns_.emplace_back(planes, before, viewpoint, border);
+  turns_.emplace_back(planes, before, viewpoint, border, model_);
   pixelFromWorld_.push_back(pixelFromWorld_.back() * ontoPlane(planes.middle, viewpoint));
 }
 

@@ -7,6 +7,8 @@
 #include "oc_core/constructor/comprehensive_constructor.h"
 #include "oc_core/constructor/curved_turns.h"
 #include "oc_core/constructor/graph_operations.h"
+#include "oc_core/constructor/maze_constructor.h"
+#include "oc_core/constructor/path_constructor.h"
 #include "oc_core/constructor/portal_constructor.h"
 
 namespace ocelli {
@@ -47,6 +49,11 @@ const std::vector<CameraConstructor>& cameraConstructors() {
       {"portal", "graph camera that looks straight into every portal in view",
        [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
          return MultiperspectiveCamera(buildPortalCamera(readPortalOptions(options), scene.guides, reference));
+       }},
+      {"maze", "along a corridor to the next crossing, and along all ways that leave it", buildMazeCamera},
+      {"path", "curved ray camera that previews a path behind its next turns",
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(buildPathCamera(readPathOptions(options), scene.guides, reference));
        }},
   };
   return constructors;

@@ -36,7 +36,7 @@ class Crossing {
     if (ways_.way[0].share > 0) {
       out[0] = addSide(frame_, ways_.way[0], "left");
     }
-    if (ways_.way[1].share > 0) {
+    if (ways_.way[1].share > 0 && ways_.way[1].viewDistance > 0) {
       out[1] = addAhead();
     }
     if (ways_.way[2].share > 0) {
@@ -60,7 +60,7 @@ class Crossing {
     }
     // On the line S0-Pl, as far ahead as E.
     const int fan = bendPart(in_, {plane, frame.at(way.share * w * w / (w - depth_), 0, eye_)}, name, part);
-    limitToBox(camera_, fan, room_);
+    endInBox(fan);
     return addCorridor(fan, {frame.at(-kBeyond * w, 0), frame.at(-kBeyond * w, w), left}, way, name);
   }
 
@@ -77,10 +77,12 @@ class Crossing {
     }
     // Where the lines S0-Pl and S1-Pr meet.
     const double before = (w - depth_) * (x1 - x0) / (w - (x1 - x0));
-    const glm::dvec3 viewpoint = frame_.at(x0 + before * x0 / (w - depth_), depth_ - before, eye_);
-    const int fan = bendPart(in_, {wallThrough(a, b, frame_.up, frame_.ahead), viewpoint}, name,
+    const Plane plane = wallThrough(a, b, frame_.up, frame_.ahead);
+    const glm::dvec3 viewpoint =
+        straightened(plane, frame_.at(x0 + before * x0 / (w - depth_), depth_ - before, eye_));
+    const int fan = bendPart(in_, {plane, viewpoint}, name,
                                  partBetween(camera_, in_, a, b, tall_));
-    limitToBox(camera_, fan, room_);
+    endInBox(fan);
     return addCorridor(fan, mouth, ways_.way[1], name);
   }
 
@@ -90,9 +92,28 @@ class Crossing {
     glm::dvec3 heading;
   };
   int addCorridor(int fan, const Mouth& mouth, const WayOut& way, const std::string& name) {
-    const glm::dvec3 viewpoint = (mouth.a + mouth.b) / 2.0 - mouth.heading * way.viewDistance + frame_.up * eye_;
-    return bendPart(fan, {Plane::through(mouth.a, mouth.heading), viewpoint}, name + ", corridor",
+    const Plane plane = Plane::through(mouth.a, mouth.heading);
+    glm::dvec3 viewpoint = (mouth.a + mouth.b) / 2.0 - mouth.heading * way.viewDistance + frame_.up * eye_;
+    if (glm::dot(mouth.heading, frame_.ahead) > 0.5) {
+      viewpoint = straightened(plane, viewpoint);
+    }
+    return bendPart(fan, {plane, viewpoint}, name + ", corridor",
                     partBetween(camera_, fan, mouth.a, mouth.b, tall_));
+  }
+
+  void endInBox(int fan) {
+    if (ways_.endInBox) {
+      limitToBox(camera_, fan, room_);
+    }
+  }
+
+  /// The viewpoint for rays beyond a plane whose directions are between those from `viewpoint` and those of the rays
+  /// that come in.
+  glm::dvec3 straightened(const Plane& plane, const glm::dvec3& viewpoint) const {
+    const glm::dvec3& from = camera_.frusta()[static_cast<size_t>(in_)].viewpoint;
+    const double one = (1 - ways_.straight) / plane.height(viewpoint);
+    const double other = ways_.straight / plane.height(from);
+    return (viewpoint * one + from * other) / (one + other);
   }
 
   int bendPart(int i, const GraphCamera::Turn& turn, const std::string& name, const GraphCamera::Part& part) {

@@ -46,12 +46,14 @@ struct CrossingFrame {
 /// Of a way out of a crossing.
 struct WayOut {
   double share = 0;         ///< of the crossing's width; 0 where there is no such way
-  double viewDistance = 1;  ///< how far behind the beginning of the way the viewpoint of its rays lies
+  double viewDistance = 1;  ///< how far behind the beginning of the way the viewpoint of its rays lies; 0 for a wall
 };
 
 struct WaysOut {
   std::array<WayOut, 3> way;  ///< to the left, ahead and to the right; shares add up to 1
   double depth = 1;           ///< of Pl and Pr, in widths from the near face; 1 for the far wall, without a way ahead
+  double straight = 0;        ///< how far rays ahead keep their direction, to 1: not bent at all
+  bool endInBox = true;       ///< rays that find no way end in the box of the crossing
 };
 
 /// Adds the frusta of the ways out of the crossing `cell`, for the rays of frustum `i` with the viewpoints' height

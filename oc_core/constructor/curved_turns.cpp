@@ -4,9 +4,19 @@
 #include "oc_core/constructor/camera_fields.h"
 
 namespace ocelli {
+namespace {
+
+constexpr const char* kConic = "conic";
+constexpr const char* kBezier = "bezier";
+
+}  // namespace
 
 CurvedRayCamera readCurvedRayCamera(JsonFields& fields, const PinholeCamera& reference) {
-  CurvedRayCamera camera(readRoot(fields, reference));
+  const std::string arcs = fields.text("arcs", kConic);
+  if (arcs != kConic && arcs != kBezier) {
+    fields.fail("arcs", "must be conic or bezier");
+  }
+  CurvedRayCamera camera(readRoot(fields, reference), arcs == kConic ? ArcModel::kConic : ArcModel::kBezier);
   const nlohmann::json& turns = fields.value("turns");
   if (!turns.is_array() || turns.size() > CurvedRayCamera::kMostTurns) {
     fields.fail("turns", "must be an array of at most " + std::to_string(CurvedRayCamera::kMostTurns));
@@ -35,6 +45,7 @@ std::string jsonText(const CurvedRayCamera& camera) {
   }
   nlohmann::ordered_json json{{"camera", "curved"}};
   writeRoot(json, camera.root());
+  json["arcs"] = camera.arcModel() == ArcModel::kConic ? kConic : kBezier;
   json["turns"] = turns;
   return json.dump(1);
 }

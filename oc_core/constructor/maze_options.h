@@ -19,6 +19,12 @@ void checkCell(const Maze& maze, const MazeCell& cell, const std::string& where)
 /// A field {"row": .., "column": ..}; nothing where it is missing.
 std::optional<MazeCell> readCell(JsonFields& fields, const std::string& name);
 
+/// A field of three numbers.
+glm::dvec3 readPoint(JsonFields& fields, const std::string& name);
+
+/// The direction that is closest to a vector.
+Direction nearestDirection(const glm::vec3& vector);
+
 /// A field "north", "east", "south" or "west"; nothing where it is missing.
 std::optional<Direction> readDirection(JsonFields& fields, const std::string& name);
 

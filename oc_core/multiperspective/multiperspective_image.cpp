@@ -6,31 +6,26 @@
 #include "oc_core/constructor/curved_turns.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/render/identity_image.h"
+#include "oc_core/render/rasterize_curved.h"
 #include "oc_core/render/rasterize_graph.h"
 #include "oc_core/render/raycast.h"
 
 namespace ocelli {
-namespace {
-
-FragmentImage rasterized(const GraphCamera& camera, const Mesh& mesh) {
-  return rasterize(camera, mesh);
-}
-FragmentImage rasterized(const CurvedRayCamera& camera, const Mesh& mesh) {
-  return raycast(camera, mesh, RayScene(mesh));
-}
-
-}  // namespace
 
 glm::vec3 skyColor() {
   return linearFromSrgb(glm::vec3(0.80f, 0.88f, 0.95f));
 }
 
 FragmentImage rasterize(const MultiperspectiveCamera& camera, const Mesh& mesh) {
-  return std::visit([&](const auto& each) { return rasterized(each, mesh); }, camera);
+  return std::visit([&](const auto& each) { return rasterize(each, mesh); }, camera);
 }
 
 FragmentImage raycast(const MultiperspectiveCamera& camera, const Mesh& mesh) {
   return std::visit([&](const auto& each) { return raycast(each, mesh, RayScene(mesh)); }, camera);
+}
+
+FragmentImage draw(const MultiperspectiveCamera& camera, const SceneDrawer& drawer) {
+  return std::visit([&](const auto& each) { return drawer.draw(each); }, camera);
 }
 
 void writeMultiperspectiveImage(const std::filesystem::path& path, const FragmentImage& fragments,

@@ -9,6 +9,7 @@
 
 #include "oc_core/constructor/multiperspective_camera.h"
 #include "oc_core/render/fragment_image.h"
+#include "oc_core/render/scene_drawer.h"
 #include "oc_core/scene/scene_source.h"
 
 namespace ocelli {
@@ -20,6 +21,8 @@ glm::vec3 skyColor();
 FragmentImage rasterize(const MultiperspectiveCamera& camera, const Mesh& mesh);
 /// Follows the rays: the reference for all others.
 FragmentImage raycast(const MultiperspectiveCamera& camera, const Mesh& mesh);
+/// By another drawer of the mesh, such as a GPU's.
+FragmentImage draw(const MultiperspectiveCamera& camera, const SceneDrawer& drawer);
 
 /// Throws WorkError where the file cannot be written. `fragments` are of the mesh of `scene`.
 void writeMultiperspectiveImage(const std::filesystem::path& path, const FragmentImage& fragments,

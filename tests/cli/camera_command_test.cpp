@@ -122,7 +122,7 @@ TEST_F(CameraCommand, errorsSayWhatToDo) {
            {"camera show builtin:box --camera graph", "\"operations\" is missing"},
            {"camera show builtin:box --camera comprehensive", "maze"},
            {"render builtin:box --camera ddoc --identity " + path("i.png"), "only graph and curved"},
-           {"render builtin:box --method points --camera " + path("cross.json"), "use raster or raycast"}}) {
+           {"render builtin:box --method points --camera " + path("cross.json"), "use raster, raycast or gl"}}) {
     const ProgramResult result = runProgram(arguments + png);
     EXPECT_EQ(result.exitCode, 2) << arguments;
     EXPECT_THAT(result.error, AllOf(HasSubstr(message), HasSubstr("try:"))) << arguments;

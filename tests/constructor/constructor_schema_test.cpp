@@ -6,6 +6,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/constructor/camera_constructors.h"
+#include "oc_core/constructor/path_constructor.h"
 #include "oc_core/constructor/portal_constructor.h"
 #include "tests/base/schema_agreement.h"
 #include "tests/base/temporary_folder.h"
@@ -73,6 +74,17 @@ TEST(ConstructorSchema, portalIsWhatItsReaderTakes) {
     items.at("properties").at(vector)["default"] = {0.5, 0.25, 0.75};
   }
   test::SchemaAgreement{items, errorOfItem, base.at("portals").at(0)}.check();
+}
+
+TEST(ConstructorSchema, pathIsWhatItsReaderTakes) {
+  test::SchemaAgreement{schemaOf("path"), errorOf,
+                        nlohmann::json::parse(R"({"camera": "path", "path": [[0, 0, 1], [1, 0, 0], [1, 0, -3]]})")}
+      .check();
+  const PathOptions options;
+  expectDefaults("path", {{"position", options.position},
+                          {"preview", options.preview},
+                          {"turns", options.turns},
+                          {"eye_height", options.eyeHeight}});
 }
 
 TEST(ConstructorSchema, portalDefaultsAreTheReaders) {
