@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "oc_core/render/rasterize_graph.h"
+#include "oc_core/render/raycast.h"
 #include "tests/render/crossing_corridors.h"
 
 namespace ocelli {
@@ -85,7 +86,8 @@ TEST(GraphDepthSamples, knowWhichFrustaFollowWhich) {
 // A plane's 1/w is linear in the image, so what it shows anywhere follows from any pixel.
 TEST(GraphDepthSamples, extendPlanes) {
   const GraphCamera graph(smallCamera());
-  const GraphDepthSamples samples(graph, rasterize(graph, test::tiltedPlane(0.5f)));
+  const Mesh plane = test::tiltedPlane(0.5f);
+  const GraphDepthSamples samples(graph, raycast(graph, plane, RayScene(plane)));
   for (const glm::dvec2 place : {glm::dvec2(20.5, 10.5), glm::dvec2(21, 11), glm::dvec2(23.3, 8.1)}) {
     // z = -0.5 y, seen from z = 10 along (0, y', -1) with y' = (30 - v) / focal: y = y' w, w = 10 - z.
     const double slope = (30 - place.y) / static_cast<double>(graph.root().focalPixels());
