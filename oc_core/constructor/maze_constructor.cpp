@@ -14,7 +14,8 @@ namespace ocelli {
 namespace {
 
 constexpr const char* kWhere = "maze camera";
-constexpr double kLeastShare = 1e-4;  ///< of the image; less is no way
+constexpr double kParallel = 1.0 / 200;  ///< one over how much farther away the viewpoint of parallel rays lies
+constexpr double kLeastShare = 2e-3;  ///< of rays; less is no way
 
 double mix(double a, double b, double t) {
   return a + (b - a) * t;
@@ -58,7 +59,7 @@ View viewOf(const Maze& maze, const glm::dvec3& eye, const glm::dvec3& direction
 class Builder {
  public:
   Builder(const Maze& maze, const MazePose& pose, const MazeCameraOptions& options)
-      : maze_(maze), pose_(pose), options_(options), deployed_(options.deployed * deployedAt(maze, pose)) {}
+      : maze_(maze), pose_(pose), options_(options), deployed_(options.deployed.value_or(deployedAt(maze, pose, options.deployCells))) {}
 
   GraphCamera build(int width, int height) const {
     const double aspect = static_cast<double>(width) / height;
@@ -71,7 +72,8 @@ class Builder {
     const double x = glm::dot(pose_.eye - frame.corner, frame.right);
     // Deployed in full, the corridor fills the image where the user stands.
     const double hug = std::max(frame.width / 2 / tanHalf(options_.fovHorizontalDegrees),
-                                crossing->distance * options_.crossingShare / (1 - options_.crossingShare));
+                                crossing->distance * options_.crossingShare / (1 - options_.crossingShare)) /
+                       mix(1, kParallel, options_.parallel);
     Lens lens;
     lens.behind = deployed_ * hug;
     lens.tangent =
@@ -125,14 +127,15 @@ class Builder {
     // At Pl and Pr, rays have gone on from the near face: not so far that they leave the box.
     WaysOut ways;
     ways.depth = std::min(0.999, 1 - 0.8 * ahead);
+    std::array<double, 2> outwards{};
     for (size_t k = 0; k < 2; ++k) {
-      if (rays[k] > kLeastShare && viewpoint[k] > near[k]) {
-        ways.depth = std::min(ways.depth, 0.5 * near[k] * root.before / (viewpoint[k] - near[k]));
+      outwards[k] = (viewpoint[k] - near[k]) / root.before;
+      if (rays[k] > kLeastShare && outwards[k] > 0) {
+        ways.depth = std::min(ways.depth, 0.5 * near[k] / outwards[k]);
       }
     }
     for (size_t k = 0; k < 2; ++k) {
-      const double there = near[k] + (near[k] - viewpoint[k]) * ways.depth / root.before;
-      ways.way[2 * k] = {rays[k] > kLeastShare ? there : 0, corridor};
+      ways.way[2 * k] = {rays[k] > kLeastShare ? near[k] - outwards[k] * ways.depth : 0, corridor};
     }
     // Without a way ahead, rays go straight on to the far wall.
     ways.way[1] = {1 - ways.way[0].share - ways.way[2].share, crossing.ahead && ahead > kLeastShare ? corridor : 0};
@@ -189,6 +192,7 @@ MultiperspectiveCamera buildMazeCamera(JsonFields& fields, const GuidedScene& sc
   options.fovHorizontalDegrees = fields.number("fov_degrees", 10, 150, options.fovHorizontalDegrees);
   options.fovCorridorDegrees = fields.number("corridor_fov_degrees", 1, 150, options.fovCorridorDegrees);
   options.crossingShare = fields.number("crossing_share", 0.05, 0.98, options.crossingShare);
+  options.deployCells = fields.number("deploy_cells", 0.01, 100, options.deployCells);
   return makeMazeCamera(maze, pose, options, reference.width(), reference.height());
 }
 

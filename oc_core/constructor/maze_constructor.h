@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/constructor/maze_walk.h"
@@ -22,7 +23,9 @@ struct MazeCameraOptions {
   double fovHorizontalDegrees = 70;      ///< of the pinhole, and the widest of the root
   double fovCorridorDegrees = 40;        ///< at the beginning of the ways that leave the crossing
   double crossingShare = 0.8;            ///< of the image's width, where a way leads to the sides
-  double deployed = 1;                   ///< times what the position allows: 0 is a pinhole
+  double deployCells = 1;                ///< over how many cells of the way ways to the sides deploy
+  std::optional<double> deployed{};      ///< instead of what the position allows; 0 is a pinhole, 1 deployed in full
+  double parallel = 0;                   ///< 1 moves the viewpoint of the root away until its rays are almost parallel
 };
 
 /// An image of that size. Throws InputError where the eye is not in a corridor, where a wall stands before the user and
@@ -34,7 +37,8 @@ GraphCamera makeMazeCamera(const Maze& maze, const MazePose& pose, const MazeCam
 PinholeCamera mazePinhole(const Maze& maze, const glm::dvec3& eye, const glm::dvec3& direction,
                           const MazeCameraOptions& options, int width, int height);
 
-/// Reads "position", "heading", "direction", "split", "fov_degrees", "corridor_fov_degrees" and "crossing_share".
+/// Reads "position", "heading", "direction", "split", "fov_degrees", "corridor_fov_degrees", "crossing_share" and
+/// "deploy_cells".
 /// Throws InputError as well for a scene without a maze.
 MultiperspectiveCamera buildMazeCamera(JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference);
 
