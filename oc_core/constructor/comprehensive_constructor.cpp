@@ -64,8 +64,8 @@ class Builder {
   void endAtWalls(GraphCamera& camera, size_t i) const {
     const TourLeg& leg = legs_[i];
     // With the cell before it, where its rays turned.
-    Box box = roomOf(maze_, leg.cells.front().neighbor(opposite(leg.heading)));
-    const Box last = roomOf(maze_, leg.cells.back());
+    Box box = maze_.clearBox(leg.cells.front().neighbor(opposite(leg.heading)));
+    const Box last = maze_.clearBox(leg.cells.back());
     box.add(last.lower);
     box.add(last.upper);
     limitToBox(camera, frustumOf_[i], box);

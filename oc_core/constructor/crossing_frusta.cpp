@@ -23,7 +23,7 @@ class Crossing {
            double eyeHeight)
       : camera_(camera),
         in_(i),
-        room_(roomOf(maze, cell)),
+        room_(maze.clearBox(cell)),
         name_("crossing " + nameOf(cell)),
         frame_(maze, cell, heading),
         ways_(ways),
@@ -195,14 +195,6 @@ void limitToBox(GraphCamera& camera, int i, const Box& box) {
       camera.limit(i, Plane::through(glm::dvec3(box.upper), -normal));
     }
   }
-}
-
-Box roomOf(const Maze& maze, const MazeCell& cell) {
-  const float rounding = 1e-4f * maze.cellSize;  // of points on its walls
-  Box box = maze.clearBox(cell);
-  box.lower -= rounding;
-  box.upper += rounding;
-  return box;
 }
 
 }  // namespace ocelli
