@@ -5,7 +5,12 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/constructor/comprehensive_constructor.h"
+#include "oc_core/constructor/curved_turns.h"
+#include "oc_core/constructor/graph_operations.h"
 #include "oc_core/constructor/maze_constructor.h"
+#include "oc_core/constructor/maze_options.h"
+#include "oc_core/constructor/path_constructor.h"
+#include "oc_core/constructor/portal_constructor.h"
 
 namespace ocelli {
 namespace {
@@ -33,8 +38,35 @@ std::string listOfNames() {
 
 const std::vector<CameraConstructor>& cameraConstructors() {
   static const std::vector<CameraConstructor> constructors{
-      {"comprehensive", "a whole maze in one image, each place once", buildComprehensiveCamera},
-      {"maze", "along a corridor to the next crossing, and along all ways that leave it", buildMazeCamera},
+      {"graph", "graph camera of a JSON file's bend, split, merge and limit operations",
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(readGraphCamera(options, reference, boundsOf(scene.mesh)));
+       }},
+      {"curved", "curved ray camera of a JSON file's turns",
+       [](JsonFields& options, const GuidedScene&, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(readCurvedRayCamera(options, reference));
+       }},
+      {"comprehensive", "a whole maze in one image, each place once",
+       [](JsonFields& fields, const GuidedScene& scene, const PinholeCamera& reference) {
+         const ComprehensiveOptions options = readComprehensiveOptions(fields);
+         const Maze& maze = mazeOf(scene, "comprehensive camera");
+         return MultiperspectiveCamera(makeComprehensiveCamera(maze, options, reference.width(), reference.height()));
+       }},
+      {"portal", "graph camera that looks straight into every portal in view",
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(buildPortalCamera(readPortalOptions(options), scene.guides, reference));
+       }},
+      {"maze", "along a corridor to the next crossing, and along all ways that leave it",
+       [](JsonFields& fields, const GuidedScene& scene, const PinholeCamera& reference) {
+         const MazeCameraPlace place = readMazeCamera(fields, reference);
+         const Maze& maze = mazeOf(scene, "maze camera");
+         return MultiperspectiveCamera(
+             makeMazeCamera(maze, place.pose, place.options, reference.width(), reference.height()));
+       }},
+      {"path", "curved ray camera that previews a path behind its next turns",
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(buildPathCamera(readPathOptions(options), scene.guides, reference));
+       }},
   };
   return constructors;
 }
@@ -56,7 +88,8 @@ MultiperspectiveCamera constructCamera(const std::string& nameOrFile, const Guid
   const std::string name = fields.text("camera");
   const CameraConstructor* constructor = find(name);
   if (constructor == nullptr) {
-    throw InputError("there is no constructor of cameras \"" + name + "\"", where, "use " + listOfNames());
+    throw InputError("there is no constructor of cameras \"" + name + "\"", where + ", field \"camera\"",
+                     "use " + listOfNames());
   }
   MultiperspectiveCamera camera = constructor->build(fields, scene, reference);
   fields.rejectUnknown();

@@ -1,5 +1,5 @@
-// How the rays of a graph camera that come along a corridor of a maze go on at a crossing: to the left, ahead and to the
-// right, each way with a share of the crossing's width (sections 4.3.1.4 and 4.3.2.2, Figure 4.18).
+// How the rays of a graph camera that come along a corridor of a maze go on at a crossing: to the left, ahead and to
+// the right, each way with a share of the crossing's width (sections 4.3.1.4 and 4.3.2.2, Figure 4.18).
 //
 // Plan of the crossing's box, seen along the heading; w is the clear width:
 //

@@ -7,7 +7,7 @@
 
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
-#include "oc_core/base/json_fields.h"
+#include "oc_core/constructor/camera_fields.h"
 #include "oc_core/constructor/maze_options.h"
 
 namespace ocelli {
@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kWhere = "maze camera";
 constexpr double kParallel = 1.0 / 200;  ///< one over how much farther away the viewpoint of parallel rays lies
-constexpr double kLeastShare = 2e-3;  ///< of rays; less is no way
+constexpr double kLeastShare = 2e-3;     ///< of rays; less is no way
 
 double mix(double a, double b, double t) {
   return a + (b - a) * t;
@@ -28,12 +28,13 @@ double tanHalf(double degrees) {
 void check(const MazeCameraOptions& options) {
   const auto& [left, ahead, right] = options.split;
   if (!(left >= 0 && ahead >= 0 && right >= 0)) {
-    throw InputError(fmt::format("a split ratio is negative: {}, {}, {}", left, ahead, right), kWhere,
+    throw InputError(fmt::format("\"split\" has a negative share: {}, {}, {}", left, ahead, right), kWhere,
                      "give three numbers from 0 to 1 that add up to 1");
   }
   if (!(std::abs(left + ahead + right - 1) < 1e-6)) {
-    throw InputError(fmt::format("the split ratios {}, {}, {} add up to {}", left, ahead, right, left + ahead + right),
-                     kWhere, "give three numbers that add up to 1");
+    throw InputError(
+        fmt::format("the shares of \"split\", {}, {} and {}, add up to {}", left, ahead, right, left + ahead + right),
+        kWhere, "give three numbers that add up to 1");
   }
 }
 
@@ -59,14 +60,16 @@ View viewOf(const Maze& maze, const glm::dvec3& eye, const glm::dvec3& direction
 class Builder {
  public:
   Builder(const Maze& maze, const MazePose& pose, const MazeCameraOptions& options)
-      : maze_(maze), pose_(pose), options_(options), deployed_(options.deployed.value_or(deployedAt(maze, pose, options.deployCells))) {}
+      : maze_(maze),
+        pose_(pose),
+        options_(options),
+        deployed_(options.deployed.value_or(deployedAt(maze, pose, options.deployCells))) {}
 
   GraphCamera build(int width, int height) const {
     const double aspect = static_cast<double>(width) / height;
     const std::optional<CrossingAhead> crossing = crossingAhead(maze_, pose_);
     if (!crossing || !(deployed_ > 0)) {
-      return GraphCamera(
-          mazePinhole(maze_, pose_.eye, glm::dvec3(vectorOf(pose_.heading)), options_, width, height));
+      return GraphCamera(mazePinhole(maze_, pose_.eye, glm::dvec3(vectorOf(pose_.heading)), options_, width, height));
     }
     const CrossingFrame frame(maze_, crossing->cell, pose_.heading);
     const double x = glm::dot(pose_.eye - frame.corner, frame.right);
@@ -76,11 +79,10 @@ class Builder {
                        mix(1, kParallel, options_.parallel);
     Lens lens;
     lens.behind = deployed_ * hug;
-    lens.tangent =
-        1 / mix(1 / tanHalf(options_.fovHorizontalDegrees), hug / (frame.width / 2), deployed_);
+    lens.tangent = 1 / mix(1 / tanHalf(options_.fovHorizontalDegrees), hug / (frame.width / 2), deployed_);
     lens.aside = deployed_ * (x / frame.width - 0.5);
-    GraphCamera camera(PinholeCamera(
-        viewOf(maze_, pose_.eye, glm::dvec3(vectorOf(pose_.heading)), lens, aspect), width, height));
+    GraphCamera camera(
+        PinholeCamera(viewOf(maze_, pose_.eye, glm::dvec3(vectorOf(pose_.heading)), lens, aspect), width, height));
     addWaysOut(camera, GraphCamera::kRoot, maze_, crossing->cell, pose_.heading,
                waysOut(*crossing, frame.width, rootOf(*crossing, frame, x, lens)),
                pose_.eye.y - static_cast<double>(maze_.origin.y));
@@ -171,29 +173,25 @@ GraphCamera makeMazeCamera(const Maze& maze, const MazePose& pose, const MazeCam
       .build(width, height);
 }
 
-MultiperspectiveCamera buildMazeCamera(JsonFields& fields, const GuidedScene& scene, const PinholeCamera& reference) {
-  const Maze& maze = mazeOf(scene, kWhere);
-  MazeCameraOptions options;
-  MazePose pose{glm::dvec3(reference.eye()), Direction::kNorth};
-  if (fields.has("position")) {
-    pose.eye = readPoint(fields, "position");
-  }
-  const std::optional<Direction> heading = readDirection(fields, "heading");
-  pose.heading = heading ? *heading : nearestDirection(reference.forward());
+MazeCameraPlace readMazeCamera(JsonFields& fields, const PinholeCamera& reference) {
+  MazeCameraPlace place;
+  MazeCameraOptions& options = place.options;
+  place.pose.eye = fields.has("position") ? readVector(fields, "position") : glm::dvec3(reference.eye());
+  place.pose.heading = readDirection(fields, "heading").value_or(nearestDirection(reference.forward()));
   const std::string direction = fields.text("direction", "forward");
   if (direction != "forward" && direction != "backward") {
     fields.fail("direction", "is \"" + direction + "\", but must be forward or backward");
   }
   options.backward = direction == "backward";
   if (fields.has("split")) {
-    const glm::dvec3 split = readPoint(fields, "split");
+    const glm::dvec3 split = readVector(fields, "split");
     options.split = {split.x, split.y, split.z};
   }
   options.fovHorizontalDegrees = fields.number("fov_degrees", 10, 150, options.fovHorizontalDegrees);
   options.fovCorridorDegrees = fields.number("corridor_fov_degrees", 1, 150, options.fovCorridorDegrees);
   options.crossingShare = fields.number("crossing_share", 0.05, 0.98, options.crossingShare);
   options.deployCells = fields.number("deploy_cells", 0.01, 100, options.deployCells);
-  return makeMazeCamera(maze, pose, options, reference.width(), reference.height());
+  return place;
 }
 
 }  // namespace ocelli

@@ -1,6 +1,6 @@
 // The display surface of the maze camera (section 4.3.1.4, Figures 4.1 and 4.19): the images of the forward and of the
-// backward camera as one picture. The image ahead stands above; the one behind lies beneath it, turned by 180 degrees, so
-// that both meet where the user stands. Grey lines part the perspectives, where the image jumps.
+// backward camera as one picture. The image ahead stands above; the one behind lies beneath it, turned by 180 degrees,
+// so that both meet where the user stands. Grey lines part the perspectives, where the image jumps.
 //
 // DEVIATION: the text's surface splits the image along these lines; here they are drawn.
 #pragma once

@@ -70,8 +70,8 @@ class Turning {
     const glm::dvec3 before(vectorOf(opposite(turn_.from.heading)));
     const glm::dvec3 after(vectorOf(opposite(way_.heading)));
     const glm::dvec3 eye = turn_.from.eye + (newEye() - turn_.from.eye) * step(2);
-    return GraphCamera(mazePinhole(maze_, eye, before * std::cos(angle) + after * std::sin(angle), options_, width_,
-                                   height_));
+    return GraphCamera(
+        mazePinhole(maze_, eye, before * std::cos(angle) + after * std::sin(angle), options_, width_, height_));
   }
 
  private:

@@ -1,5 +1,6 @@
 #include "oc_core/gl/gl_renderer.h"
 
+#include "oc_core/gl/bent_ray_pass.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"
 #include "oc_core/gl/gl_state.h"
@@ -13,16 +14,20 @@ namespace ocelli {
 struct GlRenderer::Impl {
   Impl(GlContext& context, const Mesh& scene)
       : mesh(context, scene),
+        blocks(scene),
         pinhole(context),
         subdivision(context),
         spans(context),
+        bentRays(context),
         color(makeProgram(context, "color_resolve",
                           {{GL_COMPUTE_SHADER, {shaders::kMesh, shaders::kFragment, shaders::kColorResolveComp}}})) {}
 
   GlMesh mesh;
+  MeshBlocks blocks;
   PinholePass pinhole;
   SubdivisionPass subdivision;
   SpanPass spans;
+  BentRayPass bentRays;
   GlObject color;
 };
 
@@ -68,6 +73,16 @@ FragmentImage GlRenderer::draw(const EpipolarCamera& camera, const FragmentImage
   return impl_->spans.draw(camera, GlFragments(context_, baseImage), impl_->mesh).read();
 }
 
+FragmentImage GlRenderer::draw(const GraphCamera& camera) const {
+  const GlScope scope(context_);
+  return drawOnGpu(camera).read();
+}
+
+FragmentImage GlRenderer::draw(const CurvedRayCamera& camera) const {
+  const GlScope scope(context_);
+  return drawOnGpu(camera).read();
+}
+
 GlFragments GlRenderer::drawOnGpu(const PinholeCamera& camera) const {
   return impl_->pinhole.draw(camera, impl_->mesh);
 }
@@ -86,6 +101,14 @@ GlFragments GlRenderer::drawOnGpu(const DdocCamera& camera, const SubdivisionOpt
 
 GlFragments GlRenderer::drawOnGpu(const EpipolarCamera& camera) const {
   return impl_->spans.draw(camera, drawLinesOnGpu(camera.base(), camera.lines()), impl_->mesh);
+}
+
+GlFragments GlRenderer::drawOnGpu(const GraphCamera& camera) const {
+  return impl_->bentRays.draw(camera, impl_->mesh, impl_->blocks);
+}
+
+GlFragments GlRenderer::drawOnGpu(const CurvedRayCamera& camera) const {
+  return impl_->bentRays.draw(camera, impl_->mesh, impl_->blocks);
 }
 
 GlFragments GlRenderer::drawLinesOnGpu(const PinholeCamera& base, const EpipolarLines& lines) const {

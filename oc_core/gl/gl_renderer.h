@@ -3,7 +3,8 @@
 //
 // Pinhole cameras are drawn as they are. Cameras that displace the image of a pinhole are drawn by subdivision, the
 // epipolar camera by spans of epipolar lines: as on the processor, since the reasons are the same (a ray that bends has
-// no projective map), with compute shaders in place of threads.
+// no projective map), with compute shaders in place of threads. Graph and curved ray cameras are drawn one piece of
+// their rays after the other.
 #pragma once
 
 #include <memory>
@@ -32,6 +33,8 @@ class GlRenderer final : public SceneDrawer {
                      const SubdivisionOptions& subdivision) const override;
   FragmentImage drawLines(const PinholeCamera& base, const EpipolarLines& lines) const override;
   FragmentImage draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const override;
+  FragmentImage draw(const GraphCamera& camera) const override;
+  FragmentImage draw(const CurvedRayCamera& camera) const override;
 
   /// The same, left on the GPU; cameras that need what their pinhole sees draw that as well. Hold a GlScope, here and
   /// below.
@@ -40,6 +43,8 @@ class GlRenderer final : public SceneDrawer {
   GlFragments drawOnGpu(const ReversePinholeCamera& camera, const SubdivisionOptions& options = {}) const;
   GlFragments drawOnGpu(const DdocCamera& camera, const SubdivisionOptions& options = {}) const;
   GlFragments drawOnGpu(const EpipolarCamera& camera) const;
+  GlFragments drawOnGpu(const GraphCamera& camera) const;
+  GlFragments drawOnGpu(const CurvedRayCamera& camera) const;
   GlFragments drawLinesOnGpu(const PinholeCamera& base, const EpipolarLines& lines) const;
 
   /// Linear colours as a texture of GL_RGBA32F, `background` where nothing is seen; alpha says which.

@@ -37,9 +37,10 @@ SplitPrograms makePrograms(GlContext& context, int model) {
   const auto compute = [&](const char* name, std::string_view source, const std::string& define) {
     return makeCompute(context, model, name, source, define);
   };
+  const std::string decide = std::string(shaders::kSplitDecideComp) + std::string(shaders::kSplitStore);
   return {
-      compute("split_decide", shaders::kSplitDecideComp, triangles),
-      compute("split_decide", shaders::kSplitDecideComp, pieces),
+      compute("split_decide", decide, triangles),
+      compute("split_decide", decide, pieces),
       compute("split_emit", shaders::kSplitEmitComp, triangles),
       compute("split_emit", shaders::kSplitEmitComp, pieces),
       compute("clip", shaders::kClipComp, clip + "#define STAGE COUNT\n"),

@@ -42,4 +42,12 @@ FragmentImage RayDrawer::draw(const EpipolarCamera& camera, const FragmentImage&
   return raycast(camera, mesh_, rays_, baseFragments(camera, baseImage));
 }
 
+FragmentImage RayDrawer::draw(const GraphCamera& camera) const {
+  return raycast(camera, mesh_, rays_);
+}
+
+FragmentImage RayDrawer::draw(const CurvedRayCamera& camera) const {
+  return raycast(camera, mesh_, rays_);
+}
+
 }  // namespace ocelli

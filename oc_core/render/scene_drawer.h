@@ -5,8 +5,10 @@
 // One call draws one image: within it, renderers know the type of the camera.
 #pragma once
 
+#include "oc_core/camera/curved_ray_camera.h"
 #include "oc_core/camera/ddoc_camera.h"
 #include "oc_core/camera/epipolar_camera.h"
+#include "oc_core/camera/graph_camera.h"
 #include "oc_core/camera/reverse_pinhole_camera.h"
 #include "oc_core/camera/spoc_camera.h"
 #include "oc_core/render/rasterize_subdivided.h"
@@ -29,6 +31,8 @@ class SceneDrawer {
   virtual FragmentImage drawLines(const PinholeCamera& base, const EpipolarLines& lines) const = 0;
   /// `baseImage` is what drawLines() gives for the base and the lines of the camera.
   virtual FragmentImage draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const = 0;
+  virtual FragmentImage draw(const GraphCamera& camera) const = 0;
+  virtual FragmentImage draw(const CurvedRayCamera& camera) const = 0;
 
   /// The acceleration structure, where there is one: whoever has it need not look at all triangles.
   virtual const RayScene* rays() const { return nullptr; }
@@ -47,6 +51,8 @@ class RayDrawer final : public SceneDrawer {
                      const SubdivisionOptions& subdivision) const override;
   FragmentImage drawLines(const PinholeCamera& base, const EpipolarLines& lines) const override;
   FragmentImage draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const override;
+  FragmentImage draw(const GraphCamera& camera) const override;
+  FragmentImage draw(const CurvedRayCamera& camera) const override;
   const RayScene* rays() const override { return &rays_; }
 
  private:

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "oc_core/render/fragment_image.h"
@@ -64,11 +65,57 @@ struct KeyedSample {
   }
 };
 
-/// Calls `emit(pixel, z, weights)` for every pixel of a `width` x `height` image that the triangle covers; `weights()`
-/// gives b1 and b2 there.
+/// Pixels [x0, x1) x [y0, y1) of an image.
+struct PixelRect {
+  int x0 = 0;
+  int y0 = 0;
+  int x1 = 0;
+  int y1 = 0;
+};
+
+/// What the vertices of a triangle weigh at a pixel.
+class PixelWeights {
+ public:
+  /// `shares` are those of the vertices in the image; where the triangle is `turned`, b and c are its third and second.
+  PixelWeights(const RasterVertex& a, const RasterVertex& b, const RasterVertex& c, const glm::vec3& shares,
+               bool turned)
+      : a_(a),
+        b_(b),
+        c_(c),
+        i_(shares.x * a.inverseZ, shares.y * b.inverseZ, shares.z * c.inverseZ),
+        z_(1 / (i_.x + i_.y + i_.z)),
+        turned_(turned) {}
+
+  float z() const { return z_; }
+  /// b1 and b2.
+  glm::vec2 operator()() const { return {mixed(a_.b1, b_.b1, c_.b1), mixed(a_.b2, b_.b2, c_.b2)}; }
+  /// What is linear over the triangle, given at its three vertices.
+  float of(float first, float second, float third) const {
+    return turned_ ? mixed(first, third, second) : mixed(first, second, third);
+  }
+
+ private:
+  float mixed(float atA, float atB, float atC) const { return (i_.x * atA + i_.y * atB + i_.z * atC) * z_; }
+
+  const RasterVertex& a_;
+  const RasterVertex& b_;
+  const RasterVertex& c_;
+  glm::vec3 i_;
+  float z_;
+  bool turned_;
+};
+
+/// Calls `emit(pixel, z, weights)` for every pixel of `rect` that the triangle covers, of an image that is so wide;
+/// `weights()` gives b1 and b2 there (PixelWeights).
+template <class Emit>
+void scanTriangle(int width, const PixelRect& rect, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
+                  const Emit& emit);
+/// For the whole image.
 template <class Emit>
 void scanTriangle(int width, int height, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
-                  const Emit& emit);
+                  const Emit& emit) {
+  scanTriangle(width, PixelRect{0, 0, width, height}, a, b, c, emit);
+}
 
 class VisibilityBuffer {
  public:
@@ -99,8 +146,8 @@ class VisibilityBuffer {
 };
 
 template <class Emit>
-void scanTriangle(int width, int height, const RasterVertex& a, const RasterVertex& b0, const RasterVertex& c0,
-                  const Emit& emit) {
+void scanTriangle(int width, const PixelRect& rect, const RasterVertex& a, const RasterVertex& b0,
+                  const RasterVertex& c0, const Emit& emit) {
   constexpr int64_t kOne = 1 << kSubPixelBits;
   const int64_t ax = snapToSubPixel(a.u);
   const int64_t ay = snapToSubPixel(a.v);
@@ -111,21 +158,22 @@ void scanTriangle(int width, int height, const RasterVertex& a, const RasterVert
   // Pixels whose centres lie within the bounding box: none for many a small triangle.
   const auto firstCentre = [](int64_t lowest) { return (lowest - kOne / 2 + kOne - 1) >> kSubPixelBits; };
   const auto lastCentre = [](int64_t highest) { return (highest - kOne / 2) >> kSubPixelBits; };
-  const int64_t x0 = std::max<int64_t>(firstCentre(std::min({ax, bx, cx})), 0);
-  const int64_t x1 = std::min<int64_t>(lastCentre(std::max({ax, bx, cx})), width - 1);
-  const int64_t y0 = std::max<int64_t>(firstCentre(std::min({ay, by, cy})), 0);
-  const int64_t y1 = std::min<int64_t>(lastCentre(std::max({ay, by, cy})), height - 1);
+  const int64_t x0 = std::max<int64_t>(firstCentre(std::min({ax, bx, cx})), rect.x0);
+  const int64_t x1 = std::min<int64_t>(lastCentre(std::max({ax, bx, cx})), rect.x1 - 1);
+  const int64_t y0 = std::max<int64_t>(firstCentre(std::min({ay, by, cy})), rect.y0);
+  const int64_t y1 = std::min<int64_t>(lastCentre(std::max({ay, by, cy})), rect.y1 - 1);
   if (x0 > x1 || y0 > y1) {
     return;
   }
 
-  const RasterVertex* b = &b0;
-  const RasterVertex* c = &c0;
   int64_t area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
   if (area == 0) {
     return;
   }
-  if (area < 0) {  // both sides of a surface are drawn: turn it around
+  const RasterVertex* b = &b0;
+  const RasterVertex* c = &c0;
+  const bool turned = area < 0;
+  if (turned) {  // both sides of a surface are drawn: turn it around
     std::swap(bx, cx);
     std::swap(by, cy);
     std::swap(b, c);
@@ -158,12 +206,8 @@ void scanTriangle(int width, int height, const RasterVertex& a, const RasterVert
         const float sb = static_cast<float>(wb) * perArea;
         const float sc = static_cast<float>(wc) * perArea;
         const float sa = std::max(1 - sb - sc, 0.0f);
-        const float ia = sa * a.inverseZ;
-        const float ib = sb * b->inverseZ;
-        const float ic = sc * c->inverseZ;
-        const float z = 1 / (ia + ib + ic);
-        emit(static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x), z,
-             [&] { return glm::vec2(ia * a.b1 + ib * b->b1 + ic * c->b1, ia * a.b2 + ib * b->b2 + ic * c->b2) * z; });
+        const PixelWeights weights(a, *b, *c, {sa, sb, sc}, turned);
+        emit(static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x), weights.z(), weights);
       }
       wa += ea.stepX;
       wb += eb.stepX;

@@ -2,31 +2,26 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/ext/matrix_transform.hpp>
+
 #include "oc_core/base/parallel.h"
 #include "oc_core/render/rasterize.h"
 #include "oc_core/render/raycast.h"
+#include "oc_core/scene/densify.h"
 #include "oc_core/scene/scene_source.h"
+#include "oc_core/scene/solids.h"
 #include "tests/camera/test_graph_cameras.h"
+#include "tests/render/ray_agreement.h"
 
 namespace ocelli {
 namespace {
 
+using test::coveredPixels;
 using test::crossroads;
+using test::Disagreement;
+using test::disagreement;
 using test::smallCamera;
 using test::turnAt;
-
-/// Pixels that two images differ at: in what covers them, or by more than 1e-4 of the depth.
-size_t differing(const FragmentImage& a, const FragmentImage& b) {
-  size_t count = 0;
-  for (size_t i = 0; i < a.size(); ++i) {
-    count += a[i].covered() != b[i].covered() || std::abs(a[i].z - b[i].z) > 1e-4f * a[i].z;
-  }
-  return count;
-}
-
-size_t covered(const FragmentImage& image) {
-  return static_cast<size_t>(std::count_if(image.begin(), image.end(), [](const Fragment& f) { return f.covered(); }));
-}
 
 GraphCamera mergedBehind(const PinholeCamera& camera) {
   GraphCamera graph(camera);
@@ -36,24 +31,46 @@ GraphCamera mergedBehind(const PinholeCamera& camera) {
   return graph;
 }
 
+/// Frusta that end at walls: before the objects, among them, and behind.
+GraphCamera limited(const PinholeCamera& camera) {
+  GraphCamera graph = crossroads(camera);
+  graph.limit(1, Plane::through({0, 0, -0.4}, {0.1, 0, -1}));
+  graph.limit(2, Plane::through({0, 0, -0.2}, {0, 0.2, -1}));
+  graph.limit(2, Plane::through({1, 0, 0}, {1, 0, -0.3}));
+  graph.limit(3, Plane::through({0, 0, -4}, {0, 0, -1}));
+  return graph;
+}
+
+/// Rays through a part of the image bend, to run closer together; those around it run on to a limit.
+GraphCamera withADoor(const PinholeCamera& camera) {
+  GraphCamera graph(camera);
+  const double w = camera.width();
+  const double h = camera.height();
+  graph.bend(0, turnAt({0, 0, 0.2}, {0.2, 0, -1}, {0.3, 0.1, 40}), "door",
+             {{0.3 * w, 0.25 * h}, {0.7 * w, 0.3 * h}, {0.65 * w, 0.8 * h}});
+  graph.limit(0, Plane::through({0, 0, -0.1}, {0, 0, -1}));
+  return graph;
+}
+
 TEST(RasterizeGraph, theRootAloneIsThePinhole) {
   const Mesh mesh = loadScene("builtin:boxes", {}, {});
   const PinholeCamera camera(View{}, 180, 120);
-  const FragmentImage expected = rasterize(camera, mesh);
-  EXPECT_LE(differing(expected, rasterize(GraphCamera(camera), mesh)), covered(expected) / 1000);
+  const Disagreement d = disagreement(rasterize(camera, mesh), rasterize(GraphCamera(camera), mesh), 1e-4f);
+  EXPECT_LE(d.differing, d.samples / 1000) << d;
 }
 
-// At silhouettes rounding decides, and where planes or parts pass through a pixel centre.
+// At silhouettes rounding decides, and where planes or parts pass through a pixel centre. Images are of a width at which
+// no bar of the fence ends along a column of pixel centres.
 TEST(RasterizeGraph, agreesWithRayCasting) {
-  const PinholeCamera camera(View{}, 180, 120);
+  const PinholeCamera camera(View{}, 196, 130);
   for (const char* scene : {"builtin:boxes", "builtin:statues", "builtin:fence,gap=4"}) {
     const Mesh mesh = loadScene(scene, {}, {});
     const RayScene rays(mesh);
-    for (const GraphCamera& graph : {crossroads(camera), mergedBehind(camera)}) {
-      const FragmentImage cast = raycast(graph, mesh, rays);
-      const size_t seen = covered(cast);
-      EXPECT_GT(seen, 2000u);
-      EXPECT_LE(differing(cast, rasterize(graph, mesh)), seen / 200) << scene;
+    for (const GraphCamera& graph : {crossroads(camera), mergedBehind(camera), limited(camera), withADoor(camera)}) {
+      const Disagreement d = disagreement(raycast(graph, mesh, rays), rasterize(graph, mesh), 1e-4f);
+      EXPECT_GT(d.samples, 2000u);
+      EXPECT_LE(d.differing, d.samples / 200) << scene << ": " << d;
+      EXPECT_LE(d.apart, d.samples / 5000) << scene << ": " << d;
     }
   }
 }
@@ -75,6 +92,51 @@ TEST(RasterizeGraph, seesBehindAnObject) {
   EXPECT_TRUE(seesBehind(rasterize(graph, mesh)));
 }
 
+// A wall just at a limit is seen, one behind it is not.
+TEST(RasterizeGraph, limitsKeepTheWallThatTheyStandFor) {
+  const PinholeCamera camera(View{}, 90, 60);
+  for (const float z : {-0.2f, -0.3f}) {
+    Mesh mesh;
+    test::addWall(mesh, z, 3);
+    GraphCamera graph(camera);
+    graph.limit(0, Plane::through({0, 0, static_cast<double>(-0.2f)}, {0, 0, -1}));
+    EXPECT_EQ(coveredPixels(rasterize(graph, mesh)), z == -0.2f ? 90u * 60 : 0u);
+  }
+}
+
+// Closed around all that the rays pass: no pixel may see through a crack between triangles or planes.
+TEST(RasterizeGraph, wallsAllAroundLeaveNoCrack) {
+  const PinholeCamera camera(View{}, 180, 120);
+  Mesh box;
+  append(box, makeBox({3.5f, 2.6f, 20}), glm::translate(glm::mat4(1), glm::vec3(0.2f, 0.1f, -8)));
+  for (const size_t triangles : {12, 5000}) {
+    for (int turned = 0; turned < 4; ++turned) {
+      Mesh mesh;
+      append(mesh, box, glm::rotate(glm::mat4(1), 0.05f * static_cast<float>(turned), glm::vec3(0.2f, 0.6f, 0.7f)));
+      densify(mesh, triangles);
+      EXPECT_EQ(coveredPixels(rasterize(crossroads(camera), mesh)), 180u * 120) << triangles << ", " << turned;
+      EXPECT_EQ(coveredPixels(rasterize(mergedBehind(camera), mesh)), 180u * 120) << triangles << ", " << turned;
+    }
+  }
+}
+
+TEST(RasterizeGraph, preparedBlocksDrawTheSame) {
+  const Mesh mesh = loadScene("builtin:boxes", {}, {});
+  const GraphCamera graph = crossroads(PinholeCamera(View{}, 180, 120));
+  EXPECT_EQ(rasterize(graph, mesh, MeshBlocks(mesh)), rasterize(graph, mesh));
+}
+
+// Sizes from nothing to the largest numbers: what is drawn is a sample of the triangle.
+TEST(RasterizeGraph, enduresAnySize) {
+  const GraphCamera graph = crossroads();
+  for (const float size : {1e-30f, 1e-6f, 1e6f, 1e20f, 3e38f}) {
+    const Mesh mesh{{{-size, -size, 0}, {size, -size, -1}, {0, size, 1}, {0, size, -size}}, {}, {{0, 1, 2}, {0, 1, 3}}};
+    for (const Fragment& f : rasterize(graph, mesh)) {
+      EXPECT_TRUE(!f.covered() || (f.z > 0 && std::isfinite(f.b1) && std::isfinite(f.b2)));
+    }
+  }
+}
+
 TEST(RasterizeGraph, sameBytesForAnyNumberOfThreads) {
   const Mesh mesh = loadScene("builtin:boxes", {}, {});
   const GraphCamera graph = crossroads(PinholeCamera(View{}, 180, 120));
@@ -87,10 +149,10 @@ TEST(RasterizeGraph, sameBytesForAnyNumberOfThreads) {
 
 TEST(RasterizeGraph, drawsNothingOfWhatIsNot) {
   const GraphCamera graph = crossroads();
-  EXPECT_EQ(covered(rasterize(graph, Mesh{})), 0u);
+  EXPECT_EQ(coveredPixels(rasterize(graph, Mesh{})), 0u);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const Mesh broken{{{0, 0, 0}, {1, 0, 0}, {0, nan, 0}}, {}, {{0, 1, 2}, {0, 0, 0}}};
-  EXPECT_EQ(covered(rasterize(graph, broken)), 0u);
+  EXPECT_EQ(coveredPixels(rasterize(graph, broken)), 0u);
 }
 
 TEST(RasterizeGraph, brokenTrianglesLeaveTheirNeighboursAlone) {

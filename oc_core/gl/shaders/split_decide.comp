@@ -9,7 +9,6 @@
 #if SOURCE == PIECES
 layout(std430, binding = 2) readonly buffer Source { uint source[]; };
 #endif
-layout(std430, binding = 6) writeonly buffer Codes { uint codes[]; };
 layout(location = 2) uniform uint depth;
 
 const uint kDeepest = 24u;  // only guards against numbers gone wrong
@@ -109,18 +108,3 @@ uint decideItem(uint item) {
                 pointOf(corners, weightsAt(at + 5u)));
 }
 #endif
-
-void main() {
-  uint code = kDrop;
-  if (gl_GlobalInvocationID.x < count) {
-    code = decideItem(first + gl_GlobalInvocationID.x);
-  }
-  uint own = countsOf(code);
-  uint sum = sumInGroup(own);
-  if (gl_GlobalInvocationID.x < count) {
-    codes[gl_GlobalInvocationID.x] = withPlace(code, sum - own);
-  }
-  if (gl_LocalInvocationID.x == kGroup - 1u) {
-    groups[gl_WorkGroupID.x] = unpackCounts(sum);
-  }
-}

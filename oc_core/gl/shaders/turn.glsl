@@ -1,0 +1,98 @@
+// A turn of a curved ray camera (oc_core/camera/ray_transition.h), and where it shows points. All places are taken from
+// the viewpoint before the turn, C0.
+const int kMostSides = 16;
+layout(std140, binding = 1) uniform Turn {
+  vec4 before;         // C0, in the world
+  vec4 beyond;         // C1
+  vec4 from;           // t0: normal, and the height of C0
+  vec4 to;             // t2
+  vec4 axis;           // from C0 to C1
+  vec4 linePoint;      // of the line that the planes have in common
+  vec4 lineDirection;
+  vec4 border;
+  vec4 rowsBefore[3];  // u, v and their weight, of a place before the turn
+  vec4 rowsAfter[3];   // after it, from C1
+  vec4 sides[kMostSides];
+  int sideCount;
+  int straight;        // C0 is C1
+  float shortestEdge;
+  uint piece;
+};
+
+const float kLeastWeight = 0.05;
+const float kMostPixels = 1e6;
+
+struct TurnPoint {
+  vec3 p;
+  vec2 image;
+  float weight;
+  float first;  // distance from the first plane, positive in the turn
+  float last;   // from the last plane, positive in the turn
+  bool imaged;
+};
+
+vec3 projected(vec4 rows[3], vec3 p) {
+  return vec3(dotInOrder(rows[0].xyz, p), dotInOrder(rows[1].xyz, p), dotInOrder(rows[2].xyz, p));
+}
+
+// The root in [0, 1] of a quadratic in Bernstein form, of which the first and the last coefficient differ in sign.
+float bernsteinRoot(vec3 b) {
+  float side = abs(b.x) > abs(b.z) ? (b.x > 0.0 ? 1.0 : -1.0) : (b.z < 0.0 ? 1.0 : -1.0);
+  b *= side;
+  float root = sqrt(max(b.y * b.y - b.x * b.z, 0.0));
+  float numerator = b.y >= 0.0 ? b.y + root : b.x;
+  float denominator = b.y >= 0.0 ? -b.z : root - b.y;
+  return !(b.x > 0.0) || !(b.z < 0.0) ? (b.x > 0.0 ? 1.0 : 0.0) : numerator / (numerator + denominator);
+}
+
+// Where the ray of a point within the turn meets the middle plane; w is 0 where it is on none.
+vec4 middleOf(vec3 p) {
+  vec3 normal = normalize(cross(axis.xyz, p));
+  float along = dot(normal, lineDirection.xyz);
+  vec3 a = linePoint.xyz - lineDirection.xyz * (dot(normal, linePoint.xyz) / along);
+  vec3 s = border.xyz - lineDirection.xyz * (dot(normal, border.xyz) / along);
+  vec3 t = s * (from.w / (from.w - (dot(from.xyz, s) + from.w)));
+  float heightBeyond = dot(to.xyz, beyond.xyz) + to.w;
+  float heightS = dot(to.xyz, s) + to.w;
+  vec3 q = (s * heightBeyond - beyond.xyz * heightS) / (heightBeyond - heightS);
+  vec3 up = normalize(cross(normal, axis.xyz));
+  vec3 heights = vec3(dot(up, t), dot(up, s), dot(up, q));
+  vec3 side = cross(normal, p - a);
+  float u = bernsteinRoot(vec3(dot(side, t - a), dot(side, s - a), dot(side, q - a)));
+  vec3 b = vec3((1.0 - u) * (1.0 - u), 2.0 * u * (1.0 - u), u * u);
+  vec3 onB = t * b.x + s * b.y + q * b.z;
+  vec3 towards = a - onB;
+  float share = dot(p - onB, towards) / dot(towards, towards);
+  float mu = share / (1.0 - share) / dot(heights, b);
+  float weight = 1.0 + mu * heights.y;
+  return vec4((s + a * (mu * heights.y)) / weight, share < 1.0 && weight > 0.0 ? 1.0 : 0.0);
+}
+
+// Beyond its planes a turn goes on as the straight rays do that are tangent to it.
+TurnPoint turnPoint(vec3 p) {
+  TurnPoint point;
+  point.p = p;
+  point.first = dot(from.xyz, p) + from.w;
+  point.last = -(dot(to.xyz, p) + to.w);
+  vec3 beforeTurn = projected(rowsBefore, p);
+  vec3 afterTurn = projected(rowsAfter, p - beyond.xyz);
+  vec4 middle = middleOf(p);
+  vec3 image = projected(rowsBefore, middle.xyz);
+  bool held = middle.w > 0.0;
+  float share = clamp(point.first / (point.first + point.last), 0.0, 1.0);
+  if (straight != 0 || point.first < 0.0) {
+    image = beforeTurn;
+    held = true;
+    share = 0.0;
+  } else if (point.last < 0.0) {
+    image = afterTurn;
+    held = true;
+    share = 1.0;
+  }
+  point.image = image.xy / image.z;
+  float least = kLeastWeight * image.z;
+  point.weight = mix(max(beforeTurn.z, least), max(afterTurn.z, least), share);
+  point.imaged = held && image.z > 0.0 && point.weight > 0.0 && abs(point.image.x) < kMostPixels &&
+                 abs(point.image.y) < kMostPixels;
+  return point;
+}

@@ -1,0 +1,119 @@
+#include "oc_core/gl/turn_pass.h"
+
+#include <algorithm>
+#include <array>
+
+#include "oc_core/gl/gl_api.h"
+#include "oc_core/gl/gl_program.h"
+#include "oc_core/gl/gl_state.h"
+#include "oc_core/gl/shaders.h"
+#include "oc_core/render/turn_bounds.h"
+
+namespace ocelli {
+namespace {
+
+constexpr size_t kMostSides = 16;
+
+/// As shaders/turn.glsl has it, in the layout std140.
+struct TurnBlock {
+  glm::vec4 before{0};
+  glm::vec4 beyond{0};
+  glm::vec4 from{0};
+  glm::vec4 to{0};
+  glm::vec4 axis{0};
+  glm::vec4 linePoint{0};
+  glm::vec4 lineDirection{0};
+  glm::vec4 border{0};
+  std::array<glm::vec4, 3> rowsBefore{};
+  std::array<glm::vec4, 3> rowsAfter{};
+  std::array<glm::vec4, kMostSides> sides{};
+  int32_t sideCount = 0;
+  int32_t straight = 0;
+  float shortestEdge = 0;
+  uint32_t piece = 0;
+};
+
+glm::vec4 inSingle(const glm::dvec3& v) {
+  return {glm::vec3(v), 0};
+}
+
+/// Rows of the linear map that projects places from a viewpoint, which the projection passes.
+std::array<glm::vec4, 3> rowsOf(const glm::dmat4& pixelFromWorld) {
+  const glm::dmat4 rows = glm::transpose(pixelFromWorld);
+  return {inSingle(glm::dvec3(rows[0])), inSingle(glm::dvec3(rows[1])), inSingle(glm::dvec3(rows[3]))};
+}
+
+TurnBlock blockOf(const CurvedRayCamera& camera, size_t turn, uint32_t piece) {
+  const RayTransition& transition = camera.turns()[turn];
+  const TransitionPlanes& planes = transition.planes();
+  const TurnBounds bounds(camera, turn);
+  const glm::dvec3& origin = transition.before();
+  const auto moved = [&](const glm::dvec4& space) {
+    return glm::vec4(glm::vec3(space), static_cast<float>(glm::dot(space, glm::dvec4(origin, 1))));
+  };
+  TurnBlock block;
+  block.before = inSingle(origin);
+  block.beyond = inSingle(transition.beyond() - origin);
+  block.from = moved(beyond(planes.from));
+  block.to = moved(beyond(planes.to));
+  block.straight = glm::distance(transition.beyond(), origin) < 1e-12 * (1 + glm::length(origin)) ? 1 : 0;
+  block.axis = block.straight != 0 ? glm::vec4(1, 0, 0, 0) : inSingle(glm::normalize(transition.beyond() - origin));
+  const glm::dvec3 along = glm::cross(planes.from.normal, planes.to.normal);
+  const glm::dvec3 point = (glm::cross(planes.to.normal, along) * planes.from.distance +
+                            glm::cross(along, planes.from.normal) * planes.to.distance) /
+                           glm::dot(along, along);
+  block.linePoint = inSingle(point - origin);
+  block.lineDirection = inSingle(glm::normalize(along));
+  block.border = inSingle(transition.border() - origin);
+  block.rowsBefore = rowsOf(bounds.before());
+  block.rowsAfter = rowsOf(bounds.after());
+  OC_CHECK(bounds.sides().size() <= kMostSides, "a turn has more sides than its shader takes");
+  std::transform(bounds.sides().begin(), bounds.sides().end(), block.sides.begin(), moved);
+  block.sideCount = static_cast<int32_t>(bounds.sides().size());
+  block.shortestEdge = static_cast<float>(bounds.shortestEdge());
+  block.piece = piece;
+  return block;
+}
+
+SplitPrograms makePrograms(GlContext& context) {
+  const auto compute = [&](const char* name, std::string_view source, const std::string& define) {
+    return makeProgram(context, name,
+                       {{GL_COMPUTE_SHADER,
+                         {shaders::kPinhole, shaders::kMesh, shaders::kTurn, shaders::kPiece, shaders::kSplitCounts,
+                          shaders::kSplitCodes, source}}},
+                       define);
+  };
+  const std::string decide = std::string(shaders::kTurnDecideComp) + std::string(shaders::kSplitStore);
+  const std::string triangles = "#define SOURCE TRIANGLES\n";
+  const std::string pieces = "#define SOURCE PIECES\n";
+  SplitPrograms programs;
+  programs.decideTriangles = compute("turn_decide", decide, triangles);
+  programs.decidePieces = compute("turn_decide", decide, pieces);
+  programs.emitTriangles = compute("split_emit", shaders::kSplitEmitComp, triangles);
+  programs.emitPieces = compute("split_emit", shaders::kSplitEmitComp, pieces);
+  programs.prefixSum = makeProgram(context, "prefix_sum", {{GL_COMPUTE_SHADER, {shaders::kPrefixSumComp}}});
+  programs.drawLeaves = makeProgram(
+      context, "turn_leaves",
+      {{GL_VERTEX_SHADER,
+        {shaders::kPinhole, shaders::kMesh, shaders::kTurn, shaders::kPiece, shaders::kTurnLeavesVert}},
+       {GL_FRAGMENT_SHADER, {shaders::kPinhole, shaders::kTurn, shaders::kOverlap, shaders::kTurnLeavesFrag}}});
+  return programs;  // nothing is clipped: pieces that reach out of the turn are tested by pixels
+}
+
+}  // namespace
+
+TurnPass::TurnPass(GlContext& context)
+    : context_(context), splitter_(context), programs_(makePrograms(context)), vertexArray_(makeVertexArray(context)) {}
+
+void TurnPass::draw(const CurvedRayCamera& camera, size_t turn, uint32_t piece, const GlMesh& mesh) const {
+  const TurnBlock block = blockOf(camera, turn, piece);
+  const GlObject uniforms = makeBuffer(context_, sizeof(block), &block);
+  const GladGLContext& gl = context_.gl();
+  gl.BindBufferBase(GL_UNIFORM_BUFFER, 1, uniforms.id());
+  bindMesh(context_, mesh);
+  gl.BindVertexArray(vertexArray_.id());
+  splitter_.draw(programs_, mesh);
+  context_.check("drawing a turn of rays");
+}
+
+}  // namespace ocelli

@@ -1,0 +1,26 @@
+// Draws what lies in turns of a curved ray camera (oc_core/render/turn_drawer.h): compute shaders split triangles until
+// their pieces come out straight, as for cameras that displace an image (subdivision_pass.h), and the GPU's rasteriser
+// fills these.
+#pragma once
+
+#include "oc_core/camera/curved_ray_camera.h"
+#include "oc_core/gl/piece_splitter.h"
+
+namespace ocelli {
+
+class TurnPass {
+ public:
+  /// Hold a GlScope, here and below.
+  explicit TurnPass(GlContext& context);
+
+  /// Draws to the bound framebuffer, as samples of so numbered a piece, with the bound uniforms of the root.
+  void draw(const CurvedRayCamera& camera, size_t turn, uint32_t piece, const GlMesh& mesh) const;
+
+ private:
+  GlContext& context_;
+  mutable PieceSplitter splitter_;
+  SplitPrograms programs_;
+  GlObject vertexArray_;
+};
+
+}  // namespace ocelli

@@ -1,0 +1,67 @@
+// A mesh cut into blocks of neighbouring triangles, with a box around each, and boxes around runs of blocks: renderers
+// that draw one part of space after the other find the triangles of a part by them.
+//
+// DEVIATION: the text finds the triangles of a frustum with an octree (section 4.1). Scenes come in a coherent order,
+// so blocks of neighbours in that order do, and take a small part of the time to build.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "oc_core/render/half_spaces.h"
+
+namespace ocelli {
+
+class MeshBlocks {
+ public:
+  static constexpr size_t kTriangles = 32;  ///< of a block
+  static constexpr size_t kRun = 32;        ///< blocks of a run
+
+  struct Block {
+    Box box;              ///< around the triangles whose corners are finite
+    uint32_t finite = 0;  ///< which these are: bit i is triangle i of the block
+  };
+
+  explicit MeshBlocks(const Mesh& mesh);
+
+  const Block& operator[](size_t block) const { return blocks_[block]; }
+  size_t size() const { return blocks_.size(); }
+  /// Calls `visit(triangle)`, in order, for the triangles of a block whose corners are finite.
+  template <class Visit>
+  void forEachTriangle(uint32_t block, const Visit& visit) const;
+  /// Calls `visit(block, placement)`, in order, for the blocks that are not outside of the half spaces.
+  template <class Visit>
+  void forEachWithin(std::span<const HalfSpace> spaces, const Visit& visit) const;
+
+ private:
+  std::vector<Block> blocks_;
+  std::vector<Box> runs_;
+};
+
+template <class Visit>
+void MeshBlocks::forEachTriangle(uint32_t block, const Visit& visit) const {
+  for (uint32_t left = blocks_[block].finite; left != 0; left &= left - 1) {
+    visit(block * static_cast<uint32_t>(kTriangles) + static_cast<uint32_t>(std::countr_zero(left)));
+  }
+}
+
+template <class Visit>
+void MeshBlocks::forEachWithin(std::span<const HalfSpace> spaces, const Visit& visit) const {
+  for (size_t run = 0; run < runs_.size(); ++run) {
+    if (runs_[run].empty() || placementOf(runs_[run], spaces) == Placement::kOutside) {
+      continue;
+    }
+    for (size_t block = run * kRun; block < std::min((run + 1) * kRun, blocks_.size()); ++block) {
+      const Box& box = blocks_[block].box;
+      const Placement placement = box.empty() ? Placement::kOutside : placementOf(box, spaces);
+      if (placement != Placement::kOutside) {
+        visit(static_cast<uint32_t>(block), placement);
+      }
+    }
+  }
+}
+
+}  // namespace ocelli

@@ -1,0 +1,44 @@
+// The closest sample at each pixel along rays of several pieces: a ray meets what its first piece holds before anything
+// that later ones do, so samples are ordered by the piece first, and then as those of the visibility buffer.
+#pragma once
+
+#include "oc_core/render/visibility_buffer.h"
+
+namespace ocelli {
+
+class OrderedBuffer {
+ public:
+  static constexpr uint8_t kNone = 0xff;
+
+  explicit OrderedBuffer(size_t pixels) : orders_(pixels, kNone), samples_(pixels) {}
+
+  /// `weights()` gives b1 and b2 (scanTriangle()). `depth` is positive and grows along the piece.
+  template <class Weights>
+  void offer(size_t pixel, uint8_t order, float depth, uint32_t triangle, const Weights& weights) {
+    const uint64_t key = KeyedSample::keyOf(depth, triangle);
+    if (order < orders_[pixel] || (order == orders_[pixel] && key < samples_[pixel].key)) {
+      const glm::vec2 b = weights();
+      orders_[pixel] = order;
+      samples_[pixel] = {key, b.x, b.y};
+    }
+  }
+  void mergePixels(const OrderedBuffer& other, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      if (other.orders_[i] < orders_[i] ||
+          (other.orders_[i] == orders_[i] && other.samples_[i].key < samples_[i].key)) {
+        orders_[i] = other.orders_[i];
+        samples_[i] = other.samples_[i];
+      }
+    }
+  }
+
+  /// The piece that the sample lies in; kNone where there is none.
+  uint8_t order(size_t pixel) const { return orders_[pixel]; }
+  Fragment fragment(size_t pixel) const { return samples_[pixel].fragment(); }
+
+ private:
+  std::vector<uint8_t> orders_;
+  std::vector<KeyedSample> samples_;
+};
+
+}  // namespace ocelli

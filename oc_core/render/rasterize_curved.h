@@ -1,0 +1,19 @@
+// Rasterisation for the curved ray camera (section 4.2.2): before, between and behind its turns rays are straight, and
+// one matrix each projects what lies there (stretch.h); what lies in a turn is split until its pieces come out straight
+// (turn_drawer.h).
+//
+// A ray passes stretch, turn, stretch and so on, so at each pixel the sample of the first of these is kept.
+#pragma once
+
+#include "oc_core/camera/curved_ray_camera.h"
+#include "oc_core/render/fragment_image.h"
+#include "oc_core/render/mesh_blocks.h"
+
+namespace ocelli {
+
+/// The closest fragment along the ray of each pixel; both sides of triangles are drawn.
+FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh);
+/// The same, of a mesh that is drawn more than once: `blocks` are its own.
+FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh, const MeshBlocks& blocks);
+
+}  // namespace ocelli

@@ -1,0 +1,83 @@
+#include "oc_core/render/turn_bounds.h"
+
+#include <algorithm>
+#include <array>
+
+#include "oc_core/render/pixel_ray.h"
+
+namespace ocelli {
+namespace {
+
+/// Points whose convex hull holds all rays of a turn: where those of the corners of the image cross its planes. An arc
+/// lies in the hull of its control points.
+std::vector<glm::dvec3> hullOf(const CurvedRayCamera& camera, size_t turn) {
+  const PixelRays rays(camera.root());
+  const double width = camera.width();
+  const double height = camera.height();
+  std::vector<glm::dvec3> points;
+  for (const glm::dvec2 corner :
+       {glm::dvec2(0, 0), glm::dvec2(width, 0), glm::dvec2(width, height), glm::dvec2(0, height)}) {
+    PixelRay ray(rays, corner);
+    for (size_t i = 0; i < turn; ++i) {
+      ray.bend(camera.turns()[i].planes().middle, camera.turns()[i].beyond());
+    }
+    const TransitionPlanes& planes = camera.turns()[turn].planes();
+    points.push_back(ray.cross(planes.from));
+    points.push_back(ray.cross(planes.middle));
+    ray.bend(planes.middle, camera.turns()[turn].beyond());
+    points.push_back(ray.cross(planes.to));
+  }
+  return points;
+}
+
+/// Half spaces around a hull: those given, moved outwards where they must be, and an axis-aligned box.
+HalfSpaces around(const std::vector<glm::dvec3>& hull, const HalfSpaces& candidates) {
+  HalfSpaces spaces = candidates;
+  Box box;
+  for (const glm::dvec3& point : hull) {
+    box.add(glm::vec3(point));
+  }
+  const glm::vec3 room = box.size() * 0.01f;
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::dvec3 normal(0);
+    normal[axis] = 1;
+    spaces.emplace_back(normal, static_cast<double>(room[axis] - box.lower[axis]));
+    spaces.emplace_back(-normal, static_cast<double>(room[axis] + box.upper[axis]));
+  }
+  for (HalfSpace& space : spaces) {
+    for (const glm::dvec3& point : hull) {
+      space.w -= std::min(glm::dot(space, glm::dvec4(point, 1)), 0.0);
+    }
+  }
+  return spaces;
+}
+
+}  // namespace
+
+TurnBounds::TurnBounds(const CurvedRayCamera& camera, size_t turn) : before_(camera.pixelFromWorld(turn)) {
+  const RayTransition& transition = camera.turns()[turn];
+  const TransitionPlanes& planes = transition.planes();
+  after_ = camera.pixelFromWorld(turn + 1) / -planes.middle.height(transition.beyond());
+  slab_ = {beyond(planes.from), ocelli::before(planes.to)};
+  const double width = camera.width();
+  const double height = camera.height();
+  const std::array<glm::dvec2, 4> image{glm::dvec2(0, 0), {width, 0}, {width, height}, {0, height}};
+  HalfSpaces sides = within(image, before_, 2);
+  const HalfSpaces sidesAfter = within(image, after_, 2);
+  sides.insert(sides.end(), sidesAfter.begin(), sidesAfter.end());
+  const std::vector<glm::dvec3> hull = hullOf(camera, turn);
+  sides_ = around(hull, sides);
+  double least = std::numeric_limits<double>::infinity();
+  for (const glm::dvec3& point : hull) {
+    least = std::min(least, std::abs((before_ * glm::dvec4(point, 1)).w));
+  }
+  shortestEdge_ = 0.25 * least / static_cast<double>(camera.root().focalPixels());
+}
+
+void TurnBounds::findBlocks(const MeshBlocks& blocks, uint32_t piece, std::vector<BlockTask>& tasks) const {
+  HalfSpaces spaces = slab_;
+  spaces.insert(spaces.end(), sides_.begin(), sides_.end());
+  blocks.forEachWithin(spaces, [&](uint32_t block, Placement) { tasks.push_back({piece, block, false}); });
+}
+
+}  // namespace ocelli

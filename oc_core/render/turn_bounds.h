@@ -1,0 +1,33 @@
+// Where a turn of a curved ray camera is, and which blocks of a mesh it may show.
+#pragma once
+
+#include "oc_core/camera/curved_ray_camera.h"
+#include "oc_core/render/stretch.h"
+
+namespace ocelli {
+
+class TurnBounds {
+ public:
+  TurnBounds(const CurvedRayCamera& camera, size_t turn);
+
+  /// Pixels from the world before and after the turn; weights are alike in its middle plane.
+  const glm::dmat4& before() const { return before_; }
+  const glm::dmat4& after() const { return after_; }
+  /// Between its first and its last plane.
+  const HalfSpaces& slab() const { return slab_; }
+  /// Around all of its rays.
+  const HalfSpaces& sides() const { return sides_; }
+  /// A quarter of a pixel's footprint where it is smallest, world units.
+  double shortestEdge() const { return shortestEdge_; }
+  /// Appends the blocks that the turn may show, as tasks of this piece.
+  void findBlocks(const MeshBlocks& blocks, uint32_t piece, std::vector<BlockTask>& tasks) const;
+
+ private:
+  glm::dmat4 before_;
+  glm::dmat4 after_;
+  HalfSpaces slab_;
+  HalfSpaces sides_;
+  double shortestEdge_ = 0;
+};
+
+}  // namespace ocelli

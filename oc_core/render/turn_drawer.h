@@ -1,0 +1,77 @@
+// Draws what lies in a turn of a curved ray camera (section 4.2.2), where rays are conics: triangles are split until
+// their pieces come out straight, and the pieces are filled as for a pinhole.
+//
+// Whether an edge is split depends on its two ends and its middle alone, so triangles that share an edge split it
+// alike: no cracks. It is split where its middle comes out more than `kErrorPixels` from where a straight piece, in
+// perspective, would have it, and where it is long enough to hide more than one bend. So surfaces are shown within that
+// many pixels of where they are.
+//
+// A ray crosses the planes through the line that the planes of the turn have in common one after the other, so the
+// share of the turn that such a plane cuts off orders what is met along the ray.
+#pragma once
+
+#include "oc_core/camera/curved_ray_camera.h"
+#include "oc_core/render/turn_bounds.h"
+
+namespace ocelli {
+
+class TurnDrawer {
+ public:
+  static constexpr double kErrorPixels = 1.0 / 16;
+
+  struct Vertex {
+    glm::dvec3 p{0};
+    glm::dvec2 b{0};
+    RasterVertex image;
+    float behindFirst = 0;  ///< distance from the first plane of the turn, positive in the turn
+    float beforeLast = 0;   ///< from the last plane, positive in the turn
+    bool imaged = false;
+  };
+  /// What a thread keeps from one block to the next.
+  struct Scratch {
+    struct Entry {
+      uint64_t tag = ~uint64_t{0};
+      Vertex vertex;
+    };
+    static constexpr size_t kVertices = 1024;
+
+    std::vector<Entry> cache{kVertices};
+    Clipper clipper;
+    std::vector<Vertex> corners;
+  };
+
+  /// All must outlive it.
+  TurnDrawer(const CurvedRayCamera& camera, size_t turn, uint8_t order, const Mesh& mesh, const MeshBlocks& blocks);
+
+  const TurnBounds& bounds() const { return bounds_; }
+  void draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& scratch) const;
+
+ private:
+  struct Sink {
+    OrderedBuffer& buffer;
+    uint32_t triangle;
+  };
+
+  Vertex vertex(const glm::dvec3& p, const glm::dvec2& b) const;
+  const Vertex& meshVertex(uint32_t index, Scratch& scratch) const;
+  void drawClipped(const Sink& sink, Scratch& scratch) const;
+  bool missesImage(const Vertex& a, const Vertex& b, const Vertex& c) const;
+  std::optional<Vertex> splitOf(const Vertex& a, const Vertex& b) const;
+  void refine(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, int depth) const;
+  void refineOne(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& ab,
+                 int depth) const;
+  void refineTwo(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& ab,
+                 const Vertex& bc, int depth) const;
+  void fill(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const;
+
+  const RayTransition& transition_;
+  const Mesh& mesh_;
+  const MeshBlocks& blocks_;
+  TurnBounds bounds_;
+  uint32_t turn_;
+  uint8_t order_;
+  int width_;
+  int height_;
+};
+
+}  // namespace ocelli

@@ -1,0 +1,114 @@
+// Graph and curved ray cameras on the GPU, against the rasteriser on the processor.
+#include "oc_core/gl/bent_ray_pass.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/ext/matrix_transform.hpp>
+
+#include "oc_core/gl/gl_renderer.h"
+#include "oc_core/render/rasterize.h"
+#include "oc_core/render/rasterize_curved.h"
+#include "oc_core/render/rasterize_graph.h"
+#include "oc_core/scene/densify.h"
+#include "oc_core/scene/scene_source.h"
+#include "oc_core/scene/solids.h"
+#include "tests/camera/test_curved_cameras.h"
+#include "tests/camera/test_graph_cameras.h"
+#include "tests/gl/gl_test_context.h"
+#include "tests/render/ray_agreement.h"
+
+namespace ocelli {
+namespace {
+
+using test::coveredPixels;
+using test::Disagreement;
+using test::disagreement;
+
+PinholeCamera pinhole() {
+  return {View{}, 270, 180};
+}
+
+GraphCamera limited() {
+  GraphCamera graph = test::crossroads(pinhole());
+  graph.limit(1, Plane::through({0, 0, -0.4}, {0.1, 0, -1}));
+  graph.limit(2, Plane::through({0, 0, -0.2}, {0, 0.2, -1}));
+  return graph;
+}
+
+class BentRayPassTest : public testing::TestWithParam<GlProvider> {
+ protected:
+  std::unique_ptr<GlContext> context_ = openTestContext(GetParam());
+};
+INSTANTIATE_TEST_SUITE_P(Providers, BentRayPassTest, kOffscreenProviders, providerName);
+
+template <class C>
+void expectAgreement(const C& camera, const Mesh& mesh, const GlRenderer& renderer, const char* scene) {
+  const Disagreement d = disagreement(rasterize(camera, mesh), renderer.draw(camera), 1e-3f);
+  EXPECT_GT(d.samples, 2000u);
+  EXPECT_LE(d.differing, d.samples / 200) << scene << ": " << d;
+  EXPECT_LE(d.apart, d.samples / 5000) << scene << ": " << d;
+}
+
+TEST_P(BentRayPassTest, agreesWithTheProcessor) {
+  for (const char* scene : {"builtin:boxes", "builtin:statues", "builtin:fence,gap=4", "builtin:room"}) {
+    const Mesh mesh = loadScene(scene, {}, {});
+    const GlRenderer renderer(*context_, mesh);
+    expectAgreement(GraphCamera(pinhole()), mesh, renderer, scene);
+    expectAgreement(test::crossroads(pinhole()), mesh, renderer, scene);
+    expectAgreement(limited(), mesh, renderer, scene);
+    expectAgreement(CurvedRayCamera(pinhole()), mesh, renderer, scene);
+    expectAgreement(test::turningRight(pinhole()), mesh, renderer, scene);
+    expectAgreement(test::turningTwice(pinhole()), mesh, renderer, scene);
+  }
+}
+
+TEST_P(BentRayPassTest, wallsAllAroundLeaveNoCrack) {
+  Mesh box;
+  append(box, makeBox({3.5f, 2.6f, 20}), glm::translate(glm::mat4(1), glm::vec3(0.2f, 0.1f, -8)));
+  for (const size_t triangles : {12, 5000}) {
+    Mesh mesh;
+    append(mesh, box, glm::rotate(glm::mat4(1), 0.1f, glm::vec3(0.2f, 0.6f, 0.7f)));
+    densify(mesh, triangles);
+    const GlRenderer renderer(*context_, mesh);
+    EXPECT_EQ(coveredPixels(renderer.draw(test::crossroads(pinhole()))), 270u * 180) << triangles;
+    EXPECT_EQ(coveredPixels(renderer.draw(test::turningTwice(pinhole()))), 270u * 180) << triangles;
+  }
+}
+
+TEST_P(BentRayPassTest, drawsTheSameBytesAgainAndLeavesOtherCamerasAlone) {
+  const Mesh mesh = loadScene("builtin:boxes", {}, {});
+  const GlRenderer renderer(*context_, mesh);
+  const FragmentImage before = renderer.draw(pinhole());
+  const FragmentImage graph = renderer.draw(test::crossroads(pinhole()));
+  const FragmentImage curved = renderer.draw(test::turningTwice(pinhole()));
+  EXPECT_EQ(renderer.draw(test::crossroads(pinhole())), graph);
+  EXPECT_EQ(renderer.draw(test::turningTwice(pinhole())), curved);
+  EXPECT_EQ(renderer.draw(pinhole()), before);
+}
+
+TEST_P(BentRayPassTest, brokenTrianglesLeaveTheirNeighboursAlone) {
+  Mesh mesh = loadScene("builtin:boxes", {}, {});
+  const auto drawn = [&] {
+    const GlRenderer renderer(*context_, mesh);
+    return std::pair(renderer.draw(test::crossroads(pinhole())), renderer.draw(test::turningTwice(pinhole())));
+  };
+  const auto whole = drawn();
+  const auto first = static_cast<uint32_t>(mesh.positions.size());
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinite = std::numeric_limits<float>::infinity();
+  mesh.positions.insert(mesh.positions.end(), {{nan, 0, 0}, {infinite, 1, 0}, {0, 0, -infinite}});
+  mesh.colors.resize(mesh.positions.size(), glm::vec3(1));
+  for (uint32_t i = 0; i < 3; ++i) {
+    mesh.triangles.push_back({first + i, 0, 1});
+    mesh.triangles.push_back({0, 0, 0});
+  }
+  const auto broken = drawn();
+  EXPECT_EQ(whole.first, broken.first);
+  EXPECT_EQ(whole.second, broken.second);
+  mesh = {};
+  EXPECT_EQ(coveredPixels(drawn().first), 0u);
+  EXPECT_EQ(coveredPixels(drawn().second), 0u);
+}
+
+}  // namespace
+}  // namespace ocelli
