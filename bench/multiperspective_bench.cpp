@@ -62,12 +62,12 @@ Street standpoint(const std::string& source, const GuidedScene& scene) {
     street.view.zNear = 0.1f;
     street.toCrossing = 22;
   } else if (scene.guides.path.size() > 1) {
-    const glm::vec3& from = scene.guides.path.front();
-    const glm::vec3& to = scene.guides.path[scene.guides.path.size() / 3];
-    street.view.eye = from;
-    street.view.target = {to.x, from.y, to.z};
-    street.view.zNear = glm::distance(from, to) * 1e-3f;
-    street.toCrossing = static_cast<double>(glm::distance(from, street.view.target)) * 0.4;
+    const float length = glm::distance(scene.guides.path.front(), scene.guides.path.back());
+    const glm::vec3 above(0, 0.02f * length, 0);  // the water
+    street.view.eye = scene.guides.path.front() + above;
+    street.view.target = scene.guides.path[scene.guides.path.size() / 5] + above;
+    street.view.zNear = 1e-3f * length;
+    street.toCrossing = 0.15 * static_cast<double>(length);
   } else {
     const Box box = boundsOf(scene.mesh);
     street.view.target = box.center();

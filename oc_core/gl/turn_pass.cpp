@@ -7,7 +7,7 @@
 #include "oc_core/gl/gl_program.h"
 #include "oc_core/gl/gl_state.h"
 #include "oc_core/gl/shaders.h"
-#include "oc_core/render/turn_bounds.h"
+#include "oc_core/render/turn_projection.h"
 
 namespace ocelli {
 namespace {
@@ -31,6 +31,9 @@ struct TurnBlock {
   int32_t straight = 0;
   float shortestEdge = 0;
   uint32_t piece = 0;
+  float bendPerShare = 0;
+  float bendWidth = 0;
+  glm::vec2 unused{0};
 };
 
 glm::vec4 inSingle(const glm::dvec3& v) {
@@ -46,7 +49,8 @@ std::array<glm::vec4, 3> rowsOf(const glm::dmat4& pixelFromWorld) {
 TurnBlock blockOf(const CurvedRayCamera& camera, size_t turn, uint32_t piece) {
   const RayTransition& transition = camera.turns()[turn];
   const TransitionPlanes& planes = transition.planes();
-  const TurnBounds bounds(camera, turn);
+  const TurnProjection projection(camera, turn);
+  const TurnBounds& bounds = projection.bounds();
   const glm::dvec3& origin = transition.before();
   const auto moved = [&](const glm::dvec4& space) {
     return glm::vec4(glm::vec3(space), static_cast<float>(glm::dot(space, glm::dvec4(origin, 1))));
@@ -56,14 +60,10 @@ TurnBlock blockOf(const CurvedRayCamera& camera, size_t turn, uint32_t piece) {
   block.beyond = inSingle(transition.beyond() - origin);
   block.from = moved(beyond(planes.from));
   block.to = moved(beyond(planes.to));
-  block.straight = glm::distance(transition.beyond(), origin) < 1e-12 * (1 + glm::length(origin)) ? 1 : 0;
-  block.axis = block.straight != 0 ? glm::vec4(1, 0, 0, 0) : inSingle(glm::normalize(transition.beyond() - origin));
-  const glm::dvec3 along = glm::cross(planes.from.normal, planes.to.normal);
-  const glm::dvec3 point = (glm::cross(planes.to.normal, along) * planes.from.distance +
-                            glm::cross(along, planes.from.normal) * planes.to.distance) /
-                           glm::dot(along, along);
-  block.linePoint = inSingle(point - origin);
-  block.lineDirection = inSingle(glm::normalize(along));
+  block.straight = transition.isStraight() ? 1 : 0;
+  block.axis = transition.isStraight() ? glm::vec4(1, 0, 0, 0) : inSingle(glm::normalize(transition.beyond() - origin));
+  block.linePoint = inSingle(transition.linePoint() - origin);
+  block.lineDirection = inSingle(transition.lineDirection());
   block.border = inSingle(transition.border() - origin);
   block.rowsBefore = rowsOf(bounds.before());
   block.rowsAfter = rowsOf(bounds.after());
@@ -72,6 +72,8 @@ TurnBlock blockOf(const CurvedRayCamera& camera, size_t turn, uint32_t piece) {
   block.sideCount = static_cast<int32_t>(bounds.sides().size());
   block.shortestEdge = static_cast<float>(bounds.shortestEdge());
   block.piece = piece;
+  block.bendPerShare = static_cast<float>(projection.perShare());
+  block.bendWidth = static_cast<float>(projection.widthPixels());
   return block;
 }
 

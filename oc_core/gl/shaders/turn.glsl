@@ -17,6 +17,8 @@ layout(std140, binding = 1) uniform Turn {
   int straight;        // C0 is C1
   float shortestEdge;
   uint piece;
+  float bendPerShare;  // oc_core/render/turn_projection.h
+  float bendWidth;
 };
 
 const float kLeastWeight = 0.05;
@@ -28,6 +30,7 @@ struct TurnPoint {
   float weight;
   float first;  // distance from the first plane, positive in the turn
   float last;   // from the last plane, positive in the turn
+  float share;  // of the turn that is passed
   bool imaged;
 };
 
@@ -89,6 +92,7 @@ TurnPoint turnPoint(vec3 p) {
     held = true;
     share = 1.0;
   }
+  point.share = share;
   point.image = image.xy / image.z;
   float least = kLeastWeight * image.z;
   point.weight = mix(max(beforeTurn.z, least), max(afterTurn.z, least), share);
