@@ -31,7 +31,7 @@ struct TurnBlock {
   int32_t straight = 0;
   float shortestEdge = 0;
   uint32_t piece = 0;
-  float bendPerShare = 0;
+  float bendFactor = 0;
   float bendWidth = 0;
   glm::vec2 unused{0};
 };
@@ -72,7 +72,7 @@ TurnBlock blockOf(const CurvedRayCamera& camera, size_t turn, uint32_t piece) {
   block.sideCount = static_cast<int32_t>(bounds.sides().size());
   block.shortestEdge = static_cast<float>(bounds.shortestEdge());
   block.piece = piece;
-  block.bendPerShare = static_cast<float>(projection.perShare());
+  block.bendFactor = static_cast<float>(projection.bendFactor());
   block.bendWidth = static_cast<float>(projection.widthPixels());
   return block;
 }

@@ -20,7 +20,8 @@ constexpr double kRounding = 1e-6;
 constexpr uint8_t kBefore = 1;  // the first plane
 constexpr uint8_t kBeyond = 2;  // one of the planes where rays end
 constexpr uint8_t kClip = 4;    // has no image near the part
-constexpr uint8_t kHidden = 8;  // far before the first plane
+constexpr uint8_t kHidden = 8;  // farther before the first plane than triangles are drawn
+constexpr uint8_t kEnded = 16;  // as far beyond where all rays end
 
 /// The least and the most height over a plane.
 std::pair<double, double> heights(const Plane& plane, const Box& box) {
@@ -145,6 +146,13 @@ bool StretchDrawer::isBeyondEnds(const glm::dvec3& p) const {
   });
 }
 
+/// Whether rays of all kinds end before a point, each at one plane: then what lies between such points is not seen.
+bool StretchDrawer::isBehindAll(const glm::dvec3& p) const {
+  return std::all_of(stretch_.ends.begin(), stretch_.ends.end(), [&](const std::vector<Plane>& planes) {
+    return planes.size() == 1 && planes[0].height(p) > bounds_.margin();
+  });
+}
+
 const StretchDrawer::Scratch::Vertex& StretchDrawer::vertex(uint32_t index, bool inside, Scratch& scratch) const {
   Scratch::Vertex& held = scratch.cache[index % Scratch::kVertices];
   const uint64_t tag = scratch.serial << 32 | index;
@@ -175,7 +183,7 @@ void StretchDrawer::draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& 
     Scratch::Vertex c = vertex(t.z, task.inside, scratch);
     const uint8_t flags = a.flags | b.flags | c.flags;
     if (flags != 0) {
-      if ((a.flags & b.flags & c.flags & kHidden) == 0) {
+      if ((a.flags & b.flags & c.flags & (kHidden | kEnded)) == 0) {
         drawCut(buffer, triangle, (flags & kClip) != 0, scratch);
       }
       return;
@@ -190,8 +198,9 @@ void StretchDrawer::draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& 
 void StretchDrawer::fill(OrderedBuffer& buffer, uint32_t triangle, const std::array<RasterVertex, 3>& vertices) const {
   scanTriangle(leaves_.width(), rect_, vertices[0], vertices[1], vertices[2],
                [&](size_t pixel, float weight, const PixelWeights& weights) {
-                 if (holdsAllPixels_ || stretch_.endsOfLeaf[leaves_[pixel]] >= 0) {
-                   buffer.offer(pixel, stretch_.order, weight, triangle, weights);
+                 if (buffer.isNearest(pixel, stretch_.order, weight, triangle) &&
+                     (holdsAllPixels_ || stretch_.endsOfLeaf[leaves_[pixel]] >= 0)) {
+                   buffer.put(pixel, stretch_.order, weight, triangle, weights());
                  }
                });
 }
@@ -230,7 +239,7 @@ void StretchDrawer::fillTested(OrderedBuffer& buffer, uint32_t triangle, const s
       leaves_.width(), rect_, vertices[0], vertices[1], vertices[2],
       [&](size_t pixel, float weight, const PixelWeights& weights) {
         const int kind = stretch_.endsOfLeaf[leaves_[pixel]];
-        if (kind < 0 || begin.isBefore(weights)) {
+        if (kind < 0 || !buffer.isNearest(pixel, stretch_.order, weight, triangle) || begin.isBefore(weights)) {
           return;
         }
         if (kind != held) {
@@ -241,7 +250,7 @@ void StretchDrawer::fillTested(OrderedBuffer& buffer, uint32_t triangle, const s
           }
         }
         if (std::none_of(ends.begin(), ends.end(), [&](const HeightOver& end) { return end.isBeyond(weights); })) {
-          buffer.offer(pixel, stretch_.order, weight, triangle, weights);
+          buffer.put(pixel, stretch_.order, weight, triangle, weights());
         }
       });
 }

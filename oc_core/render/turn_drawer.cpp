@@ -165,7 +165,10 @@ void TurnDrawer::fill(const Sink& sink, const Vertex& a, const Vertex& b, const 
                  const float first = weights.of(behind[0], behind[1], behind[2]);
                  const float last = weights.of(ahead[0], ahead[1], ahead[2]);
                  const float share = first > 0 ? first / (first + std::max(last, 0.0f)) : 0;
-                 sink.buffer.offer(pixel, order_, std::max(share, 1e-30f), sink.triangle, weights);
+                 const float depth = std::max(share, 1e-30f);
+                 if (sink.buffer.isNearest(pixel, order_, depth, sink.triangle)) {
+                   sink.buffer.put(pixel, order_, depth, sink.triangle, weights());
+                 }
                });
 }
 

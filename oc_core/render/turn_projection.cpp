@@ -13,8 +13,8 @@ constexpr double kMostPixels = 1e6;
 /// Weights are at least this share of those in the middle plane.
 constexpr double kLeastWeight = 0.05;
 /// Edges to measure bends on, and room for what they leave out.
-constexpr int kMeasured = 400;
-constexpr double kRoom = 1.5;
+constexpr int kMeasured = 1000;
+constexpr double kRoom = 2;
 
 HalfSpace moved(const HalfSpace& space, const glm::dvec3& origin) {
   return {glm::dvec3(space), glm::dot(space, glm::dvec4(origin, 1))};
@@ -37,7 +37,7 @@ TurnProjection::TurnProjection(const CurvedRayCamera& camera, size_t turn)
       from_(moved(beyond(camera.turns()[turn].planes().from), origin_)),
       to_(moved(beyond(camera.turns()[turn].planes().to), origin_)),
       widthPixels_(camera.width() / 4.0),
-      perShare_(measureBends(camera, turn)) {}
+      bendFactor_(measureBends(camera, turn)) {}
 
 TurnImage TurnProjection::project(const glm::dvec3& point) const {
   TurnImage image;
@@ -114,7 +114,7 @@ double TurnProjection::measureBends(const CurvedRayCamera& camera, size_t turn) 
     const TurnImage imageB = project(b);
     const TurnImage middle = project((a + b) * 0.5);
     const double share = std::abs(imageA.share() - imageB.share());
-    const double scale = share * (glm::distance(imageA.pixel, imageB.pixel) + widthPixels_ * share);
+    const double scale = bendScale(glm::distance(imageA.pixel, imageB.pixel), share);
     if (imageA.imaged && imageB.imaged && middle.imaged && scale > 1e-6) {
       most = std::max(most, bend(imageA, imageB, middle) / scale);
     }

@@ -30,15 +30,18 @@ class TurnProjection {
 
   /// How far the middle of an edge comes out from where a straight one, in perspective, would have it, pixels.
   double bend(const TurnImage& a, const TurnImage& b, const TurnImage& middle) const;
-  /// At most that, for an edge whose ends come out so far apart, and which passes so large a share of the turn: no
-  /// edge that lies in a plane through the line bends. The factor is measured, on edges all over the turn.
-  double greatestBend(double lengthPixels, double share) const {
-    return perShare_ * share * (lengthPixels + widthPixels_ * share);
-  }
-  double perShare() const { return perShare_; }
+  /// At most that, for an edge whose ends come out so far apart, and which passes so large a share of the turn. Edges
+  /// in a plane through the line of the turn do not bend, but come out of other proportions than weights tell. The
+  /// factor is measured, on edges all over the turn.
+  double greatestBend(double lengthPixels, double share) const { return bendFactor_ * bendScale(lengthPixels, share); }
+  double bendFactor() const { return bendFactor_; }
   double widthPixels() const { return widthPixels_; }
 
  private:
+  /// What bends grow with.
+  double bendScale(double lengthPixels, double share) const {
+    return share * (lengthPixels + widthPixels_ * share) + lengthPixels * lengthPixels / (16 * widthPixels_);
+  }
   double measureBends(const CurvedRayCamera& camera, size_t turn) const;
 
   TurnBounds bounds_;
@@ -53,7 +56,7 @@ class TurnProjection {
   HalfSpace from_;
   HalfSpace to_;
   double widthPixels_;
-  double perShare_ = 0;
+  double bendFactor_ = 0;
 };
 
 }  // namespace ocelli

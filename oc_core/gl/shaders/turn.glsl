@@ -17,7 +17,7 @@ layout(std140, binding = 1) uniform Turn {
   int straight;        // C0 is C1
   float shortestEdge;
   uint piece;
-  float bendPerShare;  // oc_core/render/turn_projection.h
+  float bendFactor;  // oc_core/render/turn_projection.h
   float bendWidth;
 };
 

@@ -17,7 +17,8 @@ bool mustSplit(TurnPoint a, TurnPoint b) {
     return distance(a.p, b.p) > shortestEdge;
   }
   float share = abs(a.share - b.share);
-  float bend = bendPerShare * share * (distance(a.image, b.image) + bendWidth * share);
+  float long_ = distance(a.image, b.image);
+  float bend = bendFactor * (share * (long_ + bendWidth * share) + long_ * long_ / (16.0 * bendWidth));
   TurnPoint middle = turnPoint((a.p + b.p) * 0.5);
   vec2 straight_ = (a.image * a.weight + b.image * b.weight) / (a.weight + b.weight);
   return bend > kErrorPixels &&
