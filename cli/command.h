@@ -50,6 +50,7 @@ class Frame {
   std::shared_ptr<State> state_;
 };
 
+void addCameraCommand(CLI::App& program, const Frame& frame);
 void addOcriCommand(CLI::App& program, const Frame& frame);
 void addObserveCommand(CLI::App& program, const Frame& frame);
 void addDoctorCommand(CLI::App& program, const Frame& frame);

@@ -25,6 +25,7 @@ void addCommands(CLI::App& program, const Frame& frame) {
   addDemoCommand(program, frame);
   addSceneCommand(program, frame);
   addRenderCommand(program, frame);
+  addCameraCommand(program, frame);
   addOcriCommand(program, frame);
   addSliceCommand(program, frame);
   addObserveCommand(program, frame);

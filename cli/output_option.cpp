@@ -5,7 +5,9 @@
 
 namespace ocelli {
 
-void addOutputOption(CLI::App& command, std::string& path, const std::string& help,
+namespace {
+
+CLI::Option* addFile(CLI::App& command, const std::string& names, std::string& path, const std::string& help,
                      const std::vector<std::string>& endings) {
   std::string type;
   std::string wanted;
@@ -13,14 +15,25 @@ void addOutputOption(CLI::App& command, std::string& path, const std::string& he
     type += (type.empty() ? "FILE" : "|FILE") + ending;
     wanted += (wanted.empty() ? "" : " or ") + ending;
   }
-  command.add_option("-o,--output", path, help)
-      ->required()
+  return command.add_option(names, path, help)
       ->check([endings, wanted](const std::string& given) {
         const bool fits = given.starts_with("/dev/") ||
                           std::ranges::any_of(endings, [&](const auto& ending) { return given.ends_with(ending); });
         return fits ? std::string() : "\"" + given + "\" does not end in " + wanted;
       })
       ->type_name(type);
+}
+
+}  // namespace
+
+void addOutputOption(CLI::App& command, std::string& path, const std::string& help,
+                     const std::vector<std::string>& endings) {
+  addFile(command, "-o,--output", path, help, endings)->required();
+}
+
+void addSecondOutputOption(CLI::App& command, const std::string& name, std::string& path, const std::string& help,
+                           const std::vector<std::string>& endings) {
+  addFile(command, name, path, help, endings);
 }
 
 }  // namespace ocelli

@@ -1,4 +1,4 @@
-// The option -o of every command that writes one file.
+// The option -o of every command that writes one file, and those for a second one beside it.
 #pragma once
 
 #include <string>
@@ -14,5 +14,8 @@ namespace ocelli {
 /// overwritten by mistake; what lies below /dev may have any name. Call checkWritable() with it before long work.
 void addOutputOption(CLI::App& command, std::string& path, const std::string& help,
                      const std::vector<std::string>& endings);
+/// The same for a file that need not be written, by an option of that name.
+void addSecondOutputOption(CLI::App& command, const std::string& name, std::string& path, const std::string& help,
+                           const std::vector<std::string>& endings);
 
 }  // namespace ocelli

@@ -10,8 +10,11 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/base/png_file.h"
+#include "oc_core/constructor/camera_constructors.h"
+#include "oc_core/multiperspective/multiperspective_image.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/reference_image_file.h"
+#include "oc_core/render/identity_image.h"
 
 namespace ocelli {
 namespace {
@@ -23,6 +26,7 @@ struct RenderChoice {
   std::string gl = "auto";
   std::string view;
   std::string size = "720x480";
+  std::string identity;
   std::string output;
 };
 
@@ -37,12 +41,56 @@ std::optional<Technique> techniqueOf(const std::string& method) {
   return method == "raycast" ? std::optional(Technique::kRaycast) : std::nullopt;
 }
 
+FragmentImage drawn(const RenderChoice& choice, const MultiperspectiveCamera& camera, const Mesh& mesh,
+                    const Frame& frame) {
+  if (choice.method == "raster") {
+    return rasterize(camera, mesh);
+  }
+  if (choice.method == "raycast") {
+    return raycast(camera, mesh);
+  }
+  if (choice.method == "gl") {
+    GlDrawing gl(choice.gl);
+    frame.note("drawn with " + gl.description());
+    return draw(camera, gl.drawerOf(mesh));
+  }
+  throw InputError("graph and curved ray cameras are not drawn by " + choice.method, "--method",
+                   "use raster, raycast or gl");
+}
+
+/// Graph and curved ray cameras, which have no reference image: nothing displaces a pinhole's image into theirs.
+void renderMultiperspective(const RenderChoice& choice, const PinholeCamera& reference, const Frame& frame) {
+  const GuidedScene scene = loadGuidedScene(choice.scene.source, choice.scene.options, frame.progress());
+  const MultiperspectiveCamera camera = constructCamera(choice.camera, scene, reference);
+  const FragmentImage fragments = drawn(choice, camera, scene.mesh, frame);
+  if (std::none_of(fragments.begin(), fragments.end(), [](const Fragment& each) { return each.covered(); })) {
+    throw InputError("the camera sees nothing of the scene", "--camera " + choice.camera,
+                     "turn its view towards the scene; a fitted scene lies in the unit sphere around the origin");
+  }
+  if (choice.output.ends_with(".exr")) {
+    writeMultiperspectiveImage(choice.output, fragments, scene, camera);
+  } else {
+    writePng(choice.output, srgbFromLinear(colorImage(fragments, scene.mesh, skyColor())));
+  }
+  if (!choice.identity.empty()) {
+    writePng(choice.identity, identityPicture(identityImage(fragments, scene.objectOfTriangle)));
+  }
+  frame.note(fmt::format("wrote {}: {} of {}x{}", choice.output, choice.camera, fragments.width(), fragments.height()));
+}
+
 void render(const RenderChoice& choice, const Frame& frame) {
   requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
   checkWritable(choice.output);
-  const CameraChoice camera = cameraChoice(choice.camera);
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   const PinholeCamera reference(readViewOption(choice.view), size.width, size.height);
+  if (namesConstructor(choice.camera)) {
+    return renderMultiperspective(choice, reference, frame);
+  }
+  if (!choice.identity.empty()) {
+    throw InputError("only graph and curved ray cameras tell which object is at each pixel", "--identity",
+                     "leave it out, or choose one of `ocelli camera list`");
+  }
+  const CameraChoice camera = cameraChoice(choice.camera);
   const auto gl = choice.method == "gl" ? std::make_unique<GlDrawing>(choice.gl) : nullptr;
   const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, frame.progress());
   const auto technique = techniqueOf(choice.method);
@@ -72,7 +120,7 @@ void addRenderCommand(CLI::App& program, const Frame& frame) {
   CLI::App& command = *program.add_subcommand("render", "Render a scene with any camera");
   const auto choice = std::make_shared<RenderChoice>();
   addSceneOptions(command, choice->scene);
-  addCameraOption(command, choice->camera);
+  addAnyCameraOption(command, choice->camera);
   command
       .add_option(
           "--method", choice->method,
@@ -83,13 +131,18 @@ void addRenderCommand(CLI::App& program, const Frame& frame) {
   addGlOption(command, choice->gl);
   addViewOption(command, choice->view);
   addSizeOption(command, choice->size);
-  addOutputOption(command, choice->output, "Where the image goes: PNG, or EXR with depth and offsets",
+  addOutputOption(command, choice->output,
+                  "Where the image goes: PNG, or EXR with depth and offsets, or of graph and curved ray cameras "
+                  "with depth, world points and objects",
                   {".png", ".exr"});
+  addSecondOutputOption(command, "--identity", choice->identity,
+                        "Where a picture goes of which object is at each pixel, in false colours", {".png"});
   frame.finish(command,
                "  ocelli render builtin:teapot -o teapot.png\n"
                "  ocelli render builtin:statues --camera ddoc --size 1440x960 -o statues.png\n"
                "  ocelli render builtin:statues --camera ddoc --method raycast -o reference.exr\n"
-               "  ocelli render builtin:statues --camera eoc-h --method gl -o statues.png",
+               "  ocelli render builtin:statues --camera eoc-h --method gl -o statues.png\n"
+               "  ocelli render builtin:maze --camera comprehensive --size 1920x1200 -o maze.png",
                [choice, frame] { render(*choice, frame); });
 }
 

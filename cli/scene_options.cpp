@@ -2,9 +2,25 @@
 
 #include <CLI/CLI.hpp>
 
+#include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/ocri/camera_choice.h"
 
 namespace ocelli {
+namespace {
+
+const std::string kCameraHelp = "Camera, or a JSON file with its options:";
+constexpr const char* kCameraType = "NAME|FILE.json";
+
+template <class Named>
+std::string listOf(const std::vector<Named>& cameras) {
+  std::string lines;
+  for (const Named& each : cameras) {
+    lines += std::string("\n  ") + each.name + ": " + each.description;
+  }
+  return lines;
+}
+
+}  // namespace
 
 void addSceneOptions(CLI::App& command, SceneChoice& choice) {
   command.add_option("SCENE", choice.source, "A scene file (PLY, OBJ, STL, glTF, ...) or builtin:NAME[,key=value...]")
@@ -26,11 +42,18 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice) {
 }
 
 void addCameraOption(CLI::App& command, std::string& camera) {
-  std::string help = "Camera, or a JSON file with its options:";
-  for (const CameraName& name : cameraNames()) {
-    help += std::string("\n  ") + name.name + ": " + name.description;
-  }
-  command.add_option("--camera", camera, help)->type_name("NAME|FILE.json");
+  command.add_option("--camera", camera, kCameraHelp + listOf(cameraNames()))->type_name(kCameraType);
+}
+
+void addConstructorOption(CLI::App& command, std::string& camera) {
+  command.add_option("--camera", camera, kCameraHelp + listOf(cameraConstructors()))
+      ->type_name(kCameraType)
+      ->required();
+}
+
+void addAnyCameraOption(CLI::App& command, std::string& camera) {
+  command.add_option("--camera", camera, kCameraHelp + listOf(cameraNames()) + listOf(cameraConstructors()))
+      ->type_name(kCameraType);
 }
 
 void addSizeOption(CLI::App& command, std::string& size) {

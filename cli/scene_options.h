@@ -20,8 +20,12 @@ struct SceneChoice {
 /// Adds the argument SCENE, --no-fit, --shading and --no-textures. `choice` must outlive the parsing.
 void addSceneOptions(CLI::App& command, SceneChoice& choice);
 
-/// Adds --camera NAME|FILE.json.
+/// Adds --camera NAME|FILE.json, for the cameras that build reference images.
 void addCameraOption(CLI::App& command, std::string& camera);
+/// The same for constructors of graph and curved ray cameras; it is required.
+void addConstructorOption(CLI::App& command, std::string& camera);
+/// The same for both.
+void addAnyCameraOption(CLI::App& command, std::string& camera);
 /// Adds --size WIDTHxHEIGHT. Read it with imageSizeFromText() when the command runs.
 void addSizeOption(CLI::App& command, std::string& size);
 

@@ -14,6 +14,7 @@ ocelli_find(fmt)
 # OpenEXR through pkg-config: Debian's CMake files of Imath name a Python library that another package holds.
 ocelli_find(PkgConfig)
 pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET GLOBAL OpenEXR)
+pkg_check_modules(cairo REQUIRED IMPORTED_TARGET GLOBAL cairo cairo-svg)
 pkg_check_modules(stb REQUIRED IMPORTED_TARGET GLOBAL stb)
 if(OCELLI_WITH_OPENGL)
   ocelli_find(glfw3)

@@ -50,6 +50,19 @@ double JsonFields::number(const std::string& name, double least, double most, do
   return has(name) ? number(name, least, most) : otherwise;
 }
 
+std::vector<double> JsonFields::numbers(const std::string& name, size_t count, double least, double most) {
+  const nlohmann::json& field = value(name);
+  const auto isInRange = [&](const nlohmann::json& element) {
+    return element.is_number() && element.get<double>() >= least && element.get<double>() <= most;
+  };
+  if (!field.is_array() || field.size() != count || !std::all_of(field.begin(), field.end(), isInRange)) {
+    std::ostringstream expected;
+    expected << "must be an array of " << count << " numbers between " << least << " and " << most;
+    fail(name, expected.str());
+  }
+  return field.get<std::vector<double>>();
+}
+
 int JsonFields::integer(const std::string& name, int least, int most) {
   if (!value(name).is_number_integer()) {
     fail(name, "must be a whole number");

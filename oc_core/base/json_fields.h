@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace ocelli {
 
@@ -20,6 +21,8 @@ class JsonFields {
   /// A number in [least, most] (NaN and infinity have no JSON form).
   double number(const std::string& name, double least, double most);
   double number(const std::string& name, double least, double most, double otherwise);
+  /// An array of so many numbers, each in [least, most].
+  std::vector<double> numbers(const std::string& name, size_t count, double least, double most);
   int integer(const std::string& name, int least, int most);
   int integer(const std::string& name, int least, int most, int otherwise);
   bool boolean(const std::string& name, bool otherwise);
@@ -31,6 +34,8 @@ class JsonFields {
   /// Throws for every field that nothing above asked for. `$schema` and `comment` are always allowed.
   void rejectUnknown() const;
 
+  /// The object that these are the fields of, as messages name it.
+  const std::string& where() const { return where_; }
   [[noreturn]] void fail(const std::string& name, const std::string& problem) const;
 
  private:

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/finite.h"
 
 namespace ocelli {
 namespace {
@@ -41,8 +42,8 @@ void requireCommonLine(const TransitionPlanes& planes, size_t number) {
 
 }  // namespace
 
-CurvedRayCamera::CurvedRayCamera(const PinholeCamera& root)
-    : root_(root), pixelFromWorld_{ocelli::pixelFromWorld(root)} {}
+CurvedRayCamera::CurvedRayCamera(const PinholeCamera& root, ArcModel model)
+    : root_(root), model_(model), pixelFromWorld_{ocelli::pixelFromWorld(root)} {}
 
 void CurvedRayCamera::turn(const TransitionPlanes& planes, const glm::dvec3& viewpoint) {
   const size_t number = turns_.size() + 1;
@@ -80,6 +81,10 @@ void CurvedRayCamera::turn(const TransitionPlanes& planes, const glm::dvec3& vie
     if (!(glm::dot(planes.to.normal, onward) > 0) || !(planes.to.height(s) < -kHeightRounding)) {
       fail(number, "not every ray crosses its planes in order", "move its last plane, or turn it towards the rays");
     }
+    if (!isFinite(glm::vec3(planes.to.crossing(viewpoint, s)))) {
+      fail(number, "rays that come from its viewpoint cross its last plane too far away for single precision",
+           "move the viewpoint nearer, or turn the plane towards the rays");
+    }
     // How far from the line where the planes meet.
     const double fromLine = planes.from.height(s) / glm::length(glm::cross(planes.from.normal, planes.middle.normal));
     if (fromLine > farthest) {
@@ -93,7 +98,7 @@ void CurvedRayCamera::turn(const TransitionPlanes& planes, const glm::dvec3& vie
     }
     side = across;
   }
-  turns_.emplace_back(planes, before, viewpoint, border);
+  turns_.emplace_back(planes, before, viewpoint, border, model_);
   pixelFromWorld_.push_back(pixelFromWorld_.back() * ontoPlane(planes.middle, viewpoint));
 }
 
@@ -189,6 +194,7 @@ std::optional<glm::dvec3> CurvedRayCamera::unprojectExactly(const ExactImagePoin
       !std::isfinite(q.u) || !std::isfinite(q.v)) {
     return std::nullopt;
   }
+  const auto ifFinite = [](const glm::dvec3& point) { return isFinite(point) ? std::optional(point) : std::nullopt; };
   Segment segment = rootSegment({q.u, q.v});
   for (size_t i = 0; i < turns_.size(); ++i) {
     const RayTransition::Arc arc = arcOf(segment, i);
@@ -198,11 +204,11 @@ std::optional<glm::dvec3> CurvedRayCamera::unprojectExactly(const ExactImagePoin
     }
     const Segment next = behind(segment, arc, i);
     if (q.z < next.z) {
-      return arc.at(turns_[i].parameterAt(arc, (q.z - begin) / (next.z - begin)));
+      return ifFinite(arc.at(turns_[i].parameterAt(arc, (q.z - begin) / (next.z - begin))));
     }
     segment = next;
   }
-  return segment.from + segment.direction * (q.z - segment.z);
+  return ifFinite(segment.from + segment.direction * (q.z - segment.z));
 }
 
 std::optional<ImagePoint> CurvedRayCamera::project(const glm::vec3& worldPoint) const {
@@ -230,7 +236,8 @@ RayPath CurvedRayCamera::rayPath(const glm::vec2& pixel) const {
     }
     segment = behind(segment, arc, i);
   }
-  path.push_back(glm::vec3(segment.from + segment.direction * (static_cast<double>(root_.view().zFar) - segment.z)));
+  const double rest = static_cast<double>(root_.view().zFar) - segment.z;
+  path.push_back(glm::vec3(segment.from + segment.direction * std::max(rest, 0.0)));
   return path;
 }
 

@@ -7,6 +7,8 @@
 // one matrix, the product of those of all turns before it (Appendix A); a point in a turn is first moved along its ray
 // to the middle plane.
 //
+// That is so with conics. With the text's first model, polynomial arcs, the arc through a point is searched for.
+//
 // z is measured along the ray as by the graph camera; along an arc it grows by the length of its control polygon, in
 // proportion to RayTransition::shareAt(). Without turns, and where the viewpoints are one, it is the pinhole's z.
 #pragma once
@@ -25,7 +27,7 @@ class CurvedRayCamera {
   static constexpr size_t kMostTurns = 16;
 
   /// A pinhole: rays do not turn.
-  explicit CurvedRayCamera(const PinholeCamera& root);
+  explicit CurvedRayCamera(const PinholeCamera& root, ArcModel model = ArcModel::kConic);
 
   /// Beyond all turns so far, every ray turns to come from `viewpoint`. Throws InputError, naming the turn by its
   /// number, where the planes do not meet in a line, where not every ray crosses them in order, behind the turn before
@@ -36,6 +38,7 @@ class CurvedRayCamera {
   int width() const { return root_.width(); }
   int height() const { return root_.height(); }
   const PinholeCamera& root() const { return root_; }
+  ArcModel arcModel() const { return model_; }
   const std::vector<RayTransition>& turns() const { return turns_; }
   /// Rows 0, 1 and 3 give u, v and their weight of a point where rays run straight, after so many turns.
   const glm::dmat4& pixelFromWorld(size_t turns) const { return pixelFromWorld_[turns]; }
@@ -68,6 +71,7 @@ class CurvedRayCamera {
   Segment segmentAfter(size_t turns, const glm::dvec2& pixel) const;
 
   PinholeCamera root_;
+  ArcModel model_;
   std::vector<RayTransition> turns_;
   std::vector<glm::dmat4> pixelFromWorld_;  ///< after so many turns
 };

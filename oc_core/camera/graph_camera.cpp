@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/finite.h"
 
 namespace ocelli {
 namespace {
@@ -164,7 +165,9 @@ int GraphCamera::bend(int i, const Turn& turn, const std::string& name, const Pa
     }
   }
   Frustum frustum{name, i, turn.viewpoint, turn.plane, part};
-  frustum.pixelFromWorld = parent.pixelFromWorld * ontoPlane(turn.plane, turn.viewpoint);
+  // Weights stay as they are on the plane, so that those of long chains do not overflow.
+  frustum.pixelFromWorld =
+      parent.pixelFromWorld * ontoPlane(turn.plane, turn.viewpoint) / -turn.plane.height(turn.viewpoint);
   const int index = static_cast<int>(frusta_.size());
   frusta_[static_cast<size_t>(i)].children.push_back(index);
   frusta_.push_back(std::move(frustum));
@@ -173,6 +176,7 @@ int GraphCamera::bend(int i, const Turn& turn, const std::string& name, const Pa
 
 std::pair<int, int> GraphCamera::split(int i, const Turn& one, const Turn& other, const std::string& oneName,
                                        const std::string& otherName) {
+  OC_CHECK(i >= 0 && static_cast<size_t>(i) < frusta_.size(), "there is no such frustum");
   const Frustum& parent = frusta_[static_cast<size_t>(i)];
   // Two points of the line where the planes meet, as the frustum sees them.
   const glm::dvec3 along = glm::cross(one.plane.normal, other.plane.normal);
@@ -216,6 +220,9 @@ std::pair<int, int> GraphCamera::split(int i, const Turn& one, const Turn& other
 }
 
 std::pair<int, int> GraphCamera::merge(int i, int j, const Turn& turn, const std::string& name) {
+  for (const int index : {i, j}) {
+    OC_CHECK(index >= 0 && static_cast<size_t>(index) < frusta_.size(), "there is no such frustum");
+  }
   GraphCamera changed = *this;
   const int one = changed.bend(i, turn, name + " of " + frusta_[static_cast<size_t>(i)].name);
   const int other = changed.bend(j, turn, name + " of " + frusta_[static_cast<size_t>(j)].name);
@@ -238,8 +245,7 @@ void GraphCamera::limit(int i, const Plane& plane) {
 bool GraphCamera::isBeyondLimits(int i, const glm::dvec3& point) const {
   const std::vector<Plane>& limits = frusta_[static_cast<size_t>(i)].limits;
   const double rounding = kLimitRounding * (1 + glm::length(point));
-  return std::any_of(limits.begin(), limits.end(),
-                     [&](const Plane& limit) { return limit.height(point) > rounding; });
+  return std::any_of(limits.begin(), limits.end(), [&](const Plane& limit) { return limit.height(point) > rounding; });
 }
 
 int GraphCamera::childAt(int i, const glm::dvec2& pixel) const {
@@ -374,7 +380,8 @@ std::optional<glm::dvec3> GraphCamera::unprojectExactly(const ExactImagePoint& q
     return true;
   });
   const bool ends = childAt(last, {q.u, q.v}) < 0;
-  return ends && q.z > end * (1 + kSingleDepthRounding) ? std::nullopt : std::optional(point);
+  const bool beyond = ends && q.z > end * (1 + kSingleDepthRounding);
+  return beyond || !isFinite(point) ? std::nullopt : std::optional(point);
 }
 
 std::optional<ImagePoint> GraphCamera::project(const glm::vec3& worldPoint) const {

@@ -48,11 +48,12 @@ glm::dvec3 RayTransition::Arc::tangent(double u) const {
 }
 
 RayTransition::RayTransition(const TransitionPlanes& planes, const glm::dvec3& before, const glm::dvec3& beyond,
-                             const glm::dvec3& border)
+                             const glm::dvec3& border, ArcModel model)
     : planes_(planes),
       before_(before),
       beyond_(beyond),
       border_(border),
+      model_(model),
       straight_(glm::distance(before, beyond) < 1e-12 * (1 + glm::length(before))) {
   const glm::dvec3 along = glm::cross(planes.from.normal, planes.to.normal);
   lineDirection_ = glm::normalize(along);
@@ -84,7 +85,7 @@ std::optional<RayTransition::Epipolar> RayTransition::epipolarThrough(const glm:
 }
 
 RayTransition::Arc RayTransition::arcThrough(const glm::dvec3& s) const {
-  if (straight_) {
+  if (straight_ || model_ == ArcModel::kBezier) {
     return arcOf(s, glm::dvec3(1));
   }
   const auto plane = epipolarThrough(s);
@@ -98,6 +99,12 @@ RayTransition::Arc RayTransition::arcThrough(const glm::dvec3& s) const {
   return arcOf(s, 1.0 + mu * plane->heights);
 }
 
+double RayTransition::parameterOnLine(const Epipolar& plane, const glm::dvec3& point, const Arc& arc) {
+  const glm::dvec3 side = glm::cross(plane.normal, point - plane.a);
+  const auto beside = [&](const glm::dvec3& p) { return glm::dot(side, p - plane.a); };
+  return bernsteinRoot(beside(arc.t), beside(arc.s), beside(arc.q));
+}
+
 std::optional<RayTransition::Place> RayTransition::find(const glm::dvec3& point) const {
   if (straight_) {
     const glm::dvec3 s = planes_.middle.crossing(before_, point);
@@ -109,27 +116,56 @@ std::optional<RayTransition::Place> RayTransition::find(const glm::dvec3& point)
   if (!plane) {
     return std::nullopt;
   }
-  // P_n: where the line AP meets b.
-  const glm::dvec3 toPoint = point - plane->a;
-  const glm::dvec3 side = glm::cross(plane->normal, toPoint);
-  const auto beside = [&](const glm::dvec3& p) { return glm::dot(side, p - plane->a); };
-  const double parameter = bernsteinRoot(beside(plane->b.t), beside(plane->b.s), beside(plane->b.q));
-  const glm::dvec3 onB = plane->b.at(parameter);
+  return model_ == ArcModel::kConic ? findConic(*plane, point) : findBezier(*plane, point);
+}
+
+std::optional<RayTransition::Place> RayTransition::findConic(const Epipolar& plane, const glm::dvec3& point) const {
+  const double parameter = parameterOnLine(plane, point, plane.b);  // of P_n
+  const glm::dvec3 onB = plane.b.at(parameter);
   // The collineation that takes P_n to P takes the S of b to that of the ray.
-  const glm::dvec3 towards = plane->a - onB;
+  const glm::dvec3 towards = plane.a - onB;
   const double share = glm::dot(point - onB, towards) / glm::dot(towards, towards);
   const double u = parameter;
-  const double height = glm::dot(plane->heights, glm::dvec3((1 - u) * (1 - u), 2 * u * (1 - u), u * u));
+  const double height = glm::dot(plane.heights, glm::dvec3((1 - u) * (1 - u), 2 * u * (1 - u), u * u));
   if (!(share < 1) || height == 0) {
     return std::nullopt;
   }
   const double mu = share / (1 - share) / height;
-  const double weight = 1 + mu * plane->heights.y;
+  const double weight = 1 + mu * plane.heights.y;
   if (!(weight > 0)) {
     return std::nullopt;
   }
-  const glm::dvec3 s = (plane->b.s + plane->a * (mu * plane->heights.y)) / weight;
-  return Place{arcOf(s, 1.0 + mu * plane->heights), parameter};
+  const glm::dvec3 s = (plane.b.s + plane.a * (mu * plane.heights.y)) / weight;
+  return Place{arcOf(s, 1.0 + mu * plane.heights), parameter};
+}
+
+/// The rays of an epipolar plane lie one beside the other between A and b and beyond b, so the one through a point is
+/// found by bisection along the line AP.
+std::optional<RayTransition::Place> RayTransition::findBezier(const Epipolar& plane, const glm::dvec3& point) const {
+  const glm::dvec3 outwards = plane.b.s - plane.a;
+  const double wanted = glm::length(point - plane.a);
+  const auto placeOf = [&](double share) {
+    const Arc arc = arcOf(plane.a + outwards * share, glm::dvec3(1));
+    return Place{arc, parameterOnLine(plane, point, arc)};
+  };
+  const auto isTooFar = [&](double share) {
+    const Place place = placeOf(share);
+    return glm::length(place.arc.at(place.parameter) - plane.a) > wanted;
+  };
+  constexpr double kMostShare = 16;  // of the way from A to b: far beyond the border of the image
+  double inner = 0;
+  double outer = 1;
+  while (!isTooFar(outer)) {
+    if (outer > kMostShare) {
+      return std::nullopt;
+    }
+    inner = outer;
+    outer *= 2;
+  }
+  for (double middle = (inner + outer) / 2; inner < middle && middle < outer; middle = (inner + outer) / 2) {
+    (isTooFar(middle) ? outer : inner) = middle;
+  }
+  return placeOf(inner);
 }
 
 double RayTransition::shareAt(const Place& place) const {

@@ -13,6 +13,10 @@
 //
 // The arc b is that of the rays through a line in t1 parallel to l: the border of the image, as far from l as any ray
 // is (the text's "left-most" ray). Weights are positive then.
+//
+// The text's first model (section 4.2.1) has the same T, S and Q, and for every ray the polynomial arc over them. No
+// closed form gives its projection, so the arc through a point is searched for: it is there to follow rays, and to
+// compare with.
 #pragma once
 
 #include <optional>
@@ -26,6 +30,11 @@ struct TransitionPlanes {
   Plane from;    ///< t0
   Plane middle;  ///< t1
   Plane to;      ///< t2
+};
+
+enum class ArcModel {
+  kConic,   ///< rational arcs, projected by a closed form
+  kBezier,  ///< polynomial arcs (Equation 4.1), projected by bisection
 };
 
 /// The root in [0, 1] of the quadratic with these Bernstein coefficients, of which the first and the last differ in
@@ -56,7 +65,7 @@ class RayTransition {
   /// `border` is a point of t1 that no ray passes farther away from l. The planes meet in a line, which is not parallel
   /// to the line C0C1.
   RayTransition(const TransitionPlanes& planes, const glm::dvec3& before, const glm::dvec3& beyond,
-                const glm::dvec3& border);
+                const glm::dvec3& border, ArcModel model = ArcModel::kConic);
 
   const TransitionPlanes& planes() const { return planes_; }
   const glm::dvec3& before() const { return before_; }  ///< C0
@@ -64,6 +73,7 @@ class RayTransition {
   const glm::dvec3& border() const { return border_; }
   const glm::dvec3& linePoint() const { return linePoint_; }  ///< of l
   const glm::dvec3& lineDirection() const { return lineDirection_; }
+  ArcModel model() const { return model_; }
   bool isStraight() const { return straight_; }  ///< C0 is C1: rays do not turn
 
   /// The arc of the ray that meets t1 at S.
@@ -87,6 +97,10 @@ class RayTransition {
   };
   std::optional<Epipolar> epipolarThrough(const glm::dvec3& point) const;
   Arc arcOf(const glm::dvec3& s, const glm::dvec3& weights) const;
+  /// Where an arc with weights of 1 meets the line from A through a point.
+  static double parameterOnLine(const Epipolar& plane, const glm::dvec3& point, const Arc& arc);
+  std::optional<Place> findConic(const Epipolar& plane, const glm::dvec3& point) const;
+  std::optional<Place> findBezier(const Epipolar& plane, const glm::dvec3& point) const;
 
   TransitionPlanes planes_;
   glm::dvec3 before_;
@@ -94,6 +108,7 @@ class RayTransition {
   glm::dvec3 linePoint_{0};
   glm::dvec3 lineDirection_{0};  ///< of l, and of the border in t1
   glm::dvec3 border_;
+  ArcModel model_;
   bool straight_;
 };
 

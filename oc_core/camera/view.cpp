@@ -19,18 +19,10 @@ glm::vec<kLength, float> readVector(JsonFields& fields, const std::string& name,
   if (!fields.has(name)) {
     return otherwise;
   }
-  const std::string numbers = std::string("an array of ") + (kLength == 2 ? "two" : "three") + " numbers";
-  const nlohmann::json& value = fields.value(name);
-  if (!value.is_array() || value.size() != kLength) {
-    fields.fail(name, "must be " + numbers);
-  }
+  const std::vector<double> numbers = fields.numbers(name, kLength, -kMostCoordinate, kMostCoordinate);
   glm::vec<kLength, float> vector;
   for (int i = 0; i < kLength; ++i) {
-    const nlohmann::json& element = value[static_cast<size_t>(i)];
-    if (!element.is_number() || !(std::abs(element.get<double>()) <= kMostCoordinate)) {
-      fields.fail(name, "must be " + numbers + " of at most 1e6");
-    }
-    vector[i] = element.get<float>();
+    vector[i] = static_cast<float>(numbers[static_cast<size_t>(i)]);
   }
   return vector;
 }

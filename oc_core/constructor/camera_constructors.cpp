@@ -4,6 +4,14 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/constructor/comprehensive_constructor.h"
+#include "oc_core/constructor/curved_turns.h"
+#include "oc_core/constructor/graph_operations.h"
+#include "oc_core/constructor/maze_constructor.h"
+#include "oc_core/constructor/occluder_constructor.h"
+#include "oc_core/constructor/path_constructor.h"
+#include "oc_core/constructor/portal_constructor.h"
+#include "oc_core/constructor/target_constructor.h"
 
 namespace ocelli {
 namespace {
@@ -30,7 +38,34 @@ std::string listOfNames() {
 }  // namespace
 
 const std::vector<CameraConstructor>& cameraConstructors() {
-  static const std::vector<CameraConstructor> constructors{};
+  static const std::vector<CameraConstructor> constructors{
+      {"graph", "graph camera of a JSON file's bend, split, merge and limit operations",
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(readGraphCamera(options, reference, boundsOf(scene.mesh)));
+       }},
+      {"curved", "curved ray camera of a JSON file's turns",
+       [](JsonFields& options, const GuidedScene&, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(readCurvedRayCamera(options, reference));
+       }},
+      {"comprehensive", "a whole maze in one image, each place once", buildComprehensiveCamera},
+      {"portal", "graph camera that looks straight into every portal in view",
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(buildPortalCamera(readPortalOptions(options), scene.guides, reference));
+       }},
+      {"maze", "along a corridor to the next crossing, and along all ways that leave it", buildMazeCamera},
+      {"path", "curved ray camera that previews a path behind its next turns",
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(buildPathCamera(readPathOptions(options), scene.guides, reference));
+       }},
+      {"occluder", "graph camera that looks around a box",
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(buildOccluderCamera(readOccluderOptions(options), scene, reference));
+       }},
+      {"target", "curved ray camera that bends around what hides a target",
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(buildTargetCamera(readTargetOptions(options), scene, reference));
+       }},
+  };
   return constructors;
 }
 
@@ -51,7 +86,8 @@ MultiperspectiveCamera constructCamera(const std::string& nameOrFile, const Guid
   const std::string name = fields.text("camera");
   const CameraConstructor* constructor = find(name);
   if (constructor == nullptr) {
-    throw InputError("there is no constructor of cameras \"" + name + "\"", where, "use " + listOfNames());
+    throw InputError("there is no constructor of cameras \"" + name + "\"", where + ", field \"camera\"",
+                     "use " + listOfNames());
   }
   MultiperspectiveCamera camera = constructor->build(fields, scene, reference);
   fields.rejectUnknown();

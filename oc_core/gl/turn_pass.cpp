@@ -77,13 +77,14 @@ TurnBlock blockOf(const CurvedRayCamera& camera, size_t turn, uint32_t piece) {
   return block;
 }
 
-SplitPrograms makePrograms(GlContext& context) {
+SplitPrograms makePrograms(GlContext& context, ArcModel model) {
+  const std::string arcs = std::string("#define ARCS ") + (model == ArcModel::kConic ? "CONIC" : "BEZIER") + "\n";
   const auto compute = [&](const char* name, std::string_view source, const std::string& define) {
     return makeProgram(context, name,
                        {{GL_COMPUTE_SHADER,
                          {shaders::kPinhole, shaders::kMesh, shaders::kTurn, shaders::kPiece, shaders::kSplitCounts,
                           shaders::kSplitCodes, source}}},
-                       define);
+                       arcs + define);
   };
   const std::string decide = std::string(shaders::kTurnDecideComp) + std::string(shaders::kSplitStore);
   const std::string triangles = "#define SOURCE TRIANGLES\n";
@@ -98,14 +99,18 @@ SplitPrograms makePrograms(GlContext& context) {
       context, "turn_leaves",
       {{GL_VERTEX_SHADER,
         {shaders::kPinhole, shaders::kMesh, shaders::kTurn, shaders::kPiece, shaders::kTurnLeavesVert}},
-       {GL_FRAGMENT_SHADER, {shaders::kPinhole, shaders::kTurn, shaders::kOverlap, shaders::kTurnLeavesFrag}}});
+       {GL_FRAGMENT_SHADER, {shaders::kPinhole, shaders::kTurn, shaders::kOverlap, shaders::kTurnLeavesFrag}}},
+      arcs);
   return programs;  // nothing is clipped: pieces that reach out of the turn are tested by pixels
 }
 
 }  // namespace
 
 TurnPass::TurnPass(GlContext& context)
-    : context_(context), splitter_(context), programs_(makePrograms(context)), vertexArray_(makeVertexArray(context)) {}
+    : context_(context),
+      splitter_(context),
+      conic_(makePrograms(context, ArcModel::kConic)),
+      vertexArray_(makeVertexArray(context)) {}
 
 void TurnPass::draw(const CurvedRayCamera& camera, size_t turn, uint32_t piece, const GlMesh& mesh) const {
   const TurnBlock block = blockOf(camera, turn, piece);
@@ -114,7 +119,10 @@ void TurnPass::draw(const CurvedRayCamera& camera, size_t turn, uint32_t piece, 
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 1, uniforms.id());
   bindMesh(context_, mesh);
   gl.BindVertexArray(vertexArray_.id());
-  splitter_.draw(programs_, mesh);
+  if (camera.arcModel() == ArcModel::kBezier && !bezier_) {
+    bezier_ = makePrograms(context_, ArcModel::kBezier);
+  }
+  splitter_.draw(camera.arcModel() == ArcModel::kConic ? conic_ : *bezier_, mesh);
   context_.check("drawing a turn of rays");
 }
 

@@ -111,16 +111,9 @@ float readCellSide(JsonFields& fields, float otherwise) {
 void readEocOptions(JsonFields& fields, CameraChoice& choice) {
   choice.cellSideRadii = readCellSide(fields, choice.cellSideRadii);
   if (fields.has("segment_direction")) {
-    const nlohmann::json& value = fields.value("segment_direction");
-    if (!value.is_array() || value.size() != 3) {
-      fields.fail("segment_direction", "must be an array of three numbers");
-    }
+    const std::vector<double> direction = fields.numbers("segment_direction", 3, -1, 1);
     for (int i = 0; i < 3; ++i) {
-      const nlohmann::json& element = value[static_cast<size_t>(i)];
-      if (!element.is_number() || !(std::abs(element.get<double>()) <= 1)) {
-        fields.fail("segment_direction", "must be an array of three numbers between -1 and 1");
-      }
-      choice.segmentDirection[i] = element.get<float>();
+      choice.segmentDirection[i] = static_cast<float>(direction[static_cast<size_t>(i)]);
     }
   }
 }

@@ -6,9 +6,6 @@
 #include <ImfIO.h>
 #include <ImfInputPart.h>
 #include <ImfMultiPartInputFile.h>
-#include <ImfMultiPartOutputFile.h>
-#include <ImfOutputPart.h>
-#include <ImfPartType.h>
 #include <ImfStringAttribute.h>
 #include <ImfVersion.h>
 #include <fmt/format.h>
@@ -18,6 +15,7 @@
 #include <cstring>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/exr_writer.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/ocri/layered_depth_image.h"
@@ -26,34 +24,12 @@ namespace ocelli {
 namespace {
 
 constexpr int kFormat = 1;
-constexpr const char* kAttribute = "ocelli";
 constexpr std::array<const char*, 6> kChannels{"R", "G", "B", "Z", "offset.u", "offset.v"};
 constexpr int kMostPixelsASide = PinholeCamera::kMostPixelsASide;
 constexpr int64_t kMostPixels = PinholeCamera::kMostPixels;
 constexpr size_t kMostParts = 64;
 constexpr int64_t kMostCompression = 1032;  ///< the most that deflate can do
 constexpr const char* kNext = "build it again with `ocelli ocri build`";
-
-/// An OpenEXR stream into a string.
-class BytesOut : public Imf::OStream {
- public:
-  BytesOut() : OStream("memory") {}
-  void write(const char c[], int n) override {
-    const size_t end = position_ + static_cast<size_t>(n);
-    if (end > bytes.size()) {
-      bytes.resize(end);
-    }
-    std::memcpy(bytes.data() + position_, c, static_cast<size_t>(n));
-    position_ = end;
-  }
-  uint64_t tellp() override { return position_; }
-  void seekp(uint64_t position) override { position_ = position; }
-
-  std::string bytes;
-
- private:
-  size_t position_ = 0;
-};
 
 /// An OpenEXR stream from bytes in memory.
 class BytesIn : public Imf::IStream {
@@ -105,27 +81,21 @@ std::vector<Imf::Header> headersOf(std::string_view bytes) {
   return headers;
 }
 
-struct Channel {
-  const char* name;
-  const void* first;  ///< the value of the first pixel
-  size_t stride;      ///< bytes from one pixel to the next
-};
-
-std::array<Channel, kChannels.size()> channelsOf(const ReferenceImage& image) {
+std::vector<ExrChannel> channelsOf(const ReferenceImage& image) {
   const glm::vec3* color = image.color.data();
   const glm::vec2* displacement = image.displacement.data();
-  return {Channel{kChannels[0], &color->x, sizeof(*color)},
-          Channel{kChannels[1], &color->y, sizeof(*color)},
-          Channel{kChannels[2], &color->z, sizeof(*color)},
-          Channel{kChannels[3], image.z.data(), sizeof(float)},
-          Channel{kChannels[4], &displacement->x, sizeof(*displacement)},
-          Channel{kChannels[5], &displacement->y, sizeof(*displacement)}};
+  return {{kChannels[0], &color->x, sizeof(*color)},
+          {kChannels[1], &color->y, sizeof(*color)},
+          {kChannels[2], &color->z, sizeof(*color)},
+          {kChannels[3], image.z.data(), sizeof(float)},
+          {kChannels[4], &displacement->x, sizeof(*displacement)},
+          {kChannels[5], &displacement->y, sizeof(*displacement)}};
 }
 
-Imf::FrameBuffer frameBufferOf(const ReferenceImage& image) {
+/// To read into.
+Imf::FrameBuffer frameBufferOf(ReferenceImage& image) {
   Imf::FrameBuffer buffer;
-  for (const Channel& channel : channelsOf(image)) {
-    // OpenEXR takes writable pointers for reading and writing alike.
+  for (const ExrChannel& channel : channelsOf(image)) {
     auto* base = const_cast<char*>(static_cast<const char*>(channel.first));
     buffer.insert(channel.name,
                   Imf::Slice(Imf::FLOAT, base, channel.stride, channel.stride * static_cast<size_t>(image.width())));
@@ -206,7 +176,7 @@ void readHeader(const Imf::Header& header, size_t fileBytes, const std::string& 
       height > kMostPixelsASide || width * height > kMostPixels) {
     throw InputError("its data window is not that of a reference image of at most 2^26 pixels", where, kNext);
   }
-  const auto* attribute = header.findTypedAttribute<Imf::StringAttribute>(kAttribute);
+  const auto* attribute = header.findTypedAttribute<Imf::StringAttribute>(kExrDescription);
   if (attribute == nullptr) {
     throw InputError("it has no \"ocelli\" attribute, so it is no reference image", where, kNext);
   }
@@ -254,34 +224,12 @@ std::string partName(const std::string& where, size_t part, size_t parts) {
 
 void writeReferenceImages(const std::filesystem::path& path, const ReferenceImages& images) {
   OC_CHECK(!images.empty() && images.size() <= kMostParts, "a file holds 1 to 64 reference images");
-  // All parts of a file share one display window.
-  Imath::Box2i window({0, 0}, {0, 0});
+  std::vector<ExrPart> parts;
   for (const ReferenceImage& image : images) {
-    window.extendBy(Imath::V2i(image.width() - 1, image.height() - 1));
+    parts.push_back({fmt::format("{:02} {}", parts.size(), image.camera), image.width(), image.height(),
+                     channelsOf(image), attributeText(image)});
   }
-  std::vector<Imf::Header> headers;
-  for (const ReferenceImage& image : images) {
-    OC_CHECK(!image.z.empty(), "an empty image has no EXR form");
-    Imf::Header header(window, Imath::Box2i({0, 0}, {image.width() - 1, image.height() - 1}));
-    header.setName(fmt::format("{:02} {}", headers.size(), image.camera));
-    header.setType(Imf::SCANLINEIMAGE);
-    header.compression() = Imf::ZIP_COMPRESSION;
-    for (const char* name : kChannels) {
-      header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-    }
-    header.insert(kAttribute, Imf::StringAttribute(attributeText(image)));
-    headers.push_back(header);
-  }
-  BytesOut stream;
-  {
-    Imf::MultiPartOutputFile file(stream, headers.data(), static_cast<int>(headers.size()));
-    for (size_t i = 0; i < images.size(); ++i) {
-      Imf::OutputPart part(file, static_cast<int>(i));
-      part.setFrameBuffer(frameBufferOf(images[i]));
-      part.writePixels(images[i].height());
-    }
-  }
-  writeFile(path, stream.bytes);
+  writeFile(path, exrBytes(parts));
 }
 
 ReferenceImages referenceImagesFromBytes(std::string_view bytes, const std::string& where) {

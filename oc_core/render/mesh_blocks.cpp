@@ -16,7 +16,7 @@ MeshBlocks::MeshBlocks(const Mesh& mesh)
       for (size_t k = i * kTriangles; k < std::min((i + 1) * kTriangles, mesh.triangles.size()); ++k) {
         const glm::uvec3& t = mesh.triangles[k];
         const std::array<glm::vec3, 3> corners{mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]};
-        if (!std::all_of(corners.begin(), corners.end(), isFinite)) {
+        if (!std::all_of(corners.begin(), corners.end(), [](const glm::vec3& p) { return isFinite(p); })) {
           continue;
         }
         block.finite |= 1u << (k - i * kTriangles);

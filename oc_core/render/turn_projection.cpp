@@ -26,57 +26,60 @@ double height(const HalfSpace& space, const glm::dvec3& p) {
 }  // namespace
 
 TurnProjection::TurnProjection(const CurvedRayCamera& camera, size_t turn)
-    : bounds_(camera, turn),
-      straight_(camera.turns()[turn].isStraight()),
-      origin_(camera.turns()[turn].before()),
-      beyond_(camera.turns()[turn].beyond() - origin_),
-      axis_(straight_ ? glm::dvec3(0) : glm::normalize(beyond_)),
-      linePoint_(camera.turns()[turn].linePoint() - origin_),
-      lineDirection_(camera.turns()[turn].lineDirection()),
-      border_(camera.turns()[turn].border() - origin_),
-      from_(moved(beyond(camera.turns()[turn].planes().from), origin_)),
-      to_(moved(beyond(camera.turns()[turn].planes().to), origin_)),
+    : transition_(camera.turns()[turn]),
+      bounds_(camera, turn),
+      origin_(transition_.before()),
+      beyond_(transition_.beyond() - origin_),
+      axis_(transition_.isStraight() ? glm::dvec3(0) : glm::normalize(beyond_)),
+      linePoint_(transition_.linePoint() - origin_),
+      lineDirection_(transition_.lineDirection()),
+      border_(transition_.border() - origin_),
+      from_(moved(beyond(transition_.planes().from), origin_)),
+      to_(moved(beyond(transition_.planes().to), origin_)),
       widthPixels_(camera.width() / 4.0),
       bendFactor_(measureBends(camera, turn)) {}
 
+/// Where the ray of a point meets the middle plane.
+std::optional<glm::dvec3> TurnProjection::middleOf(const glm::dvec3& point) const {
+  if (transition_.model() == ArcModel::kBezier || transition_.isStraight()) {
+    const std::optional<RayTransition::Place> place = transition_.find(point);
+    return place ? std::optional(place->arc.s) : std::nullopt;
+  }
+  // As RayTransition::find(): the epipolar plane, A, the control points of b, and the collineation that takes b to the
+  // arc of the point.
+  const glm::dvec3 p = point - origin_;
+  const glm::dvec3 normal = glm::cross(axis_, p);
+  const double along = glm::dot(normal, lineDirection_);
+  if (!(along * along > 1e-24 * glm::dot(normal, normal))) {
+    return std::nullopt;
+  }
+  const double perAlong = 1 / along;
+  const glm::dvec3 a = linePoint_ - lineDirection_ * (glm::dot(normal, linePoint_) * perAlong);
+  const glm::dvec3 s = border_ - lineDirection_ * (glm::dot(normal, border_) * perAlong);
+  const glm::dvec3 t = s * (from_.w / (from_.w - height(from_, s)));
+  const double heightBeyond = height(to_, beyond_);
+  const double heightS = height(to_, s);
+  const glm::dvec3 q = (s * heightBeyond - beyond_ * heightS) / (heightBeyond - heightS);
+  const glm::dvec3 up = glm::cross(normal, axis_);
+  const glm::dvec3 side = glm::cross(normal, p - a);
+  const double u = bernsteinRoot(glm::dot(side, t - a), glm::dot(side, s - a), glm::dot(side, q - a));
+  const glm::dvec3 onB = t * ((1 - u) * (1 - u)) + s * (2 * u * (1 - u)) + q * (u * u);
+  const glm::dvec3 towards = a - onB;
+  const double share = glm::dot(p - onB, towards) / glm::dot(towards, towards);
+  const double mu = share / (1 - share) * glm::dot(up, s) / glm::dot(up, onB);
+  const bool isHeld = share < 1 && 1 + mu > 0;
+  return isHeld ? std::optional(origin_ + (s + a * mu) / (1 + mu)) : std::nullopt;
+}
+
 TurnImage TurnProjection::project(const glm::dvec3& point) const {
   TurnImage image;
-  const glm::dvec3 p = point - origin_;
-  image.behindFirst = std::max(height(from_, p), 0.0);
-  image.beforeLast = std::max(-height(to_, p), 0.0);
-  glm::dvec3 middle = p;  // of the ray
-  if (!straight_) {
-    // As RayTransition::find(): the epipolar plane, A, the control points of b, and the collineation that takes b to
-    // the arc of the point.
-    const glm::dvec3 normal = glm::cross(axis_, p);
-    const double along = glm::dot(normal, lineDirection_);
-    if (!(along * along > 1e-24 * glm::dot(normal, normal))) {
-      return image;
-    }
-    const double perAlong = 1 / along;
-    const glm::dvec3 a = linePoint_ - lineDirection_ * (glm::dot(normal, linePoint_) * perAlong);
-    const glm::dvec3 s = border_ - lineDirection_ * (glm::dot(normal, border_) * perAlong);
-    const glm::dvec3 t = s * (from_.w / (from_.w - height(from_, s)));
-    const double heightBeyond = height(to_, beyond_);
-    const double heightS = height(to_, s);
-    const glm::dvec3 q = (s * heightBeyond - beyond_ * heightS) / (heightBeyond - heightS);
-    const glm::dvec3 up = glm::cross(normal, axis_);
-    const glm::dvec3 side = glm::cross(normal, p - a);
-    const double u = bernsteinRoot(glm::dot(side, t - a), glm::dot(side, s - a), glm::dot(side, q - a));
-    const double bt = (1 - u) * (1 - u);
-    const double bs = 2 * u * (1 - u);
-    const double bq = u * u;
-    const glm::dvec3 onB = t * bt + s * bs + q * bq;
-    const glm::dvec3 towards = a - onB;
-    const double share = glm::dot(p - onB, towards) / glm::dot(towards, towards);
-    const double heightMiddle = glm::dot(up, s);
-    const double mu = share / (1 - share) * heightMiddle / glm::dot(up, onB);
-    if (!(share < 1) || !(1 + mu > 0)) {
-      return image;
-    }
-    middle = (s + a * mu) / (1 + mu);
+  image.behindFirst = std::max(height(bounds_.slab()[0], point), 0.0);
+  image.beforeLast = std::max(height(bounds_.slab()[1], point), 0.0);
+  const std::optional<glm::dvec3> middle = middleOf(point);
+  if (!middle) {
+    return image;
   }
-  const glm::dvec4 h = bounds_.before() * glm::dvec4(middle + origin_, 1);
+  const glm::dvec4 h = bounds_.before() * glm::dvec4(*middle, 1);
   image.pixel = {h.x / h.w, h.y / h.w};
   const auto weightBy = [&](const glm::dmat4& m) {
     const double weight = m[0][3] * point.x + m[1][3] * point.y + m[2][3] * point.z + m[3][3];

@@ -42,10 +42,11 @@ class TurnProjection {
   double bendScale(double lengthPixels, double share) const {
     return share * (lengthPixels + widthPixels_ * share) + lengthPixels * lengthPixels / (16 * widthPixels_);
   }
+  std::optional<glm::dvec3> middleOf(const glm::dvec3& point) const;
   double measureBends(const CurvedRayCamera& camera, size_t turn) const;
 
+  RayTransition transition_;
   TurnBounds bounds_;
-  bool straight_;  ///< rays do not turn
   // Places are taken from C0.
   glm::dvec3 origin_;
   glm::dvec3 beyond_;  ///< C1

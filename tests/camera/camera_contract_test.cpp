@@ -193,6 +193,16 @@ struct CurvedRays : Graph {
   }
 };
 
+/// The same along polynomial arcs.
+struct BezierRays : Graph {
+  static CurvedRayCamera make() { return test::turningTwice(smallCamera(), ArcModel::kBezier); }
+  static CurvedRayCamera undistorted() {
+    CurvedRayCamera straight(smallCamera(), ArcModel::kBezier);
+    straight.turn(test::rightTurn(), {0, 0, 10});
+    return straight;
+  }
+};
+
 template <class Source>
 class CameraContract : public ::testing::Test {
  protected:
@@ -231,7 +241,7 @@ class CameraContract : public ::testing::Test {
 };
 
 using AllCameras = ::testing::Types<Pinhole, SmoothDdoc, SceneDdoc, Spoc, SteppingSpoc, ReversePinhole, EocAcross,
-                                    EocForward, Graph, LimitedGraph, CurvedRays>;
+                                    EocForward, Graph, LimitedGraph, CurvedRays, BezierRays>;
 TYPED_TEST_SUITE(CameraContract, AllCameras);
 
 TYPED_TEST(CameraContract, hasItsSize) {

@@ -131,6 +131,31 @@ TEST(CurvedRayCamera, arcsAreNearlyThoseOfTheUnmodifiedModel) {
   }
 }
 
+// The text's first model: every ray is the arc of Equation 4.1, and its projection undoes that.
+TEST(CurvedRayCamera, bezierArcsAreThoseOfTheEquation) {
+  const CurvedRayCamera camera = test::turningTwice(test::smallCamera(), ArcModel::kBezier);
+  const CurvedRayCamera conic = test::turningTwice();
+  Numbers numbers;
+  double farthest = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const glm::dvec2 pixel(numbers.between(0, 90), numbers.between(0, 60));
+    const RayTransition& turn = camera.turns()[0];
+    const glm::dvec3 s = turn.planes().middle.crossing(turn.before(), *camera.unprojectExactly({pixel.x, pixel.y, 1}));
+    const RayTransition::Arc arc = turn.arcThrough(s);
+    const double at = numbers.between(0, 1);
+    const glm::dvec3 bezier = arc.t * (1 - at) * (1 - at) + arc.s * 2.0 * at * (1 - at) + arc.q * at * at;
+    EXPECT_LT(glm::distance(bezier, arc.at(at)), 1e-12);
+    const auto image = camera.projectExactly(bezier);
+    ASSERT_TRUE(image);
+    EXPECT_LT(glm::distance(glm::dvec2(image->u, image->v), pixel), 1e-9);
+    const auto seen = conic.projectExactly(bezier);
+    ASSERT_TRUE(seen);
+    farthest = std::max(farthest, glm::distance(glm::dvec2(seen->u, seen->v), pixel));
+  }
+  EXPECT_GT(farthest, 0.01) << "the models differ";
+  EXPECT_LT(farthest, 1) << "but by less than a pixel here: they look the same (Figure 4.13)";
+}
+
 // Two rays come no nearer to each other in a turn than a share of what they are apart where it begins.
 TEST(CurvedRayCamera, raysDoNotCross) {
   for (const CurvedRayCamera& camera : {turningRight(), turningTwice()}) {
@@ -167,6 +192,22 @@ TEST(CurvedRayCamera, withoutATurnItIsThePinhole) {
   }
 }
 
+TEST(CurvedRayCamera, seesNothingFarBeyondTheBorders) {
+  EXPECT_FALSE(turningRight().unprojectExactly({10, 3e160, 15})) << "where rays have no coordinates";
+}
+
+// A turn may end behind zFar; rays do not run back to there.
+TEST(CurvedRayCamera, raysNeverRunBack) {
+  View view;
+  view.zFar = 10.5f;
+  CurvedRayCamera camera(PinholeCamera(view, 90, 60));
+  camera.turn(rightTurn(), {-2, 0, 6});
+  const RayPath path = camera.rayPath({10, 30});
+  for (size_t i = 2; i < path.size(); ++i) {
+    EXPECT_GE(glm::dot(path[i] - path[i - 1], path[i - 1] - path[i - 2]), 0.0f) << i;
+  }
+}
+
 TEST(CurvedRayCamera, refusesWhatCannotBe) {
   EXPECT_THAT(messageOfTurn({Plane::through({4, 0, 0}, {-0.25, 0, -1}), Plane::through({4, 0, 0}, {0, 0.3, -1}),
                              Plane::through({4, 0, 0}, {0.25, 0, -1})},
@@ -184,6 +225,7 @@ TEST(CurvedRayCamera, refusesWhatCannotBe) {
   EXPECT_THAT(messageOfTurn({{{0, 0, 1}, NAN}, {{0, 0, 1}, 0}, {{0, 0, 1}, 0}}, {0, 0, 5}), HasSubstr("not finite"));
   EXPECT_THAT(messageOfTurn(rightTurn(), {-2, 0, -6}), HasSubstr("viewpoint does not lie before"));
   EXPECT_THAT(messageOfTurn(rightTurn(), {-2, NAN, 6}), HasSubstr("viewpoint"));
+  EXPECT_THAT(messageOfTurn(rightTurn(), {-2, 1e40, 6}), HasSubstr("too far away for single precision"));
   EXPECT_THAT(messageOfTurn(planesThrough({4, 0, 20}, {-0.25, 0, -1}, {0, 0, -1}, {0.25, 0, -1}), {0, 0, 30}),
               HasSubstr("not every ray"))
       << "behind the eye";

@@ -156,7 +156,7 @@ TEST(GraphCamera, raysEndAtLimits) {
   EXPECT_TRUE(graph.project({0.55f, 0, 1})) << "limits of a frustum are not those of its parent";
   Numbers numbers;
   for (int i = 0; i < 1000; ++i) {
-    const glm::vec2 pixel(numbers.between(0, 180), numbers.between(0, 120));
+    const glm::vec2 pixel(numbers.between(0, 90), numbers.between(0, 60));
     const RayPath path = graph.rayPath(pixel);
     const auto end = graph.project(path.back());
     ASSERT_TRUE(end) << pixel.x << " " << pixel.y;
@@ -233,6 +233,15 @@ TEST(GraphCamera, refusesWhatCannotBe) {
                 }
               }),
               HasSubstr("turn more than 64 times"));
+}
+
+TEST(GraphCameraDeath, refusesFrustaThatAreNone) {
+  GraphCamera graph(smallCamera());
+  const GraphCamera::Turn turn = turnAt({0, 0, 0}, {0, 0, -1}, {1, 0, 5});
+  EXPECT_DEATH(graph.bend(1, turn, "bent"), "no such frustum");
+  EXPECT_DEATH(graph.split(-1, turn, turn, "one", "other"), "no such frustum");
+  EXPECT_DEATH(graph.merge(0, 1, turn, "merged"), "no such frustum");
+  EXPECT_DEATH(graph.limit(7, turn.plane), "no such frustum");
 }
 
 TEST(GraphCamera, aFailedSplitLeavesItAsItWas) {

@@ -71,7 +71,7 @@ TEST(View, wrongFieldsAreNamed) {
   EXPECT_THAT(errorOf(R"({"fov_vertical_degrees": 180})"), HasSubstr("fov_vertical_degrees"));
   EXPECT_THAT(errorOf(R"({"fov_vertical_degrees": "wide"})"), HasSubstr("fov_vertical_degrees"));
   EXPECT_THAT(errorOf(R"({"z_near": -1})"), HasSubstr("z_near"));
-  EXPECT_THAT(errorOf(R"({"center_shift": [0, 0, 0]})"), HasSubstr("an array of two numbers"));
+  EXPECT_THAT(errorOf(R"({"center_shift": [0, 0, 0]})"), HasSubstr("an array of 2 numbers"));
   EXPECT_THAT(errorOf(R"({"center_shift": [0, 11]})"), HasSubstr("center_shift"));
   EXPECT_THAT(errorOf(R"([1, 2])"), HasSubstr("view.json"));
   EXPECT_THAT(errorOf("{"), HasSubstr("view.json:1"));

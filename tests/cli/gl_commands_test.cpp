@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "display_sim/svol_file.h"
+#include "oc_core/base/png_file.h"
 #include "oc_core/ocri/reference_image_file.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/cli/run_program.h"
@@ -31,6 +32,38 @@ TEST(GlCommands, renderAndConstructTheSameImages) {
                   0.005 * static_cast<double>(expected.sampleCount()))
           << camera;
     }
+  }
+}
+
+TEST(GlCommands, graphAndCurvedRayCamerasAreDrawnTheSame) {
+  const TemporaryFolder folder;
+  const std::string plane = R"("point": [4, 0, 0], "normal": )";
+  const std::string graph =
+      folder
+          .write("graph.json", R"({"camera": "graph", "operations": [{"operation": "bend", "of": "root", "into": {
+        "name": "bent", "plane": {"point": [0, 0, 0], "normal": [0, 0, -1]}, "viewpoint": [1, 0.5, 5]}}]})")
+          .string();
+  const std::string curved =
+      folder
+          .write("curved.json", R"({"camera": "curved", "turns": [{"from": {)" + plane +
+                                    R"([-0.25, 0, -1]}, "middle": {)" + plane + R"([0, 0, -1]}, "to": {)" + plane +
+                                    R"([0.25, 0, -1]}, "viewpoint": [-2, 0, 6]}]})")
+          .string();
+  for (const std::string& camera : {graph, curved}) {
+    const auto imageBy = [&](const std::string& method) {
+      const std::string file = (folder / (method + ".png")).string();
+      const ProgramResult result = runProgram("render builtin:boxes --size 180x120 --method " + method + " --camera '" +
+                                              camera + "' -o '" + file + "'");
+      EXPECT_EQ(result.exitCode, 0) << result.error;
+      return readPng(file);
+    };
+    const Image<Rgb8> expected = imageBy("raster");
+    const Image<Rgb8> got = imageBy("gl");
+    size_t differing = 0;
+    for (size_t i = 0; i < expected.size(); ++i) {
+      differing += expected[i] != got[i];
+    }
+    EXPECT_LE(differing, expected.size() / 1000) << camera << ": single pixels of silhouettes";
   }
 }
 

@@ -1,0 +1,255 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.h"
+#include "cli/output_option.h"
+#include "cli/scene_options.h"
+#include "cli/values.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
+#include "oc_core/base/output_file.h"
+#include "oc_core/base/png_file.h"
+#include "oc_core/camera/graph_overlap.h"
+#include "oc_core/constructor/camera_constructors.h"
+#include "oc_core/constructor/camera_editor.h"
+#include "oc_core/constructor/curved_turns.h"
+#include "oc_core/constructor/graph_operations.h"
+#include "oc_core/multiperspective/multiperspective_image.h"
+#include "oc_core/multiperspective/plan_picture.h"
+
+namespace ocelli {
+namespace {
+
+/// A multiperspective camera in a scene, as its commands take it.
+struct CameraInScene {
+  SceneChoice scene;
+  std::string camera;
+  std::string view;
+  std::string size = "1280x720";
+};
+
+void addCameraInScene(CLI::App& command, CameraInScene& choice) {
+  addSceneOptions(command, choice.scene);
+  addConstructorOption(command, choice.camera);
+  addViewOption(command, choice.view);
+  addSizeOption(command, choice.size);
+}
+
+MultiperspectiveCamera construct(const CameraInScene& choice, const GuidedScene& scene) {
+  const ImageSize size = imageSizeFromText(choice.size, "--size");
+  return constructCamera(choice.camera, scene, {readViewOption(choice.view), size.width, size.height});
+}
+
+void addList(CLI::App& camera, const Frame& frame) {
+  CLI::App& command = *camera.add_subcommand("list", "List the constructors of graph and curved ray cameras");
+  frame.finish(command, "  ocelli camera list", [frame] {
+    for (const CameraConstructor& each : cameraConstructors()) {
+      frame.print(fmt::format("{:<14} {}\n", each.name, each.description));
+    }
+  });
+}
+
+struct ShowChoice {
+  CameraInScene camera;
+  std::string from = "top";
+  std::optional<float> cut;
+  int rays = 48;
+  int pixels = 1200;
+  std::string output;
+};
+
+PlanSide sideFromText(const std::string& text) {
+  return text == "top" ? PlanSide::kTop : text == "front" ? PlanSide::kFront : PlanSide::kRight;
+}
+
+void show(const ShowChoice& choice, const Frame& frame) {
+  checkWritable(choice.output);
+  const GuidedScene scene = loadGuidedScene(choice.camera.scene.source, choice.camera.scene.options, frame.progress());
+  const MultiperspectiveCamera camera = construct(choice.camera, scene);
+  const CameraPlan plan = planOf(
+      camera, scene.mesh,
+      {.side = sideFromText(choice.from), .cut = choice.cut, .rays = choice.rays, .groundPixels = choice.pixels});
+  writePlan(choice.output, plan,
+            {.title = choice.camera.camera + " in " + choice.camera.scene.source, .planPixels = choice.pixels});
+  frame.note(
+      fmt::format("wrote {}: {} parts of the camera, {} rays", choice.output, plan.parts.size(), plan.rays.size()));
+}
+
+void addShow(CLI::App& camera, const Frame& frame) {
+  CLI::App& command = *camera.add_subcommand("show", "Draw a plan of a camera: its frusta and rays in the scene");
+  const auto choice = std::make_shared<ShowChoice>();
+  addCameraInScene(command, choice->camera);
+  command.add_option("--from", choice->from, "The side that the plan shows the scene from")
+      ->check(CLI::IsMember({"top", "front", "right"}))
+      ->capture_default_str();
+  command.add_option("--cut", choice->cut,
+                     "Where the scene is cut open, along the direction of --from; at the eye where not given");
+  command.add_option("--rays", choice->rays, "How many rays, from the left of the image to its right")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
+  command.add_option("--pixels", choice->pixels, "Longer side of the plan")
+      ->check(CLI::Range(100, 8192))
+      ->capture_default_str();
+  addOutputOption(command, choice->output, "Where the plan goes", {".svg", ".png"});
+  frame.finish(command,
+               "  ocelli camera show builtin:maze --camera comprehensive -o plan.svg\n"
+               "  ocelli camera show builtin:town --camera town.json --from front -o plan.png",
+               [choice, frame] { show(*choice, frame); });
+}
+
+struct InfoChoice {
+  CameraInScene camera;
+  bool json = false;
+  std::string output;
+};
+
+nlohmann::ordered_json infoOf(const GraphCamera& camera, const Mesh& mesh) {
+  nlohmann::ordered_json frusta = nlohmann::ordered_json::array();
+  for (const GraphCamera::Frustum& frustum : camera.frusta()) {
+    frusta.push_back({{"name", frustum.name},
+                      {"parent", frustum.parent < 0 ? "" : camera.frusta()[static_cast<size_t>(frustum.parent)].name},
+                      {"children", frustum.children.size()},
+                      {"limits", frustum.limits.size()}});
+  }
+  const Box world = boundsOf(mesh);
+  nlohmann::ordered_json overlaps = nlohmann::ordered_json::array();
+  for (const FrustumOverlap& each : overlapsOf(camera, glm::dvec3(world.lower), glm::dvec3(world.upper))) {
+    overlaps.push_back({camera.frusta()[static_cast<size_t>(each.first)].name,
+                        camera.frusta()[static_cast<size_t>(each.second)].name});
+  }
+  return {{"camera", "graph"}, {"frusta", frusta}, {"overlaps", overlaps}};
+}
+
+nlohmann::ordered_json infoOf(const CurvedRayCamera& camera, const Mesh&) {
+  return {{"camera", "curved"}, {"turns", camera.turns().size()}};
+}
+
+std::string textOf(const nlohmann::ordered_json& info) {
+  if (info["camera"] == "curved") {
+    return fmt::format("curved ray camera of {} turns\n", info["turns"].get<size_t>());
+  }
+  std::string text = fmt::format("graph camera of {} frusta\n", info["frusta"].size());
+  for (const auto& frustum : info["frusta"]) {
+    const auto parent = frustum["parent"].get<std::string>();
+    text += fmt::format("  {}{}\n", frustum["name"].get<std::string>(), parent.empty() ? "" : ", of " + parent);
+  }
+  for (const auto& overlap : info["overlaps"]) {
+    text += fmt::format("overlap within the scene: {} and {}\n", overlap[0].get<std::string>(),
+                        overlap[1].get<std::string>());
+  }
+  return text + (info["overlaps"].empty() ? "no frusta overlap within the scene\n" : "");
+}
+
+void info(const InfoChoice& choice, const Frame& frame) {
+  const GuidedScene scene = loadGuidedScene(choice.camera.scene.source, choice.camera.scene.options, frame.progress());
+  const MultiperspectiveCamera camera = construct(choice.camera, scene);
+  const nlohmann::ordered_json described =
+      std::visit([&](const auto& each) { return infoOf(each, scene.mesh); }, camera);
+  frame.print(choice.json ? described.dump(1) + "\n" : textOf(described));
+  if (!choice.output.empty()) {
+    writeFile(choice.output, std::visit([](const auto& each) { return jsonText(each); }, camera));
+    frame.note("wrote " + choice.output);
+  }
+}
+
+void addInfo(CLI::App& camera, const Frame& frame) {
+  CLI::App& command = *camera.add_subcommand("info", "Tell what a camera consists of, and write it out by hand");
+  const auto choice = std::make_shared<InfoChoice>();
+  addCameraInScene(command, choice->camera);
+  command.add_flag("--json", choice->json, "Print it as JSON");
+  addSecondOutputOption(command, "-o,--output", choice->output,
+                        "Where the camera goes as a list of operations or turns, which `--camera` takes", {".json"});
+  frame.finish(command, "  ocelli camera info builtin:maze --camera comprehensive -o frusta.json",
+               [choice, frame] { info(*choice, frame); });
+}
+
+struct EditChoice {
+  CameraInScene camera;
+  std::string edits = "-";
+  std::string image;
+  std::string output;
+};
+
+/// One edit a line. From a file, an edit that fails ends the work; a program that sends edits gets an answer to each.
+void edit(const EditChoice& choice, const Frame& frame) {
+  checkWritable(choice.output);
+  const GuidedScene scene = loadGuidedScene(choice.camera.scene.source, choice.camera.scene.options, frame.progress());
+  const MultiperspectiveCamera start = construct(choice.camera, scene);
+  const std::string text = std::visit([](const auto& each) { return jsonText(each); }, start);
+  const PinholeCamera& root = std::visit([](const auto& each) -> const PinholeCamera& { return each.root(); }, start);
+  CameraEditor editor(text, choice.camera.camera, root, boundsOf(scene.mesh));
+  const auto show = [&] {
+    if (!choice.image.empty()) {
+      writePng(choice.image,
+               srgbFromLinear(colorImage(rasterize(editor.camera(), scene.mesh), scene.mesh, skyColor())));
+    }
+  };
+  show();
+  const bool fromInput = choice.edits == "-";
+  std::ifstream file;
+  if (!fromInput) {
+    file.open(choice.edits);
+    if (!file) {
+      throw InputError("cannot be read", choice.edits, "check its name and your rights");
+    }
+  }
+  std::istream& lines = fromInput ? std::cin : file;
+  size_t number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string::npos) {
+      continue;
+    }
+    try {
+      editor.apply(line, fmt::format("{}, line {}", fromInput ? "standard input" : choice.edits, number));
+    } catch (const InputError& error) {
+      if (!fromInput) {
+        throw;
+      }
+      frame.print(nlohmann::json{{"line", number}, {"error", error.what()}}.dump() + "\n");
+      continue;
+    }
+    show();
+    if (fromInput) {
+      frame.print(nlohmann::json{{"line", number}, {"done", true}}.dump() + "\n");
+      flushStandardOutput();
+    }
+  }
+  writeFile(choice.output, editor.text());
+  frame.note(fmt::format("wrote {} after {} lines of edits", choice.output, number));
+}
+
+void addEdit(CLI::App& camera, const Frame& frame) {
+  CLI::App& command = *camera.add_subcommand("edit", "Change a camera step by step, and draw it after each step");
+  const auto choice = std::make_shared<EditChoice>();
+  addCameraInScene(command, choice->camera);
+  command
+      .add_option("--edits", choice->edits,
+                  "Edits, a JSON object a line: add, remove, change, rename, view, undo, redo (docs/cameras.md); - "
+                  "reads them from standard input and answers each with a line of JSON")
+      ->type_name("FILE|-")
+      ->capture_default_str();
+  addSecondOutputOption(command, "--image", choice->image, "Where the camera's image goes, anew after each edit",
+                        {".png"});
+  addOutputOption(command, choice->output, "Where the camera goes in the end", {".json"});
+  frame.finish(command,
+               "  ocelli camera edit builtin:town --camera portal --edits edits.jsonl -o town.json --image town.png",
+               [choice, frame] { edit(*choice, frame); });
+}
+
+}  // namespace
+
+void addCameraCommand(CLI::App& program, const Frame& frame) {
+  CLI::App& camera = *program.add_subcommand("camera", "Graph and curved ray cameras: list, show, describe, edit");
+  camera.require_subcommand(1);
+  addList(camera, frame);
+  addShow(camera, frame);
+  addInfo(camera, frame);
+  addEdit(camera, frame);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,183 @@
+#include "oc_core/constructor/camera_editor.h"
+
+#include <algorithm>
+#include <set>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
+#include "oc_core/constructor/curved_turns.h"
+#include "oc_core/constructor/graph_operations.h"
+
+namespace ocelli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The document of one kind of camera, as edits see it.
+class Document {
+ public:
+  explicit Document(const std::string& text) : json_(Json::parse(text, nullptr, true, true)) {}
+
+  std::string text() const { return json_.dump(1); }
+
+  void apply(JsonFields& edit) {
+    const std::string kind = edit.text("edit");
+    if (kind == "add") {
+      const char* what = isGraph() ? "operation" : "turn";
+      list().push_back(Json::parse(edit.value(what).dump()));
+    } else if (kind == "remove") {
+      remove(edit.text("name"), edit);
+    } else if (kind == "change") {
+      change(edit.text("name"), edit);
+    } else if (kind == "rename") {
+      rename(edit.text("name"), edit.text("to"), edit);
+    } else if (kind == "view") {
+      json_["view"] = Json::parse(edit.value("view").dump());
+    } else {
+      edit.fail("edit", "must be add, remove, change, rename, view, undo or redo");
+    }
+    edit.rejectUnknown();
+  }
+
+ private:
+  bool isGraph() const { return json_.at("camera") == "graph"; }
+  Json& list() { return json_.at(isGraph() ? "operations" : "turns"); }
+
+  /// What an operation makes, and a turn is: objects with a name.
+  static std::vector<Json*> namedIn(Json& entry) {
+    std::vector<Json*> named;
+    if (!entry.contains("into")) {
+      if (entry.contains("name")) {
+        named.push_back(&entry);
+      }
+    } else if (entry["into"].is_array()) {
+      for (Json& each : entry["into"]) {
+        named.push_back(&each);
+      }
+    } else {
+      named.push_back(&entry["into"]);
+    }
+    return named;
+  }
+
+  Json& find(const std::string& name, const JsonFields& edit) {
+    for (Json& entry : list()) {
+      for (Json* named : namedIn(entry)) {
+        if (named->at("name") == name) {
+          return *named;
+        }
+      }
+    }
+    edit.fail("name", "is \"" + name + "\", which nothing is called");
+  }
+
+  /// Whether an operation acts on one of these.
+  static bool actsOn(const Json& entry, const std::set<std::string>& names) {
+    if (!entry.contains("of")) {
+      return false;
+    }
+    const Json& of = entry["of"];
+    return of.is_array() ? std::any_of(of.begin(), of.end(), [&](const Json& each) { return names.contains(each); })
+                         : names.contains(of);
+  }
+
+  /// With what comes from it; the other half of a split goes as well, as a split makes both.
+  void remove(const std::string& name, const JsonFields& edit) {
+    find(name, edit);
+    std::set<std::string> gone{name};
+    for (size_t before = 0; before != gone.size();) {
+      before = gone.size();
+      for (Json& entry : list()) {
+        const std::vector<Json*> named = namedIn(entry);
+        const bool makesOne =
+            std::any_of(named.begin(), named.end(), [&](const Json* each) { return gone.contains(each->at("name")); });
+        if (makesOne || actsOn(entry, gone)) {
+          for (const Json* each : named) {
+            gone.insert(each->at("name"));
+          }
+        }
+      }
+    }
+    Json kept = Json::array();
+    for (Json& entry : list()) {
+      const std::vector<Json*> named = namedIn(entry);
+      const bool makesOne =
+          std::any_of(named.begin(), named.end(), [&](const Json* each) { return gone.contains(each->at("name")); });
+      if (!makesOne && !actsOn(entry, gone)) {
+        kept.push_back(entry);
+      }
+    }
+    list() = kept;
+  }
+
+  void change(const std::string& name, JsonFields& edit) {
+    const nlohmann::json& to = edit.value("to");
+    if (!to.is_object() || to.contains("name")) {
+      edit.fail("to", "must be an object of fields other than \"name\"");
+    }
+    Json& named = find(name, edit);
+    for (const auto& [field, value] : to.items()) {
+      named[field] = Json::parse(value.dump());
+    }
+  }
+
+  void rename(const std::string& name, const std::string& to, const JsonFields& edit) {
+    find(name, edit)["name"] = to;
+    for (Json& entry : list()) {
+      if (!entry.contains("of")) {
+        continue;
+      }
+      if (entry["of"].is_array()) {
+        for (Json& each : entry["of"]) {
+          each = each == name ? Json(to) : each;
+        }
+      } else if (entry["of"] == name) {
+        entry["of"] = to;
+      }
+    }
+  }
+
+  Json json_;
+};
+
+}  // namespace
+
+CameraEditor::CameraEditor(const std::string& text, const std::string& where, const PinholeCamera& reference,
+                           const Box& world)
+    : reference_(reference), world_(world), texts_{text}, camera_(built(text, where)) {}
+
+MultiperspectiveCamera CameraEditor::built(const std::string& text, const std::string& where) const {
+  const nlohmann::json json = parseJson(text, where);
+  JsonFields fields(json, where);
+  const std::string kind = fields.text("camera");
+  if (kind != "graph" && kind != "curved") {
+    fields.fail("camera", "must be graph or curved for edits");
+  }
+  MultiperspectiveCamera camera = kind == "graph" ? MultiperspectiveCamera(readGraphCamera(fields, reference_, world_))
+                                                  : MultiperspectiveCamera(readCurvedRayCamera(fields, reference_));
+  fields.rejectUnknown();
+  return camera;
+}
+
+void CameraEditor::apply(const std::string& text, const std::string& where) {
+  const nlohmann::json json = parseJson(text, where);
+  JsonFields edit(json, where);
+  const std::string kind = edit.text("edit");
+  if (kind == "undo" || kind == "redo") {
+    edit.rejectUnknown();
+    if (kind == "undo" ? at_ == 0 : at_ + 1 == texts_.size()) {
+      edit.fail("edit", "has nothing to " + kind);
+    }
+    at_ += kind == "undo" ? -size_t{1} : size_t{1};
+    camera_ = built(texts_[at_], where);
+    return;
+  }
+  Document document(this->text());
+  document.apply(edit);
+  camera_ = built(document.text(), where);
+  texts_.resize(at_ + 1);
+  texts_.push_back(document.text());
+  ++at_;
+}
+
+}  // namespace ocelli

@@ -1,0 +1,44 @@
+// Interactive construction (section 4.3.2.1): a graph or curved ray camera that edits change one at a time. Whoever
+// shows the camera's image, a window or a script, sends edits and draws again after each.
+//
+// The camera is a JSON document as `--camera` takes it (graph_operations.h, curved_turns.h). An edit is a JSON object:
+//   {"edit": "add", "operation": {...}}            of a graph camera; {"turn": {...}} of a curved ray camera
+//   {"edit": "remove", "name": "left"}             a frusta with all that comes from it, or a turn
+//   {"edit": "change", "name": "left", "to": {"viewpoint": [0, 1, 5]}}   fields of a frustum or of a turn
+//   {"edit": "rename", "name": "left", "to": "west"}
+//   {"edit": "view", "view": {...}}
+//   {"edit": "undo"}, {"edit": "redo"}
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "oc_core/constructor/multiperspective_camera.h"
+#include "oc_core/scene/mesh.h"
+
+namespace ocelli {
+
+class CameraEditor {
+ public:
+  /// Starts from the text of a camera file; `where` names it in messages. `reference` is its view where it has none,
+  /// and its size; frusta must not overlap within `world` (graph_operations.h). Throws InputError where it is wrong.
+  CameraEditor(const std::string& text, const std::string& where, const PinholeCamera& reference, const Box& world);
+
+  /// Throws InputError where the edit is wrong, or what it leads to is no camera; the camera is as before then.
+  void apply(const std::string& edit, const std::string& where);
+
+  const MultiperspectiveCamera& camera() const { return camera_; }
+  /// The camera file.
+  const std::string& text() const { return texts_[at_]; }
+
+ private:
+  MultiperspectiveCamera built(const std::string& text, const std::string& where) const;
+
+  PinholeCamera reference_;
+  Box world_;
+  std::vector<std::string> texts_;  // what undo and redo go through
+  size_t at_ = 0;
+  MultiperspectiveCamera camera_;
+};
+
+}  // namespace ocelli

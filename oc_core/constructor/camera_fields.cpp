@@ -1,0 +1,60 @@
+#include "oc_core/constructor/camera_fields.h"
+
+#include <cmath>
+
+#include "oc_core/base/error.h"
+
+namespace ocelli {
+
+glm::dvec3 readVector(JsonFields& fields, const std::string& name) {
+  const std::vector<double> numbers = fields.numbers(name, 3, -1e6, 1e6);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+Plane readPlane(const nlohmann::json& json, const std::string& where) {
+  JsonFields fields(json, where);
+  const glm::dvec3 point = readVector(fields, "point");
+  const glm::dvec3 normal = readVector(fields, "normal");
+  if (!(glm::length(normal) > 1e-9)) {
+    fields.fail("normal", "has no length");
+  }
+  fields.rejectUnknown();
+  return Plane::through(point, normal);
+}
+
+PinholeCamera readRoot(JsonFields& fields, const PinholeCamera& reference) {
+  if (fields.has("size")) {
+    JsonFields size(fields.value("size"), fields.where() + ", \"size\"");
+    const int width = size.integer("width", 1, PinholeCamera::kMostPixelsASide);
+    const int height = size.integer("height", 1, PinholeCamera::kMostPixelsASide);
+    size.rejectUnknown();
+    // As many rows as the shape asks for, give or take rounding to whole ones.
+    const double rows = static_cast<double>(reference.width()) * height / width;
+    if (std::abs(rows - reference.height()) > 1) {
+      throw InputError("the camera is made for images of the shape " + std::to_string(width) + "x" +
+                           std::to_string(height) + ", not " + std::to_string(reference.width()) + "x" +
+                           std::to_string(reference.height()),
+                       fields.where() + ", \"size\"", "draw it with --size of that shape, or make it anew");
+    }
+  }
+  if (!fields.has("view")) {
+    return reference;
+  }
+  return {viewFromJsonText(fields.value("view").dump(), fields.where() + ", \"view\""), reference.width(),
+          reference.height()};
+}
+
+nlohmann::ordered_json jsonOf(const glm::dvec3& vector) {
+  return {vector.x, vector.y, vector.z};
+}
+
+nlohmann::ordered_json jsonOf(const Plane& plane) {
+  return {{"point", jsonOf(plane.normal * plane.distance)}, {"normal", jsonOf(plane.normal)}};
+}
+
+void writeRoot(nlohmann::ordered_json& json, const PinholeCamera& root) {
+  json["view"] = nlohmann::ordered_json::parse(jsonText(root.view()));
+  json["size"] = {{"width", root.width()}, {"height", root.height()}};
+}
+
+}  // namespace ocelli

@@ -1,0 +1,65 @@
+#include "oc_core/constructor/maze_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
+
+namespace ocelli {
+
+const Maze& mazeOf(const GuidedScene& scene, const std::string& where) {
+  if (!scene.guides.maze) {
+    throw InputError("the scene has no maze", where, "use builtin:maze, or builtin:maze,file=MAZE.json");
+  }
+  return *scene.guides.maze;
+}
+
+void checkCell(const Maze& maze, const MazeCell& cell, const std::string& where) {
+  if (!maze.contains(cell)) {
+    throw InputError("the cell " + nameOf(cell) + " is not in the maze", where,
+                     fmt::format("rows are 0 to {}, columns 0 to {}", maze.rows() - 1, maze.columns() - 1));
+  }
+}
+
+std::optional<MazeCell> readCell(JsonFields& fields, const std::string& name) {
+  if (!fields.has(name)) {
+    return std::nullopt;
+  }
+  JsonFields cell(fields.value(name), name);
+  const MazeCell result{cell.integer("row", 0, kMostMazeSide - 1), cell.integer("column", 0, kMostMazeSide - 1)};
+  cell.rejectUnknown();
+  return result;
+}
+
+glm::dvec3 readPoint(JsonFields& fields, const std::string& name) {
+  const nlohmann::json& value = fields.value(name);
+  if (!value.is_array() || value.size() != 3 ||
+      !std::all_of(value.begin(), value.end(), [](const nlohmann::json& each) { return each.is_number(); })) {
+    fields.fail(name, "must be three numbers");
+  }
+  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
+}
+
+Direction nearestDirection(const glm::vec3& vector) {
+  return *std::max_element(kDirections.begin(), kDirections.end(), [&](Direction a, Direction b) {
+    return glm::dot(vector, vectorOf(a)) < glm::dot(vector, vectorOf(b));
+  });
+}
+
+std::optional<Direction> readDirection(JsonFields& fields, const std::string& name) {
+  if (!fields.has(name)) {
+    return std::nullopt;
+  }
+  const std::string text = fields.text(name);
+  for (const Direction direction : kDirections) {
+    if (text == nameOf(direction)) {
+      return direction;
+    }
+  }
+  fields.fail(name, "is \"" + text + "\", but must be north, east, south or west");
+}
+
+}  // namespace ocelli

@@ -1,0 +1,52 @@
+// The portal-based constructor (sections 4.3.1.1 and 7.2): through every portal in view the rays of the reference bend
+// to look straight in, along the portal's normal, so that one sees what lies behind doors and down side corridors.
+//
+// A leaf's viewpoint is the eye, turned about the vertical through the middle of its portal until it faces it. How far
+// it has turned is a function of where the eye is, and of nothing else: not at all next to the portal, far away, edge
+// on, and where the eye faces it anyway. So images change smoothly with the view, and one walks through a portal
+// without noticing: there is no state, and no frame depends on the one before.
+//
+// Where portals are one before the other the nearer one has the rays. It holds them from half of its presence on; below
+// that the farther one takes over, so that it comes into being while the nearer one lets go.
+//
+// DEVIATION: the eye keeps its height over the portal's middle, in the direction of its side `halfUp`, so that what is
+// level runs on across the frame; the text turns it onto the middle axis.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "oc_core/camera/graph_camera.h"
+#include "oc_core/scene/scene_guides.h"
+
+namespace ocelli {
+
+class JsonFields;
+
+/// Distances are from the eye to the nearest point of the portal, in lengths of its shorter side; angles are those
+/// between the direction to its middle, without the height, and its normal.
+struct PortalOptions {
+  std::vector<Portal> portals;  ///< where empty, those of the scene, or else the openings of its maze
+  double straightWithin = 0.1;  ///< nearer than that rays go straight through
+  double bentBeyond = 2;        ///< from there on nearness does not matter
+  double farthest = 12;  ///< rays go straight through portals that are farther away; from 3/4 of it they bend less
+  double straightDegrees = 5;  ///< rays go straight where the eye faces the portal
+  double bentDegrees = 65;     ///< from there on facing it does not matter
+  double edgeDegrees = 87;     ///< rays go straight again where the portal is nearly edge on; bent 4 degrees before
+};
+
+/// How much of the camera a portal is, from 0 to 1. In the lower half it only holds back those behind it; over the
+/// upper half its rays turn. 0 where the eye is behind it.
+double portalPresence(const Portal& portal, const glm::dvec3& eye, const PortalOptions& options = {});
+
+/// Where the rays through a portal come from once they have turned by a share of the way.
+glm::dvec3 portalViewpoint(const Portal& portal, const glm::dvec3& eye, double share);
+
+/// Throws InputError where a portal of the options, not of the scene, has the eye behind it or is edge on; and where
+/// the scene has neither portals nor a maze, or the eye is in a wall of that.
+GraphCamera buildPortalCamera(const PortalOptions& options, const SceneGuides& guides, const PinholeCamera& reference);
+
+/// Throws InputError naming the field.
+PortalOptions readPortalOptions(JsonFields& fields);
+
+}  // namespace ocelli

@@ -1,0 +1,279 @@
+#include "oc_core/multiperspective/camera_plan.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <map>
+#include <utility>
+
+#include "oc_core/base/error.h"
+#include "oc_core/multiperspective/ray_pieces.h"
+#include "oc_core/render/rasterize.h"
+#include "oc_core/render/raycast.h"
+
+namespace ocelli {
+namespace {
+
+constexpr int kRowsTried = 24;        // of a column
+constexpr int kOutlineSamples = 160;  // along each side of the image
+constexpr float kMargin = 0.04f;      // around what is shown
+constexpr float kFarAway = 300;       // sizes of the scene, from which the ground is seen: perspective is slight there
+
+/// What is left of a segment within a box: shares of its length.
+std::optional<std::pair<float, float>> within(const Box& box, const glm::vec3& a, const glm::vec3& b) {
+  float first = 0;
+  float last = 1;
+  for (int k = 0; k < 3; ++k) {
+    const float run = b[k] - a[k];
+    if (run == 0) {
+      if (a[k] < box.lower[k] || a[k] > box.upper[k]) {
+        return std::nullopt;
+      }
+      continue;
+    }
+    const float one = (box.lower[k] - a[k]) / run;
+    const float other = (box.upper[k] - a[k]) / run;
+    first = std::max(first, std::min(one, other));
+    last = std::min(last, std::max(one, other));
+  }
+  return first < last ? std::optional(std::pair(first, last)) : std::nullopt;
+}
+
+/// The piece within the box, which it enters at most once.
+RayPiece clipped(const RayPiece& piece, const Box& box) {
+  RayPiece kept{piece.part, {}};
+  for (size_t i = 0; i + 1 < piece.points.size(); ++i) {
+    const glm::vec3& a = piece.points[i];
+    const glm::vec3& b = piece.points[i + 1];
+    if (const auto share = within(box, a, b)) {
+      if (kept.points.empty()) {
+        kept.points.push_back(a + (b - a) * share->first);
+      }
+      kept.points.push_back(a + (b - a) * share->second);
+    }
+  }
+  return kept;
+}
+
+/// Ends a ray at a point on it.
+void endAt(std::vector<RayPiece>& pieces, const glm::vec3& hit) {
+  size_t bestPiece = 0;
+  size_t bestPoint = 0;
+  float best = 1e30f;
+  for (size_t i = 0; i < pieces.size(); ++i) {
+    for (size_t k = 0; k + 1 < pieces[i].points.size(); ++k) {
+      const glm::vec3 from = pieces[i].points[k];
+      const glm::vec3 run = pieces[i].points[k + 1] - from;
+      const float share = glm::clamp(glm::dot(hit - from, run) / std::max(glm::dot(run, run), 1e-30f), 0.0f, 1.0f);
+      const float off = glm::distance(hit, from + run * share);
+      if (off < best) {
+        best = off;
+        bestPiece = i;
+        bestPoint = k;
+      }
+    }
+  }
+  pieces.resize(bestPiece + 1);
+  pieces.back().points.resize(bestPoint + 1);
+  pieces.back().points.push_back(hit);
+}
+
+float lengthOf(const std::vector<RayPiece>& pieces) {
+  float length = 0;
+  for (const RayPiece& piece : pieces) {
+    for (size_t k = 0; k + 1 < piece.points.size(); ++k) {
+      length += glm::distance(piece.points[k], piece.points[k + 1]);
+    }
+  }
+  return length;
+}
+
+std::vector<glm::vec2> convexHull(std::vector<glm::vec2> points) {
+  const auto cross = [](const glm::vec2& o, const glm::vec2& a, const glm::vec2& b) {
+    return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+  };
+  std::sort(points.begin(), points.end(),
+            [](const auto& a, const auto& b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
+  std::vector<glm::vec2> hull;
+  for (int side = 0; side < 2; ++side) {
+    const size_t start = hull.size();
+    for (const glm::vec2& point : points) {
+      while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= 0) {
+        hull.pop_back();
+      }
+      hull.push_back(point);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+template <class Camera>
+class Planner {
+ public:
+  Planner(const Camera& camera, const Mesh& mesh, const PlanOptions& options)
+      : camera_(camera), mesh_(mesh), scene_(mesh), options_(options), box_(scene_.bounds()) {
+    // Flat seen from this side, so that no ray passes over what it shows.
+    glm::vec3 margin = box_.size() * kMargin + 1e-6f;
+    margin[axisOf(options.side)] = 1e-6f;
+    box_ = {box_.lower - margin, box_.upper + margin};
+  }
+
+  CameraPlan make() {
+    plan_.side = options_.side;
+    addParts();
+    addRays();
+    frame();
+    const float at = options_.cut.value_or(camera_.root().eye()[axisOf(options_.side)]);
+    plan_.section = sectionOf(mesh_, options_.side, at);
+    if (options_.groundPixels > 0) {
+      plan_.ground = groundBelow(at);
+    }
+    return std::move(plan_);
+  }
+
+ private:
+  glm::vec2 paper(const glm::vec3& p) const { return onPaper(options_.side, p); }
+
+  void addParts() {
+    const std::vector<std::string> names = partNames(camera_);
+    const std::vector<glm::vec3> viewpoints = partViewpoints(camera_);
+    for (size_t i = 0; i < names.size(); ++i) {
+      plan_.parts.push_back({names[i], paper(viewpoints[i]), {}});
+    }
+    std::vector<glm::vec2> pixels = cornerPixels(camera_);
+    const glm::vec2 step = glm::vec2(camera_.width(), camera_.height()) / static_cast<float>(kOutlineSamples);
+    for (int y = 0; y <= kOutlineSamples; ++y) {
+      for (int x = 0; x <= kOutlineSamples; ++x) {
+        pixels.push_back(glm::vec2(x, y) * step);
+      }
+    }
+    // The points that rays pass in each part, apart for each part that they go on to.
+    std::map<std::pair<int, int>, std::vector<glm::vec2>> passed;
+    for (const glm::vec2& pixel : pixels) {
+      const std::vector<RayPiece> pieces = rayPieces(camera_, pixel);
+      for (size_t i = 0; i < pieces.size(); ++i) {
+        const int next = i + 1 < pieces.size() ? pieces[i + 1].part : -1;
+        for (const glm::vec3& point : clipped(pieces[i], box_).points) {
+          passed[{pieces[i].part, next}].push_back(paper(point));
+        }
+      }
+    }
+    for (const auto& [place, points] : passed) {
+      const std::vector<glm::vec2> hull = convexHull(points);
+      if (hull.size() >= 3) {
+        plan_.parts[static_cast<size_t>(place.first)].outlines.push_back(hull);
+      }
+    }
+  }
+
+  /// A ray within the scene, to what it meets.
+  std::pair<std::vector<RayPiece>, bool> seen(const glm::vec2& pixel) const {
+    std::vector<RayPiece> pieces = rayPieces(camera_, pixel);
+    const Fragment hit = scene_.intersect(camera_.rayPath(pixel));
+    if (hit.covered()) {
+      endAt(pieces, positionOf(hit, mesh_));
+    }
+    for (RayPiece& piece : pieces) {
+      piece = clipped(piece, box_);
+    }
+    std::erase_if(pieces, [](const RayPiece& piece) { return piece.points.size() < 2; });
+    return {pieces, hit.covered()};
+  }
+
+  void addRays() {
+    for (int i = 0; i < options_.rays; ++i) {
+      const float u =
+          (static_cast<float>(i) + 0.5f) / static_cast<float>(options_.rays) * static_cast<float>(camera_.width());
+      std::pair<std::vector<RayPiece>, bool> farthest;
+      for (int row = 0; row < kRowsTried; ++row) {
+        const float v = (static_cast<float>(row) + 0.5f) / kRowsTried * static_cast<float>(camera_.height());
+        auto ray = seen({u, v});
+        if (std::pair(ray.second, lengthOf(ray.first)) > std::pair(farthest.second, lengthOf(farthest.first))) {
+          farthest = std::move(ray);
+        }
+      }
+      CameraPlan::Ray ray{{}, farthest.second};
+      for (const RayPiece& piece : farthest.first) {
+        ray.pieces.push_back({piece.part, {}});
+        for (const glm::vec3& point : piece.points) {
+          ray.pieces.back().points.push_back(paper(point));
+        }
+      }
+      plan_.rays.push_back(std::move(ray));
+    }
+  }
+
+  void frame() {
+    glm::vec2 lower(1e30f);
+    glm::vec2 upper(-1e30f);
+    const auto add = [&](const glm::vec2& point) {
+      lower = glm::min(lower, point);
+      upper = glm::max(upper, point);
+    };
+    for (const CameraPlan::Ray& ray : plan_.rays) {
+      for (const CameraPlan::Ray::Piece& piece : ray.pieces) {
+        std::for_each(piece.points.begin(), piece.points.end(), add);
+      }
+    }
+    if (lower.x > upper.x) {  // no ray comes near the scene
+      add(paper(box_.lower));
+      add(paper(box_.upper));
+    }
+    const glm::vec2 margin(kMargin * std::max(upper.x - lower.x, upper.y - lower.y) + 1e-6f);
+    plan_.lower = lower - margin;
+    plan_.upper = upper + margin;
+  }
+
+  /// The scene from so far away that its lines of sight are nearly parallel, without what lies before the cut.
+  Image<Rgb8> groundBelow(float at) const {
+    const glm::vec2 size = plan_.upper - plan_.lower;
+    const float scale = static_cast<float>(options_.groundPixels) / std::max(size.x, size.y);
+    const int width = std::max(1, static_cast<int>(size.x * scale));
+    const int height = std::max(1, static_cast<int>(size.y * scale));
+    const int axis = axisOf(options_.side);
+    const float distance = kFarAway * std::max(glm::length(box_.size()), std::max(size.x, size.y));
+    const glm::vec2 middle = (plan_.lower + plan_.upper) * 0.5f;
+    View view;
+    view.target = worldFromPaper(middle, at);
+    view.eye = view.target;
+    view.eye[axis] += distance;
+    view.up = options_.side == PlanSide::kTop ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
+    view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(static_cast<double>(size.y / 2 / distance)));
+    view.zNear = distance;
+    view.zFar = distance + 2 * glm::length(box_.size());
+    const PinholeCamera camera(view, width, height);
+    return srgbFromLinear(colorImage(rasterize(camera, mesh_), mesh_, glm::vec3(1)));
+  }
+
+  glm::vec3 worldFromPaper(const glm::vec2& p, float at) const {
+    switch (options_.side) {
+      case PlanSide::kTop:
+        return {p.x, at, p.y};
+      case PlanSide::kFront:
+        return {p.x, -p.y, at};
+      case PlanSide::kRight:
+        return {at, -p.y, -p.x};
+    }
+    return glm::vec3(0);
+  }
+
+  const Camera& camera_;
+  const Mesh& mesh_;
+  RayScene scene_;
+  PlanOptions options_;
+  Box box_;
+  CameraPlan plan_;
+};
+
+}  // namespace
+
+CameraPlan planOf(const MultiperspectiveCamera& camera, const Mesh& mesh, const PlanOptions& options) {
+  if (mesh.triangles.empty()) {
+    throw InputError("the scene has no triangle", "plan", "choose another scene");
+  }
+  return std::visit([&](const auto& each) { return Planner(each, mesh, options).make(); }, camera);
+}
+
+}  // namespace ocelli

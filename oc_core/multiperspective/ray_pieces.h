@@ -1,0 +1,32 @@
+// The ray of a pixel, cut where it passes from one part of a camera into the next. The parts of a graph camera are its
+// frusta. Those of a curved ray camera are its stretches, straight ones at even numbers and turns at odd ones.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "oc_core/constructor/multiperspective_camera.h"
+
+namespace ocelli {
+
+struct RayPiece {
+  int part = 0;
+  std::vector<glm::vec3> points;  ///< two or more, from near to far
+};
+
+std::vector<RayPiece> rayPieces(const GraphCamera& camera, const glm::vec2& pixel);
+std::vector<RayPiece> rayPieces(const CurvedRayCamera& camera, const glm::vec2& pixel);
+
+/// Pixels just within the corners of each part's share of the image.
+std::vector<glm::vec2> cornerPixels(const GraphCamera& camera);
+std::vector<glm::vec2> cornerPixels(const CurvedRayCamera& camera);
+
+/// What people call each part.
+std::vector<std::string> partNames(const GraphCamera& camera);
+std::vector<std::string> partNames(const CurvedRayCamera& camera);
+
+/// Where the straight rays of each part come from; a turn has no one viewpoint, and takes that of the stretch before.
+std::vector<glm::vec3> partViewpoints(const GraphCamera& camera);
+std::vector<glm::vec3> partViewpoints(const CurvedRayCamera& camera);
+
+}  // namespace ocelli

@@ -1,0 +1,133 @@
+// `ocelli camera`, and `ocelli render` with its cameras, from outside.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "oc_core/base/png_file.h"
+#include "tests/base/temporary_folder.h"
+#include "tests/cli/run_program.h"
+
+namespace ocelli::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class CameraCommand : public testing::Test {
+ protected:
+  CameraCommand() {
+    folder_.write("cross.json", R"({"camera": "graph", "operations": [
+      {"operation": "split", "of": "root", "into": [
+        {"name": "left", "plane": {"point": [0, 0, 0.5], "normal": [-0.3, 0, -1]}, "viewpoint": [1.5, 0, 7]},
+        {"name": "right", "plane": {"point": [0, 0, 0.5], "normal": [0.3, 0, -1]}, "viewpoint": [-1.5, 0, 7]}]}]})");
+    folder_.write("edits.jsonl", R"({"edit": "remove", "name": "left"}
+
+{"edit": "undo"}
+{"edit": "rename", "name": "left", "to": "west"}
+)");
+  }
+  std::string path(const std::string& name) const {
+    std::string quoted("'");
+    quoted += (folder_ / name).string();
+    return quoted += '\'';
+  }
+  std::string bytes(const std::string& name) const { return fileBytes(folder_ / name); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(CameraCommand, listNamesEveryConstructor) {
+  const ProgramResult result = runProgram("camera list");
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_THAT(result.output, AllOf(HasSubstr("graph "), HasSubstr("curved "), HasSubstr("comprehensive ")));
+}
+
+TEST_F(CameraCommand, showDrawsAPlan) {
+  for (const std::string ending : {"svg", "png"}) {
+    const ProgramResult result =
+        runProgram("camera show builtin:boxes --camera " + path("cross.json") +
+                   " --from front --cut 0.1 --rays 9 --pixels 200 -o " + path("plan." + ending));
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    EXPECT_THAT(result.error, HasSubstr("3 parts of the camera, 9 rays"));
+  }
+  EXPECT_THAT(bytes("plan.svg"), HasSubstr("</svg>"));
+  EXPECT_GT(readPng(folder_ / "plan.png").width(), 200);
+}
+
+TEST_F(CameraCommand, infoDescribesAndWritesTheCamera) {
+  const std::string command = "camera info builtin:maze,rows=3,columns=3 --camera comprehensive --json -o ";
+  const ProgramResult result = runProgram(command + path("maze.json"));
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  const auto info = nlohmann::json::parse(result.output);
+  EXPECT_EQ(info["camera"], "graph");
+  EXPECT_EQ(info["frusta"][0]["name"], "root");
+  EXPECT_GT(info["frusta"].size(), 3u);
+  EXPECT_TRUE(info["overlaps"].empty());
+  // What it wrote is the same camera.
+  const auto again = runProgram("camera info builtin:maze,rows=3,columns=3 --json --camera " + path("maze.json"));
+  ASSERT_EQ(again.exitCode, 0) << again.error;
+  EXPECT_EQ(nlohmann::json::parse(again.output), info);
+}
+
+TEST_F(CameraCommand, editsFromAFileEndAtTheFirstError) {
+  const std::string command = "camera edit builtin:box --camera " + path("cross.json") + " --image " +
+                              path("live.png") + " -o " + path("out.json");
+  ProgramResult result = runProgram(command + " --edits " + path("edits.jsonl"));
+  EXPECT_EQ(result.exitCode, 0) << result.error;
+  EXPECT_THAT(bytes("out.json"), AllOf(HasSubstr("\"west\""), HasSubstr("\"right\""), Not(HasSubstr("\"left\""))));
+  EXPECT_EQ(readPng(folder_ / "live.png").width(), 1280);
+  folder_.write("bad.jsonl", "{\"edit\": \"undo\"}\n");
+  result = runProgram(command + " --edits " + path("bad.jsonl"));
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_THAT(result.error, AllOf(HasSubstr("bad.jsonl, line 1"), HasSubstr("nothing to undo")));
+  EXPECT_EQ(runProgram(command + " --edits /no/such/file").exitCode, 2);
+}
+
+TEST_F(CameraCommand, editsFromAProgramAreAnsweredOneByOne) {
+  const ProgramResult result = runShell(
+      "printf '{\"edit\": \"undo\"}\\n{\"edit\": \"remove\", \"name\": \"left\"}\\n' | \"$OCELLI\" camera edit "
+      "builtin:box --size 90x60 --camera " +
+      path("cross.json") + " -o " + path("out.json"));
+  EXPECT_EQ(result.exitCode, 0) << result.error;
+  EXPECT_THAT(result.output, AllOf(HasSubstr("\"line\":1"), HasSubstr("nothing to undo")));
+  EXPECT_THAT(result.output, HasSubstr("{\"done\":true,\"line\":2}"));
+  EXPECT_THAT(bytes("out.json"), Not(HasSubstr("\"left\"")));
+}
+
+TEST_F(CameraCommand, renderWritesPicturesAndObjects) {
+  const std::string command = "render builtin:boxes --size 180x120 --camera " + path("cross.json");
+  EXPECT_EQ(runProgram(command + " --identity " + path("objects.png") + " -o " + path("a.png")).exitCode, 0);
+  EXPECT_EQ(runProgram(command + " --method raycast -o " + path("b.png")).exitCode, 0);
+  EXPECT_EQ(runProgram(command + " -o " + path("c.exr")).exitCode, 0);
+  const Image<Rgb8> raster = readPng(folder_ / "a.png");
+  const Image<Rgb8> cast = readPng(folder_ / "b.png");
+  size_t differing = 0;
+  for (size_t i = 0; i < raster.size(); ++i) {
+    differing += raster[i] != cast[i];
+  }
+  EXPECT_LE(differing, raster.size() / 200);
+  EXPECT_EQ(readPng(folder_ / "objects.png").width(), 180);
+  EXPECT_THAT(bytes("c.exr"), HasSubstr("\"operations\""));
+  EXPECT_THAT(runProgram("ocri mesh " + path("c.exr") + " -o " + path("c.ply")).exitCode, 2);
+}
+
+TEST_F(CameraCommand, errorsSayWhatToDo) {
+  const std::string png = " -o " + path("x.png");
+  for (const auto& [arguments, message] : std::vector<std::pair<std::string, std::string>>{
+           {"camera show builtin:box --camera nothing", "no constructor of cameras \"nothing\""},
+           {"camera show builtin:box --camera /no/such.json", "/no/such.json"},
+           {"camera show builtin:box --camera ddoc", "use graph, curved"},
+           {"camera show builtin:box --camera graph", "\"operations\" is missing"},
+           {"camera show builtin:box --camera comprehensive", "maze"},
+           {"render builtin:box --camera ddoc --identity " + path("i.png"), "only graph and curved"},
+           {"render builtin:box --method points --camera " + path("cross.json"), "use raster, raycast or gl"}}) {
+    const ProgramResult result = runProgram(arguments + png);
+    EXPECT_EQ(result.exitCode, 2) << arguments;
+    EXPECT_THAT(result.error, AllOf(HasSubstr(message), HasSubstr("try:"))) << arguments;
+  }
+}
+
+}  // namespace
+}  // namespace ocelli::test

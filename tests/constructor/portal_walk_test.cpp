@@ -1,0 +1,103 @@
+// What someone sees who walks with a portal camera: how much consecutive images differ, beside the pinhole's.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "oc_core/constructor/portal_constructor.h"
+#include "oc_core/render/rasterize.h"
+#include "oc_core/render/rasterize_graph.h"
+#include "oc_core/scene/scene_source.h"
+#include "tests/constructor/image_change.h"
+#include "tests/constructor/random_walk.h"
+
+namespace ocelli {
+namespace {
+
+struct Changes {
+  double pinhole = 0;
+  double camera = 0;
+};
+
+/// From each frame to the next.
+std::vector<Changes> changesAlong(const std::vector<View>& views, const GuidedScene& scene) {
+  std::vector<Changes> changes;
+  test::ImageChange pinhole;
+  test::ImageChange camera;
+  for (const View& view : views) {
+    const PinholeCamera reference(view, 160, 90);
+    const auto ofPinhole = pinhole.next(rasterize(reference, scene.mesh), scene.mesh);
+    const auto ofCamera =
+        camera.next(rasterize(buildPortalCamera({}, scene.guides, reference), scene.mesh), scene.mesh);
+    if (ofPinhole) {
+      changes.push_back({*ofPinhole, *ofCamera});
+    }
+  }
+  return changes;
+}
+
+Changes greatest(const std::vector<Changes>& changes) {
+  Changes most;
+  for (const Changes& each : changes) {
+    most.pinhole = std::max(most.pinhole, each.pinhole);
+    most.camera = std::max(most.camera, each.camera);
+  }
+  return most;
+}
+
+/// A step and a turn as at a walk, 2 m/s and 90 degrees/s at 20 frames a second.
+constexpr float kStepMetres = 0.1f;
+constexpr float kStepDegrees = 4.5f;
+
+TEST(PortalWalk, imagesChangeAsThePinholesDoInMazes) {
+  std::vector<double> ofSteps;
+  std::vector<double> ofWalks;
+  double camera = 0;
+  double pinhole = 0;
+  for (uint64_t seed = 1; seed <= 100; ++seed) {
+    const GuidedScene scene = loadGuidedScene("builtin:maze,seed=" + std::to_string(seed), {.fit = false});
+    Random random(seed);
+    const std::vector<Changes> changes = changesAlong(
+        test::walkAlong(test::randomLine(*scene.guides.maze, 6, random), 0, kStepMetres, kStepDegrees), scene);
+    for (const Changes& each : changes) {
+      ofSteps.push_back(each.camera / std::max(each.pinhole, 1e-9));
+      camera += each.camera;
+      pinhole += each.pinhole;
+    }
+    ofWalks.push_back(greatest(changes).camera / greatest(changes).pinhole);
+  }
+  test::report("camera / pinhole, each of the steps", ofSteps);
+  test::report("camera / pinhole, the largest step of each walk", ofWalks);
+  std::printf("camera / pinhole, all steps together: %.3f\n", camera / pinhole);
+  // The largest change of a walk comes from turning the head, which moves all of the image, whatever it shows.
+  EXPECT_LE(*std::max_element(ofWalks.begin(), ofWalks.end()), 1.1);
+  EXPECT_LE(camera / pinhole, 1.1);
+}
+
+TEST(PortalWalk, nothingJumpsInADoorway) {
+  const GuidedScene scene = loadGuidedScene("builtin:town", {.fit = false});
+  size_t doors = 0;
+  for (const Portal& portal : scene.guides.portals) {
+    if (portal.center.y - portal.halfUp.y > 0.5f || ++doors % 24 != 0) {
+      continue;  // a window, or one of many doors
+    }
+    const auto plan = [](const glm::vec3& p) { return glm::vec2(p.x, p.z); };
+    const glm::vec2 center = plan(portal.center);
+    const glm::vec2 out = plan(portal.normal);
+    const glm::vec2 right = plan(glm::normalize(portal.halfRight));
+    // From the side of the street through the door, and in.
+    const std::vector<glm::vec2> line{center + out * 2.0f + right * 2.0f, center + out * 0.8f + right * 0.2f,
+                                      center - out * 0.5f, center - out * 1.8f};
+    const float floor = portal.center.y - portal.halfUp.y;
+    const Changes coarse = greatest(changesAlong(test::walkAlong(line, floor, 0.05f, 2), scene));
+    const Changes fine = greatest(changesAlong(test::walkAlong(line, floor, 0.05f / 4, 0.5f), scene));
+    std::printf("door %zu: pinhole %.4f, camera %.4f; at a quarter of the steps %.4f and %.4f\n", doors, coarse.pinhole,
+                coarse.camera, fine.pinhole, fine.camera);
+    EXPECT_LE(coarse.camera, 1.1 * coarse.pinhole);
+    // An image that jumped would change as much by however small a step.
+    EXPECT_LE(fine.camera, 0.6 * coarse.camera);
+  }
+  EXPECT_GE(doors, 24u);
+}
+
+}  // namespace
+}  // namespace ocelli
