@@ -8,9 +8,11 @@
 #include "oc_core/constructor/curved_turns.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/constructor/maze_constructor.h"
+#include "oc_core/constructor/occluder_constructor.h"
 #include "oc_core/constructor/maze_options.h"
 #include "oc_core/constructor/path_constructor.h"
 #include "oc_core/constructor/portal_constructor.h"
+#include "oc_core/constructor/target_constructor.h"
 
 namespace ocelli {
 namespace {
@@ -66,6 +68,14 @@ const std::vector<CameraConstructor>& cameraConstructors() {
       {"path", "curved ray camera that previews a path behind its next turns",
        [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
          return MultiperspectiveCamera(buildPathCamera(readPathOptions(options), scene.guides, reference));
+       }},
+      {"occluder", "graph camera that looks around a box",
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(buildOccluderCamera(readOccluderOptions(options), scene, reference));
+       }},
+      {"target", "curved ray camera that bends around what hides a target",
+       [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         return MultiperspectiveCamera(buildTargetCamera(readTargetOptions(options), scene, reference));
        }},
   };
   return constructors;

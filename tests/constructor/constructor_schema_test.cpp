@@ -6,8 +6,10 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/constructor/camera_constructors.h"
+#include "oc_core/constructor/occluder_constructor.h"
 #include "oc_core/constructor/path_constructor.h"
 #include "oc_core/constructor/portal_constructor.h"
+#include "oc_core/constructor/target_constructor.h"
 #include "tests/base/schema_agreement.h"
 #include "tests/base/temporary_folder.h"
 
@@ -57,7 +59,9 @@ TEST(ConstructorSchema, hasABranchForEachOfItsNames) {
   }
   const std::set<std::string> listed = schema().at("properties").at("camera").at("enum");
   EXPECT_EQ(branches, listed);
-  EXPECT_EQ(branches.size(), schema().at("$defs").size());
+  for (const auto& [name, definition] : schema().at("$defs").items()) {
+    EXPECT_EQ(branches.contains(name), definition.at("properties").contains("camera")) << name;
+  }
 }
 
 TEST(ConstructorSchema, portalIsWhatItsReaderTakes) {
@@ -74,6 +78,39 @@ TEST(ConstructorSchema, portalIsWhatItsReaderTakes) {
     items.at("properties").at(vector)["default"] = {0.5, 0.25, 0.75};
   }
   test::SchemaAgreement{items, errorOfItem, base.at("portals").at(0)}.check();
+}
+
+/// The definition of boxes, with something for each corner that the reader takes.
+nlohmann::json schemaOfBox() {
+  nlohmann::json box = schemaOf("box");
+  box.at("properties").at("lower")["default"] = {-1e6, -1e6, -1e6};
+  box.at("properties").at("upper")["default"] = {1e6, 1e6, 1e6};
+  return box;
+}
+
+TEST(ConstructorSchema, targetIsWhatItsReaderTakes) {
+  const nlohmann::json box = nlohmann::json::parse(R"({"lower": [-1, -2, -3], "upper": [1, 2, 3]})");
+  const nlohmann::json base{{"camera", "target"}, {"box", box}, {"occluders", {box}}};
+  test::SchemaAgreement{schemaOf("target"), errorOf, base}.check();
+  const auto errorOfBox = [&](const std::string& text) {
+    nlohmann::json document = base;
+    document["box"] = nlohmann::json::parse(text);
+    return errorOf(document.dump());
+  };
+  test::SchemaAgreement{schemaOfBox(), errorOfBox, box}.check();
+  const TargetOptions options;
+  expectDefaults("target", {{"f", options.f},
+                            {"most_f", options.mostF},
+                            {"visible_share", options.visibleShare},
+                            {"enlarged", options.enlarged}});
+}
+
+TEST(ConstructorSchema, occluderIsWhatItsReaderTakes) {
+  const nlohmann::json base =
+      nlohmann::json::parse(R"({"camera": "occluder", "box": {"lower": [-1, -2, -3], "upper": [1, 2, 3]}})");
+  test::SchemaAgreement{schemaOf("occluder"), errorOf, base}.check();
+  const OccluderOptions options;
+  expectDefaults("occluder", {{"object", options.object}, {"shadow", options.shadow}});
 }
 
 TEST(ConstructorSchema, pathIsWhatItsReaderTakes) {

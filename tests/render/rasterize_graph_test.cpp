@@ -59,8 +59,8 @@ TEST(RasterizeGraph, theRootAloneIsThePinhole) {
   EXPECT_LE(d.differing, d.samples / 1000) << d;
 }
 
-// At silhouettes rounding decides, and where planes or parts pass through a pixel centre. Images are of a width at which
-// no bar of the fence ends along a column of pixel centres.
+// At silhouettes rounding decides, and where planes or parts pass through a pixel centre. Images are of a width at
+// which no bar of the fence ends along a column of pixel centres.
 TEST(RasterizeGraph, agreesWithRayCasting) {
   const PinholeCamera camera(View{}, 196, 130);
   for (const char* scene : {"builtin:boxes", "builtin:statues", "builtin:fence,gap=4"}) {

@@ -1,0 +1,214 @@
+#include "oc_core/constructor/target_constructor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
+#include "oc_core/constructor/object_boxes.h"
+
+namespace ocelli {
+namespace {
+
+constexpr size_t kMostOccluders = 4096;
+/// Less does not move a pixel.
+constexpr double kLeastF = 1e-5;
+constexpr int kPointsASide = 4;  // of the target's box
+constexpr double kSearchStep = 0.05;
+
+// In distances to the target.
+constexpr double kOffset = 0.5;     ///< of the second viewpoint at f = 1
+constexpr double kBegin = 0.5;      ///< of the bend, on the middle ray
+constexpr double kMiddle = 0.6;     ///< of the bend
+constexpr double kLatestEnd = 0.8;  ///< of the bend, on any ray
+
+constexpr double kBesideRays = 0.1;  ///< where the planes meet, in widths of the bundle of rays
+
+double depthOf(const PinholeCamera& view, const glm::vec3& point) {
+  return static_cast<double>(view.cameraFromWorld(point).z);
+}
+
+Box enlargedBy(const Box& box, double share) {
+  const glm::vec3 margin = box.size() * static_cast<float>(share);
+  return {box.lower - margin, box.upper + margin};
+}
+
+/// Evenly in the box, none on its faces: next to those rays pass the object by.
+std::vector<glm::vec3> pointsOf(const Box& box) {
+  std::vector<glm::vec3> points;
+  for (int i = 0; i < kPointsASide * kPointsASide * kPointsASide; ++i) {
+    const glm::ivec3 place(i % kPointsASide, i / kPointsASide % kPointsASide, i / (kPointsASide * kPointsASide));
+    points.push_back(box.lower + box.size() * (glm::vec3(place) + 0.5f) / static_cast<float>(kPointsASide));
+  }
+  return points;
+}
+
+/// The ray path up to the place next to `point`, which it passes.
+std::vector<glm::vec3> pathTo(const RayPath& path, const glm::vec3& point) {
+  size_t nearest = 0;
+  float least = std::numeric_limits<float>::infinity();
+  for (size_t i = 0; i + 1 < path.size(); ++i) {
+    const glm::vec3 way = path[i + 1] - path[i];
+    const float length = std::max(glm::dot(way, way), 1e-30f);
+    const float share = std::clamp(glm::dot(point - path[i], way) / length, 0.0f, 1.0f);
+    const float distance = glm::distance(point, path[i] + way * share);
+    if (distance < least) {
+      least = distance;
+      nearest = i;
+    }
+  }
+  std::vector<glm::vec3> points(path.begin(), path.begin() + nearest + 1);
+  points.push_back(point);
+  return points;
+}
+
+bool meetsAny(const std::vector<glm::vec3>& path, std::span<const Box> boxes) {
+  Box around;
+  for (const glm::vec3& point : path) {
+    around.add(point);
+  }
+  return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) {
+    if (box.empty() || glm::any(glm::lessThan(box.upper, around.lower)) ||
+        glm::any(glm::lessThan(around.upper, box.lower))) {
+      return false;
+    }
+    for (size_t i = 0; i + 1 < path.size(); ++i) {
+      if (meets(box, path[i], path[i + 1])) {
+        return true;
+      }
+    }
+    return false;
+  });
+}
+
+void requireInFront(const Box& target, const PinholeCamera& view) {
+  if (contains(target, view.eye())) {
+    throw InputError("the eye is in the box of the target", "target camera", "move the eye out of it");
+  }
+  if (!(depthOf(view, target.center()) > static_cast<double>(view.view().zNear))) {
+    throw InputError("the target is behind the eye", "target camera", "turn the view towards it");
+  }
+}
+
+}  // namespace
+
+CurvedRayCamera bentCamera(const PinholeCamera& view, const Box& target, double f) {
+  CurvedRayCamera camera(view);
+  const double distance = depthOf(view, target.center());
+  if (std::abs(f) < kLeastF || !(distance * (2 * kMiddle - kLatestEnd) > 2 * static_cast<double>(view.view().zNear)) ||
+      !(distance < static_cast<double>(view.view().zFar))) {
+    return camera;
+  }
+  // To the side to which rays bend, across the view, and forward.
+  const glm::dvec3 eye(view.eye());
+  const glm::dvec3 side = glm::dvec3(view.right()) * (f > 0 ? 1.0 : -1.0);
+  const glm::dvec3 forward(view.forward());
+  const double focal = static_cast<double>(view.focalPixels());
+  const double left = static_cast<double>(view.centerPixels().x) / focal;
+  const double right = view.width() / focal - left;
+  const double middle = kMiddle * distance;
+  const double inner = (f > 0 ? right : left) * middle + kBesideRays * (left + right) * middle;
+  const double outer = (f > 0 ? left : right) * kLatestEnd * distance;
+  const double slope = std::min((kMiddle - kBegin) * distance / std::max(inner, 1e-300),
+                                (kLatestEnd - kMiddle) * distance / (inner + outer));
+  const glm::dvec3 onLine = eye + forward * middle + side * inner;
+  const auto planeAt = [&](double tilt) { return Plane::through(onLine, forward + side * tilt); };
+  camera.turn({planeAt(-slope), planeAt(0), planeAt(slope)}, eye - side * (std::abs(f) * kOffset * distance));
+  return camera;
+}
+
+double visibleShare(const CurvedRayCamera& camera, std::span<const Box> occluders, const Box& target) {
+  const std::vector<glm::vec3> points = pointsOf(target);
+  size_t visible = 0;
+  for (const glm::vec3& point : points) {
+    const std::optional<ImagePoint> image = camera.project(point);
+    if (!image || !(image->u >= 0 && image->v >= 0 && image->u <= static_cast<float>(camera.width()) &&
+                    image->v <= static_cast<float>(camera.height()))) {
+      continue;
+    }
+    if (!meetsAny(pathTo(camera.rayPath({image->u, image->v}), point), occluders)) {
+      ++visible;
+    }
+  }
+  return static_cast<double>(visible) / static_cast<double>(points.size());
+}
+
+double TargetTracker::wanted(const PinholeCamera& view, std::span<const Box> occluders, const Box& target) const {
+  const Box enlarged = enlargedBy(target, options_.enlarged);
+  const auto shows = [&](double f) {
+    return visibleShare(bentCamera(view, target, f), occluders, enlarged) >= options_.visibleShare;
+  };
+  if (shows(0)) {
+    return 0;
+  }
+  if (shows(f_)) {
+    return f_;
+  }
+  for (double away = kSearchStep; away <= 2 * options_.mostF + kSearchStep; away += kSearchStep) {
+    for (const double f : {f_ - away, f_ + away}) {
+      if (std::abs(f) <= options_.mostF && shows(f)) {
+        return f;
+      }
+    }
+  }
+  return 0;
+}
+
+CurvedRayCamera TargetTracker::update(const PinholeCamera& view, std::span<const Box> occluders, const Box& target) {
+  f_ += std::clamp(wanted(view, occluders, target) - f_, -options_.mostChange, options_.mostChange);
+  return bentCamera(view, target, f_);
+}
+
+std::vector<Box> occluderBoxes(const GuidedScene& scene) {
+  std::vector<Box> boxes = objectBoxes(scene);
+  boxes.resize(std::max<size_t>(boxes.size(), 1));
+  boxes.front() = {};
+  if (scene.guides.target && scene.guides.target->object < boxes.size()) {
+    boxes[scene.guides.target->object] = {};
+  }
+  std::erase_if(boxes, [](const Box& box) { return box.empty(); });
+  return boxes;
+}
+
+CurvedRayCamera buildTargetCamera(const TargetOptions& options, const GuidedScene& scene,
+                                  const PinholeCamera& reference) {
+  if (!options.box && !scene.guides.target) {
+    throw InputError("the scene has no target of its own", "target camera",
+                     "give \"box\", or choose a scene that has one, such as builtin:boxes,floor=1");
+  }
+  const Box target = options.box ? *options.box : scene.guides.target->box;
+  requireInFront(target, reference);
+  std::vector<Box> occluders = options.occluders.empty() ? occluderBoxes(scene) : options.occluders;
+  if (options.box) {
+    // What stands in the box is the target.
+    std::erase_if(occluders, [&](const Box& box) { return contains(target, box.center()); });
+  }
+  return bentCamera(reference, target, TargetTracker(options).wanted(reference, occluders, target));
+}
+
+TargetOptions readTargetOptions(JsonFields& fields) {
+  TargetOptions options;
+  if (fields.has("box")) {
+    options.box = readBox(fields, "box");
+  }
+  if (fields.has("occluders")) {
+    const nlohmann::json& list = fields.value("occluders");
+    if (!list.is_array() || list.empty() || list.size() > kMostOccluders) {
+      fields.fail("occluders", "must be a list of 1 to 4096 boxes");
+    }
+    for (size_t i = 0; i < list.size(); ++i) {
+      const nlohmann::json box{{"box", list[i]}};
+      JsonFields ofBox(box, fields.where() + ", \"occluders\" " + std::to_string(i + 1));
+      options.occluders.push_back(readBox(ofBox, "box"));
+    }
+  }
+  options.f = fields.number("f", -1, 1, options.f);
+  options.mostF = fields.number("most_f", 0, 1, options.mostF);
+  options.visibleShare = fields.number("visible_share", 0.01, 1, options.visibleShare);
+  options.enlarged = fields.number("enlarged", 0, 10, options.enlarged);
+  return options;
+}
+
+}  // namespace ocelli
