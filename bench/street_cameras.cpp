@@ -39,8 +39,7 @@ GraphCamera streetGraph(const Street& street, int width, int height) {
   const double right = column(0.08);
   graph.bend(0, {frame.plane(-0.08, 0.92, -1, 1), frame.point(0.27, 0.93)}, "left", columns(0, left));
   graph.bend(0, {frame.plane(0.08, 0.92, 1, 1), frame.point(-0.27, 0.93)}, "right", columns(right, width));
-  const int ahead =
-      graph.bend(0, {frame.plane(0, 1.27, 0, 1), frame.point(0, 0.18)}, "ahead", columns(left, right));
+  const int ahead = graph.bend(0, {frame.plane(0, 1.27, 0, 1), frame.point(0, 0.18)}, "ahead", columns(left, right));
   const double farLeft = column(-0.03);
   const double farRight = column(0.03);
   graph.bend(ahead, {frame.plane(-0.1, 2.5, -1, 1), frame.point(0.3, 2.55)}, "far left", columns(left, farLeft));

@@ -6,8 +6,18 @@
 namespace ocelli {
 namespace {
 
-/// The root in [0, 1] of the quadratic with these Bernstein coefficients, of which the first and the last differ in
-/// sign, but for rounding at the ends.
+/// Where a line crosses the plane through `on` with this normal.
+std::optional<glm::dvec3> crossing(const glm::dvec3& point, const glm::dvec3& direction, const glm::dvec3& on,
+                                   const glm::dvec3& normal) {
+  const double along = glm::dot(normal, direction);
+  if (std::abs(along) < 1e-12 * glm::length(normal) * glm::length(direction)) {
+    return std::nullopt;
+  }
+  return point + direction * (glm::dot(normal, on - point) / along);
+}
+
+}  // namespace
+
 double bernsteinRoot(double b0, double b1, double b2) {
   const double sign = std::abs(b0) > std::abs(b2) ? (b0 > 0 ? 1 : -1) : (b2 < 0 ? 1 : -1);
   b0 *= sign;
@@ -23,18 +33,6 @@ double bernsteinRoot(double b0, double b1, double b2) {
   const double denominator = b1 >= 0 ? -b2 : root - b1;
   return numerator / (numerator + denominator);
 }
-
-/// Where a line crosses the plane through `on` with this normal.
-std::optional<glm::dvec3> crossing(const glm::dvec3& point, const glm::dvec3& direction, const glm::dvec3& on,
-                                   const glm::dvec3& normal) {
-  const double along = glm::dot(normal, direction);
-  if (std::abs(along) < 1e-12 * glm::length(normal) * glm::length(direction)) {
-    return std::nullopt;
-  }
-  return point + direction * (glm::dot(normal, on - point) / along);
-}
-
-}  // namespace
 
 glm::dvec3 RayTransition::Arc::at(double u) const {
   const glm::dvec3 b = glm::dvec3((1 - u) * (1 - u), 2 * u * (1 - u), u * u) * weights;

@@ -37,6 +37,10 @@ enum class ArcModel {
   kBezier,  ///< polynomial arcs (Equation 4.1), projected by bisection
 };
 
+/// The root in [0, 1] of the quadratic with these Bernstein coefficients, of which the first and the last differ in
+/// sign, but for rounding at the ends.
+double bernsteinRoot(double b0, double b1, double b2);
+
 class RayTransition {
  public:
   /// Where a ray turns: its control points, and their weights.
@@ -67,6 +71,10 @@ class RayTransition {
   const glm::dvec3& before() const { return before_; }  ///< C0
   const glm::dvec3& beyond() const { return beyond_; }  ///< C1
   const glm::dvec3& border() const { return border_; }
+  const glm::dvec3& linePoint() const { return linePoint_; }  ///< of l
+  const glm::dvec3& lineDirection() const { return lineDirection_; }
+  ArcModel model() const { return model_; }
+  bool isStraight() const { return straight_; }  ///< C0 is C1: rays do not turn
 
   /// The arc of the ray that meets t1 at S.
   Arc arcThrough(const glm::dvec3& s) const;
@@ -97,11 +105,11 @@ class RayTransition {
   TransitionPlanes planes_;
   glm::dvec3 before_;
   glm::dvec3 beyond_;
-  glm::dvec3 linePoint_{0};      ///< of l
+  glm::dvec3 linePoint_{0};
   glm::dvec3 lineDirection_{0};  ///< of l, and of the border in t1
   glm::dvec3 border_;
   ArcModel model_;
-  bool straight_;  ///< C0 is C1: rays do not turn
+  bool straight_;
 };
 
 }  // namespace ocelli

@@ -8,6 +8,7 @@
 #include "oc_core/constructor/curved_turns.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/constructor/maze_constructor.h"
+#include "oc_core/constructor/maze_options.h"
 #include "oc_core/constructor/occluder_constructor.h"
 #include "oc_core/constructor/path_constructor.h"
 #include "oc_core/constructor/portal_constructor.h"
@@ -47,12 +48,23 @@ const std::vector<CameraConstructor>& cameraConstructors() {
        [](JsonFields& options, const GuidedScene&, const PinholeCamera& reference) {
          return MultiperspectiveCamera(readCurvedRayCamera(options, reference));
        }},
-      {"comprehensive", "a whole maze in one image, each place once", buildComprehensiveCamera},
+      {"comprehensive", "a whole maze in one image, each place once",
+       [](JsonFields& fields, const GuidedScene& scene, const PinholeCamera& reference) {
+         const ComprehensiveOptions options = readComprehensiveOptions(fields);
+         const Maze& maze = mazeOf(scene, "comprehensive camera");
+         return MultiperspectiveCamera(makeComprehensiveCamera(maze, options, reference.width(), reference.height()));
+       }},
       {"portal", "graph camera that looks straight into every portal in view",
        [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
          return MultiperspectiveCamera(buildPortalCamera(readPortalOptions(options), scene.guides, reference));
        }},
-      {"maze", "along a corridor to the next crossing, and along all ways that leave it", buildMazeCamera},
+      {"maze", "along a corridor to the next crossing, and along all ways that leave it",
+       [](JsonFields& fields, const GuidedScene& scene, const PinholeCamera& reference) {
+         const MazeCameraPlace place = readMazeCamera(fields, reference);
+         const Maze& maze = mazeOf(scene, "maze camera");
+         return MultiperspectiveCamera(
+             makeMazeCamera(maze, place.pose, place.options, reference.width(), reference.height()));
+       }},
       {"path", "curved ray camera that previews a path behind its next turns",
        [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
          return MultiperspectiveCamera(buildPathCamera(readPathOptions(options), scene.guides, reference));

@@ -1,5 +1,7 @@
 #include "oc_core/constructor/comprehensive_constructor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,9 +55,9 @@ class Builder {
     const glm::dvec3 viewpoint =
         (start.left + start.right) / 2.0 - start.heading * viewDistance(leg) + glm::dvec3(0, eyeHeight_, 0);
     const Plane plane = Plane::through(start.left, start.heading);
-    frustumOf_.front() = start.camera.bend(start.frustum, {plane, viewpoint}, "start",
-                                           partBetween(start.camera, start.frustum, start.left, start.right,
-                                                       eyeHeight_));
+    frustumOf_.front() =
+        start.camera.bend(start.frustum, {plane, viewpoint}, "start",
+                          partBetween(start.camera, start.frustum, start.left, start.right, eyeHeight_));
     start.camera.limit(start.frustum, plane);
     return std::move(start.camera);
   }
@@ -64,8 +66,8 @@ class Builder {
   void endAtWalls(GraphCamera& camera, size_t i) const {
     const TourLeg& leg = legs_[i];
     // With the cell before it, where its rays turned.
-    Box box = roomOf(maze_, leg.cells.front().neighbor(opposite(leg.heading)));
-    const Box last = roomOf(maze_, leg.cells.back());
+    Box box = maze_.clearBox(leg.cells.front().neighbor(opposite(leg.heading)));
+    const Box last = maze_.clearBox(leg.cells.back());
     box.add(last.lower);
     box.add(last.upper);
     limitToBox(camera, frustumOf_[i], box);
@@ -128,6 +130,12 @@ GraphCamera makeComprehensiveCamera(const Maze& maze, const ComprehensiveOptions
   }
   if (options.start) {
     checkCell(maze, *options.start, "comprehensive camera");
+    const std::array<Direction, 3> ways{leftOf(*options.heading), *options.heading, rightOf(*options.heading)};
+    if (std::none_of(ways.begin(), ways.end(), [&](Direction way) { return maze.isOpen(*options.start, way); })) {
+      throw InputError(fmt::format("a wall stands to the {} of the cell {}, and there is no way to the sides",
+                                   nameOf(*options.heading), nameOf(*options.start)),
+                       "comprehensive camera", "head for an open side");
+    }
     return Builder(maze, options, *options.start, *options.heading).build(width, height);
   }
   if (!maze.entrance) {
@@ -136,20 +144,26 @@ GraphCamera makeComprehensiveCamera(const Maze& maze, const ComprehensiveOptions
   return Builder(maze, options, maze.entrance->cell, maze.entrance->heading).build(width, height);
 }
 
-MultiperspectiveCamera buildComprehensiveCamera(JsonFields& fields, const GuidedScene& scene,
-                                                const PinholeCamera& reference) {
+ComprehensiveOptions readComprehensiveOptions(JsonFields& fields) {
   ComprehensiveOptions options;
   const std::string order = fields.text("order", "breadth_first");
   if (order != "breadth_first" && order != "depth_first") {
     fields.fail("order", "is \"" + order + "\", but must be breadth_first or depth_first");
   }
   options.order = order == "breadth_first" ? TourOrder::kBreadthFirst : TourOrder::kDepthFirst;
-  options.start = readCell(fields, "start");
+  const int row = fields.integer("start_row", 0, kMostMazeSide - 1, -1);
+  const int column = fields.integer("start_column", 0, kMostMazeSide - 1, -1);
+  if ((row < 0) != (column < 0)) {
+    fields.fail(row < 0 ? "start_row" : "start_column", "is missing, as only half of the start is given");
+  }
+  if (row >= 0) {
+    options.start = MazeCell{row, column};
+  }
   options.heading = readDirection(fields, "heading");
+  options.eyeHeight = fields.number("eye_height", 1, 10, options.eyeHeight);
   options.nearness = fields.number("nearness", 0.1, 100, options.nearness);
   options.evenness = fields.number("evenness", 0, 1, options.evenness);
-  return makeComprehensiveCamera(mazeOf(scene, "comprehensive camera"), options, reference.width(),
-                                 reference.height());
+  return options;
 }
 
 }  // namespace ocelli

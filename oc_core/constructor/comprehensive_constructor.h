@@ -13,26 +13,27 @@
 
 #include <optional>
 
-#include "oc_core/constructor/camera_constructors.h"
+#include "oc_core/camera/graph_camera.h"
 #include "oc_core/constructor/maze_tour.h"
 
 namespace ocelli {
+
+class JsonFields;
 
 struct ComprehensiveOptions {
   TourOrder order = TourOrder::kBreadthFirst;
   std::optional<MazeCell> start;     ///< instead of the entrance
   std::optional<Direction> heading;  ///< into the start; given with it, and only with it
-  double eyeHeight = 1;              ///< of all viewpoints, in heights of the walls; at least 1
-  double nearness = 2;               ///< more shows what is near larger
-  double evenness = 0.7;             ///< 0 gives ways equal shares, 1 shares by the cells that they lead to
+  double eyeHeight = 2;              ///< of all viewpoints, in heights of the walls; at least 1
+  double nearness = 1.5;             ///< more shows what is near larger
+  double evenness = 0.8;             ///< 0 gives ways equal shares, 1 shares by the cells that they lead to
 };
 
 /// An image of that size. Throws InputError where the start is not in the maze, where a wall stands behind or before
 /// it, and where the image is too small for the maze, or a way has more turns than a graph camera takes.
 GraphCamera makeComprehensiveCamera(const Maze& maze, const ComprehensiveOptions& options, int width, int height);
 
-/// Reads "order", "start", "heading", "nearness" and "evenness". Throws InputError as well for a scene without a maze.
-MultiperspectiveCamera buildComprehensiveCamera(JsonFields& options, const GuidedScene& scene,
-                                                const PinholeCamera& reference);
+/// Throws InputError for fields that are wrong.
+ComprehensiveOptions readComprehensiveOptions(JsonFields& fields);
 
 }  // namespace ocelli

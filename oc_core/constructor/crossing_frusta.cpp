@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "oc_core/base/error.h"
+#include "oc_core/constructor/image_parts.h"
 
 namespace ocelli {
 namespace {
@@ -23,7 +24,7 @@ class Crossing {
            double eyeHeight)
       : camera_(camera),
         in_(i),
-        room_(roomOf(maze, cell)),
+        room_(maze.clearBox(cell)),
         name_("crossing " + nameOf(cell)),
         frame_(maze, cell, heading),
         ways_(ways),
@@ -78,10 +79,8 @@ class Crossing {
     // Where the lines S0-Pl and S1-Pr meet.
     const double before = (w - depth_) * (x1 - x0) / (w - (x1 - x0));
     const Plane plane = wallThrough(a, b, frame_.up, frame_.ahead);
-    const glm::dvec3 viewpoint =
-        straightened(plane, frame_.at(x0 + before * x0 / (w - depth_), depth_ - before, eye_));
-    const int fan = bendPart(in_, {plane, viewpoint}, name,
-                                 partBetween(camera_, in_, a, b, tall_));
+    const glm::dvec3 viewpoint = straightened(plane, frame_.at(x0 + before * x0 / (w - depth_), depth_ - before, eye_));
+    const int fan = bendPart(in_, {plane, viewpoint}, name, partBetween(camera_, in_, a, b, tall_));
     endInBox(fan);
     return addCorridor(fan, mouth, ways_.way[1], name);
   }
@@ -97,8 +96,7 @@ class Crossing {
     if (glm::dot(mouth.heading, frame_.ahead) > 0.5) {
       viewpoint = straightened(plane, viewpoint);
     }
-    return bendPart(fan, {plane, viewpoint}, name + ", corridor",
-                    partBetween(camera_, fan, mouth.a, mouth.b, tall_));
+    return bendPart(fan, {plane, viewpoint}, name + ", corridor", partBetween(camera_, fan, mouth.a, mouth.b, tall_));
   }
 
   void endInBox(int fan) {
@@ -135,17 +133,6 @@ class Crossing {
   double depth_;
 };
 
-/// Without corners that lie upon each other but for rounding.
-GraphCamera::Part cleaned(const GraphCamera::Part& part) {
-  GraphCamera::Part clean;
-  for (const glm::dvec2& corner : part) {
-    if (clean.empty() || (glm::distance(corner, clean.back()) > 1e-6 && glm::distance(corner, clean.front()) > 1e-6)) {
-      clean.push_back(corner);
-    }
-  }
-  return clean.size() < 3 ? GraphCamera::Part() : clean;
-}
-
 }  // namespace
 
 CrossingFrame::CrossingFrame(const Maze& maze, const MazeCell& cell, Direction heading)
@@ -180,10 +167,7 @@ GraphCamera::Part partBetween(const GraphCamera& camera, int i, const glm::dvec3
   if (part[0].x > part[1].x) {
     std::reverse(part.begin(), part.end());
   }
-  for (size_t k = 0; k < frustum.part.size() && !part.empty(); ++k) {
-    part = GraphCamera::cut(part, frustum.part[k], frustum.part[(k + 1) % frustum.part.size()]).first;
-  }
-  return cleaned(part);
+  return common(part, frustum.part);
 }
 
 void limitToBox(GraphCamera& camera, int i, const Box& box) {
@@ -195,14 +179,6 @@ void limitToBox(GraphCamera& camera, int i, const Box& box) {
       camera.limit(i, Plane::through(glm::dvec3(box.upper), -normal));
     }
   }
-}
-
-Box roomOf(const Maze& maze, const MazeCell& cell) {
-  const float rounding = 1e-4f * maze.cellSize;  // of points on its walls
-  Box box = maze.clearBox(cell);
-  box.lower -= rounding;
-  box.upper += rounding;
-  return box;
 }
 
 }  // namespace ocelli

@@ -69,7 +69,4 @@ GraphCamera::Part partBetween(const GraphCamera& camera, int i, const glm::dvec3
 /// Rays of frustum `i` that go on to no child end at the sides of the box and in its floor.
 void limitToBox(GraphCamera& camera, int i, const Box& box);
 
-/// The clear box of the cell with its floor and its walls, which rays must reach.
-Box roomOf(const Maze& maze, const MazeCell& cell);
-
 }  // namespace ocelli

@@ -7,14 +7,15 @@
 
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
-#include "oc_core/base/json_fields.h"
+#include "oc_core/constructor/camera_fields.h"
 #include "oc_core/constructor/maze_options.h"
 
 namespace ocelli {
 namespace {
 
 constexpr const char* kWhere = "maze camera";
-constexpr double kLeastShare = 1e-4;  ///< of the image; less is no way
+constexpr double kParallel = 1.0 / 200;  ///< one over how much farther away the viewpoint of parallel rays lies
+constexpr double kLeastShare = 2e-3;     ///< of rays; less is no way
 
 double mix(double a, double b, double t) {
   return a + (b - a) * t;
@@ -27,12 +28,13 @@ double tanHalf(double degrees) {
 void check(const MazeCameraOptions& options) {
   const auto& [left, ahead, right] = options.split;
   if (!(left >= 0 && ahead >= 0 && right >= 0)) {
-    throw InputError(fmt::format("a split ratio is negative: {}, {}, {}", left, ahead, right), kWhere,
+    throw InputError(fmt::format("\"split\" has a negative share: {}, {}, {}", left, ahead, right), kWhere,
                      "give three numbers from 0 to 1 that add up to 1");
   }
   if (!(std::abs(left + ahead + right - 1) < 1e-6)) {
-    throw InputError(fmt::format("the split ratios {}, {}, {} add up to {}", left, ahead, right, left + ahead + right),
-                     kWhere, "give three numbers that add up to 1");
+    throw InputError(
+        fmt::format("the shares of \"split\", {}, {} and {}, add up to {}", left, ahead, right, left + ahead + right),
+        kWhere, "give three numbers that add up to 1");
   }
 }
 
@@ -58,27 +60,29 @@ View viewOf(const Maze& maze, const glm::dvec3& eye, const glm::dvec3& direction
 class Builder {
  public:
   Builder(const Maze& maze, const MazePose& pose, const MazeCameraOptions& options)
-      : maze_(maze), pose_(pose), options_(options), deployed_(options.deployed * deployedAt(maze, pose)) {}
+      : maze_(maze),
+        pose_(pose),
+        options_(options),
+        deployed_(options.deployed.value_or(deployedAt(maze, pose, options.deployCells))) {}
 
   GraphCamera build(int width, int height) const {
     const double aspect = static_cast<double>(width) / height;
     const std::optional<CrossingAhead> crossing = crossingAhead(maze_, pose_);
     if (!crossing || !(deployed_ > 0)) {
-      return GraphCamera(
-          mazePinhole(maze_, pose_.eye, glm::dvec3(vectorOf(pose_.heading)), options_, width, height));
+      return GraphCamera(mazePinhole(maze_, pose_.eye, glm::dvec3(vectorOf(pose_.heading)), options_, width, height));
     }
     const CrossingFrame frame(maze_, crossing->cell, pose_.heading);
     const double x = glm::dot(pose_.eye - frame.corner, frame.right);
     // Deployed in full, the corridor fills the image where the user stands.
     const double hug = std::max(frame.width / 2 / tanHalf(options_.fovHorizontalDegrees),
-                                crossing->distance * options_.crossingShare / (1 - options_.crossingShare));
+                                crossing->distance * options_.crossingShare / (1 - options_.crossingShare)) /
+                       mix(1, kParallel, options_.parallel);
     Lens lens;
     lens.behind = deployed_ * hug;
-    lens.tangent =
-        1 / mix(1 / tanHalf(options_.fovHorizontalDegrees), hug / (frame.width / 2), deployed_);
+    lens.tangent = 1 / mix(1 / tanHalf(options_.fovHorizontalDegrees), hug / (frame.width / 2), deployed_);
     lens.aside = deployed_ * (x / frame.width - 0.5);
-    GraphCamera camera(PinholeCamera(
-        viewOf(maze_, pose_.eye, glm::dvec3(vectorOf(pose_.heading)), lens, aspect), width, height));
+    GraphCamera camera(
+        PinholeCamera(viewOf(maze_, pose_.eye, glm::dvec3(vectorOf(pose_.heading)), lens, aspect), width, height));
     addWaysOut(camera, GraphCamera::kRoot, maze_, crossing->cell, pose_.heading,
                waysOut(*crossing, frame.width, rootOf(*crossing, frame, x, lens)),
                pose_.eye.y - static_cast<double>(maze_.origin.y));
@@ -125,14 +129,15 @@ class Builder {
     // At Pl and Pr, rays have gone on from the near face: not so far that they leave the box.
     WaysOut ways;
     ways.depth = std::min(0.999, 1 - 0.8 * ahead);
+    std::array<double, 2> outwards{};
     for (size_t k = 0; k < 2; ++k) {
-      if (rays[k] > kLeastShare && viewpoint[k] > near[k]) {
-        ways.depth = std::min(ways.depth, 0.5 * near[k] * root.before / (viewpoint[k] - near[k]));
+      outwards[k] = (viewpoint[k] - near[k]) / root.before;
+      if (rays[k] > kLeastShare && outwards[k] > 0) {
+        ways.depth = std::min(ways.depth, 0.5 * near[k] / outwards[k]);
       }
     }
     for (size_t k = 0; k < 2; ++k) {
-      const double there = near[k] + (near[k] - viewpoint[k]) * ways.depth / root.before;
-      ways.way[2 * k] = {rays[k] > kLeastShare ? there : 0, corridor};
+      ways.way[2 * k] = {rays[k] > kLeastShare ? near[k] - outwards[k] * ways.depth : 0, corridor};
     }
     // Without a way ahead, rays go straight on to the far wall.
     ways.way[1] = {1 - ways.way[0].share - ways.way[2].share, crossing.ahead && ahead > kLeastShare ? corridor : 0};
@@ -168,28 +173,25 @@ GraphCamera makeMazeCamera(const Maze& maze, const MazePose& pose, const MazeCam
       .build(width, height);
 }
 
-MultiperspectiveCamera buildMazeCamera(JsonFields& fields, const GuidedScene& scene, const PinholeCamera& reference) {
-  const Maze& maze = mazeOf(scene, kWhere);
-  MazeCameraOptions options;
-  MazePose pose{glm::dvec3(reference.eye()), Direction::kNorth};
-  if (fields.has("position")) {
-    pose.eye = readPoint(fields, "position");
-  }
-  const std::optional<Direction> heading = readDirection(fields, "heading");
-  pose.heading = heading ? *heading : nearestDirection(reference.forward());
+MazeCameraPlace readMazeCamera(JsonFields& fields, const PinholeCamera& reference) {
+  MazeCameraPlace place;
+  MazeCameraOptions& options = place.options;
+  place.pose.eye = fields.has("position") ? readVector(fields, "position") : glm::dvec3(reference.eye());
+  place.pose.heading = readDirection(fields, "heading").value_or(nearestDirection(reference.forward()));
   const std::string direction = fields.text("direction", "forward");
   if (direction != "forward" && direction != "backward") {
     fields.fail("direction", "is \"" + direction + "\", but must be forward or backward");
   }
   options.backward = direction == "backward";
   if (fields.has("split")) {
-    const glm::dvec3 split = readPoint(fields, "split");
+    const glm::dvec3 split = readVector(fields, "split");
     options.split = {split.x, split.y, split.z};
   }
   options.fovHorizontalDegrees = fields.number("fov_degrees", 10, 150, options.fovHorizontalDegrees);
   options.fovCorridorDegrees = fields.number("corridor_fov_degrees", 1, 150, options.fovCorridorDegrees);
   options.crossingShare = fields.number("crossing_share", 0.05, 0.98, options.crossingShare);
-  return makeMazeCamera(maze, pose, options, reference.width(), reference.height());
+  options.deployCells = fields.number("deploy_cells", 0.01, 100, options.deployCells);
+  return place;
 }
 
 }  // namespace ocelli

@@ -24,25 +24,6 @@ void checkCell(const Maze& maze, const MazeCell& cell, const std::string& where)
   }
 }
 
-std::optional<MazeCell> readCell(JsonFields& fields, const std::string& name) {
-  if (!fields.has(name)) {
-    return std::nullopt;
-  }
-  JsonFields cell(fields.value(name), name);
-  const MazeCell result{cell.integer("row", 0, kMostMazeSide - 1), cell.integer("column", 0, kMostMazeSide - 1)};
-  cell.rejectUnknown();
-  return result;
-}
-
-glm::dvec3 readPoint(JsonFields& fields, const std::string& name) {
-  const nlohmann::json& value = fields.value(name);
-  if (!value.is_array() || value.size() != 3 ||
-      !std::all_of(value.begin(), value.end(), [](const nlohmann::json& each) { return each.is_number(); })) {
-    fields.fail(name, "must be three numbers");
-  }
-  return {value[0].get<double>(), value[1].get<double>(), value[2].get<double>()};
-}
-
 Direction nearestDirection(const glm::vec3& vector) {
   return *std::max_element(kDirections.begin(), kDirections.end(), [&](Direction a, Direction b) {
     return glm::dot(vector, vectorOf(a)) < glm::dot(vector, vectorOf(b));

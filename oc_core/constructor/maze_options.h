@@ -16,12 +16,6 @@ const Maze& mazeOf(const GuidedScene& scene, const std::string& where);
 /// Throws InputError naming the cell where it is not in the maze.
 void checkCell(const Maze& maze, const MazeCell& cell, const std::string& where);
 
-/// A field {"row": .., "column": ..}; nothing where it is missing.
-std::optional<MazeCell> readCell(JsonFields& fields, const std::string& name);
-
-/// A field of three numbers.
-glm::dvec3 readPoint(JsonFields& fields, const std::string& name);
-
 /// The direction that is closest to a vector.
 Direction nearestDirection(const glm::vec3& vector);
 

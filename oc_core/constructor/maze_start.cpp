@@ -47,20 +47,21 @@ MazeStart within(const CrossingFrame& frame, const MazeOpening& opening, int wid
   const double w = frame.width;
   const double distance = kFar * w;
   const glm::dvec3 eye = frame.at(w / 2, -distance, opening.height);
-  PinholeCamera camera = levelCamera(eye, frame.ahead, distance, std::max(opening.height, w * height / width), opening,
-                                     width, height);
+  PinholeCamera camera =
+      levelCamera(eye, frame.ahead, distance, std::max(opening.height, w * height / width), opening, width, height);
   View view = camera.view();
-  view.zNear = static_cast<float>((1 - 1e-4) * distance);
-  return {GraphCamera(PinholeCamera(view, width, height)), GraphCamera::kRoot, frame.at(0, 0), frame.at(w, 0),
-          frame.ahead};
+  // Beyond the face of a wall that may stand behind the cell.
+  view.zNear = static_cast<float>(distance + 0.005 * w);
+  return {GraphCamera(PinholeCamera(view, width, height)), GraphCamera::kRoot, frame.at(0, 0.01 * w),
+          frame.at(w, 0.01 * w), frame.ahead};
 }
 
 }  // namespace
 
 MazeStart startOf(const Maze& maze, const MazeOpening& opening, int width, int height) {
   const CrossingFrame frame(maze, opening.cell, opening.heading);
-  const bool fromOutside = maze.entrance && maze.entrance->cell == opening.cell &&
-                           maze.entrance->heading == opening.heading;
+  const bool fromOutside =
+      maze.entrance && maze.entrance->cell == opening.cell && maze.entrance->heading == opening.heading;
   return fromOutside ? besideEntrance(frame, static_cast<double>(maze.wallThickness), opening, width, height)
                      : within(frame, opening, width, height);
 }

@@ -1,9 +1,10 @@
-// Where a camera that shows a whole maze begins: a bundle of almost parallel rays through the opening of its first cell,
-// as wide and as tall as the opening, which fills the image.
+// Where a camera that shows a whole maze begins: a bundle of almost parallel rays through the opening of its first
+// cell, as wide and as tall as the opening, which fills the image.
 //
-// Before the entrance the root looks along the outer wall, and turns in at a slanted plane: as wide as the opening where
-// rays leave it, as wide as an image of this shape where they come in. So the whole image shows the maze, stretched to
-// its shape. Within a maze there is no room for that; there the image shows the opening as it is, with empty borders.
+// Before the entrance the root looks along the outer wall, and turns in at a slanted plane: as wide as the opening
+// where rays leave it, as wide as an image of this shape where they come in. So the whole image shows the maze,
+// stretched to its shape. Within a maze there is no room for that; there the image shows the opening as it is, with
+// empty borders.
 #pragma once
 
 #include "oc_core/camera/graph_camera.h"
@@ -13,8 +14,8 @@ namespace ocelli {
 
 struct MazeStart {
   GraphCamera camera;
-  int frustum;              ///< that of the bundle
-  glm::dvec3 left{0};       ///< of the opening, on the floor
+  int frustum;         ///< that of the bundle
+  glm::dvec3 left{0};  ///< of the opening, on the floor
   glm::dvec3 right{0};
   glm::dvec3 heading{0};
 };
@@ -23,8 +24,8 @@ struct MazeStart {
 struct MazeOpening {
   MazeCell cell;
   Direction heading = Direction::kNorth;
-  double height = 0;        ///< from the floor to the viewpoints, at the upper border of the image
-  double longestRay = 0;    ///< within the maze, about
+  double height = 0;      ///< from the floor to the viewpoints, at the upper border of the image
+  double longestRay = 0;  ///< within the maze, about
 };
 
 /// An image of that size.

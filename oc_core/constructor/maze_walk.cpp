@@ -54,8 +54,8 @@ std::optional<CrossingAhead> crossingAhead(const Maze& maze, const MazePose& pos
                        maze.isOpen(cell, pose.heading), maze.isOpen(cell, rightOf(pose.heading))};
 }
 
-double deployedAt(const Maze& maze, const MazePose& pose) {
-  const double reach = static_cast<double>(maze.cellSize) / 2;
+double deployedAt(const Maze& maze, const MazePose& pose, double cells) {
+  const double reach = static_cast<double>(maze.cellSize) * cells;
   const double width = static_cast<double>(maze.cellSize) - static_cast<double>(maze.wallThickness);
   double deployed = 1;
   // The last crossing that was entered.

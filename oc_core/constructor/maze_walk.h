@@ -28,9 +28,9 @@ MazeCell cellOf(const Maze& maze, const glm::dvec3& eye, const std::string& wher
 /// The first cell with a way to a side whose box lies ahead; nothing where there is none before the corridor ends.
 std::optional<CrossingAhead> crossingAhead(const Maze& maze, const MazePose& pose);
 
-/// How far views to the sides are deployed, 0 to 1: not in the box of a crossing; within half a cell behind one, and
-/// before one that has a way ahead, they grow with the distance. So nothing jumps where the crossing ahead becomes the
+/// How far views to the sides are deployed, 0 to 1: not in the box of a crossing; behind one, and before one that has a
+/// way ahead, they grow with the distance, over so many cells. So nothing jumps where the crossing ahead becomes the
 /// one behind.
-double deployedAt(const Maze& maze, const MazePose& pose);
+double deployedAt(const Maze& maze, const MazePose& pose, double cells);
 
 }  // namespace ocelli

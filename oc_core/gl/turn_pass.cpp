@@ -7,7 +7,7 @@
 #include "oc_core/gl/gl_program.h"
 #include "oc_core/gl/gl_state.h"
 #include "oc_core/gl/shaders.h"
-#include "oc_core/render/turn_bounds.h"
+#include "oc_core/render/turn_projection.h"
 
 namespace ocelli {
 namespace {
@@ -31,6 +31,9 @@ struct TurnBlock {
   int32_t straight = 0;
   float shortestEdge = 0;
   uint32_t piece = 0;
+  float bendFactor = 0;
+  float bendWidth = 0;
+  glm::vec2 unused{0};
 };
 
 glm::vec4 inSingle(const glm::dvec3& v) {
@@ -46,7 +49,8 @@ std::array<glm::vec4, 3> rowsOf(const glm::dmat4& pixelFromWorld) {
 TurnBlock blockOf(const CurvedRayCamera& camera, size_t turn, uint32_t piece) {
   const RayTransition& transition = camera.turns()[turn];
   const TransitionPlanes& planes = transition.planes();
-  const TurnBounds bounds(camera, turn);
+  const TurnProjection projection(camera, turn);
+  const TurnBounds& bounds = projection.bounds();
   const glm::dvec3& origin = transition.before();
   const auto moved = [&](const glm::dvec4& space) {
     return glm::vec4(glm::vec3(space), static_cast<float>(glm::dot(space, glm::dvec4(origin, 1))));
@@ -56,14 +60,10 @@ TurnBlock blockOf(const CurvedRayCamera& camera, size_t turn, uint32_t piece) {
   block.beyond = inSingle(transition.beyond() - origin);
   block.from = moved(beyond(planes.from));
   block.to = moved(beyond(planes.to));
-  block.straight = glm::distance(transition.beyond(), origin) < 1e-12 * (1 + glm::length(origin)) ? 1 : 0;
-  block.axis = block.straight != 0 ? glm::vec4(1, 0, 0, 0) : inSingle(glm::normalize(transition.beyond() - origin));
-  const glm::dvec3 along = glm::cross(planes.from.normal, planes.to.normal);
-  const glm::dvec3 point = (glm::cross(planes.to.normal, along) * planes.from.distance +
-                            glm::cross(along, planes.from.normal) * planes.to.distance) /
-                           glm::dot(along, along);
-  block.linePoint = inSingle(point - origin);
-  block.lineDirection = inSingle(glm::normalize(along));
+  block.straight = transition.isStraight() ? 1 : 0;
+  block.axis = transition.isStraight() ? glm::vec4(1, 0, 0, 0) : inSingle(glm::normalize(transition.beyond() - origin));
+  block.linePoint = inSingle(transition.linePoint() - origin);
+  block.lineDirection = inSingle(transition.lineDirection());
   block.border = inSingle(transition.border() - origin);
   block.rowsBefore = rowsOf(bounds.before());
   block.rowsAfter = rowsOf(bounds.after());
@@ -72,16 +72,19 @@ TurnBlock blockOf(const CurvedRayCamera& camera, size_t turn, uint32_t piece) {
   block.sideCount = static_cast<int32_t>(bounds.sides().size());
   block.shortestEdge = static_cast<float>(bounds.shortestEdge());
   block.piece = piece;
+  block.bendFactor = static_cast<float>(projection.bendFactor());
+  block.bendWidth = static_cast<float>(projection.widthPixels());
   return block;
 }
 
-SplitPrograms makePrograms(GlContext& context) {
+SplitPrograms makePrograms(GlContext& context, ArcModel model) {
+  const std::string arcs = std::string("#define ARCS ") + (model == ArcModel::kConic ? "CONIC" : "BEZIER") + "\n";
   const auto compute = [&](const char* name, std::string_view source, const std::string& define) {
     return makeProgram(context, name,
                        {{GL_COMPUTE_SHADER,
                          {shaders::kPinhole, shaders::kMesh, shaders::kTurn, shaders::kPiece, shaders::kSplitCounts,
                           shaders::kSplitCodes, source}}},
-                       define);
+                       arcs + define);
   };
   const std::string decide = std::string(shaders::kTurnDecideComp) + std::string(shaders::kSplitStore);
   const std::string triangles = "#define SOURCE TRIANGLES\n";
@@ -96,14 +99,18 @@ SplitPrograms makePrograms(GlContext& context) {
       context, "turn_leaves",
       {{GL_VERTEX_SHADER,
         {shaders::kPinhole, shaders::kMesh, shaders::kTurn, shaders::kPiece, shaders::kTurnLeavesVert}},
-       {GL_FRAGMENT_SHADER, {shaders::kPinhole, shaders::kTurn, shaders::kOverlap, shaders::kTurnLeavesFrag}}});
+       {GL_FRAGMENT_SHADER, {shaders::kPinhole, shaders::kTurn, shaders::kOverlap, shaders::kTurnLeavesFrag}}},
+      arcs);
   return programs;  // nothing is clipped: pieces that reach out of the turn are tested by pixels
 }
 
 }  // namespace
 
 TurnPass::TurnPass(GlContext& context)
-    : context_(context), splitter_(context), programs_(makePrograms(context)), vertexArray_(makeVertexArray(context)) {}
+    : context_(context),
+      splitter_(context),
+      conic_(makePrograms(context, ArcModel::kConic)),
+      vertexArray_(makeVertexArray(context)) {}
 
 void TurnPass::draw(const CurvedRayCamera& camera, size_t turn, uint32_t piece, const GlMesh& mesh) const {
   const TurnBlock block = blockOf(camera, turn, piece);
@@ -112,7 +119,10 @@ void TurnPass::draw(const CurvedRayCamera& camera, size_t turn, uint32_t piece, 
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 1, uniforms.id());
   bindMesh(context_, mesh);
   gl.BindVertexArray(vertexArray_.id());
-  splitter_.draw(programs_, mesh);
+  if (camera.arcModel() == ArcModel::kBezier && !bezier_) {
+    bezier_ = makePrograms(context_, ArcModel::kBezier);
+  }
+  splitter_.draw(camera.arcModel() == ArcModel::kConic ? conic_ : *bezier_, mesh);
   context_.check("drawing a turn of rays");
 }
 

@@ -19,7 +19,8 @@ class TurnPass {
  private:
   GlContext& context_;
   mutable PieceSplitter splitter_;
-  SplitPrograms programs_;
+  SplitPrograms conic_;
+  mutable std::optional<SplitPrograms> bezier_;  ///< made when first drawn with
   GlObject vertexArray_;
 };
 

@@ -13,20 +13,22 @@ namespace {
 /// A step reaches into the next tile by a pixel, and takes one more for the slope of what is there.
 constexpr int kTileMargin = 2;
 
-double weightOf(const GraphCamera::Frustum& frustum, const glm::dvec3& point) {
-  return (frustum.pixelFromWorld * glm::dvec4(point, 1)).w;
-}
+/// How near to a pixel's ray a point on it is projected by the frustum that holds it, pixels.
+constexpr double kOnRay = 1e-3;
 
-/// The last frustum on the chain of a pixel whose plane lies before a point of its ray.
-int frustumOnRay(const GraphCamera& camera, const glm::dvec2& pixel, const glm::dvec3& point) {
-  int i = GraphCamera::kRoot;
-  for (;;) {
-    const int child = camera.childAt(i, pixel);
-    if (child < 0 || camera.frusta()[static_cast<size_t>(child)].plane.height(point) < 0) {
-      return i;
+/// What a pixel shows at a point of its ray: that of the last frustum on its way that begins before the point and sees
+/// it there. Rays may turn so far that points behind the plane of one frustum lie before those of its parents.
+GraphDepthSamples::Sample sampleOf(const GraphCamera& camera, const glm::dvec2& pixel, const glm::dvec3& point) {
+  GraphDepthSamples::Sample sample;
+  for (int i = GraphCamera::kRoot; i >= 0; i = camera.childAt(i, pixel)) {
+    const GraphCamera::Frustum& frustum = camera.frusta()[static_cast<size_t>(i)];
+    const glm::dvec4 h = frustum.pixelFromWorld * glm::dvec4(point, 1);
+    const bool begins = i == GraphCamera::kRoot || frustum.plane.height(point) >= 0;
+    if (begins && h.w > 0 && glm::distance(glm::dvec2(h) / h.w, pixel) < kOnRay) {
+      sample = {i, 1 / h.w};
     }
-    i = child;
   }
+  return sample;
 }
 
 /// The gentler of two slopes; level between slopes that rise and fall.
@@ -81,8 +83,7 @@ void GraphDepthSamples::readSamples(const GraphCamera& camera, const FragmentIma
                                ? camera.unprojectExactly({pixel.x, pixel.y, static_cast<double>(fragment.z)})
                                : std::nullopt;
         if (point) {
-          const int i = frustumOnRay(camera, pixel, *point);
-          samples_(x, y) = {i, 1 / weightOf(camera.frusta()[static_cast<size_t>(i)], *point)};
+          samples_(x, y) = sampleOf(camera, pixel, *point);
         }
       }
     }

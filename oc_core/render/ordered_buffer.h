@@ -12,15 +12,14 @@ class OrderedBuffer {
 
   explicit OrderedBuffer(size_t pixels) : orders_(pixels, kNone), samples_(pixels) {}
 
-  /// `weights()` gives b1 and b2 (scanTriangle()). `depth` is positive and grows along the piece.
-  template <class Weights>
-  void offer(size_t pixel, uint8_t order, float depth, uint32_t triangle, const Weights& weights) {
-    const uint64_t key = KeyedSample::keyOf(depth, triangle);
-    if (order < orders_[pixel] || (order == orders_[pixel] && key < samples_[pixel].key)) {
-      const glm::vec2 b = weights();
-      orders_[pixel] = order;
-      samples_[pixel] = {key, b.x, b.y};
-    }
+  /// Whether a sample is nearer than what a pixel holds. `depth` is positive and grows along the piece.
+  bool isNearest(size_t pixel, uint8_t order, float depth, uint32_t triangle) const {
+    return order < orders_[pixel] ||
+           (order == orders_[pixel] && KeyedSample::keyOf(depth, triangle) < samples_[pixel].key);
+  }
+  void put(size_t pixel, uint8_t order, float depth, uint32_t triangle, const glm::vec2& b) {
+    orders_[pixel] = order;
+    samples_[pixel] = {KeyedSample::keyOf(depth, triangle), b.x, b.y};
   }
   void mergePixels(const OrderedBuffer& other, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {

@@ -20,7 +20,8 @@ constexpr double kRounding = 1e-6;
 constexpr uint8_t kBefore = 1;  // the first plane
 constexpr uint8_t kBeyond = 2;  // one of the planes where rays end
 constexpr uint8_t kClip = 4;    // has no image near the part
-constexpr uint8_t kHidden = 8;  // far before the first plane
+constexpr uint8_t kHidden = 8;  // farther before the first plane than triangles are drawn
+constexpr uint8_t kEnded = 16;  // as far beyond where all rays end
 
 /// The least and the most height over a plane.
 std::pair<double, double> heights(const Plane& plane, const Box& box) {
@@ -138,6 +139,20 @@ RasterVertex StretchDrawer::project(const glm::dvec3& p) const {
           static_cast<float>(inverse), 0, 0};
 }
 
+/// Whether rays of some kind end before a point.
+bool StretchDrawer::isBeyondEnds(const glm::dvec3& p) const {
+  return std::any_of(stretch_.ends.begin(), stretch_.ends.end(), [&](const std::vector<Plane>& planes) {
+    return std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) { return plane.height(p) > 0; });
+  });
+}
+
+/// Whether rays of all kinds end before a point, each at one plane: then what lies between such points is not seen.
+bool StretchDrawer::isBehindAll(const glm::dvec3& p) const {
+  return std::all_of(stretch_.ends.begin(), stretch_.ends.end(), [&](const std::vector<Plane>& planes) {
+    return planes.size() == 1 && planes[0].height(p) > bounds_.margin();
+  });
+}
+
 const StretchDrawer::Scratch::Vertex& StretchDrawer::vertex(uint32_t index, bool inside, Scratch& scratch) const {
   Scratch::Vertex& held = scratch.cache[index % Scratch::kVertices];
   const uint64_t tag = scratch.serial << 32 | index;
@@ -153,18 +168,13 @@ const StretchDrawer::Scratch::Vertex& StretchDrawer::vertex(uint32_t index, bool
     const bool imaged = height >= -margin && v.inverseZ > 0 && v.u > -kGuardPixels && v.v > -kGuardPixels &&
                         v.u < static_cast<float>(leaves_.width()) + kGuardPixels &&
                         v.v < static_cast<float>(leaves_.height()) + kGuardPixels;
-    const bool isBeyond =
-        std::any_of(stretch_.ends.begin(), stretch_.ends.end(), [&](const std::vector<Plane>& planes) {
-          return std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) { return plane.height(p) > 0; });
-        });
-    held.flags = static_cast<uint8_t>((height < 0 ? kBefore : 0) | (isBeyond ? kBeyond : 0) | (imaged ? 0 : kClip) |
-                                      (height < -margin ? kHidden : 0));
+    held.flags = static_cast<uint8_t>((height < 0 ? kBefore : 0) | (isBeyondEnds(p) ? kBeyond : 0) |
+                                      (imaged ? 0 : kClip) | (height < -margin ? kHidden : 0));
   }
   return held;
 }
 
 void StretchDrawer::draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& scratch) const {
-  const uint8_t order = stretch_.order;
   ++scratch.serial;
   blocks_.forEachTriangle(task.block, [&](uint32_t triangle) {
     const glm::uvec3& t = mesh_.triangles[triangle];
@@ -173,20 +183,26 @@ void StretchDrawer::draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& 
     Scratch::Vertex c = vertex(t.z, task.inside, scratch);
     const uint8_t flags = a.flags | b.flags | c.flags;
     if (flags != 0) {
-      if ((a.flags & b.flags & c.flags & kHidden) == 0) {
+      if ((a.flags & b.flags & c.flags & (kHidden | kEnded)) == 0) {
         drawCut(buffer, triangle, (flags & kClip) != 0, scratch);
       }
       return;
     }
     b.image.b1 = 1;
     c.image.b2 = 1;
-    scanTriangle(leaves_.width(), rect_, a.image, b.image, c.image,
-                 [&](size_t pixel, float weight, const PixelWeights& weights) {
-                   if (holdsAllPixels_ || stretch_.endsOfLeaf[leaves_[pixel]] >= 0) {
-                     buffer.offer(pixel, order, weight, triangle, weights);
-                   }
-                 });
+    fill(buffer, triangle, {a.image, b.image, c.image});
   });
+}
+
+/// Of triangles that lie between the planes of the stretch.
+void StretchDrawer::fill(OrderedBuffer& buffer, uint32_t triangle, const std::array<RasterVertex, 3>& vertices) const {
+  scanTriangle(leaves_.width(), rect_, vertices[0], vertices[1], vertices[2],
+               [&](size_t pixel, float weight, const PixelWeights& weights) {
+                 if (buffer.isNearest(pixel, stretch_.order, weight, triangle) &&
+                     (holdsAllPixels_ || stretch_.endsOfLeaf[leaves_[pixel]] >= 0)) {
+                   buffer.put(pixel, stretch_.order, weight, triangle, weights());
+                 }
+               });
 }
 
 void StretchDrawer::drawCut(OrderedBuffer& buffer, uint32_t triangle, bool clips, Scratch& scratch) const {
@@ -201,9 +217,16 @@ void StretchDrawer::drawCut(OrderedBuffer& buffer, uint32_t triangle, bool clips
     corners.back().b1 = static_cast<float>(corner.b.x);
     corners.back().b2 = static_cast<float>(corner.b.y);
   }
+  const bool within = std::none_of(polygon.begin(), polygon.end(), [&](const ClipCorner& corner) {
+    return stretch_.begin.height(corner.p) < 0 || isBeyondEnds(corner.p);
+  });
   for (size_t i = 2; i < corners.size(); ++i) {
-    fillTested(buffer, triangle, {corners[0], corners[i - 1], corners[i]},
-               {polygon[0].p, polygon[i - 1].p, polygon[i].p});
+    const std::array<RasterVertex, 3> vertices{corners[0], corners[i - 1], corners[i]};
+    if (within) {
+      fill(buffer, triangle, vertices);
+    } else {
+      fillTested(buffer, triangle, vertices, {polygon[0].p, polygon[i - 1].p, polygon[i].p});
+    }
   }
 }
 
@@ -216,7 +239,7 @@ void StretchDrawer::fillTested(OrderedBuffer& buffer, uint32_t triangle, const s
       leaves_.width(), rect_, vertices[0], vertices[1], vertices[2],
       [&](size_t pixel, float weight, const PixelWeights& weights) {
         const int kind = stretch_.endsOfLeaf[leaves_[pixel]];
-        if (kind < 0 || begin.isBefore(weights)) {
+        if (kind < 0 || !buffer.isNearest(pixel, stretch_.order, weight, triangle) || begin.isBefore(weights)) {
           return;
         }
         if (kind != held) {
@@ -227,7 +250,7 @@ void StretchDrawer::fillTested(OrderedBuffer& buffer, uint32_t triangle, const s
           }
         }
         if (std::none_of(ends.begin(), ends.end(), [&](const HeightOver& end) { return end.isBeyond(weights); })) {
-          buffer.offer(pixel, stretch_.order, weight, triangle, weights);
+          buffer.put(pixel, stretch_.order, weight, triangle, weights());
         }
       });
 }

@@ -84,8 +84,11 @@ class StretchDrawer {
 
  private:
   RasterVertex project(const glm::dvec3& point) const;
+  bool isBeyondEnds(const glm::dvec3& point) const;
+  bool isBehindAll(const glm::dvec3& point) const;
   const Scratch::Vertex& vertex(uint32_t index, bool inside, Scratch& scratch) const;
   void drawCut(OrderedBuffer& buffer, uint32_t triangle, bool clips, Scratch& scratch) const;
+  void fill(OrderedBuffer& buffer, uint32_t triangle, const std::array<RasterVertex, 3>& vertices) const;
   void fillTested(OrderedBuffer& buffer, uint32_t triangle, const std::array<RasterVertex, 3>& vertices,
                   const std::array<glm::dvec3, 3>& points) const;
 

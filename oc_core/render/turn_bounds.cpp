@@ -11,21 +11,13 @@ namespace {
 /// Points whose convex hull holds all rays of a turn: where those of the corners of the image cross its planes. An arc
 /// lies in the hull of its control points.
 std::vector<glm::dvec3> hullOf(const CurvedRayCamera& camera, size_t turn) {
-  const PixelRays rays(camera.root());
   const double width = camera.width();
   const double height = camera.height();
   std::vector<glm::dvec3> points;
   for (const glm::dvec2 corner :
        {glm::dvec2(0, 0), glm::dvec2(width, 0), glm::dvec2(width, height), glm::dvec2(0, height)}) {
-    PixelRay ray(rays, corner);
-    for (size_t i = 0; i < turn; ++i) {
-      ray.bend(camera.turns()[i].planes().middle, camera.turns()[i].beyond());
-    }
-    const TransitionPlanes& planes = camera.turns()[turn].planes();
-    points.push_back(ray.cross(planes.from));
-    points.push_back(ray.cross(planes.middle));
-    ray.bend(planes.middle, camera.turns()[turn].beyond());
-    points.push_back(ray.cross(planes.to));
+    const TurnCorners c = cornersOf(camera, turn, corner);
+    points.insert(points.end(), {c.t, c.s, c.q});
   }
   return points;
 }
@@ -53,6 +45,18 @@ HalfSpaces around(const std::vector<glm::dvec3>& hull, const HalfSpaces& candida
 }
 
 }  // namespace
+
+TurnCorners cornersOf(const CurvedRayCamera& camera, size_t turn, const glm::dvec2& pixel) {
+  PixelRay ray(PixelRays(camera.root()), pixel);
+  for (size_t i = 0; i < turn; ++i) {
+    ray.bend(camera.turns()[i].planes().middle, camera.turns()[i].beyond());
+  }
+  const TransitionPlanes& planes = camera.turns()[turn].planes();
+  TurnCorners corners{ray.cross(planes.from), ray.cross(planes.middle), {}};
+  ray.bend(planes.middle, camera.turns()[turn].beyond());
+  corners.q = ray.cross(planes.to);
+  return corners;
+}
 
 TurnBounds::TurnBounds(const CurvedRayCamera& camera, size_t turn) : before_(camera.pixelFromWorld(turn)) {
   const RayTransition& transition = camera.turns()[turn];

@@ -6,6 +6,14 @@
 
 namespace ocelli {
 
+/// The control points of the arc of a ray.
+struct TurnCorners {
+  glm::dvec3 t{0};
+  glm::dvec3 s{0};
+  glm::dvec3 q{0};
+};
+TurnCorners cornersOf(const CurvedRayCamera& camera, size_t turn, const glm::dvec2& pixel);
+
 class TurnBounds {
  public:
   TurnBounds(const CurvedRayCamera& camera, size_t turn);

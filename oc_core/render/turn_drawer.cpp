@@ -6,58 +6,26 @@
 namespace ocelli {
 namespace {
 
-/// Edges up to so many pixels are straight; longer ones than the second are split, pixels.
-constexpr float kShortPixels = 3;
-constexpr float kLongPixels = 96;
-/// Beyond this, coordinates of images are as good as none, pixels.
-constexpr double kMostPixels = 1e6;
-/// Weights are at least this share of those in the middle plane.
-constexpr double kLeastWeight = 0.05;
 constexpr int kDeepest = 24;  // only guards against numbers gone wrong
+/// An edge that might bend more than this is split without a look at its middle, which tells of one bend alone.
+constexpr double kMostBendPixels = 16;
 
-double weightOf(const glm::dmat4& pixelFromWorld, const glm::dvec3& p) {
-  return (pixelFromWorld * glm::dvec4(p, 1)).w;
+RasterVertex rasterVertex(const TurnDrawer::Vertex& v) {
+  return {static_cast<float>(v.image.pixel.x), static_cast<float>(v.image.pixel.y),
+          static_cast<float>(1 / v.image.weight), static_cast<float>(v.b.x), static_cast<float>(v.b.y)};
 }
 
 }  // namespace
 
 TurnDrawer::TurnDrawer(const CurvedRayCamera& camera, size_t turn, uint8_t order, const Mesh& mesh,
                        const MeshBlocks& blocks)
-    : transition_(camera.turns()[turn]),
-      mesh_(mesh),
+    : mesh_(mesh),
       blocks_(blocks),
-      bounds_(camera, turn),
+      projection_(camera, turn),
       turn_(static_cast<uint32_t>(turn)),
       order_(order),
       width_(camera.width()),
       height_(camera.height()) {}
-
-/// Where a point of the turn is seen: its ray meets the middle plane at S, which is projected by a matrix.
-TurnDrawer::Vertex TurnDrawer::vertex(const glm::dvec3& p, const glm::dvec2& b) const {
-  Vertex v{p, b, {}, 0, 0, false};
-  const double first = std::max(transition_.planes().from.height(p), 0.0);
-  const double last = std::max(-transition_.planes().to.height(p), 0.0);
-  v.behindFirst = static_cast<float>(first);
-  v.beforeLast = static_cast<float>(last);
-  const std::optional<RayTransition::Place> place = transition_.find(p);
-  if (!place) {
-    return v;
-  }
-  const glm::dvec4 h = bounds_.before() * glm::dvec4(place->arc.s, 1);
-  const glm::dvec2 pixel(h.x / h.w, h.y / h.w);
-  if (!(h.w > 0) || !(std::abs(pixel.x) < kMostPixels) || !(std::abs(pixel.y) < kMostPixels)) {
-    return v;
-  }
-  // Any weight would do; one between those before and after the turn needs the fewest pieces.
-  const double share = first + last > 0 ? first / (first + last) : 0;
-  const double least = kLeastWeight * h.w;
-  const double weight = (1 - share) * std::max(weightOf(bounds_.before(), p), least) +
-                        share * std::max(weightOf(bounds_.after(), p), least);
-  v.image = {static_cast<float>(pixel.x), static_cast<float>(pixel.y), static_cast<float>(1 / weight),
-             static_cast<float>(b.x), static_cast<float>(b.y)};
-  v.imaged = true;
-  return v;
-}
 
 const TurnDrawer::Vertex& TurnDrawer::meshVertex(uint32_t index, Scratch& scratch) const {
   Scratch::Entry& held = scratch.cache[index % Scratch::kVertices];
@@ -69,30 +37,28 @@ const TurnDrawer::Vertex& TurnDrawer::meshVertex(uint32_t index, Scratch& scratc
 }
 
 void TurnDrawer::draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& scratch) const {
-  const Plane& from = transition_.planes().from;
-  const Plane& to = transition_.planes().to;
+  const HalfSpaces& slab = bounds().slab();
   blocks_.forEachTriangle(task.block, [&](uint32_t triangle) {
     const Sink sink{buffer, triangle};
     const glm::uvec3& t = mesh_.triangles[triangle];
-    int before = 0;
-    int beyond = 0;
+    std::array<int, 2> outside{};
     for (int k = 0; k < 3; ++k) {
-      const glm::dvec3 p(mesh_.positions[t[k]]);
-      before += from.height(p) < 0;
-      beyond += to.height(p) > 0;
+      const glm::dvec4 p(mesh_.positions[t[k]], 1);
+      outside[0] += glm::dot(slab[0], p) < 0;
+      outside[1] += glm::dot(slab[1], p) < 0;
     }
-    if (before == 3 || beyond == 3) {
+    if (outside[0] == 3 || outside[1] == 3) {
       return;
     }
-    if (before + beyond > 0) {
+    if (outside[0] + outside[1] > 0) {
       drawClipped(sink, scratch);
       return;
     }
     const Vertex a = meshVertex(t.x, scratch);
     Vertex b = meshVertex(t.y, scratch);
     Vertex c = meshVertex(t.z, scratch);
-    b.b.x = b.image.b1 = 1;
-    c.b.y = c.image.b2 = 1;
+    b.b.x = 1;
+    c.b.y = 1;
     refine(sink, a, b, c, 0);
   });
 }
@@ -102,7 +68,7 @@ void TurnDrawer::drawClipped(const Sink& sink, Scratch& scratch) const {
   std::vector<Vertex>& corners = scratch.corners;
   corners.clear();
   for (const ClipCorner& corner :
-       scratch.clipper.clip(mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z], bounds_.slab())) {
+       scratch.clipper.clip(mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z], bounds().slab())) {
     corners.push_back(vertex(corner.p, corner.b));
   }
   for (size_t i = 2; i < corners.size(); ++i) {
@@ -113,37 +79,30 @@ void TurnDrawer::drawClipped(const Sink& sink, Scratch& scratch) const {
 /// An edge bulges by less than half of its length: so does a piece. Pieces with a corner that has no image are looked
 /// at in the world.
 bool TurnDrawer::missesImage(const Vertex& a, const Vertex& b, const Vertex& c) const {
-  if (!a.imaged || !b.imaged || !c.imaged) {
-    return std::any_of(bounds_.sides().begin(), bounds_.sides().end(), [&](const HalfSpace& space) {
+  if (!a.image.imaged || !b.image.imaged || !c.image.imaged) {
+    return std::any_of(bounds().sides().begin(), bounds().sides().end(), [&](const HalfSpace& space) {
       const auto isOutside = [&](const Vertex& v) { return glm::dot(space, glm::dvec4(v.p, 1)) < 0; };
       return isOutside(a) && isOutside(b) && isOutside(c);
     });
   }
-  const auto [left, right] = std::minmax({a.image.u, b.image.u, c.image.u});
-  const auto [top, bottom] = std::minmax({a.image.v, b.image.v, c.image.v});
-  const float room = 1 + ((right - left) + (bottom - top)) / 2;
-  return right + room < 0 || bottom + room < 0 || left - room > static_cast<float>(width_) ||
-         top - room > static_cast<float>(height_);
+  const glm::dvec2 lower = glm::min(a.image.pixel, glm::min(b.image.pixel, c.image.pixel));
+  const glm::dvec2 upper = glm::max(a.image.pixel, glm::max(b.image.pixel, c.image.pixel));
+  const double room = 1 + ((upper.x - lower.x) + (upper.y - lower.y)) / 2;
+  return upper.x + room < 0 || upper.y + room < 0 || lower.x - room > width_ || lower.y - room > height_;
 }
 
 /// The middle of an edge that is to be split.
 std::optional<TurnDrawer::Vertex> TurnDrawer::splitOf(const Vertex& a, const Vertex& b) const {
-  const bool imaged = a.imaged && b.imaged;
-  const glm::vec2 between(a.image.u - b.image.u, a.image.v - b.image.v);
-  if (imaged ? glm::dot(between, between) <= kShortPixels * kShortPixels
-             : glm::distance(a.p, b.p) <= bounds_.shortestEdge()) {
+  const bool imaged = a.image.imaged && b.image.imaged;
+  const double bend = projection_.greatestBend(glm::distance(a.image.pixel, b.image.pixel),
+                                               std::abs(a.image.share() - b.image.share()));
+  if (imaged ? bend <= kErrorPixels : glm::distance(a.p, b.p) <= bounds().shortestEdge()) {
     return std::nullopt;
   }
   const Vertex middle = vertex((a.p + b.p) * 0.5, (a.b + b.b) * 0.5);
-  if (!imaged || !middle.imaged || glm::dot(between, between) > kLongPixels * kLongPixels) {
-    return middle;
-  }
-  // In perspective the middle comes nearer to the end that is farther away.
-  const float share = a.image.inverseZ / (a.image.inverseZ + b.image.inverseZ);
-  const glm::vec2 straight = glm::vec2(a.image.u, a.image.v) * (1 - share) + glm::vec2(b.image.u, b.image.v) * share;
-  const glm::vec2 error = glm::vec2(middle.image.u, middle.image.v) - straight;
-  const bool bends = glm::dot(error, error) > static_cast<float>(kErrorPixels * kErrorPixels);
-  return bends ? std::optional(middle) : std::nullopt;
+  const bool isStraight = imaged && middle.image.imaged && bend <= kMostBendPixels &&
+                          projection_.bend(a.image, b.image, middle.image) <= kErrorPixels;
+  return isStraight ? std::nullopt : std::optional(middle);
 }
 
 void TurnDrawer::refineOne(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& ab,
@@ -193,15 +152,23 @@ void TurnDrawer::refine(const Sink& sink, const Vertex& a, const Vertex& b, cons
 }
 
 void TurnDrawer::fill(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const {
-  if (!a.imaged || !b.imaged || !c.imaged) {
+  if (!a.image.imaged || !b.image.imaged || !c.image.imaged) {
     return;
   }
-  scanTriangle(width_, height_, a.image, b.image, c.image,
+  const auto inSingle = [](double atA, double atB, double atC) {
+    return std::array{static_cast<float>(atA), static_cast<float>(atB), static_cast<float>(atC)};
+  };
+  const auto behind = inSingle(a.image.behindFirst, b.image.behindFirst, c.image.behindFirst);
+  const auto ahead = inSingle(a.image.beforeLast, b.image.beforeLast, c.image.beforeLast);
+  scanTriangle(width_, height_, rasterVertex(a), rasterVertex(b), rasterVertex(c),
                [&](size_t pixel, float /*weight*/, const PixelWeights& weights) {
-                 const float first = weights.of(a.behindFirst, b.behindFirst, c.behindFirst);
-                 const float last = weights.of(a.beforeLast, b.beforeLast, c.beforeLast);
+                 const float first = weights.of(behind[0], behind[1], behind[2]);
+                 const float last = weights.of(ahead[0], ahead[1], ahead[2]);
                  const float share = first > 0 ? first / (first + std::max(last, 0.0f)) : 0;
-                 sink.buffer.offer(pixel, order_, std::max(share, 1e-30f), sink.triangle, weights);
+                 const float depth = std::max(share, 1e-30f);
+                 if (sink.buffer.isNearest(pixel, order_, depth, sink.triangle)) {
+                   sink.buffer.put(pixel, order_, depth, sink.triangle, weights());
+                 }
                });
 }
 

@@ -3,15 +3,15 @@
 //
 // Whether an edge is split depends on its two ends and its middle alone, so triangles that share an edge split it
 // alike: no cracks. It is split where its middle comes out more than `kErrorPixels` from where a straight piece, in
-// perspective, would have it, and where it is long enough to hide more than one bend. So surfaces are shown within that
-// many pixels of where they are.
+// perspective, would have it; edges that cannot bend so much are not looked at (turn_projection.h). So surfaces are
+// shown within about that many pixels of where they are.
 //
 // A ray crosses the planes through the line that the planes of the turn have in common one after the other, so the
 // share of the turn that such a plane cuts off orders what is met along the ray.
 #pragma once
 
 #include "oc_core/camera/curved_ray_camera.h"
-#include "oc_core/render/turn_bounds.h"
+#include "oc_core/render/turn_projection.h"
 
 namespace ocelli {
 
@@ -22,10 +22,7 @@ class TurnDrawer {
   struct Vertex {
     glm::dvec3 p{0};
     glm::dvec2 b{0};
-    RasterVertex image;
-    float behindFirst = 0;  ///< distance from the first plane of the turn, positive in the turn
-    float beforeLast = 0;   ///< from the last plane, positive in the turn
-    bool imaged = false;
+    TurnImage image;
   };
   /// What a thread keeps from one block to the next.
   struct Scratch {
@@ -43,7 +40,7 @@ class TurnDrawer {
   /// All must outlive it.
   TurnDrawer(const CurvedRayCamera& camera, size_t turn, uint8_t order, const Mesh& mesh, const MeshBlocks& blocks);
 
-  const TurnBounds& bounds() const { return bounds_; }
+  const TurnBounds& bounds() const { return projection_.bounds(); }
   void draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& scratch) const;
 
  private:
@@ -52,7 +49,7 @@ class TurnDrawer {
     uint32_t triangle;
   };
 
-  Vertex vertex(const glm::dvec3& p, const glm::dvec2& b) const;
+  Vertex vertex(const glm::dvec3& p, const glm::dvec2& b) const { return {p, b, projection_.project(p)}; }
   const Vertex& meshVertex(uint32_t index, Scratch& scratch) const;
   void drawClipped(const Sink& sink, Scratch& scratch) const;
   bool missesImage(const Vertex& a, const Vertex& b, const Vertex& c) const;
@@ -64,10 +61,9 @@ class TurnDrawer {
                  const Vertex& bc, int depth) const;
   void fill(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const;
 
-  const RayTransition& transition_;
   const Mesh& mesh_;
   const MeshBlocks& blocks_;
-  TurnBounds bounds_;
+  TurnProjection projection_;
   uint32_t turn_;
   uint8_t order_;
   int width_;

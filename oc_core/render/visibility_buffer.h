@@ -65,6 +65,9 @@ struct KeyedSample {
   }
 };
 
+/// From so many pixels on, the covered part of a row is worked out instead of found.
+inline constexpr int64_t kWideRow = 24;
+
 /// Pixels [x0, x1) x [y0, y1) of an image.
 struct PixelRect {
   int x0 = 0;
@@ -196,12 +199,24 @@ void scanTriangle(int width, const PixelRect& rect, const RasterVertex& a, const
   Edge eb = edge(cx, cy, ax, ay);
   Edge ec = edge(ax, ay, bx, by);
 
+  // Wide rows are entered and left where the edges are crossed: slivers cover few pixels of their boxes.
+  const bool isWide = x1 - x0 >= kWideRow;
   const float perArea = 1.0f / static_cast<float>(area);
   for (int64_t y = y0; y <= y1; ++y) {
-    int64_t wa = ea.row;
-    int64_t wb = eb.row;
-    int64_t wc = ec.row;
-    for (int64_t x = x0; x <= x1; ++x) {
+    int64_t first = 0;
+    int64_t last = x1 - x0;
+    for (const Edge* e : {&ea, &eb, &ec}) {
+      if (isWide && e->stepX > 0) {
+        first = std::max(first, (-e->row + e->stepX - 1) / e->stepX);
+      } else if (isWide && e->stepX < 0) {
+        last = e->row < 0 ? -1 : std::min(last, e->row / -e->stepX);
+      }
+    }
+    first = std::min(first, x1 - x0 + 1);  // may be far beyond
+    int64_t wa = ea.row + first * ea.stepX;
+    int64_t wb = eb.row + first * eb.stepX;
+    int64_t wc = ec.row + first * ec.stepX;
+    for (int64_t x = x0 + first; x <= x0 + last; ++x) {
       if ((wa | wb | wc) >= 0) {
         const float sb = static_cast<float>(wb) * perArea;
         const float sc = static_cast<float>(wc) * perArea;

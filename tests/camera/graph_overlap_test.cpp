@@ -82,7 +82,7 @@ TEST(FrustumPieces, holdWhatTheFrustumHolds) {
     for (size_t i = 0; i < graph.frusta().size(); ++i) {
       pieces.push_back(piecesOf(graph, static_cast<int>(i)));
     }
-    for (int n = 0; n < 2000; ++n) {
+    for (int n = 0; n < 4000; ++n) {
       const glm::dvec3 point = randomPoint(numbers);
       for (size_t i = 0; i < graph.frusta().size(); ++i) {
         const auto holders = std::count_if(pieces[i].begin(), pieces[i].end(),

@@ -116,24 +116,22 @@ MazeWithObjects::MazeWithObjects(uint64_t seed) : maze(makeMaze(seed)) {
   scene = {flatten(parts), objectOfTriangles(parts), parts.guides};
 }
 
-SeenMaze seenMaze(const GraphCamera& camera, const MazeWithObjects& made) {
-  const GuidedScene& scene = made.scene;
+SeenMaze seenMaze(const GraphCamera& camera, const Maze& maze, const GuidedScene& scene, size_t objects) {
   const FragmentImage fragments = rasterize(camera, scene.mesh);
   const Image<uint32_t> identity = identityImage(fragments, scene.objectOfTriangle);
   SeenMaze seen;
-  seen.cellPixels.assign(made.maze.cellCount(), 0);
-  seen.objectPixels.assign(made.objects, 0);
+  seen.cellPixels.assign(maze.cellCount(), 0);
+  seen.objectPixels.assign(objects, 0);
   for (int y = 0; y < fragments.height(); ++y) {
     for (int x = 0; x < fragments.width(); ++x) {
       const Fragment& fragment = fragments(x, y);
       if (!fragment.covered()) {
-        ++seen.emptyPixels;
         continue;
       }
       const glm::vec3 point = positionOf(fragment, scene.mesh);
-      const auto cell = made.maze.cellAt(point);
-      if (cell && isInClearBox(made.maze, *cell, point)) {
-        ++seen.cellPixels[made.maze.indexOf(*cell)];
+      const auto cell = maze.cellAt(point);
+      if (cell && isInClearBox(maze, *cell, point)) {
+        ++seen.cellPixels[maze.indexOf(*cell)];
       }
       const uint32_t object = identity(x, y);
       if (object != 0) {
@@ -143,14 +141,14 @@ SeenMaze seenMaze(const GraphCamera& camera, const MazeWithObjects& made) {
         const auto back = camera.projectExactly(glm::dvec3(point));
         const double away = back ? std::hypot(back->u - x - 0.5, back->v - y - 0.5) : 1e9;
         if (away > 1) {
-          ++seen.strayPixels;
+          ++(object != 0 ? seen.strayObjectPixels : seen.strayPixels);
         } else {
           seen.worstReturn = std::max(seen.worstReturn, away);
         }
       }
     }
   }
-  for (uint32_t object = 1; object <= made.objects; ++object) {
+  for (uint32_t object = 1; object <= objects; ++object) {
     const size_t regions = countRegions(identity, object);
     seen.regions.push_back(regions > 1 ? regionsAlone(camera, scene, object) : regions);
   }

@@ -29,11 +29,12 @@ struct SeenMaze {
   std::vector<size_t> cellPixels;    ///< whose point is in the clear box of the cell
   std::vector<size_t> objectPixels;  ///< of identity i + 1
   std::vector<size_t> regions;       ///< connected ones of each object, those that others part counted as one
-  size_t strayPixels = 0;            ///< whose point projects elsewhere, or nowhere
+  size_t strayObjectPixels = 0;      ///< whose point projects elsewhere, or nowhere
+  size_t strayPixels = 0;            ///< the same of a seventh of all that shows floor and walls
   double worstReturn = 0;            ///< pixels, of the others
-  size_t emptyPixels = 0;
 };
 
-SeenMaze seenMaze(const GraphCamera& camera, const MazeWithObjects& made);
+/// The scene has objects with identities 1 to `objects`.
+SeenMaze seenMaze(const GraphCamera& camera, const Maze& maze, const GuidedScene& scene, size_t objects);
 
 }  // namespace ocelli::test

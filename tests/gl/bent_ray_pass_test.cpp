@@ -59,6 +59,7 @@ TEST_P(BentRayPassTest, agreesWithTheProcessor) {
     expectAgreement(CurvedRayCamera(pinhole()), mesh, renderer, scene);
     expectAgreement(test::turningRight(pinhole()), mesh, renderer, scene);
     expectAgreement(test::turningTwice(pinhole()), mesh, renderer, scene);
+    expectAgreement(test::turningTwice(pinhole(), ArcModel::kBezier), mesh, renderer, scene);
   }
 }
 

@@ -18,8 +18,9 @@ using test::crossingCorridors;
 using test::smallCamera;
 using test::turnAt;
 
+/// Of an image whose depths are exact to single precision, unlike those of rasterisation.
 GraphDepthImage depthImageOf(const GraphCamera& camera, const Mesh& mesh) {
-  return {camera, rasterize(camera, mesh)};
+  return {camera, raycast(camera, mesh, RayScene(mesh))};
 }
 
 /// Corridors, their image, and random rays that begin in them.

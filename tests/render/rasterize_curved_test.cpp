@@ -53,7 +53,8 @@ TEST(RasterizeCurved, agreesWithRayCasting) {
   for (const char* scene : {"builtin:boxes", "builtin:statues", "builtin:fence,gap=4", "builtin:room"}) {
     const Mesh mesh = loadScene(scene, {}, {});
     const RayScene rays(mesh);
-    for (const CurvedRayCamera& curved : {turningRight(odd), turningTwice(odd), turningOften(odd, 8)}) {
+    for (const CurvedRayCamera& curved :
+         {turningRight(odd), turningTwice(odd), turningOften(odd, 8), turningTwice(odd, ArcModel::kBezier)}) {
       const FragmentImage cast = raycast(curved, mesh, rays);
       const Disagreement d = disagreement(cast, rasterize(curved, mesh), 1e-3f);
       EXPECT_GT(d.samples, 2000u);

@@ -6,10 +6,11 @@
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/render/rasterize.h"
-#include "oc_core/render/raycast.h"
+#include "oc_core/render/scene_drawer.h"
 #include "oc_core/scene/densify.h"
 #include "oc_core/scene/scene_source.h"
 #include "oc_core/scene/solids.h"
+#include "tests/camera/test_curved_cameras.h"
 #include "tests/camera/test_graph_cameras.h"
 #include "tests/render/ray_agreement.h"
 
@@ -59,8 +60,8 @@ TEST(RasterizeGraph, theRootAloneIsThePinhole) {
   EXPECT_LE(d.differing, d.samples / 1000) << d;
 }
 
-// At silhouettes rounding decides, and where planes or parts pass through a pixel centre. Images are of a width at which
-// no bar of the fence ends along a column of pixel centres.
+// At silhouettes rounding decides, and where planes or parts pass through a pixel centre. Images are of a width at
+// which no bar of the fence ends along a column of pixel centres.
 TEST(RasterizeGraph, agreesWithRayCasting) {
   const PinholeCamera camera(View{}, 196, 130);
   for (const char* scene : {"builtin:boxes", "builtin:statues", "builtin:fence,gap=4"}) {
@@ -118,6 +119,15 @@ TEST(RasterizeGraph, wallsAllAroundLeaveNoCrack) {
       EXPECT_EQ(coveredPixels(rasterize(mergedBehind(camera), mesh)), 180u * 120) << triangles << ", " << turned;
     }
   }
+}
+
+TEST(RasterizeGraph, whatDrawsScenesByRaysDrawsGraphAndCurvedRayCameras) {
+  const Mesh mesh = loadScene("builtin:boxes", {}, {});
+  const RayScene rays(mesh);
+  const RayDrawer drawer(mesh, rays);
+  const SceneDrawer& any = drawer;
+  EXPECT_EQ(any.draw(crossroads()), raycast(crossroads(), mesh, rays));
+  EXPECT_EQ(any.draw(test::turningTwice()), raycast(test::turningTwice(), mesh, rays));
 }
 
 TEST(RasterizeGraph, preparedBlocksDrawTheSame) {

@@ -1,5 +1,7 @@
 // A turn of a curved ray camera (oc_core/camera/ray_transition.h), and where it shows points. All places are taken from
-// the viewpoint before the turn, C0.
+// the viewpoint before the turn, C0. ARCS is one of the two models.
+#define CONIC 1
+#define BEZIER 2
 const int kMostSides = 16;
 layout(std140, binding = 1) uniform Turn {
   vec4 before;         // C0, in the world
@@ -17,6 +19,8 @@ layout(std140, binding = 1) uniform Turn {
   int straight;        // C0 is C1
   float shortestEdge;
   uint piece;
+  float bendFactor;  // oc_core/render/turn_projection.h
+  float bendWidth;
 };
 
 const float kLeastWeight = 0.05;
@@ -28,6 +32,7 @@ struct TurnPoint {
   float weight;
   float first;  // distance from the first plane, positive in the turn
   float last;   // from the last plane, positive in the turn
+  float share;  // of the turn that is passed
   bool imaged;
 };
 
@@ -45,27 +50,51 @@ float bernsteinRoot(vec3 b) {
   return !(b.x > 0.0) || !(b.z < 0.0) ? (b.x > 0.0 ? 1.0 : 0.0) : numerator / (numerator + denominator);
 }
 
+// Where an arc over S, with weights of 1, meets a line through A in its epipolar plane, whose side this is.
+vec3 onArc(vec3 s, vec3 a, vec3 side, out float u) {
+  vec3 t = s * (from.w / (from.w - (dot(from.xyz, s) + from.w)));
+  float heightBeyond = dot(to.xyz, beyond.xyz) + to.w;
+  float heightS = dot(to.xyz, s) + to.w;
+  vec3 q = (s * heightBeyond - beyond.xyz * heightS) / (heightBeyond - heightS);
+  u = bernsteinRoot(vec3(dot(side, t - a), dot(side, s - a), dot(side, q - a)));
+  return t * ((1.0 - u) * (1.0 - u)) + s * (2.0 * u * (1.0 - u)) + q * (u * u);
+}
+
 // Where the ray of a point within the turn meets the middle plane; w is 0 where it is on none.
 vec4 middleOf(vec3 p) {
   vec3 normal = normalize(cross(axis.xyz, p));
   float along = dot(normal, lineDirection.xyz);
   vec3 a = linePoint.xyz - lineDirection.xyz * (dot(normal, linePoint.xyz) / along);
   vec3 s = border.xyz - lineDirection.xyz * (dot(normal, border.xyz) / along);
-  vec3 t = s * (from.w / (from.w - (dot(from.xyz, s) + from.w)));
-  float heightBeyond = dot(to.xyz, beyond.xyz) + to.w;
-  float heightS = dot(to.xyz, s) + to.w;
-  vec3 q = (s * heightBeyond - beyond.xyz * heightS) / (heightBeyond - heightS);
-  vec3 up = normalize(cross(normal, axis.xyz));
-  vec3 heights = vec3(dot(up, t), dot(up, s), dot(up, q));
   vec3 side = cross(normal, p - a);
-  float u = bernsteinRoot(vec3(dot(side, t - a), dot(side, s - a), dot(side, q - a)));
-  vec3 b = vec3((1.0 - u) * (1.0 - u), 2.0 * u * (1.0 - u), u * u);
-  vec3 onB = t * b.x + s * b.y + q * b.z;
+  float u;
+#if ARCS == CONIC
+  vec3 up = cross(normal, axis.xyz);
+  vec3 onB = onArc(s, a, side, u);
   vec3 towards = a - onB;
   float share = dot(p - onB, towards) / dot(towards, towards);
-  float mu = share / (1.0 - share) / dot(heights, b);
-  float weight = 1.0 + mu * heights.y;
-  return vec4((s + a * (mu * heights.y)) / weight, share < 1.0 && weight > 0.0 ? 1.0 : 0.0);
+  float mu = share / (1.0 - share) * dot(up, s) / dot(up, onB);
+  return vec4((s + a * mu) / (1.0 + mu), share < 1.0 && 1.0 + mu > 0.0 ? 1.0 : 0.0);
+#else
+  // As RayTransition::findBezier(): the rays of the plane lie one beside the other.
+  float wanted = distance(p, a);
+  float inner = 0.0;
+  float outer = 1.0;
+  for (int i = 0; i < 5; ++i) {
+    if (distance(onArc(mix(a, s, outer), a, side, u), a) <= wanted) {
+      inner = outer;
+      outer *= 2.0;
+    }
+  }
+  float most = outer;
+  for (int i = 0; i < 24; ++i) {
+    float middle = 0.5 * (inner + outer);
+    bool isTooFar = distance(onArc(mix(a, s, middle), a, side, u), a) > wanted;
+    inner = isTooFar ? inner : middle;
+    outer = isTooFar ? middle : outer;
+  }
+  return vec4(mix(a, s, inner), most <= 16.0 ? 1.0 : 0.0);
+#endif
 }
 
 // Beyond its planes a turn goes on as the straight rays do that are tangent to it.
@@ -89,6 +118,7 @@ TurnPoint turnPoint(vec3 p) {
     held = true;
     share = 1.0;
   }
+  point.share = share;
   point.image = image.xy / image.z;
   float least = kLeastWeight * image.z;
   point.weight = mix(max(beforeTurn.z, least), max(afterTurn.z, least), share);

@@ -9,26 +9,20 @@ layout(std430, binding = 2) readonly buffer Source { uint source[]; };
 layout(location = 2) uniform uint depth;
 
 const uint kDeepest = 24u;  // only guards against numbers gone wrong
-const float kShortPixels = 3.0;
-const float kLongPixels = 96.0;
+const float kMostBendPixels = 16.0;
 const float kErrorPixels = 1.0 / 16.0;
 
-float squared(vec2 v) {
-  return v.x * v.x + v.y * v.y;
-}
-
 bool mustSplit(TurnPoint a, TurnPoint b) {
-  float long_ = squared(a.image - b.image);
   if (!a.imaged || !b.imaged) {
     return distance(a.p, b.p) > shortestEdge;
   }
-  if (long_ <= kShortPixels * kShortPixels) {
-    return false;
-  }
+  float share = abs(a.share - b.share);
+  float long_ = distance(a.image, b.image);
+  float bend = bendFactor * (share * (long_ + bendWidth * share) + long_ * long_ / (16.0 * bendWidth));
   TurnPoint middle = turnPoint((a.p + b.p) * 0.5);
   vec2 straight_ = (a.image * a.weight + b.image * b.weight) / (a.weight + b.weight);
-  return long_ > kLongPixels * kLongPixels || !middle.imaged ||
-         squared(middle.image - straight_) > kErrorPixels * kErrorPixels;
+  return bend > kErrorPixels &&
+         (bend > kMostBendPixels || !middle.imaged || distance(middle.image, straight_) > kErrorPixels);
 }
 
 // In the world: all corners beyond one of the planes around the turn.

@@ -1,0 +1,53 @@
+// The comprehensive camera over 100 seeded mazes (6 x 6 to 10 x 10 cells, 20 objects each): what it shows of each cell
+// and each object, at 1920 x 1200. maze_seen.h says what "seen exactly once" means.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "oc_core/constructor/comprehensive_constructor.h"
+#include "tests/constructor/maze_seen.h"
+
+namespace ocelli {
+namespace {
+
+constexpr uint64_t kMazes = 10;  // of each case, of 10
+constexpr size_t kFewPixels = 4;
+
+class HundredMazes : public testing::TestWithParam<uint64_t> {};
+
+TEST_P(HundredMazes, areSeenOnceInOneImage) {
+  size_t objects = 0;
+  size_t unseen = 0;
+  for (uint64_t seed = GetParam() * kMazes; seed < (GetParam() + 1) * kMazes; ++seed) {
+    const test::MazeWithObjects made(seed);
+    const GraphCamera camera = makeComprehensiveCamera(made.maze, {}, 1920, 1200);
+    const test::SeenMaze seen = test::seenMaze(camera, made.maze, made.scene, made.objects);
+
+    const auto few = std::count_if(seen.cellPixels.begin(), seen.cellPixels.end(),
+                                   [](size_t pixels) { return pixels < kFewPixels; });
+    const auto hidden = std::count(seen.objectPixels.begin(), seen.objectPixels.end(), 0u);
+    std::printf("maze %2d, %2d x %2d, %3zu frusta: cells below %zu pixels %d, least %zu; objects unseen %d of %zu\n",
+                static_cast<int>(seed), made.maze.rows(), made.maze.columns(), camera.frusta().size(), kFewPixels,
+                static_cast<int>(few), *std::min_element(seen.cellPixels.begin(), seen.cellPixels.end()),
+                static_cast<int>(hidden), made.objects);
+    EXPECT_LT(static_cast<double>(few), 0.01 * static_cast<double>(made.maze.cellCount())) << "seed " << seed;
+
+    // Nothing is seen twice.
+    EXPECT_EQ(seen.strayObjectPixels, 0u) << "seed " << seed;
+    EXPECT_LT(seen.strayPixels, 1e-3 * 1920 * 1200 / 7) << "seed " << seed;  // 1/64 pixel beyond planes (stretch.h)
+    for (size_t i = 0; i < made.objects; ++i) {
+      // Thinner than a pixel, an arch falls to pieces: from 400 pixels on it is wide enough.
+      EXPECT_TRUE(seen.regions[i] <= 1 || seen.objectPixels[i] < 400) << "object " << i + 1 << " of seed " << seed;
+    }
+    objects += made.objects;
+    unseen += static_cast<size_t>(hidden);
+  }
+  // Of 2000 objects 9 are not seen: 6 stand wholly behind a larger one, 3 are smaller than a pixel.
+  EXPECT_LE(static_cast<double>(unseen), 0.015 * static_cast<double>(objects));
+}
+
+INSTANTIATE_TEST_SUITE_P(Tens, HundredMazes, testing::Range<uint64_t>(0, 10));
+
+}  // namespace
+}  // namespace ocelli
