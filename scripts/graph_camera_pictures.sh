@@ -1,0 +1,40 @@
+#!/bin/sh
+# Makes the pictures of docs/graph_cameras.md anew, in docs/images. Build the program first.
+set -eu
+cd "$(dirname "$0")/.."
+
+ocelli="${OCELLI:-build/release/cli/ocelli} -q"
+examples=docs/cameras/examples
+images=docs/images
+
+# pictures NAME SCENE SIZE CUT [OPTION ...]: the camera's image and its plan, and what a pinhole sees where a view is given
+pictures() {
+  name=$1 scene=$2 size=$3 cut=$4
+  shift 4
+  # shellcheck disable=SC2086  # the program and an option
+  $ocelli render "$scene" "$@" --camera "$examples/$name.json" --size "$size" -o "$images/graph-$name.png"
+  # shellcheck disable=SC2086
+  $ocelli camera show "$scene" "$@" --camera "$examples/$name.json" --size "$size" $cut --pixels 700 \
+    -o "$images/graph-$name-plan.png"
+}
+# pinhole NAME SCENE SIZE [OPTION ...]
+pinhole() {
+  name=$1 scene=$2 size=$3
+  shift 3
+  # shellcheck disable=SC2086
+  $ocelli render "$scene" "$@" --camera "$examples/pinhole.json" --size "$size" -o "$images/graph-$name-pinhole.png"
+}
+
+pictures portal builtin:maze 800x450 "" --no-fit --view $examples/portal_maze_view.json
+pinhole portal builtin:maze 800x450 --no-fit --view $examples/portal_maze_view.json
+pictures occluder builtin:town 800x450 "" --no-fit --view $examples/occluder_view.json
+pinhole occluder builtin:town 800x450 --no-fit --view $examples/occluder_view.json
+pictures target builtin:boxes,count=700,floor=1 800x450 "" --view $examples/target_view.json
+pinhole target builtin:boxes,count=700,floor=1 800x450 --view $examples/target_view.json
+pictures path builtin:canyon 800x450 "--cut 400" --no-fit --view $examples/path_view.json
+# A preview so short that nothing turns in it.
+$ocelli render builtin:canyon --no-fit --view $examples/path_view.json --camera $examples/path_pinhole.json \
+  --size 800x450 -o $images/graph-path-pinhole.png
+pictures maze_forward "builtin:maze,file=$examples/street_maze.json" 800x500 "" --no-fit
+pictures maze_backward "builtin:maze,file=$examples/street_maze.json" 800x500 "" --no-fit
+pictures comprehensive builtin:maze 1200x750 ""
