@@ -1,12 +1,13 @@
 // Curved ray cameras made by hand (section 4.3.2.1): a list of turns as JSON.
 //
-//   {"camera": "curved",
-//    "view": {...},                          the root's view (oc_core/camera/view.schema.json); the user's where
-//    missing "turns": [{"name": "into the street", "from": {...}, "middle": {...}, "to": {...}, "viewpoint": [x, y,
-//    z]}]}
+//   {"camera": "curved", "view": {...}, "size": {"width": 1280, "height": 720}, "arcs": "conic",
+//    "turns": [
+//      {"name": "into the street", "from": {...}, "middle": {...}, "to": {...}, "viewpoint": [x, y, z]}]}
 //
-// The planes of the transition (ray_transition.h) are {"point": [x, y, z], "normal": [x, y, z]}, meet in a line, and
-// their normals point the way that rays run. Rays pass the turns in the order of the list. Names are for people.
+// The view is that of the root (oc_core/camera/view.schema.json), the user's where it is missing. The size, which may
+// be missing, is the shape of the images that it is made for. Arcs are "conic", or "bezier" as in the text's first
+// model. The planes of the transition (ray_transition.h) are {"point": [x, y, z], "normal": [x, y, z]}, meet in a line,
+// and their normals point the way that rays run. Rays pass the turns in the order of the list. Names are for people.
 #pragma once
 
 #include <string>

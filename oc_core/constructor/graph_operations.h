@@ -1,15 +1,17 @@
 // Graph cameras made by hand: a list of bend, split, merge and limit operations (section 4.1) as JSON, in which frusta
 // have names.
 //
-//   {"camera": "graph",
-//    "view": {...},                          the root's view (oc_core/camera/view.schema.json); the user's where
-//    missing "operations": [
-//      {"operation": "bend",  "of": "root", "into": {"name": "street", "plane": {...}, "viewpoint": [x, y, z],
-//                                                    "part": [[0, 0], [0.5, 0], [0.5, 1], [0, 1]]}},
+//   {"camera": "graph", "view": {...}, "size": {"width": 1280, "height": 720}, "overlap": "refused",
+//    "operations": [
+//      {"operation": "bend", "of": "root", "into": {"name": "street", "plane": {...}, "viewpoint": [x, y, z],
+//       "part": [[0, 0], [0.5, 0], [0.5, 1], [0, 1]]}},
 //      {"operation": "split", "of": "street", "into": [{"name": "left", ...}, {"name": "right", ...}]},
 //      {"operation": "merge", "of": ["left", "right"], "into": {"name": "behind", ...}},
-//      {"operation": "limit", "of": "behind", "plane": {...}}],
-//    "overlap": "refused"}                   or "allowed": frusta may overlap, such as behind walls that hide it
+//      {"operation": "limit", "of": "behind", "plane": {...}}]}
+//
+// The view is that of the root (oc_core/camera/view.schema.json), the user's where it is missing. The size, which may
+// be missing, is the shape of the images that parts are shares of. With an overlap "allowed" frusta may overlap, such
+// as behind walls that hide it.
 //
 // A plane is {"point": [x, y, z], "normal": [x, y, z]}; its normal points the way that rays run. A part is a convex
 // polygon, clockwise as seen, in shares of the image's width and height. Operations may stand in any order.

@@ -28,7 +28,7 @@ class JsonFields;
 struct PortalOptions {
   std::vector<Portal> portals;  ///< where empty, those of the scene, or else the openings of its maze
   double straightWithin = 0.1;  ///< nearer than that rays go straight through
-  double bentBeyond = 2;        ///< from there on nearness does not matter
+  double bentBeyond = 3;        ///< from there on nearness does not matter
   double farthest = 12;  ///< rays go straight through portals that are farther away; from 3/4 of it they bend less
   double straightDegrees = 5;  ///< rays go straight where the eye faces the portal
   double bentDegrees = 65;     ///< from there on facing it does not matter

@@ -16,21 +16,26 @@ namespace {
 struct Changes {
   double pinhole = 0;
   double camera = 0;
+  bool bent = false;  ///< the rays of some portal turn in one of the two frames
 };
 
 /// From each frame to the next.
-std::vector<Changes> changesAlong(const std::vector<View>& views, const GuidedScene& scene) {
+std::vector<Changes> changesAlong(const std::vector<View>& views, const GuidedScene& scene,
+                                  const PortalOptions& options = {}) {
   std::vector<Changes> changes;
+  bool wasBent = false;
   test::ImageChange pinhole;
   test::ImageChange camera;
   for (const View& view : views) {
     const PinholeCamera reference(view, 160, 90);
     const auto ofPinhole = pinhole.next(rasterize(reference, scene.mesh), scene.mesh);
-    const auto ofCamera =
-        camera.next(rasterize(buildPortalCamera({}, scene.guides, reference), scene.mesh), scene.mesh);
+    const GraphCamera graph = buildPortalCamera(options, scene.guides, reference);
+    const bool bent = graph.frusta().size() > 1;
+    const auto ofCamera = camera.next(rasterize(graph, scene.mesh), scene.mesh);
     if (ofPinhole) {
-      changes.push_back({*ofPinhole, *ofCamera});
+      changes.push_back({*ofPinhole, *ofCamera, bent || wasBent});
     }
+    wasBent = bent;
   }
   return changes;
 }
@@ -49,6 +54,7 @@ constexpr float kStepMetres = 0.1f;
 constexpr float kStepDegrees = 4.5f;
 
 TEST(PortalWalk, imagesChangeAsThePinholesDoInMazes) {
+  size_t bent = 0;
   std::vector<double> ofSteps;
   std::vector<double> ofWalks;
   double camera = 0;
@@ -56,21 +62,25 @@ TEST(PortalWalk, imagesChangeAsThePinholesDoInMazes) {
   for (uint64_t seed = 1; seed <= 100; ++seed) {
     const GuidedScene scene = loadGuidedScene("builtin:maze,seed=" + std::to_string(seed), {.fit = false});
     Random random(seed);
-    const std::vector<Changes> changes = changesAlong(
-        test::walkAlong(test::randomLine(*scene.guides.maze, 6, random), 0, kStepMetres, kStepDegrees), scene);
+    const std::vector<View> views =
+        test::walkAlong(test::randomLine(*scene.guides.maze, 6, random), 0, kStepMetres, kStepDegrees);
+    const std::vector<Changes> changes = changesAlong(views, scene);
     for (const Changes& each : changes) {
       ofSteps.push_back(each.camera / std::max(each.pinhole, 1e-9));
       camera += each.camera;
+      bent += each.bent;
       pinhole += each.pinhole;
     }
     ofWalks.push_back(greatest(changes).camera / greatest(changes).pinhole);
   }
   test::report("camera / pinhole, each of the steps", ofSteps);
   test::report("camera / pinhole, the largest step of each walk", ofWalks);
-  std::printf("camera / pinhole, all steps together: %.3f\n", camera / pinhole);
-  // The largest change of a walk comes from turning the head, which moves all of the image, whatever it shows.
-  EXPECT_LE(*std::max_element(ofWalks.begin(), ofWalks.end()), 1.1);
-  EXPECT_LE(camera / pinhole, 1.1);
+  std::printf("camera / pinhole, all steps together: %.3f; rays turn in %zu of them\n", camera / pinhole, bent);
+  EXPECT_GT(bent, ofSteps.size() / 4);
+  // Not 1: the largest change of a walk comes from turning the head, which moves what portals show with all the rest,
+  // and that has more detail than the wall that a pinhole sees in its place.
+  EXPECT_LE(*std::max_element(ofWalks.begin(), ofWalks.end()), 1.05);
+  EXPECT_LE(camera / pinhole, 1.02);
 }
 
 TEST(PortalWalk, nothingJumpsInADoorway) {
@@ -88,11 +98,19 @@ TEST(PortalWalk, nothingJumpsInADoorway) {
     const std::vector<glm::vec2> line{center + out * 2.0f + right * 2.0f, center + out * 0.8f + right * 0.2f,
                                       center - out * 0.5f, center - out * 1.8f};
     const float floor = portal.center.y - portal.halfUp.y;
-    const Changes coarse = greatest(changesAlong(test::walkAlong(line, floor, 0.05f, 2), scene));
-    const Changes fine = greatest(changesAlong(test::walkAlong(line, floor, 0.05f / 4, 0.5f), scene));
+    PortalOptions options;
+    options.bentBeyond = 1.5;  // rays turn up to close before the door
+    const auto greatestBent = [&](float stepMetres, float stepDegrees) {
+      std::vector<Changes> changes =
+          changesAlong(test::walkAlong(line, floor, stepMetres, stepDegrees), scene, options);
+      std::erase_if(changes, [](const Changes& each) { return !each.bent; });
+      EXPECT_GT(changes.size(), 10u);
+      return greatest(changes);
+    };
+    const Changes coarse = greatestBent(0.05f, 2);
+    const Changes fine = greatestBent(0.05f / 4, 0.5f);
     std::printf("door %zu: pinhole %.4f, camera %.4f; at a quarter of the steps %.4f and %.4f\n", doors, coarse.pinhole,
                 coarse.camera, fine.pinhole, fine.camera);
-    EXPECT_LE(coarse.camera, 1.1 * coarse.pinhole);
     // An image that jumped would change as much by however small a step.
     EXPECT_LE(fine.camera, 0.6 * coarse.camera);
   }

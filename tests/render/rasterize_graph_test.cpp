@@ -6,10 +6,11 @@
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/render/rasterize.h"
-#include "oc_core/render/raycast.h"
+#include "oc_core/render/scene_drawer.h"
 #include "oc_core/scene/densify.h"
 #include "oc_core/scene/scene_source.h"
 #include "oc_core/scene/solids.h"
+#include "tests/camera/test_curved_cameras.h"
 #include "tests/camera/test_graph_cameras.h"
 #include "tests/render/ray_agreement.h"
 
@@ -118,6 +119,15 @@ TEST(RasterizeGraph, wallsAllAroundLeaveNoCrack) {
       EXPECT_EQ(coveredPixels(rasterize(mergedBehind(camera), mesh)), 180u * 120) << triangles << ", " << turned;
     }
   }
+}
+
+TEST(RasterizeGraph, whatDrawsScenesByRaysDrawsGraphAndCurvedRayCameras) {
+  const Mesh mesh = loadScene("builtin:boxes", {}, {});
+  const RayScene rays(mesh);
+  const RayDrawer drawer(mesh, rays);
+  const SceneDrawer& any = drawer;
+  EXPECT_EQ(any.draw(crossroads()), raycast(crossroads(), mesh, rays));
+  EXPECT_EQ(any.draw(test::turningTwice()), raycast(test::turningTwice(), mesh, rays));
 }
 
 TEST(RasterizeGraph, preparedBlocksDrawTheSame) {
