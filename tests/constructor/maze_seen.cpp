@@ -24,22 +24,26 @@ Maze makeMaze(uint64_t seed) {
   return generateMaze(options);
 }
 
-/// Of the pixels of an object: 8-connected.
+/// Triangles that are seen edge on may leave single pixels behind the plane where a ray turns.
+constexpr size_t kLeastRegion = 4;
+
+/// Of the pixels of an object: 8-connected, the largest and all others of kLeastRegion pixels.
 size_t countRegions(const Image<uint32_t>& identity, uint32_t object) {
   Image<uint8_t> seen(identity.width(), identity.height());
   std::vector<std::pair<int, int>> stack;
-  size_t regions = 0;
+  std::vector<size_t> sizes;
   for (int y = 0; y < identity.height(); ++y) {
     for (int x = 0; x < identity.width(); ++x) {
       if (identity(x, y) != object || seen(x, y) != 0) {
         continue;
       }
-      ++regions;
+      sizes.push_back(0);
       seen(x, y) = 1;
       stack.push_back({x, y});
       while (!stack.empty()) {
         const auto [u, v] = stack.back();
         stack.pop_back();
+        ++sizes.back();
         for (int ny = std::max(v - 1, 0); ny <= std::min(v + 1, identity.height() - 1); ++ny) {
           for (int nx = std::max(u - 1, 0); nx <= std::min(u + 1, identity.width() - 1); ++nx) {
             if (identity(nx, ny) == object && seen(nx, ny) == 0) {
@@ -51,7 +55,8 @@ size_t countRegions(const Image<uint32_t>& identity, uint32_t object) {
       }
     }
   }
-  return regions;
+  const auto counted = std::count_if(sizes.begin(), sizes.end(), [](size_t size) { return size >= kLeastRegion; });
+  return sizes.empty() ? 0 : std::max<size_t>(1, static_cast<size_t>(counted));
 }
 
 Image<uint32_t> identityImage(const FragmentImage& fragments, const std::vector<uint32_t>& objectOfTriangle) {
