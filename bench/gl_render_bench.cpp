@@ -13,12 +13,12 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "bench/bench_program.h"
 #include "bench/timing.h"
 #include "display_sim/gl/gl_observer.h"
 #include "display_sim/gl/gl_slicer.h"
 #include "display_sim/observer.h"
 #include "display_sim/slicer.h"
-#include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/gl/gl_api.h"
@@ -218,26 +218,16 @@ void measureScenes(const BenchChoice& choice) {
 }
 
 int run(int argumentCount, char** arguments) {
-  CLI::App program("Images, constructions and the way from a scene to a volume, with OpenGL and without.");
+  CLI::App program("Images, constructions and the way from a scene to a volume, with OpenGL and without.",
+                   "gl_render_bench");
   BenchChoice choice;
   program.add_option("--scene", choice.scene, "Scene, with {} for the triangle count")->capture_default_str();
   program.add_option("--triangles", choice.triangles, "Triangle counts")->delimiter(',')->capture_default_str();
   program.add_option("--provider", choice.provider, "auto, egl or osmesa")->capture_default_str();
   program.add_option("--profile", choice.profile, "Display")->capture_default_str();
-  program.add_option("--runs", choice.runs, "Runs a figure")->check(CLI::Range(1, 1000))->capture_default_str();
-  program.add_option("--threads", choice.threads, "0 stands for all cores")->check(CLI::Range(0, 1024));
-  program.add_option("--width", choice.width, "Pixels")->check(CLI::Range(1, 8192))->capture_default_str();
-  program.add_option("--height", choice.height, "Pixels")->check(CLI::Range(1, 8192))->capture_default_str();
+  addCommonOptions(program, choice);
   program.add_option("--json", choice.json, "Write the same figures to a file");
-  CLI11_PARSE(program, argumentCount, arguments);
-  setThreadCount(choice.threads);
-  try {
-    measureScenes(choice);
-    return 0;
-  } catch (const Error& error) {
-    fmt::print(stderr, "gl_render_bench: error: {}\n", error.what());
-    return 1;
-  }
+  return runProgram(program, argumentCount, arguments, choice, measureScenes);
 }
 
 }  // namespace

@@ -16,9 +16,9 @@
 #include <ctime>
 #include <functional>
 
+#include "bench/bench_program.h"
 #include "bench/street_cameras.h"
 #include "bench/timing.h"
-#include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_renderer.h"
@@ -150,23 +150,13 @@ void measureScenes(const BenchChoice& choice) {
 }
 
 int run(int argumentCount, char** arguments) {
-  CLI::App program("Images of the graph camera and of the curved ray camera, beside those of a pinhole.");
+  CLI::App program("Images of the graph camera and of the curved ray camera, beside those of a pinhole.",
+                   "multiperspective_bench");
   BenchChoice choice;
   program.add_option("--scenes", choice.scenes, "Scenes")->delimiter(';')->capture_default_str();
   program.add_option("--provider", choice.provider, "auto, egl or osmesa")->capture_default_str();
-  program.add_option("--runs", choice.runs, "Runs a figure")->check(CLI::Range(1, 1000))->capture_default_str();
-  program.add_option("--threads", choice.threads, "0 stands for all cores")->check(CLI::Range(0, 1024));
-  program.add_option("--width", choice.width, "Pixels")->check(CLI::Range(1, 8192))->capture_default_str();
-  program.add_option("--height", choice.height, "Pixels")->check(CLI::Range(1, 8192))->capture_default_str();
-  CLI11_PARSE(program, argumentCount, arguments);
-  setThreadCount(choice.threads);
-  try {
-    measureScenes(choice);
-    return 0;
-  } catch (const Error& error) {
-    fmt::print(stderr, "multiperspective_bench: error: {}\n", error.what());
-    return 1;
-  }
+  addCommonOptions(program, choice);
+  return runProgram(program, argumentCount, arguments, choice, measureScenes);
 }
 
 }  // namespace

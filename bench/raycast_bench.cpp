@@ -12,7 +12,7 @@
 #include <ctime>
 #include <functional>
 
-#include "oc_core/base/error.h"
+#include "bench/bench_program.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/camera/spoc_camera.h"
 #include "oc_core/ocri/camera_choice.h"
@@ -135,24 +135,14 @@ void measureScenes(const BenchChoice& choice) {
 }
 
 int run(int argumentCount, char** arguments) {
-  CLI::App program("Ray casting against a standing acceleration structure, at growing triangle counts.");
+  CLI::App program("Ray casting against a standing acceleration structure, at growing triangle counts.",
+                   "raycast_bench");
   BenchChoice choice;
   program.add_option("--scene", choice.scene, "Scene, with {} for the triangle count")->capture_default_str();
   program.add_option("--triangles", choice.triangles, "Triangle counts")->delimiter(',')->capture_default_str();
-  program.add_option("--runs", choice.runs, "Runs a figure")->check(CLI::Range(1, 1000))->capture_default_str();
-  program.add_option("--threads", choice.threads, "0 stands for all cores")->check(CLI::Range(0, 1024));
-  program.add_option("--width", choice.width, "Pixels")->check(CLI::Range(1, 8192))->capture_default_str();
-  program.add_option("--height", choice.height, "Pixels")->check(CLI::Range(1, 8192))->capture_default_str();
+  addCommonOptions(program, choice);
   program.add_flag("!--no-drawing", choice.drawing, "Measure whole constructions only");
-  CLI11_PARSE(program, argumentCount, arguments);
-  setThreadCount(choice.threads);
-  try {
-    measureScenes(choice);
-    return 0;
-  } catch (const Error& error) {
-    fmt::print(stderr, "raycast_bench: error: {}\n", error.what());
-    return 1;
-  }
+  return runProgram(program, argumentCount, arguments, choice, measureScenes);
 }
 
 }  // namespace
