@@ -49,6 +49,7 @@ class HeightOver {
     const float area = e1.x * e2.y - e1.y * e2.x;
     const glm::vec2 gradient = glm::vec2(s1 * e2.y - s2 * e1.y, s2 * e1.x - s1 * e2.x) / area;
     overlap_ = area != 0 ? glm::length(gradient) * kOverlapPixels : 0;
+    most_ = static_cast<float>(pixelOnTriangle(v, points));
   }
 
   bool isBefore(const PixelWeights& weights) const { return height(weights) < -tolerance(weights); }
@@ -56,10 +57,27 @@ class HeightOver {
 
  private:
   float height(const PixelWeights& weights) const { return weights.of(at_[0], at_[1], at_[2]); }
-  float tolerance(const PixelWeights& weights) const { return overlap_ * weights.z() + rounding_; }
+  float tolerance(const PixelWeights& weights) const { return std::min(overlap_ * weights.z(), most_) + rounding_; }
+
+  /// How long a pixel is on the triangle, along its longest edge in the image: across a triangle that is seen nearly
+  /// edge on, what a share of a pixel is on it means nothing.
+  static double pixelOnTriangle(const std::array<RasterVertex, 3>& v, const std::array<glm::dvec3, 3>& points) {
+    double longest = 0;
+    double size = 0;
+    for (size_t i = 0; i < 3; ++i) {
+      const size_t k = (i + 1) % 3;
+      const double pixels = glm::length(glm::dvec2(v[k].u - v[i].u, v[k].v - v[i].v));
+      if (pixels > longest) {
+        longest = pixels;
+        size = glm::distance(points[i], points[k]) / pixels;
+      }
+    }
+    return size;
+  }
 
   std::array<float, 3> at_{};
   float overlap_ = 0;
+  float most_ = 0;
   float rounding_;
 };
 
