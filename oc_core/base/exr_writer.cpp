@@ -68,6 +68,7 @@ Imf::FrameBuffer frameBufferOf(const ExrPart& part) {
 }  // namespace
 
 std::string exrBytes(const std::vector<ExrPart>& parts) {
+  OC_CHECK(!parts.empty(), "an EXR file holds an image at least");
   Imath::Box2i window({0, 0}, {0, 0});
   for (const ExrPart& part : parts) {
     window.extendBy(Imath::V2i(part.width - 1, part.height - 1));

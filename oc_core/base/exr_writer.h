@@ -1,4 +1,4 @@
-// Writes OpenEXR images.
+// Writes OpenEXR images, to memory: file_bytes.h puts them into files.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,9 @@ struct ExrPart {
 
 inline constexpr const char* kExrDescription = "ocelli";
 
-/// One file of so many images, which are not empty; they share one display window. Lossless compression.
+/// One file of so many images, one at least, with names of their own; they share one display window. Lossless
+/// compression. Aborts where there is no image, or one without pixels: that is a bug of the caller. Throws what OpenEXR
+/// throws (an std::exception) where two parts have one name.
 std::string exrBytes(const std::vector<ExrPart>& parts);
 
 }  // namespace ocelli

@@ -4,58 +4,22 @@
 
 #include <set>
 
-#include "oc_core/camera/frustum_pieces.h"
+#include "tests/camera/graph_holders.h"
 #include "tests/camera/random_graph_cameras.h"
 
 namespace ocelli {
 namespace {
 
+using test::holds;
+using test::kLower;
+using test::kUpper;
 using test::Numbers;
+using test::randomPoint;
 using test::smallCamera;
 using test::turnAt;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
-
-const glm::dvec3 kLower(-4, -4, -14);
-const glm::dvec3 kUpper(4, 4, 10);
-
-/// Whether a frustum holds a point, turn by turn up to the root: slow and obvious.
-bool holds(const GraphCamera& graph, int i, const glm::dvec3& point) {
-  const auto frustum = [&](int k) -> const GraphCamera::Frustum& { return graph.frusta()[static_cast<size_t>(k)]; };
-  glm::dvec3 at = point;
-  for (int k = i;; k = frustum(k).parent) {
-    if (frustum(k).plane.height(at) < 0) {
-      return false;
-    }
-    if (k == GraphCamera::kRoot) {
-      break;
-    }
-    at = frustum(k).plane.crossing(frustum(k).viewpoint, at);
-  }
-  const glm::dvec4 h = frustum(0).pixelFromWorld * glm::dvec4(at, 1);
-  const glm::dvec2 pixel(h.x / h.w, h.y / h.w);
-  const GraphCamera::Part& part = frustum(i).part;
-  for (size_t k = 0; k < part.size(); ++k) {
-    const glm::dvec2 along = part[(k + 1) % part.size()] - part[k];
-    const glm::dvec2 to = pixel - part[k];
-    if (along.x * to.y - along.y * to.x < 0) {
-      return false;
-    }
-  }
-  const int child = graph.childAt(i, pixel);
-  return child < 0 ? !graph.isBeyondLimits(i, point) : frustum(child).plane.height(point) <= 0;
-}
-
-bool pieceHolds(const FrustumPiece& piece, const glm::dvec3& point) {
-  return std::all_of(piece.sides.begin(), piece.sides.end(),
-                     [&](const Plane& side) { return side.height(point) <= 0; });
-}
-
-glm::dvec3 randomPoint(Numbers& numbers) {
-  return {numbers.between(kLower.x, kUpper.x), numbers.between(kLower.y, kUpper.y),
-          numbers.between(kLower.z, kUpper.z)};
-}
 
 /// Two windows whose rays run towards each other from z = 0 on, symmetric to x = 0. The inner edges of the windows are
 /// at x = +-gap there, the viewpoints at x = +-6, z = 6, so the inner rays meet at z = -6 gap / (6 - gap).
@@ -70,29 +34,6 @@ GraphCamera squinting(double gap) {
              {{45 + inner, 10}, {80, 10}, {80, 50}, {45 + inner, 50}});
   graph.limit(0, Plane::through({0, 0, 0}, {0, 0, -1}));
   return graph;
-}
-
-TEST(FrustumPieces, holdWhatTheFrustumHolds) {
-  Numbers numbers;
-  size_t held = 0;
-  for (int k = 0; k < 30; ++k) {
-    GraphCamera graph = test::randomGraph(numbers, 6);
-    graph.limit(0, Plane::through({0, 0, -3}, {0.1, 0, -1}));
-    std::vector<std::vector<FrustumPiece>> pieces;
-    for (size_t i = 0; i < graph.frusta().size(); ++i) {
-      pieces.push_back(piecesOf(graph, static_cast<int>(i)));
-    }
-    for (int n = 0; n < 4000; ++n) {
-      const glm::dvec3 point = randomPoint(numbers);
-      for (size_t i = 0; i < graph.frusta().size(); ++i) {
-        const auto holders = std::count_if(pieces[i].begin(), pieces[i].end(),
-                                           [&](const FrustumPiece& piece) { return pieceHolds(piece, point); });
-        ASSERT_EQ(holders, holds(graph, static_cast<int>(i), point) ? 1 : 0) << "camera " << k << ", frustum " << i;
-        held += holders > 0;
-      }
-    }
-  }
-  EXPECT_GT(held, 10000u);
 }
 
 TEST(GraphOverlap, theCamerasOfTheTestsHaveNone) {
