@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cli/command.h"
 #include "cli/output_option.h"
@@ -24,24 +25,30 @@
 namespace ocelli {
 namespace {
 
+constexpr ImageSize kDefaultSize{1280, 720};
+
 /// A multiperspective camera in a scene, as its commands take it.
 struct CameraInScene {
   SceneChoice scene;
   std::string camera;
   std::string view;
-  std::string size = "1280x720";
+  std::string size;
 };
 
 void addCameraInScene(CLI::App& command, CameraInScene& choice) {
   addSceneOptions(command, choice.scene);
   addConstructorOption(command, choice.camera);
   addViewOption(command, choice.view);
-  addSizeOption(command, choice.size);
+  addCameraSizeOption(command, choice.size, kDefaultSize);
+}
+
+PinholeCamera referenceOf(const CameraInScene& choice) {
+  const ImageSize size = cameraImageSize(choice.camera, choice.size, kDefaultSize);
+  return {readViewOption(choice.view), size.width, size.height};
 }
 
 MultiperspectiveCamera construct(const CameraInScene& choice, const GuidedScene& scene) {
-  const ImageSize size = imageSizeFromText(choice.size, "--size");
-  return constructCamera(choice.camera, scene, {readViewOption(choice.view), size.width, size.height});
+  return constructCamera(choice.camera, scene, referenceOf(choice));
 }
 
 void addList(CLI::App& camera, const Frame& frame) {
@@ -68,6 +75,9 @@ PlanSide sideFromText(const std::string& text) {
 
 void show(const ShowChoice& choice, const Frame& frame) {
   checkWritable(choice.output);
+  if (choice.cut && !(std::abs(*choice.cut) <= 1e6f)) {
+    throw InputError("the cut must be a number between -1e6 and 1e6", "--cut", "give one within the scene");
+  }
   const GuidedScene scene = loadGuidedScene(choice.camera.scene.source, choice.camera.scene.options, frame.progress());
   const MultiperspectiveCamera camera = construct(choice.camera, scene);
   const CameraPlan plan = planOf(
@@ -145,6 +155,7 @@ std::string textOf(const nlohmann::ordered_json& info) {
 }
 
 void info(const InfoChoice& choice, const Frame& frame) {
+  checkSecondOutput(choice.output, "-o", "");
   const GuidedScene scene = loadGuidedScene(choice.camera.scene.source, choice.camera.scene.options, frame.progress());
   const MultiperspectiveCamera camera = construct(choice.camera, scene);
   const nlohmann::ordered_json described =
@@ -177,11 +188,13 @@ struct EditChoice {
 /// One edit a line. From a file, an edit that fails ends the work; a program that sends edits gets an answer to each.
 void edit(const EditChoice& choice, const Frame& frame) {
   checkWritable(choice.output);
+  checkSecondOutput(choice.image, "--image", choice.output);
+  const bool fromInput = choice.edits == "-";
+  std::istringstream file(fromInput ? "" : readFile(choice.edits));
+  std::istream& lines = fromInput ? std::cin : file;
   const GuidedScene scene = loadGuidedScene(choice.camera.scene.source, choice.camera.scene.options, frame.progress());
-  const MultiperspectiveCamera start = construct(choice.camera, scene);
-  const std::string text = std::visit([](const auto& each) { return jsonText(each); }, start);
-  const PinholeCamera& root = std::visit([](const auto& each) -> const PinholeCamera& { return each.root(); }, start);
-  CameraEditor editor(text, choice.camera.camera, root, boundsOf(scene.mesh));
+  const std::string text = editableText(choice.camera.camera, construct(choice.camera, scene));
+  CameraEditor editor(text, choice.camera.camera, referenceOf(choice.camera), boundsOf(scene.mesh));
   const auto show = [&] {
     if (!choice.image.empty()) {
       writePng(choice.image,
@@ -189,15 +202,6 @@ void edit(const EditChoice& choice, const Frame& frame) {
     }
   };
   show();
-  const bool fromInput = choice.edits == "-";
-  std::ifstream file;
-  if (!fromInput) {
-    file.open(choice.edits);
-    if (!file) {
-      throw InputError("cannot be read", choice.edits, "check its name and your rights");
-    }
-  }
-  std::istream& lines = fromInput ? std::cin : file;
   size_t number = 0;
   for (std::string line; std::getline(lines, line);) {
     ++number;
@@ -228,9 +232,10 @@ void addEdit(CLI::App& camera, const Frame& frame) {
   const auto choice = std::make_shared<EditChoice>();
   addCameraInScene(command, choice->camera);
   command
-      .add_option("--edits", choice->edits,
-                  "Edits, a JSON object a line: add, remove, change, rename, view, undo, redo (docs/cameras.md); - "
-                  "reads them from standard input and answers each with a line of JSON")
+      .add_option(
+          "--edits", choice->edits,
+          "Edits, a JSON object a line: add, remove, change, rename, view, undo, redo (docs/graph_cameras.md); - "
+          "reads them from standard input and answers each with a line of JSON")
       ->type_name("FILE|-")
       ->capture_default_str();
   addSecondOutputOption(command, "--image", choice->image, "Where the camera's image goes, anew after each edit",

@@ -2,6 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/output_file.h"
 
 namespace ocelli {
 
@@ -34,6 +38,17 @@ void addOutputOption(CLI::App& command, std::string& path, const std::string& he
 void addSecondOutputOption(CLI::App& command, const std::string& name, std::string& path, const std::string& help,
                            const std::vector<std::string>& endings) {
   addFile(command, name, path, help, endings);
+}
+
+void checkSecondOutput(const std::string& path, const std::string& name, const std::string& first) {
+  if (path.empty()) {
+    return;
+  }
+  std::error_code noFile;
+  if (path == first || std::filesystem::equivalent(path, first, noFile)) {
+    throw InputError("both would go into " + path, name, "choose another file");
+  }
+  checkWritable(path);
 }
 
 }  // namespace ocelli

@@ -18,4 +18,7 @@ void addOutputOption(CLI::App& command, std::string& path, const std::string& he
 void addSecondOutputOption(CLI::App& command, const std::string& name, std::string& path, const std::string& help,
                            const std::vector<std::string>& endings);
 
+/// Before long work: throws where that second file, if there is to be one, cannot be written, or is the first one.
+void checkSecondOutput(const std::string& path, const std::string& name, const std::string& first);
+
 }  // namespace ocelli

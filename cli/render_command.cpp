@@ -19,13 +19,15 @@
 namespace ocelli {
 namespace {
 
+constexpr ImageSize kDefaultSize{720, 480};
+
 struct RenderChoice {
   SceneChoice scene;
   std::string camera = "di";
   std::string method = "raster";
   std::string gl = "auto";
   std::string view;
-  std::string size = "720x480";
+  std::string size;
   std::string identity;
   std::string output;
 };
@@ -81,7 +83,8 @@ void renderMultiperspective(const RenderChoice& choice, const PinholeCamera& ref
 void render(const RenderChoice& choice, const Frame& frame) {
   requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
   checkWritable(choice.output);
-  const ImageSize size = imageSizeFromText(choice.size, "--size");
+  checkSecondOutput(choice.identity, "--identity", choice.output);
+  const ImageSize size = cameraImageSize(choice.camera, choice.size, kDefaultSize);
   const PinholeCamera reference(readViewOption(choice.view), size.width, size.height);
   if (namesConstructor(choice.camera)) {
     return renderMultiperspective(choice, reference, frame);
@@ -130,7 +133,7 @@ void addRenderCommand(CLI::App& program, const Frame& frame) {
       ->type_name("NAME");
   addGlOption(command, choice->gl);
   addViewOption(command, choice->view);
-  addSizeOption(command, choice->size);
+  addCameraSizeOption(command, choice->size, kDefaultSize);
   addOutputOption(command, choice->output,
                   "Where the image goes: PNG, or EXR with depth and offsets, or of graph and curved ray cameras "
                   "with depth, world points and objects",

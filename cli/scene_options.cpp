@@ -1,5 +1,7 @@
 #include "cli/scene_options.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 
 #include "oc_core/constructor/camera_constructors.h"
@@ -58,6 +60,22 @@ void addAnyCameraOption(CLI::App& command, std::string& camera) {
 
 void addSizeOption(CLI::App& command, std::string& size) {
   command.add_option("--size", size, "Size of the image in pixels")->type_name("WIDTHxHEIGHT");
+}
+
+void addCameraSizeOption(CLI::App& command, std::string& size, const ImageSize& otherwise) {
+  command
+      .add_option("--size", size,
+                  fmt::format("Size of the image in pixels; where not given that of the camera's file, or {}x{}",
+                              otherwise.width, otherwise.height))
+      ->type_name("WIDTHxHEIGHT");
+}
+
+ImageSize cameraImageSize(const std::string& camera, const std::string& size, const ImageSize& otherwise) {
+  if (!size.empty()) {
+    return imageSizeFromText(size, "--size");
+  }
+  const std::optional<glm::ivec2> ofFile = sizeInFile(camera);
+  return ofFile ? ImageSize{ofFile->x, ofFile->y} : otherwise;
 }
 
 void addViewOption(CLI::App& command, std::string& path) {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/values.h"
 #include "oc_core/camera/view.h"
 #include "oc_core/scene/scene_source.h"
 
@@ -28,6 +29,11 @@ void addConstructorOption(CLI::App& command, std::string& camera);
 void addAnyCameraOption(CLI::App& command, std::string& camera);
 /// Adds --size WIDTHxHEIGHT. Read it with imageSizeFromText() when the command runs.
 void addSizeOption(CLI::App& command, std::string& size);
+
+/// The same for cameras whose file may say a size: empty where it is not given. Read it with cameraImageSize().
+void addCameraSizeOption(CLI::App& command, std::string& size, const ImageSize& otherwise);
+/// The size that the user gave, or the camera's file, or that one.
+ImageSize cameraImageSize(const std::string& camera, const std::string& size, const ImageSize& otherwise);
 
 /// Adds --view FILE.json. Read it with readViewOption() when the command runs.
 void addViewOption(CLI::App& command, std::string& path);

@@ -7,6 +7,11 @@
 #include "oc_core/base/file_bytes.h"
 
 namespace ocelli {
+namespace {
+
+constexpr int kMostDepth = 100;
+
+}  // namespace
 
 JsonFields::JsonFields(const nlohmann::json& object, std::string where) : object_(object), where_(std::move(where)) {
   if (!object_.is_object()) {
@@ -110,8 +115,16 @@ void JsonFields::rejectUnknown() const {
 }
 
 nlohmann::json parseJson(const std::string& text, const std::string& where) {
+  // What reads and writes a document follows it down: far deeper than any file of ours it would run out of stack.
+  const auto checkDepth = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+    if (depth > kMostDepth) {
+      throw InputError("this JSON is nested deeper than " + std::to_string(kMostDepth) + " levels", where,
+                       "see the schema of this file");
+    }
+    return true;
+  };
   try {
-    return nlohmann::json::parse(text, nullptr, true, true);
+    return nlohmann::json::parse(text, checkDepth, true, true);
   } catch (const nlohmann::json::parse_error& error) {
     const size_t at = std::min<size_t>(error.byte > 0 ? error.byte - 1 : 0, text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');

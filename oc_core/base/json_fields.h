@@ -44,7 +44,8 @@ class JsonFields {
   std::set<std::string> known_;
 };
 
-/// Parses a JSON file (// and /* */ comments allowed); an InputError says file, line and column.
+/// Parses a JSON file (// and /* */ comments allowed); an InputError says file, line and column. Throws for more than
+/// 100 levels of brackets too.
 nlohmann::json readJsonFile(const std::filesystem::path& path);
 nlohmann::json parseJson(const std::string& text, const std::string& where);
 

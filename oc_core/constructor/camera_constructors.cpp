@@ -4,6 +4,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/constructor/camera_fields.h"
 #include "oc_core/constructor/comprehensive_constructor.h"
 #include "oc_core/constructor/curved_turns.h"
 #include "oc_core/constructor/graph_operations.h"
@@ -28,6 +29,14 @@ bool isFile(const std::string& nameOrFile) {
   return nameOrFile.ends_with(".json");
 }
 
+/// For cameras that a name alone does not say.
+void requireFile(JsonFields& options, const char* field) {
+  if (!options.has(field)) {
+    throw InputError("field \"" + std::string(field) + "\" is missing", options.where(),
+                     "give a JSON file that has it: --camera FILE.json");
+  }
+}
+
 std::string listOfNames() {
   std::string names;
   for (const CameraConstructor& each : cameraConstructors()) {
@@ -42,10 +51,12 @@ const std::vector<CameraConstructor>& cameraConstructors() {
   static const std::vector<CameraConstructor> constructors{
       {"graph", "graph camera of a JSON file's bend, split, merge and limit operations",
        [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
+         requireFile(options, "operations");
          return MultiperspectiveCamera(readGraphCamera(options, reference, boundsOf(scene.mesh)));
        }},
       {"curved", "curved ray camera of a JSON file's turns",
        [](JsonFields& options, const GuidedScene&, const PinholeCamera& reference) {
+         requireFile(options, "turns");
          return MultiperspectiveCamera(readCurvedRayCamera(options, reference));
        }},
       {"comprehensive", "a whole maze in one image, each place once",
@@ -88,6 +99,15 @@ bool namesConstructor(const std::string& nameOrFile) {
   const nlohmann::json json = readJsonFile(nameOrFile);
   return json.is_object() && json.contains("camera") && json["camera"].is_string() &&
          find(json["camera"].get<std::string>()) != nullptr;
+}
+
+std::optional<glm::ivec2> sizeInFile(const std::string& nameOrFile) {
+  if (!isFile(nameOrFile)) {
+    return std::nullopt;
+  }
+  const nlohmann::json json = readJsonFile(nameOrFile);
+  JsonFields fields(json, nameOrFile);
+  return readSize(fields);
 }
 
 MultiperspectiveCamera constructCamera(const std::string& nameOrFile, const GuidedScene& scene,

@@ -9,6 +9,8 @@
 //   3. oc_core/constructor/constructor.schema.json: its options.
 #pragma once
 
+#include <glm/vec2.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,9 @@ const std::vector<CameraConstructor>& cameraConstructors();
 /// Whether that is the name of a constructor, or a JSON file whose "camera" is one. Throws InputError where a file
 /// cannot be read.
 bool namesConstructor(const std::string& nameOrFile);
+
+/// The size of images that a file asks for (graph_operations.h); nothing for names and for files of any size.
+std::optional<glm::ivec2> sizeInFile(const std::string& nameOrFile);
 
 /// Throws InputError for an unknown name, a file that is wrong, and options that do not fit the scene.
 MultiperspectiveCamera constructCamera(const std::string& nameOrFile, const GuidedScene& scene,

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/constructor/curved_turns.h"
 #include "oc_core/constructor/graph_operations.h"
@@ -12,6 +13,10 @@ namespace ocelli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+bool isEditable(const std::string& camera) {
+  return camera == "graph" || camera == "curved";
+}
 
 /// The document of one kind of camera, as edits see it.
 class Document {
@@ -150,7 +155,7 @@ MultiperspectiveCamera CameraEditor::built(const std::string& text, const std::s
   const nlohmann::json json = parseJson(text, where);
   JsonFields fields(json, where);
   const std::string kind = fields.text("camera");
-  if (kind != "graph" && kind != "curved") {
+  if (!isEditable(kind)) {
     fields.fail("camera", "must be graph or curved for edits");
   }
   MultiperspectiveCamera camera = kind == "graph" ? MultiperspectiveCamera(readGraphCamera(fields, reference_, world_))
@@ -178,6 +183,18 @@ void CameraEditor::apply(const std::string& text, const std::string& where) {
   texts_.resize(at_ + 1);
   texts_.push_back(document.text());
   ++at_;
+}
+
+std::string editableText(const std::string& nameOrFile, const MultiperspectiveCamera& constructed) {
+  if (nameOrFile.ends_with(".json")) {
+    const std::string text = readFile(nameOrFile);
+    const nlohmann::json json = parseJson(text, nameOrFile);
+    JsonFields fields(json, nameOrFile);
+    if (isEditable(fields.text("camera"))) {
+      return text;
+    }
+  }
+  return std::visit([](const auto& each) { return jsonText(each); }, constructed);
 }
 
 }  // namespace ocelli

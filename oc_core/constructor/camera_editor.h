@@ -3,7 +3,7 @@
 //
 // The camera is a JSON document as `--camera` takes it (graph_operations.h, curved_turns.h). An edit is a JSON object:
 //   {"edit": "add", "operation": {...}}            of a graph camera; {"turn": {...}} of a curved ray camera
-//   {"edit": "remove", "name": "left"}             a frusta with all that comes from it, or a turn
+//   {"edit": "remove", "name": "left"}             a frustum with all that comes from it, or a turn
 //   {"edit": "change", "name": "left", "to": {"viewpoint": [0, 1, 5]}}   fields of a frustum or of a turn
 //   {"edit": "rename", "name": "left", "to": "west"}
 //   {"edit": "view", "view": {...}}
@@ -40,5 +40,9 @@ class CameraEditor {
   size_t at_ = 0;
   MultiperspectiveCamera camera_;
 };
+
+/// What edits of a camera start from: the text of the file, where that is such a document, and else the text of the
+/// camera that the constructor made. Throws InputError where the file cannot be read.
+std::string editableText(const std::string& nameOrFile, const MultiperspectiveCamera& constructed);
 
 }  // namespace ocelli

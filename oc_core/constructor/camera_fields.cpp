@@ -22,17 +22,24 @@ Plane readPlane(const nlohmann::json& json, const std::string& where) {
   return Plane::through(point, normal);
 }
 
+std::optional<glm::ivec2> readSize(JsonFields& fields) {
+  if (!fields.has("size")) {
+    return std::nullopt;
+  }
+  JsonFields size(fields.value("size"), fields.where() + ", \"size\"");
+  const glm::ivec2 read(size.integer("width", 1, PinholeCamera::kMostPixelsASide),
+                        size.integer("height", 1, PinholeCamera::kMostPixelsASide));
+  size.rejectUnknown();
+  return read;
+}
+
 PinholeCamera readRoot(JsonFields& fields, const PinholeCamera& reference) {
-  if (fields.has("size")) {
-    JsonFields size(fields.value("size"), fields.where() + ", \"size\"");
-    const int width = size.integer("width", 1, PinholeCamera::kMostPixelsASide);
-    const int height = size.integer("height", 1, PinholeCamera::kMostPixelsASide);
-    size.rejectUnknown();
+  if (const std::optional<glm::ivec2> size = readSize(fields)) {
     // As many rows as the shape asks for, give or take rounding to whole ones.
-    const double rows = static_cast<double>(reference.width()) * height / width;
+    const double rows = static_cast<double>(reference.width()) * size->y / size->x;
     if (std::abs(rows - reference.height()) > 1) {
-      throw InputError("the camera is made for images of the shape " + std::to_string(width) + "x" +
-                           std::to_string(height) + ", not " + std::to_string(reference.width()) + "x" +
+      throw InputError("the camera is made for images of the shape " + std::to_string(size->x) + "x" +
+                           std::to_string(size->y) + ", not " + std::to_string(reference.width()) + "x" +
                            std::to_string(reference.height()),
                        fields.where() + ", \"size\"", "draw it with --size of that shape, or make it anew");
     }

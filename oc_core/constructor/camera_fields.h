@@ -2,6 +2,9 @@
 // Include it in .cpp files only, as json_fields.h.
 #pragma once
 
+#include <glm/vec2.hpp>
+#include <optional>
+
 #include "oc_core/base/json_fields.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/camera/plane.h"
@@ -12,6 +15,8 @@ namespace ocelli {
 glm::dvec3 readVector(JsonFields& fields, const std::string& name);
 /// {"point": [x, y, z], "normal": [x, y, z]}.
 Plane readPlane(const nlohmann::json& json, const std::string& where);
+/// The field "size", {"width": 1280, "height": 720}; nothing where it is missing.
+std::optional<glm::ivec2> readSize(JsonFields& fields);
 /// The camera of the view in the field "view", of the size of `reference`; `reference` where there is no such field.
 /// Throws InputError where the field "size" has another shape than `reference`: rays would run elsewhere.
 PinholeCamera readRoot(JsonFields& fields, const PinholeCamera& reference);

@@ -31,7 +31,15 @@ class Builder {
     GraphCamera camera = beforeStart(width, height);
     for (size_t i = 0; i < legs_.size(); ++i) {
       endAtWalls(camera, i);
-      addChildren(camera, legs_[i], frustumOf_[i]);
+      try {
+        addChildren(camera, legs_[i], frustumOf_[i]);
+      } catch (const InputError&) {
+        throw InputError(
+            fmt::format("the maze of {} by {} cells does not fit into an image of {} by {} pixels: too few "
+                        "rays are left for its deepest corridors, or they turn too often",
+                        maze_.rows(), maze_.columns(), width, height),
+            "comprehensive camera", "use a smaller maze, a larger image, or another start");
+      }
     }
     return camera;
   }

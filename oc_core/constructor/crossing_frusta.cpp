@@ -12,6 +12,10 @@ namespace {
 /// Where a way begins beyond the box, in widths: the planes at which rays turn must not touch.
 constexpr double kBeyond = 1e-3;
 
+/// How far rays go into walls and floor before they end, in sizes of the room: surfaces must not lie at their ends,
+/// where rounding would decide; less than an overlap that counts (graph_overlap.h), and than kBeyond.
+constexpr double kIntoWalls = 2e-4;
+
 /// The vertical plane through two points, its normal to the side of `towards`.
 Plane wallThrough(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& up, const glm::dvec3& towards) {
   const glm::dvec3 normal = glm::normalize(glm::cross(b - a, up));
@@ -171,12 +175,16 @@ GraphCamera::Part partBetween(const GraphCamera& camera, int i, const glm::dvec3
 }
 
 void limitToBox(GraphCamera& camera, int i, const Box& box) {
+  const glm::vec3 size = box.size();
+  const double into = kIntoWalls * static_cast<double>(std::min({size.x, size.y, size.z}));
+  const glm::dvec3 lower = glm::dvec3(box.lower) - into;
+  const glm::dvec3 upper = glm::dvec3(box.upper) + into;
   for (int axis = 0; axis < 3; ++axis) {
     glm::dvec3 normal(0);
     normal[axis] = -1;
-    camera.limit(i, Plane::through(glm::dvec3(box.lower), normal));
+    camera.limit(i, Plane::through(lower, normal));
     if (axis != 1) {
-      camera.limit(i, Plane::through(glm::dvec3(box.upper), -normal));
+      camera.limit(i, Plane::through(upper, -normal));
     }
   }
 }

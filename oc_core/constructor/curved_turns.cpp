@@ -38,7 +38,8 @@ CurvedRayCamera readCurvedRayCamera(JsonFields& fields, const PinholeCamera& ref
 std::string jsonText(const CurvedRayCamera& camera) {
   nlohmann::ordered_json turns = nlohmann::ordered_json::array();
   for (const RayTransition& turn : camera.turns()) {
-    turns.push_back({{"from", jsonOf(turn.planes().from)},
+    turns.push_back({{"name", "turn " + std::to_string(turns.size() + 1)},
+                     {"from", jsonOf(turn.planes().from)},
                      {"middle", jsonOf(turn.planes().middle)},
                      {"to", jsonOf(turn.planes().to)},
                      {"viewpoint", jsonOf(turn.beyond())}});

@@ -102,7 +102,9 @@ Operation readOperation(const nlohmann::json& json, const std::string& where) {
   } else {
     operation.into.push_back(readFrustum(fields.value("into"), where + ", \"into\""));
   }
-  if (operation.kind != Kind::kBend && !operation.into.empty() && !operation.into.front().part.empty()) {
+  const bool hasPart = std::any_of(operation.into.begin(), operation.into.end(),
+                                   [](const NewFrustum& frustum) { return !frustum.part.empty(); });
+  if (operation.kind != Kind::kBend && hasPart) {
     fields.fail("into", "has a \"part\", which only a bend takes");
   }
   fields.rejectUnknown();

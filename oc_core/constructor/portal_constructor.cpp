@@ -1,5 +1,7 @@
 #include "oc_core/constructor/portal_constructor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -230,11 +232,16 @@ PortalOptions readPortalOptions(JsonFields& fields) {
   options.straightDegrees = fields.number("straight_degrees", 0, 89, options.straightDegrees);
   options.bentDegrees = fields.number("bent_degrees", 0.1, 90, options.bentDegrees);
   options.edgeDegrees = fields.number("edge_degrees", 10, 90, options.edgeDegrees);
-  if (!(options.bentBeyond > options.straightWithin) || !(options.bentDegrees > options.straightDegrees)) {
-    throw InputError(
-        "\"straight_within\" must be less than \"bent_beyond\", and \"straight_degrees\" than \"bent_degrees\"",
-        fields.where(), "change them");
-  }
+  const auto checkOrder = [&](double less, const char* lessName, double more, const char* moreName) {
+    if (!(less < more)) {
+      throw InputError(fmt::format("\"{}\" must be less than \"{}\"", lessName, moreName), fields.where(),
+                       "change one of them");
+    }
+  };
+  checkOrder(options.straightWithin, "straight_within", options.bentBeyond, "bent_beyond");
+  checkOrder(options.bentBeyond, "bent_beyond", options.farthest, "farthest");
+  checkOrder(options.straightDegrees, "straight_degrees", options.bentDegrees, "bent_degrees");
+  checkOrder(options.bentDegrees, "bent_degrees", options.edgeDegrees, "edge_degrees");
   return options;
 }
 

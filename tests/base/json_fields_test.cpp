@@ -141,5 +141,13 @@ TEST(ReadJsonFile, RejectsMissingEmptyAndFolder) {
   EXPECT_THROW(readJsonFile(folder.path()), InputError);
 }
 
+TEST(JsonFields, DeepNestingIsAnError) {
+  EXPECT_NO_THROW(parseJson(std::string(90, '[') + std::string(90, ']'), "x.json"));
+  for (const size_t depth : {200u, 500000u}) {
+    EXPECT_THROW(parseJson(std::string(depth, '[') + std::string(depth, ']'), "x.json"), InputError);
+    EXPECT_THROW(parseJson(std::string(depth, '['), "x.json"), InputError);
+  }
+}
+
 }  // namespace
 }  // namespace ocelli

@@ -113,17 +113,31 @@ TEST_F(CameraCommand, renderWritesPicturesAndObjects) {
   EXPECT_THAT(runProgram("ocri mesh " + path("c.exr") + " -o " + path("c.ply")).exitCode, 2);
 }
 
+TEST_F(CameraCommand, filesSayTheSizeOfTheirImages) {
+  ASSERT_EQ(runProgram("camera info builtin:box --camera " + path("cross.json") + " -o " + path("sized.json")).exitCode,
+            0);
+  ASSERT_EQ(runProgram("render builtin:box --camera " + path("sized.json") + " -o " + path("sized.png")).exitCode, 0);
+  EXPECT_EQ(readPng(folder_ / "sized.png").width(), 1280);
+  const ProgramResult other =
+      runProgram("render builtin:box --size 720x480 --camera " + path("sized.json") + " -o " + path("sized.png"));
+  EXPECT_EQ(other.exitCode, 2);
+  EXPECT_THAT(other.error, HasSubstr("1280x720, not 720x480"));
+}
+
 TEST_F(CameraCommand, errorsSayWhatToDo) {
   const std::string png = " -o " + path("x.png");
   for (const auto& [arguments, message] : std::vector<std::pair<std::string, std::string>>{
            {"camera show builtin:box --camera nothing", "no constructor of cameras \"nothing\""},
            {"camera show builtin:box --camera /no/such.json", "/no/such.json"},
            {"camera show builtin:box --camera ddoc", "use graph, curved"},
-           {"camera show builtin:box --camera graph", "\"operations\" is missing"},
+           {"camera show builtin:box --camera graph", "--camera FILE.json"},
+           {"camera show builtin:box --cut nan --camera " + path("cross.json"), "--cut"},
+           {"camera edit builtin:box --edits /tmp --camera " + path("cross.json") + " -o " + path("e.json"), "/tmp"},
+           {"render builtin:box --identity " + path("x.png") + " --camera " + path("cross.json"), "both would go into"},
            {"camera show builtin:box --camera comprehensive", "maze"},
            {"render builtin:box --camera ddoc --identity " + path("i.png"), "only graph and curved"},
            {"render builtin:box --method points --camera " + path("cross.json"), "use raster, raycast or gl"}}) {
-    const ProgramResult result = runProgram(arguments + png);
+    const ProgramResult result = runProgram(arguments + (arguments.find(" -o ") == std::string::npos ? png : ""));
     EXPECT_EQ(result.exitCode, 2) << arguments;
     EXPECT_THAT(result.error, AllOf(HasSubstr(message), HasSubstr("try:"))) << arguments;
   }

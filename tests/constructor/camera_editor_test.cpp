@@ -7,6 +7,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/constructor/curved_turns.h"
 #include "oc_core/constructor/graph_operations.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/camera/test_curved_cameras.h"
 #include "tests/camera/test_graph_cameras.h"
 
@@ -133,6 +134,22 @@ TEST(CameraEditor, editsTurns) {
   EXPECT_EQ(std::get<CurvedRayCamera>(editor.camera()).turns()[0].beyond(), glm::dvec3(-1, 0, 6));
   apply(editor, "{'edit': 'remove', 'name': 'right'}");
   EXPECT_EQ(turns(), 0u);
+}
+
+TEST(CameraEditor, turnsOfACameraHaveNames) {
+  CameraEditor editor = editorOf(jsonText(test::turningTwice()));
+  apply(editor, "{'edit': 'remove', 'name': 'turn 2'}");
+  EXPECT_EQ(std::get<CurvedRayCamera>(editor.camera()).turns().size(), 1u);
+}
+
+TEST(CameraEditor, startsFromTheFileAsItStands) {
+  const test::TemporaryFolder folder;
+  const std::string text = quoted("{'camera': 'graph', /* mine */ 'operations': []}");
+  const GraphCamera constructed = test::crossroads();
+  EXPECT_EQ(editableText(folder.write("mine.json", text).string(), constructed), text);
+  const std::string other = folder.write("other.json", quoted("{'camera': 'portal'}")).string();
+  EXPECT_EQ(editableText(other, constructed), jsonText(constructed));
+  EXPECT_EQ(editableText("portal", constructed), jsonText(constructed));
 }
 
 TEST(CameraEditor, startsFromACameraAlone) {

@@ -177,6 +177,9 @@ TEST(GraphOperations, refusesWhatCannotBe) {
   EXPECT_THAT(errorOfOperations("{'operation': 'merge', 'of': ['root'], 'into': {}}"), HasSubstr("array of 2 names"));
   EXPECT_THAT(errorOfOperations(kSplit + "," + kMerge + "," + bend("behind", "b", -2, ", 'part': [[0,0],[1,0],[0,1]]")),
               HasSubstr("merged from two"));
+  std::string partOfSecond = kSplit;
+  partOfSecond.insert(partOfSecond.rfind("}]"), ", 'part': [[0, 0], [1, 0], [1, 1]]");
+  EXPECT_THAT(errorOfOperations(partOfSecond), HasSubstr("only a bend takes"));
   EXPECT_THAT(errorOfOperations(bend("root", "behind the eye", 12)),
               AllOf(HasSubstr("behind the eye"), HasSubstr("not every ray")));
 }

@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "oc_core/base/json_fields.h"
+#include "oc_core/camera/graph_overlap.h"
 #include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/constructor/comprehensive_constructor.h"
 #include "oc_core/render/rasterize_graph.h"
+#include "oc_core/render/raycast.h"
+#include "oc_core/scene/scene_source.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/constructor/maze_plans.h"
 #include "tests/constructor/maze_seen.h"
@@ -37,7 +40,8 @@ void expectAllSeenOnce(const GraphCamera& camera, const Maze& maze) {
   for (size_t i = 0; i < seen.cellPixels.size(); ++i) {
     EXPECT_GE(seen.cellPixels[i], 4u) << "cell " << i;
   }
-  EXPECT_LT(static_cast<double>(seen.strayPixels), 1e-3 * camera.width() * camera.height() / 7);
+  // Where frusta meet, surfaces overlap by 1/64 pixel: some pixels along the borders, which are more of a small image.
+  EXPECT_LT(static_cast<double>(seen.strayPixels), 2e-3 * camera.width() * camera.height() / 7);
 }
 
 TEST(ComprehensiveCamera, showsEachCellOfSmallMazesOnce) {
@@ -95,6 +99,45 @@ TEST(ComprehensiveCamera, beginsWhereItIsTold) {
   }
 }
 
+TEST(ComprehensiveCamera, beginsInEveryCell) {
+  const Maze maze = test::crossroads();
+  const Box world = boundsOf(test::sceneOf(maze).mesh);
+  size_t cameras = 0;
+  for (int row = 0; row < maze.rows(); ++row) {
+    for (int column = 0; column < maze.columns(); ++column) {
+      for (const Direction heading : kDirections) {
+        if (maze.isOpen({row, column}, heading)) {
+          ComprehensiveOptions options;
+          options.start = MazeCell{row, column};
+          options.heading = heading;
+          const GraphCamera camera = makeComprehensiveCamera(maze, options, 960, 600);
+          EXPECT_NO_THROW(checkDisjoint(camera, glm::dvec3(world.lower), glm::dvec3(world.upper)))
+              << row << ", " << column << " to the " << nameOf(heading);
+          ++cameras;
+        }
+      }
+    }
+  }
+  EXPECT_GT(cameras, maze.cellCount());
+}
+
+// In the units of a fitted scene and in metres: walls must not lie where rays end.
+TEST(ComprehensiveCamera, showsTheWallsThatItsRaysMeet) {
+  for (const bool fit : {true, false}) {
+    SceneOptions sceneOptions;
+    sceneOptions.fit = fit;
+    const GuidedScene scene = loadGuidedScene("builtin:maze,seed=3", sceneOptions);
+    const GraphCamera camera = makeComprehensiveCamera(*scene.guides.maze, {}, 480, 300);
+    const FragmentImage drawn = rasterize(camera, scene.mesh);
+    const FragmentImage cast = raycast(camera, scene.mesh, RayScene(scene.mesh));
+    size_t differing = 0;
+    for (size_t i = 0; i < drawn.size(); ++i) {
+      differing += drawn[i].covered() != cast[i].covered() || std::abs(drawn[i].z - cast[i].z) > 1e-3f * cast[i].z;
+    }
+    EXPECT_LE(differing, drawn.size() / 200) << (fit ? "fitted" : "in metres");
+  }
+}
+
 TEST(ComprehensiveCamera, keepsItsWeightsThroughManyTurns) {
   const Maze maze = test::serpentine(26);  // 50 turns
   const GraphCamera camera = makeComprehensiveCamera(maze, {}, 1920, 1200);
@@ -132,8 +175,8 @@ TEST(ComprehensiveCamera, tellsWhatIsWrong) {
   EXPECT_THAT(errorOf(closed, {}), HasSubstr("the maze has no entrance"));
   ComprehensiveOptions near;
   near.nearness = 100;
-  EXPECT_THAT(errorOf(test::serpentine(26), near), HasSubstr("too few pixels"));
-  EXPECT_THAT(errorOf(test::serpentine(40), {}), HasSubstr("turn more than"));
+  EXPECT_THAT(errorOf(test::serpentine(26), near), HasSubstr("does not fit"));
+  EXPECT_THAT(errorOf(test::serpentine(40), {}), HasSubstr("turn too often"));
 }
 
 TEST(ComprehensiveCamera, isBuiltFromAFile) {
