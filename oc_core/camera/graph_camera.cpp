@@ -47,14 +47,6 @@ double inside(const GraphCamera::Part& part, const glm::dvec2& pixel) {
   return least;
 }
 
-glm::dvec2 middleOf(const GraphCamera::Part& part) {
-  glm::dvec2 middle(0);
-  for (const glm::dvec2& corner : part) {
-    middle += corner / static_cast<double>(part.size());
-  }
-  return middle;
-}
-
 bool isSound(const Plane& plane) {
   return std::abs(glm::length(plane.normal) - 1) < 1e-6 && std::isfinite(plane.distance);
 }
@@ -112,6 +104,14 @@ std::pair<GraphCamera::Part, GraphCamera::Part> GraphCamera::cut(const Part& par
     }
   }
   return halves;
+}
+
+glm::dvec2 GraphCamera::middleOf(const Part& part) {
+  glm::dvec2 middle(0);
+  for (const glm::dvec2& corner : part) {
+    middle += corner / static_cast<double>(part.size());
+  }
+  return middle;
 }
 
 int GraphCamera::bend(int i, const Turn& turn, const std::string& name, const Part& wanted) {

@@ -82,6 +82,8 @@ class GraphCamera {
   /// What the two halves of the part are that a line of the image cuts; the first holds the points to the right of
   /// `from` -> `to`.
   static std::pair<Part, Part> cut(const Part& part, const glm::dvec2& from, const glm::dvec2& to);
+  /// The mean of its corners, a pixel within it.
+  static glm::dvec2 middleOf(const Part& part);
 
   /// Nothing for points that no frustum holds, but those that the pinhole sees beyond the borders. Where frusta
   /// overlap, the image of the first that holds it.

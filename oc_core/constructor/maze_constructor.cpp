@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
@@ -16,10 +17,6 @@ namespace {
 constexpr const char* kWhere = "maze camera";
 constexpr double kParallel = 1.0 / 200;  ///< one over how much farther away the viewpoint of parallel rays lies
 constexpr double kLeastShare = 2e-3;     ///< of rays; less is no way
-
-double mix(double a, double b, double t) {
-  return a + (b - a) * t;
-}
 
 double tanHalf(double degrees) {
   return std::tan(radiansFromDegrees(degrees) / 2);
@@ -76,10 +73,10 @@ class Builder {
     // Deployed in full, the corridor fills the image where the user stands.
     const double hug = std::max(frame.width / 2 / tanHalf(options_.fovHorizontalDegrees),
                                 crossing->distance * options_.crossingShare / (1 - options_.crossingShare)) /
-                       mix(1, kParallel, options_.parallel);
+                       glm::mix(1.0, kParallel, options_.parallel);
     Lens lens;
     lens.behind = deployed_ * hug;
-    lens.tangent = 1 / mix(1 / tanHalf(options_.fovHorizontalDegrees), hug / (frame.width / 2), deployed_);
+    lens.tangent = 1 / glm::mix(1 / tanHalf(options_.fovHorizontalDegrees), hug / (frame.width / 2), deployed_);
     lens.aside = deployed_ * (x / frame.width - 0.5);
     GraphCamera camera(
         PinholeCamera(viewOf(maze_, pose_.eye, glm::dvec3(vectorOf(pose_.heading)), lens, aspect), width, height));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
@@ -12,10 +13,6 @@ namespace ocelli {
 namespace {
 
 constexpr const char* kWhere = "turn in a maze";
-
-double mix(double a, double b, double t) {
-  return a + (b - a) * t;
-}
 
 /// The chosen way: its beginning in the crossing, and where it leads.
 struct ChosenWay {
@@ -47,11 +44,11 @@ class Turning {
     const double chosen = std::max(0.0, 2 * step(1) - 1);
     const std::array<double, 3> all{turn_.left ? 1.0 : 0, 0, turn_.left ? 0 : 1.0};
     for (size_t k = 0; k < 3; ++k) {
-      options.split[k] = mix(options_.split[k], all[k], chosen);
+      options.split[k] = glm::mix(options_.split[k], all[k], chosen);
     }
-    options.deployed = mix(deployedAt(maze_, turn_.from, options_.deployCells), 1, step(1));
+    options.deployed = glm::mix(deployedAt(maze_, turn_.from, options_.deployCells), 1.0, step(1));
     options.parallel = std::min(1.0, 2 * step(1));
-    options.fovCorridorDegrees = mix(options_.fovCorridorDegrees, options_.fovHorizontalDegrees, step(2));
+    options.fovCorridorDegrees = glm::mix(options_.fovCorridorDegrees, options_.fovHorizontalDegrees, step(2));
     return camera(turn_.from, options);
   }
 
@@ -63,7 +60,7 @@ class Turning {
     }
     if (turn_.phase <= 1) {
       const MazePose back{turn_.from.eye, opposite(turn_.from.heading)};
-      options.deployed = mix(deployedAt(maze_, back, options_.deployCells), 0, step(0));
+      options.deployed = glm::mix(deployedAt(maze_, back, options_.deployCells), 0.0, step(0));
       return camera(turn_.from, options);
     }
     const double angle = step(2) * kPi / 2;

@@ -1,8 +1,5 @@
 #include "oc_core/constructor/object_boxes.h"
 
-#include <algorithm>
-#include <glm/common.hpp>
-
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/constructor/camera_fields.h"
@@ -33,29 +30,6 @@ Box readBox(JsonFields& fields, const std::string& name) {
     }
   }
   return box;
-}
-
-bool meets(const Box& box, const glm::vec3& from, const glm::vec3& to) {
-  float enters = 0;
-  float leaves = 1;
-  for (int i = 0; i < 3; ++i) {
-    const float way = to[i] - from[i];
-    if (way == 0) {
-      if (from[i] < box.lower[i] || from[i] > box.upper[i]) {
-        return false;
-      }
-      continue;
-    }
-    const float a = (box.lower[i] - from[i]) / way;
-    const float b = (box.upper[i] - from[i]) / way;
-    enters = std::max(enters, std::min(a, b));
-    leaves = std::min(leaves, std::max(a, b));
-  }
-  return enters <= leaves;
-}
-
-bool contains(const Box& box, const glm::vec3& point) {
-  return glm::clamp(point, box.lower, box.upper) == point;
 }
 
 }  // namespace ocelli

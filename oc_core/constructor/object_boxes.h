@@ -16,10 +16,4 @@ std::vector<Box> objectBoxes(const GuidedScene& scene);
 /// {"lower": [x, y, z], "upper": [x, y, z]} in the field. Throws InputError where it is missing or no box.
 Box readBox(JsonFields& fields, const std::string& name);
 
-/// Whether a segment has a point in the box.
-bool meets(const Box& box, const glm::vec3& from, const glm::vec3& to);
-
-/// Whether a point is in a box; its faces count.
-bool contains(const Box& box, const glm::vec3& point);
-
 }  // namespace ocelli

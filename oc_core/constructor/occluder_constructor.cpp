@@ -1,9 +1,11 @@
 #include "oc_core/constructor/occluder_constructor.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <optional>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
@@ -40,15 +42,6 @@ struct PlanView {
   glm::dvec3 right;
 };
 
-std::array<glm::dvec3, 8> cornersOf(const Box& box) {
-  std::array<glm::dvec3, 8> corners;
-  for (size_t i = 0; i < corners.size(); ++i) {
-    corners[i] = {(i & 1) != 0 ? box.upper.x : box.lower.x, (i & 2) != 0 ? box.upper.y : box.lower.y,
-                  (i & 4) != 0 ? box.upper.z : box.lower.z};
-  }
-  return corners;
-}
-
 /// Of the box, in the plan.
 struct Extent {
   double left = 0;
@@ -59,7 +52,7 @@ struct Extent {
 
 Extent extentOf(const Box& box, const PlanView& plan) {
   Extent extent;
-  for (const glm::dvec3& corner : cornersOf(box)) {
+  for (const glm::dvec3 corner : cornersOf(box)) {
     extent.left = std::min(extent.left, plan.x(corner));
     extent.right = std::max(extent.right, plan.x(corner));
     extent.nearest = std::min(extent.nearest, plan.z(corner));
@@ -72,23 +65,15 @@ Extent extentOf(const Box& box, const PlanView& plan) {
 double splitDistance(const Box& box, const PlanView& plan, double farthest) {
   const glm::dvec3 middle(box.center());
   const glm::dvec3 from = middle - plan.forward * plan.z(middle);
-  double enters = 0;
-  double leaves = farthest;
-  for (int i = 0; i < 3; ++i) {
-    if (std::abs(plan.forward[i]) > 1e-12) {
-      const double a = (static_cast<double>(box.lower[i]) - from[i]) / plan.forward[i];
-      const double b = (static_cast<double>(box.upper[i]) - from[i]) / plan.forward[i];
-      enters = std::max(enters, std::min(a, b));
-      leaves = std::min(leaves, std::max(a, b));
-    }
-  }
-  return enters + (leaves - enters) * kInside;
+  const std::optional<SegmentPart> part = partWithin(box, from, from + plan.forward * farthest);
+  // Rounding may miss a box that is flat.
+  return part ? glm::mix(part->first, part->last, kInside) * farthest : plan.z(middle);
 }
 
 /// How far aside a viewpoint must be for the rays that graze the box on that side to meet the middle at `meeting`.
 double asideFor(double meeting, const Box& box, const PlanView& plan, double side) {
   double aside = 0;
-  for (const glm::dvec3& corner : cornersOf(box)) {
+  for (const glm::dvec3 corner : cornersOf(box)) {
     aside = std::max(aside, side * plan.x(corner) * meeting / (meeting - plan.z(corner)));
   }
   return aside;
@@ -141,8 +126,8 @@ void requireInView(const Box& box, const PinholeCamera& reference) {
   if (contains(box, reference.eye())) {
     fail("the eye is in the box", "move the eye out of it");
   }
-  for (const glm::dvec3& corner : cornersOf(box)) {
-    if (!(reference.cameraFromWorld(glm::vec3(corner)).z > reference.view().zNear)) {
+  for (const glm::vec3& corner : cornersOf(box)) {
+    if (!(reference.cameraFromWorld(corner).z > reference.view().zNear)) {
       fail("the box is behind the eye, or beside it", "turn the view towards it, or move the eye away");
     }
   }

@@ -34,8 +34,7 @@ struct TargetOptions {
 /// The camera bent by f; a pinhole where f is 0, or the target not well before zNear.
 CurvedRayCamera bentCamera(const PinholeCamera& view, const Box& target, double f);
 
-/// The share of the points of a box, evenly spaced in it, that rays reach before they meet one of
-/// the others.
+/// The share of the points of a box, evenly spaced in it, that rays reach before they meet one of the others.
 double visibleShare(const CurvedRayCamera& camera, std::span<const Box> occluders, const Box& target);
 
 /// Follows a target from frame to frame. f is all that it remembers, so view, target and occluders may all move.

@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "oc_core/base/error.h"
@@ -19,37 +20,18 @@ constexpr int kOutlineSamples = 160;  // along each side of the image
 constexpr float kMargin = 0.04f;      // around what is shown
 constexpr float kFarAway = 300;       // sizes of the scene, from which the ground is seen: perspective is slight there
 
-/// What is left of a segment within a box: shares of its length.
-std::optional<std::pair<float, float>> within(const Box& box, const glm::vec3& a, const glm::vec3& b) {
-  float first = 0;
-  float last = 1;
-  for (int k = 0; k < 3; ++k) {
-    const float run = b[k] - a[k];
-    if (run == 0) {
-      if (a[k] < box.lower[k] || a[k] > box.upper[k]) {
-        return std::nullopt;
-      }
-      continue;
-    }
-    const float one = (box.lower[k] - a[k]) / run;
-    const float other = (box.upper[k] - a[k]) / run;
-    first = std::max(first, std::min(one, other));
-    last = std::min(last, std::max(one, other));
-  }
-  return first < last ? std::optional(std::pair(first, last)) : std::nullopt;
-}
-
 /// The piece within the box, which it enters at most once.
 RayPiece clipped(const RayPiece& piece, const Box& box) {
   RayPiece kept{piece.part, {}};
   for (size_t i = 0; i + 1 < piece.points.size(); ++i) {
     const glm::vec3& a = piece.points[i];
     const glm::vec3& b = piece.points[i + 1];
-    if (const auto share = within(box, a, b)) {
+    const std::optional<SegmentPart> part = partWithin(box, glm::dvec3(a), glm::dvec3(b));
+    if (part && part->first < part->last) {
       if (kept.points.empty()) {
-        kept.points.push_back(a + (b - a) * share->first);
+        kept.points.push_back(a + (b - a) * static_cast<float>(part->first));
       }
-      kept.points.push_back(a + (b - a) * share->second);
+      kept.points.push_back(a + (b - a) * static_cast<float>(part->last));
     }
   }
   return kept;

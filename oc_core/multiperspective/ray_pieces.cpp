@@ -6,10 +6,7 @@ namespace {
 constexpr double kInside = 1e-3;  // of the way to the middle
 
 void addCorners(const GraphCamera::Part& part, std::vector<glm::vec2>& pixels) {
-  glm::dvec2 middle(0);
-  for (const glm::dvec2& corner : part) {
-    middle += corner / static_cast<double>(part.size());
-  }
+  const glm::dvec2 middle = GraphCamera::middleOf(part);
   for (const glm::dvec2& corner : part) {
     pixels.emplace_back(corner + (middle - corner) * kInside);
   }

@@ -176,15 +176,6 @@ float farthestInverseZ(const PinholeCamera& camera, std::span<const glm::vec3> p
   return 1 / std::clamp(farthest, camera.view().zNear, camera.view().zFar);
 }
 
-/// None for an empty box.
-std::vector<glm::vec3> cornersOf(const Box& box) {
-  std::vector<glm::vec3> corners;
-  for (int i = 0; i < 8 && !box.empty(); ++i) {
-    corners.push_back(box.lower + box.size() * glm::vec3(i & 1, i >> 1 & 1, i >> 2));
-  }
-  return corners;
-}
-
 /// The acceleration structure of whoever draws the scene, where there is one.
 const RayScene* raysOf(const SceneDrawer* drawer) {
   return drawer != nullptr ? drawer->rays() : nullptr;
@@ -194,12 +185,15 @@ const RayScene* raysOf(const SceneDrawer* drawer) {
 struct Scene {
   const Mesh& mesh;
   const SceneDrawer* drawer;
-  std::vector<glm::vec3> corners;
+  std::vector<glm::vec3> corners{};
 
-  Scene(const Mesh& ofMesh, const SceneDrawer* by)
-      : mesh(ofMesh),
-        drawer(by),
-        corners(raysOf(by) != nullptr ? cornersOf(raysOf(by)->bounds()) : std::vector<glm::vec3>{}) {}
+  Scene(const Mesh& ofMesh, const SceneDrawer* by) : mesh(ofMesh), drawer(by) {
+    const Box box = raysOf(by) != nullptr ? raysOf(by)->bounds() : Box();
+    if (!box.empty()) {
+      const std::array<glm::vec3, 8> ofBox = cornersOf(box);
+      corners.assign(ofBox.begin(), ofBox.end());
+    }
+  }
 
   /// The scene lies between these: its vertices, or the corners of the box around it.
   std::span<const glm::vec3> outerPoints() const { return raysOf(drawer) != nullptr ? corners : mesh.positions; }

@@ -22,7 +22,7 @@ struct Stretch {
   glm::dmat4 pixelFromWorld{1};          ///< rows 0, 1 and 3
   Plane begin;                           ///< the viewpoint lies before it
   std::vector<glm::dvec2> part;          ///< of the image, a convex polygon, clockwise as seen
-  std::vector<std::vector<Plane>> ends;  /// rays of one kind end at the first of these planes, which may be none
+  std::vector<std::vector<Plane>> ends;  ///< rays of one kind end at the first of these planes, which may be none
   /// The kind of the rays of each leaf, of those that the pixels name; -1 where they do not pass this stretch.
   std::vector<int16_t> endsOfLeaf;
 };

@@ -1,17 +1,11 @@
 #include "oc_core/scene/mesh.h"
 
-#include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/finite.h"
 
 namespace ocelli {
-
-void Box::add(const glm::vec3& point) {
-  lower = glm::min(lower, point);
-  upper = glm::max(upper, point);
-}
 
 Box boundsOf(const Mesh& mesh) {
   Box box;

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "oc_core/scene/box.h"
+
 namespace ocelli {
 
 struct Mesh {
@@ -16,17 +18,6 @@ struct Mesh {
 
   bool empty() const { return triangles.empty(); }
   glm::vec3 color(uint32_t vertex) const { return colors.empty() ? glm::vec3(1) : colors[vertex]; }
-};
-
-/// An axis-aligned box; `lower` exceeds `upper` where it holds nothing.
-struct Box {
-  glm::vec3 lower{1e30f};
-  glm::vec3 upper{-1e30f};
-
-  bool empty() const { return lower.x > upper.x; }
-  void add(const glm::vec3& point);
-  glm::vec3 center() const { return (lower + upper) * 0.5f; }
-  glm::vec3 size() const { return upper - lower; }
 };
 
 Box boundsOf(const Mesh& mesh);

@@ -86,16 +86,17 @@ TEST(GraphCamera, projectionAndRaysAreInverse) {
   }
 }
 
+TEST(GraphCamera, partsHaveAMiddle) {
+  EXPECT_EQ(GraphCamera::middleOf({{0, 0}, {90, 0}, {90, 60}, {0, 60}}), glm::dvec2(45, 30));
+  EXPECT_EQ(GraphCamera::middleOf({{0, 0}, {8, 0}, {4, 4}, {0, 8}}), glm::dvec2(3, 3));
+}
+
 // A point that moves from one frustum into the next moves on in the image without a jump.
 TEST(GraphCamera, imagesAreContinuousAcrossPlanes) {
   const GraphCamera graph = crossroads();
   for (size_t i = 1; i < graph.frusta().size(); ++i) {
     const GraphCamera::Frustum& frustum = graph.frusta()[i];
-    glm::dvec2 middle(0);
-    for (const glm::dvec2& corner : frustum.part) {
-      middle += corner / static_cast<double>(frustum.part.size());
-    }
-    const RayPath path = graph.rayPath(glm::vec2(middle));
+    const RayPath path = graph.rayPath(glm::vec2(GraphCamera::middleOf(frustum.part)));
     for (size_t k = 1; k + 1 < path.size(); ++k) {
       const glm::dvec3 at(path[k]);
       const auto before = graph.projectExactly(at - frustum.plane.normal * 1e-6);

@@ -23,12 +23,7 @@ struct MiddleRay {
   glm::dvec3 direction{0};
 };
 inline MiddleRay middleRay(const GraphCamera& graph, size_t i) {
-  glm::dvec2 middle(0);
-  const GraphCamera::Part& part = graph.frusta()[i].part;
-  for (const glm::dvec2& corner : part) {
-    middle += corner / static_cast<double>(part.size());
-  }
-  const RayPath path = graph.rayPath(glm::vec2(middle));
+  const RayPath path = graph.rayPath(glm::vec2(GraphCamera::middleOf(graph.frusta()[i].part)));
   const glm::dvec3 from(path[path.size() - 2]);
   return {from, glm::normalize(glm::dvec3(path.back()) - from)};
 }
@@ -82,10 +77,7 @@ inline GraphCamera randomGraph(Numbers& numbers, int operations, double most = 0
         default: {
           // The middle of the part.
           GraphCamera::Part window = graph.frusta()[i].part;
-          glm::dvec2 middle(0);
-          for (const glm::dvec2& corner : window) {
-            middle += corner / static_cast<double>(window.size());
-          }
+          const glm::dvec2 middle = GraphCamera::middleOf(window);
           for (glm::dvec2& corner : window) {
             corner = middle + (corner - middle) * 0.6;
           }

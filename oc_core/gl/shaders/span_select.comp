@@ -1,5 +1,5 @@
 // Which triangles, or pieces of clipped ones, have to be cut into spans, each with the blocks of rows that it reaches.
-// Triangles that leave the frustum go to a list to be clipped. Lists are in no order: whatever takes them is not, either.
+// Triangles that leave the frustum go to a list to be clipped. Lists are in no order, nor is whatever takes them.
 layout(local_size_x = 64) in;
 layout(std430, binding = 2) writeonly buffer Items { uvec2 items[]; };  // source and block
 layout(std430, binding = 3) buffer Counters {

@@ -1,4 +1,4 @@
-// Cuts triangles along epipolar lines and samples the spans (section 3.4.2), as oc_core/render/rasterize_spans.cpp does:
+// Cuts triangles along epipolar lines and samples the spans (section 3.4.2) as oc_core/render/rasterize_spans.cpp does:
 // at the centres of base pixels (TARGET BASE), or where the rays that edges added meet them (TARGET SHADOWS). The
 // closest sample is found first (STAGE DEPTH), the lowest triangle at its depth then (STAGE INDEX).
 #define DEPTH 1

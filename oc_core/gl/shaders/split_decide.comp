@@ -56,7 +56,9 @@ uint decide(vec3 pa, vec3 pb, vec3 pc) {
   Corner a = corner(pa);
   Corner b = corner(pb);
   Corner c = corner(pc);
-  uint split = (mustSplit(a, b) ? kSplitAb : 0u) | (mustSplit(b, c) ? kSplitBc : 0u) | (mustSplit(c, a) ? kSplitCa : 0u);
+  uint split = mustSplit(a, b) ? kSplitAb : 0u;
+  split |= mustSplit(b, c) ? kSplitBc : 0u;
+  split |= mustSplit(c, a) ? kSplitCa : 0u;
   if (split == 0u || depth >= kDeepest) {
     bool drawn = coversCentre(a.image, b.image, c.image) && !(torn(a, b) || torn(b, c) || torn(c, a));
     return drawn ? kLeaf : kDrop;

@@ -55,7 +55,9 @@ uint decide(vec3 pa, vec3 pb, vec3 pc) {
   if (imaged && missesImage(a.image, b.image, c.image)) {
     return kDrop;
   }
-  uint split = (mustSplit(a, b) ? kSplitAb : 0u) | (mustSplit(b, c) ? kSplitBc : 0u) | (mustSplit(c, a) ? kSplitCa : 0u);
+  uint split = mustSplit(a, b) ? kSplitAb : 0u;
+  split |= mustSplit(b, c) ? kSplitBc : 0u;
+  split |= mustSplit(c, a) ? kSplitCa : 0u;
   return split != 0u && depth < kDeepest ? split : imaged ? kLeaf : kDrop;
 }
 
