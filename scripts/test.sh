@@ -8,4 +8,4 @@ scripts/install_dependencies.sh
 cmake --preset release
 cmake --build --preset release
 ctest --preset release --label-regex '^fast$' --parallel "$(nproc)"
-ctest --preset release --label-exclude '^fast$'
+ctest --preset release --label-exclude '^fast$' --parallel "$(nproc)"
