@@ -29,10 +29,8 @@ struct PackedLine {
 DepthRange depthRange(const PinholeCamera& camera, const Box& box) {
   float nearest = camera.view().zFar;
   float farthest = camera.view().zNear;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::vec3 point((corner & 1) != 0 ? box.upper.x : box.lower.x, (corner & 2) != 0 ? box.upper.y : box.lower.y,
-                          (corner & 4) != 0 ? box.upper.z : box.lower.z);
-    const float z = camera.cameraFromWorld(point).z;
+  for (const glm::vec3& corner : cornersOf(box)) {
+    const float z = camera.cameraFromWorld(corner).z;
     nearest = std::min(nearest, z);
     farthest = std::max(farthest, z);
   }

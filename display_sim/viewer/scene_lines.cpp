@@ -21,11 +21,8 @@ struct Depths {
 
 Depths depthsOf(const PinholeCamera& camera, const Box& bounds) {
   Depths depths;
-  for (size_t corner = 0; corner < 8; ++corner) {
-    const glm::vec3 point((corner & 1) != 0 ? bounds.upper.x : bounds.lower.x,
-                          (corner & 2) != 0 ? bounds.upper.y : bounds.lower.y,
-                          (corner & 4) != 0 ? bounds.upper.z : bounds.lower.z);
-    const float z = camera.cameraFromWorld(point).z;
+  for (const glm::vec3& corner : cornersOf(bounds)) {
+    const float z = camera.cameraFromWorld(corner).z;
     depths.nearest = std::min(depths.nearest, z);
     depths.farthest = std::max(depths.farthest, z);
   }
