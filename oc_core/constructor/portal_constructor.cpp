@@ -70,11 +70,8 @@ struct Piece {
 
 /// The z, relative to each other, at which the ray through the middle of a part crosses the plane.
 double depthOf(const Plane& plane, const Part& part, const PinholeCamera& camera) {
-  glm::dvec2 middle(0);
-  for (const glm::dvec2& corner : part) {
-    middle += corner / static_cast<double>(part.size());
-  }
-  const glm::dvec2 offset = (middle - glm::dvec2(camera.centerPixels())) / static_cast<double>(camera.focalPixels());
+  const glm::dvec2 offset =
+      (GraphCamera::middleOf(part) - glm::dvec2(camera.centerPixels())) / static_cast<double>(camera.focalPixels());
   const glm::dvec3 direction =
       glm::dvec3(camera.forward()) + glm::dvec3(camera.right()) * offset.x + glm::dvec3(camera.down()) * offset.y;
   return -plane.height(glm::dvec3(camera.eye())) / glm::dot(plane.normal, direction);

@@ -11,7 +11,7 @@ namespace ocelli {
 
 struct RayPiece {
   int part = 0;
-  std::vector<glm::vec3> points;  ///< two or more, from near to far
+  std::vector<glm::vec3> points;  ///< in the world; two or more, from near to far
 };
 
 std::vector<RayPiece> rayPieces(const GraphCamera& camera, const glm::vec2& pixel);

@@ -16,6 +16,7 @@
 #include "tests/camera/test_graph_cameras.h"
 #include "tests/gl/gl_test_context.h"
 #include "tests/render/ray_agreement.h"
+#include "tests/render/render_checks.h"
 
 namespace ocelli {
 namespace {
@@ -94,15 +95,7 @@ TEST_P(BentRayPassTest, brokenTrianglesLeaveTheirNeighboursAlone) {
     return std::pair(renderer.draw(test::crossroads(pinhole())), renderer.draw(test::turningTwice(pinhole())));
   };
   const auto whole = drawn();
-  const auto first = static_cast<uint32_t>(mesh.positions.size());
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  const float infinite = std::numeric_limits<float>::infinity();
-  mesh.positions.insert(mesh.positions.end(), {{nan, 0, 0}, {infinite, 1, 0}, {0, 0, -infinite}});
-  mesh.colors.resize(mesh.positions.size(), glm::vec3(1));
-  for (uint32_t i = 0; i < 3; ++i) {
-    mesh.triangles.push_back({first + i, 0, 1});
-    mesh.triangles.push_back({0, 0, 0});
-  }
+  test::addBrokenTriangles(mesh);
   const auto broken = drawn();
   EXPECT_EQ(whole.first, broken.first);
   EXPECT_EQ(whole.second, broken.second);

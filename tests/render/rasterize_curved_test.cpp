@@ -13,6 +13,7 @@
 #include "oc_core/scene/solids.h"
 #include "tests/camera/test_curved_cameras.h"
 #include "tests/render/ray_agreement.h"
+#include "tests/render/render_checks.h"
 
 namespace ocelli {
 namespace {
@@ -140,15 +141,7 @@ TEST(RasterizeCurved, brokenTrianglesLeaveTheirNeighboursAlone) {
   const CurvedRayCamera curved = turningTwice(camera());
   Mesh mesh = loadScene("builtin:boxes", {}, {});
   const FragmentImage whole = rasterize(curved, mesh);
-  const auto first = static_cast<uint32_t>(mesh.positions.size());
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  const float infinite = std::numeric_limits<float>::infinity();
-  mesh.positions.insert(mesh.positions.end(), {{nan, 0, 0}, {infinite, 1, 0}, {0, 0, -infinite}});
-  mesh.colors.resize(mesh.positions.size(), glm::vec3(1));
-  for (uint32_t i = 0; i < 3; ++i) {
-    mesh.triangles.push_back({first + i, 0, 1});
-    mesh.triangles.push_back({0, 0, 0});
-  }
+  test::addBrokenTriangles(mesh);
   EXPECT_EQ(whole, rasterize(curved, mesh));
   EXPECT_EQ(coveredPixels(rasterize(curved, Mesh{})), 0u);
 }

@@ -13,6 +13,7 @@
 #include "tests/camera/test_curved_cameras.h"
 #include "tests/camera/test_graph_cameras.h"
 #include "tests/render/ray_agreement.h"
+#include "tests/render/render_checks.h"
 
 namespace ocelli {
 namespace {
@@ -169,14 +170,7 @@ TEST(RasterizeGraph, brokenTrianglesLeaveTheirNeighboursAlone) {
   const GraphCamera graph = crossroads();
   Mesh mesh = loadScene("builtin:boxes", {}, {});
   const FragmentImage whole = rasterize(graph, mesh);
-  const auto first = static_cast<uint32_t>(mesh.positions.size());
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  const float infinite = std::numeric_limits<float>::infinity();
-  mesh.positions.insert(mesh.positions.end(), {{nan, 0, 0}, {infinite, 1, 0}, {0, 0, -infinite}});
-  mesh.colors.resize(mesh.positions.size(), glm::vec3(1));
-  mesh.triangles.push_back({first, 0, 1});
-  mesh.triangles.push_back({0, first + 1, 1});
-  mesh.triangles.push_back({0, 1, first + 2});
+  test::addBrokenTriangles(mesh);
   EXPECT_EQ(whole, rasterize(graph, mesh));
 }
 

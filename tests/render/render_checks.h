@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/render/fragment_image.h"
@@ -74,6 +75,19 @@ inline bool mayDiffer(const Fragment& a, const Fragment& b, const PinholeCamera&
   }
   // 1e-6: rounding of 1/z in single precision, relative.
   return a.covered() && b.covered() && std::abs(inverseZ[0] - inverseZ[1]) <= tolerance + 1e-6 * inverseZ[0];
+}
+
+/// Adds triangles with corners that are no numbers, and some without an area. The mesh has colours.
+inline void addBrokenTriangles(Mesh& mesh) {
+  const auto first = static_cast<uint32_t>(mesh.positions.size());
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinite = std::numeric_limits<float>::infinity();
+  mesh.positions.insert(mesh.positions.end(), {{nan, 0, 0}, {infinite, 1, 0}, {0, 0, -infinite}});
+  mesh.colors.resize(mesh.positions.size(), glm::vec3(1));
+  for (uint32_t i = 0; i < 3; ++i) {
+    mesh.triangles.push_back({first + i, 0, 1});
+    mesh.triangles.push_back({0, 0, 0});
+  }
 }
 
 }  // namespace ocelli::test
