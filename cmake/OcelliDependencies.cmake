@@ -11,6 +11,8 @@ ocelli_find(embree 3)
 ocelli_find(zstd)
 ocelli_find(meshoptimizer)
 ocelli_find(fmt)
+ocelli_find(OpenSSL COMPONENTS Crypto)
+ocelli_find(SQLiteCpp)
 # OpenEXR through pkg-config: Debian's CMake files of Imath name a Python library that another package holds.
 ocelli_find(PkgConfig)
 pkg_check_modules(OpenEXR REQUIRED IMPORTED_TARGET GLOBAL OpenEXR)

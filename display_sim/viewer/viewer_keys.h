@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "display_sim/viewer/viewer_state.h"
-#include "oc_core/gl/input_event.h"
+#include "oc_core/base/input_event.h"
 
 namespace ocelli {
 

@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "oc_core/gl/input_event.h"
+#include "oc_core/base/input_event.h"
 
 namespace ocelli {
 

@@ -17,7 +17,7 @@
 
 #include "oc_core/gl/gl_context.h"
 #include "oc_core/gl/gl_object.h"
-#include "oc_core/gl/input_event.h"
+#include "oc_core/base/input_event.h"
 
 struct GLFWwindow;
 

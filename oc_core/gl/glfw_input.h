@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "oc_core/gl/input_event.h"
+#include "oc_core/base/input_event.h"
 
 namespace ocelli {
 

@@ -22,7 +22,7 @@
 
 #include "oc_core/gl/gl_context.h"
 #include "oc_core/gl/gui_renderer.h"
-#include "oc_core/gl/input_event.h"
+#include "oc_core/base/input_event.h"
 
 struct ImGuiContext;
 struct ImGuiIO;

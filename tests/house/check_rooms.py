@@ -37,6 +37,9 @@ THIRD_PARTIES = {
     "GLFW/": "glfw",
     "imgui": "PkgConfig::imgui",
     "fontconfig/": "PkgConfig::fontconfig",
+    "openssl/": "OpenSSL::Crypto",
+    "SQLiteCpp/": "SQLiteCpp",
+    "sqlite3.h": "SQLiteCpp",
     # Functions that are looked up at run time: nothing is linked.
     "EGL/": None,
     "GL/osmesa.h": None,
@@ -108,7 +111,7 @@ def links_of(root, room):
     lists = root / room / "CMakeLists.txt"
     text = re.sub(r"#.*", "", lists.read_text(encoding="utf-8")) if lists.exists() else ""
     match = re.search(r"ocelli_room\(\s*(\w+)(.*?)\n?\)", text, re.DOTALL)
-    return None if match is None else (match.group(1), set(re.findall(r"[\w]+(?:::\w+)+|\bembree\b|\bglfw\b", match.group(2))))
+    return None if match is None else (match.group(1), set(re.findall(r"[\w]+(?:::\w+)+|\bembree\b|\bglfw\b|\bSQLiteCpp\b", match.group(2))))
 
 
 def check_include(path, number, own, name, room, rooms, root):

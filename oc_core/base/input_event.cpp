@@ -1,4 +1,4 @@
-#include "oc_core/gl/input_event.h"
+#include "oc_core/base/input_event.h"
 
 #include <algorithm>
 #include <array>

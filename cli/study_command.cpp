@@ -1,0 +1,16 @@
+// `ocelli study`: perception studies, from the protocol to the data.
+#include "cli/study_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command.h"
+
+namespace ocelli {
+
+void addStudyCommand(CLI::App& program, const Frame& frame) {
+  CLI::App& study = *program.add_subcommand("study", "Run perception studies and keep their data");
+  study.require_subcommand(1);
+  (void)frame;
+}
+
+}  // namespace ocelli

@@ -1,0 +1,127 @@
+// A study as its protocol file describes it (protocols/protocol.schema.json, docs/protocols.md).
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/task/task.h"
+
+namespace ocelli {
+
+/// A page of text that is shown until a key is pressed.
+struct ProtocolPage {
+  std::string title;
+  std::vector<std::string> paragraphs;
+  /// A picture that the program draws: "find_ppc", "find_gc", "count_ppc", "count_gc", "path_maps", "controls"; empty
+  /// for none.
+  std::string picture{};
+};
+
+struct FormField {
+  std::string name;  ///< of the answer in the database: "age_band"
+  std::string question;
+  std::vector<std::string> options;  ///< one is chosen; always at least two
+  std::vector<std::string> ends{};   ///< of a scale: what its first and last option mean; empty, or two
+};
+
+struct ProtocolForm {
+  std::string name;  ///< "demographics", "survey"
+  std::string title;
+  std::string introduction{};
+  std::vector<FormField> fields;
+};
+
+enum class TrialOrder {
+  kAlternating,  ///< cases in the order of the file, views in turn: the order of the original study
+  kBalanced,     ///< shuffled anew for each subject; no case twice in a row; views in turn, counterbalanced
+};
+enum class ViewsOfCases {
+  kBoth,  ///< each case is seen in both views
+  kOne,   ///< each case is seen in one view, counterbalanced over subjects where the order is balanced
+};
+
+struct ProtocolPractice {
+  std::shared_ptr<const TaskBlock> task;
+  int leastCorrect = 1;  ///< in a row, to go on
+  int mostTrials = 8;    ///< then the experimenter is called
+};
+
+struct ProtocolBlock {
+  std::string name;   ///< unique: "find stationary"
+  std::string title;  ///< for the subject
+  std::string taskName;
+  std::shared_ptr<const TaskBlock> task;
+  std::vector<ProtocolPage> instructions;
+  std::optional<ProtocolPractice> practice{};
+  TrialOrder order = TrialOrder::kBalanced;
+  ViewsOfCases views = ViewsOfCases::kBoth;
+  bool feedback = false;     ///< after each trial; practice always has it
+  int breakEveryTrials = 0;  ///< a break after so many trials; 0 for none within the block
+  bool breakAfter = true;
+};
+
+struct ScreenGeometry {
+  double widthMillimeters = 518;  ///< of what is lit
+  double heightMillimeters = 324;
+  double distanceMillimeters = 600;  ///< from the eye
+  int leastWidth = 1024;             ///< pixels
+  int leastHeight = 640;
+  std::optional<double> refreshHertz{};  ///< that the monitor must have
+  bool photodiodePatch = false;          ///< a square in the lower left corner, white in every other frame of a trial
+};
+
+struct TimingLimits {
+  double lateFactor = 1.2;         ///< a frame of more intervals than that is a dropped one
+  double mostDroppedShare = 0.01;  ///< of a trial's frames; with more the trial is marked
+  double mostJitterShare = 0.1;    ///< of the interval, standard deviation in the start-up check
+  double refreshTolerance = 0.02;  ///< of the measured rate, relative to what the monitor says
+};
+
+enum class ResumePolicy { kNextTrial, kRestartBlock, kStop };
+
+/// A rule that the analysis applies; the study only stores it.
+struct ExclusionRule {
+  std::string what;  ///< "sessions_completed", "form:vision", "timeout_share", "dropped_share", ...
+  std::string test;  ///< "at_least", "at_most", "is", "is_not"
+  std::string value;
+  std::string reason;
+};
+
+struct Protocol {
+  std::string name;  ///< letters, digits and -
+  std::string title;
+  std::string description{};
+  std::filesystem::path file{};
+  std::string text;    ///< of the file, byte by byte; included mazes stand in it
+  std::string sha256;  ///< of `text`, hexadecimal
+  int sessions = 1;
+  int minutesBetweenSessions = 0;
+  std::optional<ProtocolPage> consent{};
+  std::optional<ProtocolForm> demographics{};
+  std::vector<ProtocolPage> welcome{};
+  std::vector<ProtocolBlock> blocks;
+  bool shuffleBlocks = false;  ///< their order is counterbalanced over subjects
+  int breakSeconds = 60;       ///< the least length of a break
+  std::optional<ProtocolForm> survey{};
+  bool surveyAfterLastSessionOnly = true;
+  Controls controls{};
+  ScreenGeometry screen{};
+  TimingLimits timing{};
+  ResumePolicy resume = ResumePolicy::kNextTrial;
+  std::vector<ExclusionRule> exclusions{};
+};
+
+/// A protocol that can be run. Throws InputError that says the file, the field and what to do.
+Protocol readProtocol(const std::filesystem::path& path);
+/// The same from text that a database holds.
+Protocol protocolFromJsonText(const std::string& text, const std::string& where);
+
+const char* nameOf(TrialOrder order);
+const char* nameOf(ViewsOfCases views);
+const char* nameOf(ResumePolicy policy);
+
+}  // namespace ocelli

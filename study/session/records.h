@@ -1,0 +1,111 @@
+// What a session leaves behind, as it is stored. Times in nanoseconds are of a clock that never jumps, since the run of
+// the program began; times in UTC are ISO 8601 with milliseconds, for people.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oc_core/base/input_event.h"
+#include "study/task/task.h"
+
+namespace ocelli {
+
+/// Who gives the answers. Every row that is stored says so.
+enum class SubjectKind : uint8_t {
+  kPerson,
+  kGenerator,  ///< simulated: numbers with known effects, which sees nothing
+  kObserver,   ///< simulated: sees identity images of the frames
+};
+/// "person", "simulated_generator", "simulated_observer".
+const char* nameOf(SubjectKind kind);
+std::optional<SubjectKind> subjectKindFromName(std::string_view name);
+
+/// One start of the program for a session: the first, or one that resumes it.
+struct RunRecord {
+  std::string subject;  ///< pseudonymous id
+  SubjectKind kind = SubjectKind::kPerson;
+  int slot = 0;
+  int session = 0;  ///< from 0
+  std::string startedUtc;
+  std::string programVersion;
+  std::string station;      ///< name of this computer
+  std::string environment;  ///< JSON: system, graphics, screen, monitor, clocks, how input is time-stamped, what is not
+                            ///< measured
+  std::string timingCheck;  ///< JSON: what the start-up check measured, and its verdict
+  bool forced = false;      ///< started although the check refused
+  std::string simulation{};  ///< JSON: parameters of a simulated subject
+};
+
+struct FrameRecord {
+  int64_t frame = 0;  ///< of the trial, from 0
+  int64_t tick = 0;   ///< that the picture shows
+  int64_t shownNanoseconds = 0;
+  WalkerPose pose;
+  std::optional<uint64_t> pixelHash{};
+
+  bool operator==(const FrameRecord&) const = default;
+};
+
+struct InputRecord {
+  int64_t nanoseconds = 0;  ///< when it came
+  int64_t tick = 0;         ///< at which the trial took it
+  InputEvent event;
+};
+
+/// Verdict on the timing of a trial's frames.
+struct TrialTiming {
+  int64_t frames = 0;
+  int64_t dropped = 0;  ///< intervals of more than TimingLimits::lateFactor
+  int64_t medianNanoseconds = 0;
+  int64_t longestNanoseconds = 0;
+  std::string verdict;  ///< "good", "dropped_frames", "unstable_refresh" (forced), "simulated_clock"
+};
+
+enum class TrialEnding { kCompleted, kRedone, kAborted };
+const char* nameOf(TrialEnding ending);
+
+struct TrialRecord {
+  TrialPlan plan;
+  int attempt = 1;  ///< of the same plan; the last completed one counts
+  CaseInfo info;
+  TrialScreen screen;
+  int64_t startedNanoseconds = 0;
+  int64_t endedNanoseconds = 0;
+  std::string startedUtc;
+  std::string endedUtc;
+  TrialEnding ending = TrialEnding::kCompleted;
+  TrialOutcome outcome;  ///< empty where it was not completed
+  TrialTiming timing;
+};
+
+struct AnswerRecord {
+  std::string form;
+  std::string field;
+  std::string answer;
+  std::string utc;
+};
+
+struct ConsentRecord {
+  std::string title;
+  std::string text;  ///< as it was shown
+  std::string sha256;
+  bool agreed = false;
+  std::string utc;
+};
+
+/// Anything else that happened: "pause", "resume", "note", "redo", "abort", "break", "page", "unwell", "clock_jump",
+/// "late_frames", "monitor_lost", "practice_failed", ...
+struct EventRecord {
+  int64_t nanoseconds = 0;
+  std::string utc;
+  std::string what;
+  std::string detail{};
+};
+
+enum class SessionEnding { kCompleted, kUnwell, kAborted, kDeclined, kFailed };
+const char* nameOf(SessionEnding ending);
+
+}  // namespace ocelli

@@ -1,0 +1,106 @@
+// A session as it runs: consent, forms, instructions, practice, trials, breaks, survey. Input and frames go in, what to
+// show comes out, records go to a sink. It knows neither windows nor clocks: whoever runs it (a screen, a simulation, a
+// test) brings the events with the times when they came, and tells when each frame was shown.
+//
+//   SessionFlow flow(protocol, schedule, done, screen, sink);
+//   while (!flow.isOver()) {
+//     for (event : ...) flow.handle({event, nanoseconds});
+//     flow.update(now);                 // trials take what came before `now`, and their ticks pass
+//     draw(flow.screen());
+//     flow.frameShown(nanoseconds);     // when the frame was on the screen
+//   }
+//
+// Everything can be done by keys alone: Enter goes on, arrows and digits choose; F10 is "I feel unwell".
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/protocol/schedule.h"
+#include "study/session/session_screen.h"
+#include "study/session/session_sink.h"
+
+namespace ocelli {
+
+struct TimedInput {
+  InputEvent event;
+  int64_t nanoseconds = 0;  ///< when it came
+};
+
+/// What was stored of this session before, for one that is resumed.
+struct SessionDone {
+  std::vector<int> completedTrials{};  ///< indices of plans
+  std::vector<int> attempts{};         ///< how often each plan began; as long as the schedule, or empty
+  bool consented = false;
+  std::vector<std::string> forms{};    ///< names of those that were answered
+  std::vector<int> blocksPracticed{};  ///< indices in the protocol
+};
+
+struct SessionFlowOptions {
+  TrialScreen screen{};
+  int64_t intervalNanoseconds = 16'666'667;  ///< of the screen, as measured
+  bool unstableRefresh = false;              ///< marks all trials
+  bool simulatedClock = false;               ///< marks all trials
+  SubjectKind kind = SubjectKind::kPerson;
+};
+
+/// What the subject does to a form or page by the mouse: what widgets report.
+struct FormAction {
+  enum class Kind { kChoose, kGoOn, kDecline };
+  Kind kind = Kind::kGoOn;
+  int field = 0;
+  int option = 0;
+};
+
+/// What an experimenter's console shows.
+struct SessionStatus {
+  std::string step;  ///< "trial 12 of 24, find stationary, gc, location 3"
+  SessionProgress progress;
+  bool paused = false;
+  TrialTiming lastTiming{};  ///< of the last trial
+  bool wantsExperimenter = false;
+};
+
+class SessionFlow {
+ public:
+  /// `protocol` and `sink` must outlive it.
+  SessionFlow(const Protocol& protocol, const SessionSchedule& schedule, const SessionDone& done,
+              const SessionFlowOptions& options, SessionSink& sink);
+  ~SessionFlow();
+  SessionFlow(const SessionFlow&) = delete;
+  SessionFlow& operator=(const SessionFlow&) = delete;
+
+  /// In the order in which they came. The tick at which a trial takes an event follows from when it came.
+  void handle(const TimedInput& input);
+  void act(const FormAction& action, int64_t nanoseconds);
+  /// Time has come to `nanoseconds`.
+  void update(int64_t nanoseconds);
+  /// The screen of the last update() was shown. `pixelHash` is of its trial picture, where it was read.
+  void frameShown(int64_t nanoseconds, std::optional<uint64_t> pixelHash = {});
+
+  SessionScreen screen() const;
+  bool isOver() const;
+  SessionEnding ending() const;
+  SessionStatus status() const;
+  /// The trial that runs, for whoever simulates a subject; nothing between trials.
+  const TrialRun* trial() const;
+  std::optional<TrialPlan> trialPlan() const;
+
+  // What the experimenter may do.
+  void pause(const std::string& reason);
+  void resume();
+  /// The trial that runs, or else the last, again.
+  void redo();
+  void abort(const std::string& reason);
+  void note(const std::string& text);
+  /// Something that whoever runs the session noticed: "clock_jump", "monitor_lost", ...
+  void report(const std::string& what, const std::string& detail);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace ocelli

@@ -1,0 +1,117 @@
+// Tasks of a study (section 7.3): what a subject is asked to do in a trial.
+//
+// A TaskBlock is what a block of a protocol says of its task: the cases, such as where the object stands, and how long
+// they last. A TrialRun is one trial as it runs: input goes in, pictures come out, and in the end an outcome. It knows
+// neither windows nor clocks nor files: time passes in ticks, so the same input at the same ticks gives the same poses,
+// pictures and outcome, bit by bit, whether a person, a simulated subject or a log gives it.
+//
+// Recipe for a new task, three places:
+//   1. study/task/NAME_task.h and .cpp: a TaskBlock with a function that reads it from the fields of a block, and a
+//      TrialRun.
+//   2. study/task/task_kinds.cpp: one line in the table.
+//   3. protocols/protocol.schema.json: its name and its fields.
+// Databases, replays and exports take it as it is: what is its own goes into TrialOutcome::measures.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "oc_core/base/input_event.h"
+#include "study/task/controls.h"
+#include "study/task/trial_picture.h"
+#include "study/task/trial_plan.h"
+
+namespace ocelli {
+
+class JsonFields;
+
+/// Steps in which the time of a trial passes.
+inline constexpr int64_t kTicksPerSecond = 240;
+
+/// Where the subject stands, in the coordinates of the maze: x to the east, z to the south.
+struct WalkerPose {
+  double x = 0;
+  double z = 0;
+  double headingRadians = 0;  ///< clockwise, seen from above; 0 is north, -z
+
+  bool operator==(const WalkerPose&) const = default;
+};
+
+/// What a case is, for schedules, tables and exports. What does not apply is empty.
+struct CaseInfo {
+  std::string label;  ///< unique within the block: "location 3"
+  bool moving = false;
+  std::optional<double> exposureSeconds{};
+  std::optional<int> objects{};
+  std::optional<bool> duplicateColors{};
+  double longestSeconds = 0;  ///< until the trial ends by itself, answering included where that is limited
+  double typicalSeconds = 0;  ///< for the length of a schedule
+};
+
+struct TrialOutcome {
+  std::string answer;    ///< what was answered; empty where nothing was
+  std::string expected;  ///< what would have been right
+  bool correct = false;
+  bool censored = false;  ///< time ran out before the answer
+  /// From the first tick to the answer; to the end of the time where it ran out. Of tasks with an exposure, from its
+  /// end.
+  int64_t responseTicks = 0;
+  int64_t exposureFrames = 0;                              ///< frames that showed the scene, of tasks with an exposure
+  std::vector<std::pair<std::string, double>> measures{};  ///< what else is to be told: "path_length_m", ...
+
+  bool operator==(const TrialOutcome&) const = default;
+};
+
+class TrialRun {
+ public:
+  virtual ~TrialRun() = default;
+
+  /// Something happens at this tick. Events of no use to the task are ignored.
+  virtual void handle(const InputEvent& event) = 0;
+  /// A tick passes. Nothing happens any more once there is an outcome.
+  virtual void advance() = 0;
+  /// The picture has been shown for one frame.
+  virtual void frameShown() = 0;
+
+  virtual TrialPicture picture() const = 0;
+  virtual WalkerPose pose() const = 0;
+  /// Once the trial is over.
+  virtual std::optional<TrialOutcome> outcome() const = 0;
+};
+
+class TaskBlock {
+ public:
+  virtual ~TaskBlock() = default;
+
+  virtual int caseCount() const = 0;
+  virtual CaseInfo caseInfo(int caseIndex) const = 0;
+  /// The right answer of a case, for the schedule that `study check` prints: "object at row 2, column 5", "6", ...
+  virtual std::string answerOf(const TrialPlan& plan) const = 0;
+  /// The block must outlive the run.
+  virtual std::unique_ptr<TrialRun> start(const TrialPlan& plan, const TrialScreen& screen) const = 0;
+};
+
+/// What all blocks of a protocol share.
+struct TaskSetting {
+  std::map<std::string, Maze> mazes{};  ///< by name; valid, without landmarks
+  Controls controls{};
+};
+
+struct TaskKind {
+  const char* name;
+  const char* description;
+  /// Reads the fields of the task from those of a block; others are left for the caller to ask for, and to reject.
+  /// `caseField` names the field that holds the cases: "cases", or "practice_cases". Throws InputError naming the field
+  /// for what is wrong or cannot be: objects in walls, more cases than places, impossible durations.
+  std::shared_ptr<const TaskBlock> (*read)(JsonFields& fields, const std::string& caseField,
+                                           const TaskSetting& setting);
+};
+
+const std::vector<TaskKind>& taskKinds();
+
+}  // namespace ocelli
