@@ -53,8 +53,8 @@ struct WallStyle {
   }
 };
 
-/// Of plain walls: greys of the panel cell in column `i` of a wall and row `j`. Cells alternate a little, for the eye to
-/// see how fast it goes along them.
+/// Of plain walls: greys of the panel cell in column `i` of a wall and row `j`. Cells alternate a little, for the eye
+/// to see how fast it goes along them.
 glm::vec3 plainWall(bool lookingEastWest, size_t i, size_t j) {
   const float base = lookingEastWest ? 0.56f : 0.68f;
   return glm::vec3(j == 0 ? 0.3f * base : (i / 4 + j / 4) % 2 == 0 ? base : 0.92f * base);

@@ -11,7 +11,7 @@ namespace {
 
 /// What these do is the same in all studies.
 bool isReserved(Key key) {
-  const std::array reserved{Key::kUp,     Key::kDown, Key::kLeft,  Key::kRight,     Key::kEnter,
+  const std::array reserved{Key::kUp,     Key::kDown, Key::kLeft,   Key::kRight,    Key::kEnter,
                             Key::kEscape, Key::kTab,  Key::kDelete, Key::kBackspace};
   return std::find(reserved.begin(), reserved.end(), key) != reserved.end() || (key >= Key::k0 && key <= Key::k9) ||
          (key >= Key::kF1 && key <= Key::kF12);
@@ -56,7 +56,8 @@ Controls readControls(JsonFields& fields) {
   controls.walkMetersPerSecond = fields.number("walk_meters_per_second", 0.1, 20, controls.walkMetersPerSecond);
   controls.turnDegreesPerSecond = fields.number("turn_degrees_per_second", 5, 720, controls.turnDegreesPerSecond);
   controls.mouseDegreesPerPixel = fields.number("mouse_degrees_per_pixel", 0.001, 5, controls.mouseDegreesPerPixel);
-  controls.pointerPixelsPerSecond = fields.number("pointer_pixels_per_second", 10, 10000, controls.pointerPixelsPerSecond);
+  controls.pointerPixelsPerSecond =
+      fields.number("pointer_pixels_per_second", 10, 10000, controls.pointerPixelsPerSecond);
   controls.eyeHeightMeters = fields.number("eye_height_meters", 0.05, 50, controls.eyeHeightMeters);
   controls.bodyRadiusMeters = fields.number("body_radius_meters", 0.02, 20, controls.bodyRadiusMeters);
   fields.rejectUnknown();

@@ -17,8 +17,8 @@ glm::dvec2 middleOf(const Maze& maze, const MazeCell& cell) {
 ObjectWalk::ObjectWalk(const Maze& maze, std::span<const Start> starts, double metersPerSecond, uint64_t seed)
     : maze_(maze),
       random_(seed),
-      ticksOfWay_(std::max<int64_t>(
-          1, std::llround(static_cast<double>(maze.cellSize) / metersPerSecond * static_cast<double>(kTicksPerSecond)))) {
+      ticksOfWay_(std::max<int64_t>(1, std::llround(static_cast<double>(maze.cellSize) / metersPerSecond *
+                                                    static_cast<double>(kTicksPerSecond)))) {
   for (const Start& start : starts) {
     walks_.push_back({start.cell, start.cell, start.place, start.place});
   }

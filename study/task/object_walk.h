@@ -2,7 +2,8 @@
 // (section 7.4.2: they "translate around the map in random directions").
 //
 // All of them set out and arrive at the same time. None goes into a cell that another stands in or goes to, so that two
-// never meet; where that leaves no way, one waits. They turn back where there is no other way, and never leave the maze.
+// never meet; where that leaves no way, one waits. They turn back where there is no other way, and never leave the
+// maze.
 #pragma once
 
 #include <glm/vec2.hpp>

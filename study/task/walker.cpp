@@ -53,8 +53,7 @@ void Walker::advance() {
   const glm::dvec2 forward(sine, -cosine);
   const double stride = controls_.walkMetersPerSecond / static_cast<double>(kTicksPerSecond);
   const glm::dvec2 from(pose_.x, pose_.z);
-  const FloorPlan::Step step =
-      plan_.walk(from, glm::normalize(going.x * right + going.y * forward) * stride);
+  const FloorPlan::Step step = plan_.walk(from, glm::normalize(going.x * right + going.y * forward) * stride);
   collisions_ += step.touched && !touches_ ? 1 : 0;
   touches_ = step.touched;
   pathMeters_ += glm::length(step.place - from);
