@@ -167,9 +167,8 @@ ProtocolPage readPage(JsonFields& fields, const std::string& name) {
 std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name) {
   std::vector<ProtocolPage> pages;
   if (fields.has(name)) {
-    forEachObject(fields, name, 0, kMostPages, [&](const nlohmann::json& json, const std::string& where) {
-      pages.push_back(pageOf(json, where));
-    });
+    forEachObject(fields, name, 0, kMostPages,
+                  [&](const nlohmann::json& json, const std::string& where) { pages.push_back(pageOf(json, where)); });
   }
   return pages;
 }

@@ -67,8 +67,8 @@ std::vector<int> readSessions(JsonFields& fields, int sessions) {
     return number.is_number_integer() && number >= 1 && number <= sessions;
   };
   if (!json.is_array() || json.empty() || !std::all_of(json.begin(), json.end(), isSession)) {
-    fields.fail("sessions", fmt::format("must be an array of whole numbers from 1 to {}, the protocol's sessions",
-                                        sessions));
+    fields.fail("sessions",
+                fmt::format("must be an array of whole numbers from 1 to {}, the protocol's sessions", sessions));
   }
   for (const nlohmann::json& number : json) {
     if (!list.insert(number.get<int>() - 1).second) {
@@ -100,7 +100,7 @@ std::optional<ProtocolPractice> readPractice(JsonFields& fields, const TaskKind&
   }
   JsonFields inner(fields.value("practice"), fmt::format("{}, practice", fields.where()));
   ProtocolPractice practice;
-  practice.leastCorrect = inner.integer("least_correct", 0, kMostTrials, practice.leastCorrect);
+  practice.leastCorrect = inner.integer("least_correct", 1, kMostTrials, practice.leastCorrect);
   practice.mostTrials = inner.integer("most_trials", 1, kMostTrials, practice.mostTrials);
   if (practice.leastCorrect > practice.mostTrials) {
     inner.fail("least_correct", fmt::format("must be at most \"most_trials\", which is {}", practice.mostTrials));
@@ -156,8 +156,8 @@ void readBlocks(JsonFields& fields, const TaskSetting& setting, Protocol& protoc
   }
   for (int session = 0; session < protocol.sessions; ++session) {
     const auto isIn = [&](const ProtocolBlock& block) {
-      return block.sessions.empty() || std::find(block.sessions.begin(), block.sessions.end(), session) !=
-                                           block.sessions.end();
+      return block.sessions.empty() ||
+             std::find(block.sessions.begin(), block.sessions.end(), session) != block.sessions.end();
     };
     if (std::none_of(protocol.blocks.begin(), protocol.blocks.end(), isIn)) {
       fields.fail("sessions", fmt::format("is {}, but no block is in session {}", protocol.sessions, session + 1));
