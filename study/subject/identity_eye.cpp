@@ -122,8 +122,8 @@ std::optional<size_t> patchOf(const Maze& maze, const glm::vec3& point) {
   if (!cell) {
     return std::nullopt;
   }
-  const glm::vec2 within = glm::vec2(point.x - maze.origin.x, point.z - maze.origin.z) / maze.cellSize -
-                           glm::vec2(cell->column, cell->row);
+  const glm::vec2 within =
+      glm::vec2(point.x - maze.origin.x, point.z - maze.origin.z) / maze.cellSize - glm::vec2(cell->column, cell->row);
   const float half = maze.wallThickness / 2 / maze.cellSize;
   const glm::bvec2 low(within.x < half, within.y < half);
   const glm::bvec2 high(within.x > 1 - half, within.y > 1 - half);
@@ -196,8 +196,7 @@ WalkerPose poseOf(const StudyCamera& camera) {
 
 }  // namespace
 
-IdentityEye::IdentityEye(const TrialScreen& screen, StudyDrawer drawer)
-    : screen_(screen), drawer_(std::move(drawer)) {}
+IdentityEye::IdentityEye(const TrialScreen& screen, StudyDrawer drawer) : screen_(screen), drawer_(std::move(drawer)) {}
 
 Percept IdentityEye::look(const TrialPicture& picture, bool withFloor) const {
   Percept percept;
