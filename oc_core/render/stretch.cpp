@@ -82,7 +82,7 @@ class HeightOver {
 };
 
 /// The pixels whose centres may lie in a polygon.
-PixelRect rectAround(const std::vector<glm::dvec2>& part, const PixelLeaves& leaves) {
+PixelBounds rectAround(const std::vector<glm::dvec2>& part, const PixelLeaves& leaves) {
   glm::dvec2 lower = part[0];
   glm::dvec2 upper = part[0];
   for (const glm::dvec2& corner : part) {

@@ -100,7 +100,7 @@ class StretchDrawer {
   glm::dvec4 vRow_{0};
   glm::dvec4 weightRow_{0};
   StretchBounds bounds_;
-  PixelRect rect_;
+  PixelBounds rect_;
   bool holdsAllPixels_;  ///< of the rectangle
 };
 

@@ -69,7 +69,7 @@ struct KeyedSample {
 inline constexpr int64_t kWideRow = 24;
 
 /// Pixels [x0, x1) x [y0, y1) of an image.
-struct PixelRect {
+struct PixelBounds {
   int x0 = 0;
   int y0 = 0;
   int x1 = 0;
@@ -111,13 +111,13 @@ class PixelWeights {
 /// Calls `emit(pixel, z, weights)` for every pixel of `rect` that the triangle covers, of an image that is so wide;
 /// `weights()` gives b1 and b2 there (PixelWeights).
 template <class Emit>
-void scanTriangle(int width, const PixelRect& rect, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
-                  const Emit& emit);
+void scanTriangle(int width, const PixelBounds& rect, const RasterVertex& a, const RasterVertex& b,
+                  const RasterVertex& c, const Emit& emit);
 /// For the whole image.
 template <class Emit>
 void scanTriangle(int width, int height, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
                   const Emit& emit) {
-  scanTriangle(width, PixelRect{0, 0, width, height}, a, b, c, emit);
+  scanTriangle(width, PixelBounds{0, 0, width, height}, a, b, c, emit);
 }
 
 class VisibilityBuffer {
@@ -149,7 +149,7 @@ class VisibilityBuffer {
 };
 
 template <class Emit>
-void scanTriangle(int width, const PixelRect& rect, const RasterVertex& a, const RasterVertex& b0,
+void scanTriangle(int width, const PixelBounds& rect, const RasterVertex& a, const RasterVertex& b0,
                   const RasterVertex& c0, const Emit& emit) {
   constexpr int64_t kOne = 1 << kSubPixelBits;
   const int64_t ax = snapToSubPixel(a.u);

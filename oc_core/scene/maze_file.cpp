@@ -163,9 +163,8 @@ double shortest(float value) {
 
 }  // namespace
 
-Maze mazeFromJsonText(const std::string& text, const std::string& where) {
-  const nlohmann::json json = parseJson(text, where);
-  JsonFields fields(json, where);
+Maze readMaze(JsonFields& fields) {
+  const std::string& where = fields.where();
   Maze maze = mazeOfPlan(readPlan(fields, where), where);
   maze.cellSize = static_cast<float>(fields.number("cell_size", 0.1, 100, maze.cellSize));
   maze.wallHeight = static_cast<float>(fields.number("wall_height", 0.1, 100, maze.wallHeight));
@@ -174,6 +173,12 @@ Maze mazeFromJsonText(const std::string& text, const std::string& where) {
   fields.rejectUnknown();
   validate(maze, where);
   return maze;
+}
+
+Maze mazeFromJsonText(const std::string& text, const std::string& where) {
+  const nlohmann::json json = parseJson(text, where);
+  JsonFields fields(json, where);
+  return readMaze(fields);
 }
 
 Maze readMaze(const std::filesystem::path& path) {

@@ -14,9 +14,13 @@
 
 namespace ocelli {
 
+class JsonFields;
+
 /// A valid maze. Throws InputError that says the file and the field or cell.
 Maze readMaze(const std::filesystem::path& path);
 Maze mazeFromJsonText(const std::string& text, const std::string& where);
+/// From an object within another file; rejects unknown fields.
+Maze readMaze(JsonFields& fields);
 
 /// Reading it gives the same maze again, but for `origin`, which a file does not hold.
 std::string jsonText(const Maze& maze);

@@ -53,6 +53,17 @@ struct WallStyle {
   }
 };
 
+/// Of plain walls: greys of the panel cell in column `i` of a wall and row `j`. Cells alternate a little, for the eye
+/// to see how fast it goes along them.
+glm::vec3 plainWall(bool lookingEastWest, size_t i, size_t j) {
+  const float base = lookingEastWest ? 0.56f : 0.68f;
+  return glm::vec3(j == 0 ? 0.3f * base : (i / 4 + j / 4) % 2 == 0 ? base : 0.92f * base);
+}
+
+glm::vec3 plainFloor(bool dark) {
+  return glm::vec3(dark ? 0.16f : 0.19f);
+}
+
 /// The rarest hue among those that no corridor has that crosses this one, where there is one, and a pattern that no
 /// other corridor of this hue has, as far as they go.
 std::vector<WallStyle> stylesOf(const MazeGraph& graph) {
@@ -121,8 +132,9 @@ std::vector<float> negated(std::vector<float> lines) {
 /// on one grid of lines, so they share whole edges.
 class StructureBuilder {
  public:
-  explicit StructureBuilder(const Maze& maze)
+  StructureBuilder(const Maze& maze, const MazeLook& look)
       : maze_(maze),
+        look_(look),
         graph_(maze),
         styles_(stylesOf(graph_)),
         xs_(maze.columns(), maze.origin.x, maze.cellSize, maze.wallThickness),
@@ -159,6 +171,9 @@ class StructureBuilder {
     if (maze_.contains(cell) && maze_.contains(before)) {
       return !maze_.isOpen(cell, side);
     }
+    if (look_.closedEntrance) {
+      return true;
+    }
     const bool isGap = maze_.contains(cell) ? maze_.entrance->cell == cell && opposite(maze_.entrance->heading) == side
                                             : maze_.entrance->cell == before && maze_.entrance->heading == side;
     return !isGap;
@@ -179,6 +194,9 @@ class StructureBuilder {
   }
 
   glm::vec3 floorColor(int row, int column, bool dark) const {
+    if (look_.plain) {
+      return plainFloor(dark);
+    }
     const MazeCell cell{std::min(row / 2, maze_.rows() - 1), std::min(column / 2, maze_.columns() - 1)};
     const std::optional<size_t> eastWest = graph_.corridorOf(cell, true);
     const std::optional<size_t> northSouth = graph_.corridorOf(cell, false);
@@ -191,6 +209,8 @@ class StructureBuilder {
     return mix(plain, styles_[isEastWest ? *eastWest : *northSouth].color, 0.3f);
   }
 
+  glm::vec3 topColor() const { return look_.plain ? glm::vec3(0.08f) : palette::slate() * 0.8f; }
+
   void addBlock(int row, int column) {
     const bool full = isFull(row, column);
     const size_t firstX = xs_.first[static_cast<size_t>(column)];
@@ -201,7 +221,7 @@ class StructureBuilder {
     const float top = full ? wallLines_.back() : floor_;
     addPanel(mesh_, xs, negated(zs), frame({1, 0, 0}, {0, 0, -1}, {0, top, 0}), [&](size_t i, size_t j) {
       const size_t k = zs.size() - 2 - j;
-      return full ? palette::slate() * 0.8f : floorColor(row, column, ((firstX + i) / 2 + (firstZ + k) / 2) % 2 == 0);
+      return full ? topColor() : floorColor(row, column, ((firstX + i) / 2 + (firstZ + k) / 2) % 2 == 0);
     });
     addPanel(mesh_, xs, zs, frame({1, 0, 0}, {0, 0, 1}, {0, slabLines_.front(), 0}),
              [](size_t, size_t) { return palette::slate(); });
@@ -235,6 +255,9 @@ class StructureBuilder {
     addPanel(
         mesh_, ascending ? lines : negated(lines), heights, frame(right, {0, 1, 0}, origin), [&](size_t i, size_t j) {
           const size_t along = first + (ascending ? i : lines.size() - 2 - i);
+          if (look_.plain) {
+            return plainWall(isEastWest(facing), along, j);
+          }
           return style != nullptr ? style->at(along, j) : palette::ivory() * (j % 2 == along / 4 % 2 ? 0.55f : 0.7f);
         });
   }
@@ -244,6 +267,7 @@ class StructureBuilder {
   }
 
   const Maze& maze_;
+  const MazeLook look_;
   MazeGraph graph_;
   std::vector<WallStyle> styles_;
   BlockLines xs_;
@@ -256,9 +280,9 @@ class StructureBuilder {
 
 }  // namespace
 
-Scene makeMazeScene(const Maze& maze) {
+Scene makeMazeScene(const Maze& maze, const MazeLook& look) {
   Scene scene;
-  scene.add(StructureBuilder(maze).build());
+  scene.add(StructureBuilder(maze, look).build());
   for (size_t i = 0; i < maze.landmarks.size(); ++i) {
     scene.add(makeLandmark(maze, maze.landmarks[i]));
     scene.instances.back().tint = colorOf(maze.landmarks[i].color);

@@ -6,8 +6,15 @@
 
 namespace ocelli {
 
-/// Object 0 is the structure: floor and walls as one closed solid with a pattern of its own on the walls of each
-/// corridor. Object i + 1 is landmark i, closed too. The guides of the scene hold the maze. `maze` must be valid.
-Scene makeMazeScene(const Maze& maze);
+struct MazeLook {
+  /// Walls and floor are grey, with a faint pattern, and walls along one axis are lighter than those along the other:
+  /// nothing but landmarks catches the eye. Else each corridor has a colour and a pattern of its own.
+  bool plain = false;
+  bool closedEntrance = false;  ///< by a wall
+};
+
+/// Object 0 is the structure: floor and walls as one closed solid. Object i + 1 is landmark i, closed too. The guides
+/// of the scene hold the maze. `maze` must be valid.
+Scene makeMazeScene(const Maze& maze, const MazeLook& look = {});
 
 }  // namespace ocelli

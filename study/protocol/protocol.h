@@ -1,7 +1,7 @@
 // A study as its protocol file describes it (protocols/protocol.schema.json, docs/protocols.md).
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -62,6 +62,7 @@ struct ProtocolBlock {
   bool feedback = false;     ///< after each trial; practice always has it
   int breakEveryTrials = 0;  ///< a break after so many trials; 0 for none within the block
   bool breakAfter = true;
+  std::vector<int> sessions{};  ///< that have this block, from 0; empty for all
 };
 
 struct ScreenGeometry {
@@ -83,9 +84,9 @@ struct TimingLimits {
 
 enum class ResumePolicy { kNextTrial, kRestartBlock, kStop };
 
-/// A rule that the analysis applies; the study only stores it.
+/// A rule that the analysis applies: a subject for whom the test holds is left out. The study only stores it.
 struct ExclusionRule {
-  std::string what;  ///< "sessions_completed", "form:vision", "timeout_share", "dropped_share", ...
+  std::string what;  ///< "sessions_completed", "timeout_share", "dropped_share", "ending", or "form:FIELD"
   std::string test;  ///< "at_least", "at_most", "is", "is_not"
   std::string value;
   std::string reason;
@@ -98,6 +99,7 @@ struct Protocol {
   std::filesystem::path file{};
   std::string text;    ///< of the file, byte by byte; included mazes stand in it
   std::string sha256;  ///< of `text`, hexadecimal
+  uint64_t seed = 1;   ///< of schedules and trials
   int sessions = 1;
   int minutesBetweenSessions = 0;
   std::optional<ProtocolPage> consent{};

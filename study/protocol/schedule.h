@@ -1,8 +1,17 @@
 // Who does what in which order: the trials of each session of each subject, counterbalanced over subjects.
 //
 // A subject has a slot: subject 0, 1, 2, ... of the study. Slots decide what is counterbalanced: the view that comes
-// first, the order of blocks, and which view shows a case that is seen in one view only. Over the slots 0 to n - 1, for
-// any n, the counts of the levels of each of these, and of their combinations, differ by at most one.
+// first, the order of blocks, and which view shows a case first, or alone (counterbalance.h). Over the slots 0 to n -
+// 1, for any n, the counts of the levels of each of these, and of their combinations, differ by at most one.
+//
+// Balanced blocks. The cases come in one pass, or in two where each is seen in both views. In a pass views take turns,
+// beginning with the first view of the session; even and odd cases have different views (the last one of an odd number
+// has the first view); in which order the cases of a view come is shuffled for each subject and session. In the second
+// pass each case has its other view.
+//
+// Alternating blocks are the same for everyone: pinhole first, views in turn, passes in the order of the file. Where
+// the number of cases is even the second pass begins with the second case and ends with the first: views go on taking
+// turns, and each case gets its other view.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +30,12 @@ struct SessionSchedule {
   std::vector<TrialPlan> trials;  ///< in order, without practice
   uint64_t seed = 1;
 };
+
+/// In which sessions a block is.
+bool isInSession(const ProtocolBlock& block, int session);
+
+/// The orders of the blocks of a session over which the slots are counterbalanced: one where blocks are not shuffled.
+std::vector<std::vector<int>> blockOrdersOf(const Protocol& protocol, int session);
 
 /// The same for the same protocol, slot, session and seed. Throws InputError where the protocol has no such session.
 SessionSchedule scheduleOf(const Protocol& protocol, int slot, int session, uint64_t seed);

@@ -9,8 +9,9 @@
 
 namespace ocelli {
 
-StudyScene::StudyScene(const Maze& maze) : maze_(maze), ranges_(maze.landmarks.size()), boxes_(maze.landmarks.size()) {
-  Scene scene = makeMazeScene(maze);
+StudyScene::StudyScene(const Maze& maze, bool closedEntrance)
+    : maze_(maze), ranges_(maze.landmarks.size()), boxes_(maze.landmarks.size()) {
+  Scene scene = makeMazeScene(maze, {.plain = true, .closedEntrance = closedEntrance});
   // Shaded one by one: shading a mesh puts new vertices at its end, and objects must keep theirs together.
   for (Mesh& mesh : scene.meshes) {
     bakeLambert(mesh);

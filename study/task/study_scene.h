@@ -1,7 +1,7 @@
 // What is seen in a trial: a maze and the objects in it, which may move.
 //
 // Objects are the landmarks of the maze. Each has a range of vertices of its own, so that a renderer that holds the
-// mesh moves an object by moving these.
+// mesh moves an object by moving these. Walls and floor are grey: objects are all that catches the eye.
 #pragma once
 
 #include <span>
@@ -19,8 +19,8 @@ struct VertexRange {
 
 class StudyScene {
  public:
-  /// `maze` must be valid.
-  explicit StudyScene(const Maze& maze);
+  /// `maze` must be valid. The entrance is closed by a wall, but where cameras look in through it.
+  explicit StudyScene(const Maze& maze, bool closedEntrance = true);
 
   const Maze& maze() const { return maze_; }
   size_t objectCount() const { return ranges_.size(); }

@@ -2,6 +2,7 @@
 // it (a simulated subject) or replays it takes it from here; nothing in it depends on how it is drawn.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <glm/vec2.hpp>
 #include <optional>
@@ -28,6 +29,11 @@ struct TrialScreen {
   bool operator==(const TrialScreen&) const = default;
 };
 
+/// Pixels at the top of the screen that the prompt takes; views, maps and choices lie below them.
+constexpr int promptHeight(const TrialScreen& screen) {
+  return std::max(48, screen.height * 3 / 40);
+}
+
 struct TrialPicture {
   /// An image of the scene, as large as its place.
   struct View {
@@ -52,7 +58,7 @@ struct TrialPicture {
   std::vector<View> views{};
   std::vector<PathMap> maps{};
   std::vector<Choice> choices{};
-  std::string prompt{};                 ///< one line above everything: what to do
+  std::string prompt{};                 ///< one line in the topmost promptHeight() pixels: what to do
   std::optional<int> soughtObject{};    ///< an object of `scene` to show beside the prompt
   std::optional<glm::dvec2> pointer{};  ///< where the pointer is, where it matters
 };

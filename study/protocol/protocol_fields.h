@@ -1,0 +1,30 @@
+// Parts of a protocol file: pages, forms, screen, timing and rules of exclusion. All throw InputError naming the field.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/protocol/protocol.h"
+
+namespace ocelli {
+
+class JsonFields;
+
+/// A text of 1 to `most` characters.
+std::string readShortText(JsonFields& fields, const std::string& name, size_t most);
+/// One of the names; `otherwise` where the field is missing and that is not empty.
+std::string readName(JsonFields& fields, const std::string& name, const std::vector<std::string>& allowed,
+                     const std::string& otherwise = "");
+
+/// In the field `name`.
+ProtocolPage readPage(JsonFields& fields, const std::string& name);
+/// Nothing where the field is missing.
+std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name);
+ProtocolForm readForm(JsonFields& fields, const std::string& name);
+
+/// The fields "screen", "timing" and "exclusions"; defaults where they are missing.
+ScreenGeometry readScreen(JsonFields& fields);
+TimingLimits readTiming(JsonFields& fields);
+std::vector<ExclusionRule> readExclusions(JsonFields& fields, const Protocol& protocol);
+
+}  // namespace ocelli

@@ -1,0 +1,230 @@
+// Reads protocol files: protocols/protocol.schema.json and docs/protocols.md describe them.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
+#include "oc_core/base/json_fields.h"
+#include "oc_core/base/sha256.h"
+#include "oc_core/scene/maze_file.h"
+#include "study/protocol/protocol.h"
+#include "study/protocol/protocol_fields.h"
+
+namespace ocelli {
+namespace {
+
+constexpr size_t kMostName = 60;
+constexpr size_t kMostTitle = 200;
+constexpr size_t kMostText = 4000;
+constexpr size_t kMostMazes = 20;
+constexpr size_t kMostBlocks = 20;
+constexpr int kMostSessions = 20;
+constexpr int kMostSeed = 2147483647;
+
+std::string readIdentifier(JsonFields& fields, const std::string& name, bool spaces) {
+  std::string text = readShortText(fields, name, kMostName);
+  const auto isAllowed = [&](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           (spaces && c == ' ');
+  };
+  if (!std::all_of(text.begin(), text.end(), isAllowed)) {
+    fields.fail(name, spaces ? "must be of letters, digits, - and spaces" : "must be of letters, digits and -");
+  }
+  return text;
+}
+
+std::map<std::string, Maze> readMazes(JsonFields& fields) {
+  std::map<std::string, Maze> mazes;
+  if (!fields.has("mazes")) {
+    return mazes;
+  }
+  const nlohmann::json& list = fields.value("mazes");
+  if (!list.is_object() || list.size() > kMostMazes) {
+    fields.fail("mazes", fmt::format("must be an object of at most {} mazes by name", kMostMazes));
+  }
+  for (const auto& [name, json] : list.items()) {
+    const std::string where = fmt::format("{}, maze \"{}\"", fields.where(), name);
+    JsonFields maze(json, where);
+    if (maze.has("landmarks")) {
+      maze.fail("landmarks", "is not for protocols: where objects stand is for the cases of the blocks to say");
+    }
+    mazes.emplace(name, readMaze(maze));
+  }
+  return mazes;
+}
+
+/// Sessions stand in files from 1.
+std::vector<int> readSessions(JsonFields& fields, int sessions) {
+  std::set<int> list;
+  if (!fields.has("sessions")) {
+    return {};
+  }
+  const nlohmann::json& json = fields.value("sessions");
+  const auto isSession = [&](const nlohmann::json& number) {
+    return number.is_number_integer() && number >= 1 && number <= sessions;
+  };
+  if (!json.is_array() || json.empty() || !std::all_of(json.begin(), json.end(), isSession)) {
+    fields.fail("sessions",
+                fmt::format("must be an array of whole numbers from 1 to {}, the protocol's sessions", sessions));
+  }
+  for (const nlohmann::json& number : json) {
+    if (!list.insert(number.get<int>() - 1).second) {
+      fields.fail("sessions", "has a session twice");
+    }
+  }
+  return {list.begin(), list.end()};
+}
+
+const TaskKind& readTask(JsonFields& fields) {
+  const std::string name = fields.text("task");
+  std::vector<std::string> names;
+  for (const TaskKind& kind : taskKinds()) {
+    if (name == kind.name) {
+      return kind;
+    }
+    names.emplace_back(kind.name);
+  }
+  fields.fail("task", fmt::format("must be one of {}", fmt::join(names, ", ")));
+}
+
+std::optional<ProtocolPractice> readPractice(JsonFields& fields, const TaskKind& kind, const TaskSetting& setting) {
+  constexpr int kMostTrials = 100;
+  if (!fields.has("practice")) {
+    if (fields.has("practice_cases")) {
+      fields.fail("practice_cases", "is of no use without the field \"practice\", which says when practice ends");
+    }
+    return std::nullopt;
+  }
+  JsonFields inner(fields.value("practice"), fmt::format("{}, practice", fields.where()));
+  ProtocolPractice practice;
+  practice.leastCorrect = inner.integer("least_correct", 1, kMostTrials, practice.leastCorrect);
+  practice.mostTrials = inner.integer("most_trials", 1, kMostTrials, practice.mostTrials);
+  if (practice.leastCorrect > practice.mostTrials) {
+    inner.fail("least_correct", fmt::format("must be at most \"most_trials\", which is {}", practice.mostTrials));
+  }
+  inner.rejectUnknown();
+  practice.task = kind.read(fields, "practice_cases", setting);
+  return practice;
+}
+
+ProtocolBlock readBlock(const nlohmann::json& json, const std::string& where, const Protocol& protocol,
+                        const TaskSetting& setting) {
+  constexpr int kMostTrials = 1000;
+  JsonFields unnamed(json, where);
+  const std::string name = readIdentifier(unnamed, "name", true);
+  JsonFields fields(json, fmt::format("{} \"{}\"", where, name));
+  fields.has("name");
+  ProtocolBlock block;
+  block.name = name;
+  block.title = readShortText(fields, "title", kMostTitle);
+  const TaskKind& kind = readTask(fields);
+  block.taskName = kind.name;
+  block.instructions = readPages(fields, "instructions");
+  const std::string balanced = nameOf(TrialOrder::kBalanced);
+  block.order = readName(fields, "order", {nameOf(TrialOrder::kAlternating), balanced}, balanced) == balanced
+                    ? TrialOrder::kBalanced
+                    : TrialOrder::kAlternating;
+  const std::string both = nameOf(ViewsOfCases::kBoth);
+  block.views = readName(fields, "views", {both, nameOf(ViewsOfCases::kOne)}, both) == both ? ViewsOfCases::kBoth
+                                                                                            : ViewsOfCases::kOne;
+  block.feedback = fields.boolean("feedback", block.feedback);
+  block.breakEveryTrials = fields.integer("break_every_trials", 0, kMostTrials, block.breakEveryTrials);
+  block.breakAfter = fields.boolean("break_after", block.breakAfter);
+  block.sessions = readSessions(fields, protocol.sessions);
+  block.task = kind.read(fields, "cases", setting);
+  block.practice = readPractice(fields, kind, setting);
+  fields.rejectUnknown();
+  return block;
+}
+
+void readBlocks(JsonFields& fields, const TaskSetting& setting, Protocol& protocol) {
+  const nlohmann::json& list = fields.value("blocks");
+  if (!list.is_array() || list.empty() || list.size() > kMostBlocks) {
+    fields.fail("blocks", fmt::format("must be an array of 1 to {} blocks", kMostBlocks));
+  }
+  std::set<std::string> names;
+  for (size_t i = 0; i < list.size(); ++i) {
+    const std::string where = fmt::format("{}, block {}", fields.where(), i + 1);
+    protocol.blocks.push_back(readBlock(list[i], where, protocol, setting));
+    if (!names.insert(protocol.blocks.back().name).second) {
+      fields.fail("blocks", fmt::format("has two of the name \"{}\": the second is block {}",
+                                        protocol.blocks.back().name, i + 1));
+    }
+  }
+  for (int session = 0; session < protocol.sessions; ++session) {
+    const auto isIn = [&](const ProtocolBlock& block) {
+      return block.sessions.empty() ||
+             std::find(block.sessions.begin(), block.sessions.end(), session) != block.sessions.end();
+    };
+    if (std::none_of(protocol.blocks.begin(), protocol.blocks.end(), isIn)) {
+      fields.fail("sessions", fmt::format("is {}, but no block is in session {}", protocol.sessions, session + 1));
+    }
+  }
+}
+
+ResumePolicy readResume(JsonFields& fields) {
+  std::vector<std::string> names;
+  for (const ResumePolicy policy : {ResumePolicy::kNextTrial, ResumePolicy::kRestartBlock, ResumePolicy::kStop}) {
+    names.emplace_back(nameOf(policy));
+  }
+  const std::string name = readName(fields, "resume", names, names.front());
+  return static_cast<ResumePolicy>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+}  // namespace
+
+Protocol protocolFromJsonText(const std::string& text, const std::string& where) {
+  const nlohmann::json json = parseJson(text, where);
+  JsonFields fields(json, where);
+  Protocol protocol;
+  protocol.text = text;
+  protocol.sha256 = sha256(text);
+  protocol.name = readIdentifier(fields, "name", false);
+  protocol.title = readShortText(fields, "title", kMostTitle);
+  if (fields.has("description")) {
+    protocol.description = readShortText(fields, "description", kMostText);
+  }
+  constexpr int kMostMinutes = 1'000'000;  // about two years
+  protocol.sessions = fields.integer("sessions", 1, kMostSessions, protocol.sessions);
+  protocol.minutesBetweenSessions =
+      fields.integer("minutes_between_sessions", 0, kMostMinutes, protocol.minutesBetweenSessions);
+  protocol.seed = static_cast<uint64_t>(fields.integer("seed", 0, kMostSeed, 1));
+  if (fields.has("consent")) {
+    protocol.consent = readPage(fields, "consent");
+  }
+  if (fields.has("demographics")) {
+    protocol.demographics = readForm(fields, "demographics");
+  }
+  protocol.welcome = readPages(fields, "welcome");
+  if (fields.has("survey")) {
+    protocol.survey = readForm(fields, "survey");
+  }
+  protocol.surveyAfterLastSessionOnly =
+      fields.boolean("survey_after_last_session_only", protocol.surveyAfterLastSessionOnly);
+  protocol.shuffleBlocks = fields.boolean("shuffle_blocks", protocol.shuffleBlocks);
+  protocol.breakSeconds = fields.integer("break_seconds", 0, 3600, protocol.breakSeconds);
+  protocol.screen = readScreen(fields);
+  protocol.timing = readTiming(fields);
+  protocol.resume = readResume(fields);
+  protocol.exclusions = readExclusions(fields, protocol);
+  if (fields.has("controls")) {
+    JsonFields controls(fields.value("controls"), fmt::format("{}, controls", where));
+    protocol.controls = readControls(controls);
+    controls.rejectUnknown();
+  }
+  const TaskSetting setting{readMazes(fields), protocol.controls};
+  readBlocks(fields, setting, protocol);
+  fields.rejectUnknown();
+  return protocol;
+}
+
+Protocol readProtocol(const std::filesystem::path& path) {
+  Protocol protocol = protocolFromJsonText(readFile(path), path.string());
+  protocol.file = path;
+  return protocol;
+}
+
+}  // namespace ocelli

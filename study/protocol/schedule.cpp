@@ -1,0 +1,182 @@
+#include "study/protocol/schedule.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "oc_core/base/check.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/random.h"
+#include "study/protocol/counterbalance.h"
+
+namespace ocelli {
+namespace {
+
+/// A seed of several numbers and a name. Of 53 bits, so that JSON and databases hold it exactly.
+uint64_t seedOf(uint64_t seed, uint64_t first, const std::string& name, uint64_t second) {
+  uint64_t mixed = Random(seed).next() ^ first;
+  for (const char c : name) {
+    mixed = Random(mixed).next() ^ static_cast<unsigned char>(c);
+  }
+  return Random(Random(mixed).next() ^ second).next() >> 11;
+}
+
+struct CaseView {
+  int caseIndex = 0;
+  StudyView view = StudyView::kPinhole;
+};
+
+/// Takes the cases of the two views in turn.
+std::vector<CaseView> inTurn(const std::vector<int>& first, const std::vector<int>& second, StudyView firstView) {
+  std::vector<CaseView> trials;
+  for (size_t i = 0; i < first.size() + second.size(); ++i) {
+    const bool isFirst = i % 2 == 0;
+    trials.push_back({(isFirst ? first : second)[i / 2], isFirst ? firstView : otherThan(firstView)});
+  }
+  return trials;
+}
+
+std::vector<CaseView> balancedTrials(int cases, ViewsOfCases views, StudyView firstView, int assignment,
+                                     Random& random) {
+  std::vector<int> first;
+  std::vector<int> second;
+  for (int i = 0; i < cases; ++i) {
+    const bool isLastOfOdd = cases % 2 == 1 && i == cases - 1;
+    // The assignment tells which view the even cases have, whatever view comes first.
+    const StudyView view = isLastOfOdd ? firstView : kStudyViews[static_cast<size_t>((i + assignment) % 2)];
+    (view == firstView ? first : second).push_back(i);
+  }
+  random.shuffle(first);
+  random.shuffle(second);
+  std::vector<CaseView> trials = inTurn(first, second, firstView);
+  if (views == ViewsOfCases::kOne) {
+    return trials;
+  }
+  // Views go on taking turns, and the other view of those with the view that comes next are those of the last trial.
+  const int last = trials.back().caseIndex;
+  const bool lastWasFirst = trials.back().view == firstView;
+  std::vector<int> next = lastWasFirst ? first : second;
+  std::vector<int> other = lastWasFirst ? second : first;
+  random.shuffle(next);
+  random.shuffle(other);
+  if (next.front() == last && next.size() > 1) {
+    std::swap(next.front(), next[1 + random.below(next.size() - 1)]);
+  }
+  const std::vector<CaseView> again = inTurn(next, other, otherThan(trials.back().view));
+  trials.insert(trials.end(), again.begin(), again.end());
+  return trials;
+}
+
+std::vector<CaseView> alternatingTrials(int cases, ViewsOfCases views) {
+  std::vector<CaseView> trials;
+  const int count = views == ViewsOfCases::kBoth ? 2 * cases : cases;
+  for (int i = 0; i < count; ++i) {
+    const int shift = i >= cases && cases % 2 == 0 ? 1 : 0;
+    trials.push_back({(i + shift) % cases, kStudyViews[static_cast<size_t>(i % 2)]});
+  }
+  return trials;
+}
+
+}  // namespace
+
+bool isInSession(const ProtocolBlock& block, int session) {
+  return block.sessions.empty() ||
+         std::find(block.sessions.begin(), block.sessions.end(), session) != block.sessions.end();
+}
+
+std::vector<std::vector<int>> blockOrdersOf(const Protocol& protocol, int session) {
+  std::vector<int> blocks;
+  for (size_t i = 0; i < protocol.blocks.size(); ++i) {
+    if (isInSession(protocol.blocks[i], session)) {
+      blocks.push_back(static_cast<int>(i));
+    }
+  }
+  if (!protocol.shuffleBlocks || blocks.empty()) {
+    return {blocks};
+  }
+  std::vector<std::vector<int>> orders = blockOrders(static_cast<int>(blocks.size()));
+  for (std::vector<int>& order : orders) {
+    for (int& block : order) {
+      block = blocks[static_cast<size_t>(block)];
+    }
+    // A subject has another order in the next session, and each block is as often in each place as before.
+    std::rotate(order.begin(), order.begin() + session % static_cast<int>(order.size()), order.end());
+  }
+  return orders;
+}
+
+SessionSchedule scheduleOf(const Protocol& protocol, int slot, int session, uint64_t seed) {
+  if (session < 0 || session >= protocol.sessions) {
+    throw InputError(fmt::format("there is no session {}: the protocol has {}", session + 1, protocol.sessions),
+                     protocol.name, fmt::format("choose one from 1 to {}", protocol.sessions));
+  }
+  if (slot < 0) {
+    throw InputError(fmt::format("there is no slot {}", slot), protocol.name, "choose a number from 0");
+  }
+  const std::vector<std::vector<int>> orders = blockOrdersOf(protocol, session);
+  const SlotLevels levels = levelsOf(slot, session, static_cast<int>(orders.size()));
+  SessionSchedule schedule;
+  schedule.slot = slot;
+  schedule.session = session;
+  schedule.seed = seed;
+  schedule.firstView = kStudyViews[static_cast<size_t>(levels.firstView)];
+  schedule.blockOrder = orders[static_cast<size_t>(levels.order)];
+  for (const int index : schedule.blockOrder) {
+    const ProtocolBlock& block = protocol.blocks[static_cast<size_t>(index)];
+    const int cases = block.task->caseCount();
+    Random random(seedOf(seed, static_cast<uint64_t>(session), block.name + "/order", static_cast<uint64_t>(slot)));
+    const std::vector<CaseView> trials =
+        block.order == TrialOrder::kBalanced
+            ? balancedTrials(cases, block.views, schedule.firstView, levels.assignment, random)
+            : alternatingTrials(cases, block.views);
+    for (const CaseView& trial : trials) {
+      const auto session64 = static_cast<uint64_t>(session);
+      schedule.trials.push_back({static_cast<int>(schedule.trials.size()), index, block.taskName, trial.caseIndex,
+                                 trial.view,
+                                 seedOf(seed, session64, block.name, static_cast<uint64_t>(trial.caseIndex)), false});
+    }
+  }
+  return schedule;
+}
+
+TrialPlan practiceTrial(const SessionSchedule& schedule, const Protocol& protocol, int block, int number) {
+  const ProtocolBlock& of = protocol.blocks.at(static_cast<size_t>(block));
+  OC_CHECK(of.practice.has_value() && number >= 0, "only blocks with practice have practice trials");
+  const int cases = of.practice->task->caseCount();
+  // With an even number of cases each gets its other view in the next round.
+  const int shift = cases % 2 == 0 ? number / cases : 0;
+  TrialPlan plan;
+  plan.index = -1;
+  plan.block = block;
+  plan.task = of.taskName;
+  plan.caseIndex = number % cases;
+  const StudyView first = of.order == TrialOrder::kBalanced ? schedule.firstView : StudyView::kPinhole;
+  plan.view = (number + shift) % 2 == 0 ? first : otherThan(first);
+  plan.seed = seedOf(schedule.seed, static_cast<uint64_t>(schedule.session), of.name + "/practice",
+                     static_cast<uint64_t>(number));
+  plan.practice = true;
+  return plan;
+}
+
+std::string jsonText(const SessionSchedule& schedule) {
+  nlohmann::ordered_json json;
+  json["slot"] = schedule.slot;
+  json["session"] = schedule.session;
+  json["seed"] = schedule.seed;
+  json["first_view"] = nameOf(schedule.firstView);
+  json["block_order"] = schedule.blockOrder;
+  json["trials"] = nlohmann::ordered_json::array();
+  for (const TrialPlan& trial : schedule.trials) {
+    json["trials"].push_back({{"index", trial.index},
+                              {"block", trial.block},
+                              {"task", trial.task},
+                              {"case", trial.caseIndex},
+                              {"view", nameOf(trial.view)},
+                              {"seed", trial.seed}});
+  }
+  return json.dump();
+}
+
+}  // namespace ocelli

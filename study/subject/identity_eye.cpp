@@ -1,0 +1,250 @@
+#include "study/subject/identity_eye.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "oc_core/base/check.h"
+
+namespace ocelli {
+namespace {
+
+/// Gaps between pixels of an object that people look over: what stands behind a post is one thing. Share of the width
+/// of the screen.
+constexpr double kGapShare = 0.01;
+/// Every so many pixels of a side the floor is looked at.
+constexpr int kFloorStep = 2;
+constexpr float kOnFloor = 1e-3f;  // metres
+/// Of a cell: its ninths, and the ways to the east and south.
+constexpr int kPatches = 11;
+constexpr int kEastWay = 9;
+constexpr int kSouthWay = 10;
+
+/// Pixels of one object that touch.
+struct Blob {
+  size_t pixels = 0;
+  glm::dvec2 sum{0};
+  glm::dvec2 lower{1e9};
+  glm::dvec2 upper{-1e9};
+  glm::dvec2 placeSum{0};
+  std::vector<glm::ivec2> points{};
+  uint32_t object = 0;
+
+  void add(const glm::ivec2& pixel, const glm::vec3& position) {
+    ++pixels;
+    sum += glm::dvec2(pixel) + 0.5;
+    lower = glm::min(lower, glm::dvec2(pixel));
+    upper = glm::max(upper, glm::dvec2(pixel) + 1.0);
+    placeSum += glm::dvec2(position.x, position.z);
+    points.push_back(pixel);
+  }
+  void add(const Blob& other) {
+    pixels += other.pixels;
+    sum += other.sum;
+    lower = glm::min(lower, other.lower);
+    upper = glm::max(upper, other.upper);
+    placeSum += other.placeSum;
+    points.insert(points.end(), other.points.begin(), other.points.end());
+  }
+};
+
+/// Takes the pixels that hang together with one of an object out of `identities`.
+Blob takeBlob(Image<uint32_t>& identities, const FragmentImage& fragments, const Mesh& mesh, const glm::ivec2& first) {
+  Blob blob;
+  blob.object = identities(first.x, first.y);
+  std::vector<glm::ivec2> open{first};
+  identities(first.x, first.y) = kStructure;
+  while (!open.empty()) {
+    const glm::ivec2 pixel = open.back();
+    open.pop_back();
+    blob.add(pixel, positionOf(fragments(pixel.x, pixel.y), mesh));
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const glm::ivec2 next = pixel + glm::ivec2(dx, dy);
+        if (identities.contains(next.x, next.y) && identities(next.x, next.y) == blob.object) {
+          identities(next.x, next.y) = kStructure;
+          open.push_back(next);
+        }
+      }
+    }
+  }
+  return blob;
+}
+
+/// Between the boxes of two blobs, pixels.
+double gapOf(const Blob& a, const Blob& b) {
+  return glm::length(glm::max(glm::max(a.lower - b.upper, b.lower - a.upper), glm::dvec2(0)));
+}
+
+void joinNear(std::vector<Blob>& blobs, double gap) {
+  for (size_t i = 0; i < blobs.size(); ++i) {
+    for (size_t j = i + 1; j < blobs.size();) {
+      if (blobs[i].object == blobs[j].object && gapOf(blobs[i], blobs[j]) <= gap) {
+        blobs[i].add(blobs[j]);
+        blobs.erase(blobs.begin() + static_cast<std::ptrdiff_t>(j));
+        j = i + 1;
+      } else {
+        ++j;
+      }
+    }
+  }
+}
+
+Sighting sightingOf(const Blob& blob, const Landmark& landmark, int view, const glm::dvec2& corner) {
+  const glm::dvec2 middle = blob.sum / static_cast<double>(blob.pixels);
+  const auto nearest =
+      std::min_element(blob.points.begin(), blob.points.end(), [&](const glm::ivec2& a, const glm::ivec2& b) {
+        return glm::distance(glm::dvec2(a) + 0.5, middle) < glm::distance(glm::dvec2(b) + 0.5, middle);
+      });
+  return {.shape = landmark.shape,
+          .color = landmark.color,
+          .view = view,
+          .pixels = blob.pixels,
+          .lower = corner + blob.lower,
+          .upper = corner + blob.upper,
+          .centroid = corner + middle,
+          .aim = corner + glm::dvec2(*nearest) + 0.5,
+          .place = blob.placeSum / static_cast<double>(blob.pixels)};
+}
+
+bool isFloor(const glm::uvec3& triangle, const Mesh& mesh, float floor) {
+  return std::abs(mesh.positions[triangle.x].y - floor) <= kOnFloor &&
+         std::abs(mesh.positions[triangle.y].y - floor) <= kOnFloor &&
+         std::abs(mesh.positions[triangle.z].y - floor) <= kOnFloor;
+}
+
+/// Which patch of the maze a point of its floor is in: index of the cell times kPatches, plus the patch; nothing at the
+/// corners of cells and beyond the maze.
+std::optional<size_t> patchOf(const Maze& maze, const glm::vec3& point) {
+  const std::optional<MazeCell> cell = maze.cellAt(point);
+  if (!cell) {
+    return std::nullopt;
+  }
+  const glm::vec2 within =
+      glm::vec2(point.x - maze.origin.x, point.z - maze.origin.z) / maze.cellSize - glm::vec2(cell->column, cell->row);
+  const float half = maze.wallThickness / 2 / maze.cellSize;
+  const glm::bvec2 low(within.x < half, within.y < half);
+  const glm::bvec2 high(within.x > 1 - half, within.y > 1 - half);
+  const bool atSide = low.x || high.x;
+  if (atSide && (low.y || high.y)) {
+    return std::nullopt;
+  }
+  if (atSide || low.y || high.y) {
+    const Direction to = low.x ? Direction::kWest : low.y ? Direction::kNorth : Direction::kEast;
+    const MazeCell from = low.x || low.y ? cell->neighbor(to) : *cell;
+    const MazeCell beyond = from.neighbor(atSide ? Direction::kEast : Direction::kSouth);
+    if (!maze.contains(from) || !maze.contains(beyond)) {
+      return std::nullopt;
+    }
+    return maze.indexOf(from) * kPatches + static_cast<size_t>(atSide ? kEastWay : kSouthWay);
+  }
+  const glm::ivec2 third =
+      glm::clamp(glm::ivec2((within - half) / (1 - 2 * half) * 3.0f), glm::ivec2(0), glm::ivec2(2));
+  return maze.indexOf(*cell) * kPatches + static_cast<size_t>(third.y * 3 + third.x);
+}
+
+FloorPatch emptyPatch(const Maze& maze, size_t index, int view) {
+  const auto cell = static_cast<int>(index / kPatches);
+  const auto patch = static_cast<int>(index % kPatches);
+  FloorPatch empty;
+  empty.cell = {cell / maze.columns(), cell % maze.columns()};
+  empty.view = view;
+  if (patch == kEastWay || patch == kSouthWay) {
+    empty.way = patch == kEastWay ? Direction::kEast : Direction::kSouth;
+  } else {
+    empty.ninth = patch;
+  }
+  return empty;
+}
+
+void addFloor(const StudyScene& scene, const FragmentImage& fragments, const Mesh& mesh, int view,
+              const glm::dvec2& corner, Percept& percept) {
+  const Maze& maze = scene.maze();
+  std::vector<std::pair<size_t, glm::dvec2>> patches(maze.cellCount() * kPatches);
+  for (int y = 0; y < fragments.height(); y += kFloorStep) {
+    for (int x = 0; x < fragments.width(); x += kFloorStep) {
+      const Fragment& fragment = fragments(x, y);
+      if (!fragment.covered() || scene.objectOfTriangle()[fragment.triangle] != kStructure ||
+          !isFloor(mesh.triangles[fragment.triangle], mesh, maze.origin.y)) {
+        continue;
+      }
+      if (const std::optional<size_t> patch = patchOf(maze, positionOf(fragment, mesh))) {
+        ++patches[*patch].first;
+        patches[*patch].second += glm::dvec2(x, y) + 0.5;
+      }
+    }
+  }
+  for (size_t i = 0; i < patches.size(); ++i) {
+    const auto& [samples, sum] = patches[i];
+    if (samples > 0) {
+      percept.floor.push_back(emptyPatch(maze, i, view));
+      percept.floor.back().pixels = samples * kFloorStep * kFloorStep;
+      percept.floor.back().centroid = corner + sum / static_cast<double>(samples);
+    }
+  }
+}
+
+WalkerPose poseOf(const StudyCamera& camera) {
+  const auto* graph = std::get_if<GraphCamera>(&camera);
+  const PinholeCamera& root = graph ? graph->root() : std::get<PinholeCamera>(camera);
+  return {.x = static_cast<double>(root.eye().x),
+          .z = static_cast<double>(root.eye().z),
+          .headingRadians = std::atan2(static_cast<double>(root.forward().x), -static_cast<double>(root.forward().z))};
+}
+
+}  // namespace
+
+IdentityEye::IdentityEye(const TrialScreen& screen, StudyDrawer drawer) : screen_(screen), drawer_(std::move(drawer)) {}
+
+Percept IdentityEye::look(const TrialPicture& picture, bool withFloor) const {
+  Percept percept;
+  percept.maps = picture.maps;
+  percept.choices = picture.choices;
+  percept.pointer = picture.pointer;
+  if (picture.views.empty()) {
+    return percept;
+  }
+  OC_CHECK(picture.scene != nullptr, "views show a scene");
+  if (picture.soughtObject) {
+    const Landmark& sought = picture.scene->maze().landmarks[static_cast<size_t>(*picture.soughtObject)];
+    percept.soughtShape = sought.shape;
+    percept.soughtColor = sought.color;
+  }
+  const Mesh mesh = meshOf(picture);
+  for (size_t view = 0; view < picture.views.size(); ++view) {
+    addView(picture, mesh, static_cast<int>(view), withFloor, percept);
+  }
+  if (picture.views.size() == 1) {
+    percept.standing = poseOf(picture.views.front().camera);
+  }
+  return percept;
+}
+
+void IdentityEye::addView(const TrialPicture& picture, const Mesh& mesh, int view, bool withFloor,
+                          Percept& percept) const {
+  const TrialPicture::View& each = picture.views[static_cast<size_t>(view)];
+  const StudyScene& scene = *picture.scene;
+  const glm::dvec2 corner(each.place.left, each.place.top);
+  const FragmentImage fragments = drawer_(each.camera, mesh);
+  Image<uint32_t> identities = identityImage(fragments, scene.objectOfTriangle());
+  std::vector<Blob> blobs;
+  for (int y = 0; y < identities.height(); ++y) {
+    for (int x = 0; x < identities.width(); ++x) {
+      if (identities(x, y) != kStructure && identities(x, y) != kNothing) {
+        blobs.push_back(takeBlob(identities, fragments, mesh, {x, y}));
+      }
+    }
+  }
+  joinNear(blobs, kGapShare * screen_.width);
+  percept.views.push_back(each.place);
+  for (const Blob& blob : blobs) {
+    percept.objects.push_back(sightingOf(blob, scene.maze().landmarks[blob.object - 1], view, corner));
+  }
+  if (withFloor) {
+    addFloor(scene, fragments, mesh, view, corner, percept);
+  }
+}
+
+}  // namespace ocelli

@@ -1,0 +1,60 @@
+// What a simulated subject gets of one picture of a trial: all that it ever learns of the scene.
+//
+// Everything in it is worked out from the identity image of the screen: which object, or which piece of floor, each
+// pixel shows. What a subject is spared, and a person is not: it knows any piece of floor that it sees for what it is,
+// in straight views and in bent ones, as one does who knows the plan of what one looks at; and it knows from what it
+// sees where it stands. What it does not know is told nowhere: walls and ways that it has not seen, and objects.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <optional>
+#include <vector>
+
+#include "oc_core/scene/maze.h"
+#include "study/task/task.h"
+
+namespace ocelli {
+
+/// One object as it shows in one view: pixels that touch each other, or nearly.
+struct Sighting {
+  LandmarkShape shape = LandmarkShape::kCone;
+  LandmarkColor color = LandmarkColor::kOrange;
+  int view = 0;  ///< of the picture, from 0
+  size_t pixels = 0;
+  glm::dvec2 lower{0};     ///< of the screen, pixels
+  glm::dvec2 upper{0};     ///< likewise
+  glm::dvec2 centroid{0};  ///< likewise
+  glm::dvec2 aim{0};       ///< the middle of its pixel nearest to the centroid
+  glm::dvec2 place{0};     ///< east and south, metres: the mean of what shows of it
+};
+
+/// A ninth of the floor of a cell, or the floor between two cells where no wall stands.
+struct FloorPatch {
+  MazeCell cell;
+  int ninth = 0;  ///< row by row from the north-west
+  /// Not a ninth, but the way from the cell to the east or south.
+  std::optional<Direction> way{};
+  int view = 0;
+  size_t pixels = 0;
+  glm::dvec2 centroid{0};  ///< of the screen, pixels
+};
+
+/// A map to choose, its corners in its own metres.
+using SeenMap = TrialPicture::PathMap;
+using SeenChoice = TrialPicture::Choice;
+
+struct Percept {
+  std::vector<PixelRect> views;
+  /// Where the view looks from, where there is but one that moves with the subject: one knows it by what one sees.
+  std::optional<WalkerPose> standing{};
+  std::vector<Sighting> objects;
+  std::vector<FloorPatch> floor;
+  /// What is sought, as it is shown beside the prompt.
+  std::optional<LandmarkShape> soughtShape{};
+  std::optional<LandmarkColor> soughtColor{};
+  std::vector<SeenMap> maps;
+  std::vector<SeenChoice> choices;
+  std::optional<glm::dvec2> pointer{};
+};
+
+}  // namespace ocelli

@@ -1,0 +1,62 @@
+#include "study/task/eye_camera.h"
+
+#include <cmath>
+
+#include "oc_core/base/conventions.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
+
+namespace ocelli {
+
+EyeCamera::EyeCamera(const Maze& maze, const Controls& controls, const EyeCameraOptions& options)
+    : options_(options),
+      eyeHeight_(static_cast<double>(maze.origin.y) + controls.eyeHeightMeters),
+      // Walls are never nearer than the body's radius: the corners of the near rectangle stay before them.
+      zNear_(controls.bodyRadiusMeters / 5) {
+  guides_.maze = maze;
+  guides_.maze->landmarks.clear();
+}
+
+PinholeCamera EyeCamera::pinhole(const WalkerPose& pose, const glm::ivec2& size) const {
+  const Maze& maze = *guides_.maze;
+  View view;
+  view.eye = glm::vec3(glm::dvec3(pose.x, eyeHeight_, pose.z));
+  view.target = view.eye + glm::vec3(glm::dvec3(std::sin(pose.headingRadians), 0, -std::cos(pose.headingRadians)));
+  const double tangent = std::tan(radiansFromDegrees(options_.fovHorizontalDegrees) / 2);
+  view.fovVerticalDegrees = degreesFromRadians(2 * std::atan(tangent * size.y / size.x));
+  view.zNear = static_cast<float>(zNear_);
+  view.zFar = maze.cellSize * static_cast<float>(4 * (maze.rows() + maze.columns()));
+  return {view, size.x, size.y};
+}
+
+std::optional<GraphCamera> EyeCamera::portalCamera(const WalkerPose& pose, const glm::ivec2& size) const {
+  try {
+    return buildPortalCamera(options_.portals, guides_, pinhole(pose, size));
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+StudyCamera EyeCamera::at(const WalkerPose& pose, StudyView view, const glm::ivec2& size) const {
+  if (view == StudyView::kPinhole) {
+    return pinhole(pose, size);
+  }
+  std::optional<GraphCamera> camera = portalCamera(pose, size);
+  return camera ? std::move(*camera) : GraphCamera(pinhole(pose, size));
+}
+
+EyeCameraOptions readEyeCameraOptions(JsonFields& fields) {
+  EyeCameraOptions options;
+  options.fovHorizontalDegrees = fields.number("fov_horizontal_degrees", 10, 150, options.fovHorizontalDegrees);
+  if (fields.has("portals")) {
+    JsonFields portals(fields.value("portals"), fields.where() + ", \"portals\"");
+    options.portals = readPortalOptions(portals);
+    portals.rejectUnknown();
+    if (!options.portals.portals.empty()) {
+      portals.fail("portals", "is a list for one place of the eye, but who walks sees the openings of the maze");
+    }
+  }
+  return options;
+}
+
+}  // namespace ocelli

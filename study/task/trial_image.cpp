@@ -1,0 +1,60 @@
+#include "study/task/trial_image.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "oc_core/base/check.h"
+#include "oc_core/multiperspective/multiperspective_image.h"
+#include "oc_core/render/rasterize.h"
+#include "oc_core/render/rasterize_graph.h"
+
+namespace ocelli {
+
+FragmentImage rasterizeStudy(const StudyCamera& camera, const Mesh& mesh) {
+  return std::visit([&](const auto& each) { return rasterize(each, mesh); }, camera);
+}
+
+Mesh meshOf(const TrialPicture& picture) {
+  OC_CHECK(picture.scene != nullptr, "only pictures of a scene have a mesh");
+  Mesh mesh = picture.scene->mesh();
+  picture.scene->moveObjects(mesh, picture.objectOffsets);
+  return mesh;
+}
+
+Image<Rgb8> viewsOf(const TrialPicture& picture, const TrialScreen& screen, const StudyDrawer& drawer) {
+  Image<Rgb8> pixels(screen.width, screen.height, Rgb8(0));
+  if (picture.views.empty()) {
+    return pixels;
+  }
+  const Mesh mesh = meshOf(picture);
+  for (const TrialPicture::View& view : picture.views) {
+    const Image<Rgb8> image = srgbFromLinear(colorImage(drawer(view.camera, mesh), mesh, skyColor()));
+    const int left = static_cast<int>(std::lround(view.place.left));
+    const int top = static_cast<int>(std::lround(view.place.top));
+    for (int y = std::max(0, -top); y < std::min(image.height(), screen.height - top); ++y) {
+      for (int x = std::max(0, -left); x < std::min(image.width(), screen.width - left); ++x) {
+        pixels(left + x, top + y) = image(x, y);
+      }
+    }
+  }
+  return pixels;
+}
+
+uint64_t pixelHashOf(const Image<Rgb8>& image) {
+  // FNV-1a over the size and the bytes.
+  uint64_t hash = 0xcbf29ce484222325u;
+  const auto add = [&](uint64_t byte) { hash = (hash ^ byte) * 0x100000001b3u; };
+  for (const int side : {image.width(), image.height()}) {
+    for (int shift = 0; shift < 32; shift += 8) {
+      add(static_cast<uint64_t>(side) >> shift & 0xff);
+    }
+  }
+  for (const Rgb8& pixel : image) {
+    add(pixel.x);
+    add(pixel.y);
+    add(pixel.z);
+  }
+  return hash;
+}
+
+}  // namespace ocelli
