@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "oc_core/base/error.h"
+#include "study/session/utc_time.h"
 #include "study/store/sqlite_connection.h"
-#include "study/store/utc_time.h"
 
 namespace ocelli {
 namespace {

@@ -4,7 +4,7 @@
 //   1. protocols/trials.schema.sql: the new tables, and `user_version` one higher.
 //   2. study/store/trials_schema.h: the same number.
 //   3. study/store/migrations.cpp: one entry in the table, SQL that makes the old tables the new ones and keeps all
-//      rows. tests/study_store/migrations_test.cpp compares what both ways lead to.
+//      rows, triggers included. tests/study_store/migrations_test.cpp checks that the numbers agree.
 #pragma once
 
 #include <filesystem>

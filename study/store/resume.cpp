@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <chrono>
+#include <cstdio>
 #include <set>
 
 #include "oc_core/base/error.h"
-#include "study/store/utc_time.h"
 
 namespace ocelli {
 namespace {
@@ -20,58 +20,45 @@ bool isAnswered(const ProtocolForm& form, const std::vector<StoredAnswer>& answe
   });
 }
 
-/// The criterion was met, or the block's own trials have begun, so that the experimenter let the subject go on.
-std::vector<int> blocksPracticed(const Protocol& protocol, const std::vector<StoredTrial>& trials) {
-  std::map<int, int> correctInARow;
-  std::set<int> practiced;
-  for (const StoredTrial& trial : trials) {
-    const TrialPlan& plan = trial.record.plan;
-    if (!plan.practice) {
-      practiced.insert(plan.block);
-    } else if (trial.ended && trial.record.ending == TrialEnding::kCompleted &&
-               plan.block < static_cast<int>(protocol.blocks.size())) {
-      int& row = correctInARow[plan.block];
-      row = trial.record.outcome.correct ? row + 1 : 0;
-      const auto& practice = protocol.blocks[static_cast<size_t>(plan.block)].practice;
-      if (practice && row >= practice->leastCorrect) {
-        practiced.insert(plan.block);
+/// The practice of a block is over: the criterion was met, or the experimenter let the subject go on.
+std::vector<int> blocksPracticed(const StudyDatabase& database, const Protocol& protocol, const std::string& subject,
+                                 int session) {
+  std::vector<int> practiced;
+  for (const StoredEvent& event : database.events(subject)) {
+    const EventRecord& record = event.record;
+    if (event.session == session && (record.what == "practice_passed" || record.what == "practice_continued")) {
+      for (int block = 0; block < static_cast<int>(protocol.blocks.size()); ++block) {
+        if (record.detail == std::to_string(block)) {
+          practiced.push_back(block);
+        }
       }
     }
   }
-  return {practiced.begin(), practiced.end()};
+  return practiced;
 }
 
-/// Plans of the session that were completed, without those of blocks that begin anew.
-std::vector<int> completedTrials(const StudyDatabase& database, const Protocol& protocol, const std::string& subject,
-                                 const StoredSession& session, const std::vector<StoredTrial>& trials) {
-  std::set<int> completed;
-  for (const StoredTrial& trial : trials) {
-    if (!trial.record.plan.practice && trial.ended && trial.record.ending == TrialEnding::kCompleted) {
-      completed.insert(trial.record.plan.index);
-    }
+/// Nothing for what is no time as records have it.
+std::optional<std::chrono::sys_seconds> timeOf(const std::string& utc) {
+  using namespace std::chrono;
+  int y = 0;
+  unsigned mo = 0;
+  unsigned d = 0;
+  int h = 0;
+  int mi = 0;
+  int s = 0;
+  if (std::sscanf(utc.c_str(), "%4d-%2u-%2uT%2d:%2d:%2d", &y, &mo, &d, &h, &mi, &s) != 6) {
+    return std::nullopt;
   }
-  if (protocol.resume == ResumePolicy::kRestartBlock) {
-    const int slot = database.subject(subject)->slot;
-    std::set<int> openBlocks;
-    const SessionSchedule schedule = scheduleOf(protocol, slot, session.session, session.seed);
-    for (const TrialPlan& plan : schedule.trials) {
-      if (!completed.contains(plan.index)) {
-        openBlocks.insert(plan.block);
-      }
-    }
-    for (const TrialPlan& plan : schedule.trials) {
-      if (openBlocks.contains(plan.block)) {
-        completed.erase(plan.index);
-      }
-    }
-  }
-  return {completed.begin(), completed.end()};
+  const year_month_day date{year{y}, month{mo}, day{d}};
+  return date.ok() ? std::optional(sys_days{date} + hours{h} + minutes{mi} + seconds{s}) : std::nullopt;
 }
 
-int64_t minutesSince(const std::string& earlier, const std::string& later) {
-  const std::optional<int64_t> from = millisecondsOfUtc(earlier);
-  const std::optional<int64_t> to = millisecondsOfUtc(later);
-  return from && to ? (*to - *from) / 60'000 : std::numeric_limits<int64_t>::max();
+/// Nothing where one of the times is not known.
+std::optional<int64_t> minutesFromTo(const std::string& earlier, const std::string& later) {
+  const auto from = timeOf(earlier);
+  const auto to = timeOf(later);
+  return from && to ? std::optional<int64_t>(std::chrono::floor<std::chrono::minutes>(*to - *from).count())
+                    : std::nullopt;
 }
 
 }  // namespace
@@ -83,18 +70,21 @@ SessionDone sessionDone(const StudyDatabase& database, const Protocol& protocol,
   if (!stored) {
     return done;
   }
-  const std::vector<StoredTrial> trials = database.trials(subject, session);
   done.attempts.assign(static_cast<size_t>(stored->plannedTrials), 0);
-  for (const StoredTrial& trial : trials) {
+  std::set<int> completed;
+  for (const StoredTrial& trial : database.trials(subject, session)) {
     const int plan = trial.record.plan.index;
-    if (plan >= 0 && plan < stored->plannedTrials) {
-      // What counts is the highest number so far: numbers must never come twice.
-      int& attempts = done.attempts[static_cast<size_t>(plan)];
-      attempts = std::max(attempts, trial.record.attempt);
+    if (trial.record.plan.practice || plan < 0 || plan >= stored->plannedTrials) {
+      continue;
+    }
+    int& attempts = done.attempts[static_cast<size_t>(plan)];
+    attempts = std::max(attempts, trial.record.attempt);
+    if (trial.ended && trial.record.ending == TrialEnding::kCompleted) {
+      completed.insert(plan);
     }
   }
-  done.completedTrials = completedTrials(database, protocol, subject, *stored, trials);
-  done.blocksPracticed = blocksPracticed(protocol, trials);
+  done.completedTrials.assign(completed.begin(), completed.end());
+  done.blocksPracticed = blocksPracticed(database, protocol, subject, session);
   for (const StoredConsent& consent : database.consents(subject)) {
     if (consent.session == session) {
       done.consented = consent.record.agreed;
@@ -110,7 +100,7 @@ SessionDone sessionDone(const StudyDatabase& database, const Protocol& protocol,
 }
 
 SessionToRun sessionToRun(const StudyDatabase& database, const Protocol& protocol, const std::string& subject,
-                          uint64_t newSeed, const std::string& nowUtc, bool anyTime) {
+                          const std::string& nowUtc, bool anyTime) {
   if (!database.subject(subject)) {
     throw InputError("this database has no such subject", subject,
                      "`ocelli study subjects` lists them; `ocelli study run` begins with a new one");
@@ -133,16 +123,16 @@ SessionToRun sessionToRun(const StudyDatabase& database, const Protocol& protoco
                      "another subject");
   }
   if (!sessions.empty() && !anyTime) {
-    const int64_t passed = minutesSince(sessions.back().endedUtc, nowUtc);
-    if (passed < protocol.minutesBetweenSessions) {
+    const std::optional<int64_t> passed = minutesFromTo(sessions.back().endedUtc, nowUtc);
+    if (passed && *passed < protocol.minutesBetweenSessions) {
       throw InputError(
           fmt::format("the last session of this subject ended {} minutes ago, and the protocol asks for {} "
                       "between sessions",
-                      passed, protocol.minutesBetweenSessions),
+                      *passed, protocol.minutesBetweenSessions),
           subject, "come back later");
     }
   }
-  return {next, false, newSeed, {}};
+  return {next, false, protocol.seed, {}};
 }
 
 }  // namespace ocelli

@@ -16,15 +16,15 @@ struct SessionToRun {
   SessionDone done;
 };
 
-/// What is stored of a session, with the protocol's policy applied: with "restart_block" the trials of a block that is
-/// not complete count as not done. A form counts as answered once all of its fields are.
+/// What is stored of a session. A form counts as answered once all of its fields are. What the protocol's policy makes
+/// of it is up to SessionFlow.
 SessionDone sessionDone(const StudyDatabase& database, const Protocol& protocol, const std::string& subject,
                         int session);
 
 /// The session that was begun and not completed, or else the next one. `nowUtc` is for the time between sessions;
-/// `anyTime` ignores that. `newSeed` is for a session that begins now. Throws InputError where there is no such
+/// `anyTime` ignores that. Throws InputError where there is no such
 /// subject, where all sessions are done, where it is too early, and where the protocol does not allow to resume.
 SessionToRun sessionToRun(const StudyDatabase& database, const Protocol& protocol, const std::string& subject,
-                          uint64_t newSeed, const std::string& nowUtc, bool anyTime = false);
+                          const std::string& nowUtc, bool anyTime = false);
 
 }  // namespace ocelli

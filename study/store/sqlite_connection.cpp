@@ -9,9 +9,9 @@
 #include <random>
 
 #include "oc_core/base/error.h"
+#include "study/session/utc_time.h"
 #include "study/store/migrations.h"
 #include "study/store/trials_schema.h"
-#include "study/store/utc_time.h"
 
 namespace ocelli {
 namespace {

@@ -7,9 +7,9 @@
 #include <system_error>
 
 #include "oc_core/base/error.h"
+#include "study/session/utc_time.h"
 #include "study/store/database_state.h"
 #include "study/store/program_version.h"
-#include "study/store/utc_time.h"
 
 namespace ocelli {
 namespace {

@@ -13,8 +13,8 @@
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
+#include "study/session/utc_time.h"
 #include "study/store/trial_writer.h"
-#include "study/store/utc_time.h"
 
 namespace ocelli {
 namespace {

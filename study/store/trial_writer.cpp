@@ -61,7 +61,7 @@ TrialWriter::TrialWriter(SQLite::Database& database, int64_t run, const RunRecor
                  "response_s = ?18, response_ticks = ?19, exposure_frames = ?20, measures_json = ?21, frames = ?22, "
                  "dropped_frames = ?23, median_interval_ns = ?24, longest_interval_ns = ?25, timing_verdict = ?26, "
                  "screen_width_px = ?27, screen_height_px = ?28, refresh_hz = ?29 WHERE trial_id = ?1"),
-      sessionEnds_(database, "UPDATE run SET ending = ?2, ended_utc = ?3 WHERE run_id = ?1") {}
+      sessionEnds_(database, "UPDATE run SET ending = ?2, ended_utc = ?3 WHERE run_id = ?1 AND ending IS NULL") {}
 
 void TrialWriter::write(const StoreMessage& message) {
   std::visit([this](const auto& what) { write(what); }, message);
