@@ -19,9 +19,26 @@ namespace {
 constexpr double kEyeHeightMeters = 1.6;
 constexpr double kFovHorizontalDegrees = 75;
 
+/// A corridor from the south to a crossing, with one object around the corner.
+Maze mazeToSearch() {
+  Maze maze = mazeFromJsonText(R"({"plan": [
+    "+-+-+-+-+-+",
+    "|   | |   |",
+    "+ +-+ +-+ +",
+    "|         |",
+    "+ +-+ +-+ +",
+    "| | | | | |",
+    "+ + + + + +",
+    "|   | |   |",
+    "+-+-+ +-+-+"]})",
+                               "an example");
+  maze.landmarks = {{{1, 1}, LandmarkShape::kSphere, LandmarkColor::kOrange, 0.1f, 0}};
+  return maze;
+}
+
 /// A crossing, and two corridors that turn back at each of its sides. One enters from the south.
-Maze exampleMaze() {
-  return mazeFromJsonText(R"({"plan": [
+Maze mazeToCount() {
+  Maze maze = mazeFromJsonText(R"({"plan": [
     "+-+-+-+-+-+",
     "|   | |   |",
     "+ +-+ +-+ +",
@@ -29,19 +46,7 @@ Maze exampleMaze() {
     "+ +-+ +-+ +",
     "|   | |   |",
     "+-+-+ +-+-+"]})",
-                          "an example");
-}
-
-/// One object, around the corner.
-Maze mazeToSearch() {
-  Maze maze = exampleMaze();
-  maze.landmarks = {{{1, 1}, LandmarkShape::kSphere, LandmarkColor::kOrange, 0, -0.1f}};
-  return maze;
-}
-
-/// From the left to the right.
-Maze mazeToCount() {
-  Maze maze = exampleMaze();
+                               "an example");
   maze.landmarks = {{{0, 1}, LandmarkShape::kCone, LandmarkColor::kYellow},
                     {{2, 1}, LandmarkShape::kCube, LandmarkColor::kSkyBlue},
                     {{1, 3}, LandmarkShape::kSphere, LandmarkColor::kVermilion, 0.1f, 0.1f},
@@ -67,12 +72,14 @@ PinholeCamera eyeIn(const Maze& maze, const MazeCell& cell, Direction heading, d
 TrialPicture pictureToSearch(const StudyScene& scene, bool graph, int width, int height) {
   TrialPicture picture;
   picture.scene = &scene;
-  const PinholeCamera eye = eyeIn(scene.maze(), {2, 2}, Direction::kNorth, 1, width, height);
+  const PinholeCamera eye = eyeIn(scene.maze(), {3, 2}, Direction::kNorth, 1, width, height);
   SceneGuides guides;
   guides.maze = scene.maze();
   const PixelRect place{0, 0, static_cast<double>(width), static_cast<double>(height)};
   if (graph) {
-    picture.views.push_back({place, buildPortalCamera({}, guides, eye)});
+    PortalOptions options;
+    options.bentBeyond = 2;
+    picture.views.push_back({place, buildPortalCamera(options, guides, eye)});
   } else {
     picture.views.push_back({place, eye});
   }
@@ -83,8 +90,11 @@ TrialPicture pictureToCount(const StudyScene& scene, bool graph, int width, int 
   TrialPicture picture;
   picture.scene = &scene;
   if (graph) {
+    ComprehensiveOptions options;
+    options.nearness = 0.3;
+    options.eyeHeight = 1.6;
     picture.views.push_back({{0, 0, static_cast<double>(width), static_cast<double>(height)},
-                             makeComprehensiveCamera(scene.maze(), {}, width, height)});
+                             makeComprehensiveCamera(scene.maze(), options, width, height)});
     return picture;
   }
   constexpr int kColumns = 3;
