@@ -47,8 +47,8 @@ void CountMind::layOutRegions(const Percept& seen) {
     // From left to right, and in each column from top to bottom.
     for (int column = 0; column < columns; ++column) {
       for (int row = 0; row < rows; ++row) {
-        regions_.push_back({{view.left + (column + 0.5) * view.width / columns,
-                             view.top + (row + 0.5) * view.height / rows}});
+        regions_.push_back(
+            {{view.left + (column + 0.5) * view.width / columns, view.top + (row + 0.5) * view.height / rows}});
       }
     }
   }
@@ -91,10 +91,10 @@ void CountMind::count(const Sighting& sighting, int64_t from) {
       }
     }
   }
-  const double error =
-      singleView_ ? vision_.factors().placeErrorMeters : vision_.factors().crossViewErrorMeters;
-  const Item seen{sighting.shape, sighting.color, sighting.view, sighting.centroid, from,
-                  sighting.place + glm::dvec2(normal(random_, 0, error), normal(random_, 0, error))};
+  const double error = singleView_ ? vision_.factors().placeErrorMeters : vision_.factors().crossViewErrorMeters;
+  const Item seen{sighting.shape, sighting.color,
+                  sighting.view,  sighting.centroid,
+                  from,           sighting.place + glm::dvec2(normal(random_, 0, error), normal(random_, 0, error))};
   for (Item& item : items_) {
     if (item.metAt < from && seemsSame(item, sighting, from, seen.seemsAt)) {
       item.metAt = from;
@@ -118,10 +118,9 @@ double CountMind::attend(const Percept& seen, int64_t from) {
   for (Region& region : regions_) {
     region.looked = region.looked || vision_.degrees(region.middle, *gaze_) <= factors.groupRadiusDegrees;
   }
-  const double needed =
-      attended <= factors.groupItems
-          ? factors.groupSeconds * attended
-          : factors.groupSeconds * factors.groupItems + factors.itemSeconds * (attended - factors.groupItems);
+  const double needed = attended <= factors.groupItems ? factors.groupSeconds * attended
+                                                       : factors.groupSeconds * factors.groupItems +
+                                                             factors.itemSeconds * (attended - factors.groupItems);
   return std::max(0.0, needed - factors.fixationSeconds / 2);
 }
 

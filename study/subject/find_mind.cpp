@@ -153,8 +153,8 @@ void FindMind::turnAround(int64_t at, Hands& hands) const {
 
 void FindMind::walkTo(const glm::dvec2& place, const WalkerPose& pose, int64_t at, Hands& hands) const {
   const double away = glm::distance(place, placeOf(pose));
-  const double turn = degreesFromRadians(
-      std::remainder(headingTo(placeOf(pose), place) - pose.headingRadians, 2 * kPi));
+  const double turn =
+      degreesFromRadians(std::remainder(headingTo(placeOf(pose), place) - pose.headingRadians, 2 * kPi));
   const auto turning = [&](double degrees) {
     return nanosecondsOf(std::max(degrees, 0.0) / controls_.turnDegreesPerSecond);
   };

@@ -33,7 +33,7 @@ class FindMind final : public TaskMind {
   MazeMemory& memory_;
   Random random_;
   std::optional<glm::dvec2> gaze_{};
-  int64_t since_ = 0;  ///< what was seen before is to be seen again
+  int64_t since_ = 0;                ///< what was seen before is to be seen again
   std::optional<MazeCell> began_{};  ///< where the trial did
   std::optional<MazeCell> goal_{};
   std::optional<MazeCell> next_{};  ///< on the way there

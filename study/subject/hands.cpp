@@ -68,9 +68,10 @@ void Hands::plan(int64_t from, const std::vector<Hold>& holds) {
 
 void Hands::add(InputEvent event, int64_t at) {
   const TimedInput input{std::move(event), std::max(at, taken_)};
-  queue_.insert(std::upper_bound(queue_.begin(), queue_.end(), input,
-                                 [](const TimedInput& a, const TimedInput& b) { return a.nanoseconds < b.nanoseconds; }),
-                input);
+  queue_.insert(
+      std::upper_bound(queue_.begin(), queue_.end(), input,
+                       [](const TimedInput& a, const TimedInput& b) { return a.nanoseconds < b.nanoseconds; }),
+      input);
 }
 
 void Hands::tap(Key key, int64_t at) {

@@ -60,8 +60,8 @@ class Hands {
   HumanFactors factors_;
   Controls controls_;
   Random random_;
-  std::array<Key, 4> movement_;  ///< forward, backward, turn left, turn right
-  std::vector<Change> changes_;  ///< of the movement keys, in order of time
+  std::array<Key, 4> movement_;    ///< forward, backward, turn left, turn right
+  std::vector<Change> changes_;    ///< of the movement keys, in order of time
   std::vector<TimedInput> queue_;  ///< likewise
   std::optional<Repeat> repeats_{};
   int64_t taken_ = 0;

@@ -48,15 +48,15 @@ struct HumanFactors {
   double holdSeconds = 0.09;     ///< how long a key or button is down that is tapped
 
   // Deciding and remembering.
-  double readSeconds = 2.5;     ///< for a page of instructions
-  double decideSeconds = 0.8;   ///< for an answer
-  double wayNoise = 0.15;       ///< of what ways seem to cost, a share
+  double readSeconds = 2.5;         ///< for a page of instructions
+  double decideSeconds = 0.8;       ///< for an answer
+  double wayNoise = 0.15;           ///< of what ways seem to cost, a share
   double searchMemorySeconds = 30;  ///< one knows so long where one has looked
-  double forgetPerTrial = 0.1;  ///< chance that a way of the maze is forgotten from one trial to the next
+  double forgetPerTrial = 0.1;      ///< chance that a way of the maze is forgotten from one trial to the next
   double forgetBetweenSessions = 0.4;
-  double turnLapse = 0.06;      ///< chance that a turn is not taken in, or mixed up, or lost
-  double timeSpread = 0.15;     ///< of the times between turns, as a share
-  double slip = 0.01;           ///< chance of pressing the key beside the one that was meant
+  double turnLapse = 0.06;   ///< chance that a turn is not taken in, or mixed up, or lost
+  double timeSpread = 0.15;  ///< of the times between turns, as a share
+  double slip = 0.01;        ///< chance of pressing the key beside the one that was meant
 };
 
 /// Those of a subject, from its seed.

@@ -84,9 +84,9 @@ bool MazeMemory::hasSeen(const FloorPatch& patch, int64_t since) const {
 
 bool MazeMemory::hasSearched(const MazeCell& cell, int64_t since) const {
   const auto found = seen_.find(cell);
-  return found != seen_.end() &&
-         std::count_if(found->second.begin(), found->second.end(),
-                       [&](int64_t time) { return time >= std::max<int64_t>(since, 0); }) >= kEnough;
+  return found != seen_.end() && std::count_if(found->second.begin(), found->second.end(), [&](int64_t time) {
+                                   return time >= std::max<int64_t>(since, 0);
+                                 }) >= kEnough;
 }
 
 glm::dvec2 MazeMemory::unseenPart(const MazeCell& cell, int64_t since) const {

@@ -42,8 +42,7 @@ class MazeMemory {
     double seconds = 0;
   };
   /// To each cell that known ways lead to, with times for walking a cell and for turning by 90 degrees.
-  std::map<MazeCell, Way> waysFrom(const MazeCell& start, double heading, double cellSeconds,
-                                   double turnSeconds) const;
+  std::map<MazeCell, Way> waysFrom(const MazeCell& start, double heading, double cellSeconds, double turnSeconds) const;
 
  private:
   struct Passage {
