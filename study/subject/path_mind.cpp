@@ -1,6 +1,7 @@
 #include "study/subject/path_mind.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "oc_core/base/conventions.h"
 
@@ -53,6 +54,7 @@ void normalize(std::vector<PathMind::Turn>& turns) {
 
 double PathMind::think(const Percept& seen, int64_t from, int64_t now, Hands& hands) {
   if (!seen.maps.empty()) {
+    noteTurn(std::exchange(turning_, 0), from);  // the last one may have ended the path
     answer(seen, now, hands);
   } else if (!seen.views.empty()) {
     watch(seen, from);

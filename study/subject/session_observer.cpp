@@ -148,10 +148,10 @@ void SessionObserver::see(const SessionScreen& screen, int64_t now) {
   } else if (const auto* form = std::get_if<FormScreen>(&screen)) {
     fillIn(*form, now);
   } else if (const auto* consent = std::get_if<ConsentScreen>(&screen)) {
-    PageScreen page;
-    page.title = consent->text.title;
-    page.paragraphs = consent->text.paragraphs;
-    read(page, now);
+    PageScreen asPage;
+    asPage.title = consent->text.title;
+    asPage.paragraphs = consent->text.paragraphs;
+    read(asPage, now);
   }
 }
 
