@@ -1,9 +1,7 @@
 #include "study/screen/run_environment.h"
 
 #include <sys/utsname.h>
-#include <unistd.h>
 
-#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -35,11 +33,6 @@ Json textOf(const char* variable) {
 }
 
 }  // namespace
-
-std::string stationName() {
-  std::array<char, 256> name{};
-  return gethostname(name.data(), name.size() - 1) == 0 ? std::string(name.data()) : "";
-}
 
 std::string jsonText(const RunEnvironment& environment) {
   utsname kernel{};

@@ -22,7 +22,4 @@ struct RunEnvironment {
 /// Names and versions that the system tells are added here.
 std::string jsonText(const RunEnvironment& environment);
 
-/// The name of this computer.
-std::string stationName();
-
 }  // namespace ocelli

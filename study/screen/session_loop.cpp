@@ -100,7 +100,7 @@ class Drawer {
       const StudyFrame frame =
           painter.draw(screen, static_cast<double>(now - last) / kNanosecondsPerSecond, wantsHash(screen));
       last = now;
-      exchange_.cursor = cursorFor(screen);
+      setCursor(cursorFor(screen));
       window_.present(painter.framebuffer(), screen_.width, screen_.height);
       if (options_.pacedHertz > 0) {
         pace_.wait();
@@ -192,6 +192,12 @@ class Drawer {
       const std::string seconds = fmt::format("{:+.3f} s", static_cast<double>(*jump) / 1e9);
       flow_.report("clock_jump", seconds);
       console_.print("the clock of this computer was set by " + seconds + "; trials are not affected");
+    }
+  }
+
+  void setCursor(CursorMode mode) {
+    if (exchange_.cursor.exchange(mode) != mode) {
+      GlWindow::wake();
     }
   }
 
