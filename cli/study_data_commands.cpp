@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
@@ -201,11 +200,14 @@ void addMerge(CLI::App& study, const Frame& frame) {
 struct ExportChoice {
   std::string database;
   std::string folder;
+  std::string form = "csv";
   ExportOptions options;
 };
 
 void runExport(const ExportChoice& choice, const Frame& frame) {
-  const ExportReport report = exportStudy(choice.database, choice.folder, choice.options, frame.progress());
+  ExportOptions options = choice.options;
+  options.form = choice.form == "csv" ? ExportForm::kCsv : ExportForm::kPsychDs;
+  const ExportReport report = exportStudy(choice.database, choice.folder, options, frame.progress());
   frame.note(fmt::format("wrote {} files with {} rows of {} subjects to {}", report.files.size(), report.rows,
                          report.subjects, choice.folder));
   if (report.simulatedSubjects > 0) {
@@ -220,11 +222,10 @@ void addExport(CLI::App& study, const Frame& frame) {
   ExportOptions& options = choice->options;
   addDatabaseOption(command, choice->database, "The database");
   command.add_option("-o,--output", choice->folder, "A folder, new or empty")->required()->type_name("FOLDER");
-  static const std::map<std::string, ExportForm> forms{{"csv", ExportForm::kCsv}, {"psych-ds", ExportForm::kPsychDs}};
-  command.add_option("--form", options.form, "csv or psych-ds")
-      ->transform(CLI::CheckedTransformer(forms))
-      ->type_name("FORM")
-      ->default_str("csv");
+  command.add_option("--form", choice->form, "What to write")
+      ->check(CLI::IsMember({"csv", "psych-ds"}))
+      ->type_name("csv|psych-ds")
+      ->capture_default_str();
   command.add_flag("--frames", options.frames, "Also every frame of every trial: where one stood, and when");
   command.add_flag("--inputs", options.inputs, "Also every key, click and move of the mouse");
   command.add_flag("--notes", options.notes, "Also what experimenters typed, which may name people");
