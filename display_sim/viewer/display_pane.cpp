@@ -9,6 +9,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"
+#include "oc_core/gl/shaders.h"
 
 namespace ocelli {
 namespace {

@@ -6,6 +6,7 @@
 #include "display_sim/viewer/shaders.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"
+#include "oc_core/gl/shaders.h"
 
 namespace ocelli {
 namespace {

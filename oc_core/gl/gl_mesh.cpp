@@ -1,11 +1,13 @@
 #include "oc_core/gl/gl_mesh.h"
 
+#include "oc_core/base/check.h"
 #include "oc_core/gl/gl_api.h"
 
 namespace ocelli {
 
 GlMesh::GlMesh(GlContext& context, const Mesh& mesh)
-    : vertexCount_(mesh.positions.size()),
+    : context_(&context),
+      vertexCount_(mesh.positions.size()),
       triangleCount_(mesh.triangles.size()),
       positions_(makeBuffer(context, mesh.positions)),
       colors_(
@@ -23,6 +25,14 @@ GlMesh::GlMesh(GlContext& context, const Mesh& mesh)
   }
   gl.VertexArrayElementBuffer(vertexArray_.id(), triangles_.id());
   context.check("uploading the scene");
+}
+
+void GlMesh::move(size_t first, std::span<const glm::vec3> positions) const {
+  OC_CHECK(first + positions.size() <= vertexCount_, "vertices that move are those of the mesh");
+  if (!positions.empty()) {
+    context_->gl().NamedBufferSubData(positions_.id(), static_cast<GLintptr>(first * sizeof(glm::vec3)),
+                                      static_cast<GLsizeiptr>(positions.size_bytes()), positions.data());
+  }
 }
 
 }  // namespace ocelli

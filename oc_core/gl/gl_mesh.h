@@ -1,5 +1,7 @@
-// A mesh in the memory of the GPU, uploaded once.
+// A mesh in the memory of the GPU, uploaded once; its vertices can move.
 #pragma once
+
+#include <span>
 
 #include "oc_core/gl/gl_object.h"
 #include "oc_core/scene/mesh.h"
@@ -10,6 +12,9 @@ class GlMesh {
  public:
   /// Throws GlError where the GPU has no room. Hold a GlScope.
   GlMesh(GlContext& context, const Mesh& mesh);
+
+  /// So many vertices from `first` on stand elsewhere now. Hold a GlScope.
+  void move(size_t first, std::span<const glm::vec3> positions) const;
 
   /// Tightly packed: three floats a vertex, three floats a vertex (linear RGB, white where the mesh has none), three
   /// indices (uint32) a triangle.
@@ -23,6 +28,7 @@ class GlMesh {
   const GlObject& vertexArray() const { return vertexArray_; }
 
  private:
+  GlContext* context_;
   size_t vertexCount_;
   size_t triangleCount_;
   GlObject positions_;

@@ -20,7 +20,11 @@ struct GlRenderer::Impl {
         spans(context),
         bentRays(context),
         color(makeProgram(context, "color_resolve",
-                          {{GL_COMPUTE_SHADER, {shaders::kMesh, shaders::kFragment, shaders::kColorResolveComp}}})) {}
+                          {{GL_COMPUTE_SHADER, {shaders::kMesh, shaders::kFragment, shaders::kColorResolveComp}}})),
+        encodedColor(makeProgram(
+            context, "color_resolve",
+            {{GL_COMPUTE_SHADER, {shaders::kMesh, shaders::kFragment, shaders::kEncode, shaders::kColorResolveComp}}},
+            "#define ENCODED\n")) {}
 
   GlMesh mesh;
   MeshBlocks blocks;
@@ -29,6 +33,7 @@ struct GlRenderer::Impl {
   SpanPass spans;
   BentRayPass bentRays;
   GlObject color;
+  GlObject encodedColor;
 };
 
 GlRenderer::GlRenderer(GlContext& context, const Mesh& mesh) : context_(context) {
@@ -40,6 +45,18 @@ GlRenderer::~GlRenderer() = default;
 
 const GlMesh& GlRenderer::mesh() const {
   return impl_->mesh;
+}
+
+void GlRenderer::setMesh(const Mesh& mesh) {
+  const GlScope scope(context_);
+  impl_->mesh = GlMesh(context_, mesh);
+  impl_->blocks = MeshBlocks(mesh);
+}
+
+void GlRenderer::moveVertices(const Mesh& moved, size_t first, size_t count) {
+  const GlScope scope(context_);
+  impl_->mesh.move(first, std::span(moved.positions).subspan(first, count));
+  impl_->blocks.update(moved, first, count);
 }
 
 FragmentImage GlRenderer::draw(const PinholeCamera& camera) const {
@@ -116,14 +133,23 @@ GlFragments GlRenderer::drawLinesOnGpu(const PinholeCamera& base, const Epipolar
 }
 
 GlObject GlRenderer::colors(const GlFragments& fragments, const glm::vec3& background) const {
+  return resolve(impl_->color, GL_RGBA32F, fragments, background);
+}
+
+GlObject GlRenderer::encodedColors(const GlFragments& fragments, const glm::vec3& background) const {
+  return resolve(impl_->encodedColor, GL_RGBA8, fragments, background);
+}
+
+GlObject GlRenderer::resolve(const GlObject& program, uint32_t format, const GlFragments& fragments,
+                             const glm::vec3& background) const {
   const GladGLContext& gl = context_.gl();
-  GlObject image = makeTexture(context_, GL_RGBA32F, fragments.width(), fragments.height());
-  gl.UseProgram(impl_->color.id());
+  GlObject image = makeTexture(context_, format, fragments.width(), fragments.height());
+  gl.UseProgram(program.id());
   gl.Uniform3f(0, background.x, background.y, background.z);
   bindMesh(context_, impl_->mesh);
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, impl_->mesh.colors().id());
   gl.BindTextureUnit(0, fragments.texture().id());
-  gl.BindImageTexture(0, image.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+  gl.BindImageTexture(0, image.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, format);
   dispatchPixels(context_, fragments.width(), fragments.height());
   context_.check("colouring fragments");
   return image;

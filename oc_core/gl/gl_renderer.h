@@ -25,6 +25,13 @@ class GlRenderer final : public SceneDrawer {
   GlContext& context() const { return context_; }
   const GlMesh& mesh() const;
 
+  /// Another mesh in place of the one before; much faster than another renderer. Throws GlError where the GPU has no
+  /// room.
+  void setMesh(const Mesh& mesh);
+  /// So many vertices from `first` on stand where `moved` has them, which is otherwise the mesh that was given before:
+  /// nothing else is uploaded.
+  void moveVertices(const Mesh& moved, size_t first, size_t count);
+
   /// The closest fragment at each pixel, as on the processor. Throws GlError where the GPU fails.
   FragmentImage draw(const PinholeCamera& camera) const override;
   FragmentImage draw(const SpocCamera& camera) const override;
@@ -49,9 +56,13 @@ class GlRenderer final : public SceneDrawer {
 
   /// Linear colours as a texture of GL_RGBA32F, `background` where nothing is seen; alpha says which.
   GlObject colors(const GlFragments& fragments, const glm::vec3& background) const;
+  /// The same as sRGB values in a texture of GL_RGBA8; `background` is linear too.
+  GlObject encodedColors(const GlFragments& fragments, const glm::vec3& background) const;
 
  private:
   struct Impl;
+  GlObject resolve(const GlObject& program, uint32_t format, const GlFragments& fragments,
+                   const glm::vec3& background) const;
 
   GlContext& context_;
   std::unique_ptr<Impl> impl_;

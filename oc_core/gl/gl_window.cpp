@@ -4,34 +4,20 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
-#include <cstdlib>
+#include <span>
 #include <thread>
+#include <type_traits>
 #include <utility>
 
 #include "oc_core/gl/frame_pacer.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/glfw_input.h"
+#include "oc_core/gl/monitors.h"
 
 namespace ocelli {
 namespace {
-
-std::string lastError() {
-  const char* description = nullptr;
-  glfwGetError(&description);
-  return description != nullptr ? std::string(" (") + description + ")" : "";
-}
-
-/// GLFW stays initialised until the program ends: it would unload the graphics driver, which does not survive that.
-void initialiseGlfw() {
-  if (glfwInit() == GLFW_TRUE) {
-    return;
-  }
-  const char* display = std::getenv("DISPLAY");
-  const bool named = display != nullptr && *display != '\0';
-  throw GlError("no display can be opened" + lastError(), named ? "DISPLAY=" + std::string(display) : "DISPLAY",
-                "set DISPLAY to a running X server, or use --offscreen");
-}
 
 class GlfwPlatform final : public GlPlatform {
  public:
@@ -48,6 +34,20 @@ class GlfwPlatform final : public GlPlatform {
   GLFWwindow* window_;
 };
 
+/// Nothing where the window shall not fill one.
+GLFWmonitor* chosenMonitor(const GlWindowOptions& options) {
+  if (!options.monitor) {
+    return nullptr;
+  }
+  int count = 0;
+  GLFWmonitor** const monitors = glfwGetMonitors(&count);
+  if (*options.monitor < 0 || *options.monitor >= count || glfwGetVideoMode(monitors[*options.monitor]) == nullptr) {
+    throw InputError("there is no such monitor", "monitor " + std::to_string(*options.monitor),
+                     "choose one of the " + std::to_string(count) + " that are attached, counted from 0");
+  }
+  return monitors[*options.monitor];
+}
+
 GLFWwindow* createWindow(const GlWindowOptions& options) {
   glfwDefaultWindowHints();
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, kGlMajorVersion);
@@ -56,16 +56,27 @@ GLFWwindow* createWindow(const GlWindowOptions& options) {
   glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, options.debug == GlDebug::kErrorsAreFatal ? GLFW_TRUE : GLFW_FALSE);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);  // frames are drawn elsewhere
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
-  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, options.scaled ? GLFW_TRUE : GLFW_FALSE);
+  glfwWindowHint(GLFW_RESIZABLE, options.resizable ? GLFW_TRUE : GLFW_FALSE);
   glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
+  glfwWindowHint(GLFW_AUTO_ICONIFY, options.monitor ? GLFW_FALSE : GLFW_TRUE);
+  GLFWmonitor* const monitor = chosenMonitor(options);
+  int width = options.width;
+  int height = options.height;
+  if (monitor != nullptr) {
+    const GLFWvidmode mode = *glfwGetVideoMode(monitor);
+    width = mode.width;
+    height = mode.height;
+    glfwWindowHint(GLFW_REFRESH_RATE, mode.refreshRate);
+  }
   // A lost context shall say so. Drivers that cannot notice it may refuse.
   for (const int robustness : {GLFW_LOSE_CONTEXT_ON_RESET, GLFW_NO_ROBUSTNESS}) {
     glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, robustness);
-    if (GLFWwindow* window = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr)) {
+    if (GLFWwindow* window = glfwCreateWindow(width, height, options.title.c_str(), monitor, nullptr)) {
       return window;
     }
   }
-  throw GlError("no window with OpenGL 4.5 can be opened" + lastError(), "window",
+  throw GlError("no window with OpenGL 4.5 can be opened" + lastGlfwError(), "window",
                 "update the graphics driver, or use --offscreen");
 }
 
@@ -111,45 +122,87 @@ double refreshRateOf(GLFWwindow* window) {
 struct GlWindow::State {
   explicit State(const GlWindowOptions& options) : window(createWindow(options)), pacer(refreshRateOf(window)) {
     glfwSetWindowUserPointer(window, this);
+    noteFramebuffer();
     glfwSetWindowSizeCallback(window, [](GLFWwindow* of, int, int) { get(of).resized = true; });
-    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* of, int, int) { get(of).resized = true; });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* of, int, int) {
+      get(of).resized = true;
+      get(of).noteFramebuffer();
+    });
+    glfwSetWindowFocusCallback(window,
+                               [](GLFWwindow* of, int focused) { get(of).add(FocusEvent{focused == GLFW_TRUE}); });
+    if (GLFWmonitor* monitor = glfwGetWindowMonitor(window)) {
+      monitorName = glfwGetMonitorName(monitor);
+      glfwSetMonitorUserPointer(monitor, this);
+      glfwSetMonitorCallback([](GLFWmonitor* of, int what) {
+        auto* const state = static_cast<State*>(glfwGetMonitorUserPointer(of));
+        if (what == GLFW_DISCONNECTED && state != nullptr) {
+          state->add(MonitorLostEvent{state->monitorName});
+        }
+      });
+    }
     glfwSetWindowContentScaleCallback(window, [](GLFWwindow* of, float, float) { get(of).resized = true; });
     glfwSetWindowCloseCallback(window, [](GLFWwindow* of) {
       glfwSetWindowShouldClose(of, GLFW_FALSE);
-      get(of).events.emplace_back(CloseEvent{});
+      get(of).add(CloseEvent{});
     });
     glfwSetKeyCallback(window, [](GLFWwindow* of, int key, int /*scancode*/, int action, int modifiers) {
       if (const auto ours = keyFromGlfw(key)) {
-        get(of).events.emplace_back(KeyEvent{*ours, action != GLFW_RELEASE, modifiersFromGlfw(modifiers)});
+        get(of).add(KeyEvent{*ours, action != GLFW_RELEASE, modifiersFromGlfw(modifiers)});
       }
     });
-    glfwSetCharCallback(window,
-                        [](GLFWwindow* of, unsigned character) { get(of).events.emplace_back(TextEvent{character}); });
-    glfwSetCursorPosCallback(window, [](GLFWwindow* of, double x, double y) {
-      get(of).events.emplace_back(PointerMoveEvent{x, y});
-    });
+    glfwSetCharCallback(window, [](GLFWwindow* of, unsigned character) { get(of).add(TextEvent{character}); });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* of, double x, double y) { get(of).add(PointerMoveEvent{x, y}); });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* of, int button, int action, int modifiers) {
       if (const auto ours = pointerButtonFromGlfw(button)) {
-        get(of).events.emplace_back(PointerButtonEvent{*ours, action == GLFW_PRESS, modifiersFromGlfw(modifiers)});
+        get(of).add(PointerButtonEvent{*ours, action == GLFW_PRESS, modifiersFromGlfw(modifiers)});
       }
     });
     // GLFW's horizontal offset grows to the left.
-    glfwSetScrollCallback(window, [](GLFWwindow* of, double x, double y) {
-      get(of).events.emplace_back(ScrollEvent{-x, y});
-    });
+    glfwSetScrollCallback(window, [](GLFWwindow* of, double x, double y) { get(of).add(ScrollEvent{-x, y}); });
     glfwSetDropCallback(window, [](GLFWwindow* of, int count, const char** paths) {
-      get(of).events.emplace_back(DropEvent{std::vector<std::string>(paths, paths + count)});
+      get(of).add(DropEvent{std::vector<std::string>(paths, paths + count)});
     });
   }
-  ~State() { glfwDestroyWindow(window); }
+  ~State() {
+    int count = 0;
+    GLFWmonitor** const monitors = glfwGetMonitors(&count);
+    for (GLFWmonitor* monitor : std::span(monitors, static_cast<size_t>(count))) {
+      if (glfwGetMonitorUserPointer(monitor) == this) {
+        glfwSetMonitorUserPointer(monitor, nullptr);
+      }
+    }
+    glfwDestroyWindow(window);
+  }
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
   static State& get(GLFWwindow* of) { return *static_cast<State*>(glfwGetWindowUserPointer(of)); }
 
+  template <class Event>
+  void add(Event event) {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    using Variant = decltype(TimedWindowEvent::event);
+    if constexpr (std::is_constructible_v<InputEvent, Event>) {
+      events.push_back({Variant(InputEvent(std::move(event))), std::chrono::nanoseconds(now).count()});
+    } else {
+      events.push_back({Variant(std::move(event)), std::chrono::nanoseconds(now).count()});
+    }
+  }
+  void noteFramebuffer() {
+    int across = 0;
+    int down = 0;
+    glfwGetFramebufferSize(window, &across, &down);
+    framebufferWidth = across;
+    framebufferHeight = down;
+  }
+
   GLFWwindow* window;
   FramePacer pacer;
-  std::vector<InputEvent> events;
+  std::vector<TimedWindowEvent> events;
+  std::string monitorName;
+  // For the thread that draws.
+  std::atomic<int> framebufferWidth{0};
+  std::atomic<int> framebufferHeight{0};
   bool resized = true;  ///< the first poll() tells the size
   // Where the window was before it filled the screen.
   int left = 0;
@@ -159,7 +212,7 @@ struct GlWindow::State {
 };
 
 GlWindow::GlWindow(const GlWindowOptions& options) {
-  initialiseGlfw();
+  initializeGlfw();
   state_ = std::make_unique<State>(options);
   context_ =
       std::make_unique<GlContext>(GlProvider::kWindow, std::make_unique<GlfwPlatform>(state_->window), options.debug);
@@ -170,16 +223,30 @@ GlWindow::GlWindow(const GlWindowOptions& options) {
 GlWindow::~GlWindow() = default;
 
 std::vector<InputEvent> GlWindow::poll(double waitSeconds) {
+  std::vector<InputEvent> events;
+  for (TimedWindowEvent& timed : pollTimed(waitSeconds)) {
+    if (auto* const input = std::get_if<InputEvent>(&timed.event)) {
+      events.push_back(std::move(*input));
+    }
+  }
+  return events;
+}
+
+std::vector<TimedWindowEvent> GlWindow::pollTimed(double waitSeconds) {
   if (waitSeconds > 0 && !state_->resized) {
     glfwWaitEventsTimeout(waitSeconds);
   } else {
     glfwPollEvents();
   }
-  std::vector<InputEvent> events = std::exchange(state_->events, {});
   if (std::exchange(state_->resized, false)) {
-    events.insert(events.begin(), size());
+    state_->add(size());
+    std::rotate(state_->events.begin(), state_->events.end() - 1, state_->events.end());
   }
-  return events;
+  return std::exchange(state_->events, {});
+}
+
+void GlWindow::wake() {
+  glfwPostEmptyEvent();
 }
 
 ResizeEvent GlWindow::size() const {
@@ -205,17 +272,37 @@ int GlWindow::pixelHeight() const {
   return height;
 }
 
-void GlWindow::show(const GlObject& framebuffer, int width, int height) {
+void GlWindow::present(const GlObject& framebuffer, int width, int height) {
   const GladGLContext& gl = context_->gl();
-  const int toWidth = pixelWidth();
-  const int toHeight = pixelHeight();
+  const int toWidth = state_->framebufferWidth;
+  const int toHeight = state_->framebufferHeight;
   gl.Disable(GL_SCISSOR_TEST);
   gl.Disable(GL_FRAMEBUFFER_SRGB);
   gl.BlitNamedFramebuffer(framebuffer.id(), 0, 0, 0, width, height, 0, toHeight, toWidth, 0, GL_COLOR_BUFFER_BIT,
                           width == toWidth && height == toHeight ? GL_NEAREST : GL_LINEAR);
   glfwSwapBuffers(state_->window);
   context_->check("showing a frame");
+}
+
+void GlWindow::show(const GlObject& framebuffer, int width, int height) {
+  present(framebuffer, width, height);
   std::this_thread::sleep_for(std::chrono::duration<double>(state_->pacer.wait(glfwGetTime())));
+}
+
+void GlWindow::awaitFrame() {
+  const GladGLContext& gl = context_->gl();
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  gl.Enable(GL_SCISSOR_TEST);
+  gl.Scissor(0, 0, 1, 1);
+  gl.ClearColor(0, 0, 0, 1);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+  gl.Disable(GL_SCISSOR_TEST);
+  gl.Finish();
+  context_->check("waiting for the screen");
+}
+
+void GlWindow::setCursorShown(bool shown) {
+  glfwSetInputMode(state_->window, GLFW_CURSOR, shown ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
 }
 
 bool GlWindow::isFullscreen() const {

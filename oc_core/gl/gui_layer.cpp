@@ -16,6 +16,7 @@
 namespace ocelli {
 namespace {
 
+constexpr double kMostOversampledPixels = 40;
 constexpr double kOwnFontPixels = 13;  // Dear ImGui's own font is made of dots and stays crisp at multiples of it
 
 // What Dear ImGui does with keys. It has keys of its own for a few of ours alone.
@@ -59,8 +60,8 @@ bool looksLikeFont(const std::string& bytes) {
 }
 
 /// The font of the system; none where it cannot be read.
-std::optional<std::pair<SystemFont, std::string>> readSystemFont() {
-  std::optional<SystemFont> font = findSystemFont();
+std::optional<std::pair<SystemFont, std::string>> readSystemFont(FontWeight weight) {
+  std::optional<SystemFont> font = findSystemFont(weight);
   if (!font) {
     return std::nullopt;
   }
@@ -79,8 +80,9 @@ GuiRenderer makeRenderer(GlContext& context) {
 
 }  // namespace
 
-GuiLayer::GuiLayer(GlContext& context, double contentScale)
-    : glContext_(&context), renderer_(makeRenderer(context)), contentScale_(contentScale) {
+GuiLayer::GuiLayer(GlContext& context, double contentScale, std::vector<GuiFont> fonts)
+    : glContext_(&context), renderer_(makeRenderer(context)), fonts_(std::move(fonts)), contentScale_(contentScale) {
+  OC_CHECK(!fonts_.empty(), "panels need a font");
   IMGUI_CHECKVERSION();
   ImGuiContext* const before = ImGui::GetCurrentContext();
   context_ = ImGui::CreateContext();
@@ -192,7 +194,7 @@ void GuiLayer::applyScale() {
   OC_CHECK(contentScale_ > 0 && pixelsPerUnit_ > 0, "a window has a scale");
   applyGuiStyle(lengthScale());
   io().Fonts->Clear();
-  fontName_ = loadFont();
+  loadFonts();
   // Glyphs are made in the framebuffer's pixels, so that they stay crisp, and laid out in screen coordinates.
   io().FontGlobalScale = static_cast<float>(1 / pixelsPerUnit_);
   io().DisplayFramebufferScale = {static_cast<float>(pixelsPerUnit_), static_cast<float>(pixelsPerUnit_)};
@@ -207,26 +209,45 @@ void GuiLayer::applyScale() {
   io().Fonts->ClearTexData();
 }
 
-std::string GuiLayer::loadFont() {
-  ImFontAtlas& fonts = *io().Fonts;
-  if (auto font = readSystemFont()) {
-    fontBytes_ = std::move(font->second);
-    ImFontConfig config;
-    config.FontDataOwnedByAtlas = false;
-    config.FontNo = font->first.index;
-    config.OversampleH = 2;
-    const auto pixels = static_cast<float>(std::round(kGuiTextPixels * contentScale_));
-    fonts.AddFontFromMemoryTTF(fontBytes_.data(), static_cast<int>(fontBytes_.size()), pixels, &config,
-                               kCharacters.data());
-    if (fonts.Build()) {
-      return font->first.name;
-    }
-    fonts.Clear();
+bool GuiLayer::loadSystemFont(const GuiFont& font) {
+  auto found = readSystemFont(font.weight);
+  if (!found) {
+    return false;
   }
+  std::string& bytes = fontFiles_.emplace_back(std::move(found->second));
   ImFontConfig config;
-  config.SizePixels = static_cast<float>(kOwnFontPixels * std::max(1.0, std::round(contentScale_)));
-  fonts.AddFontDefault(&config);
-  return "ProggyClean";
+  config.FontDataOwnedByAtlas = false;
+  config.FontNo = found->first.index;
+  // Large glyphs need no finer placing, and would fill the texture.
+  config.OversampleH = font.pixels * contentScale_ > kMostOversampledPixels ? 1 : 2;
+  const auto pixels = static_cast<float>(std::round(font.pixels * contentScale_));
+  io().Fonts->AddFontFromMemoryTTF(bytes.data(), static_cast<int>(bytes.size()), pixels, &config, kCharacters.data());
+  if (fontName_.empty()) {
+    fontName_ = found->first.name;
+  }
+  return true;
+}
+
+void GuiLayer::loadFonts() {
+  ImFontAtlas& atlas = *io().Fonts;
+  fontFiles_.clear();
+  fontName_.clear();
+  if (std::ranges::all_of(fonts_, [&](const GuiFont& font) { return loadSystemFont(font); }) && atlas.Build()) {
+    return;
+  }
+  atlas.Clear();
+  fontName_ = "ProggyClean";
+  for (const GuiFont& font : fonts_) {
+    ImFontConfig config;
+    const double scale = std::max(1.0, std::round(contentScale_ * font.pixels / kGuiTextPixels));
+    config.SizePixels = static_cast<float>(kOwnFontPixels * scale);
+    atlas.AddFontDefault(&config);
+  }
+}
+
+ImFont* GuiLayer::font(size_t index) const {
+  OC_CHECK(index < fonts_.size(), "a font of this layer");
+  return io().Fonts->Fonts[static_cast<int>(index)];
 }
 
 void GuiLayer::beginFrame(double secondsSinceLast) {

@@ -19,20 +19,31 @@
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <vector>
 
+#include "oc_core/base/input_event.h"
 #include "oc_core/gl/gl_context.h"
 #include "oc_core/gl/gui_renderer.h"
-#include "oc_core/base/input_event.h"
+#include "oc_core/gl/gui_style.h"
+#include "oc_core/gl/system_font.h"
 
+struct ImFont;
 struct ImGuiContext;
 struct ImGuiIO;
 
 namespace ocelli {
 
+/// Text of one size.
+struct GuiFont {
+  double pixels = kGuiTextPixels;  ///< at a scale of 1
+  FontWeight weight = FontWeight::kRegular;
+};
+
 class GuiLayer {
  public:
-  /// `contentScale` as in ResizeEvent. Throws GlError.
-  GuiLayer(GlContext& context, double contentScale);
+  /// `contentScale` as in ResizeEvent. The first of the fonts, of which there must be one, is what panels use by
+  /// themselves. Throws GlError.
+  GuiLayer(GlContext& context, double contentScale, std::vector<GuiFont> fonts = {GuiFont()});
   ~GuiLayer();
   GuiLayer(const GuiLayer&) = delete;
   GuiLayer& operator=(const GuiLayer&) = delete;
@@ -60,6 +71,8 @@ class GuiLayer {
   double lengthScale() const { return contentScale_ / pixelsPerUnit_; }
   /// The font of the system, or "ProggyClean", Dear ImGui's own, where none is found.
   const std::string& fontName() const { return fontName_; }
+  /// For the drawing functions of Dear ImGui. Changes with the scale of the window.
+  ImFont* font(size_t index) const;
 
  private:
   /// What a frame has taken in so far.
@@ -77,13 +90,15 @@ class GuiLayer {
   bool take(const InputEvent& event, Taken& taken);
   void setModifiers(const Modifiers& modifiers);
   void applyScale();
-  std::string loadFont();
+  void loadFonts();
+  bool loadSystemFont(const GuiFont& font);
 
   GlContext* glContext_;
   ImGuiContext* context_ = nullptr;
   GuiRenderer renderer_;
   GlObject fontTexture_;
-  std::string fontBytes_;
+  std::vector<GuiFont> fonts_;
+  std::deque<std::string> fontFiles_;  ///< their bytes
   std::string fontName_;
   std::deque<InputEvent> events_;
   double contentScale_;

@@ -17,7 +17,7 @@ std::string text(const FcPattern& pattern, const char* field) {
 
 }  // namespace
 
-std::optional<SystemFont> findSystemFont() {
+std::optional<SystemFont> findSystemFont(FontWeight weight) {
   // A configuration of our own: fontconfig's shared one would stay behind.
   const Config config(FcInitLoadConfigAndFonts(), FcConfigDestroy);
   const Pattern wanted(FcPatternCreate(), FcPatternDestroy);
@@ -25,6 +25,7 @@ std::optional<SystemFont> findSystemFont() {
     return std::nullopt;
   }
   FcPatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>("sans-serif"));
+  FcPatternAddInteger(wanted.get(), FC_WEIGHT, weight == FontWeight::kBold ? FC_WEIGHT_BOLD : FC_WEIGHT_REGULAR);
   FcPatternAddBool(wanted.get(), FC_SCALABLE, FcTrue);
   FcPatternAddBool(wanted.get(), FC_VARIABLE, FcFalse);
   FcConfigSubstitute(config.get(), wanted.get(), FcMatchPattern);

@@ -13,7 +13,10 @@ struct SystemFont {
   std::string name;  ///< "DejaVu Sans"
 };
 
-/// A font with outlines, so that it can be drawn in any size. Nothing where none is installed.
-std::optional<SystemFont> findSystemFont();
+enum class FontWeight { kRegular, kBold };
+
+/// A font with outlines, so that it can be drawn in any size. Where there is none of that weight, the one that
+/// comes closest; nothing where none is installed.
+std::optional<SystemFont> findSystemFont(FontWeight weight = FontWeight::kRegular);
 
 }  // namespace ocelli

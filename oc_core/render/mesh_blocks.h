@@ -9,6 +9,7 @@
 #include <bit>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "oc_core/render/half_spaces.h"
@@ -27,6 +28,9 @@ class MeshBlocks {
 
   explicit MeshBlocks(const Mesh& mesh);
 
+  /// So many vertices of the mesh, which is otherwise the same, stand elsewhere now.
+  void update(const Mesh& mesh, size_t firstVertex, size_t count);
+
   const Block& operator[](size_t block) const { return blocks_[block]; }
   size_t size() const { return blocks_.size(); }
   /// Calls `visit(triangle)`, in order, for the triangles of a block whose corners are finite.
@@ -37,8 +41,12 @@ class MeshBlocks {
   void forEachWithin(std::span<const HalfSpace> spaces, const Visit& visit) const;
 
  private:
+  void measureBlock(const Mesh& mesh, size_t block);
+  void measureRun(size_t run);
+
   std::vector<Block> blocks_;
   std::vector<Box> runs_;
+  std::vector<std::pair<uint32_t, uint32_t>> vertices_;  ///< the first and the last that each block uses
 };
 
 template <class Visit>

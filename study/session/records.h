@@ -97,7 +97,9 @@ struct ConsentRecord {
 };
 
 /// Anything else that happened: "pause", "resume", "note", "redo", "abort", "break", "page", "unwell", "clock_jump",
-/// "late_frames", "monitor_lost", "practice_failed", ...
+/// "late_frames", "monitor_lost", ... Practice of a block leaves "practice_passed", or "practice_failed" and then,
+/// where the session goes on nevertheless, "practice_continued"; their detail is the index of the block in the
+/// protocol.
 struct EventRecord {
   int64_t nanoseconds = 0;
   std::string utc;

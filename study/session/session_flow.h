@@ -10,9 +10,16 @@
 //     flow.frameShown(nanoseconds);     // when the frame was on the screen
 //   }
 //
-// Everything can be done by keys alone: Enter goes on, arrows and digits choose; F10 is "I feel unwell".
+// Everything can be done by keys alone: Enter goes on, arrows and digits choose; F10 is "I feel unwell". A key that is
+// pressed again without having been released is a repeat: pages do not take it, so keys must be released.
+//
+// Ticks. A trial begins when its first frame is shown: that is tick 0. An event takes effect at the tick into which it
+// falls; where that is over already (it came late, or a frame has shown that tick), at the next one. So a trial is the
+// same again where, for t = 0, 1, 2, ..., one hands it the inputs of tick t in their order, then the frames of tick t,
+// and then lets a tick pass.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,6 +51,7 @@ struct SessionFlowOptions {
   bool unstableRefresh = false;              ///< marks all trials
   bool simulatedClock = false;               ///< marks all trials
   SubjectKind kind = SubjectKind::kPerson;
+  std::function<std::string()> utcNow{};  ///< for the records; the clock of the system where empty (utc_time.h)
 };
 
 /// What the subject does to a form or page by the mouse: what widgets report.
@@ -65,7 +73,8 @@ struct SessionStatus {
 
 class SessionFlow {
  public:
-  /// `protocol` and `sink` must outlive it.
+  /// `protocol` and `sink` must outlive it. Throws InputError where something was done before and the protocol does not
+  /// allow to resume.
   SessionFlow(const Protocol& protocol, const SessionSchedule& schedule, const SessionDone& done,
               const SessionFlowOptions& options, SessionSink& sink);
   ~SessionFlow();
@@ -90,9 +99,11 @@ class SessionFlow {
 
   // What the experimenter may do.
   void pause(const std::string& reason);
+  /// Goes on after pause(). The trial that was stopped comes again.
   void resume();
   /// The trial that runs, or else the last, again.
   void redo();
+  /// Ends the session: a last page is shown until Enter, or until this is called again.
   void abort(const std::string& reason);
   void note(const std::string& text);
   /// Something that whoever runs the session noticed: "clock_jump", "monitor_lost", ...

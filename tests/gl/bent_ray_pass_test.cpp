@@ -50,6 +50,25 @@ void expectAgreement(const C& camera, const Mesh& mesh, const GlRenderer& render
   EXPECT_LE(d.apart, d.samples / 5000) << scene << ": " << d;
 }
 
+TEST_P(BentRayPassTest, movesAndReplacesVertices) {
+  const Mesh first = loadScene("builtin:boxes", {}, {});
+  GlRenderer renderer(*context_, first);
+  Mesh moved = loadScene("builtin:statues", {}, {});
+  renderer.setMesh(moved);
+  const GraphCamera graph = test::crossroads(pinhole());
+  EXPECT_EQ(renderer.draw(graph), GlRenderer(*context_, moved).draw(graph));
+  const FragmentImage before = renderer.draw(pinhole());
+  const size_t count = moved.positions.size() / 4;
+  for (size_t v = count; v < 2 * count; ++v) {
+    moved.positions[v] += glm::vec3(0.1f, 0.3f, -0.2f);
+  }
+  renderer.moveVertices(moved, count, count);
+  const GlRenderer fresh(*context_, moved);
+  EXPECT_EQ(renderer.draw(graph), fresh.draw(graph));
+  EXPECT_EQ(renderer.draw(pinhole()), fresh.draw(pinhole()));
+  EXPECT_NE(renderer.draw(pinhole()), before);
+}
+
 TEST_P(BentRayPassTest, agreesWithTheProcessor) {
   for (const char* scene : {"builtin:boxes", "builtin:statues", "builtin:fence,gap=4", "builtin:room"}) {
     const Mesh mesh = loadScene(scene, {}, {});

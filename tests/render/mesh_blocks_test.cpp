@@ -37,6 +37,33 @@ TEST(MeshBlocks, findsEveryTriangleOfAHalfSpace) {
   }
 }
 
+TEST(MeshBlocks, followsVerticesThatMove) {
+  Mesh mesh = loadScene("builtin:boxes", {}, {});
+  MeshBlocks blocks(mesh);
+  const size_t first = mesh.positions.size() / 3;
+  const size_t count = mesh.positions.size() / 5;
+  for (size_t v = first; v < first + count; ++v) {
+    mesh.positions[v] += glm::vec3(3, -2, 1);
+  }
+  mesh.positions[first].x = std::numeric_limits<float>::quiet_NaN();
+  blocks.update(mesh, first, count);
+  const MeshBlocks fresh(mesh);
+  ASSERT_EQ(blocks.size(), fresh.size());
+  for (size_t i = 0; i < fresh.size(); ++i) {
+    EXPECT_EQ(blocks[i].box.lower, fresh[i].box.lower) << i;
+    EXPECT_EQ(blocks[i].box.upper, fresh[i].box.upper) << i;
+    EXPECT_EQ(blocks[i].finite, fresh[i].finite) << i;
+  }
+  // The boxes around runs of blocks have moved as well: nothing is passed over that a fresh one finds.
+  const HalfSpaces spaces{beyond(Plane::through({2, 0, 0}, {1, 0, 0}))};
+  std::set<uint32_t> expected;
+  std::set<uint32_t> found;
+  fresh.forEachWithin(spaces, [&](uint32_t block, Placement) { expected.insert(block); });
+  blocks.forEachWithin(spaces, [&](uint32_t block, Placement) { found.insert(block); });
+  EXPECT_FALSE(expected.empty());
+  EXPECT_EQ(found, expected);
+}
+
 TEST(MeshBlocks, leavesTrianglesOutThatAreNone) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {nan, 5, 5}}, {}, {}};

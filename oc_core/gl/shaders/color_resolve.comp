@@ -1,7 +1,11 @@
-// The colours of fragments: those of the corners, by weight.
+// The colours of fragments: those of the corners, by weight. ENCODED: as sRGB bytes.
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform usampler2D fragments;
+#ifdef ENCODED
+layout(binding = 0, rgba8) writeonly uniform image2D image;
+#else
 layout(binding = 0, rgba32f) writeonly uniform image2D image;
+#endif
 layout(std430, binding = 2) readonly buffer Colors { float colors[]; };
 layout(location = 0) uniform vec3 background;
 
@@ -21,5 +25,8 @@ void main() {
     vec2 b = weightsOf(fragment);
     color = colorAt(vertices.x) * (1.0 - b.x - b.y) + colorAt(vertices.y) * b.x + colorAt(vertices.z) * b.y;
   }
+#ifdef ENCODED
+  color = srgbFromLinear(color);
+#endif
   imageStore(image, pixel, vec4(color, fragment.y == kNoTriangle ? 0.0 : 1.0));
 }

@@ -1,0 +1,237 @@
+#include "study/screen/instruction_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "oc_core/constructor/comprehensive_constructor.h"
+#include "oc_core/constructor/portal_constructor.h"
+#include "oc_core/gl/gl_api.h"
+#include "oc_core/scene/maze_file.h"
+#include "study/screen/screen_target.h"
+#include "study/screen/study_pieces.h"
+#include "study/screen/trial_overlay.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kEyeHeightMeters = 1.6;
+constexpr double kFovHorizontalDegrees = 75;
+
+/// A crossing, and two corridors that turn back at each of its sides. One enters from the south.
+Maze exampleMaze() {
+  return mazeFromJsonText(R"({"plan": [
+    "+-+-+-+-+-+",
+    "|   | |   |",
+    "+ +-+ +-+ +",
+    "|         |",
+    "+ +-+ +-+ +",
+    "|   | |   |",
+    "+-+-+ +-+-+"]})",
+                          "an example");
+}
+
+/// One object, around the corner.
+Maze mazeToSearch() {
+  Maze maze = exampleMaze();
+  maze.landmarks = {{{1, 1}, LandmarkShape::kSphere, LandmarkColor::kOrange, 0, -0.1f}};
+  return maze;
+}
+
+/// From the left to the right.
+Maze mazeToCount() {
+  Maze maze = exampleMaze();
+  maze.landmarks = {{{0, 1}, LandmarkShape::kCone, LandmarkColor::kYellow},
+                    {{2, 1}, LandmarkShape::kCube, LandmarkColor::kSkyBlue},
+                    {{1, 3}, LandmarkShape::kSphere, LandmarkColor::kVermilion, 0.1f, 0.1f},
+                    {{0, 3}, LandmarkShape::kColumn, LandmarkColor::kPurple},
+                    {{2, 3}, LandmarkShape::kPyramid, LandmarkColor::kOrange}};
+  return maze;
+}
+
+/// From the middle of a cell, or as far behind it as walls allow.
+PinholeCamera eyeIn(const Maze& maze, const MazeCell& cell, Direction heading, double backMeters, int width,
+                    int height) {
+  View view;
+  view.eye =
+      maze.centerOf(cell) + glm::vec3(0, kEyeHeightMeters, 0) - static_cast<float>(backMeters) * vectorOf(heading);
+  view.target = view.eye + vectorOf(heading);
+  view.fovVerticalDegrees =
+      degreesFromRadians(2 * std::atan(std::tan(radiansFromDegrees(kFovHorizontalDegrees / 2)) * height / width));
+  view.zNear = 0.05f;
+  view.zFar = 200;
+  return {view, width, height};
+}
+
+TrialPicture pictureToSearch(const StudyScene& scene, bool graph, int width, int height) {
+  TrialPicture picture;
+  picture.scene = &scene;
+  const PinholeCamera eye = eyeIn(scene.maze(), {2, 2}, Direction::kNorth, 1, width, height);
+  SceneGuides guides;
+  guides.maze = scene.maze();
+  const PixelRect place{0, 0, static_cast<double>(width), static_cast<double>(height)};
+  if (graph) {
+    picture.views.push_back({place, buildPortalCamera({}, guides, eye)});
+  } else {
+    picture.views.push_back({place, eye});
+  }
+  return picture;
+}
+
+TrialPicture pictureToCount(const StudyScene& scene, bool graph, int width, int height) {
+  TrialPicture picture;
+  picture.scene = &scene;
+  if (graph) {
+    picture.views.push_back({{0, 0, static_cast<double>(width), static_cast<double>(height)},
+                             makeComprehensiveCamera(scene.maze(), {}, width, height)});
+    return picture;
+  }
+  constexpr int kColumns = 3;
+  constexpr int kGap = 6;
+  const int across = (width - (kColumns - 1) * kGap) / kColumns;
+  const int down = (height - kGap) / 2;
+  const std::array<std::pair<MazeCell, Direction>, 6> eyes{{{{0, 0}, Direction::kEast},
+                                                            {{2, 2}, Direction::kNorth},
+                                                            {{0, 4}, Direction::kWest},
+                                                            {{2, 0}, Direction::kEast},
+                                                            {{1, 0}, Direction::kEast},
+                                                            {{2, 4}, Direction::kWest}}};
+  for (int i = 0; i < static_cast<int>(eyes.size()); ++i) {
+    const auto& [cell, heading] = eyes[static_cast<size_t>(i)];
+    const PixelRect place{static_cast<double>(i % kColumns * (across + kGap)),
+                          static_cast<double>(i / kColumns * (down + kGap)), static_cast<double>(across),
+                          static_cast<double>(down)};
+    picture.views.push_back({place, eyeIn(scene.maze(), cell, heading, 1, across, down)});
+  }
+  return picture;
+}
+
+/// Where a graph camera shows the middle of each object, from the left to the right.
+std::vector<glm::dvec2> marksOf(const StudyScene& scene, const TrialPicture& picture) {
+  std::vector<glm::dvec2> marks;
+  const auto* const camera = std::get_if<GraphCamera>(&picture.views.front().camera);
+  for (size_t i = 0; camera != nullptr && i < scene.objectCount(); ++i) {
+    const Box& box = scene.boxOf(i);
+    const auto seen = camera->projectExactly(glm::dvec3(box.lower + box.upper) / 2.0);
+    if (seen && seen->u >= 0 && seen->v >= 0 && seen->u < camera->width() && seen->v < camera->height()) {
+      marks.emplace_back(seen->u, seen->v);
+    }
+  }
+  std::ranges::sort(marks, {}, [](const glm::dvec2& mark) { return mark.x; });
+  return marks;
+}
+
+void drawPathMaps(StudyCanvas& canvas, const PixelRect& place) {
+  static const std::array<std::vector<glm::dvec2>, 3> kPaths{{
+      {{0, 3}, {0, 1}, {2, 1}, {2, 0}, {3, 0}, {3, 2}},
+      {{0, 3}, {0, 1}, {2, 1}, {2, 2}, {3, 2}, {3, 0}},
+      {{3, 3}, {3, 1}, {1, 1}, {1, 0}, {0, 0}, {0, 2}},
+  }};
+  const double gap = canvas.length(14);
+  const double side = std::floor((place.width - 2 * gap) / 3);
+  const double height = std::min(place.height, 1.2 * side);
+  for (size_t i = 0; i < kPaths.size(); ++i) {
+    const PixelRect card{place.left + static_cast<double>(i) * (side + gap), place.center().y - height / 2, side,
+                         height};
+    canvas.fill(card, kStudyCard, canvas.length(10));
+    canvas.outline(card, kStudyLine, canvas.length(1.5), canvas.length(10));
+    const double pad = canvas.length(10);
+    const double line = canvas.look().textPixels(StudyText::kSmall) + 2 * pad;
+    drawKeyCap(canvas, card.left + pad, card.top + pad + line / 2 - pad / 2, std::to_string(i + 1), kStudyCard);
+    drawPathMap(canvas, {card.left, card.top + line, card.width, card.height - line}, kPaths[i], kStudyCard);
+  }
+}
+
+struct KeyRow {
+  std::vector<std::string> keys;
+  std::string meaning;
+};
+
+std::vector<KeyRow> rowsOf(const Controls& controls) {
+  const auto name = [](Key key) { return std::string(nameOf(key)); };
+  return {{{name(controls.forward), "Up"}, "walk forward"},
+          {{name(controls.backward), "Down"}, "walk backward"},
+          {{name(controls.left), name(controls.right)}, "step to the side"},
+          {{name(controls.turnLeft), name(controls.turnRight), "Left", "Right"}, "turn"},
+          {{"right mouse button"}, "hold, move: turn"},
+          {{"Shift", "arrows"}, "move the pointer"},
+          {{name(controls.select), "left click"}, "choose"}};
+}
+
+void drawControls(StudyCanvas& canvas, const PixelRect& place, const Controls& controls) {
+  const std::vector<KeyRow> rows = rowsOf(controls);
+  const double gap = canvas.length(8);
+  double column = 0;
+  for (const KeyRow& row : rows) {
+    double width = 0;
+    for (const std::string& key : row.keys) {
+      width += keyCapWidth(canvas, key) + gap;
+    }
+    column = std::max(column, width);
+  }
+  const double pad = canvas.length(26);
+  const double rowHeight = std::min((place.height - 2 * pad) / static_cast<double>(rows.size()), canvas.length(58));
+  const double height = rowHeight * static_cast<double>(rows.size()) + 2 * pad;
+  const PixelRect card{place.left, place.center().y - height / 2, place.width, height};
+  canvas.fill(card, kStudyCard, canvas.length(12));
+  double y = card.top + pad + rowHeight / 2;
+  for (const KeyRow& row : rows) {
+    double x = card.left + pad;
+    for (const std::string& key : row.keys) {
+      x = drawKeyCap(canvas, x, y, key, kStudyField) + gap;
+    }
+    canvas.writeLine({StudyText::kBody, kStudyText, kStudyCard},
+                     {card.left + pad + column + canvas.length(10), y - canvas.look().textPixels(StudyText::kBody) / 2},
+                     row.meaning);
+    y += rowHeight;
+  }
+}
+
+}  // namespace
+
+const InstructionPictures::View& InstructionPictures::viewOf(const std::string& name, int width, int height) {
+  const std::string key = fmt::format("{} {}x{}", name, width, height);
+  if (const auto found = views_.find(key); found != views_.end()) {
+    return found->second;
+  }
+  const bool search = name.starts_with("find");
+  const bool graph = name.ends_with("gc");
+  const StudyScene scene(search ? mazeToSearch() : mazeToCount());
+  const TrialPicture picture =
+      search ? pictureToSearch(scene, graph, width, height) : pictureToCount(scene, graph, width, height);
+  View view;
+  ScreenTarget target(*context_, width, height);
+  target.clear(kStudyBackground);
+  SceneViews(*context_).draw(picture, target.color());
+  view.texture = makeTexture(*context_, GL_RGBA8, width, height);
+  context_->gl().CopyImageSubData(target.color().id(), GL_TEXTURE_2D, 0, 0, 0, 0, view.texture.id(), GL_TEXTURE_2D, 0,
+                                  0, 0, 0, width, height, 1);
+  view.marks = marksOf(scene, picture);
+  return views_.emplace(key, std::move(view)).first->second;
+}
+
+void InstructionPictures::draw(StudyCanvas& canvas, const std::string& name, const PixelRect& place) {
+  if (name == "controls") {
+    drawControls(canvas, place, controls_);
+    return;
+  }
+  if (name == "path_maps") {
+    drawPathMaps(canvas, place);
+    return;
+  }
+  if (std::ranges::find(kInstructionPictures, name) == kInstructionPictures.end()) {
+    return;
+  }
+  const View& view = viewOf(name, static_cast<int>(place.width), static_cast<int>(place.height));
+  canvas.image(view.texture, place);
+  canvas.outline(place, kStudyLine, canvas.length(1.5));
+  for (size_t i = 0; i < view.marks.size(); ++i) {
+    const glm::dvec2 center = glm::dvec2(place.left, place.top) + view.marks[i];
+    const double radius = canvas.length(view.marks.size() == 1 ? 44 : 30);
+    canvas.ring(center, radius, kStudyInk, canvas.length(7));
+    canvas.ring(center, radius, {255, 255, 255}, canvas.length(3));
+  }
+}
+
+}  // namespace ocelli

@@ -1,0 +1,27 @@
+// Pages of text: instructions, consent, feedback, breaks, pauses, the end.
+#pragma once
+
+#include <string>
+
+#include "study/screen/instruction_pictures.h"
+#include "study/screen/study_canvas.h"
+#include "study/session/session_screen.h"
+
+namespace ocelli {
+
+/// How far a text that is longer than its place is scrolled, in pixels.
+struct PageScroll {
+  double offset = 0;
+  double most = 0;  ///< set by what was drawn last; 0 where all of it fits
+
+  void move(double pixels);
+};
+
+/// What was clicked: to go on, or to decline.
+enum class PageClick { kNothing, kGoOn, kDecline };
+
+PageClick drawPage(StudyCanvas& canvas, const PageScreen& page, InstructionPictures& pictures, PageScroll& scroll);
+PageClick drawConsent(StudyCanvas& canvas, const ConsentScreen& consent, PageScroll& scroll);
+PageClick drawPause(StudyCanvas& canvas, const PauseScreen& pause);
+
+}  // namespace ocelli

@@ -1,0 +1,105 @@
+// What the screens of a study are drawn with: texts, shapes and places that react to the mouse, in pixels of the
+// screen. It notes where each line of text stands and on what, so that a test can tell whether all of it can be read.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "oc_core/gl/gui_layer.h"
+#include "study/screen/study_look.h"
+#include "study/task/pixel_rect.h"
+
+struct ImDrawList;
+
+namespace ocelli {
+
+/// A line of text that was drawn.
+struct TextBox {
+  PixelRect place;
+  double pixels = 0;  ///< as StudyLook::textPixels()
+  GuiColor color;
+  GuiColor background;  ///< what it is drawn on
+  std::string text;
+};
+
+enum class TextAlign { kLeft, kCenter, kRight };
+
+/// How text is written.
+struct Ink {
+  StudyText text = StudyText::kBody;
+  GuiColor color = kStudyText;
+  GuiColor background = kStudyBackground;
+  TextAlign align = TextAlign::kLeft;
+};
+
+/// What the mouse does to a place.
+struct Touch {
+  bool hovered = false;
+  bool held = false;
+  bool clicked = false;
+};
+
+class StudyCanvas {
+ public:
+  /// A screen of so many pixels. Throws GlError.
+  StudyCanvas(GlContext& context, int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  const StudyLook& look() const { return look_; }
+  double length(double at1280x800) const { return look_.length(at1280x800); }
+
+  /// The mouse. Other events are not for what is drawn here.
+  void handle(const InputEvent& event);
+  bool hasWaitingEvents() const { return gui_.hasWaitingEvents(); }
+  void begin(double secondsSinceLast);
+  /// Into the bound framebuffer. Hold a GlScope. Throws GlError.
+  void end();
+
+  // Between begin() and end().
+  double lineHeight(StudyText text) const;
+  double widthOf(const std::string& text, StudyText style) const;
+  /// Cut at spaces where a line would be wider, and at newlines.
+  std::vector<std::string> lines(const std::string& text, StudyText style, double width) const;
+  /// One line. `at` is its top left, middle of the top, or top right, as aligned. Returns its right end.
+  double writeLine(const Ink& ink, const glm::dvec2& at, const std::string& text);
+  /// As many lines as it takes, in a column of this width. Returns the lower end.
+  double write(const Ink& ink, const PixelRect& column, const std::string& text);
+  double heightOf(const std::string& text, StudyText style, double width) const;
+
+  void fill(const PixelRect& place, GuiColor color, double rounding = 0);
+  void outline(const PixelRect& place, GuiColor color, double thickness, double rounding = 0);
+  void line(std::span<const glm::dvec2> points, GuiColor color, double thickness);
+  void disc(const glm::dvec2& center, double radius, GuiColor color);
+  void ring(const glm::dvec2& center, double radius, GuiColor color, double thickness);
+  /// A part of a ring, clockwise from the top, shares of the whole.
+  void arc(const glm::dvec2& center, double radius, double share, GuiColor color, double thickness);
+  void triangle(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, GuiColor color);
+  /// Row 0 of the texture is the top.
+  void image(const GlObject& texture, const PixelRect& place);
+
+  /// What is drawn until endClip() is cut off at the borders of `place`; lines of text that are cut are left out.
+  void beginClip(const PixelRect& place);
+  void endClip();
+
+  Touch touch(const std::string& name, const PixelRect& place);
+  /// Steps of the wheel since the last frame, up is positive.
+  double wheel() const;
+
+  const std::vector<TextBox>& textBoxes() const { return textBoxes_; }
+
+ private:
+  ImFont* fontOf(StudyText text) const;
+
+  int width_;
+  int height_;
+  StudyLook look_;
+  GuiLayer gui_;
+  ImDrawList* list_ = nullptr;
+  std::vector<PixelRect> clips_;
+  std::vector<TextBox> textBoxes_;
+};
+
+}  // namespace ocelli

@@ -1,0 +1,56 @@
+// Draws what a session shows, whatever it is, and tells what the mouse does to it. Keys are the session's own.
+//
+//   StudyPainter painter(context, screen, controls);
+//   painter.handle(event);                              // as they come
+//   const StudyFrame frame = painter.draw(flow.screen());
+//   window.present(painter.framebuffer(), ...);
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "oc_core/base/png_file.h"
+#include "oc_core/gl/gl_object.h"
+#include "study/screen/study_canvas.h"
+#include "study/session/session_flow.h"
+
+namespace ocelli {
+
+struct StudyFrame {
+  std::optional<FormAction> action{};  ///< what was clicked
+  std::optional<uint64_t> pixelHash{};
+};
+
+class StudyPainter {
+ public:
+  /// The context must outlive it. Throws GlError.
+  StudyPainter(GlContext& context, const TrialScreen& screen, const Controls& controls);
+  ~StudyPainter();
+  StudyPainter(const StudyPainter&) = delete;
+  StudyPainter& operator=(const StudyPainter&) = delete;
+
+  /// Positions are pixels of the screen.
+  void handle(const InputEvent& event);
+  /// `hash` asks for that of a trial's picture (trial_painter.h), without the patch of a photodiode. Hold a GlScope,
+  /// here and below. Throws GlError.
+  StudyFrame draw(const SessionScreen& screen, double secondsSinceLast = 1.0 / 60, bool hash = false);
+  /// Clicks that a frame has not taken yet.
+  bool hasWaitingEvents() const;
+
+  const GlObject& framebuffer() const;
+  Image<Rgb8> image() const;
+  const std::vector<TextBox>& textBoxes() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// What a screen is, in a word: "page", "consent", "form", "trial", "pause"; for the names of pictures.
+const char* kindOf(const SessionScreen& screen);
+/// Whether another screen is shown than before, so that a picture of each can be kept: another page, form or kind, or
+/// another prompt of a trial.
+std::string identityOf(const SessionScreen& screen);
+
+}  // namespace ocelli

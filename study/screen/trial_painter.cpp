@@ -1,0 +1,61 @@
+#include "study/screen/trial_painter.h"
+
+#include <span>
+#include <string>
+
+#include "oc_core/base/sha256.h"
+#include "study/screen/screen_target.h"
+#include "study/screen/trial_overlay.h"
+
+namespace ocelli {
+namespace {
+
+/// Kept together with the scope in which its parts are made and go.
+struct Parts {
+  Parts(GlContext& context, const TrialScreen& screen)
+      : target(context, screen.width, screen.height), canvas(context, screen.width, screen.height), views(context) {}
+
+  ScreenTarget target;
+  StudyCanvas canvas;
+  SceneViews views;
+};
+
+}  // namespace
+
+struct TrialPainter::State {
+  GlContext& context;
+  std::unique_ptr<Parts> parts;
+};
+
+TrialPainter::TrialPainter(GlContext& context, const TrialScreen& screen) : state_(new State{context, nullptr}) {
+  const GlScope scope(context);
+  state_->parts = std::make_unique<Parts>(context, screen);
+}
+
+TrialPainter::~TrialPainter() = default;
+
+Image<Rgb8> TrialPainter::render(const TrialPicture& picture) {
+  const GlScope scope(state_->context);
+  Parts& parts = *state_->parts;
+  parts.target.clear(kStudyBackground);
+  parts.views.draw(picture, parts.target.color());
+  parts.target.bind();
+  parts.canvas.begin(0);
+  drawTrialOverlay(parts.canvas, picture, parts.views);
+  parts.target.bind();
+  parts.canvas.end();
+  return parts.target.read();
+}
+
+Image<Rgb8> renderTrialPicture(GlContext& context, const TrialPicture& picture, const TrialScreen& screen) {
+  return TrialPainter(context, screen).render(picture);
+}
+
+uint64_t pixelHashOf(const Image<Rgb8>& image) {
+  static_assert(sizeof(Rgb8) == 3);
+  const std::string hexadecimal =
+      sha256(std::span(reinterpret_cast<const uint8_t*>(image.data()), image.size() * sizeof(Rgb8)));
+  return std::stoull(hexadecimal.substr(0, 16), nullptr, 16);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,183 @@
+// A screen of each kind, as a session shows them, for tests of what draws them.
+#pragma once
+
+#include <memory>
+
+#include "oc_core/constructor/portal_constructor.h"
+#include "oc_core/scene/maze_file.h"
+#include "study/session/session_screen.h"
+
+namespace ocelli::test {
+
+/// A crossing with an orange sphere and a blue cube in sight of who comes in from the south.
+inline Maze sampleMaze() {
+  return mazeFromJsonText(R"({"plan": [
+    "+-+-+-+-+-+",
+    "|   | |   |",
+    "+ +-+ +-+ +",
+    "|         |",
+    "+ +-+ +-+ +",
+    "|   | |   |",
+    "+-+-+ +-+-+"],
+    "landmarks": [
+      {"row": 1, "column": 2, "shape": "sphere", "color": "orange", "east": -0.2, "south": 0},
+      {"row": 0, "column": 2, "shape": "cube", "color": "blue", "east": 0.1, "south": 0}]})",
+                          "sample");
+}
+
+inline PinholeCamera sampleEye(const Maze& maze, int width, int height) {
+  View view;
+  view.eye = maze.centerOf({2, 2}) + glm::vec3(0, 1.6f, 1);
+  view.target = view.eye + glm::vec3(0, 0, -1);
+  view.fovVerticalDegrees = 55;
+  view.zNear = 0.05f;
+  view.zFar = 100;
+  return {view, width, height};
+}
+
+inline GraphCamera sampleGraphCamera(const Maze& maze, int width, int height) {
+  SceneGuides guides;
+  guides.maze = maze;
+  return buildPortalCamera({}, guides, sampleEye(maze, width, height));
+}
+
+/// The parts that screens point at.
+struct SampleStudy {
+  StudyScene scene{sampleMaze()};
+  ProtocolForm form{
+      "demographics",
+      "About you",
+      "Your answers are kept under your number alone.",
+      {{"age_band", "How old are you?", {"18-24", "25-34", "35-44", "45-54", "55 or older"}, {}},
+       {"experience",
+        "How much experience do you have with walking through 3D scenes, such as games?",
+        {"1", "2", "3", "4", "5"},
+        {"none", "very much"}},
+       {"vision", "Is your vision normal, if need be with glasses or lenses?", {"yes", "no"}, {}},
+       {"colors", "Can you tell colours apart?", {"yes", "not all of them", "I would rather not say"}, {}},
+       {"hand", "Which hand holds the mouse?", {"right", "left"}, {}}}};
+  std::vector<std::string> consent;
+
+  SampleStudy() {
+    for (int i = 1; i <= 7; ++i) {
+      consent.push_back(
+          "You are invited to take part in a study of how people find their way in scenes on a screen. You will walk "
+          "through mazes, count objects and tell paths apart. It takes about forty minutes, with breaks. You may stop "
+          "at any time, without giving a reason and without any disadvantage.");
+    }
+  }
+
+  PixelRect stage(const TrialScreen& screen) const {
+    const double top = promptHeight(screen);
+    return {0, top, static_cast<double>(screen.width), screen.height - top};
+  }
+
+  PageScreen instructions(const std::string& picture) const {
+    return {"Find the object",
+            {"An object is hidden in a maze. Walk until you see it, then click on it.",
+             "In this part the view bends around corners: at each side corridor you see what lies in it.",
+             "You have 60 seconds. Be as quick as you can."},
+            picture,
+            {},
+            {},
+            0,
+            "Enter: begin practice"};
+  }
+  ConsentScreen consentScreen() const { return {{"Consent to take part", consent}}; }
+  FormScreen formScreen(bool missing) const {
+    FormScreen screen{&form, {1, 3, std::nullopt, std::nullopt, 0}, missing ? 2 : 1, missing};
+    return screen;
+  }
+  PageScreen feedback(bool good) const {
+    return {good ? "Right" : "Not right",
+            {good ? "You found the object in 8.4 seconds." : "You counted 5 objects. There were 6."},
+            {},
+            good,
+            {},
+            0,
+            "Enter: go on"};
+  }
+  PageScreen rest(double wait) const {
+    return {"Time for a break",
+            {"Look away from the screen for a while and rest your eyes."},
+            {},
+            {},
+            SessionProgress{31, 86, 1, 5},
+            wait,
+            "Enter: go on"};
+  }
+  PageScreen end() const {
+    return {"Thank you", {"You have done all of this session.", "Please tell the experimenter."}, {}, {}, {}, 0, ""};
+  }
+  PauseScreen pause() const { return {"The experimenter will be with you in a moment. Your data are safe."}; }
+  TrialScreenView finding(const TrialScreen& screen, StudyView view, bool patch = false) const {
+    TrialScreenView trial;
+    trial.picture.scene = &scene;
+    const PixelRect place = stage(screen);
+    const int width = static_cast<int>(place.width);
+    const int height = static_cast<int>(place.height);
+    if (view == StudyView::kGraph) {
+      trial.picture.views.push_back({place, sampleGraphCamera(scene.maze(), width, height)});
+    } else {
+      trial.picture.views.push_back({place, sampleEye(scene.maze(), width, height)});
+    }
+    trial.picture.prompt = "Find this object and click on it";
+    trial.picture.soughtObject = 0;
+    trial.picture.pointer = place.center() + glm::dvec2(40, -30);
+    trial.showsPatch = patch;
+    trial.patchWhite = patch;
+    return trial;
+  }
+  TrialScreenView counting(const TrialScreen& screen) const {
+    TrialScreenView trial;
+    trial.picture.prompt = "How many objects did you see?";
+    const PixelRect place = stage(screen);
+    for (int i = 0; i < 7; ++i) {
+      const double side = std::floor(place.width / 14);
+      trial.picture.choices.push_back({{place.left + side * (1.5 + 1.6 * i), place.center().y - side / 2, side, side},
+                                       std::to_string(i + 2),
+                                       static_cast<Key>(static_cast<int>(Key::k2) + i),
+                                       i == 3});
+    }
+    trial.picture.pointer = place.center() + glm::dvec2(0, 80);
+    return trial;
+  }
+  TrialScreenView matching(const TrialScreen& screen) const {
+    TrialScreenView trial;
+    trial.picture.prompt = "Which of these paths did you walk?";
+    const PixelRect place = stage(screen);
+    const double side = std::floor(place.width / 4);
+    for (int i = 0; i < 3; ++i) {
+      const PixelRect map{place.left + side * (0.25 + 1.25 * i), place.top + place.height * 0.2, side, side};
+      const double turn = i - 1.0;
+      trial.picture.maps.push_back({map, {{0, 9}, {0, 3}, {6, 3}, {6, 3 + 3 * turn}, {9, 3 + 3 * turn}, {9, 9}}});
+      trial.picture.choices.push_back(
+          {map, std::to_string(i + 1), static_cast<Key>(static_cast<int>(Key::k1) + i), i == 1});
+    }
+    return trial;
+  }
+
+  std::vector<std::pair<std::string, SessionScreen>> all(const TrialScreen& screen) const {
+    std::vector<std::pair<std::string, SessionScreen>> screens{
+        {"consent", consentScreen()},
+        {"form", formScreen(false)},
+        {"form_missing", formScreen(true)},
+        {"text", PageScreen{"Welcome", {consent[0], consent[1], consent[2]}, {}, {}, {}, 0, "Enter: go on"}},
+        {"right", feedback(true)},
+        {"wrong", feedback(false)},
+        {"break_wait", rest(38.2)},
+        {"break", rest(0)},
+        {"end", end()},
+        {"pause", pause()},
+        {"find_ppc", finding(screen, StudyView::kPinhole)},
+        {"find_gc", finding(screen, StudyView::kGraph, true)},
+        {"count", counting(screen)},
+        {"path", matching(screen)}};
+    for (const char* picture : {"find_ppc", "find_gc", "count_ppc", "count_gc", "path_maps", "controls"}) {
+      screens.emplace_back(std::string("page_") + picture, instructions(picture));
+    }
+    return screens;
+  }
+};
+
+}  // namespace ocelli::test
