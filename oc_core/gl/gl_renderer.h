@@ -56,7 +56,7 @@ class GlRenderer final : public SceneDrawer {
 
   /// Linear colours as a texture of GL_RGBA32F, `background` where nothing is seen; alpha says which.
   GlObject colors(const GlFragments& fragments, const glm::vec3& background) const;
-  /// The same as sRGB values in a texture of GL_RGBA8; `background` is linear too.
+  /// The same as sRGB values in an opaque texture of GL_RGBA8; `background` is linear too.
   GlObject encodedColors(const GlFragments& fragments, const glm::vec3& background) const;
 
  private:

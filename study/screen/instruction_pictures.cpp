@@ -12,16 +12,34 @@
 #include "study/screen/screen_target.h"
 #include "study/screen/study_pieces.h"
 #include "study/screen/trial_overlay.h"
+#include "study/task/trial_image.h"
 
 namespace ocelli {
 namespace {
 
 constexpr double kEyeHeightMeters = 1.6;
-constexpr double kFovHorizontalDegrees = 75;
+constexpr double kFovHorizontalDegrees = 60;
+
+/// A corridor from the south to a crossing, with one object around the corner.
+Maze mazeToSearch() {
+  Maze maze = mazeFromJsonText(R"({"plan": [
+    "+-+-+-+-+-+",
+    "|   | |   |",
+    "+ +-+ +-+ +",
+    "|         |",
+    "+ +-+ +-+ +",
+    "| | | | | |",
+    "+ + + + + +",
+    "|   | |   |",
+    "+-+-+ +-+-+"]})",
+                               "an example");
+  maze.landmarks = {{{1, 1}, LandmarkShape::kSphere, LandmarkColor::kOrange, 0.15f, -0.1f}};
+  return maze;
+}
 
 /// A crossing, and two corridors that turn back at each of its sides. One enters from the south.
-Maze exampleMaze() {
-  return mazeFromJsonText(R"({"plan": [
+Maze mazeToCount() {
+  Maze maze = mazeFromJsonText(R"({"plan": [
     "+-+-+-+-+-+",
     "|   | |   |",
     "+ +-+ +-+ +",
@@ -29,19 +47,7 @@ Maze exampleMaze() {
     "+ +-+ +-+ +",
     "|   | |   |",
     "+-+-+ +-+-+"]})",
-                          "an example");
-}
-
-/// One object, around the corner.
-Maze mazeToSearch() {
-  Maze maze = exampleMaze();
-  maze.landmarks = {{{1, 1}, LandmarkShape::kSphere, LandmarkColor::kOrange, 0, -0.1f}};
-  return maze;
-}
-
-/// From the left to the right.
-Maze mazeToCount() {
-  Maze maze = exampleMaze();
+                               "an example");
   maze.landmarks = {{{0, 1}, LandmarkShape::kCone, LandmarkColor::kYellow},
                     {{2, 1}, LandmarkShape::kCube, LandmarkColor::kSkyBlue},
                     {{1, 3}, LandmarkShape::kSphere, LandmarkColor::kVermilion, 0.1f, 0.1f},
@@ -67,12 +73,14 @@ PinholeCamera eyeIn(const Maze& maze, const MazeCell& cell, Direction heading, d
 TrialPicture pictureToSearch(const StudyScene& scene, bool graph, int width, int height) {
   TrialPicture picture;
   picture.scene = &scene;
-  const PinholeCamera eye = eyeIn(scene.maze(), {2, 2}, Direction::kNorth, 1, width, height);
+  const PinholeCamera eye = eyeIn(scene.maze(), {3, 2}, Direction::kNorth, 0, width, height);
   SceneGuides guides;
   guides.maze = scene.maze();
   const PixelRect place{0, 0, static_cast<double>(width), static_cast<double>(height)};
   if (graph) {
-    picture.views.push_back({place, buildPortalCamera({}, guides, eye)});
+    PortalOptions options;
+    options.bentBeyond = 1;
+    picture.views.push_back({place, buildPortalCamera(options, guides, eye)});
   } else {
     picture.views.push_back({place, eye});
   }
@@ -83,8 +91,10 @@ TrialPicture pictureToCount(const StudyScene& scene, bool graph, int width, int 
   TrialPicture picture;
   picture.scene = &scene;
   if (graph) {
+    ComprehensiveOptions options;
+    options.nearness = 0.8;
     picture.views.push_back({{0, 0, static_cast<double>(width), static_cast<double>(height)},
-                             makeComprehensiveCamera(scene.maze(), {}, width, height)});
+                             makeComprehensiveCamera(scene.maze(), options, width, height)});
     return picture;
   }
   constexpr int kColumns = 3;
@@ -107,18 +117,23 @@ TrialPicture pictureToCount(const StudyScene& scene, bool graph, int width, int 
   return picture;
 }
 
-/// Where a graph camera shows the middle of each object, from the left to the right.
+/// Where the view shows each object: the middle of its pixels.
 std::vector<glm::dvec2> marksOf(const StudyScene& scene, const TrialPicture& picture) {
-  std::vector<glm::dvec2> marks;
-  const auto* const camera = std::get_if<GraphCamera>(&picture.views.front().camera);
-  for (size_t i = 0; camera != nullptr && i < scene.objectCount(); ++i) {
-    const Box& box = scene.boxOf(i);
-    const auto seen = camera->projectExactly(glm::dvec3(box.lower + box.upper) / 2.0);
-    if (seen && seen->u >= 0 && seen->v >= 0 && seen->u < camera->width() && seen->v < camera->height()) {
-      marks.emplace_back(seen->u, seen->v);
+  const FragmentImage seen = rasterizeStudy(picture.views.front().camera, scene.mesh());
+  std::vector<glm::dvec3> sums(scene.objectCount() + 1, glm::dvec3(0));
+  for (int y = 0; y < seen.height(); ++y) {
+    for (int x = 0; x < seen.width(); ++x) {
+      if (seen(x, y).covered()) {
+        sums[scene.objectOfTriangle()[seen(x, y).triangle]] += glm::dvec3(x + 0.5, y + 0.5, 1);
+      }
     }
   }
-  std::ranges::sort(marks, {}, [](const glm::dvec2& mark) { return mark.x; });
+  std::vector<glm::dvec2> marks;
+  for (size_t i = 1; i < sums.size(); ++i) {
+    if (sums[i].z > 0) {
+      marks.emplace_back(glm::dvec2(sums[i]) / sums[i].z);
+    }
+  }
   return marks;
 }
 
@@ -197,7 +212,7 @@ const InstructionPictures::View& InstructionPictures::viewOf(const std::string& 
   }
   const bool search = name.starts_with("find");
   const bool graph = name.ends_with("gc");
-  const StudyScene scene(search ? mazeToSearch() : mazeToCount());
+  const StudyScene scene(search ? mazeToSearch() : mazeToCount(), search);
   const TrialPicture picture =
       search ? pictureToSearch(scene, graph, width, height) : pictureToCount(scene, graph, width, height);
   View view;
@@ -207,7 +222,9 @@ const InstructionPictures::View& InstructionPictures::viewOf(const std::string& 
   view.texture = makeTexture(*context_, GL_RGBA8, width, height);
   context_->gl().CopyImageSubData(target.color().id(), GL_TEXTURE_2D, 0, 0, 0, 0, view.texture.id(), GL_TEXTURE_2D, 0,
                                   0, 0, 0, width, height, 1);
-  view.marks = marksOf(scene, picture);
+  if (graph) {
+    view.marks = marksOf(scene, picture);
+  }
   return views_.emplace(key, std::move(view)).first->second;
 }
 

@@ -22,12 +22,27 @@ double paragraphsHeight(const StudyCanvas& canvas, const std::vector<std::string
   return height;
 }
 
+/// The keys that show the rest of a long text.
+void drawScrollHint(StudyCanvas& canvas, double left, double middle, GuiColor background) {
+  const double gap = canvas.length(10);
+  double x = drawKeyCap(canvas, left, middle, "PageUp", background);
+  x = drawKeyCap(canvas, x + gap, middle, "PageDown", background);
+  canvas.writeLine({StudyText::kSmall, kStudyTextDim, background},
+                   {x + gap, middle - canvas.look().textPixels(StudyText::kSmall) / 2}, "show the rest");
+}
+
 /// Paragraphs in a column; where they are too long for it, as far as they are scrolled, with a bar beside them.
-void writeParagraphs(StudyCanvas& canvas, const PixelRect& column, const std::vector<std::string>& paragraphs,
+void writeParagraphs(StudyCanvas& canvas, PixelRect column, const std::vector<std::string>& paragraphs,
                      GuiColor background, TextAlign align, PageScroll& scroll) {
-  const bool fits = paragraphsHeight(canvas, paragraphs, StudyText::kBody, column.width) <= column.height;
+  const bool fits = paragraphsHeight(canvas, paragraphs, StudyText::kBody, column.width) <= column.height + 1;
   const StudyText text = fits ? StudyText::kBody : StudyText::kSmall;
-  scroll.most = std::max(0.0, paragraphsHeight(canvas, paragraphs, text, column.width) - column.height);
+  const double height = paragraphsHeight(canvas, paragraphs, text, column.width);
+  if (height > column.height + 1) {
+    const double line = canvas.lineHeight(StudyText::kSmall) + canvas.length(14);
+    column.height -= line;
+    drawScrollHint(canvas, column.left, column.bottom() + line - canvas.lineHeight(StudyText::kSmall) / 2, background);
+  }
+  scroll.most = std::max(0.0, height - column.height - 1);
   scroll.move(0);
   canvas.beginClip(column);
   double y = column.top - scroll.offset;
@@ -43,22 +58,6 @@ void writeParagraphs(StudyCanvas& canvas, const PixelRect& column, const std::ve
     const double top = bar.top + (bar.height * (1 - share)) * scroll.offset / scroll.most;
     canvas.fill({bar.left, top, bar.width, bar.height * share}, kStudyAccent, canvas.length(4));
   }
-}
-
-/// Where there is more than is seen: the keys that show it.
-void drawScrollHint(StudyCanvas& canvas, const PixelRect& footer, const PageScroll& scroll) {
-  if (scroll.most <= 0) {
-    return;
-  }
-  const double gap = canvas.length(10);
-  const double middle = footer.center().y;
-  const double width = keyCapWidth(canvas, "PageUp") + keyCapWidth(canvas, "PageDown") + 2 * gap +
-                       canvas.widthOf("scroll", StudyText::kSmall);
-  double x = footer.center().x - width / 2 - canvas.length(60);
-  x = drawKeyCap(canvas, x, middle, "PageUp", kStudyCard);
-  x = drawKeyCap(canvas, x + gap, middle, "PageDown", kStudyCard);
-  canvas.writeLine({StudyText::kSmall, kStudyTextDim, kStudyCard},
-                   {x + gap, middle - canvas.look().textPixels(StudyText::kSmall) / 2}, "scroll");
 }
 
 PixelRect buttonPlace(const StudyCanvas& canvas, const PixelRect& footer, double right, const ButtonLook& look) {
@@ -170,7 +169,6 @@ PageClick drawPage(StudyCanvas& canvas, const PageScreen& page, InstructionPictu
   } else {
     drawIllustrated(canvas, page, area, pictures, scroll);
   }
-  drawScrollHint(canvas, footer, scroll);
   if (page.action.empty()) {
     return PageClick::kNothing;
   }
@@ -193,7 +191,6 @@ PageClick drawConsent(StudyCanvas& canvas, const ConsentScreen& consent, PageScr
   canvas.fill(card, kStudyCard, canvas.length(12));
   writeParagraphs(canvas, {card.left + pad, card.top + pad, card.width - 2 * pad, card.height - 2 * pad},
                   consent.text.paragraphs, kStudyCard, TextAlign::kLeft, scroll);
-  drawScrollHint(canvas, footer, scroll);
   const ButtonLook agree{"I agree", "Enter", true, true};
   const ButtonLook decline{"I do not agree", "Escape", false};
   const PixelRect agreePlace = buttonPlace(canvas, footer, footer.right() - canvas.length(36), agree);

@@ -7,7 +7,7 @@
 #include "study/screen/page_drawing.h"
 #include "study/screen/screen_target.h"
 #include "study/screen/trial_overlay.h"
-#include "study/screen/trial_painter.h"
+#include "study/task/trial_image.h"
 
 namespace ocelli {
 namespace {
@@ -85,13 +85,18 @@ StudyFrame StudyPainter::draw(const SessionScreen& screen, double secondsSinceLa
     state.scroll = {};
     state.keyScroll = 0;
   }
-  state.target.clear(kStudyBackground);
   const auto* const trial = std::get_if<TrialScreenView>(&screen);
+  StudyFrame frame;
+  if (trial != nullptr && hash) {
+    state.target.clear(kOkabeItoBlack);
+    state.views.draw(trial->picture, state.target.color());
+    frame.pixelHash = pixelHashOf(state.target.read());
+  }
+  state.target.clear(kStudyBackground);
   if (trial != nullptr) {
     state.views.draw(trial->picture, state.target.color());
   }
   state.target.bind();
-  StudyFrame frame;
   StudyCanvas& canvas = state.canvas;
   canvas.begin(secondsSinceLast);
   const double lines = 3 * canvas.lineHeight(StudyText::kBody);
@@ -110,9 +115,6 @@ StudyFrame StudyPainter::draw(const SessionScreen& screen, double secondsSinceLa
       screen);
   state.target.bind();
   canvas.end();
-  if (trial != nullptr && hash) {
-    frame.pixelHash = pixelHashOf(state.target.read());
-  }
   if (trial != nullptr && trial->showsPatch) {
     state.drawPatch(trial->patchWhite);
   }

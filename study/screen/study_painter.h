@@ -32,8 +32,7 @@ class StudyPainter {
 
   /// Positions are pixels of the screen.
   void handle(const InputEvent& event);
-  /// `hash` asks for that of a trial's picture (trial_painter.h), without the patch of a photodiode. Hold a GlScope,
-  /// here and below. Throws GlError.
+  /// `hash` asks for that of a trial's views (trial_painter.h). Hold a GlScope, here and below. Throws GlError.
   StudyFrame draw(const SessionScreen& screen, double secondsSinceLast = 1.0 / 60, bool hash = false);
   /// Clicks that a frame has not taken yet.
   bool hasWaitingEvents() const;

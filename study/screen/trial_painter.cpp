@@ -1,9 +1,5 @@
 #include "study/screen/trial_painter.h"
 
-#include <span>
-#include <string>
-
-#include "oc_core/base/sha256.h"
 #include "study/screen/screen_target.h"
 #include "study/screen/trial_overlay.h"
 
@@ -47,15 +43,16 @@ Image<Rgb8> TrialPainter::render(const TrialPicture& picture) {
   return parts.target.read();
 }
 
-Image<Rgb8> renderTrialPicture(GlContext& context, const TrialPicture& picture, const TrialScreen& screen) {
-  return TrialPainter(context, screen).render(picture);
+Image<Rgb8> TrialPainter::renderViews(const TrialPicture& picture) {
+  const GlScope scope(state_->context);
+  Parts& parts = *state_->parts;
+  parts.target.clear(kOkabeItoBlack);
+  parts.views.draw(picture, parts.target.color());
+  return parts.target.read();
 }
 
-uint64_t pixelHashOf(const Image<Rgb8>& image) {
-  static_assert(sizeof(Rgb8) == 3);
-  const std::string hexadecimal =
-      sha256(std::span(reinterpret_cast<const uint8_t*>(image.data()), image.size() * sizeof(Rgb8)));
-  return std::stoull(hexadecimal.substr(0, 16), nullptr, 16);
+Image<Rgb8> renderTrialPicture(GlContext& context, const TrialPicture& picture, const TrialScreen& screen) {
+  return TrialPainter(context, screen).render(picture);
 }
 
 }  // namespace ocelli

@@ -1,10 +1,10 @@
 // The pictures of a trial as images, without a window: for replays, and for whoever wants to see them.
 //
 // The same context and the same picture give the same bytes; another renderer may differ at silhouettes and in the
-// rounding of colours. Hashes of images therefore compare within a renderer.
+// rounding of colours. The hashes that a session stores of its frames are pixelHashOf(renderViews()) (trial_image.h),
+// so they compare within a renderer.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 
 #include "oc_core/base/png_file.h"
@@ -23,6 +23,8 @@ class TrialPainter {
 
   /// The whole screen, as a subject sees it, without the patch of a photodiode. Throws GlError.
   Image<Rgb8> render(const TrialPicture& picture);
+  /// The views alone, in their places, black elsewhere.
+  Image<Rgb8> renderViews(const TrialPicture& picture);
 
  private:
   struct State;
@@ -31,8 +33,5 @@ class TrialPainter {
 
 /// One picture alone; a TrialPainter is faster for many.
 Image<Rgb8> renderTrialPicture(GlContext& context, const TrialPicture& picture, const TrialScreen& screen);
-
-/// The first 64 bits of the SHA-256 of its bytes.
-uint64_t pixelHashOf(const Image<Rgb8>& image);
 
 }  // namespace ocelli

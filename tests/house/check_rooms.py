@@ -119,7 +119,8 @@ def check_include(path, number, own, name, room, rooms, root):
     public_header = path.endswith(".h") and room.startswith(("oc_core/", "display_", "study/", "analysis/"))
     if own:
         other = room_of(name, rooms)
-        if name == f"{room}{GENERATED_SHADERS}" and path.endswith(".cpp"):
+        generated = other is not None and name == f"{other}{GENERATED_SHADERS}" and path.endswith(".cpp")
+        if generated and (other == room or other in rooms[room]):
             return None
         if other is None or not (root / name).exists():
             return f'{where}"{name}" is no file of a room; give the path from the top of the project'

@@ -38,7 +38,9 @@ inline PinholeCamera sampleEye(const Maze& maze, int width, int height) {
 inline GraphCamera sampleGraphCamera(const Maze& maze, int width, int height) {
   SceneGuides guides;
   guides.maze = maze;
-  return buildPortalCamera({}, guides, sampleEye(maze, width, height));
+  PortalOptions options;
+  options.bentBeyond = 1;
+  return buildPortalCamera(options, guides, sampleEye(maze, width, height));
 }
 
 /// The parts that screens point at.
@@ -149,8 +151,10 @@ struct SampleStudy {
     const double side = std::floor(place.width / 4);
     for (int i = 0; i < 3; ++i) {
       const PixelRect map{place.left + side * (0.25 + 1.25 * i), place.top + place.height * 0.2, side, side};
-      const double turn = i - 1.0;
-      trial.picture.maps.push_back({map, {{0, 9}, {0, 3}, {6, 3}, {6, 3 + 3 * turn}, {9, 3 + 3 * turn}, {9, 9}}});
+      const double turn = i < 2 ? 3 : -3;
+      const double turned = i == 0 ? -1 : 1;
+      trial.picture.maps.push_back(
+          {map, {{0, 9}, {0, 3}, {6 * turned, 3}, {6 * turned, 3 + turn}, {9 * turned, 3 + turn}, {9 * turned, 12}}});
       trial.picture.choices.push_back(
           {map, std::to_string(i + 1), static_cast<Key>(static_cast<int>(Key::k1) + i), i == 1});
     }

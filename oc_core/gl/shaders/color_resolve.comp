@@ -26,7 +26,8 @@ void main() {
     color = colorAt(vertices.x) * (1.0 - b.x - b.y) + colorAt(vertices.y) * b.x + colorAt(vertices.z) * b.y;
   }
 #ifdef ENCODED
-  color = srgbFromLinear(color);
-#endif
+  imageStore(image, pixel, vec4(srgbFromLinear(color), 1.0));
+#else
   imageStore(image, pixel, vec4(color, fragment.y == kNoTriangle ? 0.0 : 1.0));
+#endif
 }
