@@ -1,0 +1,86 @@
+#include "study/store/database_lock.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "oc_core/base/error.h"
+#include "study/session/utc_time.h"
+#include "study/store/sqlite_connection.h"
+
+namespace ocelli {
+namespace {
+
+/// The first line of the file.
+std::string holderOf(int descriptor) {
+  std::array<char, 512> text{};
+  const ssize_t size = pread(descriptor, text.data(), text.size() - 1, 0);
+  const std::string holder(text.data(), size > 0 ? static_cast<size_t>(size) : 0);
+  const std::string line = holder.substr(0, holder.find('\n'));
+  return line.empty() ? "a process that did not say which" : line;
+}
+
+/// Whether the name still stands for the file that is open: its last holder removes it.
+bool isStillNamed(int descriptor, const std::filesystem::path& file) {
+  struct stat opened {};
+  struct stat named {};
+  return fstat(descriptor, &opened) == 0 && stat(file.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
+         opened.st_dev == named.st_dev;
+}
+
+}  // namespace
+
+std::filesystem::path DatabaseLock::fileOf(const std::filesystem::path& database) {
+  std::filesystem::path file = database;
+  file += ".lock";
+  return file;
+}
+
+DatabaseLock::DatabaseLock(std::filesystem::path database) : file_(fileOf(database)) {
+  while (true) {
+    descriptor_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (descriptor_ < 0) {
+      throw WorkError(fmt::format("cannot make the lock of this database ({})", std::strerror(errno)), file_.string(),
+                      "check that the folder exists and may be written to");
+    }
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+      const int reason = errno;
+      const std::string holder = holderOf(descriptor_);
+      close(std::exchange(descriptor_, -1));
+      if (reason != EWOULDBLOCK) {
+        throw WorkError(fmt::format("cannot lock this database ({})", std::strerror(reason)), file_.string(),
+                        "a folder on a local disk");
+      }
+      throw WorkError(fmt::format("another program uses this database: {}", holder), database.string(),
+                      "close that program; two stations use two databases, which `ocelli study merge` joins");
+    }
+    if (isStillNamed(descriptor_, file_)) {
+      break;
+    }
+    close(std::exchange(descriptor_, -1));
+  }
+  const std::string holder = fmt::format("process {} on {}, since {}\n", getpid(), stationName(), utcNow());
+  // The text only helps people; the lock holds without it.
+  if (ftruncate(descriptor_, 0) != 0 || pwrite(descriptor_, holder.data(), holder.size(), 0) < 0) {
+    errno = 0;
+  }
+}
+
+DatabaseLock::DatabaseLock(DatabaseLock&& other) noexcept
+    : file_(std::move(other.file_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+DatabaseLock::~DatabaseLock() {
+  if (descriptor_ >= 0) {
+    unlink(file_.c_str());
+    close(descriptor_);
+  }
+}
+
+}  // namespace ocelli

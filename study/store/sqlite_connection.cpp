@@ -1,0 +1,178 @@
+#include "study/store/sqlite_connection.h"
+
+#include <SQLiteCpp/Transaction.h>
+#include <fmt/format.h>
+#include <sqlite3.h>
+#include <unistd.h>
+
+#include <array>
+#include <random>
+
+#include "oc_core/base/error.h"
+#include "study/session/utc_time.h"
+#include "study/store/migrations.h"
+#include "study/store/trials_schema.h"
+
+namespace ocelli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kBusyMilliseconds = 10'000;
+
+int openFlags(DatabaseAccess access) {
+  switch (access) {
+    case DatabaseAccess::kRead:
+      return SQLite::OPEN_READONLY;
+    case DatabaseAccess::kWrite:
+      return SQLite::OPEN_READWRITE;
+    case DatabaseAccess::kCreate:
+      return SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE;
+  }
+  return SQLite::OPEN_READONLY;
+}
+
+bool hasTables(SQLite::Database& database) {
+  return database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() > 0;
+}
+
+[[noreturn]] void throwNotOurs(const fs::path& path) {
+  throw InputError("this is no database of a study", path.string(),
+                   "the file that `ocelli study run` or `ocelli study simulate` wrote, or a name that is not taken");
+}
+
+}  // namespace
+
+SQLite::Database connectSqlite(const fs::path& path, DatabaseAccess access) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) {
+    throw InputError("this is a folder, not a database", path.string(), "the name of a file");
+  }
+  if (access != DatabaseAccess::kCreate && !fs::exists(path, ignored)) {
+    throw InputError("there is no such database", path.string(),
+                     "check the name; `ocelli study run` makes a new database");
+  }
+  return withSqliteErrors("open this database", path, [&] {
+    SQLite::Database database(path.string(), openFlags(access), kBusyMilliseconds);
+    if (access != DatabaseAccess::kRead && sqlite3_db_readonly(database.getHandle(), "main") == 1) {
+      throw WorkError("this database cannot be written: its file or folder is read-only", path.string(),
+                      "change the rights, or copy the file to a folder that you may write to");
+    }
+    database.exec("PRAGMA foreign_keys = ON; PRAGMA recursive_triggers = ON; PRAGMA temp_store = MEMORY");
+    if (access != DatabaseAccess::kRead) {
+      // Setting the mode reads the file, and so finds out whether it is a database at all.
+      const std::string mode = database.execAndGet("PRAGMA journal_mode = WAL").getString();
+      if (mode != "wal") {
+        throw WorkError("this file system cannot hold the log of a database (mode \"" + mode + "\")", path.string(),
+                        "a folder on a local disk");
+      }
+      database.exec("PRAGMA synchronous = FULL; PRAGMA secure_delete = ON");
+    }
+    return database;
+  });
+}
+
+SQLite::Database connectStudy(const fs::path& path, DatabaseAccess access) {
+  SQLite::Database database = connectSqlite(path, access);
+  return withSqliteErrors("open this database", path, [&] {
+    if (access == DatabaseAccess::kCreate && !hasTables(database)) {
+      SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+      // Another program may have been faster.
+      if (!hasTables(database)) {
+        database.exec(trialsSchema());
+      }
+      transaction.commit();
+    }
+    if (database.execAndGet("PRAGMA application_id").getInt() != kTrialsApplicationId) {
+      throwNotOurs(path);
+    }
+    const int version = database.execAndGet("PRAGMA user_version").getInt();
+    if (version > kTrialsSchemaVersion) {
+      throw InputError(fmt::format("this database has version {}, and this program knows those up to {}", version,
+                                   kTrialsSchemaVersion),
+                       path.string(), "a newer version of ocelli");
+    }
+    if (version < kTrialsSchemaVersion) {
+      if (access == DatabaseAccess::kRead) {
+        SQLite::Database writable = connectSqlite(path, DatabaseAccess::kWrite);
+        migrate(writable, migrations(), kTrialsSchemaVersion, path);
+      } else {
+        migrate(database, migrations(), kTrialsSchemaVersion, path);
+      }
+    }
+    return std::move(database);
+  });
+}
+
+std::string describeSqliteError(const SQLite::Exception& error) {
+  switch (error.getErrorCode()) {
+    case SQLITE_FULL:
+      return "the disk is full: make room on it";
+    case SQLITE_READONLY:
+      return "the file or its folder is read-only: change the rights";
+    case SQLITE_IOERR:
+      return fmt::format("the disk fails ({}): check it, and that it is still there and has space",
+                         error.getErrorStr());
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return "another program holds the database: close that program";
+    case SQLITE_CANTOPEN:
+      return "the file cannot be opened: check that its folder exists and may be written to";
+    case SQLITE_CORRUPT:
+      return "the file is damaged: take the last backup, and keep this file";
+    default:
+      return error.what();
+  }
+}
+
+void throwSqliteError(const SQLite::Exception& error, const std::string& doing, const fs::path& path) {
+  if (error.getErrorCode() == SQLITE_NOTADB) {
+    throwNotOurs(path);
+  }
+  throw WorkError(fmt::format("cannot {}", doing), path.string(), describeSqliteError(error));
+}
+
+std::string textOf(const SQLite::Statement& row, int column) {
+  return row.getColumn(column).getString();
+}
+
+std::optional<std::string> optionalTextOf(const SQLite::Statement& row, int column) {
+  return row.isColumnNull(column) ? std::nullopt : std::optional(row.getColumn(column).getString());
+}
+
+std::optional<double> optionalNumberOf(const SQLite::Statement& row, int column) {
+  return row.isColumnNull(column) ? std::nullopt : std::optional(row.getColumn(column).getDouble());
+}
+
+std::optional<int64_t> optionalIntegerOf(const SQLite::Statement& row, int column) {
+  return row.isColumnNull(column) ? std::nullopt : std::optional(row.getColumn(column).getInt64());
+}
+
+void addAudit(SQLite::Database& database, const std::string& action, const std::string& detailJson,
+              const std::string& programVersion) {
+  SQLite::Statement insert(database,
+                           "INSERT INTO audit (at_utc, action, detail_json, program_version, station) "
+                           "VALUES (?, ?, ?, ?, ?)");
+  insert.bind(1, utcNow());
+  insert.bind(2, action);
+  insert.bind(3, detailJson);
+  insert.bind(4, programVersion);
+  insert.bind(5, stationName());
+  insert.exec();
+}
+
+std::string stationName() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+std::string randomKey() {
+  std::random_device device;
+  std::string key;
+  for (int word = 0; word < 4; ++word) {
+    key += fmt::format("{:08x}", device());
+  }
+  return key;
+}
+
+}  // namespace ocelli

@@ -1,0 +1,105 @@
+// Databases of older versions are brought up to date with all their rows, or left as they are.
+#include "study/store/migrations.h"
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "oc_core/base/error.h"
+#include "study/store/study_database.h"
+#include "study/store/trials_schema.h"
+#include "tests/base/temporary_folder.h"
+#include "tests/study_store/made_study.h"
+#include "tests/study_store/study_checks.h"
+
+namespace ocelli::test {
+namespace {
+
+using testing::HasSubstr;
+
+// A made-up future: version N + 1 has another column and N + 2 a table made anew, which is what SQLite needs to change
+// a constraint.
+const std::vector<Migration> kSteps{
+    {kTrialsSchemaVersion, "ALTER TABLE consent ADD COLUMN language TEXT"},
+    {kTrialsSchemaVersion + 1,
+     "CREATE TABLE audit_new (audit_id INTEGER PRIMARY KEY, at_utc TEXT NOT NULL, action TEXT NOT NULL CHECK (action "
+     "<> ''), detail_json TEXT NOT NULL, program_version TEXT NOT NULL, station TEXT NOT NULL) STRICT;"
+     "INSERT INTO audit_new SELECT * FROM audit; DROP TABLE audit; ALTER TABLE audit_new RENAME TO audit;"}};
+
+class MigrationsTest : public testing::Test {
+ protected:
+  MigrationsTest() {
+    StudyDatabase database = StudyDatabase::openForSessions(file_, madeProtocol());
+    database.addSubject("S01", SubjectKind::kPerson);
+  }
+  int version() const {
+    return SQLite::Database(file_.string(), SQLite::OPEN_READONLY).execAndGet("PRAGMA user_version").getInt();
+  }
+
+  TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_ / "study.db";
+};
+
+TEST_F(MigrationsTest, TakeEveryStepAndKeepAllRows) {
+  SQLite::Database database(file_.string(), SQLite::OPEN_READWRITE);
+  migrate(database, kSteps, kTrialsSchemaVersion + 2, file_);
+  EXPECT_EQ(database.execAndGet("PRAGMA user_version").getInt(), kTrialsSchemaVersion + 2);
+  EXPECT_EQ(database.execAndGet("SELECT subject_id FROM subject").getString(), "S01");
+  EXPECT_EQ(database.execAndGet("SELECT count(*) FROM pragma_table_info('consent') WHERE name = 'language'").getInt(),
+            1);
+  EXPECT_EQ(database.execAndGet("SELECT group_concat(action) FROM audit").getString(), "created,migrated");
+  EXPECT_THAT(database.execAndGet("SELECT detail_json FROM audit WHERE action = 'migrated'").getString(),
+              HasSubstr("\"from\": 1, \"to\": 3"));
+}
+
+TEST_F(MigrationsTest, StartWhereTheDatabaseIs) {
+  SQLite::Database database(file_.string(), SQLite::OPEN_READWRITE);
+  migrate(database, kSteps, kTrialsSchemaVersion + 1, file_);
+  migrate(database, kSteps, kTrialsSchemaVersion + 2, file_);
+  migrate(database, kSteps, kTrialsSchemaVersion + 2, file_);
+  EXPECT_EQ(database.execAndGet("SELECT group_concat(action) FROM audit").getString(), "created,migrated,migrated");
+}
+
+TEST_F(MigrationsTest, LeaveTheDatabaseAsItWasWhereAStepFails) {
+  SQLite::Database database(file_.string(), SQLite::OPEN_READWRITE);
+  const std::vector<Migration> broken{kSteps[0],
+                                      {kTrialsSchemaVersion + 1, "DROP VIEW final_trial; NO SUCH STATEMENT"}};
+  EXPECT_THROW(migrate(database, broken, kTrialsSchemaVersion + 2, file_), WorkError);
+  EXPECT_EQ(version(), kTrialsSchemaVersion);
+  EXPECT_EQ(database.execAndGet("SELECT count(*) FROM final_trial").getInt(), 0);
+  EXPECT_EQ(database.execAndGet("SELECT count(*) FROM pragma_table_info('consent') WHERE name = 'language'").getInt(),
+            0);
+}
+
+TEST_F(MigrationsTest, RefuseRowsThatWouldNoLongerFitTogether) {
+  SQLite::Database database(file_.string(), SQLite::OPEN_READWRITE);
+  database.exec(
+      "INSERT INTO session (subject_id, session_number, schedule_json, seed, planned_trials, started_utc, simulated) "
+      "VALUES ('S01', 1, '{}', 1, 0, '', 0)");
+  const std::vector<Migration> broken{{kTrialsSchemaVersion, "DROP TRIGGER subject_delete; DELETE FROM subject"}};
+  EXPECT_THROW(migrate(database, broken, kTrialsSchemaVersion + 1, file_), WorkError);
+  EXPECT_EQ(database.execAndGet("SELECT count(*) FROM subject").getInt(), 1);
+}
+
+TEST_F(MigrationsTest, RefuseAVersionThatIsNoLongerKnown) {
+  SQLite::Database database(file_.string(), SQLite::OPEN_READWRITE);
+  database.exec("PRAGMA user_version = 0");
+  EXPECT_THAT(messageOf<InputError>([&] { migrate(database, kSteps, kTrialsSchemaVersion + 2, file_); }),
+              HasSubstr("version 0, which is no longer known"));
+  EXPECT_EQ(version(), 0);
+}
+
+// What protocols/trials.schema.sql makes must be what the migrations make of older tables: where the number in one is
+// raised without the other, this fails.
+TEST_F(MigrationsTest, LeadToTheVersionThatNewDatabasesHave) {
+  EXPECT_EQ(version(), kTrialsSchemaVersion);
+  for (int from = 1; from < kTrialsSchemaVersion; ++from) {
+    EXPECT_TRUE(std::any_of(migrations().begin(), migrations().end(), [&](const Migration& m) {
+      return m.from == from;
+    })) << from;
+  }
+  EXPECT_EQ(migrations().size(), static_cast<size_t>(kTrialsSchemaVersion - 1));
+}
+
+}  // namespace
+}  // namespace ocelli::test

@@ -1,0 +1,141 @@
+#include "tests/study_task/study_tasks.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
+#include "oc_core/scene/maze_file.h"
+
+namespace ocelli::test {
+
+Maze studyMaze() {
+  return mazeFromJsonText(R"({"plan": ["+-+-+-+-+-+-+",
+                                       "|           |",
+                                       "+ +-+ + +-+ +",
+                                       "|   | |   | |",
+                                       "+-+ + + + + +",
+                                       "|           |",
+                                       "+ + + +-+ + +",
+                                       "| | |   | | |",
+                                       "+ +-+ + + + +",
+                                       "|     |     |",
+                                       "+-+-+-+ +-+-+"]})",
+                          "test maze");
+}
+
+TaskSetting studySetting() {
+  TaskSetting setting;
+  setting.mazes.emplace("small", studyMaze());
+  return setting;
+}
+
+namespace {
+
+const TaskKind& kindOf(const std::string& task) {
+  for (const TaskKind& kind : taskKinds()) {
+    if (kind.name == task) {
+      return kind;
+    }
+  }
+  throw std::logic_error("no task of this name");
+}
+
+}  // namespace
+
+std::shared_ptr<const TaskBlock> readBlock(const std::string& task, const std::string& json,
+                                           const TaskSetting& setting) {
+  const nlohmann::json value = parseJson(json, "block");
+  JsonFields fields(value, "block");
+  auto block = kindOf(task).read(fields, "cases", setting);
+  fields.rejectUnknown();
+  return block;
+}
+
+std::string readError(const std::string& task, const std::string& json, const TaskSetting& setting) {
+  try {
+    readBlock(task, json, setting);
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+const std::vector<TaskExample>& taskExamples() {
+  static const std::string pinholes = R"("pinholes": {"rows": 1, "columns": 2, "views": [
+      {"row": 2, "column": 0, "heading": "east"}, {"row": 0, "column": 5, "heading": 180, "pitch_degrees": -5}]})";
+  static const std::vector<TaskExample> examples{
+      {"find", "find",
+       R"({"maze": "small", "limit_seconds": 6, "cases": [{"label": "near", "row": 2, "column": 3},
+           {"label": "far", "row": 0, "column": 0, "east": 0.1, "south": -0.2}]})"},
+      {"findMoving", "find",
+       R"({"maze": "small", "limit_seconds": 6, "moving": {"meters_per_second": 1.3},
+           "object": {"shape": "cube", "color": "blue"},
+           "cases": [{"row": 2, "column": 3, "east": 0.3}, {"row": 0, "column": 0}]})"},
+      {"count", "count", R"({"maze": "small", "answer_limit_seconds": 3, )" + pinholes + R"(,
+           "cases": [{"objects": 4, "exposure_seconds": 0.5}, {"objects": 7, "exposure_seconds": 1,
+           "duplicate_colors": true}]})"},
+      {"countMoving", "count",
+       R"({"maze": "small", "answer_limit_seconds": 3, "moving": {"meters_per_second": 2}, )" + pinholes + R"(,
+           "cases": [{"objects": 5, "exposure_seconds": 2}, {"objects": 7, "exposure_seconds": 1}]})"},
+      {"path", "path",
+       R"({"maze": "small", "meters_per_second": 6, "turns": 3, "least_seconds": 4, "most_seconds": 7,
+           "answer_limit_seconds": 2, "cases": [{"label": "first"}, {"label": "second"}]})"},
+  };
+  return examples;
+}
+
+TrialPlan planOf(const std::string& task, int caseIndex, StudyView view, uint64_t seed) {
+  TrialPlan plan;
+  plan.task = task;
+  plan.caseIndex = caseIndex;
+  plan.view = view;
+  plan.seed = seed;
+  return plan;
+}
+
+KeyEvent press(Key key, bool shift) {
+  return {key, true, {shift, false, false}};
+}
+
+KeyEvent release(Key key) {
+  return {key, false, {}};
+}
+
+PointerMoveEvent moveTo(const glm::dvec2& place) {
+  return {place.x, place.y};
+}
+
+PointerButtonEvent button(PointerButton button, bool pressed) {
+  return {button, pressed, {}};
+}
+
+InputEvent randomInput(Random& random, const TrialScreen& screen) {
+  const Modifiers modifiers{random.below(4) == 0, random.below(9) == 0, random.below(9) == 0};
+  switch (random.below(16)) {
+    case 0:
+      return PointerButtonEvent{static_cast<PointerButton>(random.below(3)), random.below(2) == 0, modifiers};
+    case 1:
+      return PointerMoveEvent{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()};
+    case 2:
+      return PointerMoveEvent{1e300, -1e300};
+    case 3:
+    case 4:
+    case 5:
+      return PointerMoveEvent{static_cast<double>(random.inRange(-50, static_cast<float>(screen.width + 50))),
+                              static_cast<double>(random.inRange(-50, static_cast<float>(screen.height + 50)))};
+    case 6:
+      return ScrollEvent{1, -3};
+    case 7:
+      return ResizeEvent{static_cast<int>(random.below(3000)), 0, 1, 1};
+    case 8:
+      return TextEvent{static_cast<char32_t>(random.below(70000))};
+    case 9:
+      return CloseEvent{};
+    default:
+      return KeyEvent{static_cast<Key>(random.below(kKeyCount)), random.below(3) != 0, modifiers};
+  }
+}
+
+}  // namespace ocelli::test

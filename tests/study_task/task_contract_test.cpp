@@ -1,0 +1,215 @@
+// What every task keeps to (task.h), over all kinds of them.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <functional>
+
+#include "oc_core/constructor/multiperspective_camera.h"
+#include "tests/study_task/study_tasks.h"
+
+namespace ocelli {
+namespace {
+
+using test::TaskExample;
+
+constexpr TrialScreen kScreen{640, 480, 60};
+constexpr int64_t kTicksPerFrame = 4;  // 240 a second, 60 frames
+
+/// All that one sees of a moment, as text.
+std::string textOf(const TrialPicture& picture) {
+  std::string text = picture.prompt;
+  const auto add = [&](double number) { text.append(",").append(std::to_string(std::bit_cast<uint64_t>(number))); };
+  for (const glm::vec3& offset : picture.objectOffsets) {
+    add(static_cast<double>(offset.x));
+    add(static_cast<double>(offset.z));
+  }
+  for (const TrialPicture::View& view : picture.views) {
+    add(view.place.left + 10000 * view.place.top + view.place.width + view.place.height);
+    if (const auto* graph = std::get_if<GraphCamera>(&view.camera)) {
+      for (const GraphCamera::Frustum& frustum : graph->frusta()) {
+        for (int i = 0; i < 16; ++i) {
+          add(frustum.pixelFromWorld[i / 4][i % 4]);
+        }
+      }
+    } else {
+      text += jsonText(std::get<PinholeCamera>(view.camera).view());
+    }
+  }
+  for (const TrialPicture::PathMap& map : picture.maps) {
+    for (const glm::dvec2& corner : map.corners) {
+      add(corner.x);
+      add(corner.y);
+    }
+  }
+  for (const TrialPicture::Choice& choice : picture.choices) {
+    text += choice.label + (choice.chosen ? "!" : "");
+    add(choice.place.left);
+  }
+  if (picture.pointer) {
+    add(picture.pointer->x);
+    add(picture.pointer->y);
+  }
+  return text;
+}
+
+/// Runs a trial to its end or for so many ticks; `input` is asked at each of them.
+std::vector<std::string> follow(TrialRun& run, int64_t ticks, const std::function<void(int64_t tick)>& input,
+                                int64_t pictureEvery = 120) {
+  std::vector<std::string> seen;
+  for (int64_t tick = 0; tick < ticks && !run.outcome(); ++tick) {
+    input(tick);
+    if (tick % kTicksPerFrame == 0) {
+      run.frameShown();
+    }
+    if (tick % pictureEvery == 0) {
+      const WalkerPose pose = run.pose();
+      seen.push_back(textOf(run.picture()) + std::to_string(pose.x) + std::to_string(pose.z) +
+                     std::to_string(pose.headingRadians));
+    }
+    run.advance();
+  }
+  return seen;
+}
+
+class TaskContract : public testing::TestWithParam<TaskExample> {
+ protected:
+  void forEachTrial(const std::function<void(const TaskBlock& block, const TrialPlan& plan)>& visit) const {
+    const auto block = test::readBlock(GetParam().task, GetParam().json);
+    for (int i = 0; i < block->caseCount(); ++i) {
+      for (const StudyView view : kStudyViews) {
+        visit(*block, test::planOf(GetParam().task, i, view, static_cast<uint64_t>(11 + i)));
+      }
+    }
+  }
+  static int64_t longestTicks(const TaskBlock& block, const TrialPlan& plan) {
+    return static_cast<int64_t>(
+        std::ceil(block.caseInfo(plan.caseIndex).longestSeconds * static_cast<double>(kTicksPerSecond)));
+  }
+};
+
+TEST_P(TaskContract, casesSayWhatTheyAre) {
+  forEachTrial([&](const TaskBlock& block, const TrialPlan& plan) {
+    const CaseInfo info = block.caseInfo(plan.caseIndex);
+    EXPECT_FALSE(info.label.empty());
+    EXPECT_EQ(info.moving, GetParam().json.find("moving") != std::string::npos);
+    EXPECT_GT(info.typicalSeconds, 0);
+    EXPECT_LE(info.typicalSeconds, info.longestSeconds);
+    EXPECT_FALSE(block.answerOf(plan).empty());
+    EXPECT_EQ(block.answerOf(plan), block.answerOf(plan));
+  });
+}
+
+TEST_P(TaskContract, endsByItselfAndIsThenCensored) {
+  forEachTrial([&](const TaskBlock& block, const TrialPlan& plan) {
+    const auto run = block.start(plan, kScreen);
+    follow(
+        *run, longestTicks(block, plan), [](int64_t) {}, 1 << 20);
+    ASSERT_TRUE(run->outcome().has_value());
+    EXPECT_TRUE(run->outcome()->censored);
+    EXPECT_FALSE(run->outcome()->correct);
+    EXPECT_EQ(run->outcome()->answer, "");
+    EXPECT_EQ(run->outcome()->expected, block.answerOf(plan));
+  });
+}
+
+TEST_P(TaskContract, sameInputAtTheSameTicksGivesTheSameTrial) {
+  forEachTrial([&](const TaskBlock& block, const TrialPlan& plan) {
+    const auto once = [&] {
+      const auto run = block.start(plan, kScreen);
+      Random random(plan.seed);
+      std::vector<std::string> seen = follow(
+          *run, longestTicks(block, plan),
+          [&](int64_t tick) {
+            if (tick % 17 == 0) {
+              run->handle(test::randomInput(random, kScreen));
+            }
+          },
+          60);
+      return std::pair(seen, run->outcome());
+    };
+    const auto first = once();
+    EXPECT_FALSE(first.first.empty());
+    EXPECT_TRUE(first == once());
+  });
+}
+
+TEST_P(TaskContract, nothingHappensAfterTheOutcome) {
+  forEachTrial([&](const TaskBlock& block, const TrialPlan& plan) {
+    const auto run = block.start(plan, kScreen);
+    follow(
+        *run, longestTicks(block, plan), [](int64_t) {}, 1 << 20);
+    const auto outcome = run->outcome();
+    const std::string picture = textOf(run->picture());
+    const WalkerPose pose = run->pose();
+    Random random(3);
+    for (int i = 0; i < 2000; ++i) {
+      run->handle(test::randomInput(random, kScreen));
+      run->advance();
+      run->frameShown();
+    }
+    EXPECT_TRUE(run->outcome() == outcome);
+    EXPECT_TRUE(run->pose() == pose);
+    EXPECT_EQ(textOf(run->picture()), picture);
+  });
+}
+
+TEST_P(TaskContract, picturesStayOnTheScreenBelowThePrompt) {
+  forEachTrial([&](const TaskBlock& block, const TrialPlan& plan) {
+    const auto run = block.start(plan, kScreen);
+    const auto isOnStage = [](const PixelRect& place) {
+      return place.left >= 0 && place.right() <= kScreen.width && place.top >= promptHeight(kScreen) &&
+             place.bottom() <= kScreen.height && place.width > 10 && place.height > 10;
+    };
+    follow(
+        *run, longestTicks(block, plan),
+        [&](int64_t tick) {
+          if (tick % 97 != 0) {
+            return;
+          }
+          const TrialPicture picture = run->picture();
+          EXPECT_FALSE(picture.prompt.empty());
+          EXPECT_TRUE(!picture.views.empty() || !picture.choices.empty());
+          for (const TrialPicture::View& view : picture.views) {
+            EXPECT_TRUE(isOnStage(view.place));
+            const auto size =
+                std::visit([](const auto& of) { return glm::dvec2(of.width(), of.height()); }, view.camera);
+            EXPECT_EQ(size, glm::dvec2(view.place.width, view.place.height));
+          }
+          for (const TrialPicture::Choice& choice : picture.choices) {
+            EXPECT_TRUE(isOnStage(choice.place));
+          }
+          for (const TrialPicture::PathMap& map : picture.maps) {
+            EXPECT_TRUE(isOnStage(map.place));
+          }
+          ASSERT_NE(picture.scene, nullptr);
+          EXPECT_LE(picture.objectOffsets.size(), picture.scene->objectCount());
+        },
+        1 << 20);
+  });
+}
+
+TEST_P(TaskContract, anyInputIsBorne) {
+  forEachTrial([&](const TaskBlock& block, const TrialPlan& plan) {
+    Random random(plan.seed * 3 + static_cast<uint64_t>(plan.view));
+    const auto run = block.start(plan, kScreen);
+    follow(
+        *run, longestTicks(block, plan), [&](int64_t) { run->handle(test::randomInput(random, kScreen)); }, 30);
+    SUCCEED();
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Tasks, TaskContract, testing::ValuesIn(test::taskExamples()),
+                         [](const auto& example) { return example.param.name; });
+
+TEST(TaskKinds, allHaveAnExample) {
+  for (const TaskKind& kind : taskKinds()) {
+    const auto& examples = test::taskExamples();
+    EXPECT_TRUE(std::any_of(examples.begin(), examples.end(), [&](const TaskExample& example) {
+      return example.task == kind.name;
+    })) << kind.name;
+  }
+}
+
+}  // namespace
+}  // namespace ocelli
