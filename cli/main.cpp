@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/study_command.h"
 #include "oc_core/base/error.h"
 
 namespace ocelli {
@@ -28,6 +29,7 @@ void addCommands(CLI::App& program, const Frame& frame) {
   addCameraCommand(program, frame);
   addOcriCommand(program, frame);
   addSliceCommand(program, frame);
+  addStudyCommand(program, frame);
   addObserveCommand(program, frame);
   addVolumeCommand(program, frame);
   addEvaluateCommand(program, frame);

@@ -15,13 +15,13 @@ inline constexpr size_t kLeastSeenPixels = 40;
 
 struct ViewCoverage {
   StudyView view = StudyView::kPinhole;
-  int images = 0;   ///< on the screen
-  int places = 0;   ///< where an object was put, one at a time
-  int seen = 0;     ///< of these, in one image or more
-  int twice = 0;    ///< in two images or more, or twice in one
+  int images = 0;  ///< on the screen
+  int places = 0;  ///< where an object was put, one at a time
+  int seen = 0;    ///< of these, in one image or more
+  int twice = 0;   ///< in two images or more, or twice in one
   int sightings = 0;
-  size_t fewestPixels = 0;             ///< of the largest sighting of an object that was seen
-  std::vector<std::string> unseen{};   ///< where the object was not
+  size_t fewestPixels = 0;            ///< of the largest sighting of an object that was seen
+  std::vector<std::string> unseen{};  ///< where the object was not
 };
 
 struct BlockCoverage {

@@ -59,9 +59,10 @@ void addOfBlock(const Protocol& protocol, const ProtocolBlock& block, std::vecto
     warnings.push_back(fmt::format("block \"{}\": there are no instructions", block.name));
   }
   if (block.order == TrialOrder::kAlternating) {
-    warnings.push_back(fmt::format("block \"{}\": all subjects see the same cases in the same views at the same "
-                                   "places, so differences between views include those of learning",
-                                   block.name));
+    warnings.push_back(
+        fmt::format("block \"{}\": all subjects see the same cases in the same views at the same "
+                    "places, so differences between views include those of learning",
+                    block.name));
   } else if (block.views == ViewsOfCases::kBoth && block.task->caseCount() < 3) {
     warnings.push_back(
         fmt::format("block \"{}\": with fewer than 3 cases one comes twice in a row, in both views", block.name));
@@ -101,9 +102,10 @@ std::vector<std::string> warningsOf(const Protocol& protocol, uint64_t seed) {
                                      seconds / 60, kLongSession / 60));
     }
     if (protocol.shuffleBlocks && blockOrdersOf(protocol, session).size() == 2) {
-      warnings.push_back(fmt::format("session {}: with two orders of blocks, first view and the view of a case come "
-                                     "together evenly after each 8 subjects only",
-                                     session + 1));
+      warnings.push_back(
+          fmt::format("session {}: with two orders of blocks, first view and the view of a case come "
+                      "together evenly after each 8 subjects only",
+                      session + 1));
     }
   }
   return warnings;
