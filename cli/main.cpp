@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "cli/command.h"
-#include "cli/study_command.h"
 #include "oc_core/base/error.h"
 
 namespace ocelli {
@@ -29,11 +28,11 @@ void addCommands(CLI::App& program, const Frame& frame) {
   addCameraCommand(program, frame);
   addOcriCommand(program, frame);
   addSliceCommand(program, frame);
-  addStudyCommand(program, frame);
   addObserveCommand(program, frame);
   addVolumeCommand(program, frame);
   addEvaluateCommand(program, frame);
   addViewCommand(program, frame);
+  addStudyCommand(program, frame);
   addDoctorCommand(program, frame);
 }
 

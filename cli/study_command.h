@@ -9,8 +9,6 @@ namespace ocelli {
 
 class Frame;
 
-void addStudyCommand(CLI::App& program, const Frame& frame);
-
 // Each adds one or more commands below `study`, as the recipe in cli/command.h says of the program's own.
 void addStudyCheckCommand(CLI::App& study, const Frame& frame);
 void addStudyRunCommands(CLI::App& study, const Frame& frame);  ///< run, resume
