@@ -4,6 +4,7 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
 #include <memory>
@@ -58,6 +59,10 @@ void parallelChunks(size_t count, size_t chunks, const std::function<void(size_t
       body(chunk, count * chunk / chunks, count * (chunk + 1) / chunks);
     }
   });
+}
+
+void runAlone(const std::function<void()>& body) {
+  tbb::task_arena(1).execute(body);
 }
 
 }  // namespace ocelli

@@ -19,4 +19,8 @@ void parallelFor(size_t count, size_t grain, const std::function<void(size_t beg
 void parallelChunks(size_t count, size_t chunks,
                     const std::function<void(size_t chunk, size_t begin, size_t end)>& body);
 
+/// Calls `body()` such that the loops within it run on the calling thread alone: for loops over work that has loops of
+/// its own.
+void runAlone(const std::function<void()>& body);
+
 }  // namespace ocelli

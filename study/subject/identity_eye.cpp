@@ -186,6 +186,22 @@ void addFloor(const StudyScene& scene, const FragmentImage& fragments, const Mes
   }
 }
 
+SeenGrid gridOf(const Maze& maze) {
+  // FNV-1a over what walls stand.
+  uint64_t hash = 0xcbf29ce484222325u;
+  const auto add = [&](uint64_t value) { hash = (hash ^ value) * 0x100000001b3u; };
+  add(static_cast<uint64_t>(maze.columns()));
+  for (int row = 0; row < maze.rows(); ++row) {
+    for (int column = 0; column < maze.columns(); ++column) {
+      const MazeCell cell{row, column};
+      add((maze.isOpen(cell, Direction::kEast) ? 1u : 0u) + (maze.isOpen(cell, Direction::kSouth) ? 2u : 0u));
+    }
+  }
+  return {.origin = {static_cast<double>(maze.origin.x), static_cast<double>(maze.origin.z)},
+          .cellSize = static_cast<double>(maze.cellSize),
+          .surroundings = hash};
+}
+
 WalkerPose poseOf(const StudyCamera& camera) {
   const auto* graph = std::get_if<GraphCamera>(&camera);
   const PinholeCamera& root = graph ? graph->root() : std::get<PinholeCamera>(camera);
@@ -212,6 +228,7 @@ Percept IdentityEye::look(const TrialPicture& picture, bool withFloor) const {
     percept.soughtShape = sought.shape;
     percept.soughtColor = sought.color;
   }
+  percept.grid = gridOf(picture.scene->maze());
   const Mesh mesh = meshOf(picture);
   for (size_t view = 0; view < picture.views.size(); ++view) {
     addView(picture, mesh, static_cast<int>(view), withFloor, percept);

@@ -6,6 +6,7 @@
 // sees where it stands. What it does not know is told nowhere: walls and ways that it has not seen, and objects.
 #pragma once
 
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <vector>
@@ -43,8 +44,24 @@ struct FloorPatch {
 using SeenMap = TrialPicture::PathMap;
 using SeenChoice = TrialPicture::Choice;
 
+/// The grid that floors are seen to lie in.
+struct SeenGrid {
+  glm::dvec2 origin{0};  ///< of row 0 and column 0, east and south, metres
+  double cellSize = 1;
+  uint64_t surroundings = 0;  ///< tells mazes apart: one knows whether one has been here before
+
+  glm::dvec2 middleOf(const MazeCell& cell) const {
+    return origin + (glm::dvec2(cell.column, cell.row) + 0.5) * cellSize;
+  }
+  MazeCell cellAt(const glm::dvec2& place) const {
+    const glm::dvec2 p = glm::floor((place - origin) / cellSize);
+    return {static_cast<int>(p.y), static_cast<int>(p.x)};
+  }
+};
+
 struct Percept {
   std::vector<PixelRect> views;
+  SeenGrid grid;  ///< of the views
   /// Where the view looks from, where there is but one that moves with the subject: one knows it by what one sees.
   std::optional<WalkerPose> standing{};
   std::vector<Sighting> objects;

@@ -1,0 +1,261 @@
+#include "study/subject/find_mind.h"
+
+#include <algorithm>
+
+#include "oc_core/base/conventions.h"
+
+namespace ocelli {
+namespace {
+
+/// One is where one wanted to go when that near to the middle of a cell, metres.
+constexpr double kArrived = 0.6;
+/// From there on one turns first and then walks, degrees.
+constexpr double kTurnFirstDegrees = 40;
+constexpr double kStraightDegrees = 2;
+constexpr int kStuckFixations = 3;
+/// Fixations without the object after which one goes on looking for it elsewhere.
+constexpr int kLostFixations = 2;
+/// Of two ways one sticks to the one chosen before while it costs less than that times the other.
+constexpr double kStickiness = 1.25;
+/// For something to look at in the distance, pixels of floor count with that power: much floor is not much more.
+constexpr double kFloorPower = 0.5;
+
+double headingTo(const glm::dvec2& from, const glm::dvec2& to) {
+  return std::atan2(to.x - from.x, from.y - to.y);
+}
+glm::dvec2 placeOf(const WalkerPose& pose) {
+  return {pose.x, pose.z};
+}
+
+}  // namespace
+
+FindMind::FindMind(const Vision& vision, const Controls& controls, MazeMemory& memory, uint64_t seed)
+    : vision_(vision), controls_(controls), memory_(memory), random_(seed) {
+  memory_.beginTrial(vision.factors().forgetPerTrial, random_);
+}
+
+double FindMind::think(const Percept& seen, int64_t from, int64_t now, Hands& hands) {
+  if (!gaze_) {
+    gaze_ = seen.views.empty() ? glm::dvec2(0) : seen.views.front().center();
+  }
+  if (seen.pointer && !hands.isPointing(from)) {
+    hands.seePointer(*seen.pointer);
+  }
+  learn(seen, from);
+  const auto object = std::find_if(seen.objects.begin(), seen.objects.end(), [&](const Sighting& each) {
+    return each.shape == seen.soughtShape && each.color == seen.soughtColor && vision_.notices(each, *gaze_);
+  });
+  if (object != seen.objects.end()) {
+    missed_ = 0;
+    inSight_ += secondsOf(now - from);
+    if (!found_ && inSight_ >= vision_.factors().noticeSeconds) {
+      found_ = true;
+      hands.release(now + nanosecondsOf(vision_.factors().reactionSeconds));
+    }
+    gaze_ = object->centroid;
+    if (found_) {
+      goFor(*object, from, now, hands);
+      return 0;
+    }
+  } else {
+    inSight_ = 0;
+    before_.reset();
+    if (found_ && ++missed_ >= kLostFixations) {
+      found_ = false;
+      since_ = from;  // it moves: whatever was seen before may hide it now
+    }
+  }
+  if (!found_) {
+    noteWhetherStuck(seen, from, hands);
+    walk(seen, from, now, hands);
+    if (object == seen.objects.end()) {
+      lookOn(seen);
+    }
+  }
+  return 0;
+}
+
+void FindMind::learn(const Percept& seen, int64_t from) {
+  for (const FloorPatch& patch : seen.floor) {
+    if (vision_.takesIn(patch, *gaze_)) {
+      memory_.see(patch, from);
+    }
+  }
+  if (seen.standing) {
+    const MazeCell here = seen.grid.cellAt(placeOf(*seen.standing));
+    began_ = began_.value_or(here);
+    if (here != *began_) {
+      memory_.visit(here, from);  // what lies behind one has been passed
+    }
+  }
+  since_ = std::max(since_, from - nanosecondsOf(vision_.factors().searchMemorySeconds));
+}
+
+void FindMind::goFor(const Sighting& object, int64_t from, int64_t now, Hands& hands) {
+  const glm::dvec2 drift =
+      before_ && from > before_->at ? (object.aim - before_->place) / secondsOf(from - before_->at) : glm::dvec2(0);
+  before_ = Seen{object.aim, from};
+  if (hands.isPointing(now)) {
+    return;
+  }
+  const glm::dvec2 size = object.upper - object.lower;
+  const glm::dvec2& pointer = hands.pointer();
+  const bool isOver = pointer.x >= object.lower.x && pointer.y >= object.lower.y && pointer.x < object.upper.x &&
+                      pointer.y < object.upper.y;
+  if (isOver) {
+    hands.click(now + nanosecondsOf(vision_.factors().clickSeconds));
+  } else {
+    // To where it will be, as far as one can tell: one sees no more than two fixations of its way.
+    const glm::dvec2 lead = drift * (secondsOf(now - from) + vision_.factors().reactionSeconds);
+    const double most = std::max(size.x, size.y) * 2;
+    const double length = glm::length(lead);
+    const glm::dvec2 goal = object.aim + (length > most ? lead * (most / length) : lead);
+    const int64_t there =
+        hands.point(goal, std::min(size.x, size.y), now + nanosecondsOf(vision_.factors().reactionSeconds));
+    hands.click(there + nanosecondsOf(vision_.factors().clickSeconds));
+  }
+}
+
+void FindMind::noteWhetherStuck(const Percept& seen, int64_t from, const Hands& hands) {
+  if (!seen.standing) {
+    return;
+  }
+  if (stood_) {
+    const WalkerPose expected = hands.reckon(*stood_, stoodAt_, from);
+    const double wanted = glm::distance(placeOf(expected), placeOf(*stood_));
+    const double went = glm::distance(placeOf(*seen.standing), placeOf(*stood_));
+    stuck_ = wanted > 0.3 && went < wanted / 4 ? stuck_ + 1 : 0;
+  }
+  stood_ = seen.standing;
+  stoodAt_ = from;
+}
+
+std::optional<MazeCell> FindMind::chooseGoal(const std::map<MazeCell, MazeMemory::Way>& ways) {
+  std::optional<MazeCell> best;
+  double least = 0;
+  for (const auto& [cell, way] : ways) {
+    if (memory_.hasSearched(cell, since_)) {
+      continue;
+    }
+    const double noise = std::exp(normal(random_, 0, vision_.factors().wayNoise));
+    const double cost = (way.seconds + 0.5) * noise / (goal_ == cell ? kStickiness : 1);
+    if (!best || cost < least) {
+      best = cell;
+      least = cost;
+    }
+  }
+  return best;
+}
+
+void FindMind::turnAround(int64_t at, Hands& hands) const {
+  hands.plan(at, {{controls_.turnRight, at, at + nanosecondsOf(90 / controls_.turnDegreesPerSecond)}});
+}
+
+void FindMind::walkTo(const glm::dvec2& place, const WalkerPose& pose, int64_t at, Hands& hands) const {
+  const double away = glm::distance(place, placeOf(pose));
+  const double turn =
+      degreesFromRadians(std::remainder(headingTo(placeOf(pose), place) - pose.headingRadians, 2 * kPi));
+  const auto turning = [&](double degrees) {
+    return nanosecondsOf(std::max(degrees, 0.0) / controls_.turnDegreesPerSecond);
+  };
+  std::vector<Hands::Hold> holds;
+  if (std::abs(turn) > kStraightDegrees) {
+    holds.push_back({turn > 0 ? controls_.turnRight : controls_.turnLeft, at, at + turning(std::abs(turn))});
+  }
+  if (away > kArrived / 2) {
+    const int64_t begin = at + turning(std::abs(turn) - kTurnFirstDegrees);
+    holds.push_back({controls_.forward, begin, begin + nanosecondsOf(away / controls_.walkMetersPerSecond)});
+  }
+  hands.plan(at, holds);
+}
+
+void FindMind::walk(const Percept& seen, int64_t from, int64_t now, Hands& hands) {
+  const int64_t at = now + nanosecondsOf(vision_.factors().reactionSeconds);
+  if (!seen.standing) {
+    turnAround(at, hands);
+    return;
+  }
+  const WalkerPose pose = hands.reckon(*seen.standing, from, at);
+  const SeenGrid& grid = seen.grid;
+  // Reckoned, one may have gone through a wall: then one still is where one was seen.
+  MazeCell here = grid.cellAt(placeOf(pose));
+  const auto known = memory_.waysFrom(grid.cellAt(placeOf(*seen.standing)), pose.headingRadians, 1, 1);
+  if (!known.contains(here)) {
+    here = grid.cellAt(placeOf(*seen.standing));
+  }
+  if (stuck_ >= kStuckFixations) {
+    stuck_ = 0;
+    for (const Direction direction : kDirections) {
+      if (next_ && here.neighbor(direction) == *next_) {
+        memory_.forgetWay(here, direction);
+      }
+    }
+    goal_.reset();
+    next_.reset();
+    hands.plan(at, {{controls_.backward, at, at + nanosecondsOf(0.3)}});
+    return;
+  }
+  const auto ways = memory_.waysFrom(here, pose.headingRadians, grid.cellSize / controls_.walkMetersPerSecond,
+                                     90 / controls_.turnDegreesPerSecond);
+  goal_ = chooseGoal(ways);
+  if (!goal_) {
+    since_ = from + 1;  // all of it, again
+    turnAround(at, hands);
+    return;
+  }
+  const glm::dvec2 middle = grid.middleOf(here);
+  const std::vector<MazeCell>& cells = ways.at(*goal_).cells;
+  if (cells.empty()) {
+    // What was not seen of where one stands: to the middle first, then look there.
+    next_ = here;
+    const glm::dvec2 rest = middle + memory_.unseenPart(here, since_) * grid.cellSize;
+    if (glm::distance(placeOf(pose), middle) > kArrived) {
+      walkTo(middle, pose, at, hands);
+    } else if (glm::distance(rest, placeOf(pose)) > 0.2) {
+      const glm::dvec2 ahead = placeOf(pose) + glm::normalize(rest - placeOf(pose)) * 0.01;
+      walkTo(ahead, pose, at, hands);
+    } else {
+      turnAround(at, hands);
+    }
+    return;
+  }
+  // As far as the way goes straight on; first to the middle of the cell, where it turns.
+  next_ = cells.front();
+  const bool alongRow = cells.front().row == here.row;
+  const double aside = alongRow ? pose.z - middle.y : pose.x - middle.x;
+  MazeCell last = cells.front();
+  for (const MazeCell& cell : cells) {
+    if ((alongRow ? cell.row == here.row : cell.column == here.column)) {
+      last = cell;
+    } else {
+      break;
+    }
+  }
+  walkTo(std::abs(aside) > kArrived ? middle : grid.middleOf(last), pose, at, hands);
+}
+
+void FindMind::lookOn(const Percept& seen) {
+  // At the most floor that is new and near together; where nothing is new, ahead.
+  double best = 0;
+  glm::dvec2 there = seen.views.empty() ? *gaze_ : seen.views.front().center();
+  for (const FloorPatch& patch : seen.floor) {
+    if (memory_.hasSeen(patch, since_)) {
+      continue;
+    }
+    double worth = 0;
+    for (const FloorPatch& other : seen.floor) {
+      if (!memory_.hasSeen(other, since_) &&
+          vision_.degrees(patch.centroid, other.centroid) <= vision_.factors().usefulFieldDegrees / 2) {
+        worth += std::pow(static_cast<double>(other.pixels), kFloorPower);
+      }
+    }
+    worth /= 1 + vision_.degrees(*gaze_, patch.centroid) / vision_.factors().usefulFieldDegrees;
+    if (worth > best) {
+      best = worth;
+      there = patch.centroid;
+    }
+  }
+  gaze_ = there;
+}
+
+}  // namespace ocelli

@@ -1,0 +1,53 @@
+// How a simulated observer finds an object: it goes to the nearest floor that it knows of and has not seen yet, over
+// ways that it has seen, and what shows in bent rays counts as seen. Once it has made out the object it stops, points
+// at it and clicks.
+#pragma once
+
+#include "study/subject/maze_memory.h"
+#include "study/subject/task_mind.h"
+
+namespace ocelli {
+
+class FindMind final : public TaskMind {
+ public:
+  /// `memory` is of this maze and outlives the trial.
+  FindMind(const Vision& vision, const Controls& controls, MazeMemory& memory, uint64_t seed);
+
+  bool wantsFloor() const override { return true; }
+  double think(const Percept& seen, int64_t from, int64_t now, Hands& hands) override;
+
+ private:
+  void learn(const Percept& seen, int64_t from);
+  /// Whether the object has been in sight for long enough.
+  bool makesOut(const Percept& seen, int64_t from, int64_t now);
+  void goFor(const Sighting& object, int64_t from, int64_t now, Hands& hands);
+  void walk(const Percept& seen, int64_t from, int64_t now, Hands& hands);
+  void walkTo(const glm::dvec2& place, const WalkerPose& pose, int64_t at, Hands& hands) const;
+  void turnAround(int64_t at, Hands& hands) const;
+  std::optional<MazeCell> chooseGoal(const std::map<MazeCell, MazeMemory::Way>& ways);
+  void noteWhetherStuck(const Percept& seen, int64_t from, const Hands& hands);
+  void lookOn(const Percept& seen);
+
+  Vision vision_;
+  Controls controls_;
+  MazeMemory& memory_;
+  Random random_;
+  std::optional<glm::dvec2> gaze_{};
+  int64_t since_ = 0;                ///< what was seen before is to be seen again
+  std::optional<MazeCell> began_{};  ///< where the trial did
+  std::optional<MazeCell> goal_{};
+  std::optional<MazeCell> next_{};  ///< on the way there
+  double inSight_ = 0;              ///< seconds for which the object has been
+  int missed_ = 0;                  ///< fixations since it was seen, once it was made out
+  bool found_ = false;
+  struct Seen {
+    glm::dvec2 place{0};
+    int64_t at = 0;
+  };
+  std::optional<Seen> before_{};  ///< the object on the screen, a fixation ago
+  std::optional<WalkerPose> stood_{};
+  int64_t stoodAt_ = 0;
+  int stuck_ = 0;
+};
+
+}  // namespace ocelli

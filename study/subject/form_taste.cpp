@@ -1,0 +1,79 @@
+#include "study/subject/form_taste.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <optional>
+
+namespace ocelli {
+namespace {
+
+/// Differences that are noticed, and those that are plain, as shares.
+constexpr double kNoticed = 0.1;
+constexpr double kPlain = 0.3;
+constexpr double kSpread = 0.05;
+
+bool mentions(const std::string& text, const std::string& word) {
+  const auto found = std::search(text.begin(), text.end(), word.begin(), word.end(), [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  });
+  return found != text.end();
+}
+
+bool mentionsGraphView(const std::string& text) {
+  return mentions(text, "graph") || mentions(text, "bent") || mentions(text, "gc");
+}
+
+/// By how much harder the pinhole is than the graph camera; nothing where the subject did not have both.
+std::optional<double> preferenceOf(const std::string& task, const std::array<Effort, 2>& efforts) {
+  const Effort& pinhole = efforts[static_cast<size_t>(StudyView::kPinhole)];
+  const Effort& graph = efforts[static_cast<size_t>(StudyView::kGraph)];
+  if (pinhole.trials == 0 || graph.trials == 0) {
+    return std::nullopt;
+  }
+  const double difference = pinhole.mean() - graph.mean();
+  if (task == "find") {
+    return difference;  // of logarithms
+  }
+  const double sum = pinhole.mean() + graph.mean();
+  return sum > 0 ? 2 * difference / sum : 0;
+}
+
+/// What a rule is about where it is about the answers of a form: "form:vision".
+bool isAbout(const ExclusionRule& rule, const std::string& field) {
+  return rule.what == "form:" + field;
+}
+
+bool excludes(const ExclusionRule& rule, const std::string& option) {
+  return (rule.test == "is" && option == rule.value) || (rule.test == "is_not" && option != rule.value);
+}
+
+}  // namespace
+
+int optionOf(const Protocol& protocol, const ProtocolForm& form, int field, const Experience& experience,
+             Random& random) {
+  const FormField& asked = form.fields[static_cast<size_t>(field)];
+  const auto count = static_cast<int>(asked.options.size());
+  for (const auto& [task, efforts] : experience) {
+    const std::optional<double> preference = preferenceOf(task, efforts);
+    if (asked.ends.size() == 2 && preference && (mentions(asked.name, task) || mentions(asked.question, task))) {
+      const double felt = *preference + normal(random, 0, kSpread);
+      const double strength = std::abs(felt) < kNoticed ? 0 : std::abs(felt) < kPlain ? 0.5 : 1;
+      const bool graphFirst = mentionsGraphView(asked.ends[0]) && !mentionsGraphView(asked.ends[1]);
+      const double side = (felt > 0) == graphFirst ? -1 : 1;
+      return static_cast<int>(std::lround((1 + side * strength) / 2 * (count - 1)));
+    }
+  }
+  const bool matters = std::any_of(protocol.exclusions.begin(), protocol.exclusions.end(),
+                                   [&](const ExclusionRule& rule) { return isAbout(rule, asked.name); });
+  for (int option = 0; matters && option < count; ++option) {
+    if (std::none_of(protocol.exclusions.begin(), protocol.exclusions.end(), [&](const ExclusionRule& rule) {
+          return isAbout(rule, asked.name) && excludes(rule, asked.options[static_cast<size_t>(option)]);
+        })) {
+      return option;
+    }
+  }
+  return static_cast<int>(random.below(asked.options.size()));
+}
+
+}  // namespace ocelli

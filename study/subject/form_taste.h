@@ -1,0 +1,23 @@
+// What a simulated observer answers to the questions of forms.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+
+#include "study/protocol/protocol.h"
+#include "study/subject/task_mind.h"
+
+namespace ocelli {
+
+/// How hard the trials of each task were to a subject, in each view; of finding objects the logarithm of the seconds.
+using Experience = std::map<std::string, std::array<Effort, 2>>;
+
+/// The option of a field. A scale from one view to the other, about a task whose name stands in its name or question,
+/// is answered by how hard the subject found it in either view, and in the middle where it did both views alike: people
+/// notice differences of about a tenth. Other questions are answered at random, but one that exclusions are about by
+/// its first option that excludes nobody.
+int optionOf(const Protocol& protocol, const ProtocolForm& form, int field, const Experience& experience,
+             Random& random);
+
+}  // namespace ocelli

@@ -1,0 +1,177 @@
+#include "study/subject/hands.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "oc_core/base/conventions.h"
+
+namespace ocelli {
+namespace {
+
+constexpr int64_t kMouseStep = 8'000'000;  // 125 Hz
+/// A key that is held repeats, as systems do it.
+constexpr int64_t kRepeatDelay = 500'000'000;
+constexpr int64_t kRepeatStep = 40'000'000;
+constexpr int64_t kReckonStep = 1'000'000'000 / 120;
+constexpr int64_t kHistory = 5'000'000'000;
+/// The spread of the places that a pointer ends at is the width of the target over that (Soukoreff, MacKenzie 2004):
+/// 4 % miss.
+constexpr double kWidthsOfSpread = 4.133;
+constexpr double kLeastPointSeconds = 0.1;
+
+}  // namespace
+
+Hands::Hands(const HumanFactors& factors, const Controls& controls, uint64_t seed)
+    : factors_(factors),
+      controls_(controls),
+      random_(seed),
+      movement_{controls.forward, controls.backward, controls.turnLeft, controls.turnRight} {}
+
+bool Hands::isHeld(Key key, int64_t at) const {
+  bool held = false;
+  for (const Change& change : changes_) {
+    held = change.at <= at && change.key == key ? change.pressed : held;
+  }
+  return held;
+}
+
+void Hands::plan(int64_t from, const std::vector<Hold>& holds) {
+  from = std::max(from, taken_);
+  std::erase_if(changes_, [&](const Change& change) { return change.at >= from; });
+  for (const Key key : movement_) {
+    bool held = isHeld(key, from);
+    int64_t last = from;
+    for (const Hold& hold : holds) {
+      if (hold.key != key) {
+        continue;
+      }
+      const int64_t begin = std::max(hold.from, last);
+      const int64_t end = std::max(hold.to + nanosecondsOf(normal(random_, 0, factors_.keySpread)), begin + kMouseStep);
+      if (held && begin > last) {
+        changes_.push_back({last, key, false});
+        held = false;
+      }
+      if (!held) {
+        changes_.push_back({begin, key, true});
+      }
+      changes_.push_back({end, key, false});
+      held = false;
+      last = end;
+    }
+    if (held) {
+      changes_.push_back({last, key, false});
+    }
+  }
+  std::stable_sort(changes_.begin(), changes_.end(), [](const Change& a, const Change& b) { return a.at < b.at; });
+}
+
+void Hands::add(InputEvent event, int64_t at) {
+  const TimedInput input{std::move(event), std::max(at, taken_)};
+  queue_.insert(
+      std::upper_bound(queue_.begin(), queue_.end(), input,
+                       [](const TimedInput& a, const TimedInput& b) { return a.nanoseconds < b.nanoseconds; }),
+      input);
+}
+
+void Hands::tap(Key key, int64_t at) {
+  add(KeyEvent{key, true, {}}, at);
+  add(KeyEvent{key, false, {}}, at + nanosecondsOf(normalWithin(random_, factors_.holdSeconds, 0.015, 0.04, 0.2)));
+}
+
+void Hands::click(int64_t at) {
+  add(PointerButtonEvent{PointerButton::kLeft, true, {}}, at);
+  add(PointerButtonEvent{PointerButton::kLeft, false, {}},
+      at + nanosecondsOf(normalWithin(random_, factors_.holdSeconds, 0.015, 0.04, 0.2)));
+}
+
+int64_t Hands::point(const glm::dvec2& to, double sizePixels, int64_t from) {
+  from = std::max(from, taken_);
+  std::erase_if(queue_, [&](const TimedInput& input) {
+    return input.nanoseconds >= from && std::holds_alternative<PointerMoveEvent>(input.event);
+  });
+  glm::dvec2 start = pointer_;
+  for (const TimedInput& input : queue_) {
+    if (const auto* move = std::get_if<PointerMoveEvent>(&input.event)) {
+      start = {move->x, move->y};
+    }
+  }
+  const double size = std::max(sizePixels, 1.0);
+  const double bits = std::log2(glm::distance(start, to) / size + 1);
+  const double seconds =
+      std::max(kLeastPointSeconds, bits / factors_.bitsPerSecond * normalWithin(random_, 1, 0.1, 0.7, 1.4));
+  const double spread = size / kWidthsOfSpread / 2;  // to either side
+  const glm::dvec2 end = to + glm::dvec2(normal(random_, 0, spread), normal(random_, 0, spread));
+  const int64_t until = from + nanosecondsOf(seconds);
+  for (int64_t at = from; at < until + kMouseStep; at += kMouseStep) {
+    // A movement of least jerk (Flash and Hogan 1985).
+    const double t = std::min(1.0, secondsOf(at - from) / seconds);
+    const double way = t * t * t * (10 + t * (6 * t - 15));
+    const glm::dvec2 place = glm::round(glm::mix(start, end, way));
+    add(PointerMoveEvent{place.x, place.y}, at);
+  }
+  pointsUntil_ = until + kMouseStep;
+  return pointsUntil_;
+}
+
+void Hands::release(int64_t at) {
+  plan(at, {});
+  std::erase_if(queue_, [&](const TimedInput& input) {
+    return input.nanoseconds >= at && std::holds_alternative<PointerMoveEvent>(input.event);
+  });
+  pointsUntil_ = std::min(pointsUntil_, at);
+}
+
+std::vector<TimedInput> Hands::take(int64_t until) {
+  std::vector<TimedInput> events;
+  while (!queue_.empty() && queue_.front().nanoseconds < until) {
+    events.push_back(std::move(queue_.front()));
+    queue_.erase(queue_.begin());
+  }
+  for (const Change& change : changes_) {
+    if (change.at < taken_ || change.at >= until) {
+      continue;
+    }
+    events.push_back({KeyEvent{change.key, change.pressed, {}}, change.at});
+    // The last key that was pressed repeats, until any is let go.
+    if (change.pressed) {
+      repeats_ = {change.key, change.at + kRepeatDelay};
+    } else if (repeats_ && repeats_->key == change.key) {
+      repeats_.reset();
+    }
+  }
+  for (; repeats_ && repeats_->at < until; repeats_->at += kRepeatStep) {
+    events.push_back({KeyEvent{repeats_->key, true, {}}, repeats_->at});
+  }
+  std::stable_sort(events.begin(), events.end(),
+                   [](const TimedInput& a, const TimedInput& b) { return a.nanoseconds < b.nanoseconds; });
+  for (const TimedInput& event : events) {
+    if (const auto* move = std::get_if<PointerMoveEvent>(&event.event)) {
+      pointer_ = {move->x, move->y};
+    }
+  }
+  taken_ = std::max(taken_, until);
+  while (!changes_.empty() && changes_.front().at < taken_ - kHistory && !changes_.front().pressed) {
+    const Key key = changes_.front().key;  // what it ended is over too
+    std::erase_if(changes_, [&](const Change& change) { return change.key == key && change.at < taken_ - kHistory; });
+  }
+  return events;
+}
+
+WalkerPose Hands::reckon(const WalkerPose& pose, int64_t from, int64_t to) const {
+  WalkerPose reached = pose;
+  for (int64_t at = from; at < to; at += kReckonStep) {
+    const double seconds = secondsOf(std::min(kReckonStep, to - at));
+    const auto way = [&](Key positive, Key negative) {
+      return (isHeld(positive, at) ? 1.0 : 0.0) - (isHeld(negative, at) ? 1.0 : 0.0);
+    };
+    reached.headingRadians +=
+        radiansFromDegrees(way(controls_.turnRight, controls_.turnLeft) * controls_.turnDegreesPerSecond) * seconds;
+    const double stride = way(controls_.forward, controls_.backward) * controls_.walkMetersPerSecond * seconds;
+    reached.x += stride * std::sin(reached.headingRadians);
+    reached.z -= stride * std::cos(reached.headingRadians);
+  }
+  return reached;
+}
+
+}  // namespace ocelli

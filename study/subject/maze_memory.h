@@ -1,0 +1,63 @@
+// What a simulated observer has in mind of a maze: where it has seen ways, and when it last saw which floor.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "study/subject/chance.h"
+#include "study/subject/human_factors.h"
+#include "study/subject/percept.h"
+
+namespace ocelli {
+
+class MazeMemory {
+ public:
+  /// Another trial begins: nothing has been seen in it, and some ways are forgotten, each with that chance, over the
+  /// number of trials in which it was seen.
+  void beginTrial(double forgetting, Random& random);
+
+  void see(const FloorPatch& patch, int64_t now);
+  /// All of the floor of a cell, as one stands in it.
+  void visit(const MazeCell& cell, int64_t now);
+  /// There is no way after all.
+  void forgetWay(const MazeCell& cell, Direction direction);
+  /// What was seen before `before` is as good as not seen.
+  void forgetSeen(int64_t before);
+  void forgetCell(const MazeCell& cell);
+
+  bool knowsWay(const MazeCell& cell, Direction direction) const;
+  size_t waysKnown() const { return ways_.size(); }
+  /// Whether that patch has been seen, not before `since`.
+  bool hasSeen(const FloorPatch& patch, int64_t since) const;
+  /// Whether one would have seen an object there: most of its floor has been seen, not before `since`.
+  bool hasSearched(const MazeCell& cell, int64_t since) const;
+  /// The ninths of a cell that have not been seen since then, as their mean place in the cell, in cell sizes from its
+  /// middle.
+  glm::dvec2 unseenPart(const MazeCell& cell, int64_t since) const;
+
+  struct Way {
+    std::vector<MazeCell> cells;  ///< from the first after the start to the goal
+    double seconds = 0;
+  };
+  /// To each cell that known ways lead to, with times for walking a cell and for turning by 90 degrees.
+  std::map<MazeCell, Way> waysFrom(const MazeCell& start, double heading, double cellSeconds, double turnSeconds) const;
+
+ private:
+  struct Passage {
+    MazeCell cell;
+    bool east = false;  ///< else south
+    auto operator<=>(const Passage&) const = default;
+  };
+  struct Known {
+    int trials = 0;  ///< in which it was seen
+    bool seenNow = false;
+  };
+  static Passage passage(const MazeCell& cell, Direction direction);
+
+  std::map<Passage, Known> ways_;
+  std::map<MazeCell, std::array<int64_t, 9>> seen_;  ///< when, of each ninth; -1 for never
+};
+
+}  // namespace ocelli

@@ -1,0 +1,192 @@
+#include "study/subject/session_observer.h"
+
+#include <algorithm>
+
+#include "oc_core/base/conventions.h"
+#include "study/subject/count_mind.h"
+#include "study/subject/find_mind.h"
+#include "study/subject/path_mind.h"
+
+namespace ocelli {
+namespace {
+
+/// Brysbaert 2019: 238 words of English a minute.
+constexpr double kWordsPerSecond = 4;
+constexpr double kLongestReadSeconds = 60;
+/// Where nothing came of a key, it is pressed again.
+constexpr int64_t kAgain = 3'000'000'000;
+
+double pixelsPerDegree(const Protocol& protocol, const TrialScreen& screen) {
+  const double half = std::atan(protocol.screen.widthMillimeters / 2 / protocol.screen.distanceMillimeters);
+  return screen.width / degreesFromRadians(2 * half);
+}
+
+size_t wordsOf(const std::string& text) {
+  return text.empty() ? 0 : static_cast<size_t>(std::count(text.begin(), text.end(), ' ')) + 1;
+}
+
+}  // namespace
+
+SessionObserver::SessionObserver(const Protocol& protocol, const ObserverSetting& setting, uint64_t seed)
+    : protocol_(protocol),
+      setting_(setting),
+      seed_(seed),
+      factors_(drawHumanFactors(seed)),
+      vision_(factors_, pixelsPerDegree(protocol, setting.screen)),
+      eye_(setting.screen, setting.drawer),
+      random_(seedOf(seed, 1)),
+      hands_(factors_, protocol.controls, seedOf(seed, 2)) {}
+
+SessionObserver::~SessionObserver() = default;
+
+void SessionObserver::beginSession(int session) {
+  random_ = Random(seedOf(seed_, 1000 + static_cast<uint64_t>(session)));
+  hands_ = Hands(factors_, protocol_.controls, seedOf(seed_, 2000 + static_cast<uint64_t>(session)));
+  if (session > 0) {
+    for (auto& [surroundings, memory] : mazes_) {
+      memory.beginTrial(factors_.forgetBetweenSessions, random_);
+    }
+  }
+  inTrial_ = false;
+  mind_.reset();
+  nextLook_ = 0;
+  page_.clear();
+}
+
+std::vector<TimedInput> SessionObserver::act(int64_t until) {
+  return hands_.take(until);
+}
+
+void SessionObserver::beginTrial(const TrialPlan& plan, int64_t now) {
+  inTrial_ = true;
+  plan_ = plan;
+  trialBegan_ = now;
+  ++trials_;
+  still_.reset();
+  mind_.reset();
+  page_.clear();
+  nextLook_ = now;
+}
+
+void SessionObserver::endTrial(int64_t now) {
+  inTrial_ = false;
+  hands_.release(now);
+  if (mind_ && plan_) {
+    Effort& effort = experience_[plan_->task][static_cast<size_t>(plan_->view)];
+    if (const auto* count = dynamic_cast<const CountMind*>(mind_.get())) {
+      effort.add(count->effort());
+    } else if (const auto* path = dynamic_cast<const PathMind*>(mind_.get())) {
+      effort.add(path->effort());
+    } else {
+      effort.add(std::log(std::max(secondsOf(now - trialBegan_), 0.1)));
+    }
+  }
+  mind_.reset();
+  nextLook_ = now;
+}
+
+std::optional<uint64_t> SessionObserver::watch(const SessionFlow& flow, int64_t now) {
+  const bool trialRuns = flow.trial() != nullptr;
+  if (trialRuns && !inTrial_) {
+    beginTrial(flow.trialPlan().value_or(TrialPlan{}), now);
+  } else if (!trialRuns && inTrial_) {
+    endTrial(now);
+  }
+  if (now < nextLook_) {
+    return std::nullopt;
+  }
+  const SessionScreen screen = flow.screen();
+  if (const auto* trial = std::get_if<TrialScreenView>(&screen)) {
+    return fixate(trial->picture, now);
+  }
+  see(screen, now);
+  return std::nullopt;
+}
+
+const Percept& SessionObserver::see(const TrialPicture& picture) {
+  const bool withFloor = !mind_ || mind_->wantsFloor();
+  if (withFloor || picture.views.empty()) {
+    percept_ = eye_.look(picture, withFloor);
+    return percept_;
+  }
+  if (!still_ || still_->scene != picture.scene || still_->offsets != picture.objectOffsets) {
+    still_ = Seen{picture.scene, picture.objectOffsets, eye_.look(picture, false)};
+  }
+  return still_->percept;
+}
+
+std::optional<uint64_t> SessionObserver::fixate(const TrialPicture& picture, int64_t now) {
+  if (!mind_) {
+    const uint64_t seed = seedOf(seed_, 1'000'000 + trials_);
+    if (plan_->task == "find") {
+      const Percept first = eye_.look(picture, true);
+      mind_ = std::make_unique<FindMind>(vision_, protocol_.controls, mazes_[first.grid.surroundings], seed);
+    } else if (plan_->task == "count") {
+      mind_ = std::make_unique<CountMind>(vision_, seed);
+    } else {
+      mind_ = std::make_unique<PathMind>(vision_, seed);
+    }
+  }
+  const int64_t ends =
+      now + nanosecondsOf(std::max(0.1, normal(random_, factors_.fixationSeconds, factors_.fixationSpread)));
+  const double more = mind_->think(see(picture), now, ends, hands_);
+  nextLook_ = ends + nanosecondsOf(more + factors_.saccadeSeconds);
+  if (setting_.hashFrames && !picture.views.empty()) {
+    return pixelHashOf(viewsOf(picture, setting_.screen, setting_.drawer));
+  }
+  return std::nullopt;
+}
+
+void SessionObserver::press(Key key, int64_t at, int64_t again) {
+  hands_.tap(key, at);
+  nextLook_ = at + again;
+}
+
+void SessionObserver::see(const SessionScreen& screen, int64_t now) {
+  if (const auto* page = std::get_if<PageScreen>(&screen)) {
+    read(*page, now);
+  } else if (const auto* form = std::get_if<FormScreen>(&screen)) {
+    fillIn(*form, now);
+  } else if (const auto* consent = std::get_if<ConsentScreen>(&screen)) {
+    PageScreen asPage;
+    asPage.title = consent->text.title;
+    asPage.paragraphs = consent->text.paragraphs;
+    read(asPage, now);
+  }
+}
+
+void SessionObserver::read(const PageScreen& page, int64_t now) {
+  std::string text = page.title;
+  for (const std::string& paragraph : page.paragraphs) {
+    text += '\n';
+    text += paragraph;
+  }
+  const double seconds = text == page_ ? 0.5 : static_cast<double>(wordsOf(text)) / kWordsPerSecond;
+  page_ = text;
+  const double spread = normalWithin(random_, 1, 0.2, 0.5, 2);
+  const double until = std::max(std::min(factors_.readSeconds / 2 + seconds, kLongestReadSeconds) * spread,
+                                page.waitSeconds + factors_.reactionSeconds);
+  press(Key::kEnter, now + nanosecondsOf(until), nanosecondsOf(factors_.holdSeconds * 2 + 0.1));
+}
+
+void SessionObserver::fillIn(const FormScreen& form, int64_t now) {
+  const auto pressAfter = [&](Key key, double seconds) {
+    press(key, now + nanosecondsOf(seconds * normalWithin(random_, 1, 0.2, 0.5, 2)), kAgain / 10);
+  };
+  if (form.form == nullptr || form.focus >= static_cast<int>(form.form->fields.size())) {
+    pressAfter(Key::kEnter, factors_.decideSeconds);
+    return;
+  }
+  const auto focus = static_cast<size_t>(form.focus);
+  if (form.chosen[focus]) {
+    pressAfter(Key::kEnter, factors_.reactionSeconds * 2);
+    return;
+  }
+  const int option = optionOf(protocol_, *form.form, form.focus, experience_, random_);
+  const double words = static_cast<double>(wordsOf(form.form->fields[focus].question));
+  const double seconds = factors_.decideSeconds + words / kWordsPerSecond;
+  constexpr int kDigits = 9;
+  pressAfter(option < kDigits ? static_cast<Key>(static_cast<int>(Key::k1) + option) : Key::kLeft, seconds);
+}
+
+}  // namespace ocelli

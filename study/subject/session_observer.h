@@ -1,0 +1,73 @@
+// A simulated subject that sees: it goes through whole sessions as a person does. It looks at what the session shows,
+// reads pages, fills in forms, does the trials (task_mind.h), and gives back what its hands do.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "study/session/session_flow.h"
+#include "study/subject/form_taste.h"
+#include "study/subject/identity_eye.h"
+#include "study/subject/maze_memory.h"
+
+namespace ocelli {
+
+struct ObserverSetting {
+  TrialScreen screen{};
+  StudyDrawer drawer = rasterizeStudy;
+  bool hashFrames = false;  ///< of the views of each picture that is looked at
+};
+
+class SessionObserver {
+ public:
+  /// `protocol` must outlive it. The seed makes the subject what it is.
+  SessionObserver(const Protocol& protocol, const ObserverSetting& setting, uint64_t seed);
+  ~SessionObserver();
+
+  const HumanFactors& factors() const { return factors_; }
+  /// Sessions come in order: what was learned in one is there in the next, as far as it is not forgotten.
+  void beginSession(int session);
+  /// The session shows its screen, from `now` on. Returns the hash of the picture where it made one.
+  std::optional<uint64_t> watch(const SessionFlow& flow, int64_t now);
+  /// What its hands have done before `until`.
+  std::vector<TimedInput> act(int64_t until);
+
+ private:
+  void beginTrial(const TrialPlan& plan, int64_t now);
+  void endTrial(int64_t now);
+  std::optional<uint64_t> fixate(const TrialPicture& picture, int64_t now);
+  const Percept& see(const TrialPicture& picture);
+  void see(const SessionScreen& screen, int64_t now);
+  void read(const PageScreen& page, int64_t now);
+  void fillIn(const FormScreen& form, int64_t now);
+  void press(Key key, int64_t at, int64_t again);
+
+  const Protocol& protocol_;
+  ObserverSetting setting_;
+  uint64_t seed_;
+  HumanFactors factors_;
+  Vision vision_;
+  IdentityEye eye_;
+  Random random_;
+  Hands hands_;
+  std::map<uint64_t, MazeMemory> mazes_{};  ///< by their surroundings
+  Experience experience_{};
+
+  uint64_t trials_ = 0;  ///< so far, practice included
+  bool inTrial_ = false;
+  std::optional<TrialPlan> plan_{};
+  int64_t trialBegan_ = 0;
+  std::unique_ptr<TaskMind> mind_{};
+  int64_t nextLook_ = 0;  ///< when the next fixation begins, or something is to be read or pressed
+  std::string page_{};    ///< that was read
+  struct Seen {
+    const StudyScene* scene = nullptr;
+    std::vector<glm::vec3> offsets{};
+    Percept percept{};
+  };
+  std::optional<Seen> still_{};  ///< of a picture whose cameras stay where they are
+  Percept percept_{};
+};
+
+}  // namespace ocelli
