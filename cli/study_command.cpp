@@ -11,6 +11,7 @@ void addStudyCommand(CLI::App& program, const Frame& frame) {
   CLI::App& study = *program.add_subcommand("study", "Run perception studies and keep their data");
   study.require_subcommand(1);
   addStudyRunCommands(study, frame);
+  addStudyDataCommands(study, frame);
 }
 
 }  // namespace ocelli
