@@ -10,7 +10,7 @@ namespace ocelli {
 void addStudyCommand(CLI::App& program, const Frame& frame) {
   CLI::App& study = *program.add_subcommand("study", "Run perception studies and keep their data");
   study.require_subcommand(1);
-  (void)frame;
+  addStudySimulateCommand(study, frame);
 }
 
 }  // namespace ocelli
