@@ -65,5 +65,6 @@ void addSceneCommand(CLI::App& program, const Frame& frame);
 void addSliceCommand(CLI::App& program, const Frame& frame);
 void addVolumeCommand(CLI::App& program, const Frame& frame);
 void addViewCommand(CLI::App& program, const Frame& frame);
+void addStudyCommand(CLI::App& program, const Frame& frame);
 
 }  // namespace ocelli

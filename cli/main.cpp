@@ -32,6 +32,7 @@ void addCommands(CLI::App& program, const Frame& frame) {
   addVolumeCommand(program, frame);
   addEvaluateCommand(program, frame);
   addViewCommand(program, frame);
+  addStudyCommand(program, frame);
   addDoctorCommand(program, frame);
 }
 

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -45,6 +46,11 @@ bool hasAvx2() {
 MachineInfo machineInfo() {
   return {fieldOf("/proc/cpuinfo", "model name"), threadCount(), hasAvx2(), memoryField("MemTotal:"),
           memoryField("MemAvailable:")};
+}
+
+std::string computerName() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? std::string(name.data()) : "";
 }
 
 std::optional<fs::path> findProgram(const std::string& name) {

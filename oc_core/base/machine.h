@@ -18,6 +18,9 @@ struct MachineInfo {
 
 MachineInfo machineInfo();
 
+/// Its name in the network; empty where the system does not tell.
+std::string computerName();
+
 /// Where the shell would find a program; nothing where it would not.
 std::optional<std::filesystem::path> findProgram(const std::string& name);
 

@@ -301,8 +301,19 @@ void GlWindow::awaitFrame() {
   context_->check("waiting for the screen");
 }
 
-void GlWindow::setCursorShown(bool shown) {
-  glfwSetInputMode(state_->window, GLFW_CURSOR, shown ? GLFW_CURSOR_NORMAL : GLFW_CURSOR_HIDDEN);
+void GlWindow::setCursor(CursorMode mode) {
+  const auto theirs = [&] {
+    switch (mode) {
+      case CursorMode::kShown:
+        return GLFW_CURSOR_NORMAL;
+      case CursorMode::kHidden:
+        return GLFW_CURSOR_HIDDEN;
+      case CursorMode::kCaptured:
+        return GLFW_CURSOR_DISABLED;
+    }
+    return GLFW_CURSOR_NORMAL;
+  };
+  glfwSetInputMode(state_->window, GLFW_CURSOR, theirs());
 }
 
 bool GlWindow::isFullscreen() const {

@@ -43,6 +43,12 @@ struct TimedWindowEvent {
   int64_t nanoseconds = 0;
 };
 
+enum class CursorMode {
+  kShown,     ///< the pointer of the system, as ever
+  kHidden,    ///< over the window
+  kCaptured,  ///< hidden, and its events go on beyond the borders of the screen; then it comes back to where it was
+};
+
 struct GlWindowOptions {
   std::string title = "Ocelli";
   int width = 1280;  ///< at 96 dots an inch; larger on a denser screen
@@ -88,8 +94,7 @@ class GlWindow {
   /// drawn into the next frame, which drivers allow only once there is room for it, and awaited. From any thread.
   void awaitFrame();
 
-  /// Whether the pointer of the system is drawn over the window.
-  void setCursorShown(bool shown);
+  void setCursor(CursorMode mode);
 
   /// Over the whole of the screen that shows most of the window, and back.
   void setFullscreen(bool fullscreen);

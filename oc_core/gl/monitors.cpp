@@ -16,6 +16,10 @@ std::string lastGlfwError() {
   return description != nullptr ? std::string(" (") + description + ")" : "";
 }
 
+std::string windowSystemVersion() {
+  return glfwGetVersionString();
+}
+
 void initializeGlfw() {
   if (glfwInit() == GLFW_TRUE) {
     return;

@@ -23,6 +23,8 @@ std::vector<Monitor> listMonitors();
 /// Starts GLFW, which is left running: ending it would unload the graphics driver, which does not survive that. On the
 /// main thread. Throws GlError where there is no display.
 void initializeGlfw();
+/// "3.3.8 X11 GLX EGL ...".
+std::string windowSystemVersion();
 /// What GLFW says of its last error, in parentheses, after a space; empty for none.
 std::string lastGlfwError();
 

@@ -1,0 +1,88 @@
+#include "study/screen/run_environment.h"
+
+#include <sys/utsname.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "oc_core/base/machine.h"
+
+namespace ocelli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// "Debian GNU/Linux 12 (bookworm)"; empty where the system does not tell.
+std::string systemName() {
+  std::ifstream file("/etc/os-release");
+  constexpr std::string_view kField = "PRETTY_NAME=";
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with(kField)) {
+      line.erase(0, kField.size());
+      std::erase(line, '"');
+      return line;
+    }
+  }
+  return {};
+}
+
+Json textOf(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value != nullptr && *value != '\0' ? Json(value) : Json();
+}
+
+}  // namespace
+
+std::string jsonText(const RunEnvironment& environment) {
+  utsname kernel{};
+  uname(&kernel);
+  const MachineInfo machine = machineInfo();
+  const GlInfo& graphics = environment.graphics;
+  const Monitor& monitor = environment.monitor;
+  const bool paced = environment.pacedHertz > 0;
+  const Json json = {
+      {"program_version", environment.programVersion},
+      {"system", systemName()},
+      {"kernel", std::string(kernel.sysname) + " " + kernel.release},
+      {"processor", machine.processor},
+      {"memory_bytes", machine.memoryBytes},
+      {"graphics",
+       {{"renderer", graphics.renderer},
+        {"vendor", graphics.vendor},
+        {"opengl", graphics.version},
+        {"software", graphics.isSoftware}}},
+      {"monitor",
+       {{"number", environment.monitorNumber},
+        {"name", monitor.name},
+        {"width", monitor.width},
+        {"height", monitor.height},
+        {"refresh_hertz", monitor.refreshHertz > 0 ? Json(monitor.refreshHertz) : Json()},
+        {"width_millimeters", monitor.widthMillimeters},
+        {"height_millimeters", monitor.heightMillimeters}}},
+      {"window",
+       {{"full_screen", environment.fullScreen},
+        {"width", environment.windowWidth},
+        {"height", environment.windowHeight}}},
+      {"session",
+       {{"type", textOf("XDG_SESSION_TYPE")},
+        {"desktop", textOf("XDG_CURRENT_DESKTOP")},
+        {"display", textOf("DISPLAY")},
+        {"window_system", windowSystemVersion()}}},
+      {"clock", "std::chrono::steady_clock"},
+      {"input_times",
+       "steady clock when the window system's event was taken, on a thread that waits for nothing else; GLFW passes on "
+       "no "
+       "times of the X server"},
+      {"frame_times",
+       paced ? Json("steady clock after the swap of buffers, which did not wait for the screen; frames were held back "
+                    "by the program")
+             : Json("steady clock after a swap of buffers with an interval of 1, a pixel drawn into the next buffer, "
+                    "and glFinish")},
+      {"paced_hertz", paced ? Json(environment.pacedHertz) : Json()},
+      {"not_measured",
+       {"latency of mouse and keyboard", "time from the swap of buffers to light", "response of the panel"}}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace ocelli

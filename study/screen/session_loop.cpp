@@ -1,0 +1,340 @@
+#include "study/screen/session_loop.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "oc_core/base/png_file.h"
+#include "study/screen/clock_watch.h"
+#include "study/screen/screen_target.h"
+#include "study/screen/study_painter.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kPollSeconds = 0.1;
+constexpr int64_t kNanosecondsPerSecond = 1'000'000'000;
+
+int64_t steadyNow() {
+  return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+int64_t systemNow() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+/// What the main thread and the one that draws tell each other.
+struct Exchange {
+  std::mutex mutex;
+  std::vector<TimedWindowEvent> events;  ///< guarded
+  std::atomic<CursorMode> cursor{CursorMode::kShown};
+  std::atomic<bool> interrupted{false};
+  std::atomic<bool> over{false};
+
+  std::vector<TimedWindowEvent> take() {
+    const std::scoped_lock lock(mutex);
+    return std::exchange(events, {});
+  }
+};
+
+/// Holds frames back where the screen does not.
+class Pace {
+ public:
+  explicit Pace(double hertz) : interval_(hertz > 0 ? static_cast<int64_t>(1e9 / hertz) : 0) {}
+
+  void wait() {
+    if (interval_ == 0) {
+      return;
+    }
+    const int64_t now = steadyNow();
+    // Late frames shift all that follow, as they do where the screen decides.
+    due_ = due_ == 0 || now > due_ + interval_ ? now : due_;
+    std::this_thread::sleep_for(std::chrono::nanoseconds(std::max<int64_t>(due_ - now, 0)));
+    due_ += interval_;
+  }
+
+ private:
+  int64_t interval_;
+  int64_t due_ = 0;
+};
+
+/// Positions in pixels of the screen that trials are laid out for.
+InputEvent inPixels(const InputEvent& event, double pixelsPerUnit) {
+  if (const auto* move = std::get_if<PointerMoveEvent>(&event)) {
+    return PointerMoveEvent{move->x * pixelsPerUnit, move->y * pixelsPerUnit};
+  }
+  return event;
+}
+
+class Drawer {
+ public:
+  Drawer(GlWindow& window, const Protocol& protocol, SessionFlow& flow, ExperimenterConsole& console,
+         const SessionLoopOptions& options, Exchange& exchange)
+      : window_(window),
+        protocol_(protocol),
+        flow_(flow),
+        console_(console),
+        options_(options),
+        exchange_(exchange),
+        screen_{window.pixelWidth(), window.pixelHeight(), 60},
+        pixelsPerUnit_(window.size().pixelsPerUnit),
+        pace_(options.pacedHertz) {}
+
+  /// On its own thread.
+  void run() {
+    const GlScope scope(window_.context());
+    StudyPainter painter(window_.context(), screen_, protocol_.controls);
+    int64_t last = steadyNow();
+    while (!flow_.isOver() && !quits_) {
+      takeEvents(painter);
+      takeCommands();
+      watchClock();
+      const int64_t now = steadyNow();
+      flow_.update(now);
+      const SessionScreen screen = flow_.screen();
+      const StudyFrame frame =
+          painter.draw(screen, static_cast<double>(now - last) / kNanosecondsPerSecond, wantsHash(screen));
+      last = now;
+      setCursor(cursorFor(screen));
+      window_.present(painter.framebuffer(), screen_.width, screen_.height);
+      if (options_.pacedHertz > 0) {
+        pace_.wait();
+      } else {
+        window_.awaitFrame();
+      }
+      flow_.frameShown(steadyNow(), frame.pixelHash);
+      if (frame.action) {
+        flow_.act(*frame.action, steadyNow());
+      }
+      keepPicture(screen, painter);
+      showStatus(now);
+    }
+  }
+
+ private:
+  void takeEvents(StudyPainter& painter) {
+    for (const TimedWindowEvent& timed : exchange_.take()) {
+      if (const auto* focus = std::get_if<FocusEvent>(&timed.event)) {
+        if (!focus->focused && hadFocus_) {
+          flow_.report("focus_lost", "");
+          flow_.pause("The window has lost the keyboard. The experimenter goes on.");
+        }
+        hadFocus_ = focus->focused;
+      } else if (const auto* lost = std::get_if<MonitorLostEvent>(&timed.event)) {
+        flow_.report("monitor_lost", lost->name);
+        flow_.pause("The monitor was disconnected. Please call the experimenter.");
+        console_.print(fmt::format("the monitor \"{}\" is gone: connect it again, then: resume", lost->name));
+      } else {
+        takeInput(painter, {std::get<InputEvent>(timed.event), timed.nanoseconds});
+      }
+    }
+  }
+
+  void takeInput(StudyPainter& painter, const TimedInput& timed) {
+    if (std::holds_alternative<CloseEvent>(timed.event)) {
+      // As whoever feels unwell: it asks.
+      for (const bool pressed : {true, false}) {
+        flow_.handle({KeyEvent{Key::kF10, pressed, {}}, timed.nanoseconds});
+      }
+      return;
+    }
+    if (const auto* button = std::get_if<PointerButtonEvent>(&timed.event)) {
+      turning_ = button->button == PointerButton::kRight ? button->pressed : turning_;
+    }
+    const InputEvent event = inPixels(timed.event, pixelsPerUnit_);
+    painter.handle(event);
+    flow_.handle({event, timed.nanoseconds});
+  }
+
+  void takeCommands() {
+    if (exchange_.interrupted) {
+      flow_.abort("interrupted");
+      quits_ = true;
+    }
+    for (const ConsoleCommand& command : console_.take()) {
+      switch (command.kind) {
+        case ConsoleCommand::Kind::kPause:
+          flow_.pause(command.text.empty() ? "The experimenter will be with you in a moment." : command.text);
+          break;
+        case ConsoleCommand::Kind::kResume:
+          flow_.resume();
+          break;
+        case ConsoleCommand::Kind::kRedo:
+          flow_.redo();
+          break;
+        case ConsoleCommand::Kind::kAbort:
+          flow_.abort(command.text);
+          break;
+        case ConsoleCommand::Kind::kNote:
+          flow_.note(command.text);
+          console_.print("noted");
+          break;
+        case ConsoleCommand::Kind::kStatus:
+          console_.print(statusStep() + "  " + statusFigures());
+          break;
+        case ConsoleCommand::Kind::kQuit:
+          flow_.abort("quit");
+          quits_ = true;
+          break;
+        case ConsoleCommand::Kind::kHelp:
+          break;
+      }
+    }
+  }
+
+  void watchClock() {
+    if (const auto jump = clock_.look(systemNow(), steadyNow())) {
+      const std::string seconds = fmt::format("{:+.3f} s", static_cast<double>(*jump) / 1e9);
+      flow_.report("clock_jump", seconds);
+      console_.print("the clock of this computer was set by " + seconds + "; trials are not affected");
+    }
+  }
+
+  void setCursor(CursorMode mode) {
+    if (exchange_.cursor.exchange(mode) != mode) {
+      GlWindow::wake();
+    }
+  }
+
+  bool wantsHash(const SessionScreen& screen) {
+    if (!std::holds_alternative<TrialScreenView>(screen)) {
+      trialFrames_ = 0;
+      return false;
+    }
+    return options_.hashEvery > 0 && trialFrames_++ % options_.hashEvery == 0;
+  }
+
+  CursorMode cursorFor(const SessionScreen& screen) const {
+    const auto* const trial = std::get_if<TrialScreenView>(&screen);
+    if (trial == nullptr) {
+      return CursorMode::kShown;
+    }
+    return turning_ ? CursorMode::kCaptured : CursorMode::kHidden;
+  }
+
+  void keepPicture(const SessionScreen& screen, const StudyPainter& painter) {
+    if (options_.screenshots.empty()) {
+      return;
+    }
+    const std::string identity = identityOf(screen);
+    if (identity != pictured_) {
+      pictured_ = identity;
+      const auto name = fmt::format("{:03}-{}.png", pictures_++, kindOf(screen));
+      writePng(options_.screenshots / name, painter.image());
+    }
+  }
+
+  std::string statusStep() const {
+    const SessionStatus status = flow_.status();
+    return fmt::format("{}: {}{}{}", options_.subject, status.step, status.paused ? " (paused)" : "",
+                       status.wantsExperimenter ? " (calls you)" : "");
+  }
+  std::string statusFigures() const {
+    const SessionStatus status = flow_.status();
+    const TrialTiming& timing = status.lastTiming;
+    const std::string last =
+        timing.frames == 0
+            ? ""
+            : fmt::format(", last trial: {} frames, {} dropped, median {:.1f} ms, longest {:.1f} ms ({})",
+                          timing.frames, timing.dropped, static_cast<double>(timing.medianNanoseconds) / 1e6,
+                          static_cast<double>(timing.longestNanoseconds) / 1e6, timing.verdict);
+    return fmt::format("{} of {} trials done{}", status.progress.trialsDone, status.progress.trials, last);
+  }
+  /// Twice a second is as much as a person reads.
+  void showStatus(int64_t now) {
+    if (now - statusShown_ >= kNanosecondsPerSecond / 2) {
+      statusShown_ = now;
+      console_.setStatus(statusStep(), statusFigures());
+    }
+  }
+
+  GlWindow& window_;
+  const Protocol& protocol_;
+  SessionFlow& flow_;
+  ExperimenterConsole& console_;
+  const SessionLoopOptions& options_;
+  Exchange& exchange_;
+  TrialScreen screen_;
+  double pixelsPerUnit_;
+  Pace pace_;
+  ClockWatch clock_;
+  bool quits_ = false;
+  bool hadFocus_ = false;
+  bool turning_ = false;
+  int64_t trialFrames_ = 0;
+  int64_t statusShown_ = 0;
+  std::string pictured_;
+  int pictures_ = 0;
+};
+
+}  // namespace
+
+std::vector<int64_t> measureFrames(GlWindow& window, double seconds, const std::string& message) {
+  constexpr int kSettlingFrames = 15;  // until the driver's queue has its length
+  const GlScope scope(window.context());
+  StudyPainter painter(window.context(), {window.pixelWidth(), window.pixelHeight(), 60}, {});
+  PageScreen page;
+  page.title = message;
+  std::vector<int64_t> shown;
+  int frames = 0;
+  for (int64_t start = steadyNow(); static_cast<double>(steadyNow() - start) < seconds * 1e9 || frames < 2;) {
+    window.pollTimed(0);
+    if (frames == 0) {
+      painter.draw(page);
+    }
+    window.present(painter.framebuffer(), window.pixelWidth(), window.pixelHeight());
+    window.awaitFrame();
+    if (++frames == kSettlingFrames) {
+      start = steadyNow();
+    }
+    if (frames > kSettlingFrames) {
+      shown.push_back(steadyNow());
+    }
+  }
+  return shown;
+}
+
+SessionEnding runSessionLoop(GlWindow& window, const Protocol& protocol, SessionFlow& flow,
+                             ExperimenterConsole& console, const SessionLoopOptions& options) {
+  Exchange exchange;
+  Drawer drawer(window, protocol, flow, console, options, exchange);
+  std::exception_ptr failure;
+  std::thread thread([&] {
+    try {
+      drawer.run();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    exchange.over = true;
+    GlWindow::wake();
+  });
+  CursorMode cursor = CursorMode::kShown;
+  while (!exchange.over) {
+    std::vector<TimedWindowEvent> events = window.pollTimed(kPollSeconds);
+    if (!events.empty()) {
+      const std::scoped_lock lock(exchange.mutex);
+      exchange.events.insert(exchange.events.end(), std::make_move_iterator(events.begin()),
+                             std::make_move_iterator(events.end()));
+    }
+    if (const CursorMode wanted = exchange.cursor; wanted != cursor) {
+      cursor = wanted;
+      window.setCursor(cursor);
+    }
+    if (options.interrupted && options.interrupted()) {
+      exchange.interrupted = true;
+    }
+  }
+  thread.join();
+  if (failure) {
+    flow.abort("the program failed");
+    std::rethrow_exception(failure);
+  }
+  return flow.ending();
+}
+
+}  // namespace ocelli

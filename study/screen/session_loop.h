@@ -1,0 +1,34 @@
+// Runs a session in a window. The main thread waits for events and gives each the time when it came; a thread of its
+// own draws and shows frames; the console has a third; whoever stores has a fourth. None waits for another.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "oc_core/gl/gl_window.h"
+#include "study/screen/experimenter_console.h"
+#include "study/screen/timing_check.h"
+#include "study/session/session_flow.h"
+
+namespace ocelli {
+
+struct SessionLoopOptions {
+  std::string subject;
+  /// Frames are held back to this rate, where they do not wait for the screen; 0 where they do.
+  double pacedHertz = 0;
+  int hashEvery = 0;                    ///< every so many frames of a trial the hash of its picture is stored; 0: none
+  std::filesystem::path screenshots{};  ///< folder for a picture of each screen that comes; empty for none
+  std::function<bool()> interrupted{};  ///< whether the program shall end; asked ten times a second
+};
+
+/// Shows a plain screen for so many seconds, and returns when each frame was shown. On the main thread.
+std::vector<int64_t> measureFrames(GlWindow& window, double seconds, const std::string& message);
+
+/// Until the session is over. On the main thread, which must not hold the window's context. Throws what went wrong in
+/// any of the threads; the session has been ended as aborted then.
+SessionEnding runSessionLoop(GlWindow& window, const Protocol& protocol, SessionFlow& flow,
+                             ExperimenterConsole& console, const SessionLoopOptions& options);
+
+}  // namespace ocelli

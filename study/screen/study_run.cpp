@@ -1,0 +1,256 @@
+#include "study/screen/study_run.h"
+
+#include <fmt/format.h>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/machine.h"
+#include "study/screen/run_environment.h"
+#include "study/screen/session_loop.h"
+#include "study/session/utc_time.h"
+#include "study/store/program_version.h"
+#include "study/store/resume.h"
+#include "study/store/trial_store.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kCheckSeconds = 2.5;
+constexpr double kPacedHertz = 60;  // where the screen has no rate of its own
+
+void tell(const StudyRunOptions& options, const std::string& line) {
+  if (options.tell) {
+    options.tell(line);
+  }
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) {
+    text += (text.empty() ? "" : "; ") + part;
+  }
+  return text;
+}
+
+std::string textOf(const Monitor& monitor) {
+  return fmt::format("{}, {}x{}, {}, {} x {} mm", monitor.name, monitor.width, monitor.height,
+                     monitor.refreshHertz > 0 ? fmt::format("{} Hz", monitor.refreshHertz) : "rate unknown",
+                     monitor.widthMillimeters, monitor.heightMillimeters);
+}
+
+/// Which session of whom.
+struct Plan {
+  StoredSubject subject;
+  bool isNewSubject = false;
+  SessionToRun session;
+};
+
+Plan planNewSession(const StudyDatabase& database, const Protocol& protocol, const StudyRunOptions& options) {
+  if (!isSubjectId(options.subject)) {
+    throw InputError("that is no id of a subject", "--subject \"" + options.subject + "\"",
+                     "use 1 to 64 letters, digits, - and _, and no name of a person");
+  }
+  const std::optional<StoredSubject> known = database.subject(options.subject);
+  const std::string where = "--subject " + options.subject;
+  if (!known) {
+    if (options.session.value_or(0) != 0) {
+      throw InputError(fmt::format("this subject is new, and cannot begin with session {}", *options.session + 1),
+                       where, "leave --session out, or check the id");
+    }
+    Plan plan;
+    plan.isNewSubject = true;
+    plan.session.seed = options.seed.value_or(protocol.seed);
+    return plan;
+  }
+  if (!options.session) {
+    throw InputError("this id is taken", where,
+                     "choose another one for a new subject; for the next session of this one add --session 2 (or 3, "
+                     "...), and for one that was broken off: ocelli study resume");
+  }
+  Plan plan{*known, false, sessionToRun(database, protocol, options.subject, utcNow(), options.anyTime)};
+  if (plan.session.begunBefore) {
+    throw InputError(fmt::format("session {} of this subject was begun and not completed", plan.session.session + 1),
+                     where, "go on with it: ocelli study resume");
+  }
+  if (plan.session.session != *options.session) {
+    throw InputError(fmt::format("the next session of this subject is {}", plan.session.session + 1),
+                     fmt::format("--session {}", *options.session + 1),
+                     fmt::format("give --session {}, or check the id", plan.session.session + 1));
+  }
+  plan.session.seed = options.seed.value_or(plan.session.seed);
+  return plan;
+}
+
+Plan planResumedSession(const StudyDatabase& database, const Protocol& protocol, const StudyRunOptions& options) {
+  const std::optional<StoredSubject> known = database.subject(options.subject);
+  if (!known) {
+    throw InputError("there is no such subject in " + database.path().string(), "--subject " + options.subject,
+                     "check the id; a new subject begins with: ocelli study run");
+  }
+  Plan plan{*known, false, sessionToRun(database, protocol, options.subject, utcNow(), options.anyTime)};
+  if (!plan.session.begunBefore) {
+    throw InputError(fmt::format("no session of this subject is open; the next one is {}", plan.session.session + 1),
+                     "--subject " + options.subject,
+                     fmt::format("begin it: ocelli study run PROTOCOL --session {}", plan.session.session + 1));
+  }
+  return plan;
+}
+
+/// The monitor that is asked for, large enough for the protocol.
+Monitor chooseMonitor(const Protocol& protocol, const StudyRunOptions& options) {
+  const std::vector<Monitor> monitors = listMonitors();
+  if (options.monitor < 0 || static_cast<size_t>(options.monitor) >= monitors.size()) {
+    throw InputError(fmt::format("there are {} monitors, counted from 0", monitors.size()),
+                     fmt::format("--monitor {}", options.monitor), "see: ocelli study run --list-monitors");
+  }
+  Monitor monitor = monitors[static_cast<size_t>(options.monitor)];
+  const glm::ivec2 size = options.windowed.value_or(glm::ivec2(monitor.width, monitor.height));
+  const ScreenGeometry& wanted = protocol.screen;
+  if (size.x < wanted.leastWidth || size.y < wanted.leastHeight) {
+    throw InputError(
+        fmt::format("{}x{} pixels are too few, the protocol wants {}x{}", size.x, size.y, wanted.leastWidth,
+                    wanted.leastHeight),
+        options.windowed ? "--windowed" : fmt::format("--monitor {} ({})", options.monitor, monitor.name),
+        options.windowed ? "give a larger size" : "choose another monitor, or another mode of it (xrandr)");
+  }
+  return monitor;
+}
+
+GlWindowOptions windowOptions(const Protocol& protocol, const StudyRunOptions& options) {
+  GlWindowOptions window;
+  window.title = "Ocelli: " + protocol.title;
+  window.resizable = false;
+  window.scaled = false;
+  if (options.windowed) {
+    window.width = options.windowed->x;
+    window.height = options.windowed->y;
+  } else {
+    window.monitor = options.monitor;
+  }
+  return window;
+}
+
+/// Throws WorkError where it refuses and nobody insists.
+TimingCheck checkWindow(GlWindow& window, const Monitor& monitor, const Protocol& protocol,
+                        const StudyRunOptions& options) {
+  const std::vector<int64_t> shown = measureFrames(window, kCheckSeconds, "One moment, please");
+  TimingExpectation expected;
+  expected.monitorHertz = monitor.refreshHertz;
+  expected.wantedHertz = protocol.screen.refreshHertz;
+  expected.limits = protocol.timing;
+  TimingCheck check = checkTiming(measureTiming(shown, protocol.timing.lateFactor), expected);
+  if (!check.isGood() && !options.force) {
+    check.advice.push_back("for trials without a subject, --force runs all the same and marks every trial");
+    throw WorkError(fmt::format("{} ({})", joined(check.problems), describe(check.measured)), "timing check",
+                    joined(check.advice));
+  }
+  return check;
+}
+
+SessionEnding runPlan(StudyDatabase& database, const Protocol& protocol, Plan plan, const StudyRunOptions& options) {
+  if (!options.screenshots.empty()) {
+    std::error_code error;
+    std::filesystem::create_directories(options.screenshots, error);
+    if (error) {
+      throw InputError("the folder cannot be made: " + error.message(), options.screenshots.string(),
+                       "choose another one for --screenshots");
+    }
+  }
+  const Monitor monitor = chooseMonitor(protocol, options);
+  tell(options, fmt::format("monitor   {}: {}", options.monitor, textOf(monitor)));
+  GlWindow window(windowOptions(protocol, options));
+  const GlInfo& graphics = window.context().info();
+  tell(options, fmt::format("graphics  {}{}", graphics.renderer, graphics.isSoftware ? " (software: slow)" : ""));
+  const TimingCheck check = checkWindow(window, monitor, protocol, options);
+  const bool forced = !check.isGood();
+  tell(options, fmt::format("timing    {}: {}", forced ? "NOT GOOD, forced" : "good", describe(check.measured)));
+  for (const std::string& problem : check.problems) {
+    tell(options, "          " + problem);
+  }
+
+  const double pacedHertz = check.verticalSync ? 0 : (monitor.refreshHertz > 0 ? monitor.refreshHertz : kPacedHertz);
+  if (plan.isNewSubject) {
+    plan.subject = database.addSubject(options.subject, SubjectKind::kPerson);
+  }
+  const SessionSchedule schedule = scheduleOf(protocol, plan.subject.slot, plan.session.session, plan.session.seed);
+
+  RunRecord run;
+  run.subject = options.subject;
+  run.slot = plan.subject.slot;
+  run.session = plan.session.session;
+  run.startedUtc = utcNow();
+  run.programVersion = programVersion();
+  run.station = computerName();
+  run.environment = jsonText(RunEnvironment{run.programVersion, graphics, monitor, options.monitor, !options.windowed,
+                                            window.pixelWidth(), window.pixelHeight(), pacedHertz});
+  run.timingCheck = jsonText(check);
+  run.forced = forced;
+  TrialStore store(database, protocol, run, schedule);
+
+  SessionFlowOptions flowOptions;
+  const double hertz = pacedHertz > 0 ? pacedHertz : refreshRateOf(check);
+  flowOptions.screen = {window.pixelWidth(), window.pixelHeight(), hertz};
+  flowOptions.intervalNanoseconds = static_cast<int64_t>(1e9 / (pacedHertz > 0 ? pacedHertz : check.measured.hertz));
+  flowOptions.unstableRefresh = forced;
+  SessionFlow flow(protocol, schedule, plan.session.done, flowOptions, store);
+  tell(options, fmt::format("session   {} of {} of subject {}, {} trials, {} of them done; slot {}, {} first",
+                            plan.session.session + 1, protocol.sessions, options.subject, schedule.trials.size(),
+                            plan.session.done.completedTrials.size(), plan.subject.slot, nameOf(schedule.firstView)));
+  tell(options, "ready. Commands: pause, resume, redo, note TEXT, status, abort, quit, help");
+
+  SessionLoopOptions loop;
+  loop.subject = options.subject;
+  loop.pacedHertz = pacedHertz;
+  loop.hashEvery = options.hashEvery;
+  loop.screenshots = options.screenshots;
+  loop.interrupted = options.interrupted;
+  SessionEnding ending = SessionEnding::kFailed;
+  {
+    ExperimenterConsole console;
+    ending = runSessionLoop(window, protocol, flow, console, loop);
+  }
+  store.flush();
+  if (const std::optional<std::string> failure = store.failure()) {
+    throw WorkError("the end of the session could not be stored: " + *failure, options.database.string(),
+                    "make room, then: ocelli study resume; all trials that were stored before are safe");
+  }
+  return ending;
+}
+
+void tellProtocol(const Protocol& protocol, const StudyDatabase& database, const StudyRunOptions& options) {
+  tell(options, fmt::format("protocol  {} ({})", protocol.name, protocol.sha256.substr(0, 12)));
+  std::error_code error;
+  const auto space =
+      std::filesystem::space(database.path().parent_path().empty() ? "." : database.path().parent_path(), error);
+  tell(options,
+       fmt::format(
+           "database  {}{}", database.path().string(),
+           error ? "" : fmt::format(", {:.1f} GB left on its disk", static_cast<double>(space.available) / 1e9)));
+}
+
+}  // namespace
+
+SessionEnding runStudy(const Protocol& protocol, const StudyRunOptions& options) {
+  StudyDatabase database = StudyDatabase::openForSessions(options.database, protocol);
+  tellProtocol(protocol, database, options);
+  return runPlan(database, protocol, planNewSession(database, protocol, options), options);
+}
+
+SessionEnding resumeStudy(const StudyRunOptions& options) {
+  const StoredStudy study = StudyDatabase::openForReading(options.database).study();
+  const Protocol protocol =
+      protocolFromJsonText(study.protocolText, fmt::format("the protocol in {}", options.database.string()));
+  StudyDatabase database = StudyDatabase::openForSessions(options.database, protocol);
+  tellProtocol(protocol, database, options);
+  return runPlan(database, protocol, planResumedSession(database, protocol, options), options);
+}
+
+std::string monitorList() {
+  std::string list;
+  int number = 0;
+  for (const Monitor& monitor : listMonitors()) {
+    list += fmt::format("{}: {}\n", number++, textOf(monitor));
+  }
+  return list;
+}
+
+}  // namespace ocelli

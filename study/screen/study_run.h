@@ -1,0 +1,44 @@
+// A session of a subject at this computer, from the checks before to the last screen.
+//
+// What can go wrong is looked for before the subject sits down, cheap things first: the protocol, the database and its
+// disk, the subject, the monitor, the graphics, the timing.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+
+#include "study/protocol/protocol.h"
+#include "study/session/records.h"
+
+namespace ocelli {
+
+struct StudyRunOptions {
+  std::filesystem::path database;
+  std::string subject;
+  std::optional<int> session{};  ///< from 0; nothing for the first of a new subject, or the one to be resumed
+  int monitor = 0;               ///< of listMonitors()
+  std::optional<glm::ivec2> windowed{};
+  bool force = false;              ///< runs although the timing check refuses, and marks every trial
+  int hashEvery = 0;               ///< every so many frames of a trial the hash of its picture is stored; 0 for none
+  std::optional<uint64_t> seed{};  ///< instead of the protocol's, for a session that begins
+  bool anyTime = false;            ///< although the time between sessions has not passed
+  std::filesystem::path screenshots{};
+  std::function<bool()> interrupted{};
+  std::function<void(const std::string& line)> tell{};  ///< what the experimenter reads before the session
+};
+
+/// A new session. Throws InputError where an option is wrong or does not fit what is stored, WorkError where the
+/// database, the graphics or the timing are not fit for a session.
+SessionEnding runStudy(const Protocol& protocol, const StudyRunOptions& options);
+
+/// The session that was begun last, with the protocol that the database holds.
+SessionEnding resumeStudy(const StudyRunOptions& options);
+
+/// "0: DELL U2412M, 1920x1200, 60 Hz, 518 x 324 mm", a line a monitor.
+std::string monitorList();
+
+}  // namespace ocelli
