@@ -10,7 +10,9 @@ namespace ocelli {
 void addStudyCommand(CLI::App& program, const Frame& frame) {
   CLI::App& study = *program.add_subcommand("study", "Run perception studies and keep their data");
   study.require_subcommand(1);
+  addStudyCheckCommand(study, frame);
   addStudyRunCommands(study, frame);
+  addStudyDataCommands(study, frame);
 }
 
 }  // namespace ocelli

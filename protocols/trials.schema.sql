@@ -217,7 +217,7 @@ CREATE INDEX event_of_run ON event (run_id);
 CREATE TABLE audit (
   audit_id         INTEGER PRIMARY KEY,
   at_utc           TEXT NOT NULL,
-  action           TEXT NOT NULL,  -- 'created', 'migrated', 'withdrawn', 'merged', 'exported', 'export_deleted'
+  action           TEXT NOT NULL,  -- 'created', 'migrated', 'withdrawn', 'merged', 'exported'
   detail_json      TEXT NOT NULL,
   program_version  TEXT NOT NULL,
   station          TEXT NOT NULL
@@ -292,6 +292,7 @@ BEGIN SELECT RAISE(ABORT, 'recorded data cannot be changed: input'); END;
 CREATE TRIGGER event_update BEFORE UPDATE ON event
 BEGIN SELECT RAISE(ABORT, 'recorded data cannot be changed: event'); END;
 CREATE TRIGGER audit_update BEFORE UPDATE ON audit
+WHEN (SELECT subject_id FROM withdrawal) IS NULL  -- names of files may hold the id of who withdraws
 BEGIN SELECT RAISE(ABORT, 'recorded data cannot be changed: audit'); END;
 
 -- Rows are deleted by a withdrawal alone: of that subject, and rows before those that they belong to.

@@ -224,7 +224,7 @@ class StructureBuilder {
       return full ? topColor() : floorColor(row, column, ((firstX + i) / 2 + (firstZ + k) / 2) % 2 == 0);
     });
     addPanel(mesh_, xs, zs, frame({1, 0, 0}, {0, 0, 1}, {0, slabLines_.front(), 0}),
-             [](size_t, size_t) { return palette::slate(); });
+             [&](size_t, size_t) { return look_.plain ? topColor() : palette::slate(); });
     for (const Direction facing : kDirections) {
       const glm::vec3 step = vectorOf(facing);
       const int nextRow = row + static_cast<int>(step.z);

@@ -70,7 +70,11 @@ std::vector<std::vector<int>> blockOrders(int blocks) {
   }
   if (blocks % 4 == 2 && blocks > 2) {
     for (int row = 0; row < blocks; ++row) {
-      orders.emplace_back(orders[static_cast<size_t>(row)].rbegin(), orders[static_cast<size_t>(row)].rend());
+      std::vector<int> mirrored = orders[static_cast<size_t>(row)];
+      for (int& block : mirrored) {
+        block = (blocks - block) % blocks;
+      }
+      orders.push_back(mirrored);
     }
   }
   return orders;

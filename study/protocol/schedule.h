@@ -29,6 +29,8 @@ struct SessionSchedule {
   std::vector<int> blockOrder;    ///< indices of the protocol's blocks
   std::vector<TrialPlan> trials;  ///< in order, without practice
   uint64_t seed = 1;
+
+  bool operator==(const SessionSchedule&) const = default;
 };
 
 /// In which sessions a block is.

@@ -19,7 +19,7 @@ namespace ocelli {
 namespace {
 
 /// The first line of the file.
-std::string holderOf(int descriptor) {
+std::string firstLine(int descriptor) {
   std::array<char, 512> text{};
   const ssize_t size = pread(descriptor, text.data(), text.size() - 1, 0);
   const std::string holder(text.data(), size > 0 ? static_cast<size_t>(size) : 0);
@@ -43,6 +43,19 @@ std::filesystem::path DatabaseLock::fileOf(const std::filesystem::path& database
   return file;
 }
 
+std::optional<std::string> DatabaseLock::holderOf(const std::filesystem::path& database) {
+  const int descriptor = open(fileOf(database).c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) {
+    return std::nullopt;
+  }
+  std::optional<std::string> holder;
+  if (flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    holder = firstLine(descriptor);
+  }
+  close(descriptor);
+  return holder;
+}
+
 DatabaseLock::DatabaseLock(std::filesystem::path database) : file_(fileOf(database)) {
   while (true) {
     descriptor_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
@@ -52,7 +65,7 @@ DatabaseLock::DatabaseLock(std::filesystem::path database) : file_(fileOf(databa
     }
     if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       const int reason = errno;
-      const std::string holder = holderOf(descriptor_);
+      const std::string holder = firstLine(descriptor_);
       close(std::exchange(descriptor_, -1));
       if (reason != EWOULDBLOCK) {
         throw WorkError(fmt::format("cannot lock this database ({})", std::strerror(reason)), file_.string(),

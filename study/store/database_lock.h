@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace ocelli {
@@ -19,6 +20,8 @@ class DatabaseLock {
   DatabaseLock& operator=(DatabaseLock&&) = delete;
 
   static std::filesystem::path fileOf(const std::filesystem::path& database);
+  /// Who holds the lock of that database, if anyone does. Leaves no trace.
+  static std::optional<std::string> holderOf(const std::filesystem::path& database);
 
  private:
   std::filesystem::path file_;

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "oc_core/base/error.h"
-#include "study/store/program_version.h"
 #include "study/store/sqlite_connection.h"
 
 namespace ocelli {
@@ -37,7 +36,7 @@ void migrate(SQLite::Database& database, const std::vector<Migration>& steps, in
         throw WorkError("rows of this database do not fit together", path.string(), "take the last backup");
       }
       database.exec(fmt::format("PRAGMA user_version = {}", version));
-      addAudit(database, "migrated", fmt::format(R"({{"from": {}, "to": {}}})", first, version), programVersion());
+      addAudit(database, "migrated", fmt::format(R"({{"from": {}, "to": {}}})", first, version));
     }
     transaction.commit();
     database.exec("PRAGMA foreign_keys = ON");

@@ -11,6 +11,7 @@
 #include "oc_core/base/error.h"
 #include "study/session/utc_time.h"
 #include "study/store/migrations.h"
+#include "study/store/program_version.h"
 #include "study/store/trials_schema.h"
 
 namespace ocelli {
@@ -53,7 +54,8 @@ SQLite::Database connectSqlite(const fs::path& path, DatabaseAccess access) {
                      "check the name; `ocelli study run` makes a new database");
   }
   return withSqliteErrors("open this database", path, [&] {
-    SQLite::Database database(path.string(), openFlags(access), kBusyMilliseconds);
+    // An absolute path is never one of SQLite's special names.
+    SQLite::Database database(fs::absolute(path).string(), openFlags(access) | SQLite::OPEN_URI, kBusyMilliseconds);
     if (access != DatabaseAccess::kRead && sqlite3_db_readonly(database.getHandle(), "main") == 1) {
       throw WorkError("this database cannot be written: its file or folder is read-only", path.string(),
                       "change the rights, or copy the file to a folder that you may write to");
@@ -148,15 +150,28 @@ std::optional<int64_t> optionalIntegerOf(const SQLite::Statement& row, int colum
   return row.isColumnNull(column) ? std::nullopt : std::optional(row.getColumn(column).getInt64());
 }
 
-void addAudit(SQLite::Database& database, const std::string& action, const std::string& detailJson,
-              const std::string& programVersion) {
+void insertStudy(SQLite::Database& database, const std::string& protocolName, const std::string& protocolSha256,
+                 const std::string& protocolText) {
+  SQLite::Statement insert(database,
+                           "INSERT INTO study (study_id, protocol_name, protocol_sha256, protocol_text, "
+                           "program_version, created_utc) VALUES (1, ?, ?, ?, ?, ?)");
+  insert.bind(1, protocolName);
+  insert.bind(2, protocolSha256);
+  insert.bind(3, protocolText);
+  insert.bind(4, programVersion());
+  insert.bind(5, utcNow());
+  insert.exec();
+  addAudit(database, "created", "{}");
+}
+
+void addAudit(SQLite::Database& database, const std::string& action, const std::string& detailJson) {
   SQLite::Statement insert(database,
                            "INSERT INTO audit (at_utc, action, detail_json, program_version, station) "
                            "VALUES (?, ?, ?, ?, ?)");
   insert.bind(1, utcNow());
   insert.bind(2, action);
   insert.bind(3, detailJson);
-  insert.bind(4, programVersion);
+  insert.bind(4, programVersion());
   insert.bind(5, stationName());
   insert.exec();
 }

@@ -56,9 +56,11 @@ std::optional<std::string> optionalTextOf(const SQLite::Statement& row, int colu
 std::optional<double> optionalNumberOf(const SQLite::Statement& row, int column);
 std::optional<int64_t> optionalIntegerOf(const SQLite::Statement& row, int column);
 
+/// Stores what the study of a new database is, with a line in the audit trail.
+void insertStudy(SQLite::Database& database, const std::string& protocolName, const std::string& protocolSha256,
+                 const std::string& protocolText);
 /// Adds a line to the audit trail. `detail` is JSON and names no subject.
-void addAudit(SQLite::Database& database, const std::string& action, const std::string& detailJson,
-              const std::string& programVersion);
+void addAudit(SQLite::Database& database, const std::string& action, const std::string& detailJson);
 /// The name of this computer.
 std::string stationName();
 /// 128 random bits, hexadecimal.

@@ -9,7 +9,7 @@
 #include "oc_core/base/error.h"
 #include "study/session/utc_time.h"
 #include "study/store/database_state.h"
-#include "study/store/program_version.h"
+#include "study/store/leftovers.h"
 
 namespace ocelli {
 namespace {
@@ -40,24 +40,11 @@ void tryWrite(SQLite::Database& database, const fs::path& path) {
   });
 }
 
-void insertStudy(SQLite::Database& database, const Protocol& protocol) {
-  SQLite::Statement insert(database,
-                           "INSERT INTO study (study_id, protocol_name, protocol_sha256, protocol_text, "
-                           "program_version, created_utc) VALUES (1, ?, ?, ?, ?, ?)");
-  insert.bind(1, protocol.name);
-  insert.bind(2, protocol.sha256);
-  insert.bind(3, protocol.text);
-  insert.bind(4, programVersion());
-  insert.bind(5, utcNow());
-  insert.exec();
-  addAudit(database, "created", "{}", programVersion());
-}
-
 void checkProtocol(SQLite::Database& database, const Protocol& protocol, const fs::path& path) {
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
   SQLite::Statement row(database, "SELECT protocol_name, protocol_sha256 FROM study");
   if (!row.executeStep()) {
-    insertStudy(database, protocol);
+    insertStudy(database, protocol.name, protocol.sha256, protocol.text);
     transaction.commit();
     return;
   }
@@ -77,6 +64,7 @@ StudyDatabase StudyDatabase::openForSessions(const fs::path& path, const Protoco
   auto state = std::make_unique<State>(path, DatabaseAccess::kCreate, DatabaseLock(path));
   withSqliteErrors("open this database", path, [&] { checkProtocol(state->database, protocol, path); });
   tryWrite(state->database, path);
+  wipeLeftovers(state->database, path);
   return StudyDatabase(std::move(state));
 }
 
@@ -95,7 +83,7 @@ const fs::path& StudyDatabase::path() const {
 StoredSubject StudyDatabase::addSubject(const std::string& id, SubjectKind kind, int firstSlot) {
   if (!isSubjectId(id)) {
     throw InputError("this is no id of a subject", "\"" + id + "\"",
-                     "a pseudonym of 1 to 64 letters, digits, - and _, such as S01");
+                     "a pseudonym such as S01: 1 to 64 letters, digits, - and _, the first a letter or a digit");
   }
   return withSqliteErrors("add a subject", state_->path, [&] {
     SQLite::Database& database = state_->database;
@@ -131,9 +119,12 @@ StoredSubject StudyDatabase::addSubject(const std::string& id, SubjectKind kind,
 }
 
 bool isSubjectId(const std::string& id) {
-  return !id.empty() && id.size() <= 64 && std::all_of(id.begin(), id.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
-  });
+  const auto isLetterOrDigit = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+  };
+  // A first - would be an option, or a formula of a spreadsheet.
+  return !id.empty() && id.size() <= 64 && isLetterOrDigit(id.front()) &&
+         std::all_of(id.begin(), id.end(), [&](char c) { return isLetterOrDigit(c) || c == '-' || c == '_'; });
 }
 
 }  // namespace ocelli

@@ -62,7 +62,7 @@ class StudyDatabase {
   std::unique_ptr<State> state_;
 };
 
-/// Whether that can be the id of a subject: 1 to 64 letters, digits, - and _.
+/// Whether that can be the id of a subject: 1 to 64 letters (ASCII), digits, - and _, the first a letter or digit.
 bool isSubjectId(const std::string& id);
 
 }  // namespace ocelli

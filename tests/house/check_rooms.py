@@ -55,6 +55,7 @@ PUBLIC_HEADER_EXCEPTIONS = {
     "oc_core/base/json_fields.h": {"nlohmann/"},
     "oc_core/constructor/camera_fields.h": {"nlohmann/"},
     "oc_core/gl/gl_api.h": {"glad/"},
+    "study/export/export_tables.h": {"SQLiteCpp/"},
     "study/store/database_state.h": {"SQLiteCpp/"},
     "study/store/sqlite_connection.h": {"SQLiteCpp/"},
     "study/store/trial_writer.h": {"SQLiteCpp/"},

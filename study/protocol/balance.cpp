@@ -1,0 +1,171 @@
+#include "study/protocol/balance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+namespace ocelli {
+namespace {
+
+/// Counts subjects in cells. Cells of one group are to be alike.
+class Table {
+ public:
+  explicit Table(std::string factors) { table_.factors = std::move(factors); }
+
+  void declare(int group, const std::string& levels) {
+    if (index_.emplace(levels, table_.cells.size()).second) {
+      table_.cells.push_back({levels, 0});
+      groups_.push_back(group);
+    }
+  }
+  void count(const std::string& levels) { ++table_.cells.at(index_.at(levels)).subjects; }
+
+  BalanceTable finish() {
+    std::map<int, std::pair<int, int>> ranges;
+    for (size_t i = 0; i < table_.cells.size(); ++i) {
+      const int subjects = table_.cells[i].subjects;
+      const auto [range, isNew] = ranges.emplace(groups_[i], std::pair(subjects, subjects));
+      range->second = {std::min(range->second.first, subjects), std::max(range->second.second, subjects)};
+      table_.difference = std::max(table_.difference, range->second.second - range->second.first);
+    }
+    return std::move(table_);
+  }
+
+ private:
+  BalanceTable table_;
+  std::map<std::string, size_t> index_{};
+  std::vector<int> groups_{};
+};
+
+std::string orderName(const Protocol& protocol, const std::vector<int>& order) {
+  std::string name;
+  for (const int block : order) {
+    name += fmt::format("{}{}", name.empty() ? "" : ", ", protocol.blocks[static_cast<size_t>(block)].name);
+  }
+  return name;
+}
+
+std::string firstName(StudyView view) {
+  return fmt::format("{} first", nameOf(view));
+}
+
+/// The view in which the subject sees each case of the block first.
+std::vector<StudyView> viewsOfCases(const Protocol& protocol, const SessionSchedule& schedule, int block) {
+  const int cases = protocol.blocks[static_cast<size_t>(block)].task->caseCount();
+  std::vector<StudyView> views(static_cast<size_t>(cases), StudyView::kPinhole);
+  for (auto trial = schedule.trials.rbegin(); trial != schedule.trials.rend(); ++trial) {
+    if (trial->block == block) {
+      views[static_cast<size_t>(trial->caseIndex)] = trial->view;
+    }
+  }
+  return views;
+}
+
+using Orders = std::vector<std::vector<int>>;
+using Schedules = std::vector<SessionSchedule>;
+
+void addSessionTables(const Protocol& protocol, const Schedules& schedules, const Orders& orders,
+                      std::vector<BalanceTable>& tables) {
+  Table first("first view");
+  Table order("block order");
+  Table both("first view x block order");
+  Table places("block x place in the session");
+  for (const StudyView view : kStudyViews) {
+    first.declare(0, firstName(view));
+    for (const std::vector<int>& each : orders) {
+      order.declare(0, orderName(protocol, each));
+      both.declare(0, fmt::format("{}; {}", firstName(view), orderName(protocol, each)));
+    }
+  }
+  const auto placeName = [&](int block, size_t place) {
+    return fmt::format("{} in place {}", protocol.blocks[static_cast<size_t>(block)].name, place + 1);
+  };
+  for (const int block : orders.front()) {
+    for (size_t place = 0; place < orders.front().size(); ++place) {
+      places.declare(0, placeName(block, place));
+    }
+  }
+  for (const SessionSchedule& schedule : schedules) {
+    first.count(firstName(schedule.firstView));
+    order.count(orderName(protocol, schedule.blockOrder));
+    both.count(fmt::format("{}; {}", firstName(schedule.firstView), orderName(protocol, schedule.blockOrder)));
+    for (size_t place = 0; place < schedule.blockOrder.size(); ++place) {
+      places.count(placeName(schedule.blockOrder[place], place));
+    }
+  }
+  tables.push_back(first.finish());
+  if (orders.size() > 1) {
+    tables.push_back(order.finish());
+    tables.push_back(both.finish());
+    tables.push_back(places.finish());
+  }
+}
+
+void addBlockTables(const Protocol& protocol, const Schedules& schedules, const Orders& orders, int index,
+                    std::vector<BalanceTable>& tables) {
+  const ProtocolBlock& block = protocol.blocks[static_cast<size_t>(index)];
+  const char* seen = block.views == ViewsOfCases::kOne ? "view" : "view that shows it first";
+  const std::string title = fmt::format("{}: case x {}", block.name, seen);
+  Table views(title);
+  Table withFirst(fmt::format("{} x first view", title));
+  Table withOrder(fmt::format("{} x block order", title));
+  const auto name = [&](int caseIndex, StudyView view) {
+    return fmt::format("{} in {}", block.task->caseInfo(caseIndex).label, nameOf(view));
+  };
+  const int cases = block.task->caseCount();
+  for (int i = 0; i < cases; ++i) {
+    for (const StudyView view : kStudyViews) {
+      views.declare(i, name(i, view));
+      for (const StudyView firstView : kStudyViews) {
+        // The last of an odd number of cases always has the first view.
+        if (cases % 2 == 0 || i != cases - 1 || firstView == view) {
+          withFirst.declare(i, fmt::format("{}, {}", name(i, view), firstName(firstView)));
+        }
+      }
+      for (const std::vector<int>& order : orders) {
+        withOrder.declare(i, fmt::format("{}; {}", name(i, view), orderName(protocol, order)));
+      }
+    }
+  }
+  for (const SessionSchedule& schedule : schedules) {
+    const std::vector<StudyView> seenIn = viewsOfCases(protocol, schedule, index);
+    for (int i = 0; i < cases; ++i) {
+      const std::string cell = name(i, seenIn[static_cast<size_t>(i)]);
+      views.count(cell);
+      withFirst.count(fmt::format("{}, {}", cell, firstName(schedule.firstView)));
+      withOrder.count(fmt::format("{}; {}", cell, orderName(protocol, schedule.blockOrder)));
+    }
+  }
+  tables.push_back(views.finish());
+  tables.push_back(withFirst.finish());
+  if (orders.size() > 1) {
+    tables.push_back(withOrder.finish());
+  }
+}
+
+}  // namespace
+
+std::vector<BalanceTable> balanceOf(const Protocol& protocol, int subjects, int session, uint64_t seed) {
+  Schedules schedules;
+  for (int slot = 0; slot < subjects; ++slot) {
+    schedules.push_back(scheduleOf(protocol, slot, session, seed));
+  }
+  const Orders orders = blockOrdersOf(protocol, session);
+  const auto isBalanced = [&](int block) {
+    return protocol.blocks[static_cast<size_t>(block)].order == TrialOrder::kBalanced;
+  };
+  std::vector<BalanceTable> tables;
+  const std::vector<int>& blocks = orders.front();
+  if (orders.size() > 1 || std::any_of(blocks.begin(), blocks.end(), isBalanced)) {
+    addSessionTables(protocol, schedules, orders, tables);
+  }
+  for (const int block : blocks) {
+    if (isBalanced(block)) {
+      addBlockTables(protocol, schedules, orders, block, tables);
+    }
+  }
+  return tables;
+}
+
+}  // namespace ocelli

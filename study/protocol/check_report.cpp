@@ -1,0 +1,228 @@
+#include "study/protocol/check_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "study/protocol/balance.h"
+#include "study/protocol/coverage.h"
+#include "study/protocol/protocol_warnings.h"
+#include "study/protocol/schedule.h"
+#include "study/protocol/session_length.h"
+
+namespace ocelli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const ProtocolBlock& blockOf(const Protocol& protocol, const TrialPlan& trial) {
+  return protocol.blocks[static_cast<size_t>(trial.block)];
+}
+
+std::pair<int, int> rangeOf(const BalanceTable& table) {
+  const auto [least, most] =
+      std::minmax_element(table.cells.begin(), table.cells.end(),
+                          [](const BalanceCell& a, const BalanceCell& b) { return a.subjects < b.subjects; });
+  return {least->subjects, most->subjects};
+}
+
+double minutes(double seconds) {
+  return seconds / 60;
+}
+
+/// "10 s, 5 objects, duplicate colours".
+std::string conditionText(const CaseInfo& info) {
+  std::string text;
+  const auto add = [&](const std::string& what) { text += text.empty() ? what : std::string(", ").append(what); };
+  if (info.moving) {
+    add("moving");
+  }
+  if (info.exposureSeconds) {
+    add(fmt::format("{:g} s", *info.exposureSeconds));
+    if (info.objects) {
+      add(fmt::format("{} objects", *info.objects));
+    }
+  }
+  if (info.duplicateColors) {
+    add(*info.duplicateColors ? "duplicate colours" : "unique colours");
+  }
+  return text;
+}
+
+std::string lengthText(const Protocol& protocol, const SessionSchedule& schedule) {
+  const std::vector<PartLength> parts = partsOf(protocol, schedule);
+  std::string text = fmt::format("\nSession {} of the subject in slot {}: {} first\n\n  {:<28}{:>7}{:>14}{:>14}\n",
+                                 schedule.session + 1, schedule.slot, nameOf(schedule.firstView), "part", "trials",
+                                 "typical min", "longest min");
+  int trials = 0;
+  for (const PartLength& part : parts) {
+    trials += part.trials;
+    text +=
+        fmt::format("  {:<28}{:>7}{:>14.1f}{:>14.1f}\n", part.name, part.trials > 0 ? std::to_string(part.trials) : "",
+                    minutes(part.duration.typicalSeconds), minutes(part.duration.longestSeconds));
+  }
+  const Duration all = durationOf(parts);
+  return text + fmt::format("  {:<28}{:>7}{:>14.1f}{:>14.1f}\n", "all", trials, minutes(all.typicalSeconds),
+                            minutes(all.longestSeconds));
+}
+
+std::string scheduleText(const Protocol& protocol, const SessionSchedule& schedule, bool answers) {
+  std::string text = fmt::format("\nSchedule\n\n  {:>5}  {:<20}{:<22}{:<5}{}{}\n", "trial", "block", "case", "view",
+                                 "conditions", answers ? "; answer" : "");
+  for (size_t i = 0; i < schedule.trials.size(); ++i) {
+    const TrialPlan& trial = schedule.trials[i];
+    const ProtocolBlock& block = blockOf(protocol, trial);
+    const CaseInfo info = block.task->caseInfo(trial.caseIndex);
+    text += fmt::format("  {:>5}  {:<20}{:<22}{:<5}{}{}\n", trial.index + 1, block.name, info.label, nameOf(trial.view),
+                        conditionText(info), answers ? std::string("; ").append(block.task->answerOf(trial)) : "");
+    if (hasBreakAfter(protocol, schedule, i)) {
+      text += "         (break)\n";
+    }
+  }
+  return text;
+}
+
+std::string balanceText(const std::vector<BalanceTable>& tables, int subjects, int session) {
+  if (tables.empty()) {
+    return fmt::format("\nBalance of session {}: all subjects have the same schedule\n", session + 1);
+  }
+  std::string text = fmt::format("\nBalance of session {} over {} subjects\n\n  {:<66}{:>6}{:>10}{:>12}\n", session + 1,
+                                 subjects, "cells of", "cells", "subjects", "difference");
+  for (const BalanceTable& table : tables) {
+    const auto [least, most] = rangeOf(table);
+    text += fmt::format("  {:<66}{:>6}{:>10}{:>12}\n", table.factors, table.cells.size(),
+                        least == most ? std::to_string(most) : fmt::format("{}-{}", least, most), table.difference);
+  }
+  return text;
+}
+
+std::string coverageText(const std::vector<BlockCoverage>& blocks) {
+  std::string text = fmt::format(
+      "\nCoverage: places where an object shows with {} pixels or more\n\n  {:<28}{:<6}{:>7}"
+      "{:>8}{:>6}{:>7}{:>11}{:>15}\n",
+      kLeastSeenPixels, "block", "view", "images", "places", "seen", "twice", "sightings", "fewest pixels");
+  for (const BlockCoverage& block : blocks) {
+    for (const ViewCoverage& view : block.views) {
+      text += fmt::format("  {:<28}{:<6}{:>7}{:>8}{:>6}{:>7}{:>11.2f}{:>15}\n", block.block, nameOf(view.view),
+                          view.images, view.places, view.seen, view.twice,
+                          static_cast<double>(view.sightings) / std::max(1, view.places), view.fewestPixels);
+      for (const std::string& place : view.unseen) {
+        text += block.ofCases ? "" : fmt::format("    not seen: {}\n", place);
+      }
+    }
+  }
+  return text + "\n  Of blocks where an object is to be found: the cases in sight at the start.\n";
+}
+
+Json jsonOf(const Duration& duration) {
+  return {{"typical_minutes", minutes(duration.typicalSeconds)}, {"longest_minutes", minutes(duration.longestSeconds)}};
+}
+
+Json jsonOf(const Protocol& protocol, const SessionSchedule& schedule, bool answers) {
+  Json json{{"slot", schedule.slot},
+            {"session", schedule.session + 1},
+            {"first_view", nameOf(schedule.firstView)},
+            {"length", jsonOf(durationOf(partsOf(protocol, schedule)))},
+            {"parts", Json::array()},
+            {"trials", Json::array()}};
+  for (const PartLength& part : partsOf(protocol, schedule)) {
+    Json entry = jsonOf(part.duration);
+    entry["name"] = part.name;
+    entry["trials"] = part.trials;
+    json["parts"].push_back(entry);
+  }
+  for (size_t i = 0; i < schedule.trials.size(); ++i) {
+    const TrialPlan& trial = schedule.trials[i];
+    const ProtocolBlock& block = blockOf(protocol, trial);
+    const CaseInfo info = block.task->caseInfo(trial.caseIndex);
+    Json entry{{"trial", trial.index + 1},   {"block", block.name},   {"task", trial.task}, {"case", info.label},
+               {"view", nameOf(trial.view)}, {"moving", info.moving}, {"seed", trial.seed}};
+    if (info.exposureSeconds) {
+      entry["exposure_seconds"] = *info.exposureSeconds;
+    }
+    if (info.objects) {
+      entry["objects"] = *info.objects;
+    }
+    if (info.duplicateColors) {
+      entry["duplicate_colors"] = *info.duplicateColors;
+    }
+    if (answers) {
+      entry["answer"] = block.task->answerOf(trial);
+    }
+    entry["break_after"] = hasBreakAfter(protocol, schedule, i);
+    json["trials"].push_back(entry);
+  }
+  return json;
+}
+
+Json jsonOf(const std::vector<BalanceTable>& tables) {
+  Json json = Json::array();
+  for (const BalanceTable& table : tables) {
+    Json cells = Json::object();
+    for (const BalanceCell& cell : table.cells) {
+      cells[cell.levels] = cell.subjects;
+    }
+    json.push_back({{"factors", table.factors}, {"difference", table.difference}, {"cells", cells}});
+  }
+  return json;
+}
+
+Json jsonOf(const std::vector<BlockCoverage>& blocks) {
+  Json json = Json::array();
+  for (const BlockCoverage& block : blocks) {
+    for (const ViewCoverage& view : block.views) {
+      json.push_back({{"block", block.block},
+                      {"of", block.ofCases ? "cases at the start" : "places of the maze"},
+                      {"view", nameOf(view.view)},
+                      {"images", view.images},
+                      {"places", view.places},
+                      {"seen", view.seen},
+                      {"seen_twice", view.twice},
+                      {"sightings", view.sightings},
+                      {"fewest_pixels", view.fewestPixels},
+                      {"unseen", view.unseen}});
+    }
+  }
+  return json;
+}
+
+std::string headText(const Protocol& protocol) {
+  return fmt::format("{}: {}\n  sha256    {}\n  sessions  {}\n  blocks    {}{}\n  seed      {}\n", protocol.name,
+                     protocol.title, protocol.sha256, protocol.sessions, protocol.blocks.size(),
+                     protocol.shuffleBlocks ? ", their order counterbalanced" : "", protocol.seed);
+}
+
+}  // namespace
+
+std::string checkReport(const Protocol& protocol, const CheckOptions& options, const Progress& progress) {
+  const SessionSchedule schedule = scheduleOf(protocol, options.slot, options.session, protocol.seed);
+  const std::vector<BalanceTable> tables = balanceOf(protocol, options.subjects, options.session, protocol.seed);
+  const std::vector<std::string> warnings = warningsOf(protocol, protocol.seed);
+  const std::vector<BlockCoverage> coverage =
+      options.coverage ? coverageOf(protocol, {}, progress) : std::vector<BlockCoverage>{};
+  if (options.asJson) {
+    Json json{{"name", protocol.name},         {"title", protocol.title},
+              {"sha256", protocol.sha256},     {"seed", protocol.seed},
+              {"sessions", protocol.sessions}, {"subjects", options.subjects},
+              {"balance", jsonOf(tables)},     {"schedule", jsonOf(protocol, schedule, options.answers)}};
+    if (options.coverage) {
+      json["coverage"] = jsonOf(coverage);
+    }
+    json["warnings"] = warnings;
+    return json.dump(2) + "\n";
+  }
+  std::string text = headText(protocol) + lengthText(protocol, schedule) +
+                     scheduleText(protocol, schedule, options.answers) +
+                     balanceText(tables, options.subjects, options.session);
+  if (options.coverage) {
+    text += coverageText(coverage);
+  }
+  text += warnings.empty() ? "\nNo warnings\n" : "\nWarnings\n\n";
+  for (const std::string& warning : warnings) {
+    text += fmt::format("  - {}\n", warning);
+  }
+  return text;
+}
+
+}  // namespace ocelli

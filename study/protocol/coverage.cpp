@@ -1,0 +1,125 @@
+#include "study/protocol/coverage.h"
+
+#include <algorithm>
+
+#include "oc_core/render/identity_image.h"
+#include "study/task/trial_image.h"
+
+namespace ocelli {
+namespace {
+
+constexpr uint32_t kObject = 1;  // of a scene with a single one
+
+void addSightings(const std::string& place, const TrialPicture& picture, ViewCoverage& coverage) {
+  const Mesh mesh = meshOf(picture);
+  int sightingsHere = 0;
+  size_t largest = 0;
+  for (const TrialPicture::View& view : picture.views) {
+    const FragmentImage fragments = rasterizeStudy(view.camera, mesh);
+    for (const ObjectSighting& each : sightings(identityImage(fragments, picture.scene->objectOfTriangle()))) {
+      if (each.object == kObject && each.pixels >= kLeastSeenPixels) {
+        ++sightingsHere;
+        largest = std::max(largest, each.pixels);
+      }
+    }
+  }
+  coverage.images = static_cast<int>(picture.views.size());
+  ++coverage.places;
+  coverage.sightings += sightingsHere;
+  if (sightingsHere == 0) {
+    coverage.unseen.push_back(place);
+    return;
+  }
+  coverage.fewestPixels = coverage.seen == 0 ? largest : std::min(coverage.fewestPixels, largest);
+  ++coverage.seen;
+  coverage.twice += sightingsHere > 1 ? 1 : 0;
+}
+
+struct Place {
+  std::string name;
+  glm::vec3 point{0};
+};
+
+/// The middle of every cell but the entrance, and of every passage between cells.
+std::vector<Place> placesOf(const Maze& maze) {
+  std::vector<Place> places;
+  for (int row = 0; row < maze.rows(); ++row) {
+    for (int column = 0; column < maze.columns(); ++column) {
+      const MazeCell cell{row, column};
+      if (cell != maze.entrance->cell) {
+        places.push_back({nameOf(cell), maze.centerOf(cell)});
+      }
+      for (const Direction way : {Direction::kEast, Direction::kSouth}) {
+        if (maze.isOpen(cell, way)) {
+          const MazeCell next = cell.neighbor(way);
+          places.push_back({std::string("between ").append(nameOf(cell)).append(" and ").append(nameOf(next)),
+                            (maze.centerOf(cell) + maze.centerOf(next)) / 2.0f});
+        }
+      }
+    }
+  }
+  return places;
+}
+
+/// Puts one object, of the shape that the picture's scene has, in each place.
+ViewCoverage coverageOfMaze(TrialPicture picture, StudyView view) {
+  Maze maze = picture.scene->maze();
+  const MazeCell first = maze.landmarks.empty() ? maze.entrance->cell : maze.landmarks.front().cell;
+  Landmark object;
+  object.cell = first;
+  object.shape = maze.landmarks.empty() ? LandmarkShape::kSphere : maze.landmarks.front().shape;
+  maze.landmarks = {object};
+  const StudyScene scene(maze);
+  picture.scene = &scene;
+  ViewCoverage coverage;
+  coverage.view = view;
+  for (const Place& place : placesOf(maze)) {
+    picture.objectOffsets = {place.point - maze.centerOf(first)};
+    addSightings(place.name, picture, coverage);
+  }
+  return coverage;
+}
+
+TrialPlan planOf(const ProtocolBlock& block, int caseIndex, StudyView view) {
+  TrialPlan plan;
+  plan.task = block.taskName;
+  plan.caseIndex = caseIndex;
+  plan.view = view;
+  return plan;
+}
+
+}  // namespace
+
+std::vector<BlockCoverage> coverageOf(const Protocol& protocol, const TrialScreen& screen, const Progress& progress) {
+  std::vector<BlockCoverage> blocks;
+  for (size_t i = 0; i < protocol.blocks.size(); ++i) {
+    const ProtocolBlock& block = protocol.blocks[i];
+    BlockCoverage coverage;
+    coverage.block = block.name;
+    coverage.ofCases = !block.task->caseInfo(0).exposureSeconds.has_value();
+    for (const StudyView view : kStudyViews) {
+      const TrialPicture first = block.task->start(planOf(block, 0, view), screen)->picture();
+      if (first.scene == nullptr || first.views.empty() || (coverage.ofCases && !first.soughtObject)) {
+        continue;
+      }
+      if (!coverage.ofCases) {
+        coverage.views.push_back(coverageOfMaze(first, view));
+        continue;
+      }
+      ViewCoverage cases;
+      cases.view = view;
+      for (int k = 0; k < block.task->caseCount(); ++k) {
+        const std::unique_ptr<TrialRun> run = block.task->start(planOf(block, k, view), screen);
+        addSightings(block.task->caseInfo(k).label, run->picture(), cases);
+      }
+      coverage.views.push_back(cases);
+    }
+    if (!coverage.views.empty()) {
+      blocks.push_back(coverage);
+    }
+    report(progress, "coverage", static_cast<double>(i + 1) / static_cast<double>(protocol.blocks.size()));
+  }
+  return blocks;
+}
+
+}  // namespace ocelli

@@ -1,0 +1,155 @@
+#include "study/store/withdraw.h"
+
+#include <SQLiteCpp/Transaction.h>
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "oc_core/base/error.h"
+#include "study/store/database_lock.h"
+#include "study/store/identity_key.h"
+#include "study/store/leftovers.h"
+#include "study/store/sqlite_connection.h"
+#include "study/store/word_search.h"
+
+namespace ocelli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files that exports from this database made and that are still there.
+std::set<fs::path> filesOfExports(SQLite::Database& database) {
+  std::set<fs::path> files;
+  SQLite::Statement row(database, "SELECT detail_json FROM audit WHERE action = 'exported'");
+  while (row.executeStep()) {
+    const auto detail = nlohmann::json::parse(textOf(row, 0), nullptr, false);
+    if (!detail.is_object()) {
+      continue;
+    }
+    const fs::path folder = detail.value("folder", "");
+    for (const auto& file : detail.value("files", nlohmann::json::array())) {
+      if (std::error_code ignored; file.is_string() && fs::is_regular_file(folder / file.get<std::string>(), ignored)) {
+        files.insert(folder / file.get<std::string>());
+      }
+    }
+  }
+  return files;
+}
+
+std::vector<fs::path> filesWith(SQLite::Database& database, const std::string& subject) {
+  std::vector<fs::path> found;
+  for (const fs::path& file : filesOfExports(database)) {
+    if (fileHoldsWord(file, subject)) {
+      found.push_back(file);
+    }
+  }
+  return found;
+}
+
+int countOf(SQLite::Database& database, const std::string& query, const std::string& subject) {
+  SQLite::Statement statement(database, query);
+  statement.bind(1, subject);
+  statement.executeStep();
+  return statement.getColumn(0).getInt();
+}
+
+void execute(SQLite::Database& database, const std::string& statement, const std::string& subject) {
+  SQLite::Statement prepared(database, statement);
+  prepared.bind(1, subject);
+  prepared.exec();
+}
+
+// Names of exports and of merged databases may hold the id.
+void removeFromAudit(SQLite::Database& database, const std::string& subject) {
+  SQLite::Statement row(database, "SELECT audit_id, detail_json FROM audit");
+  SQLite::Statement update(database, "UPDATE audit SET detail_json = '{\"removed\": true}' WHERE audit_id = ?");
+  while (row.executeStep()) {
+    if (holdsWord(textOf(row, 1), subject)) {
+      update.bind(1, row.getColumn(0).getInt64());
+      update.exec();
+      update.reset();
+    }
+  }
+}
+
+int notesThatName(SQLite::Database& database, const std::string& subject) {
+  int count = 0;
+  SQLite::Statement row(database, "SELECT detail FROM event");
+  while (row.executeStep()) {
+    count += holdsWord(textOf(row, 0), subject) ? 1 : 0;
+  }
+  return count;
+}
+
+void deleteRows(SQLite::Database& database, const std::string& subject) {
+  SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  execute(database, "UPDATE withdrawal SET subject_id = ?, leftovers_pending = 1", subject);
+  for (const char* table : {"frame", "input"}) {
+    execute(database,
+            fmt::format("DELETE FROM {} WHERE trial_id IN (SELECT trial_id FROM trial WHERE subject_id = ?)", table),
+            subject);
+  }
+  for (const char* table : {"trial", "event", "answer", "consent", "run", "session", "subject"}) {
+    execute(database, fmt::format("DELETE FROM {} WHERE subject_id = ?", table), subject);
+  }
+  removeFromAudit(database, subject);
+  database.exec("UPDATE withdrawal SET subject_id = NULL");
+  addAudit(database, "withdrawn", "{}");
+  transaction.commit();
+}
+
+std::string joined(const std::vector<fs::path>& files) {
+  std::string text;
+  for (const fs::path& file : files) {
+    text.append(text.empty() ? "" : ", ").append(file.string());
+  }
+  return text;
+}
+
+}  // namespace
+
+WithdrawReport withdrawSubject(const fs::path& path, const std::string& subject, const WithdrawOptions& options) {
+  const DatabaseLock lock(path);
+  SQLite::Database database = connectStudy(path, DatabaseAccess::kWrite);
+  return withSqliteErrors("withdraw a subject", path, [&] {
+    WithdrawReport report;
+    const bool pending = database.execAndGet("SELECT leftovers_pending FROM withdrawal").getInt() != 0;
+    wipeLeftovers(database, path);
+    if (countOf(database, "SELECT count(*) FROM subject WHERE subject_id = ?", subject) == 0) {
+      if (pending) {
+        return report;
+      }
+      throw InputError("this database has no such subject", subject, "`ocelli study subjects` lists them");
+    }
+    // Everything that can fail comes before the first deletion.
+    const std::vector<fs::path> files = filesWith(database, subject);
+    if (!files.empty() && !options.deleteExports) {
+      throw InputError("exports hold this subject's data: " + joined(files), subject,
+                       "--delete-exports deletes these files; `ocelli study export` makes them anew afterwards");
+    }
+    if (options.keyFile) {
+      report.identityRemoved = removeIdentity(*options.keyFile, subject);
+    }
+    for (const fs::path& file : files) {
+      if (std::error_code error; !fs::remove(file, error) && error) {
+        throw WorkError(fmt::format("cannot delete this file of an export ({})", error.message()), file.string(),
+                        "delete it by hand, and give the same command again");
+      }
+      report.deletedFiles.push_back(file);
+    }
+    report.sessions = countOf(database, "SELECT count(*) FROM session WHERE subject_id = ?", subject);
+    report.trials = countOf(database, "SELECT count(*) FROM trial WHERE subject_id = ?", subject);
+    deleteRows(database, subject);
+    wipeLeftovers(database, path);
+    report.notesThatNameIt = notesThatName(database, subject);
+    return report;
+  });
+}
+
+std::vector<fs::path> exportsWith(const fs::path& path, const std::string& subject) {
+  SQLite::Database database = connectStudy(path, DatabaseAccess::kRead);
+  return withSqliteErrors("read this database", path, [&] { return filesWith(database, subject); });
+}
+
+}  // namespace ocelli

@@ -1,0 +1,38 @@
+// A subject withdraws: everything of theirs is deleted, so that no byte of it remains in the database, in its log, in
+// exports that the database knows of, and, where that is named, in the identity key. The audit trail keeps that a
+// withdrawal happened and when, and nothing that tells whose it was.
+//
+// Out of reach: exports and databases that were copied or moved, copies at stations that were merged, backups, and
+// blocks of a disk that no file uses any more.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ocelli {
+
+struct WithdrawOptions {
+  /// Deletes the files of exports that hold the subject; without, such an export is an InputError that lists them.
+  bool deleteExports = false;
+  std::optional<std::filesystem::path> keyFile{};  ///< identity_key.h
+};
+
+struct WithdrawReport {
+  int sessions = 0;
+  int trials = 0;
+  std::vector<std::filesystem::path> deletedFiles{};  ///< of exports
+  bool identityRemoved = false;
+  /// Notes about other subjects that hold this id: they stay, and someone should look at them.
+  int notesThatNameIt = 0;
+};
+
+/// Throws InputError where there is no such subject, WorkError where another program uses the database.
+WithdrawReport withdrawSubject(const std::filesystem::path& database, const std::string& subject,
+                               const WithdrawOptions& options);
+
+/// Files of exports from that database that are still there and hold that id.
+std::vector<std::filesystem::path> exportsWith(const std::filesystem::path& database, const std::string& subject);
+
+}  // namespace ocelli

@@ -1,0 +1,48 @@
+#include "study/task/eye_camera.h"
+
+#include <gtest/gtest.h>
+
+#include "oc_core/base/conventions.h"
+#include "tests/study_task/maze_walks.h"
+#include "tests/study_task/study_tasks.h"
+
+namespace ocelli {
+namespace {
+
+TEST(EyeCamera, looksWhereOneLooks) {
+  const Maze maze = test::studyMaze();
+  const EyeCamera camera(maze, {}, {});
+  const PinholeCamera pinhole = camera.pinhole({4.5, 7.5, kPi / 2}, {800, 400});
+  EXPECT_EQ(pinhole.eye(), glm::vec3(4.5f, 1.6f, 7.5f));
+  // 70 degrees from side to side: what lies 35 degrees aside is at the border.
+  const auto ahead = pinhole.project({9.5f, 1.6f, 7.5f});
+  const auto aside = pinhole.project({9.5f, 1.6f, 7.5f + 5 * std::tan(35 * 3.14159265f / 180)});
+  ASSERT_TRUE(ahead && aside);
+  EXPECT_NEAR(ahead->u, 400, 1e-2);
+  EXPECT_NEAR(ahead->v, 200, 1e-2);
+  EXPECT_NEAR(aside->u, 800, 1e-2);
+}
+
+TEST(EyeCamera, theGraphCameraBendsIntoSideWays) {
+  const Maze maze = test::studyMaze();
+  const EyeCamera camera(maze, {}, {});
+  const WalkerPose pose{2.5, 7.5, kPi / 2};
+  const auto graph = camera.portalCamera(pose, {640, 400});
+  ASSERT_TRUE(graph.has_value());
+  EXPECT_GT(graph->frusta().size(), 2u);
+  EXPECT_TRUE(std::holds_alternative<PinholeCamera>(camera.at(pose, StudyView::kPinhole, {640, 400})));
+  EXPECT_TRUE(std::holds_alternative<GraphCamera>(camera.at(pose, StudyView::kGraph, {640, 400})));
+}
+
+TEST(EyeCamera, takesWhateverPoseOneCanHave) {
+  EXPECT_EQ(test::refusedPoses(30, 60), 0);
+}
+
+TEST(EyeCamera, portalsOfOnePlaceAreRefused) {
+  const std::string error = test::readError("find", R"({"maze": "small", "cases": [{"row": 0, "column": 0}],
+      "portals": {"portals": [{"center": [1, 1, 1], "normal": [0, 0, 1], "width": 1, "height": 1}]}})");
+  EXPECT_NE(error.find("openings of the maze"), std::string::npos) << error;
+}
+
+}  // namespace
+}  // namespace ocelli
