@@ -57,7 +57,7 @@ TimingMeasurement measureTiming(std::span<const int64_t> shownNanoseconds, doubl
       squares += (interval - mean) * (interval - mean);
     }
   }
-  measured.lateShare = 1 - static_cast<double>(onTime) / static_cast<double>(intervals.size());
+  measured.lateShare = (measured.intervals - onTime) / static_cast<double>(measured.intervals);
   if (mean > 0) {
     measured.hertz = 1e9 / mean;
     measured.jitterShare = std::sqrt(squares / onTime) / mean;

@@ -33,8 +33,9 @@ class Session:
     """The program, and what its console says."""
 
     def __init__(self, ocelli, protocol, folder):
+        self.screens = folder / "screens"
         command = [ocelli, "study", "run", protocol, "--db", folder / "tiny.db", "--subject", "S01", "--force",
-                   "--hash-frames", "5", "--screenshots", folder / "screens"]
+                   "--hash-frames", "5", "--screenshots", self.screens]
         self.program = subprocess.Popen([str(part) for part in command], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=subprocess.STDOUT, text=True)
         self.lines = queue.Queue()
@@ -61,6 +62,18 @@ class Session:
             if text in line:
                 return line
         fail(f'the console never said "{text}"')
+
+    def pictures(self):
+        return len(list(self.screens.glob("*.png")))
+
+    def wait_for_picture(self, number):
+        """Until so many different screens have been shown."""
+        end = time.monotonic() + PATIENCE
+        while self.pictures() < number:
+            if time.monotonic() > end or self.program.poll() is not None:
+                fail(f"there were never {number} screens")
+            time.sleep(0.1)
+        time.sleep(0.3)
 
     def type(self, command):
         self.program.stdin.write(command + "\n")
@@ -96,18 +109,26 @@ class ByMouse:
 
     @staticmethod
     def demographics():
-        click(320, 215)  # the second age band
-        click(420, 350)  # 3 of 5
+        click(332, 319)  # the second age band
+        click(418, 453)  # 3 of 5
         click(*GO_ON)
 
     @staticmethod
     def survey():
-        click(560, 165)
+        click(631, 345)
         click(*GO_ON)
 
     @staticmethod
     def find():
         click(*object_ahead(6))
+
+    @staticmethod
+    def count():
+        click(640, 430)
+
+    @staticmethod
+    def match():
+        click(640, 430)
 
 
 class ByKeyboard:
@@ -131,6 +152,14 @@ class ByKeyboard:
                 "keyup", "shift")
         key("space")
 
+    @staticmethod
+    def count():
+        key("4")
+
+    @staticmethod
+    def match():
+        key("2")
+
 
 def run(session, subject):
     session.wait_for("consent")
@@ -147,7 +176,7 @@ def run(session, subject):
     time.sleep(0.3)
     session.type("resume")
     session.wait_for("before practice")
-    for name in ("practice", "trial 1 of 2", "trial 2 of 2"):
+    for name in ("practice", "trial 1 of 6", "trial 2 of 6"):
         if name != "practice":
             session.wait_for(f"before {name}")
         subject.go_on()
@@ -155,9 +184,30 @@ def run(session, subject):
         subject.find()
         session.wait_for("feedback")
         subject.go_on()
+        if name != "practice":
+            session.wait_for("break")
+            time.sleep(1.5)
+            subject.go_on()
+    for page in ("page Count the objects", "page All in one image"):
+        session.wait_for(page)
+        subject.go_on()
+    for name in ("trial 3 of 6", "trial 4 of 6"):
+        session.wait_for(f"before {name}")
+        before = session.pictures()
+        subject.go_on()
+        session.wait_for_picture(before + 2)  # the scene, and the numbers to choose from
+        subject.count()
     session.wait_for("break")
     time.sleep(1.5)
     subject.go_on()
+    session.wait_for("page Tell paths apart")
+    subject.go_on()
+    for name in ("trial 5 of 6", "trial 6 of 6"):
+        session.wait_for(f"before {name}")
+        before = session.pictures()
+        subject.go_on()
+        session.wait_for_picture(before + 2)  # the walk, and the maps to choose from
+        subject.match()
     session.wait_for("form survey")
     session.type("note all went well")
     subject.survey()
@@ -169,14 +219,44 @@ def run(session, subject):
         fail(f"exit code {code}")
 
 
-def check_database(path):
-    database = sqlite3.connect(f"file:{path}?mode=ro", uri=True)
+def check(what, got, expected):
+    if got != expected:
+        fail(f"{what}: {got} instead of {expected}")
+
+
+def check_database(path, way):
+    database = sqlite3.connect(path)
 
     def rows(query):
         return database.execute(query).fetchall()
 
-    print(rows("SELECT name FROM sqlite_master WHERE type = 'table' ORDER BY name"))
-    return rows
+    check("integrity", rows("PRAGMA integrity_check"), [("ok",)])
+    check("runs", rows("SELECT subject_id, session_number, ending, forced, simulated FROM run"),
+          [("S01", 1, "completed", 1, 0)])
+    check("consent", rows("SELECT agreed FROM consent"), [(1,)])
+    check("answers", rows("SELECT form, field, answer FROM answer ORDER BY answer_id"),
+          [("demographics", "age_band", "30-44"), ("demographics", "experience", "3"),
+           ("survey", "find_easier", "4")])
+    trials = rows("SELECT practice, task, view, ending, timing_verdict FROM trial ORDER BY trial_id")
+    check("trials", trials,
+          [(practice, task, view, "completed", "unstable_refresh")
+           for practice, task, view in [(1, "find", "ppc"), (0, "find", "ppc"), (0, "find", "gc"), (0, "count", "ppc"),
+                                        (0, "count", "gc"), (0, "path", "ppc"), (0, "path", "gc")]])
+    check("found objects", rows("SELECT correct, censored FROM trial WHERE task = 'find'"), [(1, 0)] * 3)
+    check("answers to the others", rows("SELECT answer <> '', censored FROM trial WHERE task <> 'find'"), [(1, 0)] * 4)
+    # Two seconds of 60 frames each, however late they were.
+    check("exposures", rows("SELECT exposure_frames FROM trial WHERE task = 'count'"), [(120,), (120,)])
+    check("events", rows("SELECT detail FROM event WHERE what IN ('pause', 'note') ORDER BY event_id"),
+          [("a moment, please",), ("all went well",)])
+    kinds = {kind for (kind,) in rows("SELECT DISTINCT kind FROM input")}
+    check("clicks", "pointer_button" in kinds, way == "mouse")
+    # Each trial has a frame of each number, shown one after the other, and every fifth has a hash.
+    for trial, frames in rows("SELECT trial_id, frames FROM trial"):
+        shown = rows(f"SELECT frame, shown_ns, pixel_hash IS NOT NULL FROM frame WHERE trial_id = {trial} "
+                     "ORDER BY frame")
+        check("numbers of frames", [number for number, _, _ in shown], list(range(frames)))
+        check("order of times", all(a[1] < b[1] for a, b in zip(shown, shown[1:])), True)
+        check("hashes", [hashed for _, _, hashed in shown], [int(i % 5 == 0) for i in range(frames)])
 
 
 def main():
@@ -188,7 +268,8 @@ def main():
         run(session, ByMouse if way == "mouse" else ByKeyboard)
     finally:
         session.program.kill()
-    check_database(folder / "tiny.db")
+    check_database(folder / "tiny.db", way)
+    print("a session by", way, "is complete")
 
 
 if __name__ == "__main__":
