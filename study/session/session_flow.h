@@ -54,7 +54,8 @@ struct SessionFlowOptions {
   std::function<std::string()> utcNow{};  ///< for the records; the clock of the system where empty (utc_time.h)
 };
 
-/// What the subject does to a form or page by the mouse: what widgets report.
+/// What the subject does to a form or page by the mouse: what widgets report. To go on is what Enter does on a page, to
+/// decline what Escape does.
 struct FormAction {
   enum class Kind { kChoose, kGoOn, kDecline };
   Kind kind = Kind::kGoOn;
@@ -74,7 +75,7 @@ struct SessionStatus {
 class SessionFlow {
  public:
   /// `protocol` and `sink` must outlive it. Throws InputError where something was done before and the protocol does not
-  /// allow to resume.
+  /// allow to resume, and where a task does not fit onto the screen.
   SessionFlow(const Protocol& protocol, const SessionSchedule& schedule, const SessionDone& done,
               const SessionFlowOptions& options, SessionSink& sink);
   ~SessionFlow();

@@ -10,6 +10,7 @@
 //      TrialRun.
 //   2. study/task/task_kinds.cpp: one line in the table.
 //   3. protocols/protocol.schema.json: its name and its fields.
+// And an example of it in tests/study_task/study_tasks.cpp, with which the tests of the contract below run.
 // Databases, replays and exports take it as it is: what is its own goes into TrialOutcome::measures.
 #pragma once
 

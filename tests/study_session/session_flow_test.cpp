@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "oc_core/base/error.h"
@@ -227,6 +228,64 @@ TEST(SessionFlow, oneRightPracticeTrialBetweenWrongOnesIsNotInARow) {
   run.goOn(trials(4));
   run.tap(Key::kEnter);
   EXPECT_TRUE(small.sink.hasEvent("practice_passed"));
+}
+
+TEST(SessionFlow, aPracticeTrialThatIsRedoneCountsOnce) {
+  Small small;
+  SessionRun run(small.protocol, small.schedule, small.sink);
+  const auto isDone = [&](size_t count) {
+    return [&small, count] { return small.sink.all<test::TrialEnds>().size() == count; };
+  };
+  run.goOn(isDone(1));
+  run.flow.redo();
+  run.goOn(isDone(2));
+  const auto ends = small.sink.all<test::TrialEnds>();
+  EXPECT_EQ(ends[1].record.plan, ends[0].record.plan);
+  EXPECT_EQ(ends[1].record.attempt, 2);
+  run.tap(Key::kEnter);
+  EXPECT_FALSE(small.sink.hasEvent("practice_passed"));  // one right one, however often
+  run.goOn(isDone(3));
+  run.tap(Key::kEnter);
+  EXPECT_TRUE(small.sink.hasEvent("practice_passed"));
+}
+
+TEST(SessionFlow, logsHoldWhatTasksCanUse) {
+  Small small;
+  SessionRun run(small.protocol, small.schedule, small.sink);
+  run.goOn([&] { return run.inTrial(); });
+  run.input(TextEvent{U'x'});
+  run.input(CloseEvent{});
+  run.input(PointerMoveEvent{std::nan(""), 3});
+  run.input(PointerMoveEvent{4, 3});
+  run.frame();
+  run.frame();
+  run.flow.abort("enough");
+  size_t moves = 0;
+  for (const InputRecord& input : small.sink.inputsOf(0)) {
+    const auto* move = std::get_if<PointerMoveEvent>(&input.event);
+    EXPECT_TRUE(move != nullptr || std::holds_alternative<KeyEvent>(input.event));
+    moves += move != nullptr ? 1 : 0;
+  }
+  EXPECT_EQ(moves, 1u);
+}
+
+/// It fits onto large screens alone.
+class LargeTask : public TaskBlock {
+ public:
+  int caseCount() const override { return 1; }
+  CaseInfo caseInfo(int) const override { return CaseInfo(); }
+  std::string answerOf(const TrialPlan&) const override { return "none"; }
+  std::unique_ptr<TrialRun> start(const TrialPlan&, const TrialScreen&) const override {
+    throw InputError("too small", "screen", "take a larger one");
+  }
+};
+
+TEST(SessionFlow, whatDoesNotFitOntoTheScreenIsToldBeforeTheSession) {
+  Small small;
+  small.protocol.blocks[1].task = std::make_shared<LargeTask>();
+  const SessionSchedule schedule = test::smallSchedule(small.protocol);
+  EXPECT_THROW(SessionRun(small.protocol, schedule, small.sink), InputError);
+  EXPECT_TRUE(small.sink.calls.empty());
 }
 
 TEST(SessionFlow, decliningEndsTheSession) {

@@ -1,0 +1,328 @@
+#include "study/session/session_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "oc_core/base/check.h"
+#include "oc_core/base/sha256.h"
+#include "study/session/frame_timing.h"
+#include "study/session/session_pages.h"
+#include "study/session/utc_time.h"
+
+namespace ocelli {
+namespace {
+
+/// Whether trials are to have it, and so their logs.
+bool isForTrials(const InputEvent& event) {
+  if (const auto* move = std::get_if<PointerMoveEvent>(&event)) {
+    return std::isfinite(move->x) && std::isfinite(move->y);
+  }
+  return std::holds_alternative<KeyEvent>(event) || std::holds_alternative<PointerButtonEvent>(event) ||
+         std::holds_alternative<ScrollEvent>(event);
+}
+
+std::string joined(const std::vector<std::string>& paragraphs) {
+  std::string text;
+  for (const std::string& paragraph : paragraphs) {
+    text += (text.empty() ? "" : "\n\n") + paragraph;
+  }
+  return text;
+}
+
+}  // namespace
+
+SessionFlow::State::State(const Protocol& theProtocol, SessionSchedule theSchedule, const SessionDone& done,
+                          SessionFlowOptions theOptions, SessionSink& theSink)
+    : protocol(theProtocol),
+      schedule(std::move(theSchedule)),
+      options(std::move(theOptions)),
+      sink(theSink),
+      attempts(done.attempts),
+      agenda(agendaOf(theProtocol, schedule, done)) {
+  attempts.resize(schedule.trials.size(), 0);
+  const std::vector<int> kept = keptTrials(protocol, schedule, done);
+  completed.insert(kept.begin(), kept.end());
+  if (!options.utcNow) {
+    options.utcNow = utcNow;
+  }
+  tryTrials();
+  enterStep();
+}
+
+void SessionFlow::State::tryTrials() const {
+  std::set<std::pair<int, StudyView>> tried;
+  for (const TrialPlan& plan : schedule.trials) {
+    if (tried.insert({plan.block, plan.view}).second) {
+      taskOf(plan).start(plan, options.screen);
+      if (blockOf(plan.block).practice) {
+        TrialPlan first = practiceTrial(schedule, protocol, plan.block, 0);
+        first.view = plan.view;
+        taskOf(first).start(first, options.screen);
+      }
+    }
+  }
+}
+
+void SessionFlow::State::event(const std::string& what, const std::string& detail) {
+  if (!ending) {
+    sink.event({now, options.utcNow(), what, detail});
+  }
+}
+
+void SessionFlow::State::end(SessionEnding how, const std::string& title, const std::vector<std::string>& paragraphs) {
+  if (!ending || how == SessionEnding::kFailed) {
+    ending = how;
+    sink.sessionEnds(how, options.utcNow());
+  }
+  closingPage = lastPage(title, paragraphs);
+}
+
+void SessionFlow::State::checkSink() {
+  const std::optional<std::string> failure = sink.failure();
+  if (failure && ending != SessionEnding::kFailed) {
+    trial.reset();
+    end(SessionEnding::kFailed, "The session has stopped",
+        {"Nothing more can be stored. What was stored before is safe.", "Please call the experimenter.", *failure});
+  }
+}
+
+void SessionFlow::State::nextStep() {
+  agenda.pop_front();
+  enterStep();
+}
+
+void SessionFlow::State::enterStep() {
+  OC_CHECK(!agenda.empty(), "a session ends with its last step");
+  form.reset();
+  if (const auto* step = current<FormStep>()) {
+    form.emplace(*step->form);
+  } else if (const auto* text = current<TextStep>()) {
+    event("page", text->page->title);
+  } else if (current<BreakStep>() != nullptr) {
+    breakBegan = now;
+    event("break", "begins");
+  } else if (const auto* practiceStep = current<PracticeStep>()) {
+    goOnWithPractice(practiceStep->block);
+  } else if (current<EndStep>() != nullptr) {
+    end(SessionEnding::kCompleted, "Thank you", {"This was all for today.", "Please call the experimenter."});
+  }
+}
+
+void SessionFlow::State::goOnWithPractice(int block) {
+  const ProtocolPractice& rules = *blockOf(block).practice;
+  const Practice& so = practice[block];
+  if (so.inARow >= rules.leastCorrect) {
+    event("practice_passed", std::to_string(block));
+    nextStep();
+  } else if (so.trials >= rules.mostTrials) {
+    event("practice_failed", std::to_string(block));
+    agenda.front() = CallStep{block};
+  } else {
+    agenda.push_front(TrialStep{practiceTrial(schedule, protocol, block, so.trials)});
+  }
+}
+
+void SessionFlow::State::decline() {
+  sink.consent(consentRecord(false));
+  end(SessionEnding::kDeclined, "Thank you",
+      {"You do not take part. Nothing more is stored.", "Please call the experimenter."});
+}
+
+ConsentRecord SessionFlow::State::consentRecord(bool agreed) const {
+  const std::string text = joined(protocol.consent->paragraphs);
+  return {protocol.consent->title, text, sha256(text), agreed, options.utcNow()};
+}
+
+void SessionFlow::State::goOn() {
+  if (closingPage) {
+    closed = true;
+  } else if (current<ConsentStep>() != nullptr) {
+    sink.consent(consentRecord(true));
+    nextStep();
+  } else if (form) {
+    if (form->goOn()) {
+      storeForm();
+    }
+  } else if (const auto* call = current<CallStep>()) {
+    event("practice_continued", std::to_string(call->block));
+    nextStep();
+  } else if (auto* step = current<TrialStep>()) {
+    if (!step->ready) {
+      step->ready = true;
+      beginTrial(step->plan);
+    }
+  } else if (current<BreakStep>() != nullptr) {
+    if (breakSecondsLeft() <= 0) {
+      event("break", "ends");
+      nextStep();
+    }
+  } else {
+    nextStep();
+  }
+}
+
+double SessionFlow::State::breakSecondsLeft() const {
+  return std::max(0.0, protocol.breakSeconds - static_cast<double>(now - breakBegan) * 1e-9);
+}
+
+void SessionFlow::State::storeForm() {
+  const ProtocolForm& of = *form->screen().form;
+  for (size_t i = 0; i < of.fields.size(); ++i) {
+    sink.answer({of.name, of.fields[i].name, form->answer(i), options.utcNow()});
+  }
+  nextStep();
+}
+
+void SessionFlow::State::beginTrial(const TrialPlan& plan) {
+  const TaskBlock& task = taskOf(plan);
+  std::unique_ptr<TrialRun> run = task.start(plan, options.screen);
+  if (plan.practice) {
+    practiceBegun.push_back(plan);
+  }
+  const auto attempt = static_cast<int>(plan.practice ? std::count(practiceBegun.begin(), practiceBegun.end(), plan)
+                                                      : ++attempts[static_cast<size_t>(plan.index)]);
+  record = {};
+  record.plan = plan;
+  record.attempt = attempt;
+  record.info = task.caseInfo(plan.caseIndex);
+  record.screen = options.screen;
+  record.startedUtc = options.utcNow();
+  record.startedNanoseconds = now;
+  trial = std::make_unique<RunningTrial>(std::move(run), trialsBegun++, sink);
+  sink.trialBegins(trial->number(), plan, attempt);
+}
+
+void SessionFlow::State::endTrial(TrialEnding how) {
+  trial->handOver();
+  record.ending = how;
+  record.endedNanoseconds = now;
+  record.endedUtc = options.utcNow();
+  const std::vector<int64_t>& shown = trial->shownNanoseconds();
+  record.startedNanoseconds = shown.empty() ? record.startedNanoseconds : shown.front();
+  record.timing =
+      timingOf(shown, protocol.timing, {options.intervalNanoseconds, options.unstableRefresh, options.simulatedClock});
+  if (how == TrialEnding::kCompleted) {
+    record.outcome = *trial->run().outcome();
+  }
+  sink.trialEnds(trial->number(), record);
+  if (record.timing.verdict == "dropped_frames") {
+    event("late_frames", fmt::format("{} of {} frames of the trial", record.timing.dropped, record.timing.frames));
+  }
+  lastTiming = record.timing;
+  lastPlan = record.plan;
+  trial.reset();
+  trialWasOnScreen = false;
+  std::get<TrialStep>(agenda.front()).ready = false;
+}
+
+void SessionFlow::State::completeTrial() {
+  endTrial(TrialEnding::kCompleted);
+  const TrialPlan plan = record.plan;
+  bool feedback = blockOf(plan.block).feedback;
+  if (plan.practice) {
+    feedback = true;
+    Practice& so = practice[plan.block];
+    ++so.trials;
+    so.inARowBefore = so.inARow;
+    so.inARow = record.outcome.correct ? so.inARow + 1 : 0;
+  } else {
+    completed.insert(plan.index);
+  }
+  if (feedback) {
+    agenda.front() = FeedbackStep{record.outcome};
+    enterStep();
+  } else {
+    nextStep();
+  }
+}
+
+void SessionFlow::State::interruptTrial(TrialEnding how) {
+  if (trial) {
+    endTrial(how);
+  }
+}
+
+void SessionFlow::State::press(Key key, bool isRepeat) {
+  const bool isEnter = key == Key::kEnter && !isRepeat;
+  if (closingPage) {
+    if (isEnter) {
+      goOn();
+    }
+  } else if (asksUnwell) {
+    if (isEnter || (key == Key::kEscape && !isRepeat)) {
+      answerUnwell(isEnter);
+    }
+  } else if (key == Key::kF10) {
+    interruptTrial(TrialEnding::kAborted);
+    event("unwell", "asks");
+    asksUnwell = true;
+  } else if (pauseReason) {
+    return;
+  } else if (form) {
+    // Arrows may repeat.
+    if ((!isRepeat || key != Key::kEnter) && form->press(key)) {
+      storeForm();
+    }
+  } else if (isEnter) {
+    goOn();
+  } else if (key == Key::kEscape && !isRepeat && current<ConsentStep>() != nullptr) {
+    decline();
+  }
+}
+
+void SessionFlow::State::answerUnwell(bool ends) {
+  asksUnwell = false;
+  event("unwell", ends ? "ends the session" : "goes on");
+  if (ends) {
+    end(SessionEnding::kUnwell, "The session has ended", {"Please rest, and tell the experimenter."});
+  }
+}
+
+bool SessionFlow::State::take(const TimedInput& input) {
+  const auto* key = std::get_if<KeyEvent>(&input.event);
+  const bool isUnwell = key != nullptr && key->pressed && key->key == Key::kF10;
+  const bool toTrial = trial && !isUnwell && isForTrials(input.event);
+  if (toTrial && !trial->take(input, now)) {
+    if (!trial->isOver()) {
+      return false;
+    }
+    completeTrial();
+    return take(input);
+  }
+  if (key != nullptr) {
+    const bool isRepeat = key->pressed && held.contains(key->key);
+    if (key->pressed) {
+      held.insert(key->key);
+    } else {
+      held.erase(key->key);
+    }
+    if (!toTrial && key->pressed) {
+      press(key->key, isRepeat);
+    }
+  }
+  if (trial && trial->isOver()) {
+    completeTrial();
+  }
+  return true;
+}
+
+void SessionFlow::State::update(int64_t time) {
+  now = std::max(now, time);
+  if (!closed) {
+    checkSink();
+  }
+  while (!closed && !inputs.empty() && inputs.front().nanoseconds <= now && take(inputs.front())) {
+    inputs.pop_front();
+  }
+  if (trial) {
+    trial->update(now);
+    if (trial->isOver()) {
+      completeTrial();
+    }
+  }
+  trialWasOnScreen = trial != nullptr && !pauseReason && !asksUnwell;
+}
+
+}  // namespace ocelli

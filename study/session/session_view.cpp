@@ -1,0 +1,57 @@
+// What a session shows, and how it names it.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "study/session/session_state.h"
+
+namespace ocelli {
+
+SessionProgress SessionFlow::State::progress() const {
+  SessionProgress so;
+  so.trialsDone = static_cast<int>(completed.size());
+  so.trials = static_cast<int>(schedule.trials.size());
+  so.blocks = static_cast<int>(schedule.blockOrder.size());
+  // Of the first trial that is yet to be done.
+  const auto open = std::find_if(schedule.trials.begin(), schedule.trials.end(),
+                                 [&](const TrialPlan& plan) { return !completed.contains(plan.index); });
+  const auto place = open == schedule.trials.end()
+                         ? schedule.blockOrder.end()
+                         : std::find(schedule.blockOrder.begin(), schedule.blockOrder.end(), open->block);
+  so.block = std::min(static_cast<int>(place - schedule.blockOrder.begin()), std::max(so.blocks - 1, 0));
+  return so;
+}
+
+std::string SessionFlow::State::nameOfTrial(const TrialPlan& plan) const {
+  return plan.practice ? "Practice" : fmt::format("Trial {} of {}", plan.index + 1, schedule.trials.size());
+}
+
+SessionScreen SessionFlow::State::screenOf(const TrialStep& step) const {
+  if (trial) {
+    return TrialScreenView{trial->run().picture(), trial->nextFrame() % 2 == 0, protocol.screen.photodiodePatch};
+  }
+  return readyPage(nameOfTrial(step.plan), blockOf(step.plan.block).title, progress());
+}
+
+SessionScreen SessionFlow::State::screen() const {
+  if (closingPage) {
+    return *closingPage;
+  }
+  if (asksUnwell) {
+    return unwellPage();
+  }
+  if (pauseReason) {
+    return PauseScreen{*pauseReason};
+  }
+  return std::visit([&](const auto& step) { return screenOf(step); }, agenda.front());
+}
+
+std::string SessionFlow::State::nameOf(const TrialStep& step) const {
+  const TrialPlan& plan = step.plan;
+  const ProtocolBlock& block = blockOf(plan.block);
+  return fmt::format("{}{}, {}, {}, {}", trial ? "" : "before ",
+                     plan.practice ? "practice" : fmt::format("trial {} of {}", plan.index + 1, schedule.trials.size()),
+                     block.name, ocelli::nameOf(plan.view), taskOf(plan).caseInfo(plan.caseIndex).label);
+}
+
+}  // namespace ocelli
