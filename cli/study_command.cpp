@@ -12,6 +12,7 @@ void addStudyCommand(CLI::App& program, const Frame& frame) {
   study.require_subcommand(1);
   addStudyCheckCommand(study, frame);
   addStudyRunCommands(study, frame);
+  addStudySimulateCommand(study, frame);
   addStudyDataCommands(study, frame);
 }
 

@@ -11,6 +11,8 @@ constexpr double kRegionDegrees = 9;
 /// What is seen to be in the same place of the screen, and by how much more where time has passed, degrees.
 constexpr double kSamePlaceDegrees = 1.2;
 constexpr double kDriftDegreesPerSecond = 2.5;
+/// By that much a thing must have moved from one fixation to the next for people to see that it moves.
+constexpr double kMotionDegrees = 0.15;
 /// An object may have gone so far meanwhile, metres; people know how fast things go here.
 constexpr double kDriftMetersPerSecond = 1;
 /// Places that differ by more than so many times their errors are two places: one is wrong in one of eight such cases.
@@ -27,14 +29,19 @@ double CountMind::think(const Percept& seen, int64_t from, int64_t now, Hands& h
   if (regions_.empty()) {
     layOutRegions(seen);
   }
+  noteMotion(seen);
   const double seconds = attend(seen, from);
   lookOn(seen, from);
   return seconds;
 }
 
-double CountMind::effort() const {
+double CountMind::regionsLeft() const {
   const auto open = std::count_if(regions_.begin(), regions_.end(), [](const Region& each) { return !each.looked; });
-  const double share = regions_.empty() ? 1 : static_cast<double>(open) / static_cast<double>(regions_.size());
+  return sawAll_ ? 0 : static_cast<double>(open);
+}
+
+double CountMind::effort() const {
+  const double share = regions_.empty() ? 1 : regionsLeft() / static_cast<double>(regions_.size());
   return share + static_cast<double>(judgements_) / static_cast<double>(std::max<size_t>(items_.size(), 1));
 }
 
@@ -59,7 +66,7 @@ void CountMind::layOutRegions(const Percept& seen) {
 bool CountMind::isThere(const Item& item, const Sighting& sighting, int64_t from) const {
   return item.view == sighting.view && item.color == sighting.color && item.shape == sighting.shape &&
          vision_.degrees(item.onScreen, sighting.centroid) <=
-             kSamePlaceDegrees + kDriftDegreesPerSecond * secondsOf(from - item.at);
+             kSamePlaceDegrees + (moves_ ? kDriftDegreesPerSecond * secondsOf(from - item.at) : 0);
 }
 
 bool CountMind::isAttended(const Sighting& sighting, int64_t from) const {
@@ -67,42 +74,62 @@ bool CountMind::isAttended(const Sighting& sighting, int64_t from) const {
   return std::any_of(items_.begin(), items_.end(), isThat) || std::any_of(passed_.begin(), passed_.end(), isThat);
 }
 
-/// Whether it is taken for something that was counted in another view.
+/// Whether it is taken for something that was counted elsewhere: in another view, or before it moved.
 bool CountMind::seemsSame(const Item& item, const Sighting& sighting, int64_t from, const glm::dvec2& seemsAt) {
-  if (item.view == sighting.view || item.shape != sighting.shape || item.color != sighting.color) {
+  const bool otherView = item.view != sighting.view;
+  if (item.shape != sighting.shape || item.color != sighting.color || (!otherView && (!moves_ || item.at == from))) {
     return false;
   }
-  ++judgements_;
+  judgements_ += otherView ? 1 : 0;
   const HumanFactors& factors = vision_.factors();
   const bool isInMind = happens(random_, factors.workingMemoryItems / static_cast<double>(items_.size()));
-  const double error = std::sqrt(2.0) * factors.crossViewErrorMeters;
-  return isInMind && glm::distance(item.seemsAt, seemsAt) <=
-                         kErrorsApart * error + kDriftMetersPerSecond * secondsOf(from - item.at);
+  const double error = std::sqrt(2.0) * (otherView ? factors.crossViewErrorMeters : factors.placeErrorMeters);
+  const double drift = moves_ ? kDriftMetersPerSecond * secondsOf(from - item.at) : 0;
+  return isInMind && glm::distance(item.seemsAt, seemsAt) <= kErrorsApart * error + drift;
 }
 
 void CountMind::count(const Sighting& sighting, int64_t from) {
-  for (std::vector<Item>* list : {&items_, &passed_}) {
-    for (Item& item : *list) {
-      // One thing is not two at once.
-      if (item.at < from && isThere(item, sighting, from)) {
-        item.onScreen = sighting.centroid;
-        item.at = from;
-        return;
-      }
-    }
-  }
   const double error = singleView_ ? vision_.factors().placeErrorMeters : vision_.factors().crossViewErrorMeters;
   const Item seen{sighting.shape, sighting.color,
                   sighting.view,  sighting.centroid,
                   from,           sighting.place + glm::dvec2(normal(random_, 0, error), normal(random_, 0, error))};
+  const auto goesOnAs = [&](Item& item) {
+    item.onScreen = seen.onScreen;
+    item.at = from;
+    item.seemsAt = seen.seemsAt;
+  };
+  for (std::vector<Item>* list : {&items_, &passed_}) {
+    for (Item& item : *list) {
+      // One thing is not two at once.
+      if (item.at < from && isThere(item, sighting, from)) {
+        goesOnAs(item);
+        return;
+      }
+    }
+  }
   for (Item& item : items_) {
     if (item.metAt < from && seemsSame(item, sighting, from, seen.seemsAt)) {
       item.metAt = from;
-      passed_.push_back(seen);
+      if (item.view == sighting.view) {
+        goesOnAs(item);
+      } else {
+        passed_.push_back(seen);
+      }
       return;
     }
   }
   items_.push_back(seen);
+}
+
+void CountMind::noteMotion(const Percept& seen) {
+  for (const Sighting& now : seen.objects) {
+    for (const Sighting& before : before_) {
+      const double moved = vision_.degrees(now.centroid, before.centroid);
+      moves_ = moves_ || (now.view == before.view && now.color == before.color && now.shape == before.shape &&
+                          moved > kMotionDegrees && moved < kSamePlaceDegrees && vision_.notices(now, *gaze_));
+    }
+  }
+  before_ = seen.objects;
 }
 
 double CountMind::attend(const Percept& seen, int64_t from) {
@@ -140,6 +167,11 @@ void CountMind::lookOn(const Percept& seen, int64_t from) {
     gaze_ = best->centroid;
   } else if (next != regions_.end()) {
     gaze_ = next->middle;
+  } else if (!sawAll_) {
+    sawAll_ = true;  // once more, for what was missed
+    for (Region& region : regions_) {
+      region.looked = false;
+    }
   }
 }
 
@@ -147,8 +179,7 @@ void CountMind::answer(const Percept& seen, int64_t now, Hands& hands) {
   if (seen.choices.empty() || now < answersAgainAt_) {
     return;
   }
-  const auto open = static_cast<double>(
-      std::count_if(regions_.begin(), regions_.end(), [](const Region& each) { return !each.looked; }));
+  const double open = regionsLeft();
   const double looked = static_cast<double>(regions_.size()) - open;
   // As many new ones are to be expected there as elsewhere.
   const auto counted = static_cast<double>(items_.size());

@@ -36,6 +36,8 @@ class CountMind final : public TaskMind {
   };
 
   void layOutRegions(const Percept& seen);
+  double regionsLeft() const;
+  void noteMotion(const Percept& seen);
   double attend(const Percept& seen, int64_t from);
   void count(const Sighting& sighting, int64_t from);
   bool isThere(const Item& item, const Sighting& sighting, int64_t from) const;
@@ -49,6 +51,9 @@ class CountMind final : public TaskMind {
   std::optional<glm::dvec2> gaze_{};
   std::vector<Region> regions_{};
   bool singleView_ = false;
+  bool moves_ = false;   ///< something does
+  bool sawAll_ = false;  ///< all regions were looked at
+  std::vector<Sighting> before_{};
   std::vector<Item> items_{};
   std::vector<Item> passed_{};  ///< sightings that were taken for an item in another view
   int judgements_ = 0;

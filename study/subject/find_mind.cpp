@@ -50,7 +50,8 @@ double FindMind::think(const Percept& seen, int64_t from, int64_t now, Hands& ha
     inSight_ += secondsOf(now - from);
     if (!found_ && inSight_ >= vision_.factors().noticeSeconds) {
       found_ = true;
-      hands.release(now + nanosecondsOf(vision_.factors().reactionSeconds));
+      stopsAt_ = now + nanosecondsOf(vision_.factors().reactionSeconds);
+      hands.release(stopsAt_);
     }
     gaze_ = object->centroid;
     if (found_) {
@@ -79,40 +80,42 @@ void FindMind::learn(const Percept& seen, int64_t from) {
   for (const FloorPatch& patch : seen.floor) {
     if (vision_.takesIn(patch, *gaze_)) {
       memory_.see(patch, from);
+      if (patch.straight && seen.standing) {
+        memory_.seeAlong(seen.grid, placeOf(*seen.standing), patch.place);
+      }
     }
   }
   if (seen.standing) {
-    const MazeCell here = seen.grid.cellAt(placeOf(*seen.standing));
-    began_ = began_.value_or(here);
-    if (here != *began_) {
-      memory_.visit(here, from);  // what lies behind one has been passed
-    }
+    memory_.visit(seen.grid.cellAt(placeOf(*seen.standing)), from);
   }
   since_ = std::max(since_, from - nanosecondsOf(vision_.factors().searchMemorySeconds));
 }
 
 void FindMind::goFor(const Sighting& object, int64_t from, int64_t now, Hands& hands) {
+  const HumanFactors& factors = vision_.factors();
   const glm::dvec2 drift =
       before_ && from > before_->at ? (object.aim - before_->place) / secondsOf(from - before_->at) : glm::dvec2(0);
   before_ = Seen{object.aim, from};
-  if (hands.isPointing(now)) {
+  if (now < stopsAt_ || hands.isPointing(now)) {
     return;
   }
+  // It is expected to go on as it did, but not by more than its size: one has seen it for two fixations.
   const glm::dvec2 size = object.upper - object.lower;
-  const glm::dvec2& pointer = hands.pointer();
-  const bool isOver = pointer.x >= object.lower.x && pointer.y >= object.lower.y && pointer.x < object.upper.x &&
-                      pointer.y < object.upper.y;
+  const auto after = [&](double seconds) {
+    const glm::dvec2 by = drift * seconds;
+    const double most = std::max(size.x, size.y);
+    return glm::length(by) > most ? by * (most / glm::length(by)) : by;
+  };
+  const double untilClick = secondsOf(now - from) + factors.clickSeconds;
+  const glm::dvec2 under = hands.pointer() - after(untilClick);
+  const bool isOver =
+      under.x >= object.lower.x && under.y >= object.lower.y && under.x < object.upper.x && under.y < object.upper.y;
   if (isOver) {
-    hands.click(now + nanosecondsOf(vision_.factors().clickSeconds));
+    hands.click(now + nanosecondsOf(factors.clickSeconds));
   } else {
-    // To where it will be, as far as one can tell: one sees no more than two fixations of its way.
-    const glm::dvec2 lead = drift * (secondsOf(now - from) + vision_.factors().reactionSeconds);
-    const double most = std::max(size.x, size.y) * 2;
-    const double length = glm::length(lead);
-    const glm::dvec2 goal = object.aim + (length > most ? lead * (most / length) : lead);
-    const int64_t there =
-        hands.point(goal, std::min(size.x, size.y), now + nanosecondsOf(vision_.factors().reactionSeconds));
-    hands.click(there + nanosecondsOf(vision_.factors().clickSeconds));
+    const double longer = factors.reactionSeconds + 2 * factors.fixationSeconds;
+    hands.point(object.aim + after(untilClick + longer), std::min(size.x, size.y),
+                now + nanosecondsOf(factors.reactionSeconds / 2));
   }
 }
 
@@ -134,7 +137,7 @@ std::optional<MazeCell> FindMind::chooseGoal(const std::map<MazeCell, MazeMemory
   std::optional<MazeCell> best;
   double least = 0;
   for (const auto& [cell, way] : ways) {
-    if (memory_.hasSearched(cell, since_)) {
+    if (way.cells.empty() || memory_.hasSearched(cell, since_)) {
       continue;
     }
     const double noise = std::exp(normal(random_, 0, vision_.factors().wayNoise));
@@ -205,20 +208,6 @@ void FindMind::walk(const Percept& seen, int64_t from, int64_t now, Hands& hands
   }
   const glm::dvec2 middle = grid.middleOf(here);
   const std::vector<MazeCell>& cells = ways.at(*goal_).cells;
-  if (cells.empty()) {
-    // What was not seen of where one stands: to the middle first, then look there.
-    next_ = here;
-    const glm::dvec2 rest = middle + memory_.unseenPart(here, since_) * grid.cellSize;
-    if (glm::distance(placeOf(pose), middle) > kArrived) {
-      walkTo(middle, pose, at, hands);
-    } else if (glm::distance(rest, placeOf(pose)) > 0.2) {
-      const glm::dvec2 ahead = placeOf(pose) + glm::normalize(rest - placeOf(pose)) * 0.01;
-      walkTo(ahead, pose, at, hands);
-    } else {
-      turnAround(at, hands);
-    }
-    return;
-  }
   // As far as the way goes straight on; first to the middle of the cell, where it turns.
   next_ = cells.front();
   const bool alongRow = cells.front().row == here.row;

@@ -33,13 +33,13 @@ class FindMind final : public TaskMind {
   MazeMemory& memory_;
   Random random_;
   std::optional<glm::dvec2> gaze_{};
-  int64_t since_ = 0;                ///< what was seen before is to be seen again
-  std::optional<MazeCell> began_{};  ///< where the trial did
+  int64_t since_ = 0;  ///< what was seen before is to be seen again
   std::optional<MazeCell> goal_{};
   std::optional<MazeCell> next_{};  ///< on the way there
   double inSight_ = 0;              ///< seconds for which the object has been
   int missed_ = 0;                  ///< fixations since it was seen, once it was made out
   bool found_ = false;
+  int64_t stopsAt_ = 0;  ///< to walk, since it was found
   struct Seen {
     glm::dvec2 place{0};
     int64_t at = 0;

@@ -16,7 +16,7 @@ HumanFactors drawHumanFactors(uint64_t seed) {
   };
   draw(factors.fixationSeconds, 0.03, 0.22, 0.38);
   draw(factors.usefulFieldDegrees, 1.5, 9, 16);
-  draw(factors.noticedDegrees, 0.07, 0.2, 0.6);
+  draw(factors.noticedDegrees, 0.03, 0.08, 0.3);
   draw(factors.doublingDegrees, 0.5, 2, 4);
   draw(factors.noticeSeconds, 0.04, 0.1, 0.35);
   draw(factors.itemSeconds, 0.04, 0.22, 0.4);

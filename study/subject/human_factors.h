@@ -26,10 +26,10 @@ struct HumanFactors {
   double fixationSpread = 0.06;   ///< from one to the next, seconds
   double saccadeSeconds = 0.035;
   double usefulFieldDegrees = 12;  ///< places are taken in that far from the gaze
-  double noticedDegrees = 0.35;    ///< side of the least object noticed at the gaze; the root of its area counts
-  double doublingDegrees = 3;      ///< so far from the gaze it must have twice the side
-  double noticeSeconds = 0.2;      ///< an object must have been in sight so long
-  double leastFloorDegrees = 0.4;  ///< likewise the side of a piece of floor
+  double noticedDegrees = 0.15;  ///< side of the least coloured thing noticed at the gaze; the root of its area counts
+  double doublingDegrees = 3;    ///< so far from the gaze it must have twice the side
+  double noticeSeconds = 0.2;    ///< an object must have been in sight so long
+  double leastFloorDegrees = 0.3;  ///< likewise the side of a piece of floor
 
   // Counting.
   double itemSeconds = 0.3;         ///< for each thing beyond those seen at once

@@ -1,9 +1,11 @@
 #include "study/subject/identity_eye.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <map>
 #include <utility>
 
 #include "oc_core/base/check.h"
@@ -14,9 +16,16 @@ namespace {
 /// Gaps between pixels of an object that people look over: what stands behind a post is one thing. Share of the width
 /// of the screen.
 constexpr double kGapShare = 0.01;
-/// Every so many pixels of a side the floor is looked at.
-constexpr int kFloorStep = 2;
-constexpr float kOnFloor = 1e-3f;  // metres
+/// The floor is looked at along the rays of so many pixels of the width of the screen.
+constexpr int kFloorRays = 120;
+/// Lower than that above the floor, in cell sizes, a ray would have met whatever stands there.
+constexpr float kLowShare = 0.25f;
+/// A ray is followed in such steps, in cell sizes.
+constexpr float kFollowShare = 0.1f;
+/// Edges of the cubes that spots of surfaces lie in, in cell sizes.
+constexpr float kCubeShare = 0.25f;
+/// Rays that do not bend bring a point there; single precision moves it by far less.
+constexpr double kSamePixel = 0.5;
 /// Of a cell: its ninths, and the ways to the east and south.
 constexpr int kPatches = 11;
 constexpr int kEastWay = 9;
@@ -109,13 +118,7 @@ Sighting sightingOf(const Blob& blob, const Landmark& landmark, int view, const 
           .place = blob.placeSum / static_cast<double>(blob.pixels)};
 }
 
-bool isFloor(const glm::uvec3& triangle, const Mesh& mesh, float floor) {
-  return std::abs(mesh.positions[triangle.x].y - floor) <= kOnFloor &&
-         std::abs(mesh.positions[triangle.y].y - floor) <= kOnFloor &&
-         std::abs(mesh.positions[triangle.z].y - floor) <= kOnFloor;
-}
-
-/// Which patch of the maze a point of its floor is in: index of the cell times kPatches, plus the patch; nothing at the
+/// Which patch of the maze a point is above: index of the cell times kPatches, plus the patch; nothing at the
 /// corners of cells and beyond the maze.
 std::optional<size_t> patchOf(const Maze& maze, const glm::vec3& point) {
   const std::optional<MazeCell> cell = maze.cellAt(point);
@@ -159,30 +162,111 @@ FloorPatch emptyPatch(const Maze& maze, size_t index, int view) {
   return empty;
 }
 
-void addFloor(const StudyScene& scene, const FragmentImage& fragments, const Mesh& mesh, int view,
-              const glm::dvec2& corner, Percept& percept) {
+const PinholeCamera& rootOf(const StudyCamera& camera) {
+  const auto* graph = std::get_if<GraphCamera>(&camera);
+  return graph ? graph->root() : std::get<PinholeCamera>(camera);
+}
+
+/// What shows of a patch of floor.
+struct PatchSamples {
+  size_t count = 0;
+  size_t straight = 0;
+  glm::dvec2 sum{0};
+  glm::dvec2 placeSum{0};
+};
+
+struct SpotSamples {
+  size_t count = 0;
+  glm::dvec2 sum{0};
+};
+
+/// Where the last straight piece of a ray begins that ends at a point which it meets.
+glm::vec3 beginOfLastPiece(const StudyCamera& camera, const glm::vec2& pixel, const glm::vec3& point) {
+  const RayPath path = std::visit([&](const auto& each) { return each.rayPath(pixel); }, camera);
+  glm::vec3 begin = path.size() > 0 ? path[0] : point;
+  float nearest = 1e30f;
+  for (size_t i = 0; i + 1 < path.size(); ++i) {
+    const glm::vec3 along = path[i + 1] - path[i];
+    const float share =
+        std::clamp(glm::dot(point - path[i], along) / std::max(glm::dot(along, along), 1e-12f), 0.0f, 1.0f);
+    const float off = glm::distance(path[i] + along * share, point);
+    if (off < nearest) {
+      nearest = off;
+      begin = path[i];
+    }
+  }
+  return begin;
+}
+
+/// Calls `visit(patch, place)` for the patches that a straight piece of a ray passes low above, each once.
+template <class Visit>
+void forEachPatchBelow(const Maze& maze, const glm::vec3& from, const glm::vec3& to, const Visit& visit) {
+  const float top = maze.origin.y + kLowShare * maze.cellSize;
+  const float low = from.y > top ? (from.y - top) / (from.y - to.y) : 0.0f;  // it ends below the top
+  const float length = glm::distance(from, to) * (1 - low);
+  const auto steps = static_cast<int>(length / (kFollowShare * maze.cellSize)) + 1;
+  std::optional<size_t> last;
+  for (int i = 0; i < steps; ++i) {
+    const float share = low + (1 - low) * (static_cast<float>(i) + 0.5f) / static_cast<float>(steps);
+    const glm::vec3 point = glm::mix(from, to, share);
+    const std::optional<size_t> patch = patchOf(maze, point);
+    if (patch && patch != last) {
+      visit(*patch, glm::dvec2(point.x, point.z));
+    }
+    last = patch;
+  }
+}
+
+void addStructure(const StudyScene& scene, const StudyCamera& camera, const FragmentImage& fragments, const Mesh& mesh,
+                  int view, const glm::dvec2& corner, Percept& percept) {
   const Maze& maze = scene.maze();
-  std::vector<std::pair<size_t, glm::dvec2>> patches(maze.cellCount() * kPatches);
-  for (int y = 0; y < fragments.height(); y += kFloorStep) {
-    for (int x = 0; x < fragments.width(); x += kFloorStep) {
+  const PinholeCamera& root = rootOf(camera);
+  const int step = std::max(1, fragments.width() / kFloorRays);
+  const float top = maze.origin.y + kLowShare * maze.cellSize;
+  std::vector<PatchSamples> patches(maze.cellCount() * kPatches);
+  std::map<std::array<int, 3>, SpotSamples> spots;
+  for (int y = step / 2; y < fragments.height(); y += step) {
+    for (int x = step / 2; x < fragments.width(); x += step) {
       const Fragment& fragment = fragments(x, y);
-      if (!fragment.covered() || scene.objectOfTriangle()[fragment.triangle] != kStructure ||
-          !isFloor(mesh.triangles[fragment.triangle], mesh, maze.origin.y)) {
+      if (!fragment.covered() || scene.objectOfTriangle()[fragment.triangle] != kStructure) {
         continue;
       }
-      if (const std::optional<size_t> patch = patchOf(maze, positionOf(fragment, mesh))) {
-        ++patches[*patch].first;
-        patches[*patch].second += glm::dvec2(x, y) + 0.5;
+      const glm::vec3 position = positionOf(fragment, mesh);
+      const glm::dvec2 pixel = glm::dvec2(x, y) + 0.5;
+      const glm::ivec3 cube(glm::floor((position - maze.origin) / (kCubeShare * maze.cellSize)));
+      SpotSamples& spot = spots[{cube.x, cube.y, cube.z}];
+      ++spot.count;
+      spot.sum += pixel;
+      if (position.y >= top) {
+        continue;
       }
+      const std::optional<ImagePoint> straight = root.project(position);
+      const bool isStraight = straight && glm::distance(glm::dvec2(straight->u, straight->v), pixel) < kSamePixel;
+      const glm::vec3 from = isStraight ? root.eye() : beginOfLastPiece(camera, glm::vec2(pixel), position);
+      forEachPatchBelow(maze, from, position, [&](size_t patch, const glm::dvec2& place) {
+        PatchSamples& samples = patches[patch];
+        ++samples.count;
+        samples.straight += isStraight ? 1 : 0;
+        samples.sum += pixel;
+        samples.placeSum += place;
+      });
     }
   }
   for (size_t i = 0; i < patches.size(); ++i) {
-    const auto& [samples, sum] = patches[i];
-    if (samples > 0) {
-      percept.floor.push_back(emptyPatch(maze, i, view));
-      percept.floor.back().pixels = samples * kFloorStep * kFloorStep;
-      percept.floor.back().centroid = corner + sum / static_cast<double>(samples);
+    const PatchSamples& samples = patches[i];
+    if (samples.count > 0) {
+      const auto count = static_cast<double>(samples.count);
+      FloorPatch patch = emptyPatch(maze, i, view);
+      patch.pixels = samples.count * static_cast<size_t>(step) * static_cast<size_t>(step);
+      patch.centroid = corner + samples.sum / count;
+      patch.place = samples.placeSum / count;
+      patch.straight = samples.straight == samples.count;
+      percept.floor.push_back(patch);
     }
+  }
+  for (const auto& [cube, samples] : spots) {
+    percept.surfaces.push_back(
+        {{cube[0], cube[1], cube[2]}, corner + samples.sum / static_cast<double>(samples.count)});
   }
 }
 
@@ -203,8 +287,7 @@ SeenGrid gridOf(const Maze& maze) {
 }
 
 WalkerPose poseOf(const StudyCamera& camera) {
-  const auto* graph = std::get_if<GraphCamera>(&camera);
-  const PinholeCamera& root = graph ? graph->root() : std::get<PinholeCamera>(camera);
+  const PinholeCamera& root = rootOf(camera);
   return {.x = static_cast<double>(root.eye().x),
           .z = static_cast<double>(root.eye().z),
           .headingRadians = std::atan2(static_cast<double>(root.forward().x), -static_cast<double>(root.forward().z))};
@@ -260,7 +343,7 @@ void IdentityEye::addView(const TrialPicture& picture, const Mesh& mesh, int vie
     percept.objects.push_back(sightingOf(blob, scene.maze().landmarks[blob.object - 1], view, corner));
   }
   if (withFloor) {
-    addFloor(scene, fragments, mesh, view, corner, percept);
+    addStructure(scene, each.camera, fragments, mesh, view, corner, percept);
   }
 }
 

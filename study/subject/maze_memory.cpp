@@ -1,5 +1,7 @@
 #include "study/subject/maze_memory.h"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <queue>
 #include <tuple>
 
@@ -40,11 +42,30 @@ void MazeMemory::beginTrial(double forgetting, Random& random) {
   }
 }
 
+void MazeMemory::seeWay(const Passage& way) {
+  Known& known = ways_[way];
+  known.trials += known.seenNow ? 0 : 1;
+  known.seenNow = true;
+}
+
+void MazeMemory::seeAlong(const SeenGrid& grid, const glm::dvec2& from, const glm::dvec2& to) {
+  constexpr double kStepShare = 0.02;  // of a cell
+  const auto steps = static_cast<int>(glm::distance(from, to) / (kStepShare * grid.cellSize)) + 1;
+  MazeCell last = grid.cellAt(from);
+  for (int i = 1; i <= steps; ++i) {
+    const MazeCell cell = grid.cellAt(glm::mix(from, to, static_cast<double>(i) / steps));
+    for (const Direction direction : kDirections) {
+      if (last.neighbor(direction) == cell) {
+        seeWay(passage(last, direction));
+      }
+    }
+    last = cell;
+  }
+}
+
 void MazeMemory::see(const FloorPatch& patch, int64_t now) {
   if (patch.way) {
-    Known& known = ways_[passage(patch.cell, *patch.way)];
-    known.trials += known.seenNow ? 0 : 1;
-    known.seenNow = true;
+    seeWay(passage(patch.cell, *patch.way));
   } else {
     seen_.try_emplace(patch.cell, kNeverSeen).first->second[static_cast<size_t>(patch.ninth)] = now;
   }
@@ -87,18 +108,6 @@ bool MazeMemory::hasSearched(const MazeCell& cell, int64_t since) const {
   return found != seen_.end() && std::count_if(found->second.begin(), found->second.end(), [&](int64_t time) {
                                    return time >= std::max<int64_t>(since, 0);
                                  }) >= kEnough;
-}
-
-glm::dvec2 MazeMemory::unseenPart(const MazeCell& cell, int64_t since) const {
-  glm::dvec2 sum(0);
-  int count = 0;
-  for (int ninth = 0; ninth < 9; ++ninth) {
-    if (!hasSeen({.cell = cell, .ninth = ninth}, since)) {
-      sum += glm::dvec2(ninth % 3 - 1, ninth / 3 - 1) / 3.0;
-      ++count;
-    }
-  }
-  return count > 0 ? sum / static_cast<double>(count) : sum;
 }
 
 std::map<MazeCell, MazeMemory::Way> MazeMemory::waysFrom(const MazeCell& start, double heading, double cellSeconds,

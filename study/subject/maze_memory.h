@@ -19,6 +19,8 @@ class MazeMemory {
   void beginTrial(double forgetting, Random& random);
 
   void see(const FloorPatch& patch, int64_t now);
+  /// A straight line of sight from one place to another: no wall stands between the cells that it crosses.
+  void seeAlong(const SeenGrid& grid, const glm::dvec2& from, const glm::dvec2& to);
   /// All of the floor of a cell, as one stands in it.
   void visit(const MazeCell& cell, int64_t now);
   /// There is no way after all.
@@ -33,9 +35,6 @@ class MazeMemory {
   bool hasSeen(const FloorPatch& patch, int64_t since) const;
   /// Whether one would have seen an object there: most of its floor has been seen, not before `since`.
   bool hasSearched(const MazeCell& cell, int64_t since) const;
-  /// The ninths of a cell that have not been seen since then, as their mean place in the cell, in cell sizes from its
-  /// middle.
-  glm::dvec2 unseenPart(const MazeCell& cell, int64_t since) const;
 
   struct Way {
     std::vector<MazeCell> cells;  ///< from the first after the start to the goal
@@ -54,6 +53,7 @@ class MazeMemory {
     int trials = 0;  ///< in which it was seen
     bool seenNow = false;
   };
+  void seeWay(const Passage& way);
   static Passage passage(const MazeCell& cell, Direction direction);
 
   std::map<Passage, Known> ways_;

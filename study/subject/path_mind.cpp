@@ -1,6 +1,7 @@
 #include "study/subject/path_mind.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "oc_core/base/conventions.h"
@@ -16,14 +17,14 @@ constexpr double kStillDegrees = 3;
 constexpr double kTurnDegrees = 45;
 /// Of what the flow of the image tells, a share: people misjudge how fast a scene turns by about a tenth.
 constexpr double kFlowSpread = 0.1;
-constexpr size_t kLeastPatches = 4;
+constexpr size_t kLeastSpots = 4;
 /// What a turn to the wrong side weighs, and a turn too many or too few, against a time that is off by its spread.
 constexpr double kWrongSide = 6;
 constexpr double kMissing = 4;
 constexpr double kAnswerAgainSeconds = 6;
 
-double angleOf(const FloorPatch& patch, const PixelRect& view) {
-  const double share = (patch.centroid.x - view.center().x) / (view.width / 2);
+double angleOf(const SurfaceSpot& spot, const PixelRect& view) {
+  const double share = (spot.centroid.x - view.center().x) / (view.width / 2);
   return degreesFromRadians(std::atan(share * std::tan(radiansFromDegrees(kHalfViewDegrees))));
 }
 
@@ -63,16 +64,17 @@ double PathMind::think(const Percept& seen, int64_t from, int64_t now, Hands& ha
 }
 
 std::optional<double> PathMind::turnedDegrees(const Percept& seen) const {
+  const auto isBefore = [](const SurfaceSpot& a, const SurfaceSpot& b) {
+    return std::tie(a.cube.x, a.cube.y, a.cube.z) < std::tie(b.cube.x, b.cube.y, b.cube.z);
+  };
   std::vector<double> moved;
-  for (const FloorPatch& patch : seen.floor) {
-    const auto same = std::find_if(before_.begin(), before_.end(), [&](const FloorPatch& each) {
-      return each.cell == patch.cell && each.way == patch.way && each.ninth == patch.ninth;
-    });
-    if (same != before_.end()) {
-      moved.push_back(angleOf(*same, seen.views.front()) - angleOf(patch, seen.views.front()));
+  for (const SurfaceSpot& spot : seen.surfaces) {
+    const auto same = std::lower_bound(before_.begin(), before_.end(), spot, isBefore);
+    if (same != before_.end() && same->cube == spot.cube) {
+      moved.push_back(angleOf(*same, seen.views.front()) - angleOf(spot, seen.views.front()));
     }
   }
-  if (moved.size() < kLeastPatches) {
+  if (moved.size() < kLeastSpots) {
     return std::nullopt;
   }
   const auto middle = moved.begin() + static_cast<std::ptrdiff_t>(moved.size() / 2);
@@ -95,13 +97,7 @@ void PathMind::watch(const Percept& seen, int64_t from) {
     }
     turning_ += std::abs(felt) >= kStillDegrees ? felt : 0;
   }
-  before_.clear();
-  const glm::dvec2 gaze = seen.views.front().center();
-  for (const FloorPatch& patch : seen.floor) {
-    if (vision_.takesIn(patch, gaze)) {
-      before_.push_back(patch);
-    }
-  }
+  before_ = seen.surfaces;
 }
 
 void PathMind::noteTurn(double degrees, int64_t at) {

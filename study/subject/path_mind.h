@@ -33,7 +33,7 @@ class PathMind final : public TaskMind {
 
   Vision vision_;
   Random random_;
-  std::vector<FloorPatch> before_{};
+  std::vector<SurfaceSpot> before_{};
   double turning_ = 0;  ///< degrees of the turn under way
   int64_t began_ = -1;
   int64_t lastTurn_ = -1;

@@ -8,6 +8,7 @@
 
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
 
@@ -29,7 +30,8 @@ struct Sighting {
   glm::dvec2 place{0};     ///< east and south, metres: the mean of what shows of it
 };
 
-/// A ninth of the floor of a cell, or the floor between two cells where no wall stands.
+/// A ninth of the floor of a cell, or the floor between two cells where no wall stands: pixels show it, or what lies
+/// behind it so low that nothing stands on it.
 struct FloorPatch {
   MazeCell cell;
   int ninth = 0;  ///< row by row from the north-west
@@ -37,6 +39,14 @@ struct FloorPatch {
   std::optional<Direction> way{};
   int view = 0;
   size_t pixels = 0;
+  glm::dvec2 centroid{0};  ///< of the screen, pixels
+  glm::dvec2 place{0};     ///< the mean of what shows of it, east and south, metres
+  bool straight = true;    ///< seen along rays that do not bend: nothing stands between
+};
+
+/// A small piece of floor or wall, which one knows again a moment later by what is on it.
+struct SurfaceSpot {
+  glm::ivec3 cube{0};      ///< of space, with edges of a quarter of a cell, that holds it
   glm::dvec2 centroid{0};  ///< of the screen, pixels
 };
 
@@ -66,6 +76,7 @@ struct Percept {
   std::optional<WalkerPose> standing{};
   std::vector<Sighting> objects;
   std::vector<FloorPatch> floor;
+  std::vector<SurfaceSpot> surfaces;  ///< in the order of their cubes
   /// What is sought, as it is shown beside the prompt.
   std::optional<LandmarkShape> soughtShape{};
   std::optional<LandmarkColor> soughtColor{};

@@ -1,0 +1,104 @@
+// `ocelli study simulate`: whole studies with simulated subjects.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command.h"
+#include "cli/study_command.h"
+#include "cli/study_drawer.h"
+#include "cli/values.h"
+#include "oc_core/base/error.h"
+#include "study/protocol/protocol.h"
+#include "study/store/study_database.h"
+#include "study/subject/simulate_study.h"
+
+namespace ocelli {
+namespace {
+
+struct SimulateChoice {
+  std::string protocol;
+  std::string database;
+  int subjects = 1;
+  uint64_t seed = 1;
+  std::string kind = "observer";
+  std::string sessions;
+  std::string renderer = "raster";
+  std::string frame = "640x400";
+  double hertz = 60;
+  std::string first = "sim-";
+  std::string effects;
+  bool hashFrames = false;
+};
+
+void simulate(const SimulateChoice& choice, const Frame& frame) {
+  const Protocol protocol = readProtocol(choice.protocol);
+  if (!isSubjectId(choice.first + "0001")) {
+    throw InputError("subjects cannot be named like that: \"" + choice.first + "0001\"", "--first",
+                     "use letters, digits, - and _");
+  }
+  const bool generates = choice.kind == "generator";
+  if (!generates && !choice.effects.empty()) {
+    throw InputError("effects are for the generator", "--effects", "add --kind generator, or leave it out");
+  }
+  const ImageSize size = imageSizeFromText(choice.frame, "--frame");
+  SimulationPlan plan;
+  plan.sessions =
+      choice.sessions.empty()
+          ? std::vector<int>(static_cast<size_t>(choice.subjects), protocol.sessions)
+          : sessionsFromText(choice.sessions, choice.subjects, protocol.sessions, "--sessions");
+  plan.seed = choice.seed;
+  plan.kind = generates ? SubjectKind::kGenerator : SubjectKind::kObserver;
+  plan.idPrefix = choice.first;
+  plan.effects = choice.effects.empty() ? GeneratorEffects{} : readGeneratorEffects(choice.effects);
+  plan.screen = {size.width, size.height, choice.hertz};
+  plan.renderer = choice.renderer;
+  plan.makeDrawer = [renderer = choice.renderer] { return studyDrawer(renderer); };
+  plan.hashFrames = choice.hashFrames;
+  const SimulationResult result = simulateStudy(protocol, choice.database, plan, frame.progress());
+  frame.note(fmt::format("{}: {} simulated subjects, {} sessions simulated, {} there before; {} trials in all",
+                         choice.database, choice.subjects, result.sessions, result.sessionsBefore, result.trials));
+}
+
+}  // namespace
+
+void addStudySimulateCommand(CLI::App& study, const Frame& frame) {
+  CLI::App& command = *study.add_subcommand("simulate", "Run a study with simulated subjects, as fast as it goes");
+  const auto choice = std::make_shared<SimulateChoice>();
+  command.add_option("PROTOCOL", choice->protocol, "The protocol of the study")->required();
+  command.add_option("--db", choice->database, "The database; it is made where there is none")
+      ->type_name("FILE")
+      ->required();
+  command.add_option("--subjects", choice->subjects, "How many")->check(CLI::Range(1, 9999))->capture_default_str();
+  command.add_option("--seed", choice->seed, "All that is random comes of it")->capture_default_str();
+  command
+      .add_option("--kind", choice->kind,
+                  "observer: sees identity images of what is shown; generator: draws outcomes from known effects")
+      ->check(CLI::IsMember({"observer", "generator"}))
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      .add_option("--sessions", choice->sessions,
+                  "How many sessions for how many subjects, such as 3x25,1x20; all of the protocol where not given")
+      ->type_name("SPEC");
+  addRendererOption(command, choice->renderer);
+  command.add_option("--frame", choice->frame, "Size of the observers' screen, pixels")
+      ->type_name("WIDTHxHEIGHT")
+      ->capture_default_str();
+  command.add_option("--hertz", choice->hertz, "Its frames a second")
+      ->check(CLI::Range(10.0, 500.0))
+      ->capture_default_str();
+  command.add_option("--first", choice->first, "What ids of subjects begin with, before the number")
+      ->type_name("TEXT")
+      ->capture_default_str();
+  command.add_option("--effects", choice->effects, "JSON file with the generator's effects")->type_name("FILE");
+  command.add_flag("--hash-frames", choice->hashFrames,
+                   "Store a hash of the pixels of each picture that an observer looks at, for replays to compare");
+  frame.finish(command,
+               "  ocelli study simulate protocols/short.json --db trial.sqlite --subjects 4 --seed 1\n"
+               "  ocelli study simulate protocols/rosen2010.json --db simulated.sqlite --subjects 45 --seed 7 "
+               "--sessions 3x25,1x20\n"
+               "  ocelli study simulate protocols/rosen2010.json --db known.sqlite --subjects 200 --kind generator",
+               [choice, frame] { simulate(*choice, frame); });
+}
+
+}  // namespace ocelli
