@@ -67,8 +67,10 @@ void drawChoice(StudyCanvas& canvas, const TrialPicture::Choice& choice, bool ar
       canvas.writeLine({StudyText::kStrong, kStudyText, background}, {x + pad, place.top + pad}, choice.label);
     }
   } else if (choice.label == key) {
-    canvas.writeLine({StudyText::kStrong, kStudyText, background, TextAlign::kCenter},
-                     {place.center().x, place.center().y - text / 2}, choice.label);
+    const StudyText style =
+        place.height > 2 * canvas.lineHeight(StudyText::kTitle) ? StudyText::kTitle : StudyText::kStrong;
+    canvas.writeLine({style, kStudyText, background, TextAlign::kCenter},
+                     {place.center().x, place.center().y - canvas.look().textPixels(style) / 2}, choice.label);
   } else {
     const double width = keyCapWidth(canvas, key) + pad + canvas.widthOf(choice.label, StudyText::kStrong);
     const double left = std::max(place.left + pad, place.center().x - width / 2);
