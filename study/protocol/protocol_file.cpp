@@ -12,6 +12,7 @@
 #include "oc_core/scene/maze_file.h"
 #include "study/protocol/protocol.h"
 #include "study/protocol/protocol_fields.h"
+#include "study/protocol/schedule.h"
 
 namespace ocelli {
 namespace {
@@ -46,7 +47,7 @@ std::map<std::string, Maze> readMazes(JsonFields& fields) {
     fields.fail("mazes", fmt::format("must be an object of at most {} mazes by name", kMostMazes));
   }
   for (const auto& [name, json] : list.items()) {
-    const std::string where = fmt::format("{}, maze \"{}\"", fields.where(), name);
+    const std::string where = fmt::format("{}, \"mazes\" {}", fields.where(), name);
     JsonFields maze(json, where);
     if (maze.has("landmarks")) {
       maze.fail("landmarks", "is not for protocols: where objects stand is for the cases of the blocks to say");
@@ -98,7 +99,7 @@ std::optional<ProtocolPractice> readPractice(JsonFields& fields, const TaskKind&
     }
     return std::nullopt;
   }
-  JsonFields inner(fields.value("practice"), fmt::format("{}, practice", fields.where()));
+  JsonFields inner(fields.value("practice"), fmt::format("{}, \"practice\"", fields.where()));
   ProtocolPractice practice;
   practice.leastCorrect = inner.integer("least_correct", 1, kMostTrials, practice.leastCorrect);
   practice.mostTrials = inner.integer("most_trials", 1, kMostTrials, practice.mostTrials);
@@ -115,7 +116,7 @@ ProtocolBlock readBlock(const nlohmann::json& json, const std::string& where, co
   constexpr int kMostTrials = 1000;
   JsonFields unnamed(json, where);
   const std::string name = readIdentifier(unnamed, "name", true);
-  JsonFields fields(json, fmt::format("{} \"{}\"", where, name));
+  JsonFields fields(json, fmt::format("{} ({})", where, name));
   fields.has("name");
   ProtocolBlock block;
   block.name = name;
@@ -147,7 +148,7 @@ void readBlocks(JsonFields& fields, const TaskSetting& setting, Protocol& protoc
   }
   std::set<std::string> names;
   for (size_t i = 0; i < list.size(); ++i) {
-    const std::string where = fmt::format("{}, block {}", fields.where(), i + 1);
+    const std::string where = fmt::format("{}, \"blocks\" {}", fields.where(), i + 1);
     protocol.blocks.push_back(readBlock(list[i], where, protocol, setting));
     if (!names.insert(protocol.blocks.back().name).second) {
       fields.fail("blocks", fmt::format("has two of the name \"{}\": the second is block {}",
@@ -155,10 +156,7 @@ void readBlocks(JsonFields& fields, const TaskSetting& setting, Protocol& protoc
     }
   }
   for (int session = 0; session < protocol.sessions; ++session) {
-    const auto isIn = [&](const ProtocolBlock& block) {
-      return block.sessions.empty() ||
-             std::find(block.sessions.begin(), block.sessions.end(), session) != block.sessions.end();
-    };
+    const auto isIn = [&](const ProtocolBlock& block) { return isInSession(block, session); };
     if (std::none_of(protocol.blocks.begin(), protocol.blocks.end(), isIn)) {
       fields.fail("sessions", fmt::format("is {}, but no block is in session {}", protocol.sessions, session + 1));
     }
@@ -211,7 +209,7 @@ Protocol protocolFromJsonText(const std::string& text, const std::string& where)
   protocol.resume = readResume(fields);
   protocol.exclusions = readExclusions(fields, protocol);
   if (fields.has("controls")) {
-    JsonFields controls(fields.value("controls"), fmt::format("{}, controls", where));
+    JsonFields controls(fields.value("controls"), fmt::format("{}, \"controls\"", where));
     protocol.controls = readControls(controls);
     controls.rejectUnknown();
   }
