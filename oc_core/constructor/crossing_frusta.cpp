@@ -10,10 +10,11 @@ namespace ocelli {
 namespace {
 
 /// Where a way begins beyond the box, in widths: the planes at which rays turn must not touch.
-constexpr double kBeyond = 1e-3;
+constexpr double kBeyond = 1e-4;
 
 /// How far rays go into walls and floor before they end, in sizes of the room: surfaces must not lie at their ends,
-/// where rounding would decide; less than an overlap that counts (graph_overlap.h), and than kBeyond.
+/// where rounding would decide. Less than an overlap that counts (graph_overlap.h); more than kBeyond, so that rays
+/// that pass just below the beginning of a way meet the floor before it.
 constexpr double kIntoWalls = 2e-4;
 
 /// The vertical plane through two points, its normal to the side of `towards`.

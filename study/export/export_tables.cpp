@@ -102,19 +102,20 @@ ExportTable eventsTable(bool notes) {
                       notes ? "detail" : "CASE WHEN what IN ('note', 'pause', 'abort') THEN '' ELSE detail END")};
 }
 
+// Subjects stand in these too: by them a withdrawal finds the files.
 ExportTable framesTable() {
-  return {
-      "frames",
-      fmt::format("SELECT row_number() OVER (ORDER BY trial_id, frame) AS row_id, trial_id, frame.simulated, frame, "
-                  "tick, shown_ns, x_m, z_m, heading_rad, {} AS pixel_hash FROM frame ORDER BY trial_id, frame",
-                  fmt::format(kHex, "pixel_hash"))};
+  return {"frames", fmt::format("SELECT row_number() OVER (ORDER BY trial_id, frame) AS row_id, trial_id, subject_id, "
+                                "frame.simulated, frame, tick, shown_ns, x_m, z_m, heading_rad, {} AS pixel_hash "
+                                "FROM frame JOIN (SELECT trial_id, subject_id FROM trial) USING (trial_id) "
+                                "ORDER BY trial_id, frame",
+                                fmt::format(kHex, "pixel_hash"))};
 }
 
 ExportTable inputsTable() {
-  return {
-      "inputs",
-      "SELECT row_number() OVER (ORDER BY trial_id, input_index) AS row_id, trial_id, simulated, input_index, tick, "
-      "came_ns, kind, what, pressed, modifiers, x, y, more_json FROM input ORDER BY trial_id, input_index"};
+  return {"inputs",
+          "SELECT row_number() OVER (ORDER BY trial_id, input_index) AS row_id, trial_id, subject_id, simulated, "
+          "input_index, tick, came_ns, kind, what, pressed, modifiers, x, y, more_json "
+          "FROM input JOIN (SELECT trial_id, subject_id FROM trial) USING (trial_id) ORDER BY trial_id, input_index"};
 }
 
 std::vector<std::string> tasksOf(SQLite::Database& database) {

@@ -98,7 +98,8 @@ std::vector<BlockCoverage> coverageOf(const Protocol& protocol, const TrialScree
     coverage.block = block.name;
     coverage.ofCases = !block.task->caseInfo(0).exposureSeconds.has_value();
     for (const StudyView view : kStudyViews) {
-      const TrialPicture first = block.task->start(planOf(block, 0, view), screen)->picture();
+      const std::unique_ptr<TrialRun> run = block.task->start(planOf(block, 0, view), screen);
+      const TrialPicture first = run->picture();
       if (first.scene == nullptr || first.views.empty() || (coverage.ofCases && !first.soughtObject)) {
         continue;
       }
@@ -109,8 +110,8 @@ std::vector<BlockCoverage> coverageOf(const Protocol& protocol, const TrialScree
       ViewCoverage cases;
       cases.view = view;
       for (int k = 0; k < block.task->caseCount(); ++k) {
-        const std::unique_ptr<TrialRun> run = block.task->start(planOf(block, k, view), screen);
-        addSightings(block.task->caseInfo(k).label, run->picture(), cases);
+        const std::unique_ptr<TrialRun> each = block.task->start(planOf(block, k, view), screen);
+        addSightings(block.task->caseInfo(k).label, each->picture(), cases);
       }
       coverage.views.push_back(cases);
     }

@@ -47,7 +47,7 @@ void forEachObject(JsonFields& fields, const std::string& name, size_t least, si
     fields.fail(name, fmt::format("must be an array of {} to {} objects", least, most));
   }
   for (size_t i = 0; i < list.size(); ++i) {
-    visit(list[i], fmt::format("{}, {}, entry {}", fields.where(), name, i + 1));
+    visit(list[i], fmt::format("{}, \"{}\" {}", fields.where(), name, i + 1));
   }
 }
 
@@ -161,7 +161,7 @@ std::string readName(JsonFields& fields, const std::string& name, const std::vec
 }
 
 ProtocolPage readPage(JsonFields& fields, const std::string& name) {
-  return pageOf(fields.value(name), fmt::format("{}, {}", fields.where(), name));
+  return pageOf(fields.value(name), fmt::format("{}, \"{}\"", fields.where(), name));
 }
 
 std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name) {
@@ -174,7 +174,7 @@ std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name)
 }
 
 ProtocolForm readForm(JsonFields& fields, const std::string& name) {
-  JsonFields inner(fields.value(name), fmt::format("{}, {}", fields.where(), name));
+  JsonFields inner(fields.value(name), fmt::format("{}, \"{}\"", fields.where(), name));
   ProtocolForm form;
   form.name = name;
   form.title = readShortText(inner, "title", kMostTitle);
@@ -197,7 +197,7 @@ ScreenGeometry readScreen(JsonFields& fields) {
   if (!fields.has("screen")) {
     return screen;
   }
-  JsonFields inner(fields.value("screen"), fmt::format("{}, screen", fields.where()));
+  JsonFields inner(fields.value("screen"), fmt::format("{}, \"screen\"", fields.where()));
   screen.widthMillimeters = inner.number("width_millimeters", 50, 10000, screen.widthMillimeters);
   screen.heightMillimeters = inner.number("height_millimeters", 50, 10000, screen.heightMillimeters);
   screen.distanceMillimeters = inner.number("distance_millimeters", 50, 20000, screen.distanceMillimeters);
@@ -216,7 +216,7 @@ TimingLimits readTiming(JsonFields& fields) {
   if (!fields.has("timing")) {
     return timing;
   }
-  JsonFields inner(fields.value("timing"), fmt::format("{}, timing", fields.where()));
+  JsonFields inner(fields.value("timing"), fmt::format("{}, \"timing\"", fields.where()));
   timing.lateFactor = inner.number("late_factor", 1.01, 10, timing.lateFactor);
   timing.mostDroppedShare = inner.number("most_dropped_share", 0, 1, timing.mostDroppedShare);
   timing.mostJitterShare = inner.number("most_jitter_share", 0.001, 10, timing.mostJitterShare);

@@ -46,7 +46,7 @@ std::map<std::string, Maze> readMazes(JsonFields& fields) {
     fields.fail("mazes", fmt::format("must be an object of at most {} mazes by name", kMostMazes));
   }
   for (const auto& [name, json] : list.items()) {
-    const std::string where = fmt::format("{}, maze \"{}\"", fields.where(), name);
+    const std::string where = fmt::format("{}, \"mazes\" {}", fields.where(), name);
     JsonFields maze(json, where);
     if (maze.has("landmarks")) {
       maze.fail("landmarks", "is not for protocols: where objects stand is for the cases of the blocks to say");
@@ -98,7 +98,7 @@ std::optional<ProtocolPractice> readPractice(JsonFields& fields, const TaskKind&
     }
     return std::nullopt;
   }
-  JsonFields inner(fields.value("practice"), fmt::format("{}, practice", fields.where()));
+  JsonFields inner(fields.value("practice"), fmt::format("{}, \"practice\"", fields.where()));
   ProtocolPractice practice;
   practice.leastCorrect = inner.integer("least_correct", 1, kMostTrials, practice.leastCorrect);
   practice.mostTrials = inner.integer("most_trials", 1, kMostTrials, practice.mostTrials);
@@ -115,7 +115,7 @@ ProtocolBlock readBlock(const nlohmann::json& json, const std::string& where, co
   constexpr int kMostTrials = 1000;
   JsonFields unnamed(json, where);
   const std::string name = readIdentifier(unnamed, "name", true);
-  JsonFields fields(json, fmt::format("{} \"{}\"", where, name));
+  JsonFields fields(json, fmt::format("{} ({})", where, name));
   fields.has("name");
   ProtocolBlock block;
   block.name = name;
@@ -147,7 +147,7 @@ void readBlocks(JsonFields& fields, const TaskSetting& setting, Protocol& protoc
   }
   std::set<std::string> names;
   for (size_t i = 0; i < list.size(); ++i) {
-    const std::string where = fmt::format("{}, block {}", fields.where(), i + 1);
+    const std::string where = fmt::format("{}, \"blocks\" {}", fields.where(), i + 1);
     protocol.blocks.push_back(readBlock(list[i], where, protocol, setting));
     if (!names.insert(protocol.blocks.back().name).second) {
       fields.fail("blocks", fmt::format("has two of the name \"{}\": the second is block {}",
@@ -211,7 +211,7 @@ Protocol protocolFromJsonText(const std::string& text, const std::string& where)
   protocol.resume = readResume(fields);
   protocol.exclusions = readExclusions(fields, protocol);
   if (fields.has("controls")) {
-    JsonFields controls(fields.value("controls"), fmt::format("{}, controls", where));
+    JsonFields controls(fields.value("controls"), fmt::format("{}, \"controls\"", where));
     protocol.controls = readControls(controls);
     controls.rejectUnknown();
   }

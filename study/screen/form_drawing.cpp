@@ -207,13 +207,20 @@ std::optional<FormAction> drawForm(StudyCanvas& canvas, const FormScreen& screen
   const PixelRect footer = drawFooter(canvas);
   const double width = std::min(canvas.width() - canvas.length(112), canvas.length(1040));
   const double left = std::round((canvas.width() - width) / 2);
-  double y = canvas.write({StudyText::kTitle}, {left, canvas.length(36), width, 0}, form.title);
+  const FormLayout layout(canvas, form, width);
+  const double room = canvas.length(8);  // for the ring around a card
+  // Short forms stand in the middle, long ones use all there is.
+  const double head =
+      canvas.heightOf(form.title, StudyText::kTitle, width) +
+      (form.introduction.empty() ? 0 : canvas.heightOf(form.introduction, StudyText::kBody, width) + canvas.length(4)) +
+      canvas.length(6) + 2 * room;
+  const double spare = footer.top - canvas.length(14) - canvas.length(36) - head - layout.height();
+  const double top = canvas.length(36) + std::round(std::max(0.0, spare) * 0.35);
+  double y = canvas.write({StudyText::kTitle}, {left, top, width, 0}, form.title);
   if (!form.introduction.empty()) {
     y = canvas.write({StudyText::kBody, kStudyTextDim}, {left, y + canvas.length(4), width, 0}, form.introduction);
   }
-  const double room = canvas.length(8);  // for the ring around a card
   const PixelRect area{left - room, y + canvas.length(6), width + 2 * room, footer.top - y - canvas.length(14)};
-  const FormLayout layout(canvas, form, width);
   scroll.most = std::max(0.0, layout.height() + 2 * room - area.height);
   if (screen.focus >= 0 && static_cast<size_t>(screen.focus) < layout.fields().size()) {
     const PixelRect& card = layout.fields()[static_cast<size_t>(screen.focus)].card;

@@ -169,14 +169,22 @@ PageClick drawPage(StudyCanvas& canvas, const PageScreen& page, InstructionPictu
   } else {
     drawIllustrated(canvas, page, area, pictures, scroll);
   }
-  if (page.action.empty()) {
-    return PageClick::kNothing;
+  PageClick click;
+  double right = footer.right() - canvas.length(36);
+  bool primary = true;
+  for (const PageChoice& choice : pageChoices(page.action)) {
+    const bool enabled = page.waitSeconds <= 0;
+    const ButtonLook look{choice.label, choice.key ? std::string(nameOf(*choice.key)) : "", primary, primary && enabled,
+                          enabled};
+    const PixelRect place = buttonPlace(canvas, footer, right, look);
+    if (drawButton(canvas, choice.label, place, look)) {
+      click.key = choice.key;
+      click.action = choice.key ? std::nullopt : std::optional(FormAction{FormAction::Kind::kGoOn});
+    }
+    right = place.left - canvas.length(24);
+    primary = false;
   }
-  const auto [key, label] = keyAndLabel(page.action);
-  const bool enabled = page.waitSeconds <= 0;
-  const ButtonLook look{label, key, true, enabled, enabled};
-  const PixelRect place = buttonPlace(canvas, footer, footer.right() - canvas.length(36), look);
-  return drawButton(canvas, "go on", place, look) ? PageClick::kGoOn : PageClick::kNothing;
+  return click;
 }
 
 PageClick drawConsent(StudyCanvas& canvas, const ConsentScreen& consent, PageScroll& scroll) {
@@ -195,13 +203,17 @@ PageClick drawConsent(StudyCanvas& canvas, const ConsentScreen& consent, PageScr
   const ButtonLook decline{"I do not agree", "Escape", false};
   const PixelRect agreePlace = buttonPlace(canvas, footer, footer.right() - canvas.length(36), agree);
   const PixelRect declinePlace = buttonPlace(canvas, footer, agreePlace.left - canvas.length(24), decline);
+  PageClick click;
   if (drawButton(canvas, "decline", declinePlace, decline)) {
-    return PageClick::kDecline;
+    click.action = FormAction{FormAction::Kind::kDecline};
   }
-  return drawButton(canvas, "agree", agreePlace, agree) ? PageClick::kGoOn : PageClick::kNothing;
+  if (drawButton(canvas, "agree", agreePlace, agree)) {
+    click.action = FormAction{FormAction::Kind::kGoOn};
+  }
+  return click;
 }
 
-PageClick drawPause(StudyCanvas& canvas, const PauseScreen& pause) {
+void drawPause(StudyCanvas& canvas, const PauseScreen& pause) {
   const PixelRect footer = drawFooter(canvas);
   const PixelRect area = areaAbove(canvas, footer);
   const double width = std::min(area.width - canvas.length(112), canvas.length(kTextWidth));
@@ -216,7 +228,6 @@ PageClick drawPause(StudyCanvas& canvas, const PauseScreen& pause) {
                    "Paused") +
       canvas.length(14);
   canvas.write({StudyText::kBody, kStudyText, kStudyBackground, TextAlign::kCenter}, {left, y, width, 0}, pause.reason);
-  return PageClick::kNothing;
 }
 
 }  // namespace ocelli

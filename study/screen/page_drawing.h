@@ -1,11 +1,11 @@
 // Pages of text: instructions, consent, feedback, breaks, pauses, the end.
 #pragma once
 
-#include <string>
+#include <optional>
 
 #include "study/screen/instruction_pictures.h"
 #include "study/screen/study_canvas.h"
-#include "study/session/session_screen.h"
+#include "study/session/session_flow.h"
 
 namespace ocelli {
 
@@ -17,11 +17,14 @@ struct PageScroll {
   void move(double pixels);
 };
 
-/// What was clicked: to go on, or to decline.
-enum class PageClick { kNothing, kGoOn, kDecline };
+/// What was clicked.
+struct PageClick {
+  std::optional<FormAction> action{};
+  std::optional<Key> key{};  ///< a button that does what this key does
+};
 
 PageClick drawPage(StudyCanvas& canvas, const PageScreen& page, InstructionPictures& pictures, PageScroll& scroll);
 PageClick drawConsent(StudyCanvas& canvas, const ConsentScreen& consent, PageScroll& scroll);
-PageClick drawPause(StudyCanvas& canvas, const PauseScreen& pause);
+void drawPause(StudyCanvas& canvas, const PauseScreen& pause);
 
 }  // namespace ocelli

@@ -7,16 +7,11 @@
 #include "oc_core/base/check.h"
 #include "oc_core/base/color.h"
 #include "oc_core/gl/gl_api.h"
+#include "oc_core/multiperspective/multiperspective_image.h"
 #include "oc_core/render/rasterize.h"
-#include "study/screen/study_look.h"
 
 namespace ocelli {
 namespace {
-
-glm::vec3 skyLight() {
-  const auto [red, green, blue] = kStudySky.floats();
-  return linearFromSrgb(glm::vec3(red, green, blue));
-}
 
 /// The triangles of one object, where its landmark stands.
 Mesh meshOf(const StudyScene& scene, size_t object) {
@@ -122,7 +117,7 @@ void SceneViews::draw(const TrialPicture& picture, const GlObject& target) {
         std::visit([&](const auto& camera) { return renderer_->drawOnGpu(camera); }, view.camera);
     OC_CHECK(fragments.width() == view.place.width && fragments.height() == view.place.height,
              "a view is as large as its place");
-    const GlObject colors = renderer_->encodedColors(fragments, skyLight());
+    const GlObject colors = renderer_->encodedColors(fragments, skyColor());
     gl.CopyImageSubData(colors.id(), GL_TEXTURE_2D, 0, 0, 0, 0, target.id(), GL_TEXTURE_2D, 0,
                         static_cast<GLint>(view.place.left), static_cast<GLint>(view.place.top), 0, fragments.width(),
                         fragments.height(), 1);

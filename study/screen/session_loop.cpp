@@ -111,6 +111,9 @@ class Drawer {
       if (frame.action) {
         flow_.act(*frame.action, steadyNow());
       }
+      if (frame.key) {
+        press(*frame.key, steadyNow());
+      }
       keepPicture(screen, painter);
       showStatus(now);
     }
@@ -135,12 +138,15 @@ class Drawer {
     }
   }
 
+  void press(Key key, int64_t nanoseconds) {
+    for (const bool pressed : {true, false}) {
+      flow_.handle({KeyEvent{key, pressed, {}}, nanoseconds});
+    }
+  }
+
   void takeInput(StudyPainter& painter, const TimedInput& timed) {
     if (std::holds_alternative<CloseEvent>(timed.event)) {
-      // As whoever feels unwell: it asks.
-      for (const bool pressed : {true, false}) {
-        flow_.handle({KeyEvent{Key::kF10, pressed, {}}, timed.nanoseconds});
-      }
+      press(Key::kF10, timed.nanoseconds);  // as whoever feels unwell: it asks
       return;
     }
     if (const auto* button = std::get_if<PointerButtonEvent>(&timed.event)) {

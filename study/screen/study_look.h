@@ -22,8 +22,6 @@ inline constexpr GuiColor kStudyAccentDeep{24, 72, 102};  ///< what is chosen, b
 inline constexpr GuiColor kStudyInk{12, 16, 20};          ///< text on the accent and on what is good or bad
 inline constexpr GuiColor kStudyGood = kOkabeItoBluishGreen;
 inline constexpr GuiColor kStudyBad = kOkabeItoOrange;
-/// Where a view shows nothing: the sky over a maze.
-inline constexpr GuiColor kStudySky{120, 134, 150};
 
 /// Of WCAG 2.1: 1 for the same colour, 21 for black on white.
 double contrastRatio(GuiColor one, GuiColor other);

@@ -17,18 +17,6 @@ struct Overloaded : Functions... {
   using Functions::operator()...;
 };
 
-std::optional<FormAction> actionOf(PageClick click) {
-  switch (click) {
-    case PageClick::kNothing:
-      return std::nullopt;
-    case PageClick::kGoOn:
-      return FormAction{FormAction::Kind::kGoOn};
-    case PageClick::kDecline:
-      return FormAction{FormAction::Kind::kDecline};
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 struct StudyPainter::State {
@@ -105,12 +93,14 @@ StudyFrame StudyPainter::draw(const SessionScreen& screen, double secondsSinceLa
   std::visit(
       Overloaded{
           [&](const PageScreen& page) {
-            frame.action = actionOf(drawPage(canvas, page, state.pictures, state.scroll));
+            const PageClick click = drawPage(canvas, page, state.pictures, state.scroll);
+            frame.action = click.action;
+            frame.key = click.key;
           },
-          [&](const ConsentScreen& consent) { frame.action = actionOf(drawConsent(canvas, consent, state.scroll)); },
+          [&](const ConsentScreen& consent) { frame.action = drawConsent(canvas, consent, state.scroll).action; },
           [&](const FormScreen& form) { frame.action = drawForm(canvas, form, state.scroll); },
           [&](const TrialScreenView& view) { drawTrialOverlay(canvas, view.picture, state.views); },
-          [&](const PauseScreen& pause) { frame.action = actionOf(drawPause(canvas, pause)); },
+          [&](const PauseScreen& pause) { drawPause(canvas, pause); },
       },
       screen);
   state.target.bind();

@@ -19,6 +19,7 @@ namespace ocelli {
 
 struct StudyFrame {
   std::optional<FormAction> action{};  ///< what was clicked
+  std::optional<Key> key{};            ///< of a button that was clicked and does what this key does
   std::optional<uint64_t> pixelHash{};
 };
 

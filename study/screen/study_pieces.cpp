@@ -101,14 +101,21 @@ PixelRect drawFooter(StudyCanvas& canvas) {
   return strip;
 }
 
-std::pair<std::string, std::string> keyAndLabel(const std::string& action) {
-  const size_t colon = action.find(": ");
-  std::string key = colon == std::string::npos ? "" : action.substr(0, colon);
-  std::string label = colon == std::string::npos ? action : action.substr(colon + 2);
-  if (!label.empty()) {
-    label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
+std::vector<PageChoice> pageChoices(const std::string& action) {
+  std::vector<PageChoice> choices;
+  for (size_t from = action.find_first_not_of(' '); from != std::string::npos;) {
+    const size_t end = std::min(action.find("  ", from), action.size());
+    const std::string one = action.substr(from, end - from);
+    const size_t colon = one.find(": ");
+    PageChoice choice{colon == std::string::npos ? std::nullopt : keyFromName(one.substr(0, colon)), one};
+    if (choice.key) {
+      choice.label = one.substr(colon + 2);
+    }
+    choice.label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(choice.label[0])));
+    choices.push_back(std::move(choice));
+    from = action.find_first_not_of(' ', end);
   }
-  return {std::move(key), std::move(label)};
+  return choices;
 }
 
 }  // namespace ocelli

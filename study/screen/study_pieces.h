@@ -1,7 +1,9 @@
 // Pieces that several screens of a study share.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "study/screen/study_canvas.h"
 
@@ -36,8 +38,13 @@ void drawFocusRing(StudyCanvas& canvas, const PixelRect& place, double rounding)
 /// The strip at the bottom of every screen but trials: the key that ends the session, and room for buttons. Returns the
 /// strip.
 PixelRect drawFooter(StudyCanvas& canvas);
-/// "Enter: begin" as {"Enter", "Begin"}; no key where there is no colon.
-std::pair<std::string, std::string> keyAndLabel(const std::string& action);
+/// What a page offers: "Enter: begin", or several with spaces between them. Where what stands before the colon is no
+/// key, all of it is the label.
+struct PageChoice {
+  std::optional<Key> key{};
+  std::string label;
+};
+std::vector<PageChoice> pageChoices(const std::string& action);
 
 /// What ends a session; shown everywhere.
 inline constexpr const char* kUnwellKey = "F10";

@@ -9,9 +9,7 @@
 namespace ocelli {
 namespace {
 
-// No screen is faster; a virtual one that waits for nothing is, by far.
-constexpr double kMostHertz = 600;
-constexpr double kMostOfMonitorHertz = 1.5;
+constexpr double kMostOfScreenHertz = 1.5;  // faster than that are only frames that wait for nothing
 constexpr int kLeastIntervals = 30;
 
 bool agrees(double hertz, double expected, double tolerance) {
@@ -59,7 +57,7 @@ TimingMeasurement measureTiming(std::span<const int64_t> shownNanoseconds, doubl
       squares += (interval - mean) * (interval - mean);
     }
   }
-  measured.lateShare = 1 - static_cast<double>(onTime) / static_cast<double>(intervals.size());
+  measured.lateShare = (measured.intervals - onTime) / static_cast<double>(measured.intervals);
   if (mean > 0) {
     measured.hertz = 1e9 / mean;
     measured.jitterShare = std::sqrt(squares / onTime) / mean;
@@ -70,11 +68,21 @@ TimingMeasurement measureTiming(std::span<const int64_t> shownNanoseconds, doubl
 TimingCheck checkTiming(const TimingMeasurement& measured, const TimingExpectation& expected) {
   TimingCheck check{measured, expected};
   const TimingLimits& limits = expected.limits;
-  const double fastest = expected.monitorHertz > 0 ? kMostOfMonitorHertz * expected.monitorHertz : kMostHertz;
-  check.verticalSync = measured.hertz > 0 && measured.hertz <= fastest;
+  const double screenHertz = expected.monitorHertz > 0 ? expected.monitorHertz : expected.wantedHertz.value_or(0);
+  check.verticalSync = measured.hertz > 0 && measured.hertz <= kMostOfScreenHertz * screenHertz;
   if (measured.intervals < kLeastIntervals) {
     check.problems.push_back(fmt::format("only {} frames were shown in the time of the check", measured.intervals + 1));
     check.advice.push_back("close other programs; use the graphics driver of the maker of the graphics card");
+    return check;
+  }
+  if (screenHertz <= 0) {
+    check.problems.push_back(fmt::format(
+        "the screen does not say how often it shows a frame, and {} were shown a second: whether they wait for it "
+        "cannot be told",
+        rateText(measured.hertz)));
+    check.advice.push_back(
+        "use a real monitor (virtual screens have no rate), or give \"refresh_hertz\" in the field \"screen\" of the "
+        "protocol");
     return check;
   }
   if (!check.verticalSync) {
@@ -83,7 +91,7 @@ TimingCheck checkTiming(const TimingMeasurement& measured, const TimingExpectati
         rateText(measured.hertz)));
     check.advice.push_back(
         "turn vertical synchronisation on in the settings of the graphics driver (vblank_mode=1 with Mesa, \"Sync to "
-        "VBlank\" with NVIDIA); a virtual screen has none");
+        "VBlank\" with NVIDIA); virtual screens have none");
     return check;
   }
   if (expected.monitorHertz > 0 && !agrees(measured.hertz, expected.monitorHertz, limits.refreshTolerance)) {

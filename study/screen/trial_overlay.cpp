@@ -67,8 +67,10 @@ void drawChoice(StudyCanvas& canvas, const TrialPicture::Choice& choice, bool ar
       canvas.writeLine({StudyText::kStrong, kStudyText, background}, {x + pad, place.top + pad}, choice.label);
     }
   } else if (choice.label == key) {
-    canvas.writeLine({StudyText::kStrong, kStudyText, background, TextAlign::kCenter},
-                     {place.center().x, place.center().y - text / 2}, choice.label);
+    const StudyText style =
+        place.height > 2 * canvas.lineHeight(StudyText::kTitle) ? StudyText::kTitle : StudyText::kStrong;
+    canvas.writeLine({style, kStudyText, background, TextAlign::kCenter},
+                     {place.center().x, place.center().y - canvas.look().textPixels(style) / 2}, choice.label);
   } else {
     const double width = keyCapWidth(canvas, key) + pad + canvas.widthOf(choice.label, StudyText::kStrong);
     const double left = std::max(place.left + pad, place.center().x - width / 2);
@@ -135,7 +137,8 @@ void drawPathMap(StudyCanvas& canvas, const PixelRect& place, std::span<const gl
   const double width = canvas.widthOf("Start", StudyText::kSmall);
   const glm::dvec2 middle =
       path.front() + away * (radius + canvas.length(5) + (std::abs(away.x) > 0.5 ? width / 2 : textPixels / 2));
-  const double x = std::clamp(middle.x, place.left + width / 2 + 2, place.right() - width / 2 - 2);
+  const double x =
+      std::clamp(middle.x, place.left + width / 2 + canvas.length(8), place.right() - width / 2 - canvas.length(8));
   const double y = std::clamp(middle.y - textPixels / 2, place.top + 2, place.bottom() - textPixels - 2);
   canvas.writeLine({StudyText::kSmall, kStudyText, background, TextAlign::kCenter}, {x, y}, "Start");
 }

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/machine.h"
 #include "study/session/utc_time.h"
-#include "study/store/sqlite_connection.h"
 
 namespace ocelli {
 namespace {
@@ -79,7 +79,7 @@ DatabaseLock::DatabaseLock(std::filesystem::path database) : file_(fileOf(databa
     }
     close(std::exchange(descriptor_, -1));
   }
-  const std::string holder = fmt::format("process {} on {}, since {}\n", getpid(), stationName(), utcNow());
+  const std::string holder = fmt::format("process {} on {}, since {}\n", getpid(), computerName(), utcNow());
   // The text only helps people; the lock holds without it.
   if (ftruncate(descriptor_, 0) != 0 || pwrite(descriptor_, holder.data(), holder.size(), 0) < 0) {
     errno = 0;

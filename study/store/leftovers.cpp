@@ -6,8 +6,11 @@
 namespace ocelli {
 namespace {
 
+constexpr int kPatienceMilliseconds = 2000;
+
 /// Writes the log back into the database and empties it.
 void emptyLog(SQLite::Database& database, const std::filesystem::path& path) {
+  database.setBusyTimeout(kPatienceMilliseconds);
   SQLite::Statement checkpoint(database, "PRAGMA wal_checkpoint(TRUNCATE)");
   checkpoint.executeStep();
   if (checkpoint.getColumn(0).getInt() != 0) {

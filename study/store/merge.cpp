@@ -81,17 +81,6 @@ SQLite::Database openSource(const fs::path& source) {
   return connectStudy(source, DatabaseAccess::kRead);
 }
 
-/// Of a path, for ATTACH.
-std::string readOnlyUri(const fs::path& path) {
-  std::string uri = "file:";
-  for (const char c : fs::absolute(path).string()) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       std::string_view("/-_.~").find(c) != std::string_view::npos;
-    uri += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
-  return uri + "?mode=ro";
-}
-
 /// Names of the table's columns but `left`, separated by commas, each with `prefix`.
 std::string columnsOf(SQLite::Database& database, const std::string& table, const std::set<std::string>& left,
                       const std::string& prefix) {
@@ -127,7 +116,7 @@ void copyRows(SQLite::Database& database, const std::string& table,
 /// Adds what the target lacks of one source, in one transaction.
 MergeReport mergeOne(SQLite::Database& database, const fs::path& source) {
   SQLite::Statement attach(database, "ATTACH ? AS source");
-  attach.bind(1, readOnlyUri(source));
+  attach.bind(1, uriForReading(source));
   attach.exec();
   const auto count = [&](const std::string& query) { return database.execAndGet(query).getInt(); };
   MergeReport report;
@@ -137,10 +126,12 @@ MergeReport mergeOne(SQLite::Database& database, const fs::path& source) {
         count("SELECT count(*) FROM source.subject WHERE subject_key IN (SELECT subject_key FROM main.subject)");
     report.subjects = count("SELECT count(*) FROM source.subject") - report.knownSubjects;
     database.exec(
-        "CREATE TEMP TABLE new_run AS SELECT run_id AS old_id, run_id + (SELECT coalesce(max(run_id), 0) FROM "
-        "main.run) AS new_id FROM source.run WHERE run_key NOT IN (SELECT run_key FROM main.run);"
-        "CREATE TEMP TABLE new_trial AS SELECT trial_id AS old_id, trial_id + (SELECT coalesce(max(trial_id), 0) FROM "
-        "main.trial) AS new_id FROM source.trial WHERE run_id IN (SELECT old_id FROM new_run);"
+        "CREATE TEMP TABLE new_run AS SELECT run_id AS old_id, row_number() OVER (ORDER BY run_id) + "
+        "(SELECT coalesce(max(run_id), 0) FROM main.run) AS new_id FROM source.run "
+        "WHERE run_key NOT IN (SELECT run_key FROM main.run);"
+        "CREATE TEMP TABLE new_trial AS SELECT trial_id AS old_id, row_number() OVER (ORDER BY trial_id) + "
+        "(SELECT coalesce(max(trial_id), 0) FROM main.trial) AS new_id FROM source.trial "
+        "WHERE run_id IN (SELECT old_id FROM new_run);"
         "CREATE INDEX temp.new_trial_old ON new_trial (old_id)");
     report.runs = count("SELECT count(*) FROM new_run");
     report.trials = count("SELECT count(*) FROM new_trial");

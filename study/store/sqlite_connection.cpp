@@ -1,14 +1,15 @@
 #include "study/store/sqlite_connection.h"
 
 #include <SQLiteCpp/Transaction.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
 #include <unistd.h>
 
-#include <array>
 #include <random>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/machine.h"
 #include "study/session/utc_time.h"
 #include "study/store/migrations.h"
 #include "study/store/program_version.h"
@@ -21,16 +22,10 @@ namespace fs = std::filesystem;
 
 constexpr int kBusyMilliseconds = 10'000;
 
+/// A connection for reading keeps itself from writing.
 int openFlags(DatabaseAccess access) {
-  switch (access) {
-    case DatabaseAccess::kRead:
-      return SQLite::OPEN_READONLY;
-    case DatabaseAccess::kWrite:
-      return SQLite::OPEN_READWRITE;
-    case DatabaseAccess::kCreate:
-      return SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE;
-  }
-  return SQLite::OPEN_READONLY;
+  const int flags = SQLite::OPEN_READWRITE | SQLite::OPEN_URI;
+  return access == DatabaseAccess::kCreate ? flags | SQLite::OPEN_CREATE : flags;
 }
 
 bool hasTables(SQLite::Database& database) {
@@ -44,6 +39,24 @@ bool hasTables(SQLite::Database& database) {
 
 }  // namespace
 
+std::string uriForReading(const fs::path& path) {
+  const fs::path absolute = fs::absolute(path);
+  std::string uri = "file:";
+  for (const char c : absolute.string()) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       std::string_view("/-_.~").find(c) != std::string_view::npos;
+    uri += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  std::error_code error;
+  fs::path log = absolute;
+  log += "-wal";
+  if (fs::exists(log, error) && fs::file_size(log, error) > 0) {
+    return uri + "?mode=ro";
+  }
+  const bool folderIsWritable = faccessat(AT_FDCWD, absolute.parent_path().c_str(), W_OK, AT_EACCESS) == 0;
+  return uri + (folderIsWritable ? "?mode=rw" : "?immutable=1");
+}
+
 SQLite::Database connectSqlite(const fs::path& path, DatabaseAccess access) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
@@ -55,13 +68,16 @@ SQLite::Database connectSqlite(const fs::path& path, DatabaseAccess access) {
   }
   return withSqliteErrors("open this database", path, [&] {
     // An absolute path is never one of SQLite's special names.
-    SQLite::Database database(fs::absolute(path).string(), openFlags(access) | SQLite::OPEN_URI, kBusyMilliseconds);
+    SQLite::Database database(access == DatabaseAccess::kRead ? uriForReading(path) : fs::absolute(path).string(),
+                              openFlags(access), kBusyMilliseconds);
     if (access != DatabaseAccess::kRead && sqlite3_db_readonly(database.getHandle(), "main") == 1) {
       throw WorkError("this database cannot be written: its file or folder is read-only", path.string(),
                       "change the rights, or copy the file to a folder that you may write to");
     }
     database.exec("PRAGMA foreign_keys = ON; PRAGMA recursive_triggers = ON; PRAGMA temp_store = MEMORY");
-    if (access != DatabaseAccess::kRead) {
+    if (access == DatabaseAccess::kRead) {
+      database.exec("PRAGMA query_only = ON");
+    } else {
       // Setting the mode reads the file, and so finds out whether it is a database at all.
       const std::string mode = database.execAndGet("PRAGMA journal_mode = WAL").getString();
       if (mode != "wal") {
@@ -172,13 +188,8 @@ void addAudit(SQLite::Database& database, const std::string& action, const std::
   insert.bind(2, action);
   insert.bind(3, detailJson);
   insert.bind(4, programVersion());
-  insert.bind(5, stationName());
+  insert.bind(5, computerName());
   insert.exec();
-}
-
-std::string stationName() {
-  std::array<char, 256> name{};
-  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
 std::string randomKey() {

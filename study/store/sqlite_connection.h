@@ -22,6 +22,11 @@ enum class DatabaseAccess {
 /// cannot be opened or written.
 SQLite::Database connectSqlite(const std::filesystem::path& path, DatabaseAccess access);
 
+/// How to open a database so that reading changes nothing and leaves no file behind: the log of a program that runs or
+/// was killed stays as it is; without one, the files that SQLite makes go when it is closed; in a folder that cannot be
+/// written none are made.
+std::string uriForReading(const std::filesystem::path& path);
+
 /// connectSqlite() to a database of a study of this version: an older one is brought up to date, a new one gets its
 /// tables. Throws InputError too for a database of another program or of a newer version.
 SQLite::Database connectStudy(const std::filesystem::path& path, DatabaseAccess access);
@@ -61,8 +66,6 @@ void insertStudy(SQLite::Database& database, const std::string& protocolName, co
                  const std::string& protocolText);
 /// Adds a line to the audit trail. `detail` is JSON and names no subject.
 void addAudit(SQLite::Database& database, const std::string& action, const std::string& detailJson);
-/// The name of this computer.
-std::string stationName();
 /// 128 random bits, hexadecimal.
 std::string randomKey();
 

@@ -1,0 +1,141 @@
+// protocols/protocol.schema.json says what the reader does: names, choices, ranges, what is required.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "study/task/task.h"
+#include "tests/base/schema_agreement.h"
+#include "tests/study_protocol/protocol_text.h"
+
+namespace ocelli::test {
+namespace {
+
+using Json = nlohmann::json;
+
+const Json& schema() {
+  static const Json json = Json::parse(std::ifstream(OCELLI_SOURCE_DIR "/protocols/protocol.schema.json"));
+  return json;
+}
+
+/// What the general walk cannot test: it then tests the name alone, and that a number is refused.
+bool isOwnKind(const Json& property) {
+  return property.contains("pattern") || property.value("type", Json()) == "object" ||
+         property.value("type", Json()).is_array();
+}
+
+/// The small protocol with one of its blocks alone, in all sessions: quick to read.
+Json withBlock(size_t index) {
+  Json json = smallProtocol();
+  json["blocks"] = Json::array({json.at("blocks").at(index)});
+  json.at("blocks").at(0)["sessions"] = {1, 2};
+  return json;
+}
+
+/// Compares one object of the schema with what the reader takes at `pointer` of `document`. `own` names what the
+/// general walk cannot test.
+void expectAgreement(const Json& description, const Json& document, const std::string& pointer,
+                     const std::vector<std::string>& own = {}) {
+  SCOPED_TRACE(pointer + " of " + document.at("blocks").at(0).at("name").get<std::string>());
+  const Json::json_pointer at(pointer);
+  SchemaAgreement agreement;
+  agreement.schema = description;
+  for (auto& [name, property] : agreement.schema.at("properties").items()) {
+    if (std::find(own.begin(), own.end(), name) != own.end() || isOwnKind(property)) {
+      property = Json::object();
+    } else if (property.value("type", Json()) == "boolean") {
+      property = {{"enum", {true, false}}};
+    } else if (name == "row" || name == "column") {
+      property["maximum"] = 2;  // of the maze
+    }
+  }
+  agreement.base = pointer.empty() ? document : document.at(at);
+  agreement.errorOf = [&](const std::string& text) {
+    Json json = document;
+    (pointer.empty() ? json : json.at(at)) = Json::parse(text);
+    return protocolError(json);
+  };
+  agreement.check();
+}
+
+const Json& def(const char* name) {
+  return schema().at("$defs").at(name);
+}
+
+/// A block with the fields of its task.
+Json blockOf(const std::string& task) {
+  Json merged = def("block");
+  merged.at("properties").update(def(task.c_str()).at("properties"));
+  for (const Json& name : def(task.c_str()).at("required")) {
+    merged.at("required").push_back(name);
+  }
+  merged["additionalProperties"] = false;  // as "unevaluatedProperties" of blocks has it
+  return merged;
+}
+
+TEST(ProtocolSchema, AgreesWithTheReaderOfPagesFormsAndLimits) {
+  const Json document = withBlock(0);
+  Json everySession = document;
+  everySession.at("blocks").at(0).erase("sessions");
+  expectAgreement(schema(), everySession, "");
+  expectAgreement(def("page"), document, "/consent");
+  expectAgreement(def("page"), document, "/blocks/0/instructions/0");
+  expectAgreement(def("form"), document, "/demographics");
+  expectAgreement(def("form_field"), document, "/survey/fields/0");
+  expectAgreement(def("screen"), document, "/screen");
+  expectAgreement(def("timing"), document, "/timing");
+  expectAgreement(def("exclusion"), document, "/exclusions/0", {"test"});
+  Json maze = def("maze");
+  maze.at("properties")["landmarks"] = Json::object();  // which the reader knows, to refuse it with a reason
+  expectAgreement(maze, document, "/mazes/ring", {"plan"});
+  expectAgreement(def("controls"), document, "/controls",
+                  {"forward", "backward", "left", "right", "turn_left", "turn_right", "select"});
+}
+
+// Fields whose choices depend on other parts of the protocol.
+const std::vector<std::string> kOwnOfBlocks{"maze", "task", "sessions"};
+
+TEST(ProtocolSchema, AgreesWithTheReaderOfFind) {
+  Json document = withBlock(0);
+  const Json block = blockOf("find");
+  expectAgreement(block, document, "/blocks/0", kOwnOfBlocks);
+  expectAgreement(block.at("properties").at("object"), document, "/blocks/0/object");
+  expectAgreement(block.at("properties").at("start"), document, "/blocks/0/start");
+  expectAgreement(def("find_case"), document, "/blocks/0/cases/0");
+  expectAgreement(def("moving"), document, "/blocks/0/moving");
+  document.at("blocks").at(0).at("practice")["most_trials"] = 100;
+  expectAgreement(block.at("properties").at("practice"), document, "/blocks/0/practice");
+}
+
+TEST(ProtocolSchema, AgreesWithTheReaderOfCount) {
+  Json document = withBlock(1);
+  expectAgreement(def("count_case"), document, "/blocks/0/cases/0", {"objects"});
+  expectAgreement(def("comprehensive"), document, "/blocks/0/comprehensive");
+  expectAgreement(def("pinholes"), document, "/blocks/0/pinholes");
+  Json pinhole = def("pinhole");
+  pinhole.at("properties").at("heading") = pinhole.at("properties").at("heading").at("anyOf").at(1);
+  expectAgreement(pinhole, document, "/blocks/0/pinholes/views/0", {"east", "south"});
+  const Json block = blockOf("count");
+  expectAgreement(block.at("properties").at("places").at("items"), document, "/blocks/0/places/0");
+  document.at("blocks").at(0)["least_answer"] = 0;
+  expectAgreement(block, document, "/blocks/0", kOwnOfBlocks);
+}
+
+TEST(ProtocolSchema, AgreesWithTheReaderOfPath) {
+  Json document = withBlock(2);
+  expectAgreement(def("path_case"), document, "/blocks/0/cases/0");
+  document.at("blocks").at(0)["least_seconds"] = 1;
+  expectAgreement(blockOf("path"), document, "/blocks/0", kOwnOfBlocks);
+}
+
+TEST(ProtocolSchema, KnowsEveryTask) {
+  Json names = Json::array();
+  for (const TaskKind& kind : taskKinds()) {
+    names.push_back(kind.name);
+    EXPECT_TRUE(schema().at("$defs").contains(kind.name)) << kind.name;
+  }
+  EXPECT_EQ(def("block").at("properties").at("task").at("enum"), names);
+}
+
+}  // namespace
+}  // namespace ocelli::test

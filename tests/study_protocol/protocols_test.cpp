@@ -1,0 +1,129 @@
+// The protocols that come with the program.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "study/protocol/balance.h"
+#include "study/protocol/check_report.h"
+#include "study/protocol/protocol_warnings.h"
+#include "study/protocol/session_length.h"
+
+namespace ocelli::test {
+namespace {
+
+Protocol protocolOf(const std::string& name) {
+  return readProtocol(std::filesystem::path(OCELLI_SOURCE_DIR "/protocols") / (name + ".json"));
+}
+
+std::multiset<std::string> trialsOf(const Protocol& protocol, const std::string& block, int slot) {
+  std::multiset<std::string> trials;
+  for (const TrialPlan& trial : scheduleOf(protocol, slot, 0, protocol.seed).trials) {
+    const ProtocolBlock& of = protocol.blocks[static_cast<size_t>(trial.block)];
+    if (of.name == block) {
+      trials.insert(of.task->caseInfo(trial.caseIndex).label + " " + std::string(nameOf(trial.view)));
+    }
+  }
+  return trials;
+}
+
+TEST(Rosen2010, HasTheTrialsThatTheTextTells) {
+  const Protocol protocol = protocolOf("rosen2010");
+  EXPECT_EQ(protocol.sessions, 3);
+  // Sections 7.4.2 to 7.4.4.
+  EXPECT_EQ(trialsOf(protocol, "find stationary", 0).size(), 24u);
+  EXPECT_EQ(trialsOf(protocol, "find moving", 0).size(), 16u);
+  EXPECT_EQ(trialsOf(protocol, "count stationary", 0).size(), 20u);
+  EXPECT_EQ(trialsOf(protocol, "count moving", 0).size(), 20u);
+  EXPECT_EQ(trialsOf(protocol, "path", 0).size(), 10u);
+  for (int slot = 1; slot < 4; ++slot) {
+    EXPECT_EQ(scheduleOf(protocol, slot, 0, 1).trials, scheduleOf(protocol, 0, 0, 1).trials);
+  }
+  for (const char* find : {"find stationary", "find moving"}) {
+    const std::multiset<std::string> trials = trialsOf(protocol, find, 0);
+    EXPECT_EQ(std::set<std::string>(trials.begin(), trials.end()).size(), trials.size());
+  }
+  const SessionSchedule schedule = scheduleOf(protocol, 0, 0, protocol.seed);
+  for (size_t i = 1; i < schedule.trials.size(); ++i) {
+    if (schedule.trials[i].block == schedule.trials[i - 1].block) {
+      EXPECT_NE(schedule.trials[i].view, schedule.trials[i - 1].view);
+    }
+  }
+  ASSERT_TRUE(protocol.survey.has_value());
+  EXPECT_EQ(protocol.survey->fields.size(), 3u);
+  for (const FormField& field : protocol.survey->fields) {
+    EXPECT_EQ(field.options.size(), 5u);
+  }
+}
+
+TEST(Rosen2010, CountsFourToSevenObjectsInFiveTenOrTwentySeconds) {
+  const Protocol protocol = protocolOf("rosen2010");
+  for (const ProtocolBlock& block : protocol.blocks) {
+    if (block.taskName != "count") {
+      continue;
+    }
+    std::set<int> objects;
+    std::set<double> exposures;
+    std::set<bool> duplicates;
+    for (int i = 0; i < block.task->caseCount(); ++i) {
+      const CaseInfo info = block.task->caseInfo(i);
+      objects.insert(*info.objects);
+      exposures.insert(*info.exposureSeconds);
+      duplicates.insert(*info.duplicateColors);
+    }
+    EXPECT_EQ(objects, (std::set<int>{4, 5, 6, 7}));
+    EXPECT_EQ(exposures, (std::set<double>{5, 10, 20}));
+    EXPECT_EQ(duplicates.size(), 2u);
+  }
+}
+
+TEST(BalancedProtocol, HasTheSameTrialsAndCellsThatDifferByAtMostOneForOneToSixtySubjects) {
+  const Protocol protocol = protocolOf("rosen2010-balanced");
+  const Protocol original = protocolOf("rosen2010");
+  for (const char* find : {"find stationary", "find moving"}) {
+    EXPECT_EQ(trialsOf(protocol, find, 3), trialsOf(original, find, 3));
+  }
+  for (int subjects = 1; subjects <= 60; ++subjects) {
+    const int session = subjects % protocol.sessions;  // balance_test.cpp has all of them
+    const std::vector<BalanceTable> tables = balanceOf(protocol, subjects, session, protocol.seed);
+    EXPECT_EQ(tables.size(), 4u + 3 * protocol.blocks.size());
+    for (const BalanceTable& table : tables) {
+      EXPECT_LE(table.difference, 1) << table.factors << " over " << subjects;
+    }
+  }
+}
+
+TEST(BalancedProtocol, HasNoCaseTwiceInARowAndNoWarnings) {
+  const Protocol protocol = protocolOf("rosen2010-balanced");
+  EXPECT_TRUE(warningsOf(protocol, protocol.seed).empty());
+  for (int slot = 0; slot < 60; ++slot) {
+    for (int session = 0; session < protocol.sessions; ++session) {
+      const SessionSchedule schedule = scheduleOf(protocol, slot, session, protocol.seed);
+      EXPECT_EQ(schedule.trials.size(), 90u);
+      for (size_t i = 1; i < schedule.trials.size(); ++i) {
+        const TrialPlan& before = schedule.trials[i - 1];
+        const TrialPlan& trial = schedule.trials[i];
+        if (trial.block == before.block) {
+          EXPECT_NE(trial.caseIndex, before.caseIndex);
+          EXPECT_NE(trial.view, before.view);
+        }
+      }
+    }
+  }
+}
+
+TEST(ShortProtocol, TakesTenMinutes) {
+  const Protocol protocol = protocolOf("short");
+  const double seconds = durationOf(partsOf(protocol, scheduleOf(protocol, 0, 0, 1))).typicalSeconds;
+  EXPECT_GT(seconds, 7 * 60);
+  EXPECT_LT(seconds, 11 * 60);
+}
+
+TEST(CheckReport, WarnsOfWhatTheOriginalDoes) {
+  const std::string report = checkReport(protocolOf("rosen2010"), {});
+  EXPECT_NE(report.find("differences between views include those of learning"), std::string::npos);
+  EXPECT_NE(report.find("all subjects have the same schedule"), std::string::npos);
+  EXPECT_NE(report.find("90"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ocelli::test

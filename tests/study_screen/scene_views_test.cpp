@@ -1,0 +1,136 @@
+// What trials show of their scenes, against the rasteriser on the processor.
+#include "study/screen/scene_views.h"
+
+#include <gtest/gtest.h>
+
+#include "study/screen/screen_target.h"
+#include "study/task/trial_image.h"
+#include "tests/gl/gl_test_context.h"
+#include "tests/study_screen/sample_screens.h"
+
+namespace ocelli {
+namespace {
+
+constexpr TrialScreen kScreen{480, 320, 60};
+
+class SceneViewsTest : public testing::TestWithParam<GlProvider> {
+ protected:
+  Image<Rgb8> draw(SceneViews& views, const TrialPicture& picture) {
+    const GlScope scope(*context_);
+    ScreenTarget target(*context_, kScreen.width, kScreen.height);
+    target.clear(kOkabeItoBlack);
+    views.draw(picture, target.color());
+    return target.read();
+  }
+
+  std::unique_ptr<GlContext> context_ = openTestContext(GetParam());
+  test::SampleStudy study_;
+};
+INSTANTIATE_TEST_SUITE_P(Providers, SceneViewsTest, kOffscreenProviders, providerName);
+
+/// The pixels in which object `object` is seen, by the processor.
+Image<uint8_t> pixelsOf(const TrialPicture& picture, uint32_t object) {
+  const TrialPicture::View& view = picture.views.front();
+  const FragmentImage seen = rasterizeStudy(view.camera, meshOf(picture));
+  Image<uint8_t> pixels(kScreen.width, kScreen.height, 0);
+  for (int y = 0; y < seen.height(); ++y) {
+    for (int x = 0; x < seen.width(); ++x) {
+      const Fragment& fragment = seen(x, y);
+      pixels(x + static_cast<int>(view.place.left), y + static_cast<int>(view.place.top)) =
+          fragment.covered() && picture.scene->objectOfTriangle()[fragment.triangle] == object ? 1 : 0;
+    }
+  }
+  return pixels;
+}
+
+TEST_P(SceneViewsTest, showsObjectsWhereTheProcessorSeesThem) {
+  SceneViews views(*context_);
+  for (const StudyView kind : kStudyViews) {
+    TrialPicture picture = study_.finding(kScreen, kind).picture;
+    const Image<Rgb8> image = draw(views, picture);
+    size_t orange = 0;
+    size_t wrong = 0;
+    const Image<uint8_t> expected = pixelsOf(picture, 1);
+    for (size_t i = 0; i < image.size(); ++i) {
+      // Nothing else in the maze is orange: much more red than blue.
+      const bool isOrange = image[i].x > image[i].z + 60;
+      orange += expected[i];
+      wrong += isOrange != (expected[i] == 1);
+    }
+    EXPECT_GT(orange, 500u);
+    // Renderers differ at silhouettes alone, where a pixel's middle is within rounding of an edge: one in 200, as in
+    // the tests of the renderer.
+    EXPECT_LE(wrong, orange / 200) << nameOf(kind);
+  }
+}
+
+TEST_P(SceneViewsTest, colorsAreThoseOfTheProcessor) {
+  SceneViews views(*context_);
+  const TrialPicture picture = study_.finding(kScreen, StudyView::kGraph).picture;
+  const Image<Rgb8> image = draw(views, picture);
+  const Image<Rgb8> expected = viewsOf(picture, kScreen, rasterizeStudy);
+  size_t different = 0;
+  size_t compared = 0;
+  const auto top = static_cast<int>(picture.views.front().place.top);
+  for (int y = 0; y < kScreen.height; ++y) {
+    for (int x = 0; x < kScreen.width; ++x) {
+      if (y < top) {
+        EXPECT_EQ(image(x, y), Rgb8(0)) << "nothing is drawn outside of the views";
+        continue;
+      }
+      const glm::ivec3 step = glm::abs(glm::ivec3(image(x, y)) - glm::ivec3(expected(x, y)));
+      ++compared;
+      different += std::max({step.x, step.y, step.z}) > 2;  // rounding of weights and of the encoding
+    }
+  }
+  EXPECT_GT(compared, 50000u);
+  EXPECT_LE(different, compared / 200);
+}
+
+TEST_P(SceneViewsTest, movingObjectsAreAsUploadedAnew) {
+  SceneViews views(*context_);
+  for (const StudyView kind : kStudyViews) {
+    TrialPicture picture = study_.finding(kScreen, kind).picture;
+    const Image<Rgb8> still = draw(views, picture);
+    for (int step = 1; step <= 4; ++step) {
+      const float by = 0.2f * static_cast<float>(step);
+      picture.objectOffsets = {{by, 0, -by}, {-by, 0, by}};
+      SceneViews fresh(*context_);
+      const Image<Rgb8> moved = draw(views, picture);
+      EXPECT_EQ(moved, draw(fresh, picture)) << step;
+      EXPECT_NE(moved, still);
+    }
+    picture.objectOffsets = {};  // back where they stood
+    EXPECT_EQ(draw(views, picture), still);
+  }
+}
+
+TEST_P(SceneViewsTest, anotherSceneTakesThePlaceOfTheOneBefore) {
+  SceneViews views(*context_);
+  TrialPicture picture = study_.finding(kScreen, StudyView::kPinhole).picture;
+  picture.objectOffsets = {{0.5f, 0, 0}, {0, 0, 0}};
+  draw(views, picture);
+  Maze maze = test::sampleMaze();
+  maze.landmarks[0].color = LandmarkColor::kPurple;
+  const StudyScene other(maze);
+  picture.scene = &other;
+  SceneViews fresh(*context_);
+  EXPECT_EQ(draw(views, picture), draw(fresh, picture));
+}
+
+TEST_P(SceneViewsTest, portraitsShowOneObject) {
+  const GlScope scope(*context_);
+  SceneViews views(*context_);
+  const GlObject& texture = views.portraitOf(study_.scene, 0, 64);
+  using Rgba8 = std::array<uint8_t, 4>;
+  constexpr uint32_t kRgba = 0x1908;          // GL_RGBA
+  constexpr uint32_t kUnsignedByte = 0x1401;  // GL_UNSIGNED_BYTE
+  const auto image = readTexture<Rgba8>(*context_, texture, 64, 64, kRgba, kUnsignedByte);
+  const Rgba8 middle = image(32, 32);
+  EXPECT_EQ(middle[3], 255);
+  EXPECT_GT(middle[0], middle[2] + 60) << "the orange sphere";
+  EXPECT_EQ(image(1, 1)[3], 0) << "with room around it";
+}
+
+}  // namespace
+}  // namespace ocelli

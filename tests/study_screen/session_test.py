@@ -1,0 +1,277 @@
+"""A session from consent to survey, by real input of an X server: `ocelli study run` in full screen, driven by xdotool.
+
+Usage: session_test.py OCELLI PROTOCOL.json mouse|keyboard FOLDER [WIDTHxHEIGHT], on a screen of that size without a window
+manager; 1280x800, which the mouse needs, by default. Leaves the database and a picture of each screen in FOLDER. Exits
+with 1, and says what is wrong, where something is.
+"""
+
+import math
+import pathlib
+import queue
+import shutil
+import sqlite3
+import subprocess
+import sys
+import threading
+import time
+
+WIDTH, HEIGHT = map(int, sys.argv[5].split("x")) if len(sys.argv) > 5 else (1280, 800)
+PATIENCE = 90  # seconds that a step may take on a busy machine
+# Where the screens have their buttons, at this size.
+GO_ON = (1150, 754)
+
+
+def fail(text):
+    print("FAILED:", text)
+    sys.exit(1)
+
+
+def xdotool(*arguments):
+    subprocess.run(["xdotool", *map(str, arguments)], check=True)
+
+
+class Session:
+    """The program, and what its console says."""
+
+    def __init__(self, ocelli, protocol, folder):
+        self.screens = folder / "screens"
+        command = [ocelli, "study", "run", protocol, "--db", folder / "tiny.db", "--subject", "S01", "--force",
+                   "--hash-frames", "5", "--screenshots", self.screens]
+        self.program = subprocess.Popen([str(part) for part in command], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                        stderr=subprocess.STDOUT, text=True)
+        self.lines = queue.Queue()
+        threading.Thread(target=self.read, daemon=True).start()
+        self.said = []
+
+    def read(self):
+        for line in self.program.stdout:
+            self.lines.put(line.rstrip("\n"))
+        self.lines.put(None)
+
+    def wait_for(self, text):
+        """Until the console says so; what it said before counts no more."""
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            try:
+                line = self.lines.get(timeout=1)
+            except queue.Empty:
+                continue
+            if line is None:
+                break
+            print(line, flush=True)
+            self.said.append(line)
+            if text in line:
+                return line
+        fail(f'the console never said "{text}"')
+
+    def pictures(self):
+        return len(list(self.screens.glob("*.png")))
+
+    def wait_for_picture(self, number):
+        """Until so many different screens have been shown."""
+        end = time.monotonic() + PATIENCE
+        while self.pictures() < number:
+            if time.monotonic() > end or self.program.poll() is not None:
+                fail(f"there were never {number} screens")
+            time.sleep(0.1)
+        time.sleep(0.3)
+
+    def type(self, command):
+        self.program.stdin.write(command + "\n")
+        self.program.stdin.flush()
+
+
+def click(x, y):
+    xdotool("mousemove", x, y)
+    time.sleep(0.15)
+    xdotool("mousedown", 1)
+    time.sleep(0.15)
+    xdotool("mouseup", 1)
+    time.sleep(0.1)
+
+
+def key(name):
+    xdotool("keydown", name)
+    time.sleep(0.12)
+    xdotool("keyup", name)
+    time.sleep(0.12)
+
+
+def object_ahead(meters):
+    """Where a sphere on the floor is seen that stands so far ahead: a pinhole of 70 degrees over the whole width."""
+    top = max(48, HEIGHT * 3 // 40)  # of the views, below the prompt
+    focal = WIDTH / 2 / math.tan(math.radians(35))
+    below_eye = 1.6 - 0.13 * 3  # its middle is as high as its radius, 0.13 cells of 3 m
+    return WIDTH / 2, top + (HEIGHT - top) / 2 + focal * below_eye / meters
+
+
+class ByMouse:
+    go_on = staticmethod(lambda: click(*GO_ON))
+
+    @staticmethod
+    def demographics():
+        click(332, 319)  # the second age band
+        click(418, 453)  # 3 of 5
+        click(*GO_ON)
+
+    @staticmethod
+    def survey():
+        click(631, 345)
+        click(*GO_ON)
+
+    @staticmethod
+    def find():
+        click(*object_ahead(6))
+
+    @staticmethod
+    def count():
+        click(640, 430)
+
+    @staticmethod
+    def match():
+        click(640, 430)
+
+
+class ByKeyboard:
+    go_on = staticmethod(lambda: key("Return"))
+
+    @staticmethod
+    def demographics():
+        for name in ("2", "Down", "Right", "Right", "Right", "Return", "Return"):
+            key(name)
+
+    @staticmethod
+    def survey():
+        for name in ("4", "Return", "Return"):
+            key(name)
+
+    @staticmethod
+    def find():
+        """From the middle of the view to the object: Shift and the arrows move the pointer by 600 pixels a second."""
+        middle = max(48, HEIGHT * 3 // 40) + (HEIGHT - max(48, HEIGHT * 3 // 40)) / 2
+        xdotool("keydown", "shift", "keydown", "Down", "sleep", (object_ahead(6)[1] - middle) / 600, "keyup", "Down",
+                "keyup", "shift")
+        key("space")
+
+    @staticmethod
+    def count():
+        key("4")
+
+    @staticmethod
+    def match():
+        key("2")
+
+
+def run(session, subject):
+    session.wait_for("consent")
+    xdotool("mousemove", 5, 795)
+    subject.go_on()
+    session.wait_for("form demographics")
+    subject.demographics()
+    for page in ("page Keys and mouse", "page Find the object", "page A view that bends"):
+        session.wait_for(page)
+        subject.go_on()
+    session.wait_for("before practice")
+    session.type("pause a moment, please")
+    session.wait_for("(paused)")
+    time.sleep(0.3)
+    session.type("resume")
+    session.wait_for("before practice")
+    for name in ("practice", "trial 1 of 6", "trial 2 of 6"):
+        if name != "practice":
+            session.wait_for(f"before {name}")
+        subject.go_on()
+        session.wait_for(f": {name}")
+        subject.find()
+        session.wait_for("feedback")
+        subject.go_on()
+        if name != "practice":
+            session.wait_for("break")
+            time.sleep(1.5)
+            subject.go_on()
+    for page in ("page Count the objects", "page All in one image"):
+        session.wait_for(page)
+        subject.go_on()
+    for name in ("trial 3 of 6", "trial 4 of 6"):
+        session.wait_for(f"before {name}")
+        before = session.pictures()
+        subject.go_on()
+        session.wait_for_picture(before + 2)  # the scene, and the numbers to choose from
+        subject.count()
+    session.wait_for("break")
+    time.sleep(1.5)
+    subject.go_on()
+    session.wait_for("page Tell paths apart")
+    subject.go_on()
+    for name in ("trial 5 of 6", "trial 6 of 6"):
+        session.wait_for(f"before {name}")
+        before = session.pictures()
+        subject.go_on()
+        session.wait_for_picture(before + 2)  # the walk, and the maps to choose from
+        subject.match()
+    session.wait_for("form survey")
+    session.type("note all went well")
+    subject.survey()
+    session.wait_for("ended: completed")
+    subject.go_on()
+    session.wait_for("the session is complete")
+    code = session.program.wait(timeout=PATIENCE)
+    if code != 0:
+        fail(f"exit code {code}")
+
+
+def check(what, got, expected):
+    if got != expected:
+        fail(f"{what}: {got} instead of {expected}")
+
+
+def check_database(path, way):
+    database = sqlite3.connect(path)
+
+    def rows(query):
+        return database.execute(query).fetchall()
+
+    check("integrity", rows("PRAGMA integrity_check"), [("ok",)])
+    check("runs", rows("SELECT subject_id, session_number, ending, forced, simulated FROM run"),
+          [("S01", 1, "completed", 1, 0)])
+    check("consent", rows("SELECT agreed FROM consent"), [(1,)])
+    check("answers", rows("SELECT form, field, answer FROM answer ORDER BY answer_id"),
+          [("demographics", "age_band", "30-44"), ("demographics", "experience", "3"),
+           ("survey", "find_easier", "4")])
+    trials = rows("SELECT practice, task, view, ending, timing_verdict FROM trial ORDER BY trial_id")
+    check("trials", trials,
+          [(practice, task, view, "completed", "unstable_refresh")
+           for practice, task, view in [(1, "find", "ppc"), (0, "find", "ppc"), (0, "find", "gc"), (0, "count", "ppc"),
+                                        (0, "count", "gc"), (0, "path", "ppc"), (0, "path", "gc")]])
+    check("found objects", rows("SELECT correct, censored FROM trial WHERE task = 'find'"), [(1, 0)] * 3)
+    check("answers to the others", rows("SELECT answer <> '', censored FROM trial WHERE task <> 'find'"), [(1, 0)] * 4)
+    # Two seconds of 60 frames each, however late they were.
+    check("exposures", rows("SELECT exposure_frames FROM trial WHERE task = 'count'"), [(120,), (120,)])
+    check("events", rows("SELECT detail FROM event WHERE what IN ('pause', 'note') ORDER BY event_id"),
+          [("a moment, please",), ("all went well",)])
+    kinds = {kind for (kind,) in rows("SELECT DISTINCT kind FROM input")}
+    check("clicks", "pointer_button" in kinds, way == "mouse")
+    # Each trial has a frame of each number, shown one after the other, and every fifth has a hash.
+    for trial, frames in rows("SELECT trial_id, frames FROM trial"):
+        shown = rows(f"SELECT frame, shown_ns, pixel_hash IS NOT NULL FROM frame WHERE trial_id = {trial} "
+                     "ORDER BY frame")
+        check("numbers of frames", [number for number, _, _ in shown], list(range(frames)))
+        check("order of times", all(a[1] < b[1] for a, b in zip(shown, shown[1:])), True)
+        check("hashes", [hashed for _, _, hashed in shown], [int(i % 5 == 0) for i in range(frames)])
+
+
+def main():
+    ocelli, protocol, way, folder = sys.argv[1], sys.argv[2], sys.argv[3], pathlib.Path(sys.argv[4])
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    session = Session(ocelli, protocol, folder)
+    try:
+        run(session, ByMouse if way == "mouse" else ByKeyboard)
+    finally:
+        session.program.kill()
+    check_database(folder / "tiny.db", way)
+    print("a session by", way, "is complete")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,136 @@
+// A disk that is full: nothing that was stored is lost, one is told, and what came since is stored once there is room.
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+
+#include <atomic>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include "oc_core/base/error.h"
+#include "study/store/trial_store.h"
+#include "tests/base/temporary_folder.h"
+#include "tests/study_store/made_study.h"
+#include "tests/study_store/study_checks.h"
+
+namespace ocelli::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// No file of this process may become larger than that, while it lives.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+/// A disk of its own, of that size, where the system lets one make it.
+class SmallDisk {
+ public:
+  SmallDisk(const std::filesystem::path& folder, const std::string& size) : folder_(folder) {
+    std::filesystem::create_directories(folder);
+    mounted_ = mount("ocelli_test", folder.c_str(), "tmpfs", 0, ("size=" + size).c_str()) == 0;
+  }
+  ~SmallDisk() {
+    if (mounted_) {
+      umount2(folder_.c_str(), MNT_DETACH);
+    }
+  }
+  bool works() const { return mounted_; }
+
+ private:
+  std::filesystem::path folder_;
+  bool mounted_ = false;
+};
+
+constexpr int kFramesOfTrial = 600;
+
+void expectSound(const std::filesystem::path& file, int completedTrials) {
+  SQLite::Database raw(file.string());
+  EXPECT_EQ(raw.execAndGet("PRAGMA integrity_check").getString(), "ok");
+  EXPECT_EQ(raw.execAndGet("SELECT count(*) FROM trial WHERE ending = 'completed'").getInt(), completedTrials);
+  EXPECT_EQ(raw.execAndGet("SELECT count(*) FROM frame").getInt(), completedTrials * kFramesOfTrial);
+}
+
+TEST(FullDisk, KeepsWhatWasStoredAndStoresTheRestOnceThereIsRoom) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "study.db";
+  const Protocol protocol = madeProtocol();
+  StudyDatabase database = StudyDatabase::openForSessions(file, protocol);
+  database.addSubject("S01", SubjectKind::kPerson);
+  const SessionSchedule schedule = madeSchedule(0, 0, 4);
+  TrialStore store(database, protocol, madeRun("S01", 0), schedule, {0.05});
+  std::atomic<int> acknowledged{0};
+  const auto storeOne = [&](int number) {
+    storeTrial(store, number, madeTrial(schedule.trials[static_cast<size_t>(number)], 1, number), kFramesOfTrial,
+               number, [&] { ++acknowledged; });
+    store.flush();
+  };
+  storeOne(0);
+  EXPECT_EQ(acknowledged, 1);
+  {
+    // The log has the first trial; half of another fits.
+    const FileSizeLimit full(std::filesystem::file_size(folder / "study.db-wal") + 20'000);
+    storeOne(1);
+    EXPECT_EQ(acknowledged, 1);
+    EXPECT_THAT(store.failure().value_or(""), HasSubstr("trials are not being stored"));
+    storeOne(2);
+    EXPECT_EQ(acknowledged, 1);
+    expectSound(file, 1);
+  }
+  storeOne(3);
+  EXPECT_EQ(store.failure(), std::nullopt);
+  EXPECT_EQ(acknowledged, 4);
+  expectSound(file, 4);
+  for (const StoredTrial& trial : database.trials("S01")) {
+    EXPECT_EQ(database.frames(trial.id), madeFrames(0, kFramesOfTrial, trial.number));
+    EXPECT_EQ(database.inputs(trial.id).size(), madeInputs().size());
+  }
+}
+
+TEST(FullDisk, IsToldAsSuch) {
+  const TemporaryFolder folder;
+  const SmallDisk disk(folder / "disk", "512k");
+  if (!disk.works()) {
+    GTEST_SKIP() << "this system lets one mount nothing; the case above needs no rights";
+  }
+  const std::filesystem::path file = folder / "disk/study.db";
+  const Protocol protocol = madeProtocol();
+  EXPECT_THAT(messageOf<WorkError>([&] { StudyDatabase::openForSessions(file, protocol); }),
+              HasSubstr("the disk has 0 MB left"));
+  {
+    StudyDatabase database = StudyDatabase::openForSessions(file, protocol, {.leastFreeBytes = 0});
+    database.addSubject("S01", SubjectKind::kPerson);
+    const SessionSchedule schedule = madeSchedule(0, 0, 40);
+    TrialStore store(database, protocol, madeRun("S01", 0), schedule, {0.05});
+    std::atomic<int> acknowledged{0};
+    int number = 0;
+    for (; number < 80 && !store.failure(); ++number) {
+      storeTrial(store, number, madeTrial(schedule.trials[static_cast<size_t>(number)], 1, number), kFramesOfTrial,
+                 number, [&] { ++acknowledged; });
+      store.flush();
+    }
+    EXPECT_GT(acknowledged, 0);
+    EXPECT_EQ(acknowledged, number - 1);
+    EXPECT_THAT(store.failure().value_or(""), HasSubstr("the disk is full"));
+    expectSound(file, number - 1);
+  }
+  // With not a byte left even the first write fails.
+  std::ofstream(folder / "disk/filler") << std::string(1 << 20, 'x');
+  EXPECT_THROW(StudyDatabase::openForSessions(folder / "disk/new.db", protocol, {.leastFreeBytes = 0}), WorkError);
+}
+
+}  // namespace
+}  // namespace ocelli::test
