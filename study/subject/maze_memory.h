@@ -25,10 +25,6 @@ class MazeMemory {
   void visit(const MazeCell& cell, int64_t now);
   /// There is no way after all.
   void forgetWay(const MazeCell& cell, Direction direction);
-  /// What was seen before `before` is as good as not seen.
-  void forgetSeen(int64_t before);
-  void forgetCell(const MazeCell& cell);
-
   bool knowsWay(const MazeCell& cell, Direction direction) const;
   size_t waysKnown() const { return ways_.size(); }
   /// Whether that patch has been seen, not before `since`.
