@@ -147,7 +147,8 @@ void addStudyRunCommands(CLI::App& study, const Frame& frame) {
                "  ocelli study run protocols/short.json --db trial.db --subject test --windowed 1280x800 --force",
                [choice, frame] { run(*choice, frame); });
 
-  CLI::App& again = *study.add_subcommand("resume", "Go on with a session that was broken off");
+  CLI::App& again =
+      *study.add_subcommand("resume", "Go on with a session that was broken off, or begin the subject's next one");
   const auto resumed = std::make_shared<RunChoice>();
   addDatabaseOption(again, *resumed)->required();
   addSubjectOption(again, *resumed)->required();

@@ -86,13 +86,7 @@ Plan planResumedSession(const StudyDatabase& database, const Protocol& protocol,
     throw InputError("there is no such subject in " + database.path().string(), "--subject " + options.subject,
                      "check the id; a new subject begins with: ocelli study run");
   }
-  Plan plan{*known, false, sessionToRun(database, protocol, options.subject, utcNow(), options.anyTime)};
-  if (!plan.session.begunBefore) {
-    throw InputError(fmt::format("no session of this subject is open; the next one is {}", plan.session.session + 1),
-                     "--subject " + options.subject,
-                     fmt::format("begin it: ocelli study run PROTOCOL --session {}", plan.session.session + 1));
-  }
-  return plan;
+  return {*known, false, sessionToRun(database, protocol, options.subject, utcNow(), options.anyTime)};
 }
 
 /// The monitor that is asked for, large enough for the protocol.

@@ -35,7 +35,7 @@ struct StudyRunOptions {
 /// database, the graphics or the timing are not fit for a session.
 SessionEnding runStudy(const Protocol& protocol, const StudyRunOptions& options);
 
-/// The session that was begun last, with the protocol that the database holds.
+/// The session that was broken off, or else the next one, with the protocol that the database holds.
 SessionEnding resumeStudy(const StudyRunOptions& options);
 
 /// "0: DELL U2412M, 1920x1200, 60 Hz, 518 x 324 mm", a line a monitor.

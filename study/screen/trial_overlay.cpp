@@ -137,7 +137,8 @@ void drawPathMap(StudyCanvas& canvas, const PixelRect& place, std::span<const gl
   const double width = canvas.widthOf("Start", StudyText::kSmall);
   const glm::dvec2 middle =
       path.front() + away * (radius + canvas.length(5) + (std::abs(away.x) > 0.5 ? width / 2 : textPixels / 2));
-  const double x = std::clamp(middle.x, place.left + width / 2 + 2, place.right() - width / 2 - 2);
+  const double x =
+      std::clamp(middle.x, place.left + width / 2 + canvas.length(8), place.right() - width / 2 - canvas.length(8));
   const double y = std::clamp(middle.y - textPixels / 2, place.top + 2, place.bottom() - textPixels - 2);
   canvas.writeLine({StudyText::kSmall, kStudyText, background, TextAlign::kCenter}, {x, y}, "Start");
 }

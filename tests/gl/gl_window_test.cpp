@@ -8,12 +8,15 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <thread>
 
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gui_layer.h"
+#include "oc_core/gl/monitors.h"
 #include "tests/gl/gl_test_context.h"
 #include "tests/gl/x_server.h"
 
@@ -250,6 +253,91 @@ TEST_F(GlWindowTest, fillsTheScreenAndComesBack) {
   await<ResizeEvent>(*window_, [](const ResizeEvent& event) { return event.width == 300; });
   EXPECT_FALSE(window_->isFullscreen());
   EXPECT_EQ(window_->size().height, 200);
+}
+
+TEST_F(GlWindowTest, fillsAChosenMonitor) {
+  window_.reset();
+  const std::vector<Monitor> monitors = listMonitors();
+  ASSERT_FALSE(monitors.empty());
+  GlWindow window({.title = "full", .monitor = 0, .debug = GlDebug::kErrorsAreFatal});
+  EXPECT_TRUE(window.isFullscreen());
+  EXPECT_EQ(window.pixelWidth(), monitors[0].width);
+  EXPECT_EQ(window.pixelHeight(), monitors[0].height);
+}
+
+TEST_F(GlWindowTest, refusesAMonitorThatIsNotThere) {
+  for (const int monitor : {-1, 99}) {
+    EXPECT_THROW(GlWindow({.monitor = monitor}), InputError);
+  }
+}
+
+TEST_F(GlWindowTest, tellsOfALostMonitor) {
+  window_.reset();
+  GlWindow window({.title = "full", .monitor = 0, .debug = GlDebug::kErrorsAreFatal});
+  window.pollTimed(0);
+  // As GLFW calls it, since no test can pull a plug.
+  const GLFWmonitorfun changed = glfwSetMonitorCallback(nullptr);
+  changed(glfwGetPrimaryMonitor(), GLFW_DISCONNECTED);
+  const std::vector<TimedWindowEvent> events = window.pollTimed(0);
+  EXPECT_TRUE(std::ranges::any_of(
+      events, [](const TimedWindowEvent& event) { return std::holds_alternative<MonitorLostEvent>(event.event); }));
+}
+
+TEST_F(GlWindowTest, eventsHaveTheTimesWhenTheyCame) {
+  test::XServer server;
+  showQuarters();
+  window_->pollTimed(0);
+  int left = 0;
+  int top = 0;
+  glfwGetWindowPos(window_->handle(), &left, &top);
+  const auto now = [] { return std::chrono::nanoseconds(Clock::now().time_since_epoch()).count(); };
+  for (int i = 1; i <= 3; ++i) {
+    const int64_t before = now();
+    server.movePointer(left + 10 * i, top + 20);
+    std::vector<TimedWindowEvent> moves;
+    for (const auto start = Clock::now(); moves.empty() && secondsSince(start) < kPatience;) {
+      for (const TimedWindowEvent& event : window_->pollTimed(0.05)) {
+        const auto* const input = std::get_if<InputEvent>(&event.event);
+        if (input != nullptr && std::holds_alternative<PointerMoveEvent>(*input)) {
+          moves.push_back(event);
+        }
+      }
+    }
+    ASSERT_FALSE(moves.empty());
+    EXPECT_GE(moves.back().nanoseconds, before);
+    EXPECT_LE(moves.back().nanoseconds, now());
+  }
+}
+
+TEST_F(GlWindowTest, anotherThreadDrawsWhileThisOneWaitsForEvents) {
+  test::XServer server;
+  window_->poll();
+  std::atomic<bool> done{false};
+  std::thread drawer([&] {
+    const int width = window_->pixelWidth();
+    const int height = window_->pixelHeight();
+    const GlScope scope(window_->context());
+    const GlObject color = makeTexture(window_->context(), GL_RGBA8, 1, 1);
+    const std::array<uint8_t, 4> bytes{9, 80, 7, 255};
+    window_->context().gl().TextureSubImage2D(color.id(), 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    const GlObject framebuffer = makeFramebuffer(window_->context(), std::array{color.id()}, 0);
+    for (int i = 0; i < 30; ++i) {
+      window_->present(framebuffer, 1, 1);
+      window_->awaitFrame();
+    }
+    EXPECT_EQ(width, 300);
+    EXPECT_EQ(height, 200);
+    done = true;
+    GlWindow::wake();
+  });
+  while (!done) {
+    window_->pollTimed(kPatience);  // ended by wake()
+  }
+  drawer.join();
+  int left = 0;
+  int top = 0;
+  glfwGetWindowPos(window_->handle(), &left, &top);
+  EXPECT_EQ(server.screenPixel(left + 150, top + 100), (Rgb{9, 80, 7}));
 }
 
 // A virtual screen waits for nothing. Twenty frames of a sixtieth take a third of a second; a screen of 240 Hz, the

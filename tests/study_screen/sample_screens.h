@@ -111,6 +111,24 @@ struct SampleStudy {
   PageScreen end() const {
     return {"Thank you", {"You have done all of this session.", "Please tell the experimenter."}, {}, {}, {}, 0, ""};
   }
+  PageScreen unwell() const {
+    return {"Do you feel unwell?",
+            {"You may stop at any time, without giving a reason."},
+            {},
+            {},
+            {},
+            0,
+            "Enter: end the session    Escape: go on with it"};
+  }
+  PageScreen call() const {
+    return {"Please call the experimenter",
+            {"You have done all trials of the practice."},
+            {},
+            {},
+            {},
+            0,
+            "Experimenter: Enter goes on with the trials"};
+  }
   PauseScreen pause() const { return {"The experimenter will be with you in a moment. Your data are safe."}; }
   TrialScreenView finding(const TrialScreen& screen, StudyView view, bool patch = false) const {
     TrialScreenView trial;
@@ -172,6 +190,8 @@ struct SampleStudy {
         {"break_wait", rest(38.2)},
         {"break", rest(0)},
         {"end", end()},
+        {"unwell", unwell()},
+        {"call", call()},
         {"pause", pause()},
         {"find_ppc", finding(screen, StudyView::kPinhole)},
         {"find_gc", finding(screen, StudyView::kGraph, true)},

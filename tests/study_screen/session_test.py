@@ -1,7 +1,8 @@
 """A session from consent to survey, by real input of an X server: `ocelli study run` in full screen, driven by xdotool.
 
-Usage: session_test.py OCELLI PROTOCOL.json mouse|keyboard FOLDER, on a screen of 1280x800 without a window manager.
-Leaves the database and a picture of each screen in FOLDER. Exits with 1, and says what is wrong, where something is.
+Usage: session_test.py OCELLI PROTOCOL.json mouse|keyboard FOLDER [WIDTHxHEIGHT], on a screen of that size without a window
+manager; 1280x800, which the mouse needs, by default. Leaves the database and a picture of each screen in FOLDER. Exits
+with 1, and says what is wrong, where something is.
 """
 
 import math
@@ -14,7 +15,7 @@ import sys
 import threading
 import time
 
-WIDTH, HEIGHT = 1280, 800
+WIDTH, HEIGHT = map(int, sys.argv[5].split("x")) if len(sys.argv) > 5 else (1280, 800)
 PATIENCE = 90  # seconds that a step may take on a busy machine
 # Where the screens have their buttons, at this size.
 GO_ON = (1150, 754)
