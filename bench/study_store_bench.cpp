@@ -70,12 +70,39 @@ TrialRecord recordOf(const TrialPlan& plan, int frames) {
   return record;
 }
 
-struct StoreTimes {
+struct Times {
   Spread commit;  ///< milliseconds from the call to the acknowledgement
+  Spread csv;     ///< milliseconds to append the same rows, and fsync()
   Spread call;    ///< microseconds for which a call holds the caller up
 };
 
-StoreTimes measureStore(const fs::path& file, const Choice& choice, int framesAtEnd) {
+/// A table as other programs keep it: a line at a time is on the disk.
+class CsvFile {
+ public:
+  explicit CsvFile(fs::path path)
+      : path_(std::move(path)), descriptor_(open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644)) {}
+  ~CsvFile() { close(descriptor_); }
+  CsvFile(const CsvFile&) = delete;
+  CsvFile& operator=(const CsvFile&) = delete;
+
+  void append(int number, std::span<const FrameRecord> frames) const {
+    std::string rows = fmt::format("{},find,location 3,object,object,1,15,{}\n", number, utcNow());
+    for (const FrameRecord& frame : frames) {
+      rows += fmt::format("{},{},{},{},{},{},{}\n", number, frame.frame, frame.tick, frame.shownNanoseconds,
+                          frame.pose.x, frame.pose.z, frame.pose.headingRadians);
+    }
+    if (write(descriptor_, rows.data(), rows.size()) < 0 || fsync(descriptor_) != 0) {
+      throw WorkError("cannot write", path_.string(), "another folder");
+    }
+  }
+
+ private:
+  fs::path path_;
+  int descriptor_;
+};
+
+/// Store and file in turns, so that whatever else the disk does hits both.
+Times measureTrials(const fs::path& file, const Choice& choice, int framesAtEnd) {
   Protocol protocol;
   protocol.name = "bench";
   protocol.text = "{}";
@@ -86,61 +113,47 @@ StoreTimes measureStore(const fs::path& file, const Choice& choice, int framesAt
   run.subject = database.addSubject("bench", SubjectKind::kGenerator).id;
   run.kind = SubjectKind::kGenerator;
   TrialStore store(database, protocol, run, SessionSchedule{});
+  const CsvFile csv(fs::path(file).replace_extension(".csv"));
   const std::vector<FrameRecord> frames = framesOfTrial(choice.frames);
   const std::span<const FrameRecord> all(frames);
+  const auto before = static_cast<size_t>(choice.frames - framesAtEnd);
   std::vector<double> commits;
+  std::vector<double> appends;
   std::vector<double> calls;
   const auto timed = [&](const auto& call) {
     const Clock::time_point start = Clock::now();
     call();
     calls.push_back(1000 * millisecondsSince(start));
   };
+  const auto handOver = [&](int number, std::span<const FrameRecord> records) {
+    for (size_t first = 0; first < records.size(); first += 30) {
+      timed([&] { store.frames(number, records.subspan(first, std::min<size_t>(30, records.size() - first))); });
+    }
+  };
   for (int number = 0; number < choice.trials; ++number) {
     TrialPlan plan;
     plan.index = number;
     plan.task = "find";
     timed([&] { store.trialBegins(number, plan, 1); });
-    const auto before = static_cast<size_t>(choice.frames - framesAtEnd);
-    for (size_t first = 0; first < all.size(); first += 30) {
-      if (first == before) {
-        store.flush();
-      }
-      timed([&] { store.frames(number, all.subspan(first, std::min<size_t>(30, all.size() - first))); });
-    }
+    handOver(number, all.first(before));
+    store.flush();
+    handOver(number, all.subspan(before));
     std::promise<void> stored;
     const TrialRecord record = recordOf(plan, choice.frames);
-    const Clock::time_point start = Clock::now();
+    Clock::time_point start = Clock::now();
     timed([&] { store.trialEnds(number, record, [&] { stored.set_value(); }); });
     stored.get_future().wait();
     commits.push_back(millisecondsSince(start));
+
+    start = Clock::now();
+    csv.append(number, all.subspan(before));
+    appends.push_back(millisecondsSince(start));
   }
   store.flush();
   if (const std::optional<std::string> failure = store.failure()) {
     throw WorkError(*failure, file.string(), "another folder");
   }
-  return {spreadOf(commits), spreadOf(calls)};
-}
-
-/// Milliseconds to append the rows that the store commits at the end of a trial, and fsync().
-Spread measureCsv(const fs::path& file, const Choice& choice, int framesAtEnd) {
-  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  const std::vector<FrameRecord> frames = framesOfTrial(choice.frames);
-  std::vector<double> times;
-  for (int number = 0; number < choice.trials; ++number) {
-    const Clock::time_point start = Clock::now();
-    std::string rows = fmt::format("{},find,location 3,object,object,1,15,{}\n", number, utcNow());
-    for (int i = choice.frames - framesAtEnd; i < choice.frames; ++i) {
-      const FrameRecord& frame = frames[static_cast<size_t>(i)];
-      rows += fmt::format("{},{},{},{},{},{},{}\n", number, frame.frame, frame.tick, frame.shownNanoseconds,
-                          frame.pose.x, frame.pose.z, frame.pose.headingRadians);
-    }
-    if (write(descriptor, rows.data(), rows.size()) < 0 || fsync(descriptor) != 0) {
-      throw WorkError("cannot write", file.string(), "another folder");
-    }
-    times.push_back(millisecondsSince(start));
-  }
-  close(descriptor);
-  return spreadOf(times);
+  return {spreadOf(commits), spreadOf(appends), spreadOf(calls)};
 }
 
 std::string fileSystemOf(const fs::path& folder) {
@@ -169,15 +182,15 @@ void measure(const Choice& choice) {
   fmt::print("{} trials of {} frames, file system {}\n\n", choice.trials, choice.frames, fileSystemOf(folder));
   fmt::print("{:<58}{:>9}{:>9}{:>9}\n", "", "median", "p99", "longest");
   for (const int framesAtEnd : {std::min(kFramesSinceFlush, choice.frames), choice.frames}) {
-    const StoreTimes store = measureStore(folder / fmt::format("{}.db", framesAtEnd), choice, framesAtEnd);
-    const Spread csv = measureCsv(folder / fmt::format("{}.csv", framesAtEnd), choice, framesAtEnd);
+    const Times times = measureTrials(folder / fmt::format("{}.db", framesAtEnd), choice, framesAtEnd);
     const auto row = [](const std::string& what, const Spread& spread) {
       fmt::print("{:<58}{:>9.3f}{:>9.3f}{:>9.3f}\n", what, spread.median, spread.p99, spread.longest);
     };
-    row(fmt::format("store: end of a trial with {} frames to the disk, ms", framesAtEnd), store.commit);
-    row("CSV: the same rows appended, fsync(), ms", csv);
-    fmt::print("{:<58}{:>9.2f}{:>9.2f}\n", "store / CSV", store.commit.median / csv.median, store.commit.p99 / csv.p99);
-    row("store: a call holds its caller up, us", store.call);
+    row(fmt::format("store: end of a trial with {} frames to the disk, ms", framesAtEnd), times.commit);
+    row("CSV: the same rows appended, fsync(), ms", times.csv);
+    fmt::print("{:<58}{:>9.2f}{:>9.2f}\n", "store / CSV", times.commit.median / times.csv.median,
+               times.commit.p99 / times.csv.p99);
+    row("store: a call holds its caller up, us", times.call);
     fmt::print("\n");
   }
   fs::remove_all(folder);

@@ -160,7 +160,7 @@ struct MergeChoice {
   std::vector<std::string> sources;
 };
 
-/// "slots 0-11: 2 subjects each; 12: 1", or empty where there is nobody.
+/// "slots 0-11: 2 each; slot 12: 1 each", or empty where there is nobody.
 std::string balanceAsText(const std::vector<int>& use) {
   std::string text;
   for (size_t first = 0; first < use.size();) {
@@ -168,8 +168,8 @@ std::string balanceAsText(const std::vector<int>& use) {
     while (last + 1 < use.size() && use[last + 1] == use[first]) {
       ++last;
     }
-    const std::string slots = first == last ? fmt::format("{}", first) : fmt::format("{}-{}", first, last);
-    text += fmt::format("{}slots {}: {} each", text.empty() ? "" : "; ", slots, use[first]);
+    const std::string slots = first == last ? fmt::format("slot {}", first) : fmt::format("slots {}-{}", first, last);
+    text += fmt::format("{}{}: {} each", text.empty() ? "" : "; ", slots, use[first]);
     first = last + 1;
   }
   return text;

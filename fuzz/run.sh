@@ -7,7 +7,7 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 build="$root/build/fuzz"
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_COMPILER=clang++ \
   -DOCELLI_BUILD_FUZZERS=ON -DOCELLI_BUILD_TESTS=OFF -DOCELLI_SANITIZE=address,undefined,fuzzer-no-link >/dev/null
-cmake --build "$build" --target svol_fuzzer maze_fuzzer camera_fuzzer
+cmake --build "$build" --target svol_fuzzer maze_fuzzer camera_fuzzer protocol_fuzzer
 cd "$build"
 
 # run NAME CORPUS
@@ -19,3 +19,4 @@ run() {
 run svol display_sim/corpus
 run maze scene/maze_corpus
 run camera constructor/corpus
+run protocol study_protocol/corpus

@@ -6,6 +6,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "oc_core/base/parallel.h"
 
@@ -64,6 +67,14 @@ std::optional<fs::path> findProgram(const std::string& name) {
     }
   }
   return std::nullopt;
+}
+
+void keepFreedMemory() {
+#ifdef __GLIBC__
+  constexpr int kMost = 1 << 30;
+  mallopt(M_MMAP_THRESHOLD, kMost);
+  mallopt(M_TRIM_THRESHOLD, kMost);
+#endif
 }
 
 }  // namespace ocelli

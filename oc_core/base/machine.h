@@ -21,6 +21,10 @@ MachineInfo machineInfo();
 /// Its name in the network; empty where the system does not tell.
 std::string computerName();
 
+/// Keeps memory that is given back for what is asked for next, instead of handing it to the system: for work that makes
+/// and drops many images. Does nothing where the library of the system cannot be told so.
+void keepFreedMemory();
+
 /// Where the shell would find a program; nothing where it would not.
 std::optional<std::filesystem::path> findProgram(const std::string& name);
 

@@ -74,8 +74,12 @@ std::string scheduleText(const Protocol& protocol, const SessionSchedule& schedu
     const TrialPlan& trial = schedule.trials[i];
     const ProtocolBlock& block = blockOf(protocol, trial);
     const CaseInfo info = block.task->caseInfo(trial.caseIndex);
-    text += fmt::format("  {:>5}  {:<20}{:<22}{:<5}{}{}\n", trial.index + 1, block.name, info.label, nameOf(trial.view),
-                        conditionText(info), answers ? std::string("; ").append(block.task->answerOf(trial)) : "");
+    std::string line = fmt::format("  {:>5}  {:<20}{:<22}{:<5}{}", trial.index + 1, block.name, info.label,
+                                   nameOf(trial.view), conditionText(info));
+    if (answers) {
+      line += fmt::format("; {}", block.task->answerOf(trial));
+    }
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
     if (hasBreakAfter(protocol, schedule, i)) {
       text += "         (break)\n";
     }

@@ -12,6 +12,7 @@
 #include "oc_core/scene/maze_file.h"
 #include "study/protocol/protocol.h"
 #include "study/protocol/protocol_fields.h"
+#include "study/protocol/schedule.h"
 
 namespace ocelli {
 namespace {
@@ -155,10 +156,7 @@ void readBlocks(JsonFields& fields, const TaskSetting& setting, Protocol& protoc
     }
   }
   for (int session = 0; session < protocol.sessions; ++session) {
-    const auto isIn = [&](const ProtocolBlock& block) {
-      return block.sessions.empty() ||
-             std::find(block.sessions.begin(), block.sessions.end(), session) != block.sessions.end();
-    };
+    const auto isIn = [&](const ProtocolBlock& block) { return isInSession(block, session); };
     if (std::none_of(protocol.blocks.begin(), protocol.blocks.end(), isIn)) {
       fields.fail("sessions", fmt::format("is {}, but no block is in session {}", protocol.sessions, session + 1));
     }

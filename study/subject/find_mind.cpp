@@ -7,16 +7,26 @@
 namespace ocelli {
 namespace {
 
-/// One is where one wanted to go when that near to the middle of a cell, metres.
-constexpr double kArrived = 0.6;
+/// One is where one wanted to go when that near to it, metres.
+constexpr double kArrived = 0.3;
+/// So far from the middle of a corridor one can still go along it, metres.
+constexpr double kAside = 0.8;
 /// From there on one turns first and then walks, degrees.
 constexpr double kTurnFirstDegrees = 40;
-constexpr double kStraightDegrees = 2;
+constexpr double kStraightDegrees = 4;
+/// Of the time that a turn takes, when most of it is done.
+constexpr double kTurnedShare = 0.7;
 constexpr int kStuckFixations = 3;
 /// Fixations without the object after which one goes on looking for it elsewhere.
-constexpr int kLostFixations = 2;
+constexpr int kLostFixations = 8;
+/// What stands nearer is below the view, metres.
+constexpr double kTooNear = 2.5;
 /// Of two ways one sticks to the one chosen before while it costs less than that times the other.
 constexpr double kStickiness = 1.25;
+/// Where one has looked before, but is not sure of it any more, one looks again when it is that much nearer.
+constexpr double kAgainFactor = 3;
+/// Of something that moves one knows for so much shorter where it was not.
+constexpr double kMovingShare = 0.5;
 /// For something to look at in the distance, pixels of floor count with that power: much floor is not much more.
 constexpr double kFloorPower = 0.5;
 
@@ -29,8 +39,8 @@ glm::dvec2 placeOf(const WalkerPose& pose) {
 
 }  // namespace
 
-FindMind::FindMind(const Vision& vision, const Controls& controls, MazeMemory& memory, uint64_t seed)
-    : vision_(vision), controls_(controls), memory_(memory), random_(seed) {
+FindMind::FindMind(const Vision& vision, const Controls& controls, bool moves, MazeMemory& memory, uint64_t seed)
+    : vision_(vision), controls_(controls), moves_(moves), memory_(memory), random_(seed) {
   memory_.beginTrial(vision.factors().forgetPerTrial, random_);
 }
 
@@ -55,25 +65,48 @@ double FindMind::think(const Percept& seen, int64_t from, int64_t now, Hands& ha
     }
     gaze_ = object->centroid;
     if (found_) {
+      foundAt_ = object->place;
       goFor(*object, from, now, hands);
       return 0;
     }
   } else {
     inSight_ = 0;
     before_.reset();
-    if (found_ && ++missed_ >= kLostFixations) {
+    if (found_ && ++missed_ > kLostFixations) {
       found_ = false;
       since_ = from;  // it moves: whatever was seen before may hide it now
     }
   }
-  if (!found_) {
-    noteWhetherStuck(seen, from, hands);
+  noteWhetherStuck(seen, from, hands);
+  if (found_ && now >= stopsAt_) {
+    faceAgain(seen, from, now, hands);
+  } else if (!found_) {
     walk(seen, from, now, hands);
     if (object == seen.objects.end()) {
       lookOn(seen);
     }
   }
   return 0;
+}
+
+void FindMind::faceAgain(const Percept& seen, int64_t from, int64_t now, Hands& hands) {
+  if (!seen.standing || hands.pansUntil() > now) {
+    return;
+  }
+  gaze_ = seen.views.front().center();
+  const int64_t at = now + nanosecondsOf(vision_.factors().reactionSeconds);
+  const WalkerPose pose = hands.reckon(*seen.standing, from, at);
+  const double degrees =
+      degreesFromRadians(std::remainder(headingTo(placeOf(pose), foundAt_) - pose.headingRadians, 2 * kPi));
+  std::vector<Hands::Hold> holds;
+  if (glm::distance(placeOf(pose), foundAt_) < kTooNear && std::abs(degrees) < kTurnFirstDegrees) {
+    holds.push_back({controls_.backward, at, at + nanosecondsOf(1 / controls_.walkMetersPerSecond)});
+  }
+  if (std::abs(degrees) > kStraightDegrees) {
+    turn(degrees, at, holds, hands);
+  } else {
+    hands.plan(at, holds);
+  }
 }
 
 void FindMind::learn(const Percept& seen, int64_t from) {
@@ -88,7 +121,7 @@ void FindMind::learn(const Percept& seen, int64_t from) {
   if (seen.standing) {
     memory_.visit(seen.grid.cellAt(placeOf(*seen.standing)), from);
   }
-  since_ = std::max(since_, from - nanosecondsOf(vision_.factors().searchMemorySeconds));
+  sure_ = from - nanosecondsOf(vision_.factors().searchMemorySeconds * (moves_ ? kMovingShare : 1));
 }
 
 void FindMind::goFor(const Sighting& object, int64_t from, int64_t now, Hands& hands) {
@@ -137,11 +170,17 @@ std::optional<MazeCell> FindMind::chooseGoal(const std::map<MazeCell, MazeMemory
   std::optional<MazeCell> best;
   double least = 0;
   for (const auto& [cell, way] : ways) {
-    if (way.cells.empty() || memory_.hasSearched(cell, since_)) {
+    if (way.cells.empty() || memory_.hasSearched(cell, std::max(since_, sure_))) {
       continue;
     }
-    const double noise = std::exp(normal(random_, 0, vision_.factors().wayNoise));
-    const double cost = (way.seconds + 0.5) * noise / (goal_ == cell ? kStickiness : 1);
+    // What a way seems to cost does not change from one fixation to the next.
+    const auto [felt, isNew] = feltCosts_.try_emplace(cell, 1.0);
+    if (isNew) {
+      felt->second = std::exp(normal(random_, 0, vision_.factors().wayNoise));
+    }
+    const double noise = felt->second;
+    const double again = memory_.hasSearched(cell, since_) ? kAgainFactor : 1;
+    const double cost = (way.seconds + 0.5) * again * noise / (goal_ == cell ? kStickiness : 1);
     if (!best || cost < least) {
       best = cell;
       least = cost;
@@ -150,26 +189,43 @@ std::optional<MazeCell> FindMind::chooseGoal(const std::map<MazeCell, MazeMemory
   return best;
 }
 
+int64_t FindMind::turn(double degrees, int64_t at, std::vector<Hands::Hold> holds, Hands& hands) const {
+  if (vision_.factors().turnsByMouse) {
+    hands.plan(at, holds);
+    return hands.pan(degrees, at);
+  }
+  const int64_t until = at + nanosecondsOf(std::abs(degrees) / controls_.turnDegreesPerSecond);
+  holds.push_back({degrees > 0 ? controls_.turnRight : controls_.turnLeft, at, until});
+  hands.plan(at, holds);
+  return until;
+}
+
 void FindMind::turnAround(int64_t at, Hands& hands) const {
-  hands.plan(at, {{controls_.turnRight, at, at + nanosecondsOf(90 / controls_.turnDegreesPerSecond)}});
+  if (hands.pansUntil() <= at) {
+    turn(90, at, {}, hands);
+  }
 }
 
 void FindMind::walkTo(const glm::dvec2& place, const WalkerPose& pose, int64_t at, Hands& hands) const {
   const double away = glm::distance(place, placeOf(pose));
-  const double turn =
+  const double degrees =
       degreesFromRadians(std::remainder(headingTo(placeOf(pose), place) - pose.headingRadians, 2 * kPi));
-  const auto turning = [&](double degrees) {
-    return nanosecondsOf(std::max(degrees, 0.0) / controls_.turnDegreesPerSecond);
+  const auto goOn = [&](int64_t from) {
+    const Hands::Hold hold{controls_.forward, from, from + nanosecondsOf(away / controls_.walkMetersPerSecond)};
+    return away > kArrived ? std::vector<Hands::Hold>{hold} : std::vector<Hands::Hold>{};
   };
-  std::vector<Hands::Hold> holds;
-  if (std::abs(turn) > kStraightDegrees) {
-    holds.push_back({turn > 0 ? controls_.turnRight : controls_.turnLeft, at, at + turning(std::abs(turn))});
+  if (hands.pansUntil() > at) {
+    hands.plan(at, goOn(hands.pansUntil()));
+  } else if (std::abs(degrees) <= kStraightDegrees) {
+    hands.plan(at, goOn(at));
+  } else if (std::abs(degrees) <= kTurnFirstDegrees) {
+    turn(degrees, at, goOn(at), hands);
+  } else {
+    // One turns first, and sets out at the end of the turn.
+    const double seconds =
+        vision_.factors().turnsByMouse ? hands.panSeconds(degrees) : std::abs(degrees) / controls_.turnDegreesPerSecond;
+    turn(degrees, at, goOn(at + nanosecondsOf(seconds * kTurnedShare)), hands);
   }
-  if (away > kArrived / 2) {
-    const int64_t begin = at + turning(std::abs(turn) - kTurnFirstDegrees);
-    holds.push_back({controls_.forward, begin, begin + nanosecondsOf(away / controls_.walkMetersPerSecond)});
-  }
-  hands.plan(at, holds);
 }
 
 void FindMind::walk(const Percept& seen, int64_t from, int64_t now, Hands& hands) {
@@ -178,7 +234,9 @@ void FindMind::walk(const Percept& seen, int64_t from, int64_t now, Hands& hands
     turnAround(at, hands);
     return;
   }
-  const WalkerPose pose = hands.reckon(*seen.standing, from, at);
+  // Turned as far as one is about to turn.
+  WalkerPose pose = hands.reckon(*seen.standing, from, at);
+  pose.headingRadians = hands.reckon(*seen.standing, from, std::max(at, hands.pansUntil())).headingRadians;
   const SeenGrid& grid = seen.grid;
   // Reckoned, one may have gone through a wall: then one still is where one was seen.
   MazeCell here = grid.cellAt(placeOf(pose));
@@ -220,7 +278,9 @@ void FindMind::walk(const Percept& seen, int64_t from, int64_t now, Hands& hands
       break;
     }
   }
-  walkTo(std::abs(aside) > kArrived ? middle : grid.middleOf(last), pose, at, hands);
+  // Too far aside of the corridor ahead one goes there first.
+  const glm::dvec2 abreast = alongRow ? glm::dvec2(pose.x, middle.y) : glm::dvec2(middle.x, pose.z);
+  walkTo(std::abs(aside) > kAside ? abreast : grid.middleOf(last), pose, at, hands);
 }
 
 void FindMind::lookOn(const Percept& seen) {

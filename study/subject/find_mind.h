@@ -10,8 +10,8 @@ namespace ocelli {
 
 class FindMind final : public TaskMind {
  public:
-  /// `memory` is of this maze and outlives the trial.
-  FindMind(const Vision& vision, const Controls& controls, MazeMemory& memory, uint64_t seed);
+  /// `memory` is of this maze and outlives the trial. `moves`: one was told that the object moves.
+  FindMind(const Vision& vision, const Controls& controls, bool moves, MazeMemory& memory, uint64_t seed);
 
   bool wantsFloor() const override { return true; }
   double think(const Percept& seen, int64_t from, int64_t now, Hands& hands) override;
@@ -23,6 +23,10 @@ class FindMind final : public TaskMind {
   void goFor(const Sighting& object, int64_t from, int64_t now, Hands& hands);
   void walk(const Percept& seen, int64_t from, int64_t now, Hands& hands);
   void walkTo(const glm::dvec2& place, const WalkerPose& pose, int64_t at, Hands& hands) const;
+  /// What was made out and is out of sight: towards where it was, or back from it.
+  void faceAgain(const Percept& seen, int64_t from, int64_t now, Hands& hands);
+  /// With keys to hold meanwhile. Returns when it is done.
+  int64_t turn(double degrees, int64_t at, std::vector<Hands::Hold> holds, Hands& hands) const;
   void turnAround(int64_t at, Hands& hands) const;
   std::optional<MazeCell> chooseGoal(const std::map<MazeCell, MazeMemory::Way>& ways);
   void noteWhetherStuck(const Percept& seen, int64_t from, const Hands& hands);
@@ -30,16 +34,20 @@ class FindMind final : public TaskMind {
 
   Vision vision_;
   Controls controls_;
+  bool moves_;
   MazeMemory& memory_;
   Random random_;
   std::optional<glm::dvec2> gaze_{};
-  int64_t since_ = 0;  ///< what was seen before is to be seen again
+  int64_t since_ = 0;                       ///< what was seen before is to be seen again
+  int64_t sure_ = 0;                        ///< of what was seen before one is not sure any more
+  std::map<MazeCell, double> feltCosts_{};  ///< of going to each cell, as factors
   std::optional<MazeCell> goal_{};
   std::optional<MazeCell> next_{};  ///< on the way there
   double inSight_ = 0;              ///< seconds for which the object has been
   int missed_ = 0;                  ///< fixations since it was seen, once it was made out
   bool found_ = false;
-  int64_t stopsAt_ = 0;  ///< to walk, since it was found
+  glm::dvec2 foundAt_{0};  ///< its place, metres
+  int64_t stopsAt_ = 0;    ///< to walk, since it was found
   struct Seen {
     glm::dvec2 place{0};
     int64_t at = 0;

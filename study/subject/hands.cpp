@@ -19,6 +19,8 @@ constexpr int64_t kHistory = 5'000'000'000;
 /// 4 % miss.
 constexpr double kWidthsOfSpread = 4.133;
 constexpr double kLeastPointSeconds = 0.1;
+/// So exactly one must have turned to go on without a correction.
+constexpr double kPanDegrees = 20;
 
 }  // namespace
 
@@ -87,9 +89,7 @@ void Hands::click(int64_t at) {
 
 int64_t Hands::point(const glm::dvec2& to, double sizePixels, int64_t from) {
   from = std::max(from, taken_);
-  std::erase_if(queue_, [&](const TimedInput& input) {
-    return input.nanoseconds >= from && std::holds_alternative<PointerMoveEvent>(input.event);
-  });
+  stopMouse(from);
   glm::dvec2 start = pointer_;
   for (const TimedInput& input : queue_) {
     if (const auto* move = std::get_if<PointerMoveEvent>(&input.event)) {
@@ -114,12 +114,53 @@ int64_t Hands::point(const glm::dvec2& to, double sizePixels, int64_t from) {
   return pointsUntil_;
 }
 
+double Hands::panSeconds(double degrees) const {
+  // A direction need not be hit to the degree: one walks on and corrects it.
+  return std::max(kLeastPointSeconds, std::log2(std::abs(degrees) / kPanDegrees + 1) / factors_.bitsPerSecond);
+}
+
+int64_t Hands::pan(double degrees, int64_t from) {
+  from = std::max(from, taken_);
+  stopMouse(from);
+  const double seconds = panSeconds(degrees) * normalWithin(random_, 1, 0.1, 0.7, 1.4);
+  const double turned = degrees + normal(random_, 0, std::min(kPanDegrees, std::abs(degrees)) / kWidthsOfSpread);
+  const int64_t until = from + nanosecondsOf(seconds);
+  add(PointerMoveEvent{pointer_.x, pointer_.y}, from);
+  add(PointerButtonEvent{PointerButton::kRight, true, {}}, from);
+  double pixelsBefore = 0;
+  int64_t at = from;
+  for (double t = 0; t < 1;) {
+    at += kMouseStep;
+    t = std::min(1.0, secondsOf(at - from) / seconds);
+    const double way = t * t * t * (10 + t * (6 * t - 15));
+    const double pixels = std::round(turned * way / controls_.mouseDegreesPerPixel);
+    add(PointerMoveEvent{pointer_.x + pixels, pointer_.y}, at);
+    pans_.push_back({at, (pixels - pixelsBefore) * controls_.mouseDegreesPerPixel});
+    pixelsBefore = pixels;
+  }
+  add(PointerButtonEvent{PointerButton::kRight, false, {}}, at + 1);
+  pansUntil_ = at + 1;
+  return std::max(until, pansUntil_);
+}
+
+/// The mouse moves no more, and its right button is let go.
+void Hands::stopMouse(int64_t at) {
+  std::erase_if(queue_, [&](const TimedInput& input) {
+    const auto* button = std::get_if<PointerButtonEvent>(&input.event);
+    return input.nanoseconds >= at && (std::holds_alternative<PointerMoveEvent>(input.event) ||
+                                       (button != nullptr && button->button == PointerButton::kRight));
+  });
+  std::erase_if(pans_, [&](const Pan& pan) { return pan.at >= at; });
+  if (pansUntil_ > at) {
+    add(PointerButtonEvent{PointerButton::kRight, false, {}}, at);
+    pansUntil_ = at;
+  }
+  pointsUntil_ = std::min(pointsUntil_, at);
+}
+
 void Hands::release(int64_t at) {
   plan(at, {});
-  std::erase_if(queue_, [&](const TimedInput& input) {
-    return input.nanoseconds >= at && std::holds_alternative<PointerMoveEvent>(input.event);
-  });
-  pointsUntil_ = std::min(pointsUntil_, at);
+  stopMouse(at);
 }
 
 std::vector<TimedInput> Hands::take(int64_t until) {
@@ -151,6 +192,7 @@ std::vector<TimedInput> Hands::take(int64_t until) {
     }
   }
   taken_ = std::max(taken_, until);
+  std::erase_if(pans_, [&](const Pan& pan) { return pan.at < taken_ - kHistory; });
   while (!changes_.empty() && changes_.front().at < taken_ - kHistory && !changes_.front().pressed) {
     const Key key = changes_.front().key;  // what it ended is over too
     std::erase_if(changes_, [&](const Change& change) { return change.key == key && change.at < taken_ - kHistory; });
@@ -160,6 +202,7 @@ std::vector<TimedInput> Hands::take(int64_t until) {
 
 WalkerPose Hands::reckon(const WalkerPose& pose, int64_t from, int64_t to) const {
   WalkerPose reached = pose;
+  auto pan = std::find_if(pans_.begin(), pans_.end(), [&](const Pan& each) { return each.at > from; });
   for (int64_t at = from; at < to; at += kReckonStep) {
     const double seconds = secondsOf(std::min(kReckonStep, to - at));
     const auto way = [&](Key positive, Key negative) {
@@ -167,6 +210,9 @@ WalkerPose Hands::reckon(const WalkerPose& pose, int64_t from, int64_t to) const
     };
     reached.headingRadians +=
         radiansFromDegrees(way(controls_.turnRight, controls_.turnLeft) * controls_.turnDegreesPerSecond) * seconds;
+    for (; pan != pans_.end() && pan->at <= at + kReckonStep && pan->at <= to; ++pan) {
+      reached.headingRadians += radiansFromDegrees(pan->degrees);
+    }
     const double stride = way(controls_.forward, controls_.backward) * controls_.walkMetersPerSecond * seconds;
     reached.x += stride * std::sin(reached.headingRadians);
     reached.z -= stride * std::cos(reached.headingRadians);

@@ -30,6 +30,12 @@ class Hands {
   /// with it before. Returns when it is there.
   int64_t point(const glm::dvec2& to, double sizePixels, int64_t from);
   void click(int64_t at);
+  /// Turns by moving the mouse while its right button is held, from what is done with it before. Returns when it is
+  /// done.
+  int64_t pan(double degrees, int64_t from);
+  /// About how long that takes.
+  double panSeconds(double degrees) const;
+  int64_t pansUntil() const { return pansUntil_; }
   /// Lets go of all keys and forgets what was meant to be done.
   void release(int64_t at);
 
@@ -50,6 +56,11 @@ class Hands {
     Key key = Key::kW;
     bool pressed = true;
   };
+  struct Pan {
+    int64_t at = 0;
+    double degrees = 0;
+  };
+  void stopMouse(int64_t at);
   struct Repeat {
     Key key = Key::kW;
     int64_t at = 0;  ///< the next
@@ -67,6 +78,8 @@ class Hands {
   int64_t taken_ = 0;
   glm::dvec2 pointer_{0};
   int64_t pointsUntil_ = 0;
+  std::vector<Pan> pans_{};  ///< in order of time
+  int64_t pansUntil_ = 0;
 };
 
 }  // namespace ocelli

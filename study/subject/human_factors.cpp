@@ -27,12 +27,13 @@ HumanFactors drawHumanFactors(uint64_t seed) {
   draw(factors.crossViewErrorMeters, 0.8, 1, 5);
   draw(factors.reactionSeconds, 0.03, 0.14, 0.3);
   draw(factors.keySpread, 0.008, 0.012, 0.06);
+  factors.turnsByMouse = happens(random, 0.8);
   draw(factors.bitsPerSecond, 0.5, 3.2, 5.5);
   draw(factors.clickSeconds, 0.02, 0.08, 0.18);
   draw(factors.readSeconds, 0.6, 1.2, 5);
   draw(factors.decideSeconds, 0.2, 0.4, 1.6);
   draw(factors.wayNoise, 0.05, 0.03, 0.35);
-  draw(factors.searchMemorySeconds, 6, 15, 50);
+  draw(factors.searchMemorySeconds, 12, 30, 100);
   draw(factors.forgetPerTrial, 0.04, 0.01, 0.25);
   draw(factors.forgetBetweenSessions, 0.12, 0.1, 0.8);
   draw(factors.turnLapse, 0.03, 0.01, 0.18);
@@ -58,6 +59,7 @@ std::string jsonText(const HumanFactors& f) {
                                     {"cross_view_error_meters", f.crossViewErrorMeters},
                                     {"reaction_seconds", f.reactionSeconds},
                                     {"key_spread_seconds", f.keySpread},
+                                    {"turns_by_mouse", f.turnsByMouse},
                                     {"bits_per_second", f.bitsPerSecond},
                                     {"click_seconds", f.clickSeconds},
                                     {"hold_seconds", f.holdSeconds},

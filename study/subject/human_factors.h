@@ -43,6 +43,7 @@ struct HumanFactors {
   // Moving.
   double reactionSeconds = 0.2;  ///< from having seen to doing
   double keySpread = 0.03;       ///< of the times at which keys are let go, seconds
+  bool turnsByMouse = true;      ///< else by keys
   double bitsPerSecond = 4.3;    ///< of pointing
   double clickSeconds = 0.12;    ///< from pointing to the button
   double holdSeconds = 0.09;     ///< how long a key or button is down that is tapped
@@ -51,7 +52,7 @@ struct HumanFactors {
   double readSeconds = 2.5;         ///< for a page of instructions
   double decideSeconds = 0.8;       ///< for an answer
   double wayNoise = 0.15;           ///< of what ways seem to cost, a share
-  double searchMemorySeconds = 30;  ///< one knows so long where one has looked
+  double searchMemorySeconds = 60;  ///< one knows so long where one has looked
   double forgetPerTrial = 0.1;      ///< chance that a way of the maze is forgotten from one trial to the next
   double forgetBetweenSessions = 0.4;
   double turnLapse = 0.06;   ///< chance that a turn is not taken in, or mixed up, or lost

@@ -11,8 +11,9 @@ namespace ocelli {
 namespace {
 
 constexpr std::array<int64_t, 9> kNeverSeen{-1, -1, -1, -1, -1, -1, -1, -1, -1};
-/// Of nine: an object is larger than one of them.
-constexpr int kEnough = 6;
+/// Of nine: whatever stands in a cell is about as large as one of them.
+constexpr int kEnough = 5;
+constexpr size_t kMiddle = 4;
 
 double headingOf(Direction direction) {
   return static_cast<double>(direction) * kPi / 2;

@@ -33,7 +33,7 @@ class MazeMemory {
   size_t waysKnown() const { return ways_.size(); }
   /// Whether that patch has been seen, not before `since`.
   bool hasSeen(const FloorPatch& patch, int64_t since) const;
-  /// Whether one would have seen an object there: most of its floor has been seen, not before `since`.
+  /// Whether one would have seen an object there: its middle or most of its floor has been seen, not before `since`.
   bool hasSearched(const MazeCell& cell, int64_t since) const;
 
   struct Way {

@@ -120,7 +120,10 @@ std::optional<uint64_t> SessionObserver::fixate(const TrialPicture& picture, int
     const uint64_t seed = seedOf(seed_, 1'000'000 + trials_);
     if (plan_->task == "find") {
       const Percept first = eye_.look(picture, true);
-      mind_ = std::make_unique<FindMind>(vision_, protocol_.controls, mazes_[first.grid.surroundings], seed);
+      // The instructions of a block say whether its objects move.
+      const ProtocolBlock& block = protocol_.blocks[static_cast<size_t>(plan_->block)];
+      const bool moves = block.task->caseInfo(0).moving;
+      mind_ = std::make_unique<FindMind>(vision_, protocol_.controls, moves, mazes_[first.grid.surroundings], seed);
     } else if (plan_->task == "count") {
       mind_ = std::make_unique<CountMind>(vision_, seed);
     } else {

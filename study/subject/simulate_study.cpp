@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/machine.h"
 #include "oc_core/base/parallel.h"
 #include "study/store/program_version.h"
 #include "study/store/resume.h"
@@ -184,6 +185,7 @@ std::vector<int> sessionsFromText(const std::string& text, int subjects, int mos
 
 SimulationResult simulateStudy(const Protocol& protocol, const std::filesystem::path& path, const SimulationPlan& plan,
                                const Progress& progress) {
+  keepFreedMemory();
   StudyDatabase database = StudyDatabase::openForSessions(path, protocol);
   const std::vector<SubjectWork> all = prepare(database, protocol, plan);
   const int total = std::accumulate(plan.sessions.begin(), plan.sessions.end(), 0);

@@ -71,6 +71,14 @@ TEST(ProtocolFile, HasDefaultsForMostFields) {
   EXPECT_TRUE(protocol.blocks[0].sessions.empty());
 }
 
+TEST(ProtocolFile, TakesTheSmallestExampleOfTheGuide) {
+  const std::string guide = fileBytes(OCELLI_SOURCE_DIR "/docs/protocols.md");
+  const std::string intro = "```json\n";
+  const size_t start = guide.find(intro) + intro.size();
+  const Protocol protocol = protocolFromJsonText(guide.substr(start, guide.find("```", start) - start), "guide");
+  EXPECT_EQ(protocol.name, "least");
+}
+
 struct Mutation {
   const char* at;       ///< JSON pointer of what is replaced, or added
   const char* value;    ///< JSON; empty to take it away

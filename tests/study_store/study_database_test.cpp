@@ -161,6 +161,45 @@ TEST_F(StudyDatabaseTest, RefusesAReadOnlyFileAndFolder) {
   fs::permissions(folder_.path(), everyone);
 }
 
+TEST_F(StudyDatabaseTest, IsReadWithoutATrace) {
+  open().addSubject("S01", SubjectKind::kPerson);
+  const std::string before = fileBytes(file_);
+  EXPECT_EQ(StudyDatabase::openForReading(file_).subjects().size(), 1u);
+  EXPECT_EQ(fileBytes(file_), before);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "study.db-wal"));
+
+  // The log of a program that was killed stays as it is, and is read.
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0) {
+    StudyDatabase database = open();
+    database.addSubject("S02", SubjectKind::kPerson);
+    _exit(0);  // no destructor runs
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  const std::string log = fileBytes(folder_ / "study.db-wal");
+  ASSERT_FALSE(log.empty());
+  EXPECT_EQ(StudyDatabase::openForReading(file_).subjects().size(), 2u);
+  EXPECT_EQ(fileBytes(file_), before);
+  EXPECT_EQ(fileBytes(folder_ / "study.db-wal"), log);
+  EXPECT_EQ(open().subjects().size(), 2u);
+}
+
+TEST_F(StudyDatabaseTest, IsReadInAFolderThatCannotBeWritten) {
+  namespace fs = std::filesystem;
+  open().addSubject("S01", SubjectKind::kPerson);
+  fs::permissions(folder_.path(), static_cast<fs::perms>(0555));
+  {
+    const AsNobody nobody;
+    if (!nobody.works()) {
+      GTEST_SKIP() << "root cannot become nobody here";
+    }
+    EXPECT_EQ(StudyDatabase::openForReading(file_).subjects().size(), 1u);
+  }
+  fs::permissions(folder_.path(), fs::perms::owner_all);
+}
+
 TEST_F(StudyDatabaseTest, RefusesIdsThatAreTakenOrNone) {
   StudyDatabase database = open();
   database.addSubject("S-01_b", SubjectKind::kPerson);

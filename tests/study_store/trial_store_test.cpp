@@ -162,6 +162,40 @@ TEST_F(TrialStoreTest, KeepsWhatWasSeenOfATrialThatNeverEnds) {
   EXPECT_FALSE(database.trials("S01").at(0).ended);
 }
 
+TEST_F(TrialStoreTest, GoesOnAfterARecordThatContradictsOthers) {
+  StudyDatabase database = StudyDatabase::openForSessions(file_, protocol_);
+  database.addSubject("S01", SubjectKind::kPerson);
+  const SessionSchedule schedule = madeSchedule(0, 0, 1);
+  TrialStore store(database, protocol_, madeRun("S01", 0), schedule);
+  std::atomic<int> acknowledged{0};
+  store.trialBegins(0, schedule.trials[0], 1);
+  store.frames(0, madeFrames(0, 30, 1));
+  store.frames(0, madeFrames(29, 30, 1));  // frame 29 comes again
+  store.frames(0, madeFrames(60, 30, 1));
+  store.trialEnds(0, madeTrial(schedule.trials[0], 1, 1), [&] { ++acknowledged; });
+  storeTrial(store, 1, madeTrial(schedule.trials[1], 1, 2), 20, 2, [&] { ++acknowledged; });
+  store.flush();
+  EXPECT_EQ(acknowledged, 2);
+  EXPECT_THAT(store.failure().value_or(""), HasSubstr("a record cannot be stored"));
+  const std::vector<StoredTrial> trials = database.trials("S01");
+  ASSERT_EQ(trials.size(), 2u);
+  EXPECT_EQ(database.frames(trials[0].id).size(), 60u);
+  EXPECT_EQ(database.frames(trials[1].id).size(), 20u);
+  ASSERT_EQ(database.events("S01").size(), 1u);
+  EXPECT_EQ(database.events("S01")[0].record.what, "record_refused");
+}
+
+TEST_F(TrialStoreTest, EndsARunOnce) {
+  StudyDatabase database = StudyDatabase::openForSessions(file_, protocol_);
+  database.addSubject("S01", SubjectKind::kPerson);
+  TrialStore store(database, protocol_, madeRun("S01", 0), madeSchedule(0, 0, 1));
+  store.sessionEnds(SessionEnding::kUnwell, "2026-03-01T12:10:00.000Z");
+  store.sessionEnds(SessionEnding::kFailed, "2026-03-01T12:11:00.000Z");
+  store.flush();
+  EXPECT_EQ(store.failure(), std::nullopt);
+  EXPECT_EQ(database.session("S01", 0)->ending, SessionEnding::kUnwell);
+}
+
 TEST_F(TrialStoreTest, MarksEveryRowOfSimulatedSubjects) {
   StudyDatabase database = StudyDatabase::openForSessions(file_, protocol_);
   database.addSubject("person", SubjectKind::kPerson);
