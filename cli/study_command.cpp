@@ -13,6 +13,7 @@ void addStudyCommand(CLI::App& program, const Frame& frame) {
   addStudyCheckCommand(study, frame);
   addStudyRunCommands(study, frame);
   addStudySimulateCommand(study, frame);
+  addStudyReplayCommand(study, frame);
   addStudyDataCommands(study, frame);
 }
 

@@ -1,9 +1,10 @@
 // `--renderer` of the commands of `ocelli study` that draw what subjects saw.
 #pragma once
 
+#include <map>
 #include <string>
 
-#include "study/task/trial_image.h"
+#include "study/replay/trial_replay.h"
 
 namespace CLI {
 class App;
@@ -14,7 +15,23 @@ namespace ocelli {
 /// Adds `--renderer raster|egl|osmesa`.
 void addRendererOption(CLI::App& command, std::string& renderer);
 
-/// For the thread that calls it. Throws InputError where this program was built without OpenGL and it is asked for.
+/// What simulated subjects see by, for the thread that calls it. Throws InputError where this program was built without
+/// OpenGL and it is asked for, GlError where there is none.
 StudyDrawer studyDrawer(const std::string& renderer);
+
+/// What draws the pictures whose hashes the database may hold, by the names that it has for them: what simulated
+/// subjects see by, and the screen of people where the renderer is OpenGL. Any thread may call them.
+std::map<std::string, ViewPainter> viewPainters(const std::string& renderer);
+
+/// Whole frames, as the screen shows them; by the processor plainly.
+ViewPainter framePainter(const std::string& renderer);
+
+struct ReplayWindowChoice {
+  std::string title;
+  double speed = 1;
+};
+/// Shows a trial in a window. Throws InputError where this program was built without OpenGL.
+void showInWindow(const TaskBlock& block, const TrialLog& log, const Controls& controls,
+                  const ReplayWindowChoice& choice);
 
 }  // namespace ocelli

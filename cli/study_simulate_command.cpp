@@ -42,10 +42,9 @@ void simulate(const SimulateChoice& choice, const Frame& frame) {
   }
   const ImageSize size = imageSizeFromText(choice.frame, "--frame");
   SimulationPlan plan;
-  plan.sessions =
-      choice.sessions.empty()
-          ? std::vector<int>(static_cast<size_t>(choice.subjects), protocol.sessions)
-          : sessionsFromText(choice.sessions, choice.subjects, protocol.sessions, "--sessions");
+  plan.sessions = choice.sessions.empty()
+                      ? std::vector<int>(static_cast<size_t>(choice.subjects), protocol.sessions)
+                      : sessionsFromText(choice.sessions, choice.subjects, protocol.sessions, "--sessions");
   plan.seed = choice.seed;
   plan.kind = generates ? SubjectKind::kGenerator : SubjectKind::kObserver;
   plan.idPrefix = choice.first;

@@ -21,6 +21,9 @@ Mesh meshOf(const TrialPicture& picture);
 /// The screen with the views of the picture in their places, black elsewhere; nothing but the views is drawn.
 Image<Rgb8> viewsOf(const TrialPicture& picture, const TrialScreen& screen, const StudyDrawer& drawer);
 
+/// Makes such an image, however.
+using ViewPainter = std::function<Image<Rgb8>(const TrialPicture& picture, const TrialScreen& screen)>;
+
 /// A number that differs, but for one chance in 2^64, where two images do. It depends on the renderer.
 uint64_t pixelHashOf(const Image<Rgb8>& image);
 

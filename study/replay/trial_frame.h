@@ -1,0 +1,12 @@
+// A frame of a trial as a picture: the views by any renderer, and over them the prompt, maps, answers and the pointer,
+// plainly drawn. What a screen shows differs from it in fonts and colours.
+#pragma once
+
+#include "study/task/trial_image.h"
+
+namespace ocelli {
+
+/// Throws WorkError where it cannot be drawn.
+Image<Rgb8> trialFrame(const TrialPicture& picture, const TrialScreen& screen, const StudyDrawer& drawer);
+
+}  // namespace ocelli
