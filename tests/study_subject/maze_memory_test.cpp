@@ -28,8 +28,19 @@ TEST(MazeMemory, knowsWaysFromBothSides) {
   EXPECT_TRUE(memory.knowsWay({1, 2}, Direction::kWest));
   EXPECT_TRUE(memory.knowsWay({2, 1}, Direction::kNorth));
   EXPECT_FALSE(memory.knowsWay({1, 1}, Direction::kNorth));
-  memory.forgetWay({1, 2}, Direction::kWest);
+}
+
+TEST(MazeMemory, aWallThatWasFeltStaysOneForTheTrial) {
+  MazeMemory memory;
+  memory.see(way({1, 1}, Direction::kEast), 5);
+  memory.feelWall({1, 2}, Direction::kWest);
   EXPECT_FALSE(memory.knowsWay({1, 1}, Direction::kEast));
+  memory.see(way({1, 1}, Direction::kEast), 6);
+  EXPECT_FALSE(memory.knowsWay({1, 1}, Direction::kEast));
+  Random random(1);
+  memory.beginTrial(0, random);
+  memory.see(way({1, 1}, Direction::kEast), 7);
+  EXPECT_TRUE(memory.knowsWay({1, 1}, Direction::kEast));
 }
 
 TEST(MazeMemory, infersWaysFromLinesOfSight) {
