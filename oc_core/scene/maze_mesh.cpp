@@ -93,9 +93,9 @@ std::vector<WallStyle> stylesOf(const MazeGraph& graph) {
   return styles;
 }
 
-/// The lines of one axis: alternately across a wall (even blocks) and across a cell (odd ones), cells in kTiles parts.
+/// The lines of one axis: alternately across a wall (even blocks) and across a cell (odd ones), cells in so many tiles.
 struct BlockLines {
-  BlockLines(int cells, float origin, float cellSize, float wallThickness) {
+  BlockLines(int cells, float origin, float cellSize, float wallThickness, size_t tiles) {
     const float half = wallThickness / 2;
     for (int i = 0; i <= cells; ++i) {
       const float middle = origin + cellSize * static_cast<float>(i);
@@ -103,7 +103,7 @@ struct BlockLines {
       lines.push_back(middle - half);
       first.push_back(lines.size());
       if (i < cells) {
-        const std::vector<float> cell = evenLines(middle + half, middle + cellSize - half, kTiles);
+        const std::vector<float> cell = evenLines(middle + half, middle + cellSize - half, tiles);
         lines.insert(lines.end(), cell.begin(), cell.end() - 1);
       } else {
         lines.push_back(middle + half);
@@ -137,10 +137,10 @@ class StructureBuilder {
         look_(look),
         graph_(maze),
         styles_(stylesOf(graph_)),
-        xs_(maze.columns(), maze.origin.x, maze.cellSize, maze.wallThickness),
-        zs_(maze.rows(), maze.origin.z, maze.cellSize, maze.wallThickness),
+        xs_(maze.columns(), maze.origin.x, maze.cellSize, maze.wallThickness, look.coarse ? 1 : kTiles),
+        zs_(maze.rows(), maze.origin.z, maze.cellSize, maze.wallThickness, look.coarse ? 1 : kTiles),
         floor_(maze.origin.y),
-        wallLines_(evenLines(floor_, floor_ + maze.wallHeight, kCourses)),
+        wallLines_(evenLines(floor_, floor_ + maze.wallHeight, look.coarse ? 1 : kCourses)),
         slabLines_{floor_ - maze.wallThickness, floor_} {}
 
   Mesh build() {

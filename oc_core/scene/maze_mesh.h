@@ -11,6 +11,7 @@ struct MazeLook {
   /// nothing but landmarks catches the eye. Else each corridor has a colour and a pattern of its own.
   bool plain = false;
   bool closedEntrance = false;  ///< by a wall
+  bool coarse = false;          ///< the same surfaces in as few triangles as they can have, so without patterns
 };
 
 /// Object 0 is the structure: floor and walls as one closed solid. Object i + 1 is landmark i, closed too. The guides

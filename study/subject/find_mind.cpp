@@ -90,7 +90,7 @@ double FindMind::think(const Percept& seen, int64_t from, int64_t now, Hands& ha
 }
 
 void FindMind::faceAgain(const Percept& seen, int64_t from, int64_t now, Hands& hands) {
-  if (!seen.standing || hands.pansUntil() > now) {
+  if (!seen.standing || hands.pansUntil(now) > now) {
     return;
   }
   gaze_ = seen.views.front().center();
@@ -189,42 +189,61 @@ std::optional<MazeCell> FindMind::chooseGoal(const std::map<MazeCell, MazeMemory
   return best;
 }
 
-int64_t FindMind::turn(double degrees, int64_t at, std::vector<Hands::Hold> holds, Hands& hands) const {
-  if (vision_.factors().turnsByMouse) {
-    hands.plan(at, holds);
-    return hands.pan(degrees, at);
+void FindMind::turn(double degrees, int64_t at, std::vector<Hands::Hold> holds, Hands& hands) const {
+  if (!vision_.factors().turnsByMouse) {
+    holds.push_back({degrees > 0 ? controls_.turnRight : controls_.turnLeft, at, at + turnTime(degrees, hands)});
   }
-  const int64_t until = at + nanosecondsOf(std::abs(degrees) / controls_.turnDegreesPerSecond);
-  holds.push_back({degrees > 0 ? controls_.turnRight : controls_.turnLeft, at, until});
   hands.plan(at, holds);
-  return until;
+  if (vision_.factors().turnsByMouse) {
+    hands.pan(degrees, at);
+  }
+}
+
+int64_t FindMind::turnTime(double degrees, const Hands& hands) const {
+  return nanosecondsOf(vision_.factors().turnsByMouse ? hands.panSeconds(degrees)
+                                                      : std::abs(degrees) / controls_.turnDegreesPerSecond);
 }
 
 void FindMind::turnAround(int64_t at, Hands& hands) const {
-  if (hands.pansUntil() <= at) {
+  if (hands.pansUntil(at) <= at) {
     turn(90, at, {}, hands);
   }
 }
 
-void FindMind::walkTo(const glm::dvec2& place, const WalkerPose& pose, int64_t at, Hands& hands) const {
-  const double away = glm::distance(place, placeOf(pose));
-  const double degrees =
-      degreesFromRadians(std::remainder(headingTo(placeOf(pose), place) - pose.headingRadians, 2 * kPi));
-  const auto goOn = [&](int64_t from) {
-    const Hands::Hold hold{controls_.forward, from, from + nanosecondsOf(away / controls_.walkMetersPerSecond)};
-    return away > kArrived ? std::vector<Hands::Hold>{hold} : std::vector<Hands::Hold>{};
-  };
-  if (hands.pansUntil() > at) {
-    hands.plan(at, goOn(hands.pansUntil()));
-  } else if (std::abs(degrees) <= kStraightDegrees) {
-    hands.plan(at, goOn(at));
-  } else if (std::abs(degrees) <= kTurnFirstDegrees) {
-    turn(degrees, at, goOn(at), hands);
-  } else {
-    // One turns first, and sets out at the end of the turn.
-    const double seconds =
-        vision_.factors().turnsByMouse ? hands.panSeconds(degrees) : std::abs(degrees) / controls_.turnDegreesPerSecond;
-    turn(degrees, at, goOn(at + nanosecondsOf(seconds * kTurnedShare)), hands);
+void FindMind::walkTo(const std::vector<glm::dvec2>& corners, const WalkerPose& pose, int64_t at, Hands& hands) const {
+  std::vector<Hands::Hold> holds;
+  std::vector<std::pair<double, int64_t>> pans;
+  glm::dvec2 place = placeOf(pose);
+  double heading = pose.headingRadians;
+  int64_t time = hands.pansUntil(at);  // a turn under way is brought to its end
+  bool turns = time <= at;
+  for (const glm::dvec2& corner : corners) {
+    const double away = glm::distance(corner, place);
+    const double degrees = degreesFromRadians(std::remainder(headingTo(place, corner) - heading, 2 * kPi));
+    if (turns && std::abs(degrees) > kStraightDegrees) {
+      const int64_t seconds = turnTime(degrees, hands);
+      if (vision_.factors().turnsByMouse) {
+        pans.emplace_back(degrees, time);
+      } else {
+        holds.push_back({degrees > 0 ? controls_.turnRight : controls_.turnLeft, time, time + seconds});
+      }
+      // Out of large turns one sets out at their end.
+      if (std::abs(degrees) > kTurnFirstDegrees) {
+        time += static_cast<int64_t>(static_cast<double>(seconds) * kTurnedShare);
+      }
+    }
+    if (away > kArrived) {
+      const int64_t there = time + nanosecondsOf(away / controls_.walkMetersPerSecond);
+      holds.push_back({controls_.forward, time, there});
+      time = there;
+    }
+    heading = headingTo(place, corner);
+    place = corner;
+    turns = true;
+  }
+  hands.plan(at, holds);
+  for (const auto& [degrees, begin] : pans) {
+    hands.pan(degrees, begin);
   }
 }
 
@@ -236,7 +255,7 @@ void FindMind::walk(const Percept& seen, int64_t from, int64_t now, Hands& hands
   }
   // Turned as far as one is about to turn.
   WalkerPose pose = hands.reckon(*seen.standing, from, at);
-  pose.headingRadians = hands.reckon(*seen.standing, from, std::max(at, hands.pansUntil())).headingRadians;
+  pose.headingRadians = hands.reckon(*seen.standing, from, hands.pansUntil(at)).headingRadians;
   const SeenGrid& grid = seen.grid;
   // Reckoned, one may have gone through a wall: then one still is where one was seen.
   MazeCell here = grid.cellAt(placeOf(pose));
@@ -270,17 +289,22 @@ void FindMind::walk(const Percept& seen, int64_t from, int64_t now, Hands& hands
   next_ = cells.front();
   const bool alongRow = cells.front().row == here.row;
   const double aside = alongRow ? pose.z - middle.y : pose.x - middle.x;
-  MazeCell last = cells.front();
-  for (const MazeCell& cell : cells) {
-    if ((alongRow ? cell.row == here.row : cell.column == here.column)) {
-      last = cell;
-    } else {
-      break;
-    }
-  }
   // Too far aside of the corridor ahead one goes there first.
   const glm::dvec2 abreast = alongRow ? glm::dvec2(pose.x, middle.y) : glm::dvec2(middle.x, pose.z);
-  walkTo(std::abs(aside) > kAside ? abreast : grid.middleOf(last), pose, at, hands);
+  std::vector<glm::dvec2> corners;
+  if (std::abs(aside) > kAside) {
+    corners.push_back(abreast);
+  }
+  // As far ahead as the next corner but one.
+  for (size_t i = 0; i < cells.size() && corners.size() < 3; ++i) {
+    const MazeCell& before = i == 0 ? here : cells[i - 1];
+    const bool goesOn =
+        i + 1 < cells.size() && (before.row == cells[i + 1].row || before.column == cells[i + 1].column);
+    if (!goesOn) {
+      corners.push_back(grid.middleOf(cells[i]));
+    }
+  }
+  walkTo(corners, pose, at, hands);
 }
 
 void FindMind::lookOn(const Percept& seen) {

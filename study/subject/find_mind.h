@@ -22,11 +22,13 @@ class FindMind final : public TaskMind {
   bool makesOut(const Percept& seen, int64_t from, int64_t now);
   void goFor(const Sighting& object, int64_t from, int64_t now, Hands& hands);
   void walk(const Percept& seen, int64_t from, int64_t now, Hands& hands);
-  void walkTo(const glm::dvec2& place, const WalkerPose& pose, int64_t at, Hands& hands) const;
+  /// By way of these places, from where one will be at that time.
+  void walkTo(const std::vector<glm::dvec2>& corners, const WalkerPose& pose, int64_t at, Hands& hands) const;
   /// What was made out and is out of sight: towards where it was, or back from it.
   void faceAgain(const Percept& seen, int64_t from, int64_t now, Hands& hands);
-  /// With keys to hold meanwhile. Returns when it is done.
-  int64_t turn(double degrees, int64_t at, std::vector<Hands::Hold> holds, Hands& hands) const;
+  /// With keys to hold meanwhile.
+  void turn(double degrees, int64_t at, std::vector<Hands::Hold> holds, Hands& hands) const;
+  int64_t turnTime(double degrees, const Hands& hands) const;
   void turnAround(int64_t at, Hands& hands) const;
   std::optional<MazeCell> chooseGoal(const std::map<MazeCell, MazeMemory::Way>& ways);
   void noteWhetherStuck(const Percept& seen, int64_t from, const Hands& hands);

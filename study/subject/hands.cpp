@@ -119,12 +119,20 @@ double Hands::panSeconds(double degrees) const {
   return std::max(kLeastPointSeconds, std::log2(std::abs(degrees) / kPanDegrees + 1) / factors_.bitsPerSecond);
 }
 
+int64_t Hands::pansUntil(int64_t at) {
+  const auto next =
+      std::find_if(panSpans_.begin(), panSpans_.end(), [&](const PanSpan& span) { return span.from >= at; });
+  if (next != panSpans_.end()) {
+    stopMouse(next->from);
+  }
+  return panSpans_.empty() ? at : std::max(panSpans_.back().until, at);
+}
+
 int64_t Hands::pan(double degrees, int64_t from) {
   from = std::max(from, taken_);
   stopMouse(from);
   const double seconds = panSeconds(degrees) * normalWithin(random_, 1, 0.1, 0.7, 1.4);
   const double turned = degrees + normal(random_, 0, std::min(kPanDegrees, std::abs(degrees)) / kWidthsOfSpread);
-  const int64_t until = from + nanosecondsOf(seconds);
   add(PointerMoveEvent{pointer_.x, pointer_.y}, from);
   add(PointerButtonEvent{PointerButton::kRight, true, {}}, from);
   double pixelsBefore = 0;
@@ -139,8 +147,8 @@ int64_t Hands::pan(double degrees, int64_t from) {
     pixelsBefore = pixels;
   }
   add(PointerButtonEvent{PointerButton::kRight, false, {}}, at + 1);
-  pansUntil_ = at + 1;
-  return std::max(until, pansUntil_);
+  panSpans_.push_back({from, at + 1});
+  return at + 1;
 }
 
 /// The mouse moves no more, and its right button is let go.
@@ -151,9 +159,10 @@ void Hands::stopMouse(int64_t at) {
                                        (button != nullptr && button->button == PointerButton::kRight));
   });
   std::erase_if(pans_, [&](const Pan& pan) { return pan.at >= at; });
-  if (pansUntil_ > at) {
+  std::erase_if(panSpans_, [&](const PanSpan& span) { return span.from >= at; });
+  if (!panSpans_.empty() && panSpans_.back().until > at) {
     add(PointerButtonEvent{PointerButton::kRight, false, {}}, at);
-    pansUntil_ = at;
+    panSpans_.back().until = at;
   }
   pointsUntil_ = std::min(pointsUntil_, at);
 }
@@ -197,6 +206,7 @@ std::vector<TimedInput> Hands::take(int64_t until) {
   }
   taken_ = std::max(taken_, until);
   std::erase_if(pans_, [&](const Pan& pan) { return pan.at < taken_ - kHistory; });
+  std::erase_if(panSpans_, [&](const PanSpan& span) { return span.until < taken_ - kHistory; });
   while (!changes_.empty() && changes_.front().at < taken_ - kHistory && !changes_.front().pressed) {
     const Key key = changes_.front().key;  // what it ended is over too
     std::erase_if(changes_, [&](const Change& change) { return change.key == key && change.at < taken_ - kHistory; });

@@ -35,7 +35,8 @@ class Hands {
   int64_t pan(double degrees, int64_t from);
   /// About how long that takes.
   double panSeconds(double degrees) const;
-  int64_t pansUntil() const { return pansUntil_; }
+  /// When the turn that is under way at that time will be done; `at` where none is. Those yet to begin are dropped.
+  int64_t pansUntil(int64_t at);
   /// Lets go of all keys and forgets what was meant to be done.
   void release(int64_t at);
 
@@ -60,6 +61,10 @@ class Hands {
     int64_t at = 0;
     double degrees = 0;
   };
+  struct PanSpan {
+    int64_t from = 0;
+    int64_t until = 0;
+  };
   void stopMouse(int64_t at);
   struct Repeat {
     Key key = Key::kW;
@@ -78,8 +83,8 @@ class Hands {
   int64_t taken_ = 0;
   glm::dvec2 pointer_{0};
   int64_t pointsUntil_ = 0;
-  std::vector<Pan> pans_{};  ///< in order of time
-  int64_t pansUntil_ = 0;
+  std::vector<Pan> pans_{};          ///< in order of time
+  std::vector<PanSpan> panSpans_{};  ///< likewise; they do not overlap
 };
 
 }  // namespace ocelli

@@ -319,7 +319,9 @@ Percept IdentityEye::look(const TrialPicture& picture, bool withFloor) const {
     percept.soughtColor = sought.color;
   }
   percept.grid = gridOf(picture.scene->maze());
-  const Mesh mesh = meshOf(picture);
+  const StudyScene& scene = picture.scene->bare();
+  Mesh mesh = scene.mesh();
+  scene.moveObjects(mesh, picture.objectOffsets);
   for (size_t view = 0; view < picture.views.size(); ++view) {
     addView(picture, mesh, static_cast<int>(view), withFloor, percept);
   }
@@ -332,7 +334,7 @@ Percept IdentityEye::look(const TrialPicture& picture, bool withFloor) const {
 void IdentityEye::addView(const TrialPicture& picture, const Mesh& mesh, int view, bool withFloor,
                           Percept& percept) const {
   const TrialPicture::View& each = picture.views[static_cast<size_t>(view)];
-  const StudyScene& scene = *picture.scene;
+  const StudyScene& scene = picture.scene->bare();
   const glm::dvec2 corner(each.place.left, each.place.top);
   const FragmentImage fragments = drawer_(each.camera, mesh);
   Image<uint32_t> identities = identityImage(fragments, scene.objectOfTriangle());

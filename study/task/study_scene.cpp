@@ -3,15 +3,14 @@
 #include <algorithm>
 
 #include "oc_core/base/check.h"
-#include "oc_core/scene/maze_mesh.h"
 #include "oc_core/scene/scene.h"
 #include "oc_core/scene/shading.h"
 
 namespace ocelli {
 
-StudyScene::StudyScene(const Maze& maze, bool closedEntrance)
+StudyScene::StudyScene(const Maze& maze, const MazeLook& look)
     : maze_(maze), ranges_(maze.landmarks.size()), boxes_(maze.landmarks.size()) {
-  Scene scene = makeMazeScene(maze, {.plain = true, .closedEntrance = closedEntrance});
+  Scene scene = makeMazeScene(maze, look);
   // Shaded one by one: shading a mesh puts new vertices at its end, and objects must keep theirs together.
   for (Mesh& mesh : scene.meshes) {
     bakeLambert(mesh);
@@ -28,6 +27,11 @@ StudyScene::StudyScene(const Maze& maze, bool closedEntrance)
     first += count;
   }
   OC_CHECK(first == mesh_.positions.size(), "instances of a maze follow one another");
+  if (!look.coarse) {
+    MazeLook coarse = look;
+    coarse.coarse = true;
+    bare_.reset(new StudyScene(maze, coarse));
+  }
 }
 
 void StudyScene::moveObjects(Mesh& mesh, std::span<const glm::vec3> offsets) const {

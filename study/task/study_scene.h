@@ -4,10 +4,12 @@
 // mesh moves an object by moving these. Walls and floor are grey: objects are all that catches the eye.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "oc_core/scene/maze.h"
+#include "oc_core/scene/maze_mesh.h"
 #include "oc_core/scene/mesh.h"
 
 namespace ocelli {
@@ -20,7 +22,12 @@ struct VertexRange {
 class StudyScene {
  public:
   /// `maze` must be valid. The entrance is closed by a wall, but where cameras look in through it.
-  explicit StudyScene(const Maze& maze, bool closedEntrance = true);
+  explicit StudyScene(const Maze& maze, bool closedEntrance = true)
+      : StudyScene(maze, {.plain = true, .closedEntrance = closedEntrance, .coarse = false}) {}
+
+  /// The same surfaces in fewer triangles, without the pattern of walls and floor: for whoever asks what is where and
+  /// not how it looks.
+  const StudyScene& bare() const { return bare_ ? *bare_ : *this; }
 
   const Maze& maze() const { return maze_; }
   size_t objectCount() const { return ranges_.size(); }
@@ -37,11 +44,14 @@ class StudyScene {
   void moveObjects(Mesh& mesh, std::span<const glm::vec3> offsets) const;
 
  private:
+  StudyScene(const Maze& maze, const MazeLook& look);
+
   Maze maze_;
   Mesh mesh_;
   std::vector<uint32_t> objectOfTriangle_;
   std::vector<VertexRange> ranges_;
   std::vector<Box> boxes_;
+  std::shared_ptr<const StudyScene> bare_{};
 };
 
 }  // namespace ocelli
