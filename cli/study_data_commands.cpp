@@ -1,5 +1,6 @@
 // `ocelli study subjects`, `withdraw`, `merge` and `export`: the data of studies.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -138,7 +139,14 @@ void runWithdraw(const WithdrawChoice& choice, const Frame& frame) {
   if (report.notesThatNameIt > 0) {
     frame.note(fmt::format("{} notes about other subjects hold this id; they stay", report.notesThatNameIt));
   }
-  frame.print(fmt::format("deleted the subject: {} sessions with {} trials\n", report.sessions, report.trials));
+  if (report.onlyLeftovers) {
+    frame.print(
+        fmt::format("wiped what an earlier withdrawal had left; the database has no subject {}, so none of its "
+                    "rows were deleted now\n",
+                    choice.subject));
+  } else {
+    frame.print(fmt::format("deleted the subject: {} sessions with {} trials\n", report.sessions, report.trials));
+  }
   frame.note("not reached: copies of the database, databases merged from it, and exports that were moved");
 }
 
@@ -177,8 +185,16 @@ std::string balanceAsText(const std::vector<int>& use) {
 
 void runMerge(const MergeChoice& choice, const Frame& frame) {
   const MergeReport report = mergeDatabases(choice.database, {choice.sources.begin(), choice.sources.end()});
-  frame.print(fmt::format("{}: {} new subjects, {} new runs with {} trials; {} subjects were there before\n",
+  frame.print(fmt::format("{}: {} new subjects, {} new runs, {} new trials; {} subjects were there before\n",
                           choice.database, report.subjects, report.runs, report.trials, report.knownSubjects));
+  if (report.runsThatWentOn > 0) {
+    frame.print(
+        fmt::format("  {} runs that were there had gone on; the rest of them is added\n", report.runsThatWentOn));
+  }
+  if (!report.withdrawnSubjects.empty()) {
+    frame.note(fmt::format("left out, as they withdrew from {}: {}; withdraw them from the sources too",
+                           choice.database, fmt::join(report.withdrawnSubjects, ", ")));
+  }
   for (const bool simulated : {false, true}) {
     if (const std::string balance = balanceAsText(slotUse(choice.database, simulated)); !balance.empty()) {
       frame.print(fmt::format("  {}, {}\n", simulated ? "simulated subjects" : "people", balance));
@@ -210,6 +226,9 @@ void runExport(const ExportChoice& choice, const Frame& frame) {
   const ExportReport report = exportStudy(choice.database, choice.folder, options, frame.progress());
   frame.note(fmt::format("wrote {} files with {} rows of {} subjects to {}", report.files.size(), report.rows,
                          report.subjects, choice.folder));
+  if (!report.recorded) {
+    frame.note("the database is read-only and does not know of this export: a withdrawal will not find these files");
+  }
   if (report.simulatedSubjects > 0) {
     frame.note(
         fmt::format("{} of the subjects are simulated; the column \"simulated\" says which", report.simulatedSubjects));

@@ -83,10 +83,10 @@ TEST_F(StudyDataCommandsTest, Merge) {
   const ProgramResult first = runProgram("study merge --db " + path("all.db") + " " + path("study.db"));
   EXPECT_EQ(first.exitCode, 0) << first.error;
   EXPECT_THAT(first.output,
-              AllOf(HasSubstr("3 new subjects, 3 new runs with 15 trials"), HasSubstr("people, slots 0-1: 1 each"),
+              AllOf(HasSubstr("3 new subjects, 3 new runs, 15 new trials"), HasSubstr("people, slots 0-1: 1 each"),
                     HasSubstr("simulated subjects, slot 0: 1 each")));
   const ProgramResult second = runProgram("study merge --db " + path("all.db") + " " + path("study.db"));
-  EXPECT_THAT(second.output, HasSubstr("0 new subjects, 0 new runs with 0 trials; 3 subjects were there before"));
+  EXPECT_THAT(second.output, HasSubstr("0 new subjects, 0 new runs, 0 new trials; 3 subjects were there before"));
   EXPECT_EQ(runProgram("study merge --db " + path("study.db") + " " + path("study.db")).exitCode, kInputWrong);
 }
 
