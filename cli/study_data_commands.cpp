@@ -38,6 +38,19 @@ std::string describe(const StoredSession& session) {
                      session.plannedTrials, ending);
 }
 
+/// Of people whose session ended before it was complete. They may come back, so no new subject gets their slot.
+std::vector<std::string> slotsLeftEarly(const StudyDatabase& database) {
+  std::vector<std::string> slots;
+  for (const StoredSubject& subject : database.subjects()) {
+    const std::vector<StoredSession> sessions = database.sessions(subject.id);
+    if (subject.kind == SubjectKind::kPerson && !sessions.empty() && sessions.back().ending &&
+        *sessions.back().ending != SessionEnding::kCompleted) {
+      slots.push_back(fmt::format("{} ({}, {})", subject.slot, subject.id, nameOf(*sessions.back().ending)));
+    }
+  }
+  return slots;
+}
+
 std::string subjectsAsText(const StudyDatabase& database) {
   const StoredStudy study = database.study();
   std::string text = fmt::format("{}: protocol {}, SHA-256 {}\n", database.path().string(), study.protocolName,
@@ -49,6 +62,12 @@ std::string subjectsAsText(const StudyDatabase& database) {
       text += fmt::format("{}{}", i == 0 ? "  " : "; ", describe(sessions[i]));
     }
     text += "\n";
+  }
+  if (const std::vector<std::string> slots = slotsLeftEarly(database); !slots.empty()) {
+    text += fmt::format(
+        "  slots of people whose session ended early: {}\n  they stay theirs until `ocelli study "
+        "withdraw`, which deletes the data as well\n",
+        fmt::join(slots, ", "));
   }
   return text;
 }

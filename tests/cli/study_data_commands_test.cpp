@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "study/store/study_database.h"
+#include "study/store/trial_store.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/cli/run_program.h"
 #include "tests/study_export/exported_study.h"
@@ -36,12 +37,23 @@ TEST_F(StudyDataCommandsTest, ListSubjects) {
   EXPECT_EQ(text.exitCode, 0) << text.error;
   EXPECT_THAT(text.output, AllOf(HasSubstr("protocol made-up"), HasSubstr("S01"), HasSubstr("simulated_observer"),
                                  HasSubstr("session 1: 4 of 4 trials, completed")));
+  EXPECT_THAT(text.output, Not(HasSubstr("ended early")));
   const nlohmann::json json = nlohmann::json::parse(run("subjects", "--json").output);
   ASSERT_EQ(json["subjects"].size(), 3u);
   EXPECT_EQ(json["subjects"][1]["subject_id"], "S02");
   EXPECT_EQ(json["subjects"][1]["slot"], 1);
   EXPECT_EQ(json["subjects"][1]["sessions"][0]["ending"], "completed");
   EXPECT_EQ(runProgram("study subjects --db " + path("none.db")).exitCode, kInputWrong);
+}
+
+TEST_F(StudyDataCommandsTest, ListSlotsOfWhoLeftEarly) {
+  {
+    StudyDatabase database = StudyDatabase::openForSessions(path("study.db"), madeProtocol());
+    const int slot = database.addSubject("S09", SubjectKind::kPerson).slot;
+    TrialStore store(database, madeProtocol(), madeRun("S09", 0), madeSchedule(slot, 0, 2));
+    store.sessionEnds(SessionEnding::kDeclined, "2026-03-01T13:00:00.000Z");
+  }
+  EXPECT_THAT(run("subjects").output, HasSubstr("ended early: 2 (S09, declined)"));
 }
 
 TEST_F(StudyDataCommandsTest, NoteWhoASubjectIsApartFromTheData) {

@@ -12,6 +12,7 @@
 #include "study/store/csv_text.h"
 #include "study/store/database_lock.h"
 #include "study/store/study_database.h"
+#include "study/store/trial_store.h"
 #include "study/store/withdraw.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/study_export/exported_study.h"
@@ -238,6 +239,26 @@ TEST_F(StudyExportTest, ReadsADatabaseThatCannotBeWritten) {
   EXPECT_FALSE(report->recorded);
   EXPECT_EQ(report->subjects, 3);
   EXPECT_TRUE(fileBytes(file_) == before);
+}
+
+TEST_F(StudyExportTest, GivesEachMeasureAColumnOfItsOwn) {
+  const std::filesystem::path file = folder_ / "measures.db";
+  {
+    StudyDatabase database = StudyDatabase::openForSessions(file, madeProtocol());
+    database.addSubject("S01", SubjectKind::kPerson);
+    const SessionSchedule schedule = madeSchedule(0, 0, 1);
+    TrialStore store(database, madeProtocol(), madeRun("S01", 0), schedule);
+    TrialRecord record = madeTrial(schedule.trials[0], 1, 1);
+    record.outcome.measures = {{"a b", 1}, {"a-b", 2}, {"A_b", 3}, {"a_b_2", 4}};
+    storeTrial(store, 0, record, 3, 1);
+  }
+  exportStudy(file, tables_, {});
+  const Table trials(tables_ / "trials.csv");
+  // By the measures' names: "A_b", "a b", "a-b", "a_b_2".
+  EXPECT_EQ(trials.at(0, "A_b"), "3");
+  EXPECT_EQ(trials.at(0, "a_b_2"), "1");
+  EXPECT_EQ(trials.at(0, "a_b_3"), "2");
+  EXPECT_EQ(trials.at(0, "a_b_2_2"), "4");
 }
 
 }  // namespace

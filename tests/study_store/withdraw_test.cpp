@@ -285,6 +285,15 @@ TEST(IdentityKey, HoldsOneLineASubject) {
   EXPECT_EQ(fileBytes(key), "subject_id,name\r\nS01,Ada\r\nS02,Grace\r\n");
   EXPECT_EQ(std::filesystem::status(key).permissions() & std::filesystem::perms::mask,
             std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  // Saved by a spreadsheet.
+  const std::filesystem::path saved =
+      folder.write("saved.csv", "\xef\xbb\xbfsubject_id,name\r\nS01,Ada\r\nS02,Grace\r\n");
+  EXPECT_TRUE(removeIdentity(saved, "S01"));
+  EXPECT_EQ(fileBytes(saved), "subject_id,name\r\nS02,Grace\r\n");
+  EXPECT_THAT(messageOf<InputError>([&] {
+                removeIdentity(folder.write("apart.csv", "\xef\xbb\xbfsubject_id;name\r\nS01;Ada\r\n"), "S01");
+              }),
+              HasSubstr("with commas"));
   EXPECT_THROW(addIdentity(folder.write("other.csv", "a,b\r\n"), "S01", "Ada"), InputError);
 }
 
