@@ -213,7 +213,8 @@ CREATE TABLE event (
 ) STRICT;
 CREATE INDEX event_of_run ON event (run_id);
 
--- What was done to this file. It names no subject, so that it can outlive a withdrawal.
+-- What was done to this file. It names no subject, so that it can outlive a withdrawal. Of who withdrew it keeps
+-- sha256(salt || subject_key), which names nobody, as the key was random: merging leaves them out.
 CREATE TABLE audit (
   audit_id         INTEGER PRIMARY KEY,
   at_utc           TEXT NOT NULL,
