@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 
 #include "cli/command.h"
 #include "cli/study_command.h"
@@ -41,6 +42,9 @@ void simulate(const SimulateChoice& choice, const Frame& frame) {
     throw InputError("effects are for the generator", "--effects", "add --kind generator, or leave it out");
   }
   const ImageSize size = imageSizeFromText(choice.frame, "--frame");
+  if (!std::isfinite(choice.hertz)) {
+    throw InputError("this is no rate", "--hertz", "give frames a second, such as 60");
+  }
   SimulationPlan plan;
   plan.sessions = choice.sessions.empty()
                       ? std::vector<int>(static_cast<size_t>(choice.subjects), protocol.sessions)

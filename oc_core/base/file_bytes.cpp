@@ -17,7 +17,7 @@ void writeFile(const std::filesystem::path& path, std::string_view bytes) {
   file.commit();
 }
 
-std::string readFile(const std::filesystem::path& path) {
+std::string readFile(const std::filesystem::path& path, size_t mostBytes) {
   const auto fail = [&path](int reason) {
     throw InputError(std::string("cannot read this file (") + std::strerror(reason) + ")", path.string(),
                      "check the path and your rights");
@@ -34,6 +34,10 @@ std::string readFile(const std::filesystem::path& path) {
   for (size_t got = block.size(); got == block.size();) {
     got = std::fread(block.data(), 1, block.size(), file.get());
     bytes.append(block.data(), got);
+    if (bytes.size() > mostBytes) {
+      throw InputError("this file is larger than " + std::to_string(mostBytes >> 20U) + " MiB, the most that it may be",
+                       path.string(), "check that this is the file you mean");
+    }
   }
   // A folder opens, and fails here.
   if (std::ferror(file.get()) != 0) {

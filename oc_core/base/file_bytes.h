@@ -1,6 +1,7 @@
 // Whole files as bytes.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -10,7 +11,10 @@ namespace ocelli {
 /// Writes `bytes` as a file that appears complete or not at all (output_file.h). Throws WorkError.
 void writeFile(const std::filesystem::path& path, std::string_view bytes);
 
-/// Throws InputError where the file is missing, is a folder or cannot be read.
-std::string readFile(const std::filesystem::path& path);
+/// Throws InputError where the file is missing, is a folder, cannot be read, or is larger than `mostBytes`.
+std::string readFile(const std::filesystem::path& path, size_t mostBytes = size_t{1} << 40U);
+
+/// Of files that people write, such as JSON: more is a mistake.
+inline constexpr size_t kMostTextBytes = size_t{1} << 26U;
 
 }  // namespace ocelli

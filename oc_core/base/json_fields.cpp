@@ -116,15 +116,28 @@ void JsonFields::rejectUnknown() const {
 
 nlohmann::json parseJson(const std::string& text, const std::string& where) {
   // What reads and writes a document follows it down: far deeper than any file of ours it would run out of stack.
-  const auto checkDepth = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+  // Of two fields of one name the parser would keep the last; comments are not read.
+  std::vector<std::set<std::string>> names;
+  const auto check = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
     if (depth > kMostDepth) {
       throw InputError("this JSON is nested deeper than " + std::to_string(kMostDepth) + " levels", where,
                        "see the schema of this file");
     }
+    using Event = nlohmann::json::parse_event_t;
+    if (event == Event::object_start) {
+      names.emplace_back();
+    } else if (event == Event::object_end) {
+      names.pop_back();
+    } else if (event == Event::key) {
+      const auto& name = parsed.get_ref<const std::string&>();
+      if (!names.back().insert(name).second && name != "comment") {
+        throw InputError("field \"" + name + "\" stands twice in one object", where, "keep one of them");
+      }
+    }
     return true;
   };
   try {
-    return nlohmann::json::parse(text, checkDepth, true, true);
+    return nlohmann::json::parse(text, check, true, true);
   } catch (const nlohmann::json::parse_error& error) {
     const size_t at = std::min<size_t>(error.byte > 0 ? error.byte - 1 : 0, text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
@@ -138,7 +151,7 @@ nlohmann::json parseJson(const std::string& text, const std::string& where) {
 }
 
 nlohmann::json readJsonFile(const std::filesystem::path& path) {
-  return parseJson(readFile(path), path.string());
+  return parseJson(readFile(path, kMostTextBytes), path.string());
 }
 
 }  // namespace ocelli

@@ -187,7 +187,7 @@ void CameraEditor::apply(const std::string& text, const std::string& where) {
 
 std::string editableText(const std::string& nameOrFile, const MultiperspectiveCamera& constructed) {
   if (nameOrFile.ends_with(".json")) {
-    const std::string text = readFile(nameOrFile);
+    const std::string text = readFile(nameOrFile, kMostTextBytes);
     const nlohmann::json json = parseJson(text, nameOrFile);
     JsonFields fields(json, nameOrFile);
     if (isEditable(fields.text("camera"))) {

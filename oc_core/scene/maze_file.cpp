@@ -182,7 +182,7 @@ Maze mazeFromJsonText(const std::string& text, const std::string& where) {
 }
 
 Maze readMaze(const std::filesystem::path& path) {
-  return mazeFromJsonText(readFile(path), path.string());
+  return mazeFromJsonText(readFile(path, kMostTextBytes), path.string());
 }
 
 std::string jsonText(const Maze& maze) {

@@ -21,6 +21,12 @@ constexpr size_t kMostFields = 40;
 constexpr size_t kMostOptions = 20;
 constexpr size_t kMostRules = 100;
 
+/// Of a text in UTF-8, as JSON is: bytes that continue a character do not count.
+size_t characterCount(const std::string& text) {
+  return static_cast<size_t>(
+      std::count_if(text.begin(), text.end(), [](char byte) { return (static_cast<uint8_t>(byte) & 0xc0U) != 0x80U; }));
+}
+
 std::vector<std::string> readTexts(JsonFields& fields, const std::string& name, size_t least, size_t most,
                                    size_t longest) {
   const nlohmann::json& list = fields.value(name);
@@ -30,7 +36,7 @@ std::vector<std::string> readTexts(JsonFields& fields, const std::string& name, 
   std::vector<std::string> texts;
   for (const nlohmann::json& text : list) {
     if (!text.is_string() || text.get_ref<const std::string&>().empty() ||
-        text.get_ref<const std::string&>().size() > longest) {
+        characterCount(text.get_ref<const std::string&>()) > longest) {
       fields.fail(name, fmt::format("must be an array of texts of 1 to {} characters, but entry {} is none", longest,
                                     texts.size() + 1));
     }
@@ -142,8 +148,8 @@ void checkRule(JsonFields& fields, const ExclusionRule& rule, const Protocol& pr
 
 std::string readShortText(JsonFields& fields, const std::string& name, size_t most) {
   std::string text = fields.text(name);
-  if (text.empty() || text.size() > most) {
-    fields.fail(name, fmt::format("must have 1 to {} characters, not {}", most, text.size()));
+  if (text.empty() || characterCount(text) > most) {
+    fields.fail(name, fmt::format("must have 1 to {} characters, not {}", most, characterCount(text)));
   }
   return text;
 }

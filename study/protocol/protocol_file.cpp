@@ -220,7 +220,7 @@ Protocol protocolFromJsonText(const std::string& text, const std::string& where)
 }
 
 Protocol readProtocol(const std::filesystem::path& path) {
-  Protocol protocol = protocolFromJsonText(readFile(path), path.string());
+  Protocol protocol = protocolFromJsonText(readFile(path, kMostTextBytes), path.string());
   protocol.file = path;
   return protocol;
 }

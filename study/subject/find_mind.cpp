@@ -248,7 +248,7 @@ void FindMind::walk(const Percept& seen, int64_t from, int64_t now, Hands& hands
     stuck_ = 0;
     for (const Direction direction : kDirections) {
       if (next_ && here.neighbor(direction) == *next_) {
-        memory_.forgetWay(here, direction);
+        memory_.feelWall(here, direction);
       }
     }
     goal_.reset();

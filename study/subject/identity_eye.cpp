@@ -22,6 +22,8 @@ constexpr int kFloorRays = 120;
 constexpr float kLowShare = 0.25f;
 /// A ray is followed in such steps, in cell sizes.
 constexpr float kFollowShare = 0.1f;
+/// So near to the face of a wall, in halves of its thickness, a point is neither within nor beside it.
+constexpr float kFaceShare = 0.1f;
 /// Edges of the cubes that spots of surfaces lie in, in cell sizes.
 constexpr float kCubeShare = 0.25f;
 /// Rays that do not bend bring a point there; single precision moves it by far less.
@@ -119,7 +121,7 @@ Sighting sightingOf(const Blob& blob, const Landmark& landmark, int view, const 
 }
 
 /// Which patch of the maze a point is above: index of the cell times kPatches, plus the patch; nothing at the
-/// corners of cells and beyond the maze.
+/// corners of cells, at the faces of walls and beyond the maze.
 std::optional<size_t> patchOf(const Maze& maze, const glm::vec3& point) {
   const std::optional<MazeCell> cell = maze.cellAt(point);
   if (!cell) {
@@ -128,6 +130,11 @@ std::optional<size_t> patchOf(const Maze& maze, const glm::vec3& point) {
   const glm::vec2 within =
       glm::vec2(point.x - maze.origin.x, point.z - maze.origin.z) / maze.cellSize - glm::vec2(cell->column, cell->row);
   const float half = maze.wallThickness / 2 / maze.cellSize;
+  // At the faces of walls rounding would decide whether a point is within.
+  const glm::vec2 fromFace = glm::abs(glm::abs(within - 0.5f) - (0.5f - half));
+  if (std::min(fromFace.x, fromFace.y) < kFaceShare * half) {
+    return std::nullopt;
+  }
   const glm::bvec2 low(within.x < half, within.y < half);
   const glm::bvec2 high(within.x > 1 - half, within.y > 1 - half);
   const bool atSide = low.x || high.x;

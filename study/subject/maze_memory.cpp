@@ -37,6 +37,7 @@ MazeMemory::Passage MazeMemory::passage(const MazeCell& cell, Direction directio
 
 void MazeMemory::beginTrial(double forgetting, Random& random) {
   seen_.clear();
+  walls_.clear();
   for (auto way = ways_.begin(); way != ways_.end();) {
     way->second.seenNow = false;
     way = happens(random, forgetting / std::max(way->second.trials, 1)) ? ways_.erase(way) : std::next(way);
@@ -44,6 +45,9 @@ void MazeMemory::beginTrial(double forgetting, Random& random) {
 }
 
 void MazeMemory::seeWay(const Passage& way) {
+  if (walls_.contains(way)) {
+    return;
+  }
   Known& known = ways_[way];
   known.trials += known.seenNow ? 0 : 1;
   known.seenNow = true;
@@ -76,8 +80,9 @@ void MazeMemory::visit(const MazeCell& cell, int64_t now) {
   seen_[cell].fill(now);
 }
 
-void MazeMemory::forgetWay(const MazeCell& cell, Direction direction) {
+void MazeMemory::feelWall(const MazeCell& cell, Direction direction) {
   ways_.erase(passage(cell, direction));
+  walls_.insert(passage(cell, direction));
 }
 
 void MazeMemory::forgetSeen(int64_t before) {

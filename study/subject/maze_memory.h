@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "study/subject/chance.h"
@@ -23,8 +24,8 @@ class MazeMemory {
   void seeAlong(const SeenGrid& grid, const glm::dvec2& from, const glm::dvec2& to);
   /// All of the floor of a cell, as one stands in it.
   void visit(const MazeCell& cell, int64_t now);
-  /// There is no way after all.
-  void forgetWay(const MazeCell& cell, Direction direction);
+  /// One has walked into a wall: whatever it looks like, there is no way in this trial.
+  void feelWall(const MazeCell& cell, Direction direction);
   /// What was seen before `before` is as good as not seen.
   void forgetSeen(int64_t before);
   void forgetCell(const MazeCell& cell);
@@ -57,6 +58,7 @@ class MazeMemory {
   static Passage passage(const MazeCell& cell, Direction direction);
 
   std::map<Passage, Known> ways_;
+  std::set<Passage> walls_;                          ///< that were felt
   std::map<MazeCell, std::array<int64_t, 9>> seen_;  ///< when, of each ninth; -1 for never
 };
 

@@ -149,5 +149,17 @@ TEST(JsonFields, DeepNestingIsAnError) {
   }
 }
 
+TEST(JsonFields, tellsOfTwoFieldsOfOneName) {
+  EXPECT_THAT(messageOf([] { parseJson(R"({"a": {"seed": 1, "b": 2, "seed": 2}})", "p.json"); }),
+              AllOf(HasSubstr("\"seed\" stands twice"), HasSubstr("p.json")));
+  EXPECT_NO_THROW(parseJson(R"({"a": {"seed": 1}, "b": [{"seed": 1}, {"seed": 1}], "seed": 1})", "p.json"));
+  // Comments may be many.
+  EXPECT_NO_THROW(parseJson(R"({"comment": "one", "comment": "two"})", "p.json"));
+}
+
+TEST(JsonFields, readsNoEndlessFile) {
+  EXPECT_THAT(messageOf([] { readJsonFile("/dev/zero"); }), AllOf(HasSubstr("larger than"), HasSubstr("/dev/zero")));
+}
+
 }  // namespace
 }  // namespace ocelli
