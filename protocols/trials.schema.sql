@@ -151,7 +151,8 @@ CREATE TABLE trial (
   dropped_frames       INTEGER,  -- intervals longer than the protocol's late_factor times that of the screen
   median_interval_ns   INTEGER,
   longest_interval_ns  INTEGER,
-  timing_verdict       TEXT,  -- 'good', 'dropped_frames', 'unstable_refresh', 'simulated_clock'
+  timing_verdict       TEXT,  -- 'good', 'dropped_frames', 'early_frames': they did not wait for the screen,
+                              -- 'unstable_refresh', 'simulated_clock'
   screen_width_px      INTEGER,
   screen_height_px     INTEGER,
   refresh_hz           REAL,
