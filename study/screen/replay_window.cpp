@@ -10,6 +10,8 @@ namespace ocelli {
 namespace {
 
 constexpr int kMostWidth = 1600;
+/// Where drawing cannot keep up, frames are left out, but not for longer than that, seconds.
+constexpr double kLongestGap = 0.1;
 
 using Clock = std::chrono::steady_clock;
 
@@ -35,17 +37,20 @@ bool showReplay(const TaskBlock& block, const TrialLog& log, const Controls& con
   const GlScope scope(window.context());
   StudyPainter painter(window.context(), screen, controls);
   const Clock::time_point began = Clock::now();
+  double drawnAt = -1;
   ReplayOptions replay;
   replay.onFrame = [&](const FrameRecord& frame, const TrialRun& run) {
     const double at =
         static_cast<double>(frame.shownNanoseconds - log.frames.front().shownNanoseconds) * 1e-9 / options.speed;
-    for (;;) {
-      const double left = at - std::chrono::duration<double>(Clock::now() - began).count();
-      requireOpen(window, std::max(left, 0.0));
-      if (left <= 0) {
-        break;
-      }
+    const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
+    while (elapsed() < at) {
+      requireOpen(window, at - elapsed());
     }
+    if (at < elapsed() - kLongestGap / 2 && elapsed() < drawnAt + kLongestGap) {
+      return;
+    }
+    drawnAt = elapsed();
+    requireOpen(window, 0);
     painter.draw(TrialScreenView{run.picture()});
     window.show(painter.framebuffer(), screen.width, screen.height);
   };

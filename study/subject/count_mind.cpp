@@ -12,7 +12,7 @@ constexpr double kRegionDegrees = 9;
 constexpr double kSamePlaceDegrees = 1.2;
 constexpr double kDriftDegreesPerSecond = 2.5;
 /// By that much a thing must have moved from one fixation to the next for people to see that it moves.
-constexpr double kMotionDegrees = 0.15;
+constexpr double kMotionDegrees = 0.03;
 /// An object may have gone so far meanwhile, metres; people know how fast things go here.
 constexpr double kDriftMetersPerSecond = 1;
 /// Places that differ by more than so many times their errors are two places: one is wrong in one of eight such cases.

@@ -31,6 +31,8 @@ struct GeneratorEffects {
     double subjectGraphSd = 0.1;
     double itemSd = 0.35;
     double residualSd = 0.45;
+
+    bool operator==(const Find&) const = default;
   } find{};
   struct Count {
     double right = 0.5;
@@ -40,6 +42,8 @@ struct GeneratorEffects {
     double session = 0.2;
     double subjectSd = 0.5;
     double itemSd = 0.4;
+
+    bool operator==(const Count&) const = default;
   } count{};
   struct Path {
     double right = 1;
@@ -47,6 +51,8 @@ struct GeneratorEffects {
     double session = 0.2;
     double subjectSd = 0.5;
     double itemSd = 0.4;
+
+    bool operator==(const Path&) const = default;
   } path{};
 
   bool operator==(const GeneratorEffects&) const = default;

@@ -169,21 +169,25 @@ std::vector<TimedInput> Hands::take(int64_t until) {
     events.push_back(std::move(queue_.front()));
     queue_.erase(queue_.begin());
   }
+  // The last key that was pressed repeats, until it is let go.
+  const auto repeatUntil = [&](int64_t time) {
+    for (; repeats_ && repeats_->at < time; repeats_->at += kRepeatStep) {
+      events.push_back({KeyEvent{repeats_->key, true, {}}, repeats_->at});
+    }
+  };
   for (const Change& change : changes_) {
     if (change.at < taken_ || change.at >= until) {
       continue;
     }
+    repeatUntil(change.at);
     events.push_back({KeyEvent{change.key, change.pressed, {}}, change.at});
-    // The last key that was pressed repeats, until any is let go.
     if (change.pressed) {
       repeats_ = {change.key, change.at + kRepeatDelay};
     } else if (repeats_ && repeats_->key == change.key) {
       repeats_.reset();
     }
   }
-  for (; repeats_ && repeats_->at < until; repeats_->at += kRepeatStep) {
-    events.push_back({KeyEvent{repeats_->key, true, {}}, repeats_->at});
-  }
+  repeatUntil(until);
   std::stable_sort(events.begin(), events.end(),
                    [](const TimedInput& a, const TimedInput& b) { return a.nanoseconds < b.nanoseconds; });
   for (const TimedInput& event : events) {

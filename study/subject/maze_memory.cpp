@@ -85,18 +85,6 @@ void MazeMemory::feelWall(const MazeCell& cell, Direction direction) {
   walls_.insert(passage(cell, direction));
 }
 
-void MazeMemory::forgetSeen(int64_t before) {
-  for (auto& [cell, times] : seen_) {
-    for (int64_t& time : times) {
-      time = time < before ? -1 : time;
-    }
-  }
-}
-
-void MazeMemory::forgetCell(const MazeCell& cell) {
-  seen_.erase(cell);
-}
-
 bool MazeMemory::knowsWay(const MazeCell& cell, Direction direction) const {
   return ways_.contains(passage(cell, direction));
 }
@@ -111,9 +99,11 @@ bool MazeMemory::hasSeen(const FloorPatch& patch, int64_t since) const {
 
 bool MazeMemory::hasSearched(const MazeCell& cell, int64_t since) const {
   const auto found = seen_.find(cell);
-  return found != seen_.end() && std::count_if(found->second.begin(), found->second.end(), [&](int64_t time) {
-                                   return time >= std::max<int64_t>(since, 0);
-                                 }) >= kEnough;
+  if (found == seen_.end()) {
+    return false;
+  }
+  const auto isSeen = [&](int64_t time) { return time >= std::max<int64_t>(since, 0); };
+  return isSeen(found->second[kMiddle]) || std::count_if(found->second.begin(), found->second.end(), isSeen) >= kEnough;
 }
 
 std::map<MazeCell, MazeMemory::Way> MazeMemory::waysFrom(const MazeCell& start, double heading, double cellSeconds,

@@ -26,9 +26,6 @@ class MazeMemory {
   void visit(const MazeCell& cell, int64_t now);
   /// One has walked into a wall: whatever it looks like, there is no way in this trial.
   void feelWall(const MazeCell& cell, Direction direction);
-  /// What was seen before `before` is as good as not seen.
-  void forgetSeen(int64_t before);
-  void forgetCell(const MazeCell& cell);
 
   bool knowsWay(const MazeCell& cell, Direction direction) const;
   size_t waysKnown() const { return ways_.size(); }

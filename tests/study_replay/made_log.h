@@ -1,0 +1,45 @@
+// Logs of trials that random hands did.
+#pragma once
+
+#include "study/replay/trial_replay.h"
+#include "tests/study_task/study_tasks.h"
+
+namespace ocelli::test {
+
+inline constexpr int64_t kHashedFrames = 4;
+
+/// Of a trial of the example with input that makes little sense, until it is over or `ticks` have passed, and then
+/// stopped.
+inline TrialLog madeLog(const TaskBlock& block, const TaskExample& example, uint64_t seed, int64_t ticks = 1 << 20) {
+  TrialLog log;
+  log.record.plan = planOf(example.task, 0, seed % 2 == 0 ? StudyView::kPinhole : StudyView::kGraph, seed);
+  log.record.info = block.caseInfo(0);
+  log.record.screen = {120, 75, 60};
+  const auto run = block.start(log.record.plan, log.record.screen);
+  Random random(seed);
+  for (int64_t tick = 0; !run->outcome() && tick < ticks; ++tick) {
+    for (size_t i = random.below(4) == 0 ? 1 : 0; i > 0; --i) {
+      const InputEvent event = randomInput(random, log.record.screen);
+      run->handle(event);
+      log.inputs.push_back({tick * 1'000'000'000 / kTicksPerSecond, tick, event});
+    }
+    if (tick % 4 == 0 && !run->outcome()) {
+      FrameRecord frame;
+      frame.frame = static_cast<int64_t>(log.frames.size());
+      frame.tick = tick;
+      frame.shownNanoseconds = tick * 1'000'000'000 / kTicksPerSecond;
+      frame.pose = run->pose();
+      if (frame.frame < kHashedFrames) {
+        frame.pixelHash = pixelHashOf(viewsOf(run->picture(), log.record.screen, rasterizeStudy));
+      }
+      log.frames.push_back(frame);
+      run->frameShown();
+    }
+    run->advance();
+  }
+  log.record.ending = run->outcome() ? TrialEnding::kCompleted : TrialEnding::kAborted;
+  log.record.outcome = run->outcome().value_or(TrialOutcome{});
+  return log;
+}
+
+}  // namespace ocelli::test

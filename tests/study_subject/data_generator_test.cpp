@@ -1,0 +1,177 @@
+#include "study/subject/data_generator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
+#include "tests/base/temporary_folder.h"
+#include "tests/study_session/session_harness.h"
+#include "tests/study_task/study_tasks.h"
+
+namespace ocelli {
+namespace {
+
+ProtocolBlock blockOf(const std::string& name, const std::string& task, const std::string& json) {
+  ProtocolBlock block;
+  block.name = name;
+  block.title = name;
+  block.taskName = task;
+  block.task = test::readBlock(task, json);
+  return block;
+}
+
+Protocol protocolOfAllTasks() {
+  Protocol protocol;
+  protocol.name = "generated";
+  protocol.sessions = 2;
+  protocol.blocks.push_back(blockOf("find", "find", R"({"maze": "small", "limit_seconds": 60, "cases": [
+      {"row": 0, "column": 0}, {"row": 0, "column": 5}, {"row": 3, "column": 3}, {"row": 4, "column": 0}]})"));
+  const std::string pinholes = R"("pinholes": {"rows": 1, "columns": 1, "views": [{"row": 2, "column": 0,
+      "heading": "east"}]})";
+  protocol.blocks.push_back(blockOf("count", "count", R"({"maze": "small", )" + pinholes + R"(, "cases": [
+      {"objects": 4, "exposure_seconds": 5}, {"objects": 5, "exposure_seconds": 10},
+      {"objects": 6, "exposure_seconds": 20, "duplicate_colors": true}, {"objects": 7, "exposure_seconds": 10}]})"));
+  protocol.blocks.push_back(blockOf("path", "path", R"({"maze": "small", "turns": 3, "least_seconds": 8,
+      "most_seconds": 30, "cases": [{}, {}]})"));
+  return protocol;
+}
+
+/// Trials of so many subjects, in two sessions each.
+std::vector<TrialRecord> generate(const GeneratorEffects& effects, int subjects) {
+  const Protocol protocol = protocolOfAllTasks();
+  std::vector<TrialRecord> records;
+  for (int i = 0; i < subjects; ++i) {
+    for (int session = 0; session < 2; ++session) {
+      const SessionSchedule schedule = scheduleOf(protocol, i, session, 1);
+      test::FakeSink sink;
+      generateSession(protocol, {schedule, effects, 1, static_cast<uint64_t>(i) + 100}, sink);
+      for (const test::TrialEnds& end : sink.all<test::TrialEnds>()) {
+        records.push_back(end.record);
+      }
+      EXPECT_EQ(sink.all<test::SessionEnds>().size(), 1u);
+    }
+  }
+  return records;
+}
+
+struct Mean {
+  double sum = 0;
+  int count = 0;
+  void add(double x) {
+    sum += x;
+    ++count;
+  }
+  double value() const { return sum / count; }
+};
+
+double secondsOf(const TrialRecord& record) {
+  return static_cast<double>(record.outcome.responseTicks) / kTicksPerSecond;
+}
+
+TEST(DataGenerator, viewsDifferInLogTimesByTheEffectThatItWasGiven) {
+  GeneratorEffects effects;
+  effects.find.logSeconds = 2;  // far from the limit: next to nothing is censored
+  effects.find.graph = -0.5;
+  effects.find.session = -0.2;
+  constexpr int kSubjects = 100;
+  std::array<Mean, 2> view;
+  std::array<Mean, 2> session;
+  int censored = 0;
+  int find = 0;
+  const std::vector<TrialRecord> records = generate(effects, kSubjects);
+  for (size_t i = 0; i < records.size(); ++i) {
+    if (records[i].plan.task != "find") {
+      continue;
+    }
+    ++find;
+    censored += records[i].outcome.censored ? 1 : 0;
+    view[static_cast<size_t>(records[i].plan.view)].add(std::log(secondsOf(records[i])));
+    session[i / (records.size() / kSubjects / 2) % 2].add(std::log(secondsOf(records[i])));
+  }
+  EXPECT_EQ(find, kSubjects * 2 * 8);
+  EXPECT_LT(censored, find / 200);
+  // Residuals and the subjects' own slopes: sqrt(2 * 0.45^2 / 800 + 0.1^2 / 100) = 0.025, four times.
+  EXPECT_NEAR(view[1].value() - view[0].value(), effects.find.graph, 0.1);
+  // Items differ between sessions: 0.35 * sqrt(2 / 4) = 0.25 for four items each, twice that.
+  EXPECT_NEAR(session[1].value() - session[0].value(), effects.find.session, 0.5);
+}
+
+TEST(DataGenerator, timesAreCensoredAtTheLimit) {
+  GeneratorEffects effects;
+  effects.find.logSeconds = 5;
+  for (const TrialRecord& record : generate(effects, 20)) {
+    if (record.plan.task == "find" && record.outcome.censored) {
+      EXPECT_EQ(secondsOf(record), 60);
+      EXPECT_EQ(record.outcome.answer, "");
+    }
+    EXPECT_LE(secondsOf(record), 60);
+  }
+}
+
+TEST(DataGenerator, accuraciesAreThoseOfItsLogits) {
+  GeneratorEffects effects;
+  effects.count = {
+      .right = 0.4, .graph = 1.2, .duplicates = 0, .doubledExposure = 0, .session = 0, .subjectSd = 0, .itemSd = 0};
+  effects.path = {.right = -0.5, .graph = 0, .session = 0, .subjectSd = 0, .itemSd = 0};
+  std::map<std::pair<std::string, StudyView>, Mean> right;
+  for (const TrialRecord& record : generate(effects, 100)) {
+    right[{record.plan.task, record.plan.view}].add(record.outcome.correct ? 1 : 0);
+    if (record.plan.task == "count") {
+      const int off = std::stoi(record.outcome.answer) - std::stoi(record.outcome.expected);
+      EXPECT_EQ(std::abs(off), record.outcome.correct ? 0 : 1);
+    }
+  }
+  const auto share = [](double logit) { return 1 / (1 + std::exp(-logit)); };
+  // 800 and 400 trials: four standard errors of a share are at most 0.071 and 0.1.
+  EXPECT_NEAR((right[{"count", StudyView::kPinhole}].value()), share(0.4), 0.071);
+  EXPECT_NEAR((right[{"count", StudyView::kGraph}].value()), share(1.6), 0.071);
+  EXPECT_NEAR((right[{"path", StudyView::kPinhole}].value()), share(-0.5), 0.1);
+}
+
+TEST(DataGenerator, subjectsAndItemsDifferAsMuchAsTheyShould) {
+  GeneratorEffects effects;
+  effects.find = {.logSeconds = 1.5,
+                  .graph = 0,
+                  .moving = 0,
+                  .session = 0,
+                  .subjectSd = 0.6,
+                  .subjectGraphSd = 0,
+                  .itemSd = 0,
+                  .residualSd = 0.1};
+  constexpr int kSubjects = 100;
+  const std::vector<TrialRecord> records = generate(effects, kSubjects);
+  const size_t each = records.size() / kSubjects;
+  Mean means;
+  Mean squares;
+  for (size_t subject = 0; subject < kSubjects; ++subject) {
+    Mean own;
+    for (size_t i = subject * each; i < (subject + 1) * each; ++i) {
+      if (records[i].plan.task == "find") {
+        own.add(std::log(secondsOf(records[i])));
+      }
+    }
+    means.add(own.value());
+    squares.add(own.value() * own.value());
+  }
+  const double deviation = std::sqrt(squares.value() - means.value() * means.value());
+  EXPECT_NEAR(deviation, 0.6, 4 * 0.6 / std::sqrt(2.0 * kSubjects));
+}
+
+TEST(DataGenerator, readsEffectsBackAndRejectsUnknownOnes) {
+  const test::TemporaryFolder folder;
+  GeneratorEffects effects;
+  effects.find.graph = -0.7;
+  effects.path.itemSd = 0;
+  writeFile(folder / "effects.json", jsonText(effects));
+  EXPECT_EQ(readGeneratorEffects(folder / "effects.json"), effects);
+  writeFile(folder / "wrong.json", R"({"find": {"grapf": 1}})");
+  EXPECT_THROW(readGeneratorEffects(folder / "wrong.json"), InputError);
+  writeFile(folder / "negative.json", R"({"find": {"item_sd": -1}})");
+  EXPECT_THROW(readGeneratorEffects(folder / "negative.json"), InputError);
+}
+
+}  // namespace
+}  // namespace ocelli

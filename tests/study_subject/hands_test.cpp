@@ -1,0 +1,161 @@
+#include "study/subject/hands.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "study/task/floor_plan.h"
+#include "study/task/walker.h"
+#include "tests/study_task/study_tasks.h"
+
+namespace ocelli {
+namespace {
+
+constexpr int64_t kSecond = 1'000'000'000;
+
+class HandsTest : public testing::Test {
+ protected:
+  HumanFactors factors;
+  Controls controls;
+  Hands hands{factors, controls, 7};
+};
+
+const KeyEvent* keyOf(const TimedInput& input) {
+  return std::get_if<KeyEvent>(&input.event);
+}
+
+TEST_F(HandsTest, HoldsAKeyForAboutAsLongAsPlannedAndRepeatsIt) {
+  hands.plan(kSecond, {{controls.forward, kSecond, 3 * kSecond}});
+  int64_t pressed = -1;
+  int64_t released = -1;
+  int repeats = 0;
+  int64_t last = 0;
+  for (const TimedInput& input : hands.take(5 * kSecond)) {
+    EXPECT_GE(input.nanoseconds, last);
+    last = input.nanoseconds;
+    const KeyEvent* key = keyOf(input);
+    ASSERT_NE(key, nullptr);
+    EXPECT_EQ(key->key, controls.forward);
+    if (!key->pressed) {
+      released = input.nanoseconds;
+    } else if (pressed < 0) {
+      pressed = input.nanoseconds;
+    } else {
+      ++repeats;
+    }
+  }
+  EXPECT_EQ(pressed, kSecond);
+  // Five standard deviations.
+  EXPECT_NEAR(static_cast<double>(released), 3e9, 5e9 * factors.keySpread);
+  // 25 a second after half a second.
+  EXPECT_NEAR(repeats, 37, 5);
+  EXPECT_TRUE(hands.take(10 * kSecond).empty());
+}
+
+TEST_F(HandsTest, ANewPlanTakesThePlaceOfTheOldOne) {
+  hands.plan(0, {{controls.forward, 0, 9 * kSecond}});
+  EXPECT_EQ(hands.take(kSecond).size(), 1u + 13u);  // the key, and its repeats from half a second on
+  hands.plan(2 * kSecond, {{controls.turnLeft, 2 * kSecond, 3 * kSecond}});
+  std::map<Key, bool> held{{controls.forward, true}};
+  for (const TimedInput& input : hands.take(10 * kSecond)) {
+    held[keyOf(input)->key] = keyOf(input)->pressed;
+    if (keyOf(input)->key == controls.forward && !keyOf(input)->pressed) {
+      EXPECT_EQ(input.nanoseconds, 2 * kSecond);
+    }
+  }
+  EXPECT_FALSE(held[controls.forward]);
+  EXPECT_FALSE(held[controls.turnLeft]);
+}
+
+TEST_F(HandsTest, PointsFasterAtLargeAndNearThings) {
+  hands.seePointer({0, 0});
+  const double far = secondsOf(hands.point({600, 0}, 10, 0));
+  hands.take(10 * kSecond);
+  hands.seePointer({0, 0});
+  const double near = secondsOf(hands.point({100, 0}, 10, 10 * kSecond)) - 10;
+  hands.take(20 * kSecond);
+  hands.seePointer({0, 0});
+  const double large = secondsOf(hands.point({600, 0}, 100, 20 * kSecond)) - 20;
+  // log2(61), log2(11) and log2(7) bits; each within the 40 % that a movement may differ, and a mouse's step.
+  EXPECT_NEAR(far, 5.93 / factors.bitsPerSecond, 0.4 * 5.93 / factors.bitsPerSecond);
+  EXPECT_NEAR(near, 3.46 / factors.bitsPerSecond, 0.4 * 3.46 / factors.bitsPerSecond + 0.02);
+  EXPECT_LT(large, far);
+  hands.take(30 * kSecond);
+  EXPECT_NEAR(hands.pointer().x, 600, 100);
+}
+
+TEST_F(HandsTest, HitsWhatItPointsAtAlmostAlways) {
+  int hits = 0;
+  for (int i = 0; i < 500; ++i) {
+    hands.seePointer({0, 0});
+    hands.point({300, 200}, 20, i * 5 * kSecond);
+    hands.take((i + 1) * 5 * kSecond);
+    hits += std::abs(hands.pointer().x - 300) <= 10 && std::abs(hands.pointer().y - 200) <= 10 ? 1 : 0;
+  }
+  // Each coordinate misses by more than 4.133 standard deviations of 10 / 4.133 once in thousands.
+  EXPECT_GE(hits, 495);
+}
+
+TEST_F(HandsTest, ReckonsWhereItsKeysAndMouseLead) {
+  const Maze maze = test::studyMaze();
+  const FloorPlan plan(maze, controls.bodyRadiusMeters);
+  const WalkerPose start{1.5, 7.5, 1.5};
+  Walker walker(plan, controls, start);
+  hands.seePointer({320, 200});
+  hands.pan(30, kSecond / 10);
+  hands.plan(kSecond / 2, {{controls.forward, kSecond / 2, kSecond}, {controls.turnLeft, kSecond, 3 * kSecond / 2}});
+  const WalkerPose expected = hands.reckon(start, 0, 2 * kSecond);
+  const std::vector<TimedInput> inputs = hands.take(2 * kSecond);
+  size_t next = 0;
+  for (int64_t tick = 0; tick < 2 * kTicksPerSecond; ++tick) {
+    for (; next < inputs.size() && inputs[next].nanoseconds * kTicksPerSecond / kSecond <= tick; ++next) {
+      walker.handle(inputs[next].event);
+    }
+    walker.advance();
+  }
+  // A few ticks and steps of the reckoning: 1/60 s of each.
+  EXPECT_NEAR(walker.pose().headingRadians, expected.headingRadians, 0.03);
+  EXPECT_NEAR(walker.pose().x, expected.x, 0.06);
+  EXPECT_NEAR(walker.pose().z, expected.z, 0.06);
+  EXPECT_GT(std::abs(walker.pose().x - start.x), 1.0);
+}
+
+TEST_F(HandsTest, PansByAboutAsMuchAsMeant) {
+  for (const double degrees : {-170.0, -40.0, 12.0, 90.0}) {
+    Hands fresh(factors, controls, 3);
+    const int64_t until = fresh.pan(degrees, 0);
+    const WalkerPose turned = fresh.reckon({}, 0, until + 1);
+    // Four standard deviations.
+    EXPECT_NEAR(turned.headingRadians * 57.29578, degrees, 4 * 20 / 4.133);
+    int pressed = 0;
+    for (const TimedInput& input : fresh.take(until + kSecond)) {
+      if (const auto* button = std::get_if<PointerButtonEvent>(&input.event)) {
+        EXPECT_EQ(button->button, PointerButton::kRight);
+        pressed += button->pressed ? 1 : -1;
+      }
+    }
+    EXPECT_EQ(pressed, 0);
+  }
+}
+
+TEST_F(HandsTest, LetsGoOfEverything) {
+  hands.plan(0, {{controls.forward, 0, 9 * kSecond}});
+  hands.pan(90, kSecond);
+  hands.take(kSecond + kSecond / 10);
+  hands.release(kSecond + kSecond / 5);
+  std::map<Key, bool> held;
+  bool right = true;
+  for (const TimedInput& input : hands.take(20 * kSecond)) {
+    if (const KeyEvent* key = keyOf(input)) {
+      held[key->key] = key->pressed;
+    } else if (const auto* button = std::get_if<PointerButtonEvent>(&input.event)) {
+      right = button->pressed;
+    }
+    EXPECT_LE(input.nanoseconds, kSecond + kSecond / 5);
+  }
+  EXPECT_FALSE(held[controls.forward]);
+  EXPECT_FALSE(right);
+}
+
+}  // namespace
+}  // namespace ocelli

@@ -1,0 +1,73 @@
+#include "study/subject/path_mind.h"
+
+#include <gtest/gtest.h>
+
+#include "study/subject/identity_eye.h"
+#include "tests/study_task/study_tasks.h"
+
+namespace ocelli {
+namespace {
+
+constexpr int64_t kSecond = 1'000'000'000;
+constexpr TrialScreen kScreen{240, 150, 60};
+
+/// Watches the playback of a path trial; what it noticed, as the task writes turns, and the map that it chose.
+struct Watched {
+  std::string turns;
+  int chosen = -1;
+  std::string expected;
+};
+Watched watch(StudyView view, uint64_t seed, const HumanFactors& factors) {
+  const auto block = test::readBlock(
+      "path", R"({"maze": "small", "turns": 5, "least_seconds": 20, "most_seconds": 40, "cases": [{}]})");
+  const TrialPlan plan = test::planOf("path", 0, view, seed);
+  const auto run = block->start(plan, kScreen);
+  const IdentityEye eye(kScreen);
+  PathMind mind(Vision(factors, 5), seed);
+  Hands hands(factors, Controls{}, 1);
+  Watched watched;
+  watched.expected = block->answerOf(plan);
+  int64_t now = 0;
+  for (int i = 0; i < 300; ++i, now += 3 * kSecond / 10) {
+    const TrialPicture picture = run->picture();
+    mind.think(eye.look(picture, true), now, now + 3 * kSecond / 10, hands);
+    if (!picture.maps.empty()) {
+      break;
+    }
+    for (int tick = 0; tick < 72; ++tick) {
+      run->advance();
+    }
+  }
+  for (const PathMind::Turn& turn : mind.turns()) {
+    watched.turns += turn.side > 0 ? 'R' : 'L';
+  }
+  for (const TimedInput& input : hands.take(now + 60 * kSecond)) {
+    if (const auto* key = std::get_if<KeyEvent>(&input.event); key != nullptr && key->pressed) {
+      run->handle(input.event);
+    }
+  }
+  watched.chosen = run->outcome() && run->outcome()->correct ? 1 : 0;
+  return watched;
+}
+
+TEST(PathMind, noticesTurnsByWhatItSeesAndChoosesTheirMap) {
+  HumanFactors factors;
+  factors.turnLapse = 0;
+  factors.slip = 0;
+  for (const StudyView view : kStudyViews) {
+    for (const uint64_t seed : {1u, 2u, 3u}) {
+      const Watched watched = watch(view, seed, factors);
+      EXPECT_EQ(watched.turns, watched.expected) << nameOf(view) << seed;
+      EXPECT_EQ(watched.chosen, 1);
+    }
+  }
+}
+
+TEST(PathMind, losesTurnsAsOftenAsItLapses) {
+  HumanFactors factors;
+  factors.turnLapse = 1;
+  EXPECT_NE(watch(StudyView::kPinhole, 1, factors).turns, watch(StudyView::kPinhole, 1, factors).expected);
+}
+
+}  // namespace
+}  // namespace ocelli
