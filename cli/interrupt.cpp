@@ -27,11 +27,15 @@ InterruptGuard::InterruptGuard() {
   sigemptyset(&action.sa_mask);
   install(SIGINT, action, oldInterrupt_);
   install(SIGTERM, action, oldTerminate_);
+  // A terminal that goes sends it more than once: from the system, and from the shell.
+  action.sa_flags = SA_RESTART;
+  install(SIGHUP, action, oldHangUp_);
 }
 
 InterruptGuard::~InterruptGuard() {
   sigaction(SIGINT, &oldInterrupt_, nullptr);
   sigaction(SIGTERM, &oldTerminate_, nullptr);
+  sigaction(SIGHUP, &oldHangUp_, nullptr);
 }
 
 bool InterruptGuard::interrupted() {

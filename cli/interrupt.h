@@ -6,7 +6,8 @@
 namespace ocelli {
 
 /// While it lives, the first SIGINT or SIGTERM is noted; a second one ends the program at once, as it does without
-/// this. At most one lives at a time. Where a signal is ignored (nohup) it stays so.
+/// this. SIGHUP, of a terminal that is closed, is noted however often it comes. At most one lives at a time. Where a
+/// signal is ignored (nohup) it stays so.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -21,6 +22,7 @@ class InterruptGuard {
  private:
   struct sigaction oldInterrupt_ {};
   struct sigaction oldTerminate_ {};
+  struct sigaction oldHangUp_ {};
 };
 
 struct Interrupted {};

@@ -1,5 +1,6 @@
 // `ocelli study subjects`, `withdraw`, `merge` and `export`: the data of studies.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -37,6 +38,19 @@ std::string describe(const StoredSession& session) {
                      session.plannedTrials, ending);
 }
 
+/// Of people whose session ended before it was complete. They may come back, so no new subject gets their slot.
+std::vector<std::string> slotsLeftEarly(const StudyDatabase& database) {
+  std::vector<std::string> slots;
+  for (const StoredSubject& subject : database.subjects()) {
+    const std::vector<StoredSession> sessions = database.sessions(subject.id);
+    if (subject.kind == SubjectKind::kPerson && !sessions.empty() && sessions.back().ending &&
+        *sessions.back().ending != SessionEnding::kCompleted) {
+      slots.push_back(fmt::format("{} ({}, {})", subject.slot, subject.id, nameOf(*sessions.back().ending)));
+    }
+  }
+  return slots;
+}
+
 std::string subjectsAsText(const StudyDatabase& database) {
   const StoredStudy study = database.study();
   std::string text = fmt::format("{}: protocol {}, SHA-256 {}\n", database.path().string(), study.protocolName,
@@ -48,6 +62,12 @@ std::string subjectsAsText(const StudyDatabase& database) {
       text += fmt::format("{}{}", i == 0 ? "  " : "; ", describe(sessions[i]));
     }
     text += "\n";
+  }
+  if (const std::vector<std::string> slots = slotsLeftEarly(database); !slots.empty()) {
+    text += fmt::format(
+        "  slots of people whose session ended early: {}\n  they stay theirs until `ocelli study "
+        "withdraw`, which deletes the data as well\n",
+        fmt::join(slots, ", "));
   }
   return text;
 }
@@ -138,7 +158,14 @@ void runWithdraw(const WithdrawChoice& choice, const Frame& frame) {
   if (report.notesThatNameIt > 0) {
     frame.note(fmt::format("{} notes about other subjects hold this id; they stay", report.notesThatNameIt));
   }
-  frame.print(fmt::format("deleted the subject: {} sessions with {} trials\n", report.sessions, report.trials));
+  if (report.onlyLeftovers) {
+    frame.print(
+        fmt::format("wiped what an earlier withdrawal had left; the database has no subject {}, so none of its "
+                    "rows were deleted now\n",
+                    choice.subject));
+  } else {
+    frame.print(fmt::format("deleted the subject: {} sessions with {} trials\n", report.sessions, report.trials));
+  }
   frame.note("not reached: copies of the database, databases merged from it, and exports that were moved");
 }
 
@@ -177,8 +204,16 @@ std::string balanceAsText(const std::vector<int>& use) {
 
 void runMerge(const MergeChoice& choice, const Frame& frame) {
   const MergeReport report = mergeDatabases(choice.database, {choice.sources.begin(), choice.sources.end()});
-  frame.print(fmt::format("{}: {} new subjects, {} new runs with {} trials; {} subjects were there before\n",
+  frame.print(fmt::format("{}: {} new subjects, {} new runs, {} new trials; {} subjects were there before\n",
                           choice.database, report.subjects, report.runs, report.trials, report.knownSubjects));
+  if (report.runsThatWentOn > 0) {
+    frame.print(
+        fmt::format("  {} runs that were there had gone on; the rest of them is added\n", report.runsThatWentOn));
+  }
+  if (!report.withdrawnSubjects.empty()) {
+    frame.note(fmt::format("left out, as they withdrew from {}: {}; withdraw them from the sources too",
+                           choice.database, fmt::join(report.withdrawnSubjects, ", ")));
+  }
   for (const bool simulated : {false, true}) {
     if (const std::string balance = balanceAsText(slotUse(choice.database, simulated)); !balance.empty()) {
       frame.print(fmt::format("  {}, {}\n", simulated ? "simulated subjects" : "people", balance));
@@ -210,6 +245,9 @@ void runExport(const ExportChoice& choice, const Frame& frame) {
   const ExportReport report = exportStudy(choice.database, choice.folder, options, frame.progress());
   frame.note(fmt::format("wrote {} files with {} rows of {} subjects to {}", report.files.size(), report.rows,
                          report.subjects, choice.folder));
+  if (!report.recorded) {
+    frame.note("the database is read-only and does not know of this export: a withdrawal will not find these files");
+  }
   if (report.simulatedSubjects > 0) {
     frame.note(
         fmt::format("{} of the subjects are simulated; the column \"simulated\" says which", report.simulatedSubjects));

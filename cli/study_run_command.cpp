@@ -43,12 +43,12 @@ void report(SessionEnding ending, const RunChoice& choice, const Frame& frame) {
       throw WorkError("the subject felt unwell, and ended it", where,
                       "see to the subject first. What was done is stored; if they want to, " + resume);
     case SessionEnding::kAborted:
-      throw WorkError("it was ended by the experimenter", where, "what was done is stored; " + resume);
+      throw WorkError("it was ended before its end", where, "what was done is stored; " + resume);
     case SessionEnding::kDeclined:
       throw WorkError("the subject did not consent", where, "nothing is to be done");
     case SessionEnding::kFailed:
       throw WorkError("it had to stop, since nothing could be stored any more", where,
-                      "make room on the disk; what was done before is stored; then " + resume);
+                      "what was done before is stored; " + resume);
   }
 }
 

@@ -151,7 +151,8 @@ CREATE TABLE trial (
   dropped_frames       INTEGER,  -- intervals longer than the protocol's late_factor times that of the screen
   median_interval_ns   INTEGER,
   longest_interval_ns  INTEGER,
-  timing_verdict       TEXT,  -- 'good', 'dropped_frames', 'unstable_refresh', 'simulated_clock'
+  timing_verdict       TEXT,  -- 'good', 'dropped_frames', 'early_frames': they did not wait for the screen,
+                              -- 'unstable_refresh', 'simulated_clock'
   screen_width_px      INTEGER,
   screen_height_px     INTEGER,
   refresh_hz           REAL,
@@ -213,7 +214,8 @@ CREATE TABLE event (
 ) STRICT;
 CREATE INDEX event_of_run ON event (run_id);
 
--- What was done to this file. It names no subject, so that it can outlive a withdrawal.
+-- What was done to this file. It names no subject, so that it can outlive a withdrawal. Of who withdrew it keeps
+-- sha256(salt || subject_key), which names nobody, as the key was random: merging leaves them out.
 CREATE TABLE audit (
   audit_id         INTEGER PRIMARY KEY,
   at_utc           TEXT NOT NULL,

@@ -28,16 +28,34 @@ bool isKnownColumn(const std::string& name) {
   return std::any_of(known.begin(), known.end(), [&](const ColumnMeaning& m) { return m.name == name; });
 }
 
-/// The name of a measure as a column: letters, digits and _, and no other column's.
-std::string columnOfMeasure(const std::string& measure) {
+std::string inSmallLetters(std::string text) {
+  for (char& c : text) {
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return text;
+}
+
+/// The name of a measure as a column: letters, digits and _, and no other column's, nor one of `taken`. SQLite takes
+/// names that differ only in capitals for the same.
+std::string columnOfMeasure(const std::string& measure, const std::vector<std::string>& taken) {
   std::string name;
   for (const char c : measure) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
     name += plain ? c : '_';
   }
-  return isKnownColumn(name) || name.empty() || (name.front() >= '0' && name.front() <= '9')
-             ? std::string("measure_").append(name)
-             : name;
+  if (isKnownColumn(name) || name.empty() || (name.front() >= '0' && name.front() <= '9')) {
+    name.insert(0, "measure_");
+  }
+  const auto isTaken = [&](const std::string& candidate) {
+    return isKnownColumn(candidate) || std::any_of(taken.begin(), taken.end(), [&](const std::string& other) {
+             return inSmallLetters(other) == inSmallLetters(candidate);
+           });
+  };
+  std::string column = name;
+  for (int i = 2; isTaken(column); ++i) {
+    column = fmt::format("{}_{}", name, i);
+  }
+  return column;
 }
 
 constexpr const char* kHex = "CASE WHEN {0} IS NULL THEN NULL ELSE printf('0x%016x', {0}) END";
@@ -68,7 +86,7 @@ ExportTable trialsTable(SQLite::Database& database, const std::string& task) {
   SQLite::Statement row(database, "SELECT DISTINCT key FROM trial, json_each(measures_json)" + where + " ORDER BY key");
   while (row.executeStep()) {
     const std::string key = textOf(row, 0);
-    table.measures.push_back(columnOfMeasure(key));
+    table.measures.push_back(columnOfMeasure(key, table.measures));
     measures += fmt::format(", (SELECT value FROM json_each(measures_json) WHERE key = {}) AS {}", inQuotes(key, '\''),
                             inQuotes(table.measures.back(), '"'));
   }

@@ -1,10 +1,14 @@
 #include "study/export/study_export.h"
 
 #include <SQLiteCpp/Transaction.h>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <tuple>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
@@ -12,6 +16,7 @@
 #include "study/export/psych_ds.h"
 #include "study/session/utc_time.h"
 #include "study/store/csv_text.h"
+#include "study/store/database_lock.h"
 #include "study/store/program_version.h"
 #include "study/store/sqlite_connection.h"
 
@@ -116,10 +121,27 @@ void prepareFolder(SQLite::Database& database, const fs::path& folder, const Exp
   }
 }
 
+/// Whether its rights and its disk let the database be written, as its audit trail must be.
+bool canBeWritten(const fs::path& path) {
+  const fs::path file = withoutLinks(path);
+  return faccessat(AT_FDCWD, file.c_str(), W_OK, AT_EACCESS) == 0 &&
+         faccessat(AT_FDCWD, file.parent_path().c_str(), W_OK, AT_EACCESS) == 0;
+}
+
+/// The audit trail is text. A name that it cannot hold would keep a withdrawal from finding the files.
+void checkName(const fs::path& folder) {
+  try {
+    std::ignore = nlohmann::json(folder.string()).dump();
+  } catch (const nlohmann::json::exception&) {
+    throw InputError("the name of this folder is no UTF-8, so the database cannot keep where its exports are",
+                     folder.string(), "a folder with another name");
+  }
+}
+
 /// Before the files are written: a withdrawal must know of them even where this program is killed meanwhile.
 void recordExport(SQLite::Database& database, const fs::path& folder, const std::vector<std::string>& files) {
   const nlohmann::ordered_json detail = {{"folder", folder.string()}, {"files", files}};
-  addAudit(database, "exported", detail.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  addAudit(database, "exported", detail.dump());
 }
 
 /// Each column once, in the order in which they come.
@@ -170,11 +192,19 @@ void writePsychDsTexts(SQLite::Database& database, const Study& study, const std
 ExportReport exportStudy(const fs::path& path, const fs::path& target, const ExportOptions& options,
                          const Progress& progress) {
   const fs::path folder = fs::absolute(target).lexically_normal();
-  SQLite::Database database = connectStudy(path, DatabaseAccess::kWrite);
+  checkName(folder);
+  ExportReport report;
+  std::error_code ignored;
+  report.recorded = !fs::exists(path, ignored) || canBeWritten(path);
+  // What cannot be written cannot be withdrawn from meanwhile.
+  std::optional<DatabaseLock> lock;
+  if (report.recorded && fs::exists(path, ignored)) {
+    lock.emplace(path, DatabaseUse::kExport);
+  }
+  SQLite::Database database = connectStudy(path, report.recorded ? DatabaseAccess::kWrite : DatabaseAccess::kRead);
   return withSqliteErrors("export this database", path, [&] {
     const Study study = studyOf(database, path);
     prepareFolder(database, folder, options);
-    ExportReport report;
     report.files = otherFiles(options.form);
     // All tables are of the same moment, though a session may go on meanwhile. What is planned with, and what is
     // recorded, is of a moment before.
@@ -182,7 +212,9 @@ ExportReport exportStudy(const fs::path& path, const fs::path& target, const Exp
     for (const PlannedFile& file : files) {
       report.files.push_back(file.file);
     }
-    recordExport(database, folder, report.files);
+    if (report.recorded) {
+      recordExport(database, folder, report.files);
+    }
     SQLite::Transaction snapshot(database);
     report.subjects = database.execAndGet("SELECT count(*) FROM subject").getInt();
     report.simulatedSubjects = database.execAndGet("SELECT count(*) FROM subject WHERE simulated = 1").getInt();

@@ -34,10 +34,13 @@ struct ExportReport {
   int64_t rows = 0;
   int subjects = 0;
   int simulatedSubjects = 0;  ///< of them
+  /// The database cannot be written, and so does not know of these files: a withdrawal will not find them.
+  bool recorded = true;
 };
 
-/// Makes the folder where there is none. Throws InputError where it holds files and `overwrite` is not set, WorkError
-/// where it or the database's audit trail cannot be written.
+/// Makes the folder where there is none. Throws InputError where it holds files and `overwrite` is not set, or has a
+/// name that the database cannot keep; WorkError where it cannot be written, or a withdrawal or another export is under
+/// way.
 ExportReport exportStudy(const std::filesystem::path& database, const std::filesystem::path& folder,
                          const ExportOptions& options, const Progress& progress = {});
 

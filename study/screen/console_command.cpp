@@ -22,7 +22,8 @@ struct CommandKind {
 constexpr std::array<CommandKind, 8> kCommands{
     {{"pause", ConsoleCommand::Kind::kPause, Rest::kOptional, "pause [REASON]",
       "stop for a while; a trial that runs begins again afterwards"},
-     {"resume", ConsoleCommand::Kind::kResume, Rest::kNone, "resume", "go on after a pause"},
+     {"resume", ConsoleCommand::Kind::kResume, Rest::kNone, "resume",
+      "go on after a pause, or after practice that failed"},
      {"redo", ConsoleCommand::Kind::kRedo, Rest::kNone, "redo", "the trial that runs, or else the last one, again"},
      {"note", ConsoleCommand::Kind::kNote, Rest::kNeeded, "note TEXT", "store a note with the session"},
      {"status", ConsoleCommand::Kind::kStatus, Rest::kNone, "status", "where the session is"},

@@ -81,6 +81,7 @@ class Drawer {
         console_(console),
         options_(options),
         exchange_(exchange),
+        began_(steadyNow()),
         screen_{window.pixelWidth(), window.pixelHeight(), 60},
         pixelsPerUnit_(window.size().pixelsPerUnit),
         pace_(options.pacedHertz) {}
@@ -89,12 +90,12 @@ class Drawer {
   void run() {
     const GlScope scope(window_.context());
     StudyPainter painter(window_.context(), screen_, protocol_.controls);
-    int64_t last = steadyNow();
+    int64_t last = runNow();
     while (!flow_.isOver() && !quits_) {
       takeEvents(painter);
       takeCommands();
       watchClock();
-      const int64_t now = steadyNow();
+      const int64_t now = runNow();
       flow_.update(now);
       const SessionScreen screen = flow_.screen();
       const StudyFrame frame =
@@ -107,12 +108,12 @@ class Drawer {
       } else {
         window_.awaitFrame();
       }
-      flow_.frameShown(steadyNow(), frame.pixelHash);
+      flow_.frameShown(runNow(), frame.pixelHash);
       if (frame.action) {
-        flow_.act(*frame.action, steadyNow());
+        flow_.act(*frame.action, runNow());
       }
       if (frame.key) {
-        press(*frame.key, steadyNow());
+        press(*frame.key, runNow());
       }
       keepPicture(screen, painter);
       showStatus(now);
@@ -120,6 +121,9 @@ class Drawer {
   }
 
  private:
+  /// Records count from the start of the run.
+  int64_t runNow() const { return steadyNow() - began_; }
+
   void takeEvents(StudyPainter& painter) {
     for (const TimedWindowEvent& timed : exchange_.take()) {
       if (const auto* focus = std::get_if<FocusEvent>(&timed.event)) {
@@ -130,10 +134,13 @@ class Drawer {
         hadFocus_ = focus->focused;
       } else if (const auto* lost = std::get_if<MonitorLostEvent>(&timed.event)) {
         flow_.report("monitor_lost", lost->name);
-        flow_.pause("The monitor was disconnected. Please call the experimenter.");
-        console_.print(fmt::format("the monitor \"{}\" is gone: connect it again, then: resume", lost->name));
+        // Whatever shows the window now was not checked: neither its size nor its timing.
+        flow_.abort(fmt::format("the monitor \"{}\" was disconnected", lost->name));
+        quits_ = true;
+        console_.print(
+            fmt::format("the monitor \"{}\" is gone: connect it again, then: ocelli study resume", lost->name));
       } else {
-        takeInput(painter, {std::get<InputEvent>(timed.event), timed.nanoseconds});
+        takeInput(painter, {std::get<InputEvent>(timed.event), timed.nanoseconds - began_});
       }
     }
   }
@@ -171,14 +178,15 @@ class Drawer {
           flow_.resume();
           break;
         case ConsoleCommand::Kind::kRedo:
-          flow_.redo();
+          if (!flow_.redo()) {
+            console_.print("there is no trial to do again: none was done, or the session has ended");
+          }
           break;
         case ConsoleCommand::Kind::kAbort:
           flow_.abort(command.text);
           break;
         case ConsoleCommand::Kind::kNote:
-          flow_.note(command.text);
-          console_.print("noted");
+          console_.print(flow_.note(command.text) ? "noted" : "not noted: nothing more of this session is stored");
           break;
         case ConsoleCommand::Kind::kStatus:
           console_.print(statusStep() + "  " + statusFigures());
@@ -265,6 +273,7 @@ class Drawer {
   ExperimenterConsole& console_;
   const SessionLoopOptions& options_;
   Exchange& exchange_;
+  int64_t began_;  ///< of the steady clock
   TrialScreen screen_;
   double pixelsPerUnit_;
   Pace pace_;
@@ -277,6 +286,26 @@ class Drawer {
   std::string pictured_;
   int pictures_ = 0;
 };
+
+/// Until the thread that draws has ended.
+void passEventsOn(GlWindow& window, Exchange& exchange, const SessionLoopOptions& options) {
+  CursorMode cursor = CursorMode::kShown;
+  while (!exchange.over) {
+    std::vector<TimedWindowEvent> events = window.pollTimed(kPollSeconds);
+    if (!events.empty()) {
+      const std::scoped_lock lock(exchange.mutex);
+      exchange.events.insert(exchange.events.end(), std::make_move_iterator(events.begin()),
+                             std::make_move_iterator(events.end()));
+    }
+    if (const CursorMode wanted = exchange.cursor; wanted != cursor) {
+      cursor = wanted;
+      window.setCursor(cursor);
+    }
+    if (options.interrupted && options.interrupted()) {
+      exchange.interrupted = true;
+    }
+  }
+}
 
 }  // namespace
 
@@ -319,23 +348,17 @@ SessionEnding runSessionLoop(GlWindow& window, const Protocol& protocol, Session
     exchange.over = true;
     GlWindow::wake();
   });
-  CursorMode cursor = CursorMode::kShown;
-  while (!exchange.over) {
-    std::vector<TimedWindowEvent> events = window.pollTimed(kPollSeconds);
-    if (!events.empty()) {
-      const std::scoped_lock lock(exchange.mutex);
-      exchange.events.insert(exchange.events.end(), std::make_move_iterator(events.begin()),
-                             std::make_move_iterator(events.end()));
-    }
-    if (const CursorMode wanted = exchange.cursor; wanted != cursor) {
-      cursor = wanted;
-      window.setCursor(cursor);
-    }
-    if (options.interrupted && options.interrupted()) {
-      exchange.interrupted = true;
-    }
+  std::exception_ptr failureHere;
+  try {
+    passEventsOn(window, exchange, options);
+  } catch (...) {
+    failureHere = std::current_exception();
+    exchange.interrupted = true;
   }
   thread.join();
+  if (!failure) {
+    failure = failureHere;
+  }
   if (failure) {
     flow.abort("the program failed");
     std::rethrow_exception(failure);

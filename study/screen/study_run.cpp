@@ -6,9 +6,9 @@
 #include "oc_core/base/machine.h"
 #include "study/screen/run_environment.h"
 #include "study/screen/session_loop.h"
+#include "study/screen/session_plan.h"
 #include "study/session/utc_time.h"
 #include "study/store/program_version.h"
-#include "study/store/resume.h"
 #include "study/store/trial_store.h"
 
 namespace ocelli {
@@ -16,6 +16,9 @@ namespace {
 
 constexpr double kCheckSeconds = 2.5;
 constexpr double kPacedHertz = 60;  // where the screen has no rate of its own
+
+constexpr const char* kAfterFailure =
+    "all trials that were stored before are safe; where the disk is full make room, then: ocelli study resume";
 
 void tell(const StudyRunOptions& options, const std::string& line) {
   if (options.tell) {
@@ -37,61 +40,21 @@ std::string textOf(const Monitor& monitor) {
                      monitor.widthMillimeters, monitor.heightMillimeters);
 }
 
-/// Which session of whom.
-struct Plan {
-  StoredSubject subject;
-  bool isNewSubject = false;
-  SessionToRun session;
-};
-
-Plan planNewSession(const StudyDatabase& database, const Protocol& protocol, const StudyRunOptions& options) {
-  if (!isSubjectId(options.subject)) {
-    throw InputError("that is no id of a subject", "--subject \"" + options.subject + "\"",
-                     "use 1 to 64 letters, digits, - and _, and no name of a person");
+std::vector<Monitor> monitorsHere() {
+  try {
+    return listMonitors();
+  } catch (const GlError& error) {
+    // What else the graphics suggest is for commands that need no screen.
+    throw WorkError(
+        "there is no screen for a subject", "DISPLAY",
+        "start it in the desktop session that shows on the subject's monitor; from a terminal elsewhere set "
+        "DISPLAY to it first, such as DISPLAY=:0");
   }
-  const std::optional<StoredSubject> known = database.subject(options.subject);
-  const std::string where = "--subject " + options.subject;
-  if (!known) {
-    if (options.session.value_or(0) != 0) {
-      throw InputError(fmt::format("this subject is new, and cannot begin with session {}", *options.session + 1),
-                       where, "leave --session out, or check the id");
-    }
-    Plan plan;
-    plan.isNewSubject = true;
-    plan.session.seed = options.seed.value_or(protocol.seed);
-    return plan;
-  }
-  if (!options.session) {
-    throw InputError("this id is taken", where,
-                     "choose another one for a new subject; for the next session of this one add --session 2 (or 3, "
-                     "...), and for one that was broken off: ocelli study resume");
-  }
-  Plan plan{*known, false, sessionToRun(database, protocol, options.subject, utcNow(), options.anyTime)};
-  if (plan.session.begunBefore) {
-    throw InputError(fmt::format("session {} of this subject was begun and not completed", plan.session.session + 1),
-                     where, "go on with it: ocelli study resume");
-  }
-  if (plan.session.session != *options.session) {
-    throw InputError(fmt::format("the next session of this subject is {}", plan.session.session + 1),
-                     fmt::format("--session {}", *options.session + 1),
-                     fmt::format("give --session {}, or check the id", plan.session.session + 1));
-  }
-  plan.session.seed = options.seed.value_or(plan.session.seed);
-  return plan;
-}
-
-Plan planResumedSession(const StudyDatabase& database, const Protocol& protocol, const StudyRunOptions& options) {
-  const std::optional<StoredSubject> known = database.subject(options.subject);
-  if (!known) {
-    throw InputError("there is no such subject in " + database.path().string(), "--subject " + options.subject,
-                     "check the id; a new subject begins with: ocelli study run");
-  }
-  return {*known, false, sessionToRun(database, protocol, options.subject, utcNow(), options.anyTime)};
 }
 
 /// The monitor that is asked for, large enough for the protocol.
 Monitor chooseMonitor(const Protocol& protocol, const StudyRunOptions& options) {
-  const std::vector<Monitor> monitors = listMonitors();
+  const std::vector<Monitor> monitors = monitorsHere();
   if (options.monitor < 0 || static_cast<size_t>(options.monitor) >= monitors.size()) {
     throw InputError(fmt::format("there are {} monitors, counted from 0", monitors.size()),
                      fmt::format("--monitor {}", options.monitor), "see: ocelli study run --list-monitors");
@@ -105,6 +68,11 @@ Monitor chooseMonitor(const Protocol& protocol, const StudyRunOptions& options) 
                     wanted.leastHeight),
         options.windowed ? "--windowed" : fmt::format("--monitor {} ({})", options.monitor, monitor.name),
         options.windowed ? "give a larger size" : "choose another monitor, or another mode of it (xrandr)");
+  }
+  if (size.x > monitor.width || size.y > monitor.height) {
+    throw InputError(
+        fmt::format("{}x{} pixels are more than the monitor has, {}x{}", size.x, size.y, monitor.width, monitor.height),
+        "--windowed", "give a smaller size");
   }
   return monitor;
 }
@@ -140,7 +108,9 @@ TimingCheck checkWindow(GlWindow& window, const Monitor& monitor, const Protocol
   return check;
 }
 
-SessionEnding runPlan(StudyDatabase& database, const Protocol& protocol, Plan plan, const StudyRunOptions& options) {
+/// A database that there is not yet is made last, so that a run which is refused leaves none.
+SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protocol, SessionPlan plan,
+                      const StudyRunOptions& options) {
   if (!options.screenshots.empty()) {
     std::error_code error;
     std::filesystem::create_directories(options.screenshots, error);
@@ -162,9 +132,24 @@ SessionEnding runPlan(StudyDatabase& database, const Protocol& protocol, Plan pl
   }
 
   const double pacedHertz = check.verticalSync ? 0 : (monitor.refreshHertz > 0 ? monitor.refreshHertz : kPacedHertz);
-  if (plan.isNewSubject) {
-    plan.subject = database.addSubject(options.subject, SubjectKind::kPerson);
+  SessionFlowOptions flowOptions;
+  const double hertz = pacedHertz > 0 ? pacedHertz : refreshRateOf(check);
+  flowOptions.screen = {window.pixelWidth(), window.pixelHeight(), hertz};
+  flowOptions.intervalNanoseconds = static_cast<int64_t>(1e9 / (pacedHertz > 0 ? pacedHertz : check.measured.hertz));
+  flowOptions.unstableRefresh = forced;
+  // Of a new subject the slot is not known; every slot has trials of each block and view.
+  tryTrials(protocol, scheduleOf(protocol, plan.subject.slot, plan.session.session, plan.session.seed),
+            flowOptions.screen);
+
+  if (!known) {
+    known.emplace(StudyDatabase::openForSessions(options.database, protocol));
   }
+  const StudyDatabase& database = *known;
+  if (plan.isNewSubject) {
+    plan.subject = known->addSubject(options.subject, SubjectKind::kPerson);
+  }
+  const std::optional<std::string> change =
+      screenChange(database, options.subject, flowOptions.screen, protocol.timing.refreshTolerance);
   const SessionSchedule schedule = scheduleOf(protocol, plan.subject.slot, plan.session.session, plan.session.seed);
 
   RunRecord run;
@@ -180,15 +165,14 @@ SessionEnding runPlan(StudyDatabase& database, const Protocol& protocol, Plan pl
   run.forced = forced;
   TrialStore store(database, protocol, run, schedule);
 
-  SessionFlowOptions flowOptions;
-  const double hertz = pacedHertz > 0 ? pacedHertz : refreshRateOf(check);
-  flowOptions.screen = {window.pixelWidth(), window.pixelHeight(), hertz};
-  flowOptions.intervalNanoseconds = static_cast<int64_t>(1e9 / (pacedHertz > 0 ? pacedHertz : check.measured.hertz));
-  flowOptions.unstableRefresh = forced;
   SessionFlow flow(protocol, schedule, plan.session.done, flowOptions, store);
   tell(options, fmt::format("session   {} of {} of subject {}, {} trials, {} of them done; slot {}, {} first",
                             plan.session.session + 1, protocol.sessions, options.subject, schedule.trials.size(),
                             plan.session.done.completedTrials.size(), plan.subject.slot, nameOf(schedule.firstView)));
+  if (change) {
+    tell(options, "warning   this subject has another screen than in the first trial: " + *change);
+    flow.report("screen_changed", *change);
+  }
   tell(options, "ready. Commands: pause, resume, redo, note TEXT, status, abort, quit, help");
 
   SessionLoopOptions loop;
@@ -205,28 +189,36 @@ SessionEnding runPlan(StudyDatabase& database, const Protocol& protocol, Plan pl
   store.flush();
   if (const std::optional<std::string> failure = store.failure()) {
     throw WorkError("the end of the session could not be stored: " + *failure, options.database.string(),
-                    "make room, then: ocelli study resume; all trials that were stored before are safe");
+                    kAfterFailure);
+  }
+  if (ending == SessionEnding::kFailed) {
+    throw WorkError("the session had to stop: " + flow.status().failure, options.database.string(), kAfterFailure);
   }
   return ending;
 }
 
-void tellProtocol(const Protocol& protocol, const StudyDatabase& database, const StudyRunOptions& options) {
+void tellProtocol(const Protocol& protocol, const StudyRunOptions& options) {
   tell(options, fmt::format("protocol  {} ({})", protocol.name, protocol.sha256.substr(0, 12)));
   std::error_code error;
   const auto space =
-      std::filesystem::space(database.path().parent_path().empty() ? "." : database.path().parent_path(), error);
+      std::filesystem::space(options.database.parent_path().empty() ? "." : options.database.parent_path(), error);
   tell(options,
        fmt::format(
-           "database  {}{}", database.path().string(),
+           "database  {}{}", options.database.string(),
            error ? "" : fmt::format(", {:.1f} GB left on its disk", static_cast<double>(space.available) / 1e9)));
 }
 
 }  // namespace
 
 SessionEnding runStudy(const Protocol& protocol, const StudyRunOptions& options) {
-  StudyDatabase database = StudyDatabase::openForSessions(options.database, protocol);
-  tellProtocol(protocol, database, options);
-  return runPlan(database, protocol, planNewSession(database, protocol, options), options);
+  std::optional<StudyDatabase> database;
+  std::error_code unreadable;
+  if (std::filesystem::exists(options.database, unreadable) || unreadable) {
+    database.emplace(StudyDatabase::openForSessions(options.database, protocol));
+  }
+  SessionPlan plan = planNewSession(database ? &*database : nullptr, protocol, options);
+  tellProtocol(protocol, options);
+  return runPlan(std::move(database), protocol, std::move(plan), options);
 }
 
 SessionEnding resumeStudy(const StudyRunOptions& options) {
@@ -234,14 +226,15 @@ SessionEnding resumeStudy(const StudyRunOptions& options) {
   const Protocol protocol =
       protocolFromJsonText(study.protocolText, fmt::format("the protocol in {}", options.database.string()));
   StudyDatabase database = StudyDatabase::openForSessions(options.database, protocol);
-  tellProtocol(protocol, database, options);
-  return runPlan(database, protocol, planResumedSession(database, protocol, options), options);
+  tellProtocol(protocol, options);
+  SessionPlan plan = planResumedSession(database, protocol, options);
+  return runPlan(std::move(database), protocol, std::move(plan), options);
 }
 
 std::string monitorList() {
   std::string list;
   int number = 0;
-  for (const Monitor& monitor : listMonitors()) {
+  for (const Monitor& monitor : monitorsHere()) {
     list += fmt::format("{}: {}\n", number++, textOf(monitor));
   }
   return list;

@@ -61,7 +61,9 @@ struct TrialTiming {
   int64_t dropped = 0;  ///< intervals of more than TimingLimits::lateFactor
   int64_t medianNanoseconds = 0;
   int64_t longestNanoseconds = 0;
-  std::string verdict;  ///< "good", "dropped_frames", "unstable_refresh" (forced), "simulated_clock"
+  /// "good"; "dropped_frames": too many of them; "early_frames": the median is less than the screen's interval divided
+  /// by that factor, so frames did not wait for the screen; "unstable_refresh": forced; "simulated_clock".
+  std::string verdict;
 };
 
 enum class TrialEnding { kCompleted, kRedone, kAborted };
@@ -97,9 +99,9 @@ struct ConsentRecord {
 };
 
 /// Anything else that happened: "pause", "resume", "note", "redo", "abort", "break", "page", "unwell", "clock_jump",
-/// "late_frames", "monitor_lost", ... Practice of a block leaves "practice_passed", or "practice_failed" and then,
-/// where the session goes on nevertheless, "practice_continued"; their detail is the index of the block in the
-/// protocol.
+/// "late_frames", "early_frames", "monitor_lost", "screen_changed", ... Practice of a block leaves "practice_passed",
+/// or "practice_failed" and then, where the session goes on nevertheless, "practice_continued"; their detail is the
+/// index of the block in the protocol.
 struct EventRecord {
   int64_t nanoseconds = 0;
   std::string utc;

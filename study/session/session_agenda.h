@@ -32,7 +32,9 @@ struct TrialStep {
 struct FeedbackStep {
   TrialOutcome outcome;
 };
-struct BreakStep {};
+struct BreakStep {
+  bool began = false;
+};
 struct EndStep {};
 
 using SessionStep =

@@ -4,6 +4,22 @@
 
 namespace ocelli {
 
+void tryTrials(const Protocol& protocol, const SessionSchedule& schedule, const TrialScreen& screen) {
+  std::set<std::pair<int, StudyView>> tried;
+  for (const TrialPlan& plan : schedule.trials) {
+    if (!tried.insert({plan.block, plan.view}).second) {
+      continue;
+    }
+    const ProtocolBlock& block = protocol.blocks[static_cast<size_t>(plan.block)];
+    block.task->start(plan, screen);
+    if (block.practice) {
+      TrialPlan first = practiceTrial(schedule, protocol, plan.block, 0);
+      first.view = plan.view;
+      block.practice->task->start(first, screen);
+    }
+  }
+}
+
 SessionFlow::SessionFlow(const Protocol& protocol, const SessionSchedule& schedule, const SessionDone& done,
                          const SessionFlowOptions& options, SessionSink& sink)
     : state_(std::make_unique<State>(protocol, schedule, done, options, sink)) {}
@@ -77,6 +93,7 @@ SessionStatus SessionFlow::status() const {
   status.lastTiming = state.lastTiming;
   status.wantsExperimenter =
       state.asksUnwell || state.closingPage.has_value() || std::holds_alternative<CallStep>(state.agenda.front());
+  status.failure = state.failure;
   return status;
 }
 
@@ -103,21 +120,23 @@ void SessionFlow::resume() {
   if (state.pauseReason && !state.ending) {
     state.event("resume");
     state.pauseReason.reset();
+  } else if (state.current<CallStep>() != nullptr && !state.ending) {
+    state.continueAfterPractice();
   }
 }
 
-void SessionFlow::redo() {
+bool SessionFlow::redo() {
   State& state = *state_;
-  if (state.ending) {
-    return;
+  if (state.ending || (!state.trial && !state.lastPlan)) {
+    return false;
   }
   if (state.trial) {
     state.interruptTrial(TrialEnding::kRedone);
     state.event("redo", state.nameOfTrial(*state.lastPlan));
-  } else if (state.lastPlan) {
+  } else {
     const TrialPlan plan = *state.lastPlan;
     if (const auto* step = state.current<TrialStep>(); step != nullptr && step->plan == plan) {
-      return;  // it comes again anyway
+      return true;  // it comes again anyway
     }
     State::Practice& practice = state.practice[plan.block];
     if (plan.practice && practice.trials > 0) {
@@ -133,6 +152,7 @@ void SessionFlow::redo() {
     state.agenda.push_front(TrialStep{plan});
     state.form.reset();
   }
+  return true;
 }
 
 void SessionFlow::abort(const std::string& reason) {
@@ -146,8 +166,9 @@ void SessionFlow::abort(const std::string& reason) {
   state.end(SessionEnding::kAborted, "The session has ended", {"The experimenter has ended the session."});
 }
 
-void SessionFlow::note(const std::string& text) {
+bool SessionFlow::note(const std::string& text) {
   state_->event("note", text);
+  return state_->storesEvents();
 }
 
 void SessionFlow::report(const std::string& what, const std::string& detail) {

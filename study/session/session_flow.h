@@ -10,8 +10,9 @@
 //     flow.frameShown(nanoseconds);     // when the frame was on the screen
 //   }
 //
-// Everything can be done by keys alone: Enter goes on, arrows and digits choose; F10 is "I feel unwell". A key that is
-// pressed again without having been released is a repeat: pages do not take it, so keys must be released.
+// Everything can be done by keys alone: Enter goes on, arrows and digits choose; F10 is "I feel unwell". Where practice
+// failed a person's Enter does nothing: the experimenter goes on, by resume() or F12. A key that is pressed again
+// without having been released is a repeat: pages do not take it, so keys must be released.
 //
 // Ticks. A trial begins when its first frame is shown: that is tick 0. An event takes effect at the tick into which it
 // falls; where that is over already (it came late, or a frame has shown that tick), at the next one. So a trial is the
@@ -41,8 +42,9 @@ struct SessionDone {
   std::vector<int> completedTrials{};  ///< indices of plans
   std::vector<int> attempts{};         ///< how often each plan began; as long as the schedule, or empty
   bool consented = false;
-  std::vector<std::string> forms{};    ///< names of those that were answered
-  std::vector<int> blocksPracticed{};  ///< indices in the protocol
+  std::vector<std::string> forms{};        ///< names of those that were answered
+  std::vector<int> blocksPracticed{};      ///< indices in the protocol
+  std::vector<TrialPlan> practiceBegun{};  ///< of each practice trial that began
 };
 
 struct SessionFlowOptions {
@@ -70,7 +72,12 @@ struct SessionStatus {
   bool paused = false;
   TrialTiming lastTiming{};  ///< of the last trial
   bool wantsExperimenter = false;
+  std::string failure{};  ///< why the session failed
 };
+
+/// Begins one trial of each block and view, so that what does not fit onto the screen is told before a subject sits
+/// there. Throws InputError.
+void tryTrials(const Protocol& protocol, const SessionSchedule& schedule, const TrialScreen& screen);
 
 class SessionFlow {
  public:
@@ -100,13 +107,14 @@ class SessionFlow {
 
   // What the experimenter may do.
   void pause(const std::string& reason);
-  /// Goes on after pause(). The trial that was stopped comes again.
+  /// Goes on after pause(), where the trial that was stopped comes again, or else after practice that failed.
   void resume();
-  /// The trial that runs, or else the last, again.
-  void redo();
+  /// The trial that runs, or else the last, again. False where there is none, and once the session has ended.
+  bool redo();
   /// Ends the session: a last page is shown until Enter, or until this is called again.
   void abort(const std::string& reason);
-  void note(const std::string& text);
+  /// False where it is not stored: the subject declined, or nothing can be stored any more.
+  bool note(const std::string& text);
   /// Something that whoever runs the session noticed: "clock_jump", "monitor_lost", ...
   void report(const std::string& what, const std::string& detail);
 

@@ -46,9 +46,10 @@ PageScreen breakPage(const SessionProgress& progress, double waitSeconds) {
   return made;
 }
 
-PageScreen callPage() {
-  return page("Please call the experimenter", {"You have done all trials of the practice."},
-              "Experimenter: Enter goes on with the trials");
+PageScreen callPage(SubjectKind kind) {
+  return page("Please call the experimenter",
+              {"You have done all trials of the practice.", "The experimenter will go on with you."},
+              kind == SubjectKind::kPerson ? "" : "Enter: go on");
 }
 
 PageScreen unwellPage() {

@@ -40,33 +40,20 @@ SessionFlow::State::State(const Protocol& theProtocol, SessionSchedule theSchedu
       options(std::move(theOptions)),
       sink(theSink),
       attempts(done.attempts),
-      agenda(agendaOf(theProtocol, schedule, done)) {
+      agenda(agendaOf(theProtocol, schedule, done)),
+      practiceBegun(done.practiceBegun) {
   attempts.resize(schedule.trials.size(), 0);
   const std::vector<int> kept = keptTrials(protocol, schedule, done);
   completed.insert(kept.begin(), kept.end());
   if (!options.utcNow) {
     options.utcNow = utcNow;
   }
-  tryTrials();
+  tryTrials(protocol, schedule, options.screen);
   enterStep();
 }
 
-void SessionFlow::State::tryTrials() const {
-  std::set<std::pair<int, StudyView>> tried;
-  for (const TrialPlan& plan : schedule.trials) {
-    if (tried.insert({plan.block, plan.view}).second) {
-      taskOf(plan).start(plan, options.screen);
-      if (blockOf(plan.block).practice) {
-        TrialPlan first = practiceTrial(schedule, protocol, plan.block, 0);
-        first.view = plan.view;
-        taskOf(first).start(first, options.screen);
-      }
-    }
-  }
-}
-
 void SessionFlow::State::event(const std::string& what, const std::string& detail) {
-  if (!ending) {
+  if (storesEvents()) {
     sink.event({now, options.utcNow(), what, detail});
   }
 }
@@ -80,11 +67,12 @@ void SessionFlow::State::end(SessionEnding how, const std::string& title, const 
 }
 
 void SessionFlow::State::checkSink() {
-  const std::optional<std::string> failure = sink.failure();
-  if (failure && ending != SessionEnding::kFailed) {
+  const std::optional<std::string> why = sink.failure();
+  if (why && ending != SessionEnding::kFailed) {
+    failure = *why;
     trial.reset();
     end(SessionEnding::kFailed, "The session has stopped",
-        {"Nothing more can be stored. What was stored before is safe.", "Please call the experimenter.", *failure});
+        {"Nothing more can be stored. What was stored before is safe.", "Please call the experimenter.", *why});
   }
 }
 
@@ -96,13 +84,17 @@ void SessionFlow::State::nextStep() {
 void SessionFlow::State::enterStep() {
   OC_CHECK(!agenda.empty(), "a session ends with its last step");
   form.reset();
-  if (const auto* step = current<FormStep>()) {
-    form.emplace(*step->form);
+  if (const auto* formStep = current<FormStep>()) {
+    form.emplace(*formStep->form);
   } else if (const auto* text = current<TextStep>()) {
     event("page", text->page->title);
-  } else if (current<BreakStep>() != nullptr) {
-    breakBegan = now;
-    event("break", "begins");
+  } else if (auto* step = current<BreakStep>()) {
+    // A trial that was done again during the break does not make it longer.
+    if (!step->began) {
+      step->began = true;
+      breakBegan = now;
+      event("break", "begins");
+    }
   } else if (const auto* practiceStep = current<PracticeStep>()) {
     goOnWithPractice(practiceStep->block);
   } else if (current<EndStep>() != nullptr) {
@@ -122,6 +114,11 @@ void SessionFlow::State::goOnWithPractice(int block) {
   } else {
     agenda.push_front(TrialStep{practiceTrial(schedule, protocol, block, so.trials)});
   }
+}
+
+void SessionFlow::State::continueAfterPractice() {
+  event("practice_continued", std::to_string(current<CallStep>()->block));
+  nextStep();
 }
 
 void SessionFlow::State::decline() {
@@ -145,9 +142,10 @@ void SessionFlow::State::goOn() {
     if (form->goOn()) {
       storeForm();
     }
-  } else if (const auto* call = current<CallStep>()) {
-    event("practice_continued", std::to_string(call->block));
-    nextStep();
+  } else if (current<CallStep>() != nullptr) {
+    if (options.kind != SubjectKind::kPerson) {
+      continueAfterPractice();  // they have no experimenter
+    }
   } else if (auto* step = current<TrialStep>()) {
     if (!step->ready) {
       step->ready = true;
@@ -209,6 +207,10 @@ void SessionFlow::State::endTrial(TrialEnding how) {
   sink.trialEnds(trial->number(), record);
   if (record.timing.verdict == "dropped_frames") {
     event("late_frames", fmt::format("{} of {} frames of the trial", record.timing.dropped, record.timing.frames));
+  } else if (record.timing.verdict == "early_frames") {
+    event("early_frames",
+          fmt::format("every {:.2f} ms of {:.2f}", static_cast<double>(record.timing.medianNanoseconds) / 1e6,
+                      static_cast<double>(options.intervalNanoseconds) / 1e6));
   }
   lastTiming = record.timing;
   lastPlan = record.plan;
@@ -267,6 +269,8 @@ void SessionFlow::State::press(Key key, bool isRepeat) {
     }
   } else if (isEnter) {
     goOn();
+  } else if (key == Key::kF12 && !isRepeat && current<CallStep>() != nullptr) {
+    continueAfterPractice();
   } else if (key == Key::kEscape && !isRepeat && current<ConsentStep>() != nullptr) {
     decline();
   }

@@ -16,9 +16,6 @@ struct SessionFlow::State {
   State(const Protocol& theProtocol, SessionSchedule theSchedule, const SessionDone& done,
         SessionFlowOptions theOptions, SessionSink& theSink);
 
-  /// One of each block and view, so that what does not fit onto the screen is told now, not before a subject.
-  void tryTrials() const;
-
   const Protocol& protocol;
   SessionSchedule schedule;
   SessionFlowOptions options;
@@ -53,6 +50,7 @@ struct SessionFlow::State {
   bool asksUnwell = false;
   std::optional<PageScreen> closingPage{};  ///< of a session that has ended, or failed
   std::optional<SessionEnding> ending{};
+  std::string failure{};  ///< of the sink
   bool closed = false;
 
   template <class Step>
@@ -66,6 +64,8 @@ struct SessionFlow::State {
   }
 
   // Records
+  /// Of whoever declines nothing more is stored.
+  bool storesEvents() const { return ending != SessionEnding::kFailed && ending != SessionEnding::kDeclined; }
   void event(const std::string& what, const std::string& detail = {});
   void end(SessionEnding how, const std::string& title, const std::vector<std::string>& paragraphs);
   void checkSink();
@@ -76,6 +76,7 @@ struct SessionFlow::State {
   void enterStep();
 
   void goOnWithPractice(int block);
+  void continueAfterPractice();
 
   void decline();
   ConsentRecord consentRecord(bool agreed) const;
@@ -115,7 +116,7 @@ struct SessionFlow::State {
   SessionScreen screenOf(const FormStep&) const { return form->screen(); }
   SessionScreen screenOf(const TextStep& step) const { return pageOf(*step.page); }
   SessionScreen screenOf(const PracticeStep&) const { return PageScreen{}; }  // done as it begins
-  SessionScreen screenOf(const CallStep&) const { return callPage(); }
+  SessionScreen screenOf(const CallStep&) const { return callPage(options.kind); }
   SessionScreen screenOf(const TrialStep& step) const;
   SessionScreen screenOf(const FeedbackStep& step) const { return feedbackPage(step.outcome); }
   SessionScreen screenOf(const BreakStep&) const { return breakPage(progress(), breakSecondsLeft()); }
@@ -126,7 +127,7 @@ struct SessionFlow::State {
   std::string nameOf(const FormStep& step) const { return "form " + step.form->name; }
   std::string nameOf(const TextStep& step) const { return "page " + step.page->title; }
   std::string nameOf(const PracticeStep&) const { return "practice"; }
-  std::string nameOf(const CallStep&) const { return "practice failed"; }
+  std::string nameOf(const CallStep&) const { return "practice failed, goes on by: resume"; }
   std::string nameOf(const TrialStep& step) const;
   std::string nameOf(const FeedbackStep&) const { return "feedback"; }
   std::string nameOf(const BreakStep&) const { return "break"; }

@@ -37,9 +37,25 @@ bool isStillNamed(int descriptor, const std::filesystem::path& file) {
 
 }  // namespace
 
-std::filesystem::path DatabaseLock::fileOf(const std::filesystem::path& database) {
-  std::filesystem::path file = database;
-  file += ".lock";
+std::filesystem::path withoutLinks(const std::filesystem::path& database) {
+  constexpr int kMostLinks = 40;  // as Linux has it
+  std::error_code error;
+  std::filesystem::path file = std::filesystem::absolute(database);
+  // A link may lead to a file that is yet to be made.
+  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(file, error); ++i) {
+    const std::filesystem::path next = std::filesystem::read_symlink(file, error);
+    if (error) {
+      break;
+    }
+    file = file.parent_path() / next;
+  }
+  const std::filesystem::path canonical = std::filesystem::weakly_canonical(file, error);
+  return error ? file : canonical;
+}
+
+std::filesystem::path DatabaseLock::fileOf(const std::filesystem::path& database, DatabaseUse use) {
+  std::filesystem::path file = withoutLinks(database);
+  file += use == DatabaseUse::kSessions ? ".lock" : ".export.lock";
   return file;
 }
 
@@ -56,7 +72,7 @@ std::optional<std::string> DatabaseLock::holderOf(const std::filesystem::path& d
   return holder;
 }
 
-DatabaseLock::DatabaseLock(std::filesystem::path database) : file_(fileOf(database)) {
+DatabaseLock::DatabaseLock(const std::filesystem::path& database, DatabaseUse use) : file_(fileOf(database, use)) {
   while (true) {
     descriptor_ = open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (descriptor_ < 0) {
@@ -70,6 +86,10 @@ DatabaseLock::DatabaseLock(std::filesystem::path database) : file_(fileOf(databa
       if (reason != EWOULDBLOCK) {
         throw WorkError(fmt::format("cannot lock this database ({})", std::strerror(reason)), file_.string(),
                         "a folder on a local disk");
+      }
+      if (use == DatabaseUse::kExport) {
+        throw WorkError(fmt::format("an export or a withdrawal of this database is under way: {}", holder),
+                        database.string(), "wait for its end");
       }
       throw WorkError(fmt::format("another program uses this database: {}", holder), database.string(),
                       "close that program; two stations use two databases, which `ocelli study merge` joins");

@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
@@ -18,7 +19,17 @@ const std::vector<std::string> kHead{"subject_id", "name"};
 
 /// Without its first line.
 Lines readKey(const fs::path& keyFile) {
-  Lines lines = csvLines(readFile(keyFile), keyFile.string());
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of spreadsheets
+  const std::string bytes = readFile(keyFile);
+  std::string_view text = bytes;
+  if (text.starts_with(kByteOrderMark)) {
+    text.remove_prefix(kByteOrderMark.size());
+  }
+  Lines lines = csvLines(text, keyFile.string());
+  if (!lines.empty() && lines.front() == std::vector<std::string>{"subject_id;name"}) {
+    throw InputError("the columns of this identity key are apart by ;", keyFile.string(),
+                     "save it with commas: \"CSV UTF-8, separated by commas\"");
+  }
   if (lines.empty() || lines.front() != kHead) {
     throw InputError("this is no identity key: its first line is not \"subject_id,name\"", keyFile.string(),
                      "the name of a key file, or of a new file");

@@ -5,15 +5,16 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
 #include "oc_core/base/error.h"
 #include "study/store/database_lock.h"
 #include "study/store/leftovers.h"
+#include "study/store/merge_rows.h"
 #include "study/store/sqlite_connection.h"
 #include "study/store/trials_schema.h"
+#include "study/store/withdrawals.h"
 
 namespace ocelli {
 namespace {
@@ -35,23 +36,42 @@ void addOrConflict(std::map<std::string, std::string>& known, const std::string&
   }
 }
 
-/// Adds those of a database; subjects that contradict earlier ones go to `conflicts`.
-void addHistories(SQLite::Database& database, Histories& known, std::set<std::string>& conflicts) {
+/// Adds those of a database but for the subjects `left`; subjects that contradict earlier ones go to `conflicts`.
+void addHistories(SQLite::Database& database, const std::set<std::string>& left, Histories& known,
+                  std::set<std::string>& conflicts) {
+  const auto add = [&](std::map<std::string, std::string>& of, const std::string& name, const std::string& value,
+                       const std::string& subject) {
+    if (!left.contains(subject)) {
+      addOrConflict(of, name, value, subject, conflicts);
+    }
+  };
   SQLite::Statement subject(database, "SELECT subject_id, subject_key FROM subject");
   while (subject.executeStep()) {
-    addOrConflict(known.keyOfSubject, textOf(subject, 0), textOf(subject, 1), textOf(subject, 0), conflicts);
+    add(known.keyOfSubject, textOf(subject, 0), textOf(subject, 1), textOf(subject, 0));
   }
   SQLite::Statement session(database,
                             "SELECT subject_id, subject_id || ' ' || session_number, started_utc || ' ' || seed "
                             "FROM session");
   while (session.executeStep()) {
-    addOrConflict(known.startOfSession, textOf(session, 1), textOf(session, 2), textOf(session, 0), conflicts);
+    add(known.startOfSession, textOf(session, 1), textOf(session, 2), textOf(session, 0));
   }
   SQLite::Statement run(
       database, "SELECT subject_id, subject_id || ' ' || session_number || ' ' || run_number, run_key FROM run");
   while (run.executeStep()) {
-    addOrConflict(known.keyOfRun, textOf(run, 1), textOf(run, 2), textOf(run, 0), conflicts);
+    add(known.keyOfRun, textOf(run, 1), textOf(run, 2), textOf(run, 0));
   }
+}
+
+/// Subjects that withdrew elsewhere.
+std::set<std::string> withdrawnSubjects(SQLite::Database& database, const std::vector<Withdrawal>& withdrawals) {
+  std::set<std::string> subjects;
+  SQLite::Statement subject(database, "SELECT subject_id, subject_key FROM subject");
+  while (!withdrawals.empty() && subject.executeStep()) {
+    if (isWithdrawn(withdrawals, textOf(subject, 1))) {
+      subjects.insert(textOf(subject, 0));
+    }
+  }
+  return subjects;
 }
 
 struct StudyRow {
@@ -81,87 +101,6 @@ SQLite::Database openSource(const fs::path& source) {
   return connectStudy(source, DatabaseAccess::kRead);
 }
 
-/// Names of the table's columns but `left`, separated by commas, each with `prefix`.
-std::string columnsOf(SQLite::Database& database, const std::string& table, const std::set<std::string>& left,
-                      const std::string& prefix) {
-  SQLite::Statement row(database, "SELECT name FROM pragma_table_info(?)");
-  row.bind(1, table);
-  std::string columns;
-  while (row.executeStep()) {
-    if (!left.contains(textOf(row, 0))) {
-      columns += std::string(columns.empty() ? "" : ", ").append(prefix).append(textOf(row, 0));
-    }
-  }
-  return columns;
-}
-
-/// Copies the rows of a table that belong to rows that are new, which `join` says. `renumbered` maps a column to what
-/// stands in for it; an empty text leaves it to SQLite.
-void copyRows(SQLite::Database& database, const std::string& table,
-              const std::map<std::string, std::string>& renumbered, const std::string& join) {
-  std::set<std::string> left;
-  std::string into;
-  std::string from;
-  for (const auto& [column, expression] : renumbered) {
-    left.insert(column);
-    if (!expression.empty()) {
-      into += column + ", ";
-      from += expression + ", ";
-    }
-  }
-  database.exec(fmt::format("INSERT INTO main.{0} ({1}{2}) SELECT {3}{4} FROM source.{0} AS s {5}", table, into,
-                            columnsOf(database, table, left, ""), from, columnsOf(database, table, left, "s."), join));
-}
-
-/// Adds what the target lacks of one source, in one transaction.
-MergeReport mergeOne(SQLite::Database& database, const fs::path& source) {
-  SQLite::Statement attach(database, "ATTACH ? AS source");
-  attach.bind(1, uriForReading(source));
-  attach.exec();
-  const auto count = [&](const std::string& query) { return database.execAndGet(query).getInt(); };
-  MergeReport report;
-  {
-    SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-    report.knownSubjects =
-        count("SELECT count(*) FROM source.subject WHERE subject_key IN (SELECT subject_key FROM main.subject)");
-    report.subjects = count("SELECT count(*) FROM source.subject") - report.knownSubjects;
-    database.exec(
-        "CREATE TEMP TABLE new_run AS SELECT run_id AS old_id, row_number() OVER (ORDER BY run_id) + "
-        "(SELECT coalesce(max(run_id), 0) FROM main.run) AS new_id FROM source.run "
-        "WHERE run_key NOT IN (SELECT run_key FROM main.run);"
-        "CREATE TEMP TABLE new_trial AS SELECT trial_id AS old_id, row_number() OVER (ORDER BY trial_id) + "
-        "(SELECT coalesce(max(trial_id), 0) FROM main.trial) AS new_id FROM source.trial "
-        "WHERE run_id IN (SELECT old_id FROM new_run);"
-        "CREATE INDEX temp.new_trial_old ON new_trial (old_id)");
-    report.runs = count("SELECT count(*) FROM new_run");
-    report.trials = count("SELECT count(*) FROM new_trial");
-    const std::string ofRun = "JOIN new_run ON new_run.old_id = s.run_id";
-    const std::string ofTrial = "JOIN new_trial ON new_trial.old_id = s.trial_id";
-    copyRows(database, "subject", {}, "WHERE s.subject_key NOT IN (SELECT subject_key FROM main.subject)");
-    copyRows(database, "session", {},
-             "WHERE (s.subject_id, s.session_number) NOT IN (SELECT subject_id, session_number FROM main.session)");
-    copyRows(database, "run", {{"run_id", "new_run.new_id"}}, ofRun);
-    copyRows(database, "consent", {{"consent_id", ""}, {"run_id", "new_run.new_id"}}, ofRun + " ORDER BY s.consent_id");
-    copyRows(database, "answer", {{"answer_id", ""}, {"run_id", "new_run.new_id"}}, ofRun + " ORDER BY s.answer_id");
-    copyRows(database, "event", {{"event_id", ""}, {"run_id", "new_run.new_id"}}, ofRun + " ORDER BY s.event_id");
-    copyRows(database, "trial", {{"trial_id", "new_trial.new_id"}, {"run_id", "new_run.new_id"}},
-             ofRun + " " + ofTrial);
-    copyRows(database, "frame", {{"trial_id", "new_trial.new_id"}}, ofTrial);
-    copyRows(database, "input", {{"trial_id", "new_trial.new_id"}}, ofTrial);
-    database.exec("DROP TABLE new_trial; DROP TABLE new_run");
-    if (report.subjects > 0 || report.runs > 0) {
-      const nlohmann::ordered_json detail = {{"source", fs::absolute(source).string()},
-                                             {"subjects", report.subjects},
-                                             {"runs", report.runs},
-                                             {"trials", report.trials}};
-      addAudit(database, "merged", detail.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
-    }
-    transaction.commit();
-  }
-  database.exec("DETACH source");
-  return report;
-}
-
 std::string joined(const std::set<std::string>& names) {
   std::string text;
   for (const std::string& name : names) {
@@ -170,11 +109,18 @@ std::string joined(const std::set<std::string>& names) {
   return text;
 }
 
-/// Makes sure that everything fits together; returns the study.
-StudyRow checkSources(const fs::path& target, const std::vector<fs::path>& sources) {
+struct Checked {
+  StudyRow study;
+  std::map<fs::path, std::set<std::string>> withdrawn;  ///< subjects of each source who withdrew from the target
+};
+
+/// Makes sure that everything fits together.
+Checked checkSources(const fs::path& target, const std::vector<fs::path>& sources) {
   Histories histories;
   std::set<std::string> conflicts;
   std::optional<StudyRow> study;
+  std::vector<Withdrawal> withdrawals;
+  std::map<fs::path, std::set<std::string>> withdrawn;
   fs::path first;
   std::vector<fs::path> all = sources;
   if (std::error_code ignored; fs::exists(target, ignored) && fs::file_size(target, ignored) > 0) {
@@ -200,14 +146,19 @@ StudyRow checkSources(const fs::path& target, const std::vector<fs::path>& sourc
                                      study->sha256.substr(0, 12)),
                          path.string(), "only databases of the same protocol can be merged");
       }
-      addHistories(database, histories, conflicts);
+      if (path == target) {
+        withdrawals = withdrawalsOf(database);
+      } else {
+        withdrawn[path] = withdrawnSubjects(database, withdrawals);
+      }
+      addHistories(database, withdrawn[path], histories, conflicts);
     });
   }
   if (!conflicts.empty()) {
     throw InputError("these databases use the same ids for different subjects: " + joined(conflicts), target.string(),
                      "stations must give different ids; merge without the database whose ids are wrong");
   }
-  return *study;
+  return {*study, std::move(withdrawn)};
 }
 
 void addStudy(SQLite::Database& database, const StudyRow& study) {
@@ -227,18 +178,21 @@ MergeReport mergeDatabases(const fs::path& target, const std::vector<fs::path>& 
     }
   }
   const DatabaseLock lock(target);
-  const StudyRow study = checkSources(target, sources);
+  const Checked checked = checkSources(target, sources);
   SQLite::Database database = connectStudy(target, DatabaseAccess::kCreate);
   return withSqliteErrors("merge databases", target, [&] {
     wipeLeftovers(database, target);
-    addStudy(database, study);
+    addStudy(database, checked.study);
     MergeReport total;
     for (const fs::path& source : sources) {
-      const MergeReport report = mergeOne(database, source);
+      const std::set<std::string>& withdrawn = checked.withdrawn.at(source);
+      const MergeReport report = addMissingRows(database, source, withdrawn);
       total.subjects += report.subjects;
       total.runs += report.runs;
+      total.runsThatWentOn += report.runsThatWentOn;
       total.trials += report.trials;
       total.knownSubjects += report.knownSubjects;
+      total.withdrawnSubjects.insert(withdrawn.begin(), withdrawn.end());
     }
     return total;
   });

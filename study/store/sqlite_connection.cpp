@@ -11,6 +11,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/machine.h"
 #include "study/session/utc_time.h"
+#include "study/store/database_lock.h"
 #include "study/store/migrations.h"
 #include "study/store/program_version.h"
 #include "study/store/trials_schema.h"
@@ -32,6 +33,10 @@ bool hasTables(SQLite::Database& database) {
   return database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() > 0;
 }
 
+bool isOfAStudy(SQLite::Database& database) {
+  return database.execAndGet("PRAGMA application_id").getInt() == kTrialsApplicationId;
+}
+
 [[noreturn]] void throwNotOurs(const fs::path& path) {
   throw InputError("this is no database of a study", path.string(),
                    "the file that `ocelli study run` or `ocelli study simulate` wrote, or a name that is not taken");
@@ -40,7 +45,7 @@ bool hasTables(SQLite::Database& database) {
 }  // namespace
 
 std::string uriForReading(const fs::path& path) {
-  const fs::path absolute = fs::absolute(path);
+  const fs::path absolute = withoutLinks(path);
   std::string uri = "file:";
   for (const char c : absolute.string()) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
@@ -78,7 +83,10 @@ SQLite::Database connectSqlite(const fs::path& path, DatabaseAccess access) {
     if (access == DatabaseAccess::kRead) {
       database.exec("PRAGMA query_only = ON");
     } else {
-      // Setting the mode reads the file, and so finds out whether it is a database at all.
+      // Reads the file, and so finds out whether it is a database at all, before anything is changed.
+      if (!isOfAStudy(database) && (access != DatabaseAccess::kCreate || hasTables(database))) {
+        throwNotOurs(path);
+      }
       const std::string mode = database.execAndGet("PRAGMA journal_mode = WAL").getString();
       if (mode != "wal") {
         throw WorkError("this file system cannot hold the log of a database (mode \"" + mode + "\")", path.string(),
@@ -101,7 +109,7 @@ SQLite::Database connectStudy(const fs::path& path, DatabaseAccess access) {
       }
       transaction.commit();
     }
-    if (database.execAndGet("PRAGMA application_id").getInt() != kTrialsApplicationId) {
+    if (!isOfAStudy(database)) {
       throwNotOurs(path);
     }
     const int version = database.execAndGet("PRAGMA user_version").getInt();

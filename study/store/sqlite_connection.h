@@ -17,9 +17,9 @@ enum class DatabaseAccess {
   kCreate,  ///< made where there is none
 };
 
-/// Opens the file without asking what is in it: WAL, every commit on the disk before it returns, foreign keys, deleted
-/// bytes overwritten. Throws InputError where there is no such file or it is no SQLite database, WorkError where it
-/// cannot be opened or written.
+/// Opens the file: WAL, every commit on the disk before it returns, foreign keys, deleted bytes overwritten. To be read
+/// it may be any database. Throws InputError where there is no such file or it is no SQLite database, or is another
+/// program's and to be written, which stays as it is; WorkError where it cannot be opened or written.
 SQLite::Database connectSqlite(const std::filesystem::path& path, DatabaseAccess access);
 
 /// How to open a database so that reading changes nothing and leaves no file behind: the log of a program that runs or

@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <deque>
 #include <mutex>
+#include <new>
 #include <thread>
 
 #include "oc_core/base/check.h"
@@ -21,6 +22,8 @@ namespace {
 
 /// A log of more pages than that is written back into the database, between trials.
 constexpr int kCheckpointPages = 1000;
+
+constexpr const char* kRecordRefused = "record_refused";
 
 std::vector<std::string> blockNames(const Protocol& protocol) {
   std::vector<std::string> names;
@@ -111,7 +114,7 @@ struct TrialStore::State {
   bool urgent = false;
   bool stopping = false;
   uint64_t put_ = 0;           ///< messages that came
-  uint64_t stored = 0;         ///< messages that are on the disk
+  uint64_t stored = 0;         ///< messages that are on the disk, or given up
   uint64_t tries = 0;          ///< rounds of storing that ended
   std::string failureNow;      ///< of the last round
   std::string failureForever;  ///< a record that cannot be stored
@@ -213,6 +216,18 @@ bool TrialStore::State::storeBatch(size_t count) {
     const std::lock_guard lock(mutex);
     failureNow = fmt::format("trials are not being stored: {}", describeSqliteError(error));
     return false;
+  } catch (const std::bad_alloc&) {
+    const std::lock_guard lock(mutex);
+    failureNow = "trials are not being stored: no memory is left: close other programs";
+    return false;
+  } catch (const std::exception& error) {
+    if (written >= count) {
+      const std::lock_guard lock(mutex);
+      failureNow = fmt::format("trials are not being stored: {}", error.what());
+      return false;
+    }
+    refuse(written, error.what());
+    return true;
   }
   const StoreMessage last = std::move(pending[count - 1]);
   pending.erase(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(count));
@@ -228,9 +243,17 @@ bool TrialStore::State::storeBatch(size_t count) {
 }
 
 // One record that contradicts others must not keep all that follow from being stored: an event tells of it instead.
+// Where not even that can be stored, the record is dropped.
 void TrialStore::State::refuse(size_t index, const std::string& reason) {
-  pending[index] = EventRecord{0, utcNow(), "record_refused", reason};
+  const EventRecord* event = std::get_if<EventRecord>(&pending[index]);
+  const bool isRefusal = event != nullptr && event->what == kRecordRefused;
+  if (isRefusal) {
+    pending.erase(pending.begin() + static_cast<std::ptrdiff_t>(index));
+  } else {
+    pending[index] = EventRecord{0, utcNow(), kRecordRefused, reason};
+  }
   const std::lock_guard lock(mutex);
+  stored += isRefusal ? 1 : 0;
   failureForever = fmt::format("a record cannot be stored ({}); the others are", reason);
 }
 

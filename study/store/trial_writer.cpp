@@ -1,6 +1,7 @@
 #include "study/store/trial_writer.h"
 
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "study/store/input_columns.h"
 
@@ -74,6 +75,11 @@ void TrialWriter::reset() noexcept {
   }
 }
 
+std::optional<int64_t> TrialWriter::rowOf(int trial) const {
+  const auto found = trials_.find(trial);
+  return found == trials_.end() ? std::nullopt : std::optional(found->second);
+}
+
 void TrialWriter::begin(SQLite::Statement& statement) const {
   statement.bind(1, run_);
   statement.bindNoCopy(2, subject_);
@@ -127,7 +133,11 @@ void TrialWriter::write(const TrialBegins& message) {
 }
 
 void TrialWriter::write(const TrialFrames& message) {
-  frame_.bind(1, trials_.at(message.number));
+  const std::optional<int64_t> trial = rowOf(message.number);
+  if (!trial) {
+    return;
+  }
+  frame_.bind(1, *trial);
   frame_.bind(9, simulated_);
   for (const FrameRecord& frame : message.records) {
     frame_.bind(2, frame.frame);
@@ -142,7 +152,11 @@ void TrialWriter::write(const TrialFrames& message) {
 }
 
 void TrialWriter::write(const TrialInputs& message) {
-  input_.bind(1, trials_.at(message.number));
+  const std::optional<int64_t> trial = rowOf(message.number);
+  if (!trial) {
+    return;
+  }
+  input_.bind(1, *trial);
   input_.bind(12, simulated_);
   int64_t index = message.firstIndex;
   for (const InputRecord& record : message.records) {
@@ -162,10 +176,14 @@ void TrialWriter::write(const TrialInputs& message) {
 }
 
 void TrialWriter::write(const TrialEnds& message) {
+  const std::optional<int64_t> trial = rowOf(message.number);
+  if (!trial) {
+    throw std::runtime_error("a trial ends whose beginning was not stored");
+  }
   const TrialRecord& record = message.record;
   SQLite::Statement& row = trialEnds_;
   row.clearBindings();
-  row.bind(1, trials_.at(message.number));
+  row.bind(1, *trial);
   row.bind(2, nameOf(record.ending));
   row.bind(3, record.startedNanoseconds);
   row.bind(4, record.endedNanoseconds);

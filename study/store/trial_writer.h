@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -43,7 +44,8 @@ class TrialWriter {
   /// `session` from 0. `blocks` are the names of the protocol's blocks.
   TrialWriter(SQLite::Database& database, int64_t run, const RunRecord& record, std::vector<std::string> blocks);
 
-  /// To be called within a transaction. A message of a transaction that failed may be written again.
+  /// To be called within a transaction. A message of a transaction that failed may be written again. Frames and input
+  /// of a trial whose beginning was refused are dropped; its end throws.
   void write(const StoreMessage& message);
   /// After an error: lets go of what the statements hold.
   void reset() noexcept;
@@ -57,6 +59,8 @@ class TrialWriter {
   void write(const TrialInputs& message);
   void write(const TrialEnds& message);
   void write(const SessionEnds& message);
+  /// Nothing where its beginning was refused.
+  std::optional<int64_t> rowOf(int trial) const;
   /// Binds run, subject, session and mark to the first four parameters.
   void begin(SQLite::Statement& statement) const;
 

@@ -11,6 +11,7 @@
 #include "study/store/identity_key.h"
 #include "study/store/leftovers.h"
 #include "study/store/sqlite_connection.h"
+#include "study/store/withdrawals.h"
 #include "study/store/word_search.h"
 
 namespace ocelli {
@@ -29,8 +30,12 @@ std::set<fs::path> filesOfExports(SQLite::Database& database) {
     }
     const fs::path folder = detail.value("folder", "");
     for (const auto& file : detail.value("files", nlohmann::json::array())) {
-      if (std::error_code ignored; file.is_string() && fs::is_regular_file(folder / file.get<std::string>(), ignored)) {
-        files.insert(folder / file.get<std::string>());
+      const std::string name = file.is_string() ? file.get<std::string>() : std::string();
+      // An export that was killed leaves a file half-written (output_file.h).
+      for (const char* end : {"", ".partial"}) {
+        if (std::error_code ignored; !name.empty() && fs::is_regular_file(folder / (name + end), ignored)) {
+          files.insert(folder / (name + end));
+        }
       }
     }
   }
@@ -84,6 +89,11 @@ int notesThatName(SQLite::Database& database, const std::string& subject) {
 
 void deleteRows(SQLite::Database& database, const std::string& subject) {
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  SQLite::Statement key(database, "SELECT subject_key FROM subject WHERE subject_id = ?");
+  key.bind(1, subject);
+  key.executeStep();
+  const std::string detail = withdrawalDetail(textOf(key, 0));
+  key.reset();
   execute(database, "UPDATE withdrawal SET subject_id = ?, leftovers_pending = 1", subject);
   for (const char* table : {"frame", "input"}) {
     execute(database,
@@ -95,7 +105,7 @@ void deleteRows(SQLite::Database& database, const std::string& subject) {
   }
   removeFromAudit(database, subject);
   database.exec("UPDATE withdrawal SET subject_id = NULL");
-  addAudit(database, "withdrawn", "{}");
+  addAudit(database, "withdrawn", detail);
   transaction.commit();
 }
 
@@ -111,15 +121,14 @@ std::string joined(const std::vector<fs::path>& files) {
 
 WithdrawReport withdrawSubject(const fs::path& path, const std::string& subject, const WithdrawOptions& options) {
   const DatabaseLock lock(path);
+  const DatabaseLock exports(path, DatabaseUse::kExport);
   SQLite::Database database = connectStudy(path, DatabaseAccess::kWrite);
   return withSqliteErrors("withdraw a subject", path, [&] {
     WithdrawReport report;
     const bool pending = database.execAndGet("SELECT leftovers_pending FROM withdrawal").getInt() != 0;
     wipeLeftovers(database, path);
-    if (countOf(database, "SELECT count(*) FROM subject WHERE subject_id = ?", subject) == 0) {
-      if (pending) {
-        return report;
-      }
+    report.onlyLeftovers = countOf(database, "SELECT count(*) FROM subject WHERE subject_id = ?", subject) == 0;
+    if (report.onlyLeftovers && !pending) {
       throw InputError("this database has no such subject", subject, "`ocelli study subjects` lists them");
     }
     // Everything that can fail comes before the first deletion.
@@ -137,6 +146,9 @@ WithdrawReport withdrawSubject(const fs::path& path, const std::string& subject,
                         "delete it by hand, and give the same command again");
       }
       report.deletedFiles.push_back(file);
+    }
+    if (report.onlyLeftovers) {
+      return report;
     }
     report.sessions = countOf(database, "SELECT count(*) FROM session WHERE subject_id = ?", subject);
     report.trials = countOf(database, "SELECT count(*) FROM trial WHERE subject_id = ?", subject);

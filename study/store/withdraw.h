@@ -1,6 +1,7 @@
 // A subject withdraws: everything of theirs is deleted, so that no byte of it remains in the database, in its log, in
 // exports that the database knows of, and, where that is named, in the identity key. The audit trail keeps that a
-// withdrawal happened and when, and nothing that tells whose it was.
+// withdrawal happened and when, and nothing that tells whose it was but to who has a copy of the subject's rows:
+// withdrawals.h.
 //
 // Out of reach: exports and databases that were copied or moved, copies at stations that were merged, backups, and
 // blocks of a disk that no file uses any more.
@@ -20,6 +21,8 @@ struct WithdrawOptions {
 };
 
 struct WithdrawReport {
+  /// There was no such subject (any more), but an earlier withdrawal had left bytes, which are wiped now.
+  bool onlyLeftovers = false;
   int sessions = 0;
   int trials = 0;
   std::vector<std::filesystem::path> deletedFiles{};  ///< of exports
@@ -28,7 +31,8 @@ struct WithdrawReport {
   int notesThatNameIt = 0;
 };
 
-/// Throws InputError where there is no such subject, WorkError where another program uses the database.
+/// Throws InputError where there is no such subject and nothing is left of one; WorkError where another program uses or
+/// exports the database.
 WithdrawReport withdrawSubject(const std::filesystem::path& database, const std::string& subject,
                                const WithdrawOptions& options);
 

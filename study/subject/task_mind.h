@@ -1,7 +1,9 @@
 // What a simulated observer does in a trial of one task. It lives from one fixation to the next: the eye rests on a
 // point of the screen, what it saw there is known at the end of the fixation, and then hands are told what to do.
 //
-// Recipe for the mind of another task: a class of this kind in a file pair, and one line in session_observer.cpp.
+// Recipe for the mind of another task, two places:
+//   1. study/subject/NAME_mind.h and .cpp: a class of this kind.
+//   2. study/subject/session_observer.cpp: one line.
 #pragma once
 
 #include "study/subject/hands.h"

@@ -157,7 +157,7 @@ class CountRun : public TrialRun {
     if (outcome_) {
       return;
     }
-    const std::optional<int> chosen = isShowing() ? std::nullopt : choices_.handle(event, pointer_);
+    const std::optional<int> chosen = hiddenAt_ ? choices_.handle(event, pointer_) : std::nullopt;
     pointer_.handle(event);
     if (chosen) {
       finish(block_.options().leastAnswer + *chosen);
@@ -173,12 +173,14 @@ class CountRun : public TrialRun {
       if (walk_) {
         walk_->advance();
       }
-    } else if (tick_ - hiddenAt_ >= ticksOf(block_.options().answerLimitSeconds)) {
+    } else if (hiddenAt_ && tick_ - *hiddenAt_ >= ticksOf(block_.options().answerLimitSeconds)) {
       finish(std::nullopt);
     }
   }
   void frameShown() override {
-    if (isShowing() && ++framesShown_ == exposureFrames_) {
+    if (isShowing()) {
+      ++framesShown_;
+    } else if (!hiddenAt_) {
       hiddenAt_ = tick_;
     }
   }
@@ -223,7 +225,7 @@ class CountRun : public TrialRun {
     outcome.answer = answer ? std::to_string(*answer) : "";
     outcome.correct = answer == expected_;
     outcome.censored = !answer;
-    outcome.responseTicks = tick_ - hiddenAt_;
+    outcome.responseTicks = tick_ - *hiddenAt_;
     outcome.exposureFrames = framesShown_;
     if (answer) {
       outcome.measures = {{"count_error", *answer - expected_}};
@@ -241,7 +243,7 @@ class CountRun : public TrialRun {
   std::optional<ObjectWalk> walk_{};
   int64_t tick_ = 0;
   int64_t framesShown_ = 0;
-  int64_t hiddenAt_ = 0;  ///< tick
+  std::optional<int64_t> hiddenAt_{};  ///< tick of the first frame without the scene
   std::optional<TrialOutcome> outcome_{};
 };
 

@@ -60,7 +60,8 @@ struct TrialOutcome {
   bool correct = false;
   bool censored = false;  ///< time ran out before the answer
   /// From the first tick to the answer; to the end of the time where it ran out. Of tasks with an exposure, from its
-  /// end.
+  /// end: where frames are counted, from the tick of the first frame without the scene, however long the scene took to
+  /// draw. Like every frame that one is seen some time after its tick (FrameRecord), about an interval of the screen.
   int64_t responseTicks = 0;
   int64_t exposureFrames = 0;                              ///< frames that showed the scene, of tasks with an exposure
   std::vector<std::pair<std::string, double>> measures{};  ///< what else is to be told: "path_length_m", ...

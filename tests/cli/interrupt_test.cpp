@@ -8,7 +8,7 @@ namespace ocelli {
 namespace {
 
 TEST(InterruptGuard, notesTheFirstSignal) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const InterruptGuard guard;
     EXPECT_FALSE(InterruptGuard::interrupted());
     EXPECT_NO_THROW(InterruptGuard::check());
@@ -26,6 +26,13 @@ TEST(InterruptGuardDeathTest, theSecondSignalEndsTheProgram) {
         std::raise(SIGINT);
       },
       testing::KilledBySignal(SIGINT), "");
+}
+
+TEST(InterruptGuard, aTerminalThatGoesMaySayItTwice) {
+  const InterruptGuard guard;
+  std::raise(SIGHUP);
+  std::raise(SIGHUP);
+  EXPECT_TRUE(InterruptGuard::interrupted());
 }
 
 TEST(InterruptGuardDeathTest, withoutItTheFirstOneDoes) {

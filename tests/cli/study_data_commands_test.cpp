@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "study/store/study_database.h"
+#include "study/store/trial_store.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/cli/run_program.h"
 #include "tests/study_export/exported_study.h"
@@ -36,12 +37,23 @@ TEST_F(StudyDataCommandsTest, ListSubjects) {
   EXPECT_EQ(text.exitCode, 0) << text.error;
   EXPECT_THAT(text.output, AllOf(HasSubstr("protocol made-up"), HasSubstr("S01"), HasSubstr("simulated_observer"),
                                  HasSubstr("session 1: 4 of 4 trials, completed")));
+  EXPECT_THAT(text.output, Not(HasSubstr("ended early")));
   const nlohmann::json json = nlohmann::json::parse(run("subjects", "--json").output);
   ASSERT_EQ(json["subjects"].size(), 3u);
   EXPECT_EQ(json["subjects"][1]["subject_id"], "S02");
   EXPECT_EQ(json["subjects"][1]["slot"], 1);
   EXPECT_EQ(json["subjects"][1]["sessions"][0]["ending"], "completed");
   EXPECT_EQ(runProgram("study subjects --db " + path("none.db")).exitCode, kInputWrong);
+}
+
+TEST_F(StudyDataCommandsTest, ListSlotsOfWhoLeftEarly) {
+  {
+    StudyDatabase database = StudyDatabase::openForSessions(path("study.db"), madeProtocol());
+    const int slot = database.addSubject("S09", SubjectKind::kPerson).slot;
+    TrialStore store(database, madeProtocol(), madeRun("S09", 0), madeSchedule(slot, 0, 2));
+    store.sessionEnds(SessionEnding::kDeclined, "2026-03-01T13:00:00.000Z");
+  }
+  EXPECT_THAT(run("subjects").output, HasSubstr("ended early: 2 (S09, declined)"));
 }
 
 TEST_F(StudyDataCommandsTest, NoteWhoASubjectIsApartFromTheData) {
@@ -83,10 +95,10 @@ TEST_F(StudyDataCommandsTest, Merge) {
   const ProgramResult first = runProgram("study merge --db " + path("all.db") + " " + path("study.db"));
   EXPECT_EQ(first.exitCode, 0) << first.error;
   EXPECT_THAT(first.output,
-              AllOf(HasSubstr("3 new subjects, 3 new runs with 15 trials"), HasSubstr("people, slots 0-1: 1 each"),
+              AllOf(HasSubstr("3 new subjects, 3 new runs, 15 new trials"), HasSubstr("people, slots 0-1: 1 each"),
                     HasSubstr("simulated subjects, slot 0: 1 each")));
   const ProgramResult second = runProgram("study merge --db " + path("all.db") + " " + path("study.db"));
-  EXPECT_THAT(second.output, HasSubstr("0 new subjects, 0 new runs with 0 trials; 3 subjects were there before"));
+  EXPECT_THAT(second.output, HasSubstr("0 new subjects, 0 new runs, 0 new trials; 3 subjects were there before"));
   EXPECT_EQ(runProgram("study merge --db " + path("study.db") + " " + path("study.db")).exitCode, kInputWrong);
 }
 

@@ -3,12 +3,16 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
+#include <optional>
 
 #include "oc_core/base/error.h"
 #include "study/store/csv_text.h"
+#include "study/store/database_lock.h"
 #include "study/store/study_database.h"
+#include "study/store/trial_store.h"
 #include "study/store/withdraw.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/study_export/exported_study.h"
@@ -200,6 +204,61 @@ TEST_F(StudyExportTest, IsTheSameWheneverItIsMade) {
   for (const auto& entry : std::filesystem::directory_iterator(tables_)) {
     EXPECT_EQ(fileBytes(entry.path()), fileBytes(folder_ / "again" / entry.path().filename().string()));
   }
+}
+
+TEST_F(StudyExportTest, RefusesAFolderWhoseNameIsNoText) {
+  const std::filesystem::path folder = folder_ / "lat\xe9in";
+  EXPECT_THAT(messageOf<InputError>([&] { exportStudy(file_, folder, {}); }), HasSubstr("no UTF-8"));
+  EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+TEST_F(StudyExportTest, IsMadeDuringASessionAndNotDuringAWithdrawal) {
+  const DatabaseLock session(file_);
+  run();
+  const DatabaseLock withdrawal(file_, DatabaseUse::kExport);
+  EXPECT_THAT(messageOf<WorkError>([&] { run({.overwrite = true}); }), HasSubstr("a withdrawal"));
+}
+
+TEST_F(StudyExportTest, ReadsADatabaseThatCannotBeWritten) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder other;
+  fs::permissions(other.path(), fs::perms::all);
+  fs::permissions(file_, static_cast<fs::perms>(0444));
+  fs::permissions(folder_.path(), static_cast<fs::perms>(0555));
+  const std::string before = fileBytes(file_);
+  // Rights do not bind root, so root becomes nobody for a moment.
+  const bool wasRoot = geteuid() == 0;
+  if (wasRoot && seteuid(65534) != 0) {
+    GTEST_SKIP() << "root cannot become nobody here";
+  }
+  std::optional<ExportReport> report;
+  EXPECT_NO_THROW(report = exportStudy(file_, other / "tables", {}));
+  ASSERT_TRUE(!wasRoot || seteuid(0) == 0);
+  fs::permissions(folder_.path(), fs::perms::owner_all);
+  ASSERT_TRUE(report);
+  EXPECT_FALSE(report->recorded);
+  EXPECT_EQ(report->subjects, 3);
+  EXPECT_TRUE(fileBytes(file_) == before);
+}
+
+TEST_F(StudyExportTest, GivesEachMeasureAColumnOfItsOwn) {
+  const std::filesystem::path file = folder_ / "measures.db";
+  {
+    StudyDatabase database = StudyDatabase::openForSessions(file, madeProtocol());
+    database.addSubject("S01", SubjectKind::kPerson);
+    const SessionSchedule schedule = madeSchedule(0, 0, 1);
+    TrialStore store(database, madeProtocol(), madeRun("S01", 0), schedule);
+    TrialRecord record = madeTrial(schedule.trials[0], 1, 1);
+    record.outcome.measures = {{"a b", 1}, {"a-b", 2}, {"A_b", 3}, {"a_b_2", 4}};
+    storeTrial(store, 0, record, 3, 1);
+  }
+  exportStudy(file, tables_, {});
+  const Table trials(tables_ / "trials.csv");
+  // By the measures' names: "A_b", "a b", "a-b", "a_b_2".
+  EXPECT_EQ(trials.at(0, "A_b"), "3");
+  EXPECT_EQ(trials.at(0, "a_b_2"), "1");
+  EXPECT_EQ(trials.at(0, "a_b_3"), "2");
+  EXPECT_EQ(trials.at(0, "a_b_2_2"), "4");
 }
 
 }  // namespace

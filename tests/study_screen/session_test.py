@@ -247,6 +247,10 @@ def check_database(path, way):
     check("answers to the others", rows("SELECT answer <> '', censored FROM trial WHERE task <> 'find'"), [(1, 0)] * 4)
     # Two seconds of 60 frames each, however late they were.
     check("exposures", rows("SELECT exposure_frames FROM trial WHERE task = 'count'"), [(120,), (120,)])
+    # Times count from the start of the run, which lasted some minutes at most.
+    for table, column in (("event", "at_ns"), ("frame", "shown_ns"), ("input", "came_ns")):
+        first, last = rows(f"SELECT min({column}), max({column}) FROM {table}")[0]
+        check(f"times of {table}", 0 <= first <= last < 900 * 10**9, True)
     check("events", rows("SELECT detail FROM event WHERE what IN ('pause', 'note') ORDER BY event_id"),
           [("a moment, please",), ("all went well",)])
     kinds = {kind for (kind,) in rows("SELECT DISTINCT kind FROM input")}

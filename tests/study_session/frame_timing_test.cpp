@@ -29,6 +29,21 @@ TEST(FrameTiming, aFewMayBeDropped) {
   EXPECT_EQ(timingOf(shown, kLimits, {.intervalNanoseconds = 100}).verdict, "dropped_frames");
 }
 
+TEST(FrameTiming, framesThatDoNotWaitForTheScreenAreEarly) {
+  const auto verdict = [](int64_t interval) {
+    std::vector<int64_t> shown;
+    for (int64_t i = 0; i < 50; ++i) {
+      shown.push_back(i * interval);
+    }
+    return timingOf(shown, kLimits, {.intervalNanoseconds = 1200}).verdict;
+  };
+  EXPECT_EQ(verdict(1000), "good");  // 1200 / 1.2
+  EXPECT_EQ(verdict(999), "early_frames");
+  EXPECT_EQ(verdict(1), "early_frames");
+  // One frame has no intervals.
+  EXPECT_EQ(timingOf(std::vector<int64_t>{7}, kLimits, {.intervalNanoseconds = 1200}).verdict, "good");
+}
+
 TEST(FrameTiming, saysWhereItCannotBeTrusted) {
   EXPECT_EQ(timingOf({}, kLimits, {}).verdict, "good");
   EXPECT_EQ(timingOf({}, kLimits, {.unstable = true}).verdict, "unstable_refresh");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -207,9 +208,84 @@ TEST(SessionFlow, practiceThatFailsCallsTheExperimenter) {
   run.goOn([&] { return small.sink.hasEvent("practice_failed"); });
   EXPECT_TRUE(run.flow.status().wantsExperimenter);
   EXPECT_EQ(small.sink.all<test::TrialEnds>().size(), 3u);  // "most trials"
+  run.tap(Key::kEnter);  // not the subject's to pass, neither by keys nor by the mouse
+  run.flow.act({FormAction::Kind::kGoOn}, run.now);
+  EXPECT_TRUE(run.flow.status().wantsExperimenter);
+  EXPECT_FALSE(small.sink.hasEvent("practice_continued"));
+  run.flow.resume();
+  EXPECT_FALSE(run.flow.status().wantsExperimenter);
   run.goOn([&] { return run.inTrial(); });
   EXPECT_FALSE(run.flow.trialPlan()->practice);
   EXPECT_TRUE(small.sink.hasEvent("practice_continued"));
+}
+
+TEST(SessionFlow, theExperimentersKeyGoesOnAfterPracticeThatFailed) {
+  Small small;
+  SessionRun run(small.protocol, small.schedule, small.sink);
+  run.tap(Key::kF12);  // nothing to go on with
+  run.answer = Key::k9;
+  run.goOn([&] { return small.sink.hasEvent("practice_failed"); });
+  run.flow.pause("a question");
+  run.tap(Key::kF12);
+  EXPECT_FALSE(small.sink.hasEvent("practice_continued"));
+  run.flow.resume();
+  EXPECT_TRUE(run.flow.status().wantsExperimenter);  // it ended the pause alone
+  run.tap(Key::kF12);
+  EXPECT_TRUE(small.sink.hasEvent("practice_continued"));
+}
+
+TEST(SessionFlow, notesAreStoredAfterTheEnd) {
+  Small small;
+  SessionRun run(small.protocol, small.schedule, small.sink);
+  run.tap(Key::kF10);
+  run.tap(Key::kEnter);
+  ASSERT_EQ(run.flow.ending(), SessionEnding::kUnwell);
+  EXPECT_TRUE(run.flow.note("a headache"));
+  EXPECT_EQ(small.sink.all<EventRecord>().back().detail, "a headache");
+
+  Small declined;
+  SessionRun other(declined.protocol, declined.schedule, declined.sink);
+  other.tap(Key::kEscape);
+  EXPECT_FALSE(other.flow.note("no time"));
+  EXPECT_FALSE(declined.sink.hasEvent("note"));
+}
+
+TEST(SessionFlow, redoDuringABreakDoesNotBeginItAgain) {
+  Small small;
+  SessionRun run(small.protocol, small.schedule, small.sink);
+  const auto begun = [&] {
+    const auto events = small.sink.all<EventRecord>();
+    return std::count_if(events.begin(), events.end(),
+                         [](const EventRecord& event) { return event.what == "break" && event.detail == "begins"; });
+  };
+  run.goOn([&] { return small.sink.hasEvent("break"); });
+  const int64_t began = run.now;
+  const TrialPlan last = small.sink.all<test::TrialEnds>().back().record.plan;
+  EXPECT_TRUE(run.flow.redo());
+  run.goOn([&] { return run.inTrial(); });
+  EXPECT_EQ(*run.flow.trialPlan(), last);
+  run.goOn([&] { return run.page() != nullptr && run.page()->title == "A break"; });
+  EXPECT_EQ(begun(), 1);
+  EXPECT_NEAR(run.page()->waitSeconds, 2 - static_cast<double>(run.now - began) * 1e-9, 0.05);  // three frames
+}
+
+TEST(SessionFlow, redoSaysWhereNothingIsDoneAgain) {
+  Small small;
+  SessionRun run(small.protocol, small.schedule, small.sink);
+  EXPECT_FALSE(run.flow.redo());  // no trial yet
+  run.goOn([&] { return run.inTrial(); });
+  EXPECT_TRUE(run.flow.redo());
+  run.goOn();
+  EXPECT_FALSE(run.flow.redo());
+}
+
+TEST(SessionFlow, aFailureSaysWhy) {
+  Small small;
+  small.sink.failsAfter = 3;
+  SessionRun run(small.protocol, small.schedule, small.sink);
+  run.goOn();
+  EXPECT_EQ(run.flow.ending(), SessionEnding::kFailed);
+  EXPECT_EQ(run.flow.status().failure, "the disk is full");
 }
 
 TEST(SessionFlow, oneRightPracticeTrialBetweenWrongOnesIsNotInARow) {

@@ -112,7 +112,9 @@ SessionDone doneAfter(std::span<const SinkCall> calls, const SessionSchedule& sc
     } else if (const auto* answer = std::get_if<AnswerRecord>(&call)) {
       ++answers[answer->form];
     } else if (const auto* begins = std::get_if<TrialBegins>(&call)) {
-      if (!begins->plan.practice) {
+      if (begins->plan.practice) {
+        done.practiceBegun.push_back(begins->plan);
+      } else {
         ++done.attempts[static_cast<size_t>(begins->plan.index)];
       }
     } else if (const auto* ends = std::get_if<TrialEnds>(&call)) {

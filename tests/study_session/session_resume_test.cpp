@@ -1,6 +1,7 @@
 // Sessions that were cut off and go on.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "oc_core/base/error.h"
@@ -71,6 +72,26 @@ TEST(SessionResume, completesTheScheduleExactlyOnceWhereverItWasCut) {
                   }
                   EXPECT_EQ(practiced, done.blocksPracticed.empty());
                 });
+}
+
+TEST(SessionResume, attemptsAtPracticeAreCountedOnAcrossRuns) {
+  const Protocol protocol = test::smallProtocol();
+  cutEverywhere(protocol, [&](std::span<const test::SinkCall> before, const FakeSink& after, const SessionSchedule&) {
+    std::map<int, std::vector<int>> attempts;  // by case
+    const auto note = [&](const test::SinkCall& call) {
+      const auto* begins = std::get_if<test::TrialBegins>(&call);
+      if (begins != nullptr && begins->plan.practice) {
+        attempts[begins->plan.caseIndex].push_back(begins->attempt);
+      }
+    };
+    std::for_each(before.begin(), before.end(), note);
+    std::for_each(after.calls.begin(), after.calls.end(), note);
+    for (const auto& [index, counted] : attempts) {
+      for (size_t i = 0; i < counted.size(); ++i) {
+        EXPECT_EQ(counted[i], static_cast<int>(i) + 1);
+      }
+    }
+  });
 }
 
 TEST(SessionResume, blocksBeginAnewWhereTheProtocolSaysSo) {

@@ -141,6 +141,60 @@ TEST_F(MergeTest, AddsWhatHasComeSince) {
   EXPECT_TRUE(contents(target_) == contents(folder_ / "one.db"));
 }
 
+TEST_F(MergeTest, CompletesRunsOfWhichItHasACopyMadeMeanwhile) {
+  store("one.db", "A0");
+  {
+    StudyDatabase database = StudyDatabase::openForSessions(folder_ / "one.db", madeProtocol());
+    database.addSubject("A1", SubjectKind::kPerson);
+    const SessionSchedule schedule = madeSchedule(0, 0, 2);
+    TrialStore store(database, madeProtocol(), madeRun("A1", 0), schedule);
+    store.consent({"Consent", "", "", true, ""});
+    store.event({1, "", "note", "same"});
+    storeTrial(store, 0, madeTrial(schedule.trials[0], 1, 0), 40, 0);
+    store.trialBegins(1, schedule.trials[1], 1);
+    store.frames(1, madeFrames(0, 30, 1));
+    const std::vector<InputRecord> inputs = madeInputs();
+    store.inputs(1, std::span(inputs).first(2));
+    store.flush();
+    SQLite::Database((folder_ / "one.db").string()).exec("VACUUM INTO '" + (folder_ / "copy.db").string() + "'");
+    store.frames(1, madeFrames(30, 30, 1));
+    store.inputs(1, std::span(inputs).subspan(2));
+    store.trialEnds(1, madeTrial(schedule.trials[1], 1, 1));
+    storeTrial(store, 2, madeTrial(schedule.trials[2], 1, 2), 40, 2);
+    store.event({2, "", "note", "same"});
+    store.event({3, "", "note", "last"});
+    store.answer({"survey", "easier", "1", ""});
+    store.sessionEnds(SessionEnding::kAborted, "2026-03-01T13:00:00.000Z");
+  }
+  merge({"copy.db"});
+  EXPECT_FALSE(StudyDatabase::openForReading(target_).session("A1", 0)->ending);
+  const MergeReport report = merge({"one.db"});
+  EXPECT_EQ(report.runs, 0);
+  EXPECT_EQ(report.runsThatWentOn, 1);
+  EXPECT_EQ(report.trials, 1);
+  EXPECT_TRUE(contents(target_) == contents(folder_ / "one.db"));
+  EXPECT_EQ(StudyDatabase::openForReading(target_).session("A1", 0)->ending, SessionEnding::kAborted);
+  EXPECT_EQ(merge({"one.db", "copy.db"}).runsThatWentOn, 0);
+  EXPECT_TRUE(contents(target_) == contents(folder_ / "one.db"));
+}
+
+TEST_F(MergeTest, LeavesOutWhoWithdrew) {
+  store("one.db", "A1");
+  store("one.db", "A2");
+  merge({"one.db"});
+  withdrawSubject(target_, "A1", {});
+  const MergeReport report = merge({"one.db"});
+  EXPECT_EQ(report.subjects, 0);
+  EXPECT_EQ(report.runs, 0);
+  EXPECT_THAT(report.withdrawnSubjects, ElementsAre("A1"));
+  EXPECT_THAT(fileBytes(target_), Not(HasSubstr("A1")));
+  EXPECT_EQ(StudyDatabase::openForReading(target_).subjects().size(), 1u);
+  // The id is free for someone else.
+  store("two.db", "A1");
+  EXPECT_EQ(merge({"one.db", "two.db"}).subjects, 1);
+  EXPECT_EQ(StudyDatabase::openForReading(target_).subjects().size(), 2u);
+}
+
 TEST_F(MergeTest, TellsOfItInTheAuditTrail) {
   store("one.db", "A1");
   merge({"one.db"});

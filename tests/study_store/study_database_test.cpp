@@ -70,8 +70,9 @@ TEST_F(StudyDatabaseTest, RefusesWhatIsNoDatabase) {
 
 TEST_F(StudyDatabaseTest, RefusesADatabaseOfAnotherProgram) {
   execute("CREATE TABLE recipe (name TEXT)");
+  const std::string before = fileBytes(file_);
   EXPECT_THAT(refusal<InputError>(), HasSubstr("no database of a study"));
-  EXPECT_EQ(SQLite::Database(file_.string()).execAndGet("SELECT count(*) FROM sqlite_schema").getInt(), 1);
+  EXPECT_TRUE(fileBytes(file_) == before);  // the mode of its log too
 }
 
 TEST_F(StudyDatabaseTest, RefusesFoldersAndFilesThatAreNotThere) {
@@ -99,6 +100,26 @@ TEST_F(StudyDatabaseTest, RefusesASecondProgramAndNamesTheFirst) {
   EXPECT_EQ(DatabaseLock::holderOf(file_), std::nullopt);
   open();
   EXPECT_FALSE(std::filesystem::exists(DatabaseLock::fileOf(file_)));
+}
+
+TEST_F(StudyDatabaseTest, TakesALinkForWhatItLeadsTo) {
+  const std::filesystem::path link = folder_ / "link.db";
+  const std::filesystem::path far = folder_ / "folder" / "far.db";
+  std::filesystem::create_symlink("study.db", link);  // leads to nothing yet
+  std::filesystem::create_directory(folder_ / "folder");
+  std::filesystem::create_symlink("../link.db", far);
+  {
+    StudyDatabase first = StudyDatabase::openForSessions(far, protocol_);
+    for (const std::filesystem::path& other : {file_, link, far}) {
+      EXPECT_THAT(messageOf<WorkError>([&] { StudyDatabase::openForSessions(other, protocol_); }),
+                  HasSubstr("another program uses this database"))
+          << other;
+    }
+    // Its log is read through any name.
+    first.addSubject("S01", SubjectKind::kPerson);
+    EXPECT_EQ(StudyDatabase::openForReading(far).subjects().size(), 1u);
+  }
+  EXPECT_EQ(StudyDatabase::openForReading(file_).subjects().size(), 1u);
 }
 
 TEST_F(StudyDatabaseTest, IgnoresTheLockOfAProcessThatWasKilled) {

@@ -185,6 +185,41 @@ TEST_F(TrialStoreTest, GoesOnAfterARecordThatContradictsOthers) {
   EXPECT_EQ(database.events("S01")[0].record.what, "record_refused");
 }
 
+TEST_F(TrialStoreTest, GoesOnAfterATrialThatCannotBegin) {
+  StudyDatabase database = StudyDatabase::openForSessions(file_, protocol_);
+  database.addSubject("S01", SubjectKind::kPerson);
+  const SessionSchedule schedule = madeSchedule(0, 0, 1);
+  TrialStore store(database, protocol_, madeRun("S01", 0), schedule);
+  std::atomic<int> acknowledged{0};
+  TrialRecord broken = madeTrial(schedule.trials[0], 0, 1);  // attempts count from 1
+  storeTrial(store, 0, broken, 20, 1, [&] { ++acknowledged; });
+  storeTrial(store, 1, madeTrial(schedule.trials[1], 1, 2), 20, 2, [&] { ++acknowledged; });
+  store.flush();
+  EXPECT_EQ(acknowledged, 1);
+  EXPECT_THAT(store.failure().value_or(""), HasSubstr("a record cannot be stored"));
+  const std::vector<StoredTrial> trials = database.trials("S01");
+  ASSERT_EQ(trials.size(), 1u);
+  EXPECT_EQ(database.frames(trials[0].id).size(), 20u);
+  ASSERT_EQ(database.events("S01").size(), 2u);  // its beginning and its end
+  EXPECT_THAT(database.events("S01")[1].record.detail, HasSubstr("whose beginning was not stored"));
+}
+
+TEST_F(TrialStoreTest, GivesUpWhereNotEvenTheRefusalCanBeStored) {
+  StudyDatabase database = StudyDatabase::openForSessions(file_, protocol_);
+  database.addSubject("S01", SubjectKind::kPerson);
+  const SessionSchedule schedule = madeSchedule(0, 0, 1);
+  TrialStore store(database, protocol_, madeRun("S01", 0), schedule);
+  {
+    SQLite::Database raw(file_.string(), SQLite::OPEN_READWRITE);
+    raw.exec("UPDATE withdrawal SET subject_id = 'S01'; DELETE FROM run; UPDATE withdrawal SET subject_id = NULL");
+  }
+  store.event({1, "", "note", "of nobody"});
+  storeTrial(store, 0, madeTrial(schedule.trials[0], 1, 1), 20, 1);
+  store.flush();  // comes back
+  EXPECT_THAT(store.failure().value_or(""), HasSubstr("a record cannot be stored"));
+  EXPECT_TRUE(database.trials("S01").empty());
+}
+
 TEST_F(TrialStoreTest, EndsARunOnce) {
   StudyDatabase database = StudyDatabase::openForSessions(file_, protocol_);
   database.addSubject("S01", SubjectKind::kPerson);

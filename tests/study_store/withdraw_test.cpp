@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "oc_core/base/error.h"
+#include "study/store/database_lock.h"
 #include "study/store/identity_key.h"
 #include "study/store/sqlite_connection.h"
 #include "study/store/trial_store.h"
@@ -114,10 +115,15 @@ class WithdrawTest : public testing::Test {
 
 TEST_F(WithdrawTest, LeavesNoByteInAnyFile) {
   EXPECT_EQ(tracesLeft().size(), traces().size());  // the search finds what is there
+  const std::string key =
+      SQLite::Database(file_.string())
+          .execAndGet(std::string("SELECT subject_key FROM subject WHERE subject_id = '") + kWho + "'")
+          .getString();
   const WithdrawReport report = withdrawSubject(file_, kWho, {});
   EXPECT_EQ(report.sessions, 1);
   EXPECT_EQ(report.trials, 6);
   EXPECT_THAT(tracesLeft(), testing::IsEmpty());
+  EXPECT_THAT(fileBytes(file_), Not(HasSubstr(key)));
 
   const StudyDatabase database = StudyDatabase::openForReading(file_);
   EXPECT_EQ(database.subjects().size(), 2u);
@@ -130,7 +136,8 @@ TEST_F(WithdrawTest, LeavesNoByteInAnyFile) {
   }
   ASSERT_EQ(database.audit().size(), 2u);
   EXPECT_EQ(database.audit()[1].action, "withdrawn");
-  EXPECT_EQ(database.audit()[1].detailJson, "{}");
+  EXPECT_THAT(database.audit()[1].detailJson,
+              testing::MatchesRegex(R"(\{"salt":"[0-9a-f]{32}","subject_key_sha256":"[0-9a-f]{64}"\})"));
   SQLite::Database raw(file_.string());
   EXPECT_EQ(raw.execAndGet("PRAGMA integrity_check").getString(), "ok");
   EXPECT_FALSE(SQLite::Statement(raw, "PRAGMA foreign_key_check").executeStep());
@@ -169,6 +176,31 @@ TEST_F(WithdrawTest, WipesLaterWhatAReaderKeptItFromWiping) {
   EXPECT_EQ(StudyDatabase::openForReading(file_).subject(kWho), std::nullopt);
   StudyDatabase::openForSessions(file_, protocol_);
   EXPECT_THAT(tracesLeft(), testing::IsEmpty());
+}
+
+TEST_F(WithdrawTest, GoesOnToExportsAndKeyWhereRowsAreDeletedAlready) {
+  const std::filesystem::path key = folder_ / "key.csv";
+  addIdentity(key, kWho, "Someone Else");
+  {
+    SQLite::Database reader(file_.string());
+    SQLite::Statement open(reader, "SELECT * FROM frame");
+    open.executeStep();
+    EXPECT_THROW(withdrawSubject(file_, kWho, {}), WorkError);
+  }
+  const std::filesystem::path data = folder_.write("trials.csv.partial", std::string("1,") + kWho + "\r\n");
+  addAuditOfExport(folder_.path().string(), "trials.csv");
+  const WithdrawReport report = withdrawSubject(file_, kWho, {.deleteExports = true, .keyFile = key});
+  EXPECT_TRUE(report.onlyLeftovers);
+  EXPECT_TRUE(report.identityRemoved);
+  EXPECT_EQ(report.deletedFiles, std::vector<std::filesystem::path>{data});
+  EXPECT_THAT(tracesLeft(), testing::IsEmpty());
+  EXPECT_THROW(withdrawSubject(file_, kWho, {}), InputError);
+}
+
+TEST_F(WithdrawTest, RefusesWhileAnExportIsUnderWay) {
+  const DatabaseLock exporting(file_, DatabaseUse::kExport);
+  EXPECT_THAT(messageOf<WorkError>([&] { withdrawSubject(file_, kWho, {}); }), HasSubstr("an export"));
+  EXPECT_EQ(StudyDatabase::openForReading(file_).trials(kWho).size(), 6u);
 }
 
 TEST_F(WithdrawTest, TakesExportsWithIt) {
@@ -253,6 +285,15 @@ TEST(IdentityKey, HoldsOneLineASubject) {
   EXPECT_EQ(fileBytes(key), "subject_id,name\r\nS01,Ada\r\nS02,Grace\r\n");
   EXPECT_EQ(std::filesystem::status(key).permissions() & std::filesystem::perms::mask,
             std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  // Saved by a spreadsheet.
+  const std::filesystem::path saved =
+      folder.write("saved.csv", "\xef\xbb\xbfsubject_id,name\r\nS01,Ada\r\nS02,Grace\r\n");
+  EXPECT_TRUE(removeIdentity(saved, "S01"));
+  EXPECT_EQ(fileBytes(saved), "subject_id,name\r\nS02,Grace\r\n");
+  EXPECT_THAT(messageOf<InputError>([&] {
+                removeIdentity(folder.write("apart.csv", "\xef\xbb\xbfsubject_id;name\r\nS01;Ada\r\n"), "S01");
+              }),
+              HasSubstr("with commas"));
   EXPECT_THROW(addIdentity(folder.write("other.csv", "a,b\r\n"), "S01", "Ada"), InputError);
 }
 

@@ -25,6 +25,7 @@ std::unique_ptr<TrialRun> hidden(const TaskBlock& of, int caseIndex = 0) {
   while (!run->picture().views.empty()) {
     run->frameShown();
   }
+  run->frameShown();
   return run;
 }
 
@@ -75,6 +76,13 @@ TEST(CountTask, theExposureIsCountedInFrames) {
   }
   EXPECT_TRUE(run->picture().views.empty());
   EXPECT_EQ(run->picture().choices.size(), 4u);
+  // The last frame of the scene is still on the screen, however long it takes.
+  for (int i = 0; i < 18; ++i) {
+    run->advance();
+  }
+  run->handle(press(Key::k4));
+  EXPECT_FALSE(run->outcome().has_value());
+  run->frameShown();  // the first without it
   for (int i = 0; i < 120; ++i) {
     run->advance();
   }

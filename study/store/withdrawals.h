@@ -1,0 +1,27 @@
+// Who withdrew from a database, in a form that names nobody: a salted hash of the subject's random key. It keeps a
+// merge from bringing back who has gone.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace SQLite {
+class Database;
+}
+
+namespace ocelli {
+
+struct Withdrawal {
+  std::string salt;
+  std::string keySha256;  ///< of the salt and the subject's key, one after the other
+};
+
+/// Of a subject with that key, as the audit trail keeps it: JSON.
+std::string withdrawalDetail(const std::string& subjectKey);
+
+/// Those that the audit trail of the database has.
+std::vector<Withdrawal> withdrawalsOf(SQLite::Database& database);
+
+bool isWithdrawn(const std::vector<Withdrawal>& withdrawals, const std::string& subjectKey);
+
+}  // namespace ocelli
