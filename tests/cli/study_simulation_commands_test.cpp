@@ -73,7 +73,7 @@ TEST_F(StudySimulationCommands, ReplaysTellWhereALogWasChanged) {
     // Rows can only be changed by one who takes the triggers away.
     SQLite::Database database(path("study.db"), SQLite::OPEN_READWRITE);
     database.exec("DROP TRIGGER frame_update");
-    EXPECT_EQ(database.exec("UPDATE frame SET x_m = x_m + 0.001 WHERE frame = 5"), 1);
+    EXPECT_EQ(database.exec("UPDATE frame SET x_m = x_m + 0.001 WHERE trial_id = 1 AND frame = 5"), 1);
   }
   const ProgramResult all = replay("--all");
   EXPECT_EQ(all.exitCode, kWorkFailed);
