@@ -14,6 +14,8 @@ constexpr double kAside = 0.8;
 /// From there on one turns first and then walks, degrees.
 constexpr double kTurnFirstDegrees = 40;
 constexpr double kStraightDegrees = 4;
+/// By more than that one does not turn while walking on, degrees.
+constexpr double kMostRoundedDegrees = 120;
 /// Of the time that a turn takes, when most of it is done.
 constexpr double kTurnedShare = 0.7;
 constexpr int kStuckFixations = 3;
@@ -21,6 +23,9 @@ constexpr int kStuckFixations = 3;
 constexpr int kLostFixations = 8;
 /// What stands nearer is below the view, metres.
 constexpr double kTooNear = 2.5;
+/// Steps back from it, and at most so far back to where it was seen from, metres.
+constexpr double kStepBack = 1;
+constexpr double kMostBack = 2;
 /// Of two ways one sticks to the one chosen before while it costs less than that times the other.
 constexpr double kStickiness = 1.25;
 /// Where one has looked before, but is not sure of it any more, one looks again when it is that much nearer.
@@ -58,22 +63,25 @@ double FindMind::think(const Percept& seen, int64_t from, int64_t now, Hands& ha
   if (object != seen.objects.end()) {
     missed_ = 0;
     inSight_ += secondsOf(now - from);
-    if (!found_ && inSight_ >= vision_.factors().noticeSeconds) {
-      found_ = true;
-      stopsAt_ = now + nanosecondsOf(vision_.factors().reactionSeconds);
-      hands.release(stopsAt_);
-    }
     gaze_ = object->centroid;
+    foundAt_ = object->place;
+    foundFrom_ = seen.standing.value_or(foundFrom_);
+    if (!found_ && inSight_ >= vision_.factors().noticeSeconds) {
+      stopFor(now, hands);
+    }
     if (found_) {
-      foundAt_ = object->place;
       goFor(*object, from, now, hands);
       return 0;
     }
   } else {
-    inSight_ = 0;
     before_.reset();
+    if (!found_ && inSight_ > 0) {
+      stopFor(now, hands);  // of what one caught a glimpse
+    }
+    inSight_ = 0;
     if (found_ && ++missed_ > kLostFixations) {
       found_ = false;
+      lead_ = seen.grid.cellAt(foundAt_);
       since_ = from;  // it moves: whatever was seen before may hide it now
     }
   }
@@ -89,19 +97,28 @@ double FindMind::think(const Percept& seen, int64_t from, int64_t now, Hands& ha
   return 0;
 }
 
+void FindMind::stopFor(int64_t now, Hands& hands) {
+  found_ = true;
+  missed_ = 0;
+  stopsAt_ = now + nanosecondsOf(vision_.factors().reactionSeconds);
+  hands.release(stopsAt_);
+}
+
 void FindMind::faceAgain(const Percept& seen, int64_t from, int64_t now, Hands& hands) {
-  if (!seen.standing || hands.pansUntil(now) > now) {
+  if (!seen.standing || hands.isPanning(now)) {
     return;
   }
   gaze_ = seen.views.front().center();
   const int64_t at = now + nanosecondsOf(vision_.factors().reactionSeconds);
   const WalkerPose pose = hands.reckon(*seen.standing, from, at);
-  const double degrees =
-      degreesFromRadians(std::remainder(headingTo(placeOf(pose), foundAt_) - pose.headingRadians, 2 * kPi));
+  // As far back as one has walked on since, or away from what is below the view.
+  const double on = std::min(glm::distance(placeOf(pose), placeOf(foundFrom_)), kMostBack);
+  const double back = glm::distance(placeOf(pose), foundAt_) < kTooNear ? std::max(on, kStepBack) : on;
   std::vector<Hands::Hold> holds;
-  if (glm::distance(placeOf(pose), foundAt_) < kTooNear && std::abs(degrees) < kTurnFirstDegrees) {
-    holds.push_back({controls_.backward, at, at + nanosecondsOf(1 / controls_.walkMetersPerSecond)});
+  if (back > kArrived) {
+    holds.push_back({controls_.backward, at, at + nanosecondsOf(back / controls_.walkMetersPerSecond)});
   }
+  const double degrees = degreesFromRadians(std::remainder(foundFrom_.headingRadians - pose.headingRadians, 2 * kPi));
   if (std::abs(degrees) > kStraightDegrees) {
     turn(degrees, at, holds, hands);
   } else {
@@ -118,7 +135,7 @@ void FindMind::learn(const Percept& seen, int64_t from) {
       }
     }
   }
-  if (seen.standing) {
+  if (seen.standing && !stood_) {
     memory_.visit(seen.grid.cellAt(placeOf(*seen.standing)), from);
   }
   sure_ = from - nanosecondsOf(vision_.factors().searchMemorySeconds * (moves_ ? kMovingShare : 1));
@@ -166,7 +183,13 @@ void FindMind::noteWhetherStuck(const Percept& seen, int64_t from, const Hands& 
   stoodAt_ = from;
 }
 
-std::optional<MazeCell> FindMind::chooseGoal(const std::map<MazeCell, MazeMemory::Way>& ways) {
+std::optional<MazeCell> FindMind::chooseGoal(const std::map<MazeCell, MazeMemory::Way>& ways, double cellSeconds) {
+  if (lead_ && memory_.hasSearched(*lead_, since_)) {
+    lead_.reset();  // it is not there any more
+  }
+  if (const auto led = lead_ ? ways.find(*lead_) : ways.end(); led != ways.end() && !led->second.cells.empty()) {
+    return lead_;
+  }
   std::optional<MazeCell> best;
   double least = 0;
   for (const auto& [cell, way] : ways) {
@@ -180,7 +203,9 @@ std::optional<MazeCell> FindMind::chooseGoal(const std::map<MazeCell, MazeMemory
     }
     const double noise = felt->second;
     const double again = memory_.hasSearched(cell, since_) ? kAgainFactor : 1;
-    const double cost = (way.seconds + 0.5) * again * noise / (goal_ == cell ? kStickiness : 1);
+    // What lies ahead is seen from the cell before it.
+    const double seconds = way.seconds - cellSeconds;
+    const double cost = (seconds + 0.5) * again * noise / (goal_ == cell ? kStickiness : 1);
     if (!best || cost < least) {
       best = cell;
       least = cost;
@@ -205,42 +230,63 @@ int64_t FindMind::turnTime(double degrees, const Hands& hands) const {
 }
 
 void FindMind::turnAround(int64_t at, Hands& hands) const {
-  if (hands.pansUntil(at) <= at) {
+  if (!hands.isPanning(at)) {
     turn(90, at, {}, hands);
   }
 }
 
-void FindMind::walkTo(const std::vector<glm::dvec2>& corners, const WalkerPose& pose, int64_t at, Hands& hands) const {
+void FindMind::walkTo(const std::vector<glm::dvec2>& corners, bool looksAtLast, const WalkerPose& pose, int64_t at,
+                      Hands& hands) const {
+  const double speed = controls_.walkMetersPerSecond;
   std::vector<Hands::Hold> holds;
   std::vector<std::pair<double, int64_t>> pans;
   glm::dvec2 place = placeOf(pose);
   double heading = pose.headingRadians;
-  int64_t time = hands.pansUntil(at);  // a turn under way is brought to its end
-  bool turns = time <= at;
-  for (const glm::dvec2& corner : corners) {
-    const double away = glm::distance(corner, place);
-    const double degrees = degreesFromRadians(std::remainder(headingTo(place, corner) - heading, 2 * kPi));
-    if (turns && std::abs(degrees) > kStraightDegrees) {
-      const int64_t seconds = turnTime(degrees, hands);
+  int64_t time = at;
+  bool walks = false;
+  int64_t since = at;   // one walks
+  double straight = 0;  // metres just walked without a turn
+  const auto stop = [&] {
+    if (walks) {
+      holds.push_back({controls_.forward, since, time});
+      walks = false;
+    }
+  };
+  for (size_t i = 0; i < corners.size(); ++i) {
+    const double degrees = degreesFromRadians(std::remainder(headingTo(place, corners[i]) - heading, 2 * kPi));
+    const bool isLarge = std::abs(degrees) > kTurnFirstDegrees;
+    const bool looksOnly = isLarge && looksAtLast && i + 1 == corners.size();
+    double away = looksOnly ? 0 : glm::distance(corners[i], place);
+    const int64_t seconds = turnTime(degrees, hands);
+    const double reach = isLarge ? hands.panReach(degrees) : 0;
+    if (isLarge && vision_.factors().turnsByMouse && std::abs(degrees) < kMostRoundedDegrees && walks &&
+        straight > reach - kArrived && away > reach) {
+      const int64_t begin = std::max(at, time - nanosecondsOf(reach / speed));
+      pans.emplace_back(degrees, begin);
+      time = begin + seconds;
+      away -= reach;
+    } else if (std::abs(degrees) > kStraightDegrees) {
+      if (isLarge) {
+        stop();
+      }
       if (vision_.factors().turnsByMouse) {
         pans.emplace_back(degrees, time);
       } else {
         holds.push_back({degrees > 0 ? controls_.turnRight : controls_.turnLeft, time, time + seconds});
       }
       // Out of large turns one sets out at their end.
-      if (std::abs(degrees) > kTurnFirstDegrees) {
-        time += static_cast<int64_t>(static_cast<double>(seconds) * kTurnedShare);
-      }
+      time += isLarge ? static_cast<int64_t>(static_cast<double>(seconds) * kTurnedShare) : 0;
     }
     if (away > kArrived) {
-      const int64_t there = time + nanosecondsOf(away / controls_.walkMetersPerSecond);
-      holds.push_back({controls_.forward, time, there});
-      time = there;
+      since = walks ? since : time;
+      walks = true;
+      time += nanosecondsOf(away / speed);
     }
-    heading = headingTo(place, corner);
-    place = corner;
-    turns = true;
+    straight = away;
+    heading = headingTo(place, corners[i]);
+    place = corners[i];
   }
+  stop();
   hands.plan(at, holds);
   for (const auto& [degrees, begin] : pans) {
     hands.pan(degrees, begin);
@@ -253,9 +299,10 @@ void FindMind::walk(const Percept& seen, int64_t from, int64_t now, Hands& hands
     turnAround(at, hands);
     return;
   }
-  // Turned as far as one is about to turn.
-  WalkerPose pose = hands.reckon(*seen.standing, from, at);
-  pose.headingRadians = hands.reckon(*seen.standing, from, hands.pansUntil(at)).headingRadians;
+  if (hands.isPanning(at)) {
+    return;  // a turn under way is brought to its end, and one walks on as one meant to
+  }
+  const WalkerPose pose = hands.reckon(*seen.standing, from, at);
   const SeenGrid& grid = seen.grid;
   // Reckoned, one may have gone through a wall: then one still is where one was seen.
   MazeCell here = grid.cellAt(placeOf(pose));
@@ -275,9 +322,9 @@ void FindMind::walk(const Percept& seen, int64_t from, int64_t now, Hands& hands
     hands.plan(at, {{controls_.backward, at, at + nanosecondsOf(0.3)}});
     return;
   }
-  const auto ways = memory_.waysFrom(here, pose.headingRadians, grid.cellSize / controls_.walkMetersPerSecond,
-                                     90 / controls_.turnDegreesPerSecond);
-  goal_ = chooseGoal(ways);
+  const double cellSeconds = grid.cellSize / controls_.walkMetersPerSecond;
+  const auto ways = memory_.waysFrom(here, pose.headingRadians, cellSeconds, secondsOf(turnTime(90, hands)));
+  goal_ = chooseGoal(ways, cellSeconds);
   if (!goal_) {
     since_ = from + 1;  // all of it, again
     turnAround(at, hands);
@@ -304,7 +351,7 @@ void FindMind::walk(const Percept& seen, int64_t from, int64_t now, Hands& hands
       corners.push_back(grid.middleOf(cells[i]));
     }
   }
-  walkTo(corners, pose, at, hands);
+  walkTo(corners, cells.size() == 1, pose, at, hands);
 }
 
 void FindMind::lookOn(const Percept& seen) {

@@ -18,19 +18,21 @@ class FindMind final : public TaskMind {
 
  private:
   void learn(const Percept& seen, int64_t from);
-  /// Whether the object has been in sight for long enough.
-  bool makesOut(const Percept& seen, int64_t from, int64_t now);
+  /// For what one has made out, or caught a glimpse of.
+  void stopFor(int64_t now, Hands& hands);
   void goFor(const Sighting& object, int64_t from, int64_t now, Hands& hands);
   void walk(const Percept& seen, int64_t from, int64_t now, Hands& hands);
-  /// By way of these places, from where one will be at that time.
-  void walkTo(const std::vector<glm::dvec2>& corners, const WalkerPose& pose, int64_t at, Hands& hands) const;
-  /// What was made out and is out of sight: towards where it was, or back from it.
+  /// By way of these places, from where one will be at that time; `looksAtLast`: one but turns to the last of them.
+  void walkTo(const std::vector<glm::dvec2>& corners, bool looksAtLast, const WalkerPose& pose, int64_t at,
+              Hands& hands) const;
+  /// What was made out and is out of sight: back to where it was seen from.
   void faceAgain(const Percept& seen, int64_t from, int64_t now, Hands& hands);
   /// With keys to hold meanwhile.
   void turn(double degrees, int64_t at, std::vector<Hands::Hold> holds, Hands& hands) const;
   int64_t turnTime(double degrees, const Hands& hands) const;
   void turnAround(int64_t at, Hands& hands) const;
-  std::optional<MazeCell> chooseGoal(const std::map<MazeCell, MazeMemory::Way>& ways);
+  /// Where the object was seen, or else what is least time away from being seen. `cellSeconds`: to walk a cell.
+  std::optional<MazeCell> chooseGoal(const std::map<MazeCell, MazeMemory::Way>& ways, double cellSeconds);
   void noteWhetherStuck(const Percept& seen, int64_t from, const Hands& hands);
   void lookOn(const Percept& seen);
 
@@ -47,9 +49,11 @@ class FindMind final : public TaskMind {
   std::optional<MazeCell> next_{};  ///< on the way there
   double inSight_ = 0;              ///< seconds for which the object has been
   int missed_ = 0;                  ///< fixations since it was seen, once it was made out
-  bool found_ = false;
-  glm::dvec2 foundAt_{0};  ///< its place, metres
-  int64_t stopsAt_ = 0;    ///< to walk, since it was found
+  bool found_ = false;              ///< or was there a glimpse of it
+  glm::dvec2 foundAt_{0};           ///< its place, metres
+  WalkerPose foundFrom_{};
+  std::optional<MazeCell> lead_{};  ///< where it was seen, once it is lost from sight
+  int64_t stopsAt_ = 0;             ///< to walk, since it was found
   struct Seen {
     glm::dvec2 place{0};
     int64_t at = 0;

@@ -22,6 +22,11 @@ constexpr double kLeastPointSeconds = 0.1;
 /// So exactly one must have turned to go on without a correction.
 constexpr double kPanDegrees = 20;
 
+/// How far a movement of least jerk is after a share of its time (Flash and Hogan 1985).
+double smoothWay(double t) {
+  return t * t * t * (10 + t * (6 * t - 15));
+}
+
 }  // namespace
 
 Hands::Hands(const HumanFactors& factors, const Controls& controls, uint64_t seed)
@@ -41,6 +46,11 @@ bool Hands::isHeld(Key key, int64_t at) const {
 void Hands::plan(int64_t from, const std::vector<Hold>& holds) {
   from = std::max(from, taken_);
   std::erase_if(changes_, [&](const Change& change) { return change.at >= from; });
+  const auto later =
+      std::find_if(panSpans_.begin(), panSpans_.end(), [&](const PanSpan& span) { return span.from >= from; });
+  if (later != panSpans_.end()) {
+    stopMouse(later->from);
+  }
   for (const Key key : movement_) {
     bool held = isHeld(key, from);
     int64_t last = from;
@@ -104,10 +114,8 @@ int64_t Hands::point(const glm::dvec2& to, double sizePixels, int64_t from) {
   const glm::dvec2 end = to + glm::dvec2(normal(random_, 0, spread), normal(random_, 0, spread));
   const int64_t until = from + nanosecondsOf(seconds);
   for (int64_t at = from; at < until + kMouseStep; at += kMouseStep) {
-    // A movement of least jerk (Flash and Hogan 1985).
     const double t = std::min(1.0, secondsOf(at - from) / seconds);
-    const double way = t * t * t * (10 + t * (6 * t - 15));
-    const glm::dvec2 place = glm::round(glm::mix(start, end, way));
+    const glm::dvec2 place = glm::round(glm::mix(start, end, smoothWay(t)));
     add(PointerMoveEvent{place.x, place.y}, at);
   }
   pointsUntil_ = until + kMouseStep;
@@ -119,13 +127,20 @@ double Hands::panSeconds(double degrees) const {
   return std::max(kLeastPointSeconds, std::log2(std::abs(degrees) / kPanDegrees + 1) / factors_.bitsPerSecond);
 }
 
-int64_t Hands::pansUntil(int64_t at) {
-  const auto next =
-      std::find_if(panSpans_.begin(), panSpans_.end(), [&](const PanSpan& span) { return span.from >= at; });
-  if (next != panSpans_.end()) {
-    stopMouse(next->from);
+double Hands::panReach(double degrees) const {
+  // As much aside as the way turns: what is walked aside while turning by `degrees`, seen from the end of the turn.
+  constexpr int kSteps = 64;
+  const double angle = radiansFromDegrees(std::abs(degrees));
+  double aside = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    aside += std::sin(angle * smoothWay((i + 0.5) / kSteps)) / kSteps;
   }
-  return panSpans_.empty() ? at : std::max(panSpans_.back().until, at);
+  return controls_.walkMetersPerSecond * panSeconds(degrees) * aside / std::sin(angle);
+}
+
+bool Hands::isPanning(int64_t at) const {
+  return std::any_of(panSpans_.begin(), panSpans_.end(),
+                     [&](const PanSpan& span) { return span.from < at && at < span.until; });
 }
 
 int64_t Hands::pan(double degrees, int64_t from) {
@@ -140,8 +155,7 @@ int64_t Hands::pan(double degrees, int64_t from) {
   for (double t = 0; t < 1;) {
     at += kMouseStep;
     t = std::min(1.0, secondsOf(at - from) / seconds);
-    const double way = t * t * t * (10 + t * (6 * t - 15));
-    const double pixels = std::round(turned * way / controls_.mouseDegreesPerPixel);
+    const double pixels = std::round(turned * smoothWay(t) / controls_.mouseDegreesPerPixel);
     add(PointerMoveEvent{pointer_.x + pixels, pointer_.y}, at);
     pans_.push_back({at, (pixels - pixelsBefore) * controls_.mouseDegreesPerPixel});
     pixelsBefore = pixels;

@@ -23,7 +23,8 @@ class Hands {
 
   Hands(const HumanFactors& factors, const Controls& controls, uint64_t seed);
 
-  /// What is done with the movement keys from `from` on, instead of what was meant to be done with them.
+  /// What is done with the movement keys from `from` on, instead of what was meant to be done with them. Turns by the
+  /// mouse that were yet to begin are dropped.
   void plan(int64_t from, const std::vector<Hold>& holds);
   void tap(Key key, int64_t at);
   /// Moves the pointer there, as fast as one can who is to hit something of that size (Fitts' law), from what is done
@@ -35,8 +36,10 @@ class Hands {
   int64_t pan(double degrees, int64_t from);
   /// About how long that takes.
   double panSeconds(double degrees) const;
-  /// When the turn that is under way at that time will be done; `at` where none is. Those yet to begin are dropped.
-  int64_t pansUntil(int64_t at);
+  /// Who walks on while turning rounds a corner: metres before it where the turn begins, and after it where it ends.
+  double panReach(double degrees) const;
+  /// Whether a turn by the mouse is under way at that time.
+  bool isPanning(int64_t at) const;
   /// Lets go of all keys and forgets what was meant to be done.
   void release(int64_t at);
 

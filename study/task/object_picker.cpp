@@ -1,9 +1,9 @@
 #include "study/task/object_picker.h"
 
-#include <cmath>
+#include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "oc_core/base/conventions.h"
 #include "oc_core/render/raycast.h"
 
 namespace ocelli {
@@ -11,6 +11,8 @@ namespace {
 
 /// By which a ray ends before the object, metres: what it stands on is no wall before it.
 constexpr double kBefore = 1e-3;
+/// Tolerances of more pixels than that are looked at in larger steps.
+constexpr int kMostSteps = 20;
 
 /// Along from `from` to `to`, 0 to 1, to where the triangle is met; nothing where it is not.
 std::optional<double> meeting(const glm::dvec3& from, const glm::dvec3& way, const glm::dvec3& a, const glm::dvec3& b,
@@ -29,6 +31,15 @@ std::optional<double> meeting(const glm::dvec3& from, const glm::dvec3& way, con
   const double v = glm::dot(way, q) / determinant;
   const double t = glm::dot(ac, q) / determinant;
   return u >= 0 && v >= 0 && u + v <= 1 && t >= 0 && t <= 1 ? std::optional(t) : std::nullopt;
+}
+
+/// Whether the way from `from` enters the sphere around the box, moved by `offset`.
+bool comesNear(const glm::dvec3& from, const glm::dvec3& way, const Box& box, const glm::vec3& offset) {
+  const glm::dvec3 center(box.center() + offset);
+  const double radius = static_cast<double>(glm::length(box.size())) / 2;
+  const double length = glm::dot(way, way);
+  const double along = length > 0 ? std::clamp(glm::dot(center - from, way) / length, 0.0, 1.0) : 0.0;
+  return glm::distance(from + along * way, center) <= radius;
 }
 
 }  // namespace
@@ -52,6 +63,10 @@ bool ObjectPicker::isOnRay(const RayPath& path, size_t object, const glm::vec3& 
     const glm::dvec3 from(path[i]);
     const glm::dvec3 way = glm::dvec3(path[i + 1]) - from;
     std::optional<double> first;
+    if (!comesNear(from, way, scene_.boxOf(object), offset)) {
+      before.push_back(path[i]);
+      continue;
+    }
     for (const glm::uvec3& triangle : triangles_[object]) {
       const auto corner = [&](uint32_t vertex) { return glm::dvec3(positions[vertex] + offset); };
       const std::optional<double> t = meeting(from, way, corner(triangle.x), corner(triangle.y), corner(triangle.z));
@@ -69,19 +84,22 @@ bool ObjectPicker::isOnRay(const RayPath& path, size_t object, const glm::vec3& 
 
 bool ObjectPicker::isUnder(const StudyCamera& camera, const glm::dvec2& pixel, double tolerancePixels, size_t object,
                            const glm::vec3& offset) const {
-  constexpr int kRings = 3;
-  constexpr int kAround = 12;
   return std::visit(
       [&](const auto& model) {
         const auto isAt = [&](const glm::dvec2& at) {
           return at.x >= 0 && at.y >= 0 && at.x < model.width() && at.y < model.height() &&
                  isOnRay(model.rayPath(glm::vec2(at)), object, offset);
         };
+        // The middles of the pixels around, as they are drawn: an object seen through a gap may be one pixel wide.
+        const int step = std::max(1, static_cast<int>(tolerancePixels / kMostSteps));
+        const int reach = static_cast<int>(tolerancePixels) / step + 1;
+        const glm::dvec2 middle = glm::floor(pixel) + 0.5;
         bool found = isAt(pixel);
-        for (int i = 0; !found && tolerancePixels > 0 && i < kRings * kAround; ++i) {
-          const double radius = tolerancePixels * (i / kAround + 1) / kRings;
-          const double angle = 2 * kPi * (i % kAround) / kAround;
-          found = isAt(pixel + radius * glm::dvec2(std::cos(angle), std::sin(angle)));
+        for (int i = -reach; !found && i <= reach; ++i) {
+          for (int j = -reach; !found && j <= reach; ++j) {
+            const glm::dvec2 at = middle + static_cast<double>(step) * glm::dvec2(j, i);
+            found = glm::distance(at, pixel) <= tolerancePixels && isAt(at);
+          }
         }
         return found;
       },

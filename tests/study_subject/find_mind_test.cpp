@@ -105,5 +105,37 @@ TEST(FindMind, doesNotFindAnObjectThatIsLeftOutOfWhatItIsShown) {
   EXPECT_GT(found.meters, 30);
 }
 
+TEST(FindMind, turnsBackToWhatItCaughtAGlimpseOf) {
+  const HumanFactors factors;
+  MazeMemory memory;
+  FindMind mind(Vision(factors, 20), Controls{}, false, memory, 1);
+  Hands hands(factors, Controls{}, 1);
+  constexpr int64_t kFixation = kSecond / 10;
+  static_assert(kFixation < 2 * kSecond / 10);  // shorter than it takes to make something out
+  Percept glimpse;
+  glimpse.views = {{0, 0, 400, 300}};
+  glimpse.grid = {{0, 0}, 3, 1};
+  glimpse.standing = WalkerPose{4.5, 4.5, 0.2};
+  glimpse.soughtShape = LandmarkShape::kSphere;
+  glimpse.soughtColor = LandmarkColor::kOrange;
+  Percept gone = glimpse;
+  glimpse.objects = {{.shape = LandmarkShape::kSphere,
+                      .color = LandmarkColor::kOrange,
+                      .pixels = 900,
+                      .lower = {180, 130},
+                      .upper = {210, 160},
+                      .centroid = {195, 145},
+                      .aim = {195, 145},
+                      .place = {5, -3}}};
+  gone.standing = WalkerPose{4.5, 4.5, 1.3};
+  mind.think(glimpse, 0, kFixation, hands);
+  mind.think(gone, kFixation, 2 * kFixation, hands);
+  mind.think(gone, 5 * kFixation, 6 * kFixation, hands);
+  const WalkerPose turned = hands.reckon(*gone.standing, 5 * kFixation, 20 * kFixation);
+  EXPECT_NEAR(turned.headingRadians, 0.2, 0.4);
+  EXPECT_NEAR(turned.x, 4.5, 0.1);
+  EXPECT_NEAR(turned.z, 4.5, 0.1);
+}
+
 }  // namespace
 }  // namespace ocelli

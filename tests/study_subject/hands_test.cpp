@@ -138,6 +138,34 @@ TEST_F(HandsTest, PansByAboutAsMuchAsMeant) {
   }
 }
 
+TEST_F(HandsTest, RoundsCornersFromAsFarBeforeThemAsTheReach) {
+  for (const double degrees : {-90.0, 50.0, 110.0}) {
+    // Turning at the origin from north, on average over how exactly one turns.
+    const double angle = degrees / 57.29578;
+    double aside = 0;
+    constexpr int kTurns = 400;
+    for (int i = 0; i < kTurns; ++i) {
+      Hands fresh(factors, controls, static_cast<uint64_t>(i));
+      fresh.plan(0, {{controls.forward, 0, 9 * kSecond}});
+      const int64_t until = fresh.pan(degrees, 0);
+      const WalkerPose begin{0, fresh.panReach(degrees), 0};
+      const WalkerPose end = fresh.reckon(begin, 0, until);
+      aside += (end.x * std::cos(angle) + end.z * std::sin(angle)) / kTurns;  // of the way out of the corner
+    }
+    EXPECT_NEAR(aside, 0, 0.08 * hands.panReach(degrees)) << degrees;
+  }
+}
+
+TEST_F(HandsTest, DropsTurnsYetToBeginForAnotherPlan) {
+  hands.pan(90, kSecond);
+  EXPECT_TRUE(hands.isPanning(kSecond + kSecond / 5));
+  hands.plan(kSecond / 2, {{controls.forward, kSecond / 2, kSecond}});
+  EXPECT_FALSE(hands.isPanning(kSecond + kSecond / 5));
+  hands.pan(-90, kSecond);
+  hands.plan(kSecond + kSecond / 10, {});
+  EXPECT_TRUE(hands.isPanning(kSecond + kSecond / 5));  // it was under way
+}
+
 TEST_F(HandsTest, LetsGoOfEverything) {
   hands.plan(0, {{controls.forward, 0, 9 * kSecond}});
   hands.pan(90, kSecond);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+
 #include "oc_core/base/conventions.h"
 #include "oc_core/multiperspective/multiperspective_image.h"
 #include "oc_core/render/identity_image.h"
@@ -38,6 +41,34 @@ TEST(ObjectPicker, findsWhatIsBeforeTheEyeAndNothingBesideIt) {
   // Moved to the right, it is there and no more here.
   EXPECT_TRUE(picker.isUnder(camera, beside, 0, 0, {0, 0, 0.6f}));
   EXPECT_FALSE(picker.isUnder(camera, middle, 0, 0, {0, 0, 0.6f}));
+}
+
+TEST(ObjectPicker, isAsGenerousToASliverAsToAnyOtherPixel) {
+  // Small as it is, the object is one pixel wide here and there.
+  const StudyScene scene(mazeWith({{{2, 5}, LandmarkShape::kCone, LandmarkColor::kOrange}}));
+  const ObjectPicker picker(scene);
+  const PinholeCamera camera = EyeCamera(scene.maze(), {}, {}).pinhole({4.5, 7.5, kPi / 2}, {60, 45});
+  constexpr double kTolerance = 3.5;
+  std::vector<glm::dvec2> shown;
+  for (int y = 0; y < 45; ++y) {
+    for (int x = 0; x < 60; ++x) {
+      if (picker.isUnder(camera, {x + 0.5, y + 0.5}, 0, 0, {})) {
+        shown.emplace_back(x + 0.5, y + 0.5);
+      }
+    }
+  }
+  ASSERT_GT(shown.size(), 2u);
+  ASSERT_LT(shown.size(), 30u);
+  for (int y = 0; y < 45; ++y) {
+    for (int x = 0; x < 60; ++x) {
+      const glm::dvec2 pointer(x + 0.2, y + 0.9);
+      const bool isNear = std::any_of(shown.begin(), shown.end(), [&](const glm::dvec2& each) {
+        return glm::distance(each, pointer) <= kTolerance;
+      });
+      EXPECT_EQ(picker.isUnder(camera, pointer, kTolerance, 0, {}), isNear || picker.isUnder(camera, pointer, 0, 0, {}))
+          << x << " " << y;
+    }
+  }
 }
 
 TEST(ObjectPicker, wallsHideObjects) {
