@@ -41,40 +41,39 @@ class Session:
                                         stderr=subprocess.STDOUT, text=True)
         self.lines = queue.Queue()
         threading.Thread(target=self.read, daemon=True).start()
-        self.said = []
 
     def read(self):
         for line in self.program.stdout:
             self.lines.put(line.rstrip("\n"))
         self.lines.put(None)
 
-    def wait_for(self, text):
-        """Until the console says so; what it said before counts no more."""
-        end = time.monotonic() + PATIENCE
+    def says(self, text, seconds):
+        """Whether the console says so within that time; what it said before counts no more."""
+        end = time.monotonic() + seconds
         while time.monotonic() < end:
             try:
-                line = self.lines.get(timeout=1)
+                line = self.lines.get(timeout=0.2)
             except queue.Empty:
                 continue
             if line is None:
-                break
+                fail(f'the program ended before it said "{text}"')
             print(line, flush=True)
-            self.said.append(line)
             if text in line:
-                return line
-        fail(f'the console never said "{text}"')
+                return True
+        return False
 
-    def pictures(self):
-        return len(list(self.screens.glob("*.png")))
+    def wait_for(self, text):
+        if not self.says(text, PATIENCE):
+            fail(f'the console never said "{text}"')
 
-    def wait_for_picture(self, number):
-        """Until so many different screens have been shown."""
+    def do_until(self, action, text):
+        """Again and again: before the choices are shown, answers count for nothing."""
         end = time.monotonic() + PATIENCE
-        while self.pictures() < number:
-            if time.monotonic() > end or self.program.poll() is not None:
-                fail(f"there were never {number} screens")
-            time.sleep(0.1)
-        time.sleep(0.3)
+        while time.monotonic() < end:
+            action()
+            if self.says(text, 1.5):
+                return
+        fail(f'whatever was done, the console never said "{text}"')
 
     def type(self, command):
         self.program.stdin.write(command + "\n")
@@ -192,24 +191,19 @@ def run(session, subject):
     for page in ("page Count the objects", "page All in one image"):
         session.wait_for(page)
         subject.go_on()
-    for name in ("trial 3 of 6", "trial 4 of 6"):
-        session.wait_for(f"before {name}")
-        before = session.pictures()
+    session.wait_for("before trial 3 of 6")
+    for after in ("before trial 4 of 6", "break"):
         subject.go_on()
-        session.wait_for_picture(before + 2)  # the scene, and the numbers to choose from
-        subject.count()
-    session.wait_for("break")
+        time.sleep(2.5)  # the scene is shown for two seconds
+        session.do_until(subject.count, after)
     time.sleep(1.5)
     subject.go_on()
     session.wait_for("page Tell paths apart")
     subject.go_on()
-    for name in ("trial 5 of 6", "trial 6 of 6"):
-        session.wait_for(f"before {name}")
-        before = session.pictures()
+    session.wait_for("before trial 5 of 6")
+    for after in ("before trial 6 of 6", "form survey"):
         subject.go_on()
-        session.wait_for_picture(before + 2)  # the walk, and the maps to choose from
-        subject.match()
-    session.wait_for("form survey")
+        session.do_until(subject.match, after)
     session.type("note all went well")
     subject.survey()
     session.wait_for("ended: completed")
