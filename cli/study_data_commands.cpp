@@ -99,19 +99,27 @@ std::string subjectsAsJson(const StudyDatabase& database) {
   return json.dump(2) + "\n";
 }
 
+/// Before the first session of a subject or after it.
+void noteIdentity(const SubjectsChoice& choice, const Frame& frame) {
+  if (choice.subject.empty() || choice.name.empty()) {
+    throw InputError("a line of the identity key needs a subject and a name", "--key", "--subject ID --name NAME");
+  }
+  if (!isSubjectId(choice.subject)) {
+    throw InputError("this is no id of a subject", choice.subject, "use letters, digits, - and _");
+  }
+  const bool hasTakenPart = std::filesystem::exists(choice.database) &&
+                            StudyDatabase::openForReading(choice.database).subject(choice.subject).has_value();
+  addIdentity(choice.keyFile, choice.subject, choice.name);
+  frame.note(fmt::format("added {} to {}{}; keep that file apart from the data", choice.subject, choice.keyFile,
+                         hasTakenPart ? "" : ", who has not taken part yet"));
+}
+
 void runSubjects(const SubjectsChoice& choice, const Frame& frame) {
-  const StudyDatabase database = StudyDatabase::openForReading(choice.database);
   if (!choice.keyFile.empty()) {
-    if (choice.subject.empty() || choice.name.empty()) {
-      throw InputError("a line of the identity key needs a subject and a name", "--key", "--subject ID --name NAME");
-    }
-    if (!database.subject(choice.subject)) {
-      throw InputError("this database has no such subject", choice.subject, "`ocelli study subjects` lists them");
-    }
-    addIdentity(choice.keyFile, choice.subject, choice.name);
-    frame.note(fmt::format("added {} to {}; keep that file apart from the data", choice.subject, choice.keyFile));
+    noteIdentity(choice, frame);
     return;
   }
+  const StudyDatabase database = StudyDatabase::openForReading(choice.database);
   if (!choice.subject.empty() || !choice.name.empty()) {
     throw InputError("names go into an identity key alone", "--subject, --name", "--key FILE");
   }

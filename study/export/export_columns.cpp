@@ -59,7 +59,7 @@ const std::vector<ColumnMeaning>& columnMeanings() {
       {"dropped_frames", "", "intervals between frames that were too long by the protocol's limit"},
       {"median_interval_ns", "ns", "median of the intervals between frames"},
       {"longest_interval_ns", "ns", "longest interval between frames"},
-      {"timing_verdict", "", "good, dropped_frames, unstable_refresh or simulated_clock"},
+      {"timing_verdict", "", "good, dropped_frames, early_frames, unstable_refresh or simulated_clock"},
       {"screen_width_px", "px", "width of the screen"},
       {"screen_height_px", "px", "height of the screen"},
       {"refresh_hz", "Hz", "refresh rate of the screen"},

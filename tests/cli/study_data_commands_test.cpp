@@ -60,7 +60,12 @@ TEST_F(StudyDataCommandsTest, NoteWhoASubjectIsApartFromTheData) {
   EXPECT_EQ(run("subjects", "--key " + path("key.csv") + " --subject S01 --name 'Ada L.'").exitCode, 0);
   EXPECT_THAT(fileBytes(folder_ / "key.csv"), HasSubstr("S01,Ada L."));
   EXPECT_THAT(fileBytes(folder_ / "study.db"), Not(HasSubstr("Ada L.")));
-  EXPECT_EQ(run("subjects", "--key " + path("key.csv") + " --subject S09 --name x").exitCode, kInputWrong);
+  // Before the first session too, and before there is a database.
+  const ProgramResult early = run("subjects", "--key " + path("key.csv") + " --subject S09 --name 'Grace H.'");
+  EXPECT_EQ(early.exitCode, 0);
+  EXPECT_THAT(early.error, HasSubstr("not taken part yet"));
+  EXPECT_THAT(fileBytes(folder_ / "key.csv"), HasSubstr("S09,Grace H."));
+  EXPECT_EQ(run("subjects", "--key " + path("key.csv") + " --subject 'S 9' --name x").exitCode, kInputWrong);
   EXPECT_EQ(run("subjects", "--key " + path("key.csv")).exitCode, kInputWrong);
   EXPECT_EQ(run("subjects", "--name x").exitCode, kInputWrong);
 }
