@@ -17,7 +17,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kEyeHeightMeters = 1.6;
+constexpr double kEyeHeightMeters = 1.2;
 constexpr double kFovHorizontalDegrees = 60;
 
 /// A corridor from the south to a crossing, with one object around the corner.
