@@ -1,6 +1,6 @@
-// How a simulated observer finds an object: it goes to the nearest floor that it knows of and has not seen yet, over
-// ways that it has seen, and what shows in bent rays counts as seen. Once it has made out the object it stops, points
-// at it and clicks.
+// How a simulated observer finds an object: it goes or turns to where it takes least time to see floor that it knows of
+// and has not seen yet, over ways that it has seen; what shows in bent rays counts as seen. Once it has made out the
+// object it stops, points at it and clicks; of what it caught but a glimpse, it goes back to where it saw it from.
 #pragma once
 
 #include "study/subject/maze_memory.h"
