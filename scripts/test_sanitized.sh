@@ -1,5 +1,5 @@
 #!/bin/sh
-# Builds the `asan` preset (AddressSanitizer, UndefinedBehaviorSanitizer) and runs the fast tests; then, where clang is
+# Builds the `asan` preset (AddressSanitizer, UndefinedBehaviorSanitizer) of what needs no OpenGL, and runs the fast tests; then, where clang is
 # installed, fuzzes the file readers, 25 seconds each.
 set -eu
 cd "$(dirname "$0")/.."

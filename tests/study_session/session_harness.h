@@ -116,8 +116,10 @@ class SessionRun {
   std::optional<Key> answer{};
   SessionFlow flow;
 
- private:
+  /// Two frames, and the right digit, or `answer`.
   void answerTrial();
+
+ private:
   const Protocol& protocol_;
   SessionScreen screen_{};
 };

@@ -86,7 +86,7 @@ void runSession(const Protocol& protocol, const SessionSchedule& schedule, const
       }
     }
     if (run.inTrial()) {
-      run.tap(Key::k1);
+      run.answerTrial();
     }
   }
 }
