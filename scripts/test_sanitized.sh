@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds the `asan` preset (AddressSanitizer, UndefinedBehaviorSanitizer) of what needs no OpenGL, and runs the fast tests; then, where clang is
-# installed, fuzzes the file readers, 25 seconds each.
+# Builds the `asan` preset (AddressSanitizer, UndefinedBehaviorSanitizer) of what needs no OpenGL, and runs the fast
+# tests; then, where clang is installed, fuzzes the file readers, 25 seconds each.
 set -eu
 cd "$(dirname "$0")/.."
 
