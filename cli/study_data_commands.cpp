@@ -110,8 +110,8 @@ void noteIdentity(const SubjectsChoice& choice, const Frame& frame) {
   const bool hasTakenPart = std::filesystem::exists(choice.database) &&
                             StudyDatabase::openForReading(choice.database).subject(choice.subject).has_value();
   addIdentity(choice.keyFile, choice.subject, choice.name);
-  frame.note(fmt::format("added {} to {}{}; keep that file apart from the data", choice.subject, choice.keyFile,
-                         hasTakenPart ? "" : ", who has not taken part yet"));
+  frame.note(fmt::format("added {}{} to {}; keep that file apart from the data", choice.subject,
+                         hasTakenPart ? "" : ", who has not taken part yet,", choice.keyFile));
 }
 
 void runSubjects(const SubjectsChoice& choice, const Frame& frame) {

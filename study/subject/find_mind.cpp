@@ -21,7 +21,7 @@ constexpr double kTurnedShare = 0.7;
 constexpr int kStuckFixations = 3;
 /// Fixations without the object after which one goes on looking for it elsewhere.
 constexpr int kLostFixations = 8;
-/// What stands nearer is below the view, metres.
+/// What stands nearer may be below the view, metres: it is for tall eyes, from 1.2 m it is half of that.
 constexpr double kTooNear = 2.5;
 /// Steps back from it, and at most so far back to where it was seen from, metres.
 constexpr double kStepBack = 1;

@@ -36,7 +36,8 @@ class Hands {
   int64_t pan(double degrees, int64_t from);
   /// About how long that takes.
   double panSeconds(double degrees) const;
-  /// Who walks on while turning rounds a corner: metres before it where the turn begins, and after it where it ends.
+  /// Who walks on while turning by less than 180 degrees rounds a corner: metres before it where the turn begins, and
+  /// after it where it ends.
   double panReach(double degrees) const;
   /// Whether a turn by the mouse is under way at that time.
   bool isPanning(int64_t at) const;

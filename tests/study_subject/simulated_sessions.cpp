@@ -1,5 +1,7 @@
 #include "tests/study_subject/simulated_sessions.h"
 
+#include "tests/study_task/study_maze_plan.h"
+
 namespace ocelli::test {
 
 Protocol simulatedProtocol(bool withPractice) {
@@ -9,17 +11,9 @@ Protocol simulatedProtocol(bool withPractice) {
   };
   std::string text = R"({
     "name": "simulated", "title": "Simulated", "sessions": 2, "seed": 4,
-    "mazes": {"small": {"plan": ["+-+-+-+-+-+-+",
-                                 "|           |",
-                                 "+ +-+ + +-+ +",
-                                 "|   | |   | |",
-                                 "+-+ + + + + +",
-                                 "|           |",
-                                 "+ + + +-+ + +",
-                                 "| | |   | | |",
-                                 "+ +-+ + + + +",
-                                 "|     |     |",
-                                 "+-+-+-+ +-+-+"]}},
+    "mazes": {"small": {"plan": )";
+  text += kStudyMazePlan;
+  text += R"(}},
     "consent": {"title": "Taking part", "paragraphs": ["Go on if you agree."]},
     "demographics": {"title": "About you", "fields": [
       {"name": "vision", "question": "How is your vision?", "options": ["colour-blind", "normal"]}]},

@@ -7,22 +7,12 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/scene/maze_file.h"
+#include "tests/study_task/study_maze_plan.h"
 
 namespace ocelli::test {
 
 Maze studyMaze() {
-  return mazeFromJsonText(R"({"plan": ["+-+-+-+-+-+-+",
-                                       "|           |",
-                                       "+ +-+ + +-+ +",
-                                       "|   | |   | |",
-                                       "+-+ + + + + +",
-                                       "|           |",
-                                       "+ + + +-+ + +",
-                                       "| | |   | | |",
-                                       "+ +-+ + + + +",
-                                       "|     |     |",
-                                       "+-+-+-+ +-+-+"]})",
-                          "test maze");
+  return mazeFromJsonText(std::string(R"({"plan": )") + kStudyMazePlan + "}", "test maze");
 }
 
 TaskSetting studySetting() {
