@@ -40,6 +40,9 @@ THIRD_PARTIES = {
     "openssl/": "OpenSSL::Crypto",
     "SQLiteCpp/": "SQLiteCpp",
     "sqlite3.h": "SQLiteCpp",
+    "Eigen/": "Eigen3::Eigen",
+    "nlopt": "PkgConfig::nlopt",
+    "boost/": "Boost::headers",
     # Functions that are looked up at run time: nothing is linked.
     "EGL/": None,
     "GL/osmesa.h": None,
