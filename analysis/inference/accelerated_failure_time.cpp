@@ -82,15 +82,13 @@ struct Maximum {
   int iterations = 0;
 };
 
-/// A step uphill: Newton's, or where the likelihood curves the wrong way, one towards the gradient.
-VectorXd stepFrom(const Value& value, const VectorXd& score) {
+/// A step uphill: Newton's, or where the likelihood curves the wrong way, the one that fits if nothing were censored.
+VectorXd stepFrom(const Value& value, const VectorXd& score, const MatrixXd& informationOfObserved) {
   const Eigen::LDLT<MatrixXd> newton(value.information);
   if (newton.info() == Eigen::Success && newton.vectorD().minCoeff() > 1e-12 * newton.vectorD().maxCoeff()) {
     return newton.solve(score);
   }
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(value.information);
-  const VectorXd scales = solver.eigenvalues().cwiseAbs().cwiseMax(1e-8 * solver.eigenvalues().cwiseAbs().maxCoeff());
-  return solver.eigenvectors() * (solver.eigenvectors().transpose() * score).cwiseQuotient(scales);
+  return informationOfObserved.ldlt().solve(score);
 }
 
 Estimable<Maximum> maximize(const SurvivalData& data, const MatrixXd& x, const std::vector<std::string>& names) {
@@ -99,18 +97,20 @@ Estimable<Maximum> maximize(const SurvivalData& data, const MatrixXd& x, const s
   maximum.theta = startOf(data.times, x);
   maximum.value = likelihoodAt(data.times, x, maximum.theta);
   const Index p = x.cols();
-  const MatrixXd squares = x.transpose() * x;
+  MatrixXd observed = MatrixXd::Zero(p + 1, p + 1);  // the information if nothing were censored
+  observed(p, p) = 2 * static_cast<double>(x.rows());
   for (maximum.iterations = 1; maximum.iterations <= kMaximumIterations; ++maximum.iterations) {
     const double sigma = std::exp(maximum.theta[p]);
     if (sigma < kPerfect) {
       return Result::impossible("the covariates tell the times exactly, so there is no spread to compare with");
     }
-    if (const auto flat = flatDirection(maximum.value.information.topLeftCorner(p, p), squares / (sigma * sigma))) {
+    observed.topLeftCorner(p, p) = x.transpose() * x / (sigma * sigma);
+    if (const auto flat = flatDirection(maximum.value.information.topLeftCorner(p, p), observed.topLeftCorner(p, p))) {
       return Result::impossible(
           fmt::format("the likelihood grows without bound in '{}', as where one group has no event", names[*flat]));
     }
     const VectorXd score = maximum.value.scores.colwise().sum().transpose();
-    const VectorXd step = stepFrom(maximum.value, score);
+    const VectorXd step = stepFrom(maximum.value, score, observed);
     if (!(step.dot(score) > kConverged * (1 + std::abs(maximum.value.logLikelihood)))) {
       return maximum;
     }
