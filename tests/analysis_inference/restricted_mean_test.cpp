@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "analysis/base/analysis_error.h"
-#include "analysis/base/random.h"
+#include "analysis/base/random_numbers.h"
 #include "tests/analysis_inference/golden.h"
 
 namespace ocelli::test {
@@ -70,7 +70,7 @@ double weighedArea(const std::vector<SurvivalTime>& times, double horizon, size_
 }
 
 TEST(RestrictedMean, HasTheClusteredErrorOfWeighingTrials) {
-  Random random(4);
+  RandomNumbers random(4);
   std::vector<SurvivalTime> times;
   std::vector<int> clusters;
   for (int i = 0; i < 40; ++i) {
