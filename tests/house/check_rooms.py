@@ -69,6 +69,8 @@ PUBLIC_HEADER_EXCEPTIONS = {
     "oc_core/base/json_fields.h": {"nlohmann/"},
     "oc_core/constructor/camera_fields.h": {"nlohmann/"},
     "oc_core/gl/gl_api.h": {"glad/"},
+    "analysis/dataset/json_text.h": {"nlohmann/"},
+    "analysis/dataset/sqlite_reading.h": {"SQLiteCpp/"},
     "study/export/export_tables.h": {"SQLiteCpp/"},
     "study/store/database_state.h": {"SQLiteCpp/"},
     "study/store/sqlite_connection.h": {"SQLiteCpp/"},
