@@ -32,7 +32,7 @@ class Search {
 
   Minimum from(const VectorXd& start) {
     Minimum minimum;
-    minimum.point = comeNear(start);
+    minimum.point = nearMinimum([this](const VectorXd& point) { return at(point); }, start, search_);
     minimum.value = at(minimum.point);
     minimum.gradient = gradientAt(minimum.point);
     minimum.hessian = hessianAt(minimum);
@@ -46,33 +46,6 @@ class Search {
     ++evaluations_;
     const double value = objective_(point);
     return std::isfinite(value) ? value : kWorstValue;
-  }
-
-  VectorXd comeNear(const VectorXd& start) {
-    const auto size = static_cast<unsigned>(start.size());
-    // BOBYQA needs two dimensions.
-    nlopt::opt optimizer(size == 1 ? nlopt::LN_NELDERMEAD : nlopt::LN_BOBYQA, size);
-    struct Call {
-      Search* search;
-      Index size;
-    } call{this, start.size()};
-    optimizer.set_min_objective(
-        [](unsigned, const double* x, double*, void* data) {
-          const auto* self = static_cast<Call*>(data);
-          return self->search->at(Eigen::Map<const VectorXd>(x, self->size));
-        },
-        &call);
-    optimizer.set_initial_step(search_.firstStep);
-    optimizer.set_xtol_abs(search_.lastStep);
-    optimizer.set_maxeval(search_.maxEvaluations);
-    std::vector<double> point(start.data(), start.data() + start.size());
-    double value = 0;
-    try {
-      optimizer.optimize(point, value);
-    } catch (const nlopt::roundoff_limited&) {
-      // As near as it comes: the Newton steps judge.
-    }
-    return Eigen::Map<const VectorXd>(point.data(), start.size());
   }
 
   double shifted(const VectorXd& point, Index index, double by) {
@@ -183,6 +156,34 @@ class Search {
 };
 
 }  // namespace
+
+VectorXd nearMinimum(const Objective& objective, const VectorXd& start, const MinimumSearch& search) {
+  const auto size = static_cast<unsigned>(start.size());
+  // BOBYQA needs two dimensions.
+  nlopt::opt optimizer(size == 1 ? nlopt::LN_NELDERMEAD : nlopt::LN_BOBYQA, size);
+  struct Call {
+    const Objective& objective;
+    Index size;
+  } call{objective, start.size()};
+  optimizer.set_min_objective(
+      [](unsigned, const double* x, double*, void* data) {
+        const auto* self = static_cast<Call*>(data);
+        const double value = self->objective(Eigen::Map<const VectorXd>(x, self->size));
+        return std::isfinite(value) ? value : kWorstValue;
+      },
+      &call);
+  optimizer.set_initial_step(search.firstStep);
+  optimizer.set_xtol_abs(search.lastStep);
+  optimizer.set_maxeval(search.maxEvaluations);
+  std::vector<double> point(start.data(), start.data() + start.size());
+  double value = 0;
+  try {
+    optimizer.optimize(point, value);
+  } catch (const nlopt::roundoff_limited&) {
+    // As near as it comes.
+  }
+  return Eigen::Map<const VectorXd>(point.data(), start.size());
+}
 
 Minimum findMinimum(const Objective& objective, const VectorXd& start, const MinimumSearch& search) {
   Minimum best = Search(objective, search).from(start);

@@ -33,6 +33,9 @@ struct Minimum {
   double expectedDecrease = 0;  ///< by a Newton step from here
 };
 
+/// BOBYQA alone: within about search.lastStep of a minimum.
+Eigen::VectorXd nearMinimum(const Objective& objective, const Eigen::VectorXd& start, const MinimumSearch& search);
+
 /// Searches from `start`; from other points too where that ends at no minimum, and then returns the best of them.
 Minimum findMinimum(const Objective& objective, const Eigen::VectorXd& start, const MinimumSearch& search);
 
