@@ -213,7 +213,7 @@ class BinomialMixedModel::Integral {
   /// One effect a level: each level has an integral of its own, about its mode and scaled by the curvature there.
   double quadrature(const VectorXd& theta) {
     const RandomStructure::Term& term = structure_.terms()[0];
-    const Eigen::ArrayXd spread = std::numbers::sqrt2 * cholesky_.diagonal().array().rsqrt();
+    const Eigen::ArrayXd spread = std::numbers::sqrt2 * cholesky_.scalarDiagonal().array().rsqrt();
     const VectorXd mode = u_;
     MatrixXd logs(structure_.size(), rule_.points.size());
     for (Index point = 0; point < rule_.points.size(); ++point) {
