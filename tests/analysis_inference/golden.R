@@ -165,7 +165,7 @@ e <- wilcox.test(other, first, conf.int = TRUE)
 put("wilcoxon/sum", e$statistic, e$p.value, e$estimate, e$conf.int)
 e <- suppressWarnings(wilcox.test(round(other), round(first)))
 put("wilcoxon/sum_rough", e$statistic, e$p.value)
-e <- wilcox.test(many, c(first, other))
+e <- wilcox.test(many, c(first, other) - 10)
 put("wilcoxon/sum_many", e$statistic, e$p.value)
 
 # Holm.
