@@ -1,6 +1,8 @@
-// One trial that counts, as an analysis knows it: a row of `final_trial` (protocols/trials.schema.sql), and where it came from.
+// One trial that counts, as an analysis knows it: a row of `final_trial` (protocols/trials.schema.sql), and where it
+// came from.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -15,10 +17,14 @@ constexpr const char* nameOf(TrialView view) {
   return view == TrialView::kPinhole ? "ppc" : "gc";
 }
 
+/// SHA-256.
+using Digest = std::array<uint8_t, 32>;
+
 struct Trial {
   // Where the row is.
   int source = 0;       ///< file of the dataset, from 0
   int64_t trialId = 0;  ///< in that file
+  Digest digest{};      ///< of the row, with the columns that no analysis reads (row_digest.h)
 
   // The plan.
   std::string subject;

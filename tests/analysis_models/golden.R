@@ -10,6 +10,12 @@ linear <- lmerControl(optimizer = "bobyqa", optCtrl = list(rhoend = 1e-10, maxfu
 binomial_control <- glmerControl(optimizer = "bobyqa", optCtrl = list(rhoend = 1e-9, maxfun = 1e5), calc.derivs = FALSE,
                                  tolPwrss = 1e-12)
 
+# Levels in the order of their names' bytes.
+first_effects <- function(model) {
+  effects <- ranef(model)[[1]]
+  effects[order(rownames(effects), method = "radix"), 1]
+}
+
 random_parts <- function(model) {
   correlations <- lapply(VarCorr(model), function(v) unname(attr(v, "correlation")))
   deviations <- lapply(VarCorr(model), function(v) unname(attr(v, "stddev")))
@@ -23,7 +29,7 @@ of_linear <- function(formula, data, restricted) {
   c(list(restricted = restricted, criterion = criterion, names = rownames(rows), coefficients = unname(fixef(model)),
          standardErrors = unname(rows[, "Std. Error"]), df = unname(rows[, "df"]), p = unname(rows[, "Pr(>|t|)"]),
          sigma = sigma(model), theta = unname(getME(model, "theta")), singular = isSingular(model),
-         firstEffects = unname(ranef(model)[[1]][[1]]), fitted = unname(head(fitted(model), 10))), random_parts(model))
+         firstEffects = first_effects(model), fitted = unname(head(fitted(model), 10))), random_parts(model))
 }
 
 # Standard errors from a Hessian by Richardson extrapolation: that of glmer itself is coarser. With several points glmer
@@ -40,7 +46,7 @@ of_binomial <- function(formula, data, points = 1) {
   value <- -2 * c(logLik(model)) + if (points > 1) saturated else 0
   c(list(points = points, minusTwoLogLikelihood = value, names = names(fixef(model)),
          coefficients = unname(fixef(model)), standardErrors = sqrt(diag(covariance))[fixed], theta = unname(theta),
-         firstEffects = unname(ranef(model)[[1]][[1]])), random_parts(model))
+         firstEffects = first_effects(model)), random_parts(model))
 }
 
 columns <- function(data) lapply(as.list(data), function(x) if (is.factor(x)) as.character(x) else x)
