@@ -29,7 +29,7 @@ enum class ExclusionTest : uint8_t {
 const char* nameOf(ExclusionTest test);
 
 /// What is left out.
-struct ExclusionRule {
+struct PlannedExclusion {
   /// Of whole subjects: "subject" (an id), "ending" (of any session), "sessions_completed", "timeout_share",
   /// "dropped_share" (of all its frames), "practice_criterion" (not reached in a block that has practice),
   /// "form:FIELD". Of sessions: "incomplete_session", "forced_session". Of trials: "timing_verdict",
@@ -103,7 +103,7 @@ struct AnalysisPlan {
   std::string protocolSha256{};  ///< of the protocol that it is for, where it says so
 
   bool usesProtocolExclusions = true;
-  std::vector<ExclusionRule> exclusions{};
+  std::vector<PlannedExclusion> exclusions{};
   TimeoutTreatment findTimeouts = TimeoutTreatment::kCensored;
   std::vector<PlannedModel> models{};
   std::vector<Hypothesis> hypotheses{};

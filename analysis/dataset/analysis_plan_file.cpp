@@ -153,8 +153,8 @@ HypothesisFamily readFamily(JsonObject& fields, const AnalysisPlan& plan, std::s
   return family;
 }
 
-ExclusionRule readExclusion(JsonObject& fields) {
-  ExclusionRule rule;
+PlannedExclusion readExclusion(JsonObject& fields) {
+  PlannedExclusion rule;
   rule.what = fields.text("what", kMostNameBytes);
   const std::string test = fields.textOr("test", kMostNameBytes, nameOf(ExclusionTest::kAlways));
   if (fields.has("value")) {
@@ -238,7 +238,7 @@ AnalysisPlan planFromJsonText(const std::string& text, const std::string& where)
   const JsonText json(text, where);
   JsonObject fields(json, json.root(), "");
   AnalysisPlan plan = readFields(fields);
-  plan.sha256 = hexadecimal(sha256(text));
+  plan.sha256 = hexadecimal(sha256Of(text));
   return plan;
 }
 

@@ -77,7 +77,7 @@ class Reading {
     if (!protocolFile.empty()) {
       source.protocolText = fileBytes(protocolFile);
       source.protocolName = protocolFacts(source.protocolText, protocolFile).name;
-      source.protocolSha256 = hexadecimal(sha256(source.protocolText));
+      source.protocolSha256 = hexadecimal(sha256Of(source.protocolText));
     }
     readSubjects();
     readSessions(source);

@@ -96,7 +96,7 @@ void Reading::readStudy() {
     throw AnalysisError(AnalysisError::Kind::kInput, "this database holds no study yet", path_,
                         "again when a session has begun, which stores the protocol");
   }
-  if (hexadecimal(sha256(source.protocolText)) != source.protocolSha256) {
+  if (hexadecimal(sha256Of(source.protocolText)) != source.protocolSha256) {
     throw AnalysisError(
         AnalysisError::Kind::kInput,
         "the protocol in this database does not have the SHA-256 that stands beside it: someone changed it", path_,

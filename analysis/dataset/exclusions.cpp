@@ -66,11 +66,11 @@ std::string problemOfChoice(const std::string& given, const std::string_view (&a
   return fmt::format("has the value \"{}\", but it must be one of: {}", given, list);
 }
 
-bool matches(const ExclusionRule& rule, const std::string& text) {
+bool matches(const PlannedExclusion& rule, const std::string& text) {
   return (rule.test == ExclusionTest::kIs) == (text == rule.text);
 }
 
-bool matches(const ExclusionRule& rule, double number) {
+bool matches(const PlannedExclusion& rule, double number) {
   return rule.test == ExclusionTest::kAtLeast ? number >= rule.number : number <= rule.number;
 }
 
@@ -97,10 +97,10 @@ class Excluder {
     readProtocol();
     gatherTotals();
     countBefore();
-    std::vector<ExclusionRule> rules =
-        result_.plan.usesProtocolExclusions ? facts_.exclusions : std::vector<ExclusionRule>();
+    std::vector<PlannedExclusion> rules =
+        result_.plan.usesProtocolExclusions ? facts_.exclusions : std::vector<PlannedExclusion>();
     rules.insert(rules.end(), result_.plan.exclusions.begin(), result_.plan.exclusions.end());
-    for (const ExclusionRule& rule : rules) {
+    for (const PlannedExclusion& rule : rules) {
       apply(rule);
     }
     remove();
@@ -112,11 +112,11 @@ class Excluder {
   void readProtocol();
   void gatherTotals();
   void countBefore();
-  void apply(const ExclusionRule& rule);
-  void excludeSubject(const std::string& subject, const ExclusionRule& rule);
+  void apply(const PlannedExclusion& rule);
+  void excludeSubject(const std::string& subject, const PlannedExclusion& rule);
   void remove();
   void countAfter();
-  bool isMet(const ExclusionRule& rule, const std::string& subject, const SubjectTotals& totals) const;
+  bool isMet(const PlannedExclusion& rule, const std::string& subject, const SubjectTotals& totals) const;
   bool missesPractice(const SubjectTotals& totals) const;
 
   AnalysisData result_{};
@@ -225,7 +225,7 @@ bool Excluder::missesPractice(const SubjectTotals& totals) const {
   return false;
 }
 
-bool Excluder::isMet(const ExclusionRule& rule, const std::string& subject, const SubjectTotals& totals) const {
+bool Excluder::isMet(const PlannedExclusion& rule, const std::string& subject, const SubjectTotals& totals) const {
   const auto share = [](int64_t part, int64_t whole) {
     return whole > 0 ? std::optional(static_cast<double>(part) / static_cast<double>(whole)) : std::nullopt;
   };
@@ -254,7 +254,7 @@ bool Excluder::isMet(const ExclusionRule& rule, const std::string& subject, cons
                                                 [&](const std::string& answer) { return matches(rule, answer); });
 }
 
-void Excluder::excludeSubject(const std::string& subject, const ExclusionRule& rule) {
+void Excluder::excludeSubject(const std::string& subject, const PlannedExclusion& rule) {
   if (!subjectWhy_.try_emplace(subject, fmt::format("{} ({})", rule.reason, describe(rule))).second) {
     return;
   }
@@ -269,7 +269,7 @@ void Excluder::excludeSubject(const std::string& subject, const ExclusionRule& r
   }
 }
 
-void Excluder::apply(const ExclusionRule& rule) {
+void Excluder::apply(const PlannedExclusion& rule) {
   const Dataset& data = result_.data;
   const std::optional<RuleKind> kind = kindOf(rule.what);
   if (rule.what == "subject" && rule.test == ExclusionTest::kIs && data.findSubject(rule.text) == nullptr) {
@@ -398,7 +398,7 @@ std::map<std::string, int> completedSessions(const Dataset& data) {
   return completed;
 }
 
-std::string describe(const ExclusionRule& rule) {
+std::string describe(const PlannedExclusion& rule) {
   switch (rule.test) {
     case ExclusionTest::kAlways:
       return rule.what;
@@ -424,7 +424,7 @@ std::optional<ExclusionTest> exclusionTestOf(const std::string& name) {
   return std::nullopt;
 }
 
-std::string problemOfRule(const ExclusionRule& rule, const std::string& test, bool hasValue, bool valueIsText) {
+std::string problemOfRule(const PlannedExclusion& rule, const std::string& test, bool hasValue, bool valueIsText) {
   const std::optional<RuleKind> kind = kindOf(rule.what);
   if (!kind) {
     std::string allowed;

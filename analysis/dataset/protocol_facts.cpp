@@ -64,8 +64,8 @@ ProtocolBlockFacts readBlock(const JsonText& text, JsonObject& fields, const nlo
   return block;
 }
 
-ExclusionRule readRule(JsonObject& fields) {
-  ExclusionRule rule;
+PlannedExclusion readRule(JsonObject& fields) {
+  PlannedExclusion rule;
   rule.what = fields.text("what", kMostBytes);
   const std::string test = fields.text("test", kMostBytes);
   const nlohmann::json& value = fields.value("value");

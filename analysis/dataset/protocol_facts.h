@@ -49,7 +49,7 @@ struct ProtocolFacts {
   bool asksConsent = false;
   std::vector<ProtocolBlockFacts> blocks{};
   std::vector<ProtocolMaze> mazes{};
-  std::vector<ExclusionRule> exclusions{};
+  std::vector<PlannedExclusion> exclusions{};
 
   const ProtocolMaze* findMaze(const std::string& maze) const;
 };

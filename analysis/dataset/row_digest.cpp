@@ -44,7 +44,7 @@ RowBytes& RowBytes::real(const std::optional<double>& value) {
 }
 
 Digest RowBytes::digest() const {
-  return sha256(bytes_);
+  return sha256Of(bytes_);
 }
 
 Digest digestOf(const Trial& trial, const UnreadColumns& unread) {
@@ -69,7 +69,7 @@ Digest digestOf(const Trial& trial, const UnreadColumns& unread) {
   return row.digest();
 }
 
-Digest sha256(std::string_view bytes) {
+Digest sha256Of(std::string_view bytes) {
   Digest digest{};
   if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, EVP_sha256(), nullptr) != 1) {
     throw AnalysisError(AnalysisError::Kind::kWork, "SHA-256 is not to be had", "OpenSSL", "another build of OpenSSL");
@@ -84,7 +84,7 @@ Digest sha256OfRows(std::vector<Digest> rows) {
   for (const Digest& row : rows) {
     bytes.append(row.begin(), row.end());
   }
-  return sha256(bytes);
+  return sha256Of(bytes);
 }
 
 std::string hexadecimal(const Digest& digest) {

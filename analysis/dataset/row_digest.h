@@ -52,7 +52,7 @@ struct UnreadColumns {
 };
 Digest digestOf(const Trial& trial, const UnreadColumns& unread);
 
-Digest sha256(std::string_view bytes);
+Digest sha256Of(std::string_view bytes);
 /// Of the digests in the order of their bytes: the same whatever order they came in.
 Digest sha256OfRows(std::vector<Digest> rows);
 /// 64 small hexadecimal digits.

@@ -79,8 +79,8 @@ TEST(AnalysisPlan, defaultsAreThoseOfTheSample) {
 
 TEST(AnalysisPlan, hashIsThatOfTheFile) {
   const std::string text = "{\"name\": \"a\"}";
-  EXPECT_EQ(planFromJsonText(text, "plan.json").sha256, hexadecimal(sha256(text)));
-  EXPECT_EQ(hexadecimal(sha256("abc")),
+  EXPECT_EQ(planFromJsonText(text, "plan.json").sha256, hexadecimal(sha256Of(text)));
+  EXPECT_EQ(hexadecimal(sha256Of("abc")),
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");  // FIPS 180-4
 }
 

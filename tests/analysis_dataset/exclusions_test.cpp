@@ -11,8 +11,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-ExclusionRule rule(std::string what, ExclusionTest test, std::string text, double number = 0) {
-  ExclusionRule made;
+PlannedExclusion rule(std::string what, ExclusionTest test, std::string text, double number = 0) {
+  PlannedExclusion made;
   made.what = std::move(what);
   made.test = test;
   made.text = std::move(text);
@@ -25,7 +25,7 @@ struct Exclusions : ::testing::Test {
   SampleFolder folder;
   std::string path = folder.file("study.db");
 
-  AnalysisData with(const ExclusionRule& one) const {
+  AnalysisData with(const PlannedExclusion& one) const {
     AnalysisPlan plan = defaultPlan();
     plan.exclusions = {one};
     return applyPlan(readDatabase(path), plan);

@@ -73,7 +73,7 @@ SampleStudy::SampleStudy(const std::string& path, const std::string& protocol)
   database_.exec(schema());
   SQLite::Statement insert(database_,
                            "INSERT INTO study VALUES (1, 'sample', ?, ?, '0.1.0', '2026-01-01T00:00:00.000Z')");
-  insert.bind(1, hexadecimal(sha256(protocol)));
+  insert.bind(1, hexadecimal(sha256Of(protocol)));
   insert.bind(2, protocol);
   insert.exec();
 }
