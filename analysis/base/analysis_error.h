@@ -1,6 +1,6 @@
-// What is thrown where an analysis cannot be done at all: a file that is none, a plan that contradicts itself. What merely
-// cannot be estimated from the data at hand (one subject, nothing but time-outs) is no error but part of the result:
-// estimable.h.
+// What is thrown where an analysis cannot be done at all: a file that is none, a plan that contradicts itself. What
+// merely cannot be estimated from the data at hand (one subject, nothing but time-outs) is no error but part of the
+// result: estimable.h.
 #pragma once
 
 #include <stdexcept>

@@ -17,6 +17,8 @@ using Eigen::VectorXd;
 
 /// Residuals below this share of the response are rounding.
 constexpr double kNoResiduals = 1e-9;
+/// Random effects as free as fixed ones, all but this one part in a hundred thousand.
+constexpr double kFreeTheta = 1e5;
 
 }  // namespace
 
@@ -135,6 +137,10 @@ Estimable<LinearMixedFit> LinearMixedModel::fit(const VectorXd& response, bool r
   if (profile.scale() == 0) {
     return Result::impossible("the fixed effects reproduce the responses exactly");
   }
+  profile.at(kFreeTheta * structure_.startTheta());
+  if (!(profile.residualVariance() > kNoResiduals)) {
+    return Result::impossible("fixed and random effects reproduce the responses exactly");
+  }
   const Objective deviance = [&](const VectorXd& theta) { return profile.at(theta); };
   const MinimumSearch search;
   Minimum minimum = findMinimum(deviance, structure_.startTheta(), search);
@@ -146,9 +152,6 @@ Estimable<LinearMixedFit> LinearMixedModel::fit(const VectorXd& response, bool r
   fit.restricted = restricted;
   fit.parameters = static_cast<int>(design_.fixed.cols() + structure_.thetaSize()) + 1;
   const double variance = profile.residualVariance();
-  if (!(variance > kNoResiduals)) {
-    return Result::impossible("fixed and random effects reproduce the responses exactly");
-  }
   const VectorXd b = profile.scale() * structure_.lambdaTimes(theta, profile.sphericalEffects());
   const VectorXd coordinates = profile.leastSquares() + profile.scale() * profile.coordinates();
   fit.residualDeviation = profile.scale() * std::sqrt(variance);

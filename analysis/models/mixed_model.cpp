@@ -91,6 +91,9 @@ Estimate estimateOf(double value, double standardError, double degreesOfFreedom,
   Estimate estimate;
   estimate.value = value;
   estimate.standardError = standardError;
+  if (!(standardError > 0)) {
+    return estimate;
+  }
   estimate.statistic = value / standardError;
   estimate.degreesOfFreedom = degreesOfFreedom;
   const auto fill = [&](const auto& distribution) {

@@ -62,7 +62,8 @@ Estimable<Eigen::Index> coefficientIndex(const MixedModelFit& fit, const std::st
 /// the smaller model has a variance less, the p-value is too large, by up to twice: 0 lies at the edge of what can be.
 Estimable<Estimate> likelihoodRatio(const MixedModelFit& smaller, const MixedModelFit& larger);
 
-/// z: infinite degrees of freedom; t: `degreesOfFreedom`. `level` of the interval, 0.95.
+/// z: infinite degrees of freedom; t: `degreesOfFreedom`. `level` of the interval, 0.95. Without a
+/// standard error there is no interval and no test.
 Estimate estimateOf(double value, double standardError, double degreesOfFreedom, double level);
 
 // For the two models.
