@@ -151,7 +151,7 @@ std::string obstacle(const SurvivalData& data, const StandardizedCovariates& cov
 Estimable<FailureTimeFit> fitLogNormal(const SurvivalData& data, double level) {
   checkSurvivalData(data, "fitLogNormal");
   requireArgument(data.strata.empty(), "a log-normal model has no strata", "fitLogNormal");
-  const StandardizedCovariates covariates(data);
+  const StandardizedCovariates covariates(data.covariates, data.times.size(), "fitLogNormal");
   if (const std::string reason = obstacle(data, covariates); !reason.empty()) {
     return Estimable<FailureTimeFit>::impossible(reason);
   }

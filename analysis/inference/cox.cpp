@@ -244,7 +244,7 @@ Estimable<Maximum> maximize(const SurvivalData& data, const PartialLikelihood& l
 
 Estimable<CoxFit> fitCox(const SurvivalData& data, double level) {
   checkSurvivalData(data, "fitCox");
-  const StandardizedCovariates covariates(data);
+  const StandardizedCovariates covariates(data.covariates, data.times.size(), "fitCox");
   const PartialLikelihood likelihood(data, covariates.values);
   const Estimable<Maximum> maximum = maximize(data, likelihood, covariates);
   if (!maximum) {
@@ -285,7 +285,7 @@ Estimable<CoxFit> fitCox(const SurvivalData& data, double level) {
 Estimable<ProportionalityTest> testProportionality(const SurvivalData& data, TimeScale scale) {
   using Result = Estimable<ProportionalityTest>;
   checkSurvivalData(data, "testProportionality");
-  const StandardizedCovariates covariates(data);
+  const StandardizedCovariates covariates(data.covariates, data.times.size(), "testProportionality");
   const PartialLikelihood likelihood(data, covariates.values);
   const Estimable<Maximum> maximum = maximize(data, likelihood, covariates);
   if (!maximum) {

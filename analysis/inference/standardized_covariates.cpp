@@ -14,20 +14,22 @@ constexpr double kFlat = 1e-6;
 
 }  // namespace
 
-StandardizedCovariates::StandardizedCovariates(const SurvivalData& data)
-    : values(static_cast<Eigen::Index>(data.times.size()), static_cast<Eigen::Index>(data.covariates.size())),
+StandardizedCovariates::StandardizedCovariates(const std::vector<Covariate>& covariates, size_t rows,
+                                               const char* function)
+    : values(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(covariates.size())),
       mean(Eigen::VectorXd::Zero(values.cols())),
       scale(Eigen::VectorXd::Ones(values.cols())) {
-  if (data.times.empty()) {
+  checkCovariates(covariates, rows, function);
+  if (rows == 0) {
     problem = "there are no trials";
     return;
   }
-  if (data.covariates.empty()) {
+  if (covariates.empty()) {
     problem = "there is no covariate";
     return;
   }
   for (Eigen::Index j = 0; j < values.cols(); ++j) {
-    const Covariate& covariate = data.covariates[static_cast<size_t>(j)];
+    const Covariate& covariate = covariates[static_cast<size_t>(j)];
     names.push_back(covariate.name);
     const Eigen::Map<const Eigen::VectorXd> raw(covariate.values.data(), values.rows());
     mean[j] = raw.mean();

@@ -1,5 +1,5 @@
-// Covariates from their means, in standard deviations, so that fits do not depend on units; and what the regressions of
-// times share besides. For .cpp files: the interfaces of the fits do without Eigen.
+// Covariates from their means, in standard deviations, so that fits do not depend on units; and what the regressions
+// here share besides. For .cpp files: the interfaces of the fits do without Eigen.
 //
 //   Huber 1967; White 1980; Lin and Wei 1989   the sandwich
 #pragma once
@@ -9,23 +9,23 @@
 #include <string>
 #include <vector>
 
-#include "analysis/inference/survival_data.h"
+#include "analysis/inference/covariate.h"
 #include "analysis/inference/wald.h"
 
 namespace ocelli {
 
 struct StandardizedCovariates {
-  /// Checked data.
-  explicit StandardizedCovariates(const SurvivalData& data);
+  /// Throws AnalysisError, naming `function`, where there is not one finite value a row.
+  StandardizedCovariates(const std::vector<Covariate>& covariates, size_t rows, const char* function);
 
   /// Why these cannot all have a coefficient of their own, from the information on them; empty where they can.
   std::string whyNotIndependent(const Eigen::MatrixXd& information) const;
 
   std::vector<std::string> names;
-  Eigen::MatrixXd values;  ///< trials x covariates
+  Eigen::MatrixXd values;  ///< rows x covariates
   Eigen::VectorXd mean;
   Eigen::VectorXd scale;
-  std::string problem;  ///< why there is nothing to fit: no trials, no covariates, one that does not vary; else empty
+  std::string problem;  ///< why there is nothing to fit: no rows, no covariates, one that does not vary; else empty
 };
 
 /// Of coefficients whose model covariance is `model`, from a row of score residuals a trial.

@@ -1,7 +1,5 @@
 #include "analysis/inference/survival_data.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -33,14 +31,7 @@ void checkTimes(const std::vector<SurvivalTime>& times, const char* function) {
 void checkSurvivalData(const SurvivalData& data, const char* function) {
   checkTimes(data.times, function);
   const size_t trials = data.times.size();
-  for (const Covariate& covariate : data.covariates) {
-    requireArgument(covariate.values.size() == trials,
-                    fmt::format("'{}' has {} values for {} trials", covariate.name, covariate.values.size(), trials),
-                    function);
-    requireArgument(
-        std::all_of(covariate.values.begin(), covariate.values.end(), [](double x) { return std::isfinite(x); }),
-        fmt::format("a value of '{}' is not finite", covariate.name), function);
-  }
+  checkCovariates(data.covariates, trials, function);
   requireArgument(data.strata.empty() || data.strata.size() == trials, "strata and trials differ in number", function);
   requireArgument(data.clusters.empty() || data.clusters.size() == trials, "clusters and trials differ in number",
                   function);

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
+
+#include "analysis/inference/covariate.h"
 
 namespace ocelli {
 
@@ -22,11 +23,6 @@ struct RiskSet {
 
 /// At each different time, in ascending order.
 std::vector<RiskSet> riskSets(const std::vector<SurvivalTime>& times);
-
-struct Covariate {
-  std::string name;
-  std::vector<double> values;  ///< of each trial
-};
 
 /// What a regression of times is given. All lists have one entry a trial, or none where a comment says so.
 struct SurvivalData {
