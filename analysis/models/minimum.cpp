@@ -101,6 +101,9 @@ class Search {
         if (curvature > kFlat * largest) {
           step[i] = -slopes[i] / curvature;
           minimum.expectedDecrease += slopes[i] * slopes[i] / (2 * curvature);
+        } else {
+          // A slope without an end in sight is no minimum either.
+          minimum.expectedDecrease += std::abs(slopes[i]) * search_.gradientStep;
         }
       }
       const bool goOn = minimum.expectedDecrease > search_.wantedDecrease && count < kNewtonSteps &&
