@@ -9,7 +9,7 @@ const std::string_view kReportStyle = R"css(
   --paper: #ffffff; --ground: #fbfaf7; --text: #1c2126; --soft: #56606b; --line: #d9d9d2; --rule: #8a9098;
   --accent: #00558c; --caution: #8f3e00; --tint: #f1f5f8;
   --serif: Charter, "Bitstream Charter", "Palatino Linotype", Palatino, P052, Georgia, "DejaVu Serif", serif;
-  --sans: Helvetica, Arial, system-ui, "DejaVu Sans", sans-serif;
+  --sans: Helvetica, "Nimbus Sans", "Liberation Sans", Arial, system-ui, "DejaVu Sans", sans-serif;
   --mono: ui-monospace, "DejaVu Sans Mono", monospace;
 }
 * { box-sizing: border-box; }
