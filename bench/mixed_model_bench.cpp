@@ -67,6 +67,7 @@ void measure(const Size& size, int repeats) {
   binomialTruth.theta = truth.theta;
   double linearTime = 0;
   double binomialTime = 0;
+  double restrictedTime = 0;
   int linearEvaluations = 0;
   int binomialEvaluations = 0;
   int failed = 0;
@@ -78,6 +79,7 @@ void measure(const Size& size, int repeats) {
       linearEvaluations += fit ? fit->convergence.evaluations : 0;
     });
     const BinomialResponse answers = binomial.simulate(binomialTruth, Eigen::VectorXd::Ones(design.rows()), numbers);
+    restrictedTime += millisecondsOf([&] { failed += binomial.fitRestricted(answers).isPossible() ? 0 : 1; });
     binomialTime += millisecondsOf([&] {
       const auto fit = binomial.fit(answers);
       failed += fit && fit->convergence.converged ? 0 : 1;
@@ -85,10 +87,10 @@ void measure(const Size& size, int repeats) {
     });
   }
   fmt::print(
-      "{:>5} subjects x {:>3} trials, {:>3} items: linear {:>8.1f} ms ({} evaluations), binomial {:>8.1f} ms ({}); {} "
-      "did not converge\n",
+      "{:>5} subjects x {:>3} trials, {:>3} items: linear {:.1f} ms ({} evaluations), binomial {:.1f} ms ({}), "
+      "restricted {:.1f} ms; {} did not converge\n",
       size.subjects, size.trials, size.items, linearTime / repeats, linearEvaluations / repeats, binomialTime / repeats,
-      binomialEvaluations / repeats, failed);
+      binomialEvaluations / repeats, restrictedTime / repeats, failed);
 }
 
 }  // namespace

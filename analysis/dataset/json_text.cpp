@@ -57,7 +57,9 @@ class LineWalk {
     while (at_ < text_.size()) {
       const std::string_view rest = text_.substr(at_);
       if (rest.starts_with("//")) {
-        while (at_ < text_.size() && peek() != '\n') {
+        // As the parser: a comment ends with its line, or with a byte of 0.
+        const size_t end = text_.find_first_of(std::string_view("\n\r\0", 3), at_);
+        while (at_ < std::min(end, text_.size() - 1) + 1) {
           step();
         }
       } else if (rest.starts_with("/*")) {
@@ -89,7 +91,12 @@ class LineWalk {
     skipSpace();
     while (at_ < text_.size() && peek() != '}') {
       const int line = line_;
-      const std::string name = nlohmann::json::parse(quoted(), nullptr, false).get<std::string>();
+      const nlohmann::json parsedName = nlohmann::json::parse(quoted(), nullptr, false);
+      if (!parsedName.is_string()) {
+        at_ = text_.size();  // a byte of 0 ends the text for the parser
+        return;
+      }
+      const auto& name = parsedName.get_ref<const std::string&>();
       const std::string member = fmt::format("{}/{}", pointer, escapedForPointer(name));
       lines_.emplace(member, line);
       skipSpace();

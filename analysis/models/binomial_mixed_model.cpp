@@ -5,7 +5,6 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "analysis/base/analysis_error.h"
@@ -38,6 +37,17 @@ double logBinomialCoefficients(const BinomialResponse& response) {
   return sum;
 }
 
+/// From a start that is near, with steps that the exactness of the mode allows.
+MinimumSearch nearbySearch() {
+  MinimumSearch search;
+  search.firstStep = 0.1;
+  search.lastStep = 5e-3;
+  search.gradientStep = 5e-4;
+  search.hessianStep = 1e-2;
+  search.hessianReach = 1e-3;
+  return search;
+}
+
 /// Separation does not depend on the units of the columns.
 std::optional<std::string> whySeparated(const Design& design, const BinomialResponse& response) {
   const VectorXd lengths = design.fixed.colwise().lpNorm<Eigen::Infinity>();
@@ -60,19 +70,32 @@ std::optional<std::string> whySeparated(const Design& design, const BinomialResp
 /// b.
 class BinomialMixedModel::Integral {
  public:
-  Integral(const RandomStructure& structure, const BinomialResponse& response, int points)
+  /// `columns`: of the fixed effects, which have coordinates as their coefficients.
+  Integral(const RandomStructure& structure, const BinomialResponse& response, int points, MatrixXd columns)
       : structure_(structure),
         response_(response),
         cholesky_(structure),
         constant_(-2 * logBinomialCoefficients(response)),
         rule_(hermiteRule(points)),
+        offset_(VectorXd::Zero(columns.rows())),
+        columns_(std::move(columns)),
+        coordinates_(VectorXd::Zero(columns_.cols())),
+        origin_(coordinates_),
+        units_(MatrixXd::Identity(columns_.cols(), columns_.cols())),
         u_(VectorXd::Zero(structure.size())) {}
 
-  void setFixed(VectorXd offset, MatrixXd columns) {
-    offset_ = std::move(offset);
-    columns_ = std::move(columns);
-    coordinates_ = VectorXd::Zero(columns_.cols());
+  /// From the best coordinates at theta on, coordinates are the distance from these, with about unit variance.
+  void whiten(const VectorXd& theta) {
+    atBestCoordinates(theta);
+    const Index count = columns_.cols();
+    origin_ = coordinates_;
+    units_ = fixedFactor_.transpose().triangularView<Eigen::Upper>().solve(MatrixXd::Identity(count, count));
+    offset_ = columns_ * origin_;
+    columns_ = columns_ * units_;
+    coordinates_ = VectorXd::Zero(count);
   }
+  const VectorXd& origin() const { return origin_; }
+  const MatrixXd& units() const { return units_; }
 
   double at(const VectorXd& theta, const VectorXd& coordinates) {
     fixedPart_ = offset_ + columns_ * coordinates;
@@ -85,6 +108,21 @@ class BinomialMixedModel::Integral {
     fixedPart_ = offset_ + columns_ * coordinates_;
     findMode(theta, &coordinates_);
     return laplace();
+  }
+
+  /// With the integral over the coordinates too.
+  double restrictedAt(const VectorXd& theta) {
+    const double deviance = atBestCoordinates(theta);
+    return deviance + 2 * fixedFactor_.diagonal().array().log().sum() -
+           static_cast<double>(columns_.cols()) * std::log(2 * std::numbers::pi);
+  }
+
+  /// Of the coordinates, at the penalized mode.
+  MatrixXd covarianceAt(const VectorXd& theta) {
+    atBestCoordinates(theta);
+    const Index count = columns_.cols();
+    const MatrixXd inverse = fixedFactor_.triangularView<Eigen::Lower>().solve(MatrixXd::Identity(count, count));
+    return inverse.transpose() * inverse;
   }
 
   // After the last call.
@@ -175,7 +213,7 @@ class BinomialMixedModel::Integral {
   /// One effect a level: each level has an integral of its own, about its mode and scaled by the curvature there.
   double quadrature(const VectorXd& theta) {
     const RandomStructure::Term& term = structure_.terms()[0];
-    const Eigen::ArrayXd spread = std::numbers::sqrt2 * cholesky_.diagonal().array().rsqrt();
+    const Eigen::ArrayXd spread = std::numbers::sqrt2 * cholesky_.scalarDiagonal().array().rsqrt();
     const VectorXd mode = u_;
     MatrixXd logs(structure_.size(), rule_.points.size());
     for (Index point = 0; point < rule_.points.size(); ++point) {
@@ -205,9 +243,11 @@ class BinomialMixedModel::Integral {
   PenalizedCholesky cholesky_;
   double constant_;
   HermiteRule rule_;
-  VectorXd offset_{};
-  MatrixXd columns_{};
-  VectorXd coordinates_{};
+  VectorXd offset_;
+  MatrixXd columns_;
+  VectorXd coordinates_;
+  VectorXd origin_;  ///< where whitened coordinates are 0
+  MatrixXd units_;   ///< of whitened coordinates
 
   VectorXd u_;
   VectorXd fixedPart_{};
@@ -255,75 +295,121 @@ void BinomialMixedModel::check(const BinomialResponse& response, int quadratureP
 double BinomialMixedModel::deviance(const BinomialResponse& response, const VectorXd& theta,
                                     const VectorXd& coefficients, int quadraturePoints) const {
   check(response, quadraturePoints);
-  Integral integral(structure_, response, quadraturePoints);
-  integral.setFixed(VectorXd::Zero(design_.rows()), design_.fixed);
+  Integral integral(structure_, response, quadraturePoints, design_.fixed);
   return integral.at(structure_.scaledThetaOf(theta), coefficients);
 }
 
-Estimable<BinomialMixedFit> BinomialMixedModel::fit(const BinomialResponse& response, int quadraturePoints) const {
-  using Result = Estimable<BinomialMixedFit>;
-  check(response, quadraturePoints);
+std::optional<std::string> BinomialMixedModel::whyNot(const BinomialResponse& response) const {
   const bool binary = (response.trials.array() == 1).all();
-  if (const std::optional<std::string> reason = whyImpossible(design_, binary)) {
-    return Result::impossible(*reason);
+  if (std::optional<std::string> reason = whyImpossible(design_, binary)) {
+    return reason;
   }
   if (response.successes.isZero(0) || response.successes == response.trials) {
-    return Result::impossible("all responses are equal");
+    return "all responses are equal";
   }
-  const Index fixedCount = design_.fixed.cols();
-  const Index thetaCount = structure_.thetaSize();
-  const double size = std::sqrt(static_cast<double>(design_.rows()));
-  if (const std::optional<std::string> reason = whySeparated(design_, response)) {
-    return Result::impossible(*reason);
-  }
+  return whySeparated(design_, response);
+}
 
-  // First theta alone, with the fixed effects at the penalized mode; then both, with coordinates of the fixed effects
-  // that have about unit variance.
-  Integral integral(structure_, response, quadraturePoints);
-  integral.setFixed(VectorXd::Zero(design_.rows()), size * design_.basis);
-  MinimumSearch first;
-  first.lastStep = 0.02;
-  const VectorXd start = nearMinimum([&](const VectorXd& theta) { return integral.atBestCoordinates(theta); },
-                                     structure_.startTheta(), first);
-  integral.atBestCoordinates(start);
-  const VectorXd offset = size * (design_.basis * integral.coordinates());
-  const MatrixXd whitening = integral.fixedFactor().transpose().triangularView<Eigen::Upper>().solve(
-      MatrixXd::Identity(fixedCount, fixedCount));
-  integral.setFixed(offset, size * (design_.basis * whitening));
+/// Columns of the basis are scaled by this, so that coordinates are of the order of logits.
+double BinomialMixedModel::columnLength() const {
+  return std::sqrt(static_cast<double>(design_.rows()));
+}
 
-  const Objective deviance = [&](const VectorXd& point) {
-    return integral.at(point.head(thetaCount), point.tail(fixedCount));
-  };
-  MinimumSearch search;
-  search.firstStep = 0.1;
-  search.lastStep = 5e-3;
-  search.gradientStep = 2e-3;
-  search.hessianStep = 1e-2;
-  search.hessianReach = 1e-3;
-  VectorXd together = VectorXd::Zero(thetaCount + fixedCount);
-  together.head(thetaCount) = start;
-  Minimum minimum = findMinimum(deviance, together, search);
-  settleAtBoundary(structure_, deviance, minimum);
-  const VectorXd theta = minimum.point.head(thetaCount);
+Estimable<BinomialMixedFit> BinomialMixedModel::describe(Integral& integral, const Minimum& minimum,
+                                                         const MatrixXd& covariance) const {
+  const VectorXd theta = minimum.point.head(structure_.thetaSize());
   if (theta.lpNorm<Eigen::Infinity>() > kLargestTheta) {
-    return Result::impossible("the levels of a grouping factor differ without limit: each has responses of one kind");
+    return Estimable<BinomialMixedFit>::impossible(
+        "the levels of a grouping factor differ without limit: each has responses of one kind");
   }
-
+  const VectorXd coordinates = minimum.point.tail(design_.fixed.cols());
   BinomialMixedFit fit;
-  fit.deviance = deviance(minimum.point);
-  fit.quadraturePoints = quadraturePoints;
+  fit.deviance = integral.at(theta, coordinates);
   fit.parameters = static_cast<int>(minimum.point.size());
   describeFit(design_, structure_, minimum, theta, structure_.lambdaTimes(theta, integral.mode()), 1, fit);
   const auto triangle = design_.triangle.triangularView<Eigen::Upper>();
-  const MatrixXd units = triangle.solve(size * whitening);
-  const VectorXd atStart = design_.basis.transpose() * offset;
-  fit.coefficients = triangle.solve(atStart) + units * minimum.point.tail(fixedCount);
-  fit.covariance =
-      units * covarianceOfMinimum(minimum.hessian).bottomRightCorner(fixedCount, fixedCount) * units.transpose();
+  fit.coefficients = triangle.solve(columnLength() * (integral.origin() + integral.units() * coordinates));
+  const MatrixXd units = triangle.solve(columnLength() * integral.units());
+  fit.covariance = units * covariance * units.transpose();
   fit.standardErrors = fit.covariance.diagonal().cwiseSqrt();
   fit.linearPredictor = integral.linearPredictor();
   fit.fitted = integral.probabilities();
   return fit;
+}
+
+Estimable<BinomialMixedFit> BinomialMixedModel::fit(const BinomialResponse& response, int quadraturePoints) const {
+  check(response, quadraturePoints);
+  if (const std::optional<std::string> reason = whyNot(response)) {
+    return Estimable<BinomialMixedFit>::impossible(*reason);
+  }
+  // First theta alone, with the fixed effects at the penalized mode; then both.
+  Integral integral(structure_, response, quadraturePoints, columnLength() * design_.basis);
+  MinimumSearch first;
+  first.lastStep = 0.02;
+  const VectorXd start = nearMinimum([&](const VectorXd& theta) { return integral.atBestCoordinates(theta); },
+                                     structure_.startTheta(), first);
+  integral.whiten(start);
+  const Index thetaCount = structure_.thetaSize();
+  const Index fixedCount = design_.fixed.cols();
+  const Objective deviance = [&](const VectorXd& point) {
+    return integral.at(point.head(thetaCount), point.tail(fixedCount));
+  };
+  VectorXd together = VectorXd::Zero(thetaCount + fixedCount);
+  together.head(thetaCount) = start;
+  Minimum minimum = findMinimum(deviance, together, nearbySearch());
+  settleAtBoundary(structure_, deviance, minimum);
+  Estimable<BinomialMixedFit> fit =
+      describe(integral, minimum, covarianceOfMinimum(minimum.hessian).bottomRightCorner(fixedCount, fixedCount));
+  if (!fit) {
+    return fit;
+  }
+  BinomialMixedFit result = *fit;
+  result.quadraturePoints = quadraturePoints;
+  return result;
+}
+
+Estimable<BinomialMixedFit> BinomialMixedModel::fitRestricted(const BinomialResponse& response) const {
+  check(response, 1);
+  if (const std::optional<std::string> reason = whyNot(response)) {
+    return Estimable<BinomialMixedFit>::impossible(*reason);
+  }
+  Integral integral(structure_, response, 1, columnLength() * design_.basis);
+  const Objective restricted = [&](const VectorXd& theta) { return integral.restrictedAt(theta); };
+  MinimumSearch search = nearbySearch();
+  search.firstStep = 0.5;
+  Minimum variances = findMinimum(restricted, structure_.startTheta(), search);
+  settleAtBoundary(structure_, restricted, variances);
+  const VectorXd theta = variances.point;
+
+  integral.whiten(theta);
+  const Index fixedCount = design_.fixed.cols();
+  const Objective deviance = [&](const VectorXd& coordinates) { return integral.at(theta, coordinates); };
+  const Minimum fixed = findMinimum(deviance, VectorXd::Zero(fixedCount), nearbySearch());
+  Minimum both = fixed.converged ? variances : fixed;
+  both.evaluations = variances.evaluations + fixed.evaluations;
+  both.point.resize(theta.size() + fixedCount);
+  both.point << theta, fixed.point;
+  const Estimable<BinomialMixedFit> fit = describe(integral, both, covarianceOfMinimum(fixed.hessian));
+  if (!fit) {
+    return fit;
+  }
+
+  BinomialMixedFit result = *fit;
+  result.restricted = true;
+  const auto triangle = design_.triangle.triangularView<Eigen::Upper>();
+  const MatrixXd units = triangle.solve(columnLength() * integral.units());
+  // In the units of the coefficients.
+  result.deviance = integral.restrictedAt(theta) - 2 * units.diagonal().array().abs().log().sum();
+  result.varianceParameterCovariance = covarianceOfMinimum(variances.hessian);
+  for (Index i = 0; i < theta.size(); ++i) {
+    VectorXd shifted = theta;
+    shifted[i] += search.hessianStep;
+    MatrixXd difference = integral.covarianceAt(shifted);
+    shifted[i] -= 2 * search.hessianStep;
+    difference -= integral.covarianceAt(shifted);
+    result.covarianceGradients.push_back(units * (difference / (2 * search.hessianStep)) * units.transpose());
+  }
+  return result;
 }
 
 BinomialResponse BinomialMixedModel::simulate(const BinomialMixedFit& fit, const VectorXd& trials,
@@ -339,19 +425,6 @@ BinomialResponse BinomialMixedModel::simulate(const BinomialMixedFit& fit, const
     }
   }
   return response;
-}
-
-Estimate contrastEstimate(const BinomialMixedFit& fit, const VectorXd& contrast, double level) {
-  return estimateOf(contrast.dot(fit.coefficients), std::sqrt(contrast.dot(fit.covariance * contrast)),
-                    std::numeric_limits<double>::infinity(), level);
-}
-
-Estimable<Estimate> coefficientEstimate(const BinomialMixedFit& fit, const std::string& name, double level) {
-  const Estimable<Index> index = coefficientIndex(fit, name);
-  if (!index) {
-    return Estimable<Estimate>::impossible(index.reason());
-  }
-  return contrastEstimate(fit, VectorXd::Unit(fit.coefficients.size(), *index), level);
 }
 
 }  // namespace ocelli

@@ -38,6 +38,14 @@ class BinomialMixedModel {
   /// of successes.
   Estimable<BinomialMixedFit> fit(const BinomialResponse& response, int quadraturePoints = 1) const;
 
+  /// For few subjects or items. Variances by the restricted likelihood, Laplace's approximation of the integral over
+  /// the fixed effects too (as REML in Brooks et al. 2017, glmmTMB, The R Journal 9(2), appendix A), and coefficients
+  /// by Laplace's approximation at these variances. Standard errors do not treat variances of few levels as known,
+  /// which Wald's z does: intervals are t's, with degrees of freedom by Satterthwaite's method. DEVIATION: the
+  /// covariance of the coefficients as a function of theta is that at the mode of the penalized likelihood, up to the
+  /// factor by which its curvature differs from that of Laplace's approximation.
+  Estimable<BinomialMixedFit> fitRestricted(const BinomialResponse& response) const;
+
   /// What fit() minimises, at relative covariance factors in lme4's order, and coefficients.
   double deviance(const BinomialResponse& response, const Eigen::VectorXd& theta, const Eigen::VectorXd& coefficients,
                   int quadraturePoints = 1) const;
@@ -48,13 +56,14 @@ class BinomialMixedModel {
  private:
   class Integral;
   void check(const BinomialResponse& response, int quadraturePoints) const;
+  std::optional<std::string> whyNot(const BinomialResponse& response) const;
+  /// From theta and whitened coordinates; `covariance`: of these coordinates.
+  Estimable<BinomialMixedFit> describe(Integral& integral, const Minimum& minimum,
+                                       const Eigen::MatrixXd& covariance) const;
+  double columnLength() const;
 
   Design design_;
   RandomStructure structure_;
 };
-
-/// contrast' beta with Wald's z.
-Estimate contrastEstimate(const BinomialMixedFit& fit, const Eigen::VectorXd& contrast, double level = 0.95);
-Estimable<Estimate> coefficientEstimate(const BinomialMixedFit& fit, const std::string& name, double level = 0.95);
 
 }  // namespace ocelli

@@ -210,22 +210,4 @@ VectorXd LinearMixedModel::simulate(const LinearMixedFit& fit, RandomNumbers& nu
   return response;
 }
 
-Estimate contrastEstimate(const LinearMixedFit& fit, const VectorXd& contrast, double level) {
-  const double variance = contrast.dot(fit.covariance * contrast);
-  VectorXd gradient(static_cast<Index>(fit.covarianceGradients.size()));
-  for (Index i = 0; i < gradient.size(); ++i) {
-    gradient[i] = contrast.dot(fit.covarianceGradients[static_cast<size_t>(i)] * contrast);
-  }
-  const double spread = gradient.dot(fit.varianceParameterCovariance * gradient);
-  return estimateOf(contrast.dot(fit.coefficients), std::sqrt(variance), 2 * variance * variance / spread, level);
-}
-
-Estimable<Estimate> coefficientEstimate(const LinearMixedFit& fit, const std::string& name, double level) {
-  const Estimable<Index> index = coefficientIndex(fit, name);
-  if (!index) {
-    return Estimable<Estimate>::impossible(index.reason());
-  }
-  return contrastEstimate(fit, VectorXd::Unit(fit.coefficients.size(), *index), level);
-}
-
 }  // namespace ocelli

@@ -13,10 +13,6 @@ namespace ocelli {
 struct LinearMixedFit : MixedModelFit {
   double residualDeviation = 0;
   Eigen::VectorXd residuals;  ///< from the fitted values with random effects
-
-  // For degrees of freedom: the variance parameters are theta and the residual standard deviation.
-  Eigen::MatrixXd varianceParameterCovariance;
-  std::vector<Eigen::MatrixXd> covarianceGradients;  ///< of `covariance`, by each of them
 };
 
 class LinearMixedModel {
@@ -44,10 +40,5 @@ class LinearMixedModel {
   Eigen::VectorXd crossProduct_;  ///< Z'Z
   Eigen::MatrixXd randomFixed_;   ///< Z'Q, Q the orthonormal basis of the fixed effects
 };
-
-/// contrast' beta with t and the degrees of freedom of Satterthwaite's method, as Kuznetsova, Brockhoff, Christensen
-/// 2017 have it (lmerTest, J. Stat. Softw. 82(13), section 2.2).
-Estimate contrastEstimate(const LinearMixedFit& fit, const Eigen::VectorXd& contrast, double level = 0.95);
-Estimable<Estimate> coefficientEstimate(const LinearMixedFit& fit, const std::string& name, double level = 0.95);
 
 }  // namespace ocelli

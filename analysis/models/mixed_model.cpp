@@ -7,6 +7,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
 
 namespace ocelli {
 namespace {
@@ -85,6 +86,27 @@ Estimable<Estimate> likelihoodRatio(const MixedModelFit& smaller, const MixedMod
   const boost::math::chi_squared distribution(estimate.degreesOfFreedom);
   estimate.pValue = boost::math::cdf(boost::math::complement(distribution, estimate.statistic));
   return estimate;
+}
+
+Estimate contrastEstimate(const MixedModelFit& fit, const VectorXd& contrast, double level) {
+  const double variance = contrast.dot(fit.covariance * contrast);
+  double degreesOfFreedom = std::numeric_limits<double>::infinity();
+  if (!fit.covarianceGradients.empty()) {
+    VectorXd gradient(static_cast<Index>(fit.covarianceGradients.size()));
+    for (Index i = 0; i < gradient.size(); ++i) {
+      gradient[i] = contrast.dot(fit.covarianceGradients[static_cast<size_t>(i)] * contrast);
+    }
+    degreesOfFreedom = 2 * variance * variance / gradient.dot(fit.varianceParameterCovariance * gradient);
+  }
+  return estimateOf(contrast.dot(fit.coefficients), std::sqrt(variance), degreesOfFreedom, level);
+}
+
+Estimable<Estimate> coefficientEstimate(const MixedModelFit& fit, const std::string& name, double level) {
+  const Estimable<Index> index = coefficientIndex(fit, name);
+  if (!index) {
+    return Estimable<Estimate>::impossible(index.reason());
+  }
+  return contrastEstimate(fit, VectorXd::Unit(fit.coefficients.size(), *index), level);
 }
 
 Estimate estimateOf(double value, double standardError, double degreesOfFreedom, double level) {

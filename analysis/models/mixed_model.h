@@ -46,6 +46,11 @@ struct MixedModelFit {
   int parameters = 0;       ///< coefficients and variances
   Eigen::VectorXd theta;    ///< relative covariance factors, term by term, as lme4 orders them
 
+  // For degrees of freedom, where a method gives them: of theta, and of the residual standard deviation where there is
+  // one.
+  Eigen::MatrixXd varianceParameterCovariance;
+  std::vector<Eigen::MatrixXd> covarianceGradients;  ///< of `covariance`, by each of these
+
   Convergence convergence;
   bool singular = false;
   std::vector<std::string> boundary;  ///< which variances are 0 and which correlations 1: whole clauses
@@ -61,6 +66,12 @@ Estimable<Eigen::Index> coefficientIndex(const MixedModelFit& fit, const std::st
 /// Impossible for other rows, for restricted likelihoods of other fixed effects, and where the larger fits worse. Where
 /// the smaller model has a variance less, the p-value is too large, by up to twice: 0 lies at the edge of what can be.
 Estimable<Estimate> likelihoodRatio(const MixedModelFit& smaller, const MixedModelFit& larger);
+
+/// contrast' beta, with t and the degrees of freedom of Satterthwaite's method, as Kuznetsova, Brockhoff, Christensen
+/// 2017 have it (lmerTest, J. Stat. Softw. 82(13), section 2.2); with Wald's z for a binomial model by maximum
+/// likelihood.
+Estimate contrastEstimate(const MixedModelFit& fit, const Eigen::VectorXd& contrast, double level = 0.95);
+Estimable<Estimate> coefficientEstimate(const MixedModelFit& fit, const std::string& name, double level = 0.95);
 
 /// z: infinite degrees of freedom; t: `degreesOfFreedom`. `level` of the interval, 0.95. Without a
 /// standard error there is no interval and no test.

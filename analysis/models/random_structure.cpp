@@ -1,5 +1,6 @@
 #include "analysis/models/random_structure.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +12,9 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+/// Effects beside the first term's up to which whole matrices are faster than sparse ones.
+constexpr Index kLargestDense = 300;
 
 /// out += weight * first second', column by column.
 void addOuter(double weight, const double* first, int rows, const double* second, int columns, double* out) {
@@ -238,12 +242,27 @@ VectorXd RandomStructure::rowVariances(const VectorXd& scaledTheta) const {
   return variances;
 }
 
-PenalizedCholesky::PenalizedCholesky(const RandomStructure& structure)
-    : structure_(structure), matrix_(structure.size(), structure.size()) {
-  using Pair = RandomStructure::Pair;
-  using Term = RandomStructure::Term;
+PenalizedCholesky::PenalizedCholesky(const RandomStructure& structure) : structure_(structure) {
+  const auto sizeOf = [](const Term& term) { return term.levels * term.width; };
+  const std::vector<Term>& terms = structure.terms_;
+  for (size_t term = 1; term < terms.size(); ++term) {
+    first_ = sizeOf(terms[term]) > sizeOf(terms[first_]) ? term : first_;
+  }
+  const Index firstSize = sizeOf(terms[first_]);
+  const Index restSize = structure.size() - firstSize;
+  sparse_ = restSize > kLargestDense;
+  if (sparse_) {
+    prepareSparse();
+    return;
+  }
+  levelFactors_.resize(terms[first_].width, firstSize);
+  below_.resize(restSize, firstSize);
+  rest_.resize(restSize, restSize);
+}
+
+void PenalizedCholesky::prepareSparse() {
   const auto forEachColumn = [&](const auto& call) {
-    for (const Pair& pair : structure_.pairs_) {
+    for (const RandomStructure::Pair& pair : structure_.pairs_) {
       const Term& a = structure_.terms_[pair.first];
       const Term& b = structure_.terms_[pair.second];
       for (const auto& [first, second] : pair.levels) {
@@ -261,18 +280,27 @@ PenalizedCholesky::PenalizedCholesky(const RandomStructure& structure)
       triplets.emplace_back(static_cast<int>(row) + i, static_cast<int>(column), 1.0);
     }
   });
+  matrix_.resize(structure_.size(), structure_.size());
   matrix_.setFromTriplets(triplets.begin(), triplets.end());
   matrix_.makeCompressed();
   forEachColumn([&](Index row, int, Index column) {
     const int* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column];
     const int* end = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[column + 1];
-    positions_.push_back(
-        static_cast<int>(std::lower_bound(begin, end, static_cast<int>(row)) - matrix_.innerIndexPtr()));
+    const int* found = std::lower_bound(begin, end, static_cast<int>(row));
+    positions_.push_back(static_cast<int>(found - matrix_.innerIndexPtr()));
   });
   solver_.analyzePattern(matrix_);
 }
 
+Index PenalizedCholesky::placeOf(size_t term) const {
+  const Term& first = structure_.terms_[first_];
+  const Index offset = structure_.terms_[term].offset;
+  return offset < first.offset ? offset : offset - static_cast<Index>(first.levels) * first.width;
+}
+
 void PenalizedCholesky::factorize(const VectorXd& theta, const VectorXd& crossProduct) {
+  below_.setZero();
+  rest_.setZero();
   const int* position = positions_.data();
   for (const RandomStructure::Pair& pair : structure_.pairs_) {
     const MatrixXd left = structure_.templateOf(pair.first, theta).transpose();
@@ -281,11 +309,12 @@ void PenalizedCholesky::factorize(const VectorXd& theta, const VectorXd& crossPr
     const Index columns = right.rows();
     const bool diagonal = pair.first == pair.second;
     const double* block = crossProduct.data() + pair.valueOffset;
+    MatrixXd product(rows, columns);
     for (size_t i = 0; i < pair.levels.size(); ++i, block += rows * columns) {
+      // Both templates are triangles: what lies above their diagonals is left out. Of a diagonal block, the lower
+      // triangle.
       for (Index column = 0; column < columns; ++column) {
-        double* out = matrix_.valuePtr() + *position++;
         for (Index row = diagonal ? column : 0; row < rows; ++row) {
-          // Both templates are triangles: what lies above their diagonals is left out.
           double sum = diagonal && row == column ? 1 : 0;
           for (Index c = column; c < columns; ++c) {
             double inner = 0;
@@ -294,15 +323,67 @@ void PenalizedCholesky::factorize(const VectorXd& theta, const VectorXd& crossPr
             }
             sum += inner * right(c, column);
           }
-          *out++ = sum;
+          product(row, column) = sum;
         }
+      }
+      const auto [a, b] = pair.levels[i];
+      if (sparse_) {
+        for (Index column = 0; column < columns; ++column) {
+          const Index skipped = diagonal ? column : 0;
+          double* out = matrix_.valuePtr() + *position++;
+          std::copy(&product(skipped, column), &product(0, column) + rows, out);
+        }
+      } else if (diagonal && pair.first == first_) {
+        levelFactors_.middleCols(a * rows, rows) = product;
+      } else if (pair.second == first_) {
+        below_.block(placeOf(pair.first) + a * rows, b * columns, rows, columns) = product;
+      } else if (pair.first == first_) {
+        below_.block(placeOf(pair.second) + b * columns, a * rows, columns, rows) = product.transpose();
+      } else {
+        rest_.block(placeOf(pair.first) + a * rows, placeOf(pair.second) + b * columns, rows, columns) = product;
       }
     }
   }
-  solver_.factorize(matrix_);
+  if (sparse_) {
+    solver_.factorize(matrix_);
+  } else {
+    factorizeBlocks();
+  }
+}
+
+void PenalizedCholesky::factorizeBlocks() {
+  const Index width = levelFactors_.rows();
+  if (structure_.terms_.size() == 1 && width == 1) {
+    scalarDiagonal_ = levelFactors_.row(0).transpose();
+  }
+  for (Index column = 0; column < levelFactors_.cols(); column += width) {
+    auto factor = levelFactors_.middleCols(column, width);
+    for (Index j = 0; j < width; ++j) {
+      factor(j, j) = std::sqrt(factor(j, j) - factor.row(j).head(j).squaredNorm());
+      for (Index i = j + 1; i < width; ++i) {
+        factor(i, j) = (factor(i, j) - factor.row(i).head(j).dot(factor.row(j).head(j))) / factor(j, j);
+      }
+      for (Index before = 0; before < j; ++before) {
+        below_.col(column + j) -= factor(j, before) * below_.col(column + before);
+      }
+      below_.col(column + j) /= factor(j, j);
+    }
+  }
+  if (rest_.size() > 0) {
+    rest_.selfadjointView<Eigen::Lower>().rankUpdate(below_, -1);
+    Eigen::LLT<Eigen::Ref<MatrixXd>> inPlace(rest_);
+  }
 }
 
 double PenalizedCholesky::logDeterminant() const {
+  if (!sparse_) {
+    const Index width = levelFactors_.rows();
+    double sum = rest_.diagonal().array().log().sum();
+    for (Index column = 0; column < levelFactors_.cols(); ++column) {
+      sum += std::log(levelFactors_(column % width, column));
+    }
+    return 2 * sum;
+  }
   const Eigen::SparseMatrix<double>& lower = solver_.matrixL().nestedExpression();
   double sum = 0;
   for (Index column = 0; column < lower.cols(); ++column) {
@@ -311,16 +392,70 @@ double PenalizedCholesky::logDeterminant() const {
   return 2 * sum;
 }
 
+MatrixXd PenalizedCholesky::permuted(const MatrixXd& right) const {
+  const Term& first = structure_.terms_[first_];
+  const Index size = levelFactors_.cols();
+  MatrixXd result(right.rows(), right.cols());
+  result.topRows(size) = right.middleRows(first.offset, size);
+  result.middleRows(size, first.offset) = right.topRows(first.offset);
+  result.bottomRows(right.rows() - first.offset - size) = right.bottomRows(right.rows() - first.offset - size);
+  return result;
+}
+
 MatrixXd PenalizedCholesky::forward(const MatrixXd& right) const {
-  MatrixXd result = solver_.permutationP() * right;
-  solver_.matrixL().solveInPlace(result);
+  if (sparse_) {
+    MatrixXd result = solver_.permutationP() * right;
+    solver_.matrixL().solveInPlace(result);
+    return result;
+  }
+  MatrixXd result = permuted(right);
+  const Index width = levelFactors_.rows();
+  const Index size = levelFactors_.cols();
+  for (Index i = 0; i < result.cols(); ++i) {
+    for (Index level = 0; level < size; level += width) {
+      double* values = &result(level, i);
+      for (Index row = 0; row < width; ++row) {
+        for (Index before = 0; before < row; ++before) {
+          values[row] -= levelFactors_(row, level + before) * values[before];
+        }
+        values[row] /= levelFactors_(row, level + row);
+      }
+    }
+  }
+  if (rest_.size() > 0) {
+    auto bottom = result.bottomRows(rest_.rows());
+    bottom.noalias() -= below_ * result.topRows(size);
+    rest_.triangularView<Eigen::Lower>().solveInPlace(bottom);
+  }
   return result;
 }
 
 VectorXd PenalizedCholesky::backward(const VectorXd& right) const {
-  VectorXd result = right;
-  solver_.matrixU().solveInPlace(result);
-  return solver_.permutationPinv() * result;
+  if (sparse_) {
+    VectorXd result = right;
+    solver_.matrixU().solveInPlace(result);
+    return solver_.permutationPinv() * result;
+  }
+  const Term& first = structure_.terms_[first_];
+  const Index width = levelFactors_.rows();
+  const Index size = levelFactors_.cols();
+  VectorXd bottom = right.tail(rest_.rows());
+  VectorXd top = right.head(size);
+  if (rest_.size() > 0) {
+    rest_.triangularView<Eigen::Lower>().transpose().solveInPlace(bottom);
+    top.noalias() -= below_.transpose() * bottom;
+  }
+  for (Index level = 0; level < size; level += width) {
+    for (Index row = width - 1; row >= 0; --row) {
+      for (Index after = row + 1; after < width; ++after) {
+        top[level + row] -= levelFactors_(after, level + row) * top[level + after];
+      }
+      top[level + row] /= levelFactors_(row, level + row);
+    }
+  }
+  VectorXd result(right.size());
+  result << bottom.head(first.offset), top, bottom.tail(bottom.size() - first.offset);
+  return result;
 }
 
 }  // namespace ocelli

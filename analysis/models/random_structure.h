@@ -83,21 +83,42 @@ class RandomStructure {
   Eigen::Index valueCount_ = 0;
 };
 
-/// L with L L' = P (Lambda' Z'WZ Lambda + I) P'. The order of elimination and the places of the values are found once.
+/// L with L L' = P (Lambda' Z'WZ Lambda + I) P'. The term of the most effects comes first, level by level: its part of
+/// the matrix has no blocks but those of its levels. Where the other terms are few effects, what is left of them is
+/// factored as a whole matrix; otherwise all of it as a sparse one, whose order of elimination and places of values are
+/// found once.
 class PenalizedCholesky {
  public:
   explicit PenalizedCholesky(const RandomStructure& structure);
 
   void factorize(const Eigen::VectorXd& theta, const Eigen::VectorXd& crossProduct);
-  double logDeterminant() const;                                   ///< log |L L'|
-  Eigen::MatrixXd forward(const Eigen::MatrixXd& right) const;     ///< L^-1 P right
-  Eigen::VectorXd backward(const Eigen::VectorXd& right) const;    ///< P' L^-T right
-  Eigen::VectorXd diagonal() const { return matrix_.diagonal(); }  ///< of Lambda' Z'WZ Lambda + I
+  double logDeterminant() const;                                 ///< log |L L'|
+  Eigen::MatrixXd forward(const Eigen::MatrixXd& right) const;   ///< L^-1 P right
+  Eigen::VectorXd backward(const Eigen::VectorXd& right) const;  ///< P' L^-T right
+  /// Of Lambda' Z'WZ Lambda + I, where there is one term of one effect a level.
+  const Eigen::VectorXd& scalarDiagonal() const { return scalarDiagonal_; }
 
  private:
+  using Term = RandomStructure::Term;
+  void prepareSparse();
+  void factorizeBlocks();
+  /// Where a term's effects are once the first term's are.
+  Eigen::Index placeOf(size_t term) const;
+  Eigen::MatrixXd permuted(const Eigen::MatrixXd& right) const;
+
   const RandomStructure& structure_;
-  Eigen::SparseMatrix<double> matrix_;  ///< lower triangle
-  std::vector<int> positions_{};        ///< in its values, of the first value of each column of each block
+  size_t first_ = 0;  ///< the term that comes first
+  bool sparse_ = false;
+  Eigen::VectorXd scalarDiagonal_{};
+
+  // Blocks: the factors of the first term's levels side by side, k x k each; the rest by the first; the rest.
+  Eigen::MatrixXd levelFactors_{};
+  Eigen::MatrixXd below_{};
+  Eigen::MatrixXd rest_{};
+
+  // Sparse.
+  Eigen::SparseMatrix<double> matrix_{};  ///< lower triangle
+  std::vector<int> positions_{};          ///< in its values, of the first value of each column of each block
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> solver_{};
 };
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <functional>
 #include <map>
 #include <set>
@@ -90,10 +89,8 @@ class PaperTables {
     for (const TrialView view : kViews) {
       const std::string cellName = fmt::format("{}/{}", name, nameOf(view));
       row.cells.push_back(cellOf(cellName, ofView(trials, view)));
-      Cell fromText = publishedCell(fmt::format("{}/published", cellName), published.of(view), row.cells.back().unit,
-                                    "as the text reports it");
-      fromText.decimals = published.decimals;
-      row.cells.push_back(std::move(fromText));
+      row.cells.push_back(publishedCell(fmt::format("{}/published", cellName), published.of(view),
+                                        row.cells.back().unit, "as the text reports it"));
     }
   }
   /// After addViews(): "gc faster by", and the text's.
@@ -357,8 +354,8 @@ Table PaperTables::countErrors() const {
     const TrialList trials = trialsOf("count", [&](const Trial& trial) { return trial.moving == moving; });
     TableRow row{{objectsName(moving)}, {}};
     for (const TrialView view : kViews) {
-      row.cells.push_back(meanMeasureCell(fmt::format("count-errors/{}/{}", objectsName(moving), nameOf(view)),
-                                          ofView(trials, view), "count_error", ""));
+      row.cells.push_back(
+          meanErrorCell(fmt::format("count-errors/{}/{}", objectsName(moving), nameOf(view)), ofView(trials, view)));
     }
     table.rows.push_back(std::move(row));
   }
@@ -408,11 +405,8 @@ Table PaperTables::survey() const {
     cell.meaning = fmt::format("mean answer to \"{}\" of the survey", question);
     double sum = 0;
     for (const auto& [subject, answer] : answers) {
-      double number = 0;
-      const char* end = answer->answer.data() + answer->answer.size();
-      const auto result = std::from_chars(answer->answer.data(), end, number);
-      if (result.ec == std::errc() && result.ptr == end) {
-        sum += number;
+      if (const std::optional<double> number = numberIn(answer->answer)) {
+        sum += *number;
         cell.rows.push_back({answer->source, answer->answerId});
       }
     }
@@ -424,7 +418,6 @@ Table PaperTables::survey() const {
     }
     Cell fromText =
         publishedCell(fmt::format("{}/published", cell.name), publishedSurvey(question), "", "as the text reports it");
-    fromText.decimals = 2;
     table.rows.push_back({{question}, {std::move(cell), std::move(fromText)}});
   }
   return table;

@@ -14,7 +14,7 @@ PublishedPair ofSession(const Sessions& sessions, int session) {
 }  // namespace
 
 PublishedPair publishedFindSeconds(bool moving) {
-  return moving ? PublishedPair{12.6, 9.11, 2} : PublishedPair{20.4, 13.3};
+  return moving ? PublishedPair{12.6, 9.11} : PublishedPair{20.4, 13.3};
 }
 
 double publishedFindImprovement(bool moving) {
@@ -22,7 +22,7 @@ double publishedFindImprovement(bool moving) {
 }
 
 PublishedPair publishedTimeouts(bool moving) {
-  return moving ? PublishedPair{1.90, 0.27, 2} : PublishedPair{6.35, 6.35, 2};
+  return moving ? PublishedPair{1.90, 0.27} : PublishedPair{6.35, 6.35};
 }
 
 PublishedPair publishedTable71(bool moving, int session) {

@@ -11,7 +11,6 @@ namespace ocelli {
 struct PublishedPair {
   std::optional<double> pinhole{};
   std::optional<double> graph{};
-  int decimals = 1;
 
   const std::optional<double>& of(TrialView view) const { return view == TrialView::kPinhole ? pinhole : graph; }
 };

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
 #include <utility>
 
 namespace ocelli {
@@ -50,6 +52,14 @@ void setMean(Cell& cell, double sum, const std::string& missing) {
 
 }  // namespace
 
+std::optional<double> numberIn(const std::string& text) {
+  double number = 0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, number);
+  const bool isNumber = result.ec == std::errc() && result.ptr == end && std::isfinite(number);
+  return isNumber ? std::optional(number) : std::nullopt;
+}
+
 Cell meanTimeCell(std::string name, const TrialList& trials, TimeoutsInMeans timeouts) {
   Cell cell = newCell(std::move(name), "s", "");
   double sum = 0;
@@ -82,13 +92,15 @@ Cell timeoutShareCell(std::string name, const TrialList& trials) {
   return shareCell(std::move(name), trials, &Trial::censored, "share of trials whose time ran out");
 }
 
-Cell meanMeasureCell(std::string name, const TrialList& trials, const std::string& measure, const std::string& unit) {
-  Cell cell = newCell(std::move(name), unit, fmt::format("mean of \"{}\" of trials that have it", measure));
+Cell meanErrorCell(std::string name, const TrialList& trials) {
+  Cell cell = newCell(std::move(name), "", "mean of answer less right answer; trials without an answer are left out");
   cell.decimals = 2;
   double sum = 0;
   for (const Trial* trial : trials) {
-    if (const auto found = trial->measures.find(measure); found != trial->measures.end()) {
-      sum += found->second;
+    const std::optional<double> answer = numberIn(trial->answer);
+    const std::optional<double> expected = numberIn(trial->expected);
+    if (answer && expected) {
+      sum += *answer - *expected;
       cell.rows.push_back(rowOf(*trial));
     }
   }
@@ -114,6 +126,8 @@ Cell publishedCell(std::string name, std::optional<double> value, std::string un
   cell.value = value;
   cell.missing = "not reported";
   cell.from = Cell::From::kText;
+  const double tenths = value.value_or(0) * 10;
+  cell.decimals = std::abs(tenths - std::round(tenths)) > 1e-6 ? 2 : 1;
   return cell;
 }
 

@@ -90,6 +90,8 @@ TEST(AnalysisPlan, unknownFieldsAreNamedWithTheirLine) {
   EXPECT_THAT(errorOf("{\"name\": \"a\",\n \"models\": [\n {\"name\": \"b\",\n \"task\": \"find\", \"kind\": "
                       "\"cox\",\n\"termz\": []}]}"),
               HasSubstr("plan.json:5: field \"termz\" is unknown"));
+  EXPECT_THAT(errorOf(std::string("{// one\r\"name\": \"a\", /* two\n */ // three\0\n\"alhpa\": 1}", 53)),
+              HasSubstr("plan.json:3: field \"alhpa\" is unknown"));
   EXPECT_THAT(errorOf("{\"name\": \"a\", \"name\": \"b\"}"), HasSubstr("stands twice"));
   EXPECT_THAT(errorOf("{\"name\": \"a\"\n \"alpha\": 1}"), HasSubstr("plan.json:2:8: this is not valid JSON"));
   EXPECT_THAT(errorOf(std::string(500, '[')), HasSubstr("nested deeper than 100 levels"));

@@ -8,6 +8,7 @@
 
 #include "analysis/base/analysis_error.h"
 #include "analysis/base/random_numbers.h"
+#include "analysis/inference/restricted_mean.h"
 #include "analysis/inference/restricted_mean_bootstrap.h"
 #include "tests/analysis_inference/golden.h"
 
@@ -165,6 +166,38 @@ TEST(Bootstrap, SaysWhatItLacks) {
   EXPECT_EQ(bootstrap(study.subjects, study.cases, constant, both).reason(), "all resamples give the same");
   EXPECT_THROW(bootstrap(study.subjects, {}, constant, both), AnalysisError);
   EXPECT_THROW(bootstrap(study.subjects, {}, constant, planOf(ResampledUnits::kSubjects, 10)), AnalysisError);
+}
+
+TEST(Bootstrap, OfRestrictedMeansIsThatOfTheMeansThemselves) {
+  // The slow reference: the drawn trials, written out.
+  std::vector<SurvivalTime> times = goldenTimes("find");
+  for (size_t i = 0; i < times.size(); i += 9) {
+    times[i].observed = false;  // censored before the horizon
+  }
+  std::vector<bool> views;
+  for (const double view : golden("find/view")) {
+    views.push_back(view == 1);
+  }
+  const auto statistic = [&](const std::vector<ResampledRow>& rows) -> std::optional<double> {
+    std::vector<SurvivalTime> drawnTimes;
+    std::vector<bool> drawnViews;
+    for (const ResampledRow& row : rows) {
+      drawnTimes.push_back(times[row.row]);
+      drawnViews.push_back(views[row.row]);
+    }
+    const auto difference = restrictedMeanDifference(drawnTimes, drawnViews, 60);
+    return difference ? std::optional(difference->difference.value) : std::nullopt;
+  };
+  const BootstrapPlan plan = planOf(ResampledUnits::kSubjectsAndCases, 300);
+  const std::vector<int> subjects = goldenClusters("find");
+  const std::vector<int> cases = goldenLabels("find/case");
+  const BootstrapResult slow = *bootstrap(subjects, cases, statistic, plan);
+  const BootstrapResult fast = *bootstrapRestrictedMeanDifference(times, views, 60, subjects, cases, plan);
+  EXPECT_NEAR(fast.percentile.value, slow.percentile.value, 1e-10);
+  EXPECT_NEAR(fast.percentile.lower, slow.percentile.lower, 1e-10);
+  EXPECT_NEAR(fast.bca->upper, slow.bca->upper, 1e-10);
+  EXPECT_GT(slow.notEstimable, 0);  // no time-out is drawn, and the last trial is censored
+  EXPECT_EQ(fast.notEstimable, slow.notEstimable);
 }
 
 TEST(Bootstrap, OfRestrictedMeansAgreesWithTheirClusteredError) {

@@ -197,6 +197,29 @@ TEST(DifficultBinomialData, NoVarianceIsSingular) {
   EXPECT_GT(singular, 5);
 }
 
+TEST(DifficultBinomialData, RestrictedLikelihoodIsAsCareful) {
+  const BinomialMixedModel model(sampleDesign(kSize));
+  BinomialMixedFit truth = sampleBinomialTruth();
+  for (uint64_t seed = 0; seed < 10; ++seed) {
+    RandomNumbers numbers(seed);
+    const BinomialResponse response = model.simulate(truth, VectorXd::Ones(160), numbers);
+    const auto fit = model.fitRestricted(response);
+    const auto unrestricted = model.fit(response);
+    ASSERT_TRUE(fit && unrestricted);
+    EXPECT_TRUE(fit->convergence.converged) << seed << ": " << fit->convergence.reason;
+    expectAllFinite(*fit);
+    for (Eigen::Index i = 0; i < 4; ++i) {
+      const Estimate estimate = contrastEstimate(*fit, VectorXd::Unit(4, i));
+      EXPECT_GT(estimate.degreesOfFreedom, 1);
+      EXPECT_NEAR(estimate.value, unrestricted->coefficients[i], 0.5 * estimate.standardError);
+      EXPECT_GT(estimate.standardError, 0.9 * unrestricted->standardErrors[i]);
+    }
+    EXPECT_FALSE(likelihoodRatio(*fit, *unrestricted));
+  }
+  const VectorXd ones = VectorXd::Ones(160);
+  EXPECT_EQ(model.fitRestricted({ones, ones}).reason(), "all responses are equal");
+}
+
 TEST(DifficultBinomialData, ResponsesThatAreNone) {
   const BinomialMixedModel model(sampleDesign(kSize));
   const VectorXd ones = VectorXd::Ones(160);

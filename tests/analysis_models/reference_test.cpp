@@ -34,6 +34,31 @@ TEST(MixedModelReference, LinearDevianceIsThatOfTheWholeCovarianceMatrix) {
   }
 }
 
+// More effects beside the first term's than are kept as a whole matrix.
+TEST(MixedModelReference, ManyEffectsOfSeveralTermsAreSparse) {
+  RandomNumbers numbers(4);
+  std::vector<std::string> subjects;
+  std::vector<std::string> sessions;
+  for (int row = 0; row < 840; ++row) {
+    subjects.push_back(std::to_string(row % 210));
+    sessions.push_back(std::to_string(row % 420));
+  }
+  FixedEffects fixed(840);
+  fixed.addIntercept();
+  const Eigen::VectorXd x = draw(numbers, 840, 1);
+  fixed.addNumber("x", {x.begin(), x.end()});
+  std::vector<RandomTerm> random = {randomIntercepts("subject", subjects), randomIntercepts("session", sessions)};
+  addSlope(random[0], "x", fixed);
+  const LinearMixedModel model(makeDesign(fixed, random));
+  const Eigen::VectorXd response = draw(numbers, 840, 2);
+  const Eigen::VectorXd theta = draw(numbers, 4, 1);
+  EXPECT_NEAR(model.deviance(response, theta, true), denseGaussianDeviance(model.design(), response, theta, true),
+              1e-7);
+  const auto fit = model.fit(response);
+  ASSERT_TRUE(fit);
+  EXPECT_TRUE(fit->convergence.converged) << fit->convergence.reason;
+}
+
 TEST(MixedModelReference, LaplaceDevianceIsThatOfTheWholeHessian) {
   RandomNumbers numbers(2);
   const SampleSize size{7, 8, 1};

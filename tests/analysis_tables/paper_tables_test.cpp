@@ -109,6 +109,30 @@ TEST_F(PaperTables, oneSubjectInOneView) {
   EXPECT_EQ(text("subjects/consented"), "no consent is recorded");
 }
 
+TEST_F(PaperTables, sessionsThatAreMissingMakeNoThreeSessions) {
+  SampleStudy study(path);
+  study.addSubject("S01");
+  study.addSession("S01", 3);
+  study.addSubject("S02");
+  for (const int session : {1, 2, 3}) {
+    study.addSession("S02", session, session == 2 ? "unwell" : "completed");
+  }
+  study.addSubject("S03");
+  for (const int session : {1, 2, 3}) {
+    study.addSession("S03", session);
+  }
+  SampleTrial trial;
+  trial.session = 3;
+  for (const char* subject : {"S01", "S02", "S03"}) {
+    trial.subject = subject;
+    study.addTrial(trial);
+  }
+  EXPECT_EQ(text("table-7.1/stationary/session-3/ppc"), "10.0 s (n = 1)");  // S03
+  EXPECT_EQ(text("table-7.1/stationary/session-1/ppc"), "no trials");
+  EXPECT_EQ(text("subjects/completed-3"), "1");
+  EXPECT_EQ(text("section-7.4.2/stationary/ppc"), "no trials");
+}
+
 TEST(PublishedValues, areThoseOfTheText) {
   EXPECT_EQ(publishedTable71(false, 1).pinhole, 19.7);
   EXPECT_EQ(publishedTable71(true, 3).graph, 8.2);

@@ -38,6 +38,27 @@ TEST(TableCells, meansSayOfHowMany) {
   EXPECT_EQ(displayText(publishedCell("t/e", std::nullopt, "s", "")), "not reported");
 }
 
+TEST(TableCells, errorsHaveASign) {
+  Trial more = trialOf(1, 1, false);
+  more.answer = "6";
+  more.expected = "4";
+  Trial fewer = trialOf(2, 1, false);
+  fewer.answer = "3";
+  fewer.expected = "4";
+  Trial none = trialOf(3, 1, true);
+  none.expected = "4";
+  EXPECT_EQ(displayText(meanErrorCell("t/f", {&more, &fewer, &none})), "0.50 (n = 2)");
+  EXPECT_EQ(displayText(meanErrorCell("t/f", {&none})), "no trials");
+  EXPECT_FALSE(numberIn("4 or 5"));
+  EXPECT_FALSE(numberIn("nan"));
+  EXPECT_FALSE(numberIn(""));
+}
+
+TEST(TableCells, publishedValuesKeepTheirDecimals) {
+  EXPECT_EQ(displayText(publishedCell("t/e", 12.6, "s", "")), "12.6 s");
+  EXPECT_EQ(displayText(publishedCell("t/e", 9.11, "s", "")), "9.11 s");
+}
+
 TEST(Table, isWrittenAsTextAndCsv) {
   const Trial a = trialOf(1, 10, false);
   Table table{"t", "A table", {"objects"}, {"ppc", "published"}, {}, {"A note."}};
