@@ -5,6 +5,7 @@
 //   Hollander, Wolfe and Chicken 2014      the intervals, from the same lists (sections 3.3, 4.3)
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "analysis/base/estimable.h"
@@ -20,6 +21,10 @@ struct SignedRankTest {
   /// Of the center, from all values. Bounds are kNotKnown where there are too few values for the level.
   Estimate center;
 };
+
+/// Pairs of values that a test holds in memory. More are refused by an AnalysisError: take one value a subject, not one
+/// a trial.
+inline constexpr size_t kMostPairs = 20000000;
 
 /// Against a center of 0. Not possible where all values are 0.
 Estimable<SignedRankTest> signedRankTest(const std::vector<double>& values, double level = 0.95);

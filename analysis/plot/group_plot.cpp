@@ -20,6 +20,13 @@ bool hasValues(const GroupValues& values, AxisScale scale) {
          std::any_of(values.raw.begin(), values.raw.end(), [&](double value) { return isDrawable(value, scale); });
 }
 
+/// Of a group. All together are not to make a file of many megabytes.
+size_t mostPoints(const GroupPlot& plot) {
+  constexpr size_t kMostOfAll = 8000;
+  const size_t groups = std::max<size_t>(plot.series.size() * plot.conditions.size(), 1);
+  return std::clamp<size_t>(kMostOfAll / groups, 100, kMostPoints);
+}
+
 AxisRange rangeOf(const GroupPlot& plot) {
   std::vector<double> values;
   for (const GroupSeries& series : plot.series) {
@@ -137,7 +144,7 @@ class Painter {
     const std::vector<double>& raw = plot_.series[series].groups[condition].raw;
     std::vector<double> places;
     std::vector<double> values;
-    for (const size_t i : drawnPoints(raw, kMostPoints)) {
+    for (const size_t i : drawnPoints(raw, mostPoints(plot_))) {
       if (isDrawable(raw[i], plot_.scale)) {
         values.push_back(raw[i]);
         places.push_back(valueAt(raw[i]));
@@ -193,7 +200,8 @@ std::string descriptionOf(const GroupPlot& plot) {
                                        [&](double value) { return isDrawable(value, plot.scale); });
       text += fmt::format(" {}{}{}: {}, {} values", plot.conditions[c], series.name.empty() ? "" : ", ", series.name,
                           intervalText(group.summary, plot.percent), count);
-      text += static_cast<size_t>(count) > kMostPoints ? fmt::format(" of which {} are drawn.", kMostPoints) : ".";
+      text += static_cast<size_t>(count) > mostPoints(plot) ? fmt::format(" of which {} are drawn.", mostPoints(plot))
+                                                            : ".";
     }
   }
   return text;

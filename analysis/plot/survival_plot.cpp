@@ -13,19 +13,26 @@ namespace {
 constexpr double kPanelHeight = 170;
 constexpr double kRiskRow = 11;
 constexpr double kBandOpacity = 0.16;
+constexpr double kLeastStep = 0.12;  // points: less is not seen
 constexpr double kCensorRadius = 2.8;
 
 /// Corners of the steps of what `value` takes from each, from 1 at time 0 to the limit. Steps without a value are left
-/// out: what was before goes on.
+/// out: what was before goes on. Steps that follow at once are drawn as one.
 template <class Value>
 std::vector<PlotPoint> stepCorners(const SurvivalPlot& plot, const SurvivalPlot::Curve& curve, const Panel& panel,
                                    Value value) {
   std::vector<PlotPoint> corners{panel.at(0, 1)};
   double last = 1;
   for (const SurvivalPlot::Step& step : curve.steps) {
-    if (std::isfinite(value(step)) && step.time <= plot.limit) {
-      corners.push_back(panel.at(step.time, last));
-      last = value(step);
+    if (!std::isfinite(value(step)) || step.time > plot.limit) {
+      continue;
+    }
+    const PlotPoint before = panel.at(step.time, last);
+    last = value(step);
+    if (corners.size() > 1 && before.x - corners.back().x < kLeastStep) {
+      corners.back().y = panel.y(last);
+    } else {
+      corners.push_back(before);
       corners.push_back(panel.at(step.time, last));
     }
   }
@@ -58,12 +65,13 @@ void drawCurve(Drawing& drawing, const SurvivalPlot& plot, const Panel& panel, s
   drawing.polyline("curve",
                    stepCorners(plot, curve, panel, [](const SurvivalPlot::Step& step) { return step.survival; }),
                    {style.paint, kThickLine, style.dash});
-  // Many are censored at the same time: one mark each.
+  // Many are censored at the same time: one mark.
   std::vector<double> times = curve.censoredTimes;
   std::sort(times.begin(), times.end());
-  times.erase(std::unique(times.begin(), times.end()), times.end());
+  double lastX = -1;
   for (const double time : times) {
-    if (panel.xAxis().holds(time)) {
+    if (panel.xAxis().holds(time) && panel.x(time) > lastX + kLeastStep) {
+      lastX = panel.x(time);
       drawing.marker("censored", {panel.at(time, survivalAt(curve, time)), Marker::kPlus, kCensorRadius, std::nullopt,
                                   Pen{style.paint, kLine}});
     }

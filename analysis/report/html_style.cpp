@@ -9,7 +9,7 @@ const std::string_view kReportStyle = R"css(
   --paper: #ffffff; --ground: #fbfaf7; --text: #1c2126; --soft: #56606b; --line: #d9d9d2; --rule: #8a9098;
   --accent: #00558c; --caution: #8f3e00; --tint: #f1f5f8;
   --serif: Charter, "Bitstream Charter", "Palatino Linotype", Palatino, P052, Georgia, "DejaVu Serif", serif;
-  --sans: "Helvetica Neue", Helvetica, Arial, system-ui, "DejaVu Sans", sans-serif;
+  --sans: Helvetica, "Nimbus Sans", "Liberation Sans", Arial, system-ui, "DejaVu Sans", sans-serif;
   --mono: ui-monospace, "DejaVu Sans Mono", monospace;
 }
 * { box-sizing: border-box; }
@@ -69,8 +69,8 @@ table { border-collapse: collapse; font-size: .875rem; line-height: 1.35; font-v
 .title { font-family: var(--sans); font-size: .9rem; line-height: 1.45; margin: 0 0 .5rem; max-width: 46rem; overflow-wrap: anywhere; }
 th, td { padding: .32rem .75rem; text-align: right; vertical-align: top; white-space: nowrap; }
 th:first-child, td:first-child, .words { text-align: left; }
-.words { white-space: normal; min-width: 9rem; max-width: 26rem; overflow-wrap: break-word; }
-tbody th { font-weight: 400; white-space: normal; min-width: 7rem; }
+.words { white-space: normal; min-width: 14rem; max-width: 26rem; overflow-wrap: break-word; }
+tbody th { font-weight: 400; white-space: normal; min-width: 5.5rem; max-width: 20rem; }
 thead th { font-weight: 600; vertical-align: bottom; white-space: normal; }
 thead tr:last-child th { border-bottom: 1px solid var(--text); }
 th[scope=colgroup] { text-align: center; border-bottom: 1px solid var(--rule); }

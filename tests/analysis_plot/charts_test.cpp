@@ -176,6 +176,25 @@ TEST(SurvivalPlot, stepsFallAtTheirTimes) {
   EXPECT_THAT(textsOf(figure, "at risk"), testing::ElementsAre("2", "1"));
 }
 
+TEST(SurvivalPlot, bandsGoFromTheLowerToTheUpperEnd) {
+  SurvivalPlot plot;
+  plot.title = "One step";
+  plot.curves = {{"ppc", {{30, 0.5, 0.2, 0.9}}, {}, {}}};
+  const Figure figure = survivalFigure(plot);
+  const PlotBox axis = boxesOf(figure, "axis").front();  // the upright one
+  std::vector<double> heights;                           // at the end of the time, as shares
+  for (const Shape& shape : figure.drawing.shapes()) {
+    if (shape.part == "band") {
+      for (const PlotPoint& point : std::get<PathShape>(shape.what).lines.front()) {
+        if (point.x > axis.right + 10 && point.x >= boxOf(shape).right - 1e-9) {
+          heights.push_back((axis.bottom - point.y) / axis.height());
+        }
+      }
+    }
+  }
+  EXPECT_THAT(heights, testing::UnorderedElementsAre(testing::DoubleNear(0.9, 1e-9), testing::DoubleNear(0.2, 1e-9)));
+}
+
 TEST(SurvivalPlot, numbersAtRiskStandBelowTheirTimes) {
   const Figure figure = survivalFigure(sampleSurvival());
   std::vector<double> ticks;
