@@ -90,7 +90,7 @@ struct HypothesisFamily {
 };
 
 /// Differences (gc less ppc) that are too small to matter.
-struct EquivalenceBounds {
+struct PlannedEquivalence {
   std::string task;
   double lower = 0;  ///< of proportions of right answers
   double upper = 0;
@@ -108,7 +108,7 @@ struct AnalysisPlan {
   std::vector<PlannedModel> models{};
   std::vector<Hypothesis> hypotheses{};
   std::vector<HypothesisFamily> families{};
-  std::vector<EquivalenceBounds> equivalence{};
+  std::vector<PlannedEquivalence> equivalence{};
 
   double alpha = 0.05;
   int bootstrapSamples = 2000;

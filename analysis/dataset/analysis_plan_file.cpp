@@ -207,7 +207,7 @@ AnalysisPlan readFields(JsonObject& fields) {
     }
   }
   fields.forEach("equivalence", kMostEntries, [&](JsonObject& each) {
-    EquivalenceBounds bounds;
+    PlannedEquivalence bounds;
     bounds.task = choice(each, "task", std::array<std::string_view, 2>{"count", "path"});
     bounds.lower = each.number("lower", -1, 1);
     bounds.upper = each.number("upper", -1, 1);

@@ -9,9 +9,8 @@
 namespace ocelli {
 
 std::vector<ReportFile> reportFiles(const ReportDocument& document) {
-  std::vector<ReportFile> files{{"report.html", htmlReport(document)},
-                                {"report.pdf", pdfReport(document)},
-                                {"report.json", jsonReport(document)}};
+  std::vector<ReportFile> files{
+      {"index.html", htmlReport(document)}, {"report.pdf", pdfReport(document)}, {"report.json", jsonReport(document)}};
   const std::vector<ElementName> names = elementNames(document);
   for (size_t i = 0; i < document.elements.size(); ++i) {
     if (const auto* element = std::get_if<ReportFigure>(&document.elements[i])) {

@@ -20,7 +20,7 @@ TEST(ReportFiles, everyFigureIsThereForAPaper) {
     names.push_back(file.name);
     EXPECT_FALSE(file.bytes.empty()) << file.name;
   }
-  EXPECT_THAT(names, testing::ElementsAre("report.html", "report.pdf", "report.json", "figures/flow.svg",
+  EXPECT_THAT(names, testing::ElementsAre("index.html", "report.pdf", "report.json", "figures/flow.svg",
                                           "figures/flow.pdf", "figures/cases.svg", "figures/cases.pdf"));
 }
 
