@@ -45,7 +45,10 @@ void addHypotheses(ReportWork& work) {
       const bool known = std::isfinite(pValues[i]);
       const std::string source = hypothesis ? fmt::format("model {} {}", hypothesis->model, hypothesis->term) : "";
       const auto cell = [&](double p) {
-        ReportCell result{known ? fmt::format("{:.4f}", p) : std::string("-"), "", source};
+        ReportCell result{!known      ? std::string("-")
+                          : p < 0.001 ? std::string("< 0.001")
+                                      : fmt::format("{:.3f}", p),
+                          "", source};
         if (known) {
           result.value = p;
         }
