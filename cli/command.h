@@ -66,5 +66,6 @@ void addSliceCommand(CLI::App& program, const Frame& frame);
 void addVolumeCommand(CLI::App& program, const Frame& frame);
 void addViewCommand(CLI::App& program, const Frame& frame);
 void addStudyCommand(CLI::App& program, const Frame& frame);
+void addAnalyseCommand(CLI::App& program, const Frame& frame);
 
 }  // namespace ocelli

@@ -33,6 +33,7 @@ void addCommands(CLI::App& program, const Frame& frame) {
   addEvaluateCommand(program, frame);
   addViewCommand(program, frame);
   addStudyCommand(program, frame);
+  addAnalyseCommand(program, frame);
   addDoctorCommand(program, frame);
 }
 

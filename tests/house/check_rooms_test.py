@@ -78,8 +78,8 @@ class CheckRooms(unittest.TestCase):
         self.assertFinds("is for .cpp files only")
 
     def test_finds_a_library_nobody_knows(self):
-        self.write("oc_core/scene/bad.cpp", "#include <boost/any.hpp>\n")
-        self.assertFinds("<boost/any.hpp> is not known")
+        self.write("oc_core/scene/bad.cpp", "#include <ace/Any.h>\n")
+        self.assertFinds("<ace/Any.h> is not known")
 
     def test_finds_an_included_library_that_is_not_linked(self):
         self.write("oc_core/scene/bad.cpp", "#include <assimp/scene.h>\n")

@@ -1,0 +1,26 @@
+// Random numbers that are the same on every machine: xoshiro256** (Blackman and Vigna 2021), seeded by splitmix64.
+// The distributions of the standard library differ from one library to the next.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace ocelli {
+
+class RandomNumbers {
+ public:
+  explicit RandomNumbers(uint64_t seed);
+  /// Numbers of their own for each part of a work, whoever does it and in which order: replicate 3 of seed 1.
+  RandomNumbers(uint64_t seed, uint64_t part);
+
+  uint64_t bits();
+  double uniform();  ///< in [0, 1)
+  double normal();   ///< mean 0, standard deviation 1
+  /// From 0 to `count` - 1, all alike; `count` is 1 or more.
+  uint64_t below(uint64_t count);
+
+ private:
+  std::array<uint64_t, 4> state_;
+};
+
+}  // namespace ocelli

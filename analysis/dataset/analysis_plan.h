@@ -1,0 +1,133 @@
+// What is decided before the data are seen: who is left out, which hypotheses are tested by which models, and how.
+// analysis_plan.schema.json in protocols/ lists the fields of the file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ocelli {
+
+/// How a trial counts whose time ran out.
+enum class TimeoutTreatment : uint8_t {
+  kCensored,    ///< the response would have come later
+  kRemoved,     ///< as the text of 2010 does
+  kSetToLimit,  ///< as if the response had come at the limit
+};
+inline constexpr TimeoutTreatment kTimeoutTreatments[] = {TimeoutTreatment::kCensored, TimeoutTreatment::kRemoved,
+                                                          TimeoutTreatment::kSetToLimit};
+const char* nameOf(TimeoutTreatment treatment);
+
+enum class ExclusionTest : uint8_t {
+  kAlways,  ///< what is told needs no value
+  kIs,
+  kIsNot,
+  kAtLeast,
+  kAtMost,
+};
+const char* nameOf(ExclusionTest test);
+
+/// What is left out.
+struct PlannedExclusion {
+  /// Of whole subjects: "subject" (an id), "ending" (of any session), "sessions_completed", "timeout_share",
+  /// "dropped_share" (of all its frames), "practice_criterion" (not reached in a block that has practice),
+  /// "form:FIELD". Of sessions: "incomplete_session", "forced_session". Of trials: "timing_verdict",
+  /// "trial_dropped_share".
+  std::string what;
+  ExclusionTest test = ExclusionTest::kAlways;
+  std::string text{};       ///< of kIs and kIsNot
+  double number = 0;        ///< of kAtLeast and kAtMost
+  std::string reason;       ///< for the log: "impaired vision"
+  bool ofProtocol = false;  ///< the protocol has the rule
+};
+
+enum class ModelKind : uint8_t {
+  kLinearMixed,    ///< of the logarithm of times
+  kBinomialMixed,  ///< of right answers
+  kKaplanMeier,
+  kCox,
+  kLogNormalSurvival,
+  kMcNemar,
+  kSignedError,
+  kEquivalence,
+  kBayesFactor,
+  kAgainstChance,
+  kOrdinal,
+};
+inline constexpr ModelKind kModelKinds[] = {
+    ModelKind::kLinearMixed,       ModelKind::kBinomialMixed, ModelKind::kKaplanMeier, ModelKind::kCox,
+    ModelKind::kLogNormalSurvival, ModelKind::kMcNemar,       ModelKind::kSignedError, ModelKind::kEquivalence,
+    ModelKind::kBayesFactor,       ModelKind::kAgainstChance, ModelKind::kOrdinal};
+const char* nameOf(ModelKind kind);
+
+/// (1 + slopes | group).
+struct RandomEffect {
+  std::string group;  ///< "subject" or "case" (Trial::item())
+  std::vector<std::string> slopes{};
+};
+
+struct PlannedModel {
+  std::string name;
+  std::string task;  ///< "find", "count", "path", "survey"
+  ModelKind kind = ModelKind::kLinearMixed;
+  /// Of "view", "session", "moving", "exposure", "duplicates", "objects", "trial"; "view:session" is an interaction.
+  std::vector<std::string> terms{};
+  std::vector<RandomEffect> randomEffects{};
+};
+
+struct Hypothesis {
+  std::string name;
+  std::string statement;  ///< for the reader
+  std::string model;      ///< name of the model that tests it
+  std::string term;       ///< of the model; empty where the test has but one
+};
+
+struct HypothesisFamily {
+  std::string name;
+  bool holm = true;  ///< or no correction
+  std::vector<std::string> hypotheses;
+};
+
+/// Differences (gc less ppc) that are too small to matter.
+struct PlannedEquivalence {
+  std::string task;
+  double lower = 0;  ///< of proportions of right answers
+  double upper = 0;
+};
+
+struct AnalysisPlan {
+  std::string name;              ///< empty: there is no plan, these are the defaults
+  std::string registered{};      ///< where and when, in the words of the file
+  std::string sha256{};          ///< of the file, 64 hexadecimal digits; empty where there is none
+  std::string protocolSha256{};  ///< of the protocol that it is for, where it says so
+
+  bool usesProtocolExclusions = true;
+  std::vector<PlannedExclusion> exclusions{};
+  TimeoutTreatment findTimeouts = TimeoutTreatment::kCensored;
+  std::vector<PlannedModel> models{};
+  std::vector<Hypothesis> hypotheses{};
+  std::vector<HypothesisFamily> families{};
+  std::vector<PlannedEquivalence> equivalence{};
+
+  double alpha = 0.05;
+  int bootstrapSamples = 2000;
+  uint64_t seed = 1;
+
+  bool isRegistered() const { return !name.empty(); }
+  const PlannedModel* findModel(const std::string& model) const;
+  const Hypothesis* findHypothesis(const std::string& hypothesis) const;
+};
+
+/// What is done where nobody registered a plan: the protocol's own exclusions, time-outs as censored, and the models
+/// and families of protocols/rosen2010.plan.json.
+AnalysisPlan defaultPlan();
+
+/// "plan \"rosen2010\", registered ..., SHA-256 ..." or "no plan was registered".
+std::string describe(const AnalysisPlan& plan);
+
+/// Throws AnalysisError that says line and field.
+AnalysisPlan readPlan(const std::string& path);
+AnalysisPlan planFromJsonText(const std::string& text, const std::string& where);
+
+}  // namespace ocelli

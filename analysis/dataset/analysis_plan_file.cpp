@@ -1,0 +1,249 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+
+#include "analysis/base/analysis_error.h"
+#include "analysis/dataset/analysis_plan.h"
+#include "analysis/dataset/csv_table.h"
+#include "analysis/dataset/exclusions.h"
+#include "analysis/dataset/json_text.h"
+#include "analysis/dataset/row_digest.h"
+
+namespace ocelli {
+namespace {
+
+constexpr size_t kMostNameBytes = 100;
+constexpr size_t kMostTextBytes = 4000;
+constexpr size_t kMostEntries = 1000;
+constexpr std::array<std::string_view, 4> kTasks{"find", "count", "path", "survey"};
+constexpr std::array<std::string_view, 7> kFactors{"view",       "session", "moving", "exposure",
+                                                   "duplicates", "objects", "trial"};
+constexpr std::array<std::string_view, 2> kGroups{"subject", "case"};
+
+template <class List>
+std::string joined(const List& list) {
+  std::string text;
+  for (const auto& each : list) {
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", each);
+  }
+  return text;
+}
+
+template <class List>
+bool contains(const List& list, std::string_view value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+std::string choice(JsonObject& fields, const char* name, const auto& allowed) {
+  const std::string given = fields.text(name, kMostNameBytes);
+  if (!contains(allowed, given)) {
+    fields.fail(name, fmt::format("is \"{}\", but must be one of: {}", given, joined(allowed)));
+  }
+  return given;
+}
+
+template <class Choice, size_t kCount>
+Choice choiceOf(JsonObject& fields, const char* name, const Choice (&choices)[kCount]) {
+  std::array<std::string_view, kCount> names;
+  std::transform(std::begin(choices), std::end(choices), names.begin(), [](Choice each) { return nameOf(each); });
+  const std::string given = choice(fields, name, names);
+  return choices[std::find(names.begin(), names.end(), given) - names.begin()];
+}
+
+/// A name that no earlier element has.
+std::string newName(JsonObject& fields, std::set<std::string>& names) {
+  std::string name = fields.text("name", kMostNameBytes);
+  if (!names.insert(name).second) {
+    fields.fail("name", fmt::format("is \"{}\", as that of another in this list", name));
+  }
+  return name;
+}
+
+void checkTerm(const JsonObject& fields, const char* name, const std::string& term) {
+  std::set<std::string_view> factors;
+  for (std::string_view rest = term; !rest.empty();) {
+    const size_t end = std::min(rest.find(':'), rest.size());
+    const std::string_view factor = rest.substr(0, end);
+    if (!contains(kFactors, factor) || !factors.insert(factor).second) {
+      fields.fail(name, fmt::format("holds \"{}\", but terms are made of different factors among {}, joined by \":\"",
+                                    term, joined(kFactors)));
+    }
+    rest = end < rest.size() ? rest.substr(end + 1) : std::string_view();
+  }
+  if (term.ends_with(':')) {
+    fields.fail(name, fmt::format("holds \"{}\", which ends in \":\"", term));
+  }
+}
+
+std::vector<std::string> readTerms(JsonObject& fields, const char* name) {
+  std::vector<std::string> terms = fields.texts(name, 50, kMostNameBytes);
+  std::set<std::string> seen;
+  for (const std::string& term : terms) {
+    checkTerm(fields, name, term);
+    if (!seen.insert(term).second) {
+      fields.fail(name, fmt::format("holds \"{}\" twice", term));
+    }
+  }
+  return terms;
+}
+
+PlannedModel readModel(JsonObject& fields, std::set<std::string>& names) {
+  PlannedModel model;
+  model.name = newName(fields, names);
+  model.task = choice(fields, "task", kTasks);
+  model.kind = choiceOf(fields, "kind", kModelKinds);
+  model.terms = readTerms(fields, "terms");
+  std::set<std::string> groups;
+  fields.forEach("random", 10, [&](JsonObject& each) {
+    RandomEffect effect;
+    effect.group = choice(each, "group", kGroups);
+    if (!groups.insert(effect.group).second) {
+      each.fail("group", fmt::format("is \"{}\" a second time", effect.group));
+    }
+    effect.slopes = readTerms(each, "slopes");
+    model.randomEffects.push_back(std::move(effect));
+  });
+  const bool isMixed = model.kind == ModelKind::kLinearMixed || model.kind == ModelKind::kBinomialMixed;
+  if (isMixed && (model.terms.empty() || model.randomEffects.empty())) {
+    fields.fail(model.terms.empty() ? "terms" : "random", "is missing, and a mixed model needs it");
+  }
+  return model;
+}
+
+Hypothesis readHypothesis(JsonObject& fields, const AnalysisPlan& plan, std::set<std::string>& names) {
+  Hypothesis hypothesis;
+  hypothesis.name = newName(fields, names);
+  hypothesis.statement = fields.text("statement", kMostTextBytes);
+  hypothesis.model = fields.text("model", kMostNameBytes);
+  hypothesis.term = fields.textOr("term", kMostNameBytes, "");
+  const PlannedModel* model = plan.findModel(hypothesis.model);
+  if (model == nullptr) {
+    fields.fail("model", fmt::format("is \"{}\", which \"models\" does not hold", hypothesis.model));
+  }
+  if (!hypothesis.term.empty() && !contains(model->terms, hypothesis.term)) {
+    fields.fail("term", fmt::format("is \"{}\", but model \"{}\" has the terms: {}", hypothesis.term, model->name,
+                                    joined(model->terms)));
+  }
+  if (hypothesis.term.empty() && !model->terms.empty()) {
+    fields.fail("term", fmt::format("is missing; model \"{}\" has the terms: {}", model->name, joined(model->terms)));
+  }
+  return hypothesis;
+}
+
+HypothesisFamily readFamily(JsonObject& fields, const AnalysisPlan& plan, std::set<std::string>& names,
+                            std::set<std::string>& taken) {
+  HypothesisFamily family;
+  family.name = newName(fields, names);
+  family.holm = choice(fields, "correction", std::array<std::string_view, 2>{"holm", "none"}) == "holm";
+  family.hypotheses = fields.texts("hypotheses", kMostEntries, kMostNameBytes);
+  for (const std::string& hypothesis : family.hypotheses) {
+    if (plan.findHypothesis(hypothesis) == nullptr) {
+      fields.fail("hypotheses", fmt::format("names \"{}\", which the plan does not hold", hypothesis));
+    }
+    if (!taken.insert(hypothesis).second) {
+      fields.fail("hypotheses", fmt::format("names \"{}\", which stands in a family already", hypothesis));
+    }
+  }
+  if (family.hypotheses.empty()) {
+    fields.fail("hypotheses", "is empty");
+  }
+  return family;
+}
+
+PlannedExclusion readExclusion(JsonObject& fields) {
+  PlannedExclusion rule;
+  rule.what = fields.text("what", kMostNameBytes);
+  const std::string test = fields.textOr("test", kMostNameBytes, nameOf(ExclusionTest::kAlways));
+  if (fields.has("value")) {
+    const nlohmann::json& value = fields.value("value");
+    if (value.is_string()) {
+      rule.text = fields.text("value", kMostTextBytes);
+    } else {
+      rule.number = fields.number("value", 0, 1e9);
+    }
+  }
+  rule.reason = fields.text("reason", kMostTextBytes);
+  const std::string problem = problemOfRule(rule, test, fields.has("value"), !rule.text.empty());
+  if (!problem.empty()) {
+    fields.fail("what", problem);
+  }
+  rule.test = *exclusionTestOf(test);
+  return rule;
+}
+
+AnalysisPlan readFields(JsonObject& fields) {
+  AnalysisPlan plan;
+  plan.name = fields.text("name", kMostNameBytes);
+  plan.registered = fields.textOr("registered", kMostTextBytes, "");
+  plan.protocolSha256 = fields.textOr("protocol_sha256", 64, "");
+  if (!plan.protocolSha256.empty() &&
+      (plan.protocolSha256.size() != 64 ||
+       plan.protocolSha256.find_first_not_of("0123456789abcdef") != std::string::npos)) {
+    fields.fail("protocol_sha256", "must be 64 digits from 0 to 9 and a to f, as `sha256sum PROTOCOL` prints");
+  }
+  plan.usesProtocolExclusions = fields.booleanOr("protocol_exclusions", true);
+  fields.forEach("exclusions", kMostEntries, [&](JsonObject& each) { plan.exclusions.push_back(readExclusion(each)); });
+  if (fields.has("find_timeouts")) {
+    plan.findTimeouts = choiceOf(fields, "find_timeouts", kTimeoutTreatments);
+  }
+  std::set<std::string> modelNames;
+  std::set<std::string> hypothesisNames;
+  std::set<std::string> familyNames;
+  std::set<std::string> inFamilies;
+  std::set<std::string> tasks;
+  fields.forEach("models", kMostEntries, [&](JsonObject& each) { plan.models.push_back(readModel(each, modelNames)); });
+  fields.forEach("hypotheses", kMostEntries,
+                 [&](JsonObject& each) { plan.hypotheses.push_back(readHypothesis(each, plan, hypothesisNames)); });
+  fields.forEach("families", kMostEntries,
+                 [&](JsonObject& each) { plan.families.push_back(readFamily(each, plan, familyNames, inFamilies)); });
+  for (const Hypothesis& hypothesis : plan.hypotheses) {
+    if (!inFamilies.contains(hypothesis.name)) {
+      fields.fail("families",
+                  fmt::format("does not hold hypothesis \"{}\"; a family of its own says that it stands alone",
+                              hypothesis.name));
+    }
+  }
+  fields.forEach("equivalence", kMostEntries, [&](JsonObject& each) {
+    PlannedEquivalence bounds;
+    bounds.task = choice(each, "task", std::array<std::string_view, 2>{"count", "path"});
+    bounds.lower = each.number("lower", -1, 1);
+    bounds.upper = each.number("upper", -1, 1);
+    if (!(bounds.lower < 0 && bounds.upper > 0)) {
+      each.fail("lower", "must lie below 0, and \"upper\" above it");
+    }
+    if (!tasks.insert(bounds.task).second) {
+      each.fail("task", fmt::format("is \"{}\" a second time", bounds.task));
+    }
+    plan.equivalence.push_back(std::move(bounds));
+  });
+  for (const PlannedModel& model : plan.models) {
+    if (model.kind == ModelKind::kEquivalence && !tasks.contains(model.task)) {
+      fields.fail("equivalence", fmt::format("has no bounds for task \"{}\" of model \"{}\"", model.task, model.name));
+    }
+  }
+  plan.alpha = fields.numberOr("alpha", 1e-6, 0.5, plan.alpha);
+  plan.bootstrapSamples =
+      static_cast<int>(fields.integerOr("bootstrap_samples", 100, 1'000'000, plan.bootstrapSamples));
+  plan.seed = static_cast<uint64_t>(fields.integerOr("seed", 0, 2'147'483'647, static_cast<int64_t>(plan.seed)));
+  fields.rejectUnknown();
+  return plan;
+}
+
+}  // namespace
+
+AnalysisPlan planFromJsonText(const std::string& text, const std::string& where) {
+  const JsonText json(text, where);
+  JsonObject fields(json, json.root(), "");
+  AnalysisPlan plan = readFields(fields);
+  plan.sha256 = hexadecimal(sha256Of(text));
+  return plan;
+}
+
+AnalysisPlan readPlan(const std::string& path) {
+  return planFromJsonText(fileBytes(path), path);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,282 @@
+#include "analysis/dataset/csv_export.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "analysis/base/analysis_error.h"
+#include "analysis/dataset/csv_table.h"
+#include "analysis/dataset/protocol_facts.h"
+#include "analysis/dataset/row_digest.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kTicksPerSecond = 240;
+
+/// Columns of trials.csv that are the same for all tasks; the others are measures.
+constexpr std::array<std::string_view, 45> kTrialColumns{"row_id",
+                                                         "trial_id",
+                                                         "subject_id",
+                                                         "simulated",
+                                                         "subject_kind",
+                                                         "slot",
+                                                         "session_number",
+                                                         "run_id",
+                                                         "trial_number",
+                                                         "counts",
+                                                         "practice",
+                                                         "plan_index",
+                                                         "attempt",
+                                                         "block_index",
+                                                         "block",
+                                                         "task",
+                                                         "case_index",
+                                                         "case_label",
+                                                         "view",
+                                                         "moving",
+                                                         "exposure_s",
+                                                         "objects",
+                                                         "duplicate_colors",
+                                                         "ending",
+                                                         "answer",
+                                                         "expected",
+                                                         "correct",
+                                                         "censored",
+                                                         "response_s",
+                                                         "exposure_frames",
+                                                         "frames",
+                                                         "dropped_frames",
+                                                         "median_interval_ns",
+                                                         "longest_interval_ns",
+                                                         "timing_verdict",
+                                                         "forced",
+                                                         "screen_width_px",
+                                                         "screen_height_px",
+                                                         "refresh_hz",
+                                                         "trial_seed",
+                                                         "started_ns",
+                                                         "ended_ns",
+                                                         "started_utc",
+                                                         "ended_utc",
+                                                         "station"};
+
+class Reading {
+ public:
+  explicit Reading(const std::string& folder) : folder_(folder) {}
+
+  Dataset all(const std::string& protocolFile) {
+    DataSource source;
+    source.path = folder_;
+    source.form = DataSource::Form::kCsv;
+    if (!protocolFile.empty()) {
+      source.protocolText = fileBytes(protocolFile);
+      source.protocolName = protocolFacts(source.protocolText, protocolFile).name;
+      source.protocolSha256 = hexadecimal(sha256Of(source.protocolText));
+    }
+    readSubjects();
+    readSessions(source);
+    readTrials();
+    readAnswers();
+    data_.consentIsKnown = false;
+    data_.sources.push_back(std::move(source));
+    return std::move(data_);
+  }
+
+ private:
+  CsvTable open(const char* name) const { return CsvTable(fmt::format("{}/{}", folder_, name)); }
+  void readSubjects();
+  void readSessions(DataSource& source);
+  void readTrials();
+  void readAnswers();
+
+  std::string folder_;
+  Dataset data_{};
+  std::map<std::pair<std::string, int>, size_t> sessionIndex_{};
+};
+
+void Reading::readSubjects() {
+  CsvTable table = open("subjects.csv");
+  const size_t id = table.column("subject_id");
+  const size_t kind = table.column("subject_kind");
+  const size_t simulated = table.column("simulated");
+  const size_t slot = table.column("slot");
+  const size_t created = table.column("created_utc");
+  while (table.next()) {
+    Subject subject;
+    subject.id = table.text(id);
+    subject.kind = table.text(kind);
+    subject.simulated = table.flag(simulated);
+    subject.slot = table.smallInteger(slot);
+    subject.createdUtc = table.text(created);
+    if (subject.simulated != (subject.kind != "person")) {
+      table.fail(simulated, fmt::format("contradicts the kind of subject \"{}\"", subject.kind));
+    }
+    data_.subjects.push_back(std::move(subject));
+  }
+  std::sort(data_.subjects.begin(), data_.subjects.end(),
+            [](const Subject& a, const Subject& b) { return a.id < b.id; });
+}
+
+void Reading::readSessions(DataSource& source) {
+  CsvTable table = open("runs.csv");
+  const size_t subject = table.column("subject_id");
+  const size_t number = table.column("session_number");
+  const size_t simulated = table.column("simulated");
+  const size_t runNumber = table.column("run_number");
+  const size_t ending = table.column("ending");
+  const size_t forced = table.column("forced");
+  const size_t version = table.column("program_version");
+  std::map<std::pair<std::string, int>, int> lastRun;
+  while (table.next()) {
+    const std::pair key(table.text(subject), table.smallInteger(number));
+    const auto [at, isNew] = sessionIndex_.try_emplace(key, data_.sessions.size());
+    if (isNew) {
+      data_.sessions.emplace_back();
+    }
+    Session& session = data_.sessions[at->second];
+    session.subject = key.first;
+    session.number = key.second;
+    session.simulated = table.flag(simulated);
+    session.forced = session.forced || table.flag(forced);
+    ++session.runs;
+    int& last = lastRun[key];
+    if (table.smallInteger(runNumber) > last) {
+      last = table.smallInteger(runNumber);
+      session.ending = table.text(ending);
+    }
+    source.programVersion = table.text(version);
+  }
+}
+
+void Reading::readTrials() {
+  CsvTable table = open("trials.csv");
+  const auto column = [&](const char* name) { return table.column(name); };
+  std::map<std::string_view, size_t> at;
+  std::vector<size_t> measures;
+  for (const std::string& name : table.columns()) {
+    if (std::find(kTrialColumns.begin(), kTrialColumns.end(), name) == kTrialColumns.end()) {
+      measures.push_back(column(name.c_str()));
+    }
+  }
+  for (const std::string_view name : kTrialColumns) {
+    if (name != "station") {
+      at[name] = column(std::string(name).c_str());
+    }
+  }
+  struct PlanOfSession {
+    std::string subject;
+    int session;
+    int plan;
+    auto operator<=>(const PlanOfSession&) const = default;
+  };
+  std::map<PlanOfSession, int64_t> completed;
+  while (table.next()) {
+    Trial trial;
+    trial.trialId = table.integer(at["trial_id"]);
+    trial.subject = table.text(at["subject_id"]);
+    trial.session = table.smallInteger(at["session_number"]);
+    trial.blockIndex = table.smallInteger(at["block_index"]);
+    trial.block = table.text(at["block"]);
+    trial.simulated = table.flag(at["simulated"]);
+    trial.correct = table.optionalFlag(at["correct"]);
+    const std::string ending = table.text(at["ending"]);
+    const bool practice = table.flag(at["practice"]);
+    if (!practice && ending == "completed") {
+      const int plan = table.smallInteger(at["plan_index"]);
+      int64_t& last = completed[{trial.subject, trial.session, plan}];
+      const auto session = sessionIndex_.find({trial.subject, trial.session});
+      if (session == sessionIndex_.end()) {
+        table.fail(at["session_number"], "is of a session that runs.csv does not hold");
+      }
+      data_.sessions[session->second].completedTrials += last == 0 ? 1 : 0;
+      last = trial.trialId;
+    }
+    if (!table.flag(at["counts"])) {
+      data_.otherAttempts.push_back({0, trial.trialId, trial.subject, trial.session, trial.blockIndex, trial.block,
+                                     trial.simulated, whyNotCounted(practice, ending), trial.correct});
+      continue;
+    }
+    if (practice || ending != "completed") {
+      table.fail(at["counts"], "is 1, but the trial is practice or was not completed");
+    }
+    trial.planIndex = table.smallInteger(at["plan_index"]);
+    trial.task = table.text(at["task"]);
+    trial.caseIndex = table.smallInteger(at["case_index"]);
+    trial.caseLabel = table.text(at["case_label"]);
+    const std::string view = table.text(at["view"]);
+    if (view != nameOf(TrialView::kPinhole) && view != nameOf(TrialView::kGraph)) {
+      table.fail(at["view"], fmt::format("is \"{}\", but must be ppc or gc", view));
+    }
+    trial.view = view == nameOf(TrialView::kGraph) ? TrialView::kGraph : TrialView::kPinhole;
+    trial.attempt = table.smallInteger(at["attempt"]);
+    trial.subjectKind = table.text(at["subject_kind"]);
+    trial.moving = table.optionalFlag(at["moving"]);
+    trial.exposureSeconds = table.optionalReal(at["exposure_s"]);
+    if (table.optionalInteger(at["objects"])) {
+      trial.objects = table.smallInteger(at["objects"]);
+    }
+    trial.duplicateColors = table.optionalFlag(at["duplicate_colors"]);
+    trial.answer = table.text(at["answer"]);
+    trial.expected = table.text(at["expected"]);
+    trial.censored = table.optionalFlag(at["censored"]);
+    trial.responseSeconds = table.optionalReal(at["response_s"]);
+    for (const size_t measure : measures) {
+      if (const auto value = table.optionalReal(measure)) {
+        trial.measures[table.columns()[measure]] = *value;
+      }
+    }
+    trial.frames = table.optionalInteger(at["frames"]).value_or(0);
+    trial.droppedFrames = table.optionalInteger(at["dropped_frames"]).value_or(0);
+    trial.timingVerdict = table.text(at["timing_verdict"]);
+    UnreadColumns unread;
+    unread.trialNumber = table.integer(at["trial_number"]);
+    unread.trialSeed = table.optionalHexadecimal(at["trial_seed"]);
+    unread.startedNs = table.optionalInteger(at["started_ns"]);
+    unread.endedNs = table.optionalInteger(at["ended_ns"]);
+    unread.startedUtc = table.text(at["started_utc"]);
+    unread.endedUtc = table.text(at["ended_utc"]);
+    if (trial.responseSeconds) {
+      unread.responseTicks = std::llround(*trial.responseSeconds * kTicksPerSecond);
+    }
+    unread.exposureFrames = table.optionalInteger(at["exposure_frames"]);
+    unread.medianIntervalNs = table.optionalInteger(at["median_interval_ns"]);
+    unread.longestIntervalNs = table.optionalInteger(at["longest_interval_ns"]);
+    unread.screenWidth = table.optionalInteger(at["screen_width_px"]);
+    unread.screenHeight = table.optionalInteger(at["screen_height_px"]);
+    unread.refreshHertz = table.optionalReal(at["refresh_hz"]);
+    trial.digest = digestOf(trial, unread);
+    data_.trials.push_back(std::move(trial));
+  }
+}
+
+void Reading::readAnswers() {
+  CsvTable table = open("answers.csv");
+  const size_t row = table.column("row_id");
+  const size_t subject = table.column("subject_id");
+  const size_t simulated = table.column("simulated");
+  const size_t session = table.column("session_number");
+  const size_t form = table.column("form");
+  const size_t field = table.column("field");
+  const size_t answer = table.column("answer");
+  const size_t counts = table.column("counts");
+  while (table.next()) {
+    if (table.flag(counts)) {
+      data_.answers.push_back({0, table.integer(row), table.text(subject), table.smallInteger(session),
+                               table.text(form), table.text(field), table.text(answer), table.flag(simulated)});
+    }
+  }
+}
+
+}  // namespace
+
+Dataset readCsvExport(const std::string& folder, const std::string& protocolFile) {
+  return Reading(folder).all(protocolFile);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,14 @@
+#include <filesystem>
+
+#include "analysis/dataset/csv_export.h"
+#include "analysis/dataset/database.h"
+#include "analysis/dataset/dataset.h"
+
+namespace ocelli {
+
+Dataset readSource(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored) ? readCsvExport(path) : readDatabase(path);
+}
+
+}  // namespace ocelli

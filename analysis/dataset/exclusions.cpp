@@ -1,0 +1,480 @@
+#include "analysis/dataset/exclusions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string_view>
+#include <tuple>
+
+#include "analysis/base/analysis_error.h"
+#include "analysis/dataset/csv_table.h"
+#include "analysis/dataset/protocol_facts.h"
+
+namespace ocelli {
+namespace {
+
+enum class Level : uint8_t { kSubject, kSession, kTrial };
+enum class Value : uint8_t { kNone, kText, kNumber, kShare };
+
+struct RuleKind {
+  std::string_view what;
+  Level level;
+  Value value;
+};
+constexpr RuleKind kRuleKinds[] = {
+    {"subject", Level::kSubject, Value::kText},
+    {"ending", Level::kSubject, Value::kText},
+    {"sessions_completed", Level::kSubject, Value::kNumber},
+    {"timeout_share", Level::kSubject, Value::kShare},
+    {"dropped_share", Level::kSubject, Value::kShare},
+    {"practice_criterion", Level::kSubject, Value::kNone},
+    {"incomplete_session", Level::kSession, Value::kNone},
+    {"forced_session", Level::kSession, Value::kNone},
+    {"timing_verdict", Level::kTrial, Value::kText},
+    {"trial_dropped_share", Level::kTrial, Value::kShare},
+};
+constexpr std::string_view kFormPrefix = "form:";
+constexpr std::string_view kEndings[] = {"completed", "unwell", "aborted", "declined", "failed"};
+constexpr std::string_view kVerdicts[] = {"good", "dropped_frames", "early_frames", "unstable_refresh",
+                                          "simulated_clock"};
+
+std::optional<RuleKind> kindOf(const std::string& what) {
+  if (what.starts_with(kFormPrefix) && what.size() > kFormPrefix.size()) {
+    return RuleKind{kFormPrefix, Level::kSubject, Value::kText};
+  }
+  for (const RuleKind& kind : kRuleKinds) {
+    if (kind.what == what) {
+      return kind;
+    }
+  }
+  return std::nullopt;
+}
+
+template <size_t kCount>
+std::string problemOfChoice(const std::string& given, const std::string_view (&allowed)[kCount]) {
+  if (std::find(std::begin(allowed), std::end(allowed), given) != std::end(allowed)) {
+    return "";
+  }
+  std::string list;
+  for (const std::string_view each : allowed) {
+    list += fmt::format("{}{}", list.empty() ? "" : ", ", each);
+  }
+  return fmt::format("has the value \"{}\", but it must be one of: {}", given, list);
+}
+
+bool matches(const PlannedExclusion& rule, const std::string& text) {
+  return (rule.test == ExclusionTest::kIs) == (text == rule.text);
+}
+
+bool matches(const PlannedExclusion& rule, double number) {
+  return rule.test == ExclusionTest::kAtLeast ? number >= rule.number : number <= rule.number;
+}
+
+/// What rules about subjects ask for.
+struct SubjectTotals {
+  std::vector<std::string> endings;
+  int completed = 0;
+  int64_t trials = 0;
+  int64_t timeouts = 0;
+  int64_t frames = 0;
+  int64_t dropped = 0;
+  std::map<int, std::vector<bool>> practice;  ///< by block: right answers in their order
+};
+
+class Excluder {
+ public:
+  Excluder(Dataset data, const AnalysisPlan& plan) {
+    result_.plan = plan;
+    result_.dataSha256 = dataHash(data);
+    result_.data = std::move(data);
+  }
+
+  AnalysisData all() {
+    readProtocol();
+    gatherTotals();
+    countBefore();
+    std::vector<PlannedExclusion> rules =
+        result_.plan.usesProtocolExclusions ? facts_.exclusions : std::vector<PlannedExclusion>();
+    rules.insert(rules.end(), result_.plan.exclusions.begin(), result_.plan.exclusions.end());
+    for (const PlannedExclusion& rule : rules) {
+      apply(rule);
+    }
+    remove();
+    countAfter();
+    return std::move(result_);
+  }
+
+ private:
+  void readProtocol();
+  void gatherTotals();
+  void countBefore();
+  void apply(const PlannedExclusion& rule);
+  void excludeSubject(const std::string& subject, const PlannedExclusion& rule);
+  void remove();
+  void countAfter();
+  bool isMet(const PlannedExclusion& rule, const std::string& subject, const SubjectTotals& totals) const;
+  bool missesPractice(const SubjectTotals& totals) const;
+
+  AnalysisData result_{};
+  ProtocolFacts facts_{};
+  bool hasProtocol_ = false;
+  std::map<std::string, SubjectTotals> totals_{};
+  std::map<std::pair<std::string, std::string>, std::vector<std::string>> answers_{};  ///< by subject and field
+  std::map<std::string, std::string> subjectWhy_{};
+  std::map<std::pair<std::string, int>, std::string> sessionWhy_{};
+  std::vector<std::string> trialWhy_{};
+};
+
+void Excluder::readProtocol() {
+  const auto& sources = result_.data.sources;
+  const AnalysisPlan& plan = result_.plan;
+  for (const DataSource& source : sources) {
+    if (!plan.protocolSha256.empty() && !source.protocolSha256.empty() &&
+        plan.protocolSha256 != source.protocolSha256) {
+      throw AnalysisError(
+          AnalysisError::Kind::kInput,
+          fmt::format("plan \"{}\" is for the protocol with SHA-256 {}..., and this study's is {}...", plan.name,
+                      plan.protocolSha256.substr(0, 12), source.protocolSha256.substr(0, 12)),
+          source.path, "the plan that was registered for this study");
+    }
+    if (!hasProtocol_ && !source.protocolText.empty()) {
+      facts_ = protocolFacts(source.protocolText, fmt::format("{}, protocol", source.path));
+      hasProtocol_ = true;
+    }
+  }
+  if (!hasProtocol_ && plan.usesProtocolExclusions) {
+    result_.data.notes.emplace_back("The protocol is not known, so its exclusion rules were not applied.");
+  }
+}
+
+void Excluder::gatherTotals() {
+  Dataset& data = result_.data;
+  trialWhy_.resize(data.trials.size());
+  for (const Subject& subject : data.subjects) {
+    totals_[subject.id];
+  }
+  for (const Session& session : data.sessions) {
+    SubjectTotals& totals = totals_[session.subject];
+    totals.endings.push_back(session.ending);
+    totals.completed += session.ending == "completed" ? 1 : 0;
+  }
+  for (const Trial& trial : data.trials) {
+    SubjectTotals& totals = totals_[trial.subject];
+    ++totals.trials;
+    totals.timeouts += trial.censored.value_or(false) ? 1 : 0;
+    totals.frames += trial.frames;
+    totals.dropped += trial.droppedFrames;
+  }
+  for (const OtherAttempt& attempt : data.otherAttempts) {
+    if (attempt.why == OtherAttempt::Why::kPractice) {
+      totals_[attempt.subject].practice[attempt.blockIndex].push_back(attempt.correct.value_or(false));
+    }
+  }
+  for (const FormAnswer& answer : data.answers) {
+    answers_[{answer.subject, answer.field}].push_back(answer.answer);
+  }
+}
+
+void Excluder::countBefore() {
+  const Dataset& data = result_.data;
+  SubjectFlow& flow = result_.flow;
+  flow.enrolled = static_cast<int>(data.subjects.size());
+  flow.trials = static_cast<int64_t>(data.trials.size());
+  if (!data.consentIsKnown) {
+    flow.consentNote = "exported tables do not hold consent";
+  } else if (data.consents.empty()) {
+    flow.consentNote = "no consent is recorded";
+  } else {
+    std::map<std::string, bool> agreed;  // the last answer
+    for (const Consent& consent : data.consents) {
+      agreed[consent.subject] = consent.agreed;
+    }
+    flow.consented =
+        static_cast<int>(std::count_if(agreed.begin(), agreed.end(), [](const auto& a) { return a.second; }));
+  }
+  for (const auto& [id, totals] : totals_) {
+    flow.began += totals.trials > 0 ? 1 : 0;
+    if (flow.completedSessions.size() < static_cast<size_t>(totals.completed)) {
+      flow.completedSessions.resize(static_cast<size_t>(totals.completed), 0);
+    }
+    for (size_t k = 0; k < static_cast<size_t>(totals.completed); ++k) {
+      ++flow.completedSessions[k];
+    }
+  }
+}
+
+bool Excluder::missesPractice(const SubjectTotals& totals) const {
+  for (const auto& [block, answers] : totals.practice) {
+    const auto& needed = static_cast<size_t>(block) < facts_.blocks.size()
+                             ? facts_.blocks[static_cast<size_t>(block)].practiceLeastCorrect
+                             : std::nullopt;
+    int longest = 0;
+    int inRow = 0;
+    for (const bool right : answers) {
+      inRow = right ? inRow + 1 : 0;
+      longest = std::max(longest, inRow);
+    }
+    if (needed && longest < *needed) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool Excluder::isMet(const PlannedExclusion& rule, const std::string& subject, const SubjectTotals& totals) const {
+  const auto share = [](int64_t part, int64_t whole) {
+    return whole > 0 ? std::optional(static_cast<double>(part) / static_cast<double>(whole)) : std::nullopt;
+  };
+  const auto shareMatches = [&](std::optional<double> value) { return value && matches(rule, *value); };
+  if (rule.what == "subject") {
+    return matches(rule, subject);
+  }
+  if (rule.what == "ending") {
+    return std::any_of(totals.endings.begin(), totals.endings.end(),
+                       [&](const std::string& ending) { return matches(rule, ending); });
+  }
+  if (rule.what == "sessions_completed") {
+    return matches(rule, static_cast<double>(totals.completed));
+  }
+  if (rule.what == "timeout_share") {
+    return shareMatches(share(totals.timeouts, totals.trials));
+  }
+  if (rule.what == "dropped_share") {
+    return shareMatches(share(totals.dropped, totals.frames));
+  }
+  if (rule.what == "practice_criterion") {
+    return missesPractice(totals);
+  }
+  const auto given = answers_.find({subject, rule.what.substr(kFormPrefix.size())});
+  return given != answers_.end() && std::any_of(given->second.begin(), given->second.end(),
+                                                [&](const std::string& answer) { return matches(rule, answer); });
+}
+
+void Excluder::excludeSubject(const std::string& subject, const PlannedExclusion& rule) {
+  if (!subjectWhy_.try_emplace(subject, fmt::format("{} ({})", rule.reason, describe(rule))).second) {
+    return;
+  }
+  result_.excluded.push_back({subject, std::nullopt, describe(rule), rule.reason});
+  auto& excluded = result_.flow.excluded;
+  const auto found =
+      std::find_if(excluded.begin(), excluded.end(), [&](const auto& e) { return e.first == rule.reason; });
+  if (found == excluded.end()) {
+    excluded.emplace_back(rule.reason, 1);
+  } else {
+    ++found->second;
+  }
+}
+
+void Excluder::apply(const PlannedExclusion& rule) {
+  const Dataset& data = result_.data;
+  const std::optional<RuleKind> kind = kindOf(rule.what);
+  if (rule.what == "subject" && rule.test == ExclusionTest::kIs && data.findSubject(rule.text) == nullptr) {
+    const bool wasLeftOut = std::any_of(data.leftOut.begin(), data.leftOut.end(),
+                                        [&](const LeftOutRow& row) { return row.subject == rule.text; });
+    if (!wasLeftOut) {
+      throw AnalysisError(
+          AnalysisError::Kind::kInput, fmt::format("no source holds subject \"{}\", whom the plan excludes", rule.text),
+          fmt::format("plan \"{}\"", result_.plan.name), "the plan of this study, or all of its databases");
+    }
+  }
+  if (rule.what == "practice_criterion" && !hasProtocol_) {
+    throw AnalysisError(AnalysisError::Kind::kInput,
+                        "the plan excludes by the criterion of practice, which stands in the protocol",
+                        data.sources.empty() ? "no source" : data.sources.front().path,
+                        "the database, or the protocol's file beside the tables");
+  }
+  switch (kind->level) {
+    case Level::kSubject:
+      for (const auto& [subject, totals] : totals_) {
+        if (isMet(rule, subject, totals)) {
+          excludeSubject(subject, rule);
+        }
+      }
+      return;
+    case Level::kSession:
+      for (const Session& session : data.sessions) {
+        const bool met = rule.what == "forced_session" ? session.forced : session.ending != "completed";
+        const std::string why = fmt::format("{} ({})", rule.reason, describe(rule));
+        if (met && sessionWhy_.try_emplace({session.subject, session.number}, why).second) {
+          result_.excluded.push_back({session.subject, session.number, describe(rule), rule.reason});
+        }
+      }
+      return;
+    case Level::kTrial:
+      for (size_t i = 0; i < data.trials.size(); ++i) {
+        const Trial& trial = data.trials[i];
+        const double frames = static_cast<double>(trial.frames);
+        const bool met = rule.what == "timing_verdict"
+                             ? matches(rule, trial.timingVerdict)
+                             : trial.frames > 0 && matches(rule, static_cast<double>(trial.droppedFrames) / frames);
+        if (met && trialWhy_[i].empty()) {
+          trialWhy_[i] = fmt::format("{} ({})", rule.reason, describe(rule));
+        }
+      }
+      return;
+  }
+}
+
+void Excluder::remove() {
+  Dataset& data = result_.data;
+  std::map<std::pair<std::string, int>, int64_t> trialsOfSession;
+  std::map<std::string, int64_t> trialsOfSubject;
+  std::vector<Trial> kept;
+  kept.reserve(data.trials.size());
+  for (size_t i = 0; i < data.trials.size(); ++i) {
+    Trial& trial = data.trials[i];
+    const auto ofSubject = subjectWhy_.find(trial.subject);
+    const auto ofSession = sessionWhy_.find({trial.subject, trial.session});
+    std::string why;
+    if (ofSubject != subjectWhy_.end()) {
+      why = ofSubject->second;
+      ++trialsOfSubject[trial.subject];
+    } else if (ofSession != sessionWhy_.end()) {
+      why = ofSession->second;
+      ++trialsOfSession[ofSession->first];
+    } else {
+      why = trialWhy_[i];
+    }
+    if (why.empty()) {
+      kept.push_back(std::move(trial));
+    } else {
+      data.leftOut.push_back(
+          {trial.source, LeftOutRow::Table::kTrial, trial.trialId, trial.subject, trial.session, std::move(why)});
+    }
+  }
+  data.trials = std::move(kept);
+  std::erase_if(data.answers, [&](const FormAnswer& answer) {
+    const auto why = subjectWhy_.find(answer.subject);
+    if (why != subjectWhy_.end()) {
+      data.leftOut.push_back(
+          {answer.source, LeftOutRow::Table::kAnswer, answer.answerId, answer.subject, answer.session, why->second});
+    }
+    return why != subjectWhy_.end();
+  });
+  for (ExcludedSubject& excluded : result_.excluded) {
+    excluded.trials =
+        excluded.session ? trialsOfSession[{excluded.subject, *excluded.session}] : trialsOfSubject[excluded.subject];
+  }
+}
+
+void Excluder::countAfter() {
+  SubjectFlow& flow = result_.flow;
+  std::set<std::string> left;
+  for (const Trial& trial : result_.data.trials) {
+    left.insert(trial.subject);
+  }
+  flow.analysed = static_cast<int>(left.size());
+  flow.analysedTrials = static_cast<int64_t>(result_.data.trials.size());
+  flow.excludedTrials = flow.trials - flow.analysedTrials;
+  flow.analysedWithSessions.assign(flow.completedSessions.size(), 0);
+  for (const std::string& subject : left) {
+    for (size_t k = 0; k < static_cast<size_t>(totals_[subject].completed); ++k) {
+      ++flow.analysedWithSessions[k];
+    }
+  }
+}
+
+}  // namespace
+
+AnalysisData applyPlan(Dataset data, const AnalysisPlan& plan) {
+  return Excluder(std::move(data), plan).all();
+}
+
+int completedSessions(const Dataset& data, const std::string& subject) {
+  return static_cast<int>(std::count_if(data.sessions.begin(), data.sessions.end(), [&](const Session& session) {
+    return session.subject == subject && session.ending == "completed";
+  }));
+}
+
+std::map<std::string, int> completedSessions(const Dataset& data) {
+  std::map<std::string, int> completed;
+  for (const Session& session : data.sessions) {
+    completed[session.subject] += session.ending == "completed" ? 1 : 0;
+  }
+  return completed;
+}
+
+std::string describe(const PlannedExclusion& rule) {
+  switch (rule.test) {
+    case ExclusionTest::kAlways:
+      return rule.what;
+    case ExclusionTest::kIs:
+      return fmt::format("{} is {}", rule.what, rule.text);
+    case ExclusionTest::kIsNot:
+      return fmt::format("{} is not {}", rule.what, rule.text);
+    case ExclusionTest::kAtLeast:
+      return fmt::format("{} is at least {:g}", rule.what, rule.number);
+    case ExclusionTest::kAtMost:
+      return fmt::format("{} is at most {:g}", rule.what, rule.number);
+  }
+  return "";
+}
+
+std::optional<ExclusionTest> exclusionTestOf(const std::string& name) {
+  for (const ExclusionTest test : {ExclusionTest::kAlways, ExclusionTest::kIs, ExclusionTest::kIsNot,
+                                   ExclusionTest::kAtLeast, ExclusionTest::kAtMost}) {
+    if (name == nameOf(test)) {
+      return test;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string problemOfRule(const PlannedExclusion& rule, const std::string& test, bool hasValue, bool valueIsText) {
+  const std::optional<RuleKind> kind = kindOf(rule.what);
+  if (!kind) {
+    std::string allowed;
+    for (const RuleKind& each : kRuleKinds) {
+      allowed += fmt::format("{}, ", each.what);
+    }
+    return fmt::format("is \"{}\", but must be one of: {}form:FIELD", rule.what, allowed);
+  }
+  const std::optional<ExclusionTest> found = exclusionTestOf(test);
+  const bool isText = found == ExclusionTest::kIs || found == ExclusionTest::kIsNot;
+  const bool isNumber = found == ExclusionTest::kAtLeast || found == ExclusionTest::kAtMost;
+  switch (kind->value) {
+    case Value::kNone:
+      return found == ExclusionTest::kAlways && !hasValue
+                 ? ""
+                 : fmt::format("is \"{}\", which takes no \"test\" and no \"value\"", rule.what);
+    case Value::kText:
+      if (!isText || !hasValue || !valueIsText) {
+        return fmt::format("is \"{}\", which needs the \"test\" is or is_not and a text as \"value\"", rule.what);
+      }
+      return kind->what == "ending"           ? problemOfChoice(rule.text, kEndings)
+             : kind->what == "timing_verdict" ? problemOfChoice(rule.text, kVerdicts)
+                                              : "";
+    case Value::kNumber:
+    case Value::kShare:
+      if (!isNumber || !hasValue || valueIsText || (kind->value == Value::kShare && rule.number > 1)) {
+        return fmt::format("is \"{}\", which needs the \"test\" at_least or at_most and a number{} as \"value\"",
+                           rule.what, kind->value == Value::kShare ? " from 0 to 1" : "");
+      }
+      return "";
+  }
+  return "";
+}
+
+std::string exclusionLogCsv(const Dataset& data) {
+  std::string text = "source,table,row,subject,session,why\r\n";
+  const auto path = [&](int source) { return data.sources[static_cast<size_t>(source)].path; };
+  const auto add = [&](int source, const char* table, int64_t row, const std::string& subject, int session,
+                       const std::string& why) {
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\r\n", csvField(path(source)), table, row,
+                   csvField(subject), session, csvField(why));
+  };
+  for (const LeftOutRow& row : data.leftOut) {
+    add(row.source, row.table == LeftOutRow::Table::kTrial ? "final_trial" : "final_answer", row.id, row.subject,
+        row.session, row.why);
+  }
+  for (const OtherAttempt& attempt : data.otherAttempts) {
+    add(attempt.source, "trial", attempt.trialId, attempt.subject, attempt.session, describe(attempt.why));
+  }
+  return text;
+}
+
+}  // namespace ocelli

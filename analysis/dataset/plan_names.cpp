@@ -1,0 +1,61 @@
+#include "analysis/dataset/analysis_plan.h"
+
+namespace ocelli {
+
+const char* nameOf(TimeoutTreatment treatment) {
+  switch (treatment) {
+    case TimeoutTreatment::kCensored:
+      return "censored";
+    case TimeoutTreatment::kRemoved:
+      return "removed";
+    case TimeoutTreatment::kSetToLimit:
+      return "set_to_limit";
+  }
+  return "";
+}
+
+const char* nameOf(ExclusionTest test) {
+  switch (test) {
+    case ExclusionTest::kAlways:
+      return "always";
+    case ExclusionTest::kIs:
+      return "is";
+    case ExclusionTest::kIsNot:
+      return "is_not";
+    case ExclusionTest::kAtLeast:
+      return "at_least";
+    case ExclusionTest::kAtMost:
+      return "at_most";
+  }
+  return "";
+}
+
+const char* nameOf(ModelKind kind) {
+  switch (kind) {
+    case ModelKind::kLinearMixed:
+      return "linear_mixed";
+    case ModelKind::kBinomialMixed:
+      return "binomial_mixed";
+    case ModelKind::kKaplanMeier:
+      return "kaplan_meier";
+    case ModelKind::kCox:
+      return "cox";
+    case ModelKind::kLogNormalSurvival:
+      return "log_normal_survival";
+    case ModelKind::kMcNemar:
+      return "mcnemar";
+    case ModelKind::kSignedError:
+      return "signed_error";
+    case ModelKind::kEquivalence:
+      return "equivalence";
+    case ModelKind::kBayesFactor:
+      return "bayes_factor";
+    case ModelKind::kAgainstChance:
+      return "against_chance";
+    case ModelKind::kOrdinal:
+      return "ordinal";
+  }
+  return "";
+}
+
+}  // namespace ocelli

@@ -1,0 +1,124 @@
+#include "analysis/dataset/protocol_facts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/dataset/exclusions.h"
+#include "analysis/dataset/json_text.h"
+
+namespace ocelli {
+namespace {
+
+constexpr size_t kMostBytes = 1'000'000;
+constexpr int kMostSide = 64;  ///< cells of a maze
+
+/// Calls `read` for the objects of a list; the study knows more fields than are read here.
+void forEachElement(const JsonText& text, const nlohmann::json& owner, const std::string& pointer, const char* name,
+                    const auto& read) {
+  const auto list = owner.find(name);
+  if (list == owner.end()) {
+    return;
+  }
+  for (size_t i = 0; list->is_array() && i < list->size(); ++i) {
+    JsonObject element(text, (*list)[i], fmt::format("{}/{}/{}", pointer, name, i));
+    read(element, (*list)[i], fmt::format("{}/{}/{}", pointer, name, i));
+  }
+}
+
+ProtocolCase readCase(JsonObject& fields, size_t index) {
+  ProtocolCase result;
+  result.label = fields.textOr("label", kMostBytes, fmt::format("case {}", index + 1));
+  if (fields.has("row") && fields.has("column")) {
+    result.row = static_cast<int>(fields.integerOr("row", 0, kMostSide - 1, 0));
+    result.column = static_cast<int>(fields.integerOr("column", 0, kMostSide - 1, 0));
+  }
+  result.east = fields.numberOr("east", -0.5, 0.5, 0);
+  result.south = fields.numberOr("south", -0.5, 0.5, 0);
+  return result;
+}
+
+ProtocolBlockFacts readBlock(const JsonText& text, JsonObject& fields, const nlohmann::json& json,
+                             const std::string& pointer) {
+  ProtocolBlockFacts block;
+  block.name = fields.text("name", kMostBytes);
+  block.title = fields.textOr("title", kMostBytes, block.name);
+  block.task = fields.text("task", kMostBytes);
+  block.maze = fields.textOr("maze", kMostBytes, "");
+  block.bothViews = fields.textOr("views", kMostBytes, "both") == "both";
+  block.moving = fields.has("moving");
+  block.fovHorizontalDegrees = fields.numberOr("fov_horizontal_degrees", 1, 179, block.fovHorizontalDegrees);
+  if (block.task == "find") {
+    block.limitSeconds = fields.numberOr("limit_seconds", 0, 1e6, 60);
+  }
+  if (block.task == "path") {
+    block.maps = static_cast<int>(fields.integerOr("maps", 2, 100, 3));
+  }
+  if (fields.has("practice")) {
+    JsonObject practice(text, fields.value("practice"), fmt::format("{}/practice", pointer));
+    block.practiceLeastCorrect = static_cast<int>(practice.integerOr("least_correct", 1, 1000, 1));
+  }
+  forEachElement(text, json, pointer, "cases", [&](JsonObject& each, const auto&, const std::string&) {
+    block.cases.push_back(readCase(each, block.cases.size()));
+  });
+  return block;
+}
+
+PlannedExclusion readRule(JsonObject& fields) {
+  PlannedExclusion rule;
+  rule.what = fields.text("what", kMostBytes);
+  const std::string test = fields.text("test", kMostBytes);
+  const nlohmann::json& value = fields.value("value");
+  if (value.is_string()) {
+    rule.text = value.get<std::string>();
+  } else {
+    rule.number = fields.number("value", 0, 1e9);
+  }
+  rule.reason = fields.text("reason", kMostBytes);
+  rule.ofProtocol = true;
+  const std::string problem = problemOfRule(rule, test, true, value.is_string());
+  if (!problem.empty()) {
+    fields.fail("what", problem);
+  }
+  rule.test = *exclusionTestOf(test);
+  return rule;
+}
+
+}  // namespace
+
+const ProtocolMaze* ProtocolFacts::findMaze(const std::string& maze) const {
+  const auto found = std::find_if(mazes.begin(), mazes.end(), [&](const ProtocolMaze& m) { return m.name == maze; });
+  return found == mazes.end() ? nullptr : &*found;
+}
+
+ProtocolFacts protocolFacts(const std::string& text, const std::string& where) {
+  const JsonText json(text, where);
+  JsonObject fields(json, json.root(), "");
+  ProtocolFacts facts;
+  facts.name = fields.text("name", kMostBytes);
+  facts.title = fields.textOr("title", kMostBytes, facts.name);
+  facts.description = fields.textOr("description", kMostBytes, "");
+  facts.sessions = static_cast<int>(fields.integerOr("sessions", 1, 1000, 1));
+  facts.asksConsent = fields.has("consent");
+  if (fields.has("mazes")) {
+    for (const auto& [name, maze] : fields.value("mazes").items()) {
+      JsonObject object(json, maze, fmt::format("/mazes/{}", name));
+      ProtocolMaze read;
+      read.name = name;
+      read.plan = object.texts("plan", 2 * kMostSide + 1, 2 * kMostSide + 1);
+      read.cellSize = object.numberOr("cell_size", 0.01, 1000, read.cellSize);
+      read.wallThickness = object.numberOr("wall_thickness", 0.001, 500, read.wallThickness);
+      facts.mazes.push_back(std::move(read));
+    }
+  }
+  forEachElement(json, json.root(), "", "blocks",
+                 [&](JsonObject& each, const nlohmann::json& block, const std::string& pointer) {
+                   facts.blocks.push_back(readBlock(json, each, block, pointer));
+                 });
+  forEachElement(json, json.root(), "", "exclusions", [&](JsonObject& each, const auto&, const std::string&) {
+    facts.exclusions.push_back(readRule(each));
+  });
+  return facts;
+}
+
+}  // namespace ocelli

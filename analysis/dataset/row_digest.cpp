@@ -1,0 +1,98 @@
+#include "analysis/dataset/row_digest.h"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <algorithm>
+#include <bit>
+#include <iterator>
+
+#include "analysis/base/analysis_error.h"
+
+namespace ocelli {
+
+RowBytes& RowBytes::text(std::string_view value) {
+  fmt::format_to(std::back_inserter(bytes_), "t{}:", value.size());
+  bytes_ += value;
+  return *this;
+}
+
+RowBytes& RowBytes::integer(int64_t value) {
+  fmt::format_to(std::back_inserter(bytes_), "i{};", value);
+  return *this;
+}
+
+RowBytes& RowBytes::integer(const std::optional<int64_t>& value) {
+  if (value) {
+    return integer(*value);
+  }
+  bytes_ += "n;";
+  return *this;
+}
+
+RowBytes& RowBytes::real(double value) {
+  fmt::format_to(std::back_inserter(bytes_), "r{:016x};", std::bit_cast<uint64_t>(value));
+  return *this;
+}
+
+RowBytes& RowBytes::real(const std::optional<double>& value) {
+  if (value) {
+    return real(*value);
+  }
+  bytes_ += "n;";
+  return *this;
+}
+
+Digest RowBytes::digest() const {
+  return sha256Of(bytes_);
+}
+
+Digest digestOf(const Trial& trial, const UnreadColumns& unread) {
+  const auto number = [](const auto& value) {
+    return value ? std::optional<int64_t>(static_cast<int64_t>(*value)) : std::nullopt;
+  };
+  RowBytes row("trial");
+  row.text(trial.subject).integer(trial.session).integer(trial.planIndex).integer(trial.blockIndex).text(trial.block);
+  row.text(trial.task).integer(trial.caseIndex).text(trial.caseLabel).text(nameOf(trial.view)).integer(trial.attempt);
+  row.integer(trial.simulated ? 1 : 0).text(trial.subjectKind).integer(number(trial.moving));
+  row.real(trial.exposureSeconds).integer(number(trial.objects)).integer(number(trial.duplicateColors));
+  row.text(trial.answer).text(trial.expected).integer(number(trial.correct)).integer(number(trial.censored));
+  row.real(trial.responseSeconds).integer(trial.frames).integer(trial.droppedFrames).text(trial.timingVerdict);
+  row.integer(static_cast<int64_t>(trial.measures.size()));
+  for (const auto& [name, value] : trial.measures) {
+    row.text(name).real(value);
+  }
+  row.integer(unread.trialNumber).integer(unread.trialSeed).integer(unread.startedNs).integer(unread.endedNs);
+  row.text(unread.startedUtc).text(unread.endedUtc).integer(unread.responseTicks).integer(unread.exposureFrames);
+  row.integer(unread.medianIntervalNs).integer(unread.longestIntervalNs).integer(unread.screenWidth);
+  row.integer(unread.screenHeight).real(unread.refreshHertz);
+  return row.digest();
+}
+
+Digest sha256Of(std::string_view bytes) {
+  Digest digest{};
+  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, EVP_sha256(), nullptr) != 1) {
+    throw AnalysisError(AnalysisError::Kind::kWork, "SHA-256 is not to be had", "OpenSSL", "another build of OpenSSL");
+  }
+  return digest;
+}
+
+Digest sha256OfRows(std::vector<Digest> rows) {
+  std::sort(rows.begin(), rows.end());
+  std::string bytes;
+  bytes.reserve(rows.size() * sizeof(Digest));
+  for (const Digest& row : rows) {
+    bytes.append(row.begin(), row.end());
+  }
+  return sha256Of(bytes);
+}
+
+std::string hexadecimal(const Digest& digest) {
+  std::string text;
+  for (const uint8_t byte : digest) {
+    fmt::format_to(std::back_inserter(text), "{:02x}", byte);
+  }
+  return text;
+}
+
+}  // namespace ocelli

@@ -1,0 +1,67 @@
+// One trial that counts, as an analysis knows it: a row of `final_trial` (protocols/trials.schema.sql), and where it
+// came from.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace ocelli {
+
+enum class TrialView : uint8_t { kPinhole, kGraph };
+
+/// "ppc", "gc", as databases, tables and reports write it.
+constexpr const char* nameOf(TrialView view) {
+  return view == TrialView::kPinhole ? "ppc" : "gc";
+}
+
+/// SHA-256.
+using Digest = std::array<uint8_t, 32>;
+
+struct Trial {
+  // Where the row is.
+  int source = 0;       ///< file of the dataset, from 0
+  int64_t trialId = 0;  ///< in that file
+  Digest digest{};      ///< of the row, with the columns that no analysis reads (row_digest.h)
+
+  // The plan.
+  std::string subject;
+  int session = 1;
+  int planIndex = 0;  ///< in the schedule of the session
+  int blockIndex = 0;
+  std::string block;
+  std::string task;  ///< "find", "count", "path", ...
+  int caseIndex = 0;
+  std::string caseLabel;
+  TrialView view = TrialView::kPinhole;
+  int attempt = 1;
+  bool simulated = false;
+  std::string subjectKind;  ///< "person", "simulated_observer", ...
+
+  // The case, where it has these.
+  std::optional<bool> moving{};
+  std::optional<double> exposureSeconds{};
+  std::optional<int> objects{};
+  std::optional<bool> duplicateColors{};
+  std::optional<double> longestSeconds{};
+
+  // What was done.
+  std::string answer;
+  std::string expected;
+  std::optional<bool> correct{};
+  std::optional<bool> censored{};  ///< time ran out: the response would have come after responseSeconds
+  std::optional<double> responseSeconds{};
+  std::map<std::string, double> measures{};
+
+  // Timing.
+  int64_t frames = 0;
+  int64_t droppedFrames = 0;
+  std::string timingVerdict;
+
+  /// What is the same item for all subjects: the case of a block in a session.
+  std::string item() const { return block + "/" + std::to_string(session) + "/" + std::to_string(caseIndex); }
+};
+
+}  // namespace ocelli

@@ -1,0 +1,342 @@
+#include "analysis/inference/cox.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "analysis/inference/kaplan_meier.h"
+#include "analysis/inference/standardized_covariates.h"
+#include "analysis/inference/wald.h"
+
+namespace ocelli {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr int kMaximumIterations = 100;
+/// Of the decrease that a Newton step still promises, in units of the log-likelihood.
+constexpr double kConverged = 1e-18;
+
+/// Efron's step `step` of `deaths` at a tied time: those who died weigh 1 - step / deaths any more.
+struct RiskStep {
+  size_t moment = 0;  ///< index of the time, which counts down through the strata
+  double seconds = 0;
+  int step = 0;
+  int deaths = 0;
+  double mass = 0;      ///< sum of exp(eta) at risk
+  VectorXd mean;        ///< of covariates at risk
+  MatrixXd covariance;  ///< likewise
+};
+
+class PartialLikelihood {
+ public:
+  PartialLikelihood(const SurvivalData& data, const MatrixXd& covariates) : data_(data), x_(covariates) {
+    order_.resize(data.times.size());
+    std::iota(order_.begin(), order_.end(), size_t{0});
+    std::stable_sort(order_.begin(), order_.end(), [&](size_t a, size_t b) {
+      return stratum(a) != stratum(b) ? stratum(a) < stratum(b) : data.times[a].seconds > data.times[b].seconds;
+    });
+  }
+
+  struct Value {
+    double logLikelihood = 0;
+    VectorXd score;
+    MatrixXd information;
+  };
+
+  Value at(const VectorXd& beta) const {
+    const Index p = x_.cols();
+    Value value{0, VectorXd::Zero(p), MatrixXd::Zero(p, p)};
+    const VectorXd eta = x_ * beta;
+    visit(eta, [&](const RiskStep& step) {
+      value.logLikelihood -= std::log(step.mass);
+      value.score -= step.mean;
+      value.information += step.covariance;
+    });
+    for (size_t i = 0; i < data_.times.size(); ++i) {
+      if (data_.times[i].observed) {
+        value.logLikelihood += eta[static_cast<Index>(i)];
+        value.score += x_.row(static_cast<Index>(i)).transpose();
+      }
+    }
+    return value;
+  }
+
+  /// Of each trial, a row: its share in the score, with what it adds to the hazards of others.
+  MatrixXd scoreResiduals(const VectorXd& beta) const {
+    const Index p = x_.cols();
+    const VectorXd eta = x_ * beta;
+    struct Moment {
+      double hazard = 0, hazardOfDying = 0;
+      VectorXd weighted, weightedOfDying, mean;
+    };
+    std::vector<Moment> moments;
+    visit(eta, [&](const RiskStep& step) {
+      if (moments.size() <= step.moment) {
+        moments.resize(step.moment + 1, {0, 0, VectorXd::Zero(p), VectorXd::Zero(p), VectorXd::Zero(p)});
+      }
+      Moment& moment = moments[step.moment];
+      const double share = 1 - static_cast<double>(step.step) / step.deaths;
+      moment.hazard += 1 / step.mass;
+      moment.weighted += step.mean / step.mass;
+      moment.hazardOfDying += share / step.mass;
+      moment.weightedOfDying += share * step.mean / step.mass;
+      moment.mean += step.mean / step.deaths;
+    });
+    MatrixXd residuals = MatrixXd::Zero(x_.rows(), p);
+    // Upwards through the times of each stratum, which stand from last to first.
+    double hazard = 0;
+    VectorXd weighted = VectorXd::Zero(p);
+    size_t moment = moments.size();
+    for (size_t end = order_.size(); end > 0;) {
+      size_t begin = end - 1;
+      while (begin > 0 && isTied(order_[begin - 1], order_[end - 1])) {
+        --begin;
+      }
+      if (end == order_.size() || stratum(order_[end]) != stratum(order_[end - 1])) {
+        hazard = 0;
+        weighted.setZero();
+      }
+      const bool anyEvent = std::any_of(order_.begin() + static_cast<std::ptrdiff_t>(begin),
+                                        order_.begin() + static_cast<std::ptrdiff_t>(end),
+                                        [&](size_t i) { return data_.times[i].observed; });
+      const Moment* now = anyEvent ? &moments[--moment] : nullptr;
+      for (size_t k = begin; k < end; ++k) {
+        const auto i = static_cast<Index>(order_[k]);
+        const VectorXd x = x_.row(i).transpose();
+        double ownHazard = hazard;
+        VectorXd ownWeighted = weighted;
+        if (data_.times[order_[k]].observed) {
+          ownHazard += now->hazardOfDying;
+          ownWeighted += now->weightedOfDying;
+          residuals.row(i) += (x - now->mean).transpose();
+        } else if (now != nullptr) {
+          ownHazard += now->hazard;
+          ownWeighted += now->weighted;
+        }
+        residuals.row(i) -= std::exp(eta[i]) * (x * ownHazard - ownWeighted).transpose();
+      }
+      if (now != nullptr) {
+        hazard += now->hazard;
+        weighted += now->weighted;
+      }
+      end = begin;
+    }
+    return residuals;
+  }
+
+  /// Calls `function` with each step, strata in order, times from the last to the first.
+  template <class Function>
+  void visit(const VectorXd& eta, Function function) const {
+    const Index p = x_.cols();
+    double mass = 0;
+    VectorXd sum(p);
+    MatrixXd squares(p, p);
+    RiskStep step;
+    for (size_t begin = 0; begin < order_.size();) {
+      if (begin == 0 || stratum(order_[begin]) != stratum(order_[begin - 1])) {
+        mass = 0;
+        sum.setZero();
+        squares.setZero();
+      }
+      double dyingMass = 0;
+      VectorXd dyingSum = VectorXd::Zero(p);
+      MatrixXd dyingSquares = MatrixXd::Zero(p, p);
+      step.deaths = 0;
+      size_t end = begin;
+      for (; end < order_.size() && isTied(order_[begin], order_[end]); ++end) {
+        const auto i = static_cast<Index>(order_[end]);
+        const VectorXd x = x_.row(i).transpose();
+        const double risk = std::exp(eta[i]);
+        mass += risk;
+        sum += risk * x;
+        squares += risk * x * x.transpose();
+        if (data_.times[order_[end]].observed) {
+          ++step.deaths;
+          dyingMass += risk;
+          dyingSum += risk * x;
+          dyingSquares += risk * x * x.transpose();
+        }
+      }
+      step.seconds = data_.times[order_[begin]].seconds;
+      for (step.step = 0; step.step < step.deaths; ++step.step) {
+        const double gone = static_cast<double>(step.step) / step.deaths;
+        step.mass = mass - gone * dyingMass;
+        step.mean = (sum - gone * dyingSum) / step.mass;
+        step.covariance = (squares - gone * dyingSquares) / step.mass - step.mean * step.mean.transpose();
+        function(std::as_const(step));
+      }
+      step.moment += step.deaths > 0 ? 1 : 0;
+      begin = end;
+    }
+  }
+
+ private:
+  int stratum(size_t i) const { return data_.strata.empty() ? 0 : data_.strata[i]; }
+  bool isTied(size_t a, size_t b) const {
+    return stratum(a) == stratum(b) && data_.times[a].seconds == data_.times[b].seconds;
+  }
+
+  const SurvivalData& data_;
+  const MatrixXd& x_;
+  std::vector<size_t> order_{};
+};
+
+struct Maximum {
+  VectorXd beta;
+  PartialLikelihood::Value value;
+  PartialLikelihood::Value null;
+  int iterations = 0;
+};
+
+/// Newton's method, with halved steps where the likelihood would fall.
+Estimable<Maximum> maximize(const PartialLikelihood& likelihood, const StandardizedCovariates& covariates) {
+  using Result = Estimable<Maximum>;
+  Maximum maximum;
+  maximum.beta = VectorXd::Zero(covariates.values.cols());
+  maximum.null = likelihood.at(maximum.beta);
+  maximum.value = maximum.null;
+  if (const std::string reason = covariates.whyNotIndependent(maximum.null.information); !reason.empty()) {
+    return Result::impossible(reason);
+  }
+  for (maximum.iterations = 1; maximum.iterations <= kMaximumIterations; ++maximum.iterations) {
+    if (const auto flat = flatDirection(maximum.value.information, maximum.null.information)) {
+      return Result::impossible(fmt::format(
+          "the likelihood grows without bound in '{}', as where one group has no event or ends first always",
+          covariates.names[*flat]));
+    }
+    const VectorXd step = maximum.value.information.ldlt().solve(maximum.value.score);
+    const double promise = step.dot(maximum.value.score);
+    if (!(promise > kConverged * (1 + std::abs(maximum.value.logLikelihood)))) {
+      return maximum;
+    }
+    double length = 1;
+    PartialLikelihood::Value next = likelihood.at(maximum.beta + step);
+    // Near the maximum the likelihood cannot tell steps apart any more.
+    const double slack = 1e-13 * std::abs(maximum.value.logLikelihood);
+    while (!(next.logLikelihood >= maximum.value.logLikelihood - slack) && length > 1e-6) {
+      length /= 2;
+      next = likelihood.at(maximum.beta + length * step);
+    }
+    maximum.beta += length * step;
+    maximum.value = next;
+  }
+  return Result::impossible(fmt::format("the fit did not converge in {} steps", kMaximumIterations));
+}
+
+Estimable<Maximum> maximize(const SurvivalData& data, const PartialLikelihood& likelihood,
+                            const StandardizedCovariates& covariates) {
+  if (std::none_of(data.times.begin(), data.times.end(), [](const SurvivalTime& time) { return time.observed; })) {
+    return Estimable<Maximum>::impossible(fmt::format("none of {} trials ended by itself", data.times.size()));
+  }
+  if (!covariates.problem.empty()) {
+    return Estimable<Maximum>::impossible(covariates.problem);
+  }
+  return maximize(likelihood, covariates);
+}
+
+}  // namespace
+
+Estimable<CoxFit> fitCox(const SurvivalData& data, double level) {
+  checkSurvivalData(data, "fitCox");
+  const StandardizedCovariates covariates(data.covariates, data.times.size(), "fitCox");
+  const PartialLikelihood likelihood(data, covariates.values);
+  const Estimable<Maximum> maximum = maximize(data, likelihood, covariates);
+  if (!maximum) {
+    return Estimable<CoxFit>::impossible(maximum.reason());
+  }
+  const Index p = covariates.values.cols();
+  const MatrixXd model = maximum->value.information.inverse();
+  MatrixXd covariance = model;
+  const DenseLabels clusters = denseLabels(data.clusters);
+  if (clusters.count > 0) {
+    if (clusters.count <= static_cast<size_t>(p)) {
+      return Estimable<CoxFit>::impossible(fewClusters(clusters.count, static_cast<size_t>(p)));
+    }
+    covariance = sandwich(likelihood.scoreResiduals(maximum->beta), model, clusters);
+  }
+  CoxFit fit;
+  fit.logLikelihood = maximum->value.logLikelihood;
+  fit.nullLogLikelihood = maximum->null.logLikelihood;
+  fit.iterations = maximum->iterations;
+  fit.trials = data.times.size();
+  fit.clusters = clusters.count;
+  fit.events = static_cast<size_t>(
+      std::count_if(data.times.begin(), data.times.end(), [](const SurvivalTime& time) { return time.observed; }));
+  const auto df = static_cast<double>(p);
+  fit.likelihoodRatio = chiSquaredEstimate(2 * (fit.logLikelihood - fit.nullLogLikelihood), df);
+  fit.wald = chiSquaredEstimate(maximum->beta.dot(covariance.ldlt().solve(maximum->beta)), df);
+  for (Index j = 0; j < p; ++j) {
+    const double scale = covariates.scale[j];
+    const Estimate logarithm = waldEstimate(maximum->beta[j] / scale, std::sqrt(covariance(j, j)) / scale, level);
+    fit.terms.push_back(
+        {covariates.names[static_cast<size_t>(j)], logarithm, asRatio(logarithm), std::sqrt(model(j, j)) / scale});
+  }
+  const VectorXd inverseScale = covariates.scale.cwiseInverse();
+  fit.covariance = rowsOf(inverseScale.asDiagonal() * covariance * inverseScale.asDiagonal());
+  return fit;
+}
+
+Estimable<ProportionalityTest> testProportionality(const SurvivalData& data, TimeScale scale) {
+  using Result = Estimable<ProportionalityTest>;
+  checkSurvivalData(data, "testProportionality");
+  const StandardizedCovariates covariates(data.covariates, data.times.size(), "testProportionality");
+  const PartialLikelihood likelihood(data, covariates.values);
+  const Estimable<Maximum> maximum = maximize(data, likelihood, covariates);
+  if (!maximum) {
+    return Result::impossible(maximum.reason());
+  }
+  // The time scale, from its mean over the events.
+  const std::vector<SurvivalStep> steps = survivalCurve(data.times)->steps;
+  const auto scaled = [&](double seconds) {
+    if (scale == TimeScale::kSeconds) {
+      return seconds;
+    }
+    const auto at = std::lower_bound(steps.begin(), steps.end(), seconds, [](const SurvivalStep& step, double value) {
+      return step.riskSet.seconds < value;
+    });
+    return at == steps.begin() ? 0.0 : 1 - std::prev(at)->survival;
+  };
+  double sum = 0, events = 0;
+  for (const SurvivalTime& time : data.times) {
+    if (time.observed) {
+      sum += scaled(time.seconds);
+      ++events;
+    }
+  }
+  const double mean = sum / events;
+  // Each covariate once more, multiplied with the time: its coefficient is 0 where the ratio is constant.
+  const Index p = covariates.values.cols();
+  VectorXd score = VectorXd::Zero(p);
+  MatrixXd cross = MatrixXd::Zero(p, p), own = MatrixXd::Zero(p, p);
+  likelihood.visit(covariates.values * maximum->beta, [&](const RiskStep& step) {
+    const double g = scaled(step.seconds) - mean;
+    score -= g * step.mean;
+    cross += g * step.covariance;
+    own += g * g * step.covariance;
+  });
+  for (size_t i = 0; i < data.times.size(); ++i) {
+    if (data.times[i].observed) {
+      score += (scaled(data.times[i].seconds) - mean) * covariates.values.row(static_cast<Index>(i)).transpose();
+    }
+  }
+  const MatrixXd variance = own - cross.transpose() * maximum->value.information.ldlt().solve(cross);
+  const Eigen::FullPivLU<MatrixXd> decomposition(variance);
+  if (!decomposition.isInvertible()) {
+    return Result::impossible("too few events at different times");
+  }
+  ProportionalityTest test;
+  test.names = covariates.names;
+  for (Index j = 0; j < p; ++j) {
+    test.terms.push_back(chiSquaredEstimate(score[j] * score[j] / variance(j, j), 1));
+  }
+  test.all = chiSquaredEstimate(score.dot(decomposition.solve(score)), static_cast<double>(p));
+  return test;
+}
+
+}  // namespace ocelli

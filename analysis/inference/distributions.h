@@ -1,0 +1,36 @@
+// Distribution functions. Their library stands behind this header alone, as it takes long to compile.
+#pragma once
+
+namespace ocelli {
+
+double normalDensity(double z);
+/// P(Z <= z).
+double normalProbability(double z);
+/// z with P(Z <= z) = `probability`, for probabilities between 0 and 1.
+double normalQuantile(double probability);
+/// P(|Z| >= |z|).
+double twoSidedNormal(double z);
+
+/// log P(Z > z), and density over P(Z > z), exact far out too.
+double logNormalTail(double z);
+double normalHazard(double z);
+
+/// Degrees of freedom may be infinite: then it is the normal distribution.
+double studentProbability(double t, double degreesOfFreedom);
+double studentQuantile(double probability, double degreesOfFreedom);
+double twoSidedStudent(double t, double degreesOfFreedom);
+/// P(T <= t) of the noncentral distribution.
+double noncentralStudentProbability(double t, double degreesOfFreedom, double noncentrality);
+
+/// P(X >= x).
+double chiSquaredTail(double x, double degreesOfFreedom);
+
+double betaQuantile(double probability, double a, double b);
+double logBeta(double a, double b);
+double logGamma(double x);
+
+double binomialDensity(int successes, int trials, double chance);
+/// P(X <= successes).
+double binomialProbability(int successes, int trials, double chance);
+
+}  // namespace ocelli

@@ -1,0 +1,60 @@
+#include "analysis/inference/sample.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "analysis/inference/wald.h"
+
+namespace ocelli {
+
+SampleMoments momentsOf(const std::vector<double>& values) {
+  SampleMoments moments;
+  moments.count = static_cast<double>(values.size());
+  if (values.empty()) {
+    return moments;
+  }
+  moments.mean = std::accumulate(values.begin(), values.end(), 0.0) / moments.count;
+  double squares = 0;
+  for (const double value : values) {
+    squares += (value - moments.mean) * (value - moments.mean);
+  }
+  const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+  if (values.size() > 1 && *largest - *least > 1e-12 * std::max(std::abs(*least), std::abs(*largest))) {
+    moments.variance = squares / (moments.count - 1);
+  }
+  return moments;
+}
+
+double medianOfSorted(const std::vector<double>& sorted) {
+  const size_t half = sorted.size() / 2;
+  return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
+}
+
+Ranks ranksOf(const std::vector<double>& values) {
+  std::vector<size_t> order(values.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return values[a] < values[b]; });
+  Ranks ranks;
+  ranks.of.resize(values.size());
+  for (size_t begin = 0; begin < order.size();) {
+    size_t end = begin;
+    while (end < order.size() && values[order[end]] == values[order[begin]]) {
+      ++end;
+    }
+    for (size_t i = begin; i < end; ++i) {
+      ranks.of[order[i]] = static_cast<double>(begin + 1 + end) / 2;
+    }
+    const auto ties = static_cast<double>(end - begin);
+    ranks.tieSum += ties * ties * ties - ties;
+    begin = end;
+  }
+  return ranks;
+}
+
+void requireFinite(const std::vector<double>& values, const char* function) {
+  requireArgument(std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }),
+                  "a value is not finite", function);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,29 @@
+// The mean of a few numbers and how they spread.
+#pragma once
+
+#include <vector>
+
+namespace ocelli {
+
+struct SampleMoments {
+  double count = 0;
+  double mean = 0;
+  double variance = 0;  ///< over count - 1; 0 for fewer than 2 numbers, and where they are all alike up to rounding
+};
+
+SampleMoments momentsOf(const std::vector<double>& values);
+
+/// Of numbers in ascending order, of which there is at least one.
+double medianOfSorted(const std::vector<double>& sorted);
+
+/// Ranks from 1, ties with the mean of theirs.
+struct Ranks {
+  std::vector<double> of;
+  double tieSum = 0;  ///< sum of t^3 - t over groups of t ties
+};
+Ranks ranksOf(const std::vector<double>& values);
+
+/// Throws AnalysisError where one is not.
+void requireFinite(const std::vector<double>& values, const char* function);
+
+}  // namespace ocelli

@@ -1,0 +1,69 @@
+// Logistic mixed models of successes among trials, y ~ Binomial(n, 1 / (1 + exp(-(X beta + Z b)))), by maximum
+// likelihood: the integral over b by Laplace's approximation, whose mode comes from penalized iteratively reweighted
+// least squares (Bates, Maechler, Bolker, Walker 2015, J. Stat. Softw. 67(1), and lme4's theory vignette), or for one
+// random effect a level by adaptive Gauss-Hermite quadrature (Pinheiro and Bates 1995). beta and theta are optimized
+// together.
+#pragma once
+
+#include "analysis/base/random_numbers.h"
+#include "analysis/models/mixed_model.h"
+
+namespace ocelli {
+
+struct BinomialResponse {
+  Eigen::VectorXd successes;  ///< whole numbers, 0 to trials
+  Eigen::VectorXd trials;     ///< whole numbers, 1 or more
+};
+
+/// One trial a row.
+BinomialResponse binaryResponse(const std::vector<bool>& successes);
+
+/// `deviance` is -2 log likelihood, binomial coefficients included; the standard errors are Wald's, from its Hessian.
+struct BinomialMixedFit : MixedModelFit {
+  int quadraturePoints = 1;
+  Eigen::VectorXd linearPredictor;  ///< with random effects
+};
+
+class BinomialMixedModel {
+ public:
+  explicit BinomialMixedModel(Design design);
+
+  const Design& design() const { return design_; }
+
+  /// `quadraturePoints`: 1 for Laplace's approximation; 2 to 25 where there is one random effect a level of one term,
+  /// and otherwise AnalysisError. Impossible, as a whole: no rows, one level of a grouping factor, equal responses, as
+  /// many random effects as rows of one trial, answers that the columns separate (the reason names them: their
+  /// coefficients are infinite, and those of others depend on how far one goes), and levels that differ without limit.
+  /// A fit that did not converge, or is singular, says so itself. Throws AnalysisError for a response that is no count
+  /// of successes.
+  Estimable<BinomialMixedFit> fit(const BinomialResponse& response, int quadraturePoints = 1) const;
+
+  /// For few subjects or items. Variances by the restricted likelihood, Laplace's approximation of the integral over
+  /// the fixed effects too (as REML in Brooks et al. 2017, glmmTMB, The R Journal 9(2), appendix A), and coefficients
+  /// by Laplace's approximation at these variances. Standard errors do not treat variances of few levels as known,
+  /// which Wald's z does: intervals are t's, with degrees of freedom by Satterthwaite's method. DEVIATION: the
+  /// covariance of the coefficients as a function of theta is that at the mode of the penalized likelihood, up to the
+  /// factor by which its curvature differs from that of Laplace's approximation.
+  Estimable<BinomialMixedFit> fitRestricted(const BinomialResponse& response) const;
+
+  /// What fit() minimises, at relative covariance factors in lme4's order, and coefficients.
+  double deviance(const BinomialResponse& response, const Eigen::VectorXd& theta, const Eigen::VectorXd& coefficients,
+                  int quadraturePoints = 1) const;
+
+  /// Successes drawn from the fitted model, with random effects of their own.
+  BinomialResponse simulate(const BinomialMixedFit& fit, const Eigen::VectorXd& trials, RandomNumbers& numbers) const;
+
+ private:
+  class Integral;
+  void check(const BinomialResponse& response, int quadraturePoints) const;
+  std::optional<std::string> whyNot(const BinomialResponse& response) const;
+  /// From theta and whitened coordinates; `covariance`: of these coordinates.
+  Estimable<BinomialMixedFit> describe(Integral& integral, const Minimum& minimum,
+                                       const Eigen::MatrixXd& covariance) const;
+  double columnLength() const;
+
+  Design design_;
+  RandomStructure structure_;
+};
+
+}  // namespace ocelli

@@ -1,0 +1,150 @@
+#include "analysis/plot/drawing.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "analysis/plot/utf8.h"
+
+namespace ocelli {
+namespace {
+
+PlotPoint moved(PlotPoint point, PlotPoint offset, double scale) {
+  return {offset.x + scale * point.x, offset.y + scale * point.y};
+}
+
+void scalePen(std::optional<Pen>& pen, double scale) {
+  if (pen) {
+    pen->width *= scale;
+    for (double& length : pen->dash) {
+      length *= scale;
+    }
+  }
+}
+
+void place(PathShape& shape, PlotPoint offset, double scale) {
+  for (std::vector<PlotPoint>& line : shape.lines) {
+    for (PlotPoint& point : line) {
+      point = moved(point, offset, scale);
+    }
+  }
+  scalePen(shape.pen, scale);
+}
+
+void place(MarkerShape& shape, PlotPoint offset, double scale) {
+  shape.at = moved(shape.at, offset, scale);
+  shape.radius *= scale;
+  scalePen(shape.pen, scale);
+}
+
+void place(TextShape& shape, PlotPoint offset, double scale) {
+  shape.start = moved(shape.start, offset, scale);
+  shape.size *= scale;
+}
+
+PlotBox cover(const PathShape& shape) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  PlotBox box{kFar, kFar, -kFar, -kFar};
+  for (const std::vector<PlotPoint>& line : shape.lines) {
+    for (const PlotPoint& point : line) {
+      box = {std::min(box.left, point.x), std::min(box.top, point.y), std::max(box.right, point.x),
+             std::max(box.bottom, point.y)};
+    }
+  }
+  return box;
+}
+
+PlotBox cover(const MarkerShape& shape) {
+  return {shape.at.x - shape.radius, shape.at.y - shape.radius, shape.at.x + shape.radius, shape.at.y + shape.radius};
+}
+
+PlotBox cover(const TextShape& shape) {
+  const double width = textWidth(shape.text, shape.face, shape.size);
+  if (shape.upward) {
+    return {shape.start.x - ascentOf(shape.size), shape.start.y - width, shape.start.x + descentOf(shape.size),
+            shape.start.y};
+  }
+  return {shape.start.x, shape.start.y - ascentOf(shape.size), shape.start.x + width,
+          shape.start.y + descentOf(shape.size)};
+}
+
+}  // namespace
+
+void Drawing::path(std::string part, PathShape shape) {
+  shapes_.push_back({std::move(part), std::move(shape)});
+}
+
+void Drawing::line(std::string part, PlotPoint from, PlotPoint to, const Pen& pen) {
+  polyline(std::move(part), {from, to}, pen);
+}
+
+void Drawing::polyline(std::string part, std::vector<PlotPoint> points, const Pen& pen) {
+  path(std::move(part), {{std::move(points)}, false, std::nullopt, pen});
+}
+
+void Drawing::box(std::string part, const PlotBox& box, std::optional<Paint> fill, std::optional<Pen> pen) {
+  path(std::move(part), {{{{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}}},
+                         true,
+                         fill,
+                         std::move(pen)});
+}
+
+void Drawing::marker(std::string part, const MarkerShape& shape) {
+  shapes_.push_back({std::move(part), shape});
+}
+
+void Drawing::text(std::string part, PlotPoint at, std::string_view text, const TextLook& look) {
+  std::string clean = cleanText(text);
+  const double width = textWidth(clean, look.face, look.size);
+  const double back = look.across == Across::kLeft ? 0 : look.across == Across::kMiddle ? width / 2 : width;
+  double lower = 0;  // from the given place to the baseline
+  switch (look.down) {
+    case Down::kTop:
+      lower = ascentOf(look.size);
+      break;
+    case Down::kMiddle:
+      lower = (ascentOf(look.size) - descentOf(look.size)) / 2;
+      break;
+    case Down::kBaseline:
+      break;
+    case Down::kBottom:
+      lower = -descentOf(look.size);
+      break;
+  }
+  const PlotPoint start = look.upward ? PlotPoint{at.x + lower, at.y + back} : PlotPoint{at.x - back, at.y + lower};
+  shapes_.push_back(
+      {std::move(part), TextShape{start, std::move(clean), look.face, look.size, look.paint, look.upward}});
+}
+
+void Drawing::add(const Drawing& other, PlotPoint offset, double scale) {
+  for (const Shape& shape : other.shapes_) {
+    shapes_.push_back(shape);
+    std::visit([&](auto& what) { place(what, offset, scale); }, shapes_.back().what);
+  }
+}
+
+PlotBox boxOf(const Shape& shape) {
+  return std::visit([](const auto& what) { return cover(what); }, shape.what);
+}
+
+std::vector<PlotPoint> markerCorners(Marker marker) {
+  switch (marker) {
+    case Marker::kCircle:
+      return {};
+    case Marker::kSquare:
+      return {{-0.89, -0.89}, {0.89, -0.89}, {0.89, 0.89}, {-0.89, 0.89}};
+    case Marker::kTriangle:
+      return {{0, -1.25}, {1.15, 0.8}, {-1.15, 0.8}};
+    case Marker::kDiamond:
+      return {{0, -1.3}, {1.3, 0}, {0, 1.3}, {-1.3, 0}};
+    case Marker::kTriangleDown:
+      return {{0, 1.25}, {1.15, -0.8}, {-1.15, -0.8}};
+    case Marker::kPlus:
+      return {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
+    case Marker::kCross:
+      return {{-0.8, -0.8}, {0.8, 0.8}, {-0.8, 0.8}, {0.8, -0.8}};
+  }
+  return {};
+}
+
+}  // namespace ocelli

@@ -1,0 +1,33 @@
+// Whether a model's assumptions hold, for the eye: residuals against fitted values, and their quantiles against those
+// of a normal distribution.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/plot/figure.h"
+#include "analysis/plot/style.h"
+
+namespace ocelli {
+
+struct ModelCheckPlot {
+  std::string title;
+  std::vector<double> fitted;
+  std::vector<double> residuals;  ///< as many; standardised ones, where the model has them
+  std::string fittedLabel = "Fitted value";
+  std::string residualLabel = "Residual";
+  double widthMillimetres = kDoubleColumnMillimetres;
+};
+
+Figure modelCheckFigure(const ModelCheckPlot& plot);
+
+/// What the k-th of n (k from 0) of a sorted standard normal sample lies between in 95 % of samples, and in the middle:
+/// by the beta distribution of uniform order statistics.
+struct NormalOrder {
+  double lower = 0;
+  double median = 0;
+  double upper = 0;
+};
+NormalOrder normalOrder(size_t k, size_t n);
+
+}  // namespace ocelli

@@ -1,0 +1,305 @@
+#include "analysis/report/find_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "analysis/inference/accelerated_failure_time.h"
+#include "analysis/inference/cox.h"
+#include "analysis/inference/kaplan_meier.h"
+#include "analysis/inference/restricted_mean.h"
+#include "analysis/plot/forest_plot.h"
+#include "analysis/plot/group_plot.h"
+#include "analysis/plot/survival_plot.h"
+#include "analysis/report/planned_model.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kUsualLimit = 60;  // s, section 7.4.2
+
+bool isCensored(const Trial* trial) {
+  return trial->censored.value_or(false);
+}
+
+TrialList withoutTimeouts(TrialList trials) {
+  std::erase_if(trials, isCensored);
+  return trials;
+}
+
+double limitOf(const TrialList& trials) {
+  double limit = 0;
+  for (const Trial* trial : trials) {
+    limit = std::max(limit, trial->longestSeconds.value_or(0));
+  }
+  return limit > 0 ? limit : kUsualLimit;
+}
+
+std::vector<SurvivalTime> timesOf(const TrialList& trials, TimeoutTreatment timeouts) {
+  std::vector<SurvivalTime> times;
+  for (const Trial* trial : trials) {
+    times.push_back({*trial->responseSeconds, timeouts == TimeoutTreatment::kSetToLimit || !isCensored(trial)});
+  }
+  return times;
+}
+
+std::vector<double> secondsOf(const TrialList& trials) {
+  std::vector<double> seconds;
+  for (const Trial* trial : trials) {
+    seconds.push_back(*trial->responseSeconds);
+  }
+  return seconds;
+}
+
+SurvivalPlot::Curve plotCurve(const std::string& name, const SurvivalCurve& curve,
+                              const std::vector<double>& riskTimes) {
+  SurvivalPlot::Curve result;
+  result.name = name;
+  for (const SurvivalStep& step : curve.steps) {
+    result.steps.push_back({step.riskSet.seconds, step.survival, step.lower, step.upper});
+    result.censoredTimes.insert(result.censoredTimes.end(), step.riskSet.censored, step.riskSet.seconds);
+  }
+  for (const double time : riskTimes) {
+    const auto next = std::find_if(curve.steps.begin(), curve.steps.end(),
+                                   [&](const SurvivalStep& step) { return step.riskSet.seconds >= time; });
+    result.atRisk.push_back(next == curve.steps.end() ? 0 : next->riskSet.atRisk);
+  }
+  return result;
+}
+
+void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment timeouts) {
+  const double limit = limitOf(trials);
+  SurvivalPlot plot;
+  plot.title = "Searches that have not ended yet";
+  plot.limit = limit;
+  plot.widthMillimetres = kDoubleColumnMillimetres;
+  for (int i = 0; i <= 6; ++i) {
+    plot.riskTimes.push_back(limit * i / 6);
+  }
+  std::vector<EstimateRow> rows;
+  for (const TrialView view : {TrialView::kPinhole, TrialView::kGraph}) {
+    const TrialList seen = trialsOfView(trials, view);
+    const std::string source = fmt::format("Kaplan-Meier curve of {} with view {}", sizeText(seen), nameOf(view));
+    const Estimable<SurvivalCurve> curve = survivalCurve(timesOf(seen, timeouts));
+    if (!curve) {
+      addNotEstimable(work.document, fmt::format("Survival curve of {}", nameOf(view)), curve.reason());
+      continue;
+    }
+    plot.curves.push_back(plotCurve(nameOf(view), *curve, plot.riskTimes));
+    rows.push_back({fmt::format("{}: median time", nameOf(view)), medianTime(*curve), "s", source});
+    const Estimable<RestrictedMean> mean = restrictedMean(timesOf(seen, timeouts), limit, numbered(subjectsOf(seen)));
+    rows.push_back({fmt::format("{}: restricted mean to {:g} s", nameOf(view), limit),
+                    mean ? Estimable<Estimate>(mean->mean) : Estimable<Estimate>::impossible(mean.reason()), "s",
+                    source});
+  }
+  if (!plot.curves.empty()) {
+    work.document.add(ReportFigure{fmt::format("Kaplan-Meier curves of searches, {}", sizeText(trials)),
+                                   "figure-find-survival", survivalFigure(plot)});
+  }
+  std::vector<bool> isGraph;
+  for (const Trial* trial : trials) {
+    isGraph.push_back(trial->view == TrialView::kGraph);
+  }
+  const Estimable<RestrictedMeanDifference> difference =
+      restrictedMeanDifference(timesOf(trials, timeouts), isGraph, limit, numbered(subjectsOf(trials)));
+  rows.push_back(
+      {"gc less ppc: difference of restricted means",
+       difference ? Estimable<Estimate>(difference->difference) : Estimable<Estimate>::impossible(difference.reason()),
+       "s", fmt::format("{}, subjects as clusters", sizeText(trials))});
+  addEstimates(work.document, "Times to find, time-outs censored at the limit; subjects are clusters", "find-survival",
+               rows);
+}
+
+/// Cox or log-normal: as a table of ratios.
+void addSurvivalModel(ReportWork& work, const PlannedModel& model, const TrialList& all, TimeoutTreatment timeouts) {
+  const TrialList trials = completeTrials(model, all);
+  const SurvivalData data{timesOf(trials, timeouts), covariatesOf(model, trials), {}, numbered(subjectsOf(trials))};
+  const bool cox = model.kind == ModelKind::kCox;
+  const std::string source = fmt::format("model {} of {}", model.name, sizeText(trials));
+  std::vector<EstimateRow> rows;
+  const auto keep = [&](const std::string& name, const Estimate& ratio) {
+    rows.push_back({name, ratio, "", source});
+    for (const std::string& term : model.terms) {
+      if (columnOfTerm(model, trials, term) == name) {
+        work.outcomes.push_back({model.name, term, ratio.pValue});
+      }
+    }
+  };
+  std::string reason = "no term of it varies";
+  if (!data.covariates.empty() && cox) {
+    const Estimable<CoxFit> fit = fitCox(data);
+    reason = fit ? "" : fit.reason();
+    for (size_t i = 0; fit && i < fit->terms.size(); ++i) {
+      keep(fit->terms[i].name, fit->terms[i].hazardRatio);
+    }
+  } else if (!data.covariates.empty()) {
+    const Estimable<FailureTimeFit> fit = fitLogNormal(data);
+    reason = fit ? "" : fit.reason();
+    for (size_t i = 0; fit && i < fit->terms.size(); ++i) {
+      keep(fit->terms[i].name, fit->terms[i].timeRatio);
+    }
+  }
+  if (rows.empty()) {
+    addNotEstimable(work.document, fmt::format("Model {}", model.name), reason);
+    return;
+  }
+  addEstimates(work.document,
+               cox ? "Cox regression: hazard ratios (above 1: found sooner), subjects as clusters"
+                   : "Log-normal failure times: ratios of times (below 1: found sooner), subjects as clusters",
+               model.name, rows);
+}
+
+/// Which searches a sensitivity analysis keeps.
+struct Variant {
+  std::string label;
+  TrialList trials;
+};
+
+std::vector<Variant> variantsOf(const TrialList& trials) {
+  TrialList firstSession = trials;
+  std::erase_if(firstSession, [](const Trial* trial) { return trial->session != 1; });
+  TrialList noDropped = trials;
+  std::erase_if(noDropped, [](const Trial* trial) { return trial->droppedFrames > 0; });
+  std::vector<Variant> variants{{"Time-outs set to the limit", trials},
+                                {"Time-outs removed", withoutTimeouts(trials)},
+                                {"First session only", firstSession},
+                                {"Without trials with dropped frames", noDropped}};
+  std::set<std::string> cases;
+  for (const Trial* trial : trials) {
+    cases.insert(fmt::format("{}, {}", trial->block, trial->caseLabel));
+  }
+  for (const std::string& left : cases) {
+    TrialList others = trials;
+    std::erase_if(others,
+                  [&](const Trial* trial) { return fmt::format("{}, {}", trial->block, trial->caseLabel) == left; });
+    variants.push_back({fmt::format("Without {}", left), others});
+  }
+  return variants;
+}
+
+void addLinear(ReportWork& work, const PlannedModel& model, const TrialList& all, TimeoutTreatment timeouts) {
+  TrialList trials = completeTrials(model, all);
+  std::erase_if(trials, [](const Trial* trial) { return *trial->responseSeconds <= 0; });
+  const TrialList main = timeouts == TimeoutTreatment::kRemoved ? withoutTimeouts(trials) : trials;
+  const Estimable<PlannedFit> fit = fitLinear(model, main, secondsOf(main));
+  addPlannedFit(work, model, main, fit,
+                "Linear mixed model of the logarithm of times: ratios of geometric means, intervals and tests by "
+                "Satterthwaite's degrees of freedom");
+  if (!fit) {
+    return;
+  }
+  work.document.add(ReportParagraph{
+      timeouts == TimeoutTreatment::kRemoved
+          ? "Searches whose time ran out are removed here."
+          : "A linear model knows no censored times: searches whose time ran out count with the limit here."});
+  ForestPlot forest;
+  forest.title = "The effect of the view on times, analysed in other ways";
+  forest.valueLabel = "Ratio of geometric means, gc / ppc";
+  forest.lowerSide = "gc faster";
+  forest.upperSide = "ppc faster";
+  forest.ratio = true;
+  std::vector<EstimateRow> rows;
+  for (const Variant& variant : variantsOf(trials)) {
+    Estimable<Estimate> view = Estimable<Estimate>::impossible("the model has no view");
+    const Estimable<PlannedFit> refit = fitLinear(model, variant.trials, secondsOf(variant.trials));
+    if (!refit) {
+      view = Estimable<Estimate>::impossible(refit.reason());
+    } else {
+      for (const TermEstimate& term : refit->terms) {
+        if (term.term == "view") {
+          view = term.estimate ? Estimable<Estimate>(exponentiated(*term.estimate)) : term.estimate;
+        }
+      }
+    }
+    ForestPlot::Row row;
+    row.label = variant.label;
+    row.main = variant.trials.size() == main.size();
+    if (view) {
+      row.interval = intervalOf(*view);
+    } else {
+      row.reason = "cannot be estimated";
+    }
+    forest.rows.push_back(row);
+    rows.push_back({variant.label, view, "", fmt::format("model {} of {}", model.name, sizeText(variant.trials))});
+  }
+  work.document.add(
+      ReportFigure{"Sensitivity of the ratio of geometric means", "figure-find-sensitivity", forestFigure(forest)});
+  addEstimates(work.document, "The same in numbers: ratios of geometric means, gc / ppc", "find-sensitivity", rows);
+}
+
+void addCases(ReportWork& work, const TrialList& trials) {
+  for (const bool moving : {false, true}) {
+    std::map<int, std::array<std::vector<double>, 2>> cases;
+    for (const Trial* trial : trials) {
+      if (trial->moving.value_or(false) == moving) {
+        cases[trial->caseIndex][trial->view == TrialView::kGraph].push_back(*trial->responseSeconds);
+      }
+    }
+    if (cases.empty()) {
+      continue;
+    }
+    GroupPlot plot;
+    plot.title = fmt::format("Times of each case, {} objects", moving ? "moving" : "stationary");
+    plot.conditionLabel = "Case";
+    plot.valueLabel = "Time to find (s)";
+    plot.summaryName = "median, quartiles";
+    plot.pointName = "one search";
+    plot.rows = true;
+    plot.widthMillimetres = kDoubleColumnMillimetres;
+    plot.series = {{"ppc", {}}, {"gc", {}}};
+    for (auto& [index, views] : cases) {
+      plot.conditions.push_back(std::to_string(index + 1));
+      for (size_t v = 0; v < 2; ++v) {
+        std::vector<double>& times = views[v];
+        std::sort(times.begin(), times.end());
+        const auto quantile = [&](double p) {
+          return times.empty() ? kNotKnown : times[static_cast<size_t>(p * static_cast<double>(times.size() - 1))];
+        };
+        plot.series[v].groups.push_back({{quantile(0.5), quantile(0.25), quantile(0.75)}, times});
+      }
+    }
+    work.document.add(ReportFigure{plot.title + "; time-outs stand at the limit",
+                                   moving ? "figure-find-cases-moving" : "figure-find-cases", groupFigure(plot)});
+  }
+}
+
+}  // namespace
+
+void addFindSection(ReportWork& work) {
+  addHeading(work.document, 1, "Finding objects", "find");
+  TrialList trials = trialsOfTask(work.analysis, "find");
+  std::erase_if(trials, [](const Trial* trial) { return !trial->responseSeconds; });
+  if (trials.empty()) {
+    addNotEstimable(work.document, "Searches", "there are no trials of this task");
+    return;
+  }
+  const TimeoutTreatment timeouts = work.analysis.plan.findTimeouts;
+  const TrialList kept = timeouts == TimeoutTreatment::kRemoved ? withoutTimeouts(trials) : trials;
+  work.document.add(ReportParagraph{
+      fmt::format("{}, of which {} ended by the limit. Time-outs are treated as the plan says: {}.", sizeText(trials),
+                  std::count_if(trials.begin(), trials.end(), isCensored), nameOf(timeouts))});
+  for (const PlannedModel& model : work.analysis.plan.models) {
+    if (model.task != "find") {
+      continue;
+    }
+    if (model.kind == ModelKind::kKaplanMeier) {
+      addSurvival(work, kept, timeouts);
+    } else if (model.kind == ModelKind::kCox || model.kind == ModelKind::kLogNormalSurvival) {
+      addSurvivalModel(work, model, kept, timeouts);
+    } else if (model.kind == ModelKind::kLinearMixed) {
+      addLinear(work, model, trials, timeouts);
+    } else {
+      addNotEstimable(work.document, fmt::format("Model {}", model.name),
+                      fmt::format("{} is not done for searches", nameOf(model.kind)));
+    }
+  }
+  addCases(work, trials);
+  work.methods.push_back(
+      "Times to find were compared by Kaplan-Meier curves and restricted means with searches censored at the limit, by "
+      "regressions of survival with errors robust to clusters of subjects, and by a linear mixed model of log times "
+      "with random effects of subjects and cases, whose intervals use Satterthwaite's degrees of freedom.");
+}
+
+}  // namespace ocelli

@@ -1,0 +1,262 @@
+#include "analysis/report/html_report.h"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+#include <openssl/sha.h>
+
+#include <algorithm>
+#include <array>
+
+#include "analysis/plot/style.h"
+#include "analysis/plot/utf8.h"
+#include "analysis/report/html_style.h"
+
+namespace ocelli {
+namespace {
+
+// Narrower than this share of its size a wide figure scrolls: its letters would be too small.
+constexpr double kLeastShare = 0.85;
+
+std::string escaped(const std::string& text) {
+  return markupFromText(text);
+}
+
+/// As a policy names a script: base64 of its SHA-256.
+std::string scriptDigest(std::string_view script) {
+  std::array<unsigned char, SHA256_DIGEST_LENGTH> digest{};
+  SHA256(reinterpret_cast<const unsigned char*>(script.data()), script.size(), digest.data());
+  std::array<unsigned char, 4 * ((SHA256_DIGEST_LENGTH + 2) / 3) + 1> text{};
+  const int length = EVP_EncodeBlock(text.data(), digest.data(), static_cast<int>(digest.size()));
+  return {reinterpret_cast<const char*>(text.data()), static_cast<size_t>(length)};
+}
+
+const char* noteClass(NoteKind kind) {
+  switch (kind) {
+    case NoteKind::kNote:
+      return "note";
+    case NoteKind::kWarning:
+    case NoteKind::kSimulated:
+      return "note caution";
+    case NoteKind::kNotEstimable:
+      return "note missing";
+  }
+  return "note";
+}
+
+bool hasGroups(const ReportTable& table) {
+  return std::any_of(table.columns.begin(), table.columns.end(),
+                     [](const auto& column) { return !column.group.empty(); });
+}
+
+std::string tableHead(const ReportTable& table) {
+  const bool groups = hasGroups(table);
+  std::string top;
+  std::string bottom;
+  for (size_t i = 0; i < table.columns.size(); ++i) {
+    const ReportColumn& column = table.columns[i];
+    const std::string words = column.words ? " class=\"words\"" : "";
+    if (groups && column.group.empty()) {
+      top += fmt::format("<th scope=\"col\" rowspan=\"2\"{}>{}</th>", words, escaped(column.title));
+      continue;
+    }
+    if (groups && (i == 0 || table.columns[i - 1].group != column.group)) {
+      size_t end = i;
+      while (end < table.columns.size() && table.columns[end].group == column.group) {
+        ++end;
+      }
+      top += fmt::format("<th scope=\"colgroup\" colspan=\"{}\">{}</th>", end - i, escaped(column.group));
+    }
+    bottom += fmt::format("<th scope=\"col\"{}>{}</th>", words, escaped(column.title));
+  }
+  return groups ? fmt::format("<thead><tr>{}</tr>\n<tr>{}</tr></thead>\n", top, bottom)
+                : fmt::format("<thead><tr>{}</tr></thead>\n", bottom);
+}
+
+std::string cellMarkup(const ReportTable& table, const std::vector<std::string>& footnotes, const ReportCell& cell,
+                       size_t column) {
+  std::string attributes;
+  if (!cell.id.empty()) {
+    attributes += fmt::format(" id=\"{}\"", escaped(cell.id));
+  }
+  std::string inner = escaped(cell.text);
+  if (!cell.source.empty()) {
+    attributes += fmt::format(" title=\"{}\"", escaped(cell.source));
+    inner = fmt::format("<span class=\"source\">{}</span>", inner);
+  }
+  if (!cell.footnote.empty()) {
+    inner += fmt::format("<sup>{}</sup>", footnoteMark(footnotes, cell.footnote));
+  }
+  if (column == 0) {
+    return fmt::format("<th scope=\"row\"{}>{}</th>", attributes, inner);
+  }
+  const bool words = column < table.columns.size() && table.columns[column].words;
+  const std::string names = fmt::format("{}{}", words ? "words" : "", cell.emphasised ? " strong" : "");
+  return fmt::format("<td{}{}>{}</td>", attributes, names.empty() ? "" : fmt::format(" class=\"{}\"", names), inner);
+}
+
+std::string sourcesMarkup(const ReportTable& table) {
+  const std::vector<SourceEntry> entries = sourcesOf(table);
+  if (entries.empty()) {
+    return "";
+  }
+  std::string items;
+  for (const SourceEntry& entry : entries) {
+    std::string cells;
+    for (size_t i = 0; i < entry.cells.size(); ++i) {
+      cells += i == 0 ? "" : "; ";
+      cells += entry.ids[i].empty()
+                   ? escaped(entry.cells[i])
+                   : fmt::format("<a href=\"#{}\">{}</a>", escaped(entry.ids[i]), escaped(entry.cells[i]));
+    }
+    items += fmt::format("<li>{}: <code>{}</code></li>\n", cells, escaped(entry.source));
+  }
+  return fmt::format(
+      "<details class=\"sources\"><summary>Where these numbers come from</summary><ul>\n{}</ul></details>\n", items);
+}
+
+class Writer {
+ public:
+  std::string write(const ReportElement& element, const ElementName& name) {
+    return std::visit([&](const auto& what) { return markup(what, name); }, element);
+  }
+
+ private:
+  static std::string markup(const ReportHeading& heading, const ElementName& name) {
+    const int level = std::clamp(heading.level, 1, 3) + 1;
+    return fmt::format("<h{0} id=\"{1}\">{2}</h{0}>\n", level, name.id, escaped(heading.text));
+  }
+  static std::string markup(const ReportParagraph& paragraph, const ElementName&) {
+    return fmt::format("<p>{}</p>\n", escaped(paragraph.text));
+  }
+  static std::string markup(const ReportList& list, const ElementName&) {
+    std::string items;
+    for (const std::string& item : list.items) {
+      items += fmt::format("<li>{}</li>\n", escaped(item));
+    }
+    return items.empty() ? "" : fmt::format("<ul>\n{}</ul>\n", items);
+  }
+  static std::string markup(const ReportFacts& facts, const ElementName&) {
+    std::string items;
+    for (const ReportFacts::Fact& fact : facts.facts) {
+      const std::string text = escaped(fact.text);
+      items += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(fact.term),
+                           fact.code ? fmt::format("<code>{}</code>", text) : text);
+    }
+    return items.empty() ? "" : fmt::format("<dl class=\"facts\">\n{}</dl>\n", items);
+  }
+  static std::string markup(const ReportNote& note, const ElementName&) {
+    return fmt::format("<div class=\"{}\" role=\"note\"><b>{}</b> {}</div>\n", noteClass(note.kind),
+                       noteTitle(note.kind), escaped(note.text));
+  }
+  static std::string markup(const ReportExcerpt& excerpt, const ElementName& name) {
+    return fmt::format(
+        "<section class=\"excerpt\" id=\"{0}\" aria-label=\"{1}\"><div class=\"bar\"><h3>{1}</h3></div><div "
+        "class=\"text\">{2}</div></section>\n",
+        name.id, escaped(excerpt.title), escaped(excerpt.text));
+  }
+  static std::string markup(const ReportTable& table, const ElementName& name) {
+    const std::vector<std::string> footnotes = footnotesOf(table);
+    std::string rows;
+    for (const std::vector<ReportCell>& row : table.rows) {
+      rows += "<tr>";
+      for (size_t i = 0; i < row.size(); ++i) {
+        rows += cellMarkup(table, footnotes, row[i], i);
+      }
+      rows += "</tr>\n";
+    }
+    if (rows.empty()) {
+      rows = fmt::format("<tr><td class=\"words\" colspan=\"{}\">No rows.</td></tr>\n",
+                         std::max<size_t>(table.columns.size(), 1));
+    }
+    std::string notes;
+    for (const std::string& footnote : footnotes) {
+      notes += fmt::format("<li><sup>{}</sup> {}</li>\n", footnoteMark(footnotes, footnote), escaped(footnote));
+    }
+    if (!notes.empty()) {
+      notes = fmt::format("<ul class=\"footnotes\">\n{}</ul>\n", notes);
+    }
+    return fmt::format(
+        "<div class=\"table\" id=\"{0}\"><p class=\"title\" id=\"{0}-title\"><b>{1}.</b> {2}</p>\n<div "
+        "class=\"scroll\" "
+        "tabindex=\"0\" role=\"region\" aria-labelledby=\"{0}-title\"><table "
+        "aria-labelledby=\"{0}-title\">\n{3}<tbody>\n{4}</tbody></table></div>\n{5}{6}</div>\n",
+        name.id, name.label, escaped(table.caption), tableHead(table), rows, notes, sourcesMarkup(table));
+  }
+  static std::string markup(const ReportFigure& figure, const ElementName& name) {
+    const bool wide = figure.figure.width > 1.2 * kSingleColumnMillimetres * kPointsPerMillimetre;
+    return fmt::format(
+        "<figure id=\"{0}\"><div class=\"scroll\"{1} style=\"--width: {2:.0f}pt; --least: {3:.0f}pt\">{4}</div>"
+        "<figcaption><b>{5}.</b> {6}</figcaption></figure>\n",
+        name.id, wide ? fmt::format(" tabindex=\"0\" role=\"region\" aria-label=\"{}\"", name.label) : "",
+        figure.figure.width, wide ? kLeastShare * figure.figure.width : 0,
+        inlineSvgText(figure.figure, fmt::format("{}-", name.id)), name.label, escaped(figure.caption));
+  }
+};
+
+/// Headings of levels 1 and 2, the second in lists of their own.
+std::string contents(const ReportDocument& document, const std::vector<ElementName>& names) {
+  std::string list;
+  bool inItem = false;
+  bool inList = false;
+  const auto endItem = [&] {
+    list += inList ? "</ol>" : "";
+    list += inItem ? "</li>\n" : "";
+    inList = false;
+    inItem = false;
+  };
+  for (size_t i = 0; i < document.elements.size(); ++i) {
+    const auto* heading = std::get_if<ReportHeading>(&document.elements[i]);
+    if (heading == nullptr || heading->level > 2) {
+      continue;
+    }
+    const std::string link = fmt::format("<a href=\"#{}\">{}</a>", names[i].id, escaped(heading->text));
+    if (heading->level <= 1 || !inItem) {
+      endItem();
+      list += fmt::format("<li>{}", link);
+      inItem = true;
+    } else {
+      list += inList ? "" : "<ol>";
+      list += fmt::format("<li>{}</li>", link);
+      inList = true;
+    }
+  }
+  endItem();
+  return list.empty() ? "" : fmt::format("<nav aria-label=\"Contents\"><h2>Contents</h2><ol>\n{}</ol></nav>\n", list);
+}
+
+}  // namespace
+
+std::string htmlReport(const ReportDocument& document) {
+  const std::vector<ElementName> names = elementNames(document);
+  std::string body;
+  Writer writer;
+  for (size_t i = 0; i < document.elements.size(); ++i) {
+    body += writer.write(document.elements[i], names[i]);
+  }
+  const std::string marking =
+      document.marking.empty() ? "" : fmt::format("<p class=\"marking\">{}</p>\n", escaped(document.marking));
+  const std::string subtitle =
+      document.subtitle.empty() ? "" : fmt::format("<p class=\"subtitle\">{}</p>\n", escaped(document.subtitle));
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+      "http-equiv=\"Content-Security-Policy\" content=\"default-src &#39;none&#39;; style-src "
+      "&#39;unsafe-inline&#39;; script-src &#39;sha256-{}&#39;; base-uri &#39;none&#39;; form-action "
+      "&#39;none&#39;\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"generator\" "
+      "content=\"Ocelli {}\">\n<title>{}</title>\n<style>",
+      scriptDigest(kReportScript), escaped(document.version), escaped(document.title));
+  html += kReportStyle;
+  html += fmt::format(
+      "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#report\">To the report</a>\n<div class=\"page\">\n"
+      "<header>\n{}<h1>{}</h1>\n{}</header>\n{}<main id=\"report\">\n",
+      marking, escaped(document.title), subtitle, contents(document, names));
+  html += body;
+  html += fmt::format(
+      "</main>\n<footer>Ocelli {}, {}</footer>\n</div>\n<p id=\"shown\" aria-live=\"polite\"></p>\n<script>",
+      escaped(document.version), escaped(document.created));
+  html += kReportScript;
+  html += "</script>\n</body>\n</html>\n";
+  return html;
+}
+
+}  // namespace ocelli

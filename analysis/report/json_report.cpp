@@ -1,0 +1,121 @@
+#include "analysis/report/json_report.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "analysis/plot/utf8.h"
+
+namespace ocelli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void put(Json& json, const char* key, const std::string& text) {
+  if (!text.empty()) {
+    json[key] = cleanText(text);
+  }
+}
+
+const char* nameOf(NoteKind kind) {
+  switch (kind) {
+    case NoteKind::kNote:
+      return "note";
+    case NoteKind::kWarning:
+      return "caution";
+    case NoteKind::kSimulated:
+      return "simulated";
+    case NoteKind::kNotEstimable:
+      return "not estimable";
+  }
+  return "";
+}
+
+Json cellOf(const ReportCell& cell) {
+  Json json = {{"text", cleanText(cell.text)}};
+  put(json, "id", cell.id);
+  if (cell.value) {
+    json["value"] = std::isfinite(*cell.value) ? Json(*cell.value) : Json(nullptr);
+  }
+  put(json, "source", cell.source);
+  put(json, "footnote", cell.footnote);
+  return json;
+}
+
+Json jsonOf(const ReportHeading& heading) {
+  return {{"type", "heading"}, {"level", heading.level}, {"text", cleanText(heading.text)}};
+}
+
+Json jsonOf(const ReportParagraph& paragraph) {
+  return {{"type", "paragraph"}, {"text", cleanText(paragraph.text)}};
+}
+
+Json jsonOf(const ReportList& list) {
+  Json items = Json::array();
+  for (const std::string& item : list.items) {
+    items.push_back(cleanText(item));
+  }
+  return {{"type", "list"}, {"items", items}};
+}
+
+Json jsonOf(const ReportFacts& facts) {
+  Json items = Json::array();
+  for (const ReportFacts::Fact& fact : facts.facts) {
+    items.push_back({{"term", cleanText(fact.term)}, {"text", cleanText(fact.text)}});
+  }
+  return {{"type", "facts"}, {"facts", items}};
+}
+
+Json jsonOf(const ReportNote& note) {
+  return {{"type", "note"}, {"kind", nameOf(note.kind)}, {"text", cleanText(note.text)}};
+}
+
+Json jsonOf(const ReportExcerpt& excerpt) {
+  return {{"type", "excerpt"}, {"title", cleanText(excerpt.title)}, {"text", cleanText(excerpt.text)}};
+}
+
+Json jsonOf(const ReportTable& table) {
+  Json columns = Json::array();
+  for (const ReportColumn& column : table.columns) {
+    Json json = {{"title", cleanText(column.title)}};
+    put(json, "group", column.group);
+    columns.push_back(json);
+  }
+  Json rows = Json::array();
+  for (const std::vector<ReportCell>& row : table.rows) {
+    Json cells = Json::array();
+    for (const ReportCell& cell : row) {
+      cells.push_back(cellOf(cell));
+    }
+    rows.push_back(cells);
+  }
+  return {{"type", "table"}, {"caption", cleanText(table.caption)}, {"columns", columns}, {"rows", rows}};
+}
+
+Json jsonOf(const ReportFigure& figure) {
+  return {{"type", "figure"},
+          {"caption", cleanText(figure.caption)},
+          {"title", cleanText(figure.figure.title)},
+          {"description", cleanText(figure.figure.description)}};
+}
+
+}  // namespace
+
+std::string jsonReport(const ReportDocument& document) {
+  Json json = {{"format", kReportFormat}, {"title", cleanText(document.title)}};
+  put(json, "subtitle", document.subtitle);
+  put(json, "marking", document.marking);
+  put(json, "version", document.version);
+  put(json, "created", document.created);
+  const std::vector<ElementName> names = elementNames(document);
+  Json elements = Json::array();
+  for (size_t i = 0; i < document.elements.size(); ++i) {
+    Json element = std::visit([](const auto& what) { return jsonOf(what); }, document.elements[i]);
+    put(element, "id", names[i].id);
+    put(element, "label", names[i].label);
+    elements.push_back(element);
+  }
+  json["elements"] = elements;
+  return json.dump(1) + "\n";
+}
+
+}  // namespace ocelli

@@ -1,0 +1,17 @@
+// The report as JSON, for programs: tables with the full values and sources of their cells.
+#pragma once
+
+#include <string>
+
+#include "analysis/report/report_document.h"
+
+namespace ocelli {
+
+inline constexpr const char* kReportFormat = "ocelli-report-1";
+
+/// {"format", "title", "version", "created", "elements": [{"type": "table", "id", "label", "caption", "columns",
+/// "rows": [[{"text", "id", "value", "source", "footnote"}]]}, ...]}. What is empty is left out; values that are not
+/// finite are null. Figures come with title and description, not with their picture.
+std::string jsonReport(const ReportDocument& document);
+
+}  // namespace ocelli

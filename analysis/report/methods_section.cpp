@@ -1,0 +1,79 @@
+#include "analysis/report/methods_section.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "analysis/inference/holm.h"
+
+namespace ocelli {
+namespace {
+
+Estimable<double> pValueOf(const ReportWork& work, const Hypothesis& hypothesis) {
+  for (const TestOutcome& outcome : work.outcomes) {
+    if (outcome.model == hypothesis.model && outcome.term == hypothesis.term) {
+      return outcome.pValue;
+    }
+  }
+  return Estimable<double>::impossible("its model was not fitted");
+}
+
+}  // namespace
+
+void addHypotheses(ReportWork& work) {
+  const AnalysisPlan& plan = work.analysis.plan;
+  addHeading(work.document, 1, "Hypotheses", "hypotheses");
+  for (const HypothesisFamily& family : plan.families) {
+    std::vector<double> pValues;
+    std::vector<std::string> reasons;
+    for (const std::string& name : family.hypotheses) {
+      const Hypothesis* hypothesis = plan.findHypothesis(name);
+      const Estimable<double> p =
+          hypothesis ? pValueOf(work, *hypothesis) : Estimable<double>::impossible("the plan does not say what it is");
+      pValues.push_back(p ? *p : kNotKnown);
+      reasons.push_back(p ? "" : p.reason());
+    }
+    const std::vector<double> adjusted = family.holm ? holmAdjusted(pValues) : pValues;
+    ReportTable table{
+        fmt::format("Family {}, {}", family.name, family.holm ? "corrected by Holm's method" : "not corrected"),
+        fmt::format("family-{}", family.name),
+        {{"Hypothesis", "", true}, {"Statement", "", true}, {"p"}, {"Adjusted p"}, {"Result", "", true}},
+        {}};
+    for (size_t i = 0; i < pValues.size(); ++i) {
+      const Hypothesis* hypothesis = plan.findHypothesis(family.hypotheses[i]);
+      const bool known = std::isfinite(pValues[i]);
+      const std::string source = hypothesis ? fmt::format("model {} {}", hypothesis->model, hypothesis->term) : "";
+      const auto cell = [&](double p) {
+        ReportCell result{!known      ? std::string("-")
+                          : p < 0.001 ? std::string("< 0.001")
+                                      : fmt::format("{:.3f}", p),
+                          "", source};
+        if (known) {
+          result.value = p;
+        }
+        return result;
+      };
+      table.rows.push_back(
+          {ReportCell{family.hypotheses[i]}, ReportCell{hypothesis ? hypothesis->statement : ""}, cell(pValues[i]),
+           cell(adjusted[i]),
+           ReportCell{!known ? fmt::format("cannot be tested: {}", reasons[i])
+                             : std::string(adjusted[i] < plan.alpha ? "supported" : "not supported")}});
+    }
+    work.document.add(table);
+  }
+}
+
+void addMethods(ReportWork& work, const std::string& version) {
+  const AnalysisPlan& plan = work.analysis.plan;
+  addHeading(work.document, 1, "Methods", "methods");
+  work.document.add(ReportExcerpt{
+      "Methods",
+      fmt::format("We analysed {} trials of {} subjects with Ocelli {}; {}. {} Within families of hypotheses p values "
+                  "were corrected by Holm's method at a level of {}. SHA-256 of the data: {}.{}",
+                  work.analysis.flow.analysedTrials, work.analysis.flow.analysed, version, describe(plan),
+                  fmt::join(work.methods, " "), plan.alpha, work.analysis.dataSha256,
+                  work.analysis.data.isSimulated() ? " Subjects were simulated." : "")});
+}
+
+}  // namespace ocelli

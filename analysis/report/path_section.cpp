@@ -1,0 +1,136 @@
+#include "analysis/report/path_section.h"
+
+#include <fmt/format.h>
+
+#include "analysis/dataset/protocol_facts.h"
+#include "analysis/inference/bayes_factor.h"
+#include "analysis/inference/equivalence.h"
+#include "analysis/report/planned_model.h"
+#include "analysis/report/right_answers.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kUsualMaps = 3;  // section 7.4.4
+
+double chanceOf(const Dataset& data) {
+  for (const DataSource& source : data.sources) {
+    if (!source.protocolText.empty()) {
+      for (const ProtocolBlockFacts& block : protocolFacts(source.protocolText, source.path).blocks) {
+        if (block.task == "path" && block.maps) {
+          return 1.0 / *block.maps;
+        }
+      }
+    }
+  }
+  return 1 / kUsualMaps;
+}
+
+void addEquivalence(ReportWork& work, const PlannedModel& model, const std::vector<double>& differences) {
+  for (const PlannedEquivalence& planned : work.analysis.plan.equivalence) {
+    if (planned.task != "path") {
+      continue;
+    }
+    const Estimable<EquivalenceTest> test =
+        equivalenceOfPairedMeans(differences, {planned.lower, planned.upper}, work.analysis.plan.alpha);
+    if (!test) {
+      work.outcomes.push_back({model.name, "", Estimable<double>::impossible(test.reason())});
+      addNotEstimable(work.document, "Equivalence of the views", test.reason());
+      return;
+    }
+    work.outcomes.push_back({model.name, "", test->pValue});
+    const std::string source = fmt::format("{} subjects with both views, one difference each", test->first);
+    ReportTable table{fmt::format("Two one-sided tests against the plan's bounds of {} to {} (gc less ppc)",
+                                  planned.lower, planned.upper),
+                      model.name,
+                      {{"What", "", true}, {"Value"}},
+                      {}};
+    const auto add = [&](const std::string& what, const std::string& text, std::optional<double> value) {
+      table.rows.push_back({ReportCell{what}, ReportCell{text, "", source, value}});
+    };
+    add("Difference of shares", numberText(test->difference.value), test->difference.value);
+    add(fmt::format("{:g} % interval", 100 * (1 - 2 * test->alpha)),
+        fmt::format("{} to {}", numberText(test->difference.lower), numberText(test->difference.upper)), std::nullopt);
+    add("p of the two tests (the larger)", numberText(test->pValue), test->pValue);
+    add("Equivalent", test->equivalent ? "yes" : "not shown", std::nullopt);
+    work.document.add(table);
+    return;
+  }
+  work.outcomes.push_back({model.name, "", Estimable<double>::impossible("the plan has no bounds for paths")});
+  addNotEstimable(work.document, "Equivalence of the views", "the plan has no bounds for paths");
+}
+
+void addBayes(ReportWork& work, const PlannedModel& model, const std::vector<double>& differences) {
+  const Estimable<BayesFactor> factor = bayesFactorOfMean(differences);
+  if (!factor) {
+    addNotEstimable(work.document, "Bayes factor", factor.reason());
+    return;
+  }
+  ReportTable table{"Bayes factor of the difference of shares (Jeffreys-Zellner-Siow, medium scale)",
+                    model.name,
+                    {{"What", "", true}, {"Value"}},
+                    {}};
+  const std::string source = fmt::format("{} subjects with both views", factor->count);
+  table.rows.push_back(
+      {ReportCell{"For none, against some"}, ReportCell{numberText(factor->forNone), "", source, factor->forNone}});
+  table.rows.push_back(
+      {ReportCell{"For some, against none"}, ReportCell{numberText(factor->forEffect), "", source, factor->forEffect}});
+  work.document.add(table);
+}
+
+void addAgainstChance(ReportWork& work, const PlannedModel& model, const TrialList& trials, double chance) {
+  std::vector<EstimateRow> rows;
+  const auto add = [&](const std::string& label, const TrialList& some) {
+    const Estimable<BinomialTest> test = binomialTest(shareOf(some), chance);
+    rows.push_back({label,
+                    test ? Estimable<Estimate>(test->clopperPearson) : Estimable<Estimate>::impossible(test.reason()),
+                    "", fmt::format("{} right of {}", shareOf(some).successes, sizeText(some))});
+    return test ? Estimable<double>(test->clopperPearson.pValue) : Estimable<double>::impossible(test.reason());
+  };
+  work.outcomes.push_back({model.name, "", add("Both views", trials)});
+  add("ppc", trialsOfView(trials, TrialView::kPinhole));
+  add("gc", trialsOfView(trials, TrialView::kGraph));
+  addEstimates(
+      work.document,
+      fmt::format("Shares of right paths against a chance of {:.3f}, exact; trials taken as independent", chance),
+      model.name, rows);
+}
+
+}  // namespace
+
+void addPathSection(ReportWork& work) {
+  addHeading(work.document, 1, "Recognising paths", "path");
+  TrialList trials = trialsOfTask(work.analysis, "path");
+  std::erase_if(trials, [](const Trial* trial) { return !trial->correct; });
+  if (trials.empty()) {
+    addNotEstimable(work.document, "Paths", "there are no trials of this task");
+    return;
+  }
+  const double chance = chanceOf(work.analysis.data);
+  addRightAnswers(work, trials, "Paths", "path-shares", chance);
+  const std::vector<double> differences = shareDifferences(trials);
+  for (const PlannedModel& model : work.analysis.plan.models) {
+    if (model.task != "path") {
+      continue;
+    }
+    if (model.kind == ModelKind::kBinomialMixed) {
+      const TrialList complete = completeTrials(model, trials);
+      addPlannedFit(work, model, complete, fitBinomial(model, complete),
+                    "Binomial mixed model of right paths: odds ratios, Wald's intervals and tests");
+    } else if (model.kind == ModelKind::kEquivalence) {
+      addEquivalence(work, model, differences);
+    } else if (model.kind == ModelKind::kBayesFactor) {
+      addBayes(work, model, differences);
+    } else if (model.kind == ModelKind::kAgainstChance) {
+      addAgainstChance(work, model, trials, chance);
+    } else {
+      addNotEstimable(work.document, fmt::format("Model {}", model.name),
+                      fmt::format("{} is not done for paths", nameOf(model.kind)));
+    }
+  }
+  work.methods.push_back(
+      "Whether paths are recognised equally well was tested by two one-sided tests of the subjects' differences of "
+      "shares against the plan's bounds, with a Bayes factor beside them, and against chance by an exact test.");
+}
+
+}  // namespace ocelli

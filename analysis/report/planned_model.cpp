@@ -1,0 +1,187 @@
+#include "analysis/report/planned_model.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "analysis/models/binomial_mixed_model.h"
+#include "analysis/models/linear_mixed_model.h"
+
+namespace ocelli {
+namespace {
+
+double numberOf(const Trial& trial, const std::string& term) {
+  if (term == "session") {
+    return trial.session;
+  }
+  if (term == "exposure") {
+    return *trial.exposureSeconds;
+  }
+  return term == "objects" ? *trial.objects : trial.planIndex;
+}
+
+void addTerm(FixedEffects& fixed, const std::string& term, const TrialList& trials) {
+  std::vector<std::string> labels;
+  std::vector<double> numbers;
+  double sum = 0;
+  for (const Trial* trial : trials) {
+    if (term == "view") {
+      labels.push_back(nameOf(trial->view));
+    } else if (term == "moving") {
+      labels.push_back(*trial->moving ? "moving" : "stationary");
+    } else if (term == "duplicates") {
+      labels.push_back(*trial->duplicateColors ? "shared" : "different");
+    } else {
+      numbers.push_back(numberOf(*trial, term));
+      sum += numbers.back();
+    }
+  }
+  if (term == "view") {
+    fixed.addFactor(term, labels, {"ppc", "gc"}, Coding::kCentered);
+  } else if (term == "moving") {
+    fixed.addFactor(term, labels, {"stationary", "moving"}, Coding::kCentered);
+  } else if (term == "duplicates") {
+    fixed.addFactor(term, labels, {"different", "shared"}, Coding::kCentered);
+  } else {
+    for (double& number : numbers) {
+      number -= sum / static_cast<double>(trials.size());
+    }
+    fixed.addNumber(term, numbers);
+  }
+}
+
+FixedEffects fixedEffects(const PlannedModel& model, const TrialList& trials, bool intercept) {
+  FixedEffects fixed(static_cast<Eigen::Index>(trials.size()));
+  if (intercept) {
+    fixed.addIntercept();
+  }
+  for (const std::string& term : model.terms) {
+    const size_t colon = term.find(':');
+    if (colon == std::string::npos) {
+      addTerm(fixed, term, trials);
+    } else {
+      fixed.addInteraction(term.substr(0, colon), term.substr(colon + 1));
+    }
+  }
+  return fixed;
+}
+
+Design designOf(const PlannedModel& model, const TrialList& trials) {
+  const FixedEffects fixed = fixedEffects(model, trials, true);
+  std::vector<std::string> items;
+  for (const Trial* trial : trials) {
+    items.push_back(trial->item());
+  }
+  std::vector<RandomTerm> random;
+  for (const RandomEffect& effect : model.randomEffects) {
+    RandomTerm term = randomIntercepts(effect.group, effect.group == "subject" ? subjectsOf(trials) : items);
+    for (const std::string& slope : effect.slopes) {
+      addSlope(term, slope, fixed);
+    }
+    random.push_back(std::move(term));
+  }
+  return makeDesign(fixed, random);
+}
+
+PlannedFit describe(const PlannedModel& model, const TrialList& trials, const MixedModelFit& fit) {
+  PlannedFit result;
+  for (const std::string& term : model.terms) {
+    const std::string column = columnOfTerm(model, trials, term);
+    result.terms.push_back({term, column, coefficientEstimate(fit, column)});
+  }
+  result.warnings = fit.warnings;
+  for (const RandomTermFit& term : fit.random) {
+    for (size_t i = 0; i < term.names.size(); ++i) {
+      result.random.push_back(fmt::format("{} {}: standard deviation {:.3f}", term.group, term.names[i],
+                                          term.standardDeviations[static_cast<Eigen::Index>(i)]));
+    }
+  }
+  result.fitted.assign(fit.fitted.begin(), fit.fitted.end());
+  return result;
+}
+
+constexpr const char* kNoTrials = "there are no trials";
+
+}  // namespace
+
+std::string columnOfTerm(const PlannedModel& model, const TrialList& trials, const std::string& term) {
+  const FixedEffects fixed = fixedEffects(model, trials, false);
+  const std::vector<Eigen::Index> columns = fixed.columnsOf(term);
+  return columns.empty() ? "" : fixed.names()[static_cast<size_t>(columns.front())];
+}
+
+Estimable<PlannedFit> fitLinear(const PlannedModel& model, const TrialList& trials,
+                                const std::vector<double>& seconds) {
+  if (trials.empty()) {
+    return Estimable<PlannedFit>::impossible(kNoTrials);
+  }
+  Eigen::VectorXd response(static_cast<Eigen::Index>(seconds.size()));
+  for (size_t i = 0; i < seconds.size(); ++i) {
+    response[static_cast<Eigen::Index>(i)] = std::log(seconds[i]);
+  }
+  const Estimable<LinearMixedFit> fit = LinearMixedModel(designOf(model, trials)).fit(response);
+  if (!fit) {
+    return Estimable<PlannedFit>::impossible(fit.reason());
+  }
+  PlannedFit result = describe(model, trials, *fit);
+  result.residuals.assign(fit->residuals.begin(), fit->residuals.end());
+  return result;
+}
+
+Estimable<PlannedFit> fitBinomial(const PlannedModel& model, const TrialList& trials) {
+  if (trials.empty()) {
+    return Estimable<PlannedFit>::impossible(kNoTrials);
+  }
+  std::vector<bool> right;
+  for (const Trial* trial : trials) {
+    right.push_back(trial->correct.value_or(false));
+  }
+  const Estimable<BinomialMixedFit> fit = BinomialMixedModel(designOf(model, trials)).fit(binaryResponse(right));
+  return fit ? Estimable<PlannedFit>(describe(model, trials, *fit)) : Estimable<PlannedFit>::impossible(fit.reason());
+}
+
+std::vector<Covariate> covariatesOf(const PlannedModel& model, const TrialList& trials) {
+  const FixedEffects fixed = fixedEffects(model, trials, false);
+  std::vector<Covariate> covariates;
+  for (Eigen::Index i = 0; i < fixed.columns().cols(); ++i) {
+    const auto column = fixed.columns().col(i);
+    if (column.size() > 0 && column.maxCoeff() - column.minCoeff() > 1e-9) {
+      covariates.push_back({fixed.names()[static_cast<size_t>(i)], {column.begin(), column.end()}});
+    }
+  }
+  return covariates;
+}
+
+void addPlannedFit(ReportWork& work, const PlannedModel& model, const TrialList& trials,
+                   const Estimable<PlannedFit>& fit, const std::string& caption) {
+  for (const std::string& term : model.terms) {
+    Estimable<double> pValue = Estimable<double>::impossible(fit ? "the term was dropped" : fit.reason());
+    if (fit) {
+      for (const TermEstimate& estimate : fit->terms) {
+        if (estimate.term == term && estimate.estimate) {
+          pValue = estimate.estimate->pValue;
+        }
+      }
+    }
+    work.outcomes.push_back({model.name, term, pValue});
+  }
+  if (!fit) {
+    addNotEstimable(work.document, fmt::format("Model {}", model.name), fit.reason());
+    return;
+  }
+  const std::string source = fmt::format("model {} of {}", model.name, sizeText(trials));
+  std::vector<EstimateRow> rows;
+  for (const TermEstimate& term : fit->terms) {
+    rows.push_back({term.column.empty() ? term.term : term.column,
+                    term.estimate ? Estimable<Estimate>(exponentiated(*term.estimate)) : term.estimate, "", source});
+  }
+  addEstimates(work.document, caption, model.name, rows);
+  work.document.add(
+      ReportParagraph{fmt::format("{}. Random effects: {}.", sizeText(trials), fmt::join(fit->random, "; "))});
+  for (const std::string& warning : fit->warnings) {
+    work.document.add(ReportNote{NoteKind::kWarning, fmt::format("Model {}: {}.", model.name, warning)});
+  }
+}
+
+}  // namespace ocelli

@@ -1,0 +1,44 @@
+// The models of a plan as the rooms of statistics want them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/base/estimable.h"
+#include "analysis/inference/covariate.h"
+#include "analysis/report/report_parts.h"
+
+namespace ocelli {
+
+/// What a fit says of the terms that the plan names.
+struct TermEstimate {
+  std::string term;  ///< of the plan
+  std::string column;
+  Estimable<Estimate> estimate;  ///< on the model's own scale: log seconds, logits
+};
+
+struct PlannedFit {
+  std::vector<TermEstimate> terms;
+  std::vector<std::string> warnings;  ///< singular, not converged, dropped columns
+  std::vector<std::string> random;    ///< "subject: standard deviation 0.21"
+  std::vector<double> fitted{};
+  std::vector<double> residuals{};  ///< of a linear model
+};
+
+/// Of the logarithm of `seconds`, one a trial, all above 0. View and other factors are centered, numbers are less their
+/// mean: each coefficient is that of an average trial.
+Estimable<PlannedFit> fitLinear(const PlannedModel& model, const TrialList& trials, const std::vector<double>& seconds);
+/// Of right answers; all trials know whether theirs was.
+Estimable<PlannedFit> fitBinomial(const PlannedModel& model, const TrialList& trials);
+
+/// The columns of the terms that vary at all.
+std::vector<Covariate> covariatesOf(const PlannedModel& model, const TrialList& trials);
+
+/// The plan's term with that column; empty where there is none.
+std::string columnOfTerm(const PlannedModel& model, const TrialList& trials, const std::string& term);
+
+/// Adds a table of the terms (as ratios), with warnings, and keeps what hypotheses ask for.
+void addPlannedFit(ReportWork& work, const PlannedModel& model, const TrialList& trials,
+                   const Estimable<PlannedFit>& fit, const std::string& caption);
+
+}  // namespace ocelli

@@ -1,0 +1,120 @@
+// A report as data: what stands in it, in order. html_report.h, pdf_report.h and json_report.h write the same document.
+// All text is plain: writers escape it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "analysis/plot/figure.h"
+
+namespace ocelli {
+
+/// Level 1 parts the report, 2 and 3 are within.
+struct ReportHeading {
+  int level = 1;
+  std::string text;
+  std::string id = {};  ///< stable anchor; empty: made from the text
+};
+
+struct ReportParagraph {
+  std::string text;
+};
+
+struct ReportList {
+  std::vector<std::string> items;
+};
+
+/// Terms with what they are: version, seed, hashes.
+struct ReportFacts {
+  struct Fact {
+    std::string term;
+    std::string text;
+    bool code = false;  ///< a hash, a command
+  };
+  std::vector<Fact> facts;
+};
+
+enum class NoteKind { kNote, kWarning, kSimulated, kNotEstimable };
+
+struct ReportNote {
+  NoteKind kind = NoteKind::kNote;
+  std::string text;
+};
+
+/// Text to take over elsewhere, such as a methods paragraph.
+struct ReportExcerpt {
+  std::string title;
+  std::string text;
+};
+
+struct ReportCell {
+  std::string text;
+  std::string id = {};                         ///< stable anchor, unique in the document: what --explain takes
+  std::string source = {};                     ///< the query or rows that it came from
+  std::optional<double> value = std::nullopt;  ///< with all its digits, for report.json
+  std::string footnote = {};                   ///< printed below the table
+  bool emphasised = false;
+};
+
+struct ReportColumn {
+  std::string title;
+  std::string group = {};  ///< neighbours of one group stand under its name
+  bool words = false;      ///< set left, and may be broken; else set right
+};
+
+/// The first cell of each row heads it.
+struct ReportTable {
+  std::string caption;
+  std::string id = {};
+  std::vector<ReportColumn> columns;
+  std::vector<std::vector<ReportCell>> rows;
+};
+
+struct ReportFigure {
+  std::string caption;
+  std::string id = {};
+  Figure figure;
+};
+
+using ReportElement = std::variant<ReportHeading, ReportParagraph, ReportList, ReportFacts, ReportNote, ReportExcerpt,
+                                   ReportTable, ReportFigure>;
+
+struct ReportDocument {
+  std::string title;
+  std::string subtitle;
+  std::string marking;                           ///< on every page where not empty: "Simulated subjects"
+  std::string version;                           ///< of the program
+  std::string created = "2000-01-01T00:00:00Z";  ///< ISO 8601; given, so that the same document gives the same bytes
+  std::vector<ReportElement> elements;
+
+  void add(ReportElement element) { elements.push_back(std::move(element)); }
+};
+
+/// What an element is called. Elements without a name of their own have empty ones.
+struct ElementName {
+  std::string id;     ///< anchor: letters, digits and hyphens, unique
+  std::string label;  ///< "Table 3"
+};
+
+/// One for each element. Ids that are empty, hold other characters or stand twice are made good.
+std::vector<ElementName> elementNames(const ReportDocument& document);
+
+/// What a note is headed by: "Cannot be estimated".
+std::string noteTitle(NoteKind kind);
+
+/// Cells of a table with the same source, for lists of sources.
+struct SourceEntry {
+  std::vector<std::string> cells;  ///< "row, column"
+  std::vector<std::string> ids;    ///< of those cells, empty where they have none
+  std::string source;
+};
+std::vector<SourceEntry> sourcesOf(const ReportTable& table);
+
+/// The different footnotes of a table in order; a cell's mark is its footnote's place: a, b, ...
+std::vector<std::string> footnotesOf(const ReportTable& table);
+std::string footnoteMark(const std::vector<std::string>& footnotes, const std::string& footnote);
+
+}  // namespace ocelli

@@ -1,0 +1,20 @@
+// The files of a report in a folder that is there whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ocelli {
+
+struct ReportFile {
+  std::string name;  ///< relative, '/' between folders
+  std::string bytes;
+};
+
+/// Written beside `folder` and then renamed to it. A report that was there before (its report.json says so) gives way
+/// only to the whole new one; an empty folder too. AnalysisError where there is anything else, for a name that leads
+/// out of the folder, and where the disk is full or cannot be written: then nothing has changed.
+void writeReportFolder(const std::filesystem::path& folder, const std::vector<ReportFile>& files);
+
+}  // namespace ocelli

@@ -1,0 +1,165 @@
+#include "analysis/report/report_parts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace ocelli {
+namespace {
+
+constexpr size_t kLongestRowList = 240;
+
+bool hasTerm(const PlannedModel& model, const std::string& term) {
+  return std::any_of(model.terms.begin(), model.terms.end(), [&](const std::string& t) {
+    return t == term || t.starts_with(term + ":") || t.ends_with(":" + term);
+  });
+}
+
+}  // namespace
+
+TrialList trialsOfTask(const AnalysisData& analysis, const std::string& task) {
+  TrialList list;
+  for (const Trial& trial : analysis.data.trials) {
+    if (trial.task == task) {
+      list.push_back(&trial);
+    }
+  }
+  return list;
+}
+
+TrialList trialsOfView(const TrialList& trials, TrialView view) {
+  TrialList list;
+  std::copy_if(trials.begin(), trials.end(), std::back_inserter(list),
+               [&](const Trial* trial) { return trial->view == view; });
+  return list;
+}
+
+std::vector<int> numbered(const std::vector<std::string>& labels) {
+  std::map<std::string, int> numbers;
+  std::vector<int> result;
+  result.reserve(labels.size());
+  for (const std::string& label : labels) {
+    result.push_back(numbers.try_emplace(label, static_cast<int>(numbers.size())).first->second);
+  }
+  return result;
+}
+
+std::vector<std::string> subjectsOf(const TrialList& trials) {
+  std::vector<std::string> subjects;
+  subjects.reserve(trials.size());
+  for (const Trial* trial : trials) {
+    subjects.push_back(trial->subject);
+  }
+  return subjects;
+}
+
+std::string numberText(double value) {
+  if (!std::isfinite(value)) {
+    return "not known";
+  }
+  return std::abs(value) >= 100 ? fmt::format("{:.1f}", value) : fmt::format("{:#.3g}", value);
+}
+
+std::string pText(double pValue) {
+  if (!std::isfinite(pValue)) {
+    return "p not known";
+  }
+  return pValue < 0.001 ? "p < 0.001" : fmt::format("p = {:.3f}", pValue);
+}
+
+Estimate exponentiated(const Estimate& logarithm) {
+  Estimate result = logarithm;
+  result.value = std::exp(logarithm.value);
+  result.lower = std::exp(logarithm.lower);
+  result.upper = std::exp(logarithm.upper);
+  result.standardError = kNotKnown;
+  return result;
+}
+
+Interval intervalOf(const Estimate& estimate) {
+  return {estimate.value, estimate.lower, estimate.upper};
+}
+
+void addHeading(ReportDocument& document, int level, const std::string& text, const std::string& id) {
+  document.add(ReportHeading{level, text, id});
+}
+
+void addNotEstimable(ReportDocument& document, const std::string& what, const std::string& reason) {
+  document.add(ReportNote{NoteKind::kNotEstimable, fmt::format("{}: {}.", what, reason)});
+}
+
+void addEstimates(ReportDocument& document, const std::string& caption, const std::string& id,
+                  const std::vector<EstimateRow>& rows) {
+  ReportTable table{caption, id, {{"What", "", true}, {"Estimate"}, {"95 % interval"}, {"p"}}, {}};
+  for (const EstimateRow& row : rows) {
+    if (!row.estimate) {
+      continue;
+    }
+    const Estimate& e = *row.estimate;
+    const std::string unit = row.unit.empty() ? "" : " " + row.unit;
+    const auto cell = [&](const std::string& text, double value) {
+      ReportCell result{text};
+      result.source = row.source;
+      if (std::isfinite(value)) {
+        result.value = value;
+      }
+      return result;
+    };
+    const bool hasInterval = std::isfinite(e.lower) && std::isfinite(e.upper);
+    const std::string interval =
+        hasInterval ? fmt::format("{} to {}", numberText(e.lower), numberText(e.upper)) : std::string("-");
+    const std::string p = std::isfinite(e.pValue) ? pText(e.pValue).substr(2) : std::string("-");
+    table.rows.push_back({ReportCell{row.label}, cell(numberText(e.value) + unit, e.value), cell(interval, kNotKnown),
+                          cell(p.starts_with("= ") ? p.substr(2) : p, e.pValue)});
+  }
+  if (!table.rows.empty()) {
+    document.add(table);
+  }
+  for (const EstimateRow& row : rows) {
+    if (!row.estimate) {
+      addNotEstimable(document, row.label, row.estimate.reason());
+    }
+  }
+}
+
+std::string rowsText(const std::vector<RowRef>& rows, const Dataset& data, const std::string& cellName) {
+  std::vector<RowRef> sorted = rows;
+  std::sort(sorted.begin(), sorted.end());
+  std::string text;
+  int source = -1;
+  for (size_t first = 0; first < sorted.size() && text.size() < kLongestRowList;) {
+    size_t last = first;
+    while (last + 1 < sorted.size() && sorted[last + 1].source == sorted[first].source &&
+           sorted[last + 1].row == sorted[last].row + 1) {
+      ++last;
+    }
+    if (sorted[first].source != source) {
+      source = sorted[first].source;
+      text += fmt::format("{}{}: rows", text.empty() ? "" : "; ", data.sources[static_cast<size_t>(source)].path);
+    }
+    text += first == last ? fmt::format(" {}", sorted[first].row)
+                          : fmt::format(" {}-{}", sorted[first].row, sorted[last].row);
+    first = last + 1;
+  }
+  const bool cut = text.size() >= kLongestRowList;
+  return fmt::format("{}{} ({} rows; --explain {} lists them)", text, cut ? " ..." : "", rows.size(), cellName);
+}
+
+TrialList completeTrials(const PlannedModel& model, const TrialList& trials) {
+  TrialList list;
+  std::copy_if(trials.begin(), trials.end(), std::back_inserter(list), [&](const Trial* trial) {
+    return (!hasTerm(model, "moving") || trial->moving) && (!hasTerm(model, "exposure") || trial->exposureSeconds) &&
+           (!hasTerm(model, "duplicates") || trial->duplicateColors) && (!hasTerm(model, "objects") || trial->objects);
+  });
+  return list;
+}
+
+std::string sizeText(const TrialList& trials) {
+  const std::vector<std::string> subjects = subjectsOf(trials);
+  return fmt::format("{} trials of {} subjects", trials.size(),
+                     std::set<std::string>(subjects.begin(), subjects.end()).size());
+}
+
+}  // namespace ocelli

@@ -1,0 +1,72 @@
+// What the sections of a study's report share: trials of a task, models of the plan, and tables of estimates.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/base/estimable.h"
+#include "analysis/base/estimate.h"
+#include "analysis/dataset/exclusions.h"
+#include "analysis/inference/survival_data.h"
+#include "analysis/plot/panel.h"
+#include "analysis/report/report_document.h"
+#include "analysis/tables/table_cells.h"
+
+namespace ocelli {
+
+/// A p value that a hypothesis of the plan may ask for.
+struct TestOutcome {
+  std::string model;
+  std::string term;  ///< as the plan names it; empty where the model has but one test
+  Estimable<double> pValue;
+};
+
+/// What is filled while the report is made.
+struct ReportWork {
+  const AnalysisData& analysis;
+  ReportDocument& document;
+  std::vector<TestOutcome> outcomes{};
+  std::vector<std::string> methods{};  ///< sentences about what was done
+};
+
+TrialList trialsOfTask(const AnalysisData& analysis, const std::string& task);
+TrialList trialsOfView(const TrialList& trials, TrialView view);
+
+/// 0, 1, ... for each different label, in the order in which they first come.
+std::vector<int> numbered(const std::vector<std::string>& labels);
+std::vector<std::string> subjectsOf(const TrialList& trials);
+
+/// "p < 0.001", "p = 0.032", "p not known".
+std::string pText(double pValue);
+/// Three significant digits; "not known" where it is not finite.
+std::string numberText(double value);
+
+/// One line of a table of estimates, or why there is none.
+struct EstimateRow {
+  std::string label;
+  Estimable<Estimate> estimate;
+  std::string unit{};
+  std::string source{};
+};
+/// Columns: what, estimate, 95 % interval, p. Reasons stand below the table as notes.
+void addEstimates(ReportDocument& document, const std::string& caption, const std::string& id,
+                  const std::vector<EstimateRow>& rows);
+
+/// exp() of value and bounds; statistic and p value stay.
+Estimate exponentiated(const Estimate& logarithm);
+Interval intervalOf(const Estimate& estimate);
+
+void addHeading(ReportDocument& document, int level, const std::string& text, const std::string& id = "");
+void addNotEstimable(ReportDocument& document, const std::string& what, const std::string& reason);
+/// "trial_id 1-5, 9 of study.db", cut where it is long.
+std::string rowsText(const std::vector<RowRef>& rows, const Dataset& data, const std::string& cellName);
+
+/// Whose columns the terms of a planned model can be made of: the others lack a value.
+TrialList completeTrials(const PlannedModel& model, const TrialList& trials);
+/// "500 trials of 45 subjects".
+std::string sizeText(const TrialList& trials);
+
+}  // namespace ocelli

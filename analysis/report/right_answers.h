@@ -1,0 +1,18 @@
+// How often answers are right: what counts and paths have in common.
+#pragma once
+
+#include "analysis/inference/binomial_test.h"
+#include "analysis/report/report_parts.h"
+
+namespace ocelli {
+
+Share shareOf(const TrialList& trials);
+
+/// Share of right answers of each subject who saw both views, gc less ppc.
+std::vector<double> shareDifferences(const TrialList& trials);
+
+/// A figure of the share of each view by session, a dot a subject, and a table of shares with Wilson's intervals.
+void addRightAnswers(ReportWork& work, const TrialList& trials, const std::string& what, const std::string& id,
+                     std::optional<double> chance);
+
+}  // namespace ocelli

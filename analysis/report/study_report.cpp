@@ -1,0 +1,128 @@
+#include "analysis/report/study_report.h"
+
+#include <fmt/format.h>
+
+#include "analysis/dataset/protocol_facts.h"
+#include "analysis/report/count_section.h"
+#include "analysis/report/find_section.h"
+#include "analysis/report/flow_section.h"
+#include "analysis/report/methods_section.h"
+#include "analysis/report/paper_section.h"
+#include "analysis/report/path_section.h"
+#include "analysis/report/survey_section.h"
+
+namespace ocelli {
+namespace {
+
+void addDesign(ReportWork& work, const StudyReportOptions& options) {
+  const AnalysisData& analysis = work.analysis;
+  addHeading(work.document, 1, "Design and data", "design");
+  ReportFacts facts;
+  facts.facts = {{"Program", fmt::format("Ocelli {}", options.version)},
+                 {"Plan", describe(analysis.plan)},
+                 {"Seed", std::to_string(analysis.plan.seed)},
+                 {"SHA-256 of the data", analysis.dataSha256, true}};
+  for (const DataSource& source : analysis.data.sources) {
+    facts.facts.push_back({"Source", source.path});
+    if (!source.protocolSha256.empty()) {
+      facts.facts.push_back({fmt::format("Protocol {}", source.protocolName), source.protocolSha256, true});
+    }
+  }
+  work.document.add(facts);
+  for (const DataSource& source : analysis.data.sources) {
+    if (!source.protocolText.empty()) {
+      const ProtocolFacts protocol = protocolFacts(source.protocolText, source.path);
+      work.document.add(ReportParagraph{fmt::format("{}. {}", protocol.title, protocol.description)});
+      ReportList blocks;
+      for (const ProtocolBlockFacts& block : protocol.blocks) {
+        blocks.items.push_back(fmt::format("{} (task {}): {} cases, {}", block.name, block.task, block.cases.size(),
+                                           block.bothViews ? "each in both views" : "each in one view"));
+      }
+      work.document.add(blocks);
+      break;
+    }
+  }
+  for (const std::string& note : analysis.data.notes) {
+    work.document.add(ReportNote{NoteKind::kNote, note});
+  }
+}
+
+std::string csvText(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  }
+  return quoted + "\"";
+}
+
+template <class Value>
+std::string optionalText(const std::optional<Value>& value) {
+  return value ? fmt::format("{}", static_cast<double>(*value)) : "";
+}
+
+std::string trialsCsv(const Dataset& data) {
+  std::string text =
+      "source,trial_id,subject_id,session_number,plan_index,block,task,case_index,item,view,moving,exposure_s,objects,"
+      "duplicate_colors,answer,expected,correct,censored,response_s,dropped_frames,simulated\n";
+  for (const Trial& trial : data.trials) {
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", trial.source, trial.trialId,
+                        csvText(trial.subject), trial.session, trial.planIndex, csvText(trial.block), trial.task,
+                        trial.caseIndex, csvText(trial.item()), nameOf(trial.view), optionalText(trial.moving),
+                        optionalText(trial.exposureSeconds), optionalText(trial.objects),
+                        optionalText(trial.duplicateColors), csvText(trial.answer), csvText(trial.expected),
+                        optionalText(trial.correct), optionalText(trial.censored), optionalText(trial.responseSeconds),
+                        trial.droppedFrames, trial.simulated ? 1 : 0);
+  }
+  return text;
+}
+
+}  // namespace
+
+ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table>& tables,
+                           const StudyReportOptions& options) {
+  ReportDocument document;
+  const bool simulated = analysis.data.isSimulated();
+  document.title = "Analysis of a perception study";
+  document.subtitle = analysis.data.sources.empty() ? "" : analysis.data.sources.front().protocolName;
+  document.marking = simulated ? "Simulated subjects" : "";
+  document.version = options.version;
+  document.created = options.created;
+  ReportWork work{analysis, document};
+  if (simulated) {
+    document.add(
+        ReportNote{NoteKind::kSimulated, "These results are of simulated subjects: they say nothing about people."});
+  }
+  const auto wanted = [&](const char* task) { return options.only.empty() || options.only.contains(task); };
+  addDesign(work, options);
+  addFlowSection(work);
+  addPaperSection(work, tables);
+  if (wanted("find")) {
+    addFindSection(work);
+  }
+  if (wanted("count")) {
+    addCountSection(work);
+  }
+  if (wanted("path")) {
+    addPathSection(work);
+  }
+  if (wanted("survey")) {
+    addSurveySection(work);
+  }
+  addHypotheses(work);
+  addMethods(work, options.version);
+  return document;
+}
+
+std::vector<ReportFile> tableFiles(const AnalysisData& analysis, const std::vector<Table>& tables, bool trials) {
+  std::vector<ReportFile> files{{"tables/cells.csv", cellsCsv(tables)},
+                                {"tables/exclusions.csv", exclusionLogCsv(analysis.data)}};
+  if (trials) {
+    files.push_back({"tables/trials.csv", trialsCsv(analysis.data)});
+  }
+  return files;
+}
+
+}  // namespace ocelli

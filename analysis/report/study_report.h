@@ -1,0 +1,27 @@
+// The whole report of a study: design, flow of subjects, tables, what is asked of each task, hypotheses, methods.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "analysis/dataset/exclusions.h"
+#include "analysis/report/report_document.h"
+#include "analysis/report/report_folder.h"
+#include "analysis/tables/table.h"
+
+namespace ocelli {
+
+struct StudyReportOptions {
+  std::set<std::string> only{};  ///< of "find", "count", "path", "survey"; empty: all
+  std::string version;           ///< of the program
+  std::string created = "2000-01-01T00:00:00Z";
+};
+
+ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table>& tables,
+                           const StudyReportOptions& options);
+
+/// tables/cells.csv and tables/exclusions.csv, and with `trials` tables/trials.csv: each analysed trial.
+std::vector<ReportFile> tableFiles(const AnalysisData& analysis, const std::vector<Table>& tables, bool trials);
+
+}  // namespace ocelli

@@ -1,0 +1,135 @@
+// `ocelli analyse`: from the trials of a study to a report.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "analysis/base/analysis_error.h"
+#include "analysis/dataset/merge.h"
+#include "analysis/report/report_files.h"
+#include "analysis/report/study_report.h"
+#include "analysis/tables/explain.h"
+#include "analysis/tables/paper_tables.h"
+#include "cli/command.h"
+#include "oc_core/base/error.h"
+
+namespace ocelli {
+namespace {
+
+struct AnalyseChoice {
+  std::vector<std::string> sources;
+  std::string plan;
+  std::string folder;
+  std::vector<std::string> only;
+  std::string simulated = "unless-people";
+  bool otherProtocols = false;
+  bool csv = false;
+  std::string explain;
+  std::optional<uint64_t> seed{};
+  bool asJson = false;
+};
+
+MergeOptions mergeOptions(const AnalyseChoice& choice) {
+  MergeOptions options;
+  options.allowOtherProtocols = choice.otherProtocols;
+  if (choice.simulated == "only") {
+    options.simulated = SimulatedRows::kOnly;
+  } else if (choice.simulated == "together") {
+    options.simulated = SimulatedRows::kTogetherWithPeople;
+  }
+  return options;
+}
+
+std::string nowUtc() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+void analyse(const AnalyseChoice& choice, const Frame& frame) {
+  std::vector<Dataset> parts;
+  for (const std::string& source : choice.sources) {
+    parts.push_back(readSource(source));
+  }
+  AnalysisPlan plan = choice.plan.empty() ? defaultPlan() : readPlan(choice.plan);
+  plan.seed = choice.seed.value_or(plan.seed);
+  const AnalysisData analysis = applyPlan(merge(std::move(parts), mergeOptions(choice)), plan);
+  const std::vector<Table> tables = paperTables(analysis);
+  if (!choice.explain.empty()) {
+    frame.print(explainCell(tables, analysis.data, choice.explain));
+  }
+  if (choice.folder.empty()) {
+    return;
+  }
+  StudyReportOptions options;
+  options.only = {choice.only.begin(), choice.only.end()};
+  options.version = OCELLI_VERSION;
+  options.created = nowUtc();
+  std::vector<ReportFile> files = reportFiles(studyReport(analysis, tables, options));
+  const std::vector<ReportFile> more = tableFiles(analysis, tables, choice.csv);
+  files.insert(files.end(), more.begin(), more.end());
+  writeReportFolder(choice.folder, files);
+  frame.note(fmt::format("wrote {} files about {} trials of {} subjects to {}", files.size(),
+                         analysis.flow.analysedTrials, analysis.flow.analysed, choice.folder));
+  if (choice.asJson) {
+    const nlohmann::ordered_json json = {{"folder", choice.folder},
+                                         {"data_sha256", analysis.dataSha256},
+                                         {"plan_sha256", analysis.plan.sha256},
+                                         {"subjects", analysis.flow.analysed},
+                                         {"trials", analysis.flow.analysedTrials},
+                                         {"simulated", analysis.data.isSimulated()}};
+    frame.print(json.dump(2) + "\n");
+  }
+}
+
+void runAnalyse(const AnalyseChoice& choice, const Frame& frame) {
+  if (choice.folder.empty() && choice.explain.empty()) {
+    throw InputError("a report needs a folder", "-o", "-o FOLDER, or --explain CELL");
+  }
+  try {
+    analyse(choice, frame);
+  } catch (const AnalysisError& error) {
+    // What of it is whose fault stays: the text is whole already.
+    if (error.kind() == AnalysisError::Kind::kInput) {
+      throw CLI::ValidationError(error.what());
+    }
+    throw;
+  }
+}
+
+}  // namespace
+
+void addAnalyseCommand(CLI::App& program, const Frame& frame) {
+  CLI::App& command = *program.add_subcommand("analyse", "Analyse the trials of a study, as a report");
+  const auto choice = std::make_shared<AnalyseChoice>();
+  command.add_option("DB", choice->sources, "Databases of a study, or folders of its CSV export")->required();
+  command.add_option("--plan", choice->plan, "The registered plan of the analysis")->type_name("FILE");
+  command.add_option("-o,--output", choice->folder, "Folder of the report: new, empty, or an earlier report")
+      ->type_name("FOLDER");
+  command.add_option("--only", choice->only, "Leave out the other tasks")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"find", "count", "path", "survey"}))
+      ->type_name("find,count,path,survey");
+  command
+      .add_option("--simulated", choice->simulated, "Which rows to take where there are people and simulated subjects")
+      ->check(CLI::IsMember({"unless-people", "only", "together"}))
+      ->type_name("unless-people|only|together")
+      ->capture_default_str();
+  command.add_flag("--other-protocols", choice->otherProtocols, "Allow sources of different protocols");
+  command.add_flag("--csv", choice->csv, "Also the analysed trials, as tables/trials.csv");
+  command.add_option("--explain", choice->explain, "Print the rows behind a cell of the tables")->type_name("CELL");
+  command.add_option("--seed", choice->seed, "Of what is random, in place of the plan's");
+  command.add_flag("--json", choice->asJson, "Print hashes and counts as JSON");
+  frame.finish(command,
+               "  ocelli analyse study.db -o report\n"
+               "  ocelli analyse a.db b.db --plan plan.json --only find,count --csv -o report\n"
+               "  ocelli analyse study.db --explain table-7.1/stationary/session-1/gc",
+               [choice, frame] { runAnalyse(*choice, frame); });
+}
+
+}  // namespace ocelli

@@ -1,0 +1,29 @@
+// libFuzzer target: any bytes as a plan of an analysis. What is read is told, and applied to no data.
+#include <cstdlib>
+#include <string>
+
+#include "analysis/base/analysis_error.h"
+#include "analysis/dataset/exclusions.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  try {
+    const ocelli::AnalysisPlan plan = ocelli::planFromJsonText(std::string(data, data + size), "fuzz");
+    for (const ocelli::Hypothesis& hypothesis : plan.hypotheses) {
+      if (plan.findModel(hypothesis.model) == nullptr) {
+        std::abort();
+      }
+    }
+    for (const ocelli::PlannedExclusion& exclusion : plan.exclusions) {
+      if (ocelli::describe(exclusion).empty()) {
+        std::abort();
+      }
+    }
+    if (!plan.isRegistered() || ocelli::describe(plan).empty()) {
+      std::abort();
+    }
+    ocelli::applyPlan({}, plan);
+  } catch (const ocelli::AnalysisError&) {
+    // Any other exception is a finding.
+  }
+  return 0;
+}

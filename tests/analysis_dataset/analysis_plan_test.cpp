@@ -1,0 +1,182 @@
+#include "analysis/dataset/analysis_plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "analysis/dataset/row_digest.h"
+#include "tests/analysis_dataset/sample_study.h"
+
+namespace ocelli::test {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+const std::string kSample = OCELLI_SOURCE_DIR "/protocols/rosen2010.plan.json";
+
+Json sampleJson() {
+  return Json::parse(std::ifstream(kSample));
+}
+
+/// What the reader says of the sample with a change at a JSON pointer.
+std::string errorWith(const std::string& pointer, const Json& value) {
+  Json json = sampleJson();
+  json[Json::json_pointer(pointer)] = value;
+  return analysisErrorOf([&] { planFromJsonText(json.dump(2), "plan.json"); });
+}
+
+std::string errorOf(const std::string& text) {
+  return analysisErrorOf([&] { planFromJsonText(text, "plan.json"); });
+}
+
+TEST(AnalysisPlan, sampleIsRead) {
+  const AnalysisPlan plan = readPlan(kSample);
+  EXPECT_EQ(plan.name, "rosen2010");
+  EXPECT_TRUE(plan.isRegistered());
+  ASSERT_EQ(plan.exclusions.size(), 4u);
+  EXPECT_EQ(plan.exclusions[1].what, "dropped_share");
+  EXPECT_EQ(plan.exclusions[1].test, ExclusionTest::kAtLeast);
+  EXPECT_EQ(plan.exclusions[1].number, 0.05);
+  EXPECT_EQ(plan.exclusions[2].text, "early_frames");
+  ASSERT_NE(plan.findModel("find-time"), nullptr);
+  EXPECT_EQ(plan.findModel("find-time")->randomEffects[0].slopes, std::vector<std::string>{"view"});
+  EXPECT_EQ(plan.seed, 2010u);
+  EXPECT_EQ(plan.sha256.size(), 64u);
+  EXPECT_THAT(describe(plan), HasSubstr(plan.sha256));
+}
+
+TEST(AnalysisPlan, defaultsAreThoseOfTheSample) {
+  const AnalysisPlan sample = readPlan(kSample);
+  const AnalysisPlan plan = defaultPlan();
+  EXPECT_FALSE(plan.isRegistered());
+  EXPECT_EQ(describe(plan), "no plan was registered");
+  ASSERT_EQ(plan.models.size(), sample.models.size());
+  for (size_t i = 0; i < plan.models.size(); ++i) {
+    EXPECT_EQ(plan.models[i].name, sample.models[i].name);
+    EXPECT_EQ(plan.models[i].task, sample.models[i].task);
+    EXPECT_EQ(plan.models[i].kind, sample.models[i].kind);
+    EXPECT_EQ(plan.models[i].terms, sample.models[i].terms);
+    ASSERT_EQ(plan.models[i].randomEffects.size(), sample.models[i].randomEffects.size());
+  }
+  ASSERT_EQ(plan.hypotheses.size(), sample.hypotheses.size());
+  for (size_t i = 0; i < plan.hypotheses.size(); ++i) {
+    EXPECT_EQ(plan.hypotheses[i].name, sample.hypotheses[i].name);
+    EXPECT_EQ(plan.hypotheses[i].statement, sample.hypotheses[i].statement);
+    EXPECT_EQ(plan.hypotheses[i].model, sample.hypotheses[i].model);
+    EXPECT_EQ(plan.hypotheses[i].term, sample.hypotheses[i].term);
+  }
+  ASSERT_EQ(plan.families.size(), sample.families.size());
+  EXPECT_EQ(plan.families[0].hypotheses, sample.families[0].hypotheses);
+  EXPECT_EQ(plan.families[1].hypotheses, sample.families[1].hypotheses);
+  EXPECT_EQ(plan.alpha, sample.alpha);
+  EXPECT_EQ(plan.bootstrapSamples, sample.bootstrapSamples);
+  EXPECT_EQ(plan.equivalence[0].upper, sample.equivalence[0].upper);
+}
+
+TEST(AnalysisPlan, hashIsThatOfTheFile) {
+  const std::string text = "{\"name\": \"a\"}";
+  EXPECT_EQ(planFromJsonText(text, "plan.json").sha256, hexadecimal(sha256Of(text)));
+  EXPECT_EQ(hexadecimal(sha256Of("abc")),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");  // FIPS 180-4
+}
+
+TEST(AnalysisPlan, unknownFieldsAreNamedWithTheirLine) {
+  EXPECT_THAT(errorOf("{\n  \"name\": \"a\",\n  // why not\n  \"alhpa\": 0.05\n}"),
+              HasSubstr("plan.json:4: field \"alhpa\" is unknown"));
+  EXPECT_THAT(errorOf("{\"name\": \"a\",\n \"models\": [\n {\"name\": \"b\",\n \"task\": \"find\", \"kind\": "
+                      "\"cox\",\n\"termz\": []}]}"),
+              HasSubstr("plan.json:5: field \"termz\" is unknown"));
+  EXPECT_THAT(errorOf(std::string("{// one\r\"name\": \"a\", /* two\n */ // three\0\n\"alhpa\": 1}", 53)),
+              HasSubstr("plan.json:3: field \"alhpa\" is unknown"));
+  EXPECT_THAT(errorOf("{\"name\": \"a\", \"name\": \"b\"}"), HasSubstr("stands twice"));
+  EXPECT_THAT(errorOf("{\"name\": \"a\"\n \"alpha\": 1}"), HasSubstr("plan.json:2:8: this is not valid JSON"));
+  EXPECT_THAT(errorOf(std::string(500, '[')), HasSubstr("nested deeper than 100 levels"));
+  EXPECT_THAT(errorOf("[]"), HasSubstr("a JSON object { ... } is expected"));
+  EXPECT_THAT(errorOf("{\"name\": \"a\", \"alpha\": 1e999}"), HasSubstr("too large"));
+}
+
+TEST(AnalysisPlan, contradictionsAreRefused) {
+  EXPECT_EQ(errorWith("/alpha", 0.01), "");
+  const struct {
+    const char* pointer;
+    Json value;
+    const char* says;
+  } wrong[] = {
+      {"/alpha", 0.7, "field \"alpha\" must be a number from 1e-06 to 0.5"},
+      {"/seed", -1, "field \"seed\" must be a whole number"},
+      {"/seed", 1.5, "field \"seed\" must be a whole number"},
+      {"/bootstrap_samples", 18446744073709551615ull, "must be a whole number"},
+      {"/protocol_sha256", "abc", "must be 64 digits"},
+      {"/find_timeouts", "gone", "must be one of: censored, removed, set_to_limit"},
+      {"/models/0/kind", "anova", "must be one of: linear_mixed"},
+      {"/models/0/task", "walk", "must be one of: find, count, path, survey"},
+      {"/models/0/terms", {"view", "colour"}, "holds \"colour\""},
+      {"/models/0/terms", {"view:"}, "holds \"view:\""},
+      {"/models/0/terms", {"view:view"}, "holds \"view:view\""},
+      {"/models/0/terms", {"view", "view"}, "holds \"view\" twice"},
+      {"/models/0/terms", Json::array(), "is missing, and a mixed model needs it"},
+      {"/models/1/name", "find-time", "is \"find-time\", as that of another"},
+      {"/models/0/random/0/group", "case", "is \"case\" a second time"},
+      {"/hypotheses/0/model", "none", "is \"none\", which \"models\" does not hold"},
+      {"/hypotheses/0/term", "exposure", "is \"exposure\", but model \"find-time\" has the terms"},
+      {"/families/0/hypotheses", {"find-faster", "count-better"}, "does not hold hypothesis \"path-alike\""},
+      {"/families/0/hypotheses", {"find-slower"}, "names \"find-slower\""},
+      {"/families/1/hypotheses/0", "find-faster", "which stands in a family already"},
+      {"/families/0/correction", "bonferroni", "must be one of: holm, none"},
+      {"/equivalence", Json::array(), "has no bounds for task \"path\""},
+      {"/equivalence/0/lower", 0.05, "must lie below 0"},
+      {"/exclusions/0/what", "mood", "is \"mood\", but must be one of: subject"},
+      {"/exclusions/0/value", 3, "which takes no \"test\" and no \"value\""},
+      {"/exclusions/1/value", 1.5, "a number from 0 to 1"},
+      {"/exclusions/1/value", "many", "needs the \"test\" at_least or at_most"},
+      {"/exclusions/1/test", "is", "needs the \"test\" at_least or at_most"},
+      {"/exclusions/2/value", "late", "must be one of: good, dropped_frames"},
+      {"/exclusions/2/test", "roughly", "needs the \"test\" is or is_not"},
+  };
+  for (const auto& each : wrong) {
+    EXPECT_THAT(errorWith(each.pointer, each.value), HasSubstr(each.says)) << each.pointer << " " << each.value;
+  }
+}
+
+/// The fields that the schema knows are those that the reader takes, object by object.
+TEST(AnalysisPlan, schemaAndReaderKnowTheSameFields) {
+  const Json schema = Json::parse(std::ifstream(OCELLI_SOURCE_DIR "/protocols/analysis_plan.schema.json"));
+  const std::vector<std::pair<std::string, std::string>> objects{
+      {"", ""},
+      {"/$defs/exclusion", "/exclusions/0"},
+      {"/$defs/model", "/models/0"},
+      {"/$defs/random", "/models/0/random/0"},
+      {"/$defs/hypothesis", "/hypotheses/0"},
+      {"/$defs/family", "/families/0"},
+      {"/$defs/bounds", "/equivalence/0"},
+  };
+  for (const auto& [inSchema, inPlan] : objects) {
+    const std::string error = errorWith(inPlan + "/no_such_field", 1);
+    const size_t list = error.find("use one of: ");
+    ASSERT_NE(list, std::string::npos) << inPlan << error;
+    std::set<std::string> read{"$schema", "comment"};
+    std::istringstream names(error.substr(list + 12));
+    for (std::string name; std::getline(names >> std::ws, name, ',');) {
+      read.insert(name);
+    }
+    std::set<std::string> known;
+    const Json& object = inSchema.empty() ? schema : schema[Json::json_pointer(inSchema)];
+    for (const auto& [name, field] : object["properties"].items()) {
+      known.insert(name);
+    }
+    EXPECT_EQ(read, known) << inPlan;
+    for (const Json& required : object.value("required", Json::array())) {
+      Json json = sampleJson();
+      Json& owner = inPlan.empty() ? json : json[Json::json_pointer(inPlan)];
+      owner.erase(required.get<std::string>());
+      EXPECT_NE(errorOf(json.dump()), "") << inPlan << " " << required;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ocelli::test

@@ -1,0 +1,174 @@
+// Bootstrap and probabilities.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "analysis/models/marginal_probability.h"
+#include "analysis/models/parametric_bootstrap.h"
+#include "analysis/models/quadrature.h"
+#include "analysis/models/separation.h"
+#include "tests/analysis_models/sample_models.h"
+
+namespace ocelli {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+const SampleSize kSize{20, 10, 2};
+
+TEST(ParametricBootstrap, IsThatOfTheSeedAndNearTheWaldInterval) {
+  const LinearMixedModel model(sampleDesign(kSize));
+  RandomNumbers numbers(3);
+  const auto fit = model.fit(model.simulate(sampleLinearTruth(), numbers));
+  ASSERT_TRUE(fit);
+  BootstrapOptions options;
+  options.replicates = 200;
+  const auto first = parametricBootstrap(model, *fit, options);
+  const auto again = parametricBootstrap(model, *fit, options);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->replicates + first->failed, 200);
+  for (size_t i = 0; i < 4; ++i) {
+    const Estimate& estimate = first->coefficients[i];
+    EXPECT_EQ(estimate.lower, again->coefficients[i].lower);
+    // A standard deviation of 200 draws has an error of 5 %; four of those.
+    EXPECT_NEAR(estimate.standardError / fit->standardErrors[static_cast<Eigen::Index>(i)], 1, 0.2);
+    EXPECT_LT(estimate.lower, estimate.value);
+    EXPECT_GT(estimate.upper, estimate.value);
+  }
+  ASSERT_EQ(first->standardDeviations.size(), 2U);
+  EXPECT_EQ(first->standardDeviations[0].size(), 2U);
+  options.seed = 2;
+  EXPECT_NE(parametricBootstrap(model, *fit, options)->coefficients[0].lower, first->coefficients[0].lower);
+}
+
+TEST(ParametricBootstrap, TestsWhatTheModelHasMore) {
+  const FixedEffects fixed = sampleFixedEffects(kSize);
+  FixedEffects without(fixed.rows());
+  without.addIntercept();
+  const BinomialMixedModel larger(makeDesign(fixed, {sampleRandomTerms(kSize, fixed)[1]}));
+  const BinomialMixedModel smaller(makeDesign(without, {sampleRandomTerms(kSize, fixed)[1]}));
+  RandomNumbers numbers(5);
+  const BinomialMixedModel whole(makeDesign(fixed, sampleRandomTerms(kSize, fixed)));
+  const BinomialResponse response = whole.simulate(sampleBinomialTruth(), VectorXd::Ones(400), numbers);
+  BootstrapOptions options;
+  options.replicates = 50;
+  const auto ratio = bootstrapLikelihoodRatio(smaller, larger, response, options);
+  ASSERT_TRUE(ratio) << ratio.reason();
+  EXPECT_EQ(ratio->degreesOfFreedom, 3);
+  EXPECT_EQ(ratio->pValue, 1.0 / 51);
+}
+
+// Both are exact: moments of the normal distribution.
+TEST(Quadrature, IntegratesPolynomials) {
+  const HermiteRule rule = hermiteRule(5);
+  const double root = std::sqrt(M_PI);
+  EXPECT_NEAR(rule.weights.sum(), root, 1e-14);
+  EXPECT_NEAR(rule.weights.dot(rule.points.array().pow(8).matrix()), root * 105 / 16, 1e-12);
+  EXPECT_NEAR(hermiteRule(1).weights[0], root, 1e-14);
+  EXPECT_NEAR(hermiteRule(1).points[0], 0, 1e-15);
+}
+
+TEST(MarginalProbability, IsTheMeanOverNewSubjects) {
+  const FixedEffects fixed = sampleFixedEffects(kSize);
+  const std::vector<RandomTerm> random = sampleRandomTerms(kSize, fixed);
+  const BinomialMixedModel model(makeDesign(fixed, random));
+  RandomNumbers numbers(8);
+  const auto fit = model.fit(model.simulate(sampleBinomialTruth(), VectorXd::Ones(400), numbers));
+  ASSERT_TRUE(fit) << fit.reason();
+  const Condition condition = conditionOf(model, *fit, fixed, random);
+  const Estimate average = averageProbability(*fit, condition);
+  // Against responses drawn from the model: 2000 studies, of which subjects and items vary by some 0.06.
+  double drawn = 0;
+  for (int i = 0; i < 2000; ++i) {
+    drawn += model.simulate(*fit, VectorXd::Ones(400), numbers).successes.mean() / 2000;
+  }
+  EXPECT_NEAR(average.value, drawn, 4 * 0.06 / std::sqrt(2000));
+  EXPECT_LT(average.lower, average.value);
+  EXPECT_GT(average.upper, average.value);
+
+  // Derivatives by differences, in one direction.
+  const VectorXd direction = VectorXd::LinSpaced(4, 1, -2);
+  BinomialMixedFit moved = *fit;
+  moved.coefficients += 1e-5 * direction;
+  const double slope = (averageProbability(moved, condition).value - average.value) / 1e-5;
+  BinomialMixedFit narrow = *fit;
+  narrow.covariance = direction * direction.transpose();
+  EXPECT_NEAR(averageProbability(narrow, condition).standardError, std::abs(slope), 1e-4);
+
+  const Estimate none = averageProbabilityDifference(*fit, condition, condition);
+  EXPECT_EQ(none.value, 0);
+}
+
+TEST(MarginalProbability, DiffersBetweenConditions) {
+  const FixedEffects fixed = sampleFixedEffects(kSize);
+  const BinomialMixedModel model(makeDesign(fixed, sampleRandomTerms(kSize, fixed)));
+  RandomNumbers numbers(8);
+  const auto fit = model.fit(model.simulate(sampleBinomialTruth(), VectorXd::Ones(400), numbers));
+  ASSERT_TRUE(fit);
+  Condition pinhole = conditionOf(model, *fit, fixed, sampleRandomTerms(kSize, fixed));
+  Condition graph = pinhole;
+  pinhole.fixed.col(1).setConstant(-0.5);
+  graph.fixed.col(1).setConstant(0.5);
+  const Estimate difference = averageProbabilityDifference(*fit, graph, pinhole);
+  EXPECT_NEAR(difference.value, averageProbability(*fit, graph).value - averageProbability(*fit, pinhole).value, 1e-12);
+  EXPECT_GT(difference.value, 0);
+  EXPECT_LT(difference.pValue, 0.05);
+  EXPECT_GT(difference.lower, -1);
+}
+
+std::vector<Eigen::Index> separated(const MatrixXd& rows, const std::vector<double>& successes) {
+  const VectorXd y = Eigen::Map<const VectorXd>(successes.data(), static_cast<Eigen::Index>(successes.size()));
+  return separatedColumns(rows, y, VectorXd::Ones(y.size()));
+}
+
+TEST(Separation, IsFoundWhereALineDividesTheAnswers) {
+  MatrixXd rows(6, 2);
+  rows << 1, -3, 1, -2, 1, -1, 1, 1, 1, 2, 1, 3;
+  EXPECT_FALSE(separated(rows, {0, 0, 0, 1, 1, 1}).empty());
+  EXPECT_TRUE(separated(rows, {0, 0, 1, 0, 1, 1}).empty());
+  // Both answers at the border only.
+  rows(3, 1) = -1;
+  EXPECT_EQ(separated(rows, {0, 0, 0, 1, 1, 1}), (std::vector<Eigen::Index>{0, 1}));
+  EXPECT_TRUE(separated(rows, {0, 1, 0, 1, 1, 0}).empty());
+}
+
+// Against all directions of a fine fan, over random small tables.
+TEST(Separation, IsThatOfAllDirectionsInThePlane) {
+  RandomNumbers numbers(6);
+  int found = 0;
+  for (int round = 0; round < 300; ++round) {
+    MatrixXd rows(6, 2);
+    std::vector<double> successes;
+    for (Eigen::Index row = 0; row < 6; ++row) {
+      rows.row(row) << 1, static_cast<double>(numbers.below(5)) - 2;
+      successes.push_back(static_cast<double>(numbers.below(2)));
+    }
+    if (rows.col(1).minCoeff() == rows.col(1).maxCoeff()) {
+      continue;
+    }
+    // Borders lie at x = -2, -1.5, ... 2, on either side, or beyond all.
+    bool expected = false;
+    for (double border = -3; border <= 3; border += 0.5) {
+      for (const double sign : {-1.0, 1.0}) {
+        bool holds = true;
+        bool strict = false;
+        for (Eigen::Index row = 0; row < 6; ++row) {
+          const double side = sign * (rows(row, 1) - border) * (successes[static_cast<size_t>(row)] > 0 ? 1 : -1);
+          holds = holds && side >= 0;
+          strict = strict || side > 0;
+        }
+        expected = expected || (holds && strict);
+      }
+    }
+    const double sum = Eigen::Map<const VectorXd>(successes.data(), 6).sum();
+    expected = expected || sum == 0 || sum == 6;
+    EXPECT_EQ(!separated(rows, successes).empty(), expected) << rows;
+    found += expected ? 1 : 0;
+  }
+  EXPECT_GT(found, 20);
+  EXPECT_LT(found, 250);
+}
+
+}  // namespace
+}  // namespace ocelli

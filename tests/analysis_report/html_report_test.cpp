@@ -1,0 +1,141 @@
+#include "analysis/report/html_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "analysis/plot/color_scale.h"
+#include "analysis/report/html_style.h"
+#include "tests/analysis_plot/well_formed.h"
+#include "tests/analysis_report/sample_document.h"
+
+namespace ocelli {
+namespace {
+
+MarkupReading read(const std::string& html) {
+  return readMarkup(html, {"meta", "br"});
+}
+
+bool holds(const std::string& text, const std::string& what) {
+  return text.find(what) != std::string::npos;
+}
+
+/// Values of an attribute.
+std::vector<std::string> valuesOf(const MarkupReading& reading, const std::string& attribute) {
+  std::vector<std::string> values;
+  for (const std::string& each : reading.attributes) {
+    if (each.rfind(attribute + "=", 0) == 0) {
+      values.push_back(each.substr(attribute.size() + 1));
+    }
+  }
+  return values;
+}
+
+TEST(HtmlReport, isWellFormedAndShowsEveryElement) {
+  const std::string html = htmlReport(sampleDocument());
+  const MarkupReading reading = read(html);
+  EXPECT_EQ(reading.problem, "");
+  for (const char* text : {"Table 1.", "Figure 13.", "Methods paragraph", "Cannot be estimated", "19.7",
+                           "33 trials ran out of time", "9f86d081884c7d659a2feaa0c55ad015"}) {
+    EXPECT_TRUE(holds(reading.text, text)) << text;
+  }
+}
+
+TEST(HtmlReport, namesNothingOutsideItself) {
+  const std::string html = htmlReport(sampleDocument());
+  EXPECT_FALSE(holds(html, "http:"));
+  EXPECT_FALSE(holds(html, "https:"));
+  EXPECT_FALSE(holds(html, "@import"));
+  const MarkupReading reading = read(html);
+  EXPECT_TRUE(valuesOf(reading, "src").empty());
+  for (const std::string& href : valuesOf(reading, "href")) {
+    EXPECT_EQ(href.front(), '#') << href;
+  }
+  const std::regex outside("url\\((?!#)");
+  EXPECT_FALSE(std::regex_search(html, outside));
+}
+
+TEST(HtmlReport, hostileTextStaysText) {
+  const std::string html = htmlReport(hostileDocument());
+  const MarkupReading reading = read(html);
+  EXPECT_EQ(reading.problem, "");
+  EXPECT_THAT(reading.tags, testing::Not(testing::Contains("img")));
+  EXPECT_EQ(std::count(reading.tags.begin(), reading.tags.end(), "script"), 1);
+  EXPECT_EQ(std::count(reading.tags.begin(), reading.tags.end(), "style"), 1);
+  EXPECT_TRUE(valuesOf(reading, "onerror").empty());
+  EXPECT_TRUE(valuesOf(reading, "autofocus").empty());
+  EXPECT_TRUE(holds(reading.text, "&lt;script&gt;alert(1)"));
+}
+
+TEST(HtmlReport, idsAreUniqueAndLinksLeadSomewhere) {
+  const MarkupReading reading = read(htmlReport(sampleDocument()));
+  std::set<std::string> ids;
+  for (const std::string& id : valuesOf(reading, "id")) {
+    EXPECT_TRUE(ids.insert(id).second) << id << " stands twice";
+  }
+  for (const char* attribute : {"href", "xlink:href"}) {
+    for (const std::string& link : valuesOf(reading, attribute)) {
+      EXPECT_EQ(ids.count(link.substr(1)), 1U) << link;
+    }
+  }
+  EXPECT_EQ(ids.count("t71-s1-ppc"), 1U) << "the anchor of a cell";
+}
+
+TEST(HtmlReport, cellsSayWhereTheyComeFrom) {
+  const std::string html = htmlReport(sampleDocument());
+  EXPECT_TRUE(holds(html,
+                    "id=\"t71-s1-ppc\" title=\"SELECT avg(response_s) FROM final_trial WHERE task = &#39;find&#39; AND "
+                    "session = 1\""));
+  EXPECT_TRUE(holds(html, "<a href=\"#t71-s1-ppc\">Session 1, Stationary ppc</a>"));
+}
+
+TEST(HtmlReport, policyAllowsItsOwnScriptAlone) {
+  const std::string html = htmlReport(sampleDocument());
+  const MarkupReading reading = read(html);
+  const std::vector<std::string> contents = valuesOf(reading, "content");
+  const auto policy = std::find_if(contents.begin(), contents.end(),
+                                   [](const std::string& content) { return holds(content, "default-src"); });
+  ASSERT_NE(policy, contents.end());
+  EXPECT_TRUE(holds(*policy, "default-src &#39;none&#39;"));
+  EXPECT_TRUE(std::regex_search(*policy, std::regex("script-src &#39;sha256-[A-Za-z0-9+/]{43}=&#39;")));
+  EXPECT_TRUE(holds(html, "<script>" + std::string(kReportScript) + "</script>"));
+}
+
+TEST(HtmlReport, figuresAreDescribed) {
+  const MarkupReading reading = read(htmlReport(sampleDocument()));
+  EXPECT_EQ(std::count(reading.tags.begin(), reading.tags.end(), "desc"), 13);
+  EXPECT_THAT(valuesOf(reading, "role"), testing::Contains("img").Times(13));
+}
+
+/// Of a custom property of the style.
+Paint paintOf(const std::string& name) {
+  const std::string style(kReportStyle);
+  const size_t at = style.find("--" + name + ": #");
+  EXPECT_NE(at, std::string::npos) << name;
+  const unsigned long packed = std::stoul(style.substr(at + name.size() + 5, 6), nullptr, 16);
+  const auto channel = [&](int shift) { return static_cast<double>(packed >> shift & 0xFFU) / 255; };
+  return {channel(16), channel(8), channel(0)};
+}
+
+TEST(HtmlReport, textStandsOutFromItsGround) {
+  const auto luminance = [](const Paint& paint) { return std::pow((labOf(paint).lightness + 16) / 116, 3); };
+  for (const char* ground : {"paper", "ground", "tint"}) {
+    for (const char* text : {"text", "soft", "accent", "caution"}) {
+      const double contrast = (luminance(paintOf(ground)) + 0.05) / (luminance(paintOf(text)) + 0.05);
+      EXPECT_GE(contrast, 4.5) << text << " on " << ground;
+    }
+  }
+}
+
+TEST(HtmlReport, sameDocumentSameBytes) {
+  EXPECT_EQ(htmlReport(sampleDocument()), htmlReport(sampleDocument()));
+}
+
+TEST(HtmlReport, anEmptyDocumentIsAPage) {
+  EXPECT_EQ(read(htmlReport({})).problem, "");
+}
+
+}  // namespace
+}  // namespace ocelli

@@ -1,0 +1,50 @@
+#include "analysis/report/json_report.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/analysis_report/sample_document.h"
+
+namespace ocelli {
+namespace {
+
+nlohmann::json tableOf(const nlohmann::json& report, const std::string& label) {
+  for (const nlohmann::json& element : report["elements"]) {
+    if (element.value("label", "") == label) {
+      return element;
+    }
+  }
+  return nullptr;
+}
+
+TEST(JsonReport, tablesHaveTheFullValuesAndSourcesOfTheirCells) {
+  const nlohmann::json report = nlohmann::json::parse(jsonReport(sampleDocument()));
+  EXPECT_EQ(report["format"], kReportFormat);
+  const nlohmann::json table = tableOf(report, "Table 1");
+  EXPECT_EQ(table["id"], "table-7-1");
+  EXPECT_EQ(table["columns"][1]["group"], "Stationary");
+  const nlohmann::json cell = table["rows"][0][1];
+  EXPECT_EQ(cell["text"], "19.7");
+  EXPECT_EQ(cell["value"], 19.7);
+  EXPECT_EQ(cell["id"], "t71-s1-ppc");
+  EXPECT_EQ(cell["source"], "SELECT avg(response_s) FROM final_trial WHERE task = 'find' AND session = 1");
+  // The table has one decimal; this does not.
+  EXPECT_DOUBLE_EQ(table["rows"][0][4]["value"].get<double>(), 19.7 * 0.6);
+  EXPECT_FALSE(table["rows"][0][0].contains("value"));
+}
+
+TEST(JsonReport, everyElementIsThere) {
+  const ReportDocument document = sampleDocument();
+  const nlohmann::json report = nlohmann::json::parse(jsonReport(document));
+  EXPECT_EQ(report["elements"].size(), document.elements.size());
+}
+
+TEST(JsonReport, hostileTextIsValidAndNotANumberIsNull) {
+  const nlohmann::json report = nlohmann::json::parse(jsonReport(hostileDocument()));
+  const nlohmann::json table = tableOf(report, "Table 1");
+  EXPECT_TRUE(table["rows"][1][0]["value"].is_null());
+}
+
+}  // namespace
+}  // namespace ocelli

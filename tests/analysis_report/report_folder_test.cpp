@@ -1,0 +1,123 @@
+#include "analysis/report/report_folder.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <fstream>
+#include <iterator>
+
+#include "analysis/base/analysis_error.h"
+#include "analysis/report/json_report.h"
+
+namespace ocelli {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ReportFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+    root_ = fs::temp_directory_path() / (std::string("ocelli_report_folder_") + test->name());
+    fs::remove_all(root_);
+    fs::create_directories(root_);
+  }
+  void TearDown() override { fs::remove_all(root_); }
+
+  static std::string read(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  static std::vector<ReportFile> filesWith(const std::string& html) {
+    ReportDocument document;
+    return {{"report.html", html}, {"report.json", jsonReport(document)}, {"figures/one.svg", "<svg/>"}};
+  }
+  size_t entries() const {
+    return static_cast<size_t>(std::distance(fs::directory_iterator(root_), fs::directory_iterator()));
+  }
+
+  fs::path root_;
+};
+
+TEST_F(ReportFolder, holdsAllFilesAndNothingBeside) {
+  writeReportFolder(root_ / "report", filesWith("one"));
+  EXPECT_EQ(read(root_ / "report/report.html"), "one");
+  EXPECT_EQ(read(root_ / "report/figures/one.svg"), "<svg/>");
+  EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(ReportFolder, aReportGivesWayToTheNext) {
+  writeReportFolder(root_ / "report", filesWith("one"));
+  std::ofstream(root_ / "report/stale.txt") << "old";
+  writeReportFolder((root_ / "report/").string(), filesWith("two"));
+  EXPECT_EQ(read(root_ / "report/report.html"), "two");
+  EXPECT_FALSE(fs::exists(root_ / "report/stale.txt"));
+  EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(ReportFolder, anEmptyFolderIsTaken) {
+  fs::create_directory(root_ / "report");
+  writeReportFolder(root_ / "report", filesWith("one"));
+  EXPECT_EQ(read(root_ / "report/report.html"), "one");
+}
+
+TEST_F(ReportFolder, whatIsNoReportStays) {
+  fs::create_directory(root_ / "thesis");
+  std::ofstream(root_ / "thesis/chapter.txt") << "precious";
+  std::ofstream(root_ / "thesis/report.json") << "{\"format\": 7}";
+  std::ofstream(root_ / "file") << "precious";
+  for (const char* name : {"thesis", "file"}) {
+    try {
+      writeReportFolder(root_ / name, filesWith("one"));
+      FAIL() << name << " was replaced";
+    } catch (const AnalysisError& error) {
+      EXPECT_EQ(error.kind(), AnalysisError::Kind::kInput);
+      EXPECT_NE(std::string(error.what()).find("is no report"), std::string::npos);
+    }
+  }
+  EXPECT_EQ(read(root_ / "thesis/chapter.txt"), "precious");
+  EXPECT_EQ(read(root_ / "file"), "precious");
+  EXPECT_EQ(entries(), 2U);
+}
+
+TEST_F(ReportFolder, namesCannotLeadOutOfIt) {
+  for (const char* name : {"../x", "/x", "", "a/../../x", "a/"}) {
+    EXPECT_THROW(writeReportFolder(root_ / "report", {{name, "x"}}), AnalysisError) << name;
+  }
+  EXPECT_EQ(entries(), 0U);
+}
+
+TEST_F(ReportFolder, aDiskThatTakesNoMoreLeavesWhatWasThere) {
+  writeReportFolder(root_ / "report", filesWith("one"));
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = before;
+  small.rlim_cur = 4096;
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  bool failed = false;
+  try {
+    writeReportFolder(root_ / "report", filesWith(std::string(100000, 'x')));
+  } catch (const AnalysisError& error) {
+    failed = error.kind() == AnalysisError::Kind::kWork;
+  }
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_TRUE(failed);
+  EXPECT_EQ(read(root_ / "report/report.html"), "one");
+  EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(ReportFolder, aFolderThatCannotBeMadeIsSaid) {
+  try {
+    writeReportFolder(root_ / "missing" / "report", filesWith("one"));
+    FAIL();
+  } catch (const AnalysisError& error) {
+    EXPECT_EQ(error.kind(), AnalysisError::Kind::kWork);
+    EXPECT_NE(std::string(error.what()).find("missing"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace ocelli
