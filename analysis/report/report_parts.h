@@ -49,7 +49,8 @@ struct EstimateRow {
   std::string label;
   Estimable<Estimate> estimate;
   std::string unit{};
-  std::string source{};
+  std::string source{};  ///< what was done, in words
+  TrialList trials{};    ///< that it came from
 };
 /// Columns: what, estimate, 95 % interval, p. Reasons stand below the table as notes.
 void addEstimates(ReportDocument& document, const std::string& caption, const std::string& id,
