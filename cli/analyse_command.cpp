@@ -60,18 +60,23 @@ void analyse(const AnalyseChoice& choice, const Frame& frame) {
   plan.seed = choice.seed.value_or(plan.seed);
   const AnalysisData analysis = applyPlan(merge(std::move(parts), mergeOptions(choice)), plan);
   const std::vector<Table> tables = paperTables(analysis);
-  if (!choice.explain.empty()) {
+  if (choice.folder.empty() && findCell(tables, choice.explain) != nullptr) {
     frame.print(explainCell(tables, analysis.data, choice.explain));
-  }
-  if (choice.folder.empty()) {
     return;
   }
   StudyReportOptions options;
   options.only = {choice.only.begin(), choice.only.end()};
   options.version = OCELLI_VERSION;
   options.created = nowUtc();
-  std::vector<ReportFile> files = reportFiles(studyReport(analysis, tables, options));
-  const std::vector<ReportFile> more = tableFiles(analysis, tables, choice.csv);
+  const ReportDocument report = studyReport(analysis, tables, options);
+  if (!choice.explain.empty()) {
+    frame.print(explainCell(report.origins.tables, analysis.data, choice.explain));
+  }
+  if (choice.folder.empty()) {
+    return;
+  }
+  std::vector<ReportFile> files = reportFiles(report);
+  const std::vector<ReportFile> more = tableFiles(analysis, report, choice.csv);
   files.insert(files.end(), more.begin(), more.end());
   writeReportFolder(choice.folder, files);
   frame.note(fmt::format("wrote {} files about {} trials of {} subjects to {}", files.size(),

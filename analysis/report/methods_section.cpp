@@ -19,6 +19,16 @@ Estimable<double> pValueOf(const ReportWork& work, const Hypothesis& hypothesis)
   return Estimable<double>::impossible("its model was not fitted");
 }
 
+/// The first cell of the table of a model, whose rows are those of the whole model.
+std::vector<std::string> cellsOf(const ReportOrigins& origins, const std::string& model) {
+  for (const Table& table : origins.tables) {
+    if (table.name == model) {
+      return {table.rows.front().cells.front().name};
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 void addHypotheses(ReportWork& work) {
@@ -40,26 +50,36 @@ void addHypotheses(ReportWork& work) {
         fmt::format("family-{}", family.name),
         {{"Hypothesis", "", true}, {"Statement", "", true}, {"p"}, {"Adjusted p"}, {"Result", "", true}},
         {}};
+    OriginTable origins(work.document.origins, table.id, table.caption, {"p", "adjusted"});
     for (size_t i = 0; i < pValues.size(); ++i) {
       const Hypothesis* hypothesis = plan.findHypothesis(family.hypotheses[i]);
       const bool known = std::isfinite(pValues[i]);
-      const std::string source = hypothesis ? fmt::format("model {} {}", hypothesis->model, hypothesis->term) : "";
-      const auto cell = [&](double p) {
+      const std::string source =
+          hypothesis ? fmt::format("p value of {} in model {}",
+                                   hypothesis->term.empty() ? "the test" : hypothesis->term, hypothesis->model)
+                     : "";
+      const std::string origin =
+          known ? origins.addRow(family.hypotheses[i], source,
+                                 {{}, Cell::From::kCells, cellsOf(work.document.origins, hypothesis->model)}, "",
+                                 {pValues[i], adjusted[i]})
+                : "";
+      const auto cell = [&](double p, const char* number) {
         ReportCell result{!known      ? std::string("-")
                           : p < 0.001 ? std::string("< 0.001")
                                       : fmt::format("{:.3f}", p),
-                          "", source};
+                          origin.empty() ? "" : fmt::format("{}/{}", origin, number), known ? source : ""};
         if (known) {
           result.value = p;
         }
         return result;
       };
       table.rows.push_back(
-          {ReportCell{family.hypotheses[i]}, ReportCell{hypothesis ? hypothesis->statement : ""}, cell(pValues[i]),
-           cell(adjusted[i]),
+          {ReportCell{family.hypotheses[i]}, ReportCell{hypothesis ? hypothesis->statement : ""}, cell(pValues[i], "p"),
+           cell(adjusted[i], "adjusted"),
            ReportCell{!known ? fmt::format("cannot be tested: {}", reasons[i])
                              : std::string(adjusted[i] < plan.alpha ? "supported" : "not supported")}});
     }
+    origins.finish();
     work.document.add(table);
   }
 }

@@ -6,12 +6,12 @@
 namespace ocelli {
 namespace {
 
-std::string sourceOf(const Cell& cell, const Dataset& data) {
+std::string sourceOf(const Cell& cell, const std::vector<std::string>& sources) {
   switch (cell.from) {
     case Cell::From::kTrials:
-      return fmt::format("{}: final_trial of {}", cell.meaning, rowsText(cell.rows, data, cell.name));
+      return fmt::format("{}: final_trial of {}", cell.meaning, rowsText(cell.rows, sources, cell.name));
     case Cell::From::kAnswers:
-      return fmt::format("{}: final_answer of {}", cell.meaning, rowsText(cell.rows, data, cell.name));
+      return fmt::format("{}: final_answer of {}", cell.meaning, rowsText(cell.rows, sources, cell.name));
     case Cell::From::kSubjects:
       return fmt::format("{}: {} subjects; --explain {} lists them", cell.meaning, cell.subjects.size(), cell.name);
     case Cell::From::kCells:
@@ -40,11 +40,12 @@ void addPaperSection(ReportWork& work, const std::vector<Table>& tables) {
         cells.push_back({head});
       }
       for (const Cell& cell : row.cells) {
-        cells.push_back({displayText(cell), cell.name, sourceOf(cell, work.analysis.data), cell.value});
+        cells.push_back({displayText(cell), cell.name, sourceOf(cell, work.document.origins.sources), cell.value});
       }
       shown.rows.push_back(cells);
     }
     work.document.add(shown);
+    work.document.origins.tables.push_back(table);
     for (const std::string& note : table.notes) {
       work.document.add(ReportParagraph{note});
     }

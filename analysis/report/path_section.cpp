@@ -26,7 +26,8 @@ double chanceOf(const Dataset& data) {
   return 1 / kUsualMaps;
 }
 
-void addEquivalence(ReportWork& work, const PlannedModel& model, const std::vector<double>& differences) {
+void addEquivalence(ReportWork& work, const PlannedModel& model, const TrialList& trials,
+                    const std::vector<double>& differences) {
   for (const PlannedEquivalence& planned : work.analysis.plan.equivalence) {
     if (planned.task != "path") {
       continue;
@@ -40,42 +41,36 @@ void addEquivalence(ReportWork& work, const PlannedModel& model, const std::vect
     }
     work.outcomes.push_back({model.name, "", test->pValue});
     const std::string source = fmt::format("{} subjects with both views, one difference each", test->first);
-    ReportTable table{fmt::format("Two one-sided tests against the plan's bounds of {} to {} (gc less ppc)",
-                                  planned.lower, planned.upper),
-                      model.name,
-                      {{"What", "", true}, {"Value"}},
-                      {}};
-    const auto add = [&](const std::string& what, const std::string& text, std::optional<double> value) {
-      table.rows.push_back({ReportCell{what}, ReportCell{text, "", source, value}});
+    const auto row = [&](const std::string& what, const std::string& text, std::optional<double> value) {
+      return ValueRow{what, text, value, source, trials};
     };
-    add("Difference of shares", numberText(test->difference.value), test->difference.value);
-    add(fmt::format("{:g} % interval", 100 * (1 - 2 * test->alpha)),
-        fmt::format("{} to {}", numberText(test->difference.lower), numberText(test->difference.upper)), std::nullopt);
-    add("p of the two tests (the larger)", numberText(test->pValue), test->pValue);
-    add("Equivalent", test->equivalent ? "yes" : "not shown", std::nullopt);
-    work.document.add(table);
+    addValues(work.document,
+              fmt::format("Two one-sided tests against the plan's bounds of {} to {} (gc less ppc)", planned.lower,
+                          planned.upper),
+              model.name,
+              {row("Difference of shares", numberText(test->difference.value), test->difference.value),
+               row(fmt::format("{:g} % interval", 100 * (1 - 2 * test->alpha)),
+                   fmt::format("{} to {}", numberText(test->difference.lower), numberText(test->difference.upper)),
+                   std::nullopt),
+               row("p of the two tests (the larger)", numberText(test->pValue), test->pValue),
+               row("Equivalent", test->equivalent ? "yes" : "not shown", std::nullopt)});
     return;
   }
   work.outcomes.push_back({model.name, "", Estimable<double>::impossible("the plan has no bounds for paths")});
   addNotEstimable(work.document, "Equivalence of the views", "the plan has no bounds for paths");
 }
 
-void addBayes(ReportWork& work, const PlannedModel& model, const std::vector<double>& differences) {
+void addBayes(ReportWork& work, const PlannedModel& model, const TrialList& trials,
+              const std::vector<double>& differences) {
   const Estimable<BayesFactor> factor = bayesFactorOfMean(differences);
   if (!factor) {
     addNotEstimable(work.document, "Bayes factor", factor.reason());
     return;
   }
-  ReportTable table{"Bayes factor of the difference of shares (Jeffreys-Zellner-Siow, medium scale)",
-                    model.name,
-                    {{"What", "", true}, {"Value"}},
-                    {}};
   const std::string source = fmt::format("{} subjects with both views", factor->count);
-  table.rows.push_back(
-      {ReportCell{"For none, against some"}, ReportCell{numberText(factor->forNone), "", source, factor->forNone}});
-  table.rows.push_back(
-      {ReportCell{"For some, against none"}, ReportCell{numberText(factor->forEffect), "", source, factor->forEffect}});
-  work.document.add(table);
+  addValues(work.document, "Bayes factor of the difference of shares (Jeffreys-Zellner-Siow, medium scale)", model.name,
+            {{"For none, against some", numberText(factor->forNone), factor->forNone, source, trials},
+             {"For some, against none", numberText(factor->forEffect), factor->forEffect, source, trials}});
 }
 
 void addAgainstChance(ReportWork& work, const PlannedModel& model, const TrialList& trials, double chance) {
@@ -84,7 +79,7 @@ void addAgainstChance(ReportWork& work, const PlannedModel& model, const TrialLi
     const Estimable<BinomialTest> test = binomialTest(shareOf(some), chance);
     rows.push_back({label,
                     test ? Estimable<Estimate>(test->clopperPearson) : Estimable<Estimate>::impossible(test.reason()),
-                    "", fmt::format("{} right of {}", shareOf(some).successes, sizeText(some))});
+                    "", fmt::format("{} right of {}", shareOf(some).successes, sizeText(some)), some});
     return test ? Estimable<double>(test->clopperPearson.pValue) : Estimable<double>::impossible(test.reason());
   };
   work.outcomes.push_back({model.name, "", add("Both views", trials)});
@@ -118,9 +113,9 @@ void addPathSection(ReportWork& work) {
       addPlannedFit(work, model, complete, fitBinomial(model, complete),
                     "Binomial mixed model of right paths: odds ratios, Wald's intervals and tests");
     } else if (model.kind == ModelKind::kEquivalence) {
-      addEquivalence(work, model, differences);
+      addEquivalence(work, model, trials, differences);
     } else if (model.kind == ModelKind::kBayesFactor) {
-      addBayes(work, model, differences);
+      addBayes(work, model, trials, differences);
     } else if (model.kind == ModelKind::kAgainstChance) {
       addAgainstChance(work, model, trials, chance);
     } else {

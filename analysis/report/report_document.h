@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/plot/figure.h"
+#include "analysis/tables/table.h"
 
 namespace ocelli {
 
@@ -82,6 +83,12 @@ struct ReportFigure {
 using ReportElement = std::variant<ReportHeading, ReportParagraph, ReportList, ReportFacts, ReportNote, ReportExcerpt,
                                    ReportTable, ReportFigure>;
 
+/// Where the numbers of a report's tables came from, cell by cell: for `--explain`, tables/cells.csv and report.json.
+struct ReportOrigins {
+  std::vector<std::string> sources{};  ///< paths; RowRef::source counts them
+  std::vector<Table> tables{};
+};
+
 struct ReportDocument {
   std::string title;
   std::string subtitle;
@@ -89,6 +96,7 @@ struct ReportDocument {
   std::string version;                           ///< of the program
   std::string created = "2000-01-01T00:00:00Z";  ///< ISO 8601; given, so that the same document gives the same bytes
   std::vector<ReportElement> elements;
+  ReportOrigins origins{};
 
   void add(ReportElement element) { elements.push_back(std::move(element)); }
 };

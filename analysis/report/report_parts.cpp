@@ -9,12 +9,24 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kLongestRowList = 240;
-
 bool hasTerm(const PlannedModel& model, const std::string& term) {
   return std::any_of(model.terms.begin(), model.terms.end(), [&](const std::string& t) {
     return t == term || t.starts_with(term + ":") || t.ends_with(":" + term);
   });
+}
+
+std::vector<RowRef> rowsOf(const TrialList& trials) {
+  std::vector<RowRef> rows;
+  rows.reserve(trials.size());
+  for (const Trial* trial : trials) {
+    rows.push_back({trial->source, trial->trialId});
+  }
+  return rows;
+}
+
+OriginRows originRowsOf(const EstimateRow& row) {
+  return row.answers.empty() ? OriginRows{rowsOf(row.trials), Cell::From::kTrials}
+                             : OriginRows{row.answers, Cell::From::kAnswers};
 }
 
 }  // namespace
@@ -93,15 +105,18 @@ void addNotEstimable(ReportDocument& document, const std::string& what, const st
 void addEstimates(ReportDocument& document, const std::string& caption, const std::string& id,
                   const std::vector<EstimateRow>& rows) {
   ReportTable table{caption, id, {{"What", "", true}, {"Estimate"}, {"95 % interval"}, {"p"}}, {}};
+  OriginTable origins(document.origins, id, caption, {"estimate", "lower", "upper", "p"});
   for (const EstimateRow& row : rows) {
     if (!row.estimate) {
       continue;
     }
     const Estimate& e = *row.estimate;
     const std::string unit = row.unit.empty() ? "" : " " + row.unit;
-    const auto cell = [&](const std::string& text, double value) {
-      ReportCell result{text};
-      result.source = row.source;
+    const std::string origin =
+        origins.addRow(row.label, row.source, originRowsOf(row), row.unit, {e.value, e.lower, e.upper, e.pValue});
+    const std::string source = origins.sourceText(row.source);
+    const auto cell = [&](const std::string& text, const char* column, double value) {
+      ReportCell result{text, origin.empty() ? "" : fmt::format("{}/{}", origin, column), source};
       if (std::isfinite(value)) {
         result.value = value;
       }
@@ -111,11 +126,13 @@ void addEstimates(ReportDocument& document, const std::string& caption, const st
     const std::string interval =
         hasInterval ? fmt::format("{} to {}", numberText(e.lower), numberText(e.upper)) : std::string("-");
     const std::string p = std::isfinite(e.pValue) ? pText(e.pValue).substr(2) : std::string("-");
-    table.rows.push_back({ReportCell{row.label}, cell(numberText(e.value) + unit, e.value), cell(interval, kNotKnown),
-                          cell(p.starts_with("= ") ? p.substr(2) : p, e.pValue)});
+    table.rows.push_back({ReportCell{row.label}, cell(numberText(e.value) + unit, "estimate", e.value),
+                          cell(interval, "lower", kNotKnown),
+                          cell(p.starts_with("= ") ? p.substr(2) : p, "p", e.pValue)});
   }
   if (!table.rows.empty()) {
     document.add(table);
+    origins.finish();
   }
   for (const EstimateRow& row : rows) {
     if (!row.estimate) {
@@ -124,27 +141,19 @@ void addEstimates(ReportDocument& document, const std::string& caption, const st
   }
 }
 
-std::string rowsText(const std::vector<RowRef>& rows, const Dataset& data, const std::string& cellName) {
-  std::vector<RowRef> sorted = rows;
-  std::sort(sorted.begin(), sorted.end());
-  std::string text;
-  int source = -1;
-  for (size_t first = 0; first < sorted.size() && text.size() < kLongestRowList;) {
-    size_t last = first;
-    while (last + 1 < sorted.size() && sorted[last + 1].source == sorted[first].source &&
-           sorted[last + 1].row == sorted[last].row + 1) {
-      ++last;
-    }
-    if (sorted[first].source != source) {
-      source = sorted[first].source;
-      text += fmt::format("{}{}: rows", text.empty() ? "" : "; ", data.sources[static_cast<size_t>(source)].path);
-    }
-    text += first == last ? fmt::format(" {}", sorted[first].row)
-                          : fmt::format(" {}-{}", sorted[first].row, sorted[last].row);
-    first = last + 1;
+void addValues(ReportDocument& document, const std::string& caption, const std::string& id,
+               const std::vector<ValueRow>& rows) {
+  ReportTable table{caption, id, {{"What", "", true}, {"Value"}}, {}};
+  OriginTable origins(document.origins, id, caption, {"value"});
+  for (const ValueRow& row : rows) {
+    const std::string origin = origins.addRow(row.label, row.source, {rowsOf(row.trials), Cell::From::kTrials}, "",
+                                              {row.value.value_or(kNotKnown)});
+    table.rows.push_back(
+        {ReportCell{row.label}, ReportCell{row.text, origin.empty() ? "" : fmt::format("{}/value", origin),
+                                           origins.sourceText(row.source), row.value}});
   }
-  const bool cut = text.size() >= kLongestRowList;
-  return fmt::format("{}{} ({} rows; --explain {} lists them)", text, cut ? " ..." : "", rows.size(), cellName);
+  document.add(table);
+  origins.finish();
 }
 
 TrialList completeTrials(const PlannedModel& model, const TrialList& trials) {

@@ -13,6 +13,7 @@
 #include "analysis/inference/survival_data.h"
 #include "analysis/plot/panel.h"
 #include "analysis/report/report_document.h"
+#include "analysis/report/report_origins.h"
 #include "analysis/tables/table_cells.h"
 
 namespace ocelli {
@@ -49,12 +50,26 @@ struct EstimateRow {
   std::string label;
   Estimable<Estimate> estimate;
   std::string unit{};
-  std::string source{};  ///< what was done, in words
-  TrialList trials{};    ///< that it came from
+  std::string source{};           ///< what was done, in words
+  TrialList trials{};             ///< that it came from
+  std::vector<RowRef> answers{};  ///< or these
 };
-/// Columns: what, estimate, 95 % interval, p. Reasons stand below the table as notes.
+/// Columns: what, estimate, 95 % interval, p. Reasons stand below the table as notes. Cells that came from trials or
+/// answers are named ID/LABEL/estimate, lower, upper and p in the document's origins.
 void addEstimates(ReportDocument& document, const std::string& caption, const std::string& id,
                   const std::vector<EstimateRow>& rows);
+
+/// A number, or a word about it, that is no estimate: a Bayes factor.
+struct ValueRow {
+  std::string label;
+  std::string text;
+  std::optional<double> value{};
+  std::string source{};
+  TrialList trials{};
+};
+/// Columns: what, value. Cells are named ID/LABEL/value.
+void addValues(ReportDocument& document, const std::string& caption, const std::string& id,
+               const std::vector<ValueRow>& rows);
 
 /// exp() of value and bounds; statistic and p value stay.
 Estimate exponentiated(const Estimate& logarithm);
@@ -62,9 +77,6 @@ Interval intervalOf(const Estimate& estimate);
 
 void addHeading(ReportDocument& document, int level, const std::string& text, const std::string& id = "");
 void addNotEstimable(ReportDocument& document, const std::string& what, const std::string& reason);
-/// "trial_id 1-5, 9 of study.db", cut where it is long.
-std::string rowsText(const std::vector<RowRef>& rows, const Dataset& data, const std::string& cellName);
-
 /// Whose columns the terms of a planned model can be made of: the others lack a value.
 TrialList completeTrials(const PlannedModel& model, const TrialList& trials);
 /// "500 trials of 45 subjects".

@@ -90,6 +90,9 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   document.marking = simulated ? "Simulated subjects" : "";
   document.version = options.version;
   document.created = options.created;
+  for (const DataSource& source : analysis.data.sources) {
+    document.origins.sources.push_back(source.path);
+  }
   ReportWork work{analysis, document};
   if (simulated) {
     document.add(
@@ -116,8 +119,8 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   return document;
 }
 
-std::vector<ReportFile> tableFiles(const AnalysisData& analysis, const std::vector<Table>& tables, bool trials) {
-  std::vector<ReportFile> files{{"tables/cells.csv", cellsCsv(tables)},
+std::vector<ReportFile> tableFiles(const AnalysisData& analysis, const ReportDocument& report, bool trials) {
+  std::vector<ReportFile> files{{"tables/cells.csv", cellsCsv(report.origins.tables)},
                                 {"tables/exclusions.csv", exclusionLogCsv(analysis.data)}};
   if (trials) {
     files.push_back({"tables/trials.csv", trialsCsv(analysis.data)});

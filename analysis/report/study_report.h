@@ -21,7 +21,8 @@ struct StudyReportOptions {
 ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table>& tables,
                            const StudyReportOptions& options);
 
-/// tables/cells.csv and tables/exclusions.csv, and with `trials` tables/trials.csv: each analysed trial.
-std::vector<ReportFile> tableFiles(const AnalysisData& analysis, const std::vector<Table>& tables, bool trials);
+/// tables/cells.csv (all cells of the report) and tables/exclusions.csv, and with `trials` tables/trials.csv: each
+/// analysed trial.
+std::vector<ReportFile> tableFiles(const AnalysisData& analysis, const ReportDocument& report, bool trials);
 
 }  // namespace ocelli

@@ -10,17 +10,26 @@
 #include "analysis/plot/rating_plot.h"
 
 namespace ocelli {
+namespace {
+
+struct LastAnswer {
+  int session = 0;
+  int rating = 0;  ///< 1 to 5
+  RowRef row{};
+};
+
+}  // namespace
 
 void addSurveySection(ReportWork& work) {
   addHeading(work.document, 1, "What subjects say", "survey");
   // The last answer of each subject, as some are asked in every session.
-  std::map<std::string, std::map<std::string, std::pair<int, int>>> fields;
+  std::map<std::string, std::map<std::string, LastAnswer>> fields;
   for (const FormAnswer& answer : work.analysis.data.answers) {
     const std::optional<double> number = answer.form == "survey" ? numberIn(answer.answer) : std::nullopt;
     if (number && *number >= 1 && *number <= 5 && *number == std::floor(*number)) {
-      auto& last = fields[answer.field][answer.subject];
-      if (answer.session >= last.first) {
-        last = {answer.session, static_cast<int>(*number)};
+      LastAnswer& last = fields[answer.field][answer.subject];
+      if (answer.session >= last.session) {
+        last = {answer.session, static_cast<int>(*number), {answer.source, answer.answerId}};
       }
     }
   }
@@ -35,9 +44,11 @@ void addSurveySection(ReportWork& work) {
   for (const auto& [field, bySubject] : fields) {
     RatingPlot::Question question{field, {}};
     std::vector<int> answers;
-    for (const auto& [subject, answer] : bySubject) {
-      answers.push_back(answer.second);
-      ++question.counts[static_cast<size_t>(answer.second - 1)];
+    std::vector<RowRef> answerRows;
+    for (const auto& [subject, last] : bySubject) {
+      answers.push_back(last.rating);
+      answerRows.push_back(last.row);
+      ++question.counts[static_cast<size_t>(last.rating - 1)];
     }
     plot.questions.push_back(question);
     const std::string source = fmt::format("last answers of {} subjects to {}", answers.size(), field);
@@ -45,13 +56,16 @@ void addSurveySection(ReportWork& work) {
     if (distribution) {
       Estimate mean;
       mean.value = distribution->mean;
-      rows.push_back({fmt::format("{}: mean (1 ppc, 5 gc)", field), mean, "", source});
+      rows.push_back({fmt::format("{}: mean (1 ppc, 5 gc)", field), mean, "", source, {}, answerRows});
     }
     const Estimable<MiddleTest> test = testAgainstMiddle(answers);
     rows.push_back(
         {fmt::format("{}: center of answer - 3, signed ranks", field),
-         test ? Estimable<Estimate>(test->signedRank.center) : Estimable<Estimate>::impossible(test.reason()), "",
-         source});
+         test ? Estimable<Estimate>(test->signedRank.center) : Estimable<Estimate>::impossible(test.reason()),
+         "",
+         source,
+         {},
+         answerRows});
     pValues.push_back(test ? test->signedRank.center.pValue : kNotKnown);
   }
   work.document.add(ReportFigure{plot.title, "figure-survey", ratingFigure(plot)});
