@@ -66,7 +66,8 @@ AnalysisPlan defaultPlan() {
 
 std::string describe(const AnalysisPlan& plan) {
   if (!plan.isRegistered()) {
-    return "no plan was registered";
+    return "no plan was registered: what is done are the defaults of Ocelli, not decisions made before the data were "
+           "seen";
   }
   return fmt::format("plan \"{}\", {}, SHA-256 {}", plan.name,
                      plan.registered.empty() ? "which does not say where it was registered"

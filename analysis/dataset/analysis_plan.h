@@ -123,7 +123,7 @@ struct AnalysisPlan {
 /// and families of protocols/rosen2010.plan.json.
 AnalysisPlan defaultPlan();
 
-/// "plan \"rosen2010\", registered ..., SHA-256 ..." or "no plan was registered".
+/// "plan \"rosen2010\", registered ..., SHA-256 ..." or that no plan was registered and these are defaults.
 std::string describe(const AnalysisPlan& plan);
 
 /// Throws AnalysisError that says line and field.

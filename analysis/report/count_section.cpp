@@ -44,8 +44,8 @@ void addMatched(ReportWork& work, const PlannedModel& model, const TrialList& tr
   Estimate difference = test->difference;
   difference.pValue = test->exactP;
   addEstimates(work.document, "McNemar's test on matched scenes (pairs taken as independent)", model.name,
-               {{"gc less ppc: difference of shares, exact p", difference, "", source},
-                {"Odds ratio gc / ppc", test->oddsRatio, "", source}});
+               {{"gc less ppc: difference of shares, exact p", difference, "", source, trials},
+                {"Odds ratio gc / ppc", test->oddsRatio, "", source, trials}});
   work.document.add(ReportParagraph{fmt::format("Right in both {}, only in ppc {}, only in gc {}, in neither {}.",
                                                 counts.both, counts.onlyFirst, counts.onlySecond, counts.neither)});
 }
@@ -90,9 +90,9 @@ void addErrors(ReportWork& work, const PlannedModel& model, const TrialList& tri
       test ? Estimable<Estimate>(test->center) : Estimable<Estimate>::impossible(test.reason());
   work.outcomes.push_back(
       {model.name, "", test ? Estimable<double>(test->center.pValue) : Estimable<double>::impossible(test.reason())});
-  addEstimates(work.document, "Signed error (answer less true number): gc less ppc, one mean a subject, Wilcoxon",
-               model.name,
-               {{"Hodges-Lehmann center", center, "", fmt::format("{} subjects with both views", differences.size())}});
+  addEstimates(
+      work.document, "Signed error (answer less true number): gc less ppc, one mean a subject, Wilcoxon", model.name,
+      {{"Hodges-Lehmann center", center, "", fmt::format("{} subjects with both views", differences.size()), trials}});
 }
 
 }  // namespace

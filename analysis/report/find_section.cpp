@@ -88,11 +88,11 @@ void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment tim
       continue;
     }
     plot.curves.push_back(plotCurve(nameOf(view), *curve, plot.riskTimes));
-    rows.push_back({fmt::format("{}: median time", nameOf(view)), medianTime(*curve), "s", source});
+    rows.push_back({fmt::format("{}: median time", nameOf(view)), medianTime(*curve), "s", source, seen});
     const Estimable<RestrictedMean> mean = restrictedMean(timesOf(seen, timeouts), limit, numbered(subjectsOf(seen)));
     rows.push_back({fmt::format("{}: restricted mean to {:g} s", nameOf(view), limit),
                     mean ? Estimable<Estimate>(mean->mean) : Estimable<Estimate>::impossible(mean.reason()), "s",
-                    source});
+                    source, seen});
   }
   if (!plot.curves.empty()) {
     work.document.add(ReportFigure{fmt::format("Kaplan-Meier curves of searches, {}", sizeText(trials)),
@@ -107,7 +107,7 @@ void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment tim
   rows.push_back(
       {"gc less ppc: difference of restricted means",
        difference ? Estimable<Estimate>(difference->difference) : Estimable<Estimate>::impossible(difference.reason()),
-       "s", fmt::format("{}, subjects as clusters", sizeText(trials))});
+       "s", fmt::format("{}, subjects as clusters", sizeText(trials)), trials});
   addEstimates(work.document, "Times to find, time-outs censored at the limit; subjects are clusters", "find-survival",
                rows);
 }
@@ -120,7 +120,7 @@ void addSurvivalModel(ReportWork& work, const PlannedModel& model, const TrialLi
   const std::string source = fmt::format("model {} of {}", model.name, sizeText(trials));
   std::vector<EstimateRow> rows;
   const auto keep = [&](const std::string& name, const Estimate& ratio) {
-    rows.push_back({name, ratio, "", source});
+    rows.push_back({name, ratio, "", source, trials});
     for (const std::string& term : model.terms) {
       if (columnOfTerm(model, trials, term) == name) {
         work.outcomes.push_back({model.name, term, ratio.pValue});
@@ -222,7 +222,8 @@ void addLinear(ReportWork& work, const PlannedModel& model, const TrialList& all
       row.reason = "cannot be estimated";
     }
     forest.rows.push_back(row);
-    rows.push_back({variant.label, view, "", fmt::format("model {} of {}", model.name, sizeText(variant.trials))});
+    rows.push_back(
+        {variant.label, view, "", fmt::format("model {} of {}", model.name, sizeText(variant.trials)), variant.trials});
   }
   work.document.add(
       ReportFigure{"Sensitivity of the ratio of geometric means", "figure-find-sensitivity", forestFigure(forest)});
@@ -277,9 +278,9 @@ void addFindSection(ReportWork& work) {
   }
   const TimeoutTreatment timeouts = work.analysis.plan.findTimeouts;
   const TrialList kept = timeouts == TimeoutTreatment::kRemoved ? withoutTimeouts(trials) : trials;
-  work.document.add(ReportParagraph{
-      fmt::format("{}, of which {} ended by the limit. Time-outs are treated as the plan says: {}.", sizeText(trials),
-                  std::count_if(trials.begin(), trials.end(), isCensored), nameOf(timeouts))});
+  work.document.add(ReportParagraph{fmt::format(
+      "{}, of which {} ended by the limit. Time-outs are treated as {} says: {}.", sizeText(trials),
+      std::count_if(trials.begin(), trials.end(), isCensored), planName(work.analysis.plan), nameOf(timeouts))});
   for (const PlannedModel& model : work.analysis.plan.models) {
     if (model.task != "find") {
       continue;

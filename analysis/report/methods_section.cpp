@@ -34,7 +34,25 @@ std::vector<std::string> cellsOf(const ReportOrigins& origins, const std::string
 void addHypotheses(ReportWork& work) {
   const AnalysisPlan& plan = work.analysis.plan;
   addHeading(work.document, 1, "Hypotheses", "hypotheses");
-  for (const HypothesisFamily& family : plan.families) {
+  if (!plan.isRegistered()) {
+    work.document.add(ReportNote{NoteKind::kWarning,
+                                 "No plan was registered: these hypotheses and families are defaults, so that their "
+                                 "tests confirm nothing."});
+  }
+  std::vector<std::string> leftOut;
+  for (HypothesisFamily family : plan.families) {
+    std::erase_if(family.hypotheses, [&](const std::string& name) {
+      const Hypothesis* hypothesis = plan.findHypothesis(name);
+      const PlannedModel* model = hypothesis ? plan.findModel(hypothesis->model) : nullptr;
+      const bool isLeftOut = model && !work.isWanted(model->task);
+      if (isLeftOut) {
+        leftOut.push_back(name);
+      }
+      return isLeftOut;
+    });
+    if (family.hypotheses.empty()) {
+      continue;
+    }
     std::vector<double> pValues;
     std::vector<std::string> reasons;
     for (const std::string& name : family.hypotheses) {
@@ -81,6 +99,11 @@ void addHypotheses(ReportWork& work) {
     }
     origins.finish();
     work.document.add(table);
+  }
+  if (!leftOut.empty()) {
+    work.document.add(ReportNote{
+        NoteKind::kNote,
+        fmt::format("Left out with their tasks, and not counted in corrections: {}.", fmt::join(leftOut, ", "))});
   }
 }
 

@@ -45,8 +45,8 @@ void addEquivalence(ReportWork& work, const PlannedModel& model, const TrialList
       return ValueRow{what, text, value, source, trials};
     };
     addValues(work.document,
-              fmt::format("Two one-sided tests against the plan's bounds of {} to {} (gc less ppc)", planned.lower,
-                          planned.upper),
+              fmt::format("Two one-sided tests against the bounds of {}, {} to {} (gc less ppc)",
+                          planName(work.analysis.plan), planned.lower, planned.upper),
               model.name,
               {row("Difference of shares", numberText(test->difference.value), test->difference.value),
                row(fmt::format("{:g} % interval", 100 * (1 - 2 * test->alpha)),
@@ -123,9 +123,10 @@ void addPathSection(ReportWork& work) {
                       fmt::format("{} is not done for paths", nameOf(model.kind)));
     }
   }
-  work.methods.push_back(
+  work.methods.push_back(fmt::format(
       "Whether paths are recognised equally well was tested by two one-sided tests of the subjects' differences of "
-      "shares against the plan's bounds, with a Bayes factor beside them, and against chance by an exact test.");
+      "shares against the bounds of {}, with a Bayes factor beside them, and against chance by an exact test.",
+      planName(work.analysis.plan)));
 }
 
 }  // namespace ocelli

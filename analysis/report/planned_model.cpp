@@ -174,7 +174,8 @@ void addPlannedFit(ReportWork& work, const PlannedModel& model, const TrialList&
   std::vector<EstimateRow> rows;
   for (const TermEstimate& term : fit->terms) {
     rows.push_back({term.column.empty() ? term.term : term.column,
-                    term.estimate ? Estimable<Estimate>(exponentiated(*term.estimate)) : term.estimate, "", source});
+                    term.estimate ? Estimable<Estimate>(exponentiated(*term.estimate)) : term.estimate, "", source,
+                    trials});
   }
   addEstimates(work.document, caption, model.name, rows);
   work.document.add(

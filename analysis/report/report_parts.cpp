@@ -31,6 +31,10 @@ OriginRows originRowsOf(const EstimateRow& row) {
 
 }  // namespace
 
+std::string planName(const AnalysisPlan& plan) {
+  return plan.isRegistered() ? "the plan" : "the default plan";
+}
+
 TrialList trialsOfTask(const AnalysisData& analysis, const std::string& task) {
   TrialList list;
   for (const Trial& trial : analysis.data.trials) {

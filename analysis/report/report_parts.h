@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,15 @@ struct TestOutcome {
 struct ReportWork {
   const AnalysisData& analysis;
   ReportDocument& document;
+  std::set<std::string> only{};  ///< tasks that the report is about; empty: all
   std::vector<TestOutcome> outcomes{};
   std::vector<std::string> methods{};  ///< sentences about what was done
+
+  bool isWanted(const std::string& task) const { return only.empty() || only.contains(task); }
 };
+
+/// What decides how things are done: "the plan", or where none was registered "the default plan".
+std::string planName(const AnalysisPlan& plan);
 
 TrialList trialsOfTask(const AnalysisData& analysis, const std::string& task);
 TrialList trialsOfView(const TrialList& trials, TrialView view);

@@ -67,7 +67,8 @@ void addRightAnswers(ReportWork& work, const TrialList& trials, const std::strin
         values.summary = intervalOf(share);
         rows.push_back({fmt::format("{}, session {}", nameOf(view), session), share, "",
                         fmt::format("{} right of {} with view {} in session {}", shareOf(here).successes,
-                                    sizeText(here), nameOf(view), session)});
+                                    sizeText(here), nameOf(view), session),
+                        here});
       }
       series.groups.push_back(values);
     }

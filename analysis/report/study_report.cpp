@@ -29,6 +29,13 @@ void addDesign(ReportWork& work, const StudyReportOptions& options) {
     }
   }
   work.document.add(facts);
+  if (!analysis.plan.isRegistered()) {
+    work.document.add(
+        ReportNote{NoteKind::kWarning,
+                   "No plan was registered. Exclusions, models, hypotheses, families and bounds are the defaults of "
+                   "Ocelli: nothing "
+                   "here was decided for this study before its data were seen, and p values are exploratory."});
+  }
   for (const DataSource& source : analysis.data.sources) {
     if (!source.protocolText.empty()) {
       const ProtocolFacts protocol = protocolFacts(source.protocolText, source.path);
@@ -93,25 +100,24 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   for (const DataSource& source : analysis.data.sources) {
     document.origins.sources.push_back(source.path);
   }
-  ReportWork work{analysis, document};
+  ReportWork work{analysis, document, options.only};
   if (simulated) {
     document.add(
         ReportNote{NoteKind::kSimulated, "These results are of simulated subjects: they say nothing about people."});
   }
-  const auto wanted = [&](const char* task) { return options.only.empty() || options.only.contains(task); };
   addDesign(work, options);
   addFlowSection(work);
   addPaperSection(work, tables);
-  if (wanted("find")) {
+  if (work.isWanted("find")) {
     addFindSection(work);
   }
-  if (wanted("count")) {
+  if (work.isWanted("count")) {
     addCountSection(work);
   }
-  if (wanted("path")) {
+  if (work.isWanted("path")) {
     addPathSection(work);
   }
-  if (wanted("survey")) {
+  if (work.isWanted("survey")) {
     addSurveySection(work);
   }
   addHypotheses(work);

@@ -53,7 +53,7 @@ TEST(AnalysisPlan, defaultsAreThoseOfTheSample) {
   const AnalysisPlan sample = readPlan(kSample);
   const AnalysisPlan plan = defaultPlan();
   EXPECT_FALSE(plan.isRegistered());
-  EXPECT_EQ(describe(plan), "no plan was registered");
+  EXPECT_TRUE(describe(plan).starts_with("no plan was registered: what is done are the defaults"));
   ASSERT_EQ(plan.models.size(), sample.models.size());
   for (size_t i = 0; i < plan.models.size(); ++i) {
     EXPECT_EQ(plan.models[i].name, sample.models[i].name);
