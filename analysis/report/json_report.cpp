@@ -1,6 +1,10 @@
 #include "analysis/report/json_report.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "analysis/plot/utf8.h"
@@ -28,6 +32,69 @@ const char* nameOf(NoteKind kind) {
       return "not estimable";
   }
   return "";
+}
+
+/// "1-5, 9".
+std::string rangesOf(const std::vector<int64_t>& sorted) {
+  std::string text;
+  for (size_t first = 0; first < sorted.size();) {
+    size_t last = first;
+    while (last + 1 < sorted.size() && sorted[last + 1] == sorted[last] + 1) {
+      ++last;
+    }
+    fmt::format_to(std::back_inserter(text), "{}{}", text.empty() ? "" : ", ", sorted[first]);
+    if (last > first) {
+      fmt::format_to(std::back_inserter(text), "-{}", sorted[last]);
+    }
+    first = last + 1;
+  }
+  return text;
+}
+
+/// By source: {"file", "table", "rows"}.
+Json rowsOf(const Cell& cell, const std::vector<std::string>& sources) {
+  std::map<int, std::vector<int64_t>> bySource;
+  for (const RowRef& row : cell.rows) {
+    bySource[row.source].push_back(row.row);
+  }
+  Json json = Json::array();
+  for (auto& [source, rows] : bySource) {
+    std::sort(rows.begin(), rows.end());
+    json.push_back({{"file", cleanText(sources[static_cast<size_t>(source)])},
+                    {"table", cell.from == Cell::From::kAnswers ? "final_answer" : "final_trial"},
+                    {"rows", rangesOf(rows)}});
+  }
+  return json;
+}
+
+/// The rows of each cell by its name. What many cells share stands once, in `sets`.
+struct OriginsAsJson {
+  Json sets = Json::object();
+  Json cells = Json::object();
+};
+
+OriginsAsJson jsonOf(const ReportOrigins& origins) {
+  OriginsAsJson result;
+  std::map<std::string, std::string> names;
+  for (const Table& table : origins.tables) {
+    for (const TableRow& row : table.rows) {
+      for (const Cell& cell : row.cells) {
+        if (cell.from == Cell::From::kCells) {
+          result.cells[cell.name] = {{"from", cell.cells}};
+        } else if (cell.from == Cell::From::kSubjects) {
+          result.cells[cell.name] = {{"subjects", cell.subjects.size()}};
+        } else if (!cell.rows.empty()) {
+          const Json rows = rowsOf(cell, origins.sources);
+          const auto [name, isNew] = names.try_emplace(rows.dump(), fmt::format("set-{}", names.size() + 1));
+          if (isNew) {
+            result.sets[name->second] = rows;
+          }
+          result.cells[cell.name] = {{"rows", name->second}};
+        }
+      }
+    }
+  }
+  return result;
 }
 
 Json cellOf(const ReportCell& cell) {
@@ -115,6 +182,9 @@ std::string jsonReport(const ReportDocument& document) {
     elements.push_back(element);
   }
   json["elements"] = elements;
+  const OriginsAsJson origins = jsonOf(document.origins);
+  json["row_sets"] = origins.sets;
+  json["cells"] = origins.cells;
   return json.dump(1) + "\n";
 }
 

@@ -34,6 +34,28 @@ TEST(JsonReport, tablesHaveTheFullValuesAndSourcesOfTheirCells) {
   EXPECT_FALSE(table["rows"][0][0].contains("value"));
 }
 
+TEST(JsonReport, cellsNameTheirRowsAndShareSets) {
+  ReportDocument document;
+  document.origins.sources = {"a.db", "b.db"};
+  Cell mean;
+  mean.name = "times/mean";
+  mean.rows = {{1, 7}, {0, 3}, {0, 1}, {0, 2}, {0, 9}};
+  Cell share = mean;
+  share.name = "times/share";
+  Cell upper;
+  upper.name = "times/upper";
+  upper.from = Cell::From::kCells;
+  upper.cells = {"times/mean"};
+  document.origins.tables = {{"times", "Times", {"what"}, {"mean", "share", "upper"}, {{{"x"}, {mean, share, upper}}}}};
+  const nlohmann::json report = nlohmann::json::parse(jsonReport(document));
+  EXPECT_EQ(report["row_sets"],
+            nlohmann::json::parse(R"({"set-1": [{"file": "a.db", "table": "final_trial", "rows": "1-3, 9"},
+                                                {"file": "b.db", "table": "final_trial", "rows": "7"}]})"));
+  EXPECT_EQ(report["cells"],
+            nlohmann::json::parse(R"({"times/mean": {"rows": "set-1"}, "times/share": {"rows": "set-1"},
+                                      "times/upper": {"from": ["times/mean"]}})"));
+}
+
 TEST(JsonReport, everyElementIsThere) {
   const ReportDocument document = sampleDocument();
   const nlohmann::json report = nlohmann::json::parse(jsonReport(document));
