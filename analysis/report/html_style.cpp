@@ -62,14 +62,18 @@ code { font-family: var(--mono); font-size: .85em; overflow-wrap: anywhere; }
 button { font-size: .875rem; padding: .2rem .8rem; min-height: 2rem; border: 1px solid var(--accent); background: var(--paper);
   color: var(--accent); cursor: pointer; }
 button:hover { background: var(--tint); }
-.scroll { overflow-x: auto; max-width: 100%; }
+.scroll { overflow-x: auto; max-width: 100%; background:
+  linear-gradient(90deg, var(--paper) 40%, #fff0) 0 0 / 3rem 100% local no-repeat,
+  linear-gradient(270deg, var(--paper) 40%, #fff0) 100% 0 / 3rem 100% local no-repeat,
+  linear-gradient(90deg, #0003, #0000) 0 0 / .8rem 100% scroll no-repeat,
+  linear-gradient(270deg, #0003, #0000) 100% 0 / .8rem 100% scroll no-repeat; }
 .table { margin: 1.5rem 0 1.75rem; }
 table { border-collapse: collapse; font-size: .875rem; line-height: 1.35; font-variant-numeric: tabular-nums;
   border-top: 2px solid var(--text); border-bottom: 2px solid var(--text); }
 .title { font-family: var(--sans); font-size: .9rem; line-height: 1.45; margin: 0 0 .5rem; max-width: 46rem; overflow-wrap: anywhere; }
 th, td { padding: .32rem .75rem; text-align: right; vertical-align: top; white-space: nowrap; }
 th:first-child, td:first-child, .words { text-align: left; }
-.words { white-space: normal; min-width: 14rem; max-width: 26rem; overflow-wrap: break-word; }
+.words { white-space: normal; min-width: 4rem; max-width: 26rem; overflow-wrap: break-word; }
 tbody th { font-weight: 400; white-space: normal; min-width: 5.5rem; max-width: 20rem; }
 thead th { font-weight: 600; vertical-align: bottom; white-space: normal; }
 thead tr:last-child th { border-bottom: 1px solid var(--text); }
@@ -116,7 +120,7 @@ footer { margin-top: 4rem; padding-top: .75rem; border-top: 1px solid var(--rule
   figure, .note, tr, dt, dd { break-inside: avoid; }
   thead { display: table-header-group; }
   table { font-size: 8pt; }
-  .scroll { overflow: visible; }
+  .scroll { overflow: visible; background: none; }
   figure svg { max-width: var(--width); min-width: 0; }
 }
 )css";
