@@ -56,7 +56,7 @@ void drawResiduals(Drawing& drawing, const ModelCheckPlot& plot, const std::vect
   drawPoints(drawing, points, residuals.size());
 }
 
-void drawQuantiles(Drawing& drawing, const ModelCheckPlot& plot, std::vector<double> residuals, const Spread& spread,
+void drawQuantiles(Drawing& drawing, const std::string& label, std::vector<double> residuals, const Spread& spread,
                    const PlotBox& box) {
   std::sort(residuals.begin(), residuals.end());
   const size_t n = residuals.size();
@@ -65,7 +65,7 @@ void drawQuantiles(Drawing& drawing, const ModelCheckPlot& plot, std::vector<dou
   AxisRange x = AxisRange::of({first.median, -first.median});
   AxisRange y = AxisRange::of(residuals).with(expected(first.lower)).with(expected(-first.lower));
   const Panel panel(drawing, box, AxisSpec::ofValues("Normal quantile", x, false),
-                    AxisSpec::ofValues(fmt::format("{}, sorted", plot.residualLabel), y));
+                    AxisSpec::ofValues(fmt::format("{}, sorted", label), y));
   std::vector<PlotPoint> outline;
   std::vector<PlotPoint> lower;
   const size_t steps = std::min(n, kBandPoints);
@@ -123,7 +123,37 @@ Figure modelCheckFigure(const ModelCheckPlot& plot) {
   }
   const double half = (figure.width - kGap) / 2;
   drawResiduals(figure.drawing, plot, fitted, residuals, {0, 0, half, kHeight});
-  drawQuantiles(figure.drawing, plot, residuals, spread, {half + kGap, 0, figure.width - 2, kHeight});
+  drawQuantiles(figure.drawing, plot.residualLabel, residuals, spread, {half + kGap, 0, figure.width - 2, kHeight});
+  return figure;
+}
+
+Figure quantileFigure(const QuantilePlot& plot) {
+  std::vector<QuantilePlot::Panel> panels;
+  for (QuantilePlot::Panel panel : plot.panels) {
+    std::erase_if(panel.values, [](double value) { return !std::isfinite(value); });
+    if (panel.values.size() > 1) {
+      panels.push_back(std::move(panel));
+    }
+  }
+  if (panels.empty()) {
+    return emptyFigure(plot.title, plot.widthMillimetres, "there are no values");
+  }
+  const auto rows = static_cast<double>((panels.size() + 1) / 2);
+  Figure figure{plot.title,
+                "Sorted values against normal quantiles, with a band that holds each point in 95 % of samples.",
+                plot.widthMillimetres * kPointsPerMillimetre,
+                rows * kHeight + (rows - 1) * kGap,
+                {}};
+  const double half = (figure.width - kGap) / 2;
+  for (size_t i = 0; i < panels.size(); ++i) {
+    const Spread spread = spreadOf(panels[i].values);
+    const double left = i % 2 == 0 ? 0 : half + kGap;
+    const double top = static_cast<double>(i / 2) * (kHeight + kGap);
+    drawQuantiles(figure.drawing, panels[i].label, panels[i].values, spread,
+                  {left, top, left + half - 2, top + kHeight});
+    figure.description += fmt::format(" {}: {} values, standard deviation {}.", panels[i].label,
+                                      panels[i].values.size(), shortNumberText(spread.deviation));
+  }
   return figure;
 }
 

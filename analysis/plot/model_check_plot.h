@@ -21,6 +21,20 @@ struct ModelCheckPlot {
 
 Figure modelCheckFigure(const ModelCheckPlot& plot);
 
+/// Values that a model takes as normal, such as random effects, against normal quantiles: a panel each, two a row.
+struct QuantilePlot {
+  struct Panel {
+    std::string label;
+    std::vector<double> values;
+  };
+
+  std::string title;
+  std::vector<Panel> panels;
+  double widthMillimetres = kDoubleColumnMillimetres;
+};
+
+Figure quantileFigure(const QuantilePlot& plot);
+
 /// What the k-th of n (k from 0) of a sorted standard normal sample lies between in 95 % of samples, and in the middle:
 /// by the beta distribution of uniform order statistics.
 struct NormalOrder {

@@ -7,8 +7,9 @@
 #include "analysis/inference/mcnemar.h"
 #include "analysis/inference/wilcoxon.h"
 #include "analysis/plot/histogram_plot.h"
-#include "analysis/report/planned_model.h"
+#include "analysis/report/count_conditions.h"
 #include "analysis/report/right_answers.h"
+#include "analysis/report/right_model.h"
 
 namespace ocelli {
 namespace {
@@ -106,13 +107,14 @@ void addCountSection(ReportWork& work) {
     return;
   }
   addRightAnswers(work, trials, "Counts", "count-shares", std::nullopt);
+  addCountConditions(work, trials);
+  addHeading(work.document, 2, "Models and tests", "count-models");
   for (const PlannedModel& model : work.analysis.plan.models) {
     if (model.task != "count") {
       continue;
     }
     if (model.kind == ModelKind::kBinomialMixed) {
-      const TrialList complete = completeTrials(model, trials);
-      addPlannedFit(work, model, complete, fitBinomial(model, complete),
+      addRightModel(work, model, trials,
                     "Binomial mixed model of right counts: odds ratios, Wald's intervals and tests");
     } else if (model.kind == ModelKind::kMcNemar) {
       addMatched(work, model, trials);

@@ -4,21 +4,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "analysis/inference/accelerated_failure_time.h"
 #include "analysis/inference/cox.h"
 #include "analysis/inference/kaplan_meier.h"
 #include "analysis/inference/restricted_mean.h"
-#include "analysis/plot/forest_plot.h"
+#include "analysis/inference/restricted_mean_bootstrap.h"
 #include "analysis/plot/group_plot.h"
 #include "analysis/plot/survival_plot.h"
+#include "analysis/report/effect_sizes.h"
+#include "analysis/report/model_checks.h"
 #include "analysis/report/planned_model.h"
+#include "analysis/report/resampled_effects.h"
+#include "analysis/report/sensitivity.h"
 
 namespace ocelli {
 namespace {
 
 constexpr double kUsualLimit = 60;  // s, section 7.4.2
+/// Rows that are fitted again without cases, at most: linear models take some microseconds a row, others more.
+constexpr size_t kMostLinearRows = 2000000;
+constexpr size_t kMostOtherRows = 400000;
 
 bool isCensored(const Trial* trial) {
   return trial->censored.value_or(false);
@@ -110,73 +116,105 @@ void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment tim
        "s", fmt::format("{}, subjects as clusters", sizeText(trials)), trials});
   addEstimates(work.document, "Times to find, time-outs censored at the limit; subjects are clusters", "find-survival",
                rows);
+  addResampled(
+      work, "Difference of restricted means (gc less ppc) by resampling subjects and cases", "find-survival-resampled",
+      {{"gc less ppc",
+        bootstrapRestrictedMeanDifference(timesOf(trials, timeouts), isGraph, limit, numbered(subjectsOf(trials)),
+                                          caseNumbers(trials), bootstrapPlanOf(work.analysis.plan)),
+        trials, "s"}});
+}
+
+/// Ratios of the covariates by name, of hazards or of times.
+using NamedRatios = std::vector<std::pair<std::string, Estimate>>;
+
+Estimable<NamedRatios> fitSurvival(const PlannedModel& model, const TrialList& trials, TimeoutTreatment timeouts) {
+  using Result = Estimable<NamedRatios>;
+  const SurvivalData data{timesOf(trials, timeouts), covariatesOf(model, trials), {}, numbered(subjectsOf(trials))};
+  if (data.covariates.empty()) {
+    return Result::impossible("no term of it varies");
+  }
+  NamedRatios ratios;
+  if (model.kind == ModelKind::kCox) {
+    const Estimable<CoxFit> fit = fitCox(data);
+    if (!fit) {
+      return Result::impossible(fit.reason());
+    }
+    for (const CoxTerm& term : fit->terms) {
+      ratios.emplace_back(term.name, term.hazardRatio);
+    }
+  } else {
+    const Estimable<FailureTimeFit> fit = fitLogNormal(data);
+    if (!fit) {
+      return Result::impossible(fit.reason());
+    }
+    for (const TimeRatioTerm& term : fit->terms) {
+      ratios.emplace_back(term.name, term.timeRatio);
+    }
+  }
+  return ratios;
+}
+
+Estimable<Estimate> viewOf(const Estimable<NamedRatios>& ratios) {
+  if (!ratios) {
+    return Estimable<Estimate>::impossible(ratios.reason());
+  }
+  for (const auto& [name, ratio] : *ratios) {
+    if (name.starts_with("view=") && name.find(':') == std::string::npos) {
+      return ratio;
+    }
+  }
+  return Estimable<Estimate>::impossible("the view does not vary, or is not in the model");
+}
+
+const char* labelOf(TimeoutTreatment timeouts) {
+  return timeouts == TimeoutTreatment::kSetToLimit ? "set to the limit" : nameOf(timeouts);
+}
+
+void addSurvivalSensitivity(ReportWork& work, const PlannedModel& model, const TrialList& all,
+                            TimeoutTreatment timeouts) {
+  const TrialList trials = timeouts == TimeoutTreatment::kRemoved ? withoutTimeouts(all) : all;
+  std::vector<Variant> first{{fmt::format("Time-outs {}", labelOf(timeouts)), trials, timeouts}};
+  for (const TimeoutTreatment other : kTimeoutTreatments) {
+    if (other != timeouts) {
+      first.push_back({fmt::format("Time-outs {}", labelOf(other)),
+                       other == TimeoutTreatment::kRemoved ? withoutTimeouts(all) : all, other});
+    }
+  }
+  const bool cox = model.kind == ModelKind::kCox;
+  addSensitivity(work,
+                 {fmt::format("{}-sensitivity", model.name),
+                  fmt::format("The effect of the view in model {}, analysed in other ways", model.name),
+                  cox ? "Hazard ratio, gc / ppc" : "Ratio of times, gc / ppc", cox ? "ppc sooner" : "gc faster",
+                  cox ? "gc sooner" : "ppc faster"},
+                 variantsOf(trials, first, kMostOtherRows),
+                 [&](const Variant& variant) { return viewOf(fitSurvival(model, variant.trials, variant.timeouts)); });
 }
 
 /// Cox or log-normal: as a table of ratios.
 void addSurvivalModel(ReportWork& work, const PlannedModel& model, const TrialList& all, TimeoutTreatment timeouts) {
-  const TrialList trials = completeTrials(model, all);
-  const SurvivalData data{timesOf(trials, timeouts), covariatesOf(model, trials), {}, numbered(subjectsOf(trials))};
-  const bool cox = model.kind == ModelKind::kCox;
+  const TrialList complete = completeTrials(model, all);
+  const TrialList trials = timeouts == TimeoutTreatment::kRemoved ? withoutTimeouts(complete) : complete;
   const std::string source = fmt::format("model {} of {}", model.name, sizeText(trials));
+  const Estimable<NamedRatios> ratios = fitSurvival(model, trials, timeouts);
+  if (!ratios) {
+    addNotEstimable(work.document, fmt::format("Model {}", model.name), ratios.reason());
+    return;
+  }
   std::vector<EstimateRow> rows;
-  const auto keep = [&](const std::string& name, const Estimate& ratio) {
+  for (const auto& [name, ratio] : *ratios) {
     rows.push_back({name, ratio, "", source, trials});
     for (const std::string& term : model.terms) {
       if (columnOfTerm(model, trials, term) == name) {
         work.outcomes.push_back({model.name, term, ratio.pValue});
       }
     }
-  };
-  std::string reason = "no term of it varies";
-  if (!data.covariates.empty() && cox) {
-    const Estimable<CoxFit> fit = fitCox(data);
-    reason = fit ? "" : fit.reason();
-    for (size_t i = 0; fit && i < fit->terms.size(); ++i) {
-      keep(fit->terms[i].name, fit->terms[i].hazardRatio);
-    }
-  } else if (!data.covariates.empty()) {
-    const Estimable<FailureTimeFit> fit = fitLogNormal(data);
-    reason = fit ? "" : fit.reason();
-    for (size_t i = 0; fit && i < fit->terms.size(); ++i) {
-      keep(fit->terms[i].name, fit->terms[i].timeRatio);
-    }
-  }
-  if (rows.empty()) {
-    addNotEstimable(work.document, fmt::format("Model {}", model.name), reason);
-    return;
   }
   addEstimates(work.document,
-               cox ? "Cox regression: hazard ratios (above 1: found sooner), subjects as clusters"
+               model.kind == ModelKind::kCox
+                   ? "Cox regression: hazard ratios (above 1: found sooner), subjects as clusters"
                    : "Log-normal failure times: ratios of times (below 1: found sooner), subjects as clusters",
                model.name, rows);
-}
-
-/// Which searches a sensitivity analysis keeps.
-struct Variant {
-  std::string label;
-  TrialList trials;
-};
-
-std::vector<Variant> variantsOf(const TrialList& trials) {
-  TrialList firstSession = trials;
-  std::erase_if(firstSession, [](const Trial* trial) { return trial->session != 1; });
-  TrialList noDropped = trials;
-  std::erase_if(noDropped, [](const Trial* trial) { return trial->droppedFrames > 0; });
-  std::vector<Variant> variants{{"Time-outs set to the limit", trials},
-                                {"Time-outs removed", withoutTimeouts(trials)},
-                                {"First session only", firstSession},
-                                {"Without trials with dropped frames", noDropped}};
-  std::set<std::string> cases;
-  for (const Trial* trial : trials) {
-    cases.insert(fmt::format("{}, {}", trial->block, trial->caseLabel));
-  }
-  for (const std::string& left : cases) {
-    TrialList others = trials;
-    std::erase_if(others,
-                  [&](const Trial* trial) { return fmt::format("{}, {}", trial->block, trial->caseLabel) == left; });
-    variants.push_back({fmt::format("Without {}", left), others});
-  }
-  return variants;
+  addSurvivalSensitivity(work, model, complete, timeouts);
 }
 
 void addLinear(ReportWork& work, const PlannedModel& model, const TrialList& all, TimeoutTreatment timeouts) {
@@ -194,40 +232,25 @@ void addLinear(ReportWork& work, const PlannedModel& model, const TrialList& all
       timeouts == TimeoutTreatment::kRemoved
           ? "Searches whose time ran out are removed here."
           : "A linear model knows no censored times: searches whose time ran out count with the limit here."});
-  ForestPlot forest;
-  forest.title = "The effect of the view on times, analysed in other ways";
-  forest.valueLabel = "Ratio of geometric means, gc / ppc";
-  forest.lowerSide = "gc faster";
-  forest.upperSide = "ppc faster";
-  forest.ratio = true;
-  std::vector<EstimateRow> rows;
-  for (const Variant& variant : variantsOf(trials)) {
-    Estimable<Estimate> view = Estimable<Estimate>::impossible("the model has no view");
-    const Estimable<PlannedFit> refit = fitLinear(model, variant.trials, secondsOf(variant.trials));
-    if (!refit) {
-      view = Estimable<Estimate>::impossible(refit.reason());
-    } else {
-      for (const TermEstimate& term : refit->terms) {
-        if (term.term == "view") {
-          view = term.estimate ? Estimable<Estimate>(exponentiated(*term.estimate)) : term.estimate;
-        }
-      }
-    }
-    ForestPlot::Row row;
-    row.label = variant.label;
-    row.main = variant.trials.size() == main.size();
-    if (view) {
-      row.interval = intervalOf(*view);
-    } else {
-      row.reason = "cannot be estimated";
-    }
-    forest.rows.push_back(row);
-    rows.push_back(
-        {variant.label, view, "", fmt::format("model {} of {}", model.name, sizeText(variant.trials)), variant.trials});
+  addLinearChecks(work, model, *fit);
+  std::vector<double> logs;
+  for (const double seconds : secondsOf(main)) {
+    logs.push_back(std::log(seconds));
   }
-  work.document.add(
-      ReportFigure{"Sensitivity of the ratio of geometric means", "figure-find-sensitivity", forestFigure(forest)});
-  addEstimates(work.document, "The same in numbers: ratios of geometric means, gc / ppc", "find-sensitivity", rows);
+  addResampled(
+      work, "Ratio of geometric means (gc / ppc) by resampling subjects and cases",
+      fmt::format("{}-resampled", model.name),
+      {{"gc / ppc", bootstrapViewDifference(main, logs, bootstrapPlanOf(work.analysis.plan)), main, "", true}});
+  addTimeEffects(work, main, secondsOf(main), fmt::format("{}-sizes", model.name));
+  const bool removed = timeouts == TimeoutTreatment::kRemoved;
+  const Variant atLimit{"Time-outs set to the limit", trials};
+  const Variant without{"Time-outs removed", withoutTimeouts(trials)};
+  addSensitivity(
+      work,
+      {fmt::format("{}-sensitivity", model.name), "The effect of the view on times, analysed in other ways",
+       "Ratio of geometric means, gc / ppc", "gc faster", "ppc faster"},
+      variantsOf(main, removed ? std::vector{without, atLimit} : std::vector{atLimit, without}, kMostLinearRows),
+      [&](const Variant& variant) { return viewRatio(fitLinear(model, variant.trials, secondsOf(variant.trials))); });
 }
 
 void addCases(ReportWork& work, const TrialList& trials) {
@@ -288,7 +311,7 @@ void addFindSection(ReportWork& work) {
     if (model.kind == ModelKind::kKaplanMeier) {
       addSurvival(work, kept, timeouts);
     } else if (model.kind == ModelKind::kCox || model.kind == ModelKind::kLogNormalSurvival) {
-      addSurvivalModel(work, model, kept, timeouts);
+      addSurvivalModel(work, model, trials, timeouts);
     } else if (model.kind == ModelKind::kLinearMixed) {
       addLinear(work, model, trials, timeouts);
     } else {

@@ -5,8 +5,8 @@
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/inference/bayes_factor.h"
 #include "analysis/inference/equivalence.h"
-#include "analysis/report/planned_model.h"
 #include "analysis/report/right_answers.h"
+#include "analysis/report/right_model.h"
 
 namespace ocelli {
 namespace {
@@ -109,8 +109,7 @@ void addPathSection(ReportWork& work) {
       continue;
     }
     if (model.kind == ModelKind::kBinomialMixed) {
-      const TrialList complete = completeTrials(model, trials);
-      addPlannedFit(work, model, complete, fitBinomial(model, complete),
+      addRightModel(work, model, trials,
                     "Binomial mixed model of right paths: odds ratios, Wald's intervals and tests");
     } else if (model.kind == ModelKind::kEquivalence) {
       addEquivalence(work, model, trials, differences);

@@ -84,10 +84,16 @@ Design designOf(const PlannedModel& model, const TrialList& trials) {
   return makeDesign(fixed, random);
 }
 
+std::string columnOf(const FixedEffects& fixed, const std::string& term) {
+  const std::vector<Eigen::Index> columns = fixed.columnsOf(term);
+  return columns.empty() ? "" : fixed.names()[static_cast<size_t>(columns.front())];
+}
+
 PlannedFit describe(const PlannedModel& model, const TrialList& trials, const MixedModelFit& fit) {
   PlannedFit result;
+  const FixedEffects fixed = fixedEffects(model, trials, false);
   for (const std::string& term : model.terms) {
-    const std::string column = columnOfTerm(model, trials, term);
+    const std::string column = columnOf(fixed, term);
     result.terms.push_back({term, column, coefficientEstimate(fit, column)});
   }
   result.warnings = fit.warnings;
@@ -97,6 +103,15 @@ PlannedFit describe(const PlannedModel& model, const TrialList& trials, const Mi
                                           term.standardDeviations[static_cast<Eigen::Index>(i)]));
     }
   }
+  for (const RandomTermFit& term : fit.random) {
+    for (size_t i = 0; i < term.names.size(); ++i) {
+      const auto values = term.effects.col(static_cast<Eigen::Index>(i));
+      result.effects.push_back({fmt::format("{} {}", term.group, term.names[i]), {values.begin(), values.end()}});
+    }
+  }
+  result.search = fmt::format("the search for the optimum {} after {} evaluations, and {}",
+                              fit.convergence.converged ? "converged" : "did not converge", fit.convergence.evaluations,
+                              fit.singular ? "the fit is singular" : "no variance is 0");
   result.fitted.assign(fit.fitted.begin(), fit.fitted.end());
   return result;
 }
@@ -106,9 +121,7 @@ constexpr const char* kNoTrials = "there are no trials";
 }  // namespace
 
 std::string columnOfTerm(const PlannedModel& model, const TrialList& trials, const std::string& term) {
-  const FixedEffects fixed = fixedEffects(model, trials, false);
-  const std::vector<Eigen::Index> columns = fixed.columnsOf(term);
-  return columns.empty() ? "" : fixed.names()[static_cast<size_t>(columns.front())];
+  return columnOf(fixedEffects(model, trials, false), term);
 }
 
 Estimable<PlannedFit> fitLinear(const PlannedModel& model, const TrialList& trials,
@@ -126,6 +139,7 @@ Estimable<PlannedFit> fitLinear(const PlannedModel& model, const TrialList& tria
   }
   PlannedFit result = describe(model, trials, *fit);
   result.residuals.assign(fit->residuals.begin(), fit->residuals.end());
+  result.residualDeviation = fit->residualDeviation;
   return result;
 }
 
@@ -139,6 +153,18 @@ Estimable<PlannedFit> fitBinomial(const PlannedModel& model, const TrialList& tr
   }
   const Estimable<BinomialMixedFit> fit = BinomialMixedModel(designOf(model, trials)).fit(binaryResponse(right));
   return fit ? Estimable<PlannedFit>(describe(model, trials, *fit)) : Estimable<PlannedFit>::impossible(fit.reason());
+}
+
+Estimable<Estimate> viewRatio(const Estimable<PlannedFit>& fit) {
+  if (!fit) {
+    return Estimable<Estimate>::impossible(fit.reason());
+  }
+  for (const TermEstimate& term : fit->terms) {
+    if (term.term == "view") {
+      return term.estimate ? Estimable<Estimate>(exponentiated(*term.estimate)) : term.estimate;
+    }
+  }
+  return Estimable<Estimate>::impossible("the model has no view");
 }
 
 std::vector<Covariate> covariatesOf(const PlannedModel& model, const TrialList& trials) {
@@ -178,8 +204,8 @@ void addPlannedFit(ReportWork& work, const PlannedModel& model, const TrialList&
                     trials});
   }
   addEstimates(work.document, caption, model.name, rows);
-  work.document.add(
-      ReportParagraph{fmt::format("{}. Random effects: {}.", sizeText(trials), fmt::join(fit->random, "; "))});
+  work.document.add(ReportParagraph{fmt::format("{}. Random effects: {}. As for the fit, {}.", sizeText(trials),
+                                                fmt::join(fit->random, "; "), fit->search)});
   for (const std::string& warning : fit->warnings) {
     work.document.add(ReportNote{NoteKind::kWarning, fmt::format("Model {}: {}.", model.name, warning)});
   }

@@ -17,13 +17,25 @@ struct TermEstimate {
   Estimable<Estimate> estimate;  ///< on the model's own scale: log seconds, logits
 };
 
+/// Predictions of one random effect.
+struct RandomEffectValues {
+  std::string name;            ///< "subject view=gc"
+  std::vector<double> values;  ///< one a level
+};
+
 struct PlannedFit {
   std::vector<TermEstimate> terms;
   std::vector<std::string> warnings;  ///< singular, not converged, dropped columns
   std::vector<std::string> random;    ///< "subject: standard deviation 0.21"
   std::vector<double> fitted{};
   std::vector<double> residuals{};  ///< of a linear model
+  double residualDeviation = 0;     ///< likewise
+  std::vector<RandomEffectValues> effects{};
+  std::string search;  ///< how the search for the optimum ended: a whole clause
 };
+
+/// What a fit says of "view", as a ratio. Impossible where the model has no view.
+Estimable<Estimate> viewRatio(const Estimable<PlannedFit>& fit);
 
 /// Of the logarithm of `seconds`, one a trial, all above 0. View and other factors are centered, numbers are less their
 /// mean: each coefficient is that of an average trial.

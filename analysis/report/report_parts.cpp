@@ -1,6 +1,7 @@
 #include "analysis/report/report_parts.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,9 @@
 
 namespace ocelli {
 namespace {
+
+/// Results that share a reason, of which so many are named.
+constexpr size_t kMostNamed = 4;
 
 bool hasTerm(const PlannedModel& model, const std::string& term) {
   return std::any_of(model.terms.begin(), model.terms.end(), [&](const std::string& t) {
@@ -138,10 +142,26 @@ void addEstimates(ReportDocument& document, const std::string& caption, const st
     document.add(table);
     origins.finish();
   }
+  // A reason that several share is said once.
+  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
   for (const EstimateRow& row : rows) {
     if (!row.estimate) {
-      addNotEstimable(document, row.label, row.estimate.reason());
+      const auto said = std::find_if(reasons.begin(), reasons.end(),
+                                     [&](const auto& each) { return each.first == row.estimate.reason(); });
+      if (said == reasons.end()) {
+        reasons.push_back({row.estimate.reason(), {row.label}});
+      } else {
+        said->second.push_back(row.label);
+      }
     }
+  }
+  for (const auto& [reason, labels] : reasons) {
+    const size_t named = labels.size() > kMostNamed ? kMostNamed - 1 : labels.size();
+    std::string what = fmt::format("{}", fmt::join(labels.begin(), labels.begin() + static_cast<int>(named), "; "));
+    if (named < labels.size()) {
+      what += fmt::format(" and {} more", labels.size() - named);
+    }
+    addNotEstimable(document, what, reason);
   }
 }
 

@@ -1,0 +1,89 @@
+#include "analysis/report/effect_sizes.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "analysis/inference/effect_size.h"
+#include "analysis/report/right_answers.h"
+
+namespace ocelli {
+namespace {
+
+void addSubjectEffects(std::vector<EstimateRow>& rows, const TrialList& trials, const SubjectMeans& means,
+                       const std::string& what) {
+  const std::string source = fmt::format("{} of {} subjects with both views", what, means.differences.size());
+  const Estimable<PairedEffect> effect = pairedEffect(means.pinhole, means.graph);
+  const auto part = [&](const Estimate PairedEffect::*member) {
+    return effect ? Estimable<Estimate>((*effect).*member) : Estimable<Estimate>::impossible(effect.reason());
+  };
+  if (!effect) {
+    rows.push_back({"Standardised differences", Estimable<Estimate>::impossible(effect.reason())});
+  } else {
+    rows.push_back({"d_z: over the spread of differences", part(&PairedEffect::dz), "", source, trials});
+    if (std::isfinite(effect->correctedDz.value)) {
+      rows.push_back({"g_z: the same with Hedges' correction", part(&PairedEffect::correctedDz), "", source, trials});
+    }
+    rows.push_back({"d_av: over the spread within views", part(&PairedEffect::dav), "", source, trials});
+  }
+  rows.push_back({"Rank-biserial correlation of pairs", matchedRankBiserial(means.differences), "", source, trials});
+}
+
+}  // namespace
+
+SubjectMeans subjectMeans(const TrialList& trials, const std::vector<double>& values) {
+  struct Sum {
+    double total = 0;
+    double count = 0;
+  };
+  std::map<std::string, std::array<Sum, 2>> bySubject;
+  for (size_t i = 0; i < trials.size(); ++i) {
+    Sum& sum = bySubject[trials[i]->subject][trials[i]->view == TrialView::kGraph];
+    sum.total += values[i];
+    sum.count += 1;
+  }
+  SubjectMeans means;
+  for (const auto& [subject, views] : bySubject) {
+    if (views[0].count > 0 && views[1].count > 0) {
+      means.pinhole.push_back(views[0].total / views[0].count);
+      means.graph.push_back(views[1].total / views[1].count);
+      means.differences.push_back(means.graph.back() - means.pinhole.back());
+    }
+  }
+  return means;
+}
+
+void addTimeEffects(ReportWork& work, const TrialList& trials, const std::vector<double>& seconds,
+                    const std::string& id) {
+  std::vector<double> logs;
+  for (const double time : seconds) {
+    logs.push_back(std::log(time));
+  }
+  std::vector<EstimateRow> rows;
+  addSubjectEffects(rows, trials, subjectMeans(trials, logs), "mean log times");
+  addEstimates(work.document, "Sizes of the effect of the view on log times (gc less ppc), one mean a subject", id,
+               rows);
+}
+
+void addShareEffects(ReportWork& work, const TrialList& trials, const std::string& id) {
+  const Share pinhole = shareOf(trialsOfView(trials, TrialView::kPinhole));
+  const Share graph = shareOf(trialsOfView(trials, TrialView::kGraph));
+  const std::string source = fmt::format("{} right of {} with ppc, {} right of {} with gc; trials taken as independent",
+                                         pinhole.successes, pinhole.trials, graph.successes, graph.trials);
+  std::vector<EstimateRow> rows{{"Difference of shares", riskDifference(pinhole, graph), "", source, trials},
+                                {"Ratio of shares", riskRatio(pinhole, graph), "", source, trials},
+                                {"Odds ratio", oddsRatio(pinhole, graph), "", source, trials}};
+  std::vector<double> right;
+  for (const Trial* trial : trials) {
+    right.push_back(trial->correct.value_or(false) ? 1 : 0);
+  }
+  addSubjectEffects(rows, trials, subjectMeans(trials, right), "shares of right answers");
+  addEstimates(work.document,
+               "Sizes of the effect of the view on right answers (gc against ppc): the first three take trials as "
+               "independent, the others have one share a subject",
+               id, rows);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,57 @@
+#include "analysis/report/right_model.h"
+
+#include <fmt/format.h>
+
+#include "analysis/report/effect_sizes.h"
+#include "analysis/report/model_checks.h"
+#include "analysis/report/planned_model.h"
+#include "analysis/report/resampled_effects.h"
+#include "analysis/report/sensitivity.h"
+
+namespace ocelli {
+namespace {
+
+/// Rows that are fitted again without cases, at most: a fit takes about 50 microseconds a row.
+constexpr size_t kMostRows = 400000;
+
+void addRightSensitivity(ReportWork& work, const PlannedModel& model, const TrialList& trials) {
+  std::vector<Variant> first{{"All trials", trials}};
+  TrialList inTime = trials;
+  std::erase_if(inTime, [](const Trial* trial) { return trial->censored.value_or(false); });
+  if (inTime.size() < trials.size()) {
+    first.push_back({"Without answers that did not come in time", inTime});
+  }
+  Variants variants = variantsOf(trials, first, kMostRows);
+  if (inTime.size() == trials.size()) {
+    variants.notes.push_back("All answers came in time: there are no time-outs to treat in another way.");
+  }
+  addSensitivity(work,
+                 {fmt::format("{}-sensitivity", model.name),
+                  fmt::format("The effect of the view in model {}, analysed in other ways", model.name),
+                  "Odds ratio, gc / ppc", "ppc better", "gc better"},
+                 variants, [&](const Variant& variant) { return viewRatio(fitBinomial(model, variant.trials)); });
+}
+
+}  // namespace
+
+void addRightModel(ReportWork& work, const PlannedModel& model, const TrialList& all, const std::string& caption) {
+  const TrialList trials = completeTrials(model, all);
+  const Estimable<PlannedFit> fit = fitBinomial(model, trials);
+  addPlannedFit(work, model, trials, fit, caption);
+  if (fit) {
+    addBinomialChecks(work, model, trials, *fit);
+  }
+  std::vector<double> right;
+  for (const Trial* trial : trials) {
+    right.push_back(trial->correct.value_or(false) ? 1 : 0);
+  }
+  addResampled(work, "Difference of shares of right answers (gc less ppc) by resampling subjects and cases",
+               fmt::format("{}-resampled", model.name),
+               {{"gc less ppc", bootstrapViewDifference(trials, right, bootstrapPlanOf(work.analysis.plan)), trials}});
+  addShareEffects(work, trials, fmt::format("{}-sizes", model.name));
+  if (fit) {
+    addRightSensitivity(work, model, trials);
+  }
+}
+
+}  // namespace ocelli

@@ -1,0 +1,45 @@
+// A model fitted again to other choices of trials: whether its answer hangs on any of them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "analysis/report/report_parts.h"
+
+namespace ocelli {
+
+/// Which trials a sensitivity analysis keeps.
+struct Variant {
+  std::string label;
+  TrialList trials;
+  TimeoutTreatment timeouts = TimeoutTreatment::kCensored;  ///< for models that know censored times
+  bool main = false;                                        ///< what the report says first
+};
+
+struct Variants {
+  std::vector<Variant> list;
+  std::vector<std::string> notes;  ///< whole sentences about those that are not done, and why
+};
+
+/// The trial in which each subject met each case (block and label) for the first time, whichever the view.
+TrialList firstExposures(const TrialList& trials);
+
+/// The first session, first exposures, trials without dropped frames, and all cases but one. `first` comes before them;
+/// its first one is the main one, whose treatment of time-outs the others have. Those that keep the same trials as one
+/// before are not listed but noted. Where more than `mostRows` rows would be fitted to leave out each case, cases are
+/// left out several at a time, which is noted.
+Variants variantsOf(const TrialList& trials, std::vector<Variant> first, size_t mostRows);
+
+struct SensitivityTable {
+  std::string id;     ///< "find-time-sensitivity"
+  std::string title;  ///< of the figure
+  std::string value;  ///< "Odds ratio, gc / ppc"
+  std::string lower;  ///< what values below 1 mean: "gc faster"
+  std::string upper;
+};
+/// A forest of `effect`, a ratio, of each variant, and a table. It is called by several threads at once.
+void addSensitivity(ReportWork& work, const SensitivityTable& about, const Variants& variants,
+                    const std::function<Estimable<Estimate>(const Variant&)>& effect);
+
+}  // namespace ocelli
