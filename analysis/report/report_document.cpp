@@ -27,6 +27,21 @@ std::string anchorOf(const std::string& text) {
   return letter ? anchor : fmt::format("s-{}", anchor);
 }
 
+/// Several cells of the row have a source, and it is the same.
+bool haveOneSource(const std::vector<ReportCell>& row) {
+  std::string source;
+  int cells = 0;
+  for (const ReportCell& cell : row) {
+    if (!cell.source.empty()) {
+      if (cells++ > 0 && cell.source != source) {
+        return false;
+      }
+      source = cell.source;
+    }
+  }
+  return cells > 1;
+}
+
 class Namer {
  public:
   explicit Namer(const ReportDocument& document) {
@@ -103,7 +118,9 @@ std::vector<SourceEntry> sourcesOf(const ReportTable& table) {
   std::vector<SourceEntry> entries;
   std::map<std::string, size_t> places;
   for (const std::vector<ReportCell>& row : table.rows) {
-    for (size_t i = 0; i < row.size(); ++i) {
+    const bool asRow = haveOneSource(row);
+    bool isDone = false;
+    for (size_t i = 0; i < row.size() && !isDone; ++i) {
       if (row[i].source.empty()) {
         continue;
       }
@@ -114,8 +131,10 @@ std::vector<SourceEntry> sourcesOf(const ReportTable& table) {
       const std::string column = i < table.columns.size() ? table.columns[i].title : "";
       const std::string group = i < table.columns.size() ? table.columns[i].group : "";
       entries[place->second].cells.push_back(
-          i == 0 ? row[i].text : fmt::format("{}, {}{}{}", row.front().text, group, group.empty() ? "" : " ", column));
+          i == 0 || asRow ? row.front().text
+                          : fmt::format("{}, {}{}{}", row.front().text, group, group.empty() ? "" : " ", column));
       entries[place->second].ids.push_back(row[i].id);
+      isDone = asRow;
     }
   }
   return entries;

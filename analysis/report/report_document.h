@@ -113,9 +113,9 @@ std::vector<ElementName> elementNames(const ReportDocument& document);
 /// What a note is headed by: "Cannot be estimated".
 std::string noteTitle(NoteKind kind);
 
-/// Cells of a table with the same source, for lists of sources.
+/// Cells of a table with the same source, for lists of sources. Rows whose cells all have the same are named as one.
 struct SourceEntry {
-  std::vector<std::string> cells;  ///< "row, column"
+  std::vector<std::string> cells;  ///< "row, column", or "row"
   std::vector<std::string> ids;    ///< of those cells, empty where they have none
   std::string source;
 };

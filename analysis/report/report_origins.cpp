@@ -9,7 +9,7 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kLongestRowList = 240;
+constexpr size_t kLongestRowList = 40;
 
 }  // namespace
 

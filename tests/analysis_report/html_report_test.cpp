@@ -88,7 +88,7 @@ TEST(HtmlReport, cellsSayWhereTheyComeFrom) {
   EXPECT_TRUE(holds(html,
                     "id=\"t71-s1-ppc\" title=\"SELECT avg(response_s) FROM final_trial WHERE task = &#39;find&#39; AND "
                     "session = 1\""));
-  EXPECT_TRUE(holds(html, "<a href=\"#t71-s1-ppc\">Session 1, Stationary ppc</a>"));
+  EXPECT_TRUE(holds(html, "<a href=\"#t71-s1-ppc\">Session 1</a>"));
 }
 
 TEST(HtmlReport, policyAllowsItsOwnScriptAlone) {

@@ -50,6 +50,18 @@ TEST(ReportDocument, cellsOfOneSourceAreListedTogether) {
   EXPECT_THAT(entries[0].ids, testing::ElementsAre("c1", "c3"));
 }
 
+TEST(ReportDocument, aRowWithOneSourceIsNamedAsOne) {
+  ReportTable table;
+  table.columns = {{"What"}, {"Estimate"}, {"p"}};
+  table.rows = {{{"view"}, {"0.8", "view/estimate", "a model"}, {"0.02", "view/p", "a model"}},
+                {{"session"}, {"0.9", "", "a model"}, {"0.3", "", "another"}}};
+  const std::vector<SourceEntry> entries = sourcesOf(table);
+  ASSERT_EQ(entries.size(), 2U);
+  EXPECT_THAT(entries[0].cells, testing::ElementsAre("view", "session, Estimate"));
+  EXPECT_THAT(entries[0].ids, testing::ElementsAre("view/estimate", ""));
+  EXPECT_THAT(entries[1].cells, testing::ElementsAre("session, p"));
+}
+
 TEST(ReportDocument, footnotesHaveOneMarkEach) {
   ReportTable table;
   table.rows = {{{"x"}, {"1", "", "", std::nullopt, "first"}, {"2", "", "", std::nullopt, "second"}},
