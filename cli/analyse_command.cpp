@@ -76,7 +76,7 @@ void analyse(const AnalyseChoice& choice, const Frame& frame) {
     return;
   }
   std::vector<ReportFile> files = reportFiles(report);
-  const std::vector<ReportFile> more = tableFiles(analysis, report, choice.csv);
+  const std::vector<ReportFile> more = tableFiles(analysis, report, options, choice.csv);
   files.insert(files.end(), more.begin(), more.end());
   writeReportFolder(choice.folder, files);
   frame.note(fmt::format("wrote {} files about {} trials of {} subjects to {}", files.size(),
@@ -126,7 +126,8 @@ void addAnalyseCommand(CLI::App& program, const Frame& frame) {
       ->type_name("unless-people|only|together")
       ->capture_default_str();
   command.add_flag("--other-protocols", choice->otherProtocols, "Allow sources of different protocols");
-  command.add_flag("--csv", choice->csv, "Also the analysed trials, as tables/trials.csv");
+  command.add_flag("--csv", choice->csv,
+                   "Also the analysed trials and answers as CSV, and analysis.R, which repeats the models in R");
   command.add_option("--explain", choice->explain, "Print the rows behind a cell of the tables")->type_name("CELL");
   command.add_option("--seed", choice->seed, "Of what is random, in place of the plan's");
   command.add_flag("--json", choice->asJson, "Print hashes and counts as JSON");

@@ -35,14 +35,6 @@ TrialList withoutTimeouts(TrialList trials) {
   return trials;
 }
 
-double limitOf(const TrialList& trials) {
-  double limit = 0;
-  for (const Trial* trial : trials) {
-    limit = std::max(limit, trial->longestSeconds.value_or(0));
-  }
-  return limit > 0 ? limit : kUsualLimit;
-}
-
 std::vector<SurvivalTime> timesOf(const TrialList& trials, TimeoutTreatment timeouts) {
   std::vector<SurvivalTime> times;
   for (const Trial* trial : trials) {
@@ -76,7 +68,7 @@ SurvivalPlot::Curve plotCurve(const std::string& name, const SurvivalCurve& curv
 }
 
 void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment timeouts) {
-  const double limit = limitOf(trials);
+  const double limit = searchLimit(trials);
   SurvivalPlot plot;
   plot.title = "Searches that have not ended yet";
   plot.limit = limit;
@@ -290,6 +282,14 @@ void addCases(ReportWork& work, const TrialList& trials) {
 }
 
 }  // namespace
+
+double searchLimit(const TrialList& trials) {
+  double limit = 0;
+  for (const Trial* trial : trials) {
+    limit = std::max(limit, trial->longestSeconds.value_or(0));
+  }
+  return limit > 0 ? limit : kUsualLimit;
+}
 
 void addFindSection(ReportWork& work) {
   addHeading(work.document, 1, "Finding objects", "find");

@@ -13,19 +13,6 @@ namespace {
 
 constexpr double kUsualMaps = 3;  // section 7.4.4
 
-double chanceOf(const Dataset& data) {
-  for (const DataSource& source : data.sources) {
-    if (!source.protocolText.empty()) {
-      for (const ProtocolBlockFacts& block : protocolFacts(source.protocolText, source.path).blocks) {
-        if (block.task == "path" && block.maps) {
-          return 1.0 / *block.maps;
-        }
-      }
-    }
-  }
-  return 1 / kUsualMaps;
-}
-
 void addEquivalence(ReportWork& work, const PlannedModel& model, const TrialList& trials,
                     const std::vector<double>& differences) {
   for (const PlannedEquivalence& planned : work.analysis.plan.equivalence) {
@@ -93,6 +80,19 @@ void addAgainstChance(ReportWork& work, const PlannedModel& model, const TrialLi
 
 }  // namespace
 
+double pathChance(const Dataset& data) {
+  for (const DataSource& source : data.sources) {
+    if (!source.protocolText.empty()) {
+      for (const ProtocolBlockFacts& block : protocolFacts(source.protocolText, source.path).blocks) {
+        if (block.task == "path" && block.maps) {
+          return 1.0 / *block.maps;
+        }
+      }
+    }
+  }
+  return 1 / kUsualMaps;
+}
+
 void addPathSection(ReportWork& work) {
   addHeading(work.document, 1, "Recognising paths", "path");
   TrialList trials = trialsOfTask(work.analysis, "path");
@@ -101,7 +101,7 @@ void addPathSection(ReportWork& work) {
     addNotEstimable(work.document, "Paths", "there are no trials of this task");
     return;
   }
-  const double chance = chanceOf(work.analysis.data);
+  const double chance = pathChance(work.analysis.data);
   addRightAnswers(work, trials, "Paths", "path-shares", chance);
   const std::vector<double> differences = shareDifferences(trials);
   for (const PlannedModel& model : work.analysis.plan.models) {

@@ -7,4 +7,7 @@ namespace ocelli {
 
 void addPathSection(ReportWork& work);
 
+/// How often a guess is right: by the maps of the protocol, or those of section 7.4.4 where none says.
+double pathChance(const Dataset& data);
+
 }  // namespace ocelli

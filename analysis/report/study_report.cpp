@@ -9,6 +9,7 @@
 #include "analysis/report/methods_section.h"
 #include "analysis/report/paper_section.h"
 #include "analysis/report/path_section.h"
+#include "analysis/report/r_script.h"
 #include "analysis/report/survey_section.h"
 
 namespace ocelli {
@@ -89,6 +90,15 @@ std::string trialsCsv(const Dataset& data) {
   return text;
 }
 
+std::string answersCsv(const Dataset& data) {
+  std::string text = "source,answer_id,subject_id,session_number,form,field,answer\n";
+  for (const FormAnswer& answer : data.answers) {
+    text += fmt::format("{},{},{},{},{},{},{}\n", answer.source, answer.answerId, csvText(answer.subject),
+                        answer.session, csvText(answer.form), csvText(answer.field), csvText(answer.answer));
+  }
+  return text;
+}
+
 }  // namespace
 
 ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table>& tables,
@@ -128,11 +138,14 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   return document;
 }
 
-std::vector<ReportFile> tableFiles(const AnalysisData& analysis, const ReportDocument& report, bool trials) {
+std::vector<ReportFile> tableFiles(const AnalysisData& analysis, const ReportDocument& report,
+                                   const StudyReportOptions& options, bool trials) {
   std::vector<ReportFile> files{{"tables/cells.csv", cellsCsv(report.origins.tables)},
                                 {"tables/exclusions.csv", exclusionLogCsv(analysis.data)}};
   if (trials) {
     files.push_back({"tables/trials.csv", trialsCsv(analysis.data)});
+    files.push_back({"tables/answers.csv", answersCsv(analysis.data)});
+    files.push_back({"analysis.R", rScript(analysis, options.only, options.version)});
   }
   return files;
 }

@@ -21,8 +21,9 @@ struct StudyReportOptions {
 ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table>& tables,
                            const StudyReportOptions& options);
 
-/// tables/cells.csv (all cells of the report) and tables/exclusions.csv, and with `trials` tables/trials.csv: each
-/// analysed trial.
-std::vector<ReportFile> tableFiles(const AnalysisData& analysis, const ReportDocument& report, bool trials);
+/// tables/cells.csv (all cells of the report) and tables/exclusions.csv, and with `trials` tables/trials.csv, each
+/// analysed trial, tables/answers.csv, and analysis.R, which repeats the models from these.
+std::vector<ReportFile> tableFiles(const AnalysisData& analysis, const ReportDocument& report,
+                                   const StudyReportOptions& options, bool trials);
 
 }  // namespace ocelli

@@ -1,0 +1,125 @@
+#include "analysis/report/r_script.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "analysis/plot/utf8.h"
+#include "analysis/report/find_section.h"
+#include "analysis/report/path_section.h"
+#include "analysis/report/r_functions.h"
+#include "analysis/report/report_parts.h"
+
+namespace ocelli {
+namespace {
+
+/// A string of R; JSON escapes what R does, in the same way.
+std::string quoted(const std::string& text) {
+  return nlohmann::json(cleanText(text)).dump();
+}
+
+std::string vectorOf(const std::vector<std::string>& texts) {
+  std::vector<std::string> all;
+  for (const std::string& text : texts) {
+    all.push_back(quoted(text));
+  }
+  return fmt::format("c({})", fmt::join(all, ", "));
+}
+
+/// "(1 + view | subject)".
+std::string randomOf(const PlannedModel& model) {
+  std::vector<std::string> all;
+  for (const RandomEffect& effect : model.randomEffects) {
+    std::vector<std::string> columns{"1"};
+    columns.insert(columns.end(), effect.slopes.begin(), effect.slopes.end());
+    all.push_back(fmt::format("({} | {})", fmt::join(columns, " + "), effect.group));
+  }
+  return vectorOf(all);
+}
+
+std::string callOf(const AnalysisData& analysis, const PlannedModel& model) {
+  const AnalysisPlan& plan = analysis.plan;
+  const std::string name = quoted(model.name);
+  const std::string trials = fmt::format("trials[trials$task == {}, ]", quoted(model.task));
+  const std::string terms = vectorOf(model.terms);
+  const std::string timeouts = quoted(nameOf(plan.findTimeouts));
+  switch (model.kind) {
+    case ModelKind::kLinearMixed:
+      return fmt::format("linear_model({}, {}, {}, {}, {})", name, trials,
+                         plan.findTimeouts == TimeoutTreatment::kRemoved ? "TRUE" : "FALSE", terms, randomOf(model));
+    case ModelKind::kBinomialMixed:
+      return fmt::format("binomial_model({}, {}, {}, {})", name, trials, terms, randomOf(model));
+    case ModelKind::kKaplanMeier:
+      return fmt::format("kaplan_meier({}, {}, {}, {})", name, trials, timeouts,
+                         searchLimit(trialsOfTask(analysis, model.task)));
+    case ModelKind::kCox:
+      return fmt::format("cox_model({}, {}, {}, {})", name, trials, timeouts, terms);
+    case ModelKind::kLogNormalSurvival:
+      return fmt::format("log_normal_model({}, {}, {}, {})", name, trials, timeouts, terms);
+    case ModelKind::kMcNemar:
+      return fmt::format("mcnemar_model({}, {})", name, trials);
+    case ModelKind::kSignedError:
+      return fmt::format("signed_error_model({}, {})", name, trials);
+    case ModelKind::kEquivalence:
+      for (const PlannedEquivalence& bounds : plan.equivalence) {
+        if (bounds.task == model.task) {
+          return fmt::format("equivalence_model({}, {}, {}, {}, {})", name, trials, bounds.lower, bounds.upper,
+                             plan.alpha);
+        }
+      }
+      return fmt::format("cat({}, \"the plan has no bounds\\n\")", name);
+    case ModelKind::kBayesFactor:
+      return fmt::format("bayes_model({}, {})", name, trials);
+    case ModelKind::kAgainstChance:
+      return fmt::format("chance_model({}, {}, {})", name, trials, pathChance(analysis.data));
+    case ModelKind::kOrdinal:
+      return fmt::format("ordinal_model({}, answers)", name);
+  }
+  return "";
+}
+
+std::string familyOf(const AnalysisPlan& plan, const HypothesisFamily& family, const std::set<std::string>& only) {
+  std::vector<std::string> names;
+  std::vector<std::string> models;
+  std::vector<std::string> terms;
+  for (const std::string& name : family.hypotheses) {
+    const Hypothesis* hypothesis = plan.findHypothesis(name);
+    const PlannedModel* model = hypothesis ? plan.findModel(hypothesis->model) : nullptr;
+    if (model && (only.empty() || only.contains(model->task))) {
+      names.push_back(name);
+      models.push_back(hypothesis->model);
+      terms.push_back(hypothesis->term);
+    }
+  }
+  return names.empty()
+             ? ""
+             : fmt::format("family_of({}, {}, {}, {}, {})\n", quoted(family.name), family.holm ? "TRUE" : "FALSE",
+                           vectorOf(names), vectorOf(models), vectorOf(terms));
+}
+
+}  // namespace
+
+std::string rScript(const AnalysisData& analysis, const std::set<std::string>& only, const std::string& version) {
+  std::string text =
+      "# The models of the report once more, in R: Rscript analysis.R\n"
+      "# It reads tables/trials.csv and tables/answers.csv beside it, and writes tables/r_results.csv.\n"
+      "# Not repeated: resampling, effect sizes, sensitivity, and intervals of restricted means.\n";
+  text += kRFunctions;
+  text += fmt::format("\ncat({}, \"\\n\", {}, \"\\n\", {}, \"\\n\\n\", sep = \"\")\n", quoted("Ocelli " + version),
+                      quoted(describe(analysis.plan)), quoted("SHA-256 of the data: " + analysis.dataSha256));
+  text += "trials <- read(\"trials.csv\")\nanswers <- read(\"answers.csv\")\n\n";
+  for (const PlannedModel& model : analysis.plan.models) {
+    if (only.empty() || only.contains(model.task)) {
+      text += callOf(analysis, model) + "\n";
+    }
+  }
+  text += "\nprint(results, digits = 5)\n";
+  for (const HypothesisFamily& family : analysis.plan.families) {
+    text += familyOf(analysis.plan, family, only);
+  }
+  text += "write.csv(results, file.path(folder, \"tables\", \"r_results.csv\"), row.names = FALSE)\n";
+  return text;
+}
+
+}  // namespace ocelli
