@@ -2,7 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace ocelli {
+namespace {
+
+/// With n units the spread of resamples is too small by a factor of about the root of (n - 1) / n, and quantiles of few
+/// different resamples are coarse.
+constexpr size_t kFewUnits = 10;
+
+}  // namespace
 
 BootstrapPlan bootstrapPlanOf(const AnalysisPlan& plan) {
   return {plan.seed, static_cast<size_t>(plan.bootstrapSamples), ResampledUnits::kSubjectsAndCases};
@@ -76,6 +85,15 @@ void addResampled(ReportWork& work, const std::string& caption, const std::strin
                     effect.trials});
   }
   addEstimates(work.document, caption, id, rows);
+  for (const ResampledEffect& effect : effects) {
+    if (effect.result && std::min(effect.result->subjects, effect.result->cases) < kFewUnits) {
+      work.document.add(ReportNote{
+          NoteKind::kWarning,
+          fmt::format("{} subjects and {} cases are few to draw from: resampled intervals are too narrow for so few.",
+                      effect.result->subjects, effect.result->cases)});
+      break;
+    }
+  }
 }
 
 }  // namespace ocelli

@@ -105,6 +105,7 @@ TEST(ResampledEffects, ofLogarithmsAreShownAsRatiosWithPlanSeedAndSamples) {
   const ReportCell* cell = findCell(*table, "gc / ppc, percentiles", 1);
   EXPECT_NEAR(*cell->value, std::exp(sum / 24), 1e-12);
   EXPECT_THAT(cell->source, HasSubstr("300 resamples of 6 subjects and 4 cases, seed 42; 48 trials of 6 subjects"));
+  EXPECT_THAT(test::notesOf(document), ElementsAre(HasSubstr("6 subjects and 4 cases are few")));
 }
 
 TEST(SubjectMeans, areOfSubjectsWithBothViews) {
