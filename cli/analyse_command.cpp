@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/dataset/merge.h"
 #include "analysis/report/report_files.h"
 #include "analysis/report/study_report.h"
@@ -21,6 +20,7 @@ namespace {
 struct AnalyseChoice {
   std::vector<std::string> sources;
   std::string plan;
+  std::string protocol;
   std::string folder;
   std::vector<std::string> only;
   std::string simulated = "unless-people";
@@ -54,7 +54,7 @@ std::string nowUtc() {
 void analyse(const AnalyseChoice& choice, const Frame& frame) {
   std::vector<Dataset> parts;
   for (const std::string& source : choice.sources) {
-    parts.push_back(readSource(source));
+    parts.push_back(readSource(source, choice.protocol));
   }
   AnalysisPlan plan = choice.plan.empty() ? defaultPlan() : readPlan(choice.plan);
   plan.seed = choice.seed.value_or(plan.seed);
@@ -88,7 +88,8 @@ void analyse(const AnalyseChoice& choice, const Frame& frame) {
                                          {"subjects", analysis.flow.analysed},
                                          {"trials", analysis.flow.analysedTrials},
                                          {"simulated", analysis.data.isSimulated()}};
-    frame.print(json.dump(2) + "\n");
+    // The name of a folder may be any bytes.
+    frame.print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
   }
 }
 
@@ -96,15 +97,7 @@ void runAnalyse(const AnalyseChoice& choice, const Frame& frame) {
   if (choice.folder.empty() && choice.explain.empty()) {
     throw InputError("a report needs a folder", "-o", "-o FOLDER, or --explain CELL");
   }
-  try {
-    analyse(choice, frame);
-  } catch (const AnalysisError& error) {
-    // What of it is whose fault stays: the text is whole already.
-    if (error.kind() == AnalysisError::Kind::kInput) {
-      throw CLI::ValidationError(error.what());
-    }
-    throw;
-  }
+  analyse(choice, frame);
 }
 
 }  // namespace
@@ -114,6 +107,8 @@ void addAnalyseCommand(CLI::App& program, const Frame& frame) {
   const auto choice = std::make_shared<AnalyseChoice>();
   command.add_option("DB", choice->sources, "Databases of a study, or folders of its CSV export")->required();
   command.add_option("--plan", choice->plan, "The registered plan of the analysis")->type_name("FILE");
+  command.add_option("--protocol", choice->protocol, "The study's protocol, which CSV exports do not hold")
+      ->type_name("FILE");
   command.add_option("-o,--output", choice->folder, "Folder of the report: new, empty, or an earlier report")
       ->type_name("FOLDER");
   command.add_option("--only", choice->only, "Leave out the other tasks")
@@ -129,7 +124,8 @@ void addAnalyseCommand(CLI::App& program, const Frame& frame) {
   command.add_flag("--csv", choice->csv,
                    "Also the analysed trials and answers as CSV, and analysis.R, which repeats the models in R");
   command.add_option("--explain", choice->explain, "Print the rows behind a cell of the tables")->type_name("CELL");
-  command.add_option("--seed", choice->seed, "Of what is random, in place of the plan's");
+  command.add_option("--seed", choice->seed, "Of what is random, in place of the plan's")
+      ->check(CLI::NonNegativeNumber);
   command.add_flag("--json", choice->asJson, "Print hashes and counts as JSON");
   frame.finish(command,
                "  ocelli analyse study.db -o report\n"

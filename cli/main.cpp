@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/base/analysis_error.h"
 #include "cli/command.h"
 #include "oc_core/base/error.h"
 
@@ -95,8 +96,10 @@ int run(int argumentCount, char** arguments) {
     return fail(frame, kInputWrong, std::string(error.what()) + "\n  try: " + namedCommand(program) + " --help");
   } catch (const InputError& error) {
     return fail(frame, kInputWrong, error.what());
+  } catch (const AnalysisError& error) {
+    return fail(frame, error.kind() == AnalysisError::Kind::kInput ? kInputWrong : kWorkFailed, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(frame, kWorkFailed, "out of memory\n  try: a smaller scene, image or volume, or close other programs");
+    return fail(frame, kWorkFailed, "out of memory\n  try: smaller input, or close other programs");
   } catch (const std::exception& error) {
     return fail(frame, kWorkFailed, error.what());
   } catch (...) {

@@ -13,7 +13,8 @@ class AnalysisError : public std::runtime_error {
   /// The input is wrong, or the work itself failed (a full disk).
   enum class Kind { kInput, kWork };
 
-  /// `where` is a file, a file with a row or a field; `next` tells the user what to try.
+  /// `where` is a file, a file with a row or a field; `next` tells the user what to try. Control characters of `what`
+  /// and `where` become "?", and what is long is cut.
   AnalysisError(Kind kind, const std::string& what, const std::string& where, const std::string& next);
 
   Kind kind() const { return kind_; }

@@ -13,6 +13,7 @@
 #include "analysis/dataset/csv_table.h"
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/dataset/row_digest.h"
+#include "analysis/dataset/trial_check.h"
 
 namespace ocelli {
 namespace {
@@ -109,7 +110,7 @@ void Reading::readSubjects() {
   const size_t created = table.column("created_utc");
   while (table.next()) {
     Subject subject;
-    subject.id = table.text(id);
+    subject.id = table.name(id);
     subject.kind = table.text(kind);
     subject.simulated = table.flag(simulated);
     subject.slot = table.smallInteger(slot);
@@ -134,7 +135,7 @@ void Reading::readSessions(DataSource& source) {
   const size_t version = table.column("program_version");
   std::map<std::pair<std::string, int>, int> lastRun;
   while (table.next()) {
-    const std::pair key(table.text(subject), table.smallInteger(number));
+    const std::pair key(table.name(subject), table.smallInteger(number));
     const auto [at, isNew] = sessionIndex_.try_emplace(key, data_.sessions.size());
     if (isNew) {
       data_.sessions.emplace_back();
@@ -179,10 +180,10 @@ void Reading::readTrials() {
   while (table.next()) {
     Trial trial;
     trial.trialId = table.integer(at["trial_id"]);
-    trial.subject = table.text(at["subject_id"]);
+    trial.subject = table.name(at["subject_id"]);
     trial.session = table.smallInteger(at["session_number"]);
     trial.blockIndex = table.smallInteger(at["block_index"]);
-    trial.block = table.text(at["block"]);
+    trial.block = table.name(at["block"]);
     trial.simulated = table.flag(at["simulated"]);
     trial.correct = table.optionalFlag(at["correct"]);
     const std::string ending = table.text(at["ending"]);
@@ -206,9 +207,9 @@ void Reading::readTrials() {
       table.fail(at["counts"], "is 1, but the trial is practice or was not completed");
     }
     trial.planIndex = table.smallInteger(at["plan_index"]);
-    trial.task = table.text(at["task"]);
+    trial.task = table.name(at["task"]);
     trial.caseIndex = table.smallInteger(at["case_index"]);
-    trial.caseLabel = table.text(at["case_label"]);
+    trial.caseLabel = table.name(at["case_label"]);
     const std::string view = table.text(at["view"]);
     if (view != nameOf(TrialView::kPinhole) && view != nameOf(TrialView::kGraph)) {
       table.fail(at["view"], fmt::format("is \"{}\", but must be ppc or gc", view));
@@ -234,6 +235,9 @@ void Reading::readTrials() {
     trial.frames = table.optionalInteger(at["frames"]).value_or(0);
     trial.droppedFrames = table.optionalInteger(at["dropped_frames"]).value_or(0);
     trial.timingVerdict = table.text(at["timing_verdict"]);
+    if (const auto problem = problemOf(trial)) {
+      table.fail(table.column(problem->column), problem->problem);
+    }
     UnreadColumns unread;
     unread.trialNumber = table.integer(at["trial_number"]);
     unread.trialSeed = table.optionalHexadecimal(at["trial_seed"]);
@@ -267,8 +271,8 @@ void Reading::readAnswers() {
   const size_t counts = table.column("counts");
   while (table.next()) {
     if (table.flag(counts)) {
-      data_.answers.push_back({0, table.integer(row), table.text(subject), table.smallInteger(session),
-                               table.text(form), table.text(field), table.text(answer), table.flag(simulated)});
+      data_.answers.push_back({0, table.integer(row), table.name(subject), table.smallInteger(session),
+                               table.name(form), table.name(field), table.text(answer), table.flag(simulated)});
     }
   }
 }

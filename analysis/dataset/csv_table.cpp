@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "analysis/base/analysis_error.h"
+#include "analysis/dataset/trial_check.h"
 
 namespace ocelli {
 namespace {
@@ -146,6 +147,14 @@ std::string CsvTable::text(size_t column) const {
   const std::string& field = fields_[column];
   const bool guarded = field.size() > 1 && field[0] == '\'' && kFormulaStarts.find(field[1]) != std::string_view::npos;
   return guarded ? field.substr(1) : field;
+}
+
+std::string CsvTable::name(size_t column) const {
+  const std::string value = text(column);
+  if (const std::string problem = problemOfName(value); !problem.empty()) {
+    fail(column, problem);
+  }
+  return value;
 }
 
 std::optional<int64_t> CsvTable::optionalInteger(size_t column) const {

@@ -25,6 +25,7 @@ class CsvTable {
 
   /// Of the row. Each throws AnalysisError, with line and column, for what is no such value.
   std::string text(size_t column) const;
+  std::string name(size_t column) const;  ///< of a subject, a block, ... (trial_check.h)
   int64_t integer(size_t column) const;
   int32_t smallInteger(size_t column) const;
   bool flag(size_t column) const;  ///< 0 or 1

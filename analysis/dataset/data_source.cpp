@@ -6,9 +6,9 @@
 
 namespace ocelli {
 
-Dataset readSource(const std::string& path) {
+Dataset readSource(const std::string& path, const std::string& protocolFile) {
   std::error_code ignored;
-  return std::filesystem::is_directory(path, ignored) ? readCsvExport(path) : readDatabase(path);
+  return std::filesystem::is_directory(path, ignored) ? readCsvExport(path, protocolFile) : readDatabase(path);
 }
 
 }  // namespace ocelli

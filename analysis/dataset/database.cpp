@@ -2,41 +2,86 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "analysis/base/analysis_error.h"
 #include "analysis/dataset/row_digest.h"
 #include "analysis/dataset/sqlite_reading.h"
+#include "analysis/dataset/trial_check.h"
 
 namespace ocelli {
 namespace {
 
-/// The columns of a row of a statement, by the order in which they are asked for.
+/// The columns of a row of a statement, by the order in which they are asked for. Each throws AnalysisError for what is
+/// no such value.
 class Row {
  public:
-  explicit Row(SQLite::Statement& statement) : statement_(statement) {}
+  Row(SQLite::Statement& statement, const std::string& path) : statement_(statement), path_(path) {}
 
-  std::string text() { return next().getString(); }
-  int64_t integer() { return next().getInt64(); }
-  int smallInteger() { return static_cast<int>(integer()); }
-  bool flag() { return integer() != 0; }
-  std::optional<int64_t> optionalInteger() {
+  /// NULL is empty.
+  std::string text() {
     const SQLite::Column column = next();
-    return column.isNull() ? std::nullopt : std::optional(column.getInt64());
+    if (!column.isText() && !column.isNull()) {
+      fail(column, "is no text");
+    }
+    return column.getString();
   }
-  std::optional<bool> optionalFlag() {
-    const auto value = optionalInteger();
-    return value ? std::optional(*value != 0) : std::nullopt;
+  std::string name() {
+    const std::string value = text();
+    if (const std::string problem = problemOfName(value); !problem.empty()) {
+      fail(statement_.getColumn(column_ - 1), problem);
+    }
+    return value;
   }
+  int64_t integer() {
+    const SQLite::Column column = next();
+    if (!column.isInteger()) {
+      fail(column, "must be a whole number");
+    }
+    return column.getInt64();
+  }
+  int smallInteger() {
+    const int64_t value = integer();
+    if (value < 0 || value > std::numeric_limits<int>::max()) {
+      fail(statement_.getColumn(column_ - 1),
+           fmt::format("is {}, but must be from 0 to {}", value, std::numeric_limits<int>::max()));
+    }
+    return static_cast<int>(value);
+  }
+  bool flag() { return smallInteger() != 0; }
+  std::optional<int64_t> optionalInteger() { return isNull() ? skipped<int64_t>() : integer(); }
+  std::optional<int> optionalSmallInteger() { return isNull() ? skipped<int>() : smallInteger(); }
+  std::optional<bool> optionalFlag() { return isNull() ? skipped<bool>() : flag(); }
   std::optional<double> optionalReal() {
     const SQLite::Column column = next();
-    return column.isNull() ? std::nullopt : std::optional(column.getDouble());
+    if (column.isNull()) {
+      return std::nullopt;
+    }
+    if (!column.isFloat() && !column.isInteger()) {
+      fail(column, "must be a number");
+    }
+    return column.getDouble();
+  }
+  [[noreturn]] void fail(const std::string& column, const std::string& problem) {
+    const SQLite::Column first = statement_.getColumn(0);
+    throw AnalysisError(AnalysisError::Kind::kInput, fmt::format("{} {}", column, problem),
+                        fmt::format("{}, {} {}", path_, first.getName(), first.getString()),
+                        "the database as the study wrote it");
   }
 
  private:
   SQLite::Column next() { return statement_.getColumn(column_++); }
+  bool isNull() { return statement_.getColumn(column_).isNull(); }
+  template <class Value>
+  std::optional<Value> skipped() {
+    ++column_;
+    return std::nullopt;
+  }
+  [[noreturn]] void fail(const SQLite::Column& column, const std::string& problem) { fail(column.getName(), problem); }
 
   SQLite::Statement& statement_;
+  const std::string& path_;
   int column_ = 0;
 };
 
@@ -48,6 +93,7 @@ class Reading {
     return withSqliteErrors(path_, [&] {
       // One moment for all tables, whatever is written meanwhile.
       SQLite::Transaction transaction(database_);
+      checkIntegrity(database_, path_);
       readStudy();
       readSubjects();
       readSessions();
@@ -64,7 +110,7 @@ class Reading {
   void forEachRow(const char* query, const Read& read) {
     SQLite::Statement statement(database_, query);
     while (statement.executeStep()) {
-      Row row(statement);
+      Row row(statement, path_);
       read(row);
     }
   }
@@ -109,7 +155,7 @@ void Reading::readSubjects() {
   forEachRow("SELECT subject_id, subject_key, kind, simulated, slot, created_utc FROM subject ORDER BY subject_id",
              [&](Row& row) {
                Subject subject;
-               subject.id = row.text();
+               subject.id = row.name();
                subject.key = row.text();
                subject.kind = row.text();
                subject.simulated = row.flag();
@@ -127,7 +173,7 @@ void Reading::readSessions() {
       "FROM session_state ORDER BY subject_id, session_number",
       [&](Row& row) {
         Session session;
-        session.subject = row.text();
+        session.subject = row.name();
         session.number = row.smallInteger();
         session.simulated = row.flag();
         session.plannedTrials = row.smallInteger();
@@ -142,7 +188,7 @@ void Reading::readSessions() {
 void Reading::readConsents() {
   forEachRow("SELECT subject_id, session_number, agreed FROM consent ORDER BY consent_id", [&](Row& row) {
     Consent consent;
-    consent.subject = row.text();
+    consent.subject = row.name();
     consent.session = row.smallInteger();
     consent.agreed = row.flag();
     data_.consents.push_back(std::move(consent));
@@ -156,10 +202,10 @@ void Reading::readAnswers() {
       [&](Row& row) {
         FormAnswer answer;
         answer.answerId = row.integer();
-        answer.subject = row.text();
+        answer.subject = row.name();
         answer.session = row.smallInteger();
-        answer.form = row.text();
-        answer.field = row.text();
+        answer.form = row.name();
+        answer.field = row.name();
         answer.answer = row.text();
         answer.simulated = row.flag();
         data_.answers.push_back(std::move(answer));
@@ -199,23 +245,25 @@ constexpr const char* kTrialQuery =
 Trial Reading::trialOf(Row& row) const {
   Trial trial;
   trial.trialId = row.integer();
-  trial.subject = row.text();
+  trial.subject = row.name();
   trial.session = row.smallInteger();
   trial.planIndex = row.smallInteger();
   trial.blockIndex = row.smallInteger();
-  trial.block = row.text();
-  trial.task = row.text();
+  trial.block = row.name();
+  trial.task = row.name();
   trial.caseIndex = row.smallInteger();
-  trial.caseLabel = row.text();
-  trial.view = row.text() == nameOf(TrialView::kGraph) ? TrialView::kGraph : TrialView::kPinhole;
+  trial.caseLabel = row.name();
+  const std::string view = row.text();
+  if (view != nameOf(TrialView::kPinhole) && view != nameOf(TrialView::kGraph)) {
+    row.fail("view", fmt::format("is \"{}\", but must be ppc or gc", view));
+  }
+  trial.view = view == nameOf(TrialView::kGraph) ? TrialView::kGraph : TrialView::kPinhole;
   trial.attempt = row.smallInteger();
   trial.simulated = row.flag();
   trial.subjectKind = row.text();
   trial.moving = row.optionalFlag();
   trial.exposureSeconds = row.optionalReal();
-  if (const auto objects = row.optionalInteger()) {
-    trial.objects = static_cast<int>(*objects);
-  }
+  trial.objects = row.optionalSmallInteger();
   trial.duplicateColors = row.optionalFlag();
   trial.longestSeconds = row.optionalReal();
   trial.answer = row.text();
@@ -224,9 +272,12 @@ Trial Reading::trialOf(Row& row) const {
   trial.censored = row.optionalFlag();
   trial.responseSeconds = row.optionalReal();
   trial.measures = measuresOf(row.text(), trial.trialId);
-  trial.frames = row.integer();
-  trial.droppedFrames = row.integer();
+  trial.frames = row.optionalInteger().value_or(0);
+  trial.droppedFrames = row.optionalInteger().value_or(0);
   trial.timingVerdict = row.text();
+  if (const auto problem = problemOf(trial)) {
+    row.fail(problem->column, problem->problem);
+  }
   UnreadColumns unread;
   unread.trialNumber = row.integer();
   unread.trialSeed = row.optionalInteger();
@@ -258,10 +309,10 @@ void Reading::readOtherAttempts() {
       [&](Row& row) {
         OtherAttempt attempt;
         attempt.trialId = row.integer();
-        attempt.subject = row.text();
+        attempt.subject = row.name();
         attempt.session = row.smallInteger();
         attempt.blockIndex = row.smallInteger();
-        attempt.block = row.text();
+        attempt.block = row.name();
         attempt.simulated = row.flag();
         const bool practice = row.flag();
         attempt.why = whyNotCounted(practice, row.text());

@@ -124,7 +124,7 @@ struct Dataset {
 /// same as its database. Not in it: numbers of rows and runs, and what exports do not hold (consent, planned lengths).
 std::string dataHash(const Dataset& data);
 
-/// A database is read by readDatabase(), a folder by readCsvExport().
-Dataset readSource(const std::string& path);
+/// A database, which holds its protocol, is read by readDatabase(), a folder by readCsvExport().
+Dataset readSource(const std::string& path, const std::string& protocolFile = "");
 
 }  // namespace ocelli

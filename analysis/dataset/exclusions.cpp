@@ -285,7 +285,7 @@ void Excluder::apply(const PlannedExclusion& rule) {
     throw AnalysisError(AnalysisError::Kind::kInput,
                         "the plan excludes by the criterion of practice, which stands in the protocol",
                         data.sources.empty() ? "no source" : data.sources.front().path,
-                        "the database, or the protocol's file beside the tables");
+                        "the database; or --protocol FILE, for exported tables");
   }
   switch (kind->level) {
     case Level::kSubject:

@@ -28,13 +28,13 @@ void checkProtocols(const std::vector<DataSource>& sources) {
       refuse(
           fmt::format("the tables in {} came without their protocol, so it is not known whether both are of one study",
                       unknown.path),
-          first.path, source.path, "give the protocol's file with them, or say that they may be merged");
+          first.path, source.path, "--protocol FILE, which gives it; or --other-protocols");
     }
     if (source.protocolSha256 != first.protocolSha256) {
       refuse(fmt::format("these are of different protocols: \"{}\" with SHA-256 {}... and \"{}\" with {}...",
                          first.protocolName, first.protocolSha256.substr(0, 12), source.protocolName,
                          source.protocolSha256.substr(0, 12)),
-             first.path, source.path, "analyse them apart, or say that they may be merged");
+             first.path, source.path, "analyse them apart; or --other-protocols");
     }
   }
 }

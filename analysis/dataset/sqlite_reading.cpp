@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr int kApplicationId = 0x4f63656c;  // "Ocel"
 constexpr int kBusyMilliseconds = 10'000;
+constexpr const char* kCopy = "a copy of it; or `sqlite3 FILE .recover`, which saves what can be read";
 constexpr const char* kOurFiles = "the file that `ocelli study run` or `ocelli study simulate` wrote";
 
 /// A log that holds something is read and left as it is. Where there is none, a connection that may write takes the
@@ -73,8 +74,7 @@ void throwSqliteError(const SQLite::Exception& error, const std::string& path) {
     case SQLITE_NOTADB:
       fail("this is no database", path, kOurFiles);
     case SQLITE_CORRUPT:
-      fail(fmt::format("this database is damaged ({})", error.getErrorStr()), path,
-           "a copy of it; or `sqlite3 FILE .recover`, which saves what can be read");
+      fail(fmt::format("this database is damaged ({})", error.getErrorStr()), path, kCopy);
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       throw AnalysisError(AnalysisError::Kind::kWork, "another program keeps this database locked", path,
@@ -85,9 +85,22 @@ void throwSqliteError(const SQLite::Exception& error, const std::string& path) {
       fail(fmt::format("this database cannot be opened ({})", error.getErrorStr()), path,
            "check the rights; a database with a -wal file beside it needs a folder that can be written: copy both "
            "there");
+    case SQLITE_ERROR:
+      fail(fmt::format("this database has other tables than a study ({})", error.what()), path,
+           "check that its tables are those of protocols/trials.schema.sql");
     default:
       throw AnalysisError(AnalysisError::Kind::kWork, fmt::format("cannot read this database ({})", error.what()), path,
-                          "check the file, and that its tables are those of protocols/trials.schema.sql");
+                          "check the disk; or a copy of the file");
+  }
+}
+
+void checkIntegrity(SQLite::Database& database, const std::string& path) {
+  // Logs of frames and inputs are by far the largest, and are not read here.
+  for (const char* table : {"study", "subject", "session", "run", "consent", "answer", "trial"}) {
+    const std::string found = database.execAndGet(fmt::format("PRAGMA integrity_check({})", table)).getString();
+    if (found != "ok") {
+      fail(fmt::format("this database is damaged, or someone changed it (table {}: {})", table, found), path, kCopy);
+    }
   }
 }
 

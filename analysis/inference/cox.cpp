@@ -21,6 +21,8 @@ using Eigen::VectorXd;
 constexpr int kMaximumIterations = 100;
 /// Of the decrease that a Newton step still promises, in units of the log-likelihood.
 constexpr double kConverged = 1e-18;
+/// Of a robust variance in that of the model: below it stands rounding.
+constexpr double kLeastRobustShare = 1e-12;
 
 /// Efron's step `step` of `deaths` at a tied time: those who died weigh 1 - step / deaths any more.
 struct RiskStep {
@@ -237,6 +239,11 @@ Estimable<Maximum> maximize(const SurvivalData& data, const PartialLikelihood& l
   if (!covariates.problem.empty()) {
     return Estimable<Maximum>::impossible(covariates.problem);
   }
+  if (std::all_of(data.times.begin(), data.times.end(), [&](const SurvivalTime& time) {
+        return time.observed && time.seconds == data.times.front().seconds;
+      })) {
+    return Estimable<Maximum>::impossible(fmt::format("all {} trials ended at the same moment", data.times.size()));
+  }
   return maximize(likelihood, covariates);
 }
 
@@ -259,6 +266,9 @@ Estimable<CoxFit> fitCox(const SurvivalData& data, double level) {
       return Estimable<CoxFit>::impossible(fewClusters(clusters.count, static_cast<size_t>(p)));
     }
     covariance = sandwich(likelihood.scoreResiduals(maximum->beta), model, clusters);
+    if (!((covariance.diagonal().array() > kLeastRobustShare * model.diagonal().array()).all())) {
+      return Estimable<CoxFit>::impossible("all subjects are alike, so that robust errors would be 0");
+    }
   }
   CoxFit fit;
   fit.logLikelihood = maximum->value.logLikelihood;

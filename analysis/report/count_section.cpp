@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/inference/mcnemar.h"
@@ -13,6 +14,8 @@
 
 namespace ocelli {
 namespace {
+
+constexpr double kFarthest = 1e6;  // beyond the end of any histogram
 
 /// Scenes of a subject's session that are alike but for the view, in the order in which they came.
 std::vector<PairedOutcome> matchedScenes(const TrialList& trials) {
@@ -62,7 +65,7 @@ void addErrors(ReportWork& work, const PlannedModel& model, const TrialList& tri
       const std::optional<double> answer = numberIn(trial->answer);
       const std::optional<double> expected = numberIn(trial->expected);
       if (answer && expected) {
-        ++series.counts[static_cast<int>(std::lround(*answer - *expected))];
+        ++series.counts[static_cast<int>(std::lround(std::clamp(*answer - *expected, -kFarthest, kFarthest)))];
         bySubject[trial->subject][view == TrialView::kGraph].push_back(*answer - *expected);
       }
     }

@@ -106,8 +106,8 @@ void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment tim
       {"gc less ppc: difference of restricted means",
        difference ? Estimable<Estimate>(difference->difference) : Estimable<Estimate>::impossible(difference.reason()),
        "s", fmt::format("{}, subjects as clusters", sizeText(trials)), trials});
-  addEstimates(work.document, "Times to find, time-outs censored at the limit; subjects are clusters", "find-survival",
-               rows);
+  addEstimates(work.document, fmt::format("Times to find, time-outs {}; subjects are clusters", nameOf(timeouts)),
+               "find-survival", rows);
   addResampled(
       work, "Difference of restricted means (gc less ppc) by resampling subjects and cases", "find-survival-resampled",
       {{"gc less ppc",
@@ -211,7 +211,12 @@ void addSurvivalModel(ReportWork& work, const PlannedModel& model, const TrialLi
 
 void addLinear(ReportWork& work, const PlannedModel& model, const TrialList& all, TimeoutTreatment timeouts) {
   TrialList trials = completeTrials(model, all);
-  std::erase_if(trials, [](const Trial* trial) { return *trial->responseSeconds <= 0; });
+  const size_t atOnce = std::erase_if(trials, [](const Trial* trial) { return *trial->responseSeconds <= 0; });
+  if (atOnce > 0) {
+    work.document.add(ReportNote{
+        NoteKind::kWarning,
+        fmt::format("{} searches took 0 s, which has no logarithm: model {} leaves them out.", atOnce, model.name)});
+  }
   const TrialList main = timeouts == TimeoutTreatment::kRemoved ? withoutTimeouts(trials) : trials;
   const Estimable<PlannedFit> fit = fitLinear(model, main, secondsOf(main));
   addPlannedFit(work, model, main, fit,

@@ -79,7 +79,8 @@ std::string numberText(double value) {
   if (!std::isfinite(value)) {
     return "not known";
   }
-  return std::abs(value) >= 100 ? fmt::format("{:.1f}", value) : fmt::format("{:#.3g}", value);
+  const double size = std::abs(value);
+  return size >= 100 && size < 1e6 ? fmt::format("{:.1f}", value) : fmt::format("{:#.3g}", value);
 }
 
 std::string pText(double pValue) {

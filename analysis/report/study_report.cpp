@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/dataset/csv_table.h"
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/report/count_section.h"
 #include "analysis/report/find_section.h"
@@ -58,17 +59,6 @@ void addDesign(ReportWork& work, const StudyReportOptions& options) {
   }
 }
 
-std::string csvText(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) {
-    return text;
-  }
-  std::string quoted = "\"";
-  for (const char letter : text) {
-    quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-  }
-  return quoted + "\"";
-}
-
 template <class Value>
 std::string optionalText(const std::optional<Value>& value) {
   return value ? fmt::format("{}", static_cast<double>(*value)) : "";
@@ -77,13 +67,13 @@ std::string optionalText(const std::optional<Value>& value) {
 std::string trialsCsv(const Dataset& data) {
   std::string text =
       "source,trial_id,subject_id,session_number,plan_index,block,task,case_index,item,view,moving,exposure_s,objects,"
-      "duplicate_colors,answer,expected,correct,censored,response_s,dropped_frames,simulated\n";
+      "duplicate_colors,answer,expected,correct,censored,response_s,dropped_frames,simulated\r\n";
   for (const Trial& trial : data.trials) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", trial.source, trial.trialId,
-                        csvText(trial.subject), trial.session, trial.planIndex, csvText(trial.block), trial.task,
-                        trial.caseIndex, csvText(trial.item()), nameOf(trial.view), optionalText(trial.moving),
-                        optionalText(trial.exposureSeconds), optionalText(trial.objects),
-                        optionalText(trial.duplicateColors), csvText(trial.answer), csvText(trial.expected),
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", trial.source,
+                        trial.trialId, csvField(trial.subject), trial.session, trial.planIndex, csvField(trial.block),
+                        csvField(trial.task), trial.caseIndex, csvField(trial.item()), nameOf(trial.view),
+                        optionalText(trial.moving), optionalText(trial.exposureSeconds), optionalText(trial.objects),
+                        optionalText(trial.duplicateColors), csvField(trial.answer), csvField(trial.expected),
                         optionalText(trial.correct), optionalText(trial.censored), optionalText(trial.responseSeconds),
                         trial.droppedFrames, trial.simulated ? 1 : 0);
   }
@@ -91,10 +81,10 @@ std::string trialsCsv(const Dataset& data) {
 }
 
 std::string answersCsv(const Dataset& data) {
-  std::string text = "source,answer_id,subject_id,session_number,form,field,answer\n";
+  std::string text = "source,answer_id,subject_id,session_number,form,field,answer\r\n";
   for (const FormAnswer& answer : data.answers) {
-    text += fmt::format("{},{},{},{},{},{},{}\n", answer.source, answer.answerId, csvText(answer.subject),
-                        answer.session, csvText(answer.form), csvText(answer.field), csvText(answer.answer));
+    text += fmt::format("{},{},{},{},{},{},{}\r\n", answer.source, answer.answerId, csvField(answer.subject),
+                        answer.session, csvField(answer.form), csvField(answer.field), csvField(answer.answer));
   }
   return text;
 }

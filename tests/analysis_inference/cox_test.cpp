@@ -97,6 +97,9 @@ TEST(Cox, SaysWhatItLacks) {
   data.covariates = {{"view", {1, 1, 0, 0}}};
   EXPECT_THAT(reasonFor(data), testing::HasSubstr("the likelihood grows without bound in 'view'"));
   data.covariates = {{"view", {0, 1, 0, 1}}};
+  data.times = {{7, true}, {7, true}, {7, true}, {7, true}};
+  EXPECT_EQ(reasonFor(data), "all 4 trials ended at the same moment");
+  data.times = {{10, true}, {20, true}, {30, true}, {40, false}};
   data.strata = {1, 2, 3, 4};
   EXPECT_EQ(reasonFor(data), "'view' does not vary among trials that can be compared");
   data.strata = {};

@@ -1,0 +1,50 @@
+#include "analysis/dataset/trial_check.h"
+
+#include <fmt/format.h>
+
+namespace ocelli {
+namespace {
+
+constexpr size_t kLongestName = 1000;   // bytes; a protocol allows 200 characters
+constexpr double kMostSeconds = 1e6;    // more than eleven days
+constexpr int64_t kMostFrames = 1e9;    // so that sums over a study stay exact
+constexpr double kMostOfMeasure = 1e9;  // metres, clicks, ...
+
+template <class Number>
+std::optional<TrialProblem> outside(const std::string& column, std::optional<Number> value, Number least, Number most) {
+  // Also for what is not a number.
+  if (value && !(*value >= least && *value <= most)) {
+    return TrialProblem{column, fmt::format("is {}, but must be a number from {:.12g} to {:.12g}", *value,
+                                            static_cast<double>(least), static_cast<double>(most))};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string problemOfName(const std::string& name) {
+  return name.size() <= kLongestName
+             ? ""
+             : fmt::format("has {} bytes, but a name has at most {}", name.size(), kLongestName);
+}
+
+std::optional<TrialProblem> problemOf(const Trial& trial) {
+  using Frames = std::optional<int64_t>;
+  for (const auto& problem : {outside("response_s", trial.responseSeconds, 0.0, kMostSeconds),
+                              outside("exposure_s", trial.exposureSeconds, 0.0, kMostSeconds),
+                              outside("longest_s", trial.longestSeconds, 0.0, kMostSeconds),
+                              outside("frames", Frames(trial.frames), int64_t{0}, kMostFrames),
+                              outside("dropped_frames", Frames(trial.droppedFrames), int64_t{0}, kMostFrames)}) {
+    if (problem) {
+      return problem;
+    }
+  }
+  for (const auto& [name, value] : trial.measures) {
+    if (auto problem = outside(name, std::optional(value), -kMostOfMeasure, kMostOfMeasure)) {
+      return problem;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace ocelli

@@ -1,0 +1,24 @@
+// What columns of trials and answers cannot hold, whichever file they stand in: a damaged file, or one that was changed
+// by hand, must not give numbers that nobody measured.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "analysis/dataset/trial.h"
+
+namespace ocelli {
+
+struct TrialProblem {
+  std::string column;
+  std::string problem;  ///< "is inf, but must be a number from 0 to 1000000"
+};
+
+/// Of names of subjects, blocks, cases, forms and their fields: "has 5000 bytes, but a name has at most 1000"; or
+/// empty.
+std::string problemOfName(const std::string& name);
+
+/// The first one; nothing where there is none.
+std::optional<TrialProblem> problemOf(const Trial& trial);
+
+}  // namespace ocelli

@@ -1,0 +1,424 @@
+// The whole report of small studies: that its numbers are those of the data, and that it says where there are none.
+#include "analysis/report/study_report.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "analysis/dataset/database.h"
+#include "analysis/dataset/merge.h"
+#include "analysis/report/html_report.h"
+#include "analysis/report/json_report.h"
+#include "analysis/report/report_files.h"
+#include "analysis/tables/paper_tables.h"
+#include "tests/analysis_dataset/made_study.h"
+#include "tests/analysis_report/report_reading.h"
+
+namespace ocelli::test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class StudyReport : public testing::Test {
+ protected:
+  /// The report of a study that `fill` fills.
+  template <class Fill>
+  nlohmann::json reportOf(const Fill& fill, const AnalysisPlan& plan = defaultPlan()) {
+    const std::string path = folder_.file(fmt::format("study-{}.db", ++studies_));
+    SampleStudy study(path, kWholeProtocol);
+    fill(study);
+    analysis_ = applyPlan(merge({readDatabase(path)}), plan);
+    document_ = studyReport(analysis_, paperTables(analysis_), {{}, "1.2.3"});
+    return nlohmann::json::parse(jsonReport(document_));
+  }
+  nlohmann::json reportOfMade(const MadeStudy& made, const AnalysisPlan& plan = defaultPlan()) {
+    return reportOf([&](SampleStudy& study) { fillWholeStudy(study, made); }, plan);
+  }
+  /// Also of the page and the figures.
+  void expectHonest(const nlohmann::json& report) const {
+    EXPECT_THAT(dishonestNumbers(report), IsEmpty());
+    for (const ReportFile& file : reportFiles(document_)) {
+      if (!file.name.ends_with(".pdf")) {
+        EXPECT_THAT(numbersThatAreNone(file.bytes), IsEmpty()) << file.name;
+      }
+    }
+  }
+
+  SampleFolder folder_;
+  int studies_ = 0;
+  AnalysisData analysis_;
+  ReportDocument document_;
+};
+
+MadeStudy changed(std::function<void(SampleTrial&)> change) {
+  MadeStudy made;
+  made.change = [change = std::move(change)](SampleTrial& trial) {
+    change(trial);
+    return true;
+  };
+  return made;
+}
+
+MadeStudy only(std::function<bool(const SampleTrial&)> keep) {
+  MadeStudy made;
+  made.change = [keep = std::move(keep)](SampleTrial& trial) { return keep(trial); };
+  return made;
+}
+
+TEST_F(StudyReport, aWholeStudyIsAnsweredAndHonest) {
+  const nlohmann::json report = reportOfMade({});
+  expectHonest(report);
+  EXPECT_THAT(notEstimable(report), IsEmpty());
+  for (const char* id : {"design", "flow", "paper", "find", "count", "path", "survey", "hypotheses", "methods"}) {
+    EXPECT_FALSE(elementOf(report, id).is_null()) << id;
+  }
+  EXPECT_THAT(htmlReport(document_), HasSubstr(analysis_.dataSha256));
+}
+
+TEST_F(StudyReport, effectsHaveTheirDirections) {
+  // Twice the subjects, so that no draw hides them.
+  MadeStudy made;
+  made.subjects = 12;
+  made.change = [](SampleTrial& trial) {
+    if (trial.task == "path" && trial.view == "gc" && trial.caseIndex < 2) {
+      trial.correct = false;
+      trial.answer = "map 2";
+    }
+    return true;
+  };
+  const nlohmann::json report = reportOfMade(made);
+  const auto estimate = [&](const char* table, const char* row) {
+    return valueIn(report, table, row, "Estimate").value_or(NAN);
+  };
+  EXPECT_NEAR(std::log(estimate("find-time", "view")), -std::log(1.5), 0.15) << "standard error 0.06";
+  EXPECT_LT(estimate("find-survival", "gc less ppc"), -1);
+  EXPECT_GT(estimate("find-hazard", "view"), 1.3);
+  EXPECT_NEAR(std::log(estimate("find-log-normal", "view")), -std::log(1.5), 0.15);
+  EXPECT_GT(estimate("count-right", "view"), 1.5);
+  EXPECT_GT(estimate("count-matched", "difference"), 0.05);
+  EXPECT_LT(estimate("path-right", "view"), 0.7);
+  EXPECT_LT(valueIn(report, "path-equivalence", "Difference", "Value").value_or(NAN), -0.1);
+  EXPECT_GT(estimate("count-shares", "gc, session 1"), estimate("count-shares", "ppc, session 1"));
+}
+
+/// Searches of six subjects, who all do the same: with the pinhole 10, 20 and twice the limit of 60 s, with the graph
+/// camera half of the times.
+void fillCensored(SampleStudy& study, const char* lastEnding = "completed") {
+  for (int s = 0; s < 6; ++s) {
+    const std::string subject = fmt::format("S{}", s);
+    study.addSubject(subject);
+    study.addSession(subject, 1, s == 5 ? lastEnding : "completed");
+    int plan = 0;
+    for (const char* view : {"ppc", "gc"}) {
+      for (const double seconds : {10.0, 20.0, 60.0, 60.0, 60.0}) {
+        SampleTrial trial;
+        trial.subject = subject;
+        trial.view = view;
+        trial.caseIndex = plan % 5;
+        trial.plan = plan++;
+        // Subjects differ a little, or nothing would be uncertain.
+        trial.response = (*trial.plan < 5 ? 1.0 : 0.5) * seconds + (seconds < 60 ? 0.5 * s : 0.0);
+        trial.censored = trial.response == 60;
+        trial.correct = !trial.censored;
+        study.addTrial(trial);
+      }
+    }
+  }
+}
+
+TEST_F(StudyReport, timeoutsAreCensored) {
+  const nlohmann::json report = reportOf([](SampleStudy& study) { fillCensored(study); });
+  expectHonest(report);
+  // Three of five searches with the pinhole never ended: the curve does not fall to a half. Taken as found at 60 s, or
+  // left out, they would give 60 s or 15 s.
+  EXPECT_FALSE(valueIn(report, "find-survival", "ppc: median", "Estimate"));
+  EXPECT_THAT(notEstimable(report), Contains(HasSubstr("ppc: median")));
+  EXPECT_EQ(valueIn(report, "find-survival", "gc: median", "Estimate"), 30);
+  // Means of 10, 20, 60, 60, 60 and of 5, 10, 30, 30, 30, with what subjects differ by: 0 to 2.5 s in two of five.
+  const double more = 2.0 / 5 * 1.25;
+  EXPECT_NEAR(valueIn(report, "find-survival", "ppc: restricted mean", "Estimate").value_or(NAN), 42 + more, 1e-9);
+  EXPECT_NEAR(valueIn(report, "find-survival", "gc less ppc", "Estimate").value_or(NAN), -21, 1e-9);
+}
+
+TEST_F(StudyReport, timeoutsAreRemovedOrSetToTheLimitWhereThePlanSaysSo) {
+  const auto fill = [](SampleStudy& study) { fillCensored(study); };
+  AnalysisPlan plan = defaultPlan();
+  plan.findTimeouts = TimeoutTreatment::kSetToLimit;
+  EXPECT_EQ(valueIn(reportOf(fill, plan), "find-survival", "ppc: median", "Estimate"), 60);
+  plan.findTimeouts = TimeoutTreatment::kRemoved;
+  const double median = valueIn(reportOf(fill, plan), "find-survival", "ppc: median", "Estimate").value_or(NAN);
+  EXPECT_GE(median, 10);
+  EXPECT_LE(median, 22.5);
+}
+
+TEST_F(StudyReport, whoIsExcludedIsInNoNumber) {
+  const nlohmann::json all = reportOf([](SampleStudy& study) { fillCensored(study); });
+  const nlohmann::json without = reportOf([](SampleStudy& study) { fillCensored(study, "unwell"); });
+  expectHonest(without);
+  EXPECT_EQ(valueOfCell(all, "subjects/analysed"), 6);
+  EXPECT_EQ(valueOfCell(without, "subjects/analysed"), 5);
+  EXPECT_EQ(analysis_.flow.excludedTrials, 10);
+  // The last subject is the slowest: 2.5 s in two of five searches.
+  const auto mean = [](const nlohmann::json& report) {
+    return valueIn(report, "find-survival", "ppc: restricted mean", "Estimate").value_or(NAN);
+  };
+  EXPECT_NEAR(mean(all), 42 + 2.0 / 5 * 1.25, 1e-9);
+  EXPECT_NEAR(mean(without), 42 + 2.0 / 5 * 1.0, 1e-9);
+  EXPECT_NEAR(valueOfCell(without, "section-7.4.2/stationary/ppc").value_or(NAN), 16, 1e-9);
+  EXPECT_FALSE(elementOf(without, "exclusions").is_null());
+}
+
+TEST_F(StudyReport, sharesAreOfAllTrialsOfTheirViewAndSession) {
+  int right[2] = {};
+  int trials[2] = {};
+  MadeStudy made = changed([&](SampleTrial& trial) {
+    if (trial.task == "count" && trial.session == 2) {
+      ++trials[trial.view == "gc" ? 1 : 0];
+      right[trial.view == "gc" ? 1 : 0] += trial.correct ? 1 : 0;
+    }
+  });
+  const nlohmann::json report = reportOfMade(made);
+  for (const int view : {0, 1}) {
+    EXPECT_NEAR(valueIn(report, "count-shares", fmt::format("{}, session 2", view == 1 ? "gc" : "ppc"), "Estimate")
+                    .value_or(NAN),
+                static_cast<double>(right[view]) / trials[view], 1e-12);
+  }
+}
+
+TEST_F(StudyReport, familiesAreCorrectedByHolmsMethodWhereThePlanSaysSo) {
+  AnalysisPlan plan = defaultPlan();
+  ASSERT_FALSE(plan.families.empty());
+  // All hypotheses in one family; then the same without a correction.
+  plan.families = {{"all", true, {}}, {"raw", false, {}}};
+  for (const Hypothesis& hypothesis : plan.hypotheses) {
+    plan.families[0].hypotheses.push_back(hypothesis.name);
+    plan.families[1].hypotheses.push_back(hypothesis.name);
+  }
+  nlohmann::json report = reportOfMade({}, plan);
+  expectHonest(report);
+  std::vector<std::pair<double, std::string>> tests;
+  for (const Hypothesis& hypothesis : plan.hypotheses) {
+    const auto p = valueIn(report, "family-all", hypothesis.name, "p");
+    ASSERT_TRUE(p) << hypothesis.name;
+    EXPECT_EQ(valueIn(report, "family-raw", hypothesis.name, "p"), p);
+    EXPECT_EQ(valueIn(report, "family-raw", hypothesis.name, "Adjusted p"), p);
+    tests.emplace_back(*p, hypothesis.name);
+  }
+  ASSERT_GE(tests.size(), 3u);
+  std::sort(tests.begin(), tests.end());
+  std::vector<double> adjusted;
+  size_t mostLifted = 0;
+  for (size_t i = 0; i < tests.size(); ++i) {
+    adjusted.push_back(
+        std::max(i > 0 ? adjusted[i - 1] : 0.0, std::min(1.0, static_cast<double>(tests.size() - i) * tests[i].first)));
+    EXPECT_NEAR(valueIn(report, "family-all", tests[i].second, "Adjusted p").value_or(NAN), adjusted[i], 1e-12);
+    const bool isLevel = tests[i].first + adjusted[i] < 1;  // half of it is one
+    mostLifted =
+        isLevel && adjusted[i] - tests[i].first > adjusted[mostLifted] - tests[mostLifted].first ? i : mostLifted;
+  }
+  // At a level that the correction lifts one p value above, the corrected one decides.
+  plan.alpha = (tests[mostLifted].first + adjusted[mostLifted]) / 2;
+  ASSERT_LT(tests[mostLifted].first, plan.alpha);
+  report = reportOfMade({}, plan);
+  for (const auto& [family, result] :
+       {std::pair("family-all", "not supported"), std::pair("family-raw", "supported")}) {
+    for (const nlohmann::json& row : elementOf(report, family)["rows"]) {
+      if (row[0]["text"] == tests[mostLifted].second) {
+        EXPECT_EQ(row.back()["text"], result);
+      }
+    }
+  }
+}
+
+// ---- Data that do not tell.
+
+TEST_F(StudyReport, nobodyIsNoCrash) {
+  const nlohmann::json report = reportOf([](SampleStudy&) {});
+  expectHonest(report);
+  EXPECT_GE(notEstimable(report).size(), 4u) << "one for each task";
+  EXPECT_EQ(valueOfCell(report, "subjects/analysed"), 0);
+}
+
+TEST_F(StudyReport, subjectsWithoutTrialsAreNotAnalysed) {
+  const nlohmann::json report = reportOfMade(only([](const SampleTrial&) { return false; }));
+  expectHonest(report);
+  EXPECT_EQ(valueOfCell(report, "subjects/enrolled"), 6);
+  EXPECT_EQ(valueOfCell(report, "subjects/analysed"), 0);
+  EXPECT_GE(notEstimable(report).size(), 3u);
+}
+
+TEST_F(StudyReport, oneTrialIsNoStudy) {
+  const nlohmann::json report =
+      reportOfMade(only([](const SampleTrial& trial) { return trial.subject == "S01" && trial.plan == 0; }));
+  expectHonest(report);
+  EXPECT_FALSE(valueIn(report, "find-time", "view", "Estimate"));
+  EXPECT_FALSE(valueIn(report, "find-hazard", "view", "Estimate"));
+}
+
+TEST_F(StudyReport, oneSubjectHasNoPopulation) {
+  MadeStudy made;
+  made.subjects = 1;
+  const nlohmann::json report = reportOfMade(made);
+  expectHonest(report);
+  for (const char* model : {"find-time", "find-hazard", "find-log-normal", "count-right", "path-right"}) {
+    EXPECT_FALSE(valueIn(report, model, "view", "Estimate")) << model;
+    EXPECT_THAT(notEstimable(report), Contains(HasSubstr(model)));
+  }
+  EXPECT_FALSE(valueIn(report, "find-survival", "restricted mean", "Estimate")) << "errors are of subjects";
+  EXPECT_FALSE(valueIn(report, "path-equivalence", "p of", "Value"));
+}
+
+TEST_F(StudyReport, oneViewHasNoEffectOfViews) {
+  for (const char* view : {"ppc", "gc"}) {
+    const nlohmann::json report = reportOfMade(only([&](const SampleTrial& trial) { return trial.view == view; }));
+    expectHonest(report);
+    for (const char* model : {"find-time", "find-hazard", "find-log-normal", "count-right", "path-right"}) {
+      EXPECT_FALSE(valueIn(report, model, "view", "Estimate")) << model << ", " << view;
+    }
+    EXPECT_FALSE(valueIn(report, "find-survival", "gc less ppc", "Estimate"));
+    EXPECT_FALSE(valueIn(report, "count-matched", "difference", "Estimate"));
+    for (const char* hypothesis : {"find-faster", "count-better", "path-alike"}) {
+      EXPECT_FALSE(valueIn(report, "family-primary", hypothesis, "p")) << hypothesis;
+    }
+  }
+}
+
+TEST_F(StudyReport, searchesThatNeverEndHaveNoTimes) {
+  const nlohmann::json report = reportOfMade(changed([](SampleTrial& trial) {
+    if (trial.task == "find") {
+      trial.response = 60;
+      trial.censored = true;
+      trial.correct = false;
+      trial.answer = "";
+    }
+  }));
+  expectHonest(report);
+  for (const char* row : {"ppc: median", "gc: median", "ppc: restricted", "gc: restricted", "gc less ppc"}) {
+    EXPECT_FALSE(valueIn(report, "find-survival", row, "Estimate")) << row;
+  }
+  for (const char* model : {"find-time", "find-hazard", "find-log-normal"}) {
+    EXPECT_FALSE(valueIn(report, model, "view", "Estimate")) << model;
+  }
+  EXPECT_FALSE(valueOfCell(report, "section-7.4.2/stationary/ppc")) << "the text's mean is of searches that ended";
+  EXPECT_EQ(valueOfCell(report, "time-outs/stationary/ppc"), 100);
+}
+
+TEST_F(StudyReport, searchesThatNeverEndInOneViewHaveNoHazardRatio) {
+  const nlohmann::json report = reportOfMade(changed([](SampleTrial& trial) {
+    if (trial.task == "find" && trial.view == "gc") {
+      trial.response = 60;
+      trial.censored = true;
+    }
+  }));
+  expectHonest(report);
+  EXPECT_FALSE(valueIn(report, "find-hazard", "view", "Estimate"));
+  EXPECT_FALSE(valueIn(report, "find-log-normal", "view", "Estimate"));
+  EXPECT_TRUE(valueIn(report, "find-survival", "ppc: restricted", "Estimate"));
+  EXPECT_FALSE(valueIn(report, "find-survival", "gc: restricted", "Estimate"));
+}
+
+TEST_F(StudyReport, separatedAnswersHaveNoOddsRatio) {
+  const nlohmann::json report = reportOfMade(changed([](SampleTrial& trial) {
+    trial.correct = trial.view == "gc";
+    trial.response = trial.view == "gc" ? 5 : 30;
+    trial.censored = false;
+  }));
+  expectHonest(report);
+  EXPECT_FALSE(valueIn(report, "count-right", "view", "Estimate"));
+  EXPECT_FALSE(valueIn(report, "path-right", "view", "Estimate"));
+  EXPECT_FALSE(valueIn(report, "find-hazard", "view", "Estimate"));
+  EXPECT_FALSE(valueIn(report, "count-matched", "Odds ratio", "Estimate"));
+  EXPECT_THAT(notEstimable(report), Contains(HasSubstr("count-right")));
+}
+
+TEST_F(StudyReport, constantResponsesHaveNoSpread) {
+  MadeStudy made = changed([](SampleTrial& trial) {
+    trial.correct = true;
+    trial.answer = trial.expected;
+    trial.response = 7;
+    trial.censored = false;
+  });
+  made.surveyAnswer = "3";
+  const nlohmann::json report = reportOfMade(made);
+  expectHonest(report);
+  for (const char* model : {"find-time", "find-hazard", "find-log-normal", "count-right", "path-right"}) {
+    EXPECT_FALSE(valueIn(report, model, "view", "Estimate")) << model;
+  }
+  for (const char* hypothesis : {"find-faster", "count-better", "path-alike"}) {
+    EXPECT_FALSE(valueIn(report, "family-primary", hypothesis, "p")) << hypothesis;
+  }
+  EXPECT_FALSE(valueIn(report, "family-secondary", "survey-preference", "p"));
+}
+
+TEST_F(StudyReport, missingSessionsAreNoEffectOfSessions) {
+  // Nobody came again; then only one subject did.
+  for (const char* whoCameAgain : {"", "S03"}) {
+    const nlohmann::json report = reportOfMade(
+        only([&](const SampleTrial& trial) { return trial.session == 1 || trial.subject == whoCameAgain; }));
+    expectHonest(report);
+    EXPECT_TRUE(valueIn(report, "find-time", "view", "Estimate"));
+    EXPECT_FALSE(valueOfCell(report, "table-7.1/stationary/session-2/ppc")) << "nobody completed three sessions";
+    if (*whoCameAgain == '\0') {
+      EXPECT_FALSE(valueIn(report, "count-right", "session", "Estimate"));
+    }
+  }
+}
+
+TEST_F(StudyReport, searchesOfNoTimeAreSaidToBeLeftOut) {
+  const nlohmann::json report = reportOfMade(changed([](SampleTrial& trial) {
+    if (trial.task == "find" && trial.caseIndex == 0) {
+      trial.response = 0;
+    }
+  }));
+  expectHonest(report);
+  EXPECT_TRUE(valueIn(report, "find-time", "view", "Estimate"));
+  EXPECT_FALSE(valueIn(report, "find-log-normal", "view", "Estimate")) << "0 s has no logarithm";
+  bool said = false;
+  for (const nlohmann::json& element : report["elements"]) {
+    said =
+        said || (element["type"] == "note" && element["text"].get<std::string>().starts_with("48 searches took 0 s"));
+  }
+  EXPECT_TRUE(said);
+}
+
+TEST_F(StudyReport, absurdCountsAreNoOverflow) {
+  const nlohmann::json report = reportOfMade(changed([](SampleTrial& trial) {
+    if (trial.task == "count") {
+      trial.answer = trial.caseIndex == 0 ? "9999999999999999999999999999" : trial.caseIndex == 1 ? "-1e300" : "many";
+      trial.correct = false;
+    }
+  }));
+  expectHonest(report);
+}
+
+TEST_F(StudyReport, valuesThatTheSchemaLeavesOutAreMissing) {
+  const nlohmann::json report = reportOf([](SampleStudy& study) {
+    fillWholeStudy(study);
+    study.database().exec("DROP TRIGGER trial_update");
+    study.database().exec(
+        "UPDATE trial SET response_s = NULL, correct = NULL, censored = NULL, moving = NULL, exposure_s = NULL, "
+        "objects = NULL, duplicate_colors = NULL, answer = NULL, expected = NULL, case_label = NULL, "
+        "longest_s = NULL, frames = NULL, dropped_frames = NULL, timing_verdict = NULL");
+  });
+  expectHonest(report);
+  EXPECT_GE(notEstimable(report).size(), 3u);
+  EXPECT_FALSE(valueOfCell(report, "time-outs/stationary/ppc"));
+}
+
+TEST_F(StudyReport, simulatedSubjectsAreSaidToBeOnEveryWriter) {
+  MadeStudy made;
+  made.kind = "simulated_generator";
+  const nlohmann::json report = reportOfMade(made);
+  EXPECT_EQ(report["marking"], "Simulated subjects");
+  EXPECT_THAT(htmlReport(document_), HasSubstr("class=\"marking\">Simulated subjects"));
+  EXPECT_EQ(reportOfMade({}).count("marking"), 0u);
+}
+
+}  // namespace
+}  // namespace ocelli::test
