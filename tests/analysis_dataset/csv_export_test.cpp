@@ -85,7 +85,7 @@ TEST_F(CsvExport, brokenRowsAreNamed) {
   EXPECT_THAT(errorWith("trials.csv", ",ppc,", ",cpp,"), HasSubstr("trials.csv:2: column \"view\" is \"cpp\""));
   EXPECT_THAT(errorWith("trials.csv", ",60,", ",6o,"), HasSubstr("column \"response_s\" is \"6o\""));
   EXPECT_THAT(errorWith("trials.csv", ",60,", ",nan,"), HasSubstr("column \"response_s\" is \"nan\""));
-  EXPECT_THAT(errorWith("trials.csv", ",60,", ",-60,"), HasSubstr("trials.csv:5: column \"response_s\" is -60"));
+  EXPECT_THAT(errorWith("trials.csv", ",60,", ",-60,"), HasSubstr("trials.csv:8: column \"response_s\" is -60"));
   EXPECT_THAT(errorWith("trials.csv", ",find,", "," + std::string(2000, 'x') + ","),
               HasSubstr("column \"task\" has 2000 bytes"));
   EXPECT_THAT(errorWith("trials.csv", "case_label", "label"), HasSubstr("column \"case_label\" is missing"));

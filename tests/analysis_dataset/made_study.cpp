@@ -98,7 +98,8 @@ void fillWholeStudy(SampleStudy& study, const MadeStudy& made) {
           trial.moving = kBlocks[b].moving;
           trial.caseIndex = i / 2;
           trial.caseLabel = fmt::format("location {}", trial.caseIndex + 1);
-          trial.view = i % 2 == 0 ? "ppc" : "gc";
+          // Which view comes first changes from case to case, and from subject to subject.
+          trial.view = (i + i / 2 + number) % 2 == 0 ? "ppc" : "gc";
           (trial.task == "find" ? search : trial.task == "count" ? count : path)(trial, slowness, random);
           if (!made.change || made.change(trial)) {
             study.addTrial(trial);

@@ -242,6 +242,9 @@ TEST(ModelCheck, orderOfNormalSamplesIsSymmetricAndKnown) {
   // The greatest of two: its median m has Phi(m)^2 = 1/2.
   EXPECT_NEAR(normalOrder(1, 2).median, 0.544952, 1e-5);
   EXPECT_NEAR(normalOrder(0, 9).upper, -normalOrder(8, 9).lower, 1e-9);
+  for (size_t n = 1; n < 200; n += 2) {
+    EXPECT_NEAR(normalOrder(n / 2, n).median, 0, 1e-9) << n;
+  }
 }
 
 TEST(FlowDiagram, everyoneIsInABox) {

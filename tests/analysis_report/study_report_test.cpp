@@ -29,7 +29,8 @@ class StudyReport : public testing::Test {
  protected:
   /// The report of a study that `fill` fills.
   template <class Fill>
-  nlohmann::json reportOf(const Fill& fill, const AnalysisPlan& plan = defaultPlan()) {
+  nlohmann::json reportOf(const Fill& fill, AnalysisPlan plan = defaultPlan()) {
+    plan.bootstrapSamples = 100;  // no test here looks at them
     const std::string path = folder_.file(fmt::format("study-{}.db", ++studies_));
     SampleStudy study(path, kWholeProtocol);
     fill(study);

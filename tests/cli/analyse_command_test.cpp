@@ -273,7 +273,8 @@ TEST_F(AnalyseCommand, SeveralDatabasesAreAsTheirMerge) {
   EXPECT_EQ(hashOf("a.db b.db"), hashOf("all.db"));
   EXPECT_EQ(hashOf("b.db a.db"), hashOf("all.db"));
   EXPECT_EQ(hashOf("a.db all.db b.db"), hashOf("all.db")) << "rows that stand twice are taken once";
-  ASSERT_EQ(analyse("a.db b.db -o parts").exitCode, 0);
+  const ProgramResult parts = analyse("a.db b.db -o parts");
+  ASSERT_EQ(parts.exitCode, 0) << parts.error;
   ASSERT_EQ(analyse("all.db -o whole").exitCode, 0);
   EXPECT_EQ(namedValues(reportIn("parts")), namedValues(reportIn("whole")));
   EXPECT_EQ(valueIn(reportIn("parts"), "find-time", "view", "Estimate"),
