@@ -8,6 +8,7 @@
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/sha256.h"
 #include "study/subject/form_taste.h"
+#include "study/subject/generator_truth.h"
 #include "study/subject/simulate_session.h"
 
 namespace ocelli {
@@ -94,24 +95,18 @@ class Drawer {
         seedOf(session_.studySeed, hashOf(fmt::format("{}\n{}\n{}", block, info.label, session_.schedule.session))));
     return normal(random, 0, deviation);
   }
-  double graphOf(const TrialPlan& plan) const { return plan.view == StudyView::kGraph ? 1 : 0; }
-  double sessions() const { return session_.schedule.session; }
-
+  double fixedPartOf(const TrialPlan& plan, const CaseInfo& info) const {
+    return fixedPart(effects_, {plan.task, plan.view, info, session_.schedule.session});
+  }
   double findMean(const TrialPlan& plan, const CaseInfo& info) const {
-    const GeneratorEffects::Find& find = effects_.find;
-    return find.logSeconds + (find.graph + findSubjectGraph_) * graphOf(plan) + (info.moving ? find.moving : 0) +
-           find.session * sessions() + findSubject_ + itemOf(plan, info, find.itemSd);
+    return fixedPartOf(plan, info) + (plan.view == StudyView::kGraph ? findSubjectGraph_ : 0) + findSubject_ +
+           itemOf(plan, info, effects_.find.itemSd);
   }
   double countLogit(const TrialPlan& plan, const CaseInfo& info) const {
-    const GeneratorEffects::Count& count = effects_.count;
-    return count.right + count.graph * graphOf(plan) + (info.duplicateColors.value_or(false) ? count.duplicates : 0) +
-           count.doubledExposure * std::log2(info.exposureSeconds.value_or(10) / 10) + count.session * sessions() +
-           countSubject_ + itemOf(plan, info, count.itemSd);
+    return fixedPartOf(plan, info) + countSubject_ + itemOf(plan, info, effects_.count.itemSd);
   }
   double pathLogit(const TrialPlan& plan, const CaseInfo& info) const {
-    const GeneratorEffects::Path& path = effects_.path;
-    return path.right + path.graph * graphOf(plan) + path.session * sessions() + pathSubject_ +
-           itemOf(plan, info, path.itemSd);
+    return fixedPartOf(plan, info) + pathSubject_ + itemOf(plan, info, effects_.path.itemSd);
   }
   static std::string wrongAnswer(const TrialPlan& plan, const std::string& expected, Random& random) {
     if (plan.task != "count") {
@@ -202,7 +197,10 @@ void generateSession(const Protocol& protocol, const GeneratedSession& session, 
     record.info = task.caseInfo(plan.caseIndex);
     record.startedNanoseconds = now;
     record.startedUtc = utc();
-    record.outcome = drawer.outcomeOf(plan, record.info, task.answerOf(plan), random);
+    record.outcome = drawer.outcomeOf(plan, record.info, session.tellsAnswers ? task.answerOf(plan) : "", random);
+    if (!session.tellsAnswers) {
+      record.outcome.answer.clear();
+    }
     record.timing.verdict = "simulated_clock";
     now += nanosecondsOf(static_cast<double>(record.outcome.responseTicks) / static_cast<double>(kTicksPerSecond) +
                          record.info.exposureSeconds.value_or(0));

@@ -68,6 +68,7 @@ struct GeneratedSession {
   GeneratorEffects effects{};
   uint64_t studySeed = 1;  ///< of what subjects share
   uint64_t subjectSeed = 1;
+  bool tellsAnswers = true;  ///< or only whether they are right: which turns are those of a path takes long to find out
 };
 
 /// Consent and forms included.
