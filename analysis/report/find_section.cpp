@@ -43,14 +43,6 @@ std::vector<SurvivalTime> timesOf(const TrialList& trials, TimeoutTreatment time
   return times;
 }
 
-std::vector<double> secondsOf(const TrialList& trials) {
-  std::vector<double> seconds;
-  for (const Trial* trial : trials) {
-    seconds.push_back(*trial->responseSeconds);
-  }
-  return seconds;
-}
-
 SurvivalPlot::Curve plotCurve(const std::string& name, const SurvivalCurve& curve,
                               const std::vector<double>& riskTimes) {
   SurvivalPlot::Curve result;
@@ -210,14 +202,14 @@ void addSurvivalModel(ReportWork& work, const PlannedModel& model, const TrialLi
 }
 
 void addLinear(ReportWork& work, const PlannedModel& model, const TrialList& all, TimeoutTreatment timeouts) {
-  TrialList trials = completeTrials(model, all);
-  const size_t atOnce = std::erase_if(trials, [](const Trial* trial) { return *trial->responseSeconds <= 0; });
+  const TrialList trials = searchesOfLinearModel(model, all, TimeoutTreatment::kSetToLimit);
+  const size_t atOnce = completeTrials(model, all).size() - trials.size();
   if (atOnce > 0) {
     work.document.add(ReportNote{
         NoteKind::kWarning,
         fmt::format("{} searches took 0 s, which has no logarithm: model {} leaves them out.", atOnce, model.name)});
   }
-  const TrialList main = timeouts == TimeoutTreatment::kRemoved ? withoutTimeouts(trials) : trials;
+  const TrialList main = searchesOfLinearModel(model, all, timeouts);
   const Estimable<PlannedFit> fit = fitLinear(model, main, secondsOf(main));
   addPlannedFit(work, model, main, fit,
                 "Linear mixed model of the logarithm of times: ratios of geometric means, intervals and tests by "

@@ -124,6 +124,24 @@ std::string columnOfTerm(const PlannedModel& model, const TrialList& trials, con
   return columnOf(fixedEffects(model, trials, false), term);
 }
 
+TrialList searchesOfLinearModel(const PlannedModel& model, const TrialList& trials, TimeoutTreatment timeouts) {
+  TrialList searches = completeTrials(model, trials);
+  std::erase_if(searches, [&](const Trial* trial) {
+    const bool removed = timeouts == TimeoutTreatment::kRemoved && trial->censored.value_or(false);
+    return removed || !trial->responseSeconds || *trial->responseSeconds <= 0;
+  });
+  return searches;
+}
+
+std::vector<double> secondsOf(const TrialList& trials) {
+  std::vector<double> seconds;
+  seconds.reserve(trials.size());
+  for (const Trial* trial : trials) {
+    seconds.push_back(*trial->responseSeconds);
+  }
+  return seconds;
+}
+
 Estimable<PlannedFit> fitLinear(const PlannedModel& model, const TrialList& trials,
                                 const std::vector<double>& seconds) {
   if (trials.empty()) {

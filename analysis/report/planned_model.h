@@ -37,6 +37,11 @@ struct PlannedFit {
 /// What a fit says of "view", as a ratio. Impossible where the model has no view.
 Estimable<Estimate> viewRatio(const Estimable<PlannedFit>& fit);
 
+/// The searches that a linear model of log times takes: with all its terms, and a time above 0; without time-outs where
+/// they are removed, and with the limit as the time of the others.
+TrialList searchesOfLinearModel(const PlannedModel& model, const TrialList& trials, TimeoutTreatment timeouts);
+std::vector<double> secondsOf(const TrialList& trials);
+
 /// Of the logarithm of `seconds`, one a trial, all above 0. View and other factors are centered, numbers are less their
 /// mean: each coefficient is that of an average trial.
 Estimable<PlannedFit> fitLinear(const PlannedModel& model, const TrialList& trials, const std::vector<double>& seconds);

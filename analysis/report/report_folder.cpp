@@ -110,11 +110,27 @@ void exchange(const fs::path& made, const fs::path& folder) {
   }
 }
 
+/// "report/" and "report" are the same folder.
+fs::path targetOf(const fs::path& folder) {
+  return folder.has_filename() ? folder : folder.parent_path();
+}
+
+/// Beside it, with a name that nothing else has.
+fs::path partialOf(const fs::path& target) {
+  std::random_device device;
+  return fs::path(target).concat(fmt::format(".partial-{:08x}", device()));
+}
+
 }  // namespace
 
+void checkReportFolder(const fs::path& folder) {
+  const fs::path target = targetOf(folder);
+  checkReplaceable(target);
+  const PartialFolder made(partialOf(target));
+}
+
 void writeReportFolder(const fs::path& folder, const std::vector<ReportFile>& files) {
-  // "report/" and "report" are the same folder.
-  const fs::path target = folder.has_filename() ? folder : folder.parent_path();
+  const fs::path target = targetOf(folder);
   checkReplaceable(target);
   for (const ReportFile& file : files) {
     const fs::path name = fs::path(file.name).lexically_normal();
@@ -123,8 +139,7 @@ void writeReportFolder(const fs::path& folder, const std::vector<ReportFile>& fi
                           "name it without '..' and '/' at its ends");
     }
   }
-  std::random_device device;
-  const PartialFolder made(fs::path(target).concat(fmt::format(".partial-{:08x}", device())));
+  const PartialFolder made(partialOf(target));
   for (const ReportFile& file : files) {
     writeFile(made.path() / file.name, file.bytes);
   }

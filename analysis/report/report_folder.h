@@ -12,6 +12,10 @@ struct ReportFile {
   std::string bytes;
 };
 
+/// Before long work: throws as writeReportFolder() does where the folder holds anything else than a report, or cannot
+/// be made. Leaves nothing behind.
+void checkReportFolder(const std::filesystem::path& folder);
+
 /// Written beside `folder` and then renamed to it. A report that was there before (its report.json says so) gives way
 /// only to the whole new one; an empty folder too. AnalysisError where there is anything else, for a name that leads
 /// out of the folder, and where the disk is full or cannot be written: then nothing has changed.

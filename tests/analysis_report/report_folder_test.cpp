@@ -56,6 +56,15 @@ TEST_F(ReportFolder, aReportGivesWayToTheNext) {
   EXPECT_EQ(entries(), 1U);
 }
 
+TEST_F(ReportFolder, isCheckedBeforeLongWork) {
+  checkReportFolder(root_ / "report");
+  checkReportFolder(root_);
+  EXPECT_EQ(entries(), 0U) << "nothing is left behind";
+  std::ofstream(root_ / "letter.txt") << "dear";
+  EXPECT_THROW(checkReportFolder(root_), AnalysisError);
+  EXPECT_THROW(checkReportFolder(root_ / "missing" / "report"), AnalysisError);
+}
+
 TEST_F(ReportFolder, anEmptyFolderIsTaken) {
   fs::create_directory(root_ / "report");
   writeReportFolder(root_ / "report", filesWith("one"));

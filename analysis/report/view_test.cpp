@@ -1,0 +1,59 @@
+#include "analysis/report/view_test.h"
+
+#include <algorithm>
+
+#include "analysis/report/planned_model.h"
+#include "analysis/report/right_answers.h"
+
+namespace ocelli {
+namespace {
+
+constexpr const char* kView = "view";
+
+TrialList answeredTrials(const AnalysisData& analysis, const std::string& task) {
+  TrialList trials = trialsOfTask(analysis, task);
+  std::erase_if(trials, [](const Trial* trial) { return !trial->correct; });
+  return trials;
+}
+
+}  // namespace
+
+const PlannedModel* viewModelOf(const AnalysisPlan& plan, const std::string& task) {
+  const ModelKind kind = task == "find" ? ModelKind::kLinearMixed : ModelKind::kBinomialMixed;
+  const auto found = std::find_if(plan.models.begin(), plan.models.end(), [&](const PlannedModel& model) {
+    return model.task == task && model.kind == kind &&
+           std::find(model.terms.begin(), model.terms.end(), kView) != model.terms.end();
+  });
+  return found == plan.models.end() ? nullptr : &*found;
+}
+
+ViewTest testOfView(const AnalysisData& analysis, const PlannedModel& model) {
+  Estimable<PlannedFit> fit = Estimable<PlannedFit>::impossible("");
+  if (model.kind == ModelKind::kLinearMixed) {
+    const TrialList trials =
+        searchesOfLinearModel(model, trialsOfTask(analysis, model.task), analysis.plan.findTimeouts);
+    fit = fitLinear(model, trials, secondsOf(trials));
+  } else {
+    fit = fitBinomial(model, completeTrials(model, answeredTrials(analysis, model.task)));
+  }
+  if (!fit) {
+    return {Estimable<Estimate>::impossible(fit.reason())};
+  }
+  const auto view =
+      std::find_if(fit->terms.begin(), fit->terms.end(), [](const TermEstimate& term) { return term.term == kView; });
+  return {view->estimate, !fit->warnings.empty()};
+}
+
+const PlannedEquivalence* equivalenceBoundsOf(const AnalysisPlan& plan, const std::string& task) {
+  const auto found = std::find_if(plan.equivalence.begin(), plan.equivalence.end(),
+                                  [&](const PlannedEquivalence& bounds) { return bounds.task == task; });
+  return found == plan.equivalence.end() ? nullptr : &*found;
+}
+
+Estimable<EquivalenceTest> testOfEquivalence(const AnalysisData& analysis, const PlannedEquivalence& bounds,
+                                             double alpha) {
+  return equivalenceOfPairedMeans(shareDifferences(answeredTrials(analysis, bounds.task)), {bounds.lower, bounds.upper},
+                                  alpha);
+}
+
+}  // namespace ocelli
