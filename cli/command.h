@@ -67,5 +67,6 @@ void addVolumeCommand(CLI::App& program, const Frame& frame);
 void addViewCommand(CLI::App& program, const Frame& frame);
 void addStudyCommand(CLI::App& program, const Frame& frame);
 void addAnalyseCommand(CLI::App& program, const Frame& frame);
+void addPowerCommand(CLI::App& program, const Frame& frame);
 
 }  // namespace ocelli

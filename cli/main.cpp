@@ -35,6 +35,7 @@ void addCommands(CLI::App& program, const Frame& frame) {
   addViewCommand(program, frame);
   addStudyCommand(program, frame);
   addAnalyseCommand(program, frame);
+  addPowerCommand(program, frame);
   addDoctorCommand(program, frame);
 }
 

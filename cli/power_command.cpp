@@ -1,0 +1,313 @@
+// `ocelli power`: how many subjects a study needs, by simulated studies.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "analysis/base/analysis_error.h"
+#include "analysis/report/power_report.h"
+#include "analysis/report/report_files.h"
+#include "analysis/report/report_parts.h"
+#include "analysis/report/view_test.h"
+#include "cli/command.h"
+#include "cli/power_simulation.h"
+#include "oc_core/base/error.h"
+#include "study/session/utc_time.h"
+
+namespace ocelli {
+namespace {
+
+constexpr int kMostSubjects = 1000;
+constexpr int kMostSimulations = 100'000;
+
+struct PowerChoice {
+  std::string protocol;
+  std::string plan;
+  SupposedEffects supposed{};
+  double dropOut = 0;
+  bool equivalence = false;
+  bool withoutNone = false;
+  std::vector<int> subjects{10, 20, 30, 40, 50};
+  int simulations = 200;
+  double power = 0.8;
+  std::optional<double> alpha{};
+  uint64_t seed = 1;
+  std::string folder;
+  bool asJson = false;
+};
+
+/// CLI::Range lets "nan" pass.
+CLI::Validator between(double least, double most) {
+  return CLI::Validator(
+      [=](std::string& text) {
+        double value = 0;
+        const bool isNumber = CLI::detail::lexical_cast(text, value);
+        return isNumber && value >= least && value <= most
+                   ? std::string()
+                   : fmt::format("\"{}\" is no number from {:g} to {:g}", text, least, most);
+      },
+      fmt::format("{:g} to {:g}", least, most));
+}
+
+std::string placeName(const NeededSubjects& needed) {
+  switch (needed.place) {
+    case NeededSubjects::Place::kAtMost:
+      return "at_most";
+    case NeededSubjects::Place::kAbout:
+      return "about";
+    case NeededSubjects::Place::kMoreThan:
+      return "more_than";
+  }
+  return "";
+}
+
+nlohmann::ordered_json jsonOf(const NeededSubjects& needed) {
+  return {{"is", placeName(needed)}, {"subjects", needed.subjects}};
+}
+
+nlohmann::ordered_json jsonOf(const PowerStudy& study, const PowerCurve& curve) {
+  const bool isPower = curve.question == PowerCurve::Question::kPower;
+  nlohmann::ordered_json json = {{"truth", curve.truth},
+                                 {"test", curve.test == PowerCurve::Test::kView ? "view" : "equivalence"},
+                                 {"share_is", isPower ? "power" : "type_1_error"},
+                                 {"true_value", curve.trueValue}};
+  json["sizes"] = nlohmann::ordered_json::array();
+  for (const PowerSize& size : curve.sizes) {
+    const Estimate share = clopperPearsonShare(size.found);
+    json["sizes"].push_back({{"subjects", size.subjects},
+                             {"subjects_analysed", size.analysed},
+                             {"studies", size.found.trials},
+                             {"found", size.found.successes},
+                             {"share", share.value},
+                             {"lower", share.lower},
+                             {"upper", share.upper},
+                             {"mean_estimate", size.estimate},
+                             {"not_estimable", size.notEstimable},
+                             {"warned", size.warned}});
+  }
+  if (isPower) {
+    const SubjectsForPower needed = subjectsForPower(pointsOf(curve), study.power);
+    json["subjects_for_power"] = {
+        {"estimate", jsonOf(needed.estimate)}, {"fewest", jsonOf(needed.fewest)}, {"most", jsonOf(needed.most)}};
+  }
+  return json;
+}
+
+std::string jsonText(const PowerStudy& study) {
+  nlohmann::ordered_json json = {{"simulated", true},
+                                 {"protocol", study.protocolName},
+                                 {"protocol_sha256", study.protocolSha256},
+                                 {"task", study.task},
+                                 {"plan_sha256", study.plan.sha256},
+                                 {"model", study.model},
+                                 {"power", study.power},
+                                 {"alpha", study.alpha},
+                                 {"simulations", study.simulations},
+                                 {"drop_out", study.dropOut},
+                                 {"seed", study.seed},
+                                 {"supposed", study.supposed}};
+  json["curves"] = nlohmann::ordered_json::array();
+  for (const PowerCurve& curve : study.curves) {
+    json["curves"].push_back(jsonOf(study, curve));
+  }
+  json["cautions"] = cautionsOf(study);
+  return json.dump(2) + "\n";
+}
+
+std::string tableText(const PowerStudy& study) {
+  std::string text = fmt::format("simulated studies by {}, task {}: model {}, alpha {:g}, {} studies a number\n",
+                                 study.protocolName, study.task, study.model, study.alpha, study.simulations);
+  for (const std::string& line : study.supposed) {
+    text += fmt::format("  {}\n", line);
+  }
+  for (const PowerCurve& curve : study.curves) {
+    const bool isPower = curve.question == PowerCurve::Question::kPower;
+    const char* estimate = curve.test != PowerCurve::Test::kView ? "difference"
+                           : study.task == "find"                ? "time ratio"
+                                                                 : "odds ratio";
+    text += fmt::format("\n{}\n{:>8}  {:>8}  {:>8}  {:>15}  {:>10}  {:>9}  {:>8}\n", nameOf(curve), "subjects",
+                        "analysed", isPower ? "power" : "errors", "95 % interval", estimate, "no result", "warnings");
+    for (const PowerSize& size : curve.sizes) {
+      const Estimate share = clopperPearsonShare(size.found);
+      text += fmt::format("{:>8}  {:>8.1f}  {:>6.1f} %  {:>15}  {:>10}  {:>9}  {:>8}\n", size.subjects, size.analysed,
+                          100 * share.value, fmt::format("{:.1f} to {:.1f} %", 100 * share.lower, 100 * share.upper),
+                          numberText(size.estimate), size.notEstimable, size.warned);
+    }
+    text += fmt::format("{}\n", answerOf(study, curve));
+  }
+  for (const std::string& caution : cautionsOf(study)) {
+    text += fmt::format("\ncaution: {}\n", caution);
+  }
+  return text;
+}
+
+/// What can be told before the work.
+void check(const PowerChoice& choice, double alpha) {
+  if (!std::is_sorted(choice.subjects.begin(), choice.subjects.end()) ||
+      std::adjacent_find(choice.subjects.begin(), choice.subjects.end()) != choice.subjects.end()) {
+    throw InputError("these numbers of subjects do not rise", "--subjects", "--subjects 10,20,30");
+  }
+  if (choice.subjects.front() < 2) {
+    throw InputError("a study of one subject tells nothing about others", "--subjects", "two or more");
+  }
+  if (choice.power <= alpha) {
+    throw InputError(fmt::format("chance alone reaches a power of {:g} where alpha is {:g}", choice.power, alpha),
+                     "--power", "--power 0.8");
+  }
+  if (choice.equivalence && choice.supposed.task != "path") {
+    throw InputError("equivalence is tested for paths", "--equivalence", "--task path, or leave it out");
+  }
+}
+
+std::vector<Truth> truthsOf(const PowerChoice& choice, const Protocol& protocol, const PlannedEquivalence* bounds,
+                            const Frame& frame) {
+  std::vector<Truth> truths{wantedTruth(protocol, choice.supposed)};
+  if (choice.withoutNone) {
+    return truths;
+  }
+  if (truths.front().kind != Truth::Kind::kNone) {
+    truths.push_back(truthWithoutEffect(protocol, choice.supposed.task, truths.front()));
+  }
+  if (bounds != nullptr) {
+    if (const std::optional<Truth> atBound = truthAtBound(protocol, truths.front(), *bounds)) {
+      truths.push_back(*atBound);
+    } else {
+      frame.note(
+          "no share of right answers is as far from that with the pinhole as the bounds of equivalence: its "
+          "type-I error is not simulated");
+    }
+  }
+  return truths;
+}
+
+void power(const PowerChoice& choice, const Frame& frame) {
+  const Protocol protocol = readProtocol(choice.protocol);
+  const AnalysisPlan plan = choice.plan.empty() ? defaultPlan() : readPlan(choice.plan);
+  const double alpha = choice.alpha.value_or(plan.alpha);
+  check(choice, alpha);
+  const std::string& task = choice.supposed.task;
+  const PlannedModel* model = viewModelOf(plan, task);
+  if (model == nullptr) {
+    throw InputError(fmt::format("the plan has no mixed model of {} with the term \"view\"", task),
+                     choice.plan.empty() ? "the default plan" : choice.plan,
+                     "a model of the kind linear_mixed (find) or binomial_mixed (count, path) with that term");
+  }
+  const PlannedEquivalence* bounds = choice.equivalence ? equivalenceBoundsOf(plan, task) : nullptr;
+  if (choice.equivalence && bounds == nullptr) {
+    throw InputError("the plan has no bounds of equivalence for paths", choice.plan,
+                     "\"equivalence\": [{\"task\": \"path\", \"lower\": -0.1, \"upper\": 0.1}] in the plan");
+  }
+  const std::vector<Truth> truths = truthsOf(choice, protocol, bounds, frame);
+  if (!choice.folder.empty()) {
+    checkReportFolder(choice.folder);
+  }
+  const PowerWork work{protocol,           plan,  *model,         bounds,     choice.subjects,
+                       choice.simulations, alpha, choice.dropOut, choice.seed};
+  PowerStudy study;
+  study.curves = simulatePower(work, truths, frame.progress());
+  study.protocolName = protocol.name;
+  study.protocolSha256 = protocol.sha256;
+  study.task = task;
+  study.plan = plan;
+  study.model = model->name;
+  study.bounds = bounds == nullptr ? std::nullopt : std::optional(*bounds);
+  study.supposed = describeTruth(truths.front(), task);
+  study.sessions = protocol.sessions;
+  study.dropOut = choice.dropOut;
+  study.simulations = choice.simulations;
+  study.power = choice.power;
+  study.alpha = alpha;
+  study.seed = choice.seed;
+  frame.print(choice.asJson ? jsonText(study) : tableText(study));
+  if (!choice.folder.empty()) {
+    writeReportFolder(choice.folder, reportFiles(powerReport(study, OCELLI_VERSION, utcNow())));
+    frame.note(fmt::format("wrote a report to {}", choice.folder));
+  }
+}
+
+void runPower(const PowerChoice& choice, const Frame& frame) {
+  try {
+    power(choice, frame);
+  } catch (const AnalysisError& error) {
+    // What of it is whose fault stays: the text is whole already.
+    if (error.kind() == AnalysisError::Kind::kInput) {
+      throw CLI::ValidationError(error.what());
+    }
+    throw;
+  }
+}
+
+void addEffectOptions(CLI::App& command, SupposedEffects& supposed) {
+  const CLI::Validator spread = between(0, 5);
+  const CLI::Validator share = between(0.01, 0.99);
+  command.add_option("--task", supposed.task, "Whose effect of the view is looked for")
+      ->check(CLI::IsMember({"find", "count", "path"}))
+      ->type_name("find|count|path")
+      ->required();
+  const auto number = [&](const char* name, std::optional<double>& value, const char* help,
+                          const CLI::Validator& range) {
+    command.add_option(name, value, help)->check(range)->type_name("NUMBER");
+  };
+  number("--ratio", supposed.ratio, "find: geometric mean time with the graph camera, divided by that with the pinhole",
+         between(0.05, 20));
+  number("--seconds-ppc", supposed.secondsPpc, "find: geometric mean time with the pinhole, had searches no limit",
+         between(0.1, 3600));
+  number("--odds-ratio", supposed.oddsRatio, "count, path: odds of a right answer of a subject, gc to ppc",
+         between(0.01, 100));
+  number("--share-ppc", supposed.sharePpc, "count, path: share of right answers with the pinhole", share);
+  number("--share-gc", supposed.shareGc, "count, path: the same with the graph camera", share);
+  number("--subject-sd", supposed.subjectSd, "How subjects differ: standard deviation in log seconds, or logits",
+         spread);
+  number("--subject-view-sd", supposed.subjectViewSd, "find: how they differ in the effect of the view", spread);
+  number("--case-sd", supposed.caseSd, "How cases differ", spread);
+  number("--residual-sd", supposed.residualSd, "find: how searches of one subject for one case differ", spread);
+  command
+      .add_option("--effects", supposed.file,
+                  "JSON file of effects, as of `ocelli study simulate`; other options go before it")
+      ->type_name("FILE");
+}
+
+}  // namespace
+
+void addPowerCommand(CLI::App& program, const Frame& frame) {
+  CLI::App& command = *program.add_subcommand("power", "How many subjects a study needs, by simulated studies");
+  const auto choice = std::make_shared<PowerChoice>();
+  command.add_option("PROTOCOL", choice->protocol, "The protocol of the study")->required();
+  command.add_option("--plan", choice->plan, "The registered plan of the analysis")->type_name("FILE");
+  addEffectOptions(command, choice->supposed);
+  command.add_option("--drop-out", choice->dropOut, "Share of subjects who do not come back after each session")
+      ->check(between(0, 0.95))
+      ->type_name("SHARE")
+      ->capture_default_str();
+  command.add_flag("--equivalence", choice->equivalence, "path: also whether the views are shown to be equivalent");
+  command.add_flag("--without-none", choice->withoutNone,
+                   "Leave out the studies without an effect, which tell the type-I error");
+  command.add_option("--subjects", choice->subjects, "Numbers of subjects to try, rising")
+      ->delimiter(',')
+      ->check(CLI::Range(1, kMostSubjects))
+      ->expected(1, 50)
+      ->type_name("N,N,...")
+      ->capture_default_str();
+  command.add_option("--simulations", choice->simulations, "Studies of each number of subjects")
+      ->check(CLI::Range(20, kMostSimulations))
+      ->capture_default_str();
+  command.add_option("--power", choice->power, "Share of studies that should find the effect")
+      ->check(between(0.01, 0.999))
+      ->type_name("SHARE")
+      ->capture_default_str();
+  command.add_option("--alpha", choice->alpha, "Of the test, two-sided; that of the plan where not given")
+      ->check(between(0.0001, 0.5))
+      ->type_name("NUMBER");
+  command.add_option("--seed", choice->seed, "All that is random comes of it")->capture_default_str();
+  command.add_option("-o,--output", choice->folder, "Folder of a report: new, empty, or an earlier report")
+      ->type_name("FOLDER");
+  command.add_flag("--json", choice->asJson, "Print the numbers as JSON");
+  frame.finish(command,
+               "  ocelli power protocols/rosen2010.json --task find --ratio 0.85 --subjects 6,12,18,24\n"
+               "  ocelli power study.json --plan plan.json --task count --share-ppc 0.5 --share-gc 0.6 -o power\n"
+               "  ocelli power study.json --task path --share-ppc 0.7 --share-gc 0.7 --equivalence --drop-out 0.2",
+               [choice, frame] { runPower(*choice, frame); });
+}
+
+}  // namespace ocelli

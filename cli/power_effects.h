@@ -1,0 +1,56 @@
+// What a power analysis supposes to be true, from a user's terms to effects of the data-only subject.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/dataset/analysis_plan.h"
+#include "study/protocol/protocol.h"
+#include "study/subject/data_generator.h"
+
+namespace ocelli {
+
+/// What the user gave; what is missing is the generator's.
+struct SupposedEffects {
+  std::string task;  ///< "find", "count", "path"
+  std::string file;  ///< JSON of effects, as of `ocelli study simulate --effects`; the others come on top of it
+  std::optional<double> ratio{};       ///< of geometric mean times, gc / ppc
+  std::optional<double> secondsPpc{};  ///< geometric mean time with the pinhole
+  std::optional<double> oddsRatio{};   ///< of right answers, gc to ppc, of a subject and case
+  std::optional<double> sharePpc{};    ///< of right answers
+  std::optional<double> shareGc{};
+  // Standard deviations, in log seconds or logits.
+  std::optional<double> subjectSd{};
+  std::optional<double> subjectViewSd{};
+  std::optional<double> caseSd{};
+  std::optional<double> residualSd{};
+};
+
+struct Truth {
+  enum class Kind {
+    kWanted,
+    kNone,     ///< the views do not differ
+    kAtBound,  ///< they differ by a bound of equivalence
+  };
+  Kind kind = Kind::kWanted;
+  std::string label;         ///< "gc takes 0.8 of the time"
+  GeneratorEffects effects;  ///< of all tasks; only those of the task matter
+  double ratio = 1;          ///< of times or odds, gc to ppc
+  double ppc = 0;            ///< geometric mean seconds without a limit, or share of right answers
+  double gc = 0;
+};
+
+/// The effect that is wanted. Throws InputError for options of other tasks, for those that are missing or contradict
+/// each other, and for a protocol without the task.
+Truth wantedTruth(const Protocol& protocol, const SupposedEffects& supposed);
+/// The same without a difference of the views: with the pinhole as it is.
+Truth truthWithoutEffect(const Protocol& protocol, const std::string& task, const Truth& wanted);
+/// The same with a difference of shares that is just as large as equivalence allows: the upper bound, or the lower one
+/// where shares end before. Nothing where neither is possible.
+std::optional<Truth> truthAtBound(const Protocol& protocol, const Truth& wanted, const PlannedEquivalence& bounds);
+
+/// All that is supposed in lines for a reader: levels of both views, how subjects and cases differ, other effects.
+std::vector<std::string> describeTruth(const Truth& truth, const std::string& task);
+
+}  // namespace ocelli

@@ -1,0 +1,153 @@
+#include "cli/power_simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "analysis/report/view_test.h"
+#include "cli/simulated_dataset.h"
+#include "oc_core/base/machine.h"
+#include "oc_core/base/parallel.h"
+#include "study/subject/chance.h"
+
+namespace ocelli {
+namespace {
+
+using Question = PowerCurve::Question;
+using Test = PowerCurve::Test;
+
+/// What one study says by one test.
+struct StudyResult {
+  bool found = false;
+  bool warned = false;
+  double estimate = kNotKnown;  ///< log ratio, or difference of shares
+  std::string reason{};         ///< why there is none
+};
+
+struct StudyResults {
+  int analysed = 0;  ///< subjects
+  StudyResult view;
+  StudyResult equivalence;
+};
+
+StudyResults analyseStudy(const PowerWork& work, const Truth& truth, int subjects, uint64_t seed) {
+  SimulationPlan simulation;
+  simulation.kind = SubjectKind::kGenerator;
+  simulation.seed = seed;
+  simulation.effects = truth.effects;
+  simulation.sessions = sessionsOf(work.protocol, subjects, work.dropOut, seed);
+  const AnalysisData analysis = applyPlan(simulatedDatasetWithoutAnswers(work.protocol, simulation), work.plan);
+  StudyResults results;
+  results.analysed = analysis.flow.analysed;
+  if (truth.kind != Truth::Kind::kAtBound) {
+    const ViewTest test = testOfView(analysis, work.model);
+    results.view.warned = test.warned;
+    if (test.view && std::isfinite(test.view->pValue)) {
+      results.view.found = test.view->pValue <= work.alpha;
+      results.view.estimate = test.view->value;
+    } else {
+      results.view.reason = test.view ? "the model has no standard error" : test.view.reason();
+    }
+  }
+  if (work.bounds != nullptr) {
+    const Estimable<EquivalenceTest> test = testOfEquivalence(analysis, *work.bounds, work.alpha);
+    if (test) {
+      results.equivalence.found = test->equivalent;
+      results.equivalence.estimate = test->difference.value;
+    } else {
+      results.equivalence.reason = test.reason();
+    }
+  }
+  return results;
+}
+
+/// Studies of one size.
+PowerSize sizeOf(int subjects, const StudyResults* first, int studies, Test test) {
+  PowerSize size;
+  size.subjects = subjects;
+  size.found.trials = studies;
+  double sum = 0;
+  double analysed = 0;
+  for (int i = 0; i < studies; ++i) {
+    const StudyResult& result = test == Test::kView ? first[i].view : first[i].equivalence;
+    analysed += first[i].analysed;
+    size.found.successes += result.found ? 1 : 0;
+    size.warned += result.warned ? 1 : 0;
+    if (std::isfinite(result.estimate)) {
+      sum += result.estimate;
+    } else {
+      size.reason = size.notEstimable++ == 0 ? result.reason : size.reason;
+    }
+  }
+  size.analysed = analysed / studies;
+  if (size.notEstimable < studies) {
+    const double mean = sum / (studies - size.notEstimable);
+    size.estimate = test == Test::kView ? std::exp(mean) : mean;
+  }
+  return size;
+}
+
+PowerCurve emptyCurve(const PowerWork& work, const Truth& truth, Test test) {
+  PowerCurve curve;
+  curve.test = test;
+  curve.truth = truth.label;
+  const double difference = truth.gc - truth.ppc;
+  curve.trueValue = test == Test::kView ? truth.ratio : difference;
+  const bool isThere = test == Test::kView ? truth.kind != Truth::Kind::kNone
+                                           : truth.kind != Truth::Kind::kAtBound && difference > work.bounds->lower &&
+                                                 difference < work.bounds->upper;
+  curve.question = isThere ? Question::kPower : Question::kFalseAlarm;
+  return curve;
+}
+
+}  // namespace
+
+std::vector<int> sessionsOf(const Protocol& protocol, int subjects, double dropOut, uint64_t seed) {
+  std::vector<int> sessions(static_cast<size_t>(subjects), protocol.sessions);
+  Random random(seedOf(seed, 0x64726f70));  // of its own: subjects are the same with and without
+  for (int& count : sessions) {
+    for (int session = 1; session < protocol.sessions; ++session) {
+      if (happens(random, dropOut)) {
+        count = std::min(count, session);
+      }
+    }
+  }
+  return sessions;
+}
+
+std::vector<PowerCurve> simulatePower(const PowerWork& work, const std::vector<Truth>& truths,
+                                      const Progress& progress) {
+  keepFreedMemory();
+  const size_t sizes = work.subjects.size();
+  const auto studies = static_cast<size_t>(work.simulations);
+  std::vector<StudyResults> results(truths.size() * sizes * studies);
+  std::mutex mutex;
+  size_t finished = 0;
+  report(progress, "simulating studies", 0);
+  parallelFor(results.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const int subjects = work.subjects[i / studies % sizes];
+      // Truths are compared with the same subjects, cases and chances.
+      const uint64_t seed = seedOf(seedOf(work.seed, static_cast<uint64_t>(subjects)), i % studies);
+      runAlone([&] { results[i] = analyseStudy(work, truths[i / studies / sizes], subjects, seed); });
+      const std::scoped_lock lock(mutex);
+      report(progress, "simulating studies", static_cast<double>(++finished) / static_cast<double>(results.size()));
+    }
+  });
+  std::vector<PowerCurve> curves;
+  for (size_t t = 0; t < truths.size(); ++t) {
+    for (const Test test : {Test::kView, Test::kEquivalence}) {
+      const bool isTested = test == Test::kView ? truths[t].kind != Truth::Kind::kAtBound : work.bounds != nullptr;
+      if (isTested) {
+        PowerCurve curve = emptyCurve(work, truths[t], test);
+        for (size_t s = 0; s < sizes; ++s) {
+          curve.sizes.push_back(sizeOf(work.subjects[s], &results[(t * sizes + s) * studies], work.simulations, test));
+        }
+        curves.push_back(std::move(curve));
+      }
+    }
+  }
+  return curves;
+}
+
+}  // namespace ocelli

@@ -1,0 +1,145 @@
+#include "cli/power_simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "analysis/report/view_test.h"
+#include "oc_core/base/parallel.h"
+#include "tests/cli/small_protocol.h"
+
+namespace ocelli {
+namespace {
+
+class PowerSimulation : public testing::Test {
+ protected:
+  void TearDown() override { setThreadCount(0); }
+
+  PowerWork workOf(const std::string& task, std::vector<int> subjects, int simulations) const {
+    PowerWork work{protocol_, plan_, *viewModelOf(plan_, task)};
+    work.subjects = std::move(subjects);
+    work.simulations = simulations;
+    return work;
+  }
+  Truth truthOf(SupposedEffects supposed) const { return wantedTruth(protocol_, supposed); }
+  Truth searches(double ratio) const {
+    SupposedEffects supposed;
+    supposed.task = "find";
+    supposed.ratio = ratio;
+    return truthOf(supposed);
+  }
+  Truth answers(const std::string& task, double ppc, double gc) const {
+    SupposedEffects supposed;
+    supposed.task = task;
+    supposed.sharePpc = ppc;
+    supposed.shareGc = gc;
+    return truthOf(supposed);
+  }
+
+  Protocol protocol_ = test::smallProtocol();
+  AnalysisPlan plan_ = defaultPlan();
+};
+
+double shareOf(const PowerSize& size) {
+  return static_cast<double>(size.found.successes) / size.found.trials;
+}
+
+// The standard error of a share of 5 % of 1,000 studies is 0.7 %; three of them on either side.
+constexpr int kManyStudies = 1000;
+constexpr double kLeastError = 0.029;
+constexpr double kMostError = 0.071;
+
+TEST_F(PowerSimulation, WithoutAnEffectSearchesFindOneAsOftenAsAlphaSays) {
+  const auto curves = simulatePower(workOf("find", {16}, kManyStudies), {searches(1)});
+  ASSERT_EQ(curves.size(), 1U);
+  EXPECT_EQ(curves[0].question, PowerCurve::Question::kFalseAlarm);
+  EXPECT_EQ(curves[0].sizes[0].notEstimable, 0);
+  EXPECT_GT(shareOf(curves[0].sizes[0]), kLeastError);
+  EXPECT_LT(shareOf(curves[0].sizes[0]), kMostError);
+  EXPECT_NEAR(curves[0].sizes[0].estimate, 1, 0.01);
+}
+
+TEST_F(PowerSimulation, WithoutAnEffectCountsFindOneAsOftenAsAlphaSays) {
+  const auto curves = simulatePower(workOf("count", {24}, kManyStudies), {answers("count", 0.6, 0.6)});
+  EXPECT_GT(shareOf(curves[0].sizes[0]), kLeastError);
+  EXPECT_LT(shareOf(curves[0].sizes[0]), kMostError);
+}
+
+TEST_F(PowerSimulation, PowerGrowsWithSubjectsAndTheEffect) {
+  const auto curves = simulatePower(workOf("find", {6, 12, 24}, 200), {searches(0.8), searches(0.7)});
+  ASSERT_EQ(curves.size(), 2U);
+  for (const PowerCurve& curve : curves) {
+    EXPECT_EQ(curve.question, PowerCurve::Question::kPower);
+    EXPECT_LT(shareOf(curve.sizes[0]), shareOf(curve.sizes[1]));
+    EXPECT_LT(shareOf(curve.sizes[1]), shareOf(curve.sizes[2]));
+  }
+  for (size_t i = 0; i < 3; ++i) {
+    EXPECT_LT(shareOf(curves[0].sizes[i]), shareOf(curves[1].sizes[i]));
+  }
+  EXPECT_NEAR(curves[0].sizes[2].estimate, 0.8, 0.02) << "the model finds the effect that was put in";
+}
+
+TEST_F(PowerSimulation, EquivalenceIsShownWhereThereIsSomeAndSeldomAtTheBound) {
+  PowerWork work = workOf("path", {40, 100}, 150);
+  work.bounds = equivalenceBoundsOf(plan_, "path");
+  ASSERT_NE(work.bounds, nullptr);
+  const Truth alike = answers("path", 0.7, 0.7);
+  const auto curves = simulatePower(work, {alike, *truthAtBound(protocol_, alike, *work.bounds)});
+  ASSERT_EQ(curves.size(), 3U);
+  EXPECT_EQ(curves[0].test, PowerCurve::Test::kView);
+  EXPECT_EQ(curves[0].question, PowerCurve::Question::kFalseAlarm);
+  EXPECT_EQ(curves[1].test, PowerCurve::Test::kEquivalence);
+  EXPECT_EQ(curves[1].question, PowerCurve::Question::kPower);
+  EXPECT_LT(shareOf(curves[1].sizes[0]), shareOf(curves[1].sizes[1]));
+  EXPECT_GT(shareOf(curves[1].sizes[1]), 0.5);
+  EXPECT_NEAR(curves[1].sizes[1].estimate, 0, 0.01);
+  EXPECT_EQ(curves[2].question, PowerCurve::Question::kFalseAlarm);
+  // 5 % at most, and three standard errors of 150 studies.
+  EXPECT_LT(shareOf(curves[2].sizes[1]), 0.05 + 3 * 0.0178);
+}
+
+TEST_F(PowerSimulation, IsTheSameForAnyNumberOfThreadsAndOtherSizes) {
+  const std::vector<Truth> truths{searches(0.7), searches(1)};
+  setThreadCount(1);
+  const auto alone = simulatePower(workOf("find", {4, 8}, 30), truths);
+  setThreadCount(3);
+  const auto together = simulatePower(workOf("find", {4, 6, 8}, 30), truths);
+  for (size_t c = 0; c < truths.size(); ++c) {
+    for (const size_t size : {0U, 1U}) {
+      const PowerSize& one = alone[c].sizes[size];
+      const PowerSize& other = together[c].sizes[2 * size];
+      EXPECT_EQ(one.subjects, other.subjects);
+      EXPECT_EQ(one.found.successes, other.found.successes);
+      EXPECT_EQ(one.warned, other.warned);
+      EXPECT_EQ(one.estimate, other.estimate);
+    }
+  }
+}
+
+TEST_F(PowerSimulation, StudiesWithoutAResultFindNothing) {
+  // All answers are right.
+  Truth truth = answers("count", 0.6, 0.6);
+  truth.effects.count.right = 19;
+  const auto curves = simulatePower(workOf("count", {5}, 20), {truth});
+  EXPECT_EQ(curves[0].sizes[0].notEstimable, 20);
+  EXPECT_EQ(curves[0].sizes[0].found.successes, 0);
+  EXPECT_EQ(curves[0].sizes[0].found.trials, 20);
+  EXPECT_FALSE(curves[0].sizes[0].reason.empty());
+}
+
+TEST_F(PowerSimulation, SubjectsDropOutAfterSessions) {
+  Protocol protocol = protocol_;
+  protocol.sessions = 3;
+  EXPECT_EQ(sessionsOf(protocol, 4, 0, 1), (std::vector<int>{3, 3, 3, 3}));
+  const std::vector<int> sessions = sessionsOf(protocol, 4000, 0.25, 1);
+  const auto share = [&](int count) {
+    return static_cast<double>(std::count(sessions.begin(), sessions.end(), count)) / 4000;
+  };
+  // Four standard errors of 0.007.
+  EXPECT_NEAR(share(1), 0.25, 0.028);
+  EXPECT_NEAR(share(2), 0.75 * 0.25, 0.028);
+  EXPECT_NEAR(share(3), 0.75 * 0.75, 0.028);
+}
+
+}  // namespace
+}  // namespace ocelli
