@@ -179,17 +179,45 @@ TEST_F(StudyReport, sharesAreOfAllTrialsOfTheirViewAndSession) {
   int right[2] = {};
   int trials[2] = {};
   MadeStudy made = changed([&](SampleTrial& trial) {
-    if (trial.task == "count" && trial.session == 2) {
+    if (trial.task != "count") {
+      return;
+    }
+    if (trial.caseIndex == 1) {
+      // Nobody answered in time: that is not right, and counts.
+      trial.censored = true;
+      trial.correct = false;
+      trial.answer = "";
+    }
+    if (trial.session == 1 && !*trial.moving) {
       ++trials[trial.view == "gc" ? 1 : 0];
       right[trial.view == "gc" ? 1 : 0] += trial.correct ? 1 : 0;
     }
   });
-  const nlohmann::json report = reportOfMade(made);
-  for (const int view : {0, 1}) {
-    EXPECT_NEAR(valueIn(report, "count-shares", fmt::format("{}, session 2", view == 1 ? "gc" : "ppc"), "Estimate")
-                    .value_or(NAN),
-                static_cast<double>(right[view]) / trials[view], 1e-12);
+  made.sessions = 1;
+  const nlohmann::json report = reportOf([&](SampleStudy& study) {
+    fillWholeStudy(study, made);
+    // Of counts of moving objects it is not known whether they are right: they have no share.
+    study.database().exec("DROP TRIGGER trial_update; UPDATE trial SET correct = NULL WHERE block = 'count moving'");
+  });
+  for (const std::string view : {"ppc", "gc"}) {
+    const int v = view == "gc" ? 1 : 0;
+    const double share = static_cast<double>(right[v]) / trials[v];
+    EXPECT_NEAR(valueIn(report, "count-shares", fmt::format("{}, session 1", view), "Estimate").value_or(NAN), share,
+                1e-12);
+    EXPECT_NEAR(valueOfCell(report, fmt::format("section-7.4.3/stationary/{}", view)).value_or(NAN), 100 * share, 1e-9);
+    EXPECT_FALSE(valueOfCell(report, fmt::format("section-7.4.3/moving/{}", view)));
   }
+}
+
+TEST_F(StudyReport, answersThatAreNotKnownAreInNoDenominator) {
+  const nlohmann::json report = reportOf([](SampleStudy& study) {
+    fillWholeStudy(study, changed([](SampleTrial& trial) { trial.correct = trial.task != "count"; }));
+    study.database().exec(
+        "DROP TRIGGER trial_update; UPDATE trial SET correct = CASE WHEN case_index = 0 THEN 1 ELSE NULL END "
+        "WHERE block = 'count stationary' AND case_index < 3");
+  });
+  // One case is right, two are not known, one is wrong.
+  EXPECT_EQ(valueOfCell(report, "section-7.4.3/stationary/gc"), 50);
 }
 
 TEST_F(StudyReport, familiesAreCorrectedByHolmsMethodWhereThePlanSaysSo) {
@@ -229,11 +257,15 @@ TEST_F(StudyReport, familiesAreCorrectedByHolmsMethodWhereThePlanSaysSo) {
   report = reportOfMade({}, plan);
   for (const auto& [family, result] :
        {std::pair("family-all", "not supported"), std::pair("family-raw", "supported")}) {
-    for (const nlohmann::json& row : elementOf(report, family)["rows"]) {
+    const nlohmann::json table = elementOf(report, family);
+    int rows = 0;
+    for (const nlohmann::json& row : table["rows"]) {
       if (row[0]["text"] == tests[mostLifted].second) {
         EXPECT_EQ(row.back()["text"], result);
+        ++rows;
       }
     }
+    EXPECT_EQ(rows, 1) << family;
   }
 }
 
