@@ -174,21 +174,26 @@ Estimable<FailureTimeFit> fitLogNormal(const SurvivalData& data, double level) {
   const MatrixXd standardizedModel = maximum->value.information.inverse();
   const MatrixXd model = back * standardizedModel * back.transpose();
   MatrixXd covariance = model;
-  const DenseLabels clusters = denseLabels(data.clusters);
-  if (clusters.count > 0) {
-    if (clusters.count <= static_cast<size_t>(p) + 1) {
-      return Estimable<FailureTimeFit>::impossible(fewClusters(clusters.count, static_cast<size_t>(p) + 1));
+  const CrossedClusters clusters = crossedClusters(data.clusters, data.items);
+  if (clusters.first.count > 0) {
+    if (clusters.degreesOfFreedom() < static_cast<double>(p) + 1) {
+      return Estimable<FailureTimeFit>::impossible(fewClusters(clusters, static_cast<size_t>(p) + 1));
     }
-    covariance = back * sandwich(maximum->value.scores, standardizedModel, clusters) * back.transpose();
+    covariance =
+        back * sandwich(maximum->value.scores, standardizedModel, clusters, data.fewClusters) * back.transpose();
   }
   FailureTimeFit fit;
   fit.logLikelihood = maximum->value.logLikelihood;
   fit.iterations = maximum->iterations;
   fit.trials = data.times.size();
-  fit.clusters = clusters.count;
+  fit.clusters = clusters.first.count;
   fit.events = static_cast<size_t>(
       std::count_if(data.times.begin(), data.times.end(), [](const SurvivalTime& time) { return time.observed; }));
-  const auto estimate = [&](Index j) { return waldEstimate(theta[j], std::sqrt(covariance(j, j)), level); };
+  const double degreesOfFreedom =
+      clusters.first.count > 0 && data.fewClusters ? clusters.degreesOfFreedom() : kInfinite;
+  const auto estimate = [&](Index j) {
+    return waldEstimate(theta[j], std::sqrt(covariance(j, j)), level, degreesOfFreedom);
+  };
   fit.intercept = estimate(0);
   fit.logSigma = estimate(p + 1);
   for (Index j = 1; j <= p; ++j) {

@@ -15,7 +15,7 @@ namespace ocelli {
 
 struct TimeRatioTerm {
   std::string name;
-  Estimate logTimeRatio;          ///< z; robust where there are clusters
+  Estimate logTimeRatio;          ///< z; robust where there are clusters, t for few of them
   Estimate timeRatio;             ///< above 1: trials take longer
   double modelStandardError = 0;  ///< of the logarithm, as if trials were independent
 };

@@ -260,12 +260,12 @@ Estimable<CoxFit> fitCox(const SurvivalData& data, double level) {
   const Index p = covariates.values.cols();
   const MatrixXd model = maximum->value.information.inverse();
   MatrixXd covariance = model;
-  const DenseLabels clusters = denseLabels(data.clusters);
-  if (clusters.count > 0) {
-    if (clusters.count <= static_cast<size_t>(p)) {
-      return Estimable<CoxFit>::impossible(fewClusters(clusters.count, static_cast<size_t>(p)));
+  const CrossedClusters clusters = crossedClusters(data.clusters, data.items);
+  if (clusters.first.count > 0) {
+    if (clusters.degreesOfFreedom() < static_cast<double>(p)) {
+      return Estimable<CoxFit>::impossible(fewClusters(clusters, static_cast<size_t>(p)));
     }
-    covariance = sandwich(likelihood.scoreResiduals(maximum->beta), model, clusters);
+    covariance = sandwich(likelihood.scoreResiduals(maximum->beta), model, clusters, data.fewClusters);
     if (!((covariance.diagonal().array() > kLeastRobustShare * model.diagonal().array()).all())) {
       return Estimable<CoxFit>::impossible("all subjects are alike, so that robust errors would be 0");
     }
@@ -275,15 +275,18 @@ Estimable<CoxFit> fitCox(const SurvivalData& data, double level) {
   fit.nullLogLikelihood = maximum->null.logLikelihood;
   fit.iterations = maximum->iterations;
   fit.trials = data.times.size();
-  fit.clusters = clusters.count;
+  fit.clusters = clusters.first.count;
   fit.events = static_cast<size_t>(
       std::count_if(data.times.begin(), data.times.end(), [](const SurvivalTime& time) { return time.observed; }));
   const auto df = static_cast<double>(p);
+  const double degreesOfFreedom =
+      clusters.first.count > 0 && data.fewClusters ? clusters.degreesOfFreedom() : kInfinite;
   fit.likelihoodRatio = chiSquaredEstimate(2 * (fit.logLikelihood - fit.nullLogLikelihood), df);
   fit.wald = chiSquaredEstimate(maximum->beta.dot(covariance.ldlt().solve(maximum->beta)), df);
   for (Index j = 0; j < p; ++j) {
     const double scale = covariates.scale[j];
-    const Estimate logarithm = waldEstimate(maximum->beta[j] / scale, std::sqrt(covariance(j, j)) / scale, level);
+    const Estimate logarithm =
+        waldEstimate(maximum->beta[j] / scale, std::sqrt(covariance(j, j)) / scale, level, degreesOfFreedom);
     fit.terms.push_back(
         {covariates.names[static_cast<size_t>(j)], logarithm, asRatio(logarithm), std::sqrt(model(j, j)) / scale});
   }

@@ -17,7 +17,7 @@ namespace ocelli {
 
 struct CoxTerm {
   std::string name;
-  Estimate logHazardRatio;        ///< z; robust where there are clusters
+  Estimate logHazardRatio;        ///< z; robust where there are clusters, t for few of them
   Estimate hazardRatio;           ///< above 1: trials end sooner
   double modelStandardError = 0;  ///< of the logarithm, as if trials were independent
 };

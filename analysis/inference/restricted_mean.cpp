@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/inference/wald.h"
+#include "analysis/inference/crossed_clusters.h"
 
 namespace ocelli {
 namespace {
@@ -85,19 +85,6 @@ std::vector<double> influences(const Area& area, const std::vector<SurvivalTime>
   return values;
 }
 
-/// The variance of a sum over independent clusters whose share is the sum of the values of their trials.
-double clusteredVariance(const std::vector<double>& values, const DenseLabels& clusters) {
-  std::vector<double> sums(clusters.count);
-  for (size_t i = 0; i < values.size(); ++i) {
-    sums[clusters.of[i]] += values[i];
-  }
-  double squares = 0;
-  for (const double sum : sums) {
-    squares += sum * sum;
-  }
-  return squares * static_cast<double>(clusters.count) / static_cast<double>(clusters.count - 1);
-}
-
 /// Why the mean of these trials cannot be had; empty where it can.
 std::string obstacle(const std::vector<SurvivalTime>& times, double horizon, const Area& area) {
   if (times.empty()) {
@@ -120,21 +107,24 @@ std::string obstacle(const std::vector<SurvivalTime>& times, double horizon, con
 }
 
 Estimable<RestrictedMean> restrictedMeanOf(const Area& area, const std::vector<SurvivalTime>& times,
-                                           const DenseLabels& clusters, double level) {
-  if (clusters.count == 1) {
+                                           const CrossedClusters& clusters, double level) {
+  if (clusters.first.count == 1) {
     return Estimable<RestrictedMean>::impossible("all trials belong to one subject, so subjects cannot be compared");
+  }
+  if (clusters.second.count == 1) {
+    return Estimable<RestrictedMean>::impossible("all trials are of one case, so cases cannot be compared");
   }
   RestrictedMean result;
   result.trials = times.size();
   result.events = area.events;
-  result.clusters = clusters.count;
-  const bool clustered = clusters.count > 0;
+  result.clusters = clusters.first.count;
+  const bool clustered = clusters.first.count > 0;
   const double variance = clustered ? clusteredVariance(influences(area, times), clusters) : area.variance;
   if (!(variance > 0)) {
     return Estimable<RestrictedMean>::impossible("all subjects have the same mean");
   }
-  result.mean = waldEstimate(area.total, std::sqrt(variance), level,
-                             clustered ? static_cast<double>(clusters.count - 1) : kInfinite);
+  result.mean =
+      waldEstimate(area.total, std::sqrt(variance), level, clustered ? clusters.degreesOfFreedom() : kInfinite);
   result.mean.pValue = kNotKnown;
   result.mean.statistic = kNotKnown;
   return result;
@@ -151,28 +141,31 @@ void checkArguments(const std::vector<SurvivalTime>& times, double horizon, cons
 }  // namespace
 
 Estimable<RestrictedMean> restrictedMean(const std::vector<SurvivalTime>& times, double horizon,
-                                         const std::vector<int>& clusters, double level) {
+                                         const std::vector<int>& clusters, double level,
+                                         const std::vector<int>& items) {
   checkArguments(times, horizon, clusters, "restrictedMean");
   const Area area = areaUnderCurve(times, horizon);
   if (const std::string reason = obstacle(times, horizon, area); !reason.empty()) {
     return Estimable<RestrictedMean>::impossible(reason);
   }
-  return restrictedMeanOf(area, times, denseLabels(clusters), level);
+  return restrictedMeanOf(area, times, crossedClusters(clusters, items), level);
 }
 
 Estimable<RestrictedMeanDifference> restrictedMeanDifference(const std::vector<SurvivalTime>& times,
                                                              const std::vector<bool>& isSecond, double horizon,
-                                                             const std::vector<int>& clusters, double level) {
+                                                             const std::vector<int>& clusters, double level,
+                                                             const std::vector<int>& items) {
   checkArguments(times, horizon, clusters, "restrictedMeanDifference");
   requireArgument(isSecond.size() == times.size(), "groups and trials differ in number", "restrictedMeanDifference");
   using Result = Estimable<RestrictedMeanDifference>;
-  const DenseLabels dense = denseLabels(clusters);
+  const CrossedClusters crossed = crossedClusters(clusters, items);
   RestrictedMeanDifference result;
   std::vector<double> values(times.size());
   double variance = 0;
   for (const bool second : {false, true}) {
     std::vector<SurvivalTime> group;
     std::vector<int> groupClusters;
+    std::vector<int> groupItems;
     std::vector<size_t> rows;
     for (size_t i = 0; i < times.size(); ++i) {
       if (isSecond[i] == second) {
@@ -181,9 +174,12 @@ Estimable<RestrictedMeanDifference> restrictedMeanDifference(const std::vector<S
         if (!clusters.empty()) {
           groupClusters.push_back(clusters[i]);
         }
+        if (!items.empty()) {
+          groupItems.push_back(items[i]);
+        }
       }
     }
-    const Estimable<RestrictedMean> mean = restrictedMean(group, horizon, groupClusters, level);
+    const Estimable<RestrictedMean> mean = restrictedMean(group, horizon, groupClusters, level, groupItems);
     if (!mean) {
       return Result::impossible(fmt::format("in the {} group, {}", second ? "second" : "first", mean.reason()));
     }
@@ -195,14 +191,14 @@ Estimable<RestrictedMeanDifference> restrictedMeanDifference(const std::vector<S
       values[rows[i]] = second ? groupValues[i] : -groupValues[i];
     }
   }
-  const bool clustered = dense.count > 0;
+  const bool clustered = crossed.first.count > 0;
   const double difference = result.second.mean.value - result.first.mean.value;
-  const double standardError = std::sqrt(clustered ? clusteredVariance(values, dense) : variance);
+  const double standardError = std::sqrt(clustered ? clusteredVariance(values, crossed) : variance);
   if (!(standardError > 0)) {
     return Result::impossible("the difference is the same in all subjects");
   }
   result.difference =
-      waldEstimate(difference, standardError, level, clustered ? static_cast<double>(dense.count - 1) : kInfinite);
+      waldEstimate(difference, standardError, level, clustered ? crossed.degreesOfFreedom() : kInfinite);
   return result;
 }
 

@@ -24,11 +24,13 @@ struct RestrictedMean {
 
 /// `horizon` in seconds. Without clusters the trials are taken as independent and the interval is normal. With
 /// clusters, one for each trial, the standard error is that of the infinitesimal jackknife by cluster, times the root
-/// of clusters / (clusters - 1), and the interval is Student's with clusters - 1 degrees of freedom. The p value is
-/// kNotKnown. Not possible where no trial has an event before the horizon, where all have it at one moment, where the
-/// curve ends before the horizon, or for a single cluster. Throws AnalysisError for input that is none.
+/// of clusters / (clusters - 1), and the interval is Student's with clusters - 1 degrees of freedom. `items`: clusters
+/// that cross these, as crossed_clusters.h has them. The p value is kNotKnown. Not possible where no trial has an event
+/// before the horizon, where all have it at one moment, where the curve ends before the horizon, or for a single
+/// cluster. Throws AnalysisError for input that is none.
 Estimable<RestrictedMean> restrictedMean(const std::vector<SurvivalTime>& times, double horizon,
-                                         const std::vector<int>& clusters = {}, double level = 0.95);
+                                         const std::vector<int>& clusters = {}, double level = 0.95,
+                                         const std::vector<int>& items = {});
 
 struct RestrictedMeanDifference {
   RestrictedMean first, second;
@@ -39,7 +41,7 @@ struct RestrictedMeanDifference {
 /// who see both views: what they share cancels out in the difference.
 Estimable<RestrictedMeanDifference> restrictedMeanDifference(const std::vector<SurvivalTime>& times,
                                                              const std::vector<bool>& isSecond, double horizon,
-                                                             const std::vector<int>& clusters = {},
-                                                             double level = 0.95);
+                                                             const std::vector<int>& clusters = {}, double level = 0.95,
+                                                             const std::vector<int>& items = {});
 
 }  // namespace ocelli

@@ -61,13 +61,28 @@ std::string StandardizedCovariates::whyNotIndependent(const Eigen::MatrixXd& inf
 }
 
 Eigen::MatrixXd sandwich(const Eigen::MatrixXd& scoreResiduals, const Eigen::MatrixXd& model,
-                         const DenseLabels& clusters) {
-  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(clusters.count), scoreResiduals.cols());
-  for (size_t i = 0; i < clusters.of.size(); ++i) {
-    sums.row(static_cast<Eigen::Index>(clusters.of[i])) += scoreResiduals.row(static_cast<Eigen::Index>(i));
+                         const CrossedClusters& clusters, bool few) {
+  const auto by = [&](const DenseLabels& labels) -> Eigen::MatrixXd {
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(labels.count), scoreResiduals.cols());
+    for (size_t i = 0; i < labels.of.size(); ++i) {
+      sums.row(static_cast<Eigen::Index>(labels.of[i])) += scoreResiduals.row(static_cast<Eigen::Index>(i));
+    }
+    const Eigen::MatrixXd influence = sums * model;
+    return influence.transpose() * influence;
+  };
+  const Eigen::MatrixXd byFirst = (few ? fewClustersFactor(clusters.first) : 1) * by(clusters.first);
+  if (clusters.second.count == 0) {
+    return byFirst;
   }
-  const Eigen::MatrixXd influence = sums * model;
-  return influence.transpose() * influence;
+  const double factor = few ? fewClustersFactor(clusters.second, static_cast<size_t>(model.cols())) : 1;
+  if (byFirst.llt().info() != Eigen::Success) {
+    return byFirst;
+  }
+  // The positive part, as crossed_clusters.h has it, in units of what is by the first: so in any units of the columns.
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> added(
+      factor * by(clusters.second) - by(clusters.both), byFirst);
+  const Eigen::MatrixXd directions = byFirst * added.eigenvectors();
+  return byFirst + directions * added.eigenvalues().cwiseMax(0).asDiagonal() * directions.transpose();
 }
 
 std::vector<std::vector<double>> rowsOf(const Eigen::MatrixXd& matrix) {
@@ -90,10 +105,11 @@ std::optional<size_t> flatDirection(const Eigen::MatrixXd& information, const Ei
   return static_cast<size_t>(most);
 }
 
-std::string fewClusters(size_t clusters, size_t coefficients) {
-  return fmt::format("{} subject{} {} too few for robust errors of {} coefficient{}", clusters,
-                     clusters == 1 ? "" : "s", clusters == 1 ? "is" : "are", coefficients,
-                     coefficients == 1 ? "" : "s");
+std::string fewClusters(const CrossedClusters& clusters, size_t coefficients) {
+  const bool fewCases = clusters.second.count > 0 && clusters.second.count < clusters.first.count;
+  const size_t count = fewCases ? clusters.second.count : clusters.first.count;
+  return fmt::format("{} {}{} {} too few for robust errors of {} coefficient{}", count, fewCases ? "case" : "subject",
+                     count == 1 ? "" : "s", count == 1 ? "is" : "are", coefficients, coefficients == 1 ? "" : "s");
 }
 
 }  // namespace ocelli

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "analysis/inference/covariate.h"
-#include "analysis/inference/wald.h"
+#include "analysis/inference/crossed_clusters.h"
 
 namespace ocelli {
 
@@ -28,9 +28,10 @@ struct StandardizedCovariates {
   std::string problem;  ///< why there is nothing to fit: no rows, no covariates, one that does not vary; else empty
 };
 
-/// Of coefficients whose model covariance is `model`, from a row of score residuals a trial.
+/// Of coefficients whose model covariance is `model`, from a row of score residuals a trial. `few`: with the factors of
+/// SurvivalData::fewClusters.
 Eigen::MatrixXd sandwich(const Eigen::MatrixXd& scoreResiduals, const Eigen::MatrixXd& model,
-                         const DenseLabels& clusters);
+                         const CrossedClusters& clusters, bool few);
 
 std::vector<std::vector<double>> rowsOf(const Eigen::MatrixXd& matrix);
 
@@ -40,6 +41,6 @@ std::vector<std::vector<double>> rowsOf(const Eigen::MatrixXd& matrix);
 std::optional<size_t> flatDirection(const Eigen::MatrixXd& information, const Eigen::MatrixXd& reference);
 
 /// The reason why robust errors cannot be had.
-std::string fewClusters(size_t clusters, size_t coefficients);
+std::string fewClusters(const CrossedClusters& clusters, size_t coefficients);
 
 }  // namespace ocelli

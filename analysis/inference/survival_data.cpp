@@ -35,6 +35,8 @@ void checkSurvivalData(const SurvivalData& data, const char* function) {
   requireArgument(data.strata.empty() || data.strata.size() == trials, "strata and trials differ in number", function);
   requireArgument(data.clusters.empty() || data.clusters.size() == trials, "clusters and trials differ in number",
                   function);
+  requireArgument(data.items.empty() || (data.items.size() == trials && !data.clusters.empty()),
+                  "items and clusters of trials differ in number", function);
 }
 
 }  // namespace ocelli

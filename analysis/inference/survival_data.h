@@ -30,6 +30,12 @@ struct SurvivalData {
   std::vector<Covariate> covariates;
   std::vector<int> strata;    ///< whose base hazards differ; none: a single stratum
   std::vector<int> clusters;  ///< such as subjects, for robust errors; none: every trial stands for itself
+  std::vector<int>
+      items{};  ///< such as cases, clusters that cross these (crossed_clusters.h); none: there are no others
+  /// Robust errors and intervals for few clusters: factors clusters / (clusters - 1) and items / (items -
+  /// coefficients), and Student's t with the fewer of both less 1 as degrees of freedom. Else as R's survival: no
+  /// factor, and z.
+  bool fewClusters = false;
 };
 
 /// Throws AnalysisError where lists differ in length, or a number is not finite or a time negative.

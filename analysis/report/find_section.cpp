@@ -8,7 +8,6 @@
 #include "analysis/inference/accelerated_failure_time.h"
 #include "analysis/inference/cox.h"
 #include "analysis/inference/kaplan_meier.h"
-#include "analysis/inference/restricted_mean.h"
 #include "analysis/inference/restricted_mean_bootstrap.h"
 #include "analysis/plot/group_plot.h"
 #include "analysis/plot/survival_plot.h"
@@ -16,6 +15,7 @@
 #include "analysis/report/model_checks.h"
 #include "analysis/report/planned_model.h"
 #include "analysis/report/resampled_effects.h"
+#include "analysis/report/search_times.h"
 #include "analysis/report/sensitivity.h"
 
 namespace ocelli {
@@ -26,21 +26,9 @@ constexpr double kUsualLimit = 60;  // s, section 7.4.2
 constexpr size_t kMostLinearRows = 2000000;
 constexpr size_t kMostOtherRows = 400000;
 
-bool isCensored(const Trial* trial) {
-  return trial->censored.value_or(false);
-}
-
 TrialList withoutTimeouts(TrialList trials) {
   std::erase_if(trials, isCensored);
   return trials;
-}
-
-std::vector<SurvivalTime> timesOf(const TrialList& trials, TimeoutTreatment timeouts) {
-  std::vector<SurvivalTime> times;
-  for (const Trial* trial : trials) {
-    times.push_back({*trial->responseSeconds, timeouts == TimeoutTreatment::kSetToLimit || !isCensored(trial)});
-  }
-  return times;
 }
 
 SurvivalPlot::Curve plotCurve(const std::string& name, const SurvivalCurve& curve,
@@ -79,7 +67,8 @@ void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment tim
     }
     plot.curves.push_back(plotCurve(nameOf(view), *curve, plot.riskTimes));
     rows.push_back({fmt::format("{}: median time", nameOf(view)), medianTime(*curve), "s", source, seen});
-    const Estimable<RestrictedMean> mean = restrictedMean(timesOf(seen, timeouts), limit, numbered(subjectsOf(seen)));
+    const Estimable<RestrictedMean> mean =
+        restrictedMean(timesOf(seen, timeouts), limit, numbered(subjectsOf(seen)), 0.95, caseNumbers(seen));
     rows.push_back({fmt::format("{}: restricted mean to {:g} s", nameOf(view), limit),
                     mean ? Estimable<Estimate>(mean->mean) : Estimable<Estimate>::impossible(mean.reason()), "s",
                     source, seen});
@@ -88,24 +77,21 @@ void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment tim
     work.document.add(ReportFigure{fmt::format("Kaplan-Meier curves of searches, {}", sizeText(trials)),
                                    "figure-find-survival", survivalFigure(plot)});
   }
-  std::vector<bool> isGraph;
-  for (const Trial* trial : trials) {
-    isGraph.push_back(trial->view == TrialView::kGraph);
-  }
-  const Estimable<RestrictedMeanDifference> difference =
-      restrictedMeanDifference(timesOf(trials, timeouts), isGraph, limit, numbered(subjectsOf(trials)));
+  const Estimable<RestrictedMeanDifference> difference = restrictedMeanDifferenceOf(trials, timeouts, limit);
   rows.push_back(
       {"gc less ppc: difference of restricted means",
        difference ? Estimable<Estimate>(difference->difference) : Estimable<Estimate>::impossible(difference.reason()),
-       "s", fmt::format("{}, subjects as clusters", sizeText(trials)), trials});
-  addEstimates(work.document, fmt::format("Times to find, time-outs {}; subjects are clusters", nameOf(timeouts)),
+       "s", fmt::format("{}, subjects and cases as clusters", sizeText(trials)), trials});
+  addEstimates(work.document,
+               fmt::format("Times to find, time-outs {}; subjects and cases are clusters", nameOf(timeouts)),
                "find-survival", rows);
-  addResampled(
-      work, "Difference of restricted means (gc less ppc) by resampling subjects and cases", "find-survival-resampled",
-      {{"gc less ppc",
-        bootstrapRestrictedMeanDifference(timesOf(trials, timeouts), isGraph, limit, numbered(subjectsOf(trials)),
-                                          caseNumbers(trials), bootstrapPlanOf(work.analysis.plan)),
-        trials, "s"}});
+  addResampled(work, "Difference of restricted means (gc less ppc) by resampling subjects and cases",
+               "find-survival-resampled",
+               {{"gc less ppc",
+                 bootstrapRestrictedMeanDifference(timesOf(trials, timeouts), areGraph(trials), limit,
+                                                   numbered(subjectsOf(trials)), caseNumbers(trials),
+                                                   bootstrapPlanOf(work.analysis.plan)),
+                 trials, "s"}});
 }
 
 /// Ratios of the covariates by name, of hazards or of times.
@@ -113,7 +99,7 @@ using NamedRatios = std::vector<std::pair<std::string, Estimate>>;
 
 Estimable<NamedRatios> fitSurvival(const PlannedModel& model, const TrialList& trials, TimeoutTreatment timeouts) {
   using Result = Estimable<NamedRatios>;
-  const SurvivalData data{timesOf(trials, timeouts), covariatesOf(model, trials), {}, numbered(subjectsOf(trials))};
+  const SurvivalData data = survivalDataOf(model, trials, timeouts);
   if (data.covariates.empty()) {
     return Result::impossible("no term of it varies");
   }
@@ -194,9 +180,12 @@ void addSurvivalModel(ReportWork& work, const PlannedModel& model, const TrialLi
     }
   }
   addEstimates(work.document,
-               model.kind == ModelKind::kCox
-                   ? "Cox regression: hazard ratios (above 1: found sooner), subjects as clusters"
-                   : "Log-normal failure times: ratios of times (below 1: found sooner), subjects as clusters",
+               fmt::format("{}; {} as clusters, Student's t",
+                           model.kind == ModelKind::kCox
+                               ? "Cox regression: hazard ratios (above 1: found sooner) over all subjects and cases, "
+                                 "which are nearer to 1 than those of one subject and case"
+                               : "Log-normal failure times: ratios of times (below 1: found sooner)",
+                           namesCases(model) ? "subjects and cases" : "subjects"),
                model.name, rows);
   addSurvivalSensitivity(work, model, complete, timeouts);
 }
@@ -319,7 +308,8 @@ void addFindSection(ReportWork& work) {
   addCases(work, trials);
   work.methods.push_back(
       "Times to find were compared by Kaplan-Meier curves and restricted means with searches censored at the limit, by "
-      "regressions of survival with errors robust to clusters of subjects, and by a linear mixed model of log times "
+      "regressions of survival with errors robust to clusters of subjects and of cases (Cameron, Gelbach and Miller "
+      "2011), and by a linear mixed model of log times "
       "with random effects of subjects and cases, whose intervals use Satterthwaite's degrees of freedom.");
 }
 

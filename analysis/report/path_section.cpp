@@ -13,34 +13,37 @@ namespace {
 
 constexpr double kUsualMaps = 3;  // section 7.4.4
 
-void addEquivalence(ReportWork& work, const PlannedModel& model, const TrialList& trials,
-                    const std::vector<double>& differences) {
+void addEquivalence(ReportWork& work, const PlannedModel& model, const TrialList& trials) {
   for (const PlannedEquivalence& planned : work.analysis.plan.equivalence) {
     if (planned.task != "path") {
       continue;
     }
     const Estimable<EquivalenceTest> test =
-        equivalenceOfPairedMeans(differences, {planned.lower, planned.upper}, work.analysis.plan.alpha);
+        shareEquivalence(trials, {planned.lower, planned.upper}, work.analysis.plan.alpha);
     if (!test) {
       work.outcomes.push_back({model.name, "", Estimable<double>::impossible(test.reason())});
       addNotEstimable(work.document, "Equivalence of the views", test.reason());
       return;
     }
     work.outcomes.push_back({model.name, "", test->pValue});
-    const std::string source = fmt::format("{} subjects with both views, one difference each", test->first);
+    const std::string source =
+        fmt::format("{} subjects with both views, one difference each; subjects and cases as clusters", test->first);
     const auto row = [&](const std::string& what, const std::string& text, std::optional<double> value) {
       return ValueRow{what, text, value, source, trials};
     };
-    addValues(work.document,
-              fmt::format("Two one-sided tests against the bounds of {}, {} to {} (gc less ppc)",
-                          planName(work.analysis.plan), planned.lower, planned.upper),
-              model.name,
-              {row("Difference of shares", numberText(test->difference.value), test->difference.value),
-               row(fmt::format("{:g} % interval", 100 * (1 - 2 * test->alpha)),
-                   fmt::format("{} to {}", numberText(test->difference.lower), numberText(test->difference.upper)),
-                   std::nullopt),
-               row("p of the two tests (the larger)", numberText(test->pValue), test->pValue),
-               row("Equivalent", test->equivalent ? "yes" : "not shown", std::nullopt)});
+    addValues(
+        work.document,
+        fmt::format(
+            "Two one-sided tests against the bounds of {}, {} to {} (gc less ppc): mean of the subjects' differences, "
+            "subjects and cases as clusters",
+            planName(work.analysis.plan), planned.lower, planned.upper),
+        model.name,
+        {row("Difference of shares", numberText(test->difference.value), test->difference.value),
+         row(fmt::format("{:g} % interval", 100 * (1 - 2 * test->alpha)),
+             fmt::format("{} to {}", numberText(test->difference.lower), numberText(test->difference.upper)),
+             std::nullopt),
+         row("p of the two tests (the larger)", numberText(test->pValue), test->pValue),
+         row("Equivalent", test->equivalent ? "yes" : "not shown", std::nullopt)});
     return;
   }
   work.outcomes.push_back({model.name, "", Estimable<double>::impossible("the plan has no bounds for paths")});
@@ -55,7 +58,9 @@ void addBayes(ReportWork& work, const PlannedModel& model, const TrialList& tria
     return;
   }
   const std::string source = fmt::format("{} subjects with both views", factor->count);
-  addValues(work.document, "Bayes factor of the difference of shares (Jeffreys-Zellner-Siow, medium scale)", model.name,
+  addValues(work.document,
+            "Bayes factor of the difference of shares (Jeffreys-Zellner-Siow, medium scale); for these very cases",
+            model.name,
             {{"For none, against some", numberText(factor->forNone), factor->forNone, source, trials},
              {"For some, against none", numberText(factor->forEffect), factor->forEffect, source, trials}});
 }
@@ -110,9 +115,10 @@ void addPathSection(ReportWork& work) {
     }
     if (model.kind == ModelKind::kBinomialMixed) {
       addRightModel(work, model, trials,
-                    "Binomial mixed model of right paths: odds ratios, Wald's intervals and tests");
+                    "Binomial mixed model of right paths: odds ratios, variances by restricted likelihood, intervals "
+                    "and tests by Satterthwaite's degrees of freedom");
     } else if (model.kind == ModelKind::kEquivalence) {
-      addEquivalence(work, model, trials, differences);
+      addEquivalence(work, model, trials);
     } else if (model.kind == ModelKind::kBayesFactor) {
       addBayes(work, model, trials, differences);
     } else if (model.kind == ModelKind::kAgainstChance) {
@@ -123,8 +129,10 @@ void addPathSection(ReportWork& work) {
     }
   }
   work.methods.push_back(fmt::format(
-      "Whether paths are recognised equally well was tested by two one-sided tests of the subjects' differences of "
-      "shares against the bounds of {}, with a Bayes factor beside them, and against chance by an exact test.",
+      "Whether paths are recognised equally well was tested by two one-sided tests of the mean of the subjects' "
+      "differences of shares against the bounds of {}, with errors robust to clusters of subjects and of cases, a "
+      "Bayes "
+      "factor of these differences beside them, and against chance by an exact test.",
       planName(work.analysis.plan)));
 }
 

@@ -169,7 +169,8 @@ Estimable<PlannedFit> fitBinomial(const PlannedModel& model, const TrialList& tr
   for (const Trial* trial : trials) {
     right.push_back(trial->correct.value_or(false));
   }
-  const Estimable<BinomialMixedFit> fit = BinomialMixedModel(designOf(model, trials)).fit(binaryResponse(right));
+  const Estimable<BinomialMixedFit> fit =
+      BinomialMixedModel(designOf(model, trials)).fitRestricted(binaryResponse(right));
   return fit ? Estimable<PlannedFit>(describe(model, trials, *fit)) : Estimable<PlannedFit>::impossible(fit.reason());
 }
 

@@ -45,7 +45,8 @@ std::vector<double> secondsOf(const TrialList& trials);
 /// Of the logarithm of `seconds`, one a trial, all above 0. View and other factors are centered, numbers are less their
 /// mean: each coefficient is that of an average trial.
 Estimable<PlannedFit> fitLinear(const PlannedModel& model, const TrialList& trials, const std::vector<double>& seconds);
-/// Of right answers; all trials know whether theirs was.
+/// Of right answers; all trials know whether theirs was. By restricted likelihood, with t by Satterthwaite's degrees of
+/// freedom: with few cases, Wald's intervals of maximum likelihood hold the truth too rarely (docs/results.md).
 Estimable<PlannedFit> fitBinomial(const PlannedModel& model, const TrialList& trials);
 
 /// The columns of the terms that vary at all.

@@ -86,21 +86,91 @@ linear_model <- function(model, trials, timeouts_removed, terms, random) attempt
   keep_coefficients(model, table, degrees, "Pr(>|t|)")
 })
 
-# Odds ratios; maximum likelihood by Laplace's approximation (nAGQ = 1), Wald's z. With glmer's usual tolerance of the
-# inner search, estimates are off in the fourth digit.
+# Odds ratios. Variances by the restricted likelihood (Laplace's approximation of the integral over the coefficients
+# too), coefficients by Laplace's approximation at these; t by Satterthwaite's degrees of freedom. glmer has the pieces.
 binomial_model <- function(model, trials, terms, random) attempt(model, function() {
   data <- prepare(trials[!is.na(trials$correct), ], terms)
   formula <- formula_of("correct", terms, random)
   if (length(random) == 0) {
     fit <- glm(formula, binomial, data)
-  } else {
-    fit <- glmer(formula, data, binomial, nAGQ = 1,
-                 control = glmerControl(optimizer = "bobyqa", tolPwrss = 1e-12, optCtrl = list(rhoend = 1e-8)))
+    print(summary(fit))
+    table <- coef(summary(fit))
+    return(keep_coefficients(model, table, setNames(rep(Inf, nrow(table)), rownames(table)), "Pr(>|z|)"))
   }
-  print(summary(fit))
-  table <- coef(summary(fit))
-  keep_coefficients(model, table, setNames(rep(Inf, nrow(table)), rownames(table)), "Pr(>|z|)")
+  parsed <- glFormula(formula, data, binomial)
+  control <- glmerControl(tolPwrss = 1e-12)
+  inner <- do.call(mkGlmerDevfun, c(parsed, list(control = control)))
+  state <- environment(inner)
+  restricted <- function(theta) inner(theta) + 2 * sum(log(diag(state$pp$RX())))
+  covariance_at <- function(theta) {
+    inner(theta)
+    chol2inv(state$pp$RX())
+  }
+  best <- nlminb(parsed$reTrms$theta, restricted, lower = parsed$reTrms$lower, control = list(rel.tol = 1e-14))
+  theta <- nlminb(best$par, restricted, lower = parsed$reTrms$lower, control = list(rel.tol = 1e-14))$par
+  variances <- 2 * solve(numDeriv::hessian(restricted, theta))
+  gradients <- numDeriv::jacobian(function(theta) diag(covariance_at(theta)), theta)
+  inner(theta)
+  beta <- state$pp$beta(1)
+  outer <- updateGlmerDevfun(inner, parsed$reTrms)
+  deviance_of <- function(beta) outer(c(theta, beta))
+  beta <- nlminb(beta, deviance_of, control = list(rel.tol = 1e-14))$par
+  errors <- sqrt(diag(2 * solve(numDeriv::hessian(deviance_of, beta))))
+  degrees <- 2 * errors^4 / rowSums((gradients %*% variances) * gradients)
+  names <- colnames(parsed$X)
+  table <- cbind(Estimate = beta, `Std. Error` = errors, p = 2 * pt(-abs(beta / errors), degrees))
+  rownames(table) <- names
+  print(cbind(table, df = degrees))
+  keep_coefficients(model, table, setNames(degrees, names), "p")
 })
+
+# Errors of what trials contribute (a row each), where trials of a subject are alike, and those of a case: Cameron,
+# Gelbach and Miller 2011, with factors for few clusters. What cases add counts where it is positive.
+crossed_covariance <- function(contributions, subject, case, coefficients = ncol(contributions)) {
+  by <- function(group) crossprod(rowsum(contributions, as.character(group)))
+  factor_of <- function(group, taken) length(unique(group)) / max(1, length(unique(group)) - taken)
+  by_subject <- factor_of(subject, 1) * by(subject)
+  if (is.null(case)) return(by_subject)
+  root <- t(chol(by_subject))
+  added <- factor_of(case, coefficients) * by(case) - by(paste(subject, case, sep = "\r"))
+  parts <- eigen(solve(root, t(solve(root, added))), symmetric = TRUE)
+  by_subject + root %*% parts$vectors %*% (pmax(parts$values, 0) * t(parts$vectors)) %*% t(root)
+}
+crossed_degrees <- function(subject, case) {
+  min(length(unique(subject)), if (!is.null(case)) length(unique(case))) - 1
+}
+keep_ratios <- function(model, estimates, covariance, degrees, skipped = c()) {
+  for (term in setdiff(names(estimates), skipped)) {
+    error <- sqrt(diag(covariance))[[match(term, names(estimates))]]
+    half <- qt(0.975, degrees) * error
+    if (is.finite(half)) {
+      keep(model, term, exp(estimates[[term]]), exp(estimates[[term]] - half), exp(estimates[[term]] + half),
+           2 * pt(-abs(estimates[[term]] / error), degrees))
+    }
+  }
+}
+# An estimate to which trials contribute values that sum up to 0.
+keep_clustered <- function(model, term, estimate, contributions, subject, case, coefficients = 1) {
+  error <- sqrt(crossed_covariance(cbind(contributions), subject, case, coefficients)[1, 1])
+  degrees <- crossed_degrees(subject, case)
+  half <- qt(0.975, degrees) * error
+  keep(model, term, estimate, estimate - half, estimate + half, 2 * pt(-abs(estimate / error), degrees))
+}
+# Mean over the subjects who saw both views of their mean in gc less that in ppc, and what each trial contributes to it.
+view_difference <- function(data, values) {
+  data <- data[!is.na(values), ]
+  values <- values[!is.na(values)]
+  counts <- table(data$subject_id, factor(data$view, c("ppc", "gc")))
+  both <- data$subject_id %in% rownames(counts)[counts[, 1] > 0 & counts[, 2] > 0]
+  data <- data[both, ]
+  values <- values[both]
+  subjects <- length(unique(data$subject_id))
+  weights <- 1 / (counts[cbind(data$subject_id, data$view)] * subjects)
+  means <- tapply(weights * values, data$view, sum)
+  sign <- ifelse(data$view == "gc", 1, -1)
+  list(estimate = means[["gc"]] - means[["ppc"]], contributions = sign * weights * (values - means[data$view]),
+       subject = data$subject_id, case = data$item)
+}
 
 # `timeouts`: "censored", "removed", "set_to_limit".
 searches <- function(trials, timeouts, terms = "view") {
@@ -109,8 +179,8 @@ searches <- function(trials, timeouts, terms = "view") {
   data$event <- if (timeouts == "set_to_limit") rep(1, nrow(data)) else 1 - (data$censored %in% 1)
   data
 }
-# Medians and restricted means. The report's errors of means are of subjects as clusters; those here take trials as
-# independent, and only the means are kept.
+# Medians and restricted means. The report's errors of means are of subjects and cases as clusters; those here take
+# trials as independent, and only the means are kept.
 kaplan_meier <- function(model, trials, timeouts, limit) attempt(model, function() {
   data <- searches(trials, timeouts)
   data$name <- ifelse(data$view > 0, "gc", "ppc")
@@ -123,40 +193,36 @@ kaplan_meier <- function(model, trials, timeouts, limit) attempt(model, function
     keep(model, paste(name, "restricted mean"), row[[grep("rmean", names(row))[1]]])
   }
 })
-cox_model <- function(model, trials, timeouts, terms) attempt(model, function() {
+# `cases`: whether cases are clusters too, beside subjects.
+cox_model <- function(model, trials, timeouts, terms, cases) attempt(model, function() {
   data <- searches(trials, timeouts, terms)
   formula <- as.formula(paste("Surv(response_s, event) ~", paste(terms, collapse = " + ")))
-  fit <- coxph(formula, data, cluster = subject, ties = "efron")
+  fit <- coxph(formula, data, ties = "efron")
   print(summary(fit))
-  table <- coef(summary(fit))
-  for (term in rownames(table)) {
-    estimate <- table[term, "coef"]
-    half <- qnorm(0.975) * table[term, "robust se"]
-    if (is.finite(half)) keep(model, term, exp(estimate), exp(estimate - half), exp(estimate + half),
-                              table[term, "Pr(>|z|)"])
-  }
+  case <- if (cases) data$case
+  used <- !is.na(coef(fit))
+  influence <- as.matrix(residuals(fit, type = "dfbeta"))[, used, drop = FALSE]
+  keep_ratios(model, coef(fit)[used], crossed_covariance(influence, data$subject, case),
+              crossed_degrees(data$subject, case))
 })
-log_normal_model <- function(model, trials, timeouts, terms) attempt(model, function() {
+log_normal_model <- function(model, trials, timeouts, terms, cases) attempt(model, function() {
   data <- searches(trials, timeouts, terms)
   varies <- vapply(terms, function(term) grepl(":", term, fixed = TRUE) || length(unique(data[[term]])) > 1, logical(1))
   formula <- as.formula(paste("Surv(response_s, event) ~", paste(c("1", terms[varies]), collapse = " + ")))
-  fit <- survreg(formula, data, dist = "lognormal", cluster = subject, robust = TRUE)
+  fit <- survreg(formula, data, dist = "lognormal")
   print(summary(fit))
-  table <- summary(fit)$table
-  for (term in setdiff(rownames(table), c("(Intercept)", "Log(scale)"))) {
-    estimate <- table[term, "Value"]
-    half <- qnorm(0.975) * table[term, "Std. Err"]
-    keep(model, term, exp(estimate), exp(estimate - half), exp(estimate + half), table[term, "p"])
-  }
+  case <- if (cases) data$case
+  keep_ratios(model, coef(fit), crossed_covariance(as.matrix(residuals(fit, type = "dfbeta")), data$subject, case),
+              crossed_degrees(data$subject, case), "(Intercept)")
 })
 
 # Scenes of a subject's session that are alike but for the view, in the order in which they came.
 mcnemar_model <- function(model, trials) attempt(model, function() {
   data <- trials[!is.na(trials$correct), ]
-  data$scene <- paste(data$subject_id, data$session_number, data$block, data$exposure_s, data$objects,
-                      data$duplicate_colors, sep = "/")
+  data$kind <- paste(data$session_number, data$block, data$exposure_s, data$objects, data$duplicate_colors, sep = "/")
+  data$scene <- paste(data$subject_id, data$kind, sep = "/")
   data$place <- ave(seq_len(nrow(data)), data$scene, data$view, FUN = seq_along)
-  columns <- c("scene", "place", "correct")
+  columns <- c("scene", "place", "correct", "subject_id", "kind")
   pairs <- merge(data[data$view == "ppc", columns], data[data$view == "gc", columns], by = c("scene", "place"),
                  suffixes = c("_ppc", "_gc"))
   only_ppc <- sum(pairs$correct_ppc == 1 & pairs$correct_gc == 0)
@@ -164,6 +230,9 @@ mcnemar_model <- function(model, trials) attempt(model, function() {
   print(mcnemar.test(table(factor(pairs$correct_ppc, 0:1), factor(pairs$correct_gc, 0:1))))
   exact <- binom.test(only_gc, only_gc + only_ppc)
   odds <- function(share) share / (1 - share)
+  differences <- pairs$correct_gc - pairs$correct_ppc
+  keep_clustered(model, "difference of shares, clustered", mean(differences),
+                 (differences - mean(differences)) / nrow(pairs), pairs$subject_id_ppc, pairs$kind_ppc)
   keep(model, "difference of shares", (only_gc - only_ppc) / nrow(pairs), p = exact$p.value)
   keep(model, "odds ratio", only_gc / only_ppc, odds(exact$conf.int[1]), odds(exact$conf.int[2]), exact$p.value)
 })
@@ -178,7 +247,10 @@ differences_of <- function(trials, values) {
 # wilcox.test's pseudo-median of tied values solves an equation; the report has the median of all pairs' means.
 signed_error_model <- function(model, trials) attempt(model, function() {
   errors <- suppressWarnings(as.numeric(trials$answer) - as.numeric(trials$expected))
-  differences <- differences_of(trials[!is.na(trials$correct), ], errors[!is.na(trials$correct)])
+  known <- !is.na(trials$correct)
+  clustered <- view_difference(trials[known, ], errors[known])
+  keep_clustered(model, "mean", clustered$estimate, clustered$contributions, clustered$subject, clustered$case, 2)
+  differences <- differences_of(trials[known, ], errors[known])
   test <- suppressWarnings(wilcox.test(differences, conf.int = TRUE))
   print(test)
   pairs <- outer(differences, differences, "+") / 2
@@ -187,13 +259,13 @@ signed_error_model <- function(model, trials) attempt(model, function() {
 
 # Two one-sided t tests by hand.
 equivalence_model <- function(model, trials, lower, upper, alpha) attempt(model, function() {
-  differences <- differences_of(trials, trials$correct)
-  error <- sd(differences) / sqrt(length(differences))
-  degrees <- length(differences) - 1
-  p <- max(pt((mean(differences) - lower) / error, degrees, lower.tail = FALSE),
-           pt((mean(differences) - upper) / error, degrees))
+  shares <- view_difference(trials, trials$correct)
+  error <- sqrt(crossed_covariance(cbind(shares$contributions), shares$subject, shares$case, 2)[1, 1])
+  degrees <- crossed_degrees(shares$subject, shares$case)
+  p <- max(pt((shares$estimate - lower) / error, degrees, lower.tail = FALSE),
+           pt((shares$estimate - upper) / error, degrees))
   half <- qt(1 - alpha, degrees) * error
-  keep(model, "difference of shares", mean(differences), mean(differences) - half, mean(differences) + half, p)
+  keep(model, "difference of shares", shares$estimate, shares$estimate - half, shares$estimate + half, p)
 })
 # Jeffreys-Zellner-Siow with a medium scale (Rouder et al. 2009, equation 1), by hand.
 bayes_model <- function(model, trials, scale = sqrt(2) / 2) attempt(model, function() {

@@ -10,6 +10,7 @@
 #include "analysis/report/path_section.h"
 #include "analysis/report/r_functions.h"
 #include "analysis/report/report_parts.h"
+#include "analysis/report/search_times.h"
 
 namespace ocelli {
 namespace {
@@ -44,6 +45,7 @@ std::string callOf(const AnalysisData& analysis, const PlannedModel& model) {
   const std::string trials = fmt::format("trials[trials$task == {}, ]", quoted(model.task));
   const std::string terms = vectorOf(model.terms);
   const std::string timeouts = quoted(nameOf(plan.findTimeouts));
+  const char* cases = namesCases(model) ? "TRUE" : "FALSE";
   switch (model.kind) {
     case ModelKind::kLinearMixed:
       return fmt::format("linear_model({}, {}, {}, {}, {})", name, trials,
@@ -54,9 +56,9 @@ std::string callOf(const AnalysisData& analysis, const PlannedModel& model) {
       return fmt::format("kaplan_meier({}, {}, {}, {})", name, trials, timeouts,
                          searchLimit(trialsOfTask(analysis, model.task)));
     case ModelKind::kCox:
-      return fmt::format("cox_model({}, {}, {}, {})", name, trials, timeouts, terms);
+      return fmt::format("cox_model({}, {}, {}, {}, {})", name, trials, timeouts, terms, cases);
     case ModelKind::kLogNormalSurvival:
-      return fmt::format("log_normal_model({}, {}, {}, {})", name, trials, timeouts, terms);
+      return fmt::format("log_normal_model({}, {}, {}, {}, {})", name, trials, timeouts, terms, cases);
     case ModelKind::kMcNemar:
       return fmt::format("mcnemar_model({}, {})", name, trials);
     case ModelKind::kSignedError:

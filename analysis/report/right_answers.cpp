@@ -4,7 +4,9 @@
 
 #include <set>
 
+#include "analysis/inference/crossed_clusters.h"
 #include "analysis/plot/group_plot.h"
+#include "analysis/report/resampled_effects.h"
 
 namespace ocelli {
 
@@ -30,6 +32,27 @@ std::vector<double> shareDifferences(const TrialList& trials) {
     }
   }
   return differences;
+}
+
+Estimable<Estimate> shareDifference(const TrialList& trials) {
+  std::vector<double> right;
+  std::vector<bool> isGraph;
+  for (const Trial* trial : trials) {
+    right.push_back(trial->correct.value_or(false) ? 1 : 0);
+    isGraph.push_back(trial->view == TrialView::kGraph);
+  }
+  return clusteredMeanDifference(right, isGraph, numbered(subjectsOf(trials)), caseNumbers(trials));
+}
+
+Estimable<EquivalenceTest> shareEquivalence(const TrialList& trials, const EquivalenceBounds& bounds, double alpha) {
+  const Estimable<Estimate> difference = shareDifference(trials);
+  if (!difference) {
+    return Estimable<EquivalenceTest>::impossible(difference.reason());
+  }
+  EquivalenceTest test =
+      equivalenceOf(difference->value, difference->standardError, difference->degreesOfFreedom, bounds, alpha);
+  test.first = test.second = shareDifferences(trials).size();
+  return test;
 }
 
 void addRightAnswers(ReportWork& work, const TrialList& trials, const std::string& what, const std::string& id,

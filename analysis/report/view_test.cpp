@@ -52,8 +52,7 @@ const PlannedEquivalence* equivalenceBoundsOf(const AnalysisPlan& plan, const st
 
 Estimable<EquivalenceTest> testOfEquivalence(const AnalysisData& analysis, const PlannedEquivalence& bounds,
                                              double alpha) {
-  return equivalenceOfPairedMeans(shareDifferences(answeredTrials(analysis, bounds.task)), {bounds.lower, bounds.upper},
-                                  alpha);
+  return shareEquivalence(answeredTrials(analysis, bounds.task), {bounds.lower, bounds.upper}, alpha);
 }
 
 }  // namespace ocelli

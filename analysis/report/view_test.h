@@ -24,7 +24,7 @@ ViewTest testOfView(const AnalysisData& analysis, const PlannedModel& model);
 
 /// The bounds that the plan has for the task; nullptr where it has none.
 const PlannedEquivalence* equivalenceBoundsOf(const AnalysisPlan& plan, const std::string& task);
-/// Of the subjects' differences of shares of right answers, against these bounds.
+/// Of the mean of the subjects' differences of shares of right answers, against these bounds.
 Estimable<EquivalenceTest> testOfEquivalence(const AnalysisData& analysis, const PlannedEquivalence& bounds,
                                              double alpha);
 

@@ -1,0 +1,99 @@
+#include "analysis/report/count_pairs.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+
+#include "analysis/inference/crossed_clusters.h"
+#include "analysis/report/report_parts.h"
+#include "analysis/report/resampled_effects.h"
+
+namespace ocelli {
+namespace {
+
+/// What scenes that are alike have in common, whoever sees them.
+std::string kindOf(const Trial& trial) {
+  return fmt::format("{}/{}/{}/{}/{}", trial.session, trial.block, trial.exposureSeconds.value_or(-1),
+                     trial.objects.value_or(-1), trial.duplicateColors.value_or(false));
+}
+
+}  // namespace
+
+std::vector<PairedOutcome> matchedScenes(const TrialList& trials) {
+  std::map<std::string, int> seen;
+  std::vector<PairedOutcome> outcomes;
+  for (const Trial* trial : trials) {
+    const std::string scene = fmt::format("{}/{}", trial->subject, kindOf(*trial));
+    const int number = seen[fmt::format("{}/{}", scene, nameOf(trial->view))]++;
+    outcomes.push_back(
+        {fmt::format("{}/{}", scene, number), trial->view == TrialView::kGraph, trial->correct.value_or(false)});
+  }
+  return outcomes;
+}
+
+Estimable<Estimate> matchedDifference(const TrialList& trials) {
+  const std::vector<PairedOutcome> outcomes = matchedScenes(trials);
+  struct Pair {
+    std::array<const Trial*, 2> trials{};
+  };
+  std::map<std::string, Pair> pairs;
+  for (size_t i = 0; i < outcomes.size(); ++i) {
+    pairs[outcomes[i].pair].trials[outcomes[i].isSecond] = trials[i];
+  }
+  std::vector<double> differences;
+  std::vector<std::string> subjects;
+  std::vector<std::string> kinds;
+  for (const auto& [name, pair] : pairs) {
+    if (pair.trials[0] != nullptr && pair.trials[1] != nullptr) {
+      differences.push_back(pair.trials[1]->correct.value_or(false) - pair.trials[0]->correct.value_or(false));
+      subjects.push_back(pair.trials[0]->subject);
+      kinds.push_back(kindOf(*pair.trials[0]));
+    }
+  }
+  return clusteredMean(differences, crossedClusters(numbered(subjects), numbered(kinds)));
+}
+
+std::optional<double> signedError(const Trial& trial) {
+  const std::optional<double> answer = numberIn(trial.answer);
+  const std::optional<double> expected = numberIn(trial.expected);
+  return answer && expected ? std::optional<double>(*answer - *expected) : std::nullopt;
+}
+
+std::vector<double> errorDifferences(const TrialList& trials) {
+  struct Errors {
+    double sum = 0;
+    int count = 0;
+  };
+  std::map<std::string, std::array<Errors, 2>> bySubject;
+  for (const Trial* trial : trials) {
+    if (const std::optional<double> error = signedError(*trial)) {
+      Errors& errors = bySubject[trial->subject][trial->view == TrialView::kGraph];
+      errors.sum += *error;
+      ++errors.count;
+    }
+  }
+  std::vector<double> differences;
+  for (const auto& [subject, views] : bySubject) {
+    if (views[0].count > 0 && views[1].count > 0) {
+      differences.push_back(views[1].sum / views[1].count - views[0].sum / views[0].count);
+    }
+  }
+  return differences;
+}
+
+Estimable<Estimate> errorDifference(const TrialList& trials) {
+  std::vector<double> errors;
+  std::vector<bool> isGraph;
+  TrialList answered;
+  for (const Trial* trial : trials) {
+    if (const std::optional<double> error = signedError(*trial)) {
+      errors.push_back(*error);
+      isGraph.push_back(trial->view == TrialView::kGraph);
+      answered.push_back(trial);
+    }
+  }
+  return clusteredMeanDifference(errors, isGraph, numbered(subjectsOf(answered)), caseNumbers(answered));
+}
+
+}  // namespace ocelli

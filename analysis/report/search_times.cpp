@@ -1,0 +1,50 @@
+#include "analysis/report/search_times.h"
+
+#include <algorithm>
+
+#include "analysis/report/planned_model.h"
+#include "analysis/report/resampled_effects.h"
+
+namespace ocelli {
+
+bool isCensored(const Trial* trial) {
+  return trial->censored.value_or(false);
+}
+
+std::vector<bool> areGraph(const TrialList& trials) {
+  std::vector<bool> isGraph;
+  for (const Trial* trial : trials) {
+    isGraph.push_back(trial->view == TrialView::kGraph);
+  }
+  return isGraph;
+}
+
+std::vector<SurvivalTime> timesOf(const TrialList& trials, TimeoutTreatment timeouts) {
+  std::vector<SurvivalTime> times;
+  for (const Trial* trial : trials) {
+    times.push_back({*trial->responseSeconds, timeouts == TimeoutTreatment::kSetToLimit || !isCensored(trial)});
+  }
+  return times;
+}
+
+bool namesCases(const PlannedModel& model) {
+  return std::any_of(model.randomEffects.begin(), model.randomEffects.end(),
+                     [](const RandomEffect& effect) { return effect.group == "case"; });
+}
+
+SurvivalData survivalDataOf(const PlannedModel& model, const TrialList& trials, TimeoutTreatment timeouts) {
+  SurvivalData data{timesOf(trials, timeouts), covariatesOf(model, trials), {}, numbered(subjectsOf(trials))};
+  if (namesCases(model)) {
+    data.items = caseNumbers(trials);
+  }
+  data.fewClusters = true;
+  return data;
+}
+
+Estimable<RestrictedMeanDifference> restrictedMeanDifferenceOf(const TrialList& trials, TimeoutTreatment timeouts,
+                                                               double limit) {
+  return restrictedMeanDifference(timesOf(trials, timeouts), areGraph(trials), limit, numbered(subjectsOf(trials)),
+                                  0.95, caseNumbers(trials));
+}
+
+}  // namespace ocelli

@@ -1,0 +1,26 @@
+// Times of searches, as the methods of survival take them.
+#pragma once
+
+#include "analysis/dataset/analysis_plan.h"
+#include "analysis/inference/restricted_mean.h"
+#include "analysis/inference/survival_data.h"
+#include "analysis/tables/table_cells.h"
+
+namespace ocelli {
+
+bool isCensored(const Trial* trial);
+std::vector<bool> areGraph(const TrialList& trials);
+std::vector<SurvivalTime> timesOf(const TrialList& trials, TimeoutTreatment timeouts);
+
+/// Whether cases are among what a model takes as drawn from more.
+bool namesCases(const PlannedModel& model);
+
+/// What Cox and log-normal regressions of the plan are given: errors are robust to subjects, and to cases where the
+/// model names them, for few of either.
+SurvivalData survivalDataOf(const PlannedModel& model, const TrialList& trials, TimeoutTreatment timeouts);
+
+/// gc less ppc, in seconds up to the limit; subjects and cases are clusters.
+Estimable<RestrictedMeanDifference> restrictedMeanDifferenceOf(const TrialList& trials, TimeoutTreatment timeouts,
+                                                               double limit);
+
+}  // namespace ocelli
