@@ -131,4 +131,20 @@ bool MazeFloor::isClear(const FloorPoint& from, const FloorPoint& to) const {
   return std::none_of(walls_.begin(), walls_.end(), [&](const Rectangle& wall) { return meets(wall, from, to); });
 }
 
+std::vector<std::array<double, 4>> wallLines(const ProtocolMaze& maze) {
+  std::vector<std::array<double, 4>> lines;
+  for (size_t line = 0; line < maze.plan.size(); ++line) {
+    for (size_t i = 0; i < maze.plan[line].size(); ++i) {
+      const bool level = line % 2 == 0 && i % 2 == 1;
+      const bool upright = line % 2 == 1 && i % 2 == 0;
+      if (maze.plan[line][i] != ' ' && (level || upright)) {
+        const double x = static_cast<double>(i / 2) * maze.cellSize;
+        const double z = static_cast<double>(line / 2) * maze.cellSize;
+        lines.push_back({x, z, x + (level ? maze.cellSize : 0), z + (upright ? maze.cellSize : 0)});
+      }
+    }
+  }
+  return lines;
+}
+
 }  // namespace ocelli

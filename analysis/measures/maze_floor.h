@@ -5,6 +5,7 @@
 // corner.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -64,5 +65,8 @@ class MazeFloor {
   double cellSize_;
   std::vector<Rectangle> walls_;
 };
+
+/// The middle lines of its walls, each from post to post: x, z to x, z.
+std::vector<std::array<double, 4>> wallLines(const ProtocolMaze& maze);
 
 }  // namespace ocelli

@@ -65,14 +65,13 @@ class Navigation {
     }
     if (result_.searchesWithoutLog > 0) {
       result_.notes.push_back(fmt::format(
-          "{} searches have no log of where the subject stood: generated ones, and those of exported tables.",
-          result_.searchesWithoutLog));
+          "{} {} no log of where the subject stood, as generated searches and those of exported tables have none.",
+          result_.searchesWithoutLog, result_.searchesWithoutLog == 1 ? "search has" : "searches have"));
     }
     if (!result_.searches.empty()) {
       result_.notes.emplace_back(
           "In sight is what a pinhole at the eye would show in a straight line; with the graph camera the object may "
-          "have "
-          "been seen before, around a corner.");
+          "have been seen before, around a corner.");
     }
     return std::move(result_);
   }
@@ -121,6 +120,7 @@ SearchNavigation Navigation::measured(const Trial& trial, const std::vector<Pose
   const auto unknown = [&](const char* why) {
     return SearchNavigation{0,
                             walk,
+                            false,
                             toEnd,
                             ratio(walk.pathMeters, toEnd, "the search ended in the cell where it began"),
                             Number::impossible(why),
@@ -140,6 +140,7 @@ SearchNavigation Navigation::measured(const Trial& trial, const std::vector<Pose
     return unknown("the object stands outside of the maze");
   }
   SearchNavigation search = unknown("the object never came into straight sight");
+  search.objectIsKnown = true;
   search.shortestToObjectMeters = shortestBetween(floor, first, cell);
   search.walkedOverWayToObject =
       ratio(walk.pathMeters, search.shortestToObjectMeters, "the object stands in the cell where the search began");
@@ -163,6 +164,7 @@ void Navigation::addHeat(const Trial& trial, const std::string& maze, const Maze
   const std::string& protocol = data_.sources[static_cast<size_t>(trial.source)].protocolSha256;
   MazeHeatMap& map = heatMaps_[{protocol, maze, moving, trial.view}];
   if (map.seconds.empty()) {
+    map.source = trial.source;
     map.maze = maze;
     map.view = trial.view;
     map.moving = moving;

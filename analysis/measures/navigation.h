@@ -18,6 +18,7 @@ namespace ocelli {
 struct SearchNavigation {
   size_t trial = 0;  ///< index into Dataset::trials
   WalkMeasures walk;
+  bool objectIsKnown = false;                ///< where it stood; then, without travelSeconds, it never was in sight
   Estimable<double> shortestToEndMeters;     ///< from cell to cell between the first and the last pose
   Estimable<double> detour;                  ///< walked over that
   Estimable<double> shortestToObjectMeters;  ///< from the first cell to the object's
@@ -29,6 +30,7 @@ struct SearchNavigation {
 
 /// Seconds spent over the cells of a maze.
 struct MazeHeatMap {
+  int source = 0;  ///< whose protocol draws the maze
   std::string maze;
   TrialView view = TrialView::kPinhole;
   bool moving = false;  ///< the object

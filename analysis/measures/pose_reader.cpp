@@ -19,26 +19,29 @@ struct OpenDatabase {
 }  // namespace
 
 struct PoseReader::State {
-  std::vector<std::unique_ptr<OpenDatabase>> databases;  ///< one a source; none of tables
+  std::vector<DataSource> sources;
+  std::vector<std::unique_ptr<OpenDatabase>> databases;  ///< one a source, from the first trial with a log
   std::vector<Pose> poses;
 };
 
 PoseReader::PoseReader(const std::vector<DataSource>& sources) : state_(std::make_unique<State>()) {
   for (const DataSource& source : sources) {
-    const bool isDatabase = source.form == DataSource::Form::kDatabase;
-    state_->databases.push_back(
-        isDatabase ? withSqliteErrors(source.path, [&] { return std::make_unique<OpenDatabase>(source.path); })
-                   : nullptr);
+    state_->sources.push_back({source.path, source.form});
   }
+  state_->databases.resize(sources.size());
 }
 
 PoseReader::~PoseReader() = default;
 
 const std::vector<Pose>& PoseReader::posesOf(const Trial& trial) {
   state_->poses.clear();
-  const auto& open = state_->databases[static_cast<size_t>(trial.source)];
-  if (open == nullptr || trial.frames == 0) {
+  const DataSource& source = state_->sources[static_cast<size_t>(trial.source)];
+  if (source.form != DataSource::Form::kDatabase || trial.frames == 0) {
     return state_->poses;
+  }
+  auto& open = state_->databases[static_cast<size_t>(trial.source)];
+  if (open == nullptr) {
+    open = withSqliteErrors(source.path, [&] { return std::make_unique<OpenDatabase>(source.path); });
   }
   withSqliteErrors(open->path, [&] {
     open->frames.reset();

@@ -11,13 +11,14 @@ namespace ocelli {
 
 class PoseReader {
  public:
-  /// Opens the databases among the sources, to read them; tables hold no poses. Throws AnalysisError as readDatabase().
+  /// Of the databases among the sources; tables hold no poses.
   explicit PoseReader(const std::vector<DataSource>& sources);
   ~PoseReader();
   PoseReader(const PoseReader&) = delete;
   PoseReader& operator=(const PoseReader&) = delete;
 
-  /// Of a trial, in the order of its frames; empty where none are stored. Valid until the next call.
+  /// Of a trial, in the order of its frames; empty where none are stored. Valid until the next call. Opens a database
+  /// for the first of its trials that has any; throws AnalysisError as readDatabase().
   const std::vector<Pose>& posesOf(const Trial& trial);
 
  private:

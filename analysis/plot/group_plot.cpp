@@ -40,8 +40,11 @@ AxisRange rangeOf(const GroupPlot& plot) {
   }
   AxisRange range = AxisRange::of(values, plot.scale);
   if (plot.percent) {
+    range = {};
     range.percent = true;
-    range = range.with(0).with(1);
+    for (const double value : values) {
+      range = std::isfinite(value) ? range.with(value) : range;
+    }
   } else if (plot.fromZero && plot.scale == AxisScale::kLinear) {
     range = range.with(0);
   }
@@ -82,7 +85,7 @@ class Painter {
   static double stepOf(const GroupPlot& plot, const Panel& panel) {
     const double share = kGroupShare / static_cast<double>(plot.series.size());
     // Lines from condition to condition want their series side by side, not across the whole width.
-    return panel.categoryWidth() * (plot.connected ? std::min(share, 0.12) : share);
+    return panel.categoryWidth() * (plot.connected ? std::min(share, plot.linked ? 0.12 : 0.24) : share);
   }
 
   SeriesStyle styleOf(size_t series, size_t condition) const {
@@ -207,7 +210,9 @@ std::string descriptionOf(const GroupPlot& plot) {
   return text;
 }
 
-std::vector<LegendEntry> legendOf(const GroupPlot& plot) {
+}  // namespace
+
+std::vector<LegendEntry> groupLegend(const GroupPlot& plot) {
   std::vector<LegendEntry> entries;
   if (!plot.styleByCondition) {
     for (size_t s = 0; s < plot.series.size(); ++s) {
@@ -221,8 +226,6 @@ std::vector<LegendEntry> legendOf(const GroupPlot& plot) {
   return entries;
 }
 
-}  // namespace
-
 Figure groupFigure(const GroupPlot& plot) {
   const bool any = !plot.conditions.empty() && std::any_of(plot.series.begin(), plot.series.end(), [&](const auto& s) {
     return std::any_of(s.groups.begin(), s.groups.end(),
@@ -232,7 +235,7 @@ Figure groupFigure(const GroupPlot& plot) {
     return emptyFigure(plot.title, plot.widthMillimetres, "no trial has a value to show");
   }
   Figure figure{plot.title, descriptionOf(plot), plot.widthMillimetres * kPointsPerMillimetre, 0, {}};
-  const double legend = drawLegend(figure.drawing, {0, 0, figure.width, 0}, legendOf(plot));
+  const double legend = plot.legend ? drawLegend(figure.drawing, {0, 0, figure.width, 0}, groupLegend(plot)) : 0;
   const double rows = static_cast<double>(plot.conditions.size() * std::max<size_t>(plot.series.size(), 1));
   figure.height = plot.heightMillimetres > 0 ? plot.heightMillimetres * kPointsPerMillimetre
                   : plot.rows                ? legend + rows * kRowHeight + 36

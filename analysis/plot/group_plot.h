@@ -39,6 +39,7 @@ struct GroupPlot {
   bool connected = false;  ///< summaries of a series, by lines
   bool linked = false;     ///< raw values of a subject, by faint lines
   bool styleByCondition = false;
+  bool legend = true;               ///< or a figure_grid.h has it
   std::optional<double> reference;  ///< a line across: chance
   std::string referenceName;
   double widthMillimetres = kSingleColumnMillimetres;
@@ -46,5 +47,6 @@ struct GroupPlot {
 };
 
 Figure groupFigure(const GroupPlot& plot);
+std::vector<LegendEntry> groupLegend(const GroupPlot& plot);
 
 }  // namespace ocelli

@@ -21,15 +21,9 @@
 namespace ocelli {
 namespace {
 
-constexpr double kUsualLimit = 60;  // s, section 7.4.2
 /// Rows that are fitted again without cases, at most: linear models take some microseconds a row, others more.
 constexpr size_t kMostLinearRows = 2000000;
 constexpr size_t kMostOtherRows = 400000;
-
-TrialList withoutTimeouts(TrialList trials) {
-  std::erase_if(trials, isCensored);
-  return trials;
-}
 
 SurvivalPlot::Curve plotCurve(const std::string& name, const SurvivalCurve& curve,
                               const std::vector<double>& riskTimes) {
@@ -268,14 +262,6 @@ void addCases(ReportWork& work, const TrialList& trials) {
 }
 
 }  // namespace
-
-double searchLimit(const TrialList& trials) {
-  double limit = 0;
-  for (const Trial* trial : trials) {
-    limit = std::max(limit, trial->longestSeconds.value_or(0));
-  }
-  return limit > 0 ? limit : kUsualLimit;
-}
 
 void addFindSection(ReportWork& work) {
   addHeading(work.document, 1, "Finding objects", "find");

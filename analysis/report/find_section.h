@@ -7,7 +7,4 @@ namespace ocelli {
 
 void addFindSection(ReportWork& work);
 
-/// Seconds after which searches were ended: the longest of the trials, or that of section 7.4.2 where none says.
-double searchLimit(const TrialList& trials);
-
 }  // namespace ocelli

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/plot/utf8.h"
-#include "analysis/report/find_section.h"
 #include "analysis/report/path_section.h"
 #include "analysis/report/r_functions.h"
 #include "analysis/report/report_parts.h"

@@ -19,21 +19,20 @@ bool hasTerm(const PlannedModel& model, const std::string& term) {
   });
 }
 
-std::vector<RowRef> rowsOf(const TrialList& trials) {
-  std::vector<RowRef> rows;
-  rows.reserve(trials.size());
+}  // namespace
+
+OriginRows originRowsOf(const TrialList& trials) {
+  OriginRows origin;
+  origin.rows.reserve(trials.size());
   for (const Trial* trial : trials) {
-    rows.push_back({trial->source, trial->trialId});
+    origin.rows.push_back({trial->source, trial->trialId});
   }
-  return rows;
+  return origin;
 }
 
 OriginRows originRowsOf(const EstimateRow& row) {
-  return row.answers.empty() ? OriginRows{rowsOf(row.trials), Cell::From::kTrials}
-                             : OriginRows{row.answers, Cell::From::kAnswers};
+  return row.answers.empty() ? originRowsOf(row.trials) : OriginRows{row.answers, Cell::From::kAnswers};
 }
-
-}  // namespace
 
 std::string planName(const AnalysisPlan& plan) {
   return plan.isRegistered() ? "the plan" : "the default plan";
@@ -111,6 +110,26 @@ void addNotEstimable(ReportDocument& document, const std::string& what, const st
   document.add(ReportNote{NoteKind::kNotEstimable, fmt::format("{}: {}.", what, reason)});
 }
 
+void ReasonNotes::add(const std::string& what, const std::string& reason) {
+  const auto said = std::find_if(notes_.begin(), notes_.end(), [&](const auto& note) { return note.first == reason; });
+  if (said == notes_.end()) {
+    notes_.push_back({reason, {what}});
+  } else {
+    said->second.push_back(what);
+  }
+}
+
+void ReasonNotes::write(ReportDocument& document) const {
+  for (const auto& [reason, labels] : notes_) {
+    const size_t named = labels.size() > kMostNamed ? kMostNamed - 1 : labels.size();
+    std::string what = fmt::format("{}", fmt::join(labels.begin(), labels.begin() + static_cast<int>(named), "; "));
+    if (named < labels.size()) {
+      what += fmt::format(" and {} more", labels.size() - named);
+    }
+    addNotEstimable(document, what, reason);
+  }
+}
+
 void addEstimates(ReportDocument& document, const std::string& caption, const std::string& id,
                   const std::vector<EstimateRow>& rows) {
   ReportTable table{caption, id, {{"What", "", true}, {"Estimate"}, {"95 % interval"}, {"p"}}, {}};
@@ -143,27 +162,13 @@ void addEstimates(ReportDocument& document, const std::string& caption, const st
     document.add(table);
     origins.finish();
   }
-  // A reason that several share is said once.
-  std::vector<std::pair<std::string, std::vector<std::string>>> reasons;
+  ReasonNotes reasons;
   for (const EstimateRow& row : rows) {
     if (!row.estimate) {
-      const auto said = std::find_if(reasons.begin(), reasons.end(),
-                                     [&](const auto& each) { return each.first == row.estimate.reason(); });
-      if (said == reasons.end()) {
-        reasons.push_back({row.estimate.reason(), {row.label}});
-      } else {
-        said->second.push_back(row.label);
-      }
+      reasons.add(row.label, row.estimate.reason());
     }
   }
-  for (const auto& [reason, labels] : reasons) {
-    const size_t named = labels.size() > kMostNamed ? kMostNamed - 1 : labels.size();
-    std::string what = fmt::format("{}", fmt::join(labels.begin(), labels.begin() + static_cast<int>(named), "; "));
-    if (named < labels.size()) {
-      what += fmt::format(" and {} more", labels.size() - named);
-    }
-    addNotEstimable(document, what, reason);
-  }
+  reasons.write(document);
 }
 
 void addValues(ReportDocument& document, const std::string& caption, const std::string& id,
@@ -171,8 +176,8 @@ void addValues(ReportDocument& document, const std::string& caption, const std::
   ReportTable table{caption, id, {{"What", "", true}, {"Value"}}, {}};
   OriginTable origins(document.origins, id, caption, {"value"});
   for (const ValueRow& row : rows) {
-    const std::string origin = origins.addRow(row.label, row.source, {rowsOf(row.trials), Cell::From::kTrials}, "",
-                                              {row.value.value_or(kNotKnown)});
+    const std::string origin =
+        origins.addRow(row.label, row.source, originRowsOf(row.trials), "", {row.value.value_or(kNotKnown)});
     table.rows.push_back(
         {ReportCell{row.label}, ReportCell{row.text, origin.empty() ? "" : fmt::format("{}/value", origin),
                                            origins.sourceText(row.source), row.value}});

@@ -61,6 +61,9 @@ struct EstimateRow {
   TrialList trials{};             ///< that it came from
   std::vector<RowRef> answers{};  ///< or these
 };
+OriginRows originRowsOf(const TrialList& trials);
+OriginRows originRowsOf(const EstimateRow& row);
+
 /// Columns: what, estimate, 95 % interval, p. Reasons stand below the table as notes. Cells that came from trials or
 /// answers are named ID/LABEL/estimate, lower, upper and p in the document's origins.
 void addEstimates(ReportDocument& document, const std::string& caption, const std::string& id,
@@ -84,6 +87,16 @@ Interval intervalOf(const Estimate& estimate);
 
 void addHeading(ReportDocument& document, int level, const std::string& text, const std::string& id = "");
 void addNotEstimable(ReportDocument& document, const std::string& what, const std::string& reason);
+/// The same for many things at once: one note a reason.
+class ReasonNotes {
+ public:
+  void add(const std::string& what, const std::string& reason);
+  void write(ReportDocument& document) const;
+
+ private:
+  std::vector<std::pair<std::string, std::vector<std::string>>> notes_{};  ///< reasons, with all that they are of
+};
+
 /// Whose columns the terms of a planned model can be made of: the others lack a value.
 TrialList completeTrials(const PlannedModel& model, const TrialList& trials);
 /// "500 trials of 45 subjects".

@@ -6,9 +6,27 @@
 #include "analysis/report/resampled_effects.h"
 
 namespace ocelli {
+namespace {
+
+constexpr double kUsualLimit = 60;  // s, section 7.4.2
+
+}  // namespace
 
 bool isCensored(const Trial* trial) {
   return trial->censored.value_or(false);
+}
+
+TrialList withoutTimeouts(TrialList trials) {
+  std::erase_if(trials, isCensored);
+  return trials;
+}
+
+double searchLimit(const TrialList& trials) {
+  double limit = 0;
+  for (const Trial* trial : trials) {
+    limit = std::max(limit, trial->longestSeconds.value_or(0));
+  }
+  return limit > 0 ? limit : kUsualLimit;
 }
 
 std::vector<bool> areGraph(const TrialList& trials) {

@@ -9,6 +9,9 @@
 namespace ocelli {
 
 bool isCensored(const Trial* trial);
+TrialList withoutTimeouts(TrialList trials);
+/// Seconds after which searches were ended: the longest of the trials, or that of section 7.4.2 where none says.
+double searchLimit(const TrialList& trials);
 std::vector<bool> areGraph(const TrialList& trials);
 std::vector<SurvivalTime> timesOf(const TrialList& trials, TimeoutTreatment timeouts);
 

@@ -4,10 +4,13 @@
 
 #include "analysis/dataset/csv_table.h"
 #include "analysis/dataset/protocol_facts.h"
+#include "analysis/report/completers_section.h"
 #include "analysis/report/count_section.h"
 #include "analysis/report/find_section.h"
 #include "analysis/report/flow_section.h"
+#include "analysis/report/learning_section.h"
 #include "analysis/report/methods_section.h"
+#include "analysis/report/navigation_section.h"
 #include "analysis/report/paper_section.h"
 #include "analysis/report/path_section.h"
 #include "analysis/report/r_script.h"
@@ -113,12 +116,23 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   addPaperSection(work, tables);
   if (work.isWanted("find")) {
     addFindSection(work);
+    addNavigationSection(work);
   }
   if (work.isWanted("count")) {
     addCountSection(work);
   }
   if (work.isWanted("path")) {
     addPathSection(work);
+  }
+  std::vector<std::string> tasks;
+  for (const char* task : {"find", "count", "path"}) {
+    if (work.isWanted(task)) {
+      tasks.emplace_back(task);
+    }
+  }
+  if (!tasks.empty()) {
+    addLearningSection(work, tasks);
+    addCompletersSection(work, tasks);
   }
   if (work.isWanted("survey")) {
     addSurveySection(work);

@@ -207,6 +207,12 @@ w <- location(d)$statistic
 biserial <- 2 * w / 105 - 1
 put("effect/biserial", biserial, tanh(atanh(biserial) + c(-1, 1) * qnorm(0.975) * sqrt(14 * 15 * 29 / 6) / 105))
 
+# Means.
+student <- function(t, estimate) c(estimate, t$conf.int, t$statistic, t$parameter, t$p.value)
+put("student/mean", student(t.test(first), mean(first)))
+put("student/mean80", student(t.test(first, conf.level = 0.8), mean(first)))
+put("student/welch", student(t.test(other, first), mean(other) - mean(first)))
+
 # Proportional odds.
 set.seed(23)
 odds <- data.frame(x = rep(0:1, each = 30), age = rnorm(60, 25, 4))

@@ -150,5 +150,17 @@ TEST(MazeFloor, drawingsMustBeMazes) {
   EXPECT_THAT(analysisErrorOf([&] { MazeFloor{maze}; }), HasSubstr("none of a maze"));
 }
 
+TEST(MazeFloor, wallLinesAreTheDrawing) {
+  const ProtocolMaze maze = smallMaze();
+  const MazeFloor floor(maze);
+  const auto lines = wallLines(maze);
+  EXPECT_EQ(lines.size(), 11u);
+  EXPECT_THAT(lines, ::testing::Contains(std::array{2.0, 2.0, 4.0, 2.0}));
+  for (const auto& [x0, z0, x1, z1] : lines) {
+    EXPECT_TRUE(isInWall(maze, (x0 + x1) / 2, (z0 + z1) / 2)) << x0 << " " << z0;
+    EXPECT_FALSE(floor.isClear({x0, z0}, {x1, z1}));
+  }
+}
+
 }  // namespace
 }  // namespace ocelli::test

@@ -78,11 +78,13 @@ TEST_F(Navigation, saysWhatIsNotKnown) {
   const NavigationData data = navigationOf(readDatabase(path));
   ASSERT_EQ(data.searches.size(), 2u);
   EXPECT_FALSE(data.searches[0].travelSeconds);
+  EXPECT_TRUE(data.searches[0].objectIsKnown);
+  EXPECT_FALSE(data.searches[1].objectIsKnown);
   EXPECT_EQ(data.searches[0].travelSeconds.reason(), "the object never came into straight sight");
   EXPECT_EQ(*data.searches[0].shortestToObjectMeters, 8.0);
   EXPECT_EQ(data.searches[1].shortestToObjectMeters.reason(), "the protocol does not tell where the object stands");
   EXPECT_EQ(data.searchesWithoutLog, 1);
-  EXPECT_THAT(data.notes[0], HasSubstr("1 searches have no log"));
+  EXPECT_THAT(data.notes[0], HasSubstr("1 search has no log"));
 }
 
 TEST_F(Navigation, timeOutsHaveNoDetection) {

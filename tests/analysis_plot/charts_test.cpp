@@ -125,6 +125,32 @@ TEST(GroupPlot, moreThanCanBeDrawnIsSaid) {
   EXPECT_EQ(boxesOf(figure, "point").size(), 1200U + 125);
 }
 
+TEST(GroupPlot, sharesThatAreAllAlikeStillEndAtOne) {
+  GroupPlot plot;
+  plot.title = "All right";
+  plot.percent = true;
+  plot.conditions = {"1"};
+  plot.series = {{"ppc", {{{1, 1, 1}, {1, 1}}}}};
+  EXPECT_THAT(textsOf(groupFigure(plot), "tick label").back(), testing::StartsWith("100"));
+}
+
+TEST(FigureGrid, chartsStandBesideEachOtherUnderTheirTitles) {
+  const FigureGrid grid = sampleGrid();
+  const Figure figure = gridFigure(grid);
+  const std::vector<PlotBox> titles = boxesOf(figure, "chart title");
+  ASSERT_EQ(titles.size(), 3U);
+  EXPECT_EQ(titles[0].top, titles[1].top);
+  EXPECT_NEAR(titles[1].left - titles[0].left, figure.width / 2 + kGridGapPoints / 2, 1e-9);
+  EXPECT_EQ(titles[2].left, titles[0].left);
+  EXPECT_GT(titles[2].top, titles[0].top + grid.figures[0].height);
+  size_t points = 0;
+  for (const Figure& each : grid.figures) {
+    points += boxesOf(each, "point").size();
+  }
+  EXPECT_EQ(boxesOf(figure, "point").size(), points);
+  EXPECT_EQ(textsOf(figure, "legend").size(), grid.legend.size());
+}
+
 TEST(PairedPlot, linesJoinTheValuesOfASubject) {
   PairedPlot plot;
   plot.title = "Two subjects";

@@ -300,6 +300,18 @@ ForestPlot sampleForest() {
   return plot;
 }
 
+FigureGrid sampleGrid() {
+  FigureGrid grid;
+  grid.title = "Learning: times, and times again";
+  for (GroupPlot plot : {sampleLearning(), sampleLearning(), sampleStrip()}) {
+    plot.legend = false;
+    plot.widthMillimetres = grid.columnMillimetres();
+    grid.legend = groupLegend(sampleLearning());
+    grid.figures.push_back(groupFigure(plot));
+  }
+  return grid;
+}
+
 HeatMap sampleHeat() {
   SampleNumbers numbers(4);
   HeatMap map;
@@ -333,7 +345,7 @@ std::vector<SampleFigure> sampleFigures() {
           {"ratings", ratingFigure(sampleRatings())},  {"forest", forestFigure(sampleForest())},
           {"errors", histogramFigure(sampleErrors())}, {"heat", heatFigure(sampleHeat())},
           {"check", modelCheckFigure(sampleCheck())},  {"power", powerFigure(samplePower())},
-          {"flow", flowFigure(sampleFlow())}};
+          {"flow", flowFigure(sampleFlow())},          {"grid", gridFigure(sampleGrid())}};
 }
 
 std::vector<SampleFigure> emptyFigures() {
@@ -359,10 +371,12 @@ std::vector<SampleFigure> emptyFigures() {
   power.title = title;
   FlowDiagram flow;
   flow.title = title;
+  FigureGrid grid;
+  grid.title = title;
   return {{"group", groupFigure(group)},     {"paired", pairedFigure(paired)},   {"survival", survivalFigure(survival)},
           {"ratings", ratingFigure(rating)}, {"forest", forestFigure(forest)},   {"errors", histogramFigure(histogram)},
           {"heat", heatFigure(heat)},        {"check", modelCheckFigure(check)}, {"power", powerFigure(power)},
-          {"flow", flowFigure(flow)}};
+          {"flow", flowFigure(flow)},        {"grid", gridFigure(grid)}};
 }
 
 std::vector<SampleFigure> tinyFigures() {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/plot/figure.h"
+#include "analysis/plot/figure_grid.h"
 #include "analysis/plot/forest_plot.h"
 #include "analysis/plot/group_plot.h"
 #include "analysis/plot/heat_map.h"
@@ -32,6 +33,7 @@ struct SampleFigure {
 
 GroupPlot sampleLearning();
 GroupPlot sampleCases();
+FigureGrid sampleGrid();
 SurvivalPlot sampleSurvival();
 ForestPlot sampleForest();
 HeatMap sampleHeat();

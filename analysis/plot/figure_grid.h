@@ -1,0 +1,27 @@
+// Several charts of the same series as one figure: a title above each, one legend above them all.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/plot/figure.h"
+#include "analysis/plot/panel.h"
+
+namespace ocelli {
+
+inline constexpr double kGridGapPoints = 12;
+
+struct FigureGrid {
+  std::string title;
+  std::vector<LegendEntry> legend;
+  std::vector<Figure> figures;  ///< row by row; their own titles stand above them
+  size_t columns = 2;
+  double widthMillimetres = kDoubleColumnMillimetres;
+
+  /// That charts must have to fill it.
+  double columnMillimetres() const;
+};
+
+Figure gridFigure(const FigureGrid& grid);
+
+}  // namespace ocelli
