@@ -52,6 +52,9 @@ std::string nowUtc() {
 }
 
 void analyse(const AnalyseChoice& choice, const Frame& frame) {
+  if (!choice.folder.empty()) {
+    checkReportFolder(choice.folder);
+  }
   std::vector<Dataset> parts;
   for (const std::string& source : choice.sources) {
     parts.push_back(readSource(source, choice.protocol));
@@ -68,6 +71,7 @@ void analyse(const AnalyseChoice& choice, const Frame& frame) {
   options.only = {choice.only.begin(), choice.only.end()};
   options.version = OCELLI_VERSION;
   options.created = nowUtc();
+  options.progress = frame.progress();
   const ReportDocument report = studyReport(analysis, tables, options);
   if (!choice.explain.empty()) {
     frame.print(explainCell(report.origins.tables, analysis.data, choice.explain));

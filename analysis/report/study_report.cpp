@@ -114,23 +114,34 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   addDesign(work, options);
   addFlowSection(work);
   addPaperSection(work, tables);
-  if (work.isWanted("find")) {
-    addFindSection(work);
-    addNavigationSection(work);
-  }
-  if (work.isWanted("count")) {
-    addCountSection(work);
-  }
-  if (work.isWanted("path")) {
-    addPathSection(work);
-  }
   std::vector<std::string> tasks;
   for (const char* task : {"find", "count", "path"}) {
     if (work.isWanted(task)) {
       tasks.emplace_back(task);
     }
   }
+  const auto tell = [&](const char* stage, double done) {
+    if (options.progress) {
+      options.progress(stage, done);
+    }
+  };
+  // How far it is with all tasks, by what parts of a study of 45 subjects take.
+  if (work.isWanted("find")) {
+    tell("searches", 0);
+    addFindSection(work);
+    tell("navigation", 0.4);
+    addNavigationSection(work);
+  }
+  if (work.isWanted("count")) {
+    tell("counts", 0.5);
+    addCountSection(work);
+  }
+  if (work.isWanted("path")) {
+    tell("paths", 0.9);
+    addPathSection(work);
+  }
   if (!tasks.empty()) {
+    tell("learning", 0.95);
     addLearningSection(work, tasks);
     addCompletersSection(work, tasks);
   }

@@ -1,8 +1,10 @@
 // The whole report of a study: design, flow of subjects, tables, what is asked of each task, hypotheses, methods.
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analysis/dataset/exclusions.h"
@@ -16,6 +18,8 @@ struct StudyReportOptions {
   std::set<std::string> only{};  ///< of "find", "count", "path", "survey"; empty: all
   std::string version;           ///< of the program
   std::string created = "2000-01-01T00:00:00Z";
+  /// Is told before each part of the work what it is, and how much is done, from 0 to 1. May be empty.
+  std::function<void(std::string_view stage, double done)> progress{};
 };
 
 ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table>& tables,
