@@ -169,6 +169,7 @@ void addSurvivalModel(ReportWork& work, const PlannedModel& model, const TrialLi
     rows.push_back({name, ratio, "", source, trials});
     for (const std::string& term : model.terms) {
       if (columnOfTerm(model, trials, term) == name) {
+        rows.back().label = labelOfTerm(term);
         work.outcomes.push_back({model.name, term, ratio.pValue});
       }
     }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <map>
 
 #include "analysis/models/binomial_mixed_model.h"
 #include "analysis/models/linear_mixed_model.h"
@@ -120,6 +121,22 @@ constexpr const char* kNoTrials = "there are no trials";
 
 }  // namespace
 
+std::string labelOfTerm(const std::string& term) {
+  static const std::map<std::string, std::string> kLabels{{"view", "view (gc / ppc)"},
+                                                          {"moving", "moving (yes / no)"},
+                                                          {"duplicates", "colours (shared / different)"},
+                                                          {"session", "session (each more)"},
+                                                          {"exposure", "exposure (each second more)"},
+                                                          {"objects", "objects (each more)"},
+                                                          {"trial", "trial (each later)"}};
+  const auto label = kLabels.find(term);
+  if (label != kLabels.end()) {
+    return label->second;
+  }
+  const size_t colon = term.find(':');
+  return colon == std::string::npos ? term : fmt::format("{} x {}", term.substr(0, colon), term.substr(colon + 1));
+}
+
 std::string columnOfTerm(const PlannedModel& model, const TrialList& trials, const std::string& term) {
   return columnOf(fixedEffects(model, trials, false), term);
 }
@@ -218,7 +235,7 @@ void addPlannedFit(ReportWork& work, const PlannedModel& model, const TrialList&
   const std::string source = fmt::format("model {} of {}", model.name, sizeText(trials));
   std::vector<EstimateRow> rows;
   for (const TermEstimate& term : fit->terms) {
-    rows.push_back({term.column.empty() ? term.term : term.column,
+    rows.push_back({labelOfTerm(term.term),
                     term.estimate ? Estimable<Estimate>(exponentiated(*term.estimate)) : term.estimate, "", source,
                     trials});
   }

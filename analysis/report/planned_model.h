@@ -52,6 +52,9 @@ Estimable<PlannedFit> fitBinomial(const PlannedModel& model, const TrialList& tr
 /// The columns of the terms that vary at all.
 std::vector<Covariate> covariatesOf(const PlannedModel& model, const TrialList& trials);
 
+/// For the reader, as ratios are read: "view (gc / ppc)", "session (each more)", "view x session".
+std::string labelOfTerm(const std::string& term);
+
 /// The plan's term with that column; empty where there is none.
 std::string columnOfTerm(const PlannedModel& model, const TrialList& trials, const std::string& term);
 
