@@ -39,12 +39,11 @@ void print(const CoverageResult& result, const char* studies) {
 
 void measure(const Choice& choice) {
   const Protocol protocol = readProtocol(choice.protocol);
-  const AnalysisPlan plan = defaultPlan();
   for (const CoverageScenario& scenario : coverageScenarios()) {
     if (!choice.only.empty() && std::find(choice.only.begin(), choice.only.end(), scenario.name) == choice.only.end()) {
       continue;
     }
-    const PlannedModel& model = *plan.findModel(scenario.model);
+    const PlannedModel model = modelOf(scenario);
     fmt::print("{} (model {}): {}\n", scenario.name, model.name, scenario.what);
     const std::clock_t start = std::clock();
     for (const bool null : {false, true}) {

@@ -269,6 +269,8 @@ std::vector<CoverageScenario> coverageScenarios() {
   SimulatedTruth sloped = count;
   sloped.ofSubjectViews = 0.4;
   add("count-slopes", "count-right", "subjects differ in the view's effect, which the model does not have", sloped);
+  add("count-slopes-fitted", "count-right", "the same, with slopes in the model", sloped);
+  scenarios.back().slopes = true;
   SimulatedTruth countAlike = count;
   countAlike.ofSubjects = countAlike.ofItems = 0;
   add("count-alike", "count-right", "neither subjects nor items differ", countAlike);
@@ -296,6 +298,8 @@ std::vector<CoverageScenario> coverageScenarios() {
   SimulatedTruth pathSloped = path;
   pathSloped.ofSubjectViews = 0.4;
   add("path-slopes", "path-right", "subjects differ in the view's effect, which the model does not have", pathSloped);
+  add("path-slopes-fitted", "path-right", "the same, with slopes in the model", pathSloped);
+  scenarios.back().slopes = true;
   SimulatedTruth pathAlike = path;
   pathAlike.ofSubjects = pathAlike.ofItems = 0;
   add("path-alike", "path-right", "neither subjects nor items differ", pathAlike);
@@ -314,6 +318,16 @@ std::vector<CoverageScenario> coverageScenarios() {
   guessing.effects = {};
   add("path-chance", "path-chance", "all guess", guessing);
   return scenarios;
+}
+
+PlannedModel modelOf(const CoverageScenario& scenario) {
+  PlannedModel model = *defaultPlan().findModel(scenario.model);
+  for (RandomEffect& effect : model.randomEffects) {
+    if (scenario.slopes && effect.group == "subject") {
+      effect.slopes = {"view"};
+    }
+  }
+  return model;
 }
 
 SimulatedStudy studyOf(const CoverageScenario& scenario, const Protocol& protocol, bool null) {

@@ -62,10 +62,13 @@ struct CoverageScenario {
   std::string what;   ///< one line
   SimulatedTruth truth;
   bool balanced = false;  ///< views are counterbalanced over subjects; else as in the protocol
+  bool slopes = false;    ///< the model has slopes of the view by subject, whether the plan's has or not
 };
 
 std::vector<CoverageScenario> coverageScenarios();
 
+/// The plan's, with what the scenario adds.
+PlannedModel modelOf(const CoverageScenario& scenario);
 SimulatedStudy studyOf(const CoverageScenario& scenario, const Protocol& protocol, bool null);
 /// The terms' truths by the names that a report has for them.
 std::map<std::string, double> reportedTruths(const CoverageScenario& scenario, const SimulatedStudy& study);

@@ -28,8 +28,7 @@ CoverageResult coverageOf(const std::string& name, bool null, int studies) {
   for (const CoverageScenario& scenario : coverageScenarios()) {
     if (scenario.name == name) {
       const SimulatedStudy study = studyOf(scenario, protocol, null);
-      return ocelli::coverageOf(*defaultPlan().findModel(scenario.model), study, reportedTruths(scenario, study),
-                                {studies, null ? 12u : 11u});
+      return ocelli::coverageOf(modelOf(scenario), study, reportedTruths(scenario, study), {studies, null ? 12u : 11u});
     }
   }
   ADD_FAILURE() << "there is no scenario " << name;
