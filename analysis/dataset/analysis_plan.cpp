@@ -43,7 +43,7 @@ AnalysisPlan defaultPlan() {
        "count",
        ModelKind::kBinomialMixed,
        {"view", "exposure", "duplicates", "session", "moving"},
-       {{"subject"}, {"case"}}},
+       {{"subject", {"view"}}, {"case"}}},
       {"count-matched", "count", ModelKind::kMcNemar},
       {"count-error", "count", ModelKind::kSignedError},
       {"path-right", "path", ModelKind::kBinomialMixed, {"view", "session"}, {{"subject"}, {"case"}}},
