@@ -54,9 +54,9 @@ void addDesign(ReportWork& work, const StudyReportOptions& options) {
       break;
     }
   }
-  work.document.add(
-      ReportParagraph{"Views: ppc is the planar pinhole camera, gc the graph camera. Intervals are of 95 % where "
-                      "nothing else is said."});
+  work.document.add(ReportParagraph{
+      "Views: ppc is the planar pinhole camera, gc the graph camera. Intervals are of 95 % where "
+      "nothing else is said. Outside of the section on hypotheses p values are not corrected for their number."});
   for (const std::string& note : analysis.data.notes) {
     work.document.add(ReportNote{NoteKind::kNote, note});
   }
