@@ -83,7 +83,8 @@ TEST_F(PowerSimulation, EquivalenceIsShownWhereThereIsSomeAndSeldomAtTheBound) {
   PowerWork work = workOf("path", {40, 100}, 150);
   work.bounds = equivalenceBoundsOf(plan_, "path");
   ASSERT_NE(work.bounds, nullptr);
-  const Truth alike = answers("path", 0.7, 0.7);
+  // So near to all right that the few cases of the protocol, which count as drawn too, leave differences small.
+  const Truth alike = answers("path", 0.9, 0.9);
   const auto curves = simulatePower(work, {alike, *truthAtBound(protocol_, alike, *work.bounds)});
   ASSERT_EQ(curves.size(), 3U);
   EXPECT_EQ(curves[0].test, PowerCurve::Test::kView);
