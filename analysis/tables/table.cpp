@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "analysis/dataset/csv_table.h"
@@ -11,7 +12,11 @@ namespace ocelli {
 namespace {
 
 std::string numberText(const Cell& cell) {
-  return fmt::format("{:.{}f}{}{}", *cell.value, cell.decimals, cell.unit.empty() ? "" : " ", cell.unit);
+  const double value = *cell.value;
+  // What is not 0 is not shown as 0.
+  const bool isSmall = value != 0 && std::abs(value) < 0.5 * std::pow(10, -cell.decimals);
+  const std::string number = isSmall ? fmt::format("{:.2g}", value) : fmt::format("{:.{}f}", value, cell.decimals);
+  return fmt::format("{}{}{}", number, cell.unit.empty() ? "" : " ", cell.unit);
 }
 
 /// Characters of a UTF-8 text.

@@ -35,6 +35,7 @@ TEST(TableCells, meansSayOfHowMany) {
   EXPECT_EQ(displayText(rightShareCell("t/b", {})), "no trials");
   EXPECT_EQ(displayText(lessByCell("t/d", removed, rightShareCell("t/b", {}))), "not to be had");
   EXPECT_EQ(displayText(publishedCell("t/e", 12.9, "s", "")), "12.9 s");
+  EXPECT_EQ(displayText(publishedCell("t/e", 0.00012, "", "")), "0.00012");
   EXPECT_EQ(displayText(publishedCell("t/e", std::nullopt, "s", "")), "not reported");
 }
 
