@@ -7,6 +7,7 @@
 
 #include "analysis/inference/distributions.h"
 #include "analysis/inference/sample.h"
+#include "analysis/inference/student.h"
 #include "analysis/inference/wald.h"
 
 namespace ocelli {
@@ -54,22 +55,12 @@ Estimable<EquivalenceTest> equivalenceOfPairedMeans(const std::vector<double>& d
 Estimable<EquivalenceTest> equivalenceOfMeans(const std::vector<double>& first, const std::vector<double>& second,
                                               const EquivalenceBounds& bounds, double alpha) {
   check(bounds, alpha, "equivalenceOfMeans");
-  requireFinite(first, "equivalenceOfMeans");
-  requireFinite(second, "equivalenceOfMeans");
-  if (first.size() < 2 || second.size() < 2) {
-    return Estimable<EquivalenceTest>::impossible(
-        fmt::format("the groups have {} and {} values, and 2 in each are needed", first.size(), second.size()));
+  const Estimable<Estimate> difference = welchDifference(first, second);
+  if (!difference) {
+    return Estimable<EquivalenceTest>::impossible(difference.reason());
   }
-  const SampleMoments a = momentsOf(first);
-  const SampleMoments b = momentsOf(second);
-  const double squareA = a.variance / a.count;
-  const double squareB = b.variance / b.count;
-  if (squareA + squareB == 0) {
-    return Estimable<EquivalenceTest>::impossible("in each group all values are the same");
-  }
-  const double degrees = (squareA + squareB) * (squareA + squareB) /
-                         (squareA * squareA / (a.count - 1) + squareB * squareB / (b.count - 1));
-  EquivalenceTest test = equivalenceOf(b.mean - a.mean, std::sqrt(squareA + squareB), degrees, bounds, alpha);
+  EquivalenceTest test =
+      equivalenceOf(difference->value, difference->standardError, difference->degreesOfFreedom, bounds, alpha);
   test.first = first.size();
   test.second = second.size();
   return test;
