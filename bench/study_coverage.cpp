@@ -323,8 +323,8 @@ std::vector<CoverageScenario> coverageScenarios() {
 PlannedModel modelOf(const CoverageScenario& scenario) {
   PlannedModel model = *defaultPlan().findModel(scenario.model);
   for (RandomEffect& effect : model.randomEffects) {
-    if (scenario.slopes && effect.group == "subject") {
-      effect.slopes = {"view"};
+    if (model.kind == ModelKind::kBinomialMixed && effect.group == "subject") {
+      effect.slopes = scenario.slopes ? std::vector<std::string>{"view"} : std::vector<std::string>{};
     }
   }
   return model;

@@ -62,12 +62,12 @@ struct CoverageScenario {
   std::string what;   ///< one line
   SimulatedTruth truth;
   bool balanced = false;  ///< views are counterbalanced over subjects; else as in the protocol
-  bool slopes = false;    ///< the model has slopes of the view by subject, whether the plan's has or not
+  bool slopes = false;    ///< a binomial model has slopes of the view by subject, whether the plan's has or not
 };
 
 std::vector<CoverageScenario> coverageScenarios();
 
-/// The plan's, with what the scenario adds.
+/// The plan's, but for slopes of binomial models, which are the scenario's.
 PlannedModel modelOf(const CoverageScenario& scenario);
 SimulatedStudy studyOf(const CoverageScenario& scenario, const Protocol& protocol, bool null);
 /// The terms' truths by the names that a report has for them.
