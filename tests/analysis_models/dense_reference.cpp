@@ -37,13 +37,12 @@ MatrixXd denseRandomColumns(const std::vector<RandomTerm>& terms, const VectorXd
     }
     const Index before = columns.cols();
     const auto levels = static_cast<Index>(term.levels.size());
-    MatrixXd wider = MatrixXd::Zero(term.columns.rows(), before + levels * effects);
-    wider.leftCols(before) = columns;
+    columns.conservativeResize(term.columns.rows(), before + levels * effects);
+    columns.rightCols(levels * effects).setZero();
     for (Index row = 0; row < term.columns.rows(); ++row) {
       const Index level = term.levelOfRow[static_cast<size_t>(row)];
-      wider.block(row, before + level * effects, 1, effects) = term.columns.row(row) * lower;
+      columns.block(row, before + level * effects, 1, effects) = term.columns.row(row) * lower;
     }
-    columns = wider;
   }
   return columns;
 }
