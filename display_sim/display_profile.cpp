@@ -11,6 +11,7 @@ namespace ocelli {
 namespace {
 
 constexpr const char* kSecondHalfTurnNames[] = {"mirrored", "own"};
+constexpr const char* kChannelTimingNames[] = {"together", "in_turn"};
 
 std::string readName(JsonFields& fields) {
   const std::string name = fields.text("name");
@@ -22,21 +23,24 @@ std::string readName(JsonFields& fields) {
   return name;
 }
 
-SecondHalfTurn readSecondHalfTurn(JsonFields& fields) {
-  const std::string text = fields.text("second_half_turn", kSecondHalfTurnNames[0]);
-  if (text == kSecondHalfTurnNames[0]) {
-    return SecondHalfTurn::kMirrored;
+/// Which of two names stands in a field; the first where the field is missing.
+int readEither(JsonFields& fields, const char* field, const char* const (&names)[2]) {
+  const std::string text = fields.text(field, names[0]);
+  if (text != names[0] && text != names[1]) {
+    fields.fail(field, std::string("must be \"") + names[0] + "\" or \"" + names[1] + "\"");
   }
-  if (text != kSecondHalfTurnNames[1]) {
-    fields.fail("second_half_turn", "must be \"mirrored\" or \"own\"");
-  }
-  return SecondHalfTurn::kOwn;
+  return text == names[1] ? 1 : 0;
 }
 
 }  // namespace
 
 int DisplayProfile::storedSlices() const {
   return secondHalfTurn == SecondHalfTurn::kOwn ? 2 * slicesPerHalfTurn : slicesPerHalfTurn;
+}
+
+size_t DisplayProfile::volumeBytes() const {
+  const size_t planeBytes = (static_cast<size_t>(width) + 7) / 8 * static_cast<size_t>(height);
+  return planeBytes * static_cast<size_t>(3 * colorBitsPerChannel) * static_cast<size_t>(storedSlices());
 }
 
 double DisplayProfile::refreshHertz() const {
@@ -54,16 +58,16 @@ DisplayProfile profileFromJsonText(const std::string& text, const std::string& w
   profile.slicesPerHalfTurn = fields.integer("slices_per_half_turn", 2, 4096);
   profile.width = fields.integer("width", 2, kMostSliceSide);
   profile.height = fields.integer("height", 1, kMostSliceSide);
-  profile.colorBitsPerChannel = fields.integer("color_bits_per_channel", 1, 1, 1);
+  profile.colorBitsPerChannel = fields.integer("color_bits_per_channel", 1, 8, 1);
+  profile.channelTiming = static_cast<ChannelTiming>(readEither(fields, "channel_timing", kChannelTimingNames));
   profile.rotationsPerMinute = fields.number("rotations_per_minute", 0.001, 1e6);
-  profile.secondHalfTurn = readSecondHalfTurn(fields);
+  profile.secondHalfTurn = static_cast<SecondHalfTurn>(readEither(fields, "second_half_turn", kSecondHalfTurnNames));
   profile.viewingDistanceMetres =
       fields.number("viewing_distance_metres", 0.001, 1e4, kDefaultEyeDistance * profile.radiusMetres);
   fields.rejectUnknown();
-  const size_t planeBytes = (static_cast<size_t>(profile.width) + 7) / 8 * static_cast<size_t>(profile.height);
-  if (planeBytes * 3 * static_cast<size_t>(profile.storedSlices()) > kMostVolumeBytes) {
+  if (profile.volumeBytes() > kMostVolumeBytes) {
     throw InputError("a volume of this display would take more than 2 GiB", where,
-                     "lower \"slices_per_half_turn\", \"width\" or \"height\"");
+                     "lower \"slices_per_half_turn\", \"width\", \"height\" or \"color_bits_per_channel\"");
   }
   return profile;
 }
@@ -81,6 +85,7 @@ std::string jsonText(const DisplayProfile& profile) {
   json["width"] = profile.width;
   json["height"] = profile.height;
   json["color_bits_per_channel"] = profile.colorBitsPerChannel;
+  json["channel_timing"] = kChannelTimingNames[static_cast<int>(profile.channelTiming)];
   json["rotations_per_minute"] = profile.rotationsPerMinute;
   json["second_half_turn"] = kSecondHalfTurnNames[static_cast<int>(profile.secondHalfTurn)];
   json["viewing_distance_metres"] = profile.viewingDistanceMetres;

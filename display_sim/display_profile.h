@@ -20,6 +20,11 @@ enum class SecondHalfTurn {
   kOwn,       ///< has slices of its own, at the same planes but dithered on their own
 };
 
+enum class ChannelTiming {
+  kTogether,  ///< red, green and blue of a slice are on during its whole arc
+  kInTurn,    ///< red during the first third of the arc, green during the second, blue during the last
+};
+
 struct DisplayProfile {
   std::string name;
   double radiusMetres = 0.127;
@@ -27,13 +32,16 @@ struct DisplayProfile {
   int slicesPerHalfTurn = 0;   ///< N of the conventions: slice i lies at i pi / N
   int width = 0;
   int height = 0;
-  int colorBitsPerChannel = 1;
+  int colorBitsPerChannel = 1;  ///< 1 to 8; levels are equal steps of light
+  ChannelTiming channelTiming = ChannelTiming::kTogether;
   double rotationsPerMinute = 720;
   SecondHalfTurn secondHalfTurn = SecondHalfTurn::kMirrored;
   double viewingDistanceMetres = 1.27;
 
   /// Slices that a volume holds: those of a half turn, or of a whole turn where the second half has its own.
   int storedSlices() const;
+  /// Of all bit planes of a volume.
+  size_t volumeBytes() const;
   /// How often a second every stored slice has been shown once.
   double refreshHertz() const;
   double viewingDistanceRadii() const { return viewingDistanceMetres / radiusMetres; }

@@ -20,7 +20,7 @@ double overlap(double lo, double hi, int pixel) {
 
 }  // namespace
 
-void LightImage::add(double u, double v, double boxWidth, double boxHeight, double light, unsigned colorBits) {
+void LightImage::add(double u, double v, double boxWidth, double boxHeight, double light, const glm::dvec3& color) {
   const double left = u - boxWidth / 2;
   const double right = u + boxWidth / 2;
   const double top = v - boxHeight / 2;
@@ -28,18 +28,15 @@ void LightImage::add(double u, double v, double boxWidth, double boxHeight, doub
   const PixelSpan columns(left, right, width_);
   const PixelSpan rows(top, bottom, height_);
   const double density = light * kLightUnit / (boxWidth * boxHeight);
-  const uint64_t red = colorBits & 1u;
-  const uint64_t green = colorBits >> 1 & 1u;
-  const uint64_t blue = colorBits >> 2 & 1u;
   for (int row = rows.first; row < rows.end; ++row) {
     const double rowDensity = density * overlap(top, bottom, row);
     FixedLight* pixels = pixels_.data() + static_cast<size_t>(row) * static_cast<size_t>(width_);
     for (int column = columns.first; column < columns.end; ++column) {
-      const auto share = static_cast<uint64_t>(rowDensity * overlap(left, right, column) + 0.5);
+      const glm::dvec3 share = color * (rowDensity * overlap(left, right, column)) + 0.5;
       FixedLight& pixel = pixels[column];
-      pixel[0] += share * red;
-      pixel[1] += share * green;
-      pixel[2] += share * blue;
+      pixel[0] += static_cast<uint64_t>(share.x);
+      pixel[1] += static_cast<uint64_t>(share.y);
+      pixel[2] += static_cast<uint64_t>(share.z);
     }
   }
 }

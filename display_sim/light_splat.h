@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <vector>
 
 namespace ocelli {
@@ -17,9 +18,9 @@ class LightImage {
   LightImage(int width, int height)
       : width_(width), height_(height), pixels_(static_cast<size_t>(width) * static_cast<size_t>(height)) {}
 
-  /// Adds `light` to the channels in `colorBits`, spread evenly over the box of the given size around (u, v); what
+  /// Adds `light` times `color`, spread evenly over the box of the given size around (u, v); what
   /// falls outside of the image is lost.
-  void add(double u, double v, double boxWidth, double boxHeight, double light, unsigned colorBits);
+  void add(double u, double v, double boxWidth, double boxHeight, double light, const glm::dvec3& color);
 
   const std::vector<FixedLight>& pixels() const { return pixels_; }
 

@@ -67,7 +67,8 @@ class Collector {
     const ArcParts parts(arc, eye_);
     const double radians = arc.toRadians - arc.fromRadians;
     const double light = arc.passes * radians / sweep_.stepRadians();
-    forEachLit(volume_, arc.slice, [&](int column, int row, unsigned colorBits) {
+    forEachLevel(volume_, arc.slice, [&](int column, int row, const Rgb8& levels) {
+      const glm::dvec3 color = glm::dvec3(levels) / static_cast<double>(volume_.fullLevel());
       const double r = sweep_.columnRadius(column);
       const glm::dvec3 onAxis = axis_ + up_ * sweep_.rowCenterY(row);
       const double pixelsPerRadius = eye_.pixelsPerTangent / std::max(onAxis.z - std::abs(r), kNearestToEye);
@@ -77,7 +78,7 @@ class Collector {
       const double partLight = light / static_cast<double>(arcs.size()) / columnParts;
       for (const Arc& part : arcs) {
         for (int k = 0; k < columnParts; ++k) {
-          addPart(part, onAxis, r + (k - (columnParts - 1) / 2.0) * width, width, partLight, colorBits, image);
+          addPart(part, onAxis, r + (k - (columnParts - 1) / 2.0) * width, width, partLight, color, image);
         }
       }
     });
@@ -89,7 +90,7 @@ class Collector {
   /// A part of a cell, about a pixel large where the number of parts allows that, is drawn as a box that has the same
   /// spread (variance) in both directions of the image as the part's image, whose sides run outwards, up and along the
   /// sweep. It is that image itself where they lie along rows and columns.
-  void addPart(const Arc& arc, const glm::dvec3& onAxis, double r, double width, double light, unsigned colorBits,
+  void addPart(const Arc& arc, const glm::dvec3& onAxis, double r, double width, double light, const glm::dvec3& color,
                LightImage& image) const {
     const glm::dvec3 p = onAxis + arc.outward * r;
     if (p.z < kNearestToEye) {
@@ -106,7 +107,7 @@ class Collector {
     const glm::dvec2 along = projected(arc.along, std::abs(r) * arc.radians);
     const glm::dvec2 variance = outward * outward + up * up + along * along;
     const double nearer = eye_.distance / p.z;
-    image.add(at.x, at.y, std::sqrt(variance.x), std::sqrt(variance.y), light * nearer * nearer, colorBits);
+    image.add(at.x, at.y, std::sqrt(variance.x), std::sqrt(variance.y), light * nearer * nearer, color);
   }
 
   const Volume& volume_;

@@ -12,26 +12,32 @@
 namespace ocelli {
 namespace {
 
-/// A lit voxel of a known slice in 27 bits: colour bits, column and row.
-constexpr uint32_t fragment(int column, int row, unsigned bits) {
-  return bits | static_cast<uint32_t>(column) << 3 | static_cast<uint32_t>(row) << 15;
-}
-static_assert(kMostSliceSide <= 1 << 12, "a fragment holds columns and rows of 12 bits");
+/// A lit voxel of a known slice.
+struct Fragment {
+  uint16_t column;
+  uint16_t row;
+  Rgb8 levels;
+};
 
-/// The volume under construction. OR-ing bits gives the same result in any order, so threads add to it as they come.
+/// The volume under construction. Raising levels gives the same result in any order, so threads add to it as they come.
 class SharedVolume {
  public:
   explicit SharedVolume(const DisplayProfile& profile) : volume_(profile), locks_(volume_.layout().slices) {}
 
-  void add(size_t slice, const std::vector<uint32_t>& fragments) {
+  void add(size_t slice, const std::vector<Fragment>& fragments) {
     const VolumeLayout& layout = volume_.layout();
     const std::scoped_lock lock(locks_[slice]);
+    if (layout.planes > kColorChannels) {
+      for (const Fragment& f : fragments) {
+        volume_.raise(static_cast<int>(slice), f.column, f.row, f.levels);
+      }
+      return;
+    }
     uint8_t* planes = volume_.slice(static_cast<int>(slice)).data();
-    for (const uint32_t f : fragments) {
-      const uint32_t column = f >> 3 & 0xfffu;
-      uint8_t* byte = planes + (f >> 15) * layout.rowBytes + column / 8;
-      for (unsigned channel = 0; channel < kColorChannels; ++channel, byte += layout.planeBytes) {
-        *byte |= static_cast<uint8_t>((f >> channel & 1u) << column % 8);
+    for (const Fragment& f : fragments) {
+      uint8_t* byte = planes + f.row * layout.rowBytes + f.column / 8;
+      for (int channel = 0; channel < kColorChannels; ++channel, byte += layout.planeBytes) {
+        *byte |= static_cast<uint8_t>(f.levels[channel] << f.column % 8);
       }
     }
   }
@@ -48,8 +54,8 @@ class FragmentBins {
  public:
   explicit FragmentBins(SharedVolume& volume, size_t slices) : volume_(volume), bins_(slices) {}
 
-  void push(int slice, uint32_t fragment) {
-    std::vector<uint32_t>& bin = bins_[static_cast<size_t>(slice)];
+  void push(int slice, const Fragment& fragment) {
+    std::vector<Fragment>& bin = bins_[static_cast<size_t>(slice)];
     bin.push_back(fragment);
     if (bin.size() == kMostFragments) {
       volume_.add(static_cast<size_t>(slice), bin);
@@ -67,7 +73,7 @@ class FragmentBins {
  private:
   static constexpr size_t kMostFragments = 2048;
   SharedVolume& volume_;
-  std::vector<std::vector<uint32_t>> bins_;
+  std::vector<std::vector<Fragment>> bins_;
 };
 
 /// A vertex ready for slicing: (x, v, z) as sweepPoint() gives them, and its angle in steps of a sector, in [-N, N].
@@ -124,6 +130,7 @@ class TriangleSlicer {
         sweep_(sweep),
         vertices_(vertices),
         options_(options),
+        fullLevel_((1 << profile.colorBitsPerChannel) - 1),
         ownSecondHalf_(profile.secondHalfTurn == SecondHalfTurn::kOwn),
         raster_(profile.width, profile.height),
         bins_(volume, static_cast<size_t>(profile.storedSlices())) {}
@@ -159,10 +166,11 @@ class TriangleSlicer {
   }
 
   void store(int slice, int column, int row, const glm::vec3& color) {
-    const unsigned bits =
-        options_.colors == ColorReduction::kDither ? ditheredBits(color, slice, column, row) : occupancyBits(color);
-    if (bits != 0) {
-      bins_.push(slice, fragment(column, row, bits));
+    const Rgb8 levels = options_.colors == ColorReduction::kDither
+                            ? ditheredLevels(color, fullLevel_, slice, column, row)
+                            : occupancyLevels(color, fullLevel_);
+    if (levels != Rgb8(0)) {
+      bins_.push(slice, {static_cast<uint16_t>(column), static_cast<uint16_t>(row), levels});
     }
   }
 
@@ -170,6 +178,7 @@ class TriangleSlicer {
   const SweepGeometry& sweep_;
   const std::vector<SweepVertex>& vertices_;
   SliceOptions options_;
+  int fullLevel_;
   bool ownSecondHalf_;
   PolygonRaster raster_;
   FragmentBins bins_;

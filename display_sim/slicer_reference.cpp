@@ -135,9 +135,10 @@ class ReferenceSlicer {
   }
 
   void store(int slice, int column, int row, const glm::vec3& color) {
-    volume_.light(
-        slice, column, row,
-        options_.colors == ColorReduction::kDither ? ditheredBits(color, slice, column, row) : occupancyBits(color));
+    const int full = volume_.fullLevel();
+    volume_.raise(slice, column, row,
+                  options_.colors == ColorReduction::kDither ? ditheredLevels(color, full, slice, column, row)
+                                                             : occupancyLevels(color, full));
   }
 
   SweepGeometry sweep_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
 #include "display_sim/svol_file.h"
 #include "display_sim/svol_format.h"
@@ -148,13 +147,9 @@ SvolSummary verifySvol(const std::filesystem::path& path) {
   summary.fileBytes = std::filesystem::file_size(path);
   summary.planeBytesTotal = reader.layout().slices * reader.layout().sliceBytes;
   std::vector<uint8_t> planes(reader.layout().sliceBytes);
-  const size_t planeBytes = reader.layout().planeBytes;
   while (!reader.atEnd()) {
     reader.readSlice(planes);
-    for (size_t at = 0; at < planeBytes; ++at) {
-      const unsigned any = planes[at] | planes[planeBytes + at] | planes[2 * planeBytes + at];
-      summary.litVoxels += static_cast<uint64_t>(std::popcount(any));
-    }
+    summary.litVoxels += countLit(planes, reader.layout());
   }
   return summary;
 }

@@ -1,9 +1,12 @@
-// A volume: one bit for red, green and blue of every voxel, slice after slice, as the display takes it.
+// A volume: how much red, green and blue every voxel shows, slice after slice, as the display takes it.
 //
-// A slice is three bit planes, red first; a plane is its rows from the top, each padded to whole bytes with zero bits;
-// column x is bit x % 8 (from the least significant) of byte x / 8 of its row.
+// With b bits a channel a voxel has a level from 0 (dark) to 2^b - 1 (full light) in each channel, in equal steps of
+// light. A slice is 3 b bit planes: the b of red first, from the least significant, then those of green and of blue. A
+// plane is its rows from the top, each padded to whole bytes with zero bits; column x is bit x % 8 (from the least
+// significant) of byte x / 8 of its row.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,11 +27,13 @@ struct VolumeLayout {
       : slices(static_cast<size_t>(profile.storedSlices())),
         rowBytes((static_cast<size_t>(profile.width) + 7) / 8),
         planeBytes(rowBytes * static_cast<size_t>(profile.height)),
-        sliceBytes(planeBytes * kColorChannels) {}
+        planes(static_cast<size_t>(kColorChannels * profile.colorBitsPerChannel)),
+        sliceBytes(planeBytes * planes) {}
 
   size_t slices;
   size_t rowBytes;
   size_t planeBytes;
+  size_t planes;  ///< of a slice
   size_t sliceBytes;
 };
 
@@ -42,13 +47,25 @@ class Volume {
   int slices() const { return static_cast<int>(layout_.slices); }
   int width() const { return profile_.width; }
   int height() const { return profile_.height; }
+  int bitsPerChannel() const { return profile_.colorBitsPerChannel; }
+  /// The level of full light.
+  int fullLevel() const { return (1 << bitsPerChannel()) - 1; }
 
   std::span<uint8_t> slice(int i) { return {bytes_.data() + offset(i), layout_.sliceBytes}; }
   std::span<const uint8_t> slice(int i) const { return {bytes_.data() + offset(i), layout_.sliceBytes}; }
 
-  /// Bit 0 red, bit 1 green, bit 2 blue; 0 is dark.
+  /// Of red, green and blue.
+  Rgb8 levels(int slice, int column, int row) const;
+  /// Where the given level is higher than the voxel's, it takes its place, in each channel.
+  void raise(int slice, int column, int row, const Rgb8& levels);
+
+  /// Which channels have any light: bit 0 red, bit 1 green, bit 2 blue; 0 is dark.
   unsigned colorBits(int slice, int column, int row) const;
+  /// Gives these channels full light.
   void light(int slice, int column, int row, unsigned colorBits);
+
+  /// All voxels dark again.
+  void clear();
 
   size_t litVoxels() const;
 
@@ -65,31 +82,42 @@ class Volume {
   std::vector<uint8_t> bytes_;
 };
 
-/// One slice as the screen shows it, channels 0 or 255.
+/// One slice as the screen shows it: levels scaled to 0 to 255.
 Image<Rgb8> sliceImage(const Volume& volume, int slice);
 
-/// Calls `visit(column, row, colorBits)` for every lit voxel of a slice, row by row, left to right.
+/// How many voxels of the bit planes of a slice have any light.
+size_t countLit(std::span<const uint8_t> planes, const VolumeLayout& layout);
+
+/// Calls `visit(column, row)` for every lit voxel of a slice, row by row, left to right.
 template <class Visit>
-void forEachLit(const Volume& volume, int slice, Visit&& visit) {
+void forEachLitPlace(const Volume& volume, int slice, Visit&& visit) {
   const VolumeLayout& layout = volume.layout();
-  const uint8_t* red = volume.slice(slice).data();
-  const uint8_t* green = red + layout.planeBytes;
-  const uint8_t* blue = green + layout.planeBytes;
+  const uint8_t* planes = volume.slice(slice).data();
   for (int row = 0; row < volume.height(); ++row) {
     for (size_t i = 0; i < layout.rowBytes; ++i) {
       const size_t at = static_cast<size_t>(row) * layout.rowBytes + i;
-      const unsigned any = red[at] | green[at] | blue[at];
-      if (any == 0) {
-        continue;
+      unsigned any = 0;
+      for (size_t plane = 0; plane < layout.planes; ++plane) {
+        any |= planes[plane * layout.planeBytes + at];
       }
-      for (unsigned bit = 0; bit < 8; ++bit) {
-        if ((any >> bit & 1u) != 0) {
-          visit(static_cast<int>(8 * i + bit), row,
-                (red[at] >> bit & 1u) | (green[at] >> bit & 1u) << 1 | (blue[at] >> bit & 1u) << 2);
-        }
+      for (; any != 0; any &= any - 1) {
+        visit(static_cast<int>(8 * i) + std::countr_zero(any), row);
       }
     }
   }
+}
+
+/// The same with its colour: `visit(column, row, colorBits)`.
+template <class Visit>
+void forEachLit(const Volume& volume, int slice, Visit&& visit) {
+  forEachLitPlace(volume, slice,
+                  [&](int column, int row) { visit(column, row, volume.colorBits(slice, column, row)); });
+}
+
+/// The same with its levels: `visit(column, row, levels)`.
+template <class Visit>
+void forEachLevel(const Volume& volume, int slice, Visit&& visit) {
+  forEachLitPlace(volume, slice, [&](int column, int row) { visit(column, row, volume.levels(slice, column, row)); });
 }
 
 }  // namespace ocelli

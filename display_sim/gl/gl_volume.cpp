@@ -35,6 +35,11 @@ uint8_t gathered(uint32_t word) {
 
 GlObject makeWords(GlContext& context, const DisplayProfile& profile, size_t words, const uint32_t* data) {
   const GlScope scope(context);
+  if (profile.colorBitsPerChannel != 1) {
+    throw GlError(
+        "a display of " + std::to_string(profile.colorBitsPerChannel) + " bits a channel, and the GPU takes one",
+        "profile " + profile.name, "slice and observe without OpenGL");
+  }
   const size_t bytes = words * sizeof(uint32_t);
   const size_t most = std::min(static_cast<size_t>(context.info().maxStorageBytes), kMostBytes);
   if (bytes > most) {
