@@ -8,10 +8,10 @@
 #include <memory>
 
 #include "bench/timing.h"
+#include "display_sim/exact_slicer.h"
 #include "display_sim/gl/gl_observer.h"
 #include "display_sim/gl/gl_slicer.h"
 #include "display_sim/observer.h"
-#include "display_sim/slicer.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/ocri/image_mesh.h"
@@ -38,7 +38,7 @@ Mesh meshOf(const Source& source) {
 struct Case {
   Case(GlContext& context, const Source& source)
       : mesh(meshOf(source)),
-        volume(slice(mesh, profile)),
+        volume(sliceExactly(mesh, profile)),
         lit(volume.litVoxels()),
         glMesh(context, mesh),
         glVolume(context, volume) {}
@@ -65,7 +65,7 @@ class Session {
     Case& c = caseOf(source);
     GlSlicer& slicer = precision == GlPrecision::kDouble ? slicer_ : singleSlicer_;
     compare(
-        state, c, [&] { slicer.slice(c.glMesh, c.glVolume); }, [&] { c.volume = slice(c.mesh, c.profile); });
+        state, c, [&] { slicer.slice(c.glMesh, c.glVolume); }, [&] { c.volume = sliceExactly(c.mesh, c.profile); });
     const Volume sliced = c.glVolume.read();
     size_t differing = 0;
     for (int i = 0; i < sliced.slices(); ++i) {
@@ -87,7 +87,7 @@ class Session {
           slicer_.slice(GlMesh(context_, c.mesh), c.glVolume);
           benchmark::DoNotOptimize(c.glVolume.read());
         },
-        [&] { c.volume = slice(c.mesh, c.profile); });
+        [&] { c.volume = sliceExactly(c.mesh, c.profile); });
   }
 
   /// A frame of a display whose volume stays.

@@ -15,10 +15,10 @@
 
 #include "bench/bench_program.h"
 #include "bench/timing.h"
+#include "display_sim/exact_slicer.h"
 #include "display_sim/gl/gl_observer.h"
 #include "display_sim/gl/gl_slicer.h"
 #include "display_sim/observer.h"
-#include "display_sim/slicer.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/gl/gl_api.h"
@@ -144,7 +144,7 @@ std::vector<Row> wayRows(GlContext& context, const Case& c, Way& way, const Benc
       {"way: mesh", [&] { way.glMesh = imageMesh(way.glImage); }, [&] { way.mesh = imageMesh(way.image); }},
       {"way: upload the mesh", [&] { way.uploaded = std::make_unique<GlMesh>(context, way.glMesh); }, [] {}},
       {"way: slice", [&] { way.slicer.slice(*way.uploaded, way.glVolume); },
-       [&] { way.volume = slice(way.mesh, c.profile); }},
+       [&] { way.volume = sliceExactly(way.mesh, c.profile); }},
       {"way: list lit voxels", [&] { way.observer.look(way.glVolume); }, [] {}},
       {"way: observe", [&, view] { way.observer.draw({.view = view}); },
        [&, view] { collectLight(way.volume, view); }}};

@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "display_sim/display_profile.h"
-#include "display_sim/slicer.h"
+#include "display_sim/exact_slicer.h"
 #include "display_sim/slicer_reference.h"
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/render/rasterize.h"
@@ -52,7 +52,7 @@ void constructDdoc(benchmark::State& state) {
 void sliceFast(benchmark::State& state) {
   const DisplayProfile profile = loadProfile("test");
   for (auto _ : state) {
-    benchmark::DoNotOptimize(slice(scene(), profile));
+    benchmark::DoNotOptimize(sliceExactly(scene(), profile));
   }
 }
 void sliceReferenceExact(benchmark::State& state) {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "display_sim/exact_slicer.h"
 #include "display_sim/observer.h"
-#include "display_sim/slicer.h"
 
 namespace ocelli {
 

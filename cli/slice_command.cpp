@@ -12,7 +12,7 @@
 #include "cli/gl_drawing.h"
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
-#include "display_sim/slicer.h"
+#include "display_sim/exact_slicer.h"
 #include "display_sim/svol_file.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/ocri/reference_image_file.h"
@@ -51,7 +51,7 @@ void run(const SliceChoice& choice, const Frame& frame) {
   const Mesh mesh = loadMesh(choice.scene, frame.progress());
   const auto start = std::chrono::steady_clock::now();
   const SliceOptions options{choice.undithered ? ColorReduction::kOccupancy : ColorReduction::kDither};
-  const Volume volume = gl != nullptr ? gl->slice(mesh, profile, options) : slice(mesh, profile, options);
+  const Volume volume = gl != nullptr ? gl->slice(mesh, profile, options) : sliceExactly(mesh, profile, options);
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   writeSvol(choice.output, volume);
   if (!liesWithin(mesh, profile)) {

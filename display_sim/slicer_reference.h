@@ -1,8 +1,8 @@
 // The definition of a lit voxel, executed: every triangle is clipped to every cell that its bounds touch. Slow and
-// straightforward; slice() is tested against it.
+// straightforward; sliceExactly() is tested against it.
 #pragma once
 
-#include "display_sim/slicer.h"
+#include "display_sim/exact_slicer.h"
 
 namespace ocelli {
 

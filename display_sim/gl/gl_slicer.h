@@ -1,4 +1,4 @@
-// slice() on the GPU: the same voxels, cell by cell, in compute shaders.
+// sliceExactly() on the GPU: the same voxels, cell by cell, in compute shaders.
 //
 // A first pass gives each triangle to one invocation, which clips it to the sectors it may touch and lights the pixel
 // squares that its parts touch. The parts of larger triangles are queued instead, and a second pass gives each part to
@@ -7,14 +7,15 @@
 
 #include <algorithm>
 
+#include "display_sim/exact_slicer.h"
 #include "display_sim/gl/gl_volume.h"
-#include "display_sim/slicer.h"
 #include "oc_core/gl/gl_mesh.h"
 
 namespace ocelli {
 
 enum class GlPrecision {
-  /// The operations of slice() in their order: the same bits wherever the GPU rounds as IEEE 754 does. Where it does
+  /// The operations of sliceExactly() in their order: the same bits wherever the GPU rounds as IEEE 754 does. Where it
+  /// does
   /// not, cells whose faces lie within kSliceRounding of the surface may differ.
   kDouble,
   /// For GPUs that are slow at double precision: cells whose faces lie within singleSliceRounding() of the surface may

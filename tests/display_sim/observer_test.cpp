@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "display_sim/slicer.h"
+#include "display_sim/exact_slicer.h"
 #include "display_sim/sweep_geometry.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
@@ -26,7 +26,7 @@ glm::dvec3 sumOf(const Image<glm::vec3>& image) {
 Volume whiteFloor(const DisplayProfile& profile) {
   Mesh mesh;
   test::addTriangle(mesh, {-9, 0.01f, -9}, {9, 0.01f, -9}, {0, 0.01f, 9});
-  return slice(mesh, profile);
+  return sliceExactly(mesh, profile);
 }
 
 // A voxel's light, spread over arcs and pixels, is (d / z)^2, z between the nearest and the farthest point of its cell.
@@ -78,9 +78,9 @@ TEST(Observer, lightAddsAndNothingHides) {
   Mesh both = small;
   append(both, large);
   const ObserverOptions options{.width = 100, .height = 100};
-  const Image<glm::vec3> a = collectLight(slice(small, profile), options);
-  const Image<glm::vec3> b = collectLight(slice(large, profile), options);
-  const Image<glm::vec3> sum = collectLight(slice(both, profile), options);
+  const Image<glm::vec3> a = collectLight(sliceExactly(small, profile), options);
+  const Image<glm::vec3> b = collectLight(sliceExactly(large, profile), options);
+  const Image<glm::vec3> sum = collectLight(sliceExactly(both, profile), options);
   EXPECT_GT(b(50, 50).x, 0) << "the large sphere is before the small one";
   for (size_t i = 0; i < sum.size(); ++i) {
     EXPECT_FLOAT_EQ(sum[i].x, a[i].x + b[i].x);
@@ -205,7 +205,7 @@ TEST(Observer, sameBytesWithAnyNumberOfThreads) {
   for (const glm::vec3& p : mesh.positions) {
     mesh.colors.push_back(glm::abs(p));
   }
-  const Volume volume = slice(mesh, smallProfile(50, 96, 96));
+  const Volume volume = sliceExactly(mesh, smallProfile(50, 96, 96));
   const ObserverOptions options{.eye = {2, 1, 2}, .width = 120, .height = 90};
   setThreadCount(1);
   const Image<glm::vec3> one = observe(volume, options);
@@ -233,7 +233,7 @@ TEST(Observer, badOptionsAreInputErrors) {
 }
 
 TEST(Observer, anEyeCloseByIsSafe) {
-  const Volume volume = slice(test::sphere(0.99, 20), smallProfile(20, 32, 32));
+  const Volume volume = sliceExactly(test::sphere(0.99, 20), smallProfile(20, 32, 32));
   const Image<glm::vec3> image = observe(volume, {.eye = {1.01f, 0, 0}, .width = 64, .height = 64});
   for (const glm::vec3& pixel : image) {
     EXPECT_TRUE(std::isfinite(pixel.x));

@@ -19,7 +19,7 @@ using test::smallProfile;
 /// `reach` is the largest coordinate, in display radii: the rounding bound grows with it.
 void expectBracketed(const Mesh& mesh, const DisplayProfile& profile, double reach = 1) {
   const double rounding = kSliceRounding * std::max(reach, 1.0);
-  const Volume fast = slice(mesh, profile);
+  const Volume fast = sliceExactly(mesh, profile);
   EXPECT_TRUE(contains(fast, sliceReference(mesh, profile, {.margin = -rounding}))) << "a cell is missing";
   EXPECT_TRUE(contains(sliceReference(mesh, profile, {.margin = rounding}), fast)) << "a cell is lit in vain";
 }
@@ -120,7 +120,7 @@ TEST(SlicerReference, facesOnCellBordersLightBothSides) {
   const DisplayProfile profile = smallProfile(12, 16, 16);
   Mesh mesh;
   addTriangle(mesh, {0.5f, 0.25f, 0}, {0.75f, 0.25f, 0}, {0.5f, 0.5f, 0});
-  const Volume fast = slice(mesh, profile);
+  const Volume fast = sliceExactly(mesh, profile);
   EXPECT_EQ(fast, sliceReference(mesh, profile));
   EXPECT_EQ(fast.colorBits(0, 11, 4), 7u) << "left of r = 0.5, between columns 11 and 12";
   EXPECT_EQ(fast.colorBits(0, 14, 6), 7u) << "the corner (0.75, 0.25), between columns 13 and 14 and rows 5 and 6";
@@ -134,7 +134,7 @@ TEST(SlicerReference, colorsAgreeWithinAVoxel) {
   for (const glm::vec3& p : mesh.positions) {
     mesh.colors.emplace_back((p.y + 1) / 2, 0, 0);
   }
-  const Volume fast = slice(mesh, profile);
+  const Volume fast = sliceExactly(mesh, profile);
   const double row = 1.0 / 32;
   const auto moved = [&](double by) {
     Mesh other = mesh;

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "display_sim/slicer.h"
+#include "display_sim/exact_slicer.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/scene/mesh.h"
 
@@ -109,7 +109,7 @@ inline Volume coloredTorus(const DisplayProfile& profile) {
   for (const glm::vec3& p : mesh.positions) {
     mesh.colors.push_back(glm::abs(p));
   }
-  return slice(mesh, profile);
+  return sliceExactly(mesh, profile);
 }
 
 }  // namespace ocelli::test

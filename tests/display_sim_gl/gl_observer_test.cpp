@@ -160,7 +160,7 @@ TEST_P(GlObserverTest, carriesAndGrows) {
 
 TEST_P(GlObserverTest, looksAgainAndResizes) {
   const DisplayProfile profile = smallProfile(20, 32, 32);
-  const GlVolume sphere(*context_, slice(test::sphere(0.7, 12), profile));
+  const GlVolume sphere(*context_, sliceExactly(test::sphere(0.7, 12), profile));
   const GlVolume dark(*context_, profile);
   observer_.look(sphere);
   observer_.draw({.view = {.width = 60, .height = 40}});
@@ -192,7 +192,7 @@ TEST_P(GlObserverTest, badOptionsAreErrors) {
 }
 
 TEST_P(GlObserverTest, anEyeCloseByIsSafe) {
-  const Volume volume = slice(test::sphere(0.99, 20), smallProfile(20, 32, 32));
+  const Volume volume = sliceExactly(test::sphere(0.99, 20), smallProfile(20, 32, 32));
   for (const glm::vec3& pixel : observed(volume, {.view = {.eye = {1.01f, 0, 0}, .width = 64, .height = 64}})) {
     EXPECT_TRUE(std::isfinite(pixel.x));
   }

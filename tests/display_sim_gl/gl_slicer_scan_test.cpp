@@ -17,7 +17,7 @@ class GlSlicerScan : public testing::TestWithParam<GlProvider> {
  protected:
   static void expectSameVoxels(const Mesh& mesh) {
     const DisplayProfile profile = loadProfile("perspecta");
-    const Volume processors = slice(mesh, profile);
+    const Volume processors = sliceExactly(mesh, profile);
     const auto context = openTestContext(GetParam());
     const GlScope scope(*context);
     const GlMesh onGpu(*context, mesh);

@@ -1,4 +1,4 @@
-// The GPU slicer against slice() and against the definition of a lit voxel.
+// The GPU slicer against sliceExactly() and against the definition of a lit voxel.
 #include "display_sim/gl/gl_slicer.h"
 
 #include <gtest/gtest.h>
@@ -127,7 +127,7 @@ TEST_P(GlSlicerTest, lightsWhatTheProcessorDoes) {
       const Volume onGpu = sliced(slicer, named.mesh, profile);
       EXPECT_GT(onGpu.litVoxels(), 0u);
       if (context_->info().isSoftware) {  // whose rounding is the processor's
-        EXPECT_EQ(onGpu, slice(named.mesh, profile));
+        EXPECT_EQ(onGpu, sliceExactly(named.mesh, profile));
       }
       const double rounding = kSliceRounding * named.reach;
       EXPECT_TRUE(contains(onGpu, sliceReference(named.mesh, profile, {.margin = -rounding}))) << "a cell is missing";
@@ -174,7 +174,7 @@ TEST_P(GlSlicerTest, closedSurfacesHoldInSinglePrecision) {
         boxesOnSectorBorders(48), test::box({-0.5f, -0.75f, -0.25f}, {0.5f, 0.75f, 0.5f}),
         test::box({0, -0.5f, 0}, {0.6f, 0.5f, 0.6f})}) {
     const Volume volume = sliced(slicer, mesh, profile);
-    const Volume processors = slice(mesh, profile);
+    const Volume processors = sliceExactly(mesh, profile);
     const test::FloodFill flood(volume);
     const test::FloodFill processorsFlood(processors);
     size_t inside = 0;
@@ -205,7 +205,7 @@ TEST_P(GlSlicerTest, reducesColorsAsTheProcessorDoes) {
     for (const ColorReduction colors : {ColorReduction::kDither, ColorReduction::kOccupancy}) {
       const DisplayProfile profile = smallProfile(30, 49, 40, half);
       const Volume onGpu = sliced(slicer, mesh, profile, {colors});
-      const Volume processors = slice(mesh, profile, {colors});
+      const Volume processors = sliceExactly(mesh, profile, {colors});
       // A colour that another GPU rounds otherwise can be that of a threshold, of which there are 2^23.
       EXPECT_LE(test::differingVoxels(onGpu, processors), context_->info().isSoftware ? 0 : onGpu.litVoxels() / 1000);
     }
@@ -218,7 +218,7 @@ TEST_P(GlSlicerTest, replacesWhatTheVolumeHeld) {
   GlVolume volume(*context_, smallProfile(24, 32, 32));
   slicer.slice(GlMesh(*context_, walls()), volume);
   slicer.slice(GlMesh(*context_, test::sphere(0.5, 8)), volume);
-  EXPECT_EQ(volume.read().litVoxels(), slice(test::sphere(0.5, 8), volume.profile()).litVoxels());
+  EXPECT_EQ(volume.read().litVoxels(), sliceExactly(test::sphere(0.5, 8), volume.profile()).litVoxels());
   slicer.slice(GlMesh(*context_, Mesh{}), volume);
   EXPECT_EQ(volume.read().litVoxels(), 0u);
 }
@@ -231,7 +231,7 @@ TEST_P(GlSlicerTest, takesMillionsOfTriangles) {
   addTriangle(mesh, {0.2f, 0.3f, 0.1f}, {0.3f, 0.3f, 0.1f}, {0.2f, 0.4f, 0.1f});
   GlSlicer slicer(*context_);
   const DisplayProfile profile = smallProfile(24, 32, 32);
-  EXPECT_EQ(sliced(slicer, mesh, profile).litVoxels(), slice(mesh, profile).litVoxels());
+  EXPECT_EQ(sliced(slicer, mesh, profile).litVoxels(), sliceExactly(mesh, profile).litVoxels());
 }
 
 // So many parts of large triangles that the queue grows, and far more work than the 65535 turns of loops after which
@@ -251,7 +251,7 @@ TEST_P(GlSlicerTest, takesManyLargeTriangles) {
   const DisplayProfile profile = smallProfile(180, 1100, 400);
   GlSlicer slicer(*context_);
   const Volume onGpu = sliced(slicer, mesh, profile);
-  const Volume processors = slice(mesh, profile);
+  const Volume processors = sliceExactly(mesh, profile);
   EXPECT_LT(processors.litVoxels(), size_t{180} * 1100 * 400 / 2);
   EXPECT_LE(test::differingVoxels(onGpu, processors), context_->info().isSoftware ? 0 : processors.litVoxels() / 1000);
 }

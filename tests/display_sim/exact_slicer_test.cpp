@@ -1,5 +1,5 @@
 // What can be said of slices by hand.
-#include "display_sim/slicer.h"
+#include "display_sim/exact_slicer.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ Mesh rectangle(const glm::vec3& corner, const glm::vec3& side, const glm::vec3& 
 TEST(Slicer, aSurfaceInASlicePlaneLightsThatSliceAndTheAxis) {
   const DisplayProfile profile = smallProfile(10, 16, 16);
   // z = 0 is the plane of slice 0; x from -0.8 to 0.8 is columns 1.6 to 14.4, y from -0.3 to 0.6 rows 3.2 to 10.4.
-  const Volume volume = slice(rectangle({-0.8f, -0.3f, 0}, {1.6f, 0, 0}, {0, 0.9f, 0}), profile);
+  const Volume volume = sliceExactly(rectangle({-0.8f, -0.3f, 0}, {1.6f, 0, 0}, {0, 0.9f, 0}), profile);
   for (int i = 0; i < 10; ++i) {
     for (int row = 0; row < 16; ++row) {
       for (int column = 0; column < 16; ++column) {
@@ -41,7 +41,8 @@ TEST(Slicer, aSurfaceBetweenTwoSlicePlanesIsNotLost) {
   const DisplayProfile profile = smallProfile(slices, 16, 16);
   const double t = (3 + 0.499) * kPi / slices;
   const glm::vec3 along(static_cast<float>(std::cos(t)), 0, static_cast<float>(std::sin(t)));
-  const Volume volume = slice(rectangle(along * 0.3f + glm::vec3(0, -0.3f, 0), along * 0.4f, {0, 0.5f, 0}), profile);
+  const Volume volume =
+      sliceExactly(rectangle(along * 0.3f + glm::vec3(0, -0.3f, 0), along * 0.4f, {0, 0.5f, 0}), profile);
   for (int i = 0; i < slices; ++i) {
     EXPECT_EQ(volume.colorBits(i, 12, 8), i == 3 ? 7u : 0u) << i;
   }
@@ -50,7 +51,7 @@ TEST(Slicer, aSurfaceBetweenTwoSlicePlanesIsNotLost) {
 TEST(Slicer, aFloorLightsOneRowOfEverySlice) {
   for (const int width : {16, 17}) {
     const DisplayProfile profile = smallProfile(9, width, 16);
-    const Volume volume = slice(rectangle({-3, 0.3f, -3}, {6, 0, 0}, {0, 0, 6}), profile);
+    const Volume volume = sliceExactly(rectangle({-3, 0.3f, -3}, {6, 0, 0}, {0, 0, 6}), profile);
     EXPECT_EQ(volume.litVoxels(), static_cast<size_t>(9 * width));
     for (int i = 0; i < 9; ++i) {
       for (int column = 0; column < width; ++column) {
@@ -64,7 +65,7 @@ TEST(Slicer, aTriangleAcrossTheAxisLightsEverySectorAroundIt) {
   const DisplayProfile profile = loadProfile("perspecta");
   Mesh mesh;
   addTriangle(mesh, {1e-3f, 0.301f, 1.5e-3f}, {-1.2e-3f, 0.3f, 0.4e-3f}, {0.2e-3f, 0.3005f, -1e-3f});
-  const Volume volume = slice(mesh, profile);
+  const Volume volume = sliceExactly(mesh, profile);
   const int row = static_cast<int>(SweepGeometry(profile).rowOfY(0.3004));
   for (int i = 0; i < profile.slicesPerHalfTurn; ++i) {
     EXPECT_NE(volume.colorBits(i, 383, row), 0u) << i;
@@ -77,7 +78,7 @@ TEST(Slicer, aVertexOrAnEdgeOnTheAxisTouchesEverySector) {
   Mesh mesh;
   addTriangle(mesh, {0, 0.3f, 0}, {0.5f, 0.3f, 0.1f}, {0.5f, 0.3f, 0.2f});
   addTriangle(mesh, {0, -0.5f, 0}, {0, -0.7f, 0}, {-0.5f, -0.6f, 0.01f});
-  const Volume volume = slice(mesh, profile);
+  const Volume volume = sliceExactly(mesh, profile);
   for (int i = 0; i < 12; ++i) {
     for (const int row : {5, 12, 13}) {  // y = 0.3 is row 5.6; -0.5 to -0.7 rows 12 to 13.6
       EXPECT_EQ(volume.colorBits(i, 7, row), 7u) << i;
@@ -99,7 +100,7 @@ TEST(Slicer, theWrapContinuesInTheMirroredColumn) {
   Mesh mesh;
   addTriangle(mesh, at(-0.9, 0.3f), at(-0.1, 0.3f), at(-0.1, 0.31f));
   addTriangle(mesh, at(9.1, -0.3f), at(9.9, -0.3f), at(9.9, -0.31f));
-  const Volume volume = slice(mesh, profile);
+  const Volume volume = sliceExactly(mesh, profile);
   const int column = 13;  // r = 0.7 is column 13.6
   EXPECT_EQ(volume.litVoxels(), 4u);
   EXPECT_EQ(volume.colorBits(0, column, 5), 7u);
@@ -110,20 +111,20 @@ TEST(Slicer, theWrapContinuesInTheMirroredColumn) {
 
 TEST(Slicer, cutsOffWhatLiesOutside) {
   const DisplayProfile profile = smallProfile(10, 16, 16);
-  EXPECT_EQ(slice(test::sphere(0.3, 8, {5, 0, 0}), profile).litVoxels(), 0u);
-  EXPECT_EQ(slice(test::sphere(0.3, 8, {0, -5, 0}), profile).litVoxels(), 0u);
-  EXPECT_EQ(slice(test::sphere(7, 8), profile).litVoxels(), 0u);
+  EXPECT_EQ(sliceExactly(test::sphere(0.3, 8, {5, 0, 0}), profile).litVoxels(), 0u);
+  EXPECT_EQ(sliceExactly(test::sphere(0.3, 8, {0, -5, 0}), profile).litVoxels(), 0u);
+  EXPECT_EQ(sliceExactly(test::sphere(7, 8), profile).litVoxels(), 0u);
 }
 
 TEST(Slicer, blackLightsNothingAndFullWhiteEverything) {
   const DisplayProfile profile = smallProfile(10, 16, 16);
   Mesh mesh = test::sphere(0.7, 12);
-  const Volume white = slice(mesh, profile);
-  EXPECT_EQ(white, slice(mesh, profile, {ColorReduction::kOccupancy}));
+  const Volume white = sliceExactly(mesh, profile);
+  EXPECT_EQ(white, sliceExactly(mesh, profile, {ColorReduction::kOccupancy}));
   mesh.colors.assign(mesh.positions.size(), glm::vec3(0));
-  EXPECT_EQ(slice(mesh, profile).litVoxels(), 0u);
+  EXPECT_EQ(sliceExactly(mesh, profile).litVoxels(), 0u);
   mesh.colors.assign(mesh.positions.size(), glm::vec3(1e-3f, 0, 0));
-  const Volume red = slice(mesh, profile, {ColorReduction::kOccupancy});
+  const Volume red = sliceExactly(mesh, profile, {ColorReduction::kOccupancy});
   EXPECT_EQ(red.litVoxels(), white.litVoxels());
   EXPECT_EQ(white.colorBits(0, 13, 8), 7u);
   EXPECT_EQ(red.colorBits(0, 13, 8), 1u);
@@ -136,7 +137,7 @@ TEST(Slicer, severalSurfacesInAVoxelAddTheirBits) {
   Mesh other = rectangle({-2, 0.31f, -2}, {4, 0, 0}, {0, 0, 4});
   other.colors.assign(other.positions.size(), glm::vec3(0, 0, 1));
   append(mesh, other);
-  EXPECT_EQ(slice(mesh, profile).colorBits(3, 2, 5), 5u);
+  EXPECT_EQ(sliceExactly(mesh, profile).colorBits(3, 2, 5), 5u);
 }
 
 // The mean of dithered bits is the linear colour: a floor of colour c lights the share c of its voxels. An additive
@@ -147,7 +148,7 @@ TEST(Slicer, ditheringKeepsTheMeanColor) {
     for (const glm::vec3& color : {glm::vec3(0.1f, 0.5f, 0.93f), glm::vec3(0.02f, 0.25f, 0.7f)}) {
       Mesh mesh = rectangle({-3, 0.3f, -3}, {6, 0, 0}, {0, 0, 6});
       mesh.colors.assign(mesh.positions.size(), color);
-      const Volume volume = slice(mesh, profile);
+      const Volume volume = sliceExactly(mesh, profile);
       glm::dvec3 sum(0);
       for (int i = 0; i < volume.slices(); ++i) {
         forEachLit(volume, i,
@@ -168,7 +169,7 @@ TEST(Slicer, interpolatesColorsBetweenVertices) {
   for (const glm::vec3& p : mesh.positions) {
     mesh.colors.emplace_back((p.x + 1) / 2, 0, 0);
   }
-  const Volume volume = slice(mesh, profile);
+  const Volume volume = sliceExactly(mesh, profile);
   for (int block = 0; block < 8; ++block) {
     double lit = 0;
     for (int i = 0; i < 12; ++i) {
@@ -182,8 +183,8 @@ TEST(Slicer, interpolatesColorsBetweenVertices) {
 
 TEST(Slicer, ownSecondHalfTurnHoldsTheSameVoxelsMirrored) {
   const Mesh mesh = test::torus(0.6, 0.25, 30, 20);
-  const Volume half = slice(mesh, smallProfile(11, 20, 18));
-  const Volume whole = slice(mesh, smallProfile(11, 20, 18, SecondHalfTurn::kOwn));
+  const Volume half = sliceExactly(mesh, smallProfile(11, 20, 18));
+  const Volume whole = sliceExactly(mesh, smallProfile(11, 20, 18, SecondHalfTurn::kOwn));
   ASSERT_EQ(whole.slices(), 22);
   for (int i = 0; i < 11; ++i) {
     for (int row = 0; row < 18; ++row) {
@@ -203,10 +204,10 @@ TEST(Slicer, sameBytesWithAnyNumberOfThreads) {
   }
   const DisplayProfile profile = smallProfile(60, 128, 128);
   setThreadCount(1);
-  const Volume one = slice(mesh, profile);
+  const Volume one = sliceExactly(mesh, profile);
   for (const int threads : {2, 8}) {
     setThreadCount(threads);
-    EXPECT_EQ(slice(mesh, profile), one) << threads;
+    EXPECT_EQ(sliceExactly(mesh, profile), one) << threads;
   }
   setThreadCount(0);
 }

@@ -4,7 +4,7 @@
 #include <array>
 #include <functional>
 
-#include "display_sim/slicer.h"
+#include "display_sim/exact_slicer.h"
 #include "display_sim/sweep_geometry.h"
 #include "tests/display_sim/flood_fill.h"
 #include "tests/display_sim/test_meshes.h"
@@ -61,7 +61,7 @@ class ClosedSolids : public ::testing::TestWithParam<Solid> {
  protected:
   const DisplayProfile profile_ = smallProfile(48, 80, 80);
   const SweepGeometry sweep_{profile_};
-  const Volume volume_ = slice(GetParam().mesh, profile_);
+  const Volume volume_ = sliceExactly(GetParam().mesh, profile_);
 };
 
 TEST_P(ClosedSolids, areWatertight) {

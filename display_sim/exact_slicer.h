@@ -1,33 +1,26 @@
-// Slicing: from a mesh to the lit voxels of a swept-screen display.
+// Exact slicing: from a mesh to the lit voxels of a swept-screen display.
 //
 // A voxel is lit iff the surface passes through its cell, faces included (sweep_geometry.h), so closed meshes are
 // watertight in the voxels, and the axis, where every sector meets, and the wrap from the last slice to the first need
 // no exception. Within a sector the cells are convex with flat faces; that makes the test exact: clip the triangle to
 // the sector, drop it on the plane of the slice, and find the pixel squares that the polygon touches.
 //
-// Colour: the colour of a triangle at one of its points inside the voxel, dithered to a bit a channel (dither.h). Where
-// several surfaces pass through one voxel, their bits are OR-ed. A black surface lights nothing.
+// Colour: the colour of a triangle at one of its points inside the voxel, dithered to the display's levels (dither.h).
+// Where several surfaces pass through one voxel, it shows the highest level in each channel. A black surface lights
+// nothing.
 #pragma once
 
 #include "display_sim/display_profile.h"
+#include "display_sim/slice_options.h"
 #include "display_sim/volume.h"
 #include "oc_core/scene/mesh.h"
 
 namespace ocelli {
 
-enum class ColorReduction {
-  kDither,     ///< ordered dithering, one bit a channel
-  kOccupancy,  ///< a channel is lit where it has any light
-};
-
-struct SliceOptions {
-  ColorReduction colors = ColorReduction::kDither;
-};
-
 /// `mesh` is validated, its positions in display radii; what lies outside of the display is cut off. The same bytes
 /// with any number of threads. Equals sliceReference() but for cells whose faces lie within kSliceRounding of the
 /// surface.
-Volume slice(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options = {});
+Volume sliceExactly(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options = {});
 
 /// How far, in columns, rounding may move a cell's face, for coordinates of at most one display radius: some tens of
 /// operations in double precision on screen coordinates of at most 4096. Grows in proportion with larger coordinates.

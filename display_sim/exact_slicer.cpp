@@ -1,4 +1,4 @@
-#include "display_sim/slicer.h"
+#include "display_sim/exact_slicer.h"
 
 #include <algorithm>
 #include <mutex>
@@ -189,7 +189,7 @@ class TriangleSlicer {
 
 }  // namespace
 
-Volume slice(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options) {
+Volume sliceExactly(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options) {
   const SweepGeometry sweep(profile);
   const std::vector<SweepVertex> vertices = sweepVertices(mesh, sweep);
   SharedVolume volume(profile);

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "display_sim/slicer.h"
+#include "display_sim/exact_slicer.h"
 #include "display_sim/sweep_geometry.h"
 #include "oc_core/scene/scene_source.h"
 #include "tests/display_sim/flood_fill.h"
@@ -59,7 +59,7 @@ TEST_P(Scans, areWatertight) {
   ASSERT_TRUE(isClosed(mesh));
   const DisplayProfile profile = test::smallProfile(96, 256, 256);
   const SweepGeometry sweep(profile);
-  const Volume volume = slice(mesh, profile, {ColorReduction::kOccupancy});
+  const Volume volume = sliceExactly(mesh, profile, {ColorReduction::kOccupancy});
   const FloodFill flood(volume);
   double unreached = 0;
   double lit = 0;
