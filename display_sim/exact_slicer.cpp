@@ -4,7 +4,7 @@
 #include <mutex>
 
 #include "display_sim/dither.h"
-#include "display_sim/sector_clip.h"
+#include "display_sim/exact_triangle.h"
 #include "display_sim/sweep_geometry.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/parallel.h"
@@ -76,49 +76,14 @@ class FragmentBins {
   std::vector<std::vector<Fragment>> bins_;
 };
 
-/// A vertex ready for slicing: (x, v, z) as sweepPoint() gives them, and its angle in steps of a sector, in [-N, N].
-struct SweepVertex {
-  glm::dvec3 point;
-  double steps;
-};
-
 std::vector<SweepVertex> sweepVertices(const Mesh& mesh, const SweepGeometry& sweep) {
   std::vector<SweepVertex> vertices(mesh.positions.size());
   parallelFor(vertices.size(), 1 << 12, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      const glm::vec3& p = mesh.positions[i];
-      // Single precision will do: the angle only proposes sectors, which clipping then confirms.
-      vertices[i] = {sweepPoint(sweep, p), std::atan2(p.z, p.x) / sweep.stepRadians()};
+      vertices[i] = sweepVertex(sweep, mesh.positions[i]);
     }
   });
   return vertices;
-}
-
-/// Sectors first, first + 1, ... first + count - 1, each modulo the number of sectors.
-struct SectorRange {
-  int first = 0;
-  int count = 0;
-};
-
-/// The sectors that a triangle may touch: all where it holds the axis or comes too near to it to tell.
-SectorRange sectorsOf(const SweepVertex& a, const SweepVertex& b, const SweepVertex& c, int sectors) {
-  const double half = sectors / 2;
-  const auto stepsFrom = [&](double steps) {
-    return steps > half ? steps - sectors : steps < -half ? steps + sectors : steps;
-  };
-  const double toB = stepsFrom(b.steps - a.steps);
-  const double toC = stepsFrom(c.steps - a.steps);
-  constexpr double kMargin = 1e-2;  // far above the rounding of the angles, in steps
-  const double lo = a.steps + std::min({0.0, toB, toC}) - kMargin;
-  const double hi = a.steps + std::max({0.0, toB, toC}) + kMargin;
-  const auto onAxis = [](const SweepVertex& vertex) { return vertex.point.x == 0 && vertex.point.z == 0; };
-  // Seen from the axis a triangle beside it spans less than half a turn, one that holds it at least that.
-  if (hi - lo >= half || onAxis(a) || onAxis(b) || onAxis(c)) {
-    return {0, sectors};
-  }
-  const int first = static_cast<int>(std::floor(lo + 0.5));
-  const int last = static_cast<int>(std::floor(hi + 0.5));
-  return {(first + sectors) % sectors, last - first + 1};
 }
 
 /// Slices triangles one by one into its bins. One for each thread.
@@ -144,14 +109,9 @@ class TriangleSlicer {
     colorB_ = mesh_.color(t.y) - color_;
     colorC_ = mesh_.color(t.z) - color_;
     const SectorRange range = sectorsOf(a, b, c, sweep_.sectors());
-    for (int i = 0, sector = range.first; i < range.count; ++i) {
-      const ScreenPolygon polygon = clipToSector(sweep_, triangle, sector);
-      if (polygon.size > 0) {
-        const int slice = sweep_.sliceOfSector(sector);
-        raster_.touch(polygon, [&](int column, int row, double b1, double b2) { light(slice, column, row, b1, b2); });
-      }
-      sector = sector + 1 == sweep_.sectors() ? 0 : sector + 1;
-    }
+    forEachTouchedCell(sweep_, raster_, triangle, range, [&](int slice, int column, int row, double b1, double b2) {
+      light(slice, column, row, b1, b2);
+    });
   }
 
   void flush() { bins_.flush(); }

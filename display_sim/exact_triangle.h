@@ -1,0 +1,44 @@
+// The cells of the sweep that one triangle touches, found exactly: see exact_slicer.h.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "display_sim/screen_polygon.h"
+#include "display_sim/sector_clip.h"
+#include "display_sim/sweep_geometry.h"
+
+namespace ocelli {
+
+/// A vertex ready for slicing: (x, v, z) as sweepPoint() gives them, and its angle in steps of a sector, in [-N, N].
+struct SweepVertex {
+  glm::dvec3 point;
+  double steps = 0;
+};
+
+SweepVertex sweepVertex(const SweepGeometry& sweep, const glm::vec3& position);
+
+/// Sectors first, first + 1, ... first + count - 1, each modulo the number of sectors.
+struct SectorRange {
+  int first = 0;
+  int count = 0;
+};
+
+/// The sectors that a triangle may touch: all where it holds the axis or comes too near to it to tell.
+SectorRange sectorsOf(const SweepVertex& a, const SweepVertex& b, const SweepVertex& c, int sectors);
+
+/// Calls `visit(slice, column, row, b1, b2)` once for each cell of these sectors that the triangle touches; slices of
+/// the first half turn. b1 and b2 are the weights of its second and third corner at one of its points in the cell.
+template <class Visit>
+void forEachTouchedCell(const SweepGeometry& sweep, PolygonRaster& raster, const SweepTriangle& triangle,
+                        const SectorRange& range, Visit&& visit) {
+  for (int i = 0, sector = range.first; i < range.count; ++i) {
+    const ScreenPolygon polygon = clipToSector(sweep, triangle, sector);
+    if (polygon.size > 0) {
+      const int slice = sweep.sliceOfSector(sector);
+      raster.touch(polygon, [&](int column, int row, double b1, double b2) { visit(slice, column, row, b1, b2); });
+    }
+    sector = sector + 1 == sweep.sectors() ? 0 : sector + 1;
+  }
+}
+
+}  // namespace ocelli
