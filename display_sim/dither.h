@@ -1,9 +1,15 @@
 // Ordered dithering of linear colours to the levels of a display.
 //
-// Source: the additive recurrence of M. Roberts, "The unreasonable effectiveness of quasirandom sequences" (2018): the
-// powers of 1/phi_3, phi_3^4 = phi_3 + 1, make a lattice whose every line and plane samples [0, 1) evenly, so a
-// surface of any direction through the voxels is dithered evenly. A matrix that repeats (Bayer's) has planes
-// that meet only a few of its thresholds.
+// Source: the thresholds are a rank-1 lattice, as in the additive recurrence of M. Roberts, "The unreasonable
+// effectiveness of quasirandom sequences" (2018). A matrix that repeats (Bayer's) has planes that meet only a few of
+// its thresholds; a lattice has no such plane.
+//
+// The steps of the lattice come from a search. First, any block of 8 columns, 8 rows and 4 slices has thresholds that
+// are spread almost evenly: sorted, each lies within 1.6 / 256 of its place in an even spread, and the mean error of
+// the block's light is 0.46 / 255. (Lattices whose blocks are spread perfectly exist, but by a theorem of Hajos their
+// lines in one of the three directions meet only 8, or 4, thresholds.) Then, as good as that leaves room for: smaller
+// and larger boxes, planes, lines in 13 directions, and voxels of consecutive slices at one place of the screen, which
+// near the axis lie at one place in space.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +19,15 @@
 
 namespace ocelli {
 
+/// What one column, row or slice adds to a threshold, in 2^-32.
+inline constexpr uint32_t kDitherColumnStep = 2686409057u;
+inline constexpr uint32_t kDitherRowStep = 3288575657u;
+inline constexpr uint32_t kDitherSliceStep = 1928973365u;
+
 /// Strictly between 0 and 1: full light is always lit, none never. Depends on the voxel alone.
 inline float ditherThreshold(int slice, int column, int row) {
-  // 2^32 / phi_3, / phi_3^2, / phi_3^3
-  const uint32_t sum = static_cast<uint32_t>(column) * 3518319155u + static_cast<uint32_t>(row) * 2882110345u +
-                       static_cast<uint32_t>(slice) * 2360945575u;
+  const uint32_t sum = static_cast<uint32_t>(column) * kDitherColumnStep + static_cast<uint32_t>(row) * kDitherRowStep +
+                       static_cast<uint32_t>(slice) * kDitherSliceStep;
   return (static_cast<float>(sum >> 9) + 0.5f) * 0x1p-23f;
 }
 

@@ -242,7 +242,7 @@ int clipToSector(Triangle triangle, int sector, out Real4 screen[kMostPoints]) {
 // ---- voxels
 
 uint reducedBits(vec3 color, int slice, int column, int row) {
-  uint sum = uint(column) * 3518319155u + uint(row) * 2882110345u + uint(slice) * 2360945575u;
+  uint sum = uint(column) * 2686409057u + uint(row) * 3288575657u + uint(slice) * 1928973365u;
   float threshold = dithered ? (float(sum >> 9) + 0.5) * (1.0 / 8388608.0) : 0.0;
   return (color.x > threshold ? 1u : 0u) | (color.y > threshold ? 2u : 0u) | (color.z > threshold ? 4u : 0u);
 }
