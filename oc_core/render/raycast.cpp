@@ -65,8 +65,29 @@ struct NearSearch {
   const Mesh* mesh;
   glm::vec3 point;
   float reach;
-  bool found = false;
+  std::optional<RayScene::SurfacePoint> found = std::nullopt;
 };
+
+/// Calls `visit(query, search, triangle, closest)` for every triangle that may come within the radius of the query; it
+/// returns whether it has changed that.
+template <class Visit>
+void searchNear(RTCScene scene, NearSearch& search, Visit) {
+  RTCPointQuery query{};
+  query.x = search.point.x;
+  query.y = search.point.y;
+  query.z = search.point.z;
+  query.radius = search.reach;
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  const auto callback = [](RTCPointQueryFunctionArguments* arguments) {
+    NearSearch& state = *static_cast<NearSearch*>(arguments->userPtr);
+    const glm::uvec3& t = state.mesh->triangles[arguments->primID];
+    const std::vector<glm::vec3>& positions = state.mesh->positions;
+    return Visit{}(*arguments->query, state, arguments->primID,
+                   closestPoint(state.point, positions[t.x], positions[t.y], positions[t.z]));
+  };
+  rtcPointQuery(scene, &query, &context, callback, &search);
+}
 
 }  // namespace
 
@@ -190,26 +211,33 @@ Box RayScene::bounds() const {
 
 bool RayScene::hasSurfaceNear(const glm::vec3& point, float reach) const {
   NearSearch search{impl_->mesh, point, reach};
-  RTCPointQuery query{};
-  query.x = point.x;
-  query.y = point.y;
-  query.z = point.z;
-  query.radius = reach;
-  RTCPointQueryContext context;
-  rtcInitPointQueryContext(&context);
-  const auto visit = [](RTCPointQueryFunctionArguments* arguments) {
-    NearSearch& state = *static_cast<NearSearch*>(arguments->userPtr);
-    const glm::uvec3& t = state.mesh->triangles[arguments->primID];
-    const glm::vec3 closest =
-        closestPoint(state.point, state.mesh->positions[t.x], state.mesh->positions[t.y], state.mesh->positions[t.z]);
-    if (state.found || glm::distance(closest, state.point) > state.reach) {
-      return false;
-    }
-    state.found = true;
-    arguments->query->radius = 0;  // there is nothing left to look for
-    return true;
-  };
-  rtcPointQuery(impl_->scene, &query, &context, visit, &search);
+  searchNear(impl_->scene, search,
+             [](RTCPointQuery& query, NearSearch& state, uint32_t triangle, const glm::vec3& closest) {
+               if (state.found || glm::distance(closest, state.point) > state.reach) {
+                 return false;
+               }
+               state.found = {closest, triangle};
+               query.radius = 0;  // there is nothing left to look for
+               return true;
+             });
+  return search.found.has_value();
+}
+
+std::optional<RayScene::SurfacePoint> RayScene::closestSurface(const glm::vec3& point, float reach) const {
+  NearSearch search{impl_->mesh, point, reach};
+  searchNear(
+      impl_->scene, search, [](RTCPointQuery& query, NearSearch& state, uint32_t triangle, const glm::vec3& closest) {
+        // Whoever is as close must still be visited, or the order in which they are would decide.
+        constexpr float kRounding = 1 + 1e-5f;
+        const float distance = glm::distance(closest, state.point);
+        if (distance > state.reach || (state.found && distance == state.reach && triangle > state.found->triangle)) {
+          return false;
+        }
+        state.found = {closest, triangle};
+        state.reach = distance;
+        query.radius = std::min(query.radius, distance * kRounding);
+        return true;
+      });
   return search.found;
 }
 

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "oc_core/base/parallel.h"
@@ -34,6 +35,14 @@ class RayScene {
   Box bounds() const;
   /// Whether a point of the surface lies within `reach` of `point`.
   bool hasSurfaceNear(const glm::vec3& point, float reach) const;
+
+  struct SurfacePoint {
+    glm::vec3 position{0};
+    uint32_t triangle = 0;
+  };
+  /// The point of the surface that is closest to `point`, where one lies within `reach`; of triangles that are equally
+  /// close the first.
+  std::optional<SurfacePoint> closestSurface(const glm::vec3& point, float reach) const;
 
  private:
   struct Impl;

@@ -106,6 +106,37 @@ TEST(RayScene, surfaceIsNearWherePointsOfItAre) {
   EXPECT_LT(near, 180u);
 }
 
+TEST(RayScene, closestSurfaceIsTheNearestPointOfAllTriangles) {
+  const Mesh mesh = test::randomTriangles(30, 5);
+  const RayScene scene(mesh);
+  const RayScene quick(mesh, RayScene::Quality::kLow);
+  std::mt19937 random(3);
+  const auto next = [&] { return static_cast<float>(random() >> 8) / static_cast<float>(1 << 23) - 1; };
+  for (int i = 0; i < 200; ++i) {
+    const glm::vec3 point{next(), next(), next()};
+    const auto closest = scene.closestSurface(point, 10);
+    ASSERT_TRUE(closest);
+    const float distance = glm::distance(closest->position, point);
+    // Rounding of positions of about one.
+    EXPECT_FALSE(scene.hasSurfaceNear(point, distance - 1e-5f));
+    EXPECT_FALSE(scene.closestSurface(point, distance - 1e-5f));
+    Mesh alone = mesh;
+    alone.triangles = {mesh.triangles[closest->triangle]};
+    EXPECT_TRUE(RayScene(alone).hasSurfaceNear(closest->position, 1e-5f));
+    EXPECT_EQ(quick.closestSurface(point, 10)->triangle, closest->triangle);
+  }
+  EXPECT_FALSE(RayScene(Mesh{}).closestSurface({0, 0, 0}, 10));
+}
+
+// On the diagonal that both triangles of a wall share.
+TEST(RayScene, closestSurfaceIsOfTheFirstOfTrianglesThatAreEquallyClose) {
+  Mesh mesh = test::wall(0, 1);
+  const RayScene scene(mesh);
+  EXPECT_EQ(scene.closestSurface({0, 0, 0}, 1)->triangle, 0u);
+  std::swap(mesh.triangles[0], mesh.triangles[1]);
+  EXPECT_EQ(RayScene(mesh).closestSurface({0, 0, 0}, 1)->triangle, 0u);
+}
+
 TEST(RayScene, trianglesWithoutAnAreaAreNearToo) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
