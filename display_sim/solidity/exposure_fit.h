@@ -1,0 +1,14 @@
+// The exposure that makes an observed image comparable with a picture.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "oc_core/base/png_file.h"
+
+namespace ocelli {
+
+/// The gain for tone() with which `light` differs least from `picture`: in the mean squared error of sRGB-encoded
+/// values, light above 1 counting as white. 1 for an image without light.
+double fittedGain(const Image<glm::vec3>& light, const Image<Rgb8>& picture);
+
+}  // namespace ocelli
