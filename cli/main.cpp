@@ -32,6 +32,7 @@ void addCommands(CLI::App& program, const Frame& frame) {
   addObserveCommand(program, frame);
   addVolumeCommand(program, frame);
   addEvaluateCommand(program, frame);
+  addSolidityCommand(program, frame);
   addViewCommand(program, frame);
   addStudyCommand(program, frame);
   addAnalyseCommand(program, frame);

@@ -1,0 +1,173 @@
+// `ocelli solidity`: how solid a scene looks on a display that emits light and hides nothing.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <system_error>
+
+#include "cli/command.h"
+#include "cli/scene_options.h"
+#include "cli/values.h"
+#include "display_sim/exact_slicer.h"
+#include "display_sim/solidity/solidity_report.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
+#include "oc_core/base/output_file.h"
+#include "oc_core/ocri/reference_image_file.h"
+#include "oc_core/ocri/representation.h"
+#include "oc_core/ocri/union_mesh.h"
+
+namespace ocelli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SolidityChoice {
+  SceneChoice scene;
+  std::vector<std::string> cameras{"di", "ddoc"};
+  std::string cell = "8in";
+  std::string view;
+  std::string size = "720x480";
+  std::string profile = "perspecta";
+  int interiorViews = 4;
+  unsigned seed = 1;
+  int pictureSide = 0;
+  std::string json;
+  std::string pictures;
+};
+
+/// What stands for the scene: by a camera, or finished images.
+struct Shown {
+  std::string name;
+  std::optional<CameraChoice> camera;
+  ReferenceImages images;
+};
+
+Shown shownFromText(const std::string& text, const ViewCell& cell) {
+  if (text.ends_with(".exr")) {
+    return {fs::path(text).stem().string(), std::nullopt, readReferenceImages(text)};
+  }
+  const CameraChoice camera = cameraChoice(text, cell);
+  return {camera.name, camera, {}};
+}
+
+/// Names that files of pictures can have.
+std::string fileName(const std::string& name) {
+  std::string file = name;
+  for (char& c : file) {
+    c = c == ' ' || c == '/' ? '-' : c;
+  }
+  return file;
+}
+
+/// Of the first eye, and the last one of the second group: a corner of the cell.
+SolidityMeter::Visitor pictureWriter(const std::string& folder, const std::string& name,
+                                     const SolidityOptions& options) {
+  if (folder.empty()) {
+    return {};
+  }
+  return [&options, folder, file = fileName(name)](const ObservedFrame& frame) {
+    const bool corner = frame.group == 1 && frame.eye + 1 == options.groups[1].eyes.size();
+    if (frame.group == 0 || corner) {
+      const std::string place = corner ? "corner" : "reference";
+      writePng(fs::path(folder) / fmt::format("{}-opaque.png", place), frame.opaque);
+      writePng(fs::path(folder) / fmt::format("{}-{}.png", place, file), frame.observed);
+      writePng(fs::path(folder) / fmt::format("{}-{}-hidden.png", place, file), frame.hidden);
+    }
+  };
+}
+
+void prepareOutputs(const SolidityChoice& choice) {
+  if (!choice.json.empty() && choice.json != "-") {
+    checkWritable(choice.json);
+  }
+  if (!choice.pictures.empty()) {
+    std::error_code error;
+    fs::create_directories(choice.pictures, error);
+    if (error) {
+      throw WorkError("cannot make this folder (" + error.message() + ")", choice.pictures,
+                      "choose another one with -o");
+    }
+  }
+}
+
+void run(const SolidityChoice& choice, const Frame& frame) {
+  const ImageSize size = imageSizeFromText(choice.size, "--size");
+  const PinholeCamera reference(readViewOption(choice.view), size.width, size.height);
+  const ViewCell cell{.sideRadii = cellSideFromText(choice.cell, "--cell")};
+  const SolidityOptions options{
+      .profile = loadProfile(choice.profile),
+      .groups = eyesOfCell(reference.view(), cell, choice.interiorViews, choice.seed),
+      .pictureSide = choice.pictureSide,
+  };
+  std::vector<Shown> compared;
+  for (const std::string& name : choice.cameras) {
+    compared.push_back(shownFromText(name, cell));
+  }
+  prepareOutputs(choice);
+  const Mesh scene = loadScene(choice.scene.source, choice.scene.options, frame.progress());
+  SolidityMeter meter(scene, options);
+  std::vector<SolidityFigures> rows;
+  const auto measure = [&](const std::string& name, const Volume& volume, size_t triangles,
+                           SolidityMeter::Shown shown) {
+    rows.push_back(
+        meter.measure(name, volume, triangles, shown, frame.progress(), pictureWriter(choice.pictures, name, options)));
+  };
+  const Volume full = sliceExactly(scene, options.profile);
+  measure("visible voxels", full, scene.triangles.size(), SolidityMeter::Shown::kVisibleOnly);
+  measure("geometry", full, scene.triangles.size(), SolidityMeter::Shown::kEverything);
+  for (const Shown& each : compared) {
+    const Mesh mesh = each.camera ? buildRepresentation(*each.camera, reference, scene, frame.progress()).mesh
+                                  : unionMesh(each.images);
+    measure(each.name, sliceExactly(mesh, options.profile), mesh.triangles.size(), SolidityMeter::Shown::kEverything);
+  }
+  const std::string json = solidityJson(choice.scene.source, options, rows);
+  frame.print(choice.json == "-" ? json : solidityTable(options, rows));
+  if (!choice.json.empty() && choice.json != "-") {
+    writeFile(choice.json, json);
+  }
+  if (!choice.pictures.empty()) {
+    frame.note("wrote pictures to " + choice.pictures);
+  }
+}
+
+}  // namespace
+
+void addSolidityCommand(CLI::App& program, const Frame& frame) {
+  CLI::App& command = *program.add_subcommand(
+      "solidity", "Measure how solid a scene looks on a display that emits light and hides nothing");
+  const auto choice = std::make_shared<SolidityChoice>();
+  addSceneOptions(command, choice->scene);
+  command
+      .add_option("--cameras", choice->cameras,
+                  "What to compare with the full geometry: names of cameras, JSON files, or reference images (.exr)")
+      ->delimiter(',')
+      ->type_name("NAME,...");
+  command.add_option("--cell", choice->cell, "Side of the cube of eyes, in inches at the reference display")
+      ->type_name("SIDE");
+  addViewOption(command, choice->view);
+  addSizeOption(command, choice->size);
+  command.add_option("--profile", choice->profile, "The display: a name, or a profile of your own")
+      ->type_name("NAME|FILE.json");
+  command.add_option("--interior", choice->interiorViews, "How many eyes inside of the cell")
+      ->check(CLI::Range(0, 10000))
+      ->type_name("N");
+  command.add_option("--seed", choice->seed, "Of the eyes inside")->type_name("S");
+  command
+      .add_option("--picture-side", choice->pictureSide,
+                  "Of the pictures, pixels; 0: as many as the display has rows, so that a voxel is about a pixel")
+      ->check(CLI::Range(0, 8192))
+      ->type_name("N");
+  command.add_option("--json", choice->json, "Also write the figures here; alone or as - they go to standard output")
+      ->expected(0, 1)
+      ->default_str("-")
+      ->type_name("FILE");
+  command.add_option("-o,--output", choice->pictures, "Also write pictures from the reference eye and a corner here")
+      ->type_name("DIR");
+  frame.finish(command,
+               "  ocelli solidity builtin:statues\n"
+               "  ocelli solidity bunny.obj --cameras di,ddoc,eoc-hv --cell 4in --json bunny.json -o bunny",
+               [choice, frame] { run(*choice, frame); });
+}
+
+}  // namespace ocelli
