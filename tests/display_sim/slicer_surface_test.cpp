@@ -1,10 +1,11 @@
-// Slices of closed surfaces: watertight, and nowhere far from the surface.
+// Slices of closed surfaces, by both slicers: watertight, and nowhere far from the surface.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <functional>
 
 #include "display_sim/exact_slicer.h"
+#include "display_sim/slicer.h"
 #include "display_sim/sweep_geometry.h"
 #include "tests/display_sim/flood_fill.h"
 #include "tests/display_sim/test_meshes.h"
@@ -57,15 +58,17 @@ Solid boxSolid(const char* name, const glm::vec3& lower, const glm::vec3& upper)
           }};
 }
 
-class ClosedSolids : public ::testing::TestWithParam<Solid> {
+using SliceFunction = Volume (*)(const Mesh&, const DisplayProfile&, const SliceOptions&);
+
+class ClosedSolids : public ::testing::TestWithParam<std::tuple<Solid, SliceFunction>> {
  protected:
+  const Solid& solid_ = std::get<0>(GetParam());
   const DisplayProfile profile_ = smallProfile(48, 80, 80);
   const SweepGeometry sweep_{profile_};
-  const Volume volume_ = sliceExactly(GetParam().mesh, profile_);
+  const Volume volume_ = std::get<1>(GetParam())(solid_.mesh, profile_, {});
 };
 
 TEST_P(ClosedSolids, areWatertight) {
-  const Solid& solid = GetParam();
   const FloodFill flood(volume_);
   size_t inside = 0;
   size_t leaks = 0;
@@ -77,8 +80,8 @@ TEST_P(ClosedSolids, areWatertight) {
         if (volume_.colorBits(i, column, row) != 0) {
           continue;
         }
-        const double distance = solid.distance(sweep_.voxelCenter(i, column, row));
-        if (distance < -solid.sag) {
+        const double distance = solid_.distance(sweep_.voxelCenter(i, column, row));
+        if (distance < -solid_.sag) {
           ++inside;
           leaks += flood.reached(voxel) ? 1 : 0;
         } else if (distance > 0) {
@@ -124,7 +127,7 @@ double distanceToTriangle(const std::array<glm::dvec3, 3>& t) {
 // A cell that holds a point of the surface has its centre at most (1/2, 1/2, 1/2) sides away, and (1/2, 1/2, 1) in the
 // column at the axis, whose outer side is twice as long as its middle: 1.23 voxels. The bound to keep is 1.5.
 TEST_P(ClosedSolids, litVoxelsLieWithinOneAndAHalfVoxelsOfTheSurface) {
-  const Mesh& mesh = GetParam().mesh;
+  const Mesh& mesh = solid_.mesh;
   // 1.5 voxels in space: the longest side is the arc at the rim.
   const double reach = 1.5 * std::max({sweep_.columnWidth(), sweep_.rowHeight(), sweep_.stepRadians()});
   std::vector<Box> bounds;
@@ -170,7 +173,7 @@ Voxel voxelOf(const SweepGeometry& sweep, const glm::dvec3& p) {
 // The other direction. A point that lies on the border of cells up to rounding may find its neighbour lit instead,
 // whose centre is as near.
 TEST_P(ClosedSolids, surfacePointsLieWithinOneAndAHalfVoxelsOfALitOne) {
-  const Mesh& mesh = GetParam().mesh;
+  const Mesh& mesh = solid_.mesh;
   test::PointSource source(5);
   double farthest = 0;
   size_t points = 0;
@@ -183,10 +186,16 @@ TEST_P(ClosedSolids, surfacePointsLieWithinOneAndAHalfVoxelsOfALitOne) {
     const glm::dvec3 p = s + t <= 1 ? a + (b - a) * s + (c - a) * t : a + (b - a) * (1 - s) + (c - a) * (1 - t);
     const Voxel home = voxelOf(sweep_, p);
     double nearest = 1e300;
-    for (int column = std::max(home.column - 1, 0); column <= std::min(home.column + 1, profile_.width - 1); ++column) {
-      for (int row = std::max(home.row - 1, 0); row <= std::min(home.row + 1, profile_.height - 1); ++row) {
-        if (volume_.colorBits(home.slice, column, row) != 0) {
-          nearest = std::min(nearest, glm::length(inVoxelFrame(sweep_, {home.slice, column, row}, p)));
+    for (int next = -1; next <= 1; ++next) {
+      // Past the last slice comes the first, mirrored.
+      const int slice = (home.slice + next + sweep_.slicesPerHalfTurn()) % sweep_.slicesPerHalfTurn();
+      const bool mirrored = slice - home.slice != next;
+      const int middle = mirrored ? profile_.width - 1 - home.column : home.column;
+      for (int column = std::max(middle - 1, 0); column <= std::min(middle + 1, profile_.width - 1); ++column) {
+        for (int row = std::max(home.row - 1, 0); row <= std::min(home.row + 1, profile_.height - 1); ++row) {
+          if (volume_.colorBits(slice, column, row) != 0) {
+            nearest = std::min(nearest, glm::length(inVoxelFrame(sweep_, {slice, column, row}, p)));
+          }
         }
       }
     }
@@ -195,16 +204,20 @@ TEST_P(ClosedSolids, surfacePointsLieWithinOneAndAHalfVoxelsOfALitOne) {
   EXPECT_LE(farthest, 1.5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Slicer, ClosedSolids,
-                         ::testing::Values(sphereSolid("sphere", 0.9, 40, glm::dvec3(0)),
-                                           sphereSolid("sphereBesideTheAxis", 0.4, 30, {0.37, 0.2, -0.11}),
-                                           sphereSolid("sphereTouchingTheAxis", 0.4, 30, {-0.4, 0, 0}),
-                                           torusSolid("torus", 0.6, 0.3, glm::dvec3(0)),
-                                           torusSolid("torusThroughTheAxis", 0.4, 0.2, {0.37, 0.01, 0.1}),
-                                           boxSolid("box", {-0.61f, -0.7f, -0.52f}, {0.55f, 0.66f, 0.7f}),
-                                           boxSolid("boxOnCellBorders", {-0.5f, -0.75f, -0.25f}, {0.5f, 0.75f, 0.5f}),
-                                           boxSolid("boxWithAnEdgeOnTheAxis", {0, -0.5f, 0}, {0.6f, 0.5f, 0.6f})),
-                         ::testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(
+    Slicer, ClosedSolids,
+    ::testing::Combine(::testing::Values(sphereSolid("sphere", 0.9, 40, glm::dvec3(0)),
+                                         sphereSolid("sphereBesideTheAxis", 0.4, 30, {0.37, 0.2, -0.11}),
+                                         sphereSolid("sphereTouchingTheAxis", 0.4, 30, {-0.4, 0, 0}),
+                                         torusSolid("torus", 0.6, 0.3, glm::dvec3(0)),
+                                         torusSolid("torusThroughTheAxis", 0.4, 0.2, {0.37, 0.01, 0.1}),
+                                         boxSolid("box", {-0.61f, -0.7f, -0.52f}, {0.55f, 0.66f, 0.7f}),
+                                         boxSolid("boxOnCellBorders", {-0.5f, -0.75f, -0.25f}, {0.5f, 0.75f, 0.5f}),
+                                         boxSolid("boxWithAnEdgeOnTheAxis", {0, -0.5f, 0}, {0.6f, 0.5f, 0.6f})),
+                       ::testing::Values(&sliceExactly, &slice)),
+    [](const auto& test) {
+      return std::string(std::get<0>(test.param).name) + (std::get<1>(test.param) == &slice ? "_fast" : "_exact");
+    });
 
 }  // namespace
 }  // namespace ocelli
