@@ -162,7 +162,7 @@ DemoRow displayRow(const DemoFolder& folder, const std::vector<ShownMesh>& repre
   ObserverOptions observer;
   observer.width = options.observedSide;
   observer.height = options.observedSide;
-  observer.gain = automaticGain(collectLight(volumes[1], observer));
+  observer.tone.gain = automaticGain(collectLight(volumes[1], observer));
   for (size_t i = 0; i < volumes.size(); ++i) {
     row.images.push_back(folder.write("display-front-" + representations[i].id, observe(volumes[i], observer),
                                       representations[i].name, groupedDigits(volumes[i].litVoxels()) + " lit voxels."));
