@@ -9,7 +9,8 @@
 namespace ocelli {
 namespace {
 
-constexpr int kBarPixels = 220;  // of the longest bar
+constexpr int kBarPixels = 220;    // of the longest bar
+constexpr size_t kMostBeside = 4;  // images of a row
 
 std::string percent(double ratio) {
   return fmt::format("{:.2f} %", 100 * ratio);
@@ -40,7 +41,7 @@ std::string imageTag(const DemoImage& image, const std::string& alternative) {
 std::string flipBlock(const DemoRow& row, const std::string& id, const std::string& sceneTitle) {
   std::string inputs;
   std::string stack;
-  for (size_t i = 0; i < std::min<size_t>(row.images.size(), 3); ++i) {
+  for (size_t i = 0; i < std::min(row.images.size(), kMostBeside); ++i) {
     const DemoImage& image = row.images[i];
     inputs += fmt::format(R"(<input type="radio" name="{0}" id="{0}-{1}"{2}><label for="{0}-{1}">{3}</label>)", id, i,
                           i == 0 ? " checked" : "", htmlFromText(image.name));
@@ -57,7 +58,7 @@ std::string rowBlock(const DemoRow& row, const std::string& id, const std::strin
   if (!row.text.empty()) {
     html += "<p>" + htmlFromText(row.text) + "</p>\n";
   }
-  const size_t columns = std::min<size_t>(row.images.size(), 3);
+  const size_t columns = std::min(row.images.size(), kMostBeside);
   html += fmt::format("<div class=\"row\" style=\"--columns: {}\">\n", columns);
   for (const DemoImage& image : row.images) {
     html += fmt::format("<figure><a href=\"{}\">{}</a><figcaption><b>{}</b> {}</figcaption></figure>\n",
@@ -65,6 +66,30 @@ std::string rowBlock(const DemoRow& row, const std::string& id, const std::strin
                         htmlFromText(image.name), htmlFromText(image.caption));
   }
   return html + "</div>\n" + flipBlock(row, id, sceneTitle);
+}
+
+// As many as eyes: the figures of each in one column after the other.
+std::string solidityTable(const DemoScene& scene) {
+  std::string html =
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"How solid it looks\"><table><caption>Hidden "
+      "light: the share of all light that comes from surfaces which should be hidden. PSNR and FLIP: how the observed "
+      "picture differs from the opaque one; of PSNR more is better, of FLIP less.</caption>\n<thead><tr><th "
+      "scope=\"col\">Shown</th>";
+  for (const std::string& eye : scene.solidityEyes) {
+    for (const char* figure : {"Hidden light", "PSNR", "FLIP"}) {
+      html += fmt::format("<th scope=\"col\">{},<br>{}</th>", figure, htmlFromText(eye));
+    }
+  }
+  html += "</tr></thead>\n<tbody>\n";
+  for (const SolidityFigures& row : scene.solidity) {
+    html += "<tr><th scope=\"row\">" + htmlFromText(row.name) + "</th>";
+    for (const SolidityErrors& errors : row.groups) {
+      html += fmt::format("<td>{}</td><td>{:.1f} dB</td><td>{:.3f}</td>", percent(errors.hiddenShare()),
+                          errors.psnrDecibels(), errors.meanFlip());
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
 }
 
 std::string figuresTable(const DemoScene& scene) {
@@ -177,7 +202,7 @@ std::string demoPage(const std::vector<DemoScene>& scenes, const DemoOptions& op
     for (size_t r = 0; r < scene.rows.size(); ++r) {
       html += rowBlock(scene.rows[r], fmt::format("flip-{}-{}", i, r), scene.title);
     }
-    html += figuresTable(scene) + "</section>\n";
+    html += solidityTable(scene) + figuresTable(scene) + "</section>\n";
   }
   return html + "</main>\n</body>\n</html>\n";
 }

@@ -46,8 +46,13 @@ class DemoFolder {
 
   DemoImage write(const std::string& file, const Image<glm::vec3>& image, const std::string& name,
                   const std::string& caption) const {
+    return write(file, srgbFromLinear(image), name, caption);
+  }
+
+  DemoImage write(const std::string& file, const Image<Rgb8>& image, const std::string& name,
+                  const std::string& caption) const {
     const std::string path = name_ + "/" + file + ".png";
-    writePng(folder_ / path, srgbFromLinear(image));
+    writePng(folder_ / path, image);
     return {path, name, caption, image.width(), image.height()};
   }
 
@@ -145,19 +150,59 @@ DemoRow sideRow(const DemoFolder& folder, const std::vector<ShownMesh>& represen
   return row;
 }
 
-// Every representation with the same gain.
+// Every representation with the same gain: one that suits the OCRI.
 DemoRow displayRow(const DemoFolder& folder, const std::vector<ShownMesh>& representations,
-                   const std::vector<Volume>& volumes, const DemoOptions& options, const glm::vec3& eye, double gain,
-                   const std::string& id, const std::string& title, const std::string& text) {
-  DemoRow row{title, text, {}};
+                   const std::vector<Volume>& volumes, const DemoOptions& options) {
+  DemoRow row{
+      "On the display, from the front",
+      "Simulated light of every lit voxel, all with the same exposure. The display emits and hides nothing: the full "
+      "geometry also shows its back and inner sides, which the reference images left out. What the OCRI keeps of them "
+      "shines through along the silhouettes.",
+      {}};
+  ObserverOptions observer;
+  observer.width = options.observedSide;
+  observer.height = options.observedSide;
+  observer.tone.gain = automaticGain(collectLight(volumes[1], observer));
   for (size_t i = 0; i < volumes.size(); ++i) {
-    ObserverOptions observer;
-    observer.eye = eye;
-    observer.width = options.observedSide;
-    observer.height = options.observedSide;
-    observer.gain = gain;
-    row.images.push_back(folder.write("display-" + id + "-" + representations[i].id, observe(volumes[i], observer),
+    row.images.push_back(folder.write("display-front-" + representations[i].id, observe(volumes[i], observer),
                                       representations[i].name, groupedDigits(volumes[i].litVoxels()) + " lit voxels."));
+  }
+  return row;
+}
+
+// Of the same volumes, in the order of the page: what hides nothing first. Adds the figures to the scene.
+DemoRow solidityRow(const DemoFolder& folder, const std::vector<ShownMesh>& representations,
+                    const std::vector<Volume>& volumes, const Mesh& truth, const DemoOptions& options,
+                    const View& reference, const View& left, DemoScene& scene, const Progress& progress) {
+  DemoRow row{
+      "How solid it looks, from 4 in to the left",
+      "First what an opaque scene looks like from there, then what is seen of the display, each at the exposure that "
+      "suits "
+      "it best. With the full geometry, whatever is behind an object shines through it. The depth image leaves that "
+      "out, "
+      "but beside each object its shadow stays dark. The OCRI fills the shadow, at the price of some light along "
+      "silhouettes: little for most scenes, much for a fence, which is all silhouettes.",
+      {}};
+  scene.solidityEyes = {"in front", "to the left"};
+  SolidityMeter meter(truth, {.profile = options.profile,
+                              .groups = {{scene.solidityEyes[0], {reference.eye}}, {scene.solidityEyes[1], {left.eye}}},
+                              .pictureSide = options.profile.height / 2});
+  for (const size_t i : {2, 0, 1}) {
+    const ShownMesh& shown = representations[i];
+    Image<Rgb8> opaque;
+    Image<Rgb8> observed;
+    scene.solidity.push_back(meter.measure(shown.name, volumes[i], shown.mesh->triangles.size(),
+                                           SolidityMeter::Shown::kEverything, progress,
+                                           [&](const ObservedFrame& frame) {
+                                             opaque = frame.opaque;
+                                             observed = frame.observed;
+                                           }));
+    if (row.images.empty()) {
+      row.images.push_back(folder.write("solid-opaque", opaque, "Opaque", "As it should look."));
+    }
+    row.images.push_back(folder.write("solid-" + shown.id, observed, shown.name,
+                                      fmt::format("{:.1f} % of the light should be hidden.",
+                                                  100 * scene.solidity.back().groups.back().hiddenShare())));
   }
   return row;
 }
@@ -179,7 +224,7 @@ std::string groupedDigits(size_t number) {
 
 DemoScene runDemoScene(const std::string& title, const std::string& source, const std::filesystem::path& folder,
                        const std::string& name, const DemoOptions& options, const Progress& progress) {
-  DemoScene scene{title, source, {}, 0, 0, {}};
+  DemoScene scene{title, source, {}, 0, 0, {}, {}, {}};
   const DemoFolder images(folder, name);
   const Mesh geometry = loadScene(source, {}, progress);
   const View view;
@@ -208,17 +253,9 @@ DemoScene runDemoScene(const std::string& title, const std::string& source, cons
   }
   scene.geometryTriangles = geometry.triangles.size();
   report(progress, "observing", 0);
-  ObserverOptions front;
-  front.width = options.observedSide;
-  front.height = options.observedSide;
-  const double gain = automaticGain(collectLight(volumes[1], front));  // suits the OCRI
-  scene.rows.push_back(displayRow(
-      images, representations, volumes, options, view.eye, gain, "front", "On the display, from the front",
-      "Simulated light of every lit voxel, all with the same exposure. The display emits and hides nothing: the full "
-      "geometry also shows its back and inner sides, which the reference images left out. What the OCRI keeps of them "
-      "shines through along the silhouettes."));
-  scene.rows.push_back(displayRow(images, representations, volumes, options, left.eye(), gain, "left",
-                                  "On the display, from 4 in to the left", ""));
+  scene.rows.push_back(displayRow(images, representations, volumes, options));
+  scene.rows.push_back(
+      solidityRow(images, representations, volumes, geometry, options, view, left.view(), scene, progress));
 
   EvaluationOptions evaluation;
   evaluation.view = view;

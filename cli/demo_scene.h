@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "display_sim/display_profile.h"
+#include "display_sim/solidity/solidity.h"
 #include "oc_core/base/progress.h"
 #include "oc_core/evaluation/evaluation.h"
 
@@ -33,6 +34,8 @@ struct DemoScene {
   size_t geometryTriangles = 0;
   double geometrySliceMilliseconds = 0;
   std::vector<RepresentationFigures> figures;  ///< of the depth image first
+  std::vector<std::string> solidityEyes;       ///< where the eyes are of the figures that follow
+  std::vector<SolidityFigures> solidity;       ///< of the full geometry first
 };
 
 struct DemoOptions {

@@ -48,7 +48,8 @@ fieldset { border: 1px solid var(--line); border-radius: 6px; margin: .5rem 0; p
 .stack img { grid-area: 1 / 1; visibility: hidden; }
 .flip input:nth-of-type(1):checked ~ .stack img:nth-child(1),
 .flip input:nth-of-type(2):checked ~ .stack img:nth-child(2),
-.flip input:nth-of-type(3):checked ~ .stack img:nth-child(3) { visibility: visible; }
+.flip input:nth-of-type(3):checked ~ .stack img:nth-child(3),
+.flip input:nth-of-type(4):checked ~ .stack img:nth-child(4) { visibility: visible; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; margin: .75rem 0; font-variant-numeric: tabular-nums; background: var(--card); }
 caption { text-align: left; color: var(--soft); padding-bottom: .4rem; max-width: 60rem; }

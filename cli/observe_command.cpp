@@ -2,41 +2,71 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
+#include <nlohmann/json.hpp>
 
 #include "cli/command.h"
 #include "cli/gl_display.h"
 #include "cli/gl_drawing.h"
+#include "cli/observer_choice.h"
 #include "cli/output_option.h"
-#include "cli/values.h"
-#include "display_sim/observer.h"
+#include "display_sim/light_file.h"
 #include "display_sim/svol_file.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/output_file.h"
 
 namespace ocelli {
 namespace {
 
 struct ObserveChoice {
   std::string volume;
-  std::string eye;
-  std::string exposure;
-  std::string size = "768x768";
-  ObserverOptions options;
+  ObserverChoice observer;
+  bool json = false;
   std::string method = "processor";
   std::string gl = "auto";
   std::string output;
 };
 
-ObserverOptions observerOptions(const ObserveChoice& choice, const DisplayProfile& profile) {
-  ObserverOptions options = choice.options;
-  const auto distance = static_cast<float>(profile.viewingDistanceRadii());
-  options.eye = choice.eye.empty() ? glm::vec3(0, 0, distance) : pointFromText(choice.eye, "--eye");
-  if (!choice.exposure.empty()) {
-    options.exposureSeconds = ratioFromText(choice.exposure, "--exposure");
+void checkExr(const ObserverChoice& choice) {
+  if (choice.gain > 0 || choice.gamma != 1 || choice.tone != "clip") {
+    throw InputError("an .exr file holds the light as it is", "--gain, --gamma, --tone",
+                     "leave these options out, or write a .png file");
   }
-  const ImageSize size = imageSizeFromText(choice.size, "--size");
-  options.width = size.width;
-  options.height = size.height;
-  return options;
+}
+
+void run(const ObserveChoice& choice, const Frame& frame) {
+  requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
+  const bool exr = choice.output.ends_with(".exr");
+  if (exr) {
+    checkExr(choice.observer);
+  }
+  checkWritable(choice.output);
+  const auto gl = choice.method == "gl" ? std::make_unique<GlDisplay>(choice.gl) : nullptr;
+  const Volume volume = readSvol(choice.volume);
+  const ObserverOptions options = observerOptions(choice.observer, volume.profile());
+  const auto start = std::chrono::steady_clock::now();
+  const Image<glm::vec3> light = gl != nullptr ? gl->collectLight(volume, options) : collectLight(volume, options);
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  Tone tone = options.tone;
+  tone.gain = tone.gain > 0 ? tone.gain : automaticGain(light);
+  nlohmann::ordered_json json = {{"profile", volume.profile().name},
+                                 {"eye", {options.eye.x, options.eye.y, options.eye.z}},
+                                 {"lit_voxels", volume.litVoxels()},
+                                 {"gain", tone.gain}};
+  if (exr) {
+    writeLightExr(choice.output, light, json.dump());
+  } else {
+    writeTonedPng(choice.output, light, tone);
+  }
+  if (choice.json) {
+    json["observe_ms"] = time.count();
+    frame.print(json.dump(2) + "\n");
+  }
+  if (gl != nullptr) {
+    frame.note("drawn with " + gl->description());
+  }
+  frame.note(fmt::format("wrote {}: seen from {:g},{:g},{:g} in {:.0f} ms", choice.output, options.eye.x, options.eye.y,
+                         options.eye.z, time.count()));
 }
 
 }  // namespace
@@ -45,44 +75,16 @@ void addObserveCommand(CLI::App& program, const Frame& frame) {
   CLI::App& command = *program.add_subcommand("observe", "Show what an eye sees of a volume on its display");
   const auto choice = std::make_shared<ObserveChoice>();
   command.add_option("VOLUME", choice->volume, "A volume (.svol)")->required();
-  command
-      .add_option("--eye", choice->eye,
-                  "Where the eye is, in display radii; by default in front, at the display's viewing distance")
-      ->type_name("X,Y,Z");
-  command.add_option("--exposure", choice->exposure, "Seconds; by default one refresh of the display")
-      ->type_name("SECONDS");
-  command
-      .add_option("--missing-sector", choice->options.missingSectorStartDegrees,
-                  "Screen angle where an exposure ends, and where a shorter one than a refresh misses a sector")
-      ->type_name("DEGREES");
-  command.add_option("--size", choice->size, "Of the picture, in pixels")->type_name("WIDTHxHEIGHT");
-  command
-      .add_option("--fov", choice->options.fovVerticalDegrees, "Vertical field of view; 0 just holds the unit sphere")
-      ->type_name("DEGREES");
-  command.add_option("--gain", choice->options.gain, "Factor on the light; 0 chooses one for the picture")
-      ->type_name("FACTOR");
-  command.add_option("--gamma", choice->options.gamma, "Exponent 1/GAMMA on the light")->type_name("GAMMA");
+  addObserverOptions(command, choice->observer);
   addMethodOption(command, choice->method);
   addGlOption(command, choice->gl);
-  addOutputOption(command, choice->output, "Where the picture goes", {".png"});
+  command.add_flag("--json", choice->json, "Print the figures as JSON");
+  addOutputOption(command, choice->output, "Where the picture goes: toned, or all of its light", {".png", ".exr"});
   frame.finish(command,
                "  ocelli observe teapot.svol -o teapot.png\n"
-               "  ocelli observe teapot.svol --eye 0,4,9 --exposure 1/25 --missing-sector 30 -o teapot.png",
-               [choice, frame] {
-                 requireGlUsed(choice->gl, choice->method == "gl", "--method gl");
-                 const auto gl = choice->method == "gl" ? std::make_unique<GlDisplay>(choice->gl) : nullptr;
-                 const Volume volume = readSvol(choice->volume);
-                 const ObserverOptions options = observerOptions(*choice, volume.profile());
-                 Image<glm::vec3> light =
-                     gl != nullptr ? gl->collectLight(volume, options) : collectLight(volume, options);
-                 tone(light, options.gain > 0 ? options.gain : automaticGain(light), options.gamma);
-                 writePng(choice->output, srgbFromLinear(light));
-                 if (gl != nullptr) {
-                   frame.note("drawn with " + gl->description());
-                 }
-                 frame.note(fmt::format("wrote {}: seen from {:g},{:g},{:g}", choice->output, options.eye.x,
-                                        options.eye.y, options.eye.z));
-               });
+               "  ocelli observe teapot.svol --eye 0,4,9 --exposure 1/25 --missing-sector 30 -o teapot.png\n"
+               "  ocelli observe teapot.svol --exposure 1/12 --wobble 0.005 --ambient 0.001 -o teapot.exr",
+               [choice, frame] { run(*choice, frame); });
 }
 
 }  // namespace ocelli

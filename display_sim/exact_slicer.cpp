@@ -105,20 +105,33 @@ class TriangleSlicer {
     const SweepVertex& b = vertices_[t.y];
     const SweepVertex& c = vertices_[t.z];
     const SweepTriangle triangle{{a.point, b.point, c.point}};
+    position_ = mesh_.positions[t.x];
+    positionB_ = mesh_.positions[t.y] - position_;
+    positionC_ = mesh_.positions[t.z] - position_;
     color_ = mesh_.color(t.x);
     colorB_ = mesh_.color(t.y) - color_;
     colorC_ = mesh_.color(t.z) - color_;
     const SectorRange range = sectorsOf(a, b, c, sweep_.sectors());
-    forEachTouchedCell(sweep_, raster_, triangle, range, [&](int slice, int column, int row, double b1, double b2) {
-      light(slice, column, row, b1, b2);
+    forEachTouchedCell(sweep_, raster_, triangle, range, [&](int sector, int column, int row, double b1, double b2) {
+      light(sector, column, row, b1, b2);
     });
   }
 
   void flush() { bins_.flush(); }
 
  private:
-  void light(int slice, int column, int row, double b1, double b2) {
+  void light(int sector, int column, int row, double b1, double b2) {
     const glm::vec3 color = color_ + colorB_ * static_cast<float>(b1) + colorC_ * static_cast<float>(b2);
+    if (!options_.angularAntialiasing) {
+      lightCell(sweep_.sliceOfSector(sector), column, row, color);
+      return;
+    }
+    const glm::vec3 point = position_ + positionB_ * static_cast<float>(b1) + positionC_ * static_cast<float>(b2);
+    forEachShare(sweep_, point, sector, column,
+                 [&](int slice, int at, float share) { lightCell(slice, at, row, color * share); });
+  }
+
+  void lightCell(int slice, int column, int row, const glm::vec3& color) {
     store(slice, column, row, color);
     if (ownSecondHalf_) {
       store(slice + sweep_.slicesPerHalfTurn(), sweep_.width() - 1 - column, row, color);
@@ -142,6 +155,9 @@ class TriangleSlicer {
   bool ownSecondHalf_;
   PolygonRaster raster_;
   FragmentBins bins_;
+  glm::vec3 position_{0};
+  glm::vec3 positionB_{0};
+  glm::vec3 positionC_{0};
   glm::vec3 color_{1};
   glm::vec3 colorB_{0};
   glm::vec3 colorC_{0};

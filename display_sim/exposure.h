@@ -5,8 +5,25 @@
 #include <vector>
 
 #include "display_sim/display_profile.h"
+#include "display_sim/wobble.h"
 
 namespace ocelli {
+
+/// What the screen sweeps during an exposure: angles about the axis, counted on over all turns.
+struct Sweep {
+  double fromRadians = 0;
+  double toRadians = 0;
+
+  double radians() const { return toRadians - fromRadians; }
+};
+
+/// Of an exposure that ends when the screen stands at `endDegrees`: a shorter one than a refresh misses a sector that
+/// starts there.
+Sweep sweepEndingAt(const DisplayProfile& profile, double seconds, double endDegrees);
+/// Of an exposure that starts when the screen stands at `startDegrees`.
+Sweep sweepStartingAt(const DisplayProfile& profile, double seconds, double startDegrees);
+
+inline constexpr unsigned kAllChannels = 7;
 
 /// A part of the arc that the screen sweeps while one slice is on. Angles about the axis, as t of the slice convention.
 struct ExposedArc {
@@ -14,11 +31,23 @@ struct ExposedArc {
   double fromRadians = 0;
   double toRadians = 0;
   double passes = 0;  ///< how often the screen passes here during the exposure
+  /// Of these passes, those with the screen half a turn further than the angles say, so that it turns its other face to
+  /// the eye: every second one where the second half turn mirrors the first.
+  double turnedPasses = 0;
+  unsigned channels = kAllChannels;  ///< that are on here: bit 0 red, bit 1 green, bit 2 blue
+  double swingRadians = 0;           ///< the wobble's phase where the arc's angles are 0
 };
 
-/// The arcs that an exposure of `seconds` sees, by slice; dark ones are left out. The slices of a volume repeat with
-/// the refresh of the display: every half turn, or every turn where the second half turn has its own. The exposure ends
-/// when the screen stands at `endDegrees`, so a shorter one than a refresh misses a sector that starts there.
-std::vector<ExposedArc> exposedArcs(const DisplayProfile& profile, double seconds, double endDegrees);
+/// Passes that find the display at phases of its wobble which differ by less than 1 / 64 of a swing count as one where
+/// an exposure has more than 64 such phases: the error is below 5 % of the amplitude.
+inline constexpr int kMostWobblePhases = 64;
+
+/// The arcs that a sweep sees, by slice; dark ones are left out. The slices of a volume repeat with the refresh of the
+/// display: every half turn, or every turn where the second half turn has its own. Where channels are on in turn, an
+/// arc holds one of them.
+std::vector<ExposedArc> exposedArcs(const DisplayProfile& profile, const Sweep& sweep, const Wobble& wobble = {});
+
+/// Cuts arcs where the channels of this display take turns.
+std::vector<ExposedArc> splitByChannel(const DisplayProfile& profile, const std::vector<ExposedArc>& arcs);
 
 }  // namespace ocelli

@@ -37,6 +37,10 @@ class EyePerspective {
   glm::dvec2 pixel(const glm::dvec3& p) const {
     return {centerU_ + pixelsPerTangent * p.x / p.z, centerV_ + pixelsPerTangent * p.y / p.z};
   }
+  /// From the eye through a pixel, in the display's coordinates; it comes to distance 1 along the view direction.
+  glm::dvec3 ray(double u, double v) const {
+    return forward_ + right_ * ((u - centerU_) / pixelsPerTangent) + down_ * ((v - centerV_) / pixelsPerTangent);
+  }
 
   double distance = 0;          ///< of the display's centre
   double pixelsPerTangent = 0;  ///< focal length in pixels

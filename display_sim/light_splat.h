@@ -20,11 +20,16 @@ class LightImage {
 
   /// Adds `light` times `color`, spread evenly over the box of the given size around (u, v); what
   /// falls outside of the image is lost.
-  void add(double u, double v, double boxWidth, double boxHeight, double light, const glm::dvec3& color);
+  void addBox(double u, double v, double boxWidth, double boxHeight, double light, const glm::dvec3& color);
+  /// The same over an ellipse; what of it lies in a row of pixels is drawn as a box as high and as large.
+  void addEllipse(double u, double v, double ellipseWidth, double ellipseHeight, double light, const glm::dvec3& color);
 
   const std::vector<FixedLight>& pixels() const { return pixels_; }
 
  private:
+  /// To one row, which gets `light` in all, evenly from `left` to `right`.
+  void addSpan(int row, double left, double right, double light, const glm::dvec3& color);
+
   int width_;
   int height_;
   std::vector<FixedLight> pixels_;

@@ -4,9 +4,12 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "display_sim/ambient_light.h"
 #include "display_sim/exposure.h"
 #include "display_sim/eye_perspective.h"
 #include "display_sim/light_splat.h"
@@ -19,10 +22,14 @@ namespace {
 
 constexpr int kMostPixels = 1 << 26;
 
-/// A short arc around the axis, in eye coordinates: unit vectors outwards and along the sweep at its middle.
+constexpr double kLeastBoxPixels = 1e-3;
+
+/// A short arc around the axis, in eye coordinates: unit vectors outwards and along the sweep at its middle, and where
+/// the axis has moved to.
 struct Arc {
   glm::dvec3 outward;
   glm::dvec3 along;
+  glm::dvec3 moved;
   double radians;
 };
 
@@ -31,14 +38,16 @@ class ArcParts {
  public:
   static constexpr int kLevels = 6;
 
-  ArcParts(const ExposedArc& arc, const EyePerspective& eye) {
+  ArcParts(const ExposedArc& arc, const EyePerspective& eye, const Wobble& wobble) {
     for (int level = 0; level < kLevels; ++level) {
       const int parts = 1 << level;
       const double radians = (arc.toRadians - arc.fromRadians) / parts;
       for (int k = 0; k < parts; ++k) {
         const double angle = arc.fromRadians + (k + 0.5) * radians;
+        const double swing = arc.swingRadians + wobble.frequency * angle;
         levels_[static_cast<size_t>(level)].push_back({eye.direction({std::cos(angle), 0, std::sin(angle)}),
-                                                       eye.direction({-std::sin(angle), 0, std::cos(angle)}), radians});
+                                                       eye.direction({-std::sin(angle), 0, std::cos(angle)}),
+                                                       eye.direction(wobble.displacement(swing)), radians});
       }
     }
   }
@@ -58,24 +67,31 @@ class Collector {
  public:
   Collector(const Volume& volume, const ObserverOptions& options)
       : volume_(volume),
+        options_(options),
         sweep_(volume.profile()),
         eye_(options),
+        focus_(options.lens.focusRadii > 0 ? options.lens.focusRadii : eye_.distance),
         up_(eye_.direction({0, 1, 0})),
         axis_(eye_.point({0, 0, 0})) {}
 
   void add(const ExposedArc& arc, LightImage& image) const {
-    const ArcParts parts(arc, eye_);
+    const ArcParts parts(arc, eye_, options_.wobble);
     const double radians = arc.toRadians - arc.fromRadians;
-    const double light = arc.passes * radians / sweep_.stepRadians();
+    const ArcLight light = arcLight(arc, options_.emission, sweep_.stepRadians());
+    const glm::dvec3 channels(arc.channels & 1u, arc.channels >> 1 & 1u, arc.channels >> 2 & 1u);
     forEachLevel(volume_, arc.slice, [&](int column, int row, const Rgb8& levels) {
-      const glm::dvec3 color = glm::dvec3(levels) / static_cast<double>(volume_.fullLevel());
+      const glm::dvec3 color = channels * glm::dvec3(levels) / static_cast<double>(volume_.fullLevel());
       const double r = sweep_.columnRadius(column);
+      if (std::abs(r) < options_.deadZoneRadii || color == glm::dvec3(0)) {
+        return;
+      }
       const glm::dvec3 onAxis = axis_ + up_ * sweep_.rowCenterY(row);
       const double pixelsPerRadius = eye_.pixelsPerTangent / std::max(onAxis.z - std::abs(r), kNearestToEye);
       const std::vector<Arc>& arcs = parts.forLength(std::abs(r) * radians * pixelsPerRadius);
       const int columnParts = columnPartsFor(sweep_.columnWidth() * pixelsPerRadius);
       const double width = sweep_.columnWidth() / columnParts;
-      const double partLight = light / static_cast<double>(arcs.size()) / columnParts;
+      const double share = 1 / (static_cast<double>(arcs.size()) * columnParts);
+      const ArcLight partLight{light.ahead * share, light.behind * share};
       for (const Arc& part : arcs) {
         for (int k = 0; k < columnParts; ++k) {
           addPart(part, onAxis, r + (k - (columnParts - 1) / 2.0) * width, width, partLight, color, image);
@@ -90,9 +106,10 @@ class Collector {
   /// A part of a cell, about a pixel large where the number of parts allows that, is drawn as a box that has the same
   /// spread (variance) in both directions of the image as the part's image, whose sides run outwards, up and along the
   /// sweep. It is that image itself where they lie along rows and columns.
-  void addPart(const Arc& arc, const glm::dvec3& onAxis, double r, double width, double light, const glm::dvec3& color,
-               LightImage& image) const {
-    const glm::dvec3 p = onAxis + arc.outward * r;
+  /// A lens that blurs more than that makes it a disc, of which the same holds.
+  void addPart(const Arc& arc, const glm::dvec3& onAxis, double r, double width, const ArcLight& light,
+               const glm::dvec3& color, LightImage& image) const {
+    const glm::dvec3 p = onAxis + arc.moved + arc.outward * r;
     if (p.z < kNearestToEye) {
       return;
     }
@@ -105,20 +122,35 @@ class Collector {
     const glm::dvec2 outward = projected(arc.outward, width);
     const glm::dvec2 up = projected(up_, sweep_.rowHeight());
     const glm::dvec2 along = projected(arc.along, std::abs(r) * arc.radians);
-    const glm::dvec2 variance = outward * outward + up * up + along * along;
+    const glm::dvec2 squares = outward * outward + up * up + along * along;
     const double nearer = eye_.distance / p.z;
-    image.add(at.x, at.y, std::sqrt(variance.x), std::sqrt(variance.y), light * nearer * nearer, color);
+    const double sent = lightTowardsEye(light, options_.emission.model, arc.along, p) * nearer * nearer;
+    const double blur = circleOfConfusion(options_.lens.apertureRadii, focus_, p.z, eye_.pixelsPerTangent);
+    // The variance of a box is side^2 / 12, that of a disc diameter^2 / 16.
+    if (blur * blur > std::max(squares.x, squares.y)) {
+      const glm::dvec2 disc = glm::sqrt(squares * (16.0 / 12) + blur * blur);
+      image.addEllipse(at.x, at.y, disc.x, disc.y, sent, color);
+    } else {
+      // Seen along its plane a part at the axis has no extent in one direction.
+      const glm::dvec2 box = glm::max(glm::sqrt(squares + blur * blur * (12.0 / 16)), kLeastBoxPixels);
+      image.addBox(at.x, at.y, box.x, box.y, sent, color);
+    }
   }
 
   const Volume& volume_;
+  const ObserverOptions& options_;
   SweepGeometry sweep_;
   EyePerspective eye_;
+  double focus_;
   glm::dvec3 up_;
   glm::dvec3 axis_;
 };
 
-float brightest(const glm::vec3& color) {
-  return std::max({color.x, color.y, color.z});
+/// More passes than this would take too long to sort by the phase of the wobble.
+constexpr double kMostWobblingRefreshes = 100000;
+
+double exposureSeconds(const ObserverOptions& options, const DisplayProfile& profile) {
+  return options.exposureSeconds > 0 ? options.exposureSeconds : 1 / profile.refreshHertz();
 }
 
 }  // namespace
@@ -145,15 +177,45 @@ void checkObserverOptions(const ObserverOptions& options, const DisplayProfile& 
   if (!std::isfinite(options.missingSectorStartDegrees) || std::abs(options.missingSectorStartDegrees) > 360) {
     fail("the start of the missing sector must lie between -360 and 360 degrees", "change it");
   }
-  if (!(options.gain >= 0 && options.gain <= 1e9) || !(options.gamma >= 0.1 && options.gamma <= 10)) {
+  if (options.startDegrees && !(std::abs(*options.startDegrees) <= 360)) {
+    fail("the exposure's start must lie between -360 and 360 degrees", "change it");
+  }
+  if (!(options.emission.transmission >= 0 && options.emission.transmission <= 1000)) {
+    fail("the light of the screen's back must lie between 0 and 1000 times that of its front", "change it");
+  }
+  checkWobble(options.wobble);
+  if (options.wobble.amplitudeRadii > 0 &&
+      exposureSeconds(options, profile) * profile.refreshHertz() > kMostWobblingRefreshes) {
+    fail("an exposure of a display that wobbles must hold at most 100000 refreshes", "shorten it");
+  }
+  if (!(options.lens.apertureRadii >= 0 && options.lens.apertureRadii <= 1)) {
+    fail("the lens must be at most as wide as the display's radius", "give a smaller aperture");
+  }
+  if (!(options.lens.focusRadii == 0 || (options.lens.focusRadii > 0.01 && options.lens.focusRadii <= 1e6))) {
+    fail("the distance in focus must lie between 0.01 and a million radii of the display", "change it");
+  }
+  if (!(options.deadZoneRadii >= 0 && options.deadZoneRadii < 1)) {
+    fail("the dead zone must be smaller than the display", "change it");
+  }
+  if (!(options.ambient >= 0 && options.ambient <= 1000)) {
+    fail("the light of the room must lie between 0 and 1000 times that of the screen", "change it");
+  }
+  const Tone& tone = options.tone;
+  if (!(tone.gain >= 0 && tone.gain <= 1e9) || !(tone.gamma >= 0.1 && tone.gamma <= 10)) {
     fail("the gain must lie between 0 and 1e9, gamma between 0.1 and 10", "change them");
   }
 }
 
+Sweep exposedSweep(const ObserverOptions& options, const DisplayProfile& profile) {
+  const double seconds = exposureSeconds(options, profile);
+  return options.startDegrees ? sweepStartingAt(profile, seconds, *options.startDegrees)
+                              : sweepEndingAt(profile, seconds, options.missingSectorStartDegrees);
+}
+
 Image<glm::vec3> collectLight(const Volume& volume, const ObserverOptions& options) {
   checkObserverOptions(options, volume.profile());
-  const double seconds = options.exposureSeconds > 0 ? options.exposureSeconds : 1 / volume.profile().refreshHertz();
-  const std::vector<ExposedArc> arcs = exposedArcs(volume.profile(), seconds, options.missingSectorStartDegrees);
+  const std::vector<ExposedArc> arcs =
+      exposedArcs(volume.profile(), exposedSweep(options, volume.profile()), options.wobble);
   const Collector collector(volume, options);
   // Each part has an image of its own; whole numbers make their sum independent of who drew what.
   const size_t parts = static_cast<size_t>(std::clamp(threadCount(), 1, 16));
@@ -175,38 +237,17 @@ Image<glm::vec3> collectLight(const Volume& volume, const ObserverOptions& optio
       light[i] = glm::vec3(glm::dvec3(sum[0], sum[1], sum[2]) / kLightUnit);
     }
   });
+  if (options.ambient > 0) {
+    addAmbientLight(light, volume.profile(), options);
+  }
   return light;
-}
-
-double automaticGain(const Image<glm::vec3>& light) {
-  std::vector<float> lit;
-  for (const glm::vec3& pixel : light) {
-    if (brightest(pixel) > 0) {
-      lit.push_back(brightest(pixel));
-    }
-  }
-  if (lit.empty()) {
-    return 1;
-  }
-  const auto percentile = lit.begin() + static_cast<std::ptrdiff_t>((lit.size() - 1) * 99 / 100);
-  std::ranges::nth_element(lit, percentile);
-  return 0.95 / static_cast<double>(*percentile);
-}
-
-void tone(Image<glm::vec3>& image, double gain, double gamma) {
-  const auto factor = static_cast<float>(gain);
-  const auto exponent = static_cast<float>(1 / gamma);
-  for (glm::vec3& pixel : image) {
-    pixel *= factor;
-    if (gamma != 1) {
-      pixel = {std::pow(pixel.x, exponent), std::pow(pixel.y, exponent), std::pow(pixel.z, exponent)};
-    }
-  }
 }
 
 Image<glm::vec3> observe(const Volume& volume, const ObserverOptions& options) {
   Image<glm::vec3> image = collectLight(volume, options);
-  tone(image, options.gain > 0 ? options.gain : automaticGain(image), options.gamma);
+  Tone tone = options.tone;
+  tone.gain = tone.gain > 0 ? tone.gain : automaticGain(image);
+  applyTone(image, tone);
   return image;
 }
 

@@ -10,6 +10,8 @@ enum class ColorReduction {
 
 struct SliceOptions {
   ColorReduction colors = ColorReduction::kDither;
+  /// A sample between two slices lights both, in proportion to how near it is.
+  bool angularAntialiasing = false;
 };
 
 }  // namespace ocelli

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/vec4.hpp>
 
 #include "display_sim/eye_perspective.h"
 #include "display_sim/gl/shaders.h"
@@ -36,6 +35,24 @@ std::array<float, 3> floats(const glm::dvec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
+/// Arc of observe.glsl.
+struct GlArc {
+  float cosine;
+  float sine;
+  float radians;
+  float swing;
+  float ahead;
+  float behind;
+  uint32_t channels;
+  uint32_t unused;
+};
+
+void refuseWhatTheGpuLacks(const ObserverOptions& view) {
+  if (view.lens.apertureRadii > 0 || view.ambient > 0) {
+    throw GlError("a lens and the light of the room are not for the GPU", "observer", "observe without OpenGL");
+  }
+}
+
 void setUniforms(const GladGLContext& gl, GLuint program, const GlObserverOptions& options,
                  const SweepGeometry& sweep) {
   const EyePerspective eye(options.view);
@@ -52,6 +69,11 @@ void setUniforms(const GladGLContext& gl, GLuint program, const GlObserverOption
   gl.ProgramUniformMatrix3fv(program, 4, 1, GL_FALSE, eyeFromWorld.data());
   gl.ProgramUniform1f(program, 5, static_cast<float>(eye.pixelsPerTangent));
   gl.ProgramUniform1i(program, 6, options.splat == GlSplat::kPoints ? 1 : 0);
+  const ObserverOptions& view = options.view;
+  gl.ProgramUniform1i(program, 8, view.emission.model == EmissionModel::kScreen ? 1 : 0);
+  gl.ProgramUniform3fv(program, 9, 1, floats(eye.direction(view.wobble.displacement(0))).data());
+  gl.ProgramUniform1f(program, 10, static_cast<float>(view.wobble.frequency));
+  gl.ProgramUniform1f(program, 11, static_cast<float>(view.deadZoneRadii));
 }
 
 }  // namespace
@@ -116,7 +138,7 @@ void GlObserver::resize(int width, int height) {
 }
 
 /// Returns by how much their light is scaled down, so that that of a voxel does not grow with the exposure.
-double GlObserver::bindArcs(const std::vector<ExposedArc>& arcs) {
+double GlObserver::bindArcs(const std::vector<ExposedArc>& arcs, const ObserverOptions& view) {
   const DisplayProfile& profile = volume_->profile();
   const double step = SweepGeometry(profile).stepRadians();
   double most = 0;
@@ -124,11 +146,14 @@ double GlObserver::bindArcs(const std::vector<ExposedArc>& arcs) {
     most = std::max(most, arc.passes);
   }
   std::vector<uint32_t> first(static_cast<size_t>(profile.storedSlices()) + 1);
-  std::vector<glm::vec4> items;
+  std::vector<GlArc> items;
   for (const ExposedArc& arc : arcs) {
-    const double radians = arc.toRadians - arc.fromRadians;
     const double middle = (arc.fromRadians + arc.toRadians) / 2;
-    items.emplace_back(glm::dvec4(std::cos(middle), std::sin(middle), radians, arc.passes / most * radians / step));
+    const double swing = std::remainder(arc.swingRadians + view.wobble.frequency * middle, 2 * kPi);
+    const ArcLight light = arcLight(arc, view.emission, step);
+    items.push_back({static_cast<float>(std::cos(middle)), static_cast<float>(std::sin(middle)),
+                     static_cast<float>(arc.toRadians - arc.fromRadians), static_cast<float>(swing),
+                     static_cast<float>(light.ahead / most), static_cast<float>(light.behind / most), arc.channels, 0});
     first[static_cast<size_t>(arc.slice) + 1] = static_cast<uint32_t>(items.size());
   }
   for (size_t i = 1; i < first.size(); ++i) {
@@ -161,13 +186,13 @@ void GlObserver::draw(const GlObserverOptions& options) {
   const DisplayProfile& profile = volume_->profile();
   const ObserverOptions& view = options.view;
   checkObserverOptions(view, profile);
-  const double seconds = view.exposureSeconds > 0 ? view.exposureSeconds : 1 / profile.refreshHertz();
-  const std::vector<ExposedArc> arcs = options.window ? windowArcs(profile, *options.window)
-                                                      : exposedArcs(profile, seconds, view.missingSectorStartDegrees);
+  refuseWhatTheGpuLacks(view);
+  const std::vector<ExposedArc> arcs = options.window ? windowArcs(profile, *options.window, view.wobble)
+                                                      : exposedArcs(profile, exposedSweep(view, profile), view.wobble);
   const GlScope scope(*context_);
   const GladGLContext& gl = context_->gl();
   resize(view.width, view.height);
-  const double scale = bindArcs(arcs);
+  const double scale = bindArcs(arcs, view);
   GLuint binding = 0;
   for (const GLuint buffer : {volume_->words().id(), lit_.id()}) {
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding++, buffer);

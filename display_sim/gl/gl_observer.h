@@ -20,7 +20,7 @@ enum class GlSplat {
 };
 
 struct GlObserverOptions {
-  ObserverOptions view;                              ///< its gain and gamma are for tone()
+  ObserverOptions view;                              ///< without lens and ambient light; its tone is for applyTone()
   std::optional<SweepWindow> window = std::nullopt;  ///< where given, this part of the sweep counts, not the exposure
   GlSplat splat = GlSplat::kBoxes;
 };
@@ -36,7 +36,7 @@ class GlObserver {
   size_t litVoxels() const { return litVoxels_; }
 
   /// Draws the light that reaches each pixel. Throws as checkObserverOptions() and windowArcs() do, and GlError for an
-  /// image that the GPU has no room for.
+  /// image that the GPU has no room for, a lens, and light of the room.
   void draw(const GlObserverOptions& options);
 
   /// RGBA32F, row 0 at the top, alpha 1: what draw() drew.
@@ -46,7 +46,7 @@ class GlObserver {
  private:
   void resize(int width, int height);
   void drawLarge();
-  double bindArcs(const std::vector<ExposedArc>& arcs);
+  double bindArcs(const std::vector<ExposedArc>& arcs, const ObserverOptions& view);
 
   GlContext* context_;
   GlObject list_;

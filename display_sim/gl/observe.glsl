@@ -8,8 +8,16 @@ layout(std430, binding = 1) readonly buffer Lit {
   uint litCount;
   uint lit[];
 };
-// x, y: cos and sin of an arc's middle; z: its length in radians; w: the light of a voxel on it.
-layout(std430, binding = 2) readonly buffer Arcs { vec4 arcs[]; };
+struct Arc {
+  vec2 direction;  // cos and sin of its middle
+  float radians;   // its length
+  float swing;     // phase of the wobble in its middle
+  float ahead;     // light of a voxel on it, for eyes on either side of the screen: ArcLight of emission.h
+  float behind;
+  uint channels;
+  uint unused;
+};
+layout(std430, binding = 2) readonly buffer Arcs { Arc arcs[]; };
 layout(std430, binding = 3) readonly buffer ArcsOfSlices { uint firstArcs[]; };  // and their end
 layout(std430, binding = 4) buffer Low { uint low[]; };
 layout(std430, binding = 5) buffer High { uint high[]; };
@@ -27,6 +35,10 @@ layout(location = 4) uniform mat3 eyeFromWorld;
 layout(location = 5) uniform float pixelsPerTangent;
 layout(location = 6) uniform bool asPoints;
 layout(location = 7) uniform uint firstGroup;
+layout(location = 8) uniform bool fromScreen;  // else voxels emit evenly
+layout(location = 9) uniform vec3 wobble;      // how far and where to the axis swings, in eye coordinates
+layout(location = 10) uniform float wobbleFrequency;
+layout(location = 11) uniform float deadZone;
 
 const float kNearest = 1e-4;
 const float kLightUnit = 1048576;
@@ -81,7 +93,7 @@ vec2 turned(vec2 direction, float angle) {
 struct Cell {
   vec3 onAxis;
   float r;
-  vec4 arc;
+  Arc arc;
   ivec2 parts;  // outwards, along
   uint colorBits;
 };
@@ -104,9 +116,9 @@ Cell cellOf(uint voxel, uint arc) {
   cell.r = (column + 0.5) * columnWidth() - 1;
   cell.arc = arcs[arc];
   float pixels = pixelsPerRadius(cell);
-  int along = int(clamp(ceil(abs(cell.r) * cell.arc.z * pixels), 1, 32));
+  int along = int(clamp(ceil(abs(cell.r) * cell.arc.radians * pixels), 1, 32));
   cell.parts = ivec2(clamp(columnWidth() * pixels + 0.5, 1, 16), along == 1 ? 1 : 2 << findMSB(along - 1));
-  cell.colorBits = voxels[word] >> voxel % 8u * 4u & 7u;
+  cell.colorBits = abs(cell.r) < deadZone ? 0u : voxels[word] >> voxel % 8u * 4u & cell.arc.channels;
   return cell;
 }
 
@@ -116,18 +128,33 @@ uvec2 arcsOf(uint voxel) {
   return uvec2(firstArcs[slice], firstArcs[slice + 1u]);
 }
 
+// lightTowardsEye() of emission.h.
+float towardsEye(Arc arc, vec3 alongUnit, vec3 p) {
+  if (!fromScreen) {
+    return arc.ahead;
+  }
+  float slope = dot(alongUnit, p) / p.z;
+  return 1.57079633 * abs(slope) * (slope < 0 ? arc.ahead : arc.behind);
+}
+
 // Adds one part of a cell, as a box that has the same spread in both directions of the image, or as a point.
 void addPart(Cell cell, int part, ivec2 rows) {
-  float radians = cell.arc.z / cell.parts.y;
+  if (cell.colorBits == 0u) {
+    return;
+  }
+  float radians = cell.arc.radians / cell.parts.y;
   float width = columnWidth() / cell.parts.x;
-  vec2 direction = turned(cell.arc.xy, (part / cell.parts.x + 0.5) * radians - cell.arc.z / 2);
+  float angle = (part / cell.parts.x + 0.5) * radians - cell.arc.radians / 2;  // from the arc's middle
+  vec2 direction = turned(cell.arc.direction, angle);
   float r = cell.r + (part % cell.parts.x - (cell.parts.x - 1) / 2.0) * width;
-  vec3 p = cell.onAxis + eyeFromWorld * vec3(direction.x * r, 0, direction.y * r);
+  vec3 p = cell.onAxis + eyeFromWorld * vec3(direction.x * r, 0, direction.y * r) +
+           wobble * cos(cell.arc.swing + wobbleFrequency * angle);
   if (p.z < kNearest) {
     return;
   }
   float nearer = length(axis) / p.z;
-  float light = cell.arc.w / (cell.parts.x * cell.parts.y) * nearer * nearer;
+  vec3 alongUnit = eyeFromWorld * vec3(-direction.y, 0, direction.x);
+  float light = towardsEye(cell.arc, alongUnit, p) / (cell.parts.x * cell.parts.y) * nearer * nearer;
   vec2 center = imageSize / 2.0 + pixelsPerTangent * p.xy / p.z;
   if (asPoints) {
     if (rows.x == 0) {
@@ -137,7 +164,7 @@ void addPart(Cell cell, int part, ivec2 rows) {
   }
   vec2 outward = projected(eyeFromWorld * vec3(direction.x, 0, direction.y) * width, p);
   vec2 up = projected(eyeFromWorld[1] * (2 * halfHeight / sliceSize.y), p);
-  vec2 along = projected(eyeFromWorld * vec3(-direction.y, 0, direction.x) * (abs(r) * radians), p);
+  vec2 along = projected(alongUnit * (abs(r) * radians), p);
   // Seen along its plane a part at the axis has no extent in one direction.
   vec2 size = max(sqrt(outward * outward + up * up + along * along), vec2(1e-3));
   addBox(center, size, light, cell.colorBits, rows);

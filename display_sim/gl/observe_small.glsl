@@ -10,7 +10,7 @@ const float kLargeGroupSize = 64;
 float turnsOf(Cell cell) {
   float nearest = max(cell.onAxis.z - abs(cell.r), kNearest);
   float slope = (length(cell.onAxis.xy) + abs(cell.r)) / nearest;
-  float side = (2 * halfHeight / sliceSize.y + columnWidth() / cell.parts.x + abs(cell.r) * cell.arc.z / cell.parts.y) *
+  float side = (2 * halfHeight / sliceSize.y + columnWidth() / cell.parts.x + abs(cell.r) * cell.arc.radians / cell.parts.y) *
                pixelsPerRadius(cell) * (1 + slope);
   vec2 pixels = min(vec2(side), vec2(imageSize)) + 2;
   return asPoints ? 1 : pixels.x * pixels.y;

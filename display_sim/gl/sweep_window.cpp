@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
+
+constexpr double kSameSwing = 1e-6;
 
 void validate(const SweepWindow& window) {
   const auto fail = [](const std::string& what, const std::string& next) {
@@ -36,7 +39,7 @@ double remaining(const SweepWindow& window, double from, double to) {
 
 }  // namespace
 
-std::vector<ExposedArc> windowArcs(const DisplayProfile& profile, const SweepWindow& window) {
+std::vector<ExposedArc> windowArcs(const DisplayProfile& profile, const SweepWindow& window, const Wobble& wobble) {
   validate(window);
   const double step = kPi / profile.slicesPerHalfTurn;
   const double least = step * 1e-9;  // below this an arc is rounding
@@ -52,18 +55,31 @@ std::vector<ExposedArc> windowArcs(const DisplayProfile& profile, const SweepWin
       const auto slice = static_cast<int>((k % stored + stored) % stored);
       // The slices repeat after a half or a whole turn; the arc is that of the first one.
       const double back = middle - slice * step;
-      arcs.push_back({slice, from - back, to - back, remaining(window, from, to)});
+      const bool turned = stored == profile.slicesPerHalfTurn && (k - slice) / stored % 2 != 0;
+      const ExposedArc whole{.slice = slice,
+                             .fromRadians = from - back,
+                             .toRadians = to - back,
+                             .swingRadians = wobble.frequency * back + radiansFromDegrees(wobble.phaseDegrees)};
+      for (ExposedArc arc : splitByChannel(profile, {whole})) {
+        arc.passes = remaining(window, arc.fromRadians + back, arc.toRadians + back);
+        arc.turnedPasses = turned ? arc.passes : 0;
+        arcs.push_back(arc);
+      }
     }
   }
-  std::ranges::stable_sort(arcs, {}, &ExposedArc::slice);
+  std::ranges::stable_sort(arcs, {}, [](const ExposedArc& arc) { return std::pair(arc.slice, arc.channels); });
   // Whole arcs come again with every turn: one does for all.
+  const auto isAgain = [&](const ExposedArc& a, const ExposedArc& b) {
+    return a.slice == b.slice && a.channels == b.channels && std::abs(a.fromRadians - b.fromRadians) < least &&
+           std::abs(a.toRadians - b.toRadians) < least &&
+           (wobble.amplitudeRadii == 0 ||
+            std::abs(std::remainder(a.swingRadians - b.swingRadians, 2 * kPi)) < kSameSwing);
+  };
   std::vector<ExposedArc> merged;
   for (const ExposedArc& arc : arcs) {
-    const bool again = !merged.empty() && merged.back().slice == arc.slice &&
-                       std::abs(merged.back().fromRadians - arc.fromRadians) < least &&
-                       std::abs(merged.back().toRadians - arc.toRadians) < least;
-    if (again) {
+    if (!merged.empty() && isAgain(merged.back(), arc)) {
       merged.back().passes += arc.passes;
+      merged.back().turnedPasses += arc.turnedPasses;
     } else {
       merged.push_back(arc);
     }

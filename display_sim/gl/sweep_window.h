@@ -18,6 +18,6 @@ inline constexpr double kMostSweptTurns = 16;
 
 /// By slice; `passes` is what is left of the light, added up over the turns. Angles as exposedArcs() gives them. Throws
 /// InputError for windows that make no sense.
-std::vector<ExposedArc> windowArcs(const DisplayProfile& profile, const SweepWindow& window);
+std::vector<ExposedArc> windowArcs(const DisplayProfile& profile, const SweepWindow& window, const Wobble& wobble = {});
 
 }  // namespace ocelli

@@ -7,7 +7,7 @@
 
 namespace ocelli {
 
-/// The gain for tone() with which `light` differs least from `picture`: in the mean squared error of sRGB-encoded
+/// The gain for applyTone() with which `light` differs least from `picture`: in the mean squared error of sRGB-encoded
 /// values, light above 1 counting as white. 1 for an image without light.
 double fittedGain(const Image<glm::vec3>& light, const Image<Rgb8>& picture);
 

@@ -28,7 +28,7 @@ double pixelsPerDegree(const ObserverOptions& observer) {
 }
 
 Image<Rgb8> toned(Image<glm::vec3> light, double gain) {
-  tone(light, gain, 1);
+  applyTone(light, {.gain = gain});
   return srgbFromLinear(light);
 }
 

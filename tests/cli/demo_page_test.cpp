@@ -29,7 +29,9 @@ DemoScene scene(const std::string& title) {
           {{"Row one", "text", images}, {"Row two", "", images}},
           1234567,
           8,
-          {figures("di", 100), figures("ddoc", 25)}};
+          {figures("di", 100), figures("ddoc", 25)},
+          {"in front"},
+          {{"Full geometry", 12, 34, 1, {{.eyes = 1, .light = 8, .hiddenLight = 3, .squaredError = 0.01}}}}};
 }
 
 std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
@@ -88,6 +90,7 @@ TEST(DemoPage, TellsTheFigures) {
   EXPECT_THAT(page, HasSubstr("2.50 %"));
   EXPECT_THAT(page, HasSubstr("25.0 %"));  // of the depth image's
   EXPECT_THAT(page, HasSubstr(groupedDigits(1234567)));
+  EXPECT_THAT(page, HasSubstr("<td>37.50 %</td><td>20.0 dB</td>"));  // 3 of 8, 0.01
 }
 
 TEST(GroupedDigits, InThrees) {

@@ -6,6 +6,7 @@
 #include "display_sim/sweep_geometry.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
+#include "tests/display_sim/light_measures.h"
 #include "tests/display_sim/test_meshes.h"
 #include "tests/display_sim/test_profiles.h"
 
@@ -13,14 +14,7 @@ namespace ocelli {
 namespace {
 
 using test::smallProfile;
-
-glm::dvec3 sumOf(const Image<glm::vec3>& image) {
-  glm::dvec3 sum(0);
-  for (const glm::vec3& pixel : image) {
-    sum += glm::dvec3(pixel);
-  }
-  return sum;
-}
+using test::sumOf;
 
 /// White and right across the display, at height 0.
 Volume whiteFloor(const DisplayProfile& profile) {
@@ -189,15 +183,53 @@ TEST(Observer, halfATurnShowsHalfOfOwnSlices) {
   EXPECT_GT(whole.y, 0.5);
 }
 
-TEST(Observer, automaticGainTakesTheBrightToNearWhite) {
-  Image<glm::vec3> light(10, 30, glm::vec3(0));
-  for (size_t i = 0; i < 201; ++i) {
-    light[i] = glm::vec3(0, 0, static_cast<float>(i + 1));
+// Voxels at the axis, seen from straight above, have no extent along the sweep.
+TEST(Observer, lightWithoutExtentIsNotLost) {
+  Volume volume(smallProfile(4, 9, 9));
+  volume.light(0, 4, 4, 7);
+  const Image<glm::vec3> image = collectLight(volume, {.eye = {0, 7, 0}, .width = 61, .height = 61});
+  EXPECT_NEAR(sumOf(image).x, 1, 1e-3);  // it stands at the centre, where light is not scaled by distance
+}
+
+TEST(Observer, nothingIsSeenInTheDeadZone) {
+  const DisplayProfile profile = smallProfile(20, 32, 32);
+  Volume inside(profile);
+  Volume outside(profile);
+  for (int column = 0; column < 32; ++column) {
+    const bool dead = column >= 11 && column < 21;  // r up to 4.5 / 16
+    (dead ? inside : outside).light(7, column, 12, 7);
   }
-  EXPECT_DOUBLE_EQ(automaticGain(light), 0.95 / 199) << "the 99th percentile of 1 ... 201";
-  EXPECT_EQ(automaticGain(Image<glm::vec3>(4, 4, glm::vec3(0))), 1);
-  tone(light, 0.5, 2);
-  EXPECT_FLOAT_EQ(light[7].z, 2);
+  Volume both = outside;
+  for (int column = 11; column < 21; ++column) {
+    both.light(7, column, 12, 7);
+  }
+  const ObserverOptions shaft{.width = 100, .height = 100, .deadZoneRadii = 0.3};
+  EXPECT_EQ(collectLight(both, shaft), collectLight(outside, {.width = 100, .height = 100}));
+  EXPECT_EQ(sumOf(collectLight(inside, shaft)), glm::dvec3(0));
+  EXPECT_THROW(collectLight(both, {.deadZoneRadii = 1}), InputError);
+}
+
+// Red is on during the first third of the arc, blue during the last: their light is a third each, and their middles are
+// two thirds of a step apart.
+TEST(Observer, channelsInTurnLeaveColorFringes) {
+  DisplayProfile profile = smallProfile(20, 64, 64);
+  profile.channelTiming = ChannelTiming::kInTurn;
+  Volume volume(profile);
+  volume.light(10, 60, 32, 7);  // towards the default eye; the sweep goes along -x
+  const ObserverOptions options{.width = 400, .height = 400};
+  const Image<glm::vec3> image = collectLight(volume, options);
+  const double r = 28.5 / 32;
+  const glm::dvec3 sum = sumOf(image);
+  for (int channel = 0; channel < 3; ++channel) {
+    EXPECT_NEAR(sum[channel], std::pow(10 / (10 - r), 2) / 3, 2e-3);  // the arc's ends are farther: 1 - cos(step / 2)
+  }
+  const double pixels = 200 / std::tan(std::asin(0.1)) / (10 - r);
+  const double apart = test::spreadOf(image, 0).center.x - test::spreadOf(image, 2).center.x;
+  EXPECT_NEAR(apart, kPi / 20 * 2 / 3 * r * pixels, 0.01 * apart);  // sin of a tenth for the angle: 0.2 %
+  profile.channelTiming = ChannelTiming::kTogether;
+  Volume together(profile);
+  together.light(10, 60, 32, 7);
+  EXPECT_NEAR(sumOf(collectLight(together, options)).y, sum.x + sum.y + sum.z, 1e-3);
 }
 
 TEST(Observer, sameBytesWithAnyNumberOfThreads) {
@@ -227,8 +259,8 @@ TEST(Observer, badOptionsAreInputErrors) {
   EXPECT_THROW(observe(volume, {.width = 1 << 15, .height = 1 << 15}), InputError);
   EXPECT_THROW(observe(volume, {.fovVerticalDegrees = 180}), InputError);
   EXPECT_THROW(observe(volume, {.exposureSeconds = -1}), InputError);
-  EXPECT_THROW(observe(volume, {.gain = -1}), InputError);
-  EXPECT_THROW(observe(volume, {.gamma = 0}), InputError);
+  EXPECT_THROW(observe(volume, {.tone = {.gain = -1}}), InputError);
+  EXPECT_THROW(observe(volume, {.tone = {.gamma = 0}}), InputError);
   EXPECT_NO_THROW(observe(volume, {.eye = {0, 0, 1.1f}}));
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "oc_core/base/error.h"
+#include "tests/display_sim/light_measures.h"
 #include "tests/display_sim/test_meshes.h"
 #include "tests/display_sim/test_profiles.h"
 #include "tests/gl/gl_test_context.h"
@@ -14,6 +15,7 @@ namespace ocelli {
 namespace {
 
 using test::smallProfile;
+using test::sumOf;
 using testing::HasSubstr;
 
 class GlObserverTest : public testing::TestWithParam<GlProvider> {
@@ -29,14 +31,6 @@ class GlObserverTest : public testing::TestWithParam<GlProvider> {
   GlObserver observer_{*context_};
 };
 INSTANTIATE_TEST_SUITE_P(Providers, GlObserverTest, kOffscreenProviders, providerName);
-
-glm::dvec3 sumOf(const Image<glm::vec3>& image) {
-  glm::dvec3 sum(0);
-  for (const glm::vec3& pixel : image) {
-    sum += glm::dvec3(pixel);
-  }
-  return sum;
-}
 
 /// Sums of squares of pixels of this side: what a blur leaves.
 Image<glm::vec3> blocks(const Image<glm::vec3>& image, int side) {
@@ -74,7 +68,21 @@ std::vector<NamedView> views() {
           {"a sector is missing",
            {.width = 200, .height = 200, .exposureSeconds = 1.0 / 25, .missingSectorStartDegrees = 33}},
           {"a long exposure", {.width = 200, .height = 200, .exposureSeconds = 100.0 / 7}},
-          {"few pixels", {.width = 5, .height = 3}}};
+          {"few pixels", {.width = 5, .height = 3}},
+          {"a screen", {.eye = {3, 4, -2}, .width = 200, .height = 200, .emission = {.model = EmissionModel::kScreen}}},
+          {"a screen with a dim back",
+           {.width = 200,
+            .height = 200,
+            .exposureSeconds = 1.3 / 24,
+            .startDegrees = 50,
+            .emission = {.model = EmissionModel::kScreen, .transmission = 0.2}}},
+          {"a wobble",
+           {.eye = {3, 4, -2},
+            .width = 200,
+            .height = 200,
+            .exposureSeconds = 3.0 / 24,
+            .wobble = {.amplitudeRadii = 0.1, .direction = {1, 2, 3}, .frequency = 1.25, .phaseDegrees = 40}}},
+          {"a dead zone", {.width = 200, .height = 200, .deadZoneRadii = 0.5}}};
 }
 
 // The same parts in single precision: their borders move by about 1e-4 pixels, of boxes about a pixel large; a part
@@ -96,6 +104,17 @@ TEST_P(GlObserverTest, seesWhatTheProcessorSees) {
       EXPECT_LE(difference(image, processors), 1e-3);
     }
   }
+}
+
+TEST_P(GlObserverTest, channelsInTurnAreThoseOfTheProcessor) {
+  DisplayProfile profile = smallProfile(24, 50, 64);
+  profile.channelTiming = ChannelTiming::kInTurn;
+  const Volume volume = test::coloredTorus(profile);
+  const ObserverOptions view{.eye = {3, 4, -2}, .width = 200, .height = 200, .exposureSeconds = 1.0 / 25};
+  const Image<glm::vec3> processors = collectLight(volume, view);
+  const Image<glm::vec3> image = observed(volume, {.view = view});
+  EXPECT_GT(sumOf(processors).y, 1);
+  EXPECT_LE(difference(image, processors), 1e-3);
 }
 
 // Points lie within a pixel of where the light is: blocks of 10 x 10 pixels trade some of that along their borders.
@@ -181,6 +200,14 @@ TEST_P(GlObserverTest, badOptionsAreErrors) {
   EXPECT_THROW(observer_.draw({.view = {.eye = {0, 0, 0.5f}}}), InputError);
   EXPECT_THROW(observer_.draw({.view = {.width = 0}}), InputError);
   EXPECT_THROW(observer_.draw({.view = {}, .window = SweepWindow{.sweptRadians = -1}}), InputError);
+  for (const ObserverOptions& view : {ObserverOptions{.lens = {.apertureRadii = 0.1}}, ObserverOptions{.ambient = 1}}) {
+    try {
+      observer_.draw({.view = view});
+      FAIL() << "drew it";
+    } catch (const GlError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("without OpenGL"));
+    }
+  }
   try {
     observer_.draw({.view = {.width = 1 << 20, .height = 1 << 6}});
     FAIL() << "drew it";

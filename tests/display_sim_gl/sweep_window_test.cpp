@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -43,13 +44,15 @@ TEST(SweepWindow, aWholeRefreshIsAnExposureOfOne) {
     // It ends between two slices, so that no arc is cut, after and before many turns.
     for (const int turns : {0, 7, -7}) {
       const auto arcs = windowArcs(profile, {.endRadians = -kStep / 2 + turns * 2 * kPi, .sweptRadians = period});
-      const auto exposed = exposedArcs(profile, 1 / profile.refreshHertz(), degreesFromRadians(-kStep / 2));
+      const auto exposed =
+          exposedArcs(profile, sweepEndingAt(profile, 1 / profile.refreshHertz(), degreesFromRadians(-kStep / 2)));
       ASSERT_EQ(arcs.size(), exposed.size());
       for (size_t i = 0; i < arcs.size(); ++i) {
         EXPECT_EQ(arcs[i].slice, exposed[i].slice);
         EXPECT_NEAR(arcs[i].fromRadians, exposed[i].fromRadians, 1e-9);
         EXPECT_NEAR(arcs[i].toRadians, exposed[i].toRadians, 1e-9);
         EXPECT_EQ(arcs[i].passes, 1);
+        EXPECT_EQ(arcs[i].turnedPasses, exposed[i].turnedPasses);
       }
     }
   }
@@ -60,6 +63,35 @@ TEST(SweepWindow, turnsAddUp) {
   ASSERT_EQ(arcs.size(), 10u);
   for (const ExposedArc& arc : arcs) {
     EXPECT_EQ(arc.passes, 6) << "two half turns a turn";
+  }
+}
+
+TEST(SweepWindow, everySecondPassIsTurned) {
+  const auto arcs = windowArcs(smallProfile(10, 8, 8), {.endRadians = kStep / 2, .sweptRadians = 3 * kPi});
+  ASSERT_EQ(arcs.size(), 10u);
+  for (const ExposedArc& arc : arcs) {
+    EXPECT_EQ(arc.passes, 3);
+    EXPECT_EQ(arc.turnedPasses, arc.slice == 0 ? 1 : 2) << "they end unturned with slice 0";
+  }
+}
+
+TEST(SweepWindow, knowsWobbleAndChannelsAsExposuresDo) {
+  DisplayProfile profile = smallProfile(10, 8, 8);
+  profile.channelTiming = ChannelTiming::kInTurn;
+  const Wobble wobble{.amplitudeRadii = 0.1, .frequency = 1.5, .phaseDegrees = 20};
+  const Sweep sweep{-kStep / 2 + 2 * kPi, -kStep / 2 + 5 * kPi};
+  auto arcs = windowArcs(profile, {.endRadians = sweep.toRadians, .sweptRadians = sweep.radians()}, wobble);
+  auto exposed = exposedArcs(profile, sweep, wobble);
+  ASSERT_EQ(arcs.size(), 10u * 3 * 3);
+  ASSERT_EQ(arcs.size(), exposed.size());
+  for (const ExposedArc& arc : arcs) {
+    const auto same = std::ranges::count_if(exposed, [&](const ExposedArc& other) {
+      return arc.slice == other.slice && arc.channels == other.channels && arc.passes == other.passes &&
+             arc.turnedPasses == other.turnedPasses && std::abs(arc.fromRadians - other.fromRadians) < 1e-9 &&
+             std::abs(arc.toRadians - other.toRadians) < 1e-9 &&
+             std::abs(std::remainder(arc.swingRadians - other.swingRadians, 2 * kPi)) < 1e-6;
+    });
+    EXPECT_EQ(same, 1);
   }
 }
 

@@ -24,7 +24,7 @@ TEST(FittedGain, undoesAFactor) {
   const Image<Rgb8> picture = srgbFromLinear(ramp());
   for (const double factor : {0.001, 0.4, 1.0, 30.0}) {
     Image<glm::vec3> light = ramp();
-    tone(light, factor, 1);
+    applyTone(light, {.gain = factor});
     EXPECT_NEAR(fittedGain(light, picture) * factor, 1, 0.002) << factor;
   }
 }

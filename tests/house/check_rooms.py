@@ -19,6 +19,7 @@ THIRD_PARTIES = {
     "oneapi/tbb/": "TBB::tbb",
     "nlohmann/": "nlohmann_json::nlohmann_json",
     "assimp/": "assimp::assimp",
+    "hwy/": "hwy::hwy",
     "meshoptimizer.h": "meshoptimizer::meshoptimizer",
     "embree3/": "embree",
     "Imf": "PkgConfig::OpenEXR",

@@ -1,0 +1,36 @@
+// One pass of the fast slicer (slicer.h) over chunks of a mesh.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "display_sim/display_profile.h"
+#include "display_sim/slice_mesh.h"
+#include "display_sim/slice_options.h"
+#include "display_sim/volume.h"
+
+namespace ocelli {
+
+/// The sectors that a chunk may light: first, first + 1, ... modulo their number.
+struct SectorSpan {
+  int first = 0;
+  int count = 0;
+};
+
+class SlicePass {
+ public:
+  virtual ~SlicePass() = default;
+
+  /// Fills in those of `chunks` in `spans`, which has an element for each chunk of the mesh.
+  virtual void findSpans(const SliceMesh& mesh, std::span<const size_t> chunks, std::span<SectorSpan> spans) = 0;
+
+  /// The same, clears the slices of `wanted`, and lights what these chunks light in them.
+  virtual void run(const SliceMesh& mesh, std::span<const size_t> chunks, std::span<const int> wanted,
+                   std::span<SectorSpan> spans, Volume& volume) = 0;
+};
+
+std::unique_ptr<SlicePass> makeSlicePass(const DisplayProfile& profile, const SliceOptions& options);
+
+}  // namespace ocelli

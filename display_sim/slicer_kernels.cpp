@@ -1,0 +1,429 @@
+#include "display_sim/slicer_kernels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "display_sim/dither.h"
+#include "display_sim/slice_mesh.h"
+#include "display_sim/volume.h"
+#include "oc_core/base/conventions.h"
+
+// This file is compiled once for each of these instruction sets; foreach_target.h includes it again and again.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "display_sim/slicer_kernels.cpp"
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace ocelli::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::ScalableTag<float>;
+using Ints = hn::RebindToSigned<Floats>;
+using Words = hn::RebindToUnsigned<Floats>;
+using Halves = hn::Rebind<uint16_t, Floats>;
+using FloatVec = hn::Vec<Floats>;
+using IntVec = hn::Vec<Ints>;
+
+/// The arc tangent of `ratio` in [0, 1]: an odd polynomial, minimax to 6e-9 before rounding.
+HWY_ATTR FloatVec arcTangent(FloatVec ratio) {
+  constexpr float kCoefficients[] = {0.00245672464f, -0.0144013586f, 0.039781224f,  -0.0723485723f, 0.104989462f,
+                                     -0.141612291f,  0.199859068f,   -0.333325982f, 0.999999881f};
+  const Floats d;
+  const FloatVec square = hn::Mul(ratio, ratio);
+  FloatVec sum = hn::Zero(d);
+  for (const float coefficient : kCoefficients) {
+    sum = hn::Add(hn::Mul(sum, square), hn::Set(d, coefficient));
+  }
+  return hn::Mul(sum, ratio);
+}
+
+/// In (-pi, pi]; 0 at the axis.
+HWY_ATTR FloatVec angleAboutAxis(FloatVec x, FloatVec z) {
+  const Floats d;
+  const FloatVec zero = hn::Zero(d);
+  const FloatVec absX = hn::Abs(x);
+  const FloatVec absZ = hn::Abs(z);
+  const FloatVec larger = hn::Max(hn::Max(absX, absZ), hn::Set(d, 1e-30f));
+  FloatVec angle = arcTangent(hn::Div(hn::Min(absX, absZ), larger));
+  angle = hn::IfThenElse(hn::Gt(absZ, absX), hn::Sub(hn::Set(d, static_cast<float>(kPi / 2)), angle), angle);
+  angle = hn::IfThenElse(hn::Lt(x, zero), hn::Sub(hn::Set(d, static_cast<float>(kPi)), angle), angle);
+  return hn::IfThenElse(hn::Lt(z, zero), hn::Neg(angle), angle);
+}
+
+struct SweepVectors {
+  IntVec sector;
+  IntVec column;
+  IntVec row;
+  hn::Mask<Ints> outside;
+  IntVec special;
+};
+
+/// As SweepPoint. Where a point is far outside its column and row are just outside.
+HWY_ATTR HWY_INLINE SweepVectors locate(const SliceKernelSetup& setup, FloatVec x, FloatVec y, FloatVec z) {
+  const Floats d;
+  const Ints di;
+  constexpr float kNextToAxis = 2;  // columns
+  const FloatVec unit = hn::Set(d, static_cast<float>(kSweepUnit));
+  const FloatVec zero = hn::Zero(d);
+  const FloatVec sectors = hn::Set(d, setup.sectors);
+  FloatVec sector = hn::Add(hn::Mul(angleAboutAxis(x, z), hn::Set(d, setup.stepsPerRadian)), hn::Set(d, 0.5f));
+  sector = hn::IfThenElse(hn::Lt(sector, zero), hn::Add(sector, sectors), sector);
+  // Rounding may have taken a point just below the first sector to the end of the last one.
+  sector = hn::IfThenElse(hn::Lt(sector, sectors), sector, zero);
+  const FloatVec radius = hn::Sqrt(hn::Add(hn::Mul(x, x), hn::Mul(z, z)));
+  const FloatVec column = hn::Add(hn::Mul(radius, hn::Set(d, setup.columnsPerRadius)), hn::Set(d, setup.axisOffset));
+  const FloatVec row = hn::Sub(hn::Set(d, setup.rowOfCenter), hn::Mul(y, hn::Set(d, setup.rowsPerUnit)));
+  const FloatVec farthest = hn::Set(d, setup.columnsOutwards);
+  const FloatVec rows = hn::Set(d, setup.rows);
+  const auto outside = hn::Or(hn::Gt(column, farthest), hn::Or(hn::Lt(row, zero), hn::Gt(row, rows)));
+  const auto special = hn::Or(outside, hn::Lt(column, hn::Set(d, kNextToAxis)));
+  const FloatVec one = hn::Set(d, 1.0f);
+  const FloatVec nearColumn = hn::Min(column, hn::Add(farthest, one));
+  const FloatVec nearRow = hn::Max(hn::Neg(one), hn::Min(row, hn::Add(rows, one)));
+  return {hn::ConvertTo(di, hn::Mul(sector, unit)), hn::ConvertTo(di, hn::Mul(nearColumn, unit)),
+          hn::ConvertTo(di, hn::Mul(nearRow, unit)), hn::RebindMask(di, outside),
+          hn::IfThenElseZero(hn::RebindMask(di, special), hn::Set(di, kSpecial))};
+}
+
+/// The level, of those of the display, that a light has at a threshold in [0, kLightSteps).
+HWY_ATTR IntVec levelOf(const SliceKernelSetup& setup, IntVec light, IntVec threshold) {
+  const Ints di;
+  const IntVec full = hn::Set(di, setup.fullLevel);
+  if (!setup.dithered) {
+    return hn::IfThenElseZero(hn::Gt(light, hn::Zero(di)), full);
+  }
+  const IntVec rest = hn::Sub(hn::Set(di, kLightSteps - 1), threshold);
+  return hn::ShiftRight<15>(hn::Add(hn::Mul(light, full), rest));
+}
+
+/// Which of the voxels that a sample may light is asked for.
+enum class SampleVoxel {
+  kOwn,        ///< the one that holds it; its share of the light if antialiased
+  kNeighbour,  ///< the one of the nearest other sector, with the rest of the light
+};
+
+struct LightVectors {
+  IntVec red;
+  IntVec green;
+  IntVec blue;
+};
+
+HWY_ATTR HWY_INLINE void appendLit(const SliceKernelSetup& setup, const SweepVectors& at, LightVectors light,
+                                   SampleVoxel which, bool secondHalf, hn::Mask<Ints> counts, LitSamples& lit) {
+  const Ints di;
+  const Words dw;
+  const IntVec zero = hn::Zero(di);
+  const IntVec half = hn::Set(di, setup.slicesPerHalfTurn);
+  IntVec sector = hn::ShiftRight<16>(at.sector);
+  if (setup.antialiased) {
+    // From -1/2 to 1/2 of a sector around its middle, in kLightSteps.
+    const IntVec rest =
+        hn::Sub(hn::ShiftRight<1>(hn::And(at.sector, hn::Set(di, kSweepUnit - 1))), hn::Set(di, kLightSteps / 2));
+    IntVec share = hn::Abs(rest);
+    if (which == SampleVoxel::kOwn) {
+      share = hn::Sub(hn::Set(di, kLightSteps), share);
+    } else {
+      const IntVec sectors = hn::Set(di, setup.sectorCount);
+      const IntVec one = hn::Set(di, 1);
+      sector = hn::IfThenElse(hn::Lt(rest, zero), hn::Sub(sector, one), hn::Add(sector, one));
+      sector = hn::IfThenElse(hn::Lt(sector, zero), hn::Add(sector, sectors), sector);
+      sector = hn::IfThenElse(hn::Lt(sector, sectors), sector, zero);
+    }
+    light.red = hn::ShiftRight<15>(hn::Mul(light.red, share));
+    light.green = hn::ShiftRight<15>(hn::Mul(light.green, share));
+    light.blue = hn::ShiftRight<15>(hn::Mul(light.blue, share));
+  }
+  const auto firstHalf = hn::Lt(sector, half);
+  IntVec slice = hn::IfThenElse(firstHalf, sector, hn::Sub(sector, half));
+  const IntVec outwards = hn::Min(hn::ShiftRight<16>(at.column), hn::Set(di, setup.lastColumn - setup.axisColumn));
+  const IntVec right = hn::Add(hn::Set(di, setup.axisColumn), outwards);
+  const IntVec left = hn::Sub(hn::Set(di, setup.lastColumn), right);
+  IntVec column = hn::IfThenElse(firstHalf, right, left);
+  if (secondHalf) {
+    slice = hn::Add(slice, half);
+    column = hn::Sub(hn::Set(di, setup.lastColumn), column);
+  }
+  const IntVec row = hn::Min(hn::ShiftRight<16>(at.row), hn::Set(di, setup.lastRow));
+  const IntVec place = hn::Add(hn::Mul(row, hn::Set(di, setup.paddedColumns)), column);
+
+  const auto sum = hn::Add(hn::Mul(hn::BitCast(dw, column), hn::Set(dw, kDitherColumnStep)),
+                           hn::Add(hn::Mul(hn::BitCast(dw, row), hn::Set(dw, kDitherRowStep)),
+                                   hn::Mul(hn::BitCast(dw, slice), hn::Set(dw, kDitherSliceStep))));
+  const IntVec threshold = hn::BitCast(di, hn::ShiftRight<17>(sum));
+  const IntVec red = levelOf(setup, light.red, threshold);
+  const IntVec green = levelOf(setup, light.green, threshold);
+  const IntVec blue = levelOf(setup, light.blue, threshold);
+  const IntVec levels = setup.oneBit ? hn::Or(red, hn::Or(hn::ShiftLeft<1>(green), hn::ShiftLeft<2>(blue)))
+                                     : hn::Or(red, hn::Or(hn::ShiftLeft<8>(green), hn::ShiftLeft<16>(blue)));
+  const auto isLit = hn::AndNot(hn::Or(at.outside, hn::Eq(levels, zero)), counts);
+  uint32_t* slices = lit.slice.data() + lit.count;
+  uint32_t* places = lit.place.data() + lit.count;
+  const auto litWords = hn::RebindMask(dw, isLit);
+  const size_t count = hn::CompressStore(hn::BitCast(dw, slice), litWords, dw, slices);
+  if (setup.oneBit) {
+    hn::CompressStore(hn::BitCast(dw, hn::Or(hn::ShiftLeft<3>(place), levels)), litWords, dw, places);
+  } else {
+    hn::CompressStore(hn::BitCast(dw, place), litWords, dw, places);
+    hn::CompressStore(hn::BitCast(dw, levels), litWords, dw, lit.levels.data() + lit.count);
+  }
+  lit.count += count;
+}
+
+HWY_ATTR SectorReach light(const SliceKernelSetup& setup, const SliceSamples& samples, SweepPoint* points,
+                           LitSamples& lit) {
+  const Floats d;
+  const Ints di;
+  const Halves dh;
+  const IntVec turn = hn::Set(di, setup.sectorCount * kSweepUnit);
+  const IntVec halfTurn = hn::ShiftRight<1>(turn);
+  IntVec first = turn;
+  IntVec last = hn::Zero(di);
+  IntVec shiftedFirst = turn;
+  IntVec shiftedLast = hn::Neg(turn);
+  IntVec innermost = turn;
+  const auto lightAt = [&](const uint16_t* channel, size_t i)
+                           HWY_ATTR { return hn::PromoteTo(di, hn::LoadU(dh, channel + i)); };
+  const IntVec full = hn::Set(di, kLightSteps);
+  for (size_t i = 0; i < samples.count; i += hn::Lanes(d)) {
+    const SweepVectors at =
+        locate(setup, hn::LoadU(d, samples.x + i), hn::LoadU(d, samples.y + i), hn::LoadU(d, samples.z + i));
+    const auto counts = hn::FirstN(di, samples.count - i);
+    if (points != nullptr) {
+      hn::StoreInterleaved4(at.sector, at.column, at.row, at.special, di, &points[i].sector);
+      const IntVec shifted = hn::IfThenElse(hn::Lt(at.sector, halfTurn), at.sector, hn::Sub(at.sector, turn));
+      first = hn::Min(first, hn::IfThenElse(counts, at.sector, first));
+      last = hn::Max(last, hn::IfThenElse(counts, at.sector, last));
+      shiftedFirst = hn::Min(shiftedFirst, hn::IfThenElse(counts, shifted, shiftedFirst));
+      shiftedLast = hn::Max(shiftedLast, hn::IfThenElse(counts, shifted, shiftedLast));
+      innermost = hn::Min(innermost, hn::IfThenElse(counts, at.column, innermost));
+    }
+    LightVectors color{full, full, full};
+    if (samples.red != nullptr) {
+      color = {lightAt(samples.red, i), lightAt(samples.green, i), lightAt(samples.blue, i)};
+    }
+    for (const SampleVoxel which : {SampleVoxel::kOwn, SampleVoxel::kNeighbour}) {
+      if (which == SampleVoxel::kOwn || setup.antialiased) {
+        appendLit(setup, at, color, which, false, counts, lit);
+        if (setup.ownSecondHalf) {
+          appendLit(setup, at, color, which, true, counts, lit);
+        }
+      }
+    }
+  }
+  const auto reachOf = [&](IntVec lowest, IntVec highest) HWY_ATTR {
+    constexpr int kSectorShift = 16;
+    const auto axis = static_cast<int32_t>(setup.axisOffset * static_cast<float>(kSweepUnit));
+    return SectorReach{hn::GetLane(hn::MinOfLanes(di, lowest)) >> kSectorShift,
+                       hn::GetLane(hn::MaxOfLanes(di, highest)) >> kSectorShift,
+                       hn::GetLane(hn::MinOfLanes(di, innermost)) <= axis};
+  };
+  const SectorReach reach = reachOf(first, last);
+  const SectorReach around = reachOf(shiftedFirst, shiftedLast);
+  return reach.last - reach.first <= around.last - around.first ? reach : around;
+}
+
+/// Whether the triangle of these points spans more than `limit` in a direction, or has a special corner.
+HWY_ATTR inline bool isWide(const SweepPoint& p, const SweepPoint& q, const SweepPoint& r, int32_t limit) {
+#if HWY_TARGET == HWY_SCALAR
+  const auto span = [](int32_t a, int32_t b, int32_t c) { return std::max({a, b, c}) - std::min({a, b, c}); };
+  return span(p.sector, q.sector, r.sector) > limit || span(p.column, q.column, r.column) > limit ||
+         span(p.row, q.row, r.row) > limit || (p.special | q.special | r.special) != 0;
+#else
+  const hn::FixedTag<int32_t, 4> d;
+  alignas(16) constexpr int32_t kAllButSpecial[4] = {-1, -1, -1, 0};
+  alignas(16) const int32_t limits[4] = {limit, limit, limit, 0};
+  const auto a = hn::LoadU(d, &p.sector);
+  const auto b = hn::LoadU(d, &q.sector);
+  const auto c = hn::LoadU(d, &r.sector);
+  const auto lowest = hn::And(hn::Min(a, hn::Min(b, c)), hn::Load(d, kAllButSpecial));
+  return !hn::AllFalse(d, hn::Gt(hn::Sub(hn::Max(a, hn::Max(b, c)), lowest), hn::Load(d, limits)));
+#endif
+}
+
+/// Into how many parts the sides of a triangle are divided; 0 where it has no good lattice.
+HWY_ATTR HWY_INLINE int latticeParts(const SliceKernelSetup& setup, const SweepPoint& a, const SweepPoint& b,
+                                     const SweepPoint& c) {
+  if ((a.special | b.special | c.special) != 0) {
+    return 0;
+  }
+  const auto span = [](int32_t p, int32_t q, int32_t r) {
+    return static_cast<float>(std::max({p, q, r}) - std::min({p, q, r})) * (1.0f / kSweepUnit);
+  };
+  // Measured from -N to N where that is shorter than from 0 to 2 N: past the last sector comes the first.
+  const auto shifted = [&](int32_t sector) {
+    return sector < setup.sectorCount * (kSweepUnit / 2) ? sector : sector - setup.sectorCount * kSweepUnit;
+  };
+  const float sectors =
+      std::min(span(a.sector, b.sector, c.sector), span(shifted(a.sector), shifted(b.sector), shifted(c.sector)));
+  const float columns = span(a.column, b.column, c.column);
+  const float rows = span(a.row, b.row, c.row);
+  const float nearest =
+      static_cast<float>(std::min({a.column, b.column, c.column})) * (1.0f / kSweepUnit) - setup.axisOffset;
+  constexpr float kWidestAngle = 0.5f;  // radians
+  const float angle = sectors * setup.radiansPerStep;
+  if (angle > kWidestAngle || columns > nearest) {
+    return 0;
+  }
+  // Along a straight line the angle changes as 1 / radius^2; a chord comes nearer to the axis than its ends by its
+  // angle's versed sine.
+  const float inner = nearest * (1 - angle * angle / 8);
+  const float stretch = (nearest + columns) / inner;
+  const float widest = std::max({sectors * stretch * stretch, columns + (nearest - inner), rows});
+  const float parts = widest * (1 / kWidestCell);
+  return parts < float{TriangleLattices::kMostParts} ? std::max(static_cast<int>(parts) + 1, 2) : 0;
+}
+
+HWY_ATTR SortedTriangles sort(const SliceKernelSetup& setup, const TriangleLattices& lattices, const SweepPoint* points,
+                              const uint16_t* corners, size_t triangles, uint32_t firstVertex, SampledTriangle* sampled,
+                              uint16_t* exact) {
+  constexpr uint16_t kVertex = SliceMesh::kSharedEdge - 1;
+  SortedTriangles sorted;
+  for (size_t t = 0; t < triangles; ++t, corners += 3) {
+    const SweepPoint& a = points[corners[0] & kVertex];
+    const SweepPoint& b = points[corners[1] & kVertex];
+    const SweepPoint& c = points[corners[2] & kVertex];
+    if (!isWide(a, b, c, static_cast<int32_t>(kWidestCell * kSweepUnit))) {
+      continue;
+    }
+    const int parts = latticeParts(setup, a, b, c);
+    if (parts == 0) {
+      exact[sorted.exact++] = static_cast<uint16_t>(t);
+      continue;
+    }
+    const unsigned shared = corners[0] >> 15 | (corners[1] >> 15) << 1 | (corners[2] >> 15) << 2;
+    const TriangleLattices::Range& range = lattices.range(parts, shared);
+    sampled[sorted.sampled++] = {{firstVertex + (corners[0] & kVertex), firstVertex + (corners[1] & kVertex),
+                                  firstVertex + (corners[2] & kVertex)},
+                                 range.first,
+                                 range.count};
+  }
+  return sorted;
+}
+
+int64_t target() {
+  return HWY_TARGET;
+}
+
+HWY_ATTR size_t sample(const SliceSamples& mesh, const TriangleLattices& lattices, const SampledTriangle* triangles,
+                       size_t count, SampleRoom& room) {
+  const hn::CappedTag<float, 8> d;
+  const hn::Rebind<int32_t, decltype(d)> di;
+  const hn::Rebind<uint16_t, decltype(d)> dh;
+  size_t done = 0;
+  for (; done < count && room.count + triangles[done].samples <= room.capacity; ++done) {
+    const SampledTriangle& t = triangles[done];
+    for (size_t i = 0; i < t.samples; i += hn::Lanes(d)) {
+      const auto b2 = hn::LoadU(d, lattices.weights2() + t.firstWeight + i);
+      const auto b3 = hn::LoadU(d, lattices.weights3() + t.firstWeight + i);
+      const auto mix = [&](auto v1, auto v2, auto v3) HWY_ATTR {
+        const auto first = static_cast<float>(v1);
+        return hn::Add(hn::Set(d, first), hn::Add(hn::Mul(b2, hn::Set(d, static_cast<float>(v2) - first)),
+                                                  hn::Mul(b3, hn::Set(d, static_cast<float>(v3) - first))));
+      };
+      const size_t to = room.count + i;
+      const auto writePosition = [&](const float* from, std::vector<float>& out) HWY_ATTR {
+        hn::StoreU(mix(from[t.corners[0]], from[t.corners[1]], from[t.corners[2]]), d, &out[to]);
+      };
+      const auto writeLight = [&](const uint16_t* from, std::vector<uint16_t>& out) HWY_ATTR {
+        const auto value = mix(from[t.corners[0]], from[t.corners[1]], from[t.corners[2]]);
+        hn::StoreU(hn::DemoteTo(dh, hn::ConvertTo(di, hn::Add(value, hn::Set(d, 0.5f)))), dh, &out[to]);
+      };
+      writePosition(mesh.x, room.x);
+      writePosition(mesh.y, room.y);
+      writePosition(mesh.z, room.z);
+      if (mesh.red != nullptr) {
+        writeLight(mesh.red, room.red);
+        writeLight(mesh.green, room.green);
+        writeLight(mesh.blue, room.blue);
+      }
+    }
+    room.count += t.samples;
+  }
+  return done;
+}
+
+}  // namespace ocelli::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace ocelli {
+namespace {
+
+HWY_EXPORT(light);
+HWY_EXPORT(sort);
+HWY_EXPORT(sample);
+HWY_EXPORT(target);
+
+}  // namespace
+
+SliceKernelSetup::SliceKernelSetup(const DisplayProfile& profile, const SliceOptions& options)
+    : stepsPerRadian(static_cast<float>(profile.slicesPerHalfTurn / kPi)),
+      sectors(static_cast<float>(2 * profile.slicesPerHalfTurn)),
+      sectorCount(2 * profile.slicesPerHalfTurn),
+      slicesPerHalfTurn(profile.slicesPerHalfTurn),
+      radiansPerStep(static_cast<float>(kPi / profile.slicesPerHalfTurn)),
+      columnsPerRadius(static_cast<float>(profile.width) / 2),
+      axisOffset(profile.width % 2 == 0 ? 0.0f : 0.5f),
+      columnsOutwards(static_cast<float>(profile.width - profile.width / 2)),
+      lastColumn(profile.width - 1),
+      axisColumn(profile.width / 2),
+      rowsPerUnit(static_cast<float>(profile.height / 2.0 / profile.halfHeightRadii)),
+      rowOfCenter(static_cast<float>(profile.height) / 2),
+      rows(static_cast<float>(profile.height)),
+      lastRow(profile.height - 1),
+      paddedColumns(static_cast<int32_t>(8 * VolumeLayout(profile).rowBytes)),
+      fullLevel((1 << profile.colorBitsPerChannel) - 1),
+      dithered(options.colors == ColorReduction::kDither),
+      oneBit(profile.colorBitsPerChannel == 1),
+      antialiased(options.angularAntialiasing),
+      ownSecondHalf(profile.secondHalfTurn == SecondHalfTurn::kOwn) {}
+
+LitSamples::LitSamples(size_t samples) {
+  constexpr size_t kMostPerSample = 4;  // in two slices, of both half turns
+  for (std::vector<uint32_t>* words : {&slice, &place, &levels}) {
+    words->resize(kMostPerSample * samples + SliceMesh::kPadding);
+  }
+}
+
+SampleRoom::SampleRoom(size_t room) : capacity(room) {
+  for (std::vector<float>* coordinate : {&x, &y, &z}) {
+    coordinate->resize(capacity + SliceMesh::kPadding);
+  }
+  for (std::vector<uint16_t>* channel : {&red, &green, &blue}) {
+    channel->resize(capacity + SliceMesh::kPadding);
+  }
+}
+
+SliceSamples SampleRoom::samples(bool white) const {
+  SliceSamples samples{x.data(), y.data(), z.data(), red.data(), green.data(), blue.data(), count};
+  if (white) {
+    samples.red = samples.green = samples.blue = nullptr;
+  }
+  return samples;
+}
+
+SectorReach lightSamples(const SliceKernelSetup& setup, const SliceSamples& samples, SweepPoint* points,
+                         LitSamples& lit) {
+  lit.count = 0;
+  return HWY_DYNAMIC_DISPATCH(light)(setup, samples, points, lit);
+}
+
+SortedTriangles sortTriangles(const SliceKernelSetup& setup, const TriangleLattices& lattices, const SweepPoint* points,
+                              const uint16_t* corners, size_t triangles, uint32_t firstVertex, SampledTriangle* sampled,
+                              uint16_t* exact) {
+  return HWY_DYNAMIC_DISPATCH(sort)(setup, lattices, points, corners, triangles, firstVertex, sampled, exact);
+}
+
+size_t sampleTriangles(const SliceSamples& mesh, const TriangleLattices& lattices, const SampledTriangle* triangles,
+                       size_t count, SampleRoom& room) {
+  return HWY_DYNAMIC_DISPATCH(sample)(mesh, lattices, triangles, count, room);
+}
+
+std::string sliceInstructionSet() {
+  return hwy::TargetName(HWY_DYNAMIC_DISPATCH(target)());
+}
+
+}  // namespace ocelli
+#endif  // HWY_ONCE

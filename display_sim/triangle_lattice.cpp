@@ -1,0 +1,31 @@
+#include "display_sim/triangle_lattice.h"
+
+#include "display_sim/slice_mesh.h"
+
+namespace ocelli {
+
+TriangleLattices::TriangleLattices() : ranges_((kMostParts + 1) * 8) {
+  for (int parts = 2; parts <= kMostParts; ++parts) {
+    for (unsigned left = 0; left < 8; ++left) {
+      Range& range = ranges_[static_cast<unsigned>(parts) * 8 + left];
+      range.first = static_cast<uint32_t>(weights2_.size());
+      for (int second = 0; second <= parts; ++second) {
+        for (int third = 0; second + third <= parts; ++third) {
+          const int first = parts - second - third;
+          const bool corner = first == parts || second == parts || third == parts;
+          const bool leftOut =
+              (third == 0 && (left & 1u) != 0) || (first == 0 && (left & 2u) != 0) || (second == 0 && (left & 4u) != 0);
+          if (!corner && !leftOut) {
+            weights2_.push_back(static_cast<float>(second) / static_cast<float>(parts));
+            weights3_.push_back(static_cast<float>(third) / static_cast<float>(parts));
+          }
+        }
+      }
+      range.count = static_cast<uint32_t>(weights2_.size()) - range.first;
+    }
+  }
+  weights2_.resize(weights2_.size() + SliceMesh::kPadding);
+  weights3_.resize(weights3_.size() + SliceMesh::kPadding);
+}
+
+}  // namespace ocelli

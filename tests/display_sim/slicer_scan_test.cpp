@@ -1,0 +1,132 @@
+// Slices of scanned objects that are closed surfaces, by both slicers. Needs the meshes in $OCELLI_DATA_DIR.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <map>
+
+#include "display_sim/exact_slicer.h"
+#include "display_sim/slicer.h"
+#include "display_sim/sweep_geometry.h"
+#include "oc_core/scene/scene_source.h"
+#include "tests/display_sim/flood_fill.h"
+#include "tests/display_sim/test_profiles.h"
+
+namespace ocelli {
+namespace {
+
+using test::FloodFill;
+
+/// Every edge, by the positions of its ends, has two triangles.
+bool isClosed(const Mesh& mesh) {
+  const auto less = [](const glm::vec3& a, const glm::vec3& b) {
+    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+  };
+  std::map<glm::vec3, int, decltype(less)> corners(less);
+  std::map<std::pair<int, int>, int> edges;
+  for (const glm::uvec3& t : mesh.triangles) {
+    std::array<int, 3> corner{};
+    for (int k = 0; k < 3; ++k) {
+      corner[static_cast<size_t>(k)] =
+          corners.emplace(mesh.positions[t[k]], static_cast<int>(corners.size())).first->second;
+    }
+    for (size_t k = 0; k < 3; ++k) {
+      ++edges[std::minmax(corner[k], corner[(k + 1) % 3])];
+    }
+  }
+  return std::ranges::all_of(edges, [](const auto& edge) { return edge.second == 2; });
+}
+
+double volumeInside(const Mesh& mesh) {
+  double sum = 0;
+  for (const glm::uvec3& t : mesh.triangles) {
+    const glm::dvec3 a(mesh.positions[t.x]);
+    sum += glm::dot(a, glm::cross(glm::dvec3(mesh.positions[t.y]), glm::dvec3(mesh.positions[t.z]))) / 6;
+  }
+  return std::abs(sum);
+}
+
+// A dark cell lies wholly inside or wholly outside of a closed surface where all cells that it touches are lit. So the
+// cells that the flood does not reach hold no more than the solid, and together with the lit ones no less: unless there
+// is a leak, which would drain the inside.
+void expectWatertight(const Mesh& mesh, const SweepGeometry& sweep, const Volume& volume) {
+  const FloodFill flood(volume);
+  const DisplayProfile& profile = volume.profile();
+  double unreached = 0;
+  double lit = 0;
+  for (int i = 0; i < profile.slicesPerHalfTurn; ++i) {
+    for (int row = 0; row < profile.height; ++row) {
+      for (int column = 0; column < profile.width; ++column) {
+        const double cell =
+            2 * std::abs(sweep.columnRadius(column)) * sweep.tanHalfStep() * sweep.columnWidth() * sweep.rowHeight();
+        if (volume.colorBits(i, column, row) != 0) {
+          lit += cell;
+        } else if (!flood.reached({i, column, row})) {
+          unreached += cell;
+        }
+      }
+    }
+  }
+  const double inside = volumeInside(mesh);
+  EXPECT_LE(unreached, inside);
+  EXPECT_GE(unreached + lit, inside);
+  EXPECT_GT(unreached, 0.5 * inside) << "most of the inside is dark";
+}
+
+// The flood ends where it does between cells that the surface touches: it stays out of all cells that lie wholly
+// inside, and reaches all that lie wholly outside. No more than `kMostOutside` of the lit cells are not of `exact`.
+void expectAsTight(const Volume& fast, const Volume& exact) {
+  constexpr double kMostOutside = 1e-3;
+  const FloodFill flood(fast);
+  const FloodFill exactFlood(exact);
+  size_t leaks = 0;
+  size_t walledOff = 0;
+  size_t lit = 0;
+  size_t outside = 0;
+  for (int i = 0; i < exact.profile().slicesPerHalfTurn; ++i) {
+    for (int row = 0; row < exact.height(); ++row) {
+      for (int column = 0; column < exact.width(); ++column) {
+        const bool fastLit = fast.colorBits(i, column, row) != 0;
+        const bool exactLit = exact.colorBits(i, column, row) != 0;
+        lit += fastLit ? 1 : 0;
+        outside += fastLit && !exactLit ? 1 : 0;
+        if (!exactLit && !fastLit) {
+          const bool reached = flood.reached({i, column, row});
+          const bool shouldBe = exactFlood.reached({i, column, row});
+          leaks += reached && !shouldBe ? 1 : 0;
+          walledOff += !reached && shouldBe ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(leaks, 0u);
+  EXPECT_EQ(walledOff, 0u);
+  EXPECT_LE(static_cast<double>(outside), kMostOutside * static_cast<double>(lit));
+  ::testing::Test::RecordProperty("lit", static_cast<int>(lit));
+  ::testing::Test::RecordProperty("outside", static_cast<int>(outside));
+}
+
+class Scans : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(Scans, areWatertight) {
+  const char* folder = std::getenv("OCELLI_DATA_DIR");
+  if (folder == nullptr) {
+    GTEST_SKIP() << "OCELLI_DATA_DIR is not set: this test needs its " << GetParam();
+  }
+  const Mesh mesh = loadScene(std::string(folder) + "/" + GetParam(), {.shading = Shading::kNone});
+  ASSERT_TRUE(isClosed(mesh));
+  const DisplayProfile profile = test::smallProfile(96, 256, 256);
+  const SweepGeometry sweep(profile);
+  const Volume exact = sliceExactly(mesh, profile, {ColorReduction::kOccupancy});
+  expectWatertight(mesh, sweep, exact);
+  expectAsTight(slice(mesh, profile, {ColorReduction::kOccupancy}), exact);
+}
+
+INSTANTIATE_TEST_SUITE_P(Slicer, Scans, ::testing::Values("dragon.obj", "horse.obj"), [](const auto& test) {
+  const std::string file = test.param;
+  return file.substr(0, file.find('.'));
+});
+
+}  // namespace
+}  // namespace ocelli
