@@ -11,7 +11,7 @@
 
 #include "bench/timing.h"
 #include "display_sim/display_profile.h"
-#include "display_sim/exact_slicer.h"
+#include "display_sim/slicer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/ocri/ddoc_builder.h"
@@ -48,9 +48,7 @@ constexpr Case kCases[] = {
 void measure(const Case& row, int runs, const DisplayProfile& profile) {
   const Mesh scene = loadScene(row.scene);
   const PinholeCamera camera(View{}, row.width, row.height);
-  const auto sliceTime = [&](const Mesh& mesh) {
-    return medianMilliseconds(runs, [&] { sliceExactly(mesh, profile); });
-  };
+  const auto sliceTime = [&](const Mesh& mesh) { return medianMilliseconds(runs, [&] { slice(mesh, profile); }); };
 
   Mesh depthMesh;
   const double depthBuild = medianMilliseconds(runs, [&] { depthMesh = imageMesh(buildDepthImage(camera, scene)); });

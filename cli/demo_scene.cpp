@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 #include <system_error>
 
-#include "display_sim/exact_slicer.h"
 #include "display_sim/observer.h"
+#include "display_sim/slicer.h"
 #include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/png_file.h"
@@ -248,7 +248,7 @@ DemoScene runDemoScene(const std::string& title, const std::string& source, cons
   for (const ShownMesh& each : representations) {
     report(progress, "slicing", static_cast<double>(volumes.size()) / static_cast<double>(representations.size()));
     const auto start = std::chrono::steady_clock::now();
-    volumes.push_back(sliceExactly(*each.mesh, options.profile));
+    volumes.push_back(slice(*each.mesh, options.profile));
     scene.geometrySliceMilliseconds = millisecondsSince(start);  // the last one is the geometry
   }
   scene.geometryTriangles = geometry.triangles.size();
@@ -261,7 +261,7 @@ DemoScene runDemoScene(const std::string& title, const std::string& source, cons
   evaluation.view = view;
   evaluation.width = options.width;
   evaluation.height = options.height;
-  evaluation.slice = [&options](const Mesh& mesh) { sliceExactly(mesh, options.profile); };
+  evaluation.slice = [&options](const Mesh& mesh) { slice(mesh, options.profile); };
   std::vector<CameraChoice> cameras;
   for (const char* camera : {"di", "ddoc", "ddoc-constant", "eoc-hv", "cell"}) {
     cameras.push_back(cameraChoice(camera));

@@ -10,7 +10,7 @@
 #include "cli/scene_options.h"
 #include "cli/values.h"
 #include "display_sim/display_profile.h"
-#include "display_sim/exact_slicer.h"
+#include "display_sim/slicer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/output_file.h"
@@ -190,7 +190,7 @@ void runEvaluate(const EvaluateChoice& choice, const Frame& frame) {
   EvaluationOptions options = evaluationOptions(choice);
   const std::vector<AskedCamera> cameras = askedCameras(choice.cameras, options.cell);
   const DisplayProfile profile = loadProfile(choice.profile);
-  options.slice = [&profile](const Mesh& mesh) { sliceExactly(mesh, profile); };
+  options.slice = [&profile](const Mesh& mesh) { slice(mesh, profile); };
   const Outputs outputs(choice);
 
   const InterruptGuard guard;

@@ -8,7 +8,7 @@
 #include "cli/command.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
-#include "display_sim/exact_slicer.h"
+#include "display_sim/slicer.h"
 #include "display_sim/solidity/solidity_report.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
@@ -113,13 +113,13 @@ void run(const SolidityChoice& choice, const Frame& frame) {
     rows.push_back(
         meter.measure(name, volume, triangles, shown, frame.progress(), pictureWriter(choice.pictures, name, options)));
   };
-  const Volume full = sliceExactly(scene, options.profile);
+  const Volume full = slice(scene, options.profile);
   measure("visible voxels", full, scene.triangles.size(), SolidityMeter::Shown::kVisibleOnly);
   measure("geometry", full, scene.triangles.size(), SolidityMeter::Shown::kEverything);
   for (const Shown& each : compared) {
     const Mesh mesh = each.camera ? buildRepresentation(*each.camera, reference, scene, frame.progress()).mesh
                                   : unionMesh(each.images);
-    measure(each.name, sliceExactly(mesh, options.profile), mesh.triangles.size(), SolidityMeter::Shown::kEverything);
+    measure(each.name, slice(mesh, options.profile), mesh.triangles.size(), SolidityMeter::Shown::kEverything);
   }
   const std::string json = solidityJson(choice.scene.source, options, rows);
   frame.print(choice.json == "-" ? json : solidityTable(options, rows));

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "display_sim/exact_slicer.h"
+#include "display_sim/slicer.h"
 
 namespace ocelli {
 namespace {
@@ -162,7 +162,7 @@ void BackgroundWork::makeAll(const WorkWanted& wanted, Done& done) {
     report(progress, "slicing", 0);
     const DisplayProfile profile = loadProfile(wanted.profile);
     const auto start = std::chrono::steady_clock::now();
-    Volume volume = sliceExactly(wanted.sliceScene ? mesh : done.camera->representation.mesh, profile);
+    Volume volume = slice(wanted.sliceScene ? mesh : done.camera->representation.mesh, profile);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const size_t lit = volume.litVoxels();
     return WorkResult{.volume =

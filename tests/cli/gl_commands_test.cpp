@@ -72,7 +72,7 @@ TEST(GlCommands, sliceAndObserveTheSame) {
   const std::string processor = (folder / "processor.svol").string();
   const std::string gl = (folder / "gl.svol").string();
   const std::string slice = "slice builtin:teapot --profile test -o ";
-  ASSERT_EQ(runProgram(slice + processor).exitCode, 0);
+  ASSERT_EQ(runProgram(slice + processor + " --exact").exitCode, 0);
   const ProgramResult result = runProgram(slice + gl + " --method gl");
   ASSERT_EQ(result.exitCode, 0) << result.error;
   EXPECT_THAT(result.error, HasSubstr("sliced with OpenGL on "));
