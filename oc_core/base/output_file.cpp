@@ -60,11 +60,26 @@ void OutputFile::write(std::string_view text) {
   write(std::span(reinterpret_cast<const uint8_t*>(text.data()), text.size()));
 }
 
+void OutputFile::flush() {
+  if (std::fflush(file_.get()) != 0) {
+    fail(errno);
+  }
+}
+
+void OutputFile::publish() {
+  flush();
+  rename();
+}
+
 void OutputFile::commit() {
   // A full disk may show itself only here.
   if (std::fclose(file_.release()) != 0) {
     fail(errno);
   }
+  rename();
+}
+
+void OutputFile::rename() {
   if (written_ != target_) {
     std::error_code error;
     fs::rename(written_, target_, error);

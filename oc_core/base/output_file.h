@@ -22,6 +22,11 @@ class OutputFile {
 
   void write(std::span<const uint8_t> bytes);
   void write(std::string_view text);
+  /// Hands all that was written to the system: it is in the file even if this program is killed.
+  void flush();
+  /// For files that are read while they grow: what was written so far appears under the name now, and stays whatever
+  /// happens; further writes and commit() follow.
+  void publish();
   void commit();
 
  private:
@@ -29,6 +34,7 @@ class OutputFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
   [[noreturn]] void fail(int reason) const;
+  void rename();
 
   std::filesystem::path path_;     ///< as the user wrote it
   std::filesystem::path target_;   ///< where that leads

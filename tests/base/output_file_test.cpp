@@ -48,6 +48,23 @@ TEST(OutputFile, CommitReplacesTheOldFile) {
   EXPECT_EQ(test::fileBytes(folder / "a"), "new");
 }
 
+TEST(OutputFile, APublishedFileCanBeReadWhileItGrowsAndStays) {
+  const test::TemporaryFolder folder;
+  folder.write("a", "an older and longer one");
+  {
+    OutputFile file(folder / "a");
+    file.write("one");
+    EXPECT_EQ(test::fileBytes(folder / "a"), "an older and longer one");
+    file.publish();
+    EXPECT_EQ(test::fileBytes(folder / "a"), "one");
+    file.write(" two");
+    file.flush();
+    EXPECT_EQ(test::fileBytes(folder / "a"), "one two");
+  }
+  EXPECT_EQ(test::fileBytes(folder / "a"), "one two");
+  EXPECT_EQ(entriesIn(folder), 1);
+}
+
 TEST(OutputFile, ALinkStaysALink) {
   const test::TemporaryFolder folder;
   folder.write("a", "old");
