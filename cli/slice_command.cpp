@@ -93,6 +93,15 @@ Volume sliceFast(const Mesh& mesh, const DisplayProfile& profile, const SliceOpt
   return slicer.takeVolume();
 }
 
+/// What `ocelli volume info` tells of the volume later.
+std::string metadataOf(const SliceChoice& choice) {
+  const nlohmann::ordered_json json = {{"software", "ocelli " OCELLI_VERSION},
+                                       {"scene", choice.scene.source},
+                                       {"dither", choice.undithered ? "none: any light is full light" : "ordered"},
+                                       {"antialiased", choice.antialiased}};
+  return json.dump();
+}
+
 void run(const SliceChoice& choice, const Frame& frame) {
   requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
   if (choice.method == "gl" && (choice.exact || choice.antialiased)) {
@@ -109,7 +118,7 @@ void run(const SliceChoice& choice, const Frame& frame) {
   const Volume volume = gl != nullptr  ? times.run(choice.repeat, [&] { return gl->slice(mesh, profile, options); })
                         : choice.exact ? times.run(choice.repeat, [&] { return sliceExactly(mesh, profile, options); })
                                        : sliceFast(mesh, profile, options, choice.repeat, times);
-  writeSvol(choice.output, volume);
+  writeSvol(choice.output, volume, metadataOf(choice));
   if (!liesWithin(mesh, profile)) {
     frame.note("a part of the scene lies outside of the display and is cut off");
   }

@@ -2,62 +2,207 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
+#include "cli/output_option.h"
 #include "display_sim/export_nrrd.h"
 #include "display_sim/export_png.h"
 #include "display_sim/export_vti.h"
 #include "display_sim/svol_file.h"
+#include "display_sim/svol_join.h"
+#include "display_sim/svol_metadata.h"
+#include "display_sim/svol_player.h"
+#include "display_sim/svol_summary.h"
 #include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
 
-std::string infoAsText(const std::string& path, const SvolSummary& summary) {
-  const DisplayProfile& profile = summary.profile;
-  return fmt::format(
-      "{}\n  display     {}, radius {:g} m, {:g} rpm, {:g} refreshes a second\n  slices      {} of {}x{}\n"
-      "  lit voxels  {}\n  bytes       {} ({:.1f}x compressed)\n",
-      path, profile.name, profile.radiusMetres, profile.rotationsPerMinute, profile.refreshHertz(),
-      profile.storedSlices(), profile.width, profile.height, summary.litVoxels, summary.fileBytes,
-      static_cast<double>(summary.planeBytesTotal) / static_cast<double>(summary.fileBytes));
+constexpr double kMicroseconds = 1e6;
+
+/// What `info` tells.
+struct Info {
+  std::string path;
+  std::vector<SvolFrameSummary> frames;
+  size_t keyFrames = 0;
+  size_t litVoxels = 0;  ///< of the first frame
+};
+
+Info readInfo(SvolReader& reader, const std::string& path, const Progress& progress) {
+  Info info{path, summarizeFrames(reader, progress), 0, 0};
+  info.keyFrames = static_cast<size_t>(std::ranges::count_if(info.frames, &SvolFrameSummary::key));
+  if (!info.frames.empty()) {
+    SvolPlayer player(reader);
+    player.seek(0);
+    info.litVoxels = player.volume().litVoxels();
+  }
+  return info;
 }
 
-std::string infoAsJson(const SvolSummary& summary) {
-  const nlohmann::ordered_json json = {{"profile", nlohmann::ordered_json::parse(jsonText(summary.profile))},
-                                       {"slices", summary.profile.storedSlices()},
-                                       {"lit_voxels", summary.litVoxels},
-                                       {"file_bytes", summary.fileBytes},
-                                       {"plane_bytes", summary.planeBytesTotal}};
+uint64_t rawBytes(const SvolReader& reader) {
+  return reader.frames().size() * reader.profile().volumeBytes();
+}
+
+double seconds(uint64_t microseconds) {
+  return static_cast<double>(microseconds) / kMicroseconds;
+}
+
+const char* stateOf(const SvolReader& reader) {
+  switch (reader.ending()) {
+    case SvolEnding::kFinished:
+      return "whole";
+    case SvolEnding::kUnfinished:
+      return "unfinished";
+    case SvolEnding::kDamaged:
+      return "damaged";
+  }
+  return "";
+}
+
+std::string frameTable(const std::vector<SvolFrameSummary>& frames) {
+  std::string text = fmt::format("{:>7} {:>12} {:>6} {:>12} {:>6} {:>6} {:>6} {:>10}\n", "frame", "seconds", "kind",
+                                 "bytes", "dark", "whole", "delta", "unchanged");
+  for (size_t k = 0; k < frames.size(); ++k) {
+    const SvolFrameSummary& frame = frames[k];
+    text += fmt::format("{:>7} {:>12.6f} {:>6} {:>12} {:>6} {:>6} {:>6} {:>10}\n", k, seconds(frame.timeMicroseconds),
+                        frame.key ? "key" : "delta", frame.bytes, frame.slices[0], frame.slices[1], frame.slices[2],
+                        frame.slices[3]);
+  }
+  return text;
+}
+
+std::string infoAsText(const SvolReader& reader, const Info& info) {
+  const DisplayProfile& profile = reader.profile();
+  std::string text = fmt::format(
+      "{}\n  display     {}, radius {:g} m, {:g} rpm, {:g} refreshes a second\n"
+      "  slices      {} of {}x{}, {} bit{} a channel\n"
+      "  frames      {}, of which {} need no other; {:.6g} s\n  lit voxels  {}{}\n"
+      "  bytes       {} of {} uncompressed ({:.1f}x)\n",
+      info.path, profile.name, profile.radiusMetres, profile.rotationsPerMinute, profile.refreshHertz(),
+      profile.storedSlices(), profile.width, profile.height, profile.colorBitsPerChannel,
+      profile.colorBitsPerChannel == 1 ? "" : "s", info.frames.size(), info.keyFrames,
+      seconds(reader.durationMicroseconds()), info.litVoxels, info.frames.size() > 1 ? " in the first frame" : "",
+      reader.fileBytes(), rawBytes(reader),
+      static_cast<double>(rawBytes(reader)) / static_cast<double>(reader.fileBytes()));
+  for (const auto& [name, value] : svol::metadataFields(reader.metadata())) {
+    text += fmt::format("  {:<11} {}\n", name, value);
+  }
+  if (reader.ending() == SvolEnding::kUnfinished) {
+    text +=
+        fmt::format("  unfinished  {} bytes follow the last whole frame\n", reader.fileBytes() - reader.wholeBytes());
+  }
+  if (reader.damage()) {
+    text += fmt::format("  damaged     {}\n", reader.damage()->what());
+  }
+  return text;
+}
+
+std::string infoAsJson(const SvolReader& reader, const Info& info, bool withFrames) {
+  nlohmann::ordered_json json = {{"profile", nlohmann::ordered_json::parse(jsonText(reader.profile()))},
+                                 {"metadata", nlohmann::ordered_json::parse(reader.metadata(), nullptr, true, true)},
+                                 {"state", stateOf(reader)},
+                                 {"slices", reader.profile().storedSlices()},
+                                 {"frames", info.frames.size()},
+                                 {"key_frames", info.keyFrames},
+                                 {"seconds", seconds(reader.durationMicroseconds())},
+                                 {"lit_voxels", info.litVoxels},
+                                 {"file_bytes", reader.fileBytes()},
+                                 {"plane_bytes", rawBytes(reader)}};
+  for (size_t k = 0; withFrames && k < info.frames.size(); ++k) {
+    const SvolFrameSummary& frame = info.frames[k];
+    json["frame_table"].push_back({{"seconds", seconds(frame.timeMicroseconds)},
+                                   {"key", frame.key},
+                                   {"bytes", frame.bytes},
+                                   {"dark", frame.slices[0]},
+                                   {"whole", frame.slices[1]},
+                                   {"delta", frame.slices[2]},
+                                   {"unchanged", frame.slices[3]}});
+  }
   return json.dump(2) + "\n";
 }
 
 void addInfo(CLI::App& parent, const Frame& frame) {
-  CLI::App& command = *parent.add_subcommand("info", "Show a volume's display and count its lit voxels");
-  const auto path = std::make_shared<std::string>();
-  const auto asJson = std::make_shared<bool>(false);
-  command.add_option("VOLUME", *path, "A volume (.svol)")->required();
-  command.add_flag("--json", *asJson, "Print the figures as JSON");
-  frame.finish(command, "  ocelli volume info teapot.svol", [path, asJson, frame] {
-    const SvolSummary summary = verifySvol(*path);
-    frame.print(*asJson ? infoAsJson(summary) : infoAsText(*path, summary));
-  });
+  struct Choice {
+    std::string path;
+    bool json = false;
+    bool frames = false;
+  };
+  CLI::App& command = *parent.add_subcommand("info", "Show what a volume or a recording holds");
+  const auto choice = std::make_shared<Choice>();
+  command.add_option("VOLUME", choice->path, "A volume or a recording (.svol)")->required();
+  command.add_flag("--frames", choice->frames, "Add a table of all frames");
+  command.add_flag("--json", choice->json, "Print the figures as JSON");
+  frame.finish(command,
+               "  ocelli volume info teapot.svol\n"
+               "  ocelli volume info recording.svol --frames",
+               [choice, frame] {
+                 SvolReader reader(choice->path);
+                 const Info info = readInfo(reader, choice->path, frame.progress());
+                 frame.print(choice->json ? infoAsJson(reader, info, choice->frames)
+                                          : infoAsText(reader, info) + (choice->frames ? frameTable(info.frames) : ""));
+               });
+}
+
+void runVerify(const std::string& path, const Frame& frame) {
+  SvolReader reader(path);
+  verifySvol(reader, frame.progress());
+  const size_t count = reader.frames().size();
+  const std::string frames =
+      fmt::format("{} frame{} of {} slices", count, count == 1 ? "" : "s", reader.layout().slices);
+  if (reader.ending() == SvolEnding::kUnfinished) {
+    throw WorkError(
+        fmt::format("unfinished: {} are whole, and {} bytes follow", frames, reader.fileBytes() - reader.wholeBytes()),
+        path, "`ocelli volume join --salvage` makes a finished file of it");
+  }
+  frame.print(fmt::format("{}: {}, all whole\n", path, frames));
 }
 
 void addVerify(CLI::App& parent, const Frame& frame) {
-  CLI::App& command = *parent.add_subcommand("verify", "Check every byte of a volume; exit code 2 if it is damaged");
+  CLI::App& command = *parent.add_subcommand(
+      "verify",
+      "Check every byte of a file; exit code 2 if it is damaged, 1 if it is whole as far as it goes but unfinished");
   const auto path = std::make_shared<std::string>();
-  command.add_option("VOLUME", *path, "A volume (.svol)")->required();
-  frame.finish(command, "  ocelli volume verify teapot.svol", [path, frame] {
-    const SvolSummary summary = verifySvol(*path);
-    frame.print(fmt::format("{}: all {} slices are whole\n", *path, summary.profile.storedSlices()));
-  });
+  command.add_option("VOLUME", *path, "A volume or a recording (.svol)")->required();
+  frame.finish(command, "  ocelli volume verify teapot.svol", [path, frame] { runVerify(*path, frame); });
+}
+
+void addJoin(CLI::App& parent, const Frame& frame) {
+  struct Choice {
+    std::vector<std::string> sources;
+    std::string output;
+    JoinOptions options;
+  };
+  CLI::App& command = *parent.add_subcommand("join", "Make one recording of volumes and recordings");
+  const auto choice = std::make_shared<Choice>();
+  command.add_option("VOLUMES", choice->sources, "Volumes and recordings (.svol) for one display, in their order")
+      ->required();
+  command
+      .add_option("--fps", choice->options.framesPerSecond,
+                  "Files a second: how long the last frame of each is shown; by default for one refresh of the display")
+      ->check(CLI::Range(0.001, 1e6))
+      ->type_name("RATE");
+  command.add_flag("--salvage", choice->options.salvage,
+                   "Of unfinished and damaged files, take the frames up to the first that cannot be read");
+  addOutputOption(command, choice->output, "Where the recording goes", {".svol"});
+  frame.finish(command,
+               "  ocelli volume join a.svol b.svol c.svol --fps 12 -o film.svol\n"
+               "  ocelli volume join killed.svol --salvage -o whole.svol",
+               [choice, frame] {
+                 const std::vector<std::filesystem::path> sources(choice->sources.begin(), choice->sources.end());
+                 const JoinResult result = joinSvol(sources, choice->output, choice->options, frame.progress());
+                 for (const std::filesystem::path& path : result.incomplete) {
+                   frame.note(fmt::format("{} is not whole: what can be read was taken", path.string()));
+                 }
+                 frame.note(fmt::format("wrote {}: {} frames", choice->output, result.frames));
+               });
 }
 
 struct ExportChoice {
   std::string volume;
+  size_t frame = 0;
   std::string output;
   VtiOptions vti;
 };
@@ -69,7 +214,7 @@ void runExport(const ExportChoice& choice, const Frame& frame) {
     throw InputError("volumes have no form with this ending", choice.output,
                      "a name that ends in .vti or .nrrd, or a folder for PNG files");
   }
-  const Volume volume = readSvol(choice.volume);
+  const Volume volume = readSvol(choice.volume, choice.frame);
   if (extension == ".vti") {
     exportVti(choice.output, volume, choice.vti, frame.progress());
   } else if (extension == ".nrrd") {
@@ -83,7 +228,8 @@ void runExport(const ExportChoice& choice, const Frame& frame) {
 void addExport(CLI::App& parent, const Frame& frame) {
   CLI::App& command = *parent.add_subcommand("export", "Write a volume for ParaView, as NRRD, or as PNG files");
   const auto choice = std::make_shared<ExportChoice>();
-  command.add_option("VOLUME", choice->volume, "A volume (.svol)")->required();
+  command.add_option("VOLUME", choice->volume, "A volume or a recording (.svol)")->required();
+  command.add_option("--frame", choice->frame, "Which frame of a recording, from 0")->type_name("NUMBER");
   command.add_option("-o,--output", choice->output, "A file, or a folder that gets a PNG file for each slice")
       ->required()
       ->type_name("OUT.vti|OUT.nrrd|DIR");
@@ -97,11 +243,12 @@ void addExport(CLI::App& parent, const Frame& frame) {
 }  // namespace
 
 void addVolumeCommand(CLI::App& program, const Frame& frame) {
-  CLI::App& command = *program.add_subcommand("volume", "Look into a .svol file, check it, export it");
+  CLI::App& command = *program.add_subcommand("volume", "Look into .svol files, check them, export them, join them");
   command.require_subcommand(1);
   addInfo(command, frame);
   addVerify(command, frame);
   addExport(command, frame);
+  addJoin(command, frame);
 }
 
 }  // namespace ocelli

@@ -1,18 +1,43 @@
-#include <zstd.h>
+#include "display_sim/svol_reader.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
-#include "display_sim/svol_file.h"
-#include "display_sim/svol_format.h"
-#include "oc_core/base/error.h"
+#include "display_sim/svol_codec.h"
+#include "display_sim/svol_metadata.h"
+#include "oc_core/base/check.h"
 
 namespace ocelli {
 namespace {
 
-/// The bits of a row's last byte that lie beyond the width.
-uint8_t paddingMask(int width) {
-  return static_cast<uint8_t>(width % 8 == 0 ? 0 : 0xff << (width % 8));
+constexpr const char* kNext = "write the file again, or give another one";
+
+/// More than zstd needs for the worst planes, so that a hostile size cannot ask for much more memory than a frame has.
+uint64_t mostPayloadBytes(const VolumeLayout& layout) {
+  return 2 * layout.sliceBytes + 1024;
+}
+
+uint64_t payloadBytesOf(const svol::FrameHead& head) {
+  uint64_t bytes = 0;
+  for (const svol::SliceEntry& slice : head.slices) {
+    bytes += slice.bytes;
+  }
+  return bytes;
+}
+
+/// Empty where the entry of a slice is possible in such a frame.
+std::string problemOf(const svol::SliceEntry& slice, bool inKeyFrame, const VolumeLayout& layout) {
+  if (inKeyFrame && (slice.kind == SvolSliceKind::kDelta || slice.kind == SvolSliceKind::kUnchanged)) {
+    return "it needs the frame before, in a key frame";
+  }
+  if (!svol::hasPayload(slice.kind)) {
+    return slice.bytes == 0 && slice.checksum == 0 ? "" : "a slice without a payload has a size or a checksum";
+  }
+  if (slice.bytes == 0 || slice.bytes > mostPayloadBytes(layout)) {
+    return std::to_string(slice.bytes) + " compressed bytes are not possible here";
+  }
+  return "";
 }
 
 }  // namespace
@@ -22,136 +47,347 @@ SvolReader::SvolReader(const std::filesystem::path& path)
   if (!file_ || std::filesystem::is_directory(path)) {
     throw InputError("cannot open this .svol file", where_, "check the path");
   }
-  readHeader();
+  open();
 }
 
 SvolReader::SvolReader(std::istream& in, std::string where) : in_(in), where_(std::move(where)) {
-  readHeader();
+  open();
 }
 
-void SvolReader::fail(const std::string& what) const {
-  const std::string part = inSlice_ ? "slice " + std::to_string(next_) + ": " : "header: ";
-  throw InputError(part + what, where_, "write the file again, or give another one");
-}
-
-void SvolReader::readExactly(std::span<uint8_t> bytes) {
-  in_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (static_cast<size_t>(in_.gcount()) != bytes.size()) {
-    fail("the file ends too soon");
-  }
-}
-
-uint64_t SvolReader::bytesLeft() {
-  const std::istream::pos_type here = in_.tellg();
+void SvolReader::open() {
   in_.seekg(0, std::ios::end);
   const std::istream::pos_type end = in_.tellg();
-  in_.seekg(here);
-  if (!in_ || end < here) {
-    fail("the file cannot be positioned in (a pipe, perhaps)");
+  if (!in_ || end < std::istream::pos_type(0)) {
+    throw InputError("the file cannot be positioned in (a pipe, perhaps)", where_, "give a file on a disk");
   }
-  return static_cast<uint64_t>(end - here);
+  fileBytes_ = static_cast<uint64_t>(end);
+  readHeader();
+  if (!readIndex()) {
+    scan();
+  }
+}
+
+void SvolReader::fail(const std::string& part, uint64_t offset, const std::string& what) const {
+  std::string text = part;
+  text += ": ";
+  text += what;
+  text += " (in the record at byte " + std::to_string(offset) + ")";
+  throw InputError(text, where_, kNext);
+}
+
+void SvolReader::fail(size_t frame, std::optional<size_t> slice, uint64_t offset, const std::string& what) const {
+  std::string part = "frame " + std::to_string(frame);
+  if (slice) {
+    part += ", slice ";
+    part += std::to_string(*slice);
+  }
+  fail(part, offset, what);
+}
+
+void SvolReader::readAt(uint64_t offset, std::span<uint8_t> bytes) {
+  in_.clear();
+  in_.seekg(static_cast<std::streamoff>(offset));
+  in_.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (static_cast<size_t>(in_.gcount()) != bytes.size()) {
+    fail("file", offset, "it ends too soon, or cannot be read");
+  }
 }
 
 void SvolReader::readHeader() {
-  std::array<uint8_t, svol::kHeaderBytes> header{};
-  readExactly(header);
+  if (fileBytes_ < svol::kHeaderBytes) {
+    fail("header", 0, "the file ends too soon");
+  }
+  std::vector<uint8_t> header(svol::kHeaderBytes);
+  readAt(0, header);
   if (!std::equal(svol::kMagic.begin(), svol::kMagic.end(), header.begin())) {
-    fail("this is no .svol file (it does not begin with its eight magic bytes)");
+    fail("header", 0, "this is no .svol file (it does not begin with its eight magic bytes)");
   }
   const auto field = [&](size_t i) { return svol::load32(header.data() + svol::kMagic.size() + 4 * i); };
   if (field(0) != svol::kVersion) {
-    fail("version " + std::to_string(field(0)) + " of the format, but only version 1 is known");
+    fail("header", 0, "version " + std::to_string(field(0)) + " of the format, but only version 1 is known");
   }
-  if (field(1) == 0 || field(1) > svol::kMostProfileBytes) {
-    fail("a profile of " + std::to_string(field(1)) + " bytes (1 to 65536 are allowed)");
+  const size_t profileBytes = field(1);
+  const size_t metadataBytes = field(2);
+  if (profileBytes == 0 || profileBytes > svol::kMostProfileBytes || metadataBytes > svol::kMostMetadataBytes) {
+    fail("header", 0,
+         "a profile of " + std::to_string(profileBytes) + " bytes and metadata of " + std::to_string(metadataBytes) +
+             " (1 to 65536, and up to 1048576, are allowed)");
   }
-  std::string json(field(1), '\0');
-  const std::span<uint8_t> jsonBytes(reinterpret_cast<uint8_t*>(json.data()), json.size());
-  readExactly(jsonBytes);
-  std::array<uint8_t, svol::kChecksumBytes> sum{};
-  readExactly(sum);
-  if (svol::load32(sum.data()) != svol::checksum(jsonBytes, svol::checksum(header))) {
-    fail("the checksum is wrong");
+  const size_t checkedBytes = svol::kHeaderBytes + profileBytes + metadataBytes;
+  headerEnd_ = checkedBytes + svol::kChecksumBytes;
+  if (fileBytes_ < headerEnd_) {
+    fail("header", 0, "the file ends too soon");
   }
-  profile_ = profileFromJsonText(json, where_);
+  header.resize(headerEnd_);
+  readAt(0, header);
+  if (svol::load32(header.data() + checkedBytes) != svol::checksum(std::span(header).first(checkedBytes))) {
+    fail("header", 0, "the checksum is wrong");
+  }
+  const char* texts = reinterpret_cast<const char*>(header.data()) + svol::kHeaderBytes;
+  profile_ = profileFromJsonText(std::string(texts, profileBytes), where_);
   layout_ = VolumeLayout(profile_);
-  if (field(2) != layout_.slices || field(3) != static_cast<uint32_t>(profile_.width) ||
-      field(4) != static_cast<uint32_t>(profile_.height) || field(5) != kColorChannels) {
-    fail("its counts contradict its profile");
+  if (field(3) != layout_.slices || field(4) != static_cast<uint32_t>(profile_.width) ||
+      field(5) != static_cast<uint32_t>(profile_.height) ||
+      field(6) != static_cast<uint32_t>(profile_.colorBitsPerChannel)) {
+    fail("header", 0, "its counts contradict its profile");
   }
-  // No record is smaller than this, so a short file cannot ask for the memory of a large volume.
-  if (bytesLeft() < layout_.slices * (svol::kRecordHeaderBytes + svol::kChecksumBytes + 1)) {
-    fail("the file is too short for its " + std::to_string(layout_.slices) + " slices");
+  metadata_.assign(texts + profileBytes, metadataBytes);
+  svol::requireMetadata(metadata_, where_);
+}
+
+bool SvolReader::readIndex() {
+  constexpr size_t kLeast = svol::indexBytes(0) + svol::kEndBytes;
+  if (fileBytes_ < headerEnd_ + kLeast) {
+    return false;
+  }
+  std::array<uint8_t, svol::kEndBytes> end{};
+  readAt(fileBytes_ - end.size(), end);
+  const uint64_t offset = svol::load64(end.data() + 4);
+  if (offset < headerEnd_ || offset > fileBytes_ - kLeast) {
+    return false;
+  }
+  const uint64_t entryBytes = fileBytes_ - offset - kLeast;
+  const uint64_t count = entryBytes / svol::kIndexEntryBytes;
+  if (entryBytes % svol::kIndexEntryBytes != 0 ||
+      count > (offset - headerEnd_) / svol::frameHeadBytes(layout_.slices)) {
+    return false;
+  }
+  std::vector<uint8_t> bytes(fileBytes_ - offset);
+  readAt(offset, bytes);
+  std::vector<SvolFrame> frames(count);
+  for (size_t k = 0; k < frames.size(); ++k) {
+    const uint8_t* entry = bytes.data() + svol::kIndexFieldBytes + k * svol::kIndexEntryBytes;
+    frames[k] = {svol::load64(entry), svol::load64(entry + 8), svol::load32(entry + 16) == 0};
+  }
+  if (bytes != svol::indexAndEnd(frames, offset) || !placesFit(frames, offset)) {
+    return false;
+  }
+  frames_ = std::move(frames);
+  framesEnd_ = offset;
+  return true;
+}
+
+bool SvolReader::placesFit(std::span<const SvolFrame> frames, uint64_t end) const {
+  uint64_t least = headerEnd_;
+  uint64_t time = 0;
+  for (const SvolFrame& frame : frames) {
+    const bool first = &frame == frames.data();
+    if (first ? frame.offset != least || !frame.key : frame.offset < least) {
+      return false;
+    }
+    if (frame.offset > end || frame.timeMicroseconds < time) {
+      return false;
+    }
+    least = frame.offset + svol::frameHeadBytes(layout_.slices);
+    time = frame.timeMicroseconds;
+  }
+  return frames.empty() ? end == headerEnd_ : least <= end;
+}
+
+void SvolReader::scan() {
+  ending_ = SvolEnding::kUnfinished;
+  framesEnd_ = headerEnd_;
+  try {
+    while (scanRecord()) {
+    }
+    checkLastPayloads();
+  } catch (const InputError& error) {
+    ending_ = SvolEnding::kDamaged;
+    damage_ = error;
   }
 }
 
-void SvolReader::readSlice(std::span<uint8_t> planes) {
-  OC_CHECK(!atEnd() && planes.size() == layout_.sliceBytes, "no slice is left, or its buffer has another size");
-  inSlice_ = true;
-  std::array<uint8_t, svol::kRecordHeaderBytes> header{};
-  readExactly(header);
-  if (svol::load32(header.data()) != next_) {
-    fail("slice " + std::to_string(svol::load32(header.data())) + " stands in its place");
+bool SvolReader::scanRecord() {
+  const uint64_t left = fileBytes_ - framesEnd_;
+  const size_t number = frames_.size();
+  std::array<uint8_t, 4> mark{};
+  const std::span<uint8_t> start = std::span(mark).first(std::min<uint64_t>(mark.size(), left));
+  readAt(framesEnd_, start);
+  const auto begins = [&](uint32_t record) {
+    std::array<uint8_t, 4> bytes{};
+    svol::store32(bytes.data(), record);
+    return std::equal(start.begin(), start.end(), bytes.begin());
+  };
+  if (!begins(svol::kFrameMark)) {
+    if (!begins(svol::kIndexMark)) {
+      fail(number, {}, framesEnd_, "neither a frame nor the index begins here");
+    }
+    scanIndex();
+    return false;
   }
-  const size_t size = svol::load32(header.data() + 4);
-  if (size == 0 || size > ZSTD_compressBound(layout_.sliceBytes)) {
-    fail(std::to_string(size) + " compressed bytes are not possible here");
+  if (left < svol::frameHeadBytes(layout_.slices)) {
+    return false;
   }
-  payload_.resize(size);
-  readExactly(payload_);
-  std::array<uint8_t, svol::kChecksumBytes> sum{};
-  readExactly(sum);
-  if (svol::load32(sum.data()) != svol::checksum(payload_, svol::checksum(header))) {
-    fail("the checksum is wrong");
+  const svol::FrameHead head = readHeadAt(number, framesEnd_);
+  if (!frames_.empty() && head.timeMicroseconds < frames_.back().timeMicroseconds) {
+    fail(number, {}, framesEnd_, "it is shown before the frame before it");
   }
-  if (ZSTD_findFrameCompressedSize(payload_.data(), size) != size ||
-      ZSTD_getFrameContentSize(payload_.data(), size) != layout_.sliceBytes ||
-      ZSTD_decompress(planes.data(), planes.size(), payload_.data(), size) != layout_.sliceBytes) {
-    fail("its bytes are not one zstd frame of " + std::to_string(layout_.sliceBytes) + " bytes");
+  const uint64_t bytes = svol::frameHeadBytes(layout_.slices) + payloadBytesOf(head);
+  if (left < bytes) {
+    return false;
   }
-  const uint8_t padding = paddingMask(profile_.width);
-  for (size_t last = layout_.rowBytes - 1; padding != 0 && last < planes.size(); last += layout_.rowBytes) {
-    if ((planes[last] & padding) != 0) {
-      fail("a bit beyond the width is set");
+  frames_.push_back({framesEnd_, head.timeMicroseconds, head.key});
+  framesEnd_ += bytes;
+  return true;
+}
+
+void SvolReader::scanIndex() {
+  const uint64_t left = fileBytes_ - framesEnd_;
+  std::array<uint8_t, svol::kIndexFieldBytes> fields{};
+  if (left < fields.size()) {
+    return;
+  }
+  readAt(framesEnd_, fields);
+  if (svol::load32(fields.data() + 4) != frames_.size()) {
+    fail("index", framesEnd_, "it has another number of frames than the file");
+  }
+  const std::vector<uint8_t> expected = svol::indexAndEnd(frames_, framesEnd_);
+  std::vector<uint8_t> bytes(std::min<uint64_t>(left, expected.size()));
+  readAt(framesEnd_, bytes);
+  if (!std::equal(bytes.begin(), bytes.end(), expected.begin())) {
+    fail("index", framesEnd_, "it contradicts the frames, or its checksum is wrong");
+  }
+  if (left > expected.size()) {
+    fail("index", framesEnd_, "there are bytes after the end of the file's last record");
+  }
+}
+
+// What was written last may not have reached the disk when the machine lost its power.
+void SvolReader::checkLastPayloads() {
+  if (frames_.empty()) {
+    return;
+  }
+  const size_t last = frames_.size() - 1;
+  try {
+    const svol::FrameHead head = readHead(last);
+    std::vector<uint8_t> payloads;
+    readPayloads(last, payloads);
+    std::span<const uint8_t> rest = payloads;
+    for (size_t i = 0; i < head.slices.size(); ++i) {
+      const svol::SliceEntry& slice = head.slices[i];
+      if (svol::hasPayload(slice.kind) && svol::checksum(rest.first(slice.bytes)) != slice.checksum) {
+        fail(last, i, frames_[last].offset, "the checksum is wrong");
+      }
+      rest = rest.subspan(slice.bytes);
+    }
+  } catch (const InputError&) {
+    framesEnd_ = frames_[last].offset;
+    frames_.pop_back();
+    throw;
+  }
+}
+
+svol::FrameHead SvolReader::readHeadAt(size_t number, uint64_t offset) {
+  std::vector<uint8_t> bytes(svol::frameHeadBytes(layout_.slices));
+  readAt(offset, bytes);
+  const auto problem = [&](const std::string& what) { fail(number, {}, offset, what); };
+  const size_t checkedBytes = bytes.size() - svol::kChecksumBytes;
+  if (svol::load32(bytes.data()) != svol::kFrameMark) {
+    problem("no frame begins here");
+  }
+  if (svol::load32(bytes.data() + checkedBytes) != svol::checksum(std::span(bytes).first(checkedBytes))) {
+    problem("the checksum is wrong");
+  }
+  svol::FrameHead head;
+  head.number = svol::load32(bytes.data() + 4);
+  head.timeMicroseconds = svol::load64(bytes.data() + 8);
+  const uint32_t kind = svol::load32(bytes.data() + 16);
+  head.key = kind == 0;
+  if (head.number != number) {
+    problem("frame " + std::to_string(head.number) + " stands in its place");
+  }
+  if (kind > 1 || (number == 0 && !head.key)) {
+    problem("it cannot be of kind " + std::to_string(kind));
+  }
+  head.slices.resize(layout_.slices);
+  for (size_t i = 0; i < head.slices.size(); ++i) {
+    const uint8_t* entry = bytes.data() + svol::kFrameFieldBytes + i * svol::kSliceEntryBytes;
+    const uint32_t sizeAndKind = svol::load32(entry);
+    head.slices[i] = {static_cast<SvolSliceKind>(sizeAndKind & 3u), sizeAndKind >> 2, svol::load32(entry + 4)};
+    const std::string what = problemOf(head.slices[i], head.key, layout_);
+    if (!what.empty()) {
+      fail(number, i, offset, what);
     }
   }
-  ++next_;
-  if (atEnd() && in_.peek() != std::istream::traits_type::eof()) {
-    inSlice_ = false;
-    throw InputError("there are bytes after the last slice", where_, "write the file again, or give another one");
+  if (payloadBytesOf(head) != svol::load32(bytes.data() + 20)) {
+    problem("its slices do not add up to its size");
   }
+  return head;
 }
 
-Volume readSvol(std::istream& in, const std::string& where) {
-  SvolReader reader(in, where);
-  Volume volume(reader.profile());
-  for (int i = 0; !reader.atEnd(); ++i) {
-    reader.readSlice(volume.slice(i));
-  }
-  return volume;
+uint64_t SvolReader::frameEnd(size_t frame) const {
+  return frame + 1 < frames_.size() ? frames_[frame + 1].offset : framesEnd_;
 }
 
-Volume readSvol(const std::filesystem::path& path) {
-  SvolReader reader(path);
-  Volume volume(reader.profile());
-  for (int i = 0; !reader.atEnd(); ++i) {
-    reader.readSlice(volume.slice(i));
-  }
-  return volume;
+uint64_t SvolReader::payloadsOffset(size_t frame) const {
+  return frames_[frame].offset + svol::frameHeadBytes(layout_.slices);
 }
 
-SvolSummary verifySvol(const std::filesystem::path& path) {
-  SvolReader reader(path);
-  SvolSummary summary;
-  summary.profile = reader.profile();
-  summary.fileBytes = std::filesystem::file_size(path);
-  summary.planeBytesTotal = reader.layout().slices * reader.layout().sliceBytes;
-  std::vector<uint8_t> planes(reader.layout().sliceBytes);
-  while (!reader.atEnd()) {
-    reader.readSlice(planes);
-    summary.litVoxels += countLit(planes, reader.layout());
+svol::FrameHead SvolReader::readHead(size_t frame) {
+  OC_CHECK(frame < frames_.size(), "there is no such frame");
+  const SvolFrame& place = frames_[frame];
+  svol::FrameHead head = readHeadAt(frame, place.offset);
+  if (head.timeMicroseconds != place.timeMicroseconds || head.key != place.key ||
+      payloadsOffset(frame) + payloadBytesOf(head) != frameEnd(frame)) {
+    fail(frame, {}, place.offset, "it contradicts the index");
   }
-  return summary;
+  return head;
+}
+
+void SvolReader::readPayloads(size_t frame, std::vector<uint8_t>& payloads) {
+  payloads.resize(frameEnd(frame) - payloadsOffset(frame));
+  readAt(payloadsOffset(frame), payloads);
+}
+
+size_t SvolReader::keyFrameOf(size_t frame) const {
+  while (!frames_[frame].key) {
+    --frame;
+  }
+  return frame;
+}
+
+size_t SvolReader::frameAt(uint64_t timeMicroseconds) const {
+  const auto after = std::ranges::upper_bound(frames_, timeMicroseconds, {}, &SvolFrame::timeMicroseconds);
+  return after == frames_.begin() ? 0 : static_cast<size_t>(after - frames_.begin()) - 1;
+}
+
+uint64_t SvolReader::durationMicroseconds() const {
+  if (frames_.empty()) {
+    return 0;
+  }
+  return frames_.back().timeMicroseconds - frames_.front().timeMicroseconds +
+         static_cast<uint64_t>(std::llround(1e6 / profile_.refreshHertz()));
+}
+
+void SvolReader::readSlice(size_t frame, int slice, std::span<uint8_t> planes) {
+  OC_CHECK(slice >= 0 && static_cast<size_t>(slice) < layout_.slices && planes.size() == layout_.sliceBytes,
+           "no such slice, or its buffer has another size");
+  struct Step {
+    size_t frame;
+    svol::SliceEntry entry;
+    uint64_t offset;
+  };
+  const auto i = static_cast<size_t>(slice);
+  std::vector<Step> steps;
+  for (bool more = true; more; --frame) {
+    const svol::FrameHead head = readHead(frame);
+    uint64_t offset = payloadsOffset(frame);
+    for (size_t before = 0; before < i; ++before) {
+      offset += head.slices[before].bytes;
+    }
+    steps.push_back({frame, head.slices[i], offset});
+    more = head.slices[i].kind == SvolSliceKind::kDelta || head.slices[i].kind == SvolSliceKind::kUnchanged;
+  }
+  svol::SliceDecoder decoder(profile_);
+  std::vector<uint8_t> payload;
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+    payload.resize(step->entry.bytes);
+    readAt(step->offset, payload);
+    const svol::SliceDecoder::Result result = decoder.apply(step->entry, payload, planes);
+    if (!result.problem.empty()) {
+      fail(step->frame, i, step->offset, result.problem);
+    }
+  }
 }
 
 }  // namespace ocelli

@@ -70,13 +70,40 @@ TEST_F(DisplayCommands, volumeInfoVerifyAndExport) {
   ASSERT_EQ(info.exitCode, 0) << info.error;
   EXPECT_EQ(nlohmann::json::parse(info.output)["profile"]["name"], "test");
   EXPECT_THAT(runProgram("volume info " + quoted("a.svol")).output, HasSubstr("24 of 64x64"));
-  EXPECT_THAT(runProgram("volume verify " + quoted("a.svol")).output, HasSubstr("all 24 slices are whole"));
+  EXPECT_THAT(runProgram("volume verify " + quoted("a.svol")).output, HasSubstr("1 frame of 24 slices, all whole"));
   for (const char* output : {"a.vti", "a.nrrd", "slices"}) {
     EXPECT_EQ(runProgram("volume export " + quoted("a.svol") + " -o " + quoted(output)).exitCode, 0) << output;
   }
   EXPECT_TRUE(fileBytes(folder_ / "a.nrrd").starts_with("NRRD0005"));
   EXPECT_TRUE(fileBytes(folder_ / "a.vti").starts_with("<?xml"));
   EXPECT_EQ(readPng(folder_ / "slices/slice_0023.png").width(), 64);
+}
+
+TEST_F(DisplayCommands, volumesAreJoinedToRecordings) {
+  const ProgramResult joined =
+      runProgram("volume join " + quoted("a.svol") + " " + quoted("a.svol") + " --fps 2 -o " + quoted("film.svol"));
+  ASSERT_EQ(joined.exitCode, 0) << joined.error;
+  const auto info = nlohmann::json::parse(runProgram("volume info --frames --json " + quoted("film.svol")).output);
+  EXPECT_EQ(info["frames"], 2);
+  EXPECT_EQ(info["state"], "whole");
+  EXPECT_EQ(info["metadata"]["scene"], "builtin:teapot,segments=4");
+  EXPECT_EQ(info["frame_table"][1]["seconds"], 0.5);
+  EXPECT_EQ(info["frame_table"][1]["unchanged"], 24);
+  EXPECT_THAT(runProgram("volume info --frames " + quoted("film.svol")).output, HasSubstr("0.500000  delta"));
+  EXPECT_EQ(runProgram("volume export --frame 1 " + quoted("film.svol") + " -o " + quoted("b.nrrd")).exitCode, 0);
+  EXPECT_EQ(runProgram("volume export --frame 2 " + quoted("film.svol") + " -o " + quoted("c.nrrd")).exitCode, 2);
+}
+
+TEST_F(DisplayCommands, anUnfinishedRecordingIsToldFromADamagedOne) {
+  const std::string bytes = fileBytes(folder_ / "a.svol");
+  folder_.write("cut.svol", bytes.substr(0, bytes.size() - 1));
+  const ProgramResult verified = runProgram("volume verify " + quoted("cut.svol"));
+  EXPECT_EQ(verified.exitCode, 1);
+  EXPECT_THAT(verified.error, AllOf(HasSubstr("unfinished"), HasSubstr("1 frame"), HasSubstr("--salvage")));
+  EXPECT_THAT(runProgram("volume info " + quoted("cut.svol")).output, HasSubstr("unfinished"));
+  EXPECT_EQ(runProgram("volume join " + quoted("cut.svol") + " -o " + quoted("b.svol")).exitCode, 2);
+  EXPECT_EQ(runProgram("volume join --salvage " + quoted("cut.svol") + " -o " + quoted("b.svol")).exitCode, 0);
+  EXPECT_EQ(fileBytes(folder_ / "b.svol"), bytes);
 }
 
 TEST_F(DisplayCommands, aFileOfAnotherKindIsNotOverwritten) {
