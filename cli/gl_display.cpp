@@ -26,14 +26,21 @@ Volume GlDisplay::slice(const Mesh& mesh, const DisplayProfile& profile, const S
   return volume.read();
 }
 
-Image<glm::vec3> GlDisplay::collectLight(const Volume& volume, const ObserverOptions& options) {
+CollectLight GlDisplay::observerOf(const Volume& volume) {
+  struct Watched {
+    Watched(GlContext& context, const Volume& volume) : onGpu(context, volume), observer(context) {
+      observer.look(onGpu);
+    }
+    GlVolume onGpu;
+    GlObserver observer;
+  };
   GlContext& context = *impl_->context;
   const GlScope scope(context);
-  const GlVolume onGpu(context, volume);
-  GlObserver observer(context);
-  observer.look(onGpu);
-  observer.draw({options});
-  return observer.readLight();
+  const auto watched = std::make_shared<Watched>(context, volume);
+  return [watched](const ObserverOptions& options) {
+    watched->observer.draw({options});
+    return watched->observer.readLight();
+  };
 }
 
 std::string GlDisplay::description() const {
@@ -52,7 +59,7 @@ Volume GlDisplay::slice(const Mesh& /*mesh*/, const DisplayProfile& /*profile*/,
   failWithoutOpenGl();
 }
 
-Image<glm::vec3> GlDisplay::collectLight(const Volume& /*volume*/, const ObserverOptions& /*options*/) {
+CollectLight GlDisplay::observerOf(const Volume& /*volume*/) {
   failWithoutOpenGl();
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "display_sim/exact_slicer.h"
-#include "display_sim/observer.h"
+#include "display_sim/observe_series.h"
 
 namespace ocelli {
 
@@ -20,8 +20,8 @@ class GlDisplay {
 
   /// As the slice() of the processor. Throws GlError where the GPU cannot, here and below.
   Volume slice(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options);
-  /// As collectLight().
-  Image<glm::vec3> collectLight(const Volume& volume, const ObserverOptions& options);
+  /// As collectLight() of this volume, which is copied to the GPU now. Must not outlive this display.
+  CollectLight observerOf(const Volume& volume);
   /// "OpenGL on llvmpipe, through EGL".
   std::string description() const;
 

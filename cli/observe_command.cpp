@@ -1,4 +1,4 @@
-// `ocelli observe`: what an eye or a camera sees of a volume on the display.
+// `ocelli observe`: what eyes or a camera see of a volume on the display.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,8 +9,8 @@
 #include "cli/gl_display.h"
 #include "cli/gl_drawing.h"
 #include "cli/observer_choice.h"
-#include "cli/output_option.h"
 #include "display_sim/light_file.h"
+#include "display_sim/observe_series.h"
 #include "display_sim/svol_file.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
@@ -18,55 +18,166 @@
 namespace ocelli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct ObserveChoice {
   std::string volume;
   ObserverChoice observer;
+  double stereoMetres = 0;
+  bool sideBySide = false;
+  int turntable = 0;
+  std::string path;
+  double framesPerSecond = 24;
   bool json = false;
   std::string method = "processor";
   std::string gl = "auto";
   std::string output;
+
+  bool isSeries() const { return turntable > 0 || !path.empty(); }
+  bool isExr() const { return output.ends_with(".exr"); }
 };
 
-void checkExr(const ObserverChoice& choice) {
-  if (choice.gain > 0 || choice.gamma != 1 || choice.tone != "clip") {
+/// What the command works with once the volume is read.
+struct Observation {
+  const ObserveChoice& choice;
+  const ObserverOptions& options;
+  double separationRadii;
+  const CollectLight& collect;
+  const Frame& frame;
+};
+
+void checkOutput(const ObserveChoice& choice) {
+  const std::string& output = choice.output;
+  const bool picture = output.ends_with(".png") || choice.isExr();
+  if (choice.isSeries() && picture) {
+    throw InputError("a series of pictures does not go into one of them", output,
+                     "give a folder, or a video that ends in .mp4 or .webm");
+  }
+  if (!choice.isSeries() && !picture) {
+    throw InputError("\"" + output + "\" does not end in .png or .exr", "-o",
+                     "give such a file; folders and videos are for --turntable and --path");
+  }
+  if (choice.isExr() && (choice.observer.gain > 0 || choice.observer.gamma != 1 || choice.observer.tone != "clip")) {
     throw InputError("an .exr file holds the light as it is", "--gain, --gamma, --tone",
                      "leave these options out, or write a .png file");
   }
+  if (!(choice.stereoMetres >= 0 && choice.stereoMetres <= 10)) {
+    throw InputError("eyes must be between 0 and 10 metres apart", "--stereo", "--stereo 0.063");
+  }
+  if (choice.sideBySide && choice.stereoMetres == 0) {
+    throw InputError("there is one picture only", "--side-by-side", "add --stereo 0.063");
+  }
+  if (!(choice.framesPerSecond >= 0.01 && choice.framesPerSecond <= 1000)) {
+    throw InputError("there must be between 0.01 and 1000 frames in a second", "--rate", "--rate 24");
+  }
+}
+
+std::string withSuffix(const std::string& path, const std::string& suffix) {
+  const size_t dot = path.size() - 4;  // checkOutput() saw ".png" or ".exr"
+  return path.substr(0, dot) + suffix + path.substr(dot);
+}
+
+void writePicture(const std::string& path, const Image<glm::vec3>& light, const Tone& tone, const Json& figures) {
+  if (path.ends_with(".exr")) {
+    writeLightExr(path, light, figures.dump());
+  } else {
+    writeTonedPng(path, light, tone);
+  }
+}
+
+/// Adds what it measured to the figures.
+void observePictures(const Observation& o, Json& figures) {
+  const bool pair = o.separationRadii > 0;
+  const bool two = pair && !o.choice.sideBySide;
+  const std::string left = withSuffix(o.choice.output, "-left");
+  const std::string right = withSuffix(o.choice.output, "-right");
+  for (const std::string& path : two ? std::vector{left, right} : std::vector{o.choice.output}) {
+    checkWritable(path);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const LightPair seen = pair ? collectPair(o.collect, o.options, o.separationRadii) : LightPair{};
+  const Image<glm::vec3> whole = two ? Image<glm::vec3>() : pair ? sideBySide(seen) : o.collect(o.options);
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  Tone tone = o.options.tone;
+  if (tone.gain == 0) {
+    tone.gain = two ? std::min(automaticGain(seen.left), automaticGain(seen.right)) : automaticGain(whole);
+  }
+  figures["gain"] = tone.gain;
+  if (two) {
+    writePicture(left, seen.left, tone, figures);
+    writePicture(right, seen.right, tone, figures);
+  } else {
+    writePicture(o.choice.output, whole, tone, figures);
+  }
+  figures["observe_ms"] = time.count();
+  const glm::vec3& eye = o.options.eye;
+  o.frame.note(fmt::format("wrote {}: seen from {:g},{:g},{:g} in {:.0f} ms",
+                           two ? fmt::format("{} and {}", left, right) : o.choice.output, eye.x, eye.y, eye.z,
+                           time.count()));
+}
+
+void observeFrames(const Observation& o, const DisplayProfile& profile, Json& figures) {
+  ObserverSeries series;
+  series.eyes = o.choice.turntable > 0 ? turntableEyes(o.options.eye, o.choice.turntable)
+                                       : eyesAlong(readEyePath(o.choice.path), o.choice.framesPerSecond);
+  series.separationRadii = o.separationRadii;
+  checkSeries(series, o.options, profile);
+  const int width = o.options.width * (o.separationRadii > 0 ? 2 : 1);
+  const auto sink = isVideo(o.choice.output)
+                        ? videoFile(o.choice.output, {width, o.options.height, o.choice.framesPerSecond})
+                        : frameFolder(o.choice.output);
+  const auto start = std::chrono::steady_clock::now();
+  const double gain = seriesGain(o.collect, o.options, series);
+  observeSeries(o.collect, o.options, series, gain, *sink, o.frame.progress());
+  sink->finish();
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  figures["gain"] = gain;
+  figures["frames"] = series.eyes.size();
+  figures["seconds"] = time.count();
+  o.frame.note(fmt::format("wrote {}: {} frames in {:.1f} s", o.choice.output, series.eyes.size(), time.count()));
 }
 
 void run(const ObserveChoice& choice, const Frame& frame) {
   requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
-  const bool exr = choice.output.ends_with(".exr");
-  if (exr) {
-    checkExr(choice.observer);
-  }
-  checkWritable(choice.output);
+  checkOutput(choice);
   const auto gl = choice.method == "gl" ? std::make_unique<GlDisplay>(choice.gl) : nullptr;
   const Volume volume = readSvol(choice.volume);
   const ObserverOptions options = observerOptions(choice.observer, volume.profile());
-  const auto start = std::chrono::steady_clock::now();
-  const Image<glm::vec3> light = gl != nullptr ? gl->collectLight(volume, options) : collectLight(volume, options);
-  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-  Tone tone = options.tone;
-  tone.gain = tone.gain > 0 ? tone.gain : automaticGain(light);
-  nlohmann::ordered_json json = {{"profile", volume.profile().name},
-                                 {"eye", {options.eye.x, options.eye.y, options.eye.z}},
-                                 {"lit_voxels", volume.litVoxels()},
-                                 {"gain", tone.gain}};
-  if (exr) {
-    writeLightExr(choice.output, light, json.dump());
+  checkObserverOptions(options, volume.profile());
+  const CollectLight collect =
+      gl != nullptr ? gl->observerOf(volume) : [&](const ObserverOptions& o) { return collectLight(volume, o); };
+  const Observation observation{choice, options, choice.stereoMetres / volume.profile().radiusMetres, collect, frame};
+  Json figures = {{"profile", volume.profile().name},
+                  {"eye", {options.eye.x, options.eye.y, options.eye.z}},
+                  {"lit_voxels", volume.litVoxels()}};
+  if (choice.isSeries()) {
+    observeFrames(observation, volume.profile(), figures);
   } else {
-    writeTonedPng(choice.output, light, tone);
+    observePictures(observation, figures);
   }
   if (choice.json) {
-    json["observe_ms"] = time.count();
-    frame.print(json.dump(2) + "\n");
+    frame.print(figures.dump(2) + "\n");
   }
   if (gl != nullptr) {
     frame.note("drawn with " + gl->description());
   }
-  frame.note(fmt::format("wrote {}: seen from {:g},{:g},{:g} in {:.0f} ms", choice.output, options.eye.x, options.eye.y,
-                         options.eye.z, time.count()));
+}
+
+void addSeriesOptions(CLI::App& command, ObserveChoice& choice) {
+  command.add_option("--stereo", choice.stereoMetres, "Two pictures, for eyes so far apart: NAME-left and NAME-right")
+      ->type_name("METRES");
+  command.add_flag("--side-by-side", choice.sideBySide, "Both in one picture; in series they always are");
+  CLI::Option* turntable =
+      command
+          .add_option("--turntable", choice.turntable, "So many frames around the display, into a folder or a video")
+          ->check(CLI::Range(1, kMostFrames))
+          ->type_name("FRAMES");
+  command
+      .add_option("--path", choice.path,
+                  "The eye's way: a table with the header time,x,y,z, or JSON; frames into a folder or a video")
+      ->excludes(turntable)
+      ->type_name("FILE.csv|FILE.json");
+  command.add_option("--rate", choice.framesPerSecond, "Frames in a second of a way or a video")->type_name("NUMBER");
 }
 
 }  // namespace
@@ -76,14 +187,20 @@ void addObserveCommand(CLI::App& program, const Frame& frame) {
   const auto choice = std::make_shared<ObserveChoice>();
   command.add_option("VOLUME", choice->volume, "A volume (.svol)")->required();
   addObserverOptions(command, choice->observer);
+  addSeriesOptions(command, *choice);
   addMethodOption(command, choice->method);
   addGlOption(command, choice->gl);
   command.add_flag("--json", choice->json, "Print the figures as JSON");
-  addOutputOption(command, choice->output, "Where the picture goes: toned, or all of its light", {".png", ".exr"});
+  command
+      .add_option("-o,--output", choice->output,
+                  "Where it goes: a toned picture, all of its light, or a series of pictures as PNG files or a video")
+      ->required()
+      ->type_name("FILE.png|FILE.exr|FOLDER|FILE.mp4|FILE.webm");
   frame.finish(command,
                "  ocelli observe teapot.svol -o teapot.png\n"
                "  ocelli observe teapot.svol --eye 0,4,9 --exposure 1/25 --missing-sector 30 -o teapot.png\n"
-               "  ocelli observe teapot.svol --exposure 1/12 --wobble 0.005 --ambient 0.001 -o teapot.exr",
+               "  ocelli observe teapot.svol --exposure 1/12 --wobble 0.005 --ambient 0.001 -o teapot.exr\n"
+               "  ocelli observe teapot.svol --turntable 120 -o teapot.mp4",
                [choice, frame] { run(*choice, frame); });
 }
 

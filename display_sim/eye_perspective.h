@@ -42,6 +42,8 @@ class EyePerspective {
     return forward_ + right_ * ((u - centerU_) / pixelsPerTangent) + down_ * ((v - centerV_) / pixelsPerTangent);
   }
 
+  const glm::dvec3& right() const { return right_; }
+
   double distance = 0;          ///< of the display's centre
   double pixelsPerTangent = 0;  ///< focal length in pixels
 

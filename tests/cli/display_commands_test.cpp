@@ -65,6 +65,83 @@ TEST_F(DisplayCommands, observeWritesAPicture) {
   EXPECT_TRUE(std::ranges::any_of(picture, [](const Rgb8& pixel) { return pixel.x > 100; }));
 }
 
+TEST_F(DisplayCommands, observeTakesWhatTheDisplayDoes) {
+  const auto picture = [&](const std::string& options) {
+    const ProgramResult result =
+        runProgram("observe " + quoted("a.svol") + " --size 60x60 --gain 0.1 " + options + " -o " + quoted("eye.png"));
+    EXPECT_EQ(result.exitCode, 0) << options << result.error;
+    return fileBytes(folder_ / "eye.png");
+  };
+  const std::string plain = picture("");
+  EXPECT_EQ(picture("--emission screen --transmission 1 --focus 1.27 --start -180"), plain) << "these are defaults";
+  for (const char* options :
+       {"--emission even", "--transmission 0.1", "--exposure 1/12 --start 20", "--aperture 0.05 --focus 1.2",
+        "--exposure 1/12 --wobble 0.005", "--wobble 0.005 --wobble-direction 0,1,0 --wobble-frequency 3",
+        "--wobble 0.005 --wobble-phase 40", "--dead-zone 0.05", "--ambient 0.1", "--gamma 2", "--tone reinhard",
+        "--tone filmic"}) {
+    EXPECT_NE(picture(options), plain) << options;
+  }
+}
+
+TEST_F(DisplayCommands, observeWritesLightAndFigures) {
+  const ProgramResult result =
+      runProgram("observe " + quoted("a.svol") + " --size 50x40 --json --quiet -o " + quoted("light.exr"));
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json["lit_voxels"], readSvol(folder_ / "a.svol").litVoxels());
+  EXPECT_GT(json["observe_ms"], 0);
+  EXPECT_GT(json["gain"], 0);
+  EXPECT_THAT(fileBytes(folder_ / "light.exr"), HasSubstr("lit_voxels"));
+}
+
+TEST_F(DisplayCommands, observeWritesPairsAndSeries) {
+  const std::string observe = "observe " + quoted("a.svol") + " --size 50x40 ";
+  folder_.write("way.csv", "time,x,y,z\n0,0,0,10\n1,3,0,9\n");
+  const auto files = [&](const std::string& options, const char* output) {
+    const ProgramResult result = runProgram(observe + options + " -o " + quoted(output));
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+  };
+  files("--stereo 0.063", "pair.png");
+  EXPECT_EQ(readPng(folder_ / "pair-left.png").width(), 50);
+  EXPECT_NE(fileBytes(folder_ / "pair-left.png"), fileBytes(folder_ / "pair-right.png"));
+  files("--stereo 0.063 --side-by-side", "both.png");
+  EXPECT_EQ(readPng(folder_ / "both.png").width(), 100);
+  files("--turntable 3", "turn");
+  EXPECT_EQ(readPng(folder_ / "turn/frame_0002.png").height(), 40);
+  files("--path " + quoted("way.csv") + " --rate 2 --stereo 0.063", "way");
+  EXPECT_EQ(readPng(folder_ / "way/frame_0002.png").width(), 100);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "way/frame_0003.png"));
+}
+
+TEST_F(DisplayCommands, observeRefusesWhatMakesNoSense) {
+  folder_.write("way.csv", "time,x,y,z\n0,0,0,10\n1,0,0,-10\n");
+  const std::pair<const char*, const char*> cases[] = {{"--turntable 3", "x.png"},
+                                                       {"", "folder"},
+                                                       {"--turntable 0", "folder"},
+                                                       {"--turntable 3 --rate 0", "folder"},
+                                                       {"--stereo -1", "x.png"},
+                                                       {"--side-by-side", "x.png"},
+                                                       {"--gain 2", "x.exr"},
+                                                       {"--tone sepia", "x.png"},
+                                                       {"--start 3 --missing-sector 3", "x.png"},
+                                                       {"--start soon", "x.png"},
+                                                       {"--wobble 9", "x.png"},
+                                                       {"--wobble 0.005 --wobble-direction 0,0,0", "x.png"},
+                                                       {"--ambient -1", "x.png"},
+                                                       {"--dead-zone 1", "x.png"},
+                                                       {"--aperture nan", "x.png"}};
+  for (const auto& [options, output] : cases) {
+    const ProgramResult result = runProgram("observe " + quoted("a.svol") + " " + options + " -o " + quoted(output));
+    EXPECT_EQ(result.exitCode, 2) << options << result.error;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / output)) << options;
+  }
+  const ProgramResult through =
+      runProgram("observe " + quoted("a.svol") + " --path " + quoted("way.csv") + " --rate 8 -o " + quoted("folder"));
+  EXPECT_EQ(through.exitCode, 2);
+  EXPECT_THAT(through.error, HasSubstr("inside of the display"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "folder"));
+}
+
 TEST_F(DisplayCommands, volumeInfoVerifyAndExport) {
   const ProgramResult info = runProgram("volume info --json " + quoted("a.svol"));
   ASSERT_EQ(info.exitCode, 0) << info.error;

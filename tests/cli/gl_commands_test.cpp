@@ -79,6 +79,10 @@ TEST(GlCommands, sliceAndObserveTheSame) {
   EXPECT_EQ(readSvol(gl), readSvol(processor));
   const ProgramResult seen = runProgram("observe " + gl + " --method gl -o " + (folder / "seen.png").string());
   EXPECT_EQ(seen.exitCode, 0) << seen.error;
+  const ProgramResult blurred =
+      runProgram("observe " + gl + " --method gl --aperture 0.01 -o " + (folder / "blurred.png").string());
+  EXPECT_EQ(blurred.exitCode, 1);
+  EXPECT_THAT(blurred.error, HasSubstr("without OpenGL"));
 }
 
 TEST(GlCommands, sayWhatIsWrong) {

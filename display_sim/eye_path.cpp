@@ -1,0 +1,169 @@
+#include "display_sim/eye_path.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <glm/common.hpp>
+#include <optional>
+#include <string_view>
+
+#include "display_sim/eye_perspective.h"
+#include "oc_core/base/check.h"
+#include "oc_core/base/conventions.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
+#include "oc_core/base/json_fields.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kMostSeconds = 1e6;
+constexpr double kMostRadii = 1e6;
+constexpr std::string_view kHeader = "time,x,y,z";
+
+/// Throws where the poses do not make a path.
+void check(const std::vector<EyePose>& poses, const std::string& where) {
+  if (poses.empty()) {
+    throw InputError("this path has no poses", where, "give one at least");
+  }
+  for (size_t i = 1; i < poses.size(); ++i) {
+    if (!(poses[i].seconds > poses[i - 1].seconds)) {
+      throw InputError("pose " + std::to_string(i + 1) + " is not later than the one before it", where,
+                       "order the poses by their times");
+    }
+  }
+}
+
+/// Four numbers between commas, perhaps with blanks around them.
+std::optional<std::array<double, 4>> fourNumbers(std::string_view line) {
+  std::array<double, 4> numbers{};
+  for (size_t i = 0; i < numbers.size(); ++i) {
+    const size_t comma = line.find(',');
+    if ((comma == std::string_view::npos) != (i + 1 == numbers.size())) {
+      return std::nullopt;
+    }
+    std::string_view field = line.substr(0, comma);
+    field.remove_prefix(std::min(field.find_first_not_of(" \t"), field.size()));
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), numbers[i]);
+    const std::string_view rest = field.substr(static_cast<size_t>(end - field.data()));
+    if (error != std::errc() || rest.find_first_not_of(" \t") != std::string_view::npos ||
+        !(std::abs(numbers[i]) <= (i == 0 ? kMostSeconds : kMostRadii))) {
+      return std::nullopt;
+    }
+    line.remove_prefix(comma == std::string_view::npos ? line.size() : comma + 1);
+  }
+  return numbers;
+}
+
+}  // namespace
+
+EyePair eyePair(const glm::vec3& eye, double separation) {
+  const glm::dvec3 half = EyePerspective({.eye = eye}).right() * (separation / 2);
+  return {glm::vec3(glm::dvec3(eye) - half), glm::vec3(glm::dvec3(eye) + half)};
+}
+
+std::vector<glm::vec3> turntableEyes(const glm::vec3& eye, int count) {
+  OC_CHECK(count >= 1, "a turn has a step at least");
+  std::vector<glm::vec3> eyes;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * kPi * i / count;
+    const double cosine = std::cos(angle);
+    const double sine = std::sin(angle);
+    const glm::dvec3 e(eye);
+    eyes.emplace_back(glm::dvec3(e.x * cosine + e.z * sine, e.y, e.z * cosine - e.x * sine));
+  }
+  return eyes;
+}
+
+std::vector<EyePose> readEyePath(const std::filesystem::path& path) {
+  const std::string where = path.string();
+  if (where.ends_with(".csv")) {
+    return eyePathFromCsv(readFile(path, kMostTextBytes), where);
+  }
+  if (where.ends_with(".json")) {
+    return eyePathFromJson(readFile(path, kMostTextBytes), where);
+  }
+  throw InputError("a path of eyes is a .csv or a .json file", where, "give one of these");
+}
+
+std::vector<EyePose> eyePathFromCsv(const std::string& text, const std::string& where) {
+  std::vector<EyePose> poses;
+  std::string_view rest = text;
+  bool hasHeader = false;
+  for (int number = 1; !rest.empty(); ++number) {
+    const size_t length = std::min(rest.find('\n'), rest.size());
+    std::string_view line = rest.substr(0, length);
+    rest.remove_prefix(std::min(length + 1, rest.size()));
+    if (line.ends_with('\r')) {
+      line.remove_suffix(1);
+    }
+    if (line.empty()) {
+      continue;
+    }
+    const std::string here = where + ":" + std::to_string(number);
+    if (!hasHeader) {
+      if (line != kHeader) {
+        throw InputError("the first line is not \"time,x,y,z\"", here, "name the columns so");
+      }
+      hasHeader = true;
+      continue;
+    }
+    const auto numbers = fourNumbers(line);
+    if (!numbers) {
+      throw InputError("this is not a time in seconds and three coordinates in display radii", here,
+                       "write lines like 0.5,0,0.2,9.8");
+    }
+    poses.push_back({(*numbers)[0], glm::vec3((*numbers)[1], (*numbers)[2], (*numbers)[3])});
+  }
+  check(poses, where);
+  return poses;
+}
+
+std::vector<EyePose> eyePathFromJson(const std::string& text, const std::string& where) {
+  const nlohmann::json json = parseJson(text, where);
+  JsonFields fields(json, where);
+  const nlohmann::json& list = fields.value("poses");
+  fields.rejectUnknown();
+  if (!list.is_array()) {
+    fields.fail("poses", "must be an array");
+  }
+  std::vector<EyePose> poses;
+  for (const nlohmann::json& item : list) {
+    JsonFields pose(item, where + ", pose " + std::to_string(poses.size() + 1));
+    const double seconds = pose.number("time", -kMostSeconds, kMostSeconds);
+    const std::vector<double> eye = pose.numbers("eye", 3, -kMostRadii, kMostRadii);
+    pose.rejectUnknown();
+    poses.push_back({seconds, glm::vec3(eye[0], eye[1], eye[2])});
+  }
+  check(poses, where);
+  return poses;
+}
+
+std::vector<glm::vec3> eyesAlong(const std::vector<EyePose>& poses, double framesPerSecond) {
+  OC_CHECK(!poses.empty() && framesPerSecond > 0, "a path has poses and a rate");
+  // A frame that rounding would lose at the end is seen.
+  const double frames = std::floor((poses.back().seconds - poses.front().seconds) * framesPerSecond + 1e-6) + 1;
+  if (!(frames <= kMostFrames)) {
+    throw InputError("this path and this rate make more than 100000 frames", "--rate", "give a lower rate");
+  }
+  std::vector<glm::vec3> eyes;
+  size_t after = 1;  // the pose at or after the frame
+  for (int i = 0; i < static_cast<int>(frames); ++i) {
+    const double time = poses.front().seconds + i / framesPerSecond;
+    while (after < poses.size() && poses[after].seconds < time) {
+      ++after;
+    }
+    if (after >= poses.size()) {
+      eyes.push_back(poses.back().eye);
+      continue;
+    }
+    const EyePose& a = poses[after - 1];
+    const EyePose& b = poses[after];
+    const double share = std::clamp((time - a.seconds) / (b.seconds - a.seconds), 0.0, 1.0);
+    eyes.push_back(glm::mix(a.eye, b.eye, static_cast<float>(share)));
+  }
+  return eyes;
+}
+
+}  // namespace ocelli
