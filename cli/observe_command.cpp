@@ -22,6 +22,7 @@ using Json = nlohmann::ordered_json;
 
 struct ObserveChoice {
   std::string volume;
+  size_t frame = 0;
   ObserverChoice observer;
   double stereoMetres = 0;
   bool sideBySide = false;
@@ -141,7 +142,7 @@ void run(const ObserveChoice& choice, const Frame& frame) {
   requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
   checkOutput(choice);
   const auto gl = choice.method == "gl" ? std::make_unique<GlDisplay>(choice.gl) : nullptr;
-  const Volume volume = readSvol(choice.volume);
+  const Volume volume = readSvol(choice.volume, choice.frame);
   const ObserverOptions options = observerOptions(choice.observer, volume.profile());
   checkObserverOptions(options, volume.profile());
   const CollectLight collect =
@@ -186,6 +187,7 @@ void addObserveCommand(CLI::App& program, const Frame& frame) {
   CLI::App& command = *program.add_subcommand("observe", "Show what an eye sees of a volume on its display");
   const auto choice = std::make_shared<ObserveChoice>();
   command.add_option("VOLUME", choice->volume, "A volume (.svol)")->required();
+  command.add_option("--frame", choice->frame, "Which frame of a recording, from 0")->type_name("NUMBER");
   addObserverOptions(command, choice->observer);
   addSeriesOptions(command, *choice);
   addMethodOption(command, choice->method);

@@ -124,6 +124,7 @@ TEST_F(DisplayCommands, observeRefusesWhatMakesNoSense) {
                                                        {"--gain 2", "x.exr"},
                                                        {"--tone sepia", "x.png"},
                                                        {"--start 3 --missing-sector 3", "x.png"},
+                                                       {"--frame 1", "x.png"},
                                                        {"--start soon", "x.png"},
                                                        {"--wobble 9", "x.png"},
                                                        {"--wobble 0.005 --wobble-direction 0,0,0", "x.png"},
