@@ -11,9 +11,9 @@
 namespace ocelli {
 namespace {
 
-uint16_t lightSteps(float light) {
+float lightSteps(float light) {
   const float steps = std::round(std::clamp(light, 0.0f, 1.0f) * kLightSteps);
-  return static_cast<uint16_t>(light > 0 ? std::max(steps, 1.0f) : 0.0f);
+  return light > 0 ? std::max(steps, 1.0f) : 0.0f;
 }
 
 std::vector<glm::uvec3> spatiallySorted(const Mesh& mesh) {
@@ -130,7 +130,7 @@ SliceMesh::SliceMesh(const Mesh& mesh, SliceOrder order) : sourceCount_(mesh.pos
   }
   setPositions(mesh.positions);
   if (std::ranges::any_of(mesh.colors, [](const glm::vec3& color) { return color != glm::vec3(1); })) {
-    for (std::vector<uint16_t>* channel : {&red_, &green_, &blue_}) {
+    for (std::vector<float>* channel : {&red_, &green_, &blue_}) {
       channel->resize(sources_.size() + kPadding);
     }
     parallelFor(sources_.size(), 1 << 14, [&](size_t begin, size_t end) {
@@ -163,7 +163,8 @@ void SliceMesh::setPositions(std::span<const glm::vec3> positions) {
 }
 
 glm::vec3 SliceMesh::color(size_t vertex) const {
-  return white() ? glm::vec3(1) : glm::vec3(red_[vertex], green_[vertex], blue_[vertex]) / float{kLightSteps};
+  return white() ? glm::vec3(1)
+                 : glm::vec3(red_[vertex], green_[vertex], blue_[vertex]) / static_cast<float>(kLightSteps);
 }
 
 }  // namespace ocelli

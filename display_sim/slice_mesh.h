@@ -11,7 +11,7 @@
 
 namespace ocelli {
 
-/// Light is stored in steps of 1 / kLightSteps.
+/// Light is counted in steps of 1 / kLightSteps.
 inline constexpr int kLightSteps = 1 << 15;
 
 enum class SliceOrder {
@@ -53,10 +53,10 @@ class SliceMesh {
   const float* z() const { return z_.data(); }
   /// Whether all vertices are white; then there are no colours.
   bool white() const { return red_.empty(); }
-  /// Linear light of vertices, 0 to kLightSteps. Only what is 0 in the mesh is 0 here.
-  const uint16_t* red() const { return red_.data(); }
-  const uint16_t* green() const { return green_.data(); }
-  const uint16_t* blue() const { return blue_.data(); }
+  /// Linear light of vertices, whole numbers from 0 to kLightSteps. Only what is 0 in the mesh is 0 here.
+  const float* red() const { return red_.data(); }
+  const float* green() const { return green_.data(); }
+  const float* blue() const { return blue_.data(); }
   /// Three for each triangle: vertices counted from their chunk's first, with kSharedEdge.
   const uint16_t* corners() const { return corners_.data(); }
 
@@ -74,9 +74,9 @@ class SliceMesh {
   std::vector<float> x_;
   std::vector<float> y_;
   std::vector<float> z_;
-  std::vector<uint16_t> red_;
-  std::vector<uint16_t> green_;
-  std::vector<uint16_t> blue_;
+  std::vector<float> red_;
+  std::vector<float> green_;
+  std::vector<float> blue_;
 };
 
 }  // namespace ocelli

@@ -1,8 +1,11 @@
 #include "display_sim/slice_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <chrono>
 #include <cstring>
+#include <utility>
 
 #include "display_sim/dither.h"
 #include "display_sim/exact_triangle.h"
@@ -24,6 +27,18 @@ struct ExactTask {
   SectorRange sectors;
 };
 
+class Stopwatch {
+ public:
+  /// Milliseconds since the last time, or since it was made.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double, std::milli>(now - std::exchange(last_, now)).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
 /// What one thread works with.
 template <class Voxel>
 struct Worker {
@@ -32,7 +47,7 @@ struct Worker {
         points(std::max(SliceMesh::kChunkVertices, kRoomSamples) + SliceMesh::kPadding),
         voxels(points.size()),
         sampled(SliceMesh::kChunkTriangles),
-        exactNumbers(SliceMesh::kChunkTriangles),
+        wide(SliceMesh::kChunkTriangles),
         room(kRoomSamples),
         raster(profile.width, profile.height) {}
 
@@ -40,7 +55,7 @@ struct Worker {
   std::vector<SweepPoint> points;
   LitSamples voxels;
   std::vector<SampledTriangle> sampled;
-  std::vector<uint16_t> exactNumbers;
+  WideTriangles wide;
   SampleRoom room;
   std::vector<ExactTask> exact;
   PolygonRaster raster;
@@ -67,28 +82,34 @@ class SlicePassOf final : public SlicePass {
     });
   }
 
-  void run(const SliceMesh& mesh, std::span<const size_t> chunks, std::span<const int> wanted,
-           std::span<SectorSpan> spans, Volume& volume) override {
+  SliceStages run(const SliceMesh& mesh, std::span<const size_t> chunks, std::span<const int> wanted,
+                  std::span<SectorSpan> spans, Volume& volume) override {
     begin(mesh);
     allSlices_ = wanted.size() == noSlice_;
     std::ranges::fill(binOfSlice_, noSlice_);
     for (const int slice : wanted) {
       binOfSlice_[static_cast<size_t>(slice)] = static_cast<uint32_t>(slice);
     }
+    Stopwatch watch;
+    SliceStages stages;
     forEachItem(chunks.size(), 1, [&](Worker<Voxel>& worker, size_t i) {
       spans[chunks[i]] = lightChunk(worker, mesh.chunks()[chunks[i]]);
     });
+    stages.sampling = watch.lap();
     std::vector<ExactTask> tasks;
     for (Worker<Voxel>& worker : workers_) {
       tasks.insert(tasks.end(), worker.exact.begin(), worker.exact.end());
       worker.exact.clear();
     }
     forEachItem(tasks.size(), 16, [&](Worker<Voxel>& worker, size_t i) { lightExactly(worker, tasks[i]); });
+    stages.exact = watch.lap();
     forEachItem(wanted.size(), 1,
                 [&](Worker<Voxel>& worker, size_t i) { putTogether(worker, static_cast<size_t>(wanted[i]), volume); });
     for (Worker<Voxel>& worker : workers_) {
       worker.lit.clear(noSlice_);
     }
+    stages.assembling = watch.lap();
+    return stages;
   }
 
  private:
@@ -120,24 +141,35 @@ class SlicePassOf final : public SlicePass {
 
   SectorSpan lightChunk(Worker<Voxel>& worker, const SliceChunk& chunk) {
     const SectorReach reach = light(worker, verticesFrom(chunk.firstVertex, chunk.vertices), worker.points.data());
-    const SortedTriangles sorted = sortTriangles(worker, chunk);
-    for (size_t done = 0; done < sorted.sampled;) {
+    const size_t sampled = sortTriangles(worker, chunk);
+    for (size_t done = 0; done < sampled;) {
       worker.room.count = 0;
-      done += sampleTriangles(samples_, lattices_, worker.sampled.data() + done, sorted.sampled - done, worker.room);
+      done += sampleTriangles(samples_, lattices_, worker.sampled.data() + done, sampled - done, worker.room);
       light(worker, worker.room.samples(mesh_->white()), nullptr);
-    }
-    for (size_t i = 0; i < sorted.exact; ++i) {
-      const uint16_t* corner = mesh_->corners() + 3 * (size_t{chunk.firstTriangle} + worker.exactNumbers[i]);
-      const auto vertex = [&](int k) { return chunk.firstVertex + (corner[k] & kVertex); };
-      addExact(worker, {vertex(0), vertex(1), vertex(2)});
     }
     return spanOf(reach);
   }
 
-  SortedTriangles sortTriangles(Worker<Voxel>& worker, const SliceChunk& chunk) const {
-    return ocelli::sortTriangles(setup_, lattices_, worker.points.data(),
-                                 mesh_->corners() + 3 * size_t{chunk.firstTriangle}, chunk.triangles, chunk.firstVertex,
-                                 worker.sampled.data(), worker.exactNumbers.data());
+  /// Sends wide triangles to those that are sampled, whose number comes back, or to those that are found exactly.
+  size_t sortTriangles(Worker<Voxel>& worker, const SliceChunk& chunk) const {
+    const uint16_t* corners = mesh_->corners() + 3 * size_t{chunk.firstTriangle};
+    const WideTriangles& wide = worker.wide;
+    findWideTriangles(setup_, worker.points.data(), corners, chunk.triangles, worker.wide);
+    size_t sampled = 0;
+    for (size_t i = 0; i < wide.count; ++i) {
+      const uint16_t* corner = corners + 3 * wide.number[i];
+      const uint32_t a = chunk.firstVertex + (corner[0] & kVertex);
+      const uint32_t b = chunk.firstVertex + (corner[1] & kVertex);
+      const uint32_t c = chunk.firstVertex + (corner[2] & kVertex);
+      if (wide.parts[i] == 0) {
+        addExact(worker, {a, b, c});
+      } else {
+        const unsigned shared = corner[0] >> 15 | (corner[1] >> 15) << 1 | (corner[2] >> 15) << 2;
+        const TriangleLattices::Range& range = lattices_.range(wide.parts[i], shared);
+        worker.sampled[sampled++] = {{a, b, c}, range.first, range.count};
+      }
+    }
+    return sampled;
   }
 
   /// Triangles light no sectors but those between their corners, the shorter way around.
@@ -163,7 +195,7 @@ class SlicePassOf final : public SlicePass {
     return vertices;
   }
 
-  void addExact(Worker<Voxel>& worker, const std::array<uint32_t, 3>& corners) {
+  void addExact(Worker<Voxel>& worker, const std::array<uint32_t, 3>& corners) const {
     SweepVertex vertices[3];
     double lowest = sweep_.height();
     double highest = 0;

@@ -19,6 +19,13 @@ struct SectorSpan {
   int count = 0;
 };
 
+/// What a pass took, in milliseconds.
+struct SliceStages {
+  double sampling = 0;    ///< finding the voxels of samples
+  double exact = 0;       ///< finding the voxels of triangles without a lattice
+  double assembling = 0;  ///< clearing slices and putting them together
+};
+
 class SlicePass {
  public:
   virtual ~SlicePass() = default;
@@ -27,8 +34,8 @@ class SlicePass {
   virtual void findSpans(const SliceMesh& mesh, std::span<const size_t> chunks, std::span<SectorSpan> spans) = 0;
 
   /// The same, clears the slices of `wanted`, and lights what these chunks light in them.
-  virtual void run(const SliceMesh& mesh, std::span<const size_t> chunks, std::span<const int> wanted,
-                   std::span<SectorSpan> spans, Volume& volume) = 0;
+  virtual SliceStages run(const SliceMesh& mesh, std::span<const size_t> chunks, std::span<const int> wanted,
+                          std::span<SectorSpan> spans, Volume& volume) = 0;
 };
 
 std::unique_ptr<SlicePass> makeSlicePass(const DisplayProfile& profile, const SliceOptions& options);

@@ -4,7 +4,6 @@
 #include <numeric>
 #include <utility>
 
-#include "display_sim/slice_pass.h"
 #include "oc_core/base/check.h"
 
 namespace ocelli {
@@ -57,10 +56,11 @@ struct Slicer::Impl {
   std::vector<SectorSpan> spans;
   std::vector<uint32_t> versions;
   int made = 0;
+  SliceStages stages;
 
  private:
   void make(const SliceMesh& mesh, const std::vector<size_t>& chunks, const std::vector<int>& slices) {
-    pass->run(mesh, chunks, slices, spans, volume);
+    stages = pass->run(mesh, chunks, slices, spans, volume);
     made = static_cast<int>(slices.size());
     versions.clear();
     for (const SliceChunk& chunk : mesh.chunks()) {
@@ -107,6 +107,10 @@ const Volume& Slicer::update(const SliceMesh& mesh) {
 
 int Slicer::slicesMade() const {
   return impl_->made;
+}
+
+const SliceStages& Slicer::stages() const {
+  return impl_->stages;
 }
 
 Volume Slicer::takeVolume() {

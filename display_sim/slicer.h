@@ -16,10 +16,12 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "display_sim/display_profile.h"
 #include "display_sim/slice_mesh.h"
 #include "display_sim/slice_options.h"
+#include "display_sim/slice_pass.h"
 #include "display_sim/volume.h"
 
 namespace ocelli {
@@ -39,8 +41,9 @@ class Slicer {
   /// The same volume as slice() gives, where `mesh` is what was sliced last, perhaps with other positions: only slices
   /// that moved triangles touch now, or touched before, are made again.
   const Volume& update(const SliceMesh& mesh);
-  /// How many slices the last call made.
+  /// How many slices the last call made, and how long its stages took.
   int slicesMade() const;
+  const SliceStages& stages() const;
 
   /// The volume; the slicer gets a new one.
   Volume takeVolume();

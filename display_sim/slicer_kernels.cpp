@@ -1,6 +1,7 @@
 #include "display_sim/slicer_kernels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "display_sim/dither.h"
@@ -22,12 +23,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::ScalableTag<float>;
 using Ints = hn::RebindToSigned<Floats>;
 using Words = hn::RebindToUnsigned<Floats>;
-using Halves = hn::Rebind<uint16_t, Floats>;
 using FloatVec = hn::Vec<Floats>;
 using IntVec = hn::Vec<Ints>;
 
 /// The arc tangent of `ratio` in [0, 1]: an odd polynomial, minimax to 6e-9 before rounding.
-HWY_ATTR FloatVec arcTangent(FloatVec ratio) {
+HWY_ATTR HWY_INLINE FloatVec arcTangent(FloatVec ratio) {
   constexpr float kCoefficients[] = {0.00245672464f, -0.0144013586f, 0.039781224f,  -0.0723485723f, 0.104989462f,
                                      -0.141612291f,  0.199859068f,   -0.333325982f, 0.999999881f};
   const Floats d;
@@ -40,7 +40,7 @@ HWY_ATTR FloatVec arcTangent(FloatVec ratio) {
 }
 
 /// In (-pi, pi]; 0 at the axis.
-HWY_ATTR FloatVec angleAboutAxis(FloatVec x, FloatVec z) {
+HWY_ATTR HWY_INLINE FloatVec angleAboutAxis(FloatVec x, FloatVec z) {
   const Floats d;
   const FloatVec zero = hn::Zero(d);
   const FloatVec absX = hn::Abs(x);
@@ -88,7 +88,7 @@ HWY_ATTR HWY_INLINE SweepVectors locate(const SliceKernelSetup& setup, FloatVec 
 }
 
 /// The level, of those of the display, that a light has at a threshold in [0, kLightSteps).
-HWY_ATTR IntVec levelOf(const SliceKernelSetup& setup, IntVec light, IntVec threshold) {
+HWY_ATTR HWY_INLINE IntVec levelOf(const SliceKernelSetup& setup, IntVec light, IntVec threshold) {
   const Ints di;
   const IntVec full = hn::Set(di, setup.fullLevel);
   if (!setup.dithered) {
@@ -175,7 +175,6 @@ HWY_ATTR SectorReach light(const SliceKernelSetup& setup, const SliceSamples& sa
                            LitSamples& lit) {
   const Floats d;
   const Ints di;
-  const Halves dh;
   const IntVec turn = hn::Set(di, setup.sectorCount * kSweepUnit);
   const IntVec halfTurn = hn::ShiftRight<1>(turn);
   IntVec first = turn;
@@ -183,8 +182,8 @@ HWY_ATTR SectorReach light(const SliceKernelSetup& setup, const SliceSamples& sa
   IntVec shiftedFirst = turn;
   IntVec shiftedLast = hn::Neg(turn);
   IntVec innermost = turn;
-  const auto lightAt = [&](const uint16_t* channel, size_t i)
-                           HWY_ATTR { return hn::PromoteTo(di, hn::LoadU(dh, channel + i)); };
+  const auto lightAt = [&](const float* channel, size_t i)
+                           HWY_ATTR { return hn::ConvertTo(di, hn::Add(hn::LoadU(d, channel + i), hn::Set(d, 0.5f))); };
   const IntVec full = hn::Set(di, kLightSteps);
   for (size_t i = 0; i < samples.count; i += hn::Lanes(d)) {
     const SweepVectors at =
@@ -224,12 +223,16 @@ HWY_ATTR SectorReach light(const SliceKernelSetup& setup, const SliceSamples& sa
   return reach.last - reach.first <= around.last - around.first ? reach : around;
 }
 
-/// Whether the triangle of these points spans more than `limit` in a direction, or has a special corner.
-HWY_ATTR inline bool isWide(const SweepPoint& p, const SweepPoint& q, const SweepPoint& r, int32_t limit) {
+/// The span of three points in every direction, `special` as the highest of them.
+HWY_ATTR HWY_INLINE bool isWide(const SweepPoint& p, const SweepPoint& q, const SweepPoint& r, int32_t limit,
+                                SweepPoint& span, SweepPoint& lowest) {
 #if HWY_TARGET == HWY_SCALAR
-  const auto span = [](int32_t a, int32_t b, int32_t c) { return std::max({a, b, c}) - std::min({a, b, c}); };
-  return span(p.sector, q.sector, r.sector) > limit || span(p.column, q.column, r.column) > limit ||
-         span(p.row, q.row, r.row) > limit || (p.special | q.special | r.special) != 0;
+  const auto least = [](int32_t a, int32_t b, int32_t c) { return std::min({a, b, c}); };
+  const auto most = [](int32_t a, int32_t b, int32_t c) { return std::max({a, b, c}); };
+  lowest = {least(p.sector, q.sector, r.sector), least(p.column, q.column, r.column), least(p.row, q.row, r.row), 0};
+  span = {most(p.sector, q.sector, r.sector) - lowest.sector, most(p.column, q.column, r.column) - lowest.column,
+          most(p.row, q.row, r.row) - lowest.row, most(p.special, q.special, r.special)};
+  return span.sector > limit || span.column > limit || span.row > limit || span.special != 0;
 #else
   const hn::FixedTag<int32_t, 4> d;
   alignas(16) constexpr int32_t kAllButSpecial[4] = {-1, -1, -1, 0};
@@ -237,69 +240,74 @@ HWY_ATTR inline bool isWide(const SweepPoint& p, const SweepPoint& q, const Swee
   const auto a = hn::LoadU(d, &p.sector);
   const auto b = hn::LoadU(d, &q.sector);
   const auto c = hn::LoadU(d, &r.sector);
-  const auto lowest = hn::And(hn::Min(a, hn::Min(b, c)), hn::Load(d, kAllButSpecial));
-  return !hn::AllFalse(d, hn::Gt(hn::Sub(hn::Max(a, hn::Max(b, c)), lowest), hn::Load(d, limits)));
+  const auto low = hn::And(hn::Min(a, hn::Min(b, c)), hn::Load(d, kAllButSpecial));
+  const auto extent = hn::Sub(hn::Max(a, hn::Max(b, c)), low);
+  hn::StoreU(low, d, &lowest.sector);
+  hn::StoreU(extent, d, &span.sector);
+  return !hn::AllFalse(d, hn::Gt(extent, hn::Load(d, limits)));
 #endif
 }
 
-/// Into how many parts the sides of a triangle are divided; 0 where it has no good lattice.
-HWY_ATTR HWY_INLINE int latticeParts(const SliceKernelSetup& setup, const SweepPoint& a, const SweepPoint& b,
-                                     const SweepPoint& c) {
-  if ((a.special | b.special | c.special) != 0) {
-    return 0;
-  }
-  const auto span = [](int32_t p, int32_t q, int32_t r) {
-    return static_cast<float>(std::max({p, q, r}) - std::min({p, q, r})) * (1.0f / kSweepUnit);
-  };
-  // Measured from -N to N where that is shorter than from 0 to 2 N: past the last sector comes the first.
-  const auto shifted = [&](int32_t sector) {
-    return sector < setup.sectorCount * (kSweepUnit / 2) ? sector : sector - setup.sectorCount * kSweepUnit;
-  };
-  const float sectors =
-      std::min(span(a.sector, b.sector, c.sector), span(shifted(a.sector), shifted(b.sector), shifted(c.sector)));
-  const float columns = span(a.column, b.column, c.column);
-  const float rows = span(a.row, b.row, c.row);
-  const float nearest =
-      static_cast<float>(std::min({a.column, b.column, c.column})) * (1.0f / kSweepUnit) - setup.axisOffset;
+/// Into how many parts the sides of triangles are divided, from what findWideTriangles() found; 0 where there is no
+/// good lattice.
+HWY_ATTR HWY_INLINE IntVec latticeParts(const SliceKernelSetup& setup, IntVec sectorSpan, IntVec columnSpan,
+                                        IntVec rowSpan, IntVec special, IntVec nearestColumn) {
+  const Floats d;
+  const Ints di;
+  const FloatVec unit = hn::Set(d, 1.0f / kSweepUnit);
+  const FloatVec one = hn::Set(d, 1.0f);
+  const FloatVec sectors = hn::Mul(hn::ConvertTo(d, sectorSpan), unit);
+  const FloatVec columns = hn::Mul(hn::ConvertTo(d, columnSpan), unit);
+  const FloatVec rows = hn::Mul(hn::ConvertTo(d, rowSpan), unit);
+  const FloatVec nearest = hn::Sub(hn::Mul(hn::ConvertTo(d, nearestColumn), unit), hn::Set(d, setup.axisOffset));
   constexpr float kWidestAngle = 0.5f;  // radians
-  const float angle = sectors * setup.radiansPerStep;
-  if (angle > kWidestAngle || columns > nearest) {
-    return 0;
-  }
+  const FloatVec angle = hn::Mul(sectors, hn::Set(d, setup.radiansPerStep));
   // Along a straight line the angle changes as 1 / radius^2; a chord comes nearer to the axis than its ends by its
   // angle's versed sine.
-  const float inner = nearest * (1 - angle * angle / 8);
-  const float stretch = (nearest + columns) / inner;
-  const float widest = std::max({sectors * stretch * stretch, columns + (nearest - inner), rows});
-  const float parts = widest * (1 / kWidestCell);
-  return parts < float{TriangleLattices::kMostParts} ? std::max(static_cast<int>(parts) + 1, 2) : 0;
+  const FloatVec versine = hn::Mul(hn::Mul(angle, angle), hn::Set(d, 0.125f));
+  const FloatVec inner = hn::Mul(nearest, hn::Sub(one, versine));
+  const FloatVec stretch = hn::Div(hn::Add(nearest, columns), hn::Max(inner, hn::Set(d, 1e-3f)));
+  const FloatVec widest =
+      hn::Max(hn::Mul(sectors, hn::Mul(stretch, stretch)), hn::Max(hn::Add(columns, hn::Sub(nearest, inner)), rows));
+  const FloatVec parts = hn::Min(hn::Mul(widest, hn::Set(d, 1 / kWidestCell)),
+                                 hn::Set(d, static_cast<float>(TriangleLattices::kMostParts)));
+  const auto good = hn::And(hn::And(hn::Le(angle, hn::Set(d, kWidestAngle)), hn::Le(columns, nearest)),
+                            hn::Lt(parts, hn::Set(d, static_cast<float>(TriangleLattices::kMostParts))));
+  const IntVec whole = hn::Max(hn::Add(hn::ConvertTo(di, parts), hn::Set(di, 1)), hn::Set(di, 2));
+  return hn::IfThenElseZero(hn::And(hn::RebindMask(di, good), hn::Eq(special, hn::Zero(di))), whole);
 }
 
-HWY_ATTR SortedTriangles sort(const SliceKernelSetup& setup, const TriangleLattices& lattices, const SweepPoint* points,
-                              const uint16_t* corners, size_t triangles, uint32_t firstVertex, SampledTriangle* sampled,
-                              uint16_t* exact) {
+HWY_ATTR void findWide(const SliceKernelSetup& setup, const SweepPoint* points, const uint16_t* corners,
+                       size_t triangles, WideTriangles& wide) {
   constexpr uint16_t kVertex = SliceMesh::kSharedEdge - 1;
-  SortedTriangles sorted;
+  constexpr auto kLimit = static_cast<int32_t>(kWidestCell * kSweepUnit);
+  const Ints di;
+  const int32_t halfTurn = setup.slicesPerHalfTurn * kSweepUnit;
+  uint16_t* number = wide.number.data();
+  SweepPoint* span = wide.span.data();
+  SweepPoint* lowest = wide.lowest.data();
+  size_t count = 0;
   for (size_t t = 0; t < triangles; ++t, corners += 3) {
     const SweepPoint& a = points[corners[0] & kVertex];
     const SweepPoint& b = points[corners[1] & kVertex];
     const SweepPoint& c = points[corners[2] & kVertex];
-    if (!isWide(a, b, c, static_cast<int32_t>(kWidestCell * kSweepUnit))) {
-      continue;
+    number[count] = static_cast<uint16_t>(t);
+    const bool isOne = isWide(a, b, c, kLimit, span[count], lowest[count]);
+    if (HWY_UNLIKELY(span[count].sector > halfTurn)) {
+      // Past the last sector comes the first: measured from -N to N.
+      const auto shifted = [&](int32_t sector) { return sector < halfTurn ? sector : sector - 2 * halfTurn; };
+      const int32_t s[3] = {shifted(a.sector), shifted(b.sector), shifted(c.sector)};
+      span[count].sector = std::max({s[0], s[1], s[2]}) - std::min({s[0], s[1], s[2]});
     }
-    const int parts = latticeParts(setup, a, b, c);
-    if (parts == 0) {
-      exact[sorted.exact++] = static_cast<uint16_t>(t);
-      continue;
-    }
-    const unsigned shared = corners[0] >> 15 | (corners[1] >> 15) << 1 | (corners[2] >> 15) << 2;
-    const TriangleLattices::Range& range = lattices.range(parts, shared);
-    sampled[sorted.sampled++] = {{firstVertex + (corners[0] & kVertex), firstVertex + (corners[1] & kVertex),
-                                  firstVertex + (corners[2] & kVertex)},
-                                 range.first,
-                                 range.count};
+    count += isOne ? 1 : 0;
   }
-  return sorted;
+  wide.count = count;
+  for (size_t i = 0; i < count; i += hn::Lanes(di)) {
+    IntVec sectors, columns, rows, special, unused, nearest;
+    hn::LoadInterleaved4(di, &span[i].sector, sectors, columns, rows, special);
+    hn::LoadInterleaved4(di, &lowest[i].sector, unused, nearest, unused, unused);
+    hn::StoreU(latticeParts(setup, sectors, columns, rows, special, nearest), di, &wide.parts[i]);
+  }
 }
 
 int64_t target() {
@@ -309,38 +317,29 @@ int64_t target() {
 HWY_ATTR size_t sample(const SliceSamples& mesh, const TriangleLattices& lattices, const SampledTriangle* triangles,
                        size_t count, SampleRoom& room) {
   const hn::CappedTag<float, 8> d;
-  const hn::Rebind<int32_t, decltype(d)> di;
-  const hn::Rebind<uint16_t, decltype(d)> dh;
+  const std::array from{mesh.x, mesh.y, mesh.z, mesh.red, mesh.green, mesh.blue};
+  const std::array to{room.x.data(),   room.y.data(),     room.z.data(),
+                      room.red.data(), room.green.data(), room.blue.data()};
+  const size_t used = mesh.red == nullptr ? 3 : 6;
   size_t done = 0;
-  for (; done < count && room.count + triangles[done].samples <= room.capacity; ++done) {
+  size_t at = room.count;
+  for (; done < count && at + triangles[done].samples <= room.capacity; ++done) {
     const SampledTriangle& t = triangles[done];
     for (size_t i = 0; i < t.samples; i += hn::Lanes(d)) {
-      const auto b2 = hn::LoadU(d, lattices.weights2() + t.firstWeight + i);
-      const auto b3 = hn::LoadU(d, lattices.weights3() + t.firstWeight + i);
-      const auto mix = [&](auto v1, auto v2, auto v3) HWY_ATTR {
-        const auto first = static_cast<float>(v1);
-        return hn::Add(hn::Set(d, first), hn::Add(hn::Mul(b2, hn::Set(d, static_cast<float>(v2) - first)),
-                                                  hn::Mul(b3, hn::Set(d, static_cast<float>(v3) - first))));
-      };
-      const size_t to = room.count + i;
-      const auto writePosition = [&](const float* from, std::vector<float>& out) HWY_ATTR {
-        hn::StoreU(mix(from[t.corners[0]], from[t.corners[1]], from[t.corners[2]]), d, &out[to]);
-      };
-      const auto writeLight = [&](const uint16_t* from, std::vector<uint16_t>& out) HWY_ATTR {
-        const auto value = mix(from[t.corners[0]], from[t.corners[1]], from[t.corners[2]]);
-        hn::StoreU(hn::DemoteTo(dh, hn::ConvertTo(di, hn::Add(value, hn::Set(d, 0.5f)))), dh, &out[to]);
-      };
-      writePosition(mesh.x, room.x);
-      writePosition(mesh.y, room.y);
-      writePosition(mesh.z, room.z);
-      if (mesh.red != nullptr) {
-        writeLight(mesh.red, room.red);
-        writeLight(mesh.green, room.green);
-        writeLight(mesh.blue, room.blue);
+      const auto first = hn::LoadU(d, lattices.weights1() + t.firstWeight + i);
+      const auto second = hn::LoadU(d, lattices.weights2() + t.firstWeight + i);
+      const auto third = hn::LoadU(d, lattices.weights3() + t.firstWeight + i);
+      for (size_t channel = 0; channel < used; ++channel) {
+        const float* values = from[channel];
+        const auto sum = hn::Add(hn::Mul(first, hn::Set(d, values[t.corners[0]])),
+                                 hn::Add(hn::Mul(second, hn::Set(d, values[t.corners[1]])),
+                                         hn::Mul(third, hn::Set(d, values[t.corners[2]]))));
+        hn::StoreU(sum, d, to[channel] + at + i);
       }
     }
-    room.count += t.samples;
+    at += t.samples;
   }
+  room.count = at;
   return done;
 }
 
@@ -352,7 +351,7 @@ namespace ocelli {
 namespace {
 
 HWY_EXPORT(light);
-HWY_EXPORT(sort);
+HWY_EXPORT(findWide);
 HWY_EXPORT(sample);
 HWY_EXPORT(target);
 
@@ -387,12 +386,15 @@ LitSamples::LitSamples(size_t samples) {
   }
 }
 
+WideTriangles::WideTriangles(size_t most)
+    : number(most + 1),
+      span(most + SliceMesh::kPadding),
+      lowest(most + SliceMesh::kPadding),
+      parts(most + SliceMesh::kPadding) {}
+
 SampleRoom::SampleRoom(size_t room) : capacity(room) {
-  for (std::vector<float>* coordinate : {&x, &y, &z}) {
-    coordinate->resize(capacity + SliceMesh::kPadding);
-  }
-  for (std::vector<uint16_t>* channel : {&red, &green, &blue}) {
-    channel->resize(capacity + SliceMesh::kPadding);
+  for (std::vector<float>* values : {&x, &y, &z, &red, &green, &blue}) {
+    values->resize(capacity + SliceMesh::kPadding);
   }
 }
 
@@ -410,10 +412,9 @@ SectorReach lightSamples(const SliceKernelSetup& setup, const SliceSamples& samp
   return HWY_DYNAMIC_DISPATCH(light)(setup, samples, points, lit);
 }
 
-SortedTriangles sortTriangles(const SliceKernelSetup& setup, const TriangleLattices& lattices, const SweepPoint* points,
-                              const uint16_t* corners, size_t triangles, uint32_t firstVertex, SampledTriangle* sampled,
-                              uint16_t* exact) {
-  return HWY_DYNAMIC_DISPATCH(sort)(setup, lattices, points, corners, triangles, firstVertex, sampled, exact);
+void findWideTriangles(const SliceKernelSetup& setup, const SweepPoint* points, const uint16_t* corners,
+                       size_t triangles, WideTriangles& wide) {
+  HWY_DYNAMIC_DISPATCH(findWide)(setup, points, corners, triangles, wide);
 }
 
 size_t sampleTriangles(const SliceSamples& mesh, const TriangleLattices& lattices, const SampledTriangle* triangles,

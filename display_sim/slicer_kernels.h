@@ -56,9 +56,9 @@ struct SliceSamples {
   const float* x = nullptr;
   const float* y = nullptr;
   const float* z = nullptr;
-  const uint16_t* red = nullptr;
-  const uint16_t* green = nullptr;
-  const uint16_t* blue = nullptr;
+  const float* red = nullptr;
+  const float* green = nullptr;
+  const float* blue = nullptr;
   size_t count = 0;
 };
 
@@ -93,16 +93,19 @@ struct SampledTriangle {
   uint32_t samples;
 };
 
-/// Sorts the triangles of a chunk by how they are sliced. Those with samples of their own go to `sampled`, the numbers
-/// of those that have to be found exactly to `exact`; both have room for all. `corners` are as in SliceMesh and their
-/// vertices the points'; `firstVertex` is added to them in `sampled`.
-struct SortedTriangles {
-  size_t sampled = 0;
-  size_t exact = 0;
+/// The triangles of a chunk that need more than their corners.
+struct WideTriangles {
+  explicit WideTriangles(size_t most);
+  size_t count = 0;
+  std::vector<uint16_t> number;  ///< of the triangle, in its chunk
+  std::vector<SweepPoint> span;  ///< of its corners, `special` as the highest of them
+  std::vector<SweepPoint> lowest;
+  std::vector<int32_t> parts;  ///< into how many its sides are divided; 0 where it has no good lattice
 };
-SortedTriangles sortTriangles(const SliceKernelSetup& setup, const TriangleLattices& lattices, const SweepPoint* points,
-                              const uint16_t* corners, size_t triangles, uint32_t firstVertex, SampledTriangle* sampled,
-                              uint16_t* exact);
+
+/// `corners` are as in SliceMesh, their vertices the points'.
+void findWideTriangles(const SliceKernelSetup& setup, const SweepPoint* points, const uint16_t* corners,
+                       size_t triangles, WideTriangles& wide);
 
 /// Samples that are written, with SliceMesh::kPadding elements of room more than `capacity`.
 struct SampleRoom {
@@ -114,9 +117,9 @@ struct SampleRoom {
   std::vector<float> x;
   std::vector<float> y;
   std::vector<float> z;
-  std::vector<uint16_t> red;
-  std::vector<uint16_t> green;
-  std::vector<uint16_t> blue;
+  std::vector<float> red;
+  std::vector<float> green;
+  std::vector<float> blue;
 };
 
 /// Appends the samples of as many triangles as the room holds; returns how many triangles these are. `mesh` holds

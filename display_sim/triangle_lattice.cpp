@@ -16,6 +16,7 @@ TriangleLattices::TriangleLattices() : ranges_((kMostParts + 1) * 8) {
           const bool leftOut =
               (third == 0 && (left & 1u) != 0) || (first == 0 && (left & 2u) != 0) || (second == 0 && (left & 4u) != 0);
           if (!corner && !leftOut) {
+            weights1_.push_back(static_cast<float>(first) / static_cast<float>(parts));
             weights2_.push_back(static_cast<float>(second) / static_cast<float>(parts));
             weights3_.push_back(static_cast<float>(third) / static_cast<float>(parts));
           }
@@ -24,6 +25,7 @@ TriangleLattices::TriangleLattices() : ranges_((kMostParts + 1) * 8) {
       range.count = static_cast<uint32_t>(weights2_.size()) - range.first;
     }
   }
+  weights1_.resize(weights1_.size() + SliceMesh::kPadding);
   weights2_.resize(weights2_.size() + SliceMesh::kPadding);
   weights3_.resize(weights3_.size() + SliceMesh::kPadding);
 }

@@ -6,7 +6,7 @@
 
 namespace ocelli {
 
-/// Weights of the second and the third corner for lattices of up to kMostParts, with and without each side.
+/// Weights of the corners for lattices of up to kMostParts, with and without each side.
 class TriangleLattices {
  public:
   static constexpr int kMostParts = 16;
@@ -22,11 +22,13 @@ class TriangleLattices {
   const Range& range(int parts, unsigned sidesLeftOut) const {
     return ranges_[static_cast<unsigned>(parts) * 8 + sidesLeftOut];
   }
+  const float* weights1() const { return weights1_.data(); }
   const float* weights2() const { return weights2_.data(); }
   const float* weights3() const { return weights3_.data(); }
 
  private:
   std::vector<Range> ranges_;
+  std::vector<float> weights1_;
   std::vector<float> weights2_;
   std::vector<float> weights3_;
 };
