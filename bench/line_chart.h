@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/plot/figure.h"
 #include "analysis/plot/drawing.h"
+#include "analysis/plot/figure.h"
 
 namespace ocelli {
 

@@ -6,8 +6,8 @@
 
 namespace ocelli {
 
-/// For each plane that lies between the angles of a triangle's corners, the segment in which they meet is drawn into the
-/// slice. So what lies along a plane, or between two, is lost. No colour.
+/// For each plane that lies between the angles of a triangle's corners, the segment in which they meet is drawn into
+/// the slice. So what lies along a plane, or between two, is lost. No colour.
 Volume sliceNaively(const Mesh& mesh, const DisplayProfile& profile);
 
 }  // namespace ocelli

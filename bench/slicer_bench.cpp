@@ -21,6 +21,7 @@
 #include "oc_core/base/machine.h"
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/ocri/image_mesh.h"
+#include "oc_core/ocri/simplified_mesh.h"
 #include "oc_core/scene/scene_source.h"
 
 namespace ocelli {
@@ -39,6 +40,14 @@ struct Choice {
 };
 
 constexpr const char* kScene = "builtin:statues,mesh=buddha.obj,triangles={}";
+
+/// Simplified where the scene has more triangles by itself.
+Mesh sceneOf(double thousands) {
+  const auto triangles = static_cast<size_t>(thousands * 1000);
+  Mesh mesh = loadScene(fmt::format(kScene, triangles));
+  return mesh.triangles.size() > triangles * 11 / 10 ? simplifyMesh(mesh, triangles, SimplifyMethod::kTopological).mesh
+                                                     : mesh;
+}
 
 /// One way to slice: its work, and the least time so far.
 struct Way {
@@ -138,7 +147,7 @@ Mesh ocriMesh(const Mesh& scene, const Choice& choice) {
 nlohmann::ordered_json measureTriangles(const Choice& choice, const DisplayProfile& profile) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const double thousand : choice.thousands) {
-    const Mesh mesh = loadScene(fmt::format(kScene, static_cast<long>(thousand * 1000)));
+    const Mesh mesh = sceneOf(thousand);
     rows.push_back(measureMesh("geometry", mesh, profile, choice));
     if (thousand == choice.thousands.back()) {
       rows.push_back(measureMesh("OCRI", ocriMesh(mesh, choice), profile, choice));
@@ -187,7 +196,8 @@ nlohmann::ordered_json measureThreads(const Choice& choice, const DisplayProfile
     Slicer slicer(profile);
     std::vector<Way> ways{{"Ocelli", [&] { slicer.slice(prepared); }}};
     runInterleaved(ways, choice.runs);
-    rows.push_back({{"threads", threads}, {"ms", ways[0].least}, {"memory_floor_ms", memoryFloor(profile, choice.runs)}});
+    rows.push_back(
+        {{"threads", threads}, {"ms", ways[0].least}, {"memory_floor_ms", memoryFloor(profile, choice.runs)}});
     fmt::print("{}\n", rows.back().dump());
   }
   setThreadCount(choice.threads);
@@ -198,7 +208,7 @@ nlohmann::ordered_json measureThreads(const Choice& choice, const DisplayProfile
 nlohmann::ordered_json measureTimeline(const Choice& choice, const DisplayProfile& profile) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const double thousand : choice.thousands) {
-    Mesh mesh = loadScene(fmt::format(kScene, static_cast<long>(thousand * 1000)));
+    Mesh mesh = sceneOf(thousand);
     SliceMesh prepared(mesh);
     Slicer direct(profile);
     Slicer reduced(profile);
@@ -241,8 +251,8 @@ nlohmann::ordered_json measureTimeline(const Choice& choice, const DisplayProfil
 
 void drawTriangles(const nlohmann::ordered_json& rows, const std::string& path) {
   LineChart chart{"Time for a volume by triangles", "Triangles", "Milliseconds for a volume", {}};
-  for (const char* name : {"Ocelli", "Ocelli, exact", "naive, one thread", "vtkPlaneCutter", "vtkCutter",
-                           "OpenVDB meshToVolume"}) {
+  for (const char* name :
+       {"Ocelli", "Ocelli, exact", "naive, one thread", "vtkPlaneCutter", "vtkCutter", "OpenVDB meshToVolume"}) {
     LineChart::Curve curve{name, {}};
     for (const auto& row : rows) {
       if (row["mesh"] == "geometry" && row["ms"].contains(name)) {

@@ -12,7 +12,7 @@ namespace ocelli {
 
 struct SlicerPeer {
   std::string name;
-  std::string what;  ///< what it gives, where that is less than a volume
+  std::string what;          ///< what it gives, where that is less than a volume
   size_t mostTriangles = 0;  ///< more would take minutes
   /// What is made once for a mesh, and the work of one volume.
   std::function<std::function<void()>(const Mesh&, const DisplayProfile&)> prepare;

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Installs what building and testing Ocelli needs and this Debian 12 machine lacks.
-# Usage: scripts/install_dependencies.sh [--developer]
-#   --developer   also the tools for fuzzing, formatting and linting
+# Usage: scripts/install_dependencies.sh [--developer|--benchmarks]
+#   --developer    also the tools for fuzzing, formatting and linting
+#   --benchmarks   also the libraries that the slicer is measured against: some hundred megabytes
 set -eu
 
 packages="cmake ninja-build g++ ccache pkg-config python3 git
@@ -14,8 +15,9 @@ packages="cmake ninja-build g++ ccache pkg-config python3 git
 case "${1-}" in
   "") ;;
   --developer) packages="$packages clang libclang-rt-14-dev clang-format clang-tidy" ;;
+  --benchmarks) packages="$packages libvtk9-dev libopenvdb-dev" ;;
   *)
-    echo "usage: $0 [--developer]" >&2
+    echo "usage: $0 [--developer|--benchmarks]" >&2
     exit 2
     ;;
 esac

@@ -48,6 +48,9 @@ THIRD_PARTIES = {
     "EGL/": None,
     "GL/osmesa.h": None,
     "glad/": None,
+    # Peers of benchmarks, which most machines lack.
+    "openvdb/": None,
+    "vtk": None,
 }
 # Made by ocelli_embed_shaders() in the build tree, for .cpp files.
 GENERATED_SHADERS = "shaders.h"
