@@ -4,6 +4,7 @@
 // A time is the least of --runs, whose runs of all ways are interleaved; slow peers run once. `--json` keeps all
 // figures, `--svg` draws them. OCRI stands for the mesh of a DDOC image of the scene.
 #include <fmt/format.h>
+#include <hwy/targets.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -17,6 +18,7 @@
 #include "bench/timing.h"
 #include "display_sim/exact_slicer.h"
 #include "display_sim/slicer.h"
+#include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/machine.h"
 #include "oc_core/ocri/ddoc_builder.h"
@@ -35,6 +37,7 @@ struct Choice {
   std::vector<std::string> parts{"triangles", "profiles", "threads", "timeline"};
   std::vector<double> thousands{10, 100, 600, 1000, 4600, 10000};
   bool peers = true;
+  std::string instructionSet;
   std::string json;
   std::string svg;
 };
@@ -266,7 +269,23 @@ void drawTriangles(const nlohmann::ordered_json& rows, const std::string& path) 
   writeFile(path, svgText(lineFigure(chart)));
 }
 
+/// Holds the slicer to an instruction set that this processor has.
+void useInstructionSet(const std::string& name) {
+  std::string names;
+  for (int64_t targets = hwy::SupportedTargets(); targets != 0; targets &= targets - 1) {
+    if (name == hwy::TargetName(targets & -targets)) {
+      hwy::SetSupportedTargetsForTest(targets & -targets);
+      return;
+    }
+    names += std::string(names.empty() ? "" : ", ") + hwy::TargetName(targets & -targets);
+  }
+  throw InputError("this processor has no such instruction set", "--instruction-set " + name, "use one of " + names);
+}
+
 void measure(const Choice& choice) {
+  if (!choice.instructionSet.empty()) {
+    useInstructionSet(choice.instructionSet);
+  }
   const DisplayProfile profile = loadProfile("perspecta");
   nlohmann::ordered_json json = {{"processor", machineInfo().processor},
                                  {"threads", threadCount()},
@@ -305,6 +324,7 @@ int main(int argumentCount, char** arguments) {
   ocelli::addCommonOptions(program, choice);
   program.add_option("--parts", choice.parts, "Of triangles, profiles, threads, timeline")->delimiter(',');
   program.add_option("--thousands", choice.thousands, "Triangles of the scenes, in thousands")->delimiter(',');
+  program.add_option("--instruction-set", choice.instructionSet, "AVX2, for example; the best one where left out");
   program.add_flag("!--no-peers", choice.peers, "Without other slicers");
   program.add_option("--json", choice.json, "Where the figures go");
   program.add_option("--svg", choice.svg, "Where a chart of times by triangles goes");
