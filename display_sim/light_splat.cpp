@@ -21,8 +21,9 @@ double overlap(double lo, double hi, int pixel) {
   return std::max(std::min(hi, pixel + 1.0) - std::max(lo, pixel + 0.0), 0.0);
 }
 
-/// Of the unit disc's area, what lies above the height y in [-1, 1], which counts downwards.
+/// Of the unit disc's area, what lies above the height y, which counts downwards.
 double shareAbove(double y) {
+  y = std::clamp(y, -1.0, 1.0);
   return 0.5 + (std::asin(y) + y * std::sqrt(1 - y * y)) / kPi;
 }
 

@@ -238,12 +238,21 @@ TEST(Observer, sameBytesWithAnyNumberOfThreads) {
     mesh.colors.push_back(glm::abs(p));
   }
   const Volume volume = sliceExactly(mesh, smallProfile(50, 96, 96));
-  const ObserverOptions options{.eye = {2, 1, 2}, .width = 120, .height = 90};
-  setThreadCount(1);
-  const Image<glm::vec3> one = observe(volume, options);
-  for (const int threads : {2, 8}) {
-    setThreadCount(threads);
-    EXPECT_EQ(observe(volume, options), one) << threads;
+  const ObserverOptions plain{.eye = {2, 1, 2}, .width = 120, .height = 90};
+  ObserverOptions full = plain;
+  full.exposureSeconds = 2.7 / 24;
+  full.emission = {.model = EmissionModel::kScreen, .transmission = 0.3};
+  full.wobble = {.amplitudeRadii = 0.05, .frequency = 1.3};
+  full.lens = {.apertureRadii = 0.1, .focusRadii = 2.5};
+  full.ambient = 0.01;
+  full.tone.curve = ToneCurve::kFilmic;
+  for (const ObserverOptions& options : {plain, full}) {
+    setThreadCount(1);
+    const Image<glm::vec3> one = observe(volume, options);
+    for (const int threads : {2, 8}) {
+      setThreadCount(threads);
+      EXPECT_EQ(observe(volume, options), one) << threads;
+    }
   }
   setThreadCount(0);
 }
@@ -266,9 +275,11 @@ TEST(Observer, badOptionsAreInputErrors) {
 
 TEST(Observer, anEyeCloseByIsSafe) {
   const Volume volume = sliceExactly(test::sphere(0.99, 20), smallProfile(20, 32, 32));
-  const Image<glm::vec3> image = observe(volume, {.eye = {1.01f, 0, 0}, .width = 64, .height = 64});
-  for (const glm::vec3& pixel : image) {
-    EXPECT_TRUE(std::isfinite(pixel.x));
+  for (const double aperture : {0.0, 0.5}) {
+    const ObserverOptions options{.eye = {1.01f, 0, 0}, .width = 64, .height = 64, .lens = {.apertureRadii = aperture}};
+    for (const glm::vec3& pixel : observe(volume, options)) {
+      EXPECT_TRUE(std::isfinite(pixel.x));
+    }
   }
 }
 
