@@ -48,13 +48,14 @@ class Resampler {
       const double angle = (slice + fraction(a, arcSamples_)) * sweep_.stepRadians();
       directions.emplace_back(std::cos(angle), std::sin(angle));
     }
-    forEachLit(volume_, slice, [&](int column, int row, unsigned bits) {
+    forEachLevel(volume_, slice, [&](int column, int row, const Rgb8& levels) {
+      const Rgb8 color = levelBytes(levels, volume_.fullLevel());
       for (int c = 0; c < columnSamples_; ++c) {
         const double r = sweep_.columnRadius(column) + fraction(c, columnSamples_) * sweep_.columnWidth();
         for (const glm::dvec2& direction : directions) {
           for (int k = 0; k < rowSamples_; ++k) {
             light(r * direction.x, sweep_.rowCenterY(row) + fraction(k, rowSamples_) * sweep_.rowHeight(),
-                  r * direction.y, bits);
+                  r * direction.y, color);
           }
         }
       }
@@ -62,11 +63,21 @@ class Resampler {
   }
 
  private:
-  void light(double x, double y, double z, unsigned bits) {
-    uint8_t& cell = grid_.cells[grid_.index(cellOf(x + 1, grid_.spacing, grid_.sizeX),
-                                            cellOf(y + sweep_.halfHeight(), grid_.spacingY, grid_.sizeY),
-                                            cellOf(z + 1, grid_.spacing, grid_.sizeZ))];
-    std::atomic_ref(cell).fetch_or(static_cast<uint8_t>(bits), std::memory_order_relaxed);
+  void light(double x, double y, double z, const Rgb8& color) {
+    Rgb8& cell = grid_.cells[grid_.index(cellOf(x + 1, grid_.spacing, grid_.sizeX),
+                                         cellOf(y + sweep_.halfHeight(), grid_.spacingY, grid_.sizeY),
+                                         cellOf(z + 1, grid_.spacing, grid_.sizeZ))];
+    for (int channel = 0; channel < kColorChannels; ++channel) {
+      raise(cell[channel], color[channel]);
+    }
+  }
+
+  /// Slices are added by several threads; the highest level does not depend on their order.
+  static void raise(uint8_t& value, uint8_t least) {
+    const std::atomic_ref shared(value);
+    uint8_t seen = shared.load(std::memory_order_relaxed);
+    while (seen < least && !shared.compare_exchange_weak(seen, least, std::memory_order_relaxed)) {
+    }
   }
 
   const Volume& volume_;
@@ -77,17 +88,12 @@ class Resampler {
   int arcSamples_;
 };
 
-std::vector<uint8_t> compressedColors(std::span<const uint8_t> cells) {
-  std::vector<uint8_t> colors;
-  colors.reserve(3 * cells.size());
-  for (const uint8_t bits : cells) {
-    for (unsigned channel = 0; channel < 3; ++channel) {
-      colors.push_back((bits >> channel & 1u) != 0 ? 255 : 0);
-    }
-  }
-  uLongf size = compressBound(colors.size());
+std::vector<uint8_t> compressedColors(std::span<const Rgb8> cells) {
+  static_assert(sizeof(Rgb8) == 3, "cells are compressed as they stand");
+  uLongf size = compressBound(cells.size_bytes());
   std::vector<uint8_t> compressed(size);
-  OC_CHECK(compress2(compressed.data(), &size, colors.data(), colors.size(), Z_BEST_SPEED) == Z_OK,
+  OC_CHECK(compress2(compressed.data(), &size, reinterpret_cast<const Bytef*>(cells.data()), cells.size_bytes(),
+                     Z_BEST_SPEED) == Z_OK,
            "zlib refused a buffer of the size that it asked for");
   compressed.resize(size);
   return compressed;
@@ -123,7 +129,7 @@ CartesianVolume resample(const Volume& volume, int cellsAcross) {
   grid.spacing = 2.0 / cellsAcross;
   grid.sizeY = std::max(static_cast<int>(std::lround(cellsAcross * halfHeight)), 1);
   grid.spacingY = 2 * halfHeight / grid.sizeY;
-  grid.cells.resize(grid.index(0, 0, grid.sizeZ));
+  grid.cells.resize(grid.index(0, 0, grid.sizeZ), Rgb8(0));
   Resampler resampler(volume, grid);
   parallelFor(static_cast<size_t>(volume.slices()), 1, [&](size_t begin, size_t end) {
     for (size_t slice = begin; slice < end; ++slice) {
@@ -149,8 +155,8 @@ void exportVti(const std::filesystem::path& path, const Volume& volume, const Vt
   parallelFor(blocks.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const size_t first = i * kCellsPerBlock;
-      blocks[i] =
-          compressedColors(std::span(grid.cells).subspan(first, std::min(kCellsPerBlock, grid.cells.size() - first)));
+      blocks[i] = compressedColors(
+          std::span<const Rgb8>(grid.cells).subspan(first, std::min(kCellsPerBlock, grid.cells.size() - first)));
     }
   });
   // The head of compressed data: number of blocks, bytes of a block, bytes of the last one if it is shorter (else 0),

@@ -1,8 +1,8 @@
 // A volume as VTK image data (`.vti`), which ParaView opens: the lit voxels resampled to a grid of cubes.
 //
-// A cell of the grid has the colour bits of every voxel that reaches into it, found by points at most half a grid cell
-// apart, so that surfaces stay whole at any resolution. Cell data `color`: three bytes, 0 or 255. Coordinates are
-// display radii, y up.
+// A cell of the grid has, in each channel, the highest level of the voxels that reach into it, found by points at most
+// half a grid cell apart, so that surfaces stay whole at any resolution. Cell data `color`: three bytes, levels scaled
+// to 0 to 255. Coordinates are display radii, y up.
 #pragma once
 
 #include <filesystem>
@@ -21,15 +21,15 @@ struct VtiOptions {
 void exportVti(const std::filesystem::path& path, const Volume& volume, const VtiOptions& options = {},
                const Progress& progress = {});
 
-/// Cells of the box [-1, 1] x [-h, h] x [-1, 1], colour bits each as in Volume::colorBits(); x runs fastest, then y
-/// (up), then z.
+/// Cells of the box [-1, 1] x [-h, h] x [-1, 1], the levels of each scaled to 0 to 255; x runs fastest, then y (up),
+/// then z.
 struct CartesianVolume {
   int sizeX = 0;
   int sizeY = 0;
   int sizeZ = 0;
   double spacing = 0;   ///< along x and z
   double spacingY = 0;  ///< about the same: a whole number of cells fills the height
-  std::vector<uint8_t> cells;
+  std::vector<Rgb8> cells;
 
   size_t index(int x, int y, int z) const {
     return (static_cast<size_t>(z) * static_cast<size_t>(sizeY) + static_cast<size_t>(y)) * static_cast<size_t>(sizeX) +

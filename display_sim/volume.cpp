@@ -71,11 +71,14 @@ size_t countLit(std::span<const uint8_t> planes, const VolumeLayout& layout) {
   return count;
 }
 
+Rgb8 levelBytes(const Rgb8& levels, int fullLevel) {
+  return Rgb8((glm::ivec3(levels) * 255 + fullLevel / 2) / fullLevel);
+}
+
 Image<Rgb8> sliceImage(const Volume& volume, int slice) {
   Image<Rgb8> image(volume.width(), volume.height(), Rgb8(0));
-  const int full = volume.fullLevel();
   forEachLevel(volume, slice, [&](int column, int row, const Rgb8& levels) {
-    image(column, row) = Rgb8((glm::ivec3(levels) * 255 + full / 2) / full);
+    image(column, row) = levelBytes(levels, volume.fullLevel());
   });
   return image;
 }

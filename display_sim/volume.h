@@ -83,7 +83,10 @@ class Volume {
   std::vector<uint8_t> bytes_;
 };
 
-/// One slice as the screen shows it: levels scaled to 0 to 255.
+/// Levels of a voxel scaled to 0 to 255.
+Rgb8 levelBytes(const Rgb8& levels, int fullLevel);
+
+/// One slice as the screen shows it, in such bytes.
 Image<Rgb8> sliceImage(const Volume& volume, int slice);
 
 /// How many voxels of the bit planes of a slice have any light.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <glm/common.hpp>
 
 #include "display_sim/export_nrrd.h"
 #include "display_sim/export_png.h"
@@ -89,7 +90,8 @@ TEST(ExportNrrd, holdsTheNativeArray) {
 }
 
 TEST(ExportVti, everyLitVoxelLightsTheCubeAtItsCentreAndNoCubeIsFarFromOne) {
-  const DisplayProfile profile = smallProfile(20, 32, 24);
+  DisplayProfile profile = smallProfile(20, 32, 24);
+  profile.colorBitsPerChannel = 2;
   const SweepGeometry sweep(profile);
   const Volume volume = coloredTorus(profile);
   for (const int across : {8, 32, 100}) {
@@ -98,19 +100,19 @@ TEST(ExportVti, everyLitVoxelLightsTheCubeAtItsCentreAndNoCubeIsFarFromOne) {
     const auto cell = [&](double position) { return static_cast<int>((position + 1) / grid.spacing); };
     std::vector<glm::dvec3> centers;
     for (int i = 0; i < 20; ++i) {
-      forEachLit(volume, i, [&](int column, int row, unsigned bits) {
+      forEachLevel(volume, i, [&](int column, int row, const Rgb8& levels) {
         const glm::dvec3 p = sweep.voxelCenter(i, column, row);
         centers.push_back(p);
         // A centre may lie between cubes, where rounding decides.
-        unsigned around = 0;
+        Rgb8 around(0);
         for (const double dx : {-1e-9, 1e-9}) {
           for (const double dy : {-1e-9, 1e-9}) {
             for (const double dz : {-1e-9, 1e-9}) {
-              around |= grid.cells[grid.index(cell(p.x + dx), cell(p.y + dy), cell(p.z + dz))];
+              around = glm::max(around, grid.cells[grid.index(cell(p.x + dx), cell(p.y + dy), cell(p.z + dz))]);
             }
           }
         }
-        EXPECT_EQ(around & bits, bits);
+        EXPECT_EQ(glm::max(around, levelBytes(levels, volume.fullLevel())), around);
       });
     }
     // A cube that a cell reaches into: half a diagonal of the cube and one of the longest cell between their centres.
@@ -118,7 +120,7 @@ TEST(ExportVti, everyLitVoxelLightsTheCubeAtItsCentreAndNoCubeIsFarFromOne) {
     for (int z = 0; z < across; z += 3) {
       for (int y = 0; y < across; ++y) {
         for (int x = 0; x < across; ++x) {
-          if (grid.cells[grid.index(x, y, z)] != 0) {
+          if (grid.cells[grid.index(x, y, z)] != Rgb8(0)) {
             const glm::dvec3 p = (glm::dvec3(x, y, z) + 0.5) * grid.spacing - 1.0;
             EXPECT_TRUE(
                 std::ranges::any_of(centers, [&](const glm::dvec3& c) { return glm::distance(c, p) <= reach; }));
@@ -129,9 +131,40 @@ TEST(ExportVti, everyLitVoxelLightsTheCubeAtItsCentreAndNoCubeIsFarFromOne) {
   }
 }
 
+TEST(Export, levelsBecomeBytesFromDarkToFullLight) {
+  for (int full = 1; full <= 255; full = 2 * full + 1) {
+    EXPECT_EQ(levelBytes(Rgb8(0, full, full), full), Rgb8(0, 255, 255));
+    for (int level = 0; level < full; ++level) {
+      // The nearest byte.
+      EXPECT_NEAR(levelBytes(Rgb8(static_cast<uint8_t>(level)), full).x, 255.0 * level / full, 0.5);
+    }
+  }
+}
+
+TEST(ExportVti, aCellHasTheHighestLevelsOfItsVoxels) {
+  DisplayProfile profile = smallProfile(4, 64, 64);
+  profile.colorBitsPerChannel = 3;
+  Volume volume(profile);
+  // All in the cell from 0.5 to 1 along x, from 0 to 0.5 along y, from -0.5 to 0 or from 0 to 0.5 along z.
+  volume.raise(0, 50, 20, Rgb8(3, 1, 0));
+  volume.raise(0, 51, 20, Rgb8(1, 2, 0));
+  const CartesianVolume grid = resample(volume, 4);
+  for (int z = 0; z < 4; ++z) {
+    for (int y = 0; y < 4; ++y) {
+      for (int x = 0; x < 4; ++x) {
+        const bool reached = x == 3 && y == 2 && (z == 1 || z == 2);
+        EXPECT_EQ(grid.cells[grid.index(x, y, z)], reached ? levelBytes(Rgb8(3, 2, 0), 7) : Rgb8(0))
+            << x << " " << y << " " << z;
+      }
+    }
+  }
+}
+
 TEST(ExportVti, standsAsVtkReadsIt) {
   const TemporaryFolder folder;
-  const Volume volume = coloredTorus(loadProfile("vortex"));
+  DisplayProfile profile = loadProfile("vortex");
+  profile.colorBitsPerChannel = 3;
+  const Volume volume = coloredTorus(profile);
   exportVti(folder / "a.vti", volume, {.cellsAcross = 150});
   const std::vector<uint8_t> file = bytesOf(folder / "a.vti");
   const std::string text(file.begin(), file.end());
@@ -163,7 +196,7 @@ TEST(ExportVti, standsAsVtkReadsIt) {
   const CartesianVolume grid = resample(volume, 150);
   ASSERT_EQ(colors.size(), 3 * grid.cells.size());
   for (size_t i = 0; i < colors.size(); ++i) {
-    ASSERT_EQ(colors[i], (grid.cells[i / 3] >> (i % 3) & 1u) != 0 ? 255 : 0) << i;
+    ASSERT_EQ(colors[i], grid.cells[i / 3][static_cast<int>(i % 3)]) << i;
   }
 }
 
