@@ -10,6 +10,7 @@
 #include "cli/output_option.h"
 #include "display_sim/export_nrrd.h"
 #include "display_sim/export_png.h"
+#include "display_sim/export_preview.h"
 #include "display_sim/export_vti.h"
 #include "display_sim/svol_file.h"
 #include "display_sim/svol_join.h"
@@ -205,15 +206,10 @@ struct ExportChoice {
   size_t frame = 0;
   std::string output;
   VtiOptions vti;
+  PreviewOptions preview;
 };
 
-void runExport(const ExportChoice& choice, const Frame& frame) {
-  const std::string extension = std::filesystem::path(choice.output).extension();
-  if (extension != ".vti" && extension != ".nrrd" && !extension.empty() &&
-      !std::filesystem::is_directory(choice.output)) {
-    throw InputError("volumes have no form with this ending", choice.output,
-                     "a name that ends in .vti or .nrrd, or a folder for PNG files");
-  }
+void exportOneFrame(const ExportChoice& choice, const std::string& extension, const Frame& frame) {
   const Volume volume = readSvol(choice.volume, choice.frame);
   if (extension == ".vti") {
     exportVti(choice.output, volume, choice.vti, frame.progress());
@@ -222,20 +218,39 @@ void runExport(const ExportChoice& choice, const Frame& frame) {
   } else {
     exportPngStack(choice.output, volume, frame.progress());
   }
+}
+
+void runExport(const ExportChoice& choice, const Frame& frame) {
+  const std::string extension = std::filesystem::path(choice.output).extension();
+  const bool isFolder = extension.empty() || std::filesystem::is_directory(choice.output);
+  if (extension == ".png" && !isFolder) {
+    SvolReader reader(choice.volume);
+    exportPreview(choice.output, reader, choice.preview, frame.progress());
+  } else if (extension == ".vti" || extension == ".nrrd" || isFolder) {
+    exportOneFrame(choice, extension, frame);
+  } else {
+    throw InputError("volumes have no form with this ending", choice.output,
+                     "a name that ends in .vti, .nrrd or .png, or a folder for PNG files");
+  }
   frame.note(fmt::format("wrote {}", choice.output));
 }
 
 void addExport(CLI::App& parent, const Frame& frame) {
-  CLI::App& command = *parent.add_subcommand("export", "Write a volume for ParaView, as NRRD, or as PNG files");
+  CLI::App& command = *parent.add_subcommand(
+      "export", "Write a volume for ParaView, as NRRD, as PNG files, or as a picture that moves");
   const auto choice = std::make_shared<ExportChoice>();
   command.add_option("VOLUME", choice->volume, "A volume or a recording (.svol)")->required();
   command.add_option("--frame", choice->frame, "Which frame of a recording, from 0")->type_name("NUMBER");
-  command.add_option("-o,--output", choice->output, "A file, or a folder that gets a PNG file for each slice")
+  command
+      .add_option("-o,--output", choice->output,
+                  "A file (.png: an animated preview), or a folder that gets a PNG file for each slice")
       ->required()
-      ->type_name("OUT.vti|OUT.nrrd|DIR");
+      ->type_name("OUT.vti|OUT.nrrd|OUT.png|DIR");
   command.add_option("--cells", choice->vti.cellsAcross, "Cells of a .vti across the display")->type_name("COUNT");
+  command.add_option("--pixels", choice->preview.pixels, "Sides of a preview")->type_name("COUNT");
   frame.finish(command,
                "  ocelli volume export teapot.svol -o slices\n"
+               "  ocelli volume export teapot.svol -o teapot.png\n"
                "  ocelli volume export teapot.svol --cells 512 -o teapot.vti",
                [choice, frame] { runExport(*choice, frame); });
 }

@@ -11,7 +11,7 @@ void writeSvol(const std::filesystem::path& path, const Volume& volume, const st
   writer.finish();
 }
 
-Volume readFrame(SvolReader& reader, size_t frame) {
+void requireFrame(const SvolReader& reader, size_t frame) {
   if (reader.damage()) {
     throw *reader.damage();
   }
@@ -23,6 +23,10 @@ Volume readFrame(SvolReader& reader, size_t frame) {
     throw InputError("there is no frame " + std::to_string(frame) + ": the file has " + has, reader.where(),
                      count == 0 ? "write the file again, or give another one" : "give one of these");
   }
+}
+
+Volume readFrame(SvolReader& reader, size_t frame) {
+  requireFrame(reader, frame);
   SvolPlayer player(reader);
   player.seek(frame);
   return player.volume();

@@ -17,5 +17,7 @@ void writeSvol(const std::filesystem::path& path, const Volume& volume, const st
 /// frame.
 Volume readSvol(const std::filesystem::path& path, size_t frame = 0);
 Volume readFrame(SvolReader& reader, size_t frame);
+/// Throws the InputError that readFrame() would throw for a damaged file or a frame that is not there.
+void requireFrame(const SvolReader& reader, size_t frame);
 
 }  // namespace ocelli

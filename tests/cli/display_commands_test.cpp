@@ -149,7 +149,7 @@ TEST_F(DisplayCommands, volumeInfoVerifyAndExport) {
   EXPECT_EQ(nlohmann::json::parse(info.output)["profile"]["name"], "test");
   EXPECT_THAT(runProgram("volume info " + quoted("a.svol")).output, HasSubstr("24 of 64x64"));
   EXPECT_THAT(runProgram("volume verify " + quoted("a.svol")).output, HasSubstr("1 frame of 24 slices, all whole"));
-  for (const char* output : {"a.vti", "a.nrrd", "slices"}) {
+  for (const char* output : {"a.vti", "a.nrrd", "slices", "a.png"}) {
     EXPECT_EQ(runProgram("volume export " + quoted("a.svol") + " -o " + quoted(output)).exitCode, 0) << output;
   }
   EXPECT_TRUE(fileBytes(folder_ / "a.nrrd").starts_with("NRRD0005"));
