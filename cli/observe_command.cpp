@@ -8,6 +8,7 @@
 #include "cli/command.h"
 #include "cli/gl_display.h"
 #include "cli/gl_drawing.h"
+#include "cli/interrupt.h"
 #include "cli/observer_choice.h"
 #include "display_sim/light_file.h"
 #include "display_sim/observe_series.h"
@@ -127,9 +128,15 @@ void observeFrames(const Observation& o, const DisplayProfile& profile, Json& fi
   const auto sink = isVideo(o.choice.output)
                         ? videoFile(o.choice.output, {width, o.options.height, o.choice.framesPerSecond})
                         : frameFolder(o.choice.output);
+  const InterruptGuard guard;
+  const Progress bar = o.frame.progress();
+  const Progress progress = [&](std::string_view stage, double fraction) {
+    InterruptGuard::check();
+    report(bar, stage, fraction);
+  };
   const auto start = std::chrono::steady_clock::now();
   const double gain = seriesGain(o.collect, o.options, series);
-  observeSeries(o.collect, o.options, series, gain, *sink, o.frame.progress());
+  observeSeries(o.collect, o.options, series, gain, *sink, progress);
   sink->finish();
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   figures["gain"] = gain;
@@ -152,7 +159,11 @@ void run(const ObserveChoice& choice, const Frame& frame) {
                   {"eye", {options.eye.x, options.eye.y, options.eye.z}},
                   {"lit_voxels", volume.litVoxels()}};
   if (choice.isSeries()) {
-    observeFrames(observation, volume.profile(), figures);
+    try {
+      observeFrames(observation, volume.profile(), figures);
+    } catch (const Interrupted&) {
+      throw WorkError("interrupted: nothing is written", choice.output, "the same command again");
+    }
   } else {
     observePictures(observation, figures);
   }

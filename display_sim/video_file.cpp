@@ -160,7 +160,12 @@ class VideoFile : public FrameSink {
     posix_spawn_file_actions_adddup2(&actions, theirs.get(), STDIN_FILENO);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, fileno(messages_.get()), STDERR_FILENO);
-    const int error = posix_spawn(&process_, program.c_str(), &actions, nullptr, pointers.data(), environ);
+    // A group of its own: Ctrl-C is for this program, which then ends ffmpeg and removes what it wrote.
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    const int error = posix_spawn(&process_, program.c_str(), &actions, &attributes, pointers.data(), environ);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0) {
       process_ = -1;

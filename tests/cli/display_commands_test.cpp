@@ -113,6 +113,18 @@ TEST_F(DisplayCommands, observeWritesPairsAndSeries) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "way/frame_0003.png"));
 }
 
+TEST_F(DisplayCommands, anInterruptedSeriesLeavesNothing) {
+  // Once frames are there. A shell's background work ignores Ctrl-C, so it is SIGTERM.
+  const ProgramResult result =
+      runShell("\"$OCELLI\" observe " + quoted("a.svol") + " --size 90x60 --turntable 100000 -o " + quoted("turn") +
+               " & while [ ! -e " + quoted("turn.partial/frame_0002.png") +
+               " ] && kill -0 $!; do sleep 0.02; done; kill -TERM $!; wait $!");
+  EXPECT_EQ(result.exitCode, 1) << result.error;
+  EXPECT_THAT(result.error, HasSubstr("interrupted"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "turn"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "turn.partial"));
+}
+
 TEST_F(DisplayCommands, observeRefusesWhatMakesNoSense) {
   folder_.write("way.csv", "time,x,y,z\n0,0,0,10\n1,0,0,-10\n");
   const std::pair<const char*, const char*> cases[] = {{"--turntable 3", "x.png"},
