@@ -44,17 +44,19 @@ class FragmentBins {
     }
   }
 
-  /// Appends to bin `indices[i]` the i-th fragment of `count`. Of equal neighbours one is enough.
+  /// Appends to bin `indices[i]` the i-th fragment of `count`. Of equal neighbours one is enough. The last bin stays
+  /// empty.
   template <class FragmentOf>
   void push(const uint32_t* indices, FragmentOf&& fragmentOf, size_t count) {
     Fragment last = 0;
-    uint32_t lastIndex = static_cast<uint32_t>(bins_.size());
+    const auto none = static_cast<uint32_t>(bins_.size() - 1);
+    uint32_t lastIndex = none;
     for (size_t i = 0; i < count; ++i) {
       const uint32_t index = indices[i];
       const Fragment fragment = fragmentOf(i);
       Bin& bin = bins_[index];
       *bin.next = fragment;
-      bin.next += fragment != last || index != lastIndex ? 1 : 0;
+      bin.next += (fragment != last || index != lastIndex) && index != none ? 1 : 0;
       last = fragment;
       lastIndex = index;
       if (bin.next == bin.end) {

@@ -105,9 +105,6 @@ class SlicePassOf final : public SlicePass {
     stages.exact = watch.lap();
     forEachItem(wanted.size(), 1,
                 [&](Worker<Voxel>& worker, size_t i) { putTogether(worker, static_cast<size_t>(wanted[i]), volume); });
-    for (Worker<Voxel>& worker : workers_) {
-      worker.lit.clear(noSlice_);
-    }
     stages.assembling = watch.lap();
     return stages;
   }

@@ -111,7 +111,8 @@ struct LightVectors {
 };
 
 HWY_ATTR HWY_INLINE void appendLit(const SliceKernelSetup& setup, const SweepVectors& at, LightVectors light,
-                                   SampleVoxel which, bool secondHalf, hn::Mask<Ints> counts, LitSamples& lit) {
+                                   SampleVoxel which, bool secondHalf, hn::Mask<Ints> counts, size_t to,
+                                   LitSamples& lit) {
   const Ints di;
   const Words dw;
   const IntVec zero = hn::Zero(di);
@@ -157,18 +158,15 @@ HWY_ATTR HWY_INLINE void appendLit(const SliceKernelSetup& setup, const SweepVec
   const IntVec blue = levelOf(setup, light.blue, threshold);
   const IntVec levels = setup.oneBit ? hn::Or(red, hn::Or(hn::ShiftLeft<1>(green), hn::ShiftLeft<2>(blue)))
                                      : hn::Or(red, hn::Or(hn::ShiftLeft<8>(green), hn::ShiftLeft<16>(blue)));
-  const auto isLit = hn::AndNot(hn::Or(at.outside, hn::Eq(levels, zero)), counts);
-  uint32_t* slices = lit.slice.data() + lit.count;
-  uint32_t* places = lit.place.data() + lit.count;
-  const auto litWords = hn::RebindMask(dw, isLit);
-  const size_t count = hn::CompressStore(hn::BitCast(dw, slice), litWords, dw, slices);
+  const auto isDark = hn::Or(hn::Or(at.outside, hn::Not(counts)), hn::Eq(levels, zero));
+  const IntVec bin = hn::IfThenElse(isDark, hn::Set(di, setup.noSlice), slice);
+  hn::StoreU(hn::BitCast(dw, bin), dw, lit.slice.data() + to);
   if (setup.oneBit) {
-    hn::CompressStore(hn::BitCast(dw, hn::Or(hn::ShiftLeft<3>(place), levels)), litWords, dw, places);
+    hn::StoreU(hn::BitCast(dw, hn::Or(hn::ShiftLeft<3>(place), levels)), dw, lit.place.data() + to);
   } else {
-    hn::CompressStore(hn::BitCast(dw, place), litWords, dw, places);
-    hn::CompressStore(hn::BitCast(dw, levels), litWords, dw, lit.levels.data() + lit.count);
+    hn::StoreU(hn::BitCast(dw, place), dw, lit.place.data() + to);
+    hn::StoreU(hn::BitCast(dw, levels), dw, lit.levels.data() + to);
   }
-  lit.count += count;
 }
 
 HWY_ATTR SectorReach light(const SliceKernelSetup& setup, const SliceSamples& samples, SweepPoint* points,
@@ -185,6 +183,8 @@ HWY_ATTR SectorReach light(const SliceKernelSetup& setup, const SliceSamples& sa
   const auto lightAt = [&](const float* channel, size_t i)
                            HWY_ATTR { return hn::ConvertTo(di, hn::Add(hn::LoadU(d, channel + i), hn::Set(d, 0.5f))); };
   const IntVec full = hn::Set(di, kLightSteps);
+  const size_t stride = hwy::RoundUpTo(samples.count, hn::Lanes(d));
+  lit.count = stride * (setup.antialiased ? 2u : 1u) * (setup.ownSecondHalf ? 2u : 1u);
   for (size_t i = 0; i < samples.count; i += hn::Lanes(d)) {
     const SweepVectors at =
         locate(setup, hn::LoadU(d, samples.x + i), hn::LoadU(d, samples.y + i), hn::LoadU(d, samples.z + i));
@@ -202,11 +202,13 @@ HWY_ATTR SectorReach light(const SliceKernelSetup& setup, const SliceSamples& sa
     if (samples.red != nullptr) {
       color = {lightAt(samples.red, i), lightAt(samples.green, i), lightAt(samples.blue, i)};
     }
+    // The samples once for each voxel that they may light, one after the other.
+    size_t to = i;
     for (const SampleVoxel which : {SampleVoxel::kOwn, SampleVoxel::kNeighbour}) {
       if (which == SampleVoxel::kOwn || setup.antialiased) {
-        appendLit(setup, at, color, which, false, counts, lit);
-        if (setup.ownSecondHalf) {
-          appendLit(setup, at, color, which, true, counts, lit);
+        for (int half = 0; half < (setup.ownSecondHalf ? 2 : 1); ++half) {
+          appendLit(setup, at, color, which, half == 1, counts, to, lit);
+          to += stride;
         }
       }
     }
@@ -314,32 +316,49 @@ int64_t target() {
   return HWY_TARGET;
 }
 
+/// Writes what a mixture of a triangle's corners has, where these have `values`.
+template <class D>
+HWY_ATTR HWY_INLINE void mixCorners(D d, const float* HWY_RESTRICT values, const SampledTriangle& t, hn::Vec<D> first,
+                                    hn::Vec<D> second, hn::Vec<D> third, float* HWY_RESTRICT to) {
+  const auto sum = hn::Add(
+      hn::Mul(first, hn::Set(d, values[t.corners[0]])),
+      hn::Add(hn::Mul(second, hn::Set(d, values[t.corners[1]])), hn::Mul(third, hn::Set(d, values[t.corners[2]]))));
+  hn::StoreU(sum, d, to);
+}
+
 HWY_ATTR size_t sample(const SliceSamples& mesh, const TriangleLattices& lattices, const SampledTriangle* triangles,
                        size_t count, SampleRoom& room) {
   const hn::CappedTag<float, 8> d;
-  const std::array from{mesh.x, mesh.y, mesh.z, mesh.red, mesh.green, mesh.blue};
-  const std::array to{room.x.data(),   room.y.data(),     room.z.data(),
-                      room.red.data(), room.green.data(), room.blue.data()};
-  const size_t used = mesh.red == nullptr ? 3 : 6;
+  const SliceSamples from = mesh;
+  const float* HWY_RESTRICT weights1 = lattices.weights1();
+  const float* HWY_RESTRICT weights2 = lattices.weights2();
+  const float* HWY_RESTRICT weights3 = lattices.weights3();
+  float* const x = room.x.data();
+  float* const y = room.y.data();
+  float* const z = room.z.data();
+  float* const red = room.red.data();
+  float* const green = room.green.data();
+  float* const blue = room.blue.data();
   size_t done = 0;
-  size_t at = room.count;
-  for (; done < count && at + triangles[done].samples <= room.capacity; ++done) {
-    const SampledTriangle& t = triangles[done];
+  size_t end = room.count;
+  for (; done < count && end + triangles[done].samples <= room.capacity; ++done) {
+    const SampledTriangle t = triangles[done];
     for (size_t i = 0; i < t.samples; i += hn::Lanes(d)) {
-      const auto first = hn::LoadU(d, lattices.weights1() + t.firstWeight + i);
-      const auto second = hn::LoadU(d, lattices.weights2() + t.firstWeight + i);
-      const auto third = hn::LoadU(d, lattices.weights3() + t.firstWeight + i);
-      for (size_t channel = 0; channel < used; ++channel) {
-        const float* values = from[channel];
-        const auto sum = hn::Add(hn::Mul(first, hn::Set(d, values[t.corners[0]])),
-                                 hn::Add(hn::Mul(second, hn::Set(d, values[t.corners[1]])),
-                                         hn::Mul(third, hn::Set(d, values[t.corners[2]]))));
-        hn::StoreU(sum, d, to[channel] + at + i);
+      const auto first = hn::LoadU(d, weights1 + t.firstWeight + i);
+      const auto second = hn::LoadU(d, weights2 + t.firstWeight + i);
+      const auto third = hn::LoadU(d, weights3 + t.firstWeight + i);
+      mixCorners(d, from.x, t, first, second, third, x + end + i);
+      mixCorners(d, from.y, t, first, second, third, y + end + i);
+      mixCorners(d, from.z, t, first, second, third, z + end + i);
+      if (from.red != nullptr) {
+        mixCorners(d, from.red, t, first, second, third, red + end + i);
+        mixCorners(d, from.green, t, first, second, third, green + end + i);
+        mixCorners(d, from.blue, t, first, second, third, blue + end + i);
       }
     }
-    at += t.samples;
+    end += t.samples;
   }
-  room.count = at;
+  room.count = end;
   return done;
 }
 
@@ -377,12 +396,13 @@ SliceKernelSetup::SliceKernelSetup(const DisplayProfile& profile, const SliceOpt
       dithered(options.colors == ColorReduction::kDither),
       oneBit(profile.colorBitsPerChannel == 1),
       antialiased(options.angularAntialiasing),
-      ownSecondHalf(profile.secondHalfTurn == SecondHalfTurn::kOwn) {}
+      ownSecondHalf(profile.secondHalfTurn == SecondHalfTurn::kOwn),
+      noSlice(profile.storedSlices()) {}
 
 LitSamples::LitSamples(size_t samples) {
   constexpr size_t kMostPerSample = 4;  // in two slices, of both half turns
   for (std::vector<uint32_t>* words : {&slice, &place, &levels}) {
-    words->resize(kMostPerSample * samples + SliceMesh::kPadding);
+    words->resize(kMostPerSample * (samples + SliceMesh::kPadding));
   }
 }
 
@@ -408,7 +428,6 @@ SliceSamples SampleRoom::samples(bool white) const {
 
 SectorReach lightSamples(const SliceKernelSetup& setup, const SliceSamples& samples, SweepPoint* points,
                          LitSamples& lit) {
-  lit.count = 0;
   return HWY_DYNAMIC_DISPATCH(light)(setup, samples, points, lit);
 }
 

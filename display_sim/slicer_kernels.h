@@ -37,6 +37,7 @@ struct SliceKernelSetup {
   bool oneBit;
   bool antialiased;
   bool ownSecondHalf;
+  int32_t noSlice;  ///< stands for the slice of a sample that lights nothing
 };
 
 /// Where a point lies in the sweep, in 1/65536: sectors, columns from the axis, rows. `special` is kSpecial for points
@@ -62,8 +63,8 @@ struct SliceSamples {
   size_t count = 0;
 };
 
-/// Lit voxels: their slices and places (fragment_bins.h) and levels. Where levels have one bit, `place` holds the whole
-/// fragment and `levels` nothing.
+/// What samples light (each at most four voxels): slices and places (fragment_bins.h) and levels. Where levels have one
+/// bit, `place` holds the whole fragment and `levels` nothing.
 struct LitSamples {
   /// Room for what `samples` samples light.
   explicit LitSamples(size_t samples);

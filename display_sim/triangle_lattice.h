@@ -9,7 +9,7 @@ namespace ocelli {
 /// Weights of the corners for lattices of up to kMostParts, with and without each side.
 class TriangleLattices {
  public:
-  static constexpr int kMostParts = 16;
+  static constexpr int kMostParts = 32;
 
   struct Range {
     uint32_t first = 0;
