@@ -22,11 +22,33 @@ bool areEqual(std::span<const uint8_t> a, std::span<const uint8_t> b) {
   return std::memcmp(a.data(), b.data(), a.size()) == 0;
 }
 
-/// Up to eight bytes, from `at` on.
-uint64_t wordAt(std::span<const uint8_t> bytes, size_t at) {
-  uint64_t word = 0;
-  std::memcpy(&word, bytes.data() + at, std::min(sizeof word, bytes.size() - at));
-  return word;
+struct WordCounts {
+  uint32_t lit = 0;
+  uint32_t changed = 0;
+};
+
+/// Fills `difference` with a XOR b, and counts the words of a and of `difference` that are not 0.
+WordCounts subtract(std::span<const uint8_t> a, std::span<const uint8_t> b, std::span<uint8_t> difference) {
+  WordCounts counts;
+  // Words of four bytes, which compilers compare several at a time.
+  const auto step = [&](size_t at, size_t bytes) {
+    uint32_t wordOfA = 0;
+    uint32_t wordOfB = 0;
+    std::memcpy(&wordOfA, a.data() + at, bytes);
+    std::memcpy(&wordOfB, b.data() + at, bytes);
+    const uint32_t change = wordOfA ^ wordOfB;
+    std::memcpy(difference.data() + at, &change, bytes);
+    counts.lit += wordOfA != 0 ? 1 : 0;
+    counts.changed += change != 0 ? 1 : 0;
+  };
+  const size_t whole = a.size() / sizeof(uint32_t) * sizeof(uint32_t);
+  for (size_t at = 0; at < whole; at += sizeof(uint32_t)) {
+    step(at, sizeof(uint32_t));
+  }
+  if (whole < a.size()) {
+    step(whole, a.size() - whole);
+  }
+  return counts;
 }
 
 }  // namespace
@@ -59,20 +81,12 @@ EncodedSlice SliceEncoder::encode(std::span<const uint8_t> planes, std::span<con
     return {{SvolSliceKind::kUnchanged, 0, 0}, {}};
   }
   difference_.resize(planes.size());
-  size_t litWords = 0;
-  size_t changedWords = 0;
-  for (size_t at = 0; at < planes.size(); at += sizeof(uint64_t)) {
-    const uint64_t word = wordAt(planes, at);
-    const uint64_t change = word ^ wordAt(before, at);
-    std::memcpy(difference_.data() + at, &change, std::min(sizeof change, planes.size() - at));
-    litWords += word != 0 ? 1 : 0;
-    changedWords += change != 0 ? 1 : 0;
-  }
-  if (litWords == 0) {
+  const WordCounts words = subtract(planes, before, difference_);
+  if (words.lit == 0) {
     return {};
   }
-  return changedWords < litWords ? compress(SvolSliceKind::kDelta, difference_)
-                                 : compress(SvolSliceKind::kWhole, planes);
+  return words.changed < words.lit ? compress(SvolSliceKind::kDelta, difference_)
+                                   : compress(SvolSliceKind::kWhole, planes);
 }
 
 void SliceDecoder::Free::operator()(ZSTD_DCtx_s* context) const {
