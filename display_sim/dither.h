@@ -39,10 +39,13 @@ inline uint8_t ditheredLevel(float light, int fullLevel, float threshold) {
   return static_cast<uint8_t>(lower + (scaled - static_cast<float>(lower) > threshold ? 1 : 0));
 }
 
-inline Rgb8 ditheredLevels(const glm::vec3& color, int fullLevel, int slice, int column, int row) {
-  const float threshold = ditherThreshold(slice, column, row);
+inline Rgb8 ditheredLevels(const glm::vec3& color, int fullLevel, float threshold) {
   return {ditheredLevel(color.x, fullLevel, threshold), ditheredLevel(color.y, fullLevel, threshold),
           ditheredLevel(color.z, fullLevel, threshold)};
+}
+
+inline Rgb8 ditheredLevels(const glm::vec3& color, int fullLevel, int slice, int column, int row) {
+  return ditheredLevels(color, fullLevel, ditherThreshold(slice, column, row));
 }
 
 /// Full light where the channel has any light at all.

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "display_sim/dither.h"
+#include "display_sim/even_light.h"
 #include "display_sim/sweep_geometry.h"
+#include "display_sim/voxel_dither.h"
 
 namespace ocelli {
 namespace {
@@ -66,9 +67,10 @@ struct Candidates {
 class ReferenceSlicer {
  public:
   ReferenceSlicer(const DisplayProfile& profile, const ReferenceOptions& options)
-      : sweep_(profile), options_(options), volume_(profile) {}
+      : sweep_(profile), options_(options), dither_(options.colors), volume_(profile) {}
 
   void add(const Mesh& mesh, const glm::uvec3& triangle) {
+    normal_ = unitNormal(mesh.positions[triangle.x], mesh.positions[triangle.y], mesh.positions[triangle.z]);
     for (int sector = 0; sector < sweep_.sectors(); ++sector) {
       const glm::dvec2& direction = sweep_.sectorDirection(sector);
       std::vector<Point> polygon;
@@ -113,7 +115,7 @@ class ReferenceSlicer {
         const std::vector<Point> inCell = clip(inRow, {{{side, 0, 0}, column + 1 - axis + options_.margin},
                                                        {{-side, 0, 0}, axis - column + options_.margin}});
         if (!inCell.empty()) {
-          light(sweep_.sliceOfSector(sector), column, row, meanColor(inCell));
+          light(sector, column, row, meanColor(inCell));
         }
       }
     }
@@ -127,23 +129,38 @@ class ReferenceSlicer {
     return glm::vec3(sum / static_cast<double>(points.size()));
   }
 
-  void light(int slice, int column, int row, const glm::vec3& color) {
+  void light(int sector, int column, int row, glm::vec3 color) {
+    if (options_.evenLightRadius > 0 && options_.colors != ColorReduction::kOccupancy) {
+      color *= static_cast<float>(evenLightWeight(sector, column));
+    }
+    const int slice = sweep_.sliceOfSector(sector);
     store(slice, column, row, color);
     if (volume_.slices() > sweep_.slicesPerHalfTurn()) {
       store(slice + sweep_.slicesPerHalfTurn(), sweep_.width() - 1 - column, row, color);
     }
   }
 
+  double evenLightWeight(int sector, int column) const {
+    const glm::dvec2& direction = sweep_.sectorDirection(sector);
+    const glm::dvec3 normal(normal_.x * direction.x + normal_.z * direction.y, normal_.y,
+                            normal_.z * direction.x - normal_.x * direction.y);
+    double even = std::numeric_limits<double>::infinity();
+    for (const glm::dvec3& n : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
+      even = std::min(even, litCellsPerArea(sweep_, n, options_.evenLightRadius));
+    }
+    const double radius = EvenLight::columnRadius(sweep_, column);
+    return std::min(1.0, even / litCellsPerArea(sweep_, normal, radius));
+  }
+
   void store(int slice, int column, int row, const glm::vec3& color) {
-    const int full = volume_.fullLevel();
-    volume_.raise(slice, column, row,
-                  options_.colors == ColorReduction::kDither ? ditheredLevels(color, full, slice, column, row)
-                                                             : occupancyLevels(color, full));
+    volume_.raise(slice, column, row, dither_.levels(color, volume_.fullLevel(), slice, column, row));
   }
 
   SweepGeometry sweep_;
   ReferenceOptions options_;
+  VoxelDither dither_;
   Volume volume_;
+  glm::dvec3 normal_{0};  ///< of the triangle that is being added
 };
 
 }  // namespace

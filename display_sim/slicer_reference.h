@@ -7,10 +7,12 @@
 namespace ocelli {
 
 struct ReferenceOptions {
+  /// Any but kDiffusion.
   ColorReduction colors = ColorReduction::kDither;
   /// Every cell's faces are moved outwards by this much, in columns and rows; negative shrinks the cells. Brackets what
   /// rounding may do to another slicer.
   double margin = 0;
+  double evenLightRadius = 0;  ///< as in SliceOptions
 };
 
 /// Colour: that of the triangle at the mean of the corners of its part in the voxel.

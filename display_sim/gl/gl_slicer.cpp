@@ -4,6 +4,7 @@
 
 #include "display_sim/gl/shaders.h"
 #include "display_sim/sweep_geometry.h"
+#include "oc_core/base/error.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"
 
@@ -98,6 +99,10 @@ void GlSlicer::slice(const GlMesh& mesh, GlVolume& volume, const SliceOptions& o
   const GlScope scope(*context_);
   const GladGLContext& gl = context_->gl();
   const DisplayProfile& profile = volume.profile();
+  if (needsExactSlicer(options)) {
+    throw InputError("OpenGL slices with ordered dithering or without any, and does not even out light", "slicer",
+                     "slice without OpenGL");
+  }
   volume.clear();
   if (mesh.triangleCount() == 0) {
     return;

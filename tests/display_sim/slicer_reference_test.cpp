@@ -48,6 +48,37 @@ TEST_P(Profiles, soupOfEverySize) {
   }
 }
 
+TEST_P(Profiles, evenLight) {
+  PointSource source(17);
+  Mesh mesh;
+  for (int i = 0; i < 60; ++i) {
+    const glm::vec3 center = source.point(0.9f);
+    addTriangle(mesh, center + source.point(0.4f), center + source.point(0.4f), center + source.point(0.4f));
+  }
+  addTriangle(mesh, {0.1f, 0.2f, 0}, {0.7f, 0.3f, 0}, {0.1f, 0.2f, 0});  // without area
+  for (const double radius : {0.3, 1.0}) {
+    // A weight that rounds otherwise could cross a threshold, of which there are 2^23: none does here.
+    const Volume fast = sliceExactly(mesh, GetParam().profile, {.evenLightRadius = radius});
+    const auto reference = [&](double margin) {
+      return sliceReference(mesh, GetParam().profile, {.margin = margin, .evenLightRadius = radius});
+    };
+    EXPECT_TRUE(contains(fast, reference(-2 * kSliceRounding))) << radius;
+    EXPECT_TRUE(contains(reference(2 * kSliceRounding), fast)) << radius;
+    EXPECT_NE(fast, sliceExactly(mesh, GetParam().profile)) << radius;
+  }
+}
+
+TEST_P(Profiles, blueNoise) {
+  Mesh mesh = test::torus(0.6, 0.25, 30, 20);
+  mesh.colors.assign(mesh.positions.size(), {0.3f, 0.6f, 1.0f});
+  const Volume fast = sliceExactly(mesh, GetParam().profile, {ColorReduction::kBlueNoise});
+  const auto reference = [&](double margin) {
+    return sliceReference(mesh, GetParam().profile, {.colors = ColorReduction::kBlueNoise, .margin = margin});
+  };
+  EXPECT_TRUE(contains(fast, reference(-kSliceRounding)));
+  EXPECT_TRUE(contains(reference(kSliceRounding), fast));
+}
+
 TEST_P(Profiles, slivers) {
   PointSource source(12);
   Mesh mesh;
