@@ -31,6 +31,7 @@ void addCommands(CLI::App& program, const Frame& frame) {
   addSliceCommand(program, frame);
   addObserveCommand(program, frame);
   addVolumeCommand(program, frame);
+  addDitherCommand(program, frame);
   addEvaluateCommand(program, frame);
   addSolidityCommand(program, frame);
   addViewCommand(program, frame);
