@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "cli/command.h"
+#include "cli/dither_options.h"
 #include "cli/gl_display.h"
 #include "cli/gl_drawing.h"
 #include "cli/output_option.h"
@@ -30,6 +31,8 @@ struct SliceChoice {
   SceneChoice scene;
   std::string profile = "perspecta";
   bool undithered = false;
+  std::string dither = "ordered";
+  double evenLightRadius = 0;
   bool antialiased = false;
   bool exact = false;
   int repeat = 1;
@@ -108,16 +111,21 @@ void run(const SliceChoice& choice, const Frame& frame) {
     throw InputError("OpenGL slices exactly, and without antialiasing", "--method gl",
                      "leave out --exact and --antialias");
   }
+  const SliceOptions options{choice.undithered ? ColorReduction::kOccupancy : ditherOfName(choice.dither),
+                             choice.antialiased, choice.evenLightRadius};
+  if (choice.method == "gl" && needsExactSlicer(options)) {
+    throw InputError("OpenGL has the ordered dither alone, and does not even out light", "--method gl",
+                     "leave out --dither and --even-light, or --method gl");
+  }
   checkWritable(choice.output);
   const auto gl = choice.method == "gl" ? std::make_unique<GlDisplay>(choice.gl) : nullptr;
   const DisplayProfile profile = loadProfile(choice.profile);
   const Mesh mesh = loadMesh(choice.scene, frame.progress());
-  const SliceOptions options{choice.undithered ? ColorReduction::kOccupancy : ColorReduction::kDither,
-                             choice.antialiased};
+  const bool exact = choice.exact || needsExactSlicer(options);
   Times times;
-  const Volume volume = gl != nullptr  ? times.run(choice.repeat, [&] { return gl->slice(mesh, profile, options); })
-                        : choice.exact ? times.run(choice.repeat, [&] { return sliceExactly(mesh, profile, options); })
-                                       : sliceFast(mesh, profile, options, choice.repeat, times);
+  const Volume volume = gl != nullptr ? times.run(choice.repeat, [&] { return gl->slice(mesh, profile, options); })
+                        : exact       ? times.run(choice.repeat, [&] { return sliceExactly(mesh, profile, options); })
+                                      : sliceFast(mesh, profile, options, choice.repeat, times);
   writeSvol(choice.output, volume, metadataOf(choice));
   if (!liesWithin(mesh, profile)) {
     frame.note("a part of the scene lies outside of the display and is cut off");
@@ -153,7 +161,19 @@ void addSliceCommand(CLI::App& program, const Frame& frame) {
   addSceneOptions(command, choice->scene);
   command.add_option("--profile", choice->profile, "The display: a name, or a profile of your own")
       ->type_name("NAME|FILE.json");
-  command.add_flag("--undithered", choice->undithered, "Light a channel wherever it has any light at all");
+  const auto undithered =
+      command.add_flag("--undithered", choice->undithered, "Light a channel wherever it has any light at all");
+  command.add_option("--dither", choice->dither, "How colours become the levels of the display")
+      ->check(CLI::IsMember(ditherNames()))
+      ->type_name("NAME")
+      ->capture_default_str()
+      ->excludes(undithered);
+  command
+      .add_option("--even-light", choice->evenLightRadius,
+                  "Surfaces within this radius get the same light for their area, as much as the dimmest there have")
+      ->check(radiusCheck())
+      ->type_name("RADIUS")
+      ->excludes(undithered);
   command.add_flag("--antialias", choice->antialiased,
                    "Light both slices between which a surface lies, in proportion to how near it is");
   command.add_flag("--exact", choice->exact, "Light every voxel that the surface touches, even where it grazes it");

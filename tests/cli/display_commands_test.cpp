@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "display_sim/svol_file.h"
 #include "oc_core/base/png_file.h"
@@ -44,6 +45,48 @@ TEST_F(DisplayCommands, sliceWritesAVolumeOfTheProfile) {
   EXPECT_EQ(json["lit_voxels"], volume.litVoxels());
   EXPECT_EQ(json["triangles"], 992);
   EXPECT_EQ(fileBytes(folder_ / "a.svol"), fileBytes(folder_ / "b.svol"));
+}
+
+TEST_F(DisplayCommands, sliceTakesDithers) {
+  std::set<std::vector<uint8_t>> volumes;
+  for (const char* options : {"--exact", "--dither blue-noise", "--dither diffusion", "--dither none",
+                              "--exact --undithered", "--even-light 0.5"}) {
+    const std::string scene = "slice builtin:teapot,segments=4 --profile test ";
+    const ProgramResult result = runProgram(scene + options + " -o " + quoted("dithered.svol"));
+    ASSERT_EQ(result.exitCode, 0) << result.error;
+    const Volume volume = readSvol(folder_ / "dithered.svol");
+    std::vector<uint8_t> bytes;
+    for (int i = 0; i < volume.slices(); ++i) {
+      bytes.insert(bytes.end(), volume.slice(i).begin(), volume.slice(i).end());
+    }
+    volumes.insert(bytes);
+  }
+  EXPECT_EQ(volumes.size(), 6u);
+  for (const char* wrong : {"--dither some", "--dither none --undithered", "--even-light 1.5", "--even-light nan",
+                            "--even-light 1 --undithered", "--even-light 1 --method gl"}) {
+    EXPECT_EQ(
+        runProgram("slice builtin:teapot --profile test " + std::string(wrong) + " -o " + quoted("w.svol")).exitCode, 2)
+        << wrong;
+  }
+}
+
+TEST_F(DisplayCommands, ditherScoresAndDraws) {
+  const ProgramResult result =
+      runProgram("dither --profile test --dither none,ordered --bits 3 --even-light 0 --json -o " + quoted("pictures"));
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json["bits_per_channel"], 3);
+  ASSERT_EQ(json["dithers"].size(), 2u);
+  EXPECT_EQ(json["dithers"][0]["dither"], "ordered");
+  EXPECT_LT(json["dithers"][0]["fields"][0]["mean_block_error"], 1.0 / 255);
+  EXPECT_GT(json["dithers"][1]["fields"][0]["mean_block_error"], 1.0 / 255);
+  for (const char* name : {"ramp.png", "grey-sphere.png", "colour-wheel.png", "evenness.png"}) {
+    EXPECT_GT(readPng(folder_ / "pictures" / name).width(), 200) << name;
+  }
+  const ProgramResult text = runProgram("dither --profile test --dither blue-noise --even-light 0");
+  EXPECT_THAT(text.output, AllOf(HasSubstr("colour wheel"), HasSubstr("blue-noise")));
+  EXPECT_EQ(runProgram("dither --bits 9").exitCode, 2);
+  EXPECT_EQ(runProgram("dither --dither many").exitCode, 2);
 }
 
 TEST_F(DisplayCommands, sliceTakesReferenceImages) {
