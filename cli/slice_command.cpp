@@ -100,7 +100,8 @@ Volume sliceFast(const Mesh& mesh, const DisplayProfile& profile, const SliceOpt
 std::string metadataOf(const SliceChoice& choice) {
   const nlohmann::ordered_json json = {{"software", "ocelli " OCELLI_VERSION},
                                        {"scene", choice.scene.source},
-                                       {"dither", choice.undithered ? "none: any light is full light" : "ordered"},
+                                       {"dither", choice.undithered ? "none: any light is full light" : choice.dither},
+                                       {"even_light_radius", choice.evenLightRadius},
                                        {"antialiased", choice.antialiased}};
   return json.dump();
 }
