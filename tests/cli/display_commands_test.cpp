@@ -48,14 +48,14 @@ TEST_F(DisplayCommands, sliceWritesAVolumeOfTheProfile) {
 }
 
 TEST_F(DisplayCommands, sliceTakesDithers) {
-  std::set<std::vector<uint8_t>> volumes;
+  std::set<std::string> volumes;
   for (const char* options : {"--exact", "--dither blue-noise", "--dither diffusion", "--dither none",
                               "--exact --undithered", "--even-light 0.5"}) {
     const std::string scene = "slice builtin:teapot,segments=4 --profile test ";
     const ProgramResult result = runProgram(scene + options + " -o " + quoted("dithered.svol"));
     ASSERT_EQ(result.exitCode, 0) << result.error;
     const Volume volume = readSvol(folder_ / "dithered.svol");
-    std::vector<uint8_t> bytes;
+    std::string bytes;
     for (int i = 0; i < volume.slices(); ++i) {
       bytes.insert(bytes.end(), volume.slice(i).begin(), volume.slice(i).end());
     }
