@@ -86,7 +86,9 @@ struct Slicer::Impl {
 };
 
 Slicer::Slicer(const DisplayProfile& profile, const SliceOptions& options)
-    : impl_(std::make_unique<Impl>(profile, options)) {}
+    : impl_(std::make_unique<Impl>(profile, options)) {
+  OC_CHECK(!needsExactSlicer(options), "the fast slicer was asked for what sliceExactly() alone can do");
+}
 Slicer::~Slicer() = default;
 Slicer::Slicer(Slicer&&) noexcept = default;
 
