@@ -47,6 +47,8 @@ inline constexpr size_t kSliceEntryBytes = 8;
 inline constexpr size_t kIndexFieldBytes = 8;  ///< before the entries
 inline constexpr size_t kIndexEntryBytes = 20;
 inline constexpr size_t kEndBytes = 16;
+/// Of times: 285 years, which a double still counts exactly.
+inline constexpr uint64_t kMostMicroseconds = (uint64_t{1} << 53) - 1;
 inline constexpr uint32_t kMostSliceBytes = (1u << 30) - 1;  ///< of a compressed slice: the table's field is that wide
 
 /// A line of a frame's slice table.

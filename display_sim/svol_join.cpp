@@ -23,6 +23,11 @@ class Joiner {
     requireFits(reader);
     const std::vector<SvolFrame>& frames = reader.frames();
     const uint64_t first = frames.front().timeMicroseconds;
+    if (start_ + static_cast<double>(frames.back().timeMicroseconds - first) >
+        static_cast<double>(svol::kMostMicroseconds)) {
+      throw InputError("with this file the recording would last more than 285 years", reader.where(),
+                       "leave it out, or give it other times");
+    }
     const auto base = static_cast<uint64_t>(std::llround(start_));
     SvolPlayer player(reader);
     size_t k = 0;

@@ -175,7 +175,7 @@ bool SvolReader::placesFit(std::span<const SvolFrame> frames, uint64_t end) cons
     if (first ? frame.offset != least || !frame.key : frame.offset < least) {
       return false;
     }
-    if (frame.offset > end || frame.timeMicroseconds < time) {
+    if (frame.offset > end || frame.timeMicroseconds < time || frame.timeMicroseconds > svol::kMostMicroseconds) {
       return false;
     }
     least = frame.offset + svol::frameHeadBytes(layout_.slices);
@@ -298,6 +298,9 @@ svol::FrameHead SvolReader::readHeadAt(size_t number, uint64_t offset) {
   }
   if (kind > 1 || (number == 0 && !head.key)) {
     problem("it cannot be of kind " + std::to_string(kind));
+  }
+  if (head.timeMicroseconds > svol::kMostMicroseconds) {
+    problem("it is shown after " + std::to_string(head.timeMicroseconds) + " microseconds, later than is allowed");
   }
   head.slices.resize(layout_.slices);
   for (size_t i = 0; i < head.slices.size(); ++i) {

@@ -34,9 +34,9 @@ class SvolWriter {
   /// Throws WorkError where the file cannot be made, and InputError for metadata of another kind.
   SvolWriter(std::filesystem::path path, const DisplayProfile& profile, SvolOptions options = {});
 
-  /// A volume of the writer's profile, shown from this time on; times never decrease. Slices are left out, written as
-  /// differences or whole, by what has changed since the frame before. Throws WorkError where the disk is full: what
-  /// was written before stays readable, and nothing more can be written.
+  /// A volume of the writer's profile, shown from this time on; times never decrease, and stay below 2^53. Slices are
+  /// left out, written as differences or whole, by what has changed since the frame before. Throws WorkError where the
+  /// disk is full: what was written before stays readable, and nothing more can be written.
   void append(const Volume& volume, uint64_t timeMicroseconds);
   /// Writes the index. Call it after the last frame; a growing file without it is an unfinished recording.
   void finish();

@@ -151,6 +151,11 @@ void addBadFrames(Cases& cases) {
       "bad_frame_checksum", file, [&](Bytes& bytes) { bytes[frames[1] + 25] ^= 1; }, false);
   cases.change(
       "bad_slice_checksum", file, [&](Bytes& bytes) { bytes[frames[1] - 1] ^= 1; }, false);
+  cases.change("bad_frame_time_limit", file, [&](Bytes& bytes) {
+    const size_t inIndex = frames[3] + svol::kIndexFieldBytes + 2 * svol::kIndexEntryBytes + 8;
+    svol::store32(bytes.data() + frames[2] + 12, 1u << 21);
+    svol::store32(bytes.data() + inIndex + 4, 1u << 21);
+  });
   cases.change("bad_frame_missing", file, [&](Bytes& bytes) {
     bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(frames[1]),
                 bytes.begin() + static_cast<std::ptrdiff_t>(frames[2]));

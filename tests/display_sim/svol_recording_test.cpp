@@ -231,6 +231,18 @@ TEST(SvolRecording, volumesAndRecordingsAreJoined) {
   EXPECT_EQ(reader.metadata(), "{}") << "that of the first";
 }
 
+TEST(SvolRecording, joiningStopsBeforeTimesRunOut) {
+  const TemporaryFolder folder;
+  const DisplayProfile profile = recordedProfile(5, 17, 9, 1);
+  SvolWriter writer(folder / "a.svol", profile);
+  writer.append(Volume(profile), 0);
+  writer.append(Volume(profile), svol::kMostMicroseconds);
+  writer.finish();
+  EXPECT_EQ(joinSvol({folder / "a.svol"}, folder / "b.svol").frames, 2u);
+  EXPECT_THROW(joinSvol({folder / "a.svol", folder / "a.svol"}, folder / "c.svol"), InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "c.svol"));
+}
+
 TEST(SvolRecording, joiningSalvagesOnlyWhenAsked) {
   const TemporaryFolder folder;
   const DisplayProfile profile = recordedProfile(5, 17, 9, 1);
