@@ -5,7 +5,11 @@
 // between the centres of two voxels that share a face and have the surface between them, one of the two is lit: nothing
 // leaks through a closed surface from face to face. The samples are vertices; larger triangles get more of them, in a
 // lattice. What has no good lattice is found exactly (exact_triangle.h): triangles that are very large, lie near to the
-// axis, reach beyond the display, or lie where the last sector meets the first.
+// axis, or reach beyond the display.
+//
+// DEVIATION: a side that two triangles share is sampled with one of them alone. Where they are divided differently,
+// points beside it may be 0.56 voxels from the next sample, at worst. No leak was found in closed scans that were
+// turned and sliced at random; the tests turn some.
 //
 // This lights fewer voxels than the definition of a lit voxel does (exact_slicer.h): not those that the surface just
 // grazes. It lights none that sliceExactly() does not, but for rounding (a sample may fall into the neighbour where it
