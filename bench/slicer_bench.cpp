@@ -94,7 +94,7 @@ nlohmann::ordered_json measureMesh(const std::string& name, const Mesh& mesh, co
                                    const Choice& choice) {
   Slicer slicer(profile);
   std::optional<SliceMesh> prepared;
-  const double preparing = milliseconds([&] { prepared.emplace(mesh); });
+  const double preparing = milliseconds([&] { prepared.emplace(orderedForSlicing(mesh)); });
   SliceStages stages;
   std::vector<Way> ways{{"Ocelli", [&] { slicer.slice(*prepared); }}};
   slicer.slice(*prepared);
@@ -173,7 +173,7 @@ nlohmann::ordered_json measureProfiles(const Choice& choice) {
           continue;
         }
         Slicer slicer(profile);
-        const SliceMesh prepared(mesh);
+        const SliceMesh prepared(orderedForSlicing(mesh));
         std::vector<Way> ways{{"Ocelli", [&] { slicer.slice(prepared); }}};
         runInterleaved(ways, choice.runs);
         rows.push_back({{"slices", slices},
@@ -191,7 +191,7 @@ nlohmann::ordered_json measureProfiles(const Choice& choice) {
 
 nlohmann::ordered_json measureThreads(const Choice& choice, const DisplayProfile& profile) {
   const Mesh mesh = loadScene(fmt::format(kScene, 4600000));
-  const SliceMesh prepared(mesh);
+  const SliceMesh prepared(orderedForSlicing(mesh));
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   const int most = threadCount();
   for (int threads = 1; threads <= most; ++threads) {
@@ -211,7 +211,7 @@ nlohmann::ordered_json measureThreads(const Choice& choice, const DisplayProfile
 nlohmann::ordered_json measureTimeline(const Choice& choice, const DisplayProfile& profile) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const double thousand : choice.thousands) {
-    Mesh mesh = sceneOf(thousand);
+    Mesh mesh = orderedForSlicing(sceneOf(thousand));
     SliceMesh prepared(mesh);
     Slicer direct(profile);
     Slicer reduced(profile);
@@ -230,7 +230,7 @@ nlohmann::ordered_json measureTimeline(const Choice& choice, const DisplayProfil
       Mesh ocri;
       times[3].push_back(milliseconds([&] { ocri = imageMesh(image); }));
       std::optional<SliceMesh> ocriPrepared;
-      times[4].push_back(milliseconds([&] { ocriPrepared.emplace(ocri, SliceOrder::kAsGiven); }));
+      times[4].push_back(milliseconds([&] { ocriPrepared.emplace(ocri); }));
       times[5].push_back(milliseconds([&] { reduced.slice(*ocriPrepared); }));
     }
     std::vector<double> middle;

@@ -87,8 +87,7 @@ struct Times {
 Volume sliceFast(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options, int repeat,
                  Times& times) {
   std::optional<SliceMesh> prepared;
-  times.preparing =
-      millisecondsOf([&] { prepared.emplace(mesh, repeat > 1 ? SliceOrder::kSpatial : SliceOrder::kAsGiven); });
+  times.preparing = millisecondsOf([&] { prepared.emplace(repeat > 1 ? orderedForSlicing(mesh) : mesh); });
   Slicer slicer(profile, options);
   for (int i = 0; i < repeat; ++i) {
     times.slicing.push_back(millisecondsOf([&] { slicer.slice(*prepared); }));

@@ -16,13 +16,6 @@ float lightSteps(float light) {
   return light > 0 ? std::max(steps, 1.0f) : 0.0f;
 }
 
-std::vector<glm::uvec3> spatiallySorted(const Mesh& mesh) {
-  std::vector<glm::uvec3> triangles(mesh.triangles.size());
-  meshopt_spatialSortTriangles(&triangles[0].x, &mesh.triangles[0].x, 3 * triangles.size(), &mesh.positions[0].x,
-                               mesh.positions.size(), sizeof(glm::vec3));
-  return triangles;
-}
-
 /// Marks all but one of the places where an edge of a chunk occurs.
 class EdgeMarks {
  public:
@@ -92,11 +85,32 @@ class LocalNumbers {
 
 }  // namespace
 
-SliceMesh::SliceMesh(const Mesh& mesh, SliceOrder order) : sourceCount_(mesh.positions.size()) {
-  const bool spatial = order == SliceOrder::kSpatial && !mesh.triangles.empty();
-  const std::vector<glm::uvec3> sorted = spatial ? spatiallySorted(mesh) : std::vector<glm::uvec3>();
-  const std::vector<glm::uvec3>& triangles = spatial ? sorted : mesh.triangles;
+Mesh orderedForSlicing(const Mesh& mesh) {
+  if (mesh.triangles.empty()) {
+    return mesh;
+  }
+  const size_t indices = 3 * mesh.triangles.size();
+  Mesh ordered;
+  ordered.triangles.resize(mesh.triangles.size());
+  meshopt_spatialSortTriangles(&ordered.triangles[0].x, &mesh.triangles[0].x, indices, &mesh.positions[0].x,
+                               mesh.positions.size(), sizeof(glm::vec3));
+  std::vector<uint32_t> places(mesh.positions.size());
+  const size_t used =
+      meshopt_optimizeVertexFetchRemap(places.data(), &ordered.triangles[0].x, indices, mesh.positions.size());
+  meshopt_remapIndexBuffer(&ordered.triangles[0].x, &ordered.triangles[0].x, indices, places.data());
+  ordered.positions.resize(used);
+  meshopt_remapVertexBuffer(ordered.positions.data(), mesh.positions.data(), mesh.positions.size(), sizeof(glm::vec3),
+                            places.data());
+  if (!mesh.colors.empty()) {
+    ordered.colors.resize(used);
+    meshopt_remapVertexBuffer(ordered.colors.data(), mesh.colors.data(), mesh.colors.size(), sizeof(glm::vec3),
+                              places.data());
+  }
+  return ordered;
+}
 
+SliceMesh::SliceMesh(const Mesh& mesh) : sourceCount_(mesh.positions.size()) {
+  const std::vector<glm::uvec3>& triangles = mesh.triangles;
   chunks_.resize((triangles.size() + kChunkTriangles - 1) / kChunkTriangles);
   corners_.resize(3 * triangles.size());
   std::vector<std::vector<uint32_t>> sources(chunks_.size());

@@ -122,7 +122,7 @@ Volume Slicer::takeVolume() {
 
 Volume slice(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options) {
   Slicer slicer(profile, options);
-  slicer.slice(SliceMesh(mesh, SliceOrder::kAsGiven));
+  slicer.slice(SliceMesh(mesh));
   return slicer.takeVolume();
 }
 

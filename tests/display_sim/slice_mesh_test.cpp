@@ -42,13 +42,29 @@ std::map<std::array<Corner, 3>, int> trianglesOf(const SliceMesh& mesh) {
 
 TEST(SliceMesh, holdsTheTrianglesOfTheMesh) {
   const Mesh mesh = test::torus(0.6, 0.3, 150, 90);
-  for (const SliceOrder order : {SliceOrder::kSpatial, SliceOrder::kAsGiven}) {
-    const SliceMesh prepared(mesh, order);
+  for (const Mesh& ordered : {mesh, orderedForSlicing(mesh)}) {
+    const SliceMesh prepared(ordered);
     EXPECT_EQ(prepared.triangleCount(), mesh.triangles.size());
     EXPECT_EQ(prepared.chunks().size(),
               (mesh.triangles.size() + SliceMesh::kChunkTriangles - 1) / SliceMesh::kChunkTriangles);
     EXPECT_EQ(trianglesOf(prepared), trianglesOf(mesh));
   }
+}
+
+TEST(OrderedForSlicing, keepsTrianglesAndColors) {
+  Mesh mesh = test::torus(0.6, 0.3, 50, 30);
+  for (const glm::vec3& p : mesh.positions) {
+    mesh.colors.push_back(glm::abs(p));
+  }
+  mesh.positions.push_back(glm::vec3(0));  // of no triangle
+  mesh.colors.push_back(glm::vec3(1));
+  const Mesh ordered = orderedForSlicing(mesh);
+  EXPECT_EQ(ordered.positions.size(), mesh.positions.size() - 1);
+  for (size_t i = 0; i < ordered.positions.size(); ++i) {
+    EXPECT_EQ(ordered.colors[i], glm::abs(ordered.positions[i]));
+  }
+  EXPECT_EQ(trianglesOf(ordered), trianglesOf(mesh));
+  EXPECT_TRUE(orderedForSlicing(Mesh()).empty());
 }
 
 TEST(SliceMesh, samplesEachSideOfAChunkOnce) {
@@ -63,7 +79,7 @@ TEST(SliceMesh, samplesEachSideOfAChunkOnce) {
 
 TEST(SliceMesh, onlyMovedChunksAreNew) {
   Mesh mesh = test::torus(0.6, 0.3, 150, 90);
-  SliceMesh prepared(mesh, SliceOrder::kAsGiven);
+  SliceMesh prepared(mesh);
   const std::vector<SliceChunk> before(prepared.chunks().begin(), prepared.chunks().end());
   mesh.positions[mesh.triangles.back().x].x += 0.1f;
   prepared.setPositions(mesh.positions);
