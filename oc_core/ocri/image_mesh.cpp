@@ -11,6 +11,7 @@
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/ocri/sample_join.h"
+#include "oc_core/ocri/square_corner.h"
 
 namespace ocelli {
 namespace {
@@ -292,8 +293,8 @@ class ImageMesher {
     const ImagePoint q = image_.undistorted(p.x, p.y);
     const glm::vec2 offset =
         (sampleStep(p, {1, 0}) * side.x + sampleStep(p, {0, 1}) * side.y) * (options_.squarePixels / 2);
-    const float inverseZ = std::max(1 / q.z + glm::dot(gradient(p), offset), 0.5f / q.z);
-    return camera_.worldFromCamera(camera_.cameraFromImage({q.u + offset.x, q.v + offset.y, 1 / inverseZ}));
+    const ImagePoint step{offset.x, offset.y, glm::dot(gradient(p), offset)};
+    return camera_.worldFromCamera(camera_.cameraFromImage(squareCorner(q, step, camera_.focalPixels(), options_)));
   }
 
   /// Half way to the next samples of the tile. Another viewpoint took them: the surface may lie along the rays of the

@@ -2,6 +2,8 @@
 // discontinuities, and no sample is lost.
 #pragma once
 
+#include <limits>
+
 #include "oc_core/ocri/reference_image.h"
 #include "oc_core/scene/mesh.h"
 
@@ -21,6 +23,9 @@ struct ImageMeshOptions {
   float squarePixels = 1;
   /// ... or larger where a camera squeezes samples together, along with the distance between them, up to this.
   float longestSquarePixels = 4;
+  /// ... but reaching at most so many footprints to the front and back. Seen by the camera itself, the square of a
+  /// grazing surface is as small as any; from aside it stands out by as much as it is deep.
+  float deepestSquareFootprints = std::numeric_limits<float>::infinity();
 };
 
 /// World coordinates, linear colours. Vertices come in pixel order, first the samples, then the corners of squares.

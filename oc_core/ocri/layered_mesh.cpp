@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "oc_core/base/parallel.h"
+#include "oc_core/ocri/square_corner.h"
 
 namespace ocelli {
 namespace {
@@ -260,14 +261,14 @@ class LayeredMesher {
 
   void addSquare(int s) {
     const Pixel& p = pixel_[static_cast<size_t>(s)];
-    const glm::vec2 center(static_cast<float>(p.x) + 0.5f, static_cast<float>(p.y) + 0.5f);
+    const ImagePoint center{static_cast<float>(p.x) + 0.5f, static_cast<float>(p.y) + 0.5f, z_[static_cast<size_t>(s)]};
     const glm::vec2 slope = gradient(s);
     const auto corner = static_cast<uint32_t>(mesh_.positions.size());
     for (const glm::vec2& side : {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)}) {
       const glm::vec2 offset = side * (options_.squarePixels / 2);
-      const float inverse = std::max(inverseZ(s) + glm::dot(slope, offset), 0.5f * inverseZ(s));
-      mesh_.positions.push_back(
-          camera_.worldFromCamera(camera_.cameraFromImage({center.x + offset.x, center.y + offset.y, 1 / inverse})));
+      const ImagePoint step{offset.x, offset.y, glm::dot(slope, offset)};
+      mesh_.positions.push_back(camera_.worldFromCamera(
+          camera_.cameraFromImage(squareCorner(center, step, camera_.focalPixels(), options_))));
       mesh_.colors.push_back(mesh_.colors[static_cast<size_t>(s)]);
     }
     mesh_.triangles.emplace_back(corner, corner + 1, corner + 2);

@@ -39,6 +39,8 @@ struct ReferenceImage {
   /// neighbours.
   int tileSide = 0;
   float tileSpacing = 1;  ///< between neighbouring samples in tiles, pixels of the reference pinhole
+  /// Its mesh is also looked at from other sides, where what stands out along its rays is seen.
+  bool seenFromAside = false;
 
   int width() const { return z.width(); }
   int height() const { return z.height(); }

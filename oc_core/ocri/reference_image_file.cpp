@@ -131,6 +131,9 @@ std::string attributeText(const ReferenceImage& image) {
     json["tile_side"] = image.tileSide;
     json["tile_spacing"] = image.tileSpacing;
   }
+  if (image.seenFromAside) {
+    json["seen_from_aside"] = true;
+  }
   return json.dump();
 }
 
@@ -164,6 +167,7 @@ void readAttribute(const std::string& text, const std::string& where, ReferenceI
   image.layer = fields.integer("layer", 1, kMostLayers, 0);
   image.tileSide = fields.integer("tile_side", 2, kMostPixelsASide, 0);
   image.tileSpacing = static_cast<float>(fields.number("tile_spacing", 0.01, 100, 1));
+  image.seenFromAside = fields.boolean("seen_from_aside", false);
   fields.rejectUnknown();
 }
 

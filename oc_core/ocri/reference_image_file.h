@@ -3,8 +3,8 @@
 // Channels, all 32-bit float: R G B (linear), Z (0 marks an empty sample) and offset.u, offset.v: the displacement, so
 // that the pinhole of the stored view sees the sample of pixel centre (u, v) at (u - offset.u, v - offset.v). The
 // string attribute `ocelli` of each part is a JSON object: "format" (1), "camera", "view" and, where they say
-// something, "triangle_bound", "pinhole_size", "rows" ("shifted" or "shifted_ring"), "tile_side" and "tile_spacing"
-// (docs/files.md).
+// something, "triangle_bound", "pinhole_size", "rows" ("shifted" or "shifted_ring"), "tile_side", "tile_spacing" and
+// "seen_from_aside" (docs/files.md).
 #pragma once
 
 #include <filesystem>

@@ -8,6 +8,7 @@
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/ocri/sample_join.h"
+#include "oc_core/ocri/square_corner.h"
 
 namespace ocelli {
 namespace {
@@ -481,8 +482,7 @@ class RowMesher {
       const glm::vec2 share = side * options_.squarePixels;
       const ImagePoint offset{along.u * share.x + across.u * share.y, along.v * share.x + across.v * share.y,
                               along.z * share.x + across.z * share.y};
-      const float inverseZ = std::max(1 / sample.place.z + offset.z, 0.5f / sample.place.z);
-      const ImagePoint q{sample.place.u + offset.u, sample.place.v + offset.v, 1 / inverseZ};
+      const ImagePoint q = squareCorner(sample.place, offset, focal_, options_);
       mesh_.positions.push_back(camera_.worldFromCamera(camera_.cameraFromImage(q)));
       mesh_.colors.push_back(mesh_.colors[sample.vertex]);
     }

@@ -5,6 +5,12 @@
 #include "oc_core/ocri/row_mesh.h"
 
 namespace ocelli {
+namespace {
+
+/// Less leaves holes in grazing surfaces, more lets squares stand out: measured on builtin:room with four viewers.
+constexpr float kDeepestSquareFromAside = 2;
+
+}  // namespace
 
 Mesh unionMesh(const ReferenceImages& images) {
   Mesh mesh;
@@ -13,11 +19,15 @@ Mesh unionMesh(const ReferenceImages& images) {
     while (end < images.size() && images[end].layer > 0) {
       ++end;
     }
+    ImageMeshOptions options;
+    if (images[first].seenFromAside) {
+      options.deepestSquareFootprints = kDeepestSquareFromAside;
+    }
     const auto part = images.begin() + static_cast<std::ptrdiff_t>(first);
     if (end - first > 1) {
-      append(mesh, layeredMesh({part, part + static_cast<std::ptrdiff_t>(end - first)}));
+      append(mesh, layeredMesh({part, part + static_cast<std::ptrdiff_t>(end - first)}, options));
     } else {
-      append(mesh, part->rows == ImageRows::kAligned ? imageMesh(*part) : rowMesh(*part));
+      append(mesh, part->rows == ImageRows::kAligned ? imageMesh(*part, options) : rowMesh(*part, options));
     }
     first = end;
   }

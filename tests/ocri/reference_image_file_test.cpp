@@ -62,6 +62,7 @@ TEST(ReferenceImageFile, unionReadsBackPartByPart) {
   tiled.rows = ImageRows::kShifted;
   tiled.tileSide = 8;
   tiled.tileSpacing = 1.25f;
+  tiled.seenFromAside = true;
   const ReferenceImages images{ocri(), shifted, tiled};
   writeReferenceImages(folder / "union.exr", images);
   const ReferenceImages back = readReferenceImages(folder / "union.exr");
@@ -72,6 +73,7 @@ TEST(ReferenceImageFile, unionReadsBackPartByPart) {
     EXPECT_EQ(back[i].rows, images[i].rows);
     EXPECT_EQ(back[i].tileSide, images[i].tileSide);
     EXPECT_EQ(back[i].tileSpacing, images[i].tileSpacing);
+    EXPECT_EQ(back[i].seenFromAside, images[i].seenFromAside);
     EXPECT_EQ(back[i].reference().focalPixels(), images[i].reference().focalPixels());
     EXPECT_TRUE(test::sameBytes(back[i].z, images[i].z));
     EXPECT_TRUE(test::sameBytes(back[i].displacement, images[i].displacement));
