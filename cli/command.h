@@ -66,6 +66,7 @@ void addSceneCommand(CLI::App& program, const Frame& frame);
 void addSliceCommand(CLI::App& program, const Frame& frame);
 void addSolidityCommand(CLI::App& program, const Frame& frame);
 void addVolumeCommand(CLI::App& program, const Frame& frame);
+void addViewersCommand(CLI::App& program, const Frame& frame);
 void addViewCommand(CLI::App& program, const Frame& frame);
 void addStudyCommand(CLI::App& program, const Frame& frame);
 void addAnalyseCommand(CLI::App& program, const Frame& frame);

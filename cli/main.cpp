@@ -34,6 +34,7 @@ void addCommands(CLI::App& program, const Frame& frame) {
   addDitherCommand(program, frame);
   addEvaluateCommand(program, frame);
   addSolidityCommand(program, frame);
+  addViewersCommand(program, frame);
   addViewCommand(program, frame);
   addStudyCommand(program, frame);
   addAnalyseCommand(program, frame);

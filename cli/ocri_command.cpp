@@ -7,10 +7,12 @@
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
+#include "cli/viewers_option.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/reference_image_file.h"
 #include "oc_core/ocri/union_mesh.h"
+#include "oc_core/ocri/viewers.h"
 #include "oc_core/scene/ply_file.h"
 
 namespace ocelli {
@@ -19,7 +21,7 @@ namespace {
 struct BuildChoice {
   SceneChoice scene;
   std::string camera = "ddoc";
-  std::string view;
+  ViewersChoice viewers;
   std::string size = "720x480";
   std::string construction = "auto";
   std::string gl = "auto";
@@ -31,7 +33,7 @@ void addBuild(CLI::App& ocri, const Frame& frame) {
   const auto choice = std::make_shared<BuildChoice>();
   addSceneOptions(command, choice->scene);
   addCameraOption(command, choice->camera);
-  addViewOption(command, choice->view);
+  addViewersOptions(command, choice->viewers);
   addSizeOption(command, choice->size);
   command
       .add_option("--construction", choice->construction,
@@ -45,7 +47,8 @@ void addBuild(CLI::App& ocri, const Frame& frame) {
   frame.finish(
       command,
       "  ocelli ocri build builtin:statues -o statues.exr\n"
-      "  ocelli ocri build bunny.obj --camera di --size 180x120 -o bunny.exr",
+      "  ocelli ocri build bunny.obj --camera di --size 180x120 -o bunny.exr\n"
+      "  ocelli ocri build builtin:statues --viewers 4 -o around.exr",
       [choice, frame] {
         checkWritable(choice->output);
         const bool onGpu = choice->construction == "gl";
@@ -53,14 +56,19 @@ void addBuild(CLI::App& ocri, const Frame& frame) {
         const Construction construction = constructionFromText(onGpu ? "auto" : choice->construction, "--construction");
         const CameraChoice camera = cameraChoice(choice->camera);
         const ImageSize size = imageSizeFromText(choice->size, "--size");
-        const PinholeCamera reference(readViewOption(choice->view), size.width, size.height);
+        const std::vector<View> views = viewsOf(choice->viewers);
         const auto gl = onGpu ? std::make_unique<GlDrawing>(choice->gl) : nullptr;
         const Mesh mesh = loadScene(choice->scene.source, choice->scene.options, frame.progress());
         ConstructionReport report;
-        const ReferenceImages images =
-            gl != nullptr
-                ? buildReferenceImages(camera, reference, mesh, frame.progress(), gl->drawerOf(mesh))
-                : buildReferenceImages(camera, reference, mesh, frame.progress(), construction, nullptr, &report);
+        std::vector<ReferenceImages> viewers;
+        for (const View& view : views) {
+          const PinholeCamera reference(view, size.width, size.height);
+          viewers.push_back(
+              gl != nullptr
+                  ? buildReferenceImages(camera, reference, mesh, frame.progress(), gl->drawerOf(mesh))
+                  : buildReferenceImages(camera, reference, mesh, frame.progress(), construction, nullptr, &report));
+        }
+        const ReferenceImages images = mergeViewers(std::move(viewers)).images;
         writeReferenceImages(choice->output, images);
         frame.note("constructed " + (gl != nullptr ? "with " + gl->description() : describe(report)));
         for (const ReferenceImage& image : images) {

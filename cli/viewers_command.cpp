@@ -1,0 +1,80 @@
+// `ocelli viewers`: what each of several viewers around a display misses who share one mesh.
+#include <CLI/CLI.hpp>
+
+#include "cli/command.h"
+#include "cli/scene_options.h"
+#include "cli/values.h"
+#include "cli/viewers_option.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
+#include "oc_core/base/output_file.h"
+#include "oc_core/evaluation/viewers_evaluation.h"
+
+namespace ocelli {
+namespace {
+
+struct ViewersCommandChoice {
+  SceneChoice scene;
+  std::string camera = "ddoc";
+  ViewersChoice viewers;
+  std::string cell = "8in";
+  std::string size = "720x480";
+  int interiorViews = 12;
+  unsigned seed = 1;
+  std::string json;
+};
+
+void run(const ViewersCommandChoice& choice, const Frame& frame) {
+  EvaluationOptions options;
+  const ImageSize size = imageSizeFromText(choice.size, "--size");
+  options.width = size.width;
+  options.height = size.height;
+  options.cell.sideRadii = cellSideFromText(choice.cell, "--cell");
+  options.interiorViews = choice.interiorViews;
+  options.seed = choice.seed;
+  const CameraChoice camera = cameraChoice(choice.camera, options.cell);
+  if (!camera.hasImages()) {
+    throw InputError("\"" + camera.name + "\" is a mesh, the same for every viewer", "--camera",
+                     "choose a camera that has a reference image");
+  }
+  const std::vector<View> views = viewsOf(choice.viewers);
+  const bool toStandardOutput = choice.json == "-";
+  if (!choice.json.empty() && !toStandardOutput) {
+    checkWritable(choice.json);
+  }
+  const Mesh scene = loadScene(choice.scene.source, choice.scene.options, frame.progress());
+  const ViewersFigures figures = evaluateViewers(scene, camera, views, options, frame.progress());
+  const std::string json = viewersJson(choice.scene.source, options, figures);
+  frame.print(toStandardOutput ? json : viewersTable(figures));
+  if (!choice.json.empty() && !toStandardOutput) {
+    writeFile(choice.json, json);
+  }
+}
+
+}  // namespace
+
+void addViewersCommand(CLI::App& program, const Frame& frame) {
+  CLI::App& command = *program.add_subcommand(
+      "viewers", "Measure one mesh for several viewers around the display: what each of them misses");
+  const auto choice = std::make_shared<ViewersCommandChoice>();
+  addSceneOptions(command, choice->scene);
+  addCameraOption(command, choice->camera);
+  addViewersOptions(command, choice->viewers);
+  command.add_option("--cell", choice->cell, "Side of the cube around each viewer, in inches at the reference display")
+      ->type_name("SIDE");
+  addSizeOption(command, choice->size);
+  command.add_option("--interior", choice->interiorViews, "How many viewpoints inside of each cell")
+      ->check(CLI::Range(0, 10000))
+      ->type_name("N");
+  command.add_option("--seed", choice->seed, "Of the viewpoints inside")->type_name("S");
+  command.add_option("--json", choice->json, "Also write the figures here; alone or as - they go to standard output")
+      ->expected(0, 1)
+      ->default_str("-")
+      ->type_name("FILE");
+  frame.finish(command,
+               "  ocelli viewers builtin:statues --viewers 4\n"
+               "  ocelli viewers bunny.obj --camera eoc-hv --view left.json --view right.json --json two.json",
+               [choice, frame] { run(*choice, frame); });
+}
+
+}  // namespace ocelli
