@@ -59,7 +59,10 @@ struct Worker {
   SampleRoom room;
   std::vector<ExactTask> exact;
   PolygonRaster raster;
-  std::vector<uint32_t> levels;  ///< of the voxels of a slice, where they have many bits
+  // Of one slice, where levels have many bits: those of its voxels, and which bytes of its planes have light.
+  std::vector<uint32_t> levels;
+  std::vector<char> hasLight;
+  std::vector<uint32_t> litBytes;
 };
 
 template <class Voxel>
@@ -293,24 +296,23 @@ class SlicePassOf final : public SlicePass {
 
   void putTogetherLevels(Worker<Voxel>& worker, size_t slice, std::span<uint8_t> planes, const VolumeLayout& layout) {
     worker.levels.resize(8 * layout.planeBytes);
+    worker.hasLight.resize(layout.planeBytes);
+    worker.litBytes.clear();
     for (Worker<Voxel>& each : workers_) {
       for (const auto fragment : each.lit.of(slice)) {
-        uint32_t& levels = worker.levels[fragment >> 24];
+        const auto place = static_cast<uint32_t>(fragment >> 24);
+        uint32_t& levels = worker.levels[place];
         levels = higherLevels(levels, static_cast<uint32_t>(fragment & 0xffffffu));
-      }
-    }
-    const size_t bits = layout.planes / kColorChannels;
-    for (Worker<Voxel>& each : workers_) {
-      for (const auto fragment : each.lit.of(slice)) {
-        const size_t place = fragment >> 24;
-        const uint32_t levels = worker.levels[place];
-        for (size_t plane = 0; plane < layout.planes && levels != 0; ++plane) {
-          const uint32_t bit = levels >> (plane / bits * 8 + plane % bits) & 1u;
-          planes[plane * layout.planeBytes + place / 8] |= static_cast<uint8_t>(bit << place % 8);
+        if (!worker.hasLight[place / 8]) {
+          worker.hasLight[place / 8] = true;
+          worker.litBytes.push_back(place / 8);
         }
-        worker.levels[place] = 0;
       }
       each.lit.clear(slice);
+    }
+    writePlanes(worker.levels.data(), worker.litBytes, profile_.colorBitsPerChannel, planes.data(), layout.planeBytes);
+    for (const uint32_t byte : worker.litBytes) {
+      worker.hasLight[byte] = false;
     }
   }
 

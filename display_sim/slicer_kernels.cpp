@@ -362,6 +362,28 @@ HWY_ATTR size_t sample(const SliceSamples& mesh, const TriangleLattices& lattice
   return done;
 }
 
+HWY_ATTR void planesOf(uint32_t* levels, std::span<const uint32_t> bytes, int bitsPerChannel, uint8_t* planes,
+                       size_t planeBytes) {
+  const hn::CappedTag<uint32_t, 8> d;
+  for (const uint32_t byte : bytes) {
+    uint32_t* eight = levels + 8 * size_t{byte};
+    uint8_t* plane = planes + byte;
+    for (int channel = 0; channel < kColorChannels; ++channel) {
+      for (int bit = 0; bit < bitsPerChannel; ++bit, plane += planeBytes) {
+        const auto wanted = hn::Set(d, 1u << (8 * channel + bit));
+        unsigned lit = 0;
+        for (size_t i = 0; i < 8; i += hn::Lanes(d)) {
+          uint8_t bits[8] = {};
+          hn::StoreMaskBits(d, hn::TestBit(hn::LoadU(d, eight + i), wanted), bits);
+          lit |= static_cast<unsigned>(bits[0]) << i;
+        }
+        *plane = static_cast<uint8_t>(lit);
+      }
+    }
+    std::fill_n(eight, 8, 0u);
+  }
+}
+
 }  // namespace ocelli::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -372,6 +394,7 @@ namespace {
 HWY_EXPORT(light);
 HWY_EXPORT(findWide);
 HWY_EXPORT(sample);
+HWY_EXPORT(planesOf);
 HWY_EXPORT(target);
 
 }  // namespace
@@ -439,6 +462,11 @@ void findWideTriangles(const SliceKernelSetup& setup, const SweepPoint* points, 
 size_t sampleTriangles(const SliceSamples& mesh, const TriangleLattices& lattices, const SampledTriangle* triangles,
                        size_t count, SampleRoom& room) {
   return HWY_DYNAMIC_DISPATCH(sample)(mesh, lattices, triangles, count, room);
+}
+
+void writePlanes(uint32_t* levels, std::span<const uint32_t> bytes, int bitsPerChannel, uint8_t* planes,
+                 size_t planeBytes) {
+  HWY_DYNAMIC_DISPATCH(planesOf)(levels, bytes, bitsPerChannel, planes, planeBytes);
 }
 
 std::string sliceInstructionSet() {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -127,6 +128,11 @@ struct SampleRoom {
 /// the vertices.
 size_t sampleTriangles(const SliceSamples& mesh, const TriangleLattices& lattices, const SampledTriangle* triangles,
                        size_t count, SampleRoom& room);
+
+/// Writes these bytes of the bit planes of a slice (volume.h), and makes their levels 0 again. `levels` has a word for
+/// each voxel, 8 bits a channel.
+void writePlanes(uint32_t* levels, std::span<const uint32_t> bytes, int bitsPerChannel, uint8_t* planes,
+                 size_t planeBytes);
 
 /// The instruction set that is used: "AVX2", for example.
 std::string sliceInstructionSet();
