@@ -3,10 +3,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 
 #include "cli/command.h"
 #include "cli/dither_options.h"
 #include "display_sim/dither_report.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -26,6 +28,17 @@ void run(const DitherChoice& choice, const Frame& frame) {
   options.evenLightRadii = choice.evenLightRadii;
   if (choice.bits > 0) {
     options.profile.colorBitsPerChannel = choice.bits;
+    if (options.profile.volumeBytes() > kMostVolumeBytes) {
+      throw InputError("a volume of this display would take more than 2 GiB", fmt::format("--bits {}", choice.bits),
+                       "take fewer bits, or another --profile");
+    }
+  }
+  if (!choice.folder.empty()) {
+    std::error_code error;
+    std::filesystem::create_directories(choice.folder, error);
+    if (error || !std::filesystem::is_directory(choice.folder)) {
+      throw WorkError("cannot make this folder (" + error.message() + ")", choice.folder, "choose another one with -o");
+    }
   }
   for (const NamedDither& dither : kNamedDithers) {
     if (choice.methods.empty() || std::ranges::find(choice.methods, dither.name) != choice.methods.end()) {
@@ -33,11 +46,9 @@ void run(const DitherChoice& choice, const Frame& frame) {
     }
   }
   const DitherReport report = compareDithers(options, frame.progress());
-  if (!choice.folder.empty()) {
-    writePictures(report, choice.folder);
-  }
   frame.print(choice.json ? jsonOf(report) : textOf(report));
   if (!choice.folder.empty()) {
+    writePictures(report, choice.folder);
     frame.note("wrote pictures to " + choice.folder);
   }
 }

@@ -83,16 +83,23 @@ struct Times {
   }
 };
 
-/// What is sliced more than once is put in order first.
+/// What is sliced more than once is put in order first. The volume is that of a single run, in the order given: which
+/// of two triangles samples the side that they share depends on the order.
 Volume sliceFast(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options, int repeat,
                  Times& times) {
   std::optional<SliceMesh> prepared;
-  times.preparing = millisecondsOf([&] { prepared.emplace(repeat > 1 ? orderedForSlicing(mesh) : mesh); });
-  Slicer slicer(profile, options);
+  std::optional<Slicer> slicer;
+  times.preparing = millisecondsOf([&] {
+    prepared.emplace(repeat > 1 ? orderedForSlicing(mesh) : mesh);
+    slicer.emplace(profile, options);
+  });
   for (int i = 0; i < repeat; ++i) {
-    times.slicing.push_back(millisecondsOf([&] { slicer.slice(*prepared); }));
+    times.slicing.push_back(millisecondsOf([&] { slicer->slice(*prepared); }));
   }
-  return slicer.takeVolume();
+  if (repeat > 1) {
+    slicer->slice(SliceMesh(mesh));
+  }
+  return slicer->takeVolume();
 }
 
 /// What `ocelli volume info` tells of the volume later.
@@ -107,15 +114,15 @@ std::string metadataOf(const SliceChoice& choice) {
 
 void run(const SliceChoice& choice, const Frame& frame) {
   requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
-  if (choice.method == "gl" && (choice.exact || choice.antialiased)) {
-    throw InputError("OpenGL slices exactly, and without antialiasing", "--method gl",
-                     "leave out --exact and --antialias");
-  }
   const SliceOptions options{choice.undithered ? ColorReduction::kOccupancy : ditherOfName(choice.dither),
                              choice.antialiased, choice.evenLightRadius};
-  if (choice.method == "gl" && needsExactSlicer(options)) {
-    throw InputError("OpenGL has the ordered dither alone, and does not even out light", "--method gl",
-                     "leave out --dither and --even-light, or --method gl");
+  if (choice.method == "gl" && needsProcessor(options)) {
+    throw InputError("OpenGL has the ordered dither alone, no antialiasing, and does not even out light", "--method gl",
+                     "leave out --dither, --antialias and --even-light, or --method gl");
+  }
+  if (choice.undithered && choice.antialiased) {
+    throw InputError("--undithered gives full light to any share of it, so there is nothing to share", "--antialias",
+                     "leave one of the two out");
   }
   checkWritable(choice.output);
   const auto gl = choice.method == "gl" ? std::make_unique<GlDisplay>(choice.gl) : nullptr;

@@ -104,6 +104,11 @@ void run(const SolidityChoice& choice, const Frame& frame) {
   for (const std::string& name : choice.cameras) {
     compared.push_back(shownFromText(name, cell));
   }
+  constexpr int kLeastSide = 16;  // FLIP looks at neighbourhoods
+  if (const int side = choice.pictureSide > 0 ? choice.pictureSide : options.profile.height; side < kLeastSide) {
+    throw InputError(fmt::format("pictures of {} pixels are too small to compare", side), "--picture-side",
+                     fmt::format("make it {} or more", kLeastSide));
+  }
   prepareOutputs(choice);
   const Mesh scene = loadScene(choice.scene.source, choice.scene.options, frame.progress());
   SolidityMeter meter(scene, options);

@@ -66,7 +66,10 @@ class EvennessMeter {
     return light;
   }
 
-  double radiusOf(int column) const { return column * sweep_.columnWidth(); }
+  /// Where a column begins, counted from the axis; in an odd number of columns the first has the axis in its middle.
+  double radiusOf(int column) const {
+    return std::max(column - (profile_.width % 2 == 0 ? 0.0 : 0.5), 0.0) * sweep_.columnWidth();
+  }
 
   /// `cells`: lit for the area, by the formula and without weights.
   void addSample(TestSurface surface, double radius, double light, double area, double cells) {
@@ -112,7 +115,7 @@ class EvennessMeter {
   /// In the middle of columns, so that no facet leaves them.
   void addCylinders() {
     std::vector<int> columns;
-    for (int i = columnsPerBin_ / 2; i < profile_.width / 2; i += columnsPerBin_) {
+    for (int i = std::max(columnsPerBin_ / 2, profile_.width % 2); i < profile_.width / 2; i += columnsPerBin_) {
       columns.push_back(i);
     }
     const int facets = 4 * sweep_.sectors();

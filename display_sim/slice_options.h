@@ -23,8 +23,13 @@ struct SliceOptions {
 
 /// What sliceExactly() alone can do.
 inline bool needsExactSlicer(const SliceOptions& options) {
+  return options.colors == ColorReduction::kDiffusion || options.evenLightRadius > 0;
+}
+
+/// What the GPU cannot do.
+inline bool needsProcessor(const SliceOptions& options) {
   return (options.colors != ColorReduction::kDither && options.colors != ColorReduction::kOccupancy) ||
-         options.evenLightRadius > 0;
+         options.angularAntialiasing || options.evenLightRadius > 0;
 }
 
 }  // namespace ocelli

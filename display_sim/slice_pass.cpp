@@ -7,11 +7,11 @@
 #include <cstring>
 #include <utility>
 
-#include "display_sim/dither.h"
 #include "display_sim/exact_triangle.h"
 #include "display_sim/fragment_bins.h"
 #include "display_sim/slicer_kernels.h"
 #include "display_sim/triangle_lattice.h"
+#include "display_sim/voxel_dither.h"
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {
@@ -72,6 +72,7 @@ class SlicePassOf final : public SlicePass {
       : profile_(profile),
         sweep_(profile),
         setup_(profile, options),
+        dither_(options.colors),
         noSlice_(static_cast<uint32_t>(profile.storedSlices())),
         binOfSlice_(noSlice_ + 1) {}
 
@@ -265,8 +266,7 @@ class SlicePassOf final : public SlicePass {
   }
 
   void lightVoxel(Worker<Voxel>& worker, int slice, int column, int row, const glm::vec3& color) {
-    const Rgb8 levels = setup_.dithered ? ditheredLevels(color, setup_.fullLevel, slice, column, row)
-                                        : occupancyLevels(color, setup_.fullLevel);
+    const Rgb8 levels = dither_.levels(color, setup_.fullLevel, slice, column, row);
     if (levels != Rgb8(0)) {
       const uint32_t bin = binOfSlice_[static_cast<size_t>(slice)];
       const auto place = static_cast<uint32_t>(row * setup_.paddedColumns + column);
@@ -323,6 +323,7 @@ class SlicePassOf final : public SlicePass {
   DisplayProfile profile_;
   SweepGeometry sweep_;
   SliceKernelSetup setup_;
+  VoxelDither dither_;
   TriangleLattices lattices_;
   uint32_t noSlice_;
   std::vector<uint32_t> binOfSlice_;  ///< its own, or noSlice_ for one that is not wanted

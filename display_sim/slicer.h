@@ -13,7 +13,7 @@
 //
 // This lights fewer voxels than the definition of a lit voxel does (exact_slicer.h): not those that the surface just
 // grazes. It lights none that sliceExactly() does not, but for rounding (a sample may fall into the neighbour where it
-// lies within about 1e-4 voxels of the border).
+// lies within about 1e-4 voxels of the border). With antialiasing the two share light at other points of a voxel.
 //
 // The same bytes with any number of threads and on every processor: threads gather lit voxels by slice, and then each
 // slice is put together by one of them; the highest level of a voxel stays, in whichever order they come.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "display_sim/blue_noise.h"
 #include "display_sim/dither.h"
 #include "display_sim/slice_mesh.h"
 #include "display_sim/volume.h"
@@ -87,11 +88,31 @@ HWY_ATTR HWY_INLINE SweepVectors locate(const SliceKernelSetup& setup, FloatVec 
           hn::IfThenElseZero(hn::RebindMask(di, special), hn::Set(di, kSpecial))};
 }
 
+/// In kLightSteps, less than all of them.
+HWY_ATTR HWY_INLINE IntVec thresholdAt(const SliceKernelSetup& setup, IntVec slice, IntVec column, IntVec row) {
+  const Ints di;
+  const Words dw;
+  if (setup.ordered) {
+    const auto sum = hn::Add(hn::Mul(hn::BitCast(dw, column), hn::Set(dw, kDitherColumnStep)),
+                             hn::Add(hn::Mul(hn::BitCast(dw, row), hn::Set(dw, kDitherRowStep)),
+                                     hn::Mul(hn::BitCast(dw, slice), hn::Set(dw, kDitherSliceStep))));
+    return hn::BitCast(di, hn::ShiftRight<17>(sum));
+  }
+  if (setup.mask.empty()) {
+    return hn::Set(di, kLightSteps / 2);
+  }
+  static_assert(kBlueNoiseSide == 32);
+  const IntVec last = hn::Set(di, kBlueNoiseSide - 1);
+  const IntVec place = hn::Or(hn::ShiftLeft<10>(hn::And(slice, last)),
+                              hn::Or(hn::ShiftLeft<5>(hn::And(row, last)), hn::And(column, last)));
+  return hn::GatherIndex(di, setup.mask.data(), place);
+}
+
 /// The level, of those of the display, that a light has at a threshold in [0, kLightSteps).
 HWY_ATTR HWY_INLINE IntVec levelOf(const SliceKernelSetup& setup, IntVec light, IntVec threshold) {
   const Ints di;
   const IntVec full = hn::Set(di, setup.fullLevel);
-  if (!setup.dithered) {
+  if (setup.occupancy) {
     return hn::IfThenElseZero(hn::Gt(light, hn::Zero(di)), full);
   }
   const IntVec rest = hn::Sub(hn::Set(di, kLightSteps - 1), threshold);
@@ -149,10 +170,7 @@ HWY_ATTR HWY_INLINE void appendLit(const SliceKernelSetup& setup, const SweepVec
   const IntVec row = hn::Min(hn::ShiftRight<16>(at.row), hn::Set(di, setup.lastRow));
   const IntVec place = hn::Add(hn::Mul(row, hn::Set(di, setup.paddedColumns)), column);
 
-  const auto sum = hn::Add(hn::Mul(hn::BitCast(dw, column), hn::Set(dw, kDitherColumnStep)),
-                           hn::Add(hn::Mul(hn::BitCast(dw, row), hn::Set(dw, kDitherRowStep)),
-                                   hn::Mul(hn::BitCast(dw, slice), hn::Set(dw, kDitherSliceStep))));
-  const IntVec threshold = hn::BitCast(di, hn::ShiftRight<17>(sum));
+  const IntVec threshold = thresholdAt(setup, slice, column, row);
   const IntVec red = levelOf(setup, light.red, threshold);
   const IntVec green = levelOf(setup, light.green, threshold);
   const IntVec blue = levelOf(setup, light.blue, threshold);
@@ -416,11 +434,17 @@ SliceKernelSetup::SliceKernelSetup(const DisplayProfile& profile, const SliceOpt
       lastRow(profile.height - 1),
       paddedColumns(static_cast<int32_t>(8 * VolumeLayout(profile).rowBytes)),
       fullLevel((1 << profile.colorBitsPerChannel) - 1),
-      dithered(options.colors == ColorReduction::kDither),
+      occupancy(options.colors == ColorReduction::kOccupancy),
+      ordered(options.colors == ColorReduction::kDither),
       oneBit(profile.colorBitsPerChannel == 1),
       antialiased(options.angularAntialiasing),
       ownSecondHalf(profile.secondHalfTurn == SecondHalfTurn::kOwn),
-      noSlice(profile.storedSlices()) {}
+      noSlice(profile.storedSlices()) {
+  static_assert(kBlueNoiseRanks == kLightSteps, "the mask's ranks are thresholds");
+  if (options.colors == ColorReduction::kBlueNoise) {
+    mask.assign(blueNoiseMask().begin(), blueNoiseMask().end());
+  }
+}
 
 LitSamples::LitSamples(size_t samples) {
   constexpr size_t kMostPerSample = 4;  // in two slices, of both half turns

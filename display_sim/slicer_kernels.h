@@ -34,7 +34,9 @@ struct SliceKernelSetup {
   int32_t lastRow;
   int32_t paddedColumns;
   int32_t fullLevel;
-  bool dithered;
+  bool occupancy;             ///< full light wherever there is any
+  bool ordered;               ///< with the thresholds of dither.h; otherwise with those of `mask`
+  std::vector<int32_t> mask;  ///< in kLightSteps, laid out as blueNoiseMask(); none: the middle everywhere
   bool oneBit;
   bool antialiased;
   bool ownSecondHalf;

@@ -99,8 +99,8 @@ void GlSlicer::slice(const GlMesh& mesh, GlVolume& volume, const SliceOptions& o
   const GlScope scope(*context_);
   const GladGLContext& gl = context_->gl();
   const DisplayProfile& profile = volume.profile();
-  if (needsExactSlicer(options)) {
-    throw InputError("OpenGL slices with ordered dithering or without any, and does not even out light", "slicer",
+  if (needsProcessor(options)) {
+    throw InputError("OpenGL slices with ordered dithering or without any, and nothing else", "slicer",
                      "slice without OpenGL");
   }
   volume.clear();
