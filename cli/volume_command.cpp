@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -15,7 +14,6 @@
 #include "display_sim/svol_file.h"
 #include "display_sim/svol_join.h"
 #include "display_sim/svol_metadata.h"
-#include "display_sim/svol_player.h"
 #include "display_sim/svol_summary.h"
 #include "oc_core/base/error.h"
 
@@ -24,34 +22,18 @@ namespace {
 
 constexpr double kMicroseconds = 1e6;
 
-/// What `info` tells.
-struct Info {
-  std::string path;
-  std::vector<SvolFrameSummary> frames;
-  size_t keyFrames = 0;
-  size_t litVoxels = 0;  ///< of the first frame
-};
-
-Info readInfo(SvolReader& reader, const std::string& path, const Progress& progress) {
-  Info info{path, summarizeFrames(reader, progress), 0, 0};
-  info.keyFrames = static_cast<size_t>(std::ranges::count_if(info.frames, &SvolFrameSummary::key));
-  if (!info.frames.empty()) {
-    SvolPlayer player(reader);
-    player.seek(0);
-    info.litVoxels = player.volume().litVoxels();
-  }
-  return info;
-}
-
-uint64_t rawBytes(const SvolReader& reader) {
-  return reader.frames().size() * reader.profile().volumeBytes();
+uint64_t rawBytes(const SvolReader& reader, const SvolSummary& summary) {
+  return summary.frames.size() * reader.profile().volumeBytes();
 }
 
 double seconds(uint64_t microseconds) {
   return static_cast<double>(microseconds) / kMicroseconds;
 }
 
-const char* stateOf(const SvolReader& reader) {
+const char* stateOf(const SvolReader& reader, const SvolSummary& summary) {
+  if (summary.damage) {
+    return "damaged";
+  }
   switch (reader.ending()) {
     case SvolEnding::kFinished:
       return "whole";
@@ -75,45 +57,58 @@ std::string frameTable(const std::vector<SvolFrameSummary>& frames) {
   return text;
 }
 
-std::string infoAsText(const SvolReader& reader, const Info& info) {
+std::string sizes(const SvolReader& reader, const SvolSummary& summary) {
+  const uint64_t raw = rawBytes(reader, summary);
+  if (raw == 0) {
+    return fmt::format("{}, without a whole frame", reader.fileBytes());
+  }
+  return fmt::format("{} of {} uncompressed ({:.1f}x)", reader.fileBytes(), raw,
+                     static_cast<double>(raw) / static_cast<double>(reader.fileBytes()));
+}
+
+std::string infoAsText(const std::string& path, const SvolReader& reader, const SvolSummary& summary) {
   const DisplayProfile& profile = reader.profile();
+  const size_t count = summary.frames.size();
   std::string text = fmt::format(
       "{}\n  display     {}, radius {:g} m, {:g} rpm, {:g} refreshes a second\n"
       "  slices      {} of {}x{}, {} bit{} a channel\n"
-      "  frames      {}, of which {} need no other; {:.6g} s\n  lit voxels  {}{}\n"
-      "  bytes       {} of {} uncompressed ({:.1f}x)\n",
-      info.path, profile.name, profile.radiusMetres, profile.rotationsPerMinute, profile.refreshHertz(),
+      "  frames      {}, of which {} need{} no other; {:.6g} s\n",
+      path, profile.name, profile.radiusMetres, profile.rotationsPerMinute, profile.refreshHertz(),
       profile.storedSlices(), profile.width, profile.height, profile.colorBitsPerChannel,
-      profile.colorBitsPerChannel == 1 ? "" : "s", info.frames.size(), info.keyFrames,
-      seconds(reader.durationMicroseconds()), info.litVoxels, info.frames.size() > 1 ? " in the first frame" : "",
-      reader.fileBytes(), rawBytes(reader),
-      static_cast<double>(rawBytes(reader)) / static_cast<double>(reader.fileBytes()));
+      profile.colorBitsPerChannel == 1 ? "" : "s", count, summary.keyFrames, summary.keyFrames == 1 ? "s" : "",
+      seconds(summary.durationMicroseconds));
+  if (summary.litVoxels) {
+    text += fmt::format("  lit voxels  {}{}\n", *summary.litVoxels, count > 1 ? " in the first frame" : "");
+  }
+  text += fmt::format("  bytes       {}\n", sizes(reader, summary));
   for (const auto& [name, value] : svol::metadataFields(reader.metadata())) {
     text += fmt::format("  {:<11} {}\n", name, value);
   }
-  if (reader.ending() == SvolEnding::kUnfinished) {
+  if (summary.damage) {
+    text += fmt::format("  damaged     {}\n", summary.damage->what());
+  } else if (reader.ending() == SvolEnding::kUnfinished) {
     text +=
         fmt::format("  unfinished  {} bytes follow the last whole frame\n", reader.fileBytes() - reader.wholeBytes());
-  }
-  if (reader.damage()) {
-    text += fmt::format("  damaged     {}\n", reader.damage()->what());
   }
   return text;
 }
 
-std::string infoAsJson(const SvolReader& reader, const Info& info, bool withFrames) {
+std::string infoAsJson(const SvolReader& reader, const SvolSummary& summary, bool withFrames) {
   nlohmann::ordered_json json = {{"profile", nlohmann::ordered_json::parse(jsonText(reader.profile()))},
                                  {"metadata", nlohmann::ordered_json::parse(reader.metadata(), nullptr, true, true)},
-                                 {"state", stateOf(reader)},
+                                 {"state", stateOf(reader, summary)},
                                  {"slices", reader.profile().storedSlices()},
-                                 {"frames", info.frames.size()},
-                                 {"key_frames", info.keyFrames},
-                                 {"seconds", seconds(reader.durationMicroseconds())},
-                                 {"lit_voxels", info.litVoxels},
+                                 {"frames", summary.frames.size()},
+                                 {"key_frames", summary.keyFrames},
+                                 {"seconds", seconds(summary.durationMicroseconds)},
+                                 {"lit_voxels", nullptr},
                                  {"file_bytes", reader.fileBytes()},
-                                 {"plane_bytes", rawBytes(reader)}};
-  for (size_t k = 0; withFrames && k < info.frames.size(); ++k) {
-    const SvolFrameSummary& frame = info.frames[k];
+                                 {"plane_bytes", rawBytes(reader, summary)}};
+  if (summary.litVoxels) {
+    json["lit_voxels"] = *summary.litVoxels;
+  }
+  for (size_t k = 0; withFrames && k < summary.frames.size(); ++k) {
+    const SvolFrameSummary& frame = summary.frames[k];
     json["frame_table"].push_back({{"seconds", seconds(frame.timeMicroseconds)},
                                    {"key", frame.key},
                                    {"bytes", frame.bytes},
@@ -141,9 +136,10 @@ void addInfo(CLI::App& parent, const Frame& frame) {
                "  ocelli volume info recording.svol --frames",
                [choice, frame] {
                  SvolReader reader(choice->path);
-                 const Info info = readInfo(reader, choice->path, frame.progress());
-                 frame.print(choice->json ? infoAsJson(reader, info, choice->frames)
-                                          : infoAsText(reader, info) + (choice->frames ? frameTable(info.frames) : ""));
+                 const SvolSummary summary = summarizeSvol(reader, frame.progress());
+                 frame.print(choice->json ? infoAsJson(reader, summary, choice->frames)
+                                          : infoAsText(choice->path, reader, summary) +
+                                                (choice->frames ? frameTable(summary.frames) : ""));
                });
 }
 
@@ -156,7 +152,7 @@ void runVerify(const std::string& path, const Frame& frame) {
   if (reader.ending() == SvolEnding::kUnfinished) {
     throw WorkError(
         fmt::format("unfinished: {} are whole, and {} bytes follow", frames, reader.fileBytes() - reader.wholeBytes()),
-        path, "`ocelli volume join --salvage` makes a finished file of it");
+        path, count > 0 ? "`ocelli volume join --salvage` makes a finished file of it" : "write the file again");
   }
   frame.print(fmt::format("{}: {}, all whole\n", path, frames));
 }
@@ -188,17 +184,18 @@ void addJoin(CLI::App& parent, const Frame& frame) {
   command.add_flag("--salvage", choice->options.salvage,
                    "Of unfinished and damaged files, take the frames up to the first that cannot be read");
   addOutputOption(command, choice->output, "Where the recording goes", {".svol"});
-  frame.finish(command,
-               "  ocelli volume join a.svol b.svol c.svol --fps 12 -o film.svol\n"
-               "  ocelli volume join killed.svol --salvage -o whole.svol",
-               [choice, frame] {
-                 const std::vector<std::filesystem::path> sources(choice->sources.begin(), choice->sources.end());
-                 const JoinResult result = joinSvol(sources, choice->output, choice->options, frame.progress());
-                 for (const std::filesystem::path& path : result.incomplete) {
-                   frame.note(fmt::format("{} is not whole: what can be read was taken", path.string()));
-                 }
-                 frame.note(fmt::format("wrote {}: {} frames", choice->output, result.frames));
-               });
+  frame.finish(
+      command,
+      "  ocelli volume join a.svol b.svol c.svol --fps 12 -o film.svol\n"
+      "  ocelli volume join killed.svol --salvage -o whole.svol",
+      [choice, frame] {
+        const std::vector<std::filesystem::path> sources(choice->sources.begin(), choice->sources.end());
+        const JoinResult result = joinSvol(sources, choice->output, choice->options, frame.progress());
+        for (const std::filesystem::path& path : result.incomplete) {
+          frame.note(fmt::format("{} is not whole: what can be read was taken", path.string()));
+        }
+        frame.note(fmt::format("wrote {}: {} frame{}", choice->output, result.frames, result.frames == 1 ? "" : "s"));
+      });
 }
 
 struct ExportChoice {

@@ -162,6 +162,9 @@ void exportPreview(const std::filesystem::path& path, SvolReader& reader, const 
     throw InputError("a preview has 16 to 2048 pixels a side", path.string(), "change its size");
   }
   requireFrame(reader, 0);
+  if (reader.damage()) {
+    throw *reader.damage();
+  }
   const std::vector<Shot> shots = reader.frames().size() == 1 ? turnAround() : play(reader);
   ApngWriter writer(path, options.pixels, options.pixels, static_cast<uint32_t>(shots.size()));
   SvolPlayer player(reader);

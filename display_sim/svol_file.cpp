@@ -12,17 +12,18 @@ void writeSvol(const std::filesystem::path& path, const Volume& volume, const st
 }
 
 void requireFrame(const SvolReader& reader, size_t frame) {
+  const size_t count = reader.frames().size();
+  if (frame < count) {
+    return;
+  }
   if (reader.damage()) {
     throw *reader.damage();
   }
-  const size_t count = reader.frames().size();
-  if (frame >= count) {
-    const std::string has = count == 0   ? "no whole frame"
-                            : count == 1 ? "frame 0 alone"
-                                         : "frames 0 to " + std::to_string(count - 1);
-    throw InputError("there is no frame " + std::to_string(frame) + ": the file has " + has, reader.where(),
-                     count == 0 ? "write the file again, or give another one" : "give one of these");
-  }
+  const std::string has = count == 0   ? "no whole frame"
+                          : count == 1 ? "frame 0 alone"
+                                       : "frames 0 to " + std::to_string(count - 1);
+  throw InputError("there is no frame " + std::to_string(frame) + ": the file has " + has, reader.where(),
+                   count == 0 ? "write the file again, or give another one" : "give one of these");
 }
 
 Volume readFrame(SvolReader& reader, size_t frame) {

@@ -13,11 +13,12 @@ namespace ocelli {
 /// One frame at time 0. The file appears when it is complete. `metadata` is as in SvolOptions. Throws WorkError.
 void writeSvol(const std::filesystem::path& path, const Volume& volume, const std::string& metadata = "{}");
 
-/// The volume of one frame. Throws InputError where the file is damaged anywhere that opening it shows, or has no such
-/// frame.
+/// The volume of one frame. Throws InputError where that frame, or one that it needs, is damaged or not there; what
+/// lies behind it may be damaged.
 Volume readSvol(const std::filesystem::path& path, size_t frame = 0);
 Volume readFrame(SvolReader& reader, size_t frame);
-/// Throws the InputError that readFrame() would throw for a damaged file or a frame that is not there.
+/// Throws the InputError that readFrame() would throw for a frame that is not there, or that lies at or beyond the
+/// damage that opening the file has shown.
 void requireFrame(const SvolReader& reader, size_t frame);
 
 }  // namespace ocelli

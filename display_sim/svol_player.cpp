@@ -58,7 +58,7 @@ void SvolPlayer::apply(size_t frame, std::vector<uint8_t>& changed) {
   });
   for (size_t i = 0; i < slices; ++i) {
     if (!problems[i].empty()) {
-      reader_.fail(frame, i, reader_.payloadsOffset(frame) + begins[i], problems[i]);
+      reader_.fail(frame, i, problems[i]);
     }
   }
 }

@@ -12,6 +12,8 @@ namespace ocelli {
 namespace {
 
 constexpr const char* kNext = "write the file again, or give another one";
+constexpr const char* kNextWithFrames =
+    "`ocelli volume join --salvage` makes a finished file of the frames before; or write the file again";
 
 /// More than zstd needs for the worst planes, so that a hostile size cannot ask for much more memory than a frame has.
 uint64_t mostPayloadBytes(const VolumeLayout& layout) {
@@ -67,21 +69,27 @@ void SvolReader::open() {
   }
 }
 
-void SvolReader::fail(const std::string& part, uint64_t offset, const std::string& what) const {
+void SvolReader::fail(const std::string& part, uint64_t offset, const std::string& what, size_t framesBefore) const {
   std::string text = part;
   text += ": ";
   text += what;
   text += " (in the record at byte " + std::to_string(offset) + ")";
-  throw InputError(text, where_, kNext);
+  throw InputError(text, where_, framesBefore > 0 ? kNextWithFrames : kNext);
 }
 
-void SvolReader::fail(size_t frame, std::optional<size_t> slice, uint64_t offset, const std::string& what) const {
+void SvolReader::failInFrame(size_t frame, std::optional<size_t> slice, uint64_t offset,
+                             const std::string& what) const {
   std::string part = "frame " + std::to_string(frame);
   if (slice) {
     part += ", slice ";
     part += std::to_string(*slice);
   }
-  fail(part, offset, what);
+  fail(part, offset, what, frame);
+}
+
+void SvolReader::fail(size_t frame, std::optional<size_t> slice, const std::string& what) const {
+  OC_CHECK(frame < frames_.size(), "there is no such frame");
+  failInFrame(frame, slice, frames_[frame].offset, what);
 }
 
 void SvolReader::readAt(uint64_t offset, std::span<uint8_t> bytes) {
@@ -210,7 +218,7 @@ bool SvolReader::scanRecord() {
   };
   if (!begins(svol::kFrameMark)) {
     if (!begins(svol::kIndexMark)) {
-      fail(number, {}, framesEnd_, "neither a frame nor the index begins here");
+      failInFrame(number, {}, framesEnd_, "neither a frame nor the index begins here");
     }
     scanIndex();
     return false;
@@ -220,7 +228,7 @@ bool SvolReader::scanRecord() {
   }
   const svol::FrameHead head = readHeadAt(number, framesEnd_);
   if (!frames_.empty() && head.timeMicroseconds < frames_.back().timeMicroseconds) {
-    fail(number, {}, framesEnd_, "it is shown before the frame before it");
+    failInFrame(number, {}, framesEnd_, "it is shown before the frame before it");
   }
   const uint64_t bytes = svol::frameHeadBytes(layout_.slices) + payloadBytesOf(head);
   if (left < bytes) {
@@ -239,16 +247,16 @@ void SvolReader::scanIndex() {
   }
   readAt(framesEnd_, fields);
   if (svol::load32(fields.data() + 4) != frames_.size()) {
-    fail("index", framesEnd_, "it has another number of frames than the file");
+    fail("index", framesEnd_, "it has another number of frames than the file", frames_.size());
   }
   const std::vector<uint8_t> expected = svol::indexAndEnd(frames_, framesEnd_);
   std::vector<uint8_t> bytes(std::min<uint64_t>(left, expected.size()));
   readAt(framesEnd_, bytes);
   if (!std::equal(bytes.begin(), bytes.end(), expected.begin())) {
-    fail("index", framesEnd_, "it contradicts the frames, or its checksum is wrong");
+    fail("index", framesEnd_, "it contradicts the frames, or its checksum is wrong", frames_.size());
   }
   if (left > expected.size()) {
-    fail("index", framesEnd_, "there are bytes after the end of the file's last record");
+    fail("index", framesEnd_, "there are bytes after the end of the file's last record", frames_.size());
   }
 }
 
@@ -266,7 +274,7 @@ void SvolReader::checkLastPayloads() {
     for (size_t i = 0; i < head.slices.size(); ++i) {
       const svol::SliceEntry& slice = head.slices[i];
       if (svol::hasPayload(slice.kind) && svol::checksum(rest.first(slice.bytes)) != slice.checksum) {
-        fail(last, i, frames_[last].offset, "the checksum is wrong");
+        fail(last, i, "the checksum is wrong");
       }
       rest = rest.subspan(slice.bytes);
     }
@@ -280,7 +288,7 @@ void SvolReader::checkLastPayloads() {
 svol::FrameHead SvolReader::readHeadAt(size_t number, uint64_t offset) {
   std::vector<uint8_t> bytes(svol::frameHeadBytes(layout_.slices));
   readAt(offset, bytes);
-  const auto problem = [&](const std::string& what) { fail(number, {}, offset, what); };
+  const auto problem = [&](const std::string& what) { failInFrame(number, {}, offset, what); };
   const size_t checkedBytes = bytes.size() - svol::kChecksumBytes;
   if (svol::load32(bytes.data()) != svol::kFrameMark) {
     problem("no frame begins here");
@@ -309,7 +317,7 @@ svol::FrameHead SvolReader::readHeadAt(size_t number, uint64_t offset) {
     head.slices[i] = {static_cast<SvolSliceKind>(sizeAndKind & 3u), sizeAndKind >> 2, svol::load32(entry + 4)};
     const std::string what = problemOf(head.slices[i], head.key, layout_);
     if (!what.empty()) {
-      fail(number, i, offset, what);
+      failInFrame(number, i, offset, what);
     }
   }
   if (payloadBytesOf(head) != svol::load32(bytes.data() + 20)) {
@@ -332,7 +340,7 @@ svol::FrameHead SvolReader::readHead(size_t frame) {
   svol::FrameHead head = readHeadAt(frame, place.offset);
   if (head.timeMicroseconds != place.timeMicroseconds || head.key != place.key ||
       payloadsOffset(frame) + payloadBytesOf(head) != frameEnd(frame)) {
-    fail(frame, {}, place.offset, "it contradicts the index");
+    fail(frame, {}, "it contradicts the index");
   }
   return head;
 }
@@ -354,11 +362,12 @@ size_t SvolReader::frameAt(uint64_t timeMicroseconds) const {
   return after == frames_.begin() ? 0 : static_cast<size_t>(after - frames_.begin()) - 1;
 }
 
-uint64_t SvolReader::durationMicroseconds() const {
-  if (frames_.empty()) {
+uint64_t SvolReader::durationMicroseconds(size_t frames) const {
+  OC_CHECK(frames <= frames_.size(), "there are fewer frames");
+  if (frames == 0) {
     return 0;
   }
-  return frames_.back().timeMicroseconds - frames_.front().timeMicroseconds +
+  return frames_[frames - 1].timeMicroseconds - frames_.front().timeMicroseconds +
          static_cast<uint64_t>(std::llround(1e6 / profile_.refreshHertz()));
 }
 
@@ -388,7 +397,7 @@ void SvolReader::readSlice(size_t frame, int slice, std::span<uint8_t> planes) {
     readAt(step->offset, payload);
     const svol::SliceDecoder::Result result = decoder.apply(step->entry, payload, planes);
     if (!result.problem.empty()) {
-      fail(step->frame, i, step->offset, result.problem);
+      fail(step->frame, i, result.problem);
     }
   }
 }

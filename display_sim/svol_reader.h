@@ -44,7 +44,9 @@ class SvolReader {
   /// The frame that is shown at this time: the last one that does not begin later, or the first.
   size_t frameAt(uint64_t timeMicroseconds) const;
   /// From the first frame's time to one refresh of the display after the last one's; 0 without frames.
-  uint64_t durationMicroseconds() const;
+  uint64_t durationMicroseconds() const { return durationMicroseconds(frames_.size()); }
+  /// Of the first so many frames.
+  uint64_t durationMicroseconds(size_t frames) const;
 
   SvolEnding ending() const { return ending_; }
   /// Has a value where ending() is kDamaged.
@@ -62,10 +64,7 @@ class SvolReader {
   void readPayloads(size_t frame, std::vector<uint8_t>& payloads);
   /// The last frame up to this one that needs no other.
   size_t keyFrameOf(size_t frame) const;
-  /// `offset` counts in the file.
-  [[noreturn]] void fail(size_t frame, std::optional<size_t> slice, uint64_t offset, const std::string& what) const;
-  /// Where the payloads of a frame begin in the file.
-  uint64_t payloadsOffset(size_t frame) const;
+  [[noreturn]] void fail(size_t frame, std::optional<size_t> slice, const std::string& what) const;
 
  private:
   void open();
@@ -78,9 +77,15 @@ class SvolReader {
   void checkLastPayloads();
   /// Reads a frame's head as it stands at `offset`; `number` is what it must be.
   svol::FrameHead readHeadAt(size_t number, uint64_t offset);
+  /// Where the payloads of a frame begin in the file.
+  uint64_t payloadsOffset(size_t frame) const;
   uint64_t frameEnd(size_t frame) const;
   void readAt(uint64_t offset, std::span<uint8_t> bytes);
-  [[noreturn]] void fail(const std::string& part, uint64_t offset, const std::string& what) const;
+  /// `offset` is where the record begins in the file, and `framesBefore` how many frames may be whole without it.
+  [[noreturn]] void fail(const std::string& part, uint64_t offset, const std::string& what,
+                         size_t framesBefore = 0) const;
+  [[noreturn]] void failInFrame(size_t frame, std::optional<size_t> slice, uint64_t offset,
+                                const std::string& what) const;
 
   std::ifstream file_;
   std::istream& in_;

@@ -4,21 +4,43 @@
 
 namespace ocelli {
 
-std::vector<SvolFrameSummary> summarizeFrames(SvolReader& reader, const Progress& progress) {
-  const size_t count = reader.frames().size();
-  std::vector<SvolFrameSummary> frames(count);
-  for (size_t k = 0; k < count; ++k) {
-    report(progress, "reading", static_cast<double>(k) / static_cast<double>(count));
-    const svol::FrameHead head = reader.readHead(k);
-    frames[k].timeMicroseconds = head.timeMicroseconds;
-    frames[k].key = head.key;
-    frames[k].bytes = svol::frameHeadBytes(head.slices.size());
-    for (const svol::SliceEntry& slice : head.slices) {
-      frames[k].bytes += slice.bytes;
-      ++frames[k].slices[static_cast<size_t>(slice.kind)];
-    }
+namespace {
+
+SvolFrameSummary summarizeFrame(const svol::FrameHead& head) {
+  SvolFrameSummary frame;
+  frame.timeMicroseconds = head.timeMicroseconds;
+  frame.key = head.key;
+  frame.bytes = svol::frameHeadBytes(head.slices.size());
+  for (const svol::SliceEntry& slice : head.slices) {
+    frame.bytes += slice.bytes;
+    ++frame.slices[static_cast<size_t>(slice.kind)];
   }
-  return frames;
+  return frame;
+}
+
+}  // namespace
+
+SvolSummary summarizeSvol(SvolReader& reader, const Progress& progress) {
+  SvolSummary summary;
+  summary.damage = reader.damage();
+  const size_t count = reader.frames().size();
+  try {
+    SvolPlayer player(reader);
+    for (size_t k = 0; k < count; ++k) {
+      report(progress, "reading", static_cast<double>(k) / static_cast<double>(count));
+      const SvolFrameSummary frame = summarizeFrame(reader.readHead(k));
+      if (k == 0) {
+        player.seek(0);
+        summary.litVoxels = player.volume().litVoxels();
+      }
+      summary.frames.push_back(frame);
+      summary.keyFrames += frame.key ? 1 : 0;
+    }
+  } catch (const InputError& error) {
+    summary.damage = error;
+  }
+  summary.durationMicroseconds = reader.durationMicroseconds(summary.frames.size());
+  return summary;
 }
 
 void verifySvol(SvolReader& reader, const Progress& progress) {

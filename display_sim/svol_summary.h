@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "display_sim/svol_reader.h"
+#include "oc_core/base/error.h"
 #include "oc_core/base/progress.h"
 
 namespace ocelli {
@@ -17,8 +19,16 @@ struct SvolFrameSummary {
   std::array<size_t, kSvolSliceKinds> slices{};  ///< how many of each kind
 };
 
-/// From the slice tables alone. Throws InputError for one that is wrong.
-std::vector<SvolFrameSummary> summarizeFrames(SvolReader& reader, const Progress& progress = {});
+struct SvolSummary {
+  std::vector<SvolFrameSummary> frames;  ///< those before the damage
+  size_t keyFrames = 0;
+  std::optional<size_t> litVoxels;  ///< of the first frame, where that can be read
+  uint64_t durationMicroseconds = 0;
+  std::optional<InputError> damage;  ///< the first that opening, the slice tables or the first frame show
+};
+
+/// From the slice tables and the first frame alone: other payloads may be damaged (verifySvol() tells).
+SvolSummary summarizeSvol(SvolReader& reader, const Progress& progress = {});
 
 /// Decodes every slice of every frame. Throws InputError for the first thing in the file that is wrong; that it is
 /// unfinished is not (reader.ending() tells).

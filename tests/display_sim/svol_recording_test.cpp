@@ -23,6 +23,7 @@ using test::recordedProfile;
 using test::recordedTime;
 using test::recordedVolume;
 using test::TemporaryFolder;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -88,7 +89,7 @@ TEST(SvolRecording, slicesAreKeptAsTheyChange) {
     EXPECT_EQ(reader.frames()[k].key, k % 4 == 0);
     EXPECT_EQ(reader.keyFrameOf(k), k / 4 * 4);
   }
-  const std::vector<SvolFrameSummary> frames = summarizeFrames(reader);
+  const std::vector<SvolFrameSummary> frames = summarizeSvol(reader).frames;
   ASSERT_EQ(frames.size(), 6u);
   EXPECT_THAT(frames[1].slices, ElementsAre(1, 1, 1, 2));
   EXPECT_EQ(frames[1].bytes, reader.frames()[2].offset - reader.frames()[1].offset);
@@ -268,6 +269,87 @@ TEST(SvolRecording, joiningSalvagesOnlyWhenAsked) {
   damaged = bytes;
   damaged.back() ^= 1;
   expectFrames(damaged, 6);
+}
+
+/// The message of the InputError that reading this frame throws; empty where it does not.
+std::string problemOf(const std::filesystem::path& path, size_t frame) {
+  try {
+    readSvol(path, frame);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// The bytes of a recording, and the same without its index and its end.
+struct FileAndCut {
+  std::string whole;
+  std::string cut;
+};
+
+FileAndCut withAndWithoutIndex(std::vector<uint8_t> bytes, size_t frames) {
+  const std::string whole(bytes.begin(), bytes.end());
+  return {whole, whole.substr(0, whole.size() - svol::indexBytes(frames) - svol::kEndBytes)};
+}
+
+TEST(SvolRecording, framesBeforeADamagedOneAreReadWithAndWithoutTheIndex) {
+  const TemporaryFolder folder;
+  const DisplayProfile profile = recordedProfile(5, 17, 9, 1);
+  record(folder / "a.svol", profile, 4);
+  std::vector<uint8_t> bytes = bytesOf(folder / "a.svol");
+  const std::vector<SvolFrame> places = SvolReader(folder / "a.svol").frames();
+  bytes[places[3].offset + 8] ^= 1;  // its time
+  const FileAndCut files = withAndWithoutIndex(bytes, 4);
+  for (const std::string& file : {files.whole, files.cut}) {
+    const std::filesystem::path path = folder.write("b.svol", file);
+    for (uint32_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(readSvol(path, k), recordedVolume(profile, k)) << k;
+    }
+    EXPECT_THAT(problemOf(path, 3), AllOf(HasSubstr("frame 3: the checksum is wrong"), HasSubstr("--salvage")));
+    SvolReader reader(path);
+    const SvolSummary summary = summarizeSvol(reader);
+    ASSERT_EQ(summary.frames.size(), 3u);
+    EXPECT_EQ(summary.keyFrames, 1u);
+    EXPECT_EQ(summary.litVoxels, recordedVolume(profile, 0).litVoxels());
+    EXPECT_EQ(summary.durationMicroseconds,
+              recordedTime(2) + static_cast<uint64_t>(std::llround(1e6 / profile.refreshHertz())));
+    ASSERT_TRUE(summary.damage);
+    EXPECT_EQ(summary.damage->what(), problemOf(path, 3));
+    EXPECT_THROW(verifySvol(reader), InputError);
+  }
+}
+
+TEST(SvolRecording, aDamagedPayloadIsToldTheSameWithAndWithoutTheIndex) {
+  const TemporaryFolder folder;
+  const DisplayProfile profile = recordedProfile(5, 17, 9, 1);
+  for (const uint32_t frames : {1u, 3u}) {
+    record(folder / "a.svol", profile, frames);
+    const uint64_t place = SvolReader(folder / "a.svol").frames().back().offset;
+    std::vector<uint8_t> bytes = bytesOf(folder / "a.svol");
+    bytes[bytes.size() - svol::indexBytes(frames) - svol::kEndBytes - 1] ^= 1;
+    const FileAndCut files = withAndWithoutIndex(bytes, frames);
+    const std::string problem = problemOf(folder.write("b.svol", files.whole), frames - 1);
+    EXPECT_THAT(problem, HasSubstr("the checksum is wrong (in the record at byte " + std::to_string(place) + ")"));
+    EXPECT_EQ(problemOf(folder.write("b.svol", files.cut), frames - 1), problem);
+    EXPECT_EQ(problem.find("--salvage") != std::string::npos, frames > 1) << "no frame is whole";
+  }
+}
+
+TEST(SvolRecording, aFirstFrameThatIsDamagedOrCutLeavesNone) {
+  const TemporaryFolder folder;
+  const DisplayProfile profile = recordedProfile(5, 17, 9, 1);
+  record(folder / "a.svol", profile, 1);
+  std::vector<uint8_t> bytes = bytesOf(folder / "a.svol");
+  bytes[bytes.size() - svol::indexBytes(1) - svol::kEndBytes - 1] ^= 1;
+  const FileAndCut files = withAndWithoutIndex(bytes, 1);
+  for (const std::string& file : {files.whole, files.cut, files.cut.substr(0, files.cut.size() - 1)}) {
+    SvolReader reader(folder.write("b.svol", file));
+    const SvolSummary summary = summarizeSvol(reader);
+    EXPECT_TRUE(summary.frames.empty());
+    EXPECT_FALSE(summary.litVoxels);
+    EXPECT_EQ(summary.durationMicroseconds, 0u);
+    EXPECT_EQ(summary.damage.has_value(), file.size() >= files.cut.size()) << "cut within a frame is unfinished";
+  }
 }
 
 TEST(SvolRecording, onlyVolumesOfOneDisplayAreJoined) {
