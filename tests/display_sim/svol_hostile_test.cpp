@@ -76,7 +76,7 @@ TEST(SvolHostile, everyFlippedBitOfAFileOfOneVolumeIsFound) {
 // Up to the end of the last whole frame; what follows is no part of it yet.
 TEST(SvolHostile, flippedBitsInTheFramesOfAnUnfinishedRecordingAreFound) {
   std::vector<uint8_t> file = smallRecording(3);
-  file.resize(file.size() - svol::indexBytes(3) - svol::kEndBytes);
+  file.erase(file.end() - static_cast<std::ptrdiff_t>(svol::indexBytes(3) + svol::kEndBytes), file.end());
   ASSERT_EQ(verdict(file), "unfinished");
   for (size_t bit = 0; bit < 8 * file.size(); ++bit) {
     std::vector<uint8_t> damaged = file;
