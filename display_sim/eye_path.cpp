@@ -21,6 +21,7 @@ namespace {
 constexpr double kMostSeconds = 1e6;
 constexpr double kMostRadii = 1e6;
 constexpr std::string_view kHeader = "time,x,y,z";
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  ///< spreadsheets begin a table with it
 
 /// Throws where the poses do not make a path.
 void check(const std::vector<EyePose>& poses, const std::string& where) {
@@ -90,6 +91,9 @@ std::vector<EyePose> readEyePath(const std::filesystem::path& path) {
 std::vector<EyePose> eyePathFromCsv(const std::string& text, const std::string& where) {
   std::vector<EyePose> poses;
   std::string_view rest = text;
+  if (rest.starts_with(kByteOrderMark)) {
+    rest.remove_prefix(kByteOrderMark.size());
+  }
   bool hasHeader = false;
   for (int number = 1; !rest.empty(); ++number) {
     const size_t length = std::min(rest.find('\n'), rest.size());

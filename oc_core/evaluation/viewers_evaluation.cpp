@@ -68,8 +68,9 @@ ViewersFigures evaluateViewers(const Mesh& scene, const CameraChoice& camera, co
 }
 
 std::string viewersTable(const ViewersFigures& figures) {
-  std::string text = fmt::format("{} viewers, {}: {} triangles, {} samples\n", figures.viewers.size(), figures.camera,
-                                 figures.triangles, figures.samples);
+  std::string text =
+      fmt::format("{} viewer{}, {}: {} triangles, {} samples\n", figures.viewers.size(),
+                  figures.viewers.size() == 1 ? "" : "s", figures.camera, figures.triangles, figures.samples);
   text += fmt::format("{:>6} {:>17}   {:^17}   {:^17}   {:^17}   {:^17}   {:^17}\n", "", "samples", "strict, edges",
                       "strict, interior", "thick, edges", "wrong front", "false skins");
   text += fmt::format("{:>6} {:>8} {:>8}", "viewer", "built", "kept");

@@ -44,7 +44,8 @@ TEST(EyePath, csvAndJsonAreRead) {
       readEyePath(folder.write("way.csv", "time,x,y,z\r\n0, 0,0.5,10\n\n0.5,1e0,0.5 ,-9.5\n"));
   const std::vector<EyePose> json = readEyePath(folder.write(
       "way.json", R"({"poses": [{"time": 0, "eye": [0, 0.5, 10]}, {"time": 0.5, "eye": [1, 0.5, -9.5]}]})"));
-  for (const auto& poses : {csv, json}) {
+  const std::vector<EyePose> marked = eyePathFromCsv("\xef\xbb\xbftime,x,y,z\n0,0,0.5,10\n0.5,1,0.5,-9.5\n", "way.csv");
+  for (const auto& poses : {csv, marked, json}) {
     ASSERT_EQ(poses.size(), 2u);
     EXPECT_EQ(poses[0].seconds, 0);
     EXPECT_EQ(poses[0].eye, glm::vec3(0, 0.5f, 10));

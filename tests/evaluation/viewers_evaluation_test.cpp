@@ -79,6 +79,9 @@ TEST(ViewersEvaluation, reportsNameEveryViewer) {
   const std::string table = viewersTable(figures);
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 5);
   EXPECT_THAT(table, testing::HasSubstr("2 viewers, di"));
+  ViewersFigures one = figures;
+  one.viewers.pop_back();
+  EXPECT_THAT(viewersTable(one), testing::StartsWith("1 viewer, di"));
   const auto json = nlohmann::json::parse(viewersJson("a scene", smallOptions(), figures));
   EXPECT_EQ(json["triangles"], figures.triangles);
   ASSERT_EQ(json["viewers"].size(), 2u);
