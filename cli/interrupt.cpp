@@ -1,5 +1,7 @@
 #include "cli/interrupt.h"
 
+#include "oc_core/base/error.h"
+
 namespace ocelli {
 namespace {
 
@@ -45,6 +47,19 @@ bool InterruptGuard::interrupted() {
 void InterruptGuard::check() {
   if (interrupted()) {
     throw Interrupted{};
+  }
+}
+
+void runOrLeaveNothing(const std::string& output, const Progress& bar,
+                       const std::function<void(const Progress&)>& work) {
+  const InterruptGuard guard;
+  try {
+    work([&](std::string_view stage, double fraction) {
+      InterruptGuard::check();
+      report(bar, stage, fraction);
+    });
+  } catch (const Interrupted&) {
+    throw WorkError("interrupted: nothing is written", output, "the same command again");
   }
 }
 

@@ -2,6 +2,10 @@
 #pragma once
 
 #include <csignal>
+#include <functional>
+#include <string>
+
+#include "oc_core/base/progress.h"
 
 namespace ocelli {
 
@@ -26,5 +30,10 @@ class InterruptGuard {
 };
 
 struct Interrupted {};
+
+/// Calls `work` with a progress that goes to `bar`, and that throws after an interrupt. `work` leaves nothing when it
+/// throws; an interrupt is then a WorkError which says so of `output`.
+void runOrLeaveNothing(const std::string& output, const Progress& bar,
+                       const std::function<void(const Progress&)>& work);
 
 }  // namespace ocelli

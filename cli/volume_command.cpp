@@ -4,8 +4,10 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cli/command.h"
+#include "cli/interrupt.h"
 #include "cli/output_option.h"
 #include "display_sim/export_nrrd.h"
 #include "display_sim/export_png.h"
@@ -16,6 +18,7 @@
 #include "display_sim/svol_metadata.h"
 #include "display_sim/svol_summary.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/printable_text.h"
 
 namespace ocelli {
 namespace {
@@ -73,7 +76,7 @@ std::string infoAsText(const std::string& path, const SvolReader& reader, const 
       "{}\n  display     {}, radius {:g} m, {:g} rpm, {:g} refreshes a second\n"
       "  slices      {} of {}x{}, {} bit{} a channel\n"
       "  frames      {}, of which {} need{} no other; {:.6g} s\n",
-      path, profile.name, profile.radiusMetres, profile.rotationsPerMinute, profile.refreshHertz(),
+      path, printableText(profile.name), profile.radiusMetres, profile.rotationsPerMinute, profile.refreshHertz(),
       profile.storedSlices(), profile.width, profile.height, profile.colorBitsPerChannel,
       profile.colorBitsPerChannel == 1 ? "" : "s", count, summary.keyFrames, summary.keyFrames == 1 ? "s" : "",
       seconds(summary.durationMicroseconds));
@@ -82,7 +85,7 @@ std::string infoAsText(const std::string& path, const SvolReader& reader, const 
   }
   text += fmt::format("  bytes       {}\n", sizes(reader, summary));
   for (const auto& [name, value] : svol::metadataFields(reader.metadata())) {
-    text += fmt::format("  {:<11} {}\n", name, value);
+    text += fmt::format("  {:<11} {}\n", printableText(name), printableText(value));
   }
   if (summary.damage) {
     text += fmt::format("  damaged     {}\n", summary.damage->what());
@@ -179,7 +182,6 @@ void addJoin(CLI::App& parent, const Frame& frame) {
   command
       .add_option("--fps", choice->options.framesPerSecond,
                   "Files a second: how long the last frame of each is shown; by default for one refresh of the display")
-      ->check(CLI::Range(0.001, 1e6))
       ->type_name("RATE");
   command.add_flag("--salvage", choice->options.salvage,
                    "Of unfinished and damaged files, take the frames up to the first that cannot be read");
@@ -190,7 +192,10 @@ void addJoin(CLI::App& parent, const Frame& frame) {
       "  ocelli volume join killed.svol --salvage -o whole.svol",
       [choice, frame] {
         const std::vector<std::filesystem::path> sources(choice->sources.begin(), choice->sources.end());
-        const JoinResult result = joinSvol(sources, choice->output, choice->options, frame.progress());
+        JoinResult result;
+        runOrLeaveNothing(choice->output, frame.progress(), [&](const Progress& progress) {
+          result = joinSvol(sources, choice->output, choice->options, progress);
+        });
         for (const std::filesystem::path& path : result.incomplete) {
           frame.note(fmt::format("{} is not whole: what can be read was taken", path.string()));
         }
@@ -200,35 +205,67 @@ void addJoin(CLI::App& parent, const Frame& frame) {
 
 struct ExportChoice {
   std::string volume;
-  size_t frame = 0;
+  std::optional<size_t> frame;
   std::string output;
-  VtiOptions vti;
-  PreviewOptions preview;
+  std::optional<int> cells;
+  std::optional<int> pixels;
 };
 
-void exportOneFrame(const ExportChoice& choice, const std::string& extension, const Frame& frame) {
-  const Volume volume = readSvol(choice.volume, choice.frame);
+enum class ExportForm { kVti, kNrrd, kPreview, kSlices };
+
+ExportForm formOf(const std::string& output) {
+  const std::string extension = std::filesystem::path(output).extension();
   if (extension == ".vti") {
-    exportVti(choice.output, volume, choice.vti, frame.progress());
-  } else if (extension == ".nrrd") {
-    exportNrrd(choice.output, volume, frame.progress());
+    return ExportForm::kVti;
+  }
+  if (extension == ".nrrd") {
+    return ExportForm::kNrrd;
+  }
+  if (extension.empty() || std::filesystem::is_directory(output)) {
+    return ExportForm::kSlices;
+  }
+  if (extension == ".png") {
+    return ExportForm::kPreview;
+  }
+  throw InputError("volumes have no form with this ending", output,
+                   "a name that ends in .vti, .nrrd or .png, or a folder for PNG files");
+}
+
+void refuseWhatDoesNotApply(const ExportChoice& choice, ExportForm form) {
+  if (choice.frame && form == ExportForm::kPreview) {
+    throw InputError("a preview shows all frames", "--frame", "leave it out, or write another form");
+  }
+  if (choice.cells && form != ExportForm::kVti) {
+    throw InputError("only a .vti file has cells to choose", "--cells", "leave it out, or write a .vti file");
+  }
+  if (choice.pixels && form != ExportForm::kPreview) {
+    throw InputError("only a preview has a size to choose", "--pixels", "leave it out, or write a .png file");
+  }
+}
+
+void exportAs(ExportForm form, const ExportChoice& choice, const Progress& progress) {
+  if (form == ExportForm::kPreview) {
+    SvolReader reader(choice.volume);
+    const PreviewOptions defaults;
+    exportPreview(choice.output, reader, {.pixels = choice.pixels.value_or(defaults.pixels)}, progress);
+    return;
+  }
+  const Volume volume = readSvol(choice.volume, choice.frame.value_or(0));
+  if (form == ExportForm::kVti) {
+    const VtiOptions defaults;
+    exportVti(choice.output, volume, {.cellsAcross = choice.cells.value_or(defaults.cellsAcross)}, progress);
+  } else if (form == ExportForm::kNrrd) {
+    exportNrrd(choice.output, volume, progress);
   } else {
-    exportPngStack(choice.output, volume, frame.progress());
+    exportPngStack(choice.output, volume, progress);
   }
 }
 
 void runExport(const ExportChoice& choice, const Frame& frame) {
-  const std::string extension = std::filesystem::path(choice.output).extension();
-  const bool isFolder = extension.empty() || std::filesystem::is_directory(choice.output);
-  if (extension == ".png" && !isFolder) {
-    SvolReader reader(choice.volume);
-    exportPreview(choice.output, reader, choice.preview, frame.progress());
-  } else if (extension == ".vti" || extension == ".nrrd" || isFolder) {
-    exportOneFrame(choice, extension, frame);
-  } else {
-    throw InputError("volumes have no form with this ending", choice.output,
-                     "a name that ends in .vti, .nrrd or .png, or a folder for PNG files");
-  }
+  const ExportForm form = formOf(choice.output);
+  refuseWhatDoesNotApply(choice, form);
+  runOrLeaveNothing(choice.output, frame.progress(),
+                    [&](const Progress& progress) { exportAs(form, choice, progress); });
   frame.note(fmt::format("wrote {}", choice.output));
 }
 
@@ -243,8 +280,8 @@ void addExport(CLI::App& parent, const Frame& frame) {
                   "A file (.png: an animated preview), or a folder that gets a PNG file for each slice")
       ->required()
       ->type_name("OUT.vti|OUT.nrrd|OUT.png|DIR");
-  command.add_option("--cells", choice->vti.cellsAcross, "Cells of a .vti across the display")->type_name("COUNT");
-  command.add_option("--pixels", choice->preview.pixels, "Sides of a preview")->type_name("COUNT");
+  command.add_option("--cells", choice->cells, "Cells of a .vti across the display")->type_name("COUNT");
+  command.add_option("--pixels", choice->pixels, "Sides of a preview")->type_name("COUNT");
   frame.finish(command,
                "  ocelli volume export teapot.svol -o slices\n"
                "  ocelli volume export teapot.svol -o teapot.png\n"

@@ -170,6 +170,7 @@ void exportPreview(const std::filesystem::path& path, SvolReader& reader, const 
   SvolPlayer player(reader);
   double reach = 0;
   for (const Shot& shot : shots) {
+    report(progress, "measuring", static_cast<double>(&shot - shots.data()) / static_cast<double>(shots.size()));
     if (&shot == shots.data() || shot.frame != 0) {
       player.seek(shot.frame);
       reach = std::max(reach, previewReach(player.volume()));

@@ -1,7 +1,6 @@
 #include "display_sim/svol_join.h"
 
 #include <cmath>
-#include <optional>
 
 #include "display_sim/svol_player.h"
 #include "display_sim/svol_writer.h"
@@ -43,7 +42,7 @@ class Joiner {
       }
       writer_.append(player.volume(), base + (frames[k].timeMicroseconds - first));
     }
-    const double rate = options_.framesPerSecond > 0 ? options_.framesPerSecond : profile_.refreshHertz();
+    const double rate = options_.framesPerSecond.value_or(profile_.refreshHertz());
     start_ += static_cast<double>(frames[k - 1].timeMicroseconds - first) + 1e6 / rate;
     return k == frames.size() && reader.ending() == SvolEnding::kFinished;
   }
@@ -81,6 +80,9 @@ class Joiner {
 JoinResult joinSvol(const std::vector<std::filesystem::path>& sources, const std::filesystem::path& output,
                     const JoinOptions& options, const Progress& progress) {
   OC_CHECK(!sources.empty(), "there is nothing to join");
+  if (const auto& rate = options.framesPerSecond; rate && !(*rate >= 0.001 && *rate <= 1e6)) {
+    throw InputError("between 0.001 and 1000000 files are shown in a second", "--fps", "--fps 12");
+  }
   JoinResult result;
   std::optional<Joiner> joiner;
   for (size_t s = 0; s < sources.size(); ++s) {

@@ -16,6 +16,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 /// A folder with the slices of a coarse teapot.
 class DisplayCommands : public testing::Test {
@@ -210,6 +211,52 @@ TEST_F(DisplayCommands, volumeInfoVerifyAndExport) {
   EXPECT_TRUE(fileBytes(folder_ / "a.nrrd").starts_with("NRRD0005"));
   EXPECT_TRUE(fileBytes(folder_ / "a.vti").starts_with("<?xml"));
   EXPECT_EQ(readPng(folder_ / "slices/slice_0023.png").width(), 64);
+}
+
+TEST_F(DisplayCommands, aFileCannotSteerTheTerminal) {
+  writeSvol(folder_ / "b.svol", readSvol(folder_ / "a.svol"),
+            R"({"scene": "x\n  lit voxels  7\u001b[2J\u0000", "\u009b1m": "\u007f"})");
+  const ProgramResult info = runProgram("volume info " + quoted("b.svol"));
+  ASSERT_EQ(info.exitCode, 0) << info.error;
+  EXPECT_THAT(info.output, AllOf(HasSubstr(R"(  scene       x\n  lit voxels  7\x1b[2J\x00)"), HasSubstr(R"(\u009b1m)"),
+                                 HasSubstr(R"(\x7f)"), HasSubstr("of which 1 needs no other")));
+  EXPECT_TRUE(
+      std::ranges::none_of(info.output, [](char c) { return c != '\n' && (c == 0x7f || (c >= 0 && c < ' ')); }));
+}
+
+TEST_F(DisplayCommands, anInterruptedExportOrJoinLeavesNothing) {
+  const std::string commands[] = {"export a.svol --pixels 2048 -o x.png",
+                                  "join $(yes a.svol | head -n 20000) -o x.svol"};
+  for (const std::string& command : commands) {
+    // Once a file is there. A shell's background work ignores Ctrl-C, so it is SIGTERM.
+    const ProgramResult result = runShell("cd " + quoted("") + " && { \"$OCELLI\" volume " + command +
+                                          " & while ! ls | grep -q partial && kill -0 $!; do sleep 0.01; done; "
+                                          "kill -TERM $!; wait $!; }");
+    EXPECT_EQ(result.exitCode, 1) << result.error;
+    EXPECT_THAT(result.error, HasSubstr("interrupted"));
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / ""), {}), 1) << command;
+  }
+}
+
+TEST_F(DisplayCommands, volumeRefusesWhatDoesNotApply) {
+  for (const char* arguments :
+       {"export a.svol --frame 0 -o x.png", "export a.svol --cells 16 -o x.nrrd", "export a.svol --cells 16 -o x.png",
+        "export a.svol --cells 16 -o x", "export a.svol --pixels 99 -o x.vti", "export a.svol --pixels 99 -o x",
+        "join a.svol --fps nan -o x.svol", "join a.svol --fps 0 -o x.svol"}) {
+    const ProgramResult result = runShell("cd " + quoted("") + " && \"$OCELLI\" volume " + arguments);
+    EXPECT_EQ(result.exitCode, 2) << arguments << result.error;
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / ""), {}), 1) << arguments;
+  }
+}
+
+TEST_F(DisplayCommands, aRecordingCutInItsFirstFrameIsNotToBeSalvaged) {
+  const std::string bytes = fileBytes(folder_ / "a.svol");
+  folder_.write("cut.svol", bytes.substr(0, bytes.size() - svol::indexBytes(1) - svol::kEndBytes - 1));
+  const ProgramResult verified = runProgram("volume verify " + quoted("cut.svol"));
+  EXPECT_EQ(verified.exitCode, 1);
+  EXPECT_THAT(verified.error, AllOf(HasSubstr("unfinished"), Not(HasSubstr("--salvage"))));
+  EXPECT_THAT(runProgram("volume info " + quoted("cut.svol")).output,
+              AllOf(HasSubstr("without a whole frame"), Not(HasSubstr("uncompressed"))));
 }
 
 TEST_F(DisplayCommands, volumesAreJoinedToRecordings) {

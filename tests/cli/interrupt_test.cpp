@@ -1,8 +1,11 @@
 #include "cli/interrupt.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <csignal>
+
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -16,6 +19,24 @@ TEST(InterruptGuard, notesTheFirstSignal) {
     EXPECT_TRUE(InterruptGuard::interrupted());
     EXPECT_THROW(InterruptGuard::check(), Interrupted);
   }
+}
+
+TEST(RunOrLeaveNothing, anInterruptEndsTheWorkAtItsNextReport) {
+  double reached = -1;
+  const Progress bar = [&](std::string_view, double fraction) { reached = fraction; };
+  try {
+    runOrLeaveNothing("x.svol", bar, [](const Progress& progress) {
+      progress("working", 0.25);
+      std::raise(SIGINT);
+      progress("working", 0.5);
+    });
+    FAIL();
+  } catch (const WorkError& error) {
+    EXPECT_THAT(error.what(), testing::StartsWith("x.svol: interrupted"));
+  }
+  EXPECT_EQ(reached, 0.25);
+  runOrLeaveNothing("x.svol", bar, [](const Progress& progress) { progress("working", 1); });
+  EXPECT_EQ(reached, 1);
 }
 
 TEST(InterruptGuardDeathTest, theSecondSignalEndsTheProgram) {

@@ -45,10 +45,39 @@ TEST(ExportPng, holdsEverySliceAsTheConventionSays) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "new folder"), {}), 11);
 }
 
-TEST(ExportPng, aFileInPlaceOfTheFolderIsAWorkError) {
+TEST(ExportPng, replacesTheSlicesOfAnEarlierRunAndNothingElse) {
   const TemporaryFolder folder;
-  std::ofstream(folder / "file") << "text";
-  EXPECT_THROW(exportPngStack(folder / "file", Volume(smallProfile(2, 8, 8))), WorkError);
+  const auto count = [&] { return std::distance(std::filesystem::directory_iterator(folder / "slices"), {}); };
+  for (const int slices : {9, 4}) {
+    exportPngStack(folder / "slices", Volume(smallProfile(slices, 8, 8)));
+    EXPECT_EQ(count(), slices);
+  }
+  folder.write("slices/notes.txt", "mine");
+  EXPECT_THROW(exportPngStack(folder / "slices", Volume(smallProfile(2, 8, 8))), InputError);
+  EXPECT_EQ(count(), 5) << "all of it is still there";
+  folder.write("file", "mine");
+  EXPECT_THROW(exportPngStack(folder / "file", Volume(smallProfile(2, 8, 8))), InputError);
+  EXPECT_THROW(exportPngStack(folder / "file/slices", Volume(smallProfile(2, 8, 8))), WorkError);
+}
+
+TEST(ExportPng, leavesNothingAndTheOldSlicesWhereItIsInterrupted) {
+  struct Interrupted {};
+  const TemporaryFolder folder;
+  const Progress interrupt = [&](std::string_view, double fraction) {
+    EXPECT_EQ(std::filesystem::exists(folder / "slices.partial/slice_0000.png"), fraction > 0);
+    if (fraction > 0) {
+      throw Interrupted{};
+    }
+  };
+  const Volume volume(smallProfile(100, 8, 8));
+  std::filesystem::create_directory(folder / "slices.partial");
+  folder.write("slices.partial/slice_0007.png.partial", "of a run that was killed");
+  EXPECT_THROW(exportPngStack(folder / "slices", volume, interrupt), Interrupted);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  exportPngStack(folder / "slices", Volume(smallProfile(3, 8, 8)));
+  EXPECT_THROW(exportPngStack(folder / "slices", volume, interrupt), Interrupted);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "slices"), {}), 3);
+  EXPECT_FALSE(std::filesystem::exists(folder / "slices.partial"));
 }
 
 TEST(ExportNrrd, holdsTheNativeArray) {

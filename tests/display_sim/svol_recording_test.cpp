@@ -232,6 +232,15 @@ TEST(SvolRecording, volumesAndRecordingsAreJoined) {
   EXPECT_EQ(reader.metadata(), "{}") << "that of the first";
 }
 
+TEST(SvolRecording, joiningTakesNoRateOutOfRange) {
+  const TemporaryFolder folder;
+  writeSvol(folder / "a.svol", Volume(recordedProfile(5, 17, 9, 1)));
+  for (const double rate : {0.0, -1.0, 1e7, std::nan(""), HUGE_VAL}) {
+    EXPECT_THROW(joinSvol({folder / "a.svol"}, folder / "b.svol", {.framesPerSecond = rate}), InputError) << rate;
+    EXPECT_FALSE(std::filesystem::exists(folder / "b.svol"));
+  }
+}
+
 TEST(SvolRecording, joiningStopsBeforeTimesRunOut) {
   const TemporaryFolder folder;
   const DisplayProfile profile = recordedProfile(5, 17, 9, 1);

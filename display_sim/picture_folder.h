@@ -1,0 +1,30 @@
+// A folder of numbered PNG files that appears only when all of them are there.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace ocelli {
+
+/// `STEM_0000.png` and so on are written to `FOLDER.partial`, which finish() renames; without that nothing is left. A
+/// folder that is there may be empty or hold such files, which are replaced. Throws WorkError, and InputError where the
+/// folder is a file or holds anything else.
+class PictureFolder {
+ public:
+  PictureFolder(std::filesystem::path folder, std::string stem);
+  ~PictureFolder();
+  PictureFolder(const PictureFolder&) = delete;
+  PictureFolder& operator=(const PictureFolder&) = delete;
+
+  /// Where the picture of this number is to be written.
+  std::filesystem::path path(int number) const;
+  void finish();
+
+ private:
+  std::filesystem::path folder_;
+  std::filesystem::path partial_;
+  std::string stem_;
+  bool isOpen_ = false;
+};
+
+}  // namespace ocelli
