@@ -128,16 +128,13 @@ void observeFrames(const Observation& o, const DisplayProfile& profile, Json& fi
   const auto sink = isVideo(o.choice.output)
                         ? videoFile(o.choice.output, {width, o.options.height, o.choice.framesPerSecond})
                         : frameFolder(o.choice.output);
-  const InterruptGuard guard;
-  const Progress bar = o.frame.progress();
-  const Progress progress = [&](std::string_view stage, double fraction) {
-    InterruptGuard::check();
-    report(bar, stage, fraction);
-  };
   const auto start = std::chrono::steady_clock::now();
-  const double gain = seriesGain(o.collect, o.options, series);
-  observeSeries(o.collect, o.options, series, gain, *sink, progress);
-  sink->finish();
+  double gain = 0;
+  runOrLeaveNothing(o.choice.output, o.frame.progress(), [&](const Progress& progress) {
+    gain = seriesGain(o.collect, o.options, series);
+    observeSeries(o.collect, o.options, series, gain, *sink, progress);
+    sink->finish();
+  });
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   figures["gain"] = gain;
   figures["frames"] = series.eyes.size();
@@ -159,11 +156,7 @@ void run(const ObserveChoice& choice, const Frame& frame) {
                   {"eye", {options.eye.x, options.eye.y, options.eye.z}},
                   {"lit_voxels", volume.litVoxels()}};
   if (choice.isSeries()) {
-    try {
-      observeFrames(observation, volume.profile(), figures);
-    } catch (const Interrupted&) {
-      throw WorkError("interrupted: nothing is written", choice.output, "the same command again");
-    }
+    observeFrames(observation, volume.profile(), figures);
   } else {
     observePictures(observation, figures);
   }
