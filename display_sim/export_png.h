@@ -8,9 +8,9 @@
 
 namespace ocelli {
 
-/// Writes slice_0000.png, slice_0001.png, ... into `folder`, which appears when all are there and replaces one that
-/// holds nothing else: column x and row y of the slice at pixel (x, y), channels 0 or 255. Throws WorkError, and
-/// InputError where the folder holds anything else.
+/// Writes slice_0000.png, slice_0001.png, ... into `folder`, where they appear when all are there, in place of those
+/// of an earlier run: column x and row y of the slice at pixel (x, y), levels scaled to 0 to 255. Throws WorkError, and
+/// InputError where the folder is a file.
 void exportPngStack(const std::filesystem::path& folder, const Volume& volume, const Progress& progress = {});
 
 }  // namespace ocelli

@@ -16,8 +16,8 @@ class FrameSink {
   virtual void finish() = 0;
 };
 
-/// `frame_0000.png` and so on, in `FOLDER.partial` until finish(). A folder that is there may be empty or hold frames,
-/// which are replaced; throws InputError where it holds anything else.
+/// `frame_0000.png` and so on, in `FOLDER.partial` until finish(). Frames of an earlier run are replaced, other files
+/// stay. Throws InputError where the folder is a file.
 std::unique_ptr<FrameSink> frameFolder(const std::filesystem::path& folder);
 
 struct VideoFormat {

@@ -27,7 +27,7 @@ bool isPicture(const fs::path& path, const std::string& stem) {
                      [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-/// The pictures in a folder. Throws where that is a file, or holds anything else.
+/// The pictures in a folder. Throws where that is a file.
 std::vector<fs::path> picturesOf(const fs::path& folder, const std::string& stem) {
   std::error_code error;
   std::vector<fs::path> pictures;
@@ -35,15 +35,9 @@ std::vector<fs::path> picturesOf(const fs::path& folder, const std::string& stem
     return pictures;
   }
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    if (!isPicture(at->path(), stem)) {
-      std::string what = "this folder holds \"";
-      what += at->path().filename().string();
-      what += "\", which is no ";
-      what += stem;
-      what += "_0000.png of an earlier run";
-      throw InputError(what, folder.string(), "give the path of a new folder");
+    if (isPicture(at->path(), stem)) {
+      pictures.push_back(at->path());
     }
-    pictures.push_back(at->path());
   }
   if (error) {
     throw InputError("this is no folder that can be read (" + error.message() + ")", folder.string(),
@@ -65,6 +59,7 @@ void remove(const fs::path& folder, const std::string& stem) {
 
 PictureFolder::PictureFolder(std::filesystem::path folder, std::string stem)
     : folder_(std::move(folder)), stem_(std::move(stem)) {
+  folder_ = fs::absolute(folder_).lexically_normal();
   if (!folder_.has_filename()) {
     folder_ = folder_.parent_path();  // "frames/"
   }
@@ -97,7 +92,16 @@ std::filesystem::path PictureFolder::path(int number) const {
 void PictureFolder::finish() {
   remove(folder_, stem_);
   std::error_code error;
-  fs::rename(partial_, folder_, error);
+  if (fs::exists(folder_, error)) {  // with other files
+    for (const fs::path& picture : picturesOf(partial_, stem_)) {
+      if (!error) {
+        fs::rename(picture, folder_ / picture.filename(), error);
+      }
+    }
+    fs::remove_all(partial_);
+  } else {
+    fs::rename(partial_, folder_, error);
+  }
   if (error) {
     throw WorkError("cannot make this folder (" + error.message() + ")", folder_.string(),
                     "check that nothing else is called so");

@@ -6,9 +6,9 @@
 
 namespace ocelli {
 
-/// `STEM_0000.png` and so on are written to `FOLDER.partial`, which finish() renames; without that nothing is left. A
-/// folder that is there may be empty or hold such files, which are replaced. Throws WorkError, and InputError where the
-/// folder is a file or holds anything else.
+/// `STEM_0000.png` and so on are written to `FOLDER.partial`, which finish() renames; without that nothing is left. In
+/// a folder that is there, such files of an earlier run are replaced; other files stay, and the pictures are moved to
+/// them. Throws WorkError, and InputError where the folder is a file.
 class PictureFolder {
  public:
   PictureFolder(std::filesystem::path folder, std::string stem);
