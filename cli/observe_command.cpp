@@ -4,12 +4,14 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "cli/command.h"
 #include "cli/gl_display.h"
 #include "cli/gl_drawing.h"
 #include "cli/interrupt.h"
 #include "cli/observer_choice.h"
+#include "cli/values.h"
 #include "display_sim/light_file.h"
 #include "display_sim/observe_series.h"
 #include "display_sim/svol_file.h"
@@ -23,19 +25,20 @@ using Json = nlohmann::ordered_json;
 
 struct ObserveChoice {
   std::string volume;
-  size_t frame = 0;
+  int64_t frame = 0;
   ObserverChoice observer;
   double stereoMetres = 0;
   bool sideBySide = false;
   int turntable = 0;
   std::string path;
-  double framesPerSecond = 24;
+  std::optional<double> rate;
   bool json = false;
   std::string method = "processor";
   std::string gl = "auto";
   std::string output;
 
   bool isSeries() const { return turntable > 0 || !path.empty(); }
+  double framesPerSecond() const { return rate.value_or(24); }
   bool isExr() const { return output.ends_with(".exr"); }
 };
 
@@ -44,6 +47,7 @@ struct Observation {
   const ObserveChoice& choice;
   const ObserverOptions& options;
   double separationRadii;
+  const std::vector<EyePose>& way;  ///< of --path
   const CollectLight& collect;
   const Frame& frame;
 };
@@ -69,7 +73,10 @@ void checkOutput(const ObserveChoice& choice) {
   if (choice.sideBySide && choice.stereoMetres == 0) {
     throw InputError("there is one picture only", "--side-by-side", "add --stereo 0.063");
   }
-  if (!(choice.framesPerSecond >= 0.01 && choice.framesPerSecond <= 1000)) {
+  if (choice.rate && !choice.isSeries()) {
+    throw InputError("there is one picture only", "--rate", "leave it out, or add --turntable or --path");
+  }
+  if (!(choice.framesPerSecond() >= 0.01 && choice.framesPerSecond() <= 1000)) {
     throw InputError("there must be between 0.01 and 1000 frames in a second", "--rate", "--rate 24");
   }
 }
@@ -102,7 +109,14 @@ void observePictures(const Observation& o, Json& figures) {
   const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
   Tone tone = o.options.tone;
   if (tone.gain == 0) {
-    tone.gain = two ? std::min(automaticGain(seen.left), automaticGain(seen.right)) : automaticGain(whole);
+    CommonGain common;
+    if (two) {
+      common.add(seen.left);
+      common.add(seen.right);
+    } else {
+      common.add(whole);
+    }
+    tone.gain = common.gain();
   }
   figures["gain"] = tone.gain;
   if (two) {
@@ -119,15 +133,14 @@ void observePictures(const Observation& o, Json& figures) {
 }
 
 void observeFrames(const Observation& o, const DisplayProfile& profile, Json& figures) {
+  const double rate = o.choice.framesPerSecond();
   ObserverSeries series;
-  series.eyes = o.choice.turntable > 0 ? turntableEyes(o.options.eye, o.choice.turntable)
-                                       : eyesAlong(readEyePath(o.choice.path), o.choice.framesPerSecond);
+  series.eyes = o.choice.turntable > 0 ? turntableEyes(o.options.eye, o.choice.turntable) : eyesAlong(o.way, rate);
   series.separationRadii = o.separationRadii;
   checkSeries(series, o.options, profile);
   const int width = o.options.width * (o.separationRadii > 0 ? 2 : 1);
-  const auto sink = isVideo(o.choice.output)
-                        ? videoFile(o.choice.output, {width, o.options.height, o.choice.framesPerSecond})
-                        : frameFolder(o.choice.output);
+  const auto sink = isVideo(o.choice.output) ? videoFile(o.choice.output, {width, o.options.height, rate})
+                                             : frameFolder(o.choice.output);
   const auto start = std::chrono::steady_clock::now();
   double gain = 0;
   runOrLeaveNothing(o.choice.output, o.frame.progress(), [&](const Progress& progress) {
@@ -146,12 +159,20 @@ void run(const ObserveChoice& choice, const Frame& frame) {
   requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
   checkOutput(choice);
   const auto gl = choice.method == "gl" ? std::make_unique<GlDisplay>(choice.gl) : nullptr;
-  const Volume volume = readSvol(choice.volume, choice.frame);
-  const ObserverOptions options = observerOptions(choice.observer, volume.profile());
+  const Volume volume = readSvol(choice.volume, frameNumber(choice.frame, "--frame"));
+  ObserverOptions options = observerOptions(choice.observer, volume.profile());
+  const std::vector<EyePose> way = choice.path.empty() ? std::vector<EyePose>() : readEyePath(choice.path);
+  if (!way.empty()) {
+    checkWay(way, choice.framesPerSecond(), volume.profile(), choice.path);
+    options.eye = way.front().eye;
+  } else if (choice.observer.eye.empty()) {
+    checkDefaultEye(volume.profile());
+  }
   checkObserverOptions(options, volume.profile());
   const CollectLight collect =
       gl != nullptr ? gl->observerOf(volume) : [&](const ObserverOptions& o) { return collectLight(volume, o); };
-  const Observation observation{choice, options, choice.stereoMetres / volume.profile().radiusMetres, collect, frame};
+  const Observation observation{choice, options, choice.stereoMetres / volume.profile().radiusMetres,
+                                way,    collect, frame};
   Json figures = {{"profile", volume.profile().name},
                   {"eye", {options.eye.x, options.eye.y, options.eye.z}},
                   {"lit_voxels", volume.litVoxels()}};
@@ -182,7 +203,7 @@ void addSeriesOptions(CLI::App& command, ObserveChoice& choice) {
                   "The eye's way: a table with the header time,x,y,z, or JSON; frames into a folder or a video")
       ->excludes(turntable)
       ->type_name("FILE.csv|FILE.json");
-  command.add_option("--rate", choice.framesPerSecond, "Frames in a second of a way or a video")->type_name("NUMBER");
+  command.add_option("--rate", choice.rate, "Frames in a second of a way or a video")->type_name("NUMBER");
 }
 
 }  // namespace

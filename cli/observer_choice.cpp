@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/values.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -66,6 +67,10 @@ void addTone(CLI::App& command, ObserverChoice& choice) {
   command.add_option("--gamma", choice.gamma, "Exponent 1/GAMMA on the light")->type_name("GAMMA");
 }
 
+glm::vec3 defaultEye(const DisplayProfile& profile) {
+  return {0, 0, static_cast<float>(profile.viewingDistanceRadii())};
+}
+
 ToneCurve toneCurve(const std::string& name) {
   return name == "reinhard" ? ToneCurve::kReinhard : name == "filmic" ? ToneCurve::kFilmic : ToneCurve::kClip;
 }
@@ -79,15 +84,24 @@ void addObserverOptions(CLI::App& command, ObserverChoice& choice) {
   addTone(command, choice);
 }
 
+void checkDefaultEye(const DisplayProfile& profile) {
+  if (isInDisplay(defaultEye(profile), profile)) {
+    throw InputError("the eye is inside of the display", "viewing_distance_metres of profile " + profile.name,
+                     "give --eye, or a viewing distance above radius_metres in the profile");
+  }
+}
+
 ObserverOptions observerOptions(const ObserverChoice& choice, const DisplayProfile& profile) {
   const double metre = 1 / profile.radiusMetres;
   ObserverOptions options;
-  const auto distance = static_cast<float>(profile.viewingDistanceRadii());
-  options.eye = choice.eye.empty() ? glm::vec3(0, 0, distance) : pointFromText(choice.eye, "--eye");
+  options.eye = choice.eye.empty() ? defaultEye(profile) : pointFromText(choice.eye, "--eye");
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   options.width = size.width;
   options.height = size.height;
   options.fovVerticalDegrees = choice.fovVerticalDegrees;
+  if (choice.focusMetres != 0 && choice.apertureMetres == 0) {
+    throw InputError("without a lens everything is sharp", "--focus", "leave it out, or add --aperture 0.004");
+  }
   options.lens = {choice.apertureMetres * metre, choice.focusMetres * metre};
   if (!choice.exposure.empty()) {
     options.exposureSeconds = ratioFromText(choice.exposure, "--exposure");

@@ -36,6 +36,9 @@ struct ObserverChoice {
 
 void addObserverOptions(CLI::App& command, ObserverChoice& choice);
 
+/// Throws InputError where the default eye, at the viewing distance of this display, is inside of it.
+void checkDefaultEye(const DisplayProfile& profile);
+
 /// Throws InputError for values that cannot be read; checkObserverOptions() judges them.
 ObserverOptions observerOptions(const ObserverChoice& choice, const DisplayProfile& profile);
 

@@ -74,6 +74,13 @@ float cellSideFromText(const std::string& text, const std::string& option) {
   return static_cast<float>(side);
 }
 
+size_t frameNumber(int64_t number, const std::string& option) {
+  if (number < 0) {
+    throw InputError(std::to_string(number) + " is no frame number", option, "frames are counted from 0");
+  }
+  return static_cast<size_t>(number);
+}
+
 double ratioFromText(const std::string& text, const std::string& option) {
   const std::vector<double> numbers = numbersFromText<double>(text, '/');
   if (numbers.empty() || numbers.size() > 2 || (numbers.size() == 2 && numbers[1] == 0)) {

@@ -1,6 +1,8 @@
 // Reading the small values that several commands take: "720x480", "0,0.2,9.8", "1/25".
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <string>
 
@@ -11,13 +13,15 @@ struct ImageSize {
   int height = 0;
 };
 
-/// Each of these throws InputError, naming `option`, for anything but the whole text being such a value.
+/// Each of these throws InputError, naming `option`, for anything but (the whole text being) such a value.
 /// "WIDTHxHEIGHT", each in [1, 32768], of at most 2^26 pixels.
 ImageSize imageSizeFromText(const std::string& text, const std::string& option);
 /// "X,Y,Z", finite.
 glm::vec3 pointFromText(const std::string& text, const std::string& option);
 /// "8in" or "0.2m": a length at the reference display, in its radii; positive.
 float cellSideFromText(const std::string& text, const std::string& option);
+/// Of a frame, counted from 0.
+size_t frameNumber(int64_t number, const std::string& option);
 /// "1/25" or "0.04"; finite.
 double ratioFromText(const std::string& text, const std::string& option);
 

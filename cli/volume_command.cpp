@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/output_option.h"
+#include "cli/values.h"
 #include "display_sim/export_nrrd.h"
 #include "display_sim/export_png.h"
 #include "display_sim/export_preview.h"
@@ -205,7 +206,7 @@ void addJoin(CLI::App& parent, const Frame& frame) {
 
 struct ExportChoice {
   std::string volume;
-  std::optional<size_t> frame;
+  std::optional<int64_t> frame;
   std::string output;
   std::optional<int> cells;
   std::optional<int> pixels;
@@ -250,7 +251,7 @@ void exportAs(ExportForm form, const ExportChoice& choice, const Progress& progr
     exportPreview(choice.output, reader, {.pixels = choice.pixels.value_or(defaults.pixels)}, progress);
     return;
   }
-  const Volume volume = readSvol(choice.volume, choice.frame.value_or(0));
+  const Volume volume = readSvol(choice.volume, frameNumber(choice.frame.value_or(0), "--frame"));
   if (form == ExportForm::kVti) {
     const VtiOptions defaults;
     exportVti(choice.output, volume, {.cellsAcross = choice.cells.value_or(defaults.cellsAcross)}, progress);

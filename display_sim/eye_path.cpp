@@ -170,4 +170,14 @@ std::vector<glm::vec3> eyesAlong(const std::vector<EyePose>& poses, double frame
   return eyes;
 }
 
+std::string placeOnWay(const std::vector<EyePose>& poses, double framesPerSecond, size_t frame) {
+  const double time = poses.front().seconds + static_cast<double>(frame) / framesPerSecond;
+  const auto after = std::ranges::lower_bound(poses, time, {}, &EyePose::seconds);
+  const auto number = static_cast<size_t>(after - poses.begin()) + 1;
+  if (after == poses.end() || after->seconds == time) {
+    return "at pose " + std::to_string(std::min(number, poses.size()));
+  }
+  return "between poses " + std::to_string(number - 1) + " and " + std::to_string(number);
+}
+
 }  // namespace ocelli

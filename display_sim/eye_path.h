@@ -1,6 +1,7 @@
 // Where eyes are: both of a head, around the display, and along a recorded way.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <string>
@@ -37,5 +38,8 @@ std::vector<EyePose> eyePathFromJson(const std::string& text, const std::string&
 /// The eye at equal intervals from the first pose to the last, on straight lines between poses. Throws InputError for
 /// more than kMostFrames.
 std::vector<glm::vec3> eyesAlong(const std::vector<EyePose>& poses, double framesPerSecond);
+
+/// Where one of these frames is: "at pose 3" or "between poses 2 and 3", counted from 1.
+std::string placeOnWay(const std::vector<EyePose>& poses, double framesPerSecond, size_t frame);
 
 }  // namespace ocelli

@@ -2,19 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "oc_core/base/conventions.h"
 
 namespace ocelli {
 namespace {
 
-/// The pixels that [lo, hi] overlaps, of `count`.
+/// More images than this cost more to add up than their threads save.
+constexpr size_t kMostImages = 16;
+constexpr size_t kMostImageBytes = size_t{1} << 30;
+
+/// A pixel's share of one box that is larger than this is cut off: numbers of 64 bits hold it.
+constexpr double kMostShare = 0x1p62;
+
+/// The pixels that [lo, hi] overlaps, of `count`; none where one of them is NaN.
 struct PixelSpan {
-  PixelSpan(double lo, double hi, int count)
-      : first(static_cast<int>(std::clamp(lo, 0.0, static_cast<double>(count)))),
-        end(hi <= 0 ? 0 : std::min(static_cast<int>(std::min(hi, static_cast<double>(count))) + 1, count)) {}
-  int first;
-  int end;
+  PixelSpan(double lo, double hi, int count) {
+    if (lo < hi && hi > 0 && lo < count) {
+      first = static_cast<int>(std::max(lo, 0.0));
+      end = static_cast<int>(std::min(hi, count - 1.0)) + 1;
+    }
+  }
+  int first = 0;
+  int end = 0;
 };
 
 double overlap(double lo, double hi, int pixel) {
@@ -29,16 +40,20 @@ double shareAbove(double y) {
 
 }  // namespace
 
+size_t lightImageCount(int width, int height, int threads) {
+  const size_t bytes = static_cast<size_t>(width) * static_cast<size_t>(height) * sizeof(FixedLight);
+  const size_t most = std::clamp<size_t>(kMostImageBytes / bytes, 1, kMostImages);
+  return std::clamp<size_t>(static_cast<size_t>(std::max(threads, 1)), 1, most);
+}
+
 void LightImage::addSpan(int row, double left, double right, double light, const glm::dvec3& color) {
   const PixelSpan columns(left, right, width_);
   const double density = light * kLightUnit / (right - left);
   FixedLight* pixels = pixels_.data() + static_cast<size_t>(row) * static_cast<size_t>(width_);
   for (int column = columns.first; column < columns.end; ++column) {
-    const glm::dvec3 share = color * (density * overlap(left, right, column)) + 0.5;
-    FixedLight& pixel = pixels[column];
-    pixel[0] += static_cast<uint64_t>(share.x);
-    pixel[1] += static_cast<uint64_t>(share.y);
-    pixel[2] += static_cast<uint64_t>(share.z);
+    const glm::dvec3 share = glm::min(color * (density * overlap(left, right, column)) + 0.5, kMostShare);
+    addLight(pixels[column],
+             {static_cast<uint64_t>(share.x), static_cast<uint64_t>(share.y), static_cast<uint64_t>(share.z)});
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "oc_core/base/check.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -37,6 +38,17 @@ Image<glm::vec3> sideBySide(const LightPair& pair) {
   return both;
 }
 
+void checkWay(const std::vector<EyePose>& poses, double framesPerSecond, const DisplayProfile& profile,
+              const std::string& where) {
+  const std::vector<glm::vec3> eyes = eyesAlong(poses, framesPerSecond);
+  for (size_t frame = 0; frame < eyes.size(); ++frame) {
+    if (isInDisplay(eyes[frame], profile)) {
+      throw InputError("the eye is inside of the display", where + ", " + placeOnWay(poses, framesPerSecond, frame),
+                       "keep it more than one display radius away from the centre");
+    }
+  }
+}
+
 void checkSeries(const ObserverSeries& series, const ObserverOptions& options, const DisplayProfile& profile) {
   for (const glm::vec3& eye : series.eyes) {
     checkObserverOptions(seenFrom(options, eye), profile);
@@ -49,12 +61,11 @@ double seriesGain(const CollectLight& collect, const ObserverOptions& options, c
   }
   OC_CHECK(!series.eyes.empty(), "a series has frames");
   const size_t tried = std::min<size_t>(series.eyes.size(), 9);
-  double least = 0;
+  CommonGain common;
   for (size_t i = 0; i < tried; ++i) {
-    const double gain = automaticGain(collectFrame(collect, options, series, i * series.eyes.size() / tried));
-    least = i == 0 ? gain : std::min(least, gain);
+    common.add(collectFrame(collect, options, series, i * series.eyes.size() / tried));
   }
-  return least;
+  return common.gain();
 }
 
 void observeSeries(const CollectLight& collect, const ObserverOptions& options, const ObserverSeries& series,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "display_sim/eye_path.h"
@@ -30,10 +31,14 @@ struct ObserverSeries {
   double separationRadii = 0;   ///< of two eyes, side by side in each frame; 0: one eye
 };
 
+/// Throws InputError, naming file and pose, where this way from the file `where` leads into the display.
+void checkWay(const std::vector<EyePose>& poses, double framesPerSecond, const DisplayProfile& profile,
+              const std::string& where);
+
 /// Throws as checkObserverOptions() does, for every eye of the series.
 void checkSeries(const ObserverSeries& series, const ObserverOptions& options, const DisplayProfile& profile);
 
-/// The gain for all frames: options.tone's, or the least automaticGain() of up to nine frames, spread over the series.
+/// The gain for all frames: options.tone's, or the CommonGain of up to nine frames, spread over the series.
 double seriesGain(const CollectLight& collect, const ObserverOptions& options, const ObserverSeries& series);
 
 /// Draws frame after frame, all with this gain. Does not finish `sink`.

@@ -24,6 +24,13 @@ constexpr int kMostPixels = 1 << 26;
 
 constexpr double kLeastBoxPixels = 1e-3;
 
+/// The default field of view is larger from any distance that a profile's viewer may have.
+constexpr double kLeastFovDegrees = 1e-6;
+
+double exposureSeconds(const ObserverOptions& options, const DisplayProfile& profile) {
+  return options.exposureSeconds > 0 ? options.exposureSeconds : 1 / profile.refreshHertz();
+}
+
 /// A short arc around the axis, in eye coordinates: unit vectors outwards and along the sweep at its middle, and where
 /// the axis has moved to.
 struct Arc {
@@ -72,7 +79,14 @@ class Collector {
         eye_(options),
         focus_(options.lens.focusRadii > 0 ? options.lens.focusRadii : eye_.distance),
         up_(eye_.direction({0, 1, 0})),
-        axis_(eye_.point({0, 0, 0})) {}
+        axis_(eye_.point({0, 0, 0})) {
+    const double refreshes = std::round(exposureSeconds(options, volume.profile()) * volume.profile().refreshHertz());
+    scale_ = static_cast<double>(std::bit_ceil(static_cast<uint64_t>(std::max(refreshes, 1.0))));
+  }
+
+  /// By how much the light that it adds is scaled down, so that that of a voxel does not grow with the exposure: a
+  /// power of two.
+  double scale() const { return scale_; }
 
   void add(const ExposedArc& arc, LightImage& image) const {
     const ArcParts parts(arc, eye_, options_.wobble);
@@ -90,7 +104,7 @@ class Collector {
       const std::vector<Arc>& arcs = parts.forLength(std::abs(r) * radians * pixelsPerRadius);
       const int columnParts = columnPartsFor(sweep_.columnWidth() * pixelsPerRadius);
       const double width = sweep_.columnWidth() / columnParts;
-      const double share = 1 / (static_cast<double>(arcs.size()) * columnParts);
+      const double share = 1 / (static_cast<double>(arcs.size()) * columnParts * scale_);
       const ArcLight partLight{light.ahead * share, light.behind * share};
       for (const Arc& part : arcs) {
         for (int k = 0; k < columnParts; ++k) {
@@ -144,16 +158,18 @@ class Collector {
   double focus_;
   glm::dvec3 up_;
   glm::dvec3 axis_;
+  double scale_ = 1;
 };
 
 /// More passes than this would take too long to sort by the phase of the wobble.
 constexpr double kMostWobblingRefreshes = 100000;
 
-double exposureSeconds(const ObserverOptions& options, const DisplayProfile& profile) {
-  return options.exposureSeconds > 0 ? options.exposureSeconds : 1 / profile.refreshHertz();
-}
-
 }  // namespace
+
+bool isInDisplay(const glm::vec3& eye, const DisplayProfile& profile) {
+  const bool within = std::hypot(eye.x, eye.z) <= 1 && std::abs(eye.y) <= profile.halfHeightRadii;
+  return within || glm::length(eye) <= 1.001f;
+}
 
 void checkObserverOptions(const ObserverOptions& options, const DisplayProfile& profile) {
   const auto fail = [](const std::string& what, const std::string& next) { throw InputError(what, "observer", next); };
@@ -161,15 +177,16 @@ void checkObserverOptions(const ObserverOptions& options, const DisplayProfile& 
   if (!std::isfinite(eye.x) || !std::isfinite(eye.y) || !std::isfinite(eye.z)) {
     fail("the eye has a coordinate that is not a finite number", "give three finite numbers");
   }
-  const bool inDisplay = std::hypot(eye.x, eye.z) <= 1 && std::abs(eye.y) <= profile.halfHeightRadii;
-  if (inDisplay || glm::length(eye) <= 1.001f) {
+  if (isInDisplay(eye, profile)) {
     fail("the eye is inside of the display", "move it more than one display radius away from the centre");
   }
   if (options.width < 1 || options.height < 1 || options.width > kMostPixels / options.height) {
     fail("the image must have at least one and at most 2^26 pixels", "change its size");
   }
-  if (!(options.fovVerticalDegrees >= 0 && options.fovVerticalDegrees < 179)) {
-    fail("the vertical field of view must lie between 0 and 179 degrees", "change it");
+  const double fov = options.fovVerticalDegrees;
+  if (fov != 0 && !(fov >= kLeastFovDegrees && fov < 179)) {
+    fail("the vertical field of view must lie between 0.000001 and 179 degrees",
+         "change it, or give 0 to just hold the display");
   }
   if (!(options.exposureSeconds >= 0 && options.exposureSeconds <= 3600)) {
     fail("the exposure must lie between 0 and 3600 seconds", "change it");
@@ -218,7 +235,7 @@ Image<glm::vec3> collectLight(const Volume& volume, const ObserverOptions& optio
       exposedArcs(volume.profile(), exposedSweep(options, volume.profile()), options.wobble);
   const Collector collector(volume, options);
   // Each part has an image of its own; whole numbers make their sum independent of who drew what.
-  const size_t parts = static_cast<size_t>(std::clamp(threadCount(), 1, 16));
+  const size_t parts = lightImageCount(options.width, options.height, threadCount());
   std::vector<LightImage> images(parts, LightImage(options.width, options.height));
   parallelChunks(parts, parts, [&](size_t part, size_t, size_t) {
     for (size_t i = part; i < arcs.size(); i += parts) {
@@ -230,11 +247,9 @@ Image<glm::vec3> collectLight(const Volume& volume, const ObserverOptions& optio
     for (size_t i = begin; i < end; ++i) {
       FixedLight sum{};
       for (const LightImage& image : images) {
-        for (size_t channel = 0; channel < sum.size(); ++channel) {
-          sum[channel] += image.pixels()[i][channel];
-        }
+        addLight(sum, image.pixels()[i]);
       }
-      light[i] = glm::vec3(glm::dvec3(sum[0], sum[1], sum[2]) / kLightUnit);
+      light[i] = glm::vec3(glm::dvec3(sum[0], sum[1], sum[2]) * (collector.scale() / kLightUnit));
     }
   });
   if (options.ambient > 0) {

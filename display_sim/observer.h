@@ -25,7 +25,7 @@ struct ObserverOptions {
   glm::vec3 eye{0, 0, kDefaultEyeDistance};  ///< in display radii, outside of the display; it looks at the centre, y up
   int width = 768;
   int height = 768;
-  double fovVerticalDegrees = 0;  ///< 0: just holds the unit sphere
+  double fovVerticalDegrees = 0;  ///< 0: just holds the unit sphere; or 1e-6 at least
   double exposureSeconds = 0;     ///< 0: one refresh of the display
   /// The screen angle at which the exposure ends: where the sector starts that an exposure below a refresh misses.
   double missingSectorStartDegrees = 0;
@@ -43,6 +43,9 @@ struct ObserverOptions {
 /// collectLight(), then applyTone(). Linear light; the same bytes with any number of threads. Throws as
 /// checkObserverOptions() does.
 Image<glm::vec3> observe(const Volume& volume, const ObserverOptions& options = {});
+
+/// Or so near to it that nothing can be seen.
+bool isInDisplay(const glm::vec3& eye, const DisplayProfile& profile);
 
 /// Throws InputError for an eye in the display and other options that make no sense.
 void checkObserverOptions(const ObserverOptions& options, const DisplayProfile& profile);

@@ -25,9 +25,8 @@ glm::vec3 curved(const glm::vec3& x, ToneCurve curve) {
   return x;
 }
 
-}  // namespace
-
-double automaticGain(const Image<glm::vec3>& light) {
+/// None for an image without light.
+std::optional<double> gainOf(const Image<glm::vec3>& light) {
   std::vector<float> lit;
   for (const glm::vec3& pixel : light) {
     if (brightest(pixel) > 0) {
@@ -35,11 +34,23 @@ double automaticGain(const Image<glm::vec3>& light) {
     }
   }
   if (lit.empty()) {
-    return 1;
+    return std::nullopt;
   }
   const auto percentile = lit.begin() + static_cast<std::ptrdiff_t>((lit.size() - 1) * 99 / 100);
   std::ranges::nth_element(lit, percentile);
   return 0.95 / static_cast<double>(*percentile);
+}
+
+}  // namespace
+
+double automaticGain(const Image<glm::vec3>& light) {
+  return gainOf(light).value_or(1);
+}
+
+void CommonGain::add(const Image<glm::vec3>& light) {
+  if (const std::optional<double> gain = gainOf(light)) {
+    least_ = std::min(*gain, least_.value_or(*gain));
+  }
 }
 
 void applyTone(Image<glm::vec3>& image, const Tone& tone) {

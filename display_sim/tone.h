@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "oc_core/base/image.h"
 
@@ -22,6 +23,16 @@ struct Tone {
 /// The gain that takes the 99th percentile of the brightest channel of the lit pixels to 0.95, just below white; 1 for
 /// an image without light.
 double automaticGain(const Image<glm::vec3>& light);
+
+/// The least automaticGain() of the images with light; 1 where none has any.
+class CommonGain {
+ public:
+  void add(const Image<glm::vec3>& light);
+  double gain() const { return least_.value_or(1); }
+
+ private:
+  std::optional<double> least_;
+};
 
 /// curve(light x gain)^(1 / gamma), where values above 1 stand for overexposure. `gamma` is that of the eye's or
 /// camera's response; PNG files have their own encoding beside it.

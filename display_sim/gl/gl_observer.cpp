@@ -7,6 +7,7 @@
 #include "display_sim/eye_perspective.h"
 #include "display_sim/gl/shaders.h"
 #include "display_sim/sweep_geometry.h"
+#include "oc_core/base/error.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"
 
@@ -49,7 +50,8 @@ struct GlArc {
 
 void refuseWhatTheGpuLacks(const ObserverOptions& view) {
   if (view.lens.apertureRadii > 0 || view.ambient > 0) {
-    throw GlError("a lens and the light of the room are not for the GPU", "observer", "observe without OpenGL");
+    throw InputError("a lens and the light of the room are not for the GPU", "observer",
+                     "leave out --method gl: observe without OpenGL");
   }
 }
 

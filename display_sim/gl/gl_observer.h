@@ -35,8 +35,8 @@ class GlObserver {
   void look(const GlVolume& volume);
   size_t litVoxels() const { return litVoxels_; }
 
-  /// Draws the light that reaches each pixel. Throws as checkObserverOptions() and windowArcs() do, and GlError for an
-  /// image that the GPU has no room for, a lens, and light of the room.
+  /// Draws the light that reaches each pixel. Throws as checkObserverOptions() and windowArcs() do, InputError for
+  /// a lens and light of the room too, and GlError for an image that the GPU has no room for.
   void draw(const GlObserverOptions& options);
 
   /// RGBA32F, row 0 at the top, alpha 1: what draw() drew.

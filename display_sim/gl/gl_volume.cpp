@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/gl/gl_api.h"
 
@@ -36,9 +37,9 @@ uint8_t gathered(uint32_t word) {
 GlObject makeWords(GlContext& context, const DisplayProfile& profile, size_t words, const uint32_t* data) {
   const GlScope scope(context);
   if (profile.colorBitsPerChannel != 1) {
-    throw GlError(
-        "a display of " + std::to_string(profile.colorBitsPerChannel) + " bits a channel, and the GPU takes one",
-        "profile " + profile.name, "slice and observe without OpenGL");
+    throw InputError(
+        "the GPU takes displays of one bit a channel, and not of " + std::to_string(profile.colorBitsPerChannel),
+        "color_bits_per_channel of profile " + profile.name, "leave out --method gl: slice and observe without OpenGL");
   }
   const size_t bytes = words * sizeof(uint32_t);
   const size_t most = std::min(static_cast<size_t>(context.info().maxStorageBytes), kMostBytes);

@@ -13,7 +13,8 @@ namespace ocelli {
 
 class GlVolume {
  public:
-  /// All voxels dark. Throws GlError where the GPU has no room for the profile.
+  /// All voxels dark. Throws GlError where the GPU has no room for the profile, InputError for a profile of more than
+  /// one bit a channel.
   GlVolume(GlContext& context, DisplayProfile profile);
   GlVolume(GlContext& context, const Volume& volume);
 

@@ -350,6 +350,8 @@ void Viewer::drawPane(const PaneLayout& pane) {
       throw;  // nothing can be drawn any more
     }
     failure = error.what();
+  } catch (const InputError& error) {  // the GPU does not take this display
+    failure = error.what();
   }
 }
 

@@ -117,7 +117,8 @@ TEST_F(DisplayCommands, observeTakesWhatTheDisplayDoes) {
     return fileBytes(folder_ / "eye.png");
   };
   const std::string plain = picture("");
-  EXPECT_EQ(picture("--emission screen --transmission 1 --focus 1.27 --start -180"), plain) << "these are defaults";
+  EXPECT_EQ(picture("--emission screen --transmission 1 --start -180"), plain) << "these are defaults";
+  EXPECT_EQ(picture("--aperture 0.05 --focus 1.27"), picture("--aperture 0.05")) << "in focus by default";
   for (const char* options :
        {"--emission even", "--transmission 0.1", "--exposure 1/12 --start 20", "--aperture 0.05 --focus 1.2",
         "--exposure 1/12 --wobble 0.005", "--wobble 0.005 --wobble-direction 0,1,0 --wobble-frequency 3",
@@ -181,6 +182,9 @@ TEST_F(DisplayCommands, observeRefusesWhatMakesNoSense) {
                                                        {"--tone sepia", "x.png"},
                                                        {"--start 3 --missing-sector 3", "x.png"},
                                                        {"--frame 1", "x.png"},
+                                                       {"--fov 1e-306 --size 8x8", "x.png"},
+                                                       {"--focus 1", "x.png"},
+                                                       {"--rate 12", "x.png"},
                                                        {"--start soon", "x.png"},
                                                        {"--wobble 9", "x.png"},
                                                        {"--wobble 0.005 --wobble-direction 0,0,0", "x.png"},
@@ -195,8 +199,32 @@ TEST_F(DisplayCommands, observeRefusesWhatMakesNoSense) {
   const ProgramResult through =
       runProgram("observe " + quoted("a.svol") + " --path " + quoted("way.csv") + " --rate 8 -o " + quoted("folder"));
   EXPECT_EQ(through.exitCode, 2);
-  EXPECT_THAT(through.error, HasSubstr("inside of the display"));
+  EXPECT_THAT(through.error, AllOf(HasSubstr("inside of the display"), HasSubstr("way.csv, between poses 1 and 2")));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "folder"));
+  for (const auto& [command, output] : {std::pair("observe", "x.png"), std::pair("volume export", "x.vti")}) {
+    const ProgramResult before =
+        runProgram(std::string(command) + " " + quoted("a.svol") + " --frame -1 -o " + quoted(output));
+    EXPECT_EQ(before.exitCode, 2) << command;
+    EXPECT_THAT(before.error, AllOf(HasSubstr("-1 is no frame number"), HasSubstr("--frame"))) << command;
+  }
+}
+
+TEST_F(DisplayCommands, aViewingDistanceInTheDisplayIsNamed) {
+  folder_.write("near.json", R"({"name": "near", "radius_metres": 0.127, "slices_per_half_turn": 24, "width": 64,
+      "height": 64, "rotations_per_minute": 720, "second_half_turn": "mirrored", "viewing_distance_metres": 0.01})");
+  folder_.write("way.csv", "time,x,y,z\n0,0,0,10\n1,3,0,9\n");
+  ASSERT_EQ(runProgram("slice builtin:teapot,segments=4 --profile " + quoted("near.json") + " -o " + quoted("n.svol"))
+                .exitCode,
+            0);
+  const auto observe = [&](const std::string& options, const char* output) {
+    return runProgram("observe " + quoted("n.svol") + " --size 20x20 " + options + " -o " + quoted(output));
+  };
+  const ProgramResult inside = observe("", "x.png");
+  EXPECT_EQ(inside.exitCode, 2);
+  EXPECT_THAT(inside.error, AllOf(HasSubstr("inside of the display"), HasSubstr("viewing_distance_metres")));
+  EXPECT_THAT(observe("--eye 0,0,0.5", "x.png").error, testing::Not(HasSubstr("viewing_distance_metres")));
+  EXPECT_EQ(observe("--eye 0,0,9", "x.png").exitCode, 0);
+  EXPECT_EQ(observe("--path " + quoted("way.csv") + " --rate 2", "way").exitCode, 0) << "the default eye is not used";
 }
 
 TEST_F(DisplayCommands, volumeInfoVerifyAndExport) {

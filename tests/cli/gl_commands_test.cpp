@@ -79,10 +79,34 @@ TEST(GlCommands, sliceAndObserveTheSame) {
   EXPECT_EQ(readSvol(gl), readSvol(processor));
   const ProgramResult seen = runProgram("observe " + gl + " --method gl -o " + (folder / "seen.png").string());
   EXPECT_EQ(seen.exitCode, 0) << seen.error;
-  const ProgramResult blurred =
-      runProgram("observe " + gl + " --method gl --aperture 0.01 -o " + (folder / "blurred.png").string());
-  EXPECT_EQ(blurred.exitCode, 1);
-  EXPECT_THAT(blurred.error, HasSubstr("without OpenGL"));
+  const std::pair<const char*, const char*> cases[] = {
+      {"--aperture 0.01", "x.png"}, {"--ambient 0.01", "x.png"}, {"--ambient 0.01 --turntable 2", "frames"}};
+  for (const auto& [options, output] : cases) {
+    const ProgramResult refused =
+        runProgram("observe " + gl + " --method gl " + options + " -o " + (folder / output).string());
+    EXPECT_EQ(refused.exitCode, 2) << options;
+    EXPECT_THAT(refused.error, HasSubstr("leave out --method gl")) << options;
+    EXPECT_FALSE(std::filesystem::exists(folder / output)) << options;
+  }
+}
+
+TEST(GlCommands, displaysOfManyBitsAreBadInput) {
+  const TemporaryFolder folder;
+  const std::string profile = folder
+                                  .write("deep.json", R"({"name": "deep", "radius_metres": 0.127,
+      "slices_per_half_turn": 24, "width": 64, "height": 64, "rotations_per_minute": 720,
+      "second_half_turn": "mirrored", "color_bits_per_channel": 8})")
+                                  .string();
+  const std::string volume = (folder / "deep.svol").string();
+  const std::string slice = "slice builtin:teapot,segments=4 --profile " + profile + " -o " + volume;
+  const auto expectRefused = [](const ProgramResult& result) {
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_THAT(result.error, AllOf(HasSubstr("color_bits_per_channel"), HasSubstr("leave out --method gl")));
+  };
+  expectRefused(runProgram(slice + " --method gl"));
+  EXPECT_FALSE(std::filesystem::exists(volume));
+  ASSERT_EQ(runProgram(slice).exitCode, 0);
+  expectRefused(runProgram("observe " + volume + " --method gl -o " + (folder / "x.png").string()));
 }
 
 TEST(GlCommands, sayWhatIsWrong) {

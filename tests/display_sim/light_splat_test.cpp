@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "oc_core/base/conventions.h"
 #include "tests/display_sim/light_measures.h"
 
@@ -60,6 +62,44 @@ TEST(LightSplat, whatFallsOutsideIsLost) {
   beside.addBox(-20, 30, 30, 30, 8, {1, 1, 1});
   beside.addBox(30, -90, 30, 30, 8, {1, 1, 1});
   EXPECT_EQ(test::sumOf(imageOf(beside, 60, 60)), glm::dvec3(0));
+}
+
+TEST(LightSplat, whatHasNoPlaceOrSizeIsLost) {
+  const double inf = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  LightImage light(4, 3);
+  for (const double bad : {nan, inf, -inf, 1e306, -1e306}) {
+    light.addBox(bad, 1, 2, 2, 8, {1, 1, 1});
+    light.addBox(1, bad, 2, 2, 8, {1, 1, 1});
+    light.addBox(bad, bad, inf, inf, 8, {1, 1, 1});
+    light.addEllipse(bad, 1, 2, 2, 8, {1, 1, 1});
+    light.addEllipse(1, bad, 2, 2, 8, {1, 1, 1});
+  }
+  for (const double size : {nan, inf, 1e306}) {
+    light.addBox(1, 1, size, size, 8, {1, 1, 1});
+    light.addEllipse(1, 1, size, size, 8, {1, 1, 1});
+  }
+  EXPECT_EQ(test::sumOf(imageOf(light, 4, 3)), glm::dvec3(0));
+}
+
+TEST(LightSplat, tooMuchLightDoesNotWrapAround) {
+  LightImage light(1, 1);
+  double last = 0;
+  for (int i = 0; i < 8; ++i) {
+    light.addBox(0.5, 0.5, 1, 1, 1e30, {1, 1, 1});
+    const auto now = static_cast<double>(light.pixels()[0][0]);
+    EXPECT_GE(now, last);
+    last = now;
+  }
+  EXPECT_EQ(light.pixels()[0][0], std::numeric_limits<uint64_t>::max());
+}
+
+TEST(LightSplat, imagesOfAllThreadsShareAGiB) {
+  EXPECT_EQ(lightImageCount(768, 768, 4), 4u);
+  EXPECT_EQ(lightImageCount(768, 768, 200), 16u);
+  EXPECT_EQ(lightImageCount(768, 768, 0), 1u);
+  EXPECT_EQ(lightImageCount(4096, 2048, 16), 5u) << "192 MiB each";
+  EXPECT_EQ(lightImageCount(8192, 8192, 16), 1u);
 }
 
 }  // namespace

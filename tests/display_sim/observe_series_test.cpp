@@ -1,6 +1,6 @@
 #include "display_sim/observe_series.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "oc_core/base/error.h"
 #include "tests/display_sim/light_measures.h"
@@ -8,6 +8,8 @@
 
 namespace ocelli {
 namespace {
+
+using testing::HasSubstr;
 
 /// Keeps what it is given.
 struct KeptFrames : FrameSink {
@@ -66,6 +68,30 @@ TEST(ObserveSeries, framesAreObservedWithOneGain) {
   ObserverOptions fixed = kSmall;
   fixed.tone.gain = 3;
   EXPECT_EQ(seriesGain(collect, fixed, series), 3);
+}
+
+TEST(ObserveSeries, darkFramesDoNotCountForTheGain) {
+  const ObserverSeries series{.eyes = turntableEyes({0, 1, 9}, 5)};
+  const CollectLight collect = [&](const ObserverOptions& o) {
+    return Image<glm::vec3>(2, 2, glm::vec3(o.eye == series.eyes[2] ? 0.01f : 0.0f));
+  };
+  EXPECT_NEAR(seriesGain(collect, kSmall, series), 95, 1e-4);  // floats are exact to 6e-8
+}
+
+TEST(ObserveSeries, wayIntoTheDisplayNamesThePose) {
+  const DisplayProfile profile = test::smallProfile(20, 32, 32);
+  const auto problem = [&](const std::vector<EyePose>& poses) -> std::string {
+    try {
+      checkWay(poses, 4, profile, "way.csv");
+      return "";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(problem({{0, {0, 0, 10}}, {1, {3, 0, 9}}}), "");
+  EXPECT_THAT(problem({{5, {0, 0, 10}}, {6, {0, 0, 2}}, {7, {0, 0, -2}}}), HasSubstr("way.csv, between poses 2 and 3"));
+  EXPECT_THAT(problem({{5, {0, 0, 10}}, {6, {0, 0, 0.5f}}}), HasSubstr("way.csv, at pose 2"));
+  EXPECT_THAT(problem({{5, {0, 0, 0.5f}}}), HasSubstr("way.csv, at pose 1"));
 }
 
 TEST(ObserveSeries, pairsStandSideBySideInFrames) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "display_sim/exact_slicer.h"
 #include "display_sim/sweep_geometry.h"
 #include "oc_core/base/error.h"
@@ -166,6 +168,30 @@ TEST(Observer, longExposuresCollectMoreLight) {
   EXPECT_NEAR(sumOf(collectLight(floor, longer)).x / sumOf(once).x, 1.5, 1e-3) << "near and far halves cancel";
 }
 
+// 1.2e8 passes of 40960 voxels that emit 1 in each, into one pixel: 2^66 units of 2^-24. They are whole half turns, so
+// the rest is rounding.
+TEST(Observer, theLongestExposureOfTheFastestDisplayFits) {
+  DisplayProfile profile = smallProfile(40, 32, 32);
+  profile.rotationsPerMinute = 1e6;
+  Volume volume(profile);
+  for (int slice = 0; slice < 40; ++slice) {
+    std::ranges::fill(volume.slice(slice), uint8_t{0xff});
+  }
+  const ObserverOptions once{.eye = {0, 10, 0}, .width = 1, .height = 1};
+  ObserverOptions longest = once;
+  longest.exposureSeconds = 3600;
+  const double passes = 3600 * 2 * 1e6 / 60;
+  EXPECT_NEAR(collectLight(volume, longest)(0, 0).x / (passes * collectLight(volume, once)(0, 0).x), 1, 1e-5);
+}
+
+TEST(Observer, theSmallestFieldOfViewIsSafe) {
+  const Volume floor = whiteFloor(smallProfile(20, 32, 32));
+  const ObserverOptions options{.eye = {0.01f, 10, 0.02f}, .width = 8, .height = 8, .fovVerticalDegrees = 1e-6};
+  for (const glm::vec3& pixel : collectLight(floor, options)) {
+    EXPECT_TRUE(std::isfinite(pixel.x) && pixel.x >= 0);
+  }
+}
+
 TEST(Observer, halfATurnShowsHalfOfOwnSlices) {
   const DisplayProfile profile = smallProfile(10, 32, 32, SecondHalfTurn::kOwn);
   Volume volume(profile);
@@ -267,6 +293,9 @@ TEST(Observer, badOptionsAreInputErrors) {
   EXPECT_THROW(observe(volume, {.width = 0}), InputError);
   EXPECT_THROW(observe(volume, {.width = 1 << 15, .height = 1 << 15}), InputError);
   EXPECT_THROW(observe(volume, {.fovVerticalDegrees = 180}), InputError);
+  for (const double fov : {1e-309, 1e-300, 1e-7, -1.0, static_cast<double>(nan)}) {
+    EXPECT_THROW(observe(volume, {.fovVerticalDegrees = fov}), InputError) << fov;
+  }
   EXPECT_THROW(observe(volume, {.exposureSeconds = -1}), InputError);
   EXPECT_THROW(observe(volume, {.tone = {.gain = -1}}), InputError);
   EXPECT_THROW(observe(volume, {.tone = {.gamma = 0}}), InputError);

@@ -20,6 +20,18 @@ TEST(Tone, automaticGainTakesTheBrightToNearWhite) {
   EXPECT_EQ(automaticGain(Image<glm::vec3>(4, 4, glm::vec3(0))), 1);
 }
 
+TEST(Tone, darkImagesDoNotCountForACommonGain) {
+  const Image<glm::vec3> dark(4, 4, glm::vec3(0));
+  CommonGain common;
+  common.add(dark);
+  EXPECT_EQ(common.gain(), 1);
+  common.add(Image<glm::vec3>(4, 4, glm::vec3(0.01f)));
+  common.add(dark);
+  EXPECT_NEAR(common.gain(), 95, 1e-4) << "of floats, which are exact to 6e-8";
+  common.add(Image<glm::vec3>(4, 4, glm::vec3(0.5f)));
+  EXPECT_EQ(common.gain(), 1.9);
+}
+
 TEST(Tone, gainComesBeforeGamma) {
   EXPECT_FLOAT_EQ(toned({0, 0, 8}, {.gain = 0.5, .gamma = 2}).z, 2);
   EXPECT_EQ(toned({0, 0.25f, 8}, {}), glm::vec3(0, 0.25f, 8));

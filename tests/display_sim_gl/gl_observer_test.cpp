@@ -204,7 +204,7 @@ TEST_P(GlObserverTest, badOptionsAreErrors) {
     try {
       observer_.draw({.view = view});
       FAIL() << "drew it";
-    } catch (const GlError& error) {
+    } catch (const InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr("without OpenGL"));
     }
   }

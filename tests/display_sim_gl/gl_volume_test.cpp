@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "oc_core/base/error.h"
 #include "tests/display_sim/test_meshes.h"
 #include "tests/display_sim/test_profiles.h"
 #include "tests/gl/gl_test_context.h"
@@ -55,6 +56,18 @@ TEST_P(GlVolumeTest, aWordHoldsEightVoxels) {
   for (size_t i = 0; i < words.size(); ++i) {
     EXPECT_EQ(words[i], i == (2 * 4 + 1) * 3 + 1 ? 5u << 4 * 5 : 0u) << i;
   }
+}
+
+TEST_P(GlVolumeTest, aDisplayOfManyBitsIsBadInput) {
+  DisplayProfile profile = smallProfile(4, 8, 8);
+  profile.colorBitsPerChannel = 8;
+  try {
+    const GlVolume volume(*context_, profile);
+    FAIL() << "made it";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("color_bits_per_channel of profile small"));
+  }
+  EXPECT_EQ(context_->liveObjects(), 0);
 }
 
 TEST_P(GlVolumeTest, aProfileTooLargeForTheGpuSaysSo) {
