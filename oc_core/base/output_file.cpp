@@ -51,7 +51,8 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::write(std::span<const uint8_t> bytes) {
-  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) {
+  // Nothing may lie at no address, which fwrite() must not be given.
+  if (!bytes.empty() && std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) {
     fail(errno);
   }
 }
