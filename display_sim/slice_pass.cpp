@@ -19,7 +19,7 @@ namespace {
 
 constexpr size_t kRoomSamples = 8192;
 constexpr int kSectorsPerTask = 32;
-constexpr uint16_t kVertex = SliceMesh::kSharedEdge - 1;
+constexpr uint16_t kVertex = SliceMesh::kVertex;
 
 /// A part of a triangle that is found exactly: its vertices and some of its sectors.
 struct ExactTask {

@@ -299,7 +299,7 @@ HWY_ATTR HWY_INLINE IntVec latticeParts(const SliceKernelSetup& setup, IntVec se
 
 HWY_ATTR void findWide(const SliceKernelSetup& setup, const SweepPoint* points, const uint16_t* corners,
                        size_t triangles, WideTriangles& wide) {
-  constexpr uint16_t kVertex = SliceMesh::kSharedEdge - 1;
+  constexpr uint16_t kVertex = SliceMesh::kVertex;
   constexpr auto kLimit = static_cast<int32_t>(kWidestCell * kSweepUnit);
   const Ints di;
   const int32_t halfTurn = setup.slicesPerHalfTurn * kSweepUnit;

@@ -90,7 +90,7 @@ struct SectorReach {
 SectorReach lightSamples(const SliceKernelSetup& setup, const SliceSamples& samples, SweepPoint* points,
                          LitSamples& lit);
 
-/// A triangle of a mesh, and which weights of its second and third corner its samples have.
+/// A triangle of a mesh, and which weights of its corners (TriangleLattices) its samples have.
 struct SampledTriangle {
   uint32_t corners[3];
   uint32_t firstWeight;

@@ -30,7 +30,7 @@ std::map<std::array<Corner, 3>, int> trianglesOf(const SliceMesh& mesh) {
     for (size_t t = chunk.firstTriangle; t < chunk.firstTriangle + size_t{chunk.triangles}; ++t) {
       std::array<Corner, 3> corners;
       for (size_t k = 0; k < 3; ++k) {
-        const size_t vertex = mesh.corners()[3 * t + k] & (SliceMesh::kSharedEdge - 1);
+        const size_t vertex = mesh.corners()[3 * t + k] & SliceMesh::kVertex;
         EXPECT_LT(vertex, chunk.vertices);
         corners[k] = cornerOf(mesh.position(chunk.firstVertex + vertex));
       }

@@ -89,8 +89,8 @@ TEST(FastSlicer, givesTheSameBytesWithEveryInstructionSet) {
   }
 }
 
-TEST(FastSlicer, givesTheSameBytesInAnyOrderOfTriangles) {
-  // Colours of samples do not depend on the order; which triangle of a chunk samples a side does, so whole colours.
+// Which of two triangles samples the side that they share depends on the order; these share none.
+TEST(FastSlicer, givesTheSameBytesInAnyOrderOfTrianglesThatShareNoSides) {
   const DisplayProfile profile = smallProfile(20, 64, 64);
   Mesh mesh = soup(9000);
   mesh.colors.clear();
