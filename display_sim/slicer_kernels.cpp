@@ -7,6 +7,7 @@
 #include "display_sim/blue_noise.h"
 #include "display_sim/dither.h"
 #include "display_sim/slice_mesh.h"
+#include "display_sim/slicer.h"
 #include "display_sim/volume.h"
 #include "oc_core/base/conventions.h"
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "display_sim/slice_options.h"
@@ -135,8 +134,5 @@ size_t sampleTriangles(const SliceSamples& mesh, const TriangleLattices& lattice
 /// each voxel, 8 bits a channel.
 void writePlanes(uint32_t* levels, std::span<const uint32_t> bytes, int bitsPerChannel, uint8_t* planes,
                  size_t planeBytes);
-
-/// The instruction set that is used: "AVX2", for example.
-std::string sliceInstructionSet();
 
 }  // namespace ocelli
