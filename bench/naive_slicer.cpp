@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "display_sim/sweep_geometry.h"
+#include "display_sim/frames/sweep_geometry.h"
 
 namespace ocelli {
 namespace {

@@ -1,7 +1,7 @@
 // The slicer that one writes first: one thread, triangle by triangle; a peer for slicer_bench.
 #pragma once
 
-#include "display_sim/volume.h"
+#include "display_sim/frames/volume.h"
 #include "oc_core/scene/mesh.h"
 
 namespace ocelli {

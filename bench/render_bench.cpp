@@ -1,8 +1,8 @@
 // Rasterisation against ray casting (Embree) of the same image, and the fast slicer against its exact reference.
 #include <benchmark/benchmark.h>
 
-#include "display_sim/display_profile.h"
 #include "display_sim/exact_slicer.h"
+#include "display_sim/frames/display_profile.h"
 #include "display_sim/slicer_reference.h"
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/render/rasterize.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "display_sim/display_profile.h"
+#include "display_sim/frames/display_profile.h"
 #include "oc_core/scene/mesh.h"
 
 namespace ocelli {

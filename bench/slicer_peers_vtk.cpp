@@ -9,7 +9,7 @@
 #include <vtkSmartPointer.h>
 
 #include "bench/slicer_peers.h"
-#include "display_sim/sweep_geometry.h"
+#include "display_sim/frames/sweep_geometry.h"
 
 namespace ocelli {
 namespace {

@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "display_sim/frames/svol_player.h"
+#include "display_sim/frames/svol_writer.h"
 #include "display_sim/slicer.h"
-#include "display_sim/svol_player.h"
-#include "display_sim/svol_writer.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/scene/scene_source.h"
 

@@ -10,7 +10,7 @@
 #include <cstdio>
 
 #include "bench/timing.h"
-#include "display_sim/display_profile.h"
+#include "display_sim/frames/display_profile.h"
 #include "display_sim/slicer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"

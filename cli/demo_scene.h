@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "display_sim/display_profile.h"
+#include "display_sim/frames/display_profile.h"
 #include "display_sim/solidity/solidity.h"
 #include "oc_core/base/progress.h"
 #include "oc_core/evaluation/evaluation.h"

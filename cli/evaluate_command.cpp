@@ -9,7 +9,7 @@
 #include "cli/interrupt.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
-#include "display_sim/display_profile.h"
+#include "display_sim/frames/display_profile.h"
 #include "display_sim/slicer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"

@@ -12,9 +12,9 @@
 #include "cli/interrupt.h"
 #include "cli/observer_choice.h"
 #include "cli/values.h"
+#include "display_sim/frames/svol_file.h"
 #include "display_sim/light_file.h"
 #include "display_sim/observe_series.h"
-#include "display_sim/svol_file.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 

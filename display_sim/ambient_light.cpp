@@ -5,7 +5,7 @@
 
 #include "display_sim/exposure.h"
 #include "display_sim/eye_perspective.h"
-#include "display_sim/sweep_geometry.h"
+#include "display_sim/frames/sweep_geometry.h"
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {

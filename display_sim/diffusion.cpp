@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "display_sim/dither.h"
-#include "display_sim/sweep_geometry.h"
+#include "display_sim/frames/sweep_geometry.h"
 #include "oc_core/base/check.h"
 
 namespace ocelli {

@@ -15,8 +15,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "display_sim/display_profile.h"
-#include "display_sim/volume.h"
+#include "display_sim/frames/display_profile.h"
+#include "display_sim/frames/volume.h"
 #include "display_sim/voxel_colors.h"
 
 namespace ocelli {

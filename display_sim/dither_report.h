@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "display_sim/display_profile.h"
 #include "display_sim/dither_fields.h"
 #include "display_sim/dither_score.h"
+#include "display_sim/frames/display_profile.h"
 #include "display_sim/light_evenness.h"
 #include "oc_core/base/progress.h"
 

@@ -21,7 +21,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "display_sim/sweep_geometry.h"
+#include "display_sim/frames/sweep_geometry.h"
 
 namespace ocelli {
 

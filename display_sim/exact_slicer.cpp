@@ -7,7 +7,7 @@
 #include "display_sim/diffusion.h"
 #include "display_sim/even_light.h"
 #include "display_sim/exact_triangle.h"
-#include "display_sim/sweep_geometry.h"
+#include "display_sim/frames/sweep_geometry.h"
 #include "display_sim/voxel_dither.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/parallel.h"

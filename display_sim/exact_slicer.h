@@ -10,9 +10,9 @@
 // surface lights nothing.
 #pragma once
 
-#include "display_sim/display_profile.h"
+#include "display_sim/frames/display_profile.h"
+#include "display_sim/frames/volume.h"
 #include "display_sim/slice_options.h"
-#include "display_sim/volume.h"
 #include "display_sim/voxel_colors.h"
 #include "oc_core/scene/mesh.h"
 

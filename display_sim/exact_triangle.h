@@ -5,9 +5,9 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 
+#include "display_sim/frames/sweep_geometry.h"
 #include "display_sim/screen_polygon.h"
 #include "display_sim/sector_clip.h"
-#include "display_sim/sweep_geometry.h"
 
 namespace ocelli {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "display_sim/export_apng.h"
-#include "display_sim/svol_file.h"
-#include "display_sim/svol_player.h"
-#include "display_sim/sweep_geometry.h"
+#include "display_sim/frames/svol_file.h"
+#include "display_sim/frames/svol_player.h"
+#include "display_sim/frames/sweep_geometry.h"
 #include "display_sim/tone.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "display_sim/svol_reader.h"
-#include "display_sim/volume.h"
+#include "display_sim/frames/svol_reader.h"
+#include "display_sim/frames/volume.h"
 #include "oc_core/base/image.h"
 #include "oc_core/base/png_file.h"
 #include "oc_core/base/progress.h"

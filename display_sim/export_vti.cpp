@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-#include "display_sim/sweep_geometry.h"
+#include "display_sim/frames/sweep_geometry.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/base/parallel.h"

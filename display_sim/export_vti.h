@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "display_sim/volume.h"
+#include "display_sim/frames/volume.h"
 #include "oc_core/base/progress.h"
 
 namespace ocelli {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "display_sim/display_profile.h"
+#include "display_sim/frames/display_profile.h"
 #include "display_sim/wobble.h"
 
 namespace ocelli {

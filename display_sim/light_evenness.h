@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "display_sim/display_profile.h"
+#include "display_sim/frames/display_profile.h"
 #include "display_sim/slice_options.h"
 
 namespace ocelli {

@@ -12,8 +12,8 @@
 #include "display_sim/ambient_light.h"
 #include "display_sim/exposure.h"
 #include "display_sim/eye_perspective.h"
+#include "display_sim/frames/sweep_geometry.h"
 #include "display_sim/light_splat.h"
-#include "display_sim/sweep_geometry.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 

@@ -12,9 +12,9 @@
 #include <optional>
 
 #include "display_sim/emission.h"
+#include "display_sim/frames/volume.h"
 #include "display_sim/lens.h"
 #include "display_sim/tone.h"
-#include "display_sim/volume.h"
 #include "display_sim/wobble.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/image.h"

@@ -4,8 +4,8 @@
 #include <array>
 #include <glm/vec3.hpp>
 
+#include "display_sim/frames/sweep_geometry.h"
 #include "display_sim/screen_polygon.h"
-#include "display_sim/sweep_geometry.h"
 
 namespace ocelli {
 

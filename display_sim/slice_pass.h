@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "display_sim/display_profile.h"
+#include "display_sim/frames/display_profile.h"
+#include "display_sim/frames/volume.h"
 #include "display_sim/slice_mesh.h"
 #include "display_sim/slice_options.h"
-#include "display_sim/volume.h"
 
 namespace ocelli {
 

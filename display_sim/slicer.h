@@ -22,11 +22,11 @@
 #include <memory>
 #include <string>
 
-#include "display_sim/display_profile.h"
+#include "display_sim/frames/display_profile.h"
+#include "display_sim/frames/volume.h"
 #include "display_sim/slice_mesh.h"
 #include "display_sim/slice_options.h"
 #include "display_sim/slice_pass.h"
-#include "display_sim/volume.h"
 
 namespace ocelli {
 

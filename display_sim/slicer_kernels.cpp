@@ -6,9 +6,9 @@
 
 #include "display_sim/blue_noise.h"
 #include "display_sim/dither.h"
+#include "display_sim/frames/volume.h"
 #include "display_sim/slice_mesh.h"
 #include "display_sim/slicer.h"
-#include "display_sim/volume.h"
 #include "oc_core/base/conventions.h"
 
 // This file is compiled once for each of these instruction sets; foreach_target.h includes it again and again.

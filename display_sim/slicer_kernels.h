@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "display_sim/frames/sweep_geometry.h"
 #include "display_sim/slice_options.h"
-#include "display_sim/sweep_geometry.h"
 #include "display_sim/triangle_lattice.h"
 
 namespace ocelli {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "display_sim/even_light.h"
-#include "display_sim/sweep_geometry.h"
+#include "display_sim/frames/sweep_geometry.h"
 #include "display_sim/voxel_dither.h"
 
 namespace ocelli {

@@ -16,7 +16,7 @@ run() {
   "fuzz/${1}_fuzzer" -max_total_time="$seconds" -max_len=4096 -rss_limit_mb=4096 -timeout=10 -verbosity=0 \
     -print_final_stats=1 "${1}_found" "$root/tests/$2"
 }
-run svol display_sim/corpus
+run svol display_sim_frames/corpus
 run maze scene/maze_corpus
 run camera constructor/corpus
 run protocol study_protocol/corpus

@@ -2,9 +2,9 @@
 #include <sstream>
 #include <string>
 
-#include "display_sim/svol_summary.h"
+#include "display_sim/frames/svol_summary.h"
 #include "oc_core/base/error.h"
-#include "tests/display_sim/svol_repair.h"
+#include "tests/display_sim_frames/svol_repair.h"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "display_sim/eye_perspective.h"
+#include "display_sim/frames/sweep_geometry.h"
 #include "display_sim/gl/shaders.h"
-#include "display_sim/sweep_geometry.h"
 #include "oc_core/base/error.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"

@@ -6,7 +6,7 @@
 // voxels.
 #pragma once
 
-#include "display_sim/volume.h"
+#include "display_sim/frames/volume.h"
 #include "oc_core/gl/gl_object.h"
 
 namespace ocelli {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "display_sim/frames/volume.h"
 #include "display_sim/solidity/eye_groups.h"
-#include "display_sim/volume.h"
 #include "oc_core/base/png_file.h"
 #include "oc_core/base/progress.h"
 #include "oc_core/scene/mesh.h"

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <span>
 
-#include "display_sim/sweep_geometry.h"
+#include "display_sim/frames/sweep_geometry.h"
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "display_sim/volume.h"
+#include "display_sim/frames/volume.h"
 #include "oc_core/render/raycast.h"
 
 namespace ocelli {

@@ -13,9 +13,9 @@
 #include <thread>
 #include <vector>
 
+#include "display_sim/frames/volume.h"
 #include "display_sim/viewer/camera_rays.h"
 #include "display_sim/viewer/viewer_state.h"
-#include "display_sim/volume.h"
 #include "oc_core/ocri/representation.h"
 
 namespace ocelli {

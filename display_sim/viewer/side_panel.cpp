@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "display_sim/display_profile.h"
+#include "display_sim/frames/display_profile.h"
 #include "display_sim/viewer/camera_form.h"
 #include "display_sim/viewer/gui_pieces.h"
 

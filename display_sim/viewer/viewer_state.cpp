@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "display_sim/display_profile.h"
+#include "display_sim/frames/display_profile.h"
 #include "display_sim/viewer/view_motion.h"
 #include "oc_core/base/check.h"
 

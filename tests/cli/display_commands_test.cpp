@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "display_sim/svol_file.h"
+#include "display_sim/frames/svol_file.h"
 #include "oc_core/base/png_file.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/cli/run_program.h"

@@ -1,7 +1,7 @@
 // `--method gl` and `--construction gl`: the same results as the processor's, and errors that say what is wrong.
 #include <gmock/gmock.h>
 
-#include "display_sim/svol_file.h"
+#include "display_sim/frames/svol_file.h"
 #include "oc_core/base/png_file.h"
 #include "oc_core/ocri/reference_image_file.h"
 #include "tests/base/temporary_folder.h"

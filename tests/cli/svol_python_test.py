@@ -69,7 +69,7 @@ def compare_with_exports(program, reader, folder):
                 for x in range(29):
                     levels = file.levels(planes, i, x, y)
                     lit += any(levels)
-                    # As display_sim/volume.h scales levels to bytes.
+                    # As display_sim/frames/volume.h scales levels to bytes.
                     expect(tuple(exported[at:at + 3]) == tuple((255 * level + 3) // 7 for level in levels),
                            f"frame {count}, slice {i}, column {x}, row {y}")
                     at += 3
@@ -92,7 +92,7 @@ def main():
     reader = documented_reader(source)
     with tempfile.TemporaryDirectory() as folder:
         compare_with_exports(program, reader, pathlib.Path(folder))
-    read_corpus(reader, source / "tests/display_sim/corpus")
+    read_corpus(reader, source / "tests/display_sim_frames/corpus")
 
 
 if __name__ == "__main__":

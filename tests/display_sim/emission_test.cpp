@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "display_sim/frames/sweep_geometry.h"
 #include "display_sim/observer.h"
-#include "display_sim/sweep_geometry.h"
 #include "tests/display_sim/light_measures.h"
 #include "tests/display_sim/test_profiles.h"
 

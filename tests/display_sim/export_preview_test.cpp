@@ -6,9 +6,9 @@
 #include <numeric>
 
 #include "display_sim/export_apng.h"
-#include "display_sim/svol_file.h"
-#include "display_sim/svol_writer.h"
-#include "display_sim/sweep_geometry.h"
+#include "display_sim/frames/svol_file.h"
+#include "display_sim/frames/svol_writer.h"
+#include "display_sim/frames/sweep_geometry.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"

@@ -9,7 +9,7 @@
 #include "display_sim/export_nrrd.h"
 #include "display_sim/export_png.h"
 #include "display_sim/export_vti.h"
-#include "display_sim/sweep_geometry.h"
+#include "display_sim/frames/sweep_geometry.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "tests/base/temporary_folder.h"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "display_sim/volume.h"
+#include "display_sim/frames/volume.h"
 
 namespace ocelli::test {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "display_sim/exact_slicer.h"
-#include "display_sim/sweep_geometry.h"
+#include "display_sim/frames/sweep_geometry.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "tests/display_sim/light_measures.h"

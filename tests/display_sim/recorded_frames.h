@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "display_sim/volume.h"
+#include "display_sim/frames/volume.h"
 #include "tests/display_sim/test_profiles.h"
 
 namespace ocelli::test {

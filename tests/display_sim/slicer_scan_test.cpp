@@ -11,8 +11,8 @@
 #include <glm/gtx/euler_angles.hpp>
 
 #include "display_sim/exact_slicer.h"
+#include "display_sim/frames/sweep_geometry.h"
 #include "display_sim/slicer.h"
-#include "display_sim/sweep_geometry.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/scene/scene_source.h"
 #include "tests/display_sim/flood_fill.h"

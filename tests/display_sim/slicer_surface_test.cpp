@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "display_sim/exact_slicer.h"
+#include "display_sim/frames/sweep_geometry.h"
 #include "display_sim/slicer.h"
-#include "display_sim/sweep_geometry.h"
 #include "tests/display_sim/flood_fill.h"
 #include "tests/display_sim/test_meshes.h"
 #include "tests/display_sim/test_profiles.h"

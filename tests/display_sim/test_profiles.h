@@ -1,7 +1,7 @@
 // Small display profiles for the tests of this room.
 #pragma once
 
-#include "display_sim/display_profile.h"
+#include "display_sim/frames/display_profile.h"
 
 namespace ocelli::test {
 

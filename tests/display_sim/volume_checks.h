@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "display_sim/volume.h"
+#include "display_sim/frames/volume.h"
 
 namespace ocelli::test {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "display_sim/exact_slicer.h"
-#include "display_sim/sweep_geometry.h"
+#include "display_sim/frames/sweep_geometry.h"
 #include "oc_core/base/parallel.h"
 #include "tests/display_sim/test_meshes.h"
 #include "tests/display_sim/test_profiles.h"
