@@ -4,16 +4,14 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "display_sim/frames/bit_planes.h"
 #include "display_sim/frames/svol_format.h"
 #include "display_sim/frames/volume.h"
-
-struct ZSTD_CCtx_s;
-struct ZSTD_DCtx_s;
+#include "display_sim/frames/zstd_block.h"
 
 namespace ocelli::svol {
 
@@ -24,21 +22,15 @@ struct EncodedSlice {
 
 class SliceEncoder {
  public:
-  SliceEncoder();
-
   /// `before` holds the slice in the frame before; it is empty where a key frame is written. Of whole and delta the one
   /// with fewer lit words is taken: sparse planes cost about what is lit in them.
   EncodedSlice encode(std::span<const uint8_t> planes, std::span<const uint8_t> before);
 
  private:
-  struct Free {
-    void operator()(ZSTD_CCtx_s* context) const;
-  };
   EncodedSlice compress(SvolSliceKind kind, std::span<const uint8_t> planes);
 
-  std::unique_ptr<ZSTD_CCtx_s, Free> context_;
+  ZstdEncoder zstd_;
   std::vector<uint8_t> difference_;
-  std::vector<uint8_t> compressed_;
 };
 
 class SliceDecoder {
@@ -53,14 +45,11 @@ class SliceDecoder {
   Result apply(const SliceEntry& entry, std::span<const uint8_t> payload, std::span<uint8_t> planes);
 
  private:
-  struct Free {
-    void operator()(ZSTD_DCtx_s* context) const;
-  };
   std::string decompress(const SliceEntry& entry, std::span<const uint8_t> payload);
 
-  std::unique_ptr<ZSTD_DCtx_s, Free> context_;
+  ZstdDecoder zstd_;
   VolumeLayout layout_;
-  uint8_t paddingMask_;  ///< the bits of a row's last byte that lie beyond the width
+  PaddingCheck padding_;
   std::vector<uint8_t> decoded_;
 };
 
