@@ -10,6 +10,7 @@
 
 #include "display_driver/firmware/fault_script.h"
 #include "display_driver/firmware/firmware.h"
+#include "oc_core/base/random.h"
 
 namespace ocelli {
 
@@ -62,10 +63,37 @@ class EmulatedDevice {
   const std::vector<HappenedFault>& happened() const { return happened_; }
 
  private:
+  struct PendingFault {
+    Fault fault;
+    std::optional<uint64_t> bytesFrom;  ///< of the stream, when its frame had begun
+  };
+  bool beginsAfterBytes(const PendingFault& pending) const;
+  bool isDue(const PendingFault& pending, DeviceMicroseconds now) const;
+  size_t bytesToNextFault(DeviceMicroseconds now) const;
+  void begin(const Fault& fault, DeviceMicroseconds now);
+  void end(const Fault& fault, DeviceMicroseconds now);
+  bool isActive(FaultKind kind) const;
+  double rate() const;
+  void fillBudget(DeviceMicroseconds now);
+
   Firmware firmware_;
+  double bytesPerSecond_;
+  std::vector<PendingFault> pending_;
+  struct ActiveFault {
+    Fault fault;
+    size_t happened = 0;  ///< its place in happened_
+    DeviceMicroseconds end = 0;
+  };
+  std::vector<ActiveFault> active_;
+  std::vector<HappenedFault> happened_;
   bool pluggedIn_ = true;
   bool halted_ = false;
-  std::vector<HappenedFault> happened_;
+  bool shortNext_ = false;
+  size_t bitsToFlip_ = 0;
+  Random random_;
+  uint64_t bytesTaken_ = 0;
+  double budget_ = 0;  ///< bytes that the link may carry now
+  DeviceMicroseconds budgetTime_ = 0;
 };
 
 }  // namespace ocelli

@@ -40,7 +40,7 @@ struct Fault {
   uint32_t afterFrames = 0;
   size_t afterBytes = 0;
   DeviceMicroseconds duration = 0;  ///< of faults that last
-  double amount = 0;  ///< bytes a second, bits, or the rate of the motor: what the kind needs
+  double amount = 0;                ///< bytes a second, bits, or the rate of the motor: what the kind needs
 
   bool operator==(const Fault&) const = default;
 };

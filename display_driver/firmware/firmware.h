@@ -61,14 +61,71 @@ class Firmware {
   /// As after power came back: the rotation goes on, all else is forgotten. What is shown is dark.
   void restart(DeviceMicroseconds now);
 
+  /// So many frames have begun, whatever became of them.
+  uint32_t framesBegun() const { return framesBegun_; }
+  /// Takes the next message for another one than it is: for emulated faults.
+  void skipSequence() { reader_.skipSequence(); }
+
  private:
-  struct Buffer;
-  // Filled in with the implementation.
+  enum class BufferState { kFree, kReceiving, kWhole };
+  struct Buffer {
+    explicit Buffer(const DisplayProfile& profile) : volume(profile) {}
+    Volume volume;
+    BufferState state = BufferState::kFree;
+    uint32_t frame = 0;  ///< 0: of no frame of this session
+    std::optional<wire::Present> present;
+    bool shownCoarse = false;
+  };
+  /// Where the screen is: the refresh is the rotor's.
+  struct Place {
+    uint64_t refresh = 0;
+    int slice = 0;
+    auto operator<=>(const Place&) const = default;
+  };
+
+  void arm(uint32_t session);
+  void forgetFrames();
+  bool take(const wire::Message& message);
+  bool beginFrame(const wire::Message& message);
+  void takeSlice(const wire::Message& message);
+  void endFrame(const wire::Message& message);
+  void takePresent(const wire::Message& message);
+  void loseFrame(wire::ErrorCode code, uint32_t frame);
+  const Buffer* wholeFrame(uint32_t frame) const;
+  Buffer* bufferOf(uint32_t frame);
+  Buffer* freeBuffer(const Buffer* base);
+  bool isWaiting(const Buffer& buffer) const;
+  void stepTo(int slice);
+  void changeFrames(Place place);
+  bool isDue(const Buffer& buffer, Place place) const;
+  void show(Buffer& buffer, Place place, bool coarse);
+  void showPart(const ShownRefresh::Part& part);
+  void keepShownSlices(int upTo);
+  void endRefresh();
+  void report(wire::EventType type, uint32_t frame, uint16_t code = 0, uint8_t flags = 0);
 
   FirmwareOptions options_;
+  std::string profileJson_;
   Rotor rotor_;
   RefreshSink* sink_ = nullptr;
   ArrivalSink* arrivals_ = nullptr;
+
+  DeviceMicroseconds now_ = 0;
+  uint32_t session_ = 0;
+  wire::MessageReader reader_;
+  wire::FrameAssembler assembler_;
+  std::vector<Buffer> buffers_;
+  Buffer coarse_;                ///< what is shown of a frame that is still coming
+  Buffer* front_ = nullptr;      ///< one of buffers_, or coarse_
+  Buffer* receiving_ = nullptr;  ///< nullptr: slices belong to a frame that is lost
+  uint32_t framesBegun_ = 0;
+
+  Place place_;                   ///< up to which changes of frames are done
+  ShownRefresh shown_;            ///< of the refresh under way
+  std::unique_ptr<Volume> kept_;  ///< its slices that earlier frames showed, where it is torn
+
+  std::deque<wire::Event> events_;
+  wire::DeviceTelemetry counts_;  ///< its counters and last error
 };
 
 }  // namespace ocelli

@@ -36,8 +36,8 @@ class LinkError : public std::runtime_error {
 };
 
 struct LinkDescription {
-  std::string serial;       ///< empty where the device has none
-  std::string text;         ///< for people: "USB 2, 480 Mbit/s, bus 1 port 2"
+  std::string serial;         ///< empty where the device has none
+  std::string text;           ///< for people: "USB 2, 480 Mbit/s, bus 1 port 2"
   double bytesPerSecond = 0;  ///< that the kind of link can carry in practice; 0: not known
 };
 

@@ -50,8 +50,8 @@ inline constexpr uint8_t kDeltaFlag = 0x80;
 inline constexpr uint32_t kCanRunLength = 1;
 inline constexpr uint32_t kCanZstd = 2;
 inline constexpr uint32_t kCanDelta = 4;
-inline constexpr uint32_t kCanCoarse = 8;        ///< shows a frame of which a part has come
-inline constexpr uint32_t kCanAnyPhase = 0x10;   ///< changes frames at any slice, not just at slice 0
+inline constexpr uint32_t kCanCoarse = 8;       ///< shows a frame of which a part has come
+inline constexpr uint32_t kCanAnyPhase = 0x10;  ///< changes frames at any slice, not just at slice 0
 
 /// Of the event stream to the host.
 enum class EventType : uint8_t {
@@ -66,10 +66,10 @@ inline constexpr uint8_t kEventTorn = 4;    ///< shown from the middle of a refr
 
 enum class ErrorCode : uint16_t {
   kNone = 0,
-  kChecksum = 1,     ///< of a message or its payload
-  kSequence = 2,     ///< a message is missing
+  kChecksum = 1,  ///< of a message or its payload
+  kSequence = 2,  ///< a message is missing
   kUnknownType = 3,
-  kLength = 4,       ///< of a payload: not possible for its message
+  kLength = 4,  ///< of a payload: not possible for its message
   kUnknownCoding = 5,
   kContent = 6,      ///< a payload does not decode to a slice
   kSlice = 7,        ///< no such slice, not announced, or sent twice

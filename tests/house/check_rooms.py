@@ -20,6 +20,7 @@ THIRD_PARTIES = {
     "nlohmann/": "nlohmann_json::nlohmann_json",
     "assimp/": "assimp::assimp",
     "hwy/": "hwy::hwy",
+    "isa-l/": "PkgConfig::isal",
     "meshoptimizer.h": "meshoptimizer::meshoptimizer",
     "embree3/": "embree",
     "Imf": "PkgConfig::OpenEXR",
