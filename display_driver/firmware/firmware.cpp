@@ -101,6 +101,7 @@ void Firmware::arm(uint32_t session) {
 void Firmware::forgetFrames() {
   assembler_.drop();
   receiving_ = nullptr;
+  lastLost_ = 0;
   for (Buffer& buffer : buffers_) {
     buffer.frame = 0;
     buffer.present.reset();
@@ -158,6 +159,7 @@ void Firmware::loseFrame(ErrorCode code, uint32_t frame) {
     receiving_->present.reset();
     receiving_ = nullptr;
   }
+  lastLost_ = frame;
   counts_.lastError = code;
   report(EventType::kError, frame, static_cast<uint16_t>(code));
 }
@@ -232,9 +234,20 @@ bool Firmware::beginFrame(const wire::Message& message) {
   return true;
 }
 
+/// A part of a frame that is lost, or whose begin was: that is reported once.
+bool Firmware::isOrphan(const wire::Message& message) {
+  if (receiving_ != nullptr) {
+    return false;
+  }
+  if (message.header.frame != lastLost_) {
+    loseFrame(ErrorCode::kOutOfPlace, message.header.frame);
+  }
+  return true;
+}
+
 void Firmware::takeSlice(const wire::Message& message) {
-  if (receiving_ == nullptr) {
-    return;  // of a frame that is lost
+  if (isOrphan(message)) {
+    return;
   }
   const ErrorCode error = message.header.frame != receiving_->frame ? ErrorCode::kOutOfPlace
                                                                     : assembler_.slice(message.header, message.payload);
@@ -244,7 +257,7 @@ void Firmware::takeSlice(const wire::Message& message) {
 }
 
 void Firmware::endFrame(const wire::Message& message) {
-  if (receiving_ == nullptr) {
+  if (isOrphan(message)) {
     return;
   }
   const auto end = wire::frameEndFrom(message.payload);

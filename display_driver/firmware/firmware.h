@@ -87,6 +87,7 @@ class Firmware {
   void forgetFrames();
   bool take(const wire::Message& message);
   bool beginFrame(const wire::Message& message);
+  bool isOrphan(const wire::Message& message);
   void takeSlice(const wire::Message& message);
   void endFrame(const wire::Message& message);
   void takePresent(const wire::Message& message);
@@ -118,6 +119,7 @@ class Firmware {
   Buffer coarse_;                ///< what is shown of a frame that is still coming
   Buffer* front_ = nullptr;      ///< one of buffers_, or coarse_
   Buffer* receiving_ = nullptr;  ///< nullptr: slices belong to a frame that is lost
+  uint32_t lastLost_ = 0;        ///< the frame of the last error
   uint32_t framesBegun_ = 0;
 
   Place place_;                   ///< up to which changes of frames are done

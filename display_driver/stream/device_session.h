@@ -1,0 +1,34 @@
+// One connection to a display: what it says of itself, and a session in which frames are numbered and counted.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "display_driver/wire/frame_encoder.h"
+#include "display_driver/wire/link.h"
+#include "display_driver/wire/wire_format.h"
+#include "display_sim/frames/display_profile.h"
+
+namespace ocelli {
+
+/// What a display told about itself when it was asked.
+struct DisplayIdentity {
+  wire::Identity identity;
+  DisplayProfile profile;
+};
+
+/// Asks. Throws LinkError where requests fail, and WorkError where the answers make no sense: another version of the
+/// protocol, a profile that is none.
+DisplayIdentity identify(wire::Link& link);
+
+/// Arms the display for a new session. Throws LinkError.
+void arm(wire::Link& link, uint32_t session);
+
+/// A number that the display has most probably not seen yet; never 0.
+uint32_t newSession();
+
+/// nullopt where the answer is damaged. Throws LinkError.
+std::optional<wire::DeviceTelemetry> readTelemetry(wire::Link& link);
+
+}  // namespace ocelli
