@@ -17,7 +17,7 @@ namespace ocelli {
 struct EmulatedDeviceOptions {
   FirmwareOptions firmware;
   double bytesPerSecond = 0;  ///< of the link; 0: as fast as it goes
-  FaultScript faults;
+  FaultScript faults = {};
 };
 
 class EmulatedDevice {
@@ -61,6 +61,8 @@ class EmulatedDevice {
     DeviceMicroseconds end = 0;  ///< when the device was back; the same as begin for those that do not last
   };
   const std::vector<HappenedFault>& happened() const { return happened_; }
+  /// No fault lasts.
+  bool quiet() const { return active_.empty(); }
 
  private:
   struct PendingFault {

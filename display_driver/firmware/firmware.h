@@ -27,7 +27,7 @@ struct FirmwareOptions {
   int frameBuffers = 3;  ///< 2 at least
   uint32_t capabilities =
       wire::kCanRunLength | wire::kCanZstd | wire::kCanDelta | wire::kCanCoarse | wire::kCanAnyPhase;
-  RotorOptions rotor;
+  RotorOptions rotor = {};
 };
 
 class Firmware {

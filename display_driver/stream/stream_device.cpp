@@ -134,8 +134,12 @@ class StreamDevice : public Device {
       waiting_.reset();
     }
   }
-  void lose(const std::shared_ptr<OutgoingFrame>& frame, const std::string& problem);
+  void lose(std::shared_ptr<OutgoingFrame> frame, const std::string& problem);
   void loseAll(const std::string& problem);
+  void noteSent(const OutgoingFrame& frame) {
+    lastSent_ = frame.volume;
+    lastSentNumber_ = frame.number();
+  }
   void noteProblem(const std::string& problem) { telemetry_.lastProblem = problem; }  ///< with the mutex
 
   std::unique_ptr<wire::LinkPort> port_;
@@ -165,6 +169,7 @@ class StreamDevice : public Device {
   std::shared_ptr<const Volume> base_;  ///< of the next frame: the one that was sent before; nullptr: a whole frame
   FrameNumber baseNumber_ = 0;
   std::shared_ptr<const Volume> lastSent_;  ///< of any session, once it had a presentation
+  FrameNumber lastSentNumber_ = 0;
   std::optional<LinkStatus> problem_;
   std::chrono::milliseconds backOff_{0};
   uint32_t deviceUnderruns_ = 0;
@@ -341,7 +346,7 @@ void StreamDevice::readNews() {
 }
 
 /// With the mutex. A newer frame comes anyway, or this one is sent again as soon as possible.
-void StreamDevice::lose(const std::shared_ptr<OutgoingFrame>& frame, const std::string& problem) {
+void StreamDevice::lose(std::shared_ptr<OutgoingFrame> frame, const std::string& problem) {
   ++telemetry_.framesLost;
   noteProblem(problem);
   underWay_.erase(frame->number());
@@ -511,7 +516,7 @@ bool StreamDevice::sendSome() {
       base_ = sending_->volume;
       baseNumber_ = sending_->number();
       if (sending_->presentation) {
-        lastSent_ = sending_->volume;
+        noteSent(*sending_);
       }
     }
   }
@@ -557,7 +562,7 @@ void StreamDevice::sendPresentations() {
       frame->presentationSent = true;
       writer_->present(*staging(), number, toWire(*frame->presentation));
       if (frame->wholeSent) {
-        lastSent_ = frame->volume;
+        noteSent(*frame);
       }
     }
   }
@@ -584,8 +589,8 @@ void StreamDevice::recover(LinkStatus status) {
     const std::lock_guard lock(mutex_);
     loseAll(problem);
     if (waiting_ == nullptr && lastSent_ != nullptr) {
-      // The display forgets what it shows, or shows it with what went wrong: once more.
-      waiting_ = std::make_shared<OutgoingFrame>(++lastNumber_);
+      // A display that comes back is dark: once more, for nobody waits for it.
+      waiting_ = std::make_shared<OutgoingFrame>(lastSentNumber_);
       waiting_->volume = lastSent_;
       waiting_->presentation = Presentation{};
     }
