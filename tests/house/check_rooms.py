@@ -21,6 +21,10 @@ THIRD_PARTIES = {
     "assimp/": "assimp::assimp",
     "hwy/": "hwy::hwy",
     "isa-l/": "PkgConfig::isal",
+    "libusb.h": "PkgConfig::libusb",
+    "umockdev.h": "PkgConfig::umockdev",
+    "gio/": "PkgConfig::umockdev",
+    "glib": "PkgConfig::umockdev",
     "meshoptimizer.h": "meshoptimizer::meshoptimizer",
     "embree3/": "embree",
     "Imf": "PkgConfig::OpenEXR",
@@ -56,7 +60,7 @@ THIRD_PARTIES = {
 # Made by ocelli_embed_shaders() in the build tree, for .cpp files.
 GENERATED_SHADERS = "shaders.h"
 # Found without a target: the system's own headers.
-SYSTEM_PREFIXES = ("sys/", "unistd.h", "fcntl.h", "stdlib.h", "immintrin.h", "malloc.h", "dlfcn.h", "poll.h", "spawn.h")
+SYSTEM_PREFIXES = ("sys/", "unistd.h", "fcntl.h", "stdlib.h", "immintrin.h", "malloc.h", "dlfcn.h", "poll.h", "spawn.h", "linux/")
 
 ALLOWED_IN_PUBLIC_HEADERS = {"glm/"}
 PUBLIC_HEADER_EXCEPTIONS = {

@@ -1,0 +1,58 @@
+// Emulated displays on an emulated USB: what a program sees that runs with umockdev's preload library and with the
+// environment that the emulator names. libusb in such a program finds the displays, opens them, and sends them bytes,
+// as it does real ones; faults of their scripts happen to it as they happen with real ones.
+//
+//   UsbEmulator emulator({{.device = options}});
+//   // run a program with emulator.environment() added to its environment
+//
+// A thread of its own turns the displays on in real time.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "display_driver/emulator/usb_device_record.h"
+#include "display_driver/firmware/emulated_device.h"
+
+namespace ocelli {
+
+struct EmulatedUsbDisplay {
+  EmulatedDeviceOptions device;
+  EmulatedSpeed speed = EmulatedSpeed::kUsb2;  ///< what it says it is; how fast it is the device's options say
+  size_t mostBytesUnderWay = 16 << 20;         ///< the system's limit for transfers that have been submitted
+};
+
+class UsbEmulator {
+ public:
+  /// One device a display, plugged in at port 1, 2, ... Sweeps what killed emulators have left. Throws WorkError.
+  explicit UsbEmulator(std::vector<EmulatedUsbDisplay> displays);
+  ~UsbEmulator();
+
+  /// Whether a program that was started as this one would see the devices of an emulator.
+  static bool seenByThisProcess();
+  /// What LD_PRELOAD has to name for that.
+  static std::string preloadLibrary();
+  /// Variables for the environment of programs that shall see the displays, with their values.
+  std::vector<std::pair<std::string, std::string>> environment() const;
+
+  /// Calls `use` while nobody else touches the device. Not for long: nothing moves on meanwhile.
+  void use(size_t display, const std::function<void(EmulatedDevice& device, DeviceMicroseconds now)>& use);
+
+  /// By hand, besides the faults of the script.
+  void unplug(size_t display);
+  void plugIn(size_t display);
+  /// Another program holds the display's interface, or does no longer.
+  void occupy(size_t display, bool occupied);
+  /// Transfers that were submitted and have not been taken back yet.
+  size_t transfersUnderWay(size_t display) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace ocelli
