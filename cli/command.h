@@ -53,6 +53,7 @@ class Frame {
 void addCameraCommand(CLI::App& program, const Frame& frame);
 void addOcriCommand(CLI::App& program, const Frame& frame);
 void addObserveCommand(CLI::App& program, const Frame& frame);
+void addDeviceCommand(CLI::App& program, const Frame& frame);
 void addDitherCommand(CLI::App& program, const Frame& frame);
 void addDoctorCommand(CLI::App& program, const Frame& frame);
 void addDemoCommand(CLI::App& program, const Frame& frame);

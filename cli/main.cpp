@@ -32,6 +32,7 @@ void addCommands(CLI::App& program, const Frame& frame) {
   addObserveCommand(program, frame);
   addVolumeCommand(program, frame);
   addDitherCommand(program, frame);
+  addDeviceCommand(program, frame);
   addEvaluateCommand(program, frame);
   addSolidityCommand(program, frame);
   addViewersCommand(program, frame);

@@ -1,0 +1,16 @@
+// `ocelli device`: displays, and those who build them.
+#include "cli/device_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include "cli/command.h"
+
+namespace ocelli {
+
+void addDeviceCommand(CLI::App& program, const Frame& frame) {
+  CLI::App& device = *program.add_subcommand("device", "Build, calibrate and plan for volumetric displays");
+  device.require_subcommand(1);
+  addDeviceSelftest(device, frame);
+}
+
+}  // namespace ocelli

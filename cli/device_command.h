@@ -1,0 +1,15 @@
+// The commands of `ocelli device`, one function a file.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace ocelli {
+
+class Frame;
+
+// Each adds a command below `device`, as the recipe in cli/command.h says of the program's own.
+void addDeviceSelftest(CLI::App& device, const Frame& frame);
+
+}  // namespace ocelli

@@ -1,0 +1,115 @@
+// `ocelli device selftest`: test patterns for a display, and the checklist that goes with them.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <system_error>
+
+#include "cli/command.h"
+#include "cli/device_command.h"
+#include "cli/device_selftest_page.h"
+#include "cli/observer_choice.h"
+#include "display_sim/frames/svol_file.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
+
+namespace ocelli {
+namespace {
+
+constexpr int kPictureSide = 720;
+
+struct SelftestChoice {
+  std::vector<std::string> patterns;
+  std::string profile = "perspecta";
+  std::string output = "selftest";
+};
+
+std::vector<const TestPattern*> chosenPatterns(const std::vector<std::string>& names) {
+  std::vector<const TestPattern*> chosen;
+  for (const std::string& name : names) {
+    testPattern(name);
+  }
+  // In the order in which to go through them, whatever the order of the options.
+  for (const TestPattern& pattern : testPatterns()) {
+    if (names.empty() || std::ranges::find(names, pattern.name) != names.end()) {
+      chosen.push_back(&pattern);
+    }
+  }
+  return chosen;
+}
+
+/// A display on which a pattern that lights nearly everything is quick to observe, and looks the same.
+DisplayProfile coarser(DisplayProfile profile) {
+  constexpr int kMostColumns = 192;
+  const int factor = (std::max(profile.width, profile.height) + kMostColumns - 1) / kMostColumns;
+  profile.width = std::max(2, profile.width / factor);
+  profile.height = std::max(1, profile.height / factor);
+  return profile;
+}
+
+std::vector<SelftestPicture> picturesOf(const TestPattern& pattern, const Volume& volume,
+                                        const std::filesystem::path& folder) {
+  constexpr size_t kMostLit = 10'000'000;
+  const size_t lit = volume.litVoxels();
+  if (lit == 0) {
+    return {};
+  }
+  return lit <= kMostLit
+             ? writeSelftestPictures(volume, folder, pattern.name, kPictureSide)
+             : writeSelftestPictures(pattern.volume(coarser(volume.profile())), folder, pattern.name, kPictureSide);
+}
+
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw WorkError("cannot make this folder (" + error.message() + ")", folder.string(), "choose another one with -o");
+  }
+}
+
+void run(const SelftestChoice& choice, const Frame& frame) {
+  const std::vector<const TestPattern*> patterns = chosenPatterns(choice.patterns);
+  const DisplayProfile profile = loadProfile(choice.profile);
+  checkDefaultEye(profile);
+  const std::filesystem::path folder = choice.output;
+  makeFolder(folder);
+  std::vector<SelftestSection> sections;
+  const Progress progress = frame.progress();
+  for (const TestPattern* pattern : patterns) {
+    report(progress, pattern->title, static_cast<double>(sections.size()) / static_cast<double>(patterns.size()));
+    const Volume volume = pattern->volume(profile);
+    const std::string file = pattern->name + ".svol";
+    writeSvol(folder / file, volume);
+    sections.push_back({pattern, file, picturesOf(*pattern, volume, folder)});
+  }
+  const std::filesystem::path page = folder / "index.html";
+  writeFile(page, selftestPage(sections, profile, OCELLI_VERSION));
+  frame.note(fmt::format("wrote {}: {} pattern{} for {}", page.string(), sections.size(),
+                         sections.size() == 1 ? "" : "s", profile.name));
+}
+
+}  // namespace
+
+void addDeviceSelftest(CLI::App& device, const Frame& frame) {
+  CLI::App& command = *device.add_subcommand(
+      "selftest",
+      "Write test patterns for a display, and a checklist with pictures of how they look when all is right");
+  const auto choice = std::make_shared<SelftestChoice>();
+  std::string names;
+  for (const TestPattern& pattern : testPatterns()) {
+    names += (names.empty() ? "" : ", ") + pattern.name;
+  }
+  command.add_option("--pattern", choice->patterns, "Only these; all where it is not given: " + names)
+      ->type_name("NAME");
+  command.add_option("--profile", choice->profile, "The display: a name, or a profile of your own")
+      ->type_name("NAME|FILE.json");
+  command.add_option("-o,--output", choice->output, "Folder for index.html, its pictures and the volumes")
+      ->type_name("FOLDER");
+  frame.finish(command,
+               "  ocelli device selftest\n"
+               "  ocelli device selftest --profile my_display.json -o checklist\n"
+               "  ocelli device selftest --pattern phase wedges --profile vortex",
+               [choice, frame] { run(*choice, frame); });
+}
+
+}  // namespace ocelli

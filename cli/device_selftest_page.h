@@ -1,0 +1,23 @@
+// The checklist of `ocelli device selftest`: plain HTML and CSS to read beside a display or to print, no script,
+// nothing from the network.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/device_selftest_pictures.h"
+#include "display_driver/selftest/test_patterns.h"
+
+namespace ocelli {
+
+struct SelftestSection {
+  const TestPattern* pattern = nullptr;
+  std::string volumeFile;                 ///< relative to the page
+  std::vector<SelftestPicture> pictures;  ///< none of a dark one
+};
+
+/// The whole of index.html. `version` is that of the program.
+std::string selftestPage(const std::vector<SelftestSection>& sections, const DisplayProfile& profile,
+                         const std::string& version);
+
+}  // namespace ocelli

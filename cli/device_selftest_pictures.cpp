@@ -1,0 +1,87 @@
+#include "cli/device_selftest_pictures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "display_sim/observer.h"
+#include "oc_core/base/conventions.h"
+#include "oc_core/base/png_file.h"
+
+namespace ocelli {
+namespace {
+
+struct Place {
+  const char* id;
+  const char* name;
+  glm::vec3 direction;
+};
+
+const float kHalf = static_cast<float>(std::sqrt(0.5));
+const Place kPlaces[] = {
+    {"front", "From the front", {0, 0, 1}},
+    {"raised", "From the front, 45 degrees up", {0, kHalf, kHalf}},
+    {"right", "From the right", {1, 0, 0}},
+    {"above", "From above, the front at the bottom", {0, 1, 0}},
+};
+
+/// Holds the sphere around the display's cylinder.
+double fovOfWholeDisplay(const DisplayProfile& profile) {
+  constexpr double kMargin = 1.02;
+  const double radius = std::hypot(1.0, profile.halfHeightRadii);
+  return 2 * degreesFromRadians(std::asin(std::min(0.99, kMargin * radius / profile.viewingDistanceRadii())));
+}
+
+/// Brings the median of what is lit to a middle grey, so that faint parts show beside bright ones.
+Image<Rgb8> toned(Image<glm::vec3> light) {
+  constexpr double kMedian = 0.5;
+  std::vector<float> lit;
+  for (const glm::vec3& pixel : light) {
+    if (const float most = std::max({pixel.r, pixel.g, pixel.b}); most > 0) {
+      lit.push_back(most);
+    }
+  }
+  if (!lit.empty()) {
+    const auto middle = lit.begin() + static_cast<std::ptrdiff_t>(lit.size() / 2);
+    std::nth_element(lit.begin(), middle, lit.end());
+    applyTone(light, {.gain = kMedian / *middle, .curve = ToneCurve::kReinhard});
+  }
+  return srgbFromLinear(light);
+}
+
+/// Pixels as squares of whole pixels, at least `side` wide where the image is smaller.
+Image<Rgb8> enlarged(const Image<Rgb8>& image, int side) {
+  const int factor = std::max(1, side / std::max(image.width(), image.height()));
+  Image<Rgb8> large(image.width() * factor, image.height() * factor);
+  for (int y = 0; y < large.height(); ++y) {
+    for (int x = 0; x < large.width(); ++x) {
+      large(x, y) = image(x / factor, y / factor);
+    }
+  }
+  return large;
+}
+
+}  // namespace
+
+std::vector<SelftestPicture> writeSelftestPictures(const Volume& volume, const std::filesystem::path& folder,
+                                                   const std::string& name, int side) {
+  std::vector<SelftestPicture> pictures;
+  for (const Place& place : kPlaces) {
+    ObserverOptions options;
+    options.eye = static_cast<float>(volume.profile().viewingDistanceRadii()) * place.direction;
+    options.width = side;
+    options.height = side;
+    options.fovVerticalDegrees = fovOfWholeDisplay(volume.profile());
+    // A flat screen is dark from its edge; here the pattern is to be seen, wherever it lies.
+    options.emission.model = EmissionModel::kEven;
+    const std::string file = name + "-" + place.id + ".png";
+    writePng(folder / file, toned(collectLight(volume, options)));
+    pictures.push_back({file, place.name, side, side});
+  }
+  const Image<Rgb8> first = enlarged(sliceImage(volume, 0), side);
+  const std::string file = name + "-slice.png";
+  writePng(folder / file, first);
+  pictures.push_back({file, "Slice 0, as it is sent", first.width(), first.height()});
+  return pictures;
+}
+
+}  // namespace ocelli

@@ -1,0 +1,25 @@
+// What an observer sees of a test pattern on a display that is right: the reference pictures of the checklist.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "display_sim/frames/volume.h"
+
+namespace ocelli {
+
+struct SelftestPicture {
+  std::string file;   ///< relative to the page
+  std::string place;  ///< "From the front"
+  int width = 0;
+  int height = 0;
+};
+
+/// From the front (the default eye), from the front and above, from the right and from straight above, all at the
+/// profile's viewing distance, as square PNG files `FOLDER/NAME-PLACE.png` of so many pixels a side; and slice 0.
+/// Throws WorkError.
+std::vector<SelftestPicture> writeSelftestPictures(const Volume& volume, const std::filesystem::path& folder,
+                                                   const std::string& name, int side);
+
+}  // namespace ocelli

@@ -1,0 +1,70 @@
+#include "cli/device_selftest_style.h"
+
+namespace ocelli {
+
+// Colours of text keep a contrast of at least 4.5 : 1 to their ground in both schemes.
+const std::string_view kSelftestStyle = R"css(
+:root {
+  color-scheme: light dark;
+  --ground: #fbfaf7; --card: #ffffff; --text: #1c2126; --soft: #56606b; --line: #c9c9c2; --accent: #00558c;
+}
+@media (prefers-color-scheme: dark) {
+  :root { --ground: #14171a; --card: #1d2125; --text: #e8eaec; --soft: #a7b0b9; --line: #434a52; --accent: #7cc4f5; }
+}
+* { box-sizing: border-box; }
+body {
+  margin: 0 auto; padding: 2rem clamp(1rem, 4vw, 4rem) 4rem; max-width: 84rem;
+  background: var(--ground); color: var(--text); font: 1rem/1.55 system-ui, "DejaVu Sans", sans-serif;
+}
+h1 { font-size: 2rem; line-height: 1.2; margin: 0 0 .5rem; }
+h2 { font-size: 1.5rem; margin: 3rem 0 .25rem; padding-top: 1rem; border-top: 3px solid var(--accent); scroll-margin-top: 1rem; }
+h3 { font-size: 1.05rem; margin: 1.5rem 0 .25rem; }
+p, li { max-width: 50rem; }
+p { margin: .25rem 0 .75rem; }
+a { color: var(--accent); }
+a:focus-visible, input:focus-visible, .scroll:focus-visible { outline: 3px solid var(--accent); outline-offset: 2px; }
+code { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: .9em; overflow-wrap: anywhere; }
+.soft, figcaption { color: var(--soft); }
+.order { columns: 16rem; padding-left: 2rem; }
+.facts { display: flex; flex-wrap: wrap; gap: .25rem 2rem; margin: 1rem 0; }
+.facts div { white-space: nowrap; }
+.facts dt { display: inline; color: var(--soft); }
+.facts dd { display: inline; margin: 0 0 0 .4rem; }
+.session { display: flex; flex-wrap: wrap; gap: .5rem 1.5rem; margin: 1rem 0; }
+.session label { display: flex; gap: .5rem; align-items: center; }
+.session input, .notes input { font: inherit; color: var(--text); background: var(--card); border: 1px solid var(--soft);
+  border-radius: 4px; padding: .2rem .5rem; }
+.session input { width: 13rem; }
+.notes { display: flex; gap: .5rem; align-items: center; max-width: 50rem; margin: .75rem 0; }
+.notes input { flex: 1; min-width: 0; }
+.pictures { display: grid; grid-template-columns: repeat(5, minmax(0, 1fr)); gap: 1rem; margin: 1rem 0; }
+@media (max-width: 60rem) { .pictures { grid-template-columns: repeat(3, minmax(0, 1fr)); } }
+@media (max-width: 36rem) { .pictures { grid-template-columns: repeat(2, minmax(0, 1fr)); } }
+figure { margin: 0; }
+figure img { display: block; width: 100%; height: auto; aspect-ratio: 1; object-fit: contain; border-radius: 6px; background: #000000; }
+figcaption { font-size: .875rem; margin-top: .3rem; }
+.checks { list-style: none; padding: 0; margin: .25rem 0; }
+.checks label { display: flex; gap: .7rem; align-items: baseline; padding: .25rem 0; cursor: pointer; }
+.checks input { flex: none; width: 1.15rem; height: 1.15rem; margin: 0; position: relative; top: .2rem; accent-color: var(--accent); }
+.scroll { overflow-x: auto; }
+table { border-collapse: collapse; margin: .5rem 0; background: var(--card); width: 100%; min-width: 40rem; }
+th, td { padding: .4rem .7rem; border: 1px solid var(--line); text-align: left; vertical-align: top; font-weight: 400; }
+tbody th { width: 34%; }
+thead th { color: var(--soft); font-weight: 600; }
+@media print {
+  @page { size: A4; margin: 12mm; }
+  :root { color-scheme: light; --ground: #ffffff; --card: #ffffff; --text: #000000; --soft: #444444; --line: #999999;
+    --accent: #00558c; }
+  body { padding: 0; font-size: 9.5pt; }
+  h2 { margin-top: 0; }
+  section { break-before: page; }
+  .pictures { grid-template-columns: repeat(5, 1fr); gap: .5rem; }
+  figure img { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+  .scroll { overflow: visible; }
+  table { min-width: 0; }
+  tr, figure, .checks li { break-inside: avoid; }
+  h2, h3 { break-after: avoid; }
+}
+)css";
+
+}  // namespace ocelli
