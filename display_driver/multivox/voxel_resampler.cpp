@@ -43,6 +43,8 @@ VoxelResampler::VoxelResampler(const DisplayProfile& profile, const VoxelGrid& g
       ownSecondHalf_(profile.secondHalfTurn == SecondHalfTurn::kOwn),
       columns_(columnsOfPlaces()),
       heights_(heightsOfRows()),
+      extents_(extentsOfColumns()),
+      rows_(rowsOfHeights()),
       sums_(grid.cells()),
       changed_(grid.columns(), 0),
       cells_(grid.cells(), 0) {}
@@ -94,6 +96,33 @@ VoxelResampler::Lists VoxelResampler::heightsOfRows() const {
   return listsOf<Lists>(std::move(pairs), static_cast<size_t>(sweep.height()));
 }
 
+std::vector<VoxelResampler::Extent> VoxelResampler::extentsOfColumns() const {
+  std::vector<double> planes(grid_.columns(), 0);
+  std::vector<int> lastPlane(grid_.columns(), -1);
+  std::vector<Extent> extents(grid_.columns());
+  for (size_t list = 0; list + 1 < columns_.begins.size(); ++list) {
+    const auto plane = static_cast<int>(list) / volume_.width();
+    for (const uint32_t column : columns_.of(list)) {
+      planes[column] += std::exchange(lastPlane[column], plane) == plane ? 0 : 1;
+      ++extents[column].places;
+    }
+  }
+  for (size_t column = 0; column < extents.size(); ++column) {
+    if (planes[column] > 0) {
+      extents[column].longest = std::max(planes[column], extents[column].places / planes[column]);
+    }
+  }
+  return extents;
+}
+
+std::vector<double> VoxelResampler::rowsOfHeights() const {
+  std::vector<double> rows(static_cast<size_t>(grid_.z), 0);
+  for (const uint32_t z : heights_.items) {
+    ++rows[z];
+  }
+  return rows;
+}
+
 void VoxelResampler::addPlace(int plane, int column, int row, const glm::uvec3& levels, int sign) {
   const auto times = static_cast<uint32_t>(sign);  // -1 is 2^32 - 1, which takes away as well
   for (const uint32_t cellColumn : columns_.of(static_cast<size_t>(plane * volume_.width() + column))) {
@@ -131,10 +160,17 @@ void VoxelResampler::addPlane(int plane, int sign) {
 void VoxelResampler::color(size_t column) {
   const auto height = static_cast<size_t>(grid_.z);
   const auto fullOfPlace = static_cast<uint64_t>(volume_.fullLevel() * (ownSecondHalf_ ? 2 : 1));
-  for (size_t at = column * height; at < (column + 1) * height; ++at) {
-    const Sum& sum = sums_[at];
-    cells_[at] =
-        sum.places == 0 ? uint8_t{0} : rgb332({sum.red, sum.green, sum.blue}, fullOfPlace * sum.places, shownBits_);
+  const Extent& extent = extents_[column];
+  for (size_t z = 0; z < height; ++z) {
+    const Sum& sum = sums_[column * height + z];
+    uint8_t& cell = cells_[column * height + z];
+    if (sum.places == 0) {
+      cell = 0;
+      continue;
+    }
+    const double thinnestCut = extent.places * rows_[z] / std::max(extent.longest, rows_[z]);
+    const uint64_t places = std::max(uint64_t{sum.places}, static_cast<uint64_t>(thinnestCut));
+    cell = rgb332({sum.red, sum.green, sum.blue}, fullOfPlace * places, shownBits_);
   }
 }
 

@@ -5,11 +5,16 @@
 // and where voxels are larger than cells (few slices, near the rim) each cell has the voxel that holds its centre: a
 // filled volume fills the grid, and a surface gets no holes that it did not have.
 //
-// What a cell shows: the mean light of those of its voxels that have any. Dark voxels do not count: volumes are
-// surfaces in empty space, and near the axis, where many thin voxels fall in a cell, a surface that goes through few of
-// them would otherwise fade by how finely its volume is sliced. A cell of which any voxel is lit is lit (rgb332()). The
-// price: a dithered volume of few bits, where dark voxels are a part of what a surface's level is made of, comes out
-// brighter where several voxels fall in a cell. Profiles with three or more bits a channel do not have this problem.
+// What a cell shows: the light of its voxels, divided by the number of those that are lit, or by as many as the
+// thinnest cut through the cell has, whichever is more. Volumes are surfaces in empty space, so a mean over all voxels
+// would dim each surface by how finely its volume is sliced, most of all near the axis, where dozens of thin voxels
+// fall in a cell of which a surface needs few. A mean over lit voxels alone would lose what dithers say with dark ones.
+// The thinnest cut is the fewest voxels that a surface along the voxels' faces lights on its way through: N / max(a, b,
+// c) of the N voxels of a cell, for N = a (angles) x b (radii) x c (heights). So full light stays full light in every
+// direction, half of the voxels of a thinnest cut are half the light, and a surface that only touches a cell is dimmer
+// there. What remains too bright: dithered surfaces along the other directions, as lit and dark voxels cannot be told
+// from a surface that is thick and one that is thin. A cell of which any voxel is lit is lit (rgb332()).
+//
 // Where the second half turn has slices of its own, a place is seen twice, and its light is the mean of both times,
 // also where one of them is dark.
 //
@@ -62,8 +67,16 @@ class VoxelResampler {
     }
   };
 
+  /// Places of a cell seen from above: those of all planes, and whichever is more: planes, or places of a plane.
+  struct Extent {
+    double places = 0;
+    double longest = 0;
+  };
+
   Lists columnsOfPlaces() const;
   Lists heightsOfRows() const;
+  std::vector<Extent> extentsOfColumns() const;
+  std::vector<double> rowsOfHeights() const;
   /// Takes the places of a plane, 0 to slices per half turn, into the sums (+1) or out of them (-1).
   void addPlane(int plane, int sign);
   void addPlace(int plane, int column, int row, const glm::uvec3& levels, int sign);
@@ -74,8 +87,10 @@ class VoxelResampler {
   Volume volume_;
   bool ownSecondHalf_;
   int shownBits_ = kMostShownBits;
-  Lists columns_;  ///< of a plane and a column of the screen: the columns of cells, as index / grid.z
-  Lists heights_;  ///< of a row: the cells' z
+  Lists columns_;                ///< of a plane and a column of the screen: the columns of cells, as index / grid.z
+  Lists heights_;                ///< of a row: the cells' z
+  std::vector<Extent> extents_;  ///< of columns of cells
+  std::vector<double> rows_;     ///< how many rows of the screen fall in a cell, by z
   std::vector<Sum> sums_;
   std::vector<uint8_t> changed_;  ///< 1 for columns of cells whose sums are newer than their colours
   std::vector<uint8_t> cells_;

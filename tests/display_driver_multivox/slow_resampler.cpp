@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "display_sim/frames/sweep_geometry.h"
 
@@ -15,6 +16,15 @@ bool within(double coordinate, int cell) {
 struct Light {
   glm::dvec3 sum{0};
   int lit = 0;
+  std::set<int> planes, rows;
+  int voxels = 0;
+
+  int thinnestCut() const {
+    const double angles = static_cast<double>(planes.size());
+    const double heights = static_cast<double>(rows.size());
+    const double radii = voxels / angles / heights;
+    return static_cast<int>(voxels / std::max({angles, heights, radii}));
+  }
 };
 
 }  // namespace
@@ -47,14 +57,15 @@ std::vector<uint8_t> slowlyResampled(const Volume& volume, const VoxelGrid& grid
               light += glm::dvec3(volume.levels(plane + sweep.slicesPerHalfTurn(), sweep.width() - 1 - c, row));
               light /= 2;
             }
-            if (light == glm::dvec3(0)) {
-              continue;
-            }
             for (int z = 0; z < grid.z; ++z) {
               const double height = grid.gridFromModel({0, scale * sweep.rowCenterY(row), 0}).z;
               if (within(height, z) || within(sweep.rowOfY(grid.cellCenter(0, 0, z).y / scale), row)) {
-                column[static_cast<size_t>(z)].sum += light;
-                ++column[static_cast<size_t>(z)].lit;
+                Light& cell = column[static_cast<size_t>(z)];
+                cell.sum += light;
+                cell.lit += light == glm::dvec3(0) ? 0 : 1;
+                cell.planes.insert(plane);
+                cell.rows.insert(row);
+                ++cell.voxels;
               }
             }
           }
@@ -64,8 +75,9 @@ std::vector<uint8_t> slowlyResampled(const Volume& volume, const VoxelGrid& grid
         const Light& light = column[static_cast<size_t>(z)];
         if (light.lit > 0) {
           // Sums of whole and half levels are exact; twice them are whole.
-          cells[grid.index(x, y, z)] = rgb332(glm::u64vec3(2.0 * light.sum),
-                                              static_cast<uint64_t>(2 * light.lit * volume.fullLevel()), shownBits);
+          const int places = std::max(light.lit, light.thinnestCut());
+          cells[grid.index(x, y, z)] =
+              rgb332(glm::u64vec3(2.0 * light.sum), static_cast<uint64_t>(2 * places * volume.fullLevel()), shownBits);
         }
       }
     }

@@ -272,5 +272,45 @@ TEST(VoxelResampler, darkVoxelsDoNotDimACell) {
   EXPECT_EQ(cells[VoxelGrid().index(120, 64, 53)], 0xff);
 }
 
+TEST(VoxelResampler, halfTheVoxelsOfASurfaceAreHalfTheLight) {
+  // A plane at right angles to the axis. A cell has 12 rows and 12 columns of a voxel's size, and some slices.
+  Volume volume(loadProfile("perspecta"));
+  VoxelResampler resampler(volume.profile(), {});
+  const int row = volume.height() / 2 - 6;
+  const auto meanLevelOf = [&](int column) {
+    int sum = 0;
+    int count = 0;
+    for (int y = 0; y < 128; ++y) {
+      for (int x = 0; x < 128; ++x) {
+        const double radius = std::hypot(x - 63.5, y - 63.5);
+        if (std::abs(radius - column) < 0.5) {
+          sum += shownLevels(resampler.cells()[VoxelGrid().index(x, y, 32)], 3).level.g;
+          ++count;
+        }
+      }
+    }
+    return static_cast<double>(sum) / count;
+  };
+  for (int slice = 0; slice < volume.slices(); ++slice) {
+    for (int column = 0; column < volume.width(); ++column) {
+      if ((slice + column) % 2 == 0) {
+        volume.light(slice, column, row, 7);
+      }
+    }
+  }
+  resampler.update(volume, std::nullopt, 3);
+  // Half of 7 levels; rounding to levels, and cells that have an odd number of voxels, make less than half of one.
+  EXPECT_NEAR(meanLevelOf(16), 3.5, 0.5);
+  EXPECT_NEAR(meanLevelOf(25), 3.5, 0.5);
+  for (int slice = 0; slice < volume.slices(); ++slice) {
+    for (int column = 0; column < volume.width(); ++column) {
+      volume.light(slice, column, row, 7);
+    }
+  }
+  resampler.update(volume, std::nullopt, 3);
+  EXPECT_EQ(meanLevelOf(16), 7);
+  EXPECT_EQ(meanLevelOf(25), 7);
+}
+
 }  // namespace
 }  // namespace ocelli
