@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
+#include <thread>
 
 namespace ocelli::test {
 
@@ -67,9 +68,16 @@ const uint8_t* ActedDisplay::page(int number) const {
   return memory_ + (number != 0 ? grid_.cells() : 0);
 }
 
-std::vector<uint8_t> ActedDisplay::shown() const {
+std::vector<uint8_t> ActedDisplay::shown(size_t parts, std::chrono::microseconds pause) const {
   const uint8_t* const from = page(shownPage());
-  return {from, from + grid_.cells()};
+  const size_t bytes = grid_.cells() / parts;
+  std::vector<uint8_t> cells;
+  cells.reserve(grid_.cells());
+  for (size_t part = 0; part < parts; ++part) {
+    cells.insert(cells.end(), from + part * bytes, from + (part + 1) * bytes);
+    std::this_thread::sleep_for(pause);
+  }
+  return cells;
 }
 
 void ActedDisplay::setTelemetry(int bitsPerChannel, int revolutionsPerMinute, int microsecondsPerFrame) {

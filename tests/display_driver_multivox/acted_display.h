@@ -1,6 +1,7 @@
 // Plays the driver of a multivox display, or its simulator: makes the shared memory, maps it, reads what is shown.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -29,8 +30,9 @@ class ActedDisplay {
 
   int shownPage() const;
   const uint8_t* page(int number) const;
-  /// Takes the number of the page that is shown, then copies that page, as readers do.
-  std::vector<uint8_t> shown() const;
+  /// Takes the number of the page that is shown, then copies that page, as readers do; in so many equal parts, with a
+  /// pause after each.
+  std::vector<uint8_t> shown(size_t parts = 1, std::chrono::microseconds pause = {}) const;
   void setShownPage(uint8_t page);
   void setTelemetry(int bitsPerChannel, int revolutionsPerMinute, int microsecondsPerFrame);
 

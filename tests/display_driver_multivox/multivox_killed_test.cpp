@@ -77,11 +77,11 @@ void killMany(const char* kind, int kills) {
 }
 
 TEST(MultivoxKilled, writersToTheMemoryLeaveWholeFrames) {
-  killMany("memory", 60);
+  killMany("memory", 50);
 }
 
 TEST(MultivoxKilled, devicesLeaveWholeFrames) {
-  killMany("device", 25);
+  killMany("device", 20);
 }
 
 }  // namespace
