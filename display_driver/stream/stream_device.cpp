@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "display_driver/device/volume_pool.h"
 #include "display_driver/stream/device_session.h"
 #include "display_driver/stream/link_inbox.h"
 #include "display_driver/stream/outgoing_frame.h"
@@ -75,7 +76,7 @@ class StreamDevice : public Device {
                                                 std::optional<std::span<const int>> changedSlices) override {
     OC_CHECK(volume.profile() == *profile_, "a volume of another display");
     const std::lock_guard submitLock(submitMutex_);
-    const auto copy = std::make_shared<Volume>(volume);
+    const std::shared_ptr<const Volume> copy = pool_.copyOf(volume);
     const std::lock_guard lock(mutex_);
     const auto frame = std::make_shared<OutgoingFrame>(++lastNumber_);
     frame->volume = copy;
@@ -176,6 +177,7 @@ class StreamDevice : public Device {
   std::optional<Clock::time_point> deviceStart_;  ///< the zero of the display's clock
 
   std::mutex submitMutex_;
+  VolumePool pool_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   bool woken_ = false;

@@ -1,0 +1,43 @@
+#include "display_driver/device/volume_pool.h"
+
+#include <algorithm>
+
+#include "oc_core/base/parallel.h"
+
+namespace ocelli {
+namespace {
+
+/// Slices in one piece.
+constexpr size_t kGrain = 16;
+
+}  // namespace
+
+VolumePool::VolumePool() : state_(std::make_shared<State>()) {}
+
+std::shared_ptr<const Volume> VolumePool::copyOf(const Volume& volume) {
+  std::unique_ptr<Volume> copy;
+  {
+    const std::lock_guard lock(state_->mutex);
+    if (!state_->unused.empty()) {
+      copy = std::move(state_->unused.back());
+      state_->unused.pop_back();
+    }
+  }
+  if (copy == nullptr || copy->profile() != volume.profile()) {
+    copy = std::make_unique<Volume>(volume);
+  } else {
+    parallelFor(static_cast<size_t>(volume.slices()), kGrain, [&](size_t from, size_t to) {
+      for (size_t i = from; i < to; ++i) {
+        std::ranges::copy(volume.slice(static_cast<int>(i)), copy->slice(static_cast<int>(i)).begin());
+      }
+    });
+  }
+  const auto giveBack = [state = state_](Volume* used) {
+    std::unique_ptr<Volume> owned(used);
+    const std::lock_guard lock(state->mutex);
+    state->unused.push_back(std::move(owned));
+  };
+  return {copy.release(), giveBack};
+}
+
+}  // namespace ocelli
