@@ -40,7 +40,7 @@ struct RotationPhase {
 /// When a frame takes the place of the one that is shown.
 struct Presentation {
   /// nullopt: at the first slice of the next refresh that begins after the whole frame is there.
-  std::optional<RotationPhase> at;
+  std::optional<RotationPhase> at{};
   /// Where the frame comes after its phase: show it from the very next slice on, in the middle of a turn, instead of
   /// waiting until the screen comes to the slice of `at` again. The turn is then torn.
   bool tearWhenLate = false;

@@ -29,10 +29,10 @@ struct FrameState {
   std::chrono::steady_clock::time_point shown{};    ///< when its first slice was shown
   uint64_t shownRefresh = 0;
   int shownSlice = 0;
-  bool late = false;    ///< shown after its phase
-  bool coarse = false;  ///< shown in part
-  uint64_t bytes = 0;   ///< that were sent for it
-  std::string problem;  ///< of lost and dropped frames
+  bool late = false;      ///< shown after its phase
+  bool coarse = false;    ///< shown in part
+  uint64_t bytes = 0;     ///< that were sent for it
+  std::string problem{};  ///< of lost and dropped frames
 };
 
 /// Shown, dropped and lost frames stay what they are.

@@ -1,0 +1,63 @@
+#include "display_driver/device_kinds.h"
+
+#include <algorithm>
+
+#include "display_driver/device/file_device.h"
+#include "display_driver/device/null_device.h"
+#include "oc_core/base/error.h"
+
+namespace ocelli {
+namespace {
+
+using Rest = DeviceKind::Rest;
+
+std::string allUsages() {
+  std::string all;
+  for (const DeviceKind& kind : deviceKinds()) {
+    all += (all.empty() ? "" : ", ") + kind.usage();
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string DeviceKind::usage() const {
+  switch (rest) {
+    case Rest::kNone:
+      return name;
+    case Rest::kOptional:
+      return name + "[:" + restName + "]";
+    case Rest::kRequired:
+      return name + ":" + restName;
+  }
+  return name;
+}
+
+const std::vector<DeviceKind>& deviceKinds() {
+  static const std::vector<DeviceKind> kinds = {
+      {"file", Rest::kRequired, "PATH.svol", "a recording of what is shown",
+       [](const std::string& rest, const DeviceOptions& options) { return openFileDevice(rest, options.profile); }},
+      {"null", Rest::kNone, "", "takes everything and shows it nowhere, at the display's rate",
+       [](const std::string&, const DeviceOptions& options) { return openNullDevice(options.profile); }},
+  };
+  return kinds;
+}
+
+std::unique_ptr<Device> openDevice(const std::string& text, const DeviceOptions& options) {
+  const size_t colon = text.find(':');
+  const std::string name = text.substr(0, colon);
+  const std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
+  const auto kind = std::ranges::find(deviceKinds(), name, &DeviceKind::name);
+  if (kind == deviceKinds().end()) {
+    throw InputError("there is no such device", text, "one of " + allUsages());
+  }
+  if (kind->rest == Rest::kNone && colon != std::string::npos) {
+    throw InputError("nothing follows the name of this device", text, kind->usage());
+  }
+  if (kind->rest == Rest::kRequired && rest.empty()) {
+    throw InputError("this device needs " + kind->restName, text, kind->usage());
+  }
+  return kind->open(rest, options);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,38 @@
+// Devices by name: "null", "file:out.svol". The recipe for a new one stands in display_driver/device/device.h.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "display_driver/device/device.h"
+
+namespace ocelli {
+
+struct DeviceOptions {
+  /// For devices that do not have a display of their own.
+  DisplayProfile profile = loadProfile("perspecta");
+};
+
+struct DeviceKind {
+  enum class Rest { kNone, kOptional, kRequired };
+
+  std::string name;
+  Rest rest = Rest::kNone;  ///< whether anything follows the name, after a colon
+  std::string restName;     ///< "PATH.svol", for people; empty where nothing follows
+  std::string help;         ///< one line
+  /// `rest` is what follows the colon; empty where nothing does.
+  std::function<std::unique_ptr<Device>(const std::string& rest, const DeviceOptions& options)> open;
+
+  /// "file:PATH.svol", "usb[:SERIAL]"
+  std::string usage() const;
+};
+
+const std::vector<DeviceKind>& deviceKinds();
+
+/// `text` is NAME or NAME:REST. Throws InputError for names of no device and what its kind says of the rest, WorkError
+/// where the device cannot be opened.
+std::unique_ptr<Device> openDevice(const std::string& text, const DeviceOptions& options = {});
+
+}  // namespace ocelli
