@@ -1,0 +1,99 @@
+// Presents the volumes of a source at the display's rate, each at the begin of a refresh.
+//
+//   Pacer pacer(device, source, realClock(), options);
+//   const TimeLineSummary summary = pacer.run([] { return interrupted(); }, [](const RefreshRecord& record) { ... });
+//
+// For each refresh: it foresees when the refresh begins (rotation_clock.h), begins to make its volume as late as it may
+// (as early as making, submitting and sending took at their worst lately, so that what is shown is as fresh as can be),
+// submits it, says at which refresh it is to be shown, and follows what becomes of it. A refresh that cannot be made
+// any more is skipped, and the volume that was late for it is shown at the first one that it can still make. Where the
+// link takes longer than a refresh for a frame, only every second or third refresh gets one: nothing ever waits in a
+// queue, so that the latency stays what the stages take.
+//
+// Where the device does not tell its rotation, refreshes are counted from the begin at the rate of the profile, and
+// frames are shown as soon as they are there.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "display_driver/device/device.h"
+#include "display_driver/pacing/pace_clock.h"
+#include "display_driver/pacing/rotation_clock.h"
+#include "display_driver/pacing/stage_times.h"
+#include "display_driver/pacing/time_line.h"
+#include "display_driver/pacing/volume_source.h"
+
+namespace ocelli {
+
+struct PacerOptions {
+  /// nullopt: until the source ends, or is stopped.
+  std::optional<double> seconds{};
+  bool tearWhenLate = false;
+  bool coarseWhenLate = false;
+};
+
+class Pacer {
+ public:
+  /// All outlive the pacer.
+  Pacer(Device& device, VolumeSource& source, PaceClock& clock, const PacerOptions& options = {});
+
+  using Stop = std::function<bool()>;
+  using OnRecord = std::function<void(const RefreshRecord&)>;
+  /// Call it once. `stop` is asked some 100 times a second; `onRecord` gets each refresh in order, once it is known
+  /// what became of it. Throws what the source throws, with all of the records before.
+  TimeLineSummary run(const Stop& stop = {}, const OnRecord& onRecord = {});
+
+ private:
+  struct Pending {
+    RefreshRecord record;
+    std::shared_ptr<const FrameFence> fence{};  ///< nullptr: all is known
+    bool locked = false;                        ///< it was told at which refresh
+  };
+
+  void waitForRotation();
+  void observe();
+  void settle(Pending& pending, const FrameState& state);
+  void learn(const RefreshRecord& record);
+  void flush(const OnRecord& onRecord);
+  void finish(const OnRecord& onRecord);
+  void chooseTarget(HostTime now);
+  void skipUpTo(uint64_t refresh, RefreshOutcome why);
+  void makeAndSubmit(uint64_t refresh);
+  size_t underWay() const;
+
+  // The rotation, as the device tells it or as it is made up.
+  HostTime beginOf(uint64_t refresh) const;
+  uint64_t refreshAfter(HostTime time) const;
+  double refreshSeconds() const;
+  /// From the begin of the making to the arrival.
+  std::chrono::nanoseconds usualLead() const;
+  std::chrono::nanoseconds safeLead() const;
+
+  Device& device_;
+  VolumeSource& source_;
+  PaceClock& clock_;
+  PacerOptions options_;
+  RotationClock ideal_;     ///< of a device that does not tell its rotation
+  RotationClock rotation_;  ///< as the device tells it
+  uint64_t restarts_ = 0;
+  bool locked_ = false;
+  bool connected_ = false;
+  bool ended_ = false;
+
+  std::optional<uint64_t> last_;    ///< refresh that has been dealt with
+  std::optional<uint64_t> target_;  ///< the next one that gets a frame
+  std::optional<HostTime> lastFrameDue_;
+  StageTimes making_;
+  StageTimes transit_;  ///< from the end of the making to the arrival
+  StageTimes sending_;  ///< while the link was busy with a frame
+  HostTime lastSent_{};
+  std::deque<Pending> pending_;
+  TimeLine timeLine_;
+};
+
+}  // namespace ocelli
