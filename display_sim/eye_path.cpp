@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <glm/common.hpp>
+#include <iterator>
 #include <optional>
 #include <string_view>
 
@@ -20,7 +21,6 @@ namespace {
 
 constexpr double kMostSeconds = 1e6;
 constexpr double kMostRadii = 1e6;
-constexpr std::string_view kHeader = "time,x,y,z";
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  ///< spreadsheets begin a table with it
 
 /// Throws where the poses do not make a path.
@@ -77,6 +77,14 @@ std::vector<glm::vec3> turntableEyes(const glm::vec3& eye, int count) {
   return eyes;
 }
 
+std::optional<EyePose> poseFromLine(std::string_view line) {
+  const auto numbers = fourNumbers(line);
+  if (!numbers) {
+    return std::nullopt;
+  }
+  return EyePose{(*numbers)[0], glm::vec3((*numbers)[1], (*numbers)[2], (*numbers)[3])};
+}
+
 std::vector<EyePose> readEyePath(const std::filesystem::path& path) {
   const std::string where = path.string();
   if (where.ends_with(".csv")) {
@@ -107,18 +115,18 @@ std::vector<EyePose> eyePathFromCsv(const std::string& text, const std::string& 
     }
     const std::string here = where + ":" + std::to_string(number);
     if (!hasHeader) {
-      if (line != kHeader) {
+      if (line != kEyePathHeader) {
         throw InputError("the first line is not \"time,x,y,z\"", here, "name the columns so");
       }
       hasHeader = true;
       continue;
     }
-    const auto numbers = fourNumbers(line);
-    if (!numbers) {
+    const auto pose = poseFromLine(line);
+    if (!pose) {
       throw InputError("this is not a time in seconds and three coordinates in display radii", here,
                        "write lines like 0.5,0,0.2,9.8");
     }
-    poses.push_back({(*numbers)[0], glm::vec3((*numbers)[1], (*numbers)[2], (*numbers)[3])});
+    poses.push_back(*pose);
   }
   check(poses, where);
   return poses;
@@ -144,6 +152,18 @@ std::vector<EyePose> eyePathFromJson(const std::string& text, const std::string&
   return poses;
 }
 
+glm::vec3 eyeAt(const std::vector<EyePose>& poses, double seconds) {
+  OC_CHECK(!poses.empty(), "a path has poses");
+  const auto after = std::ranges::lower_bound(poses, seconds, {}, &EyePose::seconds);
+  if (after == poses.begin() || after == poses.end()) {
+    return after == poses.begin() ? poses.front().eye : poses.back().eye;
+  }
+  const EyePose& a = *std::prev(after);
+  const EyePose& b = *after;
+  const double share = std::clamp((seconds - a.seconds) / (b.seconds - a.seconds), 0.0, 1.0);
+  return glm::mix(a.eye, b.eye, static_cast<float>(share));
+}
+
 std::vector<glm::vec3> eyesAlong(const std::vector<EyePose>& poses, double framesPerSecond) {
   OC_CHECK(!poses.empty() && framesPerSecond > 0, "a path has poses and a rate");
   // A frame that rounding would lose at the end is seen.
@@ -152,20 +172,8 @@ std::vector<glm::vec3> eyesAlong(const std::vector<EyePose>& poses, double frame
     throw InputError("this path and this rate make more than 100000 frames", "--rate", "give a lower rate");
   }
   std::vector<glm::vec3> eyes;
-  size_t after = 1;  // the pose at or after the frame
   for (int i = 0; i < static_cast<int>(frames); ++i) {
-    const double time = poses.front().seconds + i / framesPerSecond;
-    while (after < poses.size() && poses[after].seconds < time) {
-      ++after;
-    }
-    if (after >= poses.size()) {
-      eyes.push_back(poses.back().eye);
-      continue;
-    }
-    const EyePose& a = poses[after - 1];
-    const EyePose& b = poses[after];
-    const double share = std::clamp((time - a.seconds) / (b.seconds - a.seconds), 0.0, 1.0);
-    eyes.push_back(glm::mix(a.eye, b.eye, static_cast<float>(share)));
+    eyes.push_back(eyeAt(poses, poses.front().seconds + i / framesPerSecond));
   }
   return eyes;
 }

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ocelli {
@@ -29,11 +31,19 @@ struct EyePose {
 
 inline constexpr int kMostFrames = 100000;
 
+/// The first line of a .csv file.
+inline constexpr std::string_view kEyePathHeader = "time,x,y,z";
+/// One of its other lines; nullopt where it is none.
+std::optional<EyePose> poseFromLine(std::string_view line);
+
 /// Poses in the order of their times. A .csv file has the header `time,x,y,z` and a line for each pose; a .json file is
 /// {"poses": [{"time": 0, "eye": [0, 0, 10]}, ...]}. Throws InputError naming line or field.
 std::vector<EyePose> readEyePath(const std::filesystem::path& path);
 std::vector<EyePose> eyePathFromCsv(const std::string& text, const std::string& where);
 std::vector<EyePose> eyePathFromJson(const std::string& text, const std::string& where);
+
+/// Where the eye is at a time, on straight lines between poses; before the first and after the last it stays there.
+glm::vec3 eyeAt(const std::vector<EyePose>& poses, double seconds);
 
 /// The eye at equal intervals from the first pose to the last, on straight lines between poses. Throws InputError for
 /// more than kMostFrames.
