@@ -4,12 +4,38 @@
 
 #include "display_driver/device/file_device.h"
 #include "display_driver/device/null_device.h"
+#include "display_driver/multivox/multivox_device.h"
+#include "display_driver/sim/sim_device.h"
+#ifdef OCELLI_WITH_USB
+#include "display_driver/stream/stream_device.h"
+#include "display_driver/usb/usb_port.h"
+#endif
 #include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
 
 using Rest = DeviceKind::Rest;
+
+std::unique_ptr<Device> openSim(const DeviceOptions& options) {
+  SimOptions sim;
+  sim.display.firmware.profile = options.profile;
+  return openSimDevice(sim);
+}
+
+#ifdef OCELLI_WITH_USB
+std::unique_ptr<Device> openUsb(const std::string& serial) {
+  try {
+    UsbPortOptions port;
+    port.serial = serial;
+    StreamOptions stream;
+    stream.kind = "usb";
+    return openStreamDevice(std::make_unique<UsbPort>(port), stream);
+  } catch (const wire::LinkError& error) {
+    throw WorkError(error.what(), serial.empty() ? "usb" : "usb:" + serial, "ocelli device list");
+  }
+}
+#endif
 
 std::string allUsages() {
   std::string all;
@@ -37,8 +63,16 @@ const std::vector<DeviceKind>& deviceKinds() {
   static const std::vector<DeviceKind> kinds = {
       {"file", Rest::kRequired, "PATH.svol", "a recording of what is shown",
        [](const std::string& rest, const DeviceOptions& options) { return openFileDevice(rest, options.profile); }},
+      {"multivox", Rest::kOptional, "NAME", "a display or simulator of the multivox project, in shared memory",
+       [](const std::string& rest, const DeviceOptions& options) { return openMultivox(rest, options.profile); }},
       {"null", Rest::kNone, "", "takes everything and shows it nowhere, at the display's rate",
        [](const std::string&, const DeviceOptions& options) { return openNullDevice(options.profile); }},
+      {"sim", Rest::kNone, "", "a simulated display, which gets the bytes that hardware would get",
+       [](const std::string&, const DeviceOptions& options) { return openSim(options); }},
+#ifdef OCELLI_WITH_USB
+      {"usb", Rest::kOptional, "SERIAL", "a display on USB; it says itself which profile it has",
+       [](const std::string& rest, const DeviceOptions&) { return openUsb(rest); }},
+#endif
   };
   return kinds;
 }

@@ -36,21 +36,10 @@ IdealDevice::~IdealDevice() {
 std::shared_ptr<const FrameFence> IdealDevice::submitFrame(const Volume& volume, std::optional<std::span<const int>>) {
   OC_CHECK(volume.profile() == profile_, "a volume of another display was submitted");
   IdealScreen::Frame frame;
-  std::unique_lock lock(mutex_);
-  if (frames_ != nullptr && !failure_) {
-    if (!spare_.empty()) {
-      frame.volume = std::move(spare_.back());
-      spare_.pop_back();
-    }
-    // Others need not wait for this copy.
-    lock.unlock();
-    if (frame.volume == nullptr) {
-      frame.volume = std::make_unique<Volume>(volume);
-    } else {
-      *frame.volume = volume;
-    }
-    lock.lock();
+  if (frames_ != nullptr) {
+    frame.volume = copies_.copyOf(volume);
   }
+  const std::lock_guard lock(mutex_);
   frame.fence = std::make_shared<FrameFence>(++lastNumber_);
   ++counts_.framesSubmitted;
   const auto fence = frame.fence;
@@ -62,7 +51,6 @@ std::shared_ptr<const FrameFence> IdealDevice::submitFrame(const Volume& volume,
   advance();
   ++counts_.framesArrived;
   screen_.add(std::move(frame), std::chrono::steady_clock::now());
-  keepForLater(screen_.takeDropped());
   return fence;
 }
 
@@ -78,6 +66,7 @@ void IdealDevice::present(FrameNumber frame, const Presentation& presentation) {
 Telemetry IdealDevice::telemetry() {
   const std::lock_guard lock(mutex_);
   advance();
+  counts_.framesDropped = screen_.dropped();
   counts_.underruns = screen_.underruns();
   counts_.rotation = screen_.rotation().reading(std::chrono::steady_clock::now());
   return counts_;
@@ -89,7 +78,6 @@ void IdealDevice::advance() {
       ++counts_.framesLost;
       counts_.lastProblem = failure_ ? counts_.lastProblem : "frames come faster than they can be written";
       lose(frame, counts_.lastProblem);
-      spare_.push_back(std::move(frame.volume));
       continue;
     }
     ++counts_.framesShown;
@@ -97,16 +85,6 @@ void IdealDevice::advance() {
     if (frames_ != nullptr) {
       toTake_.push_back({std::move(frame.volume), frame.due});
       changed_.notify_all();
-    }
-  }
-  keepForLater(screen_.takeDropped());
-}
-
-void IdealDevice::keepForLater(std::vector<IdealScreen::Frame> frames) {
-  counts_.framesDropped += frames.size();
-  for (IdealScreen::Frame& frame : frames) {
-    if (frame.volume != nullptr) {
-      spare_.push_back(std::move(frame.volume));
     }
   }
 }
@@ -128,7 +106,6 @@ void IdealDevice::run() {
       }
       lock.lock();
       toTake_.pop_front();
-      spare_.push_back(std::move(next.volume));
       if (failure) {
         failure_ = failure;
         counts_.connected = false;

@@ -8,10 +8,10 @@
 #include <mutex>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "display_driver/device/device.h"
 #include "display_driver/device/ideal_screen.h"
+#include "display_driver/device/volume_pool.h"
 
 namespace ocelli {
 
@@ -44,17 +44,17 @@ class IdealDevice final : public Device {
  private:
   /// A frame that was shown and has not been taken yet.
   struct Taken {
-    std::unique_ptr<Volume> volume;
+    std::shared_ptr<const Volume> volume;
     HostTime time;
   };
   void run();
   void advance();
-  void keepForLater(std::vector<IdealScreen::Frame> frames);
   void end();
 
   const DeviceInfo info_;
   const DisplayProfile profile_;
   const std::unique_ptr<ShownFrames> frames_;
+  VolumePool copies_;
 
   std::mutex mutex_;
   std::condition_variable changed_;
@@ -62,7 +62,6 @@ class IdealDevice final : public Device {
   Telemetry counts_;
   FrameNumber lastNumber_ = 0;
   std::deque<Taken> toTake_;
-  std::vector<std::unique_ptr<Volume>> spare_;  ///< so that frames do not take new memory each time
   std::exception_ptr failure_;
   bool closing_ = false;
   std::thread thread_;

@@ -122,11 +122,7 @@ void IdealScreen::drop(size_t waiting) {
   frame.state.stage = FrameStage::kDropped;
   frame.state.problem = "a newer frame took its place";
   frame.fence->moveTo(frame.state);
-  dropped_.push_back(std::move(frame));
-}
-
-std::vector<IdealScreen::Frame> IdealScreen::takeDropped() {
-  return std::exchange(dropped_, {});
+  ++dropped_;
 }
 
 HostTime IdealScreen::nextChange() const {

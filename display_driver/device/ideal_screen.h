@@ -46,7 +46,7 @@ class IdealScreen {
 
   struct Frame {
     std::shared_ptr<FrameFence> fence;
-    std::unique_ptr<Volume> volume;  ///< nullptr where nobody wants it
+    std::shared_ptr<const Volume> volume;  ///< nullptr where nobody wants it
     FrameState state;
     std::optional<Presentation> presentation;
     HostTime due = HostTime::max();  ///< when it is shown; max: nobody has said
@@ -56,13 +56,13 @@ class IdealScreen {
   void present(FrameNumber frame, const Presentation& presentation, HostTime now);
   /// Those that have been shown up to now, in their order; their fences are not moved yet.
   std::vector<Frame> advance(HostTime now);
-  /// Those that were dropped since the last call; their fences have been moved.
-  std::vector<Frame> takeDropped();
   /// When advance() has something to show; max: never.
   HostTime nextChange() const;
   /// All frames that wait, in the order of their numbers.
   std::vector<Frame> takeWaiting();
 
+  /// Frames that gave way to newer ones; their fences say so.
+  uint64_t dropped() const { return dropped_; }
   /// Refreshes that had to show an old frame.
   uint64_t underruns() const { return underruns_; }
 
@@ -71,7 +71,7 @@ class IdealScreen {
 
   IdealRotation rotation_;
   std::vector<Frame> waiting_;  ///< in the order of their numbers
-  std::vector<Frame> dropped_;
+  uint64_t dropped_ = 0;
   uint64_t underruns_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "display_driver/device_kinds.h"
+#include "tests/display_driver_multivox/acted_display.h"
 
 namespace ocelli::test {
 
@@ -23,14 +24,20 @@ inline DisplayProfile fastProfile() {
 struct TestDevice {
   /// What follows the name; nullptr: this kind needs what these tests do not have.
   std::function<std::string(const std::string& folder)> rest;
-  std::string reason;  ///< why, where it cannot be opened here
+  std::string reason{};                                   ///< why, where it cannot be opened here
+  std::function<std::shared_ptr<void>()> surroundings{};  ///< what must be there while it is open
 };
 
 /// By name. A new kind needs a line here.
 inline const std::map<std::string, TestDevice>& testDevices() {
+  static const std::string memory = uniqueObject();
   static const std::map<std::string, TestDevice> devices = {
-      {"file", {[](const std::string& folder) { return ":" + folder + "/shown.svol"; }, ""}},
-      {"null", {[](const std::string&) { return std::string(); }, ""}},
+      {"file", {[](const std::string& folder) { return ":" + folder + "/shown.svol"; }}},
+      {"multivox",
+       {[](const std::string&) { return ":" + memory; }, "", [] { return std::make_shared<ActedDisplay>(memory); }}},
+      {"null", {[](const std::string&) { return std::string(); }}},
+      {"sim", {[](const std::string&) { return std::string(); }}},
+      {"usb", {nullptr, "displays on USB are tested in tests/display_driver_usb, on an emulated bus"}},
   };
   return devices;
 }

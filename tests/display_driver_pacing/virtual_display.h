@@ -135,7 +135,6 @@ class VirtualDisplay final : public Device {
       shown.push_back(frame.fence->number());
       frame.fence->moveTo(frame.state);
     }
-    screen_->takeDropped();
   }
   void advance() {
     while (sending_ && sending_->done <= clock_.now()) {

@@ -60,8 +60,10 @@ THIRD_PARTIES = {
 # Made by ocelli_embed_shaders() in the build tree, for .cpp files.
 GENERATED_SHADERS = "shaders.h"
 # Found without a target: the system's own headers.
-SYSTEM_PREFIXES = ("sys/", "unistd.h", "fcntl.h", "stdlib.h", "immintrin.h", "malloc.h", "dlfcn.h", "poll.h", "spawn.h", "linux/")
-SYSTEM_PREFIXES = ("sys/", "unistd.h", "fcntl.h", "stdlib.h", "immintrin.h", "malloc.h", "dlfcn.h", "poll.h", "spawn.h", "netinet/", "arpa/")
+SYSTEM_PREFIXES = (
+    "sys/", "unistd.h", "fcntl.h", "stdlib.h", "immintrin.h", "malloc.h", "dlfcn.h", "poll.h", "spawn.h", "linux/", "netinet/",
+    "arpa/",
+)
 
 ALLOWED_IN_PUBLIC_HEADERS = {"glm/"}
 PUBLIC_HEADER_EXCEPTIONS = {
