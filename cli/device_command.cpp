@@ -10,6 +10,7 @@ namespace ocelli {
 void addDeviceCommand(CLI::App& program, const Frame& frame) {
   CLI::App& device = *program.add_subcommand("device", "Build, calibrate and plan for volumetric displays");
   device.require_subcommand(1);
+  addDevicePlan(device, frame);
   addDeviceSelftest(device, frame);
 }
 

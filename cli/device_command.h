@@ -10,6 +10,7 @@ namespace ocelli {
 class Frame;
 
 // Each adds a command below `device`, as the recipe in cli/command.h says of the program's own.
+void addDevicePlan(CLI::App& device, const Frame& frame);
 void addDeviceSelftest(CLI::App& device, const Frame& frame);
 
 }  // namespace ocelli

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "display_driver/wire/bandwidth_plan.h"
+
 namespace ocelli {
 
 std::string describe(const UsbPlace& place) {
@@ -39,9 +41,9 @@ double practicalBytesPerSecond(UsbSpeed speed) {
     case UsbSpeed::kFull:
       return 1.0e6;
     case UsbSpeed::kHigh:
-      return 40e6;
+      return wire::kUsb2BytesPerSecond;
     case UsbSpeed::kSuper:
-      return 400e6;
+      return wire::kUsb3BytesPerSecond;
     case UsbSpeed::kSuperPlus:
       return 900e6;
   }
