@@ -19,6 +19,9 @@ void FrameAssembler::begin(const FrameBegin& begin, const Volume* base, Volume& 
   received_ = 0;
   checksum_ = 0;
   for (int i = 0; i < target.slices(); ++i) {
+    if (due_[static_cast<size_t>(i)]) {
+      continue;
+    }
     if (base != nullptr) {
       std::ranges::copy(base->slice(i), target.slice(i).begin());
     } else {

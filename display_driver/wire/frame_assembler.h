@@ -15,8 +15,8 @@ class FrameAssembler {
  public:
   FrameAssembler(const DisplayProfile& profile, uint32_t capabilities);
 
-  /// Begins a frame: `target` becomes a copy of `base` (nullptr: dark), and slices come into it. Both stay where they
-  /// are until the frame has ended.
+  /// Begins a frame: `target` gets the slices of `base` (nullptr: dark ones) that are not announced; those that are may
+  /// hold anything until they come. Both stay where they are until the frame has ended.
   void begin(const FrameBegin& begin, const Volume* base, Volume& target);
   /// A slice of it. After an error the frame is lost: call drop().
   ErrorCode slice(const MessageHeader& header, std::span<const uint8_t> payload);
