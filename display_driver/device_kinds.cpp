@@ -5,7 +5,6 @@
 #include "display_driver/device/file_device.h"
 #include "display_driver/device/null_device.h"
 #include "display_driver/multivox/multivox_device.h"
-#include "display_driver/sim/sim_device.h"
 #ifdef OCELLI_WITH_USB
 #include "display_driver/stream/stream_device.h"
 #include "display_driver/usb/usb_port.h"
@@ -18,7 +17,7 @@ namespace {
 using Rest = DeviceKind::Rest;
 
 std::unique_ptr<Device> openSim(const DeviceOptions& options) {
-  SimOptions sim;
+  SimOptions sim = options.sim;
   sim.display.firmware.profile = options.profile;
   return openSimDevice(sim);
 }

@@ -7,12 +7,15 @@
 #include <vector>
 
 #include "display_driver/device/device.h"
+#include "display_driver/sim/sim_device.h"
 
 namespace ocelli {
 
 struct DeviceOptions {
   /// For devices that do not have a display of their own.
   DisplayProfile profile = loadProfile("perspecta");
+  /// What the simulated display is like, and who hears of what it shows. Its profile is the one above.
+  SimOptions sim = {};
 };
 
 struct DeviceKind {
