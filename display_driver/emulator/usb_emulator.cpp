@@ -114,7 +114,7 @@ struct UsbEmulator::State {
 
   // On umockdev's thread.
   static gboolean onIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self);
-  static void onVanished(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self);
+  static void onVanished(gpointer self, GObject* client);
   void handle(UMockdevIoctlClient* client);
   int answer(UMockdevIoctlClient* client, Connection& connection, unsigned long request);
   int submit(UMockdevIoctlClient* client, Connection& connection);
@@ -151,6 +151,7 @@ struct UsbEmulator::State {
   bool news = false;
   bool stop = false;
   std::map<UMockdevIoctlClient*, Connection> connections;
+  std::vector<UMockdevIoctlClient*> answered;  ///< no longer in a request; our references to them are to be dropped
   std::thread thread;
 };
 
@@ -161,10 +162,11 @@ gboolean UsbEmulator::State::onIoctl(UMockdevIoctlBase*, UMockdevIoctlClient* cl
   return TRUE;
 }
 
-void UsbEmulator::State::onVanished(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self) {
+/// The client has closed the device file, or has ended.
+void UsbEmulator::State::onVanished(gpointer self, GObject* client) {
   State& state = *static_cast<State*>(self);
   const std::scoped_lock lock(state.mutex);
-  state.connections.erase(client);
+  state.connections.erase(reinterpret_cast<UMockdevIoctlClient*>(client));
 }
 
 Connection* UsbEmulator::State::connectionOf(UMockdevIoctlClient* client) {
@@ -175,6 +177,7 @@ Connection* UsbEmulator::State::connectionOf(UMockdevIoctlClient* client) {
   const std::string file = umockdev_ioctl_client_get_devnode(client);
   for (size_t i = 0; i < displays.size(); ++i) {
     if (displays[i]->plugged && deviceFile(displays[i]->number) == file) {
+      g_object_weak_ref(G_OBJECT(client), onVanished, this);
       return &connections.try_emplace(client, i).first->second;
     }
   }
@@ -339,7 +342,7 @@ void UsbEmulator::State::reap(UMockdevIoctlClient* client, Connection& connectio
   }
   connection.reapUntil.reset();
   umockdev_ioctl_client_complete(client, error == 0 ? 0 : -1, error);
-  g_object_unref(client);
+  answered.push_back(client);
 }
 
 /// Into the client's memory. False where there is none.
@@ -374,6 +377,7 @@ void UsbEmulator::State::endReaps() {
 
 void UsbEmulator::State::shutDown(Connection& connection) {
   connection.gone = true;
+  connection.claimed = false;
   for (const TransferPointer& transfer : std::deque(connection.submitted)) {
     finish(connection, transfer, -ESHUTDOWN);
   }
@@ -563,7 +567,13 @@ void UsbEmulator::State::run() {
       changed.wait_until(lock, until, [&] { return news || stop; });
     }
     news = false;
-    if (stop) {
+    const bool end = stop;
+    const std::vector<UMockdevIoctlClient*> left = std::exchange(answered, {});
+    lock.unlock();
+    for (UMockdevIoctlClient* const client : left) {
+      g_object_unref(client);  // may be the last one, and lead to onVanished()
+    }
+    if (end) {
       return;
     }
   }
@@ -577,7 +587,6 @@ UsbEmulator::State::State(std::vector<EmulatedUsbDisplay> options) {
   mark.emplace(root.get());
   handler = umockdev_ioctl_base_new();
   g_signal_connect(handler, "handle-ioctl", G_CALLBACK(onIoctl), this);
-  g_signal_connect(handler, "client-vanished", G_CALLBACK(onVanished), this);
   GError* error = nullptr;
   OC_CHECK(umockdev_testbed_add_from_string(bed, rootHubRecord().c_str(), &error), "umockdev takes our record");
   for (const EmulatedUsbDisplay& option : options) {
@@ -602,6 +611,9 @@ UsbEmulator::State::~State() {
   mark.reset();
   g_object_unref(bed);
   g_object_unref(handler);
+  for (auto& [client, connection] : connections) {
+    g_object_weak_unref(G_OBJECT(client), onVanished, this);
+  }
 }
 
 UsbEmulator::UsbEmulator(std::vector<EmulatedUsbDisplay> displays)

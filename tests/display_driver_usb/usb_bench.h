@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "display_driver/emulator/usb_emulator.h"
@@ -22,6 +23,9 @@ using namespace std::chrono_literals;
 /// Ten times what anything here takes on a busy machine: where it passes, something hangs.
 inline constexpr std::chrono::seconds kLong{20};
 
+/// Bytes that are no message: the device takes them, and says that it understood nothing.
+inline const std::vector<uint8_t> kNoise(size_t{1} << 18, 0x55);
+
 class UsbTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -31,6 +35,7 @@ class UsbTest : public testing::Test {
   }
   void TearDown() override { EXPECT_EQ(usbTransfersAlive(), 0u); }
 
+ public:
   static EmulatedUsbDisplay display(const std::string& serial = "EMULATED") {
     EmulatedUsbDisplay made;
     made.device.firmware.profile = smallProfile();

@@ -15,10 +15,7 @@ using testing::HasSubstr;
 using wire::LinkError;
 using wire::LinkStatus;
 
-constexpr size_t kTransfer = size_t{1} << 18;
-
-/// Bytes that are no message: the device takes them, and says that it understood nothing.
-const std::vector<uint8_t> kNoise(kTransfer, 0x55);
+const size_t kTransfer = kNoise.size();
 
 LinkStatus statusOfOpen(UsbPort& port, std::string* message = nullptr) {
   try {
