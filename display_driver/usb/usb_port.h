@@ -28,7 +28,7 @@ struct UsbDisplay {
 std::vector<UsbDisplay> listUsbDisplays();
 
 struct UsbPortOptions {
-  std::string serial = "";                           ///< of the display to look for; empty: the first one that is found
+  std::string serial = "";                      ///< of the display to look for; empty: the first one that is found
   std::chrono::milliseconds sendTimeout{2000};  ///< for any of the bytes under way to arrive
   std::chrono::milliseconds requestTimeout{1000};
 };

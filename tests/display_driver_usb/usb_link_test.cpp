@@ -32,7 +32,9 @@ std::vector<size_t> tagsOf(const std::vector<Listener::Sent>& sent) {
   return tags;
 }
 
-std::vector<LinkStatus> all(size_t count, LinkStatus status) { return std::vector<LinkStatus>(count, status); }
+std::vector<LinkStatus> all(size_t count, LinkStatus status) {
+  return std::vector<LinkStatus>(count, status);
+}
 
 /// So slow that a transfer takes seconds.
 EmulatedUsbDisplay crawlingDisplay() {
@@ -162,7 +164,8 @@ TEST_F(UsbLinkTest, tellsOfShortWrites) {
 }
 
 TEST_F(UsbLinkTest, givesUpWhatDoesNotMove) {
-  UsbEmulator emulator({faultyDisplay({.kind = FaultKind::kFullBuffers, .afterBytes = 300000, .duration = 60'000'000})});
+  UsbEmulator emulator(
+      {faultyDisplay({.kind = FaultKind::kFullBuffers, .afterBytes = 300000, .duration = 60'000'000})});
   UsbPort port({.sendTimeout = 200ms});
   BusyLink busy(port);
   const std::vector<Listener::Sent> sent = busy.listener.waitForSent(BusyLink::kSends);

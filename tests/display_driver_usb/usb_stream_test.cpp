@@ -1,8 +1,8 @@
 // Volumes that go to an emulated display over an emulated USB, through everything that lies between.
-#include <map>
-
 #include "display_driver/stream/stream_device.h"
 #include "display_driver/usb/usb_port.h"
+#include "tests/display_driver_stream/arrival_check.h"
+#include "tests/display_driver_usb/fault_runner.h"
 #include "tests/display_driver_usb/usb_bench.h"
 
 namespace ocelli {
@@ -16,22 +16,38 @@ TEST_F(UsbStreamTest, arrivesAsItWasSent) {
   shown.device.firmware.profile.width = 256;
   shown.device.firmware.profile.height = 128;
   UsbEmulator emulator({shown});
-  Arrivals arrivals;
-  emulator.use(0, [&](EmulatedDevice& device, DeviceMicroseconds) { device.firmware().setArrivalSink(&arrivals); });
+  ArrivalCheck check;
+  emulator.use(0, [&](EmulatedDevice& device, DeviceMicroseconds) { device.firmware().setArrivalSink(&check); });
   const auto device = openStreamDevice(std::make_unique<UsbPort>(UsbPortOptions()), {.kind = "usb"});
   EXPECT_EQ(device->info().serial, "EMULATED");
-  std::map<FrameNumber, Volume> submitted;
-  for (uint64_t seed = 1; seed <= 40; ++seed) {
-    const Volume volume = madeVolume(device->profile(), seed, 0.1);
+  EXPECT_EQ(device->info().link, "USB 2, 480 Mbit/s, bus 1 port 1");
+  for (uint32_t number = 1; number <= 40; ++number) {
+    const Volume volume = madeVolume(device->profile(), number, 0.1);
+    check.expect(number, volume);
     const auto fence = device->submit(volume);
-    submitted.emplace(fence->number(), volume);
-    device->present(fence->number(), {});
+    device->present(number, {});
     EXPECT_EQ(fence->wait(FrameStage::kArrived, kLong).problem, "");
   }
-  EXPECT_EQ(device->telemetry().framesArrived, 40u);
   device->close();
-  EXPECT_EQ(arrivals.differing(submitted), 0u);
-  EXPECT_EQ(arrivals.count(), 40u);
+  EXPECT_EQ(check.right(), 40u);
+  EXPECT_EQ(check.wrong(), 0u);
+}
+
+TEST_F(UsbStreamTest, opensAndClosesWithoutLeavingAnything) {
+  UsbEmulator emulator({display()});
+  std::optional<Holdings> before;
+  for (int i = 0; i < 200; ++i) {
+    {
+      UsbPort port({});
+      const auto link = port.open();
+      Listener listener;
+      link->start(listener.functions());
+      EXPECT_TRUE(link->send(1, kNoise));
+    }
+    before = before.value_or(holdingsOfThisProcess());
+  }
+  EXPECT_TRUE(becomesTrue([&] { return !holdingsOfThisProcess().exceed(*before); }));
+  EXPECT_EQ(holdingsOfThisProcess().transfers, 0u);
 }
 
 }  // namespace
