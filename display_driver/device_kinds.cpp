@@ -17,7 +17,7 @@ namespace {
 using Rest = DeviceKind::Rest;
 
 std::unique_ptr<Device> openSim(const DeviceOptions& options) {
-  SimOptions sim = options.sim;
+  SimOptions sim = options.sim.value_or(SimOptions{});
   sim.display.firmware.profile = options.profile;
   return openSimDevice(sim);
 }

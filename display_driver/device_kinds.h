@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,9 @@ namespace ocelli {
 struct DeviceOptions {
   /// For devices that do not have a display of their own.
   DisplayProfile profile = loadProfile("perspecta");
-  /// What the simulated display is like, and who hears of what it shows. Its profile is the one above.
-  SimOptions sim = {};
+  /// What the simulated display is like, and who hears of what it shows. Its profile is the one above. nullopt: an
+  /// ideal one.
+  std::optional<SimOptions> sim = std::nullopt;
 };
 
 struct DeviceKind {
