@@ -17,7 +17,10 @@ namespace {
 using Rest = DeviceKind::Rest;
 
 std::unique_ptr<Device> openSim(const DeviceOptions& options) {
-  SimOptions sim = options.sim.value_or(SimOptions{});
+  SimOptions sim;
+  if (options.sim) {
+    sim = *options.sim;
+  }
   sim.display.firmware.profile = options.profile;
   return openSimDevice(sim);
 }
