@@ -221,8 +221,7 @@ void MultivoxDevice::showAgain() {
 }
 
 std::string multivoxObject(const std::string& name) {
-  const std::string object =
-      name.starts_with('/') ? name : fmt::format("/{}_double_buffer", name.empty() ? "vortex" : name);
+  std::string object = name.starts_with('/') ? name : fmt::format("/{}_double_buffer", name.empty() ? "vortex" : name);
   if (object.size() < 2 || object.size() > kLongestName || object.find('/', 1) != std::string::npos ||
       object.find('\0') != std::string::npos) {
     throw InputError(

@@ -61,7 +61,7 @@ class MultivoxDevice final : public Device {
   void showAgain();
   bool mustShow() const { return staged_ && stagedWritten_ && staged_->asked; }
   void noteProblem();
-  void end(Frame& frame, FrameStage stage, const std::string& problem);
+  static void end(Frame& frame, FrameStage stage, const std::string& problem);
 
   DeviceInfo info_;
   DisplayProfile profile_;

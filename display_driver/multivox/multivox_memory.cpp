@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
@@ -157,8 +156,9 @@ bool MultivoxMemory::write(std::span<const uint8_t> cells) {
 }
 
 bool MultivoxMemory::show() {
-  // What was written must be seen before the number of the page, by readers on other cores too.
-  std::atomic_thread_fence(std::memory_order_seq_cst);
+  // What was written must be seen before the number of the page, by readers on other cores too. (GCC does not compile
+  // std::atomic_thread_fence() for ThreadSanitizer.)
+  __sync_synchronize();
   const auto page = static_cast<uint8_t>(written_);
   if (!writeAt(2 * grid_.cells(), {&page, 1})) {
     return false;

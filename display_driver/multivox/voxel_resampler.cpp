@@ -15,8 +15,7 @@ namespace {
 template <class Lists>
 Lists listsOf(std::vector<std::pair<uint32_t, uint32_t>> pairs, size_t count) {
   std::ranges::sort(pairs);
-  const auto repeated = std::ranges::unique(pairs);
-  pairs.erase(repeated.begin(), repeated.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   Lists lists;
   lists.begins.assign(count + 1, 0);
   for (const auto& [list, item] : pairs) {
@@ -76,7 +75,8 @@ VoxelResampler::Lists VoxelResampler::columnsOfPlaces() const {
       }
     }
   }
-  return listsOf<Lists>(std::move(pairs), static_cast<size_t>(sweep.slicesPerHalfTurn() * sweep.width()));
+  return listsOf<Lists>(std::move(pairs),
+                        static_cast<size_t>(sweep.slicesPerHalfTurn()) * static_cast<size_t>(sweep.width()));
 }
 
 VoxelResampler::Lists VoxelResampler::heightsOfRows() const {
@@ -125,7 +125,8 @@ std::vector<double> VoxelResampler::rowsOfHeights() const {
 
 void VoxelResampler::addPlace(int plane, int column, int row, const glm::uvec3& levels, int sign) {
   const auto times = static_cast<uint32_t>(sign);  // -1 is 2^32 - 1, which takes away as well
-  for (const uint32_t cellColumn : columns_.of(static_cast<size_t>(plane * volume_.width() + column))) {
+  const size_t list = static_cast<size_t>(plane) * static_cast<size_t>(volume_.width()) + static_cast<size_t>(column);
+  for (const uint32_t cellColumn : columns_.of(list)) {
     changed_[cellColumn] = 1;
     Sum* sums = &sums_[static_cast<size_t>(cellColumn) * static_cast<size_t>(grid_.z)];
     for (const uint32_t z : heights_.of(static_cast<size_t>(row))) {
@@ -159,7 +160,7 @@ void VoxelResampler::addPlane(int plane, int sign) {
 
 void VoxelResampler::color(size_t column) {
   const auto height = static_cast<size_t>(grid_.z);
-  const auto fullOfPlace = static_cast<uint64_t>(volume_.fullLevel() * (ownSecondHalf_ ? 2 : 1));
+  const uint64_t fullOfPlace = static_cast<uint64_t>(volume_.fullLevel()) * (ownSecondHalf_ ? 2 : 1);
   const Extent& extent = extents_[column];
   for (size_t z = 0; z < height; ++z) {
     const Sum& sum = sums_[column * height + z];

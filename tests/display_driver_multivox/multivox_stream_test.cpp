@@ -1,6 +1,7 @@
 // Frames stream while readers copy what is shown as the display's simulator does, and while the display comes and goes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <random>
