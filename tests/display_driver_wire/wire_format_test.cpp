@@ -110,11 +110,7 @@ TEST(WireFormat, aHeaderHasTheBytesThatTheDocumentShows) {
     text += kDigits[byte >> 4];
     text += kDigits[byte & 15];
   }
-  EXPECT_EQ(text,
-            "4f434c4d04000000443322110500000006000000"
-            "0c000000"
-            "d1e9a9f6"
-            "4e67b2fb");
+  EXPECT_EQ(text, "4f434c4d040000004433221105000000060000000c0000005595e4e4ab4a303c");
 }
 
 TEST(WireFormat, frameBeginComesBackAndItsCountsMustAgree) {
