@@ -17,6 +17,7 @@ namespace ocelli {
 namespace {
 
 constexpr int kPictureSide = 720;
+constexpr int kWrongPictureSide = 320;
 
 struct SelftestChoice {
   std::vector<std::string> patterns;
@@ -38,7 +39,7 @@ std::vector<const TestPattern*> chosenPatterns(const std::vector<std::string>& n
   return chosen;
 }
 
-/// A display on which a pattern that lights nearly everything is quick to observe, and looks the same.
+/// A display of fewer voxels, on which all is quick to observe and small errors are plain to see.
 DisplayProfile coarser(DisplayProfile profile) {
   constexpr int kMostColumns = 192;
   const int factor = (std::max(profile.width, profile.height) + kMostColumns - 1) / kMostColumns;
@@ -80,7 +81,8 @@ void run(const SelftestChoice& choice, const Frame& frame) {
     const Volume volume = pattern->volume(profile);
     const std::string file = pattern->name + ".svol";
     writeSvol(folder / file, volume);
-    sections.push_back({pattern, file, picturesOf(*pattern, volume, folder)});
+    sections.push_back({pattern, file, picturesOf(*pattern, volume, folder),
+                        writeWrongPictures(*pattern, coarser(profile), folder, kWrongPictureSide)});
   }
   const std::filesystem::path page = folder / "index.html";
   writeFile(page, selftestPage(sections, profile, OCELLI_VERSION));

@@ -37,15 +37,25 @@ std::string checkBoxes(const TestPattern& pattern) {
   return html + "</ul>\n";
 }
 
-std::string wrongTable(const TestPattern& pattern) {
+std::string wrongFigure(const WrongLook& wrong, const SelftestPicture& picture) {
+  return picture.file.empty() ? ""
+                              : fmt::format("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}, for example: {}\">",
+                                            htmlFromText(picture.file), picture.width, picture.height,
+                                            htmlFromText(wrong.looks), htmlFromText(picture.place));
+}
+
+std::string wrongTable(const SelftestSection& section) {
+  const TestPattern& pattern = *section.pattern;
   std::string html = fmt::format(
       "<h3 id=\"wrong-{0}\">When it looks wrong</h3>\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
       "aria-labelledby=\"wrong-{0}\"><table>\n<thead><tr><th scope=\"col\">What you see</th><th scope=\"col\">What it "
       "means</th><th scope=\"col\">What to do</th></tr></thead>\n<tbody>\n",
       pattern.name);
-  for (const WrongLook& wrong : pattern.wrong) {
-    html += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n", htmlFromText(wrong.looks),
-                        htmlFromText(wrong.means), htmlFromText(wrong.adjust));
+  for (size_t i = 0; i < pattern.wrong.size(); ++i) {
+    const WrongLook& wrong = pattern.wrong[i];
+    const SelftestPicture& picture = section.wrong[i];
+    html += fmt::format("<tr><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td></tr>\n", wrongFigure(wrong, picture),
+                        htmlFromText(wrong.looks), htmlFromText(wrong.means), htmlFromText(wrong.adjust));
   }
   return html + "</tbody></table></div>\n";
 }
@@ -72,7 +82,7 @@ std::string patternSection(const SelftestSection& section, size_t number, const 
       "<div class=\"notes\"><label for=\"notes-{0}\">Notes</label><input id=\"notes-{0}\" "
       "type=\"text\" autocomplete=\"off\"></div>\n",
       pattern.name);
-  return html + wrongTable(pattern) + "</section>\n";
+  return html + wrongTable(section) + "</section>\n";
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ struct SelftestSection {
   const TestPattern* pattern = nullptr;
   std::string volumeFile;                 ///< relative to the page
   std::vector<SelftestPicture> pictures;  ///< none of a dark one
+  std::vector<SelftestPicture> wrong;     ///< as many as the pattern has wrong looks
 };
 
 /// The whole of index.html. `version` is that of the program.

@@ -11,6 +11,7 @@ namespace ocelli {
 namespace {
 
 struct Place {
+  PatternView view;
   const char* id;
   const char* name;
   glm::vec3 direction;
@@ -18,10 +19,10 @@ struct Place {
 
 const float kHalf = static_cast<float>(std::sqrt(0.5));
 const Place kPlaces[] = {
-    {"front", "From the front", {0, 0, 1}},
-    {"raised", "From the front, 45 degrees up", {0, kHalf, kHalf}},
-    {"right", "From the right", {1, 0, 0}},
-    {"above", "From above, the front at the bottom", {0, 1, 0}},
+    {PatternView::kFront, "front", "From the front", {0, 0, 1}},
+    {PatternView::kRaised, "raised", "From the front, 45 degrees up", {0, kHalf, kHalf}},
+    {PatternView::kRight, "right", "From the right", {1, 0, 0}},
+    {PatternView::kAbove, "above", "From above, the front at the bottom", {0, 1, 0}},
 };
 
 /// Holds the sphere around the display's cylinder.
@@ -60,27 +61,48 @@ Image<Rgb8> enlarged(const Image<Rgb8>& image, int side) {
   return large;
 }
 
+Image<Rgb8> seenFrom(const Place& place, const Volume& volume, int side) {
+  ObserverOptions options;
+  options.eye = static_cast<float>(volume.profile().viewingDistanceRadii()) * place.direction;
+  options.width = side;
+  options.height = side;
+  options.fovVerticalDegrees = fovOfWholeDisplay(volume.profile());
+  // A flat screen is dark from its edge; here the pattern is to be seen, wherever it lies.
+  options.emission.model = EmissionModel::kEven;
+  return toned(collectLight(volume, options));
+}
+
 }  // namespace
 
 std::vector<SelftestPicture> writeSelftestPictures(const Volume& volume, const std::filesystem::path& folder,
                                                    const std::string& name, int side) {
   std::vector<SelftestPicture> pictures;
   for (const Place& place : kPlaces) {
-    ObserverOptions options;
-    options.eye = static_cast<float>(volume.profile().viewingDistanceRadii()) * place.direction;
-    options.width = side;
-    options.height = side;
-    options.fovVerticalDegrees = fovOfWholeDisplay(volume.profile());
-    // A flat screen is dark from its edge; here the pattern is to be seen, wherever it lies.
-    options.emission.model = EmissionModel::kEven;
     const std::string file = name + "-" + place.id + ".png";
-    writePng(folder / file, toned(collectLight(volume, options)));
+    writePng(folder / file, seenFrom(place, volume, side));
     pictures.push_back({file, place.name, side, side});
   }
   const Image<Rgb8> first = enlarged(sliceImage(volume, 0), side);
   const std::string file = name + "-slice.png";
   writePng(folder / file, first);
   pictures.push_back({file, "Slice 0, as it is sent", first.width(), first.height()});
+  return pictures;
+}
+
+std::vector<SelftestPicture> writeWrongPictures(const TestPattern& pattern, const DisplayProfile& profile,
+                                                const std::filesystem::path& folder, int side) {
+  const Volume sent = pattern.volume(profile);
+  std::vector<SelftestPicture> pictures;
+  for (size_t i = 0; i < pattern.wrong.size(); ++i) {
+    const WrongLook& wrong = pattern.wrong[i];
+    pictures.emplace_back();
+    if (wrong.shown != nullptr) {
+      const Place& place = *std::ranges::find(kPlaces, wrong.view, &Place::view);
+      const std::string file = pattern.name + "-wrong-" + std::to_string(i) + ".png";
+      writePng(folder / file, seenFrom(place, wrong.shown(sent), side));
+      pictures.back() = {file, place.name, side, side};
+    }
+  }
   return pictures;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "display_sim/frames/volume.h"
+#include "display_driver/selftest/test_patterns.h"
 
 namespace ocelli {
 
@@ -15,6 +15,11 @@ struct SelftestPicture {
   int width = 0;
   int height = 0;
 };
+
+/// Each wrong look of a pattern that has an example, by its number: `FOLDER/NAME-wrong-NUMBER.png`; an empty file name
+/// where there is none.
+std::vector<SelftestPicture> writeWrongPictures(const TestPattern& pattern, const DisplayProfile& profile,
+                                                const std::filesystem::path& folder, int side);
 
 /// From the front (the default eye), from the front and above, from the right and from straight above, all at the
 /// profile's viewing distance, as square PNG files `FOLDER/NAME-PLACE.png` of so many pixels a side; and slice 0.

@@ -41,7 +41,8 @@ code { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: .9em
 @media (max-width: 60rem) { .pictures { grid-template-columns: repeat(3, minmax(0, 1fr)); } }
 @media (max-width: 36rem) { .pictures { grid-template-columns: repeat(2, minmax(0, 1fr)); } }
 figure { margin: 0; }
-figure img { display: block; width: 100%; height: auto; aspect-ratio: 1; object-fit: contain; border-radius: 6px; background: #000000; }
+figure img { display: block; width: 100%; height: auto; aspect-ratio: 1; object-fit: contain; border: 1px solid var(--line);
+  border-radius: 6px; background: #000000; }
 figcaption { font-size: .875rem; margin-top: .3rem; }
 .checks { list-style: none; padding: 0; margin: .25rem 0; }
 .checks label { display: flex; gap: .7rem; align-items: baseline; padding: .25rem 0; cursor: pointer; }
@@ -49,7 +50,8 @@ figcaption { font-size: .875rem; margin-top: .3rem; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; margin: .5rem 0; background: var(--card); width: 100%; min-width: 40rem; }
 th, td { padding: .4rem .7rem; border: 1px solid var(--line); text-align: left; vertical-align: top; font-weight: 400; }
-tbody th { width: 34%; }
+tbody th { width: 40%; }
+tbody img { float: left; width: 8rem; height: 8rem; margin: 0 .8rem 0 0; border: 1px solid var(--line); border-radius: 4px; background: #000000; }
 thead th { color: var(--soft); font-weight: 600; }
 @media print {
   @page { size: A4; margin: 12mm; }
@@ -60,6 +62,8 @@ thead th { color: var(--soft); font-weight: 600; }
   section { break-before: page; }
   .pictures { grid-template-columns: repeat(5, 1fr); gap: .5rem; }
   figure img { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+  figcaption { font-size: 8pt; }
+  tbody img { width: 6rem; height: 6rem; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   .scroll { overflow: visible; }
   table { min-width: 0; }
   tr, figure, .checks li { break-inside: avoid; }

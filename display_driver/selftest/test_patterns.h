@@ -16,11 +16,21 @@
 
 namespace ocelli {
 
+/// Where those stand who look at a pattern.
+enum class PatternView {
+  kFront,
+  kRaised,  ///< in front, 45 degrees up
+  kRight,
+  kAbove,
+};
+
 /// A way in which a pattern can look wrong.
 struct WrongLook {
   std::string looks;
   std::string means;
   std::string adjust;
+  Volume (*shown)(const Volume& sent) = nullptr;  ///< an example of it (misbuilt_displays.h), where there is one
+  PatternView view = PatternView::kRaised;        ///< from where it shows best
 };
 
 struct TestPattern {

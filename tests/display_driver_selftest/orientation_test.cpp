@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <map>
 
+#include "display_driver/selftest/misbuilt_displays.h"
 #include "display_driver/selftest/test_patterns.h"
 #include "display_sim/frames/sweep_geometry.h"
 #include "oc_core/base/conventions.h"
@@ -139,6 +140,7 @@ TEST_F(Orientation, OtherHalvesAreFree) {
 
 TEST_F(Orientation, ColumnsTheWrongWayAreHalfATurn) {
   const Volume wrong = misbuilt(right_, false, true, false);
+  EXPECT_EQ(columnsReversed(right_), wrong);
   EXPECT_EQ(readFrom(wrong, kFront, false), kB);
   EXPECT_EQ(readFrom(wrong, kRight, false), kL);
   EXPECT_EQ(readFrom(wrong, kBack, true), kF);
@@ -147,6 +149,7 @@ TEST_F(Orientation, ColumnsTheWrongWayAreHalfATurn) {
 
 TEST_F(Orientation, SlicesTheWrongWayMirrorAndSwapFrontAndBack) {
   const Volume wrong = misbuilt(right_, true, false, false);
+  EXPECT_EQ(slicesReversed(right_), wrong);
   EXPECT_EQ(readFrom(wrong, kFront, false), mirrored(kB));
   EXPECT_EQ(readFrom(wrong, kBack, true), mirrored(kF));
   EXPECT_EQ(readFrom(wrong, kRight, true), mirrored(kR));
@@ -155,6 +158,7 @@ TEST_F(Orientation, SlicesTheWrongWayMirrorAndSwapFrontAndBack) {
 
 TEST_F(Orientation, SlicesAndColumnsTheWrongWayMirrorAndSwapRightAndLeft) {
   const Volume wrong = misbuilt(right_, true, true, false);
+  EXPECT_EQ(slicesAndColumnsReversed(right_), wrong);
   EXPECT_EQ(readFrom(wrong, kFront, true), mirrored(kF));
   EXPECT_EQ(readFrom(wrong, kBack, false), mirrored(kB));
   EXPECT_EQ(readFrom(wrong, kRight, false), mirrored(kL));
@@ -163,6 +167,7 @@ TEST_F(Orientation, SlicesAndColumnsTheWrongWayMirrorAndSwapRightAndLeft) {
 
 TEST_F(Orientation, RowsTheWrongWayStandLettersOnTheirHeads) {
   const Volume wrong = misbuilt(right_, false, false, true);
+  EXPECT_EQ(rowsReversed(right_), wrong);
   EXPECT_EQ(readFrom(wrong, kFront, false), upsideDown(kF));
   EXPECT_EQ(readFromAbove(wrong, -0.85), kTop);
 }
