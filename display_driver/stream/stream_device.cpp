@@ -11,6 +11,7 @@
 
 #include "display_driver/device/volume_pool.h"
 #include "display_driver/stream/device_session.h"
+#include "display_driver/stream/effort_choice.h"
 #include "display_driver/stream/link_inbox.h"
 #include "display_driver/stream/outgoing_frame.h"
 #include "oc_core/base/check.h"
@@ -155,6 +156,8 @@ class StreamDevice : public Device {
   uint32_t capabilities_ = 0;
   std::optional<wire::FrameEncoder> encoder_;
   std::optional<wire::MessageWriter> writer_;
+  EffortChoice effort_;
+  bool waited_ = false;  ///< for the link, with a part of this frame
   uint32_t session_ = 0;
   struct Buffer {
     std::vector<uint8_t> bytes;
@@ -490,6 +493,7 @@ void StreamDevice::flush() {
 /// Some more of the stream. False where nothing can be done now.
 bool StreamDevice::sendSome() {
   if (staging() == nullptr) {
+    waited_ = waited_ || sending_ != nullptr;
     return false;
   }
   sendPresentations();
@@ -524,6 +528,7 @@ bool StreamDevice::sendSome() {
   }
   if (whole) {
     sending_.reset();
+    effort_.frameCoded(std::exchange(waited_, false));
   }
   if (whole || out.size() >= options_.transferBytes) {
     flush();
@@ -546,6 +551,7 @@ void StreamDevice::beginFrame() {
   if (base_ != nullptr && sending_->changed) {
     candidates = *sending_->changed;
   }
+  encoder_->setEffort(effort_.effort());
   encoder_->begin(*sending_->volume, base_.get(), candidates);
   std::vector<uint8_t>& out = *staging();
   const size_t before = out.size();

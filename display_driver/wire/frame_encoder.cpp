@@ -60,6 +60,12 @@ FrameEncoder::FrameEncoder(const DisplayProfile& profile, uint32_t capabilities)
 
 FrameEncoder::~FrameEncoder() = default;
 
+void FrameEncoder::setEffort(Effort effort) {
+  for (const std::unique_ptr<SliceCoder>& coder : coders_) {
+    coder->setEffort(effort);
+  }
+}
+
 void FrameEncoder::begin(const Volume& volume, const Volume* base, std::optional<std::span<const int>> candidates) {
   volume_ = &volume;
   base_ = base;

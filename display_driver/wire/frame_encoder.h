@@ -38,6 +38,9 @@ class FrameEncoder {
   FrameEncoder(const DisplayProfile& profile, uint32_t capabilities);
   ~FrameEncoder();
 
+  /// For the slices that come next.
+  void setEffort(Effort effort);
+
   /// Begins a frame: finds out which slices differ from `base` (nullptr: from darkness). Where `candidates` is given,
   /// other slices are known to be the same. Both volumes stay where they are until the frame is done.
   void begin(const Volume& volume, const Volume* base, std::optional<std::span<const int>> candidates);

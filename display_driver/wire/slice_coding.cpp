@@ -52,6 +52,29 @@ size_t othersAt(std::span<const uint8_t> content, size_t at) {
   return end - at;
 }
 
+/// One line of the cache in so many bytes is looked at.
+constexpr size_t kSampleStride = 1024;
+constexpr size_t kSampleBytes = 64;
+/// Lit words of a sample that tell something.
+constexpr uint32_t kEnoughWords = 32;
+
+/// The difference has hardly fewer lit words than the slice: 7 of 10 at least.
+bool sampleFavoursWhole(std::span<const uint8_t> planes, std::span<const uint8_t> base) {
+  uint32_t lit = 0;
+  uint32_t changed = 0;
+  for (size_t at = 0; at + kSampleBytes <= planes.size(); at += kSampleStride) {
+    for (size_t word = at; word < at + kSampleBytes; word += sizeof(uint32_t)) {
+      uint32_t a = 0;
+      uint32_t b = 0;
+      std::memcpy(&a, planes.data() + word, sizeof a);
+      std::memcpy(&b, base.data() + word, sizeof b);
+      lit += a != 0 ? 1 : 0;
+      changed += a != b ? 1 : 0;
+    }
+  }
+  return lit >= kEnoughWords && changed * 10 >= lit * 7;
+}
+
 }  // namespace
 
 std::vector<uint8_t> runLengthEncode(std::span<const uint8_t> content) {
@@ -85,12 +108,12 @@ bool runLengthDecode(std::span<const uint8_t> payload, std::span<uint8_t> conten
   return at == content.size();
 }
 
-SliceCoder::SliceCoder(uint32_t capabilities) : capabilities_(capabilities) {}
+SliceCoder::SliceCoder(uint32_t capabilities, Effort effort) : capabilities_(capabilities), effort_(effort) {}
 
 CodedSlice SliceCoder::encode(std::span<const uint8_t> planes, std::span<const uint8_t> base) {
   uint8_t flag = 0;
   std::span<const uint8_t> content = planes;
-  if (!base.empty() && (capabilities_ & kCanDelta) != 0) {
+  if (!base.empty() && (capabilities_ & kCanDelta) != 0 && !sampleFavoursWhole(planes, base)) {
     difference_.resize(planes.size());
     const WordCounts words = subtract(planes, base, difference_);
     if (words.changed < words.lit) {
@@ -101,12 +124,13 @@ CodedSlice SliceCoder::encode(std::span<const uint8_t> planes, std::span<const u
   const auto coded = [&](Coding coding, std::vector<uint8_t> payload) {
     return CodedSlice{static_cast<uint8_t>(static_cast<uint8_t>(coding) | flag), std::move(payload)};
   };
-  if ((capabilities_ & kCanZstd) != 0) {
+  const bool canRunLength = (capabilities_ & kCanRunLength) != 0;
+  if ((capabilities_ & kCanZstd) != 0 && (effort_ == Effort::kSmall || !canRunLength)) {
     const std::span<const uint8_t> block = zstd_.compress(content);
     if (block.size() < content.size()) {
       return coded(Coding::kZstd, {block.begin(), block.end()});
     }
-  } else if ((capabilities_ & kCanRunLength) != 0) {
+  } else if (canRunLength) {
     std::vector<uint8_t> runs = runLengthEncode(content);
     if (runs.size() < content.size()) {
       return coded(Coding::kRunLength, std::move(runs));

@@ -83,6 +83,34 @@ TEST(SliceCoding, noiseIsSentAsItIs) {
   EXPECT_EQ(coded.coding, static_cast<uint8_t>(Coding::kRaw));
 }
 
+TEST(SliceCoding, effortChoosesTheCoding) {
+  const Volume volume = madeVolume(smallProfile(), 1);
+  const auto codingOf = [&](uint32_t capabilities, Effort effort) {
+    return static_cast<Coding>(SliceCoder(capabilities, effort).encode(volume.slice(0), {}).coding);
+  };
+  EXPECT_EQ(codingOf(kEverything, Effort::kSmall), Coding::kZstd);
+  EXPECT_EQ(codingOf(kEverything, Effort::kFast), Coding::kRunLength);
+  EXPECT_EQ(codingOf(kCanZstd, Effort::kFast), Coding::kZstd);
+  EXPECT_EQ(codingOf(kCanRunLength, Effort::kSmall), Coding::kRunLength);
+}
+
+// Slices so large that a sample of them is taken.
+TEST(SliceCoding, differencesAreSentWhereTheyAreSmaller) {
+  DisplayProfile profile = smallProfile(2);
+  profile.width = 768;
+  profile.height = 256;
+  const Volume before = madeVolume(profile, 1, 0.05);
+  Volume alike = before;
+  Random random(4);
+  lightSome(alike, random, 0.002);
+  SliceCoder coder(kEverything);
+  const auto isDelta = [&](const Volume& after) {
+    return (coder.encode(after.slice(0), before.slice(0)).coding & kDeltaFlag) != 0;
+  };
+  EXPECT_TRUE(isDelta(alike));
+  EXPECT_FALSE(isDelta(madeVolume(profile, 2, 0.05)));
+}
+
 TEST(SliceCoding, wrongPayloadsAreNamed) {
   const DisplayProfile profile = smallProfile();
   const Volume volume = madeVolume(profile, 1);
