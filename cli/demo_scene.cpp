@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <glm/geometric.hpp>
 #include <system_error>
 
+#include "display_driver/sim/coarse_frames.h"
+#include "display_driver/wire/bandwidth_plan.h"
 #include "display_sim/observer.h"
 #include "display_sim/slicer.h"
 #include "oc_core/base/color.h"
@@ -150,6 +153,27 @@ DemoRow sideRow(const DemoFolder& folder, const std::vector<ShownMesh>& represen
   return row;
 }
 
+// The OCRI's volume as the link to a display brings it.
+DemoRow wireRow(const DemoFolder& folder, const Volume& volume, const DemoOptions& options) {
+  DemoRow row{
+      "As it reaches the display",
+      "Slices travel coarse to fine over the angle. Where the link is cut, or the frame comes late, what has come "
+      "is a coarse volume, not half of one.",
+      {}};
+  ObserverOptions observer;
+  observer.width = options.observedSide;
+  observer.height = options.observedSide;
+  observer.tone.gain = automaticGain(collectLight(volume, observer));
+  for (const CoarseFrame& frame : coarseFrames(volume, std::array{1.0 / 16, 1.0 / 4, 1.0})) {
+    row.images.push_back(
+        folder.write(fmt::format("wire-{}", frame.slices), observe(frame.shown, observer),
+                     fmt::format("{} of {} slices", frame.slices, volume.slices()),
+                     fmt::format("{} KB have come: {:.1f} ms of USB 2.", groupedDigits(frame.bytes / 1000),
+                                 1e3 * static_cast<double>(frame.bytes) / wire::kUsb2BytesPerSecond)));
+  }
+  return row;
+}
+
 // Every representation with the same gain: one that suits the OCRI.
 DemoRow displayRow(const DemoFolder& folder, const std::vector<ShownMesh>& representations,
                    const std::vector<Volume>& volumes, const DemoOptions& options) {
@@ -254,6 +278,7 @@ DemoScene runDemoScene(const std::string& title, const std::string& source, cons
   scene.geometryTriangles = geometry.triangles.size();
   report(progress, "observing", 0);
   scene.rows.push_back(displayRow(images, representations, volumes, options));
+  scene.rows.push_back(wireRow(images, volumes[1], options));
   scene.rows.push_back(
       solidityRow(images, representations, volumes, geometry, options, view, left.view(), scene, progress));
 
