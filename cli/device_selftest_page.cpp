@@ -100,6 +100,7 @@ std::string selftestPage(const std::vector<SelftestSection>& sections, const Dis
       "pattern "
       "takes for granted that those before it are right: when one looks wrong, put it right before you go on, and then "
       "look at those before it again.</p>\n"
+      "<p>A pattern is a volume, shown as any other: <code>ocelli present dark.svol --device usb</code>.</p>\n"
       "<p>The pictures show a display that is right, as the eye sees it from the viewing distance. Light that is "
       "inside "
       "shines through: you see near and far parts at once. A display with a flat screen is dark where you look along "

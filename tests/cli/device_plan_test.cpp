@@ -10,7 +10,6 @@ namespace ocelli::test {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 const std::string kPlan = "device plan builtin:box --profile test ";
 
@@ -58,7 +57,6 @@ TEST(DevicePlan, SaysWhatMayHelpWhereTheLinkIsTooSlow) {
   const ProgramResult text = runProgram(kPlan + "--link 2e4");
   EXPECT_THAT(text.output, testing::AllOf(HasSubstr("of 24 frames a second at best"), HasSubstr("what may help"),
                                           HasSubstr("half the columns"), HasSubstr("link")));
-  EXPECT_THAT(runProgram(kPlan + "--link 2e4 --undithered").output, Not(HasSubstr("--undithered  ")));
 }
 
 TEST(DevicePlan, AnswersWrongOptions) {
