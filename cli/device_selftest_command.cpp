@@ -50,7 +50,7 @@ DisplayProfile coarser(DisplayProfile profile) {
 
 std::vector<SelftestPicture> picturesOf(const TestPattern& pattern, const Volume& volume,
                                         const std::filesystem::path& folder) {
-  constexpr size_t kMostLit = 10'000'000;
+  constexpr size_t kMostLit = 2'000'000;
   const size_t lit = volume.litVoxels();
   if (lit == 0) {
     return {};

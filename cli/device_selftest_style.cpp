@@ -53,18 +53,31 @@ th, td { padding: .4rem .7rem; border: 1px solid var(--line); text-align: left; 
 tbody th { width: 40%; }
 tbody img { float: left; width: 8rem; height: 8rem; margin: 0 .8rem 0 0; border: 1px solid var(--line); border-radius: 4px; background: #000000; }
 thead th { color: var(--soft); font-weight: 600; }
+/* On narrow screens each row stands as a block, and says itself what its cells are. */
+@media screen and (max-width: 40rem) {
+  table { min-width: 0; }
+  thead { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+  tr { display: flow-root; border: 1px solid var(--line); margin-bottom: .5rem; padding: .5rem .7rem; }
+  tbody th, td { display: block; width: auto; border: 0; padding: .15rem 0; }
+  tbody th { font-weight: 600; }
+  td:nth-of-type(1)::before { content: "Means: "; color: var(--soft); }
+  td:nth-of-type(2)::before { content: "Do: "; color: var(--soft); }
+}
 @media print {
   @page { size: A4; margin: 12mm; }
   :root { color-scheme: light; --ground: #ffffff; --card: #ffffff; --text: #000000; --soft: #444444; --line: #999999;
     --accent: #00558c; }
-  body { padding: 0; font-size: 9.5pt; }
+  body { padding: 0; font-size: 8.5pt; line-height: 1.35; }
   h2 { margin-top: 0; }
   section { break-before: page; }
   .pictures { grid-template-columns: repeat(5, 1fr); gap: .5rem; }
   figure img { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   figcaption { font-size: 8pt; }
-  tbody img { width: 6rem; height: 6rem; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
-  .scroll { overflow: visible; }
+  tbody img { width: 4.5rem; height: 4.5rem; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+  .scroll { overflow: visible; padding-right: 1px; }
+  th, td { padding: .2rem .5rem; }
+  h3 { margin-top: .6rem; }
+  .checks label { padding: .1rem 0; }
   table { min-width: 0; }
   tr, figure, .checks li { break-inside: avoid; }
   h2, h3 { break-after: avoid; }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 #include <map>
@@ -110,13 +111,10 @@ TEST(PatternVolumes, WedgesTakeTurnsAllAround) {
   std::vector<int> widths;  // from the innermost radius outwards
   for (const auto& [column, sectors] : lit) {
     ASSERT_EQ(sectors.size(), kSectors / 2u) << column;
-    const int width = [&] {
-      int first = 0;
-      while (sectors.contains(first)) {
-        ++first;
-      }
-      return first;
-    }();
+    int width = 0;
+    while (sectors.contains(width)) {
+      ++width;
+    }
     for (int sector = 0; sector < kSectors; ++sector) {
       EXPECT_EQ(sectors.contains(sector), sector / width % 2 == 0) << column << " " << sector;
     }
@@ -297,14 +295,15 @@ TEST(PatternVolumes, ColoursStandInTheirOrderAndStepDown) {
 TEST(PatternVolumes, ColoursAreNotchedForThoseWhoCannotTellThemApart) {
   const DisplayProfile profile = test::patternProfile(180, 128, 70);
   const Volume volume = coloursPattern(profile);
-  for (const auto& [row, notches] : std::map<int, int>{{2, 1}, {12, 2}, {22, 3}, {32, 0}, {42, 0}, {52, 0}, {62, 0}}) {
+  for (const std::pair<const int, int>& band :
+       std::map<int, int>{{2, 1}, {12, 2}, {22, 3}, {32, 0}, {42, 0}, {52, 0}, {62, 0}}) {
     // Dark stretches on the way around, past the front.
     int seen = 0;
     for (int slice = 60; slice < 120; ++slice) {
-      const auto isDark = [&](int i) { return volume.colorBits(i, 64 + 44, row) == 0; };
+      const auto isDark = [&](int i) { return volume.colorBits(i, 64 + 44, band.first) == 0; };
       seen += isDark(slice) && !isDark(slice - 1);
     }
-    EXPECT_EQ(seen, notches) << row;
+    EXPECT_EQ(seen, band.second) << band.first;
   }
 }
 
