@@ -64,6 +64,7 @@ void addEvaluateCommand(CLI::App& program, const Frame& frame);
 void flushStandardOutput();
 
 void addSceneCommand(CLI::App& program, const Frame& frame);
+void addPresentCommand(CLI::App& program, const Frame& frame);
 void addSliceCommand(CLI::App& program, const Frame& frame);
 void addSolidityCommand(CLI::App& program, const Frame& frame);
 void addVolumeCommand(CLI::App& program, const Frame& frame);

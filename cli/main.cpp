@@ -31,6 +31,7 @@ void addCommands(CLI::App& program, const Frame& frame) {
   addSliceCommand(program, frame);
   addObserveCommand(program, frame);
   addVolumeCommand(program, frame);
+  addPresentCommand(program, frame);
   addDitherCommand(program, frame);
   addDeviceCommand(program, frame);
   addEvaluateCommand(program, frame);

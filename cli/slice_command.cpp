@@ -10,19 +10,17 @@
 #include <optional>
 
 #include "cli/command.h"
-#include "cli/dither_options.h"
 #include "cli/gl_display.h"
 #include "cli/gl_drawing.h"
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
+#include "cli/slicing_options.h"
 #include "display_sim/exact_slicer.h"
 #include "display_sim/frames/svol_file.h"
 #include "display_sim/slicer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/base/parallel.h"
-#include "oc_core/ocri/reference_image_file.h"
-#include "oc_core/ocri/union_mesh.h"
 
 namespace ocelli {
 namespace {
@@ -30,22 +28,13 @@ namespace {
 struct SliceChoice {
   SceneChoice scene;
   std::string profile = "perspecta";
-  bool undithered = false;
-  std::string dither = "ordered";
-  double evenLightRadius = 0;
-  bool antialiased = false;
-  bool exact = false;
+  SlicingChoice slicing;
   int repeat = 1;
   bool json = false;
   std::string method = "processor";
   std::string gl = "auto";
   std::string output;
 };
-
-Mesh loadMesh(const SceneChoice& scene, const Progress& progress) {
-  return scene.source.ends_with(".exr") ? unionMesh(readReferenceImages(scene.source))
-                                        : loadScene(scene.source, scene.options, progress);
-}
 
 bool liesWithin(const Mesh& mesh, const DisplayProfile& profile) {
   constexpr double kRounding = 1e-5;  // of fitting a scene
@@ -102,38 +91,23 @@ Volume sliceFast(const Mesh& mesh, const DisplayProfile& profile, const SliceOpt
   return slicer->takeVolume();
 }
 
-/// What `ocelli volume info` tells of the volume later.
-std::string metadataOf(const SliceChoice& choice) {
-  const nlohmann::ordered_json json = {{"software", "ocelli " OCELLI_VERSION},
-                                       {"scene", choice.scene.source},
-                                       {"dither", choice.undithered ? "none: any light is full light" : choice.dither},
-                                       {"even_light_radius", choice.evenLightRadius},
-                                       {"antialiased", choice.antialiased}};
-  return json.dump();
-}
-
 void run(const SliceChoice& choice, const Frame& frame) {
   requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
-  const SliceOptions options{choice.undithered ? ColorReduction::kOccupancy : ditherOfName(choice.dither),
-                             choice.antialiased, choice.evenLightRadius};
+  const SliceOptions options = sliceOptionsOf(choice.slicing);
   if (choice.method == "gl" && needsProcessor(options)) {
     throw InputError("OpenGL has the ordered dither alone, no antialiasing, and does not even out light", "--method gl",
                      "leave out --dither, --antialias and --even-light, or --method gl");
   }
-  if (choice.undithered && choice.antialiased) {
-    throw InputError("--undithered gives full light to any share of it, so there is nothing to share", "--antialias",
-                     "leave one of the two out");
-  }
   checkWritable(choice.output);
   const auto gl = choice.method == "gl" ? std::make_unique<GlDisplay>(choice.gl) : nullptr;
   const DisplayProfile profile = loadProfile(choice.profile);
-  const Mesh mesh = loadMesh(choice.scene, frame.progress());
-  const bool exact = choice.exact || needsExactSlicer(options);
+  const Mesh mesh = loadMeshToSlice(choice.scene, frame.progress());
+  const bool exact = choice.slicing.exact || needsExactSlicer(options);
   Times times;
   const Volume volume = gl != nullptr ? times.run(choice.repeat, [&] { return gl->slice(mesh, profile, options); })
                         : exact       ? times.run(choice.repeat, [&] { return sliceExactly(mesh, profile, options); })
                                       : sliceFast(mesh, profile, options, choice.repeat, times);
-  writeSvol(choice.output, volume, metadataOf(choice));
+  writeSvol(choice.output, volume, sliceMetadata(choice.scene, choice.slicing));
   if (!liesWithin(mesh, profile)) {
     frame.note("a part of the scene lies outside of the display and is cut off");
   }
@@ -166,24 +140,8 @@ void addSliceCommand(CLI::App& program, const Frame& frame) {
       *program.add_subcommand("slice", "Slice a scene, a mesh or a reference image (.exr) for a display");
   const auto choice = std::make_shared<SliceChoice>();
   addSceneOptions(command, choice->scene);
-  command.add_option("--profile", choice->profile, "The display: a name, or a profile of your own")
-      ->type_name("NAME|FILE.json");
-  const auto undithered =
-      command.add_flag("--undithered", choice->undithered, "Light a channel wherever it has any light at all");
-  command.add_option("--dither", choice->dither, "How colours become the levels of the display")
-      ->check(CLI::IsMember(ditherNames()))
-      ->type_name("NAME")
-      ->capture_default_str()
-      ->excludes(undithered);
-  command
-      .add_option("--even-light", choice->evenLightRadius,
-                  "Surfaces within this radius get the same light for their area, as much as the dimmest there have")
-      ->check(radiusCheck())
-      ->type_name("RADIUS")
-      ->excludes(undithered);
-  command.add_flag("--antialias", choice->antialiased,
-                   "Light both slices between which a surface lies, in proportion to how near it is");
-  command.add_flag("--exact", choice->exact, "Light every voxel that the surface touches, even where it grazes it");
+  addProfileOption(command, choice->profile);
+  addSlicingOptions(command, choice->slicing);
   command.add_option("--repeat", choice->repeat, "Slice so often, and tell the shortest time")
       ->check(CLI::Range(1, 100000))
       ->type_name("COUNT");

@@ -16,12 +16,16 @@ namespace {
 
 using Rest = DeviceKind::Rest;
 
+DisplayProfile profileOf(const DeviceOptions& options, const char* otherwise = "perspecta") {
+  return options.profile ? *options.profile : loadProfile(otherwise);
+}
+
 std::unique_ptr<Device> openSim(const DeviceOptions& options) {
   SimOptions sim;
   if (options.sim) {
     sim = *options.sim;
   }
-  sim.display.firmware.profile = options.profile;
+  sim.display.firmware.profile = profileOf(options);
   return openSimDevice(sim);
 }
 
@@ -64,11 +68,13 @@ std::string DeviceKind::usage() const {
 const std::vector<DeviceKind>& deviceKinds() {
   static const std::vector<DeviceKind> kinds = {
       {"file", Rest::kRequired, "PATH.svol", "a recording of what is shown",
-       [](const std::string& rest, const DeviceOptions& options) { return openFileDevice(rest, options.profile); }},
+       [](const std::string& rest, const DeviceOptions& options) { return openFileDevice(rest, profileOf(options)); }},
       {"multivox", Rest::kOptional, "NAME", "a display or simulator of the multivox project, in shared memory",
-       [](const std::string& rest, const DeviceOptions& options) { return openMultivox(rest, options.profile); }},
+       [](const std::string& rest, const DeviceOptions& options) {
+         return openMultivox(rest, profileOf(options, "vortex"));
+       }},
       {"null", Rest::kNone, "", "takes everything and shows it nowhere, at the display's rate",
-       [](const std::string&, const DeviceOptions& options) { return openNullDevice(options.profile); }},
+       [](const std::string&, const DeviceOptions& options) { return openNullDevice(profileOf(options)); }},
       {"sim", Rest::kNone, "", "a simulated display, which gets the bytes that hardware would get",
        [](const std::string&, const DeviceOptions& options) { return openSim(options); }},
 #ifdef OCELLI_WITH_USB

@@ -13,8 +13,8 @@
 namespace ocelli {
 
 struct DeviceOptions {
-  /// For devices that do not have a display of their own.
-  DisplayProfile profile = loadProfile("perspecta");
+  /// For devices that do not have a display of their own; nullopt: what such a device takes best.
+  std::optional<DisplayProfile> profile{};
   /// What the simulated display is like, and who hears of what it shows. Its profile is the one above. nullopt: an
   /// ideal one.
   std::optional<SimOptions> sim = std::nullopt;

@@ -68,6 +68,7 @@ void Pacer::observe() {
     // Refreshes are counted anew.
     locked_ = locked;
     restarts_ = rotation_.restarts();
+    keepSkipped(false);
     last_.reset();
     lastFrameDue_.reset();
     target_.reset();
@@ -186,7 +187,16 @@ void Pacer::skipUpTo(uint64_t refresh, RefreshOutcome why) {
   }
   while (*last_ + 1 < refresh) {
     ++*last_;
-    pending_.push_back({.record = {.refresh = *last_, .due = beginOf(*last_), .outcome = why}});
+    skipped_.push_back({.refresh = *last_, .due = beginOf(*last_), .outcome = why});
+  }
+}
+
+void Pacer::keepSkipped(bool nothingNew) {
+  for (RefreshRecord& record : std::exchange(skipped_, {})) {
+    if (nothingNew) {
+      record.outcome = RefreshOutcome::kUnchanged;
+    }
+    pending_.push_back({.record = std::move(record)});
   }
 }
 
@@ -194,6 +204,7 @@ void Pacer::makeAndSubmit(uint64_t refresh) {
   RefreshRecord record{.refresh = refresh, .due = beginOf(refresh), .makingBegan = clock_.now()};
   const SourcedVolume sourced = source_.volumeFor(record.due);
   record.makingEnded = clock_.now();
+  keepSkipped(sourced.kind == SourcedVolume::Kind::kSame);
   switch (sourced.kind) {
     case SourcedVolume::Kind::kEnd:
       ended_ = true;
@@ -216,6 +227,7 @@ void Pacer::makeAndSubmit(uint64_t refresh) {
       pending_.push_back({.record = record});
       last_ = refresh;
       skipUpTo(reached, RefreshOutcome::kSourceLate);
+      keepSkipped(false);
       record.refresh = reached;
       record.due = beginOf(reached);
     }
@@ -256,6 +268,7 @@ TimeLineSummary Pacer::run(const Stop& stop, const OnRecord& onRecord) {
     if (!connected_ || underWay() >= kMostUnderWay) {
       target_.reset();
       skipUpTo(refreshAfter(now), connected_ ? RefreshOutcome::kLinkLate : RefreshOutcome::kNotConnected);
+      keepSkipped(false);
       clock_.waitUntil(now + kLookInterval);
       continue;
     }
@@ -275,6 +288,7 @@ TimeLineSummary Pacer::run(const Stop& stop, const OnRecord& onRecord) {
 
 void Pacer::finish(const OnRecord& onRecord) {
   const HostTime begin = clock_.now();
+  keepSkipped(false);
   observe();
   flush(onRecord);
   while (!pending_.empty() && clock_.now() - begin < kMostWaitForEnd) {

@@ -20,6 +20,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "display_driver/device/device.h"
 #include "display_driver/pacing/pace_clock.h"
@@ -63,6 +64,7 @@ class Pacer {
   void finish(const OnRecord& onRecord);
   void chooseTarget(HostTime now);
   void skipUpTo(uint64_t refresh, RefreshOutcome why);
+  void keepSkipped(bool nothingNew);
   void makeAndSubmit(uint64_t refresh);
   size_t underWay() const;
 
@@ -93,6 +95,7 @@ class Pacer {
   StageTimes sending_;  ///< while the link was busy with a frame
   HostTime lastSent_{};
   std::deque<Pending> pending_;
+  std::vector<RefreshRecord> skipped_;  ///< until the source says whether it had anything for them
   TimeLine timeLine_;
 };
 

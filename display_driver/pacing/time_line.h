@@ -69,6 +69,8 @@ class TimeLine {
  public:
   void add(const RefreshRecord& record);
   TimeLineSummary summary() const;
+  uint64_t refreshes() const { return summary_.refreshes; }
+  uint64_t misses() const { return summary_.misses; }
 
  private:
   TimeLineSummary summary_;

@@ -1,0 +1,291 @@
+// `ocelli present`: a scene, a recording or what a tracked eye sees, on a display.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include "cli/command.h"
+#include "cli/interrupt.h"
+#include "cli/output_option.h"
+#include "cli/presentation_report.h"
+#include "cli/scene_options.h"
+#include "cli/slicing_options.h"
+#include "cli/values.h"
+#include "display_driver/device_kinds.h"
+#include "display_driver/follow/eye_feed.h"
+#include "display_driver/follow/eyes_source.h"
+#include "display_driver/follow/recording_source.h"
+#include "display_driver/follow/series_source.h"
+#include "display_driver/follow/still_source.h"
+#include "display_driver/follow/turning_source.h"
+#include "display_driver/pacing/pacer.h"
+#include "display_sim/exact_slicer.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/output_file.h"
+#include "oc_core/ocri/union_mesh.h"
+
+namespace ocelli {
+namespace {
+
+struct PresentChoice {
+  SceneChoice scene;
+  std::string device;
+  std::string profile;
+  SlicingChoice slicing;
+  std::optional<double> seconds;
+  bool loop = false;
+  bool follow = false;
+  std::optional<double> turn;
+  std::string eyes;
+  std::string camera;
+  std::string size = "720x480";
+  std::optional<double> rate;
+  bool tear = false;
+  bool coarse = false;
+  std::string timeLine;
+  bool json = false;
+
+  bool isRecording() const { return scene.source.ends_with(".svol"); }
+  bool isSeries() const { return std::filesystem::is_directory(scene.source); }
+  bool isScene() const { return !isRecording() && !isSeries(); }
+  bool hasCamera() const { return !camera.empty() && camera != "none"; }
+  bool moves() const { return turn || !eyes.empty() || isSeries(); }
+};
+
+void refuse(bool refused, const char* what, const char* option, const char* next) {
+  if (refused) {
+    throw InputError(what, option, next);
+  }
+}
+
+void check(const PresentChoice& choice) {
+  refuse(choice.turn && !choice.isScene(), "only a scene can be turned", "--turn", "give a scene, or leave out --turn");
+  refuse(!choice.eyes.empty() && !choice.isScene(), "only a scene can be seen from somewhere else", "--eyes",
+         "give a scene, or leave out --eyes");
+  refuse(choice.turn && !choice.eyes.empty(), "a scene either turns or follows an eye", "--turn",
+         "leave out --turn or --eyes");
+  refuse(choice.turn && choice.hasCamera(), "a scene that turns is sliced without a camera", "--camera",
+         "leave out --camera or --turn");
+  refuse(choice.hasCamera() && !choice.isScene(), "only scenes are seen by a camera", "--camera", "leave it out");
+  refuse(!choice.eyes.empty() && choice.camera == "none", "without a camera the eye changes nothing", "--camera none",
+         "--camera ddoc");
+  refuse(choice.rate && !choice.isSeries(), "only a folder of meshes has a rate of its own", "--rate", "leave it out");
+  refuse(choice.isRecording() && !choice.profile.empty(), "a volume has its profile already", "--profile",
+         "leave it out");
+  refuse(choice.moves() && (choice.slicing.exact || needsExactSlicer(sliceOptionsOf(choice.slicing))),
+         "what moves is sliced by the fast slicer alone", "--exact, --even-light or --dither diffusion",
+         "leave it out");
+  refuse(choice.follow && choice.isScene() && !choice.moves(), "nothing moves in this scene", "--follow",
+         "--turn 30, or --eyes FILE.csv");
+}
+
+/// What is presented, and what it needs to stand.
+struct Presented {
+  Mesh mesh;
+  std::unique_ptr<EyeFeed> feed;
+  std::unique_ptr<VolumeSource> source;
+  EyesSource* eyes = nullptr;
+};
+
+Volume sliceOnce(const Mesh& mesh, const DisplayProfile& profile, const SlicingChoice& choice) {
+  const SliceOptions options = sliceOptionsOf(choice);
+  return choice.exact || needsExactSlicer(options) ? sliceExactly(mesh, profile, options)
+                                                   : slice(mesh, profile, options);
+}
+
+void addSceneSource(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile,
+                    const Frame& frame) {
+  const SliceOptions options = sliceOptionsOf(choice.slicing);
+  presented.mesh = loadMeshToSlice(choice.scene, frame.progress());
+  const ImageSize size = imageSizeFromText(choice.size, "--size");
+  if (!choice.eyes.empty()) {
+    const CameraChoice camera = cameraChoice(choice.hasCamera() ? choice.camera : "ddoc");
+    presented.feed = openEyeFeed(choice.eyes, choice.loop);
+    auto source = std::make_unique<EyesSource>(
+        presented.mesh, profile,
+        EyesOptions{.camera = camera, .width = size.width, .height = size.height, .slicing = options}, *presented.feed);
+    presented.eyes = source.get();
+    presented.source = std::move(source);
+  } else if (choice.turn) {
+    presented.source =
+        std::make_unique<TurningSource>(orderedForSlicing(presented.mesh), profile, options, *choice.turn);
+  } else if (choice.hasCamera()) {
+    const PinholeCamera reference(View{}, size.width, size.height);
+    const Mesh seen =
+        unionMesh(buildReferenceImages(cameraChoice(choice.camera), reference, presented.mesh, frame.progress()));
+    presented.source = std::make_unique<StillSource>(sliceOnce(seen, profile, choice.slicing));
+  } else {
+    presented.source = std::make_unique<StillSource>(sliceOnce(presented.mesh, profile, choice.slicing));
+  }
+}
+
+void addSeriesSource(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile,
+                     const Frame& frame) {
+  presented.source = std::make_unique<SeriesSource>(
+      numberedFiles(choice.scene.source, ".ply"), choice.scene.options, profile, sliceOptionsOf(choice.slicing),
+      choice.rate.value_or(profile.refreshHertz()), choice.loop, frame.progress());
+}
+
+class TimeLineFile {
+ public:
+  explicit TimeLineFile(const std::string& path) {
+    if (!path.empty()) {
+      file_.emplace(path);
+      file_->write(timeLineHeader());
+    }
+  }
+  void add(const RefreshRecord& record, HostTime start) {
+    if (file_) {
+      file_->write(timeLineRow(record, start));
+    }
+  }
+  void finish() {
+    if (file_) {
+      file_->commit();
+    }
+  }
+
+ private:
+  std::optional<OutputFile> file_;
+};
+
+PresentationReport present(Device& device, Presented& presented, const PresentChoice& choice, const Frame& frame) {
+  TimeLineFile file(choice.timeLine);
+  TimeLine soFar;
+  const HostTime start = realClock().now();
+  const Progress progress = frame.progress();
+  Pacer pacer(device, *presented.source, realClock(),
+              {.seconds = choice.seconds, .tearWhenLate = choice.tear, .coarseWhenLate = choice.coarse});
+  PresentationReport result;
+  bool malformedTold = false;
+  const InterruptGuard guard;
+  result.summary = pacer.run([] { return InterruptGuard::interrupted(); },
+                             [&](const RefreshRecord& record) {
+                               file.add(record, start);
+                               soFar.add(record);
+                               if (choice.follow && isMiss(record.outcome)) {
+                                 frame.note(missText(record, start));
+                               }
+                               if (presented.feed != nullptr && presented.feed->malformed() > 0 && !malformedTold) {
+                                 malformedTold = true;
+                                 frame.note("this is not TIME,X,Y,Z: \"" + presented.feed->firstMalformed() +
+                                            "\"; more of them are only counted");
+                               }
+                               constexpr uint64_t kRefreshesBetween = 6;
+                               if (progress && soFar.refreshes() % kRefreshesBetween == 0) {
+                                 const double seconds = std::chrono::duration<double>(record.due - start).count();
+                                 progress(statusText(soFar.refreshes(), soFar.misses()),
+                                          choice.seconds ? seconds / *choice.seconds : 0);
+                               }
+                             });
+  file.finish();
+  result.device = device.info();
+  result.profile = device.profile().name;
+  result.telemetry = device.telemetry();
+  if (presented.eyes != nullptr) {
+    result.stages = presented.eyes->stages();
+    result.eyesLeftOut = presented.eyes->eyesLeftOut();
+    result.malformedEyes = presented.feed->malformed();
+  }
+  return result;
+}
+
+void run(const PresentChoice& choice, const Frame& frame) {
+  check(choice);
+  if (!choice.timeLine.empty()) {
+    checkWritable(choice.timeLine);
+  }
+  Presented presented;
+  DeviceOptions options;
+  if (choice.isRecording()) {
+    auto source = std::make_unique<RecordingSource>(choice.scene.source, choice.loop);
+    options.profile = source->profile();
+    presented.source = std::move(source);
+  } else if (!choice.profile.empty()) {
+    options.profile = loadProfile(choice.profile);
+  }
+  const std::unique_ptr<Device> device = openDevice(choice.device, options);
+  const DisplayProfile& profile = device->profile();
+  if (options.profile && *options.profile != profile) {
+    throw InputError(
+        fmt::format("this is made for the display {}, the device is a {}", options.profile->name, profile.name),
+        choice.isRecording() ? choice.scene.source : "--profile", "slice the scene for that display");
+  }
+  if (choice.isSeries()) {
+    addSeriesSource(presented, choice, profile, frame);
+  } else if (choice.isScene()) {
+    addSceneSource(presented, choice, profile, frame);
+  }
+  const PresentationReport result = present(*device, presented, choice, frame);
+  device->close();
+  if (result.eyesLeftOut > 0) {
+    frame.note(fmt::format("{} eyes were left out: {}", result.eyesLeftOut, presented.eyes->firstLeftOut()));
+  }
+  frame.print(choice.json ? reportJson(result) : reportText(result));
+}
+
+std::string deviceHelp() {
+  std::string help = "Where it is shown:";
+  for (const DeviceKind& kind : deviceKinds()) {
+    help += "\n  " + kind.usage() + ": " + kind.help;
+  }
+  return help;
+}
+
+CLI::Validator numberCheck(double least, double most) {
+  return CLI::Validator(
+      [least, most](std::string& text) {
+        double value = 0;
+        // CLI::Range lets "nan" pass.
+        return CLI::detail::lexical_cast(text, value) && value >= least && value <= most
+                   ? std::string()
+                   : fmt::format("\"{}\" is no number from {} to {}", text, least, most);
+      },
+      "");
+}
+
+}  // namespace
+
+void addPresentCommand(CLI::App& program, const Frame& frame) {
+  CLI::App& command = *program.add_subcommand("present", "Show a scene or a volume on a display, in time with it");
+  const auto choice = std::make_shared<PresentChoice>();
+  addSceneOptions(command, choice->scene);
+  command.get_option("SCENE")->description(
+      "A scene, the mesh of a reference image (.exr), a volume or recording (.svol), or a folder of numbered .ply "
+      "files");
+  command.add_option("--device", choice->device, deviceHelp())->type_name("DEVICE")->required();
+  addProfileOption(command, choice->profile);
+  addSlicingOptions(command, choice->slicing);
+  command.add_option("--seconds", choice->seconds, "Stop after so long; otherwise at the end, or with Ctrl-C")
+      ->check(numberCheck(0, 1e9))
+      ->type_name("SECONDS");
+  command.add_flag("--loop", choice->loop, "At the end of a recording, a series or a path of eyes begin again");
+  command.add_flag("--follow", choice->follow, "Tell of every refresh that was missed, when it is");
+  command.add_option("--turn", choice->turn, "Turn the scene about the display's axis")
+      ->check(numberCheck(-1e5, 1e5))
+      ->type_name("DEGREES_PER_SECOND");
+  command
+      .add_option("--eyes", choice->eyes,
+                  "Where the viewer's eye is: a file with the header time,x,y,z, or such lines live; \"-\" is standard "
+                  "input. For each place a reference image is built")
+      ->type_name("FILE.csv|FILE.json|udp:[ADDRESS:]PORT|-");
+  addCameraOption(command, choice->camera);
+  addSizeOption(command, choice->size);
+  command.add_option("--rate", choice->rate, "Meshes a second of a folder; by default one a refresh")
+      ->check(numberCheck(1e-3, 1e4))
+      ->type_name("HERTZ");
+  command.add_flag("--tear", choice->tear, "Show frames that come late at once, in the middle of a turn");
+  command.add_flag("--coarse", choice->coarse, "Show the part of a frame that is there in time");
+  addSecondOutputOption(command, "--timeline", choice->timeLine, "A table of what became of each refresh", {".csv"});
+  command.add_flag("--json", choice->json, "Print the figures as JSON");
+  frame.finish(command,
+               "  ocelli present builtin:teapot --device sim --seconds 5\n"
+               "  ocelli present turning.svol --device usb --loop\n"
+               "  ocelli present bunny.obj --device null --follow --turn 30 --seconds 10 --timeline misses.csv\n"
+               "  ocelli present builtin:statues --device file:seen.svol --eyes udp:5005 --camera ddoc",
+               [choice, frame] { run(*choice, frame); });
+}
+
+}  // namespace ocelli

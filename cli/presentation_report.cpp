@@ -1,0 +1,136 @@
+#include "cli/presentation_report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace ocelli {
+namespace {
+
+double hertz(const TimeLineSummary& summary) {
+  return summary.seconds > 0 ? static_cast<double>(summary.refreshes - 1) / summary.seconds : 0;
+}
+
+std::string spreadText(const char* name, const Spread& spread) {
+  return spread.count == 0
+             ? ""
+             : fmt::format("  {}: median {:.1f} ms, worst {:.1f} ms\n", name, spread.median, spread.worst);
+}
+
+nlohmann::ordered_json spreadJson(const Spread& spread) {
+  if (spread.count == 0) {
+    return nullptr;
+  }
+  return {{"median_ms", spread.median}, {"worst_ms", spread.worst}};
+}
+
+double milliseconds(StageTimes::Duration time) {
+  return std::chrono::duration<double, std::milli>(time).count();
+}
+
+/// "source_late" for "source late"
+std::string fieldName(RefreshOutcome outcome) {
+  std::string name = nameOf(outcome);
+  for (char& c : name) {
+    c = c == ' ' ? '_' : c;
+  }
+  return name;
+}
+
+}  // namespace
+
+std::string missText(const RefreshRecord& record, HostTime start) {
+  std::string text = fmt::format("refresh {} at {:.3f} s: {}", record.refresh,
+                                 std::chrono::duration<double>(record.due - start).count(), nameOf(record.outcome));
+  const auto after = [&](const char* what, HostTime time) {
+    if (time != HostTime{}) {
+      text +=
+          fmt::format(", {} {:+.1f} ms", what, std::chrono::duration<double, std::milli>(time - record.due).count());
+    }
+  };
+  after("made", record.makingEnded);
+  after("arrived", record.arrived);
+  after("shown", record.shown);
+  return text + (record.problem.empty() ? "" : ": " + record.problem);
+}
+
+std::string statusText(uint64_t refreshes, uint64_t misses) {
+  return fmt::format("{} refreshes, {} missed", refreshes, misses);
+}
+
+std::string reportText(const PresentationReport& report) {
+  const TimeLineSummary& summary = report.summary;
+  std::string text =
+      fmt::format("{} refreshes in {:.1f} s at {:.2f} Hz on {} ({}): {} shown in time, {} unchanged, {} missed",
+                  summary.refreshes, summary.seconds, hertz(summary), report.device.kind, report.profile,
+                  summary.count(RefreshOutcome::kShown), summary.count(RefreshOutcome::kUnchanged), summary.misses);
+  std::string why;
+  for (size_t i = 0; i < kRefreshOutcomes; ++i) {
+    const auto outcome = static_cast<RefreshOutcome>(i);
+    if (isMiss(outcome) && summary.count(outcome) > 0) {
+      why += fmt::format("{}{} {}", why.empty() ? "" : ", ", nameOf(outcome), summary.count(outcome));
+    }
+  }
+  text += (why.empty() ? "" : " (" + why + ")") + "\n";
+  text += spreadText("making", summary.making);
+  for (const EyesSource::Stage& stage : report.stages) {
+    if (!stage.times.empty()) {
+      text += fmt::format("    {}: median {:.1f} ms\n", stage.name, milliseconds(stage.times.median()));
+    }
+  }
+  text += spreadText("submitting", summary.submitting);
+  text += spreadText("sending", summary.sending);
+  text += spreadText("from making to light", summary.latency);
+  if (report.telemetry.framesLost > 0 || report.telemetry.reconnections > 0) {
+    text += fmt::format("  the device: {} frames lost, {} reconnections\n", report.telemetry.framesLost,
+                        report.telemetry.reconnections);
+  }
+  if (!report.telemetry.lastProblem.empty()) {
+    text += "  the last problem: " + report.telemetry.lastProblem + "\n";
+  }
+  return text;
+}
+
+std::string reportJson(const PresentationReport& report) {
+  const TimeLineSummary& summary = report.summary;
+  nlohmann::ordered_json outcomes;
+  for (size_t i = 0; i < kRefreshOutcomes; ++i) {
+    const auto outcome = static_cast<RefreshOutcome>(i);
+    outcomes[fieldName(outcome)] = summary.count(outcome);
+  }
+  nlohmann::ordered_json stages = nlohmann::ordered_json::object();
+  for (const EyesSource::Stage& stage : report.stages) {
+    if (!stage.times.empty()) {
+      stages[stage.name] = milliseconds(stage.times.median());
+    }
+  }
+  const Telemetry& telemetry = report.telemetry;
+  const nlohmann::ordered_json json = {{"device", report.device.kind},
+                                       {"name", report.device.name},
+                                       {"serial", report.device.serial},
+                                       {"link", report.device.link},
+                                       {"profile", report.profile},
+                                       {"refreshes", summary.refreshes},
+                                       {"seconds", summary.seconds},
+                                       {"hertz", hertz(summary)},
+                                       {"misses", summary.misses},
+                                       {"outcomes", outcomes},
+                                       {"frames_shown", summary.framesShown},
+                                       {"making", spreadJson(summary.making)},
+                                       {"making_stages_ms", stages},
+                                       {"submitting", spreadJson(summary.submitting)},
+                                       {"sending", spreadJson(summary.sending)},
+                                       {"latency", spreadJson(summary.latency)},
+                                       {"eyes_left_out", report.eyesLeftOut},
+                                       {"malformed_eyes", report.malformedEyes},
+                                       {"frames_submitted", telemetry.framesSubmitted},
+                                       {"frames_arrived", telemetry.framesArrived},
+                                       {"frames_dropped", telemetry.framesDropped},
+                                       {"frames_lost", telemetry.framesLost},
+                                       {"underruns", telemetry.underruns},
+                                       {"reconnections", telemetry.reconnections},
+                                       {"bytes_sent", telemetry.bytesSent}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace ocelli

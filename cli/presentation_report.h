@@ -1,0 +1,32 @@
+// What `ocelli present` tells: of each miss, and of all in the end.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "display_driver/device/device.h"
+#include "display_driver/follow/eyes_source.h"
+#include "display_driver/pacing/time_line.h"
+
+namespace ocelli {
+
+struct PresentationReport {
+  DeviceInfo device;
+  std::string profile;
+  TimeLineSummary summary;
+  Telemetry telemetry;
+  std::vector<EyesSource::Stage> stages;  ///< of the making; may be empty
+  uint64_t eyesLeftOut = 0;
+  uint64_t malformedEyes = 0;
+};
+
+/// Lines for people, each with its end.
+std::string reportText(const PresentationReport& report);
+std::string reportJson(const PresentationReport& report);
+
+/// One line without its end: "refresh 1203 at 12.345 s: source late".
+std::string missText(const RefreshRecord& record, HostTime start);
+/// "240 refreshes, 2 missed"
+std::string statusText(uint64_t refreshes, uint64_t misses);
+
+}  // namespace ocelli
