@@ -36,12 +36,10 @@ SourcedVolume EyesSource::leaveOut(const std::string& why) {
 }
 
 SourcedVolume EyesSource::volumeFor(HostTime seen) {
-  if (feed_.ended(seen)) {
-    return {};
-  }
+  const bool ended = feed_.ended(seen);
   const std::optional<glm::vec3> eye = feed_.eyeAt(seen);
   if (!eye || eye == eye_) {
-    return {.kind = SourcedVolume::Kind::kSame};
+    return {.kind = ended ? SourcedVolume::Kind::kEnd : SourcedVolume::Kind::kSame};
   }
   eye_ = eye;
   auto begin = std::chrono::steady_clock::now();

@@ -29,8 +29,8 @@ class EyesSource final : public VolumeSource {
   EyesSource(const Mesh& mesh, const DisplayProfile& profile, EyesOptions options, EyeFeed& feed);
   ~EyesSource() override;
 
-  /// Ends where the feed ends. Eyes from which the scene cannot be seen (inside of it, or of the display) are left out,
-  /// and the last volume stays.
+  /// Ends where the feed has ended and its last place has been shown. Eyes from which the scene cannot be seen (inside
+  /// of it, or of the display) are left out, and the last volume stays.
   SourcedVolume volumeFor(HostTime seen) override;
 
   uint64_t eyesLeftOut() const { return leftOut_; }

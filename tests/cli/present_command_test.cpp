@@ -1,0 +1,125 @@
+// `ocelli present` from outside. Nothing here says how many refreshes are in time: that is the machine's affair.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "display_sim/frames/svol_file.h"
+#include "display_sim/frames/svol_player.h"
+#include "tests/base/temporary_folder.h"
+#include "tests/cli/run_program.h"
+
+namespace ocelli::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class PresentCommand : public testing::Test {
+ protected:
+  std::string quoted(const std::string& name) const { return fmt::format("'{}'", (folder_ / name).string()); }
+  std::string toFile(const std::string& name) const {
+    return fmt::format(" --device 'file:{}' ", (folder_ / name).string());
+  }
+
+  TemporaryFolder folder_;
+};
+
+constexpr const char* kTeapot = "builtin:teapot,segments=4 --profile test ";
+
+TEST_F(PresentCommand, aStillSceneIsShownAsSliceMakesIt) {
+  const ProgramResult sliced = runProgram(std::string("slice ") + kTeapot + "-o " + quoted("a.svol"));
+  ASSERT_EQ(sliced.exitCode, 0) << sliced.error;
+  const ProgramResult shown = runProgram(std::string("present ") + kTeapot + toFile("shown.svol") + "--seconds 0.4");
+  ASSERT_EQ(shown.exitCode, 0) << shown.error;
+  EXPECT_THAT(shown.output, AllOf(HasSubstr("on file (test)"), HasSubstr("making"), HasSubstr("from making to light")));
+  SvolReader reader(folder_ / "shown.svol");
+  EXPECT_EQ(reader.ending(), SvolEnding::kFinished);
+  ASSERT_EQ(reader.frames().size(), 1u);
+  EXPECT_EQ(readSvol(folder_ / "shown.svol"), readSvol(folder_ / "a.svol"));
+}
+
+TEST_F(PresentCommand, aRecordingIsShownAndItsTimeLineIsATable) {
+  ASSERT_EQ(runProgram(std::string("present ") + kTeapot + toFile("turning.svol") + "--turn 90 --seconds 0.5").exitCode,
+            0);
+  const ProgramResult again = runProgram("present " + quoted("turning.svol") + toFile("again.svol") +
+                                         "--follow --json --timeline " + quoted("line.csv"));
+  ASSERT_EQ(again.exitCode, 0) << again.error;
+  const auto json = nlohmann::json::parse(again.output);
+  EXPECT_EQ(json["device"], "file");
+  EXPECT_EQ(json["profile"], "test");
+  uint64_t sum = 0;
+  for (const auto& [name, count] : json["outcomes"].items()) {
+    sum += count.get<uint64_t>();
+  }
+  EXPECT_EQ(sum, json["refreshes"]);
+  const std::string line = fileBytes(folder_ / "line.csv");
+  EXPECT_THAT(line, testing::StartsWith("refresh,due_ms,frame,outcome,"));
+  EXPECT_EQ(static_cast<uint64_t>(std::ranges::count(line, '\n')), 1 + json["refreshes"].get<uint64_t>());
+  // What was shown is some of what was recorded.
+  SvolReader recorded(folder_ / "turning.svol");
+  SvolReader shown(folder_ / "again.svol");
+  EXPECT_GE(shown.frames().size(), 1u);
+  EXPECT_LE(shown.frames().size(), recorded.frames().size());
+}
+
+TEST_F(PresentCommand, eyesComeAsLinesAndWrongOnesAreToldOnce) {
+  const ProgramResult result =
+      runShell("printf 'time,x,y,z\\n0,0,0,10\\nnonsense\\nmore\\n1,2,0,9.5\\n' | \"$OCELLI\" present " +
+               std::string(kTeapot) + "--device null --eyes - --camera di --size 90x60 --json");
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json["malformed_eyes"], 2);
+  EXPECT_GE(json["frames_shown"], 1);
+  EXPECT_EQ(result.error.find("nonsense"), result.error.rfind("nonsense"));
+  EXPECT_THAT(result.error, HasSubstr("nonsense"));
+}
+
+TEST_F(PresentCommand, aFolderOfMeshesIsAnAnimation) {
+  std::filesystem::create_directory(folder_ / "walk");
+  for (const char* name : {"sphere", "torus", "box"}) {
+    const std::string file = quoted(fmt::format("walk/walk_{}.ply", static_cast<int>(name[0])));
+    ASSERT_EQ(runProgram(fmt::format("scene export builtin:{} -o {}", name, file)).exitCode, 0);
+  }
+  const ProgramResult result =
+      runProgram("present " + quoted("walk") + " --profile test --rate 10 --shading none" + toFile("walk.svol"));
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  SvolReader reader(folder_ / "walk.svol");
+  EXPECT_GE(reader.frames().size(), 1u);
+  EXPECT_LE(reader.frames().size(), 3u);
+}
+
+TEST_F(PresentCommand, anInterruptEndsItCleanly) {
+  const ProgramResult result = runShell("timeout -s INT 0.6 \"$OCELLI\" present " + std::string(kTeapot) +
+                                        toFile("cut.svol") + "; echo code $?");
+  EXPECT_THAT(result.output, AllOf(HasSubstr("on file (test)"), HasSubstr("code 124")));  // timeout's own
+  EXPECT_EQ(SvolReader(folder_ / "cut.svol").ending(), SvolEnding::kFinished);
+}
+
+TEST_F(PresentCommand, whatDoesNotGoTogetherIsRefused) {
+  const auto refusal = [](const std::string& arguments) {
+    const ProgramResult result = runProgram("present " + arguments);
+    EXPECT_EQ(result.exitCode, 2) << arguments;
+    return result.error;
+  };
+  ASSERT_EQ(runProgram(std::string("slice ") + kTeapot + "-o " + quoted("a.svol")).exitCode, 0);
+  EXPECT_THAT(refusal("builtin:teapot"), HasSubstr("--device"));
+  EXPECT_THAT(refusal("builtin:teapot --device nowhere"), HasSubstr("null"));
+  EXPECT_THAT(refusal("builtin:teapot --device null --follow"), HasSubstr("nothing moves"));
+  EXPECT_THAT(refusal("builtin:teapot --device null --turn 5 --eyes a.csv"), HasSubstr("either"));
+  EXPECT_THAT(refusal("builtin:teapot --device null --turn 5 --camera ddoc"), HasSubstr("without a camera"));
+  EXPECT_THAT(refusal("builtin:teapot --device null --turn 5 --exact"), HasSubstr("fast slicer"));
+  EXPECT_THAT(refusal("builtin:teapot --device null --turn nan"), HasSubstr("nan"));
+  EXPECT_THAT(refusal("builtin:teapot --device null --eyes a.csv --camera none"), HasSubstr("changes nothing"));
+  EXPECT_THAT(refusal("builtin:teapot --device null --profile test --eyes udp:0"), HasSubstr("port"));
+  EXPECT_THAT(refusal("builtin:teapot --device null --rate 5"), HasSubstr("rate"));
+  EXPECT_THAT(refusal(quoted("a.svol") + " --device null --turn 5"), HasSubstr("only a scene"));
+  EXPECT_THAT(refusal(quoted("a.svol") + " --device null --profile test"), HasSubstr("profile already"));
+  EXPECT_THAT(refusal(quoted("none.svol") + " --device null"), HasSubstr("none.svol"));
+  EXPECT_THAT(refusal(quoted("") + " --device null"), HasSubstr("no numbered .ply"));
+}
+
+}  // namespace
+}  // namespace ocelli::test
