@@ -60,6 +60,11 @@ void addDemoCommand(CLI::App& program, const Frame& frame);
 void addRenderCommand(CLI::App& program, const Frame& frame);
 void addEvaluateCommand(CLI::App& program, const Frame& frame);
 
+/// Thrown by `run` to end with the exit code of another program, which has said itself what went wrong.
+struct ExitCode {
+  int code = 0;
+};
+
 /// Flushes standard output. Throws WorkError where what was printed could not be written in full.
 void flushStandardOutput();
 

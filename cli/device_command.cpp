@@ -10,6 +10,11 @@ namespace ocelli {
 void addDeviceCommand(CLI::App& program, const Frame& frame) {
   CLI::App& device = *program.add_subcommand("device", "Build, calibrate and plan for volumetric displays");
   device.require_subcommand(1);
+  addDeviceList(device, frame);
+  addDeviceInfo(device, frame);
+#ifdef OCELLI_WITH_EMULATOR
+  addDeviceEmulate(device, frame);
+#endif
   addDevicePlan(device, frame);
   addDeviceSelftest(device, frame);
 }

@@ -100,6 +100,9 @@ int run(int argumentCount, char** arguments) {
       return fail(frame, kInputWrong, "there is no " + kind + " \"" + rest.front() + "\"\n  try: ocelli --help");
     }
     return fail(frame, kInputWrong, std::string(error.what()) + "\n  try: " + namedCommand(program) + " --help");
+  } catch (const ExitCode& exit) {
+    flushStandardOutput();
+    return exit.code;
   } catch (const InputError& error) {
     return fail(frame, kInputWrong, error.what());
   } catch (const AnalysisError& error) {

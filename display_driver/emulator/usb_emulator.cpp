@@ -14,14 +14,17 @@
 #include <linux/usbdevice_fs.h>
 #include <sys/ioctl.h>
 #include <umockdev.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <condition_variable>
+#include <cstdlib>
 #include <cstring>
 #include <deque>
+#include <fstream>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -41,6 +44,7 @@ using std::chrono::microseconds;
 constexpr microseconds kEmptyReap{500};
 constexpr microseconds kShortestSleep{50};
 constexpr microseconds kLongestSleep{1000};
+constexpr const char* kPreloadLibrary = "libumockdev-preload.so.0";
 constexpr int kFirstDeviceNumber = 2;  // 1 is the root hub
 constexpr int kLastDeviceNumber = 127;
 
@@ -621,21 +625,40 @@ UsbEmulator::UsbEmulator(std::vector<EmulatedUsbDisplay> displays)
 
 UsbEmulator::~UsbEmulator() = default;
 
-bool UsbEmulator::seenByThisProcess() {
-  void* const loaded = dlopen(preloadLibrary().c_str(), RTLD_LAZY | RTLD_NOLOAD);
+bool UsbEmulator::preloaded() {
+  void* const loaded = dlopen(kPreloadLibrary, RTLD_LAZY | RTLD_NOLOAD);
   if (loaded != nullptr) {
     dlclose(loaded);
   }
   return loaded != nullptr;
 }
 
-std::string UsbEmulator::preloadLibrary() {
-  return "libumockdev-preload.so.0";
+void UsbEmulator::restartPreloaded() {
+  constexpr const char* kTried = "OCELLI_EMULATOR_PRELOADED";
+  if (preloaded() || std::getenv(kTried) != nullptr) {
+    return;
+  }
+  setenv(kTried, "1", 1);
+  setenv("LD_PRELOAD", kPreloadLibrary, 1);
+  // AddressSanitizer wants to be the first library, and works as the second one.
+  const char* const options = std::getenv("ASAN_OPTIONS");
+  setenv("ASAN_OPTIONS", fmt::format("{}:verify_asan_link_order=0", options == nullptr ? "" : options).c_str(), 1);
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::vector<std::string> words;
+  for (std::string word; std::getline(file, word, '\0');) {
+    words.push_back(word);
+  }
+  std::vector<char*> arguments;
+  for (std::string& word : words) {
+    arguments.push_back(word.data());
+  }
+  arguments.push_back(nullptr);
+  execv("/proc/self/exe", arguments.data());
 }
 
 std::vector<std::pair<std::string, std::string>> UsbEmulator::environment() const {
   const std::unique_ptr<gchar, decltype(&g_free)> root(umockdev_testbed_get_root_dir(state_->bed), g_free);
-  return {{"LD_PRELOAD", preloadLibrary()}, {"UMOCKDEV_DIR", root.get()}};
+  return {{"LD_PRELOAD", kPreloadLibrary}, {"UMOCKDEV_DIR", root.get()}};
 }
 
 void UsbEmulator::use(size_t display, const std::function<void(EmulatedDevice&, DeviceMicroseconds)>& use) {

@@ -32,10 +32,12 @@ class UsbEmulator {
   explicit UsbEmulator(std::vector<EmulatedUsbDisplay> displays);
   ~UsbEmulator();
 
-  /// Whether a program that was started as this one would see the devices of an emulator.
-  static bool seenByThisProcess();
-  /// What LD_PRELOAD has to name for that.
-  static std::string preloadLibrary();
+  /// Whether umockdev's preload library is loaded: without it this process sees no emulated devices, and those that do
+  /// not hear of what is plugged in and unplugged.
+  static bool preloaded();
+  /// Starts this program anew, with the same arguments, so that it is. Returns where it is already, or where that is
+  /// not possible; it is tried once.
+  static void restartPreloaded();
   /// Variables for the environment of programs that shall see the displays, with their values.
   std::vector<std::pair<std::string, std::string>> environment() const;
 

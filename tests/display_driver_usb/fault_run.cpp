@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <thread>
 
+#include "display_driver/emulator/usb_emulator.h"
 #include "tests/display_driver_usb/fault_runner.h"
-#include "tests/display_driver_usb/preloaded.h"
 
 namespace ocelli {
 namespace {
@@ -112,7 +112,8 @@ int run(size_t count, uint64_t firstSeed) {
 }  // namespace ocelli
 
 int main(int argumentCount, char** arguments) {
-  if (!ocelli::runPreloaded(arguments)) {
+  ocelli::UsbEmulator::restartPreloaded();
+  if (!ocelli::UsbEmulator::preloaded()) {
     fmt::print("no USB can be emulated here: umockdev's preload library is missing\n");
     return ocelli::kSkipped;
   }

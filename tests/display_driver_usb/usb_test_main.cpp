@@ -1,10 +1,10 @@
 // The main() of tests that see emulated USB devices.
 #include <gtest/gtest.h>
 
-#include "tests/display_driver_usb/preloaded.h"
+#include "display_driver/emulator/usb_emulator.h"
 
 int main(int argumentCount, char** arguments) {
-  ocelli::runPreloaded(arguments);
+  ocelli::UsbEmulator::restartPreloaded();
   testing::InitGoogleTest(&argumentCount, arguments);
   return RUN_ALL_TESTS();
 }
