@@ -45,6 +45,7 @@ constexpr microseconds kEmptyReap{500};
 constexpr microseconds kShortestSleep{50};
 constexpr microseconds kLongestSleep{1000};
 constexpr const char* kPreloadLibrary = "libumockdev-preload.so.0";
+constexpr std::chrono::milliseconds kLastWords{200};
 constexpr int kFirstDeviceNumber = 2;  // 1 is the root hub
 constexpr int kLastDeviceNumber = 127;
 
@@ -171,6 +172,7 @@ void UsbEmulator::State::onVanished(gpointer self, GObject* client) {
   State& state = *static_cast<State*>(self);
   const std::scoped_lock lock(state.mutex);
   state.connections.erase(reinterpret_cast<UMockdevIoctlClient*>(client));
+  state.changed.notify_all();
 }
 
 Connection* UsbEmulator::State::connectionOf(UMockdevIoctlClient* client) {
@@ -611,6 +613,11 @@ UsbEmulator::State::~State() {
     if (displays[i]->plugged) {
       unplug(i);
     }
+  }
+  {
+    // umockdev keeps the sockets of clients of whose end it has not heard before the bed goes.
+    std::unique_lock lock(mutex);
+    changed.wait_for(lock, kLastWords, [&] { return connections.empty(); });
   }
   mark.reset();
   g_object_unref(bed);
