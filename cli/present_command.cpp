@@ -21,6 +21,8 @@
 #include "display_driver/follow/still_source.h"
 #include "display_driver/follow/turning_source.h"
 #include "display_driver/pacing/pacer.h"
+#include "display_driver/pacing/recording_device.h"
+#include "display_driver/pacing/session_player.h"
 #include "display_sim/exact_slicer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
@@ -45,11 +47,14 @@ struct PresentChoice {
   bool tear = false;
   bool coarse = false;
   std::string timeLine;
+  std::string record;
+  bool fast = false;
   bool json = false;
 
   bool isRecording() const { return scene.source.ends_with(".svol"); }
   bool isSeries() const { return std::filesystem::is_directory(scene.source); }
-  bool isScene() const { return !isRecording() && !isSeries(); }
+  bool isSession() const { return scene.source.ends_with(".session"); }
+  bool isScene() const { return !isRecording() && !isSeries() && !isSession(); }
   bool hasCamera() const { return !camera.empty() && camera != "none"; }
   bool moves() const { return turn || !eyes.empty() || isSeries(); }
 };
@@ -72,8 +77,13 @@ void check(const PresentChoice& choice) {
   refuse(!choice.eyes.empty() && choice.camera == "none", "without a camera the eye changes nothing", "--camera none",
          "--camera ddoc");
   refuse(choice.rate && !choice.isSeries(), "only a folder of meshes has a rate of its own", "--rate", "leave it out");
-  refuse(choice.isRecording() && !choice.profile.empty(), "a volume has its profile already", "--profile",
+  refuse((choice.isRecording() || choice.isSession()) && !choice.profile.empty(), "a volume has its profile already",
+         "--profile", "leave it out");
+  refuse(choice.isSession() && (choice.loop || choice.tear || choice.coarse || choice.seconds || choice.follow ||
+                                !choice.timeLine.empty()),
+         "a recorded session is played as it was, once", "--loop, --tear, --coarse, --seconds, --follow or --timeline",
          "leave it out");
+  refuse(choice.fast && !choice.isSession(), "only a recorded session can go faster", "--fast", "leave it out");
   refuse(choice.moves() && (choice.slicing.exact || needsExactSlicer(sliceOptionsOf(choice.slicing))),
          "what moves is sliced by the fast slicer alone", "--exact, --even-light or --dither diffusion",
          "leave it out");
@@ -192,11 +202,41 @@ PresentationReport present(Device& device, Presented& presented, const PresentCh
   return result;
 }
 
+std::unique_ptr<Device> openFor(const PresentChoice& choice, const DeviceOptions& options) {
+  std::unique_ptr<Device> device = openDevice(choice.device, options);
+  if (options.profile && *options.profile != device->profile()) {
+    throw InputError(fmt::format("this is made for the display {}, the device is a {}", options.profile->name,
+                                 device->profile().name),
+                     choice.profile.empty() ? choice.scene.source : "--profile", "slice the scene for that display");
+  }
+  return choice.record.empty() ? std::move(device) : recordSession(std::move(device), choice.record);
+}
+
+void runSession(const PresentChoice& choice, const Frame& frame) {
+  SessionReader reader(choice.scene.source);
+  DeviceOptions options;
+  options.profile = reader.profile();
+  const std::unique_ptr<Device> device = openFor(choice, options);
+  const InterruptGuard guard;
+  const SessionPlayed played =
+      playSession(reader, *device, realClock(), {.fast = choice.fast}, [] { return InterruptGuard::interrupted(); });
+  device->close();
+  if (reader.damage()) {
+    frame.note(reader.damage()->what());
+  } else if (reader.ending() == SessionEnding::kUnfinished && !InterruptGuard::interrupted()) {
+    frame.note("the recording was cut short");
+  }
+  frame.print(choice.json ? reportJson(played) : reportText(played));
+}
+
 void run(const PresentChoice& choice, const Frame& frame) {
   check(choice);
-  if (!choice.timeLine.empty()) {
-    checkWritable(choice.timeLine);
+  checkSecondOutput(choice.record, "--record", choice.scene.source);
+  if (choice.isSession()) {
+    runSession(choice, frame);
+    return;
   }
+  checkSecondOutput(choice.timeLine, "--timeline", choice.record);
   Presented presented;
   DeviceOptions options;
   if (choice.isRecording()) {
@@ -206,13 +246,8 @@ void run(const PresentChoice& choice, const Frame& frame) {
   } else if (!choice.profile.empty()) {
     options.profile = loadProfile(choice.profile);
   }
-  const std::unique_ptr<Device> device = openDevice(choice.device, options);
+  const std::unique_ptr<Device> device = openFor(choice, options);
   const DisplayProfile& profile = device->profile();
-  if (options.profile && *options.profile != profile) {
-    throw InputError(
-        fmt::format("this is made for the display {}, the device is a {}", options.profile->name, profile.name),
-        choice.isRecording() ? choice.scene.source : "--profile", "slice the scene for that display");
-  }
   if (choice.isSeries()) {
     addSeriesSource(presented, choice, profile, frame);
   } else if (choice.isScene()) {
@@ -279,6 +314,8 @@ void addPresentCommand(CLI::App& program, const Frame& frame) {
   command.add_flag("--tear", choice->tear, "Show frames that come late at once, in the middle of a turn");
   command.add_flag("--coarse", choice->coarse, "Show the part of a frame that is there in time");
   addSecondOutputOption(command, "--timeline", choice->timeLine, "A table of what became of each refresh", {".csv"});
+  addSecondOutputOption(command, "--record", choice->record, "All that passes to the device and back", {".session"});
+  command.add_flag("--fast", choice->fast, "A recorded session as fast as the display goes");
   command.add_flag("--json", choice->json, "Print the figures as JSON");
   frame.finish(command,
                "  ocelli present builtin:teapot --device sim --seconds 5\n"

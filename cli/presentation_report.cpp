@@ -133,4 +133,20 @@ std::string reportJson(const PresentationReport& report) {
   return json.dump(2) + "\n";
 }
 
+std::string reportText(const SessionPlayed& played) {
+  return fmt::format("{} frames submitted and {} presented in {:.1f} s: {} shown, {} dropped, {} lost\n",
+                     played.submitted, played.presented, played.seconds, played.shown, played.dropped, played.lost);
+}
+
+std::string reportJson(const SessionPlayed& played) {
+  const nlohmann::ordered_json json = {{"frames_submitted", played.submitted},
+                                       {"frames_presented", played.presented},
+                                       {"frames_shown", played.shown},
+                                       {"frames_dropped", played.dropped},
+                                       {"frames_lost", played.lost},
+                                       {"seconds", played.seconds},
+                                       {"whole", played.ending == SessionEnding::kFinished}};
+  return json.dump(2) + "\n";
+}
+
 }  // namespace ocelli

@@ -6,6 +6,7 @@
 
 #include "display_driver/device/device.h"
 #include "display_driver/follow/eyes_source.h"
+#include "display_driver/pacing/session_player.h"
 #include "display_driver/pacing/time_line.h"
 
 namespace ocelli {
@@ -23,6 +24,9 @@ struct PresentationReport {
 /// Lines for people, each with its end.
 std::string reportText(const PresentationReport& report);
 std::string reportJson(const PresentationReport& report);
+/// The same of a recorded session.
+std::string reportText(const SessionPlayed& played);
+std::string reportJson(const SessionPlayed& played);
 
 /// One line without its end: "refresh 1203 at 12.345 s: source late".
 std::string missText(const RefreshRecord& record, HostTime start);

@@ -7,7 +7,7 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 build="$root/build/fuzz"
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_COMPILER=clang++ \
   -DOCELLI_BUILD_FUZZERS=ON -DOCELLI_BUILD_TESTS=OFF -DOCELLI_SANITIZE=address,undefined,fuzzer-no-link >/dev/null
-cmake --build "$build" --target svol_fuzzer maze_fuzzer camera_fuzzer protocol_fuzzer plan_fuzzer
+cmake --build "$build" --target svol_fuzzer maze_fuzzer camera_fuzzer protocol_fuzzer plan_fuzzer session_fuzzer
 cd "$build"
 
 # run NAME CORPUS
@@ -21,3 +21,4 @@ run maze scene/maze_corpus
 run camera constructor/corpus
 run protocol study_protocol/corpus
 run plan analysis_dataset/plan_corpus
+run session display_driver_pacing/corpus

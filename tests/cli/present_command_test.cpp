@@ -91,6 +91,31 @@ TEST_F(PresentCommand, aFolderOfMeshesIsAnAnimation) {
   EXPECT_LE(reader.frames().size(), 3u);
 }
 
+TEST_F(PresentCommand, aRecordedSessionGivesAnotherDeviceTheSameVolumes) {
+  const ProgramResult recorded = runProgram(std::string("present ") + kTeapot + toFile("first.svol") +
+                                            "--turn 90 --seconds 0.5 --record " + quoted("a.session"));
+  ASSERT_EQ(recorded.exitCode, 0) << recorded.error;
+  const ProgramResult played = runProgram("present " + quoted("a.session") + toFile("again.svol") + "--fast --json");
+  ASSERT_EQ(played.exitCode, 0) << played.error;
+  const auto json = nlohmann::json::parse(played.output);
+  EXPECT_TRUE(json["whole"]);
+  EXPECT_EQ(json["frames_shown"], json["frames_submitted"]);
+  // Frames that were dropped the first time are shown, too: all that were shown then are among those of now.
+  SvolReader first(folder_ / "first.svol");
+  SvolReader again(folder_ / "again.svol");
+  EXPECT_GE(again.frames().size(), first.frames().size());
+  SvolPlayer firstPlayer(first);
+  SvolPlayer againPlayer(again);
+  size_t at = 0;
+  for (size_t i = 0; i < first.frames().size(); ++i, ++at) {
+    firstPlayer.seek(i);
+    do {
+      ASSERT_LT(at, again.frames().size()) << i;
+      againPlayer.seek(at);
+    } while (!(againPlayer.volume() == firstPlayer.volume()) && ++at < again.frames().size() + 1);
+  }
+}
+
 TEST_F(PresentCommand, anInterruptEndsItCleanly) {
   const ProgramResult result = runShell("timeout -s INT 0.6 \"$OCELLI\" present " + std::string(kTeapot) +
                                         toFile("cut.svol") + "; echo code $?");
@@ -117,6 +142,9 @@ TEST_F(PresentCommand, whatDoesNotGoTogetherIsRefused) {
   EXPECT_THAT(refusal("builtin:teapot --device null --rate 5"), HasSubstr("rate"));
   EXPECT_THAT(refusal(quoted("a.svol") + " --device null --turn 5"), HasSubstr("only a scene"));
   EXPECT_THAT(refusal(quoted("a.svol") + " --device null --profile test"), HasSubstr("profile already"));
+  EXPECT_THAT(refusal(quoted("none.session") + " --device null"), HasSubstr("none.session"));
+  EXPECT_THAT(refusal(quoted("none.session") + " --device null --loop"), HasSubstr("as it was"));
+  EXPECT_THAT(refusal("builtin:teapot --device null --fast"), HasSubstr("recorded session"));
   EXPECT_THAT(refusal(quoted("none.svol") + " --device null"), HasSubstr("none.svol"));
   EXPECT_THAT(refusal(quoted("") + " --device null"), HasSubstr("no numbered .ply"));
 }

@@ -87,6 +87,7 @@ class VirtualDisplay final : public Device {
 
   /// That were shown, in their order.
   std::vector<FrameNumber> shown;
+  RotationPhase lastShownAt;
 
  protected:
   std::shared_ptr<const FrameFence> submitFrame(const Volume&, std::optional<std::span<const int>>) override {
@@ -133,6 +134,7 @@ class VirtualDisplay final : public Device {
   void show(HostTime now) {
     for (IdealScreen::Frame& frame : screen_->advance(now)) {
       shown.push_back(frame.fence->number());
+      lastShownAt = {frame.state.shownRefresh, frame.state.shownSlice};
       frame.fence->moveTo(frame.state);
     }
   }

@@ -1,0 +1,206 @@
+#include "display_driver/pacing/recording_device.h"
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "display_driver/device/volume_pool.h"
+#include "display_driver/pacing/session_writer.h"
+
+namespace ocelli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Volumes that wait to be written.
+constexpr size_t kMostWaiting = 4;
+constexpr std::chrono::milliseconds kLookInterval{20};
+constexpr std::chrono::milliseconds kTelemetryInterval{100};
+
+class RecordingDevice final : public Device {
+ public:
+  RecordingDevice(std::unique_ptr<Device> device, const std::filesystem::path& path)
+      : device_(std::move(device)), opened_(Clock::now()), writer_(path, device_->info(), device_->profile()) {
+    thread_ = std::thread([this] { run(); });
+  }
+  ~RecordingDevice() override { end(); }
+
+  const DeviceInfo& info() const override { return device_->info(); }
+  const DisplayProfile& profile() const override { return device_->profile(); }
+
+  void present(FrameNumber frame, const Presentation& presentation) override {
+    const std::lock_guard order(order_);
+    device_->present(frame, presentation);
+    add([this, frame, presentation, time = now()] { writer_.presented(frame, presentation, time); });
+  }
+
+  Telemetry telemetry() override {
+    Telemetry telemetry = device_->telemetry();
+    const std::lock_guard lock(mutex_);
+    if (!failure_ && Clock::now() - told_ >= kTelemetryInterval) {
+      told_ = Clock::now();
+      waiting_.push_back([this, telemetry, time = now()] { writer_.told(telemetry, opened_, time); });
+      changed_.notify_all();
+    }
+    if (failure_ && telemetry.lastProblem.empty()) {
+      telemetry.lastProblem = "the session is no longer recorded";
+    }
+    return telemetry;
+  }
+
+  void close() override {
+    stop();
+    std::exception_ptr failure;
+    try {
+      device_->close();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    finish();
+    if (failure || failure_) {
+      std::rethrow_exception(failure ? failure : failure_);
+    }
+  }
+
+ protected:
+  std::shared_ptr<const FrameFence> submitFrame(const Volume& volume,
+                                                std::optional<std::span<const int>> changedSlices) override {
+    // Differences refer to the frame before, so frames are written in the order in which the device got them.
+    const std::lock_guard order(order_);
+    {
+      std::unique_lock lock(mutex_);
+      changed_.wait(lock, [&] { return volumes_ < kMostWaiting || failure_; });
+      ++volumes_;
+    }
+    const auto time = now();
+    auto fence = changedSlices ? device_->submit(volume, *changedSlices) : device_->submit(volume);
+    std::optional<std::vector<int>> changed;
+    if (changedSlices) {
+      changed.emplace(changedSlices->begin(), changedSlices->end());
+    }
+    add([this, copy = copies_.copyOf(volume), fence, changed = std::move(changed), time] {
+      writer_.submitted(fence->number(), *copy, changed ? std::optional<std::span<const int>>(*changed) : std::nullopt,
+                        time);
+      underWay_.push_back(fence);
+      const std::lock_guard lock(mutex_);
+      --volumes_;
+    });
+    return fence;
+  }
+
+ private:
+  SessionWriter::Time now() const { return std::chrono::duration_cast<SessionWriter::Time>(Clock::now() - opened_); }
+
+  void add(std::function<void()> work) {
+    const std::lock_guard lock(mutex_);
+    if (!failure_) {
+      waiting_.push_back(std::move(work));
+      changed_.notify_all();
+    }
+  }
+
+  void run() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+      while (!waiting_.empty() && !failure_) {
+        const std::function<void()> work = std::move(waiting_.front());
+        waiting_.pop_front();
+        attempt(lock, work);
+        changed_.notify_all();
+      }
+      if (stopping_ || failure_) {
+        return;
+      }
+      attempt(lock, [this] { writeEnds(); });
+      if (waiting_.empty() && !stopping_) {
+        changed_.wait_for(lock, kLookInterval);
+      }
+    }
+  }
+
+  /// Without the mutex meanwhile.
+  void attempt(std::unique_lock<std::mutex>& lock, const std::function<void()>& work) {
+    lock.unlock();
+    std::exception_ptr failure;
+    try {
+      work();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    lock.lock();
+    if (failure) {
+      failure_ = failure;
+      waiting_.clear();
+      changed_.notify_all();
+    }
+  }
+
+  void writeEnds() {
+    std::erase_if(underWay_, [this](const std::shared_ptr<const FrameFence>& fence) {
+      const FrameState state = fence->state();
+      if (hasEnded(state.stage)) {
+        writer_.ended(fence->number(), state, opened_, now());
+      }
+      return hasEnded(state.stage);
+    });
+  }
+
+  /// All that has passed is written; nothing more is added.
+  void stop() {
+    {
+      const std::lock_guard lock(mutex_);
+      stopping_ = true;
+      changed_.notify_all();
+    }
+    if (thread_.joinable()) {
+      thread_.join();
+    }
+  }
+
+  /// After the thread, and after the device, which has ended every frame.
+  void finish() {
+    if (failure_) {
+      return;
+    }
+    try {
+      writeEnds();
+      writer_.finish(now());
+    } catch (...) {
+      failure_ = std::current_exception();
+    }
+  }
+
+  void end() {
+    stop();
+    device_ = nullptr;
+  }
+
+  std::unique_ptr<Device> device_;
+  const HostTime opened_;
+  SessionWriter writer_;                                     ///< of the thread, and after it
+  std::vector<std::shared_ptr<const FrameFence>> underWay_;  ///< likewise
+  VolumePool copies_;
+
+  std::mutex order_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<std::function<void()>> waiting_;
+  size_t volumes_ = 0;  ///< of those that wait, and the one that is being written
+  HostTime told_{};
+  std::exception_ptr failure_;
+  bool stopping_ = false;
+  std::thread thread_;
+};
+
+}  // namespace
+
+std::unique_ptr<Device> recordSession(std::unique_ptr<Device> device, const std::filesystem::path& path) {
+  return std::make_unique<RecordingDevice>(std::move(device), path);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,161 @@
+#include "display_driver/pacing/session_player.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "display_driver/pacing/rotation_clock.h"
+#include "oc_core/base/check.h"
+
+namespace ocelli {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::chrono::milliseconds kLookInterval{5};
+/// For a frame to be shown, or to end.
+constexpr std::chrono::seconds kMostWait{2};
+
+class Player {
+ public:
+  Player(SessionReader& reader, Device& device, PaceClock& clock, const SessionPlayerOptions& options,
+         const std::function<bool()>& stop)
+      : reader_(reader),
+        device_(device),
+        clock_(clock),
+        options_(options),
+        stop_(stop),
+        recorded_(1 / reader.profile().refreshHertz()),
+        rotation_(1 / device.profile().refreshHertz()) {}
+
+  SessionPlayed play() {
+    const HostTime begin = clock_.now();
+    while (const auto record = reader_.next()) {
+      const HostTime due = begin + std::chrono::microseconds(record->microseconds);
+      if (!options_.fast) {
+        waitUntil(due);
+      }
+      if (stopped()) {
+        break;
+      }
+      std::visit([&](const auto& what) { take(what, HostTime(std::chrono::microseconds(record->microseconds))); },
+                 record->what);
+    }
+    const HostTime end = clock_.now();
+    played_.seconds = std::chrono::duration<double>(end - begin).count();
+    while (!ended() && clock_.now() - end < kMostWait && !stopped()) {
+      clock_.waitUntil(clock_.now() + kLookInterval);
+      look();
+    }
+    played_.ending = reader_.ending();
+    return played_;
+  }
+
+ private:
+  bool stopped() const { return stop_ && stop_(); }
+
+  void look() {
+    const Telemetry telemetry = device_.telemetry();
+    if (telemetry.rotation) {
+      rotation_.add(*telemetry.rotation);
+    }
+    std::erase_if(underWay_, [this](const std::shared_ptr<const FrameFence>& fence) {
+      const FrameStage stage = fence->state().stage;
+      played_.shown += stage == FrameStage::kShown ? 1 : 0;
+      played_.dropped += stage == FrameStage::kDropped ? 1 : 0;
+      played_.lost += stage == FrameStage::kLost ? 1 : 0;
+      return hasEnded(stage);
+    });
+  }
+
+  void waitUntil(HostTime time) {
+    look();
+    while (clock_.now() < time && !stopped()) {
+      clock_.waitUntil(std::min(time, clock_.now() + kLookInterval));
+      look();
+    }
+  }
+
+  /// Those that wait without a time stay until the device is closed.
+  bool ended() const {
+    return std::ranges::none_of(underWay_, [this](const auto& fence) { return presented_.contains(fence->number()); });
+  }
+
+  void take(const SessionRecord::Submitted& submitted, HostTime) {
+    const auto fence = played_.submitted == 0 ? device_.submit(*submitted.volume)
+                                              : device_.submit(*submitted.volume, submitted.changed);
+    ++played_.submitted;
+    numbers_[submitted.frame] = fence;
+    if (numbers_.size() > kMostNumbers) {
+      numbers_.erase(numbers_.begin());
+    }
+    underWay_.push_back(fence);
+  }
+
+  void take(const SessionRecord::Presented& presented, HostTime then) {
+    const auto fence = numbers_.find(presented.frame);
+    if (fence == numbers_.end()) {
+      return;
+    }
+    Presentation presentation = presented.presentation;
+    if (presentation.at) {
+      presentation.at = carriedOver(*presentation.at, then);
+    }
+    device_.present(fence->second->number(), presentation);
+    presented_.insert(fence->second->number());
+    ++played_.presented;
+    if (options_.fast) {
+      const HostTime begin = clock_.now();
+      while (!hasEnded(fence->second->state().stage) && clock_.now() - begin < kMostWait && !stopped()) {
+        clock_.waitUntil(clock_.now() + 1ms);
+        look();
+      }
+    }
+  }
+
+  void take(const SessionRecord::Ended&, HostTime) {}
+  void take(const Telemetry& telemetry, HostTime) {
+    if (telemetry.rotation) {
+      recorded_.add(*telemetry.rotation);
+    }
+  }
+
+  std::optional<RotationPhase> carriedOver(const RotationPhase& at, HostTime then) {
+    if (options_.fast || !recorded_.running() || !rotation_.running()) {
+      return std::nullopt;
+    }
+    const double ahead = static_cast<double>(at.refresh) - recorded_.refreshesAt(then);
+    const double refresh = std::round(rotation_.refreshesAt(clock_.now()) + ahead);
+    // Further ahead than any display counts.
+    return RotationPhase{static_cast<uint64_t>(std::clamp(refresh, 0.0, 1e15)), at.slice};
+  }
+
+  /// Frames that may still be presented.
+  static constexpr size_t kMostNumbers = 64;
+
+  SessionReader& reader_;
+  Device& device_;
+  PaceClock& clock_;
+  SessionPlayerOptions options_;
+  const std::function<bool()>& stop_;
+  RotationClock recorded_;
+  RotationClock rotation_;
+  std::map<FrameNumber, std::shared_ptr<const FrameFence>> numbers_;  ///< by their numbers in the session
+  std::set<FrameNumber> presented_;
+  std::vector<std::shared_ptr<const FrameFence>> underWay_;
+  SessionPlayed played_;
+};
+
+}  // namespace
+
+SessionPlayed playSession(SessionReader& reader, Device& device, PaceClock& clock, const SessionPlayerOptions& options,
+                          const std::function<bool()>& stop) {
+  OC_CHECK(reader.profile() == device.profile(), "a session is played on another display");
+  return Player(reader, device, clock, options, stop).play();
+}
+
+}  // namespace ocelli

@@ -1,0 +1,34 @@
+// Gives a recorded session to another device: the same volumes, submitted and presented at the same times.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "display_driver/device/device.h"
+#include "display_driver/pacing/pace_clock.h"
+#include "display_driver/pacing/session_reader.h"
+
+namespace ocelli {
+
+struct SessionPlayerOptions {
+  /// Each frame as soon as the one before was shown, instead of at its own time.
+  bool fast = false;
+};
+
+struct SessionPlayed {
+  uint64_t submitted = 0;
+  uint64_t presented = 0;
+  uint64_t shown = 0;
+  uint64_t dropped = 0;
+  uint64_t lost = 0;
+  double seconds = 0;  ///< from the first record to the last, as they were played
+  SessionEnding ending = SessionEnding::kUnfinished;
+};
+
+/// The phases at which frames were presented are carried over to the device's own count of refreshes, by where both
+/// screens were at the same time; where one of them does not tell, and with `fast`, frames are shown with the next
+/// refresh. The device has the session's profile. `stop` is asked now and then.
+SessionPlayed playSession(SessionReader& reader, Device& device, PaceClock& clock,
+                          const SessionPlayerOptions& options = {}, const std::function<bool()>& stop = {});
+
+}  // namespace ocelli
