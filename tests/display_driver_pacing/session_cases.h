@@ -56,7 +56,7 @@ inline std::vector<Volume> sessionVolumes() {
   std::vector<Volume> volumes = {madeVolume(profile, 1)};
   volumes.push_back(volumes[0]);
   volumes[1].light(2, 3, 4, 7);
-  volumes.push_back(madeVolume(profile, 3, 0.5));
+  volumes.push_back(madeVolume(profile, 3, 0.2));
   volumes.push_back(volumes[2]);  // nothing changes
   return volumes;
 }
