@@ -7,13 +7,14 @@ root=$(cd "$(dirname "$0")/.." && pwd)
 build="$root/build/fuzz"
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_COMPILER=clang++ \
   -DOCELLI_BUILD_FUZZERS=ON -DOCELLI_BUILD_TESTS=OFF -DOCELLI_SANITIZE=address,undefined,fuzzer-no-link >/dev/null
-cmake --build "$build" --target svol_fuzzer maze_fuzzer camera_fuzzer protocol_fuzzer plan_fuzzer session_fuzzer
+cmake --build "$build" --target svol_fuzzer maze_fuzzer camera_fuzzer protocol_fuzzer plan_fuzzer session_fuzzer \
+  wire_fuzzer wire_host_fuzzer
 cd "$build"
 
-# run NAME CORPUS
+# run NAME CORPUS [SECONDS]
 run() {
   mkdir -p "${1}_found"
-  "fuzz/${1}_fuzzer" -max_total_time="$seconds" -max_len=4096 -rss_limit_mb=4096 -timeout=10 -verbosity=0 \
+  "fuzz/${1}_fuzzer" -max_total_time="${3:-$seconds}" -max_len=4096 -rss_limit_mb=4096 -timeout=10 -verbosity=0 \
     -print_final_stats=1 "${1}_found" "$root/tests/$2"
 }
 run svol display_sim_frames/corpus
@@ -22,3 +23,6 @@ run camera constructor/corpus
 run protocol study_protocol/corpus
 run plan analysis_dataset/plan_corpus
 run session display_driver_pacing/corpus
+# The decoder of what comes over a cable has a minute at least.
+run wire display_driver_wire/corpus "$([ "$seconds" -gt 60 ] && echo "$seconds" || echo 60)"
+run wire_host display_driver_stream/corpus

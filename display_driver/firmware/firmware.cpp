@@ -102,6 +102,7 @@ void Firmware::forgetFrames() {
   assembler_.drop();
   receiving_ = nullptr;
   lastLost_ = 0;
+  newestWhole_ = 0;
   for (Buffer& buffer : buffers_) {
     buffer.frame = 0;
     buffer.present.reset();
@@ -122,7 +123,9 @@ void Firmware::restart(DeviceMicroseconds now) {
   keepShownSlices(place_.slice);
   front_->state = BufferState::kFree;
   front_ = &dark;
-  showPart({.fromSlice = place_.slice});
+  if (shown_.parts.back().frame != 0) {
+    showPart({.fromSlice = place_.slice});
+  }
 }
 
 size_t Firmware::receive(std::span<const uint8_t> bytes, DeviceMicroseconds now) {
@@ -180,21 +183,25 @@ bool Firmware::isWaiting(const Buffer& buffer) const {
   return &buffer != front_ && buffer.state == BufferState::kWhole;
 }
 
-/// nullptr: all are in use. A frame that waits without a time to be shown gives way, unless it is the base.
+/// nullptr: all are in use. The oldest frame that waits without a time to be shown gives way, unless it is the base.
 Firmware::Buffer* Firmware::freeBuffer(const Buffer* base) {
   for (Buffer& buffer : buffers_) {
     if (&buffer != front_ && buffer.state == BufferState::kFree) {
       return &buffer;
     }
   }
+  Buffer* oldest = nullptr;
   for (Buffer& buffer : buffers_) {
-    if (isWaiting(buffer) && !buffer.present && &buffer != base) {
-      ++counts_.framesDropped;
-      report(EventType::kDropped, buffer.frame);
-      return &buffer;
+    if (isWaiting(buffer) && !buffer.present && &buffer != base &&
+        (oldest == nullptr || buffer.frame < oldest->frame)) {
+      oldest = &buffer;
     }
   }
-  return nullptr;
+  if (oldest != nullptr) {
+    ++counts_.framesDropped;
+    report(EventType::kDropped, oldest->frame);
+  }
+  return oldest;
 }
 
 bool Firmware::beginFrame(const wire::Message& message) {
@@ -203,7 +210,7 @@ bool Firmware::beginFrame(const wire::Message& message) {
     loseFrame(ErrorCode::kIncomplete, receiving_->frame);
   }
   const auto begin = wire::frameBeginFrom(message.payload, static_cast<size_t>(options_.profile.storedSlices()));
-  if (!begin || frame == 0 || bufferOf(frame) != nullptr) {
+  if (!begin || frame <= newestWhole_) {
     loseFrame(begin ? ErrorCode::kOutOfPlace : ErrorCode::kLength, frame);
     return true;
   }
@@ -269,6 +276,7 @@ void Firmware::endFrame(const wire::Message& message) {
     return;
   }
   receiving_->state = BufferState::kWhole;
+  newestWhole_ = receiving_->frame;
   ++counts_.framesArrived;
   report(EventType::kArrived, receiving_->frame);
   if (arrivals_ != nullptr) {
@@ -280,7 +288,10 @@ void Firmware::endFrame(const wire::Message& message) {
 void Firmware::takePresent(const wire::Message& message) {
   const auto present = wire::presentFrom(message.payload);
   const bool anyPhase = (options_.capabilities & wire::kCanAnyPhase) != 0;
-  if (!present || present->slice >= options_.profile.storedSlices() || (present->slice != 0 && !anyPhase)) {
+  const bool possible =
+      present && (present->atNextRefresh || present->slice == 0 ||
+                  (anyPhase && present->slice < static_cast<size_t>(options_.profile.storedSlices())));
+  if (!possible) {
     loseFrame(ErrorCode::kLength, message.header.frame);
     return;
   }
@@ -323,7 +334,8 @@ bool Firmware::isDue(const Buffer& buffer, Place place) const {
     return place.slice == 0;
   }
   const Place at{present.refresh, present.slice};
-  return place == at || (place > at && (present.tearWhenLate || place.slice == at.slice));
+  const bool anySlice = present.tearWhenLate && (options_.capabilities & wire::kCanAnyPhase) != 0;
+  return place == at || (place > at && (anySlice || place.slice == at.slice));
 }
 
 void Firmware::changeFrames(Place place) {
@@ -333,13 +345,10 @@ void Firmware::changeFrames(Place place) {
       next = &buffer;
     }
   }
-  if (next != nullptr) {
-    show(*next, place, false);
-    return;
-  }
   Buffer* coming = receiving_;
   const bool shows = coming != nullptr && !coming->shownCoarse && (options_.capabilities & wire::kCanCoarse) != 0 &&
                      isDue(*coming, place) && coming->present->coarseWhenLate && !coming->present->atNextRefresh;
+  // It is newer than all that are whole.
   if (shows && assembler_.received() > 0) {
     keepShownSlices(place.slice);
     coarse_.volume = coming->volume;
@@ -348,6 +357,8 @@ void Firmware::changeFrames(Place place) {
     assembler_.fillGaps(coarse_.volume);
     coming->shownCoarse = true;
     show(coarse_, place, true);
+  } else if (next != nullptr) {
+    show(*next, place, false);
   }
 }
 

@@ -120,6 +120,7 @@ class Firmware {
   Buffer* front_ = nullptr;      ///< one of buffers_, or coarse_
   Buffer* receiving_ = nullptr;  ///< nullptr: slices belong to a frame that is lost
   uint32_t lastLost_ = 0;        ///< the frame of the last error
+  uint32_t newestWhole_ = 0;     ///< the frame that arrived last in this session
   uint32_t framesBegun_ = 0;
 
   Place place_;                   ///< up to which changes of frames are done

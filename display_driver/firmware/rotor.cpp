@@ -52,7 +52,14 @@ DeviceMicroseconds Rotor::end() const {
 
 int Rotor::sliceAt(DeviceMicroseconds now) const {
   const double share = (static_cast<double>(now) - begin_) / length_;
-  return std::clamp(static_cast<int>(share * slices_), 0, slices_ - 1);
+  int slice = std::clamp(static_cast<int>(share * slices_), 0, slices_ - 1);
+  // The share may be rounded to the other side of a slice's begin.
+  if (slice + 1 < slices_ && beginOf(slice + 1) <= now) {
+    ++slice;
+  } else if (slice > 0 && now < beginOf(slice)) {
+    --slice;
+  }
+  return slice;
 }
 
 DeviceMicroseconds Rotor::beginOf(int slice) const {

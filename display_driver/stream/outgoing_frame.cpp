@@ -13,8 +13,7 @@ std::optional<std::vector<int>> unite(const std::optional<std::vector<int>>& a,
   std::vector<int> both = *a;
   both.insert(both.end(), b->begin(), b->end());
   std::ranges::sort(both);
-  const auto rest = std::ranges::unique(both);
-  both.erase(rest.begin(), rest.end());
+  both.erase(std::unique(both.begin(), both.end()), both.end());
   return both;
 }
 

@@ -52,7 +52,7 @@ void MessageWriter::present(std::vector<uint8_t>& out, uint32_t frame, const Pre
 }
 
 FrameEncoder::FrameEncoder(const DisplayProfile& profile, uint32_t capabilities)
-    : capabilities_(capabilities), order_(coarseToFineOrder(profile.storedSlices())) {
+    : order_(coarseToFineOrder(profile.storedSlices())) {
   for (size_t i = 0; i < kCoders; ++i) {
     coders_.push_back(std::make_unique<SliceCoder>(capabilities));
   }

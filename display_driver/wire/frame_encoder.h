@@ -57,7 +57,6 @@ class FrameEncoder {
   size_t slicesLeft() const { return left_.size() - at_; }
 
  private:
-  uint32_t capabilities_;
   std::vector<int> order_;
   const Volume* volume_ = nullptr;
   const Volume* base_ = nullptr;

@@ -22,6 +22,7 @@ size_t MessageReader::fill(std::span<const uint8_t> bytes, size_t wanted) {
 }
 
 void MessageReader::lose(ErrorCode code, uint32_t frame, const Handler& handler) {
+  sequence_.reset();
   if (!lost_) {
     lost_ = true;
     handler.problem(code, frame);
@@ -39,7 +40,7 @@ bool MessageReader::deliver(const Handler& handler) {
       sequence_ = header_.sequence + 1;
       return true;
     }
-    if (header_.sequence != sequence_) {
+    if (sequence_ && header_.sequence != *sequence_) {
       handler.problem(ErrorCode::kSequence, 0);
     }
     sequence_ = header_.sequence + 1;

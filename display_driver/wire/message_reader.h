@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,7 +32,7 @@ class MessageReader {
   /// Forgets what came. Messages of other sessions are left out from now on.
   void begin(uint32_t session);
   /// Expects another sequence number than is due: for tests and emulated faults.
-  void skipSequence() { ++sequence_; }
+  void skipSequence() { sequence_ = sequence_.value_or(0) + 1; }
 
   /// Takes bytes, and says how many.
   size_t read(std::span<const uint8_t> bytes, const Handler& handler);
@@ -43,8 +44,8 @@ class MessageReader {
 
   size_t mostPayloadBytes_;
   uint32_t session_ = 0;
-  uint32_t sequence_ = 0;  ///< of the next message
-  bool lost_ = false;      ///< looking for a header
+  std::optional<uint32_t> sequence_ = 0;  ///< of the next message; nullopt: after a loss of place, whatever comes
+  bool lost_ = false;                     ///< looking for a header
   bool haveHeader_ = false;
   bool checked_ = false;  ///< the message's checksum and sequence have been looked at
   MessageHeader header_;
