@@ -268,9 +268,9 @@ void Firmware::endFrame(const wire::Message& message) {
     return;
   }
   const auto end = wire::frameEndFrom(message.payload);
-  const ErrorCode error = !end                                        ? ErrorCode::kLength
-                          : message.header.frame != receiving_->frame ? ErrorCode::kOutOfPlace
-                                                                      : assembler_.end(*end);
+  const ErrorCode error = message.header.frame != receiving_->frame ? ErrorCode::kOutOfPlace
+                          : !end                                    ? ErrorCode::kLength
+                                                                    : assembler_.end(*end);
   if (error != ErrorCode::kNone) {
     loseFrame(error, message.header.frame);
     return;

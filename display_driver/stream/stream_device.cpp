@@ -393,6 +393,10 @@ void StreamDevice::handle(const wire::Event& event) {
       }
       lose(frame, problem);
     }
+    // A PRESENT may be what was lost. One that was not means nothing new.
+    for (const auto& [number, other] : underWay_) {
+      other->presentationSent = false;
+    }
     return;
   }
   if (frame == nullptr) {

@@ -43,16 +43,24 @@ std::optional<Bytes> expandRunLength(ByteSpan payload, size_t length) {
   return content;
 }
 
-/// Of frames as zstdPayload() writes them.
-std::optional<Bytes> expandRawZstd(ByteSpan payload) {
-  if (payload.size() < 12 || u32(payload, 0) != 0xfd2fb528 || payload[4] != 0xa0) {
-    return std::nullopt;
+/// Of frames as zstdPayload() writes them: exactly those.
+std::optional<Bytes> expandZstd(ByteSpan payload) {
+  Bytes content;
+  for (size_t at = 9; at + 4 <= payload.size();) {
+    const uint64_t block = number(payload, at, 3);
+    const size_t size = block >> 3;
+    const bool repeats = (block & 2) != 0;
+    if (size > 4096 || (!repeats && size > payload.size() - at - 3)) {
+      return std::nullopt;
+    }
+    if (repeats) {
+      content.resize(content.size() + size, payload[at + 3]);
+    } else {
+      append(content, payload.subspan(at + 3, size));
+    }
+    at += 3 + (repeats ? 1 : size);
   }
-  const uint32_t size = u32(payload, 5);
-  if (number(payload, 9, 3) != (1 | uint64_t{size} << 3) || payload.size() != 12 + size_t{size}) {
-    return std::nullopt;
-  }
-  return Bytes(payload.begin() + 12, payload.end());
+  return std::ranges::equal(zstdPayload(content), payload) ? std::optional(content) : std::nullopt;
 }
 
 }  // namespace
@@ -271,7 +279,7 @@ std::optional<Bytes> SlowDisplay::content(uint8_t coding, ByteSpan payload) cons
       content = expandRunLength(payload, options_.sliceBytes());
       break;
     default:
-      content = expandRawZstd(payload);
+      content = expandZstd(payload);
       break;
   }
   return content && content->size() == options_.sliceBytes() ? content : std::nullopt;

@@ -20,7 +20,7 @@ struct SlowOptions {
   size_t buffers = 2;
   size_t mostPayload = 0;
   bool runLength = true;
-  bool zstd = true;  ///< of zstd frames only those with one raw block
+  bool zstd = true;  ///< of zstd frames only those that zstdPayload() writes
   bool differences = true;
   bool coarse = true;
   bool anyPhase = true;

@@ -53,7 +53,7 @@ DisplayProfile tinyProfile(int slices, int bits) {
   DisplayProfile profile = loadProfile("test");
   profile.slicesPerHalfTurn = slices;
   profile.width = 13;
-  profile.height = 2;
+  profile.height = 8;
   profile.colorBitsPerChannel = bits;
   return profile;
 }

@@ -181,15 +181,24 @@ inline Bytes runLengthPayload(ByteSpan content) {
   return payload;
 }
 
-/// A zstd frame of one raw block, with its content size in four bytes (RFC 8878, sections 3.1.1.1 and 3.1.1.2). For
-/// content below 128 KiB.
+/// A zstd frame with its content size in four bytes (RFC 8878, sections 3.1.1.1 and 3.1.1.2), of blocks that are raw or
+/// one byte again and again: runs of zeros. For content below 128 KiB.
 inline Bytes zstdPayload(ByteSpan content) {
   Bytes payload;
   put(payload, 0xfd2fb528, 4);
   payload.push_back(0xa0);  // size in four bytes, one segment, no checksum
   put(payload, content.size(), 4);
-  put(payload, 1 | content.size() << 3, 3);  // the last block, raw
-  append(payload, content);
+  for (size_t at = 0; at < content.size();) {
+    const bool zeros = content[at] == 0;
+    size_t end = at;
+    while (end < content.size() && (content[end] == 0) == zeros) {
+      ++end;
+    }
+    const size_t last = end == content.size() ? 1 : 0;
+    put(payload, last | (zeros ? 2u : 0u) | (end - at) << 3, 3);
+    append(payload, content.subspan(at, zeros ? 1 : end - at));
+    at = end;
+  }
   return payload;
 }
 
