@@ -8,11 +8,12 @@
 
 #include "cli/command.h"
 #include "cli/device_command.h"
+#include "cli/emulated_display.h"
 #include "cli/interrupt.h"
+#include "cli/shown_output.h"
 #include "display_driver/emulator/client_process.h"
 #include "display_driver/emulator/emulation_log.h"
 #include "display_driver/emulator/usb_emulator.h"
-#include "display_driver/sim/shown_recorder.h"
 #include "display_driver/wire/bandwidth_plan.h"
 #include "oc_core/base/error.h"
 
@@ -21,46 +22,21 @@ namespace {
 
 struct EmulateChoice {
   std::string profile = "perspecta";
-  std::string link = "usb2";
-  std::string faults;
+  EmulatedDisplayChoice display;
   std::string serial = "EMULATED";
-  double jitter = 0;
-  std::string output;
+  ShownChoice shown;
   std::vector<std::string> command;
 };
 
-// Of scripts that are drawn at random.
-constexpr size_t kRandomFaults = 20;
-constexpr DeviceMicroseconds kRandomFaultsOver = 10'000'000;
+constexpr const char* kLink = "usb2";
 
-FaultScript faultScript(const std::string& text) {
-  constexpr std::string_view kRandom = "random:";
-  if (text.empty()) {
-    return {};
-  }
-  if (!text.starts_with(kRandom)) {
-    return readFaultScript(text);
-  }
-  const std::string seed = text.substr(kRandom.size());
-  if (seed.empty() || seed.size() > 18 || seed.find_first_not_of("0123456789") != std::string::npos) {
-    throw InputError("the seed of random faults is a whole number", text, "--faults random:1");
-  }
-  return randomFaults(std::stoull(seed), kRandomFaults, kRandomFaultsOver);
-}
-
-EmulatedUsbDisplay emulatedDisplay(const EmulateChoice& choice) {
+EmulatedUsbDisplay emulatedUsbDisplay(const EmulateChoice& choice) {
   EmulatedUsbDisplay display;
+  display.device = emulatedDisplay(choice.display, kLink);
   display.device.firmware.profile = loadProfile(choice.profile);
   display.device.firmware.serial = choice.serial;
-  display.device.firmware.rotor.jitter = choice.jitter / 100;
-  display.device.faults = faultScript(choice.faults);
-  if (choice.link == "unlimited") {
-    display.speed = EmulatedSpeed::kUsb3;
-  } else {
-    display.device.bytesPerSecond = wire::plannedLink(choice.link).bytesPerSecond;
-    display.speed =
-        display.device.bytesPerSecond > wire::kUsb2BytesPerSecond ? EmulatedSpeed::kUsb3 : EmulatedSpeed::kUsb2;
-  }
+  const double rate = display.device.bytesPerSecond;
+  display.speed = rate == 0 || rate > wire::kUsb2BytesPerSecond ? EmulatedSpeed::kUsb3 : EmulatedSpeed::kUsb2;
   return display;
 }
 
@@ -112,17 +88,13 @@ void waitForInterrupt(const Frame& frame, const UsbEmulator& emulator) {
 }
 
 int emulate(const Frame& frame, const EmulateChoice& choice) {
-  const EmulatedUsbDisplay display = emulatedDisplay(choice);
+  const EmulatedUsbDisplay display = emulatedUsbDisplay(choice);
   UsbEmulator::restartPreloaded();
   if (!UsbEmulator::preloaded()) {
     throw WorkError("umockdev's preload library cannot be loaded", "libumockdev-preload.so.0", "install libumockdev0");
   }
-  std::optional<ShownRecorder> recorder;
-  if (!choice.output.empty()) {
-    std::filesystem::create_directories(choice.output);
-    recorder.emplace(std::filesystem::path(choice.output) / "shown.svol", display.device.firmware.profile);
-  }
-  EmulationLog log(recorder ? &*recorder : nullptr);
+  ShownOutput shown(choice.shown, display.device.firmware.profile);
+  EmulationLog log(shown.sink());
   int code = 0;
   {
     UsbEmulator emulator({display});
@@ -137,11 +109,7 @@ int emulate(const Frame& frame, const EmulateChoice& choice) {
     }
     frame.note(report(emulator, log));
   }
-  if (recorder) {
-    recorder->finish();
-    writeRefreshTable(std::filesystem::path(choice.output) / "refreshes.csv", recorder->refreshes());
-    frame.note(fmt::format("wrote {0}/shown.svol and {0}/refreshes.csv\n", choice.output));
-  }
+  shown.finish(frame);
   return code;
 }
 
@@ -152,19 +120,12 @@ void addDeviceEmulate(CLI::App& device, const Frame& frame) {
   CLI::App& command = *device.add_subcommand("emulate", "Run a program with an emulated display on an emulated USB");
   command.add_option("COMMAND", choice->command, "The program and its arguments, after --; none: until Ctrl-C");
   command.add_option("--profile", choice->profile, "The display: a name, or a JSON file");
-  command.add_option("--link", choice->link, "usb2, usb3, unlimited, or bytes a second")
-      ->type_name("usb2|usb3|unlimited|NUMBER");
-  command.add_option("--faults", choice->faults, "A script of faults, or random:SEED")
-      ->type_name("FILE.json|random:SEED");
+  addEmulatedDisplayOptions(command, choice->display, kLink);
   command.add_option("--serial", choice->serial, "Serial number of the display");
-  command
-      .add_option("--jitter", choice->jitter, "Of the rotation: standard deviation of a refresh's length in percent")
-      ->check(CLI::Range(0.0, 9.9));
-  command.add_option("-o,--output", choice->output, "A folder for what the display shows: shown.svol, refreshes.csv")
-      ->type_name("FOLDER");
+  addShownOptions(command, choice->shown);
   frame.finish(command,
                "  ocelli device emulate -- ocelli device list\n"
-               "  ocelli device emulate --faults random:7 -o shown -- ocelli present builtin:teapot --device usb",
+               "  ocelli device emulate --faults random:7 --shown shown -- ocelli present builtin:teapot --device usb",
                [frame, choice] {
                  if (const int code = emulate(frame, *choice); code != 0) {
                    throw ExitCode{code};

@@ -7,10 +7,12 @@
 #include <optional>
 
 #include "cli/command.h"
+#include "cli/emulated_display.h"
 #include "cli/interrupt.h"
 #include "cli/output_option.h"
 #include "cli/presentation_report.h"
 #include "cli/scene_options.h"
+#include "cli/shown_output.h"
 #include "cli/slicing_options.h"
 #include "cli/values.h"
 #include "display_driver/device_kinds.h"
@@ -49,6 +51,8 @@ struct PresentChoice {
   std::string timeLine;
   std::string record;
   bool fast = false;
+  EmulatedDisplayChoice simulated;
+  ShownChoice shown;
   bool json = false;
 
   bool isRecording() const { return scene.source.ends_with(".svol"); }
@@ -87,6 +91,9 @@ void check(const PresentChoice& choice) {
   refuse(choice.moves() && (choice.slicing.exact || needsExactSlicer(sliceOptionsOf(choice.slicing))),
          "what moves is sliced by the fast slicer alone", "--exact, --even-light or --dither diffusion",
          "leave it out");
+  refuse(choice.device != "sim" && (choice.simulated.given() || choice.shown.given()),
+         "only the simulated display has a link, faults and an observer of its own",
+         "--link, --faults, --jitter, --shown or --watch", "--device sim");
   refuse(choice.follow && choice.isScene() && !choice.moves(), "nothing moves in this scene", "--follow",
          "--turn 30, or --eyes FILE.csv");
 }
@@ -202,25 +209,48 @@ PresentationReport present(Device& device, Presented& presented, const PresentCh
   return result;
 }
 
-std::unique_ptr<Device> openFor(const PresentChoice& choice, const DeviceOptions& options) {
-  std::unique_ptr<Device> device = openDevice(choice.device, options);
-  if (options.profile && *options.profile != device->profile()) {
+/// The device, and what hears of what it shows where it is the simulated one.
+struct Opened {
+  std::unique_ptr<ShownOutput> shown;
+  std::unique_ptr<Device> device;
+
+  void close(const Frame& frame) {
+    device->close();
+    device.reset();
+    shown->finish(frame);
+  }
+};
+
+Opened openFor(const PresentChoice& choice, DeviceOptions options) {
+  const DisplayProfile simulated = options.profile ? *options.profile : loadProfile("perspecta");
+  Opened opened{std::make_unique<ShownOutput>(choice.shown, simulated), nullptr};
+  if (choice.device == "sim") {
+    options.profile = simulated;
+    options.sim.emplace();
+    options.sim->display = emulatedDisplay(choice.simulated, "unlimited");
+    options.sim->sink = opened.shown->sink();
+  }
+  opened.device = openDevice(choice.device, options);
+  if (options.profile && *options.profile != opened.device->profile()) {
     throw InputError(fmt::format("this is made for the display {}, the device is a {}", options.profile->name,
-                                 device->profile().name),
+                                 opened.device->profile().name),
                      choice.profile.empty() ? choice.scene.source : "--profile", "slice the scene for that display");
   }
-  return choice.record.empty() ? std::move(device) : recordSession(std::move(device), choice.record);
+  if (!choice.record.empty()) {
+    opened.device = recordSession(std::move(opened.device), choice.record);
+  }
+  return opened;
 }
 
 void runSession(const PresentChoice& choice, const Frame& frame) {
   SessionReader reader(choice.scene.source);
   DeviceOptions options;
   options.profile = reader.profile();
-  const std::unique_ptr<Device> device = openFor(choice, options);
+  Opened opened = openFor(choice, options);
   const InterruptGuard guard;
-  const SessionPlayed played =
-      playSession(reader, *device, realClock(), {.fast = choice.fast}, [] { return InterruptGuard::interrupted(); });
-  device->close();
+  const SessionPlayed played = playSession(reader, *opened.device, realClock(), {.fast = choice.fast},
+                                           [] { return InterruptGuard::interrupted(); });
+  opened.close(frame);
   if (reader.damage()) {
     frame.note(reader.damage()->what());
   } else if (reader.ending() == SessionEnding::kUnfinished && !InterruptGuard::interrupted()) {
@@ -246,15 +276,15 @@ void run(const PresentChoice& choice, const Frame& frame) {
   } else if (!choice.profile.empty()) {
     options.profile = loadProfile(choice.profile);
   }
-  const std::unique_ptr<Device> device = openFor(choice, options);
-  const DisplayProfile& profile = device->profile();
+  Opened opened = openFor(choice, options);
+  const DisplayProfile profile = opened.device->profile();
   if (choice.isSeries()) {
     addSeriesSource(presented, choice, profile, frame);
   } else if (choice.isScene()) {
     addSceneSource(presented, choice, profile, frame);
   }
-  const PresentationReport result = present(*device, presented, choice, frame);
-  device->close();
+  const PresentationReport result = present(*opened.device, presented, choice, frame);
+  opened.close(frame);
   if (result.eyesLeftOut > 0) {
     frame.note(fmt::format("{} eyes were left out: {}", result.eyesLeftOut, presented.eyes->firstLeftOut()));
   }
@@ -313,12 +343,14 @@ void addPresentCommand(CLI::App& program, const Frame& frame) {
       ->type_name("HERTZ");
   command.add_flag("--tear", choice->tear, "Show frames that come late at once, in the middle of a turn");
   command.add_flag("--coarse", choice->coarse, "Show the part of a frame that is there in time");
+  addEmulatedDisplayOptions(command, choice->simulated, "of the simulated display: unlimited");
+  addShownOptions(command, choice->shown);
   addSecondOutputOption(command, "--timeline", choice->timeLine, "A table of what became of each refresh", {".csv"});
   addSecondOutputOption(command, "--record", choice->record, "All that passes to the device and back", {".session"});
   command.add_flag("--fast", choice->fast, "A recorded session as fast as the display goes");
   command.add_flag("--json", choice->json, "Print the figures as JSON");
   frame.finish(command,
-               "  ocelli present builtin:teapot --device sim --seconds 5\n"
+               "  ocelli present builtin:teapot --device sim --seconds 5 --watch seen.mp4\n"
                "  ocelli present turning.svol --device usb --loop\n"
                "  ocelli present bunny.obj --device null --follow --turn 30 --seconds 10 --timeline misses.csv\n"
                "  ocelli present builtin:statues --device file:seen.svol --eyes udp:5005 --camera ddoc",
