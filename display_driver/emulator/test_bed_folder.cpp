@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <system_error>
 
 namespace ocelli {
@@ -15,9 +16,12 @@ constexpr const char* kPrefix = "umockdev.";
 }  // namespace
 
 TestBedMark::TestBedMark(const std::filesystem::path& folder) : file_(folder / kMark) {
-  descriptor_ = open(file_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
+  // It is locked when it appears: others may be sweeping.
+  const std::filesystem::path unlocked = folder / "ocelli-emulator.new";
+  descriptor_ = open(unlocked.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
   if (descriptor_ >= 0) {
     flock(descriptor_, LOCK_EX | LOCK_NB);
+    std::rename(unlocked.c_str(), file_.c_str());
   }
 }
 
