@@ -3,12 +3,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iostream>
 #include <system_error>
 
 #include "cli/command.h"
 #include "cli/device_command.h"
 #include "cli/device_selftest_page.h"
+#include "cli/device_selftest_show.h"
 #include "cli/observer_choice.h"
+#include "display_driver/device_kinds.h"
 #include "display_sim/frames/svol_file.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
@@ -22,6 +25,8 @@ constexpr int kWrongPictureSide = 320;
 struct SelftestChoice {
   std::vector<std::string> patterns;
   std::string profile = "perspecta";
+  bool profileGiven = false;
+  std::string device;
   std::string output = "selftest";
 };
 
@@ -68,7 +73,31 @@ void makeFolder(const std::filesystem::path& folder) {
   }
 }
 
+void runOnDevice(const SelftestChoice& choice, const Frame& frame) {
+  const std::vector<const TestPattern*> patterns = chosenPatterns(choice.patterns);
+  DeviceOptions options;
+  if (choice.profileGiven) {
+    options.profile = loadProfile(choice.profile);
+  }
+  const std::filesystem::path folder = choice.output;
+  makeFolder(folder);
+  const std::unique_ptr<Device> device = openDevice(choice.device, options);
+  const std::vector<PatternVerdict> verdicts = showPatterns(patterns, *device, std::cin, frame);
+  device->close();
+  frame.print("\n");
+  const std::filesystem::path file = folder / "verdicts.csv";
+  writeVerdicts(file, verdicts);
+  const auto wrong = std::ranges::count(verdicts, PatternVerdict::kWrong, &PatternVerdict::verdict);
+  const auto right = std::ranges::count(verdicts, PatternVerdict::kRight, &PatternVerdict::verdict);
+  frame.note(fmt::format("wrote {}: {} right, {} wrong, {} not seen", file.string(), right, wrong,
+                         std::ssize(verdicts) - right - wrong));
+}
+
 void run(const SelftestChoice& choice, const Frame& frame) {
+  if (!choice.device.empty()) {
+    runOnDevice(choice, frame);
+    return;
+  }
   const std::vector<const TestPattern*> patterns = chosenPatterns(choice.patterns);
   const DisplayProfile profile = loadProfile(choice.profile);
   checkDefaultEye(profile);
@@ -103,15 +132,26 @@ void addDeviceSelftest(CLI::App& device, const Frame& frame) {
   }
   command.add_option("--pattern", choice->patterns, "Only these; all where it is not given: " + names)
       ->type_name("NAME");
-  command.add_option("--profile", choice->profile, "The display: a name, or a profile of your own")
-      ->type_name("NAME|FILE.json");
-  command.add_option("-o,--output", choice->output, "Folder for index.html, its pictures and the volumes")
+  const CLI::Option* profile =
+      command.add_option("--profile", choice->profile, "The display: a name, or a profile of your own")
+          ->type_name("NAME|FILE.json");
+  command
+      .add_option("--device", choice->device,
+                  "Show the patterns there instead, ask how they look, and write the answers to verdicts.csv")
+      ->type_name("DEVICE");
+  command
+      .add_option("-o,--output", choice->output,
+                  "Folder for index.html, its pictures and the volumes, or for the answers")
       ->type_name("FOLDER");
   frame.finish(command,
                "  ocelli device selftest\n"
                "  ocelli device selftest --profile my_display.json -o checklist\n"
-               "  ocelli device selftest --pattern phase wedges --profile vortex",
-               [choice, frame] { run(*choice, frame); });
+               "  ocelli device selftest --pattern phase wedges --profile vortex\n"
+               "  ocelli device selftest --device usb",
+               [choice, frame, profile] {
+                 choice->profileGiven = profile->count() > 0;
+                 run(*choice, frame);
+               });
 }
 
 }  // namespace ocelli

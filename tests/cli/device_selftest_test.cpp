@@ -57,6 +57,29 @@ TEST(DeviceSelftest, LeavesAPageWithPicturesAndVolumes) {
   EXPECT_LT(html.find("id=\"axis\""), html.find("id=\"wedges\""));
 }
 
+TEST(DeviceSelftest, AsksHowPatternsLookOnADevice) {
+  const TemporaryFolder folder;
+  const std::string answers = folder.write("answers", "\nwhat?\nn  too \"dim\"\nb\ny\nq\n").string();
+  const ProgramResult result =
+      runProgram("device selftest --device file:'" + (folder / "shown.svol").string() +
+                 "' --profile test --pattern dark axis phase -o '" + folder.path().string() + "' < '" + answers + "'");
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  // The second pattern is wrong, then looked at once more, and right; the third is not answered.
+  EXPECT_THAT(result.output, HasSubstr("3/3"));
+  EXPECT_EQ(fileBytes(folder / "verdicts.csv"),
+            "pattern,verdict,note\n"
+            "dark,right,\"\"\n"
+            "axis,right,\"\"\n"
+            "phase,not seen,\"\"\n");
+  EXPECT_THAT(result.error, HasSubstr("2 right, 0 wrong, 1 not seen"));
+  const std::string wrong = folder.write("wrong", "n  too \"dim\"\n").string();
+  ASSERT_EQ(runProgram("device selftest --device null --profile test --pattern axis -o '" + folder.path().string() +
+                       "' < '" + wrong + "'")
+                .exitCode,
+            0);
+  EXPECT_EQ(fileBytes(folder / "verdicts.csv"), "pattern,verdict,note\naxis,wrong,\"too \"\"dim\"\"\"\n");
+}
+
 TEST(DeviceSelftest, AnswersWrongNames) {
   const ProgramResult pattern = runProgram("device selftest --pattern nothing");
   EXPECT_EQ(pattern.exitCode, 2);

@@ -1,0 +1,94 @@
+#include "cli/device_selftest_show.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/output_file.h"
+
+namespace ocelli {
+namespace {
+
+constexpr std::chrono::seconds kShownWithin(5);
+
+void show(const TestPattern& pattern, Device& device) {
+  const auto fence = device.submit(pattern.volume(device.profile()));
+  device.present(fence->number(), {});
+  const FrameState state = fence->wait(FrameStage::kShown, kShownWithin);
+  if (state.stage != FrameStage::kShown) {
+    const std::string why = state.problem.empty() ? device.telemetry().lastProblem : state.problem;
+    throw WorkError("the display did not show the pattern " + pattern.name + (why.empty() ? "" : ": " + why),
+                    device.info().name, "see `ocelli device info`, and whether its screen turns");
+  }
+}
+
+std::string questionOf(const TestPattern& pattern, size_t number, size_t count) {
+  std::string text = fmt::format("\n{}/{}  {}\n{}\n", number, count, pattern.title, pattern.shows);
+  for (const std::string& look : pattern.lookFor) {
+    text += "  - " + look + "\n";
+  }
+  return text + "Does it look so? [y, n, either with a note; b back, q quit] ";
+}
+
+std::string nameOf(const PatternVerdict& verdict) {
+  switch (verdict.verdict) {
+    case PatternVerdict::kNotSeen:
+      return "not seen";
+    case PatternVerdict::kRight:
+      return "right";
+    case PatternVerdict::kWrong:
+      return "wrong";
+  }
+  return "";
+}
+
+std::string quoted(const std::string& text) {
+  std::string field = "\"";
+  for (const char c : text) {
+    field += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return field + "\"";
+}
+
+}  // namespace
+
+std::vector<PatternVerdict> showPatterns(const std::vector<const TestPattern*>& patterns, Device& device,
+                                         std::istream& answers, const Frame& frame) {
+  std::vector<PatternVerdict> verdicts;
+  for (const TestPattern* pattern : patterns) {
+    verdicts.push_back({.pattern = pattern});
+  }
+  for (size_t i = 0; i < patterns.size();) {
+    show(*patterns[i], device);
+    std::string answer;
+    // What is no answer is asked again.
+    do {
+      frame.print(questionOf(*patterns[i], i + 1, patterns.size()));
+      flushStandardOutput();
+      if (!std::getline(answers, answer) || answer == "q") {
+        return verdicts;
+      }
+    } while (!answer.empty() && std::string("ynb").find(answer.front()) == std::string::npos);
+    if (!answer.empty() && answer.front() == 'b') {
+      i = i == 0 ? 0 : i - 1;
+      continue;
+    }
+    const size_t note = answer.find_first_not_of(' ', 1);
+    verdicts[i].verdict = !answer.empty() && answer.front() == 'n' ? PatternVerdict::kWrong : PatternVerdict::kRight;
+    verdicts[i].note = answer.empty() || note == std::string::npos ? "" : answer.substr(note);
+    ++i;
+  }
+  return verdicts;
+}
+
+void writeVerdicts(const std::filesystem::path& path, const std::vector<PatternVerdict>& verdicts) {
+  OutputFile file(path);
+  file.write("pattern,verdict,note\n");
+  for (const PatternVerdict& verdict : verdicts) {
+    file.write(fmt::format("{},{},{}\n", verdict.pattern->name, nameOf(verdict), quoted(verdict.note)));
+  }
+  file.commit();
+}
+
+}  // namespace ocelli
