@@ -10,6 +10,9 @@
 #include "cli/command.h"
 #include "oc_core/base/machine.h"
 
+#ifdef OCELLI_WITH_USB
+#include "display_driver/usb/usb_port.h"
+#endif
 #ifdef OCELLI_WITH_OPENGL
 #include "oc_core/gl/gl_report.h"
 #include "oc_core/gl/system_font.h"
@@ -27,6 +30,17 @@ constexpr bool kWithOpenGl = true;
 constexpr bool kWithOpenGl = false;
 #endif
 
+#ifdef OCELLI_WITH_USB
+constexpr bool kWithUsb = true;
+#else
+constexpr bool kWithUsb = false;
+#endif
+
+struct UsbFindings {
+  size_t displays = 0;
+  std::string problem;  ///< why USB, or a display on it, cannot be used; empty where all can
+};
+
 /// What is printed, in words or as JSON.
 struct Findings {
   MachineInfo machine;
@@ -34,7 +48,39 @@ struct Findings {
   std::optional<std::string> font;
   Json providers = Json::array();
   std::set<std::string> packages;  ///< that hold the providers which do not work
+  UsbFindings usb = {};
 };
+
+#ifdef OCELLI_WITH_USB
+UsbFindings findUsb() {
+  UsbFindings findings;
+  try {
+    const std::vector<UsbDisplay> displays = listUsbDisplays();
+    findings.displays = displays.size();
+    for (const UsbDisplay& display : displays) {
+      findings.problem = findings.problem.empty() ? display.problem : findings.problem;
+    }
+  } catch (const wire::LinkError& error) {
+    findings.problem = error.what();
+  }
+  return findings;
+}
+#else
+UsbFindings findUsb() {
+  return {};
+}
+#endif
+
+std::string usbText(const UsbFindings& usb) {
+  if (!kWithUsb) {
+    return "built without it (OCELLI_WITH_USB=OFF); displays on USB cannot be used";
+  }
+  if (usb.displays == 0) {
+    return usb.problem.empty() ? "works; no display is connected" : "does not work\n" + usb.problem;
+  }
+  return fmt::format("works; {} display{} connected (ocelli device list){}{}", usb.displays,
+                     usb.displays == 1 ? "" : "s", usb.problem.empty() ? "" : "\n", usb.problem);
+}
 
 #ifdef OCELLI_WITH_OPENGL
 Json jsonOf(const GlProviderReport& report) {
@@ -88,6 +134,7 @@ std::string asJson(const Findings& findings) {
       {"memory", {{"bytes", machine.memoryBytes}, {"available_bytes", machine.availableBytes}}},
       {"ffmpeg", findings.ffmpeg ? Json(findings.ffmpeg->string()) : Json()},
       {"font", findings.font ? Json(*findings.font) : Json()},
+      {"usb", {{"built", kWithUsb}, {"displays", findings.usb.displays}, {"problem", findings.usb.problem}}},
       {"opengl", anyProvider(findings, "works", true)},
       {"gpu", anyProvider(findings, "software", false)},
       {"providers", findings.providers}};
@@ -146,6 +193,7 @@ std::string asText(const Findings& findings) {
                           static_cast<double>(machine.availableBytes) / kGibibyte));
   text += row("ffmpeg", findings.ffmpeg ? findings.ffmpeg->string()
                                         : "not found; it makes films of series of images (apt-get install ffmpeg)");
+  text += row("usb", usbText(findings.usb));
   if (kWithOpenGl) {
     text +=
         row("font", findings.font.value_or("none found; panels use a plain one (apt-get install fonts-dejavu-core)"));
@@ -166,7 +214,7 @@ void addDoctorCommand(CLI::App& program, const Frame& frame) {
                "  ocelli doctor\n"
                "  LIBGL_ALWAYS_SOFTWARE=1 ocelli doctor      (without the GPU)",
                [json, frame] {
-                 Findings findings{machineInfo(), findProgram("ffmpeg"), std::nullopt, Json::array(), {}};
+                 Findings findings{machineInfo(), findProgram("ffmpeg"), std::nullopt, Json::array(), {}, findUsb()};
                  findOpenGl(findings);
                  frame.print(*json ? asJson(findings) : asText(findings));
                });

@@ -32,6 +32,12 @@ TEST(Doctor, tellsOfTheMachine) {
                                  HasSubstr("OpenGL: ")));
 }
 
+TEST(Doctor, tellsOfUsb) {
+  const nlohmann::json usb = findings("").at("usb");
+  EXPECT_GE(usb.at("displays"), 0);
+  EXPECT_THAT(runProgram("doctor").output, HasSubstr("\n  usb  "));
+}
+
 TEST(Doctor, findsProgramsOnThePath) {
   const TemporaryFolder folder;
   EXPECT_TRUE(findings("PATH=" + folder.path().string()).at("ffmpeg").is_null());
