@@ -1,5 +1,6 @@
 #include "display_driver/sim/shown_pictures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -18,7 +19,10 @@ constexpr size_t kGainFrames = 9;
 std::vector<size_t> pickRefreshes(const std::vector<RecordedRefresh>& refreshes, double framesPerSecond) {
   std::vector<size_t> picked;
   double next = -1e300;
-  for (size_t i = 0; i < refreshes.size(); ++i) {
+  const auto first = std::ranges::find_if(refreshes, [](const RecordedRefresh& refresh) {
+    return std::ranges::any_of(refresh.shown.parts, [](const auto& part) { return part.frame != 0; });
+  });
+  for (auto i = static_cast<size_t>(first - refreshes.begin()); i < refreshes.size(); ++i) {
     const auto begin = static_cast<double>(refreshes[i].shown.begin);
     // A little early is in time: refreshes jitter around the frames of a video of the same rate.
     if (begin >= next - 0.25e6 / framesPerSecond) {

@@ -16,8 +16,9 @@ namespace ocelli {
 /// screen is that of a straight one, seen from an eye that is turned the other way.
 glm::vec3 eyeForPhaseError(const glm::vec3& eye, double phaseErrorDegrees);
 
-/// Draws the refreshes in their order, at most one for each 1 / framesPerSecond of the display's time. One that is not
-/// in the record repeats the picture before it. All have one gain. Does not finish `sink`. Returns how many there are.
+/// Draws the refreshes in their order, from the first one on that shows a frame: at most one for each 1 /
+/// framesPerSecond of the display's time. One that is not in the record repeats the picture before it. All have one
+/// gain. Does not finish `sink`. Returns how many there are.
 size_t drawShown(const std::filesystem::path& svol, const std::vector<RecordedRefresh>& refreshes,
                  const ObserverOptions& options, double framesPerSecond, FrameSink& sink,
                  const Progress& progress = {});

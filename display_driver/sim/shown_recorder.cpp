@@ -36,9 +36,9 @@ ShownRecorder::~ShownRecorder() {
 }
 
 void ShownRecorder::refreshEnded(const ShownRefresh& refresh, const Volume& volume) {
-  // Frame 0 is darkness, or what was shown before a session ended: nothing tells whether it is the same.
+  // Frame 0 is darkness, or what was shown before a session ended: only a look tells whether it is the same.
   const bool known = std::ranges::all_of(refresh.parts, [](const auto& part) { return part.frame != 0; });
-  if (volumes_ > 0 && known && sameParts(refresh.parts, lastParts_)) {
+  if (last_ != nullptr && sameParts(refresh.parts, lastParts_) && (known || *last_ == volume)) {
     refreshes_.push_back({refresh, volumes_ - 1});
     return;
   }
@@ -50,7 +50,8 @@ void ShownRecorder::refreshEnded(const ShownRefresh& refresh, const Volume& volu
   lock.unlock();
   auto copy = std::make_shared<const Volume>(volume);
   lock.lock();
-  jobs_.push_back({std::move(copy), static_cast<uint64_t>(refresh.begin)});
+  last_ = std::move(copy);
+  jobs_.push_back({last_, static_cast<uint64_t>(refresh.begin)});
   changed_.notify_all();
   lastParts_ = refresh.parts;
   refreshes_.push_back({refresh, volumes_++});

@@ -42,7 +42,8 @@ class ShownRecorder : public RefreshSink {
 
   SvolWriter writer_;
   std::vector<RecordedRefresh> refreshes_;
-  std::vector<ShownRefresh::Part> lastParts_;  ///< of what the last volume shows
+  std::shared_ptr<const Volume> last_;         ///< the last volume
+  std::vector<ShownRefresh::Part> lastParts_;  ///< of what it shows
   size_t volumes_ = 0;                         ///< handed to the thread
 
   struct Job {

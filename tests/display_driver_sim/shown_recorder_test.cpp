@@ -56,8 +56,10 @@ TEST_F(ShownRecorderTest, whatIsShownAgainIsWrittenOnce) {
 TEST_F(ShownRecorderTest, darknessIsLookedAtEachTime) {
   ShownRecorder recorder(path_, profile_);
   recorder.refreshEnded(refreshOf(0, {{0, 0, false}}), Volume(profile_));
-  recorder.refreshEnded(refreshOf(1, {{0, 0, false}}), first_);  // shown from an earlier session
+  recorder.refreshEnded(refreshOf(1, {{0, 0, false}}), Volume(profile_));
+  recorder.refreshEnded(refreshOf(2, {{0, 0, false}}), first_);  // shown from an earlier session
   recorder.finish();
+  EXPECT_EQ(recorder.refreshes()[1].volume, 0u);
   EXPECT_TRUE(readSvol(path_, 1) == first_);
 }
 
@@ -91,6 +93,9 @@ TEST_F(ShownRecorderTest, everyRefreshIsAPicture) {
   ASSERT_EQ(sink.frames.size(), 3u);
   EXPECT_TRUE(sink.frames[0] == sink.frames[1]);
   EXPECT_FALSE(sink.frames[1] == sink.frames[2]);
+  refreshes.insert(refreshes.begin(), {refreshOf(0, {{0, 0, false}}), 0});  // nothing was shown yet
+  CountingSink later;
+  EXPECT_EQ(drawShown(path_, refreshes, options, 25, later), 3u);
   CountingSink slow;
   EXPECT_EQ(drawShown(path_, refreshes, options, 12.5, slow), 2u);
 }
