@@ -18,7 +18,11 @@ StageTimes::Duration StageTimes::high() const {
   auto sorted = times_;
   const size_t count = std::min(count_, kKept);
   std::sort(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(count));
-  return count == 0 ? Duration(0) : sorted[count < kFew ? count - 1 : count - 2];
+  if (count == 0) {
+    return Duration(0);
+  }
+  const Duration worst = sorted[count < kFew ? count - 1 : count - 2];
+  return worst + (worst - sorted[count / 2]) / 2;
 }
 
 StageTimes::Duration StageTimes::median() const {

@@ -13,7 +13,8 @@ class StageTimes {
 
   void add(Duration time);
   bool empty() const { return count_ == 0; }
-  /// All but the worst of those kept (and the worst, where there are few): hiccups count for once.
+  /// What it will hardly exceed: the worst but one of those kept (the worst, where there are few), as a hiccup comes
+  /// once, and half as far again as that is from the median.
   Duration high() const;
   Duration median() const;
 
