@@ -11,18 +11,19 @@ cmake --build "$build" --target svol_fuzzer maze_fuzzer camera_fuzzer protocol_f
   wire_fuzzer wire_host_fuzzer
 cd "$build"
 
-# run NAME CORPUS [SECONDS]
-run() {
+# A line a target: NAME CORPUS SECONDS. The decoder of what comes over a cable has a minute at least. As many run at a time
+# as there are cores.
+xargs -L 1 -P "$(nproc)" sh -c '
   mkdir -p "${1}_found"
-  "fuzz/${1}_fuzzer" -max_total_time="${3:-$seconds}" -max_len=4096 -rss_limit_mb=4096 -timeout=10 -verbosity=0 \
-    -print_final_stats=1 "${1}_found" "$root/tests/$2"
-}
-run svol display_sim_frames/corpus
-run maze scene/maze_corpus
-run camera constructor/corpus
-run protocol study_protocol/corpus
-run plan analysis_dataset/plan_corpus
-run session display_driver_pacing/corpus
-# The decoder of what comes over a cable has a minute at least.
-run wire display_driver_wire/corpus "$([ "$seconds" -gt 60 ] && echo "$seconds" || echo 60)"
-run wire_host display_driver_stream/corpus
+  "fuzz/${1}_fuzzer" -max_total_time="$3" -max_len=4096 -rss_limit_mb=4096 -timeout=10 -verbosity=0 \
+    -print_final_stats=1 "${1}_found" "$0/tests/$2"
+' "$root" <<END
+wire display_driver_wire/corpus $([ "$seconds" -gt 60 ] && echo "$seconds" || echo 60)
+svol display_sim_frames/corpus $seconds
+maze scene/maze_corpus $seconds
+camera constructor/corpus $seconds
+protocol study_protocol/corpus $seconds
+plan analysis_dataset/plan_corpus $seconds
+session display_driver_pacing/corpus $seconds
+wire_host display_driver_stream/corpus $seconds
+END
