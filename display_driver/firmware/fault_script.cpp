@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -55,11 +56,11 @@ Fault faultFromJson(const nlohmann::json& json, const std::string& where) {
   }
   Fault fault;
   fault.kind = found->kind;
-  fault.at = static_cast<DeviceMicroseconds>(fields.number("at_ms", 0, kMostMilliseconds, 0) * 1e3);
+  fault.at = std::llround(fields.number("at_ms", 0, kMostMilliseconds, 0) * 1e3);
   fault.afterFrames = static_cast<uint32_t>(fields.integer("at_frame", 0, std::numeric_limits<int>::max(), 0));
   fault.afterBytes = static_cast<size_t>(fields.integer("at_byte", 0, std::numeric_limits<int>::max(), 0));
   if (found->lasts) {
-    fault.duration = static_cast<DeviceMicroseconds>(fields.number("for_ms", 0.001, kMostMilliseconds) * 1e3);
+    fault.duration = std::llround(fields.number("for_ms", 0.001, kMostMilliseconds) * 1e3);
   }
   if (found->amount != nullptr) {
     fault.amount = found->otherwise >= found->least
