@@ -28,6 +28,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <thread>
 
 #include "display_driver/emulator/test_bed_folder.h"
@@ -45,7 +46,7 @@ constexpr microseconds kEmptyReap{500};
 constexpr microseconds kShortestSleep{50};
 constexpr microseconds kLongestSleep{1000};
 constexpr const char* kPreloadLibrary = "libumockdev-preload.so.0";
-constexpr std::chrono::milliseconds kLastWords{200};
+constexpr std::chrono::milliseconds kLastWords{500};
 constexpr int kFirstDeviceNumber = 2;  // 1 is the root hub
 constexpr int kLastDeviceNumber = 127;
 
@@ -156,6 +157,7 @@ struct UsbEmulator::State {
   bool news = false;
   bool stop = false;
   std::map<UMockdevIoctlClient*, Connection> connections;
+  std::set<UMockdevIoctlClient*> strangers;    ///< they have opened a device file whose device had just gone
   std::vector<UMockdevIoctlClient*> answered;  ///< no longer in a request; our references to them are to be dropped
   std::thread thread;
 };
@@ -172,6 +174,7 @@ void UsbEmulator::State::onVanished(gpointer self, GObject* client) {
   State& state = *static_cast<State*>(self);
   const std::scoped_lock lock(state.mutex);
   state.connections.erase(reinterpret_cast<UMockdevIoctlClient*>(client));
+  state.strangers.erase(reinterpret_cast<UMockdevIoctlClient*>(client));
   state.changed.notify_all();
 }
 
@@ -195,6 +198,9 @@ void UsbEmulator::State::handle(UMockdevIoctlClient* client) {
   const std::scoped_lock lock(mutex);
   Connection* const connection = connectionOf(client);
   if (connection == nullptr) {
+    if (strangers.insert(client).second) {
+      g_object_weak_ref(G_OBJECT(client), onVanished, this);
+    }
     umockdev_ioctl_client_complete(client, -1, ENODEV);
     return;
   }
@@ -617,12 +623,15 @@ UsbEmulator::State::~State() {
   {
     // umockdev keeps the sockets of clients of whose end it has not heard before the bed goes.
     std::unique_lock lock(mutex);
-    changed.wait_for(lock, kLastWords, [&] { return connections.empty(); });
+    changed.wait_for(lock, kLastWords, [&] { return connections.empty() && strangers.empty(); });
   }
   mark.reset();
   g_object_unref(bed);
   g_object_unref(handler);
   for (auto& [client, connection] : connections) {
+    g_object_weak_unref(G_OBJECT(client), onVanished, this);
+  }
+  for (UMockdevIoctlClient* const client : strangers) {
     g_object_weak_unref(G_OBJECT(client), onVanished, this);
   }
 }

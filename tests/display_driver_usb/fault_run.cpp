@@ -76,10 +76,12 @@ int run(size_t count, uint64_t firstSeed) {
       result.problems.push_back(fmt::format("left behind: {} threads, {} descriptors, {} transfers; before {}, {}, {}",
                                             after.threads, after.descriptors, after.transfers, before->threads,
                                             before->descriptors, before->transfers));
+      before = after;
     }
     before = before.value_or(after);
     for (const std::string& problem : result.problems) {
       fmt::print("seed {}: {}\n", seed, problem);
+      std::fflush(stdout);
     }
     bad += result.problems.empty() ? 0 : 1;
     sum.faults += result.faults;
