@@ -46,6 +46,7 @@ constexpr microseconds kEmptyReap{500};
 constexpr microseconds kShortestSleep{50};
 constexpr microseconds kLongestSleep{1000};
 constexpr const char* kPreloadLibrary = "libumockdev-preload.so.0";
+constexpr std::chrono::milliseconds kEndOfListening{30};
 constexpr std::chrono::milliseconds kLastWords{500};
 constexpr int kFirstDeviceNumber = 2;  // 1 is the root hub
 constexpr int kLastDeviceNumber = 127;
@@ -625,6 +626,9 @@ UsbEmulator::State::~State() {
     std::unique_lock lock(mutex);
     changed.wait_for(lock, kLastWords, [&] { return connections.empty() && strangers.empty(); });
   }
+  // Nor does it tell when it has ended listening for clients, which it does on its thread. Where the bed goes before, a
+  // socket stays open.
+  std::this_thread::sleep_for(kEndOfListening);
   mark.reset();
   g_object_unref(bed);
   g_object_unref(handler);
@@ -659,10 +663,12 @@ void UsbEmulator::restartPreloaded() {
   // AddressSanitizer wants to be the first library, and works as the second one.
   const char* const options = std::getenv("ASAN_OPTIONS");
   setenv("ASAN_OPTIONS", fmt::format("{}:verify_asan_link_order=0", options == nullptr ? "" : options).c_str(), 1);
-  std::ifstream file("/proc/self/cmdline", std::ios::binary);
   std::vector<std::string> words;
-  for (std::string word; std::getline(file, word, '\0');) {
-    words.push_back(word);
+  {
+    std::ifstream file("/proc/self/cmdline", std::ios::binary);
+    for (std::string word; std::getline(file, word, '\0');) {
+      words.push_back(word);
+    }
   }
   std::vector<char*> arguments;
   for (std::string& word : words) {
