@@ -13,14 +13,14 @@ constexpr int kTooEarly = 24;
 
 }  // namespace
 
-void EffortChoice::frameCoded(bool waited) {
+void EffortChoice::frameSent(bool full) {
   ++frames_;
-  if (!small_ && waited) {
+  if (!small_ && full) {
     const bool tooEarly = patience_ > 0 && frames_ <= kTooEarly;
     patience_ = tooEarly ? std::min(2 * patience_, kMostPatience) : kLeastPatience;
     small_ = true;
     frames_ = 0;
-  } else if (small_ && waited) {
+  } else if (small_ && full) {
     frames_ = 0;
   } else if (small_ && frames_ >= patience_) {
     small_ = false;

@@ -10,8 +10,8 @@ class EffortChoice {
  public:
   wire::Effort effort() const { return small_ ? wire::Effort::kSmall : wire::Effort::kFast; }
 
-  /// A frame has been coded. `waited`: there were bytes to send, and the link took none.
-  void frameCoded(bool waited);
+  /// A frame has left. `full`: the link needed longer for it than its coding.
+  void frameSent(bool full);
 
  private:
   bool small_ = false;

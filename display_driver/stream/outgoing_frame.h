@@ -1,6 +1,7 @@
 // A frame on its way from submit() to the display.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -29,6 +30,9 @@ struct OutgoingFrame {
   std::shared_ptr<const Volume> volume;
   std::optional<std::vector<int>> changed;  ///< since the frame that was begun before it; nullopt: perhaps all
   std::optional<Presentation> presentation;
+  std::chrono::steady_clock::time_point begun{};  ///< to be coded
+  std::chrono::steady_clock::time_point coded{};
+  bool waited = false;  ///< for the link, with a part of it
   bool presentationSent = false;
   bool wholeSent = false;     ///< all of its bytes are in transfers
   uint64_t lastTransfer = 0;  ///< the one with its last byte, counted from 1; 0: not known yet

@@ -26,6 +26,8 @@ using wire::LinkStatus;
 
 /// Slices that are coded before the link is looked after again: a few milliseconds of work.
 constexpr size_t kSlicesAtOnce = 24;
+/// The rest of a frame may take so long to leave, once it is coded, on any link.
+constexpr std::chrono::milliseconds kShortBacklog(5);
 
 class StreamDevice : public Device {
  public:
@@ -115,6 +117,7 @@ class StreamDevice : public Device {
   void forgetTransfers();
   bool isStuck() const;
   void loseUnanswered();
+  void beginAnew();
 
   /// With the mutex.
   void wakeWorker() {
@@ -157,7 +160,6 @@ class StreamDevice : public Device {
   std::optional<wire::FrameEncoder> encoder_;
   std::optional<wire::MessageWriter> writer_;
   EffortChoice effort_;
-  bool waited_ = false;  ///< for the link, with a part of this frame
   uint32_t session_ = 0;
   struct Buffer {
     std::vector<uint8_t> bytes;
@@ -174,7 +176,8 @@ class StreamDevice : public Device {
   FrameNumber baseNumber_ = 0;
   std::shared_ptr<const Volume> lastSent_;  ///< of any session, once it had a presentation
   FrameNumber lastSentNumber_ = 0;
-  std::optional<LinkStatus> problem_;
+  std::optional<LinkStatus> problem_;  ///< of the link
+  std::optional<std::string> lost_;    ///< a frame was, and why
   std::chrono::milliseconds backOff_{0};
   uint32_t deviceUnderruns_ = 0;
   std::optional<Clock::time_point> deviceStart_;  ///< the zero of the display's clock
@@ -211,6 +214,7 @@ void StreamDevice::connect() {
     wakeWorker();
   }));
   startSession();
+  nextTelemetry_ = lastProgress_;
   const std::lock_guard lock(mutex_);
   telemetry_.connected = true;
 }
@@ -221,8 +225,8 @@ void StreamDevice::startSession() {
   writer_.emplace(session_);
   base_.reset();
   problem_.reset();
+  lost_.reset();
   lastProgress_ = Clock::now();
-  nextTelemetry_ = lastProgress_;
 }
 
 void StreamDevice::work() {
@@ -288,13 +292,16 @@ bool StreamDevice::step(bool& idle) {
   if (problem_) {
     return true;
   }
-  if (Clock::now() >= nextTelemetry_) {
+  loseUnanswered();
+  if (lost_) {
+    beginAnew();
+  }
+  if (!problem_ && Clock::now() >= nextTelemetry_) {
     updateTelemetry();
   }
   if (!problem_ && isStuck()) {
     problem_ = LinkStatus::kTimedOut;
   }
-  loseUnanswered();
   if (!problem_) {
     idle = !sendSome();
   }
@@ -314,8 +321,26 @@ void StreamDevice::loseUnanswered() {
            Clock::now() - state.sent > options_.stuckAfter;
   });
   if (unanswered != underWay_.end()) {
-    base_.reset();
-    lose(unanswered->second, "the display did not acknowledge a frame");
+    lost_ = "the display did not acknowledge a frame";
+  }
+}
+
+/// A frame is lost, and with it those that are made from it. In a new session nothing that is still on its way, in
+/// either direction, can be mistaken for a part of what comes now.
+void StreamDevice::beginAnew() {
+  const std::string problem = *std::exchange(lost_, std::nullopt);
+  sending_.reset();
+  if (staging_ != nullptr) {
+    staging_->bytes.clear();
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    loseAll(problem);
+  }
+  try {
+    startSession();
+  } catch (const LinkError& error) {
+    problem_ = error.status();
   }
 }
 
@@ -337,6 +362,9 @@ void StreamDevice::readNews() {
       if (frame->lastTransfer != 0 && frame->lastTransfer <= transfer && frame->state.sent == Clock::time_point{}) {
         frame->state.sent = Clock::now();
         frame->fence->moveTo(frame->state);
+        const Clock::duration coding = frame->coded - frame->begun;
+        const Clock::duration backlog = frame->state.sent - frame->coded;
+        effort_.frameSent(frame->waited || backlog > std::max<Clock::duration>(coding, kShortBacklog));
       }
     }
   }
@@ -384,18 +412,15 @@ void StreamDevice::handle(const wire::Event& event) {
   const Clock::time_point time =
       deviceStart_ ? *deviceStart_ + std::chrono::microseconds(event.timeMicroseconds) : Clock::now();
   if (event.type == wire::EventType::kError) {
-    base_.reset();
     const std::string problem = wire::nameOf(static_cast<wire::ErrorCode>(event.code));
     noteProblem(problem);
     if (frame != nullptr) {
-      if (sending_ == frame) {
-        sending_.reset();  // the display takes nothing more of it
+      lost_ = problem;
+    } else if (event.frame == 0) {
+      // Nobody knows which message it was. A frame would be reported once more, by its number; a presentation not.
+      for (const auto& [number, other] : underWay_) {
+        other->presentationSent = false;
       }
-      lose(frame, problem);
-    }
-    // A PRESENT may be what was lost. One that was not means nothing new.
-    for (const auto& [number, other] : underWay_) {
-      other->presentationSent = false;
     }
     return;
   }
@@ -497,7 +522,9 @@ void StreamDevice::flush() {
 /// Some more of the stream. False where nothing can be done now.
 bool StreamDevice::sendSome() {
   if (staging() == nullptr) {
-    waited_ = waited_ || sending_ != nullptr;
+    if (sending_ != nullptr) {
+      sending_->waited = true;
+    }
     return false;
   }
   sendPresentations();
@@ -522,6 +549,7 @@ bool StreamDevice::sendSome() {
     sending_->state.bytes += out.size() - before;
     if (whole) {
       sending_->wholeSent = true;
+      sending_->coded = Clock::now();
       sending_->lastTransfer = transfers_ + 1;
       base_ = sending_->volume;
       baseNumber_ = sending_->number();
@@ -532,7 +560,6 @@ bool StreamDevice::sendSome() {
   }
   if (whole) {
     sending_.reset();
-    effort_.frameCoded(std::exchange(waited_, false));
   }
   if (whole || out.size() >= options_.transferBytes) {
     flush();
@@ -555,6 +582,8 @@ void StreamDevice::beginFrame() {
   if (base_ != nullptr && sending_->changed) {
     candidates = *sending_->changed;
   }
+  sending_->begun = Clock::now();
+  sending_->waited = false;
   encoder_->setEffort(effort_.effort());
   encoder_->begin(*sending_->volume, base_.get(), candidates);
   std::vector<uint8_t>& out = *staging();

@@ -8,10 +8,10 @@ namespace {
 using wire::Effort;
 
 /// How many frames it takes until the effort is another one.
-int framesToChange(EffortChoice& choice, bool waited) {
+int framesToChange(EffortChoice& choice, bool full) {
   const Effort before = choice.effort();
   for (int frames = 1; frames < 100000; ++frames) {
-    choice.frameCoded(waited);
+    choice.frameSent(full);
     if (choice.effort() != before) {
       return frames;
     }
@@ -29,34 +29,34 @@ TEST(EffortChoice, beginsFastAndBecomesSmallOnAFullLink) {
 
 TEST(EffortChoice, triesAgainLaterAndLaterWhereThatFails) {
   EffortChoice choice;
-  choice.frameCoded(true);
+  choice.frameSent(true);
   EXPECT_EQ(framesToChange(choice, false), 48);
-  choice.frameCoded(true);
+  choice.frameSent(true);
   EXPECT_EQ(framesToChange(choice, false), 96);
   for (int i = 0; i < 20; ++i) {
-    choice.frameCoded(true);
+    choice.frameSent(true);
     framesToChange(choice, false);
   }
-  choice.frameCoded(true);
+  choice.frameSent(true);
   EXPECT_EQ(framesToChange(choice, false), 3072);
 }
 
 TEST(EffortChoice, isPatientNoLongerOnceThatHeld) {
   EffortChoice choice;
   for (int i = 0; i < 5; ++i) {
-    choice.frameCoded(true);
+    choice.frameSent(true);
     framesToChange(choice, false);
   }
   for (int i = 0; i < 100; ++i) {
-    choice.frameCoded(false);
+    choice.frameSent(false);
   }
-  choice.frameCoded(true);
+  choice.frameSent(true);
   EXPECT_EQ(framesToChange(choice, false), 48);
 }
 
 TEST(EffortChoice, aFullLinkKeepsItSmall) {
   EffortChoice choice;
-  choice.frameCoded(true);
+  choice.frameSent(true);
   EXPECT_EQ(framesToChange(choice, true), -1);
 }
 
