@@ -110,7 +110,20 @@ void alone(Input& input) {
   }
   Bytes stream;
   for (uint32_t sequence = 0; !input.done(); ++sequence) {
-    const Header header{.type = static_cast<uint8_t>(1 + input.byte() % 4),
+    const uint8_t kind = input.byte();
+    if (kind >= 0xf0) {
+      const uint8_t request = input.byte();
+      const size_t most = input.byte();
+      const auto answer = firmware.controlIn(request, input.byte() / 128, most, 0);
+      if (answer && answer->size() > most) {
+        std::abort();
+      }
+      // Not a new session: the stream goes on.
+      if (request != 3) {
+        firmware.controlOut(request == 5 ? 6 : request, input.byte() / 128, input.bytes(most % 20), 0);
+      }
+    }
+    const Header header{.type = static_cast<uint8_t>(1 + kind % 4),
                         .coding = input.byte(),
                         .slice = input.byte(),
                         .session = 1,
