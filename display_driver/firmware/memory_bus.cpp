@@ -107,7 +107,10 @@ void MemoryBus::State::serve(std::unique_lock<std::mutex>& lock) {
     transfer.taken += taken.bytes;
     if (taken.outcome == EmulatedDevice::Outcome::kStall) {
       stalled = true;
-      finishAll(lock, LinkStatus::kStalled);
+      // Not those that are sent meanwhile: the stall may have been cleared before.
+      for (size_t left = transfers.size(); left > 0 && !transfers.empty(); --left) {
+        finish(lock, LinkStatus::kStalled);
+      }
     } else if (taken.outcome == EmulatedDevice::Outcome::kShort) {
       finish(lock, LinkStatus::kShort);
     } else if (transfer.taken == transfer.bytes.size()) {
