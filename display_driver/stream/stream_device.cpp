@@ -26,8 +26,16 @@ using wire::LinkStatus;
 
 /// Slices that are coded before the link is looked after again: a few milliseconds of work.
 constexpr size_t kSlicesAtOnce = 24;
-/// The rest of a frame may take so long to leave, once it is coded, on any link.
+/// After the second lost frame in a row; the first one goes again at once.
+constexpr std::chrono::milliseconds kFirstRest(2);
+/// What is left of a frame may take so long to leave, once it is coded, on any link.
 constexpr std::chrono::milliseconds kShortBacklog(5);
+
+/// Something was wrong with a message, not with the display.
+bool isOfMessage(wire::ErrorCode code) {
+  return code == wire::ErrorCode::kChecksum || code == wire::ErrorCode::kSequence || code == wire::ErrorCode::kLength ||
+         code == wire::ErrorCode::kUnknownType;
+}
 
 class StreamDevice : public Device {
  public:
@@ -179,6 +187,8 @@ class StreamDevice : public Device {
   std::optional<LinkStatus> problem_;  ///< of the link
   std::optional<std::string> lost_;    ///< a frame was, and why
   std::chrono::milliseconds backOff_{0};
+  std::chrono::milliseconds rest_{0};  ///< after a lost frame; 0 once one has arrived
+  Clock::time_point restUntil_;
   uint32_t deviceUnderruns_ = 0;
   std::optional<Clock::time_point> deviceStart_;  ///< the zero of the display's clock
 
@@ -244,7 +254,7 @@ void StreamDevice::work() {
     }
     std::unique_lock lock(mutex_);
     if (idle && !woken_) {
-      changed_.wait_until(lock, std::min(nextTelemetry_, Clock::now() + options_.telemetryInterval));
+      changed_.wait_until(lock, Clock::now() < restUntil_ ? std::min(nextTelemetry_, restUntil_) : nextTelemetry_);
     }
     woken_ = false;
   }
@@ -303,7 +313,7 @@ bool StreamDevice::step(bool& idle) {
     problem_ = LinkStatus::kTimedOut;
   }
   if (!problem_) {
-    idle = !sendSome();
+    idle = Clock::now() < restUntil_ || !sendSome();
   }
   return true;
 }
@@ -337,6 +347,9 @@ void StreamDevice::beginAnew() {
     const std::lock_guard lock(mutex_);
     loseAll(problem);
   }
+  // A display that refuses every frame is not asked again and again at the speed of the link.
+  rest_ = std::min(std::max(2 * rest_, kFirstRest), options_.lastBackOff);
+  restUntil_ = Clock::now() + (rest_ > kFirstRest ? rest_ : std::chrono::milliseconds(0));
   try {
     startSession();
   } catch (const LinkError& error) {
@@ -416,7 +429,7 @@ void StreamDevice::handle(const wire::Event& event) {
     noteProblem(problem);
     if (frame != nullptr) {
       lost_ = problem;
-    } else if (event.frame == 0) {
+    } else if (event.frame == 0 && isOfMessage(static_cast<wire::ErrorCode>(event.code))) {
       // Nobody knows which message it was. A frame would be reported once more, by its number; a presentation not.
       for (const auto& [number, other] : underWay_) {
         other->presentationSent = false;
@@ -430,6 +443,7 @@ void StreamDevice::handle(const wire::Event& event) {
   FrameState& state = frame->state;
   if (event.type == wire::EventType::kArrived) {
     ++telemetry_.framesArrived;
+    rest_ = {};
     state.arrived = time;
     frame->moveTo(FrameStage::kArrived);
   } else if (event.type == wire::EventType::kDropped) {

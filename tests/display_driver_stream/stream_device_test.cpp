@@ -183,6 +183,21 @@ TEST_F(StreamDeviceTest, aStillVolumeComesBackAfterTheDisplayWasUnplugged) {
   EXPECT_EQ(device_->telemetry().reconnections, 1u);
 }
 
+// Every frame is damaged for a while: the driver does not give up, and does not send at the speed of the link.
+TEST_F(StreamDeviceTest, aDisplayThatRefusesManyFramesIsAskedMoreSlowly) {
+  FaultScript script;
+  for (uint32_t frame = 2; frame < 22; ++frame) {
+    script.faults.push_back({.kind = FaultKind::kBitFlips, .afterFrames = frame, .afterBytes = 500, .amount = 40});
+  }
+  open(quickDisplay(script));
+  ASSERT_EQ(send()->wait(FrameStage::kShown, kLong).stage, FrameStage::kShown);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(send()->wait(FrameStage::kShown, kLong).stage, FrameStage::kShown);
+  // Twenty frames were lost: 0, 4, 8, ... 64, then 80 ms apart.
+  EXPECT_GE(device_->telemetry().framesLost, 10u);
+  EXPECT_GT(std::chrono::steady_clock::now() - start, 400ms);
+}
+
 // One test a fault, in the middle of a frame: the stream goes on, and nothing wrong is acknowledged.
 class StreamFaultTest : public StreamDeviceTest, public testing::WithParamInterface<FaultKind> {};
 
