@@ -79,6 +79,7 @@ struct Telemetry {
   uint64_t underruns = 0;      ///< refreshes that had to show an old frame where a new one was due
   uint64_t reconnections = 0;
   uint64_t bytesSent = 0;
+  std::string fault;        ///< what the display says is wrong with itself now; empty where nothing is
   std::string lastProblem;  ///< for people; empty where there was none
 };
 

@@ -49,8 +49,15 @@ uint32_t newSession() {
   return session;
 }
 
-std::optional<wire::DeviceTelemetry> readTelemetry(wire::Link& link) {
-  return wire::telemetryFrom(link.controlIn(static_cast<uint8_t>(wire::Request::kTelemetry), 0, wire::kTelemetryBytes));
+TelemetryAnswer askTelemetry(wire::Link& link) {
+  try {
+    const std::vector<uint8_t> bytes =
+        link.controlIn(static_cast<uint8_t>(wire::Request::kTelemetry), 0, wire::kTelemetryBytes);
+    const auto telemetry = wire::telemetryFrom(bytes);
+    return {telemetry, telemetry ? "" : "the display's telemetry is damaged", false};
+  } catch (const wire::LinkError& error) {
+    return {std::nullopt, error.what(), error.status() == wire::LinkStatus::kGone};
+  }
 }
 
 }  // namespace ocelli

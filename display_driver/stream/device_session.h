@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "display_driver/wire/frame_encoder.h"
 #include "display_driver/wire/link.h"
@@ -28,7 +29,13 @@ void arm(wire::Link& link, uint32_t session);
 /// A number that the display has most probably not seen yet; never 0.
 uint32_t newSession();
 
-/// nullopt where the answer is damaged. Throws LinkError.
-std::optional<wire::DeviceTelemetry> readTelemetry(wire::Link& link);
+/// What a request for telemetry gave.
+struct TelemetryAnswer {
+  std::optional<wire::DeviceTelemetry> telemetry;  ///< nullopt where it failed, or the answer is damaged
+  std::string problem;                             ///< why; empty where it did not fail
+  bool gone = false;                               ///< the display is
+};
+
+TelemetryAnswer askTelemetry(wire::Link& link);
 
 }  // namespace ocelli

@@ -166,6 +166,8 @@ class StreamDevice : public Device {
   LinkInbox inbox_;
   uint32_t capabilities_ = 0;
   std::optional<wire::FrameEncoder> encoder_;
+  std::vector<wire::FrameEncoder::Coded> coded_;  ///< slices of the frame that is being sent
+  size_t nextCoded_ = 0;
   std::optional<wire::MessageWriter> writer_;
   EffortChoice effort_;
   uint32_t session_ = 0;
@@ -189,7 +191,8 @@ class StreamDevice : public Device {
   std::chrono::milliseconds backOff_{0};
   std::chrono::milliseconds rest_{0};  ///< after a lost frame; 0 once one has arrived
   Clock::time_point restUntil_;
-  uint32_t deviceUnderruns_ = 0;
+  std::optional<uint32_t> deviceUnderruns_;
+  Clock::time_point lastAnswer_;                  ///< to a request for telemetry
   std::optional<Clock::time_point> deviceStart_;  ///< the zero of the display's clock
 
   std::mutex submitMutex_;
@@ -224,7 +227,7 @@ void StreamDevice::connect() {
     wakeWorker();
   }));
   startSession();
-  nextTelemetry_ = lastProgress_;
+  updateTelemetry();
   const std::lock_guard lock(mutex_);
   telemetry_.connected = true;
 }
@@ -319,7 +322,16 @@ bool StreamDevice::step(bool& idle) {
 }
 
 bool StreamDevice::isStuck() const {
-  return transfersDone_ < transfers_ && Clock::now() - lastProgress_ > options_.stuckAfter;
+  const Clock::time_point now = Clock::now();
+  if (transfersDone_ == transfers_ || now - lastProgress_ <= options_.stuckAfter) {
+    return false;
+  }
+  // A display whose buffers hold frames for later takes no bytes until then, but it answers.
+  const std::lock_guard lock(mutex_);
+  const bool holdsFrames = std::ranges::any_of(underWay_, [](const auto& entry) {
+    return entry.second->state.stage == FrameStage::kArrived && entry.second->presentation;
+  });
+  return !holdsFrames || now - lastAnswer_ > options_.stuckAfter;
 }
 
 /// Frames that went out whole and of which the display says nothing: its answer was lost.
@@ -427,7 +439,10 @@ void StreamDevice::handle(const wire::Event& event) {
   if (event.type == wire::EventType::kError) {
     const std::string problem = wire::nameOf(static_cast<wire::ErrorCode>(event.code));
     noteProblem(problem);
-    if (frame != nullptr) {
+    // A stray part of a frame that is there whole does not harm it.
+    const bool stray = static_cast<wire::ErrorCode>(event.code) == wire::ErrorCode::kOutOfPlace && frame != nullptr &&
+                       frame->state.stage == FrameStage::kArrived;
+    if (frame != nullptr && !stray) {
       lost_ = problem;
     } else if (event.frame == 0 && isOfMessage(static_cast<wire::ErrorCode>(event.code))) {
       // Nobody knows which message it was. A frame would be reported once more, by its number; a presentation not.
@@ -474,37 +489,37 @@ void StreamDevice::handle(const wire::Event& event) {
 void StreamDevice::updateTelemetry() {
   const Clock::time_point before = Clock::now();
   nextTelemetry_ = before + options_.telemetryInterval;
-  std::optional<wire::DeviceTelemetry> told;
-  try {
-    told = readTelemetry(*link_);
-  } catch (const LinkError& error) {
-    if (error.status() == LinkStatus::kGone) {
+  const TelemetryAnswer answer = askTelemetry(*link_);
+  if (!answer.telemetry) {
+    if (answer.gone) {
       problem_ = LinkStatus::kGone;
     }
     const std::lock_guard lock(mutex_);
-    noteProblem(error.what());
-  }
-  if (!told) {
+    noteProblem(answer.problem);
     return;
   }
+  const wire::DeviceTelemetry& told = *answer.telemetry;
   const Clock::time_point after = Clock::now();
+  lastAnswer_ = after;
   const Clock::time_point middle = before + (after - before) / 2;
-  deviceStart_ = middle - std::chrono::microseconds(told->timeMicroseconds);
+  deviceStart_ = middle - std::chrono::microseconds(told.timeMicroseconds);
   const std::lock_guard lock(mutex_);
   telemetry_.rotation = RotationReading{.time = middle,
-                                        .refresh = told->refresh,
-                                        .share = told->refreshShare * 0x1p-32,
-                                        .refreshSeconds = told->refreshNanoseconds * 1e-9};
+                                        .refresh = told.refresh,
+                                        .share = told.refreshShare * 0x1p-32,
+                                        .refreshSeconds = told.refreshNanoseconds * 1e-9};
   const double turnsPerRefresh = profile_->secondHalfTurn == SecondHalfTurn::kOwn ? 1 : 0.5;
-  telemetry_.rotationsPerMinute = told->refreshNanoseconds == 0 ? 0 : 60e9 * turnsPerRefresh / told->refreshNanoseconds;
-  telemetry_.phaseErrorDegrees = told->phaseErrorMicrodegrees * 1e-6;
+  telemetry_.rotationsPerMinute = told.refreshNanoseconds == 0 ? 0 : 60e9 * turnsPerRefresh / told.refreshNanoseconds;
+  telemetry_.phaseErrorDegrees = told.phaseErrorMicrodegrees * 1e-6;
   telemetry_.temperatureCelsius.reset();
-  if (told->temperatureMillicelsius) {
-    telemetry_.temperatureCelsius = *told->temperatureMillicelsius * 1e-3;
+  if (told.temperatureMillicelsius) {
+    telemetry_.temperatureCelsius = *told.temperatureMillicelsius * 1e-3;
   }
-  // It counts from 0 after it was reset.
-  telemetry_.underruns += told->underruns - (told->underruns >= deviceUnderruns_ ? deviceUnderruns_ : 0);
-  deviceUnderruns_ = told->underruns;
+  // It counts from 0 after it was reset; what it had counted when it was opened is not ours.
+  const uint32_t counted = deviceUnderruns_.value_or(told.underruns);
+  telemetry_.underruns += told.underruns - (told.underruns >= counted ? counted : 0);
+  deviceUnderruns_ = told.underruns;
+  telemetry_.fault = told.state == wire::DeviceState::kFault ? wire::nameOf(told.lastError) : "";
 }
 
 /// The buffer that messages are put in: nullptr where all are on their way.
@@ -549,12 +564,17 @@ bool StreamDevice::sendSome() {
     flush();
     return false;
   }
+  if (nextCoded_ == coded_.size()) {
+    coded_ = encoder_->next(kSlicesAtOnce);
+    nextCoded_ = 0;
+  }
   std::vector<uint8_t>& out = *staging();
   const size_t before = out.size();
-  for (const wire::FrameEncoder::Coded& coded : encoder_->next(kSlicesAtOnce)) {
+  while (nextCoded_ < coded_.size() && out.size() < options_.transferBytes) {
+    const wire::FrameEncoder::Coded& coded = coded_[nextCoded_++];
     writer_->slice(out, sending_->number(), coded.slice, coded.coded);
   }
-  const bool whole = encoder_->slicesLeft() == 0;
+  const bool whole = nextCoded_ == coded_.size() && encoder_->slicesLeft() == 0;
   if (whole) {
     writer_->frameEnd(out, sending_->number());
   }
@@ -600,6 +620,8 @@ void StreamDevice::beginFrame() {
   sending_->waited = false;
   encoder_->setEffort(effort_.effort());
   encoder_->begin(*sending_->volume, base_.get(), candidates);
+  coded_.clear();
+  nextCoded_ = 0;
   std::vector<uint8_t>& out = *staging();
   const size_t before = out.size();
   writer_->frameBegin(out, sending_->number(), {base_ == nullptr ? 0 : baseNumber_, encoder_->records()});

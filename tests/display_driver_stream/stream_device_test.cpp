@@ -198,6 +198,75 @@ TEST_F(StreamDeviceTest, aDisplayThatRefusesManyFramesIsAskedMoreSlowly) {
   EXPECT_GT(std::chrono::steady_clock::now() - start, 400ms);
 }
 
+// A display whose buffers are full takes nothing, which is not a broken link.
+TEST_F(StreamDeviceTest, framesForLaterAreNotLostWhileTheDisplayWaits) {
+  open(quickDisplay());
+  while (!device_->telemetry().rotation) {
+    std::this_thread::sleep_for(1ms);
+  }
+  const uint64_t now = device_->telemetry().rotation->refresh;
+  std::vector<std::shared_ptr<const FrameFence>> fences;
+  for (int i = 0; i < 4; ++i) {
+    const Volume volume = madeVolume(device_->profile(), ++number_, 0.3);
+    check_.expect(number_, volume);
+    fences.push_back(device_->submit(volume));
+    // 0.8 s, four times the time after which a link counts as stuck.
+    device_->present(number_, {.at = RotationPhase{.refresh = now + 200 + static_cast<uint64_t>(i)}});
+    fences.back()->wait(FrameStage::kArrived, 50ms);
+  }
+  for (const auto& fence : fences) {
+    EXPECT_EQ(fence->wait(FrameStage::kShown, kLong).stage, FrameStage::kShown);
+  }
+  EXPECT_EQ(device_->telemetry().framesLost, 0u);
+}
+
+// Frames that take a slow link longer than the time after which it counts as stuck, a transfer not.
+TEST_F(StreamDeviceTest, largeFramesCrossASlowLink) {
+  EmulatedDeviceOptions options = quickDisplay({}, 1e6);
+  options.firmware.profile.width = 512;
+  options.firmware.profile.height = 256;
+  options.firmware.profile.slicesPerHalfTurn = 16;
+  open(std::move(options));
+  const Volume volume = madeVolume(device_->profile(), 1, 0.5);
+  check_.expect(1, volume);
+  const auto fence = device_->submit(volume);
+  device_->present(1, {});
+  const FrameState state = fence->wait(FrameStage::kShown, kLong);
+  EXPECT_EQ(state.stage, FrameStage::kShown);
+  EXPECT_GT(state.bytes, 400'000u);
+  EXPECT_EQ(device_->telemetry().framesLost, 0u);
+}
+
+TEST_F(StreamDeviceTest, telemetryThatFailsChangesNothing) {
+  open(quickDisplay({{{.kind = FaultKind::kDeafControl, .at = 100'000, .duration = 200'000}}}));
+  send();
+  const auto until = std::chrono::steady_clock::now() + 400ms;
+  while (std::chrono::steady_clock::now() < until) {
+    const Telemetry telemetry = device_->telemetry();
+    ASSERT_TRUE(telemetry.rotation);
+    ASSERT_LT(telemetry.rotation->refresh, 10'000u);
+    ASSERT_NEAR(telemetry.rotation->refreshSeconds, 0.004, 0.002);
+    std::this_thread::sleep_for(2ms);
+  }
+}
+
+TEST_F(StreamDeviceTest, underrunsOfOthersAreNotItsOwn) {
+  open(quickDisplay());
+  const uint64_t past = 1;
+  for (int i = 0; i < 3; ++i) {
+    const Volume volume = madeVolume(device_->profile(), ++number_);
+    check_.expect(number_, volume);
+    const auto fence = device_->submit(volume);
+    device_->present(number_, {.at = RotationPhase{.refresh = past}});
+    fence->wait(FrameStage::kShown, kLong);
+  }
+  device_.reset();
+  device_ = openStreamDevice(bus_->port(), {.kind = "test"});
+  std::this_thread::sleep_for(120ms);
+  EXPECT_EQ(device_->telemetry().underruns, 0u);
+  EXPECT_TRUE(device_->telemetry().rotation);
+}
+
 // One test a fault, in the middle of a frame: the stream goes on, and nothing wrong is acknowledged.
 class StreamFaultTest : public StreamDeviceTest, public testing::WithParamInterface<FaultKind> {};
 
