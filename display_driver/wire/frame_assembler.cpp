@@ -1,7 +1,6 @@
 #include "display_driver/wire/frame_assembler.h"
 
 #include <algorithm>
-#include <array>
 
 #include "oc_core/base/check.h"
 
@@ -43,11 +42,7 @@ ErrorCode FrameAssembler::slice(const MessageHeader& header, std::span<const uin
   }
   due_[header.slice] = false;
   ++received_;
-  std::array<uint8_t, 4> checksum{};
-  for (size_t i = 0; i < 4; ++i) {
-    checksum[i] = static_cast<uint8_t>(header.payloadChecksum >> (8 * i));
-  }
-  checksum_ = crc32c(checksum, checksum_);
+  checksum_ = crc32cOfNumber(header.payloadChecksum, checksum_);
   return ErrorCode::kNone;
 }
 

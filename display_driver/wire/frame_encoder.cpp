@@ -1,7 +1,6 @@
 #include "display_driver/wire/frame_encoder.h"
 
 #include <algorithm>
-#include <array>
 
 #include "oc_core/base/parallel.h"
 
@@ -10,11 +9,6 @@ namespace {
 
 /// Parts that a batch of slices is coded in, each with a coder of its own.
 constexpr size_t kCoders = 8;
-
-std::vector<uint8_t> littleEndian(uint32_t value) {
-  return {static_cast<uint8_t>(value), static_cast<uint8_t>(value >> 8), static_cast<uint8_t>(value >> 16),
-          static_cast<uint8_t>(value >> 24)};
-}
 
 }  // namespace
 
@@ -28,7 +22,7 @@ void MessageWriter::append(std::vector<uint8_t>& out, MessageHeader header, std:
   out.insert(out.end(), payload.begin(), payload.end());
   if (header.type == MessageType::kSlice) {
     ++end_.records;
-    end_.checksum = crc32c(littleEndian(header.payloadChecksum), end_.checksum);
+    end_.checksum = crc32cOfNumber(header.payloadChecksum, end_.checksum);
   }
 }
 

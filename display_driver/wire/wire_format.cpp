@@ -103,6 +103,12 @@ uint32_t crc32c(std::span<const uint8_t> bytes, uint32_t before) {
   return ~crc;
 }
 
+uint32_t crc32cOfNumber(uint32_t number, uint32_t before) {
+  std::array<uint8_t, 4> bytes{};
+  Writer(bytes).u32(number);
+  return crc32c(bytes, before);
+}
+
 const char* nameOf(ErrorCode code) {
   switch (code) {
     case ErrorCode::kNone:

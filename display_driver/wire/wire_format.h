@@ -95,6 +95,8 @@ inline constexpr std::array<uint8_t, 4> kMessageMark = {'O', 'C', 'L', 'M'};
 
 /// CRC-32C (Castagnoli, RFC 3720) of bytes that follow others with the checksum `before`.
 uint32_t crc32c(std::span<const uint8_t> bytes, uint32_t before = 0);
+/// The same of a number, as its 4 bytes: FRAME_END has that of the payloads' checksums.
+uint32_t crc32cOfNumber(uint32_t number, uint32_t before);
 
 struct Identity {
   uint16_t majorVersion = kMajorVersion;
