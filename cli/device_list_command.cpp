@@ -91,6 +91,7 @@ Json infoOf(Device& device) {
                {"connected", telemetry.connected},
                {"rotations_per_minute", telemetry.rotationsPerMinute},
                {"phase_error_degrees", telemetry.phaseErrorDegrees}};
+  json["fault"] = telemetry.fault.empty() ? Json(nullptr) : Json(telemetry.fault);
   json["temperature_celsius"] = telemetry.temperatureCelsius ? Json(*telemetry.temperatureCelsius) : Json(nullptr);
   return json;
 }
