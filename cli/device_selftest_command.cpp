@@ -82,11 +82,14 @@ void runOnDevice(const SelftestChoice& choice, const Frame& frame) {
   const std::filesystem::path folder = choice.output;
   makeFolder(folder);
   const std::unique_ptr<Device> device = openDevice(choice.device, options);
-  const std::vector<PatternVerdict> verdicts = showPatterns(patterns, *device, std::cin, frame);
+  const std::filesystem::path file = folder / "verdicts.csv";
+  // After each answer: whatever ends this, nothing that was said is lost.
+  const std::vector<PatternVerdict> verdicts =
+      showPatterns(patterns, *device, std::cin, frame,
+                   [&](const std::vector<PatternVerdict>& soFar) { writeVerdicts(file, soFar); });
+  writeVerdicts(file, verdicts);
   device->close();
   frame.print("\n");
-  const std::filesystem::path file = folder / "verdicts.csv";
-  writeVerdicts(file, verdicts);
   const auto wrong = std::ranges::count(verdicts, PatternVerdict::kWrong, &PatternVerdict::verdict);
   const auto right = std::ranges::count(verdicts, PatternVerdict::kRight, &PatternVerdict::verdict);
   frame.note(fmt::format("wrote {}: {} right, {} wrong, {} not seen", file.string(), right, wrong,

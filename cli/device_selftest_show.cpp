@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <map>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
@@ -51,10 +53,21 @@ std::string quoted(const std::string& text) {
   return field + "\"";
 }
 
+/// Of a file that writeVerdicts() wrote, by the pattern; empty where there is none.
+std::map<std::string, std::string> linesOf(const std::filesystem::path& path) {
+  std::map<std::string, std::string> lines;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    lines[line.substr(0, line.find(','))] = line;
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::vector<PatternVerdict> showPatterns(const std::vector<const TestPattern*>& patterns, Device& device,
-                                         std::istream& answers, const Frame& frame) {
+                                         std::istream& answers, const Frame& frame,
+                                         const std::function<void(const std::vector<PatternVerdict>&)>& answered) {
   std::vector<PatternVerdict> verdicts;
   for (const TestPattern* pattern : patterns) {
     verdicts.push_back({.pattern = pattern});
@@ -77,16 +90,26 @@ std::vector<PatternVerdict> showPatterns(const std::vector<const TestPattern*>& 
     const size_t note = answer.find_first_not_of(' ', 1);
     verdicts[i].verdict = !answer.empty() && answer.front() == 'n' ? PatternVerdict::kWrong : PatternVerdict::kRight;
     verdicts[i].note = answer.empty() || note == std::string::npos ? "" : answer.substr(note);
+    answered(verdicts);
     ++i;
   }
   return verdicts;
 }
 
 void writeVerdicts(const std::filesystem::path& path, const std::vector<PatternVerdict>& verdicts) {
+  std::map<std::string, std::string> lines = linesOf(path);
+  for (const PatternVerdict& verdict : verdicts) {
+    const std::string& name = verdict.pattern->name;
+    if (verdict.verdict != PatternVerdict::kNotSeen || !lines.contains(name)) {
+      lines[name] = fmt::format("{},{},{}", name, nameOf(verdict), quoted(verdict.note));
+    }
+  }
   OutputFile file(path);
   file.write("pattern,verdict,note\n");
-  for (const PatternVerdict& verdict : verdicts) {
-    file.write(fmt::format("{},{},{}\n", verdict.pattern->name, nameOf(verdict), quoted(verdict.note)));
+  for (const TestPattern& pattern : testPatterns()) {
+    if (const auto line = lines.find(pattern.name); line != lines.end()) {
+      file.write(line->second + "\n");
+    }
   }
   file.commit();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <istream>
 #include <string>
 #include <vector>
@@ -20,12 +21,14 @@ struct PatternVerdict {
 };
 
 /// Shows each pattern on the device and asks for an answer, a line of `answers`: "y" or nothing (right), "n" (wrong),
-/// either with a note after it, "b" (back), "q" (quit). The end of `answers` quits. Throws WorkError where a pattern is
-/// not shown within some seconds.
+/// either with a note after it, "b" (back), "q" (quit). The end of `answers` quits. `answered` gets all
+/// verdicts after each of them. Throws WorkError where a pattern is not shown within some seconds.
 std::vector<PatternVerdict> showPatterns(const std::vector<const TestPattern*>& patterns, Device& device,
-                                         std::istream& answers, const Frame& frame);
+                                         std::istream& answers, const Frame& frame,
+                                         const std::function<void(const std::vector<PatternVerdict>&)>& answered);
 
-/// A table with a line a pattern: pattern, verdict, note.
+/// A table with a line a pattern: pattern, verdict, note. What the file says already of patterns that have not been
+/// seen now stays, so that a checklist can be gone through in parts.
 void writeVerdicts(const std::filesystem::path& path, const std::vector<PatternVerdict>& verdicts);
 
 }  // namespace ocelli

@@ -54,7 +54,12 @@ EmulatedDeviceOptions emulatedDisplay(const EmulatedDisplayChoice& choice, const
   options.faults = faultScript(choice.faults);
   const std::string& link = choice.link.empty() ? otherwiseLink : choice.link;
   if (link != "unlimited") {
-    options.bytesPerSecond = wire::plannedLink(link).bytesPerSecond;
+    try {
+      options.bytesPerSecond = wire::plannedLink(link).bytesPerSecond;
+    } catch (const InputError&) {
+      throw InputError("this is no link", fmt::format("--link {}", link),
+                       "usb2, usb3, unlimited, or a number of bytes a second: --link 30000000");
+    }
   }
   return options;
 }

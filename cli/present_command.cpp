@@ -3,7 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "cli/command.h"
@@ -69,6 +71,15 @@ void refuse(bool refused, const char* what, const char* option, const char* next
   }
 }
 
+/// What is presented would be destroyed by what is shown.
+void refuseOwnSource(const PresentChoice& choice, const std::filesystem::path& output, const char* option) {
+  std::error_code noFile;
+  if (output == choice.scene.source || std::filesystem::equivalent(output, choice.scene.source, noFile)) {
+    throw InputError(fmt::format("{} would be replaced while it is presented", output.string()), option,
+                     "choose another file");
+  }
+}
+
 void check(const PresentChoice& choice) {
   refuse(choice.turn && !choice.isScene(), "only a scene can be turned", "--turn", "give a scene, or leave out --turn");
   refuse(!choice.eyes.empty() && !choice.isScene(), "only a scene can be seen from somewhere else", "--eyes",
@@ -94,6 +105,12 @@ void check(const PresentChoice& choice) {
   refuse(choice.device != "sim" && (choice.simulated.given() || choice.shown.given()),
          "only the simulated display has a link, faults and an observer of its own",
          "--link, --faults, --jitter, --shown or --watch", "--device sim");
+  if (choice.device.starts_with("file:")) {
+    refuseOwnSource(choice, choice.device.substr(5), "--device");
+  }
+  if (!choice.shown.folder.empty()) {
+    refuseOwnSource(choice, shownRecord(choice.shown), "--shown");
+  }
   refuse(choice.follow && choice.isScene() && !choice.moves(), "nothing moves in this scene", "--follow",
          "--turn 30, or --eyes FILE.csv");
 }
@@ -198,6 +215,7 @@ PresentationReport present(Device& device, Presented& presented, const PresentCh
                                }
                              });
   file.finish();
+  result.interrupted = InterruptGuard::interrupted();
   result.device = device.info();
   result.profile = device.profile().name;
   result.telemetry = device.telemetry();
@@ -214,15 +232,38 @@ struct Opened {
   std::unique_ptr<ShownOutput> shown;
   std::unique_ptr<Device> device;
 
-  void close(const Frame& frame) {
-    device->close();
+  /// All of it. What failed first, or nullptr.
+  std::exception_ptr close(const Frame& frame) {
+    std::exception_ptr failure;
+    const auto attempt = [&](const std::function<void()>& work) {
+      try {
+        work();
+      } catch (...) {
+        failure = failure ? failure : std::current_exception();
+      }
+    };
+    attempt([&] { device->close(); });
     device.reset();
-    shown->finish(frame);
+    attempt([&] { shown->finish(frame); });
+    return failure;
   }
 };
 
-Opened openFor(const PresentChoice& choice, DeviceOptions options) {
-  const DisplayProfile simulated = options.profile ? *options.profile : loadProfile("perspecta");
+void rethrow(const std::exception_ptr& failure) {
+  if (failure) {
+    std::rethrow_exception(failure);
+  }
+}
+
+/// Devices that have no display of their own show any profile, and this one where none is asked for.
+constexpr const char* kUsualProfile = "perspecta";
+
+bool takesAnyProfile(const std::string& device) {
+  return device == "sim" || device == "null" || device.starts_with("file:");
+}
+
+Opened openFor(const PresentChoice& choice, DeviceOptions options, const Frame& frame) {
+  const DisplayProfile simulated = options.profile ? *options.profile : loadProfile(kUsualProfile);
   Opened opened{std::make_unique<ShownOutput>(choice.shown, simulated), nullptr};
   if (choice.device == "sim") {
     options.profile = simulated;
@@ -237,26 +278,70 @@ Opened openFor(const PresentChoice& choice, DeviceOptions options) {
                      choice.profile.empty() ? choice.scene.source : "--profile", "slice the scene for that display");
   }
   if (!choice.record.empty()) {
-    opened.device = recordSession(std::move(opened.device), choice.record);
+    opened.device =
+        recordSession(std::move(opened.device), choice.record, [&frame](const std::string& what) { frame.note(what); });
   }
   return opened;
+}
+
+/// Throws WorkError where nothing could be seen.
+void requireShown(const PresentationReport& report, const Presented& presented, const PresentChoice& choice) {
+  if (report.interrupted || choice.seconds == 0.0) {
+    return;
+  }
+  if (presented.eyes != nullptr && !presented.eyes->eyeCame()) {
+    throw WorkError("no eye ever came", "--eyes " + choice.eyes, "send lines TIME,X,Y,Z: 0,0,0.2,9.8");
+  }
+  if (report.summary.framesShown == 0 && report.telemetry.framesShown == 0) {
+    const bool absent = report.summary.count(RefreshOutcome::kNotConnected) > 0;
+    const std::string& why = report.telemetry.lastProblem;
+    throw WorkError("no frame was ever shown" + (why.empty() ? "" : ": " + why), choice.device,
+                    absent ? "see with ocelli device info whether the display is there"
+                           : "give it more time (--seconds), or a link that carries more");
+  }
 }
 
 void runSession(const PresentChoice& choice, const Frame& frame) {
   SessionReader reader(choice.scene.source);
   DeviceOptions options;
   options.profile = reader.profile();
-  Opened opened = openFor(choice, options);
-  const InterruptGuard guard;
-  const SessionPlayed played = playSession(reader, *opened.device, realClock(), {.fast = choice.fast},
-                                           [] { return InterruptGuard::interrupted(); });
-  opened.close(frame);
+  Opened opened = openFor(choice, options, frame);
+  SessionPlayed played;
+  bool interrupted = false;
+  {
+    const InterruptGuard guard;
+    played = playSession(reader, *opened.device, realClock(), {.fast = choice.fast},
+                         [] { return InterruptGuard::interrupted(); });
+    interrupted = InterruptGuard::interrupted();
+  }
+  const std::exception_ptr failure = opened.close(frame);
+  played.countEnded();
+  frame.print(choice.json ? reportJson(played) : reportText(played));
+  rethrow(failure);
+  if (interrupted) {
+    return;
+  }
   if (reader.damage()) {
-    frame.note(reader.damage()->what());
-  } else if (reader.ending() == SessionEnding::kUnfinished && !InterruptGuard::interrupted()) {
+    throw InputError(*reader.damage());
+  }
+  if (reader.ending() == SessionEnding::kUnfinished) {
+    if (played.submitted == 0) {
+      throw InputError("this session was cut short before its first frame", choice.scene.source, "record it again");
+    }
     frame.note("the recording was cut short");
   }
-  frame.print(choice.json ? reportJson(played) : reportText(played));
+  if (played.presented > 0 && played.shown == 0) {
+    throw WorkError("no frame was ever shown", choice.device,
+                    "see with ocelli device info whether the display is there");
+  }
+}
+
+void addSource(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile, const Frame& frame) {
+  if (choice.isSeries()) {
+    addSeriesSource(presented, choice, profile, frame);
+  } else if (choice.isScene()) {
+    addSceneSource(presented, choice, profile, frame);
+  }
 }
 
 void run(const PresentChoice& choice, const Frame& frame) {
@@ -276,19 +361,26 @@ void run(const PresentChoice& choice, const Frame& frame) {
   } else if (!choice.profile.empty()) {
     options.profile = loadProfile(choice.profile);
   }
-  Opened opened = openFor(choice, options);
-  const DisplayProfile profile = opened.device->profile();
-  if (choice.isSeries()) {
-    addSeriesSource(presented, choice, profile, frame);
-  } else if (choice.isScene()) {
-    addSceneSource(presented, choice, profile, frame);
+  // Where the profile is known the source is there before the device: a scene that cannot be read leaves no trace, and
+  // nothing is dark while it is sliced.
+  const bool sourceFirst = takesAnyProfile(choice.device);
+  if (sourceFirst) {
+    options.profile = options.profile ? options.profile : loadProfile(kUsualProfile);
+    checkShownOptions(choice.shown, *options.profile);
+    addSource(presented, choice, *options.profile, frame);
+  }
+  Opened opened = openFor(choice, options, frame);
+  if (!sourceFirst) {
+    addSource(presented, choice, opened.device->profile(), frame);
   }
   const PresentationReport result = present(*opened.device, presented, choice, frame);
-  opened.close(frame);
+  const std::exception_ptr failure = opened.close(frame);
   if (result.eyesLeftOut > 0) {
     frame.note(fmt::format("{} eyes were left out: {}", result.eyesLeftOut, presented.eyes->firstLeftOut()));
   }
   frame.print(choice.json ? reportJson(result) : reportText(result));
+  rethrow(failure);
+  requireShown(result, presented, choice);
 }
 
 std::string deviceHelp() {

@@ -19,6 +19,7 @@ struct PresentationReport {
   std::vector<EyesSource::Stage> stages;  ///< of the making; may be empty
   uint64_t eyesLeftOut = 0;
   uint64_t malformedEyes = 0;
+  bool interrupted = false;
 };
 
 /// Lines for people, each with its end.

@@ -1,9 +1,11 @@
 #include "cli/shown_output.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <system_error>
 
 #include "cli/interrupt.h"
@@ -25,6 +27,38 @@ void makeFolder(const std::filesystem::path& folder) {
   }
 }
 
+/// "seen.gif" is meant as a file, "run.12" is a folder.
+bool looksLikeAFile(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  return ending.size() >= 3 && ending.size() <= 5 && std::isalpha(static_cast<unsigned char>(ending[1])) != 0 &&
+         !std::filesystem::is_directory(path);
+}
+
+ObserverOptions shownObserver(const ShownChoice& choice, const DisplayProfile& profile) {
+  imageSizeFromText(choice.size, "--watch-size");
+  if (!choice.from.empty()) {
+    pointFromText(choice.from, "--watch-from");
+  }
+  ObserverChoice observer;
+  observer.eye = choice.from;
+  observer.size = choice.size;
+  const ObserverOptions options = observerOptions(observer, profile);
+  checkObserverOptions(options, profile);
+  return options;
+}
+
+/// Beside `output`, of a name that nobody has.
+std::filesystem::path ownRecordBeside(std::filesystem::path output) {
+  if (!output.has_filename()) {
+    output = output.parent_path();
+  }
+  std::filesystem::path name;
+  for (int i = 0; name.empty() || std::filesystem::exists(name); ++i) {
+    name = fmt::format("{}.partial-{}{}.svol", output.string(), getpid(), i == 0 ? "" : fmt::format("-{}", i));
+  }
+  return name;
+}
+
 }  // namespace
 
 void addShownOptions(CLI::App& command, ShownChoice& choice) {
@@ -40,28 +74,42 @@ void addShownOptions(CLI::App& command, ShownChoice& choice) {
   command.add_option("--watch-size", choice.size, "Of these pictures, in pixels")->type_name("WIDTHxHEIGHT");
 }
 
+std::filesystem::path shownRecord(const ShownChoice& choice) {
+  return std::filesystem::path(choice.folder) / "shown.svol";
+}
+
+void checkShownOptions(const ShownChoice& choice, const DisplayProfile& profile) {
+  if (!choice.given()) {
+    return;
+  }
+  shownObserver(choice, profile);
+  if (!isVideo(choice.watch) && looksLikeAFile(choice.watch)) {
+    throw InputError("no pictures are written in this format", "--watch " + choice.watch,
+                     "a name that ends in .mp4 or .webm, or one without an ending for a folder of .png files");
+  }
+}
+
 ShownOutput::ShownOutput(const ShownChoice& choice, const DisplayProfile& profile)
     : choice_(choice), profile_(profile) {
   if (!choice.given()) {
     return;
   }
-  ObserverChoice observer;
-  observer.eye = choice.from;
-  observer.size = choice.size;
-  observer_ = observerOptions(observer, profile);
-  checkObserverOptions(observer_, profile);
-  folder_ =
-      !choice.folder.empty() ? std::filesystem::path(choice.folder) : std::filesystem::path(choice.watch + ".shown");
-  makeFolder(folder_);
-  recorder_.emplace(folder_ / "shown.svol", profile);
+  checkShownOptions(choice, profile);
+  observer_ = shownObserver(choice, profile);
+  if (choice.folder.empty()) {
+    record_ = ownRecordBeside(choice.watch);
+  } else {
+    makeFolder(choice.folder);
+    record_ = shownRecord(choice);
+  }
+  recorder_.emplace(record_, profile);
 }
 
 ShownOutput::~ShownOutput() {
   recorder_.reset();
-  if (!folder_.empty() && choice_.folder.empty()) {
+  if (!record_.empty() && choice_.folder.empty()) {
     std::error_code ignored;
-    std::filesystem::remove(folder_ / "shown.svol", ignored);
-    std::filesystem::remove(folder_, ignored);
+    std::filesystem::remove(record_, ignored);
   }
 }
 
@@ -77,7 +125,7 @@ void ShownOutput::finish(const Frame& frame) {
                            leftOut, refreshes.size()));
   }
   if (!choice_.folder.empty()) {
-    writeRefreshTable(folder_ / "refreshes.csv", refreshes);
+    writeRefreshTable(std::filesystem::path(choice_.folder) / "refreshes.csv", refreshes);
     frame.note(fmt::format("wrote {0}/shown.svol and {0}/refreshes.csv", choice_.folder));
   }
   if (choice_.watch.empty()) {
@@ -88,7 +136,7 @@ void ShownOutput::finish(const Frame& frame) {
                                            : frameFolder(choice_.watch);
   size_t pictures = 0;
   runOrLeaveNothing(choice_.watch, frame.progress(), [&](const Progress& progress) {
-    pictures = drawShown(folder_ / "shown.svol", refreshes, observer_, rate, *sink, progress);
+    pictures = drawShown(record_, refreshes, observer_, rate, *sink, progress);
     sink->finish();
   });
   frame.note(fmt::format("wrote {}: {} pictures", choice_.watch, pictures));

@@ -27,9 +27,15 @@ struct ShownChoice {
 /// Adds --shown, --watch, --watch-from and --watch-size.
 void addShownOptions(CLI::App& command, ShownChoice& choice);
 
+/// The recording in the folder of --shown.
+std::filesystem::path shownRecord(const ShownChoice& choice);
+
+/// Throws InputError where the options make no sense, before anything is written.
+void checkShownOptions(const ShownChoice& choice, const DisplayProfile& profile);
+
 class ShownOutput {
  public:
-  /// Throws where the options make no sense, or something cannot be written.
+  /// Throws where something cannot be written, and as checkShownOptions() does.
   ShownOutput(const ShownChoice& choice, const DisplayProfile& profile);
   ~ShownOutput();
 
@@ -42,7 +48,7 @@ class ShownOutput {
   ShownChoice choice_;
   DisplayProfile profile_;
   ObserverOptions observer_;
-  std::filesystem::path folder_;  ///< of the record; one of our own where nobody asked to keep it
+  std::filesystem::path record_;  ///< the .svol file; one of our own where nobody asked to keep it
   std::optional<ShownRecorder> recorder_;
 };
 

@@ -33,6 +33,8 @@ class EyesSource final : public VolumeSource {
   /// of it, or of the display) are left out, and the last volume stays.
   SourcedVolume volumeFor(HostTime seen) override;
 
+  /// Whether anybody ever said where the eye is.
+  bool eyeCame() const { return eye_.has_value(); }
   uint64_t eyesLeftOut() const { return leftOut_; }
   /// Why, for the first one; for people.
   const std::string& firstLeftOut() const { return firstLeftOut_; }

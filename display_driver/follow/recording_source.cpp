@@ -20,7 +20,8 @@ SourcedVolume RecordingSource::volumeFor(HostTime seen) {
   const auto since = std::chrono::duration_cast<std::chrono::microseconds>(seen - *start_).count();
   auto time = static_cast<uint64_t>(std::max<int64_t>(0, since));
   const uint64_t duration = std::max<uint64_t>(1, reader_.durationMicroseconds());
-  if (time >= duration && loop_) {
+  const bool still = frames() == 1;
+  if (time >= duration && (loop_ || still)) {
     time %= duration;
   } else if (time >= duration) {
     return {};

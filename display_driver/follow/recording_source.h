@@ -13,8 +13,8 @@ namespace ocelli {
 class RecordingSource final : public VolumeSource {
  public:
   /// The first frame is seen first, and the others as much later as they come later in the file. `loop`: after the last
-  /// one it begins again. Throws InputError where the file cannot be read or has no frame; so does volumeFor() where a
-  /// frame is damaged.
+  /// one it begins again. A single frame stays, without an end. Throws InputError where the file cannot be read or has
+  /// no frame; so does volumeFor() where a frame is damaged.
   RecordingSource(const std::filesystem::path& path, bool loop);
 
   const DisplayProfile& profile() const { return reader_.profile(); }

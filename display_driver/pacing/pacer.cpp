@@ -17,7 +17,7 @@ constexpr Duration kLookInterval = 5ms;
 constexpr Duration kGuard = 1ms;
 /// Of a device that tells its rotation, from when it is there.
 constexpr Duration kMostWaitForRotation = 300ms;
-/// After this nothing more is heard of a frame.
+/// After its refresh began; then it is told as missed.
 constexpr Duration kMostWaitForEnd = 1s;
 /// Frames that have not arrived.
 constexpr size_t kMostUnderWay = 2;
@@ -78,9 +78,39 @@ void Pacer::observe() {
       const FrameState state = pending.fence->state();
       if (hasEnded(state.stage)) {
         settle(pending, state);
+      } else if (clock_.now() - std::max(pending.record.due, pending.record.submitted) >= kMostWaitForEnd) {
+        giveUp(pending, state);
       }
     }
   }
+  std::erase_if(givenUp_, [this](Pending& pending) {
+    const FrameState state = pending.fence->state();
+    if (state.stage < FrameStage::kArrived) {
+      return false;
+    }
+    pending.record.sent = state.sent;
+    pending.record.arrived = state.arrived;
+    learn(pending.record);
+    return true;
+  });
+}
+
+/// What becomes of it later is no longer told, only learned from.
+void Pacer::giveUp(Pending& pending, const FrameState& state) {
+  RefreshRecord& record = pending.record;
+  record.sent = state.sent;
+  record.arrived = state.arrived;
+  record.problem = state.problem;
+  if (!connected_) {
+    record.outcome = RefreshOutcome::kNotConnected;
+  } else {
+    const bool arrivedInTime = known(state.arrived) && state.arrived <= record.due;
+    record.outcome = arrivedInTime ? RefreshOutcome::kRefused : RefreshOutcome::kLinkLate;
+  }
+  if (state.stage < FrameStage::kArrived) {
+    givenUp_.push_back(pending);
+  }
+  pending.fence = nullptr;
 }
 
 void Pacer::settle(Pending& pending, const FrameState& state) {
@@ -142,9 +172,10 @@ void Pacer::flush(const OnRecord& onRecord) {
 }
 
 size_t Pacer::underWay() const {
-  return static_cast<size_t>(std::ranges::count_if(pending_, [](const Pending& pending) {
-    return pending.fence != nullptr && pending.fence->state().stage < FrameStage::kArrived;
-  }));
+  const auto pending = std::ranges::count_if(pending_, [](const Pending& frame) {
+    return frame.fence != nullptr && frame.fence->state().stage < FrameStage::kArrived;
+  });
+  return static_cast<size_t>(pending) + givenUp_.size();
 }
 
 Duration Pacer::usualLead() const {

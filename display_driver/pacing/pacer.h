@@ -59,6 +59,7 @@ class Pacer {
   void waitForRotation();
   void observe();
   void settle(Pending& pending, const FrameState& state);
+  void giveUp(Pending& pending, const FrameState& state);
   void learn(const RefreshRecord& record);
   void flush(const OnRecord& onRecord);
   void finish(const OnRecord& onRecord);
@@ -95,6 +96,7 @@ class Pacer {
   StageTimes sending_;  ///< while the link was busy with a frame
   HostTime lastSent_{};
   std::deque<Pending> pending_;
+  std::vector<Pending> givenUp_;        ///< told as missed, and still on their way to the device: at most two
   std::vector<RefreshRecord> skipped_;  ///< until the source says whether it had anything for them
   TimeLine timeLine_;
 };

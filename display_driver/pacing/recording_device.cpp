@@ -1,5 +1,7 @@
 #include "display_driver/pacing/recording_device.h"
 
+#include <fmt/format.h>
+
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -24,8 +26,12 @@ constexpr std::chrono::milliseconds kTelemetryInterval{100};
 
 class RecordingDevice final : public Device {
  public:
-  RecordingDevice(std::unique_ptr<Device> device, const std::filesystem::path& path)
-      : device_(std::move(device)), opened_(Clock::now()), writer_(path, device_->info(), device_->profile()) {
+  RecordingDevice(std::unique_ptr<Device> device, const std::filesystem::path& path,
+                  std::function<void(const std::string&)> tell)
+      : device_(std::move(device)),
+        opened_(Clock::now()),
+        tell_(std::move(tell)),
+        writer_(path, device_->info(), device_->profile()) {
     thread_ = std::thread([this] { run(); });
   }
   ~RecordingDevice() override { end(); }
@@ -41,7 +47,7 @@ class RecordingDevice final : public Device {
 
   Telemetry telemetry() override {
     Telemetry telemetry = device_->telemetry();
-    const std::lock_guard lock(mutex_);
+    std::unique_lock lock(mutex_);
     if (!failure_ && Clock::now() - told_ >= kTelemetryInterval) {
       told_ = Clock::now();
       waiting_.push_back([this, telemetry, time = now()] { writer_.told(telemetry, opened_, time); });
@@ -49,6 +55,10 @@ class RecordingDevice final : public Device {
     }
     if (failure_ && telemetry.lastProblem.empty()) {
       telemetry.lastProblem = "the session is no longer recorded";
+    }
+    if (failure_ && !std::exchange(breakTold_, true)) {
+      lock.unlock();
+      tell("the session is no longer recorded: it cannot be written");
     }
     return telemetry;
   }
@@ -62,6 +72,10 @@ class RecordingDevice final : public Device {
       failure = std::current_exception();
     }
     finish();
+    if (leftOut_ > 0) {
+      tell(fmt::format("{} volumes are missing in the recorded session: they came faster than they could be written",
+                       leftOut_));
+    }
     if (failure || failure_) {
       std::rethrow_exception(failure ? failure : failure_);
     }
@@ -72,15 +86,24 @@ class RecordingDevice final : public Device {
                                                 std::optional<std::span<const int>> changedSlices) override {
     // Differences refer to the frame before, so frames are written in the order in which the device got them.
     const std::lock_guard order(order_);
-    {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, [&] { return volumes_ < kMostWaiting || failure_; });
-      ++volumes_;
-    }
     const auto time = now();
     auto fence = changedSlices ? device_->submit(volume, *changedSlices) : device_->submit(volume);
+    {
+      const std::lock_guard lock(mutex_);
+      if (failure_) {
+        return fence;
+      }
+      if (volumes_ == kMostWaiting) {
+        ++leftOut_;
+        afterGap_ = true;
+        waiting_.push_back([this, fence] { underWay_.push_back(fence); });
+        return fence;
+      }
+      ++volumes_;
+    }
     std::optional<std::vector<int>> changed;
-    if (changedSlices) {
+    const bool afterGap = std::exchange(afterGap_, false);
+    if (changedSlices && !afterGap) {
       changed.emplace(changedSlices->begin(), changedSlices->end());
     }
     add([this, copy = copies_.copyOf(volume), fence, changed = std::move(changed), time] {
@@ -94,6 +117,12 @@ class RecordingDevice final : public Device {
   }
 
  private:
+  void tell(const std::string& what) const {
+    if (tell_) {
+      tell_(what);
+    }
+  }
+
   SessionWriter::Time now() const { return std::chrono::duration_cast<SessionWriter::Time>(Clock::now() - opened_); }
 
   void add(std::function<void()> work) {
@@ -182,15 +211,19 @@ class RecordingDevice final : public Device {
 
   std::unique_ptr<Device> device_;
   const HostTime opened_;
+  const std::function<void(const std::string&)> tell_;
   SessionWriter writer_;                                     ///< of the thread, and after it
   std::vector<std::shared_ptr<const FrameFence>> underWay_;  ///< likewise
   VolumePool copies_;
 
-  std::mutex order_;
+  std::mutex order_;       ///< over submissions and what follows, up to the other one
+  bool afterGap_ = false;  ///< the volume before is not in the session
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<std::function<void()>> waiting_;
   size_t volumes_ = 0;  ///< of those that wait, and the one that is being written
+  uint64_t leftOut_ = 0;
+  bool breakTold_ = false;
   HostTime told_{};
   std::exception_ptr failure_;
   bool stopping_ = false;
@@ -199,8 +232,9 @@ class RecordingDevice final : public Device {
 
 }  // namespace
 
-std::unique_ptr<Device> recordSession(std::unique_ptr<Device> device, const std::filesystem::path& path) {
-  return std::make_unique<RecordingDevice>(std::move(device), path);
+std::unique_ptr<Device> recordSession(std::unique_ptr<Device> device, const std::filesystem::path& path,
+                                      std::function<void(const std::string&)> tell) {
+  return std::make_unique<RecordingDevice>(std::move(device), path, std::move(tell));
 }
 
 }  // namespace ocelli

@@ -63,13 +63,8 @@ class Player {
     if (telemetry.rotation) {
       rotation_.add(*telemetry.rotation);
     }
-    std::erase_if(underWay_, [this](const std::shared_ptr<const FrameFence>& fence) {
-      const FrameStage stage = fence->state().stage;
-      played_.shown += stage == FrameStage::kShown ? 1 : 0;
-      played_.dropped += stage == FrameStage::kDropped ? 1 : 0;
-      played_.lost += stage == FrameStage::kLost ? 1 : 0;
-      return hasEnded(stage);
-    });
+    played_.countEnded();
+    std::erase_if(presented_, [](const auto& fence) { return hasEnded(fence->state().stage); });
   }
 
   void waitUntil(HostTime time) {
@@ -81,9 +76,7 @@ class Player {
   }
 
   /// Those that wait without a time stay until the device is closed.
-  bool ended() const {
-    return std::ranges::none_of(underWay_, [this](const auto& fence) { return presented_.contains(fence->number()); });
-  }
+  bool ended() const { return presented_.empty(); }
 
   void take(const SessionRecord::Submitted& submitted, HostTime) {
     const auto fence = played_.submitted == 0 ? device_.submit(*submitted.volume)
@@ -93,7 +86,7 @@ class Player {
     if (numbers_.size() > kMostNumbers) {
       numbers_.erase(numbers_.begin());
     }
-    underWay_.push_back(fence);
+    played_.underWay.push_back(fence);
   }
 
   void take(const SessionRecord::Presented& presented, HostTime then) {
@@ -106,7 +99,7 @@ class Player {
       presentation.at = carriedOver(*presentation.at, then);
     }
     device_.present(fence->second->number(), presentation);
-    presented_.insert(fence->second->number());
+    presented_.insert(fence->second);
     ++played_.presented;
     if (options_.fast) {
       const HostTime begin = clock_.now();
@@ -145,12 +138,21 @@ class Player {
   RotationClock recorded_;
   RotationClock rotation_;
   std::map<FrameNumber, std::shared_ptr<const FrameFence>> numbers_;  ///< by their numbers in the session
-  std::set<FrameNumber> presented_;
-  std::vector<std::shared_ptr<const FrameFence>> underWay_;
+  std::set<std::shared_ptr<const FrameFence>> presented_;             ///< that have not ended
   SessionPlayed played_;
 };
 
 }  // namespace
+
+void SessionPlayed::countEnded() {
+  std::erase_if(underWay, [this](const std::shared_ptr<const FrameFence>& fence) {
+    const FrameStage stage = fence->state().stage;
+    shown += stage == FrameStage::kShown ? 1 : 0;
+    dropped += stage == FrameStage::kDropped ? 1 : 0;
+    lost += stage == FrameStage::kLost ? 1 : 0;
+    return hasEnded(stage);
+  });
+}
 
 SessionPlayed playSession(SessionReader& reader, Device& device, PaceClock& clock, const SessionPlayerOptions& options,
                           const std::function<bool()>& stop) {

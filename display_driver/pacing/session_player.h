@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <vector>
 
 #include "display_driver/device/device.h"
 #include "display_driver/pacing/pace_clock.h"
@@ -23,6 +25,10 @@ struct SessionPlayed {
   uint64_t lost = 0;
   double seconds = 0;  ///< from the first record to the last, as they were played
   SessionEnding ending = SessionEnding::kUnfinished;
+  std::vector<std::shared_ptr<const FrameFence>> underWay{};  ///< frames that have not ended
+
+  /// Counts those of underWay that have ended, and forgets them: once more after the device was closed, which ends all.
+  void countEnded();
 };
 
 /// The phases at which frames were presented are carried over to the device's own count of refreshes, by where both

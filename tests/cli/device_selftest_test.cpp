@@ -77,7 +77,11 @@ TEST(DeviceSelftest, AsksHowPatternsLookOnADevice) {
                        "' < '" + wrong + "'")
                 .exitCode,
             0);
-  EXPECT_EQ(fileBytes(folder / "verdicts.csv"), "pattern,verdict,note\naxis,wrong,\"too \"\"dim\"\"\"\n");
+  EXPECT_EQ(fileBytes(folder / "verdicts.csv"),
+            "pattern,verdict,note\n"
+            "dark,right,\"\"\n"
+            "axis,wrong,\"too \"\"dim\"\"\"\n"
+            "phase,not seen,\"\"\n");
 }
 
 TEST(DeviceSelftest, AnswersWrongNames) {

@@ -45,7 +45,7 @@ TEST_F(PresentCommand, aRecordingIsShownAndItsTimeLineIsATable) {
   ASSERT_EQ(runProgram(std::string("present ") + kTeapot + toFile("turning.svol") + "--turn 90 --seconds 0.5").exitCode,
             0);
   const ProgramResult again = runProgram("present " + quoted("turning.svol") + toFile("again.svol") +
-                                         "--follow --json --timeline " + quoted("line.csv"));
+                                         "--follow --json --seconds 5 --timeline " + quoted("line.csv"));
   ASSERT_EQ(again.exitCode, 0) << again.error;
   const auto json = nlohmann::json::parse(again.output);
   EXPECT_EQ(json["device"], "file");
@@ -121,6 +121,66 @@ TEST_F(PresentCommand, anInterruptEndsItCleanly) {
                                         toFile("cut.svol") + "; echo code $?");
   EXPECT_THAT(result.output, AllOf(HasSubstr("on file (test)"), HasSubstr("code 124")));  // timeout's own
   EXPECT_EQ(SvolReader(folder_ / "cut.svol").ending(), SvolEnding::kFinished);
+}
+
+TEST_F(PresentCommand, whatIsNeverShownLeavesTheFileAsItWas) {
+  const std::string keep = folder_.write("keep.svol", "not to be lost").string();
+  EXPECT_EQ(runProgram("device info" + std::string(" 'file:") + keep + "'").exitCode, 0);
+  EXPECT_EQ(runProgram("present builtin:teapt" + toFile("keep.svol")).exitCode, 2);
+  const ProgramResult itself = runProgram("present " + quoted("keep.svol") + toFile("keep.svol"));
+  EXPECT_EQ(itself.exitCode, 2);
+  EXPECT_THAT(itself.error, HasSubstr("would be replaced"));
+  EXPECT_EQ(fileBytes(keep), "not to be lost");
+}
+
+TEST_F(PresentCommand, aSingleFrameStays) {
+  ASSERT_EQ(runProgram(std::string("slice ") + kTeapot + "-o " + quoted("a.svol")).exitCode, 0);
+  const ProgramResult shown = runProgram("present " + quoted("a.svol") + " --device null --seconds 0.6 --json");
+  ASSERT_EQ(shown.exitCode, 0) << shown.error;
+  EXPECT_GE(nlohmann::json::parse(shown.output)["seconds"], 0.3);
+}
+
+TEST_F(PresentCommand, whereNothingCanBeSeenThatIsAnError) {
+  const ProgramResult blind =
+      runProgram("present " + std::string(kTeapot) + "--device null --eyes - --camera di --size 90x60 </dev/null");
+  EXPECT_EQ(blind.exitCode, 1);
+  EXPECT_THAT(blind.error, HasSubstr("no eye ever came"));
+  EXPECT_THAT(blind.output, HasSubstr("refreshes"));
+  const ProgramResult absent =
+      runProgram("present " + std::string(kTeapot) + "--device multivox:ocelli_is_not_there --seconds 0.3");
+  EXPECT_EQ(absent.exitCode, 1);
+  EXPECT_THAT(absent.error, HasSubstr("no frame was ever shown"));
+}
+
+TEST_F(PresentCommand, sessionsThatAreCutOrDamagedSaySo) {
+  ASSERT_EQ(
+      runProgram(std::string("present ") + kTeapot + "--device null --seconds 0.4 --record " + quoted("a.session"))
+          .exitCode,
+      0);
+  const std::string whole = fileBytes(folder_ / "a.session");
+  folder_.write("cut.session", whole.substr(0, whole.find("RECD", whole.find("RECD") + 4) + 40));
+  std::string damaged = whole;
+  damaged[damaged.rfind("RECD") + 4] ^= 1;
+  folder_.write("damaged.session", damaged);
+  const ProgramResult cut = runProgram("present " + quoted("cut.session") + " --device null");
+  EXPECT_EQ(cut.exitCode, 2);
+  EXPECT_THAT(cut.error, HasSubstr("before its first frame"));
+  const ProgramResult bad = runProgram("present " + quoted("damaged.session") + " --device null --fast");
+  EXPECT_EQ(bad.exitCode, 2);
+  EXPECT_THAT(bad.error, HasSubstr("is wrong"));
+  EXPECT_THAT(bad.output, HasSubstr("frames submitted"));
+}
+
+TEST_F(PresentCommand, picturesHaveOneOfTheFormatsThatThereAre) {
+  const auto error = [&](const std::string& options) {
+    const ProgramResult result = runProgram("present " + std::string(kTeapot) + "--device sim " + options);
+    EXPECT_EQ(result.exitCode, 2) << options;
+    return result.error;
+  };
+  EXPECT_THAT(error("--watch " + quoted("w.gif")), HasSubstr(".mp4"));
+  EXPECT_THAT(error("--watch " + quoted("w") + " --watch-size 0x0"), HasSubstr("--watch-size"));
+  EXPECT_THAT(error("--link usb9"), HasSubstr("unlimited"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
 
 TEST_F(PresentCommand, whatDoesNotGoTogetherIsRefused) {

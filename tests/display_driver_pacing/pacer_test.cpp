@@ -136,6 +136,24 @@ TEST(PacerTest, makingTimesThatVaryAreAllowedFor) {
   EXPECT_LE(run.summary.latency.worst, 30 + 5 + kRefresh);
 }
 
+TEST(PacerTest, framesOfWhichNothingIsHeardDoNotHoldBackWhatIsTold) {
+  // From the 50th on nothing arrives, for 6 s; then the link is as before.
+  PacedRun run(always(12), {.linkMilliseconds = [](FrameNumber frame) { return frame == 50 ? 6000.0 : 5.0; }});
+  double longest = 0;
+  size_t told = 0;
+  run.go(kSeconds, [&](const RefreshRecord& record) {
+    longest = std::max(longest, std::chrono::duration<double>(run.clock.now() - record.due).count());
+    told = run.records.size();
+  });
+  // A second, and a look or two.
+  EXPECT_LE(longest, 1.1);
+  EXPECT_EQ(told, run.summary.refreshes);
+  // Two frames are under way, none is added.
+  EXPECT_NEAR(static_cast<double>(run.count(RefreshOutcome::kLinkLate)), 24 * 6, 6);
+  // 50 before, and some after: what took so long is allowed for at first.
+  EXPECT_GE(run.count(RefreshOutcome::kShown), 60u);
+}
+
 TEST(PacerTest, nothingIsMadeForADeviceThatIsNotThere) {
   PacedRun run(always(12));
   int goneAt = -1;
