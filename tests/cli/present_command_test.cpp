@@ -171,6 +171,19 @@ TEST_F(PresentCommand, sessionsThatAreCutOrDamagedSaySo) {
   EXPECT_THAT(bad.output, HasSubstr("frames submitted"));
 }
 
+TEST_F(PresentCommand, everyFrameOfASessionOnADisplayThatIsNotThereIsCounted) {
+  ASSERT_EQ(runProgram(std::string("present ") + kTeapot + "--device null --turn 30 --seconds 0.4 --record " +
+                       quoted("a.session"))
+                .exitCode,
+            0);
+  const ProgramResult played =
+      runProgram("present " + quoted("a.session") + " --device multivox:ocelli_is_not_there --json");
+  EXPECT_EQ(played.exitCode, 1);
+  const auto json = nlohmann::json::parse(played.output);
+  EXPECT_EQ(json["frames_shown"], 0);
+  EXPECT_EQ(json["frames_dropped"].get<int>() + json["frames_lost"].get<int>(), json["frames_submitted"].get<int>());
+}
+
 TEST_F(PresentCommand, picturesHaveOneOfTheFormatsThatThereAre) {
   const auto error = [&](const std::string& options) {
     const ProgramResult result = runProgram("present " + std::string(kTeapot) + "--device sim " + options);
