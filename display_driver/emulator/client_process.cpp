@@ -21,8 +21,9 @@ constexpr std::array kPassedOn = {SIGINT, SIGTERM, SIGHUP};
 
 volatile std::sig_atomic_t client = 0;
 
-extern "C" void passOn(int signal) {
-  if (client != 0) {
+// What the terminal sends (Ctrl-C), which is the kernel's doing, the client has got from it as well.
+extern "C" void passOn(int signal, siginfo_t* origin, void*) {
+  if (client != 0 && origin->si_code != SI_KERNEL) {
     kill(client, signal);
   }
 }
@@ -35,8 +36,8 @@ class SignalRelay {
       sigaction(kPassedOn[i], nullptr, &old_[i]);
       if (old_[i].sa_handler != SIG_IGN) {
         struct sigaction action {};
-        action.sa_handler = passOn;
-        action.sa_flags = SA_RESTART;
+        action.sa_sigaction = passOn;
+        action.sa_flags = SA_RESTART | SA_SIGINFO;
         sigaction(kPassedOn[i], &action, nullptr);
       }
     }

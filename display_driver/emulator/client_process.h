@@ -9,8 +9,9 @@
 namespace ocelli {
 
 /// Starts the command, found on the PATH, with these variables in its environment, and waits for its end; returns its
-/// exit code, or 128 + the signal that ended it. The signals that end a program are passed on to it meanwhile. Where
-/// this process is killed, the command gets SIGTERM. Throws WorkError where it cannot be started.
+/// exit code, or 128 + the signal that ended it. The signals that end a program are passed on to it meanwhile, but for
+/// those from the terminal: it gets them itself. Where this process is killed, the command gets SIGTERM. Throws
+/// WorkError where it cannot be started.
 int runClient(const std::vector<std::string>& command,
               const std::vector<std::pair<std::string, std::string>>& environment);
 

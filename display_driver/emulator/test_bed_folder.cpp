@@ -2,34 +2,92 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+#include <string>
 #include <system_error>
+
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
 
-constexpr const char* kMark = "ocelli-emulator.lock";
-constexpr const char* kPrefix = "umockdev.";
+constexpr const char* kPrefix = "ocelli-usb.";
+
+struct Shared {
+  std::mutex mutex;
+  size_t users = 0;
+  std::filesystem::path path;  ///< empty until there has been one
+  int lock = -1;
+};
+
+Shared& shared() {
+  static Shared shared;
+  return shared;
+}
+
+/// The descriptor of the locked folder; -1 where it is no longer there: somebody was sweeping.
+int locked(const std::filesystem::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  struct stat opened {};
+  struct stat there {};
+  if (descriptor < 0) {
+    return -1;
+  }
+  if (flock(descriptor, LOCK_EX) == 0 && fstat(descriptor, &opened) == 0 && lstat(folder.c_str(), &there) == 0 &&
+      opened.st_ino == there.st_ino && opened.st_dev == there.st_dev) {
+    return descriptor;
+  }
+  close(descriptor);
+  return -1;
+}
+
+/// Makes and locks it.
+int make(std::filesystem::path& path) {
+  for (int attempt = 0; attempt < 10; ++attempt) {
+    std::string name = (std::filesystem::temp_directory_path() / (std::string(kPrefix) + "XXXXXX")).string();
+    const bool made = path.empty() ? mkdtemp(name.data()) != nullptr : mkdir(path.c_str(), 0700) == 0;
+    if (!made) {
+      break;
+    }
+    const std::filesystem::path folder = path.empty() ? std::filesystem::path(name) : path;
+    if (const int lock = locked(folder); lock >= 0) {
+      path = folder;
+      return lock;
+    }
+  }
+  throw WorkError(std::string("cannot make a folder for emulated devices: ") + std::strerror(errno),
+                  std::filesystem::temp_directory_path().string(), "set TMPDIR to another folder");
+}
 
 }  // namespace
 
-TestBedMark::TestBedMark(const std::filesystem::path& folder) : file_(folder / kMark) {
-  // It is locked when it appears: others may be sweeping.
-  const std::filesystem::path unlocked = folder / "ocelli-emulator.new";
-  descriptor_ = open(unlocked.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
-  if (descriptor_ >= 0) {
-    flock(descriptor_, LOCK_EX | LOCK_NB);
-    std::rename(unlocked.c_str(), file_.c_str());
+TestBedFolder::TestBedFolder() {
+  Shared& all = shared();
+  const std::scoped_lock lock(all.mutex);
+  if (all.users == 0) {
+    all.lock = make(all.path);
+  }
+  ++all.users;
+}
+
+TestBedFolder::~TestBedFolder() {
+  Shared& all = shared();
+  const std::scoped_lock lock(all.mutex);
+  if (--all.users == 0) {
+    std::error_code ignored;
+    std::filesystem::remove_all(all.path, ignored);
+    close(all.lock);
   }
 }
 
-TestBedMark::~TestBedMark() {
-  unlink(file_.c_str());
-  if (descriptor_ >= 0) {
-    close(descriptor_);
-  }
+const std::filesystem::path& TestBedFolder::path() const {
+  return shared().path;
 }
 
 size_t sweepTestBeds(const std::filesystem::path& where) {
@@ -39,16 +97,16 @@ size_t sweepTestBeds(const std::filesystem::path& where) {
     if (!entry.path().filename().string().starts_with(kPrefix)) {
       continue;
     }
-    const int mark = open((entry.path() / kMark).c_str(), O_RDWR | O_CLOEXEC);
-    if (mark < 0) {
+    const int folder = open(entry.path().c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (folder < 0) {
       continue;
     }
-    if (flock(mark, LOCK_EX | LOCK_NB) == 0) {
+    if (flock(folder, LOCK_EX | LOCK_NB) == 0) {
       std::error_code failed;
       std::filesystem::remove_all(entry.path(), failed);
       removed += failed ? 0 : 1;
     }
-    close(mark);
+    close(folder);
   }
   return removed;
 }

@@ -1,24 +1,26 @@
-// The temporary folders in which emulated devices live. Whoever emulates marks his folder and holds a lock on the mark
-// while he lives, so that the folders of emulators that were killed can be told from others, and removed.
+// The folder for temporary files in which a process's emulated devices live. It is locked for as long as it exists, so
+// that what killed emulators have left can be told from what lives, and removed.
 #pragma once
 
 #include <filesystem>
 
 namespace ocelli {
 
-class TestBedMark {
+/// The folder is the same one for all that live at the same time, and its name for all of a process: umockdev finds out
+/// only once where temporary files go.
+class TestBedFolder {
  public:
-  explicit TestBedMark(const std::filesystem::path& folder);
-  ~TestBedMark();
-  TestBedMark(const TestBedMark&) = delete;
-  TestBedMark& operator=(const TestBedMark&) = delete;
+  /// Throws WorkError where there can be no such folder.
+  TestBedFolder();
+  /// The last one removes it with all it holds.
+  ~TestBedFolder();
+  TestBedFolder(const TestBedFolder&) = delete;
+  TestBedFolder& operator=(const TestBedFolder&) = delete;
 
- private:
-  std::filesystem::path file_;
-  int descriptor_ = -1;
+  const std::filesystem::path& path() const;
 };
 
-/// Removes folders in `where` that carry a mark that nobody holds. Returns how many; what cannot be removed is left.
+/// Removes folders of this kind in `where` that nobody has locked. Returns how many; what cannot be removed is left.
 size_t sweepTestBeds(const std::filesystem::path& where = std::filesystem::temp_directory_path());
 
 }  // namespace ocelli

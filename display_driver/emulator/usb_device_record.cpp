@@ -32,7 +32,7 @@ void append(std::vector<uint8_t>& bytes, const std::vector<uint8_t>& more) {
 
 std::vector<uint8_t> endpoint(uint8_t address, EmulatedSpeed speed) {
   const bool fast = speed == EmulatedSpeed::kUsb3;
-  const size_t packet = fast ? 1024 : 512;
+  const size_t packet = bulkPacketBytes(speed);
   std::vector<uint8_t> bytes = {7, kEndpointType, address, kBulk, low(packet), high(packet), 0};
   if (fast) {
     append(bytes, {6, kCompanionType, 15, 0, 0, 0});  // bursts of 16 packets
@@ -58,6 +58,10 @@ std::string record(const std::string& path, int number, const char* speed, const
 }
 
 }  // namespace
+
+size_t bulkPacketBytes(EmulatedSpeed speed) {
+  return speed == EmulatedSpeed::kUsb3 ? 1024 : 512;
+}
 
 std::vector<uint8_t> descriptorBytes(EmulatedSpeed speed) {
   const bool fast = speed == EmulatedSpeed::kUsb3;

@@ -17,6 +17,7 @@ inline constexpr uint8_t kManufacturerString = 1;
 inline constexpr uint8_t kProductString = 2;
 inline constexpr uint8_t kSerialString = 3;
 
+size_t bulkPacketBytes(EmulatedSpeed speed);
 /// The device descriptor and that of its only configuration, one after the other, as sysfs has them.
 std::vector<uint8_t> descriptorBytes(EmulatedSpeed speed);
 /// A string descriptor of ASCII text.

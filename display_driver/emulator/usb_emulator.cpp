@@ -24,6 +24,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <deque>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <mutex>
@@ -60,8 +61,8 @@ struct Transfer {
   std::vector<uint8_t> bytes;  ///< that go to the device, or have come from it
   size_t actual = 0;
   int status = 0;
-  bool inWork = false;  ///< the device has it just now
-  bool discarded = false;
+  bool inWork = false;            ///< the device has it just now
+  std::optional<int> ended = {};  ///< the host has ended it with this status while the device had it
 
   bool toHost() const { return (endpoint & 0x80) != 0; }
 };
@@ -93,6 +94,7 @@ struct Display {
   bool pulled = false;  ///< by hand
   bool occupied = false;
   bool clearHalt = false;
+  bool eventsHalted = false;
   bool reset = false;
   int number = 0;
 };
@@ -102,6 +104,26 @@ void write(UMockdevIoctlData* data, size_t offset, const Field& field) {
   std::array<guint8, sizeof(Field)> bytes;
   std::memcpy(bytes.data(), &field, sizeof(Field));
   umockdev_ioctl_data_update(data, offset, bytes.data(), static_cast<gint>(bytes.size()));
+}
+
+/// umockdev's library, and those that the user has preloaded.
+std::string preloadList() {
+  const char* const others = std::getenv("LD_PRELOAD");
+  const std::string list = others == nullptr ? "" : others;
+  if (list.find(kPreloadLibrary) != std::string::npos) {
+    return list;
+  }
+  return list.empty() ? kPreloadLibrary : fmt::format("{}:{}", kPreloadLibrary, list);
+}
+
+UMockdevTestbed* newTestBed(const std::filesystem::path& folder) {
+  constexpr const char* kVariable = "TMPDIR";
+  const char* const set = std::getenv(kVariable);
+  const std::optional<std::string> before = set == nullptr ? std::nullopt : std::optional<std::string>(set);
+  setenv(kVariable, folder.c_str(), 1);
+  g_get_tmp_dir();  // GLib keeps it
+  before ? setenv(kVariable, before->c_str(), 1) : unsetenv(kVariable);
+  return umockdev_testbed_new();
 }
 
 /// Memory of a client; nullptr where it is not there.
@@ -126,6 +148,7 @@ struct UsbEmulator::State {
   int answer(UMockdevIoctlClient* client, Connection& connection, unsigned long request);
   int submit(UMockdevIoctlClient* client, Connection& connection);
   int discard(UMockdevIoctlClient* client, Connection& connection);
+  int clearHalt(UMockdevIoctlClient* client, Display& display);
   int claim(Connection& connection);
   Connection* connectionOf(UMockdevIoctlClient* client);
 
@@ -139,6 +162,7 @@ struct UsbEmulator::State {
 
   // With the mutex held.
   void finish(Connection& connection, const TransferPointer& transfer, int status);
+  void end(Connection& connection, const TransferPointer& transfer, int status);
   void shutDown(Connection& connection);
   void reap(UMockdevIoctlClient* client, Connection& connection);
   static bool handBack(UMockdevIoctlClient* client, Transfer& transfer);
@@ -149,7 +173,7 @@ struct UsbEmulator::State {
   const Clock::time_point start = Clock::now();
   UMockdevTestbed* bed = nullptr;
   UMockdevIoctlBase* handler = nullptr;
-  std::optional<TestBedMark> mark;
+  TestBedFolder folder;  ///< goes after the bed, which lies in it
   std::vector<std::unique_ptr<Display>> displays;
   int lastNumber = kFirstDeviceNumber - 1;
 
@@ -252,13 +276,13 @@ int UsbEmulator::State::answer(UMockdevIoctlClient* client, Connection& connecti
       return discard(client, connection);
     case USBDEVFS_CLEAR_HALT:
     case USBDEVFS_RESETEP:
-      display.clearHalt = true;
-      return 0;
+      return clearHalt(client, display);
     case USBDEVFS_RESET:
       for (const TransferPointer& transfer : std::deque(connection.submitted)) {
-        finish(connection, transfer, -ESHUTDOWN);
+        end(connection, transfer, -ESHUTDOWN);
       }
       display.reset = true;
+      display.eventsHalted = false;
       return 0;
     default:
       return -ENOTTY;
@@ -324,13 +348,34 @@ int UsbEmulator::State::discard(UMockdevIoctlClient* client, Connection& connect
   if (found == connection.submitted.end()) {
     return -EINVAL;
   }
-  const TransferPointer transfer = *found;
-  if (transfer->inWork) {
-    transfer->discarded = true;
+  end(connection, TransferPointer(*found), -ENOENT);
+  return 0;
+}
+
+int UsbEmulator::State::clearHalt(UMockdevIoctlClient* client, Display& display) {
+  const Memory memory = resolve(umockdev_ioctl_client_get_arg(client), 0, sizeof(uint32_t));
+  if (!memory || memory->data_len < static_cast<gint>(sizeof(uint32_t))) {
+    return -EFAULT;
+  }
+  uint32_t endpoint = 0;
+  std::memcpy(&endpoint, memory->data, sizeof(endpoint));
+  if (endpoint == kEmulatedInEndpoint) {
+    display.eventsHalted = false;
+  } else if (endpoint == kEmulatedOutEndpoint) {
+    display.clearHalt = true;
   } else {
-    finish(connection, transfer, -ENOENT);
+    return -ENOENT;
   }
   return 0;
+}
+
+/// At the host's wish: what the device has comes back when the device is done with it.
+void UsbEmulator::State::end(Connection& connection, const TransferPointer& transfer, int status) {
+  if (transfer->inWork) {
+    transfer->ended = status;
+  } else {
+    finish(connection, transfer, status);
+  }
 }
 
 void UsbEmulator::State::finish(Connection& connection, const TransferPointer& transfer, int status) {
@@ -408,13 +453,27 @@ struct Turn {
   std::vector<uint8_t> bytes;
 };
 
+/// As a host's controller does: full packets do not end a transfer that has room for more.
+void receiveEvents(EmulatedDevice& device, size_t packet, DeviceMicroseconds now, Turn& turn) {
+  const Transfer& transfer = *turn.transfer;
+  turn.bytes = transfer.bytes;
+  const std::vector<uint8_t> events = device.takeEvents(transfer.length - turn.actual, now);
+  turn.bytes.insert(turn.bytes.end(), events.begin(), events.end());
+  turn.actual = turn.bytes.size();
+  if (turn.actual == transfer.length || events.size() % packet != 0) {
+    turn.status = 0;
+  }
+}
+
 bool UsbEmulator::State::work(size_t index) {
   Display& display = *displays[index];
   std::vector<Turn> turns;
   bool clearHalt = false;
   bool reset = false;
+  bool eventsHalted = false;
   {
     const std::scoped_lock lock(mutex);
+    eventsHalted = display.eventsHalted;
     clearHalt = std::exchange(display.clearHalt, false);
     reset = std::exchange(display.reset, false);
     for (auto& [client, connection] : connections) {
@@ -450,10 +509,10 @@ bool UsbEmulator::State::work(size_t index) {
         turn.status = answer.stalled ? -EPIPE : 0;
         turn.actual = transfer.bytes.empty() || (transfer.bytes[0] & 0x80) == 0 ? answer.taken : answer.bytes.size();
         turn.bytes = std::move(answer.bytes);
+      } else if (transfer.toHost() && eventsHalted) {
+        turn.status = -EPIPE;
       } else if (transfer.toHost()) {
-        turn.bytes = device.takeEvents(transfer.length, now());
-        turn.actual = turn.bytes.size();
-        turn.status = turn.actual > 0 ? std::optional(0) : std::nullopt;
+        receiveEvents(device, bulkPacketBytes(display.speed), now(), turn);
       } else if (device.halted()) {
         turn.status = -EPIPE;
       } else {
@@ -479,10 +538,11 @@ bool UsbEmulator::State::work(size_t index) {
       turn.transfer->bytes = std::move(turn.bytes);
     }
     const auto connection = connections.find(turn.client);
-    if (connection == connections.end() || (!turn.status && !turn.transfer->discarded)) {
+    const std::optional<int> status = turn.status ? turn.status : turn.transfer->ended;
+    if (connection == connections.end() || !status) {
       continue;
     }
-    finish(connection->second, turn.transfer, turn.status ? *turn.status : -ENOENT);
+    finish(connection->second, turn.transfer, *status);
     if (connection->second.reapUntil) {
       reap(turn.client, connection->second);
     }
@@ -595,9 +655,7 @@ void UsbEmulator::State::run() {
 UsbEmulator::State::State(std::vector<EmulatedUsbDisplay> options) {
   OC_CHECK(!options.empty(), "an emulator has a display");
   sweepTestBeds();
-  bed = umockdev_testbed_new();
-  const std::unique_ptr<gchar, decltype(&g_free)> root(umockdev_testbed_get_root_dir(bed), g_free);
-  mark.emplace(root.get());
+  bed = newTestBed(folder.path());
   handler = umockdev_ioctl_base_new();
   g_signal_connect(handler, "handle-ioctl", G_CALLBACK(onIoctl), this);
   GError* error = nullptr;
@@ -629,7 +687,6 @@ UsbEmulator::State::~State() {
   // Nor does it tell when it has ended listening for clients, which it does on its thread. Where the bed goes before, a
   // socket stays open.
   std::this_thread::sleep_for(kEndOfListening);
-  mark.reset();
   g_object_unref(bed);
   g_object_unref(handler);
   for (auto& [client, connection] : connections) {
@@ -659,7 +716,7 @@ void UsbEmulator::restartPreloaded() {
     return;
   }
   setenv(kTried, "1", 1);
-  setenv("LD_PRELOAD", kPreloadLibrary, 1);
+  setenv("LD_PRELOAD", preloadList().c_str(), 1);
   // AddressSanitizer wants to be the first library, and works as the second one.
   const char* const options = std::getenv("ASAN_OPTIONS");
   setenv("ASAN_OPTIONS", fmt::format("{}:verify_asan_link_order=0", options == nullptr ? "" : options).c_str(), 1);
@@ -680,7 +737,7 @@ void UsbEmulator::restartPreloaded() {
 
 std::vector<std::pair<std::string, std::string>> UsbEmulator::environment() const {
   const std::unique_ptr<gchar, decltype(&g_free)> root(umockdev_testbed_get_root_dir(state_->bed), g_free);
-  return {{"LD_PRELOAD", kPreloadLibrary}, {"UMOCKDEV_DIR", root.get()}};
+  return {{"LD_PRELOAD", preloadList()}, {"UMOCKDEV_DIR", root.get()}};
 }
 
 void UsbEmulator::use(size_t display, const std::function<void(EmulatedDevice&, DeviceMicroseconds)>& use) {
@@ -706,6 +763,13 @@ void UsbEmulator::plugIn(size_t display) {
 void UsbEmulator::occupy(size_t display, bool occupied) {
   const std::scoped_lock lock(state_->mutex);
   state_->displays.at(display)->occupied = occupied;
+}
+
+void UsbEmulator::haltEvents(size_t display) {
+  const std::scoped_lock lock(state_->mutex);
+  state_->displays.at(display)->eventsHalted = true;
+  state_->news = true;
+  state_->changed.notify_all();
 }
 
 size_t UsbEmulator::transfersUnderWay(size_t display) const {

@@ -38,7 +38,8 @@ class UsbEmulator {
   /// Starts this program anew, with the same arguments, so that it is. Returns where it is already, or where that is
   /// not possible; it is tried once.
   static void restartPreloaded();
-  /// Variables for the environment of programs that shall see the displays, with their values.
+  /// Variables for the environment of programs that shall see the displays, with their values. Libraries that are
+  /// preloaded already stay so, behind umockdev's.
   std::vector<std::pair<std::string, std::string>> environment() const;
 
   /// Calls `use` while nobody else touches the device. Not for long: nothing moves on meanwhile.
@@ -49,6 +50,8 @@ class UsbEmulator {
   void plugIn(size_t display);
   /// Another program holds the display's interface, or does no longer.
   void occupy(size_t display, bool occupied);
+  /// The display's endpoint for events stalls until a client clears it.
+  void haltEvents(size_t display);
   /// Transfers that were submitted and have not been taken back yet.
   size_t transfersUnderWay(size_t display) const;
 

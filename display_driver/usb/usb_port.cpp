@@ -34,8 +34,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kTick{100};     // of the event thread, to look for sends that do not move
 constexpr std::chrono::milliseconds kPolling{250};  // where libusb does not tell of arrivals
-constexpr size_t kEventTransfers = 4;               // waiting for events at the same time
-constexpr int kEventTransferBytes = 4096;           // a multiple of every packet size, so that no transfer overflows
+constexpr size_t kEventTransfers = 8;               // waiting for events at the same time
 
 std::atomic<size_t> transfersAlive = 0;
 
@@ -107,6 +106,7 @@ struct DisplayInterface {
   int alternate = 0;
   uint8_t out = 0;
   uint8_t in = 0;
+  int inPacketBytes = 0;
 };
 
 std::optional<DisplayInterface> interfaceOf(const libusb_interface_descriptor& descriptor) {
@@ -121,11 +121,14 @@ std::optional<DisplayInterface> interfaceOf(const libusb_interface_descriptor& d
     if ((endpoint.bmAttributes & LIBUSB_TRANSFER_TYPE_MASK) != LIBUSB_TRANSFER_TYPE_BULK) {
       continue;
     }
-    uint8_t& first =
-        (endpoint.bEndpointAddress & LIBUSB_ENDPOINT_DIR_MASK) == LIBUSB_ENDPOINT_IN ? found.in : found.out;
-    first = first == 0 ? endpoint.bEndpointAddress : first;
+    if ((endpoint.bEndpointAddress & LIBUSB_ENDPOINT_DIR_MASK) == LIBUSB_ENDPOINT_OUT) {
+      found.out = found.out == 0 ? endpoint.bEndpointAddress : found.out;
+    } else if (found.in == 0) {
+      found.in = endpoint.bEndpointAddress;
+      found.inPacketBytes = endpoint.wMaxPacketSize & 0x7ff;
+    }
   }
-  return found.in != 0 && found.out != 0 ? std::optional(found) : std::nullopt;
+  return found.inPacketBytes != 0 && found.out != 0 ? std::optional(found) : std::nullopt;
 }
 
 std::optional<DisplayInterface> displayOf(libusb_device* device) {
@@ -226,6 +229,10 @@ void claim(const Handle& handle, const DisplayInterface& display) {
       fail(setting, fmt::format("cannot switch the interface of the display at {}", place));
     }
   }
+  // Whoever had the display before may have left them halted. Not possible where a transfer is under way: the host
+  // would count packets on, and the device from 0.
+  libusb_clear_halt(handle.get(), display.out);
+  libusb_clear_halt(handle.get(), display.in);
 }
 
 // --- The context: libusb, its event thread, and who wants to hear of what ---
@@ -635,9 +642,10 @@ void UsbLink::start(wire::LinkListener listener) {
     for (size_t i = 0; i < kEventTransfers; ++i) {
       Receive& receive =
           *receives_.emplace_back(std::make_unique<Receive>(Receive{.link = this, .transfer = newTransfer()}));
-      receive.bytes.resize(kEventTransferBytes);
+      // A packet each: a longer transfer would hold full packets back until a short one ends it.
+      receive.bytes.resize(static_cast<size_t>(display_.inPacketBytes));
       libusb_fill_bulk_transfer(receive.transfer.get(), handle_.get(), display_.in, receive.bytes.data(),
-                                kEventTransferBytes, receiveDone, &receive, 0);
+                                display_.inPacketBytes, receiveDone, &receive, 0);
     }
   }
   for (const auto& receive : receives_) {
@@ -917,9 +925,7 @@ std::unique_ptr<wire::Link> UsbPort::open() {
   if (problem) {
     throw *problem;
   }
-  throw LinkError(
-      LinkStatus::kGone,
-      fmt::format("{} was not found\n  try: plug it in and switch it on; ocelli device list", description()));
+  throw LinkError(LinkStatus::kGone, "not plugged in, or not switched on");
 }
 
 void UsbPort::waitForArrival(std::chrono::milliseconds timeout) {

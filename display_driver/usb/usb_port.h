@@ -21,7 +21,7 @@ struct UsbDisplay {
   uint16_t vendor = 0;
   uint16_t product = 0;
   std::string link;     ///< "USB 2, 480 Mbit/s, bus 1 port 2"
-  std::string problem;  ///< why it cannot be opened, and what to do; empty where it can
+  std::string problem;  ///< why it cannot be opened; empty where it can
 };
 
 /// Throws wire::LinkError where USB cannot be used at all.

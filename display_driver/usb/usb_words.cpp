@@ -52,13 +52,12 @@ double practicalBytesPerSecond(UsbSpeed speed) {
 
 std::string noRightsMessage(const std::string& place) {
   return fmt::format(
-      "no right to use the display at {}\n  try: copy 70-ocelli.rules to /etc/udev/rules.d (docs/install.md), then "
-      "unplug the display and plug it in again",
+      "no right to use the display at {}: 70-ocelli.rules, copied to /etc/udev/rules.d, gives it (docs/install.md)",
       place);
 }
 
 std::string inUseMessage(const std::string& place) {
-  return fmt::format("another program uses the display at {}\n  try: close it", place);
+  return fmt::format("another program uses the display at {}", place);
 }
 
 }  // namespace ocelli

@@ -20,7 +20,7 @@ std::string describe(const UsbPlace& place);
 /// That bulk transfers reach in practice; 0: not known.
 double practicalBytesPerSecond(UsbSpeed speed);
 
-/// Messages for what stands in the way of a display at a place.
+/// Messages for what stands in the way of a display at a place, in a line.
 std::string noRightsMessage(const std::string& place);
 std::string inUseMessage(const std::string& place);
 

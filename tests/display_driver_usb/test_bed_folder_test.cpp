@@ -6,37 +6,59 @@
 #include <optional>
 
 #include "tests/base/temporary_folder.h"
+#include "tests/display_driver_usb/usb_bench.h"
 
 namespace ocelli {
 namespace {
 
 TEST(TestBedFolder, onlyThoseOfDeadEmulatorsAreSwept) {
   const test::TemporaryFolder folder;
-  const auto bed = [&](const char* name) {
+  for (const char* name : {"ocelli-usb.killed", "ocelli-usb.killed_at_once", "umockdev.of_others", "another"}) {
     std::filesystem::create_directories(folder / name);
-    return folder / name;
-  };
-  const TestBedMark living(bed("umockdev.living"));
-  // As after a kill: the mark is there, and nobody holds it.
-  bed("umockdev.dead");
-  folder.write("umockdev.dead/ocelli-emulator.lock", "");
-  folder.write("umockdev.dead/file", "left");
-  bed("umockdev.of_others");
-  bed("another");
-  folder.write("another/ocelli-emulator.lock", "");
-  EXPECT_EQ(sweepTestBeds(folder.path()), 1u);
-  EXPECT_FALSE(std::filesystem::exists(folder / "umockdev.dead"));
-  EXPECT_TRUE(std::filesystem::exists(folder / "umockdev.living"));
-  EXPECT_TRUE(std::filesystem::exists(folder / "umockdev.of_others"));
-  EXPECT_TRUE(std::filesystem::exists(folder / "another"));
+  }
+  folder.write("ocelli-usb.killed/file", "left");
+  folder.write("ocelli-usb.file", "is no folder");
+  const TestBedFolder living;
+  std::filesystem::create_directory_symlink(living.path(), folder / "ocelli-usb.link");
+  EXPECT_EQ(sweepTestBeds(folder.path()), 2u);
+  EXPECT_FALSE(std::filesystem::exists(folder / "ocelli-usb.killed"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "ocelli-usb.killed_at_once"));
+  for (const char* name : {"ocelli-usb.file", "ocelli-usb.link", "umockdev.of_others", "another"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
+  }
+  sweepTestBeds(living.path().parent_path());
+  EXPECT_TRUE(std::filesystem::exists(living.path()));
 }
 
-TEST(TestBedFolder, theMarkGoesWithTheEmulator) {
-  const test::TemporaryFolder folder;
-  std::optional<TestBedMark> mark(folder.path());
-  EXPECT_FALSE(std::filesystem::is_empty(folder.path()));
-  mark.reset();
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+TEST(TestBedFolder, theLastOneRemovesIt) {
+  std::optional<TestBedFolder> first(std::in_place);
+  const std::filesystem::path path = first->path();
+  for (int i = 0; i < 3; ++i) {
+    std::optional<TestBedFolder> second(std::in_place);
+    EXPECT_EQ(second->path(), path);
+    first.reset();
+    EXPECT_TRUE(std::filesystem::is_directory(path));
+    second.reset();
+    EXPECT_FALSE(std::filesystem::exists(path));
+    first.emplace();
+  }
+}
+
+using TestBedFolderTest = UsbTest;
+
+TEST_F(TestBedFolderTest, devicesLiveInIt) {
+  for (int i = 0; i < 2; ++i) {
+    std::filesystem::path bed;
+    {
+      const UsbEmulator emulator({display()});
+      for (const auto& [name, value] : emulator.environment()) {
+        bed = name == "UMOCKDEV_DIR" ? std::filesystem::path(value) : bed;
+      }
+      EXPECT_TRUE(std::filesystem::is_directory(bed));
+      EXPECT_EQ(bed.parent_path(), TestBedFolder().path());
+    }
+    EXPECT_FALSE(std::filesystem::exists(bed.parent_path()));
+  }
 }
 
 }  // namespace

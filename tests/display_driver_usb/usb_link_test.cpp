@@ -49,6 +49,10 @@ EmulatedUsbDisplay faultyDisplay(const Fault& fault) {
   return made;
 }
 
+void arm(wire::Link& link) {
+  link.controlOut(static_cast<uint8_t>(wire::Request::kArm), 1, toBytes(wire::Arm{.session = 7}));
+}
+
 /// An open link with eight transfers under way.
 struct BusyLink {
   explicit BusyLink(UsbPort& port) : link(port.open()) {
@@ -263,6 +267,65 @@ TEST_F(UsbLinkTest, aDisplayThatWasResetIsOpenedAnew) {
     EXPECT_FALSE(busy.link->send(9, kNoise));
   }
   EXPECT_EQ(port.open()->description().serial, "EMULATED");
+}
+
+TEST_F(UsbLinkTest, resetsWhileTheDeviceWorks) {
+  UsbEmulator emulator({display()});
+  UsbPort port({});
+  for (int i = 0; i < 30; ++i) {
+    const auto link = port.open();
+    Listener listener;
+    link->start(listener.functions());
+    std::thread asker([&] {
+      try {
+        for (;;) {
+          link->controlIn(static_cast<uint8_t>(wire::Request::kIdentify), 0, wire::kIdentityBytes);
+        }
+      } catch (const LinkError&) {
+      }
+    });
+    EXPECT_TRUE(link->send(0, kNoise));
+    listener.waitForSent(1);
+    link->resetDevice();
+    EXPECT_EQ(listener.waitForLost().size(), 1u);
+    asker.join();
+    link->close();
+    EXPECT_EQ(usbTransfersAlive(), 0u);
+  }
+}
+
+// Sixteen events fill a packet; no short packet follows it.
+TEST_F(UsbLinkTest, fullPacketsOfEventsArrive) {
+  UsbEmulator emulator({display()});
+  UsbPort port({});
+  const auto link = port.open();
+  arm(*link);
+  emulator.use(0, [](EmulatedDevice& device, DeviceMicroseconds now) {
+    for (uint32_t i = 0; i < 16; ++i) {
+      const wire::MessageHeader unknown{.type = static_cast<wire::MessageType>(99), .session = 7, .sequence = i};
+      device.takeBulk(toBytes(unknown), now);
+    }
+  });
+  Listener listener;
+  link->start(listener.functions());
+  EXPECT_EQ(listener.waitForReceived(512).size(), 512u);
+}
+
+TEST_F(UsbLinkTest, aHaltOfTheEventsEndsWhenTheDisplayIsOpened) {
+  UsbEmulator emulator({display()});
+  UsbPort port({});
+  const auto link = port.open();
+  Listener listener;
+  link->start(listener.functions());
+  emulator.haltEvents(0);
+  EXPECT_EQ(listener.waitForLost(), all(1, LinkStatus::kStalled));
+  link->close();
+  const auto next = port.open();
+  Listener second;
+  next->start(second.functions());
+  arm(*next);
+  ASSERT_TRUE(next->send(0, kNoise));
+  EXPECT_GE(second.waitForReceived(wire::kEventBytes).size(), wire::kEventBytes);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <thread>
 
@@ -11,7 +12,6 @@
 namespace ocelli {
 namespace {
 
-using testing::HasSubstr;
 using wire::LinkError;
 using wire::LinkStatus;
 
@@ -109,7 +109,9 @@ TEST_F(UsbPortTest, findsADisplayByItsSerial) {
   UsbPort port({.serial = "B"});
   EXPECT_EQ(port.open()->description().serial, "B");
   UsbPort other({.serial = "C"});
-  EXPECT_EQ(statusOfOpen(other), LinkStatus::kGone);
+  std::string message;
+  EXPECT_EQ(statusOfOpen(other, &message), LinkStatus::kGone);
+  EXPECT_EQ(message, "not plugged in, or not switched on");
 }
 
 TEST_F(UsbPortTest, twoAtOnce) {
@@ -123,7 +125,7 @@ TEST_F(UsbPortTest, twoAtOnce) {
   std::string message;
   UsbPort third({});
   EXPECT_EQ(statusOfOpen(third, &message), LinkStatus::kFailed);
-  EXPECT_THAT(message, HasSubstr("another program uses the display"));
+  EXPECT_EQ(message, "another program uses the display at USB 2, 480 Mbit/s, bus 1 port 2");
   Listener a;
   Listener b;
   one->start(a.functions());
@@ -146,6 +148,19 @@ TEST_F(UsbPortTest, aDisplayThatIsClosedCanBeOpenedAgain) {
     EXPECT_FALSE(link->send(2, kNoise));
     EXPECT_EQ(usbTransfersAlive(), 0u);
   }
+}
+
+TEST_F(UsbPortTest, programsKeepWhatTheyPreload) {
+  const UsbEmulator emulator({display()});
+  const auto preloaded = [&] { return emulator.environment().front().second; };
+  const std::string before = std::getenv("LD_PRELOAD");
+  setenv("LD_PRELOAD", "libmine.so", 1);
+  EXPECT_EQ(preloaded(), "libumockdev-preload.so.0:libmine.so");
+  setenv("LD_PRELOAD", preloaded().c_str(), 1);
+  EXPECT_EQ(preloaded(), "libumockdev-preload.so.0:libmine.so");
+  unsetenv("LD_PRELOAD");
+  EXPECT_EQ(preloaded(), "libumockdev-preload.so.0");
+  setenv("LD_PRELOAD", before.c_str(), 1);
 }
 
 }  // namespace
