@@ -61,7 +61,7 @@ THIRD_PARTIES = {
 GENERATED_SHADERS = "shaders.h"
 # Found without a target: the system's own headers.
 SYSTEM_PREFIXES = (
-    "sys/", "unistd.h", "fcntl.h", "stdlib.h", "immintrin.h", "malloc.h", "dlfcn.h", "poll.h", "spawn.h", "linux/", "netinet/",
+    "sys/", "unistd.h", "fcntl.h", "stdlib.h", "immintrin.h", "malloc.h", "dlfcn.h", "poll.h", "pty.h", "spawn.h", "linux/", "netinet/",
     "arpa/",
 )
 
