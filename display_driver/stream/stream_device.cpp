@@ -697,9 +697,10 @@ std::unique_ptr<Device> openStreamDevice(std::unique_ptr<wire::LinkPort> port, c
     return std::make_unique<StreamDevice>(std::move(port), options);
   } catch (const LinkError& error) {
     const bool none = error.status() == LinkStatus::kGone;
-    throw WorkError(error.what(), where,
-                    none ? "connect the display and switch it on; `ocelli device list` shows what is found"
-                         : "see `ocelli device list`; unplug the display and plug it in again");
+    throw WorkError(
+        error.what(), where,
+        none ? "connect the display and switch it on; `ocelli device list` shows what is found"
+             : "see `ocelli device list`; close other programs that use it, or unplug it and plug it in again");
   }
 }
 
