@@ -63,8 +63,9 @@ std::optional<std::vector<uint8_t>> Firmware::controlIn(uint8_t request, uint16_
     telemetry.refreshShare = static_cast<uint32_t>(std::clamp(share, 0.0, 1 - 0x1p-32) * 0x1p32);
     telemetry.refreshNanoseconds = static_cast<uint32_t>(std::min(rotor_.lengthMicroseconds() * 1e3, 4294967295.0));
     telemetry.phaseErrorMicrodegrees = static_cast<int32_t>(std::clamp(rotor_.phaseErrorDegrees(), -2e3, 2e3) * 1e6);
-    telemetry.temperatureMillicelsius = 25000;
-    telemetry.state = session_ == 0 ? wire::DeviceState::kIdle : wire::DeviceState::kArmed;
+    telemetry.state = session_ == 0     ? wire::DeviceState::kIdle
+                      : rotor_.locked() ? wire::DeviceState::kArmed
+                                        : wire::DeviceState::kSpinningUp;
     answer = toBytes(telemetry);
   } else {
     return std::nullopt;

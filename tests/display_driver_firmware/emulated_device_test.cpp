@@ -219,6 +219,12 @@ TEST_F(EmulatedDeviceTest, phaseDriftTurnsTheScreenOtherwise) {
   for (DeviceMicroseconds time = 0; time < now_; time += 1000) {
     device_->advance(time);
   }
+  const auto answer =
+      device_->controlIn(static_cast<uint8_t>(wire::Request::kTelemetry), 0, wire::kTelemetryBytes, now_);
+  const std::optional<wire::DeviceTelemetry> told = wire::telemetryFrom(answer.value());
+  ASSERT_TRUE(told);
+  EXPECT_EQ(told->state, wire::DeviceState::kSpinningUp);
+  EXPECT_FALSE(told->temperatureMillicelsius);  // it has no thermometer
   EXPECT_LT(device_->firmware().rotor().phaseErrorDegrees(), -10);
   EXPECT_FALSE(device_->firmware().rotor().locked());
   for (; now_ < 6'000'000; now_ += 1000) {
