@@ -182,6 +182,9 @@ std::vector<Trial> SimulatedStudy::draw(RandomNumbers& numbers) const {
   const std::vector<double> subjectViews = normals(subjectCount_, truth_.ofSubjectViews, numbers);
   const std::vector<double> items = normals(itemCount_, truth_.ofItems, numbers);
   const std::vector<double> errors = normals(itemCount_, truth_.ofErrors, numbers);
+  // Without them the numbers of a seed are those of studies that do not know them.
+  const std::vector<double> itemViews =
+      truth_.ofItemViews > 0 ? normals(itemCount_, truth_.ofItemViews, numbers) : std::vector<double>(itemCount_);
   std::vector<double> frailties(subjectCount_);
   for (double& frailty : frailties) {
     frailty = stableFrailty(truth_.frailty, numbers);
@@ -189,8 +192,8 @@ std::vector<Trial> SimulatedStudy::draw(RandomNumbers& numbers) const {
   for (size_t i = 0; i < trials.size(); ++i) {
     Trial& trial = trials[i];
     const size_t subject = subjects_[i];
-    const double predictor =
-        predictor_[i] + subjects[subject] + subjectViews[subject] * valueOf(trial, "view") + items[items_[i]];
+    const double predictor = predictor_[i] + subjects[subject] + items[items_[i]] +
+                             (subjectViews[subject] + itemViews[items_[i]]) * valueOf(trial, "view");
     if (truth_.outcome == SimulatedOutcome::kAnswers) {
       const bool right = numbers.uniform() < probabilityOf(predictor);
       const bool tooMany = numbers.uniform() < probabilityOf(errors[items_[i]]);
@@ -211,8 +214,9 @@ std::vector<Trial> SimulatedStudy::draw(RandomNumbers& numbers) const {
 }
 
 std::vector<double> SimulatedStudy::probabilities() const {
-  const double deviation =
-      std::hypot(truth_.ofSubjects, truth_.ofSubjectViews / 2, truth_.ofItems);  // the view's column is -0.5 or 0.5
+  // The view's column is -0.5 or 0.5.
+  const double deviation = std::hypot(std::hypot(truth_.ofSubjects, truth_.ofSubjectViews / 2),
+                                      std::hypot(truth_.ofItems, truth_.ofItemViews / 2));
   std::map<double, double> known;
   std::vector<double> probabilities;
   for (const double predictor : predictor_) {
@@ -239,9 +243,8 @@ double SimulatedStudy::shareDifference() const {
 }
 
 double SimulatedStudy::limitedMeanDifference() const {
-  const double deviation =
-      std::sqrt(truth_.ofSubjects * truth_.ofSubjects + truth_.ofSubjectViews * truth_.ofSubjectViews / 4 +
-                truth_.ofItems * truth_.ofItems + truth_.ofTrials * truth_.ofTrials);
+  const double deviation = std::hypot(std::hypot(truth_.ofSubjects, truth_.ofSubjectViews / 2),
+                                      std::hypot(truth_.ofItems, truth_.ofItemViews / 2), truth_.ofTrials);
   std::array<Mean, 2> means{};
   for (size_t i = 0; i < trials_.size(); ++i) {
     means[trials_[i].view == TrialView::kGraph].add(limitedMean(predictor_[i], deviation, truth_.limitSeconds));

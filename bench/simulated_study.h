@@ -1,9 +1,11 @@
 // Studies whose effects are known, in the shape of a protocol: its schedule, cases and sessions, with subjects who drop
 // out. For how often intervals hold the truth, and how often a true null is rejected.
 //
-//   times      log(seconds) = average + effects + subject + subject's view + item + trial, stopped at a limit
-//   hazards    rate = exp(average + effects + item) * frailty of the subject, stopped at a limit
-//   answers    logit(right) = average + effects + subject + subject's view + item; wrong counts are one off
+//   times      log(seconds) = average + effects + subject + subject's view + item + item's view + trial, stopped at a
+//                             limit
+//   hazards    rate = exp(average + effects + item + item's view) * frailty of the subject, stopped at a limit
+//   answers    logit(right) = average + effects + subject + subject's view + item + item's view; wrong counts are one
+//                             off
 //
 // Effects are multiplied with columns about their means over the trials; view, moving and duplicates are -0.5 and 0.5
 // before that. Items are the cases of a block in a session, the same for all subjects (Trial::item()).
@@ -29,6 +31,7 @@ struct SimulatedTruth {
   double ofSubjects = 0;
   double ofSubjectViews = 0;
   double ofItems = 0;
+  double ofItemViews = 0;  ///< of the effect of the view on an item; half of it counts for either view
   double ofTrials = 0;
   double ofErrors = 0;         ///< of the logit by item that a wrong count is too many
   double frailty = 1;          ///< of hazards: index of a positive stable variable; 1 for none

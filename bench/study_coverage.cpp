@@ -92,13 +92,9 @@ constexpr const char* kClusters = "subjects, cases";
 StudyOutcome analyseStudy(const PlannedModel& model, const std::vector<Trial>& trials) {
   const TrialList list = listOf(trials);
   switch (model.kind) {
-    case ModelKind::kLinearMixed: {
-      std::vector<double> seconds;
-      for (const Trial& trial : trials) {
-        seconds.push_back(*trial.responseSeconds);
-      }
-      return outcomeOf(fitLinear(model, list, seconds));
-    }
+    case ModelKind::kLinearMixed:
+    case ModelKind::kLogNormalMixed:
+      return outcomeOf(fitTimes(model, list, TimeoutTreatment::kCensored));
     case ModelKind::kBinomialMixed:
       return outcomeOf(fitBinomial(model, list));
     case ModelKind::kCox:

@@ -188,10 +188,7 @@ class Checksums : public ArrivalSink {
 };
 
 int emulate(const Choice& choice, std::vector<std::string> arguments) {
-  UsbEmulator::restartPreloaded();
-  if (!UsbEmulator::preloaded()) {
-    throw WorkError("umockdev's preload library cannot be loaded", "libumockdev-preload.so.0", "install libumockdev0");
-  }
+  UsbEmulator::requirePreloaded();
   EmulatedUsbDisplay display;
   display.device.firmware.profile = loadProfile("perspecta");
   display.device.bytesPerSecond = choice.link == "unlimited" ? 0 : wire::plannedLink(choice.link).bytesPerSecond;

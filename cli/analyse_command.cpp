@@ -13,6 +13,9 @@
 #include "analysis/tables/paper_tables.h"
 #include "cli/command.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
+#include "oc_core/base/unfinished_output.h"
+#include "study/store/export_record.h"
 
 namespace ocelli {
 namespace {
@@ -51,6 +54,22 @@ std::string nowUtc() {
   return text;
 }
 
+/// In the databases, so that a withdrawal finds the report: it names subjects, and holds rows of them with --csv.
+void noteReport(const AnalysisData& analysis, const std::string& folder, const std::vector<ReportFile>& files,
+                const Frame& frame) {
+  std::vector<std::string> names;
+  for (const ReportFile& file : files) {
+    names.push_back(file.name);
+  }
+  for (const DataSource& source : analysis.data.sources) {
+    if (source.form != DataSource::Form::kDatabase) {
+      frame.note(fmt::format("{} are tables: a withdrawal from their database will not find this report", source.path));
+    } else if (!recordReport(source.path, folder, names)) {
+      frame.note(fmt::format("{} could not note this report: a withdrawal will not find it", source.path));
+    }
+  }
+}
+
 void analyse(const AnalyseChoice& choice, const Frame& frame) {
   if (!choice.folder.empty()) {
     checkReportFolder(choice.folder);
@@ -73,6 +92,12 @@ void analyse(const AnalyseChoice& choice, const Frame& frame) {
   options.created = nowUtc();
   options.progress = frame.progress();
   const ReportDocument report = studyReport(analysis, tables, options);
+  for (const std::string& warning : analysis.warnings) {
+    frame.note(fmt::format("caution: {}", warning));
+  }
+  for (const std::string& failure : report.failures) {
+    frame.note(fmt::format("a part of the report failed, and says so in its place: {}; please report this", failure));
+  }
   if (!choice.explain.empty()) {
     frame.print(explainCell(report.origins.tables, analysis.data, choice.explain));
   }
@@ -82,7 +107,11 @@ void analyse(const AnalyseChoice& choice, const Frame& frame) {
   std::vector<ReportFile> files = reportFiles(report);
   const std::vector<ReportFile> more = tableFiles(analysis, report, options, choice.csv);
   files.insert(files.end(), more.begin(), more.end());
-  writeReportFolder(choice.folder, files);
+  noteReport(analysis, choice.folder, files, frame);
+  // A signal waits until it is whole.
+  UnfinishedOutput(unfinishedReportFolder(choice.folder), [] {}).finish([&] {
+    writeReportFolder(choice.folder, files);
+  });
   frame.note(fmt::format("wrote {} files about {} trials of {} subjects to {}", files.size(),
                          analysis.flow.analysedTrials, analysis.flow.analysed, choice.folder));
   if (choice.asJson) {
@@ -93,7 +122,7 @@ void analyse(const AnalyseChoice& choice, const Frame& frame) {
                                          {"trials", analysis.flow.analysedTrials},
                                          {"simulated", analysis.data.isSimulated()}};
     // The name of a folder may be any bytes.
-    frame.print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    frame.print(textOfJson(json, 2) + "\n");
   }
 }
 

@@ -12,6 +12,7 @@
 #include "cli/values.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
+#include "oc_core/base/json_fields.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/base/png_file.h"
 #include "oc_core/camera/graph_overlap.h"
@@ -35,8 +36,8 @@ struct CameraInScene {
   std::string size;
 };
 
-void addCameraInScene(CLI::App& command, CameraInScene& choice) {
-  addSceneOptions(command, choice.scene);
+void addCameraInScene(CLI::App& command, CameraInScene& choice, const Frame& frame) {
+  addSceneOptions(command, choice.scene, frame);
   addConstructorOption(command, choice.camera);
   addViewOption(command, choice.view);
   addCameraSizeOption(command, choice.size, kDefaultSize);
@@ -92,7 +93,7 @@ void show(const ShowChoice& choice, const Frame& frame) {
 void addShow(CLI::App& camera, const Frame& frame) {
   CLI::App& command = *camera.add_subcommand("show", "Draw a plan of a camera: its frusta and rays in the scene");
   const auto choice = std::make_shared<ShowChoice>();
-  addCameraInScene(command, choice->camera);
+  addCameraInScene(command, choice->camera, frame);
   command.add_option("--from", choice->from, "The side that the plan shows the scene from")
       ->check(CLI::IsMember({"top", "front", "right"}))
       ->capture_default_str();
@@ -160,7 +161,7 @@ void info(const InfoChoice& choice, const Frame& frame) {
   const MultiperspectiveCamera camera = construct(choice.camera, scene);
   const nlohmann::ordered_json described =
       std::visit([&](const auto& each) { return infoOf(each, scene.mesh); }, camera);
-  frame.print(choice.json ? described.dump(1) + "\n" : textOf(described));
+  frame.print(choice.json ? textOfJson(described, 1) + "\n" : textOf(described));
   if (!choice.output.empty()) {
     writeFile(choice.output, std::visit([](const auto& each) { return jsonText(each); }, camera));
     frame.note("wrote " + choice.output);
@@ -170,7 +171,7 @@ void info(const InfoChoice& choice, const Frame& frame) {
 void addInfo(CLI::App& camera, const Frame& frame) {
   CLI::App& command = *camera.add_subcommand("info", "Tell what a camera consists of, and write it out by hand");
   const auto choice = std::make_shared<InfoChoice>();
-  addCameraInScene(command, choice->camera);
+  addCameraInScene(command, choice->camera, frame);
   command.add_flag("--json", choice->json, "Print it as JSON");
   addSecondOutputOption(command, "-o,--output", choice->output,
                         "Where the camera goes as a list of operations or turns, which `--camera` takes", {".json"});
@@ -214,7 +215,7 @@ void edit(const EditChoice& choice, const Frame& frame) {
       if (!fromInput) {
         throw;
       }
-      frame.print(nlohmann::json{{"line", number}, {"error", error.what()}}.dump() + "\n");
+      frame.print(textOfJson({{"line", number}, {"error", error.what()}}) + "\n");
       continue;
     }
     show();
@@ -230,7 +231,7 @@ void edit(const EditChoice& choice, const Frame& frame) {
 void addEdit(CLI::App& camera, const Frame& frame) {
   CLI::App& command = *camera.add_subcommand("edit", "Change a camera step by step, and draw it after each step");
   const auto choice = std::make_shared<EditChoice>();
-  addCameraInScene(command, choice->camera);
+  addCameraInScene(command, choice->camera, frame);
   command
       .add_option(
           "--edits", choice->edits,

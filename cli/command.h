@@ -33,7 +33,8 @@ class Frame {
   /// Adds --threads and --quiet alone: for the program itself.
   void addCommonOptions(CLI::App& command) const;
 
-  /// Prints a result to standard output. Throws WorkError where that is full; a reader that has gone is no error.
+  /// Prints a result to standard output, or to standard error where an output file of the command goes to standard
+  /// output (-o /dev/stdout). Throws WorkError where that is full; a reader that has gone is no error.
   void print(std::string_view text) const;
   /// Prints a note on what was done ("wrote FILE ...") to standard error, unless --quiet.
   void note(std::string_view text) const;

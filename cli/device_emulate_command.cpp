@@ -13,6 +13,7 @@
 #include "cli/shown_output.h"
 #include "display_driver/emulator/client_process.h"
 #include "display_driver/emulator/emulation_log.h"
+#include "display_driver/emulator/usb_device_record.h"
 #include "display_driver/emulator/usb_emulator.h"
 #include "display_driver/wire/bandwidth_plan.h"
 #include "oc_core/base/error.h"
@@ -31,6 +32,7 @@ struct EmulateChoice {
 constexpr const char* kLink = "usb2";
 
 EmulatedUsbDisplay emulatedUsbDisplay(const EmulateChoice& choice) {
+  requireSerial(choice.serial);
   EmulatedUsbDisplay display;
   display.device = emulatedDisplay(choice.display, kLink);
   display.device.firmware.profile = loadProfile(choice.profile);
@@ -89,10 +91,7 @@ void waitForInterrupt(const Frame& frame, const UsbEmulator& emulator) {
 
 int emulate(const Frame& frame, const EmulateChoice& choice) {
   const EmulatedUsbDisplay display = emulatedUsbDisplay(choice);
-  UsbEmulator::restartPreloaded();
-  if (!UsbEmulator::preloaded()) {
-    throw WorkError("umockdev's preload library cannot be loaded", "libumockdev-preload.so.0", "install libumockdev0");
-  }
+  UsbEmulator::requirePreloaded();
   ShownOutput shown(choice.shown, display.device.firmware.profile);
   EmulationLog log(shown.sink());
   int code = 0;

@@ -7,6 +7,7 @@
 #include "cli/command.h"
 #include "cli/device_command.h"
 #include "display_driver/device_kinds.h"
+#include "oc_core/base/json_fields.h"
 #ifdef OCELLI_WITH_USB
 #include "display_driver/usb/usb_port.h"
 #endif
@@ -102,10 +103,10 @@ std::string infoText(const Json& info) {
     if (value.is_object()) {
       for (const auto& [part, inner] : value.items()) {
         text += fmt::format("{:<30} {}\n", fmt::format("{}.{}", key, part),
-                            inner.is_string() ? inner.get<std::string>() : inner.dump());
+                            inner.is_string() ? inner.get<std::string>() : textOfJson(inner));
       }
     } else if (!value.is_null()) {
-      text += fmt::format("{:<30} {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+      text += fmt::format("{:<30} {}\n", key, value.is_string() ? value.get<std::string>() : textOfJson(value));
     }
   }
   return text;
@@ -119,9 +120,9 @@ void addDeviceList(CLI::App& device, const Frame& frame) {
   command.add_flag("--json", *json, "Print JSON");
   frame.finish(command, "  ocelli device list", [frame, json] {
     const UsbFindings usb = usbDisplays();
-    frame.print(*json ? Json{{"devices", jsonOfKinds()}, {"usb", usb.displays}, {"usb_problem", usb.problem}}.dump(2) +
-                            "\n"
-                      : listText(usb));
+    frame.print(
+        *json ? textOfJson({{"devices", jsonOfKinds()}, {"usb", usb.displays}, {"usb_problem", usb.problem}}, 2) + "\n"
+              : listText(usb));
   });
 }
 
@@ -138,7 +139,7 @@ void addDeviceInfo(CLI::App& device, const Frame& frame) {
     const std::unique_ptr<Device> opened = openDevice(choice->device);
     const Json info = infoOf(*opened);
     opened->close();
-    frame.print(choice->json ? info.dump(2) + "\n" : infoText(info));
+    frame.print(choice->json ? textOfJson(info, 2) + "\n" : infoText(info));
   });
 }
 

@@ -14,6 +14,7 @@
 #include "display_sim/slicer.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/ocri/camera_choice.h"
@@ -188,7 +189,7 @@ void run(const PlanChoice& choice, const Frame& frame) {
     for (const ScenePlan& other : others) {
       json["alternatives"].push_back(jsonOf(other, link, rate));
     }
-    frame.print(json.dump(2) + "\n");
+    frame.print(textOfJson(json, 2) + "\n");
     return;
   }
   std::string text = fmt::format("{} on {}, turning by {:g} degrees a frame; {}: {:.3g} MB/s\n\n", choice.scene.source,
@@ -211,7 +212,7 @@ void run(const PlanChoice& choice, const Frame& frame) {
 void addDevicePlan(CLI::App& device, const Frame& frame) {
   CLI::App& command = *device.add_subcommand("plan", "Tell which rate a scene gets on a link to a display, and why");
   const auto choice = std::make_shared<PlanChoice>();
-  addSceneOptions(command, choice->scene);
+  addSceneOptions(command, choice->scene, frame);
   command.add_option("--link", choice->link, "What it is sent over: 40 MB/s, 400 MB/s, or so many bytes a second")
       ->type_name("usb2|usb3|NUMBER")
       ->required();

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <map>
+#include <optional>
+#include <string_view>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
@@ -31,6 +34,42 @@ std::string questionOf(const TestPattern& pattern, size_t number, size_t count) 
     text += "  - " + look + "\n";
   }
   return text + "Does it look so? [y, n, either with a note; b back, q quit] ";
+}
+
+struct Answer {
+  char key = 'q';  ///< one of y, n, b, q
+  std::string note;
+};
+
+/// "y", "yes", "N too dim"; nothing for what is no answer.
+std::optional<Answer> answerFrom(const std::string& line) {
+  constexpr std::string_view kSpace = " \t\r";
+  const size_t begin = std::min(line.find_first_not_of(kSpace), line.size());
+  const size_t end = std::min(line.find_first_of(kSpace, begin), line.size());
+  std::string word = line.substr(begin, end - begin);
+  std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const std::string_view known : {"yes", "no", "back", "quit"}) {
+    if (word == known || word == known.substr(0, 1)) {
+      const size_t note = std::min(line.find_first_not_of(kSpace, end), line.size());
+      return Answer{known.front(), line.substr(note, line.find_last_not_of(kSpace) + 1 - note)};
+    }
+  }
+  return std::nullopt;
+}
+
+/// What is no answer, such as an empty line, is asked again. The end of the answers quits.
+Answer ask(const std::string& question, std::istream& answers, const Frame& frame) {
+  frame.print(question);
+  for (std::string line;;) {
+    flushStandardOutput();
+    if (!std::getline(answers, line)) {
+      return {};
+    }
+    if (std::optional<Answer> answer = answerFrom(line)) {
+      return *answer;
+    }
+    frame.print("Please answer with y (it looks so), n (it does not), b (back) or q (quit): ");
+  }
 }
 
 std::string nameOf(const PatternVerdict& verdict) {
@@ -74,22 +113,16 @@ std::vector<PatternVerdict> showPatterns(const std::vector<const TestPattern*>& 
   }
   for (size_t i = 0; i < patterns.size();) {
     show(*patterns[i], device);
-    std::string answer;
-    // What is no answer is asked again.
-    do {
-      frame.print(questionOf(*patterns[i], i + 1, patterns.size()));
-      flushStandardOutput();
-      if (!std::getline(answers, answer) || answer == "q") {
-        return verdicts;
-      }
-    } while (!answer.empty() && std::string("ynb").find(answer.front()) == std::string::npos);
-    if (!answer.empty() && answer.front() == 'b') {
+    const Answer answer = ask(questionOf(*patterns[i], i + 1, patterns.size()), answers, frame);
+    if (answer.key == 'q') {
+      return verdicts;
+    }
+    if (answer.key == 'b') {
       i = i == 0 ? 0 : i - 1;
       continue;
     }
-    const size_t note = answer.find_first_not_of(' ', 1);
-    verdicts[i].verdict = !answer.empty() && answer.front() == 'n' ? PatternVerdict::kWrong : PatternVerdict::kRight;
-    verdicts[i].note = answer.empty() || note == std::string::npos ? "" : answer.substr(note);
+    verdicts[i].verdict = answer.key == 'n' ? PatternVerdict::kWrong : PatternVerdict::kRight;
+    verdicts[i].note = answer.note;
     answered(verdicts);
     ++i;
   }

@@ -20,9 +20,10 @@ struct PatternVerdict {
   std::string note{};
 };
 
-/// Shows each pattern on the device and asks for an answer, a line of `answers`: "y" or nothing (right), "n" (wrong),
-/// either with a note after it, "b" (back), "q" (quit). The end of `answers` quits. `answered` gets all
-/// verdicts after each of them. Throws WorkError where a pattern is not shown within some seconds.
+/// Shows each pattern on the device and asks for an answer, a line of `answers`: "y" (right), "n" (wrong), either with
+/// a note after it, "b" (back), "q" (quit). Any other line, an empty one too, is asked again. The end of `answers`
+/// quits. `answered` gets all verdicts after each of them. Throws WorkError where a pattern is not shown within some
+/// seconds.
 std::vector<PatternVerdict> showPatterns(const std::vector<const TestPattern*>& patterns, Device& device,
                                          std::istream& answers, const Frame& frame,
                                          const std::function<void(const std::vector<PatternVerdict>&)>& answered);

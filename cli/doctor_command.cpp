@@ -8,10 +8,14 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "oc_core/base/json_fields.h"
 #include "oc_core/base/machine.h"
 
 #ifdef OCELLI_WITH_USB
 #include "display_driver/usb/usb_port.h"
+#endif
+#ifdef OCELLI_WITH_EMULATOR
+#include "display_driver/emulator/usb_emulator.h"
 #endif
 #ifdef OCELLI_WITH_OPENGL
 #include "oc_core/gl/gl_report.h"
@@ -36,9 +40,16 @@ constexpr bool kWithUsb = true;
 constexpr bool kWithUsb = false;
 #endif
 
+#ifdef OCELLI_WITH_EMULATOR
+constexpr bool kWithEmulator = true;
+#else
+constexpr bool kWithEmulator = false;
+#endif
+
 struct UsbFindings {
   size_t displays = 0;
-  std::string problem;  ///< why USB, or a display on it, cannot be used; empty where all can
+  std::string problem;          ///< why USB, or a display on it, cannot be used; empty where all can
+  std::string emulatorProblem;  ///< why no display can be emulated; empty where one can
 };
 
 /// What is printed, in words or as JSON.
@@ -70,6 +81,22 @@ UsbFindings findUsb() {
   return {};
 }
 #endif
+
+std::string findEmulatorProblem() {
+#ifdef OCELLI_WITH_EMULATOR
+  const auto error = UsbEmulator::preloadError();
+  return error ? error->what() : "";
+#else
+  return "";
+#endif
+}
+
+std::string emulatorText(const UsbFindings& usb) {
+  if (!kWithEmulator) {
+    return "built without it (OCELLI_WITH_EMULATOR=OFF); ocelli device emulate does not exist";
+  }
+  return usb.emulatorProblem.empty() ? "works (ocelli device emulate)" : "does not work\n" + usb.emulatorProblem;
+}
 
 std::string usbText(const UsbFindings& usb) {
   if (!kWithUsb) {
@@ -135,10 +162,14 @@ std::string asJson(const Findings& findings) {
       {"ffmpeg", findings.ffmpeg ? Json(findings.ffmpeg->string()) : Json()},
       {"font", findings.font ? Json(*findings.font) : Json()},
       {"usb", {{"built", kWithUsb}, {"displays", findings.usb.displays}, {"problem", findings.usb.problem}}},
+      {"usb_emulator",
+       {{"built", kWithEmulator},
+        {"works", kWithEmulator && findings.usb.emulatorProblem.empty()},
+        {"problem", findings.usb.emulatorProblem}}},
       {"opengl", anyProvider(findings, "works", true)},
       {"gpu", anyProvider(findings, "software", false)},
       {"providers", findings.providers}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return textOfJson(json, 2) + "\n";
 }
 
 std::string row(const std::string& name, const std::string& text) {
@@ -194,6 +225,7 @@ std::string asText(const Findings& findings) {
   text += row("ffmpeg", findings.ffmpeg ? findings.ffmpeg->string()
                                         : "not found; it makes films of series of images (apt-get install ffmpeg)");
   text += row("usb", usbText(findings.usb));
+  text += row("emulator", emulatorText(findings.usb));
   if (kWithOpenGl) {
     text +=
         row("font", findings.font.value_or("none found; panels use a plain one (apt-get install fonts-dejavu-core)"));
@@ -215,6 +247,7 @@ void addDoctorCommand(CLI::App& program, const Frame& frame) {
                "  LIBGL_ALWAYS_SOFTWARE=1 ocelli doctor      (without the GPU)",
                [json, frame] {
                  Findings findings{machineInfo(), findProgram("ffmpeg"), std::nullopt, Json::array(), {}, findUsb()};
+                 findings.usb.emulatorProblem = findEmulatorProblem();
                  findOpenGl(findings);
                  frame.print(*json ? asJson(findings) : asText(findings));
                });

@@ -106,8 +106,13 @@ class Outputs {
     if (hasPage()) {
       return inPage("evaluation.work");
     }
-    const std::vector<std::string> written = files();
-    return written.empty() ? std::nullopt : std::optional(fs::path(written.front() + ".work"));
+    // Nothing can stand beside a pipe.
+    for (const std::string& path : files()) {
+      if (!isStream(path)) {
+        return fs::path(path + ".work");
+      }
+    }
+    return std::nullopt;
   }
   bool hasPage() const { return !choice_.page.empty(); }
   fs::path pageFile() const { return fs::path(choice_.page) / "index.html"; }
@@ -258,7 +263,7 @@ void addEvaluateCommand(CLI::App& program, const Frame& frame) {
   CLI::App& command = *program.add_subcommand(
       "evaluate", "Measure what reference images lack over a cell of viewpoints, and their cost");
   const auto choice = std::make_shared<EvaluateChoice>();
-  addSceneOptions(command, choice->scene);
+  addSceneOptions(command, choice->scene, frame);
   command.add_option("--cameras", choice->cameras, "Cameras to compare: names or JSON files")
       ->delimiter(',')
       ->type_name("NAME,...");

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -6,6 +7,7 @@
 #include "cli/command.h"
 #include "cli/progress_bar.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/output_file.h"
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {
@@ -22,11 +24,22 @@ void checkStandardOutput(bool written) {
                   "check where it is redirected to: is the disk full?");
 }
 
+/// Whether a file that the user named goes there.
+bool namesStandardOutput(const CLI::App& command) {
+  return std::ranges::any_of(command.get_options(), [](const CLI::Option* option) {
+    return std::ranges::any_of(option->results(), [](const std::string& text) {
+      constexpr std::string_view kFileDevice = "file:";
+      return isStandardOutput(text.starts_with(kFileDevice) ? text.substr(kFileDevice.size()) : text);
+    });
+  });
+}
+
 }  // namespace
 
 struct Frame::State {
   int threads = 0;
   bool quiet = false;
+  bool fileOnStandardOutput = false;
   ProgressBar bar;
   std::function<void()> chosen;
 };
@@ -43,12 +56,16 @@ void Frame::addCommonOptions(CLI::App& command) const {
 void Frame::finish(CLI::App& command, const std::string& examples, std::function<void()> run) const {
   addCommonOptions(command);
   command.footer("Examples:\n" + examples);
-  command.callback([state = state_, run = std::move(run)] { state->chosen = run; });
+  command.callback([state = state_, run = std::move(run), &command] {
+    state->fileOnStandardOutput = namesStandardOutput(command);
+    state->chosen = run;
+  });
 }
 
 void Frame::print(std::string_view text) const {
   clearProgress();
-  checkStandardOutput(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
+  std::FILE* const stream = state_->fileOnStandardOutput ? stderr : stdout;
+  checkStandardOutput(std::fwrite(text.data(), 1, text.size(), stream) == text.size());
 }
 
 void Frame::note(std::string_view text) const {

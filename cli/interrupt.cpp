@@ -1,15 +1,52 @@
 #include "cli/interrupt.h"
 
+#include <cstdint>
+#include <ctime>
+
 #include "oc_core/base/error.h"
+#include "oc_core/base/unfinished_output.h"
 
 namespace ocelli {
 namespace {
 
 // A signal handler can reach nothing but a global.
 volatile std::sig_atomic_t noted = 0;
+volatile int64_t notedMilliseconds = 0;
 
-void note(int) {
-  noted = 1;
+/// May be called in a signal handler.
+int64_t milliseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
+}
+
+void end(int signal) {
+  removeUnfinishedOutputs();
+  std::signal(signal, SIG_DFL);
+  // It waits until this handler returns, and ends the program then.
+  std::raise(signal);
+}
+
+void noteOrEnd(int signal) {
+  // Shells and `timeout` send one to the program and to its group: twice at the same time, but meant once.
+  constexpr int64_t kSameMilliseconds = 200;
+  if (noted == 0) {
+    notedMilliseconds = milliseconds();
+    noted = 1;
+  } else if (signal != SIGHUP && milliseconds() - notedMilliseconds > kSameMilliseconds) {
+    end(signal);
+  }
+}
+
+struct sigaction actionOf(void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  // One at a time.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    sigaddset(&action.sa_mask, signal);
+  }
+  return action;
 }
 
 void install(int signal, const struct sigaction& action, struct sigaction& old) {
@@ -21,16 +58,20 @@ void install(int signal, const struct sigaction& action, struct sigaction& old) 
 
 }  // namespace
 
+void removeUnfinishedOutputsOnSignals() {
+  const struct sigaction action = actionOf(end);
+  struct sigaction old {};
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    install(signal, action, old);
+  }
+}
+
 InterruptGuard::InterruptGuard() {
   noted = 0;
-  struct sigaction action {};
-  action.sa_handler = note;
-  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
-  sigemptyset(&action.sa_mask);
+  const struct sigaction action = actionOf(noteOrEnd);
   install(SIGINT, action, oldInterrupt_);
   install(SIGTERM, action, oldTerminate_);
   // A terminal that goes sends it more than once: from the system, and from the shell.
-  action.sa_flags = SA_RESTART;
   install(SIGHUP, action, oldHangUp_);
 }
 

@@ -1,4 +1,5 @@
-// Ctrl-C as something that long work can ask about, so that it ends with what is done written.
+// What signals that end a program do here: what is half written goes with it, and long work may ask whether one came,
+// so that it ends with what is done written.
 #pragma once
 
 #include <csignal>
@@ -9,9 +10,13 @@
 
 namespace ocelli {
 
-/// While it lives, the first SIGINT or SIGTERM is noted; a second one ends the program at once, as it does without
-/// this. SIGHUP, of a terminal that is closed, is noted however often it comes. At most one lives at a time. Where a
-/// signal is ignored (nohup) it stays so.
+/// From now on SIGINT, SIGTERM and SIGHUP end the program as they do by themselves, after they have removed what lies
+/// under a temporary name (oc_core/base/unfinished_output.h). Where a signal is ignored (nohup) it stays so.
+void removeUnfinishedOutputsOnSignals();
+
+/// While it lives, the first SIGINT or SIGTERM is noted; one that comes more than 0.2 s later ends the program at once,
+/// without what is half written. SIGHUP, of a terminal that is closed, is noted however often it comes. At most one
+/// lives at a time. Where a signal is ignored (nohup) it stays so.
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -13,6 +13,7 @@
 
 #include "analysis/base/analysis_error.h"
 #include "cli/command.h"
+#include "cli/interrupt.h"
 #include "oc_core/base/error.h"
 
 namespace ocelli {
@@ -122,6 +123,7 @@ int run(int argumentCount, char** arguments) {
 int main(int argumentCount, char** arguments) {
   ocelli::openStandardStreams();
   std::signal(SIGPIPE, SIG_IGN);
+  ocelli::removeUnfinishedOutputsOnSignals();
   try {
     return ocelli::run(argumentCount, arguments);
   } catch (const std::exception& error) {

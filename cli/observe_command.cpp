@@ -11,11 +11,13 @@
 #include "cli/gl_drawing.h"
 #include "cli/interrupt.h"
 #include "cli/observer_choice.h"
+#include "cli/scene_notes.h"
 #include "cli/values.h"
 #include "display_sim/frames/svol_file.h"
 #include "display_sim/light_file.h"
 #include "display_sim/observe_series.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
 #include "oc_core/base/output_file.h"
 
 namespace ocelli {
@@ -54,7 +56,8 @@ struct Observation {
 
 void checkOutput(const ObserveChoice& choice) {
   const std::string& output = choice.output;
-  const bool picture = output.ends_with(".png") || choice.isExr();
+  const bool stream = isStream(output);
+  const bool picture = output.ends_with(".png") || choice.isExr() || stream;
   if (choice.isSeries() && picture) {
     throw InputError("a series of pictures does not go into one of them", output,
                      "give a folder, or a video that ends in .mp4 or .webm");
@@ -62,6 +65,9 @@ void checkOutput(const ObserveChoice& choice) {
   if (!choice.isSeries() && !picture) {
     throw InputError("\"" + output + "\" does not end in .png or .exr", "-o",
                      "give such a file; folders and videos are for --turntable and --path");
+  }
+  if (stream && choice.stereoMetres > 0 && !choice.sideBySide) {
+    throw InputError("two pictures do not go into one output", output, "add --side-by-side, or give a file");
   }
   if (choice.isExr() && (choice.observer.gain > 0 || choice.observer.gamma != 1 || choice.observer.tone != "clip")) {
     throw InputError("an .exr file holds the light as it is", "--gain, --gamma, --tone",
@@ -88,7 +94,7 @@ std::string withSuffix(const std::string& path, const std::string& suffix) {
 
 void writePicture(const std::string& path, const Image<glm::vec3>& light, const Tone& tone, const Json& figures) {
   if (path.ends_with(".exr")) {
-    writeLightExr(path, light, figures.dump());
+    writeLightExr(path, light, textOfJson(figures));
   } else {
     writeTonedPng(path, light, tone);
   }
@@ -98,8 +104,8 @@ void writePicture(const std::string& path, const Image<glm::vec3>& light, const 
 void observePictures(const Observation& o, Json& figures) {
   const bool pair = o.separationRadii > 0;
   const bool two = pair && !o.choice.sideBySide;
-  const std::string left = withSuffix(o.choice.output, "-left");
-  const std::string right = withSuffix(o.choice.output, "-right");
+  const std::string left = two ? withSuffix(o.choice.output, "-left") : "";
+  const std::string right = two ? withSuffix(o.choice.output, "-right") : "";
   for (const std::string& path : two ? std::vector{left, right} : std::vector{o.choice.output}) {
     checkWritable(path);
   }
@@ -160,6 +166,7 @@ void run(const ObserveChoice& choice, const Frame& frame) {
   checkOutput(choice);
   const auto gl = choice.method == "gl" ? std::make_unique<GlDisplay>(choice.gl) : nullptr;
   const Volume volume = readSvol(choice.volume, frameNumber(choice.frame, "--frame"));
+  noteDarkVolume(frame, volume);
   ObserverOptions options = observerOptions(choice.observer, volume.profile());
   const std::vector<EyePose> way = choice.path.empty() ? std::vector<EyePose>() : readEyePath(choice.path);
   if (!way.empty()) {
@@ -182,7 +189,7 @@ void run(const ObserveChoice& choice, const Frame& frame) {
     observePictures(observation, figures);
   }
   if (choice.json) {
-    frame.print(figures.dump(2) + "\n");
+    frame.print(textOfJson(figures, 2) + "\n");
   }
   if (gl != nullptr) {
     frame.note("drawn with " + gl->description());

@@ -5,6 +5,7 @@
 #include "cli/command.h"
 #include "cli/gl_drawing.h"
 #include "cli/output_option.h"
+#include "cli/scene_notes.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
 #include "cli/viewers_option.h"
@@ -28,10 +29,24 @@ struct BuildChoice {
   std::string output;
 };
 
+/// "ddoc of 720x480, 90000 samples", of a union "corners-8, 8 images of 720x480, 200000 samples".
+std::string describe(const ReferenceImages& images) {
+  const ReferenceImage& first = images.front();
+  size_t samples = 0;
+  bool sameSize = true;
+  for (const ReferenceImage& image : images) {
+    samples += image.sampleCount();
+    sameSize = sameSize && image.width() == first.width() && image.height() == first.height();
+  }
+  const std::string count = images.size() == 1 ? "" : fmt::format(", {} images", images.size());
+  const std::string size = sameSize ? fmt::format(" of {}x{}", first.width(), first.height()) : " of several sizes";
+  return fmt::format("{}{}{}, {} samples", first.camera, count, size, samples);
+}
+
 void addBuild(CLI::App& ocri, const Frame& frame) {
   CLI::App& command = *ocri.add_subcommand("build", "Build the reference image of a scene");
   const auto choice = std::make_shared<BuildChoice>();
-  addSceneOptions(command, choice->scene);
+  addSceneOptions(command, choice->scene, frame);
   addCameraOption(command, choice->camera);
   addViewersOptions(command, choice->viewers);
   addSizeOption(command, choice->size);
@@ -59,6 +74,7 @@ void addBuild(CLI::App& ocri, const Frame& frame) {
         const std::vector<View> views = viewsOf(choice->viewers);
         const auto gl = onGpu ? std::make_unique<GlDrawing>(choice->gl) : nullptr;
         const Mesh mesh = loadScene(choice->scene.source, choice->scene.options, frame.progress());
+        noteBlackScene(frame, mesh);
         ConstructionReport report;
         std::vector<ReferenceImages> viewers;
         for (const View& view : views) {
@@ -71,10 +87,7 @@ void addBuild(CLI::App& ocri, const Frame& frame) {
         const ReferenceImages images = mergeViewers(std::move(viewers)).images;
         writeReferenceImages(choice->output, images);
         frame.note("constructed " + (gl != nullptr ? "with " + gl->description() : describe(report)));
-        for (const ReferenceImage& image : images) {
-          frame.note(fmt::format("wrote {}: {} of {}x{}, {} samples", choice->output, image.camera, image.width(),
-                                 image.height(), image.sampleCount()));
-        }
+        frame.note("wrote " + choice->output + ": " + describe(images));
       });
 }
 

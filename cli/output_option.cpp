@@ -21,7 +21,7 @@ CLI::Option* addFile(CLI::App& command, const std::string& names, std::string& p
   }
   return command.add_option(names, path, help)
       ->check([endings, wanted](const std::string& given) {
-        const bool fits = given.starts_with("/dev/") ||
+        const bool fits = isStream(given) ||
                           std::ranges::any_of(endings, [&](const auto& ending) { return given.ends_with(ending); });
         return fits ? std::string() : "\"" + given + "\" does not end in " + wanted;
       })

@@ -11,7 +11,8 @@ class App;
 namespace ocelli {
 
 /// Adds the required -o,--output. A path must end in one of `endings` (".png"), so that no file of another kind is
-/// overwritten by mistake; what lies below /dev may have any name. Call checkWritable() with it before long work.
+/// overwritten by mistake; pipes, devices and this program's own streams may have any name. Call checkWritable() with
+/// it before long work.
 void addOutputOption(CLI::App& command, std::string& path, const std::string& help,
                      const std::vector<std::string>& endings);
 /// The same for a file that need not be written, by an option of that name.

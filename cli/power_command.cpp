@@ -13,6 +13,8 @@
 #include "cli/command.h"
 #include "cli/power_simulation.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
+#include "oc_core/base/unfinished_output.h"
 #include "study/session/utc_time.h"
 
 namespace ocelli {
@@ -112,7 +114,7 @@ std::string jsonText(const PowerStudy& study) {
     json["curves"].push_back(jsonOf(study, curve));
   }
   json["cautions"] = cautionsOf(study);
-  return json.dump(2) + "\n";
+  return textOfJson(json, 2) + "\n";
 }
 
 std::string tableText(const PowerStudy& study) {
@@ -191,7 +193,7 @@ void power(const PowerChoice& choice, const Frame& frame) {
   if (model == nullptr) {
     throw InputError(fmt::format("the plan has no mixed model of {} with the term \"view\"", task),
                      choice.plan.empty() ? "the default plan" : choice.plan,
-                     "a model of the kind linear_mixed (find) or binomial_mixed (count, path) with that term");
+                     "a model of the kind log_normal_mixed (find) or binomial_mixed (count, path) with that term");
   }
   const PlannedEquivalence* bounds = choice.equivalence ? equivalenceBoundsOf(plan, task) : nullptr;
   if (choice.equivalence && bounds == nullptr) {
@@ -221,7 +223,10 @@ void power(const PowerChoice& choice, const Frame& frame) {
   study.seed = choice.seed;
   frame.print(choice.asJson ? jsonText(study) : tableText(study));
   if (!choice.folder.empty()) {
-    writeReportFolder(choice.folder, reportFiles(powerReport(study, OCELLI_VERSION, utcNow())));
+    // A signal waits until it is whole.
+    UnfinishedOutput(unfinishedReportFolder(choice.folder), [] {}).finish([&] {
+      writeReportFolder(choice.folder, reportFiles(powerReport(study, OCELLI_VERSION, utcNow())));
+    });
     frame.note(fmt::format("wrote a report to {}", choice.folder));
   }
 }
@@ -261,6 +266,7 @@ void addEffectOptions(CLI::App& command, SupposedEffects& supposed) {
          spread);
   number("--subject-view-sd", supposed.subjectViewSd, "find: how they differ in the effect of the view", spread);
   number("--case-sd", supposed.caseSd, "How cases differ", spread);
+  number("--case-view-sd", supposed.caseViewSd, "How they differ in the effect of the view", spread);
   number("--residual-sd", supposed.residualSd, "find: how searches of one subject for one case differ", spread);
   command
       .add_option("--effects", supposed.file,

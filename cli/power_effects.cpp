@@ -52,6 +52,13 @@ std::string sharesText(const Truth& truth) {
   return fmt::format("{:.1f} % right with gc, {:.1f} % with ppc", 100 * truth.gc, 100 * truth.ppc);
 }
 
+std::string casesText(double itemSd, double itemViewSd) {
+  return fmt::format("cases differ by {:.3g}, and {}", itemSd,
+                     itemViewSd > 0 ? fmt::format("in the effect of the view by {:.3g}", itemViewSd)
+                                    : "all have the same effect of the view: where yours do not, as where one view "
+                                      "alone shows some objects, more cases are needed (--case-view-sd)");
+}
+
 /// Fills in what follows from the effects.
 void describe(const Protocol& protocol, const std::string& task, Truth& truth) {
   truth.ratio = std::exp(graphEffect(truth.effects, task));
@@ -73,6 +80,7 @@ void setSearches(const Protocol& protocol, const SupposedEffects& supposed, Gene
   set(find.subjectSd, supposed.subjectSd);
   set(find.subjectGraphSd, supposed.subjectViewSd);
   set(find.itemSd, supposed.caseSd);
+  set(find.itemViewSd, supposed.caseViewSd);
   set(find.residualSd, supposed.residualSd);
   find.graph = std::log(*supposed.ratio);
   if (supposed.secondsPpc) {
@@ -95,6 +103,7 @@ void setAnswers(const Protocol& protocol, const SupposedEffects& supposed, Gener
   double& right = isCount ? effects.count.right : effects.path.right;
   set(isCount ? effects.count.subjectSd : effects.path.subjectSd, supposed.subjectSd);
   set(isCount ? effects.count.itemSd : effects.path.itemSd, supposed.caseSd);
+  set(isCount ? effects.count.itemViewSd : effects.path.itemViewSd, supposed.caseViewSd);
   if (supposed.sharePpc) {
     solve(right, *supposed.sharePpc, [&] { return shareRight(protocol, effects, supposed.task, StudyView::kPinhole); });
   }
@@ -162,7 +171,7 @@ std::vector<std::string> describeTruth(const Truth& truth, const std::string& ta
         fmt::format(
             "subjects differ in log seconds by {:.3g} (standard deviation), and in the effect of the view by {:.3g}",
             find.subjectSd, find.subjectGraphSd),
-        fmt::format("cases differ by {:.3g}, in the same way for both views", find.itemSd),
+        casesText(find.itemSd, find.itemViewSd),
         fmt::format("searches of a subject for a case differ by {:.3g}", find.residualSd),
         fmt::format("moving objects multiply times by {:.3g}, each further session by {:.3g}", std::exp(find.moving),
                     std::exp(find.session))};
@@ -172,8 +181,8 @@ std::vector<std::string> describeTruth(const Truth& truth, const std::string& ta
       fmt::format("{}: an odds ratio of {:.3g} within a subject and case", sharesText(truth), truth.ratio),
       fmt::format("subjects differ in logits by {:.3g} (standard deviation), with the same effect of the view for all",
                   isCount ? effects.count.subjectSd : effects.path.subjectSd),
-      fmt::format("cases differ by {:.3g}, in the same way for both views",
-                  isCount ? effects.count.itemSd : effects.path.itemSd),
+      isCount ? casesText(effects.count.itemSd, effects.count.itemViewSd)
+              : casesText(effects.path.itemSd, effects.path.itemViewSd),
       fmt::format("each further session multiplies odds by {:.3g}",
                   std::exp(isCount ? effects.count.session : effects.path.session))};
   if (isCount) {

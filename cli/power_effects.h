@@ -24,6 +24,7 @@ struct SupposedEffects {
   std::optional<double> subjectSd{};
   std::optional<double> subjectViewSd{};
   std::optional<double> caseSd{};
+  std::optional<double> caseViewSd{};
   std::optional<double> residualSd{};
 };
 

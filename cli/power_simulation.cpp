@@ -1,9 +1,13 @@
 #include "cli/power_simulation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <mutex>
 
+#include "analysis/base/failure.h"
 #include "analysis/report/view_test.h"
 #include "cli/simulated_dataset.h"
 #include "oc_core/base/machine.h"
@@ -30,6 +34,16 @@ struct StudyResults {
   StudyResult equivalence;
 };
 
+/// A test that fails is one without a result.
+void take(StudyResult& result, const std::function<void(StudyResult&)>& test) {
+  StudyResult tested;
+  const std::optional<std::string> failure = failureOf([&] { test(tested); });
+  result = failure ? StudyResult{} : tested;
+  if (failure) {
+    result.reason = fmt::format("the computation failed: {}", *failure);
+  }
+}
+
 StudyResults analyseStudy(const PowerWork& work, const Truth& truth, int subjects, uint64_t seed) {
   SimulationPlan simulation;
   simulation.kind = SubjectKind::kGenerator;
@@ -40,23 +54,27 @@ StudyResults analyseStudy(const PowerWork& work, const Truth& truth, int subject
   StudyResults results;
   results.analysed = analysis.flow.analysed;
   if (truth.kind != Truth::Kind::kAtBound) {
-    const ViewTest test = testOfView(analysis, work.model);
-    results.view.warned = test.warned;
-    if (test.view && std::isfinite(test.view->pValue)) {
-      results.view.found = test.view->pValue <= work.alpha;
-      results.view.estimate = test.view->value;
-    } else {
-      results.view.reason = test.view ? "the model has no standard error" : test.view.reason();
-    }
+    take(results.view, [&](StudyResult& result) {
+      const ViewTest test = testOfView(analysis, work.model);
+      result.warned = test.warned;
+      if (test.view && std::isfinite(test.view->pValue)) {
+        result.found = test.view->pValue <= work.alpha;
+        result.estimate = test.view->value;
+      } else {
+        result.reason = test.view ? "the model has no standard error" : test.view.reason();
+      }
+    });
   }
   if (work.bounds != nullptr) {
-    const Estimable<EquivalenceTest> test = testOfEquivalence(analysis, *work.bounds, work.alpha);
-    if (test) {
-      results.equivalence.found = test->equivalent;
-      results.equivalence.estimate = test->difference.value;
-    } else {
-      results.equivalence.reason = test.reason();
-    }
+    take(results.equivalence, [&](StudyResult& result) {
+      const Estimable<EquivalenceTest> test = testOfEquivalence(analysis, *work.bounds, work.alpha);
+      if (test) {
+        result.found = test->equivalent;
+        result.estimate = test->difference.value;
+      } else {
+        result.reason = test.reason();
+      }
+    });
   }
   return results;
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <filesystem>
@@ -9,10 +10,12 @@
 #include <optional>
 
 #include "cli/command.h"
+#include "cli/display_wait.h"
 #include "cli/emulated_display.h"
 #include "cli/interrupt.h"
 #include "cli/output_option.h"
 #include "cli/presentation_report.h"
+#include "cli/scene_notes.h"
 #include "cli/scene_options.h"
 #include "cli/shown_output.h"
 #include "cli/slicing_options.h"
@@ -28,6 +31,7 @@
 #include "display_driver/pacing/recording_device.h"
 #include "display_driver/pacing/session_player.h"
 #include "display_sim/exact_slicer.h"
+#include "display_sim/frames/svol_file.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/ocri/union_mesh.h"
@@ -133,6 +137,7 @@ void addSceneSource(Presented& presented, const PresentChoice& choice, const Dis
                     const Frame& frame) {
   const SliceOptions options = sliceOptionsOf(choice.slicing);
   presented.mesh = loadMeshToSlice(choice.scene, frame.progress());
+  noteSlicedScene(frame, presented.mesh, profile);
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   if (!choice.eyes.empty()) {
     const CameraChoice camera = cameraChoice(choice.hasCamera() ? choice.camera : "ddoc");
@@ -188,32 +193,41 @@ class TimeLineFile {
 PresentationReport present(Device& device, Presented& presented, const PresentChoice& choice, const Frame& frame) {
   TimeLineFile file(choice.timeLine);
   TimeLine soFar;
-  const HostTime start = realClock().now();
-  const Progress progress = frame.progress();
-  Pacer pacer(device, *presented.source, realClock(),
-              {.seconds = choice.seconds, .tearWhenLate = choice.tear, .coarseWhenLate = choice.coarse});
-  PresentationReport result;
-  bool malformedTold = false;
+  const auto interrupted = [] { return InterruptGuard::interrupted(); };
   const InterruptGuard guard;
-  result.summary = pacer.run([] { return InterruptGuard::interrupted(); },
-                             [&](const RefreshRecord& record) {
-                               file.add(record, start);
-                               soFar.add(record);
-                               if (choice.follow && isMiss(record.outcome)) {
-                                 frame.note(missText(record, start));
-                               }
-                               if (presented.feed != nullptr && presented.feed->malformed() > 0 && !malformedTold) {
-                                 malformedTold = true;
-                                 frame.note("this is not TIME,X,Y,Z: \"" + presented.feed->firstMalformed() +
-                                            "\"; more of them are only counted");
-                               }
-                               constexpr uint64_t kRefreshesBetween = 6;
-                               if (progress && soFar.refreshes() % kRefreshesBetween == 0) {
-                                 const double seconds = std::chrono::duration<double>(record.due - start).count();
-                                 progress(statusText(soFar.refreshes(), soFar.misses()),
-                                          choice.seconds ? seconds / *choice.seconds : 0);
-                               }
-                             });
+  PresentationReport result;
+  DisplayWait display(device, frame);
+  const HostTime begin = realClock().now();
+  if (!display.untilThere(choice.seconds, interrupted)) {
+    result.absent = true;
+  } else {
+    const HostTime start = realClock().now();
+    std::optional<double> seconds = choice.seconds;
+    if (seconds) {
+      // Waiting counts.
+      *seconds = std::max(0.0, *seconds - std::chrono::duration<double>(start - begin).count());
+    }
+    const Progress progress = frame.progress();
+    bool malformedTold = false;
+    Pacer pacer(device, *presented.source, realClock(),
+                {.seconds = seconds, .tearWhenLate = choice.tear, .coarseWhenLate = choice.coarse});
+    result.summary = pacer.run(interrupted, [&](const RefreshRecord& record) {
+      file.add(record, start);
+      soFar.add(record);
+      if (choice.follow && isMiss(record.outcome)) {
+        frame.note(missText(record, start));
+      }
+      if (presented.feed != nullptr && presented.feed->malformed() > 0 && !malformedTold) {
+        malformedTold = true;
+        frame.note(presented.feed->firstMalformed() + "\n  more of them are only counted");
+      }
+      constexpr uint64_t kRefreshesBetween = 6;
+      if (soFar.refreshes() % kRefreshesBetween == 0 && display.look() && progress) {
+        const double passed = std::chrono::duration<double>(record.due - start).count();
+        progress(statusText(soFar.refreshes(), soFar.misses()), seconds && *seconds > 0 ? passed / *seconds : 0);
+      }
+    });
+  }
   file.finish();
   result.interrupted = InterruptGuard::interrupted();
   result.device = device.info();
@@ -223,6 +237,7 @@ PresentationReport present(Device& device, Presented& presented, const PresentCh
     result.stages = presented.eyes->stages();
     result.eyesLeftOut = presented.eyes->eyesLeftOut();
     result.malformedEyes = presented.feed->malformed();
+    result.firstMalformedEye = presented.feed->firstMalformed();
   }
   return result;
 }
@@ -293,13 +308,16 @@ void requireShown(const PresentationReport& report, const Presented& presented, 
     throw WorkError("no eye ever came", "--eyes " + choice.eyes, "send lines TIME,X,Y,Z: 0,0,0.2,9.8");
   }
   if (report.summary.framesShown == 0 && report.telemetry.framesShown == 0) {
-    const bool absent = report.summary.count(RefreshOutcome::kNotConnected) > 0;
+    const bool absent = report.absent || report.summary.count(RefreshOutcome::kNotConnected) > 0;
     const std::string& why = report.telemetry.lastProblem;
     throw WorkError("no frame was ever shown" + (why.empty() ? "" : ": " + why), choice.device,
                     absent ? "see with ocelli device info whether the display is there"
                            : "give it more time (--seconds), or a link that carries more");
   }
 }
+
+/// Until what is missing is told.
+constexpr double kSessionWaitSeconds = 0.5;
 
 void runSession(const PresentChoice& choice, const Frame& frame) {
   SessionReader reader(choice.scene.source);
@@ -310,6 +328,8 @@ void runSession(const PresentChoice& choice, const Frame& frame) {
   bool interrupted = false;
   {
     const InterruptGuard guard;
+    // Frames come at their own times, display or not.
+    DisplayWait(*opened.device, frame).untilThere(kSessionWaitSeconds, [] { return InterruptGuard::interrupted(); });
     played = playSession(reader, *opened.device, realClock(), {.fast = choice.fast},
                          [] { return InterruptGuard::interrupted(); });
     interrupted = InterruptGuard::interrupted();
@@ -357,6 +377,9 @@ void run(const PresentChoice& choice, const Frame& frame) {
   if (choice.isRecording()) {
     auto source = std::make_unique<RecordingSource>(choice.scene.source, choice.loop);
     options.profile = source->profile();
+    if (source->frames() == 1) {
+      noteDarkVolume(frame, readSvol(choice.scene.source));
+    }
     presented.source = std::move(source);
   } else if (!choice.profile.empty()) {
     options.profile = loadProfile(choice.profile);
@@ -408,7 +431,7 @@ CLI::Validator numberCheck(double least, double most) {
 void addPresentCommand(CLI::App& program, const Frame& frame) {
   CLI::App& command = *program.add_subcommand("present", "Show a scene or a volume on a display, in time with it");
   const auto choice = std::make_shared<PresentChoice>();
-  addSceneOptions(command, choice->scene);
+  addSceneOptions(command, choice->scene, frame);
   command.get_option("SCENE")->description(
       "A scene, the mesh of a reference image (.exr), a volume or recording (.svol), or a folder of numbered .ply "
       "files");

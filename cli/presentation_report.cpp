@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "oc_core/base/json_fields.h"
+
 namespace ocelli {
 namespace {
 
@@ -81,6 +83,10 @@ std::string reportText(const PresentationReport& report) {
   text += spreadText("submitting", summary.submitting);
   text += spreadText("sending", summary.sending);
   text += spreadText("from making to light", summary.latency);
+  if (report.malformedEyes > 0) {
+    text += fmt::format("  eyes: {} line{} could not be used; the first: {}\n", report.malformedEyes,
+                        report.malformedEyes == 1 ? "" : "s", report.firstMalformedEye);
+  }
   if (report.telemetry.framesLost > 0 || report.telemetry.reconnections > 0) {
     text += fmt::format("  the device: {} frames lost, {} reconnections\n", report.telemetry.framesLost,
                         report.telemetry.reconnections);
@@ -123,6 +129,7 @@ std::string reportJson(const PresentationReport& report) {
                                        {"latency", spreadJson(summary.latency)},
                                        {"eyes_left_out", report.eyesLeftOut},
                                        {"malformed_eyes", report.malformedEyes},
+                                       {"first_malformed_eye", report.firstMalformedEye},
                                        {"frames_submitted", telemetry.framesSubmitted},
                                        {"frames_arrived", telemetry.framesArrived},
                                        {"frames_dropped", telemetry.framesDropped},
@@ -130,7 +137,7 @@ std::string reportJson(const PresentationReport& report) {
                                        {"underruns", telemetry.underruns},
                                        {"reconnections", telemetry.reconnections},
                                        {"bytes_sent", telemetry.bytesSent}};
-  return json.dump(2) + "\n";
+  return textOfJson(json, 2) + "\n";
 }
 
 std::string reportText(const SessionPlayed& played) {
@@ -146,7 +153,7 @@ std::string reportJson(const SessionPlayed& played) {
                                        {"frames_lost", played.lost},
                                        {"seconds", played.seconds},
                                        {"whole", played.ending == SessionEnding::kFinished}};
-  return json.dump(2) + "\n";
+  return textOfJson(json, 2) + "\n";
 }
 
 }  // namespace ocelli

@@ -19,6 +19,8 @@ struct PresentationReport {
   std::vector<EyesSource::Stage> stages;  ///< of the making; may be empty
   uint64_t eyesLeftOut = 0;
   uint64_t malformedEyes = 0;
+  std::string firstMalformedEye{};  ///< with what is wrong with it
+  bool absent = false;              ///< the display never was there
   bool interrupted = false;
 };
 

@@ -5,6 +5,7 @@
 #include "cli/command.h"
 #include "cli/gl_drawing.h"
 #include "cli/output_option.h"
+#include "cli/scene_notes.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
 #include "oc_core/base/error.h"
@@ -13,6 +14,7 @@
 #include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/multiperspective/multiperspective_image.h"
 #include "oc_core/ocri/camera_choice.h"
+#include "oc_core/ocri/nothing_seen.h"
 #include "oc_core/ocri/reference_image_file.h"
 #include "oc_core/render/identity_image.h"
 
@@ -64,10 +66,10 @@ FragmentImage drawn(const RenderChoice& choice, const MultiperspectiveCamera& ca
 void renderMultiperspective(const RenderChoice& choice, const PinholeCamera& reference, const Frame& frame) {
   const GuidedScene scene = loadGuidedScene(choice.scene.source, choice.scene.options, frame.progress());
   const MultiperspectiveCamera camera = constructCamera(choice.camera, scene, reference);
+  noteBlackScene(frame, scene.mesh);
   const FragmentImage fragments = drawn(choice, camera, scene.mesh, frame);
   if (std::none_of(fragments.begin(), fragments.end(), [](const Fragment& each) { return each.covered(); })) {
-    throw InputError("the camera sees nothing of the scene", "--camera " + choice.camera,
-                     "turn its view towards the scene; a fitted scene lies in the unit sphere around the origin");
+    failSeeingNothing(reference, scene.mesh, "--camera " + choice.camera);
   }
   if (choice.output.ends_with(".exr")) {
     writeMultiperspectiveImage(choice.output, fragments, scene, camera);
@@ -96,6 +98,7 @@ void render(const RenderChoice& choice, const Frame& frame) {
   const CameraChoice camera = cameraChoice(choice.camera);
   const auto gl = choice.method == "gl" ? std::make_unique<GlDrawing>(choice.gl) : nullptr;
   const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, frame.progress());
+  noteBlackScene(frame, mesh);
   const auto technique = techniqueOf(choice.method);
   const ReferenceImages images =
       technique       ? ReferenceImages{drawReferenceImage(*technique, camera, reference, mesh, frame.progress())}
@@ -122,7 +125,7 @@ void render(const RenderChoice& choice, const Frame& frame) {
 void addRenderCommand(CLI::App& program, const Frame& frame) {
   CLI::App& command = *program.add_subcommand("render", "Render a scene with any camera");
   const auto choice = std::make_shared<RenderChoice>();
-  addSceneOptions(command, choice->scene);
+  addSceneOptions(command, choice->scene, frame);
   addAnyCameraOption(command, choice->camera);
   command
       .add_option(

@@ -7,6 +7,7 @@
 #include "cli/command.h"
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
+#include "oc_core/base/json_fields.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/scene/builtin_scenes.h"
 #include "oc_core/scene/ply_file.h"
@@ -57,27 +58,43 @@ std::string listAsJson() {
     }
     scenes.push_back({{"name", scene.name}, {"summary", scene.summary}, {"parameters", parameters}});
   }
-  return scenes.dump(2) + "\n";
+  return textOfJson(scenes, 2) + "\n";
 }
 
-std::string infoAsText(const std::string& source, const Mesh& mesh) {
+/// Of the file itself: where it has textures, some are split to bake these to vertices.
+size_t trianglesInFile(const SceneChoice& scene, const Mesh& mesh, const Progress& progress) {
+  // Neither has textures.
+  if (!scene.options.textures || isBuiltinScene(scene.source) || scene.source.ends_with(".ply")) {
+    return mesh.triangles.size();
+  }
+  return loadScene(scene.source, {.fit = false, .shading = Shading::kNone, .textures = false}, progress)
+      .triangles.size();
+}
+
+std::string infoAsText(const std::string& source, const Mesh& mesh, size_t inFile) {
   const Box box = boundsOf(mesh);
+  const size_t triangles = mesh.triangles.size();
+  const std::string count =
+      triangles == inFile
+          ? std::to_string(triangles)
+          : fmt::format("{} in the file, {} after its textures were baked to vertices", inFile, triangles);
   return fmt::format(
       "{}\n  triangles  {}\n  vertices   {}\n  x          {:.6g} to {:.6g}\n  y          {:.6g} to {:.6g}\n"
       "  z          {:.6g} to {:.6g}\n",
-      source, mesh.triangles.size(), mesh.positions.size(), box.lower.x, box.upper.x, box.lower.y, box.upper.y,
-      box.lower.z, box.upper.z);
+      source, count, mesh.positions.size(), box.lower.x, box.upper.x, box.lower.y, box.upper.y, box.lower.z,
+      box.upper.z);
 }
 
-std::string infoAsJson(const std::string& source, const Mesh& mesh) {
+std::string infoAsJson(const std::string& source, const Mesh& mesh, size_t inFile) {
   const Box box = boundsOf(mesh);
   const auto list = [](const glm::vec3& p) { return Json::array({p.x, p.y, p.z}); };
   const Json info{{"scene", source},
                   {"triangles", mesh.triangles.size()},
+                  {"triangles_in_file", inFile},
                   {"vertices", mesh.positions.size()},
                   {"lower", list(box.lower)},
                   {"upper", list(box.upper)}};
-  return info.dump(2) + "\n";
+  return textOfJson(info, 2) + "\n";
 }
 
 void addList(CLI::App& parent, const Frame& frame) {
@@ -91,20 +108,22 @@ void addInfo(CLI::App& parent, const Frame& frame) {
   CLI::App& command = *parent.add_subcommand("info", "Count what is in a scene, as everything downstream sees it");
   const auto scene = std::make_shared<SceneChoice>();
   const auto asJson = std::make_shared<bool>(false);
-  addSceneOptions(command, *scene);
+  addSceneOptions(command, *scene, frame);
   command.add_flag("--json", *asJson, "Print the figures as JSON");
-  frame.finish(command, "  ocelli scene info bunny.obj\n  ocelli scene info bunny.obj --no-fit --shading none",
-               [scene, asJson, frame] {
-                 const Mesh mesh = loadScene(scene->source, scene->options, frame.progress());
-                 frame.print(*asJson ? infoAsJson(scene->source, mesh) : infoAsText(scene->source, mesh));
-               });
+  frame.finish(
+      command, "  ocelli scene info bunny.obj\n  ocelli scene info bunny.obj --no-fit --shading none",
+      [scene, asJson, frame] {
+        const Mesh mesh = loadScene(scene->source, scene->options, frame.progress());
+        const size_t inFile = trianglesInFile(*scene, mesh, frame.progress());
+        frame.print(*asJson ? infoAsJson(scene->source, mesh, inFile) : infoAsText(scene->source, mesh, inFile));
+      });
 }
 
 void addExport(CLI::App& parent, const Frame& frame) {
   CLI::App& command = *parent.add_subcommand("export", "Write the mesh that everything downstream takes");
   const auto scene = std::make_shared<SceneChoice>();
   const auto path = std::make_shared<std::string>();
-  addSceneOptions(command, *scene);
+  addSceneOptions(command, *scene, frame);
   addOutputOption(command, *path, "The mesh, as binary PLY with vertex colours", {".ply"});
   frame.finish(command, "  ocelli scene export builtin:statues,triangles=4600000 -o statues.ply", [scene, path, frame] {
     checkWritable(*path);

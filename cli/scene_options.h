@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/command.h"
 #include "cli/values.h"
 #include "oc_core/camera/view.h"
 #include "oc_core/scene/scene_source.h"
@@ -18,8 +19,9 @@ struct SceneChoice {
   SceneOptions options;
 };
 
-/// Adds the argument SCENE, --no-fit, --shading and --no-textures. `choice` must outlive the parsing.
-void addSceneOptions(CLI::App& command, SceneChoice& choice);
+/// Adds the argument SCENE, --no-fit, --shading and --no-textures. `choice` must outlive the parsing. What there is to
+/// say of the scene that is loaded then, such as a missing texture, becomes a note of `frame`.
+void addSceneOptions(CLI::App& command, SceneChoice& choice, const Frame& frame);
 
 /// Adds --camera NAME|FILE.json, for the cameras that build reference images.
 void addCameraOption(CLI::App& command, std::string& camera);

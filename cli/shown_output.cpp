@@ -98,6 +98,7 @@ ShownOutput::ShownOutput(const ShownChoice& choice, const DisplayProfile& profil
   observer_ = shownObserver(choice, profile);
   if (choice.folder.empty()) {
     record_ = ownRecordBeside(choice.watch);
+    ownRecord_ = UnfinishedOutput(record_, [] {});
   } else {
     makeFolder(choice.folder);
     record_ = shownRecord(choice);
@@ -108,8 +109,10 @@ ShownOutput::ShownOutput(const ShownChoice& choice, const DisplayProfile& profil
 ShownOutput::~ShownOutput() {
   recorder_.reset();
   if (!record_.empty() && choice_.folder.empty()) {
-    std::error_code ignored;
-    std::filesystem::remove(record_, ignored);
+    ownRecord_.finish([this] {
+      std::error_code ignored;
+      std::filesystem::remove(record_, ignored);
+    });
   }
 }
 

@@ -49,6 +49,7 @@ class ShownOutput {
   DisplayProfile profile_;
   ObserverOptions observer_;
   std::filesystem::path record_;  ///< the .svol file; one of our own where nobody asked to keep it
+  UnfinishedOutput ownRecord_;
   std::optional<ShownRecorder> recorder_;
 };
 

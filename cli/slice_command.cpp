@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,12 +12,14 @@
 #include "cli/gl_display.h"
 #include "cli/gl_drawing.h"
 #include "cli/output_option.h"
+#include "cli/scene_notes.h"
 #include "cli/scene_options.h"
 #include "cli/slicing_options.h"
 #include "display_sim/exact_slicer.h"
 #include "display_sim/frames/svol_file.h"
 #include "display_sim/slicer.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/base/parallel.h"
 
@@ -35,13 +36,6 @@ struct SliceChoice {
   std::string gl = "auto";
   std::string output;
 };
-
-bool liesWithin(const Mesh& mesh, const DisplayProfile& profile) {
-  constexpr double kRounding = 1e-5;  // of fitting a scene
-  return std::ranges::all_of(mesh.positions, [&](const glm::vec3& p) {
-    return std::hypot(p.x, p.z) <= 1 + kRounding && std::abs(p.y) <= profile.halfHeightRadii + kRounding;
-  });
-}
 
 double millisecondsOf(const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -108,9 +102,7 @@ void run(const SliceChoice& choice, const Frame& frame) {
                         : exact       ? times.run(choice.repeat, [&] { return sliceExactly(mesh, profile, options); })
                                       : sliceFast(mesh, profile, options, choice.repeat, times);
   writeSvol(choice.output, volume, sliceMetadata(choice.scene, choice.slicing));
-  if (!liesWithin(mesh, profile)) {
-    frame.note("a part of the scene lies outside of the display and is cut off");
-  }
+  noteSlicedScene(frame, mesh, profile);
   if (choice.json) {
     const nlohmann::ordered_json json = {{"profile", profile.name},
                                          {"triangles", mesh.triangles.size()},
@@ -123,7 +115,7 @@ void run(const SliceChoice& choice, const Frame& frame) {
                                          {"volumes_per_second", 1000 / times.least()},
                                          {"threads", threadCount()},
                                          {"instruction_set", sliceInstructionSet()}};
-    frame.print(json.dump(2) + "\n");
+    frame.print(textOfJson(json, 2) + "\n");
   }
   if (gl != nullptr) {
     frame.note("sliced with " + gl->description());
@@ -139,7 +131,7 @@ void addSliceCommand(CLI::App& program, const Frame& frame) {
   CLI::App& command =
       *program.add_subcommand("slice", "Slice a scene, a mesh or a reference image (.exr) for a display");
   const auto choice = std::make_shared<SliceChoice>();
-  addSceneOptions(command, choice->scene);
+  addSceneOptions(command, choice->scene, frame);
   addProfileOption(command, choice->profile);
   addSlicingOptions(command, choice->slicing);
   command.add_option("--repeat", choice->repeat, "Slice so often, and tell the shortest time")

@@ -5,6 +5,7 @@
 
 #include "cli/dither_options.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
 #include "oc_core/ocri/reference_image_file.h"
 #include "oc_core/ocri/union_mesh.h"
 
@@ -54,7 +55,7 @@ std::string sliceMetadata(const SceneChoice& scene, const SlicingChoice& choice)
                                        {"dither", choice.undithered ? "none: any light is full light" : choice.dither},
                                        {"even_light_radius", choice.evenLightRadius},
                                        {"antialiased", choice.antialiased}};
-  return json.dump();
+  return textOfJson(json);
 }
 
 }  // namespace ocelli

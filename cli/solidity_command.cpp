@@ -142,7 +142,7 @@ void addSolidityCommand(CLI::App& program, const Frame& frame) {
   CLI::App& command = *program.add_subcommand(
       "solidity", "Measure how solid a scene looks on a display that emits light and hides nothing");
   const auto choice = std::make_shared<SolidityChoice>();
-  addSceneOptions(command, choice->scene);
+  addSceneOptions(command, choice->scene, frame);
   command
       .add_option("--cameras", choice->cameras,
                   "What to compare with the full geometry: names of cameras, JSON files, or reference images (.exr)")

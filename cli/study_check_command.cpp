@@ -4,6 +4,9 @@
 #include "cli/command.h"
 #include "cli/study_command.h"
 #include "study/protocol/check_report.h"
+#ifdef OCELLI_WITH_OPENGL
+#include "study/screen/protocol_texts.h"
+#endif
 
 namespace ocelli {
 
@@ -38,6 +41,9 @@ void addStudyCheckCommand(CLI::App& study, const Frame& frame) {
                [choice, frame] {
                  choice->options.session = choice->session - 1;
                  const Protocol protocol = readProtocol(choice->protocol);
+#ifdef OCELLI_WITH_OPENGL
+                 requireDrawable(protocol);
+#endif
                  frame.print(checkReport(protocol, choice->options, frame.progress()));
                });
 }

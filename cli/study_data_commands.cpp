@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/study_command.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
 #include "study/export/study_export.h"
 #include "study/store/identity_key.h"
 #include "study/store/merge.h"
@@ -96,7 +97,7 @@ std::string subjectsAsJson(const StudyDatabase& database) {
                                 {"created_utc", subject.createdUtc},
                                 {"sessions", sessions}});
   }
-  return json.dump(2) + "\n";
+  return textOfJson(json, 2) + "\n";
 }
 
 /// Before the first session of a subject or after it.
@@ -174,7 +175,10 @@ void runWithdraw(const WithdrawChoice& choice, const Frame& frame) {
   } else {
     frame.print(fmt::format("deleted the subject: {} sessions with {} trials\n", report.sessions, report.trials));
   }
-  frame.note("not reached: copies of the database, databases merged from it, and exports that were moved");
+  frame.note(fmt::format(
+      "not reached: copies of the database, databases merged from it, and exports and reports that were moved; `grep "
+      "-rlw {} FOLDER` finds tables and pages that name them",
+      choice.subject));
 }
 
 void addWithdraw(CLI::App& study, const Frame& frame) {
@@ -182,7 +186,7 @@ void addWithdraw(CLI::App& study, const Frame& frame) {
   const auto choice = std::make_shared<WithdrawChoice>();
   addDatabaseOption(command, choice->database, "The database");
   command.add_option("--subject", choice->subject, "Who withdraws")->required()->type_name("ID");
-  command.add_flag("--delete-exports", choice->deleteExports, "Delete the files of exports that hold the subject");
+  command.add_flag("--delete-exports", choice->deleteExports, "Delete exports and reports that hold the subject");
   command.add_option("--key", choice->keyFile, "Take the subject out of this identity key too")->type_name("FILE");
   frame.finish(command, "  ocelli study withdraw --db study.db --subject S07 --delete-exports",
                [choice, frame] { runWithdraw(*choice, frame); });
@@ -219,8 +223,16 @@ void runMerge(const MergeChoice& choice, const Frame& frame) {
         fmt::format("  {} runs that were there had gone on; the rest of them is added\n", report.runsThatWentOn));
   }
   if (!report.withdrawnSubjects.empty()) {
-    frame.note(fmt::format("left out, as they withdrew from {}: {}; withdraw them from the sources too",
-                           choice.database, fmt::join(report.withdrawnSubjects, ", ")));
+    frame.note(
+        fmt::format("left out, as they withdrew from {} or one of the sources: {}; withdraw them from the others "
+                    "too",
+                    choice.database, fmt::join(report.withdrawnSubjects, ", ")));
+  }
+  if (!report.withdrewElsewhere.empty()) {
+    frame.note(
+        fmt::format("caution: {} still has subjects who withdrew from one of the sources: {}; `ocelli study "
+                    "withdraw` deletes them here too",
+                    choice.database, fmt::join(report.withdrewElsewhere, ", ")));
   }
   for (const bool simulated : {false, true}) {
     if (const std::string balance = balanceAsText(slotUse(choice.database, simulated)); !balance.empty()) {

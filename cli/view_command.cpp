@@ -64,7 +64,7 @@ void view(const ViewChoice&, const Frame&) {
 void addViewCommand(CLI::App& program, const Frame& frame) {
   CLI::App& command = *program.add_subcommand("view", "Look around in a window: scene, rays, reconstruction, display");
   const auto choice = std::make_shared<ViewChoice>();
-  addSceneOptions(command, choice->scene);
+  addSceneOptions(command, choice->scene, frame);
   addCameraOption(command, choice->camera);
   addViewOption(command, choice->view);
   addSizeOption(command, choice->size);

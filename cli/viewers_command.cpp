@@ -57,7 +57,7 @@ void addViewersCommand(CLI::App& program, const Frame& frame) {
   CLI::App& command = *program.add_subcommand(
       "viewers", "Measure one mesh for several viewers around the display: what each of them misses");
   const auto choice = std::make_shared<ViewersCommandChoice>();
-  addSceneOptions(command, choice->scene);
+  addSceneOptions(command, choice->scene, frame);
   addCameraOption(command, choice->camera);
   addViewersOptions(command, choice->viewers);
   command.add_option("--cell", choice->cell, "Side of the cube around each viewer, in inches at the reference display")

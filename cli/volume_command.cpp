@@ -19,6 +19,8 @@
 #include "display_sim/frames/svol_metadata.h"
 #include "display_sim/frames/svol_summary.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
+#include "oc_core/base/output_file.h"
 #include "oc_core/base/printable_text.h"
 
 namespace ocelli {
@@ -121,7 +123,7 @@ std::string infoAsJson(const SvolReader& reader, const SvolSummary& summary, boo
                                    {"delta", frame.slices[2]},
                                    {"unchanged", frame.slices[3]}});
   }
-  return json.dump(2) + "\n";
+  return textOfJson(json, 2) + "\n";
 }
 
 void addInfo(CLI::App& parent, const Frame& frame) {
@@ -219,7 +221,7 @@ ExportForm formOf(const std::string& output) {
   if (extension == ".vti") {
     return ExportForm::kVti;
   }
-  if (extension == ".nrrd") {
+  if (extension == ".nrrd" || (extension.empty() && isStream(output))) {
     return ExportForm::kNrrd;
   }
   if (extension.empty() || std::filesystem::is_directory(output)) {
@@ -277,8 +279,9 @@ void addExport(CLI::App& parent, const Frame& frame) {
   command.add_option("VOLUME", choice->volume, "A volume or a recording (.svol)")->required();
   command.add_option("--frame", choice->frame, "Which frame of a recording, from 0")->type_name("NUMBER");
   command
-      .add_option("-o,--output", choice->output,
-                  "A file (.png: an animated preview), or a folder that gets a PNG file for each slice")
+      .add_option(
+          "-o,--output", choice->output,
+          "A file (.png: an animated preview), or a folder that gets a PNG file for each slice; NRRD into pipes")
       ->required()
       ->type_name("OUT.vti|OUT.nrrd|OUT.png|DIR");
   command.add_option("--cells", choice->cells, "Cells of a .vti across the display")->type_name("COUNT");

@@ -8,6 +8,7 @@ set_target_properties(ocelli_all PROPERTIES EXPORT_NAME Ocelli)
 target_link_libraries(ocelli_all INTERFACE ${rooms})
 
 install(TARGETS ocelli)
+install(TARGETS ocelli_read_scene DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/ocelli)
 install(TARGETS ${rooms} ocelli_all ocelli_settings EXPORT OcelliTargets)
 foreach(room IN LISTS rooms)
   get_target_property(folder ${room} SOURCE_DIR)
@@ -17,7 +18,9 @@ foreach(room IN LISTS rooms)
 endforeach()
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Ocelli)
-configure_package_config_file(cmake/OcelliConfig.cmake.in OcelliConfig.cmake INSTALL_DESTINATION ${package_folder})
+set(scene_reader ${CMAKE_INSTALL_LIBEXECDIR}/ocelli/ocelli-read-scene)
+configure_package_config_file(cmake/OcelliConfig.cmake.in OcelliConfig.cmake INSTALL_DESTINATION ${package_folder}
+  PATH_VARS scene_reader)
 write_basic_package_version_file(OcelliConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(EXPORT OcelliTargets NAMESPACE Ocelli:: DESTINATION ${package_folder})
 install(FILES
@@ -25,4 +28,19 @@ install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/OcelliConfigVersion.cmake
   cmake/OcelliDependencies.cmake
   DESTINATION ${package_folder})
+# What error messages and docs/files.md call by their paths here.
+foreach(schema IN ITEMS
+    display_sim/frames/profiles/display_profile.schema.json
+    display_sim/viewer/viewer_script.schema.json
+    oc_core/camera/view.schema.json
+    oc_core/constructor/constructor.schema.json
+    oc_core/constructor/curved_ray_camera.schema.json
+    oc_core/constructor/graph_camera.schema.json
+    oc_core/ocri/camera.schema.json
+    oc_core/scene/maze.schema.json
+    protocols/analysis_plan.schema.json
+    protocols/protocol.schema.json)
+  get_filename_component(folder ${schema} DIRECTORY)
+  install(FILES ${schema} DESTINATION ${CMAKE_INSTALL_DATADIR}/ocelli/${folder})
+endforeach()
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

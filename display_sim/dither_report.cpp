@@ -15,6 +15,7 @@
 #include "display_sim/exact_slicer.h"
 #include "display_sim/voxel_dither.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
 
 namespace ocelli {
 namespace {
@@ -173,7 +174,7 @@ std::string jsonOf(const DitherReport& report) {
   const nlohmann::ordered_json json = {{"profile", report.options.profile.name},
                                        {"bits_per_channel", report.options.profile.colorBitsPerChannel},
                                        {"dithers", std::move(rows)}};
-  return json.dump(2) + "\n";
+  return textOfJson(json, 2) + "\n";
 }
 
 void writePictures(const DitherReport& report, const std::filesystem::path& folder) {

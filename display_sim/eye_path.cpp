@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 #include <string_view>
+#include <variant>
 
 #include "display_sim/eye_perspective.h"
 #include "oc_core/base/check.h"
@@ -36,23 +37,28 @@ void check(const std::vector<EyePose>& poses, const std::string& where) {
   }
 }
 
-/// Four numbers between commas, perhaps with blanks around them.
-std::optional<std::array<double, 4>> fourNumbers(std::string_view line) {
+constexpr std::array<const char*, 4> kFieldNames = {"time", "x", "y", "z"};
+
+/// Four numbers between commas, perhaps with blanks around them; or what is wrong.
+std::variant<std::array<double, 4>, std::string> fourNumbers(std::string_view line) {
   std::array<double, 4> numbers{};
+  const auto values = static_cast<size_t>(std::ranges::count(line, ',')) + 1;
+  if (values != numbers.size()) {
+    return std::to_string(values) + (values == 1 ? " value" : " values") + " instead of 4";
+  }
   for (size_t i = 0; i < numbers.size(); ++i) {
-    const size_t comma = line.find(',');
-    if ((comma == std::string_view::npos) != (i + 1 == numbers.size())) {
-      return std::nullopt;
-    }
-    std::string_view field = line.substr(0, comma);
+    const size_t length = std::min(line.find(','), line.size());
+    std::string_view field = line.substr(0, length);
+    line.remove_prefix(std::min(length + 1, line.size()));
     field.remove_prefix(std::min(field.find_first_not_of(" \t"), field.size()));
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), numbers[i]);
     const std::string_view rest = field.substr(static_cast<size_t>(end - field.data()));
-    if (error != std::errc() || rest.find_first_not_of(" \t") != std::string_view::npos ||
-        !(std::abs(numbers[i]) <= (i == 0 ? kMostSeconds : kMostRadii))) {
-      return std::nullopt;
+    if (error != std::errc() || rest.find_first_not_of(" \t") != std::string_view::npos) {
+      return std::string(kFieldNames[i]) + " is not a number";
     }
-    line.remove_prefix(comma == std::string_view::npos ? line.size() : comma + 1);
+    if (!(std::abs(numbers[i]) <= (i == 0 ? kMostSeconds : kMostRadii))) {
+      return std::string(kFieldNames[i]) + " is out of range";
+    }
   }
   return numbers;
 }
@@ -78,11 +84,18 @@ std::vector<glm::vec3> turntableEyes(const glm::vec3& eye, int count) {
 }
 
 std::optional<EyePose> poseFromLine(std::string_view line) {
-  const auto numbers = fourNumbers(line);
-  if (!numbers) {
+  const auto read = fourNumbers(line);
+  const auto* const numbers = std::get_if<std::array<double, 4>>(&read);
+  if (numbers == nullptr) {
     return std::nullopt;
   }
   return EyePose{(*numbers)[0], glm::vec3((*numbers)[1], (*numbers)[2], (*numbers)[3])};
+}
+
+std::string problemOfLine(std::string_view line) {
+  const auto read = fourNumbers(line);
+  const auto* const problem = std::get_if<std::string>(&read);
+  return problem == nullptr ? "" : *problem;
 }
 
 std::vector<EyePose> readEyePath(const std::filesystem::path& path) {
@@ -133,23 +146,25 @@ std::vector<EyePose> eyePathFromCsv(const std::string& text, const std::string& 
 }
 
 std::vector<EyePose> eyePathFromJson(const std::string& text, const std::string& where) {
-  const nlohmann::json json = parseJson(text, where);
-  JsonFields fields(json, where);
-  const nlohmann::json& list = fields.value("poses");
-  fields.rejectUnknown();
-  if (!list.is_array()) {
-    fields.fail("poses", "must be an array");
-  }
-  std::vector<EyePose> poses;
-  for (const nlohmann::json& item : list) {
-    JsonFields pose(item, where + ", pose " + std::to_string(poses.size() + 1));
-    const double seconds = pose.number("time", -kMostSeconds, kMostSeconds);
-    const std::vector<double> eye = pose.numbers("eye", 3, -kMostRadii, kMostRadii);
-    pose.rejectUnknown();
-    poses.push_back({seconds, glm::vec3(eye[0], eye[1], eye[2])});
-  }
-  check(poses, where);
-  return poses;
+  return readAs("docs/observer.md#series", [&] {
+    const nlohmann::json json = parseJson(text, where);
+    JsonFields fields(json, where);
+    const nlohmann::json& list = fields.value("poses");
+    fields.rejectUnknown();
+    if (!list.is_array()) {
+      fields.fail("poses", "must be an array");
+    }
+    std::vector<EyePose> poses;
+    for (const nlohmann::json& item : list) {
+      JsonFields pose(item, where + ", pose " + std::to_string(poses.size() + 1));
+      const double seconds = pose.number("time", -kMostSeconds, kMostSeconds);
+      const std::vector<double> eye = pose.numbers("eye", 3, -kMostRadii, kMostRadii);
+      pose.rejectUnknown();
+      poses.push_back({seconds, glm::vec3(eye[0], eye[1], eye[2])});
+    }
+    check(poses, where);
+    return poses;
+  });
 }
 
 glm::vec3 eyeAt(const std::vector<EyePose>& poses, double seconds) {

@@ -35,6 +35,8 @@ inline constexpr int kMostFrames = 100000;
 inline constexpr std::string_view kEyePathHeader = "time,x,y,z";
 /// One of its other lines; nullopt where it is none.
 std::optional<EyePose> poseFromLine(std::string_view line);
+/// What is wrong with a line that is no pose, for people: "3 values instead of 4", "x is not a number".
+std::string problemOfLine(std::string_view line);
 
 /// Poses in the order of their times. A .csv file has the header `time,x,y,z` and a line for each pose; a .json file is
 /// {"poses": [{"time": 0, "eye": [0, 0, 10]}, ...]}. Throws InputError naming line or field.

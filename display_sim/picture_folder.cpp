@@ -68,7 +68,7 @@ PictureFolder::PictureFolder(std::filesystem::path folder, std::string stem)
   picturesOf(folder_, stem_);
   remove(partial_, stem_);
   std::error_code error;
-  fs::create_directories(partial_, error);
+  unfinished_ = UnfinishedOutput(partial_, [&] { fs::create_directories(partial_, error); });
   if (error) {
     throw WorkError("cannot make this folder (" + error.message() + ")", partial_.string(),
                     "give the path of a folder, in a place that is writable");
@@ -78,8 +78,10 @@ PictureFolder::PictureFolder(std::filesystem::path folder, std::string stem)
 
 PictureFolder::~PictureFolder() {
   if (isOpen_) {
-    std::error_code ignored;
-    fs::remove_all(partial_, ignored);
+    unfinished_.finish([this] {
+      std::error_code ignored;
+      fs::remove_all(partial_, ignored);
+    });
   }
 }
 
@@ -90,18 +92,20 @@ std::filesystem::path PictureFolder::path(int number) const {
 }
 
 void PictureFolder::finish() {
-  remove(folder_, stem_);
   std::error_code error;
-  if (fs::exists(folder_, error)) {  // with other files
-    for (const fs::path& picture : picturesOf(partial_, stem_)) {
-      if (!error) {
-        fs::rename(picture, folder_ / picture.filename(), error);
+  unfinished_.finish([&] {
+    remove(folder_, stem_);
+    if (fs::exists(folder_, error)) {  // with other files
+      for (const fs::path& picture : picturesOf(partial_, stem_)) {
+        if (!error) {
+          fs::rename(picture, folder_ / picture.filename(), error);
+        }
       }
+      fs::remove_all(partial_);
+    } else {
+      fs::rename(partial_, folder_, error);
     }
-    fs::remove_all(partial_);
-  } else {
-    fs::rename(partial_, folder_, error);
-  }
+  });
   if (error) {
     throw WorkError("cannot make this folder (" + error.message() + ")", folder_.string(),
                     "check that nothing else is called so");

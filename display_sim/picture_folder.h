@@ -4,11 +4,14 @@
 #include <filesystem>
 #include <string>
 
+#include "oc_core/base/unfinished_output.h"
+
 namespace ocelli {
 
-/// `STEM_0000.png` and so on are written to `FOLDER.partial`, which finish() renames; without that nothing is left. In
-/// a folder that is there, such files of an earlier run are replaced; other files stay, and the pictures are moved to
-/// them. Throws WorkError, and InputError where the folder is a file.
+/// `STEM_0000.png` and so on are written to `FOLDER.partial`, which finish() renames; without that nothing is left,
+/// also where a signal ends the program (unfinished_output.h). In a folder that is there, such files of an earlier run
+/// are replaced; other files stay, and the pictures are moved to them. Throws WorkError, and InputError where the
+/// folder is a file.
 class PictureFolder {
  public:
   PictureFolder(std::filesystem::path folder, std::string stem);
@@ -24,6 +27,7 @@ class PictureFolder {
   std::filesystem::path folder_;
   std::filesystem::path partial_;
   std::string stem_;
+  UnfinishedOutput unfinished_;
   bool isOpen_ = false;
 };
 

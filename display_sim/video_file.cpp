@@ -93,7 +93,12 @@ class VideoFile : public FrameSink {
       throw WorkError("a video takes ffmpeg, which is not installed", path_.string(),
                       std::string("apt-get install ffmpeg, or ") + kInsteadOfVideo);
     }
+    if (isStream(path_)) {
+      throw InputError("a video is not written in one go, which this output needs", path_.string(),
+                       "give the name of a file that ends in .mp4 or .webm");
+    }
     checkWritable(path_);
+    unfinished_ = UnfinishedOutput(partial_, [] {});
     start(*program);
   }
   ~VideoFile() override {
@@ -102,8 +107,10 @@ class VideoFile : public FrameSink {
       kill(process_, SIGKILL);
       wait();
     }
-    std::error_code ignored;
-    fs::remove(partial_, ignored);
+    unfinished_.finish([this] {
+      std::error_code ignored;
+      fs::remove(partial_, ignored);
+    });
   }
 
   void add(const Image<Rgb8>& frame) override {
@@ -132,7 +139,7 @@ class VideoFile : public FrameSink {
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || fs::file_size(partial_, error) == 0 || error) {
       fail();
     }
-    fs::rename(partial_, path_, error);
+    unfinished_.finish([&] { fs::rename(partial_, path_, error); });
     if (error) {
       throw WorkError("cannot write this file (" + error.message() + ")", path_.string(),
                       "check that the folder is writable");
@@ -204,6 +211,7 @@ class VideoFile : public FrameSink {
   Descriptor frames_;
   std::unique_ptr<std::FILE, Close> messages_;  ///< what ffmpeg says
   pid_t process_ = -1;
+  UnfinishedOutput unfinished_;
 };
 
 }  // namespace

@@ -8,7 +8,7 @@ build="$root/build/fuzz"
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_COMPILER=clang++ \
   -DOCELLI_BUILD_FUZZERS=ON -DOCELLI_BUILD_TESTS=OFF -DOCELLI_SANITIZE=address,undefined,fuzzer-no-link >/dev/null
 cmake --build "$build" --target svol_fuzzer maze_fuzzer camera_fuzzer protocol_fuzzer plan_fuzzer session_fuzzer \
-  wire_fuzzer wire_host_fuzzer
+  wire_fuzzer wire_host_fuzzer ply_fuzzer scene_record_fuzzer material_fuzzer scene_files_campaign
 cd "$build"
 
 # A line a target: NAME CORPUS SECONDS. The decoder of what comes over a cable has a minute at least. As many run at a time
@@ -26,4 +26,9 @@ protocol study_protocol/corpus $seconds
 plan analysis_dataset/plan_corpus $seconds
 session display_driver_pacing/corpus $seconds
 wire_host display_driver_stream/corpus $seconds
+ply scene/ply_corpus $seconds
+scene_record scene/record_corpus $seconds
+material scene/image_corpus $seconds
 END
+# Damaged scene files of many formats, with the process that Assimp runs in. Each run takes another seed.
+fuzz/scene_files_campaign "$seconds" "$(date +%s)" "$build/scene_files_found"

@@ -10,7 +10,9 @@ cmake --build --preset asan --target fast_tests
 # What the libraries underneath keep until the process ends is theirs.
 export ASAN_OPTIONS="${ASAN_OPTIONS:-detect_leaks=0:allocator_may_return_null=1}"
 export UBSAN_OPTIONS="${UBSAN_OPTIONS:-print_stacktrace=1}"
-ctest --preset asan --parallel "$(nproc)"
+results="$PWD/build/asan/results.xml"
+ctest --preset asan --parallel "$(nproc)" --output-junit "$results"
+python3 -B tests/house/check_results.py tests/expected_results.json asan "$results"
 
 if command -v clang++ >/dev/null && [ -x fuzz/run.sh ]; then
   fuzz/run.sh 25

@@ -24,12 +24,12 @@ const Hypothesis* AnalysisPlan::findHypothesis(const std::string& hypothesis) co
 }
 
 AnalysisPlan defaultPlan() {
-  const std::vector<RandomEffect> subjectAndCase{{"subject", {"view"}}, {"case"}};
+  const std::vector<RandomEffect> subjectAndCase{{"subject", {"view"}}, {"case", {"view"}}};
   AnalysisPlan plan;
   plan.models = {
       {"find-time",
        "find",
-       ModelKind::kLinearMixed,
+       ModelKind::kLogNormalMixed,
        {"view", "session", "moving", "view:session", "view:moving"},
        subjectAndCase},
       {"find-survival", "find", ModelKind::kKaplanMeier},
@@ -43,10 +43,10 @@ AnalysisPlan defaultPlan() {
        "count",
        ModelKind::kBinomialMixed,
        {"view", "exposure", "duplicates", "session", "moving"},
-       {{"subject", {"view"}}, {"case"}}},
+       subjectAndCase},
       {"count-matched", "count", ModelKind::kMcNemar},
       {"count-error", "count", ModelKind::kSignedError},
-      {"path-right", "path", ModelKind::kBinomialMixed, {"view", "session"}, {{"subject"}, {"case"}}},
+      {"path-right", "path", ModelKind::kBinomialMixed, {"view", "session"}, subjectAndCase},
       {"path-equivalence", "path", ModelKind::kEquivalence},
       {"path-bayes", "path", ModelKind::kBayesFactor},
       {"path-chance", "path", ModelKind::kAgainstChance},

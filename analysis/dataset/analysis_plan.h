@@ -43,8 +43,9 @@ struct PlannedExclusion {
 };
 
 enum class ModelKind : uint8_t {
-  kLinearMixed,    ///< of the logarithm of times
-  kBinomialMixed,  ///< of right answers
+  kLinearMixed,     ///< of the logarithm of times: knows no censored ones
+  kLogNormalMixed,  ///< likewise, and of censored times
+  kBinomialMixed,   ///< of right answers
   kKaplanMeier,
   kCox,
   kLogNormalSurvival,
@@ -56,12 +57,14 @@ enum class ModelKind : uint8_t {
   kOrdinal,
 };
 inline constexpr ModelKind kModelKinds[] = {
-    ModelKind::kLinearMixed,       ModelKind::kBinomialMixed, ModelKind::kKaplanMeier, ModelKind::kCox,
-    ModelKind::kLogNormalSurvival, ModelKind::kMcNemar,       ModelKind::kSignedError, ModelKind::kEquivalence,
-    ModelKind::kBayesFactor,       ModelKind::kAgainstChance, ModelKind::kOrdinal};
+    ModelKind::kLinearMixed, ModelKind::kLogNormalMixed,    ModelKind::kBinomialMixed, ModelKind::kKaplanMeier,
+    ModelKind::kCox,         ModelKind::kLogNormalSurvival, ModelKind::kMcNemar,       ModelKind::kSignedError,
+    ModelKind::kEquivalence, ModelKind::kBayesFactor,       ModelKind::kAgainstChance, ModelKind::kOrdinal};
 const char* nameOf(ModelKind kind);
+/// Whether the kind has random effects.
+bool isMixed(ModelKind kind);
 
-/// (1 + slopes | group).
+/// (1 + slopes | group), as planned; analysis/report/planned_design.h has what is fitted of it.
 struct RandomEffect {
   std::string group;  ///< "subject" or "case" (Trial::item())
   std::vector<std::string> slopes{};
@@ -103,6 +106,8 @@ struct AnalysisPlan {
   std::string protocolSha256{};  ///< of the protocol that it is for, where it says so
 
   bool usesProtocolExclusions = true;
+  /// Sessions whose timing check failed and that were started nevertheless; a rule about them says it too.
+  bool excludesForcedSessions = true;
   std::vector<PlannedExclusion> exclusions{};
   TimeoutTreatment findTimeouts = TimeoutTreatment::kCensored;
   std::vector<PlannedModel> models{};

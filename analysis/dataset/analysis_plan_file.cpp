@@ -104,10 +104,15 @@ PlannedModel readModel(JsonObject& fields, std::set<std::string>& names) {
       each.fail("group", fmt::format("is \"{}\" a second time", effect.group));
     }
     effect.slopes = readTerms(each, "slopes");
+    for (const std::string& slope : effect.slopes) {
+      if (isMixed(model.kind) && !model.terms.empty() && !contains(model.terms, slope)) {
+        each.fail("slopes",
+                  fmt::format("holds \"{}\", which is not a term of the model: {}", slope, joined(model.terms)));
+      }
+    }
     model.randomEffects.push_back(std::move(effect));
   });
-  const bool isMixed = model.kind == ModelKind::kLinearMixed || model.kind == ModelKind::kBinomialMixed;
-  if (isMixed && (model.terms.empty() || model.randomEffects.empty())) {
+  if (isMixed(model.kind) && (model.terms.empty() || model.randomEffects.empty())) {
     fields.fail(model.terms.empty() ? "terms" : "random", "is missing, and a mixed model needs it");
   }
   return model;
@@ -122,6 +127,15 @@ Hypothesis readHypothesis(JsonObject& fields, const AnalysisPlan& plan, std::set
   const PlannedModel* model = plan.findModel(hypothesis.model);
   if (model == nullptr) {
     fields.fail("model", fmt::format("is \"{}\", which \"models\" does not hold", hypothesis.model));
+  }
+  if (model->task == "find" && model->kind == ModelKind::kLinearMixed &&
+      plan.findTimeouts == TimeoutTreatment::kCensored) {
+    fields.fail(
+        "model",
+        fmt::format("is \"{}\", of the kind linear_mixed, which knows no censored times, but \"find_timeouts\" is "
+                    "censored: give the model the kind log_normal_mixed, or set \"find_timeouts\" to "
+                    "set_to_limit or removed",
+                    model->name));
   }
   if (!hypothesis.term.empty() && !contains(model->terms, hypothesis.term)) {
     fields.fail("term", fmt::format("is \"{}\", but model \"{}\" has the terms: {}", hypothesis.term, model->name,
@@ -185,6 +199,10 @@ AnalysisPlan readFields(JsonObject& fields) {
     fields.fail("protocol_sha256", "must be 64 digits from 0 to 9 and a to f, as `sha256sum PROTOCOL` prints");
   }
   plan.usesProtocolExclusions = fields.booleanOr("protocol_exclusions", true);
+  if (fields.has("forced_sessions")) {
+    plan.excludesForcedSessions =
+        choice(fields, "forced_sessions", std::array<std::string_view, 2>{"excluded", "analysed"}) == "excluded";
+  }
   fields.forEach("exclusions", kMostEntries, [&](JsonObject& each) { plan.exclusions.push_back(readExclusion(each)); });
   if (fields.has("find_timeouts")) {
     plan.findTimeouts = choiceOf(fields, "find_timeouts", kTimeoutTreatments);
@@ -235,7 +253,7 @@ AnalysisPlan readFields(JsonObject& fields) {
 }  // namespace
 
 AnalysisPlan planFromJsonText(const std::string& text, const std::string& where) {
-  const JsonText json(text, where);
+  const JsonText json(text, where, "protocols/analysis_plan.schema.json");
   JsonObject fields(json, json.root(), "");
   AnalysisPlan plan = readFields(fields);
   plan.sha256 = hexadecimal(sha256Of(text));

@@ -133,6 +133,10 @@ void Reading::readSessions(DataSource& source) {
   const size_t ending = table.column("ending");
   const size_t forced = table.column("forced");
   const size_t version = table.column("program_version");
+  const size_t environment = table.column("environment_json");
+  const size_t timingCheck = table.column("timing_check_json");
+  const std::vector<std::string>& names = table.columns();
+  const auto station = static_cast<size_t>(std::find(names.begin(), names.end(), "station") - names.begin());
   std::map<std::pair<std::string, int>, int> lastRun;
   while (table.next()) {
     const std::pair key(table.name(subject), table.smallInteger(number));
@@ -152,6 +156,9 @@ void Reading::readSessions(DataSource& source) {
       session.ending = table.text(ending);
     }
     source.programVersion = table.text(version);
+    data_.runs.push_back({0, key.first, key.second, table.smallInteger(runNumber),
+                          station < names.size() ? table.text(station) : "", table.flag(forced), table.flag(simulated),
+                          table.text(environment), table.text(timingCheck)});
   }
 }
 
@@ -251,9 +258,9 @@ void Reading::readTrials() {
     unread.exposureFrames = table.optionalInteger(at["exposure_frames"]);
     unread.medianIntervalNs = table.optionalInteger(at["median_interval_ns"]);
     unread.longestIntervalNs = table.optionalInteger(at["longest_interval_ns"]);
-    unread.screenWidth = table.optionalInteger(at["screen_width_px"]);
-    unread.screenHeight = table.optionalInteger(at["screen_height_px"]);
-    unread.refreshHertz = table.optionalReal(at["refresh_hz"]);
+    trial.screenWidth = table.optionalInteger(at["screen_width_px"]);
+    trial.screenHeight = table.optionalInteger(at["screen_height_px"]);
+    trial.refreshHertz = table.optionalReal(at["refresh_hz"]);
     trial.digest = digestOf(trial, unread);
     data_.trials.push_back(std::move(trial));
   }

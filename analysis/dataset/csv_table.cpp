@@ -18,6 +18,8 @@ namespace ocelli {
 namespace {
 
 constexpr std::string_view kFormulaStarts = "=+-@\t\r";
+/// Of what comes through a pipe.
+constexpr size_t kMaxPipeBytes = size_t{1} << 26U;
 constexpr const char* kExportAgain = "export the database again, and keep spreadsheets from saving over its tables";
 
 /// What the whole text says, read by std::from_chars.
@@ -36,6 +38,18 @@ std::string fileBytes(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file || std::filesystem::is_directory(path, ignored)) {
     throw AnalysisError(AnalysisError::Kind::kInput, "this file cannot be read", path, "check its name and its rights");
+  }
+  // A device may have no end.
+  if (!std::filesystem::is_regular_file(path, ignored)) {
+    std::string bytes(kMaxPipeBytes + 1, '\0');
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<size_t>(file.gcount()));
+    if (bytes.size() > kMaxPipeBytes) {
+      throw AnalysisError(AnalysisError::Kind::kInput,
+                          fmt::format("this is no regular file, and larger than {} MiB", kMaxPipeBytes >> 20U), path,
+                          "save what it gives as a file, and name that");
+    }
+    return bytes;
   }
   std::ostringstream bytes;
   bytes << file.rdbuf();

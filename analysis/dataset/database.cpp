@@ -97,6 +97,7 @@ class Reading {
       readStudy();
       readSubjects();
       readSessions();
+      readRuns();
       readConsents();
       readAnswers();
       readTrials();
@@ -115,8 +116,10 @@ class Reading {
     }
   }
   void readStudy();
+  std::vector<WithdrawnKey> readWithdrawals();
   void readSubjects();
   void readSessions();
+  void readRuns();
   void readConsents();
   void readAnswers();
   void readTrials();
@@ -148,7 +151,20 @@ void Reading::readStudy() {
         "the protocol in this database does not have the SHA-256 that stands beside it: someone changed it", path_,
         "the database as the study wrote it");
   }
+  source.withdrawals = readWithdrawals();
   data_.sources.push_back(std::move(source));
+}
+
+std::vector<WithdrawnKey> Reading::readWithdrawals() {
+  std::vector<WithdrawnKey> withdrawals;
+  forEachRow("SELECT detail_json FROM audit WHERE action = 'withdrawn' ORDER BY audit_id", [&](Row& row) {
+    const nlohmann::json detail = nlohmann::json::parse(row.text(), nullptr, false);
+    if (detail.is_object() && detail.value("salt", nlohmann::json()).is_string() &&
+        detail.value("subject_key_sha256", nlohmann::json()).is_string()) {
+      withdrawals.push_back({detail["salt"].get<std::string>(), detail["subject_key_sha256"].get<std::string>()});
+    }
+  });
+  return withdrawals;
 }
 
 void Reading::readSubjects() {
@@ -182,6 +198,24 @@ void Reading::readSessions() {
         session.ending = row.text();
         session.forced = row.optionalFlag().value_or(false);
         data_.sessions.push_back(std::move(session));
+      });
+}
+
+void Reading::readRuns() {
+  forEachRow(
+      "SELECT subject_id, session_number, run_number, station, forced, simulated, environment_json, timing_check_json "
+      "FROM run ORDER BY run_id",
+      [&](Row& row) {
+        Run run;
+        run.subject = row.name();
+        run.session = row.smallInteger();
+        run.number = row.smallInteger();
+        run.station = row.text();
+        run.forced = row.flag();
+        run.simulated = row.flag();
+        run.environment = row.text();
+        run.timingCheck = row.text();
+        data_.runs.push_back(std::move(run));
       });
 }
 
@@ -289,9 +323,9 @@ Trial Reading::trialOf(Row& row) const {
   unread.exposureFrames = row.optionalInteger();
   unread.medianIntervalNs = row.optionalInteger();
   unread.longestIntervalNs = row.optionalInteger();
-  unread.screenWidth = row.optionalInteger();
-  unread.screenHeight = row.optionalInteger();
-  unread.refreshHertz = row.optionalReal();
+  trial.screenWidth = row.optionalInteger();
+  trial.screenHeight = row.optionalInteger();
+  trial.refreshHertz = row.optionalReal();
   trial.digest = digestOf(trial, unread);
   return trial;
 }

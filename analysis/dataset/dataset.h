@@ -13,6 +13,12 @@
 
 namespace ocelli {
 
+/// That someone withdrew, in a form that names nobody: a salted hash of the random key that the subject had.
+struct WithdrawnKey {
+  std::string salt;
+  std::string keySha256;  ///< of the salt and the key, one after the other; 64 hexadecimal digits
+};
+
 /// A file, or a folder of tables.
 struct DataSource {
   enum class Form : uint8_t { kDatabase, kCsv };
@@ -24,6 +30,7 @@ struct DataSource {
   std::string protocolSha256{};  ///< 64 hexadecimal digits
   std::string protocolText{};
   std::string programVersion{};  ///< of the program that made it
+  std::vector<WithdrawnKey> withdrawals{};
 };
 
 struct Subject {
@@ -47,6 +54,19 @@ struct Session {
   int runs = 0;
   std::string ending;   ///< of its last run: "completed", "unwell", ...; empty: it runs, or the program was killed
   bool forced = false;  ///< some run was started although the check of the screen's timing refused
+};
+
+/// One start of the program for a session.
+struct Run {
+  int source = 0;
+  std::string subject;
+  int session = 1;
+  int number = 1;         ///< of the session
+  std::string station{};  ///< name of the computer; empty where tables do not hold it
+  bool forced = false;    ///< started although the check of the screen's timing refused
+  bool simulated = false;
+  std::string environment{};  ///< JSON, of which run_screen.h reads the screen
+  std::string timingCheck{};  ///< JSON
 };
 
 /// The answer of a subject to whether it takes part.
@@ -112,6 +132,7 @@ struct Dataset {
   std::vector<OtherAttempt> otherAttempts;
   std::vector<LeftOutRow> leftOut;
   std::vector<std::string> notes;  ///< what a reader must be told: whole sentences
+  std::vector<Run> runs{};
 
   /// Some row is of a simulated subject: every result must say so.
   bool isSimulated() const;

@@ -1,6 +1,7 @@
 #include "analysis/dataset/exclusions.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -13,6 +14,7 @@
 #include "analysis/base/analysis_error.h"
 #include "analysis/dataset/csv_table.h"
 #include "analysis/dataset/protocol_facts.h"
+#include "analysis/dataset/trial_check.h"
 
 namespace ocelli {
 namespace {
@@ -74,6 +76,25 @@ bool matches(const PlannedExclusion& rule, double number) {
   return rule.test == ExclusionTest::kAtLeast ? number >= rule.number : number <= rule.number;
 }
 
+constexpr const char* kForcedSession = "forced_session";
+
+bool excludesForced(const std::vector<PlannedExclusion>& rules) {
+  return std::any_of(rules.begin(), rules.end(),
+                     [](const PlannedExclusion& rule) { return rule.what == kForcedSession; });
+}
+
+/// The first of them, and how many more there are.
+std::string listed(const std::vector<std::string>& names, const std::string& where) {
+  constexpr size_t kMaxNamed = 5;
+  std::string text = fmt::format(
+      "{}",
+      fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(names.size(), kMaxNamed)), "; "));
+  if (names.size() > kMaxNamed) {
+    text += fmt::format("; and {} more{}", names.size() - kMaxNamed, where.empty() ? "" : fmt::format(" ({})", where));
+  }
+  return text;
+}
+
 /// What rules about subjects ask for.
 struct SubjectTotals {
   std::vector<std::string> endings;
@@ -97,12 +118,12 @@ class Excluder {
     readProtocol();
     gatherTotals();
     countBefore();
-    std::vector<PlannedExclusion> rules =
-        result_.plan.usesProtocolExclusions ? facts_.exclusions : std::vector<PlannedExclusion>();
-    rules.insert(rules.end(), result_.plan.exclusions.begin(), result_.plan.exclusions.end());
+    markContradictions();
+    const std::vector<PlannedExclusion> rules = allRules();
     for (const PlannedExclusion& rule : rules) {
       apply(rule);
     }
+    warnOfForcedSessions(rules);
     remove();
     countAfter();
     return std::move(result_);
@@ -112,6 +133,9 @@ class Excluder {
   void readProtocol();
   void gatherTotals();
   void countBefore();
+  void markContradictions();
+  std::vector<PlannedExclusion> allRules() const;
+  void warnOfForcedSessions(const std::vector<PlannedExclusion>& rules);
   void apply(const PlannedExclusion& rule);
   void excludeSubject(const std::string& subject, const PlannedExclusion& rule);
   void remove();
@@ -207,6 +231,53 @@ void Excluder::countBefore() {
   }
 }
 
+void Excluder::markContradictions() {
+  const Dataset& data = result_.data;
+  std::vector<std::string> named;
+  for (size_t i = 0; i < data.trials.size(); ++i) {
+    const Trial& trial = data.trials[i];
+    const auto block = std::find_if(facts_.blocks.begin(), facts_.blocks.end(),
+                                    [&](const ProtocolBlockFacts& each) { return each.name == trial.block; });
+    trialWhy_[i] = contradictionOf(trial, block == facts_.blocks.end() ? std::nullopt : block->limitSeconds);
+    if (!trialWhy_[i].empty()) {
+      named.push_back(fmt::format("trial {} of {} in {}: {}", trial.trialId, trial.subject,
+                                  data.sources[static_cast<size_t>(trial.source)].path, trialWhy_[i]));
+    }
+  }
+  if (!named.empty()) {
+    result_.warnings.push_back(fmt::format("Trials that contradict themselves are left out, {} in all: {}.",
+                                           named.size(), listed(named, "tables/exclusions.csv has them all")));
+  }
+}
+
+std::vector<PlannedExclusion> Excluder::allRules() const {
+  const AnalysisPlan& plan = result_.plan;
+  std::vector<PlannedExclusion> rules =
+      plan.usesProtocolExclusions ? facts_.exclusions : std::vector<PlannedExclusion>();
+  rules.insert(rules.end(), plan.exclusions.begin(), plan.exclusions.end());
+  if (plan.excludesForcedSessions && !excludesForced(rules)) {
+    PlannedExclusion rule;
+    rule.what = kForcedSession;
+    rule.reason = "forced past a failed check of the screen's timing";
+    rules.push_back(std::move(rule));
+  }
+  return rules;
+}
+
+void Excluder::warnOfForcedSessions(const std::vector<PlannedExclusion>& rules) {
+  std::vector<std::string> named;
+  for (const Session& session : result_.data.sessions) {
+    if (session.forced) {
+      named.push_back(fmt::format("session {} of {}", session.number, session.subject));
+    }
+  }
+  if (!named.empty()) {
+    result_.warnings.push_back(fmt::format(
+        "Sessions were forced past a failed check of the screen's timing, {} in all; {}: {}.", named.size(),
+        excludesForced(rules) ? "they are left out" : "they are analysed, as the plan says", listed(named, "")));
+  }
+}
+
 bool Excluder::missesPractice(const SubjectTotals& totals) const {
   for (const auto& [block, answers] : totals.practice) {
     const auto& needed = static_cast<size_t>(block) < facts_.blocks.size()
@@ -297,7 +368,7 @@ void Excluder::apply(const PlannedExclusion& rule) {
       return;
     case Level::kSession:
       for (const Session& session : data.sessions) {
-        const bool met = rule.what == "forced_session" ? session.forced : session.ending != "completed";
+        const bool met = rule.what == kForcedSession ? session.forced : session.ending != "completed";
         const std::string why = fmt::format("{} ({})", rule.reason, describe(rule));
         if (met && sessionWhy_.try_emplace({session.subject, session.number}, why).second) {
           result_.excluded.push_back({session.subject, session.number, describe(rule), rule.reason});

@@ -41,9 +41,12 @@ struct AnalysisData {
   AnalysisPlan plan;
   std::vector<ExcludedSubject> excluded;
   SubjectFlow flow;
-  std::string dataSha256;  ///< dataHash() of what was read, before exclusions
+  std::string dataSha256;               ///< dataHash() of what was read, before exclusions
+  std::vector<std::string> warnings{};  ///< what a reader must not miss: whole sentences
 };
 
+/// Beside what the plan says, trials that contradict themselves (trial_check.h) are left out, and a warning names them;
+/// sessions that were forced past a failed check of the timing are named whether they are left out or not.
 /// Throws AnalysisError where the plan is for another protocol, names a subject that is not there, or has a rule that
 /// needs the protocol and there is none.
 AnalysisData applyPlan(Dataset data, const AnalysisPlan& plan);

@@ -11,7 +11,6 @@ namespace ocelli {
 namespace {
 
 constexpr int kMostDepth = 100;
-constexpr const char* kSeeSchema = "see the schema of this file";
 
 [[noreturn]] void fail(const std::string& what, const std::string& where, const std::string& next) {
   throw AnalysisError(AnalysisError::Kind::kInput, what, where, next);
@@ -128,12 +127,12 @@ class LineWalk {
   int line_ = 1;
 };
 
-nlohmann::json parsed(std::string_view text, const std::string& where) {
+nlohmann::json parsed(std::string_view text, const std::string& where, const std::string& schema) {
   std::vector<std::set<std::string>> names;
   const auto check = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& value) {
     using Event = nlohmann::json::parse_event_t;
     if (depth > kMostDepth) {
-      fail(fmt::format("this JSON is nested deeper than {} levels", kMostDepth), where, kSeeSchema);
+      fail(fmt::format("this JSON is nested deeper than {} levels", kMostDepth), where, "see " + schema);
     }
     if (event == Event::object_start) {
       names.emplace_back();
@@ -163,7 +162,8 @@ nlohmann::json parsed(std::string_view text, const std::string& where) {
 
 }  // namespace
 
-JsonText::JsonText(std::string_view text, std::string where) : where_(std::move(where)), root_(parsed(text, where_)) {
+JsonText::JsonText(std::string_view text, std::string where, std::string schema)
+    : where_(std::move(where)), schema_(std::move(schema)), root_(parsed(text, where_, schema_)) {
   LineWalk(text, lines_).value("");
 }
 
@@ -182,7 +182,7 @@ std::string JsonText::placeOf(const std::string& pointer) const {
 JsonObject::JsonObject(const JsonText& text, const nlohmann::json& object, std::string pointer)
     : text_(&text), object_(&object), pointer_(std::move(pointer)) {
   if (!object.is_object()) {
-    ocelli::fail("a JSON object { ... } is expected", text.placeOf(pointer_), kSeeSchema);
+    ocelli::fail("a JSON object { ... } is expected", text.placeOf(pointer_), "see " + text.schema());
   }
 }
 
@@ -193,7 +193,7 @@ bool JsonObject::has(const char* name) {
 
 void JsonObject::fail(const std::string& name, const std::string& problem) const {
   ocelli::fail(fmt::format("field \"{}\" {}", name, problem),
-               text_->placeOf(fmt::format("{}/{}", pointer_, escapedForPointer(name))), kSeeSchema);
+               text_->placeOf(fmt::format("{}/{}", pointer_, escapedForPointer(name))), "see " + text_->schema());
 }
 
 const nlohmann::json& JsonObject::value(const char* name) {

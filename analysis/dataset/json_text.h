@@ -14,15 +14,18 @@ namespace ocelli {
 class JsonText {
  public:
   /// Throws AnalysisError with line and column where it is no JSON, where a field stands twice in an object, or where
-  /// it is nested deeper than 100 levels. `where` is the file.
-  JsonText(std::string_view text, std::string where);
+  /// it is nested deeper than 100 levels. `where` is the file; `schema` describes all fields of such a file, and is
+  /// named where one of them is wrong.
+  JsonText(std::string_view text, std::string where, std::string schema);
 
   const nlohmann::json& root() const { return root_; }
   /// "FILE:LINE" of the value that a JSON pointer ("/models/0/task") leads to, or of the nearest around it.
   std::string placeOf(const std::string& pointer) const;
+  const std::string& schema() const { return schema_; }
 
  private:
   std::string where_;
+  std::string schema_;
   nlohmann::json root_;
   std::map<std::string, int> lines_;  ///< by pointer
 };

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "analysis/base/analysis_error.h"
+#include "analysis/dataset/withdrawn_subjects.h"
 
 namespace ocelli {
 namespace {
@@ -50,6 +51,7 @@ class Merging {
 
   Dataset all(const MergeOptions& options) {
     size_t trials = 0;
+    removeWithdrawn(parts_);
     for (Dataset& part : parts_) {
       shiftSources(part, static_cast<int>(merged_.sources.size()));
       std::move(part.sources.begin(), part.sources.end(), std::back_inserter(merged_.sources));
@@ -83,6 +85,7 @@ class Merging {
     shift(part.trials);
     shift(part.otherAttempts);
     shift(part.leftOut);
+    shift(part.runs);
   }
   const std::string& pathOf(int source) const { return merged_.sources[static_cast<size_t>(source)].path; }
 
@@ -188,6 +191,7 @@ void Merging::add(Dataset part) {
   const auto isNew = [&](const auto& row) { return !repeatedSessions_.contains({row.subject, row.session}); };
   std::copy_if(part.consents.begin(), part.consents.end(), std::back_inserter(merged_.consents), isNew);
   std::copy_if(part.otherAttempts.begin(), part.otherAttempts.end(), std::back_inserter(merged_.otherAttempts), isNew);
+  std::copy_if(part.runs.begin(), part.runs.end(), std::back_inserter(merged_.runs), isNew);
   std::move(part.leftOut.begin(), part.leftOut.end(), std::back_inserter(merged_.leftOut));
   std::move(part.notes.begin(), part.notes.end(), std::back_inserter(merged_.notes));
   merged_.consentIsKnown = merged_.consentIsKnown && part.consentIsKnown;
@@ -235,6 +239,7 @@ void Merging::choose(SimulatedRows rows) {
   std::erase_if(merged_.sessions, goes);
   std::erase_if(merged_.subjects, goes);
   std::erase_if(merged_.otherAttempts, goes);
+  std::erase_if(merged_.runs, goes);
   std::erase_if(merged_.consents, [&](const Consent& consent) { return gone.contains(consent.subject); });
   merged_.notes.push_back(fmt::format(
       "{} with {} trials were left out: {}.",

@@ -34,6 +34,8 @@ const char* nameOf(ModelKind kind) {
   switch (kind) {
     case ModelKind::kLinearMixed:
       return "linear_mixed";
+    case ModelKind::kLogNormalMixed:
+      return "log_normal_mixed";
     case ModelKind::kBinomialMixed:
       return "binomial_mixed";
     case ModelKind::kKaplanMeier:
@@ -56,6 +58,10 @@ const char* nameOf(ModelKind kind) {
       return "ordinal";
   }
   return "";
+}
+
+bool isMixed(ModelKind kind) {
+  return kind == ModelKind::kLinearMixed || kind == ModelKind::kLogNormalMixed || kind == ModelKind::kBinomialMixed;
 }
 
 }  // namespace ocelli

@@ -11,6 +11,7 @@ namespace ocelli {
 namespace {
 
 constexpr size_t kMostBytes = 1'000'000;
+constexpr size_t kMaxOptions = 1000;
 constexpr int kMostSide = 64;  ///< cells of a maze
 
 /// Calls `read` for the objects of a list; the study knows more fields than are read here.
@@ -84,6 +85,51 @@ PlannedExclusion readRule(JsonObject& fields) {
   return rule;
 }
 
+/// Fields without options take any text.
+FormItem readItem(JsonObject& fields, const std::string& form) {
+  FormItem item;
+  item.form = form;
+  item.name = fields.text("name", kMostBytes);
+  item.question = fields.textOr("question", kMostBytes, item.name);
+  if (fields.has("options")) {
+    item.options = fields.texts("options", kMaxOptions, kMostBytes);
+  }
+  if (fields.has("ends")) {
+    item.ends = fields.texts("ends", 2, kMostBytes);
+  }
+  if (fields.has("favors")) {
+    const std::vector<std::string> favors = fields.texts("favors", 2, kMostBytes);
+    if (favors == std::vector<std::string>{"ppc", "gc"} || favors == std::vector<std::string>{"gc", "ppc"}) {
+      item.lastFavors = favors[1] == "gc" ? TrialView::kGraph : TrialView::kPinhole;
+    } else {
+      fields.fail("favors", R"(must be ["ppc", "gc"] or ["gc", "ppc"])");
+    }
+  } else if (const std::optional<TrialView> view = viewFavoredByLastEnd(item.ends)) {
+    item.lastFavors = view;
+    item.favorsFromWords = true;
+  }
+  return item;
+}
+
+ProtocolScreen readScreen(const JsonText& text, JsonObject& fields) {
+  ProtocolScreen screen;
+  if (fields.has("timing")) {
+    screen.lateFactor =
+        JsonObject(text, fields.value("timing"), "/timing").numberOr("late_factor", 1, 1000, screen.lateFactor);
+  }
+  if (fields.has("screen")) {
+    JsonObject inner(text, fields.value("screen"), "/screen");
+    const auto length = [&](const char* name) {
+      return inner.has(name) ? std::optional<double>(inner.number(name, 0, 1e6)) : std::nullopt;
+    };
+    screen.widthMillimeters = length("width_millimeters");
+    screen.heightMillimeters = length("height_millimeters");
+    screen.distanceMillimeters = length("distance_millimeters");
+    screen.refreshHertz = length("refresh_hertz");
+  }
+  return screen;
+}
+
 }  // namespace
 
 const ProtocolMaze* ProtocolFacts::findMaze(const std::string& maze) const {
@@ -92,7 +138,7 @@ const ProtocolMaze* ProtocolFacts::findMaze(const std::string& maze) const {
 }
 
 ProtocolFacts protocolFacts(const std::string& text, const std::string& where) {
-  const JsonText json(text, where);
+  const JsonText json(text, where, "protocols/protocol.schema.json");
   JsonObject fields(json, json.root(), "");
   ProtocolFacts facts;
   facts.name = fields.text("name", kMostBytes);
@@ -118,6 +164,14 @@ ProtocolFacts protocolFacts(const std::string& text, const std::string& where) {
   forEachElement(json, json.root(), "", "exclusions", [&](JsonObject& each, const auto&, const std::string&) {
     facts.exclusions.push_back(readRule(each));
   });
+  for (const char* form : {"demographics", "survey"}) {
+    if (fields.has(form)) {
+      forEachElement(
+          json, fields.value(form), fmt::format("/{}", form), "fields",
+          [&](JsonObject& each, const auto&, const std::string&) { facts.items.push_back(readItem(each, form)); });
+    }
+  }
+  facts.screen = readScreen(json, fields);
   return facts;
 }
 

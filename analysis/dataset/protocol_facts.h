@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/dataset/analysis_plan.h"
+#include "analysis/dataset/form_item.h"
 
 namespace ocelli {
 
@@ -41,6 +42,15 @@ struct ProtocolBlockFacts {
   std::vector<ProtocolCase> cases{};
 };
 
+/// Of the screen and its timing, as the study wants them.
+struct ProtocolScreen {
+  std::optional<double> widthMillimeters{};
+  std::optional<double> heightMillimeters{};
+  std::optional<double> distanceMillimeters{};  ///< from the eye
+  std::optional<double> refreshHertz{};
+  double lateFactor = 1.2;  ///< a frame of more intervals than that is a dropped one
+};
+
 struct ProtocolFacts {
   std::string name;
   std::string title;
@@ -50,6 +60,8 @@ struct ProtocolFacts {
   std::vector<ProtocolBlockFacts> blocks{};
   std::vector<ProtocolMaze> mazes{};
   std::vector<PlannedExclusion> exclusions{};
+  std::vector<FormItem> items{};  ///< of "demographics", then of "survey"
+  ProtocolScreen screen{};
 
   const ProtocolMaze* findMaze(const std::string& maze) const;
 };

@@ -64,8 +64,8 @@ Digest digestOf(const Trial& trial, const UnreadColumns& unread) {
   }
   row.integer(unread.trialNumber).integer(unread.trialSeed).integer(unread.startedNs).integer(unread.endedNs);
   row.text(unread.startedUtc).text(unread.endedUtc).integer(unread.responseTicks).integer(unread.exposureFrames);
-  row.integer(unread.medianIntervalNs).integer(unread.longestIntervalNs).integer(unread.screenWidth);
-  row.integer(unread.screenHeight).real(unread.refreshHertz);
+  row.integer(unread.medianIntervalNs).integer(unread.longestIntervalNs).integer(trial.screenWidth);
+  row.integer(trial.screenHeight).real(trial.refreshHertz);
   return row.digest();
 }
 

@@ -46,9 +46,6 @@ struct UnreadColumns {
   std::optional<int64_t> exposureFrames{};
   std::optional<int64_t> medianIntervalNs{};
   std::optional<int64_t> longestIntervalNs{};
-  std::optional<int64_t> screenWidth{};
-  std::optional<int64_t> screenHeight{};
-  std::optional<double> refreshHertz{};
 };
 Digest digestOf(const Trial& trial, const UnreadColumns& unread);
 

@@ -17,6 +17,11 @@ constexpr const char* nameOf(TrialView view) {
   return view == TrialView::kPinhole ? "ppc" : "gc";
 }
 
+/// In the words of the field, for readers.
+constexpr const char* labelOf(TrialView view) {
+  return view == TrialView::kPinhole ? "pinhole" : "graph camera";
+}
+
 /// SHA-256.
 using Digest = std::array<uint8_t, 32>;
 
@@ -59,6 +64,9 @@ struct Trial {
   int64_t frames = 0;
   int64_t droppedFrames = 0;
   std::string timingVerdict;
+  std::optional<int64_t> screenWidth{};  ///< pixels
+  std::optional<int64_t> screenHeight{};
+  std::optional<double> refreshHertz{};  ///< of the screen
 
   /// What is the same item for all subjects: the case of a block in a session.
   std::string item() const { return block + "/" + std::to_string(session) + "/" + std::to_string(caseIndex); }

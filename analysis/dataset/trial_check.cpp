@@ -5,10 +5,11 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kLongestName = 1000;   // bytes; a protocol allows 200 characters
-constexpr double kMostSeconds = 1e6;    // more than eleven days
-constexpr int64_t kMostFrames = 1e9;    // so that sums over a study stay exact
-constexpr double kMostOfMeasure = 1e9;  // metres, clicks, ...
+constexpr size_t kLongestName = 1000;       // bytes; a protocol allows 200 characters
+constexpr double kMostSeconds = 1e6;        // more than eleven days
+constexpr int64_t kMostFrames = 1e9;        // so that sums over a study stay exact
+constexpr double kRoundingSeconds = 0.005;  // times are in steps of 1/240 s
+constexpr double kMostOfMeasure = 1e9;      // metres, clicks, ...
 
 template <class Number>
 std::optional<TrialProblem> outside(const std::string& column, std::optional<Number> value, Number least, Number most) {
@@ -45,6 +46,16 @@ std::optional<TrialProblem> problemOf(const Trial& trial) {
     }
   }
   return std::nullopt;
+}
+
+std::string contradictionOf(const Trial& trial, std::optional<double> limitSeconds) {
+  const std::optional<double> limit = trial.longestSeconds ? trial.longestSeconds : limitSeconds;
+  if (!limit || !trial.responseSeconds || trial.censored.value_or(false) ||
+      *trial.responseSeconds <= *limit + kRoundingSeconds) {
+    return "";
+  }
+  return fmt::format("it took {:.6g} s, beyond its limit of {:g} s, and is not marked as timed out",
+                     *trial.responseSeconds, *limit);
 }
 
 }  // namespace ocelli

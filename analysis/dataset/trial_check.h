@@ -21,4 +21,8 @@ std::string problemOfName(const std::string& name);
 /// The first one; nothing where there is none.
 std::optional<TrialProblem> problemOf(const Trial& trial);
 
+/// What the columns of a trial say against each other, each of them possible by itself: that it took longer than its
+/// limit (of its row, or else `limitSeconds` of its block), but its time did not run out. A whole clause, or empty.
+std::string contradictionOf(const Trial& trial, std::optional<double> limitSeconds);
+
 }  // namespace ocelli

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "analysis/inference/cluster_jackknife.h"
 #include "analysis/inference/distributions.h"
 #include "analysis/inference/standardized_covariates.h"
 #include "analysis/inference/wald.h"
@@ -25,6 +27,8 @@ constexpr double kConverged = 1e-18;
 constexpr double kLargestStep = 1;
 /// Sigma, in log seconds, below which the times are told exactly.
 constexpr double kPerfect = 1e-6;
+/// Of a robust variance in that of the model: below it stands rounding.
+constexpr double kLeastRobustShare = 1e-12;
 
 struct Value {
   double logLikelihood = 0;
@@ -128,6 +132,23 @@ Estimable<Maximum> maximize(const SurvivalData& data, const MatrixXd& x, const s
   return Result::impossible(fmt::format("the fit did not converge in {} steps", kMaximumIterations));
 }
 
+/// The information in some trials is without what the spread has in common with the coefficients, which is nothing for
+/// times that are not censored. What these trials have of it by chance would lead a single step astray.
+TrialShares sharesOf(const std::vector<SurvivalTime>& times, const MatrixXd& x, const Maximum& maximum) {
+  return {maximum.value.scores, maximum.value.information, [&](const std::vector<size_t>& trials) {
+            std::vector<SurvivalTime> some;
+            MatrixXd rows(static_cast<Index>(trials.size()), x.cols());
+            for (size_t i = 0; i < trials.size(); ++i) {
+              some.push_back(times[trials[i]]);
+              rows.row(static_cast<Index>(i)) = x.row(static_cast<Index>(trials[i]));
+            }
+            MatrixXd information = likelihoodAt(some, rows, maximum.theta).information;
+            information.row(x.cols()).head(x.cols()).setZero();
+            information.col(x.cols()).head(x.cols()).setZero();
+            return information;
+          }};
+}
+
 /// Why there is no such fit, before it is tried; empty where there may be one.
 std::string obstacle(const SurvivalData& data, const StandardizedCovariates& covariates) {
   if (!covariates.problem.empty() && !data.covariates.empty()) {
@@ -174,13 +195,25 @@ Estimable<FailureTimeFit> fitLogNormal(const SurvivalData& data, double level) {
   const MatrixXd standardizedModel = maximum->value.information.inverse();
   const MatrixXd model = back * standardizedModel * back.transpose();
   MatrixXd covariance = model;
+  std::optional<JackknifeCovariance> jackknife;
+  std::vector<bool> unknown(static_cast<size_t>(p) + 2, false);
   const CrossedClusters clusters = crossedClusters(data.clusters, data.items);
   if (clusters.first.count > 0) {
     if (clusters.degreesOfFreedom() < static_cast<double>(p) + 1) {
       return Estimable<FailureTimeFit>::impossible(fewClusters(clusters, static_cast<size_t>(p) + 1));
     }
-    covariance =
-        back * sandwich(maximum->value.scores, standardizedModel, clusters, data.fewClusters) * back.transpose();
+    if (data.fewClusters) {
+      jackknife = jackknifeCovariance(sharesOf(data.times, x, *maximum), clusters).mapped(back);
+      const std::vector<bool> rest = restOnOneCluster(covariates.values, clusters);
+      std::copy(rest.begin(), rest.end(), unknown.begin() + 1);
+      // The intercept stands where all covariates are 0.
+      unknown.front() = std::find(rest.begin(), rest.end(), true) != rest.end();
+    }
+    covariance = jackknife ? jackknife->covariance
+                           : back * sandwich(maximum->value.scores, standardizedModel, clusters) * back.transpose();
+    if (!((covariance.diagonal().array() > kLeastRobustShare * model.diagonal().array()).all())) {
+      return Estimable<FailureTimeFit>::impossible("all subjects are alike, so that robust errors would be 0");
+    }
   }
   FailureTimeFit fit;
   fit.logLikelihood = maximum->value.logLikelihood;
@@ -189,10 +222,9 @@ Estimable<FailureTimeFit> fitLogNormal(const SurvivalData& data, double level) {
   fit.clusters = clusters.first.count;
   fit.events = static_cast<size_t>(
       std::count_if(data.times.begin(), data.times.end(), [](const SurvivalTime& time) { return time.observed; }));
-  const double degreesOfFreedom =
-      clusters.first.count > 0 && data.fewClusters ? clusters.degreesOfFreedom() : kInfinite;
   const auto estimate = [&](Index j) {
-    return waldEstimate(theta[j], std::sqrt(covariance(j, j)), level, degreesOfFreedom);
+    const double error = unknown[static_cast<size_t>(j)] ? kNotKnown : std::sqrt(covariance(j, j));
+    return waldEstimate(theta[j], error, level, jackknife ? jackknife->degreesOfFreedom(j, clusters) : kInfinite);
   };
   fit.intercept = estimate(0);
   fit.logSigma = estimate(p + 1);

@@ -2,6 +2,7 @@
 //
 //   Kalbfleisch and Prentice 2002, chapter 3   the model: log T = intercept + x beta + sigma Z
 //   Lin and Wei 1989                           errors that hold for clusters of trials that are alike
+//   Lipsitz, Dear and Zhao 1994                the same for few clusters (cluster_jackknife.h)
 #pragma once
 
 #include <string>
@@ -15,7 +16,9 @@ namespace ocelli {
 
 struct TimeRatioTerm {
   std::string name;
-  Estimate logTimeRatio;          ///< z; robust where there are clusters, t for few of them
+  /// z; robust where there are clusters, t for few of them: without an interval and a test where, of few clusters, one
+  /// alone tells of the coefficient.
+  Estimate logTimeRatio;
   Estimate timeRatio;             ///< above 1: trials take longer
   double modelStandardError = 0;  ///< of the logarithm, as if trials were independent
 };

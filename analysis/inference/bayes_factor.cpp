@@ -60,6 +60,15 @@ Estimable<BayesFactor> bayesFactorOfMean(const std::vector<double>& differences,
   return bayesFactorOfT(moments.mean / std::sqrt(moments.variance / moments.count), differences.size(), priorScale);
 }
 
+Estimable<BayesFactor> bayesFactorOfEstimate(const Estimate& estimate, double priorScale) {
+  if (!std::isfinite(estimate.statistic) || !std::isfinite(estimate.degreesOfFreedom) ||
+      estimate.degreesOfFreedom < 1) {
+    return Estimable<BayesFactor>::impossible("there is no t statistic with a degree of freedom or more");
+  }
+  const auto count = static_cast<size_t>(std::llround(estimate.degreesOfFreedom)) + 1;
+  return bayesFactorOfT(estimate.statistic, count, priorScale);
+}
+
 Estimable<BayesFactor> bayesFactorOfShare(const Share& share, double chance, double priorSuccesses,
                                           double priorFailures) {
   requireArgument(share.successes >= 0 && share.successes <= share.trials, "more successes than trials",

@@ -1,7 +1,7 @@
 // How much likelier the data are if there is an effect than if there is none, and the other way round: unlike a p value
 // it can speak for "none".
 //
-//   Rouder, Speckman, Sun, Morey and Iverson 2009, eq. 1   the Jeffreys-Zellner-Siow t test
+//   Rouder, Speckman, Sun, Morey and Iverson 2009, eq. 1   the Jeffreys-Zellner-Siow t test, also of any t statistic
 #pragma once
 
 #include <cstddef>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/base/estimable.h"
+#include "analysis/base/estimate.h"
 #include "analysis/inference/binomial_test.h"
 
 namespace ocelli {
@@ -28,6 +29,12 @@ BayesFactor bayesFactorOfT(double t, size_t count, double priorScale = kMediumPr
 
 /// Of the mean of differences, one a subject. Not possible for fewer than 2 or where all are the same.
 Estimable<BayesFactor> bayesFactorOfMean(const std::vector<double>& differences, double priorScale = kMediumPriorScale);
+
+/// Of an estimate with Student's t, such as clusteredMeanDifference(): as if it were the mean of one independent number
+/// more than it has degrees of freedom, which for crossed clusters are the fewer of subjects and cases. It holds for
+/// whatever the t does: for other subjects and cases where both are clusters. Not possible without a t, or with less
+/// than one degree of freedom.
+Estimable<BayesFactor> bayesFactorOfEstimate(const Estimate& estimate, double priorScale = kMediumPriorScale);
 
 /// Of a share that is `chance` if there is no effect, and else anything, as a beta distribution of these parameters
 /// says; 1 and 1 for all shares alike. It takes trials as independent. Not possible without trials.

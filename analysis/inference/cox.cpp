@@ -5,8 +5,11 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
+#include <optional>
 
+#include "analysis/inference/cluster_jackknife.h"
 #include "analysis/inference/kaplan_meier.h"
 #include "analysis/inference/standardized_covariates.h"
 #include "analysis/inference/wald.h"
@@ -33,6 +36,27 @@ struct RiskStep {
   double mass = 0;      ///< sum of exp(eta) at risk
   VectorXd mean;        ///< of covariates at risk
   MatrixXd covariance;  ///< likewise
+};
+
+/// The hazards of some steps, and the same times the means of the covariates at risk.
+struct Hazards {
+  explicit Hazards(Index p) : means(VectorXd::Zero(p)), squaredMeans(MatrixXd::Zero(p, p)) {}
+
+  double sum = 0;
+  VectorXd means;
+  MatrixXd squaredMeans;
+
+  void add(const RiskStep& step, double share) {
+    const double hazard = share / step.mass;
+    sum += hazard;
+    means += hazard * step.mean;
+    squaredMeans += hazard * step.mean * step.mean.transpose();
+  }
+  void add(const Hazards& other) {
+    sum += other.sum;
+    means += other.means;
+    squaredMeans += other.squaredMeans;
+  }
 };
 
 class PartialLikelihood {
@@ -69,31 +93,32 @@ class PartialLikelihood {
     return value;
   }
 
-  /// Of each trial, a row: its share in the score, with what it adds to the hazards of others.
-  MatrixXd scoreResiduals(const VectorXd& beta) const {
+  /// What each trial tells. A row of `scores` is its share in the score, with what it adds to the hazards of others;
+  /// its information is that of the means of covariates at the events that it was at risk for.
+  struct OfTrials {
+    MatrixXd scores;
+    std::vector<MatrixXd> information;
+  };
+  OfTrials ofTrials(const VectorXd& beta) const {
     const Index p = x_.cols();
     const VectorXd eta = x_ * beta;
     struct Moment {
-      double hazard = 0, hazardOfDying = 0;
-      VectorXd weighted, weightedOfDying, mean;
+      Hazards all, ofDying;
+      VectorXd mean;
     };
     std::vector<Moment> moments;
     visit(eta, [&](const RiskStep& step) {
       if (moments.size() <= step.moment) {
-        moments.resize(step.moment + 1, {0, 0, VectorXd::Zero(p), VectorXd::Zero(p), VectorXd::Zero(p)});
+        moments.resize(step.moment + 1, {Hazards(p), Hazards(p), VectorXd::Zero(p)});
       }
       Moment& moment = moments[step.moment];
-      const double share = 1 - static_cast<double>(step.step) / step.deaths;
-      moment.hazard += 1 / step.mass;
-      moment.weighted += step.mean / step.mass;
-      moment.hazardOfDying += share / step.mass;
-      moment.weightedOfDying += share * step.mean / step.mass;
+      moment.all.add(step, 1);
+      moment.ofDying.add(step, 1 - static_cast<double>(step.step) / step.deaths);
       moment.mean += step.mean / step.deaths;
     });
-    MatrixXd residuals = MatrixXd::Zero(x_.rows(), p);
+    OfTrials trials{MatrixXd::Zero(x_.rows(), p), std::vector<MatrixXd>(static_cast<size_t>(x_.rows()))};
     // Upwards through the times of each stratum, which stand from last to first.
-    double hazard = 0;
-    VectorXd weighted = VectorXd::Zero(p);
+    Hazards hazards(p);
     size_t moment = moments.size();
     for (size_t end = order_.size(); end > 0;) {
       size_t begin = end - 1;
@@ -101,8 +126,7 @@ class PartialLikelihood {
         --begin;
       }
       if (end == order_.size() || stratum(order_[end]) != stratum(order_[end - 1])) {
-        hazard = 0;
-        weighted.setZero();
+        hazards = Hazards(p);
       }
       const bool anyEvent = std::any_of(order_.begin() + static_cast<std::ptrdiff_t>(begin),
                                         order_.begin() + static_cast<std::ptrdiff_t>(end),
@@ -111,25 +135,23 @@ class PartialLikelihood {
       for (size_t k = begin; k < end; ++k) {
         const auto i = static_cast<Index>(order_[k]);
         const VectorXd x = x_.row(i).transpose();
-        double ownHazard = hazard;
-        VectorXd ownWeighted = weighted;
+        Hazards own = hazards;
         if (data_.times[order_[k]].observed) {
-          ownHazard += now->hazardOfDying;
-          ownWeighted += now->weightedOfDying;
-          residuals.row(i) += (x - now->mean).transpose();
+          own.add(now->ofDying);
+          trials.scores.row(i) += (x - now->mean).transpose();
         } else if (now != nullptr) {
-          ownHazard += now->hazard;
-          ownWeighted += now->weighted;
+          own.add(now->all);
         }
-        residuals.row(i) -= std::exp(eta[i]) * (x * ownHazard - ownWeighted).transpose();
+        trials.scores.row(i) -= std::exp(eta[i]) * (x * own.sum - own.means).transpose();
+        trials.information[order_[k]] = std::exp(eta[i]) * (own.sum * x * x.transpose() - own.means * x.transpose() -
+                                                            x * own.means.transpose() + own.squaredMeans);
       }
       if (now != nullptr) {
-        hazard += now->hazard;
-        weighted += now->weighted;
+        hazards.add(now->all);
       }
       end = begin;
     }
-    return residuals;
+    return trials;
   }
 
   /// Calls `function` with each step, strata in order, times from the last to the first.
@@ -231,6 +253,18 @@ Estimable<Maximum> maximize(const PartialLikelihood& likelihood, const Standardi
   return Result::impossible(fmt::format("the fit did not converge in {} steps", kMaximumIterations));
 }
 
+/// Of matrices of trials, of the same size.
+std::function<MatrixXd(const std::vector<size_t>&)> sumOf(const std::vector<MatrixXd>& ofTrials) {
+  return [&ofTrials](const std::vector<size_t>& trials) {
+    MatrixXd sum = ofTrials.front();
+    sum.setZero();
+    for (const size_t trial : trials) {
+      sum += ofTrials[trial];
+    }
+    return sum;
+  };
+}
+
 Estimable<Maximum> maximize(const SurvivalData& data, const PartialLikelihood& likelihood,
                             const StandardizedCovariates& covariates) {
   if (std::none_of(data.times.begin(), data.times.end(), [](const SurvivalTime& time) { return time.observed; })) {
@@ -260,12 +294,19 @@ Estimable<CoxFit> fitCox(const SurvivalData& data, double level) {
   const Index p = covariates.values.cols();
   const MatrixXd model = maximum->value.information.inverse();
   MatrixXd covariance = model;
+  std::optional<JackknifeCovariance> jackknife;
+  std::vector<bool> unknown(static_cast<size_t>(p), false);
   const CrossedClusters clusters = crossedClusters(data.clusters, data.items);
   if (clusters.first.count > 0) {
     if (clusters.degreesOfFreedom() < static_cast<double>(p)) {
       return Estimable<CoxFit>::impossible(fewClusters(clusters, static_cast<size_t>(p)));
     }
-    covariance = sandwich(likelihood.scoreResiduals(maximum->beta), model, clusters, data.fewClusters);
+    const PartialLikelihood::OfTrials trials = likelihood.ofTrials(maximum->beta);
+    if (data.fewClusters) {
+      jackknife = jackknifeCovariance({trials.scores, maximum->value.information, sumOf(trials.information)}, clusters);
+      unknown = restOnOneCluster(covariates.values, clusters);
+    }
+    covariance = jackknife ? jackknife->covariance : sandwich(trials.scores, model, clusters);
     if (!((covariance.diagonal().array() > kLeastRobustShare * model.diagonal().array()).all())) {
       return Estimable<CoxFit>::impossible("all subjects are alike, so that robust errors would be 0");
     }
@@ -279,14 +320,15 @@ Estimable<CoxFit> fitCox(const SurvivalData& data, double level) {
   fit.events = static_cast<size_t>(
       std::count_if(data.times.begin(), data.times.end(), [](const SurvivalTime& time) { return time.observed; }));
   const auto df = static_cast<double>(p);
-  const double degreesOfFreedom =
-      clusters.first.count > 0 && data.fewClusters ? clusters.degreesOfFreedom() : kInfinite;
   fit.likelihoodRatio = chiSquaredEstimate(2 * (fit.logLikelihood - fit.nullLogLikelihood), df);
-  fit.wald = chiSquaredEstimate(maximum->beta.dot(covariance.ldlt().solve(maximum->beta)), df);
+  if (std::find(unknown.begin(), unknown.end(), true) == unknown.end()) {
+    fit.wald = chiSquaredEstimate(maximum->beta.dot(covariance.ldlt().solve(maximum->beta)), df);
+  }
   for (Index j = 0; j < p; ++j) {
     const double scale = covariates.scale[j];
-    const Estimate logarithm =
-        waldEstimate(maximum->beta[j] / scale, std::sqrt(covariance(j, j)) / scale, level, degreesOfFreedom);
+    const double error = unknown[static_cast<size_t>(j)] ? kNotKnown : std::sqrt(covariance(j, j)) / scale;
+    const Estimate logarithm = waldEstimate(maximum->beta[j] / scale, error, level,
+                                            jackknife ? jackknife->degreesOfFreedom(j, clusters) : kInfinite);
     fit.terms.push_back(
         {covariates.names[static_cast<size_t>(j)], logarithm, asRatio(logarithm), std::sqrt(model(j, j)) / scale});
   }

@@ -2,6 +2,7 @@
 //
 //   Cox 1972; Efron 1977                       the partial likelihood, and its form for tied times
 //   Lin and Wei 1989                           errors that hold for clusters of trials that are alike
+//   Lipsitz, Dear and Zhao 1994                the same for few clusters (cluster_jackknife.h)
 //   Grambsch and Therneau 1994                 whether hazards are proportional
 //   Therneau 2020, survival 3.x, cox.zph       that test as an exact score test, which is the one here
 #pragma once
@@ -17,7 +18,9 @@ namespace ocelli {
 
 struct CoxTerm {
   std::string name;
-  Estimate logHazardRatio;        ///< z; robust where there are clusters, t for few of them
+  /// z; robust where there are clusters, t for few of them: without an interval and a test where, of few clusters, one
+  /// alone tells of the coefficient.
+  Estimate logHazardRatio;
   Estimate hazardRatio;           ///< above 1: trials end sooner
   double modelStandardError = 0;  ///< of the logarithm, as if trials were independent
 };
@@ -28,7 +31,8 @@ struct CoxFit {
   double logLikelihood = 0;                     ///< partial
   double nullLogLikelihood = 0;                 ///< with all coefficients 0
   Estimate likelihoodRatio;                     ///< chi-squared, of "all are 0"; takes trials as independent
-  Estimate wald;                                ///< chi-squared, of the same; robust where there are clusters
+  Estimate wald;                                ///< chi-squared, of the same; robust where there are clusters, unless
+                                                ///< a term has no interval
   size_t trials = 0;
   size_t events = 0;
   size_t clusters = 0;  ///< 0: none were given

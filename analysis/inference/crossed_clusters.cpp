@@ -5,8 +5,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "analysis/inference/sample.h"
+
 namespace ocelli {
 namespace {
+
+/// A standard error below this share of the contributions' sizes is rounding.
+constexpr double kRounding = 1e-10;
 
 double squaresOfSums(const std::vector<double>& values, const DenseLabels& clusters) {
   std::vector<double> sums(clusters.count);
@@ -55,7 +60,10 @@ Estimable<Estimate> clusteredEstimate(double value, const std::vector<double>& c
     return Estimable<Estimate>::impossible("there are no two subjects, or no two cases, that could be compared");
   }
   const double variance = clusteredVariance(contributions, clusters, coefficients);
-  if (!(variance > 0)) {
+  // Where contributions cancel in every cluster, rounding is left of them.
+  const double size = std::accumulate(contributions.begin(), contributions.end(), 0.0,
+                                      [](double sum, double each) { return sum + std::abs(each); });
+  if (!(std::sqrt(std::max(0.0, variance)) > kRounding * size)) {
     return Estimable<Estimate>::impossible("all subjects and cases have the same difference");
   }
   return waldEstimate(value, std::sqrt(variance), level, clusters.degreesOfFreedom());
@@ -69,7 +77,7 @@ Estimable<Estimate> clusteredMean(const std::vector<double>& values, const Cross
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
   std::vector<double> contributions;
   for (const double value : values) {
-    contributions.push_back((value - mean) / count);
+    contributions.push_back(differenceOf(mean, value) / count);
   }
   return clusteredEstimate(mean, contributions, clusters, level);
 }
@@ -109,14 +117,15 @@ Estimable<Estimate> clusteredMeanDifference(const std::vector<double>& values, c
     if (!hasBoth(kinds)) {
       continue;
     }
-    const double share = (values[i] - means[isSecond[i]]) / (kinds[isSecond[i]].count * clusters);
+    const double share = differenceOf(means[isSecond[i]], values[i]) / (kinds[isSecond[i]].count * clusters);
     contributions.push_back(isSecond[i] ? share : -share);
     keptFirst.push_back(first[i]);
     if (!second.empty()) {
       keptSecond.push_back(second[i]);
     }
   }
-  return clusteredEstimate(means[1] - means[0], contributions, crossedClusters(keptFirst, keptSecond), level, 2);
+  return clusteredEstimate(differenceOf(means[0], means[1]), contributions, crossedClusters(keptFirst, keptSecond),
+                           level, 2);
 }
 
 }  // namespace ocelli

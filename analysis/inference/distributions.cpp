@@ -19,15 +19,6 @@ using boost::math::complement;
 using boost::math::pdf;
 using boost::math::quantile;
 
-/// From here on P(Z > z) is taken from its series.
-constexpr double kFarTail = 30;
-
-/// P(Z > z) z / density: Abramowitz and Stegun 26.2.12. The first term left out is below 1e-9 of the sum's last digit.
-double farTailFactor(double z) {
-  const double y = 1 / (z * z);
-  return 1 - y * (1 - 3 * y * (1 - 5 * y * (1 - 7 * y)));
-}
-
 }  // namespace
 
 double normalDensity(double z) {
@@ -44,17 +35,6 @@ double normalQuantile(double probability) {
 
 double twoSidedNormal(double z) {
   return std::erfc(std::abs(z) / std::numbers::sqrt2);
-}
-
-double logNormalTail(double z) {
-  if (z < kFarTail) {
-    return std::log(normalProbability(-z));
-  }
-  return -z * z / 2 - std::log(z) - std::log(2 * std::numbers::pi) / 2 + std::log(farTailFactor(z));
-}
-
-double normalHazard(double z) {
-  return z < kFarTail ? normalDensity(z) / normalProbability(-z) : z / farTailFactor(z);
 }
 
 double studentProbability(double t, double degreesOfFreedom) {

@@ -1,6 +1,8 @@
 // Distribution functions. Their library stands behind this header alone, as it takes long to compile.
 #pragma once
 
+#include "analysis/base/normal_tail.h"
+
 namespace ocelli {
 
 double normalDensity(double z);
@@ -10,10 +12,6 @@ double normalProbability(double z);
 double normalQuantile(double probability);
 /// P(|Z| >= |z|).
 double twoSidedNormal(double z);
-
-/// log P(Z > z), and density over P(Z > z), exact far out too.
-double logNormalTail(double z);
-double normalHazard(double z);
 
 /// Degrees of freedom may be infinite: then it is the normal distribution.
 double studentProbability(double t, double degreesOfFreedom);

@@ -71,7 +71,7 @@ Estimable<PairedEffect> pairedEffect(const std::vector<double>& first, const std
   }
   std::vector<double> differences;
   for (size_t i = 0; i < first.size(); ++i) {
-    differences.push_back(second[i] - first[i]);
+    differences.push_back(differenceOf(first[i], second[i]));
   }
   const SampleMoments moments = momentsOf(differences);
   if (moments.variance == 0) {

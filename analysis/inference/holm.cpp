@@ -20,7 +20,7 @@ std::vector<double> holmAdjusted(const std::vector<double>& pValues) {
   std::vector<double> adjusted(pValues.size(), kNotKnown);
   double largest = 0;
   for (size_t i = 0; i < order.size(); ++i) {
-    largest = std::max(largest, static_cast<double>(order.size() - i) * pValues[order[i]]);
+    largest = std::max(largest, static_cast<double>(pValues.size() - i) * pValues[order[i]]);
     adjusted[order[i]] = std::min(largest, 1.0);
   }
   return adjusted;

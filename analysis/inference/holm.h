@@ -9,8 +9,9 @@
 
 namespace ocelli {
 
-/// In the same order. A test that could not be done (kNotKnown) stays so and does not count. Throws AnalysisError for
-/// numbers that are no p values.
+/// In the same order. A test that could not be done (kNotKnown) stays so and counts as the largest p value: a family
+/// has the size that was planned, or else the data would decide how strict the others' correction is. Throws
+/// AnalysisError for numbers that are no p values.
 std::vector<double> holmAdjusted(const std::vector<double>& pValues);
 
 struct FamilyTest {

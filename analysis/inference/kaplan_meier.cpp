@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "analysis/inference/crossed_clusters.h"
 #include "analysis/inference/distributions.h"
 #include "analysis/inference/wald.h"
 
@@ -14,6 +15,45 @@ namespace {
 
 /// Of shares that are counted by different ways.
 constexpr double kTolerance = 1e-10;
+/// Of a variance by clusters in Greenwood's: below it stands rounding, as where all subjects have the same times.
+constexpr double kLeastClusteredShare = 1e-12;
+
+/// The variance of log S as time goes on: the values of the infinitesimal jackknife, one a trial, summed by cluster.
+class ClusteredVariance {
+ public:
+  ClusteredVariance(const std::vector<SurvivalTime>& times, const CrossedClusters& clusters)
+      : times_(times), clusters_(clusters), values_(times.size()) {}
+
+  /// After the events of a set; sets come in ascending order.
+  double after(const RiskSet& set) {
+    const auto atRisk = static_cast<double>(set.atRisk);
+    const auto left = static_cast<double>(set.atRisk - set.events);
+    // log S changes with the weight of who was at risk by 1/left - 1/atRisk, of who had the event by -1/atRisk.
+    for (size_t i = 0; i < times_.size() && set.events > 0; ++i) {
+      if (times_[i].seconds >= set.seconds) {
+        const bool ended = times_[i].observed && times_[i].seconds == set.seconds;
+        values_[i] += (ended ? 0 : 1 / left) - 1 / atRisk;
+      }
+    }
+    return clusteredVariance(values_, clusters_);
+  }
+
+ private:
+  const std::vector<SurvivalTime>& times_;
+  const CrossedClusters& clusters_;
+  std::vector<double> values_;
+};
+
+/// On the scale log(-log S). `error`: of log S.
+void addBand(SurvivalStep& step, double error, double quantile) {
+  step.standardError = step.survival * error;
+  if (step.survival < 1) {
+    const double width = quantile * error / std::log(step.survival);
+    const double center = std::log(-std::log(step.survival));
+    step.lower = std::exp(-std::exp(center - width));
+    step.upper = std::exp(-std::exp(center + width));
+  }
+}
 
 /// When a falling curve reaches a half. Values that are kNotKnown are passed over.
 template <class Value>
@@ -33,16 +73,28 @@ std::optional<double> halfTime(const SurvivalCurve& curve, Value value) {
 
 }  // namespace
 
-Estimable<SurvivalCurve> survivalCurve(const std::vector<SurvivalTime>& times, double level) {
+Estimable<SurvivalCurve> survivalCurve(const std::vector<SurvivalTime>& times, double level,
+                                       const std::vector<int>& clusters, const std::vector<int>& items) {
   checkTimes(times, "survivalCurve");
+  requireArgument(clusters.empty() || clusters.size() == times.size(), "clusters and trials differ in number",
+                  "survivalCurve");
   if (times.empty()) {
     return Estimable<SurvivalCurve>::impossible("there are no trials");
   }
   SurvivalCurve curve;
   curve.trials = times.size();
-  const double z = normalQuantile((1 + level) / 2);
+  const CrossedClusters crossed = crossedClusters(clusters, items);
+  const bool isClustered = crossed.first.count > 0;
+  if (isClustered && !(crossed.degreesOfFreedom() > 0)) {
+    curve.noBands = crossed.first.count == 1 ? "all trials belong to one subject, so subjects cannot be compared"
+                                             : "all trials are of one case, so cases cannot be compared";
+  }
+  const bool hasBands = curve.noBands.empty();
+  const double quantile =
+      hasBands ? studentQuantile((1 + level) / 2, isClustered ? crossed.degreesOfFreedom() : kInfinite) : kNotKnown;
+  ClusteredVariance clustered(times, crossed);
   double survival = 1;
-  double greenwood = 0;  // the variance of log S
+  double greenwood = 0;  // the variance of log S of independent trials
   for (const RiskSet& set : riskSets(times)) {
     const auto atRisk = static_cast<double>(set.atRisk);
     const auto events = static_cast<double>(set.events);
@@ -52,12 +104,12 @@ Estimable<SurvivalCurve> survivalCurve(const std::vector<SurvivalTime>& times, d
     SurvivalStep step;
     step.riskSet = set;
     step.survival = survival;
-    step.standardError = survival > 0 ? survival * std::sqrt(greenwood) : kNotKnown;
-    if (survival > 0 && survival < 1) {
-      const double width = z * std::sqrt(greenwood) / std::log(survival);
-      const double center = std::log(-std::log(survival));
-      step.lower = std::exp(-std::exp(center - width));
-      step.upper = std::exp(-std::exp(center + width));
+    step.standardError = kNotKnown;
+    if (survival > 0 && hasBands) {
+      const double variance = isClustered ? clustered.after(set) : greenwood;
+      if (variance >= kLeastClusteredShare * greenwood) {
+        addBand(step, std::sqrt(variance), quantile);
+      }
     }
     curve.steps.push_back(step);
   }
@@ -72,6 +124,9 @@ Estimable<Estimate> medianTime(const SurvivalCurve& curve) {
   }
   Estimate estimate;
   estimate.value = *median;
+  if (!curve.noBands.empty()) {
+    return estimate;
+  }
   estimate.lower = halfTime(curve, [](const SurvivalStep& step) { return step.lower; }).value_or(kNotKnown);
   estimate.upper = halfTime(curve, [](const SurvivalStep& step) { return step.upper; }).value_or(kInfinite);
   return estimate;

@@ -8,7 +8,7 @@
 namespace ocelli {
 
 Estimable<OrdinalDistribution> ordinalDistribution(const std::vector<int>& answers, int steps, double level) {
-  requireArgument(steps >= 3 && steps % 2 == 1, "the scale has no middle", "ordinalDistribution");
+  requireArgument(steps >= 2, "the scale has fewer than two steps", "ordinalDistribution");
   requireArgument(
       std::all_of(answers.begin(), answers.end(), [&](int answer) { return answer >= 1 && answer <= steps; }),
       "an answer is not on the scale", "ordinalDistribution");
@@ -18,12 +18,11 @@ Estimable<OrdinalDistribution> ordinalDistribution(const std::vector<int>& answe
   OrdinalDistribution distribution;
   distribution.answers = static_cast<int>(answers.size());
   distribution.counts.resize(static_cast<size_t>(steps));
-  const int middle = (steps + 1) / 2;
   for (const int answer : answers) {
     ++distribution.counts[static_cast<size_t>(answer - 1)];
-    ++(answer < middle    ? distribution.belowMiddle
-       : answer == middle ? distribution.atMiddle
-                          : distribution.aboveMiddle);
+    ++(2 * answer < steps + 1    ? distribution.belowMiddle
+       : 2 * answer == steps + 1 ? distribution.atMiddle
+                                 : distribution.aboveMiddle);
   }
   for (const int count : distribution.counts) {
     distribution.shares.push_back(wilsonShare({count, distribution.answers}, level));
@@ -46,7 +45,7 @@ Estimable<MiddleTest> testAgainstMiddle(const std::vector<int>& answers, int ste
   }
   std::vector<double> fromMiddle;
   for (const int answer : answers) {
-    fromMiddle.push_back(answer - (steps + 1) / 2);
+    fromMiddle.push_back(answer - (steps + 1) / 2.0);
   }
   return MiddleTest{*binomialTest({distribution->aboveMiddle, aside}, 0.5, level), *signedRankTest(fromMiddle, level)};
 }

@@ -15,13 +15,13 @@ struct OrdinalDistribution {
   std::vector<Estimate> shares;  ///< with Wilson's intervals
   int answers = 0;
   int belowMiddle = 0;
-  int atMiddle = 0;
+  int atMiddle = 0;  ///< 0 where the number of steps is even: the middle lies between two answers
   int aboveMiddle = 0;
   double mean = 0;  ///< as if the steps were equally wide
   double median = 0;
 };
 
-/// `answers` from 1 to `steps`, which is odd, so that there is a middle. Not possible without answers. Throws
+/// `answers` from 1 to `steps`, two or more; the middle is (steps + 1) / 2. Not possible without answers. Throws
 /// AnalysisError for other numbers, as does the test.
 Estimable<OrdinalDistribution> ordinalDistribution(const std::vector<int>& answers, int steps = 5, double level = 0.95);
 

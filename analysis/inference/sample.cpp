@@ -7,6 +7,20 @@
 #include "analysis/inference/wald.h"
 
 namespace ocelli {
+namespace {
+
+/// Of sums of some thousand numbers, relative.
+constexpr double kRounding = 1e-12;
+
+bool areAlike(double a, double b) {
+  return std::abs(a - b) <= kRounding * std::max(std::abs(a), std::abs(b));
+}
+
+}  // namespace
+
+double differenceOf(double first, double second) {
+  return areAlike(first, second) ? 0 : second - first;
+}
 
 SampleMoments momentsOf(const std::vector<double>& values) {
   SampleMoments moments;
@@ -20,7 +34,7 @@ SampleMoments momentsOf(const std::vector<double>& values) {
     squares += (value - moments.mean) * (value - moments.mean);
   }
   const auto [least, largest] = std::minmax_element(values.begin(), values.end());
-  if (values.size() > 1 && *largest - *least > 1e-12 * std::max(std::abs(*least), std::abs(*largest))) {
+  if (values.size() > 1 && !areAlike(*least, *largest)) {
     moments.variance = squares / (moments.count - 1);
   }
   return moments;
@@ -39,7 +53,7 @@ Ranks ranksOf(const std::vector<double>& values) {
   ranks.of.resize(values.size());
   for (size_t begin = 0; begin < order.size();) {
     size_t end = begin;
-    while (end < order.size() && values[order[end]] == values[order[begin]]) {
+    while (end < order.size() && areAlike(values[order[end]], values[order[begin]])) {
       ++end;
     }
     for (size_t i = begin; i < end; ++i) {

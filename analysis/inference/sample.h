@@ -13,10 +13,14 @@ struct SampleMoments {
 
 SampleMoments momentsOf(const std::vector<double>& values);
 
+/// second - first; 0 where they are alike up to rounding, as means of the same numbers in other orders are. Without it,
+/// rounding would be a spread to test against.
+double differenceOf(double first, double second);
+
 /// Of numbers in ascending order, of which there is at least one.
 double medianOfSorted(const std::vector<double>& sorted);
 
-/// Ranks from 1, ties with the mean of theirs.
+/// Ranks from 1, ties (up to rounding) with the mean of theirs.
 struct Ranks {
   std::vector<double> of;
   double tieSum = 0;  ///< sum of t^3 - t over groups of t ties

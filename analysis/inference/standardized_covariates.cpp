@@ -61,28 +61,32 @@ std::string StandardizedCovariates::whyNotIndependent(const Eigen::MatrixXd& inf
 }
 
 Eigen::MatrixXd sandwich(const Eigen::MatrixXd& scoreResiduals, const Eigen::MatrixXd& model,
-                         const CrossedClusters& clusters, bool few) {
-  const auto by = [&](const DenseLabels& labels) -> Eigen::MatrixXd {
-    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(labels.count), scoreResiduals.cols());
-    for (size_t i = 0; i < labels.of.size(); ++i) {
-      sums.row(static_cast<Eigen::Index>(labels.of[i])) += scoreResiduals.row(static_cast<Eigen::Index>(i));
-    }
-    const Eigen::MatrixXd influence = sums * model;
-    return influence.transpose() * influence;
-  };
-  const Eigen::MatrixXd byFirst = (few ? fewClustersFactor(clusters.first) : 1) * by(clusters.first);
-  if (clusters.second.count == 0) {
-    return byFirst;
+                         const DenseLabels& clusters) {
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(clusters.count), scoreResiduals.cols());
+  for (size_t i = 0; i < clusters.of.size(); ++i) {
+    sums.row(static_cast<Eigen::Index>(clusters.of[i])) += scoreResiduals.row(static_cast<Eigen::Index>(i));
   }
-  const double factor = few ? fewClustersFactor(clusters.second, static_cast<size_t>(model.cols())) : 1;
+  const Eigen::MatrixXd influence = sums * model;
+  return influence.transpose() * influence;
+}
+
+Eigen::MatrixXd withCrossed(const Eigen::MatrixXd& byFirst, const Eigen::MatrixXd& bySecond,
+                            const Eigen::MatrixXd& byBoth) {
   if (byFirst.llt().info() != Eigen::Success) {
     return byFirst;
   }
   // The positive part, as crossed_clusters.h has it, in units of what is by the first: so in any units of the columns.
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> added(
-      factor * by(clusters.second) - by(clusters.both), byFirst);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> added(bySecond - byBoth, byFirst);
   const Eigen::MatrixXd directions = byFirst * added.eigenvectors();
   return byFirst + directions * added.eigenvalues().cwiseMax(0).asDiagonal() * directions.transpose();
+}
+
+Eigen::MatrixXd sandwich(const Eigen::MatrixXd& scoreResiduals, const Eigen::MatrixXd& model,
+                         const CrossedClusters& clusters) {
+  const Eigen::MatrixXd byFirst = sandwich(scoreResiduals, model, clusters.first);
+  return clusters.second.count == 0 ? byFirst
+                                    : withCrossed(byFirst, sandwich(scoreResiduals, model, clusters.second),
+                                                  sandwich(scoreResiduals, model, clusters.both));
 }
 
 std::vector<std::vector<double>> rowsOf(const Eigen::MatrixXd& matrix) {

@@ -28,10 +28,16 @@ struct StandardizedCovariates {
   std::string problem;  ///< why there is nothing to fit: no rows, no covariates, one that does not vary; else empty
 };
 
-/// Of coefficients whose model covariance is `model`, from a row of score residuals a trial. `few`: with the factors of
-/// SurvivalData::fewClusters.
+/// Of coefficients whose model covariance is `model`, from a row of score residuals a trial. No factor for few
+/// clusters: cluster_jackknife.h is for these.
 Eigen::MatrixXd sandwich(const Eigen::MatrixXd& scoreResiduals, const Eigen::MatrixXd& model,
-                         const CrossedClusters& clusters, bool few);
+                         const DenseLabels& clusters);
+/// Likewise, with clusters that cross these where there are some.
+Eigen::MatrixXd sandwich(const Eigen::MatrixXd& scoreResiduals, const Eigen::MatrixXd& model,
+                         const CrossedClusters& clusters);
+/// byFirst + bySecond - byBoth, of which the last two count in directions alone where they add.
+Eigen::MatrixXd withCrossed(const Eigen::MatrixXd& byFirst, const Eigen::MatrixXd& bySecond,
+                            const Eigen::MatrixXd& byBoth);
 
 std::vector<std::vector<double>> rowsOf(const Eigen::MatrixXd& matrix);
 

@@ -32,9 +32,8 @@ struct SurvivalData {
   std::vector<int> clusters;  ///< such as subjects, for robust errors; none: every trial stands for itself
   std::vector<int>
       items{};  ///< such as cases, clusters that cross these (crossed_clusters.h); none: there are no others
-  /// Robust errors and intervals for few clusters: factors clusters / (clusters - 1) and items / (items -
-  /// coefficients), and Student's t with the fewer of both less 1 as degrees of freedom. Else as R's survival: no
-  /// factor, and z.
+  /// Robust errors and intervals for few clusters: those of cluster_jackknife.h, and Student's t with its
+  /// degrees of freedom. Else as R's survival: a sandwich, and z.
   bool fewClusters = false;
 };
 

@@ -9,6 +9,11 @@
 namespace ocelli {
 
 Estimate waldEstimate(double value, double standardError, double level, double degreesOfFreedom, double null) {
+  if (std::isnan(standardError)) {
+    Estimate estimate;
+    estimate.value = value;
+    return estimate;
+  }
   const double width = studentQuantile((1 + level) / 2, degreesOfFreedom) * standardError;
   const double statistic = (value - null) / standardError;
   return {value,

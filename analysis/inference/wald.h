@@ -13,7 +13,8 @@ namespace ocelli {
 inline constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// With the interval of `level`, the statistic (value - null) / standardError and its two-sided p value: of Student's
-/// t, or of the normal distribution where the degrees of freedom are infinite. The standard error is positive.
+/// t, or of the normal distribution where the degrees of freedom are infinite. Where the standard error is kNotKnown,
+/// so is all but the value; else it is positive.
 Estimate waldEstimate(double value, double standardError, double level, double degreesOfFreedom = kInfinite,
                       double null = 0);
 

@@ -1,8 +1,5 @@
 // Logistic mixed models of successes among trials, y ~ Binomial(n, 1 / (1 + exp(-(X beta + Z b)))), by maximum
-// likelihood: the integral over b by Laplace's approximation, whose mode comes from penalized iteratively reweighted
-// least squares (Bates, Maechler, Bolker, Walker 2015, J. Stat. Softw. 67(1), and lme4's theory vignette), or for one
-// random effect a level by adaptive Gauss-Hermite quadrature (Pinheiro and Bates 1995). beta and theta are optimized
-// together.
+// likelihood as laplace_integral.h has it. beta and theta are optimized together.
 #pragma once
 
 #include "analysis/base/random_numbers.h"
@@ -24,6 +21,9 @@ struct BinomialMixedFit : MixedModelFit {
   Eigen::VectorXd linearPredictor;  ///< with random effects
 };
 
+class LaplaceIntegral;
+class ResponseFamily;
+
 class BinomialMixedModel {
  public:
   explicit BinomialMixedModel(Design design);
@@ -38,12 +38,8 @@ class BinomialMixedModel {
   /// of successes.
   Estimable<BinomialMixedFit> fit(const BinomialResponse& response, int quadraturePoints = 1) const;
 
-  /// For few subjects or items. Variances by the restricted likelihood, Laplace's approximation of the integral over
-  /// the fixed effects too (as REML in Brooks et al. 2017, glmmTMB, The R Journal 9(2), appendix A), and coefficients
-  /// by Laplace's approximation at these variances. Standard errors do not treat variances of few levels as known,
-  /// which Wald's z does: intervals are t's, with degrees of freedom by Satterthwaite's method. DEVIATION: the
-  /// covariance of the coefficients as a function of theta is that at the mode of the penalized likelihood, up to the
-  /// factor by which its curvature differs from that of Laplace's approximation.
+  /// For few subjects or items: variances by the restricted likelihood (laplace_fit.h). Intervals are t's, with degrees
+  /// of freedom by Satterthwaite's method.
   Estimable<BinomialMixedFit> fitRestricted(const BinomialResponse& response) const;
 
   /// What fit() minimises, at relative covariance factors in lme4's order, and coefficients.
@@ -54,13 +50,11 @@ class BinomialMixedModel {
   BinomialResponse simulate(const BinomialMixedFit& fit, const Eigen::VectorXd& trials, RandomNumbers& numbers) const;
 
  private:
-  class Integral;
   void check(const BinomialResponse& response, int quadraturePoints) const;
   std::optional<std::string> whyNot(const BinomialResponse& response) const;
   /// From theta and whitened coordinates; `covariance`: of these coordinates.
-  Estimable<BinomialMixedFit> describe(Integral& integral, const Minimum& minimum,
+  Estimable<BinomialMixedFit> describe(const ResponseFamily& family, LaplaceIntegral& integral, const Minimum& minimum,
                                        const Eigen::MatrixXd& covariance) const;
-  double columnLength() const;
 
   Design design_;
   RandomStructure structure_;

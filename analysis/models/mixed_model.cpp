@@ -16,8 +16,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Relative standard deviations below are those of a singular fit; lme4 draws the line there too.
-constexpr double kSingular = 1e-4;
+/// A t interval of one degree of freedom is the widest that two levels give.
+constexpr double kMinDegreesOfFreedom = 1;
 /// Rounding of a deviance.
 constexpr double kSameDeviance = 1e-7;
 
@@ -32,13 +32,14 @@ MatrixXd correlationsOf(const MatrixXd& covariance) {
   return correlations;
 }
 
-void describeBoundary(const RandomTermFit& term, const MatrixXd& lower, MixedModelFit& fit) {
+void describeBoundary(RandomTermFit& term, const MatrixXd& lower, MixedModelFit& fit) {
   for (Index effect = 0; effect < lower.rows(); ++effect) {
-    if (lower(effect, effect) >= kSingular) {
+    if (lower(effect, effect) >= kSingularDeviation) {
       continue;
     }
+    term.atBoundary = true;
     const std::string& name = term.names[static_cast<size_t>(effect)];
-    if (lower.row(effect).norm() < kSingular) {
+    if (term.relativeDeviations[effect] < kSingularDeviation) {
       fit.boundary.push_back(fmt::format("the variance of {} by {} is 0", name, term.group));
     } else {
       fit.boundary.push_back(
@@ -97,6 +98,7 @@ Estimate contrastEstimate(const MixedModelFit& fit, const VectorXd& contrast, do
       gradient[i] = contrast.dot(fit.covarianceGradients[static_cast<size_t>(i)] * contrast);
     }
     degreesOfFreedom = 2 * variance * variance / gradient.dot(fit.varianceParameterCovariance * gradient);
+    degreesOfFreedom = std::max(degreesOfFreedom, kMinDegreesOfFreedom);
   }
   return estimateOf(contrast.dot(fit.coefficients), std::sqrt(variance), degreesOfFreedom, level);
 }
@@ -113,11 +115,14 @@ Estimate estimateOf(double value, double standardError, double degreesOfFreedom,
   Estimate estimate;
   estimate.value = value;
   estimate.standardError = standardError;
-  if (!(standardError > 0)) {
+  if (!(standardError > 0) || !std::isfinite(standardError)) {
     return estimate;
   }
   estimate.statistic = value / standardError;
   estimate.degreesOfFreedom = degreesOfFreedom;
+  if (!(degreesOfFreedom > 0)) {
+    return estimate;
+  }
   const auto fill = [&](const auto& distribution) {
     const double reach = boost::math::quantile(distribution, (1 + level) / 2) * standardError;
     estimate.lower = value - reach;
@@ -127,7 +132,10 @@ Estimate estimateOf(double value, double standardError, double degreesOfFreedom,
   if (std::isinf(degreesOfFreedom)) {
     fill(boost::math::normal());
   } else {
-    fill(boost::math::students_t(degreesOfFreedom));
+    using Infinite =
+        boost::math::policies::policy<boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
+                                      boost::math::policies::evaluation_error<boost::math::policies::ignore_error>>;
+    fill(boost::math::students_t_distribution<double, Infinite>(degreesOfFreedom));
   }
   return estimate;
 }
@@ -147,7 +155,9 @@ void describeFit(const Design& design, const RandomStructure& structure, const M
     term.standardDeviations = term.covariance.diagonal().cwiseSqrt();
     term.correlations = correlationsOf(term.covariance);
     term.effects = structure.effectsOf(i, b);
-    describeBoundary(term, structure.templateOf(i, scaledTheta), fit);
+    const MatrixXd lower = structure.templateOf(i, scaledTheta);
+    term.relativeDeviations = lower.rowwise().norm();
+    describeBoundary(term, lower, fit);
     fit.random.push_back(std::move(term));
   }
   fit.singular = !fit.boundary.empty();
@@ -170,7 +180,7 @@ void settleAtBoundary(const RandomStructure& structure, const Objective& devianc
   minimum.gradient = signs.cwiseProduct(minimum.gradient);
   minimum.hessian = (signs.asDiagonal() * minimum.hessian * signs.asDiagonal()).eval();
   for (const Index diagonal : structure.diagonals()) {
-    if (minimum.point[diagonal] == 0 || minimum.point[diagonal] > 10 * kSingular) {
+    if (minimum.point[diagonal] == 0 || minimum.point[diagonal] > 10 * kSingularDeviation) {
       continue;
     }
     VectorXd settled = minimum.point;

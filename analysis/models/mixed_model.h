@@ -1,4 +1,4 @@
-// What linear and binomial mixed models say in common, and what is asked of either.
+// What linear, censored and binomial mixed models say in common, and what is asked of any of them.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,7 +22,12 @@ struct RandomTermFit {
   Eigen::MatrixXd covariance;          ///< effects x effects
   Eigen::MatrixXd correlations;        ///< likewise; 0 where a standard deviation is 0
   Eigen::MatrixXd effects;             ///< levels x effects: conditional modes, the best linear unbiased predictions
+  Eigen::VectorXd relativeDeviations;  ///< standard deviations of what the effects add to a row, root mean square
+  bool atBoundary = false;             ///< a variance is 0, or a correlation 1 or -1
 };
+
+/// Relative standard deviations below are those of a singular fit, and count as 0; lme4 draws the line there too.
+inline constexpr double kSingularDeviation = 1e-4;
 
 /// Whether the search for the optimum ended at one.
 struct Convergence {
@@ -69,15 +74,17 @@ Estimable<Estimate> likelihoodRatio(const MixedModelFit& smaller, const MixedMod
 
 /// contrast' beta, with t and the degrees of freedom of Satterthwaite's method, as Kuznetsova, Brockhoff, Christensen
 /// 2017 have it (lmerTest, J. Stat. Softw. 82(13), section 2.2); with Wald's z for a binomial model by maximum
-/// likelihood.
+/// likelihood. There is never less than one degree of freedom, which is what two levels give: where the method says
+/// less, the likelihood is so flat in the variances that its curvature tells nothing.
 Estimate contrastEstimate(const MixedModelFit& fit, const Eigen::VectorXd& contrast, double level = 0.95);
 Estimable<Estimate> coefficientEstimate(const MixedModelFit& fit, const std::string& name, double level = 0.95);
 
 /// z: infinite degrees of freedom; t: `degreesOfFreedom`. `level` of the interval, 0.95. Without a
-/// standard error there is no interval and no test.
+/// standard error, or degrees of freedom above 0, there is no interval and no test. An interval that has no ends in
+/// floating point is infinite.
 Estimate estimateOf(double value, double standardError, double degreesOfFreedom, double level);
 
-// For the two models.
+// For the models.
 
 /// Fills names, theta, random terms (`scaledTheta` and `b` of the structure; `variance` of the residuals, or 1), what
 /// is singular, convergence and warnings.

@@ -109,4 +109,15 @@ std::vector<Index> separatedColumns(const MatrixXd& rows, const VectorXd& succes
   return {};
 }
 
+std::vector<std::string> separatedCoefficients(const Design& design, const Eigen::VectorXd& successes,
+                                               const Eigen::VectorXd& trials) {
+  const Eigen::VectorXd lengths = design.fixed.colwise().lpNorm<Eigen::Infinity>();
+  const Eigen::MatrixXd columns = design.fixed * lengths.cwiseInverse().asDiagonal();
+  std::vector<std::string> names;
+  for (const Eigen::Index column : separatedColumns(columns, successes, trials)) {
+    names.push_back(design.fixedNames[static_cast<size_t>(column)]);
+  }
+  return names;
+}
+
 }  // namespace ocelli

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
+
+#include "analysis/models/design.h"
 
 namespace ocelli {
 
@@ -16,5 +19,8 @@ namespace ocelli {
 /// Zylkin 2019 (Verifying the existence of maximum likelihood estimates, section 3) without its weights.
 std::vector<Eigen::Index> separatedColumns(const Eigen::MatrixXd& rows, const Eigen::VectorXd& successes,
                                            const Eigen::VectorXd& trials);
+/// The names of these columns of a design, whatever their units.
+std::vector<std::string> separatedCoefficients(const Design& design, const Eigen::VectorXd& successes,
+                                               const Eigen::VectorXd& trials);
 
 }  // namespace ocelli

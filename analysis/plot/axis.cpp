@@ -12,6 +12,9 @@ namespace {
 constexpr double kGap = 5;       // points between labels
 constexpr double kSlack = 1e-9;  // of rounding, relative
 constexpr int kMostIntervals = 8;
+constexpr int kFarthestDecade = 300;  // numbers end at 308
+/// A narrower range, relative to its values, is rounding: they are all alike.
+constexpr double kNarrowest = 1e-9;
 
 /// 1, 2, 2.5 or 5 times a power of ten, at least as large.
 double roundStep(double atLeast, bool whole) {
@@ -37,7 +40,20 @@ int decimalsOf(double step) {
 }
 
 std::string tickText(const AxisRange& range, double value, int decimals) {
+  constexpr double kMaxWritten = 1e10;  // digits of larger numbers would fill the chart
+  if (std::abs(value) >= kMaxWritten) {
+    return fmt::format("{:.3g}", value);
+  }
   return range.percent ? percentText(value, std::max(0, decimals - 2)) : numberText(value, decimals);
+}
+
+/// Of mantissa times 10 to the power of `decade`.
+std::string decadeText(const AxisRange& range, int mantissa, int decade) {
+  constexpr int kMaxZeros = 6;
+  if (!range.percent && std::abs(decade) > kMaxZeros) {
+    return fmt::format("{}e{}", mantissa, decade);
+  }
+  return tickText(range, mantissa * std::pow(10, decade), std::max(0, -decade));
 }
 
 /// The marks of a decade, from few to many.
@@ -60,12 +76,20 @@ AxisRange AxisRange::of(const std::vector<double>& values, AxisScale scale) {
   if (!any) {
     range.low = scale == AxisScale::kLog ? 1 : 0;
     range.high = scale == AxisScale::kLog ? 10 : 1;
-  } else if (!(range.high > range.low)) {
-    const double around = range.low == 0 ? 1 : std::abs(range.low) / 2;
-    range.low -= around;
-    range.high += around;
+  } else {
+    range.widenIfNarrow();
   }
   return range;
+}
+
+void AxisRange::widenIfNarrow() {
+  const double size = std::max(std::abs(low), std::abs(high));
+  if (high - low > kNarrowest * size) {
+    return;
+  }
+  const double around = size == 0 ? 1 : size / 2;
+  low -= around;
+  high += around;
 }
 
 AxisRange AxisRange::with(double value) const {
@@ -77,8 +101,10 @@ AxisRange AxisRange::with(double value) const {
   return range;
 }
 
-Axis::Axis(const AxisRange& range, double from, double to, const std::function<double(const std::string&)>& labelLength)
-    : scale_(range.scale), from_(from), to_(to) {
+Axis::Axis(const AxisRange& given, double from, double to, const std::function<double(const std::string&)>& labelLength)
+    : scale_(given.scale), from_(from), to_(to) {
+  AxisRange range = given;
+  range.widenIfNarrow();
   if (scale_ == AxisScale::kLog) {
     // Steps 0 to 2 mark all of 1, 2, 5; 1, 3; 1 of each decade; later ones every second, third ... decade.
     for (int step = 0; step < 300; ++step) {
@@ -98,7 +124,7 @@ Axis::Axis(const AxisRange& range, double from, double to, const std::function<d
 }
 
 void Axis::layLinear(const AxisRange& range, int intervals) {
-  const double span = std::max(range.high - range.low, std::abs(range.high) * 1e-12);
+  const double span = range.high - range.low;
   const double unit = range.percent ? 0.01 : 1;
   const double step = unit * roundStep(span / unit / intervals, range.whole);
   const double first = range.roundLow ? std::floor(range.low / step + kSlack) : std::ceil(range.low / step - kSlack);
@@ -115,14 +141,17 @@ void Axis::layLinear(const AxisRange& range, int intervals) {
 void Axis::layLog(const AxisRange& range, int step) {
   const std::array<bool, 10>& marks = kDecadeMarks[static_cast<size_t>(std::max(0, 2 - step))];
   const int every = std::max(1, step - 1);
-  const int firstDecade = static_cast<int>(std::floor(std::log10(range.low) + kSlack));
-  const int lastDecade = static_cast<int>(std::floor(std::log10(range.high) + kSlack)) + 1;
+  const auto decadeOf = [](double value) {
+    return std::clamp(static_cast<int>(std::floor(std::log10(value) + kSlack)), -kFarthestDecade, kFarthestDecade);
+  };
+  const int firstDecade = decadeOf(range.low);
+  const int lastDecade = decadeOf(range.high) + 1;
   std::vector<AxisTick> all;
   for (int decade = firstDecade; decade <= lastDecade; ++decade) {
     for (int mantissa = 1; mantissa < 10; ++mantissa) {
       const double value = mantissa * std::pow(10, decade);
       const bool labelled = marks[static_cast<size_t>(mantissa)] && (decade - firstDecade) % every == 0;
-      all.push_back({value, labelled ? tickText(range, value, std::max(0, -decade)) : ""});
+      all.push_back({value, labelled ? decadeText(range, mantissa, decade) : ""});
     }
   }
   // Round ends are at 1, 2, 5 of a decade, not at the next of the few that are labelled.
@@ -147,7 +176,7 @@ void Axis::layLog(const AxisRange& range, int step) {
     }
   }
   ticks_.clear();
-  const double decades = std::log10(high_ / low_);
+  const double decades = std::log10(high_) - std::log10(low_);
   for (const AxisTick& tick : all) {
     const bool inside = tick.value >= low_ * (1 - kSlack) && tick.value <= high_ * (1 + kSlack);
     // Beyond a few decades, small ticks would be a grey bar.
@@ -175,8 +204,9 @@ bool Axis::fits(const std::function<double(const std::string&)>& labelLength) co
 
 double Axis::at(double value) const {
   const double held = std::clamp(value, low_, high_);
-  const double share =
-      scale_ == AxisScale::kLog ? std::log(held / low_) / std::log(high_ / low_) : (held - low_) / (high_ - low_);
+  // The ratio of far ends is no number, but that of their logarithms is.
+  const auto scaled = [&](double each) { return scale_ == AxisScale::kLog ? std::log(each) : each; };
+  const double share = (scaled(held) - scaled(low_)) / (scaled(high_) - scaled(low_));
   return from_ + (to_ - from_) * share;
 }
 

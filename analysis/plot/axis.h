@@ -30,12 +30,14 @@ struct AxisRange {
   static AxisRange of(const std::vector<double>& values, AxisScale scale = AxisScale::kLinear);
   /// Wide enough for `value` too.
   AxisRange with(double value) const;
+  /// Values that are alike up to rounding get room on both sides.
+  void widenIfNarrow();
 };
 
 class Axis {
  public:
   /// From `from` to `to` in points (of an upward axis, `to` is less). As many labels as fit beside each other:
-  /// `labelLength` says how much of the axis a label takes.
+  /// `labelLength` says how much of the axis a label takes. A range without width is widened.
   Axis(const AxisRange& range, double from, double to, const std::function<double(const std::string&)>& labelLength);
 
   /// Values beyond the ends are held at them.

@@ -1,6 +1,7 @@
 #include "analysis/plot/drawing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -40,6 +41,29 @@ void place(MarkerShape& shape, PlotPoint offset, double scale) {
 void place(TextShape& shape, PlotPoint offset, double scale) {
   shape.start = moved(shape.start, offset, scale);
   shape.size *= scale;
+}
+
+bool isFinite(PlotPoint point) {
+  return std::isfinite(point.x) && std::isfinite(point.y);
+}
+
+bool isFinite(const std::optional<Pen>& pen) {
+  return !pen || (std::isfinite(pen->width) &&
+                  std::all_of(pen->dash.begin(), pen->dash.end(), [](double length) { return std::isfinite(length); }));
+}
+
+bool isFinite(const PathShape& shape) {
+  return isFinite(shape.pen) && std::all_of(shape.lines.begin(), shape.lines.end(), [](const auto& line) {
+           return std::all_of(line.begin(), line.end(), [](PlotPoint point) { return isFinite(point); });
+         });
+}
+
+bool isFinite(const MarkerShape& shape) {
+  return isFinite(shape.at) && std::isfinite(shape.radius) && isFinite(shape.pen);
+}
+
+bool isFinite(const TextShape& shape) {
+  return isFinite(shape.start) && std::isfinite(shape.size);
 }
 
 PlotBox cover(const PathShape& shape) {
@@ -121,6 +145,12 @@ void Drawing::add(const Drawing& other, PlotPoint offset, double scale) {
     shapes_.push_back(shape);
     std::visit([&](auto& what) { place(what, offset, scale); }, shapes_.back().what);
   }
+}
+
+bool isFinite(const Drawing& drawing) {
+  return std::all_of(drawing.shapes().begin(), drawing.shapes().end(), [](const Shape& shape) {
+    return std::visit([](const auto& what) { return isFinite(what); }, shape.what);
+  });
 }
 
 PlotBox boxOf(const Shape& shape) {

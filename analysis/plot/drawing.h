@@ -118,6 +118,9 @@ class Drawing {
 /// What a shape covers: of lines the points themselves, of text its line, of markers the circle.
 PlotBox boxOf(const Shape& shape);
 
+/// Whether all its numbers are finite: what is not cannot be painted.
+bool isFinite(const Drawing& drawing);
+
 /// The corners of a marker, in its own units: the circle has radius 1. Of crosses, ends of strokes in pairs.
 std::vector<PlotPoint> markerCorners(Marker marker);
 

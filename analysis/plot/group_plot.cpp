@@ -27,14 +27,34 @@ size_t mostPoints(const GroupPlot& plot) {
   return std::clamp<size_t>(kMostOfAll / groups, 100, kMostPoints);
 }
 
+/// The ends of intervals that lie near the values. Those of two or three subjects may go from 1e-30 to 1e30 on a
+/// logarithmic axis, where no value could be told from the next: they are drawn to the ends of the axis.
+std::vector<double> nearEnds(const GroupPlot& plot, const std::vector<double>& values) {
+  constexpr double kFarthestFactor = 1000;
+  const AxisRange near = AxisRange::of(values, plot.scale);
+  std::vector<double> ends;
+  for (const GroupSeries& series : plot.series) {
+    for (const GroupValues& group : series.groups) {
+      for (const double end : {group.summary.lower, group.summary.upper}) {
+        ends.push_back(plot.scale == AxisScale::kLog
+                           ? std::clamp(end, near.low / kFarthestFactor, near.high * kFarthestFactor)
+                           : end);
+      }
+    }
+  }
+  return ends;
+}
+
 AxisRange rangeOf(const GroupPlot& plot) {
   std::vector<double> values;
   for (const GroupSeries& series : plot.series) {
     for (const GroupValues& group : series.groups) {
       values.insert(values.end(), group.raw.begin(), group.raw.end());
-      values.insert(values.end(), {group.summary.value, group.summary.lower, group.summary.upper});
+      values.push_back(group.summary.value);
     }
   }
+  const std::vector<double> ends = nearEnds(plot, values);
+  values.insert(values.end(), ends.begin(), ends.end());
   if (plot.reference) {
     values.push_back(*plot.reference);
   }

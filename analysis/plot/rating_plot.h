@@ -1,10 +1,9 @@
-// Answers on a scale of 1 to 5, as bars that part at the middle answer: to the left those below, to the right those
-// above.
+// Answers on scales of two or more steps. Where the scale compares the views, as bars that part at the middle of the
+// scale: to the left those below, to the right those above. Else as bars of all answers.
 //
 //   Robbins and Heiberger 2011    Plotting Likert and other rating scales
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -17,16 +16,21 @@ namespace ocelli {
 struct RatingPlot {
   struct Question {
     std::string text;
-    std::array<size_t, 5> counts{};  ///< of the answers 1 to 5
+    std::vector<size_t> counts{};  ///< of each step
+    double mean = 0;               ///< on the scale, as it is written beside the bar
   };
 
   std::string title;
-  std::string lowest = "1: ppc was easier";
-  std::string highest = "5: gc was easier";
+  std::vector<std::string> steps{"1", "2", "3", "4", "5"};  ///< what each step is called: short
+  std::string lowest{};                                     ///< what the first step means; may be empty
+  std::string highest{};                                    ///< and the last
+  bool parted = true;                                       ///< the scale compares the views
+  bool lastIsGraph = true;                                  ///< the last step speaks for the graph camera: its colours
   std::vector<Question> questions;
   double widthMillimetres = kDoubleColumnMillimetres;
 };
 
+/// Questions without answers are left out. Throws AnalysisError where a question has not one count a step.
 Figure ratingFigure(const RatingPlot& plot);
 
 }  // namespace ocelli

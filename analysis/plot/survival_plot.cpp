@@ -24,7 +24,7 @@ std::vector<PlotPoint> stepCorners(const SurvivalPlot& plot, const SurvivalPlot:
   std::vector<PlotPoint> corners{panel.at(0, 1)};
   double last = 1;
   for (const SurvivalPlot::Step& step : curve.steps) {
-    if (!std::isfinite(value(step)) || step.time > plot.limit) {
+    if (!std::isfinite(value(step)) || !(step.time <= plot.limit)) {
       continue;
     }
     const PlotPoint before = panel.at(step.time, last);
@@ -119,7 +119,7 @@ Figure survivalFigure(const SurvivalPlot& plot) {
   const bool any = std::any_of(plot.curves.begin(), plot.curves.end(), [](const SurvivalPlot::Curve& curve) {
     return !curve.steps.empty() || !curve.censoredTimes.empty();
   });
-  if (!any || !(plot.limit > 0)) {
+  if (!any || !(plot.limit > 0) || !std::isfinite(plot.limit)) {
     return emptyFigure(plot.title, plot.widthMillimetres, "no trial has a time");
   }
   Figure figure{plot.title,

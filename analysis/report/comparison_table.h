@@ -23,13 +23,9 @@ struct ComparisonTable {
   std::string first = "ppc";
   std::string second = "gc";
   std::string difference = "gc less ppc";  ///< or a ratio
-  bool tested = true;                      ///< with the p value of the difference
+  bool tested = true;                      ///< with standard error, statistic and p value of the difference
   std::vector<ComparisonRow> rows;
 };
-
-/// "3.37 (2.39 to 4.35)": as many digits as the interval bears, two of its half; three each where it is far wider
-/// above, as ratios of few subjects have it; without an interval the value alone.
-std::string estimateText(double value, double lower, double upper);
 
 /// Each cell holds an estimate with its interval. What cannot be estimated is "-", and the notes below say why. Rows
 /// without any estimate are left out, but for the notes. Cells are named as those of addEstimates(), by the labels of

@@ -12,6 +12,7 @@
 #include "analysis/inference/restricted_mean.h"
 #include "analysis/inference/student.h"
 #include "analysis/plot/figure_grid.h"
+#include "analysis/report/part_guard.h"
 #include "analysis/report/search_times.h"
 #include "analysis/report/subject_means.h"
 
@@ -182,7 +183,7 @@ void addFigure(ReportWork& work, const Groups& groups, const std::vector<Measure
     plot.heightMillimetres = 55;
     plot.conditions = {"completed", "did not"};
     for (const TrialView view : {TrialView::kPinhole, TrialView::kGraph}) {
-      GroupSeries series{nameOf(view), {}};
+      GroupSeries series{labelOf(view), {}};
       for (const bool stayed : {true, false}) {
         const TrialValues some = valuesOfView(ofGroup(groups, values, stayed), view);
         series.groups.push_back(
@@ -193,7 +194,7 @@ void addFigure(ReportWork& work, const Groups& groups, const std::vector<Measure
     grid.legend = groupLegend(plot);
     grid.figures.push_back(groupFigure(plot));
   }
-  work.document.add(ReportFigure{grid.title, "figure-completers", gridFigure(grid)});
+  addFigure(work, grid.title, "figure-completers", [&] { return gridFigure(grid); });
 }
 
 void addTable(ReportWork& work, const Groups& groups, const Measured& measured) {
@@ -273,10 +274,10 @@ void addCompletersSection(ReportWork& work, const std::vector<std::string>& task
     }
   }
   if (!all.empty()) {
-    addFigure(work, groups, all);
+    addPart(work, "The figure of first sessions", [&] { addFigure(work, groups, all); });
   }
   for (const Measured& measured : all) {
-    addTable(work, groups, measured);
+    addPart(work, fmt::format("{}, first session", measured.title), [&] { addTable(work, groups, measured); });
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "analysis/plot/forest_plot.h"
 #include "analysis/plot/group_plot.h"
+#include "analysis/report/part_guard.h"
 #include "analysis/report/resampled_effects.h"
 #include "analysis/report/right_answers.h"
 
@@ -80,7 +81,7 @@ void addShares(ReportWork& work, const Conditions& conditions) {
     plot.connected = true;
     plot.summaryName = "share of all trials, 95 % interval";
     plot.widthMillimetres = kDoubleColumnMillimetres;
-    plot.series = {{"ppc", {}}, {"gc", {}}};
+    plot.series = {{labelOf(TrialView::kPinhole), {}}, {labelOf(TrialView::kGraph), {}}};
     for (size_t second = 0; second < conditions.seconds().size(); ++second) {
       plot.conditions.push_back(fmt::format("{:g}", conditions.seconds()[second]));
       for (const bool graph : {false, true}) {
@@ -95,9 +96,9 @@ void addShares(ReportWork& work, const Conditions& conditions) {
         plot.series[graph ? 1 : 0].groups.push_back(values);
       }
     }
-    work.document.add(ReportFigure{plot.title + ", by duration; each dot is a subject",
-                                   fmt::format("figure-count-conditions-{}", shared ? "shared" : "different"),
-                                   groupFigure(plot)});
+    addFigure(work, plot.title + ", by duration; each dot is a subject",
+              fmt::format("figure-count-conditions-{}", shared ? "shared" : "different"),
+              [&] { return groupFigure(plot); });
   }
   addEstimates(work.document,
                "Counts that are right by duration and duplicates: shares with Wilson's intervals, which take trials as "
@@ -127,9 +128,9 @@ void addDifferences(ReportWork& work, const Conditions& conditions) {
   };
   ForestPlot forest;
   forest.title = "Views in each condition";
-  forest.valueLabel = "Difference of shares, gc less ppc";
-  forest.lowerSide = "ppc better";
-  forest.upperSide = "gc better";
+  forest.valueLabel = "Difference of shares, graph camera less pinhole";
+  forest.lowerSide = "pinhole better";
+  forest.upperSide = "graph camera better";
   for (size_t duplicate = 0; duplicate < duplicates; ++duplicate) {
     for (size_t second = 0; second < seconds; ++second) {
       std::vector<double> weights(conditions.cellCount());
@@ -164,10 +165,10 @@ void addDifferences(ReportWork& work, const Conditions& conditions) {
         weights);
   }
   if (std::any_of(effects.begin(), effects.end(), [](const auto& effect) { return effect.result.isPossible(); })) {
-    work.document.add(
-        ReportFigure{"Difference of shares of right counts in each condition, percentile intervals of "
-                     "resampled subjects and cases",
-                     "figure-count-differences", forestFigure(forest)});
+    addFigure(work,
+              "Difference of shares of right counts in each condition, percentile intervals of "
+              "resampled subjects and cases",
+              "figure-count-differences", [&] { return forestFigure(forest); });
   }
   addResampled(
       work,

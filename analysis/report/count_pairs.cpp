@@ -6,6 +6,7 @@
 #include <map>
 
 #include "analysis/inference/crossed_clusters.h"
+#include "analysis/inference/sample.h"
 #include "analysis/report/report_parts.h"
 #include "analysis/report/resampled_effects.h"
 
@@ -76,7 +77,7 @@ std::vector<double> errorDifferences(const TrialList& trials) {
   std::vector<double> differences;
   for (const auto& [subject, views] : bySubject) {
     if (views[0].count > 0 && views[1].count > 0) {
-      differences.push_back(views[1].sum / views[1].count - views[0].sum / views[0].count);
+      differences.push_back(differenceOf(views[0].sum / views[0].count, views[1].sum / views[1].count));
     }
   }
   return differences;

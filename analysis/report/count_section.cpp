@@ -9,6 +9,7 @@
 #include "analysis/plot/histogram_plot.h"
 #include "analysis/report/count_conditions.h"
 #include "analysis/report/count_pairs.h"
+#include "analysis/report/part_guard.h"
 #include "analysis/report/right_answers.h"
 #include "analysis/report/right_model.h"
 
@@ -16,6 +17,15 @@ namespace ocelli {
 namespace {
 
 constexpr double kFarthest = 1e6;  // beyond the end of any histogram
+
+void addOutcome(ReportWork& work, const PlannedModel& model, const Estimable<Estimate>& difference,
+                const std::string& measure) {
+  if (difference) {
+    work.outcomes.push_back({model.name, "", difference->pValue, TestedEffect{measure, *difference}});
+  } else {
+    work.outcomes.push_back({model.name, "", Estimable<double>::impossible(difference.reason())});
+  }
+}
 
 void addMatched(ReportWork& work, const PlannedModel& model, const TrialList& trials) {
   const PairedCounts counts = pairOutcomes(matchedScenes(trials));
@@ -26,9 +36,7 @@ void addMatched(ReportWork& work, const PlannedModel& model, const TrialList& tr
     return;
   }
   const Estimable<Estimate> clustered = matchedDifference(trials);
-  work.outcomes.push_back(
-      {model.name, "",
-       clustered ? Estimable<double>(clustered->pValue) : Estimable<double>::impossible(clustered.reason())});
+  addOutcome(work, model, clustered, "difference of shares of right counts in matched scenes, gc less ppc");
   const std::string source = fmt::format(
       "{} pairs of scenes of the same subject, session, block, exposure, number of "
       "objects and duplicates; {} trials have no partner",
@@ -52,7 +60,7 @@ void addErrors(ReportWork& work, const PlannedModel& model, const TrialList& tri
   plot.title = "How far counts were off";
   plot.widthMillimetres = kDoubleColumnMillimetres;
   for (const TrialView view : {TrialView::kPinhole, TrialView::kGraph}) {
-    HistogramPlot::Series series{nameOf(view), {}};
+    HistogramPlot::Series series{labelOf(view), {}};
     for (const Trial* trial : trialsOfView(trials, view)) {
       if (const std::optional<double> error = signedError(*trial)) {
         ++series.counts[static_cast<int>(std::lround(std::clamp(*error, -kFarthest, kFarthest)))];
@@ -60,7 +68,7 @@ void addErrors(ReportWork& work, const PlannedModel& model, const TrialList& tri
     }
     plot.series.push_back(series);
   }
-  work.document.add(ReportFigure{plot.title, "figure-count-errors", histogramFigure(plot)});
+  addFigure(work, plot.title, "figure-count-errors", [&] { return histogramFigure(plot); });
   const std::vector<double> differences = errorDifferences(trials);
   if (differences.empty()) {
     addNotEstimable(work.document, "Signed error", "no subject has answers in both views");
@@ -70,9 +78,7 @@ void addErrors(ReportWork& work, const PlannedModel& model, const TrialList& tri
   const Estimable<Estimate> center =
       test ? Estimable<Estimate>(test->center) : Estimable<Estimate>::impossible(test.reason());
   const Estimable<Estimate> clustered = errorDifference(trials);
-  work.outcomes.push_back(
-      {model.name, "",
-       clustered ? Estimable<double>(clustered->pValue) : Estimable<double>::impossible(clustered.reason())});
+  addOutcome(work, model, clustered, "difference of mean signed errors in objects, gc less ppc");
   const std::string source = fmt::format("{} subjects with both views", differences.size());
   addEstimates(work.document,
                "Signed error (answer less true number): gc less ppc, one mean a subject. The mean counts subjects and "
@@ -92,25 +98,28 @@ void addCountSection(ReportWork& work) {
     addNotEstimable(work.document, "Counts", "there are no trials of this task");
     return;
   }
-  addRightAnswers(work, trials, "Counts", "count-shares", std::nullopt);
-  addCountConditions(work, trials);
+  addPart(work, "Counts that are right",
+          [&] { addRightAnswers(work, trials, "Counts", "count-shares", std::nullopt); });
+  addPart(work, "Counts by duration and duplicates", [&] { addCountConditions(work, trials); });
   addHeading(work.document, 2, "Models and tests", "count-models");
   for (const PlannedModel& model : work.analysis.plan.models) {
     if (model.task != "count") {
       continue;
     }
-    if (model.kind == ModelKind::kBinomialMixed) {
-      addRightModel(work, model, trials,
-                    "Binomial mixed model of right counts: odds ratios, variances by restricted likelihood, intervals "
-                    "and tests by Satterthwaite's degrees of freedom");
-    } else if (model.kind == ModelKind::kMcNemar) {
-      addMatched(work, model, trials);
-    } else if (model.kind == ModelKind::kSignedError) {
-      addErrors(work, model, trials);
-    } else {
-      addNotEstimable(work.document, fmt::format("Model {}", model.name),
-                      fmt::format("{} is not done for counts", nameOf(model.kind)));
-    }
+    addPart(work, wordsOf(model), [&] {
+      if (model.kind == ModelKind::kBinomialMixed) {
+        addRightModel(
+            work, model, trials,
+            "Binomial mixed model of right counts: odds ratios, variances by restricted likelihood, intervals "
+            "and tests by Satterthwaite's degrees of freedom");
+      } else if (model.kind == ModelKind::kMcNemar) {
+        addMatched(work, model, trials);
+      } else if (model.kind == ModelKind::kSignedError) {
+        addErrors(work, model, trials);
+      } else {
+        addNotEstimable(work.document, wordsOf(model), fmt::format("{} is not done for counts", nameOf(model.kind)));
+      }
+    });
   }
   work.methods.push_back(
       "Right counts were compared by a binomial mixed model with random effects of subjects and cases (variances by "

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "analysis/inference/effect_size.h"
+#include "analysis/inference/sample.h"
 #include "analysis/report/right_answers.h"
 
 namespace ocelli {
@@ -49,7 +50,7 @@ SubjectMeans subjectMeans(const TrialList& trials, const std::vector<double>& va
     if (views[0].count > 0 && views[1].count > 0) {
       means.pinhole.push_back(views[0].total / views[0].count);
       means.graph.push_back(views[1].total / views[1].count);
-      means.differences.push_back(means.graph.back() - means.pinhole.back());
+      means.differences.push_back(differenceOf(means.pinhole.back(), means.graph.back()));
     }
   }
   return means;

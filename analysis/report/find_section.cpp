@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "analysis/inference/accelerated_failure_time.h"
 #include "analysis/inference/cox.h"
@@ -11,8 +10,8 @@
 #include "analysis/inference/restricted_mean_bootstrap.h"
 #include "analysis/plot/group_plot.h"
 #include "analysis/plot/survival_plot.h"
-#include "analysis/report/effect_sizes.h"
-#include "analysis/report/model_checks.h"
+#include "analysis/report/find_model.h"
+#include "analysis/report/part_guard.h"
 #include "analysis/report/planned_model.h"
 #include "analysis/report/resampled_effects.h"
 #include "analysis/report/search_times.h"
@@ -21,9 +20,8 @@
 namespace ocelli {
 namespace {
 
-/// Rows that are fitted again without cases, at most: linear models take some microseconds a row, others more.
-constexpr size_t kMostLinearRows = 2000000;
-constexpr size_t kMostOtherRows = 400000;
+/// Rows that are fitted again without cases, at most.
+constexpr size_t kMaxRows = 400000;
 
 SurvivalPlot::Curve plotCurve(const std::string& name, const SurvivalCurve& curve,
                               const std::vector<double>& riskTimes) {
@@ -54,12 +52,16 @@ void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment tim
   for (const TrialView view : {TrialView::kPinhole, TrialView::kGraph}) {
     const TrialList seen = trialsOfView(trials, view);
     const std::string source = fmt::format("Kaplan-Meier curve of {} with view {}", sizeText(seen), nameOf(view));
-    const Estimable<SurvivalCurve> curve = survivalCurve(timesOf(seen, timeouts));
+    const Estimable<SurvivalCurve> curve =
+        survivalCurve(timesOf(seen, timeouts), 0.95, numbered(subjectsOf(seen)), caseNumbers(seen));
     if (!curve) {
       addNotEstimable(work.document, fmt::format("Survival curve of {}", nameOf(view)), curve.reason());
       continue;
     }
-    plot.curves.push_back(plotCurve(nameOf(view), *curve, plot.riskTimes));
+    if (!curve->noBands.empty()) {
+      addNotEstimable(work.document, fmt::format("Bands of the survival curve of {}", nameOf(view)), curve->noBands);
+    }
+    plot.curves.push_back(plotCurve(labelOf(view), *curve, plot.riskTimes));
     rows.push_back({fmt::format("{}: median time", nameOf(view)), medianTime(*curve), "s", source, seen});
     const Estimable<RestrictedMean> mean =
         restrictedMean(timesOf(seen, timeouts), limit, numbered(subjectsOf(seen)), 0.95, caseNumbers(seen));
@@ -68,17 +70,23 @@ void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment tim
                     source, seen});
   }
   if (!plot.curves.empty()) {
-    work.document.add(ReportFigure{fmt::format("Kaplan-Meier curves of searches, {}", sizeText(trials)),
-                                   "figure-find-survival", survivalFigure(plot)});
+    addFigure(work,
+              fmt::format("Kaplan-Meier curves of searches, {}; bands: 95 % at each time by itself, subjects and cases "
+                          "as clusters, Student's t",
+                          sizeText(trials)),
+              "figure-find-survival", [&] { return survivalFigure(plot); });
   }
   const Estimable<RestrictedMeanDifference> difference = restrictedMeanDifferenceOf(trials, timeouts, limit);
   rows.push_back(
       {"gc less ppc: difference of restricted means",
        difference ? Estimable<Estimate>(difference->difference) : Estimable<Estimate>::impossible(difference.reason()),
        "s", fmt::format("{}, subjects and cases as clusters", sizeText(trials)), trials});
-  addEstimates(work.document,
-               fmt::format("Times to find, time-outs {}; subjects and cases are clusters", nameOf(timeouts)),
-               "find-survival", rows);
+  addEstimates(
+      work.document,
+      fmt::format("Times to find, time-outs {}; intervals of medians, means and their difference take subjects "
+                  "and cases as clusters, with Student's t",
+                  nameOf(timeouts)),
+      "find-survival", rows);
   addResampled(work, "Difference of restricted means (gc less ppc) by resampling subjects and cases",
                "find-survival-resampled",
                {{"gc less ppc",
@@ -89,7 +97,14 @@ void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment tim
 }
 
 /// Ratios of the covariates by name, of hazards or of times.
-using NamedRatios = std::vector<std::pair<std::string, Estimate>>;
+using NamedRatios = std::vector<std::pair<std::string, Estimable<Estimate>>>;
+
+Estimable<Estimate> unlessOfOneCluster(const Estimate& ratio) {
+  return std::isfinite(ratio.standardError)
+             ? Estimable<Estimate>(ratio)
+             : Estimable<Estimate>::impossible(
+                   "it rests on one subject or one case alone, so that how far it varies is not known");
+}
 
 Estimable<NamedRatios> fitSurvival(const PlannedModel& model, const TrialList& trials, TimeoutTreatment timeouts) {
   using Result = Estimable<NamedRatios>;
@@ -104,7 +119,7 @@ Estimable<NamedRatios> fitSurvival(const PlannedModel& model, const TrialList& t
       return Result::impossible(fit.reason());
     }
     for (const CoxTerm& term : fit->terms) {
-      ratios.emplace_back(term.name, term.hazardRatio);
+      ratios.emplace_back(term.name, unlessOfOneCluster(term.hazardRatio));
     }
   } else {
     const Estimable<FailureTimeFit> fit = fitLogNormal(data);
@@ -112,7 +127,7 @@ Estimable<NamedRatios> fitSurvival(const PlannedModel& model, const TrialList& t
       return Result::impossible(fit.reason());
     }
     for (const TimeRatioTerm& term : fit->terms) {
-      ratios.emplace_back(term.name, term.timeRatio);
+      ratios.emplace_back(term.name, unlessOfOneCluster(term.timeRatio));
     }
   }
   return ratios;
@@ -130,10 +145,6 @@ Estimable<Estimate> viewOf(const Estimable<NamedRatios>& ratios) {
   return Estimable<Estimate>::impossible("the view does not vary, or is not in the model");
 }
 
-const char* labelOf(TimeoutTreatment timeouts) {
-  return timeouts == TimeoutTreatment::kSetToLimit ? "set to the limit" : nameOf(timeouts);
-}
-
 void addSurvivalSensitivity(ReportWork& work, const PlannedModel& model, const TrialList& all,
                             TimeoutTreatment timeouts) {
   const TrialList trials = timeouts == TimeoutTreatment::kRemoved ? withoutTimeouts(all) : all;
@@ -147,10 +158,10 @@ void addSurvivalSensitivity(ReportWork& work, const PlannedModel& model, const T
   const bool cox = model.kind == ModelKind::kCox;
   addSensitivity(work,
                  {fmt::format("{}-sensitivity", model.name),
-                  fmt::format("The effect of the view in model {}, analysed in other ways", model.name),
+                  fmt::format("The effect of the view in the {}, analysed in other ways", wordsOf(model, false)),
                   cox ? "Hazard ratio, gc / ppc" : "Ratio of times, gc / ppc", cox ? "ppc sooner" : "gc faster",
                   cox ? "gc sooner" : "ppc faster"},
-                 variantsOf(trials, first, kMostOtherRows),
+                 variantsOf(trials, first, kMaxRows),
                  [&](const Variant& variant) { return viewOf(fitSurvival(model, variant.trials, variant.timeouts)); });
 }
 
@@ -161,7 +172,7 @@ void addSurvivalModel(ReportWork& work, const PlannedModel& model, const TrialLi
   const std::string source = fmt::format("model {} of {}", model.name, sizeText(trials));
   const Estimable<NamedRatios> ratios = fitSurvival(model, trials, timeouts);
   if (!ratios) {
-    addNotEstimable(work.document, fmt::format("Model {}", model.name), ratios.reason());
+    addNotEstimable(work.document, wordsOf(model), ratios.reason());
     return;
   }
   std::vector<EstimateRow> rows;
@@ -170,7 +181,11 @@ void addSurvivalModel(ReportWork& work, const PlannedModel& model, const TrialLi
     for (const std::string& term : model.terms) {
       if (columnOfTerm(model, trials, term) == name) {
         rows.back().label = labelOfTerm(term);
-        work.outcomes.push_back({model.name, term, ratio.pValue});
+        if (ratio) {
+          work.outcomes.push_back({model.name, term, ratio->pValue, TestedEffect{measureOfTerm(model, term), *ratio}});
+        } else {
+          work.outcomes.push_back({model.name, term, Estimable<double>::impossible(ratio.reason())});
+        }
       }
     }
   }
@@ -183,47 +198,6 @@ void addSurvivalModel(ReportWork& work, const PlannedModel& model, const TrialLi
                            namesCases(model) ? "subjects and cases" : "subjects"),
                model.name, rows);
   addSurvivalSensitivity(work, model, complete, timeouts);
-}
-
-void addLinear(ReportWork& work, const PlannedModel& model, const TrialList& all, TimeoutTreatment timeouts) {
-  const TrialList trials = searchesOfLinearModel(model, all, TimeoutTreatment::kSetToLimit);
-  const size_t atOnce = completeTrials(model, all).size() - trials.size();
-  if (atOnce > 0) {
-    work.document.add(ReportNote{
-        NoteKind::kWarning,
-        fmt::format("{} searches took 0 s, which has no logarithm: model {} leaves them out.", atOnce, model.name)});
-  }
-  const TrialList main = searchesOfLinearModel(model, all, timeouts);
-  const Estimable<PlannedFit> fit = fitLinear(model, main, secondsOf(main));
-  addPlannedFit(work, model, main, fit,
-                "Linear mixed model of the logarithm of times: ratios of geometric means, intervals and tests by "
-                "Satterthwaite's degrees of freedom");
-  if (!fit) {
-    return;
-  }
-  work.document.add(ReportParagraph{
-      timeouts == TimeoutTreatment::kRemoved
-          ? "Searches whose time ran out are removed here."
-          : "A linear model knows no censored times: searches whose time ran out count with the limit here."});
-  addLinearChecks(work, model, *fit);
-  std::vector<double> logs;
-  for (const double seconds : secondsOf(main)) {
-    logs.push_back(std::log(seconds));
-  }
-  addResampled(
-      work, "Ratio of geometric means (gc / ppc) by resampling subjects and cases",
-      fmt::format("{}-resampled", model.name),
-      {{"gc / ppc", bootstrapViewDifference(main, logs, bootstrapPlanOf(work.analysis.plan)), main, "", true}});
-  addTimeEffects(work, main, secondsOf(main), fmt::format("{}-sizes", model.name));
-  const bool removed = timeouts == TimeoutTreatment::kRemoved;
-  const Variant atLimit{"Time-outs set to the limit", trials};
-  const Variant without{"Time-outs removed", withoutTimeouts(trials)};
-  addSensitivity(
-      work,
-      {fmt::format("{}-sensitivity", model.name), "The effect of the view on times, analysed in other ways",
-       "Ratio of geometric means, gc / ppc", "gc faster", "ppc faster"},
-      variantsOf(main, removed ? std::vector{without, atLimit} : std::vector{atLimit, without}, kMostLinearRows),
-      [&](const Variant& variant) { return viewRatio(fitLinear(model, variant.trials, secondsOf(variant.trials))); });
 }
 
 void addCases(ReportWork& work, const TrialList& trials) {
@@ -245,7 +219,7 @@ void addCases(ReportWork& work, const TrialList& trials) {
     plot.pointName = "one search";
     plot.rows = true;
     plot.widthMillimetres = kDoubleColumnMillimetres;
-    plot.series = {{"ppc", {}}, {"gc", {}}};
+    plot.series = {{labelOf(TrialView::kPinhole), {}}, {labelOf(TrialView::kGraph), {}}};
     for (auto& [index, views] : cases) {
       plot.conditions.push_back(std::to_string(index + 1));
       for (size_t v = 0; v < 2; ++v) {
@@ -257,8 +231,8 @@ void addCases(ReportWork& work, const TrialList& trials) {
         plot.series[v].groups.push_back({{quantile(0.5), quantile(0.25), quantile(0.75)}, times});
       }
     }
-    work.document.add(ReportFigure{plot.title + "; time-outs stand at the limit",
-                                   moving ? "figure-find-cases-moving" : "figure-find-cases", groupFigure(plot)});
+    addFigure(work, plot.title + "; time-outs stand at the limit",
+              moving ? "figure-find-cases-moving" : "figure-find-cases", [&] { return groupFigure(plot); });
   }
 }
 
@@ -281,23 +255,24 @@ void addFindSection(ReportWork& work) {
     if (model.task != "find") {
       continue;
     }
-    if (model.kind == ModelKind::kKaplanMeier) {
-      addSurvival(work, kept, timeouts);
-    } else if (model.kind == ModelKind::kCox || model.kind == ModelKind::kLogNormalSurvival) {
-      addSurvivalModel(work, model, trials, timeouts);
-    } else if (model.kind == ModelKind::kLinearMixed) {
-      addLinear(work, model, trials, timeouts);
-    } else {
-      addNotEstimable(work.document, fmt::format("Model {}", model.name),
-                      fmt::format("{} is not done for searches", nameOf(model.kind)));
-    }
+    addPart(work, wordsOf(model), [&] {
+      if (model.kind == ModelKind::kKaplanMeier) {
+        addSurvival(work, kept, timeouts);
+      } else if (model.kind == ModelKind::kCox || model.kind == ModelKind::kLogNormalSurvival) {
+        addSurvivalModel(work, model, trials, timeouts);
+      } else if (model.kind == ModelKind::kLinearMixed || model.kind == ModelKind::kLogNormalMixed) {
+        addFindModel(work, model, trials, timeouts);
+      } else {
+        addNotEstimable(work.document, wordsOf(model), fmt::format("{} is not done for searches", nameOf(model.kind)));
+      }
+    });
   }
-  addCases(work, trials);
+  addPart(work, "Times of each case", [&] { addCases(work, trials); });
   work.methods.push_back(
-      "Times to find were compared by Kaplan-Meier curves and restricted means with searches censored at the limit, by "
-      "regressions of survival with errors robust to clusters of subjects and of cases (Cameron, Gelbach and Miller "
-      "2011), and by a linear mixed model of log times "
-      "with random effects of subjects and cases, whose intervals use Satterthwaite's degrees of freedom.");
+      "Beside them stand Kaplan-Meier curves and restricted means, with errors of the infinitesimal jackknife by "
+      "clusters "
+      "of subjects and of cases (Cameron, Gelbach and Miller 2011), and regressions of survival, with jackknife errors "
+      "by the same clusters (Lipsitz, Dear and Zhao 1994) and Student's t.");
 }
 
 }  // namespace ocelli

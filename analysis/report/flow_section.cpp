@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "analysis/plot/flow_diagram.h"
+#include "analysis/report/part_guard.h"
 
 namespace ocelli {
 namespace {
@@ -33,21 +34,26 @@ void addFlowSection(ReportWork& work) {
     diagram.stages.push_back(
         {fmt::format("Completed {} sessions or more", k + 1), sized(flow.analysedWithSessions[k])});
   }
-  work.document.add(ReportFigure{"Subjects, and why some were left out", "figure-flow", flowFigure(diagram)});
+  addFigure(work, "Subjects, and why some were left out", "figure-flow", [&] { return flowFigure(diagram); });
   if (!flow.consentNote.empty()) {
     work.document.add(ReportNote{NoteKind::kNote, flow.consentNote});
   }
   work.document.add(ReportParagraph{fmt::format("{} trials count, {} were excluded and {} are analysed.", flow.trials,
                                                 flow.excludedTrials, flow.analysedTrials)});
+  for (const std::string& warning : work.analysis.warnings) {
+    work.document.add(ReportNote{NoteKind::kWarning, warning});
+  }
   if (work.analysis.excluded.empty()) {
     work.document.add(ReportParagraph{"No subject or session was excluded."});
     return;
   }
+  const InSupplement supplement(work.document);
   ReportTable table{
       "Exclusions of subjects and sessions; all rows stand in tables/exclusions.csv",
       "exclusions",
       {{"Subject", "", true}, {"Session", "", true}, {"Rule", "", true}, {"Reason", "", true}, {"Trials"}},
       {}};
+  table.isRecord = true;
   for (const ExcludedSubject& excluded : work.analysis.excluded) {
     if (table.rows.size() == kLongestLog) {
       work.document.add(ReportNote{NoteKind::kNote, fmt::format("The table shows {} of {} exclusions.", kLongestLog,

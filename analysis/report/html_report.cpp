@@ -14,6 +14,11 @@
 namespace ocelli {
 namespace {
 
+constexpr const char* kReportPage = "index.html";
+constexpr const char* kSupplementPage = "supplement.html";
+constexpr const char* kSourcesId = "sources-of-numbers";
+constexpr const char* kSourcesPrefix = "sources-";
+
 // Narrower than this share of its size a wide figure scrolls: its letters would be too small.
 constexpr double kLeastShare = 0.85;
 
@@ -86,6 +91,9 @@ std::string cellMarkup(const ReportTable& table, const std::vector<std::string>&
   if (!cell.footnote.empty()) {
     inner += fmt::format("<sup>{}</sup>", footnoteMark(footnotes, cell.footnote));
   }
+  if (!cell.shortName.empty()) {
+    inner += fmt::format("<small>{}</small>", escaped(cell.shortName));
+  }
   if (column == 0) {
     return fmt::format("<th scope=\"row\"{}>{}</th>", attributes, inner);
   }
@@ -94,29 +102,30 @@ std::string cellMarkup(const ReportTable& table, const std::vector<std::string>&
   return fmt::format("<td{}{}>{}</td>", attributes, names.empty() ? "" : fmt::format(" class=\"{}\"", names), inner);
 }
 
-std::string sourcesMarkup(const ReportTable& table) {
-  const std::vector<SourceEntry> entries = sourcesOf(table);
-  if (entries.empty()) {
-    return "";
-  }
+/// Of a table in the main report, as a part of the supplement: which cells came from where.
+std::string sourcesMarkup(const ReportTable& table, const ElementName& name, const std::string& page) {
   std::string items;
-  for (const SourceEntry& entry : entries) {
+  for (const SourceEntry& entry : sourcesOf(table)) {
     std::string cells;
     for (size_t i = 0; i < entry.cells.size(); ++i) {
       cells += i == 0 ? "" : "; ";
       cells += entry.ids[i].empty()
                    ? escaped(entry.cells[i])
-                   : fmt::format("<a href=\"#{}\">{}</a>", escaped(entry.ids[i]), escaped(entry.cells[i]));
+                   : fmt::format("<a href=\"{}#{}\">{}</a>", page, escaped(entry.ids[i]), escaped(entry.cells[i]));
     }
     items += fmt::format("<li>{}: <code>{}</code></li>\n", cells, escaped(entry.source));
   }
-  return fmt::format(
-      "<details class=\"sources\"><summary>Where these numbers come from</summary><ul>\n{}</ul></details>\n", items);
+  return items.empty() ? ""
+                       : fmt::format("<h3 id=\"{0}{1}\"><a href=\"{2}#{1}\">{3}</a>. {4}</h3>\n<ul>\n{5}</ul>\n",
+                                     kSourcesPrefix, name.id, page, name.label, escaped(table.caption), items);
 }
 
 class Writer {
  public:
-  std::string write(const ReportElement& element, const ElementName& name) {
+  /// `sourcesPage`: the file that says where numbers come from; empty for the page itself.
+  explicit Writer(std::string sourcesPage) : sourcesPage_(std::move(sourcesPage)) {}
+
+  std::string write(const ReportElement& element, const ElementName& name) const {
     return std::visit([&](const auto& what) { return markup(what, name); }, element);
   }
 
@@ -154,7 +163,7 @@ class Writer {
         "class=\"text\">{2}</div></section>\n",
         name.id, escaped(excerpt.title), escaped(excerpt.text));
   }
-  static std::string markup(const ReportTable& table, const ElementName& name) {
+  std::string markup(const ReportTable& table, const ElementName& name) const {
     const std::vector<std::string> footnotes = footnotesOf(table);
     std::string rows;
     for (const std::vector<ReportCell>& row : table.rows) {
@@ -175,12 +184,19 @@ class Writer {
     if (!notes.empty()) {
       notes = fmt::format("<ul class=\"footnotes\">\n{}</ul>\n", notes);
     }
+    // Where the numbers come from stands in the supplement.
+    const std::string sources =
+        sourcesOf(table).empty()
+            ? ""
+            : fmt::format("<p class=\"sources\"><a href=\"{}#{}{}\">Where these numbers come from</a></p>\n",
+                          sourcesPage_, kSourcesPrefix, name.id);
     return fmt::format(
-        "<div class=\"table\" id=\"{0}\"><p class=\"title\" id=\"{0}-title\"><b>{1}.</b> {2}</p>\n<div "
+        "<div class=\"table\" id=\"{0}\"><p class=\"title\" id=\"{0}-title\"><b>{1}.</b>{6} {2}</p>\n<div "
         "class=\"scroll\" "
         "tabindex=\"0\" role=\"region\" aria-labelledby=\"{0}-title\"><table "
-        "aria-labelledby=\"{0}-title\">\n{3}<tbody>\n{4}</tbody></table></div>\n{5}{6}</div>\n",
-        name.id, name.label, escaped(table.caption), tableHead(table), rows, notes, sourcesMarkup(table));
+        "aria-labelledby=\"{0}-title\">\n{3}<tbody>\n{4}</tbody></table></div>\n{5}{7}</div>\n",
+        name.id, name.label, escaped(table.caption), tableHead(table), rows, notes,
+        table.exploratory ? fmt::format(" <span class=\"exploratory\">{}</span>", kExploratory) : "", sources);
   }
   static std::string markup(const ReportFigure& figure, const ElementName& name) {
     const bool wide = figure.figure.width > 1.2 * kSingleColumnMillimetres * kPointsPerMillimetre;
@@ -191,10 +207,13 @@ class Writer {
         figure.figure.width, wide ? kLeastShare * figure.figure.width : 0,
         inlineSvgText(figure.figure, fmt::format("{}-", name.id)), name.label, escaped(figure.caption));
   }
+
+  std::string sourcesPage_;
 };
 
-/// Headings of levels 1 and 2, the second in lists of their own.
-std::string contents(const ReportDocument& document, const std::vector<ElementName>& names) {
+/// Headings of levels 1 and 2, the second in lists of their own; then `last`, a list item.
+std::string contents(const std::vector<ReportElement>& elements, const std::vector<ElementName>& names,
+                     const std::string& last) {
   std::string list;
   bool inItem = false;
   bool inList = false;
@@ -204,8 +223,8 @@ std::string contents(const ReportDocument& document, const std::vector<ElementNa
     inList = false;
     inItem = false;
   };
-  for (size_t i = 0; i < document.elements.size(); ++i) {
-    const auto* heading = std::get_if<ReportHeading>(&document.elements[i]);
+  for (size_t i = 0; i < elements.size(); ++i) {
+    const auto* heading = std::get_if<ReportHeading>(&elements[i]);
     if (heading == nullptr || heading->level > 2) {
       continue;
     }
@@ -221,22 +240,15 @@ std::string contents(const ReportDocument& document, const std::vector<ElementNa
     }
   }
   endItem();
+  list += list.empty() ? "" : last;
   return list.empty() ? "" : fmt::format("<nav aria-label=\"Contents\"><h2>Contents</h2><ol>\n{}</ol></nav>\n", list);
 }
 
-}  // namespace
-
-std::string htmlReport(const ReportDocument& document) {
-  const std::vector<ElementName> names = elementNames(document);
-  std::string body;
-  Writer writer;
-  for (size_t i = 0; i < document.elements.size(); ++i) {
-    body += writer.write(document.elements[i], names[i]);
-  }
+/// A whole page of a document.
+std::string page(const ReportDocument& document, const std::string& title, const std::string& subtitle,
+                 const std::string& nav, const std::string& body) {
   const std::string marking =
       document.marking.empty() ? "" : fmt::format("<p class=\"marking\">{}</p>\n", escaped(document.marking));
-  const std::string subtitle =
-      document.subtitle.empty() ? "" : fmt::format("<p class=\"subtitle\">{}</p>\n", escaped(document.subtitle));
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
       "http-equiv=\"Content-Security-Policy\" content=\"default-src &#39;none&#39;; style-src "
@@ -244,12 +256,12 @@ std::string htmlReport(const ReportDocument& document) {
       "&#39;none&#39;\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"generator\" "
       "content=\"Ocelli {}\">\n<title>{}</title>\n<style>",
-      scriptDigest(kReportScript), escaped(document.version), escaped(document.title));
+      scriptDigest(kReportScript), escaped(document.version), escaped(title));
   html += kReportStyle;
   html += fmt::format(
       "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#report\">To the report</a>\n<div class=\"page\">\n"
       "<header>\n{}<h1>{}</h1>\n{}</header>\n{}<main id=\"report\">\n",
-      marking, escaped(document.title), subtitle, contents(document, names));
+      marking, escaped(title), subtitle, nav);
   html += body;
   html += fmt::format(
       "</main>\n<footer>Ocelli {}, {}</footer>\n</div>\n<p id=\"shown\" aria-live=\"polite\"></p>\n<script>",
@@ -257,6 +269,57 @@ std::string htmlReport(const ReportDocument& document) {
   html += kReportScript;
   html += "</script>\n</body>\n</html>\n";
   return html;
+}
+
+std::string subtitleMarkup(const ReportDocument& document, const std::string& more) {
+  return document.subtitle.empty() && more.empty()
+             ? ""
+             : fmt::format("<p class=\"subtitle\">{}{}</p>\n", escaped(document.subtitle), more);
+}
+
+}  // namespace
+
+std::string htmlReport(const ReportDocument& document) {
+  const std::vector<ElementName> names = documentNames(document).elements;
+  const Writer writer(kSupplementPage);
+  std::string body;
+  for (size_t i = 0; i < document.elements.size(); ++i) {
+    body += writer.write(document.elements[i], names[i]);
+  }
+  const std::string nav =
+      contents(document.elements, names, fmt::format("<li><a href=\"{}\">Supplement</a></li>\n", kSupplementPage));
+  return page(document, document.title, subtitleMarkup(document, ""), nav, body);
+}
+
+std::string htmlSupplement(const ReportDocument& document) {
+  const DocumentNames names = documentNames(document);
+  const Writer writer("");
+  std::string body;
+  for (size_t i = 0; i < document.supplement.size(); ++i) {
+    body += writer.write(document.supplement[i], names.supplement[i]);
+  }
+  std::string sources;
+  const auto addSources = [&](const std::vector<ReportElement>& part, const std::vector<ElementName>& named,
+                              const char* file) {
+    for (size_t i = 0; i < part.size(); ++i) {
+      if (const auto* table = std::get_if<ReportTable>(&part[i])) {
+        sources += sourcesMarkup(*table, named[i], file);
+      }
+    }
+  };
+  addSources(document.elements, names.elements, kReportPage);
+  addSources(document.supplement, names.supplement, "");
+  std::string last = fmt::format("<li><a href=\"{}\">Report</a></li>\n", kReportPage);
+  if (!sources.empty()) {
+    body += fmt::format("<section class=\"sources\"><h2 id=\"{0}\">Where the numbers come from</h2>\n{1}</section>\n",
+                        kSourcesId, sources);
+    last = fmt::format("<li><a href=\"#{}\">Where the numbers come from</a></li>\n", kSourcesId) + last;
+  }
+  const std::string nav = contents(document.supplement, names.supplement, last);
+  return page(document, fmt::format("{}: supplement", document.title),
+              subtitleMarkup(document, fmt::format("{}<a href=\"{}\">Back to the report</a>",
+                                                   document.subtitle.empty() ? "" : " \u00b7 ", kReportPage)),
+              nav, body);
 }
 
 }  // namespace ocelli

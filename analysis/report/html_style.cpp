@@ -83,12 +83,14 @@ tbody tr:hover > * { background: var(--tint); }
 td[title] { cursor: help; }
 td .source { text-decoration: underline dotted var(--rule); text-underline-offset: .25em; }
 td.strong { font-weight: 700; }
+th small, td small { display: block; font-size: .8em; color: var(--soft); }
+.exploratory { display: inline-block; padding: 0 .4rem; border: 1px solid var(--soft); color: var(--soft); font-size: .75rem; }
 sup { font-size: .75em; line-height: 0; }
 td sup { position: absolute; margin-left: .1em; transform: translateY(.6em); }
 .footnotes { font: .8125rem/1.45 var(--sans); color: var(--soft); margin: .4rem 0 0; padding: 0; list-style: none; }
 .footnotes li { margin: .1rem 0; }
 .sources { font-size: .8125rem; line-height: 1.45; margin-top: .4rem; }
-.sources summary { color: var(--accent); cursor: pointer; width: fit-content; padding: .15rem 0; }
+.sources h3 { font-size: .875rem; margin: 1.25rem 0 .2rem; }
 .sources ul { margin: .3rem 0 0; padding-left: 1.1rem; color: var(--soft); }
 .sources li { max-width: 52rem; }
 figure { margin: 1.75rem 0 2rem; }
@@ -98,8 +100,8 @@ figcaption { font-size: .9rem; line-height: 1.45; margin-top: .6rem; max-width: 
   font: .875rem/1.4 var(--sans); overflow-wrap: anywhere; }
 #shown:empty { display: none; }
 footer { margin-top: 4rem; padding-top: .75rem; border-top: 1px solid var(--rule); color: var(--soft); font-size: .8125rem; }
-@media (min-width: 76rem) {
-  .page { display: grid; grid-template-columns: 14rem minmax(0, 1fr); column-gap: 3.5rem; max-width: 80rem; }
+@media (min-width: 64rem) {
+  .page { display: grid; grid-template-columns: 13rem minmax(0, 1fr); column-gap: 2.5rem; max-width: 80rem; }
   .page > header, .page > footer { grid-column: 1 / -1; }
   .page > nav { position: sticky; top: 1.5rem; align-self: start; max-height: calc(100vh - 3rem); overflow-y: auto; }
   main > :first-child { margin-top: 0; border-top: 0; padding-top: 0; }

@@ -103,6 +103,10 @@ Json cellOf(const ReportCell& cell) {
   if (cell.value) {
     json["value"] = std::isfinite(*cell.value) ? Json(*cell.value) : Json(nullptr);
   }
+  if (cell.interval) {
+    json["interval"] = {cell.interval->first, cell.interval->second};
+  }
+  put(json, "short_name", cell.shortName);
   put(json, "source", cell.source);
   put(json, "footnote", cell.footnote);
   return json;
@@ -155,7 +159,13 @@ Json jsonOf(const ReportTable& table) {
     }
     rows.push_back(cells);
   }
-  return {{"type", "table"}, {"caption", cleanText(table.caption)}, {"columns", columns}, {"rows", rows}};
+  Json json = {{"type", "table"}, {"caption", cleanText(table.caption)}};
+  if (table.exploratory) {
+    json["exploratory"] = true;
+  }
+  json["columns"] = columns;
+  json["rows"] = rows;
+  return json;
 }
 
 Json jsonOf(const ReportFigure& figure) {
@@ -173,14 +183,20 @@ std::string jsonReport(const ReportDocument& document) {
   put(json, "marking", document.marking);
   put(json, "version", document.version);
   put(json, "created", document.created);
-  const std::vector<ElementName> names = elementNames(document);
+  const DocumentNames names = documentNames(document);
   Json elements = Json::array();
-  for (size_t i = 0; i < document.elements.size(); ++i) {
-    Json element = std::visit([](const auto& what) { return jsonOf(what); }, document.elements[i]);
-    put(element, "id", names[i].id);
-    put(element, "label", names[i].label);
-    elements.push_back(element);
-  }
+  const auto addAll = [&](const std::vector<ReportElement>& part, const std::vector<ElementName>& named,
+                          const std::string& partName) {
+    for (size_t i = 0; i < part.size(); ++i) {
+      Json element = std::visit([](const auto& what) { return jsonOf(what); }, part[i]);
+      put(element, "id", named[i].id);
+      put(element, "label", named[i].label);
+      put(element, "part", partName);
+      elements.push_back(element);
+    }
+  };
+  addAll(document.elements, names.elements, "");
+  addAll(document.supplement, names.supplement, "supplement");
   json["elements"] = elements;
   const OriginsAsJson origins = jsonOf(document.origins);
   json["row_sets"] = origins.sets;

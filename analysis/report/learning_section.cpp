@@ -8,6 +8,7 @@
 
 #include "analysis/plot/figure_grid.h"
 #include "analysis/report/learning_change.h"
+#include "analysis/report/part_guard.h"
 #include "analysis/report/search_times.h"
 
 namespace ocelli {
@@ -81,7 +82,7 @@ GroupPlot chartOf(const std::string& title, const std::string& conditionLabel, c
   plot.legend = false;
   plot.widthMillimetres = widthMillimetres;
   plot.heightMillimetres = 58;
-  plot.series = {{"ppc", {}}, {"gc", {}}};
+  plot.series = {{labelOf(TrialView::kPinhole), {}}, {labelOf(TrialView::kGraph), {}}};
   for (const Condition& condition : conditions) {
     plot.conditions.push_back(condition.name);
     for (size_t v = 0; v < kViews.size(); ++v) {
@@ -106,7 +107,7 @@ void addFigure(ReportWork& work, const std::string& task, const std::string& tit
           groupFigure(chartOf("Within blocks", "Half of a block", outcome, outcome.halves(), width)));
     }
   }
-  work.document.add(ReportFigure{grid.title, fmt::format("figure-learning-{}", task), gridFigure(grid)});
+  addFigure(work, grid.title, fmt::format("figure-learning-{}", task), [&] { return gridFigure(grid); });
 }
 
 void addMeans(ReportWork& work, const std::string& id, const Outcome& outcome) {
@@ -188,10 +189,12 @@ void addTask(ReportWork& work, const std::string& task) {
   if (outcomes.empty()) {
     return;
   }
-  addFigure(work, task, title, outcomes);
+  addPart(work, fmt::format("The figure of {}", title), [&] { addFigure(work, task, title, outcomes); });
   for (const Outcome& outcome : outcomes) {
-    addMeans(work, fmt::format("learning-{}-{}", task, outcome.id), outcome);
-    addTrends(work, fmt::format("learning-{}-{}-trends", task, outcome.id), outcome);
+    addPart(work, outcome.name, [&] {
+      addMeans(work, fmt::format("learning-{}-{}", task, outcome.id), outcome);
+      addTrends(work, fmt::format("learning-{}-{}-trends", task, outcome.id), outcome);
+    });
   }
   if (blocks.isEmpty()) {
     addNotEstimable(work.document, "Change within the blocks of a session", kNoHalves);

@@ -9,6 +9,7 @@
 #include "analysis/plot/figure_grid.h"
 #include "analysis/plot/heat_map.h"
 #include "analysis/report/navigation_tables.h"
+#include "analysis/report/part_guard.h"
 #include "analysis/report/subject_means.h"
 
 namespace ocelli {
@@ -32,7 +33,7 @@ void addFigure(ReportWork& work, const std::vector<NavigationGroup>& groups) {
     plot.widthMillimetres = grid.columnMillimetres();
     plot.heightMillimetres = 52;
     plot.summaryName = "mean of subjects, 95 % interval";
-    plot.series = {{"ppc", {}}, {"gc", {}}};
+    plot.series = {{labelOf(TrialView::kPinhole), {}}, {labelOf(TrialView::kGraph), {}}};
     for (const NavigationGroup& group : groups) {
       const TrialValues values = valuesOf(work.analysis.data, group, measure);
       if (values.empty()) {
@@ -49,7 +50,7 @@ void addFigure(ReportWork& work, const std::vector<NavigationGroup>& groups) {
       grid.figures.push_back(groupFigure(plot));
     }
   }
-  work.document.add(ReportFigure{grid.title + ": one dot a subject", "figure-navigation", gridFigure(grid)});
+  addFigure(work, grid.title + ": one dot a subject", "figure-navigation", [&] { return gridFigure(grid); });
 }
 
 /// Where the objects of the blocks with that maze are, or set out from.
@@ -74,7 +75,7 @@ HeatMap::Map mapOfView(const MazeHeatMap& map, double cellSize) {
   for (const double seconds : map.seconds) {
     total += seconds;
   }
-  HeatMap::Map shown{fmt::format("{}, {} searches", nameOf(map.view), map.trials), {}, {}};
+  HeatMap::Map shown{fmt::format("{}, {} searches", labelOf(map.view), map.trials), {}, {}};
   for (int row = 0; row < map.rows; ++row) {
     for (int column = 0; column < map.columns; ++column) {
       const double seconds = map.seconds[static_cast<size_t>(row * map.columns + column)];
@@ -110,11 +111,12 @@ void addHeatMaps(ReportWork& work, const std::vector<MazeHeatMap>& maps) {
     }
     const std::string id = fmt::format("figure-heat-{}-{}{}", map.maze, map.moving ? "moving" : "stationary",
                                        map.source > 0 ? fmt::format("-{}", map.source + 1) : "");
-    work.document.add(ReportFigure{
+    addFigure(
+        work,
         fmt::format("{}, maze \"{}\", from above, north at the top. Diamonds are the places {}, by number of the case; "
                     "both views on one scale, which goes with the square root of the share",
                     heat.title, map.maze, map.moving ? "from which objects set out" : "of the objects"),
-        id, heatFigure(heat)});
+        id, [&] { return heatFigure(heat); });
     if (outside > 0) {
       work.document.add(
           ReportNote{NoteKind::kNote,
@@ -153,11 +155,12 @@ void addNavigationSection(ReportWork& work) {
       "where the search ended; corners that are cut can make it less than 1. Standing is less than 0.05 m/s. Rows of "
       "some searches alone, such as those with straight sight, compare different searches in the two views. Each "
       "subject counts once, with its mean; intervals are for other subjects with the same cases."});
-  addFigure(work, groups);
+  addPart(work, "The figure of ways, sight and turns", [&] { addFigure(work, groups); });
   for (const NavigationGroup& group : groups) {
-    addNavigationTables(work, group);
+    addPart(work, fmt::format("Searches for {} objects", group.moving ? "moving" : "stationary"),
+            [&] { addNavigationTables(work, group); });
   }
-  addHeatMaps(work, navigation.heatMaps);
+  addPart(work, "Where subjects were", [&] { addHeatMaps(work, navigation.heatMaps); });
   work.methods.push_back(
       "Ways, turns and times in sight were taken from the log of where subjects stood; views were compared by the mean "
       "differences of subjects, with Student's intervals.");

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "analysis/tables/neutral_tables.h"
+
 namespace ocelli {
 namespace {
 
@@ -25,7 +27,8 @@ std::string sourceOf(const Cell& cell, const std::vector<std::string>& sources) 
 }  // namespace
 
 void addPaperSection(ReportWork& work, const std::vector<Table>& tables) {
-  addHeading(work.document, 1, "The tables of Rosen 2010", "paper");
+  const bool isOfPaper = isOfRosen2010(work.analysis.data);
+  addHeading(work.document, 1, isOfPaper ? "The tables of Rosen 2010" : "Tables of the study", "paper");
   for (const Table& table : tables) {
     ReportTable shown{table.title, table.name, {}, {}};
     for (const std::string& head : table.headNames) {

@@ -5,6 +5,7 @@
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/inference/bayes_factor.h"
 #include "analysis/inference/equivalence.h"
+#include "analysis/report/part_guard.h"
 #include "analysis/report/right_answers.h"
 #include "analysis/report/right_model.h"
 
@@ -12,6 +13,11 @@ namespace ocelli {
 namespace {
 
 constexpr double kUsualMaps = 3;  // section 7.4.4
+
+ValueRow withInterval(ValueRow row, const Interval& interval) {
+  row.interval = interval;
+  return row;
+}
 
 void addEquivalence(ReportWork& work, const PlannedModel& model, const TrialList& trials) {
   for (const PlannedEquivalence& planned : work.analysis.plan.equivalence) {
@@ -25,7 +31,9 @@ void addEquivalence(ReportWork& work, const PlannedModel& model, const TrialList
       addNotEstimable(work.document, "Equivalence of the views", test.reason());
       return;
     }
-    work.outcomes.push_back({model.name, "", test->pValue});
+    work.outcomes.push_back(
+        {model.name, "", test->pValue,
+         TestedEffect{"difference of shares of right paths, gc less ppc", test->difference, 1 - 2 * test->alpha}});
     const std::string source =
         fmt::format("{} subjects with both views, one difference each; subjects and cases as clusters", test->first);
     const auto row = [&](const std::string& what, const std::string& text, std::optional<double> value) {
@@ -39,10 +47,12 @@ void addEquivalence(ReportWork& work, const PlannedModel& model, const TrialList
             planName(work.analysis.plan), planned.lower, planned.upper),
         model.name,
         {row("Difference of shares", numberText(test->difference.value), test->difference.value),
-         row(fmt::format("{:g} % interval", 100 * (1 - 2 * test->alpha)),
-             fmt::format("{} to {}", numberText(test->difference.lower), numberText(test->difference.upper)),
-             std::nullopt),
-         row("p of the two tests (the larger)", numberText(test->pValue), test->pValue),
+         withInterval(
+             row(fmt::format("{:g} % interval", 100 * (1 - 2 * test->alpha)),
+                 fmt::format("{} to {}", numberText(test->difference.lower), numberText(test->difference.upper)),
+                 std::nullopt),
+             intervalOf(test->difference)),
+         row(kEquivalenceTestRow, numberText(test->pValue), test->pValue),
          row("Equivalent", test->equivalent ? "yes" : "not shown", std::nullopt)});
     return;
   }
@@ -50,19 +60,23 @@ void addEquivalence(ReportWork& work, const PlannedModel& model, const TrialList
   addNotEstimable(work.document, "Equivalence of the views", "the plan has no bounds for paths");
 }
 
-void addBayes(ReportWork& work, const PlannedModel& model, const TrialList& trials,
-              const std::vector<double>& differences) {
-  const Estimable<BayesFactor> factor = bayesFactorOfMean(differences);
+void addBayes(ReportWork& work, const PlannedModel& model, const TrialList& trials) {
+  const Estimable<Estimate> difference = shareDifference(trials);
+  const Estimable<BayesFactor> factor =
+      difference ? bayesFactorOfEstimate(*difference) : Estimable<BayesFactor>::impossible(difference.reason());
   if (!factor) {
     addNotEstimable(work.document, "Bayes factor", factor.reason());
     return;
   }
-  const std::string source = fmt::format("{} subjects with both views", factor->count);
-  addValues(work.document,
-            "Bayes factor of the difference of shares (Jeffreys-Zellner-Siow, medium scale); for these very cases",
-            model.name,
-            {{"For none, against some", numberText(factor->forNone), factor->forNone, source, trials},
-             {"For some, against none", numberText(factor->forEffect), factor->forEffect, source, trials}});
+  const std::string source = fmt::format("t of {:.3g} with {:g} degrees of freedom, of {}", difference->statistic,
+                                         difference->degreesOfFreedom, sizeText(trials));
+  addValues(
+      work.document,
+      "Bayes factor of the difference of shares (Jeffreys-Zellner-Siow, medium scale) from its t with subjects and "
+      "cases as clusters: for other subjects and other cases of their kind",
+      model.name,
+      {{"For none, against some", numberText(factor->forNone), factor->forNone, source, trials},
+       {"For some, against none", numberText(factor->forEffect), factor->forEffect, source, trials}});
 }
 
 void addAgainstChance(ReportWork& work, const PlannedModel& model, const TrialList& trials, double chance) {
@@ -72,9 +86,16 @@ void addAgainstChance(ReportWork& work, const PlannedModel& model, const TrialLi
     rows.push_back({label,
                     test ? Estimable<Estimate>(test->clopperPearson) : Estimable<Estimate>::impossible(test.reason()),
                     "", fmt::format("{} right of {}", shareOf(some).successes, sizeText(some)), some});
-    return test ? Estimable<double>(test->clopperPearson.pValue) : Estimable<double>::impossible(test.reason());
+    return test;
   };
-  work.outcomes.push_back({model.name, "", add("Both views", trials)});
+  const Estimable<BinomialTest> both = add("Both views", trials);
+  if (both) {
+    work.outcomes.push_back(
+        {model.name, "", both->clopperPearson.pValue,
+         TestedEffect{fmt::format("share of right paths, chance {:.3f}", chance), both->clopperPearson}});
+  } else {
+    work.outcomes.push_back({model.name, "", Estimable<double>::impossible(both.reason())});
+  }
   add("ppc", trialsOfView(trials, TrialView::kPinhole));
   add("gc", trialsOfView(trials, TrialView::kGraph));
   addEstimates(
@@ -107,32 +128,31 @@ void addPathSection(ReportWork& work) {
     return;
   }
   const double chance = pathChance(work.analysis.data);
-  addRightAnswers(work, trials, "Paths", "path-shares", chance);
-  const std::vector<double> differences = shareDifferences(trials);
+  addPart(work, "Paths that are right", [&] { addRightAnswers(work, trials, "Paths", "path-shares", chance); });
   for (const PlannedModel& model : work.analysis.plan.models) {
     if (model.task != "path") {
       continue;
     }
-    if (model.kind == ModelKind::kBinomialMixed) {
-      addRightModel(work, model, trials,
-                    "Binomial mixed model of right paths: odds ratios, variances by restricted likelihood, intervals "
-                    "and tests by Satterthwaite's degrees of freedom");
-    } else if (model.kind == ModelKind::kEquivalence) {
-      addEquivalence(work, model, trials);
-    } else if (model.kind == ModelKind::kBayesFactor) {
-      addBayes(work, model, trials, differences);
-    } else if (model.kind == ModelKind::kAgainstChance) {
-      addAgainstChance(work, model, trials, chance);
-    } else {
-      addNotEstimable(work.document, fmt::format("Model {}", model.name),
-                      fmt::format("{} is not done for paths", nameOf(model.kind)));
-    }
+    addPart(work, wordsOf(model), [&] {
+      if (model.kind == ModelKind::kBinomialMixed) {
+        addRightModel(work, model, trials,
+                      "Binomial mixed model of right paths: odds ratios, variances by restricted likelihood, intervals "
+                      "and tests by Satterthwaite's degrees of freedom");
+      } else if (model.kind == ModelKind::kEquivalence) {
+        addEquivalence(work, model, trials);
+      } else if (model.kind == ModelKind::kBayesFactor) {
+        addBayes(work, model, trials);
+      } else if (model.kind == ModelKind::kAgainstChance) {
+        addAgainstChance(work, model, trials, chance);
+      } else {
+        addNotEstimable(work.document, wordsOf(model), fmt::format("{} is not done for paths", nameOf(model.kind)));
+      }
+    });
   }
   work.methods.push_back(fmt::format(
       "Whether paths are recognised equally well was tested by two one-sided tests of the mean of the subjects' "
       "differences of shares against the bounds of {}, with errors robust to clusters of subjects and of cases, a "
-      "Bayes "
-      "factor of these differences beside them, and against chance by an exact test.",
+      "Bayes factor of the same t beside them, and against chance by an exact test.",
       planName(work.analysis.plan)));
 }
 

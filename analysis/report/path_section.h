@@ -5,6 +5,9 @@
 
 namespace ocelli {
 
+/// The row with the p value of the test of equivalence, in the table of its model.
+inline constexpr const char* kEquivalenceTestRow = "p of the two tests (the larger)";
+
 void addPathSection(ReportWork& work);
 
 /// How often a guess is right: by the maps of the protocol, or those of section 7.4.4 where none says.

@@ -14,6 +14,7 @@ namespace ocelli {
 namespace {
 
 constexpr const char* kSourcesId = "sources-of-numbers";
+constexpr const char* kSupplementId = "the-supplement";
 constexpr Paint kAccent{0.0, 0.333, 0.549};
 constexpr Paint kCaution{0.561, 0.243, 0.0};
 constexpr Paint kTint{0.945, 0.961, 0.973};
@@ -37,13 +38,19 @@ HeadingLook lookOf(int level) {
 class Writer {
  public:
   Writer(const ReportDocument& document, const PageNumbers& numbers)
-      : document_(document), names_(elementNames(document)), numbers_(numbers) {}
+      : document_(document), names_(documentNames(document)), numbers_(numbers) {}
 
   PdfDocument write() {
     frontMatter();
+    // The contents stand below the first section, which has what the report is read for.
+    const size_t first = endOfFirstSection();
+    flowAll(document_.elements, names_.elements, 0, first);
     contents();
-    for (size_t i = 0; i < document_.elements.size(); ++i) {
-      std::visit([&](const auto& what) { flow(what, names_[i]); }, document_.elements[i]);
+    flowAll(document_.elements, names_.elements, first, document_.elements.size());
+    if (!document_.supplement.empty()) {
+      flow_.require(kPageHeight);
+      flow(ReportHeading{1, kSupplementTitle}, {kSupplementId, ""});
+      flowAll(document_.supplement, names_.supplement, 0, document_.supplement.size());
     }
     sources();
     runningLines();
@@ -60,6 +67,25 @@ class Writer {
   }
 
  private:
+  /// Index of the second heading of level 1, or of the end.
+  size_t endOfFirstSection() const {
+    int sections = 0;
+    for (size_t i = 0; i < document_.elements.size(); ++i) {
+      const auto* heading = std::get_if<ReportHeading>(&document_.elements[i]);
+      if (heading != nullptr && heading->level <= 1 && ++sections == 2) {
+        return i;
+      }
+    }
+    return document_.elements.size();
+  }
+
+  void flowAll(const std::vector<ReportElement>& elements, const std::vector<ElementName>& names, size_t first,
+               size_t end) {
+    for (size_t i = first; i < end; ++i) {
+      std::visit([&](const auto& what) { flow(what, names[i]); }, elements[i]);
+    }
+  }
+
   void target(const std::string& id) {
     flow_.page().targets.push_back({id, {0, std::max(0.0, kPageHeight - kPageMargin - flow_.left() - 8)}});
   }
@@ -85,14 +111,22 @@ class Writer {
       int level;
     };
     std::vector<Entry> entries;
-    for (size_t i = 0; i < document_.elements.size(); ++i) {
-      const auto* heading = std::get_if<ReportHeading>(&document_.elements[i]);
-      if (heading != nullptr && heading->level <= 2) {
-        entries.push_back({cleanText(heading->text), names_[i].id, std::max(heading->level, 1)});
+    const auto addHeadings = [&](const std::vector<ReportElement>& part, const std::vector<ElementName>& names,
+                                 int below, int deepest) {
+      for (size_t i = 0; i < part.size(); ++i) {
+        const auto* heading = std::get_if<ReportHeading>(&part[i]);
+        if (heading != nullptr && heading->level <= deepest) {
+          entries.push_back({cleanText(heading->text), names[i].id, std::max(heading->level, 1) + below});
+        }
       }
-    }
+    };
+    addHeadings(document_.elements, names_.elements, 0, 2);
     if (entries.empty()) {
       return;
+    }
+    if (!document_.supplement.empty()) {
+      entries.push_back({kSupplementTitle, kSupplementId, 1});
+      addHeadings(document_.supplement, names_.supplement, 1, 1);
     }
     if (hasSources()) {
       entries.push_back({kSourcesTitle, kSourcesId, 1});
@@ -255,26 +289,32 @@ class Writer {
   }
 
   bool hasSources() const {
-    return std::any_of(document_.elements.begin(), document_.elements.end(), [](const ReportElement& element) {
+    const auto has = [](const ReportElement& element) {
       const auto* table = std::get_if<ReportTable>(&element);
       return table != nullptr && !sourcesOf(*table).empty();
-    });
+    };
+    return std::any_of(document_.elements.begin(), document_.elements.end(), has) ||
+           std::any_of(document_.supplement.begin(), document_.supplement.end(), has);
   }
 
   /// Of every table: which cells came from where.
   void sources() {
-    if (!hasSources()) {
-      return;
+    if (hasSources()) {
+      flow(ReportHeading{1, kSourcesTitle}, {kSourcesId, ""});
+      sourcesOfTables(document_.elements, names_.elements);
+      sourcesOfTables(document_.supplement, names_.supplement);
     }
-    flow(ReportHeading{1, kSourcesTitle}, {kSourcesId, ""});
-    for (size_t i = 0; i < document_.elements.size(); ++i) {
-      const auto* table = std::get_if<ReportTable>(&document_.elements[i]);
+  }
+
+  void sourcesOfTables(const std::vector<ReportElement>& part, const std::vector<ElementName>& names) {
+    for (size_t i = 0; i < part.size(); ++i) {
+      const auto* table = std::get_if<ReportTable>(&part[i]);
       const std::vector<SourceEntry> entries = table != nullptr ? sourcesOf(*table) : std::vector<SourceEntry>{};
       if (entries.empty()) {
         continue;
       }
       flow_.require(40);
-      flowText(flow_, names_[i].label, {.face = Face::kSansBold, .size = 8.5, .lineHeight = 13}, "source table");
+      flowText(flow_, names[i].label, {.face = Face::kSansBold, .size = 8.5, .lineHeight = 13}, "source table");
       for (const SourceEntry& entry : entries) {
         std::string cells;
         for (const std::string& cell : entry.cells) {
@@ -328,10 +368,11 @@ class Writer {
     }
   }
 
+  static constexpr const char* kSupplementTitle = "Supplement";
   static constexpr const char* kSourcesTitle = "Where the numbers come from";
 
   const ReportDocument& document_;
-  std::vector<ElementName> names_;
+  DocumentNames names_;
   const PageNumbers& numbers_;
   PageFlow flow_;
   std::vector<PdfBookmark> bookmarks_;

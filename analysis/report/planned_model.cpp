@@ -3,96 +3,22 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "analysis/models/binomial_mixed_model.h"
+#include "analysis/models/censored_mixed_model.h"
 #include "analysis/models/linear_mixed_model.h"
+#include "analysis/report/planned_design.h"
 
 namespace ocelli {
 namespace {
 
-double numberOf(const Trial& trial, const std::string& term) {
-  if (term == "session") {
-    return trial.session;
-  }
-  if (term == "exposure") {
-    return *trial.exposureSeconds;
-  }
-  return term == "objects" ? *trial.objects : trial.planIndex;
-}
-
-void addTerm(FixedEffects& fixed, const std::string& term, const TrialList& trials) {
-  std::vector<std::string> labels;
-  std::vector<double> numbers;
-  double sum = 0;
-  for (const Trial* trial : trials) {
-    if (term == "view") {
-      labels.push_back(nameOf(trial->view));
-    } else if (term == "moving") {
-      labels.push_back(*trial->moving ? "moving" : "stationary");
-    } else if (term == "duplicates") {
-      labels.push_back(*trial->duplicateColors ? "shared" : "different");
-    } else {
-      numbers.push_back(numberOf(*trial, term));
-      sum += numbers.back();
-    }
-  }
-  if (term == "view") {
-    fixed.addFactor(term, labels, {"ppc", "gc"}, Coding::kCentered);
-  } else if (term == "moving") {
-    fixed.addFactor(term, labels, {"stationary", "moving"}, Coding::kCentered);
-  } else if (term == "duplicates") {
-    fixed.addFactor(term, labels, {"different", "shared"}, Coding::kCentered);
-  } else {
-    for (double& number : numbers) {
-      number -= sum / static_cast<double>(trials.size());
-    }
-    fixed.addNumber(term, numbers);
-  }
-}
-
-FixedEffects fixedEffects(const PlannedModel& model, const TrialList& trials, bool intercept) {
-  FixedEffects fixed(static_cast<Eigen::Index>(trials.size()));
-  if (intercept) {
-    fixed.addIntercept();
-  }
-  for (const std::string& term : model.terms) {
-    const size_t colon = term.find(':');
-    if (colon == std::string::npos) {
-      addTerm(fixed, term, trials);
-    } else {
-      fixed.addInteraction(term.substr(0, colon), term.substr(colon + 1));
-    }
-  }
-  return fixed;
-}
-
-Design designOf(const PlannedModel& model, const TrialList& trials) {
-  const FixedEffects fixed = fixedEffects(model, trials, true);
-  std::vector<std::string> items;
-  for (const Trial* trial : trials) {
-    items.push_back(trial->item());
-  }
-  std::vector<RandomTerm> random;
-  for (const RandomEffect& effect : model.randomEffects) {
-    RandomTerm term = randomIntercepts(effect.group, effect.group == "subject" ? subjectsOf(trials) : items);
-    for (const std::string& slope : effect.slopes) {
-      addSlope(term, slope, fixed);
-    }
-    random.push_back(std::move(term));
-  }
-  return makeDesign(fixed, random);
-}
-
-std::string columnOf(const FixedEffects& fixed, const std::string& term) {
-  const std::vector<Eigen::Index> columns = fixed.columnsOf(term);
-  return columns.empty() ? "" : fixed.names()[static_cast<size_t>(columns.front())];
-}
-
 PlannedFit describe(const PlannedModel& model, const TrialList& trials, const MixedModelFit& fit) {
   PlannedFit result;
-  const FixedEffects fixed = fixedEffects(model, trials, false);
+  const FixedEffects fixed = plannedColumns(model, trials, false);
   for (const std::string& term : model.terms) {
     const std::string column = columnOf(fixed, term);
     result.terms.push_back({term, column, coefficientEstimate(fit, column)});
@@ -117,7 +43,88 @@ PlannedFit describe(const PlannedModel& model, const TrialList& trials, const Mi
   return result;
 }
 
-constexpr const char* kNoTrials = "there are no trials";
+/// How much worse a fit is without the slope. A search that found no end tells nothing: the slope stays.
+template <class Fit>
+double devianceRise(const Estimable<Fit>& fit, const Estimable<Fit>& without) {
+  return without && without->convergence.converged ? without->deviance - fit->deviance
+                                                   : std::numeric_limits<double>::infinity();
+}
+
+/// What is fitted of the plan, by the steps of planned_design.h. `fitDesign`: an Estimable fit of a Design.
+template <class FitDesign>
+auto fitPlanned(const PlannedModel& model, const TrialList& trials, const FitDesign& fitDesign)
+    -> std::pair<FittedStructure, decltype(fitDesign(Design{}))> {
+  using Result = decltype(fitDesign(Design{}));
+  FittedStructure structure = structureByDesign(model, trials);
+  Result fit = fitDesign(plannedDesign(model, trials, structure));
+  for (std::vector<SlopePlace> slopes = slopesOf(structure); fit && !slopes.empty(); slopes = slopesOf(structure)) {
+    const auto least = std::min_element(slopes.begin(), slopes.end(), [&](const SlopePlace& a, const SlopePlace& b) {
+      return relativeDeviation(*fit, a) < relativeDeviation(*fit, b);
+    });
+    if (!fit->convergence.converged) {
+      structure = withoutSlope(structure, *least, "the fit did not converge with it");
+      fit = fitDesign(plannedDesign(model, trials, structure));
+      continue;
+    }
+    double leastRise = std::numeric_limits<double>::infinity();
+    FittedStructure simpler;
+    Result simplerFit = fit;
+    for (const SlopePlace& slope : slopes) {
+      if (isClear(*fit, slope)) {
+        continue;
+      }
+      FittedStructure other = withoutSlope(structure, slope, "");
+      const Result without = fitDesign(plannedDesign(model, trials, other));
+      const double rise = devianceRise(fit, without);
+      if (rise < leastRise) {
+        leastRise = rise;
+        simplerFit = without;
+        simpler = withoutSlope(structure, slope,
+                               fmt::format("without it the restricted deviance rises by {:.2f}, and slopes stay from "
+                                           "{:.2f} on (p < 0.25)",
+                                           std::max(0.0, rise), kMinDevianceRise));
+      }
+    }
+    if (!(leastRise < kMinDevianceRise)) {
+      break;
+    }
+    structure = simpler;
+    fit = simplerFit;
+  }
+  return {structure, fit};
+}
+
+/// `finish`: adds what only this kind of model has.
+template <class FitDesign, class Finish>
+Estimable<PlannedFit> fitAndDescribe(const PlannedModel& model, const TrialList& trials, const FitDesign& fitDesign,
+                                     const Finish& finish) {
+  if (trials.empty()) {
+    return Estimable<PlannedFit>::impossible("there are no trials");
+  }
+  const auto [structure, fit] = fitPlanned(model, trials, fitDesign);
+  if (!fit) {
+    return Estimable<PlannedFit>::impossible(fit.reason());
+  }
+  PlannedFit result = describe(model, trials, *fit);
+  result.randomEffects = structure.effects;
+  result.structure = structureText(structure.effects);
+  result.leftOut = structure.reasons;
+  finish(*fit, result);
+  return result;
+}
+
+Eigen::VectorXd logarithmsOf(const std::vector<double>& seconds) {
+  Eigen::VectorXd logarithms(static_cast<Eigen::Index>(seconds.size()));
+  for (size_t i = 0; i < seconds.size(); ++i) {
+    logarithms[static_cast<Eigen::Index>(i)] = std::log(seconds[i]);
+  }
+  return logarithms;
+}
+
+void addResiduals(const auto& fit, PlannedFit& result) {
+  result.residuals.assign(fit.residuals.begin(), fit.residuals.end());
+  result.residualDeviation = fit.residualDeviation;
+}
 
 }  // namespace
 
@@ -137,11 +144,29 @@ std::string labelOfTerm(const std::string& term) {
   return colon == std::string::npos ? term : fmt::format("{} x {}", term.substr(0, colon), term.substr(colon + 1));
 }
 
-std::string columnOfTerm(const PlannedModel& model, const TrialList& trials, const std::string& term) {
-  return columnOf(fixedEffects(model, trials, false), term);
+std::string measureOfTerm(const PlannedModel& model, const std::string& term) {
+  struct Names {
+    const char* one;
+    const char* several;
+  };
+  const Names ratio = model.kind == ModelKind::kBinomialMixed ? Names{"odds ratio", "odds ratios"}
+                      : model.kind == ModelKind::kCox         ? Names{"hazard ratio", "hazard ratios"}
+                                                              : Names{"ratio of times", "ratios of times"};
+  return term.find(':') != std::string::npos
+             ? fmt::format("ratio of {}, {}", ratio.several, labelOfTerm(term))
+             : fmt::format("{}, {}", ratio.one, term == "view" ? "gc / ppc" : labelOfTerm(term));
 }
 
-TrialList searchesOfLinearModel(const PlannedModel& model, const TrialList& trials, TimeoutTreatment timeouts) {
+std::string columnOfTerm(const PlannedModel& model, const TrialList& trials, const std::string& term) {
+  return columnOf(plannedColumns(model, trials, false), term);
+}
+
+TimeoutTreatment timesTreatmentOf(const PlannedModel& model, TimeoutTreatment planned) {
+  const bool knowsCensored = model.kind == ModelKind::kLogNormalMixed;
+  return planned == TimeoutTreatment::kCensored && !knowsCensored ? TimeoutTreatment::kSetToLimit : planned;
+}
+
+TrialList searchesOfMixedModel(const PlannedModel& model, const TrialList& trials, TimeoutTreatment timeouts) {
   TrialList searches = completeTrials(model, trials);
   std::erase_if(searches, [&](const Trial* trial) {
     const bool removed = timeouts == TimeoutTreatment::kRemoved && trial->censored.value_or(false);
@@ -161,50 +186,58 @@ std::vector<double> secondsOf(const TrialList& trials) {
 
 Estimable<PlannedFit> fitLinear(const PlannedModel& model, const TrialList& trials,
                                 const std::vector<double>& seconds) {
-  if (trials.empty()) {
-    return Estimable<PlannedFit>::impossible(kNoTrials);
+  const Eigen::VectorXd response = logarithmsOf(seconds);
+  return fitAndDescribe(
+      model, trials, [&](Design design) { return LinearMixedModel(std::move(design)).fit(response); },
+      [](const LinearMixedFit& fit, PlannedFit& result) { addResiduals(fit, result); });
+}
+
+Estimable<PlannedFit> fitCensored(const PlannedModel& model, const TrialList& trials,
+                                  const std::vector<double>& seconds, const std::vector<bool>& censored) {
+  if (std::find(censored.begin(), censored.end(), true) == censored.end()) {
+    return fitLinear(model, trials, seconds);
   }
-  Eigen::VectorXd response(static_cast<Eigen::Index>(seconds.size()));
-  for (size_t i = 0; i < seconds.size(); ++i) {
-    response[static_cast<Eigen::Index>(i)] = std::log(seconds[i]);
+  const CensoredResponse response{logarithmsOf(seconds), censored};
+  return fitAndDescribe(
+      model, trials, [&](Design design) { return CensoredMixedModel(std::move(design)).fitRestricted(response); },
+      [](const CensoredMixedFit& fit, PlannedFit& result) { addResiduals(fit, result); });
+}
+
+Estimable<PlannedFit> fitTimes(const PlannedModel& model, const TrialList& trials, TimeoutTreatment timeouts) {
+  if (timesTreatmentOf(model, timeouts) == TimeoutTreatment::kCensored) {
+    std::vector<bool> censored;
+    for (const Trial* trial : trials) {
+      censored.push_back(trial->censored.value_or(false));
+    }
+    return fitCensored(model, trials, secondsOf(trials), censored);
   }
-  const Estimable<LinearMixedFit> fit = LinearMixedModel(designOf(model, trials)).fit(response);
-  if (!fit) {
-    return Estimable<PlannedFit>::impossible(fit.reason());
-  }
-  PlannedFit result = describe(model, trials, *fit);
-  result.residuals.assign(fit->residuals.begin(), fit->residuals.end());
-  result.residualDeviation = fit->residualDeviation;
-  return result;
+  return fitLinear(model, trials, secondsOf(trials));
 }
 
 Estimable<PlannedFit> fitBinomial(const PlannedModel& model, const TrialList& trials) {
-  if (trials.empty()) {
-    return Estimable<PlannedFit>::impossible(kNoTrials);
-  }
   std::vector<bool> right;
   for (const Trial* trial : trials) {
     right.push_back(trial->correct.value_or(false));
   }
-  const Estimable<BinomialMixedFit> fit =
-      BinomialMixedModel(designOf(model, trials)).fitRestricted(binaryResponse(right));
-  return fit ? Estimable<PlannedFit>(describe(model, trials, *fit)) : Estimable<PlannedFit>::impossible(fit.reason());
+  const BinomialResponse response = binaryResponse(right);
+  return fitAndDescribe(
+      model, trials, [&](Design design) { return BinomialMixedModel(std::move(design)).fitRestricted(response); },
+      [](const BinomialMixedFit&, PlannedFit&) {});
+}
+
+Estimable<Estimate> viewLogarithm(const PlannedFit& fit) {
+  const auto view =
+      std::find_if(fit.terms.begin(), fit.terms.end(), [](const TermEstimate& term) { return term.term == "view"; });
+  return view == fit.terms.end() ? Estimable<Estimate>::impossible("the model has no view") : view->estimate;
 }
 
 Estimable<Estimate> viewRatio(const Estimable<PlannedFit>& fit) {
-  if (!fit) {
-    return Estimable<Estimate>::impossible(fit.reason());
-  }
-  for (const TermEstimate& term : fit->terms) {
-    if (term.term == "view") {
-      return term.estimate ? Estimable<Estimate>(exponentiated(*term.estimate)) : term.estimate;
-    }
-  }
-  return Estimable<Estimate>::impossible("the model has no view");
+  const Estimable<Estimate> view = fit ? viewLogarithm(*fit) : Estimable<Estimate>::impossible(fit.reason());
+  return view ? Estimable<Estimate>(exponentiated(*view)) : view;
 }
 
 std::vector<Covariate> covariatesOf(const PlannedModel& model, const TrialList& trials) {
-  const FixedEffects fixed = fixedEffects(model, trials, false);
+  const FixedEffects fixed = plannedColumns(model, trials, false);
   std::vector<Covariate> covariates;
   for (Eigen::Index i = 0; i < fixed.columns().cols(); ++i) {
     const auto column = fixed.columns().col(i);
@@ -215,21 +248,35 @@ std::vector<Covariate> covariatesOf(const PlannedModel& model, const TrialList& 
   return covariates;
 }
 
+PlannedModel fittedModel(const PlannedModel& model, const PlannedFit& fit) {
+  PlannedModel fitted = model;
+  fitted.randomEffects = fit.randomEffects;
+  return fitted;
+}
+
+std::string structureMethod(const PlannedModel& model, const PlannedFit& fit) {
+  return fit.leftOut.empty()
+             ? fit.structure
+             : fmt::format("{}, those of {} that the data can tell", fit.structure, structureText(model.randomEffects));
+}
+
 void addPlannedFit(ReportWork& work, const PlannedModel& model, const TrialList& trials,
                    const Estimable<PlannedFit>& fit, const std::string& caption) {
   for (const std::string& term : model.terms) {
     Estimable<double> pValue = Estimable<double>::impossible(fit ? "the term was dropped" : fit.reason());
+    std::optional<TestedEffect> effect;
     if (fit) {
       for (const TermEstimate& estimate : fit->terms) {
         if (estimate.term == term && estimate.estimate) {
           pValue = estimate.estimate->pValue;
+          effect = TestedEffect{measureOfTerm(model, term), exponentiated(*estimate.estimate)};
         }
       }
     }
-    work.outcomes.push_back({model.name, term, pValue});
+    work.outcomes.push_back({model.name, term, pValue, effect});
   }
   if (!fit) {
-    addNotEstimable(work.document, fmt::format("Model {}", model.name), fit.reason());
+    addNotEstimable(work.document, wordsOf(model), fit.reason());
     return;
   }
   const std::string source = fmt::format("model {} of {}", model.name, sizeText(trials));
@@ -240,10 +287,14 @@ void addPlannedFit(ReportWork& work, const PlannedModel& model, const TrialList&
                     trials});
   }
   addEstimates(work.document, caption, model.name, rows);
-  work.document.add(ReportParagraph{fmt::format("{}. Random effects: {}. As for the fit, {}.", sizeText(trials),
-                                                fmt::join(fit->random, "; "), fit->search)});
+  work.document.add(ReportParagraph{
+      fmt::format("{}. Random effects as planned: {}; as fitted: {}. {}. As for the fit, {}.", sizeText(trials),
+                  structureText(model.randomEffects), fit->structure, fmt::join(fit->random, "; "), fit->search)});
+  for (const std::string& reason : fit->leftOut) {
+    work.document.add(ReportNote{NoteKind::kNote, fmt::format("{}: {}.", wordsOf(model), reason)});
+  }
   for (const std::string& warning : fit->warnings) {
-    work.document.add(ReportNote{NoteKind::kWarning, fmt::format("Model {}: {}.", model.name, warning)});
+    work.document.add(ReportNote{NoteKind::kWarning, fmt::format("{}: {}.", wordsOf(model), warning)});
   }
 }
 

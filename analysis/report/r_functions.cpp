@@ -68,17 +68,74 @@ keep_coefficients <- function(model, table, degrees, p) {
   }
 }
 
-# Ratios of geometric means; restricted likelihood, Satterthwaite's degrees of freedom.
-linear_model <- function(model, trials, timeouts_removed, terms, random) attempt(model, function() {
+# The random effects that are fitted of those that were planned, by the report's steps: intercepts without correlations; a
+# slope stays where three levels have two trials at each of two values of it, where the effects are fewer than the
+# trials, and where the restricted deviance rises by 0.4549 or more without it (p < 0.25 of a variance at its boundary).
+random_terms <- function(slopes) {
+  vapply(names(slopes), function(group) {
+    if (length(slopes[[group]]) == 0) sprintf("(1 | %s)", group)
+    else sprintf("(1 + %s || %s)", paste(slopes[[group]], collapse = " + "), group)
+  }, "")
+}
+# Those by cases first, from the last one on.
+slopes_in_order <- function(slopes) {
+  groups <- names(slopes)[order(names(slopes) != "case")]
+  do.call(rbind, lapply(groups, function(group) {
+    if (length(slopes[[group]]) > 0) data.frame(group = group, slope = rev(slopes[[group]]))
+  }))
+}
+without_slope <- function(slopes, place) {
+  slopes[[place$group]] <- setdiff(slopes[[place$group]], place$slope)
+  slopes
+}
+slopes_by_design <- function(data, slopes) {
+  order <- slopes_in_order(slopes)
+  for (i in seq_len(NROW(order))) {
+    place <- order[i, ]
+    values <- Reduce(`*`, data[strsplit(place$slope, ":", fixed = TRUE)[[1]]])
+    levels <- sum(rowSums(table(data[[place$group]], values) >= 2) >= 2)
+    effects <- length(unique(data[[place$group]])) * (1 + length(slopes[[place$group]]))
+    if (levels < 3 || effects >= nrow(data)) slopes <- without_slope(slopes, place)
+  }
+  slopes
+}
+# `fit`: of random terms; gives a list with the restricted `deviance`.
+fit_by_rule <- function(data, slopes, fit) {
+  slopes <- slopes_by_design(data, slopes)
+  best <- fit(random_terms(slopes))
+  repeat {
+    order <- slopes_in_order(slopes)
+    if (NROW(order) == 0) return(best)
+    others <- lapply(seq_len(nrow(order)), function(i) fit(random_terms(without_slope(slopes, order[i, ]))))
+    rises <- vapply(others, function(other) other$deviance, 1) - best$deviance
+    least <- which.min(rises)
+    if (rises[least] >= 0.4549) return(best)
+    slopes <- without_slope(slopes, order[least, ])
+    best <- others[[least]]
+  }
+}
+
+# Ratios of geometric means; restricted likelihood, Satterthwaite's degrees of freedom. `timeouts`: "censored", "removed",
+# "set_to_limit". Of censored times these packages have no model with crossed random effects: where there are any, a
+# log-normal regression with errors robust to clusters stands in, under names of its own.
+times_model <- function(model, trials, timeouts, terms, slopes) attempt(model, function() {
   data <- prepare(trials[!is.na(trials$response_s) & trials$response_s > 0, ], terms)
-  if (timeouts_removed) data <- data[!(data$censored %in% 1), ]
-  formula <- formula_of("log(response_s)", terms, random)
-  if (length(random) == 0) {
-    fit <- lm(formula, data)
+  if (timeouts == "removed") data <- data[!(data$censored %in% 1), ]
+  if (timeouts == "censored" && any(data$censored %in% 1)) {
+    cat(model, ": R's packages have no mixed model of censored times with crossed random effects. What follows is a",
+        " log-normal regression with clusters; the report's estimates are near these, and not the same.\n", sep = "")
+    return(log_normal_fit(model, data, 1 - (data$censored %in% 1), terms, "case" %in% names(slopes), ", survreg"))
+  }
+  if (length(slopes) == 0) {
+    fit <- lm(formula_of("log(response_s)", terms, c()), data)
     table <- coef(summary(fit))
     degrees <- setNames(rep(fit$df.residual, nrow(table)), rownames(table))
   } else {
-    fit <- lmerTest::lmer(formula, data, control = lmerControl(optCtrl = list(xtol_abs = 1e-10, ftol_abs = 1e-12)))
+    control <- lmerControl(optCtrl = list(xtol_abs = 1e-10, ftol_abs = 1e-12), check.conv.singular = "ignore")
+    fit <- fit_by_rule(data, slopes, function(random) {
+      fit <- lmerTest::lmer(formula_of("log(response_s)", terms, random), data, control = control)
+      list(fit = fit, deviance = REMLcrit(fit))
+    })$fit
     table <- coef(summary(fit))
     degrees <- setNames(table[, "df"], rownames(table))
   }
@@ -88,64 +145,99 @@ linear_model <- function(model, trials, timeouts_removed, terms, random) attempt
 
 # Odds ratios. Variances by the restricted likelihood (Laplace's approximation of the integral over the coefficients
 # too), coefficients by Laplace's approximation at these; t by Satterthwaite's degrees of freedom. glmer has the pieces.
-binomial_model <- function(model, trials, terms, random) attempt(model, function() {
-  data <- prepare(trials[!is.na(trials$correct), ], terms)
-  formula <- formula_of("correct", terms, random)
-  if (length(random) == 0) {
-    fit <- glm(formula, binomial, data)
-    print(summary(fit))
-    table <- coef(summary(fit))
-    return(keep_coefficients(model, table, setNames(rep(Inf, nrow(table)), rownames(table)), "Pr(>|z|)"))
-  }
+binomial_fit <- function(formula, data) {
   parsed <- glFormula(formula, data, binomial)
   control <- glmerControl(tolPwrss = 1e-12)
   inner <- do.call(mkGlmerDevfun, c(parsed, list(control = control)))
   state <- environment(inner)
   restricted <- function(theta) inner(theta) + 2 * sum(log(diag(state$pp$RX())))
+  best <- nlminb(parsed$reTrms$theta, restricted, lower = parsed$reTrms$lower, control = list(rel.tol = 1e-14))
+  best <- nlminb(best$par, restricted, lower = parsed$reTrms$lower, control = list(rel.tol = 1e-14))
+  list(parsed = parsed, inner = inner, state = state, restricted = restricted, theta = best$par,
+       deviance = best$objective)
+}
+binomial_table <- function(fit) {
+  state <- fit$state
+  theta <- fit$theta
   covariance_at <- function(theta) {
-    inner(theta)
+    fit$inner(theta)
     chol2inv(state$pp$RX())
   }
-  best <- nlminb(parsed$reTrms$theta, restricted, lower = parsed$reTrms$lower, control = list(rel.tol = 1e-14))
-  theta <- nlminb(best$par, restricted, lower = parsed$reTrms$lower, control = list(rel.tol = 1e-14))$par
-  variances <- 2 * solve(numDeriv::hessian(restricted, theta))
+  variances <- 2 * solve(numDeriv::hessian(fit$restricted, theta))
   gradients <- numDeriv::jacobian(function(theta) diag(covariance_at(theta)), theta)
-  inner(theta)
+  fit$inner(theta)
   beta <- state$pp$beta(1)
-  outer <- updateGlmerDevfun(inner, parsed$reTrms)
+  outer <- updateGlmerDevfun(fit$inner, fit$parsed$reTrms)
   deviance_of <- function(beta) outer(c(theta, beta))
   beta <- nlminb(beta, deviance_of, control = list(rel.tol = 1e-14))$par
   errors <- sqrt(diag(2 * solve(numDeriv::hessian(deviance_of, beta))))
-  degrees <- 2 * errors^4 / rowSums((gradients %*% variances) * gradients)
-  names <- colnames(parsed$X)
-  table <- cbind(Estimate = beta, `Std. Error` = errors, p = 2 * pt(-abs(beta / errors), degrees))
-  rownames(table) <- names
-  print(cbind(table, df = degrees))
-  keep_coefficients(model, table, setNames(degrees, names), "p")
+  degrees <- pmax(1, 2 * errors^4 / rowSums((gradients %*% variances) * gradients))
+  table <- cbind(Estimate = beta, `Std. Error` = errors, df = degrees, p = 2 * pt(-abs(beta / errors), degrees))
+  rownames(table) <- colnames(fit$parsed$X)
+  table
+}
+binomial_model <- function(model, trials, terms, slopes) attempt(model, function() {
+  data <- prepare(trials[!is.na(trials$correct), ], terms)
+  if (length(slopes) == 0) {
+    fit <- glm(formula_of("correct", terms, c()), binomial, data)
+    print(summary(fit))
+    table <- coef(summary(fit))
+    return(keep_coefficients(model, table, setNames(rep(Inf, nrow(table)), rownames(table)), "Pr(>|z|)"))
+  }
+  # Each fit has a state of its own: the last one that was made is not the best one.
+  fit <- fit_by_rule(data, slopes, function(random) binomial_fit(formula_of("correct", terms, random), data))
+  table <- binomial_table(fit)
+  print(table)
+  keep_coefficients(model, table, setNames(table[, "df"], rownames(table)), "p")
 })
 
-# Errors of what trials contribute (a row each), where trials of a subject are alike, and those of a case: Cameron,
-# Gelbach and Miller 2011, with factors for few clusters. What cases add counts where it is positive.
-crossed_covariance <- function(contributions, subject, case, coefficients = ncol(contributions)) {
-  by <- function(group) crossprod(rowsum(contributions, as.character(group)))
-  factor_of <- function(group, taken) length(unique(group)) / max(1, length(unique(group)) - taken)
-  by_subject <- factor_of(subject, 1) * by(subject)
-  if (is.null(case)) return(by_subject)
+# Covariances where trials of a subject are alike, and those of a case: Cameron, Gelbach and Miller 2011. What cases add
+# counts where it is positive.
+crossed_sum <- function(by_subject, by_case, by_both) {
   root <- t(chol(by_subject))
-  added <- factor_of(case, coefficients) * by(case) - by(paste(subject, case, sep = "\r"))
-  parts <- eigen(solve(root, t(solve(root, added))), symmetric = TRUE)
+  parts <- eigen(solve(root, t(solve(root, by_case - by_both))), symmetric = TRUE)
   by_subject + root %*% parts$vectors %*% (pmax(parts$values, 0) * t(parts$vectors)) %*% t(root)
+}
+sums_of <- function(contributions, group) crossprod(rowsum(contributions, as.character(group)))
+both_of <- function(subject, case) paste(subject, case, sep = "\r")
+# Of what trials contribute (a row each), with factors for few clusters.
+crossed_covariance <- function(contributions, subject, case, coefficients = ncol(contributions)) {
+  factor_of <- function(group, taken) length(unique(group)) / max(1, length(unique(group)) - taken)
+  by_subject <- factor_of(subject, 1) * sums_of(contributions, subject)
+  if (is.null(case)) return(by_subject)
+  crossed_sum(by_subject, factor_of(case, coefficients) * sums_of(contributions, case),
+              sums_of(contributions, both_of(subject, case)))
+}
+# Of coefficients, by fitting again without one subject after the other, and one case. The report takes a single step of
+# each search (Lipsitz, Dear and Zhao 1994), so that its errors differ a little.
+jackknife_covariance <- function(coefficients, fit_without, influence, subject, case) {
+  by <- function(group) {
+    names <- unique(group)
+    changes <- vapply(names, function(name) fit_without(group == name) - coefficients, coefficients)
+    (length(names) - 1) / length(names) * tcrossprod(matrix(changes, nrow = length(coefficients)))
+  }
+  by_subject <- by(subject)
+  few <- crossed_degrees(subject, case)
+  if (is.null(case)) return(list(covariance = by_subject, degrees = rep(few, length(coefficients))))
+  by_case <- by(case)
+  covariance <- crossed_sum(by_subject, by_case, sums_of(influence, both_of(subject, case)))
+  # Satterthwaite's, as of Clark's quasi F (1973), and those of the fewer of both at least.
+  first <- length(unique(subject)) - 1
+  degrees <- ifelse(diag(covariance) > diag(by_subject) * (1 + 1e-12),
+                    diag(covariance)^2 / (diag(by_subject)^2 / first + diag(by_case)^2 / (length(unique(case)) - 1)), first)
+  list(covariance = covariance, degrees = pmax(few, degrees))
 }
 crossed_degrees <- function(subject, case) {
   min(length(unique(subject)), if (!is.null(case)) length(unique(case))) - 1
 }
 keep_ratios <- function(model, estimates, covariance, degrees, skipped = c()) {
   for (term in setdiff(names(estimates), skipped)) {
-    error <- sqrt(diag(covariance))[[match(term, names(estimates))]]
-    half <- qt(0.975, degrees) * error
+    place <- match(term, names(estimates))
+    error <- sqrt(diag(covariance))[[place]]
+    half <- qt(0.975, degrees[[place]]) * error
     if (is.finite(half)) {
       keep(model, term, exp(estimates[[term]]), exp(estimates[[term]] - half), exp(estimates[[term]] + half),
-           2 * pt(-abs(estimates[[term]] / error), degrees))
+           2 * pt(-abs(estimates[[term]] / error), degrees[[place]]))
     }
   }
 }
@@ -202,18 +294,27 @@ cox_model <- function(model, trials, timeouts, terms, cases) attempt(model, func
   case <- if (cases) data$case
   used <- !is.na(coef(fit))
   influence <- as.matrix(residuals(fit, type = "dfbeta"))[, used, drop = FALSE]
-  keep_ratios(model, coef(fit)[used], crossed_covariance(influence, data$subject, case),
-              crossed_degrees(data$subject, case))
+  without <- function(left_out) coef(coxph(formula, data[!left_out, ], ties = "efron"))[used]
+  jackknife <- jackknife_covariance(coef(fit)[used], without, influence, data$subject, case)
+  keep_ratios(model, coef(fit)[used], jackknife$covariance, jackknife$degrees)
 })
-log_normal_model <- function(model, trials, timeouts, terms, cases) attempt(model, function() {
-  data <- searches(trials, timeouts, terms)
+log_normal_fit <- function(model, data, event, terms, cases, suffix = "") {
   varies <- vapply(terms, function(term) grepl(":", term, fixed = TRUE) || length(unique(data[[term]])) > 1, logical(1))
+  data$event <- event
   formula <- as.formula(paste("Surv(response_s, event) ~", paste(c("1", terms[varies]), collapse = " + ")))
   fit <- survreg(formula, data, dist = "lognormal")
   print(summary(fit))
   case <- if (cases) data$case
-  keep_ratios(model, coef(fit), crossed_covariance(as.matrix(residuals(fit, type = "dfbeta")), data$subject, case),
-              crossed_degrees(data$subject, case), "(Intercept)")
+  all_of <- function(fit) c(coef(fit), log(fit$scale))
+  without <- function(left_out) all_of(survreg(formula, data[!left_out, ], dist = "lognormal"))
+  influence <- as.matrix(residuals(fit, type = "dfbeta"))
+  jackknife <- jackknife_covariance(all_of(fit), without, influence, data$subject, case)
+  estimates <- setNames(coef(fit), paste0(names(coef(fit)), suffix))
+  keep_ratios(model, estimates, jackknife$covariance, jackknife$degrees, paste0("(Intercept)", suffix))
+}
+log_normal_model <- function(model, trials, timeouts, terms, cases) attempt(model, function() {
+  data <- searches(trials, timeouts, terms)
+  log_normal_fit(model, data, data$event, terms, cases)
 })
 
 # Scenes of a subject's session that are alike but for the view, in the order in which they came.
@@ -267,11 +368,13 @@ equivalence_model <- function(model, trials, lower, upper, alpha) attempt(model,
   half <- qt(1 - alpha, degrees) * error
   keep(model, "difference of shares", shares$estimate, shares$estimate - half, shares$estimate + half, p)
 })
-# Jeffreys-Zellner-Siow with a medium scale (Rouder et al. 2009, equation 1), by hand.
+# Jeffreys-Zellner-Siow with a medium scale (Rouder et al. 2009, equation 1), by hand, from the t with subjects and cases
+# as clusters, as of a mean of as many numbers as there are of the fewer.
 bayes_model <- function(model, trials, scale = sqrt(2) / 2) attempt(model, function() {
-  differences <- differences_of(trials, trials$correct)
-  n <- length(differences)
-  t <- mean(differences) / (sd(differences) / sqrt(n))
+  shares <- view_difference(trials, trials$correct)
+  error <- sqrt(crossed_covariance(cbind(shares$contributions), shares$subject, shares$case, 2)[1, 1])
+  n <- crossed_degrees(shares$subject, shares$case) + 1
+  t <- shares$estimate / error
   weight <- function(g) {
     spread <- 1 + n * g * scale^2
     spread^-0.5 * (1 + t^2 / (spread * (n - 1)))^(-n / 2) * (2 * pi)^-0.5 * g^-1.5 * exp(-1 / (2 * g))
@@ -286,28 +389,29 @@ chance_model <- function(model, trials, chance) attempt(model, function() {
   keep(model, "both views", test$estimate, test$conf.int[1], test$conf.int[2], test$p.value)
 })
 
-# The last answer of each subject to each question, against the middle of the scale. The p value of the model is the
-# smallest, corrected for the number of questions.
+# The last answer of each subject to each question that compares the views, as steps from the middle of its scale towards
+# gc. The p value of the model is the smallest, corrected for the number of questions.
 ordinal_model <- function(model, answers) attempt(model, function() {
-  answers <- answers[answers$form %in% "survey", ]
-  answers$number <- suppressWarnings(as.numeric(answers$answer))
-  answers <- answers[answers$number %in% 1:5, ]
+  answers <- answers[answers$form %in% "survey" & answers$last_favors %in% c("ppc", "gc"), ]
   answers <- answers[order(answers$session_number), ]
   answers <- answers[!duplicated(answers[c("field", "subject_id")], fromLast = TRUE), ]
+  answers <- answers[!is.na(answers$option), ]
+  answers$off <- (answers$option - (answers$options + 1) / 2) * ifelse(answers$last_favors == "gc", 1, -1)
   p <- c()
   for (field in sort(unique(answers$field))) {
-    off <- answers$number[answers$field == field] - 3
+    off <- answers$off[answers$field == field]
     if (any(off != 0)) {
       test <- suppressWarnings(wilcox.test(off))
-      keep(model, field, mean(off) + 3, p = test$p.value)
+      keep(model, field, mean(off), p = test$p.value)
       p <- c(p, test$p.value)
     }
   }
-  if (length(p) > 0) keep(model, "all questions", NA, p = min(p.adjust(p, "holm")))
+  if (length(p) > 0) keep(model, "all questions", NA, p = min(p.adjust(p, "holm", n = length(unique(answers$field)))))
 })
 
-# p values of a family; each is of a model and a term, "" where the model has one test.
-family_of <- function(name, holm, hypotheses, models, terms) {
+# p values of a family; each is of a model and a term, "" where the model has one test. Holm's method corrects for all
+# `planned` hypotheses, also for those without a p value here.
+family_of <- function(name, holm, planned, hypotheses, models, terms) {
   p <- mapply(function(model, term) {
     found <- results[results$model == model & (term == "" | results$term == term), ]
     if (model %in% unlist(results$model[results$term == "all questions"])) {
@@ -316,7 +420,8 @@ family_of <- function(name, holm, hypotheses, models, terms) {
     found$p[!is.na(found$p)][1]
   }, models, terms)
   cat("\nFamily", name, "\n")
-  print(data.frame(hypothesis = hypotheses, p = p, adjusted = if (holm) p.adjust(p, "holm") else p, row.names = NULL))
+  print(data.frame(hypothesis = hypotheses, p = p, adjusted = if (holm) p.adjust(p, "holm", n = planned) else p,
+                   row.names = NULL))
 }
 )R";
 

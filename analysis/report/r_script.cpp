@@ -7,6 +7,7 @@
 
 #include "analysis/plot/utf8.h"
 #include "analysis/report/path_section.h"
+#include "analysis/report/planned_model.h"
 #include "analysis/report/r_functions.h"
 #include "analysis/report/report_parts.h"
 #include "analysis/report/search_times.h"
@@ -27,15 +28,14 @@ std::string vectorOf(const std::vector<std::string>& texts) {
   return fmt::format("c({})", fmt::join(all, ", "));
 }
 
-/// "(1 + view | subject)".
-std::string randomOf(const PlannedModel& model) {
+/// Planned slopes by group: "list(subject = c("view"), case = character(0))".
+std::string slopesOf(const PlannedModel& model) {
   std::vector<std::string> all;
   for (const RandomEffect& effect : model.randomEffects) {
-    std::vector<std::string> columns{"1"};
-    columns.insert(columns.end(), effect.slopes.begin(), effect.slopes.end());
-    all.push_back(fmt::format("({} | {})", fmt::join(columns, " + "), effect.group));
+    all.push_back(fmt::format("{} = {}", effect.group,
+                              effect.slopes.empty() ? std::string("character(0)") : vectorOf(effect.slopes)));
   }
-  return vectorOf(all);
+  return fmt::format("list({})", fmt::join(all, ", "));
 }
 
 std::string callOf(const AnalysisData& analysis, const PlannedModel& model) {
@@ -47,10 +47,11 @@ std::string callOf(const AnalysisData& analysis, const PlannedModel& model) {
   const char* cases = namesCases(model) ? "TRUE" : "FALSE";
   switch (model.kind) {
     case ModelKind::kLinearMixed:
-      return fmt::format("linear_model({}, {}, {}, {}, {})", name, trials,
-                         plan.findTimeouts == TimeoutTreatment::kRemoved ? "TRUE" : "FALSE", terms, randomOf(model));
+    case ModelKind::kLogNormalMixed:
+      return fmt::format("times_model({}, {}, {}, {}, {})", name, trials,
+                         quoted(nameOf(timesTreatmentOf(model, plan.findTimeouts))), terms, slopesOf(model));
     case ModelKind::kBinomialMixed:
-      return fmt::format("binomial_model({}, {}, {}, {})", name, trials, terms, randomOf(model));
+      return fmt::format("binomial_model({}, {}, {}, {})", name, trials, terms, slopesOf(model));
     case ModelKind::kKaplanMeier:
       return fmt::format("kaplan_meier({}, {}, {}, {})", name, trials, timeouts,
                          searchLimit(trialsOfTask(analysis, model.task)));
@@ -95,8 +96,8 @@ std::string familyOf(const AnalysisPlan& plan, const HypothesisFamily& family, c
   }
   return names.empty()
              ? ""
-             : fmt::format("family_of({}, {}, {}, {}, {})\n", quoted(family.name), family.holm ? "TRUE" : "FALSE",
-                           vectorOf(names), vectorOf(models), vectorOf(terms));
+             : fmt::format("family_of({}, {}, {}, {}, {}, {})\n", quoted(family.name), family.holm ? "TRUE" : "FALSE",
+                           family.hypotheses.size(), vectorOf(names), vectorOf(models), vectorOf(terms));
 }
 
 }  // namespace

@@ -46,26 +46,30 @@ class Namer {
  public:
   explicit Namer(const ReportDocument& document) {
     // Cells keep the ids that they have.
-    for (const ReportElement& element : document.elements) {
-      if (const auto* table = std::get_if<ReportTable>(&element)) {
-        for (const std::vector<ReportCell>& row : table->rows) {
-          for (const ReportCell& cell : row) {
-            taken_.insert(cell.id);
-          }
+    for (const std::vector<ReportElement>* part : {&document.elements, &document.supplement}) {
+      for (const ReportElement& element : *part) {
+        if (const auto* table = std::get_if<ReportTable>(&element)) {
+          keepCells(*table);
         }
       }
     }
+  }
+
+  /// Counts tables and figures anew, as S1, S2, ...
+  void beginSupplement() {
+    tables_ = figures_ = 0;
+    prefix_ = "S";
   }
 
   ElementName operator()(const ReportHeading& heading) {
     return {unique(heading.id.empty() ? heading.text : heading.id), ""};
   }
   ElementName operator()(const ReportTable& table) {
-    const std::string label = fmt::format("Table {}", ++tables_);
+    const std::string label = fmt::format("Table {}{}", prefix_, ++tables_);
     return {unique(table.id.empty() ? label : table.id), label};
   }
   ElementName operator()(const ReportFigure& figure) {
-    const std::string label = fmt::format("Figure {}", ++figures_);
+    const std::string label = fmt::format("Figure {}{}", prefix_, ++figures_);
     return {unique(figure.id.empty() ? label : figure.id), label};
   }
   ElementName operator()(const ReportExcerpt& excerpt) { return {unique(excerpt.title), ""}; }
@@ -75,6 +79,13 @@ class Namer {
   }
 
  private:
+  void keepCells(const ReportTable& table) {
+    for (const std::vector<ReportCell>& row : table.rows) {
+      for (const ReportCell& cell : row) {
+        taken_.insert(cell.id);
+      }
+    }
+  }
   std::string unique(const std::string& wanted) {
     const std::string anchor = anchorOf(wanted);
     std::string id = anchor;
@@ -87,17 +98,51 @@ class Namer {
   std::set<std::string> taken_;
   int tables_ = 0;
   int figures_ = 0;
+  const char* prefix_ = "";  ///< of the numbers
 };
+
+/// The last heading of level 1; nullptr where there is none.
+const ReportHeading* lastSection(const std::vector<ReportElement>& elements) {
+  for (auto element = elements.rbegin(); element != elements.rend(); ++element) {
+    const auto* heading = std::get_if<ReportHeading>(&*element);
+    if (heading != nullptr && heading->level <= 1) {
+      return heading;
+    }
+  }
+  return nullptr;
+}
 
 }  // namespace
 
-std::vector<ElementName> elementNames(const ReportDocument& document) {
+void ReportDocument::add(ReportElement element) {
+  (addsToSupplement ? supplement : elements).push_back(std::move(element));
+}
+
+InSupplement::InSupplement(ReportDocument& document) : document_(document), before_(document.addsToSupplement) {
+  const ReportHeading* section = lastSection(document.elements);
+  const ReportHeading* inSupplement = lastSection(document.supplement);
+  if (section != nullptr && (inSupplement == nullptr || inSupplement->text != section->text)) {
+    document.supplement.emplace_back(ReportHeading{
+        1, section->text, fmt::format("supplement-{}", section->id.empty() ? section->text : section->id)});
+  }
+  document.addsToSupplement = true;
+}
+
+DocumentNames documentNames(const ReportDocument& document) {
   Namer namer(document);
-  std::vector<ElementName> names;
+  DocumentNames names;
   for (const ReportElement& element : document.elements) {
-    names.push_back(std::visit(namer, element));
+    names.elements.push_back(std::visit(namer, element));
+  }
+  namer.beginSupplement();
+  for (const ReportElement& element : document.supplement) {
+    names.supplement.push_back(std::visit(namer, element));
   }
   return names;
+}
+
+std::vector<ElementName> elementNames(const ReportDocument& document) {
+  return documentNames(document).elements;
 }
 
 std::string noteTitle(NoteKind kind) {

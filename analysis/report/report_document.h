@@ -1,5 +1,6 @@
 // A report as data: what stands in it, in order. html_report.h, pdf_report.h and json_report.h write the same document.
-// All text is plain: writers escape it.
+// All text is plain: writers escape it. It has two parts: what answers the study's questions, and a supplement for who
+// wants to check it.
 #pragma once
 
 #include <optional>
@@ -58,6 +59,9 @@ struct ReportCell {
   std::optional<double> value = std::nullopt;  ///< with all its digits, for report.json
   std::string footnote = {};                   ///< printed below the table
   bool emphasised = false;
+  std::string shortName = {};  ///< what data and plan call it: in small type below the text
+  /// The bounds that the text shows, with all their digits, for report.json.
+  std::optional<std::pair<double, double>> interval = std::nullopt;
 };
 
 struct ReportColumn {
@@ -72,6 +76,8 @@ struct ReportTable {
   std::string id = {};
   std::vector<ReportColumn> columns;
   std::vector<std::vector<ReportCell>> rows;
+  bool isRecord = false;     ///< tells what was done, and no result
+  bool exploratory = false;  ///< its results are not of the registered plan
 };
 
 struct ReportFigure {
@@ -97,18 +103,42 @@ struct ReportDocument {
   std::string created = "2000-01-01T00:00:00Z";  ///< ISO 8601; given, so that the same document gives the same bytes
   std::vector<ReportElement> elements;
   ReportOrigins origins{};
+  std::vector<std::string> failures{};  ///< parts that threw, and what: faults of the program (part_guard.h)
+  std::vector<ReportElement> supplement{};
+  bool addsToSupplement = false;  ///< InSupplement sets it
 
-  void add(ReportElement element) { elements.push_back(std::move(element)); }
+  void add(ReportElement element);
+};
+
+/// While it lives, what is added to the document goes to its supplement, below the heading of the current section.
+class InSupplement {
+ public:
+  explicit InSupplement(ReportDocument& document);
+  ~InSupplement() { document_.addsToSupplement = before_; }
+  InSupplement(const InSupplement&) = delete;
+  InSupplement& operator=(const InSupplement&) = delete;
+
+ private:
+  ReportDocument& document_;
+  bool before_;
 };
 
 /// What an element is called. Elements without a name of their own have empty ones.
 struct ElementName {
   std::string id;     ///< anchor: letters, digits and hyphens, unique
-  std::string label;  ///< "Table 3"
+  std::string label;  ///< "Table 3", in the supplement "Table S3"
 };
 
 /// One for each element. Ids that are empty, hold other characters or stand twice are made good.
+struct DocumentNames {
+  std::vector<ElementName> elements;
+  std::vector<ElementName> supplement;
+};
+DocumentNames documentNames(const ReportDocument& document);
 std::vector<ElementName> elementNames(const ReportDocument& document);
+
+/// What the writers put into the caption of a table: "Exploratory" where it is.
+inline constexpr const char* kExploratory = "Exploratory";
 
 /// What a note is headed by: "Cannot be estimated".
 std::string noteTitle(NoteKind kind);

@@ -8,7 +8,8 @@
 
 namespace ocelli {
 
-/// index.html, report.pdf and report.json, and figures/ID.svg and .pdf of each figure, to be taken into a paper.
+/// index.html and supplement.html, report.pdf and report.json, and figures/ID.svg and .pdf of each figure, to be taken
+/// into a paper.
 std::vector<ReportFile> reportFiles(const ReportDocument& document);
 
 }  // namespace ocelli

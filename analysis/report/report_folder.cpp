@@ -5,12 +5,14 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <random>
+#include <string_view>
 #include <system_error>
 
 #include "analysis/base/analysis_error.h"
@@ -115,18 +117,41 @@ fs::path targetOf(const fs::path& folder) {
   return folder.has_filename() ? folder : folder.parent_path();
 }
 
-/// Beside it, with a name that nothing else has.
-fs::path partialOf(const fs::path& target) {
-  std::random_device device;
-  return fs::path(target).concat(fmt::format(".partial-{:08x}", device()));
+constexpr std::string_view kPartial = ".partial-";
+
+/// What processes left that were killed.
+void removeLeftovers(const fs::path& target) {
+  const std::string start = target.filename().string().append(kPartial);
+  std::error_code error;
+  const fs::path beside = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  std::vector<fs::path> leftovers;
+  for (fs::directory_iterator at(beside, error), end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    pid_t process = 0;
+    const char* const last = name.data() + name.size();
+    if (name.starts_with(start) && name.size() > start.size()) {
+      const auto read = std::from_chars(name.data() + start.size(), last, process);
+      if (read.ec == std::errc() && read.ptr == last && process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) {
+        leftovers.push_back(at->path());
+      }
+    }
+  }
+  for (const fs::path& leftover : leftovers) {
+    fs::remove_all(leftover, error);
+  }
 }
 
 }  // namespace
 
+fs::path unfinishedReportFolder(const fs::path& folder) {
+  return targetOf(folder).concat(kPartial).concat(std::to_string(::getpid()));
+}
+
 void checkReportFolder(const fs::path& folder) {
   const fs::path target = targetOf(folder);
   checkReplaceable(target);
-  const PartialFolder made(partialOf(target));
+  removeLeftovers(target);
+  const PartialFolder made(unfinishedReportFolder(target));
 }
 
 void writeReportFolder(const fs::path& folder, const std::vector<ReportFile>& files) {
@@ -139,7 +164,8 @@ void writeReportFolder(const fs::path& folder, const std::vector<ReportFile>& fi
                           "name it without '..' and '/' at its ends");
     }
   }
-  const PartialFolder made(partialOf(target));
+  removeLeftovers(target);
+  const PartialFolder made(unfinishedReportFolder(target));
   for (const ReportFile& file : files) {
     writeFile(made.path() / file.name, file.bytes);
   }

@@ -12,6 +12,10 @@ struct ReportFile {
   std::string bytes;
 };
 
+/// Where this process writes a report until it is whole, beside `folder`. What is left there by a process that was
+/// killed is removed by the next report of that name.
+std::filesystem::path unfinishedReportFolder(const std::filesystem::path& folder);
+
 /// Before long work: throws as writeReportFolder() does where the folder holds anything else than a report, or cannot
 /// be made. Leaves nothing behind.
 void checkReportFolder(const std::filesystem::path& folder);

@@ -55,7 +55,7 @@ std::string OriginTable::addRow(const std::string& label, const std::string& mea
     cell.missing = "not known";
     cell.decimals = 4;
     cell.meaning = fmt::format("{}, {}: {}", label, number, meaning);
-    cell.unit = number == "p" ? "" : unit;
+    cell.unit = number == "p" || number == "statistic" || number == "df" ? "" : unit;
     if (i == 0) {
       cell.from = origin.from;
       cell.rows = std::move(origin.rows);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -12,6 +13,8 @@ namespace {
 
 /// Results that share a reason, of which so many are named.
 constexpr size_t kMostNamed = 4;
+/// A cell that has nothing to say.
+constexpr const char* kNoText = "-";
 
 bool hasTerm(const PlannedModel& model, const std::string& term) {
   return std::any_of(model.terms.begin(), model.terms.end(), [&](const std::string& t) {
@@ -19,7 +22,49 @@ bool hasTerm(const PlannedModel& model, const std::string& term) {
   });
 }
 
+const char* wordsOf(ModelKind kind) {
+  switch (kind) {
+    case ModelKind::kLinearMixed:
+      return "linear mixed model";
+    case ModelKind::kLogNormalMixed:
+      return "log-normal mixed model";
+    case ModelKind::kBinomialMixed:
+      return "binomial mixed model";
+    case ModelKind::kKaplanMeier:
+      return "Kaplan-Meier curves";
+    case ModelKind::kCox:
+      return "Cox regression";
+    case ModelKind::kLogNormalSurvival:
+      return "log-normal regression";
+    case ModelKind::kMcNemar:
+      return "McNemar's test";
+    case ModelKind::kSignedError:
+      return "signed errors";
+    case ModelKind::kEquivalence:
+      return "test of equivalence";
+    case ModelKind::kBayesFactor:
+      return "Bayes factor";
+    case ModelKind::kAgainstChance:
+      return "test against chance";
+    case ModelKind::kOrdinal:
+      return "signed ranks";
+  }
+  return "";
+}
+
 }  // namespace
+
+std::string wordsOf(const PlannedModel& model, bool startsSentence) {
+  const char* what = model.task == "find"    ? "times to find"
+                     : model.task == "count" ? "right counts"
+                     : model.task == "path"  ? "right paths"
+                                             : "the survey";
+  std::string words = fmt::format("{} of {} ({})", wordsOf(model.kind), what, model.name);
+  if (startsSentence) {
+    words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  }
+  return words;
+}
 
 OriginRows originRowsOf(const TrialList& trials) {
   OriginRows origin;
@@ -74,27 +119,12 @@ std::vector<std::string> subjectsOf(const TrialList& trials) {
   return subjects;
 }
 
-std::string numberText(double value) {
-  if (!std::isfinite(value)) {
-    return "not known";
-  }
-  const double size = std::abs(value);
-  return size >= 100 && size < 1e6 ? fmt::format("{:.1f}", value) : fmt::format("{:#.3g}", value);
-}
-
-std::string pText(double pValue) {
-  if (!std::isfinite(pValue)) {
-    return "p not known";
-  }
-  return pValue < 0.001 ? "p < 0.001" : fmt::format("p = {:.3f}", pValue);
-}
-
 Estimate exponentiated(const Estimate& logarithm) {
   Estimate result = logarithm;
   result.value = std::exp(logarithm.value);
   result.lower = std::exp(logarithm.lower);
   result.upper = std::exp(logarithm.upper);
-  result.standardError = kNotKnown;
+  result.standardError = result.value * logarithm.standardError;
   return result;
 }
 
@@ -130,35 +160,88 @@ void ReasonNotes::write(ReportDocument& document) const {
   }
 }
 
+namespace {
+
+/// A column of addEstimates() after the label.
+struct EstimateColumn {
+  const char* title;
+  const char* name;  ///< of its cells in the origins; the interval's are those of its bounds
+  std::string (*text)(const Estimate& estimate, const EstimateTexts& texts, const std::string& unit);
+  double (*value)(const Estimate& estimate);
+};
+
+constexpr size_t kAlwaysShown = 2;
+const EstimateColumn kEstimateColumns[] = {
+    {"Estimate", "estimate",
+     [](const Estimate&, const EstimateTexts& texts, const std::string& unit) {
+       return texts.value.empty() ? "" : texts.value + unit;
+     },
+     [](const Estimate& e) { return e.value; }},
+    {"95 % interval", "lower",
+     [](const Estimate&, const EstimateTexts& texts, const std::string&) { return texts.interval; },
+     [](const Estimate&) { return kNotKnown; }},
+    {"SE", "se", [](const Estimate&, const EstimateTexts& texts, const std::string&) { return texts.standardError; },
+     [](const Estimate& e) { return e.standardError; }},
+    {"Statistic", "statistic",
+     [](const Estimate& e, const EstimateTexts&, const std::string&) { return statisticText(e); },
+     [](const Estimate& e) { return e.statistic; }},
+    {"df", "df",
+     [](const Estimate& e, const EstimateTexts&, const std::string&) { return degreesText(e.degreesOfFreedom); },
+     [](const Estimate& e) { return e.degreesOfFreedom; }},
+    {"p", "p", [](const Estimate& e, const EstimateTexts&, const std::string&) { return pValueText(e.pValue); },
+     [](const Estimate& e) { return e.pValue; }},
+};
+
+/// Columns without a text in any row are left out, but for the first.
+void dropEmptyColumns(ReportTable& table) {
+  for (size_t column = table.columns.size() - 1; column > kAlwaysShown; --column) {
+    if (std::all_of(table.rows.begin(), table.rows.end(),
+                    [&](const auto& row) { return row[column].text == kNoText; })) {
+      const auto at = static_cast<std::ptrdiff_t>(column);
+      table.columns.erase(table.columns.begin() + at);
+      for (std::vector<ReportCell>& row : table.rows) {
+        row.erase(row.begin() + at);
+      }
+    }
+  }
+}
+
+}  // namespace
+
 void addEstimates(ReportDocument& document, const std::string& caption, const std::string& id,
                   const std::vector<EstimateRow>& rows) {
-  ReportTable table{caption, id, {{"What", "", true}, {"Estimate"}, {"95 % interval"}, {"p"}}, {}};
-  OriginTable origins(document.origins, id, caption, {"estimate", "lower", "upper", "p"});
+  ReportTable table{caption, id, {{"What", "", true}}, {}};
+  for (const EstimateColumn& column : kEstimateColumns) {
+    table.columns.push_back({column.title});
+  }
+  OriginTable origins(document.origins, id, caption, {"estimate", "lower", "upper", "p", "se", "statistic", "df"});
   for (const EstimateRow& row : rows) {
     if (!row.estimate) {
       continue;
     }
     const Estimate& e = *row.estimate;
+    const EstimateTexts texts = textsOf(e);
     const std::string unit = row.unit.empty() ? "" : " " + row.unit;
     const std::string origin =
-        origins.addRow(row.label, row.source, originRowsOf(row), row.unit, {e.value, e.lower, e.upper, e.pValue});
+        origins.addRow(row.label, row.source, originRowsOf(row), row.unit,
+                       {e.value, e.lower, e.upper, e.pValue, e.standardError, e.statistic, e.degreesOfFreedom});
     const std::string source = origins.sourceText(row.source);
-    const auto cell = [&](const std::string& text, const char* column, double value) {
-      ReportCell result{text, origin.empty() ? "" : fmt::format("{}/{}", origin, column), source};
-      if (std::isfinite(value)) {
-        result.value = value;
+    table.rows.push_back({ReportCell{row.label}});
+    for (const EstimateColumn& column : kEstimateColumns) {
+      const std::string text = column.text(e, texts, unit);
+      ReportCell cell{text.empty() ? std::string(kNoText) : text,
+                      origin.empty() ? "" : fmt::format("{}/{}", origin, column.name), source};
+      if (const double value = column.value(e); std::isfinite(value)) {
+        cell.value = value;
       }
-      return result;
-    };
-    const bool hasInterval = std::isfinite(e.lower) && std::isfinite(e.upper);
-    const std::string interval =
-        hasInterval ? fmt::format("{} to {}", numberText(e.lower), numberText(e.upper)) : std::string("-");
-    const std::string p = std::isfinite(e.pValue) ? pText(e.pValue).substr(2) : std::string("-");
-    table.rows.push_back({ReportCell{row.label}, cell(numberText(e.value) + unit, "estimate", e.value),
-                          cell(interval, "lower", kNotKnown),
-                          cell(p.starts_with("= ") ? p.substr(2) : p, "p", e.pValue)});
+      if (cell.text == texts.interval) {
+        cell.interval = {e.lower, e.upper};
+      }
+      table.rows.back().push_back(std::move(cell));
+    }
   }
   if (!table.rows.empty()) {
+    dropEmptyColumns(table);
     document.add(table);
     origins.finish();
   }
@@ -174,13 +257,17 @@ void addEstimates(ReportDocument& document, const std::string& caption, const st
 void addValues(ReportDocument& document, const std::string& caption, const std::string& id,
                const std::vector<ValueRow>& rows) {
   ReportTable table{caption, id, {{"What", "", true}, {"Value"}}, {}};
-  OriginTable origins(document.origins, id, caption, {"value"});
+  OriginTable origins(document.origins, id, caption, {"value", "lower", "upper"});
   for (const ValueRow& row : rows) {
-    const std::string origin =
-        origins.addRow(row.label, row.source, originRowsOf(row.trials), "", {row.value.value_or(kNotKnown)});
+    std::vector<double> numbers{row.value.value_or(kNotKnown)};
+    if (row.interval) {
+      numbers = {row.interval->value, row.interval->lower, row.interval->upper};
+    }
+    const std::string origin = origins.addRow(row.label, row.source, originRowsOf(row.trials), "", numbers);
     table.rows.push_back(
-        {ReportCell{row.label}, ReportCell{row.text, origin.empty() ? "" : fmt::format("{}/value", origin),
-                                           origins.sourceText(row.source), row.value}});
+        {ReportCell{row.label},
+         ReportCell{row.text, origin.empty() ? "" : fmt::format("{}/{}", origin, row.interval ? "lower" : "value"),
+                    origins.sourceText(row.source), row.value}});
   }
   document.add(table);
   origins.finish();

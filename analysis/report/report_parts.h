@@ -13,17 +13,26 @@
 #include "analysis/dataset/exclusions.h"
 #include "analysis/inference/survival_data.h"
 #include "analysis/plot/panel.h"
+#include "analysis/report/number_text.h"
 #include "analysis/report/report_document.h"
 #include "analysis/report/report_origins.h"
 #include "analysis/tables/table_cells.h"
 
 namespace ocelli {
 
+/// What a test is about, for the reader of a hypothesis.
+struct TestedEffect {
+  std::string measure;  ///< with its unit: "ratio of times, gc / ppc", "difference of shares, gc less ppc"
+  Estimate estimate;
+  double level = 0.95;  ///< of its interval
+};
+
 /// A p value that a hypothesis of the plan may ask for.
 struct TestOutcome {
   std::string model;
   std::string term;  ///< as the plan names it; empty where the model has but one test
   Estimable<double> pValue;
+  std::optional<TestedEffect> effect{};
 };
 
 /// What is filled while the report is made.
@@ -40,17 +49,15 @@ struct ReportWork {
 /// What decides how things are done: "the plan", or where none was registered "the default plan".
 std::string planName(const AnalysisPlan& plan);
 
+/// What a model is, for readers, with its name in the plan: "Cox regression of times to find (find-hazard)".
+std::string wordsOf(const PlannedModel& model, bool startsSentence = true);
+
 TrialList trialsOfTask(const AnalysisData& analysis, const std::string& task);
 TrialList trialsOfView(const TrialList& trials, TrialView view);
 
 /// 0, 1, ... for each different label, in the order in which they first come.
 std::vector<int> numbered(const std::vector<std::string>& labels);
 std::vector<std::string> subjectsOf(const TrialList& trials);
-
-/// "p < 0.001", "p = 0.032", "p not known".
-std::string pText(double pValue);
-/// Three significant digits; "not known" where it is not finite.
-std::string numberText(double value);
 
 /// One line of a table of estimates, or why there is none.
 struct EstimateRow {
@@ -64,8 +71,9 @@ struct EstimateRow {
 OriginRows originRowsOf(const TrialList& trials);
 OriginRows originRowsOf(const EstimateRow& row);
 
-/// Columns: what, estimate, 95 % interval, p. Reasons stand below the table as notes. Cells that came from trials or
-/// answers are named ID/LABEL/estimate, lower, upper and p in the document's origins.
+/// Columns: what, estimate, 95 % interval, standard error, statistic, degrees of freedom, p; those that no row has are
+/// left out. Reasons stand below the table as notes. Cells that came from trials or answers are named
+/// ID/LABEL/estimate, lower, upper, p, se, statistic and df in the document's origins.
 void addEstimates(ReportDocument& document, const std::string& caption, const std::string& id,
                   const std::vector<EstimateRow>& rows);
 
@@ -76,12 +84,13 @@ struct ValueRow {
   std::optional<double> value{};
   std::string source{};
   TrialList trials{};
+  std::optional<Interval> interval{};  ///< where `text` is one
 };
-/// Columns: what, value. Cells are named ID/LABEL/value.
+/// Columns: what, value. Cells are named ID/LABEL/value; of intervals ID/LABEL/lower, with ID/LABEL/upper beside it.
 void addValues(ReportDocument& document, const std::string& caption, const std::string& id,
                const std::vector<ValueRow>& rows);
 
-/// exp() of value and bounds; statistic and p value stay.
+/// exp() of value and bounds, the standard error by the delta method; statistic and p value stay.
 Estimate exponentiated(const Estimate& logarithm);
 Interval intervalOf(const Estimate& estimate);
 

@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+
+#include "analysis/inference/censored_difference.h"
+#include "analysis/inference/sample.h"
 
 namespace ocelli {
 namespace {
@@ -38,16 +42,18 @@ Estimable<BootstrapResult> bootstrapContrast(const TrialList& trials, const std:
         counts[static_cast<size_t>(group)] += 1;
       }
     }
-    double total = 0;
+    double above = 0;  // of groups with positive weights, and with negative ones
+    double below = 0;
     for (size_t group = 0; group < weights.size(); ++group) {
       if (weights[group] != 0) {
         if (counts[group] == 0) {
           return std::nullopt;
         }
-        total += weights[group] * sums[group] / counts[group];
+        const double part = weights[group] * sums[group] / counts[group];
+        (weights[group] > 0 ? above : below) += part;
       }
     }
-    return total;
+    return differenceOf(-below, above);
   };
   return bootstrap(numbered(subjectsOf(trials)), caseNumbers(trials), contrast, plan);
 }
@@ -59,6 +65,22 @@ Estimable<BootstrapResult> bootstrapViewDifference(const TrialList& trials, cons
     groups.push_back(trial->view == TrialView::kGraph ? 1 : 0);
   }
   return bootstrapContrast(trials, values, groups, {-1, 1}, plan);
+}
+
+Estimable<BootstrapResult> bootstrapCensoredViewDifference(const TrialList& trials, const std::vector<double>& values,
+                                                           const std::vector<bool>& censored,
+                                                           const BootstrapPlan& plan) {
+  if (std::find(censored.begin(), censored.end(), true) == censored.end()) {
+    return bootstrapViewDifference(trials, values, plan);
+  }
+  const BootstrapStatistic difference = [&](const std::vector<ResampledRow>& rows) {
+    std::array<CensoredSums, 2> views;
+    for (const ResampledRow& row : rows) {
+      views[trials[row.row]->view == TrialView::kGraph].add(values[row.row], censored[row.row]);
+    }
+    return censoredMeanDifference(views[0], views[1]);
+  };
+  return bootstrap(numbered(subjectsOf(trials)), caseNumbers(trials), difference, plan);
 }
 
 void addResampled(ReportWork& work, const std::string& caption, const std::string& id,

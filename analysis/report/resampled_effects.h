@@ -23,6 +23,11 @@ Estimable<BootstrapResult> bootstrapContrast(const TrialList& trials, const std:
 Estimable<BootstrapResult> bootstrapViewDifference(const TrialList& trials, const std::vector<double>& values,
                                                    const BootstrapPlan& plan);
 
+/// Likewise of normal values of which the `censored` ones lie above what is given (censored_difference.h).
+Estimable<BootstrapResult> bootstrapCensoredViewDifference(const TrialList& trials, const std::vector<double>& values,
+                                                           const std::vector<bool>& censored,
+                                                           const BootstrapPlan& plan);
+
 struct ResampledEffect {
   std::string label;
   Estimable<BootstrapResult> result;

@@ -5,7 +5,9 @@
 #include <set>
 
 #include "analysis/inference/crossed_clusters.h"
+#include "analysis/inference/sample.h"
 #include "analysis/plot/group_plot.h"
+#include "analysis/report/part_guard.h"
 #include "analysis/report/resampled_effects.h"
 
 namespace ocelli {
@@ -28,7 +30,7 @@ std::vector<double> shareDifferences(const TrialList& trials) {
   for (const auto& [subject, views] : bySubject) {
     if (!views[0].empty() && !views[1].empty()) {
       const auto rate = [](const Share& share) { return static_cast<double>(share.successes) / share.trials; };
-      differences.push_back(rate(shareOf(views[1])) - rate(shareOf(views[0])));
+      differences.push_back(differenceOf(rate(shareOf(views[0])), rate(shareOf(views[1]))));
     }
   }
   return differences;
@@ -72,7 +74,7 @@ void addRightAnswers(ReportWork& work, const TrialList& trials, const std::strin
   plot.widthMillimetres = kDoubleColumnMillimetres;
   std::vector<EstimateRow> rows;
   for (const TrialView view : {TrialView::kPinhole, TrialView::kGraph}) {
-    GroupSeries series{nameOf(view), {}};
+    GroupSeries series{labelOf(view), {}};
     for (const int session : sessions) {
       TrialList here = trialsOfView(trials, view);
       std::erase_if(here, [&](const Trial* trial) { return trial->session != session; });
@@ -100,7 +102,7 @@ void addRightAnswers(ReportWork& work, const TrialList& trials, const std::strin
   for (const int session : sessions) {
     plot.conditions.push_back(std::to_string(session));
   }
-  work.document.add(ReportFigure{plot.title, fmt::format("figure-{}", id), groupFigure(plot)});
+  addFigure(work, plot.title, fmt::format("figure-{}", id), [&] { return groupFigure(plot); });
   addEstimates(work.document,
                fmt::format("{} that are right: shares with Wilson's intervals, which take trials as independent", what),
                id, rows);

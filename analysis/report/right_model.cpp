@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "analysis/report/effect_sizes.h"
 #include "analysis/report/model_checks.h"
+#include "analysis/report/part_guard.h"
 #include "analysis/report/planned_model.h"
+#include "analysis/report/resampled_caution.h"
 #include "analysis/report/resampled_effects.h"
 #include "analysis/report/sensitivity.h"
 
@@ -26,9 +30,10 @@ void addRightSensitivity(ReportWork& work, const PlannedModel& model, const Tria
   if (inTime.size() == trials.size()) {
     variants.notes.push_back("All answers came in time: there are no time-outs to treat in another way.");
   }
+  variants.notes.emplace_back(kFittedModelNote);
   addSensitivity(work,
                  {fmt::format("{}-sensitivity", model.name),
-                  fmt::format("The effect of the view in model {}, analysed in other ways", model.name),
+                  fmt::format("The effect of the view in the {}, analysed in other ways", wordsOf(model, false)),
                   "Odds ratio, gc / ppc", "ppc better", "gc better"},
                  variants, [&](const Variant& variant) { return viewRatio(fitBinomial(model, variant.trials)); });
 }
@@ -37,21 +42,36 @@ void addRightSensitivity(ReportWork& work, const PlannedModel& model, const Tria
 
 void addRightModel(ReportWork& work, const PlannedModel& model, const TrialList& all, const std::string& caption) {
   const TrialList trials = completeTrials(model, all);
-  const Estimable<PlannedFit> fit = fitBinomial(model, trials);
-  addPlannedFit(work, model, trials, fit, caption);
+  const auto part = [&](const char* what, const std::function<void()>& add) {
+    addPart(work, fmt::format("Model {}, {}", model.name, what), add);
+  };
+  Estimable<PlannedFit> fit = Estimable<PlannedFit>::impossible("it was not fitted");
+  part("fit", [&] {
+    fit = fitBinomial(model, trials);
+    addPlannedFit(work, model, trials, fit, caption);
+  });
   if (fit) {
-    addBinomialChecks(work, model, trials, *fit);
+    part("checks", [&] { addBinomialChecks(work, model, trials, *fit); });
+    work.methods.push_back(
+        fmt::format("The random effects of the mixed model {} are {}.", model.name, structureMethod(model, *fit)));
   }
   std::vector<double> right;
   for (const Trial* trial : trials) {
     right.push_back(trial->correct.value_or(false) ? 1 : 0);
   }
-  addResampled(work, "Difference of shares of right answers (gc less ppc) by resampling subjects and cases",
-               fmt::format("{}-resampled", model.name),
-               {{"gc less ppc", bootstrapViewDifference(trials, right, bootstrapPlanOf(work.analysis.plan)), trials}});
-  addShareEffects(work, trials, fmt::format("{}-sizes", model.name));
+  part("resampled", [&] {
+    const Estimable<BootstrapResult> resampled =
+        bootstrapViewDifference(trials, right, bootstrapPlanOf(work.analysis.plan));
+    addResampled(work, "Difference of shares of right answers (gc less ppc) by resampling subjects and cases",
+                 fmt::format("{}-resampled", model.name), {{"gc less ppc", resampled, trials}});
+    if (fit) {
+      const double share = std::accumulate(right.begin(), right.end(), 0.0) / static_cast<double>(right.size());
+      addResampledCaution(work, model, viewLogarithm(*fit), resampled, 1 / (share * (1 - share)));
+    }
+  });
+  part("sizes of the effect", [&] { addShareEffects(work, trials, fmt::format("{}-sizes", model.name)); });
   if (fit) {
-    addRightSensitivity(work, model, trials);
+    part("other ways", [&] { addRightSensitivity(work, fittedModel(model, *fit), trials); });
   }
 }
 

@@ -16,6 +16,10 @@ bool isCensored(const Trial* trial) {
   return trial->censored.value_or(false);
 }
 
+const char* labelOf(TimeoutTreatment timeouts) {
+  return timeouts == TimeoutTreatment::kSetToLimit ? "set to the limit" : nameOf(timeouts);
+}
+
 TrialList withoutTimeouts(TrialList trials) {
   std::erase_if(trials, isCensored);
   return trials;

@@ -9,6 +9,8 @@
 namespace ocelli {
 
 bool isCensored(const Trial* trial);
+/// "censored", "removed", "set to the limit".
+const char* labelOf(TimeoutTreatment timeouts);
 TrialList withoutTimeouts(TrialList trials);
 /// Seconds after which searches were ended: the longest of the trials, or that of section 7.4.2 where none says.
 double searchLimit(const TrialList& trials);

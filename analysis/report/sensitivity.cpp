@@ -4,9 +4,14 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+#include <utility>
 
+#include "analysis/base/failure.h"
 #include "analysis/plot/forest_plot.h"
+#include "analysis/report/part_guard.h"
+#include "analysis/report/view_words.h"
 
 namespace ocelli {
 namespace {
@@ -54,7 +59,8 @@ void addWithoutCases(Variants& variants, const TrialList& trials, size_t mostRow
     variants.list.push_back({left.size() == 1
                                  ? fmt::format("Without {}", nameOfCase(*left.begin()))
                                  : fmt::format("Without {} and {} more", nameOfCase(*left.begin()), left.size() - 1),
-                             keptIf(trials, [&](const Trial* trial) { return !left.contains(caseOf(trial)); })});
+                             keptIf(trials, [&](const Trial* trial) { return !left.contains(caseOf(trial)); }),
+                             TimeoutTreatment::kCensored, false, true});
   }
 }
 
@@ -68,6 +74,59 @@ bool splitsCasesByView(const TrialList& trials) {
   }
   return all.size() > 1 &&
          std::all_of(views.begin(), views.end(), [](const auto& each) { return each.second.size() == 1; });
+}
+
+using VariantEffects = std::vector<std::pair<const Variant*, Estimable<Estimate>>>;
+
+void addVariants(ReportWork& work, const SensitivityTable& about, const VariantEffects& effects) {
+  ForestPlot forest;
+  forest.title = about.title;
+  forest.valueLabel = withViewWords(about.value);
+  forest.lowerSide = withViewWords(about.lower);
+  forest.upperSide = withViewWords(about.upper);
+  forest.ratio = true;
+  std::vector<EstimateRow> rows;
+  for (const auto& [variant, effect] : effects) {
+    ForestPlot::Row row;
+    row.label = variant->label;
+    row.main = variant->main;
+    if (effect) {
+      row.interval = intervalOf(*effect);
+    } else {
+      row.reason = "cannot be estimated";
+    }
+    forest.rows.push_back(row);
+    rows.push_back({variant->label, effect, "", sizeText(variant->trials), variant->trials});
+  }
+  const bool any =
+      std::any_of(effects.begin(), effects.end(), [](const auto& each) { return each.second.isPossible(); });
+  if (any) {
+    addFigure(work, about.title, fmt::format("figure-{}", about.id), [&] { return forestFigure(forest); });
+  }
+  addEstimates(work.document, fmt::format("{}: in numbers ({})", about.title, about.value), about.id, rows);
+}
+
+/// Between what the effects lie where cases are left out.
+void addSpread(ReportWork& work, const SensitivityTable& about, const VariantEffects& effects) {
+  double least = INFINITY;
+  double most = -INFINITY;
+  int estimated = 0;
+  int significant = 0;
+  for (const auto& [variant, effect] : effects) {
+    if (variant->leavesCasesOut && effect) {
+      least = std::min(least, effect->value);
+      most = std::max(most, effect->value);
+      significant += effect->pValue < work.analysis.plan.alpha ? 1 : 0;
+      ++estimated;
+    }
+  }
+  if (estimated > 0) {
+    work.document.add(ReportParagraph{fmt::format(
+        "Without one case after the other the effect ({}) lies between {} and {}; {} of {} such fits have p < {:g}. "
+        "The "
+        "supplement has them all.",
+        about.value, numberText(least), numberText(most), significant, estimated, work.analysis.plan.alpha)});
+  }
 }
 
 }  // namespace
@@ -119,32 +178,35 @@ Variants variantsOf(const TrialList& trials, std::vector<Variant> first, size_t 
 void addSensitivity(ReportWork& work, const SensitivityTable& about, const Variants& variants,
                     const std::function<Estimable<Estimate>(const Variant&)>& effect) {
   std::vector<Estimable<Estimate>> effects(variants.list.size(), Estimable<Estimate>::impossible(""));
-  tbb::parallel_for(size_t{0}, variants.list.size(), [&](size_t i) { effects[i] = effect(variants.list[i]); });
-  ForestPlot forest;
-  forest.title = about.title;
-  forest.valueLabel = about.value;
-  forest.lowerSide = about.lower;
-  forest.upperSide = about.upper;
-  forest.ratio = true;
-  std::vector<EstimateRow> rows;
+  std::vector<std::optional<std::string>> failures(variants.list.size());
+  tbb::parallel_for(size_t{0}, variants.list.size(),
+                    [&](size_t i) { failures[i] = failureOf([&] { effects[i] = effect(variants.list[i]); }); });
+  for (size_t i = 0; i < failures.size(); ++i) {
+    if (failures[i]) {
+      effects[i] = Estimable<Estimate>::impossible(addFailure(work, variants.list[i].label, *failures[i]));
+    }
+  }
+  VariantEffects shown;
+  VariantEffects withoutCases;
   for (size_t i = 0; i < effects.size(); ++i) {
     const Variant& variant = variants.list[i];
-    ForestPlot::Row row;
-    row.label = variant.label;
-    row.main = variant.main;
-    if (effects[i]) {
-      row.interval = intervalOf(*effects[i]);
-    } else {
-      row.reason = "cannot be estimated";
+    if (!variant.leavesCasesOut) {
+      shown.emplace_back(&variant, effects[i]);
     }
-    forest.rows.push_back(row);
-    rows.push_back({variant.label, effects[i], "", sizeText(variant.trials), variant.trials});
+    // With the main one to compare with.
+    if (variant.leavesCasesOut || variant.main) {
+      withoutCases.emplace_back(&variant, effects[i]);
+    }
   }
-  const bool any = std::any_of(effects.begin(), effects.end(), [](const auto& each) { return each.isPossible(); });
-  if (any) {
-    work.document.add(ReportFigure{about.title, fmt::format("figure-{}", about.id), forestFigure(forest)});
+  addVariants(work, about, shown);
+  if (withoutCases.size() > 1) {
+    addSpread(work, about, withoutCases);
+    const InSupplement supplement(work.document);
+    SensitivityTable cases = about;
+    cases.id += "-cases";
+    cases.title += ", without one case after the other";
+    addVariants(work, cases, withoutCases);
   }
-  addEstimates(work.document, fmt::format("{}: in numbers ({})", about.title, about.value), about.id, rows);
   for (const std::string& note : variants.notes) {
     work.document.add(ReportNote{NoteKind::kNote, note});
   }

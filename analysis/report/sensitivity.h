@@ -15,6 +15,7 @@ struct Variant {
   TrialList trials;
   TimeoutTreatment timeouts = TimeoutTreatment::kCensored;  ///< for models that know censored times
   bool main = false;                                        ///< what the report says first
+  bool leavesCasesOut = false;                              ///< all trials of the main one but those of some cases
 };
 
 struct Variants {
@@ -38,7 +39,8 @@ struct SensitivityTable {
   std::string lower;  ///< what values below 1 mean: "gc faster"
   std::string upper;
 };
-/// A forest of `effect`, a ratio, of each variant, and a table. It is called by several threads at once.
+/// A forest of `effect`, a ratio, of each variant, and a table; those that leave cases out stand in the supplement, and
+/// the report says between what they lie. It is called by several threads at once.
 void addSensitivity(ReportWork& work, const SensitivityTable& about, const Variants& variants,
                     const std::function<Estimable<Estimate>(const Variant&)>& effect);
 

@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "analysis/dataset/csv_table.h"
+#include "analysis/dataset/form_item.h"
 #include "analysis/dataset/protocol_facts.h"
+#include "analysis/report/apparatus_section.h"
 #include "analysis/report/completers_section.h"
 #include "analysis/report/count_section.h"
 #include "analysis/report/find_section.h"
@@ -12,35 +16,19 @@
 #include "analysis/report/methods_section.h"
 #include "analysis/report/navigation_section.h"
 #include "analysis/report/paper_section.h"
+#include "analysis/report/part_guard.h"
 #include "analysis/report/path_section.h"
+#include "analysis/report/provenance_section.h"
 #include "analysis/report/r_script.h"
 #include "analysis/report/survey_section.h"
+#include "analysis/report/view_words.h"
 
 namespace ocelli {
 namespace {
 
-void addDesign(ReportWork& work, const StudyReportOptions& options) {
+void addDesign(ReportWork& work) {
   const AnalysisData& analysis = work.analysis;
   addHeading(work.document, 1, "Design and data", "design");
-  ReportFacts facts;
-  facts.facts = {{"Program", fmt::format("Ocelli {}", options.version)},
-                 {"Plan", describe(analysis.plan)},
-                 {"Seed", std::to_string(analysis.plan.seed)},
-                 {"SHA-256 of the data", analysis.dataSha256, true}};
-  for (const DataSource& source : analysis.data.sources) {
-    facts.facts.push_back({"Source", source.path});
-    if (!source.protocolSha256.empty()) {
-      facts.facts.push_back({fmt::format("Protocol {}", source.protocolName), source.protocolSha256, true});
-    }
-  }
-  work.document.add(facts);
-  if (!analysis.plan.isRegistered()) {
-    work.document.add(
-        ReportNote{NoteKind::kWarning,
-                   "No plan was registered. Exclusions, models, hypotheses, families and bounds are the defaults of "
-                   "Ocelli: nothing "
-                   "here was decided for this study before its data were seen, and p values are exploratory."});
-  }
   for (const DataSource& source : analysis.data.sources) {
     if (!source.protocolText.empty()) {
       const ProtocolFacts protocol = protocolFacts(source.protocolText, source.path);
@@ -55,11 +43,38 @@ void addDesign(ReportWork& work, const StudyReportOptions& options) {
     }
   }
   work.document.add(ReportParagraph{
-      "Views: ppc is the planar pinhole camera, gc the graph camera. Intervals are of 95 % where "
-      "nothing else is said. Outside of the section on hypotheses p values are not corrected for their number."});
+      "Two views are compared: a planar pinhole camera, or several (pinhole), and the graph camera. Intervals are of "
+      "95 % "
+      "where nothing else is said, and SE is the standard error, of ratios by the delta method; tests and intervals of "
+      "ratios are of their logarithm. Outside of the tables of hypotheses p values are not corrected for their number. "
+      "Tables that are marked as exploratory are not of a registered plan. The supplement has checks of the models, "
+      "results without one case after the other, what was left out, and where each number comes from."});
   for (const std::string& note : analysis.data.notes) {
     work.document.add(ReportNote{NoteKind::kNote, note});
   }
+}
+
+/// What the plan foresaw is what its models and families give; tables that tell what was done are no results.
+void markExploratory(ReportDocument& document, const AnalysisPlan& plan) {
+  const auto isPlanned = [&](const std::string& id) {
+    return plan.isRegistered() &&
+           (plan.findModel(id) != nullptr ||
+            std::any_of(plan.families.begin(), plan.families.end(),
+                        [&](const HypothesisFamily& family) { return id == fmt::format("family-{}", family.name); }));
+  };
+  for (std::vector<ReportElement>* part : {&document.elements, &document.supplement}) {
+    for (ReportElement& element : *part) {
+      if (auto* table = std::get_if<ReportTable>(&element)) {
+        table->exploratory = !table->isRecord && !isPlanned(table->id);
+      }
+    }
+  }
+}
+
+/// Answers first: what was added last stands before all else but a notice on simulated subjects.
+void moveToFront(std::vector<ReportElement>& elements, size_t first, size_t front) {
+  const auto at = [&](size_t index) { return elements.begin() + static_cast<std::ptrdiff_t>(index); };
+  std::rotate(at(front), at(first), elements.end());
 }
 
 template <class Value>
@@ -83,11 +98,20 @@ std::string trialsCsv(const Dataset& data) {
   return text;
 }
 
+/// With where each answer stands on its scale: the option from 1 to the number of options, and the view that the last
+/// option speaks for.
 std::string answersCsv(const Dataset& data) {
-  std::string text = "source,answer_id,subject_id,session_number,form,field,answer\r\n";
+  const FormItems items(data);
+  std::string text =
+      "source,answer_id,subject_id,session_number,form,field,answer,question,option,options,last_favors\r\n";
   for (const FormAnswer& answer : data.answers) {
-    text += fmt::format("{},{},{},{},{},{},{}\r\n", answer.source, answer.answerId, csvField(answer.subject),
-                        answer.session, csvField(answer.form), csvField(answer.field), csvField(answer.answer));
+    const FormItem item = items.of(answer);
+    const std::optional<int> place = item.placeOf(answer.answer);
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\r\n", answer.source, answer.answerId,
+                        csvField(answer.subject), answer.session, csvField(answer.form), csvField(answer.field),
+                        csvField(answer.answer), csvField(item.question), place ? std::to_string(*place) : "",
+                        item.isScale() ? std::to_string(item.steps()) : "",
+                        item.lastFavors ? nameOf(*item.lastFavors) : "");
   }
   return text;
 }
@@ -111,9 +135,10 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
     document.add(
         ReportNote{NoteKind::kSimulated, "These results are of simulated subjects: they say nothing about people."});
   }
-  addDesign(work, options);
-  addFlowSection(work);
-  addPaperSection(work, tables);
+  addPart(work, "Design and data", [&] { addDesign(work); });
+  addPart(work, "Apparatus", [&] { addApparatus(work); });
+  addPart(work, "Flow of subjects", [&] { addFlowSection(work); });
+  addPart(work, "Tables of the study", [&] { addPaperSection(work, tables); });
   std::vector<std::string> tasks;
   for (const char* task : {"find", "count", "path"}) {
     if (work.isWanted(task)) {
@@ -128,28 +153,33 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   // How far it is with all tasks, by what parts of a study of 45 subjects take.
   if (work.isWanted("find")) {
     tell("searches", 0);
-    addFindSection(work);
+    addPart(work, "Finding objects", [&] { addFindSection(work); });
     tell("navigation", 0.4);
-    addNavigationSection(work);
+    addPart(work, "Navigation", [&] { addNavigationSection(work); });
   }
   if (work.isWanted("count")) {
     tell("counts", 0.5);
-    addCountSection(work);
+    addPart(work, "Counting objects", [&] { addCountSection(work); });
   }
   if (work.isWanted("path")) {
     tell("paths", 0.9);
-    addPathSection(work);
+    addPart(work, "Recognising paths", [&] { addPathSection(work); });
   }
   if (!tasks.empty()) {
     tell("learning", 0.95);
-    addLearningSection(work, tasks);
-    addCompletersSection(work, tasks);
+    addPart(work, "Learning", [&] { addLearningSection(work, tasks); });
+    addPart(work, "Comparison of completers and drop-outs", [&] { addCompletersSection(work, tasks); });
   }
   if (work.isWanted("survey")) {
-    addSurveySection(work);
+    addPart(work, "Survey", [&] { addSurveySection(work); });
   }
-  addHypotheses(work);
-  addMethods(work, options.version);
+  addPart(work, "Methods", [&] { addMethods(work, options.version); });
+  addPart(work, "Provenance", [&] { addProvenance(work, options.version); });
+  const size_t answers = document.elements.size();
+  addPart(work, "Hypotheses", [&] { addHypotheses(work); });
+  moveToFront(document.elements, answers, simulated ? 1 : 0);
+  markExploratory(document, analysis.plan);
+  spellOutViews(document);
   return document;
 }
 

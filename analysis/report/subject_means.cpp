@@ -96,7 +96,7 @@ SubjectNumbers subjectDifferences(const SubjectNumbers& first, const SubjectNumb
   SubjectNumbers differences;
   for (const auto& [subject, value] : first.bySubject) {
     if (const auto other = second.bySubject.find(subject); other != second.bySubject.end()) {
-      differences.bySubject[subject] = other->second - value;
+      differences.bySubject[subject] = differenceOf(value, other->second);
     }
   }
   for (const TrialList* trials : {&first.trials, &second.trials}) {

@@ -1,90 +1,277 @@
 #include "analysis/report/survey_section.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
+#include "analysis/dataset/form_item.h"
 #include "analysis/inference/holm.h"
 #include "analysis/inference/ordinal.h"
 #include "analysis/plot/rating_plot.h"
+#include "analysis/report/part_guard.h"
 
 namespace ocelli {
 namespace {
 
-struct LastAnswer {
-  int session = 0;
-  int rating = 0;  ///< 1 to 5
-  RowRef row{};
+constexpr const char* kForm = "survey";
+constexpr size_t kMaxListed = 20;  ///< different answers to a question without a scale
+
+std::vector<RowRef> rowsOf(const ItemAnswers& item) {
+  std::vector<RowRef> rows;
+  for (const ItemAnswers::Answer& answer : item.answers) {
+    rows.push_back({answer.row->source, answer.row->answerId});
+  }
+  return rows;
+}
+
+std::vector<int> placesOf(const ItemAnswers& item) {
+  std::vector<int> places;
+  for (const ItemAnswers::Answer& answer : item.answers) {
+    places.push_back(answer.place);
+  }
+  return places;
+}
+
+/// "\"6\" (2), \"7\" (1)".
+std::string answerCounts(const std::map<std::string, int>& counts) {
+  std::vector<std::string> parts;
+  for (const auto& [answer, count] : counts) {
+    parts.push_back(fmt::format("\"{}\" ({})", answer, count));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// Answers that are none of the options, and questions that nothing is known of.
+void addCautions(ReportWork& work, const std::vector<ItemAnswers>& items) {
+  std::vector<std::string> unknown;
+  std::vector<std::string> byWords;
+  for (const ItemAnswers& each : items) {
+    const FormItem& item = each.item;
+    if (!each.notOptions.empty()) {
+      std::map<std::string, int> counts;
+      for (const FormAnswer* row : each.notOptions) {
+        ++counts[row->answer];
+      }
+      work.document.add(ReportNote{
+          NoteKind::kWarning,
+          fmt::format(
+              "Question \"{}\" ({}): {} of {} subjects gave answers that are not among its options, {}. They are "
+              "in no number of it: {}.",
+              item.label(), item.name, each.notOptions.size(), each.notOptions.size() + each.answers.size(),
+              fmt::join(item.options, ", "), answerCounts(counts))});
+    }
+    if (!item.isInProtocol()) {
+      unknown.push_back(item.name);
+    } else if (item.favorsFromWords) {
+      byWords.push_back(fmt::format("\"{}\"", item.label()));
+    }
+  }
+  if (!unknown.empty()) {
+    work.document.add(ReportNote{
+        NoteKind::kWarning,
+        fmt::format(
+            "The scale of {} is not known, as no protocol here has the question: answers are counted, and neither "
+            "averaged nor tested. For exported tables --protocol FILE gives it.",
+            fmt::join(unknown, ", "))});
+  }
+  if (!byWords.empty()) {
+    work.document.add(ReportNote{
+        NoteKind::kNote, fmt::format("The protocol does not say which view the ends of these scales speak for (field "
+                                     "\"favors\"): it was taken from their words. {}.",
+                                     fmt::join(byWords, ", "))});
+  }
+}
+
+/// Questions with the same scale stand in one figure.
+void addFigures(ReportWork& work, const std::vector<ItemAnswers>& items) {
+  std::set<const ItemAnswers*> drawn;
+  int figures = 0;
+  for (const ItemAnswers& first : items) {
+    const FormItem& scale = first.item;
+    if (!scale.isScale() || first.answers.empty() || drawn.contains(&first)) {
+      continue;
+    }
+    RatingPlot plot;
+    plot.title = scale.comparesViews() ? "Answers that compare the views" : "Answers on a scale";
+    plot.parted = scale.comparesViews();
+    plot.lowest = scale.ends.size() == 2 ? scale.ends.front() : "";
+    plot.highest = scale.ends.size() == 2 ? scale.ends.back() : "";
+    plot.lastIsGraph = scale.lastFavors == TrialView::kGraph;
+    plot.steps.clear();
+    for (int place = 1; place <= scale.steps(); ++place) {
+      const std::string& option = scale.options[static_cast<size_t>(place - 1)];
+      plot.steps.push_back(option.size() <= 3 ? option : std::to_string(place));
+    }
+    for (const ItemAnswers& other : items) {
+      if (other.answers.empty() || other.item.options != scale.options || other.item.ends != scale.ends ||
+          other.item.lastFavors != scale.lastFavors) {
+        continue;
+      }
+      drawn.insert(&other);
+      RatingPlot::Question question{other.item.label(), std::vector<size_t>(scale.options.size())};
+      double sum = 0;
+      for (const ItemAnswers::Answer& answer : other.answers) {
+        ++question.counts[static_cast<size_t>(answer.place - 1)];
+        sum += scale.numberAt(answer.place);
+      }
+      question.mean = sum / static_cast<double>(other.answers.size());
+      plot.questions.push_back(std::move(question));
+    }
+    addFigure(work, fmt::format("{}, {}; the last answer of each subject", plot.title, scale.scaleText()),
+              ++figures == 1 ? std::string("figure-survey") : fmt::format("figure-survey-{}", figures),
+              [&] { return ratingFigure(plot); });
+  }
+}
+
+/// Each question on its own scale: how many answered, what on average, and what most.
+void addDescriptions(ReportWork& work, const std::vector<ItemAnswers>& items) {
+  const char* id = "survey-answers";
+  ReportTable table{
+      "Answers to the survey, each question on its own scale; the last answer of each subject",
+      id,
+      {{"Question", "", true}, {"Scale", "", true}, {"Subjects"}, {"Mean"}, {"Median"}, {"Answers", "", true}},
+      {}};
+  OriginTable origins(work.document.origins, id, table.caption, {"subjects", "mean", "median"});
+  for (const ItemAnswers& each : items) {
+    const FormItem& item = each.item;
+    double mean = kNotKnown;
+    double median = kNotKnown;
+    std::string counts;
+    if (item.isScale() && !each.answers.empty()) {
+      const OrdinalDistribution distribution = *ordinalDistribution(placesOf(each), item.steps());
+      mean = item.numberAt(distribution.mean);
+      median = item.numberAt(distribution.median);
+      counts = fmt::format("{}", fmt::join(distribution.counts, " / "));
+    } else {
+      std::map<std::string, int> given;
+      for (const ItemAnswers::Answer& answer : each.answers) {
+        ++given[answer.row->answer];
+      }
+      const bool anyText = item.isInProtocol() && item.options.empty();  // in a subject's own words
+      counts = anyText || given.size() > kMaxListed ? fmt::format("{} different", given.size()) : answerCounts(given);
+    }
+    const auto subjects = static_cast<double>(each.answers.size());
+    const std::string meaning = fmt::format("last answers of {} subjects to {}", each.answers.size(), item.name);
+    const std::string origin =
+        origins.addRow(item.name, meaning, {rowsOf(each), Cell::From::kAnswers}, "", {subjects, mean, median});
+    const std::string source = origins.sourceText(meaning);
+    const auto cell = [&](const std::string& text, const char* column, double value) {
+      ReportCell result{text, origin.empty() ? "" : fmt::format("{}/{}", origin, column), source};
+      if (std::isfinite(value)) {
+        result.value = value;
+      }
+      return result;
+    };
+    ReportCell question{item.label()};
+    question.shortName = item.isInProtocol() ? item.name : "";
+    table.rows.push_back({question,
+                          ReportCell{!item.isInProtocol()   ? std::string("not known")
+                                     : item.isScale()       ? item.scaleText()
+                                     : item.options.empty() ? std::string("any text")
+                                                            : std::string("choices without an order")},
+                          cell(std::to_string(each.answers.size()), "subjects", subjects),
+                          cell(std::isfinite(mean) ? fixedText(mean, 2) : "-", "mean", mean),
+                          cell(std::isfinite(median) ? fixedText(median, 1) : "-", "median", median),
+                          ReportCell{counts}});
+  }
+  work.document.add(table);
+  origins.finish();
+}
+
+/// What a question that compares the views says of them.
+struct PreferenceTest {
+  Estimable<Estimate> shift;  ///< towards the graph camera, in steps
+  std::string measure;
 };
+
+PreferenceTest testPreference(const ItemAnswers& each) {
+  const FormItem& item = each.item;
+  std::vector<int> places = placesOf(each);
+  if (item.lastFavors == TrialView::kPinhole) {
+    for (int& place : places) {
+      place = item.steps() + 1 - place;
+    }
+  }
+  const Estimable<MiddleTest> test = testAgainstMiddle(places, item.steps());
+  return {test ? Estimable<Estimate>(test->signedRank.center) : Estimable<Estimate>::impossible(test.reason()),
+          fmt::format("\"{}\": steps from the middle of {} towards gc", item.label(), item.steps())};
+}
+
+/// The model of the survey is one test: the smallest p value, corrected for the number of questions.
+void addOutcome(ReportWork& work, const std::vector<PreferenceTest>& tests) {
+  std::vector<double> pValues;
+  for (const PreferenceTest& test : tests) {
+    pValues.push_back(test.shift ? test.shift->pValue : kNotKnown);
+  }
+  const std::vector<double> adjusted = holmAdjusted(pValues);
+  std::optional<size_t> smallest;
+  for (size_t i = 0; i < adjusted.size(); ++i) {
+    if (std::isfinite(adjusted[i]) && (!smallest || adjusted[i] < adjusted[*smallest])) {
+      smallest = i;
+    }
+  }
+  for (const PlannedModel& model : work.analysis.plan.models) {
+    if (model.task != kForm) {
+      continue;
+    }
+    TestOutcome outcome{
+        model.name, "",
+        Estimable<double>::impossible(tests.empty() ? "no question of the survey compares the views, as far "
+                                                      "as the protocol tells"
+                                                    : "all answers are the middle")};
+    if (smallest) {
+      outcome.pValue = adjusted[*smallest];
+      outcome.effect = TestedEffect{tests[*smallest].measure, *tests[*smallest].shift};
+    }
+    work.outcomes.push_back(outcome);
+  }
+}
+
+void addPreferences(ReportWork& work, const std::vector<ItemAnswers>& items) {
+  std::vector<EstimateRow> rows;
+  std::vector<PreferenceTest> tests;
+  for (const ItemAnswers& each : items) {
+    if (each.item.comparesViews() && !each.answers.empty()) {
+      tests.push_back(testPreference(each));
+      rows.push_back({fmt::format("{} ({})", each.item.label(), each.item.scaleText()),
+                      tests.back().shift,
+                      "steps",
+                      fmt::format("last answers of {} subjects to {}", each.answers.size(), each.item.name),
+                      {},
+                      rowsOf(each)});
+    }
+  }
+  if (!rows.empty()) {
+    addEstimates(work.document,
+                 "Which view the answers speak for: steps from the middle of each scale, above 0 towards gc "
+                 "(Hodges-Lehmann center, Wilcoxon's signed ranks)",
+                 kSurveyTestsTable, rows);
+  }
+  addOutcome(work, tests);
+}
 
 }  // namespace
 
 void addSurveySection(ReportWork& work) {
   addHeading(work.document, 1, "What subjects say", "survey");
-  // The last answer of each subject, as some are asked in every session.
-  std::map<std::string, std::map<std::string, LastAnswer>> fields;
-  for (const FormAnswer& answer : work.analysis.data.answers) {
-    const std::optional<double> number = answer.form == "survey" ? numberIn(answer.answer) : std::nullopt;
-    if (number && *number >= 1 && *number <= 5 && *number == std::floor(*number)) {
-      LastAnswer& last = fields[answer.field][answer.subject];
-      if (answer.session >= last.session) {
-        last = {answer.session, static_cast<int>(*number), {answer.source, answer.answerId}};
-      }
-    }
-  }
-  if (fields.empty()) {
-    addNotEstimable(work.document, "Survey", "there are no answers from 1 to 5 to a form \"survey\"");
+  const std::vector<ItemAnswers> items = answersToForm(work.analysis.data, kForm);
+  if (items.empty()) {
+    addNotEstimable(work.document, "Survey", "there are no answers to a form \"survey\"");
+    addOutcome(work, {});
     return;
   }
-  RatingPlot plot;
-  plot.title = "Which view was easier";
-  std::vector<EstimateRow> rows;
-  std::vector<double> pValues;
-  for (const auto& [field, bySubject] : fields) {
-    RatingPlot::Question question{field, {}};
-    std::vector<int> answers;
-    std::vector<RowRef> answerRows;
-    for (const auto& [subject, last] : bySubject) {
-      answers.push_back(last.rating);
-      answerRows.push_back(last.row);
-      ++question.counts[static_cast<size_t>(last.rating - 1)];
-    }
-    plot.questions.push_back(question);
-    const std::string source = fmt::format("last answers of {} subjects to {}", answers.size(), field);
-    const Estimable<OrdinalDistribution> distribution = ordinalDistribution(answers);
-    if (distribution) {
-      Estimate mean;
-      mean.value = distribution->mean;
-      rows.push_back({fmt::format("{}: mean (1 ppc, 5 gc)", field), mean, "", source, {}, answerRows});
-    }
-    const Estimable<MiddleTest> test = testAgainstMiddle(answers);
-    rows.push_back(
-        {fmt::format("{}: center of answer - 3, signed ranks", field),
-         test ? Estimable<Estimate>(test->signedRank.center) : Estimable<Estimate>::impossible(test.reason()),
-         "",
-         source,
-         {},
-         answerRows});
-    pValues.push_back(test ? test->signedRank.center.pValue : kNotKnown);
-  }
-  work.document.add(ReportFigure{plot.title, "figure-survey", ratingFigure(plot)});
-  addEstimates(work.document, "Answers against the middle of the scale", "survey-answers", rows);
-  // A model of the survey is one test: the smallest p value, corrected for the number of questions.
-  double smallest = kNotKnown;
-  for (const double p : holmAdjusted(pValues)) {
-    smallest = std::fmin(smallest, p);
-  }
-  for (const PlannedModel& model : work.analysis.plan.models) {
-    if (model.task == "survey") {
-      work.outcomes.push_back({model.name, "",
-                               std::isfinite(smallest) ? Estimable<double>(smallest)
-                                                       : Estimable<double>::impossible("all answers are the middle")});
-    }
-  }
+  addCautions(work, items);
+  addFigures(work, items);
+  addDescriptions(work, items);
+  addPreferences(work, items);
   work.methods.push_back(
-      "Answers to the survey were tested against the middle of the scale by signed ranks; the p value "
-      "of the survey is the smallest of its questions, corrected by Holm's method.");
+      "Answers to questions of the survey that compare the views were tested against the middle of their own scale by "
+      "signed ranks; the p value of the survey is the smallest of these questions, corrected by Holm's method. Other "
+      "questions are described.");
 }
 
 }  // namespace ocelli

@@ -5,6 +5,9 @@
 
 namespace ocelli {
 
+/// The table whose p values the test of the survey is made of.
+inline constexpr const char* kSurveyTestsTable = "survey-preference";
+
 void addSurveySection(ReportWork& work);
 
 }  // namespace ocelli

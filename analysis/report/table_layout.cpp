@@ -120,6 +120,9 @@ class TablePainter {
       std::vector<CellLines> cells;
       for (size_t c = 0; c < row.size() && c < table_.columns.size(); ++c) {
         cells.push_back(cellLines(cleanText(row[c].text), row[c].emphasised ? Face::kSansBold : Face::kSans, c));
+        if (!row[c].shortName.empty()) {
+          cells.back().push_back(cleanText(row[c].shortName));
+        }
       }
       rows.push_back(std::move(cells));
     }
@@ -139,8 +142,9 @@ class TablePainter {
   }
 
   CellLines captionLines(const std::string& more) const {
-    return brokenLines(cleanText(fmt::format("{}{}. {}", name_.label, more, table_.caption)), Face::kSansBold, 9,
-                       kTextWidth);
+    const std::string mark = table_.exploratory ? fmt::format(" ({})", kExploratory) : "";
+    return brokenLines(cleanText(fmt::format("{}{}.{} {}", name_.label, more, mark, table_.caption)), Face::kSansBold,
+                       9, kTextWidth);
   }
   void paintCaption(const std::string& more) {
     for (const std::string& line : captionLines(more)) {
@@ -190,7 +194,12 @@ class TablePainter {
   void paintRow(const std::vector<CellLines>& cells, const std::vector<ReportCell>& row, double height) {
     const double top = flow_.take(height);
     for (size_t c = 0; c < cells.size(); ++c) {
-      paintCell("cell", cells[c], c, top, row[c].emphasised ? Face::kSansBold : Face::kSans);
+      CellLines lines = cells[c];
+      if (!row[c].shortName.empty()) {
+        paintShortName(lines.back(), c, top + lineHeight_ * static_cast<double>(lines.size() - 1));
+        lines.pop_back();
+      }
+      paintCell("cell", lines, c, top, row[c].emphasised ? Face::kSansBold : Face::kSans);
       if (!row[c].footnote.empty()) {
         paintMark(cells[c].front(), row[c], c, top);
       }
@@ -211,6 +220,19 @@ class TablePainter {
                             .across = words ? Across::kLeft : Across::kRight,
                             .down = Down::kMiddle});
     }
+  }
+  /// As the last line of its cell.
+  void paintShortName(const std::string& name, size_t column, double top) {
+    const bool words = isWords(table_, column);
+    const double size = 0.8 * layout_.size;
+    flow_.drawing().text("short name",
+                         {words ? columnLeft(column) + kPadding : columnLeft(column + 1) - kPadding,
+                          top + kRowPadding + lineHeight_ / 2},
+                         shortened(name, Face::kSans, size, layout_.widths[column] - 2 * kPadding),
+                         {.size = size,
+                          .paint = kSoftTextPaint,
+                          .across = words ? Across::kLeft : Across::kRight,
+                          .down = Down::kMiddle});
   }
   /// Of its footnote, beside the text, in the padding of the cell: numbers stay below each other.
   void paintMark(const std::string& line, const ReportCell& cell, size_t column, double top) {
@@ -281,6 +303,7 @@ std::vector<ReportTable> partsOf(const ReportTable& table, double width) {
       used += wish.least[end++];
     }
     ReportTable part{table.caption, table.id, {table.columns[0]}, {}};
+    part.exploratory = table.exploratory;
     const auto take = [&](const auto& from, auto& to) {
       for (size_t k = c; k < end && k < from.size(); ++k) {
         to.push_back(from[k]);

@@ -19,9 +19,8 @@ TrialList answeredTrials(const AnalysisData& analysis, const std::string& task) 
 }  // namespace
 
 const PlannedModel* viewModelOf(const AnalysisPlan& plan, const std::string& task) {
-  const ModelKind kind = task == "find" ? ModelKind::kLinearMixed : ModelKind::kBinomialMixed;
   const auto found = std::find_if(plan.models.begin(), plan.models.end(), [&](const PlannedModel& model) {
-    return model.task == task && model.kind == kind &&
+    return model.task == task && isMixed(model.kind) && (model.kind == ModelKind::kBinomialMixed) == (task != "find") &&
            std::find(model.terms.begin(), model.terms.end(), kView) != model.terms.end();
   });
   return found == plan.models.end() ? nullptr : &*found;
@@ -29,19 +28,16 @@ const PlannedModel* viewModelOf(const AnalysisPlan& plan, const std::string& tas
 
 ViewTest testOfView(const AnalysisData& analysis, const PlannedModel& model) {
   Estimable<PlannedFit> fit = Estimable<PlannedFit>::impossible("");
-  if (model.kind == ModelKind::kLinearMixed) {
-    const TrialList trials =
-        searchesOfLinearModel(model, trialsOfTask(analysis, model.task), analysis.plan.findTimeouts);
-    fit = fitLinear(model, trials, secondsOf(trials));
+  if (model.kind != ModelKind::kBinomialMixed) {
+    const TimeoutTreatment timeouts = analysis.plan.findTimeouts;
+    fit = fitTimes(model, searchesOfMixedModel(model, trialsOfTask(analysis, model.task), timeouts), timeouts);
   } else {
     fit = fitBinomial(model, completeTrials(model, answeredTrials(analysis, model.task)));
   }
   if (!fit) {
     return {Estimable<Estimate>::impossible(fit.reason())};
   }
-  const auto view =
-      std::find_if(fit->terms.begin(), fit->terms.end(), [](const TermEstimate& term) { return term.term == kView; });
-  return {view->estimate, !fit->warnings.empty()};
+  return {viewLogarithm(*fit), !fit->warnings.empty()};
 }
 
 const PlannedEquivalence* equivalenceBoundsOf(const AnalysisPlan& plan, const std::string& task) {

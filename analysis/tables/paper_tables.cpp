@@ -3,11 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <set>
 #include <tuple>
 
+#include "analysis/dataset/form_item.h"
+#include "analysis/dataset/protocol_facts.h"
+#include "analysis/tables/neutral_tables.h"
 #include "analysis/tables/published_values.h"
 
 namespace ocelli {
@@ -16,6 +21,20 @@ namespace {
 constexpr TrialView kViews[] = {TrialView::kPinhole, TrialView::kGraph};
 constexpr int kPublishedSessions = 3;
 constexpr const char* kFirstSession = "Trials of the first session of all subjects.";
+
+/// As the protocol plans, or else as many as there are.
+int sessionsOf(const Dataset& data) {
+  int sessions = 1;
+  for (const DataSource& source : data.sources) {
+    if (!source.protocolText.empty()) {
+      return protocolFacts(source.protocolText, source.path).sessions;
+    }
+  }
+  for (const Session& session : data.sessions) {
+    sessions = std::max(sessions, session.number);
+  }
+  return sessions;
+}
 
 const char* objectsName(bool moving) {
   return moving ? "moving" : "stationary";
@@ -27,15 +46,23 @@ using CellOf = std::function<Cell(std::string name, const TrialList& trials)>;
 class PaperTables {
  public:
   PaperTables(const AnalysisData& analysis, const PaperTableOptions& options)
-      : analysis_(analysis), options_(options), completed_(completedSessions(analysis.data)) {
+      : analysis_(analysis),
+        options_(options),
+        isOfPaper_(isOfRosen2010(analysis.data)),
+        sessions_(isOfPaper_ ? kPublishedSessions : sessionsOf(analysis.data)),
+        completed_(completedSessions(analysis.data)) {
     for (const Trial& trial : analysis.data.trials) {
       byTask_[trial.task].push_back(&trial);
     }
   }
 
   std::vector<Table> all() {
-    return {subjects(),    findMeans(),    timeouts(), table71(),     figure75(), countMeans(),
-            table72Left(), table72Right(), table73(),  countErrors(), paths(),    survey()};
+    std::vector<Table> tables{subjects(),    findMeans(),    timeouts(), table71(),     figure75(), countMeans(),
+                              table72Left(), table72Right(), table73(),  countErrors(), paths(),    survey()};
+    if (!isOfPaper_) {
+      makeNeutral(tables);
+    }
+    return tables;
   }
 
  private:
@@ -67,9 +94,14 @@ class PaperTables {
                  [&](const Trial* trial) { return trial->view == view; });
     return list;
   }
-  bool cameThreeTimes(const Trial& trial) const {
+  bool cameToAllSessions(const Trial& trial) const {
     const auto found = completed_.find(trial.subject);
-    return found != completed_.end() && found->second >= kPublishedSessions;
+    return found != completed_.end() && found->second >= sessions_;
+  }
+  std::string allSessions() const {
+    return sessions_ == kPublishedSessions ? "three sessions"
+           : sessions_ == 1                ? "one session"
+                                           : fmt::format("{} sessions", sessions_);
   }
   /// Whether some trial of the task, or what the text tells, has such objects.
   CellOf meanTime() const {
@@ -78,9 +110,11 @@ class PaperTables {
     };
   }
   std::string timeoutNote() const {
-    return options_.timeouts == TimeoutsInMeans::kRemoved
-               ? "Means are of searches that ended in time, as in the text."
-               : "Searches whose time ran out count as if the object had been found then; the text leaves them out.";
+    if (options_.timeouts == TimeoutsInMeans::kRemoved) {
+      return fmt::format("Means are of searches that ended in time{}.", isOfPaper_ ? ", as in the text" : "");
+    }
+    return fmt::format("Searches whose time ran out count as if the object had been found then{}.",
+                       isOfPaper_ ? "; the text leaves them out" : "");
   }
 
   /// "ppc", "ppc published", "gc", "gc published".
@@ -109,6 +143,8 @@ class PaperTables {
 
   const AnalysisData& analysis_;
   PaperTableOptions options_;
+  bool isOfPaper_;
+  int sessions_;  ///< of whom completed them tables by session tell
   std::map<std::string, int> completed_;
   std::map<std::string, TrialList> byTask_{};
 };
@@ -161,7 +197,7 @@ Table PaperTables::subjects() const {
     }
   }
   add("ended a trial", "began", flow.began, "", 47, {began.begin(), began.end()});
-  const size_t sessions = std::max<size_t>(flow.completedSessions.size(), kPublishedSessions);
+  const size_t sessions = std::max(flow.completedSessions.size(), static_cast<size_t>(sessions_));
   for (size_t k = 1; k <= sessions; ++k) {
     std::vector<std::string> ids;
     for (const auto& [subject, completed] : completed_) {
@@ -205,11 +241,12 @@ Table PaperTables::byObjects(const char* name, const char* title, const char* ta
 
 Table PaperTables::bySession(const char* name, const char* title, const char* task, const CellOf& cellOf,
                              const std::function<PublishedPair(bool, int)>& published) const {
-  Table table{name, title, {"objects", "session"}, kViewColumns, {}, {"Subjects who completed three sessions."}};
+  Table table{name,         title, {"objects", "session"},
+              kViewColumns, {},    {fmt::format("Subjects who completed {}.", allSessions())}};
   for (const bool moving : {false, true}) {
-    for (int session = 1; session <= kPublishedSessions; ++session) {
+    for (int session = 1; session <= sessions_; ++session) {
       const TrialList trials = trialsOf(task, [&](const Trial& trial) {
-        return trial.session == session && trial.moving == moving && cameThreeTimes(trial);
+        return trial.session == session && trial.moving == moving && cameToAllSessions(trial);
       });
       TableRow row{{objectsName(moving), fmt::format("{}", session)}, {}};
       addViews(row, fmt::format("{}/{}/session-{}", name, objectsName(moving), session), trials, cellOf,
@@ -235,8 +272,10 @@ Table PaperTables::findMeans() const {
 Table PaperTables::timeouts() const {
   Table table =
       byObjects("time-outs", "Section 7.4.2: searches whose time ran out", "find", timeoutShareCell, publishedTimeouts);
-  table.notes.emplace_back(
-      "The text gives 33 searches for stationary objects, in either view; 7 and 1 for moving ones.");
+  if (isOfPaper_) {
+    table.notes.emplace_back(
+        "The text gives 33 searches for stationary objects, in either view; 7 and 1 for moving ones.");
+  }
   return table;
 }
 
@@ -247,7 +286,7 @@ Table PaperTables::table71() const {
   table.notes.push_back(timeoutNote());
   size_t row = 0;
   for (const bool moving : {false, true}) {
-    for (int session = 1; session <= kPublishedSessions; ++session) {
+    for (int session = 1; session <= sessions_; ++session) {
       addFasterBy(table.rows[row++], fmt::format("table-7.1/{}/session-{}", objectsName(moving), session),
                   publishedImprovement71(moving, session));
     }
@@ -368,14 +407,48 @@ Table PaperTables::paths() const {
   TableRow all{{"all", "1"}, {}};
   addViews(all, "section-7.4.4/all", first, rightShareCell, publishedPaths(0));
   table.rows.push_back(std::move(all));
-  for (int session = 1; session <= kPublishedSessions; ++session) {
+  for (int session = 1; session <= sessions_; ++session) {
     const TrialList trials =
-        trialsOf("path", [&](const Trial& trial) { return trial.session == session && cameThreeTimes(trial); });
-    TableRow row{{"completed three sessions", fmt::format("{}", session)}, {}};
+        trialsOf("path", [&](const Trial& trial) { return trial.session == session && cameToAllSessions(trial); });
+    TableRow row{{fmt::format("completed {}", allSessions()), fmt::format("{}", session)}, {}};
     addViews(row, fmt::format("section-7.4.4/session-{}", session), trials, rightShareCell, publishedPaths(session));
     table.rows.push_back(std::move(row));
   }
   return table;
+}
+
+/// The answers to a question of the text, 1 for the pinhole to 5 for the graph camera. Where no protocol says the
+/// scale, whole numbers from 1 to 5 are taken to be on it.
+struct TextAnswers {
+  std::vector<double> numbers{};
+  std::vector<RowRef> rows{};
+  std::string missing = "no answers";  ///< why there are none
+};
+
+TextAnswers textAnswers(const std::vector<ItemAnswers>& items, const std::string& question) {
+  constexpr int kSteps = 5;
+  TextAnswers result;
+  const auto found =
+      std::find_if(items.begin(), items.end(), [&](const ItemAnswers& each) { return each.item.name == question; });
+  if (found == items.end()) {
+    return result;
+  }
+  const FormItem& item = found->item;
+  if (item.isInProtocol() && (item.steps() != kSteps || !item.comparesViews())) {
+    result.missing = "asked on another scale";
+    return result;
+  }
+  for (const ItemAnswers::Answer& answer : found->answers) {
+    const std::optional<double> number = item.isInProtocol() ? answer.place : numberIn(answer.row->answer);
+    if (!number || *number < 1 || *number > kSteps || *number != std::floor(*number)) {
+      result = {};
+      result.missing = "on a scale that is not known";
+      return result;
+    }
+    result.numbers.push_back(item.lastFavors == TrialView::kPinhole ? kSteps + 1 - *number : *number);
+    result.rows.push_back({answer.row->source, answer.row->answerId});
+  }
+  return result;
 }
 
 Table PaperTables::survey() const {
@@ -384,41 +457,29 @@ Table PaperTables::survey() const {
               {"question"},
               {"mean", "published"},
               {},
-              {"The last answer of each subject; answers that are no numbers are left out."}};
-  std::map<std::string, std::map<std::string, const FormAnswer*>> last;  // by question and subject
+              {"The last answer of each subject; answers that are none of the options are left out."}};
+  const std::vector<ItemAnswers> items = answersToForm(analysis_.data, "survey");
   for (const char* question : {"easier_find", "easier_count", "easier_path"}) {
-    last[question];
-  }
-  for (const FormAnswer& answer : analysis_.data.answers) {
-    if (answer.form == "survey") {
-      const FormAnswer*& known = last[answer.field][answer.subject];
-      known = known == nullptr || known->session <= answer.session ? &answer : known;
-    }
-  }
-  std::map<std::string, int> taken;
-  for (const auto& [question, answers] : last) {
-    const int before = taken[namePart(question)]++;
+    const TextAnswers answers = textAnswers(items, question);
     Cell cell;
-    cell.name = fmt::format("section-7.4.5/{}{}", namePart(question), before > 0 ? fmt::format("-{}", before + 1) : "");
+    cell.name = fmt::format("section-7.4.5/{}", namePart(question));
     cell.decimals = 2;
     cell.from = Cell::From::kAnswers;
     cell.meaning = fmt::format("mean answer to \"{}\" of the survey", question);
-    double sum = 0;
-    for (const auto& [subject, answer] : answers) {
-      if (const std::optional<double> number = numberIn(answer->answer)) {
-        sum += *number;
-        cell.rows.push_back({answer->source, answer->answerId});
-      }
-    }
+    cell.rows = answers.rows;
     cell.denominator = static_cast<int64_t>(cell.rows.size());
-    if (cell.rows.empty()) {
-      cell.missing = "no answers";
+    if (answers.numbers.empty()) {
+      cell.missing = answers.missing;
     } else {
-      cell.value = sum / static_cast<double>(cell.rows.size());
+      cell.value = std::accumulate(answers.numbers.begin(), answers.numbers.end(), 0.0) /
+                   static_cast<double>(answers.numbers.size());
     }
     Cell fromText =
         publishedCell(fmt::format("{}/published", cell.name), publishedSurvey(question), "", "as the text reports it");
-    table.rows.push_back({{question}, {std::move(cell), std::move(fromText)}});
+    const char* words = question == std::string("easier_find")    ? "to find the object"
+                        : question == std::string("easier_count") ? "to count the objects"
+                                                                  : "to recognise the path";
+    table.rows.push_back({{words}, {std::move(cell), std::move(fromText)}});
   }
   return table;
 }

@@ -16,9 +16,10 @@ struct PaperTableOptions {
   TimeoutsInMeans timeouts = TimeoutsInMeans::kRemoved;  ///< as the text does
 };
 
-/// What the data do not have is "no trials". Names of the tables: "subjects", "section-7.4.2", "time-outs",
-/// "table-7.1", "figure-7.5", "section-7.4.3", "table-7.2-left", "table-7.2-right", "table-7.3", "count-errors",
-/// "section-7.4.4", "section-7.4.5".
+/// What the data do not have is "no trials". Studies by other protocols than those of Rosen 2010 get the same tables
+/// under other names and without published values (neutral_tables.h). Names of the tables: "subjects", "section-7.4.2",
+/// "time-outs", "table-7.1", "figure-7.5", "section-7.4.3", "table-7.2-left", "table-7.2-right", "table-7.3",
+/// "count-errors", "section-7.4.4", "section-7.4.5".
 std::vector<Table> paperTables(const AnalysisData& analysis, const PaperTableOptions& options = {});
 
 }  // namespace ocelli

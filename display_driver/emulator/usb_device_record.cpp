@@ -2,7 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "display_driver/wire/wire_format.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/printable_text.h"
 
 namespace ocelli {
 namespace {
@@ -18,6 +23,9 @@ constexpr uint8_t kInterfaceType = 4;
 constexpr uint8_t kEndpointType = 5;
 constexpr uint8_t kCompanionType = 0x30;
 constexpr uint8_t kBulk = 2;
+
+/// Of a string descriptor, whose length is a byte: two for the head, two for each letter.
+constexpr size_t kMaxStringLetters = 126;
 
 uint8_t low(size_t number) {
   return static_cast<uint8_t>(number & 0xff);
@@ -93,9 +101,17 @@ std::vector<uint8_t> descriptorBytes(EmulatedSpeed speed) {
   return bytes;
 }
 
+void requireSerial(const std::string& serial) {
+  const bool printable = std::ranges::all_of(serial, [](char c) { return c >= ' ' && c <= '~'; });
+  if (!printable || serial.size() > kMaxStringLetters) {
+    throw InputError(
+        "a serial number on USB has at most " + std::to_string(kMaxStringLetters) + " printable characters of ASCII",
+        "serial number \"" + printableText(serial) + "\"", "letters and digits, such as EMULATED-2");
+  }
+}
+
 std::vector<uint8_t> stringDescriptor(const std::string& text) {
-  constexpr size_t kMost = 126;
-  const std::string_view part = std::string_view(text).substr(0, kMost);
+  const std::string_view part = std::string_view(text).substr(0, kMaxStringLetters);
   std::vector<uint8_t> bytes = {static_cast<uint8_t>(2 + 2 * part.size()), kStringType};
   for (const char letter : part) {
     append(bytes, {static_cast<uint8_t>(letter), 0});

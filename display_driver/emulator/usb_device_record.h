@@ -22,6 +22,9 @@ size_t bulkPacketBytes(EmulatedSpeed speed);
 std::vector<uint8_t> descriptorBytes(EmulatedSpeed speed);
 /// A string descriptor of ASCII text.
 std::vector<uint8_t> stringDescriptor(const std::string& text);
+/// Throws InputError where a string descriptor or umockdev cannot hold a serial number: it is up to 126 printable
+/// characters of ASCII.
+void requireSerial(const std::string& serial);
 /// String descriptor 0: that strings are in English.
 std::vector<uint8_t> languageDescriptor();
 

@@ -47,6 +47,7 @@ constexpr microseconds kEmptyReap{500};
 constexpr microseconds kShortestSleep{50};
 constexpr microseconds kLongestSleep{1000};
 constexpr const char* kPreloadLibrary = "libumockdev-preload.so.0";
+constexpr const char* kPreloadHint = "install it (Debian: apt-get install umockdev)";
 constexpr std::chrono::milliseconds kEndOfListening{30};
 constexpr std::chrono::milliseconds kLastWords{500};
 constexpr int kFirstDeviceNumber = 2;  // 1 is the root hub
@@ -654,6 +655,9 @@ void UsbEmulator::State::run() {
 
 UsbEmulator::State::State(std::vector<EmulatedUsbDisplay> options) {
   OC_CHECK(!options.empty(), "an emulator has a display");
+  for (const EmulatedUsbDisplay& option : options) {
+    requireSerial(option.device.firmware.serial);
+  }
   sweepTestBeds();
   bed = newTestBed(folder.path());
   handler = umockdev_ioctl_base_new();
@@ -708,6 +712,28 @@ bool UsbEmulator::preloaded() {
     dlclose(loaded);
   }
   return loaded != nullptr;
+}
+
+std::optional<WorkError> UsbEmulator::preloadError() {
+  void* const loaded = dlopen(kPreloadLibrary, RTLD_LAZY | RTLD_LOCAL);
+  if (loaded == nullptr) {
+    const char* const reason = dlerror();
+    return WorkError("umockdev's preload library cannot be loaded", reason == nullptr ? kPreloadLibrary : reason,
+                     kPreloadHint);
+  }
+  dlclose(loaded);
+  return std::nullopt;
+}
+
+void UsbEmulator::requirePreloaded() {
+  if (const auto error = preloadError()) {
+    throw *error;
+  }
+  restartPreloaded();
+  if (!preloaded()) {
+    throw WorkError("this program cannot be started anew with umockdev's preload library", kPreloadLibrary,
+                    "start it with the environment variable LD_PRELOAD set to that name");
+  }
 }
 
 void UsbEmulator::restartPreloaded() {

@@ -11,12 +11,14 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "display_driver/emulator/usb_device_record.h"
 #include "display_driver/firmware/emulated_device.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 
@@ -35,9 +37,13 @@ class UsbEmulator {
   /// Whether umockdev's preload library is loaded: without it this process sees no emulated devices, and those that do
   /// not hear of what is plugged in and unplugged.
   static bool preloaded();
+  /// Why that library cannot be loaded on this machine, with what to install; nullopt where it can.
+  static std::optional<WorkError> preloadError();
   /// Starts this program anew, with the same arguments, so that it is. Returns where it is already, or where that is
   /// not possible; it is tried once.
   static void restartPreloaded();
+  /// The same, but throws WorkError where that is not possible.
+  static void requirePreloaded();
   /// Variables for the environment of programs that shall see the displays, with their values. Libraries that are
   /// preloaded already stay so, behind umockdev's.
   std::vector<std::pair<std::string, std::string>> environment() const;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/random.h"
 
@@ -92,11 +93,11 @@ const char* nameOf(FaultKind kind) {
 }
 
 FaultScript faultScriptFromJson(const std::string& text, const std::string& where) {
-  return scriptFrom(parseJson(text, where), where);
+  return readAs("docs/emulated_device.md#faults", [&] { return scriptFrom(parseJson(text, where), where); });
 }
 
 FaultScript readFaultScript(const std::filesystem::path& path) {
-  return scriptFrom(readJsonFile(path), path.string());
+  return faultScriptFromJson(readFile(path, kMostTextBytes), path.string());
 }
 
 std::string jsonText(const FaultScript& script) {

@@ -54,6 +54,9 @@ class PathFeed final : public EyeFeed {
 /// Longer ones are no poses.
 constexpr size_t kMostLineBytes = 256;
 
+/// Of a wrong one, for people.
+constexpr size_t kMaxShownBytes = 80;
+
 /// Reads on a thread of its own, so that of all that has come the newest is there when it is asked for.
 class LiveFeed : public EyeFeed {
  public:
@@ -104,7 +107,8 @@ class LiveFeed : public EyeFeed {
     if (pose) {
       eye_ = pose->eye;
     } else if (malformed_++ == 0) {
-      firstMalformed_ = printableText(line.substr(0, kMostLineBytes));
+      const std::string problem = line.size() > kMostLineBytes ? "too long" : problemOfLine(line);
+      firstMalformed_ = "not TIME,X,Y,Z (" + problem + "): \"" + printableText(line.substr(0, kMaxShownBytes)) + "\"";
     }
   }
 

@@ -19,7 +19,8 @@ class EyeFeed {
   virtual std::optional<glm::vec3> eyeAt(HostTime seen) = 0;
   /// There will be no more.
   virtual bool ended(HostTime seen) = 0;
-  /// Of lines and datagrams that were none; the first one's text for people.
+  /// Of lines and datagrams that were none; of the first one, for people, what was wrong: "not TIME,X,Y,Z (3 values
+  /// instead of 4): \"0,1,2\"".
   virtual uint64_t malformed() const { return 0; }
   virtual std::string firstMalformed() const { return {}; }
 };

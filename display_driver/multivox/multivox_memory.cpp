@@ -67,7 +67,9 @@ MultivoxMemory::Found MultivoxMemory::look() {
   if (found < 0) {
     if (errno == ENOENT) {
       return lose(
-          fmt::format("there is no shared memory {} yet; start the display's driver or its simulator", object_));
+          fmt::format("there is no shared memory {} yet; on this machine start the display's driver, as in sudo "
+                      "./vortex, or its simulator, ./virtex, of the multivox project",
+                      object_));
     }
     return lose(fmt::format("cannot open the shared memory {}: {}", object_, errorText(errno)));
   }

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "display_driver/wire/wire_format.h"
+#include "oc_core/base/json_fields.h"
 
 namespace ocelli {
 namespace {
@@ -52,7 +53,7 @@ SessionWriter::SessionWriter(const std::filesystem::path& path, const DeviceInfo
                                 {"serial", device.serial},
                                 {"link", device.link},
                                 {"profile", ordered_json::parse(jsonText(profile))}};
-  writeText(RecordType::kOpening, {}, opening.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+  writeText(RecordType::kOpening, {}, textOfJson(opening));
   file_.publish();
 }
 
@@ -112,7 +113,7 @@ void SessionWriter::ended(FrameNumber frame, const FrameState& state, HostTime o
   }
   json["bytes"] = state.bytes;
   json["problem"] = state.problem;
-  writeText(RecordType::kFate, time, json.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+  writeText(RecordType::kFate, time, textOfJson(json));
 }
 
 void SessionWriter::told(const Telemetry& telemetry, HostTime opened, Time time) {
@@ -138,7 +139,7 @@ void SessionWriter::told(const Telemetry& telemetry, HostTime opened, Time time)
   json["reconnections"] = telemetry.reconnections;
   json["bytes_sent"] = telemetry.bytesSent;
   json["problem"] = telemetry.lastProblem;
-  writeText(RecordType::kTelemetry, time, json.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+  writeText(RecordType::kTelemetry, time, textOfJson(json));
 }
 
 void SessionWriter::finish(Time time) {

@@ -49,27 +49,29 @@ double DisplayProfile::refreshHertz() const {
 }
 
 DisplayProfile profileFromJsonText(const std::string& text, const std::string& where) {
-  const nlohmann::json json = parseJson(text, where);
-  JsonFields fields(json, where);
-  DisplayProfile profile;
-  profile.name = readName(fields);
-  profile.radiusMetres = fields.number("radius_metres", 0.001, 100);
-  profile.halfHeightRadii = fields.number("half_height_radii", 0.01, 100, 1);
-  profile.slicesPerHalfTurn = fields.integer("slices_per_half_turn", 2, 4096);
-  profile.width = fields.integer("width", 2, kMostSliceSide);
-  profile.height = fields.integer("height", 1, kMostSliceSide);
-  profile.colorBitsPerChannel = fields.integer("color_bits_per_channel", 1, 8, 1);
-  profile.channelTiming = static_cast<ChannelTiming>(readEither(fields, "channel_timing", kChannelTimingNames));
-  profile.rotationsPerMinute = fields.number("rotations_per_minute", 0.001, 1e6);
-  profile.secondHalfTurn = static_cast<SecondHalfTurn>(readEither(fields, "second_half_turn", kSecondHalfTurnNames));
-  profile.viewingDistanceMetres =
-      fields.number("viewing_distance_metres", 0.001, 1e4, kDefaultEyeDistance * profile.radiusMetres);
-  fields.rejectUnknown();
-  if (profile.volumeBytes() > kMostVolumeBytes) {
-    throw InputError("a volume of this display would take more than 2 GiB", where,
-                     "lower \"slices_per_half_turn\", \"width\", \"height\" or \"color_bits_per_channel\"");
-  }
-  return profile;
+  return readAs("display_sim/frames/profiles/display_profile.schema.json", [&] {
+    const nlohmann::json json = parseJson(text, where);
+    JsonFields fields(json, where);
+    DisplayProfile profile;
+    profile.name = readName(fields);
+    profile.radiusMetres = fields.number("radius_metres", 0.001, 100);
+    profile.halfHeightRadii = fields.number("half_height_radii", 0.01, 100, 1);
+    profile.slicesPerHalfTurn = fields.integer("slices_per_half_turn", 2, 4096);
+    profile.width = fields.integer("width", 2, kMostSliceSide);
+    profile.height = fields.integer("height", 1, kMostSliceSide);
+    profile.colorBitsPerChannel = fields.integer("color_bits_per_channel", 1, 8, 1);
+    profile.channelTiming = static_cast<ChannelTiming>(readEither(fields, "channel_timing", kChannelTimingNames));
+    profile.rotationsPerMinute = fields.number("rotations_per_minute", 0.001, 1e6);
+    profile.secondHalfTurn = static_cast<SecondHalfTurn>(readEither(fields, "second_half_turn", kSecondHalfTurnNames));
+    profile.viewingDistanceMetres =
+        fields.number("viewing_distance_metres", 0.001, 1e4, kDefaultEyeDistance * profile.radiusMetres);
+    fields.rejectUnknown();
+    if (profile.volumeBytes() > kMostVolumeBytes) {
+      throw InputError("a volume of this display would take more than 2 GiB", where,
+                       "lower \"slices_per_half_turn\", \"width\", \"height\" or \"color_bits_per_channel\"");
+    }
+    return profile;
+  });
 }
 
 DisplayProfile readProfile(const std::filesystem::path& path) {
@@ -89,7 +91,7 @@ std::string jsonText(const DisplayProfile& profile) {
   json["rotations_per_minute"] = profile.rotationsPerMinute;
   json["second_half_turn"] = kSecondHalfTurnNames[static_cast<int>(profile.secondHalfTurn)];
   json["viewing_distance_metres"] = profile.viewingDistanceMetres;
-  return json.dump();
+  return textOfJson(json);
 }
 
 const std::vector<std::string>& builtinProfileNames() {

@@ -22,7 +22,7 @@ std::vector<std::pair<std::string, std::string>> metadataFields(const std::strin
   std::vector<std::pair<std::string, std::string>> fields;
   const auto object = nlohmann::ordered_json::parse(text, nullptr, true, true);
   for (const auto& [name, value] : object.items()) {
-    fields.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
+    fields.emplace_back(name, value.is_string() ? value.get<std::string>() : textOfJson(value));
   }
   return fields;
 }
@@ -30,7 +30,7 @@ std::vector<std::pair<std::string, std::string>> metadataFields(const std::strin
 std::string withField(const std::string& text, const std::string& name, const std::string& value) {
   auto object = nlohmann::ordered_json::parse(text, nullptr, true, true);
   object[name] = value;
-  return object.dump();
+  return textOfJson(object);
 }
 
 }  // namespace ocelli::svol

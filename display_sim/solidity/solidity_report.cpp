@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "oc_core/base/json_fields.h"
+
 namespace ocelli {
 namespace {
 
@@ -66,7 +68,7 @@ std::string solidityJson(const std::string& scene, const SolidityOptions& option
     json["representations"].push_back(entry);
   }
   // A path need not be UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return textOfJson(json, 2) + "\n";
 }
 
 }  // namespace ocelli

@@ -191,24 +191,26 @@ ScriptStep readStep(const nlohmann::json& json, const std::string& where) {
 }  // namespace
 
 ViewerScript viewerScriptFromJsonText(const std::string& text, const std::string& where) {
-  const nlohmann::json json = parseJson(text, where);
-  JsonFields fields(json, where);
-  ViewerScript script;
-  if (fields.has("size")) {
-    const glm::ivec2 size = readSize(fields);
-    script.width = size.x;
-    script.height = size.y;
-  }
-  script.scale = readScale(fields);
-  const nlohmann::json& steps = fields.value("steps");
-  if (!steps.is_array()) {
-    fields.fail("steps", "must be an array of objects");
-  }
-  for (size_t i = 0; i < steps.size(); ++i) {
-    script.steps.push_back(readStep(steps[i], where + ", step " + std::to_string(i + 1)));
-  }
-  fields.rejectUnknown();
-  return script;
+  return readAs("display_sim/viewer/viewer_script.schema.json", [&] {
+    const nlohmann::json json = parseJson(text, where);
+    JsonFields fields(json, where);
+    ViewerScript script;
+    if (fields.has("size")) {
+      const glm::ivec2 size = readSize(fields);
+      script.width = size.x;
+      script.height = size.y;
+    }
+    script.scale = readScale(fields);
+    const nlohmann::json& steps = fields.value("steps");
+    if (!steps.is_array()) {
+      fields.fail("steps", "must be an array of objects");
+    }
+    for (size_t i = 0; i < steps.size(); ++i) {
+      script.steps.push_back(readStep(steps[i], where + ", step " + std::to_string(i + 1)));
+    }
+    fields.rejectUnknown();
+    return script;
+  });
 }
 
 ViewerScript readViewerScript(const std::filesystem::path& path) {

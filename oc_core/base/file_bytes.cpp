@@ -1,5 +1,8 @@
 #include "oc_core/base/file_bytes.h"
 
+#include <sys/stat.h>
+
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -29,11 +32,21 @@ std::string readFile(const std::filesystem::path& path, size_t mostBytes) {
   if (!file) {
     fail(errno);
   }
+  // A device may have no end.
+  struct stat status {};
+  const bool isRegular = fstat(fileno(file.get()), &status) == 0 && S_ISREG(status.st_mode);
+  if (!isRegular) {
+    mostBytes = std::min(mostBytes, kMostTextBytes);
+  }
   std::string bytes;
   std::array<char, 1 << 16> block;
   for (size_t got = block.size(); got == block.size();) {
     got = std::fread(block.data(), 1, block.size(), file.get());
     bytes.append(block.data(), got);
+    if (bytes.size() > mostBytes && !isRegular) {
+      throw InputError("this is no regular file, and larger than " + std::to_string(mostBytes >> 20U) + " MiB",
+                       path.string(), "save what it gives as a file, and name that");
+    }
     if (bytes.size() > mostBytes) {
       throw InputError("this file is larger than " + std::to_string(mostBytes >> 20U) + " MiB, the most that it may be",
                        path.string(), "check that this is the file you mean");

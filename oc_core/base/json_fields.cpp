@@ -13,9 +13,12 @@ constexpr int kMostDepth = 100;
 
 }  // namespace
 
+JsonFieldError::JsonFieldError(const std::string& problem, const std::string& where)
+    : InputError(problem, where, "see docs/files.md"), problem_(problem), where_(where) {}
+
 JsonFields::JsonFields(const nlohmann::json& object, std::string where) : object_(object), where_(std::move(where)) {
   if (!object_.is_object()) {
-    throw InputError("a JSON object { ... } is expected", where_, "see the schema of this file");
+    throw JsonFieldError("a JSON object { ... } is expected", where_);
   }
 }
 
@@ -25,7 +28,7 @@ bool JsonFields::has(const std::string& name) {
 }
 
 void JsonFields::fail(const std::string& name, const std::string& problem) const {
-  throw InputError("field \"" + name + "\" " + problem, where_, "see the schema of this file");
+  throw JsonFieldError("field \"" + name + "\" " + problem, where_);
 }
 
 const nlohmann::json& JsonFields::value(const std::string& name) {
@@ -114,14 +117,17 @@ void JsonFields::rejectUnknown() const {
   }
 }
 
+std::string textOfJson(const nlohmann::ordered_json& json, int indent) {
+  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 nlohmann::json parseJson(const std::string& text, const std::string& where) {
   // What reads and writes a document follows it down: far deeper than any file of ours it would run out of stack.
   // Of two fields of one name the parser would keep the last; comments are not read.
   std::vector<std::set<std::string>> names;
   const auto check = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
     if (depth > kMostDepth) {
-      throw InputError("this JSON is nested deeper than " + std::to_string(kMostDepth) + " levels", where,
-                       "see the schema of this file");
+      throw JsonFieldError("this JSON is nested deeper than " + std::to_string(kMostDepth) + " levels", where);
     }
     using Event = nlohmann::json::parse_event_t;
     if (event == Event::object_start) {

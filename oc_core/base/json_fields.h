@@ -8,7 +8,33 @@
 #include <string>
 #include <vector>
 
+#include "oc_core/base/error.h"
+
 namespace ocelli {
+
+/// What is wrong with a field, or with what should be an object. It names no schema yet: readAs() does.
+class JsonFieldError : public InputError {
+ public:
+  JsonFieldError(const std::string& problem, const std::string& where);
+
+  const std::string& problem() const { return problem_; }
+  const std::string& where() const { return where_; }
+
+ private:
+  std::string problem_;
+  std::string where_;
+};
+
+/// Calls `read`, which reads a file of one kind. What it finds wrong with a field then says where all fields of such a
+/// file are described: `description` is a path in the source tree, also where the toolkit is installed (docs/files.md).
+template <class Read>
+auto readAs(const char* description, const Read& read) {
+  try {
+    return read();
+  } catch (const JsonFieldError& error) {
+    throw InputError(error.problem(), error.where(), std::string("see ") + description);
+  }
+}
 
 class JsonFields {
  public:
@@ -43,6 +69,10 @@ class JsonFields {
   std::string where_;
   std::set<std::string> known_;
 };
+
+/// JSON as text, in one line or indented. Names of files, objects and cameras may hold any bytes: those that are not
+/// UTF-8 become U+FFFD, so that every reader takes the text.
+std::string textOfJson(const nlohmann::ordered_json& json, int indent = -1);
 
 /// Parses a JSON file (// and /* */ comments allowed); an InputError says file, line and column. Throws for more than
 /// 100 levels of brackets too.

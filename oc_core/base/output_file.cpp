@@ -1,9 +1,12 @@
 #include "oc_core/base/output_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -14,39 +17,85 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isReplaceable(const fs::path& path) {
-  std::error_code ignored;
-  const fs::file_status status = fs::status(path, ignored);
-  return !fs::exists(status) || fs::is_regular_file(status);
+/// Of a path that names a stream which this program has open already.
+std::optional<int> descriptorOf(const fs::path& path) {
+  const std::string text = path.string();
+  if (text == "/dev/stdout") {
+    return STDOUT_FILENO;
+  }
+  if (text == "/dev/stderr") {
+    return STDERR_FILENO;
+  }
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    int number = 0;
+    const char* const end = text.data() + text.size();
+    if (text.starts_with(folder) && text.size() > folder.size()) {
+      const auto read = std::from_chars(text.data() + folder.size(), end, number);
+      if (read.ec == std::errc() && read.ptr == end) {
+        return number;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(path_) {
+bool isStream(const fs::path& path) {
   std::error_code ignored;
-  const bool exists = fs::exists(path_, ignored);
-  if (exists) {
-    target_ = fs::canonical(path_, ignored);
-  }
-  written_ = target_;
-  if (isReplaceable(path_)) {
-    written_ += ".partial";
-    // A rename would not ask for the rights on what it replaces.
-    if (exists && access(target_.c_str(), W_OK) != 0) {
+  const fs::file_status status = fs::status(path, ignored);
+  return descriptorOf(path) || (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status));
+}
+
+bool isStandardOutput(const fs::path& path) {
+  return descriptorOf(path) == STDOUT_FILENO;
+}
+
+OutputFile::OutputFile(fs::path path) : path_(std::move(path)), target_(path_), written_(path_) {
+  if (isStream(path_)) {
+    if (const std::optional<int> descriptor = descriptorOf(path_)) {
+      // Opened anew, a file would be written from its start, and a socket could not be.
+      const int own = fcntl(*descriptor, F_DUPFD_CLOEXEC, 0);
+      file_.reset(own < 0 ? nullptr : fdopen(own, "wb"));
+    } else {
+      file_.reset(std::fopen(path_.c_str(), "wb"));
+    }
+    if (!file_) {
       fail(errno);
     }
+    return;
   }
-  file_.reset(std::fopen(written_.c_str(), "wb"));
+  std::error_code ignored;
+  if (fs::exists(path_, ignored)) {
+    target_ = fs::canonical(path_, ignored);
+    // A rename would not ask for the rights on what it replaces.
+    if (access(target_.c_str(), W_OK) != 0) {
+      fail(errno);
+    }
+    if (fs::is_directory(target_, ignored)) {
+      fail(EISDIR);
+    }
+  }
+  written_ = target_;
+  written_ += ".partial";
+  int error = 0;
+  unfinished_ = UnfinishedOutput(written_, [&] {
+    file_.reset(std::fopen(written_.c_str(), "wb"));
+    error = file_ ? 0 : errno;
+  });
   if (!file_) {
-    fail(errno);
+    unfinished_.finish([] {});
+    fail(error);
   }
 }
 
 OutputFile::~OutputFile() {
   file_.reset();
   if (written_ != target_) {
-    std::error_code ignored;
-    fs::remove(written_, ignored);
+    unfinished_.finish([this] {
+      std::error_code ignored;
+      fs::remove(written_, ignored);
+    });
   }
 }
 
@@ -83,8 +132,11 @@ void OutputFile::commit() {
 void OutputFile::rename() {
   if (written_ != target_) {
     std::error_code error;
-    fs::rename(written_, target_, error);
+    unfinished_.finish([&] { fs::rename(written_, target_, error); });
     if (error) {
+      std::error_code ignored;
+      fs::remove(written_, ignored);
+      written_ = target_;
       fail(error.value());
     }
     written_ = target_;
@@ -98,7 +150,7 @@ void OutputFile::fail(int reason) const {
 
 void checkWritable(const fs::path& path) {
   // A pipe would take our closing it for the end of what it gets.
-  if (isReplaceable(path)) {
+  if (!isStream(path)) {
     const OutputFile probe(path);
   }
 }

@@ -8,11 +8,14 @@
 #include <span>
 #include <string_view>
 
+#include "oc_core/base/unfinished_output.h"
+
 namespace ocelli {
 
 /// Writes to `PATH.partial` and renames it on commit(); until then a file at `path` stays as it was, and without
-/// commit() nothing is left. A link stays one, and what it names is replaced. A path that is no regular file (a pipe, a
-/// device) is written directly. Every failure is a WorkError.
+/// commit() nothing is left, also where a signal ends the program (unfinished_output.h). A link stays one, and what it
+/// names is replaced. A path that is no regular file (a pipe, a device) is written directly, and so is one of this
+/// program's own streams (/dev/stdout, /dev/fd/N), whatever it leads to. Every failure is a WorkError.
 class OutputFile {
  public:
   explicit OutputFile(std::filesystem::path path);
@@ -40,9 +43,15 @@ class OutputFile {
   std::filesystem::path target_;   ///< where that leads
   std::filesystem::path written_;  ///< a temporary name, or target_ itself
   std::unique_ptr<std::FILE, Close> file_;
+  UnfinishedOutput unfinished_;  ///< holds nothing where it is written directly
 };
 
 /// Throws now what OutputFile(path) would throw: for before long work. Leaves no trace.
 void checkWritable(const std::filesystem::path& path);
+
+/// Whether OutputFile(path) writes to it directly: pipes, devices, and this program's own streams.
+bool isStream(const std::filesystem::path& path);
+/// Whether the path is one of the names of this program's standard output.
+bool isStandardOutput(const std::filesystem::path& path);
 
 }  // namespace ocelli

@@ -72,19 +72,21 @@ void validate(const View& view, const std::string& where) {
 }
 
 View viewFromJsonText(const std::string& text, const std::string& where) {
-  const nlohmann::json json = parseJson(text, where);
-  JsonFields fields(json, where);
-  View view;
-  view.eye = readVector<3>(fields, "eye", view.eye);
-  view.target = readVector<3>(fields, "target", view.target);
-  view.up = readVector<3>(fields, "up", view.up);
-  view.fovVerticalDegrees = fields.number("fov_vertical_degrees", 0, 179, 0);
-  view.zNear = static_cast<float>(fields.number("z_near", 1e-6, 1e6, view.zNear));
-  view.zFar = static_cast<float>(fields.number("z_far", 1e-6, 1e9, view.zFar));
-  view.centerShift = readVector<2>(fields, "center_shift", view.centerShift);
-  fields.rejectUnknown();
-  validate(view, where);
-  return view;
+  return readAs("oc_core/camera/view.schema.json", [&] {
+    const nlohmann::json json = parseJson(text, where);
+    JsonFields fields(json, where);
+    View view;
+    view.eye = readVector<3>(fields, "eye", view.eye);
+    view.target = readVector<3>(fields, "target", view.target);
+    view.up = readVector<3>(fields, "up", view.up);
+    view.fovVerticalDegrees = fields.number("fov_vertical_degrees", 0, 179, 0);
+    view.zNear = static_cast<float>(fields.number("z_near", 1e-6, 1e6, view.zNear));
+    view.zFar = static_cast<float>(fields.number("z_far", 1e-6, 1e9, view.zFar));
+    view.centerShift = readVector<2>(fields, "center_shift", view.centerShift);
+    fields.rejectUnknown();
+    validate(view, where);
+    return view;
+  });
 }
 
 View readView(const std::filesystem::path& path) {
@@ -102,7 +104,7 @@ std::string jsonText(const View& view) {
   if (view.centerShift != glm::vec2(0)) {
     json["center_shift"] = {view.centerShift.x, view.centerShift.y};
   }
-  return json.dump();
+  return textOfJson(json);
 }
 
 View movedEye(const View& view, const glm::vec3& offset) {

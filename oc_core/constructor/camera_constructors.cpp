@@ -37,6 +37,16 @@ void requireFile(JsonFields& options, const char* field) {
   }
 }
 
+/// Of a camera's file.
+const char* schemaOf(const nlohmann::json& json) {
+  const auto camera = json.is_object() ? json.find("camera") : json.end();
+  if (camera != json.end() && *camera == "graph") {
+    return "oc_core/constructor/graph_camera.schema.json";
+  }
+  return camera != json.end() && *camera == "curved" ? "oc_core/constructor/curved_ray_camera.schema.json"
+                                                     : "oc_core/constructor/constructor.schema.json";
+}
+
 std::string listOfNames() {
   std::string names;
   for (const CameraConstructor& each : cameraConstructors()) {
@@ -106,24 +116,28 @@ std::optional<glm::ivec2> sizeInFile(const std::string& nameOrFile) {
     return std::nullopt;
   }
   const nlohmann::json json = readJsonFile(nameOrFile);
-  JsonFields fields(json, nameOrFile);
-  return readSize(fields);
+  return readAs(schemaOf(json), [&] {
+    JsonFields fields(json, nameOrFile);
+    return readSize(fields);
+  });
 }
 
 MultiperspectiveCamera constructCamera(const std::string& nameOrFile, const GuidedScene& scene,
                                        const PinholeCamera& reference) {
   const nlohmann::json json = isFile(nameOrFile) ? readJsonFile(nameOrFile) : nlohmann::json{{"camera", nameOrFile}};
   const std::string where = isFile(nameOrFile) ? nameOrFile : "--camera " + nameOrFile;
-  JsonFields fields(json, where);
-  const std::string name = fields.text("camera");
-  const CameraConstructor* constructor = find(name);
-  if (constructor == nullptr) {
-    throw InputError("there is no constructor of cameras \"" + name + "\"", where + ", field \"camera\"",
-                     "use " + listOfNames());
-  }
-  MultiperspectiveCamera camera = constructor->build(fields, scene, reference);
-  fields.rejectUnknown();
-  return camera;
+  return readAs(schemaOf(json), [&] {
+    JsonFields fields(json, where);
+    const std::string name = fields.text("camera");
+    const CameraConstructor* constructor = find(name);
+    if (constructor == nullptr) {
+      throw InputError("there is no constructor of cameras \"" + name + "\"", where + ", field \"camera\"",
+                       "use " + listOfNames());
+    }
+    MultiperspectiveCamera camera = constructor->build(fields, scene, reference);
+    fields.rejectUnknown();
+    return camera;
+  });
 }
 
 }  // namespace ocelli

@@ -152,19 +152,26 @@ CameraEditor::CameraEditor(const std::string& text, const std::string& where, co
     : reference_(reference), world_(world), texts_{text}, camera_(built(text, where)) {}
 
 MultiperspectiveCamera CameraEditor::built(const std::string& text, const std::string& where) const {
-  const nlohmann::json json = parseJson(text, where);
-  JsonFields fields(json, where);
-  const std::string kind = fields.text("camera");
-  if (!isEditable(kind)) {
-    fields.fail("camera", "must be graph or curved for edits");
-  }
-  MultiperspectiveCamera camera = kind == "graph" ? MultiperspectiveCamera(readGraphCamera(fields, reference_, world_))
-                                                  : MultiperspectiveCamera(readCurvedRayCamera(fields, reference_));
-  fields.rejectUnknown();
-  return camera;
+  return readAs("docs/graph_cameras.md", [&] {
+    const nlohmann::json json = parseJson(text, where);
+    JsonFields fields(json, where);
+    const std::string kind = fields.text("camera");
+    if (!isEditable(kind)) {
+      fields.fail("camera", "must be graph or curved for edits");
+    }
+    MultiperspectiveCamera camera = kind == "graph"
+                                        ? MultiperspectiveCamera(readGraphCamera(fields, reference_, world_))
+                                        : MultiperspectiveCamera(readCurvedRayCamera(fields, reference_));
+    fields.rejectUnknown();
+    return camera;
+  });
 }
 
 void CameraEditor::apply(const std::string& text, const std::string& where) {
+  readAs("docs/graph_cameras.md#step-by-step", [&] { applyEdit(text, where); });
+}
+
+void CameraEditor::applyEdit(const std::string& text, const std::string& where) {
   const nlohmann::json json = parseJson(text, where);
   JsonFields edit(json, where);
   const std::string kind = edit.text("edit");

@@ -32,6 +32,7 @@ class CameraEditor {
   const std::string& text() const { return texts_[at_]; }
 
  private:
+  void applyEdit(const std::string& text, const std::string& where);
   MultiperspectiveCamera built(const std::string& text, const std::string& where) const;
 
   PinholeCamera reference_;

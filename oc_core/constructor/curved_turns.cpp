@@ -1,6 +1,7 @@
 #include "oc_core/constructor/curved_turns.h"
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
 #include "oc_core/constructor/camera_fields.h"
 
 namespace ocelli {
@@ -48,7 +49,7 @@ std::string jsonText(const CurvedRayCamera& camera) {
   writeRoot(json, camera.root());
   json["arcs"] = camera.arcModel() == ArcModel::kConic ? kConic : kBezier;
   json["turns"] = turns;
-  return json.dump(1);
+  return textOfJson(json, 1);
 }
 
 }  // namespace ocelli

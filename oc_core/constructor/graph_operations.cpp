@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
 #include "oc_core/camera/graph_overlap.h"
 #include "oc_core/constructor/camera_fields.h"
 
@@ -294,7 +295,7 @@ std::string jsonText(const GraphCamera& camera) {
   writeRoot(json, camera.root());
   json["overlap"] = "allowed";
   json["operations"] = operations;
-  return json.dump(1);
+  return textOfJson(json, 1);
 }
 
 }  // namespace ocelli

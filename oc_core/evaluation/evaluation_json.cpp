@@ -87,7 +87,7 @@ std::string evaluationJson(const std::string& scene, const EvaluationOptions& op
   json["runs"] = options.runs;
   json["complete"] = complete;
   // A path need not be UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return textOfJson(json, 2) + "\n";
 }
 
 }  // namespace ocelli

@@ -184,7 +184,7 @@ void EvaluationWork::add(const std::string& camera, const RepresentationFigures&
     rows.push_back({{"camera", name}, {"figures", jsonOf(row)}});
   }
   const nlohmann::json json{{"format", kFormat}, {"key", key_}, {"representations", rows}};
-  writeFile(path_, json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  writeFile(path_, textOfJson(json, 1) + "\n");
 }
 
 void EvaluationWork::remove() {

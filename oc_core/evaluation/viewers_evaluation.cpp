@@ -115,7 +115,7 @@ std::string viewersJson(const std::string& scene, const EvaluationOptions& optio
                                {"merged", errorsJson(viewer.merged)}});
   }
   // A path need not be UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return textOfJson(json, 2) + "\n";
 }
 
 }  // namespace ocelli

@@ -59,18 +59,43 @@ bool looksLikeFont(const std::string& bytes) {
                              [&](std::string_view start) { return bytes.starts_with(start); });
 }
 
-/// The font of the system; none where it cannot be read.
-std::optional<std::pair<SystemFont, std::string>> readSystemFont(FontWeight weight) {
-  std::optional<SystemFont> font = findSystemFont(weight);
-  if (!font) {
-    return std::nullopt;
+/// A number of an OpenType font, most significant byte first; 0 beyond its end.
+uint32_t numberAt(const std::string& bytes, size_t offset, size_t size) {
+  uint32_t number = 0;
+  for (size_t i = offset; i < offset + size; ++i) {
+    number = number << 8U | (i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U);
   }
-  try {
-    std::string bytes = readFile(font->file);
-    return looksLikeFont(bytes) ? std::optional(std::pair(*font, std::move(bytes))) : std::nullopt;
-  } catch (const InputError&) {
-    return std::nullopt;
+  return number;
+}
+
+/// From the top of the tallest letters to the bottom of the lowest, in ems (OpenType: hhea and head); nothing where the
+/// font does not say. Dear ImGui takes this height for the size of a font.
+std::optional<double> heightInEms(const std::string& bytes, int index) {
+  const size_t start = bytes.starts_with("ttcf") ? numberAt(bytes, 12 + 4 * static_cast<size_t>(index), 4) : 0;
+  const size_t tables = numberAt(bytes, start + 4, 2);
+  double height = 0;
+  double em = 0;
+  for (size_t i = 0; i < tables; ++i) {
+    const size_t entry = start + 12 + 16 * i;
+    const size_t table = numberAt(bytes, entry + 8, 4);
+    const auto signedAt = [&](size_t offset) { return static_cast<int16_t>(numberAt(bytes, table + offset, 2)); };
+    if (entry < bytes.size() && bytes.compare(entry, 4, "hhea") == 0) {
+      height = signedAt(4) - signedAt(6);
+    } else if (entry < bytes.size() && bytes.compare(entry, 4, "head") == 0) {
+      em = numberAt(bytes, table + 18, 2);
+    }
   }
+  return height > 0 && em > 0 ? std::optional(height / em) : std::nullopt;
+}
+
+/// Pairs of first and last, and a 0 at the end.
+std::vector<ImWchar> rangesOf(const std::u32string& characters, std::vector<ImWchar> ranges = {}) {
+  for (const char32_t character : characters) {
+    OC_CHECK(character <= IM_UNICODE_CODEPOINT_MAX, "Dear ImGui has characters of 16 bits");
+    ranges.insert(ranges.end(), 2, static_cast<ImWchar>(character));
+  }
+  ranges.push_back(0);
+  return ranges;
 }
 
 GuiRenderer makeRenderer(GlContext& context) {
@@ -80,8 +105,12 @@ GuiRenderer makeRenderer(GlContext& context) {
 
 }  // namespace
 
-GuiLayer::GuiLayer(GlContext& context, double contentScale, std::vector<GuiFont> fonts)
-    : glContext_(&context), renderer_(makeRenderer(context)), fonts_(std::move(fonts)), contentScale_(contentScale) {
+GuiLayer::GuiLayer(GlContext& context, double contentScale, std::vector<GuiFont> fonts, std::set<char32_t> characters)
+    : glContext_(&context),
+      renderer_(makeRenderer(context)),
+      fonts_(std::move(fonts)),
+      characters_(std::move(characters)),
+      contentScale_(contentScale) {
   OC_CHECK(!fonts_.empty(), "panels need a font");
   IMGUI_CHECKVERSION();
   ImGuiContext* const before = ImGui::GetCurrentContext();
@@ -209,28 +238,57 @@ void GuiLayer::applyScale() {
   io().Fonts->ClearTexData();
 }
 
+std::string* GuiLayer::bytesOf(const SystemFont& font) {
+  auto found = fontFiles_.find(font.file);
+  if (found == fontFiles_.end()) {
+    try {
+      found = fontFiles_.emplace(font.file, readFile(font.file)).first;
+    } catch (const InputError&) {
+      return nullptr;
+    }
+  }
+  return looksLikeFont(found->second) ? &found->second : nullptr;
+}
+
 bool GuiLayer::loadSystemFont(const GuiFont& font) {
-  auto found = readSystemFont(font.weight);
-  if (!found) {
-    return false;
+  const FontCover cover = coverWithFonts(font.weight, characters_);
+  bool isFirst = true;
+  std::optional<double> ownHeight;
+  for (const FontShare& share : cover.shares) {
+    std::string* const bytes = bytesOf(share.font);
+    if (bytes == nullptr) {
+      if (isFirst) {
+        return false;
+      }
+      continue;
+    }
+    ImFontConfig config;
+    config.FontDataOwnedByAtlas = false;
+    config.FontNo = share.font.index;
+    config.MergeMode = !isFirst;
+    // Large glyphs need no finer placing, and would fill the texture; so would many.
+    config.OversampleH = !isFirst || font.pixels * contentScale_ > kMostOversampledPixels ? 1 : 2;
+    const std::optional<double> height = heightInEms(*bytes, share.font.index);
+    ownHeight = isFirst ? height : ownHeight;
+    // Letters of all fonts are of one size, however much room each leaves around them.
+    const double relative = height && ownHeight ? *height / *ownHeight : 1;
+    const auto pixels = static_cast<float>(std::round(font.pixels * contentScale_ * relative));
+    const std::vector<ImWchar> always(kCharacters.begin(), kCharacters.end() - 1);
+    fontRanges_.push_back(rangesOf(share.characters, isFirst ? always : std::vector<ImWchar>()));
+    io().Fonts->AddFontFromMemoryTTF(bytes->data(), static_cast<int>(bytes->size()), pixels, &config,
+                                     fontRanges_.back().data());
+    if (fontName_.empty()) {
+      fontName_ = share.font.name;
+    }
+    isFirst = false;
   }
-  std::string& bytes = fontFiles_.emplace_back(std::move(found->second));
-  ImFontConfig config;
-  config.FontDataOwnedByAtlas = false;
-  config.FontNo = found->first.index;
-  // Large glyphs need no finer placing, and would fill the texture.
-  config.OversampleH = font.pixels * contentScale_ > kMostOversampledPixels ? 1 : 2;
-  const auto pixels = static_cast<float>(std::round(font.pixels * contentScale_));
-  io().Fonts->AddFontFromMemoryTTF(bytes.data(), static_cast<int>(bytes.size()), pixels, &config, kCharacters.data());
-  if (fontName_.empty()) {
-    fontName_ = found->first.name;
-  }
-  return true;
+  return !isFirst;
 }
 
 void GuiLayer::loadFonts() {
   ImFontAtlas& atlas = *io().Fonts;
   fontFiles_.clear();
+  fontRanges_.clear();
   fontName_.clear();
   if (std::ranges::all_of(fonts_, [&](const GuiFont& font) { return loadSystemFont(font); }) && atlas.Build()) {
     return;
@@ -248,6 +306,13 @@ void GuiLayer::loadFonts() {
 ImFont* GuiLayer::font(size_t index) const {
   OC_CHECK(index < fonts_.size(), "a font of this layer");
   return io().Fonts->Fonts[static_cast<int>(index)];
+}
+
+bool GuiLayer::holds(char32_t character) const {
+  const ImVector<ImFont*>& fonts = io().Fonts->Fonts;
+  return character <= IM_UNICODE_CODEPOINT_MAX && std::all_of(fonts.begin(), fonts.end(), [&](const ImFont* font) {
+           return font->FindGlyphNoFallback(static_cast<ImWchar>(character)) != nullptr;
+         });
 }
 
 void GuiLayer::beginFrame(double secondsSinceLast) {

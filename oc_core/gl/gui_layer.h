@@ -18,6 +18,9 @@
 #include <bitset>
 #include <cstdint>
 #include <deque>
+#include <filesystem>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,8 +45,10 @@ struct GuiFont {
 class GuiLayer {
  public:
   /// `contentScale` as in ResizeEvent. The first of the fonts, of which there must be one, is what panels use by
-  /// themselves. Throws GlError.
-  GuiLayer(GlContext& context, double contentScale, std::vector<GuiFont> fonts = {GuiFont()});
+  /// themselves. They hold Latin, Greek and Cyrillic letters and the signs of captions, and of `characters`, which lie
+  /// up to U+FFFF, those that any installed font has. Throws GlError.
+  GuiLayer(GlContext& context, double contentScale, std::vector<GuiFont> fonts = {GuiFont()},
+           std::set<char32_t> characters = {});
   ~GuiLayer();
   GuiLayer(const GuiLayer&) = delete;
   GuiLayer& operator=(const GuiLayer&) = delete;
@@ -73,6 +78,8 @@ class GuiLayer {
   const std::string& fontName() const { return fontName_; }
   /// For the drawing functions of Dear ImGui. Changes with the scale of the window.
   ImFont* font(size_t index) const;
+  /// Whether all of the fonts hold it.
+  bool holds(char32_t character) const;
 
  private:
   /// What a frame has taken in so far.
@@ -92,13 +99,17 @@ class GuiLayer {
   void applyScale();
   void loadFonts();
   bool loadSystemFont(const GuiFont& font);
+  /// Of a font that is there; nullptr where its file cannot be used.
+  std::string* bytesOf(const SystemFont& font);
 
   GlContext* glContext_;
   ImGuiContext* context_ = nullptr;
   GuiRenderer renderer_;
   GlObject fontTexture_;
   std::vector<GuiFont> fonts_;
-  std::deque<std::string> fontFiles_;  ///< their bytes
+  std::set<char32_t> characters_;
+  std::map<std::filesystem::path, std::string> fontFiles_;  ///< their bytes
+  std::deque<std::vector<unsigned short>> fontRanges_;      ///< ImWchar, as long as the fonts are there
   std::string fontName_;
   std::deque<InputEvent> events_;
   double contentScale_;

@@ -271,7 +271,7 @@ void writePlan(const std::filesystem::path& path, const CameraPlan& plan, const 
   const double width = frame.x * scale + 3 * kMargin + kLegendWidth;
   const double height = std::max(frame.y * scale, static_cast<double>(lines) * kLegendLine) + 2 * kMargin + 20 +
                         (options.title.empty() ? 0 : kTitleHeight);
-  if (path.extension() == ".svg") {
+  if (path.extension() == ".svg" || (path.extension() != ".png" && isStream(path))) {
     std::string bytes;
     {
       const Surface surface(cairo_svg_surface_create_for_stream(append, &bytes, width, height));

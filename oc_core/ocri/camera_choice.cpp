@@ -9,6 +9,7 @@
 #include "oc_core/ocri/corner_depth_images.h"
 #include "oc_core/ocri/eoc_builder.h"
 #include "oc_core/ocri/layered_depth_image.h"
+#include "oc_core/ocri/nothing_seen.h"
 #include "oc_core/ocri/set_difference.h"
 #include "oc_core/ocri/spoc_builder.h"
 #include "oc_core/ocri/wide_depth_image.h"
@@ -145,15 +146,15 @@ void readDdocOptions(JsonFields& fields, DdocOptions& options) {
   readFloat("longest_edge_pixels", 0.1, 100, options.subdivision.longestEdgePixels);
 }
 
-ReferenceImages finished(ReferenceImages images, const CameraChoice& choice) {
+ReferenceImages finished(ReferenceImages images, const CameraChoice& choice, const PinholeCamera& reference,
+                         const Mesh& mesh) {
   size_t samples = 0;
   for (ReferenceImage& image : images) {
     samples += image.sampleCount();
     image.camera = choice.name;
   }
   if (samples == 0) {
-    throw InputError("the view sees nothing of the scene", "view",
-                     "turn \"target\" towards the scene; a fitted scene lies in the unit sphere around the origin");
+    failSeeingNothing(reference, mesh, "view");
   }
   return images;
 }
@@ -301,24 +302,26 @@ CameraChoice cameraChoice(const std::string& nameOrFile, const ViewCell& cell) {
   if (!nameOrFile.ends_with(".json")) {
     return namedCamera(nameOrFile, cell, "--camera");
   }
-  const nlohmann::json json = readJsonFile(nameOrFile);
-  JsonFields fields(json, nameOrFile);
-  CameraChoice choice = namedCamera(fields.text("camera"), cell, nameOrFile + ", field \"camera\"");
-  choice.name = fields.text("name", choice.name);
-  if (choice.model == CameraChoice::Model::kDdoc) {
-    readDdocOptions(fields, choice.ddoc);
-  } else if (choice.model == CameraChoice::Model::kCell) {
-    readCellOptions(fields, choice.cell);
-  } else if (choice.model == CameraChoice::Model::kEoc) {
-    readEocOptions(fields, choice);
-  } else if (choice.model == CameraChoice::Model::kWideDepthImage ||
-             choice.model == CameraChoice::Model::kCornerDepthImages ||
-             choice.model == CameraChoice::Model::kCrossedEocs ||
-             choice.model == CameraChoice::Model::kCrossedEocsDdoc) {
-    choice.cellSideRadii = readCellSide(fields, choice.cellSideRadii);
-  }
-  fields.rejectUnknown();
-  return choice;
+  return readAs("oc_core/ocri/camera.schema.json", [&] {
+    const nlohmann::json json = readJsonFile(nameOrFile);
+    JsonFields fields(json, nameOrFile);
+    CameraChoice choice = namedCamera(fields.text("camera"), cell, nameOrFile + ", field \"camera\"");
+    choice.name = fields.text("name", choice.name);
+    if (choice.model == CameraChoice::Model::kDdoc) {
+      readDdocOptions(fields, choice.ddoc);
+    } else if (choice.model == CameraChoice::Model::kCell) {
+      readCellOptions(fields, choice.cell);
+    } else if (choice.model == CameraChoice::Model::kEoc) {
+      readEocOptions(fields, choice);
+    } else if (choice.model == CameraChoice::Model::kWideDepthImage ||
+               choice.model == CameraChoice::Model::kCornerDepthImages ||
+               choice.model == CameraChoice::Model::kCrossedEocs ||
+               choice.model == CameraChoice::Model::kCrossedEocsDdoc) {
+      choice.cellSideRadii = readCellSide(fields, choice.cellSideRadii);
+    }
+    fields.rejectUnknown();
+    return choice;
+  });
 }
 
 ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
@@ -353,16 +356,16 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
     *report = done;
   }
   if (!done.byRays) {
-    return finished(imagesOf(choice, reference, mesh, progress, nullptr), choice);
+    return finished(imagesOf(choice, reference, mesh, progress, nullptr), choice, reference, mesh);
   }
   const RayDrawer drawer(mesh, *rays);
-  return finished(imagesOf(choice, reference, mesh, progress, &drawer), choice);
+  return finished(imagesOf(choice, reference, mesh, progress, &drawer), choice, reference, mesh);
 }
 
 ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                      const Progress& progress, const SceneDrawer& drawer) {
   requireOutside(mesh, reference.eye(), "view");
-  return finished(imagesOf(choice, reference, mesh, progress, &drawer), choice);
+  return finished(imagesOf(choice, reference, mesh, progress, &drawer), choice, reference, mesh);
 }
 
 ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choice, const PinholeCamera& reference,
@@ -380,7 +383,7 @@ ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choic
       }
       OC_CHECK(false, "every technique draws");
     };
-    return finished({referenceImage(fragments(), mesh, reference, choice.name)}, choice).front();
+    return finished({referenceImage(fragments(), mesh, reference, choice.name)}, choice, reference, mesh).front();
   };
   switch (choice.model) {
     case CameraChoice::Model::kDepthImage:
@@ -398,7 +401,8 @@ ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choic
             "use raster or raycast");
       }
       const CellCamera camera = buildCellCamera(reference, mesh, choice.cell, progress);
-      return finished({cellImage(camera, raycast(camera, mesh, RayScene(mesh)), mesh)}, choice).front();
+      return finished({cellImage(camera, raycast(camera, mesh, RayScene(mesh)), mesh)}, choice, reference, mesh)
+          .front();
     }
     case CameraChoice::Model::kEoc: {
       if (technique != Technique::kRaycast) {
@@ -407,7 +411,7 @@ ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choic
       }
       const EpipolarCamera camera = buildEpipolarCamera(
           reference, segmentAround(reference.view(), choice.segmentDirection, choice.cellSideRadii), mesh);
-      return finished({eocImage(raycast(camera, mesh, RayScene(mesh)), camera, mesh)}, choice).front();
+      return finished({eocImage(raycast(camera, mesh, RayScene(mesh)), camera, mesh)}, choice, reference, mesh).front();
     }
     case CameraChoice::Model::kWideDepthImage:
     case CameraChoice::Model::kCornerDepthImages:

@@ -134,7 +134,7 @@ std::string attributeText(const ReferenceImage& image) {
   if (image.seenFromAside) {
     json["seen_from_aside"] = true;
   }
-  return json.dump();
+  return textOfJson(json);
 }
 
 ImageRows readRows(JsonFields& fields) {
@@ -227,7 +227,12 @@ std::string partName(const std::string& where, size_t part, size_t parts) {
 }  // namespace
 
 void writeReferenceImages(const std::filesystem::path& path, const ReferenceImages& images) {
-  OC_CHECK(!images.empty() && images.size() <= kMostParts, "a file holds 1 to 64 reference images");
+  OC_CHECK(!images.empty(), "a file holds a reference image at least");
+  if (images.size() > kMostParts) {
+    throw InputError(
+        "these are " + std::to_string(images.size()) + " images; a file holds " + std::to_string(kMostParts),
+        path.string(), "fewer --viewers, or a camera of fewer images");
+  }
   std::vector<ExrPart> parts;
   for (const ReferenceImage& image : images) {
     parts.push_back({fmt::format("{:02} {}", parts.size(), image.camera), image.width(), image.height(),

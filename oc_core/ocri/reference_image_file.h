@@ -14,7 +14,7 @@
 
 namespace ocelli {
 
-/// At least one image. Throws WorkError where the file cannot be written in full.
+/// At least one image. Throws InputError for more than 64, WorkError where the file cannot be written in full.
 void writeReferenceImages(const std::filesystem::path& path, const ReferenceImages& images);
 
 /// Throws InputError for a file that is missing, broken, no EXR, or holds something else than reference images.

@@ -78,7 +78,7 @@ Scene buildDoors(const BuiltinValues& values) {
     worldFromLeaf = glm::rotate(worldFromLeaf, -angle, glm::vec3(0, 1, 0));
     scene.instances.push_back({scene.meshes.size() - 1, worldFromLeaf});
   }
-  Mesh object = readObject(values);
+  Mesh object = readObject(values, scene.warnings);
   const float depth = kRoomHalf.z + kWallZ;
   const glm::vec3 size = boundsOf(object).size();
   const float scale =

@@ -50,14 +50,16 @@ BuiltinParameter trianglesParameter() {
           static_cast<double>(kMostSceneTriangles)};
 }
 
-Mesh readObject(const BuiltinValues& values) {
+Mesh readObject(const BuiltinValues& values, std::vector<std::string>& warnings) {
   Mesh object;
   const std::string& given = values.path("mesh");
   if (given.empty()) {
     object = makeTeapot(24);
   } else {
     const fs::path path = findFile(given, "mesh");
-    object = flatten(readSceneFile(path));
+    const Scene scene = readSceneFile(path);
+    object = flatten(scene);
+    warnings.insert(warnings.end(), scene.warnings.begin(), scene.warnings.end());
     validate(object, path.string());
   }
   const auto turn = static_cast<float>(radiansFromDegrees(values.number("turn")));

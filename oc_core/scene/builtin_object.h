@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "oc_core/scene/builtin_scenes.h"
 
@@ -21,8 +22,9 @@ BuiltinParameter trianglesParameter();
 std::filesystem::path findFile(const std::string& given, const std::string& what);
 
 /// The object of `mesh=`, turned by `turn=` and moved so that it stands on y = 0 with the centre of its box over the
-/// origin. Throws InputError that names both places where the file was looked for.
-Mesh readObject(const BuiltinValues& values);
+/// origin. What the user should know of the file is added to `warnings`. Throws InputError that names both places where
+/// the file was looked for.
+Mesh readObject(const BuiltinValues& values, std::vector<std::string>& warnings);
 
 /// A room without side walls: a brick wall at z = -kRoomHalf.z and a checker floor at y = -kRoomHalf.y. Both end at the
 /// box of half sizes kRoomHalf, which just fits the unit sphere.

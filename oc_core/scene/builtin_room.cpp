@@ -12,14 +12,14 @@ namespace {
 
 Scene buildRoom(const BuiltinValues& values) {
   Mesh room = makeRoom();
-  Mesh object = readObject(values);
+  Scene scene;
+  Mesh object = readObject(values, scene.warnings);
   densify(object, std::max<size_t>(values.count("triangles"), room.triangles.size()) - room.triangles.size());
 
   const glm::vec3 size = boundsOf(object).size();
   const float scale =
       std::min({1.86f * kRoomHalf.x / size.x, 1.68f * kRoomHalf.y / size.y, 1.72f * kRoomHalf.z / size.z});
   const bool plain = object.colors.empty();
-  Scene scene;
   scene.add(std::move(room));
   scene.add(std::move(object), glm::scale(glm::translate(glm::mat4(1), {0, -kRoomHalf.y, 0}), glm::vec3(scale)));
   scene.instances.back().tint = plain ? palette::yellow() : glm::vec3(1);

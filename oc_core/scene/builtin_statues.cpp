@@ -27,7 +27,8 @@ constexpr std::array<Place, 4> kPlaces{{{-0.64f, -0.42f, 20, palette::skyBlue},
 
 Scene buildStatues(const BuiltinValues& values) {
   Mesh room = makeRoom();
-  Mesh statue = readObject(values);
+  Scene scene;
+  Mesh statue = readObject(values, scene.warnings);
   const size_t wanted = std::max<size_t>(values.count("triangles"), room.triangles.size()) - room.triangles.size();
   densify(statue, wanted / kPlaces.size());
 
@@ -35,7 +36,6 @@ Scene buildStatues(const BuiltinValues& values) {
   const float scale =
       std::min({0.95f * kRoomHalf.x / size.x, 0.90f * kRoomHalf.y * 2 / size.y, 0.95f * kRoomHalf.z / size.z});
   const bool plain = statue.colors.empty();
-  Scene scene;
   scene.add(std::move(room));
   scene.meshes.push_back(std::move(statue));
   for (const Place& place : kPlaces) {

@@ -176,9 +176,11 @@ Maze readMaze(JsonFields& fields) {
 }
 
 Maze mazeFromJsonText(const std::string& text, const std::string& where) {
-  const nlohmann::json json = parseJson(text, where);
-  JsonFields fields(json, where);
-  return readMaze(fields);
+  return readAs("oc_core/scene/maze.schema.json", [&] {
+    const nlohmann::json json = parseJson(text, where);
+    JsonFields fields(json, where);
+    return readMaze(fields);
+  });
 }
 
 Maze readMaze(const std::filesystem::path& path) {
@@ -213,7 +215,7 @@ std::string jsonText(const Maze& maze) {
                                  {"east", shortest(landmark.east)},
                                  {"south", shortest(landmark.south)}});
   }
-  return json.dump(2) + "\n";
+  return textOfJson(json, 2) + "\n";
 }
 
 }  // namespace ocelli

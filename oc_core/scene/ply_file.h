@@ -7,7 +7,10 @@
 //   element face     list uchar int vertex_indices
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <iosfwd>
+#include <string>
 
 #include "oc_core/scene/mesh.h"
 
@@ -19,6 +22,8 @@ namespace ocelli {
 /// naming the file and the vertex or face for anything that is malformed, incomplete or out of range. Memory is bounded
 /// by the mesh that results, and that by the size of the file.
 Mesh readPly(const std::filesystem::path& path);
+/// The same of a stream of `size` bytes; `where` stands in messages.
+Mesh readPly(std::istream& stream, uint64_t size, const std::string& where);
 
 /// Writes the whole file or nothing: it grows under a temporary name in the same folder and gets its own at the end.
 /// Throws WorkError naming the file where that fails. Memory use does not depend on the size of the mesh.

@@ -347,7 +347,11 @@ Mesh readPly(const fs::path& path) {
   if (error || !stream) {
     throw InputError("cannot open this file", where, "check that it exists and may be read");
   }
-  return PlyReader(stream, bytes, where).read();
+  return readPly(stream, bytes, where);
+}
+
+Mesh readPly(std::istream& stream, uint64_t size, const std::string& where) {
+  return PlyReader(stream, size, where).read();
 }
 
 }  // namespace ocelli

@@ -24,6 +24,7 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
   SceneGuides guides;
+  std::vector<std::string> warnings;  ///< what the user should know of the file, such as a missing texture
 
   /// Adds a mesh and one copy of it.
   void add(Mesh mesh, const glm::mat4& worldFromMesh = glm::mat4(1));

@@ -1,9 +1,11 @@
-// Scene files: PLY through our own reader, and everything else that Assimp reads (OBJ, STL, glTF, ...).
+// Scene files: PLY through our own reader, and everything else that Assimp reads (OBJ, STL, glTF, ...) through a
+// process of its own (scene_reader.h).
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
 
+#include "oc_core/base/progress.h"
 #include "oc_core/scene/scene.h"
 
 namespace ocelli {
@@ -18,12 +20,15 @@ struct SceneFileOptions {
 /// that no triangle uses dropped, and formats that repeat a vertex for each triangle (OBJ, STL) get shared ones back.
 ///
 /// Colours are those of the vertices, else the diffuse or base colours of the materials, times their diffuse texture,
-/// which may be embedded or a file beside the scene; there are none where the file says nothing of colours. The ones of
-/// glTF are linear and multiply each other; all others are sRGB.
+/// plus their emissive colour times its texture; there are none where the file says nothing of colours. Textures may be
+/// embedded, or files that import/texture_search.h finds. One that is missing or no image is among Scene::warnings. The
+/// colours of glTF are linear and multiply each other; all others are sRGB.
 ///
 /// Throws InputError naming the file where it is missing, is a folder, is empty, cannot be parsed, holds no triangle,
-/// an index out of range or a coordinate that is not finite, lacks a texture, or is larger than 8 GiB or
-/// kMostSceneTriangles.
-Scene readSceneFile(const std::filesystem::path& path, const SceneFileOptions& options = {});
+/// an index out of range or a coordinate that is not finite, is larger than 8 GiB or kMostSceneTriangles, where Assimp
+/// crashes on it, or where reading it takes more time or memory than ReadingLimits; WorkError where the program that
+/// reads it is missing. `progress` is called some times a second, and may throw to end the reading.
+Scene readSceneFile(const std::filesystem::path& path, const SceneFileOptions& options = {},
+                    const Progress& progress = {});
 
 }  // namespace ocelli

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "oc_core/base/error.h"
 #include "oc_core/scene/builtin_scenes.h"
 #include "oc_core/scene/scene.h"
 #include "oc_core/scene/scene_file.h"
@@ -15,12 +16,34 @@ GuidedScene flattened(Scene scene) {
   return {flatten(scene), objectOfTriangles(scene), std::move(scene.guides), glm::mat4(1)};
 }
 
+/// What other commands take.
+void refuseOwnFile(const std::string& source) {
+  if (source.ends_with(".svol")) {
+    throw InputError("this is a volume, which is sliced already", source,
+                     "ocelli observe, ocelli present or ocelli volume info with it");
+  }
+  if (source.ends_with(".session")) {
+    throw InputError("this is a recorded session of a display", source, "ocelli present with it");
+  }
+  if (source.ends_with(".exr")) {
+    throw InputError("this is an image; of a reference image ocelli slice and ocelli present take the mesh", source,
+                     "ocelli ocri mesh, and its mesh with --no-fit --shading none");
+  }
+}
+
 }  // namespace
 
 GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& options, const Progress& progress) {
+  refuseOwnFile(source);
   report(progress, "loading the scene", 0);
-  GuidedScene loaded = flattened(isBuiltinScene(source) ? makeBuiltinScene(source)
-                                                        : readSceneFile(source, {.textures = options.textures}));
+  Scene scene = isBuiltinScene(source) ? makeBuiltinScene(source)
+                                       : readSceneFile(source, {.textures = options.textures}, progress);
+  for (const std::string& warning : scene.warnings) {
+    if (options.warn) {
+      options.warn(warning);
+    }
+  }
+  GuidedScene loaded = flattened(std::move(scene));
   Mesh& mesh = loaded.mesh;
   validate(mesh, source);
   report(progress, "loading the scene", 0.7);

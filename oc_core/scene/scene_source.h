@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct SceneOptions {
   bool fit = true;  ///< into the unit sphere
   Shading shading = Shading::kLambert;
   bool textures = true;  ///< bake the textures of a file to vertex colours
+  /// Is told what the user should know of the scene, a sentence each: a texture that is missing, for example.
+  std::function<void(const std::string&)> warn{};
 };
 
 /// A scene with what its mesh alone does not say.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -18,35 +19,52 @@ constexpr float kPixelsInEdge = 1.5f;
 /// Each round halves the edges: enough for the longest texture, and an end for coordinates that are out of all bounds.
 constexpr int kMostRounds = 16;
 
-glm::vec2 pixelsOf(const TexturedMesh& part, const std::vector<Texture>& textures) {
-  const Image<Rgb8>& image = textures[part.texture].image;
-  return {image.width(), image.height()};
+/// A layer, and how many pixels its texture has along u and v.
+struct LayerPixels {
+  TextureLayer& layer;
+  glm::vec2 pixels;
+};
+
+std::vector<LayerPixels> layersOf(TexturedMesh& part, const std::vector<Texture>& textures) {
+  std::vector<LayerPixels> layers;
+  for (std::optional<TextureLayer>* layer : {&part.base, &part.emissive}) {
+    if (*layer) {
+      const Image<Rgb8>& image = textures[(*layer)->texture].image;
+      layers.push_back({**layer, {image.width(), image.height()}});
+    }
+  }
+  return layers;
 }
 
-/// About how many triangles the splitting will add: each covers half a pixel.
-double estimateNew(const TexturedMesh& part, const glm::vec2& pixels) {
+/// About how many triangles the splitting will add: each covers half a pixel of the finest texture.
+double estimateNew(const Mesh& mesh, const std::vector<LayerPixels>& layers) {
   double added = 0;
-  for (const glm::uvec3& t : part.mesh.triangles) {
-    const glm::vec2 ab = (part.uvs[t.y] - part.uvs[t.x]) * pixels;
-    const glm::vec2 ac = (part.uvs[t.z] - part.uvs[t.x]) * pixels;
-    const double area = std::abs(static_cast<double>(ab.x) * ac.y - static_cast<double>(ab.y) * ac.x) / 2;
-    const double wanted = area * 2;
-    added += std::isfinite(wanted) ? std::max(0.0, wanted - 1) : 0.0;
+  for (const glm::uvec3& t : mesh.triangles) {
+    double wanted = 0;
+    for (const auto& [layer, pixels] : layers) {
+      const glm::vec2 ab = (layer.uvs[t.y] - layer.uvs[t.x]) * pixels;
+      const glm::vec2 ac = (layer.uvs[t.z] - layer.uvs[t.x]) * pixels;
+      const double twiceArea = std::abs(static_cast<double>(ab.x) * ac.y - static_cast<double>(ab.y) * ac.x);
+      wanted = std::isfinite(twiceArea) ? std::max(wanted, twiceArea) : wanted;
+    }
+    added += std::max(0.0, wanted - 1);
   }
   return added;
 }
 
-/// For each edge its length in pixels, or that of the longest edge between the same two places.
-std::vector<float> pixelLengths(const TexturedMesh& part, const EdgeList& list, const glm::vec2& pixels) {
-  std::vector<unsigned> place(part.mesh.positions.size());
-  meshopt_generateVertexRemap(place.data(), nullptr, place.size(), part.mesh.positions.data(), place.size(),
+/// For each edge its length in pixels of the finest texture, or that of the longest edge between the same two places.
+std::vector<float> pixelLengths(const Mesh& mesh, const EdgeList& list, const std::vector<LayerPixels>& layers) {
+  std::vector<unsigned> place(mesh.positions.size());
+  meshopt_generateVertexRemap(place.data(), nullptr, place.size(), mesh.positions.data(), place.size(),
                               sizeof(glm::vec3));
   std::vector<float> lengths(list.edges.size());
   std::vector<std::pair<uint64_t, uint32_t>> byPlaces(list.edges.size());
   for (uint32_t i = 0; i < list.edges.size(); ++i) {
     const Edge& edge = list.edges[i];
-    const float length = glm::length((part.uvs[edge.high] - part.uvs[edge.low]) * pixels);
-    lengths[i] = std::isfinite(length) ? length : 0;
+    for (const auto& [layer, pixels] : layers) {
+      const float length = glm::length((layer.uvs[edge.high] - layer.uvs[edge.low]) * pixels);
+      lengths[i] = std::isfinite(length) ? std::max(lengths[i], length) : lengths[i];
+    }
     const auto [low, high] = std::minmax(place[edge.low], place[edge.high]);
     byPlaces[i] = {static_cast<uint64_t>(low) << 32 | high, i};
   }
@@ -65,10 +83,10 @@ std::vector<float> pixelLengths(const TexturedMesh& part, const EdgeList& list, 
 }
 
 /// Splits until no edge is longer than kPixelsInEdge, or the mesh has `most` triangles or more.
-void splitToPixels(TexturedMesh& part, const glm::vec2& pixels, size_t most) {
-  for (int round = 0; round < kMostRounds && part.mesh.triangles.size() < most; ++round) {
-    const EdgeList list = findEdges(part.mesh);
-    const std::vector<float> lengths = pixelLengths(part, list, pixels);
+void splitToPixels(Mesh& mesh, const std::vector<LayerPixels>& layers, size_t most) {
+  for (int round = 0; round < kMostRounds && mesh.triangles.size() < most; ++round) {
+    const EdgeList list = findEdges(mesh);
+    const std::vector<float> lengths = pixelLengths(mesh, list, layers);
     std::vector<uint32_t> chosen;
     for (uint32_t i = 0; i < lengths.size(); ++i) {
       if (lengths[i] > kPixelsInEdge) {
@@ -78,20 +96,39 @@ void splitToPixels(TexturedMesh& part, const glm::vec2& pixels, size_t most) {
     if (chosen.empty()) {
       return;
     }
-    splitEdges(part.mesh, list, chosen);
-    for (const uint32_t edge : chosen) {
-      part.uvs.push_back((part.uvs[list.edges[edge].low] + part.uvs[list.edges[edge].high]) * 0.5f);
+    splitEdges(mesh, list, chosen);
+    for (const auto& [layer, pixels] : layers) {
+      for (const uint32_t edge : chosen) {
+        layer.uvs.push_back((layer.uvs[list.edges[edge].low] + layer.uvs[list.edges[edge].high]) * 0.5f);
+      }
     }
+  }
+}
+
+void setColors(TexturedMesh& part, const std::vector<Texture>& textures) {
+  const auto sample = [&](const std::optional<TextureLayer>& layer, size_t vertex) {
+    return layer ? textures[layer->texture].sample(layer->uvs[vertex]) : glm::vec3(1);
+  };
+  std::vector<glm::vec3>& colors = part.mesh.colors;
+  colors.resize(part.mesh.positions.size(), glm::vec3(1));
+  for (size_t i = 0; i < colors.size(); ++i) {
+    colors[i] = glm::min(colors[i] * sample(part.base, i) + part.emission * sample(part.emissive, i), glm::vec3(1));
   }
 }
 
 }  // namespace
 
 void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> textures, size_t mostTriangles) {
+  for (const TexturedMesh& part : parts) {
+    for (const std::optional<TextureLayer>* layer : {&part.base, &part.emissive}) {
+      OC_CHECK(!*layer || ((*layer)->uvs.size() == part.mesh.positions.size() && (*layer)->texture < textures.size()),
+               "a layer has a texture and a coordinate a vertex");
+    }
+  }
   const auto addedInAll = [&] {
     double added = 0;
-    for (const TexturedMesh& part : parts) {
-      added += estimateNew(part, pixelsOf(part, textures));
+    for (TexturedMesh& part : parts) {
+      added += part.hasTexture() ? estimateNew(part.mesh, layersOf(part, textures)) : 0;
     }
     return added;
   };
@@ -102,17 +139,20 @@ void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> texture
       texture = texture.halved();
     }
   }
+  // The estimate leaves slivers out: the limit of each part has room for them. Coordinates that run over a texture very
+  // often ask for too many triangles even where it has one pixel: then they share what there may be.
+  constexpr double kRoom = 4;
+  const double total = addedInAll();
+  const double limit = static_cast<double>(mostTriangles);
+  const double factor = total > limit ? limit / total : kRoom;
   for (TexturedMesh& part : parts) {
-    OC_CHECK(part.uvs.size() == part.mesh.positions.size() && part.texture < textures.size(),
-             "a textured mesh has a texture and a coordinate a vertex");
-    if (mostTriangles > 0) {
-      // The estimate leaves slivers out: the limit of each part has room for them.
-      const glm::vec2 pixels = pixelsOf(part, textures);
-      splitToPixels(part, pixels, part.mesh.triangles.size() + static_cast<size_t>(4 * estimateNew(part, pixels)));
+    if (mostTriangles > 0 && part.hasTexture()) {
+      const std::vector<LayerPixels> layers = layersOf(part, textures);
+      splitToPixels(part.mesh, layers,
+                    part.mesh.triangles.size() + static_cast<size_t>(factor * estimateNew(part.mesh, layers)));
     }
-    part.mesh.colors.resize(part.mesh.positions.size(), glm::vec3(1));
-    for (size_t i = 0; i < part.uvs.size(); ++i) {
-      part.mesh.colors[i] *= textures[part.texture].sample(part.uvs[i]);
+    if (part.hasTexture() || part.emission != glm::vec3(0)) {
+      setColors(part, textures);
     }
   }
 }

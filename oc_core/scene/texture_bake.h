@@ -11,17 +11,27 @@
 
 namespace ocelli {
 
-/// A mesh whose texture coordinates, one a vertex, have not yet become colours.
-struct TexturedMesh {
-  Mesh mesh;
-  std::vector<glm::vec2> uvs;
+/// A texture on a mesh, with a coordinate a vertex.
+struct TextureLayer {
   size_t texture = 0;  ///< index into the list of textures
+  std::vector<glm::vec2> uvs;
 };
 
-/// Multiplies the colour of each vertex (white where there is none) with its texture. Splits edges that are longer than
-/// two pixels of the texture. Where that takes more than `mostTriangles` new triangles in all, textures are halved in
-/// size until it does not, so a limit that is too low gives a blurred texture and no aliasing. Edges that meet in the
-/// same places are split alike also where the texture has a seam.
+/// A mesh whose textures have not yet become colours. It is drawn as colour * base + emission * emissive, with white
+/// where one of them is missing, and at most 1.
+struct TexturedMesh {
+  Mesh mesh;
+  std::optional<TextureLayer> base;
+  glm::vec3 emission{0};  ///< linear, 0 or more
+  std::optional<TextureLayer> emissive;
+
+  bool hasTexture() const { return base || emissive; }
+};
+
+/// Turns textures and emission into colours of vertices; a mesh without them stays as it is. Splits edges that are
+/// longer than two pixels of a texture. Where that takes more than `mostTriangles` new triangles in all, textures are
+/// halved in size until it does not, so a limit that is too low gives a blurred texture and no aliasing. Edges that
+/// meet in the same places are split alike also where the texture has a seam.
 void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> textures, size_t mostTriangles);
 
 }  // namespace ocelli

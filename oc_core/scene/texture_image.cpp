@@ -1,21 +1,13 @@
 #include "oc_core/scene/texture_image.h"
 
-#include <stb/stb_image.h>
-
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
-#include <memory>
 
 #include "oc_core/base/color.h"
-#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
-
-constexpr int kMostPixels = 1 << 28;
 
 int wrapped(int i, int size, TextureWrap wrap) {
   const int period = (i % size + size) % size;
@@ -70,41 +62,6 @@ Texture Texture::halved() const {
     }
   }
   return half;
-}
-
-Image<Rgb8> decodeImage(const std::vector<unsigned char>& bytes, const std::string& where) {
-  const auto fail = [&](const std::string& what) {
-    throw InputError(what, where, "convert the texture to PNG or JPEG, or load the scene with --no-textures");
-  };
-  int width = 0;
-  int height = 0;
-  int channels = 0;
-  const auto* data = bytes.data();
-  const int size = static_cast<int>(std::min<size_t>(bytes.size(), std::numeric_limits<int>::max()));
-  if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0 || width <= 0 || height <= 0) {
-    fail("cannot read this texture (" + std::string(stbi_failure_reason()) + ")");
-  }
-  if (width > kMostPixels / height) {
-    fail("this texture has more than 2^28 pixels");
-  }
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-      stbi_load_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free);
-  if (pixels == nullptr) {
-    fail("cannot read this texture (" + std::string(stbi_failure_reason()) + ")");
-  }
-  Image<Rgb8> image(width, height);
-  std::copy_n(pixels.get(), image.size() * 3, &image.data()->x);
-  return image;
-}
-
-Image<Rgb8> readImage(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  const std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (bytes.empty()) {
-    throw InputError("there is no such texture file, or it is empty", path.string(),
-                     "put the image there, or load the scene with --no-textures");
-  }
-  return decodeImage(bytes, path.string());
 }
 
 }  // namespace ocelli

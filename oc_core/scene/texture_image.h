@@ -1,18 +1,18 @@
 // Images that colour surfaces.
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
+#include <cstdint>
 #include <glm/vec2.hpp>
-#include <string>
-#include <vector>
 
 #include "oc_core/base/image.h"
 #include "oc_core/base/png_file.h"
 
 namespace ocelli {
 
-enum class TextureWrap { kRepeat, kMirror, kClamp };
+/// The most pixels that a texture may have.
+inline constexpr uint64_t kMaxTexturePixels = uint64_t{1} << 28U;
+
+enum class TextureWrap : uint8_t { kRepeat, kMirror, kClamp };
 
 struct Texture {
   Image<Rgb8> image;  ///< sRGB
@@ -24,9 +24,5 @@ struct Texture {
   /// The same at half the size (rounded up), each pixel the mean of four in linear light.
   Texture halved() const;
 };
-
-/// Decodes PNG, JPEG, BMP, TGA or GIF. Throws InputError naming `where` for anything else, or more than 2^28 pixels.
-Image<Rgb8> decodeImage(const std::vector<unsigned char>& bytes, const std::string& where);
-Image<Rgb8> readImage(const std::filesystem::path& path);
 
 }  // namespace ocelli

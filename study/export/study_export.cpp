@@ -17,6 +17,7 @@
 #include "study/session/utc_time.h"
 #include "study/store/csv_text.h"
 #include "study/store/database_lock.h"
+#include "study/store/export_record.h"
 #include "study/store/program_version.h"
 #include "study/store/sqlite_connection.h"
 
@@ -85,12 +86,10 @@ std::vector<std::string> otherFiles(ExportForm form) {
 /// Files in that folder that the database knows to be of earlier exports.
 std::vector<fs::path> earlierFiles(SQLite::Database& database, const fs::path& folder) {
   std::vector<fs::path> files;
-  SQLite::Statement row(database, "SELECT detail_json FROM audit WHERE action = 'exported'");
-  while (row.executeStep()) {
-    const auto detail = nlohmann::json::parse(textOf(row, 0), nullptr, false);
-    if (detail.is_object() && detail.value("folder", "") == folder.string()) {
-      for (const auto& file : detail.value("files", nlohmann::json::array())) {
-        files.push_back(folder / file.get<std::string>());
+  for (const ExportRecord& record : exportRecordsOf(database)) {
+    if (!record.isReport && record.folder == folder) {
+      for (const std::string& file : record.files) {
+        files.push_back(folder / file);
       }
     }
   }
@@ -136,12 +135,6 @@ void checkName(const fs::path& folder) {
     throw InputError("the name of this folder is no UTF-8, so the database cannot keep where its exports are",
                      folder.string(), "a folder with another name");
   }
-}
-
-/// Before the files are written: a withdrawal must know of them even where this program is killed meanwhile.
-void recordExport(SQLite::Database& database, const fs::path& folder, const std::vector<std::string>& files) {
-  const nlohmann::ordered_json detail = {{"folder", folder.string()}, {"files", files}};
-  addAudit(database, "exported", detail.dump());
 }
 
 /// Each column once, in the order in which they come.
@@ -213,7 +206,7 @@ ExportReport exportStudy(const fs::path& path, const fs::path& target, const Exp
       report.files.push_back(file.file);
     }
     if (report.recorded) {
-      recordExport(database, folder, report.files);
+      addExportRecord(database, {folder, report.files});
     }
     SQLite::Transaction snapshot(database);
     report.subjects = database.execAndGet("SELECT count(*) FROM subject").getInt();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "oc_core/base/json_fields.h"
 #include "study/protocol/balance.h"
 #include "study/protocol/coverage.h"
 #include "study/protocol/protocol_warnings.h"
@@ -214,7 +215,7 @@ std::string checkReport(const Protocol& protocol, const CheckOptions& options, c
       json["coverage"] = jsonOf(coverage);
     }
     json["warnings"] = warnings;
-    return json.dump(2) + "\n";
+    return textOfJson(json, 2) + "\n";
   }
   std::string text = headText(protocol) + lengthText(protocol, schedule) +
                      scheduleText(protocol, schedule, options.answers) +

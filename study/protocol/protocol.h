@@ -26,6 +26,8 @@ struct FormField {
   std::string question;
   std::vector<std::string> options;  ///< one is chosen; always at least two
   std::vector<std::string> ends{};   ///< of a scale: what its first and last option mean; empty, or two
+  std::vector<StudyView> favors{};   ///< of a scale that compares the views: which one its first and its last option
+                                     ///< speak for; empty, or two
 };
 
 struct ProtocolForm {

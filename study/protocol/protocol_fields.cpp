@@ -81,6 +81,23 @@ std::string readColumnName(JsonFields& fields) {
   return name;
 }
 
+/// Both views, in either order.
+std::vector<StudyView> readFavors(JsonFields& fields) {
+  const nlohmann::json& list = fields.value("favors");
+  std::vector<StudyView> favors;
+  for (size_t i = 0; list.is_array() && i < list.size(); ++i) {
+    if (const auto view = list[i].is_string() ? studyViewFromName(list[i].get<std::string>()) : std::nullopt) {
+      favors.push_back(*view);
+    }
+  }
+  if (!list.is_array() || list.size() != 2 || favors.size() != 2 || favors[0] == favors[1]) {
+    fields.fail("favors",
+                R"(must be ["ppc", "gc"] or ["gc", "ppc"]: the view that the first option speaks for, and that of )"
+                "the last");
+  }
+  return favors;
+}
+
 FormField fieldOf(const nlohmann::json& json, const std::string& where) {
   JsonFields fields(json, where);
   FormField field;
@@ -92,6 +109,9 @@ FormField fieldOf(const nlohmann::json& json, const std::string& where) {
   }
   if (fields.has("ends")) {
     field.ends = readTexts(fields, "ends", 2, 2, kMostTitle);
+  }
+  if (fields.has("favors")) {
+    field.favors = readFavors(fields);
   }
   fields.rejectUnknown();
   return field;

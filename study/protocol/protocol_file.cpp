@@ -175,48 +175,50 @@ ResumePolicy readResume(JsonFields& fields) {
 }  // namespace
 
 Protocol protocolFromJsonText(const std::string& text, const std::string& where) {
-  const nlohmann::json json = parseJson(text, where);
-  JsonFields fields(json, where);
-  Protocol protocol;
-  protocol.text = text;
-  protocol.sha256 = sha256(text);
-  protocol.name = readIdentifier(fields, "name", false);
-  protocol.title = readShortText(fields, "title", kMostTitle);
-  if (fields.has("description")) {
-    protocol.description = readShortText(fields, "description", kMostText);
-  }
-  constexpr int kMostMinutes = 1'000'000;  // about two years
-  protocol.sessions = fields.integer("sessions", 1, kMostSessions, protocol.sessions);
-  protocol.minutesBetweenSessions =
-      fields.integer("minutes_between_sessions", 0, kMostMinutes, protocol.minutesBetweenSessions);
-  protocol.seed = static_cast<uint64_t>(fields.integer("seed", 0, kMostSeed, 1));
-  if (fields.has("consent")) {
-    protocol.consent = readPage(fields, "consent");
-  }
-  if (fields.has("demographics")) {
-    protocol.demographics = readForm(fields, "demographics");
-  }
-  protocol.welcome = readPages(fields, "welcome");
-  if (fields.has("survey")) {
-    protocol.survey = readForm(fields, "survey");
-  }
-  protocol.surveyAfterLastSessionOnly =
-      fields.boolean("survey_after_last_session_only", protocol.surveyAfterLastSessionOnly);
-  protocol.shuffleBlocks = fields.boolean("shuffle_blocks", protocol.shuffleBlocks);
-  protocol.breakSeconds = fields.integer("break_seconds", 0, 3600, protocol.breakSeconds);
-  protocol.screen = readScreen(fields);
-  protocol.timing = readTiming(fields);
-  protocol.resume = readResume(fields);
-  protocol.exclusions = readExclusions(fields, protocol);
-  if (fields.has("controls")) {
-    JsonFields controls(fields.value("controls"), fmt::format("{}, \"controls\"", where));
-    protocol.controls = readControls(controls);
-    controls.rejectUnknown();
-  }
-  const TaskSetting setting{readMazes(fields), protocol.controls};
-  readBlocks(fields, setting, protocol);
-  fields.rejectUnknown();
-  return protocol;
+  return readAs("protocols/protocol.schema.json", [&] {
+    const nlohmann::json json = parseJson(text, where);
+    JsonFields fields(json, where);
+    Protocol protocol;
+    protocol.text = text;
+    protocol.sha256 = sha256(text);
+    protocol.name = readIdentifier(fields, "name", false);
+    protocol.title = readShortText(fields, "title", kMostTitle);
+    if (fields.has("description")) {
+      protocol.description = readShortText(fields, "description", kMostText);
+    }
+    constexpr int kMostMinutes = 1'000'000;  // about two years
+    protocol.sessions = fields.integer("sessions", 1, kMostSessions, protocol.sessions);
+    protocol.minutesBetweenSessions =
+        fields.integer("minutes_between_sessions", 0, kMostMinutes, protocol.minutesBetweenSessions);
+    protocol.seed = static_cast<uint64_t>(fields.integer("seed", 0, kMostSeed, 1));
+    if (fields.has("consent")) {
+      protocol.consent = readPage(fields, "consent");
+    }
+    if (fields.has("demographics")) {
+      protocol.demographics = readForm(fields, "demographics");
+    }
+    protocol.welcome = readPages(fields, "welcome");
+    if (fields.has("survey")) {
+      protocol.survey = readForm(fields, "survey");
+    }
+    protocol.surveyAfterLastSessionOnly =
+        fields.boolean("survey_after_last_session_only", protocol.surveyAfterLastSessionOnly);
+    protocol.shuffleBlocks = fields.boolean("shuffle_blocks", protocol.shuffleBlocks);
+    protocol.breakSeconds = fields.integer("break_seconds", 0, 3600, protocol.breakSeconds);
+    protocol.screen = readScreen(fields);
+    protocol.timing = readTiming(fields);
+    protocol.resume = readResume(fields);
+    protocol.exclusions = readExclusions(fields, protocol);
+    if (fields.has("controls")) {
+      JsonFields controls(fields.value("controls"), fmt::format("{}, \"controls\"", where));
+      protocol.controls = readControls(controls);
+      controls.rejectUnknown();
+    }
+    const TaskSetting setting{readMazes(fields), protocol.controls};
+    readBlocks(fields, setting, protocol);
+    fields.rejectUnknown();
+    return protocol;
+  });
 }
 
 Protocol readProtocol(const std::filesystem::path& path) {

@@ -421,7 +421,7 @@ void writePathPlan(const std::filesystem::path& path, const PathPlan& plan) {
   if (!plan.maze) {
     throw InputError("the trial shows no maze", plan.title, "choose another trial for a plan");
   }
-  const bool isSvg = path.extension() == ".svg";
+  const bool isSvg = path.extension() == ".svg" || (path.extension() != ".png" && isStream(path));
   if (!isSvg && path.extension() != ".png") {
     throw InputError("a plan is an SVG or a PNG", path.string(), "end its name in .svg or .png");
   }

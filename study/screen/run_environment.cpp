@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "oc_core/base/json_fields.h"
 #include "oc_core/base/machine.h"
 
 namespace ocelli {
@@ -82,7 +83,7 @@ std::string jsonText(const RunEnvironment& environment) {
       {"paced_hertz", paced ? Json(environment.pacedHertz) : Json()},
       {"not_measured",
        {"latency of mouse and keyboard", "time from the swap of buffers to light", "response of the panel"}}};
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return textOfJson(json);
 }
 
 }  // namespace ocelli

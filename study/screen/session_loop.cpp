@@ -11,6 +11,7 @@
 
 #include "oc_core/base/png_file.h"
 #include "study/screen/clock_watch.h"
+#include "study/screen/protocol_texts.h"
 #include "study/screen/screen_target.h"
 #include "study/screen/study_painter.h"
 
@@ -89,11 +90,11 @@ class Drawer {
   /// On its own thread.
   void run() {
     const GlScope scope(window_.context());
-    StudyPainter painter(window_.context(), screen_, protocol_.controls);
+    StudyPainter painter(window_.context(), screen_, protocol_.controls, glyphsOf(protocol_));
     int64_t last = runNow();
     while (!flow_.isOver() && !quits_) {
       takeEvents(painter);
-      takeCommands();
+      takeCommands(painter);
       watchClock();
       const int64_t now = runNow();
       flow_.update(now);
@@ -164,7 +165,17 @@ class Drawer {
     flow_.handle({event, timed.nanoseconds});
   }
 
-  void takeCommands() {
+  /// What the screen cannot show is not stored as if it had been shown.
+  void pause(const std::string& reason, const StudyPainter& painter) {
+    const std::string usual = "The experimenter will be with you in a moment.";
+    const bool shown = painter.canShow(reason);
+    flow_.pause(reason.empty() || !shown ? usual : reason);
+    if (!shown) {
+      console_.print("paused with \"" + usual + "\": the screen cannot show all characters of the reason; a note can");
+    }
+  }
+
+  void takeCommands(const StudyPainter& painter) {
     if (exchange_.interrupted) {
       flow_.abort("interrupted");
       quits_ = true;
@@ -172,7 +183,7 @@ class Drawer {
     for (const ConsoleCommand& command : console_.take()) {
       switch (command.kind) {
         case ConsoleCommand::Kind::kPause:
-          flow_.pause(command.text.empty() ? "The experimenter will be with you in a moment." : command.text);
+          pause(command.text, painter);
           break;
         case ConsoleCommand::Kind::kResume:
           flow_.resume();

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "oc_core/base/check.h"
+#include "study/screen/drawable_text.h"
 
 namespace ocelli {
 namespace {
@@ -32,10 +33,15 @@ std::vector<GuiFont> fontsOf(const StudyLook& look) {
   return fonts;
 }
 
+std::set<char32_t> drawable(std::set<char32_t> characters) {
+  std::erase_if(characters, [](char32_t character) { return scriptProblem(character).has_value(); });
+  return characters;
+}
+
 }  // namespace
 
-StudyCanvas::StudyCanvas(GlContext& context, int width, int height)
-    : width_(width), height_(height), look_(width, height), gui_(context, 1, fontsOf(look_)) {
+StudyCanvas::StudyCanvas(GlContext& context, int width, int height, const std::set<char32_t>& characters)
+    : width_(width), height_(height), look_(width, height), gui_(context, 1, fontsOf(look_), drawable(characters)) {
   gui_.handle(ResizeEvent{width, height, 1, 1});
 }
 
@@ -90,7 +96,9 @@ std::vector<std::string> StudyCanvas::lines(const std::string& text, StudyText s
     // Fonts have the size that they are drawn in: a scale of 1.
     const char* to = fontOf(style)->CalcWordWrapPositionA(1, from, newline, static_cast<float>(width));
     if (to == from && to < newline) {  // not one letter fits
-      ++to;
+      do {
+        ++to;
+      } while (to < newline && (static_cast<unsigned char>(*to) & 0xc0U) == 0x80);
     }
     lines.emplace_back(from, to);
     from = to;
@@ -130,6 +138,11 @@ double StudyCanvas::write(const Ink& ink, const PixelRect& column, const std::st
     y += lineHeight(ink.text);
   }
   return y;
+}
+
+bool StudyCanvas::canShow(const std::string& text) const {
+  return std::ranges::all_of(glyphsOf(text),
+                             [this](char32_t character) { return !scriptProblem(character) && gui_.holds(character); });
 }
 
 double StudyCanvas::heightOf(const std::string& text, StudyText style, double width) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,8 +44,8 @@ struct Touch {
 
 class StudyCanvas {
  public:
-  /// A screen of so many pixels. Throws GlError.
-  StudyCanvas(GlContext& context, int width, int height);
+  /// A screen of so many pixels, for texts of these characters besides those of Europe. Throws GlError.
+  StudyCanvas(GlContext& context, int width, int height, const std::set<char32_t>& characters = {});
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -68,6 +69,9 @@ class StudyCanvas {
   /// As many lines as it takes, in a column of this width. Returns the lower end.
   double write(const Ink& ink, const PixelRect& column, const std::string& text);
   double heightOf(const std::string& text, StudyText style, double width) const;
+
+  /// Whether a text is shown as it is written.
+  bool canShow(const std::string& text) const;
 
   void fill(const PixelRect& place, GuiColor color, double rounding = 0);
   void outline(const PixelRect& place, GuiColor color, double thickness, double rounding = 0);

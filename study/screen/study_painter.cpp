@@ -20,10 +20,10 @@ struct Overloaded : Functions... {
 }  // namespace
 
 struct StudyPainter::State {
-  State(GlContext& of, const TrialScreen& screen, const Controls& controls)
+  State(GlContext& of, const TrialScreen& screen, const Controls& controls, const std::set<char32_t>& characters)
       : context(of),
         target(of, screen.width, screen.height),
-        canvas(of, screen.width, screen.height),
+        canvas(of, screen.width, screen.height, characters),
         views(of),
         pictures(of, controls) {}
 
@@ -47,9 +47,10 @@ struct StudyPainter::State {
   double keyScroll = 0;  ///< pages that the keys ask for
 };
 
-StudyPainter::StudyPainter(GlContext& context, const TrialScreen& screen, const Controls& controls) {
+StudyPainter::StudyPainter(GlContext& context, const TrialScreen& screen, const Controls& controls,
+                           const std::set<char32_t>& characters) {
   const GlScope scope(context);
-  state_ = std::make_unique<State>(context, screen, controls);
+  state_ = std::make_unique<State>(context, screen, controls, characters);
 }
 
 StudyPainter::~StudyPainter() = default;
@@ -109,6 +110,10 @@ StudyFrame StudyPainter::draw(const SessionScreen& screen, double secondsSinceLa
     state.drawPatch(trial->patchWhite);
   }
   return frame;
+}
+
+bool StudyPainter::canShow(const std::string& text) const {
+  return state_->canvas.canShow(text);
 }
 
 const GlObject& StudyPainter::framebuffer() const {

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "oc_core/base/png_file.h"
@@ -25,8 +26,10 @@ struct StudyFrame {
 
 class StudyPainter {
  public:
-  /// The context must outlive it. Throws GlError.
-  StudyPainter(GlContext& context, const TrialScreen& screen, const Controls& controls);
+  /// The context must outlive it. `characters` are those of the texts (protocol_texts.h) besides those of Europe.
+  /// Throws GlError.
+  StudyPainter(GlContext& context, const TrialScreen& screen, const Controls& controls,
+               const std::set<char32_t>& characters = {});
   ~StudyPainter();
   StudyPainter(const StudyPainter&) = delete;
   StudyPainter& operator=(const StudyPainter&) = delete;
@@ -37,6 +40,9 @@ class StudyPainter {
   StudyFrame draw(const SessionScreen& screen, double secondsSinceLast = 1.0 / 60, bool hash = false);
   /// Clicks that a frame has not taken yet.
   bool hasWaitingEvents() const;
+
+  /// Whether a text is shown as it is written.
+  bool canShow(const std::string& text) const;
 
   const GlObject& framebuffer() const;
   Image<Rgb8> image() const;

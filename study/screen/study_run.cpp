@@ -4,6 +4,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/machine.h"
+#include "study/screen/protocol_texts.h"
 #include "study/screen/run_environment.h"
 #include "study/screen/session_loop.h"
 #include "study/screen/session_plan.h"
@@ -119,6 +120,7 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
                        "choose another one for --screenshots");
     }
   }
+  requireDrawable(protocol);
   const Monitor monitor = chooseMonitor(protocol, options);
   tell(options, fmt::format("monitor   {}: {}", options.monitor, textOf(monitor)));
   GlWindow window(windowOptions(protocol, options));

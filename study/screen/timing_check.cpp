@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "oc_core/base/json_fields.h"
+
 namespace ocelli {
 namespace {
 
@@ -149,7 +151,7 @@ std::string jsonText(const TimingCheck& check) {
                        {"most_dropped_share", expected.limits.mostDroppedShare},
                        {"most_jitter_share", expected.limits.mostJitterShare},
                        {"refresh_tolerance", expected.limits.refreshTolerance}}}};
-  return json.dump();
+  return textOfJson(json);
 }
 
 double refreshRateOf(const TimingCheck& check) {

@@ -111,26 +111,30 @@ std::string joined(const std::set<std::string>& names) {
 
 struct Checked {
   StudyRow study;
-  std::map<fs::path, std::set<std::string>> withdrawn;  ///< subjects of each source who withdrew from the target
+  std::vector<Withdrawal> withdrawals;                  ///< from the target or a source
+  std::map<fs::path, std::set<std::string>> withdrawn;  ///< subjects of each database who withdrew from one of them
 };
+
+/// Opens a database to be merged, which no session may write meanwhile.
+SQLite::Database openIdle(const fs::path& path, const fs::path& target) {
+  if (const std::optional<std::string> holder = DatabaseLock::holderOf(path); holder && path != target) {
+    throw WorkError("a program runs sessions on this database: " + *holder, path.string(), "close that program");
+  }
+  return openSource(path);
+}
 
 /// Makes sure that everything fits together.
 Checked checkSources(const fs::path& target, const std::vector<fs::path>& sources) {
   Histories histories;
   std::set<std::string> conflicts;
   std::optional<StudyRow> study;
-  std::vector<Withdrawal> withdrawals;
-  std::map<fs::path, std::set<std::string>> withdrawn;
-  fs::path first;
+  Checked checked;
   std::vector<fs::path> all = sources;
   if (std::error_code ignored; fs::exists(target, ignored) && fs::file_size(target, ignored) > 0) {
     all.insert(all.begin(), target);
   }
   for (const fs::path& path : all) {
-    if (const std::optional<std::string> holder = DatabaseLock::holderOf(path); holder && path != target) {
-      throw WorkError("a program runs sessions on this database: " + *holder, path.string(), "close that program");
-    }
-    SQLite::Database database = openSource(path);
+    SQLite::Database database = openIdle(path, target);
     withSqliteErrors("read this database", path, [&] {
       const std::optional<StudyRow> here = studyOf(database);
       if (!here) {
@@ -138,27 +142,31 @@ Checked checkSources(const fs::path& target, const std::vector<fs::path>& source
       }
       if (!study) {
         study = here;
-        first = path;
       } else if (study->sha256 != here->sha256) {
         throw InputError(fmt::format("this database is of another protocol (\"{}\", SHA-256 {}...) than {} (\"{}\", "
                                      "{}...)",
-                                     here->name, here->sha256.substr(0, 12), first.string(), study->name,
+                                     here->name, here->sha256.substr(0, 12), all.front().string(), study->name,
                                      study->sha256.substr(0, 12)),
                          path.string(), "only databases of the same protocol can be merged");
       }
-      if (path == target) {
-        withdrawals = withdrawalsOf(database);
-      } else {
-        withdrawn[path] = withdrawnSubjects(database, withdrawals);
-      }
-      addHistories(database, withdrawn[path], histories, conflicts);
+      const std::vector<Withdrawal> withdrawals = withdrawalsOf(database);
+      checked.withdrawals.insert(checked.withdrawals.end(), withdrawals.begin(), withdrawals.end());
+    });
+  }
+  // Who withdrew from one of them does not come back by way of another.
+  for (const fs::path& path : all) {
+    SQLite::Database database = openIdle(path, target);
+    withSqliteErrors("read this database", path, [&] {
+      checked.withdrawn[path] = withdrawnSubjects(database, checked.withdrawals);
+      addHistories(database, path == target ? std::set<std::string>() : checked.withdrawn[path], histories, conflicts);
     });
   }
   if (!conflicts.empty()) {
     throw InputError("these databases use the same ids for different subjects: " + joined(conflicts), target.string(),
                      "stations must give different ids; merge without the database whose ids are wrong");
   }
-  return {*study, std::move(withdrawn)};
+  checked.study = *study;
+  return checked;
 }
 
 void addStudy(SQLite::Database& database, const StudyRow& study) {
@@ -183,7 +191,11 @@ MergeReport mergeDatabases(const fs::path& target, const std::vector<fs::path>& 
   return withSqliteErrors("merge databases", target, [&] {
     wipeLeftovers(database, target);
     addStudy(database, checked.study);
+    rememberWithdrawals(database, checked.withdrawals);
     MergeReport total;
+    if (const auto here = checked.withdrawn.find(target); here != checked.withdrawn.end()) {
+      total.withdrewElsewhere = here->second;
+    }
     for (const fs::path& source : sources) {
       const std::set<std::string>& withdrawn = checked.withdrawn.at(source);
       const MergeReport report = addMissingRows(database, source, withdrawn);

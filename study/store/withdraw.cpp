@@ -3,11 +3,12 @@
 #include <SQLiteCpp/Transaction.h>
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
+#include <map>
 #include <set>
 
 #include "oc_core/base/error.h"
 #include "study/store/database_lock.h"
+#include "study/store/export_record.h"
 #include "study/store/identity_key.h"
 #include "study/store/leftovers.h"
 #include "study/store/sqlite_connection.h"
@@ -19,37 +20,64 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files that exports from this database made and that are still there.
-std::set<fs::path> filesOfExports(SQLite::Database& database) {
-  std::set<fs::path> files;
-  SQLite::Statement row(database, "SELECT detail_json FROM audit WHERE action = 'exported'");
-  while (row.executeStep()) {
-    const auto detail = nlohmann::json::parse(textOf(row, 0), nullptr, false);
-    if (!detail.is_object()) {
-      continue;
-    }
-    const fs::path folder = detail.value("folder", "");
-    for (const auto& file : detail.value("files", nlohmann::json::array())) {
-      const std::string name = file.is_string() ? file.get<std::string>() : std::string();
-      // An export that was killed leaves a file half-written (output_file.h).
-      for (const char* end : {"", ".partial"}) {
-        if (std::error_code ignored; !name.empty() && fs::is_regular_file(folder / (name + end), ignored)) {
-          files.insert(folder / (name + end));
-        }
+/// An export, or a report, that holds the subject, with the files to delete.
+struct Holding {
+  fs::path name;  ///< of the file, or of the folder of a report
+  std::vector<fs::path> files;
+  bool isReport = false;
+};
+
+/// Those of a record that are still there.
+std::vector<fs::path> existingFiles(const ExportRecord& record) {
+  std::vector<fs::path> files;
+  for (const std::string& name : record.files) {
+    // An export that was killed leaves a file half-written (output_file.h).
+    for (const char* end : {"", ".partial"}) {
+      if (std::error_code ignored; fs::is_regular_file(record.folder / (name + end), ignored)) {
+        files.push_back(record.folder / (name + end));
       }
     }
   }
   return files;
 }
 
-std::vector<fs::path> filesWith(SQLite::Database& database, const std::string& subject) {
-  std::vector<fs::path> found;
-  for (const fs::path& file : filesOfExports(database)) {
-    if (fileHoldsWord(file, subject)) {
-      found.push_back(file);
+std::vector<Holding> holdingsOf(SQLite::Database& database, const std::string& subject) {
+  std::map<fs::path, Holding> holdings;
+  for (const ExportRecord& record : exportRecordsOf(database)) {
+    const std::vector<fs::path> files = existingFiles(record);
+    for (const fs::path& file : files) {
+      if (!fileHoldsWord(file, subject)) {
+        continue;
+      }
+      if (record.isReport) {
+        holdings[record.folder] = {record.folder, files, true};
+        break;
+      }
+      holdings[file] = {file, {file}};
     }
   }
-  return found;
+  std::vector<Holding> list;
+  for (const auto& [name, holding] : holdings) {
+    list.push_back(holding);
+  }
+  return list;
+}
+
+std::vector<fs::path> filesWith(SQLite::Database& database, const std::string& subject) {
+  std::set<fs::path> files;
+  for (const Holding& holding : holdingsOf(database, subject)) {
+    files.insert(holding.files.begin(), holding.files.end());
+  }
+  return {files.begin(), files.end()};
+}
+
+/// The folders of a report are its own.
+void removeEmptyFolders(const Holding& report) {
+  std::error_code ignored;
+  for (const fs::path& file : report.files) {
+    fs::remove(file.parent_path(), ignored);
+  }
+  fs::remove(report.name, ignored);
 }
 
 int countOf(SQLite::Database& database, const std::string& query, const std::string& subject) {
@@ -109,10 +137,10 @@ void deleteRows(SQLite::Database& database, const std::string& subject) {
   transaction.commit();
 }
 
-std::string joined(const std::vector<fs::path>& files) {
+std::string joined(const std::vector<Holding>& holdings) {
   std::string text;
-  for (const fs::path& file : files) {
-    text.append(text.empty() ? "" : ", ").append(file.string());
+  for (const Holding& holding : holdings) {
+    text.append(text.empty() ? "" : ", ").append(holding.name.string()).append(holding.isReport ? " (a report)" : "");
   }
   return text;
 }
@@ -132,10 +160,12 @@ WithdrawReport withdrawSubject(const fs::path& path, const std::string& subject,
       throw InputError("this database has no such subject", subject, "`ocelli study subjects` lists them");
     }
     // Everything that can fail comes before the first deletion.
+    const std::vector<Holding> holdings = holdingsOf(database, subject);
     const std::vector<fs::path> files = filesWith(database, subject);
-    if (!files.empty() && !options.deleteExports) {
-      throw InputError("exports hold this subject's data: " + joined(files), subject,
-                       "--delete-exports deletes these files; `ocelli study export` makes them anew afterwards");
+    if (!holdings.empty() && !options.deleteExports) {
+      throw InputError("exports and reports hold this subject's data: " + joined(holdings), subject,
+                       "--delete-exports deletes them; `ocelli study export` and `ocelli analyse` make them anew "
+                       "afterwards");
     }
     if (options.keyFile) {
       report.identityRemoved = removeIdentity(*options.keyFile, subject);
@@ -146,6 +176,11 @@ WithdrawReport withdrawSubject(const fs::path& path, const std::string& subject,
                         "delete it by hand, and give the same command again");
       }
       report.deletedFiles.push_back(file);
+    }
+    for (const Holding& holding : holdings) {
+      if (holding.isReport) {
+        removeEmptyFolders(holding);
+      }
     }
     if (report.onlyLeftovers) {
       return report;

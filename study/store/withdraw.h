@@ -1,6 +1,6 @@
 // A subject withdraws: everything of theirs is deleted, so that no byte of it remains in the database, in its log, in
-// exports that the database knows of, and, where that is named, in the identity key. The audit trail keeps that a
-// withdrawal happened and when, and nothing that tells whose it was but to who has a copy of the subject's rows:
+// exports and reports that the database knows of, and, where that is named, in the identity key. The audit trail keeps
+// that a withdrawal happened and when, and nothing that tells whose it was but to who has a copy of the subject's rows:
 // withdrawals.h.
 //
 // Out of reach: exports and databases that were copied or moved, copies at stations that were merged, backups, and
@@ -36,7 +36,7 @@ struct WithdrawReport {
 WithdrawReport withdrawSubject(const std::filesystem::path& database, const std::string& subject,
                                const WithdrawOptions& options);
 
-/// Files of exports from that database that are still there and hold that id.
+/// Files of exports from that database that are still there and hold that id; of reports that hold it, all files.
 std::vector<std::filesystem::path> exportsWith(const std::filesystem::path& database, const std::string& subject);
 
 }  // namespace ocelli

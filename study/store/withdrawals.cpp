@@ -1,7 +1,10 @@
 #include "study/store/withdrawals.h"
 
+#include <SQLiteCpp/Transaction.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "oc_core/base/sha256.h"
 #include "study/store/sqlite_connection.h"
@@ -11,13 +14,18 @@ namespace {
 
 constexpr const char* kSalt = "salt";
 constexpr const char* kKeySha256 = "subject_key_sha256";
+constexpr const char* kAction = "withdrawn";
+
+std::string detailOf(const Withdrawal& withdrawal) {
+  const nlohmann::ordered_json detail = {{kSalt, withdrawal.salt}, {kKeySha256, withdrawal.keySha256}};
+  return detail.dump();
+}
 
 }  // namespace
 
 std::string withdrawalDetail(const std::string& subjectKey) {
   const std::string salt = randomKey();
-  const nlohmann::ordered_json detail = {{kSalt, salt}, {kKeySha256, sha256(salt + subjectKey)}};
-  return detail.dump();
+  return detailOf({salt, sha256(salt + subjectKey)});
 }
 
 std::vector<Withdrawal> withdrawalsOf(SQLite::Database& database) {
@@ -30,6 +38,20 @@ std::vector<Withdrawal> withdrawalsOf(SQLite::Database& database) {
     }
   }
   return withdrawals;
+}
+
+void rememberWithdrawals(SQLite::Database& database, const std::vector<Withdrawal>& withdrawals) {
+  std::set<std::string> known;
+  for (const Withdrawal& one : withdrawalsOf(database)) {
+    known.insert(one.salt);
+  }
+  SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  for (const Withdrawal& one : withdrawals) {
+    if (known.insert(one.salt).second) {
+      addAudit(database, kAction, detailOf(one));
+    }
+  }
+  transaction.commit();
 }
 
 bool isWithdrawn(const std::vector<Withdrawal>& withdrawals, const std::string& subjectKey) {

@@ -22,6 +22,9 @@ std::string withdrawalDetail(const std::string& subjectKey);
 /// Those that the audit trail of the database has.
 std::vector<Withdrawal> withdrawalsOf(SQLite::Database& database);
 
+/// Adds those to the audit trail that it does not have yet.
+void rememberWithdrawals(SQLite::Database& database, const std::vector<Withdrawal>& withdrawals);
+
 bool isWithdrawn(const std::vector<Withdrawal>& withdrawals, const std::string& subjectKey);
 
 }  // namespace ocelli

@@ -28,6 +28,7 @@ void forEachFind(Effects& find, const Visit& visit) {
   visit("subject_sd", find.subjectSd);
   visit("subject_graph_sd", find.subjectGraphSd);
   visit("item_sd", find.itemSd);
+  visit("item_view_sd", find.itemViewSd);
   visit("residual_sd", find.residualSd);
 }
 template <class Effects, class Visit>
@@ -39,6 +40,7 @@ void forEachCount(Effects& count, const Visit& visit) {
   visit("session", count.session);
   visit("subject_sd", count.subjectSd);
   visit("item_sd", count.itemSd);
+  visit("item_view_sd", count.itemViewSd);
 }
 template <class Effects, class Visit>
 void forEachPath(Effects& path, const Visit& visit) {
@@ -47,6 +49,7 @@ void forEachPath(Effects& path, const Visit& visit) {
   visit("session", path.session);
   visit("subject_sd", path.subjectSd);
   visit("item_sd", path.itemSd);
+  visit("item_view_sd", path.itemViewSd);
 }
 
 uint64_t hashOf(const std::string& text) {
@@ -89,24 +92,28 @@ class Drawer {
   }
 
  private:
-  double itemOf(const TrialPlan& plan, const CaseInfo& info, double deviation) const {
+  /// What an item adds in a view.
+  double itemOf(const TrialPlan& plan, const CaseInfo& info, double itemSd, double itemViewSd) const {
     const std::string& block = protocol_.blocks[static_cast<size_t>(plan.block)].name;
     Random random(
         seedOf(session_.studySeed, hashOf(fmt::format("{}\n{}\n{}", block, info.label, session_.schedule.session))));
-    return normal(random, 0, deviation);
+    const double item = normal(random, 0, itemSd);
+    const double itemView = normal(random, 0, itemViewSd);
+    return item + (plan.view == StudyView::kGraph ? 0.5 : -0.5) * itemView;
   }
   double fixedPartOf(const TrialPlan& plan, const CaseInfo& info) const {
     return fixedPart(effects_, {plan.task, plan.view, info, session_.schedule.session});
   }
   double findMean(const TrialPlan& plan, const CaseInfo& info) const {
     return fixedPartOf(plan, info) + (plan.view == StudyView::kGraph ? findSubjectGraph_ : 0) + findSubject_ +
-           itemOf(plan, info, effects_.find.itemSd);
+           itemOf(plan, info, effects_.find.itemSd, effects_.find.itemViewSd);
   }
   double countLogit(const TrialPlan& plan, const CaseInfo& info) const {
-    return fixedPartOf(plan, info) + countSubject_ + itemOf(plan, info, effects_.count.itemSd);
+    return fixedPartOf(plan, info) + countSubject_ +
+           itemOf(plan, info, effects_.count.itemSd, effects_.count.itemViewSd);
   }
   double pathLogit(const TrialPlan& plan, const CaseInfo& info) const {
-    return fixedPartOf(plan, info) + pathSubject_ + itemOf(plan, info, effects_.path.itemSd);
+    return fixedPartOf(plan, info) + pathSubject_ + itemOf(plan, info, effects_.path.itemSd, effects_.path.itemViewSd);
   }
   static std::string wrongAnswer(const TrialPlan& plan, const std::string& expected, Random& random) {
     if (plan.task != "count") {
@@ -146,26 +153,28 @@ std::string joined(const std::vector<std::string>& paragraphs) {
 }  // namespace
 
 GeneratorEffects readGeneratorEffects(const std::filesystem::path& file) {
-  const nlohmann::json json = readJsonFile(file);
-  JsonFields fields(json, file.string());
-  GeneratorEffects effects;
-  const auto read = [&](const char* name, const auto& forEach, auto& group) {
-    if (fields.has(name)) {
-      JsonFields inner(fields.value(name), fmt::format("{}, \"{}\"", fields.where(), name));
-      forEach(group, [&](const std::string& field, double& effect) {
-        effect = inner.number(field, field.ends_with("_sd") ? 0 : -kLargest, kLargest, effect);
-      });
-      inner.rejectUnknown();
-    }
-  };
-  read(
-      "find", [](auto& group, const auto& visit) { forEachFind(group, visit); }, effects.find);
-  read(
-      "count", [](auto& group, const auto& visit) { forEachCount(group, visit); }, effects.count);
-  read(
-      "path", [](auto& group, const auto& visit) { forEachPath(group, visit); }, effects.path);
-  fields.rejectUnknown();
-  return effects;
+  return readAs("docs/simulated_subjects.md", [&] {
+    const nlohmann::json json = readJsonFile(file);
+    JsonFields fields(json, file.string());
+    GeneratorEffects effects;
+    const auto read = [&](const char* name, const auto& forEach, auto& group) {
+      if (fields.has(name)) {
+        JsonFields inner(fields.value(name), fmt::format("{}, \"{}\"", fields.where(), name));
+        forEach(group, [&](const std::string& field, double& effect) {
+          effect = inner.number(field, field.ends_with("_sd") ? 0 : -kLargest, kLargest, effect);
+        });
+        inner.rejectUnknown();
+      }
+    };
+    read(
+        "find", [](auto& group, const auto& visit) { forEachFind(group, visit); }, effects.find);
+    read(
+        "count", [](auto& group, const auto& visit) { forEachCount(group, visit); }, effects.count);
+    read(
+        "path", [](auto& group, const auto& visit) { forEachPath(group, visit); }, effects.path);
+    fields.rejectUnknown();
+    return effects;
+  });
 }
 
 std::string jsonText(const GeneratorEffects& effects) {

@@ -2,13 +2,17 @@
 // neither frames nor input.
 //
 //   find    log(seconds) = logSeconds + graph * [gc] + moving * [moving] + session * (session - 1)
-//                          + subject + subjectGraph * [gc] + item + residual,  censored at the limit of the task
+//                          + subject + subjectGraph * [gc] + item + itemView * ([gc] - 1/2) + residual,
+//                          censored at the limit of the task
 //   count   logit(right) = right + graph * [gc] + duplicates * [duplicates] + doubledExposure * log2(exposure / 10 s)
-//                          + session * (session - 1) + subject + item;  wrong answers are one off
-//   path    logit(right) = right + graph * [gc] + session * (session - 1) + subject + item
+//                          + session * (session - 1) + subject + item + itemView * ([gc] - 1/2);
+//                          wrong answers are one off
+//   path    logit(right) = right + graph * [gc] + session * (session - 1) + subject + item + itemView * ([gc] - 1/2)
 //
 // What is named "...Sd" is the standard deviation of a normal effect with mean 0. Items are the cases of a block in a
-// session, the same for all subjects.
+// session, the same for all subjects. "itemView" is by how much the effect of the view on an item differs from the mean
+// effect; half of it counts for each view, so that without an effect of the view times and shares of all items are the
+// same in both views.
 #pragma once
 
 #include <cstdint>
@@ -30,6 +34,7 @@ struct GeneratorEffects {
     double subjectSd = 0.25;
     double subjectGraphSd = 0.1;
     double itemSd = 0.35;
+    double itemViewSd = 0;
     double residualSd = 0.45;
 
     bool operator==(const Find&) const = default;
@@ -42,6 +47,7 @@ struct GeneratorEffects {
     double session = 0.2;
     double subjectSd = 0.5;
     double itemSd = 0.4;
+    double itemViewSd = 0;
 
     bool operator==(const Count&) const = default;
   } count{};
@@ -51,6 +57,7 @@ struct GeneratorEffects {
     double session = 0.2;
     double subjectSd = 0.5;
     double itemSd = 0.4;
+    double itemViewSd = 0;
 
     bool operator==(const Path&) const = default;
   } path{};

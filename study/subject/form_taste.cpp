@@ -24,6 +24,12 @@ bool mentionsGraphView(const std::string& text) {
   return mentions(text, "graph") || mentions(text, "bent") || mentions(text, "gc");
 }
 
+/// Of a scale with ends: its first option speaks for the graph camera. Protocols without "favors" say it in words.
+bool graphViewIsFirst(const FormField& asked) {
+  return asked.favors.empty() ? mentionsGraphView(asked.ends[0]) && !mentionsGraphView(asked.ends[1])
+                              : asked.favors[0] == StudyView::kGraph;
+}
+
 /// By how much harder the pinhole is than the graph camera; nothing where the subject did not have both.
 std::optional<double> preferenceOf(const std::string& task, const std::array<Effort, 2>& efforts) {
   const Effort& pinhole = efforts[static_cast<size_t>(StudyView::kPinhole)];
@@ -56,11 +62,11 @@ int optionOf(const Protocol& protocol, const ProtocolForm& form, int field, cons
   const auto count = static_cast<int>(asked.options.size());
   for (const auto& [task, efforts] : experience) {
     const std::optional<double> preference = preferenceOf(task, efforts);
-    if (asked.ends.size() == 2 && preference && (mentions(asked.name, task) || mentions(asked.question, task))) {
+    const bool isScale = asked.ends.size() == 2 || asked.favors.size() == 2;
+    if (isScale && preference && (mentions(asked.name, task) || mentions(asked.question, task))) {
       const double felt = *preference + normal(random, 0, kSpread);
       const double strength = std::abs(felt) < kNoticed ? 0 : std::abs(felt) < kPlain ? 0.5 : 1;
-      const bool graphFirst = mentionsGraphView(asked.ends[0]) && !mentionsGraphView(asked.ends[1]);
-      const double side = (felt > 0) == graphFirst ? -1 : 1;
+      const double side = (felt > 0) == graphViewIsFirst(asked) ? -1 : 1;
       return static_cast<int>(std::lround((1 + side * strength) / 2 * (count - 1)));
     }
   }

@@ -71,8 +71,10 @@ double geometricMeanSeconds(const Protocol& protocol, const GeneratorEffects& ef
 
 double shareRight(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task, StudyView view) {
   const bool isCount = task == "count";
-  const double deviation = isCount ? std::hypot(effects.count.subjectSd, effects.count.itemSd)
-                                   : std::hypot(effects.path.subjectSd, effects.path.itemSd);
+  const auto deviationOf = [](const auto& group) {
+    return std::hypot(group.subjectSd, group.itemSd, group.itemViewSd / 2);
+  };
+  const double deviation = isCount ? deviationOf(effects.count) : deviationOf(effects.path);
   const std::vector<GeneratedTrial> trials = trialsOf(protocol, task, view);
   double sum = 0;
   for (const GeneratedTrial& trial : trials) {

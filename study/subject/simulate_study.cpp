@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
 #include "oc_core/base/machine.h"
 #include "oc_core/base/parallel.h"
 #include "study/store/program_version.h"
@@ -53,7 +54,7 @@ std::string simulationJson(const SimulationPlan& plan, uint64_t subjectSeed) {
     json["hashes_frames"] = plan.hashFrames;
     json["factors"] = nlohmann::ordered_json::parse(jsonText(drawHumanFactors(subjectSeed)));
   }
-  return json.dump();
+  return textOfJson(json);
 }
 
 void requireSame(const StudyDatabase& database, const SubjectWork& work) {

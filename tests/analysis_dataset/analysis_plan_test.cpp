@@ -61,6 +61,9 @@ TEST(AnalysisPlan, defaultsAreThoseOfTheSample) {
     EXPECT_EQ(plan.models[i].kind, sample.models[i].kind);
     EXPECT_EQ(plan.models[i].terms, sample.models[i].terms);
     ASSERT_EQ(plan.models[i].randomEffects.size(), sample.models[i].randomEffects.size());
+    for (size_t effect = 0; effect < plan.models[i].randomEffects.size(); ++effect) {
+      EXPECT_EQ(plan.models[i].randomEffects[effect].slopes, sample.models[i].randomEffects[effect].slopes);
+    }
   }
   ASSERT_EQ(plan.hypotheses.size(), sample.hypotheses.size());
   for (size_t i = 0; i < plan.hypotheses.size(); ++i) {
@@ -111,9 +114,12 @@ TEST(AnalysisPlan, contradictionsAreRefused) {
       {"/seed", 1.5, "field \"seed\" must be a whole number"},
       {"/bootstrap_samples", 18446744073709551615ull, "must be a whole number"},
       {"/protocol_sha256", "abc", "must be 64 digits"},
+      {"/forced_sessions", "kept", "must be one of: excluded, analysed"},
       {"/find_timeouts", "gone", "must be one of: censored, removed, set_to_limit"},
       {"/models/0/kind", "anova", "must be one of: linear_mixed"},
       {"/models/0/task", "walk", "must be one of: find, count, path, survey"},
+      {"/models/0/kind", "linear_mixed", "knows no censored times, but \"find_timeouts\" is censored"},
+      {"/models/0/random/1/slopes", {"objects"}, "holds \"objects\", which is not a term of the model"},
       {"/models/0/terms", {"view", "colour"}, "holds \"colour\""},
       {"/models/0/terms", {"view:"}, "holds \"view:\""},
       {"/models/0/terms", {"view:view"}, "holds \"view:view\""},
@@ -140,6 +146,27 @@ TEST(AnalysisPlan, contradictionsAreRefused) {
   for (const auto& each : wrong) {
     EXPECT_THAT(errorWith(each.pointer, each.value), HasSubstr(each.says)) << each.pointer << " " << each.value;
   }
+}
+
+/// A linear model counts time-outs as they are: a plan that says so may test by it, and any plan may fit it beside
+/// others.
+TEST(AnalysisPlan, linearModelsTestWhatTheyCan) {
+  for (const char* timeouts : {"set_to_limit", "removed"}) {
+    Json json = sampleJson();
+    json["models"][0]["kind"] = "linear_mixed";
+    json["find_timeouts"] = timeouts;
+    EXPECT_EQ(errorOf(json.dump()), "") << timeouts;
+  }
+  Json json = sampleJson();
+  Json beside = json["models"][0];
+  beside["name"] = "find-linear";
+  beside["kind"] = "linear_mixed";
+  json["models"].push_back(beside);
+  EXPECT_EQ(errorOf(json.dump()), "");
+  // As in a plan that does not say.
+  json["models"][0]["kind"] = "linear_mixed";
+  json.erase("find_timeouts");
+  EXPECT_THAT(errorOf(json.dump()), HasSubstr("give the model the kind log_normal_mixed, or set \"find_timeouts\""));
 }
 
 /// The fields that the schema knows are those that the reader takes, object by object.

@@ -1,9 +1,11 @@
 #include "analysis/dataset/exclusions.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "analysis/dataset/database.h"
+#include "analysis/dataset/trial_check.h"
 #include "tests/analysis_dataset/sample_study.h"
 
 namespace ocelli::test {
@@ -28,6 +30,7 @@ struct Exclusions : ::testing::Test {
   AnalysisData with(const PlannedExclusion& one) const {
     AnalysisPlan plan = defaultPlan();
     plan.exclusions = {one};
+    plan.excludesForcedSessions = false;
     return applyPlan(readDatabase(path), plan);
   }
 };
@@ -109,6 +112,75 @@ TEST_F(Exclusions, eachRuleTakesWhatItSays) {
   const AnalysisData session = with(rule("forced_session", ExclusionTest::kAlways, ""));
   EXPECT_EQ(session.excluded[0].session, 1);
   EXPECT_EQ(session.excluded[0].trials, 2);
+}
+
+TEST_F(Exclusions, timesBeyondTheLimitThatAreNotTimeOutsAreLeftOutAndNamed) {
+  SampleStudy study(path);
+  fillSmallStudy(study);  // the limit is 60 s
+  SampleTrial trial;
+  trial.plan = 10;
+  trial.response = 60;
+  study.addTrial(trial);
+  trial.plan = 11;
+  trial.censored = true;
+  study.addTrial(trial);
+  EXPECT_EQ(applyPlan(readDatabase(path), defaultPlan()).flow.excludedTrials, 0);
+  trial.plan = 12;
+  trial.censored = false;
+  trial.response = 75;
+  const int64_t id = study.addTrial(trial);
+  const AnalysisData result = applyPlan(readDatabase(path), defaultPlan());
+  EXPECT_EQ(result.flow.excludedTrials, 1);
+  for (const Trial& kept : result.data.trials) {
+    EXPECT_NE(kept.trialId, id);
+  }
+  const std::string why = "it took 75 s, beyond its limit of 60 s, and is not marked as timed out";
+  ASSERT_EQ(result.data.leftOut.size(), 1u);
+  EXPECT_EQ(result.data.leftOut[0].id, id);
+  EXPECT_EQ(result.data.leftOut[0].why, why);
+  ASSERT_EQ(result.warnings.size(), 1u);
+  EXPECT_EQ(result.warnings[0],
+            fmt::format("Trials that contradict themselves are left out, 1 in all: trial {} of S01 in {}: {}.", id,
+                        path, why));
+}
+
+/// Tables do not hold the limit of a trial; the protocol does.
+TEST(TrialCheck, theLimitOfTheBlockStandsInForThatOfTheTrial) {
+  Trial trial;
+  trial.responseSeconds = 61;
+  EXPECT_EQ(contradictionOf(trial, std::nullopt), "");
+  EXPECT_THAT(contradictionOf(trial, 60), HasSubstr("beyond its limit of 60 s"));
+  trial.longestSeconds = 90;
+  EXPECT_EQ(contradictionOf(trial, 60), "");
+}
+
+TEST_F(Exclusions, forcedSessionsAreLeftOutUnlessThePlanSaysOtherwiseAndNamedEitherWay) {
+  SampleStudy study(path);
+  fillSmallStudy(study);
+  study.addSubject("S03");
+  study.addSession("S03", 1, "completed", true);
+  SampleTrial trial;
+  trial.subject = "S03";
+  study.addTrial(trial);
+  AnalysisPlan plan = defaultPlan();
+  AnalysisData result = applyPlan(readDatabase(path), plan);
+  EXPECT_EQ(result.flow.analysed, 2);
+  ASSERT_EQ(result.excluded.size(), 1u);
+  EXPECT_EQ(result.excluded[0].subject, "S03");
+  EXPECT_EQ(result.excluded[0].session, 1);
+  EXPECT_EQ(result.excluded[0].rule, "forced_session");
+  EXPECT_THAT(result.warnings, ::testing::ElementsAre("Sessions were forced past a failed check of the screen's "
+                                                      "timing, 1 in all; they are left out: session 1 of S03."));
+  plan.excludesForcedSessions = false;
+  result = applyPlan(readDatabase(path), plan);
+  EXPECT_EQ(result.flow.analysed, 3);
+  EXPECT_THAT(result.warnings, ::testing::ElementsAre(HasSubstr("they are analysed, as the plan says")));
+  // A rule of the plan is not doubled.
+  plan = defaultPlan();
+  plan.exclusions = {rule("forced_session", ExclusionTest::kAlways, "")};
+  result = applyPlan(readDatabase(path), plan);
+  ASSERT_EQ(result.excluded.size(), 1u);
+  EXPECT_EQ(result.excluded[0].reason, "as planned");
 }
 
 TEST_F(Exclusions, theLogTellsEveryRow) {

@@ -59,7 +59,7 @@ void path(SampleTrial& trial, double slowness, RandomNumbers& random) {
 }  // namespace
 
 const char* const kWholeProtocol = R"({
-  "name": "whole", "title": "A whole study", "description": "All tasks.", "sessions": 3,
+  "name": "rosen2010-whole", "title": "A whole study", "description": "All tasks.", "sessions": 3,
   "mazes": {"small": {"plan": ["+-+-+-+", "|     |", "+ +-+ +", "|   | |", "+ +-+-+"]}},
   "blocks": [
     {"name": "find stationary", "title": "Find", "task": "find", "maze": "small", "limit_seconds": 60,
@@ -72,6 +72,13 @@ const char* const kWholeProtocol = R"({
     {"name": "count moving", "title": "Count", "task": "count", "maze": "small", "moving": {}, "cases": []},
     {"name": "path", "title": "Recognise", "task": "path", "maze": "small", "maps": 3, "cases": []}
   ],
+  "survey": {"title": "Which view was easier?", "fields": [
+    {"name": "easier_find", "question": "To find the object", "options": ["1", "2", "3", "4", "5"],
+     "ends": ["plain view easier", "bent view easier"], "favors": ["ppc", "gc"]},
+    {"name": "easier_count", "question": "To count the objects", "options": ["1", "2", "3", "4", "5"],
+     "ends": ["plain view easier", "bent view easier"], "favors": ["ppc", "gc"]},
+    {"name": "easier_path", "question": "To recognise the path", "options": ["1", "2", "3", "4", "5"],
+     "ends": ["plain view easier", "bent view easier"], "favors": ["ppc", "gc"]}]},
   "exclusions": [{"what": "ending", "test": "is", "value": "unwell", "reason": "motion sickness"}]
 })";
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/dataset/database.h"
+#include "analysis/dataset/row_digest.h"
 #include "tests/analysis_dataset/sample_study.h"
 
 namespace ocelli::test {
@@ -120,6 +121,28 @@ TEST_F(Merge, usesSimulatedRowsWhereThereIsNobodyElse) {
   EXPECT_EQ(data.trials.size(), 1u);
   EXPECT_TRUE(data.isSimulated());
   EXPECT_THAT(data.notes[0], HasSubstr("All subjects are simulated"));
+}
+
+TEST_F(Merge, leavesOutWhoWithdrewFromAnotherSource) {
+  SampleStudy a(first);
+  fillOne(a, "S02");
+  const std::string hash = hexadecimal(sha256Of("some saltkey of S01"));  // the sample's key of S01
+  a.database().exec(
+      "INSERT INTO audit (at_utc, action, detail_json, program_version, station) VALUES ('', 'withdrawn', "
+      "'{\"salt\": \"some salt\", \"subject_key_sha256\": \"" +
+      hash + "\"}', '', '')");
+  SampleStudy b(second);
+  fillOne(b, "S01");
+  fillOne(b, "S03");
+  for (const Dataset& data : {both(), merge({readDatabase(second), readDatabase(first)})}) {
+    ASSERT_EQ(data.subjects.size(), 2u);
+    EXPECT_EQ(data.trials.size(), 2u);
+    EXPECT_EQ(data.answers.size(), 2u);
+    EXPECT_EQ(data.findSubject("S01"), nullptr);
+    ASSERT_EQ(data.notes.size(), 1u);
+    EXPECT_THAT(data.notes[0], ::testing::AllOf(HasSubstr(second + " still has subjects who withdrew, as " + first),
+                                                HasSubstr("subjects: 1, trials: 1"), ::testing::Not(HasSubstr("S01"))));
+  }
 }
 
 TEST_F(Merge, needsSomething) {

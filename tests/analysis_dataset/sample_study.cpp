@@ -40,7 +40,7 @@ void bindOptional(SQLite::Statement& statement, int at, const std::optional<Valu
 }  // namespace
 
 const char* const kSampleProtocol = R"({
-  "name": "sample", "title": "A sample", "sessions": 2,
+  "name": "rosen2010-sample", "title": "A sample", "sessions": 2,
   "mazes": {"small": {"plan": ["+-+-+-+", "|     |", "+ +-+ +", "|   | |", "+ +-+-+"], "cell_size": 2, "wall_thickness": 0.2}},
   "consent": {"title": "Taking part", "paragraphs": ["You may stop."]},
   "blocks": [
@@ -71,8 +71,8 @@ SampleStudy::SampleStudy(const std::string& path, const std::string& protocol)
     : database_(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE) {
   database_.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = OFF; PRAGMA foreign_keys = ON");
   database_.exec(schema());
-  SQLite::Statement insert(database_,
-                           "INSERT INTO study VALUES (1, 'sample', ?, ?, '0.1.0', '2026-01-01T00:00:00.000Z')");
+  SQLite::Statement insert(
+      database_, "INSERT INTO study VALUES (1, 'rosen2010-sample', ?, ?, '0.1.0', '2026-01-01T00:00:00.000Z')");
   insert.bind(1, hexadecimal(sha256Of(protocol)));
   insert.bind(2, protocol);
   insert.exec();

@@ -22,6 +22,8 @@ curve <- survfit(Surv(time, event) ~ 1, lung, conf.type = "log-log")
 put("curve/time", curve$time); put("curve/risk", curve$n.risk); put("curve/events", curve$n.event)
 put("curve/survival", curve$surv); put("curve/error", summary(curve, times = curve$time)$std.err)
 put("curve/lower", curve$lower); put("curve/upper", curve$upper)
+clustered <- survfit(Surv(time, event) ~ 1, find, cluster = subject, robust = TRUE)
+put("curve/clustered_error", summary(clustered, times = clustered$time)$std.err)
 medians <- function(fit) { q <- quantile(fit, 0.5); c(q$quantile, q$lower, q$upper) }
 put("median/lung", medians(curve))
 # 6 of 12 end before a long gap: the curve stays at a half.

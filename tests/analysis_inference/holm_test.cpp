@@ -22,11 +22,12 @@ TEST(Holm, AdjustsEachFamilyForItself) {
   expectGolden(holmAdjusted(tests), "holm/families", kClosedForm);
 }
 
-TEST(Holm, LeavesOutWhatCouldNotBeTested) {
+TEST(Holm, CountsWhatCouldNotBeTested) {
   const std::vector<double> adjusted = holmAdjusted(std::vector<double>{0.02, NAN, 0.03});
-  EXPECT_DOUBLE_EQ(adjusted[0], 0.04);
+  EXPECT_DOUBLE_EQ(adjusted[0], 0.06);
   EXPECT_TRUE(std::isnan(adjusted[1]));
-  EXPECT_DOUBLE_EQ(adjusted[2], 0.04);
+  EXPECT_DOUBLE_EQ(adjusted[2], 0.06);
+  EXPECT_DOUBLE_EQ(holmAdjusted(std::vector<double>{NAN, 0.042})[1], 0.084);
   EXPECT_THROW(holmAdjusted(std::vector<double>{1.5}), AnalysisError);
 }
 

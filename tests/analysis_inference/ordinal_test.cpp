@@ -31,12 +31,26 @@ TEST(Ordinal, TestsAgainstTheMiddle) {
   EXPECT_DOUBLE_EQ(test.signedRank.positiveRanks, 11.5);
 }
 
+TEST(Ordinal, HasAMiddleBetweenTheAnswersOfAnEvenScale) {
+  const OrdinalDistribution answers = *ordinalDistribution({1, 3, 4, 4}, 4);
+  EXPECT_EQ(answers.belowMiddle, 1);
+  EXPECT_EQ(answers.atMiddle, 0);
+  EXPECT_EQ(answers.aboveMiddle, 3);
+  // -1.5, 0.5, 1.5 and 1.5 from the middle: ranks of the sizes are 3, 1, 3 and 3.
+  const MiddleTest test = *testAgainstMiddle({1, 3, 4, 4}, 4);
+  EXPECT_EQ(test.signedRank.zeros, 0u);
+  EXPECT_DOUBLE_EQ(test.signedRank.positiveRanks, 7);
+  // The median of the means of all pairs: -1.5, -0.5, 0, 0, 0.5, 1, 1, 1.5, 1.5, 1.5.
+  EXPECT_DOUBLE_EQ(test.signedRank.center.value, 0.75);
+}
+
 TEST(Ordinal, SaysWhatItLacks) {
   EXPECT_EQ(ordinalDistribution({}).reason(), "there are no answers");
   EXPECT_EQ(testAgainstMiddle({3, 3, 3}).reason(), "all answers are at the middle");
   EXPECT_TRUE(testAgainstMiddle({5, 5, 5}));
   EXPECT_THROW(ordinalDistribution({6}), AnalysisError);
-  EXPECT_THROW(ordinalDistribution({1}, 4), AnalysisError);
+  EXPECT_THROW(ordinalDistribution({1}, 1), AnalysisError);
+  EXPECT_THROW(ordinalDistribution({5}, 4), AnalysisError);
 }
 
 TEST(ProportionalOdds, IsPolr) {

@@ -22,6 +22,30 @@ double logLikelihood(const BinomialResponse& response, Index row, double predict
          (n - k) * std::log1p(std::exp(predictor));
 }
 
+/// `logDensity`: of a row at its predictor. One term of intercepts, of the standard deviation `theta`.
+template <class LogDensity>
+double gridDeviance(const Design& design, double theta, const VectorXd& coefficients, const LogDensity& logDensity) {
+  const RandomTerm& term = design.random[0];
+  const VectorXd fixed = design.fixed * coefficients;
+  const double step = 0.001;
+  double deviance = 0;
+  for (size_t level = 0; level < term.levels.size(); ++level) {
+    double integral = 0;
+    for (int i = -9000; i <= 9000; ++i) {
+      const double u = step * i;
+      double sum = -u * u / 2;
+      for (Index row = 0; row < fixed.size(); ++row) {
+        if (term.levelOfRow[static_cast<size_t>(row)] == static_cast<int>(level)) {
+          sum += logDensity(row, fixed[row] + theta * u);
+        }
+      }
+      integral += step * std::exp(sum) / std::sqrt(2 * std::numbers::pi);
+    }
+    deviance -= 2 * std::log(integral);
+  }
+  return deviance;
+}
+
 }  // namespace
 
 MatrixXd denseRandomColumns(const std::vector<RandomTerm>& terms, const VectorXd& theta) {
@@ -63,25 +87,18 @@ double denseGaussianDeviance(const Design& design, const VectorXd& response, con
 
 double gridBinomialDeviance(const Design& design, const BinomialResponse& response, double theta,
                             const VectorXd& coefficients) {
-  const RandomTerm& term = design.random[0];
-  const VectorXd fixed = design.fixed * coefficients;
-  const double step = 0.001;
-  double deviance = 0;
-  for (size_t level = 0; level < term.levels.size(); ++level) {
-    double integral = 0;
-    for (int i = -9000; i <= 9000; ++i) {
-      const double u = step * i;
-      double sum = -u * u / 2;
-      for (Index row = 0; row < fixed.size(); ++row) {
-        if (term.levelOfRow[static_cast<size_t>(row)] == static_cast<int>(level)) {
-          sum += logLikelihood(response, row, fixed[row] + theta * u);
-        }
-      }
-      integral += step * std::exp(sum) / std::sqrt(2 * std::numbers::pi);
-    }
-    deviance -= 2 * std::log(integral);
-  }
-  return deviance;
+  return gridDeviance(design, theta, coefficients,
+                      [&](Index row, double predictor) { return logLikelihood(response, row, predictor); });
+}
+
+double gridCensoredDeviance(const Design& design, const CensoredResponse& response, double theta,
+                            double residualDeviation, const VectorXd& coefficients) {
+  return gridDeviance(design, theta * residualDeviation, coefficients, [&](Index row, double predictor) {
+    const double z = (response.values[row] - predictor) / residualDeviation;
+    return response.censored[static_cast<size_t>(row)]
+               ? std::log(std::erfc(z / std::numbers::sqrt2) / 2)
+               : -z * z / 2 - std::log(residualDeviation) - std::log(2 * std::numbers::pi) / 2;
+  });
 }
 
 double denseLaplaceDeviance(const Design& design, const BinomialResponse& response, const VectorXd& theta,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "analysis/models/binomial_mixed_model.h"
+#include "analysis/models/censored_mixed_model.h"
 
 namespace ocelli {
 
@@ -17,6 +18,10 @@ double denseGaussianDeviance(const Design& design, const Eigen::VectorXd& respon
 /// -2 log likelihood with the integral over each level's effect as a sum over a grid. One term of intercepts.
 double gridBinomialDeviance(const Design& design, const BinomialResponse& response, double theta,
                             const Eigen::VectorXd& coefficients);
+
+/// The same of a response of which some rows are censored.
+double gridCensoredDeviance(const Design& design, const CensoredResponse& response, double theta,
+                            double residualDeviation, const Eigen::VectorXd& coefficients);
 
 /// Laplace's approximation with a full Hessian.
 double denseLaplaceDeviance(const Design& design, const BinomialResponse& response, const Eigen::VectorXd& theta,

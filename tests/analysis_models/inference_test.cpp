@@ -1,7 +1,8 @@
-// Bootstrap and probabilities.
+// Intervals, bootstrap and probabilities.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "analysis/models/marginal_probability.h"
 #include "analysis/models/parametric_bootstrap.h"
@@ -16,6 +17,43 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 const SampleSize kSize{20, 10, 2};
+
+// Quantiles of t grow beyond all numbers as degrees of freedom fall towards 0.
+TEST(EstimateOf, HasNoIntervalThatCannotBeTold) {
+  for (const double df : {1e-300, 1e-20, 1e-6, 1e-3, 0.01, 0.1}) {
+    const Estimate estimate = estimateOf(1, 0.5, df, 0.95);
+    EXPECT_EQ(estimate.statistic, 2);
+    EXPECT_LT(estimate.lower, -9) << df;
+    EXPECT_GT(estimate.upper, 11) << df;
+    EXPECT_GT(estimate.pValue, 0.3) << df;
+    EXPECT_LE(estimate.pValue, 1) << df;
+  }
+  EXPECT_TRUE(std::isinf(estimateOf(1, 0.5, 1e-6, 0.95).upper));
+  for (const double df : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    const Estimate estimate = estimateOf(1, 0.5, df, 0.95);
+    EXPECT_EQ(estimate.value, 1);
+    EXPECT_TRUE(std::isnan(estimate.lower));
+    EXPECT_TRUE(std::isnan(estimate.pValue));
+  }
+  for (const double error : {0.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_TRUE(std::isnan(estimateOf(1, error, 10, 0.95).pValue));
+  }
+  // Student's t with one and ten degrees of freedom, of tables.
+  EXPECT_NEAR(estimateOf(0, 1, 1, 0.95).upper, 12.7062, 1e-4);
+  EXPECT_NEAR(estimateOf(0, 1, 10, 0.95).upper, 2.2281, 1e-4);
+}
+
+// A likelihood that is flat in a variance says less than two levels do.
+TEST(ContrastEstimate, HasOneDegreeOfFreedomAtLeast) {
+  MixedModelFit fit;
+  fit.coefficients = VectorXd::Constant(1, 0.3);
+  fit.covariance = MatrixXd::Constant(1, 1, 0.04);
+  fit.varianceParameterCovariance = MatrixXd::Constant(1, 1, 1e8);
+  fit.covarianceGradients = {MatrixXd::Constant(1, 1, 0.1)};
+  const Estimate estimate = contrastEstimate(fit, VectorXd::Ones(1));
+  EXPECT_EQ(estimate.degreesOfFreedom, 1);
+  EXPECT_NEAR(estimate.upper, 0.3 + 0.2 * 12.7062, 1e-4);
+}
 
 TEST(ParametricBootstrap, IsThatOfTheSeedAndNearTheWaldInterval) {
   const LinearMixedModel model(sampleDesign(kSize));

@@ -3,43 +3,21 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/analysis_models/golden.h"
+#include "tests/analysis_models/golden_designs.h"
 
 namespace ocelli {
 namespace {
 
 LinearMixedModel intercepts(const GoldenData& data, const std::vector<std::string>& groups) {
-  FixedEffects fixed(static_cast<Eigen::Index>(data.labels(groups[0]).size()));
-  fixed.addIntercept();
-  std::vector<RandomTerm> random;
-  for (const std::string& group : groups) {
-    random.push_back(randomIntercepts(group, data.labels(group)));
-  }
-  return LinearMixedModel(makeDesign(fixed, random));
+  return LinearMixedModel(interceptsDesign(data, groups));
 }
 
 LinearMixedModel sleepModel(const GoldenData& data, bool correlated) {
-  FixedEffects fixed(180);
-  fixed.addIntercept();
-  fixed.addNumber("Days", data.numbers("Days"));
-  RandomTerm subjects = randomIntercepts("Subject", data.labels("Subject"));
-  addSlope(subjects, "Days", fixed);
-  subjects.correlated = correlated;
-  return LinearMixedModel(makeDesign(fixed, {subjects}));
+  return LinearMixedModel(sleepDesign(data, correlated));
 }
 
 LinearMixedModel findModel(const GoldenData& data, bool interaction = true) {
-  FixedEffects fixed(static_cast<Eigen::Index>(data.numbers("y").size()));
-  fixed.addIntercept();
-  for (const char* name : {"view", "moving", "session"}) {
-    fixed.addNumber(name, data.numbers(name));
-  }
-  if (interaction) {
-    fixed.addInteraction("view", "moving");
-  }
-  RandomTerm subjects = randomIntercepts("subject", data.labels("subject"));
-  addSlope(subjects, "view", fixed);
-  return LinearMixedModel(makeDesign(fixed, {subjects, randomIntercepts("item", data.labels("item"))}));
+  return LinearMixedModel(findDesign(data, interaction));
 }
 
 /// Relative to the expected value, or to 1 where that is near 0.

@@ -123,9 +123,35 @@ PairedPlot samplePaired() {
 RatingPlot sampleRatings() {
   RatingPlot plot;
   plot.title = "Survey: which view was easier";
-  plot.questions = {{"Finding objects", {0, 1, 2, 15, 27}},
-                    {"Counting objects", {0, 0, 0, 1, 44}},
-                    {"Matching paths: which of the two was easier to keep one's bearings in?", {8, 12, 14, 7, 4}}};
+  plot.lowest = "pinhole easier";
+  plot.highest = "graph camera easier";
+  plot.questions = {
+      {"Finding objects", {0, 1, 2, 15, 27}, 4.51},
+      {"Counting objects", {0, 0, 0, 1, 44}, 4.98},
+      {"Matching paths: which of the two was easier to keep one's bearings in?", {8, 12, 14, 7, 4}, 2.71}};
+  return plot;
+}
+
+/// Seven steps of a question that does not compare the views, and four without a middle that do, the other way round.
+RatingPlot sampleSevenSteps() {
+  RatingPlot plot;
+  plot.title = "Survey: how tired";
+  plot.steps = {"1", "2", "3", "4", "5", "6", "7"};
+  plot.lowest = "not at all";
+  plot.highest = "very";
+  plot.parted = false;
+  plot.questions = {{"Before", {20, 10, 5, 4, 3, 2, 1}, 2.3}, {"After", {1, 2, 4, 8, 10, 12, 8}, 5.0}};
+  return plot;
+}
+
+RatingPlot sampleFourSteps() {
+  RatingPlot plot;
+  plot.title = "Survey: which view next time";
+  plot.steps = {"1", "2", "3", "4"};
+  plot.lowest = "surely the bent view";
+  plot.highest = "surely the plain view";
+  plot.lastIsGraph = false;
+  plot.questions = {{"Next time", {18, 12, 9, 6}, 2.07}};
   return plot;
 }
 
@@ -339,13 +365,22 @@ HeatMap sampleHeat() {
 }
 
 std::vector<SampleFigure> sampleFigures() {
-  return {{"learning", groupFigure(sampleLearning())}, {"cases", groupFigure(sampleCases())},
-          {"accuracy", groupFigure(sampleAccuracy())}, {"strip", groupFigure(sampleStrip())},
-          {"paired", pairedFigure(samplePaired())},    {"survival", survivalFigure(sampleSurvival())},
-          {"ratings", ratingFigure(sampleRatings())},  {"forest", forestFigure(sampleForest())},
-          {"errors", histogramFigure(sampleErrors())}, {"heat", heatFigure(sampleHeat())},
-          {"check", modelCheckFigure(sampleCheck())},  {"power", powerFigure(samplePower())},
-          {"flow", flowFigure(sampleFlow())},          {"grid", gridFigure(sampleGrid())}};
+  return {{"learning", groupFigure(sampleLearning())},
+          {"cases", groupFigure(sampleCases())},
+          {"accuracy", groupFigure(sampleAccuracy())},
+          {"strip", groupFigure(sampleStrip())},
+          {"paired", pairedFigure(samplePaired())},
+          {"survival", survivalFigure(sampleSurvival())},
+          {"ratings", ratingFigure(sampleRatings())},
+          {"ratings-7", ratingFigure(sampleSevenSteps())},
+          {"ratings-4", ratingFigure(sampleFourSteps())},
+          {"forest", forestFigure(sampleForest())},
+          {"errors", histogramFigure(sampleErrors())},
+          {"heat", heatFigure(sampleHeat())},
+          {"check", modelCheckFigure(sampleCheck())},
+          {"power", powerFigure(samplePower())},
+          {"flow", flowFigure(sampleFlow())},
+          {"grid", gridFigure(sampleGrid())}};
 }
 
 std::vector<SampleFigure> emptyFigures() {
@@ -358,7 +393,7 @@ std::vector<SampleFigure> emptyFigures() {
   survival.title = title;
   RatingPlot rating;
   rating.title = title;
-  rating.questions = {{"Nobody answered", {}}};
+  rating.questions = {{"Nobody answered", {0, 0, 0, 0, 0}}};
   ForestPlot forest;
   forest.title = title;
   HistogramPlot histogram;
@@ -394,7 +429,7 @@ std::vector<SampleFigure> tinyFigures() {
   survival.curves = {{"ppc", {}, {60, 60}, {}}, {"gc", {}, {}, {}}};
   RatingPlot rating;
   rating.title = "One answer";
-  rating.questions = {{"Which?", {0, 0, 1, 0, 0}}};
+  rating.questions = {{"Which?", {0, 0, 1, 0, 0}, 3}};
   ForestPlot forest;
   forest.title = "One estimate";
   forest.rows = {{"a", {0.2, kNaN, kNaN}}, {"b", {0, 0, 0}}};

@@ -16,7 +16,7 @@ TEST(ComparisonTable, numbersHaveTheDigitsThatTheirIntervalBears) {
   EXPECT_EQ(estimateText(-0.04, -2.82, 2.88), "0.0 (-2.8 to 2.9)");
   EXPECT_EQ(estimateText(4321.4, 4202.6, 4500.9), "4321 (4203 to 4501)");
   EXPECT_EQ(estimateText(0.00123456, 0.00122, 0.00125), "0.001235 (0.001220 to 0.001250)");
-  EXPECT_EQ(estimateText(22, 0.00295, 165623), "22.0 (0.00295 to 165623.0)");
+  EXPECT_EQ(estimateText(22, 0.00295, 165623), "22.000 (0.003 to 165623.000)");
   EXPECT_EQ(estimateText(1, kNotKnown, kNotKnown), "1.00");
   EXPECT_EQ(estimateText(1, 1, 1), "1.00");
 }

@@ -1,11 +1,12 @@
 // Whether 95 % intervals of the report hold the truth in 93 to 97 % of studies, and a true null is rejected in 3.5 to
 // 6.5 %: fewer studies than bench/simulated_studies_bench.cpp has, by the same code. A share is accepted unless one in
-// those ranges would be as far out with a probability below kByChance; there are fewer than 50 checks, each with two
+// those ranges would be as far out with a probability below kByChance; there are fewer than 60 checks, each with two
 // sides, so that all of them together fail by chance in less than one run of 10,000.
 #include <gtest/gtest.h>
 
 #include <boost/math/distributions/binomial.hpp>
 
+#include "bench/case_view_errors.h"
 #include "bench/study_coverage.h"
 
 namespace ocelli::test {
@@ -83,6 +84,37 @@ TEST(ReportCoverage, ofEquivalenceAtItsBound) {
     if (term.name == "subjects, cases") {
       expectShareIn(term.rejected, 0, 0.065, "equivalence at its bound");
     }
+  }
+}
+
+/// True nulls are rejected in 3 to 7 % where cases differ in the effect of the view: 8 subjects and 12 cases, or 20
+/// scenes.
+void expectErrorsIn(const std::string& model, double ofItemViews, int studies) {
+  static const Protocol protocol = readProtocol(OCELLI_ROSEN2010);
+  const ErrorRates rates = errorRatesOf({model, smallDesign(), ofItemViews}, protocol, {studies, 13});
+  const std::string what = model + ", cases differ by " + std::to_string(ofItemViews);
+  EXPECT_LE(rates.impossible, studies / 100) << what;
+  expectShareIn(rates.rejected, 0.03, 0.07, what);
+}
+
+TEST(ReportCoverage, ofSearchesWhereCasesDifferInTheEffectOfTheView) {
+  expectErrorsIn("find-time", 0.4, 400);
+  expectErrorsIn("find-time", 0.8, 200);
+}
+
+TEST(ReportCoverage, ofSurvivalWhereCasesDifferInTheEffectOfTheView) {
+  for (const char* model : {"find-hazard", "find-log-normal", "find-survival"}) {
+    expectErrorsIn(model, 0.4, 2000);
+  }
+}
+
+/// With 8 subjects and 10 paths nothing can be called equivalent; the one-sided test is as exact as it is with more.
+TEST(ReportCoverage, ofEquivalenceWhereCasesDifferInTheEffectOfTheView) {
+  static const Protocol protocol = readProtocol(OCELLI_ROSEN2010);
+  for (const ErrorDesign& design : {smallDesign(), designOf2010()}) {
+    const ErrorRates rates = errorRatesOf({"path-equivalence", design, 0.4}, protocol, {1000, 13});
+    expectShareIn(rates.oneSided, 0.03, 0.07, design.name + ", one-sided");
+    expectShareIn(rates.rejected, 0, 0.07, design.name + ", called equivalent");
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <regex>
 #include <set>
 
@@ -44,17 +45,19 @@ TEST(HtmlReport, isWellFormedAndShowsEveryElement) {
 }
 
 TEST(HtmlReport, namesNothingOutsideItself) {
-  const std::string html = htmlReport(sampleDocument());
-  EXPECT_FALSE(holds(html, "http:"));
-  EXPECT_FALSE(holds(html, "https:"));
-  EXPECT_FALSE(holds(html, "@import"));
-  const MarkupReading reading = read(html);
-  EXPECT_TRUE(valuesOf(reading, "src").empty());
-  for (const std::string& href : valuesOf(reading, "href")) {
-    EXPECT_EQ(href.front(), '#') << href;
+  for (const std::string& html : {htmlReport(sampleDocument()), htmlSupplement(sampleDocument())}) {
+    EXPECT_FALSE(holds(html, "http:"));
+    EXPECT_FALSE(holds(html, "https:"));
+    EXPECT_FALSE(holds(html, "@import"));
+    const MarkupReading reading = read(html);
+    EXPECT_TRUE(valuesOf(reading, "src").empty());
+    for (const std::string& href : valuesOf(reading, "href")) {
+      const std::string file = href.substr(0, href.find('#'));
+      EXPECT_TRUE(file.empty() || file == "index.html" || file == "supplement.html") << href;
+    }
+    const std::regex outside("url\\((?!#)");
+    EXPECT_FALSE(std::regex_search(html, outside));
   }
-  const std::regex outside("url\\((?!#)");
-  EXPECT_FALSE(std::regex_search(html, outside));
 }
 
 TEST(HtmlReport, hostileTextStaysText) {
@@ -70,17 +73,34 @@ TEST(HtmlReport, hostileTextStaysText) {
 }
 
 TEST(HtmlReport, idsAreUniqueAndLinksLeadSomewhere) {
-  const MarkupReading reading = read(htmlReport(sampleDocument()));
-  std::set<std::string> ids;
-  for (const std::string& id : valuesOf(reading, "id")) {
-    EXPECT_TRUE(ids.insert(id).second) << id << " stands twice";
+  ReportDocument document = sampleDocument();
+  {
+    const InSupplement supplement(document);
+    document.add(std::get<ReportTable>(
+        *std::find_if(document.elements.begin(), document.elements.end(),
+                      [](const ReportElement& element) { return std::holds_alternative<ReportTable>(element); })));
   }
-  for (const char* attribute : {"href", "xlink:href"}) {
-    for (const std::string& link : valuesOf(reading, attribute)) {
-      EXPECT_EQ(ids.count(link.substr(1)), 1U) << link;
+  std::map<std::string, MarkupReading> pages;
+  pages["index.html"] = read(htmlReport(document));
+  pages["supplement.html"] = read(htmlSupplement(document));
+  std::map<std::string, std::set<std::string>> ids;
+  for (const auto& [name, page] : pages) {
+    EXPECT_EQ(page.problem, "") << name;
+    for (const std::string& id : valuesOf(page, "id")) {
+      EXPECT_TRUE(ids[name].insert(id).second || id.starts_with("t71-")) << id << " stands twice";
     }
   }
-  EXPECT_EQ(ids.count("t71-s1-ppc"), 1U) << "the anchor of a cell";
+  for (const auto& [name, page] : pages) {
+    for (const char* attribute : {"href", "xlink:href"}) {
+      for (const std::string& link : valuesOf(page, attribute)) {
+        const size_t hash = link.find('#');
+        const std::string file = hash == 0 ? name : link.substr(0, hash);
+        ASSERT_EQ(ids.count(file), 1U) << link;
+        EXPECT_TRUE(hash == std::string::npos || ids[file].count(link.substr(hash + 1)) == 1) << name << ": " << link;
+      }
+    }
+  }
+  EXPECT_EQ(ids["index.html"].count("t71-s1-ppc"), 1U) << "the anchor of a cell";
 }
 
 TEST(HtmlReport, cellsSayWhereTheyComeFrom) {
@@ -88,7 +108,39 @@ TEST(HtmlReport, cellsSayWhereTheyComeFrom) {
   EXPECT_TRUE(holds(html,
                     "id=\"t71-s1-ppc\" title=\"SELECT avg(response_s) FROM final_trial WHERE task = &#39;find&#39; AND "
                     "session = 1\""));
-  EXPECT_TRUE(holds(html, "<a href=\"#t71-s1-ppc\">Session 1</a>"));
+  EXPECT_TRUE(holds(html, "<a href=\"supplement.html#sources-table-7-1\">Where these numbers come from</a>"));
+  EXPECT_TRUE(holds(htmlSupplement(sampleDocument()), "<a href=\"index.html#t71-s1-ppc\">Session 1</a>"));
+}
+
+TEST(HtmlReport, theSupplementIsAPageOfItsOwn) {
+  ReportDocument document;
+  document.title = "Study";
+  document.add(ReportHeading{1, "Finding", "find"});
+  document.add(ReportTable{"Main", "main", {{"What"}}, {{{"x"}}}});
+  {
+    const InSupplement supplement(document);
+    document.add(ReportTable{"All cases", "cases", {{"What"}}, {{{"y"}}}});
+  }
+  document.add(ReportParagraph{"Main again."});
+  const MarkupReading main = read(htmlReport(document));
+  const MarkupReading more = read(htmlSupplement(document));
+  EXPECT_TRUE(holds(main.text, "Main again."));
+  EXPECT_FALSE(holds(main.text, "All cases"));
+  EXPECT_TRUE(holds(more.text, "Table S1.")) << "counted apart";
+  EXPECT_TRUE(holds(more.text, "Finding")) << "below the heading of its section";
+  EXPECT_THAT(valuesOf(main, "href"), testing::Contains("supplement.html"));
+}
+
+TEST(HtmlReport, exploratoryTablesAreMarkedAndShortNamesAreSmall) {
+  ReportDocument document;
+  ReportTable table{"Ratios", "ratios", {{"What"}}, {{{"Found sooner"}}}};
+  table.rows[0][0].shortName = "find-faster";
+  document.add(table);
+  EXPECT_FALSE(holds(read(htmlReport(document)).text, "Exploratory"));
+  std::get<ReportTable>(document.elements[0]).exploratory = true;
+  const std::string html = htmlReport(document);
+  EXPECT_TRUE(holds(html, "<span class=\"exploratory\">Exploratory</span>"));
+  EXPECT_TRUE(holds(html, "Found sooner<small>find-faster</small>"));
 }
 
 TEST(HtmlReport, policyAllowsItsOwnScriptAlone) {

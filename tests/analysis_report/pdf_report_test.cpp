@@ -101,8 +101,14 @@ TEST(PdfReport, contentsNameTheRightPages) {
       EXPECT_TRUE(pageOf.emplace(target.name, static_cast<int>(i) + 1).second) << target.name;
     }
   }
-  const std::vector<std::string> numbers = textsOf(pdf, "contents page")[0];
-  const std::vector<PdfLink>& links = pdf.pages[0].links;
+  // Below the first section, over as many pages as they take.
+  std::vector<std::string> numbers;
+  std::vector<PdfLink> links;
+  for (size_t i = 0; i < pdf.pages.size(); ++i) {
+    const std::vector<std::string> onPage = textsOf(pdf, "contents page")[i];
+    numbers.insert(numbers.end(), onPage.begin(), onPage.end());
+    links.insert(links.end(), pdf.pages[i].links.begin(), pdf.pages[i].links.end());
+  }
   ASSERT_EQ(numbers.size(), links.size());
   ASSERT_GE(numbers.size(), 6U);
   for (size_t i = 0; i < links.size(); ++i) {

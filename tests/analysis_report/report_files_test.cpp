@@ -20,14 +20,15 @@ TEST(ReportFiles, everyFigureIsThereForAPaper) {
     names.push_back(file.name);
     EXPECT_FALSE(file.bytes.empty()) << file.name;
   }
-  EXPECT_THAT(names, testing::ElementsAre("index.html", "report.pdf", "report.json", "figures/flow.svg",
-                                          "figures/flow.pdf", "figures/cases.svg", "figures/cases.pdf"));
+  EXPECT_THAT(names,
+              testing::ElementsAre("index.html", "supplement.html", "report.pdf", "report.json", "figures/flow.svg",
+                                   "figures/flow.pdf", "figures/cases.svg", "figures/cases.pdf"));
 }
 
 TEST(ReportFiles, namesOfHostileFiguresStayInTheFolder) {
   for (const ReportFile& file : reportFiles(hostileDocument())) {
     EXPECT_EQ(file.name.find(".."), std::string::npos);
-    EXPECT_THAT(file.name, testing::MatchesRegex("(index|report|figures/[a-z0-9-]+)[.](html|pdf|json|svg)"));
+    EXPECT_THAT(file.name, testing::MatchesRegex("(index|supplement|report|figures/[a-z0-9-]+)[.](html|pdf|json|svg)"));
   }
 }
 

@@ -65,6 +65,23 @@ TEST_F(ReportFolder, isCheckedBeforeLongWork) {
   EXPECT_THROW(checkReportFolder(root_ / "missing" / "report"), AnalysisError);
 }
 
+TEST_F(ReportFolder, whatAKilledProcessLeftGoesWithTheNextReport) {
+  const pid_t killed = fork();
+  if (killed == 0) {
+    _exit(0);
+  }
+  ASSERT_EQ(waitpid(killed, nullptr, 0), killed);
+  const fs::path left = root_ / ("report.partial-" + std::to_string(killed));
+  fs::create_directories(left / "figures");
+  // One that another process is writing now stays.
+  const fs::path other = root_ / "report.partial-1";
+  fs::create_directories(other);
+  writeReportFolder(root_ / "report", filesWith("one"));
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_TRUE(fs::exists(other));
+  EXPECT_FALSE(fs::exists(unfinishedReportFolder(root_ / "report")));
+}
+
 TEST_F(ReportFolder, anEmptyFolderIsTaken) {
   fs::create_directory(root_ / "report");
   writeReportFolder(root_ / "report", filesWith("one"));

@@ -29,6 +29,16 @@ std::string titleOf(const Json& table, size_t column) {
   return column < table["columns"].size() ? table["columns"][column]["title"].get<std::string>() : "";
 }
 
+/// In the words of the report, for names of views as data write them; in small letters.
+std::string inWords(const std::string& text) {
+  static const std::regex kPinhole("\\bppc\\b");
+  static const std::regex kGraph("\\bgc\\b");
+  std::string words = std::regex_replace(std::regex_replace(text, kPinhole, "pinhole"), kGraph, "graph camera");
+  std::transform(words.begin(), words.end(), words.begin(),
+                 [](char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); });
+  return words;
+}
+
 /// Of the last digit that the text shows.
 double roundingOf(const std::string& number) {
   const size_t point = number.find('.');
@@ -56,11 +66,11 @@ std::optional<double> valueIn(const Json& report, const std::string& table, cons
     return std::nullopt;
   }
   for (const Json& cells : element["rows"]) {
-    if (cells[0]["text"].get<std::string>().find(row) == std::string::npos) {
+    if (inWords(cells[0]["text"]).find(inWords(row)) == std::string::npos && cells[0].value("short_name", "") != row) {
       continue;
     }
     for (size_t i = 0; i < cells.size(); ++i) {
-      if (titleOf(element, i) == column) {
+      if (inWords(titleOf(element, i)) == inWords(column)) {
         return cells[i].contains("value") ? std::optional(cells[i]["value"].get<double>()) : std::nullopt;
       }
     }

@@ -11,7 +11,8 @@ namespace ocelli::test {
 /// The element with this anchor; null where there is none.
 nlohmann::json elementOf(const nlohmann::json& report, const std::string& id);
 
-/// Of the table's first row whose head holds `row`, the value below the column with this title.
+/// Of the table's first row whose head holds `row` in the words of the report ("ppc" is "pinhole"), or has that short
+/// name, the value below the column with this title.
 std::optional<double> valueIn(const nlohmann::json& report, const std::string& table, const std::string& row,
                               const std::string& column);
 

@@ -10,16 +10,18 @@ namespace {
 
 const ReportCell* findCellOf(const ReportDocument& document, const std::string& table, const std::string& row,
                              const std::string& column) {
-  for (const ReportElement& element : document.elements) {
-    const auto* found = std::get_if<ReportTable>(&element);
-    if (found == nullptr || found->id != table) {
-      continue;
-    }
-    for (const std::vector<ReportCell>& cells : found->rows) {
-      for (size_t i = 0; i < cells.size() && cells.front().text == row; ++i) {
-        const ReportColumn& head = found->columns[i];
-        if (column == (head.group.empty() ? head.title : fmt::format("{} {}", head.group, head.title))) {
-          return &cells[i];
+  for (const std::vector<ReportElement>* part : {&document.elements, &document.supplement}) {
+    for (const ReportElement& element : *part) {
+      const auto* found = std::get_if<ReportTable>(&element);
+      if (found == nullptr || found->id != table) {
+        continue;
+      }
+      for (const std::vector<ReportCell>& cells : found->rows) {
+        for (size_t i = 0; i < cells.size() && (cells.front().text == row || cells.front().shortName == row); ++i) {
+          const ReportColumn& head = found->columns[i];
+          if (column == (head.group.empty() ? head.title : fmt::format("{} {}", head.group, head.title))) {
+            return &cells[i];
+          }
         }
       }
     }

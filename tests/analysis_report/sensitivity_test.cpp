@@ -116,8 +116,7 @@ TEST(Sensitivity, saysAReasonThatAllShareOnce) {
                  variantsOf(trials.list(), {{"All", trials.list()}}, kEnoughRows),
                  [](const Variant&) { return Estimable<Estimate>::impossible("there is only one subject"); });
   EXPECT_EQ(test::findTable(document, "s"), nullptr);
-  EXPECT_THAT(test::notesOf(document)[0],
-              "All; Without count block, case 1; Without count block, case 2 and 10 more: there is only one subject.");
+  EXPECT_THAT(test::notesOf(document)[0], "All: there is only one subject.");
 }
 
 TEST(Sensitivity, hasTheEffectOfEachVariantWithItsTrials) {
@@ -137,6 +136,44 @@ TEST(Sensitivity, hasTheEffectOfEachVariantWithItsTrials) {
   EXPECT_EQ(test::findCell(*table, "First session only", 1)->value, 8);
   EXPECT_THAT(test::findCell(*table, "First exposure to each case only", 1)->source,
               HasSubstr("study.db: rows 1-2 9-10"));
+}
+
+TEST(Sensitivity, casesThatAreLeftOutStandInTheSupplementAndTheirSpreadInTheReport) {
+  HandMadeTrials trials;
+  for (int i = 0; i < 12; ++i) {
+    trials.add({.planIndex = i, .caseIndex = i});
+  }
+  const AnalysisData analysis;
+  ReportDocument document;
+  document.origins.sources = {"study.db"};
+  document.add(ReportHeading{1, "Counting objects", "count"});
+  ReportWork work{analysis, document};
+  int left = 0;
+  addSensitivity(work, {"s", "Sensitivity", "Odds ratio, gc / ppc", "less", "more"},
+                 variantsOf(trials.list(), {{"All", trials.list()}}, kEnoughRows), [&](const Variant& variant) {
+                   Estimate estimate;
+                   estimate.value = static_cast<double>(variant.trials.front()->trialId);
+                   estimate.pValue = 0.01;
+                   return Estimable<Estimate>(estimate);
+                 });
+  const ReportTable* main = test::findTable(document, "s");
+  ASSERT_NE(main, nullptr);
+  EXPECT_EQ(main->rows.size(), 1U) << "no case is left out of it";
+  std::string spread;
+  for (const ReportElement& element : document.elements) {
+    if (const auto* paragraph = std::get_if<ReportParagraph>(&element)) {
+      spread += paragraph->text;
+    }
+  }
+  EXPECT_THAT(spread, HasSubstr("lies between 1.00 and 2.00; 12 of 12 such fits have p < 0.05"));
+  for (const ReportElement& element : document.supplement) {
+    if (const auto* table = std::get_if<ReportTable>(&element)) {
+      EXPECT_EQ(table->id, "s-cases");
+      EXPECT_EQ(table->rows.size(), 13U) << "all, and each of 12 cases";
+      ++left;
+    }
+  }
+  EXPECT_EQ(left, 1);
 }
 
 }  // namespace

@@ -8,12 +8,17 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "analysis/dataset/database.h"
 #include "analysis/dataset/merge.h"
+#include "analysis/inference/kaplan_meier.h"
 #include "analysis/report/html_report.h"
 #include "analysis/report/json_report.h"
 #include "analysis/report/report_files.h"
+#include "analysis/report/report_parts.h"
+#include "analysis/report/resampled_effects.h"
+#include "analysis/report/search_times.h"
 #include "analysis/tables/paper_tables.h"
 #include "tests/analysis_dataset/made_study.h"
 #include "tests/analysis_report/report_reading.h"
@@ -21,11 +26,13 @@
 namespace ocelli::test {
 namespace {
 
+using testing::AllOf;
 using testing::AnyOf;
 using testing::Contains;
 using testing::Each;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 class StudyReport : public testing::Test {
  protected:
@@ -81,10 +88,10 @@ TEST_F(StudyReport, aWholeStudyIsAnsweredAndHonest) {
   EXPECT_THAT(notEstimable(report), Each(AnyOf(HasSubstr("has a log"), HasSubstr("halves would differ in their cases"),
                                                HasSubstr("there is one group only"))));
   for (const char* id : {"design", "flow", "paper", "find", "navigation", "count", "path", "learning", "completers",
-                         "survey", "hypotheses", "methods"}) {
+                         "survey", "hypotheses", "methods", "apparatus", "provenance"}) {
     EXPECT_FALSE(elementOf(report, id).is_null()) << id;
   }
-  EXPECT_THAT(htmlReport(document_), HasSubstr(analysis_.dataSha256));
+  EXPECT_THAT(htmlSupplement(document_), HasSubstr(analysis_.dataSha256));
 }
 
 TEST_F(StudyReport, effectsHaveTheirDirections) {
@@ -111,6 +118,20 @@ TEST_F(StudyReport, effectsHaveTheirDirections) {
   EXPECT_LT(estimate("path-right", "view"), 0.7);
   EXPECT_LT(valueIn(report, "path-equivalence", "Difference", "Value").value_or(NAN), -0.1);
   EXPECT_GT(estimate("count-shares", "gc, session 1"), estimate("count-shares", "ppc, session 1"));
+}
+
+TEST_F(StudyReport, intervalsOfMediansTakeSubjectsAndCasesAsClusters) {
+  const nlohmann::json report = reportOfMade({});
+  const TrialList seen = trialsOfView(trialsOfTask(analysis_, "find"), TrialView::kPinhole);
+  const std::vector<SurvivalTime> times = timesOf(seen, TimeoutTreatment::kCensored);
+  const auto textOf = [](const SurvivalCurve& curve) {
+    const Estimate median = *medianTime(curve);
+    return textsOf(median).interval;
+  };
+  const std::string clustered = textOf(*survivalCurve(times, 0.95, numbered(subjectsOf(seen)), caseNumbers(seen)));
+  const std::string naive = textOf(*survivalCurve(times));
+  ASSERT_NE(clustered, naive);
+  EXPECT_THAT(elementOf(report, "find-survival").dump(), AllOf(HasSubstr(clustered), Not(HasSubstr(naive))));
 }
 
 /// Searches of six subjects, who all do the same: with the pinhole 10, 20 and twice the limit of 60 s, with the graph
@@ -144,7 +165,7 @@ TEST_F(StudyReport, timeoutsAreCensored) {
   // Three of five searches with the pinhole never ended: the curve does not fall to a half. Taken as found at 60 s, or
   // left out, they would give 60 s or 15 s.
   EXPECT_FALSE(valueIn(report, "find-survival", "ppc: median", "Estimate"));
-  EXPECT_THAT(notEstimable(report), Contains(HasSubstr("ppc: median")));
+  EXPECT_THAT(notEstimable(report), Contains(HasSubstr("Pinhole: median")));
   EXPECT_EQ(valueIn(report, "find-survival", "gc: median", "Estimate"), 30);
   // Means of 10, 20, 60, 60, 60 and of 5, 10, 30, 30, 30, with what subjects differ by: 0 to 2.5 s in two of five.
   const double more = 2.0 / 5 * 1.25;
@@ -161,6 +182,40 @@ TEST_F(StudyReport, timeoutsAreRemovedOrSetToTheLimitWhereThePlanSaysSo) {
   const double median = valueIn(reportOf(fill, plan), "find-survival", "ppc: median", "Estimate").value_or(NAN);
   EXPECT_GE(median, 10);
   EXPECT_LE(median, 22.5);
+}
+
+/// A limit of 15 s cuts off what the views differ in most. What tests the hypothesis knows that it did.
+TEST_F(StudyReport, testsOfSearchesRespectTimeOuts) {
+  MadeStudy made;
+  made.subjects = 12;
+  made.change = [](SampleTrial& trial) {
+    if (trial.task == "find" && trial.response > 15) {
+      trial.response = 15;
+      trial.censored = true;
+      trial.correct = false;
+      trial.answer = "";
+    }
+    return true;
+  };
+  const auto logRatioOf = [&](TimeoutTreatment timeouts) {
+    AnalysisPlan plan = defaultPlan();
+    plan.findTimeouts = timeouts;
+    const nlohmann::json report = reportOfMade(made, plan);
+    expectHonest(report);
+    const std::optional<double> ratio = valueIn(report, "find-time", "view", "Estimate");
+    EXPECT_EQ(valueIn(report, "find-time", "view", "p"), valueIn(report, "family-primary", "find-faster", "p"));
+    return std::log(ratio.value_or(NAN));
+  };
+  const double censored = logRatioOf(TimeoutTreatment::kCensored);
+  EXPECT_THAT(htmlReport(document_), HasSubstr("in which searches that the limit ended count as censored"));
+  EXPECT_THAT(htmlReport(document_),
+              HasSubstr("Random effects as planned: (1 + view || subject) + (1 + view || case)"));
+  EXPECT_NEAR(censored, -std::log(1.5), 0.15);
+  EXPECT_GT(logRatioOf(TimeoutTreatment::kSetToLimit), censored + 0.05);
+  EXPECT_THAT(htmlReport(document_),
+              HasSubstr("in which searches that the limit ended count as if they had ended then"));
+  EXPECT_GT(logRatioOf(TimeoutTreatment::kRemoved), censored + 0.05);
+  EXPECT_THAT(htmlReport(document_), HasSubstr("in which searches that the limit ended are left out"));
 }
 
 TEST_F(StudyReport, whoIsExcludedIsInNoNumber) {
@@ -265,13 +320,109 @@ TEST_F(StudyReport, familiesAreCorrectedByHolmsMethodWhereThePlanSaysSo) {
     const nlohmann::json table = elementOf(report, family);
     int rows = 0;
     for (const nlohmann::json& row : table["rows"]) {
-      if (row[0]["text"] == tests[mostLifted].second) {
+      if (row[0]["short_name"] == tests[mostLifted].second) {
         EXPECT_EQ(row.back()["text"], result);
         ++rows;
       }
     }
     EXPECT_EQ(rows, 1) << family;
   }
+}
+
+// ---- Where numbers come from.
+
+/// The rows that a cell leads to, through other cells.
+std::set<int64_t> rowsBehind(const std::vector<Table>& tables, const std::string& name) {
+  const Cell* cell = findCell(tables, name);
+  std::set<int64_t> rows;
+  if (cell == nullptr) {
+    ADD_FAILURE() << "no cell has the name " << name;
+    return rows;
+  }
+  for (const RowRef& row : cell->rows) {
+    rows.insert(row.row);
+  }
+  for (const std::string& part : cell->cells) {
+    rows.merge(rowsBehind(tables, part));
+  }
+  return rows;
+}
+
+TEST_F(StudyReport, everyHypothesisTracesToTheTestThatDecidesIt) {
+  MadeStudy made;
+  made.subjects = 8;
+  reportOfMade(made);
+  const std::vector<Table>& tables = document_.origins.tables;
+  int traced = 0;
+  for (const HypothesisFamily& family : analysis_.plan.families) {
+    for (const std::string& hypothesis : family.hypotheses) {
+      SCOPED_TRACE(hypothesis);
+      const Cell* cell = findCell(tables, fmt::format("family-{}/{}/p", family.name, hypothesis));
+      ASSERT_NE(cell, nullptr);
+      ASSERT_FALSE(cell->cells.empty());
+      // The test of the survey is made of several; the others stand as they are.
+      const bool isSurvey = hypothesis == "survey-preference";
+      EXPECT_EQ(cell->cells.size(), isSurvey ? 3u : 1u);
+      bool isThere = false;
+      for (const std::string& name : cell->cells) {
+        const Cell* test = findCell(tables, name);
+        ASSERT_NE(test, nullptr) << name;
+        isThere = isThere || (isSurvey ? *test->value <= *cell->value : *test->value == *cell->value);
+      }
+      EXPECT_TRUE(isThere) << cell->cells.front() << " is not the p value";
+      EXPECT_FALSE(rowsBehind(tables, cell->name).empty());
+      ++traced;
+    }
+  }
+  EXPECT_EQ(traced, 6);
+  EXPECT_THAT(findCell(tables, "family-secondary/find-learning/p")->cells.front(), HasSubstr("view-x-session"));
+}
+
+TEST_F(StudyReport, theIntervalOfEquivalenceTracesToItsTrials) {
+  const nlohmann::json report = reportOfMade({});
+  const Cell* lower = findCell(document_.origins.tables, "path-equivalence/90-interval/lower");
+  const Cell* upper = findCell(document_.origins.tables, "path-equivalence/90-interval/upper");
+  ASSERT_NE(lower, nullptr);
+  ASSERT_NE(upper, nullptr);
+  ASSERT_TRUE(lower->value && upper->value);
+  EXPECT_LT(*lower->value, *upper->value);
+  EXPECT_FALSE(rowsBehind(document_.origins.tables, lower->name).empty());
+  const nlohmann::json table = elementOf(report, "path-equivalence");
+  EXPECT_EQ(table["rows"][1][1]["id"], lower->name);
+}
+
+TEST_F(StudyReport, tablesOfOtherProtocolsAreNotHeadedByThePaper) {
+  reportOfMade({});
+  const auto headings = [&] {
+    std::vector<std::string> texts;
+    for (const ReportElement& element : document_.elements) {
+      if (const auto* heading = std::get_if<ReportHeading>(&element)) {
+        texts.push_back(heading->text);
+      }
+    }
+    return texts;
+  };
+  EXPECT_THAT(headings(), Contains("The tables of Rosen 2010"));
+  analysis_.data.sources[0].protocolName = "mine";
+  document_ = studyReport(analysis_, paperTables(analysis_), {{}, "1.2.3"});
+  EXPECT_THAT(headings(), Contains("Tables of the study"));
+  EXPECT_THAT(headings(), testing::Not(Contains("The tables of Rosen 2010")));
+  EXPECT_THAT(jsonReport(document_), testing::Not(HasSubstr("table-7")));
+}
+
+TEST_F(StudyReport, aFamilyKeepsItsSizeWhereOneOfItCannotBeTested) {
+  const auto withoutPaths = only([](const SampleTrial& trial) { return trial.task != "path"; });
+  const nlohmann::json report = reportOfMade(withoutPaths);
+  std::vector<double> tests;
+  for (const char* hypothesis : {"find-faster", "count-better"}) {
+    tests.push_back(valueIn(report, "family-primary", hypothesis, "p").value_or(NAN));
+  }
+  EXPECT_FALSE(valueIn(report, "family-primary", "path-alike", "p"));
+  EXPECT_NEAR(std::min(valueIn(report, "family-primary", "find-faster", "Adjusted p").value_or(NAN),
+                       valueIn(report, "family-primary", "count-better", "Adjusted p").value_or(NAN)),
+              std::min(1.0, 3 * std::min(tests[0], tests[1])), 1e-12)
+      << "three hypotheses were planned";
+  EXPECT_THAT(htmlReport(document_), HasSubstr("corrects for all of its 3 hypotheses"));
 }
 
 // ---- Data that do not tell.
@@ -309,6 +460,7 @@ TEST_F(StudyReport, oneSubjectHasNoPopulation) {
     EXPECT_THAT(notEstimable(report), Contains(HasSubstr(model)));
   }
   EXPECT_FALSE(valueIn(report, "find-survival", "restricted mean", "Estimate")) << "errors are of subjects";
+  EXPECT_THAT(notEstimable(report), Contains(HasSubstr("Bands of the survival curve of pinhole")));
   EXPECT_FALSE(valueIn(report, "path-equivalence", "p of", "Value"));
 }
 

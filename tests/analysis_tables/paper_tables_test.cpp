@@ -6,6 +6,7 @@
 #include <set>
 
 #include "analysis/dataset/merge.h"
+#include "analysis/tables/neutral_tables.h"
 #include "analysis/tables/published_values.h"
 #include "tests/analysis_dataset/sample_study.h"
 
@@ -51,6 +52,39 @@ TEST_F(PaperTables, countWhatStands) {
   EXPECT_EQ(text("subjects/completed-2"), "2");
   EXPECT_EQ(text("subjects/completed-3"), "0");
   EXPECT_EQ(text("subjects/enrolled/published"), "not reported");
+}
+
+TEST_F(PaperTables, ofOtherProtocolsHaveNeitherItsNamesNorItsNumbers) {
+  SampleStudy study(path);
+  fillSmallStudy(study);  // of two sessions
+  Dataset data = merge({readSource(path)});
+  EXPECT_TRUE(isOfRosen2010(data));
+  for (const char* other : {"short", "rosen2010b", ""}) {
+    data.sources[0].protocolName = other;
+    EXPECT_FALSE(isOfRosen2010(data));
+    const std::vector<Table> all = paperTables(applyPlan(data, defaultPlan()));
+    EXPECT_EQ(all.size(), 12u);
+    for (const Table& table : all) {
+      const std::string text = plainText(table) + cellsCsv({table});
+      for (const char* word : {"7.1", "7.4", "Section", "Figure", "the text", "not reported", "easier_path", ",1,,"}) {
+        EXPECT_EQ(text.find(word), std::string::npos) << word << " in " << text;
+      }
+      for (const TableRow& row : table.rows) {
+        EXPECT_EQ(row.cells.size(), table.cellNames.size()) << table.name;
+        for (const Cell& cell : row.cells) {
+          EXPECT_FALSE(cell.isPublished()) << cell.name;
+          EXPECT_TRUE(cell.name.starts_with(table.name + "/")) << cell.name;
+          for (const std::string& part : cell.cells) {
+            EXPECT_NE(findCell(all, part), nullptr) << part;
+          }
+        }
+      }
+    }
+    EXPECT_EQ(displayText(*findCell(all, "find-means/stationary/faster")), "45.5 %");
+    EXPECT_EQ(displayText(*findCell(all, "find-by-session/stationary/session-2/gc")), "7.0 s (n = 2)");
+    EXPECT_EQ(findCell(all, "find-by-session/stationary/session-3/gc"), nullptr) << "two sessions were planned";
+    EXPECT_EQ(displayText(*findCell(all, "survey-means/easier-find")), "4.50 (n = 2)");
+  }
 }
 
 TEST_F(PaperTables, everyCellHasANameOfItsOwnAndARow) {

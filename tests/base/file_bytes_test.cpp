@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+#include <thread>
 
 #include "oc_core/base/error.h"
 #include "tests/base/temporary_folder.h"
@@ -31,6 +35,21 @@ TEST(FileBytes, ReadingRejectsMissingAndFolder) {
   const test::TemporaryFolder folder;
   EXPECT_THROW(readFile(folder / "missing"), InputError);
   EXPECT_THROW(readFile(folder.path()), InputError);
+}
+
+TEST(FileBytes, ReadingEndsWhereADeviceDoesNot) {
+  EXPECT_THAT([] { readFile("/dev/zero"); }, testing::ThrowsMessage<InputError>(testing::AllOf(
+                                                 testing::HasSubstr("/dev/zero"), testing::HasSubstr("64 MiB"))));
+  EXPECT_EQ(readFile("/dev/null"), "");
+}
+
+TEST(FileBytes, ReadsAPipeToItsEnd) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] { std::ofstream(pipe) << std::string(200'000, 'x'); });
+  EXPECT_EQ(readFile(pipe).size(), 200'000u);
+  writer.join();
 }
 
 TEST(FileBytes, WritingSaysFileAndReason) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "oc_core/base/error.h"
 #include "tests/base/temporary_folder.h"
 
@@ -159,6 +161,15 @@ TEST(JsonFields, tellsOfTwoFieldsOfOneName) {
 
 TEST(JsonFields, readsNoEndlessFile) {
   EXPECT_THAT(messageOf([] { readJsonFile("/dev/zero"); }), AllOf(HasSubstr("larger than"), HasSubstr("/dev/zero")));
+}
+
+TEST(TextOfJson, IsValidWhateverBytesNamesHold) {
+  const std::string name = "caf\xe9 \xc3\xa9 \xf0\x9f\x92 \"1\"\n";
+  const std::string text = textOfJson({{"name", name}, {"ratio", std::nan("")}});
+  const auto back = nlohmann::json::parse(text);
+  EXPECT_EQ(back["name"], "caf\xef\xbf\xbd \xc3\xa9 \xef\xbf\xbd \"1\"\n");
+  EXPECT_TRUE(back["ratio"].is_null());
+  EXPECT_EQ(textOfJson({{"a", 1}}, 2), "{\n  \"a\": 1\n}");
 }
 
 }  // namespace

@@ -1,10 +1,15 @@
 #include "oc_core/base/output_file.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
+#include <functional>
 #include <iterator>
+#include <thread>
 
 #include "oc_core/base/error.h"
 #include "tests/base/temporary_folder.h"
@@ -91,6 +96,67 @@ TEST(OutputFile, WritesToADeviceDirectly) {
   file.write("gone");
   file.commit();
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+/// What `work` writes into one end of a pipe, which it gets as a path.
+std::string piped(const std::function<void(const fs::path&)>& work) {
+  std::array<int, 2> ends{};
+  EXPECT_EQ(pipe(ends.data()), 0);
+  work("/dev/fd/" + std::to_string(ends[1]));
+  close(ends[1]);
+  std::string text;
+  std::array<char, 100> bytes{};
+  for (ssize_t count = 0; (count = read(ends[0], bytes.data(), bytes.size())) > 0;) {
+    text.append(bytes.data(), static_cast<size_t>(count));
+  }
+  close(ends[0]);
+  return text;
+}
+
+TEST(OutputFile, WritesToAPipeOfItsOwnProgram) {
+  EXPECT_EQ(piped([](const fs::path& path) {
+              checkWritable(path);
+              OutputFile file(path);
+              file.write("through");
+              file.commit();
+            }),
+            "through");
+}
+
+TEST(OutputFile, WritesToANamedPipeDirectly) {
+  const test::TemporaryFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  std::string got;
+  std::thread reader([&] { got = test::fileBytes(folder / "pipe"); });
+  {
+    OutputFile file(folder / "pipe");
+    file.write("through");
+    file.commit();
+  }
+  reader.join();
+  EXPECT_EQ(got, "through");
+  EXPECT_EQ(entriesIn(folder), 1);
+}
+
+TEST(OutputFile, AStreamThatLeadsToAFileIsGoneOnWith) {
+  const test::TemporaryFolder folder;
+  const int log = open(folder.write("log", "before ").c_str(), O_WRONLY | O_APPEND);
+  ASSERT_GE(log, 0);
+  OutputFile file("/proc/self/fd/" + std::to_string(log));
+  file.write("after");
+  file.commit();
+  close(log);
+  EXPECT_EQ(test::fileBytes(folder / "log"), "before after");
+  EXPECT_EQ(entriesIn(folder), 1);
+}
+
+TEST(IsStandardOutput, KnowsItsNames) {
+  EXPECT_TRUE(isStandardOutput("/dev/stdout"));
+  EXPECT_TRUE(isStandardOutput("/dev/fd/1"));
+  EXPECT_TRUE(isStandardOutput("/proc/self/fd/1"));
+  for (const char* other : {"/dev/fd/10", "/dev/stderr", "/dev/null", "/dev/fd/", "stdout", ""}) {
+    EXPECT_FALSE(isStandardOutput(other)) << other;
+  }
 }
 
 TEST(OutputFile, AFolderIsAWorkError) {

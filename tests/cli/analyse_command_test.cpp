@@ -115,12 +115,15 @@ TEST_F(AnalyseCommand, WritesAWholeReport) {
   EXPECT_THAT(numbersThatAreNone(html), IsEmpty());
   const MarkupReading page = readMarkup(html, {"meta", "br"});
   EXPECT_EQ(page.problem, "");
-  // No request: nothing is taken from elsewhere, and links stay in the page.
+  // No request: nothing is taken from elsewhere, and links stay in the page or lead to its supplement.
   EXPECT_THAT(html, AllOf(Not(HasSubstr("http:")), Not(HasSubstr("https:")), Not(HasSubstr("@import"))));
   for (const std::string& attribute : page.attributes) {
     EXPECT_FALSE(attribute.starts_with("src=") || attribute.starts_with("srcset=")) << attribute;
-    EXPECT_TRUE(!attribute.starts_with("href=") || attribute.starts_with("href=#")) << attribute;
+    EXPECT_TRUE(!attribute.starts_with("href=") || attribute.starts_with("href=#") ||
+                attribute.starts_with("href=supplement.html"))
+        << attribute;
   }
+  EXPECT_EQ(readMarkup(fileBytes(folder_ / "report/supplement.html"), {"meta", "br"}).problem, "");
   // Each link has its target, each figure its files.
   const std::set<std::string> attributes(page.attributes.begin(), page.attributes.end());
   for (const std::string& attribute : page.attributes) {
@@ -134,6 +137,37 @@ TEST_F(AnalyseCommand, WritesAWholeReport) {
       EXPECT_EQ(readMarkup(svg).problem, "") << element["id"];
     }
   }
+}
+
+TEST_F(AnalyseCommand, AWithdrawalFindsTheReport) {
+  makeSmall("study.db");
+  ASSERT_EQ(analyse("study.db --csv --only survey -o report").exitCode, 0);
+  const auto withdraw = [&](const std::string& rest) {
+    return runShell(fmt::format("cd '{}' && \"$OCELLI\" study withdraw --db study.db --subject S02 {}",
+                                folder_.path().string(), rest));
+  };
+  const ProgramResult refused = withdraw("");
+  EXPECT_EQ(refused.exitCode, kInputWrong);
+  EXPECT_THAT(refused.error, AllOf(HasSubstr(path("report") + " (a report)"), HasSubstr("--delete-exports")));
+  const ProgramResult done = withdraw("--delete-exports");
+  EXPECT_EQ(done.exitCode, 0) << done.error;
+  EXPECT_THAT(done.error, HasSubstr("grep -rlw S02"));
+  EXPECT_FALSE(fs::exists(folder_ / "report"));
+  EXPECT_EQ(analyse("study.db --csv --only survey -o report").exitCode, 0);
+  EXPECT_THAT(fileBytes(folder_ / "report/tables/trials.csv"), Not(HasSubstr("S02")));
+}
+
+TEST_F(AnalyseCommand, CautionsStandOnStandardErrorToo) {
+  make("study.db", {});
+  change("study.db",
+         "UPDATE trial SET response_s = 75, censored = 0 WHERE trial_id = (SELECT min(trial_id) FROM trial)");
+  change("study.db", "UPDATE run SET forced = 1 WHERE subject_id = 'S02' AND session_number = 1");
+  const ProgramResult result = analyse("study.db --only survey -o report");
+  EXPECT_EQ(result.exitCode, 0) << result.error;
+  EXPECT_THAT(result.error,
+              AllOf(HasSubstr("Trials that contradict themselves are left out, 1 in all: trial 1 of S01"),
+                    HasSubstr("forced past a failed check of the screen's timing, 1 in all; they are left out")));
+  EXPECT_THAT(fileBytes(folder_ / "report/index.html"), HasSubstr("they are left out: session 1 of S02"));
 }
 
 TEST_F(AnalyseCommand, OnlyLeavesOutTheOtherTasks) {
@@ -156,19 +190,23 @@ TEST_F(AnalyseCommand, TheSameInputAndSeedGiveTheSameBytes) {
   ASSERT_EQ(analyse("study.db -o b --seed 5 --threads 1").exitCode, 0);
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_ / "a")) {
     const fs::path name = fs::relative(entry.path(), folder_ / "a");
-    // These two hold the time of creation.
-    if (entry.is_regular_file() && name != "index.html" && name != "report.pdf" && name != "report.json") {
+    // These hold the time of creation.
+    const bool hasTime =
+        name == "index.html" || name == "supplement.html" || name == "report.pdf" || name == "report.json";
+    if (entry.is_regular_file() && !hasTime) {
       EXPECT_EQ(fileBytes(entry.path()), fileBytes(folder_ / "b" / name)) << name;
     }
   }
   nlohmann::json a = reportIn("a");
   nlohmann::json b = reportIn("b");
   EXPECT_THAT(a["created"], MatchesRegex("20..-..-..T..:..:..Z"));
-  const auto pageWithoutTime = [&](const std::string& folder, const std::string& created) {
-    std::string page = fileBytes(folder_ / (folder + "/index.html"));
+  const auto pageWithoutTime = [&](const std::string& folder, const std::string& file, const std::string& created) {
+    std::string page = fileBytes(folder_ / folder / file);
     return page.replace(page.find(created), created.size(), "");
   };
-  EXPECT_EQ(pageWithoutTime("a", a["created"]), pageWithoutTime("b", b["created"]));
+  for (const char* file : {"index.html", "supplement.html"}) {
+    EXPECT_EQ(pageWithoutTime("a", file, a["created"]), pageWithoutTime("b", file, b["created"]));
+  }
   a.erase("created");
   b.erase("created");
   EXPECT_EQ(a, b);

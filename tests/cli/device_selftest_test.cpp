@@ -59,7 +59,7 @@ TEST(DeviceSelftest, LeavesAPageWithPicturesAndVolumes) {
 
 TEST(DeviceSelftest, AsksHowPatternsLookOnADevice) {
   const TemporaryFolder folder;
-  const std::string answers = folder.write("answers", "\nwhat?\nn  too \"dim\"\nb\ny\nq\n").string();
+  const std::string answers = folder.write("answers", "y\nwhat?\nn  too \"dim\"\nb\ny\nq\n").string();
   const ProgramResult result =
       runProgram("device selftest --device file:'" + (folder / "shown.svol").string() +
                  "' --profile test --pattern dark axis phase -o '" + folder.path().string() + "' < '" + answers + "'");
@@ -82,6 +82,24 @@ TEST(DeviceSelftest, AsksHowPatternsLookOnADevice) {
             "dark,right,\"\"\n"
             "axis,wrong,\"too \"\"dim\"\"\"\n"
             "phase,not seen,\"\"\n");
+}
+
+TEST(DeviceSelftest, AnEmptyLineIsNoAnswer) {
+  const TemporaryFolder folder;
+  const auto verdicts = [&](const std::string& answers) {
+    const std::string file = folder.write("answers", answers).string();
+    std::filesystem::remove(folder / "verdicts.csv");
+    const ProgramResult result = runProgram("device selftest --device null --profile test --pattern dark axis -o '" +
+                                            folder.path().string() + "' < '" + file + "'");
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    EXPECT_THAT(result.output, HasSubstr("y (it looks so), n (it does not), b (back) or q (quit)")) << answers;
+    return fileBytes(folder / "verdicts.csv");
+  };
+  // The end of the answers keeps what was answered until then.
+  EXPECT_EQ(verdicts("\n\n \n"), "pattern,verdict,note\ndark,not seen,\"\"\naxis,not seen,\"\"\n");
+  EXPECT_EQ(verdicts("\nyes\n\nno top is missing"),
+            "pattern,verdict,note\ndark,right,\"\"\naxis,wrong,\"top is missing\"\n");
+  EXPECT_EQ(verdicts("yellow\nnothing\nN\nQ\n"), "pattern,verdict,note\ndark,wrong,\"\"\naxis,not seen,\"\"\n");
 }
 
 TEST(DeviceSelftest, AnswersWrongNames) {

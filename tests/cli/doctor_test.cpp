@@ -38,6 +38,31 @@ TEST(Doctor, tellsOfUsb) {
   EXPECT_THAT(runProgram("doctor").output, HasSubstr("\n  usb  "));
 }
 
+#ifdef OCELLI_WITH_EMULATOR
+
+TEST(Doctor, tellsOfTheEmulator) {
+  const nlohmann::json emulator = findings("").at("usb_emulator");
+  EXPECT_EQ(emulator.at("built"), true);
+  EXPECT_EQ(emulator.at("works"), true) << emulator;
+  EXPECT_THAT(runProgram("doctor").output, HasSubstr("\n  emulator    works"));
+}
+
+TEST(Doctor, namesThePackageOfTheEmulator) {
+  const TemporaryFolder folder;
+  folder.write("libumockdev-preload.so.0", "no library");
+  const std::string environment = "LD_LIBRARY_PATH=" + folder.path().string();
+  const nlohmann::json emulator = findings(environment).at("usb_emulator");
+  EXPECT_EQ(emulator.at("works"), false);
+  EXPECT_THAT(emulator.at("problem").get<std::string>(), HasSubstr("apt-get install umockdev)"));
+  EXPECT_THAT(runShell(environment + " \"$OCELLI\" doctor").output,
+              AllOf(HasSubstr("\n  emulator    does not work\n"), HasSubstr("apt-get install umockdev)")));
+  const ProgramResult emulate = runShell(environment + " \"$OCELLI\" device emulate -- true");
+  EXPECT_EQ(emulate.exitCode, 1);
+  EXPECT_THAT(emulate.error, AllOf(HasSubstr("libumockdev-preload.so.0"), HasSubstr("apt-get install umockdev)")));
+}
+
+#endif
+
 TEST(Doctor, findsProgramsOnThePath) {
   const TemporaryFolder folder;
   EXPECT_TRUE(findings("PATH=" + folder.path().string()).at("ffmpeg").is_null());

@@ -20,11 +20,6 @@ using testing::Not;
 constexpr const char* kSmall =
     "evaluate builtin:doors --size 90x60 --profile test --interior 2 --directions 2 --runs 1 ";
 
-std::string quoted(const std::filesystem::path& path) {
-  std::string text = "'";
-  return text.append(path.string()).append("'");
-}
-
 /// Without what differs from run to run.
 nlohmann::json timeless(const std::string& bytes) {
   nlohmann::json json = nlohmann::json::parse(bytes);
@@ -39,9 +34,9 @@ nlohmann::json timeless(const std::string& bytes) {
 TEST(Evaluate, WritesAllItsFilesAndLeavesNoOther) {
   const TemporaryFolder folder;
   const ProgramResult result =
-      runProgram(kSmall + std::string("--cameras di,ddoc --json ") + quoted(folder / "x.json") + " --csv " +
-                 quoted(folder / "x.csv") + " --csv-offsets " + quoted(folder / "o.csv") + " --page " +
-                 quoted(folder / "my page"));
+      runProgram(kSmall + std::string("--cameras di,ddoc --json ") + inQuotes(folder / "x.json") + " --csv " +
+                 inQuotes(folder / "x.csv") + " --csv-offsets " + inQuotes(folder / "o.csv") + " --page " +
+                 inQuotes(folder / "my page"));
   ASSERT_EQ(result.exitCode, 0) << result.error;
   EXPECT_THAT(result.output, HasSubstr("ddoc"));
   const auto json = nlohmann::json::parse(fileBytes(folder / "x.json"));
@@ -78,7 +73,7 @@ TEST(Evaluate, RefusesWhatMakesNoCell) {
        {"--cell 0", "--cell 0in", "--cell -1in", "--cell-shape ball", "--segment-direction 0,0,0",
         "--segment-direction 1,2", "--runs 0", "--directions -1", "--size 0x5", "--cameras nothing", "--resume"}) {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram(kSmall + arguments + " --json " + quoted(folder / "x.json"));
+    const ProgramResult result = runProgram(kSmall + arguments + " --json " + inQuotes(folder / "x.json"));
     EXPECT_EQ(result.exitCode, 2) << arguments << result.error;
     EXPECT_THAT(result.error, HasSubstr("error"));
     EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << arguments;
@@ -94,9 +89,9 @@ TEST(Evaluate, TakesASinglePixel) {
 
 TEST(Evaluate, FailsEarlyWhereItCannotWrite) {
   const TemporaryFolder folder;
-  const std::string file = quoted(folder.write("file", ""));
+  const std::string file = inQuotes(folder.write("file", ""));
   for (const std::string& arguments :
-       {"--json " + quoted(folder / "none/x.json"), "--page " + file, "--csv " + quoted(folder.path())}) {
+       {"--json " + inQuotes(folder / "none/x.json"), "--page " + file, "--csv " + inQuotes(folder.path())}) {
     const ProgramResult result = runProgram(kSmall + arguments);
     EXPECT_EQ(result.exitCode, 1) << arguments << result.error;
   }
@@ -105,8 +100,8 @@ TEST(Evaluate, FailsEarlyWhereItCannotWrite) {
 // Ends it once the first representation is done. The others take much longer than the signal.
 TEST(Evaluate, InterruptedKeepsWhatIsDoneAndGoesOn) {
   const TemporaryFolder folder;
-  const std::string json = quoted(folder / "x.json");
-  const std::string page = quoted(folder / "page");
+  const std::string json = inQuotes(folder / "x.json");
+  const std::string page = inQuotes(folder / "page");
   const std::string command =
       "evaluate builtin:doors --size 180x120 --profile test --interior 2 --directions 1 --runs 1 --cameras "
       "di,ddoc,ddoc-constant ";
@@ -142,7 +137,7 @@ TEST(Evaluate, InterruptedKeepsWhatIsDoneAndGoesOn) {
 
 TEST(Evaluate, StaleAndBrokenWorkFilesAreNotUsed) {
   const TemporaryFolder folder;
-  const std::string command = kSmall + std::string("--cameras di --json ") + quoted(folder / "x.json");
+  const std::string command = kSmall + std::string("--cameras di --json ") + inQuotes(folder / "x.json");
   for (const std::string bytes : {"", "{", R"({"format": 1, "key": "another", "representations": []})"}) {
     folder.write("x.json.work", bytes);
     const ProgramResult asked = runProgram(command + " --resume");

@@ -3,12 +3,28 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
+#include <thread>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/output_file.h"
+#include "tests/base/temporary_folder.h"
 
 namespace ocelli {
 namespace {
+
+/// Then a signal is another one.
+constexpr std::chrono::milliseconds kLater(300);
+
+TEST(InterruptGuard, aSignalThatComesTwiceAtOnceIsOne) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const InterruptGuard guard;
+    std::raise(signal);
+    std::raise(signal);
+    EXPECT_TRUE(InterruptGuard::interrupted());
+  }
+}
 
 TEST(InterruptGuard, notesTheFirstSignal) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
@@ -44,9 +60,38 @@ TEST(InterruptGuardDeathTest, theSecondSignalEndsTheProgram) {
       {
         const InterruptGuard guard;
         std::raise(SIGINT);
+        std::this_thread::sleep_for(kLater);
         std::raise(SIGINT);
       },
       testing::KilledBySignal(SIGINT), "");
+}
+
+TEST(InterruptGuardDeathTest, theSecondSignalTakesWhatIsHalfWrittenAlong) {
+  const test::TemporaryFolder folder;
+  EXPECT_EXIT(
+      {
+        removeUnfinishedOutputsOnSignals();
+        const InterruptGuard guard;
+        OutputFile file(folder / "a");
+        std::raise(SIGTERM);
+        std::this_thread::sleep_for(kLater);
+        std::raise(SIGTERM);
+      },
+      testing::KilledBySignal(SIGTERM), "");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(InterruptGuardDeathTest, withoutAGuardTheFirstSignalDoes) {
+  const test::TemporaryFolder folder;
+  EXPECT_EXIT(
+      {
+        removeUnfinishedOutputsOnSignals();
+        { const InterruptGuard guard; }
+        OutputFile file(folder / "a");
+        std::raise(SIGINT);
+      },
+      testing::KilledBySignal(SIGINT), "");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(InterruptGuard, aTerminalThatGoesMaySayItTwice) {

@@ -57,6 +57,20 @@ TEST_F(PowerCommand, PrintsJsonThatIsTheSameForAnyNumberOfThreads) {
   EXPECT_FALSE(json.at("curves")[1].contains("subjects_for_power"));
 }
 
+TEST_F(PowerCommand, CasesThatDifferInTheEffectOfTheViewTakeFromThePower) {
+  const std::string rest = "--task find --ratio 0.6 --subjects 8 --simulations 40 --without-none --json";
+  const ProgramResult alike = power(rest);
+  const ProgramResult differing = power(rest + " --case-view-sd 1");
+  ASSERT_EQ(differing.exitCode, 0) << differing.error;
+  EXPECT_THAT(differing.output, HasSubstr("in the effect of the view by 1"));
+  // Estimates are scattered by 1 / sqrt(4 cases) about log 0.6: the mean of 40 studies moves by some hundredths.
+  const auto estimate = [](const ProgramResult& result) {
+    return nlohmann::json::parse(result.output).at("curves")[0].at("sizes")[0].at("mean_estimate").get<double>();
+  };
+  EXPECT_NE(estimate(alike), estimate(differing));
+  expectWrong("--task find --ratio 0.6 --case-view-sd nan", "is no number from 0 to 5");
+}
+
 TEST_F(PowerCommand, WritesAReport) {
   const ProgramResult result = power(
       "--task path --share-ppc 0.7 --odds-ratio 1 --equivalence --subjects 4,8 "

@@ -13,6 +13,7 @@
 namespace ocelli {
 namespace {
 
+using testing::Contains;
 using testing::HasSubstr;
 
 class PowerEffects : public testing::Test {
@@ -64,6 +65,30 @@ TEST_F(PowerEffects, OfAnswersAreTheSharesThatWereAskedFor) {
     EXPECT_NEAR(shareRight(protocol_, truth.effects, task, StudyView::kGraph), 0.9, 1e-9);
     // Shares of all subjects lie closer together than those of one, so its odds ratio is larger.
     EXPECT_GT(truth.ratio, (0.9 / 0.1) / (0.44 / 0.56));
+  }
+}
+
+TEST_F(PowerEffects, CasesMayDifferInTheEffectOfTheView) {
+  SupposedEffects supposed = of("find");
+  supposed.ratio = 0.8;
+  EXPECT_THAT(describeTruth(truthOf(supposed), "find"),
+              Contains(HasSubstr("cases differ by 0.35, and all have the same effect of the view")));
+  supposed.caseViewSd = 0.4;
+  EXPECT_EQ(truthOf(supposed).effects.find.itemViewSd, 0.4);
+  EXPECT_THAT(describeTruth(truthOf(supposed), "find"),
+              Contains(std::string("cases differ by 0.35, and in the effect of the view by 0.4")));
+  for (const char* task : {"count", "path"}) {
+    supposed = of(task);
+    supposed.sharePpc = 0.6;
+    supposed.shareGc = 0.8;
+    supposed.caseViewSd = 0.7;
+    const Truth truth = truthOf(supposed);
+    EXPECT_EQ(std::string(task) == "count" ? truth.effects.count.itemViewSd : truth.effects.path.itemViewSd, 0.7);
+    EXPECT_NEAR(shareRight(protocol_, truth.effects, task, StudyView::kGraph), 0.8, 1e-9);
+    EXPECT_THAT(describeTruth(truth, task), Contains(HasSubstr("in the effect of the view by 0.7")));
+    // Without an effect shares are the same in both views, as cases gain or lose as often.
+    const Truth none = truthWithoutEffect(protocol_, task, truth);
+    EXPECT_NEAR(none.gc, none.ppc, 1e-12);
   }
 }
 

@@ -65,6 +65,21 @@ TEST_F(PowerSimulation, WithoutAnEffectCountsFindOneAsOftenAsAlphaSays) {
   EXPECT_LT(shareOf(curves[0].sizes[0]), kMostError);
 }
 
+/// Few subjects, nearly all right: some studies are at a ceiling, or have no error to test against.
+TEST_F(PowerSimulation, StudiesThatCannotBeEstimatedHaveNoResultAndEndNothing) {
+  const auto curves = simulatePower(workOf("count", {2, 3, 4}, 100), {answers("count", 0.97, 0.97)});
+  ASSERT_EQ(curves.size(), 1U);
+  int notEstimable = 0;
+  for (const PowerSize& size : curves[0].sizes) {
+    EXPECT_EQ(size.found.trials, 100);
+    EXPECT_LE(size.found.successes, 100 - size.notEstimable) << "what has no result found nothing";
+    EXPECT_EQ(size.reason.empty(), size.notEstimable == 0);
+    EXPECT_EQ(size.reason.find("failed"), std::string::npos) << size.reason;
+    notEstimable += size.notEstimable;
+  }
+  EXPECT_GT(notEstimable, 0);
+}
+
 TEST_F(PowerSimulation, PowerGrowsWithSubjectsAndTheEffect) {
   const auto curves = simulatePower(workOf("find", {6, 12, 24}, 200), {searches(0.8), searches(0.7)});
   ASSERT_EQ(curves.size(), 2U);

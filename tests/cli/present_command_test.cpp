@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -150,6 +151,49 @@ TEST_F(PresentCommand, whereNothingCanBeSeenThatIsAnError) {
       runProgram("present " + std::string(kTeapot) + "--device multivox:ocelli_is_not_there --seconds 0.3");
   EXPECT_EQ(absent.exitCode, 1);
   EXPECT_THAT(absent.error, HasSubstr("no frame was ever shown"));
+}
+
+/// Shared memory of a multivox display of this name, of 128 x 128 x 64 cells.
+std::string memoryOf(const std::string& name) {
+  return "/dev/shm/" + name + "_double_buffer";
+}
+
+TEST_F(PresentCommand, aDisplayThatIsNotThereIsToldAtOnceAndTakenWhenItComes) {
+  const std::string name = fmt::format("ocelli_late_{}", getpid());
+  const ProgramResult result =
+      runShell("\"$OCELLI\" present " + std::string(kTeapot) + "--device multivox:" + name + " --seconds 20 --json 2>" +
+               quoted("notes") + " & program=$!; while ! grep -q 'not there' " + quoted("notes") +
+               " && kill -0 $program; do sleep 0.05; done; cp " + quoted("notes") + " " + quoted("early") +
+               "; head -c 2097160 /dev/zero >" + memoryOf(name) +
+               "; sleep 1.5; kill -TERM $program; wait $program; echo code $?; rm -f " + memoryOf(name));
+  EXPECT_THAT(fileBytes(folder_ / "early"),
+              AllOf(HasSubstr("the display is not there: there is no shared memory"), HasSubstr("./virtex"),
+                    HasSubstr("waiting for it"), testing::Not(HasSubstr("is there, after"))));
+  EXPECT_THAT(fileBytes(folder_ / "notes"), HasSubstr("the display is there, after"));
+  EXPECT_THAT(result.output, HasSubstr("code 0"));
+  const auto json = nlohmann::json::parse(result.output.substr(0, result.output.rfind('}') + 1));
+  EXPECT_GE(json["frames_shown"], 1);
+}
+
+TEST_F(PresentCommand, waitingForADisplayEndsWithTheTimeOrASignal) {
+  const ProgramResult absent =
+      runProgram("present " + std::string(kTeapot) + "--device multivox:ocelli_is_not_there --seconds 0.6");
+  EXPECT_EQ(absent.exitCode, 1);
+  EXPECT_THAT(absent.error,
+              AllOf(HasSubstr("waiting for it"), HasSubstr("no frame was ever shown: there is no shared")));
+  const ProgramResult stopped = runShell("timeout -s TERM 0.7 \"$OCELLI\" present " + std::string(kTeapot) +
+                                         "--device multivox:ocelli_is_not_there; echo code $?");
+  EXPECT_THAT(stopped.output, AllOf(HasSubstr("0 refreshes"), HasSubstr("code 124")));  // timeout's own
+  EXPECT_THAT(stopped.error, HasSubstr("Ctrl-C ends this"));
+}
+
+TEST_F(PresentCommand, theTextTellsOfEyesThatCouldNotBeUsed) {
+  const ProgramResult result =
+      runShell("printf 'time,x,y,z\\n0,0,0,10\\n0,1,zwei,3\\nmore\\n1,2,0,9.5\\n' | \"$OCELLI\" present " +
+               std::string(kTeapot) + "--device null --eyes - --camera di --size 90x60");
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  EXPECT_THAT(result.error, HasSubstr("not TIME,X,Y,Z (y is not a number): \"0,1,zwei,3\""));
+  EXPECT_THAT(result.output, HasSubstr("2 lines could not be used; the first: not TIME,X,Y,Z (y is not a number)"));
 }
 
 TEST_F(PresentCommand, sessionsThatAreCutOrDamagedSaySo) {

@@ -22,4 +22,9 @@ ProgramResult runShell(const std::string& script) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, fileBytes(output), fileBytes(error)};
 }
 
+std::string inQuotes(const std::filesystem::path& path) {
+  std::string text = "'";  // GCC 12 warns without a reason where texts are added up
+  return text.append(path.string()).append("'");
+}
+
 }  // namespace ocelli::test

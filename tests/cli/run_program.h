@@ -1,6 +1,7 @@
 // Runs the built `ocelli` program as a user's shell would.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace ocelli::test {
@@ -17,5 +18,8 @@ ProgramResult runProgram(const std::string& arguments);
 
 /// Runs lines of /bin/sh, where "$OCELLI" is the program.
 ProgramResult runShell(const std::string& script);
+
+/// Between quotes, as one word of /bin/sh. Paths that have such quotes themselves are not for tests.
+std::string inQuotes(const std::filesystem::path& path);
 
 }  // namespace ocelli::test

@@ -22,9 +22,9 @@ inline DisplayProfile fastProfile() {
 }
 
 struct TestDevice {
-  /// What follows the name; nullptr: this kind needs what these tests do not have.
+  /// What follows the name; nullptr: displays on USB, which tests/display_driver_usb tests on an emulated bus.
   std::function<std::string(const std::string& folder)> rest;
-  std::string reason{};                                   ///< why, where it cannot be opened here
+  bool tellsRotation = false;
   std::function<std::shared_ptr<void>()> surroundings{};  ///< what must be there while it is open
 };
 
@@ -32,12 +32,12 @@ struct TestDevice {
 inline const std::map<std::string, TestDevice>& testDevices() {
   static const std::string memory = uniqueObject();
   static const std::map<std::string, TestDevice> devices = {
-      {"file", {[](const std::string& folder) { return ":" + folder + "/shown.svol"; }}},
+      {"file", {[](const std::string& folder) { return ":" + folder + "/shown.svol"; }, true}},
       {"multivox",
-       {[](const std::string&) { return ":" + memory; }, "", [] { return std::make_shared<ActedDisplay>(memory); }}},
-      {"null", {[](const std::string&) { return std::string(); }}},
-      {"sim", {[](const std::string&) { return std::string(); }}},
-      {"usb", {nullptr, "displays on USB are tested in tests/display_driver_usb, on an emulated bus"}},
+       {[](const std::string&) { return ":" + memory; }, false, [] { return std::make_shared<ActedDisplay>(memory); }}},
+      {"null", {[](const std::string&) { return std::string(); }, true}},
+      {"sim", {[](const std::string&) { return std::string(); }, true}},
+      {"usb", {nullptr}},
   };
   return devices;
 }

@@ -92,7 +92,7 @@ TEST(EyeFeedTest, whatIsNoLineIsCountedAndTheFirstIsKept) {
   pipe.write("\x1b[2Jhello\n0,1,2\n0,1,2,3,4\n0,nan,2,3\n0,1e9,2,3\n\n" + std::string(30000, '7') + "\n0,1,2,3\n");
   EXPECT_TRUE(comesTrue([&] { return feed->eyeAt(kNow) == glm::vec3(1, 2, 3); }));
   EXPECT_EQ(feed->malformed(), 6u);
-  EXPECT_EQ(feed->firstMalformed(), "\\x1b[2Jhello");
+  EXPECT_EQ(feed->firstMalformed(), "not TIME,X,Y,Z (1 value instead of 4): \"\\x1b[2Jhello\"");
 }
 
 TEST(EyeFeedTest, itEndsWhileItWaits) {

@@ -116,7 +116,8 @@ int run(size_t count, uint64_t firstSeed) {
 int main(int argumentCount, char** arguments) {
   ocelli::UsbEmulator::restartPreloaded();
   if (!ocelli::UsbEmulator::preloaded()) {
-    fmt::print("no USB can be emulated here: umockdev's preload library is missing\n");
+    const auto error = ocelli::UsbEmulator::preloadError();
+    fmt::print("no USB can be emulated: {}\n", error ? error->what() : "this program was not started anew");
     return ocelli::kSkipped;
   }
   rlimit descriptors{};

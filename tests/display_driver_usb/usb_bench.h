@@ -30,7 +30,8 @@ class UsbTest : public testing::Test {
  protected:
   void SetUp() override {
     if (!UsbEmulator::preloaded()) {
-      GTEST_SKIP() << "umockdev's preload library is missing: no USB can be emulated (Debian: libumockdev0)";
+      const auto error = UsbEmulator::preloadError();
+      GTEST_SKIP() << "no USB can be emulated: " << (error ? error->what() : "this program was not started anew");
     }
   }
   void TearDown() override { EXPECT_EQ(usbTransfersAlive(), 0u); }

@@ -11,5 +11,8 @@ run("${CMAKE_COMMAND}" --install "${OCELLI_BINARY_DIR}" --prefix "${prefix}")
 run("${CMAKE_COMMAND}" -S "${CONSUMER_SOURCE_DIR}" -B "${build}" -G "${GENERATOR}" "-DCMAKE_PREFIX_PATH=${prefix}"
   -DCMAKE_BUILD_TYPE=Release)
 run("${CMAKE_COMMAND}" --build "${build}")
-run("${build}/consumer")
+# The library was configured for another prefix, so the consumer is told where its program is; ocelli finds it by itself.
+run("${CMAKE_COMMAND}" -E env "OCELLI_SCENE_READER=${prefix}/libexec/ocelli/ocelli-read-scene"
+  "${build}/consumer" "${build}/consumer.obj")
 run("${prefix}/bin/ocelli" --version)
+run("${prefix}/bin/ocelli" scene info "${build}/consumer.obj")

@@ -178,19 +178,6 @@ TEST(LoadBadScene, MissingFileAndFolder) {
   EXPECT_THROW(loadScene(""), InputError);
 }
 
-TEST(LoadBadScene, BrokenTextureNamesItself) {
-  const TemporaryFolder folder;
-  folder.write("a.mtl", "newmtl tex\nmap_Kd sub\\wood.png\n");
-  const fs::path scene = folder.write(
-      "a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl tex\nf 1/1 2/2 3/3\n");
-  EXPECT_THAT([&] { loadScene(scene.string()); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("wood.png"), HasSubstr("--no-textures"))));
-  fs::create_directory(folder.path() / "sub");
-  folder.write("sub/wood.png", "\x89PNG\r\n\x1a\nrubbish");
-  EXPECT_THAT([&] { loadScene(scene.string()); }, ThrowsMessage<InputError>(HasSubstr("wood.png")));
-  EXPECT_NO_THROW(loadScene(scene.string(), {.textures = false}));
-}
-
 TEST(LoadScene, FitsAndShadesAsAsked) {
   const TemporaryFolder folder;
   const std::string path = folder.write("cube.obj", kCube).string();

@@ -29,6 +29,8 @@ TEST(ProtocolFile, IsReadAsItStands) {
   EXPECT_THAT(protocol.demographics->fields[0].options, ElementsAre("normal", "impaired"));
   ASSERT_TRUE(protocol.survey.has_value());
   EXPECT_THAT(protocol.survey->fields[0].ends, ElementsAre("this", "that"));
+  EXPECT_THAT(protocol.survey->fields[0].favors, ElementsAre(StudyView::kGraph, StudyView::kPinhole));
+  EXPECT_TRUE(protocol.demographics->fields[0].favors.empty());
   EXPECT_EQ(protocol.welcome[0].picture, "controls");
   ASSERT_EQ(protocol.blocks.size(), 3u);
   EXPECT_EQ(protocol.blocks[0].name, "find it");
@@ -134,6 +136,10 @@ const Mutation kMutations[] = {
     {"/demographics/fields/0/options", "[\"a\", \"a\"]", "field \"options\" must be different", "\"fields\" 1"},
     {"/demographics/fields/1", R"({"name": "vision", "question": "?", "options": ["a", "b"]})", "has two of the name \"vision\"", "\"demographics\""},
     {"/survey/fields/0/ends", "[\"a\"]", "field \"ends\" must be an array of 2 to 2", "\"survey\""},
+    {"/survey/fields/0/favors", "[\"gc\"]", "field \"favors\" must be [\"ppc\", \"gc\"] or", "\"survey\""},
+    {"/survey/fields/0/favors", "[\"gc\", \"gc\"]", "field \"favors\" must be", "\"survey\""},
+    {"/survey/fields/0/favors", "[\"ppc\", \"bent\"]", "field \"favors\" must be", "\"survey\""},
+    {"/survey/fields/0/favors", "\"gc\"", "field \"favors\" must be", "\"survey\""},
     // Screen, timing, controls.
     {"/screen/refresh_hertz", "0", "field \"refresh_hertz\" must lie between 10 and 1000", "\"screen\""},
     {"/screen/size", "24", "field \"size\" is unknown", "\"screen\""},

@@ -81,7 +81,7 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfPagesFormsAndLimits) {
   expectAgreement(def("page"), document, "/consent");
   expectAgreement(def("page"), document, "/blocks/0/instructions/0");
   expectAgreement(def("form"), document, "/demographics");
-  expectAgreement(def("form_field"), document, "/survey/fields/0");
+  expectAgreement(def("form_field"), document, "/survey/fields/0", {"favors"});  // both views, not any two of them
   expectAgreement(def("screen"), document, "/screen");
   expectAgreement(def("timing"), document, "/timing");
   expectAgreement(def("exclusion"), document, "/exclusions/0", {"test"});

@@ -32,7 +32,8 @@ nlohmann::json smallProtocol() {
        "most_seconds": 20, "maps": 2, "instructions": [{"title": "Path", "paragraphs": ["Watch."]}], "sessions": [2],
        "practice": {}, "practice_cases": [{}], "cases": [{"label": "one"}]}],
     "survey": {"title": "Survey", "fields": [
-      {"name": "easier", "question": "Which?", "options": ["1", "2", "3"], "ends": ["this", "that"]}]},
+      {"name": "easier", "question": "Which?", "options": ["1", "2", "3"], "ends": ["this", "that"],
+       "favors": ["gc", "ppc"]}]},
     "controls": {"forward": "W"}, "screen": {"refresh_hertz": 60}, "timing": {"late_factor": 1.2},
     "exclusions": [{"what": "form:vision", "test": "is", "value": "impaired", "reason": "cannot see"}]})");
 }

@@ -195,6 +195,31 @@ TEST_F(MergeTest, LeavesOutWhoWithdrew) {
   EXPECT_EQ(StudyDatabase::openForReading(target_).subjects().size(), 2u);
 }
 
+TEST_F(MergeTest, LeavesOutWhoWithdrewFromAnotherSourceAndRemembersIt) {
+  store("one.db", "A1");
+  store("one.db", "A2");
+  mergeDatabases(folder_ / "copy.db", {folder_ / "one.db"});
+  withdrawSubject(folder_ / "one.db", "A1", {});
+  const MergeReport report = merge({"copy.db", "one.db"});
+  EXPECT_EQ(report.subjects, 1);
+  EXPECT_THAT(report.withdrawnSubjects, ElementsAre("A1"));
+  EXPECT_THAT(fileBytes(target_), Not(HasSubstr("A1")));
+  // Also when the copy comes alone.
+  EXPECT_THAT(merge({"copy.db"}).withdrawnSubjects, ElementsAre("A1"));
+  EXPECT_EQ(StudyDatabase::openForReading(target_).subjects().size(), 1u);
+}
+
+TEST_F(MergeTest, TellsOfSubjectsOfTheTargetWhoWithdrewFromASource) {
+  store("one.db", "A1");
+  store("one.db", "A2");
+  EXPECT_TRUE(merge({"one.db"}).withdrewElsewhere.empty());
+  withdrawSubject(folder_ / "one.db", "A1", {});
+  const MergeReport report = merge({"one.db"});
+  EXPECT_THAT(report.withdrewElsewhere, ElementsAre("A1"));
+  EXPECT_TRUE(report.withdrawnSubjects.empty());
+  EXPECT_EQ(StudyDatabase::openForReading(target_).subjects().size(), 2u) << "only a withdrawal deletes";
+}
+
 TEST_F(MergeTest, TellsOfItInTheAuditTrail) {
   store("one.db", "A1");
   merge({"one.db"});

@@ -9,6 +9,7 @@
 
 #include "oc_core/base/error.h"
 #include "study/store/database_lock.h"
+#include "study/store/export_record.h"
 #include "study/store/identity_key.h"
 #include "study/store/sqlite_connection.h"
 #include "study/store/trial_store.h"
@@ -225,6 +226,35 @@ TEST_F(WithdrawTest, TakesExportsWithIt) {
   const std::vector<AuditEntry> audit = StudyDatabase::openForReading(file_).audit();
   EXPECT_THAT(audit[2].detailJson, HasSubstr("README.md"));
   EXPECT_EQ(audit[3].detailJson, R"({"removed": true})");
+}
+
+TEST_F(WithdrawTest, TakesReportsThatNameTheSubjectAsAWhole) {
+  const std::filesystem::path report = folder_ / "report";
+  const std::filesystem::path other = folder_ / "other";
+  std::filesystem::create_directories(report / "tables");
+  std::filesystem::create_directories(other);
+  folder_.write("report/tables/trials.csv", std::string("subject_id\r\n") + kWho + "\r\n");
+  folder_.write("report/report.pdf", "compressed");
+  folder_.write("other/report.pdf", "compressed");
+  EXPECT_TRUE(recordReport(file_, report, {"report.pdf", "tables/trials.csv"}));
+  EXPECT_TRUE(recordReport(file_, report, {"report.pdf", "tables/trials.csv"}));  // made anew, known already
+  EXPECT_TRUE(recordReport(file_, other, {"report.pdf"}));
+  EXPECT_EQ(StudyDatabase::openForReading(file_).audit().size(), 3u);
+  EXPECT_THAT(
+      messageOf<InputError>([&] { withdrawSubject(file_, kWho, {}); }),
+      AllOf(HasSubstr(report.string() + " (a report)"), HasSubstr("--delete-exports"), Not(HasSubstr("other"))));
+  EXPECT_EQ(withdrawSubject(file_, kWho, {.deleteExports = true}).deletedFiles.size(), 2u);
+  EXPECT_FALSE(std::filesystem::exists(report)) << "a folder without its report.json could not be written again";
+  EXPECT_TRUE(std::filesystem::exists(other / "report.pdf"));
+  EXPECT_THAT(tracesLeft(), testing::IsEmpty());
+}
+
+TEST_F(WithdrawTest, AReportThatCannotBeNotedIsSaidToBeSo) {
+  EXPECT_FALSE(recordReport(folder_ / "none.db", folder_ / "report", {}));
+  EXPECT_FALSE(recordReport(folder_.write("text.db", "no database"), folder_ / "report", {}));
+  EXPECT_FALSE(recordReport(file_, folder_ / "\xff", {}));
+  const DatabaseLock exporting(file_, DatabaseUse::kExport);
+  EXPECT_FALSE(recordReport(file_, folder_ / "report", {}));
 }
 
 TEST_F(WithdrawTest, TakesTheLineOfTheIdentityKeyOut) {

@@ -160,16 +160,81 @@ TEST(DataGenerator, subjectsAndItemsDifferAsMuchAsTheyShould) {
   EXPECT_NEAR(deviation, 0.6, 4 * 0.6 / std::sqrt(2.0 * kSubjects));
 }
 
+/// Standard deviation over the cases of what their mean in the graph camera exceeds that in the pinhole.
+template <class ValueOf>
+double deviationOfViewEffects(const std::vector<TrialRecord>& records, size_t eachSession, const std::string& task,
+                              const ValueOf& valueOf) {
+  std::map<std::string, std::array<Mean, 2>> cases;
+  for (size_t i = 0; i < records.size(); ++i) {
+    if (records[i].plan.task == task) {
+      const std::string item = records[i].info.label + (i / eachSession % 2 == 0 ? ", first" : ", second");
+      cases[item][static_cast<size_t>(records[i].plan.view)].add(valueOf(records[i]));
+    }
+  }
+  Mean means;
+  Mean squares;
+  for (const auto& [item, views] : cases) {
+    const double effect = views[1].value() - views[0].value();
+    means.add(effect);
+    squares.add(effect * effect);
+  }
+  return std::sqrt(squares.value() - means.value() * means.value());
+}
+
+TEST(DataGenerator, casesDifferInTheEffectOfTheViewAsMuchAsTheyShould) {
+  GeneratorEffects effects;
+  effects.find.logSeconds = 1;
+  effects.find.subjectGraphSd = 0;
+  effects.find.residualSd = 0.1;
+  constexpr int kSubjects = 20;
+  const auto deviation = [&](double itemViewSd) {
+    effects.find.itemViewSd = itemViewSd;
+    const std::vector<TrialRecord> records = generate(effects, kSubjects);
+    return deviationOfViewEffects(records, records.size() / kSubjects / 2, "find",
+                                  [](const TrialRecord& record) { return std::log(secondsOf(record)); });
+  };
+  // Of residuals alone: 0.1 * sqrt(2 / 20) = 0.032.
+  EXPECT_LT(deviation(0), 0.06);
+  // Eight items: four standard errors of a deviation are 0.8 of it, upwards; it is well above that of residuals.
+  EXPECT_GT(deviation(0.8), 0.3);
+  EXPECT_LT(deviation(0.8), 1.44);
+}
+
+TEST(DataGenerator, effectsOfTheViewThatDifferLeaveTheOtherDrawsAsTheyAre) {
+  GeneratorEffects effects;
+  effects.find.logSeconds = 1.5;
+  const std::vector<TrialRecord> alike = generate(effects, 2);
+  effects.find.itemViewSd = 0.5;
+  const std::vector<TrialRecord> differing = generate(effects, 2);
+  std::map<std::pair<std::string, int>, double> halves;  // by case and session, of the first subject
+  const size_t eachSession = alike.size() / 4;
+  for (size_t i = 0; i < alike.size(); ++i) {
+    if (alike[i].plan.task == "find") {
+      const double half = (alike[i].plan.view == StudyView::kGraph ? 1 : -1) *
+                          (std::log(secondsOf(differing[i])) - std::log(secondsOf(alike[i])));
+      const auto [place, isNew] = halves.try_emplace({alike[i].info.label, i / eachSession % 2}, half);
+      // Times of 1 s and more in ticks of 1/240 s: four roundings of half a tick.
+      EXPECT_NEAR(place->second, half, 4 * 0.5 / 240) << "the same for both views and all subjects";
+    } else {
+      EXPECT_EQ(alike[i].outcome.correct, differing[i].outcome.correct);
+    }
+  }
+  EXPECT_EQ(halves.size(), 8U);
+}
+
 TEST(DataGenerator, readsEffectsBackAndRejectsUnknownOnes) {
   const test::TemporaryFolder folder;
   GeneratorEffects effects;
   effects.find.graph = -0.7;
   effects.path.itemSd = 0;
+  effects.find.itemViewSd = 0.8;
+  effects.count.itemViewSd = 0.3;
+  effects.path.itemViewSd = 0.2;
   writeFile(folder / "effects.json", jsonText(effects));
   EXPECT_EQ(readGeneratorEffects(folder / "effects.json"), effects);
   writeFile(folder / "wrong.json", R"({"find": {"grapf": 1}})");
   EXPECT_THROW(readGeneratorEffects(folder / "wrong.json"), InputError);
-  writeFile(folder / "negative.json", R"({"find": {"item_sd": -1}})");
+  writeFile(folder / "negative.json", R"({"find": {"item_view_sd": -1}})");
   EXPECT_THROW(readGeneratorEffects(folder / "negative.json"), InputError);
 }
 

@@ -13,6 +13,8 @@ Protocol protocolWithForms() {
       {"find", "Which was easier for finding the object?", {"1", "2", "3", "4", "5"}, {"plain view", "bent view"}});
   survey.fields.push_back({"find_reversed", "find", {"1", "2", "3", "4", "5"}, {"bent view", "plain view"}});
   survey.fields.push_back({"vision", "How is your vision?", {"colour-blind", "normal", "corrected"}});
+  survey.fields.push_back(
+      {"find_unlabelled", "find", {"1", "2", "3", "4"}, {}, {StudyView::kGraph, StudyView::kPinhole}});
   protocol.survey = survey;
   protocol.exclusions.push_back({"form:vision", "is", "colour-blind", "colours matter"});
   return protocol;
@@ -35,6 +37,8 @@ TEST(FormTaste, answersScalesByExperience) {
   EXPECT_EQ(answer(0, 10, 20), 0);
   EXPECT_EQ(answer(0, 10, 10), 2);
   EXPECT_EQ(answer(1, 20, 10), 0) << "the ends are the other way round";
+  EXPECT_EQ(answer(3, 20, 10), 0) << "as the protocol says, without words";
+  EXPECT_EQ(answer(3, 10, 20), 3);
 }
 
 TEST(FormTaste, isNotExcludedForItsVision) {

@@ -1,10 +1,13 @@
-// Puts a point into an image and back with the installed library.
+// Puts a point into an image and back, and reads a scene, with the installed library. The argument is where to write
+// the scene.
 #include <cstdio>
+#include <fstream>
 #include <glm/geometric.hpp>
 
 #include "oc_core/base/png_file.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/scene/mesh.h"
+#include "oc_core/scene/scene_source.h"
 #ifdef WITH_OPENGL
 #include "oc_core/gl/gl_report.h"
 #include "oc_core/gl/gui_layer.h"
@@ -30,7 +33,7 @@ bool openGlIsThere() {
 
 }  // namespace
 
-int main() {
+int main(int, char** arguments) {
   const ocelli::PinholeCamera camera(ocelli::View{}, 720, 480);
   const glm::vec3 point(0.25f, -0.5f, 0.125f);
   const auto image = camera.project(point);
@@ -41,7 +44,8 @@ int main() {
   ocelli::writePng("consumer.png", ocelli::Image<ocelli::Rgb8>(2, 2));
   ocelli::Box box;
   box.add(point);
-  good = good && !box.empty() && openGlIsThere();
+  std::ofstream(arguments[1]) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  good = good && !box.empty() && openGlIsThere() && ocelli::loadScene(arguments[1]).triangles.size() == 1;
   std::printf("the installed package %s\n", good ? "works" : "does not work");
   return good ? 0 : 1;
 }

@@ -1,0 +1,52 @@
+// libFuzzer target: any bytes as what `ocelli-read-scene` hands back. What is read is baked, and written as the same
+// bytes again.
+#include <algorithm>
+#include <cstdlib>
+
+#include "oc_core/base/error.h"
+#include "oc_core/scene/scene_record.h"
+
+namespace {
+
+// A larger texture, or more triangles of it, takes long and is baked in the same way.
+constexpr uint64_t kMaxPixels = 1 << 12;
+constexpr size_t kMaxTextureTriangles = 2000;
+
+void check(const ocelli::Mesh& mesh) {
+  if (!mesh.colors.empty() && mesh.colors.size() != mesh.positions.size()) {
+    std::abort();
+  }
+  for (const glm::uvec3& t : mesh.triangles) {
+    if (std::max({t.x, t.y, t.z}) >= mesh.positions.size()) {
+      std::abort();
+    }
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  try {
+    const auto bytes = std::as_bytes(std::span(data, size));
+    ocelli::SceneRecord record = ocelli::sceneFromRecord(bytes, "fuzz");
+    std::vector<std::byte> again;
+    ocelli::writeSceneRecord(
+        record, [&](std::span<const std::byte> part) { again.insert(again.end(), part.begin(), part.end()); });
+    if (!std::equal(again.begin(), again.end(), bytes.begin(), bytes.end())) {
+      std::abort();
+    }
+    uint64_t pixels = 0;
+    for (const ocelli::Texture& texture : record.textures) {
+      pixels += texture.image.size();
+    }
+    if (pixels <= kMaxPixels) {
+      ocelli::bakeTextures(record.parts, record.textures, kMaxTextureTriangles);
+    }
+    for (const ocelli::TexturedMesh& part : record.parts) {
+      check(part.mesh);
+    }
+  } catch (const ocelli::Error&) {
+    // Any other exception is a finding.
+  }
+  return 0;
+}

@@ -1,0 +1,18 @@
+// What Assimp may open: regular files, each of which raises the limits of this process.
+#pragma once
+
+#include <memory>
+
+#include "oc_core/scene/import/reading_budget.h"
+
+namespace Assimp {
+class IOSystem;
+}
+
+namespace ocelli {
+
+/// Files as Assimp's own system opens them, for reading alone; what is no regular file (a device, a pipe) counts as
+/// missing. `budget` must outlive it and may be null.
+std::unique_ptr<Assimp::IOSystem> makeLimitedFiles(ReadingBudget* budget);
+
+}  // namespace ocelli

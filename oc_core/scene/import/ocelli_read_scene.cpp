@@ -1,0 +1,126 @@
+// `ocelli-read-scene PARENT textures|plain FILE`: reads a scene file for readSceneFile(), which starts it and takes the
+// record that it writes to descriptor kChildResultDescriptor. What goes wrong with the file is a record too.
+#include <unistd.h>
+
+#include <assimp/DefaultLogger.hpp>
+#include <assimp/LogStream.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "oc_core/base/child_process.h"
+#include "oc_core/base/error.h"
+#include "oc_core/scene/import/assimp_scene.h"
+
+namespace ocelli {
+namespace {
+
+/// Collects small pieces, and writes large ones as they are.
+class ResultWriter {
+ public:
+  void write(std::span<const std::byte> bytes) {
+    if (buffer_.size() + bytes.size() > kBufferBytes) {
+      flush();
+    }
+    if (bytes.size() > kBufferBytes) {
+      writeAll(bytes);
+    } else {
+      buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+    }
+  }
+  void flush() {
+    writeAll(buffer_);
+    buffer_.clear();
+  }
+
+ private:
+  static constexpr size_t kBufferBytes = 1 << 16;
+
+  static void writeAll(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+      const ssize_t written = ::write(kChildResultDescriptor, bytes.data(), bytes.size());
+      if (written < 0 && errno != EINTR) {
+        throw WorkError(std::string("cannot hand back the scene (") + std::strerror(errno) + ")", "", "");
+      }
+      bytes = bytes.subspan(written > 0 ? static_cast<size_t>(written) : 0);
+    }
+  }
+
+  std::vector<std::byte> buffer_;
+};
+
+/// The last line is shown where Assimp crashes.
+class LogToStandardError : public Assimp::LogStream {
+ public:
+  void write(const char* message) override { std::fputs(message, stderr); }
+};
+
+void readScene(const std::string& path, bool withTextures) {
+  ReadingBudget budget(readingLimits());
+  Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
+  // The logger owns it.
+  Assimp::DefaultLogger::get()->attachStream(new LogToStandardError, Assimp::Logger::Err | Assimp::Logger::Warn);
+  ResultWriter result;
+  const ByteSink sink = [&](std::span<const std::byte> bytes) { result.write(bytes); };
+  SceneRecord record;
+  std::string failure;
+  try {
+    record = readWithAssimp(path, withTextures, &budget);
+  } catch (const InputError& error) {
+    failure = error.what();
+  } catch (const std::exception& error) {
+    failure = InputError(std::string("cannot read this scene file (") + error.what() + ")", path,
+                         "check that it is complete, or convert it to binary PLY")
+                  .what();
+  }
+  if (failure.empty()) {
+    writeSceneRecord(record, sink);
+  } else {
+    writeFailureRecord(failure, sink);
+  }
+  result.flush();
+}
+
+int run(std::span<char*> arguments) {
+  if (arguments.size() != 4) {
+    std::fputs("ocelli-read-scene reads scene files for Ocelli, which starts it\n", stderr);
+    return kReaderFailed;
+  }
+  endWithParent(std::atoi(arguments[1]));
+  try {
+    readScene(arguments[3], std::strcmp(arguments[2], "textures") == 0);
+    return kReaderDone;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return kReaderFailed;
+  }
+}
+
+}  // namespace
+}  // namespace ocelli
+
+#if defined(__SANITIZE_ADDRESS__)
+#define OCELLI_ADDRESS_SANITIZER 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define OCELLI_ADDRESS_SANITIZER 1
+#endif
+#endif
+#ifdef OCELLI_ADDRESS_SANITIZER
+/// What AddressSanitizer finds in Assimp ends this process as a crash does, and it limits the memory in its own way.
+extern "C" const char* __asan_default_options();
+extern "C" const char* __asan_default_options() {
+  return "abort_on_error=1:detect_leaks=0:hard_rss_limit_mb=2048:max_allocation_size_mb=2048";
+}
+#endif
+
+int main(int count, char** arguments) {
+  // Without the destructors of what Assimp has read: they may trip over it, and the system does that faster.
+  std::fflush(stderr);
+  _exit(ocelli::run({arguments, static_cast<size_t>(count)}));
+}

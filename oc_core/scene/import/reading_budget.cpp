@@ -1,0 +1,72 @@
+#include "oc_core/scene/import/reading_budget.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <new>
+
+namespace ocelli {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+#define OCELLI_ADDRESS_SANITIZER 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define OCELLI_ADDRESS_SANITIZER 1
+#endif
+#endif
+
+/// AddressSanitizer reserves terabytes of addresses.
+#ifdef OCELLI_ADDRESS_SANITIZER
+constexpr bool kLimitsAddresses = false;
+#else
+constexpr bool kLimitsAddresses = true;
+#endif
+
+void setSoftLimit(__rlimit_resource resource, uint64_t wanted) {
+  rlimit limit{};
+  if (getrlimit(resource, &limit) == 0) {
+    limit.rlim_cur = std::min<rlim_t>(wanted, limit.rlim_max);
+    setrlimit(resource, &limit);
+  }
+}
+
+[[noreturn]] void endForLackOfMemory() {
+  _exit(kReaderOutOfMemory);
+}
+
+}  // namespace
+
+ReadingBudget::ReadingBudget(const ReadingLimits& limits) : limits_(limits) {
+  const rlimit none{};
+  setrlimit(RLIMIT_CORE, &none);
+  // Should the system run out of memory all the same, it ends this process first.
+  std::ofstream("/proc/self/oom_score_adj") << 1000;
+  std::set_new_handler(endForLackOfMemory);
+  apply();
+}
+
+void ReadingBudget::addFile(uint64_t bytes) {
+  fileBytes_ += bytes;
+  apply();
+}
+
+void ReadingBudget::addMemory(uint64_t bytes) {
+  memoryBytes_ += bytes;
+  apply();
+}
+
+void ReadingBudget::apply() const {
+  const uint64_t memory = limits_.memoryBytes(fileBytes_) + memoryBytes_;
+  const uint64_t most = std::min(memory, static_cast<uint64_t>(limits_.memoryMax));
+  if (kLimitsAddresses) {
+    setSoftLimit(RLIMIT_AS, most);
+  }
+  // What is written counts as memory of nobody.
+  setSoftLimit(RLIMIT_FSIZE, most);
+  setSoftLimit(RLIMIT_CPU, static_cast<uint64_t>(limits_.processorSeconds(fileBytes_)));
+}
+
+}  // namespace ocelli

@@ -1,0 +1,300 @@
+#include "oc_core/scene/scene_record.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <glm/gtc/type_ptr.hpp>
+#include <limits>
+#include <string_view>
+#include <type_traits>
+
+#include "oc_core/base/check.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/finite.h"
+
+namespace ocelli {
+namespace {
+
+constexpr std::string_view kStart = "OCSCENE1";
+constexpr std::string_view kEnd = "END.";
+enum class Kind : uint32_t { kScene, kFailure };
+enum PartFlag : uint8_t { kColors = 1, kBase = 2, kEmissive = 4 };
+
+static_assert(sizeof(glm::vec2) == 8 && sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12 && sizeof(Rgb8) == 3,
+              "arrays of them are written as they stand");
+
+class RecordWriter {
+ public:
+  explicit RecordWriter(const ByteSink& sink) : sink_(sink) {}
+
+  template <class Value>
+  void list(const std::vector<Value>& values) {
+    raw(values.data(), values.size() * sizeof(Value));
+  }
+  template <class Value>
+  void value(const Value& value) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    raw(&value, sizeof(value));
+  }
+  void count(size_t number) {
+    OC_CHECK(number <= std::numeric_limits<uint32_t>::max(), "a record counts with 32 bits");
+    value(static_cast<uint32_t>(number));
+  }
+  void text(std::string_view text) {
+    count(text.size());
+    raw(text.data(), text.size());
+  }
+  void raw(const void* data, size_t bytes) { sink_({static_cast<const std::byte*>(data), bytes}); }
+
+ private:
+  const ByteSink& sink_;
+};
+
+void writeLayer(RecordWriter& writer, const std::optional<TextureLayer>& layer) {
+  if (layer) {
+    writer.count(layer->texture);
+    writer.list(layer->uvs);
+  }
+}
+
+class RecordReader {
+ public:
+  RecordReader(std::span<const std::byte> bytes, const std::string& writer) : bytes_(bytes), writer_(writer) {}
+
+  SceneRecord read() {
+    expect(kStart);
+    switch (static_cast<Kind>(number())) {
+      case Kind::kScene:
+        return scene();
+      case Kind::kFailure: {
+        const std::string message = text();
+        expectEnd();
+        throw InputError(message, "", "");
+      }
+    }
+    fail("unknown kind");
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw WorkError("the program that reads scene files gave back what is no scene (" + what + ")", writer_,
+                    "convert the scene to binary PLY, and report this");
+  }
+
+  std::span<const std::byte> take(uint64_t bytes) {
+    if (bytes > bytes_.size()) {
+      fail("it ends too early");
+    }
+    const auto taken = bytes_.first(bytes);
+    bytes_ = bytes_.subspan(bytes);
+    return taken;
+  }
+
+  template <class Value>
+  Value value() {
+    Value value;
+    std::memcpy(&value, take(sizeof(value)).data(), sizeof(value));
+    return value;
+  }
+
+  uint32_t number() { return value<uint32_t>(); }
+
+  template <class Value>
+  std::vector<Value> list(uint64_t count) {
+    const auto source = take(count * sizeof(Value));
+    std::vector<Value> values(count);
+    if (count > 0) {
+      std::memcpy(values.data(), source.data(), source.size());
+    }
+    return values;
+  }
+
+  /// A count of things of which each takes so many bytes at least.
+  uint32_t count(size_t leastBytes) {
+    const uint32_t count = number();
+    if (count > bytes_.size() / leastBytes) {
+      fail("a count is too large");
+    }
+    return count;
+  }
+
+  std::string text() {
+    const auto bytes = take(number());
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  }
+
+  void expect(std::string_view word) {
+    if (std::memcmp(take(word.size()).data(), word.data(), word.size()) != 0) {
+      fail("a mark is missing");
+    }
+  }
+
+  void expectEnd() {
+    expect(kEnd);
+    if (!bytes_.empty()) {
+      fail("bytes are left over");
+    }
+  }
+
+  SceneRecord scene() {
+    SceneRecord record;
+    for (uint32_t left = count(sizeof(uint32_t)); left > 0; --left) {
+      record.warnings.push_back(text());
+    }
+    for (uint32_t left = count(2 * sizeof(uint32_t) + 2 + sizeof(Rgb8)); left > 0; --left) {
+      record.textures.push_back(texture());
+    }
+    for (uint32_t left = count(2 * sizeof(uint32_t) + 1 + sizeof(glm::vec3)); left > 0; --left) {
+      record.parts.push_back(part(record.textures.size()));
+    }
+    for (uint32_t left = count(sizeof(uint32_t) + sizeof(glm::mat4)); left > 0; --left) {
+      record.instances.push_back(instance(record.parts.size()));
+    }
+    expectEnd();
+    return record;
+  }
+
+  Texture texture() {
+    const uint64_t width = number();
+    const uint64_t height = number();
+    if (width == 0 || height == 0 || width > kMaxTexturePixels || height > kMaxTexturePixels ||
+        width * height > kMaxTexturePixels) {
+      fail("a texture has an impossible size");
+    }
+    const TextureWrap wrapU = wrap();
+    const TextureWrap wrapV = wrap();
+    const auto pixels = take(width * height * sizeof(Rgb8));
+    Texture texture{Image<Rgb8>(static_cast<int>(width), static_cast<int>(height)), wrapU, wrapV};
+    std::memcpy(texture.image.data(), pixels.data(), pixels.size());
+    return texture;
+  }
+
+  TextureWrap wrap() {
+    const auto number = value<uint8_t>();
+    if (number > static_cast<uint8_t>(TextureWrap::kClamp)) {
+      fail("a texture wraps in an unknown way");
+    }
+    return static_cast<TextureWrap>(number);
+  }
+
+  TexturedMesh part(size_t textures) {
+    TexturedMesh part;
+    const uint64_t vertices = number();
+    const uint64_t triangles = number();
+    const auto flags = value<uint8_t>();
+    if (flags > (kColors | kBase | kEmissive)) {
+      fail("a mesh holds what is unknown");
+    }
+    part.emission = value<glm::vec3>();
+    part.mesh.positions = list<glm::vec3>(vertices);
+    part.mesh.colors = list<glm::vec3>((flags & kColors) != 0 ? vertices : 0);
+    part.mesh.triangles = list<glm::uvec3>(triangles);
+    if ((flags & kBase) != 0) {
+      part.base = layer(vertices, textures);
+    }
+    if ((flags & kEmissive) != 0) {
+      part.emissive = layer(vertices, textures);
+    }
+    check(part);
+    return part;
+  }
+
+  TextureLayer layer(uint64_t vertices, size_t textures) {
+    TextureLayer layer;
+    layer.texture = number();
+    if (layer.texture >= textures) {
+      fail("a mesh has a texture that is not there");
+    }
+    layer.uvs = list<glm::vec2>(vertices);
+    return layer;
+  }
+
+  void check(const TexturedMesh& part) const {
+    const Mesh& mesh = part.mesh;
+    const auto isInside = [&](const glm::uvec3& t) { return std::max({t.x, t.y, t.z}) < mesh.positions.size(); };
+    if (!std::all_of(mesh.triangles.begin(), mesh.triangles.end(), isInside)) {
+      fail("a triangle has a corner that is not there");
+    }
+    const auto isColor = [](const glm::vec3& c) {
+      return c.x >= 0 && c.x <= 1 && c.y >= 0 && c.y <= 1 && c.z >= 0 && c.z <= 1;
+    };
+    if (!std::all_of(mesh.colors.begin(), mesh.colors.end(), isColor)) {
+      fail("a colour is out of range");
+    }
+    if (!isFinite(part.emission) || part.emission.x < 0 || part.emission.y < 0 || part.emission.z < 0) {
+      fail("an emission is out of range");
+    }
+  }
+
+  Instance instance(size_t parts) {
+    Instance instance;
+    instance.mesh = number();
+    if (instance.mesh >= parts) {
+      fail("a copy is of a mesh that is not there");
+    }
+    instance.worldFromMesh = value<glm::mat4>();
+    const float* first = glm::value_ptr(instance.worldFromMesh);
+    if (!std::all_of(first, first + 16, [](float x) { return std::isfinite(x); })) {
+      fail("a copy is moved by what is no number");
+    }
+    return instance;
+  }
+
+  std::span<const std::byte> bytes_;  ///< those that are still to be read
+  const std::string& writer_;
+};
+
+}  // namespace
+
+void writeSceneRecord(const SceneRecord& record, const ByteSink& sink) {
+  RecordWriter writer(sink);
+  writer.raw(kStart.data(), kStart.size());
+  writer.value(Kind::kScene);
+  writer.count(record.warnings.size());
+  for (const std::string& warning : record.warnings) {
+    writer.text(warning);
+  }
+  writer.count(record.textures.size());
+  for (const Texture& texture : record.textures) {
+    writer.count(static_cast<size_t>(texture.image.width()));
+    writer.count(static_cast<size_t>(texture.image.height()));
+    writer.value(static_cast<uint8_t>(texture.wrapU));
+    writer.value(static_cast<uint8_t>(texture.wrapV));
+    writer.raw(texture.image.data(), texture.image.size() * sizeof(Rgb8));
+  }
+  writer.count(record.parts.size());
+  for (const TexturedMesh& part : record.parts) {
+    const int flags =
+        (part.mesh.colors.empty() ? 0 : kColors) | (part.base ? kBase : 0) | (part.emissive ? kEmissive : 0);
+    writer.count(part.mesh.positions.size());
+    writer.count(part.mesh.triangles.size());
+    writer.value(static_cast<uint8_t>(flags));
+    writer.value(part.emission);
+    writer.list(part.mesh.positions);
+    writer.list(part.mesh.colors);
+    writer.list(part.mesh.triangles);
+    writeLayer(writer, part.base);
+    writeLayer(writer, part.emissive);
+  }
+  writer.count(record.instances.size());
+  for (const Instance& instance : record.instances) {
+    writer.count(instance.mesh);
+    writer.value(instance.worldFromMesh);
+  }
+  writer.raw(kEnd.data(), kEnd.size());
+}
+
+void writeFailureRecord(const std::string& message, const ByteSink& sink) {
+  RecordWriter writer(sink);
+  writer.raw(kStart.data(), kStart.size());
+  writer.value(Kind::kFailure);
+  writer.text(message);
+  writer.raw(kEnd.data(), kEnd.size());
+}
+
+SceneRecord sceneFromRecord(std::span<const std::byte> bytes, const std::string& writer) {
+  return RecordReader(bytes, writer).read();
+}
+
+}  // namespace ocelli

@@ -1,0 +1,48 @@
+// What `ocelli-read-scene` hands back: a scene before its textures are baked, or why there is none. Both ends are of
+// one build and on one machine, so numbers are as they are in memory; but the writer may have been led astray by the
+// file that it read, so the reader trusts nothing.
+//
+//   bytes "OCSCENE1", u32 kind (0 scene, 1 failure)
+//   failure: text, a whole error message
+//   scene:   u32 warnings, each a text
+//            u32 textures, each u32 width, u32 height, u8 wrap u, u8 wrap v, then width * height pixels of 3 bytes
+//            (sRGB) u32 parts, each u32 vertices, u32 triangles, u8 flags (1 colours, 2 base layer, 4 emissive layer),
+//            3 f32 emission,
+//              3 f32 a vertex, 3 f32 a vertex where there are colours, 3 u32 a triangle, then the layers: u32 texture,
+//              2 f32 a vertex
+//            u32 instances, each u32 part, 16 f32 (columns of worldFromPart)
+//   bytes "END."
+//   text:    u32 bytes, then the bytes
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "oc_core/scene/scene.h"
+#include "oc_core/scene/texture_bake.h"
+
+namespace ocelli {
+
+struct SceneRecord {
+  std::vector<Texture> textures;
+  std::vector<TexturedMesh> parts;
+  std::vector<Instance> instances;    ///< `mesh` is an index into parts; no tint, no identity
+  std::vector<std::string> warnings;  ///< what the user should know of, a sentence each
+};
+
+using ByteSink = std::function<void(std::span<const std::byte>)>;
+
+/// Writes what sceneFromRecord() reads; more than 2^32 of anything is a bug of the caller.
+void writeSceneRecord(const SceneRecord& record, const ByteSink& sink);
+/// `message` as Error::what() gives it.
+void writeFailureRecord(const std::string& message, const ByteSink& sink);
+
+/// Throws InputError with the message of a failure, and WorkError naming `writer` where the bytes are no record: an
+/// index, a count or a size out of range, a number that is not finite where one must be, or bytes missing or left over.
+/// Memory is bounded by the number of bytes. Positions may be anything: validate() says which one is wrong.
+SceneRecord sceneFromRecord(std::span<const std::byte> bytes, const std::string& writer);
+
+}  // namespace ocelli

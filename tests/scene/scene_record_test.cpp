@@ -1,0 +1,145 @@
+#include "oc_core/scene/scene_record.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+
+#include "oc_core/base/error.h"
+
+namespace ocelli {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+using Bytes = std::vector<std::byte>;
+
+Bytes written(const SceneRecord& record) {
+  Bytes bytes;
+  writeSceneRecord(record,
+                   [&](std::span<const std::byte> part) { bytes.insert(bytes.end(), part.begin(), part.end()); });
+  return bytes;
+}
+
+SceneRecord read(const Bytes& bytes) {
+  return sceneFromRecord(bytes, "reader");
+}
+
+/// One of everything.
+SceneRecord sample() {
+  SceneRecord record;
+  record.warnings = {"a texture is missing", ""};
+  record.textures.push_back({Image<Rgb8>(2, 1, Rgb8(1, 2, 3)), TextureWrap::kMirror, TextureWrap::kClamp});
+  TexturedMesh part;
+  part.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  part.mesh.colors = {{0, 0.5f, 1}, {1, 1, 1}, {0, 0, 0}};
+  part.mesh.triangles = {{0, 1, 2}};
+  part.base = TextureLayer{0, {{0, 0}, {1, 0}, {0, 1}}};
+  part.emission = {0, 2, 0};
+  part.emissive = TextureLayer{0, {{5, 5}, {6, 6}, {7, 7}}};
+  record.parts = {part, TexturedMesh{}};
+  glm::mat4 moved(1);
+  moved[3] = {1, 2, 3, 1};
+  record.instances = {{0, moved}, {1, glm::mat4(1)}, {0, glm::mat4(1)}};
+  return record;
+}
+
+void expectRefused(const Bytes& bytes, const std::string& why) {
+  EXPECT_THAT([&] { read(bytes); }, ThrowsMessage<WorkError>(HasSubstr(why)));
+}
+
+TEST(SceneRecord, ComesBackAsItWas) {
+  const SceneRecord back = read(written(sample()));
+  EXPECT_THAT(back.warnings, ElementsAre("a texture is missing", ""));
+  ASSERT_EQ(back.textures.size(), 1u);
+  EXPECT_EQ(back.textures[0].image.width(), 2);
+  EXPECT_EQ(back.textures[0].image(1, 0), Rgb8(1, 2, 3));
+  EXPECT_EQ(back.textures[0].wrapU, TextureWrap::kMirror);
+  EXPECT_EQ(back.textures[0].wrapV, TextureWrap::kClamp);
+  ASSERT_EQ(back.parts.size(), 2u);
+  EXPECT_EQ(back.parts[0].mesh.positions, sample().parts[0].mesh.positions);
+  EXPECT_EQ(back.parts[0].mesh.colors, sample().parts[0].mesh.colors);
+  EXPECT_EQ(back.parts[0].mesh.triangles, sample().parts[0].mesh.triangles);
+  EXPECT_EQ(back.parts[0].base->uvs, sample().parts[0].base->uvs);
+  EXPECT_EQ(back.parts[0].emission, glm::vec3(0, 2, 0));
+  EXPECT_EQ(back.parts[0].emissive->uvs[2], glm::vec2(7, 7));
+  EXPECT_FALSE(back.parts[1].base || back.parts[1].emissive);
+  ASSERT_EQ(back.instances.size(), 3u);
+  EXPECT_EQ(back.instances[0].worldFromMesh[3], glm::vec4(1, 2, 3, 1));
+  EXPECT_EQ(back.instances[1].mesh, 1u);
+}
+
+TEST(SceneRecord, GivesTheMessageOfAFailureAsItIs) {
+  Bytes bytes;
+  const std::string message = "a.obj: cannot read this\n  try: another one";
+  writeFailureRecord(message,
+                     [&](std::span<const std::byte> part) { bytes.insert(bytes.end(), part.begin(), part.end()); });
+  EXPECT_THAT([&] { read(bytes); }, ThrowsMessage<InputError>(message));
+}
+
+TEST(SceneRecord, IsRefusedWhereverItEnds) {
+  const Bytes whole = written(sample());
+  for (size_t size = 0; size < whole.size(); ++size) {
+    EXPECT_THROW(read(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size))), WorkError) << size;
+  }
+  Bytes longer = whole;
+  longer.push_back(std::byte{0});
+  expectRefused(longer, "left over");
+}
+
+// Each number of 32 bits becomes one that no record of this size can hold.
+TEST(SceneRecord, NeverTrustsANumber) {
+  const Bytes whole = written(sample());
+  size_t refused = 0;
+  for (size_t at = 0; at + 4 <= whole.size(); ++at) {
+    Bytes changed = whole;
+    const uint32_t huge = 0xfffffff0;
+    std::memcpy(changed.data() + at, &huge, sizeof(huge));
+    try {
+      read(changed);
+    } catch (const WorkError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 50u);
+}
+
+TEST(SceneRecord, RefusesCornersThatAreNotThere) {
+  SceneRecord record = sample();
+  record.parts[0].mesh.triangles[0].z = 3;
+  expectRefused(written(record), "corner");
+}
+
+TEST(SceneRecord, RefusesColorsOutOfRange) {
+  for (const float bad : {-0.1f, 1.1f, std::numeric_limits<float>::quiet_NaN()}) {
+    SceneRecord record = sample();
+    record.parts[0].mesh.colors[1].y = bad;
+    expectRefused(written(record), "colour");
+  }
+}
+
+TEST(SceneRecord, RefusesWhatIsNotFinite) {
+  for (const float bad : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    SceneRecord record = sample();
+    record.parts[0].emission.x = bad;
+    expectRefused(written(record), "emission");
+    record = sample();
+    record.instances[0].worldFromMesh[2][1] = bad;
+    expectRefused(written(record), "no number");
+  }
+}
+
+TEST(SceneRecord, RefusesTexturesAndMeshesThatAreNotThere) {
+  SceneRecord record = sample();
+  record.parts[0].emissive->texture = 1;
+  expectRefused(written(record), "texture that is not there");
+  record = sample();
+  record.instances[2].mesh = 2;
+  expectRefused(written(record), "mesh that is not there");
+}
+
+}  // namespace
+}  // namespace ocelli
