@@ -34,8 +34,8 @@ struct AnalyseChoice {
   bool asJson = false;
 };
 
-MergeOptions mergeOptions(const AnalyseChoice& choice) {
-  MergeOptions options;
+DatasetMergeOptions mergeOptions(const AnalyseChoice& choice) {
+  DatasetMergeOptions options;
   options.allowOtherProtocols = choice.otherProtocols;
   if (choice.simulated == "only") {
     options.simulated = SimulatedRows::kOnly;

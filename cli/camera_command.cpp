@@ -26,7 +26,7 @@
 namespace ocelli {
 namespace {
 
-constexpr ImageSize kDefaultSize{1280, 720};
+constexpr ImageSize kCameraImageSize{1280, 720};
 
 /// A multiperspective camera in a scene, as its commands take it.
 struct CameraInScene {
@@ -40,11 +40,11 @@ void addCameraInScene(CLI::App& command, CameraInScene& choice, const Frame& fra
   addSceneOptions(command, choice.scene, frame);
   addConstructorOption(command, choice.camera);
   addViewOption(command, choice.view);
-  addCameraSizeOption(command, choice.size, kDefaultSize);
+  addCameraSizeOption(command, choice.size, kCameraImageSize);
 }
 
 PinholeCamera referenceOf(const CameraInScene& choice) {
-  const ImageSize size = cameraImageSize(choice.camera, choice.size, kDefaultSize);
+  const ImageSize size = cameraImageSize(choice.camera, choice.size, kCameraImageSize);
   return {readViewOption(choice.view), size.width, size.height};
 }
 
@@ -52,7 +52,7 @@ MultiperspectiveCamera construct(const CameraInScene& choice, const GuidedScene&
   return constructCamera(choice.camera, scene, referenceOf(choice));
 }
 
-void addList(CLI::App& camera, const Frame& frame) {
+void addCameraList(CLI::App& camera, const Frame& frame) {
   CLI::App& command = *camera.add_subcommand("list", "List the constructors of graph and curved ray cameras");
   frame.finish(command, "  ocelli camera list", [frame] {
     for (const CameraConstructor& each : cameraConstructors()) {
@@ -168,7 +168,7 @@ void info(const InfoChoice& choice, const Frame& frame) {
   }
 }
 
-void addInfo(CLI::App& camera, const Frame& frame) {
+void addCameraInfo(CLI::App& camera, const Frame& frame) {
   CLI::App& command = *camera.add_subcommand("info", "Tell what a camera consists of, and write it out by hand");
   const auto choice = std::make_shared<InfoChoice>();
   addCameraInScene(command, choice->camera, frame);
@@ -252,9 +252,9 @@ void addEdit(CLI::App& camera, const Frame& frame) {
 void addCameraCommand(CLI::App& program, const Frame& frame) {
   CLI::App& camera = *program.add_subcommand("camera", "Graph and curved ray cameras: list, show, describe, edit");
   camera.require_subcommand(1);
-  addList(camera, frame);
+  addCameraList(camera, frame);
   addShow(camera, frame);
-  addInfo(camera, frame);
+  addCameraInfo(camera, frame);
   addEdit(camera, frame);
 }
 

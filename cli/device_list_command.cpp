@@ -17,13 +17,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct UsbFindings {
+struct UsbDisplays {
   Json displays = Json::array();
   std::string problem;  ///< of USB as a whole; empty: none
 };
 
-UsbFindings usbDisplays() {
-  UsbFindings findings;
+UsbDisplays usbDisplays() {
+  UsbDisplays findings;
 #ifdef OCELLI_WITH_USB
   try {
     for (const UsbDisplay& display : listUsbDisplays()) {
@@ -52,7 +52,7 @@ Json jsonOfKinds() {
   return kinds;
 }
 
-std::string listText(const UsbFindings& usb) {
+std::string listText(const UsbDisplays& usb) {
   std::string text;
   for (const DeviceKind& kind : deviceKinds()) {
     text += fmt::format("{:<18} {}\n", kind.usage(), kind.help);
@@ -119,7 +119,7 @@ void addDeviceList(CLI::App& device, const Frame& frame) {
   CLI::App& command = *device.add_subcommand("list", "What --device takes, and the displays on USB");
   command.add_flag("--json", *json, "Print JSON");
   frame.finish(command, "  ocelli device list", [frame, json] {
-    const UsbFindings usb = usbDisplays();
+    const UsbDisplays usb = usbDisplays();
     frame.print(
         *json ? textOfJson({{"devices", jsonOfKinds()}, {"usb", usb.displays}, {"usb_problem", usb.problem}}, 2) + "\n"
               : listText(usb));

@@ -65,7 +65,7 @@ std::vector<SelftestPicture> picturesOf(const TestPattern& pattern, const Volume
              : writeSelftestPictures(pattern.volume(coarser(volume.profile())), folder, pattern.name, kPictureSide);
 }
 
-void makeFolder(const std::filesystem::path& folder) {
+void makeSelftestFolder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) {
@@ -80,7 +80,7 @@ void runOnDevice(const SelftestChoice& choice, const Frame& frame) {
     options.profile = loadProfile(choice.profile);
   }
   const std::filesystem::path folder = choice.output;
-  makeFolder(folder);
+  makeSelftestFolder(folder);
   const std::unique_ptr<Device> device = openDevice(choice.device, options);
   const std::filesystem::path file = folder / "verdicts.csv";
   // After each answer: whatever ends this, nothing that was said is lost.
@@ -105,7 +105,7 @@ void run(const SelftestChoice& choice, const Frame& frame) {
   const DisplayProfile profile = loadProfile(choice.profile);
   checkDefaultEye(profile);
   const std::filesystem::path folder = choice.output;
-  makeFolder(folder);
+  makeSelftestFolder(folder);
   std::vector<SelftestSection> sections;
   const Progress progress = frame.progress();
   for (const TestPattern* pattern : patterns) {

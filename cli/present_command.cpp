@@ -344,7 +344,7 @@ void runSession(const PresentChoice& choice, const Frame& frame) {
   if (reader.damage()) {
     throw InputError(*reader.damage());
   }
-  if (reader.ending() == SessionEnding::kUnfinished) {
+  if (reader.ending() == RecordingEnding::kUnfinished) {
     if (played.submitted == 0) {
       throw InputError("this session was cut short before its first frame", choice.scene.source, "record it again");
     }

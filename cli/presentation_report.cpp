@@ -152,7 +152,7 @@ std::string reportJson(const SessionPlayed& played) {
                                        {"frames_dropped", played.dropped},
                                        {"frames_lost", played.lost},
                                        {"seconds", played.seconds},
-                                       {"whole", played.ending == SessionEnding::kFinished}};
+                                       {"whole", played.ending == RecordingEnding::kFinished}};
   return textOfJson(json, 2) + "\n";
 }
 

@@ -21,7 +21,7 @@
 namespace ocelli {
 namespace {
 
-constexpr ImageSize kDefaultSize{720, 480};
+constexpr ImageSize kRenderSize{720, 480};
 
 struct RenderChoice {
   SceneChoice scene;
@@ -86,7 +86,7 @@ void render(const RenderChoice& choice, const Frame& frame) {
   requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
   checkWritable(choice.output);
   checkSecondOutput(choice.identity, "--identity", choice.output);
-  const ImageSize size = cameraImageSize(choice.camera, choice.size, kDefaultSize);
+  const ImageSize size = cameraImageSize(choice.camera, choice.size, kRenderSize);
   const PinholeCamera reference(readViewOption(choice.view), size.width, size.height);
   if (namesConstructor(choice.camera)) {
     return renderMultiperspective(choice, reference, frame);
@@ -136,7 +136,7 @@ void addRenderCommand(CLI::App& program, const Frame& frame) {
       ->type_name("NAME");
   addGlOption(command, choice->gl);
   addViewOption(command, choice->view);
-  addCameraSizeOption(command, choice->size, kDefaultSize);
+  addCameraSizeOption(command, choice->size, kRenderSize);
   addOutputOption(command, choice->output,
                   "Where the image goes: PNG, or EXR with depth and offsets, or of graph and curved ray cameras "
                   "with depth, world points and objects",

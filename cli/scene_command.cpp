@@ -97,14 +97,14 @@ std::string infoAsJson(const std::string& source, const Mesh& mesh, size_t inFil
   return textOfJson(info, 2) + "\n";
 }
 
-void addList(CLI::App& parent, const Frame& frame) {
+void addSceneList(CLI::App& parent, const Frame& frame) {
   CLI::App& command = *parent.add_subcommand("list", "Show the built-in scenes and their parameters");
   const auto asJson = std::make_shared<bool>(false);
   command.add_flag("--json", *asJson, "Print them as JSON");
   frame.finish(command, "  ocelli scene list", [asJson, frame] { frame.print(*asJson ? listAsJson() : listAsText()); });
 }
 
-void addInfo(CLI::App& parent, const Frame& frame) {
+void addSceneInfo(CLI::App& parent, const Frame& frame) {
   CLI::App& command = *parent.add_subcommand("info", "Count what is in a scene, as everything downstream sees it");
   const auto scene = std::make_shared<SceneChoice>();
   const auto asJson = std::make_shared<bool>(false);
@@ -119,7 +119,7 @@ void addInfo(CLI::App& parent, const Frame& frame) {
       });
 }
 
-void addExport(CLI::App& parent, const Frame& frame) {
+void addSceneExport(CLI::App& parent, const Frame& frame) {
   CLI::App& command = *parent.add_subcommand("export", "Write the mesh that everything downstream takes");
   const auto scene = std::make_shared<SceneChoice>();
   const auto path = std::make_shared<std::string>();
@@ -138,9 +138,9 @@ void addExport(CLI::App& parent, const Frame& frame) {
 void addSceneCommand(CLI::App& program, const Frame& frame) {
   CLI::App& command = *program.add_subcommand("scene", "List built-in scenes, look into a scene, export it");
   command.require_subcommand(1);
-  addList(command, frame);
-  addInfo(command, frame);
-  addExport(command, frame);
+  addSceneList(command, frame);
+  addSceneInfo(command, frame);
+  addSceneExport(command, frame);
 }
 
 }  // namespace ocelli

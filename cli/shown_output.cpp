@@ -19,7 +19,7 @@
 namespace ocelli {
 namespace {
 
-void makeFolder(const std::filesystem::path& folder) {
+void makeShownFolder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) {
@@ -100,7 +100,7 @@ ShownOutput::ShownOutput(const ShownChoice& choice, const DisplayProfile& profil
     record_ = ownRecordBeside(choice.watch);
     ownRecord_ = UnfinishedOutput(record_, [] {});
   } else {
-    makeFolder(choice.folder);
+    makeShownFolder(choice.folder);
     record_ = shownRecord(choice);
   }
   recorder_.emplace(record_, profile);

@@ -252,14 +252,14 @@ void addMerge(CLI::App& study, const Frame& frame) {
 
 // ---- export
 
-struct ExportChoice {
+struct StudyExportChoice {
   std::string database;
   std::string folder;
   std::string form = "csv";
   ExportOptions options;
 };
 
-void runExport(const ExportChoice& choice, const Frame& frame) {
+void runStudyExport(const StudyExportChoice& choice, const Frame& frame) {
   ExportOptions options = choice.options;
   options.form = choice.form == "csv" ? ExportForm::kCsv : ExportForm::kPsychDs;
   const ExportReport report = exportStudy(choice.database, choice.folder, options, frame.progress());
@@ -274,9 +274,9 @@ void runExport(const ExportChoice& choice, const Frame& frame) {
   }
 }
 
-void addExport(CLI::App& study, const Frame& frame) {
+void addStudyExport(CLI::App& study, const Frame& frame) {
   CLI::App& command = *study.add_subcommand("export", "Write the data as CSV, or as a Psych-DS data set");
-  const auto choice = std::make_shared<ExportChoice>();
+  const auto choice = std::make_shared<StudyExportChoice>();
   ExportOptions& options = choice->options;
   addDatabaseOption(command, choice->database, "The database");
   command.add_option("-o,--output", choice->folder, "A folder, new or empty")->required()->type_name("FOLDER");
@@ -291,7 +291,7 @@ void addExport(CLI::App& study, const Frame& frame) {
   frame.finish(command,
                "  ocelli study export --db study.db -o tables\n"
                "  ocelli study export --db study.db --form psych-ds --frames -o dataset",
-               [choice, frame] { runExport(*choice, frame); });
+               [choice, frame] { runStudyExport(*choice, frame); });
 }
 
 }  // namespace
@@ -300,7 +300,7 @@ void addStudyDataCommands(CLI::App& study, const Frame& frame) {
   addSubjects(study, frame);
   addWithdraw(study, frame);
   addMerge(study, frame);
-  addExport(study, frame);
+  addStudyExport(study, frame);
 }
 
 }  // namespace ocelli

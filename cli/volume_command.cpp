@@ -126,7 +126,7 @@ std::string infoAsJson(const SvolReader& reader, const SvolSummary& summary, boo
   return textOfJson(json, 2) + "\n";
 }
 
-void addInfo(CLI::App& parent, const Frame& frame) {
+void addVolumeInfo(CLI::App& parent, const Frame& frame) {
   struct Choice {
     std::string path;
     bool json = false;
@@ -206,7 +206,7 @@ void addJoin(CLI::App& parent, const Frame& frame) {
       });
 }
 
-struct ExportChoice {
+struct VolumeExportChoice {
   std::string volume;
   std::optional<int64_t> frame;
   std::string output;
@@ -234,7 +234,7 @@ ExportForm formOf(const std::string& output) {
                    "a name that ends in .vti, .nrrd or .png, or a folder for PNG files");
 }
 
-void refuseWhatDoesNotApply(const ExportChoice& choice, ExportForm form) {
+void refuseWhatDoesNotApply(const VolumeExportChoice& choice, ExportForm form) {
   if (choice.frame && form == ExportForm::kPreview) {
     throw InputError("a preview shows all frames", "--frame", "leave it out, or write another form");
   }
@@ -246,7 +246,7 @@ void refuseWhatDoesNotApply(const ExportChoice& choice, ExportForm form) {
   }
 }
 
-void exportAs(ExportForm form, const ExportChoice& choice, const Progress& progress) {
+void exportAs(ExportForm form, const VolumeExportChoice& choice, const Progress& progress) {
   if (form == ExportForm::kPreview) {
     SvolReader reader(choice.volume);
     const PreviewOptions defaults;
@@ -264,7 +264,7 @@ void exportAs(ExportForm form, const ExportChoice& choice, const Progress& progr
   }
 }
 
-void runExport(const ExportChoice& choice, const Frame& frame) {
+void runVolumeExport(const VolumeExportChoice& choice, const Frame& frame) {
   const ExportForm form = formOf(choice.output);
   refuseWhatDoesNotApply(choice, form);
   runOrLeaveNothing(choice.output, frame.progress(),
@@ -272,10 +272,10 @@ void runExport(const ExportChoice& choice, const Frame& frame) {
   frame.note(fmt::format("wrote {}", choice.output));
 }
 
-void addExport(CLI::App& parent, const Frame& frame) {
+void addVolumeExport(CLI::App& parent, const Frame& frame) {
   CLI::App& command = *parent.add_subcommand(
       "export", "Write a volume for ParaView, as NRRD, as PNG files, or as a picture that moves");
-  const auto choice = std::make_shared<ExportChoice>();
+  const auto choice = std::make_shared<VolumeExportChoice>();
   command.add_option("VOLUME", choice->volume, "A volume or a recording (.svol)")->required();
   command.add_option("--frame", choice->frame, "Which frame of a recording, from 0")->type_name("NUMBER");
   command
@@ -290,7 +290,7 @@ void addExport(CLI::App& parent, const Frame& frame) {
                "  ocelli volume export teapot.svol -o slices\n"
                "  ocelli volume export teapot.svol -o teapot.png\n"
                "  ocelli volume export teapot.svol --cells 512 -o teapot.vti",
-               [choice, frame] { runExport(*choice, frame); });
+               [choice, frame] { runVolumeExport(*choice, frame); });
 }
 
 }  // namespace
@@ -298,9 +298,9 @@ void addExport(CLI::App& parent, const Frame& frame) {
 void addVolumeCommand(CLI::App& program, const Frame& frame) {
   CLI::App& command = *program.add_subcommand("volume", "Look into .svol files, check them, export them, join them");
   command.require_subcommand(1);
-  addInfo(command, frame);
+  addVolumeInfo(command, frame);
   addVerify(command, frame);
-  addExport(command, frame);
+  addVolumeExport(command, frame);
   addJoin(command, frame);
 }
 

@@ -9,6 +9,10 @@ add_library(ocelli_strict INTERFACE)
 target_compile_options(ocelli_strict INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
   -ffp-contract=off $<$<BOOL:${OCELLI_WERROR}>:-Werror>)
+if(CMAKE_UNITY_BUILD)
+  # A .cpp file may have types with members of its own anonymous namespace: GCC takes it for a header here.
+  target_compile_options(ocelli_strict INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endif()
 if(OCELLI_SANITIZE)
   target_compile_options(ocelli_strict INTERFACE -fsanitize=${OCELLI_SANITIZE} -fno-sanitize-recover=all
     -fno-omit-frame-pointer

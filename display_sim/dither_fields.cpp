@@ -14,12 +14,12 @@ namespace ocelli {
 namespace {
 
 constexpr int kSlicesPerHalfTurn = 198;
-constexpr int kSide = 128;
+constexpr int kFieldSide = 128;
 constexpr int kSlices = 16;
 
 /// From -1 to 1 across the field, of a voxel's centre.
 glm::vec2 inField(int column, int row) {
-  return (glm::vec2(column, row) + 0.5f) * (2.0f / kSide) - 1.0f;
+  return (glm::vec2(column, row) + 0.5f) * (2.0f / kFieldSide) - 1.0f;
 }
 
 glm::vec3 ballColor(int column, int row, int slice) {
@@ -83,11 +83,11 @@ DitherField rampField() {
 }
 
 DitherField greySphereField() {
-  return {"grey sphere", kSide, kSide, kSlices, ballColor};
+  return {"grey sphere", kFieldSide, kFieldSide, kSlices, ballColor};
 }
 
 DitherField colorWheelField() {
-  return {"colour wheel", kSide, kSide, kSlices, wheelColor};
+  return {"colour wheel", kFieldSide, kFieldSide, kSlices, wheelColor};
 }
 
 std::vector<DitherField> ditherFields() {

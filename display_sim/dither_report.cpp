@@ -23,17 +23,17 @@ namespace {
 /// Grey rises with the height.
 Mesh shadedBall() {
   constexpr uint32_t kAround = 192;
-  constexpr uint32_t kRings = 96;
+  constexpr uint32_t kBallRings = 96;
   constexpr float kRadius = 0.7f;
   Mesh mesh;
-  for (uint32_t ring = 0; ring <= kRings; ++ring) {
-    const float down = std::numbers::pi_v<float> * static_cast<float>(ring) / kRings;
+  for (uint32_t ring = 0; ring <= kBallRings; ++ring) {
+    const float down = std::numbers::pi_v<float> * static_cast<float>(ring) / kBallRings;
     for (uint32_t i = 0; i < kAround; ++i) {
       const float around = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kAround;
       mesh.positions.push_back(
           kRadius * glm::vec3(std::sin(down) * std::cos(around), std::cos(down), std::sin(down) * std::sin(around)));
       mesh.colors.emplace_back(0.5f + 0.45f * std::cos(down));
-      if (ring < kRings) {
+      if (ring < kBallRings) {
         const uint32_t next = ring * kAround + (i + 1) % kAround;
         mesh.triangles.emplace_back(ring * kAround + i, next, next + kAround);
         mesh.triangles.emplace_back(ring * kAround + i, next + kAround, ring * kAround + i + kAround);

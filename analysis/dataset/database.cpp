@@ -85,9 +85,9 @@ class Row {
   int column_ = 0;
 };
 
-class Reading {
+class DatabaseReading {
  public:
-  explicit Reading(const std::string& path) : path_(path), database_(openStudyForReading(path)) {}
+  explicit DatabaseReading(const std::string& path) : path_(path), database_(openStudyForReading(path)) {}
 
   Dataset all() {
     return withSqliteErrors(path_, [&] {
@@ -132,7 +132,7 @@ class Reading {
   Dataset data_{};
 };
 
-void Reading::readStudy() {
+void DatabaseReading::readStudy() {
   DataSource source;
   source.path = path_;
   forEachRow("SELECT protocol_name, protocol_sha256, protocol_text, program_version FROM study", [&](Row& row) {
@@ -155,7 +155,7 @@ void Reading::readStudy() {
   data_.sources.push_back(std::move(source));
 }
 
-std::vector<WithdrawnKey> Reading::readWithdrawals() {
+std::vector<WithdrawnKey> DatabaseReading::readWithdrawals() {
   std::vector<WithdrawnKey> withdrawals;
   forEachRow("SELECT detail_json FROM audit WHERE action = 'withdrawn' ORDER BY audit_id", [&](Row& row) {
     const nlohmann::json detail = nlohmann::json::parse(row.text(), nullptr, false);
@@ -167,7 +167,7 @@ std::vector<WithdrawnKey> Reading::readWithdrawals() {
   return withdrawals;
 }
 
-void Reading::readSubjects() {
+void DatabaseReading::readSubjects() {
   forEachRow("SELECT subject_id, subject_key, kind, simulated, slot, created_utc FROM subject ORDER BY subject_id",
              [&](Row& row) {
                Subject subject;
@@ -181,7 +181,7 @@ void Reading::readSubjects() {
              });
 }
 
-void Reading::readSessions() {
+void DatabaseReading::readSessions() {
   forEachRow(
       "SELECT subject_id, session_number, simulated, planned_trials, completed_trials, runs, ending, "
       "(SELECT max(forced) FROM run WHERE run.subject_id = session_state.subject_id "
@@ -201,7 +201,7 @@ void Reading::readSessions() {
       });
 }
 
-void Reading::readRuns() {
+void DatabaseReading::readRuns() {
   forEachRow(
       "SELECT subject_id, session_number, run_number, station, forced, simulated, environment_json, timing_check_json "
       "FROM run ORDER BY run_id",
@@ -219,7 +219,7 @@ void Reading::readRuns() {
       });
 }
 
-void Reading::readConsents() {
+void DatabaseReading::readConsents() {
   forEachRow("SELECT subject_id, session_number, agreed FROM consent ORDER BY consent_id", [&](Row& row) {
     Consent consent;
     consent.subject = row.name();
@@ -229,7 +229,7 @@ void Reading::readConsents() {
   });
 }
 
-void Reading::readAnswers() {
+void DatabaseReading::readAnswers() {
   forEachRow(
       "SELECT answer_id, subject_id, session_number, form, field, answer, simulated FROM final_answer "
       "ORDER BY answer_id",
@@ -246,7 +246,7 @@ void Reading::readAnswers() {
       });
 }
 
-std::map<std::string, double> Reading::measuresOf(const std::string& text, int64_t trial) const {
+std::map<std::string, double> DatabaseReading::measuresOf(const std::string& text, int64_t trial) const {
   std::map<std::string, double> measures;
   if (text.empty() || text == "{}") {
     return measures;
@@ -276,7 +276,7 @@ constexpr const char* kTrialQuery =
     "median_interval_ns, longest_interval_ns, screen_width_px, screen_height_px, refresh_hz FROM final_trial "
     "ORDER BY trial_id";
 
-Trial Reading::trialOf(Row& row) const {
+Trial DatabaseReading::trialOf(Row& row) const {
   Trial trial;
   trial.trialId = row.integer();
   trial.subject = row.name();
@@ -330,11 +330,11 @@ Trial Reading::trialOf(Row& row) const {
   return trial;
 }
 
-void Reading::readTrials() {
+void DatabaseReading::readTrials() {
   forEachRow(kTrialQuery, [&](Row& row) { data_.trials.push_back(trialOf(row)); });
 }
 
-void Reading::readOtherAttempts() {
+void DatabaseReading::readOtherAttempts() {
   forEachRow(
       "SELECT trial_id, subject_id, session_number, block_index, block, simulated, practice, ending, correct "
       "FROM trial WHERE practice = 1 OR ending IS NOT 'completed' OR trial_id NOT IN (SELECT trial_id FROM "
@@ -358,7 +358,7 @@ void Reading::readOtherAttempts() {
 }  // namespace
 
 Dataset readDatabase(const std::string& path) {
-  return Reading(path).all();
+  return DatabaseReading(path).all();
 }
 
 }  // namespace ocelli

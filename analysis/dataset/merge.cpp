@@ -49,7 +49,7 @@ class Merging {
  public:
   explicit Merging(std::vector<Dataset> parts) : parts_(std::move(parts)) {}
 
-  Dataset all(const MergeOptions& options) {
+  Dataset all(const DatasetMergeOptions& options) {
     size_t trials = 0;
     removeWithdrawn(parts_);
     for (Dataset& part : parts_) {
@@ -252,7 +252,7 @@ void Merging::choose(SimulatedRows rows) {
 
 }  // namespace
 
-Dataset merge(std::vector<Dataset> parts, const MergeOptions& options) {
+Dataset merge(std::vector<Dataset> parts, const DatasetMergeOptions& options) {
   if (parts.empty()) {
     throw AnalysisError(AnalysisError::Kind::kInput, "there is nothing to analyse", "the command",
                         "the name of a database");

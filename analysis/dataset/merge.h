@@ -13,7 +13,7 @@ enum class SimulatedRows : uint8_t {
   kTogetherWithPeople,
 };
 
-struct MergeOptions {
+struct DatasetMergeOptions {
   SimulatedRows simulated = SimulatedRows::kUnlessThereArePeople;
   bool allowOtherProtocols = false;
 };
@@ -23,6 +23,6 @@ struct MergeOptions {
 /// Throws AnalysisError, naming files and subjects, where protocols differ or are not known, and where a subject or a
 /// planned trial has different contents in two sources. One part may hold people and simulated subjects too: merge it
 /// alone.
-Dataset merge(std::vector<Dataset> parts, const MergeOptions& options = {});
+Dataset merge(std::vector<Dataset> parts, const DatasetMergeOptions& options = {});
 
 }  // namespace ocelli

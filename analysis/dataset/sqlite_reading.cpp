@@ -43,25 +43,25 @@ std::string uriForReading(const std::string& path) {
   return uri + (!folderIsWritable ? "?immutable=1" : fileIsWritable ? "?mode=rw" : "?mode=ro");
 }
 
-[[noreturn]] void fail(const std::string& what, const std::string& path, const std::string& next) {
+[[noreturn]] void failToRead(const std::string& what, const std::string& path, const std::string& next) {
   throw AnalysisError(AnalysisError::Kind::kInput, what, path, next);
 }
 
 void checkVersion(SQLite::Database& database, const std::string& path) {
   if (database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0) {
-    fail("this database is empty", path, kOurFiles);
+    failToRead("this database is empty", path, kOurFiles);
   }
   if (database.execAndGet("PRAGMA application_id").getInt() != kApplicationId) {
-    fail("this is no database of a study", path, kOurFiles);
+    failToRead("this is no database of a study", path, kOurFiles);
   }
   const int version = database.execAndGet("PRAGMA user_version").getInt();
   if (version > kKnownTrialsSchema) {
-    fail(fmt::format("this database has version {} of the schema, and this program knows those up to {}", version,
+    failToRead(fmt::format("this database has version {} of the schema, and this program knows those up to {}", version,
                      kKnownTrialsSchema),
          path, "a newer version of ocelli");
   }
   if (version < kKnownTrialsSchema) {
-    fail(fmt::format("this database has version {} of the schema, and this program reads {}", version,
+    failToRead(fmt::format("this database has version {} of the schema, and this program reads {}", version,
                      kKnownTrialsSchema),
          path, "`ocelli study subjects --db FILE`, which brings the file up to date");
   }
@@ -72,9 +72,9 @@ void checkVersion(SQLite::Database& database, const std::string& path) {
 void throwSqliteError(const SQLite::Exception& error, const std::string& path) {
   switch (error.getErrorCode()) {
     case SQLITE_NOTADB:
-      fail("this is no database", path, kOurFiles);
+      failToRead("this is no database", path, kOurFiles);
     case SQLITE_CORRUPT:
-      fail(fmt::format("this database is damaged ({})", error.getErrorStr()), path, kCopy);
+      failToRead(fmt::format("this database is damaged ({})", error.getErrorStr()), path, kCopy);
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       throw AnalysisError(AnalysisError::Kind::kWork, "another program keeps this database locked", path,
@@ -82,11 +82,11 @@ void throwSqliteError(const SQLite::Exception& error, const std::string& path) {
     case SQLITE_CANTOPEN:
     case SQLITE_READONLY:
     case SQLITE_PERM:
-      fail(fmt::format("this database cannot be opened ({})", error.getErrorStr()), path,
+      failToRead(fmt::format("this database cannot be opened ({})", error.getErrorStr()), path,
            "check the rights; a database with a -wal file beside it needs a folder that can be written: copy both "
            "there");
     case SQLITE_ERROR:
-      fail(fmt::format("this database has other tables than a study ({})", error.what()), path,
+      failToRead(fmt::format("this database has other tables than a study ({})", error.what()), path,
            "check that its tables are those of protocols/trials.schema.sql");
     default:
       throw AnalysisError(AnalysisError::Kind::kWork, fmt::format("cannot read this database ({})", error.what()), path,
@@ -99,7 +99,7 @@ void checkIntegrity(SQLite::Database& database, const std::string& path) {
   for (const char* table : {"study", "subject", "session", "run", "consent", "answer", "trial"}) {
     const std::string found = database.execAndGet(fmt::format("PRAGMA integrity_check({})", table)).getString();
     if (found != "ok") {
-      fail(fmt::format("this database is damaged, or someone changed it (table {}: {})", table, found), path, kCopy);
+      failToRead(fmt::format("this database is damaged, or someone changed it (table {}: {})", table, found), path, kCopy);
     }
   }
 }
@@ -107,10 +107,10 @@ void checkIntegrity(SQLite::Database& database, const std::string& path) {
 SQLite::Database openStudyForReading(const std::string& path) {
   std::error_code ignored;
   if (!fs::exists(path, ignored)) {
-    fail("there is no such file", path, "check the name");
+    failToRead("there is no such file", path, "check the name");
   }
   if (!fs::is_regular_file(path, ignored)) {
-    fail("this is no file", path, kOurFiles);
+    failToRead("this is no file", path, kOurFiles);
   }
   return withSqliteErrors(path, [&] {
     const std::string uri = uriForReading(path);

@@ -11,6 +11,7 @@
 namespace ocelli {
 
 enum class TrialView : uint8_t { kPinhole, kGraph };
+inline constexpr std::array kViews = {TrialView::kPinhole, TrialView::kGraph};
 
 /// "ppc", "gc", as databases, tables and reports write it.
 constexpr const char* nameOf(TrialView view) {

@@ -30,16 +30,16 @@ constexpr double kPerfect = 1e-6;
 /// Of a robust variance in that of the model: below it stands rounding.
 constexpr double kLeastRobustShare = 1e-12;
 
-struct Value {
+struct LogLikelihood {
   double logLikelihood = 0;
   MatrixXd scores;  ///< a row a trial: of the coefficients, then of log sigma
   MatrixXd information;
 };
 
 /// At `theta`: coefficients of the columns of `x`, then log sigma.
-Value likelihoodAt(const std::vector<SurvivalTime>& times, const MatrixXd& x, const VectorXd& theta) {
+LogLikelihood likelihoodAt(const std::vector<SurvivalTime>& times, const MatrixXd& x, const VectorXd& theta) {
   const Index p = x.cols();
-  Value value{0, MatrixXd::Zero(x.rows(), p + 1), MatrixXd::Zero(p + 1, p + 1)};
+  LogLikelihood value{0, MatrixXd::Zero(x.rows(), p + 1), MatrixXd::Zero(p + 1, p + 1)};
   const VectorXd fitted = x * theta.head(p);
   const double sigma = std::exp(theta[p]);
   for (Index i = 0; i < x.rows(); ++i) {
@@ -82,12 +82,12 @@ VectorXd startOf(const std::vector<SurvivalTime>& times, const MatrixXd& x) {
 
 struct Maximum {
   VectorXd theta;
-  Value value;
+  LogLikelihood value;
   int iterations = 0;
 };
 
 /// A step uphill: Newton's, or where the likelihood curves the wrong way, the one that fits if nothing were censored.
-VectorXd stepFrom(const Value& value, const VectorXd& score, const MatrixXd& informationOfObserved) {
+VectorXd stepFrom(const LogLikelihood& value, const VectorXd& score, const MatrixXd& informationOfObserved) {
   const Eigen::LDLT<MatrixXd> newton(value.information);
   if (newton.info() == Eigen::Success && newton.vectorD().minCoeff() > 1e-12 * newton.vectorD().maxCoeff()) {
     return newton.solve(score);
@@ -119,7 +119,7 @@ Estimable<Maximum> maximize(const SurvivalData& data, const MatrixXd& x, const s
       return maximum;
     }
     double length = std::min(1.0, kLargestStep / std::abs(step[p]));
-    Value next = likelihoodAt(data.times, x, maximum.theta + length * step);
+    LogLikelihood next = likelihoodAt(data.times, x, maximum.theta + length * step);
     // Near the maximum the likelihood cannot tell steps apart any more.
     const double slack = 1e-13 * std::abs(maximum.value.logLikelihood);
     while (!(next.logLikelihood >= maximum.value.logLikelihood - slack) && length > 1e-9) {

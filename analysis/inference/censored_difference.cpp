@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 constexpr int kMaxIterations = 50;
 /// Of the gain that a Newton step still promises.
-constexpr double kConverged = 1e-12;
+constexpr double kRootConverged = 1e-12;
 /// A variance below this share of the mean square is rounding.
 constexpr double kNoSpread = 1e-12;
 
@@ -89,7 +89,7 @@ std::optional<double> censoredMeanDifference(const CensoredSums& first, const Ce
   Likelihood here = likelihoodAt(first, second, at);
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     Vector3d step = here.curvature.ldlt().solve(here.slope);
-    if (!(step.dot(here.slope) > kConverged * (1 + std::abs(here.value)))) {
+    if (!(step.dot(here.slope) > kRootConverged * (1 + std::abs(here.value)))) {
       return (at[1] - at[0]) / at[2];
     }
     Likelihood next = likelihoodAt(first, second, at + step);

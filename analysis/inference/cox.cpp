@@ -21,11 +21,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMaximumIterations = 100;
+constexpr int kCoxIterations = 100;
 /// Of the decrease that a Newton step still promises, in units of the log-likelihood.
-constexpr double kConverged = 1e-18;
+constexpr double kCoxConverged = 1e-18;
 /// Of a robust variance in that of the model: below it stands rounding.
-constexpr double kLeastRobustShare = 1e-12;
+constexpr double kCoxLeastShare = 1e-12;
 
 /// Efron's step `step` of `deaths` at a tied time: those who died weigh 1 - step / deaths any more.
 struct RiskStep {
@@ -211,7 +211,7 @@ class PartialLikelihood {
   std::vector<size_t> order_{};
 };
 
-struct Maximum {
+struct CoxMaximum {
   VectorXd beta;
   PartialLikelihood::Value value;
   PartialLikelihood::Value null;
@@ -219,16 +219,16 @@ struct Maximum {
 };
 
 /// Newton's method, with halved steps where the likelihood would fall.
-Estimable<Maximum> maximize(const PartialLikelihood& likelihood, const StandardizedCovariates& covariates) {
-  using Result = Estimable<Maximum>;
-  Maximum maximum;
+Estimable<CoxMaximum> maximize(const PartialLikelihood& likelihood, const StandardizedCovariates& covariates) {
+  using Result = Estimable<CoxMaximum>;
+  CoxMaximum maximum;
   maximum.beta = VectorXd::Zero(covariates.values.cols());
   maximum.null = likelihood.at(maximum.beta);
   maximum.value = maximum.null;
   if (const std::string reason = covariates.whyNotIndependent(maximum.null.information); !reason.empty()) {
     return Result::impossible(reason);
   }
-  for (maximum.iterations = 1; maximum.iterations <= kMaximumIterations; ++maximum.iterations) {
+  for (maximum.iterations = 1; maximum.iterations <= kCoxIterations; ++maximum.iterations) {
     if (const auto flat = flatDirection(maximum.value.information, maximum.null.information)) {
       return Result::impossible(fmt::format(
           "the likelihood grows without bound in '{}', as where one group has no event or ends first always",
@@ -236,7 +236,7 @@ Estimable<Maximum> maximize(const PartialLikelihood& likelihood, const Standardi
     }
     const VectorXd step = maximum.value.information.ldlt().solve(maximum.value.score);
     const double promise = step.dot(maximum.value.score);
-    if (!(promise > kConverged * (1 + std::abs(maximum.value.logLikelihood)))) {
+    if (!(promise > kCoxConverged * (1 + std::abs(maximum.value.logLikelihood)))) {
       return maximum;
     }
     double length = 1;
@@ -250,7 +250,7 @@ Estimable<Maximum> maximize(const PartialLikelihood& likelihood, const Standardi
     maximum.beta += length * step;
     maximum.value = next;
   }
-  return Result::impossible(fmt::format("the fit did not converge in {} steps", kMaximumIterations));
+  return Result::impossible(fmt::format("the fit did not converge in {} steps", kCoxIterations));
 }
 
 /// Of matrices of trials, of the same size.
@@ -265,18 +265,18 @@ std::function<MatrixXd(const std::vector<size_t>&)> sumOf(const std::vector<Matr
   };
 }
 
-Estimable<Maximum> maximize(const SurvivalData& data, const PartialLikelihood& likelihood,
+Estimable<CoxMaximum> maximize(const SurvivalData& data, const PartialLikelihood& likelihood,
                             const StandardizedCovariates& covariates) {
   if (std::none_of(data.times.begin(), data.times.end(), [](const SurvivalTime& time) { return time.observed; })) {
-    return Estimable<Maximum>::impossible(fmt::format("none of {} trials ended by itself", data.times.size()));
+    return Estimable<CoxMaximum>::impossible(fmt::format("none of {} trials ended by itself", data.times.size()));
   }
   if (!covariates.problem.empty()) {
-    return Estimable<Maximum>::impossible(covariates.problem);
+    return Estimable<CoxMaximum>::impossible(covariates.problem);
   }
   if (std::all_of(data.times.begin(), data.times.end(), [&](const SurvivalTime& time) {
         return time.observed && time.seconds == data.times.front().seconds;
       })) {
-    return Estimable<Maximum>::impossible(fmt::format("all {} trials ended at the same moment", data.times.size()));
+    return Estimable<CoxMaximum>::impossible(fmt::format("all {} trials ended at the same moment", data.times.size()));
   }
   return maximize(likelihood, covariates);
 }
@@ -287,7 +287,7 @@ Estimable<CoxFit> fitCox(const SurvivalData& data, double level) {
   checkSurvivalData(data, "fitCox");
   const StandardizedCovariates covariates(data.covariates, data.times.size(), "fitCox");
   const PartialLikelihood likelihood(data, covariates.values);
-  const Estimable<Maximum> maximum = maximize(data, likelihood, covariates);
+  const Estimable<CoxMaximum> maximum = maximize(data, likelihood, covariates);
   if (!maximum) {
     return Estimable<CoxFit>::impossible(maximum.reason());
   }
@@ -307,7 +307,7 @@ Estimable<CoxFit> fitCox(const SurvivalData& data, double level) {
       unknown = restOnOneCluster(covariates.values, clusters);
     }
     covariance = jackknife ? jackknife->covariance : sandwich(trials.scores, model, clusters);
-    if (!((covariance.diagonal().array() > kLeastRobustShare * model.diagonal().array()).all())) {
+    if (!((covariance.diagonal().array() > kCoxLeastShare * model.diagonal().array()).all())) {
       return Estimable<CoxFit>::impossible("all subjects are alike, so that robust errors would be 0");
     }
   }
@@ -342,7 +342,7 @@ Estimable<ProportionalityTest> testProportionality(const SurvivalData& data, Tim
   checkSurvivalData(data, "testProportionality");
   const StandardizedCovariates covariates(data.covariates, data.times.size(), "testProportionality");
   const PartialLikelihood likelihood(data, covariates.values);
-  const Estimable<Maximum> maximum = maximize(data, likelihood, covariates);
+  const Estimable<CoxMaximum> maximum = maximize(data, likelihood, covariates);
   if (!maximum) {
     return Result::impossible(maximum.reason());
   }

@@ -18,11 +18,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kMaximumIterations = 100;
+constexpr int kOddsIterations = 100;
 /// Of the decrease that a Newton step still promises, in units of the log-likelihood.
-constexpr double kConverged = 1e-18;
+constexpr double kOddsConverged = 1e-18;
 
-struct Value {
+struct OddsLikelihood {
   double logLikelihood = 0;
   VectorXd score;
   MatrixXd information;
@@ -44,9 +44,9 @@ struct Edge {
 };
 
 /// At `theta`: thresholds, then coefficients. `steps`: index of the answer of each row among those that were given.
-Value likelihoodAt(const std::vector<Index>& steps, const MatrixXd& x, Index thresholds, const VectorXd& theta) {
+OddsLikelihood likelihoodAt(const std::vector<Index>& steps, const MatrixXd& x, Index thresholds, const VectorXd& theta) {
   const Index size = theta.size();
-  Value value{0, VectorXd::Zero(size), MatrixXd::Zero(size, size)};
+  OddsLikelihood value{0, VectorXd::Zero(size), MatrixXd::Zero(size, size)};
   const VectorXd eta = x * theta.tail(x.cols());
   const auto edge = [&](Index k, Index row) {
     VectorXd direction = VectorXd::Zero(size);
@@ -110,12 +110,12 @@ Estimable<ProportionalOddsFit> fitProportionalOdds(const std::vector<int>& answe
   }
   const auto thresholds = static_cast<Index>(given.size()) - 1;
   VectorXd theta = startOf(steps, thresholds, x.cols());
-  Value value = likelihoodAt(steps, x, thresholds, theta);
-  const Value null = value;
+  OddsLikelihood value = likelihoodAt(steps, x, thresholds, theta);
+  const OddsLikelihood null = value;
   ProportionalOddsFit fit;
   for (fit.iterations = 1;; ++fit.iterations) {
-    if (fit.iterations > kMaximumIterations) {
-      return Result::impossible(fmt::format("the fit did not converge in {} steps", kMaximumIterations));
+    if (fit.iterations > kOddsIterations) {
+      return Result::impossible(fmt::format("the fit did not converge in {} steps", kOddsIterations));
     }
     if (const auto flat = flatDirection(value.information, null.information)) {
       const auto most = static_cast<Index>(*flat) - thresholds;
@@ -124,11 +124,11 @@ Estimable<ProportionalOddsFit> fitProportionalOdds(const std::vector<int>& answe
                       standardized.names[static_cast<size_t>(std::max(most, Index{0}))]));
     }
     const VectorXd step = value.information.ldlt().solve(value.score);
-    if (!(step.dot(value.score) > kConverged * (1 + std::abs(value.logLikelihood)))) {
+    if (!(step.dot(value.score) > kOddsConverged * (1 + std::abs(value.logLikelihood)))) {
       break;
     }
     double length = 1;
-    Value next = likelihoodAt(steps, x, thresholds, theta + step);
+    OddsLikelihood next = likelihoodAt(steps, x, thresholds, theta + step);
     // Near the maximum the likelihood cannot tell steps apart any more.
     const double slack = 1e-13 * std::abs(value.logLikelihood);
     while (!(next.logLikelihood >= value.logLikelihood - slack) && length > 1e-9) {

@@ -10,10 +10,10 @@ namespace ocelli {
 namespace {
 
 /// Of sums of some thousand numbers, relative.
-constexpr double kRounding = 1e-12;
+constexpr double kSampleRounding = 1e-12;
 
 bool areAlike(double a, double b) {
-  return std::abs(a - b) <= kRounding * std::max(std::abs(a), std::abs(b));
+  return std::abs(a - b) <= kSampleRounding * std::max(std::abs(a), std::abs(b));
 }
 
 }  // namespace

@@ -20,8 +20,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Residuals below this share of the response are rounding.
-constexpr double kNoResiduals = 1e-9;
 /// A residual deviation below this share of that about the least-squares fit: random effects reproduce the response.
 constexpr double kNoDeviation = 1e-4;
 

@@ -15,8 +15,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Residuals below this share of the response are rounding.
-constexpr double kNoResiduals = 1e-9;
 /// Random effects as free as fixed ones, all but this one part in a hundred thousand.
 constexpr double kFreeTheta = 1e5;
 

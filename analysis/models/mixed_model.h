@@ -13,6 +13,9 @@
 
 namespace ocelli {
 
+/// Residuals below this share of the response are rounding.
+inline constexpr double kNoResiduals = 1e-9;
+
 /// The random effects of one term.
 struct RandomTermFit {
   std::string group;

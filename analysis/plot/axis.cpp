@@ -9,7 +9,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kGap = 5;       // points between labels
+constexpr double kAxisLabelGap = 5;       // points between labels
 constexpr double kSlack = 1e-9;  // of rounding, relative
 constexpr int kMostIntervals = 8;
 constexpr int kFarthestDecade = 300;  // numbers end at 308
@@ -193,7 +193,7 @@ bool Axis::fits(const std::function<double(const std::string&)>& labelLength) co
     if (!tick.label.empty()) {
       const double middle = direction * at(tick.value);
       const double half = labelLength(tick.label) / 2;
-      if (middle - half < end + kGap) {
+      if (middle - half < end + kAxisLabelGap) {
         return false;
       }
       end = middle + half;

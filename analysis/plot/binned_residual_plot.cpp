@@ -12,7 +12,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kHeight = 185;
+constexpr double kBinnedHeight = 185;
 constexpr size_t kMostBins = 40;
 
 }  // namespace
@@ -56,14 +56,14 @@ Figure binnedResidualFigure(const BinnedResidualPlot& plot) {
   }
   const auto outside =
       std::count_if(bins.begin(), bins.end(), [](const auto& bin) { return std::abs(bin.residual) > bin.bound; });
-  Figure figure{plot.title, "", plot.widthMillimetres * kPointsPerMillimetre, kHeight, {}};
+  Figure figure{plot.title, "", plot.widthMillimetres * kPointsPerMillimetre, kBinnedHeight, {}};
   figure.description = fmt::format(
       "{} trials in {} bins of similar fitted probabilities, random effects included: share of right answers less mean "
       "probability. {} of the bins lie outside two standard errors, where about one in twenty would by chance.",
       plot.fitted.size(), bins.size(), outside);
   AxisRange xRange = AxisRange::of(x);
   xRange.percent = true;
-  const Panel panel(figure.drawing, {0, 0, figure.width, kHeight},
+  const Panel panel(figure.drawing, {0, 0, figure.width, kBinnedHeight},
                     AxisSpec::ofValues("Fitted probability of a right answer", xRange, false),
                     AxisSpec::ofValues("Mean residual", AxisRange::of(y)));
   std::vector<PlotPoint> outline;

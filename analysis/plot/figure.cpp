@@ -14,14 +14,14 @@
 namespace ocelli {
 namespace {
 
-cairo_status_t write(void* closure, const unsigned char* data, unsigned int length) {
+cairo_status_t writeBytes(void* closure, const unsigned char* data, unsigned int length) {
   appendBytes(closure, data, length);
   return CAIRO_STATUS_SUCCESS;
 }
 
 std::string cairoSvg(const Figure& figure) {
   return bytesOfSurface(
-      [&](void* closure) { return cairo_svg_surface_create_for_stream(write, closure, figure.width, figure.height); },
+      [&](void* closure) { return cairo_svg_surface_create_for_stream(writeBytes, closure, figure.width, figure.height); },
       [&](cairo_surface_t*, cairo_t* context) { paintDrawing(context, figure.drawing); });
 }
 
@@ -111,7 +111,7 @@ std::string pngBytes(const Figure& figure, double pixelsPerInch) {
   paintDrawing(context.get(), figure.drawing);
   checkCairo(cairo_status(context.get()));
   std::string bytes;
-  checkCairo(cairo_surface_write_to_png_stream(surface.get(), write, &bytes));
+  checkCairo(cairo_surface_write_to_png_stream(surface.get(), writeBytes, &bytes));
   return bytes;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPadding = 6;
 constexpr double kStep = 22;  // between boxes
-constexpr double kArrow = 4;
+constexpr double kFlowArrow = 4;
 constexpr double kMostMainWidth = 210;
 
 struct Line {
@@ -70,9 +70,9 @@ void drawArrow(Drawing& drawing, PlotPoint from, PlotPoint to) {
   drawing.line("arrow", from, to, {kAxisPaint, kLine});
   const bool down = to.y > from.y;
   const PlotPoint one =
-      down ? PlotPoint{to.x - 0.7 * kArrow, to.y - kArrow} : PlotPoint{to.x - kArrow, to.y - 0.7 * kArrow};
+      down ? PlotPoint{to.x - 0.7 * kFlowArrow, to.y - kFlowArrow} : PlotPoint{to.x - kFlowArrow, to.y - 0.7 * kFlowArrow};
   const PlotPoint other =
-      down ? PlotPoint{to.x + 0.7 * kArrow, to.y - kArrow} : PlotPoint{to.x - kArrow, to.y + 0.7 * kArrow};
+      down ? PlotPoint{to.x + 0.7 * kFlowArrow, to.y - kFlowArrow} : PlotPoint{to.x - kFlowArrow, to.y + 0.7 * kFlowArrow};
   drawing.path("arrow head", {{{to, one, other}}, true, kAxisPaint, std::nullopt});
 }
 

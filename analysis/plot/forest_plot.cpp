@@ -10,11 +10,11 @@
 namespace ocelli {
 namespace {
 
-constexpr double kRowHeight = 15;
+constexpr double kForestRowHeight = 15;
 constexpr double kNumbersShare = 0.25;  // of the width
 constexpr double kLabelShare = 0.33;
 constexpr double kWidest = 4;  // times the median distance of ends from the reference, else an arrow
-constexpr double kArrow = 3.5;
+constexpr double kForestArrow = 3.5;
 
 bool hasNumbers(const ForestPlot::Row& row, AxisScale scale) {
   return !row.heading && isDrawable(row.interval.value, scale);
@@ -68,7 +68,7 @@ std::string numbersText(const Interval& interval) {
 void drawArrow(Drawing& drawing, PlotPoint tip, double direction, const Paint& paint) {
   drawing.path(
       "arrow",
-      {{{tip, {tip.x - direction * kArrow, tip.y - kArrow * 0.7}, {tip.x - direction * kArrow, tip.y + kArrow * 0.7}}},
+      {{{tip, {tip.x - direction * kForestArrow, tip.y - kForestArrow * 0.7}, {tip.x - direction * kForestArrow, tip.y + kForestArrow * 0.7}}},
        true,
        paint,
        std::nullopt});
@@ -107,7 +107,7 @@ Figure forestFigure(const ForestPlot& plot) {
   const double numbersLeft = (1 - kNumbersShare) * figure.width;
   const bool sides = !plot.lowerSide.empty() || !plot.upperSide.empty();
   const double top = sides ? 14 : 2;
-  const double rowsHeight = kRowHeight * static_cast<double>(plot.rows.size());
+  const double rowsHeight = kForestRowHeight * static_cast<double>(plot.rows.size());
   figure.height = top + rowsHeight + 34;
   const PlotBox outer{labelsRight + 6, top, numbersLeft - 6, figure.height};
   Drawing& drawing = figure.drawing;

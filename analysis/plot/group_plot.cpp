@@ -11,7 +11,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kRowHeight = 15;     // of a series in a row, points
+constexpr double kSeriesHeight = 15;     // of a series in a row, points
 constexpr double kGroupShare = 0.84;  // of a condition's width, for its series
 constexpr double kDefaultHeight = 170;
 
@@ -258,7 +258,7 @@ Figure groupFigure(const GroupPlot& plot) {
   const double legend = plot.legend ? drawLegend(figure.drawing, {0, 0, figure.width, 0}, groupLegend(plot)) : 0;
   const double rows = static_cast<double>(plot.conditions.size() * std::max<size_t>(plot.series.size(), 1));
   figure.height = plot.heightMillimetres > 0 ? plot.heightMillimetres * kPointsPerMillimetre
-                  : plot.rows                ? legend + rows * kRowHeight + 36
+                  : plot.rows                ? legend + rows * kSeriesHeight + 36
                                              : legend + kDefaultHeight;
   const AxisSpec values = AxisSpec::ofValues(plot.valueLabel, rangeOf(plot));
   const AxisSpec conditions = AxisSpec::ofCategories(plot.conditionLabel, plot.conditions);

@@ -13,8 +13,8 @@
 namespace ocelli {
 namespace {
 
-constexpr double kGap = 12;
-constexpr double kTitleHeight = 14;
+constexpr double kMapGap = 12;
+constexpr double kMapTitleHeight = 14;
 constexpr double kLegendHeight = 38;
 constexpr double kMostHeight = 330;
 constexpr int kShades = 64;  // of the legend
@@ -139,13 +139,13 @@ Figure heatFigure(const HeatMap& map) {
                 {}};
   const Extent extent = extentOf(map);
   const auto count = static_cast<double>(map.maps.size());
-  const double mapWidth = (figure.width - 4 - kGap * (count - 1)) / count;
+  const double mapWidth = (figure.width - 4 - kMapGap * (count - 1)) / count;
   const double scale = std::min(mapWidth / (extent.right - extent.left), kMostHeight / (extent.bottom - extent.top));
   const double drawnWidth = scale * (extent.right - extent.left);
   const double drawnHeight = scale * (extent.bottom - extent.top);
   double left = 2;
   for (const HeatMap::Map& each : map.maps) {
-    const PlotPoint corner{left + (mapWidth - drawnWidth) / 2, kTitleHeight};
+    const PlotPoint corner{left + (mapWidth - drawnWidth) / 2, kMapTitleHeight};
     figure.drawing.text("map name", {corner.x, 0}, shortened(each.name, Face::kSansBold, kTextSize, mapWidth),
                         {.face = Face::kSansBold, .paint = kTextPaint, .down = Down::kTop});
     drawMap(figure.drawing, map, each, extent, corner, scale, most);
@@ -156,10 +156,10 @@ Figure heatFigure(const HeatMap& map) {
       figure.description +=
           fmt::format(" {}: the most at {}, {}.", each.name, numberText(highest->x, 1), numberText(highest->y, 1));
     }
-    left += mapWidth + kGap;
+    left += mapWidth + kMapGap;
   }
-  drawScale(figure.drawing, map, figure.width, kTitleHeight + drawnHeight + 8, most);
-  figure.height = kTitleHeight + drawnHeight + 8 + kLegendHeight;
+  drawScale(figure.drawing, map, figure.width, kMapTitleHeight + drawnHeight + 8, most);
+  figure.height = kMapTitleHeight + drawnHeight + 8 + kLegendHeight;
   return figure;
 }
 

@@ -10,7 +10,7 @@ namespace ocelli {
 namespace {
 
 constexpr int kFarthest = 8;
-constexpr double kPanelHeight = 74;
+constexpr double kHistogramHeight = 74;
 
 size_t totalOf(const HistogramPlot::Series& series) {
   size_t total = 0;
@@ -71,7 +71,7 @@ Figure histogramFigure(const HistogramPlot& plot) {
   for (size_t s = 0; s < plot.series.size(); ++s) {
     const HistogramPlot::Series& series = plot.series[s];
     const bool last = s + 1 == plot.series.size();
-    const double height = kPanelHeight + (last ? kLineHeight + 2 : 0);
+    const double height = kHistogramHeight + (last ? kLineHeight + 2 : 0);
     AxisRange shares;
     shares.percent = true;
     shares.high = mostShare;

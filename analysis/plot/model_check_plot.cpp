@@ -14,8 +14,8 @@
 namespace ocelli {
 namespace {
 
-constexpr double kHeight = 185;
-constexpr double kGap = 16;
+constexpr double kCheckHeight = 185;
+constexpr double kCheckGap = 16;
 constexpr size_t kBandPoints = 60;
 
 struct Spread {
@@ -109,7 +109,7 @@ Figure modelCheckFigure(const ModelCheckPlot& plot) {
     return emptyFigure(plot.title, plot.widthMillimetres, "the model has no residuals");
   }
   const Spread spread = spreadOf(residuals);
-  Figure figure{plot.title, "", plot.widthMillimetres * kPointsPerMillimetre, kHeight, {}};
+  Figure figure{plot.title, "", plot.widthMillimetres * kPointsPerMillimetre, kCheckHeight, {}};
   const auto far = std::count_if(residuals.begin(), residuals.end(), [&](double residual) {
     return std::abs(residual - spread.mean) > 3 * spread.deviation;
   });
@@ -123,9 +123,9 @@ Figure modelCheckFigure(const ModelCheckPlot& plot) {
   if (residuals.size() > kMostPoints) {
     figure.description += " Not all points are drawn: evenly by rank, with the least and the greatest.";
   }
-  const double half = (figure.width - kGap) / 2;
-  drawResiduals(figure.drawing, plot, fitted, residuals, {0, 0, half, kHeight});
-  drawQuantiles(figure.drawing, plot.residualLabel, residuals, spread, {half + kGap, 0, figure.width - 2, kHeight});
+  const double half = (figure.width - kCheckGap) / 2;
+  drawResiduals(figure.drawing, plot, fitted, residuals, {0, 0, half, kCheckHeight});
+  drawQuantiles(figure.drawing, plot.residualLabel, residuals, spread, {half + kCheckGap, 0, figure.width - 2, kCheckHeight});
   return figure;
 }
 
@@ -144,15 +144,15 @@ Figure quantileFigure(const QuantilePlot& plot) {
   Figure figure{plot.title,
                 "Sorted values against normal quantiles, with a band that holds each point in 95 % of samples.",
                 plot.widthMillimetres * kPointsPerMillimetre,
-                rows * kHeight + (rows - 1) * kGap,
+                rows * kCheckHeight + (rows - 1) * kCheckGap,
                 {}};
-  const double half = (figure.width - kGap) / 2;
+  const double half = (figure.width - kCheckGap) / 2;
   for (size_t i = 0; i < panels.size(); ++i) {
     const Spread spread = spreadOf(panels[i].values);
-    const double left = i % 2 == 0 ? 0 : half + kGap;
-    const double top = static_cast<double>(i / 2) * (kHeight + kGap);
+    const double left = i % 2 == 0 ? 0 : half + kCheckGap;
+    const double top = static_cast<double>(i / 2) * (kCheckHeight + kCheckGap);
     drawQuantiles(figure.drawing, panels[i].label, panels[i].values, spread,
-                  {left, top, left + half - 2, top + kHeight});
+                  {left, top, left + half - 2, top + kCheckHeight});
     figure.description += fmt::format(" {}: {} values, standard deviation {}.", panels[i].label,
                                       panels[i].values.size(), shortNumberText(spread.deviation));
   }

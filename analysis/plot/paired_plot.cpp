@@ -10,7 +10,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kHeight = 190;
+constexpr double kPairedHeight = 190;
 // The two columns of dots stand at 0 and 1; their summaries outside.
 constexpr double kSummaryAway = 0.2;
 
@@ -42,7 +42,7 @@ Figure pairedFigure(const PairedPlot& plot) {
       std::count_if(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.second > pair.first; });
   const auto same =
       std::count_if(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.second == pair.first; });
-  Figure figure{plot.title, "", plot.widthMillimetres * kPointsPerMillimetre, kHeight, {}};
+  Figure figure{plot.title, "", plot.widthMillimetres * kPointsPerMillimetre, kPairedHeight, {}};
   figure.description = fmt::format(
       "{} of {} subjects, {} against {}. {}: {} {}; {} {}. The value is higher with {} for {} subjects, lower for {}, "
       "the same for {}.",
@@ -59,7 +59,7 @@ Figure pairedFigure(const PairedPlot& plot) {
       drawLegend(figure.drawing, {0, 0, figure.width, 0},
                  {{plot.summaryName, neutral, true, true},
                   {plot.pointName, {kSoftTextPaint.faded(0.5), Marker::kCircle, {}}, true, false, true, kPointRadius}});
-  const Panel panel(figure.drawing, {0, legend, figure.width, kHeight},
+  const Panel panel(figure.drawing, {0, legend, figure.width, kPairedHeight},
                     AxisSpec::ofCategories("", {plot.conditions[0], plot.conditions[1]}),
                     AxisSpec::ofValues(plot.valueLabel, range));
   const double opacity = pointOpacity(pairs.size());

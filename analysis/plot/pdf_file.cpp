@@ -13,7 +13,7 @@
 namespace ocelli {
 namespace {
 
-cairo_status_t write(void* closure, const unsigned char* data, unsigned int length) {
+cairo_status_t writePdfBytes(void* closure, const unsigned char* data, unsigned int length) {
   appendBytes(closure, data, length);
   return CAIRO_STATUS_SUCCESS;
 }
@@ -73,7 +73,7 @@ std::string pdfBytes(const PdfDocument& document) {
   const Places places = placesOf(document);
   return bytesOfSurface(
       [&](void* closure) {
-        return cairo_pdf_surface_create_for_stream(write, closure, document.width, document.height);
+        return cairo_pdf_surface_create_for_stream(writePdfBytes, closure, document.width, document.height);
       },
       [&](cairo_surface_t* surface, cairo_t* context) {
         setMetadata(surface, document);

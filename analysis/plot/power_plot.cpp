@@ -10,7 +10,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kPanelHeight = 165;
+constexpr double kPowerPanelHeight = 165;
 
 std::vector<PowerPlot::Point> drawablePoints(const PowerPlot::Curve& curve) {
   std::vector<PowerPlot::Point> points;
@@ -45,7 +45,7 @@ Figure powerFigure(const PowerPlot& plot) {
     entries.push_back({plot.curves[i].name, seriesStyle(i), true, true});
   }
   const double legend = drawLegend(figure.drawing, {0, 0, figure.width, 0}, entries);
-  figure.height = legend + kPanelHeight;
+  figure.height = legend + kPowerPanelHeight;
   AxisRange x = AxisRange::of(subjects).with(0);
   x.whole = true;
   AxisRange y;

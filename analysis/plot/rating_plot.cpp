@@ -13,7 +13,7 @@ namespace ocelli {
 namespace {
 
 constexpr double kBarHeight = 15;
-constexpr double kRowHeight = 24;
+constexpr double kRatingRowHeight = 24;
 constexpr double kMeanWidth = 78;
 
 // From the colour of one view over grey to that of the other; lightness falls to both ends.
@@ -165,12 +165,12 @@ Figure ratingFigure(const RatingPlot& plot) {
   double top = drawKey(figure.drawing, plot, figure.width);
   figure.drawing.text("mean title", {figure.width, top}, "n, mean",
                       {.paint = kSoftTextPaint, .across = Across::kRight, .down = Down::kBottom});
-  const double bottom = top + kRowHeight * static_cast<double>(questions.size());
+  const double bottom = top + kRatingRowHeight * static_cast<double>(questions.size());
   if (plot.parted) {
     figure.drawing.line("middle", {zero, top}, {zero, bottom}, {kReferencePaint, kThinLine, {2, 2}});
   }
   for (const RatingPlot::Question& question : questions) {
-    const double middle = top + kRowHeight / 2;
+    const double middle = top + kRatingRowHeight / 2;
     const std::vector<std::string> lines = brokenLines(question.text, Face::kSans, kTextSize, labels);
     const size_t shown = std::min<size_t>(lines.size(), 2);
     for (size_t i = 0; i < shown; ++i) {
@@ -184,7 +184,7 @@ Figure ratingFigure(const RatingPlot& plot) {
                         fmt::format("{}, {}", totalOf(question), numberText(question.mean, 2)),
                         {.paint = kTextPaint, .across = Across::kRight, .down = Down::kMiddle});
     figure.description += describe(plot, question);
-    top += kRowHeight;
+    top += kRatingRowHeight;
   }
   figure.height = top + 2;
   return figure;

@@ -10,7 +10,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kPanelHeight = 170;
+constexpr double kSurvivalHeight = 170;
 constexpr double kRiskRow = 11;
 constexpr double kBandOpacity = 0.16;
 constexpr double kLeastStep = 0.12;  // points: less is not seen
@@ -137,7 +137,7 @@ Figure survivalFigure(const SurvivalPlot& plot) {
   entries.push_back({"censored", {kSoftTextPaint, Marker::kPlus, {}}, true, false, true, kCensorRadius});
   const double legend = drawLegend(figure.drawing, {0, 0, figure.width, 0}, entries);
   const bool table = !plot.riskTimes.empty();
-  const double bottom = legend + kPanelHeight;
+  const double bottom = legend + kSurvivalHeight;
   figure.height = bottom + (table ? 6 + kLineHeight + 2 + kRiskRow * static_cast<double>(plot.curves.size()) + 2 : 0);
   AxisRange time;
   time.high = plot.limit;

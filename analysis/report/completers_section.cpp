@@ -19,7 +19,7 @@
 namespace ocelli {
 namespace {
 
-using Result = Estimable<Estimate>;
+using GroupResult = Estimable<Estimate>;
 
 std::optional<int> plannedSessions(const Dataset& data) {
   for (const DataSource& source : data.sources) {
@@ -73,14 +73,6 @@ class Groups {
   std::map<std::string, int> leftAfter_;
 };
 
-std::vector<double> numbersOf(const SubjectNumbers& numbers) {
-  std::vector<double> values;
-  for (const auto& [subject, value] : numbers.bySubject) {
-    values.push_back(value);
-  }
-  return values;
-}
-
 /// How two groups of subjects differ in a number of each.
 ComparisonRow compareGroups(const std::string& label, const SubjectNumbers& stayed, const SubjectNumbers& left,
                             ValueScale scale, const std::string& what) {
@@ -109,7 +101,7 @@ ComparisonRow compareRestrictedMeans(const Groups& groups, const TrialList& tria
   const auto meanOf = [&](const TrialList& list, const char* which) {
     const auto mean = restrictedMean(timesOf(list, timeouts), limit, numbered(subjectsOf(list)));
     return EstimateRow{fmt::format("{}, {}", label, which),
-                       mean ? Result(mean->mean) : Result::impossible(mean.reason()), "",
+                       mean ? GroupResult(mean->mean) : GroupResult::impossible(mean.reason()), "",
                        fmt::format("{}, first session, subjects as clusters", sizeText(list)), list};
   };
   const auto difference =
@@ -120,7 +112,7 @@ ComparisonRow compareRestrictedMeans(const Groups& groups, const TrialList& tria
   };
   return {label, meanOf(lists[0], "completed"), meanOf(lists[1], "did not"),
           untested({fmt::format("{}, compared", label),
-                    difference ? Result(difference->difference) : Result::impossible(difference.reason()), "",
+                    difference ? GroupResult(difference->difference) : GroupResult::impossible(difference.reason()), "",
                     fmt::format("{}, first session, subjects as clusters", sizeText(trials)), trials}),
           fmt::format("{}, {}", count(lists[0]), count(lists[1]))};
 }

@@ -16,7 +16,6 @@ namespace {
 
 constexpr const char* kReportPage = "index.html";
 constexpr const char* kSupplementPage = "supplement.html";
-constexpr const char* kSourcesId = "sources-of-numbers";
 constexpr const char* kSourcesPrefix = "sources-";
 
 // Narrower than this share of its size a wide figure scrolls: its letters would be too small.
@@ -120,10 +119,10 @@ std::string sourcesMarkup(const ReportTable& table, const ElementName& name, con
                                      kSourcesPrefix, name.id, page, name.label, escaped(table.caption), items);
 }
 
-class Writer {
+class HtmlWriter {
  public:
   /// `sourcesPage`: the file that says where numbers come from; empty for the page itself.
-  explicit Writer(std::string sourcesPage) : sourcesPage_(std::move(sourcesPage)) {}
+  explicit HtmlWriter(std::string sourcesPage) : sourcesPage_(std::move(sourcesPage)) {}
 
   std::string write(const ReportElement& element, const ElementName& name) const {
     return std::visit([&](const auto& what) { return markup(what, name); }, element);
@@ -281,7 +280,7 @@ std::string subtitleMarkup(const ReportDocument& document, const std::string& mo
 
 std::string htmlReport(const ReportDocument& document) {
   const std::vector<ElementName> names = documentNames(document).elements;
-  const Writer writer(kSupplementPage);
+  const HtmlWriter writer(kSupplementPage);
   std::string body;
   for (size_t i = 0; i < document.elements.size(); ++i) {
     body += writer.write(document.elements[i], names[i]);
@@ -293,7 +292,7 @@ std::string htmlReport(const ReportDocument& document) {
 
 std::string htmlSupplement(const ReportDocument& document) {
   const DocumentNames names = documentNames(document);
-  const Writer writer("");
+  const HtmlWriter writer("");
   std::string body;
   for (size_t i = 0; i < document.supplement.size(); ++i) {
     body += writer.write(document.supplement[i], names.supplement[i]);
@@ -313,7 +312,7 @@ std::string htmlSupplement(const ReportDocument& document) {
   if (!sources.empty()) {
     body += fmt::format("<section class=\"sources\"><h2 id=\"{0}\">Where the numbers come from</h2>\n{1}</section>\n",
                         kSourcesId, sources);
-    last = fmt::format("<li><a href=\"#{}\">Where the numbers come from</a></li>\n", kSourcesId) + last;
+    last = fmt::format("<li><a href=\"#{}\">{}</a></li>\n", kSourcesId, kSourcesTitle) + last;
   }
   const std::string nav = contents(document.supplement, names.supplement, last);
   return page(document, fmt::format("{}: supplement", document.title),

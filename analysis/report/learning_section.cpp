@@ -14,7 +14,6 @@
 namespace ocelli {
 namespace {
 
-constexpr std::array kViews = {TrialView::kPinhole, TrialView::kGraph};
 
 struct Condition {
   std::string name;

@@ -15,7 +15,6 @@
 namespace ocelli {
 namespace {
 
-constexpr std::array kViews = {TrialView::kPinhole, TrialView::kGraph};
 
 void addFigure(ReportWork& work, const std::vector<NavigationGroup>& groups) {
   FigureGrid grid;

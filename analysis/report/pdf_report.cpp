@@ -13,7 +13,6 @@
 namespace ocelli {
 namespace {
 
-constexpr const char* kSourcesId = "sources-of-numbers";
 constexpr const char* kSupplementId = "the-supplement";
 constexpr Paint kAccent{0.0, 0.333, 0.549};
 constexpr Paint kCaution{0.561, 0.243, 0.0};
@@ -35,9 +34,9 @@ HeadingLook lookOf(int level) {
                       : HeadingLook{10, 14, 12, 3};
 }
 
-class Writer {
+class PdfWriter {
  public:
-  Writer(const ReportDocument& document, const PageNumbers& numbers)
+  PdfWriter(const ReportDocument& document, const PageNumbers& numbers)
       : document_(document), names_(documentNames(document)), numbers_(numbers) {}
 
   PdfDocument write() {
@@ -369,7 +368,6 @@ class Writer {
   }
 
   static constexpr const char* kSupplementTitle = "Supplement";
-  static constexpr const char* kSourcesTitle = "Where the numbers come from";
 
   const ReportDocument& document_;
   DocumentNames names_;
@@ -382,7 +380,7 @@ class Writer {
 
 PdfDocument pdfPages(const ReportDocument& document) {
   // Laid out twice: the contents take the same room with and without their page numbers.
-  const PdfDocument first = Writer(document, {}).write();
+  const PdfDocument first = PdfWriter(document, {}).write();
   PageNumbers numbers;
   int page = 0;
   for (const PdfPage& each : first.pages) {
@@ -391,7 +389,7 @@ PdfDocument pdfPages(const ReportDocument& document) {
       numbers.emplace(target.name, page);
     }
   }
-  return Writer(document, numbers).write();
+  return PdfWriter(document, numbers).write();
 }
 
 std::string pdfReport(const ReportDocument& document) {

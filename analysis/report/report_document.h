@@ -14,6 +14,10 @@
 
 namespace ocelli {
 
+/// The part that says where each number comes from.
+inline constexpr const char* kSourcesId = "sources-of-numbers";
+inline constexpr const char* kSourcesTitle = "Where the numbers come from";
+
 /// Level 1 parts the report, 2 and 3 are within.
 struct ReportHeading {
   int level = 1;

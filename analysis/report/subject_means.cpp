@@ -11,15 +11,6 @@
 namespace ocelli {
 namespace {
 
-std::vector<double> numbersOf(const SubjectNumbers& numbers) {
-  std::vector<double> values;
-  values.reserve(numbers.bySubject.size());
-  for (const auto& [subject, value] : numbers.bySubject) {
-    values.push_back(value);
-  }
-  return values;
-}
-
 Estimate withoutInterval(double value) {
   Estimate estimate;
   estimate.value = value;
@@ -34,6 +25,15 @@ Estimate cut(Estimate estimate, double least, double most) {
 }
 
 }  // namespace
+
+std::vector<double> numbersOf(const SubjectNumbers& numbers) {
+  std::vector<double> values;
+  values.reserve(numbers.bySubject.size());
+  for (const auto& [subject, value] : numbers.bySubject) {
+    values.push_back(value);
+  }
+  return values;
+}
 
 ValueScale scaleOfDifferences(ValueScale scale) {
   switch (scale) {

@@ -31,6 +31,8 @@ struct SubjectNumbers {
   TrialList trials{};
 };
 
+std::vector<double> numbersOf(const SubjectNumbers& numbers);
+
 TrialValues valuesOfView(const TrialValues& values, TrialView view);
 SubjectNumbers subjectMeans(const TrialValues& values);
 /// Of subjects who are in both: second - first.

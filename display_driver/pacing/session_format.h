@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 
+#include "display_driver/wire/wire_format.h"
+
 namespace ocelli::session {
 
 inline constexpr std::array<uint8_t, 8> kMagic = {0x89, 'O', 'S', 'E', 'S', '\r', '\n', 0x1a};
@@ -22,6 +24,8 @@ inline constexpr size_t kMostPayloadBytes = size_t{1} << 20;
 inline constexpr uint64_t kMostMicroseconds = (uint64_t{1} << 53) - 1;
 /// The session number of the wire messages in it.
 inline constexpr uint32_t kWireSession = 1;
+/// How its slices may be coded.
+inline constexpr uint32_t kWireCapabilities = wire::kCanRunLength | wire::kCanZstd | wire::kCanDelta;
 
 enum class RecordType : uint32_t {
   kOpening = 1,    ///< JSON: what was recorded, and from which device. The first one

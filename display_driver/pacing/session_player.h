@@ -24,7 +24,7 @@ struct SessionPlayed {
   uint64_t dropped = 0;
   uint64_t lost = 0;
   double seconds = 0;  ///< from the first record to the last, as they were played
-  SessionEnding ending = SessionEnding::kUnfinished;
+  RecordingEnding ending = RecordingEnding::kUnfinished;
   std::vector<std::shared_ptr<const FrameFence>> underWay{};  ///< frames that have not ended
 
   /// Counts those of underWay that have ended, and forgets them: once more after the device was closed, which ends all.

@@ -19,7 +19,6 @@ using session::RecordType;
 
 constexpr double kMostCount = 9007199254740991.0;  // 2^53 - 1
 constexpr double kMostNumber = 1e12;
-constexpr uint32_t kCapabilities = wire::kCanRunLength | wire::kCanZstd | wire::kCanDelta;
 
 uint64_t count(JsonFields& fields, const char* name) {
   const double number = fields.number(name, 0, kMostCount);
@@ -101,7 +100,7 @@ Telemetry telemetryFrom(const std::string& text, const std::string& where) {
 struct SessionReader::Stream {
   explicit Stream(const DisplayProfile& profile)
       : messages(VolumeLayout(profile).sliceBytes + wire::frameBeginBytes(VolumeLayout(profile).slices) + 64),
-        assembler(profile, kCapabilities) {
+        assembler(profile, session::kWireCapabilities) {
     messages.begin(session::kWireSession);
   }
 
@@ -291,13 +290,13 @@ std::optional<SessionRecord> SessionReader::next() {
           return SessionRecord{microseconds_, telemetryFrom(text, where)};
         case RecordType::kEnd:
           over_ = true;
-          ending_ = SessionEnding::kFinished;
+          ending_ = RecordingEnding::kFinished;
           return std::nullopt;
       }
     }
   } catch (const InputError& error) {
     over_ = true;
-    ending_ = SessionEnding::kDamaged;
+    ending_ = RecordingEnding::kDamaged;
     damage_ = error;
     return std::nullopt;
   }

@@ -18,7 +18,7 @@
 
 namespace ocelli {
 
-enum class SessionEnding {
+enum class RecordingEnding {
   kFinished,    ///< it was closed
   kUnfinished,  ///< it was cut short, at the last whole record or within one
   kDamaged,     ///< damage() tells where
@@ -59,7 +59,7 @@ class SessionReader {
   /// nullopt at the end, for whatever reason: see ending().
   std::optional<SessionRecord> next();
   /// After next() has given nullopt.
-  SessionEnding ending() const { return ending_; }
+  RecordingEnding ending() const { return ending_; }
   /// Has a value where ending() is kDamaged.
   const std::optional<InputError>& damage() const { return damage_; }
   const std::string& where() const { return where_; }
@@ -82,7 +82,7 @@ class SessionReader {
   uint32_t type_ = 0;          ///< likewise
   std::vector<uint8_t> payload_;
   size_t payloadRead_ = 0;  ///< of a stream
-  SessionEnding ending_ = SessionEnding::kUnfinished;
+  RecordingEnding ending_ = RecordingEnding::kUnfinished;
   bool over_ = false;
   std::optional<InputError> damage_;
 };

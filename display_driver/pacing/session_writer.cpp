@@ -13,7 +13,6 @@ namespace {
 using nlohmann::ordered_json;
 using session::RecordType;
 
-constexpr uint32_t kCapabilities = wire::kCanRunLength | wire::kCanZstd | wire::kCanDelta;
 constexpr size_t kSlicesAtOnce = 24;
 /// A stream goes to the file in pieces of this size or somewhat more.
 constexpr size_t kPieceBytes = size_t{1} << 18;
@@ -46,7 +45,7 @@ void addTime(ordered_json& json, const char* name, HostTime time, HostTime opene
 }  // namespace
 
 SessionWriter::SessionWriter(const std::filesystem::path& path, const DeviceInfo& device, const DisplayProfile& profile)
-    : file_(path), encoder_(profile, kCapabilities), messages_(session::kWireSession), before_(profile) {
+    : file_(path), encoder_(profile, session::kWireCapabilities), messages_(session::kWireSession), before_(profile) {
   file_.write(session::fileHeader());
   const ordered_json opening = {{"kind", device.kind},
                                 {"name", device.name},

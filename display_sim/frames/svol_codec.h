@@ -15,6 +15,9 @@
 
 namespace ocelli::svol {
 
+/// Slices that a thread codes at a time: enough work for a compressor of its own.
+inline constexpr size_t kSlicesPerRange = 4;
+
 struct EncodedSlice {
   SliceEntry entry;
   std::vector<uint8_t> payload;

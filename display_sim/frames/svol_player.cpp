@@ -7,13 +7,6 @@
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {
-namespace {
-
-/// So few slices that each range has work for a decompressor of its own.
-constexpr size_t kSlicesPerRange = 4;
-
-}  // namespace
-
 SvolPlayer::SvolPlayer(SvolReader& reader) : reader_(reader), volume_(reader.profile()) {}
 
 void SvolPlayer::seek(size_t frame) {
@@ -46,7 +39,7 @@ void SvolPlayer::apply(size_t frame, std::vector<uint8_t>& changed) {
   }
   // The first problem is reported, whichever thread comes first.
   std::vector<std::string> problems(slices);
-  parallelFor(slices, kSlicesPerRange, [&](size_t begin, size_t end) {
+  parallelFor(slices, svol::kSlicesPerRange, [&](size_t begin, size_t end) {
     svol::SliceDecoder decoder(reader_.profile());
     for (size_t i = begin; i < end; ++i) {
       svol::SliceDecoder::Result result =

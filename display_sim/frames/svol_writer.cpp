@@ -9,13 +9,6 @@
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {
-namespace {
-
-/// So few slices that each range has work for a compressor of its own.
-constexpr size_t kSlicesPerRange = 4;
-
-}  // namespace
-
 SvolWriter::SvolWriter(std::filesystem::path path, const DisplayProfile& profile, SvolOptions options)
     : path_(std::move(path)), options_(std::move(options)), file_(path_), profile_(profile) {
   OC_CHECK(options_.framesPerKey >= 1, "some frames must be key frames");
@@ -50,7 +43,7 @@ void SvolWriter::append(const Volume& volume, uint64_t timeMicroseconds) {
   const size_t slices = volume.layout().slices;
   std::vector<svol::EncodedSlice> encoded(slices);
   usable_ = false;
-  parallelFor(slices, kSlicesPerRange, [&](size_t begin, size_t end) {
+  parallelFor(slices, svol::kSlicesPerRange, [&](size_t begin, size_t end) {
     svol::SliceEncoder encoder;
     for (size_t i = begin; i < end; ++i) {
       const std::span<const uint8_t> planes = volume.slice(static_cast<int>(i));

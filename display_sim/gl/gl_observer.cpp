@@ -19,9 +19,9 @@ constexpr GLuint kGroups = 512;
 constexpr double kShaderLightUnit = 1 << 20;  // kLightUnit of observe.glsl
 constexpr size_t kSumsPerPixel = 4;           // likewise
 constexpr size_t kVoxelsPerGroup = 1024;      // 4 of 256 invocations
-constexpr size_t kMostGroups = 65535;         // in a direction, on any GPU
+constexpr size_t kMaxObserverGroups = 65535;         // in a direction, on any GPU
 constexpr uint32_t kMostRowGroups = 64;       // as many as a voxel right before the eye may need
-constexpr size_t kFirstRoom = 1 << 20;
+constexpr size_t kFirstScreenCapacity = 1 << 20;
 
 GlObject makeCompute(GlContext& context, const std::string& name, const std::vector<std::string_view>& pieces) {
   const GlScope scope(context);
@@ -95,7 +95,7 @@ void GlObserver::look(const GlVolume& volume) {
   gl.UseProgram(list_.id());
   gl.ProgramUniform1ui(list_.id(), 0, static_cast<GLuint>(volume.wordCount()));
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, volume.words().id());
-  for (size_t room = std::max(litRoom_, kFirstRoom);; room = litVoxels_ + litVoxels_ / 4) {
+  for (size_t room = std::max(litRoom_, kFirstScreenCapacity);; room = litVoxels_ + litVoxels_ / 4) {
     if (room > litRoom_) {
       const size_t most = static_cast<size_t>(context_->info().maxStorageBytes) / sizeof(uint32_t) - 2;
       if (litVoxels_ > most) {
@@ -176,9 +176,9 @@ void GlObserver::drawLarge() {
   const GladGLContext& gl = context_->gl();
   gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   gl.UseProgram(large_.id());
-  for (size_t first = 0; first < queued; first += kMostGroups) {
+  for (size_t first = 0; first < queued; first += kMaxObserverGroups) {
     gl.ProgramUniform1ui(large_.id(), 7, static_cast<GLuint>(first));
-    gl.DispatchCompute(static_cast<GLuint>(std::min(queued - first, kMostGroups)), std::min(rowGroups, kMostRowGroups),
+    gl.DispatchCompute(static_cast<GLuint>(std::min(queued - first, kMaxObserverGroups)), std::min(rowGroups, kMostRowGroups),
                        1);
   }
 }
@@ -207,7 +207,7 @@ void GlObserver::draw(const GlObserverOptions& options) {
   }
   gl.ClearNamedBufferSubData(queue_.id(), GL_R32UI, 0, 2 * sizeof(uint32_t), GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
   gl.UseProgram(small_.id());
-  gl.DispatchCompute(static_cast<GLuint>(std::min(litVoxels_ / kVoxelsPerGroup + 1, kMostGroups)), 1, 1);
+  gl.DispatchCompute(static_cast<GLuint>(std::min(litVoxels_ / kVoxelsPerGroup + 1, kMaxObserverGroups)), 1, 1);
   drawLarge();
   gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   gl.ProgramUniform2i(resolve_.id(), 0, view.width, view.height);

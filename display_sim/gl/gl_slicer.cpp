@@ -12,9 +12,9 @@ namespace ocelli {
 namespace {
 
 constexpr size_t kGroupSize = 64;      // local_size_x of the shaders
-constexpr size_t kMostGroups = 65535;  // in a direction, on any GPU
+constexpr size_t kMaxSlicerGroups = 65535;  // in a direction, on any GPU
 constexpr GLuint kQueueBinding = 5;
-constexpr size_t kFirstRoom = size_t{1} << 14;
+constexpr size_t kFirstCapacity = size_t{1} << 14;
 constexpr size_t kQueueHead = 2 * sizeof(uint32_t);  // the count, and what aligns the items
 constexpr size_t kQueueItem = 2 * sizeof(uint32_t);
 
@@ -67,7 +67,7 @@ void GlSlicer::makeRoom(size_t items) {
     throw GlError("the scene's large triangles have more parts than this GPU's shaders address", "slicer",
                   "use a smaller scene or a profile with fewer slices, or slice without OpenGL");
   }
-  queueRoom_ = std::min(std::max(items + items / 4, kFirstRoom), most);
+  queueRoom_ = std::min(std::max(items + items / 4, kFirstCapacity), most);
   queue_ = makeBuffer(*context_, kQueueHead + queueRoom_ * kQueueItem);
 }
 
@@ -77,7 +77,7 @@ size_t GlSlicer::sliceSmall(size_t triangles) {
   gl.ProgramUniform1ui(small_.id(), 8, static_cast<GLuint>(queueRoom_));
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kQueueBinding, queue_.id());
   const size_t groups = (triangles + kGroupSize - 1) / kGroupSize;
-  const size_t across = std::min(groups, kMostGroups);
+  const size_t across = std::min(groups, kMaxSlicerGroups);
   gl.UseProgram(small_.id());
   gl.DispatchCompute(static_cast<GLuint>(across), static_cast<GLuint>((groups + across - 1) / across), 1);
   uint32_t queued = 0;
@@ -89,9 +89,9 @@ void GlSlicer::sliceLarge(size_t queued) {
   const GladGLContext& gl = context_->gl();
   gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   gl.UseProgram(large_.id());
-  for (size_t first = 0; first < queued; first += kMostGroups) {
+  for (size_t first = 0; first < queued; first += kMaxSlicerGroups) {
     gl.ProgramUniform1ui(large_.id(), 9, static_cast<GLuint>(first));
-    gl.DispatchCompute(static_cast<GLuint>(std::min(queued - first, kMostGroups)), 1, 1);
+    gl.DispatchCompute(static_cast<GLuint>(std::min(queued - first, kMaxSlicerGroups)), 1, 1);
   }
 }
 

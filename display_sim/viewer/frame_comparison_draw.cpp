@@ -13,8 +13,8 @@ namespace {
 
 constexpr GLint kMissingLocation = 0;  // of marks_fragment.glsl
 constexpr GLint kMissingThickLocation = 1;
-constexpr GLint kEye = 0;  // of missing_fragment.glsl
-constexpr GLint kForward = 3;
+constexpr GLint kMissingEye = 0;  // of missing_fragment.glsl
+constexpr GLint kMissingForward = 3;
 constexpr GLint kReachPerDepth = 7;
 
 void setColor(const GladGLContext& gl, const GlObject& program, GLint location, const glm::vec3& color) {
@@ -61,8 +61,8 @@ void FrameComparisonDraw::markMissing(const PinholeCamera& camera) {
   }
   const glm::vec3& eye = camera.eye();
   const glm::vec3 forward = glm::normalize(camera.view().target - eye);
-  gl.ProgramUniform3f(missingProgram_.id(), kEye, eye.x, eye.y, eye.z);
-  gl.ProgramUniform3f(missingProgram_.id(), kForward, forward.x, forward.y, forward.z);
+  gl.ProgramUniform3f(missingProgram_.id(), kMissingEye, eye.x, eye.y, eye.z);
+  gl.ProgramUniform3f(missingProgram_.id(), kMissingForward, forward.x, forward.y, forward.z);
   gl.ProgramUniform1f(missingProgram_.id(), kReachPerDepth, kNearFootprints / camera.focalPixels());
   gl.BindFramebuffer(GL_FRAMEBUFFER, statesFramebuffer_.id());
   gl.Viewport(0, 0, size.x, size.y);

@@ -6,12 +6,11 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/finite.h"
+#include "oc_core/camera/ray_rounding.h"
 
 namespace ocelli {
 namespace {
 
-constexpr double kPixelRounding = 1e-7;
-constexpr double kHeightRounding = 1e-10;
 /// How far from one line the planes of a turn may meet, relative to the unit length of their normals.
 constexpr double kLineRounding = 1e-6;
 /// Points of an arc in a ray path, where the path has room for so many.

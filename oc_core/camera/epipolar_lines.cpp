@@ -17,13 +17,13 @@ constexpr double kFarthestEpipolePixels = 1e6;
 /// How far a segment may lean out of the rows, of its length: rounding of an eye at 10 units.
 constexpr double kLeastSlant = 1e-4;
 
-struct Range {
+struct Interval {
   double from, to;
 };
 
 /// Distances from `origin` at which a ray along `direction` is within [0, size].
-std::optional<Range> within(const glm::dvec2& origin, const glm::dvec2& direction, const glm::dvec2& size) {
-  Range range{0, 1e30};
+std::optional<Interval> within(const glm::dvec2& origin, const glm::dvec2& direction, const glm::dvec2& size) {
+  Interval range{0, 1e30};
   for (int axis = 0; axis < 2; ++axis) {
     if (std::abs(direction[axis]) < 1e-15) {
       if (origin[axis] < 0 || origin[axis] > size[axis]) {
@@ -111,7 +111,7 @@ void EpipolarLines::setRadialRows(const PinholeCamera& base) {
   }
   angleStep_ = angles / rows;
   for (int row = 0; row < static_cast<int>(rows); ++row) {
-    const std::optional<Range> range = within(epipole_, direction(row + 0.5), size);
+    const std::optional<Interval> range = within(epipole_, direction(row + 0.5), size);
     const int inner = range ? static_cast<int>(std::floor(range->from)) : 0;
     const int outer = range ? static_cast<int>(std::ceil(range->to)) : 0;
     starts_.push_back(forward_ ? outer : inner);

@@ -8,14 +8,11 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/finite.h"
+#include "oc_core/camera/ray_rounding.h"
 
 namespace ocelli {
 namespace {
 
-/// What rounding of pixels and heights may amount to: coordinates of 1e4 in double precision, with room for chains of
-/// turns.
-constexpr double kPixelRounding = 1e-7;
-constexpr double kHeightRounding = 1e-10;
 /// What rays end at may come in single precision: the end of a ray still belongs to it.
 constexpr double kLimitRounding = 1e-6;
 /// Parts with less than this many square pixels hold no rays.

@@ -14,7 +14,7 @@
 namespace ocelli {
 namespace {
 
-constexpr const char* kWhere = "graph camera, overlaps of its frusta";
+constexpr const char* kOverlaps = "graph camera, overlaps of its frusta";
 
 /// A piece whose sides moved inwards, and what of the world it holds then.
 struct Core {
@@ -61,11 +61,11 @@ std::vector<FrustumOverlap> overlapsOf(const GraphCamera& camera, const glm::dve
                                        double leastOverlap) {
   const double diagonal = glm::distance(lower, upper);
   if (!glm::all(glm::lessThanEqual(lower, upper)) || !(diagonal > 0) || !std::isfinite(diagonal)) {
-    throw InputError("the box of the world is empty, a point or not finite", kWhere,
+    throw InputError("the box of the world is empty, a point or not finite", kOverlaps,
                      "give its lower and its upper corner, such as those of the scene's bounds");
   }
   if (!(leastOverlap > 0) || !std::isfinite(leastOverlap)) {
-    throw InputError("the least overlap is not positive or not finite", kWhere,
+    throw InputError("the least overlap is not positive or not finite", kOverlaps,
                      "give a share of the world's diagonal, such as 1e-4");
   }
   const std::vector<Core> cores = coresOf(camera, ConvexPolyhedron(lower, upper), leastOverlap * diagonal / 2);

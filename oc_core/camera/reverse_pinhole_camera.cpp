@@ -5,7 +5,7 @@
 namespace ocelli {
 namespace {
 
-constexpr char kWhere[] = "reverse pinhole camera";
+constexpr char kReversePinhole[] = "reverse pinhole camera";
 
 }  // namespace
 
@@ -15,13 +15,13 @@ ReversePinholeCamera::ReversePinholeCamera(const PinholeCamera& reference, float
   const float zFar = reference.view().zFar;
   if (!std::isfinite(meetingDepth) || !(sameImageDepth >= zNear) || !(sameImageDepth <= zFar) ||
       !(meetingDepth > zFar)) {
-    throw InputError("its depths are out of order", kWhere,
+    throw InputError("its depths are out of order", kReversePinhole,
                      "choose z_near <= depth of the same image <= z_far < depth where the rays meet");
   }
   const float least = magnificationAt(zNear);
   const float greatest = magnificationAt(zFar);
   if (!(least * kWidestOpening >= 1) || !(greatest <= kWidestOpening)) {
-    throw InputError("its range of depths is too wide: its image would shrink or grow by more than a hundred", kWhere,
+    throw InputError("its range of depths is too wide: its image would shrink or grow by more than a hundred", kReversePinhole,
                      "move \"z_near\" and \"z_far\" of the view towards the scene");
   }
   // u - u_u = (u - u_c) (1 - 1 / magnification), for u within the borders.
@@ -44,7 +44,7 @@ ReversePinholeCamera ReversePinholeCamera::around(const PinholeCamera& reference
     }
   }
   if (farthest == 0) {
-    throw InputError("no point of what it looks around is in view", kWhere, "turn the view towards it");
+    throw InputError("no point of what it looks around is in view", kReversePinhole, "turn the view towards it");
   }
   // A hundredth wider, so that rounding leaves no point out.
   const float middle = (nearest + farthest) / 2;

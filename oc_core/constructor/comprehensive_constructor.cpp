@@ -17,9 +17,9 @@ namespace {
 /// Viewpoints lie at least so many corridor widths behind where rays turn: they must not look along planes.
 constexpr double kLeastDistance = 1.4;
 
-class Builder {
+class ComprehensiveBuilder {
  public:
-  Builder(const Maze& maze, const ComprehensiveOptions& options, const MazeCell& start, Direction heading)
+  ComprehensiveBuilder(const Maze& maze, const ComprehensiveOptions& options, const MazeCell& start, Direction heading)
       : maze_(maze),
         options_(options),
         legs_(tourOf(maze, start, heading, options.order)),
@@ -144,12 +144,12 @@ GraphCamera makeComprehensiveCamera(const Maze& maze, const ComprehensiveOptions
                                    nameOf(*options.heading), nameOf(*options.start)),
                        "comprehensive camera", "head for an open side");
     }
-    return Builder(maze, options, *options.start, *options.heading).build(width, height);
+    return ComprehensiveBuilder(maze, options, *options.start, *options.heading).build(width, height);
   }
   if (!maze.entrance) {
     throw InputError("the maze has no entrance", "comprehensive camera", "give a \"start\" and a \"heading\"");
   }
-  return Builder(maze, options, maze.entrance->cell, maze.entrance->heading).build(width, height);
+  return ComprehensiveBuilder(maze, options, maze.entrance->cell, maze.entrance->heading).build(width, height);
 }
 
 ComprehensiveOptions readComprehensiveOptions(JsonFields& fields) {

@@ -140,9 +140,9 @@ std::list<Operation> readOperations(JsonFields& fields) {
 }
 
 /// Does operations as soon as what they act on is there.
-class Builder {
+class OperationBuilder {
  public:
-  explicit Builder(const PinholeCamera& root) : camera_(root), frusta_{{kRootName, {GraphCamera::kRoot}}} {}
+  explicit OperationBuilder(const PinholeCamera& root) : camera_(root), frusta_{{kRootName, {GraphCamera::kRoot}}} {}
 
   void apply(const Operation& operation) {
     switch (operation.kind) {
@@ -255,7 +255,7 @@ GraphCamera readGraphCamera(JsonFields& fields, const PinholeCamera& reference, 
   if (overlap != "refused" && overlap != "allowed") {
     fields.fail("overlap", "must be refused or allowed");
   }
-  Builder builder(readRoot(fields, reference));
+  OperationBuilder builder(readRoot(fields, reference));
   std::list<Operation> left = readOperations(fields);
   while (!left.empty()) {
     const auto ready =

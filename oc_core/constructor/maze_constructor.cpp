@@ -14,9 +14,9 @@
 namespace ocelli {
 namespace {
 
-constexpr const char* kWhere = "maze camera";
+constexpr const char* kMazeCamera = "maze camera";
 constexpr double kParallel = 1.0 / 200;  ///< one over how much farther away the viewpoint of parallel rays lies
-constexpr double kLeastShare = 2e-3;     ///< of rays; less is no way
+constexpr double kLeastWayShare = 2e-3;     ///< of rays; less is no way
 
 double tanHalf(double degrees) {
   return std::tan(radiansFromDegrees(degrees) / 2);
@@ -25,13 +25,13 @@ double tanHalf(double degrees) {
 void check(const MazeCameraOptions& options) {
   const auto& [left, ahead, right] = options.split;
   if (!(left >= 0 && ahead >= 0 && right >= 0)) {
-    throw InputError(fmt::format("\"split\" has a negative share: {}, {}, {}", left, ahead, right), kWhere,
+    throw InputError(fmt::format("\"split\" has a negative share: {}, {}, {}", left, ahead, right), kMazeCamera,
                      "give three numbers from 0 to 1 that add up to 1");
   }
   if (!(std::abs(left + ahead + right - 1) < 1e-6)) {
     throw InputError(
         fmt::format("the shares of \"split\", {}, {} and {}, add up to {}", left, ahead, right, left + ahead + right),
-        kWhere, "give three numbers that add up to 1");
+        kMazeCamera, "give three numbers that add up to 1");
   }
 }
 
@@ -54,9 +54,9 @@ View viewOf(const Maze& maze, const glm::dvec3& eye, const glm::dvec3& direction
   return view;
 }
 
-class Builder {
+class MazeCameraBuilder {
  public:
-  Builder(const Maze& maze, const MazePose& pose, const MazeCameraOptions& options)
+  MazeCameraBuilder(const Maze& maze, const MazePose& pose, const MazeCameraOptions& options)
       : maze_(maze),
         pose_(pose),
         options_(options),
@@ -129,15 +129,15 @@ class Builder {
     std::array<double, 2> outwards{};
     for (size_t k = 0; k < 2; ++k) {
       outwards[k] = (viewpoint[k] - near[k]) / root.before;
-      if (rays[k] > kLeastShare && outwards[k] > 0) {
+      if (rays[k] > kLeastWayShare && outwards[k] > 0) {
         ways.depth = std::min(ways.depth, 0.5 * near[k] / outwards[k]);
       }
     }
     for (size_t k = 0; k < 2; ++k) {
-      ways.way[2 * k] = {rays[k] > kLeastShare ? near[k] - outwards[k] * ways.depth : 0, corridor};
+      ways.way[2 * k] = {rays[k] > kLeastWayShare ? near[k] - outwards[k] * ways.depth : 0, corridor};
     }
     // Without a way ahead, rays go straight on to the far wall.
-    ways.way[1] = {1 - ways.way[0].share - ways.way[2].share, crossing.ahead && ahead > kLeastShare ? corridor : 0};
+    ways.way[1] = {1 - ways.way[0].share - ways.way[2].share, crossing.ahead && ahead > kLeastWayShare ? corridor : 0};
     ways.straight = 1 - deployed_;
     ways.endInBox = false;
     return ways;
@@ -160,13 +160,13 @@ PinholeCamera mazePinhole(const Maze& maze, const glm::dvec3& eye, const glm::dv
 GraphCamera makeMazeCamera(const Maze& maze, const MazePose& pose, const MazeCameraOptions& options, int width,
                            int height) {
   check(options);
-  const MazeCell cell = cellOf(maze, pose.eye, kWhere);
+  const MazeCell cell = cellOf(maze, pose.eye, kMazeCamera);
   const std::optional<CrossingAhead> crossing = crossingAhead(maze, pose);
   if (!maze.isOpen(cell, pose.heading) && !crossing) {
-    throw InputError(fmt::format("a wall stands to the {} of the cell {}", nameOf(pose.heading), nameOf(cell)), kWhere,
+    throw InputError(fmt::format("a wall stands to the {} of the cell {}", nameOf(pose.heading), nameOf(cell)), kMazeCamera,
                      "head for an open side");
   }
-  return Builder(maze, {pose.eye, options.backward ? opposite(pose.heading) : pose.heading}, options)
+  return MazeCameraBuilder(maze, {pose.eye, options.backward ? opposite(pose.heading) : pose.heading}, options)
       .build(width, height);
 }
 

@@ -14,7 +14,7 @@ constexpr double kFar = 50;
 /// How far within a cell rays begin to the left and right, in clear widths: beside the planes where they turn.
 constexpr double kInset = 0.02;
 /// How far beyond the near face of its cell the first frustum within a maze begins, in clear widths.
-constexpr double kBegin = 1e-3;
+constexpr double kFirstHeight = 1e-3;
 
 /// Looks level, its upper border the horizon; `tall` fits into its height at `distance`.
 PinholeCamera levelCamera(const glm::dvec3& eye, const glm::dvec3& direction, double distance, double tall,
@@ -55,9 +55,9 @@ MazeStart within(const CrossingFrame& frame, const MazeOpening& opening, int wid
       levelCamera(eye, frame.ahead, distance, std::max(opening.height, w * height / width), opening, width, height);
   View view = camera.view();
   // Beyond the face of a wall that may stand behind the cell.
-  view.zNear = static_cast<float>(distance + kBegin * w / 2);
-  return {GraphCamera(PinholeCamera(view, width, height)), GraphCamera::kRoot, frame.at(kInset * w, kBegin * w),
-          frame.at((1 - kInset) * w, kBegin * w), frame.ahead};
+  view.zNear = static_cast<float>(distance + kFirstHeight * w / 2);
+  return {GraphCamera(PinholeCamera(view, width, height)), GraphCamera::kRoot, frame.at(kInset * w, kFirstHeight * w),
+          frame.at((1 - kInset) * w, kFirstHeight * w), frame.ahead};
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace ocelli {
 namespace {
 
-constexpr const char* kWhere = "turn in a maze";
+constexpr const char* kMazeTurn = "turn in a maze";
 
 /// The chosen way: its beginning in the crossing, and where it leads.
 struct ChosenWay {
@@ -23,7 +23,7 @@ struct ChosenWay {
 ChosenWay chosenWay(const Maze& maze, const MazeTurn& turn) {
   const std::optional<CrossingAhead> crossing = crossingAhead(maze, turn.from);
   if (!crossing || !(turn.left ? crossing->left : crossing->right)) {
-    throw InputError(fmt::format("there is no way to the {} ahead", turn.left ? "left" : "right"), kWhere,
+    throw InputError(fmt::format("there is no way to the {} ahead", turn.left ? "left" : "right"), kMazeTurn,
                      "turn at a crossing, to an open side");
   }
   const Direction heading = turn.left ? leftOf(turn.from.heading) : rightOf(turn.from.heading);
@@ -108,7 +108,7 @@ MazePose poseAfter(const Maze& maze, const MazeTurn& turn) {
 std::pair<GraphCamera, GraphCamera> turningCameras(const Maze& maze, const MazeTurn& turn,
                                                    const MazeCameraOptions& options, int width, int height) {
   if (!(turn.phase >= 0 && turn.phase <= 4)) {
-    throw InputError(fmt::format("the phase {} is not from 0 to 4", turn.phase), kWhere, "each step is one unit");
+    throw InputError(fmt::format("the phase {} is not from 0 to 4", turn.phase), kMazeTurn, "each step is one unit");
   }
   const Turning turning(maze, turn, options, width, height);
   return {turning.forward(), turning.backward()};

@@ -43,15 +43,15 @@ struct PlanView {
 };
 
 /// Of the box, in the plan.
-struct Extent {
+struct OccluderExtent {
   double left = 0;
   double right = 0;
   double nearest = std::numeric_limits<double>::infinity();
   double farthest = 0;
 };
 
-Extent extentOf(const Box& box, const PlanView& plan) {
-  Extent extent;
+OccluderExtent extentOf(const Box& box, const PlanView& plan) {
+  OccluderExtent extent;
   for (const glm::dvec3 corner : cornersOf(box)) {
     extent.left = std::min(extent.left, plan.x(corner));
     extent.right = std::max(extent.right, plan.x(corner));
@@ -145,7 +145,7 @@ GraphCamera buildOccluderCamera(const OccluderOptions& options, const GuidedScen
   const Box box = boxOf(options, scene);
   requireInView(box, reference);
   const PlanView plan(reference, box.center());
-  const Extent extent = extentOf(box, plan);
+  const OccluderExtent extent = extentOf(box, plan);
   const double split = splitDistance(box, plan, extent.farthest);
   const double meeting = extent.farthest + options.shadow * (extent.right - extent.left);
   const double left = asideFor(meeting, box, plan, -1);

@@ -20,7 +20,7 @@ constexpr double kLeastTurn = 1e-4;  // radians: less is straight
 /// Between the planes of a full turn at its outermost rays, as an angle about the line where they meet.
 const double kPlaneAngle = radiansFromDegrees(8);
 constexpr double kCollapsed = 0.3;    // distance at which a turn is gone, in distances of control points
-constexpr double kBesideRays = 1.15;  // where the planes meet, in half widths of the bundle of rays
+constexpr double kMeetingWidths = 1.15;  // where the planes meet, in half widths of the bundle of rays
 constexpr int kBisections = 14;       // for the strength of a turn that cannot be made in full
 
 /// The path as a function of length. It goes straight on beyond its ends.
@@ -118,7 +118,7 @@ std::optional<CurvedRayCamera> turned(const CurvedRayCamera& camera, const Bend&
     }
     widest = std::max(widest, glm::dot(bend.inwards, middle.crossing(from, to) - bend.point));
   }
-  const glm::dvec3 onLine = bend.point + bend.inwards * (kBesideRays * widest);
+  const glm::dvec3 onLine = bend.point + bend.inwards * (kMeetingWidths * widest);
   const auto planeAt = [&](double angle) { return Plane::through(onLine, rotated(bend.forward, angle, bend.axis)); };
   CurvedRayCamera changed = camera;
   try {

@@ -22,7 +22,7 @@ using Part = GraphCamera::Part;
 constexpr double kFadingShare = 0.75;  // of the farthest distance
 constexpr double kFadingDegrees = 4;   // before a portal is edge on
 /// Rays that turn by less than this share of the way show what straight ones do.
-constexpr double kLeastShare = 1e-9;
+constexpr double kLeastPieceShare = 1e-9;
 constexpr double kSamePlane = 1e-6;  // relative difference of depths
 constexpr size_t kMostPortals = 256;
 
@@ -204,7 +204,7 @@ GraphCamera buildPortalCamera(const PortalOptions& options, const SceneGuides& g
     const std::string name = "portal " + std::to_string(each.portal - portals.data() + 1);
     for (const Piece& piece : each.share() > 0 ? piecesOf(each, seen, reference) : std::vector<Piece>{}) {
       const double share = each.share() * piece.left;
-      if (share > kLeastShare) {
+      if (share > kLeastPieceShare) {
         camera.bend(GraphCamera::kRoot, {each.plane, portalViewpoint(*each.portal, eye, share)}, name, piece.part);
       }
     }

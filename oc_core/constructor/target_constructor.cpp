@@ -20,7 +20,7 @@ constexpr double kSearchStep = 0.05;
 
 // In distances to the target.
 constexpr double kOffset = 0.5;     ///< of the second viewpoint at f = 1
-constexpr double kBegin = 0.5;      ///< of the bend, on the middle ray
+constexpr double kBendBegin = 0.5;      ///< of the bend, on the middle ray
 constexpr double kMiddle = 0.6;     ///< of the bend
 constexpr double kLatestEnd = 0.8;  ///< of the bend, on any ray
 
@@ -111,7 +111,7 @@ CurvedRayCamera bentCamera(const PinholeCamera& view, const Box& target, double 
   const double middle = kMiddle * distance;
   const double inner = (f > 0 ? right : left) * middle + kBesideRays * (left + right) * middle;
   const double outer = (f > 0 ? left : right) * kLatestEnd * distance;
-  const double slope = std::min((kMiddle - kBegin) * distance / std::max(inner, 1e-300),
+  const double slope = std::min((kMiddle - kBendBegin) * distance / std::max(inner, 1e-300),
                                 (kLatestEnd - kMiddle) * distance / (inner + outer));
   const glm::dvec3 onLine = eye + forward * middle + side * inner;
   const auto planeAt = [&](double tilt) { return Plane::through(onLine, forward + side * tilt); };

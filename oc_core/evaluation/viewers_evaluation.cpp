@@ -22,22 +22,22 @@ RepresentationFigures measure(Evaluator& evaluator, const std::string& name, con
       name, [&](RepresentationTimes&) { return representation; }, progress);
 }
 
-std::string percent(double ratio) {
+std::string percentOf(double ratio) {
   return fmt::format("{:.3f} %", 100 * ratio);
 }
 
 template <class Ratio>
-Json atPlaces(const RepresentationFigures& row, Ratio ratio) {
+Json ratiosAtPlaces(const RepresentationFigures& row, Ratio ratio) {
   return {
       {"edges", (row.edges.*ratio)()}, {"interior", (row.interior.*ratio)()}, {"reference", (row.reference.*ratio)()}};
 }
 
 Json errorsJson(const RepresentationFigures& row) {
   return {{"triangles", row.triangles},
-          {"missing_strict", atPlaces(row, &FrameErrors::strictRatio)},
-          {"missing_thick", atPlaces(row, &FrameErrors::thickRatio)},
-          {"wrong_front", atPlaces(row, &FrameErrors::wrongFrontRatio)},
-          {"false_skins", atPlaces(row, &FrameErrors::falseSkinRatio)}};
+          {"missing_strict", ratiosAtPlaces(row, &FrameErrors::strictRatio)},
+          {"missing_thick", ratiosAtPlaces(row, &FrameErrors::thickRatio)},
+          {"wrong_front", ratiosAtPlaces(row, &FrameErrors::wrongFrontRatio)},
+          {"false_skins", ratiosAtPlaces(row, &FrameErrors::falseSkinRatio)}};
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ std::string viewersTable(const ViewersFigures& figures) {
   int number = 1;
   for (const ViewerFigures& viewer : figures.viewers) {
     const auto both = [&](double own, double merged) {
-      text += fmt::format("   {:>8} {:>8}", percent(own), percent(merged));
+      text += fmt::format("   {:>8} {:>8}", percentOf(own), percentOf(merged));
     };
     text += fmt::format("{:>6} {:>8} {:>8}", number++, viewer.samples.built, viewer.samples.kept);
     both(viewer.own.edges.strictRatio(), viewer.merged.edges.strictRatio());

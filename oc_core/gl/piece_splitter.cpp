@@ -9,22 +9,22 @@ namespace ocelli {
 namespace {
 
 // Invocations in a group, as shaders/split_counts.glsl has it; fewer where each keeps a polygon in shared memory.
-constexpr GLuint kGroup = 64;
+constexpr GLuint kPieceGroup = 64;
 constexpr GLuint kClipGroup = PieceSplitter::kClipGroup;
-constexpr uint32_t kCapacity = 1u << 20;  // pieces in a list: 28 MiB
+constexpr uint32_t kPieceCapacity = 1u << 20;  // pieces in a list: 28 MiB
 
 // Bindings of the lists, beside those of piece_lists.h.
 constexpr GLuint kLeaves = 4;
 constexpr GLuint kCodes = 6;
-constexpr GLuint kClips = 7;
+constexpr GLuint kPieceClips = 7;
 
 }  // namespace
 
 PieceSplitter::PieceSplitter(GlContext& context)
     : context_(context),
-      groups_(makeBuffer(context, (groupsOf(kCapacity, kClipGroup) + 1) * sizeof(glm::uvec4))),
-      codes_(makeBuffer(context, kCapacity * sizeof(uint32_t))),
-      leaves_(makeBuffer(context, kCapacity * kPieceBytes)) {}
+      groups_(makeBuffer(context, (groupsOf(kPieceCapacity, kClipGroup) + 1) * sizeof(glm::uvec4))),
+      codes_(makeBuffer(context, kPieceCapacity * sizeof(uint32_t))),
+      leaves_(makeBuffer(context, kPieceCapacity * kPieceBytes)) {}
 
 void PieceSplitter::draw(const SplitPrograms& programs, const GlMesh& mesh) {
   programs_ = &programs;
@@ -48,13 +48,13 @@ void PieceSplitter::draw(const SplitPrograms& programs, const GlMesh& mesh) {
 /// their own, and so do the triangles that are to be clipped.
 void PieceSplitter::splitNext() {
   Level& level = levels_.back();
-  uint32_t items = std::min(level.count - level.next, kCapacity);
+  uint32_t items = std::min(level.count - level.next, kPieceCapacity);
   Counts total = countNext(level, items);
-  while (total.leaves > kCapacity || total.children > kCapacity) {
+  while (total.leaves > kPieceCapacity || total.children > kPieceCapacity) {
     items = (items + 1) / 2;
     total = countNext(level, items);
   }
-  if (leafCount_ + total.leaves > kCapacity) {
+  if (leafCount_ + total.leaves > kPieceCapacity) {
     drawLeaves();
   }
   Level children{Level::Kind::kPieces, level.depth + 1, {}, 0, total.children};
@@ -65,7 +65,7 @@ void PieceSplitter::splitNext() {
     clips.items = total.clips > 0 ? takeList() : GlObject();
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kLeaves, leaves_.id());
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kChildrenBinding, children.items.id());
-    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kClips, total.clips > 0 ? clips.items.id() : codes_.id());
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kPieceClips, total.clips > 0 ? clips.items.id() : codes_.id());
     const GlObject& program = level.kind == Level::Kind::kTriangles ? programs_->emitTriangles
                               : level.kind == Level::Kind::kPieces  ? programs_->emitPieces
                                                                     : programs_->emitClipped;
@@ -78,7 +78,7 @@ void PieceSplitter::splitNext() {
 }
 
 uint32_t PieceSplitter::groupOf(const Level& level) {
-  return level.kind == Level::Kind::kClips ? kClipGroup : kGroup;
+  return level.kind == Level::Kind::kClips ? kClipGroup : kPieceGroup;
 }
 
 PieceSplitter::Counts PieceSplitter::countNext(const Level& level, uint32_t items) {
@@ -109,7 +109,7 @@ void PieceSplitter::run(const GlObject& program, const Level& level, uint32_t it
 
 GlObject PieceSplitter::takeList() {
   if (spare_.empty()) {
-    return makeBuffer(context_, kCapacity * kPieceBytes);
+    return makeBuffer(context_, kPieceCapacity * kPieceBytes);
   }
   GlObject list = std::move(spare_.back());
   spare_.pop_back();

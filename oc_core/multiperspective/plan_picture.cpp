@@ -15,7 +15,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kMargin = 24;
+constexpr double kPageMargin = 24;
 constexpr double kTitleHeight = 34;
 constexpr double kLegendWidth = 300;
 constexpr double kLegendLine = 22;
@@ -58,14 +58,14 @@ class Painter {
   void paint() {
     color({1, 1, 1});
     cairo_paint(cairo_);
-    const double top = kMargin + (options_.title.empty() ? 0 : kTitleHeight);
+    const double top = kPageMargin + (options_.title.empty() ? 0 : kTitleHeight);
     if (!options_.title.empty()) {
       color({0.1, 0.1, 0.1});
-      text(kMargin, kMargin + 16, 19, options_.title);
+      text(kPageMargin, kPageMargin + 16, 19, options_.title);
     }
     const glm::dvec2 size = glm::dvec2(plan_.upper - plan_.lower) * scale_;
     cairo_save(cairo_);
-    cairo_translate(cairo_, kMargin, top);
+    cairo_translate(cairo_, kPageMargin, top);
     cairo_rectangle(cairo_, 0, 0, size.x, size.y);
     cairo_clip(cairo_);
     ground(size);
@@ -80,10 +80,10 @@ class Painter {
     cairo_restore(cairo_);
     color({0.55, 0.55, 0.55});
     cairo_set_line_width(cairo_, 1);
-    cairo_rectangle(cairo_, kMargin, top, size.x, size.y);
+    cairo_rectangle(cairo_, kPageMargin, top, size.x, size.y);
     cairo_stroke(cairo_);
-    legend(kMargin + size.x + kMargin, top);
-    scaleBar(kMargin, top + size.y + 20);
+    legend(kPageMargin + size.x + kPageMargin, top);
+    scaleBar(kPageMargin, top + size.y + 20);
   }
 
  private:
@@ -268,8 +268,8 @@ void writePlan(const std::filesystem::path& path, const CameraPlan& plan, const 
   const glm::dvec2 frame(plan.upper - plan.lower);
   const double scale = options.planPixels / std::max(frame.x, frame.y);
   const size_t lines = std::min(plan.parts.size(), static_cast<size_t>(options.mostLegendLines) + 1);
-  const double width = frame.x * scale + 3 * kMargin + kLegendWidth;
-  const double height = std::max(frame.y * scale, static_cast<double>(lines) * kLegendLine) + 2 * kMargin + 20 +
+  const double width = frame.x * scale + 3 * kPageMargin + kLegendWidth;
+  const double height = std::max(frame.y * scale, static_cast<double>(lines) * kLegendLine) + 2 * kPageMargin + 20 +
                         (options.title.empty() ? 0 : kTitleHeight);
   if (path.extension() == ".svg" || (path.extension() != ".png" && isStream(path))) {
     std::string bytes;

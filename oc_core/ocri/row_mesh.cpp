@@ -13,7 +13,7 @@
 namespace ocelli {
 namespace {
 
-constexpr int kNone = -1;
+constexpr int kNoSample = -1;
 /// Partners are no farther apart along their rows, pixels.
 constexpr float kFarthestPartner = 1.25f;
 
@@ -23,8 +23,8 @@ struct RowSample {
   int column = 0;
   float along = 0;  ///< position along the row, pixels
   uint32_t vertex = 0;
-  int above = kNone;  ///< the nearest in the row above, whether or not it is of the same surface
-  int below = kNone;
+  int above = kNoSample;  ///< the nearest in the row above, whether or not it is of the same surface
+  int below = kNoSample;
   bool joinsNext = false;
   bool closedAbove = false;  ///< between this sample and the next one there is a triangle that reaches up
   bool closedBelow = false;
@@ -169,19 +169,19 @@ class RowMesher {
   /// footprints as join neighbours.
   int nearest(const RowSample& sample, const Row& row) const {
     if (row.samples.empty()) {
-      return kNone;
+      return kNoSample;
     }
     const float along = glm::dot(row.direction, glm::vec2(sample.place.u, sample.place.v));
     const auto last = static_cast<float>(row.first.size() - 2);
     const float from = along - kFarthestPartner - row.origin;
     const float to = along + kFarthestPartner - row.origin;
     if (!(to >= 0) || !(from <= last + 1)) {
-      return kNone;
+      return kNoSample;
     }
     const uint32_t begin = row.first[static_cast<size_t>(std::clamp(from, 0.0f, last))];
     const uint32_t end = row.first[static_cast<size_t>(std::clamp(to, 0.0f, last)) + 1];
     const float depthStep = options_.depthStepFootprints * sample.place.z / focal_;
-    int best = kNone;
+    int best = kNoSample;
     float leastCost = 1e30f;
     for (const uint32_t i : std::span(row.sorted).subspan(begin, end - begin)) {
       const RowSample& other = row.samples[i];
@@ -199,8 +199,8 @@ class RowMesher {
     const std::optional<size_t> up = above(y);
     const std::optional<size_t> down = below(y);
     for (RowSample& sample : rows_[y].samples) {
-      sample.above = up ? nearest(sample, rows_[*up]) : kNone;
-      sample.below = down ? nearest(sample, rows_[*down]) : kNone;
+      sample.above = up ? nearest(sample, rows_[*up]) : kNoSample;
+      sample.below = down ? nearest(sample, rows_[*down]) : kNoSample;
     }
   }
 
@@ -214,9 +214,9 @@ class RowMesher {
   }
 
   /// Of a row, the sample next to `from` that is nearest to a position along the row; from itself, or one that is
-  /// joined to it. No place where `from` is kNone.
+  /// joined to it. No place where `from` is kNoSample.
   static ImagePoint placeNear(const Row& row, int from, float along) {
-    if (from == kNone) {
+    if (from == kNoSample) {
       return {};
     }
     const auto i = static_cast<size_t>(from);
@@ -250,29 +250,29 @@ class RowMesher {
   }
 
   /// The longest list of partners that keeps the order of columns in both rows: for each sample of `row` its partner in
-  /// the row below, or kNone.
+  /// the row below, or kNoSample.
   std::vector<int> orderedPartners(size_t y) const {
     const std::vector<RowSample>& samples = rows_[y].samples;
     const std::vector<RowSample>& others = rows_[*below(y)].samples;
     std::vector<int> tails;  // the sample that ends the best list of each length
-    std::vector<int> previous(samples.size(), kNone);
+    std::vector<int> previous(samples.size(), kNoSample);
     for (size_t i = 0; i < samples.size(); ++i) {
       const int partner = samples[i].below;
-      if (partner == kNone || !joinsAcross(y, samples[i], others[static_cast<size_t>(partner)])) {
+      if (partner == kNoSample || !joinsAcross(y, samples[i], others[static_cast<size_t>(partner)])) {
         continue;
       }
       const auto at = std::upper_bound(tails.begin(), tails.end(), partner, [&](int value, int tail) {
         return value < samples[static_cast<size_t>(tail)].below;
       });
-      previous[i] = at == tails.begin() ? kNone : *std::prev(at);
+      previous[i] = at == tails.begin() ? kNoSample : *std::prev(at);
       if (at == tails.end()) {
         tails.push_back(static_cast<int>(i));
       } else {
         *at = static_cast<int>(i);
       }
     }
-    std::vector<int> partners(samples.size(), kNone);
-    for (int i = tails.empty() ? kNone : tails.back(); i != kNone; i = previous[static_cast<size_t>(i)]) {
+    std::vector<int> partners(samples.size(), kNoSample);
+    for (int i = tails.empty() ? kNoSample : tails.back(); i != kNoSample; i = previous[static_cast<size_t>(i)]) {
       partners[static_cast<size_t>(i)] = samples[static_cast<size_t>(i)].below;
     }
     return partners;
@@ -295,8 +295,8 @@ class RowMesher {
     Row& upper;
     Row& lower;
     bool mirrored = false;  ///< the row below lies to the left of the row's direction
-    int i = kNone;          ///< the last edge across, from sample i of the upper row to sample j of the lower one
-    int j = kNone;
+    int i = kNoSample;          ///< the last edge across, from sample i of the upper row to sample j of the lower one
+    int j = kNoSample;
 
     RowSample& a(int k) const { return upper.samples[static_cast<size_t>(k)]; }
     RowSample& b(int k) const { return lower.samples[static_cast<size_t>(k)]; }
@@ -355,22 +355,22 @@ class RowMesher {
     const std::vector<int> partners = orderedPartners(y);
     std::vector<bool> lowerTaken(lower.samples.size(), false);
     for (const int partner : partners) {
-      if (partner != kNone) {
+      if (partner != kNoSample) {
         lowerTaken[static_cast<size_t>(partner)] = true;
       }
     }
     const auto free = [&](int i, int j) {  // neither has a partner of its own
-      return (i < 0 || partners[static_cast<size_t>(i)] == kNone) && (j < 0 || !lowerTaken[static_cast<size_t>(j)]);
+      return (i < 0 || partners[static_cast<size_t>(i)] == kNoSample) && (j < 0 || !lowerTaken[static_cast<size_t>(j)]);
     };
     Strip strip{*this, y, upper, lower};
     // Beyond the last partners of a surface there may be one more sample in one of the two rows.
     const auto endSurface = [&] {
-      if (strip.i == kNone) {
+      if (strip.i == kNoSample) {
         return;
       }
-      if (strip.canAdvanceUpper() && free(strip.i + 1, kNone)) {
+      if (strip.canAdvanceUpper() && free(strip.i + 1, kNoSample)) {
         strip.advanceUpper();
-      } else if (strip.canAdvanceLower() && free(kNone, strip.j + 1)) {
+      } else if (strip.canAdvanceLower() && free(kNoSample, strip.j + 1)) {
         strip.advanceLower();
       }
     };
@@ -380,11 +380,11 @@ class RowMesher {
       strip.j = j;
       const int lastI = i - 1;
       const int lastJ = j - 1;
-      if (lastI >= 0 && free(lastI, kNone) && strip.a(lastI).joinsNext && !strip.a(lastI).closedBelow &&
+      if (lastI >= 0 && free(lastI, kNoSample) && strip.a(lastI).joinsNext && !strip.a(lastI).closedBelow &&
           joinsAcross(y, strip.a(lastI), strip.b(j))) {
         strip.i = lastI;
         strip.advanceUpper();
-      } else if (lastJ >= 0 && free(kNone, lastJ) && strip.b(lastJ).joinsNext && !strip.b(lastJ).closedAbove &&
+      } else if (lastJ >= 0 && free(kNoSample, lastJ) && strip.b(lastJ).joinsNext && !strip.b(lastJ).closedAbove &&
                  joinsAcross(y, strip.a(i), strip.b(lastJ))) {
         strip.j = lastJ;
         strip.advanceLower();
@@ -392,11 +392,11 @@ class RowMesher {
     };
     for (int i = 0; i < static_cast<int>(partners.size()); ++i) {
       const int j = partners[static_cast<size_t>(i)];
-      if (j == kNone) {
+      if (j == kNoSample) {
         continue;
       }
       strip.mirrored = isMirrored(upper.direction, strip.a(i), strip.b(j));
-      if (strip.i != kNone && connected(upper, strip.i, i) && connected(lower, strip.j, j)) {
+      if (strip.i != kNoSample && connected(upper, strip.i, i) && connected(lower, strip.j, j)) {
         strip.advance(i, j);
         if (strip.i == i && strip.j == j) {
           continue;
@@ -458,11 +458,11 @@ class RowMesher {
     const std::optional<size_t> down = below(y);
     const RowSample* before = nullptr;
     const RowSample* after = nullptr;
-    if (up && sample.above != kNone) {
+    if (up && sample.above != kNoSample) {
       const RowSample& other = rows_[*up].samples[static_cast<size_t>(sample.above)];
       before = joinsAcross(*up, other, sample) ? &other : nullptr;
     }
-    if (down && sample.below != kNone) {
+    if (down && sample.below != kNoSample) {
       const RowSample& other = rows_[*down].samples[static_cast<size_t>(sample.below)];
       after = joinsAcross(y, sample, other) ? &other : nullptr;
     }

@@ -34,7 +34,7 @@ Mesh withSamplesAlone(Mesh mesh) {
 /// What earlier viewers show.
 class HeldSurface {
  public:
-  HeldSurface(const Mesh& mesh, const MergeOptions& options) : mesh_(mesh), scene_(mesh), options_(options) {}
+  HeldSurface(const Mesh& mesh, const ViewerMergeOptions& options) : mesh_(mesh), scene_(mesh), options_(options) {}
 
   bool holds(const glm::vec3& point, float footprint) const {
     const auto closest = scene_.closestSurface(point, options_.mostFootprints * footprint);
@@ -53,7 +53,7 @@ class HeldSurface {
  private:
   const Mesh& mesh_;
   RayScene scene_;
-  const MergeOptions& options_;
+  const ViewerMergeOptions& options_;
 };
 
 void subtract(ReferenceImage& image, const HeldSurface& held, int seamPixels) {
@@ -99,7 +99,7 @@ std::vector<View> viewsAround(const View& first, int count) {
   return views;
 }
 
-MergedViewers mergeViewers(std::vector<ReferenceImages> viewers, const MergeOptions& options) {
+MergedViewers mergeViewers(std::vector<ReferenceImages> viewers, const ViewerMergeOptions& options) {
   MergedViewers merged;
   Mesh shown;
   for (ReferenceImages& images : viewers) {

@@ -11,7 +11,7 @@ namespace ocelli {
 /// counter-clockwise seen from above.
 std::vector<View> viewsAround(const View& first, int count);
 
-struct MergeOptions {
+struct ViewerMergeOptions {
   /// A sample is held where the mesh of earlier viewers passes within so many of its pixel footprints,
   float mostFootprints = 0.25f;
   /// ... and samples as densely: a corner of the triangle there is at most so many footprints away. Surfaces that an
@@ -34,6 +34,6 @@ struct MergedViewers {
 
 /// `viewers` has the images of each viewer, which may be a union. Those of the first one keep all samples. Where there
 /// are several viewers, all images are marked as seen from aside. The same with any number of threads.
-MergedViewers mergeViewers(std::vector<ReferenceImages> viewers, const MergeOptions& options = {});
+MergedViewers mergeViewers(std::vector<ReferenceImages> viewers, const ViewerMergeOptions& options = {});
 
 }  // namespace ocelli

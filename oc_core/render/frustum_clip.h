@@ -8,6 +8,9 @@
 
 namespace ocelli {
 
+/// How far beyond the image borders a vertex may project before its triangle is clipped, pixels.
+inline constexpr float kClipMargin = 4096;
+
 /// A camera-space point with its barycentric weights on the unclipped triangle.
 struct ClipVertex {
   glm::vec3 p;

@@ -25,14 +25,14 @@ struct Ray {
 };
 
 /// A part of a ray, by distances from its origin.
-struct Stretch {
+struct PieceStretch {
   double begin = 0;
   double end = 0;
   size_t piece = 0;
 };
 
 /// What of a stretch is within a piece; it ends before it begins where nothing is.
-Stretch clipped(Stretch stretch, const Ray& ray, const FrustumPiece& piece) {
+PieceStretch clipped(PieceStretch stretch, const Ray& ray, const FrustumPiece& piece) {
   for (const Plane& side : piece.sides) {
     const double height = side.height(ray.origin);
     const double rise = glm::dot(side.normal, ray.direction);
@@ -52,7 +52,7 @@ Stretch clipped(Stretch stretch, const Ray& ray, const FrustumPiece& piece) {
 /// Along the image of a stretch of a ray, in one piece of a frustum.
 class GraphDepthImage::Walk {
  public:
-  Walk(const GraphDepthImage& image, const Ray& ray, const Stretch& stretch, const Options& options, size_t& steps)
+  Walk(const GraphDepthImage& image, const Ray& ray, const PieceStretch& stretch, const Options& options, size_t& steps)
       : samples_(image.samples_),
         ray_(ray),
         stretch_(stretch),
@@ -190,7 +190,7 @@ class GraphDepthImage::Walk {
 
   const GraphDepthSamples& samples_;
   const Ray& ray_;
-  const Stretch& stretch_;
+  const PieceStretch& stretch_;
   const Options& options_;
   size_t& steps_;
   int index_;
@@ -212,15 +212,15 @@ std::optional<GraphDepthImage::Hit> GraphDepthImage::intersect(const glm::dvec3&
     return std::nullopt;
   }
   const Ray ray{origin, direction / length};
-  std::vector<Stretch> stretches;
+  std::vector<PieceStretch> stretches;
   for (size_t i = 0; i < pieces_.size(); ++i) {
-    const Stretch whole{0, static_cast<double>(camera_.root().view().zFar), i};
-    const Stretch stretch = clipped(whole, ray, pieces_[i]);
+    const PieceStretch whole{0, static_cast<double>(camera_.root().view().zFar), i};
+    const PieceStretch stretch = clipped(whole, ray, pieces_[i]);
     if (stretch.begin < stretch.end) {
       stretches.push_back(stretch);
     }
   }
-  std::sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) { return a.begin < b.begin; });
+  std::sort(stretches.begin(), stretches.end(), [](const PieceStretch& a, const PieceStretch& b) { return a.begin < b.begin; });
   size_t count = 0;
   std::optional<Hit> hit;
   for (size_t i = 0; i < stretches.size() && !hit; ++i) {

@@ -6,9 +6,6 @@
 namespace ocelli {
 namespace {
 
-/// How far beyond the image borders a vertex may project before its triangle is clipped, pixels.
-constexpr float kClipMargin = 4096;
-
 RasterVertex rasterVertex(const PinholeCamera& camera, const glm::vec3& cameraPoint) {
   const ImagePoint q = camera.imageFromCamera(cameraPoint);
   return {q.u, q.v, 1 / q.z, 0, 0};

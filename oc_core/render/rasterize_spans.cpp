@@ -13,8 +13,6 @@
 namespace ocelli {
 namespace {
 
-/// How far beyond the image borders a vertex may project before its triangle is clipped, pixels.
-constexpr float kClipMargin = 4096;
 constexpr int kBandRows = 16;
 constexpr size_t kChunks = 32;
 

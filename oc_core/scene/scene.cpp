@@ -15,7 +15,7 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kGrain = 1 << 15;
+constexpr size_t kItemsPerRange = 1 << 15;
 
 glm::vec3 movedPoint(const glm::mat4& newFromOld, const glm::vec3& point) {
   return glm::vec3(newFromOld * glm::vec4(point, 1));
@@ -55,7 +55,7 @@ Mesh flatten(const Scene& scene) {
   size_t firstTriangle = 0;
   for (const Instance& instance : scene.instances) {
     const Mesh& part = scene.meshes[instance.mesh];
-    parallelFor(part.positions.size(), kGrain, [&](size_t begin, size_t end) {
+    parallelFor(part.positions.size(), kItemsPerRange, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         flat.positions[firstVertex + i] = movedPoint(instance.worldFromMesh, part.positions[i]);
         if (colored) {
@@ -64,7 +64,7 @@ Mesh flatten(const Scene& scene) {
       }
     });
     const bool mirrored = glm::determinant(glm::mat3(instance.worldFromMesh)) < 0;
-    parallelFor(part.triangles.size(), kGrain, [&](size_t begin, size_t end) {
+    parallelFor(part.triangles.size(), kItemsPerRange, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         const glm::uvec3& t = part.triangles[i];
         flat.triangles[firstTriangle + i] =
@@ -108,7 +108,7 @@ glm::mat4 unitFromWorld(const Mesh& mesh, const std::string& where) {
 
 void transform(Mesh& mesh, const glm::mat4& newFromOld) {
   OC_CHECK(glm::determinant(glm::mat3(newFromOld)) >= 0, "a mirroring transform would turn the triangles inside out");
-  parallelFor(mesh.positions.size(), kGrain, [&](size_t begin, size_t end) {
+  parallelFor(mesh.positions.size(), kItemsPerRange, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       mesh.positions[i] = movedPoint(newFromOld, mesh.positions[i]);
     }

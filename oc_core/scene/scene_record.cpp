@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kStart = "OCSCENE1";
 constexpr std::string_view kEnd = "END.";
-enum class Kind : uint32_t { kScene, kFailure };
+enum class RecordKind : uint32_t { kScene, kFailure };
 enum PartFlag : uint8_t { kColors = 1, kBase = 2, kEmissive = 4 };
 
 static_assert(sizeof(glm::vec2) == 8 && sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12 && sizeof(Rgb8) == 3,
@@ -64,10 +64,10 @@ class RecordReader {
 
   SceneRecord read() {
     expect(kStart);
-    switch (static_cast<Kind>(number())) {
-      case Kind::kScene:
+    switch (static_cast<RecordKind>(number())) {
+      case RecordKind::kScene:
         return scene();
-      case Kind::kFailure: {
+      case RecordKind::kFailure: {
         const std::string message = text();
         expectEnd();
         throw InputError(message, "", "");
@@ -250,7 +250,7 @@ class RecordReader {
 void writeSceneRecord(const SceneRecord& record, const ByteSink& sink) {
   RecordWriter writer(sink);
   writer.raw(kStart.data(), kStart.size());
-  writer.value(Kind::kScene);
+  writer.value(RecordKind::kScene);
   writer.count(record.warnings.size());
   for (const std::string& warning : record.warnings) {
     writer.text(warning);
@@ -288,7 +288,7 @@ void writeSceneRecord(const SceneRecord& record, const ByteSink& sink) {
 void writeFailureRecord(const std::string& message, const ByteSink& sink) {
   RecordWriter writer(sink);
   writer.raw(kStart.data(), kStart.size());
-  writer.value(Kind::kFailure);
+  writer.value(RecordKind::kFailure);
   writer.text(message);
   writer.raw(kEnd.data(), kEnd.size());
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kAmbient = 0.22f;
 constexpr float kBack = 0.3f;
-constexpr size_t kGrain = 1 << 14;
+constexpr size_t kVerticesPerRange = 1 << 14;
 
 glm::vec3 directionToLight() {
   return glm::normalize(glm::vec3(0.45f, 0.75f, 0.85f));
@@ -44,7 +44,7 @@ struct VertexCorners {
 /// Normals whose length is twice the area; zero where there is none.
 std::vector<glm::vec3> areaNormals(const Mesh& mesh) {
   std::vector<glm::vec3> normals(mesh.triangles.size());
-  parallelFor(normals.size(), kGrain, [&](size_t begin, size_t end) {
+  parallelFor(normals.size(), kVerticesPerRange, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const glm::uvec3& t = mesh.triangles[i];
       const glm::vec3& a = mesh.positions[t.x];
@@ -89,7 +89,7 @@ void bakeLambert(Mesh& mesh) {
   const size_t vertices = mesh.positions.size();
   std::vector<float> shade(vertices, 1.0f);
   std::vector<uint8_t> creased(vertices, 0);
-  parallelFor(vertices, kGrain, [&](size_t begin, size_t end) {
+  parallelFor(vertices, kVerticesPerRange, [&](size_t begin, size_t end) {
     for (size_t v = begin; v < end; ++v) {
       glm::vec3 sum(0);
       for (uint32_t i = at.first[v]; i < at.first[v + 1]; ++i) {

@@ -8,6 +8,7 @@
 #include "oc_core/base/conventions.h"
 #include "oc_core/scene/palette.h"
 #include "oc_core/scene/panels.h"
+#include "oc_core/scene/placement.h"
 #include "oc_core/scene/scene.h"
 #include "oc_core/scene/solids.h"
 #include "oc_core/scene/wall_slab.h"
@@ -19,10 +20,6 @@ constexpr float kPitch = 0.75f;     // height of a gable, of half its width
 constexpr float kOverhang = 0.45f;  // of the roof
 constexpr float kParapet = 0.7f;    // of a flat one
 constexpr float kRoofThickness = 0.18f;
-
-glm::mat4 at(const glm::vec3& place, double turnDegrees = 0, const glm::vec3& axis = {0, 1, 0}) {
-  return glm::rotate(glm::translate(glm::mat4(1), place), static_cast<float>(radiansFromDegrees(turnDegrees)), axis);
-}
 
 void addBox(Mesh& mesh, const glm::vec3& size, const glm::mat4& worldFromBox, const glm::vec3& color) {
   Mesh box = makeBox(size * 0.5f);
@@ -106,13 +103,13 @@ class HouseBuilder {
       const bool isDoor = isFront && row == 0 && column == 2 * static_cast<size_t>(house_.doorBay) + 1;
       return isDoor || (column % 2 == 1 && row % 2 == 1);
     };
-    const glm::mat4 houseFromWall = at(place, turnDegrees);
+    const glm::mat4 houseFromWall = placedAt(place, turnDegrees);
     addSlab(mesh_, wall, houseFromWall);
     for (int storey = 0; storey < house_.storeys; ++storey) {
       for (int bay = 0; bay < bays; ++bay) {
         const bool isShop = isFront && storey == 0;
         const glm::vec3 foot(bayCenter(width, bay), kStoreyHeight * static_cast<float>(storey), 0);
-        addFrame(houseFromWall * at(foot), isShop && bay == house_.doorBay, !isShop);
+        addFrame(houseFromWall * placedAt(foot), isShop && bay == house_.doorBay, !isShop);
       }
     }
   }
@@ -134,12 +131,12 @@ class HouseBuilder {
     frame.isOpen = [&](size_t i, size_t j) { return i == 1 && j == openRow; };
     if (hasPanes) {
       const float height = kLintelHeight - low;
-      addBox(mesh_, {2 * half, height, 0.04f}, houseFromFoot * at({0, middle, -0.12f}),
+      addBox(mesh_, {2 * half, height, 0.04f}, houseFromFoot * placedAt({0, middle, -0.12f}),
              palette::fromSrgbBytes(92, 142, 178));
-      addBox(mesh_, {0.07f, height, 0.08f}, houseFromFoot * at({0, middle, -0.07f}), palette::ivory());
-      addBox(mesh_, {2 * half, 0.07f, 0.07f}, houseFromFoot * at({0, middle, -0.07f}), palette::ivory());
+      addBox(mesh_, {0.07f, height, 0.08f}, houseFromFoot * placedAt({0, middle, -0.07f}), palette::ivory());
+      addBox(mesh_, {2 * half, 0.07f, 0.07f}, houseFromFoot * placedAt({0, middle, -0.07f}), palette::ivory());
     }
-    addSlab(mesh_, frame, houseFromFoot * at({0, 0, 0.06f}));
+    addSlab(mesh_, frame, houseFromFoot * placedAt({0, 0, 0.06f}));
   }
 
   void addFloors() {
@@ -156,13 +153,13 @@ class HouseBuilder {
         return isRoof ? house_.roofColor * 0.8f
                       : palette::fromSrgbBytes(190, 140, 96) * ((i + j) % 2 == 0 ? 1.0f : 0.72f);
       };
-      addSlab(mesh_, floor, at({0, top, 0}, -90, {1, 0, 0}));
+      addSlab(mesh_, floor, placedAt({0, top, 0}, -90, {1, 0, 0}));
     }
   }
 
   /// The ridge runs along z of a frame that is turned about the vertical; `span` across it, `length` along it.
   void addGableRoof(float span, float length, double turnDegrees) {
-    const glm::mat4 houseFromRoof = at({0, wallEnd_, 0}, turnDegrees);
+    const glm::mat4 houseFromRoof = placedAt({0, wallEnd_, 0}, turnDegrees);
     const float rise = kPitch * span / 2;
     Mesh gable = makePrism({{-span / 2, 0}, {span / 2, 0}, {0, rise}}, length / 2);
     paint(gable, house_.wallColor);
@@ -180,11 +177,11 @@ class HouseBuilder {
         return house_.roofColor * ((i + j % 2 * 2) % 4 < 2 ? 1.0f : 0.82f) * (j == 0 ? 0.75f : 1.0f);
       };
       // From the eaves at +x up to the ridge: slab x runs along -z, slab y up the slope, its front looks out.
-      const glm::mat4 roofFromSide = at({0, 0, 0}, side) * at({span / 2, 0.02f, 0}, 90) *
-                                     at({0, 0, 0}, angle - 90, {1, 0, 0}) * at({0, 0, kRoofThickness});
+      const glm::mat4 roofFromSide = placedAt({0, 0, 0}, side) * placedAt({span / 2, 0.02f, 0}, 90) *
+                                     placedAt({0, 0, 0}, angle - 90, {1, 0, 0}) * placedAt({0, 0, kRoofThickness});
       addSlab(mesh_, tiles, houseFromRoof * roofFromSide);
     }
-    addBox(mesh_, {0.7f, rise + 0.9f, 0.7f}, houseFromRoof * at({span * 0.22f, (rise + 0.9f) / 2, length * 0.2f}),
+    addBox(mesh_, {0.7f, rise + 0.9f, 0.7f}, houseFromRoof * placedAt({span * 0.22f, (rise + 0.9f) / 2, length * 0.2f}),
            palette::brick());
   }
 
@@ -193,23 +190,23 @@ class HouseBuilder {
     // The leaf hangs at the left side of the doorway and opens inwards.
     const float height = kLintelHeight - 0.06f;
     addBox(mesh_, {2 * kOpeningHalfWidth - 0.06f, height, 0.06f},
-           at({x - kOpeningHalfWidth + 0.03f, 0, house_.depth / 2 - kHouseWall}, 80) *
-               at({kOpeningHalfWidth, height / 2 + 0.06f, 0}),
+           placedAt({x - kOpeningHalfWidth + 0.03f, 0, house_.depth / 2 - kHouseWall}, 80) *
+               placedAt({kOpeningHalfWidth, height / 2 + 0.06f, 0}),
            house_.doorColor);
-    addBox(mesh_, {2 * kOpeningHalfWidth + 0.5f, 0.1f, 0.7f}, at({x, 0.05f, house_.depth / 2 + 0.35f}),
+    addBox(mesh_, {2 * kOpeningHalfWidth + 0.5f, 0.1f, 0.7f}, placedAt({x, 0.05f, house_.depth / 2 + 0.35f}),
            palette::mortar());
     // An awning over the doorway.
     addBox(mesh_, {2 * kOpeningHalfWidth + 0.7f, 0.08f, 1.0f},
-           at({x, kLintelHeight + 0.3f, house_.depth / 2 + 0.45f}, 14, {1, 0, 0}), house_.doorColor);
+           placedAt({x, kLintelHeight + 0.3f, house_.depth / 2 + 0.45f}, 14, {1, 0, 0}), house_.doorColor);
   }
 
   void addFurniture() {
-    addBox(mesh_, {1.6f, 0.08f, 1.0f}, at({0, 0.8f, -house_.depth * 0.15f}), palette::fromSrgbBytes(150, 98, 60));
-    addBox(mesh_, {0.3f, 0.7f, 0.3f}, at({0, 0.41f, -house_.depth * 0.15f}), palette::fromSrgbBytes(120, 78, 48));
+    addBox(mesh_, {1.6f, 0.08f, 1.0f}, placedAt({0, 0.8f, -house_.depth * 0.15f}), palette::fromSrgbBytes(150, 98, 60));
+    addBox(mesh_, {0.3f, 0.7f, 0.3f}, placedAt({0, 0.41f, -house_.depth * 0.15f}), palette::fromSrgbBytes(120, 78, 48));
     Mesh vase = makeTurned({{0, 0}, {0.14f, 0}, {0.22f, 0.2f}, {0.08f, 0.42f}, {0.12f, 0.5f}, {0, 0.5f}}, 16);
     paint(vase, house_.doorColor);
-    append(mesh_, vase, at({0.3f, 0.84f, -house_.depth * 0.15f}));
-    addBox(mesh_, {1.4f, 1.9f, 0.4f}, at({-house_.width * 0.25f, 1.01f, -house_.depth / 2 + kHouseWall + 0.25f}),
+    append(mesh_, vase, placedAt({0.3f, 0.84f, -house_.depth * 0.15f}));
+    addBox(mesh_, {1.4f, 1.9f, 0.4f}, placedAt({-house_.width * 0.25f, 1.01f, -house_.depth / 2 + kHouseWall + 0.25f}),
            house_.roofColor);
   }
 

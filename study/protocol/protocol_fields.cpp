@@ -13,7 +13,6 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kMostTitle = 200;
 constexpr size_t kMostParagraphs = 40;
 constexpr size_t kMostParagraph = 4000;
 constexpr size_t kMostPages = 20;
@@ -60,7 +59,7 @@ void forEachObject(JsonFields& fields, const std::string& name, size_t least, si
 ProtocolPage pageOf(const nlohmann::json& json, const std::string& where) {
   JsonFields fields(json, where);
   ProtocolPage page;
-  page.title = readShortText(fields, "title", kMostTitle);
+  page.title = readShortText(fields, "title", kMaxTitle);
   page.paragraphs = readTexts(fields, "paragraphs", 1, kMostParagraphs, kMostParagraph);
   if (fields.has("picture")) {
     page.picture =
@@ -103,12 +102,12 @@ FormField fieldOf(const nlohmann::json& json, const std::string& where) {
   FormField field;
   field.name = readColumnName(fields);
   field.question = readShortText(fields, "question", kMostParagraph);
-  field.options = readTexts(fields, "options", 2, kMostOptions, kMostTitle);
+  field.options = readTexts(fields, "options", 2, kMostOptions, kMaxTitle);
   if (std::set<std::string>(field.options.begin(), field.options.end()).size() != field.options.size()) {
     fields.fail("options", "must be different from each other");
   }
   if (fields.has("ends")) {
-    field.ends = readTexts(fields, "ends", 2, 2, kMostTitle);
+    field.ends = readTexts(fields, "ends", 2, 2, kMaxTitle);
   }
   if (fields.has("favors")) {
     field.favors = readFavors(fields);
@@ -203,7 +202,7 @@ ProtocolForm readForm(JsonFields& fields, const std::string& name) {
   JsonFields inner(fields.value(name), fmt::format("{}, \"{}\"", fields.where(), name));
   ProtocolForm form;
   form.name = name;
-  form.title = readShortText(inner, "title", kMostTitle);
+  form.title = readShortText(inner, "title", kMaxTitle);
   if (inner.has("introduction")) {
     form.introduction = readShortText(inner, "introduction", kMostParagraph);
   }

@@ -10,6 +10,9 @@ namespace ocelli {
 
 class JsonFields;
 
+/// Characters of a title.
+inline constexpr size_t kMaxTitle = 200;
+
 /// A text of 1 to `most` characters.
 std::string readShortText(JsonFields& fields, const std::string& name, size_t most);
 /// One of the names; `otherwise` where the field is missing and that is not empty.

@@ -18,7 +18,6 @@ namespace ocelli {
 namespace {
 
 constexpr size_t kMostName = 60;
-constexpr size_t kMostTitle = 200;
 constexpr size_t kMostText = 4000;
 constexpr size_t kMostMazes = 20;
 constexpr size_t kMostBlocks = 20;
@@ -120,7 +119,7 @@ ProtocolBlock readBlock(const nlohmann::json& json, const std::string& where, co
   fields.has("name");
   ProtocolBlock block;
   block.name = name;
-  block.title = readShortText(fields, "title", kMostTitle);
+  block.title = readShortText(fields, "title", kMaxTitle);
   const TaskKind& kind = readTask(fields);
   block.taskName = kind.name;
   block.instructions = readPages(fields, "instructions");
@@ -182,7 +181,7 @@ Protocol protocolFromJsonText(const std::string& text, const std::string& where)
     protocol.text = text;
     protocol.sha256 = sha256(text);
     protocol.name = readIdentifier(fields, "name", false);
-    protocol.title = readShortText(fields, "title", kMostTitle);
+    protocol.title = readShortText(fields, "title", kMaxTitle);
     if (fields.has("description")) {
       protocol.description = readShortText(fields, "description", kMostText);
     }

@@ -56,14 +56,14 @@ Color bytesOf(LandmarkColor color) {
           static_cast<double>(srgbFromLinear(linear.z))};
 }
 
-struct DestroySurface {
+struct DestroyPlanSurface {
   void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
 };
-struct DestroyContext {
+struct DestroyPlanContext {
   void operator()(cairo_t* context) const { cairo_destroy(context); }
 };
-using Surface = std::unique_ptr<cairo_surface_t, DestroySurface>;
-using Context = std::unique_ptr<cairo_t, DestroyContext>;
+using Surface = std::unique_ptr<cairo_surface_t, DestroyPlanSurface>;
+using Context = std::unique_ptr<cairo_t, DestroyPlanContext>;
 
 glm::dvec2 placeOf(const WalkerPose& pose) {
   return {pose.x, pose.z};

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kAction = "exported";
+constexpr const char* kExported = "exported";
 
 }  // namespace
 
@@ -22,13 +22,13 @@ void addExportRecord(SQLite::Database& database, const ExportRecord& record) {
   if (record.isReport) {
     detail["report"] = true;
   }
-  addAudit(database, kAction, detail.dump());
+  addAudit(database, kExported, detail.dump());
 }
 
 std::vector<ExportRecord> exportRecordsOf(SQLite::Database& database) {
   std::vector<ExportRecord> records;
   SQLite::Statement row(database, "SELECT detail_json FROM audit WHERE action = ?");
-  row.bind(1, kAction);
+  row.bind(1, kExported);
   while (row.executeStep()) {
     const auto detail = nlohmann::json::parse(textOf(row, 0), nullptr, false);
     if (!detail.is_object()) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* kSalt = "salt";
 constexpr const char* kKeySha256 = "subject_key_sha256";
-constexpr const char* kAction = "withdrawn";
+constexpr const char* kWithdrawn = "withdrawn";
 
 std::string detailOf(const Withdrawal& withdrawal) {
   const nlohmann::ordered_json detail = {{kSalt, withdrawal.salt}, {kKeySha256, withdrawal.keySha256}};
@@ -48,7 +48,7 @@ void rememberWithdrawals(SQLite::Database& database, const std::vector<Withdrawa
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
   for (const Withdrawal& one : withdrawals) {
     if (known.insert(one.salt).second) {
-      addAudit(database, kAction, detailOf(one));
+      addAudit(database, kWithdrawn, detailOf(one));
     }
   }
   transaction.commit();

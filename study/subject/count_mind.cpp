@@ -17,7 +17,7 @@ constexpr double kMotionDegrees = 0.03;
 constexpr double kDriftMetersPerSecond = 1;
 /// Places that differ by more than so many times their errors are two places: one is wrong in one of eight such cases.
 constexpr double kErrorsApart = 2;
-constexpr double kAnswerAgainSeconds = 4;
+constexpr double kCountAgainSeconds = 4;
 
 }  // namespace
 
@@ -200,7 +200,7 @@ void CountMind::answer(const Percept& seen, int64_t now, Hands& hands) {
   const size_t pressed = slips ? (index + 1) % seen.choices.size() : index;
   hands.tap(seen.choices[pressed].key,
             now + nanosecondsOf(vision_.factors().decideSeconds * normalWithin(random_, 1, 0.25, 0.4, 2.5)));
-  answersAgainAt_ = now + nanosecondsOf(kAnswerAgainSeconds);
+  answersAgainAt_ = now + nanosecondsOf(kCountAgainSeconds);
 }
 
 }  // namespace ocelli

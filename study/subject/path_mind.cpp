@@ -21,7 +21,7 @@ constexpr size_t kLeastSpots = 4;
 /// What a turn to the wrong side weighs, and a turn too many or too few, against a time that is off by its spread.
 constexpr double kWrongSide = 6;
 constexpr double kMissing = 4;
-constexpr double kAnswerAgainSeconds = 6;
+constexpr double kPathAgainSeconds = 6;
 
 double angleOf(const SurfaceSpot& spot, const PixelRect& view) {
   const double share = (spot.centroid.x - view.center().x) / (view.width / 2);
@@ -159,7 +159,7 @@ void PathMind::answer(const Percept& seen, int64_t now, Hands& hands) {
   const size_t pressed = slips ? (best + 1) % seen.choices.size() : best;
   const double seconds = vision_.factors().decideSeconds * static_cast<double>(1 + seen.maps.size());
   hands.tap(seen.choices[pressed].key, now + nanosecondsOf(seconds * normalWithin(random_, 1, 0.2, 0.5, 2)));
-  answersAgainAt_ = now + nanosecondsOf(seconds * 2 + kAnswerAgainSeconds);
+  answersAgainAt_ = now + nanosecondsOf(seconds * 2 + kPathAgainSeconds);
 }
 
 }  // namespace ocelli

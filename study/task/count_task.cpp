@@ -21,7 +21,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kTypicalAnswerSeconds = 4;
+constexpr double kTypicalCountSeconds = 4;
 constexpr int kMostAnswer = 9;  // a digit
 
 struct CountCase {
@@ -70,7 +70,7 @@ class CountBlock : public TaskBlock {
     info.objects = of.objects;
     info.duplicateColors = of.duplicateColors;
     info.longestSeconds = of.exposureSeconds + options_.answerLimitSeconds;
-    info.typicalSeconds = of.exposureSeconds + std::min(kTypicalAnswerSeconds, options_.answerLimitSeconds);
+    info.typicalSeconds = of.exposureSeconds + std::min(kTypicalCountSeconds, options_.answerLimitSeconds);
     return info;
   }
   std::string answerOf(const TrialPlan& plan) const override { return std::to_string(caseOf(plan.caseIndex).objects); }

@@ -22,11 +22,6 @@ glm::dvec2 wayOf(Direction heading) {
   return {static_cast<double>(way.x), static_cast<double>(way.z)};
 }
 
-glm::dvec2 middleOf(const Maze& maze, const MazeCell& cell) {
-  const glm::vec3 center = maze.centerOf(cell);
-  return {static_cast<double>(center.x), static_cast<double>(center.z)};
-}
-
 bool visitsTwice(const MazePath& path) {
   std::set<MazeCell> visited{path.start};
   MazeCell cell = path.start;
@@ -44,6 +39,11 @@ bool visitsTwice(const MazePath& path) {
 }
 
 }  // namespace
+
+glm::dvec2 groundCenter(const Maze& maze, const MazeCell& cell) {
+  const glm::vec3 center = maze.centerOf(cell);
+  return {static_cast<double>(center.x), static_cast<double>(center.z)};
+}
 
 /// How many paths of one sequence of turns go on from somewhere: of a leg, from a cell, in a heading, with so many
 /// steps left, of which the next one is on that leg.
@@ -182,7 +182,7 @@ PathWalk::PathWalk(const MazePath& path, const Maze& maze, const Speed& speed) {
   const double cell = static_cast<double>(maze.cellSize);
   const double radius = cell / 2;  // the turns of two neighbouring cells follow one another
   const double turnSeconds = std::max(kPi / 2 * radius / speed.metersPerSecond, 90 / speed.turnDegreesPerSecond);
-  glm::dvec2 place = middleOf(maze, path.start);
+  glm::dvec2 place = groundCenter(maze, path.start);
   Direction heading = path.heading;
   for (size_t leg = 0; leg < path.legs.size(); ++leg) {
     const bool turnsAfter = leg < path.turns.size();

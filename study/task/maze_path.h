@@ -5,6 +5,7 @@
 // taken where some are found.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,9 @@ struct MazePath {
 /// Of 1 to kMostPathTurns turns.
 inline constexpr int kMostPathTurns = 6;
 inline constexpr size_t kMostPathCells = 400;  ///< of the maze
+
+/// (x, z).
+glm::dvec2 groundCenter(const Maze& maze, const MazeCell& cell);
 
 class MazePaths {
  public:

@@ -4,16 +4,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "study/task/maze_path.h"
+
 namespace ocelli {
-namespace {
-
-glm::dvec2 middleOf(const Maze& maze, const MazeCell& cell) {
-  const glm::vec3 center = maze.centerOf(cell);
-  return {static_cast<double>(center.x), static_cast<double>(center.z)};
-}
-
-}  // namespace
-
 ObjectWalk::ObjectWalk(const Maze& maze, std::span<const Start> starts, double metersPerSecond, uint64_t seed)
     : maze_(maze),
       random_(seed),
@@ -43,7 +36,7 @@ void ObjectWalk::chooseGoals() {
     if (!ways.empty()) {
       walk.heading = ways[random_.below(ways.size())];
       walk.goal = walk.cell.neighbor(*walk.heading);
-      walk.to = middleOf(maze_, walk.goal);
+      walk.to = groundCenter(maze_, walk.goal);
     }
   }
 }

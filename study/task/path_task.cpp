@@ -18,8 +18,8 @@
 namespace ocelli {
 namespace {
 
-constexpr double kTypicalAnswerSeconds = 6;
-constexpr int kMostSteps = 400;
+constexpr double kTypicalPathSeconds = 6;
+constexpr int kMaxWalkSteps = 400;
 
 struct PathOptions {
   int turns = 5;
@@ -38,8 +38,8 @@ struct StepRange {
 
 /// Of paths that last as long as asked for.
 StepRange stepsOf(const PathOptions& options, const Maze& maze) {
-  StepRange range{kMostSteps + 1, 0};
-  for (int steps = options.turns + 1; steps <= kMostSteps; ++steps) {
+  StepRange range{kMaxWalkSteps + 1, 0};
+  for (int steps = options.turns + 1; steps <= kMaxWalkSteps; ++steps) {
     const double seconds = PathWalk::secondsOf(steps, options.turns, maze, options.speed);
     if (seconds >= options.leastSeconds && seconds <= options.mostSeconds) {
       range = {std::min(range.least, steps), steps};
@@ -74,7 +74,7 @@ class PathBlock : public TaskBlock {
     info.label = labels_[static_cast<size_t>(caseIndex)];
     info.longestSeconds = options_.mostSeconds + options_.answerLimitSeconds;
     info.typicalSeconds = (options_.leastSeconds + options_.mostSeconds) / 2 +
-                          std::min(kTypicalAnswerSeconds, options_.answerLimitSeconds);
+                          std::min(kTypicalPathSeconds, options_.answerLimitSeconds);
     return info;
   }
   std::string answerOf(const TrialPlan& plan) const override {

@@ -27,7 +27,7 @@ struct Merge : ::testing::Test {
     study.addTrial(trial);
     study.addAnswer(subject, "survey", "easier_find", "5");
   }
-  Dataset both(const MergeOptions& options = {}) const {
+  Dataset both(const DatasetMergeOptions& options = {}) const {
     return merge({readDatabase(first), readDatabase(second)}, options);
   }
 };

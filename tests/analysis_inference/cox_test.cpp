@@ -11,7 +11,7 @@
 namespace ocelli::test {
 namespace {
 
-void expectFit(const SurvivalData& data, const std::string& name) {
+void expectCoxFit(const SurvivalData& data, const std::string& name) {
   const auto fit = fitCox(data);
   ASSERT_TRUE(fit) << fit.reason();
   std::vector<double> coefficients, errors, modelErrors, covariance;
@@ -48,23 +48,23 @@ void expectFit(const SurvivalData& data, const std::string& name) {
 
 TEST(Cox, IsCoxphOnLung) {
   SurvivalData data = goldenData("lung", {"age", "sex", "ph.ecog"});
-  expectFit(data, "cox/lung");
+  expectCoxFit(data, "cox/lung");
   data.clusters = goldenClusters("lung");
-  expectFit(data, "cox/lung_clustered");
+  expectCoxFit(data, "cox/lung_clustered");
 }
 
 TEST(Cox, IsCoxphWithStrata) {
   SurvivalData data = goldenData("veteran", {"trt", "karno"});
   data.strata = goldenLabels("veteran/type");
-  expectFit(data, "cox/veteran_strata");
+  expectCoxFit(data, "cox/veteran_strata");
 }
 
 TEST(Cox, IsCoxphWithManyTiesClustersAndStrata) {
   SurvivalData data = goldenData("find", {"view"});
   data.clusters = goldenClusters("find");
-  expectFit(data, "cox/find");
+  expectCoxFit(data, "cox/find");
   data.strata = goldenLabels("find/case");
-  expectFit(data, "cox/find_strata");
+  expectCoxFit(data, "cox/find_strata");
 }
 
 TEST(Cox, DoesNotDependOnUnits) {
@@ -76,7 +76,7 @@ TEST(Cox, DoesNotDependOnUnits) {
   EXPECT_NEAR(fitCox(data)->terms[0].logHazardRatio.value, perYear * 1000, 1e-5);  // of 1e6 + 0.06, 10 digits are left
 }
 
-std::string reasonFor(const SurvivalData& data) {
+std::string reasonForCox(const SurvivalData& data) {
   const auto fit = fitCox(data);
   EXPECT_FALSE(fit);
   EXPECT_FALSE(testProportionality(data) && data.clusters.empty());
@@ -85,26 +85,26 @@ std::string reasonFor(const SurvivalData& data) {
 
 TEST(Cox, SaysWhatItLacks) {
   SurvivalData data;
-  EXPECT_EQ(reasonFor(data), "none of 0 trials ended by itself");
+  EXPECT_EQ(reasonForCox(data), "none of 0 trials ended by itself");
   data.times = {{10, true}, {20, true}, {30, true}, {40, false}};
-  EXPECT_EQ(reasonFor(data), "there is no covariate");
+  EXPECT_EQ(reasonForCox(data), "there is no covariate");
   data.covariates = {{"view", {1, 1, 1, 1}}};
-  EXPECT_EQ(reasonFor(data), "'view' is the same in all trials");
+  EXPECT_EQ(reasonForCox(data), "'view' is the same in all trials");
   data.covariates = {{"view", {0, 1, 0, 1}}, {"same", {1, 3, 1, 3}}};
-  EXPECT_THAT(reasonFor(data), testing::HasSubstr("follows from the other covariates"));
+  EXPECT_THAT(reasonForCox(data), testing::HasSubstr("follows from the other covariates"));
   data.covariates = {{"view", {0, 0, 0, 1}}};
-  EXPECT_THAT(reasonFor(data), testing::HasSubstr("the likelihood grows without bound in 'view'"));
+  EXPECT_THAT(reasonForCox(data), testing::HasSubstr("the likelihood grows without bound in 'view'"));
   data.covariates = {{"view", {1, 1, 0, 0}}};
-  EXPECT_THAT(reasonFor(data), testing::HasSubstr("the likelihood grows without bound in 'view'"));
+  EXPECT_THAT(reasonForCox(data), testing::HasSubstr("the likelihood grows without bound in 'view'"));
   data.covariates = {{"view", {0, 1, 0, 1}}};
   data.times = {{7, true}, {7, true}, {7, true}, {7, true}};
-  EXPECT_EQ(reasonFor(data), "all 4 trials ended at the same moment");
+  EXPECT_EQ(reasonForCox(data), "all 4 trials ended at the same moment");
   data.times = {{10, true}, {20, true}, {30, true}, {40, false}};
   data.strata = {1, 2, 3, 4};
-  EXPECT_EQ(reasonFor(data), "'view' does not vary among trials that can be compared");
+  EXPECT_EQ(reasonForCox(data), "'view' does not vary among trials that can be compared");
   data.strata = {};
   data.clusters = {1, 1, 1, 1};
-  EXPECT_EQ(reasonFor(data), "1 subject is too few for robust errors of 1 coefficient");
+  EXPECT_EQ(reasonForCox(data), "1 subject is too few for robust errors of 1 coefficient");
   data.clusters = {1};
   EXPECT_THROW(fitCox(data), AnalysisError);
 }

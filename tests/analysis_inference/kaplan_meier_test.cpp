@@ -69,13 +69,13 @@ struct ClusteredTrials {
   std::vector<int> cases;
 };
 
-struct Spread {
+struct CurveSpread {
   double ofSubjects = 0, ofCases = 0, ofTrials = 0;  // log seconds
 };
 
 constexpr double kTrueMedian = 20;
 
-ClusteredTrials clusteredTrials(int subjects, int cases, const Spread& spread, RandomNumbers& random) {
+ClusteredTrials clusteredTrials(int subjects, int cases, const CurveSpread& spread, RandomNumbers& random) {
   std::vector<double> ofCases(static_cast<size_t>(cases));
   for (double& value : ofCases) {
     value = spread.ofCases * random.normal();

@@ -16,7 +16,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-const SampleSize kSize{20, 10, 2};
+const SampleSize kInferenceSize{20, 10, 2};
 
 // Quantiles of t grow beyond all numbers as degrees of freedom fall towards 0.
 TEST(EstimateOf, HasNoIntervalThatCannotBeTold) {
@@ -56,7 +56,7 @@ TEST(ContrastEstimate, HasOneDegreeOfFreedomAtLeast) {
 }
 
 TEST(ParametricBootstrap, IsThatOfTheSeedAndNearTheWaldInterval) {
-  const LinearMixedModel model(sampleDesign(kSize));
+  const LinearMixedModel model(sampleDesign(kInferenceSize));
   RandomNumbers numbers(3);
   const auto fit = model.fit(model.simulate(sampleLinearTruth(), numbers));
   ASSERT_TRUE(fit);
@@ -81,13 +81,13 @@ TEST(ParametricBootstrap, IsThatOfTheSeedAndNearTheWaldInterval) {
 }
 
 TEST(ParametricBootstrap, TestsWhatTheModelHasMore) {
-  const FixedEffects fixed = sampleFixedEffects(kSize);
+  const FixedEffects fixed = sampleFixedEffects(kInferenceSize);
   FixedEffects without(fixed.rows());
   without.addIntercept();
-  const BinomialMixedModel larger(makeDesign(fixed, {sampleRandomTerms(kSize, fixed)[1]}));
-  const BinomialMixedModel smaller(makeDesign(without, {sampleRandomTerms(kSize, fixed)[1]}));
+  const BinomialMixedModel larger(makeDesign(fixed, {sampleRandomTerms(kInferenceSize, fixed)[1]}));
+  const BinomialMixedModel smaller(makeDesign(without, {sampleRandomTerms(kInferenceSize, fixed)[1]}));
   RandomNumbers numbers(5);
-  const BinomialMixedModel whole(makeDesign(fixed, sampleRandomTerms(kSize, fixed)));
+  const BinomialMixedModel whole(makeDesign(fixed, sampleRandomTerms(kInferenceSize, fixed)));
   const BinomialResponse response = whole.simulate(sampleBinomialTruth(), VectorXd::Ones(400), numbers);
   BootstrapOptions options;
   options.replicates = 50;
@@ -108,8 +108,8 @@ TEST(Quadrature, IntegratesPolynomials) {
 }
 
 TEST(MarginalProbability, IsTheMeanOverNewSubjects) {
-  const FixedEffects fixed = sampleFixedEffects(kSize);
-  const std::vector<RandomTerm> random = sampleRandomTerms(kSize, fixed);
+  const FixedEffects fixed = sampleFixedEffects(kInferenceSize);
+  const std::vector<RandomTerm> random = sampleRandomTerms(kInferenceSize, fixed);
   const BinomialMixedModel model(makeDesign(fixed, random));
   RandomNumbers numbers(8);
   const auto fit = model.fit(model.simulate(sampleBinomialTruth(), VectorXd::Ones(400), numbers));
@@ -139,12 +139,12 @@ TEST(MarginalProbability, IsTheMeanOverNewSubjects) {
 }
 
 TEST(MarginalProbability, DiffersBetweenConditions) {
-  const FixedEffects fixed = sampleFixedEffects(kSize);
-  const BinomialMixedModel model(makeDesign(fixed, sampleRandomTerms(kSize, fixed)));
+  const FixedEffects fixed = sampleFixedEffects(kInferenceSize);
+  const BinomialMixedModel model(makeDesign(fixed, sampleRandomTerms(kInferenceSize, fixed)));
   RandomNumbers numbers(8);
   const auto fit = model.fit(model.simulate(sampleBinomialTruth(), VectorXd::Ones(400), numbers));
   ASSERT_TRUE(fit);
-  Condition pinhole = conditionOf(model, *fit, fixed, sampleRandomTerms(kSize, fixed));
+  Condition pinhole = conditionOf(model, *fit, fixed, sampleRandomTerms(kInferenceSize, fixed));
   Condition graph = pinhole;
   pinhole.fixed.col(1).setConstant(-0.5);
   graph.fixed.col(1).setConstant(0.5);

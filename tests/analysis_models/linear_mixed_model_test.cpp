@@ -21,7 +21,7 @@ LinearMixedModel findModel(const GoldenData& data, bool interaction = true) {
 }
 
 /// Relative to the expected value, or to 1 where that is near 0.
-void expectClose(double got, double expected, double tolerance, const std::string& what) {
+void expectNear(double got, double expected, double tolerance, const std::string& what) {
   EXPECT_NEAR(got, expected, tolerance * std::max(std::abs(expected), 1e-3)) << what;
 }
 
@@ -41,12 +41,12 @@ void expectGolden(const LinearMixedModel& model, const Eigen::VectorXd& response
   for (size_t i = 0; i < coefficients.size(); ++i) {
     const Estimate estimate =
         contrastEstimate(*fit, Eigen::VectorXd::Unit(fit->coefficients.size(), static_cast<Eigen::Index>(i)));
-    expectClose(estimate.value, coefficients[i], 1e-5, "coefficient " + fit->names[i]);
-    expectClose(estimate.standardError, standardErrors[i], 1e-5, "standard error " + fit->names[i]);
-    expectClose(estimate.degreesOfFreedom, df[i], 1e-3, "degrees of freedom " + fit->names[i]);
+    expectNear(estimate.value, coefficients[i], 1e-5, "coefficient " + fit->names[i]);
+    expectNear(estimate.standardError, standardErrors[i], 1e-5, "standard error " + fit->names[i]);
+    expectNear(estimate.degreesOfFreedom, df[i], 1e-3, "degrees of freedom " + fit->names[i]);
     EXPECT_NEAR(estimate.pValue / p[i], 1, 2e-2) << fit->names[i];
   }
-  expectClose(fit->residualDeviation, golden.at("sigma").get<double>(), 1e-5, "residual");
+  expectNear(fit->residualDeviation, golden.at("sigma").get<double>(), 1e-5, "residual");
   const std::vector<double> theta = numbersOf(golden.at("theta"));
   for (size_t i = 0; i < theta.size(); ++i) {
     EXPECT_NEAR(fit->theta[static_cast<Eigen::Index>(i)], theta[i], 1e-4) << "theta " << i;

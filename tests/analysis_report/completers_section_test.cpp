@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "tests/analysis_report/hand_made_trials.h"
 #include "tests/analysis_report/section_study.h"
 
 namespace ocelli::test {
@@ -14,8 +15,6 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr TrialView kPpc = TrialView::kPinhole;
-constexpr TrialView kGc = TrialView::kGraph;
 
 ReportDocument completersOf(const SectionStudy& study, const std::vector<std::string>& tasks = {"find"}) {
   return documentOf(study.analysis, [&](ReportWork& work) { addCompletersSection(work, tasks); });

@@ -21,8 +21,8 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr TrialView kPpc = TrialView::kPinhole;
-constexpr TrialView kGc = TrialView::kGraph;
+using test::kGc;
+using test::kPpc;
 
 /// Each of `subjects` sees 4 cases in both views; values vary by all of these.
 HandMadeTrials crossed(int subjects) {

@@ -8,6 +8,9 @@
 
 namespace ocelli::test {
 
+inline constexpr TrialView kPpc = TrialView::kPinhole;
+inline constexpr TrialView kGc = TrialView::kGraph;
+
 struct HandMadeTrial {
   std::string subject = "S1";
   int session = 1;

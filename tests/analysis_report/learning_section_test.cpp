@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "tests/analysis_report/hand_made_trials.h"
 #include "tests/analysis_report/section_study.h"
 
 namespace ocelli::test {
@@ -15,8 +16,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr TrialView kPpc = TrialView::kPinhole;
-constexpr TrialView kGc = TrialView::kGraph;
 constexpr double kT2 = 4.302652729911;  // of 97.5 %, 2 degrees of freedom
 
 ReportDocument learningOf(const SectionStudy& study, const std::vector<std::string>& tasks = {"find"}) {

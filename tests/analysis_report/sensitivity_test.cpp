@@ -15,8 +15,8 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr TrialView kPpc = TrialView::kPinhole;
-constexpr TrialView kGc = TrialView::kGraph;
+using test::kGc;
+using test::kPpc;
 constexpr size_t kEnoughRows = 1000000;
 
 std::vector<std::string> labelsOf(const Variants& variants) {

@@ -18,14 +18,14 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 /// R for the small camera, whose eye L is at (0, 0, 10): to the right, into the scene, away from it, and aslant with
 /// the epipole out of the image.
-const glm::vec3 kRight{1.6f, 0, 10};
+const glm::vec3 kLineRight{1.6f, 0, 10};
 const glm::vec3 kForward{0, 0, 8.4f};
 const glm::vec3 kBackward{0, 0, 11.6f};
 const glm::vec3 kAslant{1, 0.5f, 8.5f};
 const glm::vec3 kNearlyRight{1, 0, 9.99f};
 
 TEST(EpipolarLines, ofASegmentAlongTheRowsAreTheRows) {
-  const EpipolarLines lines(smallCamera(), kRight);
+  const EpipolarLines lines(smallCamera(), kLineRight);
   EXPECT_TRUE(lines.isParallel());
   EXPECT_FALSE(lines.isRing());
   EXPECT_EQ(lines.rowCount(), kHeight);
@@ -66,7 +66,7 @@ TEST(EpipolarLines, areRadialAndNoRingWhereTheEpipoleIsOutside) {
 }
 
 TEST(EpipolarLines, placesComeBack) {
-  for (const glm::vec3& right : {kRight, kForward, kBackward, kAslant, kNearlyRight}) {
+  for (const glm::vec3& right : {kLineRight, kForward, kBackward, kAslant, kNearlyRight}) {
     const EpipolarLines lines(smallCamera(), right);
     for (double v = 0.25; v < kHeight; v += 1.5) {
       for (double u = 0.25; u < kWidth; u += 1.5) {
@@ -84,7 +84,7 @@ TEST(EpipolarLines, placesComeBack) {
 // Lines are at most a pixel apart and their samples one pixel: no point of the image is farther from a sample than half
 // the diagonal of a pixel. A corner may lie beyond the end of the line that it falls on.
 TEST(EpipolarLines, coverTheImage) {
-  for (const glm::vec3& right : {kRight, kForward, kBackward, kAslant, kNearlyRight}) {
+  for (const glm::vec3& right : {kLineRight, kForward, kBackward, kAslant, kNearlyRight}) {
     const EpipolarLines lines(smallCamera(), right);
     int missed = 0;
     for (int y = 0; y < kHeight; ++y) {
@@ -103,7 +103,7 @@ TEST(EpipolarLines, coverTheImage) {
 
 // What the coordinates are for: seen from a viewpoint t of the way from L to R, a point is at x - t D y.
 TEST(EpipolarLines, pointsMoveAlongThemByTheDisparity) {
-  for (const glm::vec3& right : {kRight, kForward, kBackward, kAslant, kNearlyRight}) {
+  for (const glm::vec3& right : {kLineRight, kForward, kBackward, kAslant, kNearlyRight}) {
     const PinholeCamera base = smallCamera();
     const EpipolarLines lines(base, right);
     for (const glm::vec3& point :
@@ -129,7 +129,7 @@ TEST(EpipolarLines, pointsMoveAlongThemByTheDisparity) {
 }
 
 TEST(EpipolarLines, positionsAreOneToOneWithX) {
-  for (const glm::vec3& right : {kRight, kForward, kBackward, kAslant}) {
+  for (const glm::vec3& right : {kLineRight, kForward, kBackward, kAslant}) {
     const EpipolarLines lines(smallCamera(), right);
     for (int row = 0; row < lines.rowCount(); row += 7) {
       double last = -1e30;

@@ -14,7 +14,7 @@ using test::kHeight;
 using test::kWidth;
 using test::smallCamera;
 
-const glm::vec3 kRight{1.6f, 0, 10};
+const glm::vec3 kMapRight{1.6f, 0, 10};
 
 /// A row of depths: a background at depth 12 with occluders before it, each wide enough that the rays added behind it
 /// stay under it, and apart enough that no shadow reaches another one.
@@ -92,14 +92,14 @@ Maps textsMaps(const RandomRow& row, double disparity) {
 
 class EpipolarMaps : public ::testing::Test {
  protected:
-  EpipolarMaps() : lines_(smallCamera(), kRight) {
+  EpipolarMaps() : lines_(smallCamera(), kMapRight) {
     std::mt19937 random(7);
     std::vector<std::vector<EpipolarEdge>> edges;
     for (int row = 0; row < kHeight; ++row) {
       rows_.push_back(randomRow(random, lines_.disparity()));
       edges.push_back(rows_.back().edges);
     }
-    camera_.emplace(smallCamera(), kRight, edges);
+    camera_.emplace(smallCamera(), kMapRight, edges);
   }
 
   EpipolarLines lines_;
@@ -120,15 +120,15 @@ TEST_F(EpipolarMaps, theTextsProjectionMapBracketsTheProjection) {
         const std::optional<glm::vec3> point = smallCamera().unproject(
             {static_cast<float>(u) + 0.5f, static_cast<float>(row) + 0.5f, static_cast<float>(z)});
         const auto column = static_cast<double>(camera_->project(*point)->u);
-        constexpr double kRounding = 1e-3;
+        constexpr double kMapRounding = 1e-3;
         if (z < entry.z0) {
-          EXPECT_NEAR(column, u + 0.5 + entry.offset0, kRounding);
+          EXPECT_NEAR(column, u + 0.5 + entry.offset0, kMapRounding);
         } else if (z > entry.z1) {
-          EXPECT_NEAR(column, u + 0.5 + entry.offset1, kRounding)
+          EXPECT_NEAR(column, u + 0.5 + entry.offset1, kMapRounding)
               << row << " " << u << " " << z << " " << entry.z0 << " " << entry.z1;
         } else {
-          EXPECT_GE(column, u + 0.5 + entry.offset0 - kRounding);
-          EXPECT_LE(column, u + 0.5 + entry.offset1 + kRounding);
+          EXPECT_GE(column, u + 0.5 + entry.offset0 - kMapRounding);
+          EXPECT_LE(column, u + 0.5 + entry.offset1 + kMapRounding);
           ++between;
         }
       }
@@ -156,8 +156,8 @@ TEST_F(EpipolarMaps, theTextsRayMapHoldsTheRaysOfTheCamera) {
         EXPECT_NEAR(base.imageFromCamera(knee).u, entry.position, 1e-3);
         EXPECT_NEAR(knee.z, entry.zFar, 1e-4);
         // r_R passes through R.
-        const glm::vec3 a = glm::normalize(path[0] - kRight);
-        const glm::vec3 b = glm::normalize(path[1] - kRight);
+        const glm::vec3 a = glm::normalize(path[0] - kMapRight);
+        const glm::vec3 b = glm::normalize(path[1] - kMapRight);
         EXPECT_LT(glm::length(glm::cross(a, b)), 1e-6f);
       }
     }

@@ -100,7 +100,7 @@ TEST(ReversePinholeCamera, aroundPointsTheRangeHoldsThem) {
 }
 
 TEST(ReversePinholeCamera, badParametersAreRefused) {
-  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kBadNumber = std::numeric_limits<float>::quiet_NaN();
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const auto refused = [](const PinholeCamera& pinhole, float same, float meeting) {
     EXPECT_THROW(ReversePinholeCamera(pinhole, same, meeting), InputError) << same << " " << meeting;
@@ -109,13 +109,13 @@ TEST(ReversePinholeCamera, badParametersAreRefused) {
   refused(reference(), 15, 20);
   refused(reference(), 10, 14);
   refused(reference(), 10, -20);
-  refused(reference(), kNan, 20);
-  refused(reference(), 10, kNan);
+  refused(reference(), kBadNumber, 20);
+  refused(reference(), 10, kBadNumber);
   refused(reference(), 10, kInfinity);
   refused(reference(0.01f, 14), 10, 20);      // its frustum would be a thousand times as wide at the near end
   refused(reference(8, 14), 10, 14.000001f);  // and as narrow at the far one
   EXPECT_THROW(ReversePinholeCamera::around(test::smallCamera(), {}), InputError);
-  const std::vector<glm::vec3> behind{{0, 0, 12}, {kNan, 0, 0}};
+  const std::vector<glm::vec3> behind{{0, 0, 12}, {kBadNumber, 0, 0}};
   EXPECT_THROW(ReversePinholeCamera::around(test::smallCamera(), behind), InputError);
 }
 

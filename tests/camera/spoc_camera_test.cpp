@@ -14,7 +14,7 @@ using test::kHeight;
 using test::kWidth;
 using test::smallCamera;
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNotANumber = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr glm::vec2 kPole{40, 30};
 
@@ -203,7 +203,7 @@ TEST(SpocCamera, badParametersAreRefused) {
   };
   const SpocDistortion good{{45, 30}, 9, 11, 0, 5};
   EXPECT_NO_THROW(SpocCamera(smallCamera(), good));
-  for (const float value : {kNan, kInfinity, -kInfinity}) {
+  for (const float value : {kNotANumber, kInfinity, -kInfinity}) {
     for (float SpocDistortion::*member :
          {&SpocDistortion::zNear, &SpocDistortion::zFar, &SpocDistortion::nearPixels, &SpocDistortion::farPixels}) {
       SpocDistortion bad = good;
@@ -228,7 +228,7 @@ TEST(SpocCamera, objectsOutOfViewAndFlatScenesAreRefused) {
   const std::vector<glm::vec3> none;
   const std::vector<glm::vec3> behind{{0, 0, 12}, {0.1f, 0, 12}};
   const std::vector<glm::vec3> aside{{30, 0, 0}};
-  const std::vector<glm::vec3> broken{{kNan, 0, 0}, {0, kInfinity, 0}};
+  const std::vector<glm::vec3> broken{{kNotANumber, 0, 0}, {0, kInfinity, 0}};
   const std::vector<glm::vec3> flat{{0, 0, 0}, {0.1f, 0, 0}};
   for (const auto& points : {none, behind, aside, broken, flat}) {
     EXPECT_THROW(SpocCamera::aroundObject(pinhole, points, points), InputError);

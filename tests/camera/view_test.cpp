@@ -15,7 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string errorOf(const std::string& json) {
+std::string viewError(const std::string& json) {
   try {
     viewFromJsonText(json, "view.json");
   } catch (const InputError& error) {
@@ -63,28 +63,28 @@ TEST(View, readsAFileWithComments) {
 }
 
 TEST(View, wrongFieldsAreNamed) {
-  EXPECT_THAT(errorOf(R"({"eyes": [0, 0, 10]})"), HasSubstr("\"eyes\" is unknown"));
-  EXPECT_THAT(errorOf(R"({"eye": [0, 0]})"), HasSubstr("\"eye\""));
-  EXPECT_THAT(errorOf(R"({"eye": [0, 0, "ten"]})"), HasSubstr("\"eye\""));
-  EXPECT_THAT(errorOf(R"({"target": [0, 0, 1e7]})"), HasSubstr("\"target\""));
-  EXPECT_THAT(errorOf(R"({"up": 1})"), HasSubstr("\"up\""));
-  EXPECT_THAT(errorOf(R"({"fov_vertical_degrees": 180})"), HasSubstr("fov_vertical_degrees"));
-  EXPECT_THAT(errorOf(R"({"fov_vertical_degrees": "wide"})"), HasSubstr("fov_vertical_degrees"));
-  EXPECT_THAT(errorOf(R"({"z_near": -1})"), HasSubstr("z_near"));
-  EXPECT_THAT(errorOf(R"({"center_shift": [0, 0, 0]})"), HasSubstr("an array of 2 numbers"));
-  EXPECT_THAT(errorOf(R"({"center_shift": [0, 11]})"), HasSubstr("center_shift"));
-  EXPECT_THAT(errorOf(R"([1, 2])"), HasSubstr("view.json"));
-  EXPECT_THAT(errorOf("{"), HasSubstr("view.json:1"));
+  EXPECT_THAT(viewError(R"({"eyes": [0, 0, 10]})"), HasSubstr("\"eyes\" is unknown"));
+  EXPECT_THAT(viewError(R"({"eye": [0, 0]})"), HasSubstr("\"eye\""));
+  EXPECT_THAT(viewError(R"({"eye": [0, 0, "ten"]})"), HasSubstr("\"eye\""));
+  EXPECT_THAT(viewError(R"({"target": [0, 0, 1e7]})"), HasSubstr("\"target\""));
+  EXPECT_THAT(viewError(R"({"up": 1})"), HasSubstr("\"up\""));
+  EXPECT_THAT(viewError(R"({"fov_vertical_degrees": 180})"), HasSubstr("fov_vertical_degrees"));
+  EXPECT_THAT(viewError(R"({"fov_vertical_degrees": "wide"})"), HasSubstr("fov_vertical_degrees"));
+  EXPECT_THAT(viewError(R"({"z_near": -1})"), HasSubstr("z_near"));
+  EXPECT_THAT(viewError(R"({"center_shift": [0, 0, 0]})"), HasSubstr("an array of 2 numbers"));
+  EXPECT_THAT(viewError(R"({"center_shift": [0, 11]})"), HasSubstr("center_shift"));
+  EXPECT_THAT(viewError(R"([1, 2])"), HasSubstr("view.json"));
+  EXPECT_THAT(viewError("{"), HasSubstr("view.json:1"));
 }
 
 TEST(View, degenerateViewsAreRefused) {
-  EXPECT_THAT(errorOf(R"({"eye": [1, 2, 3], "target": [1, 2, 3]})"), HasSubstr("eye"));
-  EXPECT_THAT(errorOf(R"({"eye": [0, 5, 0]})"), HasSubstr("up"));
-  EXPECT_THAT(errorOf(R"({"up": [0, 0, 0]})"), HasSubstr("up"));
-  EXPECT_THAT(errorOf(R"({"eye": [0, 0, 0.5]})"), HasSubstr("fov_vertical_degrees"));
-  EXPECT_EQ(errorOf(R"({"eye": [0, 0, 0.5], "fov_vertical_degrees": 60})"), "");
-  EXPECT_THAT(errorOf(R"({"fov_vertical_degrees": 179})"), HasSubstr("fov_vertical_degrees"));
-  EXPECT_THAT(errorOf(R"({"z_near": 5, "z_far": 5})"), HasSubstr("z_near"));
+  EXPECT_THAT(viewError(R"({"eye": [1, 2, 3], "target": [1, 2, 3]})"), HasSubstr("eye"));
+  EXPECT_THAT(viewError(R"({"eye": [0, 5, 0]})"), HasSubstr("up"));
+  EXPECT_THAT(viewError(R"({"up": [0, 0, 0]})"), HasSubstr("up"));
+  EXPECT_THAT(viewError(R"({"eye": [0, 0, 0.5]})"), HasSubstr("fov_vertical_degrees"));
+  EXPECT_EQ(viewError(R"({"eye": [0, 0, 0.5], "fov_vertical_degrees": 60})"), "");
+  EXPECT_THAT(viewError(R"({"fov_vertical_degrees": 179})"), HasSubstr("fov_vertical_degrees"));
+  EXPECT_THAT(viewError(R"({"z_near": 5, "z_far": 5})"), HasSubstr("z_near"));
 }
 
 TEST(View, numbersThatAreNotFiniteAreRefused) {

@@ -45,7 +45,7 @@ std::string pageOf(const std::vector<RepresentationFigures>& rows, const std::st
   return evaluatePage(page, options(), rows);
 }
 
-std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
+std::vector<std::string> pageMatches(const std::string& text, const std::string& pattern) {
   const std::regex regex(pattern);
   std::vector<std::string> found;
   for (std::sregex_iterator it(text.begin(), text.end(), regex); it != std::sregex_iterator(); ++it) {
@@ -63,7 +63,7 @@ void expectTagsClosed(const std::string& page) {
         "thead", "tbody", "tr",   "td",     "th",      "p",       "h1",   "h2",     "h3",         "dl",
         "dt",    "dd",    "ul",   "li",     "svg",     "g",       "text", "title",  "span",       "a"}) {
     const std::string name(tag);
-    EXPECT_EQ(matches(page, "(<" + name + "[ >])").size(), matches(page, "(</" + name + ">)").size()) << tag;
+    EXPECT_EQ(pageMatches(page, "(<" + name + "[ >])").size(), pageMatches(page, "(</" + name + ">)").size()) << tag;
   }
 }
 
@@ -87,17 +87,17 @@ TEST(EvaluatePage, NeedsNothingFromElsewhereAndNoScript) {
   EXPECT_THAT(page, Not(HasSubstr("://")));
   EXPECT_THAT(page, Not(HasSubstr("<script")));
   EXPECT_THAT(page, HasSubstr("@media print"));
-  for (const std::string& source : matches(page, "(?:src|href)=\"([^#\"][^\"]*)\"")) {
+  for (const std::string& source : pageMatches(page, "(?:src|href)=\"([^#\"][^\"]*)\"")) {
     EXPECT_TRUE(source.ends_with(".png") || source == "data:,") << source;
   }
 }
 
 TEST(EvaluatePage, IdsAreUniqueAndLinksAndLabelsHaveTheirs) {
   const std::string page = pageOf(kRows);
-  const std::vector<std::string> ids = matches(page, " id=\"([^\"]*)\"");
+  const std::vector<std::string> ids = pageMatches(page, " id=\"([^\"]*)\"");
   const std::set<std::string> unique(ids.begin(), ids.end());
   EXPECT_EQ(unique.size(), ids.size());
-  for (const std::string& wanted : matches(page, "(?:href=\"#|labelledby=\")([^\"]*)\"")) {
+  for (const std::string& wanted : pageMatches(page, "(?:href=\"#|labelledby=\")([^\"]*)\"")) {
     EXPECT_TRUE(unique.contains(wanted)) << wanted;
   }
 }
@@ -114,7 +114,7 @@ TEST(EvaluatePage, MarksTheBestOfAColumnButNotTheSceneItself) {
 TEST(EvaluatePage, NoNumberIsWithoutAPlace) {
   for (const auto& rows : {kRows, {kRows[3]}, {kRows[0]}, {figures("none", 0, 0)}}) {
     const std::string page = pageOf(rows);
-    for (const std::string& path : matches(page, " (?:d|points|x|y|cx|cy)=\"([^\"]*)\"")) {
+    for (const std::string& path : pageMatches(page, " (?:d|points|x|y|cx|cy)=\"([^\"]*)\"")) {
       EXPECT_THAT(path, Not(HasSubstr("nan")));
       EXPECT_THAT(path, Not(HasSubstr("inf")));
     }
@@ -127,7 +127,7 @@ TEST(EvaluatePage, TellsThatRowsAreMissing) {
 }
 
 TEST(EvaluatePage, EveryImageSaysWhatItShows) {
-  const std::vector<std::string> tags = matches(pageOf(kRows), "(<img[^>]*>)");
+  const std::vector<std::string> tags = pageMatches(pageOf(kRows), "(<img[^>]*>)");
   ASSERT_EQ(tags.size(), 1u + 2 * kRows.size());
   for (const std::string& tag : tags) {
     EXPECT_TRUE(std::regex_search(tag, std::regex("alt=\"[^\"]{10,}\""))) << tag;
@@ -143,7 +143,7 @@ TEST(PictureNames, AreSafeAndDiffer) {
 
 std::vector<double> xOfMarkers(const std::string& svg) {
   std::vector<double> places;
-  for (const std::string& x : matches(svg, "<circle cx=\"([0-9.]+)\"")) {
+  for (const std::string& x : pageMatches(svg, "<circle cx=\"([0-9.]+)\"")) {
     places.push_back(std::stod(x));
   }
   return places;
@@ -187,7 +187,7 @@ TEST(FrontierPlot, LabelsThatWouldCoverEachOtherStandInTheMargin) {
 TEST(CurvePlot, HasACurveForEachSeriesWithPoints) {
   const std::string svg =
       curvePlot("t", "x", "y", {{"a", {{0, 0}, {1, 0.1}}, 0}, {"b", {{0, 0.1}, {1, 0.2}}, 1}, {"none", {}, 2}});
-  EXPECT_EQ(matches(svg, "(fill: none; stroke: var)").size(), 2u);
+  EXPECT_EQ(pageMatches(svg, "(fill: none; stroke: var)").size(), 2u);
   EXPECT_THAT(svg, Not(HasSubstr("none</text>")));
 }
 

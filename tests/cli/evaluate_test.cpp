@@ -17,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kSmall =
+constexpr const char* kSmallEvaluation =
     "evaluate builtin:doors --size 90x60 --profile test --interior 2 --directions 2 --runs 1 ";
 
 /// Without what differs from run to run.
@@ -34,7 +34,7 @@ nlohmann::json timeless(const std::string& bytes) {
 TEST(Evaluate, WritesAllItsFilesAndLeavesNoOther) {
   const TemporaryFolder folder;
   const ProgramResult result =
-      runProgram(kSmall + std::string("--cameras di,ddoc --json ") + inQuotes(folder / "x.json") + " --csv " +
+      runProgram(kSmallEvaluation + std::string("--cameras di,ddoc --json ") + inQuotes(folder / "x.json") + " --csv " +
                  inQuotes(folder / "x.csv") + " --csv-offsets " + inQuotes(folder / "o.csv") + " --page " +
                  inQuotes(folder / "my page"));
   ASSERT_EQ(result.exitCode, 0) << result.error;
@@ -62,7 +62,7 @@ TEST(Evaluate, WritesAllItsFilesAndLeavesNoOther) {
 TEST(Evaluate, TakesEveryShapeOfCell) {
   for (const std::string shape : {"cube", "sphere", "segment"}) {
     const ProgramResult result =
-        runProgram(kSmall + std::string("--cameras di --cell 4in --cell-shape ") + shape + " --json -");
+        runProgram(kSmallEvaluation + std::string("--cameras di --cell 4in --cell-shape ") + shape + " --json -");
     ASSERT_EQ(result.exitCode, 0) << result.error;
     EXPECT_EQ(nlohmann::json::parse(result.output)["cell"]["shape"], shape);
   }
@@ -73,7 +73,7 @@ TEST(Evaluate, RefusesWhatMakesNoCell) {
        {"--cell 0", "--cell 0in", "--cell -1in", "--cell-shape ball", "--segment-direction 0,0,0",
         "--segment-direction 1,2", "--runs 0", "--directions -1", "--size 0x5", "--cameras nothing", "--resume"}) {
     const TemporaryFolder folder;
-    const ProgramResult result = runProgram(kSmall + arguments + " --json " + inQuotes(folder / "x.json"));
+    const ProgramResult result = runProgram(kSmallEvaluation + arguments + " --json " + inQuotes(folder / "x.json"));
     EXPECT_EQ(result.exitCode, 2) << arguments << result.error;
     EXPECT_THAT(result.error, HasSubstr("error"));
     EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << arguments;
@@ -92,7 +92,7 @@ TEST(Evaluate, FailsEarlyWhereItCannotWrite) {
   const std::string file = inQuotes(folder.write("file", ""));
   for (const std::string& arguments :
        {"--json " + inQuotes(folder / "none/x.json"), "--page " + file, "--csv " + inQuotes(folder.path())}) {
-    const ProgramResult result = runProgram(kSmall + arguments);
+    const ProgramResult result = runProgram(kSmallEvaluation + arguments);
     EXPECT_EQ(result.exitCode, 1) << arguments << result.error;
   }
 }
@@ -137,7 +137,7 @@ TEST(Evaluate, InterruptedKeepsWhatIsDoneAndGoesOn) {
 
 TEST(Evaluate, StaleAndBrokenWorkFilesAreNotUsed) {
   const TemporaryFolder folder;
-  const std::string command = kSmall + std::string("--cameras di --json ") + inQuotes(folder / "x.json");
+  const std::string command = kSmallEvaluation + std::string("--cameras di --json ") + inQuotes(folder / "x.json");
   for (const std::string bytes : {"", "{", R"({"format": 1, "key": "another", "representations": []})"}) {
     folder.write("x.json.work", bytes);
     const ProgramResult asked = runProgram(command + " --resume");

@@ -13,14 +13,14 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr const char* kSmall = "solidity builtin:doors --size 90x60 --profile test --cell 4in --interior 1 ";
+constexpr const char* kSmallSolidity = "solidity builtin:doors --size 90x60 --profile test --cell 4in --interior 1 ";
 
 TEST(Solidity, ComparesCamerasAndImagesWithTheGeometry) {
   const TemporaryFolder folder;
   const std::string image = (folder / "two viewers.exr").string();
   ASSERT_EQ(runProgram("ocri build builtin:doors --size 90x60 -o '" + image + "'").exitCode, 0);
   const ProgramResult result =
-      runProgram(kSmall + std::string("--cameras di,'") + image + "' --json '" + (folder / "x.json").string() +
+      runProgram(kSmallSolidity + std::string("--cameras di,'") + image + "' --json '" + (folder / "x.json").string() +
                  "' -o '" + (folder / "pictures").string() + "'");
   ASSERT_EQ(result.exitCode, 0) << result.error;
   EXPECT_THAT(result.output, HasSubstr("hidden light"));
@@ -37,7 +37,7 @@ TEST(Solidity, ComparesCamerasAndImagesWithTheGeometry) {
 }
 
 TEST(Solidity, PrintsJsonAlone) {
-  const ProgramResult result = runProgram(kSmall + std::string("--cameras di --picture-side 20 --json"));
+  const ProgramResult result = runProgram(kSmallSolidity + std::string("--cameras di --picture-side 20 --json"));
   ASSERT_EQ(result.exitCode, 0) << result.error;
   EXPECT_EQ(nlohmann::json::parse(result.output)["picture_side"], 20);
 }
@@ -45,7 +45,7 @@ TEST(Solidity, PrintsJsonAlone) {
 TEST(Solidity, RefusesWhatItCannotMeasure) {
   for (const std::string arguments : {"--cell 0", "--cameras nothing", "--cameras missing.exr", "--picture-side -1",
                                       "--profile nothing", "--interior -1", "--cell 100in"}) {
-    const ProgramResult result = runProgram(kSmall + arguments);
+    const ProgramResult result = runProgram(kSmallSolidity + arguments);
     EXPECT_EQ(result.exitCode, 2) << arguments << result.error;
     EXPECT_EQ(result.output, "");
   }

@@ -16,18 +16,18 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-GraphCamera cameraOf(const std::string& text) {
+GraphCamera graphCameraOf(const std::string& text) {
   GraphCamera camera(smallCamera());
   test::readText(text, [&](JsonFields& fields) { camera = readGraphCamera(fields, smallCamera()); });
   return camera;
 }
 
-std::string errorOf(const std::string& text) {
+std::string operationError(const std::string& text) {
   return test::errorOfText(text, [](JsonFields& fields) { readGraphCamera(fields, smallCamera()); });
 }
 
 std::string errorOfOperations(const std::string& operations) {
-  return errorOf("{'operations': [" + operations + "]}");
+  return operationError("{'operations': [" + operations + "]}");
 }
 
 std::string plane(const std::string& point, const std::string& normal) {
@@ -79,18 +79,18 @@ TEST(GraphOperations, doWhatTheCameraDoes) {
   const auto [left, right] = expected.split(0, turnAt({0, 0, 0.5}, {-0.3, 0, -1}, {1.5, 0, 7}),
                                             turnAt({0, 0, 0.5}, {0.3, 0, -1}, {-1.5, 0, 7}), "left", "right");
   expected.merge(left, right, turnAt({0, 0, -1.5}, {0, 0, -1}, {0, 0, 6}), "behind");
-  expectSame(expected, cameraOf("{'camera': 'graph', 'operations': [" + kSplit + ", " + kMerge + "]}"));
+  expectSame(expected, graphCameraOf("{'camera': 'graph', 'operations': [" + kSplit + ", " + kMerge + "]}"));
 }
 
 TEST(GraphOperations, mayStandInAnyOrder) {
-  const GraphCamera camera = cameraOf("{'operations': [" + kMerge + ", " + kSplit + "]}");
+  const GraphCamera camera = graphCameraOf("{'operations': [" + kMerge + ", " + kSplit + "]}");
   EXPECT_THAT(namesOf(camera), ElementsAre("root", "left", "right", "behind of left", "behind of right"));
 }
 
 TEST(GraphOperations, actOnBothSubFrustaOfAMerge) {
   const std::string limit = ", {'operation': 'limit', 'of': 'far', 'plane': " + plane("[0, 0, -4]", "[0, 0, -1]") + "}";
   const GraphCamera camera =
-      cameraOf("{'operations': [" + kSplit + ", " + kMerge + ", " + bend("behind", "far", -3) + limit + "]}");
+      graphCameraOf("{'operations': [" + kSplit + ", " + kMerge + ", " + bend("behind", "far", -3) + limit + "]}");
   EXPECT_THAT(namesOf(camera), ElementsAre("root", "left", "right", "behind of left", "behind of right",
                                            "far of behind of left", "far of behind of right"));
   EXPECT_EQ(camera.frusta()[5].limits.size(), 1u);
@@ -99,34 +99,34 @@ TEST(GraphOperations, actOnBothSubFrustaOfAMerge) {
 
 TEST(GraphOperations, partsAreSharesOfTheImage) {
   const GraphCamera camera =
-      cameraOf("{'operations': [" + bend("root", "left", 0, ", 'part': [[0, 0], [0.5, 0], [0.5, 1], [0, 1]]") + "]}");
+      graphCameraOf("{'operations': [" + bend("root", "left", 0, ", 'part': [[0, 0], [0.5, 0], [0.5, 1], [0, 1]]") + "]}");
   EXPECT_DOUBLE_EQ(camera.frusta()[1].part[2].x, smallCamera().width() / 2.0);
   EXPECT_DOUBLE_EQ(camera.frusta()[1].part[2].y, smallCamera().height());
 }
 
 TEST(GraphOperations, viewOfTheFileGoesBeforeTheUsers) {
-  const GraphCamera camera = cameraOf("{'view': {'eye': [0, 1, 5]}, 'operations': []}");
+  const GraphCamera camera = graphCameraOf("{'view': {'eye': [0, 1, 5]}, 'operations': []}");
   EXPECT_EQ(camera.root().eye(), glm::vec3(0, 1, 5));
   EXPECT_EQ(camera.width(), smallCamera().width());
-  EXPECT_EQ(cameraOf("{'operations': []}").root().eye(), smallCamera().eye());
+  EXPECT_EQ(graphCameraOf("{'operations': []}").root().eye(), smallCamera().eye());
 }
 
 TEST(GraphOperations, filesMayAskForAShapeOfImages) {
-  EXPECT_EQ(cameraOf("{'size': {'width': 1800, 'height': 1200}, 'operations': []}").width(), smallCamera().width());
-  EXPECT_THAT(errorOf("{'size': {'width': 1280, 'height': 720}, 'operations': []}"),
+  EXPECT_EQ(graphCameraOf("{'size': {'width': 1800, 'height': 1200}, 'operations': []}").width(), smallCamera().width());
+  EXPECT_THAT(operationError("{'size': {'width': 1280, 'height': 720}, 'operations': []}"),
               AllOf(HasSubstr("1280x720, not 90x60"), HasSubstr("--size")));
-  EXPECT_THAT(errorOf("{'size': {'width': 0, 'height': 720}, 'operations': []}"), HasSubstr("\"width\""));
+  EXPECT_THAT(operationError("{'size': {'width': 0, 'height': 720}, 'operations': []}"), HasSubstr("\"width\""));
 }
 
 TEST(GraphOperations, textOfACameraMakesItAgain) {
   GraphCamera limited = crossroads();
   limited.limit(1, Plane::through({0, 0, -4}, {0.1, 0, -1}));
   limited.limit(0, Plane::through({0, 0, -4}, {0.1, 0, -1}));
-  expectSame(limited, cameraOf(jsonText(limited)));
+  expectSame(limited, graphCameraOf(jsonText(limited)));
   GraphCamera twins(smallCamera());
   twins.bend(twins.bend(0, turnAt({0, 0, 1}, {0, 0, -1}, {1, 0, 5}), "twin"), turnAt({0, 0, 0}, {0, 0, -1}, {1, 0, 5}),
              "twin");
-  EXPECT_THAT(namesOf(cameraOf(jsonText(twins))), ElementsAre("root", "twin", "twin 2"));
+  EXPECT_THAT(namesOf(graphCameraOf(jsonText(twins))), ElementsAre("root", "twin", "twin 2"));
 }
 
 // Two frusta whose rays cross beyond the plane.
@@ -157,9 +157,9 @@ TEST(GraphOperations, circlesAreNamed) {
 }
 
 TEST(GraphOperations, refusesWhatCannotBe) {
-  EXPECT_THAT(errorOf("{}"), HasSubstr("\"operations\" is missing"));
-  EXPECT_THAT(errorOf("{'operations': 3}"), HasSubstr("must be an array"));
-  EXPECT_THAT(errorOf("{'operations': [], 'wrong': 1}"), HasSubstr("\"wrong\" is unknown"));
+  EXPECT_THAT(operationError("{}"), HasSubstr("\"operations\" is missing"));
+  EXPECT_THAT(operationError("{'operations': 3}"), HasSubstr("must be an array"));
+  EXPECT_THAT(operationError("{'operations': [], 'wrong': 1}"), HasSubstr("\"wrong\" is unknown"));
   EXPECT_THAT(errorOfOperations("3"), AllOf(HasSubstr("operation 1"), HasSubstr("JSON object")));
   EXPECT_THAT(errorOfOperations("{'operation': 'fold'}"), HasSubstr("must be bend, split, merge or limit"));
   EXPECT_THAT(errorOfOperations(bend("nowhere", "a", 0)), HasSubstr("no frustum \"nowhere\""));

@@ -171,7 +171,7 @@ TEST(TargetTracker, returnsToThePinhole) {
   EXPECT_EQ(tracker.f(), 0);
 }
 
-std::string errorOf(const TargetOptions& options, const PinholeCamera& view) {
+std::string targetError(const TargetOptions& options, const PinholeCamera& view) {
   try {
     buildTargetCamera(options, {}, view);
   } catch (const InputError& error) {
@@ -190,12 +190,12 @@ TEST(TargetCamera, bendsAroundNamedOccluders) {
 }
 
 TEST(TargetCamera, aTargetThatCannotBeSeenIsRefused) {
-  EXPECT_THAT(errorOf({}, viewFrom()), HasSubstr("no target"));
+  EXPECT_THAT(targetError({}, viewFrom()), HasSubstr("no target"));
   TargetOptions options;
   options.box = cube({0, 0, 10}, 1);
-  EXPECT_THAT(errorOf(options, viewFrom()), HasSubstr("in the box"));
+  EXPECT_THAT(targetError(options, viewFrom()), HasSubstr("in the box"));
   options.box = cube({0, 0, 14}, 1);
-  EXPECT_THAT(errorOf(options, viewFrom()), HasSubstr("behind the eye"));
+  EXPECT_THAT(targetError(options, viewFrom()), HasSubstr("behind the eye"));
 }
 
 }  // namespace

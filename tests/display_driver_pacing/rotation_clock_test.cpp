@@ -11,7 +11,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double kRefresh = 1.0 / 24;
+constexpr double kClockRefresh = 1.0 / 24;
 
 HostTime at(double seconds) {
   return HostTime(1000s) + std::chrono::nanoseconds(std::llround(seconds * 1e9));
@@ -26,7 +26,7 @@ RotationReading reading(double seconds, double refreshes) {
   return {.time = at(seconds),
           .refresh = static_cast<uint64_t>(refreshes),
           .share = refreshes - std::floor(refreshes),
-          .refreshSeconds = kRefresh};
+          .refreshSeconds = kClockRefresh};
 }
 
 double uniform(Random& random, double from, double to) {
@@ -34,17 +34,17 @@ double uniform(Random& random, double from, double to) {
 }
 
 TEST(RotationClockTest, oneReadingAndTheRateOfTheDisplayAreEnough) {
-  RotationClock clock(kRefresh);
+  RotationClock clock(kClockRefresh);
   EXPECT_FALSE(clock.running());
   clock.add({.time = at(1), .refresh = 10, .share = 0.5});
   ASSERT_TRUE(clock.running());
   EXPECT_NEAR(clock.refreshesAt(at(1)), 10.5, 1e-9);
-  EXPECT_NEAR(secondsOf(clock.beginOf(12)), 1 + 1.5 * kRefresh, 2e-9);
+  EXPECT_NEAR(secondsOf(clock.beginOf(12)), 1 + 1.5 * kClockRefresh, 2e-9);
   EXPECT_EQ(clock.refreshAfter(at(1)), 11u);
 }
 
 TEST(RotationClockTest, timesAndRefreshesAreEachOthersInverse) {
-  RotationClock clock(kRefresh);
+  RotationClock clock(kClockRefresh);
   clock.add(reading(0, 1'000'000.25));
   for (const uint64_t refresh : {1'000'001u, 1'000'100u, 1'010'000u}) {
     EXPECT_EQ(clock.refreshAfter(clock.beginOf(refresh)), refresh);
@@ -55,14 +55,14 @@ TEST(RotationClockTest, timesAndRefreshesAreEachOthersInverse) {
 
 TEST(RotationClockTest, exactReadingsOfAnyConstantRateAreFoundExactly) {
   for (const double factor : {0.98, 1.0, 1.015}) {
-    RotationClock clock(kRefresh);
+    RotationClock clock(kClockRefresh);
     for (int i = 0; i < 200; ++i) {
       const double seconds = 0.05 * i;
-      clock.add(reading(seconds, 3 + seconds / (kRefresh * factor)));
+      clock.add(reading(seconds, 3 + seconds / (kClockRefresh * factor)));
     }
     // After 10 s the first guess of the rate has no weight left.
-    EXPECT_NEAR(clock.refreshSeconds(), kRefresh * factor, 1e-5 * kRefresh);
-    EXPECT_NEAR(clock.refreshesAt(at(10.5)), 3 + 10.5 / (kRefresh * factor), 1e-3);
+    EXPECT_NEAR(clock.refreshSeconds(), kClockRefresh * factor, 1e-5 * kClockRefresh);
+    EXPECT_NEAR(clock.refreshesAt(at(10.5)), 3 + 10.5 / (kClockRefresh * factor), 1e-3);
     EXPECT_EQ(clock.restarts(), 0u);
   }
 }
@@ -71,17 +71,17 @@ TEST(RotationClockTest, exactReadingsOfAnyConstantRateAreFoundExactly) {
 TEST(RotationClockTest, jitteredReadingsGiveLessJitterThanTheyHave) {
   const double jitter = 0.004;
   Random random(1);
-  RotationClock clock(kRefresh);
+  RotationClock clock(kClockRefresh);
   double squares = 0;
   double expected = 0;
   int count = 0;
   for (int i = 0; i < 2000; ++i) {
     const double seconds = 0.05 * i;
-    const double refreshes = 5 + seconds / kRefresh;
+    const double refreshes = 5 + seconds / kClockRefresh;
     clock.add(reading(seconds + uniform(random, -jitter, jitter), refreshes));
     if (i > 100) {
       const double ahead = seconds + 0.06;
-      const double error = (clock.refreshesAt(at(ahead)) - (5 + ahead / kRefresh)) * kRefresh;
+      const double error = (clock.refreshesAt(at(ahead)) - (5 + ahead / kClockRefresh)) * kClockRefresh;
       squares += error * error;
       expected += clock.uncertaintySeconds(at(ahead)) * clock.uncertaintySeconds(at(ahead));
       ++count;
@@ -97,63 +97,63 @@ TEST(RotationClockTest, jitteredReadingsGiveLessJitterThanTheyHave) {
 
 TEST(RotationClockTest, aDriftingMotorIsFollowed) {
   Random random(2);
-  RotationClock clock(kRefresh);
+  RotationClock clock(kClockRefresh);
   // The rate rises by 0.2 % a second for ten seconds.
   for (int i = 0; i < 200; ++i) {
     const double t = 0.05 * i;
-    const double refreshes = (t + 0.001 * t * t) / kRefresh;
+    const double refreshes = (t + 0.001 * t * t) / kClockRefresh;
     clock.add(reading(t + uniform(random, -0.001, 0.001), refreshes));
     if (i > 40) {
       // Half a slice of 198: what a viewer cannot see.
-      EXPECT_NEAR(clock.refreshesAt(at(t + 0.05)), (t + 0.05 + 0.001 * (t + 0.05) * (t + 0.05)) / kRefresh, 0.02);
+      EXPECT_NEAR(clock.refreshesAt(at(t + 0.05)), (t + 0.05 + 0.001 * (t + 0.05) * (t + 0.05)) / kClockRefresh, 0.02);
     }
   }
   EXPECT_EQ(clock.restarts(), 0u);
 }
 
 TEST(RotationClockTest, singleWrongReadingsAreLeftOut) {
-  RotationClock clock(kRefresh);
+  RotationClock clock(kClockRefresh);
   for (int i = 0; i < 200; ++i) {
     const double seconds = 0.05 * i;
     const double wrong = i % 10 == 9 ? 0.3 : 0;  // told 0.3 refreshes late
-    clock.add(reading(seconds, 10 + seconds / kRefresh - wrong));
+    clock.add(reading(seconds, 10 + seconds / kClockRefresh - wrong));
   }
-  EXPECT_NEAR(clock.refreshesAt(at(10)), 10 + 10 / kRefresh, 0.003);
+  EXPECT_NEAR(clock.refreshesAt(at(10)), 10 + 10 / kClockRefresh, 0.003);
   EXPECT_EQ(clock.restarts(), 0u);
 }
 
 TEST(RotationClockTest, missingReadingsMakeItLessSure) {
-  RotationClock clock(kRefresh);
+  RotationClock clock(kClockRefresh);
   for (int i = 0; i < 100; ++i) {
-    clock.add(reading(0.05 * i, 0.05 * i / kRefresh));
+    clock.add(reading(0.05 * i, 0.05 * i / kClockRefresh));
   }
   const double soon = clock.uncertaintySeconds(at(5));
   EXPECT_LT(soon, 0.0005);
   EXPECT_GT(clock.uncertaintySeconds(at(10)), 2 * soon);
-  EXPECT_GT(clock.uncertaintySeconds(at(60)), kRefresh);
+  EXPECT_GT(clock.uncertaintySeconds(at(60)), kClockRefresh);
 }
 
 TEST(RotationClockTest, aRestartedRotationIsFoundAgain) {
-  RotationClock clock(kRefresh);
+  RotationClock clock(kClockRefresh);
   for (int i = 0; i < 100; ++i) {
-    clock.add(reading(0.05 * i, 1000 + 0.05 * i / kRefresh));
+    clock.add(reading(0.05 * i, 1000 + 0.05 * i / kClockRefresh));
   }
   for (int i = 0; i < 40; ++i) {
-    clock.add(reading(8 + 0.05 * i, 0.4 + 0.05 * i / kRefresh));
+    clock.add(reading(8 + 0.05 * i, 0.4 + 0.05 * i / kClockRefresh));
   }
   EXPECT_EQ(clock.restarts(), 1u);
-  EXPECT_NEAR(clock.refreshesAt(at(10)), 0.4 + 2 / kRefresh, 0.01);
+  EXPECT_NEAR(clock.refreshesAt(at(10)), 0.4 + 2 / kClockRefresh, 0.01);
 }
 
 TEST(RotationClockTest, oldAndRepeatedReadingsAreLeftOut) {
-  RotationClock clock(kRefresh);
+  RotationClock clock(kClockRefresh);
   for (int i = 0; i < 100; ++i) {
-    clock.add(reading(0.05 * i, 0.05 * i / kRefresh));
+    clock.add(reading(0.05 * i, 0.05 * i / kClockRefresh));
     clock.add(reading(0.05 * i, 500));
     clock.add(reading(0.05 * i - 0.01, 700));
   }
   EXPECT_EQ(clock.restarts(), 0u);
-  EXPECT_NEAR(clock.refreshesAt(at(5)), 5 / kRefresh, 1e-3);
+  EXPECT_NEAR(clock.refreshesAt(at(5)), 5 / kClockRefresh, 1e-3);
 }
 
 }  // namespace

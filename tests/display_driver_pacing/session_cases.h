@@ -15,7 +15,7 @@ namespace ocelli::test {
 struct SessionContent {
   std::vector<SessionRecord> records;  ///< their volumes are nullptr
   std::vector<Volume> volumes;
-  std::optional<SessionEnding> ending;
+  std::optional<RecordingEnding> ending;
 };
 
 inline SessionContent readAll(SessionReader& reader) {

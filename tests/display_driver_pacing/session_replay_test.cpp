@@ -88,7 +88,7 @@ TEST(SessionReplayTest, allThatPassesIsWrittenDown) {
   SessionReader reader(folder / "a.session");
   EXPECT_EQ(reader.device().kind, "null");
   const test::SessionContent content = test::readAll(reader);
-  EXPECT_EQ(content.ending, SessionEnding::kFinished);
+  EXPECT_EQ(content.ending, RecordingEnding::kFinished);
   EXPECT_EQ(content.volumes, volumes);
   size_t presented = 0;
   size_t shown = 0;
@@ -121,7 +121,7 @@ TEST(SessionReplayTest, anotherDeviceGetsTheSameBytesAtTheSameTimes) {
   EXPECT_EQ(played.submitted, 4u);
   EXPECT_EQ(played.presented, 4u);
   EXPECT_EQ(played.shown, 4u);
-  EXPECT_EQ(played.ending, SessionEnding::kFinished);
+  EXPECT_EQ(played.ending, RecordingEnding::kFinished);
   for (size_t i = 0; i < device.times.size(); ++i) {
     EXPECT_EQ(device.times[i] - begin, std::chrono::milliseconds(i + 1));
   }
@@ -216,7 +216,7 @@ TEST(SessionReplayTest, threadsMaySubmitFasterThanTheDiskAndWhatIsWrittenIsRight
     }
     ended += std::holds_alternative<SessionRecord::Ended>(record->what) ? 1 : 0;
   }
-  EXPECT_EQ(reader.ending(), SessionEnding::kFinished);
+  EXPECT_EQ(reader.ending(), RecordingEnding::kFinished);
   EXPECT_GE(written, 1u);
   // Also what became of those that were left out.
   EXPECT_EQ(ended, 3u * kFrames);

@@ -33,7 +33,7 @@ TEST_F(SessionTest, whatWasWrittenIsRead) {
   EXPECT_EQ(reader.device().serial, "7");
   EXPECT_EQ(reader.device().link, "memory");
   EXPECT_EQ(reader.profile(), smallProfile(5));
-  EXPECT_EQ(whole.ending, SessionEnding::kFinished);
+  EXPECT_EQ(whole.ending, RecordingEnding::kFinished);
   EXPECT_EQ(whole.volumes, test::sessionVolumes());
   EXPECT_THAT(
       test::describe(whole),
@@ -78,7 +78,7 @@ TEST_F(SessionTest, whereverItIsCutTheRecordsBeforeAreRead) {
     try {
       SessionReader reader(in, "cut");
       const test::SessionContent part = test::readAll(reader);
-      EXPECT_EQ(part.ending, SessionEnding::kUnfinished) << length;
+      EXPECT_EQ(part.ending, RecordingEnding::kUnfinished) << length;
       expectBegin(part, whole, length);
       EXPECT_GE(part.records.size(), before) << length;
       before = part.records.size();
@@ -97,9 +97,9 @@ TEST_F(SessionTest, anyFlippedBitIsFound) {
     try {
       SessionReader reader(in, "flipped");
       const test::SessionContent part = test::readAll(reader);
-      EXPECT_NE(part.ending, SessionEnding::kFinished) << bit / 8;
+      EXPECT_NE(part.ending, RecordingEnding::kFinished) << bit / 8;
       expectBegin(part, whole, bit / 8);
-      EXPECT_EQ(part.ending == SessionEnding::kDamaged, reader.damage().has_value());
+      EXPECT_EQ(part.ending == RecordingEnding::kDamaged, reader.damage().has_value());
     } catch (const InputError&) {
       // The header or the opening.
     }
@@ -117,7 +117,7 @@ TEST_F(SessionTest, bytesThatAreWrongBehindRightChecksumsDoNoHarm) {
     try {
       SessionReader reader(in, "changed", size_t{1} << 20);
       const test::SessionContent content = test::readAll(reader);
-      damaged += content.ending == SessionEnding::kDamaged ? 1 : 0;
+      damaged += content.ending == RecordingEnding::kDamaged ? 1 : 0;
     } catch (const InputError&) {
       // The opening.
     }

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 #include "display_driver/emulator/test_bed_folder.h"
 #include "tests/base/temporary_folder.h"

@@ -10,7 +10,7 @@
 namespace ocelli::wire {
 namespace {
 
-constexpr uint32_t kEverything = kCanZstd | kCanRunLength | kCanDelta;
+constexpr uint32_t kAllCapabilities = kCanZstd | kCanRunLength | kCanDelta;
 
 /// A frame's messages, in batches of this many slices.
 std::vector<uint8_t> messagesOf(MessageWriter& writer, FrameEncoder& encoder, uint32_t frame, uint32_t base,
@@ -64,8 +64,8 @@ Assembled assemble(std::span<const uint8_t> bytes, const DisplayProfile& profile
 TEST(FrameEncoder, framesComeTogetherAgain) {
   for (const int bits : {1, 3}) {
     const DisplayProfile profile = smallProfile(11, bits);
-    FrameEncoder encoder(profile, kEverything);
-    FrameAssembler assembler(profile, kEverything);
+    FrameEncoder encoder(profile, kAllCapabilities);
+    FrameAssembler assembler(profile, kAllCapabilities);
     MessageWriter writer(1);
     Volume shown(profile);
     Random random(5);
@@ -90,7 +90,7 @@ TEST(FrameEncoder, slicesThatAreTheSameAreLeftOut) {
   const Volume before = madeVolume(profile, 1);
   Volume after = before;
   after.light(4, 1, 2, 7);
-  FrameEncoder encoder(profile, kEverything);
+  FrameEncoder encoder(profile, kAllCapabilities);
   encoder.begin(after, &before, std::nullopt);
   EXPECT_EQ(encoder.slicesLeft(), before == after ? 0u : 1u);
   EXPECT_TRUE(encoder.records()[4]);
@@ -104,8 +104,8 @@ TEST(FrameEncoder, slicesThatAreTheSameAreLeftOut) {
 TEST(FrameAssembler, aFrameThatIsGivenUpIsACoarseVolume) {
   const DisplayProfile profile = smallProfile(16);
   const Volume volume = madeVolume(profile, 2, 0.2);
-  FrameEncoder encoder(profile, kEverything);
-  FrameAssembler assembler(profile, kEverything);
+  FrameEncoder encoder(profile, kAllCapabilities);
+  FrameAssembler assembler(profile, kAllCapabilities);
   encoder.begin(volume, nullptr, std::nullopt);
   MessageWriter writer(1);
   Assembled assembled = assemble(messagesOf(writer, encoder, 1, 0, 4, 4), profile, nullptr, assembler);
@@ -121,7 +121,7 @@ TEST(FrameAssembler, aFrameThatIsGivenUpIsACoarseVolume) {
 TEST(FrameAssembler, slicesThatAreNotDueAreRefused) {
   const DisplayProfile profile = smallProfile();
   const Volume volume = madeVolume(profile, 2);
-  FrameAssembler assembler(profile, kEverything);
+  FrameAssembler assembler(profile, kAllCapabilities);
   Volume target(profile);
   FrameBegin begin{.records = std::vector<bool>(11)};
   begin.records[3] = true;

@@ -11,9 +11,9 @@
 namespace ocelli {
 namespace {
 
-constexpr int kSide = 400;
+constexpr int kLensSide = 400;
 constexpr double kFovDegrees = 3;
-const double kPixelsPerTangent = kSide / 2.0 / std::tan(radiansFromDegrees(kFovDegrees / 2));
+const double kPixelsPerTangent = kLensSide / 2.0 / std::tan(radiansFromDegrees(kFovDegrees / 2));
 
 /// A voxel on the z axis: of the slice of a quarter turn, so many radii before the display's centre.
 Volume voxelBefore(int columnsFromAxis) {
@@ -25,7 +25,7 @@ Volume voxelBefore(int columnsFromAxis) {
 
 test::Spread seen(const Volume& volume, const Lens& lens) {
   return test::spreadOf(
-      collectLight(volume, {.width = kSide, .height = kSide, .fovVerticalDegrees = kFovDegrees, .lens = lens}));
+      collectLight(volume, {.width = kLensSide, .height = kLensSide, .fovVerticalDegrees = kFovDegrees, .lens = lens}));
 }
 
 TEST(Lens, circleOfConfusionIsThatOfAThinLens) {
@@ -79,7 +79,7 @@ TEST(Lens, aLittleBlurWidensTheBox) {
 
 TEST(Lens, lightIsNotLost) {
   const Volume volume = voxelBefore(20);
-  const ObserverOptions options{.width = kSide, .height = kSide, .fovVerticalDegrees = kFovDegrees};
+  const ObserverOptions options{.width = kLensSide, .height = kLensSide, .fovVerticalDegrees = kFovDegrees};
   ObserverOptions wide = options;
   wide.lens.apertureRadii = 0.5;
   // 2^-24 of rounding for each of some thousand pixels a part.

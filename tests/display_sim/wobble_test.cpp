@@ -14,8 +14,8 @@ namespace {
 
 using test::smallProfile;
 
-constexpr int kSide = 200;
-const double kPixelsPerRadius = kSide / 2.0 / (10 * std::tan(std::asin(0.1)));  // at the distance of the axis
+constexpr int kWobbleSide = 200;
+const double kPixelsPerRadius = kWobbleSide / 2.0 / (10 * std::tan(std::asin(0.1)));  // at the distance of the axis
 constexpr double kAmplitude = 0.1;
 
 /// A voxel of slice 0, seen straight on.
@@ -27,7 +27,7 @@ Volume oneVoxel(const DisplayProfile& profile) {
 
 test::Spread seen(const Wobble& wobble, double refreshes) {
   const ObserverOptions options{
-      .width = kSide, .height = kSide, .exposureSeconds = refreshes / 24, .startDegrees = -2.25, .wobble = wobble};
+      .width = kWobbleSide, .height = kWobbleSide, .exposureSeconds = refreshes / 24, .startDegrees = -2.25, .wobble = wobble};
   return test::spreadOf(collectLight(oneVoxel(smallProfile(40, 32, 32)), options));
 }
 

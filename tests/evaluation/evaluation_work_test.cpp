@@ -16,7 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-RepresentationFigures figures(const std::string& name) {
+RepresentationFigures figuresOf(const std::string& name) {
   RepresentationFigures row;
   row.name = name;
   row.triangles = 12;
@@ -53,13 +53,13 @@ std::string jsonOf(const RepresentationFigures& row) {
 TEST(EvaluationWork, keepsFiguresToTheLastBit) {
   const test::TemporaryFolder folder;
   EvaluationWork written(folder / "x.work", "key");
-  written.add("di", figures("di"));
-  written.add("ddoc", figures("ddoc"));
+  written.add("di", figuresOf("di"));
+  written.add("ddoc", figuresOf("ddoc"));
   EvaluationWork read(folder / "x.work", "key");
   read.load();
   EXPECT_EQ(read.count(), 2u);
   ASSERT_TRUE(read.find("ddoc").has_value());
-  EXPECT_EQ(jsonOf(*read.find("ddoc")), jsonOf(figures("ddoc")));
+  EXPECT_EQ(jsonOf(*read.find("ddoc")), jsonOf(figuresOf("ddoc")));
   EXPECT_FALSE(read.find("other").has_value());
   // What the public JSON does not show.
   EXPECT_EQ(read.find("di")->edges.frame, 190u);
@@ -69,15 +69,15 @@ TEST(EvaluationWork, keepsFiguresToTheLastBit) {
 TEST(EvaluationWork, addingACameraAgainReplacesIt) {
   const test::TemporaryFolder folder;
   EvaluationWork work(folder / "x.work", "key");
-  work.add("di", figures("old"));
-  work.add("di", figures("new"));
+  work.add("di", figuresOf("old"));
+  work.add("di", figuresOf("new"));
   EXPECT_EQ(work.count(), 1u);
   EXPECT_EQ(work.find("di")->name, "new");
 }
 
 TEST(EvaluationWork, refusesTheFileOfAnotherKey) {
   const test::TemporaryFolder folder;
-  EvaluationWork(folder / "x.work", "one").add("di", figures("di"));
+  EvaluationWork(folder / "x.work", "one").add("di", figuresOf("di"));
   EvaluationWork other(folder / "x.work", "two");
   try {
     other.load();
@@ -91,7 +91,7 @@ TEST(EvaluationWork, refusesTheFileOfAnotherKey) {
 
 TEST(EvaluationWork, refusesBrokenFiles) {
   const test::TemporaryFolder folder;
-  EvaluationWork(folder / "x.work", "key").add("di", figures("di"));
+  EvaluationWork(folder / "x.work", "key").add("di", figuresOf("di"));
   const std::string good = test::fileBytes(folder / "x.work");
   const nlohmann::json whole = nlohmann::json::parse(good);
   const auto without = [&](const std::string& pointer) {
@@ -123,7 +123,7 @@ TEST(EvaluationWork, refusesBrokenFiles) {
 TEST(EvaluationWork, leavesNoOtherFileAndRemovesItsOwn) {
   const test::TemporaryFolder folder;
   EvaluationWork work(folder / "x.work", "key");
-  work.add("di", figures("di"));
+  work.add("di", figuresOf("di"));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
   work.remove();
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
@@ -133,7 +133,7 @@ TEST(EvaluationWork, leavesNoOtherFileAndRemovesItsOwn) {
 TEST(EvaluationWork, saysWhereItCannotWrite) {
   const test::TemporaryFolder folder;
   EvaluationWork work(folder / "none/x.work", "key");
-  EXPECT_THROW(work.add("di", figures("di")), WorkError);
+  EXPECT_THROW(work.add("di", figuresOf("di")), WorkError);
 }
 
 TEST(EvaluationKey, changesWithAnythingThatFiguresDependOn) {

@@ -23,7 +23,7 @@ CameraChoice read(const std::string& text) {
   return cameraChoice(folder.write("camera.json", text));
 }
 
-std::string errorOf(const std::string& text) {
+std::string schemaError(const std::string& text) {
   try {
     read(text);
   } catch (const InputError& error) {
@@ -53,7 +53,7 @@ TEST(CameraSchema, agreesWithTheReader) {
         ofCamera.at("properties").erase(name);
       }
     }
-    test::SchemaAgreement{ofCamera, errorOf, {{"camera", camera}}}.check();
+    test::SchemaAgreement{ofCamera, schemaError, {{"camera", camera}}}.check();
   }
 }
 
@@ -62,7 +62,7 @@ TEST(CameraSchema, eachCameraTakesOnlyWhatItSays) {
     for (const auto& [name, property] : schema().at("properties").items()) {
       if (property.contains("default")) {
         const nlohmann::json document{{"camera", camera}, {name, property.at("default")}};
-        EXPECT_EQ(errorOf(document.dump()).empty(), names.contains(name)) << camera << " " << name;
+        EXPECT_EQ(schemaError(document.dump()).empty(), names.contains(name)) << camera << " " << name;
       }
     }
   }

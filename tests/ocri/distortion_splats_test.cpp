@@ -11,7 +11,7 @@
 namespace ocelli {
 namespace {
 
-constexpr int kSize = 40;
+constexpr int kSplatSize = 40;
 
 DistortionSplat splat(const glm::vec2& position, const glm::vec2& normal, float hidden, float room) {
   return {{position, normal, 0.2f, 0.1f}, hidden, room};
@@ -23,8 +23,8 @@ std::vector<DistortionSplat> randomSplats(size_t count, unsigned seed) {
   const auto next = [&](float most) { return most * static_cast<float>(random() >> 8) / static_cast<float>(1 << 24); };
   std::vector<DistortionSplat> splats;
   for (size_t i = 0; i < count; ++i) {
-    const float x = next(kSize);
-    const float y = next(kSize);
+    const float x = next(kSplatSize);
+    const float y = next(kSplatSize);
     const float angle = next(2 * static_cast<float>(kPi));
     const float hidden = next(20);
     splats.push_back(splat({x, y}, {std::cos(angle), std::sin(angle)}, hidden, next(12)));
@@ -62,10 +62,10 @@ TEST(DistortionSplat, nothingHiddenMovesNothing) {
 
 TEST(ClaimPixels, nearestCentreWins) {
   const std::vector<DistortionSplat> splats = randomSplats(60, 1);
-  const SplatOwners owners = claimPixels(splats, kSize, kSize);
+  const SplatOwners owners = claimPixels(splats, kSplatSize, kSplatSize);
   int claimed = 0;
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) {
+  for (int y = 0; y < kSplatSize; ++y) {
+    for (int x = 0; x < kSplatSize; ++x) {
       int expected = -1;
       float nearest = 1e30f;
       for (size_t i = 0; i < splats.size(); ++i) {
@@ -83,7 +83,7 @@ TEST(ClaimPixels, nearestCentreWins) {
       claimed += expected >= 0;
     }
   }
-  EXPECT_GT(claimed, kSize * kSize / 2);
+  EXPECT_GT(claimed, kSplatSize * kSplatSize / 2);
 }
 
 /// Two vertical edges at x = 10 and x = 10 + distance.
@@ -94,7 +94,7 @@ std::vector<DistortionSplat> pair(float distance, float leftNormal, float leftRo
 }
 
 size_t settle(std::vector<DistortionSplat>& splats, float mostHiddenPerRoom, Conflicts conflicts = Conflicts::kFacing) {
-  return shrinkConflicts(splats, claimPixels(splats, kSize, kSize), conflicts, mostHiddenPerRoom);
+  return shrinkConflicts(splats, claimPixels(splats, kSplatSize, kSplatSize), conflicts, mostHiddenPerRoom);
 }
 
 TEST(ShrinkConflicts, facingRoomsMeetHalfWay) {
@@ -185,8 +185,8 @@ TEST(LimitBandGrowth, zeroLeavesTheBands) {
 
 TEST(FinalizeMap, pixelsOfTheBandGetTheDisplacementOfTheirDistance) {
   const std::vector<DistortionSplat> splats{splat({20, 20.5f}, {1, 0}, 6, 4)};
-  const DistortionMap map = finalizeMap(splats, claimPixels(splats, kSize, kSize), DistortionMap::Lookup::kNearest);
-  for (int x = 0; x < kSize; ++x) {
+  const DistortionMap map = finalizeMap(splats, claimPixels(splats, kSplatSize, kSplatSize), DistortionMap::Lookup::kNearest);
+  for (int x = 0; x < kSplatSize; ++x) {
     const float side = static_cast<float>(x) + 0.5f - 20;
     const bool inBand = side >= -6 && side <= 4;
     const DistortionSample& sample = map.samples()(x, 20);
@@ -200,7 +200,7 @@ TEST(FinalizeMap, pixelsOfTheBandGetTheDisplacementOfTheirDistance) {
 // Step 5: what a splat has claimed and no longer reaches is an orphan.
 TEST(FinalizeMap, orphansAreRemoved) {
   std::vector<DistortionSplat> splats{splat({20, 20.5f}, {1, 0}, 6, 6)};
-  const SplatOwners owners = claimPixels(splats, kSize, kSize);
+  const SplatOwners owners = claimPixels(splats, kSplatSize, kSplatSize);
   splats[0].hidden = 2;
   splats[0].room = 2;
   const DistortionMap map = finalizeMap(splats, owners, DistortionMap::Lookup::kNearest);
@@ -211,7 +211,7 @@ TEST(FinalizeMap, orphansAreRemoved) {
 }
 
 TEST(SmoothMap, constantFieldStaysAsItIs) {
-  DistortionMap map(kSize, kSize, DistortionMap::Lookup::kNearest);
+  DistortionMap map(kSplatSize, kSplatSize, DistortionMap::Lookup::kNearest);
   for (DistortionSample& sample : map.samples()) {
     sample = {{3, -4}, 0.2f, 0.1f};
   }
@@ -228,25 +228,25 @@ TEST(SmoothMap, constantFieldStaysAsItIs) {
 // A step of height h, smoothed with a Gaussian, rises by at most h / (sigma sqrt(2 pi)) a pixel.
 TEST(SmoothMap, stepBecomesARamp) {
   constexpr float kSigma = 2;
-  DistortionMap map(kSize, kSize, DistortionMap::Lookup::kNearest);
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = kSize / 2; x < kSize; ++x) {
+  DistortionMap map(kSplatSize, kSplatSize, DistortionMap::Lookup::kNearest);
+  for (int y = 0; y < kSplatSize; ++y) {
+    for (int x = kSplatSize / 2; x < kSplatSize; ++x) {
       map.samples()(x, y) = {{10, 0}, 0.2f, 0.1f};
     }
   }
   const DistortionMap smooth = smoothMap(map, kSigma);
   const double steepest = 10 / (kSigma * std::sqrt(2 * kPi));
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x + 1 < kSize; ++x) {
+  for (int y = 0; y < kSplatSize; ++y) {
+    for (int x = 0; x + 1 < kSplatSize; ++x) {
       const float rise = smooth.samples()(x + 1, y).displacement.x - smooth.samples()(x, y).displacement.x;
       EXPECT_GE(rise, -1e-4f);
       EXPECT_LE(rise, 1.02 * steepest) << "2 %: the kernel ends at 2.5 sigma";
     }
-    EXPECT_NEAR(smooth.samples()(kSize - 1, y).displacement.x, 10, 1e-4f);
+    EXPECT_NEAR(smooth.samples()(kSplatSize - 1, y).displacement.x, 10, 1e-4f);
     EXPECT_NEAR(smooth.samples()(0, y).displacement.x, 0, 1e-4f);
     // Depths are those of the pixels that have some, not mixed with nothing.
-    EXPECT_NEAR(smooth.samples()(kSize / 2 - 2, y).inverseNear, 0.2f, 1e-6f);
-    EXPECT_NEAR(smooth.samples()(kSize / 2 - 2, y).inverseFar, 0.1f, 1e-6f);
+    EXPECT_NEAR(smooth.samples()(kSplatSize / 2 - 2, y).inverseNear, 0.2f, 1e-6f);
+    EXPECT_NEAR(smooth.samples()(kSplatSize / 2 - 2, y).inverseFar, 0.1f, 1e-6f);
   }
 }
 

@@ -207,7 +207,7 @@ TEST(EocImage, ofASceneWithoutDiscontinuitiesIsTheDepthImage) {
   }
 }
 
-float distanceToBoxOrWall(const glm::vec3& p) {
+float distanceToBoxOrFarWall(const glm::vec3& p) {
   const glm::vec3 out = glm::abs(p - glm::vec3(0, 0, kBoxFrontZ - kBoxHalf)) - kBoxHalf;
   const float box = glm::length(glm::max(out, 0.0f)) + std::min(std::max({out.x, out.y, out.z}), 0.0f);
   return std::min(std::abs(box), std::abs(p.z - kWallZ));
@@ -228,7 +228,7 @@ TEST(EocImage, unprojectsByItsOffsetsAsAlongTheRaysOfItsCamera) {
           ++samples;
           const std::optional<glm::vec3> byOffset = base.unproject(image.undistorted(x, y));
           ASSERT_TRUE(byOffset);
-          EXPECT_LT(distanceToBoxOrWall(*byOffset), 2e-4f) << "vertices snap to 1/256 pixel";
+          EXPECT_LT(distanceToBoxOrFarWall(*byOffset), 2e-4f) << "vertices snap to 1/256 pixel";
           const std::optional<glm::vec3> alongRay =
               camera.unproject({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, image.z(x, y)});
           lost += !alongRay;

@@ -17,7 +17,7 @@ using test::kHeight;
 using test::kWidth;
 using test::smallCamera;
 
-constexpr size_t kJoined = 2 * static_cast<size_t>(kWidth - 1) * (kHeight - 1);
+constexpr size_t kLayersJoined = 2 * static_cast<size_t>(kWidth - 1) * (kHeight - 1);
 
 size_t samplesOf(const ReferenceImages& layers) {
   size_t count = 0;
@@ -28,7 +28,7 @@ size_t samplesOf(const ReferenceImages& layers) {
 }
 
 /// The triangles between samples, not those of squares.
-std::vector<std::array<uint32_t, 3>> joinedTriangles(const Mesh& mesh, size_t samples) {
+std::vector<std::array<uint32_t, 3>> trianglesAcrossLayers(const Mesh& mesh, size_t samples) {
   std::vector<std::array<uint32_t, 3>> joined;
   for (const glm::uvec3& t : mesh.triangles) {
     if (t.x < samples && t.y < samples && t.z < samples) {
@@ -54,7 +54,7 @@ TEST(LayeredMesh, aSingleLayerIsJoinedLikeADepthImage) {
     const ReferenceImage image = buildDepthImage(smallCamera(), scene);
     const Mesh mesh = layeredMesh({image});
     const Mesh expected = imageMesh(image);
-    EXPECT_EQ(joinedTriangles(mesh, image.sampleCount()), joinedTriangles(expected, image.sampleCount()));
+    EXPECT_EQ(trianglesAcrossLayers(mesh, image.sampleCount()), trianglesAcrossLayers(expected, image.sampleCount()));
     EXPECT_TRUE(std::equal(mesh.positions.begin(), mesh.positions.begin() + static_cast<long>(image.sampleCount()),
                            expected.positions.begin()));
     EXPECT_GE(mesh.triangles.size(), expected.triangles.size());
@@ -65,12 +65,12 @@ TEST(LayeredMesh, aWallGoesOnBehindABox) {
   const ReferenceImages layers = buildLayeredDepthImage(smallCamera(), test::boxBeforeWall(), 2);
   const Mesh mesh = layeredMesh(layers);
   size_t onWall = 0;
-  for (const auto& t : joinedTriangles(mesh, samplesOf(layers))) {
+  for (const auto& t : trianglesAcrossLayers(mesh, samplesOf(layers))) {
     const auto isWall = [&](uint32_t vertex) { return mesh.positions[vertex].z < -0.5f; };
     EXPECT_TRUE(isWall(t[0]) == isWall(t[1]) && isWall(t[1]) == isWall(t[2]));
     onWall += isWall(t[0]);
   }
-  EXPECT_EQ(onWall, kJoined) << "the wall fills the image, and is one surface";
+  EXPECT_EQ(onWall, kLayersJoined) << "the wall fills the image, and is one surface";
 }
 
 // Two parallel planes that rise by more from pixel to pixel than they lie apart: the nearest sample of the next pixel
@@ -87,8 +87,8 @@ TEST(LayeredMesh, parallelSheetsAreNotMixedUp) {
     const glm::vec3& p = mesh.positions[vertex];
     return p.z + kSteepness * p.y < -apart / 2;
   };
-  const auto joined = joinedTriangles(mesh, samplesOf(layers));
-  EXPECT_EQ(joined.size(), 2 * kJoined);
+  const auto joined = trianglesAcrossLayers(mesh, samplesOf(layers));
+  EXPECT_EQ(joined.size(), 2 * kLayersJoined);
   for (const auto& t : joined) {
     EXPECT_TRUE(isBehind(t[0]) == isBehind(t[1]) && isBehind(t[1]) == isBehind(t[2]));
   }

@@ -18,11 +18,11 @@ using test::kHeight;
 using test::kWidth;
 using test::smallCamera;
 
-constexpr size_t kSamples = static_cast<size_t>(kWidth) * kHeight;
-constexpr size_t kJoined = 2 * static_cast<size_t>(kWidth - 1) * (kHeight - 1);
+constexpr size_t kRowSamples = static_cast<size_t>(kWidth) * kHeight;
+constexpr size_t kRowsJoined = 2 * static_cast<size_t>(kWidth - 1) * (kHeight - 1);
 
 /// Triangles between samples, not of squares: samples come first among the vertices.
-std::vector<glm::uvec3> joinedTriangles(const Mesh& mesh, size_t samples) {
+std::vector<glm::uvec3> trianglesAcrossRows(const Mesh& mesh, size_t samples) {
   std::vector<glm::uvec3> joined;
   for (const glm::uvec3& t : mesh.triangles) {
     if (t.x < samples && t.y < samples && t.z < samples) {
@@ -50,7 +50,7 @@ ReferenceImage shifted(const ReferenceImage& image, const std::function<int(int 
   return moved;
 }
 
-ViewSegment segmentAlong(const glm::vec3& direction) {
+ViewSegment rowSegmentAlong(const glm::vec3& direction) {
   return segmentAround(View{}, direction, 1.6f);
 }
 
@@ -59,7 +59,7 @@ TEST(RowMesh, joinsAPlaneWhollyHoweverItsRowsAreShifted) {
     const ReferenceImage depth = buildDepthImage(smallCamera(), plane);
     const Mesh mesh = rowMesh(shifted(
         depth, [](int, int y) { return (7 * y) % 13; }, 13));
-    EXPECT_EQ(joinedTriangles(mesh, kSamples).size(), kJoined);
+    EXPECT_EQ(trianglesAcrossRows(mesh, kRowSamples).size(), kRowsJoined);
     EXPECT_EQ(mesh.colors.size(), mesh.positions.size());
   }
 }
@@ -67,8 +67,8 @@ TEST(RowMesh, joinsAPlaneWhollyHoweverItsRowsAreShifted) {
 TEST(RowMesh, ofAlignedRowsIsTheImagesMeshButForDiagonals) {
   for (const Mesh& scene : {test::boxBeforeWall(), test::ballBeforePlane()}) {
     const ReferenceImage depth = buildDepthImage(smallCamera(), scene);
-    const size_t image = joinedTriangles(imageMesh(depth), kSamples).size();
-    const size_t rows = joinedTriangles(rowMesh(depth), kSamples).size();
+    const size_t image = trianglesAcrossRows(imageMesh(depth), kRowSamples).size();
+    const size_t rows = trianglesAcrossRows(rowMesh(depth), kRowSamples).size();
     // Around silhouettes, some 90 pixels, the two may close one corner more or less.
     EXPECT_NEAR(static_cast<double>(rows), static_cast<double>(image), 90);
   }
@@ -76,7 +76,7 @@ TEST(RowMesh, ofAlignedRowsIsTheImagesMeshButForDiagonals) {
 
 TEST(RowMesh, everySampleIsAVertexWithItsColour) {
   const Mesh scene = test::boxBeforeWall();
-  const ReferenceImage image = buildEocImage(smallCamera(), segmentAlong(kHorizontalSegment), scene);
+  const ReferenceImage image = buildEocImage(smallCamera(), rowSegmentAlong(kHorizontalSegment), scene);
   const Mesh mesh = rowMesh(image);
   size_t vertex = 0;
   for (int y = 0; y < image.height(); ++y) {
@@ -95,10 +95,10 @@ TEST(RowMesh, everySampleIsAVertexWithItsColour) {
 TEST(RowMesh, hasNoSkinsAcrossDiscontinuities) {
   const Mesh scene = test::boxBeforeWall();
   for (const glm::vec3& direction : {kHorizontalSegment, kVerticalSegment, kForwardSegment, glm::vec3(1, 1, -0.5f)}) {
-    const ReferenceImage image = buildEocImage(smallCamera(), segmentAlong(direction), scene);
+    const ReferenceImage image = buildEocImage(smallCamera(), rowSegmentAlong(direction), scene);
     const Mesh mesh = rowMesh(image);
     size_t onBox = 0;
-    for (const glm::uvec3& t : joinedTriangles(mesh, image.sampleCount())) {
+    for (const glm::uvec3& t : trianglesAcrossRows(mesh, image.sampleCount())) {
       int wall = 0;
       for (int i = 0; i < 3; ++i) {
         wall += mesh.positions[t[i]].z < -0.5f;
@@ -126,8 +126,8 @@ TEST(RowMesh, isAnOrientedManifold) {
   for (const Mesh& scene : {test::boxBeforeWall(), test::ballBeforePlane(), test::randomTriangles(40, 2)}) {
     for (const glm::vec3& direction :
          {kHorizontalSegment, kVerticalSegment, kForwardSegment, -kForwardSegment, glm::vec3(1, 1, -0.5f)}) {
-      const ReferenceImage image = buildEocImage(smallCamera(), segmentAlong(direction), scene);
-      expectManifold(joinedTriangles(rowMesh(image), image.sampleCount()));
+      const ReferenceImage image = buildEocImage(smallCamera(), rowSegmentAlong(direction), scene);
+      expectManifold(trianglesAcrossRows(rowMesh(image), image.sampleCount()));
     }
   }
 }
@@ -136,7 +136,7 @@ TEST(RowMesh, trianglesFaceTheEye) {
   const Mesh scene = test::wall(0, 30);
   for (const glm::vec3& direction :
        {kHorizontalSegment, kVerticalSegment, kForwardSegment, -kForwardSegment, glm::vec3(-1, 1, -0.5f)}) {
-    const Mesh mesh = rowMesh(buildEocImage(smallCamera(), segmentAlong(direction), scene));
+    const Mesh mesh = rowMesh(buildEocImage(smallCamera(), rowSegmentAlong(direction), scene));
     ASSERT_FALSE(mesh.triangles.empty());
     for (const glm::uvec3& t : mesh.triangles) {
       const glm::vec3 normal =
@@ -148,11 +148,11 @@ TEST(RowMesh, trianglesFaceTheEye) {
 
 TEST(RowMesh, closesTheRing) {
   const Mesh scene = test::wall(0, 30);
-  ReferenceImage image = buildEocImage(smallCamera(), segmentAlong(kForwardSegment), scene);
+  ReferenceImage image = buildEocImage(smallCamera(), rowSegmentAlong(kForwardSegment), scene);
   ASSERT_EQ(image.rows, ImageRows::kShiftedRing);
-  const size_t closed = joinedTriangles(rowMesh(image), image.sampleCount()).size();
+  const size_t closed = trianglesAcrossRows(rowMesh(image), image.sampleCount()).size();
   image.rows = ImageRows::kShifted;
-  const size_t open = joinedTriangles(rowMesh(image), image.sampleCount()).size();
+  const size_t open = trianglesAcrossRows(rowMesh(image), image.sampleCount()).size();
   // Two rows of half the image's width or so have two triangles for each of their samples.
   EXPECT_GT(closed, open + 60);
 }
@@ -160,10 +160,10 @@ TEST(RowMesh, closesTheRing) {
 // The box's right side, hidden from L, is seen along rays of R; the wall behind it partly along rays of L.
 TEST(RowMesh, joinsWhatIsHiddenToWhatIsSeen) {
   const Mesh scene = test::boxBeforeWall();
-  const ReferenceImage image = buildEocImage(smallCamera(), segmentAlong(kHorizontalSegment), scene);
+  const ReferenceImage image = buildEocImage(smallCamera(), rowSegmentAlong(kHorizontalSegment), scene);
   const Mesh mesh = rowMesh(image);
   std::vector<int> triangles(image.sampleCount(), 0);
-  for (const glm::uvec3& t : joinedTriangles(mesh, image.sampleCount())) {
+  for (const glm::uvec3& t : trianglesAcrossRows(mesh, image.sampleCount())) {
     for (int i = 0; i < 3; ++i) {
       ++triangles[t[i]];
     }
@@ -182,7 +182,7 @@ TEST(RowMesh, joinsWhatIsHiddenToWhatIsSeen) {
 
 TEST(RowMesh, unionMeshTakesItForShiftedRows) {
   const Mesh scene = test::boxBeforeWall();
-  const ReferenceImage eoc = buildEocImage(smallCamera(), segmentAlong(kHorizontalSegment), scene);
+  const ReferenceImage eoc = buildEocImage(smallCamera(), rowSegmentAlong(kHorizontalSegment), scene);
   const ReferenceImage depth = buildDepthImage(smallCamera(), scene);
   Mesh both = imageMesh(depth);
   append(both, rowMesh(eoc));
@@ -192,7 +192,7 @@ TEST(RowMesh, unionMeshTakesItForShiftedRows) {
 }
 
 TEST(RowMesh, sameBytesWithAnyNumberOfThreads) {
-  const ReferenceImage image = buildEocImage(smallCamera(), segmentAlong(kForwardSegment), test::ballBeforePlane());
+  const ReferenceImage image = buildEocImage(smallCamera(), rowSegmentAlong(kForwardSegment), test::ballBeforePlane());
   setThreadCount(1);
   const Mesh mesh = rowMesh(image);
   for (const int threads : {2, 8}) {

@@ -8,9 +8,9 @@
 namespace ocelli {
 namespace {
 
-constexpr int kWidth = 48;
-constexpr int kHeight = 32;
-constexpr size_t kPixels = static_cast<size_t>(kWidth) * kHeight;
+constexpr int kBufferWidth = 48;
+constexpr int kBufferHeight = 32;
+constexpr size_t kPixels = static_cast<size_t>(kBufferWidth) * kBufferHeight;
 
 RasterVertex at(const glm::vec2& p, float inverseZ = 0.1f) {
   return {p.x, p.y, inverseZ, 0, 0};
@@ -18,9 +18,9 @@ RasterVertex at(const glm::vec2& p, float inverseZ = 0.1f) {
 
 /// How many of the triangles cover each pixel, each drawn by itself.
 Image<int> coverage(const std::vector<std::array<glm::vec2, 3>>& triangles) {
-  Image<int> count(kWidth, kHeight, 0);
+  Image<int> count(kBufferWidth, kBufferHeight, 0);
   for (const auto& [a, b, c] : triangles) {
-    VisibilityBuffer buffer(kWidth, kHeight);
+    VisibilityBuffer buffer(kBufferWidth, kBufferHeight);
     buffer.draw(0, at(a), at(b), at(c));
     for (size_t i = 0; i < kPixels; ++i) {
       count[i] += buffer.fragment(i).covered();
@@ -30,8 +30,8 @@ Image<int> coverage(const std::vector<std::array<glm::vec2, 3>>& triangles) {
 }
 
 void expectOnce(const Image<int>& count) {
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kBufferHeight; ++y) {
+    for (int x = 0; x < kBufferWidth; ++x) {
       ASSERT_EQ(count(x, y), 1) << x << " " << y;
     }
   }
@@ -52,8 +52,8 @@ class Random {
 TEST(VisibilityBuffer, centresOnTopAndLeftEdgesBelongToTheTriangle) {
   const auto count =
       coverage({{{{1.5f, 1.5f}, {4.5f, 1.5f}, {4.5f, 3.5f}}}, {{{1.5f, 1.5f}, {4.5f, 3.5f}, {1.5f, 3.5f}}}});
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kBufferHeight; ++y) {
+    for (int x = 0; x < kBufferWidth; ++x) {
       EXPECT_EQ(count(x, y), x >= 1 && x <= 3 && y >= 1 && y <= 2 ? 1 : 0) << x << " " << y;
     }
   }
@@ -64,9 +64,9 @@ TEST(VisibilityBuffer, trianglesOfAQuadCoverItsPixelsOnce) {
   for (int round = 0; round < 200; ++round) {
     // Corners outside of the image or on its corners, the diagonal anywhere: every pixel lies in one of the two.
     const glm::vec2 a(random.within(-40, 0), random.within(-40, 0));
-    const glm::vec2 b(random.within(kWidth, kWidth + 40), random.within(-40, 0));
-    const glm::vec2 c(random.within(kWidth, kWidth + 40), random.within(kHeight, kHeight + 40));
-    const glm::vec2 d(random.within(-40, 0), random.within(kHeight, kHeight + 40));
+    const glm::vec2 b(random.within(kBufferWidth, kBufferWidth + 40), random.within(-40, 0));
+    const glm::vec2 c(random.within(kBufferWidth, kBufferWidth + 40), random.within(kBufferHeight, kBufferHeight + 40));
+    const glm::vec2 d(random.within(-40, 0), random.within(kBufferHeight, kBufferHeight + 40));
     expectOnce(random.coin() ? coverage({{{a, b, c}}, {{a, c, d}}}) : coverage({{{b, c, d}}, {{d, a, b}}}));
   }
 }
@@ -79,7 +79,7 @@ TEST(VisibilityBuffer, gridOfJitteredQuadsCoversEveryPixelOnce) {
     std::array<std::array<glm::vec2, kColumns + 1>, kRows + 1> points;
     for (int j = 0; j <= kRows; ++j) {
       for (int i = 0; i <= kColumns; ++i) {
-        glm::vec2 p(static_cast<float>(i * kWidth) / kColumns, static_cast<float>(j * kHeight) / kRows);
+        glm::vec2 p(static_cast<float>(i * kBufferWidth) / kColumns, static_cast<float>(j * kBufferHeight) / kRows);
         const bool inside = i > 0 && i < kColumns && j > 0 && j < kRows;
         if (inside && random.coin()) {
           p = glm::vec2(std::floor(p.x) + 0.5f, std::floor(p.y) + 0.5f);  // on a pixel centre
@@ -107,23 +107,23 @@ TEST(VisibilityBuffer, gridOfJitteredQuadsCoversEveryPixelOnce) {
 TEST(VisibilityBuffer, fansAroundAPointCoverEveryPixelOnce) {
   Random random(3);
   for (int round = 0; round < 60; ++round) {
-    glm::vec2 hub(random.within(2, kWidth - 2), random.within(2, kHeight - 2));
+    glm::vec2 hub(random.within(2, kBufferWidth - 2), random.within(2, kBufferHeight - 2));
     if (random.coin()) {
       hub = glm::vec2(std::floor(hub.x) + 0.5f, std::floor(hub.y) + 0.5f);
     }
     std::vector<glm::vec2> rim;
     for (int i = 0; i < 10; ++i) {
       const float t = static_cast<float>(i) / 10;
-      rim.emplace_back(t * kWidth, -1.0f);
+      rim.emplace_back(t * kBufferWidth, -1.0f);
     }
     for (int i = 0; i < 7; ++i) {
-      rim.emplace_back(kWidth + 1.0f, static_cast<float>(i * kHeight) / 7);
+      rim.emplace_back(kBufferWidth + 1.0f, static_cast<float>(i * kBufferHeight) / 7);
     }
     for (int i = 0; i < 10; ++i) {
-      rim.emplace_back(kWidth - static_cast<float>(i * kWidth) / 10, kHeight + 1.0f);
+      rim.emplace_back(kBufferWidth - static_cast<float>(i * kBufferWidth) / 10, kBufferHeight + 1.0f);
     }
     for (int i = 0; i < 7; ++i) {
-      rim.emplace_back(-1.0f, kHeight - static_cast<float>(i * kHeight) / 7);
+      rim.emplace_back(-1.0f, kBufferHeight - static_cast<float>(i * kBufferHeight) / 7);
     }
     std::vector<std::array<glm::vec2, 3>> triangles;
     for (size_t i = 0; i < rim.size(); ++i) {
@@ -131,10 +131,10 @@ TEST(VisibilityBuffer, fansAroundAPointCoverEveryPixelOnce) {
     }
     const Image<int> count = coverage(triangles);
     // The corners of the image are cut off: the rim goes straight from side to side there.
-    for (int y = 1; y + 1 < kHeight; ++y) {
-      for (int x = 1; x + 1 < kWidth; ++x) {
+    for (int y = 1; y + 1 < kBufferHeight; ++y) {
+      for (int x = 1; x + 1 < kBufferWidth; ++x) {
         ASSERT_LE(count(x, y), 1);
-        if (std::min(x, kWidth - 1 - x) + std::min(y, kHeight - 1 - y) > 12) {
+        if (std::min(x, kBufferWidth - 1 - x) + std::min(y, kBufferHeight - 1 - y) > 12) {
           ASSERT_EQ(count(x, y), 1) << x << " " << y;
         }
       }
@@ -143,7 +143,7 @@ TEST(VisibilityBuffer, fansAroundAPointCoverEveryPixelOnce) {
 }
 
 TEST(VisibilityBuffer, degenerateTrianglesCoverNothing) {
-  VisibilityBuffer buffer(kWidth, kHeight);
+  VisibilityBuffer buffer(kBufferWidth, kBufferHeight);
   buffer.draw(0, at({5, 5}), at({5, 5}), at({5, 5}));
   buffer.draw(0, at({5.5f, 5.5f}), at({9.5f, 5.5f}), at({30.5f, 5.5f}));
   buffer.draw(0, at({-20, -20}), at({-1, -20}), at({-20, -1}));
@@ -157,7 +157,7 @@ TEST(VisibilityBuffer, degenerateTrianglesCoverNothing) {
 TEST(VisibilityBuffer, interpolatesLinearlyIn1OverZ) {
   const std::array<glm::dvec2, 3> p{glm::dvec2(2.25, 1.5), {44.125, 6.75}, {13, 30.5}};
   const std::array<double, 3> w{1 / 2.0, 1 / 9.0, 1 / 30.0};
-  VisibilityBuffer buffer(kWidth, kHeight);
+  VisibilityBuffer buffer(kBufferWidth, kBufferHeight);
   const auto vertex = [&](size_t i) {
     return RasterVertex{static_cast<float>(p[i].x), static_cast<float>(p[i].y), static_cast<float>(w[i]),
                         i == 1 ? 1.0f : 0.0f, i == 2 ? 1.0f : 0.0f};
@@ -166,12 +166,12 @@ TEST(VisibilityBuffer, interpolatesLinearlyIn1OverZ) {
   const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
   const double area = cross(p[1] - p[0], p[2] - p[0]);
   int covered = 0;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kBufferHeight; ++y) {
+    for (int x = 0; x < kBufferWidth; ++x) {
       const glm::dvec2 c(x + 0.5, y + 0.5);
       const double s1 = cross(c - p[0], p[2] - p[0]) / area;
       const double s2 = cross(p[1] - p[0], c - p[0]) / area;
-      const Fragment f = buffer.fragment(static_cast<size_t>(y * kWidth + x));
+      const Fragment f = buffer.fragment(static_cast<size_t>(y * kBufferWidth + x));
       const bool inside = s1 > 1e-9 && s2 > 1e-9 && s1 + s2 < 1 - 1e-9;
       ASSERT_EQ(f.covered(), inside);
       if (inside) {
@@ -194,7 +194,7 @@ TEST(VisibilityBuffer, closestWinsAndTheLowerIndexOnATieInAnyOrder) {
   const glm::vec2 b(200, -5);
   const glm::vec2 c(-5, 200);
   for (const auto& order : {std::array{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}) {
-    VisibilityBuffer one(kWidth, kHeight);
+    VisibilityBuffer one(kBufferWidth, kBufferHeight);
     std::array<VisibilityBuffer, 3> each{one, one, one};
     for (const int i : order) {
       const float inverseZ = i == 0 ? 0.05f : 0.1f;  // 0 is far; 1 and 2 tie
@@ -202,7 +202,7 @@ TEST(VisibilityBuffer, closestWinsAndTheLowerIndexOnATieInAnyOrder) {
       one.draw(triangle, at(a, inverseZ), at(b, inverseZ), at(c, inverseZ));
       each[triangle].draw(triangle, at(a, inverseZ), at(b, inverseZ), at(c, inverseZ));
     }
-    VisibilityBuffer merged(kWidth, kHeight);
+    VisibilityBuffer merged(kBufferWidth, kBufferHeight);
     for (const int i : order) {
       merged.mergePixels(each[static_cast<size_t>(i)], 0, kPixels);
     }
@@ -214,9 +214,9 @@ TEST(VisibilityBuffer, closestWinsAndTheLowerIndexOnATieInAnyOrder) {
 }
 
 TEST(VisibilityBuffer, mergesOnlyTheGivenPixels) {
-  VisibilityBuffer full(kWidth, kHeight);
+  VisibilityBuffer full(kBufferWidth, kBufferHeight);
   full.draw(3, at({-5, -5}), at({200, -5}), at({-5, 200}));
-  VisibilityBuffer merged(kWidth, kHeight);
+  VisibilityBuffer merged(kBufferWidth, kBufferHeight);
   merged.mergePixels(full, 10, 20);
   for (size_t i = 0; i < kPixels; ++i) {
     EXPECT_EQ(merged.fragment(i).covered(), i >= 10 && i < 20);

@@ -8,7 +8,7 @@
 namespace ocelli {
 namespace {
 
-constexpr float kFloatStep = 1e-6f;  // a few roundings of numbers around 1
+constexpr float kUvStep = 1e-6f;  // a few roundings of numbers around 1
 
 /// `uv` has its origin at the top left and v downwards, as in a glTF file, and so has what is returned.
 glm::vec2 moved(const TextureTransform& transform, const glm::vec2& uv) {
@@ -17,8 +17,8 @@ glm::vec2 moved(const TextureTransform& transform, const glm::vec2& uv) {
 }
 
 void expectNear(const glm::vec2& got, const glm::vec2& wanted) {
-  EXPECT_NEAR(got.x, wanted.x, kFloatStep);
-  EXPECT_NEAR(got.y, wanted.y, kFloatStep);
+  EXPECT_NEAR(got.x, wanted.x, kUvStep);
+  EXPECT_NEAR(got.y, wanted.y, kUvStep);
 }
 
 TEST(TextureTransform, ScalesThenAddsTheOffset) {
@@ -53,7 +53,7 @@ TEST(TextureTransform, ComesBackFromAssimp) {
   const TextureTransform back = textureTransform(asAssimpWritesIt(wanted));
   expectNear(back.offset, wanted.offset);
   expectNear(back.scale, wanted.scale);
-  EXPECT_NEAR(back.rotation, wanted.rotation, kFloatStep);
+  EXPECT_NEAR(back.rotation, wanted.rotation, kUvStep);
 }
 
 }  // namespace

@@ -16,9 +16,9 @@ namespace {
 using testing::ElementsAre;
 
 constexpr auto kAlternating = TrialOrder::kAlternating;
-constexpr auto kBalanced = TrialOrder::kBalanced;
-constexpr auto kBoth = ViewsOfCases::kBoth;
-constexpr auto kOne = ViewsOfCases::kOne;
+constexpr auto kBalancedSchedule = TrialOrder::kBalanced;
+constexpr auto kBothViews = ViewsOfCases::kBoth;
+constexpr auto kOneView = ViewsOfCases::kOne;
 
 std::vector<std::string> written(const SessionSchedule& schedule) {
   std::vector<std::string> list;
@@ -33,23 +33,23 @@ SessionSchedule oneBlock(int cases, TrialOrder order, ViewsOfCases views, int sl
 }
 
 TEST(Schedule, AlternatesViewsInTheOrderOfTheFile) {
-  EXPECT_THAT(written(oneBlock(5, kAlternating, kOne)), ElementsAre("1p", "2g", "3p", "4g", "5p"));
-  EXPECT_THAT(written(oneBlock(3, kAlternating, kBoth)), ElementsAre("1p", "2g", "3p", "1g", "2p", "3g"));
+  EXPECT_THAT(written(oneBlock(5, kAlternating, kOneView)), ElementsAre("1p", "2g", "3p", "4g", "5p"));
+  EXPECT_THAT(written(oneBlock(3, kAlternating, kBothViews)), ElementsAre("1p", "2g", "3p", "1g", "2p", "3g"));
   // With an even number the second pass begins with the second case, so that each gets its other view.
-  EXPECT_THAT(written(oneBlock(4, kAlternating, kBoth)), ElementsAre("1p", "2g", "3p", "4g", "2p", "3g", "4p", "1g"));
-  EXPECT_EQ(oneBlock(4, kAlternating, kBoth), oneBlock(4, kAlternating, kBoth));
-  EXPECT_EQ(written(oneBlock(4, kAlternating, kBoth, 7, 2)), written(oneBlock(4, kAlternating, kBoth)));
+  EXPECT_THAT(written(oneBlock(4, kAlternating, kBothViews)), ElementsAre("1p", "2g", "3p", "4g", "2p", "3g", "4p", "1g"));
+  EXPECT_EQ(oneBlock(4, kAlternating, kBothViews), oneBlock(4, kAlternating, kBothViews));
+  EXPECT_EQ(written(oneBlock(4, kAlternating, kBothViews, 7, 2)), written(oneBlock(4, kAlternating, kBothViews)));
 }
 
 TEST(Schedule, ShowsEachCaseInEachViewOnceOrInOneView) {
-  for (const TrialOrder order : {kAlternating, kBalanced}) {
+  for (const TrialOrder order : {kAlternating, kBalancedSchedule}) {
     for (int cases = 1; cases <= 13; ++cases) {
       for (int slot = 0; slot < 8; ++slot) {
-        const std::vector<std::string> both = written(oneBlock(cases, order, kBoth, slot));
+        const std::vector<std::string> both = written(oneBlock(cases, order, kBothViews, slot));
         EXPECT_EQ(both.size(), static_cast<size_t>(2 * cases));
         EXPECT_EQ(std::set<std::string>(both.begin(), both.end()).size(), both.size());
         std::set<int> shown;
-        for (const TrialPlan& trial : oneBlock(cases, order, kOne, slot).trials) {
+        for (const TrialPlan& trial : oneBlock(cases, order, kOneView, slot).trials) {
           EXPECT_TRUE(shown.insert(trial.caseIndex).second);
         }
         EXPECT_EQ(shown.size(), static_cast<size_t>(cases));
@@ -61,8 +61,8 @@ TEST(Schedule, ShowsEachCaseInEachViewOnceOrInOneView) {
 TEST(Schedule, TakesViewsInTurnAndNoCaseTwiceInARow) {
   for (int cases = 3; cases <= 12; ++cases) {
     for (int slot = 0; slot < 60; ++slot) {
-      for (const ViewsOfCases views : {kBoth, kOne}) {
-        const SessionSchedule schedule = oneBlock(cases, kBalanced, views, slot, slot % 3);
+      for (const ViewsOfCases views : {kBothViews, kOneView}) {
+        const SessionSchedule schedule = oneBlock(cases, kBalancedSchedule, views, slot, slot % 3);
         EXPECT_EQ(schedule.trials.front().view, schedule.firstView);
         for (size_t i = 1; i < schedule.trials.size(); ++i) {
           EXPECT_NE(schedule.trials[i].view, schedule.trials[i - 1].view);
@@ -74,7 +74,7 @@ TEST(Schedule, TakesViewsInTurnAndNoCaseTwiceInARow) {
 }
 
 TEST(Schedule, ShowsAllCasesBeforeOneComesAgain) {
-  const SessionSchedule schedule = oneBlock(12, kBalanced, kBoth, 5);
+  const SessionSchedule schedule = oneBlock(12, kBalancedSchedule, kBothViews, 5);
   std::set<int> shown;
   for (size_t i = 0; i < 12; ++i) {
     shown.insert(schedule.trials[i].caseIndex);
@@ -86,7 +86,7 @@ TEST(Schedule, ShufflesAnewForEachSubjectAndSession) {
   std::set<std::vector<std::string>> orders;
   for (int slot = 0; slot < 40; ++slot) {
     for (int session = 0; session < 3; ++session) {
-      orders.insert(written(oneBlock(12, kBalanced, kBoth, slot, session)));
+      orders.insert(written(oneBlock(12, kBalancedSchedule, kBothViews, slot, session)));
     }
   }
   // Two of 120 are alike by chance once in 1e6 studies: (6! 6!)^2 orders, and more.
@@ -97,7 +97,7 @@ TEST(Schedule, PutsEachCaseInEachPlaceAboutEquallyOften) {
   constexpr int kSlots = 1200;
   std::map<std::pair<int, size_t>, int> counts;
   for (int slot = 0; slot < kSlots; ++slot) {
-    const SessionSchedule schedule = oneBlock(6, kBalanced, kOne, slot);
+    const SessionSchedule schedule = oneBlock(6, kBalancedSchedule, kOneView, slot);
     for (size_t i = 0; i < 6; ++i) {
       ++counts[{schedule.trials[i].caseIndex, i}];
     }
@@ -109,7 +109,7 @@ TEST(Schedule, PutsEachCaseInEachPlaceAboutEquallyOften) {
 }
 
 TEST(Schedule, SeedsTrialsBySessionBlockAndCaseAndNotBySubject) {
-  const Protocol protocol = shamProtocol({shamBlock("a", 4, kBalanced, kBoth), shamBlock("b", 4, kBalanced, kOne)});
+  const Protocol protocol = shamProtocol({shamBlock("a", 4, kBalancedSchedule, kBothViews), shamBlock("b", 4, kBalancedSchedule, kOneView)});
   std::map<std::tuple<int, int, int>, std::set<uint64_t>> seeds;
   std::set<uint64_t> all;
   for (int session = 0; session < 3; ++session) {
@@ -131,7 +131,7 @@ TEST(Schedule, SeedsTrialsBySessionBlockAndCaseAndNotBySubject) {
 TEST(Schedule, LeavesBlocksInTheirOrderUnlessTheyAreShuffled) {
   std::vector<ProtocolBlock> blocks;
   for (const char* name : {"a", "b", "c"}) {
-    blocks.push_back(shamBlock(name, 2, kBalanced, kOne));
+    blocks.push_back(shamBlock(name, 2, kBalancedSchedule, kOneView));
   }
   std::set<std::vector<int>> shuffled;
   for (int slot = 0; slot < 9; ++slot) {
@@ -149,7 +149,7 @@ TEST(Schedule, LeavesBlocksInTheirOrderUnlessTheyAreShuffled) {
 
 TEST(Schedule, HasTheBlocksOfItsSession) {
   Protocol protocol = shamProtocol(
-      {shamBlock("a", 2, kBalanced, kOne), shamBlock("b", 2, kBalanced, kOne), shamBlock("c", 2, kBalanced, kOne)},
+      {shamBlock("a", 2, kBalancedSchedule, kOneView), shamBlock("b", 2, kBalancedSchedule, kOneView), shamBlock("c", 2, kBalancedSchedule, kOneView)},
       false);
   protocol.blocks[1].sessions = {0, 2};
   EXPECT_THAT(scheduleOf(protocol, 0, 0, 1).blockOrder, ElementsAre(0, 1, 2));
@@ -157,14 +157,14 @@ TEST(Schedule, HasTheBlocksOfItsSession) {
 }
 
 TEST(Schedule, RefusesSessionsAndSlotsThatAreNone) {
-  const Protocol protocol = shamProtocol({shamBlock("a", 2, kBalanced, kOne)});
+  const Protocol protocol = shamProtocol({shamBlock("a", 2, kBalancedSchedule, kOneView)});
   EXPECT_THROW(scheduleOf(protocol, 0, 3, 1), InputError);
   EXPECT_THROW(scheduleOf(protocol, 0, -1, 1), InputError);
   EXPECT_THROW(scheduleOf(protocol, -1, 0, 1), InputError);
 }
 
 TEST(Schedule, PracticesCasesAndViewsInTurn) {
-  Protocol protocol = shamProtocol({shamBlock("a", 2, kBalanced, kOne)});
+  Protocol protocol = shamProtocol({shamBlock("a", 2, kBalancedSchedule, kOneView)});
   protocol.blocks[0].practice = ProtocolPractice{shamTask(2), 2, 8};
   for (int slot = 0; slot < 2; ++slot) {
     const SessionSchedule schedule = scheduleOf(protocol, slot, 0, 1);
@@ -185,7 +185,7 @@ TEST(Schedule, PracticesCasesAndViewsInTurn) {
 }
 
 TEST(Schedule, IsWrittenAsJson) {
-  const SessionSchedule schedule = oneBlock(3, kBalanced, kOne, 4, 1);
+  const SessionSchedule schedule = oneBlock(3, kBalancedSchedule, kOneView, 4, 1);
   const nlohmann::json json = nlohmann::json::parse(jsonText(schedule));
   EXPECT_EQ(json.at("slot"), 4);
   EXPECT_EQ(json.at("session"), 1);

@@ -11,13 +11,13 @@
 namespace ocelli {
 namespace {
 
-constexpr TrialScreen kScreen{480, 320, 60};
+constexpr TrialScreen kViewScreen{480, 320, 60};
 
 class SceneViewsTest : public testing::TestWithParam<GlProvider> {
  protected:
   Image<Rgb8> draw(SceneViews& views, const TrialPicture& picture) {
     const GlScope scope(*context_);
-    ScreenTarget target(*context_, kScreen.width, kScreen.height);
+    ScreenTarget target(*context_, kViewScreen.width, kViewScreen.height);
     target.clear(kOkabeItoBlack);
     views.draw(picture, target.color());
     return target.read();
@@ -32,7 +32,7 @@ INSTANTIATE_TEST_SUITE_P(Providers, SceneViewsTest, kOffscreenProviders, provide
 Image<uint8_t> pixelsOf(const TrialPicture& picture, uint32_t object) {
   const TrialPicture::View& view = picture.views.front();
   const FragmentImage seen = rasterizeStudy(view.camera, meshOf(picture));
-  Image<uint8_t> pixels(kScreen.width, kScreen.height, 0);
+  Image<uint8_t> pixels(kViewScreen.width, kViewScreen.height, 0);
   for (int y = 0; y < seen.height(); ++y) {
     for (int x = 0; x < seen.width(); ++x) {
       const Fragment& fragment = seen(x, y);
@@ -46,7 +46,7 @@ Image<uint8_t> pixelsOf(const TrialPicture& picture, uint32_t object) {
 TEST_P(SceneViewsTest, showsObjectsWhereTheProcessorSeesThem) {
   SceneViews views(*context_);
   for (const StudyView kind : kStudyViews) {
-    TrialPicture picture = study_.finding(kScreen, kind).picture;
+    TrialPicture picture = study_.finding(kViewScreen, kind).picture;
     const Image<Rgb8> image = draw(views, picture);
     size_t orange = 0;
     size_t wrong = 0;
@@ -66,14 +66,14 @@ TEST_P(SceneViewsTest, showsObjectsWhereTheProcessorSeesThem) {
 
 TEST_P(SceneViewsTest, colorsAreThoseOfTheProcessor) {
   SceneViews views(*context_);
-  const TrialPicture picture = study_.finding(kScreen, StudyView::kGraph).picture;
+  const TrialPicture picture = study_.finding(kViewScreen, StudyView::kGraph).picture;
   const Image<Rgb8> image = draw(views, picture);
-  const Image<Rgb8> expected = viewsOf(picture, kScreen, rasterizeStudy);
+  const Image<Rgb8> expected = viewsOf(picture, kViewScreen, rasterizeStudy);
   size_t different = 0;
   size_t compared = 0;
   const auto top = static_cast<int>(picture.views.front().place.top);
-  for (int y = 0; y < kScreen.height; ++y) {
-    for (int x = 0; x < kScreen.width; ++x) {
+  for (int y = 0; y < kViewScreen.height; ++y) {
+    for (int x = 0; x < kViewScreen.width; ++x) {
       if (y < top) {
         EXPECT_EQ(image(x, y), Rgb8(0)) << "nothing is drawn outside of the views";
         continue;
@@ -90,7 +90,7 @@ TEST_P(SceneViewsTest, colorsAreThoseOfTheProcessor) {
 TEST_P(SceneViewsTest, movingObjectsAreAsUploadedAnew) {
   SceneViews views(*context_);
   for (const StudyView kind : kStudyViews) {
-    TrialPicture picture = study_.finding(kScreen, kind).picture;
+    TrialPicture picture = study_.finding(kViewScreen, kind).picture;
     const Image<Rgb8> still = draw(views, picture);
     for (int step = 1; step <= 4; ++step) {
       const float by = 0.2f * static_cast<float>(step);
@@ -107,7 +107,7 @@ TEST_P(SceneViewsTest, movingObjectsAreAsUploadedAnew) {
 
 TEST_P(SceneViewsTest, anotherSceneTakesThePlaceOfTheOneBefore) {
   SceneViews views(*context_);
-  TrialPicture picture = study_.finding(kScreen, StudyView::kPinhole).picture;
+  TrialPicture picture = study_.finding(kViewScreen, StudyView::kPinhole).picture;
   picture.objectOffsets = {{0.5f, 0, 0}, {0, 0, 0}};
   draw(views, picture);
   Maze maze = test::sampleMaze();

@@ -10,7 +10,7 @@
 namespace ocelli {
 namespace {
 
-constexpr TrialScreen kScreen{1024, 640, 60};
+constexpr TrialScreen kPaintScreen{1024, 640, 60};
 
 class TrialPainterTest : public testing::TestWithParam<GlProvider> {
  protected:
@@ -20,23 +20,23 @@ class TrialPainterTest : public testing::TestWithParam<GlProvider> {
 INSTANTIATE_TEST_SUITE_P(Providers, TrialPainterTest, kOffscreenProviders, providerName);
 
 TEST_P(TrialPainterTest, rendersWhatASubjectSees) {
-  TrialPainter painter(*context_, kScreen);
-  StudyPainter onScreen(*context_, kScreen, Controls{});
+  TrialPainter painter(*context_, kPaintScreen);
+  StudyPainter onScreen(*context_, kPaintScreen, Controls{});
   for (const StudyView view : kStudyViews) {
-    const TrialScreenView trial = study_.finding(kScreen, view);
+    const TrialScreenView trial = study_.finding(kPaintScreen, view);
     const Image<Rgb8> image = painter.render(trial.picture);
     const GlScope scope(*context_);
     onScreen.draw(trial);
     EXPECT_EQ(image, onScreen.image());
-    EXPECT_EQ(renderTrialPicture(*context_, trial.picture, kScreen), image);
+    EXPECT_EQ(renderTrialPicture(*context_, trial.picture, kPaintScreen), image);
   }
 }
 
 TEST_P(TrialPainterTest, hashesAreOfTheViewsAlone) {
-  TrialPainter painter(*context_, kScreen);
-  StudyPainter onScreen(*context_, kScreen, Controls{});
+  TrialPainter painter(*context_, kPaintScreen);
+  StudyPainter onScreen(*context_, kPaintScreen, Controls{});
   const GlScope scope(*context_);
-  TrialScreenView trial = study_.finding(kScreen, StudyView::kGraph, true);
+  TrialScreenView trial = study_.finding(kPaintScreen, StudyView::kGraph, true);
   const StudyFrame frame = onScreen.draw(trial, 0.01, true);
   ASSERT_TRUE(frame.pixelHash);
   EXPECT_EQ(*frame.pixelHash, pixelHashOf(painter.renderViews(trial.picture)));
@@ -51,9 +51,9 @@ TEST_P(TrialPainterTest, hashesAreOfTheViewsAlone) {
 }
 
 TEST_P(TrialPainterTest, thePatchIsInTheCornerAlone) {
-  StudyPainter painter(*context_, kScreen, Controls{});
+  StudyPainter painter(*context_, kPaintScreen, Controls{});
   const GlScope scope(*context_);
-  TrialScreenView trial = study_.finding(kScreen, StudyView::kPinhole);
+  TrialScreenView trial = study_.finding(kPaintScreen, StudyView::kPinhole);
   painter.draw(trial);
   const Image<Rgb8> without = painter.image();
   for (const bool white : {true, false}) {
@@ -62,14 +62,14 @@ TEST_P(TrialPainterTest, thePatchIsInTheCornerAlone) {
     painter.draw(trial);
     const Image<Rgb8> with = painter.image();
     int size = 0;
-    while (size < kScreen.width && with(size, kScreen.height - 1) == Rgb8(white ? 255 : 0)) {
+    while (size < kPaintScreen.width && with(size, kPaintScreen.height - 1) == Rgb8(white ? 255 : 0)) {
       ++size;
     }
     EXPECT_GE(size, 40);
     EXPECT_LE(size, 80);
-    for (int y = 0; y < kScreen.height; ++y) {
-      for (int x = 0; x < kScreen.width; ++x) {
-        const bool inside = x < size && y >= kScreen.height - size;
+    for (int y = 0; y < kPaintScreen.height; ++y) {
+      for (int x = 0; x < kPaintScreen.width; ++x) {
+        const bool inside = x < size && y >= kPaintScreen.height - size;
         ASSERT_EQ(with(x, y), inside ? Rgb8(white ? 255 : 0) : without(x, y)) << x << " " << y;
       }
     }

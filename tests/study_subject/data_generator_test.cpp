@@ -67,7 +67,7 @@ struct Mean {
   double value() const { return sum / count; }
 };
 
-double secondsOf(const TrialRecord& record) {
+double responseSecondsOf(const TrialRecord& record) {
   return static_cast<double>(record.outcome.responseTicks) / kTicksPerSecond;
 }
 
@@ -88,8 +88,8 @@ TEST(DataGenerator, viewsDifferInLogTimesByTheEffectThatItWasGiven) {
     }
     ++find;
     censored += records[i].outcome.censored ? 1 : 0;
-    view[static_cast<size_t>(records[i].plan.view)].add(std::log(secondsOf(records[i])));
-    session[i / (records.size() / kSubjects / 2) % 2].add(std::log(secondsOf(records[i])));
+    view[static_cast<size_t>(records[i].plan.view)].add(std::log(responseSecondsOf(records[i])));
+    session[i / (records.size() / kSubjects / 2) % 2].add(std::log(responseSecondsOf(records[i])));
   }
   EXPECT_EQ(find, kSubjects * 2 * 8);
   EXPECT_LT(censored, find / 200);
@@ -104,10 +104,10 @@ TEST(DataGenerator, timesAreCensoredAtTheLimit) {
   effects.find.logSeconds = 5;
   for (const TrialRecord& record : generate(effects, 20)) {
     if (record.plan.task == "find" && record.outcome.censored) {
-      EXPECT_EQ(secondsOf(record), 60);
+      EXPECT_EQ(responseSecondsOf(record), 60);
       EXPECT_EQ(record.outcome.answer, "");
     }
-    EXPECT_LE(secondsOf(record), 60);
+    EXPECT_LE(responseSecondsOf(record), 60);
   }
 }
 
@@ -150,7 +150,7 @@ TEST(DataGenerator, subjectsAndItemsDifferAsMuchAsTheyShould) {
     Mean own;
     for (size_t i = subject * each; i < (subject + 1) * each; ++i) {
       if (records[i].plan.task == "find") {
-        own.add(std::log(secondsOf(records[i])));
+        own.add(std::log(responseSecondsOf(records[i])));
       }
     }
     means.add(own.value());
@@ -191,7 +191,7 @@ TEST(DataGenerator, casesDifferInTheEffectOfTheViewAsMuchAsTheyShould) {
     effects.find.itemViewSd = itemViewSd;
     const std::vector<TrialRecord> records = generate(effects, kSubjects);
     return deviationOfViewEffects(records, records.size() / kSubjects / 2, "find",
-                                  [](const TrialRecord& record) { return std::log(secondsOf(record)); });
+                                  [](const TrialRecord& record) { return std::log(responseSecondsOf(record)); });
   };
   // Of residuals alone: 0.1 * sqrt(2 / 20) = 0.032.
   EXPECT_LT(deviation(0), 0.06);
@@ -211,7 +211,7 @@ TEST(DataGenerator, effectsOfTheViewThatDifferLeaveTheOtherDrawsAsTheyAre) {
   for (size_t i = 0; i < alike.size(); ++i) {
     if (alike[i].plan.task == "find") {
       const double half = (alike[i].plan.view == StudyView::kGraph ? 1 : -1) *
-                          (std::log(secondsOf(differing[i])) - std::log(secondsOf(alike[i])));
+                          (std::log(responseSecondsOf(differing[i])) - std::log(responseSecondsOf(alike[i])));
       const auto [place, isNew] = halves.try_emplace({alike[i].info.label, i / eachSession % 2}, half);
       // Times of 1 s and more in ticks of 1/240 s: four roundings of half a tick.
       EXPECT_NEAR(place->second, half, 4 * 0.5 / 240) << "the same for both views and all subjects";

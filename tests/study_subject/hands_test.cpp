@@ -11,7 +11,7 @@
 namespace ocelli {
 namespace {
 
-constexpr int64_t kSecond = 1'000'000'000;
+constexpr int64_t kHandSecond = 1'000'000'000;
 
 class HandsTest : public testing::Test {
  protected:
@@ -25,12 +25,12 @@ const KeyEvent* keyOf(const TimedInput& input) {
 }
 
 TEST_F(HandsTest, HoldsAKeyForAboutAsLongAsPlannedAndRepeatsIt) {
-  hands.plan(kSecond, {{controls.forward, kSecond, 3 * kSecond}});
+  hands.plan(kHandSecond, {{controls.forward, kHandSecond, 3 * kHandSecond}});
   int64_t pressed = -1;
   int64_t released = -1;
   int repeats = 0;
   int64_t last = 0;
-  for (const TimedInput& input : hands.take(5 * kSecond)) {
+  for (const TimedInput& input : hands.take(5 * kHandSecond)) {
     EXPECT_GE(input.nanoseconds, last);
     last = input.nanoseconds;
     const KeyEvent* key = keyOf(input);
@@ -44,23 +44,23 @@ TEST_F(HandsTest, HoldsAKeyForAboutAsLongAsPlannedAndRepeatsIt) {
       ++repeats;
     }
   }
-  EXPECT_EQ(pressed, kSecond);
+  EXPECT_EQ(pressed, kHandSecond);
   // Five standard deviations.
   EXPECT_NEAR(static_cast<double>(released), 3e9, 5e9 * factors.keySpread);
   // 25 a second after half a second.
   EXPECT_NEAR(repeats, 37, 5);
-  EXPECT_TRUE(hands.take(10 * kSecond).empty());
+  EXPECT_TRUE(hands.take(10 * kHandSecond).empty());
 }
 
 TEST_F(HandsTest, ANewPlanTakesThePlaceOfTheOldOne) {
-  hands.plan(0, {{controls.forward, 0, 9 * kSecond}});
-  EXPECT_EQ(hands.take(kSecond).size(), 1u + 13u);  // the key, and its repeats from half a second on
-  hands.plan(2 * kSecond, {{controls.turnLeft, 2 * kSecond, 3 * kSecond}});
+  hands.plan(0, {{controls.forward, 0, 9 * kHandSecond}});
+  EXPECT_EQ(hands.take(kHandSecond).size(), 1u + 13u);  // the key, and its repeats from half a second on
+  hands.plan(2 * kHandSecond, {{controls.turnLeft, 2 * kHandSecond, 3 * kHandSecond}});
   std::map<Key, bool> held{{controls.forward, true}};
-  for (const TimedInput& input : hands.take(10 * kSecond)) {
+  for (const TimedInput& input : hands.take(10 * kHandSecond)) {
     held[keyOf(input)->key] = keyOf(input)->pressed;
     if (keyOf(input)->key == controls.forward && !keyOf(input)->pressed) {
-      EXPECT_EQ(input.nanoseconds, 2 * kSecond);
+      EXPECT_EQ(input.nanoseconds, 2 * kHandSecond);
     }
   }
   EXPECT_FALSE(held[controls.forward]);
@@ -70,17 +70,17 @@ TEST_F(HandsTest, ANewPlanTakesThePlaceOfTheOldOne) {
 TEST_F(HandsTest, PointsFasterAtLargeAndNearThings) {
   hands.seePointer({0, 0});
   const double far = secondsOf(hands.point({600, 0}, 10, 0));
-  hands.take(10 * kSecond);
+  hands.take(10 * kHandSecond);
   hands.seePointer({0, 0});
-  const double near = secondsOf(hands.point({100, 0}, 10, 10 * kSecond)) - 10;
-  hands.take(20 * kSecond);
+  const double near = secondsOf(hands.point({100, 0}, 10, 10 * kHandSecond)) - 10;
+  hands.take(20 * kHandSecond);
   hands.seePointer({0, 0});
-  const double large = secondsOf(hands.point({600, 0}, 100, 20 * kSecond)) - 20;
+  const double large = secondsOf(hands.point({600, 0}, 100, 20 * kHandSecond)) - 20;
   // log2(61), log2(11) and log2(7) bits; each within the 40 % that a movement may differ, and a mouse's step.
   EXPECT_NEAR(far, 5.93 / factors.bitsPerSecond, 0.4 * 5.93 / factors.bitsPerSecond);
   EXPECT_NEAR(near, 3.46 / factors.bitsPerSecond, 0.4 * 3.46 / factors.bitsPerSecond + 0.02);
   EXPECT_LT(large, far);
-  hands.take(30 * kSecond);
+  hands.take(30 * kHandSecond);
   EXPECT_NEAR(hands.pointer().x, 600, 100);
 }
 
@@ -88,8 +88,8 @@ TEST_F(HandsTest, HitsWhatItPointsAtAlmostAlways) {
   int hits = 0;
   for (int i = 0; i < 500; ++i) {
     hands.seePointer({0, 0});
-    hands.point({300, 200}, 20, i * 5 * kSecond);
-    hands.take((i + 1) * 5 * kSecond);
+    hands.point({300, 200}, 20, i * 5 * kHandSecond);
+    hands.take((i + 1) * 5 * kHandSecond);
     hits += std::abs(hands.pointer().x - 300) <= 10 && std::abs(hands.pointer().y - 200) <= 10 ? 1 : 0;
   }
   // Each coordinate misses by more than 4.133 standard deviations of 10 / 4.133 once in thousands.
@@ -102,13 +102,13 @@ TEST_F(HandsTest, ReckonsWhereItsKeysAndMouseLead) {
   const WalkerPose start{1.5, 7.5, 1.5};
   Walker walker(plan, controls, start);
   hands.seePointer({320, 200});
-  hands.pan(30, kSecond / 10);
-  hands.plan(kSecond / 2, {{controls.forward, kSecond / 2, kSecond}, {controls.turnLeft, kSecond, 3 * kSecond / 2}});
-  const WalkerPose expected = hands.reckon(start, 0, 2 * kSecond);
-  const std::vector<TimedInput> inputs = hands.take(2 * kSecond);
+  hands.pan(30, kHandSecond / 10);
+  hands.plan(kHandSecond / 2, {{controls.forward, kHandSecond / 2, kHandSecond}, {controls.turnLeft, kHandSecond, 3 * kHandSecond / 2}});
+  const WalkerPose expected = hands.reckon(start, 0, 2 * kHandSecond);
+  const std::vector<TimedInput> inputs = hands.take(2 * kHandSecond);
   size_t next = 0;
   for (int64_t tick = 0; tick < 2 * kTicksPerSecond; ++tick) {
-    for (; next < inputs.size() && inputs[next].nanoseconds * kTicksPerSecond / kSecond <= tick; ++next) {
+    for (; next < inputs.size() && inputs[next].nanoseconds * kTicksPerSecond / kHandSecond <= tick; ++next) {
       walker.handle(inputs[next].event);
     }
     walker.advance();
@@ -128,7 +128,7 @@ TEST_F(HandsTest, PansByAboutAsMuchAsMeant) {
     // Four standard deviations.
     EXPECT_NEAR(turned.headingRadians * 57.29578, degrees, 4 * 20 / 4.133);
     int pressed = 0;
-    for (const TimedInput& input : fresh.take(until + kSecond)) {
+    for (const TimedInput& input : fresh.take(until + kHandSecond)) {
       if (const auto* button = std::get_if<PointerButtonEvent>(&input.event)) {
         EXPECT_EQ(button->button, PointerButton::kRight);
         pressed += button->pressed ? 1 : -1;
@@ -146,7 +146,7 @@ TEST_F(HandsTest, RoundsCornersFromAsFarBeforeThemAsTheReach) {
     constexpr int kTurns = 400;
     for (int i = 0; i < kTurns; ++i) {
       Hands fresh(factors, controls, static_cast<uint64_t>(i));
-      fresh.plan(0, {{controls.forward, 0, 9 * kSecond}});
+      fresh.plan(0, {{controls.forward, 0, 9 * kHandSecond}});
       const int64_t until = fresh.pan(degrees, 0);
       const WalkerPose begin{0, fresh.panReach(degrees), 0};
       const WalkerPose end = fresh.reckon(begin, 0, until);
@@ -157,29 +157,29 @@ TEST_F(HandsTest, RoundsCornersFromAsFarBeforeThemAsTheReach) {
 }
 
 TEST_F(HandsTest, DropsTurnsYetToBeginForAnotherPlan) {
-  hands.pan(90, kSecond);
-  EXPECT_TRUE(hands.isPanning(kSecond + kSecond / 5));
-  hands.plan(kSecond / 2, {{controls.forward, kSecond / 2, kSecond}});
-  EXPECT_FALSE(hands.isPanning(kSecond + kSecond / 5));
-  hands.pan(-90, kSecond);
-  hands.plan(kSecond + kSecond / 10, {});
-  EXPECT_TRUE(hands.isPanning(kSecond + kSecond / 5));  // it was under way
+  hands.pan(90, kHandSecond);
+  EXPECT_TRUE(hands.isPanning(kHandSecond + kHandSecond / 5));
+  hands.plan(kHandSecond / 2, {{controls.forward, kHandSecond / 2, kHandSecond}});
+  EXPECT_FALSE(hands.isPanning(kHandSecond + kHandSecond / 5));
+  hands.pan(-90, kHandSecond);
+  hands.plan(kHandSecond + kHandSecond / 10, {});
+  EXPECT_TRUE(hands.isPanning(kHandSecond + kHandSecond / 5));  // it was under way
 }
 
 TEST_F(HandsTest, LetsGoOfEverything) {
-  hands.plan(0, {{controls.forward, 0, 9 * kSecond}});
-  hands.pan(90, kSecond);
-  hands.take(kSecond + kSecond / 10);
-  hands.release(kSecond + kSecond / 5);
+  hands.plan(0, {{controls.forward, 0, 9 * kHandSecond}});
+  hands.pan(90, kHandSecond);
+  hands.take(kHandSecond + kHandSecond / 10);
+  hands.release(kHandSecond + kHandSecond / 5);
   std::map<Key, bool> held;
   bool right = true;
-  for (const TimedInput& input : hands.take(20 * kSecond)) {
+  for (const TimedInput& input : hands.take(20 * kHandSecond)) {
     if (const KeyEvent* key = keyOf(input)) {
       held[key->key] = key->pressed;
     } else if (const auto* button = std::get_if<PointerButtonEvent>(&input.event)) {
       right = button->pressed;
     }
-    EXPECT_LE(input.nanoseconds, kSecond + kSecond / 5);
+    EXPECT_LE(input.nanoseconds, kHandSecond + kHandSecond / 5);
   }
   EXPECT_FALSE(held[controls.forward]);
   EXPECT_FALSE(right);

@@ -8,8 +8,8 @@
 namespace ocelli {
 namespace {
 
-constexpr int64_t kSecond = 1'000'000'000;
-constexpr TrialScreen kScreen{240, 150, 60};
+constexpr int64_t kMindSecond = 1'000'000'000;
+constexpr TrialScreen kMindScreen{240, 150, 60};
 
 /// Watches the playback of a path trial; what it noticed, as the task writes turns, and the map that it chose.
 struct Watched {
@@ -21,16 +21,16 @@ Watched watch(StudyView view, uint64_t seed, const HumanFactors& factors) {
   const auto block = test::readBlock(
       "path", R"({"maze": "small", "turns": 5, "least_seconds": 20, "most_seconds": 40, "cases": [{}]})");
   const TrialPlan plan = test::planOf("path", 0, view, seed);
-  const auto run = block->start(plan, kScreen);
-  const IdentityEye eye(kScreen);
+  const auto run = block->start(plan, kMindScreen);
+  const IdentityEye eye(kMindScreen);
   PathMind mind(Vision(factors, 5), seed);
   Hands hands(factors, Controls{}, 1);
   Watched watched;
   watched.expected = block->answerOf(plan);
   int64_t now = 0;
-  for (int i = 0; i < 300; ++i, now += 3 * kSecond / 10) {
+  for (int i = 0; i < 300; ++i, now += 3 * kMindSecond / 10) {
     const TrialPicture picture = run->picture();
-    mind.think(eye.look(picture, true), now, now + 3 * kSecond / 10, hands);
+    mind.think(eye.look(picture, true), now, now + 3 * kMindSecond / 10, hands);
     if (!picture.maps.empty()) {
       break;
     }
@@ -41,7 +41,7 @@ Watched watch(StudyView view, uint64_t seed, const HumanFactors& factors) {
   for (const PathMind::Turn& turn : mind.turns()) {
     watched.turns += turn.side > 0 ? 'R' : 'L';
   }
-  for (const TimedInput& input : hands.take(now + 60 * kSecond)) {
+  for (const TimedInput& input : hands.take(now + 60 * kMindSecond)) {
     if (const auto* key = std::get_if<KeyEvent>(&input.event); key != nullptr && key->pressed) {
       run->handle(input.event);
     }

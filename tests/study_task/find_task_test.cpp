@@ -16,7 +16,7 @@ namespace {
 using test::press;
 using test::release;
 
-constexpr TrialScreen kScreen{640, 480, 60};
+constexpr TrialScreen kFindScreen{640, 480, 60};
 
 /// Where the object shows on the screen, if it does: the pixel of it that is nearest to their mean.
 std::optional<glm::dvec2> seenAt(const TrialRun& run) {
@@ -64,7 +64,7 @@ const std::string kFromTheWest = R"({"maze": "small", "start": {"row": 2, "colum
 
 TEST(FindTask, keysAloneAreEnough) {
   const auto block = test::readBlock("find", kFromTheWest + R"("cases": [{"row": 2, "column": 4}]})");
-  const auto run = block->start(test::planOf("find", 0, StudyView::kPinhole), kScreen);
+  const auto run = block->start(test::planOf("find", 0, StudyView::kPinhole), kFindScreen);
   run->handle(press(Key::kW));
   for (int i = 0; i < 240; ++i) {
     run->advance();
@@ -90,7 +90,7 @@ TEST(FindTask, keysAloneAreEnough) {
 TEST(FindTask, wrongClicksAreCounted) {
   const auto block =
       test::readBlock("find", kFromTheWest + R"("limit_seconds": 2, "cases": [{"row": 2, "column": 4}]})");
-  const auto run = block->start(test::planOf("find", 0, StudyView::kPinhole), kScreen);
+  const auto run = block->start(test::planOf("find", 0, StudyView::kPinhole), kFindScreen);
   run->handle(test::moveTo({600, 100}));
   for (int i = 0; i < 3; ++i) {
     run->handle(test::button(PointerButton::kLeft, true));
@@ -111,7 +111,7 @@ TEST(FindTask, theGraphCameraShowsWhatThePinholeHides) {
   // In the side way to the north, two crossings ahead.
   const auto block = test::readBlock("find", kFromTheWest + R"("cases": [{"row": 1, "column": 3}]})");
   const auto ahead = [&](StudyView view) {
-    auto run = block->start(test::planOf("find", 0, view), kScreen);
+    auto run = block->start(test::planOf("find", 0, view), kFindScreen);
     run->handle(press(Key::kW));
     for (int i = 0; i < 150; ++i) {
       run->advance();
@@ -138,7 +138,7 @@ TEST(FindTask, movingObjectsAreFoundWhereTheyAre) {
   EXPECT_TRUE(block->caseInfo(0).moving);
   size_t found = 0;
   for (uint64_t seed = 1; seed <= 5; ++seed) {
-    const auto run = block->start(test::planOf("find", 0, StudyView::kPinhole, seed), kScreen);
+    const auto run = block->start(test::planOf("find", 0, StudyView::kPinhole, seed), kFindScreen);
     const glm::dvec2 first = seenAt(*run).value_or(glm::dvec2(0));
     for (int i = 0; i < 200; ++i) {
       run->advance();

@@ -16,7 +16,7 @@
 namespace ocelli {
 namespace {
 
-constexpr TrialScreen kScreen{800, 600, 60};
+constexpr TrialScreen kPathScreen{800, 600, 60};
 constexpr PathWalk::Speed kSpeed{1.5, 90};
 
 Direction turned(Direction heading, char turn) {
@@ -146,7 +146,7 @@ TEST(PathTask, offersTheRightMapAmongOthersOfTheSameMaze) {
   std::map<int, int> places;
   for (uint64_t seed = 1; seed <= 120; ++seed) {
     const TrialPlan plan = test::planOf("path", 0, StudyView::kPinhole, seed);
-    const auto run = block->start(plan, kScreen);
+    const auto run = block->start(plan, kPathScreen);
     EXPECT_TRUE(run->picture().maps.empty());
     // The turns of the walk, from its headings.
     std::vector<WalkerPose> poses;

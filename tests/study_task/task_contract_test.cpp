@@ -13,7 +13,7 @@ namespace {
 
 using test::TaskExample;
 
-constexpr TrialScreen kScreen{640, 480, 60};
+constexpr TrialScreen kContractScreen{640, 480, 60};
 constexpr int64_t kTicksPerFrame = 4;  // 240 a second, 60 frames
 
 /// All that one sees of a moment, as text.
@@ -102,7 +102,7 @@ TEST_P(TaskContract, casesSayWhatTheyAre) {
 
 TEST_P(TaskContract, endsByItselfAndIsThenCensored) {
   forEachTrial([&](const TaskBlock& block, const TrialPlan& plan) {
-    const auto run = block.start(plan, kScreen);
+    const auto run = block.start(plan, kContractScreen);
     follow(
         *run, longestTicks(block, plan), [](int64_t) {}, 1 << 20);
     ASSERT_TRUE(run->outcome().has_value());
@@ -116,13 +116,13 @@ TEST_P(TaskContract, endsByItselfAndIsThenCensored) {
 TEST_P(TaskContract, sameInputAtTheSameTicksGivesTheSameTrial) {
   forEachTrial([&](const TaskBlock& block, const TrialPlan& plan) {
     const auto once = [&] {
-      const auto run = block.start(plan, kScreen);
+      const auto run = block.start(plan, kContractScreen);
       Random random(plan.seed);
       std::vector<std::string> seen = follow(
           *run, longestTicks(block, plan),
           [&](int64_t tick) {
             if (tick % 17 == 0) {
-              run->handle(test::randomInput(random, kScreen));
+              run->handle(test::randomInput(random, kContractScreen));
             }
           },
           60);
@@ -136,7 +136,7 @@ TEST_P(TaskContract, sameInputAtTheSameTicksGivesTheSameTrial) {
 
 TEST_P(TaskContract, nothingHappensAfterTheOutcome) {
   forEachTrial([&](const TaskBlock& block, const TrialPlan& plan) {
-    const auto run = block.start(plan, kScreen);
+    const auto run = block.start(plan, kContractScreen);
     follow(
         *run, longestTicks(block, plan), [](int64_t) {}, 1 << 20);
     const auto outcome = run->outcome();
@@ -144,7 +144,7 @@ TEST_P(TaskContract, nothingHappensAfterTheOutcome) {
     const WalkerPose pose = run->pose();
     Random random(3);
     for (int i = 0; i < 2000; ++i) {
-      run->handle(test::randomInput(random, kScreen));
+      run->handle(test::randomInput(random, kContractScreen));
       run->advance();
       run->frameShown();
     }
@@ -156,10 +156,10 @@ TEST_P(TaskContract, nothingHappensAfterTheOutcome) {
 
 TEST_P(TaskContract, picturesStayOnTheScreenBelowThePrompt) {
   forEachTrial([&](const TaskBlock& block, const TrialPlan& plan) {
-    const auto run = block.start(plan, kScreen);
+    const auto run = block.start(plan, kContractScreen);
     const auto isOnStage = [](const PixelRect& place) {
-      return place.left >= 0 && place.right() <= kScreen.width && place.top >= promptHeight(kScreen) &&
-             place.bottom() <= kScreen.height && place.width > 10 && place.height > 10;
+      return place.left >= 0 && place.right() <= kContractScreen.width && place.top >= promptHeight(kContractScreen) &&
+             place.bottom() <= kContractScreen.height && place.width > 10 && place.height > 10;
     };
     follow(
         *run, longestTicks(block, plan),
@@ -192,9 +192,9 @@ TEST_P(TaskContract, picturesStayOnTheScreenBelowThePrompt) {
 TEST_P(TaskContract, anyInputIsBorne) {
   forEachTrial([&](const TaskBlock& block, const TrialPlan& plan) {
     Random random(plan.seed * 3 + static_cast<uint64_t>(plan.view));
-    const auto run = block.start(plan, kScreen);
+    const auto run = block.start(plan, kContractScreen);
     follow(
-        *run, longestTicks(block, plan), [&](int64_t) { run->handle(test::randomInput(random, kScreen)); }, 30);
+        *run, longestTicks(block, plan), [&](int64_t) { run->handle(test::randomInput(random, kContractScreen)); }, 30);
     SUCCEED();
   });
 }

@@ -9,7 +9,7 @@
 namespace ocelli {
 namespace {
 
-ViewerState someState() {
+ViewerState keyState() {
   return viewerState("builtin:teapot", {}, cameraChoice("ddoc"), View{}, 72, 48, "test");
 }
 
@@ -40,7 +40,7 @@ TEST(ViewerKeys, modifiersMakeOtherKeys) {
 
 TEST(ViewerKeys, arrowsMoveTheActivePaneAlone) {
   for (const Pane pane : kPanes) {
-    ViewerState state = someState();
+    ViewerState state = keyState();
     const ViewerState before = state;
     state.active = pane;
     EXPECT_TRUE(applyAction(state, ViewerAction::kTurnLeft));
@@ -55,7 +55,7 @@ TEST(ViewerKeys, oppositeKeysUndoEachOther) {
   using enum ViewerAction;
   for (const auto& [one, other] : {std::pair{kTurnLeft, kTurnRight}, std::pair{kTurnUp, kTurnDown},
                                    std::pair{kMoveLeft, kMoveRight}, std::pair{kZoomIn, kZoomOut}}) {
-    ViewerState state = someState();
+    ViewerState state = keyState();
     const View before = state.reconstruction.view;
     applyAction(state, one);
     EXPECT_GT(glm::distance(state.reconstruction.view.eye, before.eye), 0.1f);
@@ -65,7 +65,7 @@ TEST(ViewerKeys, oppositeKeysUndoEachOther) {
 }
 
 TEST(ViewerKeys, tabGoesRoundAndFollowsALonePane) {
-  ViewerState state = someState();
+  ViewerState state = keyState();
   state.active = Pane::kDisplay;
   applyAction(state, ViewerAction::kNextPane);
   EXPECT_EQ(state.active, Pane::kScene);
@@ -78,7 +78,7 @@ TEST(ViewerKeys, tabGoesRoundAndFollowsALonePane) {
 }
 
 TEST(ViewerKeys, escapeLeavesTheHelpFirst) {
-  ViewerState state = someState();
+  ViewerState state = keyState();
   applyAction(state, ViewerAction::kMaximise3);
   applyAction(state, ViewerAction::kHelp);
   applyAction(state, ViewerAction::kEscape);
@@ -91,13 +91,13 @@ TEST(ViewerKeys, escapeLeavesTheHelpFirst) {
 TEST(ViewerKeys, whatNeedsMoreThanTheStateIsLeftToTheViewer) {
   using enum ViewerAction;
   for (const ViewerAction action : {kScreenshot, kSaveView, kFocusPanel, kQuit}) {
-    ViewerState state = someState();
+    ViewerState state = keyState();
     EXPECT_FALSE(applyAction(state, action));
   }
 }
 
 TEST(ViewerKeys, contentsGoRound) {
-  ViewerState state = someState();
+  ViewerState state = keyState();
   std::set<std::string> shown;
   for (int i = 0; i < 5; ++i) {
     shown.emplace(nameOf(state.reconstruction.content));

@@ -5,7 +5,7 @@
 namespace ocelli {
 namespace {
 
-ViewerState someState() {
+ViewerState layoutState() {
   return viewerState("builtin:teapot", {}, cameraChoice("di"), View{}, 72, 48, "test");
 }
 
@@ -25,7 +25,7 @@ std::vector<WindowRect> allRects(const ViewerLayout& layout) {
 TEST(ViewerLayout, nothingOverlapsOrLeavesTheWindow) {
   for (const glm::vec2 size : {glm::vec2(1280, 800), glm::vec2(2560, 1600), glm::vec2(641, 403)}) {
     for (const float scale : {1.0f, 1.5f, 2.0f}) {
-      ViewerState state = someState();
+      ViewerState state = layoutState();
       for (const bool panel : {true, false}) {
         state.panel = panel;
         for (const auto maximised : {std::optional<Pane>(), std::optional(Pane::kDisplay)}) {
@@ -47,7 +47,7 @@ TEST(ViewerLayout, nothingOverlapsOrLeavesTheWindow) {
 }
 
 TEST(ViewerLayout, panesAreFoundByTheirPlace) {
-  const ViewerLayout layout = viewerLayout(someState(), {1280, 800}, 1);
+  const ViewerLayout layout = viewerLayout(layoutState(), {1280, 800}, 1);
   ASSERT_EQ(layout.panes.size(), kPaneCount);
   for (const Pane pane : kPanes) {
     const WindowRect& image = layout.find(pane)->image;
@@ -57,7 +57,7 @@ TEST(ViewerLayout, panesAreFoundByTheirPlace) {
 }
 
 TEST(ViewerLayout, aMaximisedPaneIsAlone) {
-  ViewerState state = someState();
+  ViewerState state = layoutState();
   state.maximised = Pane::kReference;
   const ViewerLayout layout = viewerLayout(state, {1280, 800}, 1);
   ASSERT_EQ(layout.panes.size(), 1U);
@@ -66,7 +66,7 @@ TEST(ViewerLayout, aMaximisedPaneIsAlone) {
 }
 
 TEST(ViewerLayout, aWindowWithoutAnySizeHasOne) {
-  for (const PaneLayout& pane : viewerLayout(someState(), {0, 0}, 3).panes) {
+  for (const PaneLayout& pane : viewerLayout(layoutState(), {0, 0}, 3).panes) {
     EXPECT_GE(pane.image.height, 1);
   }
 }

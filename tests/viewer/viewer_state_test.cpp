@@ -10,18 +10,18 @@
 namespace ocelli {
 namespace {
 
-ViewerState someState(const std::string& camera = "ddoc") {
+ViewerState stateOf(const std::string& camera = "ddoc") {
   return viewerState("builtin:teapot", {}, cameraChoice(camera), View{}, 72, 48, "test");
 }
 
 TEST(ViewerState, theEyeStartsAtAnEdgeOfTheCell) {
-  const ViewerState state = someState();
+  const ViewerState state = stateOf();
   EXPECT_NEAR(glm::distance(state.reconstruction.view.eye, View{}.eye), 0.8f * std::sqrt(2.0f), 1e-5f);
   EXPECT_EQ(state.reconstruction.view.target, View{}.target);
 }
 
 TEST(ViewerState, everyChangeOfWorkHasARevisionOfItsOwn) {
-  ViewerState state = someState();
+  ViewerState state = stateOf();
   std::set<uint64_t> seen{state.work.lastRevision};
   const auto expectFresh = [&](uint64_t revision) { EXPECT_TRUE(seen.insert(revision).second) << revision; };
   openScene(state, "builtin:fence");
@@ -47,7 +47,7 @@ TEST(ViewerState, everyChangeOfWorkHasARevisionOfItsOwn) {
 }
 
 TEST(ViewerState, aCameraKeepsTheCell) {
-  ViewerState state = someState();
+  ViewerState state = stateOf();
   chooseCellSide(state, 0.4);
   chooseCamera(state, "cell");
   EXPECT_FLOAT_EQ(state.work.camera.cell.cell.sideRadii, 0.4f);
@@ -56,7 +56,7 @@ TEST(ViewerState, aCameraKeepsTheCell) {
 }
 
 TEST(ViewerState, cellsAndSizesStayWithinTheirLimits) {
-  ViewerState state = someState();
+  ViewerState state = stateOf();
   chooseCellSide(state, 1e9);
   EXPECT_FLOAT_EQ(state.work.camera.cellSideRadii, static_cast<float>(kMostCellSide));
   chooseCellSide(state, -1);
@@ -67,16 +67,16 @@ TEST(ViewerState, cellsAndSizesStayWithinTheirLimits) {
 }
 
 TEST(ViewerState, anUnknownNameChangesNothing) {
-  ViewerState state = someState();
+  ViewerState state = stateOf();
   EXPECT_THROW(chooseCamera(state, "no-such-camera"), InputError);
   EXPECT_THROW(chooseProfile(state, "no-such-display"), InputError);
   EXPECT_EQ(state.work.camera.name, "ddoc");
   EXPECT_EQ(state.work.profile, "test");
-  EXPECT_EQ(state.work.lastRevision, someState().work.lastRevision);
+  EXPECT_EQ(state.work.lastRevision, stateOf().work.lastRevision);
 }
 
 TEST(ViewerState, goingThroughTheCamerasMeetsAllThatHaveImages) {
-  ViewerState state = someState("di");
+  ViewerState state = stateOf("di");
   std::set<std::string> met;
   do {
     met.insert(state.work.camera.name);
@@ -90,7 +90,7 @@ TEST(ViewerState, goingThroughTheCamerasMeetsAllThatHaveImages) {
 }
 
 TEST(ViewerState, everyPaneComesBackToItsStart) {
-  const ViewerState start = someState();
+  const ViewerState start = stateOf();
   ViewerState state = start;
   for (const Pane pane : kPanes) {
     orbitPane(state, pane, 0.3, 0.2);
@@ -111,7 +111,7 @@ TEST(ViewerState, everyPaneComesBackToItsStart) {
 }
 
 TEST(ViewerState, aLinkedObserverIsTheEye) {
-  ViewerState state = someState();
+  ViewerState state = stateOf();
   state.display.followsEye = true;
   const View before = state.reconstruction.view;
   orbitPane(state, Pane::kDisplay, 0.5, 0);
@@ -120,7 +120,7 @@ TEST(ViewerState, aLinkedObserverIsTheEye) {
 }
 
 TEST(ViewerState, theScreenTurnsAsFastAsItIsTold) {
-  ViewerState state = someState();
+  ViewerState state = stateOf();
   advance(state, 1.0 / 48, 720);  // 12 turns a second: a quarter turn
   EXPECT_NEAR(state.display.sweepDegrees, 90, 1e-9);
   changeSpeed(state, 1.0 / 64);
@@ -133,7 +133,7 @@ TEST(ViewerState, theScreenTurnsAsFastAsItIsTold) {
 }
 
 TEST(ViewerState, speedStaysWithinItsLimits) {
-  ViewerState state = someState();
+  ViewerState state = stateOf();
   changeSpeed(state, 1e-30);
   EXPECT_EQ(state.display.speed, kLeastSpeed);
   changeSpeed(state, 1e30);
@@ -141,7 +141,7 @@ TEST(ViewerState, speedStaysWithinItsLimits) {
 }
 
 TEST(ViewerState, stepsGoFromSliceToSliceRoundTheTurn) {
-  ViewerState state = someState();  // 24 slices a half turn: 7.5 degrees each
+  ViewerState state = stateOf();  // 24 slices a half turn: 7.5 degrees each
   state.display.sweepDegrees = 8;
   stepDisplay(state, 1);
   EXPECT_FALSE(state.display.running);
@@ -151,7 +151,7 @@ TEST(ViewerState, stepsGoFromSliceToSliceRoundTheTurn) {
 }
 
 TEST(ViewerState, blinkingChangesEveryHalfSecond) {
-  ViewerState state = someState();
+  ViewerState state = stateOf();
   EXPECT_FALSE(blinkShowsTruth(state));
   advance(state, 0.6, 720);
   EXPECT_TRUE(blinkShowsTruth(state));
