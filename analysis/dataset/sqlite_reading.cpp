@@ -57,13 +57,13 @@ void checkVersion(SQLite::Database& database, const std::string& path) {
   const int version = database.execAndGet("PRAGMA user_version").getInt();
   if (version > kKnownTrialsSchema) {
     failToRead(fmt::format("this database has version {} of the schema, and this program knows those up to {}", version,
-                     kKnownTrialsSchema),
-         path, "a newer version of ocelli");
+                           kKnownTrialsSchema),
+               path, "a newer version of ocelli");
   }
   if (version < kKnownTrialsSchema) {
     failToRead(fmt::format("this database has version {} of the schema, and this program reads {}", version,
-                     kKnownTrialsSchema),
-         path, "`ocelli study subjects --db FILE`, which brings the file up to date");
+                           kKnownTrialsSchema),
+               path, "`ocelli study subjects --db FILE`, which brings the file up to date");
   }
 }
 
@@ -82,12 +82,13 @@ void throwSqliteError(const SQLite::Exception& error, const std::string& path) {
     case SQLITE_CANTOPEN:
     case SQLITE_READONLY:
     case SQLITE_PERM:
-      failToRead(fmt::format("this database cannot be opened ({})", error.getErrorStr()), path,
-           "check the rights; a database with a -wal file beside it needs a folder that can be written: copy both "
-           "there");
+      failToRead(
+          fmt::format("this database cannot be opened ({})", error.getErrorStr()), path,
+          "check the rights; a database with a -wal file beside it needs a folder that can be written: copy both "
+          "there");
     case SQLITE_ERROR:
       failToRead(fmt::format("this database has other tables than a study ({})", error.what()), path,
-           "check that its tables are those of protocols/trials.schema.sql");
+                 "check that its tables are those of protocols/trials.schema.sql");
     default:
       throw AnalysisError(AnalysisError::Kind::kWork, fmt::format("cannot read this database ({})", error.what()), path,
                           "check the disk; or a copy of the file");
@@ -99,7 +100,8 @@ void checkIntegrity(SQLite::Database& database, const std::string& path) {
   for (const char* table : {"study", "subject", "session", "run", "consent", "answer", "trial"}) {
     const std::string found = database.execAndGet(fmt::format("PRAGMA integrity_check({})", table)).getString();
     if (found != "ok") {
-      failToRead(fmt::format("this database is damaged, or someone changed it (table {}: {})", table, found), path, kCopy);
+      failToRead(fmt::format("this database is damaged, or someone changed it (table {}: {})", table, found), path,
+                 kCopy);
     }
   }
 }

@@ -266,7 +266,7 @@ std::function<MatrixXd(const std::vector<size_t>&)> sumOf(const std::vector<Matr
 }
 
 Estimable<CoxMaximum> maximize(const SurvivalData& data, const PartialLikelihood& likelihood,
-                            const StandardizedCovariates& covariates) {
+                               const StandardizedCovariates& covariates) {
   if (std::none_of(data.times.begin(), data.times.end(), [](const SurvivalTime& time) { return time.observed; })) {
     return Estimable<CoxMaximum>::impossible(fmt::format("none of {} trials ended by itself", data.times.size()));
   }

@@ -44,7 +44,8 @@ struct Edge {
 };
 
 /// At `theta`: thresholds, then coefficients. `steps`: index of the answer of each row among those that were given.
-OddsLikelihood likelihoodAt(const std::vector<Index>& steps, const MatrixXd& x, Index thresholds, const VectorXd& theta) {
+OddsLikelihood likelihoodAt(const std::vector<Index>& steps, const MatrixXd& x, Index thresholds,
+                            const VectorXd& theta) {
   const Index size = theta.size();
   OddsLikelihood value{0, VectorXd::Zero(size), MatrixXd::Zero(size, size)};
   const VectorXd eta = x * theta.tail(x.cols());

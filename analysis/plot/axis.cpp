@@ -9,8 +9,8 @@
 namespace ocelli {
 namespace {
 
-constexpr double kAxisLabelGap = 5;       // points between labels
-constexpr double kSlack = 1e-9;  // of rounding, relative
+constexpr double kAxisLabelGap = 5;  // points between labels
+constexpr double kSlack = 1e-9;      // of rounding, relative
 constexpr int kMostIntervals = 8;
 constexpr int kFarthestDecade = 300;  // numbers end at 308
 /// A narrower range, relative to its values, is rounding: they are all alike.

@@ -21,7 +21,9 @@ cairo_status_t writeBytes(void* closure, const unsigned char* data, unsigned int
 
 std::string cairoSvg(const Figure& figure) {
   return bytesOfSurface(
-      [&](void* closure) { return cairo_svg_surface_create_for_stream(writeBytes, closure, figure.width, figure.height); },
+      [&](void* closure) {
+        return cairo_svg_surface_create_for_stream(writeBytes, closure, figure.width, figure.height);
+      },
       [&](cairo_surface_t*, cairo_t* context) { paintDrawing(context, figure.drawing); });
 }
 

@@ -69,10 +69,10 @@ void drawBox(Drawing& drawing, const std::string& part, const PlotBox& box, cons
 void drawArrow(Drawing& drawing, PlotPoint from, PlotPoint to) {
   drawing.line("arrow", from, to, {kAxisPaint, kLine});
   const bool down = to.y > from.y;
-  const PlotPoint one =
-      down ? PlotPoint{to.x - 0.7 * kFlowArrow, to.y - kFlowArrow} : PlotPoint{to.x - kFlowArrow, to.y - 0.7 * kFlowArrow};
-  const PlotPoint other =
-      down ? PlotPoint{to.x + 0.7 * kFlowArrow, to.y - kFlowArrow} : PlotPoint{to.x - kFlowArrow, to.y + 0.7 * kFlowArrow};
+  const PlotPoint one = down ? PlotPoint{to.x - 0.7 * kFlowArrow, to.y - kFlowArrow}
+                             : PlotPoint{to.x - kFlowArrow, to.y - 0.7 * kFlowArrow};
+  const PlotPoint other = down ? PlotPoint{to.x + 0.7 * kFlowArrow, to.y - kFlowArrow}
+                               : PlotPoint{to.x - kFlowArrow, to.y + 0.7 * kFlowArrow};
   drawing.path("arrow head", {{{to, one, other}}, true, kAxisPaint, std::nullopt});
 }
 

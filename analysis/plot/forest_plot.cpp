@@ -66,12 +66,12 @@ std::string numbersText(const Interval& interval) {
 }
 
 void drawArrow(Drawing& drawing, PlotPoint tip, double direction, const Paint& paint) {
-  drawing.path(
-      "arrow",
-      {{{tip, {tip.x - direction * kForestArrow, tip.y - kForestArrow * 0.7}, {tip.x - direction * kForestArrow, tip.y + kForestArrow * 0.7}}},
-       true,
-       paint,
-       std::nullopt});
+  drawing.path("arrow", {{{tip,
+                           {tip.x - direction * kForestArrow, tip.y - kForestArrow * 0.7},
+                           {tip.x - direction * kForestArrow, tip.y + kForestArrow * 0.7}}},
+                         true,
+                         paint,
+                         std::nullopt});
 }
 
 void drawEstimate(Drawing& drawing, const Panel& panel, double y, const ForestPlot::Row& row, AxisScale scale) {

@@ -11,7 +11,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kSeriesHeight = 15;     // of a series in a row, points
+constexpr double kSeriesHeight = 15;  // of a series in a row, points
 constexpr double kGroupShare = 0.84;  // of a condition's width, for its series
 constexpr double kDefaultHeight = 170;
 

@@ -125,7 +125,8 @@ Figure modelCheckFigure(const ModelCheckPlot& plot) {
   }
   const double half = (figure.width - kCheckGap) / 2;
   drawResiduals(figure.drawing, plot, fitted, residuals, {0, 0, half, kCheckHeight});
-  drawQuantiles(figure.drawing, plot.residualLabel, residuals, spread, {half + kCheckGap, 0, figure.width - 2, kCheckHeight});
+  drawQuantiles(figure.drawing, plot.residualLabel, residuals, spread,
+                {half + kCheckGap, 0, figure.width - 2, kCheckHeight});
   return figure;
 }
 

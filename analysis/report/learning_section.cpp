@@ -14,7 +14,6 @@
 namespace ocelli {
 namespace {
 
-
 struct Condition {
   std::string name;
   TrialValues values;

@@ -15,7 +15,6 @@
 namespace ocelli {
 namespace {
 
-
 void addFigure(ReportWork& work, const std::vector<NavigationGroup>& groups) {
   FigureGrid grid;
   grid.title = "Ways, sight and turns by view";

@@ -13,7 +13,6 @@ namespace {
 
 using Number = Estimable<double>;
 
-
 Number searched(const SearchNavigation&, const Trial& trial) {
   return trial.responseSeconds ? Number(*trial.responseSeconds) : Number::impossible("no time is stored");
 }

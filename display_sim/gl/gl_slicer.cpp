@@ -11,7 +11,7 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kGroupSize = 64;      // local_size_x of the shaders
+constexpr size_t kGroupSize = 64;           // local_size_x of the shaders
 constexpr size_t kMaxSlicerGroups = 65535;  // in a direction, on any GPU
 constexpr GLuint kQueueBinding = 5;
 constexpr size_t kFirstCapacity = size_t{1} << 14;

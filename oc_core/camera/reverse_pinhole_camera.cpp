@@ -21,8 +21,8 @@ ReversePinholeCamera::ReversePinholeCamera(const PinholeCamera& reference, float
   const float least = magnificationAt(zNear);
   const float greatest = magnificationAt(zFar);
   if (!(least * kWidestOpening >= 1) || !(greatest <= kWidestOpening)) {
-    throw InputError("its range of depths is too wide: its image would shrink or grow by more than a hundred", kReversePinhole,
-                     "move \"z_near\" and \"z_far\" of the view towards the scene");
+    throw InputError("its range of depths is too wide: its image would shrink or grow by more than a hundred",
+                     kReversePinhole, "move \"z_near\" and \"z_far\" of the view towards the scene");
   }
   // u - u_u = (u - u_c) (1 - 1 / magnification), for u within the borders.
   const glm::vec2 center = reference.centerPixels();

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kMazeCamera = "maze camera";
 constexpr double kParallel = 1.0 / 200;  ///< one over how much farther away the viewpoint of parallel rays lies
-constexpr double kLeastWayShare = 2e-3;     ///< of rays; less is no way
+constexpr double kLeastWayShare = 2e-3;  ///< of rays; less is no way
 
 double tanHalf(double degrees) {
   return std::tan(radiansFromDegrees(degrees) / 2);
@@ -163,8 +163,8 @@ GraphCamera makeMazeCamera(const Maze& maze, const MazePose& pose, const MazeCam
   const MazeCell cell = cellOf(maze, pose.eye, kMazeCamera);
   const std::optional<CrossingAhead> crossing = crossingAhead(maze, pose);
   if (!maze.isOpen(cell, pose.heading) && !crossing) {
-    throw InputError(fmt::format("a wall stands to the {} of the cell {}", nameOf(pose.heading), nameOf(cell)), kMazeCamera,
-                     "head for an open side");
+    throw InputError(fmt::format("a wall stands to the {} of the cell {}", nameOf(pose.heading), nameOf(cell)),
+                     kMazeCamera, "head for an open side");
   }
   return MazeCameraBuilder(maze, {pose.eye, options.backward ? opposite(pose.heading) : pose.heading}, options)
       .build(width, height);

@@ -19,9 +19,9 @@ constexpr size_t kMostPoints = 4096;
 constexpr double kLeastTurn = 1e-4;  // radians: less is straight
 /// Between the planes of a full turn at its outermost rays, as an angle about the line where they meet.
 const double kPlaneAngle = radiansFromDegrees(8);
-constexpr double kCollapsed = 0.3;    // distance at which a turn is gone, in distances of control points
+constexpr double kCollapsed = 0.3;       // distance at which a turn is gone, in distances of control points
 constexpr double kMeetingWidths = 1.15;  // where the planes meet, in half widths of the bundle of rays
-constexpr int kBisections = 14;       // for the strength of a turn that cannot be made in full
+constexpr int kBisections = 14;          // for the strength of a turn that cannot be made in full
 
 /// The path as a function of length. It goes straight on beyond its ends.
 class PathLine {

@@ -20,7 +20,7 @@ constexpr double kSearchStep = 0.05;
 
 // In distances to the target.
 constexpr double kOffset = 0.5;     ///< of the second viewpoint at f = 1
-constexpr double kBendBegin = 0.5;      ///< of the bend, on the middle ray
+constexpr double kBendBegin = 0.5;  ///< of the bend, on the middle ray
 constexpr double kMiddle = 0.6;     ///< of the bend
 constexpr double kLatestEnd = 0.8;  ///< of the bend, on any ray
 

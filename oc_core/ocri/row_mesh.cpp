@@ -295,7 +295,7 @@ class RowMesher {
     Row& upper;
     Row& lower;
     bool mirrored = false;  ///< the row below lies to the left of the row's direction
-    int i = kNoSample;          ///< the last edge across, from sample i of the upper row to sample j of the lower one
+    int i = kNoSample;      ///< the last edge across, from sample i of the upper row to sample j of the lower one
     int j = kNoSample;
 
     RowSample& a(int k) const { return upper.samples[static_cast<size_t>(k)]; }

@@ -220,7 +220,8 @@ std::optional<GraphDepthImage::Hit> GraphDepthImage::intersect(const glm::dvec3&
       stretches.push_back(stretch);
     }
   }
-  std::sort(stretches.begin(), stretches.end(), [](const PieceStretch& a, const PieceStretch& b) { return a.begin < b.begin; });
+  std::sort(stretches.begin(), stretches.end(),
+            [](const PieceStretch& a, const PieceStretch& b) { return a.begin < b.begin; });
   size_t count = 0;
   std::optional<Hit> hit;
   for (size_t i = 0; i < stretches.size() && !hit; ++i) {

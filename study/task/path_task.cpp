@@ -73,8 +73,8 @@ class PathBlock : public TaskBlock {
     CaseInfo info;
     info.label = labels_[static_cast<size_t>(caseIndex)];
     info.longestSeconds = options_.mostSeconds + options_.answerLimitSeconds;
-    info.typicalSeconds = (options_.leastSeconds + options_.mostSeconds) / 2 +
-                          std::min(kTypicalPathSeconds, options_.answerLimitSeconds);
+    info.typicalSeconds =
+        (options_.leastSeconds + options_.mostSeconds) / 2 + std::min(kTypicalPathSeconds, options_.answerLimitSeconds);
     return info;
   }
   std::string answerOf(const TrialPlan& plan) const override {

@@ -15,7 +15,6 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-
 ReportDocument completersOf(const SectionStudy& study, const std::vector<std::string>& tasks = {"find"}) {
   return documentOf(study.analysis, [&](ReportWork& work) { addCompletersSection(work, tasks); });
 }

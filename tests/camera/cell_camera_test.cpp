@@ -95,8 +95,7 @@ TEST(CellCamera, pointsBehindTheOccluderHaveTheirImageInTheTiles) {
       EXPECT_NEAR(q->z, kWall, 1e-4f);
       if (seen.u > 30 && seen.u < 60 && seen.v > 20 && seen.v < 40) {
         const size_t tile = y < 30 ? 0 : 1;
-        const glm::vec2 expected =
-            pixel - glm::vec2(cells().tiles()[tile].corner) + glm::vec2(cells().cornerOf(tile));
+        const glm::vec2 expected = pixel - glm::vec2(cells().tiles()[tile].corner) + glm::vec2(cells().cornerOf(tile));
         EXPECT_NEAR(q->u, expected.x, kPixels);
         EXPECT_NEAR(q->v, expected.y, kPixels);
         ++hidden;

@@ -98,8 +98,8 @@ TEST(GraphOperations, actOnBothSubFrustaOfAMerge) {
 }
 
 TEST(GraphOperations, partsAreSharesOfTheImage) {
-  const GraphCamera camera =
-      graphCameraOf("{'operations': [" + bend("root", "left", 0, ", 'part': [[0, 0], [0.5, 0], [0.5, 1], [0, 1]]") + "]}");
+  const GraphCamera camera = graphCameraOf(
+      "{'operations': [" + bend("root", "left", 0, ", 'part': [[0, 0], [0.5, 0], [0.5, 1], [0, 1]]") + "]}");
   EXPECT_DOUBLE_EQ(camera.frusta()[1].part[2].x, smallCamera().width() / 2.0);
   EXPECT_DOUBLE_EQ(camera.frusta()[1].part[2].y, smallCamera().height());
 }
@@ -112,7 +112,8 @@ TEST(GraphOperations, viewOfTheFileGoesBeforeTheUsers) {
 }
 
 TEST(GraphOperations, filesMayAskForAShapeOfImages) {
-  EXPECT_EQ(graphCameraOf("{'size': {'width': 1800, 'height': 1200}, 'operations': []}").width(), smallCamera().width());
+  EXPECT_EQ(graphCameraOf("{'size': {'width': 1800, 'height': 1200}, 'operations': []}").width(),
+            smallCamera().width());
   EXPECT_THAT(operationError("{'size': {'width': 1280, 'height': 720}, 'operations': []}"),
               AllOf(HasSubstr("1280x720, not 90x60"), HasSubstr("--size")));
   EXPECT_THAT(operationError("{'size': {'width': 0, 'height': 720}, 'operations': []}"), HasSubstr("\"width\""));

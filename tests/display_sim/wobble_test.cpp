@@ -26,8 +26,11 @@ Volume oneVoxel(const DisplayProfile& profile) {
 }
 
 test::Spread seen(const Wobble& wobble, double refreshes) {
-  const ObserverOptions options{
-      .width = kWobbleSide, .height = kWobbleSide, .exposureSeconds = refreshes / 24, .startDegrees = -2.25, .wobble = wobble};
+  const ObserverOptions options{.width = kWobbleSide,
+                                .height = kWobbleSide,
+                                .exposureSeconds = refreshes / 24,
+                                .startDegrees = -2.25,
+                                .wobble = wobble};
   return test::spreadOf(collectLight(oneVoxel(smallProfile(40, 32, 32)), options));
 }
 

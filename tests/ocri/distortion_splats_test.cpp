@@ -185,7 +185,8 @@ TEST(LimitBandGrowth, zeroLeavesTheBands) {
 
 TEST(FinalizeMap, pixelsOfTheBandGetTheDisplacementOfTheirDistance) {
   const std::vector<DistortionSplat> splats{splat({20, 20.5f}, {1, 0}, 6, 4)};
-  const DistortionMap map = finalizeMap(splats, claimPixels(splats, kSplatSize, kSplatSize), DistortionMap::Lookup::kNearest);
+  const DistortionMap map =
+      finalizeMap(splats, claimPixels(splats, kSplatSize, kSplatSize), DistortionMap::Lookup::kNearest);
   for (int x = 0; x < kSplatSize; ++x) {
     const float side = static_cast<float>(x) + 0.5f - 20;
     const bool inBand = side >= -6 && side <= 4;

@@ -36,7 +36,8 @@ TEST(Schedule, AlternatesViewsInTheOrderOfTheFile) {
   EXPECT_THAT(written(oneBlock(5, kAlternating, kOneView)), ElementsAre("1p", "2g", "3p", "4g", "5p"));
   EXPECT_THAT(written(oneBlock(3, kAlternating, kBothViews)), ElementsAre("1p", "2g", "3p", "1g", "2p", "3g"));
   // With an even number the second pass begins with the second case, so that each gets its other view.
-  EXPECT_THAT(written(oneBlock(4, kAlternating, kBothViews)), ElementsAre("1p", "2g", "3p", "4g", "2p", "3g", "4p", "1g"));
+  EXPECT_THAT(written(oneBlock(4, kAlternating, kBothViews)),
+              ElementsAre("1p", "2g", "3p", "4g", "2p", "3g", "4p", "1g"));
   EXPECT_EQ(oneBlock(4, kAlternating, kBothViews), oneBlock(4, kAlternating, kBothViews));
   EXPECT_EQ(written(oneBlock(4, kAlternating, kBothViews, 7, 2)), written(oneBlock(4, kAlternating, kBothViews)));
 }
@@ -109,7 +110,8 @@ TEST(Schedule, PutsEachCaseInEachPlaceAboutEquallyOften) {
 }
 
 TEST(Schedule, SeedsTrialsBySessionBlockAndCaseAndNotBySubject) {
-  const Protocol protocol = shamProtocol({shamBlock("a", 4, kBalancedSchedule, kBothViews), shamBlock("b", 4, kBalancedSchedule, kOneView)});
+  const Protocol protocol =
+      shamProtocol({shamBlock("a", 4, kBalancedSchedule, kBothViews), shamBlock("b", 4, kBalancedSchedule, kOneView)});
   std::map<std::tuple<int, int, int>, std::set<uint64_t>> seeds;
   std::set<uint64_t> all;
   for (int session = 0; session < 3; ++session) {
@@ -148,9 +150,10 @@ TEST(Schedule, LeavesBlocksInTheirOrderUnlessTheyAreShuffled) {
 }
 
 TEST(Schedule, HasTheBlocksOfItsSession) {
-  Protocol protocol = shamProtocol(
-      {shamBlock("a", 2, kBalancedSchedule, kOneView), shamBlock("b", 2, kBalancedSchedule, kOneView), shamBlock("c", 2, kBalancedSchedule, kOneView)},
-      false);
+  Protocol protocol =
+      shamProtocol({shamBlock("a", 2, kBalancedSchedule, kOneView), shamBlock("b", 2, kBalancedSchedule, kOneView),
+                    shamBlock("c", 2, kBalancedSchedule, kOneView)},
+                   false);
   protocol.blocks[1].sessions = {0, 2};
   EXPECT_THAT(scheduleOf(protocol, 0, 0, 1).blockOrder, ElementsAre(0, 1, 2));
   EXPECT_THAT(scheduleOf(protocol, 0, 1, 1).blockOrder, ElementsAre(0, 2));

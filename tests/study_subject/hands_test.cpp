@@ -103,7 +103,8 @@ TEST_F(HandsTest, ReckonsWhereItsKeysAndMouseLead) {
   Walker walker(plan, controls, start);
   hands.seePointer({320, 200});
   hands.pan(30, kHandSecond / 10);
-  hands.plan(kHandSecond / 2, {{controls.forward, kHandSecond / 2, kHandSecond}, {controls.turnLeft, kHandSecond, 3 * kHandSecond / 2}});
+  hands.plan(kHandSecond / 2,
+             {{controls.forward, kHandSecond / 2, kHandSecond}, {controls.turnLeft, kHandSecond, 3 * kHandSecond / 2}});
   const WalkerPose expected = hands.reckon(start, 0, 2 * kHandSecond);
   const std::vector<TimedInput> inputs = hands.take(2 * kHandSecond);
   size_t next = 0;
