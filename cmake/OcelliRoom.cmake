@@ -7,7 +7,9 @@ target_include_directories(ocelli_settings INTERFACE
 # Private to our own targets: warnings, sanitizers, and no fused multiply-add, so that every compiler gives the same bytes.
 add_library(ocelli_strict INTERFACE)
 target_compile_options(ocelli_strict INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
+  -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
+  # clang takes fields of an outer class for shadowed ones.
+  $<$<CXX_COMPILER_ID:GNU>:-Wshadow>
   -ffp-contract=off $<$<BOOL:${OCELLI_WERROR}>:-Werror>)
 if(CMAKE_UNITY_BUILD)
   # A .cpp file may have types with members of its own anonymous namespace: GCC takes it for a header here.

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "oc_core/base/sanitizer.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/cli/run_program.h"
 
@@ -95,11 +96,7 @@ TEST(Interrupt, EndsTheReadingOfAScene) {
   EXPECT_THAT(result.output, HasSubstr("ended 143"));
 }
 
-#if defined(__SANITIZE_ADDRESS__)
-const std::string kLimit;  // AddressSanitizer needs all addresses there are
-#else
-const std::string kLimit = "ulimit -v 3000000\n";
-#endif
+const std::string kLimit = kAddressSanitizer ? "" : "ulimit -v 3000000\n";
 
 class EndlessInput : public testing::TestWithParam<std::string> {};
 

@@ -12,6 +12,7 @@
 #include <ostream>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/sanitizer.h"
 #include "oc_core/scene/scene_file.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/scene/scene_file_samples.h"
@@ -30,12 +31,7 @@ using Clock = std::chrono::steady_clock;
 constexpr double kGibibyte = 1 << 30;
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kLimitsMemory =
-    false;  // AddressSanitizer needs all addresses there are, and ends the process in its own way
-#else
-constexpr bool kLimitsMemory = true;
-#endif
+constexpr bool kLimitsMemory = !kAddressSanitizer;  // which ends the process in its own way
 
 /// An environment variable while it lives.
 class Variable {

@@ -104,20 +104,12 @@ int run(std::span<char*> arguments) {
 }  // namespace
 }  // namespace ocelli
 
-#if defined(__SANITIZE_ADDRESS__)
-#define OCELLI_ADDRESS_SANITIZER 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define OCELLI_ADDRESS_SANITIZER 1
-#endif
-#endif
-#ifdef OCELLI_ADDRESS_SANITIZER
-/// What AddressSanitizer finds in Assimp ends this process as a crash does, and it limits the memory in its own way.
+/// Called by AddressSanitizer alone, where the build has it. What it finds in Assimp ends this process as a crash does, and it
+/// limits the memory in its own way.
 extern "C" const char* __asan_default_options();
 extern "C" const char* __asan_default_options() {
   return "abort_on_error=1:detect_leaks=0:hard_rss_limit_mb=2048:max_allocation_size_mb=2048";
 }
-#endif
 
 int main(int count, char** arguments) {
   // Without the destructors of what Assimp has read: they may trip over it, and the system does that faster.

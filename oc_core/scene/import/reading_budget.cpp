@@ -7,23 +7,10 @@
 #include <fstream>
 #include <new>
 
+#include "oc_core/base/sanitizer.h"
+
 namespace ocelli {
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__)
-#define OCELLI_ADDRESS_SANITIZER 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define OCELLI_ADDRESS_SANITIZER 1
-#endif
-#endif
-
-/// AddressSanitizer reserves terabytes of addresses.
-#ifdef OCELLI_ADDRESS_SANITIZER
-constexpr bool kLimitsAddresses = false;
-#else
-constexpr bool kLimitsAddresses = true;
-#endif
 
 void setSoftLimit(__rlimit_resource resource, uint64_t wanted) {
   rlimit limit{};
@@ -61,7 +48,7 @@ void ReadingBudget::addMemory(uint64_t bytes) {
 void ReadingBudget::apply() const {
   const uint64_t memory = limits_.memoryBytes(fileBytes_) + memoryBytes_;
   const uint64_t most = std::min(memory, static_cast<uint64_t>(limits_.memoryMax));
-  if (kLimitsAddresses) {
+  if (!kAddressSanitizer) {
     setSoftLimit(RLIMIT_AS, most);
   }
   // What is written counts as memory of nobody.
