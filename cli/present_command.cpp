@@ -162,9 +162,13 @@ void addSceneSource(Presented& presented, const PresentChoice& choice, const Dis
 
 void addSeriesSource(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile,
                      const Frame& frame) {
-  presented.source = std::make_unique<SeriesSource>(
+  auto source = std::make_unique<SeriesSource>(
       numberedFiles(choice.scene.source, ".ply"), choice.scene.options, profile, sliceOptionsOf(choice.slicing),
       choice.rate.value_or(profile.refreshHertz()), choice.loop, frame.progress());
+  if (source->isCutOff()) {
+    noteCutOffScene(frame);
+  }
+  presented.source = std::move(source);
 }
 
 class TimeLineFile {

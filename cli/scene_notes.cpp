@@ -16,8 +16,12 @@ void noteBlackScene(const Frame& frame, const Mesh& mesh) {
 void noteSlicedScene(const Frame& frame, const Mesh& mesh, const DisplayProfile& profile) {
   noteBlackScene(frame, mesh);
   if (!liesWithin(mesh, profile)) {
-    frame.note("a part of the scene lies outside of the display and is cut off");
+    noteCutOffScene(frame);
   }
+}
+
+void noteCutOffScene(const Frame& frame) {
+  frame.note("a part of the scene lies outside of the display and is cut off");
 }
 
 void noteDarkVolume(const Frame& frame, const Volume& volume) {

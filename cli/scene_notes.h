@@ -11,6 +11,8 @@ namespace ocelli {
 void noteBlackScene(const Frame& frame, const Mesh& mesh);
 /// Tells of a scene that is sliced for this display: where it is black, and where a part of it is cut off.
 void noteSlicedScene(const Frame& frame, const Mesh& mesh, const DisplayProfile& profile);
+/// Tells that the display is too small for the scene.
+void noteCutOffScene(const Frame& frame);
 /// Tells of a volume in which nothing is lit.
 void noteDarkVolume(const Frame& frame, const Volume& volume);
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "display_sim/display_bounds.h"
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
 #include "oc_core/scene/scene.h"
@@ -78,6 +79,7 @@ SeriesSource::SeriesSource(const std::vector<std::filesystem::path>& files, cons
   const glm::mat4 unit = scene.fit ? unitFromSeries(meshes, files.front().string()) : glm::mat4(1);
   for (Mesh& mesh : meshes) {
     transform(mesh, unit);
+    cutOff_ = cutOff_ || !liesWithin(mesh, profile);
     meshes_.emplace_back(mesh);
     mesh = {};
   }

@@ -29,8 +29,12 @@ class SeriesSource final : public VolumeSource {
 
   SourcedVolume volumeFor(HostTime seen) override;
 
+  /// Whether a part of some mesh lies outside of the display, and is not shown.
+  bool isCutOff() const { return cutOff_; }
+
  private:
   std::vector<SliceMesh> meshes_;
+  bool cutOff_ = false;
   Slicer slicer_;
   double meshesPerSecond_;
   bool loop_;

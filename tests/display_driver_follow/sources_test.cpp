@@ -165,6 +165,20 @@ TEST_F(SeriesSourceTest, meshesComeAtTheRateAndKeepTheirSizes) {
   EXPECT_EQ(again.volumeFor(kStart + 201ms).volume->litVoxels(), small);
 }
 
+TEST_F(SeriesSourceTest, tellsWhetherThePartOfAnyMeshIsCutOff) {
+  add("a1.ply", 0.1f);
+  add("a2.ply", 5);
+  const auto files = numberedFiles(folder.path(), ".ply");
+  const auto cutOff = [&](const std::vector<std::filesystem::path>& some, bool fit) {
+    SceneOptions scene;
+    scene.fit = fit;
+    return SeriesSource(some, scene, smallDisplay(), {}, 10, false).isCutOff();
+  };
+  EXPECT_TRUE(cutOff(files, false));
+  EXPECT_FALSE(cutOff({files[0]}, false));
+  EXPECT_FALSE(cutOff(files, true));
+}
+
 /// Eyes that a test sets.
 class SetEyes final : public EyeFeed {
  public:
