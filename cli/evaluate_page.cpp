@@ -100,6 +100,9 @@ std::string bestText(const Column& column, const Rows& rows) {
       most = std::max(most, column.value(row));
     }
   }
+  if (least > most) {
+    return "";  // the scene itself is all there is
+  }
   const std::string best = column.text(column.moreIsBetter ? most : least);
   const auto holders = std::count_if(rows.begin(), rows.end(), [&](const RepresentationFigures& row) {
     return row.name != kSceneItself && column.text(column.value(row)) == best;

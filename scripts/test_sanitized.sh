@@ -9,6 +9,7 @@ cmake --preset asan
 cmake --build --preset asan --target fast_tests
 # What the libraries underneath keep until the process ends is theirs.
 export ASAN_OPTIONS="${ASAN_OPTIONS:-detect_leaks=0:allocator_may_return_null=1}"
+export ASAN_SYMBOLIZER_PATH="${ASAN_SYMBOLIZER_PATH:-/usr/lib/llvm-16/bin/llvm-symbolizer}"
 export UBSAN_OPTIONS="${UBSAN_OPTIONS:-print_stacktrace=1}"
 results="$PWD/build/asan/results.xml"
 ctest --preset asan --parallel "$(nproc)" --output-junit "$results"

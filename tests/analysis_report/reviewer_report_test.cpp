@@ -209,7 +209,8 @@ void forEachText(const Json& element, const auto& see) {
 TEST_F(ReviewerReport, readersGetWordsNotShortNames) {
   const std::regex shortName("\\b(ppc|gc|easier_[a-z]+)\\b");
   for (const ReportDocument* document : {&planned(), &unplanned()}) {
-    for (const Json& element : jsonOf(*document)["elements"]) {
+    const Json report = jsonOf(*document);
+    for (const Json& element : report["elements"]) {
       forEachText(element, [&](const std::string& text) {
         EXPECT_FALSE(std::regex_search(text, shortName)) << element.value("id", "") << ": " << text;
       });

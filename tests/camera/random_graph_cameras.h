@@ -33,7 +33,9 @@ inline MiddleRay middleRay(const GraphCamera& graph, size_t i) {
 inline GraphCamera::Turn randomTurn(Numbers& numbers, const MiddleRay& ray, double way, double most) {
   const glm::dvec3 at = ray.from + ray.direction * way;
   const glm::dvec3 normal = ray.direction + randomVector(numbers, most);
-  return turnAt(at, normal, at - (ray.direction + randomVector(numbers, most)) * numbers.between(3, 12));
+  // One number a statement: the same cameras with any compiler.
+  const glm::dvec3 back = ray.direction + randomVector(numbers, most);
+  return turnAt(at, normal, at - back * numbers.between(3, 12));
 }
 
 /// Bends, splits, merges or windows, `operations` of them, each of a frustum that has no child yet. Those that do not

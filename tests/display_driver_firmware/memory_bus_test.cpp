@@ -80,9 +80,9 @@ Bytes emptyFrame(uint32_t frame, uint32_t sequence) {
 }
 
 TEST(MemoryBus, whatIsSentArrivesInItsOrder) {
+  Listener listener;  // outlives the link
   MemoryBus bus(display());
   const auto link = bus.port()->open();
-  Listener listener;
   link->controlOut(3, 1, armRecord(7));
   link->start(listener.functions());
   std::vector<Bytes> transfers;
@@ -139,10 +139,10 @@ TEST(MemoryBus, oneLinkAtATime) {
 }
 
 TEST(MemoryBus, cancelledTransfersEndBeforeCancelReturns) {
+  Listener listener;  // outlives the link
   MemoryBus bus(display({{{.kind = FaultKind::kFullBuffers, .duration = 3'600'000'000}}}));
   bus.withDevice([](EmulatedDevice& device, DeviceMicroseconds now) { device.advance(now); });
   const auto link = bus.port()->open();
-  Listener listener;
   link->start(listener.functions());
   const Bytes bytes(1000);
   for (size_t i = 0; i < 5; ++i) {
@@ -161,9 +161,9 @@ TEST(MemoryBus, cancelledTransfersEndBeforeCancelReturns) {
 }
 
 TEST(MemoryBus, aStallEndsTransfersUntilItIsCleared) {
+  Listener listener;  // outlives the link
   MemoryBus bus(display({{{.kind = FaultKind::kStall, .afterBytes = 10}}}));
   const auto link = bus.port()->open();
-  Listener listener;
   link->controlOut(3, 1, armRecord(7));
   link->start(listener.functions());
   const Bytes bytes = emptyFrame(1, 0);
@@ -179,10 +179,10 @@ TEST(MemoryBus, aStallEndsTransfersUntilItIsCleared) {
 }
 
 TEST(MemoryBus, anUnpluggedDisplayIsGoneAndItsReturnEndsTheWait) {
+  Listener listener;  // outlives the link
   MemoryBus bus(display({{{.kind = FaultKind::kUnplug, .at = 50'000, .duration = 100'000}}}));
   const auto port = bus.port();
   std::unique_ptr<wire::Link> link = port->open();
-  Listener listener;
   link->start(listener.functions());
   EXPECT_EQ(listener.lost(), std::vector{LinkStatus::kGone});
   EXPECT_THROW(link->controlIn(1, 0, 64), LinkError);

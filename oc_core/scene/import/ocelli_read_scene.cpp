@@ -104,8 +104,8 @@ int run(std::span<char*> arguments) {
 }  // namespace
 }  // namespace ocelli
 
-/// Called by AddressSanitizer alone, where the build has it. What it finds in Assimp ends this process as a crash does, and it
-/// limits the memory in its own way.
+/// Called by AddressSanitizer alone, where the build has it. What it finds in Assimp ends this process as a crash does,
+/// and it limits the memory in its own way.
 extern "C" const char* __asan_default_options();
 extern "C" const char* __asan_default_options() {
   return "abort_on_error=1:detect_leaks=0:hard_rss_limit_mb=2048:max_allocation_size_mb=2048";
