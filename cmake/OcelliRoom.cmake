@@ -25,9 +25,6 @@ endif()
 
 # For code that calls and prints: more optimisation costs build time alone.
 set(OCELLI_LIGHT_OPTIONS $<$<CONFIG:Release>:-O1>)
-if(OCELLI_SANITIZE)
-  set(OCELLI_LIGHT_OPTIONS -O0)
-endif()
 
 function(ocelli_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
