@@ -11,8 +11,6 @@
 namespace ocelli {
 namespace {
 
-constexpr double kAlpha = 0.05;
-
 /// What one study says.
 struct StudyResult {
   std::optional<Estimate> estimate{};

@@ -18,8 +18,6 @@
 namespace ocelli {
 namespace {
 
-constexpr double kTwoSidedAlpha = 0.05;
-
 bool hasWarning(const PlannedFit& fit, const std::string& words) {
   return std::any_of(fit.warnings.begin(), fit.warnings.end(),
                      [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
@@ -123,7 +121,7 @@ StudyOutcome analyseStudy(const PlannedModel& model, const std::vector<Trial>& t
       const PlannedEquivalence planned = defaultPlan().equivalence.front();
       const EquivalenceBounds bounds{planned.lower, planned.upper};
       StudyOutcome outcome = outcomeOf(equivalenceOfPairedMeans(shareDifferences(list), bounds), kSubjects, tost);
-      if (const Estimable<EquivalenceTest> test = shareEquivalence(list, bounds, kTwoSidedAlpha)) {
+      if (const Estimable<EquivalenceTest> test = shareEquivalence(list, bounds, kAlpha)) {
         outcome.terms.push_back({kClusters, tost(*test)});
       }
       return outcome;
@@ -181,7 +179,7 @@ CoverageResult coverageOf(const PlannedModel& model, const SimulatedStudy& study
       }
       if (std::isfinite(estimate.pValue)) {
         ++term.rejected.trials;
-        term.rejected.successes += estimate.pValue < kTwoSidedAlpha ? 1 : 0;
+        term.rejected.successes += estimate.pValue < kAlpha ? 1 : 0;
       }
       const double error = estimate.value - term.truth;
       squares += error * error;

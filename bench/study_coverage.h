@@ -11,6 +11,9 @@
 
 namespace ocelli {
 
+/// Nominal level of each test, two-sided or one-sided.
+inline constexpr double kAlpha = 0.05;
+
 /// One line of a report's table.
 struct ReportedTerm {
   std::string name;

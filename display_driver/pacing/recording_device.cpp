@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 
 /// Volumes that wait to be written.
 constexpr size_t kMostWaiting = 4;
-constexpr std::chrono::milliseconds kFullQueueInterval{20};
+constexpr std::chrono::milliseconds kIdleInterval{20};
 constexpr std::chrono::milliseconds kTelemetryInterval{100};
 
 class RecordingDevice final : public Device {
@@ -147,7 +147,7 @@ class RecordingDevice final : public Device {
       }
       attempt(lock, [this] { writeEnds(); });
       if (waiting_.empty() && !stopping_) {
-        changed_.wait_for(lock, kFullQueueInterval);
+        changed_.wait_for(lock, kIdleInterval);
       }
     }
   }

@@ -16,7 +16,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::chrono::milliseconds kPauseInterval{5};
+constexpr std::chrono::milliseconds kStopCheckInterval{5};
 /// For a frame to be shown, or to end.
 constexpr std::chrono::seconds kMostWait{2};
 
@@ -48,7 +48,7 @@ class Player {
     const HostTime end = clock_.now();
     played_.seconds = std::chrono::duration<double>(end - begin).count();
     while (!ended() && clock_.now() - end < kMostWait && !stopped()) {
-      clock_.waitUntil(clock_.now() + kPauseInterval);
+      clock_.waitUntil(clock_.now() + kStopCheckInterval);
       look();
     }
     played_.ending = reader_.ending();
@@ -70,7 +70,7 @@ class Player {
   void waitUntil(HostTime time) {
     look();
     while (clock_.now() < time && !stopped()) {
-      clock_.waitUntil(std::min(time, clock_.now() + kPauseInterval));
+      clock_.waitUntil(std::min(time, clock_.now() + kStopCheckInterval));
       look();
     }
   }

@@ -165,7 +165,7 @@ TEST_F(SeriesSourceTest, meshesComeAtTheRateAndKeepTheirSizes) {
   EXPECT_EQ(again.volumeFor(kStart + 201ms).volume->litVoxels(), small);
 }
 
-TEST_F(SeriesSourceTest, tellsWhetherThePartOfAnyMeshIsCutOff) {
+TEST_F(SeriesSourceTest, tellsWhetherAPartOfAnyMeshIsCutOff) {
   add("a1.ply", 0.1f);
   add("a2.ply", 5);
   const auto files = numberedFiles(folder.path(), ".ply");
