@@ -15,10 +15,12 @@
 #include <cstdio>
 #include <ctime>
 #include <functional>
+#include <nlohmann/json.hpp>
 
 #include "bench/bench_program.h"
 #include "bench/street_cameras.h"
 #include "bench/timing.h"
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_renderer.h"
@@ -33,6 +35,7 @@ namespace {
 struct BenchChoice {
   std::vector<std::string> scenes{"builtin:town", "builtin:canyon", "builtin:boxes,count=700,floor=1"};
   std::string provider = "auto";
+  std::string json;
   int runs = 5;
   int threads = 0;
   int width = 1280;
@@ -110,7 +113,8 @@ std::string cell(double ms, double pinholeMs) {
   return ms < 1e29 ? fmt::format("{:>8.1f} {:>6.2f}", ms, ms / pinholeMs) : fmt::format("{:>15}", "");
 }
 
-void measure(GlContext& context, std::vector<Row> rows, int runs) {
+/// Runs all in turn, and prints the best times.
+nlohmann::ordered_json measure(GlContext& context, std::vector<Row> rows, int runs) {
   for (int run = 0; run <= runs; ++run) {  // the first is not counted
     for (Row& row : rows) {
       const double plain = processorMilliseconds(row.plain);
@@ -126,11 +130,18 @@ void measure(GlContext& context, std::vector<Row> rows, int runs) {
       }
     }
   }
+  nlohmann::ordered_json results;
   for (const Row& row : rows) {
     fmt::print("{:<20} {} {} {}\n", row.name, cell(row.plainMs, rows[0].plainMs),
                cell(row.blocksKeptMs, rows[0].plainMs), cell(row.gpuMs, rows[0].gpuMs));
+    nlohmann::ordered_json result{{"camera", row.name}, {"processorMs", row.plainMs}, {"glMs", row.gpuMs}};
+    if (row.blocksKept) {
+      result["blocksKeptMs"] = row.blocksKeptMs;
+    }
+    results.push_back(result);
   }
   std::fflush(stdout);
+  return results;
 }
 
 void measureScenes(const BenchChoice& choice) {
@@ -139,13 +150,26 @@ void measureScenes(const BenchChoice& choice) {
   const GlInfo& info = context->info();
   fmt::print("{}x{}, {} threads, best of {} runs; {} through {}, {}\n", choice.width, choice.height, threadCount(),
              choice.runs, info.renderer, nameOf(info.provider), info.isSoftware ? "a software renderer" : "a GPU");
+  nlohmann::ordered_json report{{"renderer", info.renderer},
+                                {"isSoftware", info.isSoftware},
+                                {"width", choice.width},
+                                {"height", choice.height},
+                                {"threads", threadCount()},
+                                {"runs", choice.runs},
+                                {"scenes", nlohmann::ordered_json::array()}};
   for (const std::string& source : choice.scenes) {
     const GuidedScene scene = loadGuidedScene(source, {.fit = source.starts_with("builtin:boxes")});
     const MeshBlocks blocks(scene.mesh);
     const GlRenderer renderer(*context, scene.mesh);
     fmt::print("\n{}, {} triangles\n{:<20} {:>15} {:>15} {:>15}\n", source, scene.mesh.triangles.size(),
                "ms, x pinhole", "CPU", "blocks kept", "OpenGL");
-    measure(*context, rowsOf(standpoint(source, scene), choice, scene.mesh, blocks, renderer), choice.runs);
+    const auto rows = rowsOf(standpoint(source, scene), choice, scene.mesh, blocks, renderer);
+    report["scenes"].push_back({{"scene", source},
+                                {"triangles", scene.mesh.triangles.size()},
+                                {"results", measure(*context, rows, choice.runs)}});
+  }
+  if (!choice.json.empty()) {
+    writeFile(choice.json, report.dump(2) + "\n");
   }
 }
 
@@ -156,6 +180,7 @@ int run(int argumentCount, char** arguments) {
   program.add_option("--scenes", choice.scenes, "Scenes")->delimiter(';')->capture_default_str();
   program.add_option("--provider", choice.provider, "auto, egl or osmesa")->capture_default_str();
   addCommonOptions(program, choice);
+  program.add_option("--json", choice.json, "Write the same figures to a file");
   return runProgram(program, argumentCount, arguments, choice, measureScenes);
 }
 

@@ -35,7 +35,8 @@ struct Difference {
 };
 
 std::ostream& operator<<(std::ostream& out, const Difference& d) {
-  return out << d.differing << " of " << d.samples << " samples differ, " << d.onSurfaces << " of them on surfaces";
+  return out << d.differing << " of " << d.samples << " samples differ, " << d.onSurfaces << " of them on surfaces, "
+             << d.otherTriangles << " show another triangle";
 }
 
 /// A pixel whose neighbours do not all continue its surface.
@@ -144,9 +145,7 @@ void expectAgreement(GlContext& context, const std::string& scene) {
     // A tenth of that may lie where surfaces only touch or fold, which looks like no silhouette.
     EXPECT_LE(static_cast<double>(d.onSurfaces), 0.0005 * static_cast<double>(d.samples))
         << scene << ", " << each.name << ": " << d;
-    if (std::getenv("OCELLI_PRINT_DIFFERENCES") != nullptr) {
-      std::cout << scene << ' ' << each.name << ": " << d << ", other triangles " << d.otherTriangles << '\n';
-    }
+    testing::Test::RecordProperty(each.name, testing::PrintToString(d));
   }
 }
 
