@@ -120,9 +120,9 @@ void measureScenes(const BenchChoice& choice) {
                                 {"frames", choice.runs},
                                 {"results", nlohmann::ordered_json::array()}};
   for (const size_t triangles : choice.triangles) {
-    ViewerOptions options{.source = fmt::format(fmt::runtime(choice.scene), triangles),
-                          .sceneOptions = {},
-                          .camera = cameraChoice(choice.camera)};
+    ViewerOptions options;
+    options.source = fmt::format(fmt::runtime(choice.scene), triangles);
+    options.camera = cameraChoice(choice.camera);
     Viewer viewer(*context, options);
     viewer.handle(ResizeEvent{choice.width, choice.height, 1, 1});
     comeToRest(viewer);
