@@ -18,7 +18,7 @@ mkdir -p "$packed/bin" "$packed/lib" "$packed/fallback"
 
 programs="cli/ocelli bench/gl_render_bench bench/gl_display_bench
   bench/multiperspective_bench bench/viewer_frames_bench
-  tests/gl/gl_context_test tests/gl/gl_renderer_test tests/gl/gl_bent_ray_test tests/gl/gl_failure_test
+  tests/gl/gl_arithmetic_test tests/gl/gl_context_test tests/gl/gl_renderer_test tests/gl/gl_bent_ray_test tests/gl/gl_failure_test
   tests/gl/gui_test tests/viewer/viewer_test tests/study_screen/study_screen_test
   tests/display_sim_gl/display_sim_gl_volume_test tests/display_sim_gl/display_sim_gl_slicer_test
   tests/display_sim_gl/display_sim_gl_slicer_scan_test tests/display_sim_gl/display_sim_gl_observer_test"
@@ -48,6 +48,9 @@ for name in libEGL.so.1 libGLdispatch.so.0; do
   keep fallback "$file" "$name"
 done
 strip --strip-unneeded "$packed"/lib/* "$packed"/fallback/*
+# Text looks the same everywhere.
+mkdir "$packed/fonts"
+cp /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf /usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf "$packed/fonts/"
 cp scripts/gpu_figures.sh "$packed/measure"
 cp display_sim/viewer/examples/tour.json "$packed/"
 

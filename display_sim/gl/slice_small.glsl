@@ -7,12 +7,10 @@ const int kMostVoxelsAlone = 1024;
 
 // No part of it is wider, in columns.
 Real widthOf(Triangle t) {
-  Real square = 0;
-  for (int k = 0; k < 3; ++k) {
-    Real2 side = t.corner[k].xz - t.corner[k == 2 ? 0 : k + 1].xz;
-    square = max(square, dot(side, side));
-  }
-  return sqrt(square);
+  Real2 ab = t.b.xz - t.a.xz;
+  Real2 bc = t.c.xz - t.b.xz;
+  Real2 ca = t.a.xz - t.c.xz;
+  return sqrt(max(dot(ab, ab), max(dot(bc, bc), dot(ca, ca))));
 }
 
 void main() {

@@ -17,6 +17,17 @@ const Real kRounding = 1.0 / 2097152.0;  // 2^-21: some operations of 2^-24 each
 const Real kRounding = 0;
 #endif
 
+// Some drivers (NVIDIA 580) keep arrays of doubles as floats where a variable indexes them. So arrays hold words.
+#ifdef SINGLE
+#define Word float
+Word wordOf(Real value) { return value; }
+Real realOf(Word word) { return word; }
+#else
+#define Word uvec2
+Word wordOf(Real value) { return unpackDouble2x32(value); }
+Real realOf(Word word) { return packDouble2x32(word); }
+#endif
+
 layout(std430, binding = 0) readonly buffer Positions { float positions[]; };
 layout(std430, binding = 1) readonly buffer Colors { float colors[]; };
 layout(std430, binding = 2) readonly buffer Triangles { uint corners[]; };
@@ -45,9 +56,11 @@ const int kMostBandRows = 16;
 const uint kGroupParts = 64u;
 
 struct Triangle {
-  Real3 corner[3];  // (x, v, z) in columns from the axis and rows from the top
-  Real slack;       // how far sectors reach beyond their borders, in columns
-  vec3 color;       // at the first corner, and what the others have more
+  Real3 a;     // corners: (x, v, z) in columns from the axis and rows from the top
+  Real3 b;
+  Real3 c;
+  Real slack;  // how far sectors reach beyond their borders, in columns
+  vec3 color;  // at the first corner, and what the others have more
   vec3 colorB;
   vec3 colorC;
 };
@@ -66,14 +79,18 @@ Real3 sweepPoint(vec3 position) {
   return p;
 }
 
+Real distanceFromAxis(Real3 corner) {
+  return max(abs(corner.x), abs(corner.z));
+}
+
 Triangle loadTriangle(uint index) {
   uvec3 t = uvec3(corners[3 * index], corners[3 * index + 1], corners[3 * index + 2]);
   Triangle triangle;
-  triangle.slack = 0;
-  for (int k = 0; k < 3; ++k) {
-    triangle.corner[k] = sweepPoint(positionOf(t[k]));
-    triangle.slack = max(triangle.slack, kRounding * max(abs(triangle.corner[k].x), abs(triangle.corner[k].z)));
-  }
+  triangle.a = sweepPoint(positionOf(t.x));
+  triangle.b = sweepPoint(positionOf(t.y));
+  triangle.c = sweepPoint(positionOf(t.z));
+  triangle.slack = kRounding * max(distanceFromAxis(triangle.a),
+                                   max(distanceFromAxis(triangle.b), distanceFromAxis(triangle.c)));
   triangle.color = colorOf(t.x);
   precise vec3 colorB = colorOf(t.y) - triangle.color;
   precise vec3 colorC = colorOf(t.z) - triangle.color;
@@ -95,8 +112,7 @@ ivec2 touchedCells(Real lo, Real hi, int count) {
 }
 
 ivec2 touchedRows(Triangle t) {
-  return touchedCells(min(t.corner[0].y, min(t.corner[1].y, t.corner[2].y)),
-                      max(t.corner[0].y, max(t.corner[1].y, t.corner[2].y)), height);
+  return touchedCells(min(t.a.y, min(t.b.y, t.c.y)), max(t.a.y, max(t.b.y, t.c.y)), height);
 }
 
 // A part is a sector and a band of so many rows.
@@ -152,7 +168,18 @@ struct SectorPoint {
   Real2 b;
 };
 
-SectorPoint sectorPoint(SectorPoint a, SectorPoint b, Real t) {
+struct StoredPoint {
+  Word outward, across, v, b, c;
+};
+
+StoredPoint stored(SectorPoint p) {
+  return StoredPoint(wordOf(p.at.x), wordOf(p.at.y), wordOf(p.at.z), wordOf(p.b.x), wordOf(p.b.y));
+}
+SectorPoint loaded(StoredPoint p) {
+  return SectorPoint(Real3(realOf(p.outward), realOf(p.across), realOf(p.v)), Real2(realOf(p.b), realOf(p.c)));
+}
+
+SectorPoint mixed(SectorPoint a, SectorPoint b, Real t) {
   precise Real3 at = a.at + (b.at - a.at) * t;
   precise Real2 weights = a.b + (b.b - a.b) * t;
   return SectorPoint(at, weights);
@@ -166,22 +193,22 @@ Real inside(SectorPoint p, Real side, Real slack) {
 
 // Points are kept where constants index them: arrays that are indexed by variables are slow memory on many GPUs, and far
 // slower on software renderers.
-void keep(inout SectorPoint points[kMostPoints], inout int size, SectorPoint p) {
+void keep(inout StoredPoint points[kMostPoints], inout int size, SectorPoint p) {
   for (int i = 0; i < kMostPoints; ++i) {
     if (i == size) {
-      points[i] = p;
+      points[i] = stored(p);
     }
   }
   ++size;
 }
 
 // The edge from a to b; goes on to b.
-void clipEdge(inout SectorPoint points[kMostPoints], inout int size, inout SectorPoint a, inout Real inA, SectorPoint b,
+void clipEdge(inout StoredPoint points[kMostPoints], inout int size, inout SectorPoint a, inout Real inA, SectorPoint b,
               Real side, Real slack) {
   Real inB = inside(b, side, slack);
   if ((inA < 0) != (inB < 0)) {
     precise Real t = inA / (inA - inB);
-    keep(points, size, sectorPoint(a, b, t));
+    keep(points, size, mixed(a, b, t));
   }
   if (inB >= 0) {
     keep(points, size, b);
@@ -191,37 +218,52 @@ void clipEdge(inout SectorPoint points[kMostPoints], inout int size, inout Secto
 }
 
 // Keeps what is inside of one border (Sutherland and Hodgman), of no more than `most` points.
-void clipToBorder(inout SectorPoint points[kMostPoints], inout int size, const int most, Real side, Real slack) {
-  SectorPoint whole[kMostPoints] = points;
+void clipToBorder(inout StoredPoint points[kMostPoints], inout int size, const int most, Real side, Real slack) {
+  StoredPoint whole[kMostPoints] = points;
   int wholeSize = size;
   size = 0;
-  SectorPoint a = whole[0];
+  StoredPoint last = whole[0];
   for (int i = 1; i < most; ++i) {
     if (i < wholeSize) {
-      a = whole[i];
+      last = whole[i];
     }
   }
+  SectorPoint a = loaded(last);
   Real inA = inside(a, side, slack);
   for (int i = 0; i < most; ++i) {
     if (i < wholeSize) {
-      clipEdge(points, size, a, inA, whole[i], side, slack);
+      clipEdge(points, size, a, inA, loaded(whole[i]), side, slack);
     }
   }
 }
 
-// x: q; y: v; z, w: weights. Returns how many.
-int clipToSector(Triangle triangle, int sector, out Real4 screen[kMostPoints]) {
+// A corner in the coordinates of a sector; `outside` counts the corners beyond either border.
+SectorPoint cornerInSector(Real3 p, Real2 weights, Real2 direction, Real slack, inout ivec2 outside) {
+  precise Real outward = p.x * direction.x + p.z * direction.y;
+  precise Real across = p.z * direction.x - p.x * direction.y;
+  SectorPoint corner = SectorPoint(Real3(outward, across, p.y), weights);
+  outside.x += inside(corner, 1, slack) < 0 ? 1 : 0;
+  outside.y += inside(corner, -1, slack) < 0 ? 1 : 0;
+  return corner;
+}
+
+// A corner of the outline on the screen: column, row, and weights.
+struct ScreenPoint {
+  Word q, v, b, c;
+};
+
+Real4 loaded(ScreenPoint p) {
+  return Real4(realOf(p.q), realOf(p.v), realOf(p.b), realOf(p.c));
+}
+
+// Returns how many.
+int clipToSector(Triangle triangle, int sector, out ScreenPoint screen[kMostPoints]) {
   Real2 direction = directions[sector];
-  SectorPoint points[kMostPoints];
-  ivec2 outside = ivec2(0);  // corners beyond either border
-  for (int k = 0; k < 3; ++k) {
-    Real3 p = triangle.corner[k];
-    precise Real outward = p.x * direction.x + p.z * direction.y;
-    precise Real across = p.z * direction.x - p.x * direction.y;
-    points[k] = SectorPoint(Real3(outward, across, p.y), Real2(k == 1, k == 2));
-    outside.x += inside(points[k], 1, triangle.slack) < 0 ? 1 : 0;
-    outside.y += inside(points[k], -1, triangle.slack) < 0 ? 1 : 0;
-  }
+  StoredPoint points[kMostPoints];
+  ivec2 outside = ivec2(0);
+  points[0] = stored(cornerInSector(triangle.a, Real2(0, 0), direction, triangle.slack, outside));
+  points[1] = stored(cornerInSector(triangle.b, Real2(1, 0), direction, triangle.slack, outside));
+  points[2] = stored(cornerInSector(triangle.c, Real2(0, 1), direction, triangle.slack, outside));
   if (outside.x == 3 || outside.y == 3) {
     return 0;
   }
@@ -233,8 +275,8 @@ int clipToSector(Triangle triangle, int sector, out Real4 screen[kMostPoints]) {
     clipToBorder(points, size, 4, -1, triangle.slack);
   }
   for (int k = 0; k < kMostPoints; ++k) {
-    precise Real q = width / Real(2) + Real(sector < slices ? 1 : -1) * points[k].at.x;
-    screen[k] = Real4(q, points[k].at.z, points[k].b);
+    precise Real q = width / Real(2) + Real(sector < slices ? 1 : -1) * realOf(points[k].outward);
+    screen[k] = ScreenPoint(wordOf(q), points[k].v, points[k].b, points[k].c);
   }
   return size;
 }
@@ -298,17 +340,17 @@ void extendByEdge(inout Real4 lo, inout Real4 hi, Real4 a, Real4 b, int row) {
 
 // Lights what the triangle touches in a sector, of the rows given.
 void lightSector(Triangle triangle, int sector, ivec2 within) {
-  Real4 points[kMostPoints];
+  ScreenPoint points[kMostPoints];
   int size = clipToSector(triangle, sector, points);
   if (size == 0) {
     return;
   }
-  Real top = points[0].y;
+  Real top = realOf(points[0].v);
   Real bottom = top;
   for (int i = 1; i < kMostPoints; ++i) {
     if (i < size) {
-      top = min(top, points[i].y);
-      bottom = max(bottom, points[i].y);
+      top = min(top, realOf(points[i].v));
+      bottom = max(bottom, realOf(points[i].v));
     }
   }
   ivec2 rows = touchedCells(top, bottom, height);
@@ -320,7 +362,9 @@ void lightSector(Triangle triangle, int sector, ivec2 within) {
     Real4 hi = Real4(-1e30);
     for (int i = 0; i < kMostPoints; ++i) {
       if (i < size) {
-        extendByEdge(lo, hi, points[i], i + 1 == size || i + 1 == kMostPoints ? points[0] : points[min(i + 1, kMostPoints - 1)], row);
+        bool last = i + 1 == size || i + 1 == kMostPoints;
+        Real4 next = loaded(points[min(i + 1, kMostPoints - 1)]);
+        extendByEdge(lo, hi, loaded(points[i]), last ? loaded(points[0]) : next, row);
       }
     }
     ivec2 columns = touchedCells(lo.x, hi.x, width);

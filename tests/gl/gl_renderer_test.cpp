@@ -262,7 +262,9 @@ TEST_P(GlRendererTest, floorThatRunsUnderTheEye) {
   const PinholeCamera camera(view, 120, 80);
   const GlRenderer renderer(*context_, floor);
   // At the horizon the processor's grid of 1/256 pixel is 1 % of the depth: what counts is that each fragment lies on
-  // the ray of its pixel.
+  // the ray of its pixel. Weights are floats, so that a fragment lies beside its place by some 2^-24 of the distance to
+  // the corners, 3000 away; four roundings make it 2^-22.
+  constexpr float kBeside = 3000.0f / 4194304.0f;
   const FragmentImage expected = rasterize(camera, floor);
   const FragmentImage image = renderer.draw(camera);
   size_t covered = 0;
@@ -274,9 +276,10 @@ TEST_P(GlRendererTest, floorThatRunsUnderTheEye) {
         ++covered;
         const std::optional<ImagePoint> q = camera.project(positionOf(fragment, floor));
         ASSERT_TRUE(q) << x << ", " << y;
-        EXPECT_NEAR(q->u, static_cast<float>(x) + 0.5f, 1e-2);
-        EXPECT_NEAR(q->v, static_cast<float>(y) + 0.5f, 1e-2);
-        EXPECT_NEAR(fragment.z / q->z, 1, 1e-4);
+        const float pixels = 1e-3f + camera.focalPixels() * kBeside / q->z;
+        EXPECT_NEAR(q->u, static_cast<float>(x) + 0.5f, pixels);
+        EXPECT_NEAR(q->v, static_cast<float>(y) + 0.5f, pixels);
+        EXPECT_NEAR(fragment.z, q->z, kBeside + 1e-5f * q->z);
       }
     }
   }

@@ -43,57 +43,71 @@ double cross2(dvec2 a, dvec2 b) {
   return a.x * b.y - a.y * b.x;
 }
 
+// A corner of a triangle beside a row's centre line. Not in arrays: some drivers (NVIDIA 580) keep those of doubles as
+// floats where a variable indexes them.
+struct LineCorner {
+  dvec2 p;
+  double side;
+  double inverseZ;
+};
+
+LineCorner lineCorner(vec2 corner, float inverseZ, int row, dvec2 direction) {
+  dvec2 q = dvec2(corner);
+  dvec2 p = isParallel != 0 ? dvec2(q.x, q.y - (row + 0.5LF)) : q - epipole;
+  return LineCorner(p, cross2(direction, p), double(inverseZ));
+}
+
+// Where an edge crosses the line: position and 1/z. From the end with the larger side, so that both triangles at an edge
+// have the same.
+bool crosses(LineCorner a, LineCorner b, int row, dvec2 direction, out dvec2 found) {
+  found = dvec2(0);
+  if ((a.side >= 0.0LF) == (b.side >= 0.0LF)) {
+    return false;
+  }
+  if (a.side < 0.0LF) {
+    LineCorner other = a;
+    a = b;
+    b = other;
+  }
+  double s = a.side / (a.side - b.side);
+  dvec2 at = a.p + (b.p - a.p) * s;
+  double along = direction.x * at.x + direction.y * at.y;
+  if (isParallel == 0 && along <= 0.0LF) {
+    return false;  // on the line of the opposite angle
+  }
+  found = dvec2(isParallel != 0 ? along : positionAtRadius(row, along), (1.0LF - s) * a.inverseZ + s * b.inverseZ);
+  return true;
+}
+
 // The part of a row's centre line within the triangle.
 bool cut(LineTriangle t, int row, out Span span) {
   dvec2 direction = isParallel != 0 ? dvec2(1, 0) : rows[row].direction;
-  dvec2 p[3];
-  double side[3];
-  for (int i = 0; i < 3; ++i) {
-    dvec2 q = dvec2(t.corners[i].q);
-    p[i] = isParallel != 0 ? dvec2(q.x, q.y - (row + 0.5LF)) : q - epipole;
-    side[i] = cross2(direction, p[i]);
-  }
-  int crossings = 0;
-  dvec2 found[2];  // position and 1/z
-  for (int i = 0; i < 3; ++i) {
-    int a = i;
-    int b = i == 2 ? 0 : i + 1;
-    if ((side[a] >= 0.0LF) == (side[b] >= 0.0LF)) {
-      continue;
-    }
-    // The same crossing for both triangles at an edge: from the same end.
-    if (side[a] < 0.0LF) {
-      int other = a;
-      a = b;
-      b = other;
-    }
-    double s = side[a] / (side[a] - side[b]);
-    dvec2 at = p[a] + (p[b] - p[a]) * s;
-    double along = direction.x * at.x + direction.y * at.y;
-    if (isParallel == 0 && along <= 0.0LF) {
-      continue;  // on the line of the opposite angle
-    }
-    found[crossings] = dvec2(isParallel != 0 ? along : positionAtRadius(row, along),
-                             (1.0LF - s) * double(t.corners[a].inverseZ) + s * double(t.corners[b].inverseZ));
-    ++crossings;
-  }
+  LineCorner a = lineCorner(t.corners[0].q, t.corners[0].inverseZ, row, direction);
+  LineCorner b = lineCorner(t.corners[1].q, t.corners[1].inverseZ, row, direction);
+  LineCorner c = lineCorner(t.corners[2].q, t.corners[2].inverseZ, row, direction);
+  dvec2 onAB, onBC, onCA;
+  bool crossesAB = crosses(a, b, row, direction, onAB);
+  bool crossesBC = crosses(b, c, row, direction, onBC);
+  bool crossesCA = crosses(c, a, row, direction, onCA);
+  int crossings = int(crossesAB) + int(crossesBC) + int(crossesCA);
   if (crossings == 0) {
     return false;
   }
+  dvec2 first = crossesAB ? onAB : crossesBC ? onBC : onCA;
+  dvec2 second = crossesCA ? onCA : onBC;
   if (crossings == 1) {
     // The triangle holds the epipole, where the line ends; x is infinite there itself.
-    dvec3 areas = dvec3(cross2(p[1], p[2]), cross2(p[2], p[0]), cross2(p[0], p[1]));
+    dvec3 areas = dvec3(cross2(b.p, c.p), cross2(c.p, a.p), cross2(a.p, b.p));
     double sum = areas.x + areas.y + areas.z;
     if (sum == 0.0LF) {
       return false;
     }
-    found[1] = dvec2(positionAtRadius(row, 1e-3LF),
-                     (areas.x * double(t.corners[0].inverseZ) + areas.y * double(t.corners[1].inverseZ) +
-                      areas.z * double(t.corners[2].inverseZ)) / sum);
+    second = dvec2(positionAtRadius(row, 1e-3LF),
+                   (areas.x * a.inverseZ + areas.y * b.inverseZ + areas.z * c.inverseZ) / sum);
   }
-  bool inOrder = found[0].x <= found[1].x;
-  dvec2 from = inOrder ? found[0] : found[1];
-  dvec2 to = inOrder ? found[1] : found[0];
+  bool inOrder = first.x <= second.x;
+  dvec2 from = inOrder ? first : second;
+  dvec2 to = inOrder ? second : first;
   span = Span(row, from.x, to.x, from.y, to.y);
   return true;
 }
