@@ -1,108 +1,110 @@
 #include "display_sim/viewer/camera_form.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
-#include <array>
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "display_sim/viewer/viewer_state.h"
+#include "oc_core/ocri/representation_kind.h"
 
 namespace ocelli {
 namespace {
 
-using Model = CameraChoice::Model;
-
-bool takesCell(Model model) {
-  switch (model) {
-    case Model::kWideDepthImage:
-    case Model::kCornerDepthImages:
-    case Model::kDdoc:
-    case Model::kEoc:
-    case Model::kCrossedEocs:
-    case Model::kCrossedEocsDdoc:
-    case Model::kCell:
-      return true;
-    case Model::kDepthImage:
-    case Model::kLayeredDepthImage:
-    case Model::kReversePinhole:
-    case Model::kSpoc:
-    case Model::kSpocUnion:
-    case Model::kSimplified:
-    case Model::kSimplifiedSloppy:
-    case Model::kGeometry:
-      return false;
+/// A format for ImGui with the unit behind the number, and the view cell's side in inches as well.
+std::string formatOf(const CameraOption& option, double value) {
+  if (&option == &kCellSide) {
+    return fmt::format("%.2f radii ({:.1f} in)", value * kReferenceDisplayRadiusMetres / kInchMetres);
   }
-  return false;
+  const char* number = isInteger(option) ? "%d" : option.formMax - option.formMin > 20 ? "%.0f" : "%.2f";
+  return *option.unit == '\0' ? number : fmt::format("{} {}", number, option.unit);
 }
 
-bool drawCellSide(CameraChoice& camera) {
-  const double inches = camera.cellSideRadii * kReferenceDisplayRadiusMetres / kInchMetres;
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%%.2f radii (%.1f in)", inches);
-  float side = camera.cellSideRadii;
-  if (!ImGui::SliderFloat("view cell", &side, 0.1f, 4.0f, text.data(), ImGuiSliderFlags_AlwaysClamp)) {
-    return false;
+void explain(const CameraOption& option) {
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("%s", option.meaning);
   }
-  camera.cellSideRadii = camera.ddoc.cellSideRadii = camera.cell.cell.sideRadii = side;
-  return true;
 }
 
-bool drawSegment(CameraChoice& camera) {
-  glm::vec3 direction = camera.segmentDirection;
-  const bool changed = ImGui::SliderFloat3("segment", &direction.x, -1, 1, "%.2f", ImGuiSliderFlags_AlwaysClamp);
+bool drawDirection(const CameraOption& option, CameraChoice& camera) {
+  glm::vec3 direction = directionOf(option, camera);
+  const bool changed = ImGui::SliderFloat3(option.label, &direction.x, static_cast<float>(option.formMin),
+                                           static_cast<float>(option.formMax), "%.2f", ImGuiSliderFlags_AlwaysClamp);
   ImGui::TextDisabled("to the right, up, backward");
   if (!changed || glm::length(direction) < 0.05f) {  // one without a direction is none
     return false;
   }
-  camera.segmentDirection = direction;
+  setDirection(option, camera, direction);
   return true;
 }
 
-bool drawDdoc(DdocOptions& options) {
-  bool changed = false;
-  int radius = options.radius == DdocOptions::Radius::kConstant ? 1 : 0;
-  if (ImGui::Combo("radius", &radius, "from the view cell\0constant\0")) {
-    options.radius = radius == 1 ? DdocOptions::Radius::kConstant : DdocOptions::Radius::kViewCell;
-    changed = true;
+bool drawNumber(const CameraOption& option, CameraChoice& camera) {
+  const double value = numberOf(option, camera);
+  const std::string format = formatOf(option, value);
+  if (isBoolean(option)) {
+    bool on = value != 0;
+    if (!ImGui::Checkbox(option.label, &on)) {
+      return false;
+    }
+    setNumber(option, camera, on ? 1 : 0);
+    return true;
   }
-  const auto slider = [&](const char* label, float& value, float least, float most, const char* format) {
-    changed |= ImGui::SliderFloat(label, &value, least, most, format, ImGuiSliderFlags_AlwaysClamp);
-  };
-  if (options.radius == DdocOptions::Radius::kConstant) {
-    slider("pixels", options.constantRadiusPixels, 0, 60, "%.0f");
-  } else {
-    slider("most hidden", options.mostHiddenPixels, 0, 150, "%.0f pixels");
+  if (isInteger(option)) {
+    int number = static_cast<int>(value);
+    if (!ImGui::SliderInt(option.label, &number, static_cast<int>(option.formMin), static_cast<int>(option.formMax),
+                          format.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
+      return false;
+    }
+    setNumber(option, camera, number);
+    return true;
   }
-  if (!ImGui::TreeNodeEx("more", ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
-    return changed;
+  auto number = static_cast<float>(value);
+  if (!ImGui::SliderFloat(option.label, &number, static_cast<float>(option.formMin), static_cast<float>(option.formMax),
+                          format.c_str(), ImGuiSliderFlags_AlwaysClamp)) {
+    return false;
   }
-  slider("safety", options.safetyFactor, 0.1f, 3, "%.2f");
-  slider("room", options.roomPerHidden, 0.05f, 3, "%.2f per hidden");
-  slider("smoothing", options.smoothingSigmaPixels, 0, 8, "%.1f pixels");
-  changed |= ImGui::SliderInt("feedback", &options.feedbackRounds, 0, 8, "%d rounds", ImGuiSliderFlags_AlwaysClamp);
-  return changed;
+  setNumber(option, camera, static_cast<double>(number));
+  return true;
 }
 
-bool drawCell(CellOptions& options) {
-  bool changed =
-      ImGui::SliderFloat("samples", &options.mostSamples, 1, 4, "at most %.2f x", ImGuiSliderFlags_AlwaysClamp);
-  changed |= ImGui::SliderInt("satellites", &options.mostSatellites, 0, 64, "at most %d", ImGuiSliderFlags_AlwaysClamp);
+bool drawOption(const CameraOption& option, CameraChoice& camera) {
+  bool changed = false;
+  if (option.onOff.isOn != nullptr) {
+    bool on = option.onOff.isOn(camera);
+    if (ImGui::Checkbox(option.label, &on)) {
+      option.onOff.turn(camera, on);
+      changed = true;
+    }
+    explain(option);
+    if (!on) {
+      return changed;
+    }
+    ImGui::PushID("value");
+  }
+  changed |= isDirection(option) ? drawDirection(option, camera) : drawNumber(option, camera);
+  explain(option);
+  if (option.onOff.isOn != nullptr) {
+    ImGui::PopID();
+  }
   return changed;
 }
 
 }  // namespace
 
 bool drawCameraForm(CameraChoice& camera, float valueWidth) {
+  const std::vector<const CameraOption*>& options = camera.kind->options;
+  bool changed = false;
+  bool hasDetails = false;
   ImGui::PushItemWidth(valueWidth);
-  bool changed = takesCell(camera.model) && drawCellSide(camera);
-  if (camera.model == Model::kEoc) {
-    changed |= drawSegment(camera);
+  for (const CameraOption* option : options) {
+    hasDetails = hasDetails || option->isDetail;
+    changed |= !option->isDetail && drawOption(*option, camera);
   }
-  if (camera.model == Model::kDdoc) {
-    changed |= drawDdoc(camera.ddoc);
-  }
-  if (camera.model == Model::kCell) {
-    changed |= drawCell(camera.cell);
+  if (hasDetails && ImGui::TreeNodeEx("more", ImGuiTreeNodeFlags_NoTreePushOnOpen)) {
+    for (const CameraOption* option : options) {
+      changed |= option->isDetail && drawOption(*option, camera);
+    }
   }
   ImGui::PopItemWidth();
   return changed;

@@ -150,7 +150,7 @@ std::vector<LegendEntry> legendOf(const PanelDrawing& drawing, Pane pane) {
         entries.push_back({kReferenceColor, "reference view"});
       }
       if (state.scene.cell) {
-        const bool segment = facts.data->camera->choice.model == CameraChoice::Model::kEoc;
+        const bool segment = facts.data->camera->choice.isForSegment();
         entries.push_back({kCellColor, segment ? "view segment" : "view cell"});
       }
       entries.push_back({kEyeColor, "your eye"});

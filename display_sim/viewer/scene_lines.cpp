@@ -57,7 +57,7 @@ void addFrustum(std::vector<ColoredLine>& lines, const PinholeCamera& camera, co
 void addCell(std::vector<ColoredLine>& lines, const BuiltCamera& camera, float width) {
   const View& view = camera.reference.view();
   const glm::vec4 color = opaque(kCellColor);
-  if (camera.choice.model == CameraChoice::Model::kEoc) {  // made for a segment
+  if (camera.choice.isForSegment()) {  // made for a segment
     const ViewSegment segment = segmentAround(view, camera.choice.segmentDirection, camera.choice.cellSideRadii);
     lines.push_back({segment.left, segment.right, color, 2 * width});
     return;

@@ -2,6 +2,7 @@
 // (camera.schema.json).
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,40 +10,32 @@
 #include "oc_core/ocri/cell_builder.h"
 #include "oc_core/ocri/construction.h"
 #include "oc_core/ocri/ddoc_builder.h"
+#include "oc_core/ocri/eoc_builder.h"
 #include "oc_core/ocri/reference_image.h"
+#include "oc_core/ocri/spoc_builder.h"
 
 namespace ocelli {
 
+struct RepresentationKind;
+
+/// A representation with its options; the depth image of the reference view by default.
 struct CameraChoice {
-  enum class Model {
-    kDepthImage,
-    kWideDepthImage,
-    kCornerDepthImages,
-    kLayeredDepthImage,
-    kReversePinhole,
-    kSpoc,
-    kSpocUnion,  ///< of the depth image and what the single pole camera adds (section 3.1.4)
-    kDdoc,
-    kEoc,
-    kCrossedEocs,      ///< a horizontal and a vertical EOC, without what the first one holds (section 3.5.1)
-    kCrossedEocsDdoc,  ///< the same, and what a DDOC adds
-    kCell,
-    kSimplified,        ///< a mesh, no image
-    kSimplifiedSloppy,  ///< a mesh, no image
-    kGeometry,          ///< a mesh, no image
-  };
-  Model model = Model::kDepthImage;
-  std::string name = "di";
-  int count = 0;  ///< of corners, or layers
+  CameraChoice();
+
+  const RepresentationKind* kind;
+  std::string name;  ///< what tables and files call it
+  int count = 0;     ///< of corners, or layers
   float cellSideRadii = 1.6f;
   glm::vec3 segmentDirection{1, 0, 0};  ///< of an EOC: right, up and backward in the reference view
+  SpocOptions spoc;
+  EocOptions eoc;
   DdocOptions ddoc;
   CellOptions cell;
 
   /// Whether there are reference images; otherwise only buildRepresentation() makes it.
-  bool hasImages() const {
-    return model != Model::kSimplified && model != Model::kSimplifiedSloppy && model != Model::kGeometry;
-  }
+  bool hasImages() const;
+  /// Whether it is made for a view segment along `segmentDirection`, and not for a cell.
+  bool isForSegment() const;
 };
 
 struct CameraName {
@@ -82,6 +75,14 @@ enum class Technique { kPoints, kHybrid, kRaycast };
 /// cannot be drawn so.
 ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choice, const PinholeCamera& reference,
                                   const Mesh& mesh, const Progress& progress = {});
+/// The ray of a pixel of one reference image; empty where it has none.
+using RayFunction = std::function<RayPath(const glm::vec2& pixel)>;
+
+/// One function for each of the images that buildReferenceImages() makes of this choice, in their order. Builds the
+/// cameras, so it takes about as long, and throws as it does.
+std::vector<RayFunction> cameraRays(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
+                                    const ReferenceImages& images, const Progress& progress = {});
+
 /// Cast along the rays: the reference for all others.
 ReferenceImage raycastReferenceImage(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                      const Progress& progress = {});

@@ -2,22 +2,10 @@
 
 #include <chrono>
 
-#include "oc_core/ocri/simplified_mesh.h"
+#include "oc_core/ocri/representation_kind.h"
 #include "oc_core/ocri/union_mesh.h"
 
 namespace ocelli {
-namespace {
-
-Mesh meshAlone(const CameraChoice& choice, const Mesh& mesh, size_t targetTriangles) {
-  if (choice.model == CameraChoice::Model::kGeometry) {
-    return mesh;
-  }
-  const bool sloppy = choice.model == CameraChoice::Model::kSimplifiedSloppy;
-  return simplifyMesh(mesh, targetTriangles, sloppy ? SimplifyMethod::kSloppy : SimplifyMethod::kTopological).mesh;
-}
-
-}  // namespace
-
 size_t Representation::sampleCount() const {
   size_t samples = 0;
   for (const ReferenceImage& image : images) {
@@ -44,7 +32,7 @@ Representation buildRepresentation(const CameraChoice& choice, const PinholeCame
   if (choice.hasImages()) {
     representation.images = buildReferenceImages(choice, reference, mesh, progress);
   } else {
-    representation.mesh = meshAlone(choice, mesh, target);
+    representation.mesh = choice.kind->mesh(mesh, target);
   }
   const auto built = Clock::now();
   if (choice.hasImages()) {

@@ -24,6 +24,11 @@ void SchemaAgreement::check() const {
       expectRefused(name, 1);
     } else if (!property.contains("type")) {  // what is in an object defined elsewhere is for a test of its own
       expectRefused(name, 1);
+    } else if (property.at("type") == "boolean") {
+      expectTaken(name, true);
+      expectTaken(name, false);
+      expectRefused(name, 1);
+      expectRefused(name, "true");
     } else if (property.at("type") == "string") {
       expectTaken(name, "text");
       expectRefused(name, 1);

@@ -1,12 +1,17 @@
-// camera.schema.json says what camera_choice.cpp reads.
+// camera.schema.json and docs/cameras.md say what the rows of representations do, and camera_choice.cpp reads that.
+#include "oc_core/ocri/camera_schema.h"
+
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
-#include "oc_core/ocri/camera_choice.h"
+#include "oc_core/ocri/representation_kind.h"
 #include "tests/base/schema_agreement.h"
 #include "tests/base/temporary_folder.h"
 
@@ -32,17 +37,40 @@ std::string schemaError(const std::string& text) {
   return "";
 }
 
+/// The names that a part of the schema lists one by one.
+std::vector<std::string> listed(const nlohmann::json& part) {
+  return part.contains("anyOf") ? part.at("anyOf").front().at("enum") : part.at("enum");
+}
+
 /// What the schema allows a camera to say, as {camera: names}.
 std::map<std::string, std::set<std::string>> allowedNames() {
   std::map<std::string, std::set<std::string>> allowed;
   for (const nlohmann::json& rule : schema().at("allOf")) {
-    for (const nlohmann::json& camera : rule.at("if").at("properties").at("camera").at("enum")) {
+    for (const std::string& camera : listed(rule.at("if").at("properties").at("camera"))) {
       for (const nlohmann::json& name : rule.at("then").at("propertyNames").at("enum")) {
         allowed[camera].insert(name);
       }
     }
   }
   return allowed;
+}
+
+/// Where a file in the source tree is not what the toolkit would write: the text that belongs there.
+std::string leftBeside(const char* name, const std::string& text) {
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / name;
+  writeFile(path, text);
+  return "it should be as in " + path.string();
+}
+
+TEST(CameraSchema, theFileIsWhatTheTableSays) {
+  const std::string text = cameraSchemaText();
+  EXPECT_TRUE(readFile(OCELLI_CAMERA_SCHEMA) == text) << leftBeside("camera.schema.json", text);
+}
+
+TEST(CameraSchema, theDocumentationHasTheTable) {
+  const std::string table = cameraOptionTable();
+  EXPECT_NE(readFile(OCELLI_CAMERA_DOCUMENTATION).find(table), std::string::npos)
+      << leftBeside("camera_options.md", table);
 }
 
 TEST(CameraSchema, agreesWithTheReader) {
@@ -68,46 +96,43 @@ TEST(CameraSchema, eachCameraTakesOnlyWhatItSays) {
   }
 }
 
-TEST(CameraSchema, namesAreThoseOfTheList) {
-  std::set<std::string> listed{"ppc"};  // another word for di
-  for (const CameraName& camera : cameraNames()) {
-    listed.insert(camera.name);
+TEST(CameraSchema, numbersInNamesHaveTheirRange) {
+  for (const char* name : {"ldi-1", "ldi-9", "ldi-16"}) {
+    EXPECT_EQ(schemaError(nlohmann::json{{"camera", name}}.dump()), "") << name;
   }
-  std::set<std::string> described;
-  for (const nlohmann::json& name : schema().at("properties").at("camera").at("enum")) {
-    described.insert(name);
-    EXPECT_TRUE(allowedNames().contains(name)) << name;
+  for (const char* name : {"ldi-0", "ldi-17", "ldi-04", "ldi-", "ldi-4x", "ldi--4", "corners-5", "di-4"}) {
+    EXPECT_NE(schemaError(nlohmann::json{{"camera", name}}.dump()), "") << name;
   }
-  EXPECT_EQ(described, listed);
-}
-
-TEST(CameraSchema, defaultsAreTheReaders) {
-  const DdocOptions ddoc;
-  const CellOptions cell;
-  const std::map<std::string, double> defaults{
-      {"cell_side_radii", ddoc.cellSideRadii},
-      {"most_samples", cell.mostSamples},
-      {"most_satellites", cell.mostSatellites},
-      {"safety_factor", ddoc.safetyFactor},
-      {"most_hidden_pixels", ddoc.mostHiddenPixels},
-      {"room_per_hidden", ddoc.roomPerHidden},
-      {"most_hidden_per_room", ddoc.mostHiddenPerRoom},
-      {"steepest_band_growth", ddoc.steepestBandGrowth},
-      {"smoothing_sigma_pixels", ddoc.smoothingSigmaPixels},
-      {"feedback_rounds", ddoc.feedbackRounds},
-      {"feedback_shrink", ddoc.feedbackShrink},
-      {"harmless_per_hidden_pixel", ddoc.harmlessPerHiddenPixel},
-      {"longest_edge_pixels", ddoc.subdivision.longestEdgePixels},
-  };
-  std::set<std::string> described;
-  for (const auto& [name, property] : schema().at("properties").items()) {
-    if (property.contains("default") && property.at("type") != "array") {
-      described.insert(name);
-      ASSERT_TRUE(defaults.contains(name)) << name;
-      EXPECT_FLOAT_EQ(property.at("default").get<float>(), static_cast<float>(defaults.at(name))) << name;
+  std::vector<std::string> patterns;
+  for (const nlohmann::json& each : schema().at("properties").at("camera").at("anyOf")) {
+    if (each.contains("pattern")) {
+      patterns.push_back(each.at("pattern"));
     }
   }
-  EXPECT_EQ(described.size(), defaults.size());
+  ASSERT_EQ(patterns.size(), 1u);
+  const std::regex pattern(patterns[0]);
+  for (int count = 0; count < 20; ++count) {
+    const std::string name = "ldi-" + std::to_string(count);
+    EXPECT_EQ(std::regex_match(name, pattern), schemaError(nlohmann::json{{"camera", name}}.dump()).empty()) << name;
+  }
+}
+
+// What a name says comes before what a file adds to it.
+TEST(CameraSchema, optionsChangeWhatTheyName) {
+  EXPECT_EQ(read(R"({"camera": "spoc", "far_displacement_per_height": 0.25, "mask_pole": false})").spoc.maskPole,
+            false);
+  const CameraChoice eoc = read(R"({"camera": "eoc-v", "least_added_pixels": 2, "compact": false, "trim": false})");
+  EXPECT_EQ(eoc.eoc.leastAddedPixels, 2);
+  EXPECT_FALSE(eoc.eoc.compact);
+  EXPECT_FALSE(eoc.eoc.trim);
+  EXPECT_EQ(eoc.segmentDirection, kVerticalSegment);
+  const CameraChoice ddoc = read(R"({"camera": "ddoc", "constant_radius_pixels": 20, "cell_side_radii": 0.5})");
+  EXPECT_EQ(ddoc.ddoc.radius, DdocOptions::Radius::kConstant);
+  EXPECT_EQ(ddoc.ddoc.constantRadiusPixels, 20);
+  // The side of the cell is one, for whoever builds with it and whoever draws it.
+  EXPECT_EQ(ddoc.cellSideRadii, 0.5f);
+  EXPECT_EQ(ddoc.ddoc.cellSideRadii, 0.5f);
+  EXPECT_EQ(ddoc.cell.cell.sideRadii, 0.5f);
 }
 
 }  // namespace

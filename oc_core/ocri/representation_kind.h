@@ -1,0 +1,53 @@
+// What can stand for a scene: one row a kind, and nothing else in the toolkit asks which kind it has.
+//
+// Recipe for a new representation: write its builder, and add a row to representation_kinds.cpp.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "oc_core/ocri/camera_choice.h"
+#include "oc_core/ocri/camera_option.h"
+
+namespace ocelli {
+
+/// What builders get. `drawer` draws the images that the construction takes, where it is not null.
+struct RepresentationInputs {
+  const CameraChoice& choice;
+  const PinholeCamera& reference;
+  const Mesh& mesh;
+  const Progress& progress;
+  const SceneDrawer* drawer = nullptr;
+};
+
+struct RepresentationKind {
+  const char* name;
+  const char* description;
+  /// In the order in which forms and tables show them.
+  std::vector<const CameraOption*> options = {};
+  /// What the name stands for, of that which is no option.
+  std::function<void(CameraChoice&)> prepare = {};
+  /// Names that end in another number: "ldi-N" for N up to this, beside the row's own; 0 for none.
+  int maxCount = 0;
+  /// The reference images; empty for what is a mesh alone.
+  std::function<ReferenceImages(const RepresentationInputs&)> images = {};
+  /// What is a mesh alone, of so many triangles as the depth image's mesh has.
+  std::function<Mesh(const Mesh& mesh, size_t triangles)> mesh = {};
+  /// Triangles from which on rays are faster; nothing where it is built by rasterisation only.
+  std::optional<size_t> rayCrossover = {};
+  /// Directions of the view segments that it is made for; empty where it is made for a cell, or the reference eye.
+  std::function<std::vector<glm::vec3>(const CameraChoice&)> segments = {};
+  /// The image drawn in another way; empty where there is one way only. Throws InputError for ways that it lacks.
+  std::function<ReferenceImage(Technique, const RepresentationInputs&)> draw = {};
+  /// The rays of each image. Builds the cameras, so it takes about as long.
+  std::function<std::vector<RayFunction>(const RepresentationInputs&, const ReferenceImages&)> rays = {};
+  /// Why OpenGL cannot draw it; empty where it can.
+  const char* needsProcessor = "";
+};
+
+/// The rows, in the order of the list that users see.
+const std::vector<RepresentationKind>& representationKinds();
+
+}  // namespace ocelli

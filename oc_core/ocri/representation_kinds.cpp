@@ -1,0 +1,321 @@
+#include <memory>
+#include <numeric>
+
+#include "oc_core/base/error.h"
+#include "oc_core/ocri/corner_depth_images.h"
+#include "oc_core/ocri/layered_depth_image.h"
+#include "oc_core/ocri/representation_kind.h"
+#include "oc_core/ocri/set_difference.h"
+#include "oc_core/ocri/simplified_mesh.h"
+#include "oc_core/ocri/wide_depth_image.h"
+#include "oc_core/render/hybrid_raycast.h"
+#include "oc_core/render/points.h"
+#include "oc_core/render/raycast.h"
+
+namespace ocelli {
+namespace {
+
+using Inputs = RepresentationInputs;
+
+ViewCell cubeOf(const CameraChoice& choice) {
+  return {.sideRadii = choice.cellSideRadii};
+}
+
+ViewSegment segmentOf(const Inputs& in, const glm::vec3& direction) {
+  return segmentAround(in.reference.view(), direction, in.choice.cellSideRadii);
+}
+
+// ---- cameras
+
+SpocCamera spocCamera(const Inputs& in) {
+  return buildSpocCamera(in.reference, in.mesh, in.choice.spoc, in.drawer);
+}
+ReversePinholeCamera reversePinhole(const Inputs& in) {
+  return buildReversePinhole(in.reference, in.mesh, in.drawer);
+}
+DdocCamera ddocCamera(const Inputs& in) {
+  return buildDdocCamera(in.reference, in.mesh, in.choice.ddoc, in.progress, in.drawer);
+}
+EpipolarCamera epipolarCamera(const Inputs& in, const glm::vec3& direction) {
+  return buildEpipolarCamera(in.reference, segmentOf(in, direction), in.mesh, in.choice.eoc, in.drawer);
+}
+CellCamera cellCamera(const Inputs& in) {
+  return buildCellCamera(in.reference, in.mesh, in.choice.cell, in.progress, in.drawer);
+}
+
+// ---- their rays
+
+template <class C>
+RayFunction raysOf(C camera) {
+  const auto shared = std::make_shared<const C>(std::move(camera));
+  return [shared](const glm::vec2& pixel) { return shared->rayPath(pixel); };
+}
+
+/// Each image is of a pinhole, which it names.
+std::vector<RayFunction> pinholeRays(const Inputs&, const ReferenceImages& images) {
+  std::vector<RayFunction> rays;
+  for (const ReferenceImage& image : images) {
+    rays.push_back(raysOf(PinholeCamera(image.view, image.width(), image.height())));
+  }
+  return rays;
+}
+
+// ---- their images, drawn in another way
+
+[[noreturn]] void refuse(const Inputs& in, const char* how) {
+  throw InputError("camera \"" + in.choice.name + "\" is drawn " + how, "--method", "use raster or raycast");
+}
+
+template <BoundedCamera C>
+ReferenceImage drawnBy(Technique technique, const C& camera, const Inputs& in) {
+  const auto fragments = [&] {
+    switch (technique) {
+      case Technique::kPoints:
+        return renderPoints(camera, in.mesh);
+      case Technique::kHybrid:
+        return hybridRaycast(camera, in.mesh);
+      case Technique::kRaycast:
+        return raycast(camera, in.mesh, RayScene(in.mesh));
+    }
+    OC_CHECK(false, "every technique draws");
+  };
+  return referenceImage(fragments(), in.mesh, in.reference, in.choice.name);
+}
+
+// ---- images of several cameras
+
+ReferenceImages layeredDepthImage(const Inputs& in) {
+  ReferenceImages images = buildLayeredDepthImage(in.reference, in.mesh, in.choice.count);
+  for (size_t i = 0; i < images.size(); ++i) {
+    images[i].layer = static_cast<int>(i);
+  }
+  return images;
+}
+
+ReferenceImages spocUnion(const Inputs& in) {
+  ReferenceImages images{buildDepthImage(in.reference, in.mesh, in.drawer),
+                         buildSpocImage(spocCamera(in), in.mesh, in.drawer)};
+  subtract(images[1], images[0], [&](const glm::vec3& point) { return in.reference.project(point); });
+  images[1].triangleBound = 0;
+  return images;
+}
+
+/// Two EOCs whose segments cross at the reference eye, and a DDOC if wanted; each without what those before it hold.
+ReferenceImages crossedEocs(const Inputs& in, bool withDdoc) {
+  ReferenceImages images;
+  std::vector<Projection> projections;
+  const auto add = [&](ReferenceImage image, Projection projection) {
+    for (size_t i = 0; i < images.size(); ++i) {
+      subtract(image, images[i], projections[i]);
+    }
+    image.triangleBound = 0;
+    images.push_back(std::move(image));
+    projections.push_back(std::move(projection));
+  };
+  for (const glm::vec3& direction : {kHorizontalSegment, kVerticalSegment}) {
+    const auto camera = std::make_shared<EpipolarCamera>(epipolarCamera(in, direction));
+    add(buildEocImage(*camera, in.mesh, in.drawer),
+        [camera](const glm::vec3& point) { return camera->project(point); });
+  }
+  if (withDdoc) {
+    const auto camera = std::make_shared<DdocCamera>(ddocCamera(in));
+    add(buildDdocImage(*camera, in.mesh, in.choice.ddoc.subdivision, in.drawer),
+        [camera](const glm::vec3& point) { return camera->project(point); });
+  }
+  return images;
+}
+
+// ---- rows
+
+std::vector<const CameraOption*> joined(std::initializer_list<std::vector<const CameraOption*>> lists) {
+  std::vector<const CameraOption*> all;
+  for (const auto& list : lists) {
+    all.insert(all.end(), list.begin(), list.end());
+  }
+  return all;
+}
+
+RepresentationKind cornersRow(const char* name, const char* description, int count) {
+  return {.name = name,
+          .description = description,
+          .options = {&kCellSide},
+          .prepare = [count](CameraChoice& choice) { choice.count = count; },
+          .images =
+              [](const Inputs& in) {
+                return buildCornerDepthImages(in.reference, in.mesh, cubeOf(in.choice), in.choice.count, in.drawer);
+              },
+          .rays = pinholeRays};
+}
+
+RepresentationKind ddocRow(const char* name, const char* description, std::function<void(CameraChoice&)> prepare) {
+  return {.name = name,
+          .description = description,
+          .options = joined({{&kCellSide}, ddocOptions()}),
+          .prepare = std::move(prepare),
+          .images = [](const Inputs& in) -> ReferenceImages {
+            return {buildDdocImage(in.reference, in.mesh, in.choice.ddoc, in.progress, in.drawer)};
+          },
+          .rayCrossover = RayCrossover::kDdoc,
+          .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, ddocCamera(in), in); },
+          .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
+            return {raysOf(ddocCamera(in))};
+          }};
+}
+
+RepresentationKind eocRow(const char* name, const char* description, const glm::vec3& direction) {
+  return {.name = name,
+          .description = description,
+          .options = joined({{&kCellSide, &kSegmentDirection}, eocOptions()}),
+          .prepare = [direction](CameraChoice& choice) { choice.segmentDirection = direction; },
+          .images = [](const Inputs& in) -> ReferenceImages {
+            return {buildEocImage(in.reference, segmentOf(in, in.choice.segmentDirection), in.mesh, in.choice.eoc,
+                                  in.drawer)};
+          },
+          .rayCrossover = RayCrossover::kEoc,
+          .segments = [](const CameraChoice& choice) { return std::vector{choice.segmentDirection}; },
+          .draw =
+              [](Technique technique, const Inputs& in) {
+                if (technique != Technique::kRaycast) {
+                  refuse(in, "by epipolar spans or ray casting");
+                }
+                const EpipolarCamera camera = epipolarCamera(in, in.choice.segmentDirection);
+                return eocImage(raycast(camera, in.mesh, RayScene(in.mesh)), camera, in.mesh);
+              },
+          .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
+            return {raysOf(epipolarCamera(in, in.choice.segmentDirection))};
+          }};
+}
+
+RepresentationKind crossedRow(const char* name, const char* description, bool withDdoc) {
+  return {
+      .name = name,
+      .description = description,
+      .options = withDdoc ? joined({{&kCellSide}, eocOptions(), ddocOptions()}) : joined({{&kCellSide}, eocOptions()}),
+      .images = [withDdoc](const Inputs& in) { return crossedEocs(in, withDdoc); },
+      .rayCrossover = RayCrossover::kEoc,
+      .segments =
+          [](const CameraChoice&) {
+            return std::vector{kHorizontalSegment, kVerticalSegment};
+          },
+      .rays =
+          [withDdoc](const Inputs& in, const ReferenceImages&) {
+            std::vector<RayFunction> rays{raysOf(epipolarCamera(in, kHorizontalSegment)),
+                                          raysOf(epipolarCamera(in, kVerticalSegment))};
+            if (withDdoc) {
+              rays.push_back(raysOf(ddocCamera(in)));
+            }
+            return rays;
+          }};
+}
+
+RepresentationKind meshRow(const char* name, const char* description,
+                           std::function<Mesh(const Mesh& mesh, size_t triangles)> mesh) {
+  return {.name = name, .description = description, .mesh = std::move(mesh)};
+}
+
+std::vector<RepresentationKind> makeRows() {
+  std::vector<RepresentationKind> rows;
+  rows.push_back({.name = "di",
+                  .description = "depth image of the planar pinhole camera (ppc is the same)",
+                  .images = [](const Inputs& in) -> ReferenceImages {
+                    return {buildDepthImage(in.reference, in.mesh, in.drawer)};
+                  },
+                  .rayCrossover = RayCrossover::kDepthImage,
+                  .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, in.reference, in); },
+                  .rays = pinholeRays});
+  rows.push_back({.name = "di-wide",
+                  .description = "depth image as wide as what the view cell sees beside the reference frustum",
+                  .options = {&kCellSide},
+                  .images = [](const Inputs& in) -> ReferenceImages {
+                    return {buildWideDepthImage(in.reference, in.mesh,
+                                                wideFactor(in.reference, in.mesh, cubeOf(in.choice)), in.drawer)};
+                  },
+                  .rays = pinholeRays});
+  rows.push_back(cornersRow(
+      "corners-4", "depth images of the reference view and of the four corners of the view cell nearest to the scene",
+      4));
+  rows.push_back(cornersRow("corners-8", "the same with all eight corners", 8));
+  rows.push_back({.name = "ldi-4",
+                  .description = "layered depth image of four layers (any number from ldi-1 to ldi-16)",
+                  .prepare = [](CameraChoice& choice) { choice.count = 4; },
+                  .maxCount = kMostLayers,
+                  .images = layeredDepthImage,
+                  .rays = pinholeRays,
+                  .needsProcessor = "peels layers, which only rasterisation on the processor does"});
+  rows.push_back(
+      {.name = "rppc",
+       .description = "reverse pinhole: its straight rays meet behind the scene",
+       .images = [](const Inputs& in) -> ReferenceImages {
+         return {buildReversePinholeImage(reversePinhole(in), in.reference, in.mesh, in.drawer)};
+       },
+       .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, reversePinhole(in), in); },
+       .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
+         return {raysOf(reversePinhole(in))};
+       }});
+  rows.push_back({.name = "spoc",
+                  .description = "single pole occlusion camera around the foreground",
+                  .options = spocOptions(),
+                  .images = [](const Inputs& in) -> ReferenceImages {
+                    return {buildSpocImage(spocCamera(in), in.mesh, in.drawer)};
+                  },
+                  .rayCrossover = RayCrossover::kSpoc,
+                  .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, spocCamera(in), in); },
+                  .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
+                    return {raysOf(spocCamera(in))};
+                  }});
+  rows.push_back({.name = "di+spoc",
+                  .description = "depth image, and what the single pole occlusion camera adds to it",
+                  .options = spocOptions(),
+                  .images = spocUnion,
+                  .rayCrossover = RayCrossover::kSpoc,
+                  .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
+                    return {raysOf(in.reference), raysOf(spocCamera(in))};
+                  }});
+  rows.push_back(ddocRow("ddoc", "depth discontinuity occlusion camera, radii from the view cell", {}));
+  rows.push_back(ddocRow("ddoc-constant", "the same as the dissertation has it, with a constant radius of 15 pixels",
+                         [](CameraChoice& choice) { choice.ddoc = DdocOptions::paper(); }));
+  rows.push_back(eocRow("eoc-h", "epipolar occlusion camera for a horizontal segment as long as the view cell",
+                        kHorizontalSegment));
+  rows.push_back(eocRow("eoc-v", "the same for a vertical segment", kVerticalSegment));
+  rows.push_back(eocRow("eoc-forward", "the same for a segment along the view", kForwardSegment));
+  rows.push_back(crossedRow("eoc-hv", "union of eoc-h and of what eoc-v adds to it", false));
+  rows.push_back(crossedRow("eoc-hv+ddoc", "union of eoc-hv and of what ddoc adds to it", true));
+  rows.push_back(
+      {.name = "cell",
+       .description = "view-region occlusion camera: what is seen from anywhere in the view cell, in one image",
+       .options = joined({{&kCellSide}, cellOptions()}),
+       .images = [](const Inputs& in) -> ReferenceImages {
+         return {buildCellImage(cellCamera(in), in.mesh, in.drawer)};
+       },
+       .rayCrossover = RayCrossover::kCell,
+       .draw =
+           [](Technique technique, const Inputs& in) {
+             if (technique != Technique::kRaycast) {
+               refuse(in, "from several viewpoints, not by points or hybrid rays");
+             }
+             const CellCamera camera = cellCamera(in);
+             return cellImage(camera, raycast(camera, in.mesh, RayScene(in.mesh)), in.mesh);
+           },
+       .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
+         return {raysOf(cellCamera(in))};
+       }});
+  rows.push_back(meshRow("simplified", "the scene with as many triangles as the depth image's mesh: a mesh, no image",
+                         [](const Mesh& mesh, size_t triangles) {
+                           return simplifyMesh(mesh, triangles, SimplifyMethod::kTopological).mesh;
+                         }));
+  rows.push_back(meshRow(
+      "simplified-sloppy", "the same faster, by clusters of vertices: a mesh, no image",
+      [](const Mesh& mesh, size_t triangles) { return simplifyMesh(mesh, triangles, SimplifyMethod::kSloppy).mesh; }));
+  rows.push_back(
+      meshRow("geometry", "the scene itself: a mesh, no image", [](const Mesh& mesh, size_t) { return mesh; }));
+  return rows;
+}
+
+}  // namespace
+
+const std::vector<RepresentationKind>& representationKinds() {
+  static const std::vector<RepresentationKind> rows = makeRows();
+  return rows;
+}
+
+}  // namespace ocelli
