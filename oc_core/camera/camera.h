@@ -15,8 +15,8 @@
 //   1. oc_core/camera/NAME_camera.h and .cpp: the class, with its section and equations at the top; it must satisfy
 //      Camera.
 //   2. tests/camera/camera_contract_test.cpp: add it to the list of cameras that the contract's suite runs over.
-//   3. oc_core/ocri/camera_choice.h and .cpp: give it a name and say how its image is built, so that `--camera NAME`
-//      finds it. Options that a JSON file may set go into oc_core/ocri/camera.schema.json too.
+//   3. oc_core/ocri/representation_kinds.cpp: a row says its name and how its image is built, so that `--camera NAME`
+//      finds it.
 #pragma once
 
 #include <concepts>

@@ -73,6 +73,27 @@ constexpr CameraOption kTrim{.name = "trim",
                              .place = [](Choice& c) -> bool& { return c.eoc.trim; },
                              .isDetail = true};
 
+constexpr CameraOption kReclaim{
+    .name = "reclaim_pixels",
+    .label = "reclaim pixels",
+    .unit = "",
+    .meaning = "Pixels that a shrunk splat has given up go to another one, and are not deleted",
+    .place = [](Choice& c) -> bool& { return c.ddoc.reclaimPixels; },
+    .isDetail = true};
+/// Of both cameras that look for edges: a union has them alike.
+constexpr CameraOption kEdgeDepthStep{
+    .name = "edge_depth_step_radii",
+    .label = "edges on z",
+    .unit = "display radii",
+    .meaning =
+        "Edges are where z steps by more than its slopes explain, by this much; 0: where 1/z does, which no plane has",
+    .place = [](Choice& c) -> float& { return c.ddoc.edgeDepthStepRadii; },
+    .min = 0,
+    .max = 100,
+    .formMax = 0.5,
+    .isDetail = true,
+    .afterChange = [](Choice& c) { c.eoc.edgeDepthStepRadii = c.ddoc.edgeDepthStepRadii; }};
+
 constexpr CameraOption kConstantRadius{
     .name = "constant_radius_pixels",
     .label = "constant radius",
@@ -231,14 +252,15 @@ const std::vector<const CameraOption*>& spocOptions() {
   return options;
 }
 const std::vector<const CameraOption*>& eocOptions() {
-  static const std::vector<const CameraOption*> options{&kLeastAdded, &kCompact, &kCompactSlack, &kBackgroundReach,
-                                                        &kTrim};
+  static const std::vector<const CameraOption*> options{&kLeastAdded,      &kCompact, &kCompactSlack,
+                                                        &kBackgroundReach, &kTrim,    &kEdgeDepthStep};
   return options;
 }
 const std::vector<const CameraOption*>& ddocOptions() {
   static const std::vector<const CameraOption*> options{
-      &kConstantRadius, &kMaxHidden,      &kSafetyFactor,   &kRoomPerHidden, &kMaxHiddenPerRoom, &kBandGrowth,
-      &kSmoothing,      &kFeedbackRounds, &kFeedbackShrink, &kHarmless,      &kLongestEdge};
+      &kConstantRadius, &kMaxHidden, &kSafetyFactor,   &kRoomPerHidden,  &kMaxHiddenPerRoom,
+      &kBandGrowth,     &kSmoothing, &kFeedbackRounds, &kFeedbackShrink, &kHarmless,
+      &kLongestEdge,    &kReclaim,   &kEdgeDepthStep};
   return options;
 }
 const std::vector<const CameraOption*>& cellOptions() {

@@ -16,6 +16,7 @@ std::vector<DepthEdge> findEdges(const PinholeCamera& camera, const FragmentImag
   DepthEdgeOptions edgeOptions;
   // A step counts when the view cell can uncover a pixel behind it.
   edgeOptions.leastInverseZStep = 1 / (camera.focalPixels() * options.cellSideRadii / 2);
+  edgeOptions.leastZStep = options.edgeDepthStepRadii;
   // What lies behind everything has no depth of its own: it takes that of the farthest sample.
   float farthest = 0;
   for (const float w : inverseZ) {
@@ -83,7 +84,7 @@ Built construct(const PinholeCamera& reference, const Mesh& mesh, const DdocOpti
   shrinkConflicts(splats, owners, options.conflicts, options.mostHiddenPerRoom);
   const auto cameraOfSplats = [&] {
     limitBandGrowth(splats, options.steepestBandGrowth);
-    owners = claimPixels(splats, seen.width(), seen.height());
+    owners = options.reclaimPixels ? claimPixels(splats, seen.width(), seen.height()) : owners;
     return DdocCamera(reference, mapOf(splats, owners, options));
   };
   DdocCamera camera = cameraOfSplats();
@@ -125,6 +126,13 @@ DdocOptions DdocOptions::paper(float constantRadiusPixels) {
   options.feedbackRounds = 0;
   options.steepestBandGrowth = 0;
   options.smoothingSigmaPixels = 0;
+  return options;
+}
+
+DdocOptions DdocOptions::literal() {
+  DdocOptions options = paper();
+  options.edgeDepthStepRadii = kPaperDepthStepRadii;
+  options.reclaimPixels = false;
   return options;
 }
 

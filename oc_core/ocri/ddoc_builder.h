@@ -1,8 +1,8 @@
 // Builds a depth discontinuity occlusion camera for a scene and a reference view (section 3.2.2, six steps), and its
 // reference image.
 //
-// Two variants. `DdocOptions::paper()` does what the text says: a constant splat radius D, the nearest sample of the
-// map. The default goes further:
+// Three variants. `DdocOptions::literal()` is the text's algorithm. `paper()` has its constant splat radius D and
+// nearest sample of the map, with our edges on 1/z, which planes have none of. The default goes further:
 //
 // DEVIATION: the hidden band of an edge is as wide as the view cell can uncover, f * support(n) * (1/zn - 1/zf). The
 // visible band that makes room for it may be narrower, which squeezes it harder. The text's D fits no edge.
@@ -47,11 +47,20 @@ struct DdocOptions {
   float feedbackShrink = 0.5f;          ///< what a round leaves of the hidden band of an edge that does harm
   float harmlessPerHiddenPixel = 0.1f;  ///< missing samples that an edge may cost for each pixel of its hidden band
 
+  /// Where not 0: edges are where z steps by more than its slopes explain, by this much, display radii: the text's
+  /// "second order finite depth difference", whose threshold it does not say.
+  float edgeDepthStepRadii = 0;
+  /// Whether pixels that a shrunk splat has given up go to another one; in the text (step 5) they are deleted.
+  bool reclaimPixels = true;
+
   SubdivisionOptions subdivision;
   /// Of the rounds, whose images only have to show what is lost: coarser, and three times as fast.
   SubdivisionOptions feedbackSubdivision{.longestEdgePixels = 2, .shortestEdgePixels = 0.25f, .tornEdgePixels = 4};
 
+  /// What the text's figures need: a constant radius, all conflicts, equal bands, no smoothing and no feedback.
   static DdocOptions paper(float constantRadiusPixels = 15);
+  /// The same to the letter: edges on z, and no pixel changes hands after step 3.
+  static DdocOptions literal();
 };
 
 /// `mesh` is in the coordinates of the view of `reference`. Throws nothing of its own: a view that sees nothing gives a

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {
 namespace {
 
-/// The 1/z of four samples in a row; is there a discontinuity between the second and the third?
+/// The 1/z, or z, of four samples in a row; is there a discontinuity between the second and the third?
 bool isDiscontinuity(float before, float first, float second, float after, float leastStep) {
   const float step = first - second;
   const float slopeBefore = before - first;
@@ -81,11 +82,18 @@ std::vector<DepthEdge> findDepthEdges(const Image<float>& inverseZ, const DepthE
     const float w = inverseZ(std::clamp(x, 0, width - 1), std::clamp(y, 0, height - 1));
     return w > 0 ? w : options.backgroundInverseZ;
   };
+  const bool onZ = options.leastZStep > 0;
+  const float leastStep = onZ ? options.leastZStep : options.leastInverseZStep;
+  const auto measured = [&](int x, int y) {
+    const float w = at(x, y);
+    return !onZ ? w : w > 0 ? 1 / w : std::numeric_limits<float>::max();
+  };
   std::vector<DepthEdge> edges;
   const auto addIfEdge = [&](int x, int y, int dx, int dy) {
     const float first = at(x, y);
     const float second = at(x + dx, y + dy);
-    if (isDiscontinuity(at(x - dx, y - dy), first, second, at(x + 2 * dx, y + 2 * dy), options.leastInverseZStep)) {
+    if (isDiscontinuity(measured(x - dx, y - dy), measured(x, y), measured(x + dx, y + dy),
+                        measured(x + 2 * dx, y + 2 * dy), leastStep)) {
       const glm::vec2 along(static_cast<float>(dx), static_cast<float>(dy));
       const glm::vec2 position = glm::vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f) + along * 0.5f;
       edges.push_back(first > second ? DepthEdge{position, along, first, second}

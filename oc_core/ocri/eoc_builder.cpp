@@ -259,7 +259,23 @@ EpipolarCamera cameraFrom(const PinholeCamera& base, const glm::vec3& right, con
   return {base, right, edges};
 }
 
+/// Whether the second of four values in a row is so much smaller than the third, and by as much more than the slopes on
+/// both sides explain.
+bool steps(double before, double first, double second, double after, double least) {
+  const double step = second - first;
+  return step >= least && step - (first - before) >= least && step - (after - second) >= least;
+}
+
 }  // namespace
+
+EocOptions EocOptions::literal() {
+  EocOptions options;
+  options.compact = false;
+  options.backgroundReachPixels = 1;
+  options.trim = false;
+  options.edgeDepthStepRadii = kPaperDepthStepRadii;
+  return options;
+}
 
 ViewSegment segmentAround(const View& view, const glm::vec3& direction, float lengthRadii) {
   const float length = glm::length(direction);
@@ -297,8 +313,9 @@ std::vector<EpipolarEdge> findEpipolarEdges(const std::vector<float>& inverseZ, 
     const double scale = lines.inverseZScale(x);
     const double pixels = disparity * scale / (x - lines.x(row, j));
     const double least = static_cast<double>(options.leastAddedPixels) / pixels;
-    const double step = near - far;
-    if (step < least || step - (depthAt(j - 1) - near) < least || step - (far - depthAt(j + 2)) < least) {
+    if (options.edgeDepthStepRadii > 0 ? !steps(1 / depthAt(j - 1), 1 / near, 1 / far, 1 / depthAt(j + 2),
+                                                static_cast<double>(options.edgeDepthStepRadii))
+                                       : !steps(-depthAt(j - 1), -near, -far, -depthAt(j + 2), least)) {
       continue;
     }
     if (lines.advance() > 0 && near * (lines.advance() + static_cast<double>(zNear)) >= 1) {

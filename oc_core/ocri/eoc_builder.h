@@ -34,6 +34,11 @@ struct EocOptions {
   int backgroundReachPixels = 50;
   /// Take out columns that hold nothing: costs drawing what is hidden once more.
   bool trim = true;
+  /// Where not 0: edges are where z steps by more than its slopes explain, by this much, display radii.
+  float edgeDepthStepRadii = 0;
+
+  /// The text's algorithm: z_f of the pixel next to the edge, black gaps, no trimming, edges on z.
+  static EocOptions literal();
 };
 
 /// Directions of view segments, along (right, up, backward) of a view.

@@ -1,6 +1,10 @@
 // What can stand for a scene: one row a kind, and nothing else in the toolkit asks which kind it has.
 //
-// Recipe for a new representation: write its builder, and add a row to representation_kinds.cpp.
+// Recipe for a new representation, two places:
+//   1. oc_core/ocri/NAME_builder.h and .cpp: what builds its reference images.
+//   2. oc_core/ocri/representation_kinds.cpp: its row. Options of its own are described in oc_core/ocri/camera_option.cpp.
+// tests/ocri/camera_choice_test.cpp runs over all rows; tests/ocri/camera_schema_test.cpp then says what
+// oc_core/ocri/camera.schema.json and docs/cameras.md lack.
 #pragma once
 
 #include <functional>

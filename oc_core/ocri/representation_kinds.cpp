@@ -1,5 +1,6 @@
+#include <algorithm>
+#include <iterator>
 #include <memory>
-#include <numeric>
 
 #include "oc_core/base/error.h"
 #include "oc_core/ocri/corner_depth_images.h"
@@ -127,10 +128,12 @@ ReferenceImages crossedEocs(const Inputs& in, bool withDdoc) {
 
 // ---- rows
 
+/// One list after the other, without what came before.
 std::vector<const CameraOption*> joined(std::initializer_list<std::vector<const CameraOption*>> lists) {
   std::vector<const CameraOption*> all;
   for (const auto& list : lists) {
-    all.insert(all.end(), list.begin(), list.end());
+    std::copy_if(list.begin(), list.end(), std::back_inserter(all),
+                 [&](const CameraOption* option) { return std::find(all.begin(), all.end(), option) == all.end(); });
   }
   return all;
 }
@@ -162,11 +165,17 @@ RepresentationKind ddocRow(const char* name, const char* description, std::funct
           }};
 }
 
-RepresentationKind eocRow(const char* name, const char* description, const glm::vec3& direction) {
+RepresentationKind eocRow(const char* name, const char* description, const glm::vec3& direction,
+                          const EocOptions& options = {}) {
   return {.name = name,
           .description = description,
           .options = joined({{&kCellSide, &kSegmentDirection}, eocOptions()}),
-          .prepare = [direction](CameraChoice& choice) { choice.segmentDirection = direction; },
+          .prepare =
+              [direction, options](CameraChoice& choice) {
+                choice.segmentDirection = direction;
+                choice.eoc = options;
+                choice.ddoc.edgeDepthStepRadii = options.edgeDepthStepRadii;
+              },
           .images = [](const Inputs& in) -> ReferenceImages {
             return {buildEocImage(in.reference, segmentOf(in, in.choice.segmentDirection), in.mesh, in.choice.eoc,
                                   in.drawer)};
@@ -274,10 +283,14 @@ std::vector<RepresentationKind> makeRows() {
   rows.push_back(ddocRow("ddoc", "depth discontinuity occlusion camera, radii from the view cell", {}));
   rows.push_back(ddocRow("ddoc-constant", "the same as the dissertation has it, with a constant radius of 15 pixels",
                          [](CameraChoice& choice) { choice.ddoc = DdocOptions::paper(); }));
+  rows.push_back(ddocRow("ddoc-paper", "the dissertation's to the letter: edges on z, and its step 5 only deletes",
+                         [](CameraChoice& choice) { choice.ddoc = DdocOptions::literal(); }));
   rows.push_back(eocRow("eoc-h", "epipolar occlusion camera for a horizontal segment as long as the view cell",
                         kHorizontalSegment));
   rows.push_back(eocRow("eoc-v", "the same for a vertical segment", kVerticalSegment));
   rows.push_back(eocRow("eoc-forward", "the same for a segment along the view", kForwardSegment));
+  rows.push_back(eocRow("eoc-paper", "eoc-h as the dissertation has it: edges on z, gaps where nothing is hidden",
+                        kHorizontalSegment, EocOptions::literal()));
   rows.push_back(crossedRow("eoc-hv", "union of eoc-h and of what eoc-v adds to it", false));
   rows.push_back(crossedRow("eoc-hv+ddoc", "union of eoc-hv and of what ddoc adds to it", true));
   rows.push_back(

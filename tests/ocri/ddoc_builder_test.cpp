@@ -206,5 +206,21 @@ TEST(DdocBuilder, meshHasNoSkinsAcrossDiscontinuities) {
   }
 }
 
+// Step 5 deletes what step 4 took from a splat: pixels of it are displaced by no other.
+TEST(DdocBuilder, literalVariantDeletesWhatConflictsShrank) {
+  const Mesh mesh = test::boxBeforeWall();
+  DdocOptions reclaiming = DdocOptions::literal();
+  reclaiming.reclaimPixels = true;
+  const auto displaced = [&](const DdocOptions& options) {
+    const DdocCamera camera = buildDdocCamera(smallCamera(), mesh, options);
+    const auto& samples = camera.map().samples();
+    return std::count_if(samples.begin(), samples.end(),
+                         [](const DistortionSample& sample) { return sample.displacement != glm::vec2(0); });
+  };
+  // Splats of 15 pixels around a box of 19 meet in its middle.
+  EXPECT_GT(displaced(DdocOptions::literal()), 0);
+  EXPECT_LT(displaced(DdocOptions::literal()), displaced(reclaiming));
+}
+
 }  // namespace
 }  // namespace ocelli

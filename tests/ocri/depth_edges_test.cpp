@@ -157,5 +157,29 @@ TEST(DepthEdges, comeInRowOrder) {
   }));
 }
 
+// The text's edges are steps of z. A plane that runs away from the eye has steps of z as well, which grow with z^2, and
+// so an edge far away where 1/z has none.
+TEST(DepthEdges, onZAreStepsOfZ) {
+  Image<float> steps(kSize, kSize);
+  Image<float> plane(kSize, kSize);
+  for (int y = 0; y < kSize; ++y) {
+    for (int x = 0; x < kSize; ++x) {
+      steps(x, y) = 1 / (x < 20 ? 10.0f : x < 40 ? 10.04f : 10.1f);  // by 0.04 and by 0.06
+      plane(x, y) = 0.2f - 0.003f * static_cast<float>(x);           // z from 5 to 43
+    }
+  }
+  const DepthEdgeOptions onZ{.leastInverseZStep = 1, .leastZStep = 0.05f};
+  const std::vector<DepthEdge> found = findDepthEdges(steps, onZ);
+  ASSERT_EQ(found.size(), static_cast<size_t>(kSize));
+  for (const DepthEdge& edge : found) {
+    EXPECT_EQ(edge.position.x, 40);
+    EXPECT_GT(edge.normal.x, 0.9999f);
+    EXPECT_FLOAT_EQ(1 / edge.inverseNear, 10.04f);
+    EXPECT_FLOAT_EQ(1 / edge.inverseFar, 10.1f);
+  }
+  EXPECT_TRUE(findDepthEdges(plane, kOptions).empty());
+  EXPECT_FALSE(findDepthEdges(plane, onZ).empty());
+}
+
 }  // namespace
 }  // namespace ocelli

@@ -193,6 +193,19 @@ TEST(EpipolarEdges, ofOccludersThatRHasPassedAreNone) {
   EXPECT_EQ(findEpipolarEdges(inverseZ, 0, lines, 0.01f, 1 / 12.0f, {}).size(), 1u);
 }
 
+// z_f is the depth next to the edge (section 3.3.1.1), a narrow occluder leaves its gap, and edges are steps of z.
+TEST(EpipolarEdges, ofTheTextTakeTheDepthNextToTheEdge) {
+  std::vector<float> row = rowWith(46, 50, 9, 11);
+  std::fill(row.begin() + 52, row.end(), 11.5f);  // a wall behind the wall, two pixels on
+  const std::vector<EpipolarEdge> literal = edgesOf(row, EocOptions::literal());
+  ASSERT_EQ(literal.size(), 2u);
+  EXPECT_EQ(literal[0].added, 10) << "from 9 to 11, though four pixels hide it all";
+  EXPECT_EQ(literal[1].position, 52);
+  EXPECT_LT(edgesOf(row)[0].added, 10);
+  EXPECT_TRUE(edgesOf(rowWith(20, 50, 10.96f, 11), EocOptions::literal()).empty()) << "a step of 0.04";
+  EXPECT_EQ(edgesOf(rowWith(20, 50, 10.94f, 11), EocOptions::literal()).size(), 1u) << "of 0.06";
+}
+
 TEST(EocImage, ofASceneWithoutDiscontinuitiesIsTheDepthImage) {
   for (const Mesh& mesh : {test::tiltedPlane(0.5f, 30), test::wall(-1, 30)}) {
     const ViewSegment segment = segmentAlong(kHorizontalSegment);
