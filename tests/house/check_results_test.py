@@ -43,7 +43,7 @@ class CheckResults(unittest.TestCase):
             self.fail("ctest is not on the path")
         with tempfile.TemporaryDirectory() as folder:
             pathlib.Path(folder, "CMakeLists.txt").write_text(PROJECT, encoding="utf-8")
-            subprocess.run(["cmake", "-S", folder, "-B", folder], check=True, stdout=subprocess.DEVNULL)
+            subprocess.run(["cmake", "-G", "Ninja", "-S", folder, "-B", folder], check=True, stdout=subprocess.DEVNULL)
             file = pathlib.Path(folder, "results.xml")
             subprocess.run(
                 ["ctest", "--test-dir", folder, "--output-junit", file],
