@@ -9,8 +9,13 @@
 #include "cli/scene_options.h"
 #include "cli/values.h"
 #include "cli/viewers_option.h"
+#include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
+#include "oc_core/constructor/camera_constructors.h"
+#include "oc_core/multiperspective/multiperspective_image.h"
 #include "oc_core/ocri/camera_choice.h"
+#include "oc_core/ocri/nothing_seen.h"
+#include "oc_core/ocri/placed_image.h"
 #include "oc_core/ocri/reference_image_file.h"
 #include "oc_core/ocri/union_mesh.h"
 #include "oc_core/ocri/viewers.h"
@@ -43,11 +48,55 @@ std::string describe(const ReferenceImages& images) {
   return fmt::format("{}{}{}, {} samples", first.camera, count, size, samples);
 }
 
+/// Of a graph or curved ray camera, made for a scene that one walks through.
+ReferenceImage constructedImage(const BuildChoice& choice, const View& view, const ImageSize& size,
+                                const Frame& frame) {
+  if (choice.construction == "gl") {
+    throw InputError("graph and curved ray cameras are constructed by rasterisation or by rays", "--construction gl",
+                     "use auto, raster or rays");
+  }
+  const GuidedScene scene = loadGuidedScene(choice.scene.source, choice.scene.options, frame.progress());
+  noteBlackScene(frame, scene.mesh);
+  const PinholeCamera reference(view, size.width, size.height);
+  const MultiperspectiveCamera camera = constructCamera(choice.camera, scene, reference);
+  const bool byRays = constructionFromText(choice.construction, "--construction") == Construction::kRays;
+  const FragmentImage fragments = byRays ? raycast(camera, scene.mesh) : rasterize(camera, scene.mesh);
+  const ReferenceImage image = std::visit(
+      [&](const auto& each) { return placedImage(each, fragments, scene.mesh, view, choice.camera); }, camera);
+  if (image.sampleCount() == 0) {
+    failSeeingNothing(reference, scene.mesh, "--camera " + choice.camera);
+  }
+  frame.note(byRays ? "constructed by rays" : "constructed by rasterisation");
+  return image;
+}
+
+/// Of every other camera, for each viewer.
+ReferenceImages builtImages(const BuildChoice& choice, const std::vector<View>& views, const ImageSize& size,
+                            const Frame& frame) {
+  const bool onGpu = choice.construction == "gl";
+  const Construction construction = constructionFromText(onGpu ? "auto" : choice.construction, "--construction");
+  const CameraChoice camera = cameraChoice(choice.camera);
+  const auto gl = onGpu ? std::make_unique<GlDrawing>(choice.gl) : nullptr;
+  const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, frame.progress());
+  noteBlackScene(frame, mesh);
+  ConstructionReport report;
+  std::vector<ReferenceImages> viewers;
+  for (const View& view : views) {
+    const PinholeCamera reference(view, size.width, size.height);
+    viewers.push_back(
+        gl != nullptr
+            ? buildReferenceImages(camera, reference, mesh, frame.progress(), gl->drawerOf(mesh))
+            : buildReferenceImages(camera, reference, mesh, frame.progress(), construction, nullptr, &report));
+  }
+  frame.note("constructed " + (gl != nullptr ? "with " + gl->description() : describe(report)));
+  return mergeViewers(std::move(viewers)).images;
+}
+
 void addBuild(CLI::App& ocri, const Frame& frame) {
   CLI::App& command = *ocri.add_subcommand("build", "Build the reference image of a scene");
   const auto choice = std::make_shared<BuildChoice>();
   addSceneOptions(command, choice->scene, frame);
-  addCameraOption(command, choice->camera);
+  addAnyCameraOption(command, choice->camera);
   addViewersOptions(command, choice->viewers);
   addSizeOption(command, choice->size);
   command
@@ -59,36 +108,28 @@ void addBuild(CLI::App& ocri, const Frame& frame) {
       ->capture_default_str();
   addGlOption(command, choice->gl);
   addOutputOption(command, choice->output, "Where the image goes", {".exr"});
-  frame.finish(
-      command,
-      "  ocelli ocri build builtin:statues -o statues.exr\n"
-      "  ocelli ocri build bunny.obj --camera di --size 180x120 -o bunny.exr\n"
-      "  ocelli ocri build builtin:statues --viewers 4 -o around.exr",
-      [choice, frame] {
-        checkWritable(choice->output);
-        const bool onGpu = choice->construction == "gl";
-        requireGlUsed(choice->gl, onGpu, "--construction gl");
-        const Construction construction = constructionFromText(onGpu ? "auto" : choice->construction, "--construction");
-        const CameraChoice camera = cameraChoice(choice->camera);
-        const ImageSize size = imageSizeFromText(choice->size, "--size");
-        const std::vector<View> views = viewsOf(choice->viewers);
-        const auto gl = onGpu ? std::make_unique<GlDrawing>(choice->gl) : nullptr;
-        const Mesh mesh = loadScene(choice->scene.source, choice->scene.options, frame.progress());
-        noteBlackScene(frame, mesh);
-        ConstructionReport report;
-        std::vector<ReferenceImages> viewers;
-        for (const View& view : views) {
-          const PinholeCamera reference(view, size.width, size.height);
-          viewers.push_back(
-              gl != nullptr
-                  ? buildReferenceImages(camera, reference, mesh, frame.progress(), gl->drawerOf(mesh))
-                  : buildReferenceImages(camera, reference, mesh, frame.progress(), construction, nullptr, &report));
-        }
-        const ReferenceImages images = mergeViewers(std::move(viewers)).images;
-        writeReferenceImages(choice->output, images);
-        frame.note("constructed " + (gl != nullptr ? "with " + gl->description() : describe(report)));
-        frame.note("wrote " + choice->output + ": " + describe(images));
-      });
+  frame.finish(command,
+               "  ocelli ocri build builtin:statues -o statues.exr\n"
+               "  ocelli ocri build bunny.obj --camera di --size 180x120 -o bunny.exr\n"
+               "  ocelli ocri build builtin:statues --viewers 4 -o around.exr\n"
+               "  ocelli ocri build builtin:town --camera panorama --size 1440x720 -o town.exr\n"
+               "  ocelli ocri build builtin:maze --camera comprehensive --size 1920x1200 -o maze.exr",
+               [choice, frame] {
+                 checkWritable(choice->output);
+                 requireGlUsed(choice->gl, choice->construction == "gl", "--construction gl");
+                 const ImageSize size = imageSizeFromText(choice->size, "--size");
+                 const std::vector<View> views = viewsOf(choice->viewers);
+                 const bool constructed = namesConstructor(choice->camera);
+                 if (constructed && views.size() != 1) {
+                   throw InputError("graph and curved ray cameras are made for one viewer", "--viewers",
+                                    "leave it out, or choose another camera");
+                 }
+                 const ReferenceImages images =
+                     constructed ? ReferenceImages{constructedImage(*choice, views.front(), size, frame)}
+                                 : builtImages(*choice, views, size, frame);
+                 writeReferenceImages(choice->output, images);
+                 frame.note("wrote " + choice->output + ": " + describe(images));
+               });
 }
 
 void addMesh(CLI::App& ocri, const Frame& frame) {

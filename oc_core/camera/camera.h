@@ -7,7 +7,9 @@
 //   unproject(imagePoint)-> optional<vec3>         nothing where no world point has that image
 //   rayPath(pixel)       -> RayPath                empty where the pixel has no ray
 //
-// `ImagePoint::z` is the distance along the reference view direction (conventions.h), for every camera. Wherever both
+// `ImagePoint::z` grows along the ray, from near to far. For cameras that displace the image of a pinhole it is the
+// distance along the reference view direction (conventions.h), for panoramas the length of the ray, for graph and curved
+// ray cameras what graph_camera.h says. Wherever both
 // succeed, project(unproject(q)) is q, and every point of rayPath(p) projects to p.
 // Renderers (oc_core/render) take the camera as a template parameter: no virtual call stands in an inner loop.
 //
@@ -28,7 +30,7 @@
 
 namespace ocelli {
 
-/// (u, v) in pixels from the top left corner, z along the reference view direction, positive in front.
+/// (u, v) in pixels from the top left corner; z as above, positive.
 struct ImagePoint {
   float u = 0;
   float v = 0;

@@ -39,6 +39,7 @@ StoredSize storedSize(const ReferenceImage& image) {
                   [](const glm::vec2& d) { return d != glm::vec2(0); })) {
     size += sizeOf(image.displacement);
   }
+  size += sizeOf(image.position);
   return size;
 }
 

@@ -93,7 +93,7 @@ ReferenceImages imagesOf(const RepresentationInputs& inputs) {
     throw InputError("\"" + choice.name + "\" is a mesh and has no image", "--camera",
                      "measure it with `ocelli evaluate`, or write the scene with `ocelli scene export`");
   }
-  if (inputs.drawer != nullptr && *kind.needsProcessor != '\0') {
+  if (inputs.drawer != nullptr && inputs.drawer->rays() == nullptr && *kind.needsProcessor != '\0') {
     throw InputError("camera \"" + choice.name + "\" " + kind.needsProcessor, "--camera",
                      "draw it without OpenGL, or choose another camera");
   }
@@ -163,7 +163,8 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
                      "use auto or raster");
   }
   ConstructionReport done{
-      .byRays = crossover && constructWithRays(wanted, *crossover, mesh.triangles.size(), rays != nullptr),
+      .byRays = choice.kind->castsRays ||
+                (crossover && constructWithRays(wanted, *crossover, mesh.triangles.size(), rays != nullptr)),
       .triangles = mesh.triangles.size()};
   if (rays == nullptr || !done.byRays) {
     requireOutside(mesh, reference.eye(), "view");

@@ -19,6 +19,7 @@ namespace {
 constexpr uint32_t kNoVertex = 0xffffffffu;
 constexpr uint8_t kJoinedRight = 1;
 constexpr uint8_t kJoinedDown = 2;
+constexpr float kDeepestPlacedSquare = 2;  ///< footprints
 
 class ImageMesher {
  public:
@@ -55,12 +56,14 @@ class ImageMesher {
     });
   }
 
+  /// The column where the image goes on beyond its border, if it does.
+  int column(int x) const { return image_.wrapsAround ? (x + image_.width()) % image_.width() : x; }
+  Pixel beside(const Pixel& p, int dx, int dy) const { return {column(p.x + dx), p.y + dy}; }
+
   bool valid(const Pixel& p) const { return vertexOf_.contains(p.x, p.y) && vertexOf_(p.x, p.y) != kNoVertex; }
 
   void addVertices() {
-    const auto pointOf = [&](int x, int y) {
-      return image_.z(x, y) > 0 ? camera_.unproject(image_.undistorted(x, y)) : std::nullopt;
-    };
+    const auto pointOf = [&](int x, int y) { return image_.pointOf(x, y, camera_); };
     std::vector<uint32_t> firstOfRow(static_cast<size_t>(image_.height()) + 1, 0);
     forRows([&](int y) {
       for (int x = 0; x < image_.width(); ++x) {
@@ -88,14 +91,15 @@ class ImageMesher {
   void joinPixels() {
     forRows([&](int y) {
       for (int x = 0; x < image_.width(); ++x) {
-        joins_(x, y) = static_cast<uint8_t>((joined({x, y}, {x + 1, y}) ? kJoinedRight : 0) |
-                                            (joined({x, y}, {x, y + 1}) ? kJoinedDown : 0));
+        joins_(x, y) =
+            static_cast<uint8_t>((joined({x, y}, 1, 0) ? kJoinedRight : 0) | (joined({x, y}, 0, 1) ? kJoinedDown : 0));
       }
     });
   }
   /// What joined() says, for two pixels side by side or one above the other.
   bool areJoined(const Pixel& p, const Pixel& q) const {
-    const Pixel first{std::min(p.x, q.x), std::min(p.y, q.y)};
+    const bool isLeft = p.y == q.y && column(p.x + 1) == q.x;
+    const Pixel first = isLeft || q.y > p.y ? p : q;
     return valid(p) && valid(q) && (joins_(first.x, first.y) & (p.y == q.y ? kJoinedRight : kJoinedDown)) != 0;
   }
 
@@ -116,17 +120,30 @@ class ImageMesher {
   /// The undistorted sample, z = 0 where there is none.
   ImagePoint sample(const Pixel& p) const { return valid(p) ? image_.undistorted(p.x, p.y) : ImagePoint{}; }
 
-  bool joined(const Pixel& p, const Pixel& q) const {
-    return valid(p) && valid(q) && sameTile(p, q) &&
-           samplesJoin(sample({2 * p.x - q.x, 2 * p.y - q.y}), sample(p), sample(q),
-                       sample({2 * q.x - p.x, 2 * q.y - p.y}), false, camera_.focalPixels(), spacing(p), options_);
+  PlacedSample placed(const Pixel& p) const {
+    return valid(p) ? PlacedSample{image_.position(p.x, p.y), image_.direction(p.x, p.y), image_.z(p.x, p.y)}
+                    : PlacedSample{};
+  }
+
+  /// A pixel and one beside it.
+  bool joined(const Pixel& p, int dx, int dy) const {
+    const Pixel q = beside(p, dx, dy);
+    if (!valid(p) || !valid(q) || !sameTile(p, q)) {
+      return false;
+    }
+    const Pixel before = beside(p, -dx, -dy);
+    const Pixel after = beside(q, dx, dy);
+    return image_.isPlaced() ? placedSamplesJoin(placed(before), placed(p), placed(q), placed(after), options_)
+                             : samplesJoin(sample(before), sample(p), sample(q), sample(after), false,
+                                           camera_.focalPixels(), spacing(p), options_);
   }
 
   /// Each cell between four samples gives two triangles, one, or none.
   void joinNeighbours() {
     std::vector<std::vector<glm::uvec3>> rows(static_cast<size_t>(image_.height()));
     forRows([&](int y) {
-      for (int x = 0; x + 1 < image_.width() && y + 1 < image_.height(); ++x) {
+      const int cells = image_.wrapsAround ? image_.width() : image_.width() - 1;
+      for (int x = 0; x < cells && y + 1 < image_.height(); ++x) {
         addCell({x, y}, rows[static_cast<size_t>(y)]);
       }
     });
@@ -136,9 +153,9 @@ class ImageMesher {
   }
 
   void addCell(const Pixel& a, std::vector<glm::uvec3>& triangles) {
-    const Pixel b{a.x, a.y + 1};
-    const Pixel c{a.x + 1, a.y + 1};
-    const Pixel d{a.x + 1, a.y};
+    const Pixel b = beside(a, 0, 1);
+    const Pixel c = beside(a, 1, 1);
+    const Pixel d = beside(a, 1, 0);
     const bool ab = areJoined(a, b);
     const bool bc = areJoined(b, c);
     const bool cd = areJoined(c, d);
@@ -146,8 +163,8 @@ class ImageMesher {
     if (ab + bc + cd + da < 2) {
       return;
     }
-    const bool ac = joined(a, c);
-    const bool bd = joined(b, d);
+    const bool ac = joined(a, 1, 1);
+    const bool bd = joined(b, 1, -1);
     const int alongAc = ac ? (ab && bc) + (cd && da) : 0;
     const int alongBd = bd ? (bc && cd) + (da && ab) : 0;
     if (alongAc == 0 && alongBd == 0) {
@@ -202,8 +219,11 @@ class ImageMesher {
   }
 
   int trianglesAround(int x, int y) const {
-    const auto triangles = [&](int cx, int cy) { return cellTriangles_.contains(cx, cy) ? cellTriangles_(cx, cy) : 0; };
-    return triangles(x - 1, y - 1) + triangles(x, y - 1) + triangles(x - 1, y) + triangles(x, y);
+    return trianglesOf(x - 1, y - 1) + trianglesOf(x, y - 1) + trianglesOf(x - 1, y) + trianglesOf(x, y);
+  }
+  int trianglesOf(int x, int y) const {
+    const int cell = column(x);
+    return cellTriangles_.contains(cell, y) ? cellTriangles_(cell, y) : 0;
   }
 
   /// Six of the eight triangles around a sample leave no opening that matters; with fewer, its surface ends here.
@@ -254,9 +274,7 @@ class ImageMesher {
 
   /// Towards the opening around a sample, each component -1, 0 or 1.
   glm::vec2 opening(const Pixel& p) const {
-    const auto triangles = [&](int dx, int dy) {
-      return cellTriangles_.contains(p.x + dx, p.y + dy) ? cellTriangles_(p.x + dx, p.y + dy) : 0;
-    };
+    const auto triangles = [&](int dx, int dy) { return trianglesOf(p.x + dx, p.y + dy); };
     const int right = triangles(-1, -1) + triangles(-1, 0) - triangles(0, -1) - triangles(0, 0);
     const int down = triangles(-1, -1) + triangles(0, -1) - triangles(-1, 0) - triangles(0, 0);
     return {static_cast<float>((right > 0) - (right < 0)), static_cast<float>((down > 0) - (down < 0))};
@@ -264,8 +282,13 @@ class ImageMesher {
 
   /// A square around the sample or, in one triangle, the half of it that points to the opening.
   void addRim(const Pixel& p, bool whole) {
+    if (image_.isPlaced() && (placedStep(p, 1, 0) == glm::vec3(0) || placedStep(p, 0, 1) == glm::vec3(0))) {
+      return;  // alone, so that nothing says how wide it is
+    }
     const auto addCorner = [&](const glm::vec2& side) {
-      mesh_.positions.push_back(inTile(p) ? tileCorner(p, side) : pinholeCorner(p, side));
+      mesh_.positions.push_back(image_.isPlaced() ? placedCorner(p, side)
+                                : inTile(p)       ? tileCorner(p, side)
+                                                  : pinholeCorner(p, side));
       mesh_.colors.push_back(image_.color(p.x, p.y));
       pixelOfVertex_.push_back(static_cast<uint32_t>(image_.z.index(p.x, p.y)));
     };
@@ -324,6 +347,54 @@ class ImageMesher {
     const float footprint = image_.z(p.x, p.y) / camera_.focalPixels() * spacing(p);
     const glm::vec3 along(static_cast<float>(step.x) * footprint, static_cast<float>(step.y) * footprint, 0);
     return camera_.worldFromCamera(along) - camera_.worldFromCamera(glm::vec3(0));
+  }
+
+  glm::vec3 placedCorner(const Pixel& p, const glm::vec2& side) const {
+    const float half = options_.squarePixels / 2;
+    return image_.position(p.x, p.y) + side.x * half * placedStep(p, 1, 0) + side.y * half * placedStep(p, 0, 1);
+  }
+
+  /// From a placed sample half way to both neighbours of a row or column: as the joined ones say, else at a right angle
+  /// to the ray and to the other direction, else as wide as the rays of a neighbour are apart. 0 for one all alone.
+  glm::vec3 placedStep(const Pixel& p, int dx, int dy) const {
+    const glm::vec3& ray = image_.direction(p.x, p.y);
+    if (const glm::vec3 step = joinedStep(p, dx, dy); step != glm::vec3(0)) {
+      // No viewpoint sees a grazing surface's square as small as its rays do: it must not stand out.
+      const float along = glm::dot(step, ray);
+      const glm::vec3 across = step - ray * along;
+      const float deepest = kDeepestPlacedSquare * glm::length(across);
+      return across + ray * std::clamp(along, -deepest, deepest);
+    }
+    // Right, down and along the ray are a right-handed system.
+    const glm::vec3 other = joinedStep(p, dy, dx);
+    const glm::vec3 across = other - ray * glm::dot(other, ray);
+    if (across != glm::vec3(0)) {
+      return dx != 0 ? glm::cross(across, ray) : glm::cross(ray, across);
+    }
+    for (const int sign : {-1, 1}) {
+      const Pixel q = beside(p, sign * dx, sign * dy);
+      if (valid(q)) {
+        const glm::vec3 between = image_.position(q.x, q.y) - image_.position(p.x, p.y);
+        const glm::vec3 beside = between - ray * glm::dot(between, ray);
+        const float width = glm::length(beside);
+        if (width > 0) {
+          return static_cast<float>(sign) * beside * (stepBetween(placed(p), placed(q)).footprint / width);
+        }
+      }
+    }
+    return glm::vec3(0);
+  }
+  glm::vec3 joinedStep(const Pixel& p, int dx, int dy) const {
+    glm::vec3 sum(0);
+    float count = 0;
+    for (const int sign : {-1, 1}) {
+      const Pixel q = beside(p, sign * dx, sign * dy);
+      if (areJoined(p, q)) {
+        sum += static_cast<float>(sign) * (image_.position(q.x, q.y) - image_.position(p.x, p.y));
+        ++count;
+      }
+    }
+    return count > 0 ? sum / count : sum;
   }
 
   const ReferenceImage& image_;

@@ -18,6 +18,9 @@ struct ImageMeshOptions {
   float slopeToleranceFootprints = 1;
   /// ... but never when their undistorted places are farther apart than this, pixels.
   float longestStepPixels = 12;
+  /// Placed samples (placed_image.h) are joined when their depths differ by at most so many footprints of their rays,
+  /// or where the line through two of them goes on within slopeToleranceFootprints.
+  float placedStepFootprints = 3;
   /// The sample at the rim of a surface stands for the whole of its pixel: it gets a square along the surface, of this
   /// side,
   float squarePixels = 1;

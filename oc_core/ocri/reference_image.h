@@ -41,6 +41,11 @@ struct ReferenceImage {
   float tileSpacing = 1;  ///< between neighbouring samples in tiles, pixels of the reference pinhole
   /// Its mesh is also looked at from other sides, where what stands out along its rays is seen.
   bool seenFromAside = false;
+  /// Of an image that displaces no pinhole's (placed_image.h): where each sample is, world coordinates, and the way of
+  /// its ray there, a unit vector; z is then the length of the ray, and there is no displacement. Empty otherwise.
+  Image<glm::vec3> position = {};
+  Image<glm::vec3> direction = {};
+  bool wrapsAround = false;  ///< the last column is next to the first
 
   int width() const { return z.width(); }
   int height() const { return z.height(); }
@@ -49,6 +54,14 @@ struct ReferenceImage {
                              : PinholeCamera{view, width(), height()};
   }
   size_t sampleCount() const;
+  bool isPlaced() const { return position.size() > 0; }
+  /// The world point of a sample; nothing for an empty one. `pinhole` is reference(), which takes a while to make.
+  std::optional<glm::vec3> pointOf(int x, int y, const PinholeCamera& pinhole) const {
+    if (!(z(x, y) > 0)) {
+      return std::nullopt;
+    }
+    return isPlaced() ? std::optional(position(x, y)) : pinhole.unproject(undistorted(x, y));
+  }
 
   /// Where the reference pinhole sees the sample of pixel (x, y); z is 0 for an empty one.
   ImagePoint undistorted(int x, int y) const {

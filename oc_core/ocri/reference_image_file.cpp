@@ -24,7 +24,6 @@ namespace ocelli {
 namespace {
 
 constexpr int kFormat = 1;
-constexpr std::array<const char*, 6> kChannels{"R", "G", "B", "Z", "offset.u", "offset.v"};
 constexpr int kMostPixelsASide = PinholeCamera::kMostPixelsASide;
 constexpr int64_t kMostPixels = PinholeCamera::kMostPixels;
 constexpr size_t kMostParts = 64;
@@ -83,13 +82,25 @@ std::vector<Imf::Header> headersOf(std::string_view bytes) {
 
 std::vector<ExrChannel> channelsOf(const ReferenceImage& image) {
   const glm::vec3* color = image.color.data();
-  const glm::vec2* displacement = image.displacement.data();
-  return {{kChannels[0], &color->x, sizeof(*color)},
-          {kChannels[1], &color->y, sizeof(*color)},
-          {kChannels[2], &color->z, sizeof(*color)},
-          {kChannels[3], image.z.data(), sizeof(float)},
-          {kChannels[4], &displacement->x, sizeof(*displacement)},
-          {kChannels[5], &displacement->y, sizeof(*displacement)}};
+  std::vector<ExrChannel> channels{{"R", &color->x, sizeof(*color)},
+                                   {"G", &color->y, sizeof(*color)},
+                                   {"B", &color->z, sizeof(*color)},
+                                   {"Z", image.z.data(), sizeof(float)}};
+  if (image.isPlaced()) {
+    const glm::vec3* position = image.position.data();
+    const glm::vec3* direction = image.direction.data();
+    channels.insert(channels.end(), {{"P.X", &position->x, sizeof(*position)},
+                                     {"P.Y", &position->y, sizeof(*position)},
+                                     {"P.Z", &position->z, sizeof(*position)},
+                                     {"D.X", &direction->x, sizeof(*direction)},
+                                     {"D.Y", &direction->y, sizeof(*direction)},
+                                     {"D.Z", &direction->z, sizeof(*direction)}});
+  } else {
+    const glm::vec2* displacement = image.displacement.data();
+    channels.insert(channels.end(), {{"offset.u", &displacement->x, sizeof(*displacement)},
+                                     {"offset.v", &displacement->y, sizeof(*displacement)}});
+  }
+  return channels;
 }
 
 /// To read into.
@@ -134,6 +145,12 @@ std::string attributeText(const ReferenceImage& image) {
   if (image.seenFromAside) {
     json["seen_from_aside"] = true;
   }
+  if (image.isPlaced()) {
+    json["placed"] = true;
+  }
+  if (image.wrapsAround) {
+    json["wraps_around"] = true;
+  }
   return textOfJson(json);
 }
 
@@ -147,7 +164,8 @@ ImageRows readRows(JsonFields& fields) {
   fields.fail("rows", "must be aligned, shifted or shifted_ring");
 }
 
-void readAttribute(const std::string& text, const std::string& where, ReferenceImage& image) {
+/// Returns whether its samples say where they are.
+bool readAttribute(const std::string& text, const std::string& where, ReferenceImage& image) {
   const std::string attribute = where + ", attribute \"ocelli\"";
   const nlohmann::json json = parseJson(text, attribute);
   JsonFields fields(json, attribute);
@@ -168,7 +186,26 @@ void readAttribute(const std::string& text, const std::string& where, ReferenceI
   image.tileSide = fields.integer("tile_side", 2, kMostPixelsASide, 0);
   image.tileSpacing = static_cast<float>(fields.number("tile_spacing", 0.01, 100, 1));
   image.seenFromAside = fields.boolean("seen_from_aside", false);
+  image.wrapsAround = fields.boolean("wraps_around", false);
+  const bool placed = fields.boolean("placed", false);
+  if (placed && (image.rows != ImageRows::kAligned || image.tileSide > 0 || image.layer > 0)) {
+    fields.fail("placed", "says nothing of rows, tiles and layers, which displace a pinhole's image");
+  }
+  if (image.wrapsAround && !placed) {
+    fields.fail("wraps_around", "is for placed samples");
+  }
   fields.rejectUnknown();
+  return placed;
+}
+
+void allocate(ReferenceImage& image, int width, int height, bool placed) {
+  image.color = Image<glm::vec3>(width, height);
+  image.z = Image<float>(width, height);
+  image.displacement = Image<glm::vec2>(width, height);
+  if (placed) {
+    image.position = Image<glm::vec3>(width, height);
+    image.direction = Image<glm::vec3>(width, height);
+  }
 }
 
 /// Camera, view and an image of the right size, from a header that fits a reference image of `fileBytes` bytes.
@@ -184,25 +221,25 @@ void readHeader(const Imf::Header& header, size_t fileBytes, const std::string& 
   if (attribute == nullptr) {
     throw InputError("it has no \"ocelli\" attribute, so it is no reference image", where, kNext);
   }
-  readAttribute(attribute->value(), where, image);
-  for (const char* name : kChannels) {
-    const Imf::Channel* stored = header.channels().findChannel(name);
+  const bool placed = readAttribute(attribute->value(), where, image);
+  // One pixel of it names the channels.
+  allocate(image, 1, 1, placed);
+  const std::vector<ExrChannel> channels = channelsOf(image);
+  for (const ExrChannel& channel : channels) {
+    const Imf::Channel* stored = header.channels().findChannel(channel.name);
     if (stored == nullptr || stored->type != Imf::FLOAT || stored->xSampling != 1 || stored->ySampling != 1) {
-      throw InputError("channel " + std::string(name) + " is missing or no full-size 32-bit float", where, kNext);
+      throw InputError("channel " + std::string(channel.name) + " is missing or no full-size 32-bit float", where,
+                       kNext);
     }
   }
   // No more memory than the file can fill.
-  if (width * height * static_cast<int64_t>(kChannels.size() * sizeof(float)) >
+  if (width * height * static_cast<int64_t>(channels.size() * sizeof(float)) >
       kMostCompression * static_cast<int64_t>(fileBytes)) {
     throw InputError(
         "it is too short for the " + std::to_string(width) + "x" + std::to_string(height) + " samples of its header",
         where, kNext);
   }
-  const int w = static_cast<int>(width);
-  const int h = static_cast<int>(height);
-  image.color = Image<glm::vec3>(w, h);
-  image.z = Image<float>(w, h);
-  image.displacement = Image<glm::vec2>(w, h);
+  allocate(image, static_cast<int>(width), static_cast<int>(height), placed);
 }
 
 void validate(const ReferenceImage& image, const std::string& where) {
@@ -211,7 +248,8 @@ void validate(const ReferenceImage& image, const std::string& where) {
       const float z = image.z(x, y);
       const glm::vec2& d = image.displacement(x, y);
       const glm::vec3& c = image.color(x, y);
-      if (!(z >= 0) || !std::isfinite(z + d.x + d.y + c.x + c.y + c.z)) {
+      const glm::vec3 place = image.isPlaced() ? image.position(x, y) + image.direction(x, y) : glm::vec3(0);
+      if (!(z >= 0) || !std::isfinite(z + d.x + d.y + c.x + c.y + c.z + place.x + place.y + place.z)) {
         throw InputError("the sample at pixel (" + std::to_string(x) + ", " + std::to_string(y) +
                              ") has a negative depth or a value that is not a finite number",
                          where, kNext);

@@ -2,7 +2,8 @@
 //
 // Recipe for a new representation, two places:
 //   1. oc_core/ocri/NAME_builder.h and .cpp: what builds its reference images.
-//   2. oc_core/ocri/representation_kinds.cpp: its row. Options of its own are described in oc_core/ocri/camera_option.cpp.
+//   2. oc_core/ocri/representation_kinds.cpp: its row. Options of its own are described in
+//      oc_core/ocri/camera_option.cpp.
 // tests/ocri/camera_choice_test.cpp runs over all rows; tests/ocri/camera_schema_test.cpp then says what
 // oc_core/ocri/camera.schema.json and docs/cameras.md lack.
 #pragma once
@@ -47,6 +48,8 @@ struct RepresentationKind {
   std::function<ReferenceImage(Technique, const RepresentationInputs&)> draw = {};
   /// The rays of each image. Builds the cameras, so it takes about as long.
   std::function<std::vector<RayFunction>(const RepresentationInputs&, const ReferenceImages&)> rays = {};
+  /// Whether it cannot be rasterised: its builder gets a drawer that has rays, whatever construction is asked for.
+  bool castsRays = false;
   /// Why OpenGL cannot draw it; empty where it can.
   const char* needsProcessor = "";
 };

@@ -3,8 +3,11 @@
 #include <memory>
 
 #include "oc_core/base/error.h"
+#include "oc_core/camera/cylinder_camera.h"
+#include "oc_core/camera/panorama_camera.h"
 #include "oc_core/ocri/corner_depth_images.h"
 #include "oc_core/ocri/layered_depth_image.h"
+#include "oc_core/ocri/placed_image.h"
 #include "oc_core/ocri/representation_kind.h"
 #include "oc_core/ocri/set_difference.h"
 #include "oc_core/ocri/simplified_mesh.h"
@@ -217,6 +220,30 @@ RepresentationKind crossedRow(const char* name, const char* description, bool wi
           }};
 }
 
+/// A camera that displaces no pinhole's image.
+template <class C>
+RepresentationKind castRow(const char* name, const char* description) {
+  const auto cast = [](const Inputs& in, const RayScene& rays) {
+    return placedImage(C(in.reference), in.mesh, rays, in.reference.view(), in.choice.name, C::kWrapsAround);
+  };
+  return {.name = name,
+          .description = description,
+          .images = [cast](const Inputs& in) -> ReferenceImages { return {cast(in, *in.drawer->rays())}; },
+          .rayCrossover = 0,
+          .draw =
+              [cast](Technique technique, const Inputs& in) {
+                if (technique != Technique::kRaycast) {
+                  refuse(in, "by ray casting");
+                }
+                return cast(in, RayScene(in.mesh));
+              },
+          .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
+            return {raysOf(C(in.reference))};
+          },
+          .castsRays = true,
+          .needsProcessor = "is cast along its rays, which only the processor does"};
+}
+
 RepresentationKind meshRow(const char* name, const char* description,
                            std::function<Mesh(const Mesh& mesh, size_t triangles)> mesh) {
   return {.name = name, .description = description, .mesh = std::move(mesh)};
@@ -312,6 +339,10 @@ std::vector<RepresentationKind> makeRows() {
        .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
          return {raysOf(cellCamera(in))};
        }});
+  rows.push_back(castRow<PanoramaCamera>(
+      "panorama", "all directions from the eye, 360 by 180 degrees, as an equirectangular image (--size 1440x720)"));
+  rows.push_back(castRow<CylinderCamera>(
+      "cylinder", "360 degrees around the eye's up direction; vertical lines stay straight (--size 1440x360)"));
   rows.push_back(meshRow("simplified", "the scene with as many triangles as the depth image's mesh: a mesh, no image",
                          [](const Mesh& mesh, size_t triangles) {
                            return simplifyMesh(mesh, triangles, SimplifyMethod::kTopological).mesh;

@@ -47,4 +47,53 @@ inline bool samplesJoin(const ImagePoint& before, const ImagePoint& a, const Ima
   return goesOn(before, a) || goesOn(b, after);
 }
 
+/// A sample of an image that displaces no pinhole's: where it is, the way of its ray there, and how far along that; t =
+/// 0 where there is none.
+struct PlacedSample {
+  glm::vec3 position{0};
+  glm::vec3 direction{0};
+  float t = 0;
+};
+
+/// Two neighbouring samples as the ray of the farther one sees them: how far the nearer one lies beside it, which is
+/// the distance between the rays there, and how much nearer it is.
+struct PlacedStep {
+  float footprint = 0;
+  float depth = 0;
+};
+inline PlacedStep stepBetween(const PlacedSample& a, const PlacedSample& b) {
+  const glm::vec3 between = b.position - a.position;
+  const glm::vec3& ray = glm::dot(between, a.direction) > 0 ? b.direction : a.direction;
+  const float along = glm::dot(between, ray);
+  return {glm::length(between - ray * along), std::abs(along)};
+}
+
+/// Whether `b` lies where the line through `before` and `a` goes on: a plane's samples along a row or column of
+/// straight rays lie on a line, however far apart the rays hit it.
+inline bool goesOnStraight(const PlacedSample& before, const PlacedSample& a, const PlacedSample& b, float tolerance) {
+  /// A step that is so many times as long as the one before is none of a plane's.
+  constexpr float kLongestGrowth = 4;
+  if (!(before.t > 0)) {
+    return false;
+  }
+  const glm::vec3 line = a.position - before.position;
+  const glm::vec3 step = b.position - a.position;
+  const float length = glm::length(line);
+  const float along = length > 0 ? glm::dot(step, line) / length : 0;
+  return along > 0 && along <= kLongestGrowth * length && glm::length(glm::cross(step, line)) <= tolerance * length;
+}
+
+/// As samplesJoin(), without a pinhole: the footprint is that of the rays themselves. It may be far larger along one
+/// direction of the image than along the other, so steps of depth are judged more strictly.
+inline bool placedSamplesJoin(const PlacedSample& before, const PlacedSample& a, const PlacedSample& b,
+                              const PlacedSample& after, const ImageMeshOptions& options) {
+  if (!(a.t > 0) || !(b.t > 0)) {
+    return false;
+  }
+  const auto [footprint, depth] = stepBetween(a, b);
+  const float tolerance = options.slopeToleranceFootprints * footprint;
+  return depth <= options.placedStepFootprints * footprint || goesOnStraight(before, a, b, tolerance) ||
+         goesOnStraight(after, b, a, tolerance);
+}
+
 }  // namespace ocelli

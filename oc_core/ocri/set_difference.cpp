@@ -12,7 +12,7 @@ namespace {
 
 /// World position of the sample at (x, y), if there is one.
 std::optional<glm::vec3> positionAt(const ReferenceImage& image, const PinholeCamera& reference, int x, int y) {
-  return image.z.contains(x, y) && image.z(x, y) > 0 ? reference.unproject(image.undistorted(x, y)) : std::nullopt;
+  return image.z.contains(x, y) ? image.pointOf(x, y, reference) : std::nullopt;
 }
 
 bool holds(const ReferenceImage& other, const PinholeCamera& reference, const Projection& projection,

@@ -63,9 +63,8 @@ void subtract(ReferenceImage& image, const HeldSurface& held, int seamPixels) {
     for (size_t row = begin; row < end; ++row) {
       const int y = static_cast<int>(row);
       for (int x = 0; x < image.width(); ++x) {
-        const ImagePoint sample = image.undistorted(x, y);
-        const std::optional<glm::vec3> point = sample.z > 0 ? reference.unproject(sample) : std::nullopt;
-        marks(x, y) = point && !held.holds(*point, sample.z / reference.focalPixels()) ? 1 : 0;
+        const std::optional<glm::vec3> point = image.pointOf(x, y, reference);
+        marks(x, y) = point && !held.holds(*point, image.z(x, y) / reference.focalPixels()) ? 1 : 0;
       }
     }
   });
