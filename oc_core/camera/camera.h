@@ -8,10 +8,10 @@
 //   rayPath(pixel)       -> RayPath                empty where the pixel has no ray
 //
 // `ImagePoint::z` grows along the ray, from near to far. For cameras that displace the image of a pinhole it is the
-// distance along the reference view direction (conventions.h), for panoramas the length of the ray, for graph and curved
-// ray cameras what graph_camera.h says. Wherever both
-// succeed, project(unproject(q)) is q, and every point of rayPath(p) projects to p.
-// Renderers (oc_core/render) take the camera as a template parameter: no virtual call stands in an inner loop.
+// distance along the reference view direction (conventions.h), for panoramas the length of the ray, for graph and
+// curved ray cameras what graph_camera.h says. Wherever both succeed, project(unproject(q)) is q, and every point of
+// rayPath(p) projects to p. Renderers (oc_core/render) take the camera as a template parameter: no virtual call stands
+// in an inner loop.
 //
 // Recipe for a new camera model, three places:
 //   1. oc_core/camera/NAME_camera.h and .cpp: the class, with its section and equations at the top; it must satisfy
