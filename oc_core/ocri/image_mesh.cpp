@@ -125,6 +125,18 @@ class ImageMesher {
                     : PlacedSample{};
   }
 
+  /// Between the ray of a placed sample and the nearer of its neighbours in a direction; no limit where it has none.
+  float widthAt(const Pixel& p, int dx, int dy) const {
+    float width = std::numeric_limits<float>::max();
+    for (const int sign : {-1, 1}) {
+      const Pixel q = beside(p, sign * dx, sign * dy);
+      if (valid(q)) {
+        width = std::min(width, stepBetween(placed(p), placed(q)).footprint);
+      }
+    }
+    return width;
+  }
+
   /// A pixel and one beside it.
   bool joined(const Pixel& p, int dx, int dy) const {
     const Pixel q = beside(p, dx, dy);
@@ -133,7 +145,8 @@ class ImageMesher {
     }
     const Pixel before = beside(p, -dx, -dy);
     const Pixel after = beside(q, dx, dy);
-    return image_.isPlaced() ? placedSamplesJoin(placed(before), placed(p), placed(q), placed(after), options_)
+    return image_.isPlaced() ? placedSamplesJoin(placed(before), placed(p), placed(q), placed(after),
+                                                 std::min(widthAt(p, dy, dx), widthAt(q, dy, dx)), options_)
                              : samplesJoin(sample(before), sample(p), sample(q), sample(after), false,
                                            camera_.focalPixels(), spacing(p), options_);
   }

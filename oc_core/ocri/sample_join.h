@@ -84,16 +84,16 @@ inline bool goesOnStraight(const PlacedSample& before, const PlacedSample& a, co
 }
 
 /// As samplesJoin(), without a pinhole: the footprint is that of the rays themselves. It may be far larger along one
-/// direction of the image than along the other, so steps of depth are judged more strictly.
+/// direction of the image than along the other, `across`, so steps of depth are judged by the smaller one.
 inline bool placedSamplesJoin(const PlacedSample& before, const PlacedSample& a, const PlacedSample& b,
-                              const PlacedSample& after, const ImageMeshOptions& options) {
+                              const PlacedSample& after, float across, const ImageMeshOptions& options) {
   if (!(a.t > 0) || !(b.t > 0)) {
     return false;
   }
   const auto [footprint, depth] = stepBetween(a, b);
   const float tolerance = options.slopeToleranceFootprints * footprint;
-  return depth <= options.placedStepFootprints * footprint || goesOnStraight(before, a, b, tolerance) ||
-         goesOnStraight(after, b, a, tolerance);
+  return depth <= options.placedStepFootprints * std::min(footprint, across) ||
+         goesOnStraight(before, a, b, tolerance) || goesOnStraight(after, b, a, tolerance);
 }
 
 }  // namespace ocelli
