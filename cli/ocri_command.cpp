@@ -24,11 +24,13 @@
 namespace ocelli {
 namespace {
 
+constexpr ImageSize kBuildSize{720, 480};
+
 struct BuildChoice {
   SceneChoice scene;
   std::string camera = "ddoc";
   ViewersChoice viewers;
-  std::string size = "720x480";
+  std::string size;
   std::string construction = "auto";
   std::string gl = "auto";
   std::string output;
@@ -98,7 +100,7 @@ void addBuild(CLI::App& ocri, const Frame& frame) {
   addSceneOptions(command, choice->scene, frame);
   addAnyCameraOption(command, choice->camera);
   addViewersOptions(command, choice->viewers);
-  addSizeOption(command, choice->size);
+  addCameraSizeOption(command, choice->size, kBuildSize);
   command
       .add_option("--construction", choice->construction,
                   "By rasterisation or by rays; rays build an acceleration structure (BVH) first, which takes longer "
@@ -117,7 +119,7 @@ void addBuild(CLI::App& ocri, const Frame& frame) {
                [choice, frame] {
                  checkWritable(choice->output);
                  requireGlUsed(choice->gl, choice->construction == "gl", "--construction gl");
-                 const ImageSize size = imageSizeFromText(choice->size, "--size");
+                 const ImageSize size = cameraImageSize(choice->camera, choice->size, kBuildSize);
                  const std::vector<View> views = viewsOf(choice->viewers);
                  const bool constructed = namesConstructor(choice->camera);
                  if (constructed && views.size() != 1) {

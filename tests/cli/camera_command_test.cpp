@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "oc_core/base/png_file.h"
@@ -141,6 +143,35 @@ TEST_F(CameraCommand, errorsSayWhatToDo) {
     EXPECT_EQ(result.exitCode, 2) << arguments;
     EXPECT_THAT(result.error, AllOf(HasSubstr(message), HasSubstr("try:"))) << arguments;
   }
+}
+
+// A reference image of any camera goes the whole way: mesh, slices, and what an observer sees.
+TEST_F(CameraCommand, imagesOfEveryCameraBecomeMeshesAndVolumes) {
+  folder_.write("street.json",
+                R"({"eye": [0, 2.5, 40], "target": [0, 2.5, 0], "z_near": 0.1, "fov_vertical_degrees": 60})");
+  const std::string street = "builtin:town --no-fit --view " + path("street.json");
+  for (const std::string& scene : {street + " --camera panorama", street + " --camera cylinder",
+                                   std::string("builtin:maze --camera comprehensive"),
+                                   std::string("builtin:maze --camera comprehensive --construction rays")}) {
+    SCOPED_TRACE(scene);
+    const ProgramResult built = runProgram("ocri build " + scene + " --size 120x60 -o " + path("a.exr"));
+    ASSERT_EQ(built.exitCode, 0) << built.error;
+    EXPECT_THAT(built.error, HasSubstr(" of 120x60, "));
+    const ProgramResult meshed = runProgram("ocri mesh " + path("a.exr") + " -o " + path("a.ply"));
+    ASSERT_EQ(meshed.exitCode, 0) << meshed.error;
+    const ProgramResult sliced = runProgram("slice " + path("a.exr") + " --profile test -o " + path("a.svol"));
+    ASSERT_EQ(sliced.exitCode, 0) << sliced.error;
+    EXPECT_EQ(runProgram("observe " + path("a.svol") + " --size 60x40 -o " + path("a.png")).exitCode, 0);
+    const Image<Rgb8> seen = readPng(folder_ / "a.png");
+    EXPECT_GT(std::count_if(seen.begin(), seen.end(), [](const Rgb8& each) { return each != Rgb8{}; }), 20);
+  }
+  const auto errorOf = [&](const std::string& arguments) {
+    return runProgram("ocri build " + arguments + " --size 12x6 -o " + path("b.exr")).error;
+  };
+  EXPECT_THAT(errorOf("builtin:maze --camera comprehensive --viewers 2"), HasSubstr("made for one viewer"));
+  EXPECT_THAT(errorOf("builtin:maze --camera comprehensive --construction gl"), HasSubstr("use auto, raster or rays"));
+  EXPECT_THAT(errorOf("builtin:teapot --camera comprehensive"), HasSubstr("maze"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "b.exr"));
 }
 
 }  // namespace
