@@ -20,6 +20,7 @@ constexpr uint32_t kNoVertex = 0xffffffffu;
 constexpr uint8_t kJoinedRight = 1;
 constexpr uint8_t kJoinedDown = 2;
 constexpr float kDeepestPlacedSquare = 2;  ///< footprints
+constexpr float kWidestPlacedSquare = 2;
 
 class ImageMesher {
  public:
@@ -371,16 +372,22 @@ class ImageMesher {
   /// to the ray and to the other direction, else as wide as the rays of a neighbour are apart. 0 for one all alone.
   glm::vec3 placedStep(const Pixel& p, int dx, int dy) const {
     const glm::vec3& ray = image_.direction(p.x, p.y);
+    // One of the neighbours may be of rays that have bent to somewhere else: the nearer one says how wide is too wide.
+    const float widest = kWidestPlacedSquare * widthAt(p, dx, dy);
+    const auto atMost = [](const glm::vec3& step, float length) {
+      const float is = glm::length(step);
+      return is > length ? step * (length / is) : step;
+    };
     if (const glm::vec3 step = joinedStep(p, dx, dy); step != glm::vec3(0)) {
       // No viewpoint sees a grazing surface's square as small as its rays do: it must not stand out.
       const float along = glm::dot(step, ray);
-      const glm::vec3 across = step - ray * along;
+      const glm::vec3 across = atMost(step - ray * along, widest);
       const float deepest = kDeepestPlacedSquare * glm::length(across);
       return across + ray * std::clamp(along, -deepest, deepest);
     }
     // Right, down and along the ray are a right-handed system.
     const glm::vec3 other = joinedStep(p, dy, dx);
-    const glm::vec3 across = other - ray * glm::dot(other, ray);
+    const glm::vec3 across = atMost(other - ray * glm::dot(other, ray), widest);
     if (across != glm::vec3(0)) {
       return dx != 0 ? glm::cross(across, ray) : glm::cross(ray, across);
     }
@@ -388,11 +395,7 @@ class ImageMesher {
       const Pixel q = beside(p, sign * dx, sign * dy);
       if (valid(q)) {
         const glm::vec3 between = image_.position(q.x, q.y) - image_.position(p.x, p.y);
-        const glm::vec3 beside = between - ray * glm::dot(between, ray);
-        const float width = glm::length(beside);
-        if (width > 0) {
-          return static_cast<float>(sign) * beside * (stepBetween(placed(p), placed(q)).footprint / width);
-        }
+        return static_cast<float>(sign) * atMost(between - ray * glm::dot(between, ray), widest / kWidestPlacedSquare);
       }
     }
     return glm::vec3(0);
