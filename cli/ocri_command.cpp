@@ -114,7 +114,7 @@ void addBuild(CLI::App& ocri, const Frame& frame) {
                "  ocelli ocri build builtin:statues -o statues.exr\n"
                "  ocelli ocri build bunny.obj --camera di --size 180x120 -o bunny.exr\n"
                "  ocelli ocri build builtin:statues --viewers 4 -o around.exr\n"
-               "  ocelli ocri build builtin:town --camera panorama --size 1440x720 -o town.exr\n"
+               "  ocelli ocri build builtin:town --camera panorama --size 1440x720 --view street.json -o town.exr\n"
                "  ocelli ocri build builtin:maze --camera comprehensive --size 1920x1200 -o maze.exr",
                [choice, frame] {
                  checkWritable(choice->output);
