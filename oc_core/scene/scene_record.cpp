@@ -186,6 +186,9 @@ class RecordReader {
     if (flags > (kColors | kBase | kEmissive)) {
       fail("a mesh holds what is unknown");
     }
+    if ((flags & kColors) != 0 && vertices == 0) {
+      fail("a mesh without vertices has colours");
+    }
     part.emission = value<glm::vec3>();
     part.mesh.positions = list<glm::vec3>(vertices);
     part.mesh.colors = list<glm::vec3>((flags & kColors) != 0 ? vertices : 0);

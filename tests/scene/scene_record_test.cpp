@@ -107,6 +107,19 @@ TEST(SceneRecord, NeverTrustsANumber) {
   EXPECT_GT(refused, 50u);
 }
 
+// The one spelling of a mesh without vertices has no colours: what is read is written back as the same bytes.
+TEST(SceneRecord, RefusesColorsOfNoVertices) {
+  SceneRecord record;
+  record.parts.resize(1);
+  Bytes bytes = written(record);
+  EXPECT_EQ(written(read(bytes)), bytes);
+  // Start, kind, counts of warnings, textures and parts, of vertices and triangles; then what the mesh holds.
+  const size_t flags = 8 + 6 * sizeof(uint32_t);
+  ASSERT_EQ(bytes[flags], std::byte{0});
+  bytes[flags] = std::byte{1};
+  expectRefused(bytes, "without vertices has colours");
+}
+
 TEST(SceneRecord, RefusesCornersThatAreNotThere) {
   SceneRecord record = sample();
   record.parts[0].mesh.triangles[0].z = 3;
