@@ -2,8 +2,8 @@
 layout(local_size_x = 64) in;
 
 // What an invocation does alone: at most so many sectors times rows, and these times columns.
-const int kMostRowsAlone = 64;
-const int kMostVoxelsAlone = 1024;
+const int kMaxRowsAlone = 64;
+const int kMaxVoxelsAlone = 1024;
 
 // No part of it is wider, in columns.
 Real widthOf(Triangle t) {
@@ -26,7 +26,7 @@ void main() {
     return;
   }
   int work = sectors.y * (rows.y - rows.x + 1);
-  if (work <= kMostRowsAlone && work * (widthOf(triangle) + 2) <= kMostVoxelsAlone) {
+  if (work <= kMaxRowsAlone && work * (widthOf(triangle) + 2) <= kMaxVoxelsAlone) {
     for (int i = 0; i < sectors.y; ++i) {
       lightSector(triangle, (sectors.x + i) % (2 * slices), rows);
     }

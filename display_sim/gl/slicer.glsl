@@ -51,8 +51,8 @@ layout(location = 9) uniform uint firstGroup;
 
 // Software renderers end a shader after 65535 turns of its loops, all together. So an invocation lights at most so many
 // voxels, or a row of a part.
-const int kMostVoxels = 16384;
-const int kMostBandRows = 16;
+const int kMaxVoxels = 16384;
+const int kMaxBandRows = 16;
 const uint kGroupParts = 64u;
 
 struct Triangle {
@@ -117,7 +117,7 @@ ivec2 touchedRows(Triangle t) {
 
 // A part is a sector and a band of so many rows.
 int bandRows() {
-  return clamp(kMostVoxels / width, 1, kMostBandRows);
+  return clamp(kMaxVoxels / width, 1, kMaxBandRows);
 }
 
 uint bandsOf(ivec2 rows) {
@@ -160,7 +160,7 @@ ivec2 sectorsOf(uint triangle) {
 
 // ---- the part of a triangle in a sector
 
-const int kMostPoints = 6;
+const int kMaxPoints = 6;
 
 // x: outward, y: across, in columns; z: v; b: weights of the triangle's second and third corner.
 struct SectorPoint {
@@ -193,8 +193,8 @@ Real inside(SectorPoint p, Real side, Real slack) {
 
 // Points are kept where constants index them: arrays that are indexed by variables are slow memory on many GPUs, and far
 // slower on software renderers.
-void keep(inout StoredPoint points[kMostPoints], inout int size, SectorPoint p) {
-  for (int i = 0; i < kMostPoints; ++i) {
+void keep(inout StoredPoint points[kMaxPoints], inout int size, SectorPoint p) {
+  for (int i = 0; i < kMaxPoints; ++i) {
     if (i == size) {
       points[i] = stored(p);
     }
@@ -203,7 +203,7 @@ void keep(inout StoredPoint points[kMostPoints], inout int size, SectorPoint p) 
 }
 
 // The edge from a to b; goes on to b.
-void clipEdge(inout StoredPoint points[kMostPoints], inout int size, inout SectorPoint a, inout Real inA, SectorPoint b,
+void clipEdge(inout StoredPoint points[kMaxPoints], inout int size, inout SectorPoint a, inout Real inA, SectorPoint b,
               Real side, Real slack) {
   Real inB = inside(b, side, slack);
   if ((inA < 0) != (inB < 0)) {
@@ -218,8 +218,8 @@ void clipEdge(inout StoredPoint points[kMostPoints], inout int size, inout Secto
 }
 
 // Keeps what is inside of one border (Sutherland and Hodgman), of no more than `most` points.
-void clipToBorder(inout StoredPoint points[kMostPoints], inout int size, const int most, Real side, Real slack) {
-  StoredPoint whole[kMostPoints] = points;
+void clipToBorder(inout StoredPoint points[kMaxPoints], inout int size, const int most, Real side, Real slack) {
+  StoredPoint whole[kMaxPoints] = points;
   int wholeSize = size;
   size = 0;
   StoredPoint last = whole[0];
@@ -257,9 +257,9 @@ Real4 loaded(ScreenPoint p) {
 }
 
 // Returns how many.
-int clipToSector(Triangle triangle, int sector, out ScreenPoint screen[kMostPoints]) {
+int clipToSector(Triangle triangle, int sector, out ScreenPoint screen[kMaxPoints]) {
   Real2 direction = directions[sector];
-  StoredPoint points[kMostPoints];
+  StoredPoint points[kMaxPoints];
   ivec2 outside = ivec2(0);
   points[0] = stored(cornerInSector(triangle.a, Real2(0, 0), direction, triangle.slack, outside));
   points[1] = stored(cornerInSector(triangle.b, Real2(1, 0), direction, triangle.slack, outside));
@@ -274,7 +274,7 @@ int clipToSector(Triangle triangle, int sector, out ScreenPoint screen[kMostPoin
   if (outside.y > 0 && size > 0) {
     clipToBorder(points, size, 4, -1, triangle.slack);
   }
-  for (int k = 0; k < kMostPoints; ++k) {
+  for (int k = 0; k < kMaxPoints; ++k) {
     precise Real q = width / Real(2) + Real(sector < slices ? 1 : -1) * realOf(points[k].outward);
     screen[k] = ScreenPoint(wordOf(q), points[k].v, points[k].b, points[k].c);
   }
@@ -340,14 +340,14 @@ void extendByEdge(inout Real4 lo, inout Real4 hi, Real4 a, Real4 b, int row) {
 
 // Lights what the triangle touches in a sector, of the rows given.
 void lightSector(Triangle triangle, int sector, ivec2 within) {
-  ScreenPoint points[kMostPoints];
+  ScreenPoint points[kMaxPoints];
   int size = clipToSector(triangle, sector, points);
   if (size == 0) {
     return;
   }
   Real top = realOf(points[0].v);
   Real bottom = top;
-  for (int i = 1; i < kMostPoints; ++i) {
+  for (int i = 1; i < kMaxPoints; ++i) {
     if (i < size) {
       top = min(top, realOf(points[i].v));
       bottom = max(bottom, realOf(points[i].v));
@@ -360,10 +360,10 @@ void lightSector(Triangle triangle, int sector, ivec2 within) {
     // Within a row the extreme points are corners of the polygon or lie where its outline crosses the row's border.
     Real4 lo = Real4(1e30);
     Real4 hi = Real4(-1e30);
-    for (int i = 0; i < kMostPoints; ++i) {
+    for (int i = 0; i < kMaxPoints; ++i) {
       if (i < size) {
-        bool last = i + 1 == size || i + 1 == kMostPoints;
-        Real4 next = loaded(points[min(i + 1, kMostPoints - 1)]);
+        bool last = i + 1 == size || i + 1 == kMaxPoints;
+        Real4 next = loaded(points[min(i + 1, kMaxPoints - 1)]);
         extendByEdge(lo, hi, loaded(points[i]), last ? loaded(points[0]) : next, row);
       }
     }

@@ -30,16 +30,16 @@ constexpr CameraOption kMaskPole{
         "the nearest point of the object",
     .place = [](Choice& c) -> bool& { return c.spoc.maskPole; }};
 
-constexpr CameraOption kLeastAdded{.name = "least_added_pixels",
-                                   .label = "smallest edge",
-                                   .unit = kPixels,
-                                   .meaning = "Steps of depth behind which the segment uncovers less are no edges",
-                                   .place = [](Choice& c) -> float& { return c.eoc.leastAddedPixels; },
-                                   .min = 0.01,
-                                   .max = kNoLimit,
-                                   .formMin = 0.01,
-                                   .formMax = 10,
-                                   .isDetail = true};
+constexpr CameraOption kMinAdded{.name = "min_added_pixels",
+                                 .label = "smallest edge",
+                                 .unit = kPixels,
+                                 .meaning = "Steps of depth behind which the segment uncovers less are no edges",
+                                 .place = [](Choice& c) -> float& { return c.eoc.leastAddedPixels; },
+                                 .min = 0.01,
+                                 .max = kNoLimit,
+                                 .formMin = 0.01,
+                                 .formMax = 10,
+                                 .isDetail = true};
 constexpr CameraOption kCompact{.name = "compact",
                                 .label = "compact",
                                 .unit = "",
@@ -252,7 +252,7 @@ const std::vector<const CameraOption*>& spocOptions() {
   return options;
 }
 const std::vector<const CameraOption*>& eocOptions() {
-  static const std::vector<const CameraOption*> options{&kLeastAdded,      &kCompact, &kCompactSlack,
+  static const std::vector<const CameraOption*> options{&kMinAdded,        &kCompact, &kCompactSlack,
                                                         &kBackgroundReach, &kTrim,    &kEdgeDepthStep};
   return options;
 }
