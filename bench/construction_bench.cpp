@@ -133,7 +133,7 @@ class Session {
       const double ms = milliseconds([&] { made = work(); });
       best = std::min(best, ms);
       state.SetIterationTime(ms / 1000);
-      if (turns++ < kMostTurns) {
+      if (turns++ < kMaxTurns) {
         timeReferences(source, references);
       }
     }
@@ -146,7 +146,7 @@ class Session {
   }
 
  private:
-  static constexpr int kMostTurns = 10;
+  static constexpr int kMaxTurns = 10;
 
   void timeReferences(const std::string& source, std::map<std::string, double>& best) {
     for (const auto& [counter, name] : {std::pair("x_di", kDepthImage), std::pair("x_gl", kOpenGl)}) {

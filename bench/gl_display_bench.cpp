@@ -1,5 +1,5 @@
-// Slicing and observing with OpenGL against the same on the processor, in one run. Counters: triangles, lit voxels, the
-// times of this way and the processor's in ms, best of all runs (ms, cpu_ms), one relative to the other (x_cpu), and
+// Slicing and observing with OpenGL against the same on the CPU, in one run. Counters: triangles, lit voxels, the
+// times of this way and the CPU's in ms, best of all runs (ms, cpu_ms), one relative to the other (x_cpu), and
 // voxels whose bits differ (differing).
 #include <benchmark/benchmark.h>
 
@@ -34,7 +34,7 @@ Mesh meshOf(const Source& source) {
   return source.ocri ? imageMesh(buildDdocImage(camera, scene, DdocOptions{})) : scene;
 }
 
-/// One mesh on the processor and on the GPU, and its volume on both.
+/// One mesh on the CPU and on the GPU, and its volume on both.
 struct Case {
   Case(GlContext& context, const Source& source)
       : mesh(meshOf(source)),
@@ -78,7 +78,7 @@ class Session {
     state.counters["differing"] = static_cast<double>(differing);
   }
 
-  /// The whole way from a mesh in the memory of the processor to a volume there.
+  /// The whole way from a mesh in the memory of the CPU to a volume there.
   void sliceThroughGpu(benchmark::State& state, const Source& source) {
     Case& c = caseOf(source);
     compare(
@@ -109,33 +109,33 @@ class Session {
   }
 
  private:
-  static constexpr int kMostTurns = 10;
+  static constexpr int kMaxTurns = 10;
 
   void compare(benchmark::State& state, const Case& c, const std::function<void()>& onGpu,
-               const std::function<void()>& onProcessor) {
+               const std::function<void()>& onCpu) {
     const auto finished = [&] {
       onGpu();
       context_.gl().Finish();
     };
     finished();  // warm
-    onProcessor();
+    onCpu();
     double best = 1e30;
-    double bestOnProcessor = 1e30;
+    double bestOnCpu = 1e30;
     int turns = 0;
     for (auto _ : state) {
       const double ms = milliseconds(finished);
       best = std::min(best, ms);
       state.SetIterationTime(ms / 1000);
       // They take turns, so that what else the machine does hits both alike.
-      if (turns++ < kMostTurns) {
-        bestOnProcessor = std::min(bestOnProcessor, milliseconds(onProcessor));
+      if (turns++ < kMaxTurns) {
+        bestOnCpu = std::min(bestOnCpu, milliseconds(onCpu));
       }
     }
     state.counters["ms"] = best;
     state.counters["triangles"] = static_cast<double>(c.mesh.triangles.size());
     state.counters["lit"] = static_cast<double>(c.lit);
-    state.counters["cpu_ms"] = bestOnProcessor;
-    state.counters["x_cpu"] = best / bestOnProcessor;
+    state.counters["cpu_ms"] = bestOnCpu;
+    state.counters["x_cpu"] = best / bestOnCpu;
   }
 
   /// One at a time is in memory.

@@ -1,4 +1,4 @@
-// What OpenGL costs beside the processor, in one run: images of given cameras, whole constructions, and the whole way
+// What OpenGL costs beside the CPU, in one run: images of given cameras, whole constructions, and the whole way
 // from a scene to a volume that is looked at, stage by stage.
 //
 // Both take turns, so that what else the machine does hits both alike; the first run, in which drivers compile shaders,
@@ -51,7 +51,7 @@ using Work = std::function<void()>;
 struct Row {
   std::string what;
   Work onGpu;
-  Work onProcessor;  ///< empty where the GPU alone has to do it
+  Work onCpu;  ///< empty where the GPU alone has to do it
   double gpuMs = 1e30;
   double processorMs = 1e30;
 };
@@ -157,7 +157,7 @@ std::vector<Row> wayRows(GlContext& context, const Case& c, Way& way, const Benc
                   },
                   [stages] {
                     for (const Row& stage : stages) {
-                      stage.onProcessor();
+                      stage.onCpu();
                     }
                   }});
   return rows;
@@ -171,7 +171,7 @@ void measure(GlContext& context, std::vector<Row> rows, const Case& c, int runs,
         row.onGpu();
         context.gl().Finish();
       });
-      const double processorMs = row.onProcessor ? milliseconds(row.onProcessor) : 0;
+      const double processorMs = row.onCpu ? milliseconds(row.onCpu) : 0;
       if (run > 0) {
         row.gpuMs = std::min(row.gpuMs, gpuMs);
         row.processorMs = std::min(row.processorMs, processorMs);

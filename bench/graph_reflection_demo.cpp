@@ -1,7 +1,7 @@
 // A reflecting object in a maze (section 4.3.4.3, Figure 4.28): each reflected ray is intersected with one depth image
 // of a graph camera that sees the whole maze, and, to compare, with the maze itself.
 //
-// Writes both pictures side by side, and prints how far apart they are and what a ray costs in steps.
+// Writes both images side by side, and prints how far apart they are and what a ray costs in steps.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -28,7 +28,7 @@ constexpr glm::vec3 kBackground(0.05f);
 struct DemoChoice {
   std::string scene = "builtin:maze,seed=1";
   std::string object = "teapot";
-  std::filesystem::path picture = "reflection.png";
+  std::filesystem::path image = "reflection.png";
   int row = 3;
   int column = 3;
   double turnDegrees = 30;
@@ -70,7 +70,7 @@ Reflector makeReflector(const std::string& object, const glm::vec3& place, float
 }
 
 /// What rays see: a colour, or nothing.
-struct Pictures {
+struct Images {
   Image<glm::vec3> truth;
   Image<glm::vec3> approximation;
 };
@@ -95,8 +95,8 @@ class Demo {
         reflector_(makeReflector(choice.object, floorOf(choice), 0.22f * scene.guides.maze->cellSize)),
         objectRays_(reflector_.mesh),
         pinhole_(viewOf(choice), choice.size, choice.size),
-        pictures_{Image<glm::vec3>(choice.size, choice.size, kBackground),
-                  Image<glm::vec3>(choice.size, choice.size, kBackground)} {}
+        images_{Image<glm::vec3>(choice.size, choice.size, kBackground),
+                Image<glm::vec3>(choice.size, choice.size, kBackground)} {}
 
   void draw() {
     for (int y = 0; y < pinhole_.height(); ++y) {
@@ -112,8 +112,8 @@ class Demo {
     Image<glm::vec3> both(2 * pinhole_.width(), pinhole_.height());
     for (int y = 0; y < pinhole_.height(); ++y) {
       for (int x = 0; x < pinhole_.width(); ++x) {
-        both(x, y) = pictures_.approximation(x, y);
-        both(x + pinhole_.width(), y) = pictures_.truth(x, y);
+        both(x, y) = images_.approximation(x, y);
+        both(x + pinhole_.width(), y) = images_.truth(x, y);
       }
     }
     return both;
@@ -142,7 +142,7 @@ class Demo {
         (!wall.covered() || distance(positionOf(object, reflector_.mesh)) < distance(positionOf(wall, scene_.mesh)))) {
       reflect(x, y, object, glm::normalize(path.back() - path.front()));
     } else if (wall.covered()) {
-      pictures_.truth(x, y) = pictures_.approximation(x, y) = colorOf(wall, scene_.mesh);
+      images_.truth(x, y) = images_.approximation(x, y) = colorOf(wall, scene_.mesh);
     }
   }
 
@@ -154,7 +154,7 @@ class Demo {
     const Fragment truth = sceneRays_.intersect({origin, origin + direction * 1e3f});
     const glm::vec3 meets = truth.covered() ? positionOf(truth, scene_.mesh) : glm::vec3(0);
     if (truth.covered()) {
-      pictures_.truth(x, y) = colorOf(truth, scene_.mesh);
+      images_.truth(x, y) = colorOf(truth, scene_.mesh);
     }
     depthImage_.intersect(glm::dvec3(origin), glm::dvec3(direction), {0.05, false}, &tally_.fine);
     const auto start = std::chrono::steady_clock::now();
@@ -164,13 +164,13 @@ class Demo {
       const auto at = glm::clamp(glm::ivec2(hit->place), glm::ivec2(0),
                                  glm::ivec2(fragments_.width() - 1, fragments_.height() - 1));
       const Fragment& seen = fragments_(at.x, at.y);
-      pictures_.approximation(x, y) = seen.covered() ? colorOf(seen, scene_.mesh) : kBackground;
+      images_.approximation(x, y) = seen.covered() ? colorOf(seen, scene_.mesh) : kBackground;
     }
     if (truth.covered() && isSeen(meets)) {
       ++tally_.seen;
       tally_.right += hit && std::abs(hit->distance - static_cast<double>(glm::distance(origin, meets))) < 0.05;
     }
-    const glm::vec3 apart = glm::abs(pictures_.truth(x, y) - pictures_.approximation(x, y));
+    const glm::vec3 apart = glm::abs(images_.truth(x, y) - images_.approximation(x, y));
     tally_.difference += static_cast<double>(apart.x + apart.y + apart.z) / 3;
   }
 
@@ -188,7 +188,7 @@ class Demo {
   Reflector reflector_;
   RayScene objectRays_;
   PinholeCamera pinhole_;
-  Pictures pictures_;
+  Images images_;
   Tally tally_;
 };
 
@@ -214,7 +214,7 @@ void run(const DemoChoice& choice) {
   fmt::print("steps a ray: {:.1f} pixel by pixel, {:.1f} with tiles; {:.1f} us a ray\n",
              static_cast<double>(tally.fine) / rays, static_cast<double>(tally.coarse) / rays,
              1000 * tally.milliseconds / rays);
-  writePng(choice.picture, srgbFromLinear(demo.sideBySide()));
+  writePng(choice.image, srgbFromLinear(demo.sideBySide()));
 }
 
 }  // namespace
@@ -233,8 +233,8 @@ int main(int argc, char** argv) {
   app.add_option("--distance", choice.distance, "from which it is seen")->capture_default_str();
   app.add_option("--depth-width", choice.depthWidth, "of the depth image")->capture_default_str();
   app.add_option("--depth-height", choice.depthHeight, "of the depth image")->capture_default_str();
-  app.add_option("--size", choice.size, "of the picture, a side")->capture_default_str();
-  app.add_option("--picture", choice.picture, "PNG: depth image to the left, ray tracing to the right")
+  app.add_option("--size", choice.size, "of the image, a side")->capture_default_str();
+  app.add_option("--picture", choice.image, "PNG: depth image to the left, ray tracing to the right")
       ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {

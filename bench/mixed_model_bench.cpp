@@ -43,7 +43,7 @@ Design designOf(const Size& size) {
   return makeDesign(fixed, {bySubject, randomIntercepts("item", items)});
 }
 
-/// Of the processor: all of it is one thread.
+/// Of the CPU: all of it is one thread.
 template <class Work>
 double millisecondsOf(const Work& work) {
   const std::clock_t start = std::clock();

@@ -1,8 +1,8 @@
 // What the cameras of chapter 4 cost beside a pinhole, in one run: a graph camera of seven frusta and curved ray
-// cameras of 1, 2 and 8 turns, on the processor and with OpenGL. Section 4.4 has 1.7 times a pinhole image at most for
+// cameras of 1, 2 and 8 turns, on the CPU and with OpenGL. Section 4.4 has 1.7 times a pinhole image at most for
 // the graph camera, 2.1 times for the curved ray camera, on data sets of its own.
 //
-// All take turns, so that what else the machine does hits them alike; the first run is not counted. On the processor a
+// All take turns, so that what else the machine does hits them alike; the first run is not counted. On the CPU a
 // time is that of all threads together, which other work on the machine hardly changes; with OpenGL it is the time that
 // passes until the GPU has finished. The best of --runs. "Blocks kept" draws with the boxes of blocks of triangles
 // standing (mesh_blocks.h), as for a scene that is walked through; "pinhole, as a graph" is the same pinhole drawn as a

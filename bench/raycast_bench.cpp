@@ -95,8 +95,9 @@ void measureConstruction(const PinholeCamera& pinhole, const Mesh& mesh, const R
   DdocOptions withoutFeedback;
   withoutFeedback.feedbackRounds = 0;
   std::vector<Technique> techniques;
-  const RayDrawer drawer(mesh, rays);
-  for (const SceneDrawer* by : {static_cast<const SceneDrawer*>(&drawer), static_cast<const SceneDrawer*>(nullptr)}) {
+  const RayRenderer renderer(mesh, rays);
+  for (const SceneRenderer* by :
+       {static_cast<const SceneRenderer*>(&renderer), static_cast<const SceneRenderer*>(nullptr)}) {
     const char* how = by != nullptr ? "built, rays" : "built, raster";
     techniques.push_back({how, [&, by] { buildDepthImage(pinhole, mesh, by); }, "di"});
     techniques.push_back({how, [&, by] { buildSpocImage(buildSpocCamera(pinhole, mesh, {}, by), mesh, by); }, "spoc"});

@@ -79,7 +79,7 @@ void measure(const Choice& choice) {
       const CoverageRun run{choice.run.studies, choice.run.seed + (null ? 1 : 0)};
       print(coverageOf(model, study, reportedTruths(scenario, study), run), null ? "null" : "effects");
     }
-    fmt::print("  {:.0f} s of the processor\n", static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    fmt::print("  {:.0f} s of the CPU\n", static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     std::fflush(stdout);
   }
 }

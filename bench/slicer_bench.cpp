@@ -122,7 +122,7 @@ nlohmann::ordered_json measureMesh(const std::string& name, const Mesh& unordere
     }
 #endif
     for (const SlicerPeer& peer : peers) {
-      if (mesh.triangles.size() <= peer.mostTriangles) {
+      if (mesh.triangles.size() <= peer.maxTriangles) {
         const std::function<void()> work = peer.prepare(mesh, profile);
         work();  // makes what is made once
         ways.push_back({peer.name, work});

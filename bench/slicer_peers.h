@@ -12,8 +12,8 @@ namespace ocelli {
 
 struct SlicerPeer {
   std::string name;
-  std::string what;          ///< what it gives, where that is less than a volume
-  size_t mostTriangles = 0;  ///< more would take minutes
+  std::string what;         ///< what it gives, where that is less than a volume
+  size_t maxTriangles = 0;  ///< more would take minutes
   /// What is made once for a mesh, and the work of one volume.
   std::function<std::function<void()>(const Mesh&, const DisplayProfile&)> prepare;
 };

@@ -57,7 +57,7 @@ CurvedRayCamera streetCurves(const Street& street, int width, int height, int tu
     const double d = 1 + 0.35 * i;
     const double lean = 0.02 * side;
     const double x = 4 * side;
-    curved.turn({frame.plane(x, d, -lean, 1), frame.plane(x, d, 0, 1), frame.plane(x, d, lean, 1)},
+    curved.bend({frame.plane(x, d, -lean, 1), frame.plane(x, d, 0, 1), frame.plane(x, d, lean, 1)},
                 frame.point(side > 0 ? -0.3 : 0, 0.1 * (i + 1)));
   }
   return curved;

@@ -181,7 +181,7 @@ int run(int argumentCount, char** arguments) {
   std::string scene = "builtin:statues,mesh=buddha.obj,triangles=4603000";
   program.add_option("--runs", runs, "Runs a figure")->check(CLI::Range(1, 1000))->capture_default_str();
   program.add_option("--threads", threads, "0 stands for all cores")->check(CLI::Range(0, 1024))->capture_default_str();
-  program.add_option("--layers", layers, "Of the LDI")->check(CLI::Range(1, kMostLayers))->capture_default_str();
+  program.add_option("--layers", layers, "Of the LDI")->check(CLI::Range(1, kMaxLayers))->capture_default_str();
   program.add_option("--scene", scene, "A scene file or builtin:NAME")->capture_default_str();
   CLI11_PARSE(program, argumentCount, arguments);
   setThreadCount(threads);

@@ -56,21 +56,22 @@ std::string nowUtc() {
 
 /// In the databases, so that a withdrawal finds the report: it names subjects, and holds rows of them with --csv.
 void noteReport(const AnalysisData& analysis, const std::string& folder, const std::vector<ReportFile>& files,
-                const Frame& frame) {
+                const CommandContext& context) {
   std::vector<std::string> names;
   for (const ReportFile& file : files) {
     names.push_back(file.name);
   }
   for (const DataSource& source : analysis.data.sources) {
     if (source.form != DataSource::Form::kDatabase) {
-      frame.note(fmt::format("{} are tables: a withdrawal from their database will not find this report", source.path));
+      context.note(
+          fmt::format("{} are tables: a withdrawal from their database will not find this report", source.path));
     } else if (!recordReport(source.path, folder, names)) {
-      frame.note(fmt::format("{} could not note this report: a withdrawal will not find it", source.path));
+      context.note(fmt::format("{} could not note this report: a withdrawal will not find it", source.path));
     }
   }
 }
 
-void analyse(const AnalyseChoice& choice, const Frame& frame) {
+void analyse(const AnalyseChoice& choice, const CommandContext& context) {
   if (!choice.folder.empty()) {
     checkReportFolder(choice.folder);
   }
@@ -83,23 +84,23 @@ void analyse(const AnalyseChoice& choice, const Frame& frame) {
   const AnalysisData analysis = applyPlan(merge(std::move(parts), mergeOptions(choice)), plan);
   const std::vector<Table> tables = paperTables(analysis);
   if (choice.folder.empty() && findCell(tables, choice.explain) != nullptr) {
-    frame.print(explainCell(tables, analysis.data, choice.explain));
+    context.print(explainCell(tables, analysis.data, choice.explain));
     return;
   }
   StudyReportOptions options;
   options.only = {choice.only.begin(), choice.only.end()};
   options.version = OCELLI_VERSION;
   options.created = nowUtc();
-  options.progress = frame.progress();
+  options.progress = context.progress();
   const ReportDocument report = studyReport(analysis, tables, options);
   for (const std::string& warning : analysis.warnings) {
-    frame.note(fmt::format("caution: {}", warning));
+    context.note(fmt::format("caution: {}", warning));
   }
   for (const std::string& failure : report.failures) {
-    frame.note(fmt::format("a part of the report failed, and says so in its place: {}; please report this", failure));
+    context.note(fmt::format("a part of the report failed, and says so in its place: {}; please report this", failure));
   }
   if (!choice.explain.empty()) {
-    frame.print(explainCell(report.origins.tables, analysis.data, choice.explain));
+    context.print(explainCell(report.origins.tables, analysis.data, choice.explain));
   }
   if (choice.folder.empty()) {
     return;
@@ -107,13 +108,13 @@ void analyse(const AnalyseChoice& choice, const Frame& frame) {
   std::vector<ReportFile> files = reportFiles(report);
   const std::vector<ReportFile> more = tableFiles(analysis, report, options, choice.csv);
   files.insert(files.end(), more.begin(), more.end());
-  noteReport(analysis, choice.folder, files, frame);
+  noteReport(analysis, choice.folder, files, context);
   // A signal waits until it is whole.
   UnfinishedOutput(unfinishedReportFolder(choice.folder), [] {}).finish([&] {
     writeReportFolder(choice.folder, files);
   });
-  frame.note(fmt::format("wrote {} files about {} trials of {} subjects to {}", files.size(),
-                         analysis.flow.analysedTrials, analysis.flow.analysed, choice.folder));
+  context.note(fmt::format("wrote {} files about {} trials of {} subjects to {}", files.size(),
+                           analysis.flow.analysedTrials, analysis.flow.analysed, choice.folder));
   if (choice.asJson) {
     const nlohmann::ordered_json json = {{"folder", choice.folder},
                                          {"data_sha256", analysis.dataSha256},
@@ -122,20 +123,20 @@ void analyse(const AnalyseChoice& choice, const Frame& frame) {
                                          {"trials", analysis.flow.analysedTrials},
                                          {"simulated", analysis.data.isSimulated()}};
     // The name of a folder may be any bytes.
-    frame.print(textOfJson(json, 2) + "\n");
+    context.print(textOfJson(json, 2) + "\n");
   }
 }
 
-void runAnalyse(const AnalyseChoice& choice, const Frame& frame) {
+void runAnalyse(const AnalyseChoice& choice, const CommandContext& context) {
   if (choice.folder.empty() && choice.explain.empty()) {
     throw InputError("a report needs a folder", "-o", "-o FOLDER, or --explain CELL");
   }
-  analyse(choice, frame);
+  analyse(choice, context);
 }
 
 }  // namespace
 
-void addAnalyseCommand(CLI::App& program, const Frame& frame) {
+void addAnalyseCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand("analyse", "Analyse the trials of a study, as a report");
   const auto choice = std::make_shared<AnalyseChoice>();
   command.add_option("DB", choice->sources, "Databases of a study, or folders of its CSV export")->required();
@@ -160,11 +161,11 @@ void addAnalyseCommand(CLI::App& program, const Frame& frame) {
   command.add_option("--seed", choice->seed, "Of what is random, in place of the plan's")
       ->check(CLI::NonNegativeNumber);
   command.add_flag("--json", choice->asJson, "Print hashes and counts as JSON");
-  frame.finish(command,
-               "  ocelli analyse study.db -o report\n"
-               "  ocelli analyse a.db b.db --plan plan.json --only find,count --csv -o report\n"
-               "  ocelli analyse study.db --explain table-7.1/stationary/session-1/gc",
-               [choice, frame] { runAnalyse(*choice, frame); });
+  context.finish(command,
+                 "  ocelli analyse study.db -o report\n"
+                 "  ocelli analyse a.db b.db --plan plan.json --only find,count --csv -o report\n"
+                 "  ocelli analyse study.db --explain table-7.1/stationary/session-1/gc",
+                 [choice, context] { runAnalyse(*choice, context); });
 }
 
 }  // namespace ocelli

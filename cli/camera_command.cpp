@@ -18,10 +18,10 @@
 #include "oc_core/camera/graph_overlap.h"
 #include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/constructor/camera_editor.h"
-#include "oc_core/constructor/curved_turns.h"
+#include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/multiperspective/multiperspective_image.h"
-#include "oc_core/multiperspective/plan_picture.h"
+#include "oc_core/multiperspective/plan_image.h"
 
 namespace ocelli {
 namespace {
@@ -36,8 +36,8 @@ struct CameraInScene {
   std::string size;
 };
 
-void addCameraInScene(CLI::App& command, CameraInScene& choice, const Frame& frame) {
-  addSceneOptions(command, choice.scene, frame);
+void addCameraInScene(CLI::App& command, CameraInScene& choice, const CommandContext& context) {
+  addSceneOptions(command, choice.scene, context);
   addConstructorOption(command, choice.camera);
   addViewOption(command, choice.view);
   addCameraSizeOption(command, choice.size, kCameraImageSize);
@@ -52,11 +52,11 @@ MultiperspectiveCamera construct(const CameraInScene& choice, const GuidedScene&
   return constructCamera(choice.camera, scene, referenceOf(choice));
 }
 
-void addCameraList(CLI::App& camera, const Frame& frame) {
+void addCameraList(CLI::App& camera, const CommandContext& context) {
   CLI::App& command = *camera.add_subcommand("list", "List the constructors of graph and curved ray cameras");
-  frame.finish(command, "  ocelli camera list", [frame] {
+  context.finish(command, "  ocelli camera list", [context] {
     for (const CameraConstructor& each : cameraConstructors()) {
-      frame.print(fmt::format("{:<14} {}\n", each.name, each.description));
+      context.print(fmt::format("{:<14} {}\n", each.name, each.description));
     }
   });
 }
@@ -74,26 +74,27 @@ PlanSide sideFromText(const std::string& text) {
   return text == "top" ? PlanSide::kTop : text == "front" ? PlanSide::kFront : PlanSide::kRight;
 }
 
-void show(const ShowChoice& choice, const Frame& frame) {
+void show(const ShowChoice& choice, const CommandContext& context) {
   checkWritable(choice.output);
   if (choice.cut && !(std::abs(*choice.cut) <= 1e6f)) {
     throw InputError("the cut must be a number between -1e6 and 1e6", "--cut", "give one within the scene");
   }
-  const GuidedScene scene = loadGuidedScene(choice.camera.scene.source, choice.camera.scene.options, frame.progress());
+  const GuidedScene scene =
+      loadGuidedScene(choice.camera.scene.source, choice.camera.scene.options, context.progress());
   const MultiperspectiveCamera camera = construct(choice.camera, scene);
   const CameraPlan plan = planOf(
       camera, scene.mesh,
       {.side = sideFromText(choice.from), .cut = choice.cut, .rays = choice.rays, .groundPixels = choice.pixels});
   writePlan(choice.output, plan,
             {.title = choice.camera.camera + " in " + choice.camera.scene.source, .planPixels = choice.pixels});
-  frame.note(
+  context.note(
       fmt::format("wrote {}: {} parts of the camera, {} rays", choice.output, plan.parts.size(), plan.rays.size()));
 }
 
-void addShow(CLI::App& camera, const Frame& frame) {
+void addShow(CLI::App& camera, const CommandContext& context) {
   CLI::App& command = *camera.add_subcommand("show", "Draw a plan of a camera: its frusta and rays in the scene");
   const auto choice = std::make_shared<ShowChoice>();
-  addCameraInScene(command, choice->camera, frame);
+  addCameraInScene(command, choice->camera, context);
   command.add_option("--from", choice->from, "The side that the plan shows the scene from")
       ->check(CLI::IsMember({"top", "front", "right"}))
       ->capture_default_str();
@@ -106,10 +107,10 @@ void addShow(CLI::App& camera, const Frame& frame) {
       ->check(CLI::Range(100, 8192))
       ->capture_default_str();
   addOutputOption(command, choice->output, "Where the plan goes", {".svg", ".png"});
-  frame.finish(command,
-               "  ocelli camera show builtin:maze --camera comprehensive -o plan.svg\n"
-               "  ocelli camera show builtin:town --camera town.json --from front -o plan.png",
-               [choice, frame] { show(*choice, frame); });
+  context.finish(command,
+                 "  ocelli camera show builtin:maze --camera comprehensive -o plan.svg\n"
+                 "  ocelli camera show builtin:town --camera town.json --from front -o plan.png",
+                 [choice, context] { show(*choice, context); });
 }
 
 struct InfoChoice {
@@ -136,7 +137,7 @@ nlohmann::ordered_json infoOf(const GraphCamera& camera, const Mesh& mesh) {
 }
 
 nlohmann::ordered_json infoOf(const CurvedRayCamera& camera, const Mesh&) {
-  return {{"camera", "curved"}, {"turns", camera.turns().size()}};
+  return {{"camera", "curved"}, {"turns", camera.bends().size()}};
 }
 
 std::string textOf(const nlohmann::ordered_json& info) {
@@ -155,28 +156,29 @@ std::string textOf(const nlohmann::ordered_json& info) {
   return text + (info["overlaps"].empty() ? "no frusta overlap within the scene\n" : "");
 }
 
-void info(const InfoChoice& choice, const Frame& frame) {
+void info(const InfoChoice& choice, const CommandContext& context) {
   checkSecondOutput(choice.output, "-o", "");
-  const GuidedScene scene = loadGuidedScene(choice.camera.scene.source, choice.camera.scene.options, frame.progress());
+  const GuidedScene scene =
+      loadGuidedScene(choice.camera.scene.source, choice.camera.scene.options, context.progress());
   const MultiperspectiveCamera camera = construct(choice.camera, scene);
   const nlohmann::ordered_json described =
       std::visit([&](const auto& each) { return infoOf(each, scene.mesh); }, camera);
-  frame.print(choice.json ? textOfJson(described, 1) + "\n" : textOf(described));
+  context.print(choice.json ? textOfJson(described, 1) + "\n" : textOf(described));
   if (!choice.output.empty()) {
     writeFile(choice.output, std::visit([](const auto& each) { return jsonText(each); }, camera));
-    frame.note("wrote " + choice.output);
+    context.note("wrote " + choice.output);
   }
 }
 
-void addCameraInfo(CLI::App& camera, const Frame& frame) {
+void addCameraInfo(CLI::App& camera, const CommandContext& context) {
   CLI::App& command = *camera.add_subcommand("info", "Tell what a camera consists of, and write it out by hand");
   const auto choice = std::make_shared<InfoChoice>();
-  addCameraInScene(command, choice->camera, frame);
+  addCameraInScene(command, choice->camera, context);
   command.add_flag("--json", choice->json, "Print it as JSON");
   addSecondOutputOption(command, "-o,--output", choice->output,
                         "Where the camera goes as a list of operations or turns, which `--camera` takes", {".json"});
-  frame.finish(command, "  ocelli camera info builtin:maze --camera comprehensive -o frusta.json",
-               [choice, frame] { info(*choice, frame); });
+  context.finish(command, "  ocelli camera info builtin:maze --camera comprehensive -o frusta.json",
+                 [choice, context] { info(*choice, context); });
 }
 
 struct EditChoice {
@@ -187,13 +189,14 @@ struct EditChoice {
 };
 
 /// One edit a line. From a file, an edit that fails ends the work; a program that sends edits gets an answer to each.
-void edit(const EditChoice& choice, const Frame& frame) {
+void edit(const EditChoice& choice, const CommandContext& context) {
   checkWritable(choice.output);
   checkSecondOutput(choice.image, "--image", choice.output);
   const bool fromInput = choice.edits == "-";
   std::istringstream file(fromInput ? "" : readFile(choice.edits));
   std::istream& lines = fromInput ? std::cin : file;
-  const GuidedScene scene = loadGuidedScene(choice.camera.scene.source, choice.camera.scene.options, frame.progress());
+  const GuidedScene scene =
+      loadGuidedScene(choice.camera.scene.source, choice.camera.scene.options, context.progress());
   const std::string text = editableText(choice.camera.camera, construct(choice.camera, scene));
   CameraEditor editor(text, choice.camera.camera, referenceOf(choice.camera), boundsOf(scene.mesh));
   const auto show = [&] {
@@ -215,23 +218,23 @@ void edit(const EditChoice& choice, const Frame& frame) {
       if (!fromInput) {
         throw;
       }
-      frame.print(textOfJson({{"line", number}, {"error", error.what()}}) + "\n");
+      context.print(textOfJson({{"line", number}, {"error", error.what()}}) + "\n");
       continue;
     }
     show();
     if (fromInput) {
-      frame.print(nlohmann::json{{"line", number}, {"done", true}}.dump() + "\n");
+      context.print(nlohmann::json{{"line", number}, {"done", true}}.dump() + "\n");
       flushStandardOutput();
     }
   }
   writeFile(choice.output, editor.text());
-  frame.note(fmt::format("wrote {} after {} lines of edits", choice.output, number));
+  context.note(fmt::format("wrote {} after {} lines of edits", choice.output, number));
 }
 
-void addEdit(CLI::App& camera, const Frame& frame) {
+void addEdit(CLI::App& camera, const CommandContext& context) {
   CLI::App& command = *camera.add_subcommand("edit", "Change a camera step by step, and draw it after each step");
   const auto choice = std::make_shared<EditChoice>();
-  addCameraInScene(command, choice->camera, frame);
+  addCameraInScene(command, choice->camera, context);
   command
       .add_option(
           "--edits", choice->edits,
@@ -242,20 +245,20 @@ void addEdit(CLI::App& camera, const Frame& frame) {
   addSecondOutputOption(command, "--image", choice->image, "Where the camera's image goes, anew after each edit",
                         {".png"});
   addOutputOption(command, choice->output, "Where the camera goes in the end", {".json"});
-  frame.finish(command,
-               "  ocelli camera edit builtin:town --camera portal --edits edits.jsonl -o town.json --image town.png",
-               [choice, frame] { edit(*choice, frame); });
+  context.finish(command,
+                 "  ocelli camera edit builtin:town --camera portal --edits edits.jsonl -o town.json --image town.png",
+                 [choice, context] { edit(*choice, context); });
 }
 
 }  // namespace
 
-void addCameraCommand(CLI::App& program, const Frame& frame) {
+void addCameraCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& camera = *program.add_subcommand("camera", "Graph and curved ray cameras: list, show, describe, edit");
   camera.require_subcommand(1);
-  addCameraList(camera, frame);
-  addShow(camera, frame);
-  addCameraInfo(camera, frame);
-  addEdit(camera, frame);
+  addCameraList(camera, context);
+  addShow(camera, context);
+  addCameraInfo(camera, context);
+  addEdit(camera, context);
 }
 
 }  // namespace ocelli

@@ -1,8 +1,9 @@
 // What every command of the `ocelli` program shares: how it is declared, prints and reports progress.
 //
 // Recipe for a new command, four files:
-//   1. cli/NAME_command.cpp: `void addNameCommand(CLI::App& program, const Frame& frame)`. It adds a subcommand, its
-//      options, and ends with frame.finish(command, examples, run). `run` calls a room and prints: no logic here.
+//   1. cli/NAME_command.cpp: `void addNameCommand(CLI::App& program, const CommandContext& context)`. It adds a
+//   subcommand, its
+//      options, and ends with context.finish(command, examples, run). `run` calls a room and prints: no logic here.
 //   2. cli/command.h: its declaration.
 //   3. cli/main.cpp and cli/CMakeLists.txt: one line each.
 //
@@ -23,9 +24,9 @@ class App;
 
 namespace ocelli {
 
-class Frame {
+class CommandContext {
  public:
-  Frame();
+  CommandContext();
 
   /// Ends the declaration of a command: adds --threads and --quiet, and shows `examples` (one command line a line)
   /// below its --help. `run` is called once after the whole command line has been read, if the user chose this command.
@@ -51,15 +52,15 @@ class Frame {
   std::shared_ptr<State> state_;
 };
 
-void addCameraCommand(CLI::App& program, const Frame& frame);
-void addOcriCommand(CLI::App& program, const Frame& frame);
-void addObserveCommand(CLI::App& program, const Frame& frame);
-void addDeviceCommand(CLI::App& program, const Frame& frame);
-void addDitherCommand(CLI::App& program, const Frame& frame);
-void addDoctorCommand(CLI::App& program, const Frame& frame);
-void addDemoCommand(CLI::App& program, const Frame& frame);
-void addRenderCommand(CLI::App& program, const Frame& frame);
-void addEvaluateCommand(CLI::App& program, const Frame& frame);
+void addCameraCommand(CLI::App& program, const CommandContext& context);
+void addOcriCommand(CLI::App& program, const CommandContext& context);
+void addObserveCommand(CLI::App& program, const CommandContext& context);
+void addDeviceCommand(CLI::App& program, const CommandContext& context);
+void addDitherCommand(CLI::App& program, const CommandContext& context);
+void addDoctorCommand(CLI::App& program, const CommandContext& context);
+void addDemoCommand(CLI::App& program, const CommandContext& context);
+void addRenderCommand(CLI::App& program, const CommandContext& context);
+void addEvaluateCommand(CLI::App& program, const CommandContext& context);
 
 /// Thrown by `run` to end with the exit code of another program, which has said itself what went wrong.
 struct ExitCode {
@@ -69,15 +70,15 @@ struct ExitCode {
 /// Flushes standard output. Throws WorkError where what was printed could not be written in full.
 void flushStandardOutput();
 
-void addSceneCommand(CLI::App& program, const Frame& frame);
-void addPresentCommand(CLI::App& program, const Frame& frame);
-void addSliceCommand(CLI::App& program, const Frame& frame);
-void addSolidityCommand(CLI::App& program, const Frame& frame);
-void addVolumeCommand(CLI::App& program, const Frame& frame);
-void addViewersCommand(CLI::App& program, const Frame& frame);
-void addViewCommand(CLI::App& program, const Frame& frame);
-void addStudyCommand(CLI::App& program, const Frame& frame);
-void addAnalyseCommand(CLI::App& program, const Frame& frame);
-void addPowerCommand(CLI::App& program, const Frame& frame);
+void addSceneCommand(CLI::App& program, const CommandContext& context);
+void addPresentCommand(CLI::App& program, const CommandContext& context);
+void addSliceCommand(CLI::App& program, const CommandContext& context);
+void addSolidityCommand(CLI::App& program, const CommandContext& context);
+void addVolumeCommand(CLI::App& program, const CommandContext& context);
+void addViewersCommand(CLI::App& program, const CommandContext& context);
+void addViewCommand(CLI::App& program, const CommandContext& context);
+void addStudyCommand(CLI::App& program, const CommandContext& context);
+void addAnalyseCommand(CLI::App& program, const CommandContext& context);
+void addPowerCommand(CLI::App& program, const CommandContext& context);
 
 }  // namespace ocelli

@@ -47,7 +47,7 @@ TitledScene sceneOf(const std::string& argument, size_t index) {
   return {std::filesystem::path(argument).filename().string() + " in a room", "builtin:room,mesh=" + argument, name};
 }
 
-void runDemo(const DemoChoice& choice, const Frame& frame) {
+void runDemo(const DemoChoice& choice, const CommandContext& context) {
   DemoOptions options;
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   options.width = size.width;
@@ -66,18 +66,18 @@ void runDemo(const DemoChoice& choice, const Frame& frame) {
   }
   std::vector<DemoScene> scenes;
   for (const TitledScene& each : wanted) {
-    frame.note(fmt::format("{} ({})", each.title, each.source));
-    scenes.push_back(runDemoScene(each.title, each.source, choice.output, each.name, options, frame.progress()));
-    frame.print(each.title + "\n" + evaluationTable(scenes.back().figures) + "\n");
+    context.note(fmt::format("{} ({})", each.title, each.source));
+    scenes.push_back(runDemoScene(each.title, each.source, choice.output, each.name, options, context.progress()));
+    context.print(each.title + "\n" + evaluationTable(scenes.back().figures) + "\n");
   }
   const std::filesystem::path page = std::filesystem::path(choice.output) / "index.html";
   writeFile(page, demoPage(scenes, options, OCELLI_VERSION));
-  frame.note("wrote " + page.string());
+  context.note("wrote " + page.string());
 }
 
 }  // namespace
 
-void addDemoCommand(CLI::App& program, const Frame& frame) {
+void addDemoCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command =
       *program.add_subcommand("demo", "Run the whole way from scene to display, and leave a page that shows it");
   const auto choice = std::make_shared<DemoChoice>();
@@ -87,11 +87,11 @@ void addDemoCommand(CLI::App& program, const Frame& frame) {
   command.add_flag("--only", choice->only, "Show the given scenes alone, without those that come with it");
   command.add_option("--size", choice->size, "Of the reference images")->type_name("WIDTHxHEIGHT");
   command.add_option("--profile", choice->profile, "Display to slice for")->type_name("NAME|FILE.json");
-  frame.finish(command,
-               "  ocelli demo\n"
-               "  ocelli demo -o page bunny.obj\n"
-               "  ocelli demo --only --profile perspecta-99 builtin:boxes,seed=3",
-               [choice, frame] { runDemo(*choice, frame); });
+  context.finish(command,
+                 "  ocelli demo\n"
+                 "  ocelli demo -o page bunny.obj\n"
+                 "  ocelli demo --only --profile perspecta-99 builtin:boxes,seed=3",
+                 [choice, context] { runDemo(*choice, context); });
 }
 
 }  // namespace ocelli

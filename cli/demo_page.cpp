@@ -9,8 +9,8 @@
 namespace ocelli {
 namespace {
 
-constexpr int kBarPixels = 220;    // of the longest bar
-constexpr size_t kMostBeside = 4;  // images of a row
+constexpr int kBarPixels = 220;   // of the longest bar
+constexpr size_t kMaxBeside = 4;  // images of a row
 
 std::string percent(double ratio) {
   return fmt::format("{:.2f} %", 100 * ratio);
@@ -41,7 +41,7 @@ std::string imageTag(const DemoImage& image, const std::string& alternative) {
 std::string flipBlock(const DemoRow& row, const std::string& id, const std::string& sceneTitle) {
   std::string inputs;
   std::string stack;
-  for (size_t i = 0; i < std::min(row.images.size(), kMostBeside); ++i) {
+  for (size_t i = 0; i < std::min(row.images.size(), kMaxBeside); ++i) {
     const DemoImage& image = row.images[i];
     inputs += fmt::format(R"(<input type="radio" name="{0}" id="{0}-{1}"{2}><label for="{0}-{1}">{3}</label>)", id, i,
                           i == 0 ? " checked" : "", htmlFromText(image.name));
@@ -58,7 +58,7 @@ std::string rowBlock(const DemoRow& row, const std::string& id, const std::strin
   if (!row.text.empty()) {
     html += "<p>" + htmlFromText(row.text) + "</p>\n";
   }
-  const size_t columns = std::min(row.images.size(), kMostBeside);
+  const size_t columns = std::min(row.images.size(), kMaxBeside);
   html += fmt::format("<div class=\"row\" style=\"--columns: {}\">\n", columns);
   for (const DemoImage& image : row.images) {
     html += fmt::format("<figure><a href=\"{}\">{}</a><figcaption><b>{}</b> {}</figcaption></figure>\n",
@@ -73,7 +73,7 @@ std::string solidityTable(const DemoScene& scene) {
   std::string html =
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"How solid it looks\"><table><caption>Hidden "
       "light: the share of all light that comes from surfaces which should be hidden. PSNR and FLIP: how the observed "
-      "picture differs from the opaque one; of PSNR more is better, of FLIP less.</caption>\n<thead><tr><th "
+      "image differs from the opaque one; of PSNR more is better, of FLIP less.</caption>\n<thead><tr><th "
       "scope=\"col\">Shown</th>";
   for (const std::string& eye : scene.solidityEyes) {
     for (const char* figure : {"Hidden light", "PSNR", "FLIP"}) {

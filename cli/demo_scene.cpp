@@ -64,7 +64,7 @@ class DemoFolder {
   std::string name_;
 };
 
-Image<glm::vec3> pictureOf(const ReferenceImage& image) {
+Image<glm::vec3> imageOf(const ReferenceImage& image) {
   Image<glm::vec3> picture = image.color;
   for (size_t i = 0; i < picture.size(); ++i) {
     if (image.z[i] <= 0) {
@@ -74,7 +74,7 @@ Image<glm::vec3> pictureOf(const ReferenceImage& image) {
   return picture;
 }
 
-Image<glm::vec3> pictureOf(const Mesh& mesh, const PinholeCamera& camera) {
+Image<glm::vec3> imageOf(const Mesh& mesh, const PinholeCamera& camera) {
   return colorImage(rasterize(camera, mesh), mesh, kBackground);
 }
 
@@ -102,9 +102,9 @@ DemoRow referenceRow(const DemoFolder& folder, const ReferenceImage& di, const R
       "The reference images",
       "Both are taken from the same place. The rays of the occlusion camera are bent around silhouettes, so its image "
       "also holds what lies just behind them, in the same number of pixels.",
-      {folder.write("reference-ppc", pictureOf(di), "Pinhole camera (PPC)",
+      {folder.write("reference-ppc", imageOf(di), "Pinhole camera (PPC)",
                     "The depth image: " + groupedDigits(di.sampleCount()) + " samples."),
-       folder.write("reference-ddoc", pictureOf(ddoc), "Occlusion camera (DDOC)",
+       folder.write("reference-ddoc", imageOf(ddoc), "Occlusion camera (DDOC)",
                     "The OCRI: " + groupedDigits(ddoc.sampleCount()) + " samples in one layer.")}};
 }
 
@@ -113,7 +113,7 @@ DemoRow leftRow(const DemoFolder& folder, const std::vector<ShownMesh>& represen
               "The head has moved; the data has not. The meshes of both reference images, seen from there.",
               {}};
   for (const ShownMesh& each : representations) {
-    row.images.push_back(folder.write("left-" + each.id, pictureOf(*each.mesh, camera), each.name,
+    row.images.push_back(folder.write("left-" + each.id, imageOf(*each.mesh, camera), each.name,
                                       groupedDigits(each.mesh->triangles.size()) + " triangles."));
   }
   return row;
@@ -127,14 +127,14 @@ DemoRow missingRow(const DemoFolder& folder, const std::vector<ShownMesh>& repre
       "more.",
       {}};
   const Image<glm::vec4> truthPositions = positionImage(camera, truth);
-  const Image<glm::vec3> truthPicture = pictureOf(truth, camera);
+  const Image<glm::vec3> truthImage = imageOf(truth, camera);
   for (const ShownMesh& each : representations) {
     if (each.mesh == &truth) {
       continue;
     }
     const Image<SampleState> states = compareFrames(camera, truthPositions, positionImage(camera, *each.mesh));
     const MissingSamples missing = countMissing(states);
-    row.images.push_back(folder.write("left-missing-" + each.id, markMissing(truthPicture, states), each.name,
+    row.images.push_back(folder.write("left-missing-" + each.id, markMissing(truthImage, states), each.name,
                                       fmt::format("{:.2f} % of the samples are missing, {:.2f} % in larger holes.",
                                                   100 * missing.strictRatio(), 100 * missing.thickRatio())));
   }
@@ -143,12 +143,13 @@ DemoRow missingRow(const DemoFolder& folder, const std::vector<ShownMesh>& repre
 
 DemoRow sideRow(const DemoFolder& folder, const std::vector<ShownMesh>& representations, const PinholeCamera& side) {
   DemoRow row{
-      "From the side: the shadow",
+      "From the side: what the camera does not see",
       "No viewer in front of the display gets here; it shows what was left out. Behind the object, the depth image "
-      "has no samples: its shadow. The OCRI shrinks the shadow, and leaves out what no nearby view needs.",
+      "has no samples: its disocclusion region. The OCRI shrinks that region, and leaves out what no nearby view "
+      "needs.",
       {}};
   for (const ShownMesh& each : representations) {
-    row.images.push_back(folder.write("side-" + each.id, pictureOf(*each.mesh, side), each.name, ""));
+    row.images.push_back(folder.write("side-" + each.id, imageOf(*each.mesh, side), each.name, ""));
   }
   return row;
 }
@@ -204,13 +205,14 @@ DemoRow solidityRow(const DemoFolder& folder, const std::vector<ShownMesh>& repr
       "suits "
       "it best. With the full geometry, whatever is behind an object shines through it. The depth image leaves that "
       "out, "
-      "but beside each object its shadow stays dark. The OCRI fills the shadow, at the price of some light along "
+      "but beside each object its disocclusion region stays dark. The OCRI fills that region, at the price of some "
+      "light along "
       "silhouettes: little for most scenes, much for a fence, which is all silhouettes.",
       {}};
   scene.solidityEyes = {"in front", "to the left"};
   SolidityMeter meter(truth, {.profile = options.profile,
                               .groups = {{scene.solidityEyes[0], {reference.eye}}, {scene.solidityEyes[1], {left.eye}}},
-                              .pictureSide = options.profile.height / 2});
+                              .imageSide = options.profile.height / 2});
   for (const size_t i : {2, 0, 1}) {
     const ShownMesh& shown = representations[i];
     Image<Rgb8> opaque;

@@ -7,16 +7,16 @@
 
 namespace ocelli {
 
-void addDeviceCommand(CLI::App& program, const Frame& frame) {
+void addDeviceCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& device = *program.add_subcommand("device", "Build, calibrate and plan for volumetric displays");
   device.require_subcommand(1);
-  addDeviceList(device, frame);
-  addDeviceInfo(device, frame);
+  addDeviceList(device, context);
+  addDeviceInfo(device, context);
 #ifdef OCELLI_WITH_EMULATOR
-  addDeviceEmulate(device, frame);
+  addDeviceEmulate(device, context);
 #endif
-  addDevicePlan(device, frame);
-  addDeviceSelftest(device, frame);
+  addDevicePlan(device, context);
+  addDeviceSelftest(device, context);
 }
 
 }  // namespace ocelli

@@ -7,13 +7,13 @@ class App;
 
 namespace ocelli {
 
-class Frame;
+class CommandContext;
 
 // Each adds a command below `device`, as the recipe in cli/command.h says of the program's own.
-void addDeviceEmulate(CLI::App& device, const Frame& frame);
-void addDeviceInfo(CLI::App& device, const Frame& frame);
-void addDeviceList(CLI::App& device, const Frame& frame);
-void addDevicePlan(CLI::App& device, const Frame& frame);
-void addDeviceSelftest(CLI::App& device, const Frame& frame);
+void addDeviceEmulate(CLI::App& device, const CommandContext& context);
+void addDeviceInfo(CLI::App& device, const CommandContext& context);
+void addDeviceList(CLI::App& device, const CommandContext& context);
+void addDevicePlan(CLI::App& device, const CommandContext& context);
+void addDeviceSelftest(CLI::App& device, const CommandContext& context);
 
 }  // namespace ocelli

@@ -73,12 +73,12 @@ std::string report(UsbEmulator& emulator, const EmulationLog& log) {
   return lastError.empty() ? text : fmt::format("{}last error: {}\n", text, lastError);
 }
 
-void waitForInterrupt(const Frame& frame, const UsbEmulator& emulator) {
+void waitForInterrupt(const CommandContext& context, const UsbEmulator& emulator) {
   std::string variables;
   for (const auto& [name, value] : emulator.environment()) {
     variables += fmt::format("{}={} ", name, value);
   }
-  frame.print(
+  context.print(
       fmt::format("The display is plugged in for programs that are started like this:\n  {}ocelli device list\n"
                   "Ctrl-C ends it.\n",
                   variables));
@@ -89,7 +89,7 @@ void waitForInterrupt(const Frame& frame, const UsbEmulator& emulator) {
   }
 }
 
-int emulate(const Frame& frame, const EmulateChoice& choice) {
+int emulate(const CommandContext& context, const EmulateChoice& choice) {
   const EmulatedUsbDisplay display = emulatedUsbDisplay(choice);
   UsbEmulator::requirePreloaded();
   ShownOutput shown(choice.shown, display.device.firmware.profile);
@@ -102,19 +102,19 @@ int emulate(const Frame& frame, const EmulateChoice& choice) {
       device.firmware().setArrivalSink(&log);
     });
     if (choice.command.empty()) {
-      waitForInterrupt(frame, emulator);
+      waitForInterrupt(context, emulator);
     } else {
       code = runClient(resolved(choice.command), emulator.environment());
     }
-    frame.note(report(emulator, log));
+    context.note(report(emulator, log));
   }
-  shown.finish(frame);
+  shown.finish(context);
   return code;
 }
 
 }  // namespace
 
-void addDeviceEmulate(CLI::App& device, const Frame& frame) {
+void addDeviceEmulate(CLI::App& device, const CommandContext& context) {
   const auto choice = std::make_shared<EmulateChoice>();
   CLI::App& command = *device.add_subcommand("emulate", "Run a program with an emulated display on an emulated USB");
   command.add_option("COMMAND", choice->command, "The program and its arguments, after --; none: until Ctrl-C");
@@ -122,14 +122,15 @@ void addDeviceEmulate(CLI::App& device, const Frame& frame) {
   addEmulatedDisplayOptions(command, choice->display, kLink);
   command.add_option("--serial", choice->serial, "Serial number of the display");
   addShownOptions(command, choice->shown);
-  frame.finish(command,
-               "  ocelli device emulate -- ocelli device list\n"
-               "  ocelli device emulate --faults random:7 --shown shown -- ocelli present builtin:teapot --device usb",
-               [frame, choice] {
-                 if (const int code = emulate(frame, *choice); code != 0) {
-                   throw ExitCode{code};
-                 }
-               });
+  context.finish(
+      command,
+      "  ocelli device emulate -- ocelli device list\n"
+      "  ocelli device emulate --faults random:7 --shown shown -- ocelli present builtin:teapot --device usb",
+      [context, choice] {
+        if (const int code = emulate(context, *choice); code != 0) {
+          throw ExitCode{code};
+        }
+      });
 }
 
 }  // namespace ocelli

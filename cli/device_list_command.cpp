@@ -114,19 +114,19 @@ std::string infoText(const Json& info) {
 
 }  // namespace
 
-void addDeviceList(CLI::App& device, const Frame& frame) {
+void addDeviceList(CLI::App& device, const CommandContext& context) {
   const auto json = std::make_shared<bool>(false);
   CLI::App& command = *device.add_subcommand("list", "What --device takes, and the displays on USB");
   command.add_flag("--json", *json, "Print JSON");
-  frame.finish(command, "  ocelli device list", [frame, json] {
+  context.finish(command, "  ocelli device list", [context, json] {
     const UsbDisplays usb = usbDisplays();
-    frame.print(
+    context.print(
         *json ? textOfJson({{"devices", jsonOfKinds()}, {"usb", usb.displays}, {"usb_problem", usb.problem}}, 2) + "\n"
               : listText(usb));
   });
 }
 
-void addDeviceInfo(CLI::App& device, const Frame& frame) {
+void addDeviceInfo(CLI::App& device, const CommandContext& context) {
   struct Choice {
     std::string device = "usb";
     bool json = false;
@@ -135,11 +135,11 @@ void addDeviceInfo(CLI::App& device, const Frame& frame) {
   CLI::App& command = *device.add_subcommand("info", "What a display says of itself");
   command.add_option("DEVICE", choice->device, "As of ocelli device list");
   command.add_flag("--json", choice->json, "Print JSON");
-  frame.finish(command, "  ocelli device info\n  ocelli device info usb:42 --json", [frame, choice] {
+  context.finish(command, "  ocelli device info\n  ocelli device info usb:42 --json", [context, choice] {
     const std::unique_ptr<Device> opened = openDevice(choice->device);
     const Json info = infoOf(*opened);
     opened->close();
-    frame.print(choice->json ? textOfJson(info, 2) + "\n" : infoText(info));
+    context.print(choice->json ? textOfJson(info, 2) + "\n" : infoText(info));
   });
 }
 

@@ -118,7 +118,7 @@ std::string processorSentence(const ScenePlan& plan, const CodingPlan& best) {
 
 /// What may help, as the scene would be then.
 std::vector<ScenePlan> alternatives(const Mesh& mesh, const DisplayProfile& profile, const PlanChoice& choice,
-                                    const Frame& frame) {
+                                    const CommandContext& context) {
   std::vector<ScenePlan> plans;
   if (profile.colorBitsPerChannel > 1) {
     DisplayProfile fewer = profile;
@@ -136,10 +136,10 @@ std::vector<ScenePlan> alternatives(const Mesh& mesh, const DisplayProfile& prof
   }
   try {
     const PinholeCamera reference(View(), kDefaultWidth, kDefaultHeight);
-    const Mesh ocri = unionMesh(buildReferenceImages(cameraChoice("ddoc"), reference, mesh, frame.progress()));
+    const Mesh ocri = unionMesh(buildReferenceImages(cameraChoice("ddoc"), reference, mesh, context.progress()));
     plans.push_back(planScene("its OCRI (ddoc)", ocri, profile, choice, choice.undithered));
   } catch (const InputError& error) {
-    frame.note(fmt::format("this scene has no OCRI to plan with: {}", error.what()));
+    context.note(fmt::format("this scene has no OCRI to plan with: {}", error.what()));
   }
   return plans;
 }
@@ -160,7 +160,7 @@ Json jsonOf(const ScenePlan& plan, const PlannedLink& link, double rate) {
   return {{"name", plan.name}, {"slice_ms", 1000 * plan.sliceSeconds}, {"codings", codings}};
 }
 
-void run(const PlanChoice& choice, const Frame& frame) {
+void run(const PlanChoice& choice, const CommandContext& context) {
   const PlannedLink link = wire::plannedLink(choice.link);
   const DisplayProfile profile = loadProfile(choice.profile);
   if (!(choice.rate >= 0 && choice.rate <= 1e6)) {
@@ -170,11 +170,12 @@ void run(const PlanChoice& choice, const Frame& frame) {
     throw InputError("a frame turns by 360 degrees at the most", "--turn", "--turn 1");
   }
   const double rate = choice.rate > 0 ? choice.rate : profile.refreshHertz();
-  const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, frame.progress());
+  const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, context.progress());
   const ScenePlan plan = planScene(choice.scene.source, mesh, profile, choice, choice.undithered);
   const CodingPlan& best = wire::bestPlan(plan.codings, link, rate);
   const bool reached = best.limit(link, rate) == PlanLimit::kNone;
-  const std::vector<ScenePlan> others = reached ? std::vector<ScenePlan>() : alternatives(mesh, profile, choice, frame);
+  const std::vector<ScenePlan> others =
+      reached ? std::vector<ScenePlan>() : alternatives(mesh, profile, choice, context);
   if (choice.json) {
     Json json = {{"scene", choice.scene.source},
                  {"profile", profile.name},
@@ -189,7 +190,7 @@ void run(const PlanChoice& choice, const Frame& frame) {
     for (const ScenePlan& other : others) {
       json["alternatives"].push_back(jsonOf(other, link, rate));
     }
-    frame.print(textOfJson(json, 2) + "\n");
+    context.print(textOfJson(json, 2) + "\n");
     return;
   }
   std::string text = fmt::format("{} on {}, turning by {:g} degrees a frame; {}: {:.3g} MB/s\n\n", choice.scene.source,
@@ -204,15 +205,15 @@ void run(const PlanChoice& choice, const Frame& frame) {
                           codingName(coding), coding.hertz(link) >= rate ? ": enough" : "");
     }
   }
-  frame.print(text);
+  context.print(text);
 }
 
 }  // namespace
 
-void addDevicePlan(CLI::App& device, const Frame& frame) {
+void addDevicePlan(CLI::App& device, const CommandContext& context) {
   CLI::App& command = *device.add_subcommand("plan", "Tell which rate a scene gets on a link to a display, and why");
   const auto choice = std::make_shared<PlanChoice>();
-  addSceneOptions(command, choice->scene, frame);
+  addSceneOptions(command, choice->scene, context);
   command.add_option("--link", choice->link, "What it is sent over: 40 MB/s, 400 MB/s, or so many bytes a second")
       ->type_name("usb2|usb3|NUMBER")
       ->required();
@@ -224,11 +225,11 @@ void addDevicePlan(CLI::App& device, const Frame& frame) {
       ->type_name("DEGREES");
   command.add_flag("--undithered", choice->undithered, "Light a channel wherever it has any light at all");
   command.add_flag("--json", choice->json, "Print the figures as JSON");
-  frame.finish(command,
-               "  ocelli device plan builtin:teapot --link usb2\n"
-               "  ocelli device plan bunny.obj --link 25e6 --profile vortex --turn 5\n"
-               "  ocelli device plan builtin:statues --link usb3 --rate 12 --json",
-               [choice, frame] { run(*choice, frame); });
+  context.finish(command,
+                 "  ocelli device plan builtin:teapot --link usb2\n"
+                 "  ocelli device plan bunny.obj --link 25e6 --profile vortex --turn 5\n"
+                 "  ocelli device plan builtin:statues --link usb3 --rate 12 --json",
+                 [choice, context] { run(*choice, context); });
 }
 
 }  // namespace ocelli

@@ -19,8 +19,8 @@
 namespace ocelli {
 namespace {
 
-constexpr int kPictureSide = 720;
-constexpr int kWrongPictureSide = 320;
+constexpr int kImageSide = 720;
+constexpr int kWrongImageSide = 320;
 
 struct SelftestChoice {
   std::vector<std::string> patterns;
@@ -46,23 +46,23 @@ std::vector<const TestPattern*> chosenPatterns(const std::vector<std::string>& n
 
 /// A display of fewer voxels, on which all is quick to observe and small errors are plain to see.
 DisplayProfile coarser(DisplayProfile profile) {
-  constexpr int kMostColumns = 192;
-  const int factor = (std::max(profile.width, profile.height) + kMostColumns - 1) / kMostColumns;
+  constexpr int kMaxColumns = 192;
+  const int factor = (std::max(profile.width, profile.height) + kMaxColumns - 1) / kMaxColumns;
   profile.width = std::max(2, profile.width / factor);
   profile.height = std::max(1, profile.height / factor);
   return profile;
 }
 
-std::vector<SelftestPicture> picturesOf(const TestPattern& pattern, const Volume& volume,
-                                        const std::filesystem::path& folder) {
-  constexpr size_t kMostLit = 2'000'000;
+std::vector<SelftestImage> imagesOf(const TestPattern& pattern, const Volume& volume,
+                                    const std::filesystem::path& folder) {
+  constexpr size_t kMaxLit = 2'000'000;
   const size_t lit = volume.litVoxels();
   if (lit == 0) {
     return {};
   }
-  return lit <= kMostLit
-             ? writeSelftestPictures(volume, folder, pattern.name, kPictureSide)
-             : writeSelftestPictures(pattern.volume(coarser(volume.profile())), folder, pattern.name, kPictureSide);
+  return lit <= kMaxLit
+             ? writeSelftestImages(volume, folder, pattern.name, kImageSide)
+             : writeSelftestImages(pattern.volume(coarser(volume.profile())), folder, pattern.name, kImageSide);
 }
 
 void makeSelftestFolder(const std::filesystem::path& folder) {
@@ -73,7 +73,7 @@ void makeSelftestFolder(const std::filesystem::path& folder) {
   }
 }
 
-void runOnDevice(const SelftestChoice& choice, const Frame& frame) {
+void runOnDevice(const SelftestChoice& choice, const CommandContext& context) {
   const std::vector<const TestPattern*> patterns = chosenPatterns(choice.patterns);
   DeviceOptions options;
   if (choice.profileGiven) {
@@ -85,20 +85,20 @@ void runOnDevice(const SelftestChoice& choice, const Frame& frame) {
   const std::filesystem::path file = folder / "verdicts.csv";
   // After each answer: whatever ends this, nothing that was said is lost.
   const std::vector<PatternVerdict> verdicts =
-      showPatterns(patterns, *device, std::cin, frame,
+      showPatterns(patterns, *device, std::cin, context,
                    [&](const std::vector<PatternVerdict>& soFar) { writeVerdicts(file, soFar); });
   writeVerdicts(file, verdicts);
   device->close();
-  frame.print("\n");
+  context.print("\n");
   const auto wrong = std::ranges::count(verdicts, PatternVerdict::kWrong, &PatternVerdict::verdict);
   const auto right = std::ranges::count(verdicts, PatternVerdict::kRight, &PatternVerdict::verdict);
-  frame.note(fmt::format("wrote {}: {} right, {} wrong, {} not seen", file.string(), right, wrong,
-                         std::ssize(verdicts) - right - wrong));
+  context.note(fmt::format("wrote {}: {} right, {} wrong, {} not seen", file.string(), right, wrong,
+                           std::ssize(verdicts) - right - wrong));
 }
 
-void run(const SelftestChoice& choice, const Frame& frame) {
+void run(const SelftestChoice& choice, const CommandContext& context) {
   if (!choice.device.empty()) {
-    runOnDevice(choice, frame);
+    runOnDevice(choice, context);
     return;
   }
   const std::vector<const TestPattern*> patterns = chosenPatterns(choice.patterns);
@@ -107,27 +107,26 @@ void run(const SelftestChoice& choice, const Frame& frame) {
   const std::filesystem::path folder = choice.output;
   makeSelftestFolder(folder);
   std::vector<SelftestSection> sections;
-  const Progress progress = frame.progress();
+  const Progress progress = context.progress();
   for (const TestPattern* pattern : patterns) {
     report(progress, pattern->title, static_cast<double>(sections.size()) / static_cast<double>(patterns.size()));
     const Volume volume = pattern->volume(profile);
     const std::string file = pattern->name + ".svol";
     writeSvol(folder / file, volume);
-    sections.push_back({pattern, file, picturesOf(*pattern, volume, folder),
-                        writeWrongPictures(*pattern, coarser(profile), folder, kWrongPictureSide)});
+    sections.push_back({pattern, file, imagesOf(*pattern, volume, folder),
+                        writeWrongImages(*pattern, coarser(profile), folder, kWrongImageSide)});
   }
   const std::filesystem::path page = folder / "index.html";
   writeFile(page, selftestPage(sections, profile, OCELLI_VERSION));
-  frame.note(fmt::format("wrote {}: {} pattern{} for {}", page.string(), sections.size(),
-                         sections.size() == 1 ? "" : "s", profile.name));
+  context.note(fmt::format("wrote {}: {} pattern{} for {}", page.string(), sections.size(),
+                           sections.size() == 1 ? "" : "s", profile.name));
 }
 
 }  // namespace
 
-void addDeviceSelftest(CLI::App& device, const Frame& frame) {
+void addDeviceSelftest(CLI::App& device, const CommandContext& context) {
   CLI::App& command = *device.add_subcommand(
-      "selftest",
-      "Write test patterns for a display, and a checklist with pictures of how they look when all is right");
+      "selftest", "Write test patterns for a display, and a checklist with images of how they look when all is right");
   const auto choice = std::make_shared<SelftestChoice>();
   std::string names;
   for (const TestPattern& pattern : testPatterns()) {
@@ -144,17 +143,17 @@ void addDeviceSelftest(CLI::App& device, const Frame& frame) {
       ->type_name("DEVICE");
   command
       .add_option("-o,--output", choice->output,
-                  "Folder for index.html, its pictures and the volumes, or for the answers")
+                  "Folder for index.html, its images and the volumes, or for the answers")
       ->type_name("FOLDER");
-  frame.finish(command,
-               "  ocelli device selftest\n"
-               "  ocelli device selftest --profile my_display.json -o checklist\n"
-               "  ocelli device selftest --pattern phase wedges --profile vortex\n"
-               "  ocelli device selftest --device usb",
-               [choice, frame, profile] {
-                 choice->profileGiven = profile->count() > 0;
-                 run(*choice, frame);
-               });
+  context.finish(command,
+                 "  ocelli device selftest\n"
+                 "  ocelli device selftest --profile my_display.json -o checklist\n"
+                 "  ocelli device selftest --pattern phase wedges --profile vortex\n"
+                 "  ocelli device selftest --device usb",
+                 [choice, context, profile] {
+                   choice->profileGiven = profile->count() > 0;
+                   run(*choice, context);
+                 });
 }
 
 }  // namespace ocelli

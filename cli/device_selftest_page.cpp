@@ -37,11 +37,11 @@ std::string checkBoxes(const TestPattern& pattern) {
   return html + "</ul>\n";
 }
 
-std::string wrongFigure(const WrongLook& wrong, const SelftestPicture& picture) {
-  return picture.file.empty() ? ""
-                              : fmt::format("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}, for example: {}\">",
-                                            htmlFromText(picture.file), picture.width, picture.height,
-                                            htmlFromText(wrong.looks), htmlFromText(picture.place));
+std::string wrongFigure(const WrongLook& wrong, const SelftestImage& image) {
+  return image.file.empty() ? ""
+                            : fmt::format("<img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"{}, for example: {}\">",
+                                          htmlFromText(image.file), image.width, image.height,
+                                          htmlFromText(wrong.looks), htmlFromText(image.place));
 }
 
 std::string wrongTable(const SelftestSection& section) {
@@ -53,8 +53,8 @@ std::string wrongTable(const SelftestSection& section) {
       pattern.name);
   for (size_t i = 0; i < pattern.wrong.size(); ++i) {
     const WrongLook& wrong = pattern.wrong[i];
-    const SelftestPicture& picture = section.wrong[i];
-    html += fmt::format("<tr><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td></tr>\n", wrongFigure(wrong, picture),
+    const SelftestImage& image = section.wrong[i];
+    html += fmt::format("<tr><th scope=\"row\">{}{}</th><td>{}</td><td>{}</td></tr>\n", wrongFigure(wrong, image),
                         htmlFromText(wrong.looks), htmlFromText(wrong.means), htmlFromText(wrong.adjust));
   }
   return html + "</tbody></table></div>\n";
@@ -66,15 +66,14 @@ std::string patternSection(const SelftestSection& section, size_t number, const 
       "<section aria-labelledby=\"{0}\">\n<h2 id=\"{0}\">{1}. {2}</h2>\n<p>{3} <span class=\"soft\">Show <a "
       "href=\"{4}\"><code>{4}</code></a>.</span></p>\n",
       pattern.name, number, htmlFromText(pattern.title), htmlFromText(pattern.shows), htmlFromText(section.volumeFile));
-  html += section.pictures.empty() ? "" : "<div class=\"pictures\">\n";
-  for (const SelftestPicture& picture : section.pictures) {
+  html += section.images.empty() ? "" : "<div class=\"pictures\">\n";
+  for (const SelftestImage& image : section.images) {
     html += fmt::format(
         "<figure><a href=\"{0}\"><img src=\"{0}\" width=\"{1}\" height=\"{2}\" alt=\"{3}, as it should look: "
         "{4}\"></a><figcaption>{4}</figcaption></figure>\n",
-        htmlFromText(picture.file), picture.width, picture.height, htmlFromText(pattern.title),
-        htmlFromText(picture.place));
+        htmlFromText(image.file), image.width, image.height, htmlFromText(pattern.title), htmlFromText(image.place));
   }
-  html += (section.pictures.empty() ? "" : "</div>\n") + checkBoxes(pattern);
+  html += (section.images.empty() ? "" : "</div>\n") + checkBoxes(pattern);
   for (const std::string& figure : pattern.figures(profile)) {
     html += "<p class=\"soft\">" + htmlFromText(figure) + "</p>\n";
   }
@@ -96,16 +95,16 @@ std::string selftestPage(const std::vector<SelftestSection>& sections, const Dis
       "display</h1>\n",
       kSelftestStyle);
   html +=
-      "<p>Show one pattern after the other, compare what you see with the pictures, and tick what is right. Each "
+      "<p>Show one pattern after the other, compare what you see with the images, and tick what is right. Each "
       "pattern "
       "takes for granted that those before it are right: when one looks wrong, put it right before you go on, and then "
       "look at those before it again.</p>\n"
       "<p>A pattern is a volume, shown as any other: <code>ocelli present dark.svol --device usb</code>.</p>\n"
-      "<p>The pictures show a display that is right, as the eye sees it from the viewing distance. Light that is "
+      "<p>The images show a display that is right, as the eye sees it from the viewing distance. Light that is "
       "inside "
       "shines through: you see near and far parts at once. A display with a flat screen is dark where you look along "
       "it; "
-      "the pictures leave that out, so that the pattern is seen whole. The front is where the viewer stands, at +z; "
+      "the images leave that out, so that the pattern is seen whole. The front is where the viewer stands, at +z; "
       "the "
       "right is his, at +x, where slice 0 begins; the screen turns clockwise seen from above.</p>\n";
   html += profileFacts(profile);

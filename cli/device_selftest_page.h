@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "cli/device_selftest_pictures.h"
+#include "cli/device_selftest_images.h"
 #include "display_driver/selftest/test_patterns.h"
 
 namespace ocelli {
 
 struct SelftestSection {
   const TestPattern* pattern = nullptr;
-  std::string volumeFile;                 ///< relative to the page
-  std::vector<SelftestPicture> pictures;  ///< none of a dark one
-  std::vector<SelftestPicture> wrong;     ///< as many as the pattern has wrong looks
+  std::string volumeFile;             ///< relative to the page
+  std::vector<SelftestImage> images;  ///< none of a dark one
+  std::vector<SelftestImage> wrong;   ///< as many as the pattern has wrong looks
 };
 
 /// The whole of index.html. `version` is that of the program.

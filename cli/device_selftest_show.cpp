@@ -58,8 +58,8 @@ std::optional<Answer> answerFrom(const std::string& line) {
 }
 
 /// What is no answer, such as an empty line, is asked again. The end of the answers quits.
-Answer ask(const std::string& question, std::istream& answers, const Frame& frame) {
-  frame.print(question);
+Answer ask(const std::string& question, std::istream& answers, const CommandContext& context) {
+  context.print(question);
   for (std::string line;;) {
     flushStandardOutput();
     if (!std::getline(answers, line)) {
@@ -68,7 +68,7 @@ Answer ask(const std::string& question, std::istream& answers, const Frame& fram
     if (std::optional<Answer> answer = answerFrom(line)) {
       return *answer;
     }
-    frame.print("Please answer with y (it looks so), n (it does not), b (back) or q (quit): ");
+    context.print("Please answer with y (it looks so), n (it does not), b (back) or q (quit): ");
   }
 }
 
@@ -105,7 +105,7 @@ std::map<std::string, std::string> linesOf(const std::filesystem::path& path) {
 }  // namespace
 
 std::vector<PatternVerdict> showPatterns(const std::vector<const TestPattern*>& patterns, Device& device,
-                                         std::istream& answers, const Frame& frame,
+                                         std::istream& answers, const CommandContext& context,
                                          const std::function<void(const std::vector<PatternVerdict>&)>& answered) {
   std::vector<PatternVerdict> verdicts;
   for (const TestPattern* pattern : patterns) {
@@ -113,7 +113,7 @@ std::vector<PatternVerdict> showPatterns(const std::vector<const TestPattern*>& 
   }
   for (size_t i = 0; i < patterns.size();) {
     show(*patterns[i], device);
-    const Answer answer = ask(questionOf(*patterns[i], i + 1, patterns.size()), answers, frame);
+    const Answer answer = ask(questionOf(*patterns[i], i + 1, patterns.size()), answers, context);
     if (answer.key == 'q') {
       return verdicts;
     }

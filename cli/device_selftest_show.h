@@ -25,7 +25,7 @@ struct PatternVerdict {
 /// quits. `answered` gets all verdicts after each of them. Throws WorkError where a pattern is not shown within some
 /// seconds.
 std::vector<PatternVerdict> showPatterns(const std::vector<const TestPattern*>& patterns, Device& device,
-                                         std::istream& answers, const Frame& frame,
+                                         std::istream& answers, const CommandContext& context,
                                          const std::function<void(const std::vector<PatternVerdict>&)>& answered);
 
 /// A table with a line a pattern: pattern, verdict, note. What the file says already of patterns that have not been

@@ -37,9 +37,9 @@ code { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: .9em
 .session input { width: 13rem; }
 .notes { display: flex; gap: .5rem; align-items: center; max-width: 50rem; margin: .75rem 0; }
 .notes input { flex: 1; min-width: 0; }
-.pictures { display: grid; grid-template-columns: repeat(5, minmax(0, 1fr)); gap: 1rem; margin: 1rem 0; }
-@media (max-width: 60rem) { .pictures { grid-template-columns: repeat(3, minmax(0, 1fr)); } }
-@media (max-width: 36rem) { .pictures { grid-template-columns: repeat(2, minmax(0, 1fr)); } }
+.images { display: grid; grid-template-columns: repeat(5, minmax(0, 1fr)); gap: 1rem; margin: 1rem 0; }
+@media (max-width: 60rem) { .images { grid-template-columns: repeat(3, minmax(0, 1fr)); } }
+@media (max-width: 36rem) { .images { grid-template-columns: repeat(2, minmax(0, 1fr)); } }
 figure { margin: 0; }
 figure img { display: block; width: 100%; height: auto; aspect-ratio: 1; object-fit: contain; border: 1px solid var(--line);
   border-radius: 6px; background: #000000; }
@@ -70,7 +70,7 @@ thead th { color: var(--soft); font-weight: 600; }
   body { padding: 0; font-size: 8.5pt; line-height: 1.35; }
   h2 { margin-top: 0; }
   section { break-before: page; }
-  .pictures { grid-template-columns: repeat(5, 1fr); gap: .5rem; }
+  .images { grid-template-columns: repeat(5, 1fr); gap: .5rem; }
   figure img { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   figcaption { font-size: 8pt; }
   tbody img { width: 4.5rem; height: 4.5rem; print-color-adjust: exact; -webkit-print-color-adjust: exact; }

@@ -16,8 +16,8 @@ constexpr auto kLookEvery = 20ms;
 
 }  // namespace
 
-DisplayWait::DisplayWait(Device& device, const Frame& frame)
-    : device_(device), frame_(frame), progress_(frame.progress()) {}
+DisplayWait::DisplayWait(Device& device, const CommandContext& context)
+    : device_(device), context_(context), progress_(context.progress()) {}
 
 double DisplayWait::secondsMissing() const {
   return missingSince_ ? std::chrono::duration<double>(Clock::now() - *missingSince_).count() : 0;
@@ -27,7 +27,7 @@ bool DisplayWait::look() {
   const Telemetry telemetry = device_.telemetry();
   if (telemetry.connected) {
     if (told_) {
-      frame_.note(fmt::format("the display is there, after {:.1f} s", secondsMissing()));
+      context_.note(fmt::format("the display is there, after {:.1f} s", secondsMissing()));
     }
     missingSince_.reset();
     told_ = false;
@@ -43,11 +43,11 @@ bool DisplayWait::look() {
   }
   if (!told_) {
     const std::string why = telemetry.lastProblem.empty() ? "nothing answers" : telemetry.lastProblem;
-    frame_.note(fmt::format("the display is not there: {}\n  waiting for it; Ctrl-C ends this", why));
+    context_.note(fmt::format("the display is not there: {}\n  waiting for it; Ctrl-C ends this", why));
     told_ = true;
     nextTold_ = kTellEverySeconds;
   } else if (!progress_ && missing >= nextTold_) {
-    frame_.note(fmt::format("waiting for the display for {:.0f} s", missing));
+    context_.note(fmt::format("waiting for the display for {:.0f} s", missing));
     nextTold_ += kTellEverySeconds;
   }
   report(progress_, fmt::format("waiting for the display, {:.0f} s", missing), 0);

@@ -13,7 +13,7 @@ namespace ocelli {
 class DisplayWait {
  public:
   /// Both outlive it.
-  DisplayWait(Device& device, const Frame& frame);
+  DisplayWait(Device& device, const CommandContext& context);
 
   /// Whether the display is there, and if not, what is missing. Call it some times a second: a note comes once for
   /// each loss and each return, and from time to time how long it has been missing, where no bar shows that.
@@ -26,7 +26,7 @@ class DisplayWait {
   double secondsMissing() const;
 
   Device& device_;
-  const Frame& frame_;
+  const CommandContext& context_;
   Progress progress_;
   std::optional<Clock::time_point> missingSince_;
   bool told_ = false;

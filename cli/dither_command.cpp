@@ -22,13 +22,13 @@ struct DitherChoice {
   std::string folder;
 };
 
-void run(const DitherChoice& choice, const Frame& frame) {
+void run(const DitherChoice& choice, const CommandContext& context) {
   DitherReportOptions options;
   options.profile = loadProfile(choice.profile);
   options.evenLightRadii = choice.evenLightRadii;
   if (choice.bits > 0) {
     options.profile.colorBitsPerChannel = choice.bits;
-    if (options.profile.volumeBytes() > kMostVolumeBytes) {
+    if (options.profile.volumeBytes() > kMaxVolumeBytes) {
       throw InputError("a volume of this display would take more than 2 GiB", fmt::format("--bits {}", choice.bits),
                        "take fewer bits, or another --profile");
     }
@@ -45,17 +45,17 @@ void run(const DitherChoice& choice, const Frame& frame) {
       options.dithers.push_back(dither);
     }
   }
-  const DitherReport report = compareDithers(options, frame.progress());
-  frame.print(choice.json ? jsonOf(report) : textOf(report));
+  const DitherReport report = compareDithers(options, context.progress());
+  context.print(choice.json ? jsonOf(report) : textOf(report));
   if (!choice.folder.empty()) {
-    writePictures(report, choice.folder);
-    frame.note("wrote pictures to " + choice.folder);
+    writeImages(report, choice.folder);
+    context.note("wrote images to " + choice.folder);
   }
 }
 
 }  // namespace
 
-void addDitherCommand(CLI::App& program, const Frame& frame) {
+void addDitherCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand("dither", "Score the dithers, and draw what they make of colours");
   const auto choice = std::make_shared<DitherChoice>();
   command.add_option("--dither", choice->methods, "Only these, separated by commas")
@@ -73,10 +73,10 @@ void addDitherCommand(CLI::App& program, const Frame& frame) {
       ->type_name("RADIUS,...");
   command.add_flag("--json", choice->json, "Print the figures as JSON");
   command.add_option("-o,--output", choice->folder, "A folder for pictures")->type_name("DIR");
-  frame.finish(command,
-               "  ocelli dither -o pictures\n"
-               "  ocelli dither --dither ordered,diffusion --bits 3 --even-light 0",
-               [choice, frame] { run(*choice, frame); });
+  context.finish(command,
+                 "  ocelli dither -o images\n"
+                 "  ocelli dither --dither ordered,diffusion --bits 3 --even-light 0",
+                 [choice, context] { run(*choice, context); });
 }
 
 }  // namespace ocelli

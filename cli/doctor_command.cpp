@@ -189,25 +189,25 @@ std::string rowOf(const Json& provider) {
   return row(
       name,
       fmt::format("works, on {}: {}{}\nOpenGL {}\nimages up to {} pixels a side, {} layers; buffers up to {} MiB",
-                  provider.at("software").get<bool>() ? "the processor" : "a GPU",
-                  provider.at("renderer").get<std::string>(), device.empty() ? "" : " (" + device + ")",
-                  provider.at("version").get<std::string>(), provider.at("max_texture_size").get<int>(),
-                  provider.at("max_texture_layers").get<int>(), provider.at("max_storage_bytes").get<int64_t>() >> 20));
+                  provider.at("software").get<bool>() ? "the CPU" : "a GPU", provider.at("renderer").get<std::string>(),
+                  device.empty() ? "" : " (" + device + ")", provider.at("version").get<std::string>(),
+                  provider.at("max_texture_size").get<int>(), provider.at("max_texture_layers").get<int>(),
+                  provider.at("max_storage_bytes").get<int64_t>() >> 20));
 }
 
 /// What it comes down to, and what to install.
 std::string verdict(const Findings& findings) {
   if (!kWithOpenGl) {
     return "OpenGL: not available, for this program was built without it (OCELLI_WITH_OPENGL=OFF).\n"
-           "Everything but the window works, on the processor.\n";
+           "Everything but the window works, on the CPU.\n";
   }
   if (!anyProvider(findings, "works", true)) {
-    return "OpenGL: not available. Everything but the window works all the same, on the processor.\n"
+    return "OpenGL: not available. Everything but the window works all the same, on the CPU.\n"
            "To install Mesa's OpenGL, on Debian, as root:\n  apt-get install --no-install-recommends " +
            fmt::format("{}\n", fmt::join(findings.packages, " "));
   }
   if (!anyProvider(findings, "software", false)) {
-    return "OpenGL: available, drawn by the processor. No GPU was found; if there is one, install its driver.\n";
+    return "OpenGL: available, drawn by the CPU. No GPU was found; if there is one, install its driver.\n";
   }
   return "OpenGL: available, on a GPU.\n";
 }
@@ -238,19 +238,19 @@ std::string asText(const Findings& findings) {
 
 }  // namespace
 
-void addDoctorCommand(CLI::App& program, const Frame& frame) {
+void addDoctorCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand("doctor", "What works on this machine, and what to install");
   const auto json = std::make_shared<bool>(false);
   command.add_flag("--json", *json, "Print the findings as JSON");
-  frame.finish(command,
-               "  ocelli doctor\n"
-               "  LIBGL_ALWAYS_SOFTWARE=1 ocelli doctor      (without the GPU)",
-               [json, frame] {
-                 Findings findings{machineInfo(), findProgram("ffmpeg"), std::nullopt, Json::array(), {}, findUsb()};
-                 findings.usb.emulatorProblem = findEmulatorProblem();
-                 findOpenGl(findings);
-                 frame.print(*json ? asJson(findings) : asText(findings));
-               });
+  context.finish(command,
+                 "  ocelli doctor\n"
+                 "  LIBGL_ALWAYS_SOFTWARE=1 ocelli doctor      (without the GPU)",
+                 [json, context] {
+                   Findings findings{machineInfo(), findProgram("ffmpeg"), std::nullopt, Json::array(), {}, findUsb()};
+                   findings.usb.emulatorProblem = findEmulatorProblem();
+                   findOpenGl(findings);
+                   context.print(*json ? asJson(findings) : asText(findings));
+                 });
 }
 
 }  // namespace ocelli

@@ -13,7 +13,7 @@ namespace {
 // Of scripts that are drawn at random.
 constexpr size_t kRandomFaults = 20;
 constexpr DeviceMicroseconds kRandomFaultsOver = 10'000'000;
-constexpr double kMostJitterPercent = 9.9;
+constexpr double kMaxJitterPercent = 9.9;
 
 FaultScript faultScript(const std::string& text) {
   constexpr std::string_view kRandom = "random:";
@@ -45,9 +45,9 @@ void addEmulatedDisplayOptions(CLI::App& command, EmulatedDisplayChoice& choice,
 }
 
 EmulatedDeviceOptions emulatedDisplay(const EmulatedDisplayChoice& choice, const std::string& otherwiseLink) {
-  if (!(choice.jitterPercent >= 0 && choice.jitterPercent <= kMostJitterPercent)) {
+  if (!(choice.jitterPercent >= 0 && choice.jitterPercent <= kMaxJitterPercent)) {
     throw InputError(fmt::format("{} is no jitter", choice.jitterPercent), "--jitter",
-                     fmt::format("a percentage from 0 to {}: --jitter 0.2", kMostJitterPercent));
+                     fmt::format("a percentage from 0 to {}: --jitter 0.2", kMaxJitterPercent));
   }
   EmulatedDeviceOptions options;
   options.firmware.rotor.jitter = choice.jitterPercent / 100;

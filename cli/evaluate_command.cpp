@@ -75,7 +75,7 @@ EvaluationOptions evaluationOptions(const EvaluateChoice& choice) {
   }
   options.interiorViews = choice.interiorViews;
   options.seed = choice.seed;
-  options.comparePictures = true;
+  options.compareImages = true;
   options.offsets = choice.offsetDirections > 0 ? defaultOffsets() : std::vector<float>{};
   options.offsetDirections = choice.offsetDirections;
   options.runs = choice.runs;
@@ -101,7 +101,7 @@ class Outputs {
   }
 
   bool jsonToStandardOutput() const { return choice_.json == "-"; }
-  /// In the folder of the page, whose pictures belong to it; else beside the first file; none where nothing is written.
+  /// In the folder of the page, whose images belong to it; else beside the first file; none where nothing is written.
   std::optional<fs::path> workFile() const {
     if (hasPage()) {
       return inPage("evaluation.work");
@@ -118,9 +118,9 @@ class Outputs {
   fs::path pageFile() const { return fs::path(choice_.page) / "index.html"; }
   fs::path inPage(const std::string& name) const { return fs::path(choice_.page) / name; }
 
-  bool havePictures(const EvaluatePictures& pictures) const {
+  bool haveImages(const EvaluateImages& images) const {
     std::error_code ignored;
-    return !hasPage() || (fs::exists(inPage(pictures.frame), ignored) && fs::exists(inPage(pictures.errors), ignored));
+    return !hasPage() || (fs::exists(inPage(images.frame), ignored) && fs::exists(inPage(images.errors), ignored));
   }
 
  private:
@@ -138,21 +138,21 @@ class Outputs {
 };
 
 /// Takes over what an earlier run has finished, as --resume says.
-void resume(EvaluationWork& work, const fs::path& file, std::optional<bool> wanted, const Frame& frame) {
+void resume(EvaluationWork& work, const fs::path& file, std::optional<bool> wanted, const CommandContext& context) {
   std::error_code ignored;
   if (wanted != false && (wanted == true || fs::exists(file, ignored))) {
     try {
       work.load();
-      frame.note(fmt::format("going on with {}: {} finished", file.string(), work.count()));
+      context.note(fmt::format("going on with {}: {} finished", file.string(), work.count()));
       return;
     } catch (const InputError& error) {
       if (wanted == true) {
         throw;
       }
-      frame.note(fmt::format("starting again: {}", error.what()));
+      context.note(fmt::format("starting again: {}", error.what()));
     }
   }
-  // What the pictures of a page are of must not be in doubt.
+  // What the images of a page are of must not be in doubt.
   work.remove();
 }
 
@@ -164,16 +164,16 @@ std::string programStamp() {
                      fs::last_write_time(program, ignored).time_since_epoch().count());
 }
 
-std::string truthPictureName() {
+std::string truthImageName() {
   return "truth.png";
 }
 
 void writeOutputs(const EvaluateChoice& choice, const Outputs& outputs, const EvaluationOptions& options,
-                  const std::vector<RepresentationFigures>& rows, const std::vector<EvaluatePictures>& pictures,
-                  size_t sceneTriangles, const Frame& frame) {
+                  const std::vector<RepresentationFigures>& rows, const std::vector<EvaluateImages>& images,
+                  size_t sceneTriangles, const CommandContext& context) {
   const bool complete = rows.size() == choice.cameras.size();
   const std::string json = evaluationJson(choice.scene.source, options, rows, complete);
-  frame.print(outputs.jsonToStandardOutput() ? json : evaluationTable(rows));
+  context.print(outputs.jsonToStandardOutput() ? json : evaluationTable(rows));
   if (!choice.json.empty() && !outputs.jsonToStandardOutput()) {
     writeFile(choice.json, json);
   }
@@ -184,14 +184,13 @@ void writeOutputs(const EvaluateChoice& choice, const Outputs& outputs, const Ev
     writeFile(choice.offsetsCsv, offsetsCsv(options, rows));
   }
   if (outputs.hasPage()) {
-    const EvaluatePage page{choice.scene.source, OCELLI_VERSION, sceneTriangles,
-                            truthPictureName(),  pictures,       complete};
+    const EvaluatePage page{choice.scene.source, OCELLI_VERSION, sceneTriangles, truthImageName(), images, complete};
     writeFile(outputs.pageFile(), evaluatePage(page, options, rows));
-    frame.note("wrote " + outputs.pageFile().string());
+    context.note("wrote " + outputs.pageFile().string());
   }
 }
 
-void runEvaluate(const EvaluateChoice& choice, const Frame& frame) {
+void runEvaluate(const EvaluateChoice& choice, const CommandContext& context) {
   EvaluationOptions options = evaluationOptions(choice);
   const std::vector<AskedCamera> cameras = askedCameras(choice.cameras, options.cell);
   const DisplayProfile profile = loadProfile(choice.profile);
@@ -200,12 +199,12 @@ void runEvaluate(const EvaluateChoice& choice, const Frame& frame) {
 
   const InterruptGuard guard;
   std::string position;  // "2/16 " before the name of what is measured
-  const Progress progress = [&, bar = frame.progress()](std::string_view stage, double fraction) {
+  const Progress progress = [&, bar = context.progress()](std::string_view stage, double fraction) {
     InterruptGuard::check();
     report(bar, position + std::string(stage), fraction);
   };
   std::vector<RepresentationFigures> rows;
-  std::vector<EvaluatePictures> pictures;
+  std::vector<EvaluateImages> images;
   size_t sceneTriangles = 0;
   std::optional<EvaluationWork> work;
   try {
@@ -214,24 +213,24 @@ void runEvaluate(const EvaluateChoice& choice, const Frame& frame) {
     if (const auto file = outputs.workFile()) {
       work.emplace(*file, evaluationKey(mesh, options,
                                         fmt::format("{} {} {}", choice.scene.source, profile.name, programStamp())));
-      resume(*work, *file, choice.resume, frame);
+      resume(*work, *file, choice.resume, context);
     }
     Evaluator evaluator(mesh, options);
     if (outputs.hasPage()) {
-      writePng(outputs.inPage(truthPictureName()), evaluator.examplePicture());
+      writePng(outputs.inPage(truthImageName()), evaluator.exampleImage());
     }
     for (const AskedCamera& camera : cameras) {
-      const EvaluatePictures names = pictureNames(camera.choice.name, camera.identity);
+      const EvaluateImages names = imageNames(camera.choice.name, camera.identity);
       position = fmt::format("{}/{} ", rows.size() + 1, cameras.size());
       std::optional<RepresentationFigures> row;
-      if (work && outputs.havePictures(names)) {
+      if (work && outputs.haveImages(names)) {
         row = work->find(camera.identity);
       }
       if (!row) {
         row = evaluator.measure(camera.choice, progress, [&](const Mesh& representation) {
           if (outputs.hasPage()) {
             const Evaluator::Example example = evaluator.example(representation);
-            writePng(outputs.inPage(names.frame), example.picture);
+            writePng(outputs.inPage(names.frame), example.image);
             writePng(outputs.inPage(names.errors), example.errors);
           }
         });
@@ -240,18 +239,18 @@ void runEvaluate(const EvaluateChoice& choice, const Frame& frame) {
         }
       }
       rows.push_back(*row);
-      pictures.push_back(names);
+      images.push_back(names);
     }
   } catch (const Interrupted&) {
     if (!rows.empty()) {
-      writeOutputs(choice, outputs, options, rows, pictures, sceneTriangles, frame);
+      writeOutputs(choice, outputs, options, rows, images, sceneTriangles, context);
     }
     throw WorkError(fmt::format("interrupted with {} of {} representations done", rows.size(), cameras.size()),
                     work ? outputs.workFile()->string() : choice.scene.source,
                     work ? "the same command again goes on from there"
                          : "give --json FILE, --csv FILE or --page DIR, so that an interrupted run can go on");
   }
-  writeOutputs(choice, outputs, options, rows, pictures, sceneTriangles, frame);
+  writeOutputs(choice, outputs, options, rows, images, sceneTriangles, context);
   if (work) {
     work->remove();
   }
@@ -259,11 +258,11 @@ void runEvaluate(const EvaluateChoice& choice, const Frame& frame) {
 
 }  // namespace
 
-void addEvaluateCommand(CLI::App& program, const Frame& frame) {
+void addEvaluateCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand(
       "evaluate", "Measure what reference images lack over a cell of viewpoints, and their cost");
   const auto choice = std::make_shared<EvaluateChoice>();
-  addSceneOptions(command, choice->scene, frame);
+  addSceneOptions(command, choice->scene, context);
   command.add_option("--cameras", choice->cameras, "Cameras to compare: names or JSON files")
       ->delimiter(',')
       ->type_name("NAME,...");
@@ -298,8 +297,7 @@ void addEvaluateCommand(CLI::App& program, const Frame& frame) {
   command.add_option("--csv", choice->csv, "Also write the figures here, a line a representation")->type_name("FILE");
   command.add_option("--csv-offsets", choice->offsetsCsv, "Also write the errors against the offset here")
       ->type_name("FILE");
-  command.add_option("--page", choice->page, "Also make a page with plots and pictures in this folder")
-      ->type_name("DIR");
+  command.add_option("--page", choice->page, "Also make a page with plots and images in this folder")->type_name("DIR");
   CLI::Option* resume = command.add_flag_callback(
       "--resume", [choice] { choice->resume = true; },
       "Go on with an interrupted run, which is what is done anyway where its work file fits; an error where it does "
@@ -308,11 +306,11 @@ void addEvaluateCommand(CLI::App& program, const Frame& frame) {
       .add_flag_callback(
           "--no-resume", [choice] { choice->resume = false; }, "Start again")
       ->excludes(resume);
-  frame.finish(command,
-               "  ocelli evaluate builtin:statues\n"
-               "  ocelli evaluate bunny.obj --cameras di,ddoc,ddoc-constant --cell 4in --json bunny.json\n"
-               "  ocelli evaluate builtin:fence --cell-shape segment --page fence",
-               [choice, frame] { runEvaluate(*choice, frame); });
+  context.finish(command,
+                 "  ocelli evaluate builtin:statues\n"
+                 "  ocelli evaluate bunny.obj --cameras di,ddoc,ddoc-constant --cell 4in --json bunny.json\n"
+                 "  ocelli evaluate builtin:fence --cell-shape segment --page fence",
+                 [choice, context] { runEvaluate(*choice, context); });
 }
 
 }  // namespace ocelli

@@ -12,7 +12,7 @@
 #include "cli/demo_style.h"
 #include "cli/evaluate_plot.h"
 #include "cli/evaluate_style.h"
-#include "oc_core/evaluation/error_picture.h"
+#include "oc_core/evaluation/error_image.h"
 #include "oc_core/evaluation/evaluation_work.h"
 
 namespace ocelli {
@@ -213,11 +213,11 @@ std::string descriptionOf(const std::string& name) {
   return "";
 }
 
-std::string pictureSection(const EvaluatePage& page, const EvaluationOptions& options, const Rows& rows) {
+std::string imageSection(const EvaluatePage& page, const EvaluationOptions& options, const Rows& rows) {
   std::string html = fmt::format(
       "<div class=\"key\"><figure>{}<figcaption><b>The scene</b> as it is, from there.</figcaption></figure>\n"
       "<ul class=\"legend\">\n",
-      imageTag(page.truthPicture, options, "The scene from the example viewpoint"));
+      imageTag(page.truthImage, options, "The scene from the example viewpoint"));
   html += swatch(kWrongFrontColor, "wrong front: a false surface hides the scene") +
           swatch(kFalseSkinColor, "false skin: a surface where the scene has none") +
           swatch(kMissingThickColor, "missing, thick: in holes of three pixels or more") +
@@ -227,8 +227,8 @@ std::string pictureSection(const EvaluatePage& page, const EvaluationOptions& op
     html += fmt::format(
         "<article><h3>{}</h3>\n<figure><div class=\"pair\">{}{}</div><figcaption>{}{} % missing strictly and {} % in "
         "thick holes, over the edges of the cell.</figcaption></figure></article>\n",
-        htmlFromText(row.name), imageTag(page.pictures[i].frame, options, row.name + ": what it shows"),
-        imageTag(page.pictures[i].errors, options, row.name + ": its errors in false colours"),
+        htmlFromText(row.name), imageTag(page.images[i].frame, options, row.name + ": what it shows"),
+        imageTag(page.images[i].errors, options, row.name + ": its errors in false colours"),
         htmlFromText(descriptionOf(row.name)), percentText(row.edges.strictRatio()),
         percentText(row.edges.thickRatio()));
   }
@@ -269,7 +269,7 @@ std::string definitions(const EvaluationOptions& options) {
                "Strictly missing samples before which the representation shows something nearer by more than 1.5 "
                "footprints. Ratio of the scene\u2019s samples.") +
          entry("PSNR, SSIM, FLIP",
-               "How the representation\u2019s picture differs from the scene\u2019s, on black, over the edges. PSNR of "
+               "How the representation\u2019s image differs from the scene\u2019s, on black, over the edges. PSNR of "
                "the mean squared error; SSIM with 11 x 11 Gaussian windows on luma, 1 is best; LDR-FLIP at 67 pixels "
                "per degree, 0 is best.") +
          entry("Samples, pixels",
@@ -287,7 +287,7 @@ std::string definitions(const EvaluationOptions& options) {
 
 }  // namespace
 
-EvaluatePictures pictureNames(const std::string& name, const std::string& identity) {
+EvaluateImages imageNames(const std::string& name, const std::string& identity) {
   std::string stem;
   for (const char c : name) {
     stem += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '+' || c == '_' ? c : '-';
@@ -339,10 +339,10 @@ std::string evaluatePage(const EvaluatePage& page, const EvaluationOptions& opti
   }
   html += fmt::format(
       "<section aria-labelledby=\"pictures\">\n<h2 id=\"pictures\">Where the errors are</h2>\n<p>Seen from half a side "
-      "{}. Left: what the representation shows. Right: its errors in false colours over the scene. Select a picture "
+      "{}. Left: what the representation shows. Right: its errors in false colours over the scene. Select an image "
       "for its full size.</p>\n",
       options.cell.shape == ViewCell::Shape::kSegment ? "against the direction of the segment" : "to the left");
-  html += pictureSection(page, options, figures) + "</section>\n";
+  html += imageSection(page, options, figures) + "</section>\n";
   html += "<section aria-labelledby=\"meaning\">\n<h2 id=\"meaning\">What the figures mean</h2>\n" +
           definitions(options) + "</section>\n";
   return html + "</main>\n</body>\n</html>\n";

@@ -9,7 +9,7 @@
 namespace ocelli {
 
 /// What the page shows of one representation, from the example viewpoint: paths relative to the page.
-struct EvaluatePictures {
+struct EvaluateImages {
   std::string frame;
   std::string errors;
 };
@@ -18,13 +18,13 @@ struct EvaluatePage {
   std::string scene;    ///< as the user named it
   std::string version;  ///< of the program
   size_t sceneTriangles = 0;
-  std::string truthPicture;
-  std::vector<EvaluatePictures> pictures;  ///< one for each row of figures
+  std::string truthImage;
+  std::vector<EvaluateImages> images;  ///< one for each row of figures
   bool complete = true;
 };
 
-/// File names for the pictures of a representation. `identity` is its name, or tells it from others of the same name.
-EvaluatePictures pictureNames(const std::string& name, const std::string& identity);
+/// File names for the images of a representation. `identity` is its name, or tells it from others of the same name.
+EvaluateImages imageNames(const std::string& name, const std::string& identity);
 
 /// The whole of index.html.
 std::string evaluatePage(const EvaluatePage& page, const EvaluationOptions& options,

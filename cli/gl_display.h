@@ -18,7 +18,7 @@ class GlDisplay {
   GlDisplay(const GlDisplay&) = delete;
   GlDisplay& operator=(const GlDisplay&) = delete;
 
-  /// As the slice() of the processor. Throws InputError for what the GPU does not do and GlError where it has
+  /// As the slice() of the CPU. Throws InputError for what the GPU does not do and GlError where it has
   /// no room, here and below.
   Volume slice(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options);
   /// As collectLight() of this volume, which is copied to the GPU now. Must not outlive this display.

@@ -17,8 +17,12 @@ void addGlOption(CLI::App& command, std::string& provider) {
 }
 
 void addMethodOption(CLI::App& command, std::string& method) {
-  command.add_option("--method", method, "How: on the processor, or with OpenGL")
-      ->check(CLI::IsMember({"processor", "gl"}))
+  command
+      .add_option("--method", method, "How: on the CPU, or with OpenGL")
+      // The name of earlier versions.
+      ->transform(CLI::Validator(
+          [](std::string& name) { return name = name == "processor" ? "cpu" : name, std::string(); }, ""))
+      ->check(CLI::IsMember({"cpu", "gl"}))
       ->type_name("NAME")
       ->capture_default_str();
 }
@@ -45,7 +49,7 @@ GlDrawing::GlDrawing(const std::string& provider) : impl_(std::make_unique<Impl>
   impl_->context = openGlContext(provider, "--gl");
 }
 
-const SceneDrawer& GlDrawing::drawerOf(const Mesh& mesh) {
+const SceneRenderer& GlDrawing::rendererOf(const Mesh& mesh) {
   impl_->renderer = std::make_unique<GlRenderer>(*impl_->context, mesh);
   return *impl_->renderer;
 }
@@ -62,7 +66,7 @@ GlDrawing::GlDrawing(const std::string& /*provider*/) {
   failWithoutOpenGl();
 }
 
-const SceneDrawer& GlDrawing::drawerOf(const Mesh& /*mesh*/) {
+const SceneRenderer& GlDrawing::rendererOf(const Mesh& /*mesh*/) {
   failWithoutOpenGl();
 }
 

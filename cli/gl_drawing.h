@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "oc_core/render/scene_drawer.h"
+#include "oc_core/render/scene_renderer.h"
 
 namespace CLI {
 class App;
@@ -16,7 +16,7 @@ namespace ocelli {
 /// Adds `--gl auto|egl|osmesa`.
 void addGlOption(CLI::App& command, std::string& provider);
 
-/// Adds `--method processor|gl`, for work that has these two ways.
+/// Adds `--method cpu|gl`, for work that has these two ways.
 void addMethodOption(CLI::App& command, std::string& method);
 
 /// Throws InputError where --gl names a provider but nothing draws with OpenGL; `by` is the option that makes it so.
@@ -35,7 +35,7 @@ class GlDrawing {
   GlDrawing& operator=(const GlDrawing&) = delete;
 
   /// Uploads the mesh, which it does not keep. Throws GlError where the GPU has no room for it.
-  const SceneDrawer& drawerOf(const Mesh& mesh);
+  const SceneRenderer& rendererOf(const Mesh& mesh);
   /// "OpenGL on llvmpipe, through EGL".
   std::string description() const;
 

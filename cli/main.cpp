@@ -23,26 +23,26 @@ constexpr int kWorkFailed = 1;
 constexpr int kInputWrong = 2;
 
 // One line a command, in the order of `ocelli --help`.
-void addCommands(CLI::App& program, const Frame& frame) {
-  addDemoCommand(program, frame);
-  addSceneCommand(program, frame);
-  addRenderCommand(program, frame);
-  addCameraCommand(program, frame);
-  addOcriCommand(program, frame);
-  addSliceCommand(program, frame);
-  addObserveCommand(program, frame);
-  addVolumeCommand(program, frame);
-  addPresentCommand(program, frame);
-  addDitherCommand(program, frame);
-  addDeviceCommand(program, frame);
-  addEvaluateCommand(program, frame);
-  addSolidityCommand(program, frame);
-  addViewersCommand(program, frame);
-  addViewCommand(program, frame);
-  addStudyCommand(program, frame);
-  addAnalyseCommand(program, frame);
-  addPowerCommand(program, frame);
-  addDoctorCommand(program, frame);
+void addCommands(CLI::App& program, const CommandContext& context) {
+  addDemoCommand(program, context);
+  addSceneCommand(program, context);
+  addRenderCommand(program, context);
+  addCameraCommand(program, context);
+  addOcriCommand(program, context);
+  addSliceCommand(program, context);
+  addObserveCommand(program, context);
+  addVolumeCommand(program, context);
+  addPresentCommand(program, context);
+  addDitherCommand(program, context);
+  addDeviceCommand(program, context);
+  addEvaluateCommand(program, context);
+  addSolidityCommand(program, context);
+  addViewersCommand(program, context);
+  addViewCommand(program, context);
+  addStudyCommand(program, context);
+  addAnalyseCommand(program, context);
+  addPowerCommand(program, context);
+  addDoctorCommand(program, context);
 }
 
 // A closed standard stream would hand its number to the next file that is opened, and our messages would end up in
@@ -57,8 +57,8 @@ void openStandardStreams() {
   }
 }
 
-int fail(const Frame& frame, int code, const std::string& message) {
-  frame.clearProgress();
+int fail(const CommandContext& context, int code, const std::string& message) {
+  context.clearProgress();
   std::fprintf(stderr, "ocelli: error: %s\n", message.c_str());
   return code;
 }
@@ -74,23 +74,23 @@ std::string namedCommand(const CLI::App& program) {
 }
 
 int run(int argumentCount, char** arguments) {
-  const Frame frame;
+  const CommandContext context;
   CLI::App program("Ocelli: non-pinhole cameras, from a scene to a volumetric display.", "ocelli");
   program.set_version_flag("--version", "ocelli " OCELLI_VERSION);
   program.require_subcommand(1);
   program.option_defaults()->always_capture_default();
   program.footer("`ocelli COMMAND --help` shows the options of a command, with examples.");
-  frame.addCommonOptions(program);
-  addCommands(program, frame);
+  context.addCommonOptions(program);
+  addCommands(program, context);
   try {
     program.parse(argumentCount, arguments);
-    frame.run();
+    context.run();
     flushStandardOutput();
     return 0;
   } catch (const CLI::Success& help) {
     std::ostringstream text;
     program.exit(help, text, text);
-    frame.print(text.str());
+    context.print(text.str());
     flushStandardOutput();
     return 0;
   } catch (const CLI::ParseError& error) {
@@ -98,22 +98,22 @@ int run(int argumentCount, char** arguments) {
     const std::vector<std::string> rest = program.remaining();
     if (program.get_subcommands().empty() && !rest.empty()) {
       const std::string kind = rest.front().starts_with('-') ? "option" : "command";
-      return fail(frame, kInputWrong, "there is no " + kind + " \"" + rest.front() + "\"\n  try: ocelli --help");
+      return fail(context, kInputWrong, "there is no " + kind + " \"" + rest.front() + "\"\n  try: ocelli --help");
     }
-    return fail(frame, kInputWrong, std::string(error.what()) + "\n  try: " + namedCommand(program) + " --help");
+    return fail(context, kInputWrong, std::string(error.what()) + "\n  try: " + namedCommand(program) + " --help");
   } catch (const ExitCode& exit) {
     flushStandardOutput();
     return exit.code;
   } catch (const InputError& error) {
-    return fail(frame, kInputWrong, error.what());
+    return fail(context, kInputWrong, error.what());
   } catch (const AnalysisError& error) {
-    return fail(frame, error.kind() == AnalysisError::Kind::kInput ? kInputWrong : kWorkFailed, error.what());
+    return fail(context, error.kind() == AnalysisError::Kind::kInput ? kInputWrong : kWorkFailed, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(frame, kWorkFailed, "out of memory\n  try: smaller input, or close other programs");
+    return fail(context, kWorkFailed, "out of memory\n  try: smaller input, or close other programs");
   } catch (const std::exception& error) {
-    return fail(frame, kWorkFailed, error.what());
+    return fail(context, kWorkFailed, error.what());
   } catch (...) {
-    return fail(frame, kWorkFailed, "something that is no C++ exception was thrown\n  try: report this");
+    return fail(context, kWorkFailed, "something that is no C++ exception was thrown\n  try: report this");
   }
 }
 

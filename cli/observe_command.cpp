@@ -35,7 +35,7 @@ struct ObserveChoice {
   std::string path;
   std::optional<double> rate;
   bool json = false;
-  std::string method = "processor";
+  std::string method = "cpu";
   std::string gl = "auto";
   std::string output;
 
@@ -51,23 +51,23 @@ struct Observation {
   double separationRadii;
   const std::vector<EyePose>& way;  ///< of --path
   const CollectLight& collect;
-  const Frame& frame;
+  const CommandContext& context;
 };
 
 void checkOutput(const ObserveChoice& choice) {
   const std::string& output = choice.output;
   const bool stream = isStream(output);
-  const bool picture = output.ends_with(".png") || choice.isExr() || stream;
-  if (choice.isSeries() && picture) {
-    throw InputError("a series of pictures does not go into one of them", output,
+  const bool image = output.ends_with(".png") || choice.isExr() || stream;
+  if (choice.isSeries() && image) {
+    throw InputError("a series of images does not go into one of them", output,
                      "give a folder, or a video that ends in .mp4 or .webm");
   }
-  if (!choice.isSeries() && !picture) {
+  if (!choice.isSeries() && !image) {
     throw InputError("\"" + output + "\" does not end in .png or .exr", "-o",
                      "give such a file; folders and videos are for --turntable and --path");
   }
   if (stream && choice.stereoMetres > 0 && !choice.sideBySide) {
-    throw InputError("two pictures do not go into one output", output, "add --side-by-side, or give a file");
+    throw InputError("two images do not go into one output", output, "add --side-by-side, or give a file");
   }
   if (choice.isExr() && (choice.observer.gain > 0 || choice.observer.gamma != 1 || choice.observer.tone != "clip")) {
     throw InputError("an .exr file holds the light as it is", "--gain, --gamma, --tone",
@@ -77,10 +77,10 @@ void checkOutput(const ObserveChoice& choice) {
     throw InputError("eyes must be between 0 and 10 metres apart", "--stereo", "--stereo 0.063");
   }
   if (choice.sideBySide && choice.stereoMetres == 0) {
-    throw InputError("there is one picture only", "--side-by-side", "add --stereo 0.063");
+    throw InputError("there is one image only", "--side-by-side", "add --stereo 0.063");
   }
   if (choice.rate && !choice.isSeries()) {
-    throw InputError("there is one picture only", "--rate", "leave it out, or add --turntable or --path");
+    throw InputError("there is one image only", "--rate", "leave it out, or add --turntable or --path");
   }
   if (!(choice.framesPerSecond() >= 0.01 && choice.framesPerSecond() <= 1000)) {
     throw InputError("there must be between 0.01 and 1000 frames in a second", "--rate", "--rate 24");
@@ -92,7 +92,7 @@ std::string withSuffix(const std::string& path, const std::string& suffix) {
   return path.substr(0, dot) + suffix + path.substr(dot);
 }
 
-void writePicture(const std::string& path, const Image<glm::vec3>& light, const Tone& tone, const Json& figures) {
+void writeImage(const std::string& path, const Image<glm::vec3>& light, const Tone& tone, const Json& figures) {
   if (path.ends_with(".exr")) {
     writeLightExr(path, light, textOfJson(figures));
   } else {
@@ -101,7 +101,7 @@ void writePicture(const std::string& path, const Image<glm::vec3>& light, const 
 }
 
 /// Adds what it measured to the figures.
-void observePictures(const Observation& o, Json& figures) {
+void observeImages(const Observation& o, Json& figures) {
   const bool pair = o.separationRadii > 0;
   const bool two = pair && !o.choice.sideBySide;
   const std::string left = two ? withSuffix(o.choice.output, "-left") : "";
@@ -126,16 +126,16 @@ void observePictures(const Observation& o, Json& figures) {
   }
   figures["gain"] = tone.gain;
   if (two) {
-    writePicture(left, seen.left, tone, figures);
-    writePicture(right, seen.right, tone, figures);
+    writeImage(left, seen.left, tone, figures);
+    writeImage(right, seen.right, tone, figures);
   } else {
-    writePicture(o.choice.output, whole, tone, figures);
+    writeImage(o.choice.output, whole, tone, figures);
   }
   figures["observe_ms"] = time.count();
   const glm::vec3& eye = o.options.eye;
-  o.frame.note(fmt::format("wrote {}: seen from {:g},{:g},{:g} in {:.0f} ms",
-                           two ? fmt::format("{} and {}", left, right) : o.choice.output, eye.x, eye.y, eye.z,
-                           time.count()));
+  o.context.note(fmt::format("wrote {}: seen from {:g},{:g},{:g} in {:.0f} ms",
+                             two ? fmt::format("{} and {}", left, right) : o.choice.output, eye.x, eye.y, eye.z,
+                             time.count()));
 }
 
 void observeFrames(const Observation& o, const DisplayProfile& profile, Json& figures) {
@@ -149,7 +149,7 @@ void observeFrames(const Observation& o, const DisplayProfile& profile, Json& fi
                                              : frameFolder(o.choice.output);
   const auto start = std::chrono::steady_clock::now();
   double gain = 0;
-  runOrLeaveNothing(o.choice.output, o.frame.progress(), [&](const Progress& progress) {
+  runOrLeaveNothing(o.choice.output, o.context.progress(), [&](const Progress& progress) {
     gain = seriesGain(o.collect, o.options, series);
     observeSeries(o.collect, o.options, series, gain, *sink, progress);
     sink->finish();
@@ -158,15 +158,15 @@ void observeFrames(const Observation& o, const DisplayProfile& profile, Json& fi
   figures["gain"] = gain;
   figures["frames"] = series.eyes.size();
   figures["seconds"] = time.count();
-  o.frame.note(fmt::format("wrote {}: {} frames in {:.1f} s", o.choice.output, series.eyes.size(), time.count()));
+  o.context.note(fmt::format("wrote {}: {} frames in {:.1f} s", o.choice.output, series.eyes.size(), time.count()));
 }
 
-void run(const ObserveChoice& choice, const Frame& frame) {
+void run(const ObserveChoice& choice, const CommandContext& context) {
   requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
   checkOutput(choice);
   const auto gl = choice.method == "gl" ? std::make_unique<GlDisplay>(choice.gl) : nullptr;
   const Volume volume = readSvol(choice.volume, frameNumber(choice.frame, "--frame"));
-  noteDarkVolume(frame, volume);
+  noteDarkVolume(context, volume);
   ObserverOptions options = observerOptions(choice.observer, volume.profile());
   const std::vector<EyePose> way = choice.path.empty() ? std::vector<EyePose>() : readEyePath(choice.path);
   if (!way.empty()) {
@@ -179,31 +179,31 @@ void run(const ObserveChoice& choice, const Frame& frame) {
   const CollectLight collect =
       gl != nullptr ? gl->observerOf(volume) : [&](const ObserverOptions& o) { return collectLight(volume, o); };
   const Observation observation{choice, options, choice.stereoMetres / volume.profile().radiusMetres,
-                                way,    collect, frame};
+                                way,    collect, context};
   Json figures = {{"profile", volume.profile().name},
                   {"eye", {options.eye.x, options.eye.y, options.eye.z}},
                   {"lit_voxels", volume.litVoxels()}};
   if (choice.isSeries()) {
     observeFrames(observation, volume.profile(), figures);
   } else {
-    observePictures(observation, figures);
+    observeImages(observation, figures);
   }
   if (choice.json) {
-    frame.print(textOfJson(figures, 2) + "\n");
+    context.print(textOfJson(figures, 2) + "\n");
   }
   if (gl != nullptr) {
-    frame.note("drawn with " + gl->description());
+    context.note("drawn with " + gl->description());
   }
 }
 
 void addSeriesOptions(CLI::App& command, ObserveChoice& choice) {
-  command.add_option("--stereo", choice.stereoMetres, "Two pictures, for eyes so far apart: NAME-left and NAME-right")
+  command.add_option("--stereo", choice.stereoMetres, "Two images, for eyes so far apart: NAME-left and NAME-right")
       ->type_name("METRES");
-  command.add_flag("--side-by-side", choice.sideBySide, "Both in one picture; in series they always are");
+  command.add_flag("--side-by-side", choice.sideBySide, "Both in one image; in series they always are");
   CLI::Option* turntable =
       command
           .add_option("--turntable", choice.turntable, "So many frames around the display, into a folder or a video")
-          ->check(CLI::Range(1, kMostFrames))
+          ->check(CLI::Range(1, kMaxFrames))
           ->type_name("FRAMES");
   command
       .add_option("--path", choice.path,
@@ -215,7 +215,7 @@ void addSeriesOptions(CLI::App& command, ObserveChoice& choice) {
 
 }  // namespace
 
-void addObserveCommand(CLI::App& program, const Frame& frame) {
+void addObserveCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand("observe", "Show what an eye sees of a volume on its display");
   const auto choice = std::make_shared<ObserveChoice>();
   command.add_option("VOLUME", choice->volume, "A volume (.svol)")->required();
@@ -227,15 +227,15 @@ void addObserveCommand(CLI::App& program, const Frame& frame) {
   command.add_flag("--json", choice->json, "Print the figures as JSON");
   command
       .add_option("-o,--output", choice->output,
-                  "Where it goes: a toned picture, all of its light, or a series of pictures as PNG files or a video")
+                  "Where it goes: a toned image, all of its light, or a series of images as PNG files or a video")
       ->required()
       ->type_name("FILE.png|FILE.exr|FOLDER|FILE.mp4|FILE.webm");
-  frame.finish(command,
-               "  ocelli observe teapot.svol -o teapot.png\n"
-               "  ocelli observe teapot.svol --eye 0,4,9 --exposure 1/25 --missing-sector 30 -o teapot.png\n"
-               "  ocelli observe teapot.svol --exposure 1/12 --wobble 0.005 --ambient 0.001 -o teapot.exr\n"
-               "  ocelli observe teapot.svol --turntable 120 -o teapot.mp4",
-               [choice, frame] { run(*choice, frame); });
+  context.finish(command,
+                 "  ocelli observe teapot.svol -o teapot.png\n"
+                 "  ocelli observe teapot.svol --eye 0,4,9 --exposure 1/25 --missing-sector 30 -o teapot.png\n"
+                 "  ocelli observe teapot.svol --exposure 1/12 --wobble 0.005 --ambient 0.001 -o teapot.exr\n"
+                 "  ocelli observe teapot.svol --turntable 120 -o teapot.mp4",
+                 [choice, context] { run(*choice, context); });
 }
 
 }  // namespace ocelli

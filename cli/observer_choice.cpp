@@ -13,7 +13,7 @@ void addView(CLI::App& command, ObserverChoice& choice) {
       .add_option("--eye", choice.eye,
                   "Where the eye is, in display radii; by default in front, at the display's viewing distance")
       ->type_name("X,Y,Z");
-  command.add_option("--size", choice.size, "Of the picture, in pixels")->type_name("WIDTHxHEIGHT");
+  command.add_option("--size", choice.size, "Of the image, in pixels")->type_name("WIDTHxHEIGHT");
   command.add_option("--fov", choice.fovVerticalDegrees, "Vertical field of view; 0 just holds the unit sphere")
       ->type_name("DEGREES");
   command.add_option("--aperture", choice.apertureMetres, "Width of the pupil or lens; 0: everything is sharp")

@@ -52,13 +52,13 @@ std::string describe(const ReferenceImages& images) {
 
 /// Of a graph or curved ray camera, made for a scene that one walks through.
 ReferenceImage constructedImage(const BuildChoice& choice, const View& view, const ImageSize& size,
-                                const Frame& frame) {
+                                const CommandContext& context) {
   if (choice.construction == "gl") {
     throw InputError("graph and curved ray cameras are constructed by rasterisation or by rays", "--construction gl",
                      "use auto, raster or rays");
   }
-  const GuidedScene scene = loadGuidedScene(choice.scene.source, choice.scene.options, frame.progress());
-  noteBlackScene(frame, scene.mesh);
+  const GuidedScene scene = loadGuidedScene(choice.scene.source, choice.scene.options, context.progress());
+  noteBlackScene(context, scene.mesh);
   const PinholeCamera reference(view, size.width, size.height);
   const MultiperspectiveCamera camera = constructCamera(choice.camera, scene, reference);
   const bool byRays = constructionFromText(choice.construction, "--construction") == Construction::kRays;
@@ -68,36 +68,36 @@ ReferenceImage constructedImage(const BuildChoice& choice, const View& view, con
   if (image.sampleCount() == 0) {
     failSeeingNothing(reference, scene.mesh, "--camera " + choice.camera);
   }
-  frame.note(byRays ? "constructed by rays" : "constructed by rasterisation");
+  context.note(byRays ? "constructed by rays" : "constructed by rasterisation");
   return image;
 }
 
 /// Of every other camera, for each viewer.
 ReferenceImages builtImages(const BuildChoice& choice, const std::vector<View>& views, const ImageSize& size,
-                            const Frame& frame) {
+                            const CommandContext& context) {
   const bool onGpu = choice.construction == "gl";
   const Construction construction = constructionFromText(onGpu ? "auto" : choice.construction, "--construction");
   const CameraChoice camera = cameraChoice(choice.camera);
   const auto gl = onGpu ? std::make_unique<GlDrawing>(choice.gl) : nullptr;
-  const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, frame.progress());
-  noteBlackScene(frame, mesh);
+  const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, context.progress());
+  noteBlackScene(context, mesh);
   ConstructionReport report;
   std::vector<ReferenceImages> viewers;
   for (const View& view : views) {
     const PinholeCamera reference(view, size.width, size.height);
     viewers.push_back(
         gl != nullptr
-            ? buildReferenceImages(camera, reference, mesh, frame.progress(), gl->drawerOf(mesh))
-            : buildReferenceImages(camera, reference, mesh, frame.progress(), construction, nullptr, &report));
+            ? buildReferenceImages(camera, reference, mesh, context.progress(), gl->rendererOf(mesh))
+            : buildReferenceImages(camera, reference, mesh, context.progress(), construction, nullptr, &report));
   }
-  frame.note("constructed " + (gl != nullptr ? "with " + gl->description() : describe(report)));
+  context.note("constructed " + (gl != nullptr ? "with " + gl->description() : describe(report)));
   return mergeViewers(std::move(viewers)).images;
 }
 
-void addBuild(CLI::App& ocri, const Frame& frame) {
+void addBuild(CLI::App& ocri, const CommandContext& context) {
   CLI::App& command = *ocri.add_subcommand("build", "Build the reference image of a scene");
   const auto choice = std::make_shared<BuildChoice>();
-  addSceneOptions(command, choice->scene, frame);
+  addSceneOptions(command, choice->scene, context);
   addAnyCameraOption(command, choice->camera);
   addViewersOptions(command, choice->viewers);
   addCameraSizeOption(command, choice->size, kBuildSize);
@@ -110,31 +110,31 @@ void addBuild(CLI::App& ocri, const Frame& frame) {
       ->capture_default_str();
   addGlOption(command, choice->gl);
   addOutputOption(command, choice->output, "Where the image goes", {".exr"});
-  frame.finish(command,
-               "  ocelli ocri build builtin:statues -o statues.exr\n"
-               "  ocelli ocri build bunny.obj --camera di --size 180x120 -o bunny.exr\n"
-               "  ocelli ocri build builtin:statues --viewers 4 -o around.exr\n"
-               "  ocelli ocri build builtin:town --camera panorama --size 1440x720 --view street.json -o town.exr\n"
-               "  ocelli ocri build builtin:maze --camera comprehensive --size 1920x1200 -o maze.exr",
-               [choice, frame] {
-                 checkWritable(choice->output);
-                 requireGlUsed(choice->gl, choice->construction == "gl", "--construction gl");
-                 const ImageSize size = cameraImageSize(choice->camera, choice->size, kBuildSize);
-                 const std::vector<View> views = viewsOf(choice->viewers);
-                 const bool constructed = namesConstructor(choice->camera);
-                 if (constructed && views.size() != 1) {
-                   throw InputError("graph and curved ray cameras are made for one viewer", "--viewers",
-                                    "leave it out, or choose another camera");
-                 }
-                 const ReferenceImages images =
-                     constructed ? ReferenceImages{constructedImage(*choice, views.front(), size, frame)}
-                                 : builtImages(*choice, views, size, frame);
-                 writeReferenceImages(choice->output, images);
-                 frame.note("wrote " + choice->output + ": " + describe(images));
-               });
+  context.finish(command,
+                 "  ocelli ocri build builtin:statues -o statues.exr\n"
+                 "  ocelli ocri build bunny.obj --camera di --size 180x120 -o bunny.exr\n"
+                 "  ocelli ocri build builtin:statues --viewers 4 -o around.exr\n"
+                 "  ocelli ocri build builtin:town --camera panorama --size 1440x720 --view street.json -o town.exr\n"
+                 "  ocelli ocri build builtin:maze --camera comprehensive --size 1920x1200 -o maze.exr",
+                 [choice, context] {
+                   checkWritable(choice->output);
+                   requireGlUsed(choice->gl, choice->construction == "gl", "--construction gl");
+                   const ImageSize size = cameraImageSize(choice->camera, choice->size, kBuildSize);
+                   const std::vector<View> views = viewsOf(choice->viewers);
+                   const bool constructed = namesConstructor(choice->camera);
+                   if (constructed && views.size() != 1) {
+                     throw InputError("graph and curved ray cameras are made for one viewer", "--viewers",
+                                      "leave it out, or choose another camera");
+                   }
+                   const ReferenceImages images =
+                       constructed ? ReferenceImages{constructedImage(*choice, views.front(), size, context)}
+                                   : builtImages(*choice, views, size, context);
+                   writeReferenceImages(choice->output, images);
+                   context.note("wrote " + choice->output + ": " + describe(images));
+                 });
 }
 
-void addMesh(CLI::App& ocri, const Frame& frame) {
+void addMesh(CLI::App& ocri, const CommandContext& context) {
   CLI::App& command = *ocri.add_subcommand("mesh", "Turn a reference image into its bounded triangle mesh");
   struct Choice {
     std::string input;
@@ -143,20 +143,20 @@ void addMesh(CLI::App& ocri, const Frame& frame) {
   const auto choice = std::make_shared<Choice>();
   command.add_option("IMAGE", choice->input, "A reference image (.exr)")->required();
   addOutputOption(command, choice->output, "Where the mesh goes", {".ply"});
-  frame.finish(command, "  ocelli ocri mesh statues.exr -o statues.ply", [choice, frame] {
+  context.finish(command, "  ocelli ocri mesh statues.exr -o statues.ply", [choice, context] {
     const Mesh mesh = unionMesh(readReferenceImages(choice->input));
     writePly(choice->output, mesh);
-    frame.note(fmt::format("wrote {}: {} triangles", choice->output, mesh.triangles.size()));
+    context.note(fmt::format("wrote {}: {} triangles", choice->output, mesh.triangles.size()));
   });
 }
 
 }  // namespace
 
-void addOcriCommand(CLI::App& program, const Frame& frame) {
+void addOcriCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& ocri = *program.add_subcommand("ocri", "Build occlusion camera reference images and their meshes");
   ocri.require_subcommand(1);
-  addBuild(ocri, frame);
-  addMesh(ocri, frame);
+  addBuild(ocri, context);
+  addMesh(ocri, context);
 }
 
 }  // namespace ocelli

@@ -20,8 +20,8 @@
 namespace ocelli {
 namespace {
 
-constexpr int kMostSubjects = 1000;
-constexpr int kMostSimulations = 100'000;
+constexpr int kMaxSubjects = 1000;
+constexpr int kMaxSimulations = 100'000;
 
 struct PowerChoice {
   std::string protocol;
@@ -163,7 +163,7 @@ void check(const PowerChoice& choice, double alpha) {
 }
 
 std::vector<Truth> truthsOf(const PowerChoice& choice, const Protocol& protocol, const PlannedEquivalence* bounds,
-                            const Frame& frame) {
+                            const CommandContext& context) {
   std::vector<Truth> truths{wantedTruth(protocol, choice.supposed)};
   if (choice.withoutNone) {
     return truths;
@@ -175,7 +175,7 @@ std::vector<Truth> truthsOf(const PowerChoice& choice, const Protocol& protocol,
     if (const std::optional<Truth> atBound = truthAtBound(protocol, truths.front(), *bounds)) {
       truths.push_back(*atBound);
     } else {
-      frame.note(
+      context.note(
           "no share of right answers is as far from that with the pinhole as the bounds of equivalence: its "
           "type-I error is not simulated");
     }
@@ -183,7 +183,7 @@ std::vector<Truth> truthsOf(const PowerChoice& choice, const Protocol& protocol,
   return truths;
 }
 
-void power(const PowerChoice& choice, const Frame& frame) {
+void power(const PowerChoice& choice, const CommandContext& context) {
   const Protocol protocol = readProtocol(choice.protocol);
   const AnalysisPlan plan = choice.plan.empty() ? defaultPlan() : readPlan(choice.plan);
   const double alpha = choice.alpha.value_or(plan.alpha);
@@ -200,14 +200,14 @@ void power(const PowerChoice& choice, const Frame& frame) {
     throw InputError("the plan has no bounds of equivalence for paths", choice.plan,
                      "\"equivalence\": [{\"task\": \"path\", \"lower\": -0.1, \"upper\": 0.1}] in the plan");
   }
-  const std::vector<Truth> truths = truthsOf(choice, protocol, bounds, frame);
+  const std::vector<Truth> truths = truthsOf(choice, protocol, bounds, context);
   if (!choice.folder.empty()) {
     checkReportFolder(choice.folder);
   }
   const PowerWork work{protocol,           plan,  *model,         bounds,     choice.subjects,
                        choice.simulations, alpha, choice.dropOut, choice.seed};
   PowerStudy study;
-  study.curves = simulatePower(work, truths, frame.progress());
+  study.curves = simulatePower(work, truths, context.progress());
   study.protocolName = protocol.name;
   study.protocolSha256 = protocol.sha256;
   study.task = task;
@@ -221,19 +221,19 @@ void power(const PowerChoice& choice, const Frame& frame) {
   study.power = choice.power;
   study.alpha = alpha;
   study.seed = choice.seed;
-  frame.print(choice.asJson ? jsonText(study) : tableText(study));
+  context.print(choice.asJson ? jsonText(study) : tableText(study));
   if (!choice.folder.empty()) {
     // A signal waits until it is whole.
     UnfinishedOutput(unfinishedReportFolder(choice.folder), [] {}).finish([&] {
       writeReportFolder(choice.folder, reportFiles(powerReport(study, OCELLI_VERSION, utcNow())));
     });
-    frame.note(fmt::format("wrote a report to {}", choice.folder));
+    context.note(fmt::format("wrote a report to {}", choice.folder));
   }
 }
 
-void runPower(const PowerChoice& choice, const Frame& frame) {
+void runPower(const PowerChoice& choice, const CommandContext& context) {
   try {
-    power(choice, frame);
+    power(choice, context);
   } catch (const AnalysisError& error) {
     // What of it is whose fault stays: the text is whole already.
     if (error.kind() == AnalysisError::Kind::kInput) {
@@ -276,7 +276,7 @@ void addEffectOptions(CLI::App& command, SupposedEffects& supposed) {
 
 }  // namespace
 
-void addPowerCommand(CLI::App& program, const Frame& frame) {
+void addPowerCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand("power", "How many subjects a study needs, by simulated studies");
   const auto choice = std::make_shared<PowerChoice>();
   command.add_option("PROTOCOL", choice->protocol, "The protocol of the study")->required();
@@ -291,12 +291,12 @@ void addPowerCommand(CLI::App& program, const Frame& frame) {
                    "Leave out the studies without an effect, which tell the type-I error");
   command.add_option("--subjects", choice->subjects, "Numbers of subjects to try, rising")
       ->delimiter(',')
-      ->check(CLI::Range(1, kMostSubjects))
+      ->check(CLI::Range(1, kMaxSubjects))
       ->expected(1, 50)
       ->type_name("N,N,...")
       ->capture_default_str();
   command.add_option("--simulations", choice->simulations, "Studies of each number of subjects")
-      ->check(CLI::Range(20, kMostSimulations))
+      ->check(CLI::Range(20, kMaxSimulations))
       ->capture_default_str();
   command.add_option("--power", choice->power, "Share of studies that should find the effect")
       ->check(between(0.01, 0.999))
@@ -309,11 +309,11 @@ void addPowerCommand(CLI::App& program, const Frame& frame) {
   command.add_option("-o,--output", choice->folder, "Folder of a report: new, empty, or an earlier report")
       ->type_name("FOLDER");
   command.add_flag("--json", choice->asJson, "Print the numbers as JSON");
-  frame.finish(command,
-               "  ocelli power protocols/rosen2010.json --task find --ratio 0.85 --subjects 6,12,18,24\n"
-               "  ocelli power study.json --plan plan.json --task count --share-ppc 0.5 --share-gc 0.6 -o power\n"
-               "  ocelli power study.json --task path --share-ppc 0.7 --share-gc 0.7 --equivalence --drop-out 0.2",
-               [choice, frame] { runPower(*choice, frame); });
+  context.finish(command,
+                 "  ocelli power protocols/rosen2010.json --task find --ratio 0.85 --subjects 6,12,18,24\n"
+                 "  ocelli power study.json --plan plan.json --task count --share-ppc 0.5 --share-gc 0.6 -o power\n"
+                 "  ocelli power study.json --task path --share-ppc 0.7 --share-gc 0.7 --equivalence --drop-out 0.2",
+                 [choice, context] { runPower(*choice, context); });
 }
 
 }  // namespace ocelli

@@ -10,7 +10,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kMostLogit = 20;  // more is as good as always
+constexpr double kMaxLogit = 20;  // more is as good as always
 
 struct NamedOption {
   const char* name;
@@ -32,8 +32,8 @@ void set(double& effect, const std::optional<double>& value) {
 /// The value of `effect` for which `share()` is `wanted`: shares rise with it.
 template <class Share>
 void solve(double& effect, double wanted, const Share& share) {
-  double low = -kMostLogit;
-  double high = kMostLogit;
+  double low = -kMaxLogit;
+  double high = kMaxLogit;
   for (int i = 0; i < 50; ++i) {
     effect = (low + high) / 2;
     (share() < wanted ? low : high) = effect;

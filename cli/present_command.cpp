@@ -134,10 +134,10 @@ Volume sliceOnce(const Mesh& mesh, const DisplayProfile& profile, const SlicingC
 }
 
 void addSceneSource(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile,
-                    const Frame& frame) {
+                    const CommandContext& context) {
   const SliceOptions options = sliceOptionsOf(choice.slicing);
-  presented.mesh = loadMeshToSlice(choice.scene, frame.progress());
-  noteSlicedScene(frame, presented.mesh, profile);
+  presented.mesh = loadMeshToSlice(choice.scene, context.progress());
+  noteSlicedScene(context, presented.mesh, profile);
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   if (!choice.eyes.empty()) {
     const CameraChoice camera = cameraChoice(choice.hasCamera() ? choice.camera : "ddoc");
@@ -153,7 +153,7 @@ void addSceneSource(Presented& presented, const PresentChoice& choice, const Dis
   } else if (choice.hasCamera()) {
     const PinholeCamera reference(View{}, size.width, size.height);
     const Mesh seen =
-        unionMesh(buildReferenceImages(cameraChoice(choice.camera), reference, presented.mesh, frame.progress()));
+        unionMesh(buildReferenceImages(cameraChoice(choice.camera), reference, presented.mesh, context.progress()));
     presented.source = std::make_unique<StillSource>(sliceOnce(seen, profile, choice.slicing));
   } else {
     presented.source = std::make_unique<StillSource>(sliceOnce(presented.mesh, profile, choice.slicing));
@@ -161,12 +161,12 @@ void addSceneSource(Presented& presented, const PresentChoice& choice, const Dis
 }
 
 void addSeriesSource(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile,
-                     const Frame& frame) {
+                     const CommandContext& context) {
   auto source = std::make_unique<SeriesSource>(
       numberedFiles(choice.scene.source, ".ply"), choice.scene.options, profile, sliceOptionsOf(choice.slicing),
-      choice.rate.value_or(profile.refreshHertz()), choice.loop, frame.progress());
+      choice.rate.value_or(profile.refreshHertz()), choice.loop, context.progress());
   if (source->isCutOff()) {
-    noteCutOffScene(frame);
+    noteCutOffScene(context);
   }
   presented.source = std::move(source);
 }
@@ -194,13 +194,14 @@ class TimeLineFile {
   std::optional<OutputFile> file_;
 };
 
-PresentationReport present(Device& device, Presented& presented, const PresentChoice& choice, const Frame& frame) {
+PresentationReport present(Device& device, Presented& presented, const PresentChoice& choice,
+                           const CommandContext& context) {
   TimeLineFile file(choice.timeLine);
   TimeLine soFar;
   const auto interrupted = [] { return InterruptGuard::interrupted(); };
   const InterruptGuard guard;
   PresentationReport result;
-  DisplayWait display(device, frame);
+  DisplayWait display(device, context);
   const HostTime begin = realClock().now();
   if (!display.untilThere(choice.seconds, interrupted)) {
     result.absent = true;
@@ -211,7 +212,7 @@ PresentationReport present(Device& device, Presented& presented, const PresentCh
       // Waiting counts.
       *seconds = std::max(0.0, *seconds - std::chrono::duration<double>(start - begin).count());
     }
-    const Progress progress = frame.progress();
+    const Progress progress = context.progress();
     bool malformedTold = false;
     Pacer pacer(device, *presented.source, realClock(),
                 {.seconds = seconds, .tearWhenLate = choice.tear, .coarseWhenLate = choice.coarse});
@@ -219,11 +220,11 @@ PresentationReport present(Device& device, Presented& presented, const PresentCh
       file.add(record, start);
       soFar.add(record);
       if (choice.follow && isMiss(record.outcome)) {
-        frame.note(missText(record, start));
+        context.note(missText(record, start));
       }
       if (presented.feed != nullptr && presented.feed->malformed() > 0 && !malformedTold) {
         malformedTold = true;
-        frame.note(presented.feed->firstMalformed() + "\n  more of them are only counted");
+        context.note(presented.feed->firstMalformed() + "\n  more of them are only counted");
       }
       constexpr uint64_t kRefreshesBetween = 6;
       if (soFar.refreshes() % kRefreshesBetween == 0 && display.look() && progress) {
@@ -252,7 +253,7 @@ struct Opened {
   std::unique_ptr<Device> device;
 
   /// All of it. What failed first, or nullptr.
-  std::exception_ptr close(const Frame& frame) {
+  std::exception_ptr close(const CommandContext& context) {
     std::exception_ptr failure;
     const auto attempt = [&](const std::function<void()>& work) {
       try {
@@ -263,7 +264,7 @@ struct Opened {
     };
     attempt([&] { device->close(); });
     device.reset();
-    attempt([&] { shown->finish(frame); });
+    attempt([&] { shown->finish(context); });
     return failure;
   }
 };
@@ -281,7 +282,7 @@ bool takesAnyProfile(const std::string& device) {
   return device == "sim" || device == "null" || device.starts_with("file:");
 }
 
-Opened openFor(const PresentChoice& choice, DeviceOptions options, const Frame& frame) {
+Opened openFor(const PresentChoice& choice, DeviceOptions options, const CommandContext& context) {
   const DisplayProfile simulated = options.profile ? *options.profile : loadProfile(kUsualProfile);
   Opened opened{std::make_unique<ShownOutput>(choice.shown, simulated), nullptr};
   if (choice.device == "sim") {
@@ -297,8 +298,8 @@ Opened openFor(const PresentChoice& choice, DeviceOptions options, const Frame& 
                      choice.profile.empty() ? choice.scene.source : "--profile", "slice the scene for that display");
   }
   if (!choice.record.empty()) {
-    opened.device =
-        recordSession(std::move(opened.device), choice.record, [&frame](const std::string& what) { frame.note(what); });
+    opened.device = recordSession(std::move(opened.device), choice.record,
+                                  [&context](const std::string& what) { context.note(what); });
   }
   return opened;
 }
@@ -323,24 +324,24 @@ void requireShown(const PresentationReport& report, const Presented& presented, 
 /// Until what is missing is told.
 constexpr double kSessionWaitSeconds = 0.5;
 
-void runSession(const PresentChoice& choice, const Frame& frame) {
+void runSession(const PresentChoice& choice, const CommandContext& context) {
   SessionReader reader(choice.scene.source);
   DeviceOptions options;
   options.profile = reader.profile();
-  Opened opened = openFor(choice, options, frame);
+  Opened opened = openFor(choice, options, context);
   SessionPlayed played;
   bool interrupted = false;
   {
     const InterruptGuard guard;
     // Frames come at their own times, display or not.
-    DisplayWait(*opened.device, frame).untilThere(kSessionWaitSeconds, [] { return InterruptGuard::interrupted(); });
+    DisplayWait(*opened.device, context).untilThere(kSessionWaitSeconds, [] { return InterruptGuard::interrupted(); });
     played = playSession(reader, *opened.device, realClock(), {.fast = choice.fast},
                          [] { return InterruptGuard::interrupted(); });
     interrupted = InterruptGuard::interrupted();
   }
-  const std::exception_ptr failure = opened.close(frame);
+  const std::exception_ptr failure = opened.close(context);
   played.countEnded();
-  frame.print(choice.json ? reportJson(played) : reportText(played));
+  context.print(choice.json ? reportJson(played) : reportText(played));
   rethrow(failure);
   if (interrupted) {
     return;
@@ -352,7 +353,7 @@ void runSession(const PresentChoice& choice, const Frame& frame) {
     if (played.submitted == 0) {
       throw InputError("this session was cut short before its first frame", choice.scene.source, "record it again");
     }
-    frame.note("the recording was cut short");
+    context.note("the recording was cut short");
   }
   if (played.presented > 0 && played.shown == 0) {
     throw WorkError("no frame was ever shown", choice.device,
@@ -360,19 +361,20 @@ void runSession(const PresentChoice& choice, const Frame& frame) {
   }
 }
 
-void addSource(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile, const Frame& frame) {
+void addSource(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile,
+               const CommandContext& context) {
   if (choice.isSeries()) {
-    addSeriesSource(presented, choice, profile, frame);
+    addSeriesSource(presented, choice, profile, context);
   } else if (choice.isScene()) {
-    addSceneSource(presented, choice, profile, frame);
+    addSceneSource(presented, choice, profile, context);
   }
 }
 
-void run(const PresentChoice& choice, const Frame& frame) {
+void run(const PresentChoice& choice, const CommandContext& context) {
   check(choice);
   checkSecondOutput(choice.record, "--record", choice.scene.source);
   if (choice.isSession()) {
-    runSession(choice, frame);
+    runSession(choice, context);
     return;
   }
   checkSecondOutput(choice.timeLine, "--timeline", choice.record);
@@ -382,7 +384,7 @@ void run(const PresentChoice& choice, const Frame& frame) {
     auto source = std::make_unique<RecordingSource>(choice.scene.source, choice.loop);
     options.profile = source->profile();
     if (source->frames() == 1) {
-      noteDarkVolume(frame, readSvol(choice.scene.source));
+      noteDarkVolume(context, readSvol(choice.scene.source));
     }
     presented.source = std::move(source);
   } else if (!choice.profile.empty()) {
@@ -394,18 +396,18 @@ void run(const PresentChoice& choice, const Frame& frame) {
   if (sourceFirst) {
     options.profile = options.profile ? options.profile : loadProfile(kUsualProfile);
     checkShownOptions(choice.shown, *options.profile);
-    addSource(presented, choice, *options.profile, frame);
+    addSource(presented, choice, *options.profile, context);
   }
-  Opened opened = openFor(choice, options, frame);
+  Opened opened = openFor(choice, options, context);
   if (!sourceFirst) {
-    addSource(presented, choice, opened.device->profile(), frame);
+    addSource(presented, choice, opened.device->profile(), context);
   }
-  const PresentationReport result = present(*opened.device, presented, choice, frame);
-  const std::exception_ptr failure = opened.close(frame);
+  const PresentationReport result = present(*opened.device, presented, choice, context);
+  const std::exception_ptr failure = opened.close(context);
   if (result.eyesLeftOut > 0) {
-    frame.note(fmt::format("{} eyes were left out: {}", result.eyesLeftOut, presented.eyes->firstLeftOut()));
+    context.note(fmt::format("{} eyes were left out: {}", result.eyesLeftOut, presented.eyes->firstLeftOut()));
   }
-  frame.print(choice.json ? reportJson(result) : reportText(result));
+  context.print(choice.json ? reportJson(result) : reportText(result));
   rethrow(failure);
   requireShown(result, presented, choice);
 }
@@ -432,10 +434,10 @@ CLI::Validator numberCheck(double least, double most) {
 
 }  // namespace
 
-void addPresentCommand(CLI::App& program, const Frame& frame) {
+void addPresentCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand("present", "Show a scene or a volume on a display, in time with it");
   const auto choice = std::make_shared<PresentChoice>();
-  addSceneOptions(command, choice->scene, frame);
+  addSceneOptions(command, choice->scene, context);
   command.get_option("SCENE")->description(
       "A scene, the mesh of a reference image (.exr), a volume or recording (.svol), or a folder of numbered .ply "
       "files");
@@ -468,12 +470,12 @@ void addPresentCommand(CLI::App& program, const Frame& frame) {
   addSecondOutputOption(command, "--record", choice->record, "All that passes to the device and back", {".session"});
   command.add_flag("--fast", choice->fast, "A recorded session as fast as the display goes");
   command.add_flag("--json", choice->json, "Print the figures as JSON");
-  frame.finish(command,
-               "  ocelli present builtin:teapot --device sim --seconds 5 --watch seen.mp4\n"
-               "  ocelli present turning.svol --device usb --loop\n"
-               "  ocelli present bunny.obj --device null --follow --turn 30 --seconds 10 --timeline misses.csv\n"
-               "  ocelli present builtin:statues --device file:seen.svol --eyes udp:5005 --camera ddoc",
-               [choice, frame] { run(*choice, frame); });
+  context.finish(command,
+                 "  ocelli present builtin:teapot --device sim --seconds 5 --watch seen.mp4\n"
+                 "  ocelli present turning.svol --device usb --loop\n"
+                 "  ocelli present bunny.obj --device null --follow --turn 30 --seconds 10 --timeline misses.csv\n"
+                 "  ocelli present builtin:statues --device file:seen.svol --eyes udp:5005 --camera ddoc",
+                 [choice, context] { run(*choice, context); });
 }
 
 }  // namespace ocelli

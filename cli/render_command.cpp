@@ -46,7 +46,7 @@ std::optional<Technique> techniqueOf(const std::string& method) {
 }
 
 FragmentImage drawn(const RenderChoice& choice, const MultiperspectiveCamera& camera, const Mesh& mesh,
-                    const Frame& frame) {
+                    const CommandContext& context) {
   if (choice.method == "raster") {
     return rasterize(camera, mesh);
   }
@@ -55,19 +55,19 @@ FragmentImage drawn(const RenderChoice& choice, const MultiperspectiveCamera& ca
   }
   if (choice.method == "gl") {
     GlDrawing gl(choice.gl);
-    frame.note("drawn with " + gl.description());
-    return draw(camera, gl.drawerOf(mesh));
+    context.note("drawn with " + gl.description());
+    return draw(camera, gl.rendererOf(mesh));
   }
   throw InputError("graph and curved ray cameras are not drawn by " + choice.method, "--method",
                    "use raster, raycast or gl");
 }
 
 /// Graph and curved ray cameras, which have no reference image: nothing displaces a pinhole's image into theirs.
-void renderMultiperspective(const RenderChoice& choice, const PinholeCamera& reference, const Frame& frame) {
-  const GuidedScene scene = loadGuidedScene(choice.scene.source, choice.scene.options, frame.progress());
+void renderMultiperspective(const RenderChoice& choice, const PinholeCamera& reference, const CommandContext& context) {
+  const GuidedScene scene = loadGuidedScene(choice.scene.source, choice.scene.options, context.progress());
   const MultiperspectiveCamera camera = constructCamera(choice.camera, scene, reference);
-  noteBlackScene(frame, scene.mesh);
-  const FragmentImage fragments = drawn(choice, camera, scene.mesh, frame);
+  noteBlackScene(context, scene.mesh);
+  const FragmentImage fragments = drawn(choice, camera, scene.mesh, context);
   if (std::none_of(fragments.begin(), fragments.end(), [](const Fragment& each) { return each.covered(); })) {
     failSeeingNothing(reference, scene.mesh, "--camera " + choice.camera);
   }
@@ -79,17 +79,18 @@ void renderMultiperspective(const RenderChoice& choice, const PinholeCamera& ref
   if (!choice.identity.empty()) {
     writePng(choice.identity, identityPicture(identityImage(fragments, scene.objectOfTriangle)));
   }
-  frame.note(fmt::format("wrote {}: {} of {}x{}", choice.output, choice.camera, fragments.width(), fragments.height()));
+  context.note(
+      fmt::format("wrote {}: {} of {}x{}", choice.output, choice.camera, fragments.width(), fragments.height()));
 }
 
-void render(const RenderChoice& choice, const Frame& frame) {
+void render(const RenderChoice& choice, const CommandContext& context) {
   requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
   checkWritable(choice.output);
   checkSecondOutput(choice.identity, "--identity", choice.output);
   const ImageSize size = cameraImageSize(choice.camera, choice.size, kRenderSize);
   const PinholeCamera reference(readViewOption(choice.view), size.width, size.height);
   if (namesConstructor(choice.camera)) {
-    return renderMultiperspective(choice, reference, frame);
+    return renderMultiperspective(choice, reference, context);
   }
   if (!choice.identity.empty()) {
     throw InputError("only graph and curved ray cameras tell which object is at each pixel", "--identity",
@@ -97,13 +98,13 @@ void render(const RenderChoice& choice, const Frame& frame) {
   }
   const CameraChoice camera = cameraChoice(choice.camera);
   const auto gl = choice.method == "gl" ? std::make_unique<GlDrawing>(choice.gl) : nullptr;
-  const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, frame.progress());
-  noteBlackScene(frame, mesh);
+  const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, context.progress());
+  noteBlackScene(context, mesh);
   const auto technique = techniqueOf(choice.method);
   const ReferenceImages images =
-      technique       ? ReferenceImages{drawReferenceImage(*technique, camera, reference, mesh, frame.progress())}
-      : gl != nullptr ? buildReferenceImages(camera, reference, mesh, frame.progress(), gl->drawerOf(mesh))
-                      : buildReferenceImages(camera, reference, mesh, frame.progress());
+      technique       ? ReferenceImages{drawReferenceImage(*technique, camera, reference, mesh, context.progress())}
+      : gl != nullptr ? buildReferenceImages(camera, reference, mesh, context.progress(), gl->rendererOf(mesh))
+                      : buildReferenceImages(camera, reference, mesh, context.progress());
   const ReferenceImage& image = images.front();
   if (choice.output.ends_with(".exr")) {
     writeReferenceImages(choice.output, images);
@@ -115,17 +116,17 @@ void render(const RenderChoice& choice, const Frame& frame) {
     writePng(choice.output, srgbFromLinear(image.color));
   }
   if (gl != nullptr) {
-    frame.note("drawn with " + gl->description());
+    context.note("drawn with " + gl->description());
   }
-  frame.note(fmt::format("wrote {}: {} of {}x{}", choice.output, image.camera, image.width(), image.height()));
+  context.note(fmt::format("wrote {}: {} of {}x{}", choice.output, image.camera, image.width(), image.height()));
 }
 
 }  // namespace
 
-void addRenderCommand(CLI::App& program, const Frame& frame) {
+void addRenderCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand("render", "Render a scene with any camera");
   const auto choice = std::make_shared<RenderChoice>();
-  addSceneOptions(command, choice->scene, frame);
+  addSceneOptions(command, choice->scene, context);
   addAnyCameraOption(command, choice->camera);
   command
       .add_option(
@@ -142,14 +143,14 @@ void addRenderCommand(CLI::App& program, const Frame& frame) {
                   "with depth, world points and objects",
                   {".png", ".exr"});
   addSecondOutputOption(command, "--identity", choice->identity,
-                        "Where a picture goes of which object is at each pixel, in false colours", {".png"});
-  frame.finish(command,
-               "  ocelli render builtin:teapot -o teapot.png\n"
-               "  ocelli render builtin:statues --camera ddoc --size 1440x960 -o statues.png\n"
-               "  ocelli render builtin:statues --camera ddoc --method raycast -o reference.exr\n"
-               "  ocelli render builtin:statues --camera eoc-h --method gl -o statues.png\n"
-               "  ocelli render builtin:maze --camera comprehensive --size 1920x1200 -o maze.png",
-               [choice, frame] { render(*choice, frame); });
+                        "Where an image goes of which object is at each pixel, in false colours", {".png"});
+  context.finish(command,
+                 "  ocelli render builtin:teapot -o teapot.png\n"
+                 "  ocelli render builtin:statues --camera ddoc --size 1440x960 -o statues.png\n"
+                 "  ocelli render builtin:statues --camera ddoc --method raycast -o reference.exr\n"
+                 "  ocelli render builtin:statues --camera eoc-h --method gl -o statues.png\n"
+                 "  ocelli render builtin:maze --camera comprehensive --size 1920x1200 -o maze.png",
+                 [choice, context] { render(*choice, context); });
 }
 
 }  // namespace ocelli

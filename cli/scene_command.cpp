@@ -97,50 +97,52 @@ std::string infoAsJson(const std::string& source, const Mesh& mesh, size_t inFil
   return textOfJson(info, 2) + "\n";
 }
 
-void addSceneList(CLI::App& parent, const Frame& frame) {
+void addSceneList(CLI::App& parent, const CommandContext& context) {
   CLI::App& command = *parent.add_subcommand("list", "Show the built-in scenes and their parameters");
   const auto asJson = std::make_shared<bool>(false);
   command.add_flag("--json", *asJson, "Print them as JSON");
-  frame.finish(command, "  ocelli scene list", [asJson, frame] { frame.print(*asJson ? listAsJson() : listAsText()); });
+  context.finish(command, "  ocelli scene list",
+                 [asJson, context] { context.print(*asJson ? listAsJson() : listAsText()); });
 }
 
-void addSceneInfo(CLI::App& parent, const Frame& frame) {
+void addSceneInfo(CLI::App& parent, const CommandContext& context) {
   CLI::App& command = *parent.add_subcommand("info", "Count what is in a scene, as everything downstream sees it");
   const auto scene = std::make_shared<SceneChoice>();
   const auto asJson = std::make_shared<bool>(false);
-  addSceneOptions(command, *scene, frame);
+  addSceneOptions(command, *scene, context);
   command.add_flag("--json", *asJson, "Print the figures as JSON");
-  frame.finish(
+  context.finish(
       command, "  ocelli scene info bunny.obj\n  ocelli scene info bunny.obj --no-fit --shading none",
-      [scene, asJson, frame] {
-        const Mesh mesh = loadScene(scene->source, scene->options, frame.progress());
-        const size_t inFile = trianglesInFile(*scene, mesh, frame.progress());
-        frame.print(*asJson ? infoAsJson(scene->source, mesh, inFile) : infoAsText(scene->source, mesh, inFile));
+      [scene, asJson, context] {
+        const Mesh mesh = loadScene(scene->source, scene->options, context.progress());
+        const size_t inFile = trianglesInFile(*scene, mesh, context.progress());
+        context.print(*asJson ? infoAsJson(scene->source, mesh, inFile) : infoAsText(scene->source, mesh, inFile));
       });
 }
 
-void addSceneExport(CLI::App& parent, const Frame& frame) {
+void addSceneExport(CLI::App& parent, const CommandContext& context) {
   CLI::App& command = *parent.add_subcommand("export", "Write the mesh that everything downstream takes");
   const auto scene = std::make_shared<SceneChoice>();
   const auto path = std::make_shared<std::string>();
-  addSceneOptions(command, *scene, frame);
+  addSceneOptions(command, *scene, context);
   addOutputOption(command, *path, "The mesh, as binary PLY with vertex colours", {".ply"});
-  frame.finish(command, "  ocelli scene export builtin:statues,triangles=4600000 -o statues.ply", [scene, path, frame] {
-    checkWritable(*path);
-    const Mesh mesh = loadScene(scene->source, scene->options, frame.progress());
-    writePly(*path, mesh);
-    frame.note(fmt::format("wrote {} ({} triangles)", *path, mesh.triangles.size()));
-  });
+  context.finish(command, "  ocelli scene export builtin:statues,triangles=4600000 -o statues.ply",
+                 [scene, path, context] {
+                   checkWritable(*path);
+                   const Mesh mesh = loadScene(scene->source, scene->options, context.progress());
+                   writePly(*path, mesh);
+                   context.note(fmt::format("wrote {} ({} triangles)", *path, mesh.triangles.size()));
+                 });
 }
 
 }  // namespace
 
-void addSceneCommand(CLI::App& program, const Frame& frame) {
+void addSceneCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand("scene", "List built-in scenes, look into a scene, export it");
   command.require_subcommand(1);
-  addSceneList(command, frame);
-  addSceneInfo(command, frame);
-  addSceneExport(command, frame);
+  addSceneList(command, context);
+  addSceneInfo(command, context);
+  addSceneExport(command, context);
 }
 
 }  // namespace ocelli

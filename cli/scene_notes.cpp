@@ -5,28 +5,28 @@
 
 namespace ocelli {
 
-void noteBlackScene(const Frame& frame, const Mesh& mesh) {
+void noteBlackScene(const CommandContext& context, const Mesh& mesh) {
   if (isBlack(mesh)) {
-    frame.note(
-        "all of the scene is black: pictures of it are too, and a display that emits light shows nothing of it; give "
+    context.note(
+        "all of the scene is black: images of it are too, and a display that emits light shows nothing of it; give "
         "it colours at its vertices or in its materials");
   }
 }
 
-void noteSlicedScene(const Frame& frame, const Mesh& mesh, const DisplayProfile& profile) {
-  noteBlackScene(frame, mesh);
+void noteSlicedScene(const CommandContext& context, const Mesh& mesh, const DisplayProfile& profile) {
+  noteBlackScene(context, mesh);
   if (!liesWithin(mesh, profile)) {
-    noteCutOffScene(frame);
+    noteCutOffScene(context);
   }
 }
 
-void noteCutOffScene(const Frame& frame) {
-  frame.note("a part of the scene lies outside of the display and is cut off");
+void noteCutOffScene(const CommandContext& context) {
+  context.note("a part of the scene lies outside of the display and is cut off");
 }
 
-void noteDarkVolume(const Frame& frame, const Volume& volume) {
+void noteDarkVolume(const CommandContext& context, const Volume& volume) {
   if (volume.litVoxels() == 0) {
-    frame.note("no voxel of the volume is lit: nothing of it shows");
+    context.note("no voxel of the volume is lit: nothing of it shows");
   }
 }
 

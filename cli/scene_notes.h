@@ -8,12 +8,12 @@
 namespace ocelli {
 
 /// Tells of a scene that is black.
-void noteBlackScene(const Frame& frame, const Mesh& mesh);
+void noteBlackScene(const CommandContext& context, const Mesh& mesh);
 /// Tells of a scene that is sliced for this display: where it is black, and where a part of it is cut off.
-void noteSlicedScene(const Frame& frame, const Mesh& mesh, const DisplayProfile& profile);
+void noteSlicedScene(const CommandContext& context, const Mesh& mesh, const DisplayProfile& profile);
 /// Tells that the display is too small for the scene.
-void noteCutOffScene(const Frame& frame);
+void noteCutOffScene(const CommandContext& context);
 /// Tells of a volume in which nothing is lit.
-void noteDarkVolume(const Frame& frame, const Volume& volume);
+void noteDarkVolume(const CommandContext& context, const Volume& volume);
 
 }  // namespace ocelli

@@ -24,8 +24,8 @@ std::string listOf(const std::vector<Named>& cameras) {
 
 }  // namespace
 
-void addSceneOptions(CLI::App& command, SceneChoice& choice, const Frame& frame) {
-  choice.options.warn = [frame](const std::string& warning) { frame.note("warning: " + warning); };
+void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContext& context) {
+  choice.options.warn = [context](const std::string& warning) { context.note("warning: " + warning); };
   command.add_option("SCENE", choice.source, "A scene file (PLY, OBJ, STL, glTF, ...) or builtin:NAME[,key=value...]")
       ->required();
   command.add_flag_callback(

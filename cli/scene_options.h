@@ -21,7 +21,7 @@ struct SceneChoice {
 
 /// Adds the argument SCENE, --no-fit, --shading and --no-textures. `choice` must outlive the parsing. What there is to
 /// say of the scene that is loaded then, such as a missing texture, becomes a note of `frame`.
-void addSceneOptions(CLI::App& command, SceneChoice& choice, const Frame& frame);
+void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContext& context);
 
 /// Adds --camera NAME|FILE.json, for the cameras that build reference images.
 void addCameraOption(CLI::App& command, std::string& camera);

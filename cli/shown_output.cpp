@@ -11,7 +11,7 @@
 #include "cli/interrupt.h"
 #include "cli/observer_choice.h"
 #include "cli/values.h"
-#include "display_driver/sim/shown_pictures.h"
+#include "display_driver/sim/shown_images.h"
 #include "display_sim/frame_sink.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
@@ -68,10 +68,10 @@ void addShownOptions(CLI::App& command, ShownChoice& choice) {
           "A folder for what the simulated display showed: shown.svol with its volumes, torn turns included, and "
           "refreshes.csv with what each refresh showed, when, and how far out of phase")
       ->type_name("FOLDER");
-  command.add_option("--watch", choice.watch, "What an observer saw of it: a picture a refresh")
+  command.add_option("--watch", choice.watch, "What an observer saw of it: an image a refresh")
       ->type_name("FOLDER|FILE.mp4|FILE.webm");
   command.add_option("--watch-from", choice.from, "Where that observer's eye is, in display radii")->type_name("X,Y,Z");
-  command.add_option("--watch-size", choice.size, "Of these pictures, in pixels")->type_name("WIDTHxHEIGHT");
+  command.add_option("--watch-size", choice.size, "Of these images, in pixels")->type_name("WIDTHxHEIGHT");
 }
 
 std::filesystem::path shownRecord(const ShownChoice& choice) {
@@ -84,7 +84,7 @@ void checkShownOptions(const ShownChoice& choice, const DisplayProfile& profile)
   }
   shownObserver(choice, profile);
   if (!isVideo(choice.watch) && looksLikeAFile(choice.watch)) {
-    throw InputError("no pictures are written in this format", "--watch " + choice.watch,
+    throw InputError("no images are written in this format", "--watch " + choice.watch,
                      "a name that ends in .mp4 or .webm, or one without an ending for a folder of .png files");
   }
 }
@@ -116,7 +116,7 @@ ShownOutput::~ShownOutput() {
   }
 }
 
-void ShownOutput::finish(const Frame& frame) {
+void ShownOutput::finish(const CommandContext& context) {
   if (!recorder_) {
     return;
   }
@@ -124,12 +124,13 @@ void ShownOutput::finish(const Frame& frame) {
   const std::vector<RecordedRefresh>& refreshes = recorder_->refreshes();
   const auto leftOut = std::ranges::count_if(refreshes, [](const RecordedRefresh& r) { return !r.volume; });
   if (leftOut > 0) {
-    frame.note(fmt::format("{} of {} refreshes are missing in the record: the machine could not write so many volumes",
-                           leftOut, refreshes.size()));
+    context.note(
+        fmt::format("{} of {} refreshes are missing in the record: the machine could not write so many volumes",
+                    leftOut, refreshes.size()));
   }
   if (!choice_.folder.empty()) {
     writeRefreshTable(std::filesystem::path(choice_.folder) / "refreshes.csv", refreshes);
-    frame.note(fmt::format("wrote {0}/shown.svol and {0}/refreshes.csv", choice_.folder));
+    context.note(fmt::format("wrote {0}/shown.svol and {0}/refreshes.csv", choice_.folder));
   }
   if (choice_.watch.empty()) {
     return;
@@ -137,12 +138,12 @@ void ShownOutput::finish(const Frame& frame) {
   const double rate = profile_.refreshHertz();
   const auto sink = isVideo(choice_.watch) ? videoFile(choice_.watch, {observer_.width, observer_.height, rate})
                                            : frameFolder(choice_.watch);
-  size_t pictures = 0;
-  runOrLeaveNothing(choice_.watch, frame.progress(), [&](const Progress& progress) {
-    pictures = drawShown(record_, refreshes, observer_, rate, *sink, progress);
+  size_t images = 0;
+  runOrLeaveNothing(choice_.watch, context.progress(), [&](const Progress& progress) {
+    images = drawShown(record_, refreshes, observer_, rate, *sink, progress);
     sink->finish();
   });
-  frame.note(fmt::format("wrote {}: {} pictures", choice_.watch, pictures));
+  context.note(fmt::format("wrote {}: {} pictures", choice_.watch, images));
 }
 
 }  // namespace ocelli

@@ -42,7 +42,7 @@ class ShownOutput {
   /// Who hears of the refreshes. nullptr: nobody needs to.
   RefreshSink* sink() { return recorder_ ? &*recorder_ : nullptr; }
   /// After the display has ended: draws and writes what there is.
-  void finish(const Frame& frame);
+  void finish(const CommandContext& context);
 
  private:
   ShownChoice choice_;

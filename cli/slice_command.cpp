@@ -32,7 +32,7 @@ struct SliceChoice {
   SlicingChoice slicing;
   int repeat = 1;
   bool json = false;
-  std::string method = "processor";
+  std::string method = "cpu";
   std::string gl = "auto";
   std::string output;
 };
@@ -85,24 +85,24 @@ Volume sliceFast(const Mesh& mesh, const DisplayProfile& profile, const SliceOpt
   return slicer->takeVolume();
 }
 
-void run(const SliceChoice& choice, const Frame& frame) {
+void run(const SliceChoice& choice, const CommandContext& context) {
   requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
   const SliceOptions options = sliceOptionsOf(choice.slicing);
-  if (choice.method == "gl" && needsProcessor(options)) {
+  if (choice.method == "gl" && needsCpu(options)) {
     throw InputError("OpenGL has the ordered dither alone, no antialiasing, and does not even out light", "--method gl",
                      "leave out --dither, --antialias and --even-light, or --method gl");
   }
   checkWritable(choice.output);
   const auto gl = choice.method == "gl" ? std::make_unique<GlDisplay>(choice.gl) : nullptr;
   const DisplayProfile profile = loadProfile(choice.profile);
-  const Mesh mesh = loadMeshToSlice(choice.scene, frame.progress());
+  const Mesh mesh = loadMeshToSlice(choice.scene, context.progress());
   const bool exact = choice.slicing.exact || needsExactSlicer(options);
   Times times;
   const Volume volume = gl != nullptr ? times.run(choice.repeat, [&] { return gl->slice(mesh, profile, options); })
                         : exact       ? times.run(choice.repeat, [&] { return sliceExactly(mesh, profile, options); })
                                       : sliceFast(mesh, profile, options, choice.repeat, times);
   writeSvol(choice.output, volume, sliceMetadata(choice.scene, choice.slicing));
-  noteSlicedScene(frame, mesh, profile);
+  noteSlicedScene(context, mesh, profile);
   if (choice.json) {
     const nlohmann::ordered_json json = {{"profile", profile.name},
                                          {"triangles", mesh.triangles.size()},
@@ -115,23 +115,23 @@ void run(const SliceChoice& choice, const Frame& frame) {
                                          {"volumes_per_second", 1000 / times.least()},
                                          {"threads", threadCount()},
                                          {"instruction_set", sliceInstructionSet()}};
-    frame.print(textOfJson(json, 2) + "\n");
+    context.print(textOfJson(json, 2) + "\n");
   }
   if (gl != nullptr) {
-    frame.note("sliced with " + gl->description());
+    context.note("sliced with " + gl->description());
   }
-  frame.note(fmt::format("wrote {}: {} slices of {}x{}, {} lit voxels from {} triangles in {:.0f} ms", choice.output,
-                         volume.slices(), volume.width(), volume.height(), volume.litVoxels(), mesh.triangles.size(),
-                         times.least()));
+  context.note(fmt::format("wrote {}: {} slices of {}x{}, {} lit voxels from {} triangles in {:.0f} ms", choice.output,
+                           volume.slices(), volume.width(), volume.height(), volume.litVoxels(), mesh.triangles.size(),
+                           times.least()));
 }
 
 }  // namespace
 
-void addSliceCommand(CLI::App& program, const Frame& frame) {
+void addSliceCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command =
       *program.add_subcommand("slice", "Slice a scene, a mesh or a reference image (.exr) for a display");
   const auto choice = std::make_shared<SliceChoice>();
-  addSceneOptions(command, choice->scene, frame);
+  addSceneOptions(command, choice->scene, context);
   addProfileOption(command, choice->profile);
   addSlicingOptions(command, choice->slicing);
   command.add_option("--repeat", choice->repeat, "Slice so often, and tell the shortest time")
@@ -141,11 +141,11 @@ void addSliceCommand(CLI::App& program, const Frame& frame) {
   addGlOption(command, choice->gl);
   command.add_flag("--json", choice->json, "Print the figures as JSON");
   addOutputOption(command, choice->output, "Where the volume goes", {".svol"});
-  frame.finish(command,
-               "  ocelli slice builtin:teapot -o teapot.svol\n"
-               "  ocelli slice statues.exr --profile perspecta-99 -o statues.svol\n"
-               "  ocelli slice statues.ply --no-fit --shading none -o statues.svol   (a mesh of `ocelli ocri mesh`)",
-               [choice, frame] { run(*choice, frame); });
+  context.finish(command,
+                 "  ocelli slice builtin:teapot -o teapot.svol\n"
+                 "  ocelli slice statues.exr --profile perspecta-99 -o statues.svol\n"
+                 "  ocelli slice statues.ply --no-fit --shading none -o statues.svol   (a mesh of `ocelli ocri mesh`)",
+                 [choice, context] { run(*choice, context); });
 }
 
 }  // namespace ocelli

@@ -31,7 +31,7 @@ struct SolidityChoice {
   std::string profile = "perspecta";
   int interiorViews = 4;
   unsigned seed = 1;
-  int pictureSide = 0;
+  int imageSide = 0;
   std::string json;
   std::string pictures;
 };
@@ -51,7 +51,7 @@ Shown shownFromText(const std::string& text, const ViewCell& cell) {
   return {camera.name, camera, {}};
 }
 
-/// Names that files of pictures can have.
+/// Names that files of images can have.
 std::string fileName(const std::string& name) {
   std::string file = name;
   for (char& c : file) {
@@ -61,8 +61,7 @@ std::string fileName(const std::string& name) {
 }
 
 /// Of the first eye, and the last one of the second group: a corner of the cell.
-SolidityMeter::Visitor pictureWriter(const std::string& folder, const std::string& name,
-                                     const SolidityOptions& options) {
+SolidityMeter::Visitor imageWriter(const std::string& folder, const std::string& name, const SolidityOptions& options) {
   if (folder.empty()) {
     return {};
   }
@@ -91,58 +90,58 @@ void prepareOutputs(const SolidityChoice& choice) {
   }
 }
 
-void run(const SolidityChoice& choice, const Frame& frame) {
+void run(const SolidityChoice& choice, const CommandContext& context) {
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   const PinholeCamera reference(readViewOption(choice.view), size.width, size.height);
   const ViewCell cell{.sideRadii = cellSideFromText(choice.cell, "--cell")};
   const SolidityOptions options{
       .profile = loadProfile(choice.profile),
       .groups = eyesOfCell(reference.view(), cell, choice.interiorViews, choice.seed),
-      .pictureSide = choice.pictureSide,
+      .imageSide = choice.imageSide,
   };
   std::vector<Shown> compared;
   for (const std::string& name : choice.cameras) {
     compared.push_back(shownFromText(name, cell));
   }
-  constexpr int kLeastSide = 16;  // FLIP looks at neighbourhoods
-  if (const int side = choice.pictureSide > 0 ? choice.pictureSide : options.profile.height; side < kLeastSide) {
-    throw InputError(fmt::format("pictures of {} pixels are too small to compare", side), "--picture-side",
-                     fmt::format("make it {} or more", kLeastSide));
+  constexpr int kMinSide = 16;  // FLIP looks at neighbourhoods
+  if (const int side = choice.imageSide > 0 ? choice.imageSide : options.profile.height; side < kMinSide) {
+    throw InputError(fmt::format("images of {} pixels are too small to compare", side), "--picture-side",
+                     fmt::format("make it {} or more", kMinSide));
   }
   prepareOutputs(choice);
-  const Mesh scene = loadScene(choice.scene.source, choice.scene.options, frame.progress());
+  const Mesh scene = loadScene(choice.scene.source, choice.scene.options, context.progress());
   SolidityMeter meter(scene, options);
   std::vector<SolidityFigures> rows;
   const auto measure = [&](const std::string& name, const Volume& volume, size_t triangles,
                            SolidityMeter::Shown shown) {
     rows.push_back(
-        meter.measure(name, volume, triangles, shown, frame.progress(), pictureWriter(choice.pictures, name, options)));
+        meter.measure(name, volume, triangles, shown, context.progress(), imageWriter(choice.pictures, name, options)));
   };
   const Volume full = slice(scene, options.profile);
   measure("visible voxels", full, scene.triangles.size(), SolidityMeter::Shown::kVisibleOnly);
   measure("geometry", full, scene.triangles.size(), SolidityMeter::Shown::kEverything);
   for (const Shown& each : compared) {
-    const Mesh mesh = each.camera ? buildRepresentation(*each.camera, reference, scene, frame.progress()).mesh
+    const Mesh mesh = each.camera ? buildRepresentation(*each.camera, reference, scene, context.progress()).mesh
                                   : unionMesh(each.images);
     measure(each.name, slice(mesh, options.profile), mesh.triangles.size(), SolidityMeter::Shown::kEverything);
   }
   const std::string json = solidityJson(choice.scene.source, options, rows);
-  frame.print(choice.json == "-" ? json : solidityTable(options, rows));
+  context.print(choice.json == "-" ? json : solidityTable(options, rows));
   if (!choice.json.empty() && choice.json != "-") {
     writeFile(choice.json, json);
   }
   if (!choice.pictures.empty()) {
-    frame.note("wrote pictures to " + choice.pictures);
+    context.note("wrote images to " + choice.pictures);
   }
 }
 
 }  // namespace
 
-void addSolidityCommand(CLI::App& program, const Frame& frame) {
+void addSolidityCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand(
       "solidity", "Measure how solid a scene looks on a display that emits light and hides nothing");
   const auto choice = std::make_shared<SolidityChoice>();
-  addSceneOptions(command, choice->scene, frame);
+  addSceneOptions(command, choice->scene, context);
   command
       .add_option("--cameras", choice->cameras,
                   "What to compare with the full geometry: names of cameras, JSON files, or reference images (.exr)")
@@ -159,20 +158,20 @@ void addSolidityCommand(CLI::App& program, const Frame& frame) {
       ->type_name("N");
   command.add_option("--seed", choice->seed, "Of the eyes inside")->type_name("S");
   command
-      .add_option("--picture-side", choice->pictureSide,
-                  "Of the pictures, pixels; 0: as many as the display has rows, so that a voxel is about a pixel")
+      .add_option("--picture-side", choice->imageSide,
+                  "Of the images, pixels; 0: as many as the display has rows, so that a voxel is about a pixel")
       ->check(CLI::Range(0, 8192))
       ->type_name("N");
   command.add_option("--json", choice->json, "Also write the figures here; alone or as - they go to standard output")
       ->expected(0, 1)
       ->default_str("-")
       ->type_name("FILE");
-  command.add_option("-o,--output", choice->pictures, "Also write pictures from the reference eye and a corner here")
+  command.add_option("-o,--output", choice->pictures, "Also write images from the reference eye and a corner here")
       ->type_name("DIR");
-  frame.finish(command,
-               "  ocelli solidity builtin:statues\n"
-               "  ocelli solidity bunny.obj --cameras di,ddoc,eoc-hv --cell 4in --json bunny.json -o bunny",
-               [choice, frame] { run(*choice, frame); });
+  context.finish(command,
+                 "  ocelli solidity builtin:statues\n"
+                 "  ocelli solidity bunny.obj --cameras di,ddoc,eoc-hv --cell 4in --json bunny.json -o bunny",
+                 [choice, context] { run(*choice, context); });
 }
 
 }  // namespace ocelli

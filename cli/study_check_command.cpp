@@ -10,7 +10,7 @@
 
 namespace ocelli {
 
-void addStudyCheckCommand(CLI::App& study, const Frame& frame) {
+void addStudyCheckCommand(CLI::App& study, const CommandContext& context) {
   struct Choice {
     std::string protocol;
     CheckOptions options;
@@ -35,17 +35,17 @@ void addStudyCheckCommand(CLI::App& study, const Frame& frame) {
   command.add_flag("--coverage", choice->options.coverage,
                    "Draw what the views show, and count the places that they cover; takes seconds");
   command.add_flag("--json", choice->options.asJson, "Print all of it as JSON");
-  frame.finish(command,
-               "  ocelli study check protocols/rosen2010-balanced.json\n"
-               "  ocelli study check protocols/short.json --subjects 60 --subject-slot 3 --answers",
-               [choice, frame] {
-                 choice->options.session = choice->session - 1;
-                 const Protocol protocol = readProtocol(choice->protocol);
+  context.finish(command,
+                 "  ocelli study check protocols/rosen2010-balanced.json\n"
+                 "  ocelli study check protocols/short.json --subjects 60 --subject-slot 3 --answers",
+                 [choice, context] {
+                   choice->options.session = choice->session - 1;
+                   const Protocol protocol = readProtocol(choice->protocol);
 #ifdef OCELLI_WITH_OPENGL
-                 requireDrawable(protocol);
+                   requireDrawable(protocol);
 #endif
-                 frame.print(checkReport(protocol, choice->options, frame.progress()));
-               });
+                   context.print(checkReport(protocol, choice->options, context.progress()));
+                 });
 }
 
 }  // namespace ocelli

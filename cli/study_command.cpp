@@ -7,14 +7,14 @@
 
 namespace ocelli {
 
-void addStudyCommand(CLI::App& program, const Frame& frame) {
+void addStudyCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& study = *program.add_subcommand("study", "Run perception studies and keep their data");
   study.require_subcommand(1);
-  addStudyCheckCommand(study, frame);
-  addStudyRunCommands(study, frame);
-  addStudySimulateCommand(study, frame);
-  addStudyReplayCommand(study, frame);
-  addStudyDataCommands(study, frame);
+  addStudyCheckCommand(study, context);
+  addStudyRunCommands(study, context);
+  addStudySimulateCommand(study, context);
+  addStudyReplayCommand(study, context);
+  addStudyDataCommands(study, context);
 }
 
 }  // namespace ocelli

@@ -7,13 +7,13 @@ class App;
 
 namespace ocelli {
 
-class Frame;
+class CommandContext;
 
 // Each adds one or more commands below `study`, as the recipe in cli/command.h says of the program's own.
-void addStudyCheckCommand(CLI::App& study, const Frame& frame);
-void addStudyRunCommands(CLI::App& study, const Frame& frame);  ///< run, resume
-void addStudySimulateCommand(CLI::App& study, const Frame& frame);
-void addStudyReplayCommand(CLI::App& study, const Frame& frame);
-void addStudyDataCommands(CLI::App& study, const Frame& frame);  ///< subjects, withdraw, merge, export
+void addStudyCheckCommand(CLI::App& study, const CommandContext& context);
+void addStudyRunCommands(CLI::App& study, const CommandContext& context);  ///< run, resume
+void addStudySimulateCommand(CLI::App& study, const CommandContext& context);
+void addStudyReplayCommand(CLI::App& study, const CommandContext& context);
+void addStudyDataCommands(CLI::App& study, const CommandContext& context);  ///< subjects, withdraw, merge, export
 
 }  // namespace ocelli

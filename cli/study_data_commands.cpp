@@ -101,7 +101,7 @@ std::string subjectsAsJson(const StudyDatabase& database) {
 }
 
 /// Before the first session of a subject or after it.
-void noteIdentity(const SubjectsChoice& choice, const Frame& frame) {
+void noteIdentity(const SubjectsChoice& choice, const CommandContext& context) {
   if (choice.subject.empty() || choice.name.empty()) {
     throw InputError("a line of the identity key needs a subject and a name", "--key", "--subject ID --name NAME");
   }
@@ -111,23 +111,23 @@ void noteIdentity(const SubjectsChoice& choice, const Frame& frame) {
   const bool hasTakenPart = std::filesystem::exists(choice.database) &&
                             StudyDatabase::openForReading(choice.database).subject(choice.subject).has_value();
   addIdentity(choice.keyFile, choice.subject, choice.name);
-  frame.note(fmt::format("added {}{} to {}; keep that file apart from the data", choice.subject,
-                         hasTakenPart ? "" : ", who has not taken part yet,", choice.keyFile));
+  context.note(fmt::format("added {}{} to {}; keep that file apart from the data", choice.subject,
+                           hasTakenPart ? "" : ", who has not taken part yet,", choice.keyFile));
 }
 
-void runSubjects(const SubjectsChoice& choice, const Frame& frame) {
+void runSubjects(const SubjectsChoice& choice, const CommandContext& context) {
   if (!choice.keyFile.empty()) {
-    noteIdentity(choice, frame);
+    noteIdentity(choice, context);
     return;
   }
   const StudyDatabase database = StudyDatabase::openForReading(choice.database);
   if (!choice.subject.empty() || !choice.name.empty()) {
     throw InputError("names go into an identity key alone", "--subject, --name", "--key FILE");
   }
-  frame.print(choice.asJson ? subjectsAsJson(database) : subjectsAsText(database));
+  context.print(choice.asJson ? subjectsAsJson(database) : subjectsAsText(database));
 }
 
-void addSubjects(CLI::App& study, const Frame& frame) {
+void addSubjects(CLI::App& study, const CommandContext& context) {
   CLI::App& command = *study.add_subcommand("subjects", "List the subjects of a study, or note who one of them is");
   const auto choice = std::make_shared<SubjectsChoice>();
   addDatabaseOption(command, choice->database, "The database");
@@ -136,10 +136,10 @@ void addSubjects(CLI::App& study, const Frame& frame) {
       ->type_name("FILE");
   command.add_option("--subject", choice->subject, "With --key: the subject")->type_name("ID");
   command.add_option("--name", choice->name, "With --key: who that is")->type_name("NAME");
-  frame.finish(command,
-               "  ocelli study subjects --db study.db\n"
-               "  ocelli study subjects --db study.db --key ~/private/key.csv --subject S01 --name \"Ada L.\"",
-               [choice, frame] { runSubjects(*choice, frame); });
+  context.finish(command,
+                 "  ocelli study subjects --db study.db\n"
+                 "  ocelli study subjects --db study.db --key ~/private/key.csv --subject S01 --name \"Ada L.\"",
+                 [choice, context] { runSubjects(*choice, context); });
 }
 
 // ---- withdraw
@@ -151,7 +151,7 @@ struct WithdrawChoice {
   bool deleteExports = false;
 };
 
-void runWithdraw(const WithdrawChoice& choice, const Frame& frame) {
+void runWithdraw(const WithdrawChoice& choice, const CommandContext& context) {
   WithdrawOptions options;
   options.deleteExports = choice.deleteExports;
   if (!choice.keyFile.empty()) {
@@ -159,37 +159,37 @@ void runWithdraw(const WithdrawChoice& choice, const Frame& frame) {
   }
   const WithdrawReport report = withdrawSubject(choice.database, choice.subject, options);
   for (const std::filesystem::path& file : report.deletedFiles) {
-    frame.print(fmt::format("deleted {}\n", file.string()));
+    context.print(fmt::format("deleted {}\n", file.string()));
   }
   if (options.keyFile && !report.identityRemoved) {
-    frame.note(fmt::format("{} had no line of that subject", choice.keyFile));
+    context.note(fmt::format("{} had no line of that subject", choice.keyFile));
   }
   if (report.notesThatNameIt > 0) {
-    frame.note(fmt::format("{} notes about other subjects hold this id; they stay", report.notesThatNameIt));
+    context.note(fmt::format("{} notes about other subjects hold this id; they stay", report.notesThatNameIt));
   }
   if (report.onlyLeftovers) {
-    frame.print(
+    context.print(
         fmt::format("wiped what an earlier withdrawal had left; the database has no subject {}, so none of its "
                     "rows were deleted now\n",
                     choice.subject));
   } else {
-    frame.print(fmt::format("deleted the subject: {} sessions with {} trials\n", report.sessions, report.trials));
+    context.print(fmt::format("deleted the subject: {} sessions with {} trials\n", report.sessions, report.trials));
   }
-  frame.note(fmt::format(
+  context.note(fmt::format(
       "not reached: copies of the database, databases merged from it, and exports and reports that were moved; `grep "
       "-rlw {} FOLDER` finds tables and pages that name them",
       choice.subject));
 }
 
-void addWithdraw(CLI::App& study, const Frame& frame) {
+void addWithdraw(CLI::App& study, const CommandContext& context) {
   CLI::App& command = *study.add_subcommand("withdraw", "Delete a subject so that no byte of theirs remains");
   const auto choice = std::make_shared<WithdrawChoice>();
   addDatabaseOption(command, choice->database, "The database");
   command.add_option("--subject", choice->subject, "Who withdraws")->required()->type_name("ID");
   command.add_flag("--delete-exports", choice->deleteExports, "Delete exports and reports that hold the subject");
   command.add_option("--key", choice->keyFile, "Take the subject out of this identity key too")->type_name("FILE");
-  frame.finish(command, "  ocelli study withdraw --db study.db --subject S07 --delete-exports",
-               [choice, frame] { runWithdraw(*choice, frame); });
+  context.finish(command, "  ocelli study withdraw --db study.db --subject S07 --delete-exports",
+                 [choice, context] { runWithdraw(*choice, context); });
 }
 
 // ---- merge
@@ -214,40 +214,40 @@ std::string balanceAsText(const std::vector<int>& use) {
   return text;
 }
 
-void runMerge(const MergeChoice& choice, const Frame& frame) {
+void runMerge(const MergeChoice& choice, const CommandContext& context) {
   const MergeReport report = mergeDatabases(choice.database, {choice.sources.begin(), choice.sources.end()});
-  frame.print(fmt::format("{}: {} new subjects, {} new runs, {} new trials; {} subjects were there before\n",
-                          choice.database, report.subjects, report.runs, report.trials, report.knownSubjects));
+  context.print(fmt::format("{}: {} new subjects, {} new runs, {} new trials; {} subjects were there before\n",
+                            choice.database, report.subjects, report.runs, report.trials, report.knownSubjects));
   if (report.runsThatWentOn > 0) {
-    frame.print(
+    context.print(
         fmt::format("  {} runs that were there had gone on; the rest of them is added\n", report.runsThatWentOn));
   }
   if (!report.withdrawnSubjects.empty()) {
-    frame.note(
+    context.note(
         fmt::format("left out, as they withdrew from {} or one of the sources: {}; withdraw them from the others "
                     "too",
                     choice.database, fmt::join(report.withdrawnSubjects, ", ")));
   }
   if (!report.withdrewElsewhere.empty()) {
-    frame.note(
+    context.note(
         fmt::format("caution: {} still has subjects who withdrew from one of the sources: {}; `ocelli study "
                     "withdraw` deletes them here too",
                     choice.database, fmt::join(report.withdrewElsewhere, ", ")));
   }
   for (const bool simulated : {false, true}) {
     if (const std::string balance = balanceAsText(slotUse(choice.database, simulated)); !balance.empty()) {
-      frame.print(fmt::format("  {}, {}\n", simulated ? "simulated subjects" : "people", balance));
+      context.print(fmt::format("  {}, {}\n", simulated ? "simulated subjects" : "people", balance));
     }
   }
 }
 
-void addMerge(CLI::App& study, const Frame& frame) {
+void addMerge(CLI::App& study, const CommandContext& context) {
   CLI::App& command = *study.add_subcommand("merge", "Join the databases of several stations");
   const auto choice = std::make_shared<MergeChoice>();
   addDatabaseOption(command, choice->database, "Where to; made where there is none");
   command.add_option("SOURCE", choice->sources, "Databases of the same protocol; they are only read")->required();
-  frame.finish(command, "  ocelli study merge --db all.db station-1.db station-2.db",
-               [choice, frame] { runMerge(*choice, frame); });
+  context.finish(command, "  ocelli study merge --db all.db station-1.db station-2.db",
+                 [choice, context] { runMerge(*choice, context); });
 }
 
 // ---- export
@@ -259,22 +259,22 @@ struct StudyExportChoice {
   ExportOptions options;
 };
 
-void runStudyExport(const StudyExportChoice& choice, const Frame& frame) {
+void runStudyExport(const StudyExportChoice& choice, const CommandContext& context) {
   ExportOptions options = choice.options;
   options.form = choice.form == "csv" ? ExportForm::kCsv : ExportForm::kPsychDs;
-  const ExportReport report = exportStudy(choice.database, choice.folder, options, frame.progress());
-  frame.note(fmt::format("wrote {} files with {} rows of {} subjects to {}", report.files.size(), report.rows,
-                         report.subjects, choice.folder));
+  const ExportReport report = exportStudy(choice.database, choice.folder, options, context.progress());
+  context.note(fmt::format("wrote {} files with {} rows of {} subjects to {}", report.files.size(), report.rows,
+                           report.subjects, choice.folder));
   if (!report.recorded) {
-    frame.note("the database is read-only and does not know of this export: a withdrawal will not find these files");
+    context.note("the database is read-only and does not know of this export: a withdrawal will not find these files");
   }
   if (report.simulatedSubjects > 0) {
-    frame.note(
+    context.note(
         fmt::format("{} of the subjects are simulated; the column \"simulated\" says which", report.simulatedSubjects));
   }
 }
 
-void addStudyExport(CLI::App& study, const Frame& frame) {
+void addStudyExport(CLI::App& study, const CommandContext& context) {
   CLI::App& command = *study.add_subcommand("export", "Write the data as CSV, or as a Psych-DS data set");
   const auto choice = std::make_shared<StudyExportChoice>();
   ExportOptions& options = choice->options;
@@ -288,19 +288,19 @@ void addStudyExport(CLI::App& study, const Frame& frame) {
   command.add_flag("--inputs", options.inputs, "Also every key, click and move of the mouse");
   command.add_flag("--notes", options.notes, "Also what experimenters typed, which may name people");
   command.add_flag("--force", options.overwrite, "Replace an earlier export in that folder");
-  frame.finish(command,
-               "  ocelli study export --db study.db -o tables\n"
-               "  ocelli study export --db study.db --form psych-ds --frames -o dataset",
-               [choice, frame] { runStudyExport(*choice, frame); });
+  context.finish(command,
+                 "  ocelli study export --db study.db -o tables\n"
+                 "  ocelli study export --db study.db --form psych-ds --frames -o dataset",
+                 [choice, context] { runStudyExport(*choice, context); });
 }
 
 }  // namespace
 
-void addStudyDataCommands(CLI::App& study, const Frame& frame) {
-  addSubjects(study, frame);
-  addWithdraw(study, frame);
-  addMerge(study, frame);
-  addStudyExport(study, frame);
+void addStudyDataCommands(CLI::App& study, const CommandContext& context) {
+  addSubjects(study, context);
+  addWithdraw(study, context);
+  addMerge(study, context);
+  addStudyExport(study, context);
 }
 
 }  // namespace ocelli

@@ -6,7 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/study_command.h"
-#include "cli/study_drawer.h"
+#include "cli/study_renderer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 #include "study/replay/path_plan.h"
@@ -48,7 +48,8 @@ std::string textOf(const ReplaySummary& summary) {
   return text;
 }
 
-void writeFrames(const ReplayChoice& choice, const ReplayStudy& study, const StoredTrial& trial, const Frame& frame) {
+void writeFrames(const ReplayChoice& choice, const ReplayStudy& study, const StoredTrial& trial,
+                 const CommandContext& context) {
   const std::filesystem::path folder = choice.frames;
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
@@ -62,24 +63,25 @@ void writeFrames(const ReplayChoice& choice, const ReplayStudy& study, const Sto
   ReplayOptions options;
   options.onFrame = [&](const FrameRecord& record, const TrialRun& run) {
     if (record.frame % choice.every == 0) {
-      writePng(folder / fmt::format("frame_{:06}.png", record.frame), paint(run.picture(), log.record.screen));
+      writePng(folder / fmt::format("context_{:06}.png", record.frame), paint(run.layout(), log.record.screen));
       ++written;
     }
-    report(frame.progress(), "drawing frames",
+    report(context.progress(), "drawing frames",
            static_cast<double>(record.frame) / static_cast<double>(std::max<size_t>(log.frames.size(), 1)));
   };
   replayTrial(study.blockOf(trial), log, options);
-  frame.note(fmt::format("wrote {} frames to {}", written, choice.frames));
+  context.note(fmt::format("wrote {} frames to {}", written, choice.frames));
 }
 
-void writePlanOf(const ReplayChoice& choice, const ReplayStudy& study, const StoredTrial& trial, const Frame& frame) {
+void writePlanOf(const ReplayChoice& choice, const ReplayStudy& study, const StoredTrial& trial,
+                 const CommandContext& context) {
   PathPlan plan = pathPlanOf(study.blockOf(trial), study.logOf(trial), study.nameOf(trial));
   plan.simulated = trial.kind == SubjectKind::kPerson ? "" : "a simulated subject";
   writePathPlan(choice.plan, plan);
-  frame.note("wrote " + choice.plan);
+  context.note("wrote " + choice.plan);
 }
 
-void replay(const ReplayChoice& choice, const Frame& frame) {
+void replay(const ReplayChoice& choice, const CommandContext& context) {
   if (!choice.all && (choice.subject.empty() || choice.trial == 0)) {
     throw InputError("nothing says which trial", "--subject, --trial", "give both, or --all for all trials");
   }
@@ -99,19 +101,19 @@ void replay(const ReplayChoice& choice, const Frame& frame) {
     which.trial = choice.trial - 1;
   }
   const std::vector<StoredTrial> trials = study.trials(which);
-  const ReplaySummary summary = study.check(trials, viewPainters(choice.renderer), frame.progress());
+  const ReplaySummary summary = study.check(trials, viewPainters(choice.renderer), context.progress());
   if (!choice.frames.empty()) {
-    writeFrames(choice, study, trials.back(), frame);
+    writeFrames(choice, study, trials.back(), context);
   }
   if (!choice.plan.empty()) {
-    writePlanOf(choice, study, trials.back(), frame);
+    writePlanOf(choice, study, trials.back(), context);
   }
   if (choice.window) {
     const StoredTrial& trial = trials.back();
     showInWindow(study.blockOf(trial), study.logOf(trial), study.protocol().controls,
                  {study.nameOf(trial), choice.speed});
   }
-  frame.print(textOf(summary));
+  context.print(textOf(summary));
   if (!summary.allSame()) {
     throw WorkError("replays differ from the log", choice.database,
                     "was the file changed, or written by a version of the program whose tasks were others?");
@@ -120,7 +122,7 @@ void replay(const ReplayChoice& choice, const Frame& frame) {
 
 }  // namespace
 
-void addStudyReplayCommand(CLI::App& study, const Frame& frame) {
+void addStudyReplayCommand(CLI::App& study, const CommandContext& context) {
   CLI::App& command = *study.add_subcommand("replay", "Do trials again from their logs, and compare or show them");
   const auto choice = std::make_shared<ReplayChoice>();
   command.add_option("--db", choice->database, "The database")->type_name("FILE")->required();
@@ -143,12 +145,12 @@ void addStudyReplayCommand(CLI::App& study, const Frame& frame) {
       ->check(CLI::Range(0.05, 100.0))
       ->capture_default_str();
   addRendererOption(command, choice->renderer);
-  frame.finish(command,
-               "  ocelli study replay --db study.sqlite --all\n"
-               "  ocelli study replay --db study.sqlite --subject P07 --session 2 --trial 14 --plan path.svg\n"
-               "  ocelli study replay --db study.sqlite --subject P07 --trial 3 --window\n"
-               "  ocelli study replay --db study.sqlite --subject P07 --trial 3 --frames frames --every 6",
-               [choice, frame] { replay(*choice, frame); });
+  context.finish(command,
+                 "  ocelli study replay --db study.sqlite --all\n"
+                 "  ocelli study replay --db study.sqlite --subject P07 --session 2 --trial 14 --plan path.svg\n"
+                 "  ocelli study replay --db study.sqlite --subject P07 --trial 3 --window\n"
+                 "  ocelli study replay --db study.sqlite --subject P07 --trial 3 --frames frames --every 6",
+                 [choice, context] { replay(*choice, context); });
 }
 
 }  // namespace ocelli

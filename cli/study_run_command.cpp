@@ -31,13 +31,13 @@ struct RunChoice {
 
 #ifdef OCELLI_WITH_OPENGL
 /// Throws for a session that ended before its end.
-void report(SessionEnding ending, const RunChoice& choice, const Frame& frame) {
+void report(SessionEnding ending, const RunChoice& choice, const CommandContext& context) {
   const std::string where = "session of " + choice.subject;
   const std::string resume =
       "go on with it: ocelli study resume --db " + choice.database + " --subject " + choice.subject;
   switch (ending) {
     case SessionEnding::kCompleted:
-      frame.print("the session is complete\n");
+      context.print("the session is complete\n");
       return;
     case SessionEnding::kUnwell:
       throw WorkError("the subject felt unwell, and ended it", where,
@@ -52,7 +52,7 @@ void report(SessionEnding ending, const RunChoice& choice, const Frame& frame) {
   }
 }
 
-StudyRunOptions optionsOf(const RunChoice& choice, const Frame& frame) {
+StudyRunOptions optionsOf(const RunChoice& choice, const CommandContext& context) {
   StudyRunOptions options;
   options.database = choice.database;
   options.subject = choice.subject;
@@ -70,13 +70,13 @@ StudyRunOptions optionsOf(const RunChoice& choice, const Frame& frame) {
   options.seed = choice.seed;
   options.screenshots = choice.screenshots;
   options.interrupted = [] { return InterruptGuard::interrupted(); };
-  options.tell = [frame](const std::string& line) { frame.note(line); };
+  options.tell = [context](const std::string& line) { context.note(line); };
   return options;
 }
 
-void run(const RunChoice& choice, const Frame& frame) {
+void run(const RunChoice& choice, const CommandContext& context) {
   if (choice.listMonitors) {
-    frame.print(monitorList());
+    context.print(monitorList());
     return;
   }
   const auto require = [](const std::string& value, const std::string& name, const std::string& what) {
@@ -89,18 +89,18 @@ void run(const RunChoice& choice, const Frame& frame) {
   require(choice.subject, "--subject", "a pseudonymous id, such as S01");
   const Protocol protocol = readProtocol(choice.protocol);
   const InterruptGuard guard;
-  report(runStudy(protocol, optionsOf(choice, frame)), choice, frame);
+  report(runStudy(protocol, optionsOf(choice, context)), choice, context);
 }
 
-void resume(const RunChoice& choice, const Frame& frame) {
+void resume(const RunChoice& choice, const CommandContext& context) {
   const InterruptGuard guard;
-  report(resumeStudy(optionsOf(choice, frame)), choice, frame);
+  report(resumeStudy(optionsOf(choice, context)), choice, context);
 }
 #else
-void run(const RunChoice&, const Frame&) {
+void run(const RunChoice&, const CommandContext&) {
   failWithoutOpenGl();
 }
-void resume(const RunChoice&, const Frame&) {
+void resume(const RunChoice&, const CommandContext&) {
   failWithoutOpenGl();
 }
 #endif
@@ -119,17 +119,17 @@ void addScreenOptions(CLI::App& command, RunChoice& choice) {
       ->type_name("WxH");
   command.add_flag("--force", choice.force, "Run although the timing is not good, and mark every trial");
   command.add_flag("--any-time", choice.anyTime, "Although the time between two sessions has not passed");
-  command.add_option("--hash-frames", choice.hashFrames, "Store the hash of every Nth picture of a trial; 0 for none")
+  command.add_option("--hash-frames", choice.hashFrames, "Store the hash of every Nth image of a trial; 0 for none")
       ->check(CLI::Range(0, 100000))
       ->type_name("N");
   command
-      .add_option("--screenshots", choice.screenshots, "Keep a picture of each screen that comes; frames are late then")
+      .add_option("--screenshots", choice.screenshots, "Keep an image of each screen that comes; frames are late then")
       ->type_name("DIR");
 }
 
 }  // namespace
 
-void addStudyRunCommands(CLI::App& study, const Frame& frame) {
+void addStudyRunCommands(CLI::App& study, const CommandContext& context) {
   CLI::App& command = *study.add_subcommand("run", "Run a session with a subject, at this computer");
   const auto choice = std::make_shared<RunChoice>();
   command.add_option("protocol", choice->protocol, "Protocol of the study")->type_name("PROTOCOL.json");
@@ -141,11 +141,11 @@ void addStudyRunCommands(CLI::App& study, const Frame& frame) {
   addScreenOptions(command, *choice);
   command.add_option("--seed", choice->seed, "Seed of the order of trials, instead of the protocol's")->type_name("N");
   command.add_flag("--list-monitors", choice->listMonitors, "Print the monitors, and do nothing else");
-  frame.finish(command,
-               "  ocelli study run --list-monitors\n"
-               "  ocelli study run protocols/short.json --db study.db --subject S01\n"
-               "  ocelli study run protocols/short.json --db trial.db --subject test --windowed 1280x800 --force",
-               [choice, frame] { run(*choice, frame); });
+  context.finish(command,
+                 "  ocelli study run --list-monitors\n"
+                 "  ocelli study run protocols/short.json --db study.db --subject S01\n"
+                 "  ocelli study run protocols/short.json --db trial.db --subject test --windowed 1280x800 --force",
+                 [choice, context] { run(*choice, context); });
 
   CLI::App& again =
       *study.add_subcommand("resume", "Go on with a session that was broken off, or begin the subject's next one");
@@ -153,8 +153,8 @@ void addStudyRunCommands(CLI::App& study, const Frame& frame) {
   addDatabaseOption(again, *resumed)->required();
   addSubjectOption(again, *resumed)->required();
   addScreenOptions(again, *resumed);
-  frame.finish(again, "  ocelli study resume --db study.db --subject S01",
-               [resumed, frame] { resume(*resumed, frame); });
+  context.finish(again, "  ocelli study resume --db study.db --subject S01",
+                 [resumed, context] { resume(*resumed, context); });
 }
 
 }  // namespace ocelli

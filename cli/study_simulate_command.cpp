@@ -6,7 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/study_command.h"
-#include "cli/study_drawer.h"
+#include "cli/study_renderer.h"
 #include "cli/values.h"
 #include "oc_core/base/error.h"
 #include "study/protocol/protocol.h"
@@ -31,7 +31,7 @@ struct SimulateChoice {
   bool hashFrames = false;
 };
 
-void simulate(const SimulateChoice& choice, const Frame& frame) {
+void simulate(const SimulateChoice& choice, const CommandContext& context) {
   const Protocol protocol = readProtocol(choice.protocol);
   if (!isSubjectId(choice.first + "0001")) {
     throw InputError("subjects cannot be named like that: \"" + choice.first + "0001\"", "--first",
@@ -55,16 +55,16 @@ void simulate(const SimulateChoice& choice, const Frame& frame) {
   plan.effects = choice.effects.empty() ? GeneratorEffects{} : readGeneratorEffects(choice.effects);
   plan.screen = {size.width, size.height, choice.hertz};
   plan.renderer = choice.renderer;
-  plan.makeDrawer = [renderer = choice.renderer] { return studyDrawer(renderer); };
+  plan.makeRenderer = [renderer = choice.renderer] { return studyRenderer(renderer); };
   plan.hashFrames = choice.hashFrames;
-  const SimulationResult result = simulateStudy(protocol, choice.database, plan, frame.progress());
-  frame.note(fmt::format("{}: {} simulated subjects, {} sessions simulated, {} there before; {} trials in all",
-                         choice.database, choice.subjects, result.sessions, result.sessionsBefore, result.trials));
+  const SimulationResult result = simulateStudy(protocol, choice.database, plan, context.progress());
+  context.note(fmt::format("{}: {} simulated subjects, {} sessions simulated, {} there before; {} trials in all",
+                           choice.database, choice.subjects, result.sessions, result.sessionsBefore, result.trials));
 }
 
 }  // namespace
 
-void addStudySimulateCommand(CLI::App& study, const Frame& frame) {
+void addStudySimulateCommand(CLI::App& study, const CommandContext& context) {
   CLI::App& command = *study.add_subcommand("simulate", "Run a study with simulated subjects, as fast as it goes");
   const auto choice = std::make_shared<SimulateChoice>();
   command.add_option("PROTOCOL", choice->protocol, "The protocol of the study")->required();
@@ -95,13 +95,13 @@ void addStudySimulateCommand(CLI::App& study, const Frame& frame) {
       ->capture_default_str();
   command.add_option("--effects", choice->effects, "JSON file with the generator's effects")->type_name("FILE");
   command.add_flag("--hash-frames", choice->hashFrames,
-                   "Store a hash of the pixels of each picture that an observer looks at, for replays to compare");
-  frame.finish(command,
-               "  ocelli study simulate protocols/short.json --db trial.sqlite --subjects 4 --seed 1\n"
-               "  ocelli study simulate protocols/rosen2010.json --db simulated.sqlite --subjects 45 --seed 7 "
-               "--sessions 3x25,1x20\n"
-               "  ocelli study simulate protocols/rosen2010.json --db known.sqlite --subjects 200 --kind generator",
-               [choice, frame] { simulate(*choice, frame); });
+                   "Store a hash of the pixels of each image that an observer looks at, for replays to compare");
+  context.finish(command,
+                 "  ocelli study simulate protocols/short.json --db trial.sqlite --subjects 4 --seed 1\n"
+                 "  ocelli study simulate protocols/rosen2010.json --db simulated.sqlite --subjects 45 --seed 7 "
+                 "--sessions 3x25,1x20\n"
+                 "  ocelli study simulate protocols/rosen2010.json --db known.sqlite --subjects 200 --kind generator",
+                 [choice, context] { simulate(*choice, context); });
 }
 
 }  // namespace ocelli

@@ -42,10 +42,10 @@ std::vector<T> numbersFromText(std::string_view text, char separator) {
 
 ImageSize imageSizeFromText(const std::string& text, const std::string& option) {
   const std::vector<int> sides = numbersFromText<int>(text, 'x');
-  if (sides.size() != 2 || sides[0] < 1 || sides[1] < 1 || std::ranges::max(sides) > PinholeCamera::kMostPixelsASide) {
+  if (sides.size() != 2 || sides[0] < 1 || sides[1] < 1 || std::ranges::max(sides) > PinholeCamera::kMaxPixelsASide) {
     fail(option, text, "a size in pixels, WIDTHxHEIGHT, each from 1 to 32768", "720x480");
   }
-  if (int64_t{sides[0]} * sides[1] > PinholeCamera::kMostPixels) {
+  if (int64_t{sides[0]} * sides[1] > PinholeCamera::kMaxPixels) {
     throw InputError("\"" + text + "\" has more than 2^26 pixels", option, option + " 8192x8192, or less");
   }
   return {sides[0], sides[1]};
@@ -67,8 +67,8 @@ float cellSideFromText(const std::string& text, const std::string& option) {
   const double side = (inches || metres) && numbers.size() == 1
                           ? numbers[0] * (inches ? kInchMetres : 1) / kReferenceDisplayRadiusMetres
                           : 0;
-  constexpr double kMostRadii = 18;  // beyond it the cell would reach the display from the default eye
-  if (!(side > 0) || side > kMostRadii) {
+  constexpr double kMaxRadii = 18;  // beyond it the cell would reach the display from the default eye
+  if (!(side > 0) || side > kMaxRadii) {
     fail(option, text, "a length in inches or metres, above 0 and up to 90in", "8in");
   }
   return static_cast<float>(side);

@@ -40,7 +40,7 @@ ViewerOptions viewerOptions(const ViewChoice& choice) {
   return options;
 }
 
-void view(const ViewChoice& choice, const Frame& frame) {
+void view(const ViewChoice& choice, const CommandContext& context) {
   const ViewerOptions options = viewerOptions(choice);
   if (choice.script.empty() && choice.gl != "auto") {
     throw InputError("only with --offscreen", "--gl", "leave it out: a window is drawn by what its display offers");
@@ -50,34 +50,34 @@ void view(const ViewChoice& choice, const Frame& frame) {
     return;
   }
   const ViewerScript script = readViewerScript(choice.script);
-  const std::unique_ptr<GlContext> context = openGlContext(choice.gl, "--gl");
-  runViewerScript(*context, options, script, [&](const std::string& file) { frame.note("wrote " + file); });
+  const std::unique_ptr<GlContext> gl = openGlContext(choice.gl, "--gl");
+  runViewerScript(*gl, options, script, [&](const std::string& file) { context.note("wrote " + file); });
 }
 #else
-void view(const ViewChoice&, const Frame&) {
+void view(const ViewChoice&, const CommandContext&) {
   failWithoutOpenGl();
 }
 #endif
 
 }  // namespace
 
-void addViewCommand(CLI::App& program, const Frame& frame) {
+void addViewCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand("view", "Look around in a window: scene, rays, reconstruction, display");
   const auto choice = std::make_shared<ViewChoice>();
-  addSceneOptions(command, choice->scene, frame);
+  addSceneOptions(command, choice->scene, context);
   addCameraOption(command, choice->camera);
   addViewOption(command, choice->view);
   addSizeOption(command, choice->size);
   command.add_option("--profile", choice->profile, "Display to simulate")->type_name("NAME|FILE.json");
-  command.add_option("-o,--output", choice->folder, "Folder for saved pictures and views")->type_name("DIR");
+  command.add_option("-o,--output", choice->folder, "Folder for saved images and views")->type_name("DIR");
   command.add_option("--offscreen", choice->script, "Play a script to the viewer, without a display")
       ->type_name("SCRIPT.json");
   addGlOption(command, choice->gl);
-  frame.finish(command,
-               "  ocelli view builtin:statues\n"
-               "  ocelli view bunny.obj --camera cell --size 1440x960\n"
-               "  ocelli view builtin:room --offscreen tour.json -o frames",
-               [choice, frame] { view(*choice, frame); });
+  context.finish(command,
+                 "  ocelli view builtin:statues\n"
+                 "  ocelli view bunny.obj --camera cell --size 1440x960\n"
+                 "  ocelli view builtin:room --offscreen tour.json -o frames",
+                 [choice, context] { view(*choice, context); });
 }
 
 }  // namespace ocelli

@@ -24,7 +24,7 @@ struct ViewersCommandChoice {
   std::string json;
 };
 
-void run(const ViewersCommandChoice& choice, const Frame& frame) {
+void run(const ViewersCommandChoice& choice, const CommandContext& context) {
   EvaluationOptions options;
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   options.width = size.width;
@@ -42,10 +42,10 @@ void run(const ViewersCommandChoice& choice, const Frame& frame) {
   if (!choice.json.empty() && !toStandardOutput) {
     checkWritable(choice.json);
   }
-  const Mesh scene = loadScene(choice.scene.source, choice.scene.options, frame.progress());
-  const ViewersFigures figures = evaluateViewers(scene, camera, views, options, frame.progress());
+  const Mesh scene = loadScene(choice.scene.source, choice.scene.options, context.progress());
+  const ViewersFigures figures = evaluateViewers(scene, camera, views, options, context.progress());
   const std::string json = viewersJson(choice.scene.source, options, figures);
-  frame.print(toStandardOutput ? json : viewersTable(figures));
+  context.print(toStandardOutput ? json : viewersTable(figures));
   if (!choice.json.empty() && !toStandardOutput) {
     writeFile(choice.json, json);
   }
@@ -53,11 +53,11 @@ void run(const ViewersCommandChoice& choice, const Frame& frame) {
 
 }  // namespace
 
-void addViewersCommand(CLI::App& program, const Frame& frame) {
+void addViewersCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand(
       "viewers", "Measure one mesh for several viewers around the display: what each of them misses");
   const auto choice = std::make_shared<ViewersCommandChoice>();
-  addSceneOptions(command, choice->scene, frame);
+  addSceneOptions(command, choice->scene, context);
   addCameraOption(command, choice->camera);
   addViewersOptions(command, choice->viewers);
   command.add_option("--cell", choice->cell, "Side of the cube around each viewer, in inches at the reference display")
@@ -71,10 +71,10 @@ void addViewersCommand(CLI::App& program, const Frame& frame) {
       ->expected(0, 1)
       ->default_str("-")
       ->type_name("FILE");
-  frame.finish(command,
-               "  ocelli viewers builtin:statues --viewers 4\n"
-               "  ocelli viewers bunny.obj --camera eoc-hv --view left.json --view right.json --json two.json",
-               [choice, frame] { run(*choice, frame); });
+  context.finish(command,
+                 "  ocelli viewers builtin:statues --viewers 4\n"
+                 "  ocelli viewers bunny.obj --camera eoc-hv --view left.json --view right.json --json two.json",
+                 [choice, context] { run(*choice, context); });
 }
 
 }  // namespace ocelli

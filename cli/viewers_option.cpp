@@ -14,7 +14,7 @@ void addViewersOptions(CLI::App& command, ViewersChoice& choice) {
   command
       .add_option("--viewers", choice.count,
                   "For so many viewers around the display, in equal steps from the reference view on")
-      ->check(CLI::Range(1, kMostViewers))
+      ->check(CLI::Range(1, kMaxViewers))
       ->type_name("N");
   command
       .add_option("--view", choice.views,
@@ -24,9 +24,9 @@ void addViewersOptions(CLI::App& command, ViewersChoice& choice) {
 }
 
 std::vector<View> viewsOf(const ViewersChoice& choice) {
-  if (choice.views.size() > kMostViewers) {
+  if (choice.views.size() > kMaxViewers) {
     throw InputError(fmt::format("{} views are too many", choice.views.size()), "--view",
-                     fmt::format("give at most {}", kMostViewers));
+                     fmt::format("give at most {}", kMaxViewers));
   }
   if (choice.views.size() > 1) {
     if (choice.count > 0) {

@@ -17,7 +17,7 @@ struct ViewersChoice {
   std::vector<std::string> views;  ///< files
 };
 
-inline constexpr int kMostViewers = 12;
+inline constexpr int kMaxViewers = 12;
 
 /// Adds --viewers N, and --view FILE.json, which may be given several times.
 void addViewersOptions(CLI::App& command, ViewersChoice& choice);

@@ -126,7 +126,7 @@ std::string infoAsJson(const SvolReader& reader, const SvolSummary& summary, boo
   return textOfJson(json, 2) + "\n";
 }
 
-void addVolumeInfo(CLI::App& parent, const Frame& frame) {
+void addVolumeInfo(CLI::App& parent, const CommandContext& context) {
   struct Choice {
     std::string path;
     bool json = false;
@@ -137,21 +137,21 @@ void addVolumeInfo(CLI::App& parent, const Frame& frame) {
   command.add_option("VOLUME", choice->path, "A volume or a recording (.svol)")->required();
   command.add_flag("--frames", choice->frames, "Add a table of all frames");
   command.add_flag("--json", choice->json, "Print the figures as JSON");
-  frame.finish(command,
-               "  ocelli volume info teapot.svol\n"
-               "  ocelli volume info recording.svol --frames",
-               [choice, frame] {
-                 SvolReader reader(choice->path);
-                 const SvolSummary summary = summarizeSvol(reader, frame.progress());
-                 frame.print(choice->json ? infoAsJson(reader, summary, choice->frames)
-                                          : infoAsText(choice->path, reader, summary) +
-                                                (choice->frames ? frameTable(summary.frames) : ""));
-               });
+  context.finish(command,
+                 "  ocelli volume info teapot.svol\n"
+                 "  ocelli volume info recording.svol --frames",
+                 [choice, context] {
+                   SvolReader reader(choice->path);
+                   const SvolSummary summary = summarizeSvol(reader, context.progress());
+                   context.print(choice->json ? infoAsJson(reader, summary, choice->frames)
+                                              : infoAsText(choice->path, reader, summary) +
+                                                    (choice->frames ? frameTable(summary.frames) : ""));
+                 });
 }
 
-void runVerify(const std::string& path, const Frame& frame) {
+void runVerify(const std::string& path, const CommandContext& context) {
   SvolReader reader(path);
-  verifySvol(reader, frame.progress());
+  verifySvol(reader, context.progress());
   const size_t count = reader.frames().size();
   const std::string frames =
       fmt::format("{} frame{} of {} slices", count, count == 1 ? "" : "s", reader.layout().slices);
@@ -160,19 +160,19 @@ void runVerify(const std::string& path, const Frame& frame) {
         fmt::format("unfinished: {} are whole, and {} bytes follow", frames, reader.fileBytes() - reader.wholeBytes()),
         path, count > 0 ? "`ocelli volume join --salvage` makes a finished file of it" : "write the file again");
   }
-  frame.print(fmt::format("{}: {}, all whole\n", path, frames));
+  context.print(fmt::format("{}: {}, all whole\n", path, frames));
 }
 
-void addVerify(CLI::App& parent, const Frame& frame) {
+void addVerify(CLI::App& parent, const CommandContext& context) {
   CLI::App& command = *parent.add_subcommand(
       "verify",
       "Check every byte of a file; exit code 2 if it is damaged, 1 if it is whole as far as it goes but unfinished");
   const auto path = std::make_shared<std::string>();
   command.add_option("VOLUME", *path, "A volume or a recording (.svol)")->required();
-  frame.finish(command, "  ocelli volume verify teapot.svol", [path, frame] { runVerify(*path, frame); });
+  context.finish(command, "  ocelli volume verify teapot.svol", [path, context] { runVerify(*path, context); });
 }
 
-void addJoin(CLI::App& parent, const Frame& frame) {
+void addJoin(CLI::App& parent, const CommandContext& context) {
   struct Choice {
     std::vector<std::string> sources;
     std::string output;
@@ -189,20 +189,20 @@ void addJoin(CLI::App& parent, const Frame& frame) {
   command.add_flag("--salvage", choice->options.salvage,
                    "Of unfinished and damaged files, take the frames up to the first that cannot be read");
   addOutputOption(command, choice->output, "Where the recording goes", {".svol"});
-  frame.finish(
+  context.finish(
       command,
       "  ocelli volume join a.svol b.svol c.svol --fps 12 -o film.svol\n"
       "  ocelli volume join killed.svol --salvage -o whole.svol",
-      [choice, frame] {
+      [choice, context] {
         const std::vector<std::filesystem::path> sources(choice->sources.begin(), choice->sources.end());
         JoinResult result;
-        runOrLeaveNothing(choice->output, frame.progress(), [&](const Progress& progress) {
+        runOrLeaveNothing(choice->output, context.progress(), [&](const Progress& progress) {
           result = joinSvol(sources, choice->output, choice->options, progress);
         });
         for (const std::filesystem::path& path : result.incomplete) {
-          frame.note(fmt::format("{} is not whole: what can be read was taken", path.string()));
+          context.note(fmt::format("{} is not whole: what can be read was taken", path.string()));
         }
-        frame.note(fmt::format("wrote {}: {} frame{}", choice->output, result.frames, result.frames == 1 ? "" : "s"));
+        context.note(fmt::format("wrote {}: {} frame{}", choice->output, result.frames, result.frames == 1 ? "" : "s"));
       });
 }
 
@@ -264,17 +264,17 @@ void exportAs(ExportForm form, const VolumeExportChoice& choice, const Progress&
   }
 }
 
-void runVolumeExport(const VolumeExportChoice& choice, const Frame& frame) {
+void runVolumeExport(const VolumeExportChoice& choice, const CommandContext& context) {
   const ExportForm form = formOf(choice.output);
   refuseWhatDoesNotApply(choice, form);
-  runOrLeaveNothing(choice.output, frame.progress(),
+  runOrLeaveNothing(choice.output, context.progress(),
                     [&](const Progress& progress) { exportAs(form, choice, progress); });
-  frame.note(fmt::format("wrote {}", choice.output));
+  context.note(fmt::format("wrote {}", choice.output));
 }
 
-void addVolumeExport(CLI::App& parent, const Frame& frame) {
-  CLI::App& command = *parent.add_subcommand(
-      "export", "Write a volume for ParaView, as NRRD, as PNG files, or as a picture that moves");
+void addVolumeExport(CLI::App& parent, const CommandContext& context) {
+  CLI::App& command =
+      *parent.add_subcommand("export", "Write a volume for ParaView, as NRRD, as PNG files, or as an image that moves");
   const auto choice = std::make_shared<VolumeExportChoice>();
   command.add_option("VOLUME", choice->volume, "A volume or a recording (.svol)")->required();
   command.add_option("--frame", choice->frame, "Which frame of a recording, from 0")->type_name("NUMBER");
@@ -286,22 +286,22 @@ void addVolumeExport(CLI::App& parent, const Frame& frame) {
       ->type_name("OUT.vti|OUT.nrrd|OUT.png|DIR");
   command.add_option("--cells", choice->cells, "Cells of a .vti across the display")->type_name("COUNT");
   command.add_option("--pixels", choice->pixels, "Sides of a preview")->type_name("COUNT");
-  frame.finish(command,
-               "  ocelli volume export teapot.svol -o slices\n"
-               "  ocelli volume export teapot.svol -o teapot.png\n"
-               "  ocelli volume export teapot.svol --cells 512 -o teapot.vti",
-               [choice, frame] { runVolumeExport(*choice, frame); });
+  context.finish(command,
+                 "  ocelli volume export teapot.svol -o slices\n"
+                 "  ocelli volume export teapot.svol -o teapot.png\n"
+                 "  ocelli volume export teapot.svol --cells 512 -o teapot.vti",
+                 [choice, context] { runVolumeExport(*choice, context); });
 }
 
 }  // namespace
 
-void addVolumeCommand(CLI::App& program, const Frame& frame) {
+void addVolumeCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand("volume", "Look into .svol files, check them, export them, join them");
   command.require_subcommand(1);
-  addVolumeInfo(command, frame);
-  addVerify(command, frame);
-  addVolumeExport(command, frame);
-  addJoin(command, frame);
+  addVolumeInfo(command, context);
+  addVerify(command, context);
+  addVolumeExport(command, context);
+  addJoin(command, context);
 }
 
 }  // namespace ocelli

@@ -201,8 +201,8 @@ class Diffusion {
     const double arc = offset.slices * away * sweep_.stepRadians();
     const double up = offset.rows * sweep_.rowHeight() / sweep_.columnWidth();
     // At the axis the next slice's voxel lies at the same place: it takes almost everything.
-    constexpr double kLeast = 0.25;
-    return static_cast<float>(std::max(offset.columns * offset.columns + up * up + arc * arc, kLeast * kLeast));
+    constexpr double kMin = 0.25;
+    return static_cast<float>(std::max(offset.columns * offset.columns + up * up + arc * arc, kMin * kMin));
   }
 
   SweepGeometry sweep_;

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "display_sim/diffusion.h"
-#include "display_sim/dither_pictures.h"
+#include "display_sim/dither_images.h"
 #include "display_sim/exact_slicer.h"
 #include "display_sim/voxel_dither.h"
 #include "oc_core/base/error.h"
@@ -74,11 +74,11 @@ double surfaceBlockError(const DisplayProfile& profile, ColorReduction colors) {
       ++voxels;
     }
   }
-  constexpr int kLeastVoxels = 32;
+  constexpr int kMinVoxels = 32;
   double sum = 0;
   int count = 0;
   for (const auto& [place, block] : blocks) {
-    if (block.second >= kLeastVoxels) {
+    if (block.second >= kMinVoxels) {
       sum += std::abs(block.first) / block.second;
       ++count;
     }
@@ -177,7 +177,7 @@ std::string jsonOf(const DitherReport& report) {
   return textOfJson(json, 2) + "\n";
 }
 
-void writePictures(const DitherReport& report, const std::filesystem::path& folder) {
+void writeImages(const DitherReport& report, const std::filesystem::path& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (failed) {
@@ -186,14 +186,14 @@ void writePictures(const DitherReport& report, const std::filesystem::path& fold
   }
   for (const DitherField& field : ditherFields()) {
     writePng(folder / (fileNameOf(field.name) + ".png"),
-             ditherPicture(field, report.options.dithers, report.options.profile.colorBitsPerChannel));
+             ditherImage(field, report.options.dithers, report.options.profile.colorBitsPerChannel));
   }
   if (!report.rows.empty() && !report.rows.front().evenness.empty()) {
     std::vector<std::vector<LightSample>> measured;
     for (const EvennessRow& row : report.rows.front().evenness) {
       measured.push_back(row.samples);
     }
-    writePng(folder / "evenness.png", evennessPicture(measured));
+    writePng(folder / "evenness.png", evennessImage(measured));
   }
 }
 

@@ -1,5 +1,5 @@
 // Dithers compared: their scores on fields and on a surface, and how evenly surfaces are lit; as text, JSON and
-// pictures.
+// images.
 #pragma once
 
 #include <filesystem>
@@ -54,6 +54,6 @@ std::string textOf(const DitherReport& report);
 std::string jsonOf(const DitherReport& report);
 /// Writes ramp.png, grey-sphere.png, colour-wheel.png (ditherPicture()) and evenness.png (evennessPicture(), of the
 /// first dither) into a folder, which is made where it is missing. Throws WorkError.
-void writePictures(const DitherReport& report, const std::filesystem::path& folder);
+void writeImages(const DitherReport& report, const std::filesystem::path& folder);
 
 }  // namespace ocelli

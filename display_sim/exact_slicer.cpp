@@ -84,7 +84,7 @@ class ColorSink {
     const std::scoped_lock lock(slice.lock);
     slice.voxels.insert(slice.voxels.end(), fragments.begin(), fragments.end());
     // Often enough that no place takes much more room than it needs, seldom enough to take little time.
-    if (slice.voxels.size() > 2 * slice.united + kLeastUnited) {
+    if (slice.voxels.size() > 2 * slice.united + kMinUnited) {
       sortAndUnite(slice.voxels);
       slice.united = slice.voxels.size();
     }
@@ -102,7 +102,7 @@ class ColorSink {
   }
 
  private:
-  static constexpr size_t kLeastUnited = 1 << 14;
+  static constexpr size_t kMinUnited = 1 << 14;
   struct Slice {
     std::mutex lock;
     SliceColors voxels;
@@ -123,7 +123,7 @@ class SliceBins {
   void push(int slice, const Fragment& fragment) {
     std::vector<Fragment>& bin = bins_[static_cast<size_t>(slice)];
     bin.push_back(fragment);
-    if (bin.size() == kMostFragments) {
+    if (bin.size() == kMaxFragments) {
       sink_.add(static_cast<size_t>(slice), bin);
       bin.clear();
     }
@@ -137,7 +137,7 @@ class SliceBins {
   }
 
  private:
-  static constexpr size_t kMostFragments = 2048;
+  static constexpr size_t kMaxFragments = 2048;
   Sink& sink_;
   std::vector<std::vector<Fragment>> bins_;
 };

@@ -38,17 +38,17 @@ int predicted(int filter, int left, int above, int aboveLeft) {
 }
 
 /// Each row with the filter whose differences are smallest in sum, as the PNG specification advises.
-std::vector<uint8_t> filteredRows(const Image<Rgb8>& picture) {
+std::vector<uint8_t> filteredRows(const Image<Rgb8>& image) {
   constexpr int kFilters = 5;
-  const auto rowBytes = static_cast<size_t>(picture.width()) * kPixelBytes;
+  const auto rowBytes = static_cast<size_t>(image.width()) * kPixelBytes;
   const std::vector<uint8_t> dark(rowBytes, 0);
   std::vector<uint8_t> all;
-  all.reserve((rowBytes + 1) * static_cast<size_t>(picture.height()));
+  all.reserve((rowBytes + 1) * static_cast<size_t>(image.height()));
   std::vector<uint8_t> row(rowBytes + 1);
   std::vector<uint8_t> best;
-  for (int y = 0; y < picture.height(); ++y) {
-    const auto* bytes = reinterpret_cast<const uint8_t*>(&picture(0, y));
-    const uint8_t* above = y > 0 ? reinterpret_cast<const uint8_t*>(&picture(0, y - 1)) : dark.data();
+  for (int y = 0; y < image.height(); ++y) {
+    const auto* bytes = reinterpret_cast<const uint8_t*>(&image(0, y));
+    const uint8_t* above = y > 0 ? reinterpret_cast<const uint8_t*>(&image(0, y - 1)) : dark.data();
     size_t least = ~size_t{0};
     for (int filter = 0; filter < kFilters; ++filter) {
       row[0] = static_cast<uint8_t>(filter);
@@ -80,9 +80,9 @@ void appendCompressed(std::vector<uint8_t>& bytes, const std::vector<uint8_t>& r
 
 }  // namespace
 
-ApngWriter::ApngWriter(const std::filesystem::path& path, int width, int height, uint32_t pictures)
-    : file_(path), width_(width), height_(height), pictures_(pictures) {
-  OC_CHECK(width > 0 && height > 0 && pictures > 0, "an animation needs pictures");
+ApngWriter::ApngWriter(const std::filesystem::path& path, int width, int height, uint32_t images)
+    : file_(path), width_(width), height_(height), images_(images) {
+  OC_CHECK(width > 0 && height > 0 && images > 0, "an animation needs pictures");
   file_.write("\x89PNG\r\n\x1a\n");
   std::vector<uint8_t> header;
   append32(header, static_cast<uint32_t>(width));
@@ -92,7 +92,7 @@ ApngWriter::ApngWriter(const std::filesystem::path& path, int width, int height,
   const uint8_t srgbIntent[] = {0};
   chunk("sRGB", srgbIntent);
   std::vector<uint8_t> control;
-  append32(control, pictures);
+  append32(control, images);
   append32(control, 0);  // without end
   chunk("acTL", control);
 }
@@ -106,9 +106,9 @@ void ApngWriter::chunk(std::string_view type, std::span<const uint8_t> data) {
   file_.write(bytes);
 }
 
-void ApngWriter::add(const Image<Rgb8>& picture, uint16_t milliseconds) {
-  OC_CHECK(picture.width() == width_ && picture.height() == height_, "a picture of another size");
-  OC_CHECK(added_ < pictures_, "more pictures than were announced");
+void ApngWriter::add(const Image<Rgb8>& image, uint16_t milliseconds) {
+  OC_CHECK(image.width() == width_ && image.height() == height_, "an image of another size");
+  OC_CHECK(added_ < images_, "more images than were announced");
   std::vector<uint8_t> control;
   append32(control, sequence_++);
   append32(control, static_cast<uint32_t>(width_));
@@ -123,13 +123,13 @@ void ApngWriter::add(const Image<Rgb8>& picture, uint16_t milliseconds) {
   if (added_ > 0) {
     append32(data, sequence_++);
   }
-  appendCompressed(data, filteredRows(picture));
+  appendCompressed(data, filteredRows(image));
   chunk(added_ > 0 ? "fdAT" : "IDAT", data);
   ++added_;
 }
 
 void ApngWriter::finish() {
-  OC_CHECK(added_ == pictures_, "fewer pictures than were announced");
+  OC_CHECK(added_ == images_, "fewer images than were announced");
   chunk("IEND", {});
   file_.commit();
 }

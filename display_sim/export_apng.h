@@ -1,5 +1,5 @@
 // An animated PNG file (wiki.mozilla.org/APNG_Specification): browsers and image viewers play it, and any PNG reader
-// shows its first picture.
+// shows its first image.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@ namespace ocelli {
 
 class ApngWriter {
  public:
-  /// For so many pictures of this size, at least one; they are played over and over. The file appears with finish().
+  /// For so many images of this size, at least one; they are played over and over. The file appears with finish().
   /// Throws WorkError.
-  ApngWriter(const std::filesystem::path& path, int width, int height, uint32_t pictures);
+  ApngWriter(const std::filesystem::path& path, int width, int height, uint32_t images);
 
   /// Shown for so many milliseconds, up to 65535.
-  void add(const Image<Rgb8>& picture, uint16_t milliseconds);
+  void add(const Image<Rgb8>& image, uint16_t milliseconds);
   void finish();
 
  private:
@@ -30,7 +30,7 @@ class ApngWriter {
   OutputFile file_;
   int width_;
   int height_;
-  uint32_t pictures_;
+  uint32_t images_;
   uint32_t added_ = 0;
   uint32_t sequence_ = 0;  ///< of frame control and frame data chunks
 };

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
-#include "display_sim/picture_folder.h"
+#include "display_sim/image_folder.h"
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {
 
 void exportPngStack(const std::filesystem::path& folder, const Volume& volume, const Progress& progress) {
-  PictureFolder pictures(folder, "slice");
+  ImageFolder images(folder, "slice");
   const auto count = static_cast<size_t>(volume.slices());
   // In batches, so that progress is reported from one thread.
   constexpr size_t kBatch = 32;
@@ -16,11 +16,11 @@ void exportPngStack(const std::filesystem::path& folder, const Volume& volume, c
     report(progress, "writing slices", static_cast<double>(first) / static_cast<double>(count));
     parallelFor(std::min(kBatch, count - first), 1, [&](size_t begin, size_t end) {
       for (size_t i = first + begin; i < first + end; ++i) {
-        writePng(pictures.path(static_cast<int>(i)), sliceImage(volume, static_cast<int>(i)));
+        writePng(images.path(static_cast<int>(i)), sliceImage(volume, static_cast<int>(i)));
       }
     });
   }
-  pictures.finish();
+  images.finish();
   report(progress, "writing slices", 1);
 }
 

@@ -23,12 +23,12 @@ constexpr double kTiltRadians = 0.2;
 constexpr double kFarLight = 0.35;
 /// Around what is lit.
 constexpr double kMargin = 1.05;
-constexpr size_t kTurnPictures = 60;
+constexpr size_t kTurnImages = 60;
 constexpr uint16_t kTurnMilliseconds = 83;
-constexpr size_t kMostPictures = 120;
+constexpr size_t kMaxImages = 120;
 constexpr double kSwayRadians = 0.35;
 /// Browsers slow down what is shorter.
-constexpr double kLeastMilliseconds = 20;
+constexpr double kMinMilliseconds = 20;
 /// Partial images that are added in their order, so that sums do not depend on the threads.
 constexpr size_t kParts = 4;
 
@@ -83,7 +83,7 @@ class Projection {
   double scale_;
 };
 
-/// One picture of the animation.
+/// One image of the animation.
 struct Shot {
   size_t frame = 0;
   double turnRadians = 0;
@@ -91,7 +91,7 @@ struct Shot {
 };
 
 std::vector<Shot> turnAround() {
-  std::vector<Shot> shots(kTurnPictures);
+  std::vector<Shot> shots(kTurnImages);
   for (size_t i = 0; i < shots.size(); ++i) {
     shots[i] = {0, 2 * kPi * static_cast<double>(i) / static_cast<double>(shots.size()), kTurnMilliseconds};
   }
@@ -101,7 +101,7 @@ std::vector<Shot> turnAround() {
 std::vector<Shot> play(const SvolReader& reader) {
   const std::vector<SvolFrame>& frames = reader.frames();
   const uint64_t end = frames.front().timeMicroseconds + reader.durationMicroseconds();
-  std::vector<Shot> shots(std::min(frames.size(), kMostPictures));
+  std::vector<Shot> shots(std::min(frames.size(), kMaxImages));
   for (size_t i = 0; i < shots.size(); ++i) {
     shots[i].frame = i * frames.size() / shots.size();
     shots[i].turnRadians =
@@ -110,7 +110,7 @@ std::vector<Shot> play(const SvolReader& reader) {
   for (size_t i = 0; i < shots.size(); ++i) {
     const uint64_t next = i + 1 < shots.size() ? frames[shots[i + 1].frame].timeMicroseconds : end;
     const double milliseconds = static_cast<double>(next - frames[shots[i].frame].timeMicroseconds) / 1000;
-    shots[i].milliseconds = static_cast<uint16_t>(std::clamp(std::round(milliseconds), kLeastMilliseconds, 65535.0));
+    shots[i].milliseconds = static_cast<uint16_t>(std::clamp(std::round(milliseconds), kMinMilliseconds, 65535.0));
   }
   return shots;
 }
@@ -156,9 +156,9 @@ Image<glm::vec3> projectedLight(const Volume& volume, const PreviewView& view, i
 
 void exportPreview(const std::filesystem::path& path, SvolReader& reader, const PreviewOptions& options,
                    const Progress& progress) {
-  constexpr int kLeastPixels = 16;
-  constexpr int kMostPixels = 2048;
-  if (options.pixels < kLeastPixels || options.pixels > kMostPixels) {
+  constexpr int kMinPixels = 16;
+  constexpr int kMaxPixels = 2048;
+  if (options.pixels < kMinPixels || options.pixels > kMaxPixels) {
     throw InputError("a preview has 16 to 2048 pixels a side", path.string(), "change its size");
   }
   requireFrame(reader, 0);
@@ -177,7 +177,7 @@ void exportPreview(const std::filesystem::path& path, SvolReader& reader, const 
     }
   }
   reach = reach > 0 ? reach * kMargin : 1;
-  // One for all pictures, or they would flicker.
+  // One for all images, or they would flicker.
   double gain = 0;
   for (size_t i = 0; i < shots.size(); ++i) {
     report(progress, "drawing", static_cast<double>(i) / static_cast<double>(shots.size()));

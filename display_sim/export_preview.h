@@ -12,17 +12,17 @@
 namespace ocelli {
 
 struct PreviewOptions {
-  int pixels = 360;  ///< the picture's sides, in [16, 2048]
+  int pixels = 360;  ///< the image's sides, in [16, 2048]
 };
 
-/// One volume: a turn around it in five seconds. A recording: it plays at its own speed, in up to 120 pictures evenly
+/// One volume: a turn around it in five seconds. A recording: it plays at its own speed, in up to 120 images evenly
 /// taken from it, and the view sways. Throws InputError and WorkError.
 void exportPreview(const std::filesystem::path& path, SvolReader& reader, const PreviewOptions& options = {},
                    const Progress& progress = {});
 
 struct PreviewView {
   double turnRadians = 0;  ///< around the axis, from z towards x
-  double reachRadii = 1;   ///< from the middle of the picture to its border
+  double reachRadii = 1;   ///< from the middle of the image to its border
 };
 
 /// Linear light of a volume in parallel projection: a voxel gives its light, times the space that it takes, to the

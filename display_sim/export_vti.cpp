@@ -141,9 +141,9 @@ CartesianVolume resample(const Volume& volume, int cellsAcross) {
 
 void exportVti(const std::filesystem::path& path, const Volume& volume, const VtiOptions& options,
                const Progress& progress) {
-  constexpr double kMostCells = 1 << 30;
+  constexpr double kMaxCells = 1 << 30;
   const double across = options.cellsAcross;
-  if (across < 2 || across > 1024 || across * across * across * volume.profile().halfHeightRadii > kMostCells) {
+  if (across < 2 || across > 1024 || across * across * across * volume.profile().halfHeightRadii > kMaxCells) {
     throw InputError("the grid must have 2 to 1024 cells across, and at most 2^30 in all", path.string(),
                      "change the size of the grid");
   }

@@ -71,7 +71,7 @@ class Swings {
   std::vector<Swing> sorted(const Passes& passes) const {
     constexpr double kFinest = 1 << 24;  // phases that differ by less than this part of a swing are rounding
     std::vector<Swing> swings = sorted(passes, kFinest);
-    return swings.size() <= kMostWobblePhases ? swings : sorted(passes, kMostWobblePhases);
+    return swings.size() <= kMaxWobblePhases ? swings : sorted(passes, kMaxWobblePhases);
   }
 
   std::vector<Swing> sorted(const Passes& passes, double phases) const {

@@ -40,7 +40,7 @@ struct ExposedArc {
 
 /// Passes that find the display at phases of its wobble which differ by less than 1 / 64 of a swing count as one where
 /// an exposure has more than 64 such phases: the error is below 5 % of the amplitude.
-inline constexpr int kMostWobblePhases = 64;
+inline constexpr int kMaxWobblePhases = 64;
 
 /// The arcs that a sweep sees, by slice; dark ones are left out. The slices of a volume repeat with the refresh of the
 /// display: every half turn, or every turn where the second half turn has its own. Where channels are on in turn, an

@@ -20,8 +20,8 @@
 namespace ocelli {
 namespace {
 
-constexpr double kMostSeconds = 1e6;
-constexpr double kMostRadii = 1e6;
+constexpr double kMaxSeconds = 1e6;
+constexpr double kMaxRadii = 1e6;
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  ///< spreadsheets begin a table with it
 
 /// Throws where the poses do not make a path.
@@ -56,7 +56,7 @@ std::variant<std::array<double, 4>, std::string> fourNumbers(std::string_view li
     if (error != std::errc() || rest.find_first_not_of(" \t") != std::string_view::npos) {
       return std::string(kFieldNames[i]) + " is not a number";
     }
-    if (!(std::abs(numbers[i]) <= (i == 0 ? kMostSeconds : kMostRadii))) {
+    if (!(std::abs(numbers[i]) <= (i == 0 ? kMaxSeconds : kMaxRadii))) {
       return std::string(kFieldNames[i]) + " is out of range";
     }
   }
@@ -101,10 +101,10 @@ std::string problemOfLine(std::string_view line) {
 std::vector<EyePose> readEyePath(const std::filesystem::path& path) {
   const std::string where = path.string();
   if (where.ends_with(".csv")) {
-    return eyePathFromCsv(readFile(path, kMostTextBytes), where);
+    return eyePathFromCsv(readFile(path, kMaxTextBytes), where);
   }
   if (where.ends_with(".json")) {
-    return eyePathFromJson(readFile(path, kMostTextBytes), where);
+    return eyePathFromJson(readFile(path, kMaxTextBytes), where);
   }
   throw InputError("a path of eyes is a .csv or a .json file", where, "give one of these");
 }
@@ -157,8 +157,8 @@ std::vector<EyePose> eyePathFromJson(const std::string& text, const std::string&
     std::vector<EyePose> poses;
     for (const nlohmann::json& item : list) {
       JsonFields pose(item, where + ", pose " + std::to_string(poses.size() + 1));
-      const double seconds = pose.number("time", -kMostSeconds, kMostSeconds);
-      const std::vector<double> eye = pose.numbers("eye", 3, -kMostRadii, kMostRadii);
+      const double seconds = pose.number("time", -kMaxSeconds, kMaxSeconds);
+      const std::vector<double> eye = pose.numbers("eye", 3, -kMaxRadii, kMaxRadii);
       pose.rejectUnknown();
       poses.push_back({seconds, glm::vec3(eye[0], eye[1], eye[2])});
     }
@@ -183,7 +183,7 @@ std::vector<glm::vec3> eyesAlong(const std::vector<EyePose>& poses, double frame
   OC_CHECK(!poses.empty() && framesPerSecond > 0, "a path has poses and a rate");
   // A frame that rounding would lose at the end is seen.
   const double frames = std::floor((poses.back().seconds - poses.front().seconds) * framesPerSecond + 1e-6) + 1;
-  if (!(frames <= kMostFrames)) {
+  if (!(frames <= kMaxFrames)) {
     throw InputError("this path and this rate make more than 100000 frames", "--rate", "give a lower rate");
   }
   std::vector<glm::vec3> eyes;

@@ -29,7 +29,7 @@ struct EyePose {
   glm::vec3 eye{0};  ///< in display radii
 };
 
-inline constexpr int kMostFrames = 100000;
+inline constexpr int kMaxFrames = 100000;
 
 /// The first line of a .csv file.
 inline constexpr std::string_view kEyePathHeader = "time,x,y,z";
@@ -48,7 +48,7 @@ std::vector<EyePose> eyePathFromJson(const std::string& text, const std::string&
 glm::vec3 eyeAt(const std::vector<EyePose>& poses, double seconds);
 
 /// The eye at equal intervals from the first pose to the last, on straight lines between poses. Throws InputError for
-/// more than kMostFrames.
+/// more than kMaxFrames.
 std::vector<glm::vec3> eyesAlong(const std::vector<EyePose>& poses, double framesPerSecond);
 
 /// Where one of these frames is: "at pose 3" or "between poses 2 and 3", counted from 1.

@@ -1,5 +1,5 @@
 #include "display_sim/frame_sink.h"
-#include "display_sim/picture_folder.h"
+#include "display_sim/image_folder.h"
 
 namespace ocelli {
 namespace {
@@ -12,7 +12,7 @@ class FrameFolder : public FrameSink {
   void finish() override { folder_.finish(); }
 
  private:
-  PictureFolder folder_;
+  ImageFolder folder_;
   int count_ = 0;
 };
 

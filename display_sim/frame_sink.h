@@ -1,4 +1,4 @@
-// Where the frames of a series of pictures go: a folder of PNG files, or a video that ffmpeg makes.
+// Where the frames of a series of images go: a folder of PNG files, or a video that ffmpeg makes.
 #pragma once
 
 #include <filesystem>

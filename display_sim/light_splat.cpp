@@ -10,11 +10,11 @@ namespace ocelli {
 namespace {
 
 /// More images than this cost more to add up than their threads save.
-constexpr size_t kMostImages = 16;
-constexpr size_t kMostImageBytes = size_t{1} << 30;
+constexpr size_t kMaxImages = 16;
+constexpr size_t kMaxImageBytes = size_t{1} << 30;
 
 /// A pixel's share of one box that is larger than this is cut off: numbers of 64 bits hold it.
-constexpr double kMostShare = 0x1p62;
+constexpr double kMaxShare = 0x1p62;
 
 /// The pixels that [lo, hi] overlaps, of `count`; none where one of them is NaN.
 struct PixelSpan {
@@ -42,7 +42,7 @@ double shareAbove(double y) {
 
 size_t lightImageCount(int width, int height, int threads) {
   const size_t bytes = static_cast<size_t>(width) * static_cast<size_t>(height) * sizeof(FixedLight);
-  const size_t most = std::clamp<size_t>(kMostImageBytes / bytes, 1, kMostImages);
+  const size_t most = std::clamp<size_t>(kMaxImageBytes / bytes, 1, kMaxImages);
   return std::clamp<size_t>(static_cast<size_t>(std::max(threads, 1)), 1, most);
 }
 
@@ -51,7 +51,7 @@ void LightImage::addSpan(int row, double left, double right, double light, const
   const double density = light * kLightUnit / (right - left);
   FixedLight* pixels = pixels_.data() + static_cast<size_t>(row) * static_cast<size_t>(width_);
   for (int column = columns.first; column < columns.end; ++column) {
-    const glm::dvec3 share = glm::min(color * (density * overlap(left, right, column)) + 0.5, kMostShare);
+    const glm::dvec3 share = glm::min(color * (density * overlap(left, right, column)) + 0.5, kMaxShare);
     addLight(pixels[column],
              {static_cast<uint64_t>(share.x), static_cast<uint64_t>(share.y), static_cast<uint64_t>(share.z)});
   }

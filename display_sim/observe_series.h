@@ -1,4 +1,4 @@
-// Series of pictures of one volume, with one gain, and pairs of pictures for two eyes.
+// Series of images of one volume, with one gain, and pairs of images for two eyes.
 #pragma once
 
 #include <functional>

@@ -20,12 +20,12 @@
 namespace ocelli {
 namespace {
 
-constexpr int kMostPixels = 1 << 26;
+constexpr int kMaxPixels = 1 << 26;
 
-constexpr double kLeastBoxPixels = 1e-3;
+constexpr double kMinBoxPixels = 1e-3;
 
 /// The default field of view is larger from any distance that a profile's viewer may have.
-constexpr double kLeastFovDegrees = 1e-6;
+constexpr double kMinFovDegrees = 1e-6;
 
 double exposureSeconds(const ObserverOptions& options, const DisplayProfile& profile) {
   return options.exposureSeconds > 0 ? options.exposureSeconds : 1 / profile.refreshHertz();
@@ -146,7 +146,7 @@ class Collector {
       image.addEllipse(at.x, at.y, disc.x, disc.y, sent, color);
     } else {
       // Seen along its plane a part at the axis has no extent in one direction.
-      const glm::dvec2 box = glm::max(glm::sqrt(squares + blur * blur * (12.0 / 16)), kLeastBoxPixels);
+      const glm::dvec2 box = glm::max(glm::sqrt(squares + blur * blur * (12.0 / 16)), kMinBoxPixels);
       image.addBox(at.x, at.y, box.x, box.y, sent, color);
     }
   }
@@ -162,7 +162,7 @@ class Collector {
 };
 
 /// More passes than this would take too long to sort by the phase of the wobble.
-constexpr double kMostWobblingRefreshes = 100000;
+constexpr double kMaxWobblingRefreshes = 100000;
 
 }  // namespace
 
@@ -180,11 +180,11 @@ void checkObserverOptions(const ObserverOptions& options, const DisplayProfile& 
   if (isInDisplay(eye, profile)) {
     fail("the eye is inside of the display", "move it more than one display radius away from the centre");
   }
-  if (options.width < 1 || options.height < 1 || options.width > kMostPixels / options.height) {
+  if (options.width < 1 || options.height < 1 || options.width > kMaxPixels / options.height) {
     fail("the image must have at least one and at most 2^26 pixels", "change its size");
   }
   const double fov = options.fovVerticalDegrees;
-  if (fov != 0 && !(fov >= kLeastFovDegrees && fov < 179)) {
+  if (fov != 0 && !(fov >= kMinFovDegrees && fov < 179)) {
     fail("the vertical field of view must lie between 0.000001 and 179 degrees",
          "change it, or give 0 to just hold the display");
   }
@@ -202,7 +202,7 @@ void checkObserverOptions(const ObserverOptions& options, const DisplayProfile& 
   }
   checkWobble(options.wobble);
   if (options.wobble.amplitudeRadii > 0 &&
-      exposureSeconds(options, profile) * profile.refreshHertz() > kMostWobblingRefreshes) {
+      exposureSeconds(options, profile) * profile.refreshHertz() > kMaxWobblingRefreshes) {
     fail("an exposure of a display that wobbles must hold at most 100000 refreshes", "shorten it");
   }
   if (!(options.lens.apertureRadii >= 0 && options.lens.apertureRadii <= 1)) {

@@ -1,5 +1,5 @@
 // A mesh made ready for the fast slicer (slicer.h): cut into chunks of triangles whose vertices lie together, so that a
-// chunk is sliced without leaving the processor's cache. Made once; vertices may then move, frame after frame.
+// chunk is sliced without leaving the CPU's cache. Made once; vertices may then move, frame after frame.
 #pragma once
 
 #include <cstddef>

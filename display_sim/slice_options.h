@@ -27,7 +27,7 @@ inline bool needsExactSlicer(const SliceOptions& options) {
 }
 
 /// What the GPU cannot do.
-inline bool needsProcessor(const SliceOptions& options) {
+inline bool needsCpu(const SliceOptions& options) {
   return (options.colors != ColorReduction::kDither && options.colors != ColorReduction::kOccupancy) ||
          options.angularAntialiasing || options.evenLightRadius > 0;
 }

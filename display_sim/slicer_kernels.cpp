@@ -291,9 +291,9 @@ HWY_ATTR HWY_INLINE IntVec latticeParts(const SliceKernelSetup& setup, IntVec se
   const FloatVec widest =
       hn::Max(hn::Mul(sectors, hn::Mul(stretch, stretch)), hn::Max(hn::Add(columns, hn::Sub(nearest, inner)), rows));
   const FloatVec parts = hn::Min(hn::Mul(widest, hn::Set(d, 1 / kWidestCell)),
-                                 hn::Set(d, static_cast<float>(TriangleLattices::kMostParts)));
+                                 hn::Set(d, static_cast<float>(TriangleLattices::kMaxParts)));
   const auto good = hn::And(hn::And(hn::Le(angle, hn::Set(d, kWidestAngle)), hn::Le(columns, nearest)),
-                            hn::Lt(parts, hn::Set(d, static_cast<float>(TriangleLattices::kMostParts))));
+                            hn::Lt(parts, hn::Set(d, static_cast<float>(TriangleLattices::kMaxParts))));
   const IntVec whole = hn::Max(hn::Add(hn::ConvertTo(di, parts), hn::Set(di, 1)), hn::Set(di, 2));
   return hn::IfThenElseZero(hn::And(hn::RebindMask(di, good), hn::Eq(special, hn::Zero(di))), whole);
 }
@@ -448,9 +448,9 @@ SliceKernelSetup::SliceKernelSetup(const DisplayProfile& profile, const SliceOpt
 }
 
 LitSamples::LitSamples(size_t samples) {
-  constexpr size_t kMostPerSample = 4;  // in two slices, of both half turns
+  constexpr size_t kMaxPerSample = 4;  // in two slices, of both half turns
   for (std::vector<uint32_t>* words : {&slice, &place, &levels}) {
-    words->resize(kMostPerSample * (samples + SliceMesh::kPadding));
+    words->resize(kMaxPerSample * (samples + SliceMesh::kPadding));
   }
 }
 

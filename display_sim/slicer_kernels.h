@@ -1,4 +1,4 @@
-// The inner loops of the fast slicer, compiled for several instruction sets; the processor's best one is taken when the
+// The inner loops of the fast slicer, compiled for several instruction sets; the CPU's best one is taken when the
 // program runs. All give the same bits: nothing is fused, and what is used rounds as IEEE 754 says.
 #pragma once
 

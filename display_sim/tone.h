@@ -1,4 +1,4 @@
-// From linear light to what a picture file can hold.
+// From linear light to what an image file can hold.
 #pragma once
 
 #include <glm/vec3.hpp>

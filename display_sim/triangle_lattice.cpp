@@ -4,8 +4,8 @@
 
 namespace ocelli {
 
-TriangleLattices::TriangleLattices() : ranges_((kMostParts + 1) * 8) {
-  for (int parts = 2; parts <= kMostParts; ++parts) {
+TriangleLattices::TriangleLattices() : ranges_((kMaxParts + 1) * 8) {
+  for (int parts = 2; parts <= kMaxParts; ++parts) {
     for (unsigned left = 0; left < 8; ++left) {
       Range& range = ranges_[static_cast<unsigned>(parts) * 8 + left];
       range.first = static_cast<uint32_t>(weights2_.size());

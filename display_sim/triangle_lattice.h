@@ -6,10 +6,10 @@
 
 namespace ocelli {
 
-/// Weights of the corners for lattices of up to kMostParts, with and without each side.
+/// Weights of the corners for lattices of up to kMaxParts, with and without each side.
 class TriangleLattices {
  public:
-  static constexpr int kMostParts = 32;
+  static constexpr int kMaxParts = 32;
 
   struct Range {
     uint32_t first = 0;
@@ -18,7 +18,7 @@ class TriangleLattices {
 
   TriangleLattices();
 
-  /// `parts` in [2, kMostParts]; bit k of `sidesLeftOut`: the side from corner k to the next, without its samples.
+  /// `parts` in [2, kMaxParts]; bit k of `sidesLeftOut`: the side from corner k to the next, without its samples.
   const Range& range(int parts, unsigned sidesLeftOut) const {
     return ranges_[static_cast<unsigned>(parts) * 8 + sidesLeftOut];
   }

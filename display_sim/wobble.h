@@ -21,8 +21,8 @@ struct Wobble {
   glm::dvec3 displacement(double swingRadians) const;
 };
 
-inline constexpr double kMostWobbleRadii = 1;
-inline constexpr double kMostWobbleFrequency = 64;
+inline constexpr double kMaxWobbleRadii = 1;
+inline constexpr double kMaxWobbleFrequency = 64;
 
 /// Throws InputError, naming the observer, for values that make no sense.
 void checkWobble(const Wobble& wobble);

@@ -7,7 +7,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/constructor/camera_editor.h"
-#include "oc_core/constructor/curved_turns.h"
+#include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 
 namespace {

@@ -33,7 +33,7 @@ using test::SceneFileSample;
 using Random = std::mt19937_64;
 
 constexpr const char* kSecondsOfReading = "4";
-/// Of a processor, for what the child may take and what this process adds.
+/// Of a CPU, for what the child may take and what this process adds.
 constexpr double kMaxSeconds = 15;
 
 /// That this process and its children have used.
@@ -180,7 +180,7 @@ class Campaign {
     for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
       rusage usage{};
       getrusage(who, &usage);
-      text += fmt::format(" {} {} s of a processor, at most {} MiB;", who == RUSAGE_SELF ? "here" : "in children",
+      text += fmt::format(" {} {} s of a CPU, at most {} MiB;", who == RUSAGE_SELF ? "here" : "in children",
                           usage.ru_utime.tv_sec + usage.ru_stime.tv_sec, usage.ru_maxrss >> 10);
     }
     std::printf("%s\n", text.c_str());

@@ -9,12 +9,12 @@
 namespace {
 
 // Larger volumes take long to decode, and are decoded in the same way.
-constexpr size_t kMostBytes = size_t{1} << 20;
+constexpr size_t kMaxBytes = size_t{1} << 20;
 
 void read(const std::vector<uint8_t>& bytes) {
   std::istringstream in(std::string(bytes.begin(), bytes.end()));
   try {
-    ocelli::SessionReader reader(in, "fuzz", kMostBytes);
+    ocelli::SessionReader reader(in, "fuzz", kMaxBytes);
     while (reader.next()) {
     }
   } catch (const ocelli::InputError&) {

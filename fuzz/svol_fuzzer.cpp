@@ -8,7 +8,7 @@
 
 namespace {
 
-constexpr size_t kMostBytes = size_t{1} << 24;
+constexpr size_t kMaxBytes = size_t{1} << 24;
 
 void read(const std::vector<uint8_t>& bytes) {
   std::istringstream in(std::string(bytes.begin(), bytes.end()));
@@ -19,7 +19,7 @@ void read(const std::vector<uint8_t>& bytes) {
       reader.readSlice(reader.frames().size() - 1, 0, planes);
     }
     // Larger volumes take long to decode, and are decoded in the same way.
-    if (reader.profile().volumeBytes() <= kMostBytes) {
+    if (reader.profile().volumeBytes() <= kMaxBytes) {
       ocelli::verifySvol(reader);
     }
   } catch (const ocelli::InputError&) {

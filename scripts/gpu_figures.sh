@@ -47,7 +47,7 @@ run() {
 
 # shellcheck disable=SC2016  # its own arguments
 run doctor 30 sh -c '"$0" doctor --json >"$1"' "$here/bin/ocelli" "$out/doctor.json"
-# OSMesa is no part of the archive: it draws on the processor.
+# OSMesa is no part of the archive: it draws on the CPU.
 without="*OSMesa*:*osMesa*:*OsMesa*:*providersDrawTheSame*:*providersAgree*:*providersTakeTurns*"
 without="$without:GuiLayerProvidersTest.*:GuiLayerDeathTest.*:GlEnvironmentDeathTest.*:GlReportTest.*"
 # The archive has letters of the West alone.

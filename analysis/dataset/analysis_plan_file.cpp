@@ -15,9 +15,9 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kMostNameBytes = 100;
-constexpr size_t kMostTextBytes = 4000;
-constexpr size_t kMostEntries = 1000;
+constexpr size_t kMaxNameBytes = 100;
+constexpr size_t kMaxTextBytes = 4000;
+constexpr size_t kMaxEntries = 1000;
 constexpr std::array<std::string_view, 4> kTasks{"find", "count", "path", "survey"};
 constexpr std::array<std::string_view, 7> kFactors{"view",       "session", "moving", "exposure",
                                                    "duplicates", "objects", "trial"};
@@ -38,7 +38,7 @@ bool contains(const List& list, std::string_view value) {
 }
 
 std::string choice(JsonObject& fields, const char* name, const auto& allowed) {
-  const std::string given = fields.text(name, kMostNameBytes);
+  const std::string given = fields.text(name, kMaxNameBytes);
   if (!contains(allowed, given)) {
     fields.fail(name, fmt::format("is \"{}\", but must be one of: {}", given, joined(allowed)));
   }
@@ -55,7 +55,7 @@ Choice choiceOf(JsonObject& fields, const char* name, const Choice (&choices)[kC
 
 /// A name that no earlier element has.
 std::string newName(JsonObject& fields, std::set<std::string>& names) {
-  std::string name = fields.text("name", kMostNameBytes);
+  std::string name = fields.text("name", kMaxNameBytes);
   if (!names.insert(name).second) {
     fields.fail("name", fmt::format("is \"{}\", as that of another in this list", name));
   }
@@ -79,7 +79,7 @@ void checkTerm(const JsonObject& fields, const char* name, const std::string& te
 }
 
 std::vector<std::string> readTerms(JsonObject& fields, const char* name) {
-  std::vector<std::string> terms = fields.texts(name, 50, kMostNameBytes);
+  std::vector<std::string> terms = fields.texts(name, 50, kMaxNameBytes);
   std::set<std::string> seen;
   for (const std::string& term : terms) {
     checkTerm(fields, name, term);
@@ -121,9 +121,9 @@ PlannedModel readModel(JsonObject& fields, std::set<std::string>& names) {
 Hypothesis readHypothesis(JsonObject& fields, const AnalysisPlan& plan, std::set<std::string>& names) {
   Hypothesis hypothesis;
   hypothesis.name = newName(fields, names);
-  hypothesis.statement = fields.text("statement", kMostTextBytes);
-  hypothesis.model = fields.text("model", kMostNameBytes);
-  hypothesis.term = fields.textOr("term", kMostNameBytes, "");
+  hypothesis.statement = fields.text("statement", kMaxTextBytes);
+  hypothesis.model = fields.text("model", kMaxNameBytes);
+  hypothesis.term = fields.textOr("term", kMaxNameBytes, "");
   const PlannedModel* model = plan.findModel(hypothesis.model);
   if (model == nullptr) {
     fields.fail("model", fmt::format("is \"{}\", which \"models\" does not hold", hypothesis.model));
@@ -152,7 +152,7 @@ HypothesisFamily readFamily(JsonObject& fields, const AnalysisPlan& plan, std::s
   HypothesisFamily family;
   family.name = newName(fields, names);
   family.holm = choice(fields, "correction", std::array<std::string_view, 2>{"holm", "none"}) == "holm";
-  family.hypotheses = fields.texts("hypotheses", kMostEntries, kMostNameBytes);
+  family.hypotheses = fields.texts("hypotheses", kMaxEntries, kMaxNameBytes);
   for (const std::string& hypothesis : family.hypotheses) {
     if (plan.findHypothesis(hypothesis) == nullptr) {
       fields.fail("hypotheses", fmt::format("names \"{}\", which the plan does not hold", hypothesis));
@@ -169,17 +169,17 @@ HypothesisFamily readFamily(JsonObject& fields, const AnalysisPlan& plan, std::s
 
 PlannedExclusion readExclusion(JsonObject& fields) {
   PlannedExclusion rule;
-  rule.what = fields.text("what", kMostNameBytes);
-  const std::string test = fields.textOr("test", kMostNameBytes, nameOf(ExclusionTest::kAlways));
+  rule.what = fields.text("what", kMaxNameBytes);
+  const std::string test = fields.textOr("test", kMaxNameBytes, nameOf(ExclusionTest::kAlways));
   if (fields.has("value")) {
     const nlohmann::json& value = fields.value("value");
     if (value.is_string()) {
-      rule.text = fields.text("value", kMostTextBytes);
+      rule.text = fields.text("value", kMaxTextBytes);
     } else {
       rule.number = fields.number("value", 0, 1e9);
     }
   }
-  rule.reason = fields.text("reason", kMostTextBytes);
+  rule.reason = fields.text("reason", kMaxTextBytes);
   const std::string problem = problemOfRule(rule, test, fields.has("value"), !rule.text.empty());
   if (!problem.empty()) {
     fields.fail("what", problem);
@@ -190,8 +190,8 @@ PlannedExclusion readExclusion(JsonObject& fields) {
 
 AnalysisPlan readFields(JsonObject& fields) {
   AnalysisPlan plan;
-  plan.name = fields.text("name", kMostNameBytes);
-  plan.registered = fields.textOr("registered", kMostTextBytes, "");
+  plan.name = fields.text("name", kMaxNameBytes);
+  plan.registered = fields.textOr("registered", kMaxTextBytes, "");
   plan.protocolSha256 = fields.textOr("protocol_sha256", 64, "");
   if (!plan.protocolSha256.empty() &&
       (plan.protocolSha256.size() != 64 ||
@@ -203,7 +203,7 @@ AnalysisPlan readFields(JsonObject& fields) {
     plan.excludesForcedSessions =
         choice(fields, "forced_sessions", std::array<std::string_view, 2>{"excluded", "analysed"}) == "excluded";
   }
-  fields.forEach("exclusions", kMostEntries, [&](JsonObject& each) { plan.exclusions.push_back(readExclusion(each)); });
+  fields.forEach("exclusions", kMaxEntries, [&](JsonObject& each) { plan.exclusions.push_back(readExclusion(each)); });
   if (fields.has("find_timeouts")) {
     plan.findTimeouts = choiceOf(fields, "find_timeouts", kTimeoutTreatments);
   }
@@ -212,10 +212,10 @@ AnalysisPlan readFields(JsonObject& fields) {
   std::set<std::string> familyNames;
   std::set<std::string> inFamilies;
   std::set<std::string> tasks;
-  fields.forEach("models", kMostEntries, [&](JsonObject& each) { plan.models.push_back(readModel(each, modelNames)); });
-  fields.forEach("hypotheses", kMostEntries,
+  fields.forEach("models", kMaxEntries, [&](JsonObject& each) { plan.models.push_back(readModel(each, modelNames)); });
+  fields.forEach("hypotheses", kMaxEntries,
                  [&](JsonObject& each) { plan.hypotheses.push_back(readHypothesis(each, plan, hypothesisNames)); });
-  fields.forEach("families", kMostEntries,
+  fields.forEach("families", kMaxEntries,
                  [&](JsonObject& each) { plan.families.push_back(readFamily(each, plan, familyNames, inFamilies)); });
   for (const Hypothesis& hypothesis : plan.hypotheses) {
     if (!inFamilies.contains(hypothesis.name)) {
@@ -224,7 +224,7 @@ AnalysisPlan readFields(JsonObject& fields) {
                               hypothesis.name));
     }
   }
-  fields.forEach("equivalence", kMostEntries, [&](JsonObject& each) {
+  fields.forEach("equivalence", kMaxEntries, [&](JsonObject& each) {
     PlannedEquivalence bounds;
     bounds.task = choice(each, "task", std::array<std::string_view, 2>{"count", "path"});
     bounds.lower = each.number("lower", -1, 1);

@@ -10,7 +10,7 @@
 namespace ocelli {
 namespace {
 
-constexpr int kMostDepth = 100;
+constexpr int kMaxDepth = 100;
 
 [[noreturn]] void fail(const std::string& what, const std::string& where, const std::string& next) {
   throw AnalysisError(AnalysisError::Kind::kInput, what, where, next);
@@ -131,8 +131,8 @@ nlohmann::json parsed(std::string_view text, const std::string& where, const std
   std::vector<std::set<std::string>> names;
   const auto check = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& value) {
     using Event = nlohmann::json::parse_event_t;
-    if (depth > kMostDepth) {
-      fail(fmt::format("this JSON is nested deeper than {} levels", kMostDepth), where, "see " + schema);
+    if (depth > kMaxDepth) {
+      fail(fmt::format("this JSON is nested deeper than {} levels", kMaxDepth), where, "see " + schema);
     }
     if (event == Event::object_start) {
       names.emplace_back();
@@ -203,17 +203,17 @@ const nlohmann::json& JsonObject::value(const char* name) {
   return *object_->find(name);
 }
 
-std::string JsonObject::text(const char* name, size_t mostBytes) {
+std::string JsonObject::text(const char* name, size_t maxBytes) {
   const nlohmann::json& field = value(name);
   if (!field.is_string() || field.get_ref<const std::string&>().empty() ||
-      field.get_ref<const std::string&>().size() > mostBytes) {
-    fail(name, fmt::format("must be a text of 1 to {} bytes", mostBytes));
+      field.get_ref<const std::string&>().size() > maxBytes) {
+    fail(name, fmt::format("must be a text of 1 to {} bytes", maxBytes));
   }
   return field.get<std::string>();
 }
 
-std::string JsonObject::textOr(const char* name, size_t mostBytes, const std::string& otherwise) {
-  return has(name) ? text(name, mostBytes) : otherwise;
+std::string JsonObject::textOr(const char* name, size_t maxBytes, const std::string& otherwise) {
+  return has(name) ? text(name, maxBytes) : otherwise;
 }
 
 double JsonObject::number(const char* name, double least, double most) {
@@ -268,7 +268,7 @@ void JsonObject::forEach(const char* name, size_t most, const std::function<void
   }
 }
 
-std::vector<std::string> JsonObject::texts(const char* name, size_t most, size_t mostBytes) {
+std::vector<std::string> JsonObject::texts(const char* name, size_t most, size_t maxBytes) {
   std::vector<std::string> result;
   if (!has(name)) {
     return result;
@@ -276,10 +276,10 @@ std::vector<std::string> JsonObject::texts(const char* name, size_t most, size_t
   const nlohmann::json& list = value(name);
   const auto isText = [&](const nlohmann::json& each) {
     return each.is_string() && !each.get_ref<const std::string&>().empty() &&
-           each.get_ref<const std::string&>().size() <= mostBytes;
+           each.get_ref<const std::string&>().size() <= maxBytes;
   };
   if (!list.is_array() || list.size() > most || !std::all_of(list.begin(), list.end(), isText)) {
-    fail(name, fmt::format("must be a list of at most {} texts of 1 to {} bytes", most, mostBytes));
+    fail(name, fmt::format("must be a list of at most {} texts of 1 to {} bytes", most, maxBytes));
   }
   return list.get<std::vector<std::string>>();
 }

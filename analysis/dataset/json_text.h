@@ -36,8 +36,8 @@ class JsonObject {
   JsonObject(const JsonText& text, const nlohmann::json& object, std::string pointer);
 
   bool has(const char* name);
-  std::string text(const char* name, size_t mostBytes);
-  std::string textOr(const char* name, size_t mostBytes, const std::string& otherwise);
+  std::string text(const char* name, size_t maxBytes);
+  std::string textOr(const char* name, size_t maxBytes, const std::string& otherwise);
   double number(const char* name, double least, double most);
   double numberOr(const char* name, double least, double most, double otherwise);
   int64_t integerOr(const char* name, int64_t least, int64_t most, int64_t otherwise);
@@ -46,7 +46,7 @@ class JsonObject {
   const nlohmann::json& value(const char* name);
   /// Calls `read` for each object of an array; not at all where the field is missing.
   void forEach(const char* name, size_t most, const std::function<void(JsonObject& element)>& read);
-  std::vector<std::string> texts(const char* name, size_t most, size_t mostBytes);
+  std::vector<std::string> texts(const char* name, size_t most, size_t maxBytes);
 
   /// Throws for every field that nothing above asked for. `$schema` and `comment` are always allowed.
   void rejectUnknown() const;

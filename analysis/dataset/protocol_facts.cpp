@@ -10,9 +10,9 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kMostBytes = 1'000'000;
+constexpr size_t kMaxBytes = 1'000'000;
 constexpr size_t kMaxOptions = 1000;
-constexpr int kMostSide = 64;  ///< cells of a maze
+constexpr int kMaxSide = 64;  ///< cells of a maze
 
 /// Calls `read` for the objects of a list; the study knows more fields than are read here.
 void forEachElement(const JsonText& text, const nlohmann::json& owner, const std::string& pointer, const char* name,
@@ -29,10 +29,10 @@ void forEachElement(const JsonText& text, const nlohmann::json& owner, const std
 
 ProtocolCase readCase(JsonObject& fields, size_t index) {
   ProtocolCase result;
-  result.label = fields.textOr("label", kMostBytes, fmt::format("case {}", index + 1));
+  result.label = fields.textOr("label", kMaxBytes, fmt::format("case {}", index + 1));
   if (fields.has("row") && fields.has("column")) {
-    result.row = static_cast<int>(fields.integerOr("row", 0, kMostSide - 1, 0));
-    result.column = static_cast<int>(fields.integerOr("column", 0, kMostSide - 1, 0));
+    result.row = static_cast<int>(fields.integerOr("row", 0, kMaxSide - 1, 0));
+    result.column = static_cast<int>(fields.integerOr("column", 0, kMaxSide - 1, 0));
   }
   result.east = fields.numberOr("east", -0.5, 0.5, 0);
   result.south = fields.numberOr("south", -0.5, 0.5, 0);
@@ -42,11 +42,11 @@ ProtocolCase readCase(JsonObject& fields, size_t index) {
 ProtocolBlockFacts readBlock(const JsonText& text, JsonObject& fields, const nlohmann::json& json,
                              const std::string& pointer) {
   ProtocolBlockFacts block;
-  block.name = fields.text("name", kMostBytes);
-  block.title = fields.textOr("title", kMostBytes, block.name);
-  block.task = fields.text("task", kMostBytes);
-  block.maze = fields.textOr("maze", kMostBytes, "");
-  block.bothViews = fields.textOr("views", kMostBytes, "both") == "both";
+  block.name = fields.text("name", kMaxBytes);
+  block.title = fields.textOr("title", kMaxBytes, block.name);
+  block.task = fields.text("task", kMaxBytes);
+  block.maze = fields.textOr("maze", kMaxBytes, "");
+  block.bothViews = fields.textOr("views", kMaxBytes, "both") == "both";
   block.moving = fields.has("moving");
   block.fovHorizontalDegrees = fields.numberOr("fov_horizontal_degrees", 1, 179, block.fovHorizontalDegrees);
   if (block.task == "find") {
@@ -67,15 +67,15 @@ ProtocolBlockFacts readBlock(const JsonText& text, JsonObject& fields, const nlo
 
 PlannedExclusion readRule(JsonObject& fields) {
   PlannedExclusion rule;
-  rule.what = fields.text("what", kMostBytes);
-  const std::string test = fields.text("test", kMostBytes);
+  rule.what = fields.text("what", kMaxBytes);
+  const std::string test = fields.text("test", kMaxBytes);
   const nlohmann::json& value = fields.value("value");
   if (value.is_string()) {
     rule.text = value.get<std::string>();
   } else {
     rule.number = fields.number("value", 0, 1e9);
   }
-  rule.reason = fields.text("reason", kMostBytes);
+  rule.reason = fields.text("reason", kMaxBytes);
   rule.ofProtocol = true;
   const std::string problem = problemOfRule(rule, test, true, value.is_string());
   if (!problem.empty()) {
@@ -89,16 +89,16 @@ PlannedExclusion readRule(JsonObject& fields) {
 FormItem readItem(JsonObject& fields, const std::string& form) {
   FormItem item;
   item.form = form;
-  item.name = fields.text("name", kMostBytes);
-  item.question = fields.textOr("question", kMostBytes, item.name);
+  item.name = fields.text("name", kMaxBytes);
+  item.question = fields.textOr("question", kMaxBytes, item.name);
   if (fields.has("options")) {
-    item.options = fields.texts("options", kMaxOptions, kMostBytes);
+    item.options = fields.texts("options", kMaxOptions, kMaxBytes);
   }
   if (fields.has("ends")) {
-    item.ends = fields.texts("ends", 2, kMostBytes);
+    item.ends = fields.texts("ends", 2, kMaxBytes);
   }
   if (fields.has("favors")) {
-    const std::vector<std::string> favors = fields.texts("favors", 2, kMostBytes);
+    const std::vector<std::string> favors = fields.texts("favors", 2, kMaxBytes);
     if (favors == std::vector<std::string>{"ppc", "gc"} || favors == std::vector<std::string>{"gc", "ppc"}) {
       item.lastFavors = favors[1] == "gc" ? TrialView::kGraph : TrialView::kPinhole;
     } else {
@@ -141,9 +141,9 @@ ProtocolFacts protocolFacts(const std::string& text, const std::string& where) {
   const JsonText json(text, where, "protocols/protocol.schema.json");
   JsonObject fields(json, json.root(), "");
   ProtocolFacts facts;
-  facts.name = fields.text("name", kMostBytes);
-  facts.title = fields.textOr("title", kMostBytes, facts.name);
-  facts.description = fields.textOr("description", kMostBytes, "");
+  facts.name = fields.text("name", kMaxBytes);
+  facts.title = fields.textOr("title", kMaxBytes, facts.name);
+  facts.description = fields.textOr("description", kMaxBytes, "");
   facts.sessions = static_cast<int>(fields.integerOr("sessions", 1, 1000, 1));
   facts.asksConsent = fields.has("consent");
   if (fields.has("mazes")) {
@@ -151,7 +151,7 @@ ProtocolFacts protocolFacts(const std::string& text, const std::string& where) {
       JsonObject object(json, maze, fmt::format("/mazes/{}", name));
       ProtocolMaze read;
       read.name = name;
-      read.plan = object.texts("plan", 2 * kMostSide + 1, 2 * kMostSide + 1);
+      read.plan = object.texts("plan", 2 * kMaxSide + 1, 2 * kMaxSide + 1);
       read.cellSize = object.numberOr("cell_size", 0.01, 1000, read.cellSize);
       read.wallThickness = object.numberOr("wall_thickness", 0.001, 500, read.wallThickness);
       facts.mazes.push_back(std::move(read));

@@ -6,10 +6,10 @@ namespace ocelli {
 namespace {
 
 constexpr size_t kLongestName = 1000;       // bytes; a protocol allows 200 characters
-constexpr double kMostSeconds = 1e6;        // more than eleven days
-constexpr int64_t kMostFrames = 1e9;        // so that sums over a study stay exact
+constexpr double kMaxSeconds = 1e6;         // more than eleven days
+constexpr int64_t kMaxFrames = 1e9;         // so that sums over a study stay exact
 constexpr double kRoundingSeconds = 0.005;  // times are in steps of 1/240 s
-constexpr double kMostOfMeasure = 1e9;      // metres, clicks, ...
+constexpr double kMaxOfMeasure = 1e9;       // metres, clicks, ...
 
 template <class Number>
 std::optional<TrialProblem> outside(const std::string& column, std::optional<Number> value, Number least, Number most) {
@@ -31,17 +31,17 @@ std::string problemOfName(const std::string& name) {
 
 std::optional<TrialProblem> problemOf(const Trial& trial) {
   using Frames = std::optional<int64_t>;
-  for (const auto& problem : {outside("response_s", trial.responseSeconds, 0.0, kMostSeconds),
-                              outside("exposure_s", trial.exposureSeconds, 0.0, kMostSeconds),
-                              outside("longest_s", trial.longestSeconds, 0.0, kMostSeconds),
-                              outside("frames", Frames(trial.frames), int64_t{0}, kMostFrames),
-                              outside("dropped_frames", Frames(trial.droppedFrames), int64_t{0}, kMostFrames)}) {
+  for (const auto& problem : {outside("response_s", trial.responseSeconds, 0.0, kMaxSeconds),
+                              outside("exposure_s", trial.exposureSeconds, 0.0, kMaxSeconds),
+                              outside("longest_s", trial.longestSeconds, 0.0, kMaxSeconds),
+                              outside("frames", Frames(trial.frames), int64_t{0}, kMaxFrames),
+                              outside("dropped_frames", Frames(trial.droppedFrames), int64_t{0}, kMaxFrames)}) {
     if (problem) {
       return problem;
     }
   }
   for (const auto& [name, value] : trial.measures) {
-    if (auto problem = outside(name, std::optional(value), -kMostOfMeasure, kMostOfMeasure)) {
+    if (auto problem = outside(name, std::optional(value), -kMaxOfMeasure, kMaxOfMeasure)) {
       return problem;
     }
   }

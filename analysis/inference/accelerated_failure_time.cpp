@@ -28,7 +28,7 @@ constexpr double kLargestStep = 1;
 /// Sigma, in log seconds, below which the times are told exactly.
 constexpr double kPerfect = 1e-6;
 /// Of a robust variance in that of the model: below it stands rounding.
-constexpr double kLeastRobustShare = 1e-12;
+constexpr double kMinRobustShare = 1e-12;
 
 struct LogLikelihood {
   double logLikelihood = 0;
@@ -211,7 +211,7 @@ Estimable<FailureTimeFit> fitLogNormal(const SurvivalData& data, double level) {
     }
     covariance = jackknife ? jackknife->covariance
                            : back * sandwich(maximum->value.scores, standardizedModel, clusters) * back.transpose();
-    if (!((covariance.diagonal().array() > kLeastRobustShare * model.diagonal().array()).all())) {
+    if (!((covariance.diagonal().array() > kMinRobustShare * model.diagonal().array()).all())) {
       return Estimable<FailureTimeFit>::impossible("all subjects are alike, so that robust errors would be 0");
     }
   }

@@ -15,7 +15,7 @@ namespace ocelli {
 namespace {
 
 constexpr size_t kFewestResamples = 100;
-constexpr double kMostNotEstimable = 0.5;
+constexpr double kMaxNotEstimable = 0.5;
 
 /// The rows of a study by subject, with their cases.
 class Design {
@@ -208,7 +208,7 @@ Estimable<BootstrapResult> bootstrap(const std::vector<int>& subjects, const std
     }
   }
   const double notEstimable = 1 - static_cast<double>(values.size()) / static_cast<double>(plan.resamples);
-  if (notEstimable > kMostNotEstimable) {
+  if (notEstimable > kMaxNotEstimable) {
     return Result::impossible(fmt::format("{:.0f} % of the resamples do not give the statistic", 100 * notEstimable));
   }
   const SampleMoments moments = momentsOf(values);

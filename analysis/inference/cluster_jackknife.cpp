@@ -14,7 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Of the information without a cluster in that with it: below it stands rounding.
-constexpr double kLeastInformationLeft = 1e-8;
+constexpr double kMinInformationLeft = 1e-8;
 /// Of a covariate in a direction.
 constexpr double kNoPart = 1e-6;
 
@@ -56,7 +56,7 @@ class Jackknife {
     const VectorXd left = 1 - solver.eigenvalues().array();
     VectorXd step = solver.eigenvectors().transpose() * lower.solve(score);
     for (Index direction = 0; direction < step.size(); ++direction) {
-      step[direction] = left[direction] > kLeastInformationLeft ? step[direction] / left[direction] : 0;
+      step[direction] = left[direction] > kMinInformationLeft ? step[direction] / left[direction] : 0;
     }
     return -root_.transpose().triangularView<Eigen::Upper>().solve(solver.eigenvectors() * step);
   }
@@ -130,7 +130,7 @@ std::vector<bool> restOnOneCluster(const MatrixXd& covariates, const CrossedClus
       const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(others, all);
       for (Index direction = 0; direction < all.cols(); ++direction) {
         const VectorXd untold = solver.eigenvectors().col(direction);
-        for (Index j = 0; j < all.cols() && solver.eigenvalues()[direction] < kLeastInformationLeft; ++j) {
+        for (Index j = 0; j < all.cols() && solver.eigenvalues()[direction] < kMinInformationLeft; ++j) {
           rest[static_cast<size_t>(j)] = rest[static_cast<size_t>(j)] || std::abs(untold[j]) > kNoPart * untold.norm();
         }
       }

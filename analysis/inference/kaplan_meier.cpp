@@ -16,7 +16,7 @@ namespace {
 /// Of shares that are counted by different ways.
 constexpr double kTolerance = 1e-10;
 /// Of a variance by clusters in Greenwood's: below it stands rounding, as where all subjects have the same times.
-constexpr double kLeastClusteredShare = 1e-12;
+constexpr double kMinClusteredShare = 1e-12;
 
 /// The variance of log S as time goes on: the values of the infinitesimal jackknife, one a trial, summed by cluster.
 class ClusteredVariance {
@@ -107,7 +107,7 @@ Estimable<SurvivalCurve> survivalCurve(const std::vector<SurvivalTime>& times, d
     step.standardError = kNotKnown;
     if (survival > 0 && hasBands) {
       const double variance = isClustered ? clustered.after(set) : greenwood;
-      if (variance >= kLeastClusteredShare * greenwood) {
+      if (variance >= kMinClusteredShare * greenwood) {
         addBand(step, std::sqrt(variance), quantile);
       }
     }

@@ -100,7 +100,7 @@ Estimate locationOf(std::vector<double> list, size_t order) {
 
 Estimable<SignedRankTest> signedRankTest(const std::vector<double>& values, double level) {
   requireFinite(values, "signedRankTest");
-  requireArgument(values.size() * (values.size() + 1) / 2 <= kMostPairs, "there are too many values", "signedRankTest");
+  requireArgument(values.size() * (values.size() + 1) / 2 <= kMaxPairs, "there are too many values", "signedRankTest");
   std::vector<double> sizes;
   std::vector<bool> positive;
   for (const double value : values) {
@@ -146,7 +146,7 @@ Estimable<SignedRankTest> signedRankTest(const std::vector<double>& values, doub
 Estimable<RankSumTest> rankSumTest(const std::vector<double>& first, const std::vector<double>& second, double level) {
   requireFinite(first, "rankSumTest");
   requireFinite(second, "rankSumTest");
-  requireArgument(first.size() * second.size() <= kMostPairs, "there are too many values", "rankSumTest");
+  requireArgument(first.size() * second.size() <= kMaxPairs, "there are too many values", "rankSumTest");
   if (first.empty() || second.empty()) {
     return Estimable<RankSumTest>::impossible("a group has no values");
   }

@@ -24,7 +24,7 @@ struct SignedRankTest {
 
 /// Pairs of values that a test holds in memory. More are refused by an AnalysisError: take one value a subject, not one
 /// a trial.
-inline constexpr size_t kMostPairs = 20000000;
+inline constexpr size_t kMaxPairs = 20000000;
 
 /// Against a center of 0. Not possible where all values are 0.
 Estimable<SignedRankTest> signedRankTest(const std::vector<double>& values, double level = 0.95);

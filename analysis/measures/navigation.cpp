@@ -144,7 +144,7 @@ SearchNavigation Navigation::measured(const Trial& trial, const std::vector<Pose
   search.shortestToObjectMeters = shortestBetween(floor, first, cell);
   search.walkedOverWayToObject =
       ratio(walk.pathMeters, search.shortestToObjectMeters, "the object stands in the cell where the search began");
-  const SoughtObject object{floor.pointOf(cell, place.east, place.south), kObjectRadius * floor.cellSize()};
+  const TargetObject object{floor.pointOf(cell, place.east, place.south), kObjectRadius * floor.cellSize()};
   if (const auto seen = firstInSight(floor, poses, object, block.fovHorizontalDegrees)) {
     search.travelSeconds = *seen;
     if (trial.censored.value_or(true) || !trial.responseSeconds) {

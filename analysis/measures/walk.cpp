@@ -37,7 +37,7 @@ std::optional<WalkMeasures> measureWalk(std::span<const Pose> poses) {
   return walk;
 }
 
-bool isInSight(const MazeFloor& floor, const Pose& pose, const SoughtObject& object, double fovHorizontalDegrees) {
+bool isInSight(const MazeFloor& floor, const Pose& pose, const TargetObject& object, double fovHorizontalDegrees) {
   const FloorPoint eye{pose.x, pose.z};
   const double dx = object.place.x - eye.x;
   const double dz = object.place.z - eye.z;
@@ -57,7 +57,7 @@ bool isInSight(const MazeFloor& floor, const Pose& pose, const SoughtObject& obj
   return false;
 }
 
-std::optional<double> firstInSight(const MazeFloor& floor, std::span<const Pose> poses, const SoughtObject& object,
+std::optional<double> firstInSight(const MazeFloor& floor, std::span<const Pose> poses, const TargetObject& object,
                                    double fovHorizontalDegrees) {
   for (const Pose& pose : poses) {
     if (isInSight(floor, pose, object, fovHorizontalDegrees)) {

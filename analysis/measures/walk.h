@@ -36,7 +36,7 @@ inline constexpr double kNotTurningDegreesPerSecond = 1;
 std::optional<WalkMeasures> measureWalk(std::span<const Pose> poses);
 
 /// What is looked for.
-struct SoughtObject {
+struct TargetObject {
   FloorPoint place;
   double radius = 0;  ///< metres
 };
@@ -44,10 +44,10 @@ struct SoughtObject {
 /// Whether the object stands in the straight sight of a pinhole at the pose: within its horizontal field of view, and
 /// with the middle or either side (at four fifths of the radius) not hidden by walls. Walls are higher than eyes and
 /// objects, so heights do not matter.
-bool isInSight(const MazeFloor& floor, const Pose& pose, const SoughtObject& object, double fovHorizontalDegrees);
+bool isInSight(const MazeFloor& floor, const Pose& pose, const TargetObject& object, double fovHorizontalDegrees);
 
 /// Seconds from the start of the trial to the first pose that has the object in sight.
-std::optional<double> firstInSight(const MazeFloor& floor, std::span<const Pose> poses, const SoughtObject& object,
+std::optional<double> firstInSight(const MazeFloor& floor, std::span<const Pose> poses, const TargetObject& object,
                                    double fovHorizontalDegrees);
 
 }  // namespace ocelli

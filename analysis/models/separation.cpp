@@ -13,7 +13,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kTolerance = 1e-9;
-constexpr int kMostProjections = 20000;
+constexpr int kMaxProjections = 20000;
 
 struct Pattern {
   double successes = 0;
@@ -88,7 +88,7 @@ std::vector<Index> separatedColumns(const MatrixXd& rows, const VectorXd& succes
   }
   const MatrixXd basis = MatrixXd(qr.householderQ()).leftCols(qr.rank());
   VectorXd point = VectorXd::Ones(span.rows());
-  for (int count = 0; count < kMostProjections; ++count) {
+  for (int count = 0; count < kMaxProjections; ++count) {
     const VectorXd projected = basis * (basis.transpose() * point);
     const double largest = projected.lpNorm<Eigen::Infinity>();
     if (largest < kTolerance) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kAxisLabelGap = 5;  // points between labels
 constexpr double kSlack = 1e-9;      // of rounding, relative
-constexpr int kMostIntervals = 8;
+constexpr int kMaxIntervals = 8;
 constexpr int kFarthestDecade = 300;  // numbers end at 308
 /// A narrower range, relative to its values, is rounding: they are all alike.
 constexpr double kNarrowest = 1e-9;
@@ -115,7 +115,7 @@ Axis::Axis(const AxisRange& given, double from, double to, const std::function<d
     }
     return;
   }
-  for (int intervals = kMostIntervals; intervals > 0; --intervals) {
+  for (int intervals = kMaxIntervals; intervals > 0; --intervals) {
     layLinear(range, intervals);
     if (fits(labelLength)) {
       return;

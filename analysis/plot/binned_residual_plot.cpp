@@ -13,7 +13,7 @@ namespace ocelli {
 namespace {
 
 constexpr double kBinnedHeight = 185;
-constexpr size_t kMostBins = 40;
+constexpr size_t kMaxBins = 40;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ std::vector<ResidualBin> residualBins(const std::vector<double>& fitted, const s
   std::iota(order.begin(), order.end(), size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return fitted[a] < fitted[b]; });
   const auto root = static_cast<size_t>(std::sqrt(static_cast<double>(order.size())));
-  const size_t bins = std::clamp<size_t>(root, order.empty() ? 0 : 1, kMostBins);
+  const size_t bins = std::clamp<size_t>(root, order.empty() ? 0 : 1, kMaxBins);
   std::vector<ResidualBin> result;
   for (size_t bin = 0; bin < bins; ++bin) {
     ResidualBin mean;

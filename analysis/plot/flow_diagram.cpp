@@ -13,7 +13,7 @@ namespace {
 constexpr double kPadding = 6;
 constexpr double kStep = 22;  // between boxes
 constexpr double kFlowArrow = 4;
-constexpr double kMostMainWidth = 210;
+constexpr double kMaxMainWidth = 210;
 
 struct Line {
   std::string text;
@@ -88,7 +88,7 @@ Figure flowFigure(const FlowDiagram& diagram) {
                 0,
                 {}};
   Drawing& drawing = figure.drawing;
-  const double mainWidth = std::min(kMostMainWidth, 0.44 * figure.width);
+  const double mainWidth = std::min(kMaxMainWidth, 0.44 * figure.width);
   const double sideLeft = mainWidth + 28;
   const double sideWidth = figure.width - sideLeft - 1;
   const double middle = 1 + mainWidth / 2;

@@ -21,10 +21,10 @@ bool hasValues(const GroupValues& values, AxisScale scale) {
 }
 
 /// Of a group. All together are not to make a file of many megabytes.
-size_t mostPoints(const GroupPlot& plot) {
-  constexpr size_t kMostOfAll = 8000;
+size_t maxPoints(const GroupPlot& plot) {
+  constexpr size_t kMaxOfAll = 8000;
   const size_t groups = std::max<size_t>(plot.series.size() * plot.conditions.size(), 1);
-  return std::clamp<size_t>(kMostOfAll / groups, 100, kMostPoints);
+  return std::clamp<size_t>(kMaxOfAll / groups, 100, kMaxPoints);
 }
 
 /// The ends of intervals that lie near the values. Those of two or three subjects may go from 1e-30 to 1e30 on a
@@ -167,7 +167,7 @@ class Painter {
     const std::vector<double>& raw = plot_.series[series].groups[condition].raw;
     std::vector<double> places;
     std::vector<double> values;
-    for (const size_t i : drawnPoints(raw, mostPoints(plot_))) {
+    for (const size_t i : drawnPoints(raw, maxPoints(plot_))) {
       if (isDrawable(raw[i], plot_.scale)) {
         values.push_back(raw[i]);
         places.push_back(valueAt(raw[i]));
@@ -223,8 +223,8 @@ std::string descriptionOf(const GroupPlot& plot) {
                                        [&](double value) { return isDrawable(value, plot.scale); });
       text += fmt::format(" {}{}{}: {}, {} values", plot.conditions[c], series.name.empty() ? "" : ", ", series.name,
                           intervalText(group.summary, plot.percent), count);
-      text += static_cast<size_t>(count) > mostPoints(plot) ? fmt::format(" of which {} are drawn.", mostPoints(plot))
-                                                            : ".";
+      text +=
+          static_cast<size_t>(count) > maxPoints(plot) ? fmt::format(" of which {} are drawn.", maxPoints(plot)) : ".";
     }
   }
   return text;

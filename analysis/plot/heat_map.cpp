@@ -16,7 +16,7 @@ namespace {
 constexpr double kMapGap = 12;
 constexpr double kMapTitleHeight = 14;
 constexpr double kLegendHeight = 38;
-constexpr double kMostHeight = 330;
+constexpr double kMaxHeight = 330;
 constexpr int kShades = 64;  // of the legend
 
 struct Extent {
@@ -140,7 +140,7 @@ Figure heatFigure(const HeatMap& map) {
   const Extent extent = extentOf(map);
   const auto count = static_cast<double>(map.maps.size());
   const double mapWidth = (figure.width - 4 - kMapGap * (count - 1)) / count;
-  const double scale = std::min(mapWidth / (extent.right - extent.left), kMostHeight / (extent.bottom - extent.top));
+  const double scale = std::min(mapWidth / (extent.right - extent.left), kMaxHeight / (extent.bottom - extent.top));
   const double drawnWidth = scale * (extent.right - extent.left);
   const double drawnHeight = scale * (extent.bottom - extent.top);
   double left = 2;

@@ -30,7 +30,7 @@ struct HeatMap {
   std::string title;
   std::string valueLabel;  ///< "Share of the time"
   std::vector<Map> maps;
-  std::vector<std::array<double, 4>> walls;  ///< x, y to x, y; the same in each map; y points downwards in the picture
+  std::vector<std::array<double, 4>> walls;  ///< x, y to x, y; the same in each map; y points downwards in the image
   double cellSize = 1;
   bool percent = false;
   bool rootScale = false;  ///< shades go with the square root of values: where a few cells have most

@@ -39,19 +39,19 @@ std::string signedText(int value) {
 Figure histogramFigure(const HistogramPlot& plot) {
   int low = -2;
   int high = 2;
-  double mostShare = 0;
+  double maxShare = 0;
   bool beyond = false;
   for (const HistogramPlot::Series& series : plot.series) {
     for (const auto& [value, count] : gathered(series)) {
       low = std::min(low, value);
       high = std::max(high, value);
-      mostShare =
-          std::max(mostShare, static_cast<double>(count) / static_cast<double>(std::max<size_t>(totalOf(series), 1)));
+      maxShare =
+          std::max(maxShare, static_cast<double>(count) / static_cast<double>(std::max<size_t>(totalOf(series), 1)));
     }
     beyond = beyond || (!series.counts.empty() &&
                         (series.counts.begin()->first < -kFarthest || series.counts.rbegin()->first > kFarthest));
   }
-  if (mostShare == 0) {
+  if (maxShare == 0) {
     return emptyFigure(plot.title, plot.widthMillimetres, "no count was answered");
   }
   AxisRange errors;
@@ -74,7 +74,7 @@ Figure histogramFigure(const HistogramPlot& plot) {
     const double height = kHistogramHeight + (last ? kLineHeight + 2 : 0);
     AxisRange shares;
     shares.percent = true;
-    shares.high = mostShare;
+    shares.high = maxShare;
     const size_t total = totalOf(series);
     drawLegend(figure.drawing, {0, top, figure.width, top},
                {{fmt::format("{} (n = {})", series.name, numberText(static_cast<double>(total), 0)), seriesStyle(s)}});

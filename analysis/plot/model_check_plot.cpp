@@ -50,7 +50,7 @@ void drawResiduals(Drawing& drawing, const ModelCheckPlot& plot, const std::vect
   drawing.line("reference", panel.at(panel.xAxis().low(), 0), panel.at(panel.xAxis().high(), 0),
                {kReferencePaint, kLine, {3, 2}});
   std::vector<PlotPoint> points;
-  for (const size_t i : drawnPoints(residuals, 2 * kMostPoints)) {
+  for (const size_t i : drawnPoints(residuals, 2 * kMaxPoints)) {
     points.push_back(panel.at(fitted[i], residuals[i]));
   }
   drawPoints(drawing, points, residuals.size());
@@ -79,7 +79,7 @@ void drawQuantiles(Drawing& drawing, const std::string& label, std::vector<doubl
   drawing.line("reference", panel.at(panel.xAxis().low(), expected(panel.xAxis().low())),
                panel.at(panel.xAxis().high(), expected(panel.xAxis().high())), {kReferencePaint, kLine, {3, 2}});
   std::vector<PlotPoint> points;
-  for (const size_t i : drawnPoints(residuals, kMostPoints)) {
+  for (const size_t i : drawnPoints(residuals, kMaxPoints)) {
     points.push_back(panel.at(normalOrder(i, n).median, residuals[i]));
   }
   drawPoints(drawing, points, n);
@@ -120,7 +120,7 @@ Figure modelCheckFigure(const ModelCheckPlot& plot) {
       "than "
       "three of these from their mean.",
       residuals.size(), shortNumberText(spread.deviation), far);
-  if (residuals.size() > kMostPoints) {
+  if (residuals.size() > kMaxPoints) {
     figure.description += " Not all points are drawn: evenly by rank, with the least and the greatest.";
   }
   const double half = (figure.width - kCheckGap) / 2;

@@ -10,8 +10,8 @@ namespace {
 constexpr double kTickLength = 3;
 constexpr double kLabelGap = 3;
 constexpr double kTitleGap = 5;
-constexpr double kMostLabelShare = 0.42;  // of the width, for the names of categories at the left
-constexpr size_t kMostNameLines = 3;
+constexpr double kMaxLabelShare = 0.42;  // of the width, for the names of categories at the left
+constexpr size_t kMaxNameLines = 3;
 
 double labelWidth(const std::string& label) {
   return textWidth(label, Face::kSans, kTextSize);
@@ -22,8 +22,8 @@ std::vector<std::vector<std::string>> namesIn(const std::vector<std::string>& ca
   std::vector<std::vector<std::string>> names;
   for (const std::string& category : categories) {
     std::vector<std::string> lines = brokenLines(category, Face::kSans, kTextSize, width);
-    if (lines.size() > kMostNameLines) {
-      lines.resize(kMostNameLines);
+    if (lines.size() > kMaxNameLines) {
+      lines.resize(kMaxNameLines);
       lines.back() = shortened(lines.back() + " \u2026", Face::kSans, kTextSize, width);
     }
     names.push_back(std::move(lines));
@@ -31,7 +31,7 @@ std::vector<std::vector<std::string>> namesIn(const std::vector<std::string>& ca
   return names;
 }
 
-size_t mostLines(const std::vector<std::vector<std::string>>& names) {
+size_t maxLines(const std::vector<std::vector<std::string>>& names) {
   size_t most = 1;
   for (const std::vector<std::string>& name : names) {
     most = std::max(most, name.size());
@@ -72,7 +72,7 @@ Panel::Panel(Drawing& drawing, const PlotBox& outer, const AxisSpec& x, const Ax
   std::vector<std::vector<std::string>> yLines;
   area_ = {outer.left, outer.top, outer.right, outer.bottom - kTickLength - kLabelGap - kLineHeight - xTitleHeight};
   if (yNames) {
-    yLines = namesIn(y.categories, kMostLabelShare * outer.width() - yTitleWidth);
+    yLines = namesIn(y.categories, kMaxLabelShare * outer.width() - yTitleWidth);
     for (const std::vector<std::string>& lines : yLines) {
       for (const std::string& line : lines) {
         labels = std::max(labels, labelWidth(line));
@@ -89,7 +89,7 @@ Panel::Panel(Drawing& drawing, const PlotBox& outer, const AxisSpec& x, const Ax
   if (xNames) {
     categoryWidth_ = area_.width() / static_cast<double>(x.categories.size());
     xLines = namesIn(x.categories, categoryWidth_ - 4);
-    area_.bottom -= (static_cast<double>(mostLines(xLines)) - 1) * kLineHeight;
+    area_.bottom -= (static_cast<double>(maxLines(xLines)) - 1) * kLineHeight;
     x_.emplace(categoryRange(x.categories.size()), area_.left, area_.right, [](const std::string&) { return 0.0; });
   } else {
     // The last label stands half beyond the area.

@@ -13,7 +13,7 @@ namespace {
 constexpr double kSurvivalHeight = 170;
 constexpr double kRiskRow = 11;
 constexpr double kBandOpacity = 0.16;
-constexpr double kLeastStep = 0.12;  // points: less is not seen
+constexpr double kMinStep = 0.12;  // points: less is not seen
 constexpr double kCensorRadius = 2.8;
 
 /// Corners of the steps of what `value` takes from each, from 1 at time 0 to the limit. Steps without a value are left
@@ -29,7 +29,7 @@ std::vector<PlotPoint> stepCorners(const SurvivalPlot& plot, const SurvivalPlot:
     }
     const PlotPoint before = panel.at(step.time, last);
     last = value(step);
-    if (corners.size() > 1 && before.x - corners.back().x < kLeastStep) {
+    if (corners.size() > 1 && before.x - corners.back().x < kMinStep) {
       corners.back().y = panel.y(last);
     } else {
       corners.push_back(before);
@@ -70,7 +70,7 @@ void drawCurve(Drawing& drawing, const SurvivalPlot& plot, const Panel& panel, s
   std::sort(times.begin(), times.end());
   double lastX = -1;
   for (const double time : times) {
-    if (panel.xAxis().holds(time) && panel.x(time) > lastX + kLeastStep) {
+    if (panel.xAxis().holds(time) && panel.x(time) > lastX + kMinStep) {
       lastX = panel.x(time);
       drawing.marker("censored", {panel.at(time, survivalAt(curve, time)), Marker::kPlus, kCensorRadius, std::nullopt,
                                   Pen{style.paint, kLine}});

@@ -14,6 +14,6 @@ std::vector<double> swarmOffsets(const std::vector<double>& places, double diame
 /// Which of the values are drawn, at most `most`: those that are finite, evenly by rank, the least and the greatest
 /// with them.
 std::vector<size_t> drawnPoints(const std::vector<double>& values, size_t most);
-inline constexpr size_t kMostPoints = 1200;  ///< of a group; more would be a solid bar, and a file of megabytes
+inline constexpr size_t kMaxPoints = 1200;  ///< of a group; more would be a solid bar, and a file of megabytes
 
 }  // namespace ocelli

@@ -36,8 +36,8 @@ std::optional<Decoded> decode(std::string_view text, size_t at) {
     }
     code = code << 6 | (byte(at + i) & 0x3FU);
   }
-  constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
-  if (code < kLeast[bytes]) {
+  constexpr std::array<char32_t, 5> kMin{0, 0, 0x80, 0x800, 0x10000};
+  if (code < kMin[bytes]) {
     return std::nullopt;
   }
   return Decoded{code, bytes};

@@ -19,7 +19,7 @@ constexpr const char* kSupplementPage = "supplement.html";
 constexpr const char* kSourcesPrefix = "sources-";
 
 // Narrower than this share of its size a wide figure scrolls: its letters would be too small.
-constexpr double kLeastShare = 0.85;
+constexpr double kMinShare = 0.85;
 
 std::string escaped(const std::string& text) {
   return markupFromText(text);
@@ -203,7 +203,7 @@ class HtmlWriter {
         "<figure id=\"{0}\"><div class=\"scroll\"{1} style=\"--width: {2:.0f}pt; --least: {3:.0f}pt\">{4}</div>"
         "<figcaption><b>{5}.</b> {6}</figcaption></figure>\n",
         name.id, wide ? fmt::format(" tabindex=\"0\" role=\"region\" aria-label=\"{}\"", name.label) : "",
-        figure.figure.width, wide ? kLeastShare * figure.figure.width : 0,
+        figure.figure.width, wide ? kMinShare * figure.figure.width : 0,
         inlineSvgText(figure.figure, fmt::format("{}-", name.id)), name.label, escaped(figure.caption));
   }
 

@@ -14,7 +14,7 @@ inline constexpr const char* kReportFormat = "ocelli-report-1";
 /// "source", "footnote"}]]}, ...], "row_sets": {"set-1": [{"file", "table", "rows": "1-5, 9"}]}, "cells": {ID:
 /// {"rows": "set-1"} or {"from": [ID]} or {"subjects": number}}}. What is empty is left out: elements of the main
 /// report have no "part". Values that are not finite are null. Figures come with title and description, not with their
-/// picture.
+/// image.
 std::string jsonReport(const ReportDocument& document);
 
 }  // namespace ocelli

@@ -66,7 +66,7 @@ auto fitPlanned(const PlannedModel& model, const TrialList& trials, const FitDes
       fit = fitDesign(plannedDesign(model, trials, structure));
       continue;
     }
-    double leastRise = std::numeric_limits<double>::infinity();
+    double minRise = std::numeric_limits<double>::infinity();
     FittedStructure simpler;
     Result simplerFit = fit;
     for (const SlopePlace& slope : slopes) {
@@ -76,8 +76,8 @@ auto fitPlanned(const PlannedModel& model, const TrialList& trials, const FitDes
       FittedStructure other = withoutSlope(structure, slope, "");
       const Result without = fitDesign(plannedDesign(model, trials, other));
       const double rise = devianceRise(fit, without);
-      if (rise < leastRise) {
-        leastRise = rise;
+      if (rise < minRise) {
+        minRise = rise;
         simplerFit = without;
         simpler = withoutSlope(structure, slope,
                                fmt::format("without it the restricted deviance rises by {:.2f}, and slopes stay from "
@@ -85,7 +85,7 @@ auto fitPlanned(const PlannedModel& model, const TrialList& trials, const FitDes
                                            std::max(0.0, rise), kMinDevianceRise));
       }
     }
-    if (!(leastRise < kMinDevianceRise)) {
+    if (!(minRise < kMinDevianceRise)) {
       break;
     }
     structure = simpler;

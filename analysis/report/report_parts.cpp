@@ -12,7 +12,7 @@ namespace ocelli {
 namespace {
 
 /// Results that share a reason, of which so many are named.
-constexpr size_t kMostNamed = 4;
+constexpr size_t kMaxNamed = 4;
 /// A cell that has nothing to say.
 constexpr const char* kNoText = "-";
 
@@ -151,7 +151,7 @@ void ReasonNotes::add(const std::string& what, const std::string& reason) {
 
 void ReasonNotes::write(ReportDocument& document) const {
   for (const auto& [reason, labels] : notes_) {
-    const size_t named = labels.size() > kMostNamed ? kMostNamed - 1 : labels.size();
+    const size_t named = labels.size() > kMaxNamed ? kMaxNamed - 1 : labels.size();
     std::string what = fmt::format("{}", fmt::join(labels.begin(), labels.begin() + static_cast<int>(named), "; "));
     if (named < labels.size()) {
       what += fmt::format(" and {} more", labels.size() - named);

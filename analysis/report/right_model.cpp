@@ -17,7 +17,7 @@ namespace {
 
 /// Rows that are fitted again without cases, at most: a fit takes some 100 microseconds a row, or three times that with
 /// slopes. 45 subjects with 40 counts in three sessions are 152,000.
-constexpr size_t kMostRows = 160000;
+constexpr size_t kMaxRows = 160000;
 
 void addRightSensitivity(ReportWork& work, const PlannedModel& model, const TrialList& trials) {
   std::vector<Variant> first{{"All trials", trials}};
@@ -26,7 +26,7 @@ void addRightSensitivity(ReportWork& work, const PlannedModel& model, const Tria
   if (inTime.size() < trials.size()) {
     first.push_back({"Without answers that did not come in time", inTime});
   }
-  Variants variants = variantsOf(trials, first, kMostRows);
+  Variants variants = variantsOf(trials, first, kMaxRows);
   if (inTime.size() == trials.size()) {
     variants.notes.push_back("All answers came in time: there are no time-outs to treat in another way.");
   }

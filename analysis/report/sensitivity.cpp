@@ -34,7 +34,7 @@ TrialList keptIf(const TrialList& trials, const std::function<bool(const Trial*)
   return kept;
 }
 
-void addWithoutCases(Variants& variants, const TrialList& trials, size_t mostRows) {
+void addWithoutCases(Variants& variants, const TrialList& trials, size_t maxRows) {
   std::set<CaseName> names;
   for (const Trial* trial : trials) {
     names.insert(caseOf(trial));
@@ -44,7 +44,7 @@ void addWithoutCases(Variants& variants, const TrialList& trials, size_t mostRow
     variants.notes.push_back("There is only one case: none is left out.");
     return;
   }
-  const size_t fits = std::clamp<size_t>(mostRows / trials.size(), 2, cases.size());
+  const size_t fits = std::clamp<size_t>(maxRows / trials.size(), 2, cases.size());
   if (fits < cases.size()) {
     variants.notes.push_back(
         fmt::format("With {} trials, {} fits without one case each would take long: cases are left out in {} groups, "
@@ -141,7 +141,7 @@ TrialList firstExposures(const TrialList& trials) {
   return keptIf(trials, [&](const Trial* trial) { return first.at({trial->subject, caseOf(trial)}) == place(trial); });
 }
 
-Variants variantsOf(const TrialList& trials, std::vector<Variant> first, size_t mostRows) {
+Variants variantsOf(const TrialList& trials, std::vector<Variant> first, size_t maxRows) {
   Variants variants;
   first.front().main = true;
   const std::vector<Variant> more{
@@ -168,7 +168,7 @@ Variants variantsOf(const TrialList& trials, std::vector<Variant> first, size_t 
       }
     }
   }
-  addWithoutCases(variants, trials, mostRows);
+  addWithoutCases(variants, trials, maxRows);
   for (size_t i = first.size(); i < variants.list.size(); ++i) {
     variants.list[i].timeouts = first.front().timeouts;
   }

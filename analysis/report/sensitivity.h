@@ -28,9 +28,9 @@ TrialList firstExposures(const TrialList& trials);
 
 /// The first session, first exposures, trials without dropped frames, and all cases but one. `first` comes before them;
 /// its first one is the main one, whose treatment of time-outs the others have. Those that keep the same trials as one
-/// before are not listed but noted. Where more than `mostRows` rows would be fitted to leave out each case, cases are
+/// before are not listed but noted. Where more than `maxRows` rows would be fitted to leave out each case, cases are
 /// left out several at a time, which is noted.
-Variants variantsOf(const TrialList& trials, std::vector<Variant> first, size_t mostRows);
+Variants variantsOf(const TrialList& trials, std::vector<Variant> first, size_t maxRows);
 
 struct SensitivityTable {
   std::string id;     ///< "find-time-sensitivity"

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kPadding = 4;       // left and right of a cell, each
 constexpr double kRowPadding = 2.2;  // above and below
-constexpr double kMostWords = 190;   // points that a column of words takes unbroken
-constexpr double kLeastHead = 26;
+constexpr double kMaxWords = 190;    // points that a column of words takes unbroken
+constexpr double kMinHead = 26;
 constexpr double kHeavyRule = 1;
 constexpr double kMarkSize = 6;
 
@@ -44,14 +44,14 @@ Wish wishOf(const ReportTable& table, double size) {
     }
     // Heads break between words first.
     const std::string title = cleanText(table.columns[c].title);
-    double head = kLeastHead;
+    double head = kMinHead;
     for (size_t from = 0; from <= title.size();) {
       const size_t to = std::min(title.find(' ', from), title.size());
       head = std::max(head, textWidth(title.substr(from, to - from), Face::kSansBold, size));
       from = to + 1;
     }
     const bool words = isWords(table, c);
-    const double cells = words ? std::min(full, kMostWords) : full;
+    const double cells = words ? std::min(full, kMaxWords) : full;
     wish.full.push_back(std::max(cells, head) + 2 * kPadding);
     wish.least.push_back(words ? std::min(wish.full.back(), 60 + 2 * kPadding) : wish.full.back());
   }
@@ -111,7 +111,7 @@ class TablePainter {
 
  private:
   CellLines cellLines(const std::string& text, Face face, size_t column) const {
-    const double width = column < layout_.widths.size() ? layout_.widths[column] - 2 * kPadding : kMostWords;
+    const double width = column < layout_.widths.size() ? layout_.widths[column] - 2 * kPadding : kMaxWords;
     return brokenLines(text, face, layout_.size, width + 0.01);
   }
   std::vector<std::vector<CellLines>> rowLines() const {

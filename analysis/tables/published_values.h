@@ -26,7 +26,7 @@ PublishedPair publishedTimeouts(bool moving);
 PublishedPair publishedTable71(bool moving, int session);
 /// The text about Table 7.1: percent by which the graph camera is faster; stationary objects alone.
 std::optional<double> publishedImprovement71(bool moving, int session);
-/// Figure 7.5 is a picture; the text tells that the graph camera was faster by 90.7 % in case 3 of stationary objects.
+/// Figure 7.5 is an image; the text tells that the graph camera was faster by 90.7 % in case 3 of stationary objects.
 std::optional<double> publishedImprovement75(bool moving, int caseNumber);
 /// Section 7.4.3: percent of counts that are right.
 PublishedPair publishedCounts(bool moving);

@@ -8,7 +8,7 @@ namespace ocelli {
 namespace {
 
 // What a taker may be behind by before frames are lost.
-constexpr size_t kMostToTake = 4;
+constexpr size_t kMaxToTake = 4;
 
 void lose(IdealScreen::Frame& frame, const std::string& problem) {
   frame.state.stage = FrameStage::kLost;
@@ -74,7 +74,7 @@ Telemetry IdealDevice::telemetry() {
 
 void IdealDevice::advance() {
   for (IdealScreen::Frame& frame : screen_.advance(std::chrono::steady_clock::now())) {
-    if (failure_ || toTake_.size() == kMostToTake) {
+    if (failure_ || toTake_.size() == kMaxToTake) {
       ++counts_.framesLost;
       counts_.lastProblem = failure_ ? counts_.lastProblem : "frames come faster than they can be written";
       lose(frame, counts_.lastProblem);

@@ -63,7 +63,7 @@ void IdealScreen::add(Frame frame, HostTime now) {
   frame.state.sent = now;
   frame.state.arrived = now;
   frame.fence->moveTo(frame.state);
-  if (waiting_.size() == kMostWaiting) {
+  if (waiting_.size() == kMaxWaiting) {
     const auto giving = std::ranges::find_if(waiting_, [](const Frame& each) { return !each.presentation; });
     drop(static_cast<size_t>((giving == waiting_.end() ? std::prev(giving) : giving) - waiting_.begin()));
   }

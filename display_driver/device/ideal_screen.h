@@ -38,7 +38,7 @@ class IdealRotation {
 class IdealScreen {
  public:
   /// Frames that wait beside the one that is shown.
-  static constexpr size_t kMostWaiting = 3;
+  static constexpr size_t kMaxWaiting = 3;
 
   IdealScreen(const DisplayProfile& profile, HostTime start) : rotation_(profile, start) {}
 

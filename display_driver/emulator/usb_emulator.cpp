@@ -83,7 +83,7 @@ struct Connection {
 
 struct Display {
   Display(const EmulatedUsbDisplay& options, int atPort)
-      : device(options.device), speed(options.speed), most(options.mostBytesUnderWay), port(atPort) {}
+      : device(options.device), speed(options.speed), most(options.maxBytesUnderWay), port(atPort) {}
 
   std::mutex deviceMutex;
   EmulatedDevice device;
@@ -385,7 +385,7 @@ void UsbEmulator::State::finish(Connection& connection, const TransferPointer& t
   connection.done.push_back(transfer);
 }
 
-/// Hands a transfer back to a client that asks for one. Where there is none, the client waits for a while.
+/// MotorModel a transfer back to a client that asks for one. Where there is none, the client waits for a while.
 void UsbEmulator::State::reap(UMockdevIoctlClient* client, Connection& connection) {
   int error = 0;
   if (!connection.done.empty()) {

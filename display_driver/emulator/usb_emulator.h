@@ -25,7 +25,7 @@ namespace ocelli {
 struct EmulatedUsbDisplay {
   EmulatedDeviceOptions device;
   EmulatedSpeed speed = EmulatedSpeed::kUsb2;  ///< what it says it is; how fast it is the device's options say
-  size_t mostBytesUnderWay = 16 << 20;         ///< the system's limit for transfers that have been submitted
+  size_t maxBytesUnderWay = 16 << 20;          ///< the system's limit for transfers that have been submitted
 };
 
 class UsbEmulator {

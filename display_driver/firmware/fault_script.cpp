@@ -41,8 +41,8 @@ const KindFields& fieldsOf(FaultKind kind) {
   return kKinds[static_cast<size_t>(kind)];
 }
 
-constexpr double kMostMilliseconds = 86400e3;
-constexpr size_t kMostFaults = 10000;
+constexpr double kMaxMilliseconds = 86400e3;
+constexpr size_t kMaxFaults = 10000;
 
 Fault faultFromJson(const nlohmann::json& json, const std::string& where) {
   JsonFields fields(json, where);
@@ -57,11 +57,11 @@ Fault faultFromJson(const nlohmann::json& json, const std::string& where) {
   }
   Fault fault;
   fault.kind = found->kind;
-  fault.at = std::llround(fields.number("at_ms", 0, kMostMilliseconds, 0) * 1e3);
+  fault.at = std::llround(fields.number("at_ms", 0, kMaxMilliseconds, 0) * 1e3);
   fault.afterFrames = static_cast<uint32_t>(fields.integer("at_frame", 0, std::numeric_limits<int>::max(), 0));
   fault.afterBytes = static_cast<size_t>(fields.integer("at_byte", 0, std::numeric_limits<int>::max(), 0));
   if (found->lasts) {
-    fault.duration = std::llround(fields.number("for_ms", 0.001, kMostMilliseconds) * 1e3);
+    fault.duration = std::llround(fields.number("for_ms", 0.001, kMaxMilliseconds) * 1e3);
   }
   if (found->amount != nullptr) {
     fault.amount = found->otherwise >= found->least
@@ -75,8 +75,8 @@ Fault faultFromJson(const nlohmann::json& json, const std::string& where) {
 FaultScript scriptFrom(const nlohmann::json& json, const std::string& where) {
   JsonFields fields(json, where);
   const nlohmann::json& list = fields.value("faults");
-  if (!list.is_array() || list.size() > kMostFaults) {
-    fields.fail("faults", "must be a list of at most " + std::to_string(kMostFaults));
+  if (!list.is_array() || list.size() > kMaxFaults) {
+    fields.fail("faults", "must be a list of at most " + std::to_string(kMaxFaults));
   }
   fields.rejectUnknown();
   FaultScript script;
@@ -97,7 +97,7 @@ FaultScript faultScriptFromJson(const std::string& text, const std::string& wher
 }
 
 FaultScript readFaultScript(const std::filesystem::path& path) {
-  return faultScriptFromJson(readFile(path, kMostTextBytes), path.string());
+  return faultScriptFromJson(readFile(path, kMaxTextBytes), path.string());
 }
 
 std::string jsonText(const FaultScript& script) {

@@ -12,10 +12,10 @@ using wire::EventType;
 using wire::MessageType;
 
 /// A host that reads no events loses the oldest ones.
-constexpr size_t kMostEvents = 4096;
+constexpr size_t kMaxEvents = 4096;
 
 /// Payloads of slices are at most as long as the raw planes; a FRAME_BEGIN of a tiny display may be longer.
-size_t mostPayload(const DisplayProfile& profile) {
+size_t maxPayload(const DisplayProfile& profile) {
   const VolumeLayout layout(profile);
   return std::max({layout.sliceBytes, wire::frameBeginBytes(layout.slices), wire::kPresentBytes, wire::kFrameEndBytes});
 }
@@ -26,7 +26,7 @@ Firmware::Firmware(FirmwareOptions options)
     : options_(std::move(options)),
       profileJson_(jsonText(options_.profile)),
       rotor_(options_.profile, options_.rotor),
-      reader_(mostPayload(options_.profile)),
+      reader_(maxPayload(options_.profile)),
       assembler_(options_.profile, options_.capabilities),
       coarse_(options_.profile) {
   OC_CHECK(options_.frameBuffers >= 2, "one buffer is shown while the other one fills");
@@ -48,7 +48,7 @@ std::optional<std::vector<uint8_t>> Firmware::controlIn(uint8_t request, uint16_
     const std::span profile(reinterpret_cast<const uint8_t*>(profileJson_.data()), profileJson_.size());
     answer = toBytes(wire::Identity{.capabilities = options_.capabilities,
                                     .frameBuffers = static_cast<uint8_t>(options_.frameBuffers),
-                                    .mostPayloadBytes = static_cast<uint32_t>(mostPayload(options_.profile)),
+                                    .maxPayloadBytes = static_cast<uint32_t>(maxPayload(options_.profile)),
                                     .profileBytes = static_cast<uint32_t>(profileJson_.size()),
                                     .profileChecksum = wire::crc32c(profile),
                                     .name = options_.name});
@@ -431,7 +431,7 @@ void Firmware::endRefresh() {
 }
 
 void Firmware::report(EventType type, uint32_t frame, uint16_t code, uint8_t flags) {
-  if (events_.size() == kMostEvents) {
+  if (events_.size() == kMaxEvents) {
     events_.pop_front();
   }
   events_.push_back({.type = type,

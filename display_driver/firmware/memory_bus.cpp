@@ -17,7 +17,7 @@ using wire::LinkStatus;
 /// A device may need longer than this before it has something new to say, but not for bytes that wait.
 constexpr std::chrono::microseconds kLongestSleep(1000);
 /// Events in one piece.
-constexpr size_t kMostEventBytes = 64 * wire::kEventBytes;
+constexpr size_t kMaxEventBytes = 64 * wire::kEventBytes;
 
 struct Transfer {
   size_t tag = 0;
@@ -119,7 +119,7 @@ void MemoryBus::State::serve(std::unique_lock<std::mutex>& lock) {
       break;
     }
   }
-  const std::vector<uint8_t> events = device.takeEvents(kMostEventBytes, now());
+  const std::vector<uint8_t> events = device.takeEvents(kMaxEventBytes, now());
   const auto received = listener.received;
   if (!events.empty() && open && received) {
     calling = true;
@@ -163,10 +163,10 @@ class MemoryLink : public wire::Link {
 
   const wire::LinkDescription& description() const override { return description_; }
 
-  std::vector<uint8_t> controlIn(uint8_t request, uint16_t value, size_t mostBytes) override {
+  std::vector<uint8_t> controlIn(uint8_t request, uint16_t value, size_t maxBytes) override {
     const std::lock_guard lock(state_->mutex);
     requirePlugged();
-    auto answer = state_->device.controlIn(request, value, mostBytes, state_->now());
+    auto answer = state_->device.controlIn(request, value, maxBytes, state_->now());
     if (!answer) {
       throw LinkError(LinkStatus::kStalled, "the device refused a request");
     }

@@ -52,7 +52,7 @@ class PathFeed final : public EyeFeed {
 };
 
 /// Longer ones are no poses.
-constexpr size_t kMostLineBytes = 256;
+constexpr size_t kMaxLineBytes = 256;
 
 /// Of a wrong one, for people.
 constexpr size_t kMaxShownBytes = 80;
@@ -102,12 +102,12 @@ class LiveFeed : public EyeFeed {
     if (line.empty() || line == kEyePathHeader) {
       return;
     }
-    const auto pose = line.size() <= kMostLineBytes ? poseFromLine(line) : std::nullopt;
+    const auto pose = line.size() <= kMaxLineBytes ? poseFromLine(line) : std::nullopt;
     const std::lock_guard lock(mutex_);
     if (pose) {
       eye_ = pose->eye;
     } else if (malformed_++ == 0) {
-      const std::string problem = line.size() > kMostLineBytes ? "too long" : problemOfLine(line);
+      const std::string problem = line.size() > kMaxLineBytes ? "too long" : problemOfLine(line);
       firstMalformed_ = "not TIME,X,Y,Z (" + problem + "): \"" + printableText(line.substr(0, kMaxShownBytes)) + "\"";
     }
   }
@@ -144,7 +144,7 @@ class LineFeed final : public LiveFeed {
       if (c == '\n') {
         take(line_);
         line_.clear();
-      } else if (line_.size() <= kMostLineBytes) {
+      } else if (line_.size() <= kMaxLineBytes) {
         line_ += c;
       }
     }
@@ -172,7 +172,7 @@ class DatagramFeed final : public LiveFeed {
       throw WorkError("cannot listen at this port: " + reason, where, "another port");
     }
     start(socket_, [this] {
-      std::array<char, kMostLineBytes + 1> bytes{};
+      std::array<char, kMaxLineBytes + 1> bytes{};
       const ssize_t count = recv(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_TRUNC);
       if (count >= 0) {
         take({bytes.data(), std::min(static_cast<size_t>(count), bytes.size())});

@@ -148,7 +148,7 @@ bool MultivoxDevice::lookAtMemory(std::unique_lock<std::mutex>& lock) {
     stagedWritten_ = false;
     return false;
   }
-  shownBits_ = status->bitsPerChannel == 0 ? kBitsAtStart : std::min(status->bitsPerChannel, kMostShownBits);
+  shownBits_ = status->bitsPerChannel == 0 ? kBitsAtStart : std::min(status->bitsPerChannel, kMaxShownBits);
   if (found == MultivoxMemory::Found::kNew) {
     shownMissing_ = !shownCells_.empty();
     stagedWritten_ = false;

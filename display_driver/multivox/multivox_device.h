@@ -80,7 +80,7 @@ class MultivoxDevice final : public Device {
   MultivoxMemory memory_;
   Volume taken_;
   VoxelResampler resampler_;
-  int shownBits_ = kMostShownBits;
+  int shownBits_ = kMaxShownBits;
   bool stagedWritten_ = false;       ///< staged_ is whole in the memory
   std::vector<uint8_t> shownCells_;  ///< of the frame that was shown last; empty before the first
   bool shownMissing_ = false;        ///< the memory is new, and they are not in it

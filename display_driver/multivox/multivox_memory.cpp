@@ -59,7 +59,7 @@ MultivoxMemory::Found MultivoxMemory::lose(std::string problem) {
 void MultivoxMemory::rest() {
   const std::optional<MultivoxStatus> now = status();
   const std::chrono::microseconds frames = now ? 2 * now->frameTime : std::chrono::microseconds(0);
-  rested_ = Clock::now() + std::max<std::chrono::microseconds>(kLeastRest, frames);
+  rested_ = Clock::now() + std::max<std::chrono::microseconds>(kMinRest, frames);
 }
 
 MultivoxMemory::Found MultivoxMemory::look() {

@@ -22,7 +22,7 @@ unsigned widen(unsigned level, int shown, int bits) {
 }  // namespace
 
 uint8_t rgb332(const glm::u64vec3& light, uint64_t full, int shownBits) {
-  OC_CHECK(shownBits >= 1 && shownBits <= kMostShownBits && full > 0, "no such display");
+  OC_CHECK(shownBits >= 1 && shownBits <= kMaxShownBits && full > 0, "no such display");
   const uint64_t most = std::max({light.r, light.g, light.b});
   OC_CHECK(most <= full, "more than full light");
   uint64_t levels[3];

@@ -41,7 +41,7 @@ struct VoxelGrid {
   bool operator==(const VoxelGrid&) const = default;
 };
 
-inline constexpr int kMostShownBits = 3;
+inline constexpr int kMaxShownBits = 3;
 
 /// Light of the three channels as shares of `full` (0 to full), rounded to the levels of a display that shows so many
 /// bits of each channel. Full light sets all bits; the bits that are not shown repeat those that are, so that more bits

@@ -86,7 +86,7 @@ class VoxelResampler {
   double scale_;
   Volume volume_;
   bool ownSecondHalf_;
-  int shownBits_ = kMostShownBits;
+  int shownBits_ = kMaxShownBits;
   Lists columns_;                ///< of a plane and a column of the screen: the columns of cells, as index / grid.z
   Lists heights_;                ///< of a row: the cells' z
   std::vector<Extent> extents_;  ///< of columns of cells

@@ -16,15 +16,15 @@ constexpr Duration kLookInterval = 5ms;
 /// What clocks and threads may be late by.
 constexpr Duration kGuard = 1ms;
 /// Of a device that tells its rotation, from when it is there.
-constexpr Duration kMostWaitForRotation = 300ms;
+constexpr Duration kMaxWaitForRotation = 300ms;
 /// After its refresh began; then it is told as missed.
-constexpr Duration kMostWaitForEnd = 1s;
+constexpr Duration kMaxWaitForEnd = 1s;
 /// Frames that have not arrived.
-constexpr size_t kMostUnderWay = 2;
+constexpr size_t kMaxUnderWay = 2;
 /// A stage that takes this much longer than a refresh still keeps up: medians wobble.
 constexpr double kKeepsUp = 1.05;
 /// With a standard deviation above this share of a refresh the clock does not say which refresh it is.
-constexpr double kMostUncertain = 0.15;
+constexpr double kMaxUncertain = 0.15;
 
 Duration fromSeconds(double seconds) {
   return Duration(static_cast<int64_t>(seconds * 1e9));
@@ -63,7 +63,7 @@ void Pacer::observe() {
     rotation_.add(*telemetry.rotation);
   }
   const bool locked =
-      rotation_.running() && rotation_.uncertaintySeconds(clock_.now()) < kMostUncertain * rotation_.refreshSeconds();
+      rotation_.running() && rotation_.uncertaintySeconds(clock_.now()) < kMaxUncertain * rotation_.refreshSeconds();
   if (locked != locked_ || rotation_.restarts() != restarts_) {
     // Refreshes are counted anew.
     locked_ = locked;
@@ -78,7 +78,7 @@ void Pacer::observe() {
       const FrameState state = pending.fence->state();
       if (hasEnded(state.stage)) {
         settle(pending, state);
-      } else if (clock_.now() - std::max(pending.record.due, pending.record.submitted) >= kMostWaitForEnd) {
+      } else if (clock_.now() - std::max(pending.record.due, pending.record.submitted) >= kMaxWaitForEnd) {
         giveUp(pending, state);
       }
     }
@@ -281,7 +281,7 @@ void Pacer::waitForRotation() {
   const HostTime begin = clock_.now();
   ideal_.add({.time = begin, .refresh = 0, .share = 0, .refreshSeconds = 0});
   observe();
-  while (!locked_ && connected_ && clock_.now() - begin < kMostWaitForRotation) {
+  while (!locked_ && connected_ && clock_.now() - begin < kMaxWaitForRotation) {
     clock_.waitUntil(clock_.now() + kLookInterval);
     observe();
   }
@@ -296,7 +296,7 @@ TimeLineSummary Pacer::run(const Stop& stop, const OnRecord& onRecord) {
   for (HostTime now = begin; goesOn(now); now = clock_.now()) {
     observe();
     flush(onRecord);
-    if (!connected_ || underWay() >= kMostUnderWay) {
+    if (!connected_ || underWay() >= kMaxUnderWay) {
       target_.reset();
       skipUpTo(refreshAfter(now), connected_ ? RefreshOutcome::kLinkLate : RefreshOutcome::kNotConnected);
       keepSkipped(false);
@@ -322,7 +322,7 @@ void Pacer::finish(const OnRecord& onRecord) {
   keepSkipped(false);
   observe();
   flush(onRecord);
-  while (!pending_.empty() && clock_.now() - begin < kMostWaitForEnd) {
+  while (!pending_.empty() && clock_.now() - begin < kMaxWaitForEnd) {
     clock_.waitUntil(clock_.now() + kLookInterval);
     observe();
     flush(onRecord);

@@ -20,7 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Volumes that wait to be written.
-constexpr size_t kMostWaiting = 4;
+constexpr size_t kMaxWaiting = 4;
 constexpr std::chrono::milliseconds kIdleInterval{20};
 constexpr std::chrono::milliseconds kTelemetryInterval{100};
 
@@ -93,7 +93,7 @@ class RecordingDevice final : public Device {
       if (failure_) {
         return fence;
       }
-      if (volumes_ == kMostWaiting) {
+      if (volumes_ == kMaxWaiting) {
         ++leftOut_;
         afterGap_ = true;
         waiting_.push_back([this, fence] { underWay_.push_back(fence); });

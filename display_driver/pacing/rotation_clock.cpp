@@ -15,11 +15,11 @@ constexpr double kLengthJitter = 1e-3;
 constexpr double kFirstJitter = 0.02;
 constexpr double kFirstRateError = 0.01;
 /// The clock never believes that readings are better than this, in refreshes: a hundredth of a slice, about.
-constexpr double kLeastJitter = 1e-4;
-constexpr double kMostJitter = 0.1;
+constexpr double kMinJitter = 1e-4;
+constexpr double kMaxJitter = 0.1;
 /// Readings this many standard deviations off are left out, until so many have come in a row.
 constexpr double kUnlikely = 6;
-constexpr int kMostUnlikely = 4;
+constexpr int kMaxUnlikely = 4;
 /// What a reading counts for in the estimate of their jitter.
 constexpr double kLearning = 0.05;
 
@@ -72,7 +72,7 @@ void RotationClock::add(const RotationReading& reading) {
                             (refreshes_ + rate_ * seconds);
   const double variance = predicted.pp + readingVariance_;
   if (!(squared(difference) <= squared(kUnlikely) * variance)) {
-    if (++unlikely_ == kMostUnlikely) {
+    if (++unlikely_ == kMaxUnlikely) {
       begin(reading);
       ++restarts_;
     }
@@ -89,7 +89,7 @@ void RotationClock::add(const RotationReading& reading) {
                  predicted.rr - rateGain * predicted.pr};
   const double seen = std::max(squared(difference) - predicted.pp, 0.0);
   readingVariance_ =
-      std::clamp((1 - kLearning) * readingVariance_ + kLearning * seen, squared(kLeastJitter), squared(kMostJitter));
+      std::clamp((1 - kLearning) * readingVariance_ + kLearning * seen, squared(kMinJitter), squared(kMaxJitter));
 }
 
 double RotationClock::refreshesAt(HostTime time) const {

@@ -62,7 +62,7 @@ std::optional<RecordHeader> recordHeaderFrom(std::span<const uint8_t> bytes) {
                             .payloadBytes = static_cast<uint32_t>(load(bytes.data() + 16, 4)),
                             .checksum = static_cast<uint32_t>(load(bytes.data() + kChecksumAt, 4))};
   const bool fits = type >= 1 && type <= static_cast<uint64_t>(RecordType::kEnd) &&
-                    header.microseconds <= kMostMicroseconds && header.payloadBytes <= kMostPayloadBytes;
+                    header.microseconds <= kMaxMicroseconds && header.payloadBytes <= kMaxPayloadBytes;
   return fits ? std::optional(header) : std::nullopt;
 }
 

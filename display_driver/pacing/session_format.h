@@ -19,9 +19,9 @@ inline constexpr size_t kHeaderBytes = 16;
 inline constexpr uint32_t kRecordMark = 0x44434552;  ///< "RECD"
 inline constexpr size_t kRecordHeaderBytes = 28;
 /// Of a record; longer streams go into several.
-inline constexpr size_t kMostPayloadBytes = size_t{1} << 20;
+inline constexpr size_t kMaxPayloadBytes = size_t{1} << 20;
 /// 285 years, which a double still counts exactly.
-inline constexpr uint64_t kMostMicroseconds = (uint64_t{1} << 53) - 1;
+inline constexpr uint64_t kMaxMicroseconds = (uint64_t{1} << 53) - 1;
 /// The session number of the wire messages in it.
 inline constexpr uint32_t kWireSession = 1;
 /// How its slices may be coded.

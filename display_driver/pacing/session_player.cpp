@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 
 constexpr std::chrono::milliseconds kStopCheckInterval{5};
 /// For a frame to be shown, or to end.
-constexpr std::chrono::seconds kMostWait{2};
+constexpr std::chrono::seconds kMaxWait{2};
 
 class Player {
  public:
@@ -47,7 +47,7 @@ class Player {
     }
     const HostTime end = clock_.now();
     played_.seconds = std::chrono::duration<double>(end - begin).count();
-    while (!ended() && clock_.now() - end < kMostWait && !stopped()) {
+    while (!ended() && clock_.now() - end < kMaxWait && !stopped()) {
       clock_.waitUntil(clock_.now() + kStopCheckInterval);
       look();
     }
@@ -83,7 +83,7 @@ class Player {
                                               : device_.submit(*submitted.volume, submitted.changed);
     ++played_.submitted;
     numbers_[submitted.frame] = fence;
-    if (numbers_.size() > kMostNumbers) {
+    if (numbers_.size() > kMaxNumbers) {
       numbers_.erase(numbers_.begin());
     }
     played_.underWay.push_back(fence);
@@ -103,7 +103,7 @@ class Player {
     ++played_.presented;
     if (options_.fast) {
       const HostTime begin = clock_.now();
-      while (!hasEnded(fence->second->state().stage) && clock_.now() - begin < kMostWait && !stopped()) {
+      while (!hasEnded(fence->second->state().stage) && clock_.now() - begin < kMaxWait && !stopped()) {
         clock_.waitUntil(clock_.now() + 1ms);
         look();
       }
@@ -128,7 +128,7 @@ class Player {
   }
 
   /// Frames that may still be presented.
-  static constexpr size_t kMostNumbers = 64;
+  static constexpr size_t kMaxNumbers = 64;
 
   SessionReader& reader_;
   Device& device_;

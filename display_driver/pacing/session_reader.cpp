@@ -17,11 +17,11 @@ namespace {
 
 using session::RecordType;
 
-constexpr double kMostCount = 9007199254740991.0;  // 2^53 - 1
-constexpr double kMostNumber = 1e12;
+constexpr double kMaxCount = 9007199254740991.0;  // 2^53 - 1
+constexpr double kMaxNumber = 1e12;
 
 uint64_t count(JsonFields& fields, const char* name) {
-  const double number = fields.number(name, 0, kMostCount);
+  const double number = fields.number(name, 0, kMaxCount);
   if (number != std::floor(number)) {
     fields.fail(name, "must be a whole number");
   }
@@ -73,12 +73,12 @@ Telemetry telemetryFrom(const std::string& text, const std::string& where) {
     telemetry.rotation = RotationReading{.time = time(fields, "rotation_time"),
                                          .refresh = count(fields, "refresh"),
                                          .share = fields.number("share", 0, 1),
-                                         .refreshSeconds = fields.number("refresh_seconds", 0, kMostNumber)};
+                                         .refreshSeconds = fields.number("refresh_seconds", 0, kMaxNumber)};
   }
-  telemetry.rotationsPerMinute = fields.number("rotations_per_minute", 0, kMostNumber);
-  telemetry.phaseErrorDegrees = fields.number("phase_error_degrees", -kMostNumber, kMostNumber);
+  telemetry.rotationsPerMinute = fields.number("rotations_per_minute", 0, kMaxNumber);
+  telemetry.phaseErrorDegrees = fields.number("phase_error_degrees", -kMaxNumber, kMaxNumber);
   if (fields.has("temperature_celsius")) {
-    telemetry.temperatureCelsius = fields.number("temperature_celsius", -kMostNumber, kMostNumber);
+    telemetry.temperatureCelsius = fields.number("temperature_celsius", -kMaxNumber, kMaxNumber);
   }
   telemetry.framesSubmitted = count(fields, "frames_submitted");
   telemetry.framesArrived = count(fields, "frames_arrived");
@@ -119,12 +119,12 @@ SessionReader::SessionReader(const std::filesystem::path& path)
   if (!file_) {
     throw InputError("cannot be opened", where_, "check that the file exists");
   }
-  open(kMostVolumeBytes);
+  open(kMaxVolumeBytes);
 }
 
-SessionReader::SessionReader(std::istream& in, std::string where, size_t mostVolumeBytes)
+SessionReader::SessionReader(std::istream& in, std::string where, size_t maxVolumeBytes)
     : in_(in), where_(std::move(where)) {
-  open(mostVolumeBytes);
+  open(maxVolumeBytes);
 }
 
 SessionReader::~SessionReader() = default;
@@ -134,7 +134,7 @@ void SessionReader::fail(const std::string& what) const {
                    "what comes before it can be used");
 }
 
-void SessionReader::open(size_t mostVolumeBytes) {
+void SessionReader::open(size_t maxVolumeBytes) {
   std::array<uint8_t, session::kHeaderBytes> header{};
   in_.read(reinterpret_cast<char*>(header.data()), header.size());
   if (in_.gcount() != static_cast<std::streamsize>(header.size()) || !session::isFileHeader(header)) {
@@ -152,7 +152,7 @@ void SessionReader::open(size_t mostVolumeBytes) {
   device_.link = fields.text("link");
   profile_ = profileFromJsonText(fields.value("profile").dump(), where_ + ", profile");
   fields.rejectUnknown();
-  if (profile_->volumeBytes() > mostVolumeBytes) {
+  if (profile_->volumeBytes() > maxVolumeBytes) {
     throw InputError("the volumes of this display are too large", where_, "a smaller display");
   }
   offset_ += session::kRecordHeaderBytes + payload_.size();

@@ -48,7 +48,7 @@ class SessionReader {
   /// Throws InputError where it does not begin as a session does.
   explicit SessionReader(const std::filesystem::path& path);
   /// From a stream that outlives the reader; `where` names it in errors. Displays with larger volumes are refused.
-  SessionReader(std::istream& in, std::string where, size_t mostVolumeBytes = kMostVolumeBytes);
+  SessionReader(std::istream& in, std::string where, size_t maxVolumeBytes = kMaxVolumeBytes);
   ~SessionReader();
   SessionReader(const SessionReader&) = delete;
   SessionReader& operator=(const SessionReader&) = delete;
@@ -66,7 +66,7 @@ class SessionReader {
 
  private:
   struct Stream;
-  void open(size_t mostVolumeBytes);
+  void open(size_t maxVolumeBytes);
   bool readRecord();
   void readStream();
   [[noreturn]] void fail(const std::string& what) const;

@@ -12,7 +12,7 @@ constexpr double kDrumInner = 0.7;  // one ring of voxels
 constexpr double kFinInner = 0.85;
 constexpr double kNotchSide = 0.04;  // half of its width
 constexpr double kNotchStep = 0.16;
-constexpr int kMostColourSteps = 8;
+constexpr int kMaxColourSteps = 8;
 /// Bit 0 red, bit 1 green, bit 2 blue.
 constexpr std::array<unsigned, 7> kBands{1, 2, 4, 6, 5, 3, 7};
 
@@ -71,7 +71,7 @@ Volume whitePattern(const DisplayProfile& profile) {
 
 std::vector<int> colourSteps(const DisplayProfile& profile) {
   const int full = (1 << profile.colorBitsPerChannel) - 1;
-  const int steps = std::min(full, kMostColourSteps);
+  const int steps = std::min(full, kMaxColourSteps);
   std::vector<int> levels;
   for (int i = 0; i < steps; ++i) {
     levels.push_back((full * (steps - i) + steps / 2) / steps);

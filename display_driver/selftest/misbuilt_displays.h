@@ -1,4 +1,4 @@
-// What displays show of a volume that are built or set wrongly: for the pictures of the checklist, and to try patterns.
+// What displays show of a volume that are built or set wrongly: for the images of the checklist, and to try patterns.
 // Each returns the volume that a right display would have to be sent to look the same.
 #pragma once
 

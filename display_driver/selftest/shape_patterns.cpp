@@ -21,7 +21,7 @@ constexpr double kTopWidth = 1.6;    // radii
 constexpr int kTopColumns = 3 * kLetterColumns + 2;
 
 constexpr double kBoxSide = 0.6;
-constexpr double kMostOfHeight = 0.9;
+constexpr double kMaxOfHeight = 0.9;
 constexpr int kSphereStepDegrees = 30;
 
 /// A letter that is read from outside at an angle about the axis.
@@ -122,7 +122,7 @@ Volume orientationPattern(const DisplayProfile& profile) {
 }
 
 BoxSides boxSides(const DisplayProfile& profile) {
-  return {kBoxSide, std::min(kBoxSide, kMostOfHeight * profile.halfHeightRadii)};
+  return {kBoxSide, std::min(kBoxSide, kMaxOfHeight * profile.halfHeightRadii)};
 }
 
 Volume boxPattern(const DisplayProfile& profile) {
@@ -149,7 +149,7 @@ Volume boxPattern(const DisplayProfile& profile) {
 }
 
 double sphereRadius(const DisplayProfile& profile) {
-  return kMostOfHeight * std::min(1.0, profile.halfHeightRadii);
+  return kMaxOfHeight * std::min(1.0, profile.halfHeightRadii);
 }
 
 Volume spherePattern(const DisplayProfile& profile) {

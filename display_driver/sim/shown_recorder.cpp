@@ -11,7 +11,7 @@ namespace ocelli {
 namespace {
 
 /// Volumes that wait to be written.
-constexpr size_t kMostJobs = 3;
+constexpr size_t kMaxJobs = 3;
 
 bool sameParts(const std::vector<ShownRefresh::Part>& a, const std::vector<ShownRefresh::Part>& b) {
   return std::ranges::equal(a, b, [](const ShownRefresh::Part& x, const ShownRefresh::Part& y) {
@@ -43,7 +43,7 @@ void ShownRecorder::refreshEnded(const ShownRefresh& refresh, const Volume& volu
     return;
   }
   std::unique_lock lock(mutex_);
-  if (jobs_.size() >= kMostJobs || failure_ != nullptr) {
+  if (jobs_.size() >= kMaxJobs || failure_ != nullptr) {
     refreshes_.push_back({refresh, std::nullopt});
     return;
   }

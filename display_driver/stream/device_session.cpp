@@ -23,7 +23,7 @@ DisplayIdentity identify(wire::Link& link) {
                     identity->minorVersion, wire::kMajorVersion, wire::kMinorVersion),
         where, "bring the older of both up to date");
   }
-  const std::vector<uint8_t> profile = link.controlIn(request(wire::Request::kProfile), 0, wire::kMostProfileBytes);
+  const std::vector<uint8_t> profile = link.controlIn(request(wire::Request::kProfile), 0, wire::kMaxProfileBytes);
   if (profile.size() != identity->profileBytes || wire::crc32c(profile) != identity->profileChecksum) {
     throw WorkError("the profile of the display is not the one that its identity speaks of", where,
                     "compare its PROFILE request with docs/wire_protocol.md");

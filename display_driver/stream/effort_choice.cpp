@@ -5,9 +5,9 @@
 namespace ocelli {
 namespace {
 
-constexpr int kLeastPatience = 48;
+constexpr int kMinPatience = 48;
 /// Two minutes at 24 frames a second.
-constexpr int kMostPatience = 3072;
+constexpr int kMaxPatience = 3072;
 /// Run lengths that filled the link within so many frames were tried too early.
 constexpr int kTooEarly = 24;
 
@@ -17,7 +17,7 @@ void EffortChoice::frameSent(bool full) {
   ++frames_;
   if (!small_ && full) {
     const bool tooEarly = patience_ > 0 && frames_ <= kTooEarly;
-    patience_ = tooEarly ? std::min(2 * patience_, kMostPatience) : kLeastPatience;
+    patience_ = tooEarly ? std::min(2 * patience_, kMaxPatience) : kMinPatience;
     small_ = true;
     frames_ = 0;
   } else if (small_ && full) {

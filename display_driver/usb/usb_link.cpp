@@ -35,8 +35,8 @@ UsbLink::UsbLink(std::shared_ptr<Context> context, Handle handle, const DisplayI
 
 // --- Requests ---
 
-std::vector<uint8_t> UsbLink::controlIn(uint8_t request, uint16_t value, size_t mostBytes) {
-  return control(LIBUSB_ENDPOINT_IN, request, value, {}, mostBytes);
+std::vector<uint8_t> UsbLink::controlIn(uint8_t request, uint16_t value, size_t maxBytes) {
+  return control(LIBUSB_ENDPOINT_IN, request, value, {}, maxBytes);
 }
 
 void UsbLink::controlOut(uint8_t request, uint16_t value, std::span<const uint8_t> bytes) {

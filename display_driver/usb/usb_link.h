@@ -24,7 +24,7 @@ class UsbLink final : public wire::Link, public EventTarget {
   ~UsbLink() override { shut(); }
 
   const wire::LinkDescription& description() const override { return description_; }
-  std::vector<uint8_t> controlIn(uint8_t request, uint16_t value, size_t mostBytes) override;
+  std::vector<uint8_t> controlIn(uint8_t request, uint16_t value, size_t maxBytes) override;
   void controlOut(uint8_t request, uint16_t value, std::span<const uint8_t> bytes) override;
   void start(wire::LinkListener listener) override;
   bool send(size_t tag, std::span<const uint8_t> bytes) override;

@@ -33,7 +33,7 @@ enum class PlanLimit {
   kNone,
   kLink,      ///< the bytes of the slices
   kOverhead,  ///< those of headers and records alone: without them the link would do
-  kCoding,    ///< the processor, which codes one frame while another one is sent
+  kCoding,    ///< the CPU, which codes one frame while another one is sent
 };
 const char* nameOf(PlanLimit limit);
 

@@ -59,7 +59,7 @@ class Link {
   virtual const LinkDescription& description() const = 0;
 
   /// Vendor requests of the control pipe; wait for the answer. Throw LinkError.
-  virtual std::vector<uint8_t> controlIn(uint8_t request, uint16_t value, size_t mostBytes) = 0;
+  virtual std::vector<uint8_t> controlIn(uint8_t request, uint16_t value, size_t maxBytes) = 0;
   virtual void controlOut(uint8_t request, uint16_t value, std::span<const uint8_t> bytes) = 0;
 
   /// Starts to listen. Call it once.

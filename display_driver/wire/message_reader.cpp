@@ -4,7 +4,7 @@
 
 namespace ocelli::wire {
 
-MessageReader::MessageReader(size_t mostPayloadBytes) : mostPayloadBytes_(mostPayloadBytes) {}
+MessageReader::MessageReader(size_t maxPayloadBytes) : maxPayloadBytes_(maxPayloadBytes) {}
 
 void MessageReader::begin(uint32_t session) {
   session_ = session;
@@ -62,7 +62,7 @@ size_t MessageReader::read(std::span<const uint8_t> bytes, const Handler& handle
         return taken;
       }
       const std::optional<MessageHeader> header = headerFrom(buffer_);
-      if (!header || header->payloadBytes > mostPayloadBytes_) {
+      if (!header || header->payloadBytes > maxPayloadBytes_) {
         lose(header ? ErrorCode::kLength : ErrorCode::kChecksum, header ? header->frame : 0, handler);
         // On to the next place where a header may begin.
         const auto next = std::find(buffer_.begin() + 1, buffer_.end(), kMessageMark.front());

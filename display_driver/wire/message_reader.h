@@ -27,7 +27,7 @@ class MessageReader {
   };
 
   /// Refuses payloads of more bytes. Takes no more memory than one payload.
-  explicit MessageReader(size_t mostPayloadBytes);
+  explicit MessageReader(size_t maxPayloadBytes);
 
   /// Forgets what came. Messages of other sessions are left out from now on.
   void begin(uint32_t session);
@@ -42,7 +42,7 @@ class MessageReader {
   void lose(ErrorCode code, uint32_t frame, const Handler& handler);
   bool deliver(const Handler& handler);
 
-  size_t mostPayloadBytes_;
+  size_t maxPayloadBytes_;
   uint32_t session_ = 0;
   std::optional<uint32_t> sequence_ = 0;  ///< of the next message; nullopt: after a loss of place, whatever comes
   bool lost_ = false;                     ///< looking for a header

@@ -25,7 +25,7 @@ struct CodedSlice {
 };
 
 /// Which coding is tried first, where a device takes both. Of sliced surfaces zstd makes two thirds of the bytes of run
-/// lengths, at two to three times the processor time.
+/// lengths, at two to three times the CPU time.
 enum class Effort { kSmall, kFast };
 
 class SliceCoder {

@@ -94,9 +94,9 @@ bool isWhole(std::span<const uint8_t> bytes, size_t size) {
 uint32_t crc32c(std::span<const uint8_t> bytes, uint32_t before) {
   // The library takes lengths as int, and leaves both inversions to its caller.
   uint32_t crc = ~before;
-  constexpr size_t kMost = size_t{1} << 30;
+  constexpr size_t kMax = size_t{1} << 30;
   while (!bytes.empty()) {
-    const std::span<const uint8_t> some = bytes.first(std::min(bytes.size(), kMost));
+    const std::span<const uint8_t> some = bytes.first(std::min(bytes.size(), kMax));
     crc = crc32_iscsi(const_cast<uint8_t*>(some.data()), static_cast<int>(some.size()), crc);
     bytes = bytes.subspan(some.size());
   }
@@ -152,7 +152,7 @@ std::vector<uint8_t> toBytes(const Identity& identity) {
   writer.u32(identity.capabilities);
   writer.u8(identity.frameBuffers);
   writer.skip(3);
-  writer.u32(identity.mostPayloadBytes);
+  writer.u32(identity.maxPayloadBytes);
   writer.u32(identity.profileBytes);
   writer.u32(identity.profileChecksum);
   writer.skip(4);
@@ -177,7 +177,7 @@ std::optional<Identity> identityFrom(std::span<const uint8_t> bytes) {
   identity.capabilities = reader.u32();
   identity.frameBuffers = reader.u8();
   reader.take(3);
-  identity.mostPayloadBytes = reader.u32();
+  identity.maxPayloadBytes = reader.u32();
   identity.profileBytes = reader.u32();
   identity.profileChecksum = reader.u32();
   reader.take(4);

@@ -89,7 +89,7 @@ inline constexpr size_t kEventBytes = 32;
 inline constexpr size_t kHeaderBytes = 32;
 inline constexpr size_t kFrameEndBytes = 8;
 inline constexpr size_t kPresentBytes = 12;
-inline constexpr size_t kMostProfileBytes = 4096;
+inline constexpr size_t kMaxProfileBytes = 4096;
 inline constexpr size_t kNameBytes = 28;
 inline constexpr std::array<uint8_t, 4> kMessageMark = {'O', 'C', 'L', 'M'};
 
@@ -103,7 +103,7 @@ struct Identity {
   uint16_t minorVersion = kMinorVersion;
   uint32_t capabilities = 0;
   uint8_t frameBuffers = 2;
-  uint32_t mostPayloadBytes = 0;  ///< of a slice message
+  uint32_t maxPayloadBytes = 0;  ///< of a slice message
   uint32_t profileBytes = 0;
   uint32_t profileChecksum = 0;
   std::string name;  ///< at most kNameBytes of UTF-8

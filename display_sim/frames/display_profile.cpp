@@ -57,8 +57,8 @@ DisplayProfile profileFromJsonText(const std::string& text, const std::string& w
     profile.radiusMetres = fields.number("radius_metres", 0.001, 100);
     profile.halfHeightRadii = fields.number("half_height_radii", 0.01, 100, 1);
     profile.slicesPerHalfTurn = fields.integer("slices_per_half_turn", 2, 4096);
-    profile.width = fields.integer("width", 2, kMostSliceSide);
-    profile.height = fields.integer("height", 1, kMostSliceSide);
+    profile.width = fields.integer("width", 2, kMaxSliceSide);
+    profile.height = fields.integer("height", 1, kMaxSliceSide);
     profile.colorBitsPerChannel = fields.integer("color_bits_per_channel", 1, 8, 1);
     profile.channelTiming = static_cast<ChannelTiming>(readEither(fields, "channel_timing", kChannelTimingNames));
     profile.rotationsPerMinute = fields.number("rotations_per_minute", 0.001, 1e6);
@@ -66,7 +66,7 @@ DisplayProfile profileFromJsonText(const std::string& text, const std::string& w
     profile.viewingDistanceMetres =
         fields.number("viewing_distance_metres", 0.001, 1e4, kDefaultEyeDistance * profile.radiusMetres);
     fields.rejectUnknown();
-    if (profile.volumeBytes() > kMostVolumeBytes) {
+    if (profile.volumeBytes() > kMaxVolumeBytes) {
       throw InputError("a volume of this display would take more than 2 GiB", where,
                        "lower \"slices_per_half_turn\", \"width\", \"height\" or \"color_bits_per_channel\"");
     }

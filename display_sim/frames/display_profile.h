@@ -50,8 +50,8 @@ struct DisplayProfile {
 };
 
 /// A volume never takes more memory than this; profiles that ask for more are refused.
-inline constexpr size_t kMostVolumeBytes = size_t{1} << 31;
-inline constexpr int kMostSliceSide = 4096;
+inline constexpr size_t kMaxVolumeBytes = size_t{1} << 31;
+inline constexpr int kMaxSliceSide = 4096;
 
 /// Throws InputError naming the field that is missing, unknown or out of range.
 DisplayProfile profileFromJsonText(const std::string& text, const std::string& where);

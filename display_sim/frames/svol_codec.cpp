@@ -9,7 +9,7 @@ namespace ocelli::svol {
 
 EncodedSlice SliceEncoder::compress(SvolSliceKind kind, std::span<const uint8_t> planes) {
   const std::span<const uint8_t> payload = zstd_.compress(planes);
-  OC_CHECK(payload.size() <= kMostSliceBytes, "the display profile was not validated");
+  OC_CHECK(payload.size() <= kMaxSliceBytes, "the display profile was not validated");
   return {{kind, static_cast<uint32_t>(payload.size()), checksum(payload)}, {payload.begin(), payload.end()}};
 }
 

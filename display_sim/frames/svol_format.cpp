@@ -31,7 +31,7 @@ uint32_t checksum(std::span<const uint8_t> bytes) {
 
 std::vector<uint8_t> headerRecord(const DisplayProfile& profile, const std::string& metadata) {
   const std::string profileText = jsonText(profile);
-  OC_CHECK(profileText.size() <= kMostProfileBytes && metadata.size() <= kMostMetadataBytes, "the texts are too long");
+  OC_CHECK(profileText.size() <= kMaxProfileBytes && metadata.size() <= kMaxMetadataBytes, "the texts are too long");
   std::vector<uint8_t> bytes(kMagic.begin(), kMagic.end());
   append32(bytes, kVersion);
   append32(bytes, static_cast<uint32_t>(profileText.size()));

@@ -39,8 +39,8 @@ inline constexpr uint32_t kIndexMark = 0x58444e49;  ///< "INDX"
 inline constexpr uint32_t kEndMark = 0x454e4f44;    ///< "DONE"
 
 inline constexpr size_t kHeaderBytes = 36;  ///< before the texts
-inline constexpr size_t kMostProfileBytes = size_t{1} << 16;
-inline constexpr size_t kMostMetadataBytes = size_t{1} << 20;
+inline constexpr size_t kMaxProfileBytes = size_t{1} << 16;
+inline constexpr size_t kMaxMetadataBytes = size_t{1} << 20;
 inline constexpr size_t kChecksumBytes = 4;
 inline constexpr size_t kFrameFieldBytes = 24;  ///< before the slice table
 inline constexpr size_t kSliceEntryBytes = 8;
@@ -48,8 +48,8 @@ inline constexpr size_t kIndexFieldBytes = 8;  ///< before the entries
 inline constexpr size_t kIndexEntryBytes = 20;
 inline constexpr size_t kEndBytes = 16;
 /// Of times: 285 years, which a double still counts exactly.
-inline constexpr uint64_t kMostMicroseconds = (uint64_t{1} << 53) - 1;
-inline constexpr uint32_t kMostSliceBytes = (1u << 30) - 1;  ///< of a compressed slice: the table's field is that wide
+inline constexpr uint64_t kMaxMicroseconds = (uint64_t{1} << 53) - 1;
+inline constexpr uint32_t kMaxSliceBytes = (1u << 30) - 1;  ///< of a compressed slice: the table's field is that wide
 
 /// A line of a frame's slice table.
 struct SliceEntry {

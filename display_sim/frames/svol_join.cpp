@@ -23,7 +23,7 @@ class Joiner {
     const std::vector<SvolFrame>& frames = reader.frames();
     const uint64_t first = frames.front().timeMicroseconds;
     if (start_ + static_cast<double>(frames.back().timeMicroseconds - first) >
-        static_cast<double>(svol::kMostMicroseconds)) {
+        static_cast<double>(svol::kMaxMicroseconds)) {
       throw InputError("with this file the recording would last more than 285 years", reader.where(),
                        "leave it out, or give it other times");
     }

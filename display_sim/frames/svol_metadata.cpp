@@ -9,7 +9,7 @@
 namespace ocelli::svol {
 
 void requireMetadata(const std::string& text, const std::string& where) {
-  if (text.size() > kMostMetadataBytes) {
+  if (text.size() > kMaxMetadataBytes) {
     throw InputError("metadata of " + std::to_string(text.size()) + " bytes (at most 1048576 are allowed)", where,
                      "leave some of it out");
   }

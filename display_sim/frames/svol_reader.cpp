@@ -16,7 +16,7 @@ constexpr const char* kNextWithFrames =
     "`ocelli volume join --salvage` makes a finished file of the frames before; or write the file again";
 
 /// More than zstd needs for the worst planes, so that a hostile size cannot ask for much more memory than a frame has.
-uint64_t mostPayloadBytes(const VolumeLayout& layout) {
+uint64_t maxPayloadBytes(const VolumeLayout& layout) {
   return 2 * layout.sliceBytes + 1024;
 }
 
@@ -36,7 +36,7 @@ std::string problemOf(const svol::SliceEntry& slice, bool inKeyFrame, const Volu
   if (!svol::hasPayload(slice.kind)) {
     return slice.bytes == 0 && slice.checksum == 0 ? "" : "a slice without a payload has a size or a checksum";
   }
-  if (slice.bytes == 0 || slice.bytes > mostPayloadBytes(layout)) {
+  if (slice.bytes == 0 || slice.bytes > maxPayloadBytes(layout)) {
     return std::to_string(slice.bytes) + " compressed bytes are not possible here";
   }
   return "";
@@ -116,7 +116,7 @@ void SvolReader::readHeader() {
   }
   const size_t profileBytes = field(1);
   const size_t metadataBytes = field(2);
-  if (profileBytes == 0 || profileBytes > svol::kMostProfileBytes || metadataBytes > svol::kMostMetadataBytes) {
+  if (profileBytes == 0 || profileBytes > svol::kMaxProfileBytes || metadataBytes > svol::kMaxMetadataBytes) {
     fail("header", 0,
          "a profile of " + std::to_string(profileBytes) + " bytes and metadata of " + std::to_string(metadataBytes) +
              " (1 to 65536, and up to 1048576, are allowed)");
@@ -144,17 +144,17 @@ void SvolReader::readHeader() {
 }
 
 bool SvolReader::readIndex() {
-  constexpr size_t kLeast = svol::indexBytes(0) + svol::kEndBytes;
-  if (fileBytes_ < headerEnd_ + kLeast) {
+  constexpr size_t kMin = svol::indexBytes(0) + svol::kEndBytes;
+  if (fileBytes_ < headerEnd_ + kMin) {
     return false;
   }
   std::array<uint8_t, svol::kEndBytes> end{};
   readAt(fileBytes_ - end.size(), end);
   const uint64_t offset = svol::load64(end.data() + 4);
-  if (offset < headerEnd_ || offset > fileBytes_ - kLeast) {
+  if (offset < headerEnd_ || offset > fileBytes_ - kMin) {
     return false;
   }
-  const uint64_t entryBytes = fileBytes_ - offset - kLeast;
+  const uint64_t entryBytes = fileBytes_ - offset - kMin;
   const uint64_t count = entryBytes / svol::kIndexEntryBytes;
   if (entryBytes % svol::kIndexEntryBytes != 0 ||
       count > (offset - headerEnd_) / svol::frameHeadBytes(layout_.slices)) {
@@ -183,7 +183,7 @@ bool SvolReader::placesFit(std::span<const SvolFrame> frames, uint64_t end) cons
     if (first ? frame.offset != least || !frame.key : frame.offset < least) {
       return false;
     }
-    if (frame.offset > end || frame.timeMicroseconds < time || frame.timeMicroseconds > svol::kMostMicroseconds) {
+    if (frame.offset > end || frame.timeMicroseconds < time || frame.timeMicroseconds > svol::kMaxMicroseconds) {
       return false;
     }
     least = frame.offset + svol::frameHeadBytes(layout_.slices);
@@ -307,7 +307,7 @@ svol::FrameHead SvolReader::readHeadAt(size_t number, uint64_t offset) {
   if (kind > 1 || (number == 0 && !head.key)) {
     problem("it cannot be of kind " + std::to_string(kind));
   }
-  if (head.timeMicroseconds > svol::kMostMicroseconds) {
+  if (head.timeMicroseconds > svol::kMaxMicroseconds) {
     problem("it is shown after " + std::to_string(head.timeMicroseconds) + " microseconds, later than is allowed");
   }
   head.slices.resize(layout_.slices);

@@ -38,7 +38,7 @@ void SvolWriter::append(const Volume& volume, uint64_t timeMicroseconds) {
   requireUsable();
   OC_CHECK(volume.profile() == profile_, "a volume of another display");
   OC_CHECK(frames_.empty() || frames_.back().timeMicroseconds <= timeMicroseconds, "time runs backwards");
-  OC_CHECK(timeMicroseconds <= svol::kMostMicroseconds, "no recording is that long");
+  OC_CHECK(timeMicroseconds <= svol::kMaxMicroseconds, "no recording is that long");
   const bool key = frames_.size() % static_cast<size_t>(options_.framesPerKey) == 0;
   const size_t slices = volume.layout().slices;
   std::vector<svol::EncodedSlice> encoded(slices);

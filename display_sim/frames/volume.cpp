@@ -7,7 +7,7 @@
 namespace ocelli {
 
 Volume::Volume(DisplayProfile profile) : profile_(std::move(profile)), layout_(profile_) {
-  OC_CHECK(layout_.slices * layout_.sliceBytes <= kMostVolumeBytes, "the display profile was not validated");
+  OC_CHECK(layout_.slices * layout_.sliceBytes <= kMaxVolumeBytes, "the display profile was not validated");
   bytes_.resize(layout_.slices * layout_.sliceBytes);
 }
 

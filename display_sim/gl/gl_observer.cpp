@@ -20,7 +20,7 @@ constexpr double kShaderLightUnit = 1 << 20;  // kLightUnit of observe.glsl
 constexpr size_t kSumsPerPixel = 4;           // likewise
 constexpr size_t kVoxelsPerGroup = 1024;      // 4 of 256 invocations
 constexpr size_t kMaxObserverGroups = 65535;  // in a direction, on any GPU
-constexpr uint32_t kMostRowGroups = 64;       // as many as a voxel right before the eye may need
+constexpr uint32_t kMaxRowGroups = 64;        // as many as a voxel right before the eye may need
 constexpr size_t kFirstScreenCapacity = 1 << 20;
 
 GlObject makeCompute(GlContext& context, const std::string& name, const std::vector<std::string_view>& pieces) {
@@ -179,7 +179,7 @@ void GlObserver::drawLarge() {
   for (size_t first = 0; first < queued; first += kMaxObserverGroups) {
     gl.ProgramUniform1ui(large_.id(), 7, static_cast<GLuint>(first));
     gl.DispatchCompute(static_cast<GLuint>(std::min(queued - first, kMaxObserverGroups)),
-                       std::min(rowGroups, kMostRowGroups), 1);
+                       std::min(rowGroups, kMaxRowGroups), 1);
   }
 }
 

@@ -99,7 +99,7 @@ void GlSlicer::slice(const GlMesh& mesh, GlVolume& volume, const SliceOptions& o
   const GlScope scope(*context_);
   const GladGLContext& gl = context_->gl();
   const DisplayProfile& profile = volume.profile();
-  if (needsProcessor(options)) {
+  if (needsCpu(options)) {
     throw InputError("OpenGL slices with ordered dithering or without any, and nothing else", "slicer",
                      "slice without OpenGL");
   }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t kSliceGrain = 8;
 /// Shaders count voxels, of which a word has eight, in 32 bits.
-constexpr size_t kMostBytes = size_t{1} << 31;
+constexpr size_t kMaxBytes = size_t{1} << 31;
 
 /// The bits of a byte four apart.
 constexpr std::array<uint32_t, 256> kSpread = [] {
@@ -42,7 +42,7 @@ GlObject makeWords(GlContext& context, const DisplayProfile& profile, size_t wor
         "color_bits_per_channel of profile " + profile.name, "leave out --method gl: slice and observe without OpenGL");
   }
   const size_t bytes = words * sizeof(uint32_t);
-  const size_t most = std::min(static_cast<size_t>(context.info().maxStorageBytes), kMostBytes);
+  const size_t most = std::min(static_cast<size_t>(context.info().maxStorageBytes), kMaxBytes);
   if (bytes > most) {
     throw GlError("a volume of this display takes " + std::to_string(bytes >> 20) + " MiB, and this GPU's shaders " +
                       "address at most " + std::to_string(most >> 20) + " MiB",

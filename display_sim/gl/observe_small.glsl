@@ -3,7 +3,7 @@ layout(local_size_x = 256) in;
 
 // Software renderers end a shader after 65535 turns of its loops, all together: a voxel here may take so many, and an
 // invocation of observe_large.glsl as many for each of its parts, one for a group of invocations.
-const float kMostTurns = 8192;
+const float kMaxTurns = 8192;
 const float kLargeGroupSize = 64;
 
 // At most so many turns of loops for a part of a cell.
@@ -20,16 +20,16 @@ void main() {
   for (uint i = gl_GlobalInvocationID.x; i < litCount; i += gl_NumWorkGroups.x * gl_WorkGroupSize.x) {
     uvec2 range = arcsOf(lit[i]);
     float turns = 0;
-    float mostTurns = 0;
+    float maxTurns = 0;
     for (uint arc = range.x; arc < range.y; ++arc) {
       Cell cell = cellOf(lit[i], arc);
       float parts = float(cell.parts.x * cell.parts.y);
       turns += parts * turnsOf(cell);
-      mostTurns += ceil(parts / kLargeGroupSize) * turnsOf(cell);
+      maxTurns += ceil(parts / kLargeGroupSize) * turnsOf(cell);
     }
-    if (turns > kMostTurns) {
+    if (turns > kMaxTurns) {
       large[atomicAdd(largeCount, 1u)] = i;
-      atomicMax(rowGroups, uint(mostTurns / kMostTurns) + 1u);
+      atomicMax(rowGroups, uint(maxTurns / kMaxTurns) + 1u);
       continue;
     }
     for (uint arc = range.x; arc < range.y; ++arc) {

@@ -16,11 +16,11 @@ void validate(const SweepWindow& window) {
   const auto fail = [](const std::string& what, const std::string& next) {
     throw InputError(what, "sweep window", next);
   };
-  constexpr double kMostRadians = 1e6;  // beyond, angles lose their precision
-  if (!(std::abs(window.endRadians) <= kMostRadians)) {
+  constexpr double kMaxRadians = 1e6;  // beyond, angles lose their precision
+  if (!(std::abs(window.endRadians) <= kMaxRadians)) {
     fail("the screen's angle must lie within a million radians", "take it modulo a turn");
   }
-  if (!(window.sweptRadians >= 0 && window.sweptRadians <= kMostSweptTurns * 2 * kPi)) {
+  if (!(window.sweptRadians >= 0 && window.sweptRadians <= kMaxSweptTurns * 2 * kPi)) {
     fail("the window must hold between 0 and 16 turns", "shorten it");
   }
   if (!(window.fadeRadians >= 0 && std::isfinite(window.fadeRadians))) {

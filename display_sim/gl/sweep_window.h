@@ -9,12 +9,12 @@ namespace ocelli {
 
 struct SweepWindow {
   double endRadians = 0;    ///< where the screen stands
-  double sweptRadians = 0;  ///< how far it came while the window was open: at most kMostSweptTurns
+  double sweptRadians = 0;  ///< how far it came while the window was open: at most kMaxSweptTurns
   /// How far the screen moves until what it showed has faded to 1 / e; 0: it does not fade while the window is open.
   double fadeRadians = 0;
 };
 
-inline constexpr double kMostSweptTurns = 16;
+inline constexpr double kMaxSweptTurns = 16;
 
 /// By slice; `passes` is what is left of the light, added up over the turns. Angles as exposedArcs() gives them. Throws
 /// InputError for windows that make no sense.

@@ -16,12 +16,12 @@ namespace {
 /// The lit channels of all pixels; dark ones have the same error with any gain.
 class GainError {
  public:
-  GainError(const Image<glm::vec3>& light, const Image<Rgb8>& picture) {
+  GainError(const Image<glm::vec3>& light, const Image<Rgb8>& image) {
     for (size_t i = 0; i < light.size(); ++i) {
       for (int channel = 0; channel < 3; ++channel) {
         if (light[i][channel] > 0) {
           light_.push_back(light[i][channel]);
-          wanted_.push_back(static_cast<float>(picture[i][channel]) / 255);
+          wanted_.push_back(static_cast<float>(image[i][channel]) / 255);
         }
       }
     }
@@ -69,11 +69,11 @@ double minimumBetween(double low, double high, const Function& function) {
 
 }  // namespace
 
-double fittedGain(const Image<glm::vec3>& light, const Image<Rgb8>& picture) {
+double fittedGain(const Image<glm::vec3>& light, const Image<Rgb8>& image) {
   if (std::ranges::none_of(light, [](const glm::vec3& pixel) { return pixel.x > 0 || pixel.y > 0 || pixel.z > 0; })) {
     return 1;
   }
-  const GainError errorOf(light, picture);
+  const GainError errorOf(light, image);
   const double middle = std::log2(automaticGain(light));
   const auto atLog = [&](double log) { return errorOf(std::exp2(log)); };
   // As values are cut off at white there may be several minima: look around in coarse steps first.

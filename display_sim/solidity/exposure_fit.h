@@ -1,4 +1,4 @@
-// The exposure that makes an observed image comparable with a picture.
+// The exposure that makes an observed image comparable with an image.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -7,8 +7,8 @@
 
 namespace ocelli {
 
-/// The gain for applyTone() with which `light` differs least from `picture`: in the mean squared error of sRGB-encoded
+/// The gain for applyTone() with which `light` differs least from `image`: in the mean squared error of sRGB-encoded
 /// values, light above 1 counting as white. 1 for an image without light.
-double fittedGain(const Image<glm::vec3>& light, const Image<Rgb8>& picture);
+double fittedGain(const Image<glm::vec3>& light, const Image<Rgb8>& image);
 
 }  // namespace ocelli

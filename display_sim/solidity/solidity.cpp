@@ -6,7 +6,7 @@
 
 #include "display_sim/observer.h"
 #include "display_sim/solidity/exposure_fit.h"
-#include "display_sim/solidity/opaque_picture.h"
+#include "display_sim/solidity/opaque_image.h"
 #include "display_sim/solidity/voxel_visibility.h"
 #include "oc_core/evaluation/flip.h"
 #include "oc_core/evaluation/image_quality.h"
@@ -61,13 +61,13 @@ struct SolidityMeter::Impl {
   }
 
   ObserverOptions observerAt(const glm::vec3& eye) const {
-    const int side = options.pictureSide > 0 ? options.pictureSide : options.profile.height;
+    const int side = options.imageSide > 0 ? options.imageSide : options.profile.height;
     return {.eye = eye, .width = side, .height = side};
   }
 
   const Image<Rgb8>& opaqueAt(size_t index) {
     if (opaque[index].empty()) {
-      opaque[index] = opaquePicture(scene, observers[index]);
+      opaque[index] = opaqueImage(scene, observers[index]);
     }
     return opaque[index];
   }

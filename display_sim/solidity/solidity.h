@@ -1,8 +1,8 @@
-// How solid a scene looks on a display that emits light and hides nothing: what is observed against the picture that an
+// How solid a scene looks on a display that emits light and hides nothing: what is observed against the image that an
 // opaque scene would give, and the share of the light that comes from surfaces which should be hidden. docs/metrics.md
 // defines every figure.
 //
-// The opaque pictures are rendered once, and shared by all that is measured.
+// The opaque images are rendered once, and shared by all that is measured.
 #pragma once
 
 #include <functional>
@@ -21,8 +21,8 @@ namespace ocelli {
 struct SolidityOptions {
   DisplayProfile profile;
   std::vector<EyeGroup> groups;  ///< at least one, none empty; exposures suit the first eye
-  /// Of the square pictures, pixels; 0: as many as the display has rows, so that a voxel is about a pixel.
-  int pictureSide = 0;
+  /// Of the square images, pixels; 0: as many as the display has rows, so that a voxel is about a pixel.
+  int imageSide = 0;
 };
 
 /// Sums over eyes, and their means.
@@ -68,7 +68,7 @@ class SolidityMeter {
     kVisibleOnly,  ///< for each eye without the voxels that are hidden from it: what no display for several eyes shows
   };
 
-  /// `scene` must outlive it; it is what the opaque pictures show, and what hides voxels. Throws InputError for eyes in
+  /// `scene` must outlive it; it is what the opaque images show, and what hides voxels. Throws InputError for eyes in
   /// the display.
   SolidityMeter(const Mesh& scene, const SolidityOptions& options);
   ~SolidityMeter();

@@ -69,7 +69,7 @@ ShownSweep shownSweep(const DisplayShown& shown, const DisplayProfile& profile) 
   constexpr double kFades = 6;  // e^-6 of the light is too little to see
   const double swept = std::min(kFades * fade, refresh);
   return {{.endRadians = end, .sweptRadians = swept, .fadeRadians = fade},
-          std::min(refresh / fade, kMostSlowMotionGain)};
+          std::min(refresh / fade, kMaxSlowMotionGain)};
 }
 
 bool looksSteady(const DisplayShown& shown, const DisplayProfile& profile) {

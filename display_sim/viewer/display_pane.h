@@ -19,9 +19,9 @@ struct ShownSweep {
 
 /// The light of a slice fades over the persistence: over `persistence x speed` of sweep, but over one slice at least.
 /// Where that is a whole refresh or more, the eye sees a steady image. A display that turns slower shows each slice for
-/// longer: what is left of the sweep is as much brighter, up to kMostSlowMotionGain.
+/// longer: what is left of the sweep is as much brighter, up to kMaxSlowMotionGain.
 ShownSweep shownSweep(const DisplayShown& shown, const DisplayProfile& profile);
-inline constexpr double kMostSlowMotionGain = 6;
+inline constexpr double kMaxSlowMotionGain = 6;
 
 /// Whether it looks the same wherever the screen stands: at full speed it is a blur, and its light does not flicker.
 bool looksSteady(const DisplayShown& shown, const DisplayProfile& profile);

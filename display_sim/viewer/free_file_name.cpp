@@ -12,8 +12,8 @@ namespace ocelli {
 
 std::filesystem::path makeFreeFile(const std::filesystem::path& folder, const std::string& stem,
                                    const std::string& ending) {
-  constexpr int kMostFiles = 1'000'000;
-  for (int number = 1; number < kMostFiles; ++number) {
+  constexpr int kMaxFiles = 1'000'000;
+  for (int number = 1; number < kMaxFiles; ++number) {
     std::filesystem::path path = folder / fmt::format("{}-{:03}{}", stem, number, ending);
     if (std::FILE* file = std::fopen(path.c_str(), "wbx")) {  // x: fails where it exists
       std::fclose(file);

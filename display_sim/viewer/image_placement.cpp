@@ -31,7 +31,7 @@ std::optional<glm::ivec2> pixelAt(const ImagePlacement& placement, const glm::iv
 void zoomAt(ReferenceShown& shown, const glm::ivec2& imageSize, const glm::ivec2& paneSize, const glm::vec2& at,
             double factor) {
   const glm::vec2 kept = placeImage(shown, imageSize, paneSize).imageFromPane(at);
-  shown.zoom = std::clamp(shown.zoom * factor, 1.0, kMostReferenceZoom);
+  shown.zoom = std::clamp(shown.zoom * factor, 1.0, kMaxReferenceZoom);
   const float step = placeImage(shown, imageSize, paneSize).pixelStep;
   centerOn(shown, kept + (glm::vec2(paneSize) / 2.0f - at) * step, imageSize);
 }

@@ -10,19 +10,19 @@ namespace ocelli {
 namespace {
 
 constexpr int kDragMoves = 4;
-constexpr int kMostFrames = 1000;  // that a step may take to settle; a few are enough
+constexpr int kMaxFrames = 1000;  // that a step may take to settle; a few are enough
 
 /// Draws frames, `seconds` apart, until `isDone()`. Throws WorkError where that never comes.
 template <class IsDone>
 void showUntil(Viewer& viewer, double seconds, const IsDone& isDone) {
-  for (int frame = 0; frame < kMostFrames; ++frame) {
+  for (int frame = 0; frame < kMaxFrames; ++frame) {
     viewer.update(seconds);
     viewer.draw();
     if (isDone()) {
       return;
     }
   }
-  throw WorkError(fmt::format("the viewer has not come to rest after {} frames", kMostFrames), "a script",
+  throw WorkError(fmt::format("the viewer has not come to rest after {} frames", kMaxFrames), "a script",
                   "leave out steps to find the one that keeps it busy");
 }
 
@@ -157,7 +157,7 @@ void ScriptPlayer::perform(const SaveStep& step) {
   const std::filesystem::path path = folder_ / step.file;
   std::error_code ignored;
   std::filesystem::create_directories(path.parent_path(), ignored);
-  writePng(path, viewer_.picture());
+  writePng(path, viewer_.screenshot());
   if (saved_) {
     saved_(path.string());
   }

@@ -14,11 +14,11 @@ inline constexpr double kScriptFrameSeconds = 1.0 / 60;
 
 class ScriptPlayer {
  public:
-  /// Pictures go to `folder`, which is made where it does not exist. `saved` is told of each; it may be empty.
+  /// Images go to `folder`, which is made where it does not exist. `saved` is told of each; it may be empty.
   ScriptPlayer(Viewer& viewer, std::filesystem::path folder, std::function<void(const std::string& file)> saved = {});
 
   /// Throws InputError where the first scene cannot be loaded or a step closes the viewer before the last one,
-  /// WorkError where a picture cannot be written or the viewer does not come to rest, GlError. All else that goes wrong
+  /// WorkError where an image cannot be written or the viewer does not come to rest, GlError. All else that goes wrong
   /// shows in the window, as it would for a person.
   void play(const ViewerScript& script);
   void play(const ScriptStep& step);

@@ -18,8 +18,8 @@ constexpr float kValueWidth = 184;
 
 /// Leaves room for the label where the panel is narrow.
 float valueWidth(float scale) {
-  constexpr float kMostShare = 0.6f;
-  return std::min(kValueWidth * scale, kMostShare * ImGui::GetContentRegionAvail().x);
+  constexpr float kMaxShare = 0.6f;
+  return std::min(kValueWidth * scale, kMaxShare * ImGui::GetContentRegionAvail().x);
 }
 
 /// ImGui edits text in place.
@@ -202,7 +202,7 @@ void SidePanel::drawShown(const PanelDrawing& drawing) {
   ImGui::Checkbox("samples", &scene.samples);
   ImGui::PushItemWidth(valueWidth(drawing.scale));
   glm::ivec2 grid(scene.rayColumns, scene.rayRows);
-  if (ImGui::SliderInt2("ray grid", &grid.x, 1, kMostRayRows, "%d", ImGuiSliderFlags_AlwaysClamp)) {
+  if (ImGui::SliderInt2("ray grid", &grid.x, 1, kMaxRayRows, "%d", ImGuiSliderFlags_AlwaysClamp)) {
     scene.rayColumns = grid.x;
     scene.rayRows = grid.y;
   }

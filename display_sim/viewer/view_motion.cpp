@@ -9,7 +9,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kLeastAngleToPole = 0.03;  // radians
+constexpr double kMinAngleToPole = 0.03;  // radians
 
 View withFieldOfView(const View& view) {
   View moved = view;
@@ -25,7 +25,7 @@ View orbited(const View& view, double right, double up) {
   glm::dvec3 arm = glm::dvec3(view.eye) - target;
   const double distance = glm::length(arm);
   const double angle = std::acos(std::clamp(glm::dot(arm / distance, pole), -1.0, 1.0));
-  const double wanted = std::clamp(angle - up, kLeastAngleToPole, kPi - kLeastAngleToPole);
+  const double wanted = std::clamp(angle - up, kMinAngleToPole, kPi - kMinAngleToPole);
   const glm::dvec3 level = glm::normalize(glm::cross(pole, arm));
   arm = glm::dvec3(glm::rotate(glm::dmat4(1), wanted - angle, level) * glm::dvec4(arm, 0));
   arm = glm::dvec3(glm::rotate(glm::dmat4(1), right, pole) * glm::dvec4(arm, 0));
@@ -54,7 +54,7 @@ View zoomed(const View& view, double factor) {
   View moved = withFieldOfView(view);
   const glm::dvec3 arm = glm::dvec3(view.eye) - glm::dvec3(view.target);
   const double distance = glm::length(arm);
-  const double wanted = std::clamp<double>(distance * factor, kLeastViewDistance, kMostViewDistance);
+  const double wanted = std::clamp<double>(distance * factor, kMinViewDistance, kMaxViewDistance);
   moved.eye = glm::vec3(glm::dvec3(view.target) + arm * (wanted / distance));
   return moved;
 }

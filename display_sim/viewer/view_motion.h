@@ -6,8 +6,8 @@
 namespace ocelli {
 
 /// A hand-moved eye keeps such a distance from its target.
-inline constexpr float kLeastViewDistance = 0.05f;
-inline constexpr float kMostViewDistance = 500;
+inline constexpr float kMinViewDistance = 0.05f;
+inline constexpr float kMaxViewDistance = 500;
 /// Nor is its target moved farther than this from the origin.
 inline constexpr float kFarthestTarget = 1000;
 

@@ -243,7 +243,7 @@ void Viewer::saveView() {
 
 void Viewer::saveScreenshot() {
   const std::filesystem::path path = makeFreeFile(options_.folder, "ocelli", ".png");
-  writePng(path, picture());
+  writePng(path, screenshot());
   say("wrote " + path.string(), false);
 }
 
@@ -425,7 +425,7 @@ void Viewer::drawGui() {
   }
 }
 
-Image<Rgb8> Viewer::picture() const {
+Image<Rgb8> Viewer::screenshot() const {
   const GlScope scope(context_);
   return drawing_->image.read();
 }

@@ -1,5 +1,5 @@
 // The viewer: linked panes of a scene, its reference camera, what stands for the scene, and the simulated display. It
-// takes input events and draws a picture of a window; it knows neither windows nor scripts.
+// takes input events and draws an image of a window; it knows neither windows nor scripts.
 //
 //   Viewer viewer(context, options);
 //   viewer.handle(event);            // as they come; a ResizeEvent first
@@ -27,7 +27,7 @@ struct ViewerOptions {
   int width = kDefaultWidth;  ///< of the reference image
   int height = kDefaultHeight;
   std::string profile = "perspecta";
-  std::filesystem::path folder = ".";  ///< where pictures and views are saved
+  std::filesystem::path folder = ".";  ///< where images and views are saved
   bool showTimes = true;               ///< figures that differ from run to run
 };
 
@@ -47,7 +47,7 @@ class Viewer {
 
   /// What was drawn last.
   const PaneTarget& image() const { return drawing_->image; }
-  Image<Rgb8> picture() const;
+  Image<Rgb8> screenshot() const;
   const ViewerState& state() const { return state_; }
   const ViewerFacts& facts() const { return facts_; }
   /// Asked to by a key or a CloseEvent.

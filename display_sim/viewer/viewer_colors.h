@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "oc_core/evaluation/error_picture.h"
+#include "oc_core/evaluation/error_image.h"
 #include "oc_core/gl/gui_style.h"
 
 namespace ocelli {

@@ -134,7 +134,7 @@ const std::vector<KeyBinding>& keyBindings() {
       {Key::kF1, kHelp, kWindow, "", ""},
       {Key::kG, kTogglePanel, kWindow, "G", "panel on the left"},
       {Key::kF6, kFocusPanel, kWindow, "F6", "into the panel; Escape leaves"},
-      {Key::kS, kScreenshot, kWindow, "S", "save a picture of the window"},
+      {Key::kS, kScreenshot, kWindow, "S", "save an image of the window"},
       {Key::kJ, kSaveView, kWindow, "J", "save your view, for --view"},
       {Key::kEscape, kEscape, kWindow, "Escape", "leave help, a message, or a lone pane"},
       {Key::kQ, kQuit, kWindow, "Ctrl + Q", "quit", false, true},

@@ -7,7 +7,7 @@ namespace ocelli {
 namespace {
 
 constexpr float kPanelWidth = 316;
-constexpr float kMostPanelShare = 0.45f;
+constexpr float kMaxPanelShare = 0.45f;
 constexpr float kStatusHeight = 28;
 constexpr float kHeaderHeight = 28;
 constexpr float kGap = 2;
@@ -37,7 +37,7 @@ ViewerLayout viewerLayout(const ViewerState& state, const glm::vec2& windowSize,
   ViewerLayout layout;
   const float statusHeight = std::min(std::round(kStatusHeight * lengthScale), size.y / 2);
   layout.status = {0, size.y - statusHeight, size.x, statusHeight};
-  const float panelWidth = std::round(std::min(kPanelWidth * lengthScale, kMostPanelShare * size.x));
+  const float panelWidth = std::round(std::min(kPanelWidth * lengthScale, kMaxPanelShare * size.x));
   layout.panel = {0, 0, state.panel ? panelWidth : 0, size.y - statusHeight};
 
   const float gap = std::round(kGap * lengthScale);

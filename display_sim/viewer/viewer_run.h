@@ -11,7 +11,7 @@ namespace ocelli {
 /// Until it is closed. Throws GlError where no window can be opened, and as Viewer does.
 void runViewerWindow(const ViewerOptions& options);
 
-/// Pictures go to `options.folder`; `saved` is told of each, and may be empty. Figures that differ from run to run are
+/// Images go to `options.folder`; `saved` is told of each, and may be empty. Figures that differ from run to run are
 /// not shown. Throws as ScriptPlayer does.
 void runViewerScript(GlContext& context, ViewerOptions options, const ViewerScript& script,
                      const std::function<void(const std::string& file)>& saved = {});

@@ -10,12 +10,12 @@
 namespace ocelli {
 namespace {
 
-constexpr int kLeastSide = 64;
-constexpr int kMostSide = 8192;
-constexpr double kLeastScale = 0.5;
-constexpr double kMostScale = 4;
-constexpr double kMostSeconds = 600;
-constexpr double kMostScroll = 100;
+constexpr int kMinSide = 64;
+constexpr int kMaxSide = 8192;
+constexpr double kMinScale = 0.5;
+constexpr double kMaxScale = 4;
+constexpr double kMaxSeconds = 600;
+constexpr double kMaxScroll = 100;
 
 glm::dvec2 readPair(JsonFields& fields, const std::string& name, double least, double most) {
   const nlohmann::json& value = fields.value(name);
@@ -35,11 +35,11 @@ glm::dvec2 readPair(JsonFields& fields, const std::string& name, double least, d
 }
 
 glm::dvec2 readPlace(JsonFields& fields, const std::string& name) {
-  return readPair(fields, name, 0, kMostSide);
+  return readPair(fields, name, 0, kMaxSide);
 }
 
 glm::ivec2 readSize(JsonFields& fields) {
-  const glm::dvec2 size = readPair(fields, "size", kLeastSide, kMostSide);
+  const glm::dvec2 size = readPair(fields, "size", kMinSide, kMaxSide);
   if (size.x != std::floor(size.x) || size.y != std::floor(size.y)) {
     fields.fail("size", "must be an array of two whole numbers");
   }
@@ -47,7 +47,7 @@ glm::ivec2 readSize(JsonFields& fields) {
 }
 
 double readScale(JsonFields& fields) {
-  return fields.number("scale", kLeastScale, kMostScale, 1);
+  return fields.number("scale", kMinScale, kMaxScale, 1);
 }
 
 PointerButton readButton(JsonFields& fields) {
@@ -149,7 +149,7 @@ const std::map<std::string, StepReader>& stepReaders() {
       {"scroll",
        [](JsonFields& fields, const std::string& where) {
          return readInside(fields, "scroll", where, [](JsonFields& inside) {
-           return ScrollStep{readPlace(inside, "at"), inside.number("up", -kMostScroll, kMostScroll)};
+           return ScrollStep{readPlace(inside, "at"), inside.number("up", -kMaxScroll, kMaxScroll)};
          });
        }},
       {"resize",
@@ -161,7 +161,7 @@ const std::map<std::string, StepReader>& stepReaders() {
        }},
       {"wait", [](JsonFields& fields, const auto&) { return readWait(fields); }},
       {"seconds",
-       [](JsonFields& fields, const auto&) { return SecondsStep{fields.number("seconds", 0, kMostSeconds)}; }},
+       [](JsonFields& fields, const auto&) { return SecondsStep{fields.number("seconds", 0, kMaxSeconds)}; }},
       {"save", [](JsonFields& fields, const auto&) { return readSave(fields); }},
   };
   return readers;

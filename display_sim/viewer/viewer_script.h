@@ -1,8 +1,8 @@
-// A script that drives the viewer without a display: what a person would do, and pictures of the window in between.
+// A script that drives the viewer without a display: what a person would do, and images of the window in between.
 //
 //   {"size": [1280, 800], "scale": 1, "steps": [{"wait": "idle"}, {"key": "M"}, {"save": "frame.png"}, ...]}
 //
-// viewer_script.schema.json lists every step. Time is the script's own, so the same script gives the same pictures.
+// viewer_script.schema.json lists every step. Time is the script's own, so the same script gives the same images.
 #pragma once
 
 #include <filesystem>
@@ -67,7 +67,7 @@ struct WaitStep {};
 struct SecondsStep {
   double seconds = 0;
 };
-/// A picture of the window; a PNG file.
+/// An image of the window; a PNG file.
 struct SaveStep {
   std::string file;
 };

@@ -122,7 +122,7 @@ void chooseNextCamera(ViewerState& state, int step) {
 }
 
 void chooseCellSide(ViewerState& state, double sideRadii) {
-  const auto side = static_cast<float>(std::clamp(sideRadii, kLeastCellSide, kMostCellSide));
+  const auto side = static_cast<float>(std::clamp(sideRadii, kMinCellSide, kMaxCellSide));
   CameraChoice& camera = state.work.camera;
   camera.cellSideRadii = camera.ddoc.cellSideRadii = camera.cell.cell.sideRadii = side;
   cameraChanged(state);
@@ -141,8 +141,8 @@ void chooseNextProfile(ViewerState& state) {
 }
 
 void chooseImageSize(ViewerState& state, int width, int height) {
-  state.work.width = std::clamp(width, kLeastImageSide, kMostImageSide);
-  state.work.height = std::clamp(height, kLeastImageSide, kMostImageSide);
+  state.work.width = std::clamp(width, kMinImageSide, kMaxImageSide);
+  state.work.height = std::clamp(height, kMinImageSide, kMaxImageSide);
   cameraChanged(state);
 }
 
@@ -200,7 +200,7 @@ void zoomPane(ViewerState& state, Pane pane, double factor) {
       state.scene.view = zoomed(state.scene.view, 1 / factor);
       return;
     case Pane::kReference:
-      state.reference.zoom = std::clamp(state.reference.zoom * factor, 1.0, kMostReferenceZoom);
+      state.reference.zoom = std::clamp(state.reference.zoom * factor, 1.0, kMaxReferenceZoom);
       return;
     case Pane::kReconstruction:
       state.reconstruction.view = zoomed(state.reconstruction.view, 1 / factor);
@@ -243,7 +243,7 @@ void advance(ViewerState& state, double seconds, double rotationsPerMinute) {
 }
 
 void changeSpeed(ViewerState& state, double factor) {
-  state.display.speed = std::clamp(state.display.speed * factor, kLeastSpeed, kMostSpeed);
+  state.display.speed = std::clamp(state.display.speed * factor, kMinSpeed, kMaxSpeed);
 }
 
 void stepDisplay(ViewerState& state, int slices) {

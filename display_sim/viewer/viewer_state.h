@@ -51,7 +51,7 @@ struct SceneShown {
   int rayRows = 16;
   bool operator==(const SceneShown&) const = default;
 };
-inline constexpr int kMostRayRows = 64;
+inline constexpr int kMaxRayRows = 64;
 
 /// The reference image pane.
 struct ReferenceShown {
@@ -62,7 +62,7 @@ struct ReferenceShown {
   double zoom = 1;         ///< 1 just holds the image
   bool operator==(const ReferenceShown&) const = default;
 };
-inline constexpr double kMostReferenceZoom = 200;
+inline constexpr double kMaxReferenceZoom = 200;
 std::string_view nameOf(ReferenceShown::Quantity quantity);
 
 /// The reconstruction pane.
@@ -84,8 +84,8 @@ struct DisplayShown {
   double gain = 1;                  ///< on the automatic one
   bool operator==(const DisplayShown&) const = default;
 };
-inline constexpr double kLeastSpeed = 1.0 / 16384;
-inline constexpr double kMostSpeed = 4;
+inline constexpr double kMinSpeed = 1.0 / 16384;
+inline constexpr double kMaxSpeed = 4;
 
 struct ViewerState {
   WorkWanted work;
@@ -125,10 +125,10 @@ void chooseImageSize(ViewerState& state, int width, int height);
 void chooseReference(ViewerState& state, const View& view);
 /// What the user's eye sees becomes the reference view.
 void moveReferenceToEye(ViewerState& state);
-inline constexpr double kLeastCellSide = 0.01;
-inline constexpr double kMostCellSide = 18;
-inline constexpr int kLeastImageSide = 16;
-inline constexpr int kMostImageSide = 8192;
+inline constexpr double kMinCellSide = 0.01;
+inline constexpr double kMaxCellSide = 18;
+inline constexpr int kMinImageSide = 16;
+inline constexpr int kMaxImageSide = 8192;
 
 /// Turns, moves or zooms what a pane shows; `right` and `up` as the eye goes. Angles in radians, distances in heights
 /// of the pane. In the image, both move it.

@@ -20,7 +20,7 @@ void writeFile(const std::filesystem::path& path, std::string_view bytes) {
   file.commit();
 }
 
-std::string readFile(const std::filesystem::path& path, size_t mostBytes) {
+std::string readFile(const std::filesystem::path& path, size_t maxBytes) {
   const auto fail = [&path](int reason) {
     throw InputError(std::string("cannot read this file (") + std::strerror(reason) + ")", path.string(),
                      "check the path and your rights");
@@ -36,19 +36,19 @@ std::string readFile(const std::filesystem::path& path, size_t mostBytes) {
   struct stat status {};
   const bool isRegular = fstat(fileno(file.get()), &status) == 0 && S_ISREG(status.st_mode);
   if (!isRegular) {
-    mostBytes = std::min(mostBytes, kMostTextBytes);
+    maxBytes = std::min(maxBytes, kMaxTextBytes);
   }
   std::string bytes;
   std::array<char, 1 << 16> block;
   for (size_t got = block.size(); got == block.size();) {
     got = std::fread(block.data(), 1, block.size(), file.get());
     bytes.append(block.data(), got);
-    if (bytes.size() > mostBytes && !isRegular) {
-      throw InputError("this is no regular file, and larger than " + std::to_string(mostBytes >> 20U) + " MiB",
+    if (bytes.size() > maxBytes && !isRegular) {
+      throw InputError("this is no regular file, and larger than " + std::to_string(maxBytes >> 20U) + " MiB",
                        path.string(), "save what it gives as a file, and name that");
     }
-    if (bytes.size() > mostBytes) {
-      throw InputError("this file is larger than " + std::to_string(mostBytes >> 20U) + " MiB, the most that it may be",
+    if (bytes.size() > maxBytes) {
+      throw InputError("this file is larger than " + std::to_string(maxBytes >> 20U) + " MiB, the most that it may be",
                        path.string(), "check that this is the file you mean");
     }
   }

@@ -9,7 +9,7 @@
 namespace ocelli {
 namespace {
 
-constexpr int kMostDepth = 100;
+constexpr int kMaxDepth = 100;
 
 }  // namespace
 
@@ -126,8 +126,8 @@ nlohmann::json parseJson(const std::string& text, const std::string& where) {
   // Of two fields of one name the parser would keep the last; comments are not read.
   std::vector<std::set<std::string>> names;
   const auto check = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
-    if (depth > kMostDepth) {
-      throw JsonFieldError("this JSON is nested deeper than " + std::to_string(kMostDepth) + " levels", where);
+    if (depth > kMaxDepth) {
+      throw JsonFieldError("this JSON is nested deeper than " + std::to_string(kMaxDepth) + " levels", where);
     }
     using Event = nlohmann::json::parse_event_t;
     if (event == Event::object_start) {
@@ -157,7 +157,7 @@ nlohmann::json parseJson(const std::string& text, const std::string& where) {
 }
 
 nlohmann::json readJsonFile(const std::filesystem::path& path) {
-  return parseJson(readFile(path, kMostTextBytes), path.string());
+  return parseJson(readFile(path, kMaxTextBytes), path.string());
 }
 
 }  // namespace ocelli

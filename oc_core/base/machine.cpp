@@ -71,9 +71,9 @@ std::optional<fs::path> findProgram(const std::string& name) {
 
 void keepFreedMemory() {
 #ifdef __GLIBC__
-  constexpr int kMost = 1 << 30;
-  mallopt(M_MMAP_THRESHOLD, kMost);
-  mallopt(M_TRIM_THRESHOLD, kMost);
+  constexpr int kMax = 1 << 30;
+  mallopt(M_MMAP_THRESHOLD, kMax);
+  mallopt(M_TRIM_THRESHOLD, kMax);
 #endif
 }
 

@@ -50,8 +50,8 @@ Image<Rgb8> readPng(const std::filesystem::path& path) {
     fail();
   }
   png.format = PNG_FORMAT_RGB;
-  constexpr png_uint_32 kMostPixels = 1u << 28;
-  if (png.width == 0 || png.height == 0 || png.width > kMostPixels / png.height) {
+  constexpr png_uint_32 kMaxPixels = 1u << 28;
+  if (png.width == 0 || png.height == 0 || png.width > kMaxPixels / png.height) {
     png_image_free(&png);
     throw InputError("this PNG file is larger than 2^28 pixels", path.string(), "scale the image down");
   }

@@ -11,7 +11,7 @@
 namespace ocelli {
 namespace {
 
-/// How far from one line the planes of a turn may meet, relative to the unit length of their normals.
+/// How far from one line the planes of a bend may meet, relative to the unit length of their normals.
 constexpr double kLineRounding = 1e-6;
 /// Points of an arc in a ray path, where the path has room for so many.
 constexpr size_t kArcPoints = 24;
@@ -44,17 +44,17 @@ void requireCommonLine(const TransitionPlanes& planes, size_t number) {
 CurvedRayCamera::CurvedRayCamera(const PinholeCamera& root, ArcModel model)
     : root_(root), model_(model), pixelFromWorld_{ocelli::pixelFromWorld(root)} {}
 
-void CurvedRayCamera::turn(const TransitionPlanes& planes, const glm::dvec3& viewpoint) {
-  const size_t number = turns_.size() + 1;
-  if (number > kMostTurns) {
-    fail(number, "there are more than " + std::to_string(kMostTurns) + " turns", "use fewer");
+void CurvedRayCamera::bend(const TransitionPlanes& planes, const glm::dvec3& viewpoint) {
+  const size_t number = bends_.size() + 1;
+  if (number > kMaxBends) {
+    fail(number, "there are more than " + std::to_string(kMaxBends) + " turns", "use fewer");
   }
   requireCommonLine(planes, number);
   if (!std::isfinite(glm::length(viewpoint)) || !(planes.middle.height(viewpoint) < -kHeightRounding) ||
       !(planes.to.height(viewpoint) < -kHeightRounding)) {
     fail(number, "its viewpoint does not lie before its middle and last plane", "move the viewpoint or the planes");
   }
-  const glm::dvec3 before = turns_.empty() ? glm::dvec3(root_.eye()) : turns_.back().beyond();
+  const glm::dvec3 before = bends_.empty() ? glm::dvec3(root_.eye()) : bends_.back().beyond();
   const double width = root_.width();
   const double height = root_.height();
   const glm::dvec3 along = glm::normalize(glm::cross(planes.from.normal, planes.to.normal));
@@ -64,7 +64,7 @@ void CurvedRayCamera::turn(const TransitionPlanes& planes, const glm::dvec3& vie
   double side = 0;
   for (const glm::dvec2 corner :
        {glm::dvec2(0, 0), glm::dvec2(width, 0), glm::dvec2(width, height), glm::dvec2(0, height)}) {
-    const Segment ray = segmentAfter(turns_.size(), corner);
+    const Segment ray = segmentAfter(bends_.size(), corner);
     double last = ray.z;
     for (const Plane* plane : {&planes.from, &planes.middle}) {
       const double forward = glm::dot(plane->normal, ray.direction);
@@ -97,7 +97,7 @@ void CurvedRayCamera::turn(const TransitionPlanes& planes, const glm::dvec3& vie
     }
     side = across;
   }
-  turns_.emplace_back(planes, before, viewpoint, border, model_);
+  bends_.emplace_back(planes, before, viewpoint, border, model_);
   pixelFromWorld_.push_back(pixelFromWorld_.back() * ontoPlane(planes.middle, viewpoint));
 }
 
@@ -109,58 +109,58 @@ CurvedRayCamera::Segment CurvedRayCamera::rootSegment(const glm::dvec2& pixel) c
   return {glm::dvec3(root_.eye()) + direction * z, direction, z};
 }
 
-RayTransition::Arc CurvedRayCamera::arcOf(const Segment& segment, size_t turn) const {
-  return turns_[turn].arcThrough(turns_[turn].planes().middle.crossing(segment.from, segment.from + segment.direction));
+RayTransition::Arc CurvedRayCamera::arcOf(const Segment& segment, size_t bend) const {
+  return bends_[bend].arcThrough(bends_[bend].planes().middle.crossing(segment.from, segment.from + segment.direction));
 }
 
 CurvedRayCamera::Segment CurvedRayCamera::behind(const Segment& segment, const RayTransition::Arc& arc,
-                                                 size_t turn) const {
+                                                 size_t bend) const {
   const double speed = glm::length(segment.direction);
-  return {arc.q, glm::normalize(arc.q - turns_[turn].beyond()) * speed, segment.zOf(arc.t) + arc.length() / speed};
+  return {arc.q, glm::normalize(arc.q - bends_[bend].beyond()) * speed, segment.zOf(arc.t) + arc.length() / speed};
 }
 
-CurvedRayCamera::Segment CurvedRayCamera::segmentAfter(size_t turns, const glm::dvec2& pixel) const {
+CurvedRayCamera::Segment CurvedRayCamera::segmentAfter(size_t bends, const glm::dvec2& pixel) const {
   Segment segment = rootSegment(pixel);
-  for (size_t i = 0; i < turns; ++i) {
+  for (size_t i = 0; i < bends; ++i) {
     segment = behind(segment, arcOf(segment, i), i);
   }
   return segment;
 }
 
-/// Where a point is seen that lies on the straight piece of a ray after so many turns, or its prolongation.
-std::optional<glm::dvec2> CurvedRayCamera::pixelOf(size_t turns, const glm::dvec3& point, double rounding) const {
-  const glm::dvec4 h = pixelFromWorld_[turns] * glm::dvec4(point, 1);
+/// Where a point is seen that lies on the straight piece of a ray after so many bends, or its prolongation.
+std::optional<glm::dvec2> CurvedRayCamera::pixelOf(size_t bends, const glm::dvec3& point, double rounding) const {
+  const glm::dvec4 h = pixelFromWorld_[bends] * glm::dvec4(point, 1);
   const glm::dvec2 pixel(h.x / h.w, h.y / h.w);
   const bool inside = h.w > 0 && pixel.x >= -rounding && pixel.y >= -rounding && pixel.x <= width() + rounding &&
                       pixel.y <= height() + rounding;
   return inside ? std::optional(pixel) : std::nullopt;
 }
 
-std::optional<ExactImagePoint> CurvedRayCamera::inStretch(size_t turns, const glm::dvec3& point,
+std::optional<ExactImagePoint> CurvedRayCamera::inSegment(size_t bends, const glm::dvec3& point,
                                                           double rounding) const {
-  const bool begun = turns == 0 ? glm::dot(glm::dvec3(root_.forward()), point - glm::dvec3(root_.eye())) >=
+  const bool begun = bends == 0 ? glm::dot(glm::dvec3(root_.forward()), point - glm::dvec3(root_.eye())) >=
                                       static_cast<double>(root_.view().zNear) - kHeightRounding
-                                : turns_[turns - 1].planes().to.height(point) >= -kHeightRounding;
-  const bool ended = turns < turns_.size() && turns_[turns].planes().from.height(point) > 0;
+                                : bends_[bends - 1].planes().to.height(point) >= -kHeightRounding;
+  const bool ended = bends < bends_.size() && bends_[bends].planes().from.height(point) > 0;
   if (!begun || ended) {
     return std::nullopt;
   }
-  const std::optional<glm::dvec2> pixel = pixelOf(turns, point, rounding);
-  return pixel ? std::optional(ExactImagePoint{pixel->x, pixel->y, segmentAfter(turns, *pixel).zOf(point)})
+  const std::optional<glm::dvec2> pixel = pixelOf(bends, point, rounding);
+  return pixel ? std::optional(ExactImagePoint{pixel->x, pixel->y, segmentAfter(bends, *pixel).zOf(point)})
                : std::nullopt;
 }
 
-std::optional<ExactImagePoint> CurvedRayCamera::inTurn(size_t turn, const glm::dvec3& point, double rounding) const {
-  const RayTransition& transition = turns_[turn];
+std::optional<ExactImagePoint> CurvedRayCamera::inBend(size_t bend, const glm::dvec3& point, double rounding) const {
+  const RayTransition& transition = bends_[bend];
   if (!(transition.planes().from.height(point) >= 0) || !(transition.planes().to.height(point) <= 0)) {
     return std::nullopt;
   }
   const std::optional<RayTransition::Place> place = transition.find(point);
-  const std::optional<glm::dvec2> pixel = place ? pixelOf(turn, place->arc.s, rounding) : std::nullopt;
+  const std::optional<glm::dvec2> pixel = place ? pixelOf(bend, place->arc.s, rounding) : std::nullopt;
   if (!pixel) {
     return std::nullopt;
   }
-  const Segment segment = segmentAfter(turn, *pixel);
+  const Segment segment = segmentAfter(bend, *pixel);
   const double advance = transition.shareAt(*place) * place->arc.length() / glm::length(segment.direction);
   return ExactImagePoint{pixel->x, pixel->y, segment.zOf(place->arc.t) + advance};
 }
@@ -168,10 +168,10 @@ std::optional<ExactImagePoint> CurvedRayCamera::inTurn(size_t turn, const glm::d
 std::optional<ExactImagePoint> CurvedRayCamera::projectExactly(const glm::dvec3& worldPoint) const {
   std::optional<ExactImagePoint> q;
   for (const double rounding : {kPixelRounding, kSinglePixelRounding}) {
-    for (size_t i = 0; !q && i <= turns_.size(); ++i) {
-      q = inStretch(i, worldPoint, rounding);
-      if (!q && i < turns_.size()) {
-        q = inTurn(i, worldPoint, rounding);
+    for (size_t i = 0; !q && i <= bends_.size(); ++i) {
+      q = inSegment(i, worldPoint, rounding);
+      if (!q && i < bends_.size()) {
+        q = inBend(i, worldPoint, rounding);
       }
     }
   }
@@ -195,7 +195,7 @@ std::optional<glm::dvec3> CurvedRayCamera::unprojectExactly(const ExactImagePoin
   }
   const auto ifFinite = [](const glm::dvec3& point) { return isFinite(point) ? std::optional(point) : std::nullopt; };
   Segment segment = rootSegment({q.u, q.v});
-  for (size_t i = 0; i < turns_.size(); ++i) {
+  for (size_t i = 0; i < bends_.size(); ++i) {
     const RayTransition::Arc arc = arcOf(segment, i);
     const double begin = segment.zOf(arc.t);
     if (q.z <= begin) {
@@ -203,7 +203,7 @@ std::optional<glm::dvec3> CurvedRayCamera::unprojectExactly(const ExactImagePoin
     }
     const Segment next = behind(segment, arc, i);
     if (q.z < next.z) {
-      return ifFinite(arc.at(turns_[i].parameterAt(arc, (q.z - begin) / (next.z - begin))));
+      return ifFinite(arc.at(bends_[i].parameterAt(arc, (q.z - begin) / (next.z - begin))));
     }
     segment = next;
   }
@@ -227,8 +227,8 @@ RayPath CurvedRayCamera::rayPath(const glm::vec2& pixel) const {
   }
   Segment segment = rootSegment(glm::dvec2(pixel));
   path.push_back(glm::vec3(segment.from));
-  const size_t points = std::min(kArcPoints, (RayPath::kMostPoints - 2) / std::max<size_t>(turns_.size(), 1));
-  for (size_t i = 0; i < turns_.size(); ++i) {
+  const size_t points = std::min(kArcPoints, (RayPath::kMaxPoints - 2) / std::max<size_t>(bends_.size(), 1));
+  for (size_t i = 0; i < bends_.size(); ++i) {
     const RayTransition::Arc arc = arcOf(segment, i);
     for (size_t k = 0; k < points; ++k) {
       path.push_back(glm::vec3(arc.at(static_cast<double>(k) / static_cast<double>(points - 1))));

@@ -1,16 +1,16 @@
-// The curved ray camera (section 4.2): a pinhole whose rays turn, as often as wanted, from one viewpoint to the next
+// The curved ray camera (section 4.2): a pinhole whose rays bend, as often as wanted, from one viewpoint to the next
 // along conics that are tangent to the straight pieces before and behind (ray_transition.h). So one image sees around
 // corners, and what it shows bends smoothly instead of breaking.
 //
-// Every turn has three planes that meet in a line. Rays run straight up to the first, turn, and run straight on from
-// the third, away from the viewpoint of the turn. Projection has a closed form: a point between turns is projected by
-// one matrix, the product of those of all turns before it (Appendix A); a point in a turn is first moved along its ray
+// Every bend has three planes that meet in a line. Rays run straight up to the first, bend, and run straight on from
+// the third, away from the viewpoint of the bend. Projection has a closed form: a point between bends is projected by
+// one matrix, the product of those of all bends before it (Appendix A); a point in a bend is first moved along its ray
 // to the middle plane.
 //
 // That is so with conics. With the text's first model, polynomial arcs, the arc through a point is searched for.
 //
 // z is measured along the ray as by the graph camera; along an arc it grows by the length of its control polygon, in
-// proportion to RayTransition::shareAt(). Without turns, and where the viewpoints are one, it is the pinhole's z.
+// proportion to RayTransition::shareAt(). Without bends, and where the viewpoints are one, it is the pinhole's z.
 #pragma once
 
 #include <vector>
@@ -24,24 +24,24 @@ namespace ocelli {
 
 class CurvedRayCamera {
  public:
-  static constexpr size_t kMostTurns = 16;
+  static constexpr size_t kMaxBends = 16;
 
-  /// A pinhole: rays do not turn.
+  /// A pinhole: rays do not bend.
   explicit CurvedRayCamera(const PinholeCamera& root, ArcModel model = ArcModel::kConic);
 
-  /// Beyond all turns so far, every ray turns to come from `viewpoint`. Throws InputError, naming the turn by its
-  /// number, where the planes do not meet in a line, where not every ray crosses them in order, behind the turn before
+  /// Beyond all bends so far, every ray bends to come from `viewpoint`. Throws InputError, naming the bend by its
+  /// number, where the planes do not meet in a line, where not every ray crosses them in order, behind the bend before
   /// and before zFar; where the viewpoint does not lie before the middle plane; where the line from one viewpoint to
-  /// the next runs along the line of the planes, as some ray sees it; and where there are too many turns.
-  void turn(const TransitionPlanes& planes, const glm::dvec3& viewpoint);
+  /// the next runs along the line of the planes, as some ray sees it; and where there are too many bends.
+  void bend(const TransitionPlanes& planes, const glm::dvec3& viewpoint);
 
   int width() const { return root_.width(); }
   int height() const { return root_.height(); }
   const PinholeCamera& root() const { return root_; }
   ArcModel arcModel() const { return model_; }
-  const std::vector<RayTransition>& turns() const { return turns_; }
-  /// Rows 0, 1 and 3 give u, v and their weight of a point where rays run straight, after so many turns.
-  const glm::dmat4& pixelFromWorld(size_t turns) const { return pixelFromWorld_[turns]; }
+  const std::vector<RayTransition>& bends() const { return bends_; }
+  /// Rows 0, 1 and 3 give u, v and their weight of a point where rays run straight, after so many bends.
+  const glm::dmat4& pixelFromWorld(size_t bends) const { return pixelFromWorld_[bends]; }
 
   /// Nothing for points that no ray passes, but those that the pinhole sees beyond the borders.
   std::optional<ExactImagePoint> projectExactly(const glm::dvec3& worldPoint) const;
@@ -62,18 +62,18 @@ class CurvedRayCamera {
     double zOf(const glm::dvec3& point) const { return z + glm::distance(from, point) / glm::length(direction); }
   };
   Segment rootSegment(const glm::dvec2& pixel) const;
-  /// The arc that a segment ends with, at the next turn, and the segment behind that.
-  RayTransition::Arc arcOf(const Segment& segment, size_t turn) const;
-  Segment behind(const Segment& segment, const RayTransition::Arc& arc, size_t turn) const;
-  std::optional<glm::dvec2> pixelOf(size_t turns, const glm::dvec3& point, double rounding) const;
-  std::optional<ExactImagePoint> inStretch(size_t turns, const glm::dvec3& point, double rounding) const;
-  std::optional<ExactImagePoint> inTurn(size_t turn, const glm::dvec3& point, double rounding) const;
-  Segment segmentAfter(size_t turns, const glm::dvec2& pixel) const;
+  /// The arc that a segment ends with, at the next bend, and the segment behind that.
+  RayTransition::Arc arcOf(const Segment& segment, size_t bend) const;
+  Segment behind(const Segment& segment, const RayTransition::Arc& arc, size_t bend) const;
+  std::optional<glm::dvec2> pixelOf(size_t bends, const glm::dvec3& point, double rounding) const;
+  std::optional<ExactImagePoint> inSegment(size_t bends, const glm::dvec3& point, double rounding) const;
+  std::optional<ExactImagePoint> inBend(size_t bend, const glm::dvec3& point, double rounding) const;
+  Segment segmentAfter(size_t bends, const glm::dvec2& pixel) const;
 
   PinholeCamera root_;
   ArcModel model_;
-  std::vector<RayTransition> turns_;
-  std::vector<glm::dmat4> pixelFromWorld_;  ///< after so many turns
+  std::vector<RayTransition> bends_;
+  std::vector<glm::dmat4> pixelFromWorld_;  ///< after so many bends
 };
 
 static_assert(Camera<CurvedRayCamera>);

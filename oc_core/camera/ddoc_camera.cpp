@@ -23,13 +23,13 @@ DdocCamera::DdocCamera(const PinholeCamera& reference, DistortionMap map)
 
 std::optional<ImagePoint> DdocCamera::undistort(const ImagePoint& q, const glm::vec2& guess) const {
   // Fixed point of x = q - displacement(x, z), damped. It converges where the field contracts (its slope is below 1).
-  constexpr int kMostSteps = 60;
+  constexpr int kMaxSteps = 60;
   constexpr float kTolerancePixels = 1e-3f;
   const glm::vec2 target(q.u, q.v);
   glm::vec2 x = guess;
   float damping = 1;
   float lastError = 1e30f;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const ImagePoint image = distort({x.x, x.y, q.z});
     const glm::vec2 residual = target - glm::vec2(image.u, image.v);
     const float error = glm::length(residual);
@@ -74,8 +74,8 @@ RayPath DdocCamera::rayPath(const glm::vec2& pixel) const {
   // from the solution before it, about a quarter of a pixel apart. A step without a solution is left out: the ray goes
   // straight over it, or ends before it where none follows. The search for a solution starts where the last two point.
   constexpr float kStepsPerPixel = 4;
-  constexpr float kMostSteps = 96;
-  const int steps = static_cast<int>(std::clamp(reach * kStepsPerPixel, 4.0f, kMostSteps));
+  constexpr float kMaxSteps = 96;
+  const int steps = static_cast<int>(std::clamp(reach * kStepsPerPixel, 4.0f, kMaxSteps));
   RayPath bent{path.front()};
   glm::vec2 undistorted = pixel;
   glm::vec2 advance(0);

@@ -31,8 +31,8 @@ class DdocCamera {
   bool displacesWithin(const ImageBox& undistorted) const;
   /// Map samples that displace, above and to the left of each corner of a pixel.
   const Image<uint32_t>& displacedBefore() const { return displacedBefore_; }
-  ImageBox displacementOver(const ImageBox& undistorted, float leastInverseZ, float greatestInverseZ) const {
-    return bounds_.over(undistorted).at(leastInverseZ, greatestInverseZ);
+  ImageBox displacementOver(const ImageBox& undistorted, float minInverseZ, float greatestInverseZ) const {
+    return bounds_.over(undistorted).at(minInverseZ, greatestInverseZ);
   }
 
   ImagePoint distort(const ImagePoint& q) const {

@@ -23,9 +23,9 @@ Range rangeOf(const DistortionSample& sample) {
 void join(Range& range, const Range& other) {
   range.displacement.lower = glm::min(range.displacement.lower, other.displacement.lower);
   range.displacement.upper = glm::max(range.displacement.upper, other.displacement.upper);
-  range.leastInverseNear = std::min(range.leastInverseNear, other.leastInverseNear);
+  range.minInverseNear = std::min(range.minInverseNear, other.minInverseNear);
   range.greatestInverseNear = std::max(range.greatestInverseNear, other.greatestInverseNear);
-  range.leastInverseFar = std::min(range.leastInverseFar, other.leastInverseFar);
+  range.minInverseFar = std::min(range.minInverseFar, other.minInverseFar);
   range.greatestInverseFar = std::max(range.greatestInverseFar, other.greatestInverseFar);
   if (range.rampUpper < range.rampLower) {
     range.rampLower = other.rampLower;
@@ -53,7 +53,7 @@ Image<Range> coarser(const Image<Element>& fine, int cell, const ToRange& rangeO
   return coarse;
 }
 
-/// Equation 3.3 for samples with 1/z_n in [leastNear, greatestNear] and 1/z_f in [leastFar, greatestFar]. The ramp
+/// Equation 3.3 for samples with 1/z_n in [minNear, greatestNear] and 1/z_f in [minFar, greatestFar]. The ramp
 /// grows with both of them, and falls with 1/z.
 float greatestRamp(const Range& range, float inverseZ) {
   if (inverseZ >= range.greatestInverseNear) {
@@ -63,20 +63,20 @@ float greatestRamp(const Range& range, float inverseZ) {
              ? 1
              : (range.greatestInverseNear - inverseZ) / (range.greatestInverseNear - range.greatestInverseFar);
 }
-float leastRamp(const Range& range, float inverseZ) {
+float minRamp(const Range& range, float inverseZ) {
   // A sample whose z_n is not before its z_f displaces nothing.
-  if (inverseZ >= range.leastInverseNear || range.leastInverseNear <= range.greatestInverseFar) {
+  if (inverseZ >= range.minInverseNear || range.minInverseNear <= range.greatestInverseFar) {
     return 0;
   }
-  return inverseZ <= range.leastInverseFar
+  return inverseZ <= range.minInverseFar
              ? 1
-             : (range.leastInverseNear - inverseZ) / (range.leastInverseNear - range.leastInverseFar);
+             : (range.minInverseNear - inverseZ) / (range.minInverseNear - range.minInverseFar);
 }
 
 }  // namespace
 
-ImageBox DisplacementBounds::Range::at(float leastInverseZ, float greatestInverseZ) const {
-  return scaled(displacement, leastRamp(*this, greatestInverseZ), greatestRamp(*this, leastInverseZ));
+ImageBox DisplacementBounds::Range::at(float minInverseZ, float greatestInverseZ) const {
+  return scaled(displacement, minRamp(*this, greatestInverseZ), greatestRamp(*this, minInverseZ));
 }
 
 DisplacementBounds::DisplacementBounds(const DistortionMap& map) {

@@ -14,9 +14,9 @@ class DisplacementBounds {
   /// What the samples of a region lie between.
   struct Range {
     ImageBox displacement;  ///< in full, pixels; 0 is always in it
-    float leastInverseNear = 0;
+    float minInverseNear = 0;
     float greatestInverseNear = 0;
-    float leastInverseFar = 0;
+    float minInverseFar = 0;
     float greatestInverseFar = 0;
     /// 1/z outside of which no sample of the region changes its displacement. Empty (upper < lower) where none has any.
     float rampLower = 1;
@@ -25,7 +25,7 @@ class DisplacementBounds {
     /// The longest displacement, pixels.
     float longest() const { return glm::length(glm::max(-displacement.lower, displacement.upper)); }
     /// The displacements that Equation 3.3 gives within a range of 1/z.
-    ImageBox at(float leastInverseZ, float greatestInverseZ) const;
+    ImageBox at(float minInverseZ, float greatestInverseZ) const;
   };
 
   DisplacementBounds() = default;

@@ -54,8 +54,8 @@ float longestDisplacementOf(const C& camera) {
   return camera.longestDisplacement();
 }
 template <DistortedPinhole C>
-ImageBox displacementOver(const C& camera, const ImageBox& undistorted, float leastInverseZ, float greatestInverseZ) {
-  return camera.displacementOver(undistorted, leastInverseZ, greatestInverseZ);
+ImageBox displacementOver(const C& camera, const ImageBox& undistorted, float minInverseZ, float greatestInverseZ) {
+  return camera.displacementOver(undistorted, minInverseZ, greatestInverseZ);
 }
 
 }  // namespace ocelli

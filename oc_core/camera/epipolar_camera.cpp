@@ -11,8 +11,8 @@ namespace ocelli {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-/// Rays keep this far from the border of a shadow, so that the rounding of world coordinates does not put their ends on
-/// the other side: an eye at 10 units rounds by 1e-6, which is 2e-4 pixels at the default view.
+/// Rays keep this far from the border of a disocclusion, so that the rounding of world coordinates does not put their
+/// ends on the other side: an eye at 10 units rounds by 1e-6, which is 2e-4 pixels at the default view.
 constexpr double kMarginPixels = 1e-3;
 
 }  // namespace
@@ -34,18 +34,18 @@ EpipolarCamera::EpipolarCamera(const PinholeCamera& base, const glm::vec3& right
                "edges come from left to right, and each adds columns for what it hides");
       last = edge.position;
       shift += edge.added;
-      Shadow shadow{edge.position, std::max(edge.clip, edge.position - edge.added), edge.added, shift};
+      Disocclusion disocclusion{edge.position, std::max(edge.clip, edge.position - edge.added), edge.added, shift};
       const double x = lines_.x(row, edge.position);
-      shadow.xRight = x - disparity * static_cast<double>(edge.inverseNear) * lines_.inverseZScale(x);
+      disocclusion.xRight = x - disparity * static_cast<double>(edge.inverseNear) * lines_.inverseZScale(x);
       OC_CHECK(lines_.has(row, edge.position + 0.5) && lines_.has(row, edge.position - edge.added),
                "an edge and its columns lie on their line");
-      shadow.yFar = (lines_.x(row, edge.position - edge.added) - shadow.xRight) / disparity;
-      shadows_.push_back(shadow);
+      disocclusion.yFar = (lines_.x(row, edge.position - edge.added) - disocclusion.xRight) / disparity;
+      disocclusions_.push_back(disocclusion);
     }
-    rowFirst_.push_back(shadows_.size());
+    rowFirst_.push_back(disocclusions_.size());
     width_ = std::max(width_, lines_.length(row) + shift);
   }
-  if (int64_t{width_} * rows > PinholeCamera::kMostPixels) {
+  if (int64_t{width_} * rows > PinholeCamera::kMaxPixels) {
     throw InputError("an image of " + std::to_string(width_) + "x" + std::to_string(rows) + " pixels cannot be made",
                      "view segment", "choose a shorter segment or a smaller image");
   }
@@ -54,7 +54,7 @@ EpipolarCamera::EpipolarCamera(const PinholeCamera& base, const glm::vec3& right
   overFirst_.assign(static_cast<size_t>(rows) * stride + 1, 0);
   std::vector<std::vector<uint32_t>> over(stride);
   for (int row = 0; row < rows; ++row) {
-    const std::span<const Shadow> edges = shadows(row);
+    const std::span<const Disocclusion> edges = disocclusions(row);
     for (size_t i = edges.size(); i-- > 0;) {
       const auto last = static_cast<size_t>(edges[i].position);
       for (size_t j = static_cast<size_t>(edges[i].clip) + 1; j <= last; ++j) {
@@ -71,19 +71,19 @@ EpipolarCamera::EpipolarCamera(const PinholeCamera& base, const glm::vec3& right
   }
 }
 
-std::span<const EpipolarCamera::Shadow> EpipolarCamera::shadows(int row) const {
+std::span<const EpipolarCamera::Disocclusion> EpipolarCamera::disocclusions(int row) const {
   const auto i = static_cast<size_t>(row);
-  return std::span(shadows_).subspan(rowFirst_[i], rowFirst_[i + 1] - rowFirst_[i]);
+  return std::span(disocclusions_).subspan(rowFirst_[i], rowFirst_[i + 1] - rowFirst_[i]);
 }
 
-std::span<const uint32_t> EpipolarCamera::shadowsOver(int row, int cell) const {
+std::span<const uint32_t> EpipolarCamera::disocclusionsOver(int row, int cell) const {
   const size_t i = static_cast<size_t>(row) * (static_cast<size_t>(lines_.longest()) + 1) + static_cast<size_t>(cell);
   return std::span(over_).subspan(overFirst_[i], overFirst_[i + 1] - overFirst_[i]);
 }
 
-const EpipolarCamera::Shadow* EpipolarCamera::shadowOf(int row, int cell, double xRight) const {
-  const std::span<const Shadow> edges = shadows(row);
-  for (const uint32_t i : shadowsOver(row, cell)) {
+const EpipolarCamera::Disocclusion* EpipolarCamera::disocclusionOf(int row, int cell, double xRight) const {
+  const std::span<const Disocclusion> edges = disocclusions(row);
+  for (const uint32_t i : disocclusionsOver(row, cell)) {
     if (xRight > edges[i].xRight) {
       return &edges[i];
     }
@@ -92,14 +92,15 @@ const EpipolarCamera::Shadow* EpipolarCamera::shadowOf(int row, int cell, double
 }
 
 int EpipolarCamera::shiftAt(int row, double position) const {
-  const std::span<const Shadow> edges = shadows(row);
-  const auto after = std::upper_bound(edges.begin(), edges.end(), position,
-                                      [](double p, const Shadow& shadow) { return p < shadow.position; });
+  const std::span<const Disocclusion> edges = disocclusions(row);
+  const auto after =
+      std::upper_bound(edges.begin(), edges.end(), position,
+                       [](double p, const Disocclusion& disocclusion) { return p < disocclusion.position; });
   return after == edges.begin() ? 0 : std::prev(after)->shift;
 }
 
 int EpipolarCamera::rowWidth(int row) const {
-  const std::span<const Shadow> edges = shadows(row);
+  const std::span<const Disocclusion> edges = disocclusions(row);
   return lines_.length(row) + (edges.empty() ? 0 : edges.back().shift);
 }
 
@@ -122,10 +123,10 @@ std::optional<ImagePoint> EpipolarCamera::project(const glm::vec3& worldPoint) c
   } else if (place.position >= 0) {
     const double x = lines_.x(row, place.position);
     const double y = lines_.inverseZScale(x) / static_cast<double>(q->z);
-    const Shadow* shadow = shadowOf(row, cellOf(place.position), x - lines_.disparity() * y);
-    if (shadow != nullptr && (y >= shadow->yFar || place.position < shadow->position)) {
-      const double xFar = x - lines_.disparity() * std::max(0.0, y - shadow->yFar);
-      column = lines_.position(row, xFar) + shadow->shift;
+    const Disocclusion* disocclusion = disocclusionOf(row, cellOf(place.position), x - lines_.disparity() * y);
+    if (disocclusion != nullptr && (y >= disocclusion->yFar || place.position < disocclusion->position)) {
+      const double xFar = x - lines_.disparity() * std::max(0.0, y - disocclusion->yFar);
+      column = lines_.position(row, xFar) + disocclusion->shift;
     } else {
       column += shiftAt(row, place.position);
     }
@@ -136,42 +137,43 @@ std::optional<ImagePoint> EpipolarCamera::project(const glm::vec3& worldPoint) c
 EpipolarCamera::PlaneRay EpipolarCamera::straightRay(int row, double position) const {
   PlaneRay ray{lines_.x(row, position), kNever, kNever, 0};
   if (position >= 0 && position < lines_.length(row)) {
-    const std::span<const uint32_t> over = shadowsOver(row, cellOf(position));
+    const std::span<const uint32_t> over = disocclusionsOver(row, cellOf(position));
     if (!over.empty()) {
       const double margin = lines_.x(row, position) - lines_.x(row, position - kMarginPixels);
-      const Shadow& first = shadows(row)[over.back()];
+      const Disocclusion& first = disocclusions(row)[over.back()];
       ray.yEnd = std::max(0.0, (ray.xFar - first.xRight + margin) / lines_.disparity());
     }
   }
   return ray;
 }
 
-std::optional<EpipolarCamera::PlaneRay> EpipolarCamera::bentRay(int row, const Shadow& shadow, double position) const {
+std::optional<EpipolarCamera::PlaneRay> EpipolarCamera::bentRay(int row, const Disocclusion& disocclusion,
+                                                                double position) const {
   const double disparity = lines_.disparity();
-  PlaneRay ray{lines_.x(row, position), shadow.yFar, 0, 0};
-  const double xRight = ray.xFar - disparity * shadow.yFar;
-  // As a ray of R it runs from the edge to where the shadow is clipped, but for what is in the shadow of another edge
-  // farther right: those shadows reach from beyond the edge to where they are clipped themselves.
-  const std::span<const Shadow> edges = shadows(row);
-  double from = cellBegin(shadow.position + 1);
-  double leastXRight = kNever;
-  for (const Shadow* other = &shadow + 1; other != edges.data() + edges.size(); ++other) {
+  PlaneRay ray{lines_.x(row, position), disocclusion.yFar, 0, 0};
+  const double xRight = ray.xFar - disparity * disocclusion.yFar;
+  // As a ray of R it runs from the edge to where the disocclusion is clipped, but for what is in the disocclusion of
+  // another edge farther right: those disocclusions reach from beyond the edge to where they are clipped themselves.
+  const std::span<const Disocclusion> edges = disocclusions(row);
+  double from = cellBegin(disocclusion.position + 1);
+  double minXRight = kNever;
+  for (const Disocclusion* other = &disocclusion + 1; other != edges.data() + edges.size(); ++other) {
     if (other->xRight < xRight) {
       from = std::min(from, cellBegin(other->clip + 1));
     }
     if (cellBegin(other->clip + 1) <= position) {
-      leastXRight = std::min(leastXRight, other->xRight);
+      minXRight = std::min(minXRight, other->xRight);
     }
   }
   const double margin = ray.xFar - lines_.x(row, position - kMarginPixels);
   const double xStart = lines_.x(row, from) - margin;
-  const double xClip = lines_.x(row, cellBegin(shadow.clip + 1)) + margin;
+  const double xClip = lines_.x(row, cellBegin(disocclusion.clip + 1)) + margin;
   if (xStart <= std::max(ray.xFar, xClip)) {
     return std::nullopt;
   }
-  ray.yStart = shadow.yFar + (xStart - ray.xFar) / disparity;
-  ray.yEnd = xClip - 2 * margin > ray.xFar ? shadow.yFar + (xClip - ray.xFar) / disparity
-                                           : std::max(0.0, (ray.xFar - leastXRight + margin) / disparity);
+  ray.yStart = disocclusion.yFar + (xStart - ray.xFar) / disparity;
+  ray.yEnd = xClip - 2 * margin > ray.xFar ? disocclusion.yFar + (xClip - ray.xFar) / disparity
+                                           : std::max(0.0, (ray.xFar - minXRight + margin) / disparity);
   return ray;
 }
 
@@ -185,16 +187,18 @@ std::optional<EpipolarCamera::PlaneRay> EpipolarCamera::planeRay(int row, double
     return std::nullopt;
   }
   // The last edge whose columns begin before this one.
-  const std::span<const Shadow> edges = shadows(row);
-  const auto after = std::upper_bound(edges.begin(), edges.end(), column, [](double c, const Shadow& shadow) {
-    return c < shadow.position + shadow.shift - shadow.added;
-  });
+  const std::span<const Disocclusion> edges = disocclusions(row);
+  const auto after =
+      std::upper_bound(edges.begin(), edges.end(), column, [](double c, const Disocclusion& disocclusion) {
+        return c < disocclusion.position + disocclusion.shift - disocclusion.added;
+      });
   if (after == edges.begin()) {
     return straightRay(row, column);
   }
-  const Shadow& shadow = *std::prev(after);
-  const double position = column - shadow.shift;
-  return position < shadow.position ? bentRay(row, shadow, position) : std::optional(straightRay(row, position));
+  const Disocclusion& disocclusion = *std::prev(after);
+  const double position = column - disocclusion.shift;
+  return position < disocclusion.position ? bentRay(row, disocclusion, position)
+                                          : std::optional(straightRay(row, position));
 }
 
 std::optional<glm::vec3> EpipolarCamera::unproject(const ImagePoint& q) const {

@@ -6,16 +6,17 @@
 // background, then as rays of L (the pairs r_R, r_L of 3.3.1.1). Rows grow by themselves; the image is as wide as its
 // widest row.
 //
-// In the coordinates x, y of epipolar_lines.h an edge e at x_e, whose occluder has y_n, throws a shadow: what L does
-// not see but is seen past e from somewhere on the segment, x - D y > x_e - D y_n, with x between where the shadow is
-// clipped and x_e. A point in several shadows belongs to the rightmost edge. Its column is that of
+// In the coordinates x, y of epipolar_lines.h an edge e at x_e, whose occluder has y_n, makes a disocclusion region:
+// what L does not see but is seen past e from somewhere on the segment, x - D y > x_e - D y_n, with x between where the
+// disocclusion is clipped and x_e. A point in several disocclusions belongs to the rightmost edge. Its column is that
+// of
 //     x' = x - D max(0, y - y_f)
-// moved by all columns that were added up to that edge; a point in no shadow is moved by those added before it. A row
-// is so a bijection between columns and what it samples.
+// moved by all columns that were added up to that edge; a point in no disocclusion is moved by those added before it. A
+// row is so a bijection between columns and what it samples.
 //
 // DEVIATION: the model is held as the list of edges of each row, instead of the maps PM and RM, which follow from it
 // (tests/camera/epipolar_maps_test.cpp builds both from the text). PM stores two offsets and two depths a pixel and
-// brackets a projection; the list gives it exactly, also where shadows overlap.
+// brackets a projection; the list gives it exactly, also where disocclusions overlap.
 #pragma once
 
 #include <cstdint>
@@ -28,21 +29,21 @@
 
 namespace ocelli {
 
-/// A depth discontinuity of a row of the base image, near before and far behind it. Its shadow reaches from the centre
-/// of base pixel `clip` to that of base pixel `position`, the first one behind the occluder: where between the two rays
-/// of L the occluder ends is not known, and what curves away there is seen from R. It reaches no farther than the
-/// columns that it adds.
+/// A depth discontinuity of a row of the base image, near before and far behind it. Its disocclusion reaches from the
+/// centre of base pixel `clip` to that of base pixel `position`, the first one behind the occluder: where between the
+/// two rays of L the occluder ends is not known, and what curves away there is seen from R. It reaches no farther than
+/// the columns that it adds.
 struct EpipolarEdge {
   int position = 0;       ///< the border between base pixels where the occluder ends
-  int clip = 0;           ///< the first base pixel in its shadow, below `position`
-  int added = 0;          ///< columns that make room for the shadow, at least 1
+  int clip = 0;           ///< the first base pixel in its disocclusion, below `position`
+  int added = 0;          ///< columns that make room for the disocclusion, at least 1
   float inverseNear = 0;  ///< 1/z of the occluder
 };
 
 class EpipolarCamera {
  public:
   /// An edge with what follows from it.
-  struct Shadow {
+  struct Disocclusion {
     int position = 0;
     int clip = 0;
     int added = 0;
@@ -74,37 +75,38 @@ class EpipolarCamera {
   RayPath rayPath(const glm::vec2& pixel) const;
 
   /// The edges of a row, from left to right.
-  std::span<const Shadow> shadows(int row) const;
+  std::span<const Disocclusion> disocclusions(int row) const;
   /// A row falls into cells between the centres of base pixels, for k from 0 to the row's length: cell k begins just
-  /// before the centre of base pixel k - 1, so that rounding does not move that centre out of it. A shadow covers whole
-  /// cells.
+  /// before the centre of base pixel k - 1, so that rounding does not move that centre out of it. A disocclusion covers
+  /// whole cells.
   static int cellOf(double position) { return static_cast<int>(position - cellBegin(0)); }
   static double cellBegin(int cell) { return cell - 0.51; }
   int cellCount(int row) const { return lines_.length(row) + 1; }
-  /// Those whose shadows lie over a cell and can win there, from right to left: xRight falls.
-  std::span<const uint32_t> shadowsOver(int row, int cell) const;
-  /// The shadow that a point over a cell is in, given its x - D y; nullptr for none.
-  const Shadow* shadowOf(int row, int cell, double xRight) const;
+  /// Those whose disocclusions lie over a cell and can win there, from right to left: xRight falls.
+  std::span<const uint32_t> disocclusionsOver(int row, int cell) const;
+  /// The disocclusion that a point over a cell is in, given its x - D y; nullptr for none.
+  const Disocclusion* disocclusionOf(int row, int cell, double xRight) const;
   /// Columns that are added before a base position on a row.
   int shiftAt(int row, double position) const;
   /// Columns of a row; the image may be wider.
   int rowWidth(int row) const;
-  /// Nothing for columns that were added and whose ray runs within other shadows, and those beyond the row's own width.
+  /// Nothing for columns that were added and whose ray runs within other disocclusions, and those beyond the row's own
+  /// width.
   std::optional<PlaneRay> planeRay(int row, double column) const;
 
  private:
   PlaneRay straightRay(int row, double position) const;
-  std::optional<PlaneRay> bentRay(int row, const Shadow& shadow, double position) const;
+  std::optional<PlaneRay> bentRay(int row, const Disocclusion& disocclusion, double position) const;
   /// The base image point on a row, at x and y.
   ImagePoint basePoint(double row, double x, double y) const;
 
   PinholeCamera base_;
   EpipolarLines lines_;
   int width_ = 1;
-  std::vector<size_t> rowFirst_;  ///< in shadows_
-  std::vector<Shadow> shadows_;
+  std::vector<size_t> rowFirst_;  ///< in disocclusions_
+  std::vector<Disocclusion> disocclusions_;
   std::vector<uint32_t> overFirst_;  ///< in over_, for each cell of each row
-  std::vector<uint32_t> over_;       ///< indices of shadows within their row
+  std::vector<uint32_t> over_;       ///< indices of disocclusions within their row
 };
 
 static_assert(Camera<EpipolarCamera>);

@@ -15,7 +15,7 @@ namespace {
 /// they differ by 0.024 pixels.
 constexpr double kFarthestEpipolePixels = 1e6;
 /// How far a segment may lean out of the rows, of its length: rounding of an eye at 10 units.
-constexpr double kLeastSlant = 1e-4;
+constexpr double kMinSlant = 1e-4;
 
 struct Interval {
   double from, to;
@@ -63,7 +63,7 @@ EpipolarLines::EpipolarLines(const PinholeCamera& base, const glm::vec3& right) 
   advance_ = step.z;
   parallel_ = std::abs(step.z) * kFarthestEpipolePixels <= focal * across;
   if (parallel_) {
-    if (step.x <= 0 || std::abs(step.y) > kLeastSlant * across) {
+    if (step.x <= 0 || std::abs(step.y) > kMinSlant * across) {
       throw InputError("the view segment is parallel to the image plane, but not to its rows", "view segment",
                        "roll the view (\"up\") until the segment runs to the right");
     }
@@ -76,7 +76,7 @@ EpipolarLines::EpipolarLines(const PinholeCamera& base, const glm::vec3& right) 
     setRadialRows(base);
   }
   longest_ = std::max(1, *std::max_element(lengths_.begin(), lengths_.end()));
-  if (int64_t{rowCount()} * longest_ > PinholeCamera::kMostPixels) {
+  if (int64_t{rowCount()} * longest_ > PinholeCamera::kMaxPixels) {
     throw InputError("an image with " + std::to_string(rowCount()) + " epipolar lines cannot be made", "view segment",
                      "choose a smaller image, or a segment across the view");
   }

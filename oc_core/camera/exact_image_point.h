@@ -1,4 +1,4 @@
-// Image points in double precision, for cameras whose rays turn: errors grow from turn to turn.
+// Image points in double precision, for cameras whose rays bend: errors grow from bend to bend.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // What a frustum of a graph camera holds, as convex pieces: beyond its plane, within the pyramid of a part of the image
 // from its viewpoint, up to the plane of the child that takes the rays of that part, or, where none does, up to its
-// limits. zFar ends no piece: it is no plane behind a turn.
+// limits. zFar ends no piece: it is no plane behind a bend.
 #pragma once
 
 #include <vector>

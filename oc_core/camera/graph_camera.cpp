@@ -16,7 +16,7 @@ namespace {
 /// What rays end at may come in single precision: the end of a ray still belongs to it.
 constexpr double kLimitRounding = 1e-6;
 /// Parts with less than this many square pixels hold no rays.
-constexpr double kLeastArea = 1e-6;
+constexpr double kMinArea = 1e-6;
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
   return a.x * b.y - a.y * b.x;
@@ -96,7 +96,7 @@ std::pair<GraphCamera::Part, GraphCamera::Part> GraphCamera::cut(const Part& par
     }
   }
   for (Part* half : {&halves.first, &halves.second}) {
-    if (areaOf(*half) < kLeastArea) {
+    if (areaOf(*half) < kMinArea) {
       half->clear();
     }
   }
@@ -111,21 +111,21 @@ glm::dvec2 GraphCamera::middleOf(const Part& part) {
   return middle;
 }
 
-int GraphCamera::bend(int i, const Turn& turn, const std::string& name, const Part& wanted) {
+int GraphCamera::bend(int i, const Bend& bend, const std::string& name, const Part& wanted) {
   OC_CHECK(i >= 0 && static_cast<size_t>(i) < frusta_.size(), "there is no such frustum");
-  if (frusta_.size() >= kMostFrusta) {
-    fail(name, "there are more than " + std::to_string(kMostFrusta) + " frusta", "build fewer");
+  if (frusta_.size() >= kMaxFrusta) {
+    fail(name, "there are more than " + std::to_string(kMaxFrusta) + " frusta", "build fewer");
   }
-  size_t turns = 1;
+  size_t bends = 1;
   for (int k = i; k != kRoot; k = frusta_[static_cast<size_t>(k)].parent) {
-    ++turns;
+    ++bends;
   }
-  if (turns > kMostTurns) {
-    fail(name, "its rays turn more than " + std::to_string(kMostTurns) + " times", "build fewer turns");
+  if (bends > kMaxBends) {
+    fail(name, "its rays turn more than " + std::to_string(kMaxBends) + " times", "build fewer turns");
   }
   const Frustum& parent = frusta_[static_cast<size_t>(i)];
   const Part part = wanted.empty() ? parent.part : wanted;
-  if (!isSound(turn.plane) || !std::isfinite(glm::length(turn.viewpoint))) {
+  if (!isSound(bend.plane) || !std::isfinite(glm::length(bend.viewpoint))) {
     fail(name, "its plane or its viewpoint is not finite, or the normal has no length", "give finite numbers");
   }
   for (size_t k = 0; k < part.size(); ++k) {
@@ -137,41 +137,41 @@ int GraphCamera::bend(int i, const Turn& turn, const std::string& name, const Pa
       fail(name, "its part of the image is not within that of \"" + parent.name + "\"", "make it smaller");
     }
   }
-  if (part.size() < 3 || !(areaOf(part) >= kLeastArea)) {
+  if (part.size() < 3 || !(areaOf(part) >= kMinArea)) {
     fail(name, "its part of the image is empty", "make it larger");
   }
   for (const int child : parent.children) {
-    if (areaOf(clippedTo(part, frusta_[static_cast<size_t>(child)].part)) > kLeastArea) {
+    if (areaOf(clippedTo(part, frusta_[static_cast<size_t>(child)].part)) > kMinArea) {
       fail(name, "it takes rays that \"" + frusta_[static_cast<size_t>(child)].name + "\" has",
            "make parts that do not overlap");
     }
   }
-  if (!(turn.plane.height(turn.viewpoint) < -kHeightRounding)) {
+  if (!(bend.plane.height(bend.viewpoint) < -kHeightRounding)) {
     fail(name, "its viewpoint does not lie before its plane",
          "move the viewpoint to the side that \"" + parent.name + "\" comes from");
   }
   // Each corner's ray crosses the plane after that of the parent, from before it, and before zFar.
   for (const glm::dvec2& corner : part) {
     const Segment ray = segmentIn(i, corner);
-    const double along = glm::dot(turn.plane.normal, ray.direction);
-    const double before = turn.plane.height(ray.from);
+    const double along = glm::dot(bend.plane.normal, ray.direction);
+    const double before = bend.plane.height(ray.from);
     if (!(along > 0 && before < -kHeightRounding && ray.z - before / along < root_.view().zFar)) {
       fail(name,
            "not every ray of \"" + parent.name + "\" in its part crosses its plane, from before it and before zFar",
            "turn the plane towards those rays, move it, or make the part smaller");
     }
   }
-  Frustum frustum{name, i, turn.viewpoint, turn.plane, part};
+  Frustum frustum{name, i, bend.viewpoint, bend.plane, part};
   // Weights stay as they are on the plane, so that those of long chains do not overflow.
   frustum.pixelFromWorld =
-      parent.pixelFromWorld * ontoPlane(turn.plane, turn.viewpoint) / -turn.plane.height(turn.viewpoint);
+      parent.pixelFromWorld * ontoPlane(bend.plane, bend.viewpoint) / -bend.plane.height(bend.viewpoint);
   const int index = static_cast<int>(frusta_.size());
   frusta_[static_cast<size_t>(i)].children.push_back(index);
   frusta_.push_back(std::move(frustum));
   return index;
 }
 
-std::pair<int, int> GraphCamera::split(int i, const Turn& one, const Turn& other, const std::string& oneName,
+std::pair<int, int> GraphCamera::split(int i, const Bend& one, const Bend& other, const std::string& oneName,
                                        const std::string& otherName) {
   OC_CHECK(i >= 0 && static_cast<size_t>(i) < frusta_.size(), "there is no such frustum");
   const Frustum& parent = frusta_[static_cast<size_t>(i)];
@@ -216,13 +216,13 @@ std::pair<int, int> GraphCamera::split(int i, const Turn& one, const Turn& other
   return {a1, a2};
 }
 
-std::pair<int, int> GraphCamera::merge(int i, int j, const Turn& turn, const std::string& name) {
+std::pair<int, int> GraphCamera::merge(int i, int j, const Bend& bend, const std::string& name) {
   for (const int index : {i, j}) {
     OC_CHECK(index >= 0 && static_cast<size_t>(index) < frusta_.size(), "there is no such frustum");
   }
   GraphCamera changed = *this;
-  const int one = changed.bend(i, turn, name + " of " + frusta_[static_cast<size_t>(i)].name);
-  const int other = changed.bend(j, turn, name + " of " + frusta_[static_cast<size_t>(j)].name);
+  const int one = changed.bend(i, bend, name + " of " + frusta_[static_cast<size_t>(i)].name);
+  const int other = changed.bend(j, bend, name + " of " + frusta_[static_cast<size_t>(j)].name);
   *this = std::move(changed);
   return {one, other};
 }

@@ -14,7 +14,7 @@
 // to the root and of the root's projection, gives pixels in one step. Where a pixel lies within the part of a frustum,
 // its ray and the point are the same, so one test tells whether the frustum holds P.
 //
-// z is the length of the ray, turn after turn, times the cosine between its first segment and the view direction: for
+// z is the length of the ray, bend after bend, times the cosine between its first segment and the view direction: for
 // rays that do not turn it is the pinhole's z.
 //
 // DEVIATION: the text's graph, whose frusta have two parents after a merge, is kept as the tree that it projects with:
@@ -35,8 +35,8 @@ namespace ocelli {
 class GraphCamera {
  public:
   static constexpr int kRoot = 0;
-  static constexpr size_t kMostFrusta = 4096;
-  static constexpr size_t kMostTurns = 64;  ///< from the root to a leaf
+  static constexpr size_t kMaxFrusta = 4096;
+  static constexpr size_t kMaxBends = 64;  ///< from the root to a leaf
 
   /// Corners of the part of the image that a frustum takes, pixels, clockwise as seen (u to the right, v down).
   using Part = std::vector<glm::dvec2>;
@@ -52,7 +52,7 @@ class GraphCamera {
     glm::dmat4 pixelFromWorld{1};  ///< M_0i: rows 0, 1 and 3 give u, v and their weight
   };
   /// Where rays go on: beyond a plane, away from a viewpoint before it.
-  struct Turn {
+  struct Bend {
     Plane plane;
     glm::dvec3 viewpoint{0};
   };
@@ -60,17 +60,17 @@ class GraphCamera {
   /// A pinhole: the root frustum alone.
   explicit GraphCamera(const PinholeCamera& root);
 
-  /// The rays of frustum `i` that are in `part` turn; in all of it where `part` is empty. Returns the new frustum. All
+  /// The rays of frustum `i` that are in `part` bend; in all of it where `part` is empty. Returns the new frustum. All
   /// of these throw InputError, naming the frustum, where the plane cannot be crossed by each of those rays, after the
   /// plane of the parent and before zFar; where the viewpoint does not lie before it; where the part is not convex, not
   /// within that of the parent, or has rays that another child took; and where there are too many frusta.
-  int bend(int i, const Turn& turn, const std::string& name, const Part& part = {});
-  /// Two turns, parted by the line where their planes meet, as the frustum sees it. Throws InputError as well where the
+  int bend(int i, const Bend& bend, const std::string& name, const Part& part = {});
+  /// Two bends, parted by the line where their planes meet, as the frustum sees it. Throws InputError as well where the
   /// planes do not meet within the part of the frustum. Each side goes to the plane that its rays cross first.
-  std::pair<int, int> split(int i, const Turn& one, const Turn& other, const std::string& oneName,
+  std::pair<int, int> split(int i, const Bend& one, const Bend& other, const std::string& oneName,
                             const std::string& otherName);
   /// One viewpoint for the rays of two frusta, beyond one plane.
-  std::pair<int, int> merge(int i, int j, const Turn& turn, const std::string& name);
+  std::pair<int, int> merge(int i, int j, const Bend& bend, const std::string& name);
   /// Those rays of frustum `i` that belong to no child end where they cross the plane, whose normal points out of the
   /// frustum. Throws InputError, naming the frustum, where the plane is not finite, or all of the frustum is beyond it.
   void limit(int i, const Plane& plane);

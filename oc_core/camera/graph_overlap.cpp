@@ -58,17 +58,17 @@ std::optional<glm::dvec3> commonPoint(const Core& a, const Core& b) {
 }  // namespace
 
 std::vector<FrustumOverlap> overlapsOf(const GraphCamera& camera, const glm::dvec3& lower, const glm::dvec3& upper,
-                                       double leastOverlap) {
+                                       double minOverlap) {
   const double diagonal = glm::distance(lower, upper);
   if (!glm::all(glm::lessThanEqual(lower, upper)) || !(diagonal > 0) || !std::isfinite(diagonal)) {
     throw InputError("the box of the world is empty, a point or not finite", kOverlaps,
                      "give its lower and its upper corner, such as those of the scene's bounds");
   }
-  if (!(leastOverlap > 0) || !std::isfinite(leastOverlap)) {
+  if (!(minOverlap > 0) || !std::isfinite(minOverlap)) {
     throw InputError("the least overlap is not positive or not finite", kOverlaps,
                      "give a share of the world's diagonal, such as 1e-4");
   }
-  const std::vector<Core> cores = coresOf(camera, ConvexPolyhedron(lower, upper), leastOverlap * diagonal / 2);
+  const std::vector<Core> cores = coresOf(camera, ConvexPolyhedron(lower, upper), minOverlap * diagonal / 2);
   std::vector<FrustumOverlap> overlaps;
   for (size_t i = 0; i < cores.size(); ++i) {
     for (size_t k = i + 1; k < cores.size(); ++k) {
@@ -86,8 +86,8 @@ std::vector<FrustumOverlap> overlapsOf(const GraphCamera& camera, const glm::dve
   return overlaps;
 }
 
-void checkDisjoint(const GraphCamera& camera, const glm::dvec3& lower, const glm::dvec3& upper, double leastOverlap) {
-  const std::vector<FrustumOverlap> overlaps = overlapsOf(camera, lower, upper, leastOverlap);
+void checkDisjoint(const GraphCamera& camera, const glm::dvec3& lower, const glm::dvec3& upper, double minOverlap) {
+  const std::vector<FrustumOverlap> overlaps = overlapsOf(camera, lower, upper, minOverlap);
   if (overlaps.empty()) {
     return;
   }

@@ -19,16 +19,16 @@ struct FrustumOverlap {
 };
 
 /// Diameter of the smallest ball that counts as an overlap, relative to the diagonal of the world.
-inline constexpr double kLeastOverlap = 1e-4;
+inline constexpr double kMinOverlap = 1e-4;
 
 /// The pairs of frusta that overlap within the box of a world, such as the bounds of a scene; in order, each once. What
 /// lies beyond zFar counts as well. Throws InputError where the box is empty, a point or not finite, and where
-/// `leastOverlap` is not positive or not finite.
+/// `minOverlap` is not positive or not finite.
 std::vector<FrustumOverlap> overlapsOf(const GraphCamera& camera, const glm::dvec3& lower, const glm::dvec3& upper,
-                                       double leastOverlap = kLeastOverlap);
+                                       double minOverlap = kMinOverlap);
 
 /// Throws InputError as well where there are such pairs, naming the first and a point that both hold.
 void checkDisjoint(const GraphCamera& camera, const glm::dvec3& lower, const glm::dvec3& upper,
-                   double leastOverlap = kLeastOverlap);
+                   double minOverlap = kMinOverlap);
 
 }  // namespace ocelli

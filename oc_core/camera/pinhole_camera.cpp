@@ -7,8 +7,8 @@ namespace ocelli {
 
 PinholeCamera::PinholeCamera(const View& view, int width, int height) : view_(view), width_(width), height_(height) {
   validate(view, "view");
-  if (width < 1 || height < 1 || width > kMostPixelsASide || height > kMostPixelsASide ||
-      int64_t{width} * height > kMostPixels) {
+  if (width < 1 || height < 1 || width > kMaxPixelsASide || height > kMaxPixelsASide ||
+      int64_t{width} * height > kMaxPixels) {
     throw InputError("an image of " + std::to_string(width) + "x" + std::to_string(height) + " pixels cannot be made",
                      "--size", "choose 1 to 32768 pixels a side, and 2^26 in all (8192x8192)");
   }

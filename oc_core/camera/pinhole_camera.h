@@ -13,8 +13,8 @@ namespace ocelli {
 
 class PinholeCamera {
  public:
-  static constexpr int kMostPixelsASide = 32768;
-  static constexpr int64_t kMostPixels = int64_t{1} << 26;  ///< several gigabytes while such an image is made
+  static constexpr int kMaxPixelsASide = 32768;
+  static constexpr int64_t kMaxPixels = int64_t{1} << 26;  ///< several gigabytes while such an image is made
 
   /// Throws InputError where the view is degenerate or the size exceeds these limits or is not positive.
   PinholeCamera(const View& view, int width, int height);

@@ -15,7 +15,7 @@ namespace ocelli {
 
 class RayPath {
  public:
-  static constexpr size_t kMostPoints = 104;
+  static constexpr size_t kMaxPoints = 104;
 
   RayPath() = default;
   RayPath(std::initializer_list<glm::vec3> points) {
@@ -32,7 +32,7 @@ class RayPath {
 
   // As std::vector calls it.
   void push_back(const glm::vec3& point) {  // NOLINT(readability-identifier-naming)
-    OC_CHECK(size_ < kMostPoints, "a ray path has too many points");
+    OC_CHECK(size_ < kMaxPoints, "a ray path has too many points");
     points_[size_++] = point;
   }
 
@@ -48,7 +48,7 @@ class RayPath {
 
  private:
   size_t size_ = 0;
-  std::array<glm::vec3, kMostPoints> points_;  // only the first size_ of them hold anything
+  std::array<glm::vec3, kMaxPoints> points_;  // only the first size_ of them hold anything
 };
 
 }  // namespace ocelli

@@ -152,11 +152,11 @@ std::optional<RayTransition::Place> RayTransition::findBezier(const Epipolar& pl
     const Place place = placeOf(share);
     return glm::length(place.arc.at(place.parameter) - plane.a) > wanted;
   };
-  constexpr double kMostShare = 16;  // of the way from A to b: far beyond the border of the image
+  constexpr double kMaxShare = 16;  // of the way from A to b: far beyond the border of the image
   double inner = 0;
   double outer = 1;
   while (!isTooFar(outer)) {
-    if (outer > kMostShare) {
+    if (outer > kMaxShare) {
       return std::nullopt;
     }
     inner = outer;

@@ -1,5 +1,5 @@
 // The transition of the curved ray camera (section 4.2.2, Appendix B): where rays that come from one viewpoint, C0,
-// turn into rays of another, C1, along conics that are tangent to both.
+// bend into rays of another, C1, along conics that are tangent to both.
 //
 // Three planes t0, t1 and t2 that meet in a line l define it. A ray meets t0 at T and would meet t1 at S; the ray of C1
 // through S meets t2 at Q. In an epipolar plane, one through C0 and C1, one ray is the quadratic Bezier arc over its T,
@@ -43,7 +43,7 @@ double bernsteinRoot(double b0, double b1, double b2);
 
 class RayTransition {
  public:
-  /// Where a ray turns: its control points, and their weights.
+  /// Where a ray bends: its control points, and their weights.
   struct Arc {
     glm::dvec3 t{0};
     glm::dvec3 s{0};
@@ -74,14 +74,14 @@ class RayTransition {
   const glm::dvec3& linePoint() const { return linePoint_; }  ///< of l
   const glm::dvec3& lineDirection() const { return lineDirection_; }
   ArcModel model() const { return model_; }
-  bool isStraight() const { return straight_; }  ///< C0 is C1: rays do not turn
+  bool isStraight() const { return straight_; }  ///< C0 is C1: rays do not bend
 
   /// The arc of the ray that meets t1 at S.
   Arc arcThrough(const glm::dvec3& s) const;
   /// For a point between t0 and t2. Nothing where its epipolar plane holds no arc.
   std::optional<Place> find(const glm::dvec3& point) const;
 
-  /// How far along an arc a point is, from 0 to 1: for a ray that does not turn, the share of its length. It grows
+  /// How far along an arc a point is, from 0 to 1: for a ray that does not bend, the share of its length. It grows
   /// along every arc.
   double shareAt(const Place& place) const;
   /// The parameter at which the share is so much.

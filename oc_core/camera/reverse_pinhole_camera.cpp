@@ -80,11 +80,11 @@ RayPath ReversePinholeCamera::rayPath(const glm::vec2& pixel) const {
   return {*nearest, *farthest};
 }
 
-ImageBox ReversePinholeCamera::displacementOver(const ImageBox& undistorted, float leastInverseZ,
+ImageBox ReversePinholeCamera::displacementOver(const ImageBox& undistorted, float minInverseZ,
                                                 float greatestInverseZ) const {
   const glm::vec2 center = reference_.centerPixels();
   return scaled({undistorted.lower - center, undistorted.upper - center}, magnificationAt(1 / greatestInverseZ) - 1,
-                magnificationAt(1 / leastInverseZ) - 1);
+                magnificationAt(1 / minInverseZ) - 1);
 }
 
 }  // namespace ocelli

@@ -45,7 +45,7 @@ class ReversePinholeCamera {
     const glm::vec2 image = center + (glm::vec2(q.u, q.v) - center) * magnificationAt(q.z);
     return {image.x, image.y, q.z};
   }
-  ImageBox displacementOver(const ImageBox& undistorted, float leastInverseZ, float greatestInverseZ) const;
+  ImageBox displacementOver(const ImageBox& undistorted, float minInverseZ, float greatestInverseZ) const;
 
   std::optional<ImagePoint> project(const glm::vec3& worldPoint) const;
   std::optional<glm::vec3> unproject(const ImagePoint& q) const;

@@ -170,9 +170,9 @@ RayPath SpocCamera::rayPath(const glm::vec2& pixel) const {
   return path;
 }
 
-ImageBox SpocCamera::displacementOver(const ImageBox& undistorted, float leastInverseZ, float greatestInverseZ) const {
+ImageBox SpocCamera::displacementOver(const ImageBox& undistorted, float minInverseZ, float greatestInverseZ) const {
   const float least = displacementAt(1 / greatestInverseZ);
-  const float greatest = displacementAt(1 / leastInverseZ);
+  const float greatest = displacementAt(1 / minInverseZ);
   const glm::vec2 lower = undistorted.lower - distortion_.pole;
   const glm::vec2 upper = undistorted.upper - distortion_.pole;
   const glm::vec2 distanceU = distanceRange(lower.x, upper.x);

@@ -67,7 +67,7 @@ class SpocCamera {
     const glm::vec2 displacement = direction * displacementAt(q.z);
     return {q.u + displacement.x, q.v + displacement.y, q.z};
   }
-  ImageBox displacementOver(const ImageBox& undistorted, float leastInverseZ, float greatestInverseZ) const;
+  ImageBox displacementOver(const ImageBox& undistorted, float minInverseZ, float greatestInverseZ) const;
 
   /// Nothing for a displaced point on the pole.
   std::optional<ImagePoint> project(const glm::vec3& worldPoint) const;

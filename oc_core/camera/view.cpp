@@ -10,8 +10,8 @@
 namespace ocelli {
 namespace {
 
-constexpr double kMostCoordinate = 1e6;
-constexpr float kMostCenterShift = 10;
+constexpr double kMaxCoordinate = 1e6;
+constexpr float kMaxCenterShift = 10;
 
 template <int kLength>
 glm::vec<kLength, float> readVector(JsonFields& fields, const std::string& name,
@@ -19,7 +19,7 @@ glm::vec<kLength, float> readVector(JsonFields& fields, const std::string& name,
   if (!fields.has(name)) {
     return otherwise;
   }
-  const std::vector<double> numbers = fields.numbers(name, kLength, -kMostCoordinate, kMostCoordinate);
+  const std::vector<double> numbers = fields.numbers(name, kLength, -kMaxCoordinate, kMaxCoordinate);
   glm::vec<kLength, float> vector;
   for (int i = 0; i < kLength; ++i) {
     vector[i] = static_cast<float>(numbers[static_cast<size_t>(i)]);
@@ -62,7 +62,7 @@ void validate(const View& view, const std::string& where) {
     throw InputError("the vertical field of view must lie between 0 and 179 degrees", where,
                      "change \"fov_vertical_degrees\"");
   }
-  if (!(std::abs(view.centerShift.x) <= kMostCenterShift) || !(std::abs(view.centerShift.y) <= kMostCenterShift)) {
+  if (!(std::abs(view.centerShift.x) <= kMaxCenterShift) || !(std::abs(view.centerShift.y) <= kMaxCenterShift)) {
     throw InputError("the centre of the view is shifted by more than 10 image heights", where,
                      "change \"center_shift\"");
   }

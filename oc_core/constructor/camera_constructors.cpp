@@ -6,7 +6,7 @@
 #include "oc_core/base/json_fields.h"
 #include "oc_core/constructor/camera_fields.h"
 #include "oc_core/constructor/comprehensive_constructor.h"
-#include "oc_core/constructor/curved_turns.h"
+#include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/constructor/maze_constructor.h"
 #include "oc_core/constructor/maze_options.h"

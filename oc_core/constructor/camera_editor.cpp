@@ -6,7 +6,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
-#include "oc_core/constructor/curved_turns.h"
+#include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 
 namespace ocelli {
@@ -194,7 +194,7 @@ void CameraEditor::applyEdit(const std::string& text, const std::string& where) 
 
 std::string editableText(const std::string& nameOrFile, const MultiperspectiveCamera& constructed) {
   if (nameOrFile.ends_with(".json")) {
-    const std::string text = readFile(nameOrFile, kMostTextBytes);
+    const std::string text = readFile(nameOrFile, kMaxTextBytes);
     const nlohmann::json json = parseJson(text, nameOrFile);
     JsonFields fields(json, nameOrFile);
     if (isEditable(fields.text("camera"))) {

@@ -1,7 +1,7 @@
 // Interactive construction (section 4.3.2.1): a graph or curved ray camera that edits change one at a time. Whoever
 // shows the camera's image, a window or a script, sends edits and draws again after each.
 //
-// The camera is a JSON document as `--camera` takes it (graph_operations.h, curved_turns.h). An edit is a JSON object:
+// The camera is a JSON document as `--camera` takes it (graph_operations.h, curved_bends.h). An edit is a JSON object:
 //   {"edit": "add", "operation": {...}}            of a graph camera; {"turn": {...}} of a curved ray camera
 //   {"edit": "remove", "name": "left"}             a frustum with all that comes from it, or a turn
 //   {"edit": "change", "name": "left", "to": {"viewpoint": [0, 1, 5]}}   fields of a frustum or of a turn

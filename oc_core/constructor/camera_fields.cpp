@@ -27,8 +27,8 @@ std::optional<glm::ivec2> readSize(JsonFields& fields) {
     return std::nullopt;
   }
   JsonFields size(fields.value("size"), fields.where() + ", \"size\"");
-  const glm::ivec2 read(size.integer("width", 1, PinholeCamera::kMostPixelsASide),
-                        size.integer("height", 1, PinholeCamera::kMostPixelsASide));
+  const glm::ivec2 read(size.integer("width", 1, PinholeCamera::kMaxPixelsASide),
+                        size.integer("height", 1, PinholeCamera::kMaxPixelsASide));
   size.rejectUnknown();
   return read;
 }

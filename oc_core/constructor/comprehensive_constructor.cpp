@@ -15,7 +15,7 @@ namespace ocelli {
 namespace {
 
 /// Viewpoints lie at least so many corridor widths behind where rays turn: they must not look along planes.
-constexpr double kLeastDistance = 1.4;
+constexpr double kMinDistance = 1.4;
 
 class ComprehensiveBuilder {
  public:
@@ -50,7 +50,7 @@ class ComprehensiveBuilder {
     const auto own = static_cast<double>(leg.cells.size());
     const auto after = static_cast<double>(leg.cellsAfter);
     const double scale = std::sqrt(after / (after + options_.nearness * own));  // of a length at the end of the leg
-    return std::max(kLeastDistance * width_, lengthOf(leg) * scale / (1 - scale));
+    return std::max(kMinDistance * width_, lengthOf(leg) * scale / (1 - scale));
   }
   double lengthOf(const TourLeg& leg) const {
     return static_cast<double>(leg.cells.size()) * static_cast<double>(maze_.cellSize);
@@ -159,8 +159,8 @@ ComprehensiveOptions readComprehensiveOptions(JsonFields& fields) {
     fields.fail("order", "is \"" + order + "\", but must be breadth_first or depth_first");
   }
   options.order = order == "breadth_first" ? TourOrder::kBreadthFirst : TourOrder::kDepthFirst;
-  const int row = fields.integer("start_row", 0, kMostMazeSide - 1, -1);
-  const int column = fields.integer("start_column", 0, kMostMazeSide - 1, -1);
+  const int row = fields.integer("start_row", 0, kMaxMazeSide - 1, -1);
+  const int column = fields.integer("start_column", 0, kMaxMazeSide - 1, -1);
   if ((row < 0) != (column < 0)) {
     fields.fail(row < 0 ? "start_row" : "start_column", "is missing, as only half of the start is given");
   }

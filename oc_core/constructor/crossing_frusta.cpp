@@ -119,7 +119,7 @@ class Crossing {
     return (viewpoint * one + from * other) / (one + other);
   }
 
-  int bendPart(int i, const GraphCamera::Turn& turn, const std::string& name, const GraphCamera::Part& part) {
+  int bendPart(int i, const GraphCamera::Bend& turn, const std::string& name, const GraphCamera::Part& part) {
     if (part.empty()) {
       throw InputError("too few pixels are left for it", "graph camera, frustum \"" + name + "\"",
                        "use a larger image, or give its way a larger share");

@@ -15,12 +15,12 @@ namespace ocelli {
 namespace {
 
 constexpr const char* kRootName = "root";
-constexpr size_t kMostCorners = 64;  // of a part
+constexpr size_t kMaxCorners = 64;  // of a part
 
 /// A frustum to be made.
 struct NewFrustum {
   std::string name;
-  GraphCamera::Turn turn;
+  GraphCamera::Bend bend;
   GraphCamera::Part part;  // in shares of the image; empty for all
 };
 
@@ -35,8 +35,8 @@ struct Operation {
 
 GraphCamera::Part readPart(JsonFields& fields) {
   const nlohmann::json& corners = fields.value("part");
-  if (!corners.is_array() || corners.size() < 3 || corners.size() > kMostCorners) {
-    fields.fail("part", "must be an array of 3 to " + std::to_string(kMostCorners) + " corners");
+  if (!corners.is_array() || corners.size() < 3 || corners.size() > kMaxCorners) {
+    fields.fail("part", "must be an array of 3 to " + std::to_string(kMaxCorners) + " corners");
   }
   GraphCamera::Part part;
   for (const nlohmann::json& corner : corners) {
@@ -56,7 +56,7 @@ NewFrustum readFrustum(const nlohmann::json& json, const std::string& where) {
   if (frustum.name.empty()) {
     fields.fail("name", "is empty");
   }
-  frustum.turn = {readPlane(fields.value("plane"), where + ", \"plane\""), readVector(fields, "viewpoint")};
+  frustum.bend = {readPlane(fields.value("plane"), where + ", \"plane\""), readVector(fields, "viewpoint")};
   if (fields.has("part")) {
     frustum.part = readPart(fields);
   }
@@ -114,8 +114,8 @@ Operation readOperation(const nlohmann::json& json, const std::string& where) {
 
 std::list<Operation> readOperations(JsonFields& fields) {
   const nlohmann::json& list = fields.value("operations");
-  if (!list.is_array() || list.size() > GraphCamera::kMostFrusta) {
-    fields.fail("operations", "must be an array of at most " + std::to_string(GraphCamera::kMostFrusta));
+  if (!list.is_array() || list.size() > GraphCamera::kMaxFrusta) {
+    fields.fail("operations", "must be an array of at most " + std::to_string(GraphCamera::kMaxFrusta));
   }
   std::list<Operation> operations;
   std::set<std::string> names{kRootName};
@@ -179,7 +179,7 @@ class OperationBuilder {
     for (const int i : of) {
       const std::string name =
           of.size() == 1 ? bent.name : bent.name + " of " + camera_.frusta()[static_cast<size_t>(i)].name;
-      frusta_[bent.name].push_back(camera_.bend(i, bent.turn, name, part));
+      frusta_[bent.name].push_back(camera_.bend(i, bent.bend, name, part));
     }
   }
   int single(const std::string& name, const Operation& operation) const {
@@ -193,13 +193,13 @@ class OperationBuilder {
   void split(const Operation& operation) {
     const NewFrustum& one = operation.into[0];
     const NewFrustum& other = operation.into[1];
-    const auto [a, b] = camera_.split(single(operation.of[0], operation), one.turn, other.turn, one.name, other.name);
+    const auto [a, b] = camera_.split(single(operation.of[0], operation), one.bend, other.bend, one.name, other.name);
     frusta_[one.name] = {a};
     frusta_[other.name] = {b};
   }
   void merge(const Operation& operation) {
     const auto [a, b] = camera_.merge(single(operation.of[0], operation), single(operation.of[1], operation),
-                                      operation.into[0].turn, operation.into[0].name);
+                                      operation.into[0].bend, operation.into[0].name);
     frusta_[operation.into[0].name] = {a, b};
   }
 

@@ -10,9 +10,9 @@ namespace {
 using Part = GraphCamera::Part;
 
 /// Square pixels: less shows nothing.
-constexpr double kLeastArea = 1e-3;
+constexpr double kMinArea = 1e-3;
 /// Corners nearer to each other than this are one, pixels: the edge between them has no direction to rely on.
-constexpr double kLeastEdge = 1e-4;
+constexpr double kMinEdge = 1e-4;
 /// Of the distances to zNear and zFar, so that rays cross what is seen strictly between them.
 constexpr double kDepthMargin = 1e-3;
 
@@ -29,14 +29,14 @@ double areaOf(const Part& part) {
 Part tidied(const Part& part) {
   Part kept;
   for (const glm::dvec2& corner : part) {
-    if (kept.empty() || glm::distance(kept.back(), corner) > kLeastEdge) {
+    if (kept.empty() || glm::distance(kept.back(), corner) > kMinEdge) {
       kept.push_back(corner);
     }
   }
-  while (kept.size() > 1 && glm::distance(kept.back(), kept.front()) <= kLeastEdge) {
+  while (kept.size() > 1 && glm::distance(kept.back(), kept.front()) <= kMinEdge) {
     kept.pop_back();
   }
-  return kept.size() >= 3 && areaOf(kept) >= kLeastArea ? kept : Part{};
+  return kept.size() >= 3 && areaOf(kept) >= kMinArea ? kept : Part{};
 }
 
 /// Where z >= least, or z <= least with `sign` -1.

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kMazeCamera = "maze camera";
 constexpr double kParallel = 1.0 / 200;  ///< one over how much farther away the viewpoint of parallel rays lies
-constexpr double kLeastWayShare = 2e-3;  ///< of rays; less is no way
+constexpr double kMinWayShare = 2e-3;    ///< of rays; less is no way
 
 double tanHalf(double degrees) {
   return std::tan(radiansFromDegrees(degrees) / 2);
@@ -129,15 +129,15 @@ class MazeCameraBuilder {
     std::array<double, 2> outwards{};
     for (size_t k = 0; k < 2; ++k) {
       outwards[k] = (viewpoint[k] - near[k]) / root.before;
-      if (rays[k] > kLeastWayShare && outwards[k] > 0) {
+      if (rays[k] > kMinWayShare && outwards[k] > 0) {
         ways.depth = std::min(ways.depth, 0.5 * near[k] / outwards[k]);
       }
     }
     for (size_t k = 0; k < 2; ++k) {
-      ways.way[2 * k] = {rays[k] > kLeastWayShare ? near[k] - outwards[k] * ways.depth : 0, corridor};
+      ways.way[2 * k] = {rays[k] > kMinWayShare ? near[k] - outwards[k] * ways.depth : 0, corridor};
     }
     // Without a way ahead, rays go straight on to the far wall.
-    ways.way[1] = {1 - ways.way[0].share - ways.way[2].share, crossing.ahead && ahead > kLeastWayShare ? corridor : 0};
+    ways.way[1] = {1 - ways.way[0].share - ways.way[2].share, crossing.ahead && ahead > kMinWayShare ? corridor : 0};
     ways.straight = 1 - deployed_;
     ways.endInBox = false;
     return ways;

@@ -22,7 +22,7 @@ constexpr double kInside = 0.02;
 /// How far beyond the middle rays go on within the box, in widths of it: into niches of its front.
 constexpr double kOverlap = 0.05;
 /// The merged viewpoint is before the plane where rays meet by this share of its distance at least.
-constexpr double kLeastBefore = 0.3;
+constexpr double kMinBefore = 0.3;
 
 /// The plan as seen: x across and z towards the middle of the box, both at right angles to the image's columns.
 struct PlanView {
@@ -88,7 +88,7 @@ double mergedFor(double meeting, double split, double slope, double aside, doubl
 
 /// Of the rays that run along a side those go on behind the box that have not crossed the middle; the others end, so
 /// that no two see the same.
-void mergeSide(GraphCamera& camera, int frustum, const GraphCamera::Turn& behind, const PlanView& plan, double side,
+void mergeSide(GraphCamera& camera, int frustum, const GraphCamera::Bend& behind, const PlanView& plan, double side,
                double overlap) {
   camera.limit(frustum, Plane::through(plan.eye - plan.right * (side * overlap), plan.right * -side));
   camera.limit(frustum, behind.plane);
@@ -160,16 +160,16 @@ GraphCamera buildOccluderCamera(const OccluderOptions& options, const GuidedScen
   const double merged =
       std::clamp(std::min(mergedFor(meeting, split, slope, left, -tangentAt(0)),
                           mergedFor(meeting, split, slope, right, tangentAt(static_cast<float>(reference.width())))),
-                 0.0, (1 - kLeastBefore) * meeting);
+                 0.0, (1 - kMinBefore) * meeting);
   const auto sideTurn = [&](double side, double aside) {
-    return GraphCamera::Turn{Plane::through(plan.at(0, split), plan.forward + plan.right * (side * slope)),
+    return GraphCamera::Bend{Plane::through(plan.at(0, split), plan.forward + plan.right * (side * slope)),
                              plan.at(side * aside, 0)};
   };
   GraphCamera camera(reference);
   const auto [one, other] =
       camera.split(GraphCamera::kRoot, sideTurn(-1, left), sideTurn(1, right), "left of the box", "right of the box");
   const double overlap = kOverlap * (extent.right - extent.left);
-  const GraphCamera::Turn behind{Plane::through(plan.at(0, meeting), plan.forward), plan.at(0, merged)};
+  const GraphCamera::Bend behind{Plane::through(plan.at(0, meeting), plan.forward), plan.at(0, merged)};
   mergeSide(camera, one, behind, plan, -1, overlap);
   mergeSide(camera, other, behind, plan, 1, overlap);
   return camera;

@@ -15,8 +15,8 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kMostPoints = 4096;
-constexpr double kLeastTurn = 1e-4;  // radians: less is straight
+constexpr size_t kMaxPoints = 4096;
+constexpr double kMinTurn = 1e-4;  // radians: less is straight
 /// Between the planes of a full turn at its outermost rays, as an angle about the line where they meet.
 const double kPlaneAngle = radiansFromDegrees(8);
 constexpr double kCollapsed = 0.3;       // distance at which a turn is gone, in distances of control points
@@ -122,7 +122,7 @@ std::optional<CurvedRayCamera> turned(const CurvedRayCamera& camera, const Bend&
   const auto planeAt = [&](double angle) { return Plane::through(onLine, rotated(bend.forward, angle, bend.axis)); };
   CurvedRayCamera changed = camera;
   try {
-    changed.turn({planeAt(-opening), middle, planeAt(opening)}, bend.viewpoint);
+    changed.bend({planeAt(-opening), middle, planeAt(opening)}, bend.viewpoint);
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -132,12 +132,12 @@ std::optional<CurvedRayCamera> turned(const CurvedRayCamera& camera, const Bend&
 /// Turns as strongly as can be, at most by `share` of the way from the direction of the rays to that of `next`.
 CurvedRayCamera turnedTowards(const CurvedRayCamera& camera, const glm::dvec3& point, const glm::dvec3& next,
                               double share) {
-  const glm::dvec3 before = camera.turns().empty() ? glm::dvec3(camera.root().eye()) : camera.turns().back().beyond();
+  const glm::dvec3 before = camera.bends().empty() ? glm::dvec3(camera.root().eye()) : camera.bends().back().beyond();
   const glm::dvec3 arriving = glm::normalize(point - before);
   const glm::dvec3 leaving = glm::normalize(next - point);
   const glm::dvec3 across = glm::cross(arriving, leaving);
   const double angle = std::atan2(glm::length(across), glm::dot(arriving, leaving)) * share;
-  if (!(angle > kLeastTurn) || !(glm::length(across) > 0)) {
+  if (!(angle > kMinTurn) || !(glm::length(across) > 0)) {
     return camera;
   }
   const glm::dvec3 axis = glm::normalize(across);
@@ -183,7 +183,7 @@ PathOptions readPathOptions(JsonFields& fields) {
   PathOptions options;
   if (fields.has("path")) {
     const nlohmann::json& list = fields.value("path");
-    if (!list.is_array() || list.size() < 2 || list.size() > kMostPoints) {
+    if (!list.is_array() || list.size() < 2 || list.size() > kMaxPoints) {
       fields.fail("path", "must be a list of 2 to 4096 points");
     }
     for (size_t i = 0; i < list.size(); ++i) {
@@ -194,7 +194,7 @@ PathOptions readPathOptions(JsonFields& fields) {
   }
   options.position = fields.number("position", 0, 1, options.position);
   options.preview = fields.number("preview", 1e-3, 1, options.preview);
-  options.turns = fields.integer("turns", 1, static_cast<int>(CurvedRayCamera::kMostTurns), options.turns);
+  options.turns = fields.integer("turns", 1, static_cast<int>(CurvedRayCamera::kMaxBends), options.turns);
   options.eyeHeight = fields.number("eye_height", -1e6, 1e6, options.eyeHeight);
   return options;
 }

@@ -22,9 +22,9 @@ using Part = GraphCamera::Part;
 constexpr double kFadingShare = 0.75;  // of the farthest distance
 constexpr double kFadingDegrees = 4;   // before a portal is edge on
 /// Rays that turn by less than this share of the way show what straight ones do.
-constexpr double kLeastPieceShare = 1e-9;
+constexpr double kMinPieceShare = 1e-9;
 constexpr double kSamePlane = 1e-6;  // relative difference of depths
-constexpr size_t kMostPortals = 256;
+constexpr size_t kMaxPortals = 256;
 
 /// A point in the frame of a portal, in metres along unit vectors.
 struct PortalFrame {
@@ -204,7 +204,7 @@ GraphCamera buildPortalCamera(const PortalOptions& options, const SceneGuides& g
     const std::string name = "portal " + std::to_string(each.portal - portals.data() + 1);
     for (const Piece& piece : each.share() > 0 ? piecesOf(each, seen, reference) : std::vector<Piece>{}) {
       const double share = each.share() * piece.left;
-      if (share > kLeastPieceShare) {
+      if (share > kMinPieceShare) {
         camera.bend(GraphCamera::kRoot, {each.plane, portalViewpoint(*each.portal, eye, share)}, name, piece.part);
       }
     }
@@ -216,7 +216,7 @@ PortalOptions readPortalOptions(JsonFields& fields) {
   PortalOptions options;
   if (fields.has("portals")) {
     const nlohmann::json& list = fields.value("portals");
-    if (!list.is_array() || list.empty() || list.size() > kMostPortals) {
+    if (!list.is_array() || list.empty() || list.size() > kMaxPortals) {
       fields.fail("portals", "must be a list of 1 to 256 portals");
     }
     for (size_t i = 0; i < list.size(); ++i) {

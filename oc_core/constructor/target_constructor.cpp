@@ -12,9 +12,9 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kMostOccluders = 4096;
+constexpr size_t kMaxOccluders = 4096;
 /// Less does not move a pixel.
-constexpr double kLeastF = 1e-5;
+constexpr double kMinF = 1e-5;
 constexpr int kPointsASide = 4;  // of the target's box
 constexpr double kSearchStep = 0.05;
 
@@ -97,7 +97,7 @@ void requireInFront(const Box& target, const PinholeCamera& view) {
 CurvedRayCamera bentCamera(const PinholeCamera& view, const Box& target, double f) {
   CurvedRayCamera camera(view);
   const double distance = depthOf(view, target.center());
-  if (std::abs(f) < kLeastF || !(distance * (2 * kMiddle - kLatestEnd) > 2 * static_cast<double>(view.view().zNear)) ||
+  if (std::abs(f) < kMinF || !(distance * (2 * kMiddle - kLatestEnd) > 2 * static_cast<double>(view.view().zNear)) ||
       !(distance < static_cast<double>(view.view().zFar))) {
     return camera;
   }
@@ -115,7 +115,7 @@ CurvedRayCamera bentCamera(const PinholeCamera& view, const Box& target, double 
                                 (kLatestEnd - kMiddle) * distance / (inner + outer));
   const glm::dvec3 onLine = eye + forward * middle + side * inner;
   const auto planeAt = [&](double tilt) { return Plane::through(onLine, forward + side * tilt); };
-  camera.turn({planeAt(-slope), planeAt(0), planeAt(slope)}, eye - side * (std::abs(f) * kOffset * distance));
+  camera.bend({planeAt(-slope), planeAt(0), planeAt(slope)}, eye - side * (std::abs(f) * kOffset * distance));
   return camera;
 }
 
@@ -146,9 +146,9 @@ double TargetTracker::wanted(const PinholeCamera& view, std::span<const Box> occ
   if (shows(f_)) {
     return f_;
   }
-  for (double away = kSearchStep; away <= 2 * options_.mostF + kSearchStep; away += kSearchStep) {
+  for (double away = kSearchStep; away <= 2 * options_.maxF + kSearchStep; away += kSearchStep) {
     for (const double f : {f_ - away, f_ + away}) {
-      if (std::abs(f) <= options_.mostF && shows(f)) {
+      if (std::abs(f) <= options_.maxF && shows(f)) {
         return f;
       }
     }
@@ -157,7 +157,7 @@ double TargetTracker::wanted(const PinholeCamera& view, std::span<const Box> occ
 }
 
 CurvedRayCamera TargetTracker::update(const PinholeCamera& view, std::span<const Box> occluders, const Box& target) {
-  f_ += std::clamp(wanted(view, occluders, target) - f_, -options_.mostChange, options_.mostChange);
+  f_ += std::clamp(wanted(view, occluders, target) - f_, -options_.maxChange, options_.maxChange);
   return bentCamera(view, target, f_);
 }
 
@@ -195,7 +195,7 @@ TargetOptions readTargetOptions(JsonFields& fields) {
   }
   if (fields.has("occluders")) {
     const nlohmann::json& list = fields.value("occluders");
-    if (!list.is_array() || list.empty() || list.size() > kMostOccluders) {
+    if (!list.is_array() || list.empty() || list.size() > kMaxOccluders) {
       fields.fail("occluders", "must be a list of 1 to 4096 boxes");
     }
     for (size_t i = 0; i < list.size(); ++i) {
@@ -205,7 +205,7 @@ TargetOptions readTargetOptions(JsonFields& fields) {
     }
   }
   options.f = fields.number("f", -1, 1, options.f);
-  options.mostF = fields.number("most_f", 0, 1, options.mostF);
+  options.maxF = fields.number("most_f", 0, 1, options.maxF);
   options.visibleShare = fields.number("visible_share", 0.01, 1, options.visibleShare);
   options.enlarged = fields.number("enlarged", 0, 10, options.enlarged);
   return options;

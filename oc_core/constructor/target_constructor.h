@@ -25,10 +25,10 @@ struct TargetOptions {
   std::optional<Box> box;      ///< of the target; the scene's where missing
   std::vector<Box> occluders;  ///< where empty those of all objects but the target; structure hides nothing
   double f = 0;                ///< where the search begins
-  double mostF = 1;            ///< the strongest bend, to either side
+  double maxF = 1;             ///< the strongest bend, to either side
   double visibleShare = 0.5;   ///< of the points of the target's box, for it to be in sight
   double enlarged = 0.1;       ///< by so much the box is larger on each side, in shares of its size
-  double mostChange = 0.05;    ///< of f from one frame to the next
+  double maxChange = 0.05;     ///< of f from one frame to the next
 };
 
 /// The camera bent by f; a pinhole where f is 0, or the target not well before zNear.
@@ -43,7 +43,7 @@ class TargetTracker {
   explicit TargetTracker(const TargetOptions& options) : options_(options), f_(options.f) {}
 
   double f() const { return f_; }
-  /// Moves f, by at most mostChange, towards the value that shows the target: 0 where that does, else f as it is, else
+  /// Moves f, by at most maxChange, towards the value that shows the target: 0 where that does, else f as it is, else
   /// the nearest that does, else 0.
   CurvedRayCamera update(const PinholeCamera& view, std::span<const Box> occluders, const Box& target);
 

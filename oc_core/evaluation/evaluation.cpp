@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "oc_core/base/parallel.h"
-#include "oc_core/evaluation/error_picture.h"
+#include "oc_core/evaluation/error_image.h"
 #include "oc_core/evaluation/truth_frames.h"
 #include "oc_core/ocri/union_mesh.h"
 #include "oc_core/scene/winding_number.h"
@@ -102,10 +102,10 @@ struct Evaluator::Impl {
     Measured(Impl& impl, const Mesh& mesh, const std::string& name, const Progress& progress)
         : impl_(impl), mesh_(mesh), name_(name), progress_(progress), errors_(impl.truth.count()) {}
 
-    FrameErrors at(const Place& place, bool pictures) {
+    FrameErrors at(const Place& place, bool images) {
       parallelFor(place.last - place.first, 1, [&](size_t begin, size_t end) {
         for (size_t i = place.first + begin; i < place.first + end; ++i) {
-          measure(i, pictures);
+          measure(i, images);
         }
       });
       FrameErrors sum;
@@ -116,7 +116,7 @@ struct Evaluator::Impl {
     }
 
    private:
-    void measure(size_t i, bool pictures) {
+    void measure(size_t i, bool images) {
       if (errors_[i]) {
         return;
       }
@@ -124,8 +124,8 @@ struct Evaluator::Impl {
       const std::shared_ptr<const ViewFrame> truth = impl_.truth.frame(i);
       const ViewFrame frame = renderFrame(impl_.truth.camera(i), mesh_);
       errors_[i] = countErrors(compareViewFrames(impl_.truth.camera(i), *truth, frame, impl_.surface), frame);
-      if (pictures) {
-        addPictureErrors(*errors_[i], *truth, frame);
+      if (images) {
+        addImageErrors(*errors_[i], *truth, frame);
       }
     }
 
@@ -203,9 +203,9 @@ RepresentationFigures Evaluator::measure(const std::string& name, const MakeRepr
     figures.bytes += storedSize(image);
   }
   Impl::Measured measured(*impl_, made.mesh, name, progress);
-  figures.edges = measured.at(impl_->viewpoints.edges, options.comparePictures);
-  figures.interior = measured.at(impl_->viewpoints.interior, options.comparePictures);
-  figures.reference = measured.at(impl_->viewpoints.reference, options.comparePictures);
+  figures.edges = measured.at(impl_->viewpoints.edges, options.compareImages);
+  figures.interior = measured.at(impl_->viewpoints.interior, options.compareImages);
+  figures.reference = measured.at(impl_->viewpoints.reference, options.compareImages);
   for (const Place& place : impl_->viewpoints.offsets) {
     figures.offsets.push_back(measured.at(place, false));
   }
@@ -224,15 +224,15 @@ View Evaluator::exampleView() const {
   return movedEye(impl_->options.view, left * cell.halfSide());
 }
 
-Image<Rgb8> Evaluator::examplePicture() const {
-  return renderFrame({exampleView(), impl_->options.width, impl_->options.height}, impl_->scene).picture;
+Image<Rgb8> Evaluator::exampleImage() const {
+  return renderFrame({exampleView(), impl_->options.width, impl_->options.height}, impl_->scene).image;
 }
 
 Evaluator::Example Evaluator::example(const Mesh& mesh) const {
   const PinholeCamera camera(exampleView(), impl_->options.width, impl_->options.height);
   const ViewFrame truth = renderFrame(camera, impl_->scene);
   const ViewFrame frame = renderFrame(camera, mesh);
-  return {frame.picture, errorPicture(truth, compareViewFrames(camera, truth, frame, impl_->surface))};
+  return {frame.image, errorImage(truth, compareViewFrames(camera, truth, frame, impl_->surface))};
 }
 
 std::vector<RepresentationFigures> evaluate(const Mesh& mesh, const std::vector<CameraChoice>& choices,

@@ -1,4 +1,4 @@
-// Measures representations against the scene they stand for: disocclusion errors over a view cell, how their pictures
+// Measures representations against the scene they stand for: disocclusion errors over a view cell, how their images
 // differ, their size, and times (section 3.5.5.7, Tables 3.5 and 3.6). docs/metrics.md defines every figure.
 //
 // What the scene itself shows from each viewpoint is rendered once, and shared by all representations.
@@ -25,7 +25,7 @@ struct EvaluationOptions {
   int interiorViews = 12;
   unsigned seed = 1;
   /// Whether PSNR, SSIM and FLIP are measured: most of the time that viewpoints take.
-  bool comparePictures = false;
+  bool compareImages = false;
   /// Distances from the reference viewpoint, in half sides of the cell, at which the errors are measured too.
   std::vector<float> offsets;
   int offsetDirections = 4;  ///< how many viewpoints at each distance, but at 0
@@ -78,13 +78,13 @@ class Evaluator {
   RepresentationFigures measure(const std::string& name, const MakeRepresentation& make, const Progress& progress = {},
                                 const MeshVisitor& visit = {});
 
-  /// Half a side to the left, or along a segment against its direction: a viewpoint to show pictures of.
+  /// Half a side to the left, or along a segment against its direction: a viewpoint to show images of.
   View exampleView() const;
   /// The scene seen from there.
-  Image<Rgb8> examplePicture() const;
-  /// `mesh` seen from there, and its errors in false colours (error_picture.h) over the picture of the scene.
+  Image<Rgb8> exampleImage() const;
+  /// `mesh` seen from there, and its errors in false colours (error_image.h) over the image of the scene.
   struct Example {
-    Image<Rgb8> picture;
+    Image<Rgb8> image;
     Image<Rgb8> errors;
   };
   Example example(const Mesh& mesh) const;

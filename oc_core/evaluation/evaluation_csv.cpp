@@ -52,7 +52,7 @@ std::array<const FrameErrors*, 3> placesOf(const RepresentationFigures& row) {
 struct Measure {
   const char* name;
   double (*value)(const FrameErrors&);
-  bool ofPictures;
+  bool ofImages;
 };
 
 constexpr std::array<Measure, 7> kMeasures{{
@@ -97,7 +97,7 @@ std::string evaluationCsv(const EvaluationOptions& options, const std::vector<Re
     line.addNumber(row.updateMilliseconds);
     for (const Measure& measure : kMeasures) {
       for (const FrameErrors* errors : placesOf(row)) {
-        if (measure.ofPictures && errors->pictures == 0) {
+        if (measure.ofImages && errors->images == 0) {
           line.addMissing();
         } else {
           line.addNumber(measure.value(*errors));
@@ -116,7 +116,7 @@ std::string offsetsCsv(const EvaluationOptions& options, const std::vector<Repre
   header.add("name");
   header.add("half_sides");
   for (const Measure& measure : kMeasures) {
-    if (!measure.ofPictures) {
+    if (!measure.ofImages) {
       header.add(measure.name);
     }
   }
@@ -127,7 +127,7 @@ std::string offsetsCsv(const EvaluationOptions& options, const std::vector<Repre
       line.add(row.name);
       line.addNumber(options.offsets[i]);
       for (const Measure& measure : kMeasures) {
-        if (!measure.ofPictures) {
+        if (!measure.ofImages) {
           line.addNumber(measure.value(row.offsets[i]));
         }
       }

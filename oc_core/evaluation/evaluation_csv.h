@@ -8,7 +8,7 @@
 
 namespace ocelli {
 
-/// One line a representation. A figure that was not measured is empty; the PSNR of equal pictures is "inf".
+/// One line a representation. A figure that was not measured is empty; the PSNR of equal images is "inf".
 std::string evaluationCsv(const EvaluationOptions& options, const std::vector<RepresentationFigures>& figures);
 
 /// One line a representation and distance.

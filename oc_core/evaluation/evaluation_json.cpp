@@ -46,11 +46,11 @@ Json rowJson(const RepresentationFigures& row, const EvaluationOptions& options)
   entry["wrong_front"] = atPlaces(row, [](const FrameErrors& errors) { return errors.wrongFrontRatio(); });
   entry["false_skins"] = atPlaces(row, [](const FrameErrors& errors) { return errors.falseSkinRatio(); });
   entry["psnr_db"] = atPlaces(
-      row, [](const FrameErrors& errors) { return numberOrNull(errors.meanPsnrDecibels(), errors.pictures > 0); });
+      row, [](const FrameErrors& errors) { return numberOrNull(errors.meanPsnrDecibels(), errors.images > 0); });
   entry["ssim"] =
-      atPlaces(row, [](const FrameErrors& errors) { return numberOrNull(errors.meanSsim(), errors.pictures > 0); });
+      atPlaces(row, [](const FrameErrors& errors) { return numberOrNull(errors.meanSsim(), errors.images > 0); });
   entry["flip"] =
-      atPlaces(row, [](const FrameErrors& errors) { return numberOrNull(errors.meanFlip(), errors.pictures > 0); });
+      atPlaces(row, [](const FrameErrors& errors) { return numberOrNull(errors.meanFlip(), errors.images > 0); });
   entry["pixels"] = row.pixels;
   entry["bytes"] = {{"raw", row.bytes.raw}, {"zstd", row.bytes.compressed}};
   entry["update_ms"] = row.updateMilliseconds;

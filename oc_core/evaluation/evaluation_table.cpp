@@ -15,7 +15,7 @@ std::string megabytes(size_t bytes) {
   return fmt::format("{:.2f}", static_cast<double>(bytes) / 1e6);
 }
 
-std::string pictureTable(const std::vector<RepresentationFigures>& figures) {
+std::string imageTable(const std::vector<RepresentationFigures>& figures) {
   std::string text = fmt::format("\n{:<16} {:^19}   {:^26}   {:^26}   {:^17}   {:>9}\n", "", "wrong front",
                                  "false skins", "pictures, edges", "megabytes", "");
   text += fmt::format("{:<16} {:>9} {:>9}   {:>8} {:>8} {:>8}   {:>9} {:>8} {:>7}   {:>8} {:>8}   {:>9}\n", "camera",
@@ -47,9 +47,8 @@ std::string evaluationTable(const std::vector<RepresentationFigures>& figures) {
         percent(row.edges.strictRatio()), percent(row.interior.strictRatio()), percent(row.reference.strictRatio()),
         percent(row.edges.thickRatio()), percent(row.interior.thickRatio()), row.strictRatioToDi, row.thickRatioToDi);
   }
-  const bool pictures =
-      std::any_of(figures.begin(), figures.end(), [](const auto& row) { return row.edges.pictures > 0; });
-  return pictures ? text + pictureTable(figures) : text;
+  const bool images = std::any_of(figures.begin(), figures.end(), [](const auto& row) { return row.edges.images > 0; });
+  return images ? text + imageTable(figures) : text;
 }
 
 }  // namespace ocelli

@@ -8,7 +8,7 @@
 
 namespace ocelli {
 
-/// One line a representation; a second table where pictures were compared.
+/// One line a representation; a second table where images were compared.
 std::string evaluationTable(const std::vector<RepresentationFigures>& figures);
 
 }  // namespace ocelli

@@ -13,8 +13,8 @@ namespace ocelli {
 namespace {
 
 constexpr int kFormat = 1;
-constexpr double kMostCount = 9007199254740992.0;  // 2^53: above it a JSON number need not be a whole one
-constexpr double kMostNumber = 1e300;
+constexpr double kMaxCount = 9007199254740992.0;  // 2^53: above it a JSON number need not be a whole one
+constexpr double kMaxNumber = 1e300;
 
 /// FNV-1a, 64 bits: it tells scenes apart, and guards against nothing.
 class Hash {
@@ -39,11 +39,11 @@ class Hash {
 };
 
 nlohmann::json jsonOf(const FrameErrors& errors) {
-  return {{"truth", errors.truth},       {"strict", errors.strict},
-          {"thick", errors.thick},       {"wrong_front", errors.wrongFront},
-          {"frame", errors.frame},       {"false_skin", errors.falseSkin},
-          {"pictures", errors.pictures}, {"squared_error", errors.squaredError},
-          {"ssim", errors.ssim},         {"flip", errors.flip}};
+  return {{"truth", errors.truth},     {"strict", errors.strict},
+          {"thick", errors.thick},     {"wrong_front", errors.wrongFront},
+          {"frame", errors.frame},     {"false_skin", errors.falseSkin},
+          {"pictures", errors.images}, {"squared_error", errors.squaredError},
+          {"ssim", errors.ssim},       {"flip", errors.flip}};
 }
 
 nlohmann::json jsonOf(const RepresentationFigures& figures) {
@@ -70,7 +70,7 @@ nlohmann::json jsonOf(const RepresentationFigures& figures) {
 }
 
 size_t readCount(JsonFields& fields, const std::string& name) {
-  return static_cast<size_t>(fields.number(name, 0, kMostCount));
+  return static_cast<size_t>(fields.number(name, 0, kMaxCount));
 }
 
 FrameErrors readErrors(const nlohmann::json& json, const std::string& where) {
@@ -82,10 +82,10 @@ FrameErrors readErrors(const nlohmann::json& json, const std::string& where) {
   errors.wrongFront = readCount(fields, "wrong_front");
   errors.frame = readCount(fields, "frame");
   errors.falseSkin = readCount(fields, "false_skin");
-  errors.pictures = readCount(fields, "pictures");
-  errors.squaredError = fields.number("squared_error", 0, kMostNumber);
-  errors.ssim = fields.number("ssim", -kMostNumber, kMostNumber);
-  errors.flip = fields.number("flip", 0, kMostNumber);
+  errors.images = readCount(fields, "pictures");
+  errors.squaredError = fields.number("squared_error", 0, kMaxNumber);
+  errors.ssim = fields.number("ssim", -kMaxNumber, kMaxNumber);
+  errors.flip = fields.number("flip", 0, kMaxNumber);
   fields.rejectUnknown();
   return errors;
 }
@@ -99,10 +99,10 @@ RepresentationFigures readFigures(const nlohmann::json& json, const std::string&
   figures.pixels = readCount(fields, "pixels");
   figures.bytes.raw = readCount(fields, "bytes_raw");
   figures.bytes.compressed = readCount(fields, "bytes_zstd");
-  figures.buildMilliseconds = fields.number("build_ms", 0, kMostNumber);
-  figures.meshMilliseconds = fields.number("mesh_ms", 0, kMostNumber);
-  figures.sliceMilliseconds = fields.number("slice_ms", 0, kMostNumber);
-  figures.updateMilliseconds = fields.number("update_ms", 0, kMostNumber);
+  figures.buildMilliseconds = fields.number("build_ms", 0, kMaxNumber);
+  figures.meshMilliseconds = fields.number("mesh_ms", 0, kMaxNumber);
+  figures.sliceMilliseconds = fields.number("slice_ms", 0, kMaxNumber);
+  figures.updateMilliseconds = fields.number("update_ms", 0, kMaxNumber);
   figures.edges = readErrors(fields.value("edges"), where);
   figures.interior = readErrors(fields.value("interior"), where);
   figures.reference = readErrors(fields.value("reference"), where);
@@ -113,8 +113,8 @@ RepresentationFigures readFigures(const nlohmann::json& json, const std::string&
   for (const nlohmann::json& errors : offsets) {
     figures.offsets.push_back(readErrors(errors, where));
   }
-  figures.strictRatioToDi = fields.number("strict_ratio_to_di", 0, kMostNumber);
-  figures.thickRatioToDi = fields.number("thick_ratio_to_di", 0, kMostNumber);
+  figures.strictRatioToDi = fields.number("strict_ratio_to_di", 0, kMaxNumber);
+  figures.thickRatioToDi = fields.number("thick_ratio_to_di", 0, kMaxNumber);
   fields.rejectUnknown();
   return figures;
 }
@@ -135,7 +135,7 @@ std::string evaluationKey(const Mesh& scene, const EvaluationOptions& options, c
   const glm::vec3& direction = options.cell.segmentDirection;
   hash.add(fmt::format("{} {}x{} {} {} {},{},{} {} {} {} {} {} {} ", jsonText(options.view), options.width,
                        options.height, options.cell.sideRadii, cellShapeName(options.cell.shape), direction.x,
-                       direction.y, direction.z, options.interiorViews, options.seed, options.comparePictures,
+                       direction.y, direction.z, options.interiorViews, options.seed, options.compareImages,
                        options.offsetDirections, options.runs, static_cast<bool>(options.slice)));
   hash.add(options.offsets);
   hash.add(more);

@@ -209,7 +209,7 @@ Image<glm::vec3> opponentImage(const Image<Rgb8>& image) {
 }  // namespace
 
 Image<float> flipMap(const Image<Rgb8>& a, const Image<Rgb8>& b, double pixelsPerDegree) {
-  OC_CHECK(a.width() == b.width() && a.height() == b.height(), "pictures to compare have the same size");
+  OC_CHECK(a.width() == b.width() && a.height() == b.height(), "images to compare have the same size");
   const FlipFilters filters(pixelsPerDegree);
   const Image<glm::vec3> opponentA = opponentImage(a);
   const Image<glm::vec3> opponentB = opponentImage(b);
@@ -233,7 +233,7 @@ Image<float> flipMap(const Image<Rgb8>& a, const Image<Rgb8>& b, double pixelsPe
 }
 
 double flip(const Image<Rgb8>& a, const Image<Rgb8>& b, double pixelsPerDegree) {
-  OC_CHECK(!a.empty(), "pictures to compare have pixels");
+  OC_CHECK(!a.empty(), "images to compare have pixels");
   double total = 0;
   for (const float error : flipMap(a, b, pixelsPerDegree)) {
     total += static_cast<double>(error);

@@ -27,7 +27,7 @@ FrameErrors& FrameErrors::operator+=(const FrameErrors& other) {
   wrongFront += other.wrongFront;
   frame += other.frame;
   falseSkin += other.falseSkin;
-  pictures += other.pictures;
+  images += other.images;
   squaredError += other.squaredError;
   ssim += other.ssim;
   flip += other.flip;
@@ -35,7 +35,7 @@ FrameErrors& FrameErrors::operator+=(const FrameErrors& other) {
 }
 
 double FrameErrors::meanPsnrDecibels() const {
-  return pictures > 0 ? psnrDecibels(mean(squaredError, pictures)) : 0;
+  return images > 0 ? psnrDecibels(mean(squaredError, images)) : 0;
 }
 
 FrameErrors countErrors(const FrameComparison& comparison, const ViewFrame& frame) {
@@ -51,13 +51,13 @@ FrameErrors countErrors(const FrameComparison& comparison, const ViewFrame& fram
   return errors;
 }
 
-void addPictureErrors(FrameErrors& errors, const ViewFrame& truth, const ViewFrame& frame) {
-  FrameErrors picture;
-  picture.pictures = 1;
-  picture.squaredError = meanSquaredError(truth.picture, frame.picture);
-  picture.ssim = ssim(truth.picture, frame.picture);
-  picture.flip = flip(truth.picture, frame.picture);
-  errors += picture;
+void addImageErrors(FrameErrors& errors, const ViewFrame& truth, const ViewFrame& frame) {
+  FrameErrors image;
+  image.images = 1;
+  image.squaredError = meanSquaredError(truth.image, frame.image);
+  image.ssim = ssim(truth.image, frame.image);
+  image.flip = flip(truth.image, frame.image);
+  errors += image;
 }
 
 }  // namespace ocelli

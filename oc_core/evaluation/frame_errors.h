@@ -6,10 +6,10 @@
 
 namespace ocelli {
 
-/// What is seen from a viewpoint: points in space, and the picture of them on black.
+/// What is seen from a viewpoint: points in space, and the image of them on black.
 struct ViewFrame {
   Image<glm::vec4> points;  ///< world, w = 1 where something is seen
-  Image<Rgb8> picture;      ///< sRGB
+  Image<Rgb8> image;        ///< sRGB
 };
 
 ViewFrame renderFrame(const PinholeCamera& camera, const Mesh& mesh);
@@ -30,7 +30,7 @@ struct FrameErrors : MissingSamples {
   size_t wrongFront = 0;  ///< of the truth samples
   size_t frame = 0;       ///< frame samples
   size_t falseSkin = 0;   ///< of the frame samples
-  size_t pictures = 0;    ///< viewpoints whose pictures were compared, and sums over them:
+  size_t images = 0;      ///< viewpoints whose images were compared, and sums over them:
   double squaredError = 0;
   double ssim = 0;
   double flip = 0;
@@ -40,16 +40,16 @@ struct FrameErrors : MissingSamples {
   double falseSkinRatio() const { return mean(static_cast<double>(falseSkin), frame); }
   /// Of the mean squared error over all viewpoints, dB: infinite where no pixel differs, 0 where nothing was compared.
   double meanPsnrDecibels() const;
-  double meanSsim() const { return mean(ssim, pictures); }
-  double meanFlip() const { return mean(flip, pictures); }
+  double meanSsim() const { return mean(ssim, images); }
+  double meanFlip() const { return mean(flip, images); }
 
  private:
   static double mean(double sum, size_t count) { return count > 0 ? sum / static_cast<double>(count) : 0; }
 };
 
-/// Of one viewpoint, without its picture.
+/// Of one viewpoint, without its image.
 FrameErrors countErrors(const FrameComparison& comparison, const ViewFrame& frame);
-/// Adds how the pictures of one viewpoint differ.
-void addPictureErrors(FrameErrors& errors, const ViewFrame& truth, const ViewFrame& frame);
+/// Adds how the images of one viewpoint differ.
+void addImageErrors(FrameErrors& errors, const ViewFrame& truth, const ViewFrame& frame);
 
 }  // namespace ocelli

@@ -16,7 +16,7 @@ constexpr float kC2 = 0.03f * 255 * 0.03f * 255;
 
 void checkSameSize(const Image<Rgb8>& a, const Image<Rgb8>& b) {
   OC_CHECK(a.width() == b.width() && a.height() == b.height() && !a.empty(),
-           "pictures to compare have the same size, and pixels");
+           "images to compare have the same size, and pixels");
 }
 
 Image<float> lumaOf(const Image<Rgb8>& image) {

@@ -1,4 +1,4 @@
-// How much two pictures differ, judged as signals: mean squared error, PSNR and SSIM. Pictures are sRGB-encoded bytes
+// How much two images differ, judged as signals: mean squared error, PSNR and SSIM. Images are sRGB-encoded bytes
 // of the same size.
 //
 // SSIM follows Wang, Bovik, Sheikh and Simoncelli (2004): Gaussian windows of 11x11 with sigma 1.5, K1 = 0.01,

@@ -2,8 +2,8 @@
 
 namespace ocelli {
 
-TruthFrames::TruthFrames(const Mesh& scene, std::vector<PinholeCamera> cameras, size_t mostBytes)
-    : scene_(scene), cameras_(std::move(cameras)), mostBytes_(mostBytes), frames_(cameras_.size()) {}
+TruthFrames::TruthFrames(const Mesh& scene, std::vector<PinholeCamera> cameras, size_t maxBytes)
+    : scene_(scene), cameras_(std::move(cameras)), maxBytes_(maxBytes), frames_(cameras_.size()) {}
 
 std::shared_ptr<const ViewFrame> TruthFrames::frame(size_t index) {
   {
@@ -12,11 +12,11 @@ std::shared_ptr<const ViewFrame> TruthFrames::frame(size_t index) {
       return frames_[index];
     }
   }
-  // Without the lock: a thread that waits for its part of a picture may be given another viewpoint meanwhile.
+  // Without the lock: a thread that waits for its part of an image may be given another viewpoint meanwhile.
   auto frame = std::make_shared<const ViewFrame>(renderFrame(cameras_[index], scene_));
   const size_t bytes = frame->points.size() * (sizeof(glm::vec4) + sizeof(Rgb8));
   const std::scoped_lock lock(mutex_);
-  if (!frames_[index] && bytes_ + bytes <= mostBytes_) {
+  if (!frames_[index] && bytes_ + bytes <= maxBytes_) {
     bytes_ += bytes;
     ++kept_;
     frames_[index] = frame;

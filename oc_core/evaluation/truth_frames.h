@@ -12,10 +12,10 @@ namespace ocelli {
 class TruthFrames {
  public:
   /// Frames that would take more memory than this together are rendered anew each time.
-  static constexpr size_t kMostBytes = size_t{1} << 30;
+  static constexpr size_t kMaxBytes = size_t{1} << 30;
 
   /// `scene` must outlive it.
-  TruthFrames(const Mesh& scene, std::vector<PinholeCamera> cameras, size_t mostBytes = kMostBytes);
+  TruthFrames(const Mesh& scene, std::vector<PinholeCamera> cameras, size_t maxBytes = kMaxBytes);
 
   size_t count() const { return cameras_.size(); }
   const PinholeCamera& camera(size_t index) const { return cameras_[index]; }
@@ -26,7 +26,7 @@ class TruthFrames {
  private:
   const Mesh& scene_;
   std::vector<PinholeCamera> cameras_;
-  size_t mostBytes_;
+  size_t maxBytes_;
   std::mutex mutex_;  ///< guards what follows
   size_t bytes_ = 0;
   size_t kept_ = 0;

@@ -7,7 +7,7 @@
 #include "oc_core/gl/gl_state.h"
 #include "oc_core/gl/pinhole_uniforms.h"
 #include "oc_core/gl/shaders.h"
-#include "oc_core/render/camera_stretches.h"
+#include "oc_core/render/camera_segments.h"
 
 namespace ocelli {
 
@@ -67,8 +67,8 @@ struct BentRayPass::Ways {
 
 BentRayPass::BentRayPass(GlContext& context)
     : context_(context),
-      stretches_(context),
-      turns_(context),
+      segments_(context),
+      bends_(context),
       resolve_(makeProgram(context, "bent_rays_resolve",
                            {{GL_COMPUTE_SHADER,
                              {shaders::kPinhole, shaders::kMesh, shaders::kFragment, shaders::kPiece,
@@ -76,17 +76,17 @@ BentRayPass::BentRayPass(GlContext& context)
 
 GlFragments BentRayPass::draw(const GraphCamera& camera, const GlMesh& mesh, const MeshBlocks& blocks) const {
   const PixelLeaves leaves = leavesOf(camera);
-  const std::vector<Stretch> stretches = stretchesOf(camera, leaves);
+  const std::vector<StraightSegment> segments = segmentsOf(camera, leaves);
   const GlObject uniforms = pinholeUniforms(context_, camera.root());
   context_.gl().BindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms.id());
   Target target(context_, camera.width(), camera.height());
-  const GlObject leafTexture = stretches_.upload(leaves);
+  const GlObject leafTexture = segments_.upload(leaves);
   size_t drawn = 0;
-  for (uint8_t order = 0; drawn < stretches.size(); ++order) {
+  for (uint8_t order = 0; drawn < segments.size(); ++order) {
     target.begin(order);
-    for (size_t i = 0; i < stretches.size(); ++i) {
-      if (stretches[i].order == order) {
-        stretches_.draw(stretches[i], static_cast<uint32_t>(i), leafTexture, mesh, blocks);
+    for (size_t i = 0; i < segments.size(); ++i) {
+      if (segments[i].order == order) {
+        segments_.draw(segments[i], static_cast<uint32_t>(i), leafTexture, mesh, blocks);
         ++drawn;
       }
     }
@@ -108,26 +108,26 @@ GlFragments BentRayPass::draw(const GraphCamera& camera, const GlMesh& mesh, con
 }
 
 GlFragments BentRayPass::draw(const CurvedRayCamera& camera, const GlMesh& mesh, const MeshBlocks& blocks) const {
-  const std::vector<Stretch> stretches = stretchesOf(camera);
-  const std::vector<RayTransition>& turns = camera.turns();
+  const std::vector<StraightSegment> segments = segmentsOf(camera);
+  const std::vector<RayTransition>& bends = camera.bends();
   const GlObject uniforms = pinholeUniforms(context_, camera.root());
   context_.gl().BindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms.id());
   Target target(context_, camera.width(), camera.height());
-  const GlObject leafTexture = stretches_.upload(PixelLeaves(camera.width(), camera.height(), 0));
+  const GlObject leafTexture = segments_.upload(PixelLeaves(camera.width(), camera.height(), 0));
   Ways ways{glm::dvec3(camera.root().eye())};
-  for (const RayTransition& turn : turns) {
-    ways.add(turn.planes().middle, turn.beyond());
+  for (const RayTransition& bend : bends) {
+    ways.add(bend.planes().middle, bend.beyond());
   }
-  for (uint32_t i = 0; i < stretches.size(); ++i) {
-    target.begin(stretches[i].order);
-    stretches_.draw(stretches[i], 2 * i, leafTexture, mesh, blocks);
+  for (uint32_t i = 0; i < segments.size(); ++i) {
+    target.begin(segments[i].order);
+    segments_.draw(segments[i], 2 * i, leafTexture, mesh, blocks);
     ways.ways.emplace_back(0u, i, 0u, 0u);
-    if (i < turns.size()) {
-      target.begin(static_cast<uint8_t>(stretches[i].order + 1));
-      turns_.draw(camera, i, 2 * i + 1, mesh);
+    if (i < bends.size()) {
+      target.begin(static_cast<uint8_t>(segments[i].order + 1));
+      bends_.draw(camera, i, 2 * i + 1, mesh);
       ways.ways.emplace_back(0u, i, 1u, ways.bends.size());
-      ways.add(turns[i].planes().from, turns[i].before());
-      ways.add(turns[i].planes().to, turns[i].beyond());
+      ways.add(bends[i].planes().from, bends[i].before());
+      ways.add(bends[i].planes().to, bends[i].beyond());
     }
   }
   return resolve(camera.root(), target, ways, mesh);

@@ -1,12 +1,12 @@
-// What a graph camera or a curved ray camera sees (chapter 4): one piece of its rays after the other, stretches by
-// stretch_pass.h and turns by turn_pass.h. A ray meets what its first piece holds before anything that later ones do,
+// What a graph camera or a curved ray camera sees (chapter 4): one piece of its rays after the other, segments by
+// segment_pass.h and bends by bend_pass.h. A ray meets what its first piece holds before anything that later ones do,
 // so what is drawn once stays.
 #pragma once
 
 #include "oc_core/camera/graph_camera.h"
+#include "oc_core/gl/bend_pass.h"
 #include "oc_core/gl/gl_fragments.h"
-#include "oc_core/gl/stretch_pass.h"
-#include "oc_core/gl/turn_pass.h"
+#include "oc_core/gl/segment_pass.h"
 #include "oc_core/render/mesh_blocks.h"
 
 namespace ocelli {
@@ -26,8 +26,8 @@ class BentRayPass {
   GlFragments resolve(const PinholeCamera& root, const Target& target, const Ways& ways, const GlMesh& mesh) const;
 
   GlContext& context_;
-  StretchPass stretches_;
-  TurnPass turns_;
+  SegmentPass segments_;
+  BendPass bends_;
   GlObject resolve_;
 };
 

@@ -27,13 +27,13 @@ struct RowItem {
   glm::dvec2 direction;
   int32_t start;
   int32_t length;
-  int32_t firstShadow;
-  int32_t shadowCount;
+  int32_t firstDisocclusion;
+  int32_t disocclusionCount;
 };
 static_assert(sizeof(RowItem) == 32);
 
 /// In the layout std430.
-struct ShadowItem {
+struct DisocclusionItem {
   int32_t position;
   int32_t added;
   int32_t shift;
@@ -41,7 +41,7 @@ struct ShadowItem {
   double xRight;
   double yFar;
 };
-static_assert(sizeof(ShadowItem) == 32);
+static_assert(sizeof(DisocclusionItem) == 32);
 
 GlObject linesBlock(GlContext& context, const EpipolarLines& lines) {
   const LinesBlock block{lines.epipole(),
@@ -72,7 +72,7 @@ EpipolarUniforms::EpipolarUniforms(GlContext& context, const PinholeCamera& base
     rows.push_back(rowItem(lines, row));
   }
   rows_ = makeBuffer(context, rows);
-  shadows_ = makeBuffer(context, 0);
+  disocclusions_ = makeBuffer(context, 0);
   over_ = makeBuffer(context, 0);
 }
 
@@ -80,26 +80,27 @@ EpipolarUniforms::EpipolarUniforms(GlContext& context, const EpipolarCamera& cam
     : pinhole_(pinholeUniforms(context, camera.base())), lines_(linesBlock(context, camera.lines())) {
   const EpipolarLines& lines = camera.lines();
   std::vector<RowItem> rows;
-  std::vector<ShadowItem> shadows;
+  std::vector<DisocclusionItem> disocclusions;
   const size_t stride = static_cast<size_t>(lines.longest()) + 1;
   const size_t cells = static_cast<size_t>(lines.rowCount()) * stride;
   std::vector<uint32_t> over(cells + 1);  // where each list begins; the lists follow
   for (int row = 0; row < lines.rowCount(); ++row) {
     rows.push_back(rowItem(lines, row));
-    rows.back().firstShadow = static_cast<int32_t>(shadows.size());
-    for (const EpipolarCamera::Shadow& shadow : camera.shadows(row)) {
-      shadows.push_back({shadow.position, shadow.added, shadow.shift, 0, shadow.xRight, shadow.yFar});
+    rows.back().firstDisocclusion = static_cast<int32_t>(disocclusions.size());
+    for (const EpipolarCamera::Disocclusion& disocclusion : camera.disocclusions(row)) {
+      disocclusions.push_back(
+          {disocclusion.position, disocclusion.added, disocclusion.shift, 0, disocclusion.xRight, disocclusion.yFar});
     }
-    rows.back().shadowCount = static_cast<int32_t>(shadows.size()) - rows.back().firstShadow;
+    rows.back().disocclusionCount = static_cast<int32_t>(disocclusions.size()) - rows.back().firstDisocclusion;
     for (size_t cell = 0; cell < stride; ++cell) {
       over[static_cast<size_t>(row) * stride + cell] = static_cast<uint32_t>(over.size());
-      const auto list = camera.shadowsOver(row, static_cast<int>(cell));
+      const auto list = camera.disocclusionsOver(row, static_cast<int>(cell));
       over.insert(over.end(), list.begin(), list.end());
     }
   }
   over[cells] = static_cast<uint32_t>(over.size());
   rows_ = makeBuffer(context, rows);
-  shadows_ = makeBuffer(context, shadows);
+  disocclusions_ = makeBuffer(context, disocclusions);
   over_ = makeBuffer(context, over);
 }
 
@@ -108,7 +109,7 @@ void EpipolarUniforms::bind(GlContext& context) const {
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, pinhole_.id());
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 1, lines_.id());
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, rows_.id());
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, shadows_.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, disocclusions_.id());
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 6, over_.id());
 }
 

@@ -1,4 +1,4 @@
-// Epipolar lines and shadows as shaders/epipolar_lines.glsl and epipolar_shadows.glsl take them.
+// Epipolar lines and disocclusions as shaders/epipolar_lines.glsl and epipolar_disocclusions.glsl take them.
 #pragma once
 
 #include "oc_core/camera/epipolar_camera.h"
@@ -11,7 +11,7 @@ class EpipolarUniforms {
   /// How far beyond the image borders a vertex may project before its triangle is clipped, pixels.
   static constexpr float kClipMargin = 4096;
 
-  /// Lines without shadows. Hold a GlScope, here and below.
+  /// Lines without disocclusions. Hold a GlScope, here and below.
   EpipolarUniforms(GlContext& context, const PinholeCamera& base, const EpipolarLines& lines);
   EpipolarUniforms(GlContext& context, const EpipolarCamera& camera);
 
@@ -21,7 +21,7 @@ class EpipolarUniforms {
   GlObject pinhole_;
   GlObject lines_;
   GlObject rows_;
-  GlObject shadows_;
+  GlObject disocclusions_;
   GlObject over_;
 };
 

@@ -38,7 +38,7 @@ const char* nameOfError(GLenum error) {
   }
 }
 
-/// A renderer that runs on the processor.
+/// A renderer that runs on the CPU.
 bool isSoftware(const std::string& renderer) {
   constexpr std::array kNames{"llvmpipe", "softpipe", "swrast", "SWR", "Software Rasterizer"};
   return std::any_of(kNames.begin(), kNames.end(),
@@ -50,9 +50,9 @@ void GLAPIENTRY stopAtError(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenu
   OC_CHECK(type != GL_DEBUG_TYPE_ERROR, message);
 }
 
-/// A GPU where there is one, else what draws on the processor.
+/// A GPU where there is one, else what draws on the CPU.
 std::unique_ptr<GlContext> openEgl(GlDebug debug) {
-  std::unique_ptr<GlContext> onProcessor;
+  std::unique_ptr<GlContext> onCpu;
   std::string said;
   for (const EglOpener& open : eglOpeners(debug)) {
     try {
@@ -60,16 +60,16 @@ std::unique_ptr<GlContext> openEgl(GlDebug debug) {
       if (!context->info().isSoftware) {
         return context;
       }
-      onProcessor = onProcessor ? std::move(onProcessor) : std::move(context);
+      onCpu = onCpu ? std::move(onCpu) : std::move(context);
     } catch (const GlError& error) {
       said += "\n    " + error.reason();
     }
   }
-  if (!onProcessor) {
+  if (!onCpu) {
     throw GlError(said.empty() ? "it has no driver that draws without a window" : "it has no OpenGL 4.5:" + said, "EGL",
                   "install libgl1-mesa-dri or your GPU's driver, or update it");
   }
-  return onProcessor;
+  return onCpu;
 }
 
 }  // namespace

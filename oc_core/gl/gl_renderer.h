@@ -2,7 +2,7 @@
 // of the renderers in oc_core/render, but for rounding at silhouettes; OpenGL 4.5 is enough.
 //
 // Pinhole cameras are drawn as they are. Cameras that displace the image of a pinhole are drawn by subdivision, the
-// epipolar camera by spans of epipolar lines: as on the processor, since the reasons are the same (a ray that bends has
+// epipolar camera by spans of epipolar lines: as on the CPU, since the reasons are the same (a ray that bends has
 // no projective map), with compute shaders in place of threads. Graph and curved ray cameras are drawn one piece of
 // their rays after the other.
 #pragma once
@@ -11,11 +11,11 @@
 
 #include "oc_core/gl/gl_fragments.h"
 #include "oc_core/gl/gl_mesh.h"
-#include "oc_core/render/scene_drawer.h"
+#include "oc_core/render/scene_renderer.h"
 
 namespace ocelli {
 
-class GlRenderer final : public SceneDrawer {
+class GlRenderer final : public SceneRenderer {
  public:
   /// Throws GlError where the GPU has no room for the mesh, or its driver refuses a shader. The context must outlive
   /// it.
@@ -32,7 +32,7 @@ class GlRenderer final : public SceneDrawer {
   /// nothing else is uploaded.
   void moveVertices(const Mesh& moved, size_t first, size_t count);
 
-  /// The closest fragment at each pixel, as on the processor. Throws GlError where the GPU fails.
+  /// The closest fragment at each pixel, as on the CPU. Throws GlError where the GPU fails.
   FragmentImage draw(const PinholeCamera& camera) const override;
   FragmentImage draw(const SpocCamera& camera) const override;
   FragmentImage draw(const ReversePinholeCamera& camera) const override;

@@ -91,7 +91,7 @@ GLFWmonitor* monitorOf(GLFWwindow* window) {
   int count = 0;
   GLFWmonitor** monitors = glfwGetMonitors(&count);
   GLFWmonitor* best = glfwGetPrimaryMonitor();
-  int mostArea = 0;
+  int maxArea = 0;
   for (int i = 0; i < count; ++i) {
     int x = 0;
     int y = 0;
@@ -103,8 +103,8 @@ GLFWmonitor* monitorOf(GLFWwindow* window) {
     const int across = std::min(left + width, x + mode->width) - std::max(left, x);
     const int down = std::min(top + height, y + mode->height) - std::max(top, y);
     const int area = std::max(across, 0) * std::max(down, 0);
-    if (area > mostArea) {
-      mostArea = area;
+    if (area > maxArea) {
+      maxArea = area;
       best = monitors[i];
     }
   }

@@ -16,7 +16,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kMostOversampledPixels = 40;
+constexpr double kMaxOversampledPixels = 40;
 constexpr double kOwnFontPixels = 13;  // Dear ImGui's own font is made of dots and stays crisp at multiples of it
 
 // What Dear ImGui does with keys. It has keys of its own for a few of ours alone.
@@ -267,7 +267,7 @@ bool GuiLayer::loadSystemFont(const GuiFont& font) {
     config.FontNo = share.font.index;
     config.MergeMode = !isFirst;
     // Large glyphs need no finer placing, and would fill the texture; so would many.
-    config.OversampleH = !isFirst || font.pixels * contentScale_ > kMostOversampledPixels ? 1 : 2;
+    config.OversampleH = !isFirst || font.pixels * contentScale_ > kMaxOversampledPixels ? 1 : 2;
     const std::optional<double> height = heightInEms(*bytes, share.font.index);
     ownHeight = isFirst ? height : ownHeight;
     // Letters of all fonts are of one size, however much room each leaves around them.

@@ -41,7 +41,7 @@ GlObject makeSpans(GlContext& context, const std::string& target, const std::str
   return makeProgram(context, "spans",
                      {{GL_COMPUTE_SHADER,
                        {shaders::kPinhole, shaders::kMesh, shaders::kPiece, shaders::kEpipolarLines,
-                        shaders::kEpipolarShadows, shaders::kSpanPieces, shaders::kSpansComp}}},
+                        shaders::kEpipolarDisocclusions, shaders::kSpanPieces, shaders::kSpansComp}}},
                      target + "#define STAGE " + stage + "\n");
 }
 
@@ -57,12 +57,12 @@ GlObject makeResolve(GlContext& context, const char* name, std::string_view sour
   return makeProgram(context, name,
                      {{GL_COMPUTE_SHADER,
                        {shaders::kPinhole, shaders::kMesh, shaders::kFragment, shaders::kWeights,
-                        shaders::kEpipolarLines, shaders::kEpipolarShadows, source}}});
+                        shaders::kEpipolarLines, shaders::kEpipolarDisocclusions, source}}});
 }
 
 /// What the passes select by number: which program, which target.
 std::string targetDefine(const char* name) {
-  return std::string("#define BASE 1\n#define SHADOWS 2\n#define TARGET ") + name + "\n";
+  return std::string("#define BASE 1\n#define DISOCCLUSIONS 2\n#define TARGET ") + name + "\n";
 }
 
 }  // namespace
@@ -76,13 +76,14 @@ SpanPass::Target::Target(GlContext& context, const char* name)
 SpanPass::SpanPass(GlContext& context)
     : context_(context),
       base_(context, "BASE"),
-      shadows_(context, "SHADOWS"),
+      disocclusions_(context, "DISOCCLUSIONS"),
       countClipped_(makeClip(context, "COUNT")),
       emitClipped_(makeClip(context, "EMIT")),
       prefixSum_(makeProgram(context, "prefix_sum", {{GL_COMPUTE_SHADER, {shaders::kPrefixSumComp}}})),
-      tops_(makeProgram(
-          context, "shadow_tops",
-          {{GL_COMPUTE_SHADER, {shaders::kEpipolarLines, shaders::kEpipolarShadows, shaders::kShadowTopsComp}}})),
+      tops_(
+          makeProgram(context, "disocclusion_tops",
+                      {{GL_COMPUTE_SHADER,
+                        {shaders::kEpipolarLines, shaders::kEpipolarDisocclusions, shaders::kDisocclusionTopsComp}}})),
       resolveLines_(makeResolve(context, "lines_resolve", shaders::kLinesResolveComp)),
       resolveCamera_(makeResolve(context, "eoc_resolve", shaders::kEocResolveComp)) {}
 
@@ -114,7 +115,7 @@ GlFragments SpanPass::draw(const EpipolarCamera& camera, const GlFragments& base
   gl.BindImageTexture(0, tops.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
   dispatchPixels(context_, cells, camera.height());
   gl.BindTextureUnit(1, tops.id());
-  const Samples samples = drawSpans(shadows_, mesh, camera.width(), camera.height());
+  const Samples samples = drawSpans(disocclusions_, mesh, camera.width(), camera.height());
 
   uniforms.bind(context_);
   GlFragments fragments(context_, camera.width(), camera.height());
@@ -189,9 +190,9 @@ SpanPass::Selection SpanPass::select(const Target& target, uint32_t first, uint3
     gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     readBuffer(context_, counterBuffer, sizeof(counters), &counters);
   };
-  // The list of triangles to be clipped takes the place of the shadows, which this does not look at.
-  GLint shadows = 0;
-  gl.GetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, kClips, &shadows);
+  // The list of triangles to be clipped takes the place of the disocclusions, which this does not look at.
+  GLint disocclusions = 0;
+  gl.GetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, kClips, &disocclusions);
   bindList(gl, kClips, clips);
   run(target.selectTriangles, first, count);
   if (counters.clips > 0 && counters.items <= kCapacity) {
@@ -201,7 +202,7 @@ SpanPass::Selection SpanPass::select(const Target& target, uint32_t first, uint3
       run(target.selectPieces, 0, pieces);
     }
   }
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kClips, static_cast<GLuint>(shadows));
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kClips, static_cast<GLuint>(disocclusions));
   selection.count = counters.items;
   return selection;
 }

@@ -25,7 +25,7 @@ class SpanPass {
   GlFragments draw(const EpipolarCamera& camera, const GlFragments& baseImage, const GlMesh& mesh) const;
 
  private:
-  /// The programs that draw the base image, or what lies in shadows.
+  /// The programs that draw the base image, or what lies in disocclusions.
   struct Target {
     Target(GlContext& context, const char* name);
     GlObject selectTriangles;
@@ -51,7 +51,7 @@ class SpanPass {
 
   GlContext& context_;
   Target base_;
-  Target shadows_;
+  Target disocclusions_;
   GlObject countClipped_;
   GlObject emitClipped_;
   GlObject prefixSum_;

@@ -16,12 +16,12 @@ struct PlanOptions {
   PlanSide side = PlanSide::kTop;
   std::optional<float> cut{};  ///< where the section is, along the axis of `side`; at the root's eye where missing
   int rays = 48;               ///< from the left of the image to its right
-  int groundPixels = 1200;     ///< longer side of the picture of the scene below; 0 for none
+  int groundPixels = 1200;     ///< longer side of the image of the scene below; 0 for none
 };
 
 /// Lengths are those of the world, on the paper (plan_side.h).
 struct CameraPlan {
-  /// A frustum, or a stretch of a curved ray camera.
+  /// A frustum, or a segment of a curved ray camera.
   struct Part {
     std::string name;
     glm::vec2 viewpoint{0};

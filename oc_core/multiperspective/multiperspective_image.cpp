@@ -3,7 +3,7 @@
 #include "oc_core/base/color.h"
 #include "oc_core/base/exr_writer.h"
 #include "oc_core/base/file_bytes.h"
-#include "oc_core/constructor/curved_turns.h"
+#include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/render/identity_image.h"
 #include "oc_core/render/rasterize_curved.h"
@@ -24,8 +24,8 @@ FragmentImage raycast(const MultiperspectiveCamera& camera, const Mesh& mesh) {
   return std::visit([&](const auto& each) { return raycast(each, mesh, RayScene(mesh)); }, camera);
 }
 
-FragmentImage draw(const MultiperspectiveCamera& camera, const SceneDrawer& drawer) {
-  return std::visit([&](const auto& each) { return drawer.draw(each); }, camera);
+FragmentImage draw(const MultiperspectiveCamera& camera, const SceneRenderer& renderer) {
+  return std::visit([&](const auto& each) { return renderer.draw(each); }, camera);
 }
 
 void writeMultiperspectiveImage(const std::filesystem::path& path, const FragmentImage& fragments,

@@ -9,20 +9,20 @@
 
 #include "oc_core/constructor/multiperspective_camera.h"
 #include "oc_core/render/fragment_image.h"
-#include "oc_core/render/scene_drawer.h"
+#include "oc_core/render/scene_renderer.h"
 #include "oc_core/scene/scene_source.h"
 
 namespace ocelli {
 
-/// What pictures show where nothing is seen: a light sky, linear.
+/// What images show where nothing is seen: a light sky, linear.
 glm::vec3 skyColor();
 
 /// Draws by projection and rasterisation (section 4.1, 4.4.2).
 FragmentImage rasterize(const MultiperspectiveCamera& camera, const Mesh& mesh);
 /// Follows the rays: the reference for all others.
 FragmentImage raycast(const MultiperspectiveCamera& camera, const Mesh& mesh);
-/// By another drawer of the mesh, such as a GPU's.
-FragmentImage draw(const MultiperspectiveCamera& camera, const SceneDrawer& drawer);
+/// By another renderer of the mesh, such as a GPU's.
+FragmentImage draw(const MultiperspectiveCamera& camera, const SceneRenderer& renderer);
 
 /// Throws WorkError where the file cannot be written. `fragments` are of the mesh of `scene`.
 void writeMultiperspectiveImage(const std::filesystem::path& path, const FragmentImage& fragments,

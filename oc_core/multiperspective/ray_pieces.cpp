@@ -28,21 +28,21 @@ std::vector<RayPiece> rayPieces(const GraphCamera& camera, const glm::vec2& pixe
 std::vector<RayPiece> rayPieces(const CurvedRayCamera& camera, const glm::vec2& pixel) {
   const RayPath path = camera.rayPath(pixel);
   std::vector<RayPiece> pieces;
-  size_t turn = 0;
+  size_t bend = 0;
   bool turning = false;
   for (size_t i = 0; i + 1 < path.size(); ++i) {
     const glm::dvec3 middle((path[i] + path[i + 1]) * 0.5f);
     const auto beyond = [&](Plane TransitionPlanes::*plane) {
-      return turn < camera.turns().size() && (camera.turns()[turn].planes().*plane).height(middle) > 0;
+      return bend < camera.bends().size() && (camera.bends()[bend].planes().*plane).height(middle) > 0;
     };
     if (turning && beyond(&TransitionPlanes::to)) {
       turning = false;
-      ++turn;
+      ++bend;
     }
     if (!turning && beyond(&TransitionPlanes::from)) {
       turning = true;
     }
-    const int part = static_cast<int>(2 * turn) + (turning ? 1 : 0);
+    const int part = static_cast<int>(2 * bend) + (turning ? 1 : 0);
     if (pieces.empty() || pieces.back().part != part) {
       pieces.push_back({part, {path[i]}});
     }
@@ -77,7 +77,7 @@ std::vector<std::string> partNames(const GraphCamera& camera) {
 
 std::vector<std::string> partNames(const CurvedRayCamera& camera) {
   std::vector<std::string> names{"root"};
-  for (size_t i = 1; i <= camera.turns().size(); ++i) {
+  for (size_t i = 1; i <= camera.bends().size(); ++i) {
     names.push_back("turn " + std::to_string(i));
     names.push_back("after turn " + std::to_string(i));
   }
@@ -94,9 +94,9 @@ std::vector<glm::vec3> partViewpoints(const GraphCamera& camera) {
 
 std::vector<glm::vec3> partViewpoints(const CurvedRayCamera& camera) {
   std::vector<glm::vec3> viewpoints{camera.root().eye()};
-  for (const RayTransition& turn : camera.turns()) {
-    viewpoints.emplace_back(turn.before());
-    viewpoints.emplace_back(turn.beyond());
+  for (const RayTransition& bend : camera.bends()) {
+    viewpoints.emplace_back(bend.before());
+    viewpoints.emplace_back(bend.beyond());
   }
   return viewpoints;
 }

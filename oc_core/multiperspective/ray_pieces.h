@@ -1,5 +1,5 @@
 // The ray of a pixel, cut where it passes from one part of a camera into the next. The parts of a graph camera are its
-// frusta. Those of a curved ray camera are its stretches, straight ones at even numbers and turns at odd ones.
+// frusta. Those of a curved ray camera are its segments, straight ones at even numbers and bends at odd ones.
 #pragma once
 
 #include <string>
@@ -25,7 +25,7 @@ std::vector<glm::vec2> cornerPixels(const CurvedRayCamera& camera);
 std::vector<std::string> partNames(const GraphCamera& camera);
 std::vector<std::string> partNames(const CurvedRayCamera& camera);
 
-/// Where the straight rays of each part come from; a turn has no one viewpoint, and takes that of the stretch before.
+/// Where the straight rays of each part come from; a bend has no one viewpoint, and takes that of the segment before.
 std::vector<glm::vec3> partViewpoints(const GraphCamera& camera);
 std::vector<glm::vec3> partViewpoints(const CurvedRayCamera& camera);
 

@@ -93,8 +93,8 @@ ReferenceImages imagesOf(const RepresentationInputs& inputs) {
     throw InputError("\"" + choice.name + "\" is a mesh and has no image", "--camera",
                      "measure it with `ocelli evaluate`, or write the scene with `ocelli scene export`");
   }
-  if (inputs.drawer != nullptr && inputs.drawer->rays() == nullptr && *kind.needsProcessor != '\0') {
-    throw InputError("camera \"" + choice.name + "\" " + kind.needsProcessor, "--camera",
+  if (inputs.renderer != nullptr && inputs.renderer->rays() == nullptr && *kind.needsCpu != '\0') {
+    throw InputError("camera \"" + choice.name + "\" " + kind.needsCpu, "--camera",
                      "draw it without OpenGL, or choose another camera");
   }
   return finished(kind.images(inputs), choice, inputs.reference, inputs.mesh);
@@ -184,14 +184,14 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
   if (!done.byRays) {
     return imagesOf({choice, reference, mesh, progress});
   }
-  const RayDrawer drawer(mesh, *rays);
-  return imagesOf({choice, reference, mesh, progress, &drawer});
+  const RayRenderer renderer(mesh, *rays);
+  return imagesOf({choice, reference, mesh, progress, &renderer});
 }
 
 ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
-                                     const Progress& progress, const SceneDrawer& drawer) {
+                                     const Progress& progress, const SceneRenderer& renderer) {
   requireOutside(mesh, reference.eye(), "view");
-  return imagesOf({choice, reference, mesh, progress, &drawer});
+  return imagesOf({choice, reference, mesh, progress, &renderer});
 }
 
 ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choice, const PinholeCamera& reference,

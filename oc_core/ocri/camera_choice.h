@@ -63,10 +63,10 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
                                      const Progress& progress, Construction wanted, const RayScene* rays,
                                      ConstructionReport* report = nullptr);
 
-/// The same from images that `drawer` draws of the mesh, such as a GPU's renderer. Throws InputError for a camera that
-/// takes other images.
+/// The same from images that `renderer` draws of the mesh, such as a GPU's renderer. Throws InputError for a camera
+/// that takes other images.
 ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
-                                     const Progress& progress, const SceneDrawer& drawer);
+                                     const Progress& progress, const SceneRenderer& renderer);
 
 /// How an image is drawn (section 6.1), other than as buildReferenceImages() does, with the fastest.
 enum class Technique { kPoints, kHybrid, kRaycast };

@@ -44,7 +44,7 @@ std::vector<View> satelliteViews(const View& reference, const CellOptions& optio
   } else {
     views = cell.edgeViews(reference);
   }
-  for (int i = 1; static_cast<int>(views.size()) < options.mostSatellites; ++i) {
+  for (int i = 1; static_cast<int>(views.size()) < options.maxSatellites; ++i) {
     const glm::vec3 spread = glm::vec3(radicalInverse(i, 2), radicalInverse(i, 3), radicalInverse(i, 5)) * 2.0f - 1.0f;
     if (cell.shape == ViewCell::Shape::kSegment) {
       views.push_back(movedEye(reference, glm::normalize(cell.segmentDirection) * (spread.x * cell.halfSide())));
@@ -52,7 +52,7 @@ std::vector<View> satelliteViews(const View& reference, const CellOptions& optio
       views.push_back(movedEye(reference, spread * cell.halfSide()));
     }
   }
-  views.resize(static_cast<size_t>(options.mostSatellites), reference);
+  views.resize(static_cast<size_t>(options.maxSatellites), reference);
   return views;
 }
 
@@ -180,19 +180,19 @@ struct Found {
   size_t samples = 0;  ///< that they take
 };
 
-size_t mostSamples(const Found& found, const CellOptions& options) {
-  return static_cast<size_t>(options.mostSamples * static_cast<float>(found.parts[0].image.sampleCount()));
+size_t maxSamples(const Found& found, const CellOptions& options) {
+  return static_cast<size_t>(options.maxSamples * static_cast<float>(found.parts[0].image.sampleCount()));
 }
 
 /// With satellites whose samples are `spacing` apart. Once they take too many samples: what there is so far where it
 /// `mayStop`, nothing otherwise.
 std::optional<Found> findParts(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
-                               float spacing, bool mayStop, const Progress& progress, const SceneDrawer* drawer) {
+                               float spacing, bool mayStop, const Progress& progress, const SceneRenderer* renderer) {
   Found found;
-  found.parts.push_back({reference, {}, buildDepthImage(reference, mesh, drawer)});
+  found.parts.push_back({reference, {}, buildDepthImage(reference, mesh, renderer)});
   found.parts[0].truth = positionsOf(found.parts[0].image);
   found.samples = found.parts[0].image.sampleCount();
-  const auto least = static_cast<size_t>(options.leastShare * static_cast<float>(found.samples));
+  const auto least = static_cast<size_t>(options.minShare * static_cast<float>(found.samples));
   appendPart(found.mesh, found.parts[0]);
 
   const auto scaled = [&](int pixels) {
@@ -202,10 +202,10 @@ std::optional<Found> findParts(const PinholeCamera& reference, const Mesh& mesh,
   for (size_t i = 0; i < views.size(); ++i) {
     report(progress, "satellites", static_cast<double>(i) / static_cast<double>(views.size()));
     const PinholeCamera camera(views[i], scaled(reference.width()), scaled(reference.height()));
-    Part part{camera, {}, buildDepthImage(camera, mesh, drawer)};
+    Part part{camera, {}, buildDepthImage(camera, mesh, renderer)};
     part.truth = positionsOf(part.image);
     Image<uint8_t> marks =
-        missingGroups(compareFrames(camera, part.truth, positionImage(camera, found.mesh)), options.leastGroup);
+        missingGroups(compareFrames(camera, part.truth, positionImage(camera, found.mesh)), options.minGroup);
     if (static_cast<size_t>(std::count(marks.begin(), marks.end(), 1)) <= least) {
       continue;
     }
@@ -214,7 +214,7 @@ std::optional<Found> findParts(const PinholeCamera& reference, const Mesh& mesh,
     }
     keepMarked(part.image, marks);
     const auto added = static_cast<size_t>(kTileOverhead * static_cast<float>(part.image.sampleCount()));
-    if (found.samples + added > mostSamples(found, options)) {
+    if (found.samples + added > maxSamples(found, options)) {
       return mayStop ? std::optional(std::move(found)) : std::nullopt;
     }
     found.samples += added;
@@ -230,7 +230,7 @@ float expectedSpacing(const Found& coarsest, const CellOptions& options) {
   constexpr float kGrowth = 1.5f;
   const auto own = static_cast<float>(coarsest.parts[0].image.sampleCount());
   const float taken = static_cast<float>(coarsest.samples) - own;
-  const float given = (options.mostSamples - 1) * own;
+  const float given = (options.maxSamples - 1) * own;
   return given > 0 ? options.coarsestSpacing * std::pow(taken / given, 1 / kGrowth) : options.coarsestSpacing;
 }
 
@@ -248,13 +248,13 @@ void takeOutHarmful(Found& found, const CellOptions& options, const Progress& pr
 }  // namespace
 
 CellCamera buildCellCamera(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
-                           const Progress& progress, const SceneDrawer* drawer) {
+                           const Progress& progress, const SceneRenderer* renderer) {
   constexpr float kCoarser = 1.12f;
-  Found found = *findParts(reference, mesh, options, options.coarsestSpacing, true, progress, drawer);
+  Found found = *findParts(reference, mesh, options, options.coarsestSpacing, true, progress, renderer);
   float spacing = std::max(expectedSpacing(found, options), 1.0f);
   std::optional<Found> finer;
   while (!finer && spacing < options.coarsestSpacing) {
-    finer = findParts(reference, mesh, options, spacing, false, progress, drawer);
+    finer = findParts(reference, mesh, options, spacing, false, progress, renderer);
     spacing *= kCoarser;
   }
   if (finer) {
@@ -283,7 +283,7 @@ ReferenceImage cellImage(const CellCamera& camera, const FragmentImage& fragment
   return image;
 }
 
-ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh, const SceneDrawer* drawer) {
+ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh, const SceneRenderer* renderer) {
   FragmentImage fragments(camera.width(), camera.height());
   const auto copy = [&](size_t viewpoint, const FragmentImage& seen, const glm::ivec2& from, const glm::ivec2& extent,
                         const glm::ivec2& to) {
@@ -297,10 +297,10 @@ ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh, const 
     }
   };
   const PinholeCamera& reference = camera.reference();
-  copy(0, seenFrom(reference, mesh, drawer), {0, 0}, {reference.width(), reference.height()}, {0, 0});
+  copy(0, seenFrom(reference, mesh, renderer), {0, 0}, {reference.width(), reference.height()}, {0, 0});
   for (size_t tile = 0; tile < camera.tiles().size();) {
     const size_t viewpoint = camera.tiles()[tile].viewpoint;
-    const FragmentImage seen = seenFrom(camera.viewpoints()[viewpoint].camera, mesh, drawer);
+    const FragmentImage seen = seenFrom(camera.viewpoints()[viewpoint].camera, mesh, renderer);
     for (; tile < camera.tiles().size() && camera.tiles()[tile].viewpoint == viewpoint; ++tile) {
       copy(viewpoint, seen, camera.tiles()[tile].corner, glm::ivec2(CellCamera::kTileSide), camera.cornerOf(tile));
     }

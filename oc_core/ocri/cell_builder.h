@@ -18,25 +18,25 @@ namespace ocelli {
 struct CellOptions {
   ViewCell cell;
   /// Most samples, relative to the depth image. Where they do not suffice, satellites take theirs farther apart.
-  float mostSamples = 1.3f;
+  float maxSamples = 1.3f;
   float coarsestSpacing = 2;  ///< of the samples of satellites, pixels of the reference image
-  int mostSatellites = 24;    ///< viewpoints that are tried: the corners of the cell, then points spread over it
+  int maxSatellites = 24;     ///< viewpoints that are tried: the corners of the cell, then points spread over it
   /// A satellite that would add fewer samples than this share of the depth image's is passed over.
-  float leastShare = 1e-3f;
+  float minShare = 1e-3f;
   /// Missing samples in groups smaller than this are seams of the mesh: they are not stored.
-  int leastGroup = 4;
+  int minGroup = 4;
   /// Around what is missing, so many pixels of the same surface are stored too: they close the seam to the mesh so far.
   int seamPixels = 1;
   int feedbackRounds = 2;  ///< "do no harm": satellite samples that bury what a viewpoint sees are taken out again
 };
 
-/// A view that sees nothing gives a camera without satellites. `drawer`, here and below, draws the images that the
+/// A view that sees nothing gives a camera without satellites. `renderer`, here and below, draws the images that the
 /// construction takes.
 CellCamera buildCellCamera(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options = {},
-                           const Progress& progress = {}, const SceneDrawer* drawer = nullptr);
+                           const Progress& progress = {}, const SceneRenderer* renderer = nullptr);
 
 /// The samples of each viewpoint, where its rays end.
-ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh, const SceneDrawer* drawer = nullptr);
+ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh, const SceneRenderer* renderer = nullptr);
 
 /// The same from fragments that some renderer left at the pixels of the camera.
 ReferenceImage cellImage(const CellCamera& camera, const FragmentImage& fragments, const Mesh& mesh);

@@ -48,8 +48,8 @@ std::string describe(const ConstructionReport& report) {
   return fmt::format("by rays (BVH of {} triangles {})", grouped(report.triangles), built);
 }
 
-FragmentImage seenFrom(const PinholeCamera& camera, const Mesh& mesh, const SceneDrawer* drawer) {
-  return drawer != nullptr ? drawer->draw(camera) : rasterize(camera, mesh);
+FragmentImage seenFrom(const PinholeCamera& camera, const Mesh& mesh, const SceneRenderer* renderer) {
+  return renderer != nullptr ? renderer->draw(camera) : rasterize(camera, mesh);
 }
 
 }  // namespace ocelli

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "oc_core/camera/pinhole_camera.h"
-#include "oc_core/render/scene_drawer.h"
+#include "oc_core/render/scene_renderer.h"
 
 namespace ocelli {
 
@@ -44,7 +44,7 @@ struct ConstructionReport {
 /// For a message: "by rays (BVH of 1,071,000 triangles built in 0.5 s)" or "by rasterisation".
 std::string describe(const ConstructionReport& report);
 
-/// What the pinhole sees: by `drawer` where there is one.
-FragmentImage seenFrom(const PinholeCamera& camera, const Mesh& mesh, const SceneDrawer* drawer);
+/// What the pinhole sees: by `renderer` where there is one.
+FragmentImage seenFrom(const PinholeCamera& camera, const Mesh& mesh, const SceneRenderer* renderer);
 
 }  // namespace ocelli

@@ -12,6 +12,6 @@ namespace ocelli {
 /// behind things, and 4 in one plane cover left and right as well as above and below. Throws InputError for another
 /// count, and for a cell that is no cube.
 ReferenceImages buildCornerDepthImages(const PinholeCamera& reference, const Mesh& mesh, const ViewCell& cell,
-                                       int corners, const SceneDrawer* drawer = nullptr);
+                                       int corners, const SceneRenderer* renderer = nullptr);
 
 }  // namespace ocelli

@@ -15,8 +15,8 @@ std::vector<DepthEdge> findEdges(const PinholeCamera& camera, const FragmentImag
   std::transform(seen.begin(), seen.end(), inverseZ.begin(), [](const Fragment& f) { return f.z > 0 ? 1 / f.z : 0; });
   DepthEdgeOptions edgeOptions;
   // A step counts when the view cell can uncover a pixel behind it.
-  edgeOptions.leastInverseZStep = 1 / (camera.focalPixels() * options.cellSideRadii / 2);
-  edgeOptions.leastZStep = options.edgeDepthStepRadii;
+  edgeOptions.minInverseZStep = 1 / (camera.focalPixels() * options.cellSideRadii / 2);
+  edgeOptions.minZStep = options.edgeDepthStepRadii;
   // What lies behind everything has no depth of its own: it takes that of the farthest sample.
   float farthest = 0;
   for (const float w : inverseZ) {
@@ -40,7 +40,7 @@ std::vector<DistortionSplat> makeSplats(const std::vector<DepthEdge>& edges, con
   for (const DepthEdge& edge : edges) {
     DistortionSplat splat{edge, options.constantRadiusPixels, options.constantRadiusPixels};
     if (options.radius == DdocOptions::Radius::kViewCell) {
-      splat.hidden = std::min(uncoveredPixels(edge, camera, options) * options.safetyFactor, options.mostHiddenPixels);
+      splat.hidden = std::min(uncoveredPixels(edge, camera, options) * options.safetyFactor, options.maxHiddenPixels);
       splat.room = splat.hidden * options.roomPerHidden;
     }
     splats.push_back(splat);
@@ -72,25 +72,25 @@ struct Built {
 };
 
 Built construct(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options, const Progress& progress,
-                const SceneDrawer* drawer) {
+                const SceneRenderer* renderer) {
   // Steps 1 and 2.
   report(progress, "depth edges", 0);
-  FragmentImage seen = seenFrom(reference, mesh, drawer);
+  FragmentImage seen = seenFrom(reference, mesh, renderer);
   const std::vector<DepthEdge> edges = findEdges(reference, seen, options);
 
   // Steps 3 to 6.
   std::vector<DistortionSplat> splats = makeSplats(edges, reference, options);
   SplatOwners owners = claimPixels(splats, seen.width(), seen.height());
-  shrinkConflicts(splats, owners, options.conflicts, options.mostHiddenPerRoom);
+  shrinkConflicts(splats, owners, options.conflicts, options.maxHiddenPerRoom);
   const auto cameraOfSplats = [&] {
     limitBandGrowth(splats, options.steepestBandGrowth);
     owners = options.reclaimPixels ? claimPixels(splats, seen.width(), seen.height()) : owners;
     return DdocCamera(reference, mapOf(splats, owners, options));
   };
   DdocCamera camera = cameraOfSplats();
-  TrianglePart part = drawer != nullptr ? TrianglePart{} : displacedPart(camera, mesh);
+  TrianglePart part = renderer != nullptr ? TrianglePart{} : displacedPart(camera, mesh);
 
-  HarmMeter meter(reference, mesh, seen, part, options.feedbackSubdivision, drawer);
+  HarmMeter meter(reference, mesh, seen, part, options.feedbackSubdivision, renderer);
   for (int round = 0; round < options.feedbackRounds; ++round) {
     report(progress, "do no harm", static_cast<double>(round) / options.feedbackRounds);
     const Harm harm = meter.measure(camera, splats, owners);
@@ -105,10 +105,10 @@ Built construct(const PinholeCamera& reference, const Mesh& mesh, const DdocOpti
 }
 
 ReferenceImage imageOf(const Built& built, const Mesh& mesh, const SubdivisionOptions& options,
-                       const SceneDrawer* drawer) {
+                       const SceneRenderer* renderer) {
   const PinholeCamera& reference = built.camera.reference();
-  const FragmentImage fragments = drawer != nullptr ? drawer->draw(built.camera, built.seen, options)
-                                                    : rasterize(built.camera, built.seen, built.part, options);
+  const FragmentImage fragments = renderer != nullptr ? renderer->draw(built.camera, built.seen, options)
+                                                      : rasterize(built.camera, built.seen, built.part, options);
   ReferenceImage image = referenceImage(fragments, mesh, reference, "ddoc");
   image.triangleBound = imageMesh(referenceImage(built.seen, mesh, reference, "di")).triangles.size();
   return image;
@@ -122,7 +122,7 @@ DdocOptions DdocOptions::paper(float constantRadiusPixels) {
   options.constantRadiusPixels = constantRadiusPixels;
   options.conflicts = Conflicts::kAll;
   options.roomPerHidden = 1;
-  options.mostHiddenPerRoom = 1;
+  options.maxHiddenPerRoom = 1;
   options.feedbackRounds = 0;
   options.steepestBandGrowth = 0;
   options.smoothingSigmaPixels = 0;
@@ -137,19 +137,19 @@ DdocOptions DdocOptions::literal() {
 }
 
 DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
-                           const Progress& progress, const SceneDrawer* drawer) {
-  return construct(reference, mesh, options, progress, drawer).camera;
+                           const Progress& progress, const SceneRenderer* renderer) {
+  return construct(reference, mesh, options, progress, renderer).camera;
 }
 
 ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options,
-                              const SceneDrawer* drawer) {
-  TrianglePart part = drawer != nullptr ? TrianglePart{} : displacedPart(camera, mesh);
-  return imageOf({seenFrom(camera.reference(), mesh, drawer), camera, std::move(part)}, mesh, options, drawer);
+                              const SceneRenderer* renderer) {
+  TrianglePart part = renderer != nullptr ? TrianglePart{} : displacedPart(camera, mesh);
+  return imageOf({seenFrom(camera.reference(), mesh, renderer), camera, std::move(part)}, mesh, options, renderer);
 }
 
 ReferenceImage buildDdocImage(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
-                              const Progress& progress, const SceneDrawer* drawer) {
-  return imageOf(construct(reference, mesh, options, progress, drawer), mesh, options.subdivision, drawer);
+                              const Progress& progress, const SceneRenderer* renderer) {
+  return imageOf(construct(reference, mesh, options, progress, renderer), mesh, options.subdivision, renderer);
 }
 
 }  // namespace ocelli

@@ -35,11 +35,11 @@ struct DdocOptions {
 
   /// The view cell is a cube of this side around the reference eye, display radii (8 in at the reference display).
   float cellSideRadii = 1.6f;
-  float safetyFactor = 1.15f;   ///< on the parallax
-  float mostHiddenPixels = 48;  ///< cap on the hidden band
-  float roomPerHidden = 0.6f;   ///< visible band for each pixel of hidden band, where nothing competes for it
+  float safetyFactor = 1.15f;  ///< on the parallax
+  float maxHiddenPixels = 48;  ///< cap on the hidden band
+  float roomPerHidden = 0.6f;  ///< visible band for each pixel of hidden band, where nothing competes for it
   Conflicts conflicts = Conflicts::kFacing;
-  float mostHiddenPerRoom = 6;     ///< hardest squeeze: (hidden + room) / room - 1
+  float maxHiddenPerRoom = 6;      ///< hardest squeeze: (hidden + room) / room - 1
   float steepestBandGrowth = 6;    ///< of the bands along a silhouette, pixels a pixel; 0 leaves them as they are
   float smoothingSigmaPixels = 1;  ///< of the field; 0 turns smoothing off: nearest lookup, as in the text
 
@@ -64,16 +64,16 @@ struct DdocOptions {
 };
 
 /// `mesh` is in the coordinates of the view of `reference`. Throws nothing of its own: a view that sees nothing gives a
-/// camera that displaces nothing. `drawer`, here and below, draws the images that the construction takes.
+/// camera that displaces nothing. `renderer`, here and below, draws the images that the construction takes.
 DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options = {},
-                           const Progress& progress = {}, const SceneDrawer* drawer = nullptr);
+                           const Progress& progress = {}, const SceneRenderer* renderer = nullptr);
 
 /// The OCRI. Its `triangleBound` is that of the depth image of the same view.
 ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options = {},
-                              const SceneDrawer* drawer = nullptr);
+                              const SceneRenderer* renderer = nullptr);
 
 /// The same image without the camera: both share what they draw, which is faster than one after the other.
 ReferenceImage buildDdocImage(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
-                              const Progress& progress = {}, const SceneDrawer* drawer = nullptr);
+                              const Progress& progress = {}, const SceneRenderer* renderer = nullptr);
 
 }  // namespace ocelli

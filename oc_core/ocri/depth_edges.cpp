@@ -11,12 +11,11 @@ namespace ocelli {
 namespace {
 
 /// The 1/z, or z, of four samples in a row; is there a discontinuity between the second and the third?
-bool isDiscontinuity(float before, float first, float second, float after, float leastStep) {
+bool isDiscontinuity(float before, float first, float second, float after, float minStep) {
   const float step = first - second;
   const float slopeBefore = before - first;
   const float slopeAfter = second - after;
-  return std::abs(step - slopeBefore) > leastStep && std::abs(step - slopeAfter) > leastStep &&
-         std::abs(step) > leastStep;
+  return std::abs(step - slopeBefore) > minStep && std::abs(step - slopeAfter) > minStep && std::abs(step) > minStep;
 }
 
 /// Fits a line to the edges around `edge` whose occluder has about its depth; returns the line's normal, turned to
@@ -82,8 +81,8 @@ std::vector<DepthEdge> findDepthEdges(const Image<float>& inverseZ, const DepthE
     const float w = inverseZ(std::clamp(x, 0, width - 1), std::clamp(y, 0, height - 1));
     return w > 0 ? w : options.backgroundInverseZ;
   };
-  const bool onZ = options.leastZStep > 0;
-  const float leastStep = onZ ? options.leastZStep : options.leastInverseZStep;
+  const bool onZ = options.minZStep > 0;
+  const float minStep = onZ ? options.minZStep : options.minInverseZStep;
   const auto measured = [&](int x, int y) {
     const float w = at(x, y);
     return !onZ ? w : w > 0 ? 1 / w : std::numeric_limits<float>::max();
@@ -93,7 +92,7 @@ std::vector<DepthEdge> findDepthEdges(const Image<float>& inverseZ, const DepthE
     const float first = at(x, y);
     const float second = at(x + dx, y + dy);
     if (isDiscontinuity(measured(x - dx, y - dy), measured(x, y), measured(x + dx, y + dy),
-                        measured(x + 2 * dx, y + 2 * dy), leastStep)) {
+                        measured(x + 2 * dx, y + 2 * dy), minStep)) {
       const glm::vec2 along(static_cast<float>(dx), static_cast<float>(dy));
       const glm::vec2 position = glm::vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f) + along * 0.5f;
       edges.push_back(first > second ? DepthEdge{position, along, first, second}

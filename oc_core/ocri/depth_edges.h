@@ -23,14 +23,14 @@ inline constexpr float kPaperDepthStepRadii = 0.05f;
 struct DepthEdgeOptions {
   /// A step of 1/z counts where it exceeds what the slopes on both of its sides explain by this much. Surfaces that are
   /// planes, however grazing, have constant slopes of 1/z.
-  float leastInverseZStep = 0;
+  float minInverseZStep = 0;
   /// 1/z of pixels that no surface covers.
   float backgroundInverseZ = 0;
   /// Edge pixels this far away take part in the least-squares line that gives the normal, pixels.
   float lineFitRadiusPixels = 5;
   /// Where not 0: a step of z counts instead, where it exceeds what the slopes of z explain by this much, as in the
   /// text. World units.
-  float leastZStep = 0;
+  float minZStep = 0;
 };
 
 /// `inverseZ` holds 1/z, 0 where nothing is covered. Edges come in row order.

@@ -87,7 +87,7 @@ SplatOwners claimPixels(const std::vector<DistortionSplat>& splats, int width, i
 }
 
 size_t shrinkConflicts(std::vector<DistortionSplat>& splats, const SplatOwners& owners, Conflicts conflicts,
-                       float mostHiddenPerRoom) {
+                       float maxHiddenPerRoom) {
   std::vector<float> room(splats.size());
   for (size_t i = 0; i < splats.size(); ++i) {
     room[i] = splats[i].room;
@@ -125,7 +125,7 @@ size_t shrinkConflicts(std::vector<DistortionSplat>& splats, const SplatOwners& 
   for (size_t i = 0; i < splats.size(); ++i) {
     shrunk += room[i] < splats[i].room;
     splats[i].room = room[i];
-    splats[i].hidden = std::min(splats[i].hidden, mostHiddenPerRoom * room[i]);
+    splats[i].hidden = std::min(splats[i].hidden, maxHiddenPerRoom * room[i]);
   }
   return shrunk;
 }

@@ -36,9 +36,9 @@ enum class Conflicts {
 };
 
 /// Shrinks the rooms of splats in conflict until they no longer overlap. `hidden` follows, so that
-/// `hidden <= mostHiddenPerRoom * room`. Returns how many splats shrank.
+/// `hidden <= maxHiddenPerRoom * room`. Returns how many splats shrank.
 size_t shrinkConflicts(std::vector<DistortionSplat>& splats, const SplatOwners& owners, Conflicts conflicts,
-                       float mostHiddenPerRoom);
+                       float maxHiddenPerRoom);
 
 /// Makes the bands change gradually along the silhouettes: hidden and room grow by at most `steepestGrowth` pixels for
 /// each pixel between two splats; 0 leaves them as they are.

@@ -11,7 +11,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/render/rasterize_spans.h"
-#include "oc_core/render/scene_drawer.h"
+#include "oc_core/render/scene_renderer.h"
 #include "oc_core/scene/winding_number.h"
 
 namespace ocelli {
@@ -85,7 +85,7 @@ PinholeCamera pinholeWith(View view, float focalPixels, const Window& window) {
   const glm::vec2 center = (window.lower + window.upper) / 2.0f;
   view.fovVerticalDegrees = degreesFromRadians(2 * std::atan(static_cast<double>(size.y) / 2 / focalPixels));
   view.centerShift = -center / size.y;
-  if (!(std::max(size.x, size.y) <= static_cast<float>(PinholeCamera::kMostPixelsASide))) {
+  if (!(std::max(size.x, size.y) <= static_cast<float>(PinholeCamera::kMaxPixelsASide))) {
     throw InputError("the image that covers the view segment would be larger than an image may be", "view segment",
                      "choose a shorter segment");
   }
@@ -154,8 +154,8 @@ PinholeCamera baseAround(const PinholeCamera& reference, const ViewSegment& segm
   PinholeCamera base(view, reference.width(), reference.height());
   const glm::vec3 step = base.cameraFromWorld(segment.right);
   // Those that are parallel but for the rounding of the eyes.
-  constexpr float kLeastAdvance = 1e-4f;
-  if (std::abs(step.z) <= kLeastAdvance * glm::length(step)) {
+  constexpr float kMinAdvance = 1e-4f;
+  if (std::abs(step.z) <= kMinAdvance * glm::length(step)) {
     roll = std::atan2(step.y, step.x);
     view.up = base.eye() - base.worldFromCamera({-std::sin(roll), std::cos(roll), 0});
     base = PinholeCamera(view, reference.width(), reference.height());
@@ -177,17 +177,17 @@ float farthestInverseZ(const PinholeCamera& camera, std::span<const glm::vec3> p
 }
 
 /// The acceleration structure of whoever draws the scene, where there is one.
-const RayScene* raysOf(const SceneDrawer* drawer) {
-  return drawer != nullptr ? drawer->rays() : nullptr;
+const RayScene* raysOf(const SceneRenderer* renderer) {
+  return renderer != nullptr ? renderer->rays() : nullptr;
 }
 
-/// How the scene is looked at: by a drawer where there is one.
+/// How the scene is looked at: by a renderer where there is one.
 struct Scene {
   const Mesh& mesh;
-  const SceneDrawer* drawer;
+  const SceneRenderer* renderer;
   std::vector<glm::vec3> corners{};
 
-  Scene(const Mesh& ofMesh, const SceneDrawer* by) : mesh(ofMesh), drawer(by) {
+  Scene(const Mesh& ofMesh, const SceneRenderer* by) : mesh(ofMesh), renderer(by) {
     const Box box = raysOf(by) != nullptr ? raysOf(by)->bounds() : Box();
     if (!box.empty()) {
       const std::array<glm::vec3, 8> ofBox = cornersOf(box);
@@ -196,16 +196,16 @@ struct Scene {
   }
 
   /// The scene lies between these: its vertices, or the corners of the box around it.
-  std::span<const glm::vec3> outerPoints() const { return raysOf(drawer) != nullptr ? corners : mesh.positions; }
+  std::span<const glm::vec3> outerPoints() const { return raysOf(renderer) != nullptr ? corners : mesh.positions; }
 
   /// What `base` sees along its epipolar lines.
   FragmentImage lines(const PinholeCamera& base, const EpipolarLines& lines) const {
-    return drawer != nullptr ? drawer->drawLines(base, lines) : rasterizeLines(base, lines, mesh);
+    return renderer != nullptr ? renderer->drawLines(base, lines) : rasterizeLines(base, lines, mesh);
   }
 
   /// The closest fragment along each ray.
   FragmentImage draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const {
-    return drawer != nullptr ? drawer->draw(camera, baseImage) : rasterize(camera, mesh, baseImage);
+    return renderer != nullptr ? renderer->draw(camera, baseImage) : rasterize(camera, mesh, baseImage);
   }
 };
 
@@ -213,19 +213,20 @@ struct Scene {
 std::vector<EpipolarEdge> trimmedEdges(const EpipolarCamera& camera, int row, const FragmentImage& fragments) {
   const EpipolarLines& lines = camera.lines();
   std::vector<EpipolarEdge> edges;
-  for (const EpipolarCamera::Shadow& shadow : camera.shadows(row)) {
-    const int begin = shadow.position - shadow.added;
+  for (const EpipolarCamera::Disocclusion& disocclusion : camera.disocclusions(row)) {
+    const int begin = disocclusion.position - disocclusion.added;
     int first = begin;
-    while (first < shadow.position && !fragments(first + shadow.shift, row).covered()) {
+    while (first < disocclusion.position && !fragments(first + disocclusion.shift, row).covered()) {
       ++first;
     }
-    if (first < shadow.position) {
-      // The rays that stay keep their places: the shadow now begins between the last one that goes and the first one
-      // that stays.
-      const double xRight = shadow.xRight + lines.x(row, first) - lines.x(row, begin);
-      const double x = lines.x(row, shadow.position);
+    if (first < disocclusion.position) {
+      // The rays that stay keep their places: the disocclusion now begins between the last one that goes and the first
+      // one that stays.
+      const double xRight = disocclusion.xRight + lines.x(row, first) - lines.x(row, begin);
+      const double x = lines.x(row, disocclusion.position);
       const double inverseNear = (x - xRight) / lines.disparity() / lines.inverseZScale(x);
-      edges.push_back({shadow.position, shadow.clip, shadow.position - first, static_cast<float>(inverseNear)});
+      edges.push_back(
+          {disocclusion.position, disocclusion.clip, disocclusion.position - first, static_cast<float>(inverseNear)});
     }
   }
   return edges;
@@ -312,7 +313,7 @@ std::vector<EpipolarEdge> findEpipolarEdges(const std::vector<float>& inverseZ, 
     const double x = lines.x(row, j + 1);
     const double scale = lines.inverseZScale(x);
     const double pixels = disparity * scale / (x - lines.x(row, j));
-    const double least = static_cast<double>(options.leastAddedPixels) / pixels;
+    const double least = static_cast<double>(options.minAddedPixels) / pixels;
     if (options.edgeDepthStepRadii > 0 ? !steps(1 / depthAt(j - 1), 1 / near, 1 / far, 1 / depthAt(j + 2),
                                                 static_cast<double>(options.edgeDepthStepRadii))
                                        : !steps(-depthAt(j - 1), -near, -far, -depthAt(j + 2), least)) {
@@ -360,11 +361,11 @@ void requireOutsideEnds(const ViewSegment& segment, const Mesh& mesh) {
 }
 
 EpipolarCamera buildEpipolarCamera(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
-                                   const EocOptions& options, const SceneDrawer* drawer) {
-  if (raysOf(drawer) == nullptr) {
+                                   const EocOptions& options, const SceneRenderer* renderer) {
+  if (raysOf(renderer) == nullptr) {
     requireOutsideEnds(segment, mesh);
   }
-  const Scene scene(mesh, drawer);
+  const Scene scene(mesh, renderer);
   const PinholeCamera base = baseAround(reference, segment, scene.outerPoints());
   const EpipolarLines lines(base, segment.right);
   return cameraFrom(base, segment.right, lines, scene.lines(base, lines), scene, options);
@@ -393,17 +394,17 @@ ReferenceImage eocImage(const FragmentImage& fragments, const EpipolarCamera& ca
   return image;
 }
 
-ReferenceImage buildEocImage(const EpipolarCamera& camera, const Mesh& mesh, const SceneDrawer* drawer) {
-  const Scene scene(mesh, drawer);
+ReferenceImage buildEocImage(const EpipolarCamera& camera, const Mesh& mesh, const SceneRenderer* renderer) {
+  const Scene scene(mesh, renderer);
   return eocImage(scene.draw(camera, scene.lines(camera.base(), camera.lines())), camera, mesh);
 }
 
 ReferenceImage buildEocImage(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
-                             const EocOptions& options, const SceneDrawer* drawer) {
-  if (raysOf(drawer) == nullptr) {
+                             const EocOptions& options, const SceneRenderer* renderer) {
+  if (raysOf(renderer) == nullptr) {
     requireOutsideEnds(segment, mesh);
   }
-  const Scene scene(mesh, drawer);
+  const Scene scene(mesh, renderer);
   const PinholeCamera base = baseAround(reference, segment, scene.outerPoints());
   const EpipolarLines lines(base, segment.right);
   const FragmentImage baseImage = scene.lines(base, lines);

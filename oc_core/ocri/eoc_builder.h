@@ -5,7 +5,7 @@
 // base view is rolled until the segment runs along its rows.
 //
 // DEVIATION: a step of 1/z is a depth discontinuity where the slopes on both of its sides do not explain it, and the
-// segment can uncover `leastAddedPixels` behind it. Planes, however grazing, have none.
+// segment can uncover `minAddedPixels` behind it. Planes, however grazing, have none.
 //
 // DEVIATION: what an edge adds is bounded by what its occluder hides ("compact" rows). Where a narrow occluder leaves
 // the text's rays of R without a sample (the black gaps of Figure 3.20, right), they turn into rays of L sooner.
@@ -27,7 +27,7 @@ namespace ocelli {
 
 struct EocOptions {
   /// Steps of depth that uncover less are no edges, pixels.
-  float leastAddedPixels = 0.75f;
+  float minAddedPixels = 0.75f;
   /// Bound the columns of an edge by what its occluder hides and `compactSlackPixels`.
   bool compact = true;
   int compactSlackPixels = 2;
@@ -59,18 +59,18 @@ std::vector<EpipolarEdge> findEpipolarEdges(const std::vector<float>& inverseZ, 
                                             float zNear, float backgroundInverseZ, const EocOptions& options);
 
 /// Throws InputError where an end of the segment lies inside an object, or the segment is none. Where
-/// `drawer`, here and below, has rays, no step touches all triangles (construction.h): the box around the scene stands
-/// for its vertices, and whoever calls has checked the ends.
+/// `renderer`, here and below, has rays, no step touches all triangles (construction.h): the box around the scene
+/// stands for its vertices, and whoever calls has checked the ends.
 EpipolarCamera buildEpipolarCamera(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
-                                   const EocOptions& options = {}, const SceneDrawer* drawer = nullptr);
+                                   const EocOptions& options = {}, const SceneRenderer* renderer = nullptr);
 /// As that throws; this touches all triangles.
 void requireOutsideEnds(const ViewSegment& segment, const Mesh& mesh);
 
 /// The OCRI. Its `reference()` is the base pinhole.
-ReferenceImage buildEocImage(const EpipolarCamera& camera, const Mesh& mesh, const SceneDrawer* drawer = nullptr);
+ReferenceImage buildEocImage(const EpipolarCamera& camera, const Mesh& mesh, const SceneRenderer* renderer = nullptr);
 /// Both steps at once: faster, as they share what the base pinhole sees.
 ReferenceImage buildEocImage(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
-                             const EocOptions& options = {}, const SceneDrawer* drawer = nullptr);
+                             const EocOptions& options = {}, const SceneRenderer* renderer = nullptr);
 
 /// Turns what a renderer left for `camera` into a reference image.
 ReferenceImage eocImage(const FragmentImage& fragments, const EpipolarCamera& camera, const Mesh& mesh);

@@ -7,7 +7,7 @@
 #include "oc_core/base/parallel.h"
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/render/displacement_reach.h"
-#include "oc_core/render/scene_drawer.h"
+#include "oc_core/render/scene_renderer.h"
 
 namespace ocelli {
 namespace {
@@ -89,8 +89,8 @@ ReferenceImage HarmMeter::draw(const DdocCamera& camera) {
   if (!surfaces_.empty()) {
     return sampleImage(rasterize(camera, seen_, surfacesPart_, subdivision_), surfaces_, seen_, reference_);
   }
-  const FragmentImage drawn =
-      drawer_ != nullptr ? drawer_->draw(camera, seen_, subdivision_) : rasterize(camera, seen_, part_, subdivision_);
+  const FragmentImage drawn = renderer_ != nullptr ? renderer_->draw(camera, seen_, subdivision_)
+                                                   : rasterize(camera, seen_, part_, subdivision_);
   ReferenceImage image = sampleImage(drawn, mesh_, seen_, reference_);
   gatherSurfaces(camera, image);
   return image;

@@ -19,10 +19,10 @@ struct Harm {
 class HarmMeter {
  public:
   /// `seen` is what `reference` sees of `mesh`, `part` what the first camera to be measured may displace. All are kept
-  /// by reference. With `drawer` that draws the first image, and `part` may be empty.
+  /// by reference. With `renderer` that draws the first image, and `part` may be empty.
   HarmMeter(const PinholeCamera& reference, const Mesh& mesh, const FragmentImage& seen, const TrianglePart& part,
-            const SubdivisionOptions& subdivision, const SceneDrawer* drawer = nullptr)
-      : reference_(reference), mesh_(mesh), seen_(seen), part_(part), subdivision_(subdivision), drawer_(drawer) {}
+            const SubdivisionOptions& subdivision, const SceneRenderer* renderer = nullptr)
+      : reference_(reference), mesh_(mesh), seen_(seen), part_(part), subdivision_(subdivision), renderer_(renderer) {}
 
   /// Each camera may displace less than the one before, but nothing that this one did not. `splats` and `owners` are
   /// those that its map was made from.
@@ -41,7 +41,7 @@ class HarmMeter {
   const FragmentImage& seen_;
   const TrianglePart& part_;
   SubdivisionOptions subdivision_;
-  const SceneDrawer* drawer_;
+  const SceneRenderer* renderer_;
   Mesh surfaces_;              ///< what the reference view and the first image show of what is displaced
   TrianglePart surfacesPart_;  ///< all of it
 };

@@ -51,9 +51,9 @@ std::vector<DrawnSides> visibleSides(const Mesh& mesh) {
 }
 
 ReferenceImages buildLayeredDepthImage(const PinholeCamera& reference, const Mesh& mesh, int layers) {
-  if (layers < 1 || layers > kMostLayers) {
+  if (layers < 1 || layers > kMaxLayers) {
     throw InputError("a layered depth image of " + std::to_string(layers) + " layers cannot be made", "layers",
-                     "choose 1 to " + std::to_string(kMostLayers));
+                     "choose 1 to " + std::to_string(kMaxLayers));
   }
   ReferenceImages images;
   for (const FragmentImage& fragments : rasterizeLayers(reference, mesh, layers, visibleSides(mesh))) {

@@ -21,7 +21,7 @@ namespace ocelli {
 std::vector<DrawnSides> visibleSides(const Mesh& mesh);
 
 /// One image a layer, all of the same view, the closest first; trailing layers without a sample are left out, except
-/// the first. Throws InputError where `layers` is not in 1 to kMostLayers.
+/// the first. Throws InputError where `layers` is not in 1 to kMaxLayers.
 ReferenceImages buildLayeredDepthImage(const PinholeCamera& reference, const Mesh& mesh, int layers);
 
 /// Empties the samples behind the first layer that none of the viewpoints on the edges of `cell` sees: those that have

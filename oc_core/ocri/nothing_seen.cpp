@@ -11,7 +11,7 @@
 namespace ocelli {
 namespace {
 
-/// The longest side of a triangle's image, pixels; nothing where that is not in the picture.
+/// The longest side of a triangle's image, pixels; nothing where that is not in the image.
 std::optional<float> longestSide(const PinholeCamera& reference, const Mesh& mesh, const glm::uvec3& triangle) {
   std::array<glm::vec2, 3> corners{};
   for (int i = 0; i < 3; ++i) {
@@ -44,7 +44,7 @@ void failSeeingNothing(const PinholeCamera& reference, const Mesh& mesh, const s
     throw InputError("the view sees nothing of the scene", where,
                      "turn \"target\" towards the scene; a fitted scene lies in the unit sphere around the origin");
   }
-  // What is in the picture, and longer than a pixel, but covers none has no width there.
+  // What is in the image, and longer than a pixel, but covers none has no width there.
   if (*longest >= 1) {
     throw InputError("the scene is flat and the view sees it edge-on, so that it covers no pixel", where,
                      "move \"eye\" out of its plane, or turn the scene");

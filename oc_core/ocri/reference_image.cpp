@@ -42,8 +42,8 @@ ReferenceImage depthImage(const FragmentImage& seen, const PinholeCamera& camera
   return image;
 }
 
-ReferenceImage buildDepthImage(const PinholeCamera& camera, const Mesh& mesh, const SceneDrawer* drawer) {
-  return depthImage(seenFrom(camera, mesh, drawer), camera, mesh);
+ReferenceImage buildDepthImage(const PinholeCamera& camera, const Mesh& mesh, const SceneRenderer* renderer) {
+  return depthImage(seenFrom(camera, mesh, renderer), camera, mesh);
 }
 
 }  // namespace ocelli

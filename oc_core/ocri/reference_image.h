@@ -14,7 +14,7 @@
 
 namespace ocelli {
 
-class SceneDrawer;
+class SceneRenderer;
 
 /// How the rows of a reference image lie beside each other.
 enum class ImageRows {
@@ -78,8 +78,8 @@ using ReferenceImages = std::vector<ReferenceImage>;
 ReferenceImage referenceImage(const FragmentImage& fragments, const Mesh& mesh, const PinholeCamera& reference,
                               const std::string& camera);
 
-/// The depth image: what the pinhole sees; by `drawer` where there is one.
-ReferenceImage buildDepthImage(const PinholeCamera& camera, const Mesh& mesh, const SceneDrawer* drawer = nullptr);
+/// The depth image: what the pinhole sees; by `renderer` where there is one.
+ReferenceImage buildDepthImage(const PinholeCamera& camera, const Mesh& mesh, const SceneRenderer* renderer = nullptr);
 /// The same from what the pinhole saw.
 ReferenceImage depthImage(const FragmentImage& seen, const PinholeCamera& camera, const Mesh& mesh);
 

@@ -24,10 +24,10 @@ namespace ocelli {
 namespace {
 
 constexpr int kFormat = 1;
-constexpr int kMostPixelsASide = PinholeCamera::kMostPixelsASide;
-constexpr int64_t kMostPixels = PinholeCamera::kMostPixels;
-constexpr size_t kMostParts = 64;
-constexpr int64_t kMostCompression = 1032;  ///< the most that deflate can do
+constexpr int kMaxPixelsASide = PinholeCamera::kMaxPixelsASide;
+constexpr int64_t kMaxPixels = PinholeCamera::kMaxPixels;
+constexpr size_t kMaxParts = 64;
+constexpr int64_t kMaxCompression = 1032;  ///< the most that deflate can do
 constexpr const char* kNext = "build it again with `ocelli ocri build`";
 
 /// An OpenEXR stream from bytes in memory.
@@ -71,8 +71,8 @@ std::vector<Imf::Header> headersOf(std::string_view bytes) {
   if (Imf::isMultiPart(version)) {
     const auto atEnd = [&] { return stream.tellg() >= bytes.size() || bytes[stream.tellg()] == '\0'; };
     while (!atEnd()) {
-      if (headers.size() == kMostParts) {
-        throw std::runtime_error("it has more than " + std::to_string(kMostParts) + " parts");
+      if (headers.size() == kMaxParts) {
+        throw std::runtime_error("it has more than " + std::to_string(kMaxParts) + " parts");
       }
       readOne();
     }
@@ -175,15 +175,15 @@ bool readAttribute(const std::string& text, const std::string& where, ReferenceI
   image.triangleBound = static_cast<size_t>(fields.integer("triangle_bound", 0, 2147483647, 0));
   if (fields.has("pinhole_size")) {
     JsonFields size(fields.value("pinhole_size"), attribute + ", \"pinhole_size\"");
-    image.pinholeSize = {size.integer("width", 1, kMostPixelsASide), size.integer("height", 1, kMostPixelsASide)};
+    image.pinholeSize = {size.integer("width", 1, kMaxPixelsASide), size.integer("height", 1, kMaxPixelsASide)};
     size.rejectUnknown();
-    if (int64_t{image.pinholeSize.x} * image.pinholeSize.y > kMostPixels) {
+    if (int64_t{image.pinholeSize.x} * image.pinholeSize.y > kMaxPixels) {
       fields.fail("pinhole_size", "must be at most 2^26 pixels in all");
     }
   }
   image.rows = readRows(fields);
-  image.layer = fields.integer("layer", 1, kMostLayers, 0);
-  image.tileSide = fields.integer("tile_side", 2, kMostPixelsASide, 0);
+  image.layer = fields.integer("layer", 1, kMaxLayers, 0);
+  image.tileSide = fields.integer("tile_side", 2, kMaxPixelsASide, 0);
   image.tileSpacing = static_cast<float>(fields.number("tile_spacing", 0.01, 100, 1));
   image.seenFromAside = fields.boolean("seen_from_aside", false);
   image.wrapsAround = fields.boolean("wraps_around", false);
@@ -213,8 +213,8 @@ void readHeader(const Imf::Header& header, size_t fileBytes, const std::string& 
   const Imath::Box2i& window = header.dataWindow();
   const int64_t width = int64_t{window.max.x} - window.min.x + 1;
   const int64_t height = int64_t{window.max.y} - window.min.y + 1;
-  if (window.min.x != 0 || window.min.y != 0 || width < 1 || height < 1 || width > kMostPixelsASide ||
-      height > kMostPixelsASide || width * height > kMostPixels) {
+  if (window.min.x != 0 || window.min.y != 0 || width < 1 || height < 1 || width > kMaxPixelsASide ||
+      height > kMaxPixelsASide || width * height > kMaxPixels) {
     throw InputError("its data window is not that of a reference image of at most 2^26 pixels", where, kNext);
   }
   const auto* attribute = header.findTypedAttribute<Imf::StringAttribute>(kExrDescription);
@@ -234,7 +234,7 @@ void readHeader(const Imf::Header& header, size_t fileBytes, const std::string& 
   }
   // No more memory than the file can fill.
   if (width * height * static_cast<int64_t>(channels.size() * sizeof(float)) >
-      kMostCompression * static_cast<int64_t>(fileBytes)) {
+      kMaxCompression * static_cast<int64_t>(fileBytes)) {
     throw InputError(
         "it is too short for the " + std::to_string(width) + "x" + std::to_string(height) + " samples of its header",
         where, kNext);
@@ -266,9 +266,9 @@ std::string partName(const std::string& where, size_t part, size_t parts) {
 
 void writeReferenceImages(const std::filesystem::path& path, const ReferenceImages& images) {
   OC_CHECK(!images.empty(), "a file holds a reference image at least");
-  if (images.size() > kMostParts) {
+  if (images.size() > kMaxParts) {
     throw InputError(
-        "these are " + std::to_string(images.size()) + " images; a file holds " + std::to_string(kMostParts),
+        "these are " + std::to_string(images.size()) + " images; a file holds " + std::to_string(kMaxParts),
         path.string(), "fewer --viewers, or a camera of fewer images");
   }
   std::vector<ExrPart> parts;
@@ -288,7 +288,7 @@ ReferenceImages referenceImagesFromBytes(std::string_view bytes, const std::stri
       images.emplace_back();
       readHeader(header, bytes.size(), partName(where, images.size() - 1, headers.size()), images.back());
       pixels += static_cast<int64_t>(images.back().z.size());
-      if (pixels > kMostPixels) {
+      if (pixels > kMaxPixels) {
         throw InputError("its images have more than 2^26 pixels in all", where, kNext);
       }
     }

@@ -18,13 +18,13 @@
 
 namespace ocelli {
 
-/// What builders get. `drawer` draws the images that the construction takes, where it is not null.
+/// What builders get. `renderer` draws the images that the construction takes, where it is not null.
 struct RepresentationInputs {
   const CameraChoice& choice;
   const PinholeCamera& reference;
   const Mesh& mesh;
   const Progress& progress;
-  const SceneDrawer* drawer = nullptr;
+  const SceneRenderer* renderer = nullptr;
 };
 
 struct RepresentationKind {
@@ -48,10 +48,10 @@ struct RepresentationKind {
   std::function<ReferenceImage(Technique, const RepresentationInputs&)> draw = {};
   /// The rays of each image. Builds the cameras, so it takes about as long.
   std::function<std::vector<RayFunction>(const RepresentationInputs&, const ReferenceImages&)> rays = {};
-  /// Whether it cannot be rasterised: its builder gets a drawer that has rays, whatever construction is asked for.
+  /// Whether it cannot be rasterised: its builder gets a renderer that has rays, whatever construction is asked for.
   bool castsRays = false;
   /// Why OpenGL cannot draw it; empty where it can.
-  const char* needsProcessor = "";
+  const char* needsCpu = "";
 };
 
 /// The rows, in the order of the list that users see.

@@ -32,19 +32,19 @@ ViewSegment segmentOf(const Inputs& in, const glm::vec3& direction) {
 // ---- cameras
 
 SpocCamera spocCamera(const Inputs& in) {
-  return buildSpocCamera(in.reference, in.mesh, in.choice.spoc, in.drawer);
+  return buildSpocCamera(in.reference, in.mesh, in.choice.spoc, in.renderer);
 }
 ReversePinholeCamera reversePinhole(const Inputs& in) {
-  return buildReversePinhole(in.reference, in.mesh, in.drawer);
+  return buildReversePinhole(in.reference, in.mesh, in.renderer);
 }
 DdocCamera ddocCamera(const Inputs& in) {
-  return buildDdocCamera(in.reference, in.mesh, in.choice.ddoc, in.progress, in.drawer);
+  return buildDdocCamera(in.reference, in.mesh, in.choice.ddoc, in.progress, in.renderer);
 }
 EpipolarCamera epipolarCamera(const Inputs& in, const glm::vec3& direction) {
-  return buildEpipolarCamera(in.reference, segmentOf(in, direction), in.mesh, in.choice.eoc, in.drawer);
+  return buildEpipolarCamera(in.reference, segmentOf(in, direction), in.mesh, in.choice.eoc, in.renderer);
 }
 CellCamera cellCamera(const Inputs& in) {
-  return buildCellCamera(in.reference, in.mesh, in.choice.cell, in.progress, in.drawer);
+  return buildCellCamera(in.reference, in.mesh, in.choice.cell, in.progress, in.renderer);
 }
 
 // ---- their rays
@@ -97,8 +97,8 @@ ReferenceImages layeredDepthImage(const Inputs& in) {
 }
 
 ReferenceImages spocUnion(const Inputs& in) {
-  ReferenceImages images{buildDepthImage(in.reference, in.mesh, in.drawer),
-                         buildSpocImage(spocCamera(in), in.mesh, in.drawer)};
+  ReferenceImages images{buildDepthImage(in.reference, in.mesh, in.renderer),
+                         buildSpocImage(spocCamera(in), in.mesh, in.renderer)};
   subtract(images[1], images[0], [&](const glm::vec3& point) { return in.reference.project(point); });
   images[1].triangleBound = 0;
   return images;
@@ -118,12 +118,12 @@ ReferenceImages crossedEocs(const Inputs& in, bool withDdoc) {
   };
   for (const glm::vec3& direction : {kHorizontalSegment, kVerticalSegment}) {
     const auto camera = std::make_shared<EpipolarCamera>(epipolarCamera(in, direction));
-    add(buildEocImage(*camera, in.mesh, in.drawer),
+    add(buildEocImage(*camera, in.mesh, in.renderer),
         [camera](const glm::vec3& point) { return camera->project(point); });
   }
   if (withDdoc) {
     const auto camera = std::make_shared<DdocCamera>(ddocCamera(in));
-    add(buildDdocImage(*camera, in.mesh, in.choice.ddoc.subdivision, in.drawer),
+    add(buildDdocImage(*camera, in.mesh, in.choice.ddoc.subdivision, in.renderer),
         [camera](const glm::vec3& point) { return camera->project(point); });
   }
   return images;
@@ -148,7 +148,7 @@ RepresentationKind cornersRow(const char* name, const char* description, int cou
           .prepare = [count](CameraChoice& choice) { choice.count = count; },
           .images =
               [](const Inputs& in) {
-                return buildCornerDepthImages(in.reference, in.mesh, cubeOf(in.choice), in.choice.count, in.drawer);
+                return buildCornerDepthImages(in.reference, in.mesh, cubeOf(in.choice), in.choice.count, in.renderer);
               },
           .rays = pinholeRays};
 }
@@ -159,7 +159,7 @@ RepresentationKind ddocRow(const char* name, const char* description, std::funct
           .options = joined({{&kCellSide}, ddocOptions()}),
           .prepare = std::move(prepare),
           .images = [](const Inputs& in) -> ReferenceImages {
-            return {buildDdocImage(in.reference, in.mesh, in.choice.ddoc, in.progress, in.drawer)};
+            return {buildDdocImage(in.reference, in.mesh, in.choice.ddoc, in.progress, in.renderer)};
           },
           .rayCrossover = RayCrossover::kDdoc,
           .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, ddocCamera(in), in); },
@@ -181,7 +181,7 @@ RepresentationKind eocRow(const char* name, const char* description, const glm::
               },
           .images = [](const Inputs& in) -> ReferenceImages {
             return {buildEocImage(in.reference, segmentOf(in, in.choice.segmentDirection), in.mesh, in.choice.eoc,
-                                  in.drawer)};
+                                  in.renderer)};
           },
           .rayCrossover = RayCrossover::kEoc,
           .segments = [](const CameraChoice& choice) { return std::vector{choice.segmentDirection}; },
@@ -228,7 +228,7 @@ RepresentationKind castRow(const char* name, const char* description) {
   };
   return {.name = name,
           .description = description,
-          .images = [cast](const Inputs& in) -> ReferenceImages { return {cast(in, *in.drawer->rays())}; },
+          .images = [cast](const Inputs& in) -> ReferenceImages { return {cast(in, *in.renderer->rays())}; },
           .rayCrossover = 0,
           .draw =
               [cast](Technique technique, const Inputs& in) {
@@ -241,7 +241,7 @@ RepresentationKind castRow(const char* name, const char* description) {
             return {raysOf(C(in.reference))};
           },
           .castsRays = true,
-          .needsProcessor = "is cast along its rays, which only the processor does"};
+          .needsCpu = "is cast along its rays, which only the CPU does"};
 }
 
 RepresentationKind meshRow(const char* name, const char* description,
@@ -254,7 +254,7 @@ std::vector<RepresentationKind> makeRows() {
   rows.push_back({.name = "di",
                   .description = "depth image of the planar pinhole camera (ppc is the same)",
                   .images = [](const Inputs& in) -> ReferenceImages {
-                    return {buildDepthImage(in.reference, in.mesh, in.drawer)};
+                    return {buildDepthImage(in.reference, in.mesh, in.renderer)};
                   },
                   .rayCrossover = RayCrossover::kDepthImage,
                   .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, in.reference, in); },
@@ -264,7 +264,7 @@ std::vector<RepresentationKind> makeRows() {
                   .options = {&kCellSide},
                   .images = [](const Inputs& in) -> ReferenceImages {
                     return {buildWideDepthImage(in.reference, in.mesh,
-                                                wideFactor(in.reference, in.mesh, cubeOf(in.choice)), in.drawer)};
+                                                wideFactor(in.reference, in.mesh, cubeOf(in.choice)), in.renderer)};
                   },
                   .rays = pinholeRays});
   rows.push_back(cornersRow(
@@ -274,15 +274,15 @@ std::vector<RepresentationKind> makeRows() {
   rows.push_back({.name = "ldi-4",
                   .description = "layered depth image of four layers (any number from ldi-1 to ldi-16)",
                   .prepare = [](CameraChoice& choice) { choice.count = 4; },
-                  .maxCount = kMostLayers,
+                  .maxCount = kMaxLayers,
                   .images = layeredDepthImage,
                   .rays = pinholeRays,
-                  .needsProcessor = "peels layers, which only rasterisation on the processor does"});
+                  .needsCpu = "peels layers, which only rasterisation on the CPU does"});
   rows.push_back(
       {.name = "rppc",
        .description = "reverse pinhole: its straight rays meet behind the scene",
        .images = [](const Inputs& in) -> ReferenceImages {
-         return {buildReversePinholeImage(reversePinhole(in), in.reference, in.mesh, in.drawer)};
+         return {buildReversePinholeImage(reversePinhole(in), in.reference, in.mesh, in.renderer)};
        },
        .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, reversePinhole(in), in); },
        .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
@@ -292,7 +292,7 @@ std::vector<RepresentationKind> makeRows() {
                   .description = "single pole occlusion camera around the foreground",
                   .options = spocOptions(),
                   .images = [](const Inputs& in) -> ReferenceImages {
-                    return {buildSpocImage(spocCamera(in), in.mesh, in.drawer)};
+                    return {buildSpocImage(spocCamera(in), in.mesh, in.renderer)};
                   },
                   .rayCrossover = RayCrossover::kSpoc,
                   .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, spocCamera(in), in); },
@@ -325,7 +325,7 @@ std::vector<RepresentationKind> makeRows() {
        .description = "view-region occlusion camera: what is seen from anywhere in the view cell, in one image",
        .options = joined({{&kCellSide}, cellOptions()}),
        .images = [](const Inputs& in) -> ReferenceImages {
-         return {buildCellImage(cellCamera(in), in.mesh, in.drawer)};
+         return {buildCellImage(cellCamera(in), in.mesh, in.renderer)};
        },
        .rayCrossover = RayCrossover::kCell,
        .draw =

@@ -113,7 +113,7 @@ class RowMesher {
   /// Rows run towards larger columns. One whose samples are all at one place runs as the next one
   /// below it that has a direction, or else as the last one above.
   void setDirections() {
-    constexpr float kLeastLength = 1;
+    constexpr float kMinLength = 1;
     std::optional<glm::vec2> last;
     const auto set = [&](Row& row) {
       if (row.samples.size() > 1) {
@@ -124,7 +124,7 @@ class RowMesher {
           const glm::vec2 d = glm::vec2(sample.place.u, sample.place.v) - start;
           longest = glm::dot(d, d) > glm::dot(longest, longest) ? d : longest;
         }
-        if (glm::length(longest) >= kLeastLength) {
+        if (glm::length(longest) >= kMinLength) {
           last = glm::normalize(longest);
         }
       }
@@ -182,13 +182,13 @@ class RowMesher {
     const uint32_t end = row.first[static_cast<size_t>(std::clamp(to, 0.0f, last)) + 1];
     const float depthStep = options_.depthStepFootprints * sample.place.z / focal_;
     int best = kNoSample;
-    float leastCost = 1e30f;
+    float minCost = 1e30f;
     for (const uint32_t i : std::span(row.sorted).subspan(begin, end - begin)) {
       const RowSample& other = row.samples[i];
       const float offset = std::abs(other.along - along);
       const float cost = offset + std::abs(other.place.z - sample.place.z) / depthStep;
-      if (offset <= kFarthestPartner && cost < leastCost) {
-        leastCost = cost;
+      if (offset <= kFarthestPartner && cost < minCost) {
+        minCost = cost;
         best = static_cast<int>(i);
       }
     }

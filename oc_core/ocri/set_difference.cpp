@@ -16,12 +16,12 @@ std::optional<glm::vec3> positionAt(const ReferenceImage& image, const PinholeCa
 }
 
 bool holds(const ReferenceImage& other, const PinholeCamera& reference, const Projection& projection,
-           const glm::vec3& point, float mostFootprints) {
+           const glm::vec3& point, float maxFootprints) {
   const std::optional<ImagePoint> q = projection(point);
-  if (!q || !(std::abs(q->u) < PinholeCamera::kMostPixelsASide && std::abs(q->v) < PinholeCamera::kMostPixelsASide)) {
+  if (!q || !(std::abs(q->u) < PinholeCamera::kMaxPixelsASide && std::abs(q->v) < PinholeCamera::kMaxPixelsASide)) {
     return false;
   }
-  const float reach = mostFootprints * q->z / reference.focalPixels();
+  const float reach = maxFootprints * q->z / reference.focalPixels();
   const int x = static_cast<int>(std::floor(q->u));
   const int y = static_cast<int>(std::floor(q->v));
   for (int v = y - 1; v <= y + 1; ++v) {
@@ -47,7 +47,7 @@ size_t subtract(ReferenceImage& image, const ReferenceImage& other, const Projec
       const int y = static_cast<int>(row);
       for (int x = 0; x < image.width(); ++x) {
         const std::optional<glm::vec3> point = positionAt(image, imageReference, x, y);
-        marks(x, y) = point && !holds(other, otherReference, projection, *point, options.mostFootprints) ? 1 : 0;
+        marks(x, y) = point && !holds(other, otherReference, projection, *point, options.maxFootprints) ? 1 : 0;
       }
     }
   });

@@ -17,7 +17,7 @@ struct SetDifferenceOptions {
   /// A sample is held where one of the 3x3 samples around its place in the other image is at most so many pixel
   /// footprints away in space.
   /// DEVIATION: the text compares z alone. On a grazing surface z changes by many footprints from pixel to pixel.
-  float mostFootprints = 1.5f;
+  float maxFootprints = 1.5f;
   /// Around what is left, so many duplicates of the same surface stay: the meshes of both images then overlap.
   int seamPixels = 1;
 };

@@ -64,28 +64,28 @@ std::vector<glm::vec3> pointsOf(const FragmentImage& seen, const Mesh& mesh) {
 
 /// What the pinhole sees, and what lies farthest behind it.
 std::vector<glm::vec3> pointsAlongRays(const FragmentImage& seen, const PinholeCamera& reference, const Mesh& mesh,
-                                       const RayScene& drawer) {
+                                       const RayScene& renderer) {
   std::vector<glm::vec3> points;
   addPoints(points, seen, mesh);
   const auto fromBehind = [&](const glm::vec2& pixel) {
     const RayPath path = reference.rayPath(pixel);
     return path.empty() ? RayPath{} : RayPath{path.back(), path.front()};
   };
-  addPoints(points, castRays(reference.width(), reference.height(), drawer, fromBehind), mesh);
+  addPoints(points, castRays(reference.width(), reference.height(), renderer, fromBehind), mesh);
   return points;
 }
 
 ReferenceImage boundedBy(ReferenceImage image, const PinholeCamera& reference, const Mesh& mesh,
-                         const SceneDrawer* drawer = nullptr) {
-  image.triangleBound = imageMesh(buildDepthImage(reference, mesh, drawer)).triangles.size();
+                         const SceneRenderer* renderer = nullptr) {
+  image.triangleBound = imageMesh(buildDepthImage(reference, mesh, renderer)).triangles.size();
   return image;
 }
 
 }  // namespace
 
 SpocCamera buildSpocCamera(const PinholeCamera& reference, const Mesh& mesh, const SpocOptions& options,
-                           const SceneDrawer* drawer) {
-  const FragmentImage seen = seenFrom(reference, mesh, drawer);
+                           const SceneRenderer* renderer) {
+  const FragmentImage seen = seenFrom(reference, mesh, renderer);
   std::vector<float> inverseZ;
   for (const Fragment& fragment : seen) {
     if (fragment.covered()) {
@@ -101,25 +101,26 @@ SpocCamera buildSpocCamera(const PinholeCamera& reference, const Mesh& mesh, con
       }
     }
   }
-  const std::vector<glm::vec3> scene = drawer != nullptr && drawer->rays() != nullptr
-                                           ? pointsAlongRays(seen, reference, mesh, *drawer->rays())
+  const std::vector<glm::vec3> scene = renderer != nullptr && renderer->rays() != nullptr
+                                           ? pointsAlongRays(seen, reference, mesh, *renderer->rays())
                                            : pointsOf(seen, mesh);
   return SpocCamera::aroundObject(reference, foreground, scene, options);
 }
 
-ReversePinholeCamera buildReversePinhole(const PinholeCamera& reference, const Mesh& mesh, const SceneDrawer* drawer) {
-  return ReversePinholeCamera::around(reference, pointsOf(seenFrom(reference, mesh, drawer), mesh));
+ReversePinholeCamera buildReversePinhole(const PinholeCamera& reference, const Mesh& mesh,
+                                         const SceneRenderer* renderer) {
+  return ReversePinholeCamera::around(reference, pointsOf(seenFrom(reference, mesh, renderer), mesh));
 }
 
-ReferenceImage buildSpocImage(const SpocCamera& camera, const Mesh& mesh, const SceneDrawer* drawer) {
-  const FragmentImage fragments = drawer != nullptr ? drawer->draw(camera) : rasterize(camera, mesh);
-  return boundedBy(referenceImage(fragments, mesh, camera.reference(), "spoc"), camera.reference(), mesh, drawer);
+ReferenceImage buildSpocImage(const SpocCamera& camera, const Mesh& mesh, const SceneRenderer* renderer) {
+  const FragmentImage fragments = renderer != nullptr ? renderer->draw(camera) : rasterize(camera, mesh);
+  return boundedBy(referenceImage(fragments, mesh, camera.reference(), "spoc"), camera.reference(), mesh, renderer);
 }
 
 ReferenceImage buildReversePinholeImage(const ReversePinholeCamera& camera, const PinholeCamera& reference,
-                                        const Mesh& mesh, const SceneDrawer* drawer) {
-  const FragmentImage fragments = drawer != nullptr ? drawer->draw(camera) : rasterize(camera, mesh);
-  return boundedBy(referenceImage(fragments, mesh, reference, "rppc"), reference, mesh, drawer);
+                                        const Mesh& mesh, const SceneRenderer* renderer) {
+  const FragmentImage fragments = renderer != nullptr ? renderer->draw(camera) : rasterize(camera, mesh);
+  return boundedBy(referenceImage(fragments, mesh, reference, "rppc"), reference, mesh, renderer);
 }
 
 }  // namespace ocelli

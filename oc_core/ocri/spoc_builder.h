@@ -13,19 +13,19 @@
 
 namespace ocelli {
 
-/// Throws InputError where the view sees nothing, or all of it is equally far away. Where `drawer` has rays,
+/// Throws InputError where the view sees nothing, or all of it is equally far away. Where `renderer` has rays,
 /// z_f is that of the farthest surface along the pinhole's, instead of the farthest vertex in view: that takes a look
 /// from behind.
 SpocCamera buildSpocCamera(const PinholeCamera& reference, const Mesh& mesh, const SpocOptions& options = {},
-                           const SceneDrawer* drawer = nullptr);
+                           const SceneRenderer* renderer = nullptr);
 
 /// Around all that is in view. Throws InputError where that is nothing, or too deep.
 ReversePinholeCamera buildReversePinhole(const PinholeCamera& reference, const Mesh& mesh,
-                                         const SceneDrawer* drawer = nullptr);
+                                         const SceneRenderer* renderer = nullptr);
 
 /// Displacements are relative to `reference`. Its `triangleBound` is that of the depth image of the same view.
-ReferenceImage buildSpocImage(const SpocCamera& camera, const Mesh& mesh, const SceneDrawer* drawer = nullptr);
+ReferenceImage buildSpocImage(const SpocCamera& camera, const Mesh& mesh, const SceneRenderer* renderer = nullptr);
 ReferenceImage buildReversePinholeImage(const ReversePinholeCamera& camera, const PinholeCamera& reference,
-                                        const Mesh& mesh, const SceneDrawer* drawer = nullptr);
+                                        const Mesh& mesh, const SceneRenderer* renderer = nullptr);
 
 }  // namespace ocelli

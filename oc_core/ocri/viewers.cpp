@@ -37,13 +37,13 @@ class HeldSurface {
   HeldSurface(const Mesh& mesh, const ViewerMergeOptions& options) : mesh_(mesh), scene_(mesh), options_(options) {}
 
   bool holds(const glm::vec3& point, float footprint) const {
-    const auto closest = scene_.closestSurface(point, options_.mostFootprints * footprint);
+    const auto closest = scene_.closestSurface(point, options_.maxFootprints * footprint);
     if (!closest) {
       return false;
     }
     const glm::uvec3& t = mesh_.triangles[closest->triangle];
     for (int corner = 0; corner < 3; ++corner) {
-      if (glm::distance(mesh_.positions[t[corner]], point) <= options_.mostFootprintsToSample * footprint) {
+      if (glm::distance(mesh_.positions[t[corner]], point) <= options_.maxFootprintsToSample * footprint) {
         return true;
       }
     }

@@ -13,10 +13,10 @@ std::vector<View> viewsAround(const View& first, int count);
 
 struct ViewerMergeOptions {
   /// A sample is held where the mesh of earlier viewers passes within so many of its pixel footprints,
-  float mostFootprints = 0.25f;
+  float maxFootprints = 0.25f;
   /// ... and samples as densely: a corner of the triangle there is at most so many footprints away. Surfaces that an
   /// earlier viewer sees at a grazing angle are sampled again.
-  float mostFootprintsToSample = 1.5f;
+  float maxFootprintsToSample = 1.5f;
   /// Around what is left, so many duplicates of the same surface stay, so that the meshes overlap.
   int seamPixels = 1;
 };

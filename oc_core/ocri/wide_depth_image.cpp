@@ -74,8 +74,8 @@ float wideFactor(const PinholeCamera& reference, const Mesh& mesh, const ViewCel
 }
 
 ReferenceImage buildWideDepthImage(const PinholeCamera& reference, const Mesh& mesh, float factor,
-                                   const SceneDrawer* drawer) {
-  if (!(factor >= 1) || factor > static_cast<float>(PinholeCamera::kMostPixelsASide)) {
+                                   const SceneRenderer* renderer) {
+  if (!(factor >= 1) || factor > static_cast<float>(PinholeCamera::kMaxPixelsASide)) {
     throw InputError("a depth image " + std::to_string(factor) + " times as wide cannot be made", "wide factor",
                      "choose 1 or more");
   }
@@ -85,7 +85,7 @@ ReferenceImage buildWideDepthImage(const PinholeCamera& reference, const Mesh& m
   // The focal length in pixels stays, and so does the shift of the centre.
   view.fovVerticalDegrees = degreesFromRadians(2 * std::atan(height / 2.0 / reference.focalPixels()));
   view.centerShift *= static_cast<float>(reference.height()) / static_cast<float>(height);
-  ReferenceImage image = buildDepthImage(PinholeCamera(view, width, height), mesh, drawer);
+  ReferenceImage image = buildDepthImage(PinholeCamera(view, width, height), mesh, renderer);
   image.camera = "di-wide";
   return image;
 }

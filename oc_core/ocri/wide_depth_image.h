@@ -19,6 +19,6 @@ float wideFactor(const PinholeCamera& reference, const Mesh& mesh, const ViewCel
 /// rounded up so that its pixels fall onto those of the reference. `factor` is 1 or more; throws InputError for others,
 /// and where the image would exceed the limits of PinholeCamera.
 ReferenceImage buildWideDepthImage(const PinholeCamera& reference, const Mesh& mesh, float factor,
-                                   const SceneDrawer* drawer = nullptr);
+                                   const SceneRenderer* renderer = nullptr);
 
 }  // namespace ocelli

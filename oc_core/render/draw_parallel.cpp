@@ -4,8 +4,8 @@ namespace ocelli {
 
 size_t drawingWorkers(size_t blocks, size_t samples) {
   // Many threads must not take more memory for their buffers than a machine has.
-  constexpr size_t kMostSamples = size_t{1} << 28;
-  const size_t fitting = kMostSamples / std::max<size_t>(samples, 1);
+  constexpr size_t kMaxSamples = size_t{1} << 28;
+  const size_t fitting = kMaxSamples / std::max<size_t>(samples, 1);
   return std::max<size_t>(std::min({blocks, static_cast<size_t>(threadCount()), fitting}), 1);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "oc_core/render/draw_parallel.h"
-#include "oc_core/render/stretch.h"
+#include "oc_core/render/straight_segment.h"
 
 namespace ocelli {
 

@@ -15,7 +15,7 @@ struct Corner {
 };
 
 struct Polygon {
-  std::array<Corner, ClipPolygon::kMost> corners;
+  std::array<Corner, ClipPolygon::kMax> corners;
   size_t count = 0;
 };
 
@@ -28,10 +28,10 @@ Polygon clip(const Polygon& polygon, const glm::dvec3& normal, double offset) {
     const Corner& b = polygon.corners[(i + 1) % polygon.count];
     const double da = glm::dot(normal, a.p) + offset;
     const double db = glm::dot(normal, b.p) + offset;
-    if (da >= 0 && kept.count < ClipPolygon::kMost) {
+    if (da >= 0 && kept.count < ClipPolygon::kMax) {
       kept.corners[kept.count++] = a;
     }
-    if ((da >= 0) != (db >= 0) && kept.count < ClipPolygon::kMost) {
+    if ((da >= 0) != (db >= 0) && kept.count < ClipPolygon::kMax) {
       const Corner& inner = da >= 0 ? a : b;
       const Corner& outer = da >= 0 ? b : a;
       const double t = da >= 0 ? da / (da - db) : db / (db - da);

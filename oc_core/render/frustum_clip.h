@@ -19,8 +19,8 @@ struct ClipVertex {
 };
 
 struct ClipPolygon {
-  static constexpr size_t kMost = 3 + 6;  ///< each of six planes adds one vertex at most
-  std::array<ClipVertex, kMost> vertices;
+  static constexpr size_t kMax = 3 + 6;  ///< each of six planes adds one vertex at most
+  std::array<ClipVertex, kMax> vertices;
   size_t count = 0;
 };
 

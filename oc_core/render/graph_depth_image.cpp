@@ -25,43 +25,43 @@ struct Ray {
 };
 
 /// A part of a ray, by distances from its origin.
-struct PieceStretch {
+struct PieceSegment {
   double begin = 0;
   double end = 0;
   size_t piece = 0;
 };
 
-/// What of a stretch is within a piece; it ends before it begins where nothing is.
-PieceStretch clipped(PieceStretch stretch, const Ray& ray, const FrustumPiece& piece) {
+/// What of a segment is within a piece; it ends before it begins where nothing is.
+PieceSegment clipped(PieceSegment segment, const Ray& ray, const FrustumPiece& piece) {
   for (const Plane& side : piece.sides) {
     const double height = side.height(ray.origin);
     const double rise = glm::dot(side.normal, ray.direction);
     if (std::abs(rise) <= kParallel) {
-      stretch.end = height > kParallel * (1 + glm::length(ray.origin)) ? -kInfinite : stretch.end;
+      segment.end = height > kParallel * (1 + glm::length(ray.origin)) ? -kInfinite : segment.end;
     } else if (rise > 0) {
-      stretch.end = std::min(stretch.end, -height / rise);
+      segment.end = std::min(segment.end, -height / rise);
     } else {
-      stretch.begin = std::max(stretch.begin, -height / rise);
+      segment.begin = std::max(segment.begin, -height / rise);
     }
   }
-  return stretch;
+  return segment;
 }
 
 }  // namespace
 
-/// Along the image of a stretch of a ray, in one piece of a frustum.
+/// Along the image of a segment of a ray, in one piece of a frustum.
 class GraphDepthImage::Walk {
  public:
-  Walk(const GraphDepthImage& image, const Ray& ray, const PieceStretch& stretch, const Options& options, size_t& steps)
+  Walk(const GraphDepthImage& image, const Ray& ray, const PieceSegment& segment, const Options& options, size_t& steps)
       : samples_(image.samples_),
         ray_(ray),
-        stretch_(stretch),
+        segment_(segment),
         options_(options),
         steps_(steps),
-        index_(image.pieces_[stretch.piece].frustum),
+        index_(image.pieces_[segment.piece].frustum),
         frustum_(image.camera_.frusta()[static_cast<size_t>(index_)]) {
-    const glm::dvec4 first = frustum_.pixelFromWorld * glm::dvec4(ray.at(stretch.begin), 1);
-    const glm::dvec4 last = frustum_.pixelFromWorld * glm::dvec4(ray.at(stretch.end), 1);
+    const glm::dvec4 first = frustum_.pixelFromWorld * glm::dvec4(ray.at(segment.begin), 1);
+    const glm::dvec4 last = frustum_.pixelFromWorld * glm::dvec4(ray.at(segment.end), 1);
     from_ = glm::dvec2(first) / first.w;
     to_ = glm::dvec2(last) / last.w;
     fromWeight_ = first.w;
@@ -101,7 +101,7 @@ class GraphDepthImage::Walk {
   /// As 1/w is linear in the image, and w along the ray.
   double distanceAt(double share) const {
     const double along = share * fromWeight_ / ((1 - share) * toWeight_ + share * fromWeight_);
-    return stretch_.begin + (stretch_.end - stretch_.begin) * along;
+    return segment_.begin + (segment_.end - segment_.begin) * along;
   }
 
   double gapOf(const GraphDepthSamples::Sample& sample, double inverse) const {
@@ -190,7 +190,7 @@ class GraphDepthImage::Walk {
 
   const GraphDepthSamples& samples_;
   const Ray& ray_;
-  const PieceStretch& stretch_;
+  const PieceSegment& segment_;
   const Options& options_;
   size_t& steps_;
   int index_;
@@ -212,20 +212,20 @@ std::optional<GraphDepthImage::Hit> GraphDepthImage::intersect(const glm::dvec3&
     return std::nullopt;
   }
   const Ray ray{origin, direction / length};
-  std::vector<PieceStretch> stretches;
+  std::vector<PieceSegment> segments;
   for (size_t i = 0; i < pieces_.size(); ++i) {
-    const PieceStretch whole{0, static_cast<double>(camera_.root().view().zFar), i};
-    const PieceStretch stretch = clipped(whole, ray, pieces_[i]);
-    if (stretch.begin < stretch.end) {
-      stretches.push_back(stretch);
+    const PieceSegment whole{0, static_cast<double>(camera_.root().view().zFar), i};
+    const PieceSegment segment = clipped(whole, ray, pieces_[i]);
+    if (segment.begin < segment.end) {
+      segments.push_back(segment);
     }
   }
-  std::sort(stretches.begin(), stretches.end(),
-            [](const PieceStretch& a, const PieceStretch& b) { return a.begin < b.begin; });
+  std::sort(segments.begin(), segments.end(),
+            [](const PieceSegment& a, const PieceSegment& b) { return a.begin < b.begin; });
   size_t count = 0;
   std::optional<Hit> hit;
-  for (size_t i = 0; i < stretches.size() && !hit; ++i) {
-    hit = Walk(*this, ray, stretches[i], options, count).run();
+  for (size_t i = 0; i < segments.size() && !hit; ++i) {
+    hit = Walk(*this, ray, segments[i], options, count).run();
   }
   if (steps != nullptr) {
     *steps += count;

@@ -7,7 +7,7 @@
 // Depths are compared by the weights w of the homogeneous image points of a frustum (graph_camera.h). They are linear
 // in the world, 0 at the viewpoint and grow along the ray of each pixel, in proportion to the distance from the
 // viewpoint. So 1/w is linear in the image, for the ray and for planar surfaces, and two steps say exactly where a ray
-// meets a plane. z is linear in neither behind a turn. Samples of other frusta are nearer than the ray's frustum where
+// meets a plane. z is linear in neither behind a bend. Samples of other frusta are nearer than the ray's frustum where
 // they are of those before it, and farther where they are of those behind it.
 //
 // Between pixels of two surfaces, where a depth image says nothing, a ray may pass. A surface is torn where its depth

@@ -17,7 +17,7 @@ constexpr int kTileMargin = 2;
 constexpr double kOnRay = 1e-3;
 
 /// What a pixel shows at a point of its ray: that of the last frustum on its way that begins before the point and sees
-/// it there. Rays may turn so far that points behind the plane of one frustum lie before those of its parents.
+/// it there. Rays may bend so far that points behind the plane of one frustum lie before those of its parents.
 GraphDepthSamples::Sample sampleOf(const GraphCamera& camera, const glm::dvec2& pixel, const glm::dvec3& point) {
   GraphDepthSamples::Sample sample;
   for (int i = GraphCamera::kRoot; i >= 0; i = camera.childAt(i, pixel)) {

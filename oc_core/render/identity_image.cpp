@@ -123,9 +123,9 @@ std::vector<ObjectSighting> sightings(const Image<uint32_t>& identities) {
 }
 
 Image<Rgb8> identityPicture(const Image<uint32_t>& identities) {
-  Image<Rgb8> picture(identities.width(), identities.height());
-  std::transform(identities.begin(), identities.end(), picture.begin(), falseColorOf);
-  return picture;
+  Image<Rgb8> image(identities.width(), identities.height());
+  std::transform(identities.begin(), identities.end(), image.begin(), falseColorOf);
+  return image;
 }
 
 }  // namespace ocelli

@@ -66,16 +66,16 @@ PixelBox footprint(const C& camera, const std::array<glm::vec3, 3>& triangle) {
     return {};
   }
   ImageBox box{glm::vec2(1e30f), glm::vec2(-1e30f)};
-  float leastInverseZ = 1e30f;
+  float minInverseZ = 1e30f;
   float greatestInverseZ = 0;
   for (size_t i = 0; i < polygon.count; ++i) {
     const ImagePoint q = reference.imageFromCamera(polygon.vertices[i].p);
     box.lower = glm::min(box.lower, glm::vec2(q.u, q.v));
     box.upper = glm::max(box.upper, glm::vec2(q.u, q.v));
-    leastInverseZ = std::min(leastInverseZ, 1 / q.z);
+    minInverseZ = std::min(minInverseZ, 1 / q.z);
     greatestInverseZ = std::max(greatestInverseZ, 1 / q.z);
   }
-  const ImageBox displacement = displacementOver(camera, box, leastInverseZ, greatestInverseZ);
+  const ImageBox displacement = displacementOver(camera, box, minInverseZ, greatestInverseZ);
   const glm::vec2 lower = box.lower + displacement.lower - kFootprintSlackPixels;
   const glm::vec2 upper = box.upper + displacement.upper + kFootprintSlackPixels;
   const auto firstCentre = [](float lowest) { return static_cast<int>(std::ceil(std::max(lowest, 0.0f) - 0.5f)); };

@@ -1,8 +1,8 @@
-// Rasterisation for the curved ray camera (section 4.2.2): before, between and behind its turns rays are straight, and
-// one matrix each projects what lies there (stretch.h); what lies in a turn is split until its pieces come out straight
-// (turn_drawer.h).
+// Rasterisation for the curved ray camera (section 4.2.2): before, between and behind its bends rays are straight, and
+// one matrix each projects what lies there (straight_segment.h); what lies in a bend is split until its pieces come out
+// straight (bend_rasterizer.h).
 //
-// A ray passes stretch, turn, stretch and so on, so at each pixel the sample of the first of these is kept.
+// A ray passes segment, bend, segment and so on, so at each pixel the sample of the first of these is kept.
 #pragma once
 
 #include "oc_core/camera/curved_ray_camera.h"

@@ -1,6 +1,6 @@
 #include "oc_core/render/rasterize_graph.h"
 
-#include "oc_core/render/camera_stretches.h"
+#include "oc_core/render/camera_segments.h"
 #include "oc_core/render/draw_tasks.h"
 #include "oc_core/render/pixel_ray.h"
 
@@ -8,17 +8,17 @@ namespace ocelli {
 
 FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {
   const PixelLeaves leaves = leavesOf(camera);
-  const std::vector<Stretch> stretches = stretchesOf(camera, leaves);
-  std::vector<StretchDrawer> drawers;
+  const std::vector<StraightSegment> segments = segmentsOf(camera, leaves);
+  std::vector<SegmentRasterizer> renderers;
   std::vector<BlockTask> tasks;
-  for (const Stretch& stretch : stretches) {
-    drawers.emplace_back(stretch, mesh, blocks, leaves);
-    drawers.back().bounds().findBlocks(blocks, static_cast<uint32_t>(drawers.size() - 1), tasks);
+  for (const StraightSegment& segment : segments) {
+    renderers.emplace_back(segment, mesh, blocks, leaves);
+    renderers.back().bounds().findBlocks(blocks, static_cast<uint32_t>(renderers.size() - 1), tasks);
   }
   const OrderedBuffer buffer = drawTasks(
-      leaves.size(), tasks, [] { return StretchDrawer::Scratch(); },
-      [&](OrderedBuffer& drawn, const BlockTask& task, StretchDrawer::Scratch& scratch) {
-        drawers[task.piece].draw(drawn, task, scratch);
+      leaves.size(), tasks, [] { return SegmentRasterizer::Scratch(); },
+      [&](OrderedBuffer& drawn, const BlockTask& task, SegmentRasterizer::Scratch& scratch) {
+        renderers[task.piece].draw(drawn, task, scratch);
       });
 
   // The frusta on the way to each leaf, from the root.

@@ -1,5 +1,5 @@
 // Rasterisation for the graph camera, frustum by frustum (section 4.1): triangles are clipped with a frustum, projected
-// with its matrix and filled, as the image of one frustum is that of a pinhole (stretch.h).
+// with its matrix and filled, as the image of one frustum is that of a pinhole (straight_segment.h).
 //
 // A ray meets what its first frustum holds before anything that later ones do, so at each pixel the sample of the
 // frustum nearest to the root is kept. Within a frustum the closest fragment wins, the lower triangle index on a tie:

@@ -71,7 +71,7 @@ bool isDrawn(DrawnSides sides, const RasterVertex& a, const RasterVertex& b, con
 
 std::vector<FragmentImage> rasterizeLayers(const PinholeCamera& camera, const Mesh& mesh, int layers,
                                            const std::vector<DrawnSides>& sides) {
-  OC_CHECK(layers >= 1 && layers <= kMostLayers, "the number of layers is 1 to kMostLayers");
+  OC_CHECK(layers >= 1 && layers <= kMaxLayers, "the number of layers is 1 to kMaxLayers");
   OC_CHECK(sides.empty() || sides.size() == mesh.triangles.size(), "each triangle has its sides");
   const auto layerCount = static_cast<size_t>(layers);
   const PinholeTriangles triangles(camera, mesh);

@@ -300,24 +300,24 @@ RowRange centresWithin(double from, double to, int length) {
           static_cast<int>(std::clamp(std::ceil(to - 0.5), 0.0, static_cast<double>(length))) - 1};
 }
 
-/// Draws what lies in the shadows of a camera.
-class ShadowDrawer {
+/// Draws what lies in the disocclusions of a camera.
+class DisocclusionRasterizer {
  public:
-  ShadowDrawer(const EpipolarCamera& camera, FragmentImage& fragments)
+  DisocclusionRasterizer(const EpipolarCamera& camera, FragmentImage& fragments)
       : camera_(camera), lines_(camera.lines()), fragments_(fragments), tops_(lines_.longest() + 1, lines_.rowCount()) {
     parallelFor(static_cast<size_t>(lines_.rowCount()), 16, [&](size_t begin, size_t end) {
       for (size_t row = begin; row < end; ++row) {
         for (int cell = 0; cell < camera.cellCount(static_cast<int>(row)); ++cell) {
-          tops_(cell, static_cast<int>(row)) = shadowTop(static_cast<int>(row), cell);
+          tops_(cell, static_cast<int>(row)) = disocclusionTop(static_cast<int>(row), cell);
         }
       }
     });
   }
 
-  /// Whether some of a triangle may lie in a shadow.
+  /// Whether some of a triangle may lie in a disocclusion.
   bool touches(const LineProjection& projection, const LineTriangle& piece, const RowRange& range) const {
     const float farthest = std::min({piece[0].vertex.inverseZ, piece[1].vertex.inverseZ, piece[2].vertex.inverseZ});
-    constexpr int kMostCells = 64;  // larger ones are few: take them
+    constexpr int kMaxCells = 64;  // larger ones are few: take them
     int cells = 0;
     for (int i = range.first; i <= range.last; ++i) {
       const int row = projection.row(i);
@@ -328,7 +328,7 @@ class ShadowDrawer {
       const int first = EpipolarCamera::cellOf(std::max(positions.x, 0.0f));
       const int last = EpipolarCamera::cellOf(std::min(positions.y, static_cast<float>(lines_.length(row))));
       cells += last - first + 1;
-      if (cells > kMostCells) {
+      if (cells > kMaxCells) {
         return true;
       }
       for (int cell = first; cell <= last; ++cell) {
@@ -361,13 +361,13 @@ class ShadowDrawer {
   }
 
  private:
-  /// The greatest 1/z of a shadow over a cell; 0 for none.
-  float shadowTop(int row, int cell) const {
-    const std::span<const uint32_t> over = camera_.shadowsOver(row, cell);
+  /// The greatest 1/z of a disocclusion over a cell; 0 for none.
+  float disocclusionTop(int row, int cell) const {
+    const std::span<const uint32_t> over = camera_.disocclusionsOver(row, cell);
     if (over.empty()) {
       return 0;
     }
-    const double xRight = camera_.shadows(row)[over.back()].xRight;
+    const double xRight = camera_.disocclusions(row)[over.back()].xRight;
     double top = 0;
     for (const double border : {EpipolarCamera::cellBegin(cell), EpipolarCamera::cellBegin(cell + 1)}) {
       if (lines_.has(row, border)) {
@@ -378,15 +378,16 @@ class ShadowDrawer {
     return static_cast<float>(top * 1.001);
   }
 
-  /// The ray of L through the centre of base pixel j, where it lies in a shadow.
+  /// The ray of L through the centre of base pixel j, where it lies in a disocclusion.
   void drawLeft(uint32_t triangle, const LineTriangle& piece, const Span& span, int j) {
     const double t = (j + 0.5 - span.from.position) / (span.to.position - span.from.position);
     const double w = span.fromInverseZ + (span.toInverseZ - span.fromInverseZ) * t;
     const double x = lines_.x(span.row, j + 0.5);
     const double y = w * lines_.inverseZScale(x);
-    const EpipolarCamera::Shadow* shadow = camera_.shadowOf(span.row, j + 1, x - lines_.disparity() * y);
-    if (shadow != nullptr && y < shadow->yFar && j >= shadow->position - shadow->added) {
-      keep(fragments_(j + shadow->shift, span.row), triangle, piece, span, t);
+    const EpipolarCamera::Disocclusion* disocclusion =
+        camera_.disocclusionOf(span.row, j + 1, x - lines_.disparity() * y);
+    if (disocclusion != nullptr && y < disocclusion->yFar && j >= disocclusion->position - disocclusion->added) {
+      keep(fragments_(j + disocclusion->shift, span.row), triangle, piece, span, t);
     }
   }
 
@@ -398,7 +399,7 @@ class ShadowDrawer {
     if (!(to > from)) {
       return;
     }
-    // 1/z is linear over the span, so y = slope x + offset; R sees the span from leastRight to mostRight.
+    // 1/z is linear over the span, so y = slope x + offset; R sees the span from minRight to maxRight.
     const double change = (span.toInverseZ - span.fromInverseZ) / (to - from);
     double slope = change;
     double offset = span.fromInverseZ - change * from;
@@ -412,8 +413,7 @@ class ShadowDrawer {
       const double x = lines_.x(span.row, position);
       return lines_.isParallel() ? x - disparity * inverseZ : x * (1 - sign * disparity * inverseZ);
     };
-    const auto [leastRight, mostRight] =
-        std::minmax({xRightAt(from, span.fromInverseZ), xRightAt(to, span.toInverseZ)});
+    const auto [minRight, maxRight] = std::minmax({xRightAt(from, span.fromInverseZ), xRightAt(to, span.toInverseZ)});
     const double spread = 1 - disparity * slope;
     // The part over the cell.
     const double end = EpipolarCamera::cellBegin(cell + 1);
@@ -421,28 +421,28 @@ class ShadowDrawer {
     const double x1 = lines_.x(span.row, lines_.has(span.row, end) ? std::min(to, end) : to);
     const double right0 = x0 * spread - disparity * offset;
     const double right1 = x1 * spread - disparity * offset;
-    const std::span<const EpipolarCamera::Shadow> shadows = camera_.shadows(span.row);
-    for (const uint32_t index : camera_.shadowsOver(span.row, cell)) {
-      const EpipolarCamera::Shadow& shadow = shadows[index];
+    const std::span<const EpipolarCamera::Disocclusion> disocclusions = camera_.disocclusions(span.row);
+    for (const uint32_t index : camera_.disocclusionsOver(span.row, cell)) {
+      const EpipolarCamera::Disocclusion& disocclusion = disocclusions[index];
       constexpr double kRounding = 1e-6;
-      const double a = lines_.position(span.row, right0 + disparity * shadow.yFar);
-      const double b = lines_.position(span.row, right1 + disparity * shadow.yFar);
-      const double least = shadow.position - shadow.added;
-      const double most = shadow.position - 1;
+      const double a = lines_.position(span.row, right0 + disparity * disocclusion.yFar);
+      const double b = lines_.position(span.row, right1 + disparity * disocclusion.yFar);
+      const double least = disocclusion.position - disocclusion.added;
+      const double most = disocclusion.position - 1;
       const int first = static_cast<int>(std::clamp(std::ceil(std::min(a, b) - 0.5 - kRounding), least, most + 1));
       const int last = static_cast<int>(std::clamp(std::floor(std::max(a, b) - 0.5 + kRounding), least - 1, most));
       for (int column = first; column <= last; ++column) {
-        const double xRight = lines_.x(span.row, column + 0.5) - disparity * shadow.yFar;
-        if (xRight < leastRight || xRight >= mostRight) {
+        const double xRight = lines_.x(span.row, column + 0.5) - disparity * disocclusion.yFar;
+        if (xRight < minRight || xRight >= maxRight) {
           continue;
         }
         const double x = (xRight + disparity * offset) / spread;
         const double y = (x - xRight) / disparity;
         const double position = lines_.position(span.row, x);
-        if (y >= shadow.yFar && EpipolarCamera::cellOf(position) == cell &&
-            camera_.shadowOf(span.row, cell, xRight) == &shadow) {
+        if (y >= disocclusion.yFar && EpipolarCamera::cellOf(position) == cell &&
+            camera_.disocclusionOf(span.row, cell, xRight) == &disocclusion) {
           const double t = (position - from) / (to - from);
-          keep(fragments_(column + shadow.shift, span.row), triangle, piece, span, std::clamp(t, 0.0, 1.0));
+          keep(fragments_(column + disocclusion.shift, span.row), triangle, piece, span, std::clamp(t, 0.0, 1.0));
         }
       }
     }
@@ -482,12 +482,12 @@ FragmentImage baseFragments(const EpipolarCamera& camera, const FragmentImage& b
   parallelFor(static_cast<size_t>(lines.rowCount()), 8, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const int row = static_cast<int>(i);
-      const std::span<const EpipolarCamera::Shadow> shadows = camera.shadows(row);
+      const std::span<const EpipolarCamera::Disocclusion> disocclusions = camera.disocclusions(row);
       size_t edge = 0;
       int shift = 0;
       for (int j = 0; j < lines.length(row); ++j) {
-        if (edge < shadows.size() && shadows[edge].position <= j) {
-          shift = shadows[edge++].shift;
+        if (edge < disocclusions.size() && disocclusions[edge].position <= j) {
+          shift = disocclusions[edge++].shift;
         }
         const Fragment& fragment = baseImage(j, row);
         if (!fragment.covered()) {
@@ -495,7 +495,7 @@ FragmentImage baseFragments(const EpipolarCamera& camera, const FragmentImage& b
         }
         const double x = lines.x(row, j + 0.5);
         const double y = lines.inverseZScale(x) / static_cast<double>(fragment.z);
-        if (camera.shadowOf(row, j + 1, x - lines.disparity() * y) == nullptr) {
+        if (camera.disocclusionOf(row, j + 1, x - lines.disparity() * y) == nullptr) {
           fragments(j + shift, row) = fragment;
         }
       }
@@ -507,11 +507,11 @@ FragmentImage baseFragments(const EpipolarCamera& camera, const FragmentImage& b
 FragmentImage rasterize(const EpipolarCamera& camera, const Mesh& mesh, const FragmentImage& baseImage) {
   FragmentImage fragments = baseFragments(camera, baseImage);
   const LineProjection projection(camera.base(), camera.lines(), mesh);
-  ShadowDrawer drawer(camera, fragments);
+  DisocclusionRasterizer renderer(camera, fragments);
   drawSpans(
       fragments, projection, mesh.triangles.size(),
-      [&](const LineTriangle& piece, const RowRange& range) { return drawer.touches(projection, piece, range); },
-      [&](uint32_t triangle, const LineTriangle& piece, const Span& span) { drawer.draw(triangle, piece, span); });
+      [&](const LineTriangle& piece, const RowRange& range) { return renderer.touches(projection, piece, range); },
+      [&](uint32_t triangle, const LineTriangle& piece, const Span& span) { renderer.draw(triangle, piece, span); });
   return fragments;
 }
 

@@ -5,8 +5,8 @@
 // The far ends of added rays, rays of L, are sampled at the centres of base pixels. Their near ends, rays of R, are
 // sampled where the span, seen from R, passes their place.
 //
-// DEVIATION: the text processes every triangle with the whole camera. What L sees lies in no shadow, so here only
-// triangles that reach into a shadow are cut into spans.
+// DEVIATION: the text processes every triangle with the whole camera. What L sees lies in no disocclusion, so here only
+// triangles that reach into a disocclusion are cut into spans.
 //
 // A sample on the common edge of two triangles belongs to one of them; the closest fragment wins, the lower triangle
 // index on a tie. Rows are drawn in bands, each by one thread: the same bytes for any number of threads.
@@ -20,7 +20,7 @@ namespace ocelli {
 /// What `base` sees along its epipolar lines: a row for each line, a column for each base pixel of the longest.
 FragmentImage rasterizeLines(const PinholeCamera& base, const EpipolarLines& lines, const Mesh& mesh);
 
-/// What the base pinhole sees, where it is in no shadow, at the columns of its rays; nothing at all others.
+/// What the base pinhole sees, where it is in no disocclusion, at the columns of its rays; nothing at all others.
 FragmentImage baseFragments(const EpipolarCamera& camera, const FragmentImage& baseImage);
 
 /// The closest fragment along each ray of `camera`. `baseImage` is rasterizeLines() of its base and lines.

@@ -44,9 +44,9 @@ bool displacesWithin(const C& camera, const ImageBox& undistorted) {
 }
 
 template <DistortedPinhole C>
-class SubdividingDrawer {
+class SubdividingRasterizer {
  public:
-  SubdividingDrawer(const C& camera, const SubdivisionOptions& options) : camera_(camera), options_(options) {}
+  SubdividingRasterizer(const C& camera, const SubdivisionOptions& options) : camera_(camera), options_(options) {}
 
   struct Vertex {
     glm::vec3 p;            ///< in the camera space of the reference pinhole
@@ -85,7 +85,7 @@ class SubdividingDrawer {
       draw(buffer, triangle, ca, bc, c, depth + 1);
       draw(buffer, triangle, ab, bc, ca, depth + 1);
     } else if (splits == 2) {
-      // Turn the triangle so that its unsplit edge is ca, cut off the corner b, and cut the rest in two.
+      // Bend the triangle so that its unsplit edge is ca, cut off the corner b, and cut the rest in two.
       if (!splitAb) {
         drawTwoSplits(buffer, triangle, b, c, a, depth);
       } else if (!splitBc) {
@@ -178,9 +178,9 @@ void keepUndisplaced(const C& camera, const FragmentImage& seen, FragmentImage& 
 template <DistortedPinhole C>
 FragmentImage rasterize(const C& camera, const FragmentImage& seen, const TrianglePart& part,
                         const SubdivisionOptions& options = {}) {
-  using Drawer = SubdividingDrawer<C>;
-  using Vertex = typename Drawer::Vertex;
-  const Drawer drawer(camera, options);
+  using Rasterizer = SubdividingRasterizer<C>;
+  using Vertex = typename Rasterizer::Vertex;
+  const Rasterizer renderer(camera, options);
   const PinholeCamera& reference = camera.reference();
   const float margin = camera.longestDisplacement() + 2;
 
@@ -188,7 +188,7 @@ FragmentImage rasterize(const C& camera, const FragmentImage& seen, const Triang
   parallelFor(projected.size(), 1 << 12, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       if (reference.projectCamera(part.points[i])) {
-        projected[i] = drawer.vertex(part.points[i], 0, 0);
+        projected[i] = renderer.vertex(part.points[i], 0, 0);
       }
     }
   });
@@ -209,16 +209,16 @@ FragmentImage rasterize(const C& camera, const FragmentImage& seen, const Triang
           if (!outside(a) && !outside(b) && !outside(c)) {
             b.image.b1 = 1;
             c.image.b2 = 1;
-            drawer.draw(buffer, triangle, a, b, c);
+            renderer.draw(buffer, triangle, a, b, c);
             continue;
           }
           const ClipPolygon polygon =
               clipToFrustum({part.points[t.x], part.points[t.y], part.points[t.z]}, reference, margin);
           const auto clipped = [&](size_t k) {
-            return drawer.vertex(polygon.vertices[k].p, polygon.vertices[k].b1, polygon.vertices[k].b2);
+            return renderer.vertex(polygon.vertices[k].p, polygon.vertices[k].b1, polygon.vertices[k].b2);
           };
           for (size_t k = 2; k < polygon.count; ++k) {
-            drawer.draw(buffer, triangle, clipped(0), clipped(k - 1), clipped(k));
+            renderer.draw(buffer, triangle, clipped(0), clipped(k - 1), clipped(k));
           }
         }
       });

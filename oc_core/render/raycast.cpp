@@ -14,9 +14,9 @@ constexpr int kTile = 8;        ///< pixels a side: whose rays are cast together
 
 /// Embree stops the program where a ray is not finite, or as long as 1.8e18.
 bool castable(const glm::vec3& origin, const glm::vec3& step) {
-  constexpr float kMost = 1e18f;
+  constexpr float kMax = 1e18f;
   const auto within = [](const glm::vec3& p) {
-    return std::abs(p.x) < kMost && std::abs(p.y) < kMost && std::abs(p.z) < kMost;
+    return std::abs(p.x) < kMax && std::abs(p.y) < kMax && std::abs(p.z) < kMax;
   };
   return within(origin) && within(step);
 }

@@ -15,8 +15,8 @@ using Kind = BuiltinParameter::Kind;
 
 std::vector<BuiltinParameter> parameters() {
   return {{"seed", "of the random numbers", Kind::kInteger, "1", 0, 4294967295.0},
-          {"rows", "of cells", Kind::kInteger, "7", 1, kMostMazeSide},
-          {"columns", "of cells", Kind::kInteger, "7", 1, kMostMazeSide},
+          {"rows", "of cells", Kind::kInteger, "7", 1, kMaxMazeSide},
+          {"columns", "of cells", Kind::kInteger, "7", 1, kMaxMazeSide},
           {"loops", "share of the inner walls that is opened again", Kind::kNumber, "0.15", 0, 1},
           {"three", "crossings of 3 ways that there are at least", Kind::kInteger, "0", 0, 4096},
           {"four", "crossings of 4 ways that there are at least", Kind::kInteger, "0", 0, 4096},
@@ -39,8 +39,8 @@ Scene buildMaze(const BuiltinValues& values) {
   options.rows = static_cast<int>(values.count("rows"));
   options.columns = static_cast<int>(values.count("columns"));
   options.loops = values.number("loops");
-  options.leastThreeWay = values.count("three");
-  options.leastFourWay = values.count("four");
+  options.minThreeWay = values.count("three");
+  options.minFourWay = values.count("four");
   options.landmarks = values.count("landmarks");
   if (!values.isGiven("landmarks")) {
     options.landmarks = std::min(options.landmarks, values.count("rows") * values.count("columns"));

@@ -47,7 +47,7 @@ BuiltinParameter trianglesParameter() {
           BuiltinParameter::Kind::kInteger,
           "0",
           0,
-          static_cast<double>(kMostSceneTriangles)};
+          static_cast<double>(kMaxSceneTriangles)};
 }
 
 Mesh readObject(const BuiltinValues& values, std::vector<std::string>& warnings) {

@@ -65,7 +65,7 @@ std::string nameOf(const MazeCell& cell) {
 
 Maze::Maze(int rows, int columns)
     : rows_(rows), columns_(columns), open_(2 * static_cast<size_t>(rows) * static_cast<size_t>(columns), 0) {
-  OC_CHECK(rows >= 1 && columns >= 1 && rows <= kMostMazeSide && columns <= kMostMazeSide,
+  OC_CHECK(rows >= 1 && columns >= 1 && rows <= kMaxMazeSide && columns <= kMaxMazeSide,
            "who makes a maze checks its size");
 }
 

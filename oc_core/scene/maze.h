@@ -20,7 +20,7 @@
 
 namespace ocelli {
 
-inline constexpr int kMostMazeSide = 64;  ///< rows or columns
+inline constexpr int kMaxMazeSide = 64;  ///< rows or columns
 
 enum class Direction : uint8_t { kNorth, kEast, kSouth, kWest };
 inline constexpr std::array<Direction, 4> kDirections{Direction::kNorth, Direction::kEast, Direction::kSouth,

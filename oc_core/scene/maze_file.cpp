@@ -23,14 +23,14 @@ constexpr char kFree = ' ';
 using Plan = std::vector<std::string>;
 
 Plan readPlan(JsonFields& fields, const std::string& where) {
-  constexpr size_t kMostLines = 2 * kMostMazeSide + 1;
+  constexpr size_t kMaxLines = 2 * kMaxMazeSide + 1;
   const nlohmann::json& value = fields.value("plan");
   if (!value.is_array()) {
     fields.fail("plan", "must be an array of texts, the lines of the drawing");
   }
-  if (value.size() < 3 || value.size() % 2 == 0 || value.size() > kMostLines) {
+  if (value.size() < 3 || value.size() % 2 == 0 || value.size() > kMaxLines) {
     fields.fail("plan", fmt::format("has {} lines; it must have two for each row of cells and one more, {} at most",
-                                    value.size(), kMostLines));
+                                    value.size(), kMaxLines));
   }
   Plan plan;
   for (const nlohmann::json& line : value) {
@@ -39,10 +39,10 @@ Plan readPlan(JsonFields& fields, const std::string& where) {
     }
     plan.push_back(line.get<std::string>());
     const size_t width = plan.back().size();
-    if (width < 3 || width % 2 == 0 || width > kMostLines) {
+    if (width < 3 || width % 2 == 0 || width > kMaxLines) {
       fields.fail("plan", fmt::format("has {} characters in line {}; they must be two for each column of cells and one "
                                       "more, {} at most",
-                                      width, plan.size(), kMostLines));
+                                      width, plan.size(), kMaxLines));
     }
     if (width != plan.front().size()) {
       fields.fail("plan", fmt::format("has {} characters in line {}, but {} in line 1", width, plan.size(),
@@ -127,8 +127,8 @@ Choice readChoice(JsonFields& fields, const std::string& name, const std::array<
 Landmark readLandmark(const nlohmann::json& value, const std::string& where) {
   JsonFields fields(value, where);
   Landmark landmark;
-  landmark.cell.row = fields.integer("row", 0, kMostMazeSide - 1);
-  landmark.cell.column = fields.integer("column", 0, kMostMazeSide - 1);
+  landmark.cell.row = fields.integer("row", 0, kMaxMazeSide - 1);
+  landmark.cell.column = fields.integer("column", 0, kMaxMazeSide - 1);
   landmark.shape = readChoice(fields, "shape", kLandmarkShapes);
   landmark.color = readChoice<LandmarkColor>(fields, "color", kLandmarkColors, Landmark().color);
   landmark.east = static_cast<float>(fields.number("east", -0.5, 0.5, 0));
@@ -143,9 +143,9 @@ std::vector<Landmark> readLandmarks(JsonFields& fields, const std::string& where
     return landmarks;
   }
   const nlohmann::json& list = fields.value("landmarks");
-  constexpr size_t kMost = static_cast<size_t>(kMostMazeSide) * kMostMazeSide;
-  if (!list.is_array() || list.size() > kMost) {
-    fields.fail("landmarks", fmt::format("must be an array of at most {} landmarks", kMost));
+  constexpr size_t kMax = static_cast<size_t>(kMaxMazeSide) * kMaxMazeSide;
+  if (!list.is_array() || list.size() > kMax) {
+    fields.fail("landmarks", fmt::format("must be an array of at most {} landmarks", kMax));
   }
   for (const nlohmann::json& value : list) {
     landmarks.push_back(readLandmark(value, fmt::format("{}, landmark {}", where, landmarks.size() + 1)));
@@ -184,7 +184,7 @@ Maze mazeFromJsonText(const std::string& text, const std::string& where) {
 }
 
 Maze readMaze(const std::filesystem::path& path) {
-  return mazeFromJsonText(readFile(path, kMostTextBytes), path.string());
+  return mazeFromJsonText(readFile(path, kMaxTextBytes), path.string());
 }
 
 std::string jsonText(const Maze& maze) {

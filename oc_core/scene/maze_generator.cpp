@@ -181,14 +181,14 @@ void addCrossings(Maze& maze, const MazeOptions& options, Random& random) {
   std::vector<MazeCell> cells = allCells(maze);
   random.shuffle(cells);
   for (const MazeCell& cell : cells) {
-    if (countOf(maze, CellKind::kFourWay) >= options.leastFourWay) {
+    if (countOf(maze, CellKind::kFourWay) >= options.minFourWay) {
       break;
     }
     openAround(maze, cell);
   }
   // A third way for cells of two, where it makes no neighbour of three ways one of four.
   for (const MazeCell& cell : cells) {
-    if (countOf(maze, CellKind::kThreeWay) >= options.leastThreeWay) {
+    if (countOf(maze, CellKind::kThreeWay) >= options.minThreeWay) {
       break;
     }
     for (const Direction side : kDirections) {
@@ -206,8 +206,8 @@ void addCrossings(Maze& maze, const MazeOptions& options, Random& random) {
                        kWhere, "ask for fewer, take a larger maze, or try another seed");
     }
   };
-  check(CellKind::kFourWay, options.leastFourWay, "4");
-  check(CellKind::kThreeWay, options.leastThreeWay, "3");
+  check(CellKind::kFourWay, options.minFourWay, "4");
+  check(CellKind::kThreeWay, options.minThreeWay, "3");
 }
 
 /// Beside the way in a straight cell, in the middle of a dead end, in the corner of a turn, and so on: where there is a
@@ -271,9 +271,9 @@ void placeLandmarks(Maze& maze, size_t count, Random& random) {
 }  // namespace
 
 Maze generateMaze(const MazeOptions& options) {
-  if (options.rows < 1 || options.columns < 1 || options.rows > kMostMazeSide || options.columns > kMostMazeSide) {
+  if (options.rows < 1 || options.columns < 1 || options.rows > kMaxMazeSide || options.columns > kMaxMazeSide) {
     throw InputError(fmt::format("a maze of {} x {} cells is out of range", options.rows, options.columns), kWhere,
-                     fmt::format("give 1 to {} rows and columns", kMostMazeSide));
+                     fmt::format("give 1 to {} rows and columns", kMaxMazeSide));
   }
   if (!(options.loops >= 0 && options.loops <= 1)) {
     throw InputError("the share of walls to open again is not from 0 to 1", kWhere, "0 makes no loops, 0.15 a few");
@@ -288,8 +288,8 @@ Maze generateMaze(const MazeOptions& options) {
   maze.entrance = {{options.rows - 1, static_cast<int>(random.below(static_cast<size_t>(options.columns)))},
                    Direction::kNorth};
   Components components(maze);
-  openCrossings(maze, components, 4, options.leastFourWay, random);
-  openCrossings(maze, components, 3, options.leastThreeWay, random);
+  openCrossings(maze, components, 4, options.minFourWay, random);
+  openCrossings(maze, components, 3, options.minThreeWay, random);
   openSpanningTree(maze, components, random);
   openLoops(maze, options.loops, random);
   addCrossings(maze, options, random);

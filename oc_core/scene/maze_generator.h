@@ -11,10 +11,10 @@ struct MazeOptions {
   uint64_t seed = 1;
   int rows = 7;
   int columns = 7;
-  double loops = 0.15;  ///< share of the walls within the maze that is opened again, once every cell can be reached
-  size_t leastThreeWay = 0;  ///< crossings of 3 ways
-  size_t leastFourWay = 0;   ///< crossings of 4 ways
-  size_t landmarks = 10;     ///< no two in one cell; in as many corridors as there are
+  double loops = 0.15;     ///< share of the walls within the maze that is opened again, once every cell can be reached
+  size_t minThreeWay = 0;  ///< crossings of 3 ways
+  size_t minFourWay = 0;   ///< crossings of 4 ways
+  size_t landmarks = 10;   ///< no two in one cell; in as many corridors as there are
 };
 
 /// A valid maze: crossings as asked for, a spanning tree of long corridors that joins them (depth first search), and

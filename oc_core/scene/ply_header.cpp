@@ -11,8 +11,8 @@
 namespace ocelli::ply {
 namespace {
 
-constexpr size_t kMostHeaderLines = 10'000;
-constexpr size_t kMostLineBytes = 10'000;
+constexpr size_t kMaxHeaderLines = 10'000;
+constexpr size_t kMaxLineBytes = 10'000;
 
 std::optional<Type> typeNamed(const std::string& name) {
   static constexpr std::array<std::pair<const char*, Type>, 16> kNames{{{"char", Type::kInt8},
@@ -75,7 +75,7 @@ class HeaderReader {
   }
 
   std::string nextLine() {
-    if (++line_ > kMostHeaderLines) {
+    if (++line_ > kMaxHeaderLines) {
       fail("the header has no end");
     }
     std::string line;
@@ -83,7 +83,7 @@ class HeaderReader {
       if (c == std::istream::traits_type::eof()) {
         fail("the file ends within the header");
       }
-      if (line.size() == kMostLineBytes) {
+      if (line.size() == kMaxLineBytes) {
         fail("this line of the header is too long");
       }
       line += static_cast<char>(c);
@@ -177,7 +177,7 @@ size_t byteSize(Type type) {
   return 0;
 }
 
-uint64_t Element::leastRowBytes(Encoding encoding) const {
+uint64_t Element::minRowBytes(Encoding encoding) const {
   uint64_t bytes = 0;
   for (const Property& property : properties) {
     // In ascii, a digit and what parts it from the next.

@@ -27,7 +27,7 @@ struct Element {
   std::vector<Property> properties;
 
   /// Bytes that one row takes at the least: what a file must have to be whole.
-  uint64_t leastRowBytes(Encoding encoding) const;
+  uint64_t minRowBytes(Encoding encoding) const;
 };
 
 struct Header {

@@ -70,18 +70,18 @@ class ScalarStream {
   }
 
   std::optional<double> nextWord() {
-    constexpr size_t kMostWordBytes = 100;
+    constexpr size_t kMaxWordBytes = 100;
     const auto isSpace = [](char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; };
     do {
       while (begin_ < end_ && isSpace(buffer_[begin_])) {
         ++begin_;
       }
     } while (begin_ == end_ && refill(1));
-    if (end_ - begin_ < kMostWordBytes) {
-      refill(kMostWordBytes);
+    if (end_ - begin_ < kMaxWordBytes) {
+      refill(kMaxWordBytes);
     }
     size_t wordEnd = begin_;
-    while (wordEnd < end_ && wordEnd - begin_ < kMostWordBytes && !isSpace(buffer_[wordEnd])) {
+    while (wordEnd < end_ && wordEnd - begin_ < kMaxWordBytes && !isSpace(buffer_[wordEnd])) {
       ++wordEnd;
     }
     const char* first = buffer_.data() + begin_;
@@ -191,13 +191,13 @@ class PlyReader {
   void checkSize(uint64_t bytes) const {
     uint64_t left = bytes + 1;  // the last number of an ascii file may have nothing after it
     for (const Element& element : header_.elements) {
-      const uint64_t row = element.leastRowBytes(header_.encoding);
+      const uint64_t row = element.minRowBytes(header_.encoding);
       if (row > 0 && element.count > left / row) {
         fail("the file is too short for " + std::to_string(element.count) + " rows of '" + element.name + "'",
              "copy or export it again: it looks truncated");
       }
       left -= element.count * row;
-      const uint64_t most = element.name == "face" ? kMostSceneTriangles : 3 * kMostSceneTriangles;
+      const uint64_t most = element.name == "face" ? kMaxSceneTriangles : 3 * kMaxSceneTriangles;
       if (element.count > most) {
         fail("the file has more than " + std::to_string(most) + " rows of '" + element.name + "'", "reduce the mesh");
       }
@@ -215,7 +215,7 @@ class PlyReader {
   /// Reads the items of a list into `items_`.
   void readList(const Element& element, uint64_t row, const Property& property) {
     const double count = value(element, row, property.countType);
-    if (!(count >= 0 && count <= kMostCorners)) {
+    if (!(count >= 0 && count <= kMaxCorners)) {
       fail("a list of " + element.name + " " + std::to_string(row) + " has " + fmt::format("{:.15g}", count) +
                " entries",
            "repair the mesh, or export it again");
@@ -319,8 +319,8 @@ class PlyReader {
              "repair the mesh, or export it again");
       }
     }
-    if (mesh_.triangles.size() + items_.size() > kMostSceneTriangles + 2) {
-      fail("the file has more than " + std::to_string(kMostSceneTriangles) + " triangles", "reduce the mesh");
+    if (mesh_.triangles.size() + items_.size() > kMaxSceneTriangles + 2) {
+      fail("the file has more than " + std::to_string(kMaxSceneTriangles) + " triangles", "reduce the mesh");
     }
     for (size_t i = 2; i < items_.size(); ++i) {
       mesh_.triangles.push_back(
@@ -328,7 +328,7 @@ class PlyReader {
     }
   }
 
-  static constexpr double kMostCorners = 1 << 20;
+  static constexpr double kMaxCorners = 1 << 20;
 
   const std::string& where_;
   ply::Header header_;

@@ -31,7 +31,7 @@ struct Scene {
 };
 
 /// The most triangles that a scene may have: a guard against typing errors and hostile files, 1 GB as a flat mesh.
-inline constexpr size_t kMostSceneTriangles = 40'000'000;
+inline constexpr size_t kMaxSceneTriangles = 40'000'000;
 
 /// Triangles that flatten() would make.
 size_t triangleCount(const Scene& scene);

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr uintmax_t kMostFileBytes = 8ull << 30;
+constexpr uintmax_t kMaxFileBytes = 8ull << 30;
 
 void checkFile(const fs::path& path) {
   std::error_code error;
@@ -35,7 +35,7 @@ void checkFile(const fs::path& path) {
   if (error || bytes == 0) {
     throw InputError("the file is empty", path.string(), "copy or export it again");
   }
-  if (bytes > kMostFileBytes) {
+  if (bytes > kMaxFileBytes) {
     throw InputError("the file is larger than 8 GiB", path.string(), "reduce the mesh");
   }
   if (!std::ifstream(path, std::ios::binary)) {
@@ -84,9 +84,9 @@ Scene readSceneFile(const fs::path& path, const SceneFileOptions& options, const
     scene = readOther(path, options, progress);
   }
   scene.name = path.string();
-  if (triangleCount(scene) > kMostSceneTriangles) {
+  if (triangleCount(scene) > kMaxSceneTriangles) {
     throw InputError("the scene has " + std::to_string(triangleCount(scene)) + " triangles, more than " +
-                         std::to_string(kMostSceneTriangles),
+                         std::to_string(kMaxSceneTriangles),
                      path.string(), "reduce the mesh");
   }
   return scene;

@@ -25,7 +25,7 @@ struct SceneFileOptions {
 /// colours of glTF are linear and multiply each other; all others are sRGB.
 ///
 /// Throws InputError naming the file where it is missing, is a folder, is empty, cannot be parsed, holds no triangle,
-/// an index out of range or a coordinate that is not finite, is larger than 8 GiB or kMostSceneTriangles, where Assimp
+/// an index out of range or a coordinate that is not finite, is larger than 8 GiB or kMaxSceneTriangles, where Assimp
 /// crashes on it, or where reading it takes more time or memory than ReadingLimits; WorkError where the program that
 /// reads it is missing. `progress` is called some times a second, and may throw to end the reading.
 Scene readSceneFile(const std::filesystem::path& path, const SceneFileOptions& options = {},

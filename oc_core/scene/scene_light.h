@@ -5,7 +5,7 @@
 
 namespace ocelli {
 
-/// Whether all of its colours are so dark that a picture of 8 bits a channel shows black.
+/// Whether all of its colours are so dark that an image of 8 bits a channel shows black.
 bool isBlack(const Mesh& mesh);
 
 }  // namespace ocelli

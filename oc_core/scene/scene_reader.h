@@ -21,7 +21,7 @@ struct ReadingLimits {
 
   uint64_t memoryBytes(uint64_t fileBytes) const;
   double processorSeconds(uint64_t fileBytes) const;
-  /// More than the seconds of a processor, which may be busy with other things, or wait for a disk.
+  /// More than the seconds of a CPU, which may be busy with other things, or wait for a disk.
   double wallSeconds(uint64_t fileBytes) const;
 };
 

@@ -111,9 +111,9 @@ class RecordReader {
   }
 
   /// A count of things of which each takes so many bytes at least.
-  uint32_t count(size_t leastBytes) {
+  uint32_t count(size_t minBytes) {
     const uint32_t count = number();
-    if (count > bytes_.size() / leastBytes) {
+    if (count > bytes_.size() / minBytes) {
       fail("a count is too large");
     }
     return count;

@@ -17,7 +17,7 @@ namespace {
 /// A little more than the diagonal of a pixel, so that a square pixel becomes two triangles and is left at that.
 constexpr float kPixelsInEdge = 1.5f;
 /// Each round halves the edges: enough for the longest texture, and an end for coordinates that are out of all bounds.
-constexpr int kMostRounds = 16;
+constexpr int kMaxRounds = 16;
 
 /// A layer, and how many pixels its texture has along u and v.
 struct LayerPixels {
@@ -84,7 +84,7 @@ std::vector<float> pixelLengths(const Mesh& mesh, const EdgeList& list, const st
 
 /// Splits until no edge is longer than kPixelsInEdge, or the mesh has `most` triangles or more.
 void splitToPixels(Mesh& mesh, const std::vector<LayerPixels>& layers, size_t most) {
-  for (int round = 0; round < kMostRounds && mesh.triangles.size() < most; ++round) {
+  for (int round = 0; round < kMaxRounds && mesh.triangles.size() < most; ++round) {
     const EdgeList list = findEdges(mesh);
     const std::vector<float> lengths = pixelLengths(mesh, list, layers);
     std::vector<uint32_t> chosen;
@@ -118,7 +118,7 @@ void setColors(TexturedMesh& part, const std::vector<Texture>& textures) {
 
 }  // namespace
 
-void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> textures, size_t mostTriangles) {
+void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> textures, size_t maxTriangles) {
   for (const TexturedMesh& part : parts) {
     for (const std::optional<TextureLayer>* layer : {&part.base, &part.emissive}) {
       OC_CHECK(!*layer || ((*layer)->uvs.size() == part.mesh.positions.size() && (*layer)->texture < textures.size()),
@@ -133,8 +133,7 @@ void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> texture
     return added;
   };
   const auto canShrink = [](const Texture& texture) { return texture.image.width() > 1 || texture.image.height() > 1; };
-  while (addedInAll() > static_cast<double>(mostTriangles) &&
-         std::any_of(textures.begin(), textures.end(), canShrink)) {
+  while (addedInAll() > static_cast<double>(maxTriangles) && std::any_of(textures.begin(), textures.end(), canShrink)) {
     for (Texture& texture : textures) {
       texture = texture.halved();
     }
@@ -143,10 +142,10 @@ void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> texture
   // often ask for too many triangles even where it has one pixel: then they share what there may be.
   constexpr double kRoom = 4;
   const double total = addedInAll();
-  const double limit = static_cast<double>(mostTriangles);
+  const double limit = static_cast<double>(maxTriangles);
   const double factor = total > limit ? limit / total : kRoom;
   for (TexturedMesh& part : parts) {
-    if (mostTriangles > 0 && part.hasTexture()) {
+    if (maxTriangles > 0 && part.hasTexture()) {
       const std::vector<LayerPixels> layers = layersOf(part, textures);
       splitToPixels(part.mesh, layers,
                     part.mesh.triangles.size() + static_cast<size_t>(factor * estimateNew(part.mesh, layers)));

@@ -29,9 +29,9 @@ struct TexturedMesh {
 };
 
 /// Turns textures and emission into colours of vertices; a mesh without them stays as it is. Splits edges that are
-/// longer than two pixels of a texture. Where that takes more than `mostTriangles` new triangles in all, textures are
+/// longer than two pixels of a texture. Where that takes more than `maxTriangles` new triangles in all, textures are
 /// halved in size until it does not, so a limit that is too low gives a blurred texture and no aliasing. Edges that
 /// meet in the same places are split alike also where the texture has a seam.
-void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> textures, size_t mostTriangles);
+void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> textures, size_t maxTriangles);
 
 }  // namespace ocelli

@@ -30,15 +30,15 @@ glm::vec3 linearPixel(const Rgb8& pixel) {
 
 glm::vec3 Texture::sample(const glm::vec2& uv) const {
   // Beyond this, a float has no fraction left to sample with.
-  constexpr float kMostTurns = 1e5f;
-  if (!(std::abs(uv.x) < kMostTurns && std::abs(uv.y) < kMostTurns)) {
+  constexpr float kMaxTurns = 1e5f;
+  if (!(std::abs(uv.x) < kMaxTurns && std::abs(uv.y) < kMaxTurns)) {
     return linearPixel(image(0, 0));
   }
   const double x = static_cast<double>(uv.x) * image.width() - 0.5;
   const double y = (1 - static_cast<double>(uv.y)) * image.height() - 0.5;
-  constexpr double kMostIndex = std::numeric_limits<int>::max() - 1;
-  const int left = static_cast<int>(std::clamp(std::floor(x), -kMostIndex, kMostIndex));
-  const int top = static_cast<int>(std::clamp(std::floor(y), -kMostIndex, kMostIndex));
+  constexpr double kMaxIndex = std::numeric_limits<int>::max() - 1;
+  const int left = static_cast<int>(std::clamp(std::floor(x), -kMaxIndex, kMaxIndex));
+  const int top = static_cast<int>(std::clamp(std::floor(y), -kMaxIndex, kMaxIndex));
   const auto at = [&](int i, int j) {
     return linearPixel(image(wrapped(i, image.width(), wrapU), wrapped(j, image.height(), wrapV)));
   };

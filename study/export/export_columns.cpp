@@ -78,7 +78,7 @@ const std::vector<ColumnMeaning>& columnMeanings() {
       {"x_m", "m", "where the subject stands in the maze, to the east"},
       {"z_m", "m", "where the subject stands in the maze, to the south"},
       {"heading_rad", "rad", "where the subject looks, clockwise from north, seen from above"},
-      {"pixel_hash", "", "hash of the picture, hexadecimal, where it was read"},
+      {"pixel_hash", "", "hash of the image, hexadecimal, where it was read"},
       {"input_index", "", "number of the input in its trial, from 0"},
       {"came_ns", "ns", "when the input came, since the start of the run, by a clock that never jumps"},
       {"kind", "", "key, text, pointer_move, pointer_button, scroll, resize, drop or close"},

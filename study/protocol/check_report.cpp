@@ -106,7 +106,7 @@ std::string coverageText(const std::vector<BlockCoverage>& blocks) {
   std::string text = fmt::format(
       "\nCoverage: places where an object shows with {} pixels or more\n\n  {:<28}{:<6}{:>7}"
       "{:>8}{:>6}{:>7}{:>11}{:>15}\n",
-      kLeastSeenPixels, "block", "view", "images", "places", "seen", "twice", "sightings", "fewest pixels");
+      kMinSeenPixels, "block", "view", "images", "places", "seen", "twice", "sightings", "fewest pixels");
   for (const BlockCoverage& block : blocks) {
     for (const ViewCoverage& view : block.views) {
       text += fmt::format("  {:<28}{:<6}{:>7}{:>8}{:>6}{:>7}{:>11.2f}{:>15}\n", block.block, nameOf(view.view),

@@ -10,20 +10,20 @@ namespace {
 
 constexpr uint32_t kObject = 1;  // of a scene with a single one
 
-void addSightings(const std::string& place, const TrialPicture& picture, ViewCoverage& coverage) {
-  const Mesh mesh = meshOf(picture);
+void addSightings(const std::string& place, const TrialLayout& layout, ViewCoverage& coverage) {
+  const Mesh mesh = meshOf(layout);
   int sightingsHere = 0;
   size_t largest = 0;
-  for (const TrialPicture::View& view : picture.views) {
+  for (const TrialLayout::View& view : layout.views) {
     const FragmentImage fragments = rasterizeStudy(view.camera, mesh);
-    for (const ObjectSighting& each : sightings(identityImage(fragments, picture.scene->objectOfTriangle()))) {
-      if (each.object == kObject && each.pixels >= kLeastSeenPixels) {
+    for (const ObjectSighting& each : sightings(identityImage(fragments, layout.scene->objectOfTriangle()))) {
+      if (each.object == kObject && each.pixels >= kMinSeenPixels) {
         ++sightingsHere;
         largest = std::max(largest, each.pixels);
       }
     }
   }
-  coverage.images = static_cast<int>(picture.views.size());
+  coverage.images = static_cast<int>(layout.views.size());
   ++coverage.places;
   coverage.sightings += sightingsHere;
   if (sightingsHere == 0) {
@@ -61,21 +61,21 @@ std::vector<Place> placesOf(const Maze& maze) {
   return places;
 }
 
-/// Puts one object, of the shape that the picture's scene has, in each place.
-ViewCoverage coverageOfMaze(TrialPicture picture, StudyView view) {
-  Maze maze = picture.scene->maze();
+/// Puts one object, of the shape that the layout's scene has, in each place.
+ViewCoverage coverageOfMaze(TrialLayout layout, StudyView view) {
+  Maze maze = layout.scene->maze();
   const MazeCell first = maze.landmarks.empty() ? maze.entrance->cell : maze.landmarks.front().cell;
   Landmark object;
   object.cell = first;
   object.shape = maze.landmarks.empty() ? LandmarkShape::kSphere : maze.landmarks.front().shape;
   maze.landmarks = {object};
   const StudyScene scene(maze);
-  picture.scene = &scene;
+  layout.scene = &scene;
   ViewCoverage coverage;
   coverage.view = view;
   for (const Place& place : placesOf(maze)) {
-    picture.objectOffsets = {place.point - maze.centerOf(first)};
-    addSightings(place.name, picture, coverage);
+    layout.objectOffsets = {place.point - maze.centerOf(first)};
+    addSightings(place.name, layout, coverage);
   }
   return coverage;
 }
@@ -99,8 +99,8 @@ std::vector<BlockCoverage> coverageOf(const Protocol& protocol, const TrialScree
     coverage.ofCases = !block.task->caseInfo(0).exposureSeconds.has_value();
     for (const StudyView view : kStudyViews) {
       const std::unique_ptr<TrialRun> run = block.task->start(planOf(block, 0, view), screen);
-      const TrialPicture first = run->picture();
-      if (first.scene == nullptr || first.views.empty() || (coverage.ofCases && !first.soughtObject)) {
+      const TrialLayout first = run->layout();
+      if (first.scene == nullptr || first.views.empty() || (coverage.ofCases && !first.targetObject)) {
         continue;
       }
       if (!coverage.ofCases) {
@@ -111,7 +111,7 @@ std::vector<BlockCoverage> coverageOf(const Protocol& protocol, const TrialScree
       cases.view = view;
       for (int k = 0; k < block.task->caseCount(); ++k) {
         const std::unique_ptr<TrialRun> each = block.task->start(planOf(block, k, view), screen);
-        addSightings(block.task->caseInfo(k).label, each->picture(), cases);
+        addSightings(block.task->caseInfo(k).label, each->layout(), cases);
       }
       coverage.views.push_back(cases);
     }

@@ -11,7 +11,7 @@
 namespace ocelli {
 
 /// An object of so many pixels in one image counts as seen.
-inline constexpr size_t kLeastSeenPixels = 40;
+inline constexpr size_t kMinSeenPixels = 40;
 
 struct ViewCoverage {
   StudyView view = StudyView::kPinhole;
@@ -30,7 +30,7 @@ struct BlockCoverage {
   std::vector<ViewCoverage> views;
 };
 
-/// Of the blocks that begin with a picture of a scene: those with an exposure (an object in the middle of every cell
+/// Of the blocks that begin with an image of a scene: those with an exposure (an object in the middle of every cell
 /// but the entrance, and of every passage) and those with something to be found.
 std::vector<BlockCoverage> coverageOf(const Protocol& protocol, const TrialScreen& screen,
                                       const Progress& progress = {});

@@ -16,9 +16,9 @@ namespace ocelli {
 struct ProtocolPage {
   std::string title;
   std::vector<std::string> paragraphs;
-  /// A picture that the program draws: "find_ppc", "find_gc", "count_ppc", "count_gc", "path_maps", "controls"; empty
+  /// An image that the program draws: "find_ppc", "find_gc", "count_ppc", "count_gc", "path_maps", "controls"; empty
   /// for none.
-  std::string picture{};
+  std::string image{};
 };
 
 struct FormField {
@@ -48,8 +48,8 @@ enum class ViewsOfCases {
 
 struct ProtocolPractice {
   std::shared_ptr<const TaskBlock> task;
-  int leastCorrect = 1;  ///< in a row, to go on
-  int mostTrials = 8;    ///< then the experimenter is called
+  int minCorrect = 1;  ///< in a row, to go on
+  int maxTrials = 8;   ///< then the experimenter is called
 };
 
 struct ProtocolBlock {
@@ -71,16 +71,16 @@ struct ScreenGeometry {
   double widthMillimeters = 518;  ///< of what is lit
   double heightMillimeters = 324;
   double distanceMillimeters = 600;  ///< from the eye
-  int leastWidth = 1024;             ///< pixels
-  int leastHeight = 640;
+  int minWidth = 1024;               ///< pixels
+  int minHeight = 640;
   std::optional<double> refreshHertz{};  ///< that the monitor must have
   bool photodiodePatch = false;          ///< a square in the lower left corner, white in every other frame of a trial
 };
 
 struct TimingLimits {
   double lateFactor = 1.2;         ///< a frame of more intervals than that is a dropped one
-  double mostDroppedShare = 0.01;  ///< of a trial's frames; with more the trial is marked
-  double mostJitterShare = 0.1;    ///< of the interval, standard deviation in the start-up check
+  double maxDroppedShare = 0.01;   ///< of a trial's frames; with more the trial is marked
+  double maxJitterShare = 0.1;     ///< of the interval, standard deviation in the start-up check
   double refreshTolerance = 0.02;  ///< of the measured rate, relative to what the monitor says
 };
 

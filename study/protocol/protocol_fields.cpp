@@ -13,12 +13,12 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kMostParagraphs = 40;
-constexpr size_t kMostParagraph = 4000;
-constexpr size_t kMostPages = 20;
-constexpr size_t kMostFields = 40;
-constexpr size_t kMostOptions = 20;
-constexpr size_t kMostRules = 100;
+constexpr size_t kMaxParagraphs = 40;
+constexpr size_t kMaxParagraph = 4000;
+constexpr size_t kMaxPages = 20;
+constexpr size_t kMaxFields = 40;
+constexpr size_t kMaxOptions = 20;
+constexpr size_t kMaxRules = 100;
 
 /// Of a text in UTF-8, as JSON is: bytes that continue a character do not count.
 size_t characterCount(const std::string& text) {
@@ -60,10 +60,9 @@ ProtocolPage pageOf(const nlohmann::json& json, const std::string& where) {
   JsonFields fields(json, where);
   ProtocolPage page;
   page.title = readShortText(fields, "title", kMaxTitle);
-  page.paragraphs = readTexts(fields, "paragraphs", 1, kMostParagraphs, kMostParagraph);
+  page.paragraphs = readTexts(fields, "paragraphs", 1, kMaxParagraphs, kMaxParagraph);
   if (fields.has("picture")) {
-    page.picture =
-        readName(fields, "picture", {"find_ppc", "find_gc", "count_ppc", "count_gc", "path_maps", "controls"});
+    page.image = readName(fields, "picture", {"find_ppc", "find_gc", "count_ppc", "count_gc", "path_maps", "controls"});
   }
   fields.rejectUnknown();
   return page;
@@ -71,8 +70,8 @@ ProtocolPage pageOf(const nlohmann::json& json, const std::string& where) {
 
 /// What names columns of tables: "age_band".
 std::string readColumnName(JsonFields& fields) {
-  constexpr size_t kMost = 60;
-  std::string name = readShortText(fields, "name", kMost);
+  constexpr size_t kMax = 60;
+  std::string name = readShortText(fields, "name", kMax);
   const auto isAllowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
   if (!std::all_of(name.begin(), name.end(), isAllowed) || !(name.front() >= 'a' && name.front() <= 'z')) {
     fields.fail("name", "must be of small letters, digits and _, and begin with a letter, as it names a column");
@@ -101,8 +100,8 @@ FormField fieldOf(const nlohmann::json& json, const std::string& where) {
   JsonFields fields(json, where);
   FormField field;
   field.name = readColumnName(fields);
-  field.question = readShortText(fields, "question", kMostParagraph);
-  field.options = readTexts(fields, "options", 2, kMostOptions, kMaxTitle);
+  field.question = readShortText(fields, "question", kMaxParagraph);
+  field.options = readTexts(fields, "options", 2, kMaxOptions, kMaxTitle);
   if (std::set<std::string>(field.options.begin(), field.options.end()).size() != field.options.size()) {
     fields.fail("options", "must be different from each other");
   }
@@ -192,7 +191,7 @@ ProtocolPage readPage(JsonFields& fields, const std::string& name) {
 std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name) {
   std::vector<ProtocolPage> pages;
   if (fields.has(name)) {
-    forEachObject(fields, name, 0, kMostPages,
+    forEachObject(fields, name, 0, kMaxPages,
                   [&](const nlohmann::json& json, const std::string& where) { pages.push_back(pageOf(json, where)); });
   }
   return pages;
@@ -204,10 +203,10 @@ ProtocolForm readForm(JsonFields& fields, const std::string& name) {
   form.name = name;
   form.title = readShortText(inner, "title", kMaxTitle);
   if (inner.has("introduction")) {
-    form.introduction = readShortText(inner, "introduction", kMostParagraph);
+    form.introduction = readShortText(inner, "introduction", kMaxParagraph);
   }
   std::set<std::string> names;
-  forEachObject(inner, "fields", 1, kMostFields, [&](const nlohmann::json& json, const std::string& where) {
+  forEachObject(inner, "fields", 1, kMaxFields, [&](const nlohmann::json& json, const std::string& where) {
     form.fields.push_back(fieldOf(json, where));
     if (!names.insert(form.fields.back().name).second) {
       inner.fail("fields", fmt::format("has two of the name \"{}\"", form.fields.back().name));
@@ -226,8 +225,8 @@ ScreenGeometry readScreen(JsonFields& fields) {
   screen.widthMillimeters = inner.number("width_millimeters", 50, 10000, screen.widthMillimeters);
   screen.heightMillimeters = inner.number("height_millimeters", 50, 10000, screen.heightMillimeters);
   screen.distanceMillimeters = inner.number("distance_millimeters", 50, 20000, screen.distanceMillimeters);
-  screen.leastWidth = inner.integer("least_width", 640, 16384, screen.leastWidth);
-  screen.leastHeight = inner.integer("least_height", 480, 16384, screen.leastHeight);
+  screen.minWidth = inner.integer("least_width", 640, 16384, screen.minWidth);
+  screen.minHeight = inner.integer("least_height", 480, 16384, screen.minHeight);
   if (inner.has("refresh_hertz")) {
     screen.refreshHertz = inner.number("refresh_hertz", 10, 1000);
   }
@@ -243,8 +242,8 @@ TimingLimits readTiming(JsonFields& fields) {
   }
   JsonFields inner(fields.value("timing"), fmt::format("{}, \"timing\"", fields.where()));
   timing.lateFactor = inner.number("late_factor", 1.01, 10, timing.lateFactor);
-  timing.mostDroppedShare = inner.number("most_dropped_share", 0, 1, timing.mostDroppedShare);
-  timing.mostJitterShare = inner.number("most_jitter_share", 0.001, 10, timing.mostJitterShare);
+  timing.maxDroppedShare = inner.number("most_dropped_share", 0, 1, timing.maxDroppedShare);
+  timing.maxJitterShare = inner.number("most_jitter_share", 0.001, 10, timing.maxJitterShare);
   timing.refreshTolerance = inner.number("refresh_tolerance", 0.0001, 1, timing.refreshTolerance);
   inner.rejectUnknown();
   return timing;
@@ -255,7 +254,7 @@ std::vector<ExclusionRule> readExclusions(JsonFields& fields, const Protocol& pr
   if (!fields.has("exclusions")) {
     return rules;
   }
-  forEachObject(fields, "exclusions", 0, kMostRules, [&](const nlohmann::json& json, const std::string& where) {
+  forEachObject(fields, "exclusions", 0, kMaxRules, [&](const nlohmann::json& json, const std::string& where) {
     JsonFields inner(json, where);
     ExclusionRule rule;
     rule.what = inner.text("what");
@@ -265,7 +264,7 @@ std::vector<ExclusionRule> readExclusions(JsonFields& fields, const Protocol& pr
       inner.fail("value", "must be a text or a number");
     }
     rule.value = value.is_string() ? value.get<std::string>() : value.dump();
-    rule.reason = readShortText(inner, "reason", kMostParagraph);
+    rule.reason = readShortText(inner, "reason", kMaxParagraph);
     checkRule(inner, rule, protocol);
     inner.rejectUnknown();
     rules.push_back(rule);

@@ -17,15 +17,15 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kMostName = 60;
-constexpr size_t kMostText = 4000;
-constexpr size_t kMostMazes = 20;
-constexpr size_t kMostBlocks = 20;
-constexpr int kMostSessions = 20;
-constexpr int kMostSeed = 2147483647;
+constexpr size_t kMaxName = 60;
+constexpr size_t kMaxText = 4000;
+constexpr size_t kMaxMazes = 20;
+constexpr size_t kMaxBlocks = 20;
+constexpr int kMaxSessions = 20;
+constexpr int kMaxSeed = 2147483647;
 
 std::string readIdentifier(JsonFields& fields, const std::string& name, bool spaces) {
-  std::string text = readShortText(fields, name, kMostName);
+  std::string text = readShortText(fields, name, kMaxName);
   const auto isAllowed = [&](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            (spaces && c == ' ');
@@ -42,8 +42,8 @@ std::map<std::string, Maze> readMazes(JsonFields& fields) {
     return mazes;
   }
   const nlohmann::json& list = fields.value("mazes");
-  if (!list.is_object() || list.size() > kMostMazes) {
-    fields.fail("mazes", fmt::format("must be an object of at most {} mazes by name", kMostMazes));
+  if (!list.is_object() || list.size() > kMaxMazes) {
+    fields.fail("mazes", fmt::format("must be an object of at most {} mazes by name", kMaxMazes));
   }
   for (const auto& [name, json] : list.items()) {
     const std::string where = fmt::format("{}, \"mazes\" {}", fields.where(), name);
@@ -91,7 +91,7 @@ const TaskKind& readTask(JsonFields& fields) {
 }
 
 std::optional<ProtocolPractice> readPractice(JsonFields& fields, const TaskKind& kind, const TaskSetting& setting) {
-  constexpr int kMostTrials = 100;
+  constexpr int kMaxTrials = 100;
   if (!fields.has("practice")) {
     if (fields.has("practice_cases")) {
       fields.fail("practice_cases", "is of no use without the field \"practice\", which says when practice ends");
@@ -100,10 +100,10 @@ std::optional<ProtocolPractice> readPractice(JsonFields& fields, const TaskKind&
   }
   JsonFields inner(fields.value("practice"), fmt::format("{}, \"practice\"", fields.where()));
   ProtocolPractice practice;
-  practice.leastCorrect = inner.integer("least_correct", 1, kMostTrials, practice.leastCorrect);
-  practice.mostTrials = inner.integer("most_trials", 1, kMostTrials, practice.mostTrials);
-  if (practice.leastCorrect > practice.mostTrials) {
-    inner.fail("least_correct", fmt::format("must be at most \"most_trials\", which is {}", practice.mostTrials));
+  practice.minCorrect = inner.integer("least_correct", 1, kMaxTrials, practice.minCorrect);
+  practice.maxTrials = inner.integer("most_trials", 1, kMaxTrials, practice.maxTrials);
+  if (practice.minCorrect > practice.maxTrials) {
+    inner.fail("least_correct", fmt::format("must be at most \"most_trials\", which is {}", practice.maxTrials));
   }
   inner.rejectUnknown();
   practice.task = kind.read(fields, "practice_cases", setting);
@@ -112,7 +112,7 @@ std::optional<ProtocolPractice> readPractice(JsonFields& fields, const TaskKind&
 
 ProtocolBlock readBlock(const nlohmann::json& json, const std::string& where, const Protocol& protocol,
                         const TaskSetting& setting) {
-  constexpr int kMostTrials = 1000;
+  constexpr int kMaxTrials = 1000;
   JsonFields unnamed(json, where);
   const std::string name = readIdentifier(unnamed, "name", true);
   JsonFields fields(json, fmt::format("{} ({})", where, name));
@@ -131,7 +131,7 @@ ProtocolBlock readBlock(const nlohmann::json& json, const std::string& where, co
   block.views = readName(fields, "views", {both, nameOf(ViewsOfCases::kOne)}, both) == both ? ViewsOfCases::kBoth
                                                                                             : ViewsOfCases::kOne;
   block.feedback = fields.boolean("feedback", block.feedback);
-  block.breakEveryTrials = fields.integer("break_every_trials", 0, kMostTrials, block.breakEveryTrials);
+  block.breakEveryTrials = fields.integer("break_every_trials", 0, kMaxTrials, block.breakEveryTrials);
   block.breakAfter = fields.boolean("break_after", block.breakAfter);
   block.sessions = readSessions(fields, protocol.sessions);
   block.task = kind.read(fields, "cases", setting);
@@ -142,8 +142,8 @@ ProtocolBlock readBlock(const nlohmann::json& json, const std::string& where, co
 
 void readBlocks(JsonFields& fields, const TaskSetting& setting, Protocol& protocol) {
   const nlohmann::json& list = fields.value("blocks");
-  if (!list.is_array() || list.empty() || list.size() > kMostBlocks) {
-    fields.fail("blocks", fmt::format("must be an array of 1 to {} blocks", kMostBlocks));
+  if (!list.is_array() || list.empty() || list.size() > kMaxBlocks) {
+    fields.fail("blocks", fmt::format("must be an array of 1 to {} blocks", kMaxBlocks));
   }
   std::set<std::string> names;
   for (size_t i = 0; i < list.size(); ++i) {
@@ -183,13 +183,13 @@ Protocol protocolFromJsonText(const std::string& text, const std::string& where)
     protocol.name = readIdentifier(fields, "name", false);
     protocol.title = readShortText(fields, "title", kMaxTitle);
     if (fields.has("description")) {
-      protocol.description = readShortText(fields, "description", kMostText);
+      protocol.description = readShortText(fields, "description", kMaxText);
     }
-    constexpr int kMostMinutes = 1'000'000;  // about two years
-    protocol.sessions = fields.integer("sessions", 1, kMostSessions, protocol.sessions);
+    constexpr int kMaxMinutes = 1'000'000;  // about two years
+    protocol.sessions = fields.integer("sessions", 1, kMaxSessions, protocol.sessions);
     protocol.minutesBetweenSessions =
-        fields.integer("minutes_between_sessions", 0, kMostMinutes, protocol.minutesBetweenSessions);
-    protocol.seed = static_cast<uint64_t>(fields.integer("seed", 0, kMostSeed, 1));
+        fields.integer("minutes_between_sessions", 0, kMaxMinutes, protocol.minutesBetweenSessions);
+    protocol.seed = static_cast<uint64_t>(fields.integer("seed", 0, kMaxSeed, 1));
     if (fields.has("consent")) {
       protocol.consent = readPage(fields, "consent");
     }
@@ -221,7 +221,7 @@ Protocol protocolFromJsonText(const std::string& text, const std::string& where)
 }
 
 Protocol readProtocol(const std::filesystem::path& path) {
-  Protocol protocol = protocolFromJsonText(readFile(path, kMostTextBytes), path.string());
+  Protocol protocol = protocolFromJsonText(readFile(path, kMaxTextBytes), path.string());
   protocol.file = path;
   return protocol;
 }

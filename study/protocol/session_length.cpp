@@ -37,10 +37,10 @@ Duration trialTime(const TaskBlock& task, int caseIndex) {
 Duration practiceTime(const SessionSchedule& schedule, const Protocol& protocol, int block) {
   const ProtocolPractice& practice = *protocol.blocks[static_cast<size_t>(block)].practice;
   Duration time;
-  for (int i = 0; i < practice.mostTrials; ++i) {
+  for (int i = 0; i < practice.maxTrials; ++i) {
     const Duration trial = trialTime(*practice.task, practiceTrial(schedule, protocol, block, i).caseIndex);
     time.longestSeconds += trial.longestSeconds;
-    time.typicalSeconds += i < practice.leastCorrect ? trial.typicalSeconds : 0;
+    time.typicalSeconds += i < practice.minCorrect ? trial.typicalSeconds : 0;
   }
   return time;
 }

@@ -24,10 +24,10 @@ constexpr double kTitleHeight = 62;
 constexpr double kPlanPixels = 900;  // longer side
 constexpr double kLegendWidth = 290;
 constexpr double kText = 15;
-constexpr double kArrowEvery = 2.5;   // metres
-constexpr double kLabelEvery = 5;     // seconds
-constexpr double kLabelApart = 26;    // pixels
-constexpr double kLeastStep = 0.004;  // metres: less is standing still
+constexpr double kArrowEvery = 2.5;  // metres
+constexpr double kLabelEvery = 5;    // seconds
+constexpr double kLabelApart = 26;   // pixels
+constexpr double kMinStep = 0.004;   // metres: less is standing still
 
 using Color = std::array<double, 3>;
 
@@ -163,7 +163,7 @@ class Painter {
         cairo_stroke(cairo_);
         since += step;
       }
-      if (since >= kArrowEvery && step > kLeastStep) {
+      if (since >= kArrowEvery && step > kMinStep) {
         since = 0;
         arrow(on(to), (to - from) / step, c);
       }
@@ -374,19 +374,19 @@ PathPlan pathPlanOf(const TaskBlock& block, const TrialLog& log, const std::stri
   options.onFrame = [&](const FrameRecord& frame, const TrialRun& run) {
     const double seconds = static_cast<double>(frame.tick) / static_cast<double>(kTicksPerSecond);
     plan.path.push_back({seconds, run.pose()});
-    const TrialPicture picture = run.picture();
-    if (picture.scene == nullptr) {
+    const TrialLayout layout = run.layout();
+    if (layout.scene == nullptr) {
       return;
     }
     if (!plan.maze) {
-      plan.maze = picture.scene->maze();
+      plan.maze = layout.scene->maze();
       for (const Landmark& landmark : plan.maze->landmarks) {
         plan.objects.push_back({landmark.shape, landmark.color, {}});
       }
     }
-    for (size_t i = 0; i < std::min(plan.objects.size(), picture.scene->objectCount()); ++i) {
-      const glm::vec3 offset = i < picture.objectOffsets.size() ? picture.objectOffsets[i] : glm::vec3(0);
-      const glm::vec3 place = picture.scene->boxOf(i).center() + offset;
+    for (size_t i = 0; i < std::min(plan.objects.size(), layout.scene->objectCount()); ++i) {
+      const glm::vec3 offset = i < layout.objectOffsets.size() ? layout.objectOffsets[i] : glm::vec3(0);
+      const glm::vec3 place = layout.scene->boxOf(i).center() + offset;
       const glm::dvec2 at(static_cast<double>(place.x), static_cast<double>(place.z));
       moves = moves || (!plan.objects[i].places.empty() && plan.objects[i].places.front() != at);
       plan.objects[i].places.push_back(at);

@@ -12,7 +12,7 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kMostDifferences = 20;
+constexpr size_t kMaxDifferences = 20;
 
 bool isChosen(const StoredTrial& trial, const TrialChoice& choice) {
   const TrialPlan& plan = trial.record.plan;
@@ -121,7 +121,7 @@ ReplaySummary ReplayStudy::check(const std::vector<StoredTrial>& trials,
     }
   });
   std::erase(differences, "");
-  differences.resize(std::min(differences.size(), kMostDifferences));
+  differences.resize(std::min(differences.size(), kMaxDifferences));
   summary.differences = std::move(differences);
   return summary;
 }

@@ -27,8 +27,8 @@ uint32_t packed(const Rgb8& pixel) {
 
 class Overlay {
  public:
-  Overlay(cairo_t* cairo, const TrialPicture& picture, const TrialScreen& screen)
-      : cairo_(cairo), picture_(picture), bar_(promptHeight(screen)) {
+  Overlay(cairo_t* cairo, const TrialLayout& layout, const TrialScreen& screen)
+      : cairo_(cairo), layout_(layout), bar_(promptHeight(screen)) {
     cairo_select_font_face(cairo_, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
   }
 
@@ -36,12 +36,12 @@ class Overlay {
     cairo_set_source_rgb(cairo_, 1, 1, 1);
     cairo_set_font_size(cairo_, bar_ * 0.45);
     cairo_move_to(cairo_, bar_ * 0.4, bar_ * 0.66);
-    cairo_show_text(cairo_, picture_.prompt.c_str());
+    cairo_show_text(cairo_, layout_.prompt.c_str());
     sought();
-    for (const TrialPicture::PathMap& map : picture_.maps) {
+    for (const TrialLayout::PathMap& map : layout_.maps) {
       drawMap(map);
     }
-    for (const TrialPicture::Choice& choice : picture_.choices) {
+    for (const TrialLayout::Choice& choice : layout_.choices) {
       drawChoice(choice);
     }
     pointer();
@@ -50,13 +50,13 @@ class Overlay {
  private:
   /// The colour of what is sought, beside the prompt.
   void sought() {
-    if (!picture_.soughtObject || picture_.scene == nullptr) {
+    if (!layout_.targetObject || layout_.scene == nullptr) {
       return;
     }
     double x = 0;
     double y = 0;
     cairo_get_current_point(cairo_, &x, &y);
-    const Landmark& object = picture_.scene->maze().landmarks[static_cast<size_t>(*picture_.soughtObject)];
+    const Landmark& object = layout_.scene->maze().landmarks[static_cast<size_t>(*layout_.targetObject)];
     const glm::vec3 linear = colorOf(object.color);
     cairo_new_path(cairo_);
     cairo_arc(cairo_, x + bar_ * 0.6, bar_ * 0.5, bar_ * 0.28, 0, 6.2832);
@@ -68,7 +68,7 @@ class Overlay {
     cairo_show_text(cairo_, nameOf(object.shape));
   }
 
-  void drawMap(const TrialPicture::PathMap& map) {
+  void drawMap(const TrialLayout::PathMap& map) {
     cairo_rectangle(cairo_, map.place.left, map.place.top, map.place.width, map.place.height);
     cairo_set_source_rgb(cairo_, 1, 1, 1);
     cairo_fill(cairo_);
@@ -96,7 +96,7 @@ class Overlay {
     cairo_fill(cairo_);
   }
 
-  void drawChoice(const TrialPicture::Choice& choice) {
+  void drawChoice(const TrialLayout::Choice& choice) {
     cairo_rectangle(cairo_, choice.place.left, choice.place.top, choice.place.width, choice.place.height);
     cairo_set_source_rgb(cairo_, 0.85, 0.85, 0.85);
     cairo_set_line_width(cairo_, choice.chosen ? 6 : 2);
@@ -107,30 +107,30 @@ class Overlay {
   }
 
   void pointer() {
-    if (!picture_.pointer) {
+    if (!layout_.pointer) {
       return;
     }
     for (const double width : {5.0, 2.0}) {
       const double shade = width > 3 ? 0 : 1;
       cairo_set_source_rgb(cairo_, shade, shade, shade);
       cairo_set_line_width(cairo_, width);
-      cairo_move_to(cairo_, picture_.pointer->x - 9, picture_.pointer->y);
-      cairo_line_to(cairo_, picture_.pointer->x + 9, picture_.pointer->y);
-      cairo_move_to(cairo_, picture_.pointer->x, picture_.pointer->y - 9);
-      cairo_line_to(cairo_, picture_.pointer->x, picture_.pointer->y + 9);
+      cairo_move_to(cairo_, layout_.pointer->x - 9, layout_.pointer->y);
+      cairo_line_to(cairo_, layout_.pointer->x + 9, layout_.pointer->y);
+      cairo_move_to(cairo_, layout_.pointer->x, layout_.pointer->y - 9);
+      cairo_line_to(cairo_, layout_.pointer->x, layout_.pointer->y + 9);
       cairo_stroke(cairo_);
     }
   }
 
   cairo_t* cairo_;
-  const TrialPicture& picture_;
+  const TrialLayout& layout_;
   double bar_;
 };
 
 }  // namespace
 
-Image<Rgb8> trialFrame(const TrialPicture& picture, const TrialScreen& screen, const StudyDrawer& drawer) {
-  Image<Rgb8> pixels = viewsOf(picture, screen, drawer);
+Image<Rgb8> trialFrame(const TrialLayout& layout, const TrialScreen& screen, const StudyRenderer& renderer) {
+  Image<Rgb8> pixels = viewsOf(layout, screen, renderer);
   const std::unique_ptr<cairo_surface_t, DestroySurface> surface(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, screen.width, screen.height));
   const std::unique_ptr<cairo_t, DestroyContext> context(cairo_create(surface.get()));
@@ -147,7 +147,7 @@ Image<Rgb8> trialFrame(const TrialPicture& picture, const TrialScreen& screen, c
     }
   }
   cairo_surface_mark_dirty(surface.get());
-  Overlay(context.get(), picture, screen).draw();
+  Overlay(context.get(), layout, screen).draw();
   cairo_surface_flush(surface.get());
   for (int y = 0; y < screen.height; ++y) {
     for (int x = 0; x < screen.width; ++x) {

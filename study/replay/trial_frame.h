@@ -1,4 +1,4 @@
-// A frame of a trial as a picture: the views by any renderer, and over them the prompt, maps, answers and the pointer,
+// A frame of a trial as an image: the views by any renderer, and over them the prompt, maps, answers and the pointer,
 // plainly drawn. What a screen shows differs from it in fonts and colours.
 #pragma once
 
@@ -7,6 +7,6 @@
 namespace ocelli {
 
 /// Throws WorkError where it cannot be drawn.
-Image<Rgb8> trialFrame(const TrialPicture& picture, const TrialScreen& screen, const StudyDrawer& drawer);
+Image<Rgb8> trialFrame(const TrialLayout& layout, const TrialScreen& screen, const StudyRenderer& renderer);
 
 }  // namespace ocelli

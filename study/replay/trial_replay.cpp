@@ -6,7 +6,7 @@ namespace ocelli {
 namespace {
 
 /// A trial that was completed ends by itself: without an outcome after so many ticks of nothing it never will.
-constexpr int64_t kMostTicks = 3600 * kTicksPerSecond;
+constexpr int64_t kMaxTicks = 3600 * kTicksPerSecond;
 
 class Replay {
  public:
@@ -18,7 +18,7 @@ class Replay {
     size_t input = 0;
     size_t frame = 0;
     // What came at a tick takes effect before the frame that shows it; then the tick passes.
-    for (int64_t tick = 0; tick < kMostTicks; ++tick) {
+    for (int64_t tick = 0; tick < kMaxTicks; ++tick) {
       for (; input < log_.inputs.size() && log_.inputs[input].tick <= tick; ++input) {
         run_->handle(log_.inputs[input].event);
       }
@@ -54,7 +54,7 @@ class Replay {
     }
     if (frame.pixelHash && options_.views) {
       ++verdict_.hashes;
-      const uint64_t hash = pixelHashOf(options_.views(run_->picture(), log_.record.screen));
+      const uint64_t hash = pixelHashOf(options_.views(run_->layout(), log_.record.screen));
       if (hash == *frame.pixelHash) {
         ++verdict_.sameHashes;
       } else {

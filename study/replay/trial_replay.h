@@ -31,7 +31,7 @@ struct ReplayVerdict {
 };
 
 struct ReplayOptions {
-  /// Compares the hashes of frames where they are known, with pictures by this renderer: it must be the one that drew
+  /// Compares the hashes of frames where they are known, with images by this renderer: it must be the one that drew
   /// them. None are compared where it is empty.
   ViewPainter views{};
   /// Called for each frame when it is shown.

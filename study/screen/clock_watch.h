@@ -9,7 +9,7 @@ namespace ocelli {
 
 class ClockWatch {
  public:
-  static constexpr int64_t kLeastJump = 1'000'000'000;  ///< nanoseconds
+  static constexpr int64_t kMinJump = 1'000'000'000;  ///< nanoseconds
 
   /// Times of the clock of the system and of one that never jumps. Returns by how much the former was set forward (or
   /// back, negative) since the last time, in nanoseconds, where that is a second or more. Slow drifts are no jumps.
@@ -20,7 +20,7 @@ class ClockWatch {
     }
     const int64_t jump = ahead - *ahead_;
     ahead_ = ahead;
-    return std::abs(jump) >= kLeastJump ? std::optional(jump) : std::nullopt;
+    return std::abs(jump) >= kMinJump ? std::optional(jump) : std::nullopt;
   }
 
  private:

@@ -101,21 +101,20 @@ double countdownHeight(const StudyCanvas& canvas) {
   return canvas.length(2 * 62 + 44);
 }
 
-/// Text on the left, a picture on the right.
-void drawIllustrated(StudyCanvas& canvas, const PageScreen& page, const PixelRect& area, InstructionPictures& pictures,
+/// Text on the left, an image on the right.
+void drawIllustrated(StudyCanvas& canvas, const PageScreen& page, const PixelRect& area, InstructionImages& images,
                      PageScroll& scroll) {
   const double margin = canvas.length(56);
   const double gap = canvas.length(40);
   const double inner = area.width - 2 * margin;
-  const double pictureWidth = std::floor((inner - gap) * 0.58);
-  const PixelRect text{margin, area.top, inner - gap - pictureWidth, area.height};
+  const double imageWidth = std::floor((inner - gap) * 0.58);
+  const PixelRect text{margin, area.top, inner - gap - imageWidth, area.height};
   double y = canvas.write({StudyText::kTitle}, text, page.title) + canvas.length(16);
   writeParagraphs(canvas, {text.left, y, text.width, text.bottom() - y}, page.paragraphs, kStudyBackground,
                   TextAlign::kLeft, scroll);
-  const double pictureHeight = std::floor(std::min(area.height, pictureWidth * 0.72));
-  pictures.draw(
-      canvas, page.picture,
-      {std::round(text.right() + gap), std::round(area.center().y - pictureHeight / 2), pictureWidth, pictureHeight});
+  const double imageHeight = std::floor(std::min(area.height, imageWidth * 0.72));
+  images.draw(canvas, page.image,
+              {std::round(text.right() + gap), std::round(area.center().y - imageHeight / 2), imageWidth, imageHeight});
 }
 
 /// All of it in one column, in the middle of the screen.
@@ -161,13 +160,13 @@ void PageScroll::move(double pixels) {
   offset = std::clamp(offset + pixels, 0.0, most);
 }
 
-PageClick drawPage(StudyCanvas& canvas, const PageScreen& page, InstructionPictures& pictures, PageScroll& scroll) {
+PageClick drawPage(StudyCanvas& canvas, const PageScreen& page, InstructionImages& images, PageScroll& scroll) {
   const PixelRect footer = drawFooter(canvas);
   const PixelRect area = areaAbove(canvas, footer);
-  if (page.picture.empty()) {
+  if (page.image.empty()) {
     drawCentered(canvas, page, area, scroll);
   } else {
-    drawIllustrated(canvas, page, area, pictures, scroll);
+    drawIllustrated(canvas, page, area, images, scroll);
   }
   PageClick click;
   double right = footer.right() - canvas.length(36);

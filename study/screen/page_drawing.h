@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "study/screen/instruction_pictures.h"
+#include "study/screen/instruction_images.h"
 #include "study/screen/study_canvas.h"
 #include "study/session/session_flow.h"
 
@@ -23,7 +23,7 @@ struct PageClick {
   std::optional<Key> key{};  ///< a button that does what this key does
 };
 
-PageClick drawPage(StudyCanvas& canvas, const PageScreen& page, InstructionPictures& pictures, PageScroll& scroll);
+PageClick drawPage(StudyCanvas& canvas, const PageScreen& page, InstructionImages& images, PageScroll& scroll);
 PageClick drawConsent(StudyCanvas& canvas, const ConsentScreen& consent, PageScroll& scroll);
 void drawPause(StudyCanvas& canvas, const PauseScreen& pause);
 

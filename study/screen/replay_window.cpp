@@ -9,7 +9,7 @@
 namespace ocelli {
 namespace {
 
-constexpr int kMostWidth = 1600;
+constexpr int kMaxWidth = 1600;
 /// Where drawing cannot keep up, frames are left out, but not for longer than that, seconds.
 constexpr double kLongestGap = 0.1;
 
@@ -32,7 +32,7 @@ void requireOpen(GlWindow& window, double waitSeconds) {
 bool showReplay(const TaskBlock& block, const TrialLog& log, const Controls& controls,
                 const ReplayWindowOptions& options) {
   const TrialScreen& screen = log.record.screen;
-  const int width = std::min(screen.width, kMostWidth);
+  const int width = std::min(screen.width, kMaxWidth);
   GlWindow window({.title = options.title, .width = width, .height = width * screen.height / screen.width});
   const GlScope scope(window.context());
   StudyPainter painter(window.context(), screen, controls);
@@ -51,7 +51,7 @@ bool showReplay(const TaskBlock& block, const TrialLog& log, const Controls& con
     }
     drawnAt = elapsed();
     requireOpen(window, 0);
-    painter.draw(TrialScreenView{run.picture()});
+    painter.draw(TrialScreenView{run.layout()});
     window.show(painter.framebuffer(), screen.width, screen.height);
   };
   try {

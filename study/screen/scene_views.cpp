@@ -105,14 +105,14 @@ void SceneViews::move(const StudyScene& scene, std::span<const glm::vec3> offset
   }
 }
 
-void SceneViews::draw(const TrialPicture& picture, const GlObject& target) {
-  if (picture.scene == nullptr || picture.views.empty()) {
+void SceneViews::draw(const TrialLayout& layout, const GlObject& target) {
+  if (layout.scene == nullptr || layout.views.empty()) {
     return;
   }
-  prepare(*picture.scene);
-  move(*picture.scene, picture.objectOffsets);
+  prepare(*layout.scene);
+  move(*layout.scene, layout.objectOffsets);
   const GladGLContext& gl = context_->gl();
-  for (const TrialPicture::View& view : picture.views) {
+  for (const TrialLayout::View& view : layout.views) {
     const GlFragments fragments =
         std::visit([&](const auto& camera) { return renderer_->drawOnGpu(camera); }, view.camera);
     OC_CHECK(fragments.width() == view.place.width && fragments.height() == view.place.height,

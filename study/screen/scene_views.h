@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "oc_core/gl/gl_renderer.h"
-#include "study/task/trial_picture.h"
+#include "study/task/trial_layout.h"
 
 namespace ocelli {
 
@@ -16,8 +16,8 @@ class SceneViews {
   explicit SceneViews(GlContext& context) : context_(&context) {}
 
   /// Into a texture of GL_RGBA8, row 0 at the top, as sRGB values: each view at its place, which must lie within it.
-  /// Nothing where the picture has no views. Hold a GlScope, here and below. Throws GlError.
-  void draw(const TrialPicture& picture, const GlObject& target);
+  /// Nothing where the layout has no views. Hold a GlScope, here and below. Throws GlError.
+  void draw(const TrialLayout& layout, const GlObject& target);
 
   /// An object of a scene by itself, as a square texture of GL_RGBA8 whose alpha says where it is.
   const GlObject& portraitOf(const StudyScene& scene, int object, int pixels);

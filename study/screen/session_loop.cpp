@@ -72,10 +72,10 @@ InputEvent inPixels(const InputEvent& event, double pixelsPerUnit) {
   return event;
 }
 
-class Drawer {
+class ScreenRenderer {
  public:
-  Drawer(GlWindow& window, const Protocol& protocol, SessionFlow& flow, ExperimenterConsole& console,
-         const SessionLoopOptions& options, Exchange& exchange)
+  ScreenRenderer(GlWindow& window, const Protocol& protocol, SessionFlow& flow, ExperimenterConsole& console,
+                 const SessionLoopOptions& options, Exchange& exchange)
       : window_(window),
         protocol_(protocol),
         flow_(flow),
@@ -116,7 +116,7 @@ class Drawer {
       if (frame.key) {
         press(*frame.key, runNow());
       }
-      keepPicture(screen, painter);
+      keepImage(screen, painter);
       showStatus(now);
     }
   }
@@ -242,14 +242,14 @@ class Drawer {
     return turning_ ? CursorMode::kCaptured : CursorMode::kHidden;
   }
 
-  void keepPicture(const SessionScreen& screen, const StudyPainter& painter) {
+  void keepImage(const SessionScreen& screen, const StudyPainter& painter) {
     if (options_.screenshots.empty()) {
       return;
     }
     const std::string identity = identityOf(screen);
-    if (identity != pictured_) {
-      pictured_ = identity;
-      const auto name = fmt::format("{:03}-{}.png", pictures_++, kindOf(screen));
+    if (identity != imaged_) {
+      imaged_ = identity;
+      const auto name = fmt::format("{:03}-{}.png", images_++, kindOf(screen));
       writePng(options_.screenshots / name, painter.image());
     }
   }
@@ -294,8 +294,8 @@ class Drawer {
   bool turning_ = false;
   int64_t trialFrames_ = 0;
   int64_t statusShown_ = 0;
-  std::string pictured_;
-  int pictures_ = 0;
+  std::string imaged_;
+  int images_ = 0;
 };
 
 /// Until the thread that draws has ended.
@@ -348,11 +348,11 @@ std::vector<int64_t> measureFrames(GlWindow& window, double seconds, const std::
 SessionEnding runSessionLoop(GlWindow& window, const Protocol& protocol, SessionFlow& flow,
                              ExperimenterConsole& console, const SessionLoopOptions& options) {
   Exchange exchange;
-  Drawer drawer(window, protocol, flow, console, options, exchange);
+  ScreenRenderer renderer(window, protocol, flow, console, options, exchange);
   std::exception_ptr failure;
   std::thread thread([&] {
     try {
-      drawer.run();
+      renderer.run();
     } catch (...) {
       failure = std::current_exception();
     }

@@ -18,8 +18,8 @@ struct SessionLoopOptions {
   std::string subject;
   /// Frames are held back to this rate, where they do not wait for the screen; 0 where they do.
   double pacedHertz = 0;
-  int hashEvery = 0;                    ///< every so many frames of a trial the hash of its picture is stored; 0: none
-  std::filesystem::path screenshots{};  ///< folder for a picture of each screen that comes; empty for none
+  int hashEvery = 0;                    ///< every so many frames of a trial the hash of its image is stored; 0: none
+  std::filesystem::path screenshots{};  ///< folder for an image of each screen that comes; empty for none
   std::function<bool()> interrupted{};  ///< whether the program shall end; asked ten times a second
 };
 

@@ -38,7 +38,7 @@ double contrastRatio(GuiColor one, GuiColor other) {
 StudyLook::StudyLook(int width, int height) : unit_(std::min(width / 1280.0, height / 800.0)) {}
 
 double StudyLook::textPixels(StudyText text) const {
-  return std::round(std::max(kLeastTextPixels, unit_ * pixelsAt1280x800(text)));
+  return std::round(std::max(kMinTextPixels, unit_ * pixelsAt1280x800(text)));
 }
 
 }  // namespace ocelli

@@ -26,7 +26,7 @@ inline constexpr GuiColor kStudyBad = kOkabeItoOrange;
 /// Of WCAG 2.1: 1 for the same colour, 21 for black on white.
 double contrastRatio(GuiColor one, GuiColor other);
 /// What text must have (level AA).
-inline constexpr double kLeastContrast = 4.5;
+inline constexpr double kMinContrast = 4.5;
 
 enum class StudyText { kSmall, kBody, kStrong, kTitle };
 inline constexpr std::array<StudyText, 4> kStudyTexts{StudyText::kSmall, StudyText::kBody, StudyText::kStrong,
@@ -43,7 +43,7 @@ class StudyLook {
   double textPixels(StudyText text) const;
 
   /// A font of 18 pixels.
-  static constexpr double kLeastTextPixels = 21;
+  static constexpr double kMinTextPixels = 21;
 
  private:
   double unit_;

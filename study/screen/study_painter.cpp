@@ -25,7 +25,7 @@ struct StudyPainter::State {
         target(of, screen.width, screen.height),
         canvas(of, screen.width, screen.height, characters),
         views(of),
-        pictures(of, controls) {}
+        images(of, controls) {}
 
   /// White or black, in the lower left corner, over all else.
   void drawPatch(bool white) {
@@ -41,7 +41,7 @@ struct StudyPainter::State {
   ScreenTarget target;
   StudyCanvas canvas;
   SceneViews views;
-  InstructionPictures pictures;
+  InstructionImages images;
   PageScroll scroll;
   std::string shown;     ///< identity of the last screen
   double keyScroll = 0;  ///< pages that the keys ask for
@@ -78,12 +78,12 @@ StudyFrame StudyPainter::draw(const SessionScreen& screen, double secondsSinceLa
   StudyFrame frame;
   if (trial != nullptr && hash) {
     state.target.clear(kOkabeItoBlack);
-    state.views.draw(trial->picture, state.target.color());
+    state.views.draw(trial->layout, state.target.color());
     frame.pixelHash = pixelHashOf(state.target.read());
   }
   state.target.clear(kStudyBackground);
   if (trial != nullptr) {
-    state.views.draw(trial->picture, state.target.color());
+    state.views.draw(trial->layout, state.target.color());
   }
   state.target.bind();
   StudyCanvas& canvas = state.canvas;
@@ -94,13 +94,13 @@ StudyFrame StudyPainter::draw(const SessionScreen& screen, double secondsSinceLa
   std::visit(
       Overloaded{
           [&](const PageScreen& page) {
-            const PageClick click = drawPage(canvas, page, state.pictures, state.scroll);
+            const PageClick click = drawPage(canvas, page, state.images, state.scroll);
             frame.action = click.action;
             frame.key = click.key;
           },
           [&](const ConsentScreen& consent) { frame.action = drawConsent(canvas, consent, state.scroll).action; },
           [&](const FormScreen& form) { frame.action = drawForm(canvas, form, state.scroll); },
-          [&](const TrialScreenView& view) { drawTrialOverlay(canvas, view.picture, state.views); },
+          [&](const TrialScreenView& view) { drawTrialOverlay(canvas, view.layout, state.views); },
           [&](const PauseScreen& pause) { drawPause(canvas, pause); },
       },
       screen);
@@ -149,8 +149,8 @@ std::string identityOf(const SessionScreen& screen) {
                         [&](const ConsentScreen& consent) { return fmt::format("{} {}", kind, consent.text.title); },
                         [&](const FormScreen& form) { return fmt::format("{} {}", kind, form.form->name); },
                         [&](const TrialScreenView& view) {
-                          return fmt::format("{} {} {} {}", kind, view.picture.prompt, view.picture.views.size(),
-                                             view.picture.choices.size());
+                          return fmt::format("{} {} {} {}", kind, view.layout.prompt, view.layout.views.size(),
+                                             view.layout.choices.size());
                         },
                         [&](const PauseScreen& pause) { return fmt::format("{} {}", kind, pause.reason); },
                     },

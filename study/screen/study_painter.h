@@ -53,9 +53,9 @@ class StudyPainter {
   std::unique_ptr<State> state_;
 };
 
-/// What a screen is, in a word: "page", "consent", "form", "trial", "pause"; for the names of pictures.
+/// What a screen is, in a word: "page", "consent", "form", "trial", "pause"; for the names of images.
 const char* kindOf(const SessionScreen& screen);
-/// Whether another screen is shown than before, so that a picture of each can be kept: another page, form or kind, or
+/// Whether another screen is shown than before, so that an image of each can be kept: another page, form or kind, or
 /// another prompt of a trial.
 std::string identityOf(const SessionScreen& screen);
 

@@ -63,10 +63,10 @@ Monitor chooseMonitor(const Protocol& protocol, const StudyRunOptions& options) 
   Monitor monitor = monitors[static_cast<size_t>(options.monitor)];
   const glm::ivec2 size = options.windowed.value_or(glm::ivec2(monitor.width, monitor.height));
   const ScreenGeometry& wanted = protocol.screen;
-  if (size.x < wanted.leastWidth || size.y < wanted.leastHeight) {
+  if (size.x < wanted.minWidth || size.y < wanted.minHeight) {
     throw InputError(
-        fmt::format("{}x{} pixels are too few, the protocol wants {}x{}", size.x, size.y, wanted.leastWidth,
-                    wanted.leastHeight),
+        fmt::format("{}x{} pixels are too few, the protocol wants {}x{}", size.x, size.y, wanted.minWidth,
+                    wanted.minHeight),
         options.windowed ? "--windowed" : fmt::format("--monitor {} ({})", options.monitor, monitor.name),
         options.windowed ? "give a larger size" : "choose another monitor, or another mode of it (xrandr)");
   }

@@ -23,7 +23,7 @@ struct StudyRunOptions {
   int monitor = 0;               ///< of listMonitors()
   std::optional<glm::ivec2> windowed{};
   bool force = false;              ///< runs although the timing check refuses, and marks every trial
-  int hashEvery = 0;               ///< every so many frames of a trial the hash of its picture is stored; 0 for none
+  int hashEvery = 0;               ///< every so many frames of a trial the hash of its image is stored; 0 for none
   std::optional<uint64_t> seed{};  ///< instead of the protocol's, for a session that begins
   bool anyTime = false;            ///< although the time between sessions has not passed
   std::filesystem::path screenshots{};

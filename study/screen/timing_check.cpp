@@ -11,8 +11,8 @@
 namespace ocelli {
 namespace {
 
-constexpr double kMostOfScreenHertz = 1.5;  // faster than that are only frames that wait for nothing
-constexpr int kLeastIntervals = 30;
+constexpr double kMaxOfScreenHertz = 1.5;  // faster than that are only frames that wait for nothing
+constexpr int kMinIntervals = 30;
 
 bool agrees(double hertz, double expected, double tolerance) {
   return std::abs(hertz - expected) <= tolerance * expected;
@@ -71,8 +71,8 @@ TimingCheck checkTiming(const TimingMeasurement& measured, const TimingExpectati
   TimingCheck check{measured, expected};
   const TimingLimits& limits = expected.limits;
   const double screenHertz = expected.monitorHertz > 0 ? expected.monitorHertz : expected.wantedHertz.value_or(0);
-  check.verticalSync = measured.hertz > 0 && measured.hertz <= kMostOfScreenHertz * screenHertz;
-  if (measured.intervals < kLeastIntervals) {
+  check.verticalSync = measured.hertz > 0 && measured.hertz <= kMaxOfScreenHertz * screenHertz;
+  if (measured.intervals < kMinIntervals) {
     check.problems.push_back(fmt::format("only {} frames were shown in the time of the check", measured.intervals + 1));
     check.advice.push_back("close other programs; use the graphics driver of the maker of the graphics card");
     return check;
@@ -108,16 +108,16 @@ TimingCheck checkTiming(const TimingMeasurement& measured, const TimingExpectati
                                          rateText(measured.hertz)));
     check.advice.push_back("set the monitor to the protocol's rate (xrandr --output NAME --rate HZ)");
   }
-  if (measured.jitterShare > limits.mostJitterShare) {
+  if (measured.jitterShare > limits.maxJitterShare) {
     check.problems.push_back(
         fmt::format("frames come unevenly: the intervals between them differ by {}, at most {} are allowed",
-                    percent(measured.jitterShare), percent(limits.mostJitterShare)));
+                    percent(measured.jitterShare), percent(limits.maxJitterShare)));
   }
-  if (measured.lateShare > limits.mostDroppedShare) {
+  if (measured.lateShare > limits.maxDroppedShare) {
     check.problems.push_back(fmt::format("{} of the frames come late, at most {} may", percent(measured.lateShare),
-                                         percent(limits.mostDroppedShare)));
+                                         percent(limits.maxDroppedShare)));
   }
-  if (measured.jitterShare > limits.mostJitterShare || measured.lateShare > limits.mostDroppedShare) {
+  if (measured.jitterShare > limits.maxJitterShare || measured.lateShare > limits.maxDroppedShare) {
     check.advice.push_back(
         "close other programs, switch desktop effects and power saving off, and use full screen instead of --windowed");
   }
@@ -148,8 +148,8 @@ std::string jsonText(const TimingCheck& check) {
                       {{"monitor_hertz", expected.monitorHertz > 0 ? Json(expected.monitorHertz) : Json()},
                        {"protocol_hertz", expected.wantedHertz ? Json(*expected.wantedHertz) : Json()},
                        {"late_factor", expected.limits.lateFactor},
-                       {"most_dropped_share", expected.limits.mostDroppedShare},
-                       {"most_jitter_share", expected.limits.mostJitterShare},
+                       {"most_dropped_share", expected.limits.maxDroppedShare},
+                       {"most_jitter_share", expected.limits.maxJitterShare},
                        {"refresh_tolerance", expected.limits.refreshTolerance}}}};
   return textOfJson(json);
 }

@@ -11,7 +11,7 @@
 namespace ocelli {
 namespace {
 
-void drawPrompt(StudyCanvas& canvas, const TrialPicture& picture, SceneViews& views) {
+void drawPrompt(StudyCanvas& canvas, const TrialLayout& layout, SceneViews& views) {
   const PixelRect strip{0, 0, static_cast<double>(canvas.width()),
                         static_cast<double>(promptHeight({canvas.width(), canvas.height(), 60}))};
   canvas.fill(strip, kStudyBackground);
@@ -28,9 +28,9 @@ void drawPrompt(StudyCanvas& canvas, const TrialPicture& picture, SceneViews& vi
 
   double left = canvas.length(24);
   const double size = std::floor(strip.height - canvas.length(8));
-  const bool sought = picture.scene != nullptr && picture.soughtObject.has_value();
+  const bool sought = layout.scene != nullptr && layout.targetObject.has_value();
   const double room = capLeft - gap - left - (sought ? size + 2 * gap : 0);
-  std::string prompt = picture.prompt;
+  std::string prompt = layout.prompt;
   const bool fits = canvas.widthOf(prompt, StudyText::kStrong) <= room;
   const StudyText style = fits ? StudyText::kStrong : StudyText::kSmall;
   left = canvas.writeLine({style, kStudyText, kStudyBackground}, {left, middle - canvas.look().textPixels(style) / 2},
@@ -38,7 +38,7 @@ void drawPrompt(StudyCanvas& canvas, const TrialPicture& picture, SceneViews& vi
   if (sought) {
     const PixelRect place{std::round(left + gap), std::round(middle - size / 2), size, size};
     canvas.fill(place, kStudyField, canvas.length(6));
-    canvas.image(views.portraitOf(*picture.scene, *picture.soughtObject, static_cast<int>(size)), place);
+    canvas.image(views.portraitOf(*layout.scene, *layout.targetObject, static_cast<int>(size)), place);
     canvas.outline(place, kStudyLine, canvas.length(1.5), canvas.length(6));
   }
 }
@@ -47,12 +47,12 @@ std::string keyLabel(Key key) {
   return std::string(nameOf(key));
 }
 
-bool holdsMap(const TrialPicture& picture, const PixelRect& place) {
-  return std::ranges::any_of(picture.maps,
-                             [&](const TrialPicture::PathMap& map) { return place.contains(map.place.center()); });
+bool holdsMap(const TrialLayout& layout, const PixelRect& place) {
+  return std::ranges::any_of(layout.maps,
+                             [&](const TrialLayout::PathMap& map) { return place.contains(map.place.center()); });
 }
 
-void drawChoice(StudyCanvas& canvas, const TrialPicture::Choice& choice, bool aroundMap) {
+void drawChoice(StudyCanvas& canvas, const TrialLayout::Choice& choice, bool aroundMap) {
   const double rounding = canvas.length(10);
   const GuiColor background = choice.chosen ? kStudyAccentDeep : (aroundMap ? kStudyCard : kStudyField);
   const PixelRect& place = choice.place;
@@ -143,22 +143,22 @@ void drawPathMap(StudyCanvas& canvas, const PixelRect& place, std::span<const gl
   canvas.writeLine({StudyText::kSmall, kStudyText, background, TextAlign::kCenter}, {x, y}, "Start");
 }
 
-void drawTrialOverlay(StudyCanvas& canvas, const TrialPicture& picture, SceneViews& views) {
-  drawPrompt(canvas, picture, views);
-  for (const TrialPicture::Choice& choice : picture.choices) {
-    drawChoice(canvas, choice, holdsMap(picture, choice.place));
+void drawTrialOverlay(StudyCanvas& canvas, const TrialLayout& layout, SceneViews& views) {
+  drawPrompt(canvas, layout, views);
+  for (const TrialLayout::Choice& choice : layout.choices) {
+    drawChoice(canvas, choice, holdsMap(layout, choice.place));
   }
-  for (const TrialPicture::PathMap& map : picture.maps) {
+  for (const TrialLayout::PathMap& map : layout.maps) {
     const auto around = std::ranges::find_if(
-        picture.choices, [&](const TrialPicture::Choice& choice) { return choice.place.contains(map.place.center()); });
-    const bool hasChoice = around != picture.choices.end();
+        layout.choices, [&](const TrialLayout::Choice& choice) { return choice.place.contains(map.place.center()); });
+    const bool hasChoice = around != layout.choices.end();
     if (!hasChoice) {
       canvas.fill(map.place, kStudyCard, canvas.length(10));
     }
     drawPathMap(canvas, map.place, map.corners, hasChoice && around->chosen ? kStudyAccentDeep : kStudyCard);
   }
-  if (picture.pointer) {
-    drawPointer(canvas, *picture.pointer);
+  if (layout.pointer) {
+    drawPointer(canvas, *layout.pointer);
   }
 }
 

@@ -6,7 +6,7 @@
 
 namespace ocelli {
 
-void drawTrialOverlay(StudyCanvas& canvas, const TrialPicture& picture, SceneViews& views);
+void drawTrialOverlay(StudyCanvas& canvas, const TrialLayout& layout, SceneViews& views);
 
 /// A path as a map: from a dot, "Start", to an arrow.
 void drawPathMap(StudyCanvas& canvas, const PixelRect& place, std::span<const glm::dvec2> corners, GuiColor background);

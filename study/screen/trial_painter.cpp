@@ -30,29 +30,29 @@ TrialPainter::TrialPainter(GlContext& context, const TrialScreen& screen) : stat
 
 TrialPainter::~TrialPainter() = default;
 
-Image<Rgb8> TrialPainter::render(const TrialPicture& picture) {
+Image<Rgb8> TrialPainter::render(const TrialLayout& layout) {
   const GlScope scope(state_->context);
   Parts& parts = *state_->parts;
   parts.target.clear(kStudyBackground);
-  parts.views.draw(picture, parts.target.color());
+  parts.views.draw(layout, parts.target.color());
   parts.target.bind();
   parts.canvas.begin(0);
-  drawTrialOverlay(parts.canvas, picture, parts.views);
+  drawTrialOverlay(parts.canvas, layout, parts.views);
   parts.target.bind();
   parts.canvas.end();
   return parts.target.read();
 }
 
-Image<Rgb8> TrialPainter::renderViews(const TrialPicture& picture) {
+Image<Rgb8> TrialPainter::renderViews(const TrialLayout& layout) {
   const GlScope scope(state_->context);
   Parts& parts = *state_->parts;
   parts.target.clear(kOkabeItoBlack);
-  parts.views.draw(picture, parts.target.color());
+  parts.views.draw(layout, parts.target.color());
   return parts.target.read();
 }
 
-Image<Rgb8> renderTrialPicture(GlContext& context, const TrialPicture& picture, const TrialScreen& screen) {
-  return TrialPainter(context, screen).render(picture);
+Image<Rgb8> renderTrialImage(GlContext& context, const TrialLayout& layout, const TrialScreen& screen) {
+  return TrialPainter(context, screen).render(layout);
 }
 
 }  // namespace ocelli

@@ -1,6 +1,6 @@
-// The pictures of a trial as images, without a window: for replays, and for whoever wants to see them.
+// The layouts of a trial as images, without a window: for replays, and for whoever wants to see them.
 //
-// The same context and the same picture give the same bytes; another renderer may differ at silhouettes and in the
+// The same context and the same layout give the same bytes; another renderer may differ at silhouettes and in the
 // rounding of colours. The hashes that a session stores of its frames are pixelHashOf(renderViews()) (trial_image.h),
 // so they compare within a renderer.
 #pragma once
@@ -9,7 +9,7 @@
 
 #include "oc_core/base/png_file.h"
 #include "oc_core/gl/gl_context.h"
-#include "study/task/trial_picture.h"
+#include "study/task/trial_layout.h"
 
 namespace ocelli {
 
@@ -22,16 +22,16 @@ class TrialPainter {
   TrialPainter& operator=(const TrialPainter&) = delete;
 
   /// The whole screen, as a subject sees it, without the patch of a photodiode. Throws GlError.
-  Image<Rgb8> render(const TrialPicture& picture);
+  Image<Rgb8> render(const TrialLayout& layout);
   /// The views alone, in their places, black elsewhere.
-  Image<Rgb8> renderViews(const TrialPicture& picture);
+  Image<Rgb8> renderViews(const TrialLayout& layout);
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
 
-/// One picture alone; a TrialPainter is faster for many.
-Image<Rgb8> renderTrialPicture(GlContext& context, const TrialPicture& picture, const TrialScreen& screen);
+/// One layout alone; a TrialPainter is faster for many.
+Image<Rgb8> renderTrialImage(GlContext& context, const TrialLayout& layout, const TrialScreen& screen);
 
 }  // namespace ocelli

@@ -21,7 +21,7 @@ TrialTiming timingOf(std::span<const int64_t> shownNanoseconds, const TimingLimi
     timing.longestNanoseconds = *std::max_element(intervals.begin(), intervals.end());
   }
   const bool manyDropped =
-      static_cast<double>(timing.dropped) > limits.mostDroppedShare * static_cast<double>(timing.frames);
+      static_cast<double>(timing.dropped) > limits.maxDroppedShare * static_cast<double>(timing.frames);
   // They did not wait for the screen, so that what is counted in frames was too short.
   const bool early = timing.medianNanoseconds > 0 && static_cast<double>(timing.medianNanoseconds) * limits.lateFactor <
                                                          static_cast<double>(clock.intervalNanoseconds);

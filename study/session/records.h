@@ -41,7 +41,7 @@ struct RunRecord {
 
 struct FrameRecord {
   int64_t frame = 0;  ///< of the trial, from 0
-  int64_t tick = 0;   ///< that the picture shows
+  int64_t tick = 0;   ///< that the image shows
   int64_t shownNanoseconds = 0;
   WalkerPose pose;
   std::optional<uint64_t> pixelHash{};

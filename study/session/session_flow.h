@@ -94,7 +94,7 @@ class SessionFlow {
   void act(const FormAction& action, int64_t nanoseconds);
   /// Time has come to `nanoseconds`.
   void update(int64_t nanoseconds);
-  /// The screen of the last update() was shown. `pixelHash` is of its trial picture, where it was read.
+  /// The screen of the last update() was shown. `pixelHash` is of its trial image, where it was read.
   void frameShown(int64_t nanoseconds, std::optional<uint64_t> pixelHash = {});
 
   SessionScreen screen() const;

@@ -17,7 +17,7 @@ PageScreen page(const std::string& title, const std::vector<std::string>& paragr
 
 PageScreen pageOf(const ProtocolPage& text) {
   PageScreen made = page(text.title, text.paragraphs, "Enter: go on");
-  made.picture = text.picture;
+  made.image = text.image;
   return made;
 }
 

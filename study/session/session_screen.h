@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "study/protocol/protocol.h"
-#include "study/task/trial_picture.h"
+#include "study/task/trial_layout.h"
 
 namespace ocelli {
 
@@ -23,7 +23,7 @@ struct SessionProgress {
 struct PageScreen {
   std::string title;
   std::vector<std::string> paragraphs;
-  std::string picture{};       ///< of ProtocolPage
+  std::string image{};         ///< of ProtocolPage
   std::optional<bool> good{};  ///< feedback: right or wrong, shown by shape and word as well as colour
   std::optional<SessionProgress> progress{};
   double waitSeconds = 0;  ///< left until one may go on
@@ -42,7 +42,7 @@ struct FormScreen {
 };
 
 struct TrialScreenView {
-  TrialPicture picture;
+  TrialLayout layout;
   bool patchWhite = false;  ///< of the photodiode
   bool showsPatch = false;
 };

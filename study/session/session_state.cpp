@@ -105,10 +105,10 @@ void SessionFlow::State::enterStep() {
 void SessionFlow::State::goOnWithPractice(int block) {
   const ProtocolPractice& rules = *blockOf(block).practice;
   const Practice& so = practice[block];
-  if (so.inARow >= rules.leastCorrect) {
+  if (so.inARow >= rules.minCorrect) {
     event("practice_passed", std::to_string(block));
     nextStep();
-  } else if (so.trials >= rules.mostTrials) {
+  } else if (so.trials >= rules.maxTrials) {
     event("practice_failed", std::to_string(block));
     agenda.front() = CallStep{block};
   } else {

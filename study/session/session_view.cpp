@@ -28,7 +28,7 @@ std::string SessionFlow::State::nameOfTrial(const TrialPlan& plan) const {
 
 SessionScreen SessionFlow::State::screenOf(const TrialStep& step) const {
   if (trial) {
-    return TrialScreenView{trial->run().picture(), trial->nextFrame() % 2 == 0, protocol.screen.photodiodePatch};
+    return TrialScreenView{trial->run().layout(), trial->nextFrame() % 2 == 0, protocol.screen.photodiodePatch};
   }
   return readyPage(nameOfTrial(step.plan), blockOf(step.plan.block).title, progress());
 }

@@ -38,11 +38,11 @@ bool isStillNamed(int descriptor, const std::filesystem::path& file) {
 }  // namespace
 
 std::filesystem::path withoutLinks(const std::filesystem::path& database) {
-  constexpr int kMostLinks = 40;  // as Linux has it
+  constexpr int kMaxLinks = 40;  // as Linux has it
   std::error_code error;
   std::filesystem::path file = std::filesystem::absolute(database);
   // A link may lead to a file that is yet to be made.
-  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(file, error); ++i) {
+  for (int i = 0; i < kMaxLinks && std::filesystem::is_symlink(file, error); ++i) {
     const std::filesystem::path next = std::filesystem::read_symlink(file, error);
     if (error) {
       break;

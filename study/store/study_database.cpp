@@ -21,12 +21,12 @@ fs::path folderOf(const fs::path& path) {
   return folder;
 }
 
-void checkSpace(const fs::path& path, uint64_t leastFreeBytes) {
+void checkSpace(const fs::path& path, uint64_t minFreeBytes) {
   std::error_code error;
   const fs::space_info space = fs::space(folderOf(path), error);
-  if (!error && space.available < leastFreeBytes) {
+  if (!error && space.available < minFreeBytes) {
     throw WorkError(
-        fmt::format("the disk has {} MB left, and sessions need {} MB", space.available >> 20, leastFreeBytes >> 20),
+        fmt::format("the disk has {} MB left, and sessions need {} MB", space.available >> 20, minFreeBytes >> 20),
         path.string(), "make room on it, or use a folder on another disk");
   }
 }
@@ -60,7 +60,7 @@ void checkProtocol(SQLite::Database& database, const Protocol& protocol, const f
 
 StudyDatabase StudyDatabase::openForSessions(const fs::path& path, const Protocol& protocol,
                                              const DatabaseOptions& options) {
-  checkSpace(path, options.leastFreeBytes);
+  checkSpace(path, options.minFreeBytes);
   auto state = std::make_unique<State>(path, DatabaseAccess::kCreate, DatabaseLock(path));
   withSqliteErrors("open this database", path, [&] { checkProtocol(state->database, protocol, path); });
   tryWrite(state->database, path);

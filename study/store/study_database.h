@@ -14,7 +14,7 @@ namespace ocelli {
 
 struct DatabaseOptions {
   /// Space that the disk must have before sessions may run: a session takes about 30 MB, and its log as much again.
-  uint64_t leastFreeBytes = 256u << 20;
+  uint64_t minFreeBytes = 256u << 20;
 };
 
 class StudyDatabase {

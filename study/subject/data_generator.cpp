@@ -60,9 +60,9 @@ uint64_t hashOf(const std::string& text) {
 }
 
 /// Draws outcomes of one subject in one session.
-class Drawer {
+class RandomDraws {
  public:
-  Drawer(const Protocol& protocol, const GeneratedSession& session)
+  RandomDraws(const Protocol& protocol, const GeneratedSession& session)
       : protocol_(protocol), session_(session), effects_(session.effects) {
     Random random(seedOf(session.subjectSeed, 1));  // what stays with the subject
     findSubject_ = normal(random, 0, effects_.find.subjectSd);
@@ -188,7 +188,7 @@ std::string jsonText(const GeneratorEffects& effects) {
 void generateSession(const Protocol& protocol, const GeneratedSession& session, SessionSink& sink) {
   const int number = session.schedule.session;
   Random random(seedOf(session.subjectSeed, 100 + static_cast<uint64_t>(number)));
-  Drawer drawer(protocol, session);
+  RandomDraws renderer(protocol, session);
   int64_t now = 0;
   const auto utc = [&] { return simulatedUtc(number, now); };
   if (number == 0 && protocol.consent) {
@@ -206,7 +206,7 @@ void generateSession(const Protocol& protocol, const GeneratedSession& session, 
     record.info = task.caseInfo(plan.caseIndex);
     record.startedNanoseconds = now;
     record.startedUtc = utc();
-    record.outcome = drawer.outcomeOf(plan, record.info, session.tellsAnswers ? task.answerOf(plan) : "", random);
+    record.outcome = renderer.outcomeOf(plan, record.info, session.tellsAnswers ? task.answerOf(plan) : "", random);
     if (!session.tellsAnswers) {
       record.outcome.answer.clear();
     }

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "study/protocol/protocol.h"
-#include "study/subject/task_mind.h"
+#include "study/subject/task_policy.h"
 
 namespace ocelli {
 

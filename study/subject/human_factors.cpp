@@ -49,7 +49,7 @@ std::string jsonText(const HumanFactors& f) {
                                     {"noticed_degrees", f.noticedDegrees},
                                     {"doubling_degrees", f.doublingDegrees},
                                     {"notice_seconds", f.noticeSeconds},
-                                    {"least_floor_degrees", f.leastFloorDegrees},
+                                    {"least_floor_degrees", f.minFloorDegrees},
                                     {"item_seconds", f.itemSeconds},
                                     {"group_seconds", f.groupSeconds},
                                     {"group_items", f.groupItems},

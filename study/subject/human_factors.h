@@ -1,5 +1,6 @@
-// What a simulated observer can do: its eye, hands and memory, in numbers from the literature on human performance.
-// None of them comes from a study of cameras such as these. Each subject has values of its own, drawn from its seed.
+// What a simulated observer can do: its eye, its movements and its memory, in numbers from the literature on human
+// performance. None of them comes from a study of cameras such as these. Each subject has values of its own, drawn from
+// its seed.
 //
 //   Ball et al. 1988        useful field of view: places are taken in within 10 to 15 degrees of the gaze
 //   Cowan 2001              working memory holds about 4 things
@@ -29,14 +30,14 @@ struct HumanFactors {
   double noticedDegrees = 0.15;  ///< side of the least coloured thing noticed at the gaze; the root of its area counts
   double doublingDegrees = 3;    ///< so far from the gaze it must have twice the side
   double noticeSeconds = 0.2;    ///< an object must have been in sight so long
-  double leastFloorDegrees = 0.3;  ///< likewise the side of a piece of floor
+  double minFloorDegrees = 0.3;  ///< likewise the side of a piece of floor
 
   // Counting.
   double itemSeconds = 0.3;         ///< for each thing beyond those seen at once
   double groupSeconds = 0.07;       ///< for each of those
   int groupItems = 4;               ///< seen at once
   double groupRadiusDegrees = 5;    ///< around the gaze
-  double workingMemoryItems = 4;    ///< things whose colour and place one has in mind
+  double workingMemoryItems = 4;    ///< things whose colour and place one remembers
   double placeErrorMeters = 0.5;    ///< of what one sees, within one view
   double crossViewErrorMeters = 3;  ///< more where a place must be carried over from one view to another
 

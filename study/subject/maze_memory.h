@@ -1,4 +1,4 @@
-// What a simulated observer has in mind of a maze: where it has seen ways, and when it last saw which floor.
+// What a simulated observer remembers of a maze: where it has seen ways, and when it last saw which floor.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What a simulated subject gets of one picture of a trial: all that it ever learns of the scene.
+// What a simulated subject gets of one frame of a trial: all that it ever learns of the scene.
 //
 // Everything in it is worked out from the identity image of the screen: which object, or which piece of floor, each
 // pixel shows. What a subject is spared, and a person is not: it knows any piece of floor that it sees for what it is,
@@ -21,7 +21,7 @@ namespace ocelli {
 struct Sighting {
   LandmarkShape shape = LandmarkShape::kCone;
   LandmarkColor color = LandmarkColor::kOrange;
-  int view = 0;  ///< of the picture, from 0
+  int view = 0;  ///< of the layout, from 0
   size_t pixels = 0;
   glm::dvec2 lower{0};     ///< of the screen, pixels
   glm::dvec2 upper{0};     ///< likewise
@@ -51,8 +51,8 @@ struct SurfaceSpot {
 };
 
 /// A map to choose, its corners in its own metres.
-using SeenMap = TrialPicture::PathMap;
-using SeenChoice = TrialPicture::Choice;
+using SeenMap = TrialLayout::PathMap;
+using SeenChoice = TrialLayout::Choice;
 
 /// The grid that floors are seen to lie in.
 struct SeenGrid {

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "oc_core/base/conventions.h"
-#include "study/subject/count_mind.h"
-#include "study/subject/find_mind.h"
-#include "study/subject/path_mind.h"
+#include "study/subject/count_policy.h"
+#include "study/subject/find_policy.h"
+#include "study/subject/path_policy.h"
 
 namespace ocelli {
 namespace {
@@ -33,28 +33,28 @@ SessionObserver::SessionObserver(const Protocol& protocol, const ObserverSetting
       seed_(seed),
       factors_(drawHumanFactors(seed)),
       vision_(factors_, pixelsPerDegree(protocol, setting.screen)),
-      eye_(setting.screen, setting.drawer),
+      eye_(setting.screen, setting.renderer),
       random_(seedOf(seed, 1)),
-      hands_(factors_, protocol.controls, seedOf(seed, 2)) {}
+      motor_(factors_, protocol.controls, seedOf(seed, 2)) {}
 
 SessionObserver::~SessionObserver() = default;
 
 void SessionObserver::beginSession(int session) {
   random_ = Random(seedOf(seed_, 1000 + static_cast<uint64_t>(session)));
-  hands_ = Hands(factors_, protocol_.controls, seedOf(seed_, 2000 + static_cast<uint64_t>(session)));
+  motor_ = MotorModel(factors_, protocol_.controls, seedOf(seed_, 2000 + static_cast<uint64_t>(session)));
   if (session > 0) {
     for (auto& [surroundings, memory] : mazes_) {
       memory.beginTrial(factors_.forgetBetweenSessions, random_);
     }
   }
   inTrial_ = false;
-  mind_.reset();
+  policy_.reset();
   nextLook_ = 0;
   page_.clear();
 }
 
 std::vector<TimedInput> SessionObserver::act(int64_t until) {
-  return hands_.take(until);
+  return motor_.take(until);
 }
 
 void SessionObserver::beginTrial(const TrialPlan& plan, int64_t now) {
@@ -63,25 +63,25 @@ void SessionObserver::beginTrial(const TrialPlan& plan, int64_t now) {
   trialBegan_ = now;
   ++trials_;
   still_.reset();
-  mind_.reset();
+  policy_.reset();
   page_.clear();
   nextLook_ = now;
 }
 
 void SessionObserver::endTrial(int64_t now) {
   inTrial_ = false;
-  hands_.release(now);
-  if (mind_ && plan_) {
+  motor_.release(now);
+  if (policy_ && plan_) {
     Effort& effort = experience_[plan_->task][static_cast<size_t>(plan_->view)];
-    if (const auto* count = dynamic_cast<const CountMind*>(mind_.get())) {
+    if (const auto* count = dynamic_cast<const CountPolicy*>(policy_.get())) {
       effort.add(count->effort());
-    } else if (const auto* path = dynamic_cast<const PathMind*>(mind_.get())) {
+    } else if (const auto* path = dynamic_cast<const PathPolicy*>(policy_.get())) {
       effort.add(path->effort());
     } else {
       effort.add(std::log(std::max(secondsOf(now - trialBegan_), 0.1)));
     }
   }
-  mind_.reset();
+  policy_.reset();
   nextLook_ = now;
 }
 
@@ -97,51 +97,51 @@ std::optional<uint64_t> SessionObserver::watch(const SessionFlow& flow, int64_t 
   }
   const SessionScreen screen = flow.screen();
   if (const auto* trial = std::get_if<TrialScreenView>(&screen)) {
-    return fixate(trial->picture, now);
+    return fixate(trial->layout, now);
   }
   see(screen, now);
   return std::nullopt;
 }
 
-const Percept& SessionObserver::see(const TrialPicture& picture) {
-  const bool withFloor = !mind_ || mind_->wantsFloor();
-  if (withFloor || picture.views.empty()) {
-    percept_ = eye_.look(picture, withFloor);
+const Percept& SessionObserver::see(const TrialLayout& layout) {
+  const bool withFloor = !policy_ || policy_->wantsFloor();
+  if (withFloor || layout.views.empty()) {
+    percept_ = eye_.look(layout, withFloor);
     return percept_;
   }
-  if (!still_ || still_->scene != picture.scene || still_->offsets != picture.objectOffsets) {
-    still_ = Seen{picture.scene, picture.objectOffsets, eye_.look(picture, false)};
+  if (!still_ || still_->scene != layout.scene || still_->offsets != layout.objectOffsets) {
+    still_ = Seen{layout.scene, layout.objectOffsets, eye_.look(layout, false)};
   }
   return still_->percept;
 }
 
-std::optional<uint64_t> SessionObserver::fixate(const TrialPicture& picture, int64_t now) {
-  if (!mind_) {
+std::optional<uint64_t> SessionObserver::fixate(const TrialLayout& layout, int64_t now) {
+  if (!policy_) {
     const uint64_t seed = seedOf(seed_, 1'000'000 + trials_);
     if (plan_->task == "find") {
-      const Percept first = eye_.look(picture, true);
+      const Percept first = eye_.look(layout, true);
       // The instructions of a block say whether its objects move.
       const ProtocolBlock& block = protocol_.blocks[static_cast<size_t>(plan_->block)];
       const bool moves = block.task->caseInfo(0).moving;
-      mind_ = std::make_unique<FindMind>(vision_, protocol_.controls, moves, mazes_[first.grid.surroundings], seed);
+      policy_ = std::make_unique<FindPolicy>(vision_, protocol_.controls, moves, mazes_[first.grid.surroundings], seed);
     } else if (plan_->task == "count") {
-      mind_ = std::make_unique<CountMind>(vision_, seed);
+      policy_ = std::make_unique<CountPolicy>(vision_, seed);
     } else {
-      mind_ = std::make_unique<PathMind>(vision_, seed);
+      policy_ = std::make_unique<PathPolicy>(vision_, seed);
     }
   }
   const int64_t ends =
       now + nanosecondsOf(std::max(0.1, normal(random_, factors_.fixationSeconds, factors_.fixationSpread)));
-  const double more = mind_->think(see(picture), now, ends, hands_);
+  const double more = policy_->think(see(layout), now, ends, motor_);
   nextLook_ = ends + nanosecondsOf(more + factors_.saccadeSeconds);
-  if (setting_.hashFrames && !picture.views.empty()) {
-    return pixelHashOf(viewsOf(picture, setting_.screen, setting_.drawer));
+  if (setting_.hashFrames && !layout.views.empty()) {
+    return pixelHashOf(viewsOf(layout, setting_.screen, setting_.renderer));
   }
   return std::nullopt;
 }
 
 void SessionObserver::press(Key key, int64_t at, int64_t again) {
-  hands_.tap(key, at);
+  motor_.tap(key, at);
   nextLook_ = at + again;
 }
 

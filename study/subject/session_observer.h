@@ -1,5 +1,5 @@
 // A simulated subject that sees: it goes through whole sessions as a person does. It looks at what the session shows,
-// reads pages, fills in forms, does the trials (task_mind.h), and gives back what its hands do.
+// reads pages, fills in forms, does the trials (task_policy.h), and gives back what its motor model does.
 #pragma once
 
 #include <map>
@@ -8,15 +8,15 @@
 
 #include "study/session/session_flow.h"
 #include "study/subject/form_taste.h"
-#include "study/subject/identity_eye.h"
 #include "study/subject/maze_memory.h"
+#include "study/subject/visibility_sensor.h"
 
 namespace ocelli {
 
 struct ObserverSetting {
   TrialScreen screen{};
-  StudyDrawer drawer = rasterizeStudy;
-  bool hashFrames = false;  ///< of the views of each picture that is looked at
+  StudyRenderer renderer = rasterizeStudy;
+  bool hashFrames = false;  ///< of the views of each layout that is looked at
 };
 
 class SessionObserver {
@@ -28,16 +28,16 @@ class SessionObserver {
   const HumanFactors& factors() const { return factors_; }
   /// Sessions come in order: what was learned in one is there in the next, as far as it is not forgotten.
   void beginSession(int session);
-  /// The session shows its screen, from `now` on. Returns the hash of the picture where it made one.
+  /// The session shows its screen, from `now` on. Returns the hash of the layout where it made one.
   std::optional<uint64_t> watch(const SessionFlow& flow, int64_t now);
-  /// What its hands have done before `until`.
+  /// What its motor model did before `until`.
   std::vector<TimedInput> act(int64_t until);
 
  private:
   void beginTrial(const TrialPlan& plan, int64_t now);
   void endTrial(int64_t now);
-  std::optional<uint64_t> fixate(const TrialPicture& picture, int64_t now);
-  const Percept& see(const TrialPicture& picture);
+  std::optional<uint64_t> fixate(const TrialLayout& layout, int64_t now);
+  const Percept& see(const TrialLayout& layout);
   void see(const SessionScreen& screen, int64_t now);
   void read(const PageScreen& page, int64_t now);
   void fillIn(const FormScreen& form, int64_t now);
@@ -48,9 +48,9 @@ class SessionObserver {
   uint64_t seed_;
   HumanFactors factors_;
   Vision vision_;
-  IdentityEye eye_;
+  VisibilitySensor eye_;
   Random random_;
-  Hands hands_;
+  MotorModel motor_;
   std::map<uint64_t, MazeMemory> mazes_{};  ///< by their surroundings
   Experience experience_{};
 
@@ -58,7 +58,7 @@ class SessionObserver {
   bool inTrial_ = false;
   std::optional<TrialPlan> plan_{};
   int64_t trialBegan_ = 0;
-  std::unique_ptr<TaskMind> mind_{};
+  std::unique_ptr<TaskPolicy> policy_{};
   int64_t nextLook_ = 0;  ///< when the next fixation begins, or something is to be read or pressed
   std::string page_{};    ///< that was read
   struct Seen {
@@ -66,7 +66,7 @@ class SessionObserver {
     std::vector<glm::vec3> offsets{};
     Percept percept{};
   };
-  std::optional<Seen> still_{};  ///< of a picture whose cameras stay where they are
+  std::optional<Seen> still_{};  ///< of a layout whose cameras stay where they are
   Percept percept_{};
 };
 

@@ -21,7 +21,7 @@
 namespace ocelli {
 namespace {
 
-constexpr int kMostSubjects = 10'000;
+constexpr int kMaxSubjects = 10'000;
 
 std::optional<int> numberFrom(std::string_view text) {
   int number = 0;
@@ -104,7 +104,7 @@ class SubjectRunner {
   void run() const {
     std::optional<SessionObserver> observer;
     if (plan_.kind == SubjectKind::kObserver) {
-      observer.emplace(protocol_, ObserverSetting{plan_.screen, plan_.makeDrawer(), plan_.hashFrames}, work_.seed);
+      observer.emplace(protocol_, ObserverSetting{plan_.screen, plan_.makeRenderer(), plan_.hashFrames}, work_.seed);
     }
     int open = work_.open();
     for (int session = 0; session < work_.sessions && open > 0; ++session) {
@@ -169,7 +169,7 @@ std::vector<int> sessionsFromText(const std::string& text, int subjects, int mos
     const size_t times = part.find('x');
     const std::optional<int> count = numberFrom(part.substr(0, times));
     const std::optional<int> each = times == part.npos ? subjects : numberFrom(part.substr(times + 1));
-    if (!count || !each || *count < 1 || *count > most || *each < 1 || *each > kMostSubjects) {
+    if (!count || !each || *count < 1 || *count > most || *each < 1 || *each > kMaxSubjects) {
       throw InputError(fmt::format("\"{}\" does not say how many sessions for how many subjects, or the protocol has "
                                    "but {} sessions",
                                    text, most),

@@ -22,8 +22,8 @@ struct SimulationPlan {
   GeneratorEffects effects{};                 ///< of generators
   TrialScreen screen{640, 400, 60};           ///< of observers, here and below
   std::string renderer = "raster";            ///< as it is recorded
-  /// A drawer for the thread that calls it.
-  std::function<StudyDrawer()> makeDrawer = [] { return StudyDrawer(rasterizeStudy); };
+  /// A renderer for the thread that calls it.
+  std::function<StudyRenderer()> makeRenderer = [] { return StudyRenderer(rasterizeStudy); };
   bool hashFrames = false;
 };
 

@@ -23,7 +23,7 @@ class Vision {
   }
   bool takesIn(const FloorPatch& patch, const glm::dvec2& gaze) const {
     return degrees(patch.centroid, gaze) <= factors_.usefulFieldDegrees &&
-           sideOf(patch.pixels) >= factors_.leastFloorDegrees;
+           sideOf(patch.pixels) >= factors_.minFloorDegrees;
   }
 
  private:

@@ -10,16 +10,16 @@ namespace ocelli {
 
 class ChoiceList {
  public:
-  explicit ChoiceList(std::vector<TrialPicture::Choice> choices) : choices_(std::move(choices)) {}
+  explicit ChoiceList(std::vector<TrialLayout::Choice> choices) : choices_(std::move(choices)) {}
 
   /// The index of the answer that the event chooses, if it does. `pointer` has not taken the event yet.
   std::optional<int> handle(const InputEvent& event, const TaskPointer& pointer);
-  const std::vector<TrialPicture::Choice>& choices() const { return choices_; }
+  const std::vector<TrialLayout::Choice>& choices() const { return choices_; }
 
  private:
   void mark(int index);
 
-  std::vector<TrialPicture::Choice> choices_;
+  std::vector<TrialLayout::Choice> choices_;
   int marked_ = -1;  ///< by arrows
 };
 

@@ -22,7 +22,7 @@ namespace ocelli {
 namespace {
 
 constexpr double kTypicalCountSeconds = 4;
-constexpr int kMostAnswer = 9;  // a digit
+constexpr int kMaxAnswer = 9;  // a digit
 
 struct CountCase {
   std::string label;
@@ -34,8 +34,8 @@ struct CountCase {
 struct CountOptions {
   LandmarkShape shape = LandmarkShape::kSphere;
   std::optional<double> movingMetersPerSecond{};
-  int leastAnswer = 4;
-  int mostAnswer = 7;
+  int minAnswer = 4;
+  int maxAnswer = 7;
   double answerLimitSeconds = 30;
   ComprehensiveOptions comprehensive{};
   PinholeMatrix pinholes{};
@@ -49,8 +49,8 @@ std::vector<LandmarkColor> objectColors() {
   return colors;
 }
 
-std::vector<TrialPicture::View> comprehensiveView(const Maze& maze, const ComprehensiveOptions& options,
-                                                  const PixelRect& stage) {
+std::vector<TrialLayout::View> comprehensiveView(const Maze& maze, const ComprehensiveOptions& options,
+                                                 const PixelRect& stage) {
   const glm::ivec2 size = sizeOf(stage);
   return {{stage, makeComprehensiveCamera(maze, options, size.x, size.y)}};
 }
@@ -111,11 +111,11 @@ class CountBlock : public TaskBlock {
   }
 
   /// Made once for each size of the screen. They may be asked for by several threads.
-  std::shared_ptr<const std::vector<TrialPicture::View>> views(StudyView view, const TrialScreen& screen) const {
+  std::shared_ptr<const std::vector<TrialLayout::View>> views(StudyView view, const TrialScreen& screen) const {
     const std::lock_guard lock(mutex_);
     auto& made = views_[{screen.width, screen.height, view}];
     if (!made) {
-      made = std::make_shared<const std::vector<TrialPicture::View>>(
+      made = std::make_shared<const std::vector<TrialLayout::View>>(
           view == StudyView::kGraph ? comprehensiveView(maze_, options_.comprehensive, stageOf(screen))
                                     : viewsOf(options_.pinholes, maze_, stageOf(screen)));
     }
@@ -128,7 +128,7 @@ class CountBlock : public TaskBlock {
   CountOptions options_;
   std::vector<CountCase> cases_;
   mutable std::mutex mutex_;
-  mutable std::map<std::tuple<int, int, StudyView>, std::shared_ptr<const std::vector<TrialPicture::View>>> views_;
+  mutable std::map<std::tuple<int, int, StudyView>, std::shared_ptr<const std::vector<TrialLayout::View>>> views_;
 };
 
 class CountRun : public TrialRun {
@@ -160,7 +160,7 @@ class CountRun : public TrialRun {
     const std::optional<int> chosen = hiddenAt_ ? choices_.handle(event, pointer_) : std::nullopt;
     pointer_.handle(event);
     if (chosen) {
-      finish(block_.options().leastAnswer + *chosen);
+      finish(block_.options().minAnswer + *chosen);
     }
   }
   void advance() override {
@@ -185,33 +185,33 @@ class CountRun : public TrialRun {
     }
   }
 
-  TrialPicture picture() const override {
-    TrialPicture picture;
-    picture.scene = &scene_;
+  TrialLayout layout() const override {
+    TrialLayout layout;
+    layout.scene = &scene_;
     if (isShowing()) {
       for (size_t i = 0; walk_ && i < walk_->size(); ++i) {
         const glm::vec3 from = block_.maze().centerOf(scene_.maze().landmarks[i].cell);
         const glm::dvec2 to = walk_->place(i);
-        picture.objectOffsets.emplace_back(to.x - static_cast<double>(from.x), 0, to.y - static_cast<double>(from.z));
+        layout.objectOffsets.emplace_back(to.x - static_cast<double>(from.x), 0, to.y - static_cast<double>(from.z));
       }
-      picture.views = *views_;
-      picture.prompt = "Count the objects";
+      layout.views = *views_;
+      layout.prompt = "Count the objects";
     } else {
-      picture.choices = choices_.choices();
-      picture.prompt = "How many objects were there?";
-      picture.pointer = pointer_.place();
+      layout.choices = choices_.choices();
+      layout.prompt = "How many objects were there?";
+      layout.pointer = pointer_.place();
     }
-    return picture;
+    return layout;
   }
   /// No one walks.
   WalkerPose pose() const override { return {}; }
   std::optional<TrialOutcome> outcome() const override { return outcome_; }
 
  private:
-  static std::vector<TrialPicture::Choice> choicesOf(const CountOptions& options, const TrialScreen& screen) {
-    std::vector<TrialPicture::Choice> choices;
-    for (const PixelRect& place : buttonsIn(stageOf(screen), options.mostAnswer - options.leastAnswer + 1)) {
-      const int number = options.leastAnswer + static_cast<int>(choices.size());
+  static std::vector<TrialLayout::Choice> choicesOf(const CountOptions& options, const TrialScreen& screen) {
+    std::vector<TrialLayout::Choice> choices;
+    for (const PixelRect& place : buttonsIn(stageOf(screen), options.maxAnswer - options.minAnswer + 1)) {
+      const int number = options.minAnswer + static_cast<int>(choices.size());
       choices.push_back({place, std::to_string(number), static_cast<Key>(static_cast<int>(Key::k0) + number)});
     }
     return choices;
@@ -236,7 +236,7 @@ class CountRun : public TrialRun {
   const CountBlock& block_;
   int expected_;
   StudyScene scene_;
-  std::shared_ptr<const std::vector<TrialPicture::View>> views_;
+  std::shared_ptr<const std::vector<TrialLayout::View>> views_;
   int64_t exposureFrames_;
   TaskPointer pointer_;
   ChoiceList choices_;
@@ -291,13 +291,13 @@ void checkPlaces(JsonFields& fields, const Maze& maze, const CountOptions& optio
 CountCase readCase(JsonFields& fields, const std::string& label, const CountOptions& options) {
   CountCase of;
   of.label = label;
-  of.objects = fields.integer("objects", 1, kMostAnswer);
+  of.objects = fields.integer("objects", 1, kMaxAnswer);
   of.exposureSeconds = fields.number("exposure_seconds", 0.05, 600);
   of.duplicateColors = fields.boolean("duplicate_colors", false);
-  if (of.objects < options.leastAnswer || of.objects > options.mostAnswer) {
+  if (of.objects < options.minAnswer || of.objects > options.maxAnswer) {
     fields.fail("objects",
                 fmt::format("is {}, but the answers are {} to {}: change \"least_answer\" or \"most_answer\"",
-                            of.objects, options.leastAnswer, options.mostAnswer));
+                            of.objects, options.minAnswer, options.maxAnswer));
   }
   if (static_cast<size_t>(of.objects) > options.places.size()) {
     fields.fail("objects", fmt::format("is {}, but there are {} places: name more in \"places\", or take a larger maze",
@@ -321,9 +321,9 @@ std::shared_ptr<const TaskBlock> readCountTask(JsonFields& fields, const std::st
   CountOptions options;
   options.shape = readObjectLook(fields, false).shape;
   options.movingMetersPerSecond = readMoving(fields);
-  options.leastAnswer = fields.integer("least_answer", 0, kMostAnswer, options.leastAnswer);
-  options.mostAnswer = fields.integer("most_answer", 0, kMostAnswer, options.mostAnswer);
-  if (options.mostAnswer <= options.leastAnswer) {
+  options.minAnswer = fields.integer("least_answer", 0, kMaxAnswer, options.minAnswer);
+  options.maxAnswer = fields.integer("most_answer", 0, kMaxAnswer, options.maxAnswer);
+  if (options.maxAnswer <= options.minAnswer) {
     fields.fail("most_answer", "must be more than \"least_answer\": there is nothing to choose");
   }
   options.answerLimitSeconds = fields.number("answer_limit_seconds", 1, 3600, options.answerLimitSeconds);

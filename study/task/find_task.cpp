@@ -143,15 +143,15 @@ class FindRun : public TrialRun {
   }
   void frameShown() override {}
 
-  TrialPicture picture() const override {
-    TrialPicture picture;
-    picture.scene = &block_.scene();
-    picture.objectOffsets = {block_.offsetTo(place_)};
-    picture.views.push_back({stage_, camera()});
-    picture.prompt = "Find the object and click on it";
-    picture.soughtObject = 0;
-    picture.pointer = pointer_.place();
-    return picture;
+  TrialLayout layout() const override {
+    TrialLayout layout;
+    layout.scene = &block_.scene();
+    layout.objectOffsets = {block_.offsetTo(place_)};
+    layout.views.push_back({stage_, camera()});
+    layout.prompt = "Find the object and click on it";
+    layout.targetObject = 0;
+    layout.pointer = pointer_.place();
+    return layout;
   }
   WalkerPose pose() const override { return walker_.pose(); }
   std::optional<TrialOutcome> outcome() const override { return outcome_; }

@@ -13,7 +13,7 @@ namespace {
 
 /// By which the disc is put farther away than it need be: more than rounding, less than anyone sees.
 constexpr double kMargin = 1e-9;
-constexpr int kMostPushes = 8;
+constexpr int kMaxPushes = 8;
 
 }  // namespace
 
@@ -77,7 +77,7 @@ bool FloorPlan::tryStep(glm::dvec2& place, const glm::dvec2& by) const {
   glm::dvec2 next = place + by;
   Nearest wall = nearest(next);
   const bool touched = wall.distance < radius_;
-  for (int push = 0; push < kMostPushes && wall.distance < radius_ && wall.distance > 0; ++push) {
+  for (int push = 0; push < kMaxPushes && wall.distance < radius_ && wall.distance > 0; ++push) {
     next = wall.point + (next - wall.point) * (radius_ * (1 + kMargin) / wall.distance);
     wall = nearest(next);
   }

@@ -11,7 +11,7 @@
 namespace ocelli {
 namespace {
 
-constexpr int kMostTries = 200;  // to find a path that comes into no cell twice
+constexpr int kMaxTries = 200;  // to find a path that comes into no cell twice
 
 Direction turned(Direction heading, char turn) {
   return turn == 'L' ? leftOf(heading) : rightOf(heading);
@@ -49,12 +49,12 @@ glm::dvec2 groundCenter(const Maze& maze, const MazeCell& cell) {
 /// steps left, of which the next one is on that leg.
 class MazePaths::Counts {
  public:
-  Counts(const Maze& maze, const std::string& turns, int mostSteps)
+  Counts(const Maze& maze, const std::string& turns, int maxSteps)
       : maze_(maze),
         turns_(turns),
         perStep_((turns.size() + 1) * maze.cellCount() * 4),
-        counts_(perStep_ * (static_cast<size_t>(mostSteps) + 1), 0) {
-    for (int steps = 1; steps <= mostSteps; ++steps) {
+        counts_(perStep_ * (static_cast<size_t>(maxSteps) + 1), 0) {
+    for (int steps = 1; steps <= maxSteps; ++steps) {
       for (size_t leg = 0; leg <= turns.size(); ++leg) {
         for (int row = 0; row < maze.rows(); ++row) {
           for (int column = 0; column < maze.columns(); ++column) {
@@ -99,10 +99,10 @@ std::optional<MazePath> MazePaths::random(const std::string& turns, Random& rand
     int steps;
     double until;  ///< counts of this one and all before
   };
-  const Counts counts(maze_, turns, mostSteps_);
+  const Counts counts(maze_, turns, maxSteps_);
   std::vector<Begin> begins;
   double all = 0;
-  for (int steps = leastSteps_; steps <= mostSteps_; ++steps) {
+  for (int steps = minSteps_; steps <= maxSteps_; ++steps) {
     for (int row = 0; row < maze_.rows(); ++row) {
       for (int column = 0; column < maze_.columns(); ++column) {
         for (const Direction heading : kDirections) {
@@ -120,7 +120,7 @@ std::optional<MazePath> MazePaths::random(const std::string& turns, Random& rand
   }
   const auto share = [&] { return static_cast<double>(random.next() >> 11) * 0x1p-53; };
   MazePath path;
-  for (int tries = 0; tries < kMostTries; ++tries) {
+  for (int tries = 0; tries < kMaxTries; ++tries) {
     const double drawn = share() * all;
     const auto begin = std::min(std::upper_bound(begins.begin(), begins.end(), drawn,
                                                  [](double value, const Begin& each) { return value < each.until; }),

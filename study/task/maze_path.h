@@ -22,9 +22,9 @@ struct MazePath {
   std::string turns{};      ///< "LRRLR"
 };
 
-/// Of 1 to kMostPathTurns turns.
-inline constexpr int kMostPathTurns = 6;
-inline constexpr size_t kMostPathCells = 400;  ///< of the maze
+/// Of 1 to kMaxPathTurns turns.
+inline constexpr int kMaxPathTurns = 6;
+inline constexpr size_t kMaxPathCells = 400;  ///< of the maze
 
 /// (x, z).
 glm::dvec2 groundCenter(const Maze& maze, const MazeCell& cell);
@@ -32,8 +32,7 @@ glm::dvec2 groundCenter(const Maze& maze, const MazeCell& cell);
 class MazePaths {
  public:
   /// Paths of that many steps. `maze` must outlive it.
-  MazePaths(const Maze& maze, int leastSteps, int mostSteps)
-      : maze_(maze), leastSteps_(leastSteps), mostSteps_(mostSteps) {}
+  MazePaths(const Maze& maze, int minSteps, int maxSteps) : maze_(maze), minSteps_(minSteps), maxSteps_(maxSteps) {}
 
   /// A path with these turns; nothing where there is none.
   std::optional<MazePath> random(const std::string& turns, Random& random) const;
@@ -45,8 +44,8 @@ class MazePaths {
   class Counts;
 
   const Maze& maze_;
-  int leastSteps_;
-  int mostSteps_;
+  int minSteps_;
+  int maxSteps_;
 };
 
 /// The corners of a path, from the start to the end, in metres: x to the right of the first heading, y back from it, as

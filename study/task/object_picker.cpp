@@ -12,7 +12,7 @@ namespace {
 /// By which a ray ends before the object, metres: what it stands on is no wall before it.
 constexpr double kBefore = 1e-3;
 /// Tolerances of more pixels than that are looked at in larger steps.
-constexpr int kMostSteps = 20;
+constexpr int kMaxSteps = 20;
 
 /// Along from `from` to `to`, 0 to 1, to where the triangle is met; nothing where it is not.
 std::optional<double> meeting(const glm::dvec3& from, const glm::dvec3& way, const glm::dvec3& a, const glm::dvec3& b,
@@ -91,7 +91,7 @@ bool ObjectPicker::isUnder(const StudyCamera& camera, const glm::dvec2& pixel, d
                  isOnRay(model.rayPath(glm::vec2(at)), object, offset);
         };
         // The middles of the pixels around, as they are drawn: an object seen through a gap may be one pixel wide.
-        const int step = std::max(1, static_cast<int>(tolerancePixels / kMostSteps));
+        const int step = std::max(1, static_cast<int>(tolerancePixels / kMaxSteps));
         const int reach = static_cast<int>(tolerancePixels) / step + 1;
         const glm::dvec2 middle = glm::floor(pixel) + 0.5;
         bool found = isAt(pixel);

@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 #include <memory>
 
-#include "study/task/trial_picture.h"
+#include "study/task/trial_layout.h"
 
 namespace ocelli {
 

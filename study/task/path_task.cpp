@@ -23,8 +23,8 @@ constexpr int kMaxWalkSteps = 400;
 
 struct PathOptions {
   int turns = 5;
-  double leastSeconds = 20;
-  double mostSeconds = 40;
+  double minSeconds = 20;
+  double maxSeconds = 40;
   PathWalk::Speed speed{};
   int maps = 3;
   double answerLimitSeconds = 60;
@@ -41,7 +41,7 @@ StepRange stepsOf(const PathOptions& options, const Maze& maze) {
   StepRange range{kMaxWalkSteps + 1, 0};
   for (int steps = options.turns + 1; steps <= kMaxWalkSteps; ++steps) {
     const double seconds = PathWalk::secondsOf(steps, options.turns, maze, options.speed);
-    if (seconds >= options.leastSeconds && seconds <= options.mostSeconds) {
+    if (seconds >= options.minSeconds && seconds <= options.maxSeconds) {
       range = {std::min(range.least, steps), steps};
     }
   }
@@ -72,9 +72,9 @@ class PathBlock : public TaskBlock {
     OC_CHECK(caseIndex >= 0 && caseIndex < caseCount(), "a trial is of a case of its block");
     CaseInfo info;
     info.label = labels_[static_cast<size_t>(caseIndex)];
-    info.longestSeconds = options_.mostSeconds + options_.answerLimitSeconds;
+    info.longestSeconds = options_.maxSeconds + options_.answerLimitSeconds;
     info.typicalSeconds =
-        (options_.leastSeconds + options_.mostSeconds) / 2 + std::min(kTypicalPathSeconds, options_.answerLimitSeconds);
+        (options_.minSeconds + options_.maxSeconds) / 2 + std::min(kTypicalPathSeconds, options_.answerLimitSeconds);
     return info;
   }
   std::string answerOf(const TrialPlan& plan) const override {
@@ -148,24 +148,24 @@ class PathRun : public TrialRun {
   }
   void frameShown() override {}
 
-  TrialPicture picture() const override {
-    TrialPicture picture;
-    picture.scene = &block_.scene();
+  TrialLayout layout() const override {
+    TrialLayout layout;
+    layout.scene = &block_.scene();
     if (isWalking()) {
-      picture.views.push_back({stage_, block_.camera().at(pose(), view_, sizeOf(stage_))});
-      picture.prompt = "Watch the path";
-      return picture;
+      layout.views.push_back({stage_, block_.camera().at(pose(), view_, sizeOf(stage_))});
+      layout.prompt = "Watch the path";
+      return layout;
     }
-    picture.prompt = "Which path was it?";
-    picture.choices = choices_.choices();
-    picture.pointer = pointer_.place();
+    layout.prompt = "Which path was it?";
+    layout.choices = choices_.choices();
+    layout.pointer = pointer_.place();
     for (size_t i = 0; i < item_.paths.size(); ++i) {
-      PixelRect place = picture.choices[i].place;
+      PixelRect place = layout.choices[i].place;
       place.top = place.bottom() - place.width;  // its key is named above
       place.height = place.width;
-      picture.maps.push_back({place, mapOf(item_.paths[i], block_.maze())});
+      layout.maps.push_back({place, mapOf(item_.paths[i], block_.maze())});
     }
-    return picture;
+    return layout;
   }
   WalkerPose pose() const override {
     return walk_.at(static_cast<double>(std::min(tick_, walkTicks_)) / static_cast<double>(kTicksPerSecond));
@@ -173,7 +173,7 @@ class PathRun : public TrialRun {
   std::optional<TrialOutcome> outcome() const override { return outcome_; }
 
  private:
-  static std::vector<TrialPicture::Choice> choicesOf(const PixelRect& stage, int count) {
+  static std::vector<TrialLayout::Choice> choicesOf(const PixelRect& stage, int count) {
     constexpr double kSpace = 0.1;  // of a map, between them
     constexpr double kLabel = 0.2;  // of a map, above it
     const double side =
@@ -182,7 +182,7 @@ class PathRun : public TrialRun {
     const double height = std::floor((1 + kLabel) * side);
     const double left = stage.left + std::floor((stage.width - count * side - (count - 1) * space) / 2);
     const double top = stage.top + std::floor((stage.height - height) / 2);
-    std::vector<TrialPicture::Choice> choices;
+    std::vector<TrialLayout::Choice> choices;
     for (int i = 0; i < count; ++i) {
       choices.push_back({{left + i * (side + space), top, side, height},
                          std::to_string(i + 1),
@@ -228,15 +228,15 @@ std::unique_ptr<TrialRun> PathBlock::start(const TrialPlan& plan, const TrialScr
 std::shared_ptr<const TaskBlock> readPathTask(JsonFields& fields, const std::string& caseField,
                                               const TaskSetting& setting) {
   const Maze& maze = readMazeOf(fields, setting);
-  if (maze.cellCount() > kMostPathCells) {
+  if (maze.cellCount() > kMaxPathCells) {
     fields.fail("maze", fmt::format("has {} cells, but paths are drawn from mazes of {} at most", maze.cellCount(),
-                                    kMostPathCells));
+                                    kMaxPathCells));
   }
   PathOptions options;
-  options.turns = fields.integer("turns", 1, kMostPathTurns, options.turns);
-  options.leastSeconds = fields.number("least_seconds", 1, 600, options.leastSeconds);
-  options.mostSeconds = fields.number("most_seconds", 1, 600, options.mostSeconds);
-  if (options.mostSeconds < options.leastSeconds) {
+  options.turns = fields.integer("turns", 1, kMaxPathTurns, options.turns);
+  options.minSeconds = fields.number("least_seconds", 1, 600, options.minSeconds);
+  options.maxSeconds = fields.number("most_seconds", 1, 600, options.maxSeconds);
+  if (options.maxSeconds < options.minSeconds) {
     fields.fail("most_seconds", "is less than \"least_seconds\"");
   }
   options.speed.metersPerSecond = fields.number("meters_per_second", 0.1, 20, setting.controls.walkMetersPerSecond);
@@ -254,8 +254,8 @@ std::shared_ptr<const TaskBlock> readPathTask(JsonFields& fields, const std::str
     throw InputError(
         fmt::format("at {:g} m/s no path of {} turns lasts {:g} to {:g} s in cells of {:g} m: the shortest "
                     "lasts {:.1f} s",
-                    options.speed.metersPerSecond, options.turns, options.leastSeconds, options.mostSeconds,
-                    maze.cellSize, PathWalk::secondsOf(options.turns + 1, options.turns, maze, options.speed)),
+                    options.speed.metersPerSecond, options.turns, options.minSeconds, options.maxSeconds, maze.cellSize,
+                    PathWalk::secondsOf(options.turns + 1, options.turns, maze, options.speed)),
         fields.where(), next);
   }
   auto block = std::make_shared<PathBlock>(maze, setting.controls, options, steps, std::move(labels));
@@ -264,7 +264,7 @@ std::shared_ptr<const TaskBlock> readPathTask(JsonFields& fields, const std::str
         fmt::format(
             "at {:g} m/s a path of {} turns lasts {:g} to {:g} s where it has {} to {} steps from cell to cell; "
             "in this maze such paths have {} different sequences of turns, and {} are to be shown",
-            options.speed.metersPerSecond, options.turns, options.leastSeconds, options.mostSeconds, steps.least,
+            options.speed.metersPerSecond, options.turns, options.minSeconds, options.maxSeconds, steps.least,
             steps.most, block->sequences().size(), options.maps),
         fields.where(), next);
   }

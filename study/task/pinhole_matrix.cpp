@@ -63,9 +63,9 @@ PinholeMatrix readPinholeMatrix(JsonFields& fields, const Maze& maze) {
   return matrix;
 }
 
-std::vector<TrialPicture::View> viewsOf(const PinholeMatrix& matrix, const Maze& maze, const PixelRect& area) {
+std::vector<TrialLayout::View> viewsOf(const PinholeMatrix& matrix, const Maze& maze, const PixelRect& area) {
   const std::vector<PixelRect> places = gridOf(area, matrix.rows, matrix.columns, kGap);
-  std::vector<TrialPicture::View> views;
+  std::vector<TrialLayout::View> views;
   for (size_t i = 0; i < matrix.views.size(); ++i) {
     const MatrixView& of = matrix.views[i];
     const glm::ivec2 size = sizeOf(places[i]);

@@ -1,9 +1,9 @@
 // Tasks of a study (section 7.3): what a subject is asked to do in a trial.
 //
 // A TaskBlock is what a block of a protocol says of its task: the cases, such as where the object stands, and how long
-// they last. A TrialRun is one trial as it runs: input goes in, pictures come out, and in the end an outcome. It knows
+// they last. A TrialRun is one trial as it runs: input goes in, layouts come out, and in the end an outcome. It knows
 // neither windows nor clocks nor files: time passes in ticks, so the same input at the same ticks gives the same poses,
-// pictures and outcome, bit by bit, whether a person, a simulated subject or a log gives it.
+// layouts and outcome, bit by bit, whether a person, a simulated subject or a log gives it.
 //
 // Recipe for a new task, three places:
 //   1. study/task/NAME_task.h and .cpp: a TaskBlock with a function that reads it from the fields of a block, and a
@@ -24,7 +24,7 @@
 
 #include "oc_core/base/input_event.h"
 #include "study/task/controls.h"
-#include "study/task/trial_picture.h"
+#include "study/task/trial_layout.h"
 #include "study/task/trial_plan.h"
 
 namespace ocelli {
@@ -77,10 +77,10 @@ class TrialRun {
   virtual void handle(const InputEvent& event) = 0;
   /// A tick passes. Nothing happens any more once there is an outcome.
   virtual void advance() = 0;
-  /// The picture has been shown for one frame.
+  /// The layout has been shown for one frame.
   virtual void frameShown() = 0;
 
-  virtual TrialPicture picture() const = 0;
+  virtual TrialLayout layout() const = 0;
   virtual WalkerPose pose() const = 0;
   /// Once the trial is over.
   virtual std::optional<TrialOutcome> outcome() const = 0;

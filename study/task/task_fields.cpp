@@ -14,7 +14,7 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kMostCases = 1000;
+constexpr size_t kMaxCases = 1000;
 
 template <class Choice, size_t kCount>
 Choice readChoice(JsonFields& fields, const char* name, const std::array<Choice, kCount>& choices, Choice otherwise) {
@@ -105,8 +105,8 @@ std::optional<double> readMoving(JsonFields& fields) {
 void readCases(JsonFields& fields, const std::string& caseField,
                const std::function<void(JsonFields& fields, const std::string& label)>& read) {
   const nlohmann::json& list = fields.value(caseField);
-  if (!list.is_array() || list.empty() || list.size() > kMostCases) {
-    fields.fail(caseField, fmt::format("must be a list of 1 to {} cases", kMostCases));
+  if (!list.is_array() || list.empty() || list.size() > kMaxCases) {
+    fields.fail(caseField, fmt::format("must be a list of 1 to {} cases", kMaxCases));
   }
   std::set<std::string> labels;
   for (size_t i = 0; i < list.size(); ++i) {

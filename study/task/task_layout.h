@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "study/task/trial_picture.h"
+#include "study/task/trial_layout.h"
 
 namespace ocelli {
 

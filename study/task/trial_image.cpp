@@ -14,21 +14,21 @@ FragmentImage rasterizeStudy(const StudyCamera& camera, const Mesh& mesh) {
   return std::visit([&](const auto& each) { return rasterize(each, mesh); }, camera);
 }
 
-Mesh meshOf(const TrialPicture& picture) {
-  OC_CHECK(picture.scene != nullptr, "only pictures of a scene have a mesh");
-  Mesh mesh = picture.scene->mesh();
-  picture.scene->moveObjects(mesh, picture.objectOffsets);
+Mesh meshOf(const TrialLayout& layout) {
+  OC_CHECK(layout.scene != nullptr, "only images of a scene have a mesh");
+  Mesh mesh = layout.scene->mesh();
+  layout.scene->moveObjects(mesh, layout.objectOffsets);
   return mesh;
 }
 
-Image<Rgb8> viewsOf(const TrialPicture& picture, const TrialScreen& screen, const StudyDrawer& drawer) {
+Image<Rgb8> viewsOf(const TrialLayout& layout, const TrialScreen& screen, const StudyRenderer& renderer) {
   Image<Rgb8> pixels(screen.width, screen.height, Rgb8(0));
-  if (picture.views.empty()) {
+  if (layout.views.empty()) {
     return pixels;
   }
-  const Mesh mesh = meshOf(picture);
-  for (const TrialPicture::View& view : picture.views) {
-    const Image<Rgb8> image = srgbFromLinear(colorImage(drawer(view.camera, mesh), mesh, skyColor()));
+  const Mesh mesh = meshOf(layout);
+  for (const TrialLayout::View& view : layout.views) {
+    const Image<Rgb8> image = srgbFromLinear(colorImage(renderer(view.camera, mesh), mesh, skyColor()));
     const int left = static_cast<int>(std::lround(view.place.left));
     const int top = static_cast<int>(std::lround(view.place.top));
     for (int y = std::max(0, -top); y < std::min(image.height(), screen.height - top); ++y) {

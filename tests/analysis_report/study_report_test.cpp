@@ -302,25 +302,24 @@ TEST_F(StudyReport, familiesAreCorrectedByHolmsMethodWhereThePlanSaysSo) {
   ASSERT_GE(tests.size(), 3u);
   std::sort(tests.begin(), tests.end());
   std::vector<double> adjusted;
-  size_t mostLifted = 0;
+  size_t maxLifted = 0;
   for (size_t i = 0; i < tests.size(); ++i) {
     adjusted.push_back(
         std::max(i > 0 ? adjusted[i - 1] : 0.0, std::min(1.0, static_cast<double>(tests.size() - i) * tests[i].first)));
     EXPECT_NEAR(valueIn(report, "family-all", tests[i].second, "Adjusted p").value_or(NAN), adjusted[i], 1e-12);
     const bool isLevel = tests[i].first + adjusted[i] < 1;  // half of it is one
-    mostLifted =
-        isLevel && adjusted[i] - tests[i].first > adjusted[mostLifted] - tests[mostLifted].first ? i : mostLifted;
+    maxLifted = isLevel && adjusted[i] - tests[i].first > adjusted[maxLifted] - tests[maxLifted].first ? i : maxLifted;
   }
   // At a level that the correction lifts one p value above, the corrected one decides.
-  plan.alpha = (tests[mostLifted].first + adjusted[mostLifted]) / 2;
-  ASSERT_LT(tests[mostLifted].first, plan.alpha);
+  plan.alpha = (tests[maxLifted].first + adjusted[maxLifted]) / 2;
+  ASSERT_LT(tests[maxLifted].first, plan.alpha);
   report = reportOfMade({}, plan);
   for (const auto& [family, result] :
        {std::pair("family-all", "not supported"), std::pair("family-raw", "supported")}) {
     const nlohmann::json table = elementOf(report, family);
     int rows = 0;
     for (const nlohmann::json& row : table["rows"]) {
-      if (row[0]["short_name"] == tests[mostLifted].second) {
+      if (row[0]["short_name"] == tests[maxLifted].second) {
         EXPECT_EQ(row.back()["text"], result);
         ++rows;
       }

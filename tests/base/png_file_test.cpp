@@ -81,7 +81,7 @@ TEST(PngFile, RejectsMissingEmptyAndForeignFiles) {
   const test::TemporaryFolder folder;
   EXPECT_THROW(readPng(folder / "missing.png"), InputError);
   EXPECT_THROW(readPng(folder.write("empty.png", "")), InputError);
-  EXPECT_THROW(readPng(folder.write("text.png", "this is no picture at all, only words")), InputError);
+  EXPECT_THROW(readPng(folder.write("text.png", "this is no image at all, only words")), InputError);
   EXPECT_THROW(readPng(folder.path()), InputError);
 }
 

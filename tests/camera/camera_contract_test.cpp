@@ -208,20 +208,20 @@ struct LimitedGraph : Graph {
 };
 
 struct CurvedRays : Graph {
-  static CurvedRayCamera make() { return test::turningTwice(); }
+  static CurvedRayCamera make() { return test::bendingTwice(); }
   static CurvedRayCamera undistorted() {
     CurvedRayCamera straight(smallCamera());
-    straight.turn(test::rightTurn(), {0, 0, 10});
+    straight.bend(test::rightTurn(), {0, 0, 10});
     return straight;
   }
 };
 
 /// The same along polynomial arcs.
 struct BezierRays : Graph {
-  static CurvedRayCamera make() { return test::turningTwice(smallCamera(), ArcModel::kBezier); }
+  static CurvedRayCamera make() { return test::bendingTwice(smallCamera(), ArcModel::kBezier); }
   static CurvedRayCamera undistorted() {
     CurvedRayCamera straight(smallCamera(), ArcModel::kBezier);
-    straight.turn(test::rightTurn(), {0, 0, 10});
+    straight.bend(test::rightTurn(), {0, 0, 10});
     return straight;
   }
 };

@@ -198,7 +198,7 @@ std::optional<ExactImagePoint> imageIn(const CurvedRayCamera& camera, const glm:
 
 /// The first of the planes that turns begin and end with that two points are on different sides of.
 const Plane* planeBetween(const CurvedRayCamera& camera, const glm::dvec3& a, const glm::dvec3& b) {
-  for (const RayTransition& turn : camera.turns()) {
+  for (const RayTransition& turn : camera.bends()) {
     for (const Plane* plane : {&turn.planes().from, &turn.planes().to}) {
       if ((plane->height(a) < 0) != (plane->height(b) < 0)) {
         return plane;
@@ -216,7 +216,7 @@ TEST(Continuity, ofCurvedRayCameras) {
   double worstRest = 0;
   for (int k = 0; k < 40; ++k) {
     const CurvedRayCamera camera = randomCurved(numbers, 1 + k % 8);
-    const double farthest = 15 + 5 * static_cast<double>(camera.turns().size());
+    const double farthest = 15 + 5 * static_cast<double>(camera.bends().size());
     for (int path = 0; path < 5; ++path) {
       const Path way(numbers, camera, farthest);
       for (int step = 0; step < kSteps; ++step) {
@@ -261,12 +261,12 @@ TEST(Continuity, raysOfCurvedRayCamerasHaveNoCorners) {
   size_t most = 0;
   for (int k = 0; k < 100; ++k) {
     const CurvedRayCamera camera = randomCurved(numbers, 1 + k % 8);
-    most = std::max(most, camera.turns().size());
+    most = std::max(most, camera.bends().size());
     for (int ray = 0; ray < 20; ++ray) {
       const double u = numbers.between(0, camera.width());
       const double v = numbers.between(0, camera.height());
       const auto at = [&](double z) { return *camera.unprojectExactly({u, v, z}); };
-      for (const RayTransition& turn : camera.turns()) {
+      for (const RayTransition& turn : camera.bends()) {
         for (const Plane* plane : {&turn.planes().from, &turn.planes().to}) {
           // Where the ray crosses the plane; before that it is before it.
           double before = 0.02;
@@ -300,7 +300,7 @@ TEST(Continuity, raysOfCurvedRayCamerasDoNotCross) {
     for (int pair = 0; pair < 500; ++pair) {
       const glm::dvec2 a(numbers.between(0, camera.width()), numbers.between(0, camera.height()));
       const glm::dvec2 b(numbers.between(0, camera.width()), numbers.between(0, camera.height()));
-      const double z = numbers.between(5, 15 + 5 * static_cast<double>(camera.turns().size()));
+      const double z = numbers.between(5, 15 + 5 * static_cast<double>(camera.bends().size()));
       const glm::dvec3 point = *camera.unprojectExactly({a.x, a.y, z});
       const auto q = camera.projectExactly(point);
       ASSERT_TRUE(q);

@@ -9,19 +9,19 @@
 namespace ocelli {
 namespace {
 
+using test::bendingTwice;
 using test::InverseErrors;
 using test::Numbers;
 using test::planesThrough;
 using test::rightTurn;
 using test::smallCamera;
-using test::turningRight;
-using test::turningTwice;
+using test::bendingRight;
 using test::worstInverse;
 using testing::HasSubstr;
 
-std::string messageOfTurn(const TransitionPlanes& planes, const glm::dvec3& viewpoint) {
+std::string messageOfBend(const TransitionPlanes& planes, const glm::dvec3& viewpoint) {
   try {
-    CurvedRayCamera(smallCamera()).turn(planes, viewpoint);
+    CurvedRayCamera(smallCamera()).bend(planes, viewpoint);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -36,10 +36,10 @@ glm::dvec3 meet(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, c
 
 TEST(CurvedRayCamera, projectionAndRaysAreInverse) {
   for (const CurvedRayCamera& camera :
-       {turningRight(), turningTwice(), turningTwice(PinholeCamera(View{}, 1920, 1200))}) {
+       {bendingRight(), bendingTwice(), bendingTwice(PinholeCamera(View{}, 1920, 1200))}) {
     size_t inTurns = 0;
     const InverseErrors worst = worstInverse(camera, [&](const glm::dvec3& point) {
-      const TransitionPlanes& planes = camera.turns()[0].planes();
+      const TransitionPlanes& planes = camera.bends()[0].planes();
       inTurns += planes.from.height(point) > 0 && planes.to.height(point) < 0;
     });
     EXPECT_GT(inTurns, 50000u);
@@ -50,8 +50,8 @@ TEST(CurvedRayCamera, projectionAndRaysAreInverse) {
 
 // The five steps of section 4.2.2.1, as the text has them.
 TEST(CurvedRayCamera, projectsAsTheTextDoes) {
-  const CurvedRayCamera camera = turningRight();
-  const RayTransition& turn = camera.turns()[0];
+  const CurvedRayCamera camera = bendingRight();
+  const RayTransition& turn = camera.bends()[0];
   const glm::dvec3 c0 = turn.before();
   const glm::dvec3 c1 = turn.beyond();
   Numbers numbers;
@@ -98,8 +98,8 @@ TEST(CurvedRayCamera, projectsAsTheTextDoes) {
 }
 
 TEST(CurvedRayCamera, raysAreSmoothAtBothEndsOfATurn) {
-  const CurvedRayCamera camera = turningRight();
-  const RayTransition& turn = camera.turns()[0];
+  const CurvedRayCamera camera = bendingRight();
+  const RayTransition& turn = camera.bends()[0];
   for (double v = 0; v <= camera.height(); v += 5) {
     for (double u = 0; u <= camera.width(); u += 5) {
       const glm::dvec3 s = turn.planes().middle.crossing(turn.before(), *camera.unprojectExactly({u, v, 1}));
@@ -119,8 +119,8 @@ TEST(CurvedRayCamera, raysAreSmoothAtBothEndsOfATurn) {
 
 // The ray of the border is the Bezier arc of Equation 4.1; the others are nearly.
 TEST(CurvedRayCamera, arcsAreNearlyThoseOfTheUnmodifiedModel) {
-  const CurvedRayCamera camera = turningRight();
-  const RayTransition& turn = camera.turns()[0];
+  const CurvedRayCamera camera = bendingRight();
+  const RayTransition& turn = camera.bends()[0];
   for (double u = 0; u <= camera.width(); u += 5) {
     const glm::dvec3 s = turn.planes().middle.crossing(turn.before(), *camera.unprojectExactly({u, 30, 1}));
     const RayTransition::Arc arc = turn.arcThrough(s);
@@ -133,13 +133,13 @@ TEST(CurvedRayCamera, arcsAreNearlyThoseOfTheUnmodifiedModel) {
 
 // The text's first model: every ray is the arc of Equation 4.1, and its projection undoes that.
 TEST(CurvedRayCamera, bezierArcsAreThoseOfTheEquation) {
-  const CurvedRayCamera camera = test::turningTwice(test::smallCamera(), ArcModel::kBezier);
-  const CurvedRayCamera conic = test::turningTwice();
+  const CurvedRayCamera camera = test::bendingTwice(test::smallCamera(), ArcModel::kBezier);
+  const CurvedRayCamera conic = test::bendingTwice();
   Numbers numbers;
   double farthest = 0;
   for (int i = 0; i < 20000; ++i) {
     const glm::dvec2 pixel(numbers.between(0, 90), numbers.between(0, 60));
-    const RayTransition& turn = camera.turns()[0];
+    const RayTransition& turn = camera.bends()[0];
     const glm::dvec3 s = turn.planes().middle.crossing(turn.before(), *camera.unprojectExactly({pixel.x, pixel.y, 1}));
     const RayTransition::Arc arc = turn.arcThrough(s);
     const double at = numbers.between(0, 1);
@@ -158,7 +158,7 @@ TEST(CurvedRayCamera, bezierArcsAreThoseOfTheEquation) {
 
 // Two rays come no nearer to each other in a turn than a share of what they are apart where it begins.
 TEST(CurvedRayCamera, raysDoNotCross) {
-  for (const CurvedRayCamera& camera : {turningRight(), turningTwice()}) {
+  for (const CurvedRayCamera& camera : {bendingRight(), bendingTwice()}) {
     Numbers numbers;
     for (int pair = 0; pair < 100000; ++pair) {
       const glm::dvec2 a(numbers.between(0, camera.width()), numbers.between(0, camera.height()));
@@ -174,10 +174,10 @@ TEST(CurvedRayCamera, raysDoNotCross) {
   }
 }
 
-TEST(CurvedRayCamera, withoutATurnItIsThePinhole) {
+TEST(CurvedRayCamera, withoutABendItIsThePinhole) {
   const PinholeCamera pinhole = smallCamera();
   CurvedRayCamera straight(pinhole);
-  straight.turn(rightTurn(), glm::dvec3(0, 0, 10));
+  straight.bend(rightTurn(), glm::dvec3(0, 0, 10));
   Numbers numbers;
   for (const CurvedRayCamera& camera : {CurvedRayCamera(pinhole), straight}) {
     for (int i = 0; i < 10000; ++i) {
@@ -193,7 +193,7 @@ TEST(CurvedRayCamera, withoutATurnItIsThePinhole) {
 }
 
 TEST(CurvedRayCamera, seesNothingFarBeyondTheBorders) {
-  EXPECT_FALSE(turningRight().unprojectExactly({10, 3e160, 15})) << "where rays have no coordinates";
+  EXPECT_FALSE(bendingRight().unprojectExactly({10, 3e160, 15})) << "where rays have no coordinates";
 }
 
 // A turn may end behind zFar; rays do not run back to there.
@@ -201,7 +201,7 @@ TEST(CurvedRayCamera, raysNeverRunBack) {
   View view;
   view.zFar = 10.5f;
   CurvedRayCamera camera(PinholeCamera(view, 90, 60));
-  camera.turn(rightTurn(), {-2, 0, 6});
+  camera.bend(rightTurn(), {-2, 0, 6});
   const RayPath path = camera.rayPath({10, 30});
   for (size_t i = 2; i < path.size(); ++i) {
     EXPECT_GE(glm::dot(path[i] - path[i - 1], path[i - 1] - path[i - 2]), 0.0f) << i;
@@ -209,33 +209,33 @@ TEST(CurvedRayCamera, raysNeverRunBack) {
 }
 
 TEST(CurvedRayCamera, refusesWhatCannotBe) {
-  EXPECT_THAT(messageOfTurn({Plane::through({4, 0, 0}, {-0.25, 0, -1}), Plane::through({4, 0, 0}, {0, 0.3, -1}),
+  EXPECT_THAT(messageOfBend({Plane::through({4, 0, 0}, {-0.25, 0, -1}), Plane::through({4, 0, 0}, {0, 0.3, -1}),
                              Plane::through({4, 0, 0}, {0.25, 0, -1})},
                             {-2, 0, 6}),
               HasSubstr("turn 1: its planes do not meet in a line"));
-  EXPECT_THAT(messageOfTurn({Plane::through({4, 0, 0}, {-0.25, 0, -1}), Plane::through({4, 0, 1}, {0, 0, -1}),
+  EXPECT_THAT(messageOfBend({Plane::through({4, 0, 0}, {-0.25, 0, -1}), Plane::through({4, 0, 1}, {0, 0, -1}),
                              Plane::through({4, 0, 0}, {0.25, 0, -1})},
                             {-2, 0, 6}),
               HasSubstr("do not meet in a line"));
-  EXPECT_THAT(messageOfTurn({Plane::through({0, 0, 1}, {0, 0, -1}), Plane::through({0, 0, 0}, {0, 0, -1}),
+  EXPECT_THAT(messageOfBend({Plane::through({0, 0, 1}, {0, 0, -1}), Plane::through({0, 0, 0}, {0, 0, -1}),
                              Plane::through({0, 0, -1}, {0, 0, -1})},
                             {-2, 0, 6}),
               HasSubstr("parallel"));
-  EXPECT_THAT(messageOfTurn({{{0, 0, 2}, 0}, {{0, 0, 1}, 0}, {{0, 0, 1}, 0}}, {0, 0, 5}), HasSubstr("not finite"));
-  EXPECT_THAT(messageOfTurn({{{0, 0, 1}, NAN}, {{0, 0, 1}, 0}, {{0, 0, 1}, 0}}, {0, 0, 5}), HasSubstr("not finite"));
-  EXPECT_THAT(messageOfTurn(rightTurn(), {-2, 0, -6}), HasSubstr("viewpoint does not lie before"));
-  EXPECT_THAT(messageOfTurn(rightTurn(), {-2, NAN, 6}), HasSubstr("viewpoint"));
-  EXPECT_THAT(messageOfTurn(rightTurn(), {-2, 1e40, 6}), HasSubstr("too far away for single precision"));
-  EXPECT_THAT(messageOfTurn(planesThrough({4, 0, 20}, {-0.25, 0, -1}, {0, 0, -1}, {0.25, 0, -1}), {0, 0, 30}),
+  EXPECT_THAT(messageOfBend({{{0, 0, 2}, 0}, {{0, 0, 1}, 0}, {{0, 0, 1}, 0}}, {0, 0, 5}), HasSubstr("not finite"));
+  EXPECT_THAT(messageOfBend({{{0, 0, 1}, NAN}, {{0, 0, 1}, 0}, {{0, 0, 1}, 0}}, {0, 0, 5}), HasSubstr("not finite"));
+  EXPECT_THAT(messageOfBend(rightTurn(), {-2, 0, -6}), HasSubstr("viewpoint does not lie before"));
+  EXPECT_THAT(messageOfBend(rightTurn(), {-2, NAN, 6}), HasSubstr("viewpoint"));
+  EXPECT_THAT(messageOfBend(rightTurn(), {-2, 1e40, 6}), HasSubstr("too far away for single precision"));
+  EXPECT_THAT(messageOfBend(planesThrough({4, 0, 20}, {-0.25, 0, -1}, {0, 0, -1}, {0.25, 0, -1}), {0, 0, 30}),
               HasSubstr("not every ray"))
       << "behind the eye";
-  EXPECT_THAT(messageOfTurn(planesThrough({0.2, 0, 0}, {-0.25, 0, -1}, {0, 0, -1}, {0.25, 0, -1}), {-2, 0, 6}),
+  EXPECT_THAT(messageOfBend(planesThrough({0.2, 0, 0}, {-0.25, 0, -1}, {0, 0, -1}, {0.25, 0, -1}), {-2, 0, 6}),
               HasSubstr("not every ray"))
       << "the line runs through the image";
-  EXPECT_THAT(messageOfTurn(rightTurn(), {0, 2, 10}), HasSubstr("along the line where its planes meet"));
-  CurvedRayCamera camera = turningRight();
-  EXPECT_THROW(camera.turn(rightTurn(), {-2, 0, 6}), InputError) << "before the turn that is there already";
-  EXPECT_EQ(camera.turns().size(), 1u);
+  EXPECT_THAT(messageOfBend(rightTurn(), {0, 2, 10}), HasSubstr("along the line where its planes meet"));
+  CurvedRayCamera camera = bendingRight();
+  EXPECT_THROW(camera.bend(rightTurn(), {-2, 0, 6}), InputError) << "before the turn that is there already";
+  EXPECT_EQ(camera.bends().size(), 1u);
 }
 
 }  // namespace

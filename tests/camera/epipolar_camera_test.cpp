@@ -49,10 +49,10 @@ TEST(EpipolarCamera, projectsAsDerivedByHand) {
   EXPECT_NEAR(columnOf(camera, 30, 11), 30, kRounding);
   EXPECT_NEAR(columnOf(camera, 45, 9), 45, kRounding);
   EXPECT_NEAR(columnOf(camera, 60, 11), 70, kRounding);
-  // In the shadow, beyond z_f: as L would see it, in the added columns.
+  // In the disocclusion, beyond z_f: as L would see it, in the added columns.
   const double inverseFar = 1 / 9.0 - 10 / disparity;
   EXPECT_NEAR(columnOf(camera, 45, 1 / inverseFar + 0.5), 55, kRounding);
-  // In the shadow, before z_f: along the ray of R.
+  // In the disocclusion, before z_f: along the ray of R.
   const double w = 0.5 * (1 / 9.0 + inverseFar);
   EXPECT_NEAR(columnOf(camera, 49, 1 / w), 49 + 10 - disparity * (w - inverseFar), kRounding);
   // Behind the occluder, but no viewpoint of the segment sees it: it stays.
@@ -82,7 +82,7 @@ TEST(EpipolarCamera, raysBendAtTheDepthOfTheBackground) {
   EXPECT_LT(glm::length(glm::cross(a, b)), 1e-6f);
 }
 
-TEST(EpipolarCamera, raysOfLEndWhereTheShadowBegins) {
+TEST(EpipolarCamera, raysOfLEndWhereTheDisocclusionBegins) {
   const EpipolarCamera camera = oneEdge();
   const PinholeCamera base = smallCamera();
   const RayPath path = camera.rayPath({45.5f, kRow + 0.5f});
@@ -93,14 +93,14 @@ TEST(EpipolarCamera, raysOfLEndWhereTheShadowBegins) {
   EXPECT_TRUE(camera.unproject({45.5f, kRow + 0.5f, 9.05f}));
 }
 
-TEST(EpipolarCamera, clippedShadowsLeaveColumnsThatEndEarly) {
+TEST(EpipolarCamera, clippedDisocclusionsLeaveColumnsThatEndEarly) {
   const EpipolarCamera camera = oneEdge(46);  // the occluder is four pixels wide
   const PinholeCamera base = smallCamera();
-  // This ray of R would reach 42.5 at z_f. It ends at 46.5, the centre of the first pixel in the shadow.
+  // This ray of R would reach 42.5 at z_f. It ends at 46.5, the centre of the first pixel in the disocclusion.
   const RayPath path = camera.rayPath({52.5f, kRow + 0.5f});
   ASSERT_EQ(path.size(), 2u);
   EXPECT_NEAR(base.imageFromCamera(base.cameraFromWorld(path[1])).u, 46.5, 0.02);
-  // What is to the left of that is in no shadow.
+  // What is to the left of that is in no disocclusion.
   EXPECT_NEAR(columnOf(camera, 44, 12), 44, kRounding);
 }
 
@@ -130,7 +130,7 @@ TEST(EpipolarCamera, rowsAreBijectionsWhateverTheirEdges) {
             ASSERT_TRUE(q);
             const std::optional<glm::vec3> back = camera.unproject(*q);
             ++points;
-            // Within 1e-3 pixels of the border of a shadow a ray may have ended.
+            // Within 1e-3 pixels of the border of a disocclusion a ray may have ended.
             lost += !back;
             if (back) {
               EXPECT_LT(glm::distance(*back, point), 2e-4f) << row << " " << j << " " << z;
@@ -143,14 +143,14 @@ TEST(EpipolarCamera, rowsAreBijectionsWhateverTheirEdges) {
   }
 }
 
-TEST(EpipolarCamera, theRightmostShadowWins) {
+TEST(EpipolarCamera, theRightmostDisocclusionWins) {
   const EpipolarLines lines(smallCamera(), kRight);
   RowEdges rows(kHeight);
   rows[kRow] = {{40, 20, 18, 1 / 9.0f}, {50, 20, 28, 1 / 8.8f}};
   const EpipolarCamera camera(smallCamera(), kRight, rows);
   EXPECT_EQ(camera.width(), kWidth + 46);
   const double disparity = lines.disparity();
-  // Far behind, both shadows hold the point.
+  // Far behind, both disocclusions hold the point.
   EXPECT_NEAR(columnOf(camera, 38, 20), 38 + 46, kRounding);
   // Half a pixel of R's image behind the first edge, where nobody sees past the second one: the first column added.
   const double w = 1 / 9.0 - 0.6 / disparity;

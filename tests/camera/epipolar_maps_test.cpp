@@ -17,7 +17,7 @@ using test::smallCamera;
 const glm::vec3 kMapRight{1.6f, 0, 10};
 
 /// A row of depths: a background at depth 12 with occluders before it, each wide enough that the rays added behind it
-/// stay under it, and apart enough that no shadow reaches another one.
+/// stay under it, and apart enough that no disocclusion reaches another one.
 struct RandomRow {
   std::vector<float> inverseZ;
   std::vector<EpipolarEdge> edges;
@@ -147,7 +147,7 @@ TEST_F(EpipolarMaps, theTextsRayMapHoldsTheRaysOfTheCamera) {
       const RayMapEntry& entry = maps.rays[column];
       const RayPath path = camera_->rayPath({static_cast<float>(column) + 0.5f, static_cast<float>(row) + 0.5f});
       ASSERT_EQ(path.size(), entry.pair ? 3u : 2u);
-      // Up to 1e-3 pixels: rounding of 10 units and 90 pixels, and the margin that rays keep from shadows.
+      // Up to 1e-3 pixels: rounding of 10 units and 90 pixels, and the margin that rays keep from disocclusions.
       const glm::vec3 end = base.cameraFromWorld(path.back());
       EXPECT_NEAR(base.imageFromCamera(end).u, entry.position, 1e-3);
       if (entry.pair) {

@@ -188,7 +188,7 @@ TEST(GraphCamera, limitsDoNotEndRaysThatGoOnToAChild) {
 }
 
 TEST(GraphCamera, refusesWhatCannotBe) {
-  const auto bending = [](const GraphCamera::Turn& turn, const GraphCamera::Part& part = {}) {
+  const auto bending = [](const GraphCamera::Bend& turn, const GraphCamera::Part& part = {}) {
     return messageOf([&] { GraphCamera(smallCamera()).bend(0, turn, "corner", part); });
   };
   EXPECT_THAT(bending(turnAt({0, 0, 0}, {0, 0, -1}, {0, 0, -1})), HasSubstr("viewpoint does not lie before"));
@@ -198,7 +198,7 @@ TEST(GraphCamera, refusesWhatCannotBe) {
   EXPECT_THAT(bending(turnAt({0, 0, -2000}, {0, 0, -1}, {0, 0, 5})), HasSubstr("not every ray")) << "beyond zFar";
   EXPECT_THAT(bending({{{0, 0, 2}, 0}, {0, 0, 5}}), HasSubstr("not finite, or the normal has no length"));
   EXPECT_THAT(bending({{{0, 0, -1}, NAN}, {0, 0, 5}}), HasSubstr("not finite"));
-  const GraphCamera::Turn turn = turnAt({0, 0, 0}, {0, 0, -1}, {1, 0, 5});
+  const GraphCamera::Bend turn = turnAt({0, 0, 0}, {0, 0, -1}, {1, 0, 5});
   EXPECT_THAT(bending(turn, {{0, 0}, {10, 0}, {10, 10}, {4, 2}}), HasSubstr("not convex"));
   EXPECT_THAT(bending(turn, {{0, 0}, {0, 10}, {10, 10}, {10, 0}}), HasSubstr("not convex")) << "the wrong way round";
   EXPECT_THAT(bending(turn, {{0, 0}, {100, 0}, {100, 10}}), HasSubstr("not within that of \"root\""));
@@ -238,7 +238,7 @@ TEST(GraphCamera, refusesWhatCannotBe) {
 
 TEST(GraphCameraDeath, refusesFrustaThatAreNone) {
   GraphCamera graph(smallCamera());
-  const GraphCamera::Turn turn = turnAt({0, 0, 0}, {0, 0, -1}, {1, 0, 5});
+  const GraphCamera::Bend turn = turnAt({0, 0, 0}, {0, 0, -1}, {1, 0, 5});
   EXPECT_DEATH(graph.bend(1, turn, "bent"), "no such frustum");
   EXPECT_DEATH(graph.split(-1, turn, turn, "one", "other"), "no such frustum");
   EXPECT_DEATH(graph.merge(0, 1, turn, "merged"), "no such frustum");

@@ -61,9 +61,9 @@ bool operate(GraphCamera& graph, Numbers& numbers, double hostility) {
   const auto sensible = [&] {
     return test::randomTurn(numbers, test::middleRay(graph, static_cast<size_t>(any())), numbers.between(0.5, 11), 0.5);
   };
-  const auto turn = [&]() -> GraphCamera::Turn {
+  const auto turn = [&]() -> GraphCamera::Bend {
     return numbers.between(0, 1) < hostility
-               ? GraphCamera::Turn{hostilePlane(numbers, hostility), hostileVector(numbers, hostility)}
+               ? GraphCamera::Bend{hostilePlane(numbers, hostility), hostileVector(numbers, hostility)}
                : sensible();
   };
   try {
@@ -122,7 +122,7 @@ TEST(HostileCamera, anyTurnsOfCurvedRayCameras) {
     CurvedRayCamera camera = test::randomCurved(numbers, static_cast<int>(randomIndex(numbers, 3)));
     const double hostility = 0.1 + k % 4 * 0.2;
     for (int turn = 0; turn < 5; ++turn) {
-      const size_t before = camera.turns().size();
+      const size_t before = camera.bends().size();
       try {
         const glm::dvec3 line = 2.0 * hostileVector(numbers, hostility / 4);
         const TransitionPlanes planes =
@@ -131,10 +131,10 @@ TEST(HostileCamera, anyTurnsOfCurvedRayCameras) {
                                    hostilePlane(numbers, hostility)}
                 : test::planesThrough(line, {-numbers.between(0, 0.3), 0, -1}, {0, 0, -1},
                                       {numbers.between(0, 0.3), 0, -1});
-        camera.turn(planes, hostileVector(numbers, hostility / 4));
+        camera.bend(planes, hostileVector(numbers, hostility / 4));
         ++accepted;
       } catch (const InputError&) {
-        ASSERT_EQ(camera.turns().size(), before) << "a refused turn changes nothing";
+        ASSERT_EQ(camera.bends().size(), before) << "a refused turn changes nothing";
       }
       expectItWorks(camera, numbers);
     }

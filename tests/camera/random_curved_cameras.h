@@ -29,7 +29,7 @@ inline CurvedRayCamera randomCurved(Numbers& numbers, int turns) {
     const glm::dvec3 turned = along * std::cos(angle) + side * std::sin(angle);
     const double axis = numbers.between(1.3, 2) * reach;
     try {
-      camera.turn(planesThrough(middle + side * axis, along - side * slope, along, along + side * slope),
+      camera.bend(planesThrough(middle + side * axis, along - side * slope, along, along + side * slope),
                   middle - turned * numbers.between(0.8, 1.2) * z);
     } catch (const InputError&) {
       continue;  // as wanted

@@ -30,7 +30,7 @@ inline MiddleRay middleRay(const GraphCamera& graph, size_t i) {
 
 /// A turn of most rays of a frustum: at `way` along its middle, to a viewpoint as far behind that, turned by up to
 /// `most`.
-inline GraphCamera::Turn randomTurn(Numbers& numbers, const MiddleRay& ray, double way, double most) {
+inline GraphCamera::Bend randomTurn(Numbers& numbers, const MiddleRay& ray, double way, double most) {
   const glm::dvec3 at = ray.from + ray.direction * way;
   const glm::dvec3 normal = ray.direction + randomVector(numbers, most);
   // One number a statement: the same cameras with any compiler.
@@ -48,7 +48,7 @@ inline GraphCamera randomGraph(Numbers& numbers, int operations, double most = 0
       i = static_cast<size_t>(graph.frusta()[i].children.back());
     }
     const MiddleRay ray = middleRay(graph, i);
-    const GraphCamera::Turn turn = randomTurn(numbers, ray, numbers.between(i == 0 ? 7 : 1, i == 0 ? 11 : 4), most);
+    const GraphCamera::Bend turn = randomTurn(numbers, ray, numbers.between(i == 0 ? 7 : 1, i == 0 ? 11 : 4), most);
     const int index = static_cast<int>(i);
     const std::string name = std::to_string(k);
     try {

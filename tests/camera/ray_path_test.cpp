@@ -22,7 +22,7 @@ TEST(RayPath, holdsItsPointsInOrder) {
 
 TEST(RayPathDeathTest, refusesMoreThanItHolds) {
   RayPath path;
-  for (size_t i = 0; i < RayPath::kMostPoints; ++i) {
+  for (size_t i = 0; i < RayPath::kMaxPoints; ++i) {
     path.push_back({0, 0, 0});
   }
   EXPECT_DEATH(path.push_back({0, 0, 0}), "too many points");

@@ -16,16 +16,16 @@ inline TransitionPlanes planesThrough(const glm::dvec3& point, const glm::dvec3&
 inline TransitionPlanes rightTurn() {
   return planesThrough({4, 0, 0}, {-0.25, 0, -1}, {0, 0, -1}, {0.25, 0, -1});
 }
-inline CurvedRayCamera turningRight(const PinholeCamera& camera = smallCamera(), ArcModel model = ArcModel::kConic) {
+inline CurvedRayCamera bendingRight(const PinholeCamera& camera = smallCamera(), ArcModel model = ArcModel::kConic) {
   CurvedRayCamera curved(camera, model);
-  curved.turn(rightTurn(), {-2, 0, 6});
+  curved.bend(rightTurn(), {-2, 0, 6});
   return curved;
 }
 
 /// And then upwards, around a horizontal line.
-inline CurvedRayCamera turningTwice(const PinholeCamera& camera = smallCamera(), ArcModel model = ArcModel::kConic) {
-  CurvedRayCamera curved = turningRight(camera, model);
-  curved.turn(planesThrough({0, 6, -4}, {0, -0.2, -1}, {0, 0, -1}, {0, 0.2, -1}), {-0.5, -1.5, 1});
+inline CurvedRayCamera bendingTwice(const PinholeCamera& camera = smallCamera(), ArcModel model = ArcModel::kConic) {
+  CurvedRayCamera curved = bendingRight(camera, model);
+  curved.bend(planesThrough({0, 6, -4}, {0, -0.2, -1}, {0, 0, -1}, {0, 0.2, -1}), {-0.5, -1.5, 1});
   return curved;
 }
 

@@ -6,7 +6,7 @@
 
 namespace ocelli::test {
 
-inline GraphCamera::Turn turnAt(const glm::dvec3& point, const glm::dvec3& normal, const glm::dvec3& viewpoint) {
+inline GraphCamera::Bend turnAt(const glm::dvec3& point, const glm::dvec3& normal, const glm::dvec3& viewpoint) {
   return {Plane::through(point, normal), viewpoint};
 }
 

@@ -98,7 +98,7 @@ TEST_F(CameraCommand, editsFromAProgramAreAnsweredOneByOne) {
   EXPECT_THAT(bytes("out.json"), Not(HasSubstr("\"left\"")));
 }
 
-TEST_F(CameraCommand, renderWritesPicturesAndObjects) {
+TEST_F(CameraCommand, renderWritesImagesAndObjects) {
   const std::string command = "render builtin:boxes --size 180x120 --camera " + path("cross.json");
   EXPECT_EQ(runProgram(command + " --identity " + path("objects.png") + " -o " + path("a.png")).exitCode, 0);
   EXPECT_EQ(runProgram(command + " --method raycast -o " + path("b.png")).exitCode, 0);

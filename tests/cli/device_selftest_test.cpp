@@ -1,4 +1,4 @@
-// `ocelli device selftest`: the folder that it writes, and the pictures in it.
+// `ocelli device selftest`: the folder that it writes, and the images in it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ std::vector<std::string> attributes(const std::string& html, const std::string& 
   return values;
 }
 
-TEST(DeviceSelftest, LeavesAPageWithPicturesAndVolumes) {
+TEST(DeviceSelftest, LeavesAPageWithImagesAndVolumes) {
   const TemporaryFolder folder;
   const std::string page = (folder / "my page").string();
   const ProgramResult result =
@@ -42,15 +42,15 @@ TEST(DeviceSelftest, LeavesAPageWithPicturesAndVolumes) {
     EXPECT_THAT(html, HasSubstr("href=\"" + name + ".svol\""));
   }
   // Four eyes and a slice; of the dark pattern none.
-  const std::vector<std::string> pictures = attributes(html, "src");
+  const std::vector<std::string> images = attributes(html, "src");
   size_t wrong = 0;
   for (const std::string name : {"dark", "axis", "wedges"}) {
     wrong += static_cast<size_t>(
         std::ranges::count_if(testPattern(name).wrong, [](const WrongLook& look) { return look.shown != nullptr; }));
   }
-  EXPECT_EQ(pictures.size(), 2u * 5u + wrong);
-  for (const std::string& picture : pictures) {
-    EXPECT_FALSE(readPng(page + "/" + picture).empty());
+  EXPECT_EQ(images.size(), 2u * 5u + wrong);
+  for (const std::string& image : images) {
+    EXPECT_FALSE(readPng(page + "/" + image).empty());
   }
   // In the order of the checklist, not in that of the options.
   EXPECT_LT(html.find("id=\"dark\""), html.find("id=\"axis\""));
@@ -127,7 +127,7 @@ TEST(DeviceSelftestPage, HasABoxForEachCheckAndARowForEachWrongLook) {
     sections.push_back({&pattern,
                         pattern.name + ".svol",
                         {{pattern.name + ".png", "From <here>", 3, 3}},
-                        std::vector<SelftestPicture>(pattern.wrong.size())});
+                        std::vector<SelftestImage>(pattern.wrong.size())});
     sections.back().wrong[0] = {pattern.name + "-wrong.png", "From <here>", 3, 3};
     boxes += pattern.lookFor.size();
     rows += pattern.wrong.size();
@@ -139,7 +139,7 @@ TEST(DeviceSelftestPage, HasABoxForEachCheckAndARowForEachWrongLook) {
   EXPECT_EQ(static_cast<size_t>(std::ranges::count(types, "checkbox")), boxes);
   const std::vector<std::string> scopes = attributes(html, "scope");
   EXPECT_EQ(static_cast<size_t>(std::ranges::count(scopes, "row")), rows);
-  // Every link leads somewhere, every picture says what it shows, and nothing comes from elsewhere.
+  // Every link leads somewhere, every image says what it shows, and nothing comes from elsewhere.
   const std::vector<std::string> ids = attributes(html, "id");
   for (const std::string& link : attributes(html, "href")) {
     if (link.starts_with('#')) {
@@ -153,9 +153,9 @@ TEST(DeviceSelftestPage, HasABoxForEachCheckAndARowForEachWrongLook) {
   EXPECT_THAT(html, HasSubstr("in turns: seen from above"));
 }
 
-/// Where got, reference and difference of a picture that has changed are left.
-void leavePictures(const std::filesystem::path& folder, const std::string& name, const Image<Rgb8>& got,
-                   const Image<Rgb8>& reference) {
+/// Where got, reference and difference of an image that has changed are left.
+void leaveImages(const std::filesystem::path& folder, const std::string& name, const Image<Rgb8>& got,
+                 const Image<Rgb8>& reference) {
   std::filesystem::create_directories(folder);
   writePng(folder / (name + "-got.png"), got);
   if (got.width() != reference.width() || got.height() != reference.height()) {
@@ -169,13 +169,13 @@ void leavePictures(const std::filesystem::path& folder, const std::string& name,
   writePng(folder / (name + "-difference.png"), difference);
 }
 
-// A picture that changes on purpose: look at it, and copy NAME-got.png over the reference.
-TEST(DeviceSelftestPictures, LookAsTheyDid) {
+// An image that changes on purpose: look at it, and copy NAME-got.png over the reference.
+TEST(DeviceSelftestImages, LookAsTheyDid) {
   const TemporaryFolder folder;
   const std::filesystem::path references = OCELLI_SOURCE_DIR "/tests/cli/selftest_pictures";
   const std::filesystem::path changed = std::filesystem::temp_directory_path() / "ocelli-selftest-pictures";
   for (const std::string name : {"orientation", "wedges", "colours"}) {
-    writeSelftestPictures(testPattern(name).volume(loadProfile("test")), folder.path(), name, 96);
+    writeSelftestImages(testPattern(name).volume(loadProfile("test")), folder.path(), name, 96);
     for (const std::string place : {"front", "raised", "above"}) {
       const std::string file = name + "-" + place;
       const Image<Rgb8> got = readPng(folder / (file + ".png"));
@@ -191,7 +191,7 @@ TEST(DeviceSelftestPictures, LookAsTheyDid) {
       }
       // Light adds up in whole numbers; tones are floating point, which another compiler may round the other way.
       if (most > 1) {
-        leavePictures(changed, file, got, reference);
+        leaveImages(changed, file, got, reference);
       }
       EXPECT_LE(most, 1) << "see " << (changed / (file + "-*.png"));
     }

@@ -98,33 +98,33 @@ TEST_F(DisplayCommands, sliceTakesReferenceImages) {
   EXPECT_GT(readSvol(folder_ / "c.svol").litVoxels(), 100u);
 }
 
-TEST_F(DisplayCommands, observeWritesAPicture) {
+TEST_F(DisplayCommands, observeWritesAImage) {
   const ProgramResult result =
       runProgram("observe " + quoted("a.svol") + " --eye 3,4,9 --exposure 1/25 --missing-sector 30 --size 90x60 -o " +
                  quoted("eye.png"));
   ASSERT_EQ(result.exitCode, 0) << result.error;
-  const Image<Rgb8> picture = readPng(folder_ / "eye.png");
-  EXPECT_EQ(picture.width(), 90);
-  EXPECT_EQ(picture.height(), 60);
-  EXPECT_TRUE(std::ranges::any_of(picture, [](const Rgb8& pixel) { return pixel.x > 100; }));
+  const Image<Rgb8> image = readPng(folder_ / "eye.png");
+  EXPECT_EQ(image.width(), 90);
+  EXPECT_EQ(image.height(), 60);
+  EXPECT_TRUE(std::ranges::any_of(image, [](const Rgb8& pixel) { return pixel.x > 100; }));
 }
 
 TEST_F(DisplayCommands, observeTakesWhatTheDisplayDoes) {
-  const auto picture = [&](const std::string& options) {
+  const auto image = [&](const std::string& options) {
     const ProgramResult result =
         runProgram("observe " + quoted("a.svol") + " --size 60x60 --gain 0.1 " + options + " -o " + quoted("eye.png"));
     EXPECT_EQ(result.exitCode, 0) << options << result.error;
     return fileBytes(folder_ / "eye.png");
   };
-  const std::string plain = picture("");
-  EXPECT_EQ(picture("--emission screen --transmission 1 --start -180"), plain) << "these are defaults";
-  EXPECT_EQ(picture("--aperture 0.05 --focus 1.27"), picture("--aperture 0.05")) << "in focus by default";
+  const std::string plain = image("");
+  EXPECT_EQ(image("--emission screen --transmission 1 --start -180"), plain) << "these are defaults";
+  EXPECT_EQ(image("--aperture 0.05 --focus 1.27"), image("--aperture 0.05")) << "in focus by default";
   for (const char* options :
        {"--emission even", "--transmission 0.1", "--exposure 1/12 --start 20", "--aperture 0.05 --focus 1.2",
         "--exposure 1/12 --wobble 0.005", "--wobble 0.005 --wobble-direction 0,1,0 --wobble-frequency 3",
         "--wobble 0.005 --wobble-phase 40", "--dead-zone 0.05", "--ambient 0.1", "--gamma 2", "--tone reinhard",
         "--tone filmic"}) {
-    EXPECT_NE(picture(options), plain) << options;
+    EXPECT_NE(image(options), plain) << options;
   }
 }
 

@@ -125,16 +125,15 @@ TEST_F(DoctorWithoutLibraries, saysThatOpenGlIsNotAvailableAndWhatToInstall) {
   const ProgramResult text = runShell(environment() + " \"$OCELLI\" doctor");
   EXPECT_EQ(text.exitCode, 0);
   EXPECT_THAT(text.output,
-              AllOf(HasSubstr("OpenGL: not available"), HasSubstr("on the processor"),
+              AllOf(HasSubstr("OpenGL: not available"), HasSubstr("on the CPU"),
                     HasSubstr("apt-get install --no-install-recommends libegl1 libgl1 libgl1-mesa-dri libosmesa6\n")));
 }
 
 TEST_F(DoctorWithoutLibraries, theProcessorStillDoesTheWork) {
-  const std::string picture = (folder_ / "picture.png").string();
-  const ProgramResult result =
-      runShell(environment() + " \"$OCELLI\" render builtin:teapot --size 36x24 -o " + picture);
+  const std::string image = (folder_ / "picture.png").string();
+  const ProgramResult result = runShell(environment() + " \"$OCELLI\" render builtin:teapot --size 36x24 -o " + image);
   EXPECT_EQ(result.exitCode, 0) << result.error;
-  EXPECT_TRUE(std::filesystem::exists(picture));
+  EXPECT_TRUE(std::filesystem::exists(image));
 }
 
 #else

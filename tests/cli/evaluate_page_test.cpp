@@ -22,7 +22,7 @@ RepresentationFigures figures(const std::string& name, size_t strict, size_t sam
   row.edges.truth = 1000;
   row.edges.strict = strict;
   row.edges.thick = strict / 2;
-  row.edges.pictures = 1;
+  row.edges.images = 1;
   row.edges.squaredError = static_cast<double>(strict) / 1e4;
   row.offsets = {FrameErrors{}, row.edges};
   return row;
@@ -40,7 +40,7 @@ std::string pageOf(const std::vector<RepresentationFigures>& rows, const std::st
                    bool complete = true) {
   EvaluatePage page{scene, "0.1", 1234567, "truth.png", {}, complete};
   for (const RepresentationFigures& row : rows) {
-    page.pictures.push_back(pictureNames(row.name, row.name));
+    page.images.push_back(imageNames(row.name, row.name));
   }
   return evaluatePage(page, options(), rows);
 }
@@ -134,11 +134,11 @@ TEST(EvaluatePage, EveryImageSaysWhatItShows) {
   }
 }
 
-TEST(PictureNames, AreSafeAndDiffer) {
-  EXPECT_EQ(pictureNames("eoc-hv+ddoc", "eoc-hv+ddoc").frame, "frame-eoc-hv+ddoc.png");
-  const std::string odd = pictureNames("../a b/<c>", "file.json 1").errors;
+TEST(ImageNames, AreSafeAndDiffer) {
+  EXPECT_EQ(imageNames("eoc-hv+ddoc", "eoc-hv+ddoc").frame, "frame-eoc-hv+ddoc.png");
+  const std::string odd = imageNames("../a b/<c>", "file.json 1").errors;
   EXPECT_TRUE(std::regex_match(odd, std::regex("errors-[A-Za-z0-9-]+\\.png"))) << odd;
-  EXPECT_NE(pictureNames("same", "one.json 1").frame, pictureNames("same", "one.json 2").frame);
+  EXPECT_NE(imageNames("same", "one.json 1").frame, imageNames("same", "one.json 2").frame);
 }
 
 std::vector<double> xOfMarkers(const std::string& svg) {

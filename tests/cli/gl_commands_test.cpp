@@ -1,4 +1,4 @@
-// `--method gl` and `--construction gl`: the same results as the processor's, and errors that say what is wrong.
+// `--method gl` and `--construction gl`: the same results as the CPU's, and errors that say what is wrong.
 #include <gmock/gmock.h>
 
 #include "display_sim/frames/svol_file.h"

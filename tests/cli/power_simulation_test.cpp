@@ -46,23 +46,23 @@ double shareOf(const PowerSize& size) {
 
 // The standard error of a share of 5 % of 1,000 studies is 0.7 %; three of them on either side.
 constexpr int kManyStudies = 1000;
-constexpr double kLeastError = 0.029;
-constexpr double kMostError = 0.071;
+constexpr double kMinError = 0.029;
+constexpr double kMaxError = 0.071;
 
 TEST_F(PowerSimulation, WithoutAnEffectSearchesFindOneAsOftenAsAlphaSays) {
   const auto curves = simulatePower(workOf("find", {16}, kManyStudies), {searches(1)});
   ASSERT_EQ(curves.size(), 1U);
   EXPECT_EQ(curves[0].question, PowerCurve::Question::kFalseAlarm);
   EXPECT_EQ(curves[0].sizes[0].notEstimable, 0);
-  EXPECT_GT(shareOf(curves[0].sizes[0]), kLeastError);
-  EXPECT_LT(shareOf(curves[0].sizes[0]), kMostError);
+  EXPECT_GT(shareOf(curves[0].sizes[0]), kMinError);
+  EXPECT_LT(shareOf(curves[0].sizes[0]), kMaxError);
   EXPECT_NEAR(curves[0].sizes[0].estimate, 1, 0.01);
 }
 
 TEST_F(PowerSimulation, WithoutAnEffectCountsFindOneAsOftenAsAlphaSays) {
   const auto curves = simulatePower(workOf("count", {24}, kManyStudies), {answers("count", 0.6, 0.6)});
-  EXPECT_GT(shareOf(curves[0].sizes[0]), kLeastError);
-  EXPECT_LT(shareOf(curves[0].sizes[0]), kMostError);
+  EXPECT_GT(shareOf(curves[0].sizes[0]), kMinError);
+  EXPECT_LT(shareOf(curves[0].sizes[0]), kMaxError);
 }
 
 /// Few subjects, nearly all right: some studies are at a ceiling, or have no error to test against.

@@ -231,7 +231,7 @@ TEST_F(PresentCommand, everyFrameOfASessionOnADisplayThatIsNotThereIsCounted) {
   EXPECT_EQ(json["frames_dropped"].get<int>() + json["frames_lost"].get<int>(), json["frames_submitted"].get<int>());
 }
 
-TEST_F(PresentCommand, picturesHaveOneOfTheFormatsThatThereAre) {
+TEST_F(PresentCommand, imagesHaveOneOfTheFormatsThatThereAre) {
   const auto error = [&](const std::string& options) {
     const ProgramResult result = runProgram("present " + std::string(kTeapot) + "--device sim " + options);
     EXPECT_EQ(result.exitCode, 2) << options;

@@ -70,7 +70,7 @@ TEST_F(SceneNotes, presentTellsOfWhatIsCutOffAsSliceDoes) {
               Not(HasSubstr(note)));
 }
 
-TEST_F(SceneNotes, anEmptyPictureSaysWhyItIsEmpty) {
+TEST_F(SceneNotes, anEmptyImageSaysWhyItIsEmpty) {
   writeTriangle("flat.ply", "255 255 255", "0 0 0\n1 0 0\n0 0 1\n");
   const std::string flat = "render " + at("flat.ply") + " --size 60x40 -o " + at("x.png");
   const ProgramResult edgeOn = run(flat);

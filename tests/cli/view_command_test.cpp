@@ -1,4 +1,4 @@
-// `ocelli view --offscreen`: pictures, and errors that say what is wrong.
+// `ocelli view --offscreen`: images, and errors that say what is wrong.
 #include <gmock/gmock.h>
 
 #include "oc_core/base/png_file.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "oc_core/base/error.h"
-#include "oc_core/constructor/curved_turns.h"
+#include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/camera/test_curved_cameras.h"
@@ -124,22 +124,22 @@ TEST(CameraEditor, aFailedEditLeavesTheCameraAsItWas) {
 
 TEST(CameraEditor, editsTurns) {
   CameraEditor editor = editorOf(quoted("{'camera': 'curved', 'turns': []}"));
-  const auto turns = [&] { return std::get<CurvedRayCamera>(editor.camera()).turns().size(); };
+  const auto bends = [&] { return std::get<CurvedRayCamera>(editor.camera()).bends().size(); };
   apply(editor,
         "{'edit': 'add', 'turn': {'name': 'right', 'from': {'point': [4, 0, 0], 'normal': [-0.25, 0, -1]},"
         " 'middle': {'point': [4, 0, 0], 'normal': [0, 0, -1]},"
         " 'to': {'point': [4, 0, 0], 'normal': [0.25, 0, -1]}, 'viewpoint': [-2, 0, 6]}}");
-  EXPECT_EQ(turns(), 1u);
+  EXPECT_EQ(bends(), 1u);
   apply(editor, "{'edit': 'change', 'name': 'right', 'to': {'viewpoint': [-1, 0, 6]}}");
-  EXPECT_EQ(std::get<CurvedRayCamera>(editor.camera()).turns()[0].beyond(), glm::dvec3(-1, 0, 6));
+  EXPECT_EQ(std::get<CurvedRayCamera>(editor.camera()).bends()[0].beyond(), glm::dvec3(-1, 0, 6));
   apply(editor, "{'edit': 'remove', 'name': 'right'}");
-  EXPECT_EQ(turns(), 0u);
+  EXPECT_EQ(bends(), 0u);
 }
 
 TEST(CameraEditor, turnsOfACameraHaveNames) {
-  CameraEditor editor = editorOf(jsonText(test::turningTwice()));
+  CameraEditor editor = editorOf(jsonText(test::bendingTwice()));
   apply(editor, "{'edit': 'remove', 'name': 'turn 2'}");
-  EXPECT_EQ(std::get<CurvedRayCamera>(editor.camera()).turns().size(), 1u);
+  EXPECT_EQ(std::get<CurvedRayCamera>(editor.camera()).bends().size(), 1u);
 }
 
 TEST(CameraEditor, startsFromTheFileAsItStands) {

@@ -1,8 +1,8 @@
-// graph_camera.schema.json and curved_ray_camera.schema.json say what graph_operations.cpp and curved_turns.cpp read.
+// graph_camera.schema.json and curved_ray_camera.schema.json say what graph_operations.cpp and curved_bends.cpp read.
 #include <gtest/gtest.h>
 
 #include "oc_core/base/json_fields.h"
-#include "oc_core/constructor/curved_turns.h"
+#include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "tests/camera/test_curved_cameras.h"
 #include "tests/camera/test_graph_cameras.h"
@@ -135,7 +135,7 @@ TEST(CameraSchemas, ofCurvedRayCamerasAgreesWithTheReader) {
   const auto errorOf = [](const std::string& text) {
     return test::errorOfText(text, [](JsonFields& fields) { readCurvedRayCamera(fields, test::smallCamera()); });
   };
-  json document = json::parse(jsonText(test::turningTwice()));
+  json document = json::parse(jsonText(test::bendingTwice()));
   document["turns"][0]["name"] = "right";
   SchemaWalk{readJsonFile(OCELLI_CONSTRUCTOR_FOLDER "/curved_ray_camera.schema.json"), document, errorOf}.check();
 }

@@ -100,7 +100,7 @@ TEST(ConstructorSchema, targetIsWhatItsReaderTakes) {
   test::SchemaAgreement{schemaOfBox(), errorOfBox, box}.check();
   const TargetOptions options;
   expectDefaults("target", {{"f", options.f},
-                            {"most_f", options.mostF},
+                            {"most_f", options.maxF},
                             {"visible_share", options.visibleShare},
                             {"enlarged", options.enlarged}});
 }

@@ -168,12 +168,12 @@ TEST(MazeDisplay, turnsWhatIsBehindAndDrawsSplitLines) {
   const GraphCamera plain(PinholeCamera(View{}, 600, 400));
   Image<glm::vec3> behind(600, 400, glm::vec3(0));
   behind(10, 20) = glm::vec3(1);
-  const Image<glm::vec3> picture = layOut(camera, Image<glm::vec3>(600, 400, glm::vec3(1)), plain, behind);
-  EXPECT_EQ(picture.height(), 800);
-  EXPECT_EQ(picture(589, 779), glm::vec3(1));
+  const Image<glm::vec3> image = layOut(camera, Image<glm::vec3>(600, 400, glm::vec3(1)), plain, behind);
+  EXPECT_EQ(image.height(), 800);
+  EXPECT_EQ(image(589, 779), glm::vec3(1));
   const SplitLine line = splitLines(camera)[0];
-  EXPECT_LT(picture(static_cast<int>(line.u), 200).x, 1);
-  EXPECT_EQ(picture(static_cast<int>(line.u) + 5, 200).x, 1);
+  EXPECT_LT(image(static_cast<int>(line.u), 200).x, 1);
+  EXPECT_EQ(image(static_cast<int>(line.u) + 5, 200).x, 1);
   EXPECT_TRUE(splitLines(plain).empty());
 }
 

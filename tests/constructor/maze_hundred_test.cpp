@@ -34,8 +34,8 @@ TEST_P(HundredMazes, areSeenOnceInOneImage) {
                 static_cast<int>(hidden), made.objects);
     EXPECT_LT(static_cast<double>(few), 0.01 * static_cast<double>(made.maze.cellCount())) << "seed " << seed;
 
-    // Nothing is seen twice, but where frusta meet: there surfaces overlap by 1/64 pixel (stretch.h). At most 4.2e-4 of
-    // the pixels of a maze are such.
+    // Nothing is seen twice, but where frusta meet: there surfaces overlap by 1/64 pixel (straight_segment.h). At
+    // most 4.2e-4 of the pixels of a maze are such.
     const size_t shown = std::accumulate(seen.objectPixels.begin(), seen.objectPixels.end(), size_t{0});
     EXPECT_LT(static_cast<double>(seen.strayObjectPixels), 1e-3 * static_cast<double>(shown)) << "seed " << seed;
     EXPECT_LT(static_cast<double>(seen.strayPixels), 6e-4 * 1920 * 1200 / 7) << "seed " << seed;

@@ -20,14 +20,14 @@ Maze makeMaze(uint64_t seed) {
   options.rows = 6 + static_cast<int>(seed % 5);
   options.columns = 6 + static_cast<int>(seed / 5 % 5);
   options.loops = 0.1 * static_cast<double>(seed % 4);
-  options.leastFourWay = seed % 3;
+  options.minFourWay = seed % 3;
   return generateMaze(options);
 }
 
 /// Triangles that are seen edge on may leave single pixels behind the plane where a ray turns.
-constexpr size_t kLeastRegion = 4;
+constexpr size_t kMinRegion = 4;
 
-/// Of the pixels of an object: 8-connected, the largest and all others of kLeastRegion pixels.
+/// Of the pixels of an object: 8-connected, the largest and all others of kMinRegion pixels.
 size_t countRegions(const Image<uint32_t>& identity, uint32_t object) {
   Image<uint8_t> seen(identity.width(), identity.height());
   std::vector<std::pair<int, int>> stack;
@@ -55,7 +55,7 @@ size_t countRegions(const Image<uint32_t>& identity, uint32_t object) {
       }
     }
   }
-  const auto counted = std::count_if(sizes.begin(), sizes.end(), [](size_t size) { return size >= kLeastRegion; });
+  const auto counted = std::count_if(sizes.begin(), sizes.end(), [](size_t size) { return size >= kMinRegion; });
   return sizes.empty() ? 0 : std::max<size_t>(1, static_cast<size_t>(counted));
 }
 

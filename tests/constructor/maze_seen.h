@@ -29,8 +29,8 @@ struct SeenMaze {
   std::vector<size_t> cellPixels;    ///< whose point is in the clear box of the cell
   std::vector<size_t> objectPixels;  ///< of identity i + 1
   std::vector<size_t> regions;       ///< connected ones of each object, those that others part counted as one
-  /// Renderers draw surfaces up to 1/64 pixel beyond the planes where rays end (stretch.h), so of the pixels beside
-  /// such an edge one in 64 is stray.
+  /// Renderers draw surfaces up to 1/64 pixel beyond the planes where rays end (straight_segment.h), so of the pixels
+  /// beside such an edge one in 64 is stray.
   size_t strayObjectPixels = 0;  ///< whose point projects elsewhere, or nowhere
   size_t strayPixels = 0;        ///< the same of a seventh of all that shows floor and walls
   double worstReturn = 0;        ///< pixels, of the others

@@ -33,7 +33,7 @@ PathOptions corner(double degrees) {
 TEST(PathCamera, raysFollowThePathAroundACorner) {
   const PathOptions options = corner(40);  // control points 100 m ahead, at the corner, and at the end
   const CurvedRayCamera camera = buildPathCamera(options, {}, reference());
-  ASSERT_EQ(camera.turns().size(), 1u);
+  ASSERT_EQ(camera.bends().size(), 1u);
   // All of the path is seen in the middle of the image, one half behind the other, but in the transition, where rays
   // cut the corner.
   for (const double along : {10.0, 50.0, 70.0, 130.0, 150.0, 199.0}) {
@@ -49,7 +49,7 @@ TEST(PathCamera, raysFollowThePathAroundACorner) {
 
 TEST(PathCamera, isThePinholeOnAStraightPath) {
   const CurvedRayCamera camera = buildPathCamera(corner(0), {}, reference());
-  EXPECT_TRUE(camera.turns().empty());
+  EXPECT_TRUE(camera.bends().empty());
 }
 
 TEST(PathCamera, theRootLooksAlongThePathFromItsHeight) {
@@ -80,7 +80,7 @@ TEST(PathCamera, turnsUnfoldAndCollapse) {
     most = std::max(most, glm::distance(last, camera.root().forward()));
   }
   EXPECT_GT(most, 0.34f);  // the control points cut the corner in turns of 20 degrees; one of them is made in full
-  EXPECT_TRUE(buildPathCamera(options, {}, reference()).turns().empty());
+  EXPECT_TRUE(buildPathCamera(options, {}, reference()).bends().empty());
 }
 
 TEST(PathCamera, takesAnyPath) {
@@ -97,7 +97,7 @@ TEST(PathCamera, takesAnyPath) {
     options.position = random.inRange(0, 1);
     options.preview = random.inRange(0.01f, 1);
     options.turns = 1 + static_cast<int>(random.below(16));
-    turns += buildPathCamera(options, {}, reference()).turns().size();
+    turns += buildPathCamera(options, {}, reference()).bends().size();
   }
   EXPECT_GT(turns, 100u);
 }

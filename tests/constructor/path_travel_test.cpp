@@ -30,7 +30,7 @@ TEST(PathTravel, imagesChangeAsThePinholesDo) {
   size_t turns = 0;
   for (options.position = 0; options.position < 0.75; options.position += 1.0 / 600) {  // about 3 m
     const CurvedRayCamera curved = buildPathCamera(options, scene.guides, reference);
-    turns += curved.turns().size();
+    turns += curved.bends().size();
     const auto one = ofPinhole.next(raycast(curved.root(), scene.mesh, rays), scene.mesh);
     const auto other = ofCamera.next(raycast(curved, scene.mesh, rays), scene.mesh);
     if (one) {

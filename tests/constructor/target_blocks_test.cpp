@@ -73,8 +73,8 @@ TEST(TargetBlocks, theCurvedRayCameraShowsTheTargetMoreOften) {
       const double seen = seenShare.of(camera);
       pinholes += seenShare.of(reference) >= 0.5;
       cameras += seen >= 0.5;
-      bent += !camera.turns().empty();
-      bentInVain += !camera.turns().empty() && seen < 0.5;
+      bent += !camera.bends().empty();
+      bentInVain += !camera.bends().empty() && seen < 0.5;
     }
     std::printf(
         "%2.0f degrees up, of %d views: half of the target in sight of the pinhole in %d, of the camera in %d; "

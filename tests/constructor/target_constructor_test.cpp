@@ -31,20 +31,20 @@ const Box kTarget = cube({0, 0, 0}, 0.5f);
 const Box kBefore{{-0.45f, -1, 1.8f}, {0.45f, 1, 2}};
 
 TEST(BentCamera, isThePinholeWithoutABend) {
-  EXPECT_TRUE(bentCamera(viewFrom(), kTarget, 0).turns().empty());
-  EXPECT_TRUE(bentCamera(viewFrom(), cube({0, 0, 20}, 1), 1).turns().empty());  // behind the eye
+  EXPECT_TRUE(bentCamera(viewFrom(), kTarget, 0).bends().empty());
+  EXPECT_TRUE(bentCamera(viewFrom(), cube({0, 0, 20}, 1), 1).bends().empty());  // behind the eye
 }
 
 TEST(BentCamera, bendsToTheSideThatFSays) {
   for (const double f : {-1.0, -0.3, 1e-4, 0.5, 1.0}) {
     const CurvedRayCamera camera = bentCamera(viewFrom(), kTarget, f);
-    ASSERT_EQ(camera.turns().size(), 1u) << f;
+    ASSERT_EQ(camera.bends().size(), 1u) << f;
     // Half of the distance of 10 at most, on the other side.
-    EXPECT_LT(glm::distance(camera.turns()[0].beyond(), glm::dvec3(-5 * f, 0, 10)), 1e-5) << f;
+    EXPECT_LT(glm::distance(camera.bends()[0].beyond(), glm::dvec3(-5 * f, 0, 10)), 1e-5) << f;
     const RayPath middle = camera.rayPath({80, 45});
     EXPECT_GT((middle.back() - middle[middle.size() - 2]).x * f, 0) << f;
     // Straight for half of the way, and bent before the target.
-    EXPECT_LT(camera.turns()[0].planes().from.height({0, 0, 5}), 1e-4) << f;
+    EXPECT_LT(camera.bends()[0].planes().from.height({0, 0, 5}), 1e-4) << f;
     for (const glm::vec2 corner : {glm::vec2(0, 0), glm::vec2(160, 0), glm::vec2(160, 90), glm::vec2(0, 90)}) {
       const RayPath path = camera.rayPath(corner);
       EXPECT_GE(path[path.size() - 2].z, 10 - 0.81f * 10) << f;
@@ -101,7 +101,7 @@ TEST(TargetTracker, givesUpWhereNothingHelps) {
   const std::vector<Box> cage{{{-9, -9, 8}, {9, 9, 8.5f}}};
   TargetTracker tracker({});
   EXPECT_EQ(tracker.wanted(viewFrom(), cage, kTarget), 0);
-  EXPECT_TRUE(tracker.update(viewFrom(), cage, kTarget).turns().empty());
+  EXPECT_TRUE(tracker.update(viewFrom(), cage, kTarget).bends().empty());
 }
 
 /// Runs frames of `scene(t)`, t from 0 to 1; f never moves by more than the cap. Returns in how many of the frames the
@@ -115,8 +115,8 @@ std::pair<int, int> track(const Frame& frame, int frames) {
     const auto [view, occluders, target] = frame(static_cast<float>(i) / static_cast<float>(frames - 1));
     const double before = tracker.f();
     const CurvedRayCamera camera = tracker.update(view, occluders, target);
-    EXPECT_LE(std::abs(tracker.f() - before), options.mostChange + 1e-12);
-    EXPECT_LE(std::abs(tracker.f()), options.mostF);
+    EXPECT_LE(std::abs(tracker.f() - before), options.maxChange + 1e-12);
+    EXPECT_LE(std::abs(tracker.f()), options.maxF);
     visible.first += visibleShare(camera, occluders, target) >= options.visibleShare;
     visible.second += visibleShare(CurvedRayCamera(view), occluders, target) >= options.visibleShare;
   }
@@ -184,9 +184,9 @@ TEST(TargetCamera, bendsAroundNamedOccluders) {
   TargetOptions options;
   options.box = kTarget;
   options.occluders = {kBefore};
-  EXPECT_EQ(buildTargetCamera(options, {}, viewFrom()).turns().size(), 1u);
-  options.mostF = 0;
-  EXPECT_TRUE(buildTargetCamera(options, {}, viewFrom()).turns().empty());
+  EXPECT_EQ(buildTargetCamera(options, {}, viewFrom()).bends().size(), 1u);
+  options.maxF = 0;
+  EXPECT_TRUE(buildTargetCamera(options, {}, viewFrom()).bends().empty());
 }
 
 TEST(TargetCamera, aTargetThatCannotBeSeenIsRefused) {

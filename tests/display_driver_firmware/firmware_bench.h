@@ -142,19 +142,19 @@ class FirmwareBench : public testing::Test, public RefreshSink, public ArrivalSi
   void refreshEnded(const ShownRefresh& refresh, const Volume& volume) override {
     EXPECT_EQ(refresh.refresh, refreshes_.size());
     refreshes_.push_back(refresh);
-    pictures_.push_back(slicesOf(volume));
+    images_.push_back(slicesOf(volume));
   }
   void frameArrived(uint32_t session, uint32_t frame, const Volume& volume) override {
     EXPECT_EQ(session, session_);
     arrived_.insert_or_assign(frame, slicesOf(volume));
   }
   /// Of which frame each slice of a refresh was, and which slice of it; {0, 0} where it was dark.
-  std::vector<std::pair<uint32_t, size_t>> picture(size_t refresh) const {
-    std::vector<std::pair<uint32_t, size_t>> picture;
-    for (const Bytes& slice : pictures_.at(refresh)) {
-      picture.emplace_back(slice[0], slice[2]);
+  std::vector<std::pair<uint32_t, size_t>> image(size_t refresh) const {
+    std::vector<std::pair<uint32_t, size_t>> image;
+    for (const Bytes& slice : images_.at(refresh)) {
+      image.emplace_back(slice[0], slice[2]);
     }
-    return picture;
+    return image;
   }
 
   std::optional<Firmware> firmware_;
@@ -165,7 +165,7 @@ class FirmwareBench : public testing::Test, public RefreshSink, public ArrivalSi
   uint32_t sequence_ = 0;
   std::vector<uint32_t> sums_;
   std::vector<ShownRefresh> refreshes_;
-  std::vector<Slices> pictures_;
+  std::vector<Slices> images_;
   std::map<uint32_t, Slices> arrived_;
 };
 

@@ -10,15 +10,15 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
-using Picture = std::vector<std::pair<uint32_t, size_t>>;
+using Image = std::vector<std::pair<uint32_t, size_t>>;
 
 /// Slices of whole frames, by the numbers of the frames.
-Picture slicesOfFrames(const std::vector<uint32_t>& frames) {
-  Picture picture;
+Image slicesOfFrames(const std::vector<uint32_t>& frames) {
+  Image image;
   for (size_t i = 0; i < frames.size(); ++i) {
-    picture.emplace_back(frames[i], frames[i] == 0 ? 0 : i + 1);
+    image.emplace_back(frames[i], frames[i] == 0 ? 0 : i + 1);
   }
-  return picture;
+  return image;
 }
 
 class FirmwarePresentation : public FirmwareBench {
@@ -46,9 +46,9 @@ TEST_F(FirmwarePresentation, aFrameIsShownAtItsPhase) {
   step();
   EXPECT_THAT(events(), ElementsAre(isShown(1, {2, 4}, kTorn)));
   turnTo({4, 0});
-  EXPECT_EQ(picture(1), slicesOfFrames({0, 0, 0, 0, 0, 0}));
-  EXPECT_EQ(picture(2), slicesOfFrames({0, 0, 0, 0, 1, 1}));
-  EXPECT_EQ(picture(3), slicesOfFrames({1, 1, 1, 1, 1, 1}));
+  EXPECT_EQ(image(1), slicesOfFrames({0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(image(2), slicesOfFrames({0, 0, 0, 0, 1, 1}));
+  EXPECT_EQ(image(3), slicesOfFrames({1, 1, 1, 1, 1, 1}));
   ASSERT_EQ(refreshes_[2].parts.size(), 2u);
   EXPECT_EQ(refreshes_[2].parts[1].fromSlice, 4);
   EXPECT_EQ(refreshes_[2].parts[1].frame, 1u);
@@ -146,7 +146,7 @@ TEST_F(FirmwarePresentation, aLateFrameTearsWhereItMay) {
   step();
   EXPECT_THAT(events(), ElementsAre(isShown(1, {1, 3}, kLate | kTorn)));
   turnTo({2, 0});
-  EXPECT_EQ(picture(1), slicesOfFrames({0, 0, 0, 1, 1, 1}));
+  EXPECT_EQ(image(1), slicesOfFrames({0, 0, 0, 1, 1, 1}));
 }
 
 TEST_F(FirmwarePresentation, withTheFlagAFrameInTimeIsNotTorn) {
@@ -166,7 +166,7 @@ TEST_F(FirmwarePresentation, severalFramesInOneRefresh) {
   whole(3);
   present(3, {1, 4});
   turnTo({2, 0});
-  EXPECT_EQ(picture(1), slicesOfFrames({0, 1, 1, 2, 3, 3}));
+  EXPECT_EQ(image(1), slicesOfFrames({0, 1, 1, 2, 3, 3}));
   EXPECT_EQ(refreshes_[1].parts.size(), 4u);
 }
 
@@ -184,9 +184,9 @@ TEST_F(FirmwarePresentation, aLateFrameIsShownCoarseWhereItMay) {
   finish(2, {2, 3, 5});
   turnTo({4, 0});
   EXPECT_THAT(events(), ElementsAre(isArrived(2), isShown(2, {3, 0}, kLate)));
-  EXPECT_EQ(picture(2), (Picture{{2, 2}, {2, 2}, {2, 2}, {2, 5}, {2, 5}, {2, 5}}));
+  EXPECT_EQ(image(2), (Image{{2, 2}, {2, 2}, {2, 2}, {2, 5}, {2, 5}, {2, 5}}));
   EXPECT_TRUE(refreshes_[2].parts[0].coarse);
-  EXPECT_EQ(picture(3), slicesOfFrames({2, 2, 2, 2, 2, 2}));
+  EXPECT_EQ(image(3), slicesOfFrames({2, 2, 2, 2, 2, 2}));
   EXPECT_FALSE(refreshes_[3].parts[0].coarse);
   EXPECT_EQ(u32(telemetry(), 44), 2u);
 }
@@ -197,7 +197,7 @@ TEST_F(FirmwarePresentation, theLowerOfTwoNearestSlices) {
   slice(1, 5);
   present(1, {1, 0}, kCoarseWhenLate);
   turnTo({2, 0});
-  EXPECT_EQ(picture(1), (Picture{{1, 2}, {1, 2}, {1, 2}, {1, 2}, {1, 6}, {1, 6}}));
+  EXPECT_EQ(image(1), (Image{{1, 2}, {1, 2}, {1, 2}, {1, 2}, {1, 6}, {1, 6}}));
 }
 
 TEST_F(FirmwarePresentation, slicesOfTheBaseAreThereAsWell) {
@@ -206,7 +206,7 @@ TEST_F(FirmwarePresentation, slicesOfTheBaseAreThereAsWell) {
   slice(2, 0);
   present(2, {1, 0}, kCoarseWhenLate);
   turnTo({2, 0});
-  EXPECT_EQ(picture(1), (Picture{{2, 1}, {2, 1}, {2, 1}, {1, 5}, {1, 5}, {1, 6}}));
+  EXPECT_EQ(image(1), (Image{{2, 1}, {2, 1}, {2, 1}, {1, 5}, {1, 5}, {1, 6}}));
 }
 
 TEST_F(FirmwarePresentation, withoutAnySliceNothingIsShownCoarse) {
@@ -227,7 +227,7 @@ TEST_F(FirmwarePresentation, coarseAndThenTorn) {
   finish(1, {1, 2, 3, 4, 5});
   turnTo({2, 0});
   EXPECT_THAT(events(), ElementsAre(isShown(1, {1, 0}, kCoarse), isArrived(1), isShown(1, {1, 2}, kLate | kTorn)));
-  EXPECT_EQ(picture(1), (Picture{{1, 1}, {1, 1}, {1, 3}, {1, 4}, {1, 5}, {1, 6}}));
+  EXPECT_EQ(image(1), (Image{{1, 1}, {1, 1}, {1, 3}, {1, 4}, {1, 5}, {1, 6}}));
 }
 
 TEST_F(FirmwarePresentation, aCoarseFrameThatIsLostStaysUntilTheNext) {
@@ -238,7 +238,7 @@ TEST_F(FirmwarePresentation, aCoarseFrameThatIsLostStaysUntilTheNext) {
   end(1);
   turnTo({3, 0});
   EXPECT_THAT(events(), ElementsAre(isShown(1, {1, 0}, kCoarse), isError(10, 1)));
-  EXPECT_EQ(picture(2), (Picture(kSlices, {1, 3})));
+  EXPECT_EQ(image(2), (Image(kSlices, {1, 3})));
   whole(2);
   present(2, {}, kAtNextRefresh);
   turnTo({4, 0});
@@ -398,7 +398,7 @@ TEST_F(FirmwarePresentation, slicesThatNobodyAskedAboutAreTurnedThroughAsWell) {
   firmware_->advance(now_);  // as one step
   EXPECT_THAT(events(), ElementsAre(isArrived(1), isShown(1, {2, 3}, kTorn)));
   EXPECT_EQ(refreshes_.size(), 10u);
-  EXPECT_EQ(picture(2), slicesOfFrames({0, 0, 0, 1, 1, 1}));
+  EXPECT_EQ(image(2), slicesOfFrames({0, 0, 0, 1, 1, 1}));
 }
 
 }  // namespace

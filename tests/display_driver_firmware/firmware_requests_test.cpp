@@ -160,7 +160,7 @@ TEST_F(FirmwareRequests, whatIsShownStaysButIsNoBaseInANewSession) {
   turnTo({1, 0});
   arm(99);
   turnTo({3, 0});
-  EXPECT_EQ(picture(2)[4], (std::pair<uint32_t, size_t>(1, 5)));
+  EXPECT_EQ(image(2)[4], (std::pair<uint32_t, size_t>(1, 5)));
   begin(2, 1);
   EXPECT_THAT(events(), ElementsAre(isError(8, 2)));
 }
@@ -202,9 +202,9 @@ TEST_F(FirmwareRequests, resetForgetsEverythingAndShowsDarkness) {
   }
   EXPECT_EQ(u16(bytes, 56), 0u);
   turnTo({4, 0});
-  EXPECT_EQ(picture(2)[2].first, 1u);
-  EXPECT_EQ(picture(2)[3].first, 0u);
-  EXPECT_EQ(pictures_[3], Slices(kSlices, Bytes(slow_.sliceBytes())));
+  EXPECT_EQ(image(2)[2].first, 1u);
+  EXPECT_EQ(image(2)[3].first, 0u);
+  EXPECT_EQ(images_[3], Slices(kSlices, Bytes(slow_.sliceBytes())));
 }
 
 TEST_F(FirmwareRequests, atLeast64EventsAreKept) {

@@ -147,7 +147,7 @@ void SlowDisplay::take(ByteSpan bytes) {
                         .session = u32(rest, 8),
                         .sequence = u32(rest, 12),
                         .frame = u32(rest, 16)};
-    if (length > options_.mostPayload) {
+    if (length > options_.maxPayload) {
       if (!lost_ && session_ != 0) {
         error(4, header.frame);
       }

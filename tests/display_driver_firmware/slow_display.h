@@ -18,7 +18,7 @@ struct SlowOptions {
   size_t height = 0;
   size_t bits = 1;
   size_t buffers = 2;
-  size_t mostPayload = 0;
+  size_t maxPayload = 0;
   bool runLength = true;
   bool zstd = true;  ///< of zstd frames only those that zstdPayload() writes
   bool differences = true;

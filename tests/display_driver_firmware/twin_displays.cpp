@@ -8,7 +8,7 @@
 namespace ocelli::test {
 namespace {
 
-uint32_t mostPayloadOf(Firmware& firmware) {
+uint32_t maxPayloadOf(Firmware& firmware) {
   const auto identity = firmware.controlIn(1, 0, 64, 0);
   return u32(identity.value(), 16);
 }
@@ -58,14 +58,14 @@ DisplayProfile tinyProfile(int slices, int bits) {
   return profile;
 }
 
-SlowOptions slowOptions(const FirmwareOptions& options, size_t mostPayload) {
+SlowOptions slowOptions(const FirmwareOptions& options, size_t maxPayload) {
   const auto can = [&](uint32_t bit) { return (options.capabilities & bit) != 0; };
   return {.slices = static_cast<size_t>(options.profile.storedSlices()),
           .width = static_cast<size_t>(options.profile.width),
           .height = static_cast<size_t>(options.profile.height),
           .bits = static_cast<size_t>(options.profile.colorBitsPerChannel),
           .buffers = static_cast<size_t>(options.frameBuffers),
-          .mostPayload = mostPayload,
+          .maxPayload = maxPayload,
           .runLength = can(1),
           .zstd = can(2),
           .differences = can(4),
@@ -83,7 +83,7 @@ Slices slicesOf(const Volume& volume) {
 }
 
 TwinDisplays::TwinDisplays(const FirmwareOptions& options)
-    : firmware_(options), slow_(slowOptions(options, mostPayloadOf(firmware_))) {
+    : firmware_(options), slow_(slowOptions(options, maxPayloadOf(firmware_))) {
   firmware_.setSink(this);
   firmware_.setArrivalSink(this);
 }
@@ -264,7 +264,7 @@ void WildHost::message(uint8_t type, ByteSpan payload, uint8_t coding, size_t sl
       if (!other.empty()) {
         other[choice_(other.size())] = static_cast<uint8_t>(choice_(256));
       }
-      other.resize(choice_(2) == 0 ? other.size() : choice_(options_.mostPayload + 3));
+      other.resize(choice_(2) == 0 ? other.size() : choice_(options_.maxPayload + 3));
       displays_.send(messageBytes(header, other));
       ++sequence_;
       return;

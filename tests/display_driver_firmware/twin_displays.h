@@ -19,7 +19,7 @@ class Difference : public std::logic_error {
 
 /// A profile of little volumes, whose width is no multiple of eight.
 DisplayProfile tinyProfile(int slices = 5, int bits = 1);
-SlowOptions slowOptions(const FirmwareOptions& options, size_t mostPayload);
+SlowOptions slowOptions(const FirmwareOptions& options, size_t maxPayload);
 Slices slicesOf(const Volume& volume);
 
 class TwinDisplays : RefreshSink, ArrivalSink {

@@ -147,7 +147,7 @@ TEST(MultivoxDevice, aFrameThatNobodyAskedForGivesWayToANewerOne) {
   EXPECT_EQ(device->telemetry().framesDropped, 1u);
 }
 
-TEST(MultivoxDevice, aStillPictureComesBackWithTheDisplay) {
+TEST(MultivoxDevice, aStillImageComesBackWithTheDisplay) {
   ActedDisplay display(test::uniqueObject());
   const std::unique_ptr<Device> device = openMultivox(display.object());
   const Volume volume = volumeOf(device->profile(), 1);
@@ -169,7 +169,7 @@ TEST(MultivoxDevice, aStillPictureComesBackWithTheDisplay) {
   EXPECT_EQ(telemetry.framesShown, 2u);
 }
 
-TEST(MultivoxDevice, closingEndsWhatWaitsAndKeepsThePicture) {
+TEST(MultivoxDevice, closingEndsWhatWaitsAndKeepsTheImage) {
   const ActedDisplay display(test::uniqueObject());
   const std::unique_ptr<Device> device = openMultivox(display.object());
   const Volume volume = volumeOf(device->profile(), 1);

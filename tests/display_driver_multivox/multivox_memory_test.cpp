@@ -90,11 +90,11 @@ TEST(MultivoxMemory, aPageRestsAfterItWasShown) {
   MultivoxMemory memory(display.object(), kSmall);
   const auto opened = MultivoxMemory::Clock::now();
   ASSERT_EQ(memory.look(), Found::kNew);
-  EXPECT_GE(memory.rested(), opened + MultivoxMemory::kLeastRest) << "another writer may have changed pages just now";
+  EXPECT_GE(memory.rested(), opened + MultivoxMemory::kMinRest) << "another writer may have changed pages just now";
   ASSERT_TRUE(writeRested(memory, cellsOf(kSmall, 1)));
   auto before = MultivoxMemory::Clock::now();
   ASSERT_TRUE(memory.show());
-  EXPECT_GE(memory.rested(), before + MultivoxMemory::kLeastRest);
+  EXPECT_GE(memory.rested(), before + MultivoxMemory::kMinRest);
   display.setTelemetry(2, 600, 25000);
   ASSERT_TRUE(writeRested(memory, cellsOf(kSmall, 2)));
   before = MultivoxMemory::Clock::now();

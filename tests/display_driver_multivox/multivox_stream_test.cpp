@@ -23,7 +23,7 @@ class Frames {
  public:
   Frames() {
     VoxelResampler resampler(profile(), {});
-    resampler.update(volume(255), std::nullopt, kMostShownBits);
+    resampler.update(volume(255), std::nullopt, kMaxShownBits);
     mask_.assign(resampler.cells().begin(), resampler.cells().end());
   }
   static const DisplayProfile& profile() {
@@ -78,7 +78,7 @@ class Reader {
       const std::vector<uint8_t> copy = display_.shown(8, pause_);
       const auto took = Clock::now() - begin;
       const std::optional<uint8_t> number = frames_.numberOf(copy);
-      if (took >= MultivoxMemory::kLeastRest) {
+      if (took >= MultivoxMemory::kMinRest) {
         ++slow;
       } else if (number) {
         ++whole;
@@ -114,7 +114,7 @@ class MultivoxStream : public testing::Test {
 TEST_F(MultivoxStream, framesAreTheirNumbers) {
   VoxelResampler resampler(Frames::profile(), {});
   for (const int number : {1, 2, 3, 37, 128, 200, 255}) {
-    resampler.update(Frames::volume(static_cast<uint8_t>(number)), std::nullopt, kMostShownBits);
+    resampler.update(Frames::volume(static_cast<uint8_t>(number)), std::nullopt, kMaxShownBits);
     const std::vector<uint8_t> cells(resampler.cells().begin(), resampler.cells().end());
     ASSERT_EQ(cells, frames_.cells(static_cast<uint8_t>(number)));
     EXPECT_EQ(frames_.numberOf(cells), number);
@@ -131,7 +131,7 @@ constexpr auto kPause = 600us;
 
 // The writer takes no time to make frames: only the rest keeps them apart.
 TEST_F(MultivoxStream, readersThatTakeTheirTimeSeeWholePages) {
-  const ActedDisplay display(test::uniqueObject(), {}, kMostShownBits);
+  const ActedDisplay display(test::uniqueObject(), {}, kMaxShownBits);
   MultivoxMemory memory(display.object(), {});
   ASSERT_EQ(memory.look(), MultivoxMemory::Found::kNew);
   Reader reader(display, frames_, kPause);
@@ -148,7 +148,7 @@ TEST_F(MultivoxStream, readersThatTakeTheirTimeSeeWholePages) {
 }
 
 TEST_F(MultivoxStream, readersSeeWholeFramesAt24Hertz) {
-  const ActedDisplay display(test::uniqueObject(), {}, kMostShownBits);
+  const ActedDisplay display(test::uniqueObject(), {}, kMaxShownBits);
   const std::unique_ptr<Device> device = openMultivox(display.object(), Frames::profile());
   Reader reader(display, frames_);
   auto next = Clock::now();
@@ -167,7 +167,7 @@ TEST_F(MultivoxStream, readersSeeWholeFramesAt24Hertz) {
 }
 
 TEST_F(MultivoxStream, readersSeeWholeFramesAtTheFastestRate) {
-  const ActedDisplay display(test::uniqueObject(), {}, kMostShownBits);
+  const ActedDisplay display(test::uniqueObject(), {}, kMaxShownBits);
   const std::unique_ptr<Device> device = openMultivox(display.object(), Frames::profile());
   Reader reader(display, frames_, kPause);
   const auto begin = Clock::now();
@@ -186,7 +186,7 @@ TEST_F(MultivoxStream, readersSeeWholeFramesAtTheFastestRate) {
 }
 
 TEST_F(MultivoxStream, moreThanTheFastestRateIsDroppedAndTheNewestShown) {
-  const ActedDisplay display(test::uniqueObject(), {}, kMostShownBits);
+  const ActedDisplay display(test::uniqueObject(), {}, kMaxShownBits);
   const std::unique_ptr<Device> device = openMultivox(display.object(), Frames::profile());
   Reader reader(display, frames_);
   std::vector<std::shared_ptr<const FrameFence>> fences;
@@ -207,7 +207,7 @@ TEST_F(MultivoxStream, moreThanTheFastestRateIsDroppedAndTheNewestShown) {
 }
 
 TEST_F(MultivoxStream, theDisplayIsRestartedWhileFramesStream) {
-  ActedDisplay display(test::uniqueObject(), {}, kMostShownBits);
+  ActedDisplay display(test::uniqueObject(), {}, kMaxShownBits);
   const std::unique_ptr<Device> device = openMultivox(display.object(), Frames::profile());
   std::mt19937 engine(5);
   for (int restart = 0; restart < 12; ++restart) {

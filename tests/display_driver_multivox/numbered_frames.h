@@ -27,7 +27,7 @@ inline uint8_t frameNumberOf(uint32_t frame) {
 /// The volume that gives every cell that the screen reaches this number, on a display that shows three bits.
 inline Volume numberedVolume(const DisplayProfile& profile, uint8_t number) {
   Volume volume(profile);
-  const ShownLevels shown = shownLevels(number, kMostShownBits);
+  const ShownLevels shown = shownLevels(number, kMaxShownBits);
   // Blue has two bits there: thirds of the light, the nearest sevenths to which are 0, 2, 5 and 7.
   const Rgb8 levels(shown.level.r, shown.level.g, (7 * shown.level.b + 1) / 3);
   for (int slice = 0; slice < volume.slices(); ++slice) {

@@ -46,7 +46,7 @@ TEST(VoxelGrid, cellCentersLieInTheirCells) {
 }
 
 TEST(Rgb332, full_and_dark_are_themselves) {
-  for (int bits = 1; bits <= kMostShownBits; ++bits) {
+  for (int bits = 1; bits <= kMaxShownBits; ++bits) {
     EXPECT_EQ(rgb332({0, 0, 0}, 5, bits), 0);
     EXPECT_EQ(rgb332({5, 5, 5}, 5, bits), 0xff);
     EXPECT_EQ(rgb332({5, 0, 0}, 5, bits), 0xe0);
@@ -56,7 +56,7 @@ TEST(Rgb332, full_and_dark_are_themselves) {
 }
 
 TEST(Rgb332, rounds_to_the_nearest_level_shown_and_never_to_darkness) {
-  for (int bits = 1; bits <= kMostShownBits; ++bits) {
+  for (int bits = 1; bits <= kMaxShownBits; ++bits) {
     for (uint64_t red = 0; red <= 84; ++red) {
       const uint64_t blue = red * 5 % 85;
       const ShownLevels shown = shownLevels(rgb332({red, 0, blue}, 84, bits), bits);

@@ -69,7 +69,7 @@ TEST(VoxelResampler, agreesWithTheSlowWay) {
   for (const DisplayProfile& profile : profilesToCompare()) {
     for (const double density : {0.02, 0.3, 1.0}) {
       const Volume volume = randomVolume(profile, density, engine);
-      for (int bits = 1; bits <= kMostShownBits; ++bits) {
+      for (int bits = 1; bits <= kMaxShownBits; ++bits) {
         ASSERT_EQ(resampled(volume, grid, bits), test::slowlyResampled(volume, grid, bits))
             << profile.width << " columns, density " << density << ", " << bits << " bits";
       }

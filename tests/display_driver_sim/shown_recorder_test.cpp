@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "display_driver/sim/shown_pictures.h"
+#include "display_driver/sim/shown_images.h"
 #include "display_sim/frames/svol_file.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/display_driver_wire/made_volumes.h"
@@ -82,9 +82,9 @@ class CountingSink : public FrameSink {
   std::vector<Image<Rgb8>> frames;
 };
 
-TEST_F(ShownRecorderTest, everyRefreshIsAPicture) {
+TEST_F(ShownRecorderTest, everyRefreshIsAImage) {
   std::vector<RecordedRefresh> refreshes = record();
-  refreshes[1].volume.reset();  // left out: its picture is the one before
+  refreshes[1].volume.reset();  // left out: its image is the one before
   ObserverOptions options;
   options.width = 32;
   options.height = 32;

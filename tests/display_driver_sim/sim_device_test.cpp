@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include "display_driver/sim/shown_pictures.h"
+#include "display_driver/sim/shown_images.h"
 #include "tests/display_driver_wire/made_volumes.h"
 
 namespace ocelli {
@@ -59,8 +59,8 @@ TEST(SimDevice, showsWhatWasSent) {
 }
 
 // A slice further is what one step of the phase does: a volume that is turned by one slice, seen by the straight eye,
-// and the straight volume seen by the eye for that phase error, are the same picture but for rounding.
-TEST(ShownPictures, aPhaseErrorTurnsThePicture) {
+// and the straight volume seen by the eye for that phase error, are the same image but for rounding.
+TEST(ShownImages, aPhaseErrorTurnsTheImage) {
   DisplayProfile profile = loadProfile("test");
   Volume straight(profile);
   Volume turned(profile);

@@ -247,7 +247,7 @@ TEST_F(UsbLinkTest, wakeEndsTheWaitForAnArrival) {
 
 TEST_F(UsbLinkTest, waitsWhereTheSystemTakesNoMore) {
   EmulatedUsbDisplay display = UsbTest::display();
-  display.mostBytesUnderWay = 2 * kNoise.size() + 65536;
+  display.maxBytesUnderWay = 2 * kNoise.size() + 65536;
   display.device.bytesPerSecond = 40e6;
   UsbEmulator emulator({display});
   UsbPort port({});

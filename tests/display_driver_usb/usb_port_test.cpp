@@ -60,7 +60,7 @@ TEST_F(UsbPortTest, answersRequests) {
   ASSERT_TRUE(identity);
   EXPECT_EQ(identity->name, "Ocelli emulated display");
   const std::vector<uint8_t> profile =
-      link->controlIn(static_cast<uint8_t>(wire::Request::kProfile), 0, wire::kMostProfileBytes);
+      link->controlIn(static_cast<uint8_t>(wire::Request::kProfile), 0, wire::kMaxProfileBytes);
   EXPECT_EQ(profile.size(), identity->profileBytes);
   link->controlOut(static_cast<uint8_t>(wire::Request::kArm), 1, toBytes(wire::Arm{.session = 7}));
   const auto telemetry =

@@ -14,12 +14,12 @@ constexpr uint32_t kAllCapabilities = kCanZstd | kCanRunLength | kCanDelta;
 
 /// A frame's messages, in batches of this many slices.
 std::vector<uint8_t> messagesOf(MessageWriter& writer, FrameEncoder& encoder, uint32_t frame, uint32_t base,
-                                size_t batch, size_t mostSlices = 1000000) {
+                                size_t batch, size_t maxSlices = 1000000) {
   std::vector<uint8_t> bytes;
   writer.frameBegin(bytes, frame, {base, encoder.records()});
   size_t sent = 0;
-  while (sent < mostSlices && encoder.slicesLeft() > 0) {
-    for (const FrameEncoder::Coded& coded : encoder.next(std::min(batch, mostSlices - sent))) {
+  while (sent < maxSlices && encoder.slicesLeft() > 0) {
+    for (const FrameEncoder::Coded& coded : encoder.next(std::min(batch, maxSlices - sent))) {
       writer.slice(bytes, frame, coded.slice, coded.coded);
       ++sent;
     }

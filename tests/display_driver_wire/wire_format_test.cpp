@@ -45,7 +45,7 @@ TEST(WireFormat, checksumGoesOnOverPieces) {
 TEST(WireFormat, identityComesBack) {
   const Identity identity{.capabilities = kCanZstd | kCanDelta,
                           .frameBuffers = 3,
-                          .mostPayloadBytes = 221184,
+                          .maxPayloadBytes = 221184,
                           .profileBytes = 300,
                           .profileChecksum = 0x12345678,
                           .name = "a display"};

@@ -15,21 +15,21 @@
 namespace ocelli::test {
 
 struct AnimatedPng {
-  std::vector<Image<Rgb8>> pictures;
+  std::vector<Image<Rgb8>> images;
   std::vector<int> milliseconds;
 };
 
 /// Undoes the PNG filters of rows of RGB pixels.
 inline Image<Rgb8> unfiltered(const std::vector<uint8_t>& rows, int width, int height) {
-  Image<Rgb8> picture(width, height, Rgb8(0));
+  Image<Rgb8> image(width, height, Rgb8(0));
   const uint8_t* at = rows.data();
   for (int y = 0; y < height; ++y) {
     const int filter = *at++;
     for (int x = 0; x < width; ++x) {
       for (int c = 0; c < 3; ++c) {
-        const int a = x > 0 ? picture(x - 1, y)[c] : 0;
-        const int b = y > 0 ? picture(x, y - 1)[c] : 0;
-        const int ab = x > 0 && y > 0 ? picture(x - 1, y - 1)[c] : 0;
+        const int a = x > 0 ? image(x - 1, y)[c] : 0;
+        const int b = y > 0 ? image(x, y - 1)[c] : 0;
+        const int ab = x > 0 && y > 0 ? image(x - 1, y - 1)[c] : 0;
         int guess = 0;
         if (filter == 1) {
           guess = a;
@@ -43,11 +43,11 @@ inline Image<Rgb8> unfiltered(const std::vector<uint8_t>& rows, int width, int h
           const int dab = std::abs(a + b - 2 * ab);
           guess = da <= db && da <= dab ? a : db <= dab ? b : ab;
         }
-        picture(x, y)[c] = static_cast<uint8_t>(*at++ + guess);
+        image(x, y)[c] = static_cast<uint8_t>(*at++ + guess);
       }
     }
   }
-  return picture;
+  return image;
 }
 
 /// Fails the test for a wrong checksum, order or size.
@@ -86,13 +86,13 @@ inline AnimatedPng readAnimatedPng(const std::string& file) {
       uLongf length = rows.size();
       EXPECT_EQ(uncompress(rows.data(), &length, data + skipped, size - skipped), Z_OK);
       EXPECT_EQ(length, rows.size());
-      animation.pictures.push_back(unfiltered(rows, width, height));
+      animation.images.push_back(unfiltered(rows, width, height));
     }
     last = type;
     at += 12 + size;
   }
   EXPECT_EQ(last, "IEND");
-  EXPECT_EQ(announced, animation.pictures.size());
+  EXPECT_EQ(announced, animation.images.size());
   EXPECT_EQ(announced, animation.milliseconds.size());
   return animation;
 }

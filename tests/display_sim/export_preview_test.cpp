@@ -30,35 +30,35 @@ using test::smallProfile;
 using test::TemporaryFolder;
 using ::testing::ElementsAre;
 
-Image<Rgb8> randomPicture(int width, int height, uint32_t seed) {
+Image<Rgb8> randomImage(int width, int height, uint32_t seed) {
   test::PointSource source(seed);
-  Image<Rgb8> picture(width, height, Rgb8(0));
+  Image<Rgb8> image(width, height, Rgb8(0));
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       // Rows of noise, of one colour, of a slope along the row, and of a copy of the row above: each wants its filter.
       const auto noise = static_cast<uint8_t>(source.uniform(0, 255));
       const auto slope = static_cast<uint8_t>(7 * x + y);
-      const Rgb8 kinds[] = {Rgb8(noise, slope, noise), Rgb8(9, 8, 7), Rgb8(slope), y > 0 ? picture(x, y - 1) : Rgb8(0)};
-      picture(x, y) = kinds[y % 4];
+      const Rgb8 kinds[] = {Rgb8(noise, slope, noise), Rgb8(9, 8, 7), Rgb8(slope), y > 0 ? image(x, y - 1) : Rgb8(0)};
+      image(x, y) = kinds[y % 4];
     }
   }
-  return picture;
+  return image;
 }
 
-TEST(ExportApng, holdsThePicturesAndTheirTimes) {
+TEST(ExportApng, holdsTheImagesAndTheirTimes) {
   const TemporaryFolder folder;
-  std::vector<Image<Rgb8>> pictures;
+  std::vector<Image<Rgb8>> images;
   ApngWriter writer(folder / "a.png", 31, 17, 3);
   for (uint32_t i = 0; i < 3; ++i) {
-    pictures.push_back(randomPicture(31, 17, i));
-    writer.add(pictures.back(), static_cast<uint16_t>(300 * i + 20));
+    images.push_back(randomImage(31, 17, i));
+    writer.add(images.back(), static_cast<uint16_t>(300 * i + 20));
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
   writer.finish();
   const AnimatedPng animation = readAnimatedPng(fileBytes(folder / "a.png"));
-  EXPECT_EQ(animation.pictures, pictures);
+  EXPECT_EQ(animation.images, images);
   EXPECT_THAT(animation.milliseconds, ElementsAre(20, 320, 620));
-  EXPECT_EQ(readPng(folder / "a.png"), pictures.front()) << "what a reader without animations shows";
+  EXPECT_EQ(readPng(folder / "a.png"), images.front()) << "what a reader without animations shows";
 }
 
 /// Where the light of an image is on average, in pixels from its middle: to the right, and upwards.
@@ -131,10 +131,10 @@ TEST(ExportPreview, aVolumeTurnsAroundOnce) {
   SvolReader reader(folder / "a.svol");
   exportPreview(folder / "a.png", reader, {.pixels = 40});
   const AnimatedPng animation = readAnimatedPng(fileBytes(folder / "a.png"));
-  ASSERT_EQ(animation.pictures.size(), 60u);
+  ASSERT_EQ(animation.images.size(), 60u);
   EXPECT_NEAR(std::accumulate(animation.milliseconds.begin(), animation.milliseconds.end(), 0), 5000, 60);
-  EXPECT_NE(animation.pictures[0], animation.pictures[15]);
-  EXPECT_TRUE(std::ranges::any_of(animation.pictures[0], [](const Rgb8& pixel) { return pixel.x > 100; }));
+  EXPECT_NE(animation.images[0], animation.images[15]);
+  EXPECT_TRUE(std::ranges::any_of(animation.images[0], [](const Rgb8& pixel) { return pixel.x > 100; }));
 }
 
 TEST(ExportPreview, aRecordingPlaysAtItsOwnSpeed) {
@@ -167,9 +167,9 @@ TEST(ExportPreview, longRecordingsAreShortenedAndDarkOnesAreBlack) {
   SvolReader reader(folder / "a.svol");
   exportPreview(folder / "a.png", reader, {.pixels = 16});
   const AnimatedPng animation = readAnimatedPng(fileBytes(folder / "a.png"));
-  EXPECT_EQ(animation.pictures.size(), 120u);
+  EXPECT_EQ(animation.images.size(), 120u);
   EXPECT_EQ(animation.milliseconds.front(), 100);
-  EXPECT_EQ(animation.pictures.back(), Image<Rgb8>(16, 16, Rgb8(0)));
+  EXPECT_EQ(animation.images.back(), Image<Rgb8>(16, 16, Rgb8(0)));
 }
 
 TEST(ExportPreview, hasTheSameBytesWithAnyNumberOfThreads) {

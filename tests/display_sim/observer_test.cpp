@@ -127,7 +127,7 @@ TEST(Observer, exactlyTheMissingSectorIsDark) {
   EXPECT_GT(dark, 500);
 }
 
-// Even where the screen moves by several voxels from slice to slice, the picture of an even floor shows no gaps. Voxels
+// Even where the screen moves by several voxels from slice to slice, the image of an even floor shows no gaps. Voxels
 // of equal light stand in rings of N: light for the area falls as 1 / r.
 TEST(Observer, noGapsBetweenSlicesAtTheRim) {
   const DisplayProfile profile = smallProfile(60, 128, 128);  // at the rim a step is 3.4 columns

@@ -99,10 +99,10 @@ bool isInside(const Mesh& mesh, const glm::dvec3& point) {
 
 // The flood ends where it does between cells that the surface touches: it stays out of all cells that lie wholly
 // inside, and reaches all that lie wholly outside. (A cell at the end of a narrow crevice may be outside, and yet
-// walled off by the cells that the surface touches on both sides.) No more than `kMostOutside` of the lit cells are not
+// walled off by the cells that the surface touches on both sides.) No more than `kMaxOutside` of the lit cells are not
 // of `exact`.
 void expectAsTight(const Mesh& mesh, const SweepGeometry& sweep, const Volume& fast, const Volume& exact) {
-  constexpr double kMostOutside = 1e-3;
+  constexpr double kMaxOutside = 1e-3;
   const FloodFill flood(fast);
   const FloodFill exactFlood(exact);
   size_t leaks = 0;
@@ -127,7 +127,7 @@ void expectAsTight(const Mesh& mesh, const SweepGeometry& sweep, const Volume& f
   }
   EXPECT_EQ(leaks, 0u);
   EXPECT_EQ(walledOff, 0u);
-  EXPECT_LE(static_cast<double>(outside), kMostOutside * static_cast<double>(lit));
+  EXPECT_LE(static_cast<double>(outside), kMaxOutside * static_cast<double>(lit));
   ::testing::Test::RecordProperty("lit", static_cast<int>(lit));
   ::testing::Test::RecordProperty("outside", static_cast<int>(outside));
 }

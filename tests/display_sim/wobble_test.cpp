@@ -99,7 +99,7 @@ TEST(Wobble, passesAreSortedByPhase) {
   EXPECT_EQ(arcs[0].turnedPasses + arcs[1].turnedPasses, 5);
   const std::vector<ExposedArc> many =
       exposedArcs(profile, {0, 1000 * kPi}, {.amplitudeRadii = 0.1, .frequency = 1.234567});
-  EXPECT_LE(many.size(), size_t{11} * kMostWobblePhases);
+  EXPECT_LE(many.size(), size_t{11} * kMaxWobblePhases);
   double passes = 0;
   for (const ExposedArc& arc : many) {
     passes += arc.slice == 3 ? arc.passes : 0;

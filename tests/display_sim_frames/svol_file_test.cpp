@@ -147,7 +147,7 @@ TEST(SvolFile, metadataThatIsNoObjectIsAnInputErrorAndLeavesNothing) {
     EXPECT_THROW(writeSvol(folder / "a.svol", volume, metadata), InputError) << metadata;
   }
   std::string long_ = "{\"a\":\"";
-  long_.append(svol::kMostMetadataBytes, 'x');
+  long_.append(svol::kMaxMetadataBytes, 'x');
   EXPECT_THROW(writeSvol(folder / "a.svol", volume, long_ + "\"}"), InputError);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }

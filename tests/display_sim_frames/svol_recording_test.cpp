@@ -246,7 +246,7 @@ TEST(SvolRecording, joiningStopsBeforeTimesRunOut) {
   const DisplayProfile profile = recordedProfile(5, 17, 9, 1);
   SvolWriter writer(folder / "a.svol", profile);
   writer.append(Volume(profile), 0);
-  writer.append(Volume(profile), svol::kMostMicroseconds);
+  writer.append(Volume(profile), svol::kMaxMicroseconds);
   writer.finish();
   EXPECT_EQ(joinSvol({folder / "a.svol"}, folder / "b.svol").frames, 2u);
   EXPECT_THROW(joinSvol({folder / "a.svol", folder / "a.svol"}, folder / "c.svol"), InputError);

@@ -88,46 +88,46 @@ std::vector<NamedView> views() {
 // The same parts in single precision: their borders move by about 1e-4 pixels, of boxes about a pixel large; a part
 // that is rounded to a length of just more or less than a pixel is divided otherwise. The sums of whole numbers round a
 // share of light, one hundredth of a voxel's or more, by 2^-21.
-TEST_P(GlObserverTest, seesWhatTheProcessorSees) {
+TEST_P(GlObserverTest, seesWhatTheCpuSees) {
   for (const SecondHalfTurn half : {SecondHalfTurn::kMirrored, SecondHalfTurn::kOwn}) {
     const Volume volume = test::coloredTorus(smallProfile(24, 50, 64, half));
     for (const NamedView& view : views()) {
       SCOPED_TRACE(view.name);
-      const Image<glm::vec3> processors = collectLight(volume, view.options);
+      const Image<glm::vec3> CPUs = collectLight(volume, view.options);
       const Image<glm::vec3> image = observed(volume, {.view = view.options});
-      ASSERT_EQ(image.size(), processors.size());
-      const glm::dvec3 sum = sumOf(processors);
+      ASSERT_EQ(image.size(), CPUs.size());
+      const glm::dvec3 sum = sumOf(CPUs);
       for (int channel = 0; channel < 3; ++channel) {
         EXPECT_GT(sum[channel], 1);
         EXPECT_NEAR(sumOf(image)[channel] / sum[channel], 1, 1e-3);
       }
-      EXPECT_LE(difference(image, processors), 1e-3);
+      EXPECT_LE(difference(image, CPUs), 1e-3);
     }
   }
 }
 
-TEST_P(GlObserverTest, channelsInTurnAreThoseOfTheProcessor) {
+TEST_P(GlObserverTest, channelsInTurnAreThoseOfTheCpu) {
   DisplayProfile profile = smallProfile(24, 50, 64);
   profile.channelTiming = ChannelTiming::kInTurn;
   const Volume volume = test::coloredTorus(profile);
   const ObserverOptions view{.eye = {3, 4, -2}, .width = 200, .height = 200, .exposureSeconds = 1.0 / 25};
-  const Image<glm::vec3> processors = collectLight(volume, view);
+  const Image<glm::vec3> CPUs = collectLight(volume, view);
   const Image<glm::vec3> image = observed(volume, {.view = view});
-  EXPECT_GT(sumOf(processors).y, 1);
-  EXPECT_LE(difference(image, processors), 1e-3);
+  EXPECT_GT(sumOf(CPUs).y, 1);
+  EXPECT_LE(difference(image, CPUs), 1e-3);
 }
 
 // Points lie within a pixel of where the light is: blocks of 10 x 10 pixels trade some of that along their borders.
 TEST_P(GlObserverTest, pointsAreTheSameLightBlurred) {
   const Volume volume = test::coloredTorus(smallProfile(48, 100, 100));
   const ObserverOptions view{.eye = {3, 4, -2}, .width = 300, .height = 300};
-  const Image<glm::vec3> processors = collectLight(volume, view);
+  const Image<glm::vec3> CPUs = collectLight(volume, view);
   const Image<glm::vec3> image = observed(volume, {.view = view, .splat = GlSplat::kPoints});
   for (int channel = 0; channel < 3; ++channel) {
-    EXPECT_NEAR(sumOf(image)[channel] / sumOf(processors)[channel], 1, 1e-3);
+    EXPECT_NEAR(sumOf(image)[channel] / sumOf(CPUs)[channel], 1, 1e-3);
   }
-  EXPECT_LE(difference(blocks(image, 10), blocks(processors, 10)), 0.05);
-  EXPECT_GT(difference(image, processors), 0.05) << "boxes were drawn";
+  EXPECT_LE(difference(blocks(image, 10), blocks(CPUs, 10)), 0.05);
+  EXPECT_GT(difference(image, CPUs), 0.05) << "boxes were drawn";
 }
 
 TEST_P(GlObserverTest, aWindowShowsAPartOfTheSweep) {
@@ -168,12 +168,12 @@ TEST_P(GlObserverTest, carriesAndGrows) {
     }
   }
   const ObserverOptions view{.width = 1, .height = 1};
-  const glm::dvec3 processors = sumOf(collectLight(volume, view));
+  const glm::dvec3 CPUs = sumOf(collectLight(volume, view));
   const glm::dvec3 sum = sumOf(observed(volume, {.view = view}));
   EXPECT_EQ(observer_.litVoxels(), size_t{96} * 110 * 110);
-  EXPECT_GT(processors.y, 1e5);
+  EXPECT_GT(CPUs.y, 1e5);
   for (int channel = 0; channel < 3; ++channel) {
-    EXPECT_NEAR(sum[channel] / processors[channel], 1, 1e-3);
+    EXPECT_NEAR(sum[channel] / CPUs[channel], 1, 1e-3);
   }
 }
 

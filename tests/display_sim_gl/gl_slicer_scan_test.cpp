@@ -17,20 +17,20 @@ class GlSlicerScan : public testing::TestWithParam<GlProvider> {
  protected:
   static void expectSameVoxels(const Mesh& mesh) {
     const DisplayProfile profile = loadProfile("perspecta");
-    const Volume processors = sliceExactly(mesh, profile);
+    const Volume CPUs = sliceExactly(mesh, profile);
     const auto context = openTestContext(GetParam());
     const GlScope scope(*context);
     const GlMesh onGpu(*context, mesh);
     GlVolume volume(*context, profile);
     for (const GlPrecision precision : {GlPrecision::kDouble, GlPrecision::kSingle}) {
       GlSlicer(*context, precision).slice(onGpu, volume);
-      const size_t differing = test::differingVoxels(volume.read(), processors);
+      const size_t differing = test::differingVoxels(volume.read(), CPUs);
       RecordProperty(precision == GlPrecision::kDouble ? "differingInDouble" : "differingInSingle",
                      static_cast<int>(differing));
       if (precision == GlPrecision::kDouble && context->info().isSoftware) {
         EXPECT_EQ(differing, 0u);
       }
-      EXPECT_LE(differing, processors.litVoxels() / 10000);
+      EXPECT_LE(differing, CPUs.litVoxels() / 10000);
     }
   }
 };

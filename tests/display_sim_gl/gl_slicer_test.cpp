@@ -119,14 +119,14 @@ std::vector<DisplayProfile> profiles() {
           smallProfile(5, 13, 14, SecondHalfTurn::kOwn)};
 }
 
-TEST_P(GlSlicerTest, lightsWhatTheProcessorDoes) {
+TEST_P(GlSlicerTest, lightsWhatTheCpuDoes) {
   GlSlicer slicer(*context_);
   for (const DisplayProfile& profile : profiles()) {
     for (const NamedMesh& named : meshes()) {
       SCOPED_TRACE(named.name + std::string(" ") + jsonText(profile));
       const Volume onGpu = sliced(slicer, named.mesh, profile);
       EXPECT_GT(onGpu.litVoxels(), 0u);
-      if (context_->info().isSoftware) {  // whose rounding is the processor's
+      if (context_->info().isSoftware) {  // whose rounding is the CPU's
         EXPECT_EQ(onGpu, sliceExactly(named.mesh, profile));
       }
       const double rounding = kSliceRounding * named.reach;
@@ -165,7 +165,7 @@ Mesh boxesOnSectorBorders(int slices) {
   return mesh;
 }
 
-// What is inside on the processor, where nothing leaks, must be inside on the GPU.
+// What is inside on the CPU, where nothing leaks, must be inside on the GPU.
 TEST_P(GlSlicerTest, closedSurfacesHoldInSinglePrecision) {
   const DisplayProfile profile = smallProfile(48, 80, 80);
   GlSlicer slicer(*context_, GlPrecision::kSingle);
@@ -174,14 +174,14 @@ TEST_P(GlSlicerTest, closedSurfacesHoldInSinglePrecision) {
         boxesOnSectorBorders(48), test::box({-0.5f, -0.75f, -0.25f}, {0.5f, 0.75f, 0.5f}),
         test::box({0, -0.5f, 0}, {0.6f, 0.5f, 0.6f})}) {
     const Volume volume = sliced(slicer, mesh, profile);
-    const Volume processors = sliceExactly(mesh, profile);
+    const Volume CPUs = sliceExactly(mesh, profile);
     const test::FloodFill flood(volume);
-    const test::FloodFill processorsFlood(processors);
+    const test::FloodFill processorsFlood(CPUs);
     size_t inside = 0;
     for (int i = 0; i < profile.slicesPerHalfTurn; ++i) {
       for (int row = 0; row < profile.height; ++row) {
         for (int column = 0; column < profile.width; ++column) {
-          const bool dark = volume.colorBits(i, column, row) == 0 && processors.colorBits(i, column, row) == 0;
+          const bool dark = volume.colorBits(i, column, row) == 0 && CPUs.colorBits(i, column, row) == 0;
           if (dark && !processorsFlood.reached({i, column, row})) {
             ++inside;
             EXPECT_FALSE(flood.reached({i, column, row})) << i << " " << column << " " << row;
@@ -193,7 +193,7 @@ TEST_P(GlSlicerTest, closedSurfacesHoldInSinglePrecision) {
   }
 }
 
-TEST_P(GlSlicerTest, reducesColorsAsTheProcessorDoes) {
+TEST_P(GlSlicerTest, reducesColorsAsTheCpuDoes) {
   GlSlicer slicer(*context_);
   Mesh mesh = test::torus(0.6, 0.3, 40, 30);
   for (const glm::vec3& p : mesh.positions) {
@@ -205,9 +205,9 @@ TEST_P(GlSlicerTest, reducesColorsAsTheProcessorDoes) {
     for (const ColorReduction colors : {ColorReduction::kDither, ColorReduction::kOccupancy}) {
       const DisplayProfile profile = smallProfile(30, 49, 40, half);
       const Volume onGpu = sliced(slicer, mesh, profile, {colors});
-      const Volume processors = sliceExactly(mesh, profile, {colors});
+      const Volume CPUs = sliceExactly(mesh, profile, {colors});
       // A colour that another GPU rounds otherwise can be that of a threshold, of which there are 2^23.
-      EXPECT_LE(test::differingVoxels(onGpu, processors), context_->info().isSoftware ? 0 : onGpu.litVoxels() / 1000);
+      EXPECT_LE(test::differingVoxels(onGpu, CPUs), context_->info().isSoftware ? 0 : onGpu.litVoxels() / 1000);
     }
   }
 }
@@ -251,9 +251,9 @@ TEST_P(GlSlicerTest, takesManyLargeTriangles) {
   const DisplayProfile profile = smallProfile(180, 1100, 400);
   GlSlicer slicer(*context_);
   const Volume onGpu = sliced(slicer, mesh, profile);
-  const Volume processors = sliceExactly(mesh, profile);
-  EXPECT_LT(processors.litVoxels(), size_t{180} * 1100 * 400 / 2);
-  EXPECT_LE(test::differingVoxels(onGpu, processors), context_->info().isSoftware ? 0 : processors.litVoxels() / 1000);
+  const Volume CPUs = sliceExactly(mesh, profile);
+  EXPECT_LT(CPUs.litVoxels(), size_t{180} * 1100 * 400 / 2);
+  EXPECT_LE(test::differingVoxels(onGpu, CPUs), context_->info().isSoftware ? 0 : CPUs.litVoxels() / 1000);
 }
 
 TEST_P(GlSlicerTest, leavesNothingBehind) {

@@ -75,7 +75,7 @@ TEST_F(TwoSquares, visibleVoxelsAreWhatTheFrontSees) {
   EXPECT_NEAR(visible.meanFlip(), alone.meanFlip(), 0.001);
 }
 
-TEST_F(TwoSquares, picturesAreThoseThatWereMeasured) {
+TEST_F(TwoSquares, imagesAreThoseThatWereMeasured) {
   size_t visits = 0;
   SolidityMeter(both, options)
       .measure("both", sliceExactly(both, options.profile), 4, Shown::kEverything, {}, [&](const ObservedFrame& frame) {

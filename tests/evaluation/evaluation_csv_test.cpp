@@ -76,7 +76,7 @@ TEST(EvaluationCsv, leavesEmptyWhatWasNotMeasured) {
   auto lines = readCsv(evaluationCsv({}, {row}));
   EXPECT_EQ(fieldOf(lines, 1, "slice_ms"), "");
   EXPECT_EQ(fieldOf(lines, 1, "psnr_db_edges"), "");
-  row.edges.pictures = 2;
+  row.edges.images = 2;
   row.edges.ssim = 2;
   EvaluationOptions options;
   options.slice = [](const Mesh&) {};

@@ -56,7 +56,7 @@ void expectPlaces(const nlohmann::ordered_json& json) {
 
 TEST(Evaluation, jsonHasItsFields) {
   EvaluationOptions options = smallOptions();
-  options.comparePictures = true;
+  options.compareImages = true;
   options.offsets = {0, 0.5f, 1};
   options.offsetDirections = 2;
   size_t slicedTriangles = 0;
@@ -160,7 +160,7 @@ MakeRepresentation meshAlone(const Mesh& mesh) {
 
 EvaluationOptions fullOptions() {
   EvaluationOptions options = smallOptions();
-  options.comparePictures = true;
+  options.compareImages = true;
   options.offsets = {0, 0.3f, 1};
   options.offsetDirections = 3;
   return options;
@@ -179,7 +179,7 @@ TEST(Evaluator, theSceneItselfHasNoErrors) {
     EXPECT_EQ(errors->strict + errors->wrongFront + errors->falseSkin, 0u);
     EXPECT_EQ(errors->meanFlip(), 0);
   }
-  EXPECT_EQ(figures.edges.pictures, 20u);
+  EXPECT_EQ(figures.edges.images, 20u);
   EXPECT_EQ(figures.strictRatioToDi, 0);
   const auto json = nlohmann::json::parse(evaluationJson("x", options, {figures}));
   EXPECT_TRUE(json["representations"][0]["psnr_db"]["edges"].is_null()) << "it is infinite";
@@ -337,8 +337,8 @@ TEST(Evaluator, exampleIsSeenFromTheLeft) {
   const Evaluator evaluator(mesh, smallOptions());
   EXPECT_LT(glm::distance(evaluator.exampleView().eye, glm::vec3(-0.8f, 0, 10)), 1e-5f);
   const Evaluator::Example same = evaluator.example(mesh);
-  EXPECT_TRUE(same.picture == evaluator.examplePicture());
-  EXPECT_FALSE(same.errors == same.picture) << "dimmed";
+  EXPECT_TRUE(same.image == evaluator.exampleImage());
+  EXPECT_FALSE(same.errors == same.image) << "dimmed";
   EXPECT_EQ(same.errors.width(), test::kWidth);
 }
 

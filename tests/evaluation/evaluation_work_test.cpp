@@ -33,7 +33,7 @@ RepresentationFigures figuresOf(const std::string& name) {
   row.edges.wrongFront = 10;
   row.edges.frame = 190;
   row.edges.falseSkin = 4;
-  row.edges.pictures = 3;
+  row.edges.images = 3;
   row.edges.squaredError = 1.0 / 7;
   row.edges.ssim = -1.0 / 9;
   row.edges.flip = 1e-300;
@@ -171,7 +171,7 @@ TEST(EvaluationKey, changesWithAnythingThatFiguresDependOn) {
   changed([](auto& o) { o.cell.segmentDirection.y = 1; });
   changed([](auto& o) { o.interiorViews = 1; });
   changed([](auto& o) { o.seed = 2; });
-  changed([](auto& o) { o.comparePictures = true; });
+  changed([](auto& o) { o.compareImages = true; });
   changed([](auto& o) { o.offsets = {0.5f}; });
   changed([](auto& o) { o.offsetDirections = 1; });
   changed([](auto& o) { o.runs = 2; });

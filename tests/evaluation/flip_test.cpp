@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "tests/evaluation/test_pictures.h"
+#include "tests/evaluation/test_images.h"
 
 namespace ocelli {
 namespace {
@@ -132,8 +132,8 @@ class SlowFlip {
 };
 
 TEST(Flip, isThePublishedEquations) {
-  const Image<Rgb8> noise = test::randomPicture(24, 16, 1);
-  const Image<Rgb8> otherNoise = test::randomPicture(24, 16, 2);
+  const Image<Rgb8> noise = test::randomImage(24, 16, 1);
+  const Image<Rgb8> otherNoise = test::randomImage(24, 16, 2);
   const Image<Rgb8> smooth = test::gradient(24, 16);
   for (const double pixelsPerDegree : {10.0, 30.0, 67.0}) {
     const SlowFlip slow(pixelsPerDegree);
@@ -146,8 +146,8 @@ TEST(Flip, isThePublishedEquations) {
   }
 }
 
-// On plain pictures nothing is blurred and there are no features: what is left is the distance of the colours.
-TEST(Flip, ofPlainPicturesFollowsFromTheirColours) {
+// On plain images nothing is blurred and there are no features: what is left is the distance of the colours.
+TEST(Flip, ofPlainImagesFollowsFromTheirColours) {
   EXPECT_NEAR(flip(plain({0, 255, 0}), plain({0, 0, 255})), 1, 1e-5) << "the farthest pair of colours";
   // Green is L*a*b* (87.74, -86.18, 83.18) and blue (32.30, 79.19, -107.86). Chroma times L/100: (-75.61, 72.98) and
   // (25.58, -34.84), so HyAB is 55.44 + 147.87, and to the power of 0.7 it is 41.28. Black to white is 100^0.7 = 25.12,
@@ -157,8 +157,8 @@ TEST(Flip, ofPlainPicturesFollowsFromTheirColours) {
   EXPECT_NEAR(flip(plain({128, 128, 128}), plain({127, 127, 127})), 0.0298, 2e-4);
 }
 
-TEST(Flip, ofEqualPicturesIsZero) {
-  for (const Image<Rgb8>& picture : {plain(kWhite), test::gradient(), test::randomPicture(20, 30, 1)}) {
+TEST(Flip, ofEqualImagesIsZero) {
+  for (const Image<Rgb8>& picture : {plain(kWhite), test::gradient(), test::randomImage(20, 30, 1)}) {
     EXPECT_EQ(flip(picture, picture), 0);
   }
 }
@@ -176,7 +176,7 @@ TEST(Flip, isSymmetricAndGrowsWithNoise) {
 }
 
 TEST(Flip, staysWithinItsRange) {
-  for (const float error : flipMap(test::randomPicture(40, 30, 1), test::randomPicture(40, 30, 2))) {
+  for (const float error : flipMap(test::randomImage(40, 30, 1), test::randomImage(40, 30, 2))) {
     EXPECT_GE(error, 0);
     EXPECT_LE(error, 1);
   }
@@ -204,7 +204,7 @@ TEST(Flip, takesASinglePixel) {
   EXPECT_NEAR(flip(plain(kBlack, 1, 1), plain(kWhite, 1, 1)), 0.9674, 1e-4);
 }
 
-TEST(FlipDeathTest, wantsPicturesOfOneSize) {
+TEST(FlipDeathTest, wantsImagesOfOneSize) {
   EXPECT_DEATH(flip(plain(kBlack, 4, 4), plain(kBlack, 5, 4)), "same size");
   EXPECT_DEATH(flip({}, {}), "pixels");
 }

@@ -15,9 +15,9 @@ TEST(RenderFrame, showsPointsAndColoursOnBlack) {
   const ViewFrame frame = renderFrame(smallCamera(), test::wall(0, 0.5f));
   EXPECT_EQ(frame.points(45, 30).w, 1);
   EXPECT_NEAR(frame.points(45, 30).z, 0, 1e-5f);
-  EXPECT_EQ(frame.picture(45, 30), Rgb8(188)) << "a linear half";
+  EXPECT_EQ(frame.image(45, 30), Rgb8(188)) << "a linear half";
   EXPECT_EQ(frame.points(0, 0).w, 0);
-  EXPECT_EQ(frame.picture(0, 0), Rgb8(0));
+  EXPECT_EQ(frame.image(0, 0), Rgb8(0));
 }
 
 TEST(FrameErrors, ofEqualFramesAreNone) {
@@ -25,11 +25,11 @@ TEST(FrameErrors, ofEqualFramesAreNone) {
   const ViewFrame frame = renderFrame(smallCamera(), mesh);
   const FrameComparison comparison = compareViewFrames(smallCamera(), frame, frame, RayScene(mesh));
   FrameErrors errors = countErrors(comparison, frame);
-  addPictureErrors(errors, frame, frame);
+  addImageErrors(errors, frame, frame);
   EXPECT_GT(errors.truth, 1000u);
   EXPECT_EQ(errors.frame, errors.truth);
   EXPECT_EQ(errors.strict + errors.thick + errors.wrongFront + errors.falseSkin, 0u);
-  EXPECT_EQ(errors.pictures, 1u);
+  EXPECT_EQ(errors.images, 1u);
   EXPECT_TRUE(std::isinf(errors.meanPsnrDecibels()));
   EXPECT_NEAR(errors.meanSsim(), 1, 1e-6);
   EXPECT_EQ(errors.meanFlip(), 0);
@@ -42,7 +42,7 @@ TEST(FrameErrors, addUpAndHaveRatios) {
   errors.wrongFront = 4;
   errors.frame = 50;
   errors.falseSkin = 5;
-  errors.pictures = 1;
+  errors.images = 1;
   errors.squaredError = 0.03;
   errors.ssim = 0.5;
   errors.flip = 0.25;
@@ -51,7 +51,7 @@ TEST(FrameErrors, addUpAndHaveRatios) {
   other.strict = 10;
   other.frame = 150;
   other.falseSkin = 1;
-  other.pictures = 2;
+  other.images = 2;
   other.squaredError = 0;
   other.ssim = 2;
   other.flip = 0.05;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/evaluation/test_pictures.h"
+#include "tests/evaluation/test_images.h"
 
 namespace ocelli {
 namespace {
@@ -68,14 +68,14 @@ double slowSsim(const Image<Rgb8>& a, const Image<Rgb8>& b) {
 
 TEST(Ssim, isItsDefinition) {
   for (const auto& [width, height] : {std::pair(40, 25), {7, 5}, {1, 1}, {1, 30}}) {
-    const Image<Rgb8> a = test::randomPicture(width, height, 1);
+    const Image<Rgb8> a = test::randomImage(width, height, 1);
     const Image<Rgb8> b = test::withNoise(a, 60);
     // Variances are small differences of squares up to 65025, with 24 bits: 0.01 of a c2 of 58.5.
     EXPECT_NEAR(ssim(a, b), slowSsim(a, b), 1e-3) << width << "x" << height;
   }
 }
 
-TEST(Ssim, ofPlainPicturesIsThatOfTheirLuminance) {
+TEST(Ssim, ofPlainImagesIsThatOfTheirLuminance) {
   const double c1 = 6.5025;
   EXPECT_NEAR(ssim(plain({0, 0, 0}), plain({255, 255, 255})), c1 / (255 * 255 + c1), 1e-6);
   EXPECT_NEAR(ssim(plain({100, 100, 100}), plain({50, 50, 50})), (2 * 5000 + c1) / (12500 + c1), 1e-4);
@@ -94,7 +94,7 @@ TEST(Ssim, isSymmetricAndFallsUnderGrowingNoise) {
   }
 }
 
-TEST(ImageQualityDeathTest, wantsPicturesOfOneSize) {
+TEST(ImageQualityDeathTest, wantsImagesOfOneSize) {
   EXPECT_DEATH(ssim(plain({0, 0, 0}, 4, 4), plain({0, 0, 0}, 4, 5)), "same size");
   EXPECT_DEATH(meanSquaredError({}, {}), "pixels");
 }

@@ -41,7 +41,7 @@ TEST(TruthFrames, beyondTheirMemoryAreRenderedAnew) {
   for (int round = 0; round < 2; ++round) {
     for (size_t i = 0; i < frames.count(); ++i) {
       EXPECT_TRUE(test::sameBytes(frames.frame(i)->points, all.frame(i)->points));
-      EXPECT_TRUE(frames.frame(i)->picture == all.frame(i)->picture);
+      EXPECT_TRUE(frames.frame(i)->image == all.frame(i)->image);
     }
   }
   EXPECT_EQ(frames.keptFrames(), 2u);

@@ -1,4 +1,4 @@
-// Graph and curved ray cameras on the GPU, against the rasteriser on the processor.
+// Graph and curved ray cameras on the GPU, against the rasteriser on the CPU.
 #include "oc_core/gl/bent_ray_pass.h"
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ TEST_P(BentRayPassTest, movesAndReplacesVertices) {
   EXPECT_NE(renderer.draw(pinhole()), before);
 }
 
-TEST_P(BentRayPassTest, agreesWithTheProcessor) {
+TEST_P(BentRayPassTest, agreesWithTheCpu) {
   for (const char* scene : {"builtin:boxes", "builtin:statues", "builtin:fence,gap=4", "builtin:room"}) {
     const Mesh mesh = loadScene(scene, {}, {});
     const GlRenderer renderer(*context_, mesh);
@@ -77,9 +77,9 @@ TEST_P(BentRayPassTest, agreesWithTheProcessor) {
     expectAgreement(test::crossroads(pinhole()), mesh, renderer, scene);
     expectAgreement(limited(), mesh, renderer, scene);
     expectAgreement(CurvedRayCamera(pinhole()), mesh, renderer, scene);
-    expectAgreement(test::turningRight(pinhole()), mesh, renderer, scene);
-    expectAgreement(test::turningTwice(pinhole()), mesh, renderer, scene);
-    expectAgreement(test::turningTwice(pinhole(), ArcModel::kBezier), mesh, renderer, scene);
+    expectAgreement(test::bendingRight(pinhole()), mesh, renderer, scene);
+    expectAgreement(test::bendingTwice(pinhole()), mesh, renderer, scene);
+    expectAgreement(test::bendingTwice(pinhole(), ArcModel::kBezier), mesh, renderer, scene);
   }
 }
 
@@ -92,7 +92,7 @@ TEST_P(BentRayPassTest, wallsAllAroundLeaveNoCrack) {
     densify(mesh, triangles);
     const GlRenderer renderer(*context_, mesh);
     EXPECT_EQ(coveredPixels(renderer.draw(test::crossroads(pinhole()))), 270u * 180) << triangles;
-    EXPECT_EQ(coveredPixels(renderer.draw(test::turningTwice(pinhole()))), 270u * 180) << triangles;
+    EXPECT_EQ(coveredPixels(renderer.draw(test::bendingTwice(pinhole()))), 270u * 180) << triangles;
   }
 }
 
@@ -101,9 +101,9 @@ TEST_P(BentRayPassTest, drawsTheSameBytesAgainAndLeavesOtherCamerasAlone) {
   const GlRenderer renderer(*context_, mesh);
   const FragmentImage before = renderer.draw(pinhole());
   const FragmentImage graph = renderer.draw(test::crossroads(pinhole()));
-  const FragmentImage curved = renderer.draw(test::turningTwice(pinhole()));
+  const FragmentImage curved = renderer.draw(test::bendingTwice(pinhole()));
   EXPECT_EQ(renderer.draw(test::crossroads(pinhole())), graph);
-  EXPECT_EQ(renderer.draw(test::turningTwice(pinhole())), curved);
+  EXPECT_EQ(renderer.draw(test::bendingTwice(pinhole())), curved);
   EXPECT_EQ(renderer.draw(pinhole()), before);
 }
 
@@ -111,7 +111,7 @@ TEST_P(BentRayPassTest, brokenTrianglesLeaveTheirNeighboursAlone) {
   Mesh mesh = loadScene("builtin:boxes", {}, {});
   const auto drawn = [&] {
     const GlRenderer renderer(*context_, mesh);
-    return std::pair(renderer.draw(test::crossroads(pinhole())), renderer.draw(test::turningTwice(pinhole())));
+    return std::pair(renderer.draw(test::crossroads(pinhole())), renderer.draw(test::bendingTwice(pinhole())));
   };
   const auto whole = drawn();
   test::addBrokenTriangles(mesh);

@@ -15,13 +15,13 @@ namespace {
 
 constexpr size_t kCount = 1 << 16;
 
-/// An expression of a, b and c in GLSL after the statements `before`, and the same on the processor.
+/// An expression of a, b and c in GLSL after the statements `before`, and the same on the CPU.
 template <class Real>
 struct Operation {
   const char* name;
   const char* before;
   const char* expression;
-  Real (*onProcessor)(Real a, Real b, Real c);
+  Real (*onCpu)(Real a, Real b, Real c);
 };
 
 template <class Real>
@@ -104,7 +104,7 @@ std::vector<Real> onGpu(GlContext& context, const Operation<Real>& operation, co
 class GlArithmeticTest : public testing::TestWithParam<GlProvider> {
  protected:
   template <class Real>
-  void expectTheProcessors(const std::vector<Operation<Real>>& operations) {
+  void expectTheCpus(const std::vector<Operation<Real>>& operations) {
     const GlScope scope(*context_);
     const std::vector<Real> numbers = inputs<Real>();
     for (const Operation<Real>& operation : operations) {
@@ -112,7 +112,7 @@ class GlArithmeticTest : public testing::TestWithParam<GlProvider> {
       size_t differing = 0;
       Real largest = 0;
       for (size_t i = 0; i < kCount; ++i) {
-        const Real expected = operation.onProcessor(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
+        const Real expected = operation.onCpu(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
         differing += results[i] != expected ? 1 : 0;
         largest = std::max(largest, std::abs(results[i] - expected));
       }
@@ -124,12 +124,12 @@ class GlArithmeticTest : public testing::TestWithParam<GlProvider> {
 };
 INSTANTIATE_TEST_SUITE_P(Providers, GlArithmeticTest, kOffscreenProviders, providerName);
 
-TEST_P(GlArithmeticTest, doublesAreTheProcessors) {
-  expectTheProcessors(sumsAndProducts<double>());
-  expectTheProcessors(ofDoubles());
+TEST_P(GlArithmeticTest, doublesAreTheCpus) {
+  expectTheCpus(sumsAndProducts<double>());
+  expectTheCpus(ofDoubles());
 }
-TEST_P(GlArithmeticTest, sumsAndProductsOfFloatsAreTheProcessors) {
-  expectTheProcessors(sumsAndProducts<float>());
+TEST_P(GlArithmeticTest, sumsAndProductsOfFloatsAreTheCpus) {
+  expectTheCpus(sumsAndProducts<float>());
 }
 
 }  // namespace

@@ -33,8 +33,7 @@ std::string messageOf(const std::function<void()>& work) {
 
 /// What every message holds: a next step, and the way without a GPU.
 auto says(const std::string& what, const std::string& where) {
-  return AllOf(HasSubstr(what), HasSubstr(where), HasSubstr("\n  try: "),
-               HasSubstr("without OpenGL, on the processor"));
+  return AllOf(HasSubstr(what), HasSubstr(where), HasSubstr("\n  try: "), HasSubstr("without OpenGL, on the CPU"));
 }
 
 /// Opens nothing: its functions are those that a test gives.
@@ -99,25 +98,24 @@ class GlEnvironmentDeathTest : public testing::Test {
   }
 };
 
-constexpr const char* kOnTheProcessor = "without OpenGL, on the processor";
+constexpr const char* kOnTheCpu = "without OpenGL, on the CPU";
 
 TEST_F(GlEnvironmentDeathTest, everyProviderRefusesADriverBelow45) {
   setenv("MESA_GL_VERSION_OVERRIDE", "3.3", 1);
   for (const GlProvider provider : {GlProvider::kEgl, GlProvider::kOsMesa}) {
     EXPECT_EXIT(openAndEnd([&] { openGlContext(provider); }), testing::ExitedWithCode(0),
-                AllOf(HasSubstr("OpenGL 4.5"), HasSubstr(nameOf(provider)), HasSubstr(kOnTheProcessor)));
+                AllOf(HasSubstr("OpenGL 4.5"), HasSubstr(nameOf(provider)), HasSubstr(kOnTheCpu)));
   }
   EXPECT_EXIT(openAndEnd([] { openOffscreenContext(); }), testing::ExitedWithCode(0),
               AllOf(HasSubstr("neither EGL nor OSMesa"), HasSubstr("OpenGL 4.5"), HasSubstr("ocelli doctor"),
-                    HasSubstr(kOnTheProcessor)));
+                    HasSubstr(kOnTheCpu)));
   unsetenv("MESA_GL_VERSION_OVERRIDE");
 }
 
 TEST_F(GlEnvironmentDeathTest, eglWithoutADriverSaysWhatToInstall) {
   setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent", 1);
-  EXPECT_EXIT(
-      openAndEnd([] { openGlContext(GlProvider::kEgl); }), testing::ExitedWithCode(0),
-      AllOf(HasSubstr("EGL: it has no driver"), HasSubstr("install libgl1-mesa-dri"), HasSubstr(kOnTheProcessor)));
+  EXPECT_EXIT(openAndEnd([] { openGlContext(GlProvider::kEgl); }), testing::ExitedWithCode(0),
+              AllOf(HasSubstr("EGL: it has no driver"), HasSubstr("install libgl1-mesa-dri"), HasSubstr(kOnTheCpu)));
   // The next provider takes its place.
   EXPECT_EXIT(std::fputs(nameOf(openOffscreenContext()->info().provider), stderr); std::_Exit(0);
               , testing::ExitedWithCode(0), "OSMesa");
@@ -128,9 +126,8 @@ TEST_F(GlEnvironmentDeathTest, withoutADisplayThereIsNoWindow) {
   const char* display = std::getenv("DISPLAY");
   const std::string before = display != nullptr ? display : "";
   unsetenv("DISPLAY");
-  EXPECT_EXIT(
-      openAndEnd([] { GlWindow({}); }), testing::ExitedWithCode(0),
-      AllOf(HasSubstr("no display"), HasSubstr("set DISPLAY"), HasSubstr("--offscreen"), HasSubstr(kOnTheProcessor)));
+  EXPECT_EXIT(openAndEnd([] { GlWindow({}); }), testing::ExitedWithCode(0),
+              AllOf(HasSubstr("no display"), HasSubstr("set DISPLAY"), HasSubstr("--offscreen"), HasSubstr(kOnTheCpu)));
   setenv("DISPLAY", ":987", 1);
   EXPECT_EXIT(openAndEnd([] { GlWindow({}); }), testing::ExitedWithCode(0),
               AllOf(HasSubstr("no display"), HasSubstr("DISPLAY=:987"), HasSubstr("--offscreen")));

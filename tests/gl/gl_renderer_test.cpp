@@ -1,4 +1,4 @@
-// The renderer on the GPU against the one on the processor, camera by camera.
+// The renderer on the GPU against the one on the CPU, camera by camera.
 #include "oc_core/gl/gl_renderer.h"
 
 #include <gmock/gmock.h>
@@ -89,10 +89,10 @@ Difference compare(const FragmentImage& expected, const FragmentImage& got, cons
   return difference;
 }
 
-/// Names a camera, and draws it on the processor and on the GPU.
+/// Names a camera, and draws it on the CPU and on the GPU.
 struct CameraCase {
   const char* name;
-  std::function<FragmentImage(const Mesh&)> onProcessor;
+  std::function<FragmentImage(const Mesh&)> onCpu;
   std::function<FragmentImage(const Mesh&, const GlRenderer&)> onGpu;
 };
 
@@ -138,7 +138,7 @@ void expectAgreement(GlContext& context, const std::string& scene) {
   const Mesh mesh = loadScene(scene, {}, {});
   const GlRenderer renderer(context, mesh);
   for (const CameraCase& each : cameraCases()) {
-    const Difference d = compare(each.onProcessor(mesh), each.onGpu(mesh, renderer), mesh);
+    const Difference d = compare(each.onCpu(mesh), each.onGpu(mesh, renderer), mesh);
     EXPECT_GT(d.samples, 1000u) << scene << ", " << each.name;
     EXPECT_LE(static_cast<double>(d.differing), 0.005 * static_cast<double>(d.samples))
         << scene << ", " << each.name << ": " << d;
@@ -178,16 +178,16 @@ TEST_P(GlRendererTest, agreesOnTheTextsMapButForTies) {
   for (const char* scene : {"builtin:fence,gap=4", "builtin:boxes"}) {
     const Mesh mesh = loadScene(scene, {}, {});
     const DdocCamera camera = buildDdocCamera(pinhole(), mesh, DdocOptions::paper());
-    const FragmentImage onProcessor = rasterize(camera, mesh);
+    const FragmentImage onCpu = rasterize(camera, mesh);
     FragmentImage onGpu = GlRenderer(*context_, mesh).draw(camera, rasterize(pinhole(), mesh), {});
     size_t ties = 0;
     for (size_t i = 0; i < onGpu.size(); ++i) {
-      const float z = onProcessor[i].z;
-      const bool tie = onGpu[i].covered() && onProcessor[i].covered() && std::abs(onGpu[i].z - z) < 2e-6f * z;
-      ties += tie && onGpu[i] != onProcessor[i];
-      onGpu[i] = tie ? onProcessor[i] : onGpu[i];
+      const float z = onCpu[i].z;
+      const bool tie = onGpu[i].covered() && onCpu[i].covered() && std::abs(onGpu[i].z - z) < 2e-6f * z;
+      ties += tie && onGpu[i] != onCpu[i];
+      onGpu[i] = tie ? onCpu[i] : onGpu[i];
     }
-    const Difference d = compare(onProcessor, onGpu, mesh);
+    const Difference d = compare(onCpu, onGpu, mesh);
     EXPECT_LE(d.differing, d.samples / 200) << scene << ": " << d << ", " << ties << " ties";
   }
 }
@@ -261,7 +261,7 @@ TEST_P(GlRendererTest, floorThatRunsUnderTheEye) {
   view.zNear = 1.5f;
   const PinholeCamera camera(view, 120, 80);
   const GlRenderer renderer(*context_, floor);
-  // At the horizon the processor's grid of 1/256 pixel is 1 % of the depth: what counts is that each fragment lies on
+  // At the horizon the CPU's grid of 1/256 pixel is 1 % of the depth: what counts is that each fragment lies on
   // the ray of its pixel. Weights are floats, so that a fragment lies beside its place by some 2^-24 of the distance to
   // the corners, 3000 away; four roundings make it 2^-22.
   constexpr float kBeside = 3000.0f / 4194304.0f;

@@ -79,7 +79,7 @@ class GlWindowTest : public testing::Test {
         .title = "test", .width = 300, .height = 200, .visible = true, .debug = GlDebug::kErrorsAreFatal});
   }
 
-  /// Shows a picture of the window's size whose quarters have four colours, the first at the top left.
+  /// Shows an image of the window's size whose quarters have four colours, the first at the top left.
   void showQuarters() {
     const int width = window_->pixelWidth();
     const int height = window_->pixelHeight();
@@ -143,7 +143,7 @@ TEST_F(GlWindowTest, showsRowZeroAtTheTop) {
   expectQuartersOnScreen(server);
 }
 
-TEST_F(GlWindowTest, stretchesAPictureOfAnotherSize) {
+TEST_F(GlWindowTest, stretchesAImageOfAnotherSize) {
   test::XServer server;
   const GlScope scope(window_->context());
   const GlObject color = makeTexture(window_->context(), GL_RGBA8, 2, 2);
@@ -313,7 +313,7 @@ TEST_F(GlWindowTest, anotherThreadDrawsWhileThisOneWaitsForEvents) {
   test::XServer server;
   window_->poll();
   std::atomic<bool> done{false};
-  std::thread drawer([&] {
+  std::thread renderer([&] {
     const int width = window_->pixelWidth();
     const int height = window_->pixelHeight();
     const GlScope scope(window_->context());
@@ -333,7 +333,7 @@ TEST_F(GlWindowTest, anotherThreadDrawsWhileThisOneWaitsForEvents) {
   while (!done) {
     window_->pollTimed(kPatience);  // ended by wake()
   }
-  drawer.join();
+  renderer.join();
   int left = 0;
   int top = 0;
   glfwGetWindowPos(window_->handle(), &left, &top);
@@ -433,7 +433,7 @@ TEST(GlWindowDeathTest, refusesADriverBelow45) {
   };
   EXPECT_EXIT(open(), testing::ExitedWithCode(0),
               testing::AllOf(testing::HasSubstr("OpenGL 4.5"), testing::HasSubstr("window"),
-                             testing::HasSubstr("--offscreen"), testing::HasSubstr("on the processor")));
+                             testing::HasSubstr("--offscreen"), testing::HasSubstr("on the CPU")));
 }
 
 TEST_F(GlWindowTest, opensAndClosesAHundredTimes) {

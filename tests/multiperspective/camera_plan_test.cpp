@@ -52,7 +52,7 @@ TEST(CameraPlan, partsAreOutlined) {
 }
 
 TEST(CameraPlan, groundLiesWhereTheSectionIs) {
-  // A quarter of the plan is covered by a white square; lines around it must match its border in the picture.
+  // A quarter of the plan is covered by a white square; lines around it must match its border in the image.
   Mesh mesh;
   test::addQuad(mesh, {0, -1, 0}, {1, -1, 0}, {1, -1, -1}, {0, -1, -1}, glm::vec3(0));
   test::addWall(mesh, 0, 1);
@@ -69,7 +69,7 @@ TEST(CameraPlan, groundLiesWhereTheSectionIs) {
 }
 
 TEST(CameraPlan, ofACurvedRayCamera) {
-  const CameraPlan plan = planOf(test::turningTwice(), test::wall(-6, 9), {.groundPixels = 0});
+  const CameraPlan plan = planOf(test::bendingTwice(), test::wall(-6, 9), {.groundPixels = 0});
   ASSERT_EQ(plan.parts.size(), 5u);
   EXPECT_EQ(plan.parts[1].name, "turn 1");
 }

@@ -10,7 +10,7 @@
 #include <array>
 
 #include "oc_core/base/error.h"
-#include "oc_core/constructor/curved_turns.h"
+#include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/render/identity_image.h"
 #include "tests/base/temporary_folder.h"
@@ -93,7 +93,7 @@ TEST(MultiperspectiveImage, ofAGraphCameraReadsBack) {
 TEST(MultiperspectiveImage, ofACurvedRayCameraReadsBack) {
   const TemporaryFolder folder;
   const GuidedScene shown = scene();
-  const CurvedRayCamera camera = test::turningTwice();
+  const CurvedRayCamera camera = test::bendingTwice();
   const FragmentImage fragments = rasterize(MultiperspectiveCamera(camera), shown.mesh);
   writeMultiperspectiveImage(folder / "image.exr", fragments, shown, camera);
   expectFile(folder / "image.exr", fragments, shown);

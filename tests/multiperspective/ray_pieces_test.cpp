@@ -44,7 +44,7 @@ TEST(RayPieces, frustaOfAGraphCamera) {
 }
 
 TEST(RayPieces, stretchesOfACurvedRayCamera) {
-  const CurvedRayCamera camera = test::turningTwice();
+  const CurvedRayCamera camera = test::bendingTwice();
   EXPECT_THAT(partNames(camera), ElementsAre("root", "turn 1", "after turn 1", "turn 2", "after turn 2"));
   EXPECT_EQ(partViewpoints(camera).size(), 5u);
   const auto pieces = rayPieces(camera, {45, 30});
@@ -52,7 +52,7 @@ TEST(RayPieces, stretchesOfACurvedRayCamera) {
   expectConnected(pieces);
   EXPECT_EQ(pieces[0].points.size(), 2u) << "straight";
   EXPECT_GT(pieces[1].points.size(), 4u) << "an arc";
-  const TransitionPlanes& planes = camera.turns()[0].planes();
+  const TransitionPlanes& planes = camera.bends()[0].planes();
   EXPECT_NEAR(planes.from.height(glm::dvec3(pieces[1].points.front())), 0, 1e-5);
   EXPECT_NEAR(planes.to.height(glm::dvec3(pieces[1].points.back())), 0, 1e-5);
 }

@@ -122,7 +122,7 @@ TEST(CameraSchema, optionsChangeWhatTheyName) {
   EXPECT_EQ(read(R"({"camera": "spoc", "far_displacement_per_height": 0.25, "mask_pole": false})").spoc.maskPole,
             false);
   const CameraChoice eoc = read(R"({"camera": "eoc-v", "min_added_pixels": 2, "compact": false, "trim": false})");
-  EXPECT_EQ(eoc.eoc.leastAddedPixels, 2);
+  EXPECT_EQ(eoc.eoc.minAddedPixels, 2);
   EXPECT_FALSE(eoc.eoc.compact);
   EXPECT_FALSE(eoc.eoc.trim);
   EXPECT_EQ(eoc.segmentDirection, kVerticalSegment);

@@ -100,7 +100,7 @@ TEST(CellBuilder, keepsToTheSamplesItIsGiven) {
   const auto samples = static_cast<float>(buildDepthImage(smallCamera(), mesh).sampleCount());
   for (const float most : {1.0f, 1.03f, 1.1f, 3.0f}) {
     CellOptions options;
-    options.mostSamples = most;
+    options.maxSamples = most;
     const ReferenceImage cell = buildCellImage(buildCellCamera(smallCamera(), mesh, options), mesh);
     EXPECT_LE(static_cast<float>(cell.sampleCount()), most * samples) << most;
   }
@@ -112,9 +112,9 @@ TEST(CellBuilder, satellitesStandInTheCell) {
     CellOptions options;
     options.cell.shape = shape;
     options.cell.segmentDirection = {0, 3, 0};
-    options.leastShare = 0;
-    options.mostSatellites = 40;
-    options.mostSamples = 3;
+    options.minShare = 0;
+    options.maxSatellites = 40;
+    options.maxSamples = 3;
     const CellCamera camera = buildCellCamera(smallCamera(), mesh, options);
     EXPECT_GT(camera.viewpoints().size(), 2u);
     for (const CellCamera::Viewpoint& viewpoint : camera.viewpoints()) {
@@ -135,7 +135,7 @@ TEST(CellBuilder, wallNeedsNoSatelliteWithinItsBorders) {
   options.cell.sideRadii = 0.1f;
   const CellCamera camera = buildCellCamera(smallCamera(), test::wall(0), options);
   EXPECT_LE(camera.viewpoints().size(), 9u) << "only the borders of the image show something new";
-  options.mostSatellites = 0;
+  options.maxSatellites = 0;
   EXPECT_EQ(buildCellCamera(smallCamera(), test::boxBeforeWall(), options).height(), kHeight);
 }
 

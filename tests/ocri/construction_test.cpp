@@ -140,12 +140,12 @@ TEST(Construction, exactRaysSeeWhatRasterisationDraws) {
 TEST(Construction, cellByRaysStoresTheSameSamples) {
   const Mesh mesh = test::boxBeforeWall();
   const RayScene rays(mesh);
-  const RayDrawer drawer(mesh, rays);
+  const RayRenderer renderer(mesh, rays);
   const CellCamera camera = buildCellCamera(smallCamera(), mesh);
   const ReferenceImage drawn = buildCellImage(camera, mesh);
-  EXPECT_LE(differing(drawn, buildCellImage(camera, mesh, &drawer)), drawn.sampleCount() / 100);
-  const CellCamera byRays = buildCellCamera(smallCamera(), mesh, {}, {}, &drawer);
-  const ReferenceImage cast = buildCellImage(byRays, mesh, &drawer);
+  EXPECT_LE(differing(drawn, buildCellImage(camera, mesh, &renderer)), drawn.sampleCount() / 100);
+  const CellCamera byRays = buildCellCamera(smallCamera(), mesh, {}, {}, &renderer);
+  const ReferenceImage cast = buildCellImage(byRays, mesh, &renderer);
   EXPECT_GT(byRays.viewpoints().size(), 1u);
   EXPECT_NEAR(static_cast<double>(cast.sampleCount()), static_cast<double>(drawn.sampleCount()),
               0.01 * static_cast<double>(drawn.sampleCount()));
@@ -213,15 +213,15 @@ TEST(Construction, sameBytesForAnyThreadCount) {
 TEST(Construction, emptyMeshGivesEmptyImages) {
   const Mesh nothing;
   const RayScene rays(nothing);
-  const RayDrawer drawer(nothing, rays);
+  const RayRenderer renderer(nothing, rays);
   const PinholeCamera camera = smallCamera();
   EXPECT_TRUE(rays.bounds().empty());
-  EXPECT_EQ(buildDepthImage(camera, nothing, &drawer).sampleCount(), 0u);
-  EXPECT_EQ(buildDdocImage(camera, nothing, {}, {}, &drawer).sampleCount(), 0u);
-  EXPECT_EQ(buildCellImage(buildCellCamera(camera, nothing, {}, {}, &drawer), nothing, &drawer).sampleCount(), 0u);
+  EXPECT_EQ(buildDepthImage(camera, nothing, &renderer).sampleCount(), 0u);
+  EXPECT_EQ(buildDdocImage(camera, nothing, {}, {}, &renderer).sampleCount(), 0u);
+  EXPECT_EQ(buildCellImage(buildCellCamera(camera, nothing, {}, {}, &renderer), nothing, &renderer).sampleCount(), 0u);
   const ViewSegment segment = segmentAround(View{}, kHorizontalSegment, 1.6f);
-  EXPECT_EQ(buildEocImage(camera, segment, nothing, {}, &drawer).sampleCount(), 0u);
-  EXPECT_THROW(buildSpocCamera(camera, nothing, {}, &drawer), InputError);
+  EXPECT_EQ(buildEocImage(camera, segment, nothing, {}, &renderer).sampleCount(), 0u);
+  EXPECT_THROW(buildSpocCamera(camera, nothing, {}, &renderer), InputError);
   for (const std::string& name : rayCameras()) {
     EXPECT_THROW(build(name, nothing, &rays), InputError) << name << ": the view sees nothing";
   }

@@ -126,9 +126,9 @@ TEST(DepthEdges, barOfOnePixelHasEdgesOnBothSides) {
 TEST(DepthEdges, stepsBelowTheLeastDoNotCount) {
   const Image<float> inverseZ = twoDepths([](float u, float) { return u < 30; });
   DepthEdgeOptions options = kOptions;
-  options.leastInverseZStep = (kNear - kFar) * 1.001f;
+  options.minInverseZStep = (kNear - kFar) * 1.001f;
   EXPECT_TRUE(findDepthEdges(inverseZ, options).empty());
-  options.leastInverseZStep = (kNear - kFar) * 0.999f;
+  options.minInverseZStep = (kNear - kFar) * 0.999f;
   EXPECT_EQ(findDepthEdges(inverseZ, options).size(), static_cast<size_t>(kSize));
 }
 
@@ -168,7 +168,7 @@ TEST(DepthEdges, onZAreStepsOfZ) {
       plane(x, y) = 0.2f - 0.003f * static_cast<float>(x);           // z from 5 to 43
     }
   }
-  const DepthEdgeOptions onZ{.leastInverseZStep = 1, .leastZStep = 0.05f};
+  const DepthEdgeOptions onZ{.minInverseZStep = 1, .minZStep = 0.05f};
   const std::vector<DepthEdge> found = findDepthEdges(steps, onZ);
   ASSERT_EQ(found.size(), static_cast<size_t>(kSize));
   for (const DepthEdge& edge : found) {

@@ -93,8 +93,8 @@ std::vector<DistortionSplat> pair(float distance, float leftNormal, float leftRo
           splat({10 + distance, 20.5f}, {rightNormal, 0}, rightRoom, rightRoom)};
 }
 
-size_t settle(std::vector<DistortionSplat>& splats, float mostHiddenPerRoom, Conflicts conflicts = Conflicts::kFacing) {
-  return shrinkConflicts(splats, claimPixels(splats, kSplatSize, kSplatSize), conflicts, mostHiddenPerRoom);
+size_t settle(std::vector<DistortionSplat>& splats, float maxHiddenPerRoom, Conflicts conflicts = Conflicts::kFacing) {
+  return shrinkConflicts(splats, claimPixels(splats, kSplatSize, kSplatSize), conflicts, maxHiddenPerRoom);
 }
 
 TEST(ShrinkConflicts, facingRoomsMeetHalfWay) {

@@ -252,7 +252,7 @@ TEST(EocImage, unprojectsByItsOffsetsAsAlongTheRaysOfItsCamera) {
       }
     }
     EXPECT_GT(samples, static_cast<size_t>(kWidth * kHeight) / 2);
-    EXPECT_LE(lost, samples / 1000) << "at the borders of shadows";
+    EXPECT_LE(lost, samples / 1000) << "at the borders of disocclusions";
   }
 }
 

@@ -163,7 +163,7 @@ TEST(LayeredDepthImage, unseenSamplesOfNothingAreNone) {
 }
 
 TEST(LayeredDepthImage, refusesNoLayersAndTooMany) {
-  for (const int layers : {-1, 0, kMostLayers + 1}) {
+  for (const int layers : {-1, 0, kMaxLayers + 1}) {
     EXPECT_THROW(buildLayeredDepthImage(smallCamera(), test::wall(0), layers), InputError);
   }
 }

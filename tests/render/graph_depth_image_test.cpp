@@ -141,18 +141,18 @@ TEST_F(Corridors, agreesWithRayCastingWhereTheCameraSees) {
 // each step casts the ray of its image point. A step must be short where pixels are small: 2000 for 20 units.
 TEST_F(Corridors, agreesWithTheGenericAlgorithm) {
   constexpr int kSteps = 2000;
-  constexpr double kMost = 20;
+  constexpr double kMax = 20;
   const auto stepwise = [&](const TestRay& ray) -> std::optional<double> {
     std::optional<double> lastGap;
     double lastDepth = 0;
     for (int k = 0; k <= kSteps; ++k) {
-      const auto q = camera_.project(ray.at(static_cast<float>(kMost * k / kSteps)));
+      const auto q = camera_.project(ray.at(static_cast<float>(kMax * k / kSteps)));
       const bool inside = q && q->u >= 0 && q->u < 480 && q->v >= 0 && q->v < 320;
       const Fragment seen = inside ? scene_.intersect(camera_.rayPath({q->u, q->v})) : Fragment{};
       const auto surface = seen.covered() ? camera_.project(positionOf(seen, mesh_)) : std::nullopt;
       const auto gap = surface ? std::optional(static_cast<double>(q->z - surface->z)) : std::nullopt;
       if (gap && lastGap && *gap * *lastGap <= 0 && std::abs(static_cast<double>(surface->z) - lastDepth) < 0.3) {
-        return kMost * (k - *gap / (*gap - *lastGap)) / kSteps;
+        return kMax * (k - *gap / (*gap - *lastGap)) / kSteps;
       }
       lastGap = gap;
       lastDepth = surface ? static_cast<double>(surface->z) : 0;

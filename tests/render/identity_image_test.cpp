@@ -128,7 +128,7 @@ TEST(IdentityImage, seesTheObjectsOfAScene) {
   EXPECT_EQ(sum, objectPixels);
 }
 
-TEST(IdentityImage, neighbouringIdentitiesDifferInThePicture) {
+TEST(IdentityImage, neighbouringIdentitiesDifferInTheImage) {
   std::vector<uint32_t> identities(200);
   for (uint32_t i = 0; i < identities.size(); ++i) {
     identities[i] = i;

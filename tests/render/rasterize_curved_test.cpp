@@ -5,9 +5,9 @@
 #include <glm/ext/matrix_transform.hpp>
 
 #include "oc_core/base/parallel.h"
+#include "oc_core/render/bend_rasterizer.h"
 #include "oc_core/render/rasterize.h"
 #include "oc_core/render/raycast.h"
-#include "oc_core/render/turn_drawer.h"
 #include "oc_core/scene/densify.h"
 #include "oc_core/scene/scene_source.h"
 #include "oc_core/scene/solids.h"
@@ -18,29 +18,29 @@
 namespace ocelli {
 namespace {
 
+using test::bendingTwice;
 using test::coveredPixels;
 using test::Disagreement;
 using test::disagreement;
-using test::turningRight;
-using test::turningTwice;
+using test::bendingRight;
 
 PinholeCamera camera() {
   return {View{}, 180, 120};
 }
 
 /// Turns by little, to and fro.
-CurvedRayCamera turningOften(const PinholeCamera& root, int turns) {
+CurvedRayCamera bendingOften(const PinholeCamera& root, int turns) {
   CurvedRayCamera curved(root);
   for (int i = 0; i < turns; ++i) {
     const double z = 1 - 0.6 * i;
     const double side = i % 2 == 0 ? 1 : -1;
-    curved.turn(test::planesThrough({8 * side, 0, z}, {-0.03 * side, 0, -1}, {0, 0, -1}, {0.03 * side, 0, -1}),
+    curved.bend(test::planesThrough({8 * side, 0, z}, {-0.03 * side, 0, -1}, {0, 0, -1}, {0.03 * side, 0, -1}),
                 {side > 0 ? -0.3 : 0, 0, 9.5 - 0.5 * i});
   }
   return curved;
 }
 
-TEST(RasterizeCurved, withoutTurnsItIsThePinhole) {
+TEST(RasterizeCurved, withoutBendsItIsThePinhole) {
   const Mesh mesh = loadScene("builtin:boxes", {}, {});
   const FragmentImage expected = rasterize(camera(), mesh);
   const Disagreement d = disagreement(expected, rasterize(CurvedRayCamera(camera()), mesh), 1e-5f);
@@ -55,7 +55,7 @@ TEST(RasterizeCurved, agreesWithRayCasting) {
     const Mesh mesh = loadScene(scene, {}, {});
     const RayScene rays(mesh);
     for (const CurvedRayCamera& curved :
-         {turningRight(odd), turningTwice(odd), turningOften(odd, 8), turningTwice(odd, ArcModel::kBezier)}) {
+         {bendingRight(odd), bendingTwice(odd), bendingOften(odd, 8), bendingTwice(odd, ArcModel::kBezier)}) {
       const FragmentImage cast = raycast(curved, mesh, rays);
       const Disagreement d = disagreement(cast, rasterize(curved, mesh), 1e-3f);
       EXPECT_GT(d.samples, 2000u);
@@ -67,7 +67,7 @@ TEST(RasterizeCurved, agreesWithRayCasting) {
 
 TEST(RasterizeCurved, showsPointsWhereTheyAre) {
   const Mesh mesh = loadScene("builtin:room", {}, {});
-  const CurvedRayCamera curved = turningTwice(PinholeCamera(View{}, 360, 240));
+  const CurvedRayCamera curved = bendingTwice(PinholeCamera(View{}, 360, 240));
   const FragmentImage image = rasterize(curved, mesh);
   size_t seen = 0;
   size_t missed = 0;
@@ -91,7 +91,7 @@ TEST(RasterizeCurved, showsPointsWhereTheyAre) {
   EXPECT_GT(seen, 20000u);
   EXPECT_EQ(missed, 0u);
   // A sample lies between the corners of its piece, and each of its edges is off by as much as the error allows.
-  EXPECT_LT(farthest, 2 * TurnDrawer::kErrorPixels);
+  EXPECT_LT(farthest, 2 * BendRasterizer::kErrorPixels);
   EXPECT_LT(depth, 1e-4);
 }
 
@@ -105,7 +105,7 @@ TEST(RasterizeCurved, wallsAllAroundLeaveNoCrack) {
       append(mesh, box, glm::rotate(glm::mat4(1), 0.05f * static_cast<float>(turned), glm::vec3(0.2f, 0.6f, 0.7f)));
       densify(mesh, triangles);
       for (const CurvedRayCamera& curved :
-           {turningRight(camera()), turningTwice(camera()), turningOften(camera(), 5)}) {
+           {bendingRight(camera()), bendingTwice(camera()), bendingOften(camera(), 5)}) {
         EXPECT_EQ(coveredPixels(rasterize(curved, mesh)), 180u * 120) << triangles << ", " << turned;
       }
     }
@@ -121,7 +121,7 @@ TEST(RasterizeCurved, earlierPiecesHideLaterOnes) {
   for (const int first : {0, 1, 2}) {
     Mesh part = mesh;
     part.triangles.erase(part.triangles.begin(), part.triangles.begin() + 2 * first);
-    const FragmentImage image = rasterize(turningRight(camera()), part);
+    const FragmentImage image = rasterize(bendingRight(camera()), part);
     EXPECT_TRUE(image(90, 60).covered());
     EXPECT_LT(image(90, 60).triangle, 2u);
   }
@@ -129,7 +129,7 @@ TEST(RasterizeCurved, earlierPiecesHideLaterOnes) {
 
 TEST(RasterizeCurved, sameBytesForAnyNumberOfThreads) {
   const Mesh mesh = loadScene("builtin:boxes", {}, {});
-  const CurvedRayCamera curved = turningTwice(camera());
+  const CurvedRayCamera curved = bendingTwice(camera());
   setThreadCount(1);
   const FragmentImage one = rasterize(curved, mesh);
   setThreadCount(5);
@@ -138,7 +138,7 @@ TEST(RasterizeCurved, sameBytesForAnyNumberOfThreads) {
 }
 
 TEST(RasterizeCurved, brokenTrianglesLeaveTheirNeighboursAlone) {
-  const CurvedRayCamera curved = turningTwice(camera());
+  const CurvedRayCamera curved = bendingTwice(camera());
   Mesh mesh = loadScene("builtin:boxes", {}, {});
   const FragmentImage whole = rasterize(curved, mesh);
   test::addBrokenTriangles(mesh);
@@ -148,7 +148,7 @@ TEST(RasterizeCurved, brokenTrianglesLeaveTheirNeighboursAlone) {
 
 // Sizes from nothing to the largest numbers: what is drawn lies on rays of the camera.
 TEST(RasterizeCurved, enduresAnySize) {
-  const CurvedRayCamera curved = turningTwice();
+  const CurvedRayCamera curved = bendingTwice();
   for (const float size : {1e-30f, 1e-6f, 1e6f, 1e20f, 3e38f}) {
     const Mesh mesh{{{-size, -size, 0}, {size, -size, -1}, {0, size, 1}, {0, size, -size}}, {}, {{0, 1, 2}, {0, 1, 3}}};
     for (const Fragment& f : rasterize(curved, mesh)) {

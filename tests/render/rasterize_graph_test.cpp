@@ -6,7 +6,7 @@
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/render/rasterize.h"
-#include "oc_core/render/scene_drawer.h"
+#include "oc_core/render/scene_renderer.h"
 #include "oc_core/scene/densify.h"
 #include "oc_core/scene/scene_source.h"
 #include "oc_core/scene/solids.h"
@@ -125,10 +125,10 @@ TEST(RasterizeGraph, wallsAllAroundLeaveNoCrack) {
 TEST(RasterizeGraph, whatDrawsScenesByRaysDrawsGraphAndCurvedRayCameras) {
   const Mesh mesh = loadScene("builtin:boxes", {}, {});
   const RayScene rays(mesh);
-  const RayDrawer drawer(mesh, rays);
-  const SceneDrawer& any = drawer;
+  const RayRenderer renderer(mesh, rays);
+  const SceneRenderer& any = renderer;
   EXPECT_EQ(any.draw(crossroads()), raycast(crossroads(), mesh, rays));
-  EXPECT_EQ(any.draw(test::turningTwice()), raycast(test::turningTwice(), mesh, rays));
+  EXPECT_EQ(any.draw(test::bendingTwice()), raycast(test::bendingTwice(), mesh, rays));
 }
 
 TEST(RasterizeGraph, preparedBlocksDrawTheSame) {

@@ -57,7 +57,7 @@ TEST(RasterizeLayers, agreesWithDrawingTriangleByTriangle) {
   // Some of them twice: the copies coincide.
   const std::vector<glm::uvec3> copies(mesh.triangles.begin(), mesh.triangles.begin() + 40);
   mesh.triangles.insert(mesh.triangles.end(), copies.begin(), copies.end());
-  for (const int layers : {1, 2, 5, kMostLayers}) {
+  for (const int layers : {1, 2, 5, kMaxLayers}) {
     const std::vector<FragmentImage> images = rasterizeLayers(smallCamera(), mesh, layers);
     const std::vector<FragmentImage> expected =
         layersOneByOne(smallCamera(), mesh, layers, [](size_t) { return true; });
@@ -139,7 +139,7 @@ TEST(RasterizeLayers, nothingToDrawGivesEmptyLayers) {
 
 TEST(RasterizeLayersDeathTest, refusesNoLayersAndTooMany) {
   EXPECT_DEATH(rasterizeLayers(smallCamera(), {}, 0), "layers");
-  EXPECT_DEATH(rasterizeLayers(smallCamera(), {}, kMostLayers + 1), "layers");
+  EXPECT_DEATH(rasterizeLayers(smallCamera(), {}, kMaxLayers + 1), "layers");
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ TEST(MazeGenerator, GivesTheLoopsThatAreAskedFor) {
 
 TEST(MazeGenerator, GivesTheCrossingsThatAreAskedFor) {
   for (uint64_t seed = 1; seed <= 50; ++seed) {
-    const MazeOptions options{.seed = seed, .loops = 0, .leastThreeWay = 8, .leastFourWay = 3};
+    const MazeOptions options{.seed = seed, .loops = 0, .minThreeWay = 8, .minFourWay = 3};
     const MazeGraph graph(generateMaze(options));
     EXPECT_GE(graph.count(CellKind::kThreeWay), 8u) << seed;
     EXPECT_GE(graph.count(CellKind::kFourWay), 3u) << seed;
@@ -102,8 +102,8 @@ TEST(MazeGenerator, RefusesWhatCannotBe) {
   EXPECT_THAT(generate({.rows = 1, .columns = 1, .landmarks = 0}), ThrowsMessage<InputError>(HasSubstr("one cell")));
   EXPECT_THAT(generate({.loops = -0.1}), ThrowsMessage<InputError>(HasSubstr("share")));
   EXPECT_THAT(generate({.loops = std::nan("")}), ThrowsMessage<InputError>(HasSubstr("share")));
-  EXPECT_THAT(generate({.leastFourWay = 26}), ThrowsMessage<InputError>(HasSubstr("26 crossings of 4 ways")));
-  EXPECT_THAT(generate({.leastThreeWay = 50}), ThrowsMessage<InputError>(HasSubstr("50 crossings of 3 ways")));
+  EXPECT_THAT(generate({.minFourWay = 26}), ThrowsMessage<InputError>(HasSubstr("26 crossings of 4 ways")));
+  EXPECT_THAT(generate({.minThreeWay = 50}), ThrowsMessage<InputError>(HasSubstr("50 crossings of 3 ways")));
   EXPECT_THAT(generate({.landmarks = 50}), ThrowsMessage<InputError>(HasSubstr("50 landmarks")));
   EXPECT_NO_THROW(generateMaze({.rows = 64, .columns = 64, .loops = 1, .landmarks = 4096}));
 }

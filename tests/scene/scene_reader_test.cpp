@@ -82,7 +82,7 @@ TEST_F(FakeReader, LackOfMemoryIsAnError) {
               ThrowsMessage<InputError>(AllOf(HasSubstr(file_.string()), HasSubstr("lack of memory"))));
 }
 
-TEST_F(FakeReader, ProcessorTimeThatIsOverIsAnError) {
+TEST_F(FakeReader, CpuTimeThatIsOverIsAnError) {
   EXPECT_THAT([&] { readWith("kill -XCPU $$"); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("longer than 31 s"), HasSubstr("OCELLI_SCENE_SECONDS"))));
 }

@@ -39,13 +39,13 @@ TEST(DecodeImage, RejectsWhatIsNoImage) {
 TEST(DecodeImage, RejectsHugeSizesBeforeItAsksForMemory) {
   uint64_t asked = 0;
   const MemoryNotice notice = [&](uint64_t bytes) { asked += bytes; };
-  // stb_image itself refuses pictures of more than 2^30 bytes.
+  // stb_image itself refuses images of more than 2^30 bytes.
   EXPECT_THROW(decode(pngStart(0x7fffffff, 0x7fffffff), notice), InputError);
   EXPECT_THAT([&] { decode(pngStart(18000, 17000), notice); }, ThrowsMessage<InputError>(HasSubstr("2^28")));
   EXPECT_EQ(asked, 0u);
 }
 
-TEST(DecodeImage, TellsOfTheMemoryThatALargePictureNeeds) {
+TEST(DecodeImage, TellsOfTheMemoryThatALargeImageNeeds) {
   uint64_t asked = 0;
   EXPECT_THROW(decode(pngStart(1000, 100), [&](uint64_t bytes) { asked += bytes; }), InputError) << "it is cut off";
   EXPECT_GE(asked, 100'000u * 2 * sizeof(Rgb8));

@@ -31,7 +31,7 @@ TEST(ProtocolFile, IsReadAsItStands) {
   EXPECT_THAT(protocol.survey->fields[0].ends, ElementsAre("this", "that"));
   EXPECT_THAT(protocol.survey->fields[0].favors, ElementsAre(StudyView::kGraph, StudyView::kPinhole));
   EXPECT_TRUE(protocol.demographics->fields[0].favors.empty());
-  EXPECT_EQ(protocol.welcome[0].picture, "controls");
+  EXPECT_EQ(protocol.welcome[0].image, "controls");
   ASSERT_EQ(protocol.blocks.size(), 3u);
   EXPECT_EQ(protocol.blocks[0].name, "find it");
   EXPECT_EQ(protocol.blocks[0].taskName, "find");
@@ -41,7 +41,7 @@ TEST(ProtocolFile, IsReadAsItStands) {
   EXPECT_EQ(protocol.blocks[0].order, TrialOrder::kBalanced);
   EXPECT_EQ(protocol.blocks[0].views, ViewsOfCases::kBoth);
   ASSERT_TRUE(protocol.blocks[0].practice.has_value());
-  EXPECT_EQ(protocol.blocks[0].practice->mostTrials, 2);
+  EXPECT_EQ(protocol.blocks[0].practice->maxTrials, 2);
   EXPECT_EQ(protocol.blocks[0].practice->task->caseCount(), 1);
   EXPECT_EQ(protocol.blocks[1].order, TrialOrder::kAlternating);
   EXPECT_EQ(protocol.blocks[1].views, ViewsOfCases::kOne);

@@ -30,7 +30,7 @@ inline TrialLog madeLog(const TaskBlock& block, const TaskExample& example, uint
       frame.shownNanoseconds = tick * 1'000'000'000 / kTicksPerSecond;
       frame.pose = run->pose();
       if (frame.frame < kHashedFrames) {
-        frame.pixelHash = pixelHashOf(viewsOf(run->picture(), log.record.screen, rasterizeStudy));
+        frame.pixelHash = pixelHashOf(viewsOf(run->layout(), log.record.screen, rasterizeStudy));
       }
       log.frames.push_back(frame);
       run->frameShown();

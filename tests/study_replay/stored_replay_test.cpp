@@ -10,8 +10,8 @@
 namespace ocelli {
 namespace {
 
-Image<Rgb8> views(const TrialPicture& picture, const TrialScreen& screen) {
-  return viewsOf(picture, screen, rasterizeStudy);
+Image<Rgb8> views(const TrialLayout& layout, const TrialScreen& screen) {
+  return viewsOf(layout, screen, rasterizeStudy);
 }
 
 TEST(StoredReplay, ofAllSimulatedTrialsIsTheSame) {
@@ -38,7 +38,7 @@ TEST(StoredReplay, ofAllSimulatedTrialsIsTheSame) {
   ReplayOptions options;
   options.onFrame = [&](const FrameRecord& frame, const TrialRun& run) {
     if (frame.frame % 100 == 0) {
-      const Image<Rgb8> drawn = trialFrame(run.picture(), trial.record.screen, rasterizeStudy);
+      const Image<Rgb8> drawn = trialFrame(run.layout(), trial.record.screen, rasterizeStudy);
       EXPECT_EQ(drawn.width(), test::kSmallScreen.width);
       EXPECT_NE(drawn, Image<Rgb8>(drawn.width(), drawn.height(), Rgb8(0)));
     }

@@ -10,8 +10,8 @@ namespace {
 
 using testing::HasSubstr;
 
-Image<Rgb8> views(const TrialPicture& picture, const TrialScreen& screen) {
-  return viewsOf(picture, screen, rasterizeStudy);
+Image<Rgb8> views(const TrialLayout& layout, const TrialScreen& screen) {
+  return viewsOf(layout, screen, rasterizeStudy);
 }
 
 class TrialReplay : public testing::TestWithParam<test::TaskExample> {

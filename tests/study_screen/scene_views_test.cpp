@@ -1,4 +1,4 @@
-// What trials show of their scenes, against the rasteriser on the processor.
+// What trials show of their scenes, against the rasteriser on the CPU.
 #include "study/screen/scene_views.h"
 
 #include <gtest/gtest.h>
@@ -15,11 +15,11 @@ constexpr TrialScreen kViewScreen{480, 320, 60};
 
 class SceneViewsTest : public testing::TestWithParam<GlProvider> {
  protected:
-  Image<Rgb8> draw(SceneViews& views, const TrialPicture& picture) {
+  Image<Rgb8> draw(SceneViews& views, const TrialLayout& layout) {
     const GlScope scope(*context_);
     ScreenTarget target(*context_, kViewScreen.width, kViewScreen.height);
     target.clear(kOkabeItoBlack);
-    views.draw(picture, target.color());
+    views.draw(layout, target.color());
     return target.read();
   }
 
@@ -28,29 +28,29 @@ class SceneViewsTest : public testing::TestWithParam<GlProvider> {
 };
 INSTANTIATE_TEST_SUITE_P(Providers, SceneViewsTest, kOffscreenProviders, providerName);
 
-/// The pixels in which object `object` is seen, by the processor.
-Image<uint8_t> pixelsOf(const TrialPicture& picture, uint32_t object) {
-  const TrialPicture::View& view = picture.views.front();
-  const FragmentImage seen = rasterizeStudy(view.camera, meshOf(picture));
+/// The pixels in which object `object` is seen, by the CPU.
+Image<uint8_t> pixelsOf(const TrialLayout& layout, uint32_t object) {
+  const TrialLayout::View& view = layout.views.front();
+  const FragmentImage seen = rasterizeStudy(view.camera, meshOf(layout));
   Image<uint8_t> pixels(kViewScreen.width, kViewScreen.height, 0);
   for (int y = 0; y < seen.height(); ++y) {
     for (int x = 0; x < seen.width(); ++x) {
       const Fragment& fragment = seen(x, y);
       pixels(x + static_cast<int>(view.place.left), y + static_cast<int>(view.place.top)) =
-          fragment.covered() && picture.scene->objectOfTriangle()[fragment.triangle] == object ? 1 : 0;
+          fragment.covered() && layout.scene->objectOfTriangle()[fragment.triangle] == object ? 1 : 0;
     }
   }
   return pixels;
 }
 
-TEST_P(SceneViewsTest, showsObjectsWhereTheProcessorSeesThem) {
+TEST_P(SceneViewsTest, showsObjectsWhereTheCpuSeesThem) {
   SceneViews views(*context_);
   for (const StudyView kind : kStudyViews) {
-    TrialPicture picture = study_.finding(kViewScreen, kind).picture;
-    const Image<Rgb8> image = draw(views, picture);
+    TrialLayout layout = study_.finding(kViewScreen, kind).layout;
+    const Image<Rgb8> image = draw(views, layout);
     size_t orange = 0;
     size_t wrong = 0;
-    const Image<uint8_t> expected = pixelsOf(picture, 1);
+    const Image<uint8_t> expected = pixelsOf(layout, 1);
     for (size_t i = 0; i < image.size(); ++i) {
       // Nothing else in the maze is orange: much more red than blue.
       const bool isOrange = image[i].x > image[i].z + 60;
@@ -64,14 +64,14 @@ TEST_P(SceneViewsTest, showsObjectsWhereTheProcessorSeesThem) {
   }
 }
 
-TEST_P(SceneViewsTest, colorsAreThoseOfTheProcessor) {
+TEST_P(SceneViewsTest, colorsAreThoseOfTheCpu) {
   SceneViews views(*context_);
-  const TrialPicture picture = study_.finding(kViewScreen, StudyView::kGraph).picture;
-  const Image<Rgb8> image = draw(views, picture);
-  const Image<Rgb8> expected = viewsOf(picture, kViewScreen, rasterizeStudy);
+  const TrialLayout layout = study_.finding(kViewScreen, StudyView::kGraph).layout;
+  const Image<Rgb8> image = draw(views, layout);
+  const Image<Rgb8> expected = viewsOf(layout, kViewScreen, rasterizeStudy);
   size_t different = 0;
   size_t compared = 0;
-  const auto top = static_cast<int>(picture.views.front().place.top);
+  const auto top = static_cast<int>(layout.views.front().place.top);
   for (int y = 0; y < kViewScreen.height; ++y) {
     for (int x = 0; x < kViewScreen.width; ++x) {
       if (y < top) {
@@ -90,32 +90,32 @@ TEST_P(SceneViewsTest, colorsAreThoseOfTheProcessor) {
 TEST_P(SceneViewsTest, movingObjectsAreAsUploadedAnew) {
   SceneViews views(*context_);
   for (const StudyView kind : kStudyViews) {
-    TrialPicture picture = study_.finding(kViewScreen, kind).picture;
-    const Image<Rgb8> still = draw(views, picture);
+    TrialLayout layout = study_.finding(kViewScreen, kind).layout;
+    const Image<Rgb8> still = draw(views, layout);
     for (int step = 1; step <= 4; ++step) {
       const float by = 0.2f * static_cast<float>(step);
-      picture.objectOffsets = {{by, 0, -by}, {-by, 0, by}};
+      layout.objectOffsets = {{by, 0, -by}, {-by, 0, by}};
       SceneViews fresh(*context_);
-      const Image<Rgb8> moved = draw(views, picture);
-      EXPECT_EQ(moved, draw(fresh, picture)) << step;
+      const Image<Rgb8> moved = draw(views, layout);
+      EXPECT_EQ(moved, draw(fresh, layout)) << step;
       EXPECT_NE(moved, still);
     }
-    picture.objectOffsets = {};  // back where they stood
-    EXPECT_EQ(draw(views, picture), still);
+    layout.objectOffsets = {};  // back where they stood
+    EXPECT_EQ(draw(views, layout), still);
   }
 }
 
 TEST_P(SceneViewsTest, anotherSceneTakesThePlaceOfTheOneBefore) {
   SceneViews views(*context_);
-  TrialPicture picture = study_.finding(kViewScreen, StudyView::kPinhole).picture;
-  picture.objectOffsets = {{0.5f, 0, 0}, {0, 0, 0}};
-  draw(views, picture);
+  TrialLayout layout = study_.finding(kViewScreen, StudyView::kPinhole).layout;
+  layout.objectOffsets = {{0.5f, 0, 0}, {0, 0, 0}};
+  draw(views, layout);
   Maze maze = test::sampleMaze();
   maze.landmarks[0].color = LandmarkColor::kPurple;
   const StudyScene other(maze);
-  picture.scene = &other;
+  layout.scene = &other;
   SceneViews fresh(*context_);
-  EXPECT_EQ(draw(views, picture), draw(fresh, picture));
+  EXPECT_EQ(draw(views, layout), draw(fresh, layout));
 }
 
 TEST_P(SceneViewsTest, portraitsShowOneObject) {

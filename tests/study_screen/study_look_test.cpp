@@ -15,12 +15,12 @@ TEST(StudyLook, contrastIsThatOfTheStandard) {
 TEST(StudyLook, eachTextCanBeReadOnEachBackground) {
   for (const GuiColor text : {kStudyText, kStudyTextDim}) {
     for (const GuiColor background : {kStudyBackground, kStudyCard, kStudyField, kStudyFieldHovered}) {
-      EXPECT_GE(contrastRatio(text, background), kLeastContrast);
+      EXPECT_GE(contrastRatio(text, background), kMinContrast);
     }
   }
-  EXPECT_GE(contrastRatio(kStudyText, kStudyAccentDeep), kLeastContrast);
+  EXPECT_GE(contrastRatio(kStudyText, kStudyAccentDeep), kMinContrast);
   for (const GuiColor meaning : {kStudyGood, kStudyBad, kStudyAccent}) {
-    EXPECT_GE(contrastRatio(kStudyInk, meaning), kLeastContrast);
+    EXPECT_GE(contrastRatio(kStudyInk, meaning), kMinContrast);
     // WCAG 2.1, 1.4.11: shapes that one must see.
     EXPECT_GE(contrastRatio(kStudyBackground, meaning), 3);
     EXPECT_GE(contrastRatio(kStudyCard, meaning), 3);

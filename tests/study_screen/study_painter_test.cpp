@@ -47,8 +47,8 @@ TEST_F(StudyPainterTest, allTextIsOnTheScreenLargeAndInContrast) {
         EXPECT_GE(box.place.top, 0) << where;
         EXPECT_LE(box.place.right(), screen.width) << where;
         EXPECT_LE(box.place.bottom(), screen.height) << where;
-        EXPECT_GE(box.pixels, StudyLook::kLeastTextPixels) << where;
-        EXPECT_GE(contrastRatio(box.color, box.background), kLeastContrast) << where;
+        EXPECT_GE(box.pixels, StudyLook::kMinTextPixels) << where;
+        EXPECT_GE(contrastRatio(box.color, box.background), kMinContrast) << where;
         // It is drawn on what it says, not on something else.
         const Rgb8 behind = commonColor(image, box.place);
         EXPECT_EQ(behind, Rgb8(box.background.red, box.background.green, box.background.blue)) << where;

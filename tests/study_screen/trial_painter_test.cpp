@@ -24,11 +24,11 @@ TEST_P(TrialPainterTest, rendersWhatASubjectSees) {
   StudyPainter onScreen(*context_, kPaintScreen, Controls{});
   for (const StudyView view : kStudyViews) {
     const TrialScreenView trial = study_.finding(kPaintScreen, view);
-    const Image<Rgb8> image = painter.render(trial.picture);
+    const Image<Rgb8> image = painter.render(trial.layout);
     const GlScope scope(*context_);
     onScreen.draw(trial);
     EXPECT_EQ(image, onScreen.image());
-    EXPECT_EQ(renderTrialPicture(*context_, trial.picture, kPaintScreen), image);
+    EXPECT_EQ(renderTrialImage(*context_, trial.layout, kPaintScreen), image);
   }
 }
 
@@ -39,14 +39,14 @@ TEST_P(TrialPainterTest, hashesAreOfTheViewsAlone) {
   TrialScreenView trial = study_.finding(kPaintScreen, StudyView::kGraph, true);
   const StudyFrame frame = onScreen.draw(trial, 0.01, true);
   ASSERT_TRUE(frame.pixelHash);
-  EXPECT_EQ(*frame.pixelHash, pixelHashOf(painter.renderViews(trial.picture)));
+  EXPECT_EQ(*frame.pixelHash, pixelHashOf(painter.renderViews(trial.layout)));
   EXPECT_FALSE(onScreen.draw(trial, 0.01, false).pixelHash);
 
-  trial.picture.prompt = "Another prompt";
-  trial.picture.pointer.reset();
+  trial.layout.prompt = "Another prompt";
+  trial.layout.pointer.reset();
   trial.showsPatch = false;
   EXPECT_EQ(onScreen.draw(trial, 0.01, true).pixelHash, frame.pixelHash);
-  trial.picture.objectOffsets = {{0.01f, 0, 0}};
+  trial.layout.objectOffsets = {{0.01f, 0, 0}};
   EXPECT_NE(onScreen.draw(trial, 0.01, true).pixelHash, frame.pixelHash);
 }
 

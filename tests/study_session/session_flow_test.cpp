@@ -290,7 +290,7 @@ TEST(SessionFlow, aFailureSaysWhy) {
 
 TEST(SessionFlow, oneRightPracticeTrialBetweenWrongOnesIsNotInARow) {
   Small small;
-  small.protocol.blocks[0].practice->mostTrials = 8;
+  small.protocol.blocks[0].practice->maxTrials = 8;
   SessionRun run(small.protocol, small.schedule, small.sink);
   const auto trials = [&](size_t count) {
     return [&small, count] { return small.sink.all<test::TrialEnds>().size() == count; };

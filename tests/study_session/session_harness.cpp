@@ -27,10 +27,10 @@ class DigitRun : public TrialRun {
     }
   }
   void frameShown() override { ++frames_; }
-  TrialPicture picture() const override {
-    TrialPicture picture;
-    picture.prompt = std::to_string(right_);
-    return picture;
+  TrialLayout layout() const override {
+    TrialLayout layout;
+    layout.prompt = std::to_string(right_);
+    return layout;
   }
   WalkerPose pose() const override {
     return {pose_.x + static_cast<double>(tick_) / 7, static_cast<double>(frames_), 0};

@@ -111,7 +111,7 @@ TEST(FullDisk, IsToldAsSuch) {
   EXPECT_THAT(messageOf<WorkError>([&] { StudyDatabase::openForSessions(file, protocol); }),
               HasSubstr("the disk has 0 MB left"));
   {
-    StudyDatabase database = StudyDatabase::openForSessions(file, protocol, {.leastFreeBytes = 0});
+    StudyDatabase database = StudyDatabase::openForSessions(file, protocol, {.minFreeBytes = 0});
     database.addSubject("S01", SubjectKind::kPerson);
     const SessionSchedule schedule = madeSchedule(0, 0, 40);
     TrialStore store(database, protocol, madeRun("S01", 0), schedule, {0.05});
@@ -129,7 +129,7 @@ TEST(FullDisk, IsToldAsSuch) {
   }
   // With not a byte left even the first write fails.
   std::ofstream(folder / "disk/filler") << std::string(1 << 20, 'x');
-  EXPECT_THROW(StudyDatabase::openForSessions(folder / "disk/new.db", protocol, {.leastFreeBytes = 0}), WorkError);
+  EXPECT_THROW(StudyDatabase::openForSessions(folder / "disk/new.db", protocol, {.minFreeBytes = 0}), WorkError);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ void say(const std::string& line) {
   }
 }
 
-/// Hands everything on to the store, and says which trials that acknowledged.
+/// MotorModel everything on to the store, and says which trials that acknowledged.
 class SayingSink final : public FakeSink {
  public:
   explicit SayingSink(SessionSink& store) : store_(store) {}
@@ -93,7 +93,7 @@ void runSession(const Protocol& protocol, const SessionSchedule& schedule, const
 
 void runSubject(const std::string& path, const std::string& subject) {
   const Protocol protocol = killProtocol();
-  StudyDatabase database = StudyDatabase::openForSessions(path, protocol, {.leastFreeBytes = 0});
+  StudyDatabase database = StudyDatabase::openForSessions(path, protocol, {.minFreeBytes = 0});
   if (!database.subject(subject)) {
     database.addSubject(subject, SubjectKind::kPerson);
   }

@@ -143,8 +143,8 @@ class Harness {
     }
   }
 
-  void sleep(size_t mostMicroseconds) {
-    std::this_thread::sleep_for(std::chrono::microseconds(random_.below(mostMicroseconds)));
+  void sleep(size_t maxMicroseconds) {
+    std::this_thread::sleep_for(std::chrono::microseconds(random_.below(maxMicroseconds)));
   }
 
   /// Every subject that has begun comes to the end.

@@ -30,7 +30,7 @@ constexpr const char* kNote = "wears a yellow raincoat";
 constexpr const char* kAnswer = "plays nine instruments";
 constexpr double kPlace = 1234.56789012345;      // x of a frame: its eight bytes are in no other row
 constexpr int64_t kTime = 0x123456789abcde;      // of an input
-constexpr uint64_t kHash = 0x5ca1ab1edeadbea7u;  // of a picture
+constexpr uint64_t kHash = 0x5ca1ab1edeadbea7u;  // of an image
 
 /// A number as SQLite stores it: eight bytes, the most significant first.
 std::string storedBytes(uint64_t bits) {

@@ -67,7 +67,7 @@ TEST(SessionObserver, doesTheSameForTheSameSeed) {
 
 TEST(SessionObserver, onABlackScreenFindsNothingAndIsNotRightMoreOftenThanByChance) {
   const Protocol protocol = test::simulatedProtocol(false);
-  const StudyDrawer black = [](const StudyCamera& camera, const Mesh&) {
+  const StudyRenderer black = [](const StudyCamera& camera, const Mesh&) {
     return std::visit([](const auto& each) { return FragmentImage(each.width(), each.height()); }, camera);
   };
   SessionObserver observer(protocol, {test::kSmallScreen, black}, 5);
@@ -80,7 +80,7 @@ TEST(SessionObserver, onABlackScreenFindsNothingAndIsNotRightMoreOftenThanByChan
   }
 }
 
-TEST(SessionObserver, hashesThePicturesThatItLooksAt) {
+TEST(SessionObserver, hashesTheImagesThatItLooksAt) {
   const Protocol protocol = test::simulatedProtocol(false);
   SessionObserver observer(protocol, {test::kSmallScreen, rasterizeStudy, true}, 5);
   const FakeSink sink = simulate(protocol, 0, observer);

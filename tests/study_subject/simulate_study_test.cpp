@@ -61,9 +61,9 @@ TEST_F(SimulateStudy, isTheSameForAnyNumberOfThreads) {
 TEST_F(SimulateStudy, goesOnWhereItStoppedAsIfItHadNot) {
   const Protocol protocol = test::simulatedProtocol(false);
   simulateStudy(protocol, file("whole.db"), test::observers(1, 2));
-  // The drawer fails after some pictures, in the midst of a session.
+  // The renderer fails after some images, in the midst of a session.
   SimulationPlan failing = test::observers(1, 2);
-  failing.makeDrawer = [] {
+  failing.makeRenderer = [] {
     return [drawn = 0](const StudyCamera& camera, const Mesh& mesh) mutable {
       if (++drawn > 150) {
         throw WorkError("the renderer has gone", "test", "none");

@@ -22,7 +22,7 @@ std::shared_ptr<const TaskBlock> block(const std::string& cases, const std::stri
 /// With a scene that has been shown and is hidden.
 std::unique_ptr<TrialRun> hidden(const TaskBlock& of, int caseIndex = 0) {
   auto run = of.start(test::planOf("count", caseIndex, StudyView::kGraph), kScreen);
-  while (!run->picture().views.empty()) {
+  while (!run->layout().views.empty()) {
     run->frameShown();
   }
   run->frameShown();
@@ -36,7 +36,7 @@ TEST(CountTask, objectsStandInPlacesOfTheirOwnWithTheColoursAskedFor) {
   for (uint64_t seed = 1; seed <= 40; ++seed) {
     for (int i = 0; i < 2; ++i) {
       const auto run = of->start(test::planOf("count", i, StudyView::kPinhole, seed), kScreen);
-      const std::vector<Landmark> objects = run->picture().scene->maze().landmarks;
+      const std::vector<Landmark> objects = run->layout().scene->maze().landmarks;
       std::vector<MazeCell> cells;
       std::set<LandmarkColor> colors;
       for (const Landmark& object : objects) {
@@ -58,24 +58,24 @@ TEST(CountTask, bothViewsShowTheSameItem) {
   const auto of = block(R"([{"objects": 6, "exposure_seconds": 1}])");
   const auto pinhole = of->start(test::planOf("count", 0, StudyView::kPinhole), kScreen);
   const auto graph = of->start(test::planOf("count", 0, StudyView::kGraph), kScreen);
-  EXPECT_EQ(pinhole->picture().scene->maze(), graph->picture().scene->maze());
-  EXPECT_TRUE(std::holds_alternative<PinholeCamera>(pinhole->picture().views[0].camera));
-  EXPECT_TRUE(std::holds_alternative<GraphCamera>(graph->picture().views[0].camera));
+  EXPECT_EQ(pinhole->layout().scene->maze(), graph->layout().scene->maze());
+  EXPECT_TRUE(std::holds_alternative<PinholeCamera>(pinhole->layout().views[0].camera));
+  EXPECT_TRUE(std::holds_alternative<GraphCamera>(graph->layout().views[0].camera));
 }
 
 TEST(CountTask, theExposureIsCountedInFrames) {
   const auto of = block(R"([{"objects": 4, "exposure_seconds": 0.5}])");
   const auto run = of->start(test::planOf("count", 0, StudyView::kGraph), kScreen);
   for (int frame = 0; frame < 38; ++frame) {  // 37.5 of 75 a second
-    EXPECT_FALSE(run->picture().views.empty()) << frame;
+    EXPECT_FALSE(run->layout().views.empty()) << frame;
     run->handle(press(Key::k4));  // too early
     for (int i = 0; i < 50; ++i) {
       run->advance();
     }
     run->frameShown();
   }
-  EXPECT_TRUE(run->picture().views.empty());
-  EXPECT_EQ(run->picture().choices.size(), 4u);
+  EXPECT_TRUE(run->layout().views.empty());
+  EXPECT_EQ(run->layout().choices.size(), 4u);
   // The last frame of the scene is still on the screen, however long it takes.
   for (int i = 0; i < 18; ++i) {
     run->advance();
@@ -112,13 +112,13 @@ TEST(CountTask, isAnsweredByDigitArrowsOrClick) {
   for (const Key key : {Key::kRight, Key::kRight, Key::kRight, Key::kRight, Key::kRight, Key::kLeft}) {
     arrows->handle(press(key));
   }
-  EXPECT_TRUE(arrows->picture().choices[2].chosen);
-  EXPECT_FALSE(arrows->picture().choices[3].chosen);
+  EXPECT_TRUE(arrows->layout().choices[2].chosen);
+  EXPECT_FALSE(arrows->layout().choices[3].chosen);
   arrows->handle(press(Key::kEnter));
   EXPECT_TRUE(arrows->outcome()->correct);
 
   const auto click = hidden(*of);
-  click->handle(test::moveTo(click->picture().choices[2].place.center()));
+  click->handle(test::moveTo(click->layout().choices[2].place.center()));
   click->handle(test::button(PointerButton::kLeft, true));
   EXPECT_TRUE(click->outcome()->correct);
 }
@@ -126,11 +126,11 @@ TEST(CountTask, isAnsweredByDigitArrowsOrClick) {
 TEST(CountTask, objectsThatMoveStayInTheMaze) {
   const auto of = block(R"([{"objects": 7, "exposure_seconds": 20}])", R"(, "moving": {"meters_per_second": 3})");
   const auto run = of->start(test::planOf("count", 0, StudyView::kGraph), kScreen);
-  const Maze maze = run->picture().scene->maze();
+  const Maze maze = run->layout().scene->maze();
   double farthest = 0;
   for (int i = 0; i < 4000; ++i) {
     run->advance();
-    const std::vector<glm::vec3> offsets = run->picture().objectOffsets;
+    const std::vector<glm::vec3> offsets = run->layout().objectOffsets;
     ASSERT_EQ(offsets.size(), 7u);
     for (size_t k = 0; k < offsets.size(); ++k) {
       const glm::vec3 place = maze.centerOf(maze.landmarks[k].cell) + offsets[k];
@@ -170,9 +170,9 @@ TEST(CountTask, pinholesLookWhereTheirFileSays) {
         {"row": 0, "column": 0, "heading": 135, "height_meters": 5, "pitch_degrees": -45},
         {"row": 0, "column": 5, "heading": "south", "east": 0.1, "south": -0.2}]}})");
   const auto run = of->start(test::planOf("count", 0, StudyView::kPinhole), kScreen);
-  const TrialPicture picture = run->picture();
-  ASSERT_EQ(picture.views.size(), 3u);
-  const auto camera = [&](size_t i) { return std::get<PinholeCamera>(picture.views[i].camera); };
+  const TrialLayout layout = run->layout();
+  ASSERT_EQ(layout.views.size(), 3u);
+  const auto camera = [&](size_t i) { return std::get<PinholeCamera>(layout.views[i].camera); };
   EXPECT_EQ(camera(0).eye(), glm::vec3(1.5f, 1.6f, 7.5f));
   EXPECT_NEAR(glm::distance(camera(0).forward(), glm::vec3(1, 0, 0)), 0, 1e-6);
   EXPECT_NEAR(static_cast<double>(camera(0).focalPixels()), camera(0).width() / 2.0, 1e-2);  // 90 degrees
@@ -180,8 +180,8 @@ TEST(CountTask, pinholesLookWhereTheirFileSays) {
   EXPECT_NEAR(glm::distance(camera(2).eye(), glm::vec3(16.8f, 1.6f, 0.9f)), 0, 1e-5);
   for (size_t i = 0; i < 3; ++i) {
     for (size_t k = 0; k < i; ++k) {
-      const PixelRect& a = picture.views[i].place;
-      const PixelRect& b = picture.views[k].place;
+      const PixelRect& a = layout.views[i].place;
+      const PixelRect& b = layout.views[k].place;
       EXPECT_TRUE(a.right() <= b.left || b.right() <= a.left || a.bottom() <= b.top || b.bottom() <= a.top);
     }
   }

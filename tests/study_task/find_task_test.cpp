@@ -20,12 +20,12 @@ constexpr TrialScreen kFindScreen{640, 480, 60};
 
 /// Where the object shows on the screen, if it does: the pixel of it that is nearest to their mean.
 std::optional<glm::dvec2> seenAt(const TrialRun& run) {
-  const TrialPicture picture = run.picture();
-  Mesh mesh = picture.scene->mesh();
-  picture.scene->moveObjects(mesh, picture.objectOffsets);
-  const TrialPicture::View& view = picture.views.front();
+  const TrialLayout layout = run.layout();
+  Mesh mesh = layout.scene->mesh();
+  layout.scene->moveObjects(mesh, layout.objectOffsets);
+  const TrialLayout::View& view = layout.views.front();
   const Image<uint32_t> drawn = std::visit(
-      [&](const auto& camera) { return identityImage(rasterize(camera, mesh), picture.scene->objectOfTriangle()); },
+      [&](const auto& camera) { return identityImage(rasterize(camera, mesh), layout.scene->objectOfTriangle()); },
       view.camera);
   const std::vector<ObjectSighting> sights = sightings(drawn);
   if (sights.empty()) {
@@ -47,7 +47,7 @@ double measure(const TrialOutcome& outcome, const std::string& name) {
 /// Moves the pointer with Shift and the arrows.
 void pointByKeys(TrialRun& run, const glm::dvec2& to) {
   for (int i = 0; i < 2000; ++i) {
-    const glm::dvec2 by = to - *run.picture().pointer;
+    const glm::dvec2 by = to - *run.layout().pointer;
     if (std::abs(by.x) < 2 && std::abs(by.y) < 2) {
       return;
     }

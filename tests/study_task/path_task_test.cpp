@@ -147,11 +147,11 @@ TEST(PathTask, offersTheRightMapAmongOthersOfTheSameMaze) {
   for (uint64_t seed = 1; seed <= 120; ++seed) {
     const TrialPlan plan = test::planOf("path", 0, StudyView::kPinhole, seed);
     const auto run = block->start(plan, kPathScreen);
-    EXPECT_TRUE(run->picture().maps.empty());
+    EXPECT_TRUE(run->layout().maps.empty());
     // The turns of the walk, from its headings.
     std::vector<WalkerPose> poses;
     int64_t ticks = 0;
-    while (run->picture().maps.empty()) {
+    while (run->layout().maps.empty()) {
       poses.push_back(run->pose());
       run->handle(test::press(Key::k1));  // too early
       run->advance();
@@ -169,13 +169,13 @@ TEST(PathTask, offersTheRightMapAmongOthersOfTheSameMaze) {
       }
     }
     EXPECT_EQ(turns, block->answerOf(plan));
-    const TrialPicture picture = run->picture();
-    ASSERT_EQ(picture.maps.size(), 3u);
-    ASSERT_EQ(picture.choices.size(), 3u);
+    const TrialLayout layout = run->layout();
+    ASSERT_EQ(layout.maps.size(), 3u);
+    ASSERT_EQ(layout.choices.size(), 3u);
     std::set<std::string> sequences;
     int right = -1;
     for (size_t i = 0; i < 3; ++i) {
-      const std::vector<glm::dvec2>& corners = picture.maps[i].corners;
+      const std::vector<glm::dvec2>& corners = layout.maps[i].corners;
       ASSERT_EQ(corners.size(), 5u);
       EXPECT_LT(corners[1].y, 0);
       EXPECT_EQ(corners[1].x, 0);

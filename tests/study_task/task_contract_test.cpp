@@ -17,14 +17,14 @@ constexpr TrialScreen kContractScreen{640, 480, 60};
 constexpr int64_t kTicksPerFrame = 4;  // 240 a second, 60 frames
 
 /// All that one sees of a moment, as text.
-std::string textOf(const TrialPicture& picture) {
-  std::string text = picture.prompt;
+std::string textOf(const TrialLayout& layout) {
+  std::string text = layout.prompt;
   const auto add = [&](double number) { text.append(",").append(std::to_string(std::bit_cast<uint64_t>(number))); };
-  for (const glm::vec3& offset : picture.objectOffsets) {
+  for (const glm::vec3& offset : layout.objectOffsets) {
     add(static_cast<double>(offset.x));
     add(static_cast<double>(offset.z));
   }
-  for (const TrialPicture::View& view : picture.views) {
+  for (const TrialLayout::View& view : layout.views) {
     add(view.place.left + 10000 * view.place.top + view.place.width + view.place.height);
     if (const auto* graph = std::get_if<GraphCamera>(&view.camera)) {
       for (const GraphCamera::Frustum& frustum : graph->frusta()) {
@@ -36,35 +36,35 @@ std::string textOf(const TrialPicture& picture) {
       text += jsonText(std::get<PinholeCamera>(view.camera).view());
     }
   }
-  for (const TrialPicture::PathMap& map : picture.maps) {
+  for (const TrialLayout::PathMap& map : layout.maps) {
     for (const glm::dvec2& corner : map.corners) {
       add(corner.x);
       add(corner.y);
     }
   }
-  for (const TrialPicture::Choice& choice : picture.choices) {
+  for (const TrialLayout::Choice& choice : layout.choices) {
     text += choice.label + (choice.chosen ? "!" : "");
     add(choice.place.left);
   }
-  if (picture.pointer) {
-    add(picture.pointer->x);
-    add(picture.pointer->y);
+  if (layout.pointer) {
+    add(layout.pointer->x);
+    add(layout.pointer->y);
   }
   return text;
 }
 
 /// Runs a trial to its end or for so many ticks; `input` is asked at each of them.
 std::vector<std::string> follow(TrialRun& run, int64_t ticks, const std::function<void(int64_t tick)>& input,
-                                int64_t pictureEvery = 120) {
+                                int64_t imageEvery = 120) {
   std::vector<std::string> seen;
   for (int64_t tick = 0; tick < ticks && !run.outcome(); ++tick) {
     input(tick);
     if (tick % kTicksPerFrame == 0) {
       run.frameShown();
     }
-    if (tick % pictureEvery == 0) {
+    if (tick % imageEvery == 0) {
       const WalkerPose pose = run.pose();
-      seen.push_back(textOf(run.picture()) + std::to_string(pose.x) + std::to_string(pose.z) +
+      seen.push_back(textOf(run.layout()) + std::to_string(pose.x) + std::to_string(pose.z) +
                      std::to_string(pose.headingRadians));
     }
     run.advance();
@@ -140,7 +140,7 @@ TEST_P(TaskContract, nothingHappensAfterTheOutcome) {
     follow(
         *run, longestTicks(block, plan), [](int64_t) {}, 1 << 20);
     const auto outcome = run->outcome();
-    const std::string picture = textOf(run->picture());
+    const std::string layout = textOf(run->layout());
     const WalkerPose pose = run->pose();
     Random random(3);
     for (int i = 0; i < 2000; ++i) {
@@ -150,11 +150,11 @@ TEST_P(TaskContract, nothingHappensAfterTheOutcome) {
     }
     EXPECT_TRUE(run->outcome() == outcome);
     EXPECT_TRUE(run->pose() == pose);
-    EXPECT_EQ(textOf(run->picture()), picture);
+    EXPECT_EQ(textOf(run->layout()), layout);
   });
 }
 
-TEST_P(TaskContract, picturesStayOnTheScreenBelowThePrompt) {
+TEST_P(TaskContract, imagesStayOnTheScreenBelowThePrompt) {
   forEachTrial([&](const TaskBlock& block, const TrialPlan& plan) {
     const auto run = block.start(plan, kContractScreen);
     const auto isOnStage = [](const PixelRect& place) {
@@ -167,23 +167,23 @@ TEST_P(TaskContract, picturesStayOnTheScreenBelowThePrompt) {
           if (tick % 97 != 0) {
             return;
           }
-          const TrialPicture picture = run->picture();
-          EXPECT_FALSE(picture.prompt.empty());
-          EXPECT_TRUE(!picture.views.empty() || !picture.choices.empty());
-          for (const TrialPicture::View& view : picture.views) {
+          const TrialLayout layout = run->layout();
+          EXPECT_FALSE(layout.prompt.empty());
+          EXPECT_TRUE(!layout.views.empty() || !layout.choices.empty());
+          for (const TrialLayout::View& view : layout.views) {
             EXPECT_TRUE(isOnStage(view.place));
             const auto size =
                 std::visit([](const auto& of) { return glm::dvec2(of.width(), of.height()); }, view.camera);
             EXPECT_EQ(size, glm::dvec2(view.place.width, view.place.height));
           }
-          for (const TrialPicture::Choice& choice : picture.choices) {
+          for (const TrialLayout::Choice& choice : layout.choices) {
             EXPECT_TRUE(isOnStage(choice.place));
           }
-          for (const TrialPicture::PathMap& map : picture.maps) {
+          for (const TrialLayout::PathMap& map : layout.maps) {
             EXPECT_TRUE(isOnStage(map.place));
           }
-          ASSERT_NE(picture.scene, nullptr);
-          EXPECT_LE(picture.objectOffsets.size(), picture.scene->objectCount());
+          ASSERT_NE(layout.scene, nullptr);
+          EXPECT_LE(layout.objectOffsets.size(), layout.scene->objectCount());
         },
         1 << 20);
   });

@@ -41,7 +41,7 @@ TEST(TasksSlow, aMillionEventsAreBorne) {
         run->frameShown();
       }
       if (random.below(100) == 0) {
-        run->picture();
+        run->layout();
       }
     }
     EXPECT_GT(trials, 10);

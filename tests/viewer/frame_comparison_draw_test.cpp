@@ -83,11 +83,11 @@ TEST_P(FrameComparisonDrawTest, countsWhatTheEvaluationCounts) {
   }
 }
 
-TEST_P(FrameComparisonDrawTest, theTruthLooksAsTheProcessorDrawsIt) {
+TEST_P(FrameComparisonDrawTest, theTruthLooksAsTheCpuDrawsIt) {
   const auto context = openTestContext(GetParam());
   const Mesh scene = loadScene("builtin:statues");
   const PinholeCamera camera(movedEye(View{}, {0.5f, 0.3f, 0}), 180, 120);
-  const Image<Rgb8> expected = renderFrame(camera, scene).picture;
+  const Image<Rgb8> expected = renderFrame(camera, scene).image;
   const GlScope scope(*context);
   MeshDraw meshes(*context);
   FrameComparisonDraw comparison(*context);

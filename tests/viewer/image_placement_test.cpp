@@ -40,7 +40,7 @@ TEST(ImagePlacement, zoomStaysWithinItsLimits) {
   zoomAt(shown, kImage, kPane, {0, 0}, 0.01);
   EXPECT_EQ(shown.zoom, 1);
   zoomAt(shown, kImage, kPane, {0, 0}, 1e9);
-  EXPECT_EQ(shown.zoom, kMostReferenceZoom);
+  EXPECT_EQ(shown.zoom, kMaxReferenceZoom);
 }
 
 TEST(ImagePlacement, draggingMovesTheImageAlong) {

@@ -31,7 +31,7 @@ class TestViewer {
   /// What a pane shows, with the texts over it.
   Image<Rgb8> paneImage(Pane pane) const {
     const WindowRect rect = layoutOf(pane).image;
-    const Image<Rgb8> window = viewer.picture();
+    const Image<Rgb8> window = viewer.screenshot();
     Image<Rgb8> image(static_cast<int>(rect.width), static_cast<int>(rect.height));
     for (int y = 0; y < image.height(); ++y) {
       for (int x = 0; x < image.width(); ++x) {

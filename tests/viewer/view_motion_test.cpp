@@ -58,8 +58,8 @@ TEST(ViewMotion, theTargetMovesByTheShareOfTheImageThatIsAskedFor) {
 
 TEST(ViewMotion, zoomingGoesTowardsTheTargetWithinLimits) {
   expectNear(zoomed(View{}, 0.5).eye, {0, 0, 5});
-  EXPECT_NEAR(glm::length(zoomed(View{}, 1e-9).eye), kLeastViewDistance, 1e-6f);
-  EXPECT_NEAR(glm::length(zoomed(View{}, 1e9).eye), kMostViewDistance, 1e-2f);
+  EXPECT_NEAR(glm::length(zoomed(View{}, 1e-9).eye), kMinViewDistance, 1e-6f);
+  EXPECT_NEAR(glm::length(zoomed(View{}, 1e9).eye), kMaxViewDistance, 1e-2f);
 }
 
 TEST(ViewMotion, theTargetStaysWhereNumbersArePrecise) {

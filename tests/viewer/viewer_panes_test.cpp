@@ -143,13 +143,13 @@ TEST_P(ViewerPanesTest, whatIsMissingIsCountedAndMarked) {
   ASSERT_TRUE(test.viewer.facts().missing.has_value());
   EXPECT_GT(expected.thick, 0U);
   // The GPU snaps edges to a grid of its own: as in frame_comparison_draw_test.cpp, of a smaller image.
-  constexpr double kMostSamples = 3;
+  constexpr double kMaxSamples = 3;
   EXPECT_NEAR(static_cast<double>(test.viewer.facts().missing->strict), static_cast<double>(expected.strict),
-              kMostSamples);
+              kMaxSamples);
   EXPECT_NEAR(static_cast<double>(test.viewer.facts().missing->thick), static_cast<double>(expected.thick),
-              kMostSamples);
+              kMaxSamples);
   EXPECT_NEAR(static_cast<double>(test.viewer.facts().missing->truth), static_cast<double>(expected.truth),
-              kMostSamples);
+              kMaxSamples);
   EXPECT_GT(countNear(test.paneImage(Pane::kReconstruction), kMissingThickColor, 0), 20U);
   EXPECT_GT(countNear(test.paneImage(Pane::kReconstruction), kMissingColor, 0), 20U);
   // At the reference view next to nothing is missing.
@@ -227,7 +227,7 @@ TEST_P(ViewerPanesTest, theDisplayShowsItsVolume) {
     const glm::vec3 edge(outward * std::cos(t), 0.5f, outward * std::sin(t));
     EXPECT_TRUE(hasColorAround(slow, *camera.project(edge), bytesOf(kDisplayColor)));
   }
-  // The next slice is another picture.
+  // The next slice is another image.
   test.key(Key::kPeriod, {.shift = true});
   EXPECT_GT(countDifferent(slow, test.paneImage(Pane::kDisplay)), 100U);
 }
@@ -254,8 +254,8 @@ TEST(ShownSweep, fadesOverThePersistence) {
   const ShownSweep slow = shownSweep(shown, profile);
   EXPECT_NEAR(slow.window.endRadians, kPi / 2, 1e-12);
   EXPECT_NEAR(slow.window.fadeRadians, 0.1 * 24 * kPi / 64, 1e-12);
-  EXPECT_EQ(slow.gain, kMostSlowMotionGain);
-  shown.speed = kLeastSpeed;
+  EXPECT_EQ(slow.gain, kMaxSlowMotionGain);
+  shown.speed = kMinSpeed;
   EXPECT_NEAR(shownSweep(shown, profile).window.fadeRadians, kPi / 198, 1e-12);  // one slice
 }
 

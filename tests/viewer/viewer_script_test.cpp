@@ -94,7 +94,7 @@ TEST(ViewerScript, refusesHostileValues) {
                            R"({"seconds": 1e9})",
                            R"({"seconds": null})",
                            R"({"wait": "forever"})",
-                           R"({"save": "picture.jpg"})",
+                           R"({"save": "image.jpg"})",
                            R"({"save": ""})",
                            R"({"drag": 3})",
                            R"({"scroll": {"at": [1, 2], "up": 1e9}})",

@@ -58,12 +58,12 @@ TEST(ViewerState, aCameraKeepsTheCell) {
 TEST(ViewerState, cellsAndSizesStayWithinTheirLimits) {
   ViewerState state = stateOf();
   chooseCellSide(state, 1e9);
-  EXPECT_FLOAT_EQ(state.work.camera.cellSideRadii, static_cast<float>(kMostCellSide));
+  EXPECT_FLOAT_EQ(state.work.camera.cellSideRadii, static_cast<float>(kMaxCellSide));
   chooseCellSide(state, -1);
-  EXPECT_FLOAT_EQ(state.work.camera.cellSideRadii, static_cast<float>(kLeastCellSide));
+  EXPECT_FLOAT_EQ(state.work.camera.cellSideRadii, static_cast<float>(kMinCellSide));
   chooseImageSize(state, -3, 1 << 30);
-  EXPECT_EQ(state.work.width, kLeastImageSide);
-  EXPECT_EQ(state.work.height, kMostImageSide);
+  EXPECT_EQ(state.work.width, kMinImageSide);
+  EXPECT_EQ(state.work.height, kMaxImageSide);
 }
 
 TEST(ViewerState, anUnknownNameChangesNothing) {
@@ -135,9 +135,9 @@ TEST(ViewerState, theScreenTurnsAsFastAsItIsTold) {
 TEST(ViewerState, speedStaysWithinItsLimits) {
   ViewerState state = stateOf();
   changeSpeed(state, 1e-30);
-  EXPECT_EQ(state.display.speed, kLeastSpeed);
+  EXPECT_EQ(state.display.speed, kMinSpeed);
   changeSpeed(state, 1e30);
-  EXPECT_EQ(state.display.speed, kMostSpeed);
+  EXPECT_EQ(state.display.speed, kMaxSpeed);
 }
 
 TEST(ViewerState, stepsGoFromSliceToSliceRoundTheTurn) {

@@ -77,13 +77,13 @@ TEST_P(ViewerTest, aFirstSceneThatIsNoneEndsIt) {
 
 TEST_P(ViewerTest, theKeyboardReachesEverything) {
   TestViewer test(GetParam());
-  std::vector<Image<Rgb8>> seen{test.viewer.picture()};
+  std::vector<Image<Rgb8>> seen{test.viewer.screenshot()};
   const auto expectChange = [&](const char* what) {
-    seen.push_back(test.viewer.picture());
+    seen.push_back(test.viewer.screenshot());
     EXPECT_GT(countDifferent(seen[seen.size() - 1], seen[seen.size() - 2]), 30U) << what;
   };
   test.key(Key::kSpace);  // the display holds still from here on
-  seen.back() = test.viewer.picture();
+  seen.back() = test.viewer.screenshot();
   const std::vector<std::pair<Key, const char*>> keys{{Key::k1, "the scene alone"},
                                                       {Key::kLeft, "turned"},
                                                       {Key::kEqual, "nearer"},
@@ -137,9 +137,9 @@ TEST_P(ViewerTest, thePanelIsReachedAndLeftByKeys) {
 
 TEST_P(ViewerTest, thePanelTakesClicks) {
   TestViewer test(GetParam());
-  const Image<Rgb8> before = test.viewer.picture();
+  const Image<Rgb8> before = test.viewer.screenshot();
   test.player.play(ClickStep{{150, 113}});  // the list of cameras opens
-  EXPECT_GT(countDifferent(before, test.viewer.picture()), 5000U);
+  EXPECT_GT(countDifferent(before, test.viewer.screenshot()), 5000U);
   test.player.play(ClickStep{{60, 160}});  // one of its first entries
   test.settle();
   EXPECT_NE(test.viewer.state().work.camera.name, "ddoc");
@@ -186,7 +186,7 @@ TEST_P(ViewerTest, dragsAndWheelMoveThePaneUnderThePointer) {
   EXPECT_EQ(test.viewer.state().scene.view, after.scene.view);
 }
 
-TEST_P(ViewerTest, aPictureOfTheWindowIsSavedUnderANewName) {
+TEST_P(ViewerTest, aImageOfTheWindowIsSavedUnderANewName) {
   TestViewer test(GetParam());
   test.folder.write("ocelli-001.png", "mine");
   test.key(Key::kSpace);
@@ -241,7 +241,7 @@ TEST_P(ViewerTest, aDenseScreenShowsTheSameLarger) {
     EXPECT_NEAR(twice.panes[i].image.width, 2 * once.panes[i].image.width, 2);
     EXPECT_NEAR(twice.panes[i].header.height, 2 * once.panes[i].header.height, 1);
   }
-  EXPECT_EQ(test.viewer.picture().width(), 2 * TestViewer::kWidth);
+  EXPECT_EQ(test.viewer.screenshot().width(), 2 * TestViewer::kWidth);
 }
 
 TEST_P(ViewerTest, aTinyWindowIsNoError) {
@@ -249,7 +249,7 @@ TEST_P(ViewerTest, aTinyWindowIsNoError) {
   test.player.play(ResizeStep{64, 64, 4});
   test.key(Key::kH);
   test.player.play(ResizeStep{TestViewer::kWidth, TestViewer::kHeight, 1});
-  EXPECT_EQ(test.viewer.picture().width(), TestViewer::kWidth);
+  EXPECT_EQ(test.viewer.screenshot().width(), TestViewer::kWidth);
 }
 
 TEST_P(ViewerTest, aUnionShowsEachOfItsImages) {

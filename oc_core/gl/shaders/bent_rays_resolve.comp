@@ -10,7 +10,7 @@ struct Bend {
   vec4 viewpoint;
 };
 layout(std430, binding = 2) readonly buffer Bends { Bend bends[]; };
-// Of each piece: its first bend, how many lead to it, and for a turn 1, and where its first and last plane are.
+// Of each piece: its first bend, how many lead to it, and for a bend 1, and where its first and last plane are.
 layout(std430, binding = 3) readonly buffer Ways { uvec4 ways[]; };
 
 struct Ray {
@@ -33,7 +33,7 @@ Ray bent(Ray ray, Bend bend) {
   return Ray(p, p - bend.viewpoint.xyz, zAt(ray, p), ray.perLength);
 }
 
-float zInTurn(Ray ray, Bend bend, vec4 from, vec4 to, vec3 p) {
+float zInBend(Ray ray, Bend bend, vec4 from, vec4 to, vec3 p) {
   float begin = zAt(ray, crossing(ray, from));
   float passed = max(heightOver(from, p), 0.0) / dot(from.xyz, normalize(ray.direction));
   ray = bent(ray, bend);
@@ -65,6 +65,6 @@ void main() {
   vec2 weights = weightsOf(seen);
   vec3 p = pointOf(corners, weights);
   float z = way.z == 0u ? zAt(ray, p)
-                        : zInTurn(ray, bends[way.x + way.y], bends[way.w].plane, bends[way.w + 1u].plane, p);
+                        : zInBend(ray, bends[way.x + way.y], bends[way.w].plane, bends[way.w + 1u].plane, p);
   imageStore(fragments, pixel, z <= zFar ? packFragment(z, seen.y, weights) : kNoFragment);
 }

@@ -11,11 +11,11 @@ layout(std430, binding = 2) readonly buffer Source { uint source[]; };
 layout(std430, binding = 5) writeonly buffer Children { uint children[]; };
 #endif
 
-const int kMostCorners = 9;
+const int kMaxCorners = 9;
 const int kPlanes = 6;
 
 // A polygon of each invocation, and the one that clipping makes of it: x, y, z, b1, b2 of each corner.
-shared double polygons[2][kGroup][kMostCorners * 5];
+shared double polygons[2][kGroup][kMaxCorners * 5];
 
 double coordinate(int which, int corner, int k) {
   return polygons[which][gl_LocalInvocationID.x][5 * corner + k];
@@ -47,13 +47,13 @@ int clipped(int corners, inout int which) {
       int j = i + 1 == corners ? 0 : i + 1;
       double di = inside(plane, which, i);
       double dj = inside(plane, which, j);
-      if (di >= 0.0LF && kept < kMostCorners) {
+      if (di >= 0.0LF && kept < kMaxCorners) {
         for (int k = 0; k < 5; ++k) {
           setCoordinate(1 - which, kept, k, coordinate(which, i, k));
         }
         ++kept;
       }
-      if ((di >= 0.0LF) != (dj >= 0.0LF) && kept < kMostCorners) {
+      if ((di >= 0.0LF) != (dj >= 0.0LF) && kept < kMaxCorners) {
         int inner = di >= 0.0LF ? i : j;
         int outer = di >= 0.0LF ? j : i;
         double t = di >= 0.0LF ? di / (di - dj) : dj / (dj - di);

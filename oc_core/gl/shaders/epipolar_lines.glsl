@@ -17,8 +17,8 @@ struct Row {
   dvec2 direction;
   int start;
   int length;
-  int firstShadow;
-  int shadowCount;
+  int firstDisocclusion;
+  int disocclusionCount;
 };
 layout(std430, binding = 4) readonly buffer Rows { Row rows[]; };
 

@@ -6,7 +6,7 @@ layout(std430, binding = 7) readonly buffer Pieces { uint pieces[]; };
 const uint kIsPiece = 0x80000000u;
 
 // An item of work is a triangle in a block: so many rows, and so many cells of each. Its loops stay short, since a
-// driver may end a shader after 2^16 turns of them, silently. Blocks are numbered row by row.
+// driver may end a shader after 2^16 rounds of them, silently. Blocks are numbered row by row.
 const int kBlockCells = 4096;
 int blockRows() {
   return clamp(4096 / longest, 1, 16);
@@ -62,8 +62,8 @@ float rowCoordinate(vec2 q) {
 }
 float rowStep(float from, float to) {
   float step = to - from;
-  float turn = float(rowCount);
-  return step > turn / 2.0 ? step - turn : step < -turn / 2.0 ? step + turn : step;
+  float bend = float(rowCount);
+  return step > bend / 2.0 ? step - bend : step < -bend / 2.0 ? step + bend : step;
 }
 
 // Rows that may cross a triangle, with room for rounding of angles; the last may be beyond the last row of a ring.

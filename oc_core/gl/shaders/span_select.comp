@@ -9,13 +9,13 @@ layout(std430, binding = 3) buffer Counters {
 layout(location = 0) uniform uint first;
 layout(location = 1) uniform uint count;
 layout(location = 2) uniform uint capacity;
-// Greatest 1/z of the shadows over each cell of each row. The base image has no such bound: everything is drawn.
+// Greatest 1/z of the disocclusions over each cell of each row. The base image has no such bound: everything is drawn.
 layout(binding = 1) uniform sampler2D tops;
 #if SOURCE == TRIANGLES
 layout(std430, binding = 5) writeonly buffer Clips { uint clips[]; };
 #endif
 
-const int kMostCells = 64;  // larger triangles are few: take them
+const int kMaxCells = 64;  // larger triangles are few: take them
 
 // Positions that a triangle may reach on a row.
 vec2 positionsOf(LineTriangle t, int row) {
@@ -47,7 +47,7 @@ bool touches(LineTriangle t, ivec2 range) {
     int cell = cellOf(double(max(positions.x, 0.0)));
     int last = cellOf(double(min(positions.y, float(rows[row].length))));
     cells += last - cell + 1;
-    if (cells > kMostCells) {
+    if (cells > kMaxCells) {
       return true;
     }
     for (; cell <= last; ++cell) {
@@ -97,7 +97,7 @@ void main() {
   if (range.x > range.y) {
     return;
   }
-#if TARGET == SHADOWS
+#if TARGET == DISOCCLUSIONS
   if (!touches(t, range)) {
     return;
   }

@@ -1,5 +1,5 @@
 // Cuts triangles along epipolar lines and samples the spans (section 3.4.2) as oc_core/render/rasterize_spans.cpp does:
-// at the centres of base pixels (TARGET BASE), or where the rays that edges added meet them (TARGET SHADOWS). The
+// at the centres of base pixels (TARGET BASE), or where the rays that edges added meet them (TARGET DISOCCLUSIONS). The
 // closest sample is found first (STAGE DEPTH), the lowest triangle at its depth then (STAGE INDEX).
 #define DEPTH 1
 #define INDEX 2
@@ -131,14 +131,14 @@ void draw(Span span) {
   }
 }
 #else
-// The ray of L through the centre of base pixel j, where it lies in a shadow.
+// The ray of L through the centre of base pixel j, where it lies in a disocclusion.
 void drawLeft(Span span, int j) {
   double inverseZ = inverseZAt(span, j + 0.5LF);
   double x = xAt(span.row, j + 0.5LF);
   double y = inverseZ * inverseZScale(x);
-  int index = shadowOf(span.row, j + 1, x - disparity * y);
-  if (index >= 0 && y < shadows[index].yFar && j >= shadows[index].position - shadows[index].added) {
-    keep(ivec2(j + shadows[index].shift, span.row), inverseZ);
+  int index = disocclusionOf(span.row, j + 1, x - disparity * y);
+  if (index >= 0 && y < disocclusions[index].yFar && j >= disocclusions[index].position - disocclusions[index].added) {
+    keep(ivec2(j + disocclusions[index].shift, span.row), inverseZ);
   }
 }
 
@@ -149,7 +149,7 @@ double xRightAt(int row, double position, double inverseZ) {
 
 // Rays of R that cross the span over a cell.
 void drawRight(Span span, int cell) {
-  // 1/z is linear over the span, so y = slope x + offset; R sees the span from leastRight to mostRight.
+  // 1/z is linear over the span, so y = slope x + offset; R sees the span from minRight to maxRight.
   double change = (span.toInverseZ - span.fromInverseZ) / (span.to - span.from);
   double slope = change;
   double offset = span.fromInverseZ - change * span.from;
@@ -159,8 +159,8 @@ void drawRight(Span span, int cell) {
   }
   double rightFrom = xRightAt(span.row, span.from, span.fromInverseZ);
   double rightTo = xRightAt(span.row, span.to, span.toInverseZ);
-  double leastRight = min(rightFrom, rightTo);
-  double mostRight = max(rightFrom, rightTo);
+  double minRight = min(rightFrom, rightTo);
+  double maxRight = max(rightFrom, rightTo);
   double spread = 1.0LF - disparity * slope;
   // The part over the cell.
   double end = cellBegin(cell + 1);
@@ -171,22 +171,22 @@ void drawRight(Span span, int cell) {
   const double kRounding = 1e-6LF;
   uvec2 list = listOver(span.row, cell);
   for (uint i = list.x; i < list.y; ++i) {
-    int index = rows[span.row].firstShadow + int(over[i]);
-    Shadow shadow = shadows[index];
-    double a = positionAt(span.row, right0 + disparity * shadow.yFar);
-    double b = positionAt(span.row, right1 + disparity * shadow.yFar);
-    double least = double(shadow.position - shadow.added);
-    double most = double(shadow.position - 1);
+    int index = rows[span.row].firstDisocclusion + int(over[i]);
+    Disocclusion disocclusion = disocclusions[index];
+    double a = positionAt(span.row, right0 + disparity * disocclusion.yFar);
+    double b = positionAt(span.row, right1 + disparity * disocclusion.yFar);
+    double least = double(disocclusion.position - disocclusion.added);
+    double most = double(disocclusion.position - 1);
     int column = int(clamp(ceil(min(a, b) - 0.5LF - kRounding), least, most + 1.0LF));
     int last = int(clamp(floor(max(a, b) - 0.5LF + kRounding), least - 1.0LF, most));
     for (; column <= last; ++column) {
-      double xRight = xAt(span.row, column + 0.5LF) - disparity * shadow.yFar;
+      double xRight = xAt(span.row, column + 0.5LF) - disparity * disocclusion.yFar;
       double x = (xRight + disparity * offset) / spread;
       double y = (x - xRight) / disparity;
       double position = positionAt(span.row, x);
-      if (xRight >= leastRight && xRight < mostRight && y >= shadow.yFar && cellOf(position) == cell &&
-          shadowOf(span.row, cell, xRight) == index) {
-        keep(ivec2(column + shadow.shift, span.row), inverseZAt(span, position));
+      if (xRight >= minRight && xRight < maxRight && y >= disocclusion.yFar && cellOf(position) == cell &&
+          disocclusionOf(span.row, cell, xRight) == index) {
+        keep(ivec2(column + disocclusion.shift, span.row), inverseZAt(span, position));
       }
     }
   }

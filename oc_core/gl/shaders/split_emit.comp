@@ -57,15 +57,15 @@ void main() {
   // Turned so that one split is at ab, and two are at ab and bc.
   uint splits = uint(bitCount(code));
   if (code == kSplitBc || code == (kSplitBc | kSplitCa)) {
-    vec2 turn = a;
+    vec2 bend = a;
     a = b;
     b = c;
-    c = turn;
+    c = bend;
   } else if (code == kSplitCa || code == (kSplitCa | kSplitAb)) {
-    vec2 turn = c;
+    vec2 bend = c;
     c = b;
     b = a;
-    a = turn;
+    a = bend;
   }
   vec2 ab = (a + b) * 0.5;
   vec2 bc = (b + c) * 0.5;

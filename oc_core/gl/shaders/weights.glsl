@@ -1,6 +1,6 @@
 // Where on a triangle a point of the pinhole's image lies: barycentric weights of its corners, in camera coordinates.
 
-// Corners are moved to the grid on which the processor's rasteriser fills, 1/256 pixel, so that both interpolate alike.
+// Corners are moved to the grid on which the CPU's rasteriser fills, 1/256 pixel, so that both interpolate alike.
 vec2 snapped(vec2 q) {
   return roundEven(q * 256.0) / 256.0;
 }

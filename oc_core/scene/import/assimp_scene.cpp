@@ -177,9 +177,9 @@ SceneRecord readWithAssimp(const fs::path& path, bool withTextures, ReadingBudge
     record.parts.push_back(convertMesh(*source->mMeshes[m], found));
     triangles += record.parts.back().mesh.triangles.size();
   }
-  if (triangles > kMostSceneTriangles) {
+  if (triangles > kMaxSceneTriangles) {
     throw InputError(
-        "the scene has " + std::to_string(triangles) + " triangles, more than " + std::to_string(kMostSceneTriangles),
+        "the scene has " + std::to_string(triangles) + " triangles, more than " + std::to_string(kMaxSceneTriangles),
         path.string(), "reduce the mesh");
   }
   addNode(record, *source->mRootNode, glm::mat4(1), path);

@@ -1,0 +1,101 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "cli/command.h"
+#include "cli/progress_bar.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/output_file.h"
+#include "oc_core/base/parallel.h"
+
+namespace ocelli {
+namespace {
+
+constexpr int kMaxThreads = 1024;
+
+// A reader that closed its end (`ocelli ... | head`) has seen what it wanted.
+void checkStandardOutput(bool written) {
+  if (written || errno == EPIPE) {
+    return;
+  }
+  throw WorkError(std::string("cannot print (") + std::strerror(errno) + ")", "standard output",
+                  "check where it is redirected to: is the disk full?");
+}
+
+/// Whether a file that the user named goes there.
+bool namesStandardOutput(const CLI::App& command) {
+  return std::ranges::any_of(command.get_options(), [](const CLI::Option* option) {
+    return std::ranges::any_of(option->results(), [](const std::string& text) {
+      constexpr std::string_view kFileDevice = "file:";
+      return isStandardOutput(text.starts_with(kFileDevice) ? text.substr(kFileDevice.size()) : text);
+    });
+  });
+}
+
+}  // namespace
+
+struct CommandContext::State {
+  int threads = 0;
+  bool quiet = false;
+  bool fileOnStandardOutput = false;
+  ProgressBar bar;
+  std::function<void()> chosen;
+};
+
+CommandContext::CommandContext() : state_(std::make_shared<State>()) {}
+
+void CommandContext::addCommonOptions(CLI::App& command) const {
+  command.add_option("--threads", state_->threads, "Use at most so many threads; 0 stands for all cores")
+      ->check(CLI::Range(0, kMaxThreads))
+      ->type_name("N");
+  command.add_flag("-q,--quiet", state_->quiet, "Print results and errors only");
+}
+
+void CommandContext::finish(CLI::App& command, const std::string& examples, std::function<void()> run) const {
+  addCommonOptions(command);
+  command.footer("Examples:\n" + examples);
+  command.callback([state = state_, run = std::move(run), &command] {
+    state->fileOnStandardOutput = namesStandardOutput(command);
+    state->chosen = run;
+  });
+}
+
+void CommandContext::print(std::string_view text) const {
+  clearProgress();
+  std::FILE* const stream = state_->fileOnStandardOutput ? stderr : stdout;
+  checkStandardOutput(std::fwrite(text.data(), 1, text.size(), stream) == text.size());
+}
+
+void CommandContext::note(std::string_view text) const {
+  if (!state_->quiet) {
+    clearProgress();
+    std::fprintf(stderr, "%.*s\n", static_cast<int>(text.size()), text.data());
+  }
+}
+
+Progress CommandContext::progress() const {
+  if (state_->quiet || !ProgressBar::possible()) {
+    return {};
+  }
+  return [state = state_](std::string_view stage, double fraction) { state->bar.show(stage, fraction); };
+}
+
+void CommandContext::run() const {
+  if (state_->chosen) {
+    setThreadCount(state_->threads);
+    state_->chosen();
+    clearProgress();
+  }
+}
+
+void CommandContext::clearProgress() const {
+  state_->bar.clear();
+}
+
+void flushStandardOutput() {
+  checkStandardOutput(std::fflush(stdout) == 0);
+}
+
+}  // namespace ocelli

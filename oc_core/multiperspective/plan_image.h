@@ -1,0 +1,20 @@
+// Draws a plan of a camera (camera_plan.h): SVG, and PNG of the same.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "oc_core/multiperspective/camera_plan.h"
+
+namespace ocelli {
+
+struct ImageOptions {
+  std::string title{};      ///< above the plan; none where empty
+  int planPixels = 1200;    ///< longer side of the plan; the legend comes beside it
+  int maxLegendLines = 24;  ///< of the legend; how many more parts there are is said below
+};
+
+/// SVG or PNG, as `path` ends. Throws InputError for other endings, WorkError where it cannot be written.
+void writePlan(const std::filesystem::path& path, const CameraPlan& plan, const ImageOptions& options = {});
+
+}  // namespace ocelli

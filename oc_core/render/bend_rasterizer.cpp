@@ -1,0 +1,175 @@
+#include "oc_core/render/bend_rasterizer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ocelli {
+namespace {
+
+constexpr int kDeepest = 24;  // only guards against numbers gone wrong
+/// An edge that might bend more than this is split without a look at its middle, which tells of one bend alone.
+constexpr double kMaxBendPixels = 16;
+
+RasterVertex rasterVertex(const BendRasterizer::Vertex& v) {
+  return {static_cast<float>(v.image.pixel.x), static_cast<float>(v.image.pixel.y),
+          static_cast<float>(1 / v.image.weight), static_cast<float>(v.b.x), static_cast<float>(v.b.y)};
+}
+
+}  // namespace
+
+BendRasterizer::BendRasterizer(const CurvedRayCamera& camera, size_t bend, uint8_t order, const Mesh& mesh,
+                               const MeshBlocks& blocks)
+    : mesh_(mesh),
+      blocks_(blocks),
+      projection_(camera, bend),
+      bend_(static_cast<uint32_t>(bend)),
+      order_(order),
+      width_(camera.width()),
+      height_(camera.height()) {}
+
+const BendRasterizer::Vertex& BendRasterizer::meshVertex(uint32_t index, Scratch& scratch) const {
+  Scratch::Entry& held = scratch.cache[index % Scratch::kVertices];
+  const uint64_t tag = static_cast<uint64_t>(bend_) << 32 | index;
+  if (held.tag != tag) {
+    held = {tag, vertex(glm::dvec3(mesh_.positions[index]), {0, 0})};
+  }
+  return held.vertex;
+}
+
+void BendRasterizer::draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& scratch) const {
+  const HalfSpaces& slab = bounds().slab();
+  blocks_.forEachTriangle(task.block, [&](uint32_t triangle) {
+    const Sink sink{buffer, triangle};
+    const glm::uvec3& t = mesh_.triangles[triangle];
+    std::array<int, 2> outside{};
+    for (int k = 0; k < 3; ++k) {
+      const glm::dvec4 p(mesh_.positions[t[k]], 1);
+      outside[0] += glm::dot(slab[0], p) < 0;
+      outside[1] += glm::dot(slab[1], p) < 0;
+    }
+    if (outside[0] == 3 || outside[1] == 3) {
+      return;
+    }
+    if (outside[0] + outside[1] > 0) {
+      drawClipped(sink, scratch);
+      return;
+    }
+    const Vertex a = meshVertex(t.x, scratch);
+    Vertex b = meshVertex(t.y, scratch);
+    Vertex c = meshVertex(t.z, scratch);
+    b.b.x = 1;
+    c.b.y = 1;
+    refine(sink, a, b, c, 0);
+  });
+}
+
+void BendRasterizer::drawClipped(const Sink& sink, Scratch& scratch) const {
+  const glm::uvec3& t = mesh_.triangles[sink.triangle];
+  std::vector<Vertex>& corners = scratch.corners;
+  corners.clear();
+  for (const ClipCorner& corner :
+       scratch.clipper.clip(mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z], bounds().slab())) {
+    corners.push_back(vertex(corner.p, corner.b));
+  }
+  for (size_t i = 2; i < corners.size(); ++i) {
+    refine(sink, corners[0], corners[i - 1], corners[i], 0);
+  }
+}
+
+/// An edge bulges by less than half of its length: so does a piece. Pieces with a corner that has no image are looked
+/// at in the world.
+bool BendRasterizer::missesImage(const Vertex& a, const Vertex& b, const Vertex& c) const {
+  if (!a.image.imaged || !b.image.imaged || !c.image.imaged) {
+    return std::any_of(bounds().sides().begin(), bounds().sides().end(), [&](const HalfSpace& space) {
+      const auto isOutside = [&](const Vertex& v) { return glm::dot(space, glm::dvec4(v.p, 1)) < 0; };
+      return isOutside(a) && isOutside(b) && isOutside(c);
+    });
+  }
+  const glm::dvec2 lower = glm::min(a.image.pixel, glm::min(b.image.pixel, c.image.pixel));
+  const glm::dvec2 upper = glm::max(a.image.pixel, glm::max(b.image.pixel, c.image.pixel));
+  const double room = 1 + ((upper.x - lower.x) + (upper.y - lower.y)) / 2;
+  return upper.x + room < 0 || upper.y + room < 0 || lower.x - room > width_ || lower.y - room > height_;
+}
+
+/// The middle of an edge that is to be split.
+std::optional<BendRasterizer::Vertex> BendRasterizer::splitOf(const Vertex& a, const Vertex& b) const {
+  const bool imaged = a.image.imaged && b.image.imaged;
+  const double bend = projection_.greatestBend(glm::distance(a.image.pixel, b.image.pixel),
+                                               std::abs(a.image.share() - b.image.share()));
+  if (imaged ? bend <= kErrorPixels : glm::distance(a.p, b.p) <= bounds().shortestEdge()) {
+    return std::nullopt;
+  }
+  const Vertex middle = vertex((a.p + b.p) * 0.5, (a.b + b.b) * 0.5);
+  const bool isStraight = imaged && middle.image.imaged && bend <= kMaxBendPixels &&
+                          projection_.deviation(a.image, b.image, middle.image) <= kErrorPixels;
+  return isStraight ? std::nullopt : std::optional(middle);
+}
+
+void BendRasterizer::refineOne(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& ab,
+                               int depth) const {
+  refine(sink, a, ab, c, depth + 1);
+  refine(sink, ab, b, c, depth + 1);
+}
+
+void BendRasterizer::refineTwo(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& ab,
+                               const Vertex& bc, int depth) const {
+  refine(sink, ab, b, bc, depth + 1);
+  refine(sink, a, ab, bc, depth + 1);
+  refine(sink, a, bc, c, depth + 1);
+}
+
+void BendRasterizer::refine(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, int depth) const {
+  if (missesImage(a, b, c)) {
+    return;
+  }
+  if (depth >= kDeepest) {
+    fill(sink, a, b, c);
+    return;
+  }
+  const std::optional<Vertex> ab = splitOf(a, b);
+  const std::optional<Vertex> bc = splitOf(b, c);
+  const std::optional<Vertex> ca = splitOf(c, a);
+  if (ab && bc && ca) {
+    refine(sink, a, *ab, *ca, depth + 1);
+    refine(sink, *ab, b, *bc, depth + 1);
+    refine(sink, *ca, *bc, c, depth + 1);
+    refine(sink, *ab, *bc, *ca, depth + 1);
+  } else if (ab && bc) {
+    refineTwo(sink, a, b, c, *ab, *bc, depth);
+  } else if (bc && ca) {
+    refineTwo(sink, b, c, a, *bc, *ca, depth);
+  } else if (ca && ab) {
+    refineTwo(sink, c, a, b, *ca, *ab, depth);
+  } else if (ab) {
+    refineOne(sink, a, b, c, *ab, depth);
+  } else if (bc) {
+    refineOne(sink, b, c, a, *bc, depth);
+  } else if (ca) {
+    refineOne(sink, c, a, b, *ca, depth);
+  } else {
+    fill(sink, a, b, c);
+  }
+}
+
+void BendRasterizer::fill(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const {
+  if (!a.image.imaged || !b.image.imaged || !c.image.imaged) {
+    return;
+  }
+  const auto inSingle = [](double atA, double atB, double atC) {
+    return std::array{static_cast<float>(atA), static_cast<float>(atB), static_cast<float>(atC)};
+  };
+  const auto behind = inSingle(a.image.behindFirst, b.image.behindFirst, c.image.behindFirst);
+  const auto ahead = inSingle(a.image.beforeLast, b.image.beforeLast, c.image.beforeLast);
+  scanTriangle(width_, height_, rasterVertex(a), rasterVertex(b), rasterVertex(c),
+               [&](size_t pixel, float /*weight*/, const PixelWeights& weights) {
+                 const float first = weights.of(behind[0], behind[1], behind[2]);
+                 const float last = weights.of(ahead[0], ahead[1], ahead[2]);
+                 const float share = first > 0 ? first / (first + std::max(last, 0.0f)) : 0;
+                 const float depth = std::max(share, 1e-30f);
+                 if (sink.buffer.isNearest(pixel, order_, depth, sink.triangle)) {
+                   sink.buffer.put(pixel, order_, depth, sink.triangle, weights());
+                 }
+               });
+}
+
+}  // namespace ocelli

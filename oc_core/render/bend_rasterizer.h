@@ -1,0 +1,73 @@
+// Draws what lies in a bend of a curved ray camera (section 4.2.2), where rays are conics: triangles are split until
+// their pieces come out straight, and the pieces are filled as for a pinhole.
+//
+// Whether an edge is split depends on its two ends and its middle alone, so triangles that share an edge split it
+// alike: no cracks. It is split where its middle comes out more than `kErrorPixels` from where a straight piece, in
+// perspective, would have it; edges that cannot bend so much are not looked at (bend_projection.h). So surfaces are
+// shown within about that many pixels of where they are.
+//
+// A ray crosses the planes through the line that the planes of the bend have in common one after the other, so the
+// share of the bend that such a plane cuts off orders what is met along the ray.
+#pragma once
+
+#include "oc_core/camera/curved_ray_camera.h"
+#include "oc_core/render/bend_projection.h"
+
+namespace ocelli {
+
+class BendRasterizer {
+ public:
+  static constexpr double kErrorPixels = 1.0 / 16;
+
+  struct Vertex {
+    glm::dvec3 p{0};
+    glm::dvec2 b{0};
+    BendImage image;
+  };
+  /// What a thread keeps from one block to the next.
+  struct Scratch {
+    struct Entry {
+      uint64_t tag = ~uint64_t{0};
+      Vertex vertex;
+    };
+    static constexpr size_t kVertices = 1024;
+
+    std::vector<Entry> cache{kVertices};
+    Clipper clipper;
+    std::vector<Vertex> corners;
+  };
+
+  /// All must outlive it.
+  BendRasterizer(const CurvedRayCamera& camera, size_t bend, uint8_t order, const Mesh& mesh, const MeshBlocks& blocks);
+
+  const BendBounds& bounds() const { return projection_.bounds(); }
+  void draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& scratch) const;
+
+ private:
+  struct Sink {
+    OrderedBuffer& buffer;
+    uint32_t triangle;
+  };
+
+  Vertex vertex(const glm::dvec3& p, const glm::dvec2& b) const { return {p, b, projection_.project(p)}; }
+  const Vertex& meshVertex(uint32_t index, Scratch& scratch) const;
+  void drawClipped(const Sink& sink, Scratch& scratch) const;
+  bool missesImage(const Vertex& a, const Vertex& b, const Vertex& c) const;
+  std::optional<Vertex> splitOf(const Vertex& a, const Vertex& b) const;
+  void refine(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, int depth) const;
+  void refineOne(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& ab,
+                 int depth) const;
+  void refineTwo(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& ab,
+                 const Vertex& bc, int depth) const;
+  void fill(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const;
+
+  const Mesh& mesh_;
+  const MeshBlocks& blocks_;
+  BendProjection projection_;
+  uint32_t bend_;
+  uint8_t order_;
+  int width_;
+  int height_;
+};
+
+}  // namespace ocelli

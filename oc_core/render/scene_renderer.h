@@ -1,0 +1,63 @@
+// What cameras see of one scene, drawn by other means than rasterisation on the CPU: by rays against a standing
+// acceleration structure (RayRenderer), or on a GPU (oc_core/gl/gl_renderer.h). What constructs an image from others
+// (oc_core/ocri) takes it as a pointer; without one it rasterises.
+//
+// One call draws one image: within it, renderers know the type of the camera.
+#pragma once
+
+#include "oc_core/camera/curved_ray_camera.h"
+#include "oc_core/camera/ddoc_camera.h"
+#include "oc_core/camera/epipolar_camera.h"
+#include "oc_core/camera/graph_camera.h"
+#include "oc_core/camera/reverse_pinhole_camera.h"
+#include "oc_core/camera/spoc_camera.h"
+#include "oc_core/render/rasterize_subdivided.h"
+#include "oc_core/render/raycast.h"
+
+namespace ocelli {
+
+class SceneRenderer {
+ public:
+  virtual ~SceneRenderer() = default;
+
+  /// The closest fragment at each pixel.
+  virtual FragmentImage draw(const PinholeCamera& camera) const = 0;
+  virtual FragmentImage draw(const SpocCamera& camera) const = 0;
+  virtual FragmentImage draw(const ReversePinholeCamera& camera) const = 0;
+  /// `seen` is what the reference pinhole sees; `subdivision` is for those that draw by it.
+  virtual FragmentImage draw(const DdocCamera& camera, const FragmentImage& seen,
+                             const SubdivisionOptions& subdivision) const = 0;
+  /// What `base` sees along its epipolar lines (rasterize_spans.h).
+  virtual FragmentImage drawLines(const PinholeCamera& base, const EpipolarLines& lines) const = 0;
+  /// `baseImage` is what drawLines() gives for the base and the lines of the camera.
+  virtual FragmentImage draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const = 0;
+  virtual FragmentImage draw(const GraphCamera& camera) const = 0;
+  virtual FragmentImage draw(const CurvedRayCamera& camera) const = 0;
+
+  /// The acceleration structure, where there is one: whoever has it need not look at all triangles.
+  virtual const RayScene* rays() const { return nullptr; }
+};
+
+/// Casts rays: the cost is bounded by the pixels, however large the scene.
+class RayRenderer final : public SceneRenderer {
+ public:
+  /// Both must outlive it.
+  RayRenderer(const Mesh& mesh, const RayScene& rays) : mesh_(mesh), rays_(rays) {}
+
+  FragmentImage draw(const PinholeCamera& camera) const override;
+  FragmentImage draw(const SpocCamera& camera) const override;
+  FragmentImage draw(const ReversePinholeCamera& camera) const override;
+  FragmentImage draw(const DdocCamera& camera, const FragmentImage& seen,
+                     const SubdivisionOptions& subdivision) const override;
+  FragmentImage drawLines(const PinholeCamera& base, const EpipolarLines& lines) const override;
+  FragmentImage draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const override;
+  FragmentImage draw(const GraphCamera& camera) const override;
+  FragmentImage draw(const CurvedRayCamera& camera) const override;
+  const RayScene* rays() const override { return &rays_; }
+
+ private:
+  const Mesh& mesh_;
+  const RayScene& rays_;
+};
+
+}  // namespace ocelli

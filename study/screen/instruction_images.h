@@ -1,0 +1,37 @@
+// The images of instruction pages, drawn by the program itself: what the two ways of seeing look like, and the keys.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+
+#include "study/screen/scene_views.h"
+#include "study/screen/study_canvas.h"
+#include "study/task/controls.h"
+
+namespace ocelli {
+
+/// The names that ProtocolPage::image may have.
+inline constexpr std::array kInstructionImages{"find_ppc", "find_gc", "count_ppc", "count_gc", "path_maps", "controls"};
+
+class InstructionImages {
+ public:
+  /// The context must outlive it.
+  InstructionImages(GlContext& context, const Controls& controls) : context_(&context), controls_(controls) {}
+
+  /// Nothing for a name that is none. Hold a GlScope. Throws GlError.
+  void draw(StudyCanvas& canvas, const std::string& name, const PixelRect& place);
+
+ private:
+  struct View {
+    GlObject texture;
+    std::vector<glm::dvec2> marks;  ///< objects that are seen, pixels of the view
+  };
+  const View& viewOf(const std::string& name, int width, int height);
+
+  GlContext* context_;
+  Controls controls_;
+  std::map<std::string, View> views_;  ///< by name and size
+};
+
+}  // namespace ocelli
