@@ -9,13 +9,13 @@
 namespace ocelli {
 namespace {
 
+using test::bendingRight;
 using test::bendingTwice;
 using test::InverseErrors;
 using test::Numbers;
 using test::planesThrough;
 using test::rightTurn;
 using test::smallCamera;
-using test::bendingRight;
 using test::worstInverse;
 using testing::HasSubstr;
 

@@ -18,11 +18,11 @@
 namespace ocelli {
 namespace {
 
+using test::bendingRight;
 using test::bendingTwice;
 using test::coveredPixels;
 using test::Disagreement;
 using test::disagreement;
-using test::bendingRight;
 
 PinholeCamera camera() {
   return {View{}, 180, 120};
