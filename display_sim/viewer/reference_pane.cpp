@@ -39,7 +39,7 @@ GlObject uploaded(GlContext& context, GLenum internalFormat, GLenum format, cons
 ReferenceScale scaleOf(const ReferenceImage& image) {
   ReferenceScale scale{1e30f, 0, 0};
   for (size_t i = 0; i < image.z.size(); ++i) {
-    if (image.z[i] > 0) {
+    if (image.holds(i)) {
       scale.nearest = std::min(scale.nearest, image.z[i]);
       scale.farthest = std::max(scale.farthest, image.z[i]);
       scale.longestDisplacement = std::max(scale.longestDisplacement, glm::length(image.displacement[i]));
