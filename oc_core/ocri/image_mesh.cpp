@@ -122,8 +122,7 @@ class ImageMesher {
   ImagePoint sample(const Pixel& p) const { return valid(p) ? image_.undistorted(p.x, p.y) : ImagePoint{}; }
 
   PlacedSample placed(const Pixel& p) const {
-    return valid(p) ? PlacedSample{image_.position(p.x, p.y), image_.direction(p.x, p.y), true}
-                    : PlacedSample{};
+    return valid(p) ? PlacedSample{image_.position(p.x, p.y), image_.direction(p.x, p.y), true} : PlacedSample{};
   }
 
   /// Between the ray of a placed sample and the nearer of its neighbours in a direction; no limit where it has none.

@@ -242,8 +242,8 @@ void readHeader(const Imf::Header& header, size_t fileBytes, const std::string& 
   allocate(image, static_cast<int>(width), static_cast<int>(height), placed);
 }
 
-/// Which pixels hold a sample: where a pinhole's image is displaced those of positive z, elsewhere those whose rays have
-/// a direction. Throws InputError where the values are none of a reference image.
+/// Which pixels hold a sample: where a pinhole's image is displaced those of positive z, elsewhere those whose rays
+/// have a direction. Throws InputError where the values are none of a reference image.
 void findSamples(ReferenceImage& image, const std::string& where) {
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
@@ -251,7 +251,8 @@ void findSamples(ReferenceImage& image, const std::string& where) {
       const glm::vec2& d = image.displacement(x, y);
       const glm::vec3& c = image.color(x, y);
       const glm::vec3 place = image.isPlaced() ? image.position(x, y) + image.direction(x, y) : glm::vec3(0);
-      if (!(image.isPlaced() || t >= 0) || !std::isfinite(t + d.x + d.y + c.x + c.y + c.z + place.x + place.y + place.z)) {
+      if (!(image.isPlaced() || t >= 0) ||
+          !std::isfinite(t + d.x + d.y + c.x + c.y + c.z + place.x + place.y + place.z)) {
         throw InputError("the sample at pixel (" + std::to_string(x) + ", " + std::to_string(y) +
                              ") has a negative depth or a value that is not a finite number",
                          where, kNext);

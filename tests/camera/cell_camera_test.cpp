@@ -60,7 +60,8 @@ TEST(CellCamera, pointsBehindTheOccluderHaveTheirImageInTheTiles) {
       EXPECT_NEAR(q->z, test::kCellWall, 1e-4f);
       if (seen.u > 30 && seen.u < 60 && seen.v > 20 && seen.v < 40) {
         const size_t tile = y < 30 ? 0 : 1;
-        const glm::vec2 expected = pixel - glm::vec2(test::twoViewpoints().tiles()[tile].corner) + glm::vec2(test::twoViewpoints().cornerOf(tile));
+        const glm::vec2 expected = pixel - glm::vec2(test::twoViewpoints().tiles()[tile].corner) +
+                                   glm::vec2(test::twoViewpoints().cornerOf(tile));
         EXPECT_NEAR(q->u, expected.x, kPixels);
         EXPECT_NEAR(q->v, expected.y, kPixels);
         ++hidden;
@@ -74,7 +75,8 @@ TEST(CellCamera, pointsBehindTheOccluderHaveTheirImageInTheTiles) {
 }
 
 TEST(CellCamera, hiddenPointsThatNoSatelliteReachesHaveNone) {
-  EXPECT_FALSE(test::twoViewpoints().project({-0.2f, 0, -0.5f})) << "behind the occluder, left of what the satellite stores";
+  EXPECT_FALSE(test::twoViewpoints().project({-0.2f, 0, -0.5f}))
+      << "behind the occluder, left of what the satellite stores";
   EXPECT_FALSE(test::twoViewpoints().project({2.0f, 0, -1.5f})) << "behind the wall";
   EXPECT_TRUE(test::twoViewpoints().project({-0.2f, 0, 0.9f})) << "in front of the occluder";
 }
