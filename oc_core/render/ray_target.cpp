@@ -4,10 +4,10 @@
 
 namespace ocelli {
 
-void RayTarget::hit(std::span<const RayPath> rays, std::span<std::optional<Hit>> hits) const {
-  OC_CHECK(rays.size() == hits.size(), "one hit a ray");
+void RayTarget::hits(std::span<const RayPath> rays, std::span<std::optional<Hit>> found) const {
+  OC_CHECK(rays.size() == found.size(), "one hit a ray");
   for (size_t i = 0; i < rays.size(); ++i) {
-    hits[i] = hit(rays[i]);
+    found[i] = hit(rays[i]);
   }
 }
 
@@ -15,7 +15,7 @@ HitImage castRays(int width, int height, const RayTarget& target,
                   const std::function<RayPath(const glm::vec2&)>& rayPath) {
   return castTiles<std::optional<Hit>>(
       width, height, rayPath,
-      [&](std::span<const RayPath> rays, std::span<std::optional<Hit>> hits) { target.hit(rays, hits); });
+      [&](std::span<const RayPath> rays, std::span<std::optional<Hit>> found) { target.hits(rays, found); });
 }
 
 }  // namespace ocelli

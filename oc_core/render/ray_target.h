@@ -28,8 +28,8 @@ class RayTarget {
 
   /// Nothing where the ray meets nothing, or has coordinates that are not finite. Safe to call from many threads.
   virtual std::optional<Hit> hit(const RayPath& ray) const = 0;
-  /// The same for each of many rays, one entry of `hits` a ray; it may be faster where neighbours run alike.
-  virtual void hit(std::span<const RayPath> rays, std::span<std::optional<Hit>> hits) const;
+  /// The same for each of many rays, one entry of `found` a ray; it may be faster where neighbours run alike.
+  virtual void hits(std::span<const RayPath> rays, std::span<std::optional<Hit>> found) const;
   /// Around all of it, in the world; empty where there is nothing to hit.
   virtual Box bounds() const = 0;
 };

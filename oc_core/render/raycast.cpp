@@ -6,16 +6,16 @@ namespace ocelli {
 
 std::optional<Hit> RayScene::hit(const RayPath& ray) const {
   std::optional<Hit> result;
-  hit(std::span(&ray, 1), std::span(&result, 1));
+  hits(std::span(&ray, 1), std::span(&result, 1));
   return result;
 }
 
-void RayScene::hit(std::span<const RayPath> rays, std::span<std::optional<Hit>> hits) const {
+void RayScene::hits(std::span<const RayPath> rays, std::span<std::optional<Hit>> found) const {
   std::vector<Fragment> fragments(rays.size());
   intersect(rays, fragments);
   for (size_t i = 0; i < rays.size(); ++i) {
     const Fragment& f = fragments[i];
-    hits[i] =
+    found[i] =
         f.covered() ? std::optional(Hit{f.t, positionOf(f, mesh()), colorOf(f, mesh()), f.triangle}) : std::nullopt;
   }
 }

@@ -31,7 +31,7 @@ class RayScene final : public RayTarget {
   const Mesh& mesh() const;
   /// The element is the triangle.
   std::optional<Hit> hit(const RayPath& ray) const override;
-  void hit(std::span<const RayPath> rays, std::span<std::optional<Hit>> hits) const override;
+  void hits(std::span<const RayPath> rays, std::span<std::optional<Hit>> found) const override;
 
   /// The first triangle that the polyline meets, with its barycentric weights and the t of the polyline. Coordinates
   /// that are not finite meet nothing.

@@ -96,7 +96,7 @@ struct SpocOf : Traits {
   static constexpr double kAside = kNearPixels > 0 ? 0.26 : 0;
   /// A point goes around a circle of d(z) more than its way from the pole.
   static float blowUp(const ImagePoint& q) {
-    const float displacement = make().displacementAt(q.z);
+    const float displacement = make().displacementAt(q.t);
     return 1 + displacement / std::max(glm::distance(glm::vec2(q.u, q.v), kPole) - displacement, 1e-3f);
   }
   static SpocCamera make() { return {smallCamera(), {kPole, 9, 11, kNearPixels, 5}}; }
@@ -134,7 +134,7 @@ EpipolarCamera eocAt(const glm::vec3& right, const Mesh& mesh) {
   for (int row = 0; row < lines.rowCount(); ++row) {
     std::vector<float> inverseZ;
     for (int j = 0; j < lines.length(row); ++j) {
-      inverseZ.push_back(seen(j, row).covered() ? 1 / seen(j, row).z : 0);
+      inverseZ.push_back(seen(j, row).covered() ? 1 / seen(j, row).t : 0);
     }
     edges.push_back(findEpipolarEdges(inverseZ, row, lines, base.view().zNear, 1 / 10.9f, {}));
   }
@@ -182,7 +182,7 @@ struct Graph : Traits {
   static float depthOf(const Camera& camera, const glm::vec3& point, const glm::vec2& pixel) {
     const std::optional<ExactImagePoint> q = camera.projectExactly(glm::dvec3(point));
     EXPECT_TRUE(q) << pixel.x << ", " << pixel.y;
-    return q ? static_cast<float>(q->z) : 0;
+    return q ? static_cast<float>(q->t) : 0;
   }
   /// A plane that is crossed without a turn is one more point of the ray.
   static bool sameRay(const RayPath& a, const RayPath& b) {
@@ -293,7 +293,7 @@ class CameraContract : public ::testing::Test {
     return (1.5e-3f + kWidth / 2.0f * 1e-6f / z) * static_cast<float>(Source::kErrorGrowth);
   }
   static bool near(const ImagePoint& q, const glm::vec2& pixel) {
-    const float tolerance = pixels(q.z) * Source::blowUp({pixel.x, pixel.y, q.z});
+    const float tolerance = pixels(q.t) * Source::blowUp({pixel.x, pixel.y, q.t});
     return std::abs(q.u - pixel.x) < tolerance && std::abs(q.v - pixel.y) < tolerance;
   }
 
@@ -341,9 +341,9 @@ TYPED_TEST(CameraContract, projectOfUnprojectIsTheImagePoint) {
       return;
     }
     const std::optional<ImagePoint> back = this->camera().project(*point);
-    ASSERT_TRUE(back) << q.u << " " << q.v << " " << q.z;
-    EXPECT_TRUE(this->near(*back, {q.u, q.v}) || TypeParam::isRepeated({q.u, q.v})) << q.u << " " << q.v << " " << q.z;
-    EXPECT_NEAR(back->z, q.z, 1e-6f * (1 + q.z)) << "rounding of world coordinates";
+    ASSERT_TRUE(back) << q.u << " " << q.v << " " << q.t;
+    EXPECT_TRUE(this->near(*back, {q.u, q.v}) || TypeParam::isRepeated({q.u, q.v})) << q.u << " " << q.v << " " << q.t;
+    EXPECT_NEAR(back->t, q.t, 1e-6f * (1 + q.t)) << "rounding of world coordinates";
   });
   EXPECT_LE(static_cast<double>(unsolved), TypeParam::kUnsolvable * static_cast<double>(tried));
 }
@@ -506,7 +506,7 @@ TYPED_TEST(WindowContract, pointsBehindTheEyeHaveNoImage) {
 
 TYPED_TEST(CameraContract, imagePointsWithoutAWorldPointHaveNone) {
   const auto hasNone = [&](const ImagePoint& q) {
-    EXPECT_FALSE(this->camera().unproject(q)) << q.u << " " << q.v << " " << q.z;
+    EXPECT_FALSE(this->camera().unproject(q)) << q.u << " " << q.v << " " << q.t;
   };
   for (const float z : {0.0f, -1.0f, 0.0099f, 1000.1f, kNan, kInfinity, -kInfinity}) {
     hasNone({45, 30, z});
@@ -534,7 +534,7 @@ void expectPinhole() {
         const glm::dvec2 p = Source::pinholePoint(camera, *q);
         EXPECT_NEAR(p.x, kWidth / 2.0 + focal * x / depth, 1e-4);
         EXPECT_NEAR(p.y, kHeight / 2.0 - focal * y / depth, 1e-4);
-        EXPECT_NEAR(q->z, depth, 2e-6);
+        EXPECT_NEAR(q->t, depth, 2e-6);
         const std::optional<glm::vec3> back = camera.unproject(*q);
         ASSERT_TRUE(back);
         EXPECT_LT(glm::distance(*back, glm::vec3(x, y, z)), 1e-5f);

@@ -30,7 +30,7 @@ TEST(CellCamera, withoutSatellitesItIsThePinhole) {
     ASSERT_TRUE(q && expected);
     EXPECT_EQ(q->u, expected->u);
     EXPECT_EQ(q->v, expected->v);
-    EXPECT_EQ(q->z, expected->z);
+    EXPECT_EQ(q->t, expected->t);
     EXPECT_EQ(alone.unproject(*q), smallCamera().unproject(*q));
   }
   EXPECT_EQ(alone.rayPath({12.5f, 40.5f}), smallCamera().rayPath({12.5f, 40.5f}));
@@ -57,7 +57,7 @@ TEST(CellCamera, pointsBehindTheOccluderHaveTheirImageInTheTiles) {
       const ImagePoint seen = *smallCamera().project(point);
       const std::optional<ImagePoint> q = test::twoViewpoints().project(point);
       ASSERT_TRUE(q);
-      EXPECT_NEAR(q->z, test::kCellWall, 1e-4f);
+      EXPECT_NEAR(q->t, test::kCellWall, 1e-4f);
       if (seen.u > 30 && seen.u < 60 && seen.v > 20 && seen.v < 40) {
         const size_t tile = y < 30 ? 0 : 1;
         const glm::vec2 expected = pixel - glm::vec2(test::twoViewpoints().tiles()[tile].corner) +
@@ -101,7 +101,7 @@ TEST(CellCamera, projectOfUnprojectIsTheImagePoint) {
         }
         EXPECT_NEAR(back->u, centre(x, y).x, kPixels);
         EXPECT_NEAR(back->v, centre(x, y).y, kPixels);
-        EXPECT_NEAR(back->z, z, 1e-5f);
+        EXPECT_NEAR(back->t, z, 1e-5f);
       }
     }
   }
@@ -130,7 +130,7 @@ TEST(CellCamera, rayPathsProjectToTheirPixels) {
           continue;  // rounding may put the near end a hair before zNear
         }
         ASSERT_TRUE(q) << x << " " << y << " " << step;
-        const float slack = kPixels + 1e-3f / q->z;
+        const float slack = kPixels + 1e-3f / q->t;
         EXPECT_NEAR(q->u, centre(x, y).x, slack) << y << " " << step;
         EXPECT_NEAR(q->v, centre(x, y).y, slack) << x << " " << step;
       }

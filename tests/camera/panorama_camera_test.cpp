@@ -21,7 +21,7 @@ void expectImage(const std::optional<ImagePoint>& q, float u, float v, float z) 
   ASSERT_TRUE(q);
   EXPECT_NEAR(q->u, u, 1e-4);
   EXPECT_NEAR(q->v, v, 1e-4);
-  EXPECT_NEAR(q->z, z, 1e-5);
+  EXPECT_NEAR(q->t, z, 1e-5);
 }
 
 TEST(PanoramaCamera, directionsAreLongitudesAndLatitudes) {
