@@ -165,7 +165,7 @@ TEST_P(ViewerPanesTest, theTruthIsTheScene) {
   const Image<Rgb8> truth = test.paneImage(Pane::kReconstruction);
   const auto places = placesBeside({truth.width(), truth.height()}, 1.5, 1);
   const PinholeCamera camera(test.viewer.state().reconstruction.view, places[0].size.x, places[0].size.y);
-  const Image<Rgb8> expected = renderFrame(camera, loadScene("builtin:room")).picture;
+  const Image<Rgb8> expected = renderFrame(camera, loadScene("builtin:room")).image;
   size_t different = 0;
   size_t compared = 0;
   const int captionHeight = 60;  // a text says what it is
