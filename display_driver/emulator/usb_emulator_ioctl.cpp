@@ -165,10 +165,10 @@ int UsbEmulator::State::submit(UMockdevIoctlClient* client, EmulatedConnection& 
     return -ENOMEM;
   }
   auto transfer = std::make_shared<EmulatedTransfer>(EmulatedTransfer{.address = address,
-                                                              .type = urb.type,
-                                                              .endpoint = urb.endpoint,
-                                                              .length = static_cast<size_t>(urb.buffer_length),
-                                                              .bytes = {}});
+                                                                      .type = urb.type,
+                                                                      .endpoint = urb.endpoint,
+                                                                      .length = static_cast<size_t>(urb.buffer_length),
+                                                                      .bytes = {}});
   if (control || !transfer->toHost()) {
     const Memory buffer = resolve(memory.get(), offsetof(usbdevfs_urb, buffer), transfer->length);
     if (!buffer && transfer->length > 0) {
