@@ -84,7 +84,7 @@ TEST(ImageMesh, everySampleIsAVertexWithItsColour) {
 
 TEST(ImageMesh, isolatedSampleKeepsASquareOfAPixel) {
   ReferenceImage image = emptyImage();
-  image.set(20, 30, 8, glm::vec3(0));
+  image.set(20, 30, 8, glm::vec3(0.25f));
   image.displacement(20, 30) = {4, -2};
   const Mesh mesh = imageMesh(image);
   ASSERT_EQ(mesh.triangles.size(), 2u);
