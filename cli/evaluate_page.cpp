@@ -85,7 +85,6 @@ std::vector<Column> costColumns() {
       {"Milliseconds", "build", [](const Row& r) { return r.buildMilliseconds; }, timeText},
       {"Milliseconds", "mesh", [](const Row& r) { return r.meshMilliseconds; }, timeText},
       {"Milliseconds", "slice", [](const Row& r) { return r.sliceMilliseconds; }, timeText},
-      {"Milliseconds", "update", [](const Row& r) { return r.updateMilliseconds; }, timeText},
   };
 }
 
@@ -279,8 +278,7 @@ std::string definitions(const EvaluationOptions& options) {
                "Colours, depths and displacements of the images, or the arrays of the mesh, as 32-bit numbers; and "
                "compressed with zstd at level 3.") +
          entry("Milliseconds",
-               fmt::format("Building from the scene, meshing, slicing the mesh; update: making it again for a changed "
-                           "scene. The best of {}, on this machine.",
+               fmt::format("Building from the scene, meshing, slicing the mesh. The best of {}, on this machine.",
                            options.runs)) +
          "</dl>\n";
 }

@@ -26,7 +26,6 @@ RepresentationFigures figuresOf(const std::string& name) {
   row.buildMilliseconds = 1.0 / 3;
   row.meshMilliseconds = 2;
   row.sliceMilliseconds = 0.1;
-  row.updateMilliseconds = 7;
   row.edges.truth = 200;
   row.edges.strict = 50;
   row.edges.thick = 20;
