@@ -162,7 +162,7 @@ RayPath CellCamera::rayPath(const glm::vec2& pixel) const {
     RayPath path;
     for (const float z : {zStart, end}) {
       const glm::vec3 point = at(z);
-      path.add(point, reference().cameraFromWorld(point).z);
+      path.add(point, place->viewpoint == 0 ? z : reference().cameraFromWorld(point).z);
     }
     return path;
   };

@@ -107,6 +107,7 @@ TEST(ImageMesh, emptyImageGivesAnEmptyMesh) {
 TEST(ImageMesh, neighboursFarApartInSpaceAreNotJoined) {
   ReferenceImage image = emptyImage();
   std::fill(image.t.begin(), image.t.end(), 10.0f);
+  std::fill(image.held.begin(), image.held.end(), uint8_t{1});
   // Two halves at the same depth, seen 13 pixels apart: more than the longest step of 12.
   for (int y = 0; y < kHeight; ++y) {
     for (int x = kWidth / 2; x < kWidth; ++x) {
