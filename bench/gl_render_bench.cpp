@@ -15,10 +15,10 @@
 
 #include "bench/bench_program.h"
 #include "bench/timing.h"
-#include "display_sim/exact_slicer.h"
 #include "display_sim/gl/gl_observer.h"
 #include "display_sim/gl/gl_slicer.h"
-#include "display_sim/observer.h"
+#include "display_sim/observing/observer.h"
+#include "display_sim/slicing/exact_slicer.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/gl/gl_api.h"

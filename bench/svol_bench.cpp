@@ -11,7 +11,7 @@
 
 #include "display_sim/frames/svol_player.h"
 #include "display_sim/frames/svol_writer.h"
-#include "display_sim/slicer.h"
+#include "display_sim/slicing/slicer.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/scene/scene_source.h"
 

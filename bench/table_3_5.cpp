@@ -11,7 +11,7 @@
 
 #include "bench/timing.h"
 #include "display_sim/frames/display_profile.h"
-#include "display_sim/slicer.h"
+#include "display_sim/slicing/slicer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/ocri/ddoc_builder.h"

@@ -22,7 +22,7 @@
 #include "display_driver/usb/usb_port.h"
 #include "display_driver/wire/bandwidth_plan.h"
 #include "display_driver/wire/wire_format.h"
-#include "display_sim/slicer.h"
+#include "display_sim/slicing/slicer.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/scene/scene_source.h"

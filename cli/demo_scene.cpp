@@ -9,8 +9,8 @@
 
 #include "display_driver/sim/coarse_frames.h"
 #include "display_driver/wire/bandwidth_plan.h"
-#include "display_sim/observer.h"
-#include "display_sim/slicer.h"
+#include "display_sim/observing/observer.h"
+#include "display_sim/slicing/slicer.h"
 #include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/png_file.h"

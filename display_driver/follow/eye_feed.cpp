@@ -17,7 +17,7 @@
 #include <thread>
 #include <vector>
 
-#include "display_sim/eye_path.h"
+#include "display_sim/observing/eye_path.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/printable_text.h"
 

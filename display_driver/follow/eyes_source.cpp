@@ -3,7 +3,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "display_sim/slice_mesh.h"
+#include "display_sim/slicing/slice_mesh.h"
 #include "oc_core/base/error.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/ocri/union_mesh.h"

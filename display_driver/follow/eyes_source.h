@@ -10,7 +10,7 @@
 #include "display_driver/follow/eye_feed.h"
 #include "display_driver/pacing/stage_times.h"
 #include "display_driver/pacing/volume_source.h"
-#include "display_sim/slicer.h"
+#include "display_sim/slicing/slicer.h"
 #include "oc_core/ocri/camera_choice.h"
 
 namespace ocelli {

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "display_sim/display_bounds.h"
+#include "display_sim/slicing/display_bounds.h"
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
 #include "oc_core/scene/scene.h"

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "display_driver/pacing/volume_source.h"
-#include "display_sim/slice_mesh.h"
-#include "display_sim/slicer.h"
+#include "display_sim/slicing/slice_mesh.h"
+#include "display_sim/slicing/slicer.h"
 
 namespace ocelli {
 

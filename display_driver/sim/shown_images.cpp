@@ -6,7 +6,7 @@
 
 #include "display_sim/frames/svol_player.h"
 #include "display_sim/frames/svol_reader.h"
-#include "display_sim/tone.h"
+#include "display_sim/observing/tone.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/png_file.h"
 

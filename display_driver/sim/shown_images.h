@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "display_driver/sim/shown_recorder.h"
-#include "display_sim/frame_sink.h"
-#include "display_sim/observer.h"
+#include "display_sim/observing/frame_sink.h"
+#include "display_sim/observing/observer.h"
 #include "oc_core/base/progress.h"
 
 namespace ocelli {
