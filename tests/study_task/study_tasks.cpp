@@ -7,6 +7,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/scene/maze_file.h"
+#include "study/tasks/task_registry.h"
 #include "tests/study_task/study_maze_plan.h"
 
 namespace ocelli::test {
@@ -21,24 +22,11 @@ TaskSetting studySetting() {
   return setting;
 }
 
-namespace {
-
-const TaskKind& kindOf(const std::string& task) {
-  for (const TaskKind& kind : taskKinds()) {
-    if (kind.name == task) {
-      return kind;
-    }
-  }
-  throw std::logic_error("no task of this name");
-}
-
-}  // namespace
-
 std::shared_ptr<const TaskBlock> readBlock(const std::string& task, const std::string& json,
                                            const TaskSetting& setting) {
   const nlohmann::json value = parseJson(json, "block");
   JsonFields fields(value, "block");
-  auto block = kindOf(task).read(fields, "cases", setting);
+  auto block = taskKind(task, "test").read(fields, "cases", setting);
   fields.rejectUnknown();
   return block;
 }
@@ -72,6 +60,12 @@ const std::vector<TaskExample>& taskExamples() {
       {"path", "path",
        R"({"maze": "small", "meters_per_second": 6, "turns": 3, "least_seconds": 4, "most_seconds": 7,
            "answer_limit_seconds": 2, "cases": [{"label": "first"}, {"label": "second"}]})"},
+      {"nearer", "nearer", R"({"maze": "small", "answer_limit_seconds": 8,
+           "start": {"row": 2, "column": 0, "heading": "east"}, "cases": [
+           {"label": "near", "left": {"row": 2, "column": 2, "south": -0.25},
+                             "right": {"row": 2, "column": 4, "south": 0.25}},
+           {"label": "far", "left": {"row": 2, "column": 5, "south": -0.25},
+                            "right": {"row": 2, "column": 3, "south": 0.25}}]})"},
   };
   return examples;
 }
