@@ -294,7 +294,8 @@ void addPowerCommand(CLI::App& program, const CommandContext& context) {
       ->check(between(0, 0.95))
       ->type_name("SHARE")
       ->capture_default_str();
-  command.add_flag("--equivalence", choice->equivalence, "path: also whether the views are shown to be equivalent");
+  command.add_flag("--equivalence", choice->equivalence,
+                   "of answers: also whether the views are shown to be equivalent");
   command.add_flag("--without-none", choice->withoutNone,
                    "Leave out the studies without an effect, which tell the type-I error");
   command.add_option("--subjects", choice->subjects, "Numbers of subjects to try, rising")

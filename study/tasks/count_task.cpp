@@ -18,6 +18,7 @@
 #include "study/task/pinhole_matrix.h"
 #include "study/task/task_fields.h"
 #include "study/task/task_layout.h"
+#include "study/tasks/count_images.h"
 #include "study/tasks/count_policy.h"
 #include "study/tasks/task_registry.h"
 
@@ -382,7 +383,8 @@ TaskKind countTask() {
                                     {kItemSd, 0.4, "between cases"},
                                     {kItemViewSd, 0, "between cases in the effect of the view"}},
                         .wrongAnswer = oneOff,
-                        .recordedAlways = true}};
+                        .recordedAlways = true},
+          .images = countImages()};
 }
 
 }  // namespace ocelli

@@ -14,6 +14,7 @@
 #include "study/task/task_layout.h"
 #include "study/task/task_pointer.h"
 #include "study/task/walker.h"
+#include "study/tasks/find_images.h"
 #include "study/tasks/find_policy.h"
 #include "study/tasks/task_registry.h"
 
@@ -243,17 +244,18 @@ TaskKind findTask() {
           .outcome = OutcomeKind::kTime,
           .read = readFindTask,
           .policy = findPolicy,
-          .generator = {
-              .effects = {{"log_seconds", 2.5, "log seconds with the pinhole in the first session", levelCovariate},
-                          {kGraphEffect, -0.3, "the graph camera", graphCovariate},
-                          {"moving", -0.3, "moving objects", movingCovariate},
-                          {"session", -0.1, "each further session", sessionCovariate},
-                          {kSubjectSd, 0.25, "between subjects"},
-                          {kSubjectGraphSd, 0.1, "between subjects in the effect of the graph camera"},
-                          {kItemSd, 0.35, "between cases"},
-                          {kItemViewSd, 0, "between cases in the effect of the view"},
-                          {kResidualSd, 0.45, "between searches of one subject for one case"}},
-              .recordedAlways = true}};
+          .generator = {.effects = {{"log_seconds", 2.5, "log seconds with the pinhole in the first session",
+                                     levelCovariate},
+                                    {kGraphEffect, -0.3, "the graph camera", graphCovariate},
+                                    {"moving", -0.3, "moving objects", movingCovariate},
+                                    {"session", -0.1, "each further session", sessionCovariate},
+                                    {kSubjectSd, 0.25, "between subjects"},
+                                    {kSubjectGraphSd, 0.1, "between subjects in the effect of the graph camera"},
+                                    {kItemSd, 0.35, "between cases"},
+                                    {kItemViewSd, 0, "between cases in the effect of the view"},
+                                    {kResidualSd, 0.45, "between searches of one subject for one case"}},
+                        .recordedAlways = true},
+          .images = findImages()};
 }
 
 }  // namespace ocelli

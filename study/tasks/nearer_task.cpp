@@ -13,6 +13,7 @@
 #include "oc_core/base/check.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/render/identity_image.h"
+#include "oc_core/scene/maze_file.h"
 #include "study/task/choice_list.h"
 #include "study/task/eye_camera.h"
 #include "study/task/task_fields.h"
@@ -359,6 +360,27 @@ class NearerPolicy final : public TaskPolicy {
   int64_t answersAgainAt_ = 0;
 };
 
+/// Two objects in a hall, with corridors to its sides.
+InstructionExample nearerExample(StudyView view, const glm::ivec2& size) {
+  Maze maze = mazeFromJsonText(R"({"plan": [
+    "+-+-+-+-+-+",
+    "| | | | | |",
+    "+ +-+ + +-+",
+    "|         |",
+    "+ + +-+ +-+",
+    "| | | | | |",
+    "+ +-+-+-+-+"]})",
+                               "an example");
+  maze.landmarks = {{{1, 2}, LandmarkShape::kSphere, LandmarkColor::kOrange, 0, -0.2f},
+                    {{1, 3}, LandmarkShape::kSphere, LandmarkColor::kOrange, 0, 0.2f}};
+  const glm::vec3 start = maze.centerOf({1, 0});
+  const WalkerPose pose{static_cast<double>(start.x), static_cast<double>(start.z), radiansOf(Direction::kEast)};
+  InstructionExample example{std::make_shared<StudyScene>(maze), {}};
+  example.layout.scene = example.scene.get();
+  example.layout.views.push_back({wholeImage(size), EyeCamera(maze, {}, {}).at(pose, view, size)});
+  return example;
+}
+
 std::unique_ptr<TaskPolicy> nearerPolicy(const PolicySetting& setting) {
   return std::make_unique<NearerPolicy>(setting.vision, setting.seed);
 }
@@ -370,19 +392,22 @@ std::string otherSide(const std::string& expected, Random&) {
 }  // namespace
 
 TaskKind nearerTask() {
-  return {.name = "nearer",
-          .description = "say which of two objects is nearer, the left one or the right one",
-          .outcome = OutcomeKind::kAnswer,
-          .read = readNearerTask,
-          .policy = nearerPolicy,
-          .generator = {.effects = {{"right", 1.5, "logit of a right answer with the pinhole in the first session",
-                                     levelCovariate},
-                                    {kGraphEffect, -0.5, "the graph camera", graphCovariate},
-                                    {"session", 0.1, "each further session", sessionCovariate},
-                                    {kSubjectSd, 0.5, "between subjects"},
-                                    {kItemSd, 0.6, "between cases"},
-                                    {kItemViewSd, 0, "between cases in the effect of the view"}},
-                        .wrongAnswer = otherSide}};
+  return {
+      .name = "nearer",
+      .description = "say which of two objects is nearer, the left one or the right one",
+      .outcome = OutcomeKind::kAnswer,
+      .read = readNearerTask,
+      .policy = nearerPolicy,
+      .generator = {.effects = {{"right", 1.5, "logit of a right answer with the pinhole in the first session",
+                                 levelCovariate},
+                                {kGraphEffect, -0.5, "the graph camera", graphCovariate},
+                                {"session", 0.1, "each further session", sessionCovariate},
+                                {kSubjectSd, 0.5, "between subjects"},
+                                {kItemSd, 0.6, "between cases"},
+                                {kItemViewSd, 0, "between cases in the effect of the view"}},
+                    .wrongAnswer = otherSide},
+      .images = {{"nearer_ppc", false, [](const glm::ivec2& size) { return nearerExample(StudyView::kPinhole, size); }},
+                 {"nearer_gc", true, [](const glm::ivec2& size) { return nearerExample(StudyView::kGraph, size); }}}};
 }
 
 }  // namespace ocelli

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "oc_core/base/check.h"
@@ -115,6 +116,33 @@ class PathBlock : public TaskBlock {
   StudyScene scene_;
 };
 
+/// Maps in a row, below their keys.
+std::vector<TrialLayout::Choice> mapChoices(const PixelRect& stage, int count) {
+  constexpr double kSpace = 0.1;  // of a map, between them
+  constexpr double kLabel = 0.2;  // of a map, above it
+  const double side =
+      std::floor(std::min(stage.width / (count + (count + 1) * kSpace), stage.height / (1 + kLabel + 2 * kSpace)));
+  const double space = std::floor(kSpace * side);
+  const double height = std::floor((1 + kLabel) * side);
+  const double left = stage.left + std::floor((stage.width - count * side - (count - 1) * space) / 2);
+  const double top = stage.top + std::floor((stage.height - height) / 2);
+  std::vector<TrialLayout::Choice> choices;
+  for (int i = 0; i < count; ++i) {
+    choices.push_back({{left + i * (side + space), top, side, height},
+                       std::to_string(i + 1),
+                       static_cast<Key>(static_cast<int>(Key::k1) + i)});
+  }
+  return choices;
+}
+
+/// Below the key of its choice.
+PixelRect mapPlace(const TrialLayout::Choice& choice) {
+  PixelRect place = choice.place;
+  place.top = place.bottom() - place.width;
+  place.height = place.width;
+  return place;
+}
+
 class PathRun : public TrialRun {
  public:
   PathRun(const PathBlock& block, const TrialPlan& plan, const TrialScreen& screen)
@@ -124,7 +152,7 @@ class PathRun : public TrialRun {
         walk_(item_.paths[static_cast<size_t>(item_.right)], block.maze(), block.options().speed),
         stage_(stageOf(screen)),
         pointer_(wholeScreen(screen), block.controls()),
-        choices_(choicesOf(stage_, block.options().maps)),
+        choices_(mapChoices(stage_, block.options().maps)),
         walkTicks_(static_cast<int64_t>(std::ceil(walk_.seconds() * static_cast<double>(kTicksPerSecond)))) {}
 
   void handle(const InputEvent& event) override {
@@ -161,10 +189,7 @@ class PathRun : public TrialRun {
     layout.choices = choices_.choices();
     layout.pointer = pointer_.place();
     for (size_t i = 0; i < item_.paths.size(); ++i) {
-      PixelRect place = layout.choices[i].place;
-      place.top = place.bottom() - place.width;  // its key is named above
-      place.height = place.width;
-      layout.maps.push_back({place, mapOf(item_.paths[i], block_.maze())});
+      layout.maps.push_back({mapPlace(layout.choices[i]), mapOf(item_.paths[i], block_.maze())});
     }
     return layout;
   }
@@ -174,24 +199,6 @@ class PathRun : public TrialRun {
   std::optional<TrialOutcome> outcome() const override { return outcome_; }
 
  private:
-  static std::vector<TrialLayout::Choice> choicesOf(const PixelRect& stage, int count) {
-    constexpr double kSpace = 0.1;  // of a map, between them
-    constexpr double kLabel = 0.2;  // of a map, above it
-    const double side =
-        std::floor(std::min(stage.width / (count + (count + 1) * kSpace), stage.height / (1 + kLabel + 2 * kSpace)));
-    const double space = std::floor(kSpace * side);
-    const double height = std::floor((1 + kLabel) * side);
-    const double left = stage.left + std::floor((stage.width - count * side - (count - 1) * space) / 2);
-    const double top = stage.top + std::floor((stage.height - height) / 2);
-    std::vector<TrialLayout::Choice> choices;
-    for (int i = 0; i < count; ++i) {
-      choices.push_back({{left + i * (side + space), top, side, height},
-                         std::to_string(i + 1),
-                         static_cast<Key>(static_cast<int>(Key::k1) + i)});
-    }
-    return choices;
-  }
-
   bool isWalking() const { return tick_ < walkTicks_; }
 
   void finish(std::optional<int> chosen) {
@@ -270,6 +277,21 @@ std::shared_ptr<const TaskBlock> readPathTask(JsonFields& fields, const std::str
   return block;
 }
 
+/// Maps of paths that one could take for each other.
+InstructionExample pathMaps(const glm::ivec2& size) {
+  const std::array<std::vector<glm::dvec2>, 3> paths{{
+      {{0, 3}, {0, 1}, {2, 1}, {2, 0}, {3, 0}, {3, 2}},
+      {{0, 3}, {0, 1}, {2, 1}, {2, 2}, {3, 2}, {3, 0}},
+      {{3, 3}, {3, 1}, {1, 1}, {1, 0}, {0, 0}, {0, 2}},
+  }};
+  InstructionExample example;
+  example.layout.choices = mapChoices(wholeImage(size), static_cast<int>(paths.size()));
+  for (size_t i = 0; i < paths.size(); ++i) {
+    example.layout.maps.push_back({mapPlace(example.layout.choices[i]), paths[i]});
+  }
+  return example;
+}
+
 std::unique_ptr<TaskPolicy> pathPolicy(const PolicySetting& setting) {
   return std::make_unique<PathPolicy>(setting.vision, setting.seed);
 }
@@ -287,15 +309,16 @@ TaskKind pathTask() {
           .outcome = OutcomeKind::kAnswer,
           .read = readPathTask,
           .policy = pathPolicy,
-          .generator = {
-              .effects = {{"right", 1, "logit of a right answer with the pinhole in the first session", levelCovariate},
-                          {kGraphEffect, 0.1, "the graph camera", graphCovariate},
-                          {"session", 0.2, "each further session", sessionCovariate},
-                          {kSubjectSd, 0.5, "between subjects"},
-                          {kItemSd, 0.4, "between cases"},
-                          {kItemViewSd, 0, "between cases in the effect of the view"}},
-              .wrongAnswer = otherPath,
-              .recordedAlways = true}};
+          .generator = {.effects = {{"right", 1, "logit of a right answer with the pinhole in the first session",
+                                     levelCovariate},
+                                    {kGraphEffect, 0.1, "the graph camera", graphCovariate},
+                                    {"session", 0.2, "each further session", sessionCovariate},
+                                    {kSubjectSd, 0.5, "between subjects"},
+                                    {kItemSd, 0.4, "between cases"},
+                                    {kItemViewSd, 0, "between cases in the effect of the view"}},
+                        .wrongAnswer = otherPath,
+                        .recordedAlways = true},
+          .images = {{"path_maps", false, pathMaps}}};
 }
 
 }  // namespace ocelli

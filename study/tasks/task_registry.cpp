@@ -27,6 +27,17 @@ std::string taskNames() {
   return names;
 }
 
+const InstructionImage* instructionImage(std::string_view name) {
+  for (const TaskKind& kind : taskKinds()) {
+    for (const InstructionImage& image : kind.images) {
+      if (image.name == name) {
+        return &image;
+      }
+    }
+  }
+  return nullptr;
+}
+
 const TaskKind& taskKind(std::string_view name, const std::string& where) {
   const auto& kinds = taskKinds();
   const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const TaskKind& kind) { return kind.name == name; });

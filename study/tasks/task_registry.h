@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "study/agent/task_policy.h"
+#include "study/task/instruction_image.h"
 #include "study/task/task.h"
 #include "study/tasks/generator_model.h"
 
@@ -42,6 +43,8 @@ struct TaskKind {
   /// What a simulated observer does in a trial.
   std::unique_ptr<TaskPolicy> (*policy)(const PolicySetting& setting) = nullptr;
   GeneratorModel generator;
+  /// What pages of instructions may show of it.
+  std::vector<InstructionImage> images{};
 };
 
 /// In the order in which the data-only subject draws its numbers: new rows come at the end.
@@ -52,5 +55,8 @@ std::string taskNames();
 
 /// Throws InputError, saying `where`, for a name that no task has.
 const TaskKind& taskKind(std::string_view name, const std::string& where);
+
+/// The image of any task with this name; null for a name that none has.
+const InstructionImage* instructionImage(std::string_view name);
 
 }  // namespace ocelli

@@ -74,6 +74,45 @@ std::vector<std::string> follow(TrialRun& run, int64_t ticks, const std::functio
   return seen;
 }
 
+int64_t longestTicks(const TaskBlock& block, const TrialPlan& plan) {
+  return static_cast<int64_t>(
+      std::ceil(block.caseInfo(plan.caseIndex).longestSeconds * static_cast<double>(kTicksPerSecond)));
+}
+
+/// A trial by the simulated observer of the row, one fixation of 0.3 s after the other.
+TrialOutcome observed(const TaskKind& kind, const TaskBlock& block, const TrialPlan& plan) {
+  constexpr TrialScreen kObserverScreen{240, 150, 60};
+  constexpr int64_t kTick = 1'000'000'000 / kTicksPerSecond;
+  constexpr int64_t kFixation = 300'000'000;
+  const auto run = block.start(plan, kObserverScreen);
+  const VisibilitySensor eye(kObserverScreen);
+  const HumanFactors factors;
+  const Vision vision(factors, 5);
+  const Controls controls;
+  MazeMemory memory;
+  const auto policy = kind.policy(
+      {vision, controls, block.caseInfo(plan.caseIndex).moving, [&]() -> MazeMemory& { return memory; }, plan.seed});
+  MotorModel motor(factors, controls, plan.seed);
+  int64_t nextLook = 0;
+  for (int64_t tick = 0; tick <= longestTicks(block, plan) && !run->outcome(); ++tick) {
+    const int64_t now = tick * kTick;
+    if (now >= nextLook) {
+      nextLook = now + kFixation;
+      policy->think(eye.look(run->layout(), policy->wantsFloor()), now, nextLook, motor);
+    }
+    for (const TimedInput& input : motor.take(now + kTick)) {
+      run->handle(input.event);
+    }
+    if (tick % kTicksPerFrame == 0) {
+      run->frameShown();
+    }
+    run->advance();
+  }
+  EXPECT_TRUE(std::isfinite(policy->effort(1)));
+  EXPECT_TRUE(run->outcome().has_value()) << kind.name;
+  return run->outcome().value_or(TrialOutcome{});
+}
+
 class TaskContract : public testing::TestWithParam<TaskExample> {
  protected:
   void forEachTrial(const std::function<void(const TaskBlock& block, const TrialPlan& plan)>& visit) const {
@@ -83,10 +122,6 @@ class TaskContract : public testing::TestWithParam<TaskExample> {
         visit(*block, test::planOf(GetParam().task, i, view, static_cast<uint64_t>(11 + i)));
       }
     }
-  }
-  static int64_t longestTicks(const TaskBlock& block, const TrialPlan& plan) {
-    return static_cast<int64_t>(
-        std::ceil(block.caseInfo(plan.caseIndex).longestSeconds * static_cast<double>(kTicksPerSecond)));
   }
 };
 
@@ -199,41 +234,6 @@ TEST_P(TaskContract, anyInputIsBorne) {
         *run, longestTicks(block, plan), [&](int64_t) { run->handle(test::randomInput(random, kContractScreen)); }, 30);
     SUCCEED();
   });
-}
-
-/// A trial by the simulated observer of the row, one fixation of 0.3 s after the other.
-TrialOutcome observed(const TaskKind& kind, const TaskBlock& block, const TrialPlan& plan) {
-  constexpr TrialScreen kObserverScreen{240, 150, 60};
-  constexpr int64_t kTick = 1'000'000'000 / kTicksPerSecond;
-  constexpr int64_t kFixation = 300'000'000;
-  const auto run = block.start(plan, kObserverScreen);
-  const VisibilitySensor eye(kObserverScreen);
-  const HumanFactors factors;
-  const Vision vision(factors, 5);
-  const Controls controls;
-  MazeMemory memory;
-  const auto policy = kind.policy(
-      {vision, controls, block.caseInfo(plan.caseIndex).moving, [&]() -> MazeMemory& { return memory; }, plan.seed});
-  MotorModel motor(factors, controls, plan.seed);
-  int64_t nextLook = 0;
-  const int64_t longest = block.caseInfo(plan.caseIndex).longestSeconds * kTicksPerSecond + kTicksPerSecond;
-  for (int64_t tick = 0; tick < longest && !run->outcome(); ++tick) {
-    const int64_t now = tick * kTick;
-    if (now >= nextLook) {
-      nextLook = now + kFixation;
-      policy->think(eye.look(run->layout(), policy->wantsFloor()), now, nextLook, motor);
-    }
-    for (const TimedInput& input : motor.take(now + kTick)) {
-      run->handle(input.event);
-    }
-    if (tick % kTicksPerFrame == 0) {
-      run->frameShown();
-    }
-    run->advance();
-  }
-  EXPECT_TRUE(std::isfinite(policy->effort(1)));
-  EXPECT_TRUE(run->outcome().has_value()) << kind.name;
-  return run->outcome().value_or(TrialOutcome{});
 }
 
 TEST_P(TaskContract, theSimulatedObserverEndsEachTrialTheSameEachTime) {
