@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <stdexcept>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
@@ -59,7 +60,7 @@ const std::vector<TaskExample>& taskExamples() {
            "cases": [{"objects": 5, "exposure_seconds": 2}, {"objects": 7, "exposure_seconds": 1}]})"},
       {"path", "path",
        R"({"maze": "small", "meters_per_second": 6, "turns": 3, "least_seconds": 4, "most_seconds": 7,
-           "answer_limit_seconds": 2, "cases": [{"label": "first"}, {"label": "second"}]})"},
+           "answer_limit_seconds": 6, "cases": [{"label": "first"}, {"label": "second"}]})"},
       {"nearer", "nearer", R"({"maze": "small", "answer_limit_seconds": 8,
            "start": {"row": 2, "column": 0, "heading": "east"}, "cases": [
            {"label": "near", "left": {"row": 2, "column": 2, "south": -0.25},
@@ -68,6 +69,15 @@ const std::vector<TaskExample>& taskExamples() {
                             "right": {"row": 2, "column": 3, "south": 0.25}}]})"},
   };
   return examples;
+}
+
+const TaskExample& taskExample(const std::string& name) {
+  for (const TaskExample& example : taskExamples()) {
+    if (example.name == name) {
+      return example;
+    }
+  }
+  throw std::logic_error("no example of this name");
 }
 
 TrialPlan planOf(const std::string& task, int caseIndex, StudyView view, uint64_t seed) {

@@ -139,7 +139,7 @@ TEST(MazePath, allPathsOfASequenceAreEquallyLikely) {
 }
 
 TEST(PathTask, offersTheRightMapAmongOthersOfTheSameMaze) {
-  const test::TaskExample& example = test::taskExamples().back();
+  const test::TaskExample& example = test::taskExample("path");
   const auto block = test::readBlock("path", example.json);
   std::map<int, int> places;
   for (uint64_t seed = 1; seed <= 120; ++seed) {

@@ -271,6 +271,7 @@ TEST_P(TaskContract, answersMayBeRightOrWrong) {
         }
         run->advance();
       }
+      run->frameShown();
       return run;
     };
     const size_t choices = toTheQuestion()->layout().choices.size();
