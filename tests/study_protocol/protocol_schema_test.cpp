@@ -141,7 +141,12 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfNearer) {
   own.emplace_back("fov_horizontal_degrees");
   expectAgreement(blockOf("nearer"), document, "/blocks/0", own);
   expectAgreement(def("nearer_case"), document, "/blocks/0/cases/0");
-  expectAgreement(def("nearer_object"), document, "/blocks/0/cases/0/left", {"row", "column", "east", "south"});
+  // Other places of an object are out of sight, so that ranges cannot be tried; they are those of a place to find.
+  Json place = def("find_case").at("properties");
+  place.erase("label");
+  EXPECT_EQ(def("nearer_object").at("properties"), place);
+  document["blocks"][0]["cases"][0]["left"]["north"] = 0.1;
+  EXPECT_NE(protocolError(document).find("field \"north\" is unknown"), std::string::npos) << protocolError(document);
 }
 
 TEST(ProtocolSchema, KnowsEveryTask) {
