@@ -364,11 +364,11 @@ class NearerPolicy final : public TaskPolicy {
 InstructionExample nearerExample(StudyView view, const glm::ivec2& size) {
   Maze maze = mazeFromJsonText(R"({"plan": [
     "+-+-+-+-+-+",
-    "| | | | | |",
-    "+ +-+ + +-+",
+    "|   |   | |",
+    "+ +-+ +-+ +",
     "|         |",
     "+ + +-+ +-+",
-    "| | | | | |",
+    "| |   |   |",
     "+ +-+-+-+-+"]})",
                                "an example");
   maze.landmarks = {{{1, 2}, LandmarkShape::kSphere, LandmarkColor::kOrange, 0, -0.2f},
