@@ -87,6 +87,37 @@ TEST_F(StudySimulationCommands, GenerateKnownEffects) {
   EXPECT_THAT(replay("--all").output, HasSubstr("20 trials have no log to replay"));
 }
 
+// The way of a task that was added by a row: no other code knows it.
+TEST_F(StudySimulationCommands, ANewTaskGoesAllTheWayToTheExport) {
+  const std::string protocol = OCELLI_SOURCE_DIR "/protocols/nearer.json";
+  const ProgramResult checked = runProgram("study check " + protocol + " --answers");
+  EXPECT_EQ(checked.exitCode, 0) << checked.error;
+  EXPECT_THAT(checked.output, AllOf(HasSubstr("2 and 3"), HasSubstr("; left"), HasSubstr("; right")));
+
+  const std::string database = " --db " + path("nearer.db") + " --frame 240x150 ";
+  for (const char* kind : {"observer --first see-", "generator --first draw- --subjects 20"}) {
+    const ProgramResult made = runProgram("study simulate " + protocol + database + "--kind " + kind);
+    EXPECT_EQ(made.exitCode, 0) << made.error;
+  }
+  {
+    SQLite::Database stored(path("nearer.db"), SQLite::OPEN_READONLY);
+    const auto count = [&](const std::string& where) {
+      return stored.execAndGet("SELECT count(*) FROM trial WHERE practice = 0 AND " + where).getInt();
+    };
+    EXPECT_EQ(count("task = 'nearer'"), 21 * 16);
+    EXPECT_EQ(count("simulated = 0"), 0);
+    EXPECT_EQ(count("correct = (answer = expected)"), 21 * 16);
+    EXPECT_EQ(count("answer IN ('left', 'right') AND expected IN ('left', 'right')"), 21 * 16);
+    EXPECT_GT(count("correct = 1"), 100);
+    EXPECT_GT(count("correct = 0"), 10);
+    EXPECT_GT(count("measures_json LIKE '%left_distance_m%'"), 15);
+  }
+  EXPECT_THAT(runProgram("study replay --all --db " + path("nearer.db")).output, HasSubstr("outcomes identical in "));
+  const ProgramResult exported = runProgram("study export --db " + path("nearer.db") + " -o " + path("tables"));
+  EXPECT_EQ(exported.exitCode, 0) << exported.error;
+  EXPECT_THAT(fileBytes(folder_ / "tables/trials.csv"), AllOf(HasSubstr(",nearer,"), HasSubstr("left_distance_m")));
+}
+
 TEST_F(StudySimulationCommands, RejectWhatCannotBe) {
   EXPECT_EQ(simulate("--sessions 3x1").exitCode, kInputWrong) << "the protocol has but two";
   EXPECT_EQ(simulate("--subjects 3 --sessions 1x2").exitCode, kInputWrong);

@@ -125,5 +125,19 @@ TEST(CheckReport, WarnsOfWhatTheOriginalDoes) {
   EXPECT_NE(report.find("90"), std::string::npos);
 }
 
+TEST(NearerProtocol, HasAsManyCasesOfEitherSide) {
+  const Protocol protocol = protocolOf("nearer");
+  ASSERT_EQ(protocol.blocks.size(), 1u);
+  int left = 0;
+  const TaskBlock& task = *protocol.blocks[0].task;
+  for (int i = 0; i < task.caseCount(); ++i) {
+    TrialPlan plan;
+    plan.caseIndex = i;
+    left += task.answerOf(plan) == "left" ? 1 : 0;
+  }
+  EXPECT_EQ(2 * left, task.caseCount());
+  EXPECT_TRUE(warningsOf(protocol, protocol.seed).empty()) << warningsOf(protocol, protocol.seed).front();
+}
+
 }  // namespace
 }  // namespace ocelli::test

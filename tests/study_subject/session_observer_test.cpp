@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "oc_core/base/error.h"
 #include "study/subject/simulate_session.h"
 #include "tests/study_session/session_harness.h"
 #include "tests/study_subject/simulated_sessions.h"
@@ -48,6 +49,17 @@ TEST(SessionObserver, goesThroughWholeSessionsOfAllTasks) {
   const FakeSink second = simulate(protocol, 1, observer);
   ASSERT_EQ(second.all<AnswerRecord>().size(), 1u);
   EXPECT_EQ(second.all<AnswerRecord>()[0].form, "survey");
+}
+
+TEST(SessionObserver, aTaskThatIsUnknownIsAnError) {
+  Protocol protocol = test::simulatedProtocol(false);
+  for (ProtocolBlock& block : protocol.blocks) {
+    block.taskName = "search";
+  }
+  SessionObserver observer(protocol, {test::kSmallScreen}, 5);
+  FakeSink sink;
+  const SessionSchedule schedule = scheduleOf(protocol, 0, 0, 3);
+  EXPECT_THROW(simulateSession(protocol, {schedule, test::kSmallScreen}, observer, sink), InputError);
 }
 
 TEST(SessionObserver, doesTheSameForTheSameSeed) {

@@ -1,0 +1,87 @@
+// Every task of the registry can be seen: what its trials show is drawn whole, and so are its images of instructions.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "study/screen/study_painter.h"
+#include "study/screen/trial_painter.h"
+#include "study/tasks/task_registry.h"
+#include "tests/gl/gl_test_context.h"
+#include "tests/study_screen/sample_screens.h"
+#include "tests/study_task/study_tasks.h"
+
+namespace ocelli {
+namespace {
+
+constexpr TrialScreen kTaskScreen{1024, 640, 60};
+
+/// Colours in a part of an image.
+size_t colorsIn(const Image<Rgb8>& image, const PixelRect& place) {
+  std::set<std::array<int, 3>> colors;
+  for (int y = static_cast<int>(place.top); y < static_cast<int>(place.bottom()); ++y) {
+    for (int x = static_cast<int>(place.left); x < static_cast<int>(place.right()); ++x) {
+      colors.insert({image(x, y).x, image(x, y).y, image(x, y).z});
+    }
+  }
+  return colors.size();
+}
+
+/// Every view, choice and map has something drawn in its place; one colour would be a fill alone.
+void expectDrawn(TrialPainter& painter, const TrialLayout& layout) {
+  const Image<Rgb8> image = painter.render(layout);
+  for (const TrialLayout::View& view : layout.views) {
+    EXPECT_GT(colorsIn(image, view.place), 10u);
+  }
+  for (const TrialLayout::Choice& choice : layout.choices) {
+    EXPECT_GT(colorsIn(image, choice.place), 3u) << choice.label;
+  }
+  for (const TrialLayout::PathMap& map : layout.maps) {
+    EXPECT_GT(colorsIn(image, map.place), 3u);
+  }
+}
+
+TEST(TaskScreens, trialsAreDrawnFromTheirBeginToTheQuestion) {
+  const std::unique_ptr<GlContext> context = openTestContext(GlProvider::kOsMesa);
+  TrialPainter painter(*context, kTaskScreen);
+  for (const test::TaskExample& example : test::taskExamples()) {
+    SCOPED_TRACE(example.name);
+    const auto block = test::readBlock(example.task, example.json);
+    for (const StudyView view : kStudyViews) {
+      const auto run = block->start(test::planOf(example.task, 0, view), kTaskScreen);
+      expectDrawn(painter, run->layout());
+      for (int64_t tick = 0; run->layout().choices.empty() && !run->outcome(); ++tick) {
+        if (tick % 4 == 0) {
+          run->frameShown();
+        }
+        run->advance();
+      }
+      expectDrawn(painter, run->layout());
+    }
+  }
+}
+
+TEST(TaskScreens, imagesOfInstructionsAreDrawn) {
+  const std::unique_ptr<GlContext> context = openTestContext(GlProvider::kOsMesa);
+  StudyPainter painter(*context, kTaskScreen, Controls{});
+  const test::SampleStudy study;
+  const GlScope scope(*context);
+  const auto drawn = [&](const std::string& name) {
+    painter.draw(study.instructions(name));
+    return painter.image();
+  };
+  const PixelRect right{kTaskScreen.width * 0.5, 100, kTaskScreen.width * 0.4, 400};
+  std::set<std::string> names;
+  for (const TaskKind& kind : taskKinds()) {
+    EXPECT_FALSE(kind.images.empty()) << kind.name;
+    for (const InstructionImage& image : kind.images) {
+      EXPECT_TRUE(names.insert(image.name).second) << image.name;
+      EXPECT_TRUE(std::string(image.name).starts_with(kind.name + "_"));
+      EXPECT_EQ(instructionImage(image.name), &image);
+      EXPECT_GT(colorsIn(drawn(image.name), right), 10u) << image.name;
+    }
+  }
+  EXPECT_EQ(instructionImage("none"), nullptr);
+}
+
+}  // namespace
+}  // namespace ocelli
