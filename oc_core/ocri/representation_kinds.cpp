@@ -5,10 +5,10 @@
 #include "oc_core/base/error.h"
 #include "oc_core/camera/cylinder_camera.h"
 #include "oc_core/camera/panorama_camera.h"
+#include "oc_core/ocri/builtin_representations.h"
+#include "oc_core/ocri/cast_representation.h"
 #include "oc_core/ocri/corner_depth_images.h"
 #include "oc_core/ocri/layered_depth_image.h"
-#include "oc_core/ocri/placed_image.h"
-#include "oc_core/ocri/representation_kind.h"
 #include "oc_core/ocri/set_difference.h"
 #include "oc_core/ocri/simplified_mesh.h"
 #include "oc_core/ocri/wide_depth_image.h"
@@ -49,17 +49,11 @@ CellCamera cellCamera(const Inputs& in) {
 
 // ---- their rays
 
-template <class C>
-RayFunction raysOf(C camera) {
-  const auto shared = std::make_shared<const C>(std::move(camera));
-  return [shared](const glm::vec2& pixel) { return shared->rayPath(pixel); };
-}
-
 /// Each image is of a pinhole, which it names.
 std::vector<RayFunction> pinholeRays(const Inputs&, const ReferenceImages& images) {
   std::vector<RayFunction> rays;
   for (const ReferenceImage& image : images) {
-    rays.push_back(raysOf(PinholeCamera(image.view, image.width(), image.height())));
+    rays.push_back(rayFunctionOf(PinholeCamera(image.view, image.width(), image.height())));
   }
   return rays;
 }
@@ -164,7 +158,7 @@ RepresentationKind ddocRow(const char* name, const char* description, std::funct
           .rayCrossover = RayCrossover::kDdoc,
           .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, ddocCamera(in), in); },
           .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-            return {raysOf(ddocCamera(in))};
+            return {rayFunctionOf(ddocCamera(in))};
           }};
 }
 
@@ -194,7 +188,7 @@ RepresentationKind eocRow(const char* name, const char* description, const glm::
                 return eocImage(raycast(camera, in.mesh, RayScene(in.mesh)), camera, in.mesh);
               },
           .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-            return {raysOf(epipolarCamera(in, in.choice.segmentDirection))};
+            return {rayFunctionOf(epipolarCamera(in, in.choice.segmentDirection))};
           }};
 }
 
@@ -211,37 +205,20 @@ RepresentationKind crossedRow(const char* name, const char* description, bool wi
           },
       .rays =
           [withDdoc](const Inputs& in, const ReferenceImages&) {
-            std::vector<RayFunction> rays{raysOf(epipolarCamera(in, kHorizontalSegment)),
-                                          raysOf(epipolarCamera(in, kVerticalSegment))};
+            std::vector<RayFunction> rays{rayFunctionOf(epipolarCamera(in, kHorizontalSegment)),
+                                          rayFunctionOf(epipolarCamera(in, kVerticalSegment))};
             if (withDdoc) {
-              rays.push_back(raysOf(ddocCamera(in)));
+              rays.push_back(rayFunctionOf(ddocCamera(in)));
             }
             return rays;
           }};
 }
 
-/// A camera that displaces no pinhole's image.
+/// A camera that displaces no pinhole's image, made of the reference alone.
 template <class C>
 RepresentationKind castRow(const char* name, const char* description) {
-  const auto cast = [](const Inputs& in, const RayScene& rays) {
-    return placedImage(C(in.reference), in.mesh, rays, in.reference.view(), in.choice.name, C::kWrapsAround);
-  };
-  return {.name = name,
-          .description = description,
-          .images = [cast](const Inputs& in) -> ReferenceImages { return {cast(in, *in.renderer->rays())}; },
-          .rayCrossover = 0,
-          .draw =
-              [cast](Technique technique, const Inputs& in) {
-                if (technique != Technique::kRaycast) {
-                  refuse(in, "by ray casting");
-                }
-                return cast(in, RayScene(in.mesh));
-              },
-          .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-            return {raysOf(C(in.reference))};
-          },
-          .castsRays = true,
-          .needsCpu = "is cast along its rays, which only the CPU does"};
+  return castRepresentation(
+      name, description, [](const Inputs& in) { return C(in.reference); }, C::kWrapsAround);
 }
 
 RepresentationKind meshRow(const char* name, const char* description,
@@ -249,10 +226,13 @@ RepresentationKind meshRow(const char* name, const char* description,
   return {.name = name, .description = description, .mesh = std::move(mesh)};
 }
 
-std::vector<RepresentationKind> makeRows() {
+}  // namespace
+
+std::vector<RepresentationKind> builtinRepresentations() {
   std::vector<RepresentationKind> rows;
   rows.push_back({.name = "di",
                   .description = "depth image of the planar pinhole camera (ppc is the same)",
+                  .otherName = "ppc",
                   .images = [](const Inputs& in) -> ReferenceImages {
                     return {buildDepthImage(in.reference, in.mesh, in.renderer)};
                   },
@@ -286,7 +266,7 @@ std::vector<RepresentationKind> makeRows() {
        },
        .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, reversePinhole(in), in); },
        .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-         return {raysOf(reversePinhole(in))};
+         return {rayFunctionOf(reversePinhole(in))};
        }});
   rows.push_back({.name = "spoc",
                   .description = "single pole occlusion camera around the foreground",
@@ -297,7 +277,7 @@ std::vector<RepresentationKind> makeRows() {
                   .rayCrossover = RayCrossover::kSpoc,
                   .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, spocCamera(in), in); },
                   .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-                    return {raysOf(spocCamera(in))};
+                    return {rayFunctionOf(spocCamera(in))};
                   }});
   rows.push_back({.name = "di+spoc",
                   .description = "depth image, and what the single pole occlusion camera adds to it",
@@ -305,7 +285,7 @@ std::vector<RepresentationKind> makeRows() {
                   .images = spocUnion,
                   .rayCrossover = RayCrossover::kSpoc,
                   .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-                    return {raysOf(in.reference), raysOf(spocCamera(in))};
+                    return {rayFunctionOf(in.reference), rayFunctionOf(spocCamera(in))};
                   }});
   rows.push_back(ddocRow("ddoc", "depth discontinuity occlusion camera, radii from the view cell", {}));
   rows.push_back(ddocRow("ddoc-constant", "the same as the dissertation has it, with a constant radius of 15 pixels",
@@ -337,7 +317,7 @@ std::vector<RepresentationKind> makeRows() {
              return cellImage(camera, raycast(camera, in.mesh, RayScene(in.mesh)), in.mesh);
            },
        .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-         return {raysOf(cellCamera(in))};
+         return {rayFunctionOf(cellCamera(in))};
        }});
   rows.push_back(castRow<PanoramaCamera>(
       "panorama", "all directions from the eye, 360 by 180 degrees, as an equirectangular image (--size 1440x720)"));
@@ -352,13 +332,6 @@ std::vector<RepresentationKind> makeRows() {
       [](const Mesh& mesh, size_t triangles) { return simplifyMesh(mesh, triangles, SimplifyMethod::kSloppy).mesh; }));
   rows.push_back(
       meshRow("geometry", "the scene itself: a mesh, no image", [](const Mesh& mesh, size_t) { return mesh; }));
-  return rows;
-}
-
-}  // namespace
-
-const std::vector<RepresentationKind>& representationKinds() {
-  static const std::vector<RepresentationKind> rows = makeRows();
   return rows;
 }
 
