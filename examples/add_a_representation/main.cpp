@@ -39,7 +39,8 @@ bool run() {
     std::printf("%10s: %5.1f %%, of %zu images and %zu triangles\n", made.name.c_str(), 100 * shares.back(),
                 made.images.size(), made.mesh.triangles.size());
     writePly("ring.ply", made.mesh);
-    writePng("ring_from_behind.png", srgbFromLinear(colorImage(rasterize(fromBehind, made.mesh), made.mesh, glm::vec3(0))));
+    writePng("ring_from_behind.png",
+             srgbFromLinear(colorImage(rasterize(fromBehind, made.mesh), made.mesh, glm::vec3(0))));
   }
   return shares[0] > 0.5 && shares[1] < 0.1 && shares[2] < 0.1;
 }

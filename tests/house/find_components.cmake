@@ -1,6 +1,7 @@
 # find_package(Ocelli COMPONENTS ...) against the package in PREFIX, as projects call it that build nothing: each finds
 # what it asks for and looks for nothing that only others need, and what is not there is said. WORK_DIR, GENERATOR: as
-# in build_project.cmake. WITH_OPENGL: whether there is a component "opengl".
+# in build_project.cmake. WITH_OPENGL: whether there is a component "opengl". DOCUMENTATION:
+# docs/install.md.
 file(REMOVE_RECURSE "${WORK_DIR}")
 set(projects 0)
 
@@ -50,6 +51,27 @@ function(find_needs component)
   endforeach()
   must_configure("${lines}" ${hidden})
 endfunction()
+
+# The table of docs/install.md names each component with its packages.
+file(STRINGS "${PREFIX}/lib/cmake/Ocelli/OcelliConfig.cmake" rows REGEX "^set\\(OCELLI_")
+foreach(row IN LISTS rows)
+  string(REGEX MATCH "^set\\(([A-Za-z_]+) ?(.*)\\)$" row "${row}")
+  set(${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
+endforeach()
+include("${PREFIX}/lib/cmake/Ocelli/OcelliPackages.cmake")
+foreach(component IN LISTS OCELLI_COMPONENTS)
+  file(STRINGS "${DOCUMENTATION}" row REGEX "^. `${component}` .")
+  foreach(target IN LISTS OCELLI_${component}_PACKAGES)
+    set(package ${OCELLI_PACKAGE_${target}})
+    list(REMOVE_ITEM package PKG_CONFIG)
+    list(GET package 0 package)
+    string(REGEX REPLACE ">=.*" "" package "${package}")
+    string(FIND "${row}" "${package}" at)
+    if(at EQUAL -1)
+      message(FATAL_ERROR "${DOCUMENTATION}: the table of components does not say that \"${component}\" needs ${package}")
+    endif()
+  endforeach()
+endforeach()
 
 set(windows glfw PkgConfig::imgui PkgConfig::fontconfig)
 set(usb PkgConfig::libusb PkgConfig::umockdev PkgConfig::isal)
