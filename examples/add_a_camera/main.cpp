@@ -46,7 +46,7 @@ bool run() {
       castRepresentation("fisheye", "half of all directions, equidistant, as a disc",
                          [](const RepresentationInputs& in) { return FisheyeCamera(in.reference); }));
 
-  // Between the houses, at eye level.
+  // Above a crossing of the town, which is fitted into the unit sphere.
   const View street{.eye = {0, 0.04f, 0}, .target = {0, 0.04f, -1}, .fovVerticalDegrees = 60, .zNear = 0.001f};
   const PinholeCamera reference(street, 480, 480);
   const float error = roundTripError(FisheyeCamera(reference));

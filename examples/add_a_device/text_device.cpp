@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -29,11 +30,12 @@ std::vector<std::string> lettersOf(const Volume& volume, int columns) {
       ++light[size_t(y) * size_t(columns) + size_t(x)];
     });
   }
-  const size_t most = std::max<size_t>(*std::max_element(light.begin(), light.end()), 1);
+  const double most = std::max(1.0, double(*std::max_element(light.begin(), light.end())));
   std::vector<std::string> lines(size_t(rows), std::string(size_t(columns), ' '));
   for (size_t i = 0; i < light.size(); ++i) {
-    const size_t level = (light[i] * (kFromDarkToBright.size() - 1) + most - 1) / most;
-    lines[i / size_t(columns)][i % size_t(columns)] = kFromDarkToBright[level];
+    // The square root shows dim parts too, and what has any light is no blank.
+    const double level = std::ceil(std::sqrt(double(light[i]) / most) * double(kFromDarkToBright.size() - 1));
+    lines[i / size_t(columns)][i % size_t(columns)] = kFromDarkToBright[size_t(level)];
   }
   return lines;
 }

@@ -27,11 +27,10 @@ bool run() {
   std::ofstream("high_ring.json") << R"({"camera": "ring-8", "name": "high ring", "ring_elevation_degrees": 30})";
 
   const Mesh scene = loadScene("builtin:teapot");
-  const View front;
-  const PinholeCamera reference(front, 360, 360);
-  const PinholeCamera fromBehind(View{.eye = -front.eye}, 360, 360);
+  const PinholeCamera reference(View{}, 360, 360);
+  const PinholeCamera fromBehind(View{.eye = {0, 5, -9}}, 360, 360);
 
-  std::printf("missing, seen from behind:\n");
+  std::printf("missing, seen from behind and above:\n");
   std::vector<double> shares;
   for (const char* name : {"di", "ring-6", "high_ring.json"}) {
     const Representation made = buildRepresentation(cameraChoice(name), reference, scene);
@@ -42,7 +41,7 @@ bool run() {
     writePng("ring_from_behind.png",
              srgbFromLinear(colorImage(rasterize(fromBehind, made.mesh), made.mesh, glm::vec3(0))));
   }
-  return shares[0] > 0.5 && shares[1] < 0.1 && shares[2] < 0.1;
+  return shares[0] > 0.5 && shares[1] < 0.05 && shares[2] < 0.02;
 }
 
 }  // namespace
