@@ -27,10 +27,10 @@ struct DeviceKind {
 
   std::string name;
   Rest rest = Rest::kNone;  ///< whether anything follows the name, after a colon
-  std::string restName;     ///< "PATH.svol", for people; empty where nothing follows
-  std::string help;         ///< one line
+  std::string restName{};   ///< "PATH.svol", for people; empty where nothing follows
+  std::string help{};       ///< one line
   /// `rest` is what follows the colon; empty where nothing does. Called from any thread.
-  std::function<std::unique_ptr<Device>(const std::string& rest, const DeviceOptions& options)> open;
+  std::function<std::unique_ptr<Device>(const std::string& rest, const DeviceOptions& options)> open{};
 
   /// "file:PATH.svol", "usb[:SERIAL]"
   std::string usage() const;
