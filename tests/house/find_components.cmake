@@ -2,20 +2,21 @@
 # what it asks for and looks for nothing that only others need, and what is not there is said. WORK_DIR, GENERATOR: as
 # in build_project.cmake. WITH_OPENGL: whether there is a component "opengl". DOCUMENTATION:
 # docs/install.md.
-file(REMOVE_RECURSE "${WORK_DIR}")
-set(projects 0)
 
-# Configures a project with these lines, with options of CMake; leaves what was printed in `said` and the status in
+# Configures a new project with these lines, with options of CMake; leaves what was printed in `said` and the status in
 # `failed`.
-macro(configure lines)
-  math(EXPR projects "${projects} + 1")
-  file(WRITE "${WORK_DIR}/${projects}/CMakeLists.txt"
-    "cmake_minimum_required(VERSION 3.25)\nproject(Components${projects} LANGUAGES CXX)\n${lines}\n")
-  execute_process(COMMAND "${CMAKE_COMMAND}" -S "${WORK_DIR}/${projects}" -B "${WORK_DIR}/${projects}/build" -G "${GENERATOR}"
+function(configure lines)
+  file(REMOVE_RECURSE "${WORK_DIR}")
+  file(WRITE "${WORK_DIR}/CMakeLists.txt"
+    "cmake_minimum_required(VERSION 3.25)\nproject(Components LANGUAGES CXX)\n${lines}\n")
+  execute_process(COMMAND "${CMAKE_COMMAND}" -S "${WORK_DIR}" -B "${WORK_DIR}/build" -G "${GENERATOR}"
     "-DCMAKE_PREFIX_PATH=${PREFIX}" ${ARGN}
     RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
-  message(STATUS "${lines}: ${failed}")
-endmacro()
+  string(REGEX REPLACE "\n.*" "" first "${lines}")
+  message(STATUS "${first} ${ARGN}: ${failed}")
+  set(failed "${failed}" PARENT_SCOPE)
+  set(said "${said}" PARENT_SCOPE)
+endfunction()
 
 function(must_configure lines)
   configure("${lines}" ${ARGN})
