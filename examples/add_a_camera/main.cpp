@@ -33,12 +33,17 @@ float roundTripError(const FisheyeCamera& camera) {
 }
 
 /// The share of samples that come out at the same place of the world, within a hundredth of their distance.
-double shareThatAgrees(const ReferenceImage& a, const ReferenceImage& b) {
+double shareThatAgrees(const ReferenceImage& before, const ReferenceImage& after) {
+  const PinholeCamera pinhole = before.reference();
   size_t agree = 0;
-  for (size_t i = 0; i < a.z.size(); ++i) {
-    agree += a.z[i] > 0 && b.z[i] > 0 && glm::distance(a.position[i], b.position[i]) < 0.01f * a.z[i];
+  for (int y = 0; y < before.height(); ++y) {
+    for (int x = 0; x < before.width(); ++x) {
+      const auto a = before.pointOf(x, y, pinhole);
+      const auto b = after.pointOf(x, y, pinhole);
+      agree += a && b && glm::distance(*a, *b) < 0.01f * glm::distance(*a, pinhole.eye());
+    }
   }
-  return double(agree) / double(std::max<size_t>(a.sampleCount(), 1));
+  return double(agree) / double(before.sampleCount());
 }
 
 bool run() {

@@ -17,9 +17,16 @@ namespace ocelli {
 
 /// The rays of a camera, which the function keeps.
 template <Camera C>
-RayFunction rayFunctionOf(C camera) {
+RayFunction raysOf(C camera) {
   const auto shared = std::make_shared<const C>(std::move(camera));
   return [shared](const glm::vec2& pixel) { return shared->rayPath(pixel); };
+}
+
+/// What each ray of the camera meets, with the acceleration structure of the renderer, where it has one.
+template <Camera C>
+FragmentImage castAlongRays(const C& camera, const RepresentationInputs& in) {
+  const RayScene* standing = in.renderer != nullptr ? in.renderer->rays() : nullptr;
+  return standing != nullptr ? raycast(camera, in.mesh, *standing) : raycast(camera, in.mesh, RayScene(in.mesh));
 }
 
 /// `makeCamera` makes the camera from RepresentationInputs. `wrapsAround`: whether the last column of its image is next
@@ -28,12 +35,13 @@ template <class MakeCamera>
 RepresentationKind castRepresentation(const char* name, const char* description, MakeCamera makeCamera,
                                       bool wrapsAround = false) {
   using Inputs = RepresentationInputs;
-  const auto cast = [makeCamera, wrapsAround](const Inputs& in, const RayScene& rays) {
-    return placedImage(makeCamera(in), in.mesh, rays, in.reference.view(), in.choice.name, wrapsAround);
+  const auto cast = [makeCamera, wrapsAround](const Inputs& in) {
+    const auto camera = makeCamera(in);
+    return placedImage(camera, castAlongRays(camera, in), in.mesh, in.reference.view(), in.choice.name, wrapsAround);
   };
   return {.name = name,
           .description = description,
-          .images = [cast](const Inputs& in) -> ReferenceImages { return {cast(in, *in.renderer->rays())}; },
+          .images = [cast](const Inputs& in) -> ReferenceImages { return {cast(in)}; },
           .rayCrossover = 0,
           .draw =
               [cast](Technique technique, const Inputs& in) {
@@ -41,10 +49,10 @@ RepresentationKind castRepresentation(const char* name, const char* description,
                   throw InputError("camera \"" + in.choice.name + "\" is drawn by ray casting", "--method",
                                    "use raster or raycast");
                 }
-                return cast(in, RayScene(in.mesh));
+                return cast(in);
               },
           .rays = [makeCamera](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-            return {rayFunctionOf(makeCamera(in))};
+            return {raysOf(makeCamera(in))};
           },
           .castsRays = true,
           .needsCpu = "is cast along its rays, which only the CPU does"};

@@ -53,7 +53,7 @@ CellCamera cellCamera(const Inputs& in) {
 std::vector<RayFunction> pinholeRays(const Inputs&, const ReferenceImages& images) {
   std::vector<RayFunction> rays;
   for (const ReferenceImage& image : images) {
-    rays.push_back(rayFunctionOf(PinholeCamera(image.view, image.width(), image.height())));
+    rays.push_back(raysOf(PinholeCamera(image.view, image.width(), image.height())));
   }
   return rays;
 }
@@ -73,7 +73,7 @@ ReferenceImage drawnBy(Technique technique, const C& camera, const Inputs& in) {
       case Technique::kHybrid:
         return hybridRaycast(camera, in.mesh);
       case Technique::kRaycast:
-        return raycast(camera, in.mesh, RayScene(in.mesh));
+        return castAlongRays(camera, in);
     }
     OC_CHECK(false, "every technique draws");
   };
@@ -158,7 +158,7 @@ RepresentationKind ddocRow(const char* name, const char* description, std::funct
           .rayCrossover = RayCrossover::kDdoc,
           .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, ddocCamera(in), in); },
           .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-            return {rayFunctionOf(ddocCamera(in))};
+            return {raysOf(ddocCamera(in))};
           }};
 }
 
@@ -185,10 +185,10 @@ RepresentationKind eocRow(const char* name, const char* description, const glm::
                   refuse(in, "by epipolar spans or ray casting");
                 }
                 const EpipolarCamera camera = epipolarCamera(in, in.choice.segmentDirection);
-                return eocImage(raycast(camera, in.mesh, RayScene(in.mesh)), camera, in.mesh);
+                return eocImage(castAlongRays(camera, in), camera, in.mesh);
               },
           .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-            return {rayFunctionOf(epipolarCamera(in, in.choice.segmentDirection))};
+            return {raysOf(epipolarCamera(in, in.choice.segmentDirection))};
           }};
 }
 
@@ -205,10 +205,10 @@ RepresentationKind crossedRow(const char* name, const char* description, bool wi
           },
       .rays =
           [withDdoc](const Inputs& in, const ReferenceImages&) {
-            std::vector<RayFunction> rays{rayFunctionOf(epipolarCamera(in, kHorizontalSegment)),
-                                          rayFunctionOf(epipolarCamera(in, kVerticalSegment))};
+            std::vector<RayFunction> rays{raysOf(epipolarCamera(in, kHorizontalSegment)),
+                                          raysOf(epipolarCamera(in, kVerticalSegment))};
             if (withDdoc) {
-              rays.push_back(rayFunctionOf(ddocCamera(in)));
+              rays.push_back(raysOf(ddocCamera(in)));
             }
             return rays;
           }};
@@ -266,7 +266,7 @@ std::vector<RepresentationKind> builtinRepresentations() {
        },
        .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, reversePinhole(in), in); },
        .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-         return {rayFunctionOf(reversePinhole(in))};
+         return {raysOf(reversePinhole(in))};
        }});
   rows.push_back({.name = "spoc",
                   .description = "single pole occlusion camera around the foreground",
@@ -277,7 +277,7 @@ std::vector<RepresentationKind> builtinRepresentations() {
                   .rayCrossover = RayCrossover::kSpoc,
                   .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, spocCamera(in), in); },
                   .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-                    return {rayFunctionOf(spocCamera(in))};
+                    return {raysOf(spocCamera(in))};
                   }});
   rows.push_back({.name = "di+spoc",
                   .description = "depth image, and what the single pole occlusion camera adds to it",
@@ -285,7 +285,7 @@ std::vector<RepresentationKind> builtinRepresentations() {
                   .images = spocUnion,
                   .rayCrossover = RayCrossover::kSpoc,
                   .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-                    return {rayFunctionOf(in.reference), rayFunctionOf(spocCamera(in))};
+                    return {raysOf(in.reference), raysOf(spocCamera(in))};
                   }});
   rows.push_back(ddocRow("ddoc", "depth discontinuity occlusion camera, radii from the view cell", {}));
   rows.push_back(ddocRow("ddoc-constant", "the same as the dissertation has it, with a constant radius of 15 pixels",
@@ -314,10 +314,10 @@ std::vector<RepresentationKind> builtinRepresentations() {
                refuse(in, "from several viewpoints, not by points or hybrid rays");
              }
              const CellCamera camera = cellCamera(in);
-             return cellImage(camera, raycast(camera, in.mesh, RayScene(in.mesh)), in.mesh);
+             return cellImage(camera, castAlongRays(camera, in), in.mesh);
            },
        .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-         return {rayFunctionOf(cellCamera(in))};
+         return {raysOf(cellCamera(in))};
        }});
   rows.push_back(castRow<PanoramaCamera>(
       "panorama", "all directions from the eye, 360 by 180 degrees, as an equirectangular image (--size 1440x720)"));
