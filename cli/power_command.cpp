@@ -1,5 +1,6 @@
 // `ocelli power`: how many subjects a study needs, by simulated studies.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -16,6 +17,7 @@
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/unfinished_output.h"
 #include "study/session/utc_time.h"
+#include "study/tasks/task_registry.h"
 
 namespace ocelli {
 namespace {
@@ -123,11 +125,10 @@ std::string tableText(const PowerStudy& study) {
   for (const std::string& line : study.supposed) {
     text += fmt::format("  {}\n", line);
   }
+  const bool isTime = taskKind(study.task, "--task").outcome == OutcomeKind::kTime;
   for (const PowerCurve& curve : study.curves) {
     const bool isPower = curve.question == PowerCurve::Question::kPower;
-    const char* estimate = curve.test != PowerCurve::Test::kView ? "difference"
-                           : study.task == "find"                ? "time ratio"
-                                                                 : "odds ratio";
+    const char* estimate = curve.test != PowerCurve::Test::kView ? "difference" : isTime ? "time ratio" : "odds ratio";
     text += fmt::format("\n{}\n{:>8}  {:>8}  {:>8}  {:>15}  {:>10}  {:>9}  {:>8}\n", nameOf(curve), "subjects",
                         "analysed", isPower ? "power" : "errors", "95 % interval", estimate, "no result", "warnings");
     for (const PowerSize& size : curve.sizes) {
@@ -157,8 +158,9 @@ void check(const PowerChoice& choice, double alpha) {
     throw InputError(fmt::format("chance alone reaches a power of {:g} where alpha is {:g}", choice.power, alpha),
                      "--power", "--power 0.8");
   }
-  if (choice.equivalence && choice.supposed.task != "path") {
-    throw InputError("equivalence is tested for paths", "--equivalence", "--task path, or leave it out");
+  if (choice.equivalence && taskKind(choice.supposed.task, "--task").outcome != OutcomeKind::kAnswer) {
+    throw InputError(fmt::format("the task {} has no answers whose shares could be equivalent", choice.supposed.task),
+                     "--equivalence", "leave it out");
   }
 }
 
@@ -193,12 +195,14 @@ void power(const PowerChoice& choice, const CommandContext& context) {
   if (model == nullptr) {
     throw InputError(fmt::format("the plan has no mixed model of {} with the term \"view\"", task),
                      choice.plan.empty() ? "the default plan" : choice.plan,
-                     "a model of the kind log_normal_mixed (find) or binomial_mixed (count, path) with that term");
+                     "a model of the kind log_normal_mixed, of times, or binomial_mixed, of answers, with that term");
   }
   const PlannedEquivalence* bounds = choice.equivalence ? equivalenceBoundsOf(plan, task) : nullptr;
   if (choice.equivalence && bounds == nullptr) {
-    throw InputError("the plan has no bounds of equivalence for paths", choice.plan,
-                     "\"equivalence\": [{\"task\": \"path\", \"lower\": -0.1, \"upper\": 0.1}] in the plan");
+    throw InputError(
+        fmt::format("the plan has no bounds of equivalence for the task {}", task),
+        choice.plan.empty() ? "the default plan" : choice.plan,
+        fmt::format(R"("equivalence": [{{"task": "{}", "lower": -0.1, "upper": 0.1}}] in the plan)", task));
   }
   const std::vector<Truth> truths = truthsOf(choice, protocol, bounds, context);
   if (!choice.folder.empty()) {
@@ -246,28 +250,32 @@ void runPower(const PowerChoice& choice, const CommandContext& context) {
 void addEffectOptions(CLI::App& command, SupposedEffects& supposed) {
   const CLI::Validator spread = between(0, 5);
   const CLI::Validator share = between(0.01, 0.99);
+  std::vector<std::string> names;
+  for (const TaskKind& kind : taskKinds()) {
+    names.push_back(kind.name);
+  }
   command.add_option("--task", supposed.task, "Whose effect of the view is looked for")
-      ->check(CLI::IsMember({"find", "count", "path"}))
-      ->type_name("find|count|path")
+      ->check(CLI::IsMember(names))
+      ->type_name(fmt::format("{}", fmt::join(names, "|")))
       ->required();
   const auto number = [&](const char* name, std::optional<double>& value, const char* help,
                           const CLI::Validator& range) {
     command.add_option(name, value, help)->check(range)->type_name("NUMBER");
   };
-  number("--ratio", supposed.ratio, "find: geometric mean time with the graph camera, divided by that with the pinhole",
+  number("--ratio", supposed.ratio, "of times: geometric mean with the graph camera, divided by that with the pinhole",
          between(0.05, 20));
-  number("--seconds-ppc", supposed.secondsPpc, "find: geometric mean time with the pinhole, had searches no limit",
+  number("--seconds-ppc", supposed.secondsPpc, "of times: geometric mean with the pinhole, had trials no limit",
          between(0.1, 3600));
-  number("--odds-ratio", supposed.oddsRatio, "count, path: odds of a right answer of a subject, gc to ppc",
+  number("--odds-ratio", supposed.oddsRatio, "of answers: odds of a right one of a subject, gc to ppc",
          between(0.01, 100));
-  number("--share-ppc", supposed.sharePpc, "count, path: share of right answers with the pinhole", share);
-  number("--share-gc", supposed.shareGc, "count, path: the same with the graph camera", share);
+  number("--share-ppc", supposed.sharePpc, "of answers: share of right ones with the pinhole", share);
+  number("--share-gc", supposed.shareGc, "of answers: the same with the graph camera", share);
   number("--subject-sd", supposed.subjectSd, "How subjects differ: standard deviation in log seconds, or logits",
          spread);
-  number("--subject-view-sd", supposed.subjectViewSd, "find: how they differ in the effect of the view", spread);
+  number("--subject-view-sd", supposed.subjectViewSd, "of times: how they differ in the effect of the view", spread);
   number("--case-sd", supposed.caseSd, "How cases differ", spread);
   number("--case-view-sd", supposed.caseViewSd, "How they differ in the effect of the view", spread);
-  number("--residual-sd", supposed.residualSd, "find: how searches of one subject for one case differ", spread);
+  number("--residual-sd", supposed.residualSd, "of times: how trials of one subject for one case differ", spread);
   command
       .add_option("--effects", supposed.file,
                   "JSON file of effects, as of `ocelli study simulate`; other options go before it")
@@ -286,7 +294,8 @@ void addPowerCommand(CLI::App& program, const CommandContext& context) {
       ->check(between(0, 0.95))
       ->type_name("SHARE")
       ->capture_default_str();
-  command.add_flag("--equivalence", choice->equivalence, "path: also whether the views are shown to be equivalent");
+  command.add_flag("--equivalence", choice->equivalence,
+                   "of answers: also whether the views are shown to be equivalent");
   command.add_flag("--without-none", choice->withoutNone,
                    "Leave out the studies without an effect, which tell the type-I error");
   command.add_option("--subjects", choice->subjects, "Numbers of subjects to try, rising")

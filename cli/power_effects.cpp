@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "oc_core/base/error.h"
 #include "study/subject/generator_truth.h"
+#include "study/tasks/task_registry.h"
 
 namespace ocelli {
 namespace {
@@ -25,10 +27,6 @@ void refuse(const std::vector<NamedOption>& options, const std::string& task, co
   }
 }
 
-void set(double& effect, const std::optional<double>& value) {
-  effect = value.value_or(effect);
-}
-
 /// The value of `effect` for which `share()` is `wanted`: shares rise with it.
 template <class Share>
 void solve(double& effect, double wanted, const Share& share) {
@@ -40,12 +38,36 @@ void solve(double& effect, double wanted, const Share& share) {
   }
 }
 
+bool isTime(const std::string& task) {
+  return taskKind(task, "--task").outcome == OutcomeKind::kTime;
+}
+
+/// Of the pinhole in the first session.
+double& levelEffect(GeneratorEffects& effects, const std::string& task) {
+  return effects.at(task, taskKind(task, "--task").generator.effects.front().name);
+}
+
 double& graphEffect(GeneratorEffects& effects, const std::string& task) {
-  return task == "find" ? effects.find.graph : task == "count" ? effects.count.graph : effects.path.graph;
+  return effects.at(task, kGraphEffect);
+}
+
+/// Sets what was given.
+void setDeviations(const SupposedEffects& supposed, GeneratorEffects& effects) {
+  const std::array<std::pair<const char*, std::optional<double>>, 5> deviations{
+      {{kSubjectSd, supposed.subjectSd},
+       {kSubjectGraphSd, supposed.subjectViewSd},
+       {kItemSd, supposed.caseSd},
+       {kItemViewSd, supposed.caseViewSd},
+       {kResidualSd, supposed.residualSd}}};
+  for (const auto& [name, value] : deviations) {
+    if (value) {
+      effects.at(supposed.task, name) = *value;
+    }
+  }
 }
 
 double level(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task, StudyView view) {
-  return task == "find" ? geometricMeanSeconds(protocol, effects, view) : shareRight(protocol, effects, task, view);
+  return isTime(task) ? geometricMeanSeconds(protocol, effects, task, view) : shareRight(protocol, effects, task, view);
 }
 
 std::string sharesText(const Truth& truth) {
@@ -65,7 +87,7 @@ void describe(const Protocol& protocol, const std::string& task, Truth& truth) {
   truth.ppc = level(protocol, truth.effects, task, StudyView::kPinhole);
   truth.gc = level(protocol, truth.effects, task, StudyView::kGraph);
   truth.label = truth.kind == Truth::Kind::kNone ? "no effect of the view"
-                : task == "find"                 ? fmt::format("gc takes {:.3g} of the time", truth.ratio)
+                : isTime(task)                   ? fmt::format("gc takes {:.3g} of the time", truth.ratio)
                                                  : sharesText(truth);
 }
 
@@ -76,15 +98,11 @@ void setSearches(const Protocol& protocol, const SupposedEffects& supposed, Gene
     throw InputError("which effect is it that studies should find?", "--ratio",
                      "--ratio 0.8: searches with the graph camera take 0.8 of the time");
   }
-  GeneratorEffects::Find& find = effects.find;
-  set(find.subjectSd, supposed.subjectSd);
-  set(find.subjectGraphSd, supposed.subjectViewSd);
-  set(find.itemSd, supposed.caseSd);
-  set(find.itemViewSd, supposed.caseViewSd);
-  set(find.residualSd, supposed.residualSd);
-  find.graph = std::log(*supposed.ratio);
+  setDeviations(supposed, effects);
+  graphEffect(effects, supposed.task) = std::log(*supposed.ratio);
   if (supposed.secondsPpc) {
-    find.logSeconds += std::log(*supposed.secondsPpc / geometricMeanSeconds(protocol, effects, StudyView::kPinhole));
+    levelEffect(effects, supposed.task) +=
+        std::log(*supposed.secondsPpc / geometricMeanSeconds(protocol, effects, supposed.task, StudyView::kPinhole));
   }
 }
 
@@ -99,13 +117,10 @@ void setAnswers(const Protocol& protocol, const SupposedEffects& supposed, Gener
                                         : "which effect is it that studies should find?",
                      "--odds-ratio, --share-gc", "one of them: --odds-ratio 1.5, or --share-ppc 0.6 --share-gc 0.7");
   }
-  const bool isCount = supposed.task == "count";
-  double& right = isCount ? effects.count.right : effects.path.right;
-  set(isCount ? effects.count.subjectSd : effects.path.subjectSd, supposed.subjectSd);
-  set(isCount ? effects.count.itemSd : effects.path.itemSd, supposed.caseSd);
-  set(isCount ? effects.count.itemViewSd : effects.path.itemViewSd, supposed.caseViewSd);
+  setDeviations(supposed, effects);
   if (supposed.sharePpc) {
-    solve(right, *supposed.sharePpc, [&] { return shareRight(protocol, effects, supposed.task, StudyView::kPinhole); });
+    solve(levelEffect(effects, supposed.task), *supposed.sharePpc,
+          [&] { return shareRight(protocol, effects, supposed.task, StudyView::kPinhole); });
   }
   double& graph = graphEffect(effects, supposed.task);
   if (supposed.oddsRatio) {
@@ -122,7 +137,7 @@ void setAnswers(const Protocol& protocol, const SupposedEffects& supposed, Gener
 Truth wantedTruth(const Protocol& protocol, const SupposedEffects& supposed) {
   Truth truth;
   truth.effects = supposed.file.empty() ? GeneratorEffects{} : readGeneratorEffects(supposed.file);
-  if (supposed.task == "find") {
+  if (isTime(supposed.task)) {
     setSearches(protocol, supposed, truth.effects);
   } else {
     setAnswers(protocol, supposed, truth.effects);
@@ -161,33 +176,34 @@ std::optional<Truth> truthAtBound(const Protocol& protocol, const Truth& wanted,
 
 std::vector<std::string> describeTruth(const Truth& truth, const std::string& task) {
   const GeneratorEffects& effects = truth.effects;
-  if (task == "find") {
-    const GeneratorEffects::Find& find = effects.find;
-    return {
-        fmt::format(
-            "searches take {:.3g} s with the pinhole and {:.3g} s with the graph camera (geometric means, had they "
-            "no limit)",
-            truth.ppc, truth.gc),
-        fmt::format(
-            "subjects differ in log seconds by {:.3g} (standard deviation), and in the effect of the view by {:.3g}",
-            find.subjectSd, find.subjectGraphSd),
-        casesText(find.itemSd, find.itemViewSd),
-        fmt::format("searches of a subject for a case differ by {:.3g}", find.residualSd),
-        fmt::format("moving objects multiply times by {:.3g}, each further session by {:.3g}", std::exp(find.moving),
-                    std::exp(find.session))};
+  const bool isOfTimes = isTime(task);
+  std::vector<std::string> lines;
+  if (isOfTimes) {
+    lines.push_back(fmt::format(
+        "trials take {:.3g} s with the pinhole and {:.3g} s with the graph camera (geometric means, had they "
+        "no limit)",
+        truth.ppc, truth.gc));
+  } else {
+    lines.push_back(
+        fmt::format("{}: an odds ratio of {:.3g} within a subject and case", sharesText(truth), truth.ratio));
   }
-  const bool isCount = task == "count";
-  std::vector<std::string> lines{
-      fmt::format("{}: an odds ratio of {:.3g} within a subject and case", sharesText(truth), truth.ratio),
-      fmt::format("subjects differ in logits by {:.3g} (standard deviation), with the same effect of the view for all",
-                  isCount ? effects.count.subjectSd : effects.path.subjectSd),
-      isCount ? casesText(effects.count.itemSd, effects.count.itemViewSd)
-              : casesText(effects.path.itemSd, effects.path.itemViewSd),
-      fmt::format("each further session multiplies odds by {:.3g}",
-                  std::exp(isCount ? effects.count.session : effects.path.session))};
-  if (isCount) {
-    lines.push_back(fmt::format("duplicate colours multiply odds by {:.3g}, twice the exposure by {:.3g}",
-                                std::exp(effects.count.duplicates), std::exp(effects.count.doubledExposure)));
+  const double subjectGraphSd = effects.valueOr0(task, kSubjectGraphSd);
+  lines.push_back(fmt::format("subjects differ in {} by {:.3g} (standard deviation), {}",
+                              isOfTimes ? "log seconds" : "logits", effects.at(task, kSubjectSd),
+                              subjectGraphSd > 0
+                                  ? fmt::format("and in the effect of the view by {:.3g}", subjectGraphSd)
+                                  : "with the same effect of the view for all"));
+  lines.push_back(casesText(effects.at(task, kItemSd), effects.at(task, kItemViewSd)));
+  if (isOfTimes) {
+    lines.push_back(
+        fmt::format("trials of a subject for a case differ by {:.3g}", effects.valueOr0(task, kResidualSd)));
+  }
+  for (const GeneratorEffect& effect : taskKind(task, "--task").generator.effects) {
+    const bool isToldAbove = effect.covariate == levelCovariate || effect.covariate == graphCovariate;
+    if (effect.covariate != nullptr && !isToldAbove) {
+      lines.push_back(fmt::format("{}: {} are multiplied by {:.3g}", effect.meaning, isOfTimes ? "times" : "odds",
+                                  std::exp(effects.at(task, effect.name))));
+    }
   }
   return lines;
 }

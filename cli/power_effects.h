@@ -7,13 +7,13 @@
 
 #include "analysis/dataset/analysis_plan.h"
 #include "study/protocol/protocol.h"
-#include "study/subject/data_generator.h"
+#include "study/subject/generator_effects.h"
 
 namespace ocelli {
 
 /// What the user gave; what is missing is the generator's.
 struct SupposedEffects {
-  std::string task;  ///< "find", "count", "path"
+  std::string task;  ///< its name (study/tasks/task_registry.h)
   std::string file;  ///< JSON of effects, as of `ocelli study simulate --effects`; the others come on top of it
   std::optional<double> ratio{};       ///< of geometric mean times, gc / ppc
   std::optional<double> secondsPpc{};  ///< geometric mean time with the pinhole

@@ -12,7 +12,7 @@
 #include "cli/simulated_dataset.h"
 #include "oc_core/base/machine.h"
 #include "oc_core/base/parallel.h"
-#include "study/subject/chance.h"
+#include "study/agent/chance.h"
 
 namespace ocelli {
 namespace {

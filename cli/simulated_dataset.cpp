@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "oc_core/base/check.h"
+#include "study/agent/chance.h"
 #include "study/session/session_sink.h"
 #include "study/store/program_version.h"
-#include "study/subject/chance.h"
 #include "study/subject/simulate_session.h"
 
 namespace ocelli {

@@ -1,9 +1,25 @@
 #include "study/export/export_columns.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <utility>
 
+#include "study/tasks/task_registry.h"
+
 namespace ocelli {
+
+namespace {
+
+std::string taskMeaning() {
+  std::string text = "what was to be done";
+  for (const TaskKind& kind : taskKinds()) {
+    text += fmt::format("; {}: {}", kind.name, kind.description);
+  }
+  return text;
+}
+
+}  // namespace
 
 const std::vector<ColumnMeaning>& columnMeanings() {
   static const std::vector<ColumnMeaning> meanings{
@@ -40,14 +56,14 @@ const std::vector<ColumnMeaning>& columnMeanings() {
       {"attempt", "", "how often this plan was begun, from 1"},
       {"block", "", "name of the block in the protocol"},
       {"block_index", "", "place of the block in the protocol, from 0"},
-      {"task", "", "what was to be done: find an object, count objects, or match a path"},
+      {"task", "", taskMeaning()},
       {"case_index", "", "case of the block, from 0; of its practice cases in practice"},
       {"case_label", "", "name of the case"},
       {"view", "", "ppc: planar pinhole camera(s); gc: graph camera"},
       {"trial_seed", "", "seed of what is random in the trial, hexadecimal"},
       {"moving", "", "1: the objects move"},
       {"exposure_s", "s", "planned time for which the scene is shown; empty where the subject ends it"},
-      {"objects", "", "how many objects there are, where that is the question"},
+      {"objects", "", "how many objects there are, where the task has a number of them"},
       {"duplicate_colors", "", "1: some objects share a colour"},
       {"answer", "", "what was answered; empty where nothing was"},
       {"expected", "", "what would have been right"},

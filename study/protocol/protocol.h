@@ -12,12 +12,15 @@
 
 namespace ocelli {
 
+/// The keys and what they do.
+inline constexpr const char* kControlsImage = "controls";
+
 /// A page of text that is shown until a key is pressed.
 struct ProtocolPage {
   std::string title;
   std::vector<std::string> paragraphs;
-  /// An image that the program draws: "find_ppc", "find_gc", "count_ppc", "count_gc", "path_maps", "controls"; empty
-  /// for none.
+  /// An image that the program draws: one of a task's row (study/tasks/task_registry.h), or kControlsImage; empty for
+  /// none.
   std::string image{};
 };
 

@@ -9,6 +9,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
+#include "study/tasks/task_registry.h"
 
 namespace ocelli {
 namespace {
@@ -62,7 +63,14 @@ ProtocolPage pageOf(const nlohmann::json& json, const std::string& where) {
   page.title = readShortText(fields, "title", kMaxTitle);
   page.paragraphs = readTexts(fields, "paragraphs", 1, kMaxParagraphs, kMaxParagraph);
   if (fields.has("picture")) {
-    page.image = readName(fields, "picture", {"find_ppc", "find_gc", "count_ppc", "count_gc", "path_maps", "controls"});
+    std::vector<std::string> names;
+    for (const TaskKind& kind : taskKinds()) {
+      for (const InstructionImage& image : kind.images) {
+        names.emplace_back(image.name);
+      }
+    }
+    names.emplace_back(kControlsImage);
+    page.image = readName(fields, "picture", names);
   }
   fields.rejectUnknown();
   return page;

@@ -1,6 +1,5 @@
 // Reads protocol files: protocols/protocol.schema.json and docs/protocols.md describe them.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -13,6 +12,7 @@
 #include "study/protocol/protocol.h"
 #include "study/protocol/protocol_fields.h"
 #include "study/protocol/schedule.h"
+#include "study/tasks/task_registry.h"
 
 namespace ocelli {
 namespace {
@@ -80,14 +80,12 @@ std::vector<int> readSessions(JsonFields& fields, int sessions) {
 
 const TaskKind& readTask(JsonFields& fields) {
   const std::string name = fields.text("task");
-  std::vector<std::string> names;
   for (const TaskKind& kind : taskKinds()) {
     if (name == kind.name) {
       return kind;
     }
-    names.emplace_back(kind.name);
   }
-  fields.fail("task", fmt::format("must be one of {}", fmt::join(names, ", ")));
+  fields.fail("task", fmt::format("must be one of {}, not \"{}\"", taskNames(), name));
 }
 
 std::optional<ProtocolPractice> readPractice(JsonFields& fields, const TaskKind& kind, const TaskSetting& setting) {

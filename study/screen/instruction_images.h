@@ -1,18 +1,15 @@
-// The images of instruction pages, drawn by the program itself: what the two ways of seeing look like, and the keys.
+// The images of instruction pages, drawn by the program itself: what the rows of the tasks have, and the keys.
 #pragma once
 
-#include <array>
 #include <map>
 #include <string>
 
 #include "study/screen/scene_views.h"
 #include "study/screen/study_canvas.h"
 #include "study/task/controls.h"
+#include "study/task/instruction_image.h"
 
 namespace ocelli {
-
-/// The names that ProtocolPage::image may have.
-inline constexpr std::array kInstructionImages{"find_ppc", "find_gc", "count_ppc", "count_gc", "path_maps", "controls"};
 
 class InstructionImages {
  public:
@@ -27,7 +24,7 @@ class InstructionImages {
     GlObject texture;
     std::vector<glm::dvec2> marks;  ///< objects that are seen, pixels of the view
   };
-  const View& viewOf(const std::string& name, int width, int height);
+  const View& viewOf(const InstructionImage& image, int width, int height);
 
   GlContext* context_;
   Controls controls_;

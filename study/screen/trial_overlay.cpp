@@ -143,8 +143,7 @@ void drawPathMap(StudyCanvas& canvas, const PixelRect& place, std::span<const gl
   canvas.writeLine({StudyText::kSmall, kStudyText, background, TextAlign::kCenter}, {x, y}, "Start");
 }
 
-void drawTrialOverlay(StudyCanvas& canvas, const TrialLayout& layout, SceneViews& views) {
-  drawPrompt(canvas, layout, views);
+void drawChoicesAndMaps(StudyCanvas& canvas, const TrialLayout& layout) {
   for (const TrialLayout::Choice& choice : layout.choices) {
     drawChoice(canvas, choice, holdsMap(layout, choice.place));
   }
@@ -157,6 +156,11 @@ void drawTrialOverlay(StudyCanvas& canvas, const TrialLayout& layout, SceneViews
     }
     drawPathMap(canvas, map.place, map.corners, hasChoice && around->chosen ? kStudyAccentDeep : kStudyCard);
   }
+}
+
+void drawTrialOverlay(StudyCanvas& canvas, const TrialLayout& layout, SceneViews& views) {
+  drawPrompt(canvas, layout, views);
+  drawChoicesAndMaps(canvas, layout);
   if (layout.pointer) {
     drawPointer(canvas, *layout.pointer);
   }

@@ -29,13 +29,9 @@
 #include "study/protocol/schedule.h"
 #include "study/session/session_screen.h"
 #include "study/session/session_sink.h"
+#include "study/task/timed_input.h"
 
 namespace ocelli {
-
-struct TimedInput {
-  InputEvent event;
-  int64_t nanoseconds = 0;  ///< when it came
-};
 
 /// What was stored of this session before, for one that is resumed.
 struct SessionDone {

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <optional>
 
+#include "study/tasks/task_registry.h"
+
 namespace ocelli {
 namespace {
 
@@ -38,7 +40,7 @@ std::optional<double> preferenceOf(const std::string& task, const std::array<Eff
     return std::nullopt;
   }
   const double difference = pinhole.mean() - graph.mean();
-  if (task == "find") {
+  if (taskKind(task, "answers to forms").outcome == OutcomeKind::kTime) {
     return difference;  // of logarithms
   }
   const double sum = pinhole.mean() + graph.mean();

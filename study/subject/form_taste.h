@@ -5,12 +5,12 @@
 #include <map>
 #include <string>
 
+#include "study/agent/task_policy.h"
 #include "study/protocol/protocol.h"
-#include "study/subject/task_policy.h"
 
 namespace ocelli {
 
-/// How hard the trials of each task were to a subject, in each view; of finding objects the logarithm of the seconds.
+/// How hard the trials of each task were to a subject, in each view (TaskPolicy::effort()).
 using Experience = std::map<std::string, std::array<Effort, 2>>;
 
 /// The option of a field. A scale from one view to the other, about a task whose name stands in its name or question,

@@ -4,7 +4,10 @@
 
 #include <cmath>
 
+#include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
+#include "study/protocol/schedule.h"
+#include "study/tasks/task_registry.h"
 
 namespace ocelli {
 namespace {
@@ -45,23 +48,10 @@ double meanProbability(double logit, double deviation) {
 
 }  // namespace
 
-double fixedPart(const GeneratorEffects& effects, const GeneratedTrial& trial) {
-  const double graph = trial.view == StudyView::kGraph ? 1 : 0;
-  const CaseInfo& info = trial.info;
-  if (trial.task == "find") {
-    const GeneratorEffects::Find& find = effects.find;
-    return find.logSeconds + find.graph * graph + (info.moving ? find.moving : 0) + find.session * trial.session;
-  }
-  if (trial.task == "count") {
-    const GeneratorEffects::Count& count = effects.count;
-    return count.right + count.graph * graph + (info.duplicateColors.value_or(false) ? count.duplicates : 0) +
-           count.doubledExposure * std::log2(info.exposureSeconds.value_or(10) / 10) + count.session * trial.session;
-  }
-  return effects.path.right + effects.path.graph * graph + effects.path.session * trial.session;
-}
-
-double geometricMeanSeconds(const Protocol& protocol, const GeneratorEffects& effects, StudyView view) {
-  const std::vector<GeneratedTrial> trials = trialsOf(protocol, "find", view);
+double geometricMeanSeconds(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task,
+                            StudyView view) {
+  OC_CHECK(taskKind(task, protocol.name).outcome == OutcomeKind::kTime, "the outcome of the task is a time");
+  const std::vector<GeneratedTrial> trials = trialsOf(protocol, task, view);
   double sum = 0;
   for (const GeneratedTrial& trial : trials) {
     sum += fixedPart(effects, trial);
@@ -70,11 +60,9 @@ double geometricMeanSeconds(const Protocol& protocol, const GeneratorEffects& ef
 }
 
 double shareRight(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task, StudyView view) {
-  const bool isCount = task == "count";
-  const auto deviationOf = [](const auto& group) {
-    return std::hypot(group.subjectSd, group.itemSd, group.itemViewSd / 2);
-  };
-  const double deviation = isCount ? deviationOf(effects.count) : deviationOf(effects.path);
+  OC_CHECK(taskKind(task, protocol.name).outcome == OutcomeKind::kAnswer, "the outcome of the task is an answer");
+  const double deviation =
+      std::hypot(effects.at(task, kSubjectSd), effects.at(task, kItemSd), effects.at(task, kItemViewSd) / 2);
   const std::vector<GeneratedTrial> trials = trialsOf(protocol, task, view);
   double sum = 0;
   for (const GeneratedTrial& trial : trials) {

@@ -3,9 +3,7 @@
 #include <algorithm>
 
 #include "oc_core/base/conventions.h"
-#include "study/subject/count_policy.h"
-#include "study/subject/find_policy.h"
-#include "study/subject/path_policy.h"
+#include "study/tasks/task_registry.h"
 
 namespace ocelli {
 namespace {
@@ -73,13 +71,7 @@ void SessionObserver::endTrial(int64_t now) {
   motor_.release(now);
   if (policy_ && plan_) {
     Effort& effort = experience_[plan_->task][static_cast<size_t>(plan_->view)];
-    if (const auto* count = dynamic_cast<const CountPolicy*>(policy_.get())) {
-      effort.add(count->effort());
-    } else if (const auto* path = dynamic_cast<const PathPolicy*>(policy_.get())) {
-      effort.add(path->effort());
-    } else {
-      effort.add(std::log(std::max(secondsOf(now - trialBegan_), 0.1)));
-    }
+    effort.add(policy_->effort(secondsOf(now - trialBegan_)));
   }
   policy_.reset();
   nextLook_ = now;
@@ -117,18 +109,13 @@ const Percept& SessionObserver::see(const TrialLayout& layout) {
 
 std::optional<uint64_t> SessionObserver::fixate(const TrialLayout& layout, int64_t now) {
   if (!policy_) {
-    const uint64_t seed = seedOf(seed_, 1'000'000 + trials_);
-    if (plan_->task == "find") {
-      const Percept first = eye_.look(layout, true);
-      // The instructions of a block say whether its objects move.
-      const ProtocolBlock& block = protocol_.blocks[static_cast<size_t>(plan_->block)];
-      const bool moves = block.task->caseInfo(0).moving;
-      policy_ = std::make_unique<FindPolicy>(vision_, protocol_.controls, moves, mazes_[first.grid.surroundings], seed);
-    } else if (plan_->task == "count") {
-      policy_ = std::make_unique<CountPolicy>(vision_, seed);
-    } else {
-      policy_ = std::make_unique<PathPolicy>(vision_, seed);
-    }
+    const ProtocolBlock& block = protocol_.blocks[static_cast<size_t>(plan_->block)];
+    policy_ = taskKind(plan_->task, protocol_.name)
+                  .policy({.vision = vision_,
+                           .controls = protocol_.controls,
+                           .objectsMove = block.task->caseInfo(0).moving,
+                           .memory = [&]() -> MazeMemory& { return mazes_[eye_.look(layout, true).grid.surroundings]; },
+                           .seed = seedOf(seed_, 1'000'000 + trials_)});
   }
   const int64_t ends =
       now + nanosecondsOf(std::max(0.1, normal(random_, factors_.fixationSeconds, factors_.fixationSpread)));

@@ -6,10 +6,10 @@
 #include <memory>
 #include <optional>
 
+#include "study/agent/maze_memory.h"
+#include "study/agent/visibility_sensor.h"
 #include "study/session/session_flow.h"
 #include "study/subject/form_taste.h"
-#include "study/subject/maze_memory.h"
-#include "study/subject/visibility_sensor.h"
 
 namespace ocelli {
 

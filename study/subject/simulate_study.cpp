@@ -42,10 +42,10 @@ struct SubjectWork {
   int open() const { return static_cast<int>(std::count(complete.begin(), complete.end(), false)); }
 };
 
-std::string simulationJson(const SimulationPlan& plan, uint64_t subjectSeed) {
+std::string simulationJson(const Protocol& protocol, const SimulationPlan& plan, uint64_t subjectSeed) {
   nlohmann::ordered_json json{{"subject", nameOf(plan.kind)}, {"study_seed", plan.seed}, {"subject_seed", subjectSeed}};
   if (plan.kind == SubjectKind::kGenerator) {
-    json["effects"] = nlohmann::ordered_json::parse(jsonText(plan.effects));
+    json["effects"] = nlohmann::ordered_json::parse(jsonText(plan.effects, protocol));
   } else {
     json["renderer"] = plan.renderer;
     json["frame_width"] = plan.screen.width;
@@ -81,7 +81,7 @@ std::vector<SubjectWork> prepare(StudyDatabase& database, const Protocol& protoc
     }
     work.seed = seedOf(plan.seed, i);
     work.sessions = plan.sessions[i];
-    work.simulation = simulationJson(plan, work.seed);
+    work.simulation = simulationJson(protocol, plan, work.seed);
     requireSame(database, work);
     for (int session = 0; session < work.sessions; ++session) {
       const std::optional<StoredSession> stored = database.session(id, session);

@@ -18,14 +18,15 @@ std::optional<int> ChoiceList::handle(const InputEvent& event, const TaskPointer
   };
   const auto* key = std::get_if<KeyEvent>(&event);
   if (key != nullptr && key->pressed && !key->modifiers.shift) {
+    if (const auto index = indexWhere([&](const auto& choice) { return choice.key == key->key; })) {
+      return index;
+    }
     if (key->key == Key::kRight || key->key == Key::kDown) {
       mark(marked_ + 1);
     } else if (key->key == Key::kLeft || key->key == Key::kUp) {
       mark(marked_ < 0 ? static_cast<int>(choices_.size()) - 1 : marked_ - 1);
     } else if (key->key == Key::kEnter && marked_ >= 0) {
       return marked_;
-    } else if (const auto index = indexWhere([&](const auto& choice) { return choice.key == key->key; })) {
-      return index;
     }
   }
   return pointer.isClick(event) ? indexWhere([&](const auto& choice) { return choice.place.contains(pointer.place()); })

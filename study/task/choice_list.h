@@ -1,4 +1,4 @@
-// Answers to choose from: a click on one, its digit, or arrows and Enter.
+// Answers to choose from: a click on one, its key, or, where no answer has these as its key, arrows and Enter.
 #pragma once
 
 #include <optional>

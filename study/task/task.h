@@ -5,13 +5,7 @@
 // neither windows nor clocks nor files: time passes in ticks, so the same input at the same ticks gives the same poses,
 // layouts and outcome, bit by bit, whether a person, a simulated subject or a log gives it.
 //
-// Recipe for a new task, three places:
-//   1. study/task/NAME_task.h and .cpp: a TaskBlock with a function that reads it from the fields of a block, and a
-//      TrialRun.
-//   2. study/task/task_kinds.cpp: one line in the table.
-//   3. protocols/protocol.schema.json: its name and its fields.
-// And an example of it in tests/study_task/study_tasks.cpp, with which the tests of the contract below run.
-// Databases, replays and exports take it as it is: what is its own goes into TrialOutcome::measures.
+// The tasks themselves are the rows of study/tasks/task_registry.h, which has the recipe for a new one.
 #pragma once
 
 #include <cstdint>
@@ -28,8 +22,6 @@
 #include "study/task/trial_plan.h"
 
 namespace ocelli {
-
-class JsonFields;
 
 /// Steps in which the time of a trial passes.
 inline constexpr int64_t kTicksPerSecond = 240;
@@ -103,17 +95,5 @@ struct TaskSetting {
   std::map<std::string, Maze> mazes{};  ///< by name; valid, without landmarks
   Controls controls{};
 };
-
-struct TaskKind {
-  const char* name;
-  const char* description;
-  /// Reads the fields of the task from those of a block; others are left for the caller to ask for, and to reject.
-  /// `caseField` names the field that holds the cases: "cases", or "practice_cases". Throws InputError naming the field
-  /// for what is wrong or cannot be: objects in walls, more cases than places, impossible durations.
-  std::shared_ptr<const TaskBlock> (*read)(JsonFields& fields, const std::string& caseField,
-                                           const TaskSetting& setting);
-};
-
-const std::vector<TaskKind>& taskKinds();
 
 }  // namespace ocelli

@@ -75,6 +75,19 @@ double radiansOf(Direction heading) {
   return std::atan2(static_cast<double>(way.x), static_cast<double>(-way.z));
 }
 
+WalkerPose readStart(JsonFields& fields, const Maze& maze) {
+  MazeCell cell = maze.entrance->cell;
+  Direction heading = maze.entrance->heading;
+  if (fields.has("start")) {
+    JsonFields start(fields.value("start"), fields.where() + ", \"start\"");
+    cell = readCell(start, maze);
+    heading = readHeading(start);
+    start.rejectUnknown();
+  }
+  const glm::vec3 place = maze.centerOf(cell);
+  return {static_cast<double>(place.x), static_cast<double>(place.z), radiansOf(heading)};
+}
+
 ObjectLook readObjectLook(JsonFields& fields, bool withColor) {
   ObjectLook look;
   if (!fields.has("object")) {

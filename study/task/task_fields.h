@@ -18,6 +18,8 @@ MazeCell readCell(JsonFields& fields, const Maze& maze);
 /// The field "heading": north, east, south or west.
 Direction readHeading(JsonFields& fields);
 double radiansOf(Direction heading);
+/// The field "start": a cell and a heading; those of the entrance where it is missing.
+WalkerPose readStart(JsonFields& fields, const Maze& maze);
 /// The field "object": its shape, and its colour.
 struct ObjectLook {
   LandmarkShape shape = LandmarkShape::kSphere;

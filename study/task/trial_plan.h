@@ -11,7 +11,7 @@ namespace ocelli {
 struct TrialPlan {
   int index = 0;      ///< in the schedule of the session, from 0; -1 for practice, which is not in the schedule
   int block = 0;      ///< in the protocol, from 0
-  std::string task;   ///< "find", "count", "path"
+  std::string task;   ///< its name in study/tasks/task_registry.h
   int caseIndex = 0;  ///< of the block's cases (task.h); of its practice cases in practice
   StudyView view = StudyView::kPinhole;
   uint64_t seed = 1;  ///< all that is random within the trial comes of it

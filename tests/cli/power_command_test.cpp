@@ -111,7 +111,7 @@ TEST_F(PowerCommand, RejectsAbsurdNumbers) {
   expectWrong("--task find --ratio 0.8 --power 0.04", "chance alone reaches a power of 0.04");
   expectWrong("--task find --ratio 0.8 --alpha 0", "--alpha");
   expectWrong("--task find --ratio 0.8 --drop-out 1", "--drop-out");
-  expectWrong("--task count --odds-ratio 2 --equivalence", "equivalence is tested for paths");
+  expectWrong("--task count --odds-ratio 2 --equivalence", "no bounds of equivalence for the task count");
 }
 
 TEST_F(PowerCommand, PlansNeedAModelOfTheView) {

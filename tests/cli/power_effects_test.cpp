@@ -43,12 +43,12 @@ TEST_F(PowerEffects, OfSearchesAreRatiosAndSeconds) {
   supposed.subjectSd = 0.4;
   supposed.caseSd = 0.2;
   const Truth truth = truthOf(supposed);
-  EXPECT_NEAR(truth.effects.find.graph, std::log(0.8), 1e-12);
+  EXPECT_NEAR(truth.effects.at("find", "graph"), std::log(0.8), 1e-12);
   EXPECT_NEAR(truth.ppc, 20, 1e-9);
   EXPECT_NEAR(truth.gc, 16, 1e-9);
-  EXPECT_EQ(truth.effects.find.subjectSd, 0.4);
-  EXPECT_EQ(truth.effects.find.itemSd, 0.2);
-  EXPECT_EQ(truth.effects.find.residualSd, GeneratorEffects{}.find.residualSd);
+  EXPECT_EQ(truth.effects.at("find", "subject_sd"), 0.4);
+  EXPECT_EQ(truth.effects.at("find", "item_sd"), 0.2);
+  EXPECT_EQ(truth.effects.at("find", "residual_sd"), GeneratorEffects().at("find", "residual_sd"));
   EXPECT_EQ(truth.label, "gc takes 0.8 of the time");
   const Truth none = truthWithoutEffect(protocol_, "find", truth);
   EXPECT_EQ(none.kind, Truth::Kind::kNone);
@@ -74,7 +74,7 @@ TEST_F(PowerEffects, CasesMayDifferInTheEffectOfTheView) {
   EXPECT_THAT(describeTruth(truthOf(supposed), "find"),
               Contains(HasSubstr("cases differ by 0.35, and all have the same effect of the view")));
   supposed.caseViewSd = 0.4;
-  EXPECT_EQ(truthOf(supposed).effects.find.itemViewSd, 0.4);
+  EXPECT_EQ(truthOf(supposed).effects.at("find", "item_view_sd"), 0.4);
   EXPECT_THAT(describeTruth(truthOf(supposed), "find"),
               Contains(std::string("cases differ by 0.35, and in the effect of the view by 0.4")));
   for (const char* task : {"count", "path"}) {
@@ -83,7 +83,7 @@ TEST_F(PowerEffects, CasesMayDifferInTheEffectOfTheView) {
     supposed.shareGc = 0.8;
     supposed.caseViewSd = 0.7;
     const Truth truth = truthOf(supposed);
-    EXPECT_EQ(std::string(task) == "count" ? truth.effects.count.itemViewSd : truth.effects.path.itemViewSd, 0.7);
+    EXPECT_EQ(truth.effects.at(task, "item_view_sd"), 0.7);
     EXPECT_NEAR(shareRight(protocol_, truth.effects, task, StudyView::kGraph), 0.8, 1e-9);
     EXPECT_THAT(describeTruth(truth, task), Contains(HasSubstr("in the effect of the view by 0.7")));
     // Without an effect shares are the same in both views, as cases gain or lose as often.
@@ -123,8 +123,8 @@ TEST_F(PowerEffects, OptionsComeOnTopOfTheFile) {
   supposed.ratio = 0.9;
   supposed.caseSd = 0.1;
   const Truth truth = truthOf(supposed);
-  EXPECT_EQ(truth.effects.find.subjectSd, 0.7);
-  EXPECT_EQ(truth.effects.find.itemSd, 0.1);
+  EXPECT_EQ(truth.effects.at("find", "subject_sd"), 0.7);
+  EXPECT_EQ(truth.effects.at("find", "item_sd"), 0.1);
   EXPECT_NEAR(truth.ratio, 0.9, 1e-12);
 }
 

@@ -135,7 +135,7 @@ TEST_F(PowerSimulation, IsTheSameForAnyNumberOfThreadsAndOtherSizes) {
 TEST_F(PowerSimulation, StudiesWithoutAResultFindNothing) {
   // All answers are right.
   Truth truth = answers("count", 0.6, 0.6);
-  truth.effects.count.right = 19;
+  truth.effects.at("count", "right") = 19;
   const auto curves = simulatePower(workOf("count", {5}, 20), {truth});
   EXPECT_EQ(curves[0].sizes[0].notEstimable, 20);
   EXPECT_EQ(curves[0].sizes[0].found.successes, 0);

@@ -75,7 +75,7 @@ void expectSameData(const Dataset& fast, const Dataset& slow) {
 TEST(SimulatedDataset, IsWhatTheDatabaseOfTheSameStudyHolds) {
   const Protocol protocol = readProtocol(OCELLI_SOURCE_DIR "/protocols/rosen2010.json");
   SimulationPlan plan = studyOf({2, 1}, 42);
-  plan.effects.find.logSeconds = 3.5;  // so that some searches take too long
+  plan.effects.at("find", "log_seconds") = 3.5;  // so that some searches take too long
   const test::TemporaryFolder folder;
   simulateStudy(protocol, folder / "study.sqlite", plan);
   const Dataset fast = simulatedDataset(protocol, plan);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "study/task/task.h"
+#include "study/tasks/task_registry.h"
 #include "tests/base/schema_agreement.h"
 #include "tests/study_protocol/protocol_text.h"
 
@@ -126,6 +126,22 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfPath) {
   expectAgreement(def("path_case"), document, "/blocks/0/cases/0");
   document.at("blocks").at(0)["least_seconds"] = 1;
   expectAgreement(blockOf("path"), document, "/blocks/0", kOwnOfBlocks);
+}
+
+TEST(ProtocolSchema, AgreesWithTheReaderOfNearer) {
+  Json document = withBlock(2);
+  document.at("mazes")["hall"] = Json::parse(R"({"plan": ["+-+-+-+-+", "|       |", "+ +-+-+-+"]})");
+  document.at("blocks").at(0) = Json::parse(R"({"name": "nearer", "title": "Nearer", "task": "nearer", "maze": "hall",
+      "object": {"shape": "cone"}, "start": {"row": 0, "column": 0, "heading": "east"}, "sessions": [1, 2],
+      "instructions": [{"title": "Nearer", "paragraphs": ["Which?"]}], "practice": {},
+      "practice_cases": [{"left": {"row": 0, "column": 1, "south": -0.2}, "right": {"row": 0, "column": 3}}],
+      "cases": [{"left": {"row": 0, "column": 1, "south": -0.2}, "right": {"row": 0, "column": 3, "south": 0.2}}]})");
+  // What decides whether a case can be seen.
+  std::vector<std::string> own = kOwnOfBlocks;
+  own.emplace_back("fov_horizontal_degrees");
+  expectAgreement(blockOf("nearer"), document, "/blocks/0", own);
+  expectAgreement(def("nearer_case"), document, "/blocks/0/cases/0");
+  expectAgreement(def("nearer_object"), document, "/blocks/0/cases/0/left", {"row", "column", "east", "south"});
 }
 
 TEST(ProtocolSchema, KnowsEveryTask) {

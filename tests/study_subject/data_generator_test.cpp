@@ -6,8 +6,6 @@
 #include <map>
 
 #include "oc_core/base/error.h"
-#include "oc_core/base/file_bytes.h"
-#include "tests/base/temporary_folder.h"
 #include "tests/study_session/session_harness.h"
 #include "tests/study_task/study_tasks.h"
 
@@ -73,9 +71,9 @@ double responseSecondsOf(const TrialRecord& record) {
 
 TEST(DataGenerator, viewsDifferInLogTimesByTheEffectThatItWasGiven) {
   GeneratorEffects effects;
-  effects.find.logSeconds = 2;  // far from the limit: next to nothing is censored
-  effects.find.graph = -0.5;
-  effects.find.session = -0.2;
+  effects.at("find", "log_seconds") = 2;  // far from the limit: next to nothing is censored
+  effects.at("find", "graph") = -0.5;
+  effects.at("find", "session") = -0.2;
   constexpr int kSubjects = 100;
   std::array<Mean, 2> view;
   std::array<Mean, 2> session;
@@ -94,14 +92,14 @@ TEST(DataGenerator, viewsDifferInLogTimesByTheEffectThatItWasGiven) {
   EXPECT_EQ(find, kSubjects * 2 * 8);
   EXPECT_LT(censored, find / 200);
   // Residuals and the subjects' own slopes: sqrt(2 * 0.45^2 / 800 + 0.1^2 / 100) = 0.025, four times.
-  EXPECT_NEAR(view[1].value() - view[0].value(), effects.find.graph, 0.1);
+  EXPECT_NEAR(view[1].value() - view[0].value(), effects.at("find", "graph"), 0.1);
   // Items differ between sessions: 0.35 * sqrt(2 / 4) = 0.25 for four items each, twice that.
-  EXPECT_NEAR(session[1].value() - session[0].value(), effects.find.session, 0.5);
+  EXPECT_NEAR(session[1].value() - session[0].value(), effects.at("find", "session"), 0.5);
 }
 
 TEST(DataGenerator, timesAreCensoredAtTheLimit) {
   GeneratorEffects effects;
-  effects.find.logSeconds = 5;
+  effects.at("find", "log_seconds") = 5;
   for (const TrialRecord& record : generate(effects, 20)) {
     if (record.plan.task == "find" && record.outcome.censored) {
       EXPECT_EQ(responseSecondsOf(record), 60);
@@ -113,9 +111,18 @@ TEST(DataGenerator, timesAreCensoredAtTheLimit) {
 
 TEST(DataGenerator, accuraciesAreThoseOfItsLogits) {
   GeneratorEffects effects;
-  effects.count = {
-      .right = 0.4, .graph = 1.2, .duplicates = 0, .doubledExposure = 0, .session = 0, .subjectSd = 0, .itemSd = 0};
-  effects.path = {.right = -0.5, .graph = 0, .session = 0, .subjectSd = 0, .itemSd = 0};
+  effects.at("count", "right") = 0.4;
+  effects.at("count", "graph") = 1.2;
+  effects.at("count", "duplicates") = 0;
+  effects.at("count", "doubled_exposure") = 0;
+  effects.at("count", "session") = 0;
+  effects.at("count", "subject_sd") = 0;
+  effects.at("count", "item_sd") = 0;
+  effects.at("path", "right") = -0.5;
+  effects.at("path", "graph") = 0;
+  effects.at("path", "session") = 0;
+  effects.at("path", "subject_sd") = 0;
+  effects.at("path", "item_sd") = 0;
   std::map<std::pair<std::string, StudyView>, Mean> right;
   for (const TrialRecord& record : generate(effects, 100)) {
     right[{record.plan.task, record.plan.view}].add(record.outcome.correct ? 1 : 0);
@@ -133,14 +140,14 @@ TEST(DataGenerator, accuraciesAreThoseOfItsLogits) {
 
 TEST(DataGenerator, subjectsAndItemsDifferAsMuchAsTheyShould) {
   GeneratorEffects effects;
-  effects.find = {.logSeconds = 1.5,
-                  .graph = 0,
-                  .moving = 0,
-                  .session = 0,
-                  .subjectSd = 0.6,
-                  .subjectGraphSd = 0,
-                  .itemSd = 0,
-                  .residualSd = 0.1};
+  effects.at("find", "log_seconds") = 1.5;
+  effects.at("find", "graph") = 0;
+  effects.at("find", "moving") = 0;
+  effects.at("find", "session") = 0;
+  effects.at("find", "subject_sd") = 0.6;
+  effects.at("find", "subject_graph_sd") = 0;
+  effects.at("find", "item_sd") = 0;
+  effects.at("find", "residual_sd") = 0.1;
   constexpr int kSubjects = 100;
   const std::vector<TrialRecord> records = generate(effects, kSubjects);
   const size_t each = records.size() / kSubjects;
@@ -183,12 +190,12 @@ double deviationOfViewEffects(const std::vector<TrialRecord>& records, size_t ea
 
 TEST(DataGenerator, casesDifferInTheEffectOfTheViewAsMuchAsTheyShould) {
   GeneratorEffects effects;
-  effects.find.logSeconds = 1;
-  effects.find.subjectGraphSd = 0;
-  effects.find.residualSd = 0.1;
+  effects.at("find", "log_seconds") = 1;
+  effects.at("find", "subject_graph_sd") = 0;
+  effects.at("find", "residual_sd") = 0.1;
   constexpr int kSubjects = 20;
   const auto deviation = [&](double itemViewSd) {
-    effects.find.itemViewSd = itemViewSd;
+    effects.at("find", "item_view_sd") = itemViewSd;
     const std::vector<TrialRecord> records = generate(effects, kSubjects);
     return deviationOfViewEffects(records, records.size() / kSubjects / 2, "find",
                                   [](const TrialRecord& record) { return std::log(responseSecondsOf(record)); });
@@ -202,9 +209,9 @@ TEST(DataGenerator, casesDifferInTheEffectOfTheViewAsMuchAsTheyShould) {
 
 TEST(DataGenerator, effectsOfTheViewThatDifferLeaveTheOtherDrawsAsTheyAre) {
   GeneratorEffects effects;
-  effects.find.logSeconds = 1.5;
+  effects.at("find", "log_seconds") = 1.5;
   const std::vector<TrialRecord> alike = generate(effects, 2);
-  effects.find.itemViewSd = 0.5;
+  effects.at("find", "item_view_sd") = 0.5;
   const std::vector<TrialRecord> differing = generate(effects, 2);
   std::map<std::pair<std::string, int>, double> halves;  // by case and session, of the first subject
   const size_t eachSession = alike.size() / 4;
@@ -220,22 +227,6 @@ TEST(DataGenerator, effectsOfTheViewThatDifferLeaveTheOtherDrawsAsTheyAre) {
     }
   }
   EXPECT_EQ(halves.size(), 8U);
-}
-
-TEST(DataGenerator, readsEffectsBackAndRejectsUnknownOnes) {
-  const test::TemporaryFolder folder;
-  GeneratorEffects effects;
-  effects.find.graph = -0.7;
-  effects.path.itemSd = 0;
-  effects.find.itemViewSd = 0.8;
-  effects.count.itemViewSd = 0.3;
-  effects.path.itemViewSd = 0.2;
-  writeFile(folder / "effects.json", jsonText(effects));
-  EXPECT_EQ(readGeneratorEffects(folder / "effects.json"), effects);
-  writeFile(folder / "wrong.json", R"({"find": {"grapf": 1}})");
-  EXPECT_THROW(readGeneratorEffects(folder / "wrong.json"), InputError);
-  writeFile(folder / "negative.json", R"({"find": {"item_view_sd": -1}})");
-  EXPECT_THROW(readGeneratorEffects(folder / "negative.json"), InputError);
 }
 
 }  // namespace

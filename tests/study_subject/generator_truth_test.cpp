@@ -38,10 +38,10 @@ Protocol protocolOfFindAndCount() {
 TEST(GeneratorTruth, SharesAreThoseOfManySubjectsAndCases) {
   const Protocol protocol = protocolOfFindAndCount();
   GeneratorEffects effects;
-  effects.count.right = -0.5;
-  effects.count.subjectSd = 1.2;
-  effects.count.itemSd = 0.8;
-  effects.count.itemViewSd = 4;
+  effects.at("count", "right") = -0.5;
+  effects.at("count", "subject_sd") = 1.2;
+  effects.at("count", "item_sd") = 0.8;
+  effects.at("count", "item_view_sd") = 4;
   std::array<double, 2> right{};
   std::array<double, 2> trials{};
   constexpr uint64_t kStudies = 3000;  // cases are new in each
@@ -71,13 +71,12 @@ TEST(GeneratorTruth, SharesWithoutSpreadAreThoseOfTheLogit) {
   Protocol protocol = protocolOfFindAndCount();
   protocol.sessions = 1;
   GeneratorEffects effects;
-  effects.count = {};
-  effects.count.right = 1;
-  effects.count.graph = 0.5;
-  effects.count.duplicates = 0;
-  effects.count.doubledExposure = 0;
-  effects.count.subjectSd = 0;
-  effects.count.itemSd = 0;
+  effects.at("count", "right") = 1;
+  effects.at("count", "graph") = 0.5;
+  effects.at("count", "duplicates") = 0;
+  effects.at("count", "doubled_exposure") = 0;
+  effects.at("count", "subject_sd") = 0;
+  effects.at("count", "item_sd") = 0;
   EXPECT_NEAR(shareRight(protocol, effects, "count", StudyView::kPinhole), 1 / (1 + std::exp(-1.0)), 1e-12);
   EXPECT_NEAR(shareRight(protocol, effects, "count", StudyView::kGraph), 1 / (1 + std::exp(-1.5)), 1e-12);
 }
@@ -85,11 +84,11 @@ TEST(GeneratorTruth, SharesWithoutSpreadAreThoseOfTheLogit) {
 TEST(GeneratorTruth, TimesAreGeometricMeansOverCasesAndSessions) {
   const Protocol protocol = protocolOfFindAndCount();
   GeneratorEffects effects;
-  effects.find.logSeconds = 2;
-  effects.find.graph = -0.4;
-  effects.find.session = -0.2;
-  EXPECT_NEAR(geometricMeanSeconds(protocol, effects, StudyView::kPinhole), std::exp(2 - 0.1), 1e-12);
-  EXPECT_NEAR(geometricMeanSeconds(protocol, effects, StudyView::kGraph), std::exp(2 - 0.1 - 0.4), 1e-12);
+  effects.at("find", "log_seconds") = 2;
+  effects.at("find", "graph") = -0.4;
+  effects.at("find", "session") = -0.2;
+  EXPECT_NEAR(geometricMeanSeconds(protocol, effects, "find", StudyView::kPinhole), std::exp(2 - 0.1), 1e-12);
+  EXPECT_NEAR(geometricMeanSeconds(protocol, effects, "find", StudyView::kGraph), std::exp(2 - 0.1 - 0.4), 1e-12);
 }
 
 TEST(GeneratorTruth, AProtocolWithoutTheTaskIsRejected) {

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <stdexcept>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/scene/maze_file.h"
+#include "study/tasks/task_registry.h"
 #include "tests/study_task/study_maze_plan.h"
 
 namespace ocelli::test {
@@ -21,24 +23,11 @@ TaskSetting studySetting() {
   return setting;
 }
 
-namespace {
-
-const TaskKind& kindOf(const std::string& task) {
-  for (const TaskKind& kind : taskKinds()) {
-    if (kind.name == task) {
-      return kind;
-    }
-  }
-  throw std::logic_error("no task of this name");
-}
-
-}  // namespace
-
 std::shared_ptr<const TaskBlock> readBlock(const std::string& task, const std::string& json,
                                            const TaskSetting& setting) {
   const nlohmann::json value = parseJson(json, "block");
   JsonFields fields(value, "block");
-  auto block = kindOf(task).read(fields, "cases", setting);
+  auto block = taskKind(task, "test").read(fields, "cases", setting);
   fields.rejectUnknown();
   return block;
 }
@@ -71,9 +60,24 @@ const std::vector<TaskExample>& taskExamples() {
            "cases": [{"objects": 5, "exposure_seconds": 2}, {"objects": 7, "exposure_seconds": 1}]})"},
       {"path", "path",
        R"({"maze": "small", "meters_per_second": 6, "turns": 3, "least_seconds": 4, "most_seconds": 7,
-           "answer_limit_seconds": 2, "cases": [{"label": "first"}, {"label": "second"}]})"},
+           "answer_limit_seconds": 6, "cases": [{"label": "first"}, {"label": "second"}]})"},
+      {"nearer", "nearer", R"({"maze": "small", "answer_limit_seconds": 8,
+           "start": {"row": 2, "column": 0, "heading": "east"}, "cases": [
+           {"label": "near", "left": {"row": 2, "column": 2, "south": -0.25},
+                             "right": {"row": 2, "column": 4, "south": 0.25}},
+           {"label": "far", "left": {"row": 2, "column": 5, "south": -0.25},
+                            "right": {"row": 2, "column": 3, "south": 0.25}}]})"},
   };
   return examples;
+}
+
+const TaskExample& taskExample(const std::string& name) {
+  for (const TaskExample& example : taskExamples()) {
+    if (example.name == name) {
+      return example;
+    }
+  }
+  throw std::logic_error("no example of this name");
 }
 
 TrialPlan planOf(const std::string& task, int caseIndex, StudyView view, uint64_t seed) {

@@ -26,6 +26,7 @@ struct TaskExample {
   std::string json;
 };
 const std::vector<TaskExample>& taskExamples();
+const TaskExample& taskExample(const std::string& name);
 
 TrialPlan planOf(const std::string& task, int caseIndex, StudyView view, uint64_t seed = 7);
 

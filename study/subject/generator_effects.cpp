@@ -1,0 +1,111 @@
+#include "study/subject/generator_effects.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
+#include "study/tasks/task_registry.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kLargestEffect = 20;  // more makes every answer the same
+constexpr const char* kWhereEffects = "effects of the generator";
+
+size_t indexOf(const TaskKind& kind, const std::string& effect) {
+  if (const std::optional<size_t> index = kind.generator.indexOf(effect)) {
+    return *index;
+  }
+  std::string names;
+  for (const GeneratorEffect& each : kind.generator.effects) {
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", each.name);
+  }
+  throw InputError(fmt::format("the task {} has no effect \"{}\"", kind.name, effect), kWhereEffects,
+                   fmt::format("its effects are {}", names));
+}
+
+bool isDeviation(const GeneratorEffect& effect) {
+  return effect.covariate == nullptr;
+}
+
+}  // namespace
+
+GeneratorEffects::GeneratorEffects() {
+  for (const TaskKind& kind : taskKinds()) {
+    std::vector<double>& values = values_[kind.name];
+    for (const GeneratorEffect& effect : kind.generator.effects) {
+      values.push_back(effect.value);
+    }
+  }
+}
+
+const std::vector<double>& GeneratorEffects::of(const std::string& task) const {
+  return values_.at(taskKind(task, kWhereEffects).name);
+}
+
+double& GeneratorEffects::at(const std::string& task, const std::string& effect) {
+  const TaskKind& kind = taskKind(task, kWhereEffects);
+  return values_.at(kind.name)[indexOf(kind, effect)];
+}
+
+double GeneratorEffects::at(const std::string& task, const std::string& effect) const {
+  const TaskKind& kind = taskKind(task, kWhereEffects);
+  return values_.at(kind.name)[indexOf(kind, effect)];
+}
+
+double GeneratorEffects::valueOr0(const std::string& task, const std::string& effect) const {
+  const TaskKind& kind = taskKind(task, kWhereEffects);
+  const std::optional<size_t> index = kind.generator.indexOf(effect);
+  return index ? values_.at(kind.name)[*index] : 0;
+}
+
+double fixedPart(const GeneratorEffects& effects, const GeneratedTrial& trial) {
+  const std::vector<GeneratorEffect>& model = taskKind(trial.task, kWhereEffects).generator.effects;
+  const std::vector<double>& values = effects.of(trial.task);
+  double sum = 0;
+  for (size_t i = 0; i < model.size(); ++i) {
+    sum += isDeviation(model[i]) ? 0 : values[i] * model[i].covariate(trial);
+  }
+  return sum;
+}
+
+GeneratorEffects readGeneratorEffects(const std::filesystem::path& file) {
+  return readAs("docs/simulated_subjects.md", [&] {
+    const nlohmann::json json = readJsonFile(file);
+    JsonFields fields(json, file.string());
+    GeneratorEffects effects;
+    for (const TaskKind& kind : taskKinds()) {
+      if (!fields.has(kind.name)) {
+        continue;
+      }
+      JsonFields inner(fields.value(kind.name), fmt::format("{}, \"{}\"", fields.where(), kind.name));
+      for (const GeneratorEffect& effect : kind.generator.effects) {
+        double& value = effects.at(kind.name, effect.name);
+        value = inner.number(effect.name, isDeviation(effect) ? 0 : -kLargestEffect, kLargestEffect, value);
+      }
+      inner.rejectUnknown();
+    }
+    fields.rejectUnknown();
+    return effects;
+  });
+}
+
+std::string jsonText(const GeneratorEffects& effects, const Protocol& protocol) {
+  nlohmann::ordered_json json;
+  for (const TaskKind& kind : taskKinds()) {
+    const bool isInProtocol = std::any_of(protocol.blocks.begin(), protocol.blocks.end(),
+                                          [&](const ProtocolBlock& block) { return block.taskName == kind.name; });
+    if (!isInProtocol && !kind.generator.recordedAlways) {
+      continue;
+    }
+    for (const GeneratorEffect& effect : kind.generator.effects) {
+      json[kind.name][effect.name] = effects.at(kind.name, effect.name);
+    }
+  }
+  return json.dump();
+}
+
+}  // namespace ocelli

@@ -1,0 +1,45 @@
+// The effects of the data-only subject (data_generator.h) as numbers: one for each that the model of a task names
+// (study/tasks/generator_model.h).
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "study/protocol/protocol.h"
+#include "study/tasks/generator_model.h"
+
+namespace ocelli {
+
+class GeneratorEffects {
+ public:
+  /// All tasks, with the values of their rows.
+  GeneratorEffects();
+
+  /// Throws InputError for a task or an effect that is unknown.
+  double& at(const std::string& task, const std::string& effect);
+  double at(const std::string& task, const std::string& effect) const;
+  /// 0 where the model of the task has no such number.
+  double valueOr0(const std::string& task, const std::string& effect) const;
+  /// Of a task, in the order of its model. Throws InputError.
+  const std::vector<double>& of(const std::string& task) const;
+
+  bool operator==(const GeneratorEffects&) const = default;
+
+ private:
+  std::map<std::string, std::vector<double>> values_;
+};
+
+/// The sum of the fixed effects: of a subject and a case without effects of their own.
+double fixedPart(const GeneratorEffects& effects, const GeneratedTrial& trial);
+
+/// From a JSON file with an object for each task, such as {"find": {"graph": -0.3}}; what is missing stays as it is by
+/// default. Throws InputError.
+GeneratorEffects readGeneratorEffects(const std::filesystem::path& file);
+
+/// As JSON text with the same fields, for the record of a simulated subject: of the tasks of the protocol, and of those
+/// that are always recorded.
+std::string jsonText(const GeneratorEffects& effects, const Protocol& protocol);
+
+}  // namespace ocelli

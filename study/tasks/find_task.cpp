@@ -1,0 +1,261 @@
+// Find an object (section 7.3.1): one walks through a maze and clicks on it, as soon as possible. It stands in a place,
+// or walks about from there.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "oc_core/base/check.h"
+#include "oc_core/base/json_fields.h"
+#include "study/task/eye_camera.h"
+#include "study/task/object_picker.h"
+#include "study/task/object_walk.h"
+#include "study/task/task_fields.h"
+#include "study/task/task_layout.h"
+#include "study/task/task_pointer.h"
+#include "study/task/walker.h"
+#include "study/tasks/find_images.h"
+#include "study/tasks/find_policy.h"
+#include "study/tasks/task_registry.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kTypicalSeconds = 20;
+
+struct FindCase {
+  std::string label;
+  Landmark object;
+};
+
+struct FindOptions {
+  double limitSeconds = 60;
+  double clickTolerancePixels = 6;
+  std::optional<double> movingMetersPerSecond{};
+  WalkerPose start{};
+  EyeCameraOptions camera{};
+};
+
+/// All that the trials of a block share. One scene shows all cases: its object is moved to where it stands.
+class FindBlock : public TaskBlock {
+ public:
+  FindBlock(const Maze& maze, const Controls& controls, const FindOptions& options, std::vector<FindCase> cases)
+      : maze_(maze),
+        controls_(controls),
+        options_(options),
+        cases_(std::move(cases)),
+        plan_(maze, controls.bodyRadiusMeters),
+        camera_(maze, controls, options.camera),
+        scene_(withObject(maze, cases_.front().object)),
+        picker_(scene_) {}
+
+  int caseCount() const override { return static_cast<int>(cases_.size()); }
+  CaseInfo caseInfo(int caseIndex) const override {
+    CaseInfo info;
+    info.label = caseOf(caseIndex).label;
+    info.moving = options_.movingMetersPerSecond.has_value();
+    info.objects = 1;
+    info.longestSeconds = options_.limitSeconds;
+    info.typicalSeconds = std::min(kTypicalSeconds, options_.limitSeconds);
+    return info;
+  }
+  std::string answerOf(const TrialPlan& plan) const override {
+    return "object at " + placeName(caseOf(plan.caseIndex).object.cell);
+  }
+  std::unique_ptr<TrialRun> start(const TrialPlan& plan, const TrialScreen& screen) const override;
+
+  const Maze& maze() const { return maze_; }
+  const Controls& controls() const { return controls_; }
+  const FindOptions& options() const { return options_; }
+  const FloorPlan& plan() const { return plan_; }
+  const EyeCamera& camera() const { return camera_; }
+  const StudyScene& scene() const { return scene_; }
+  const ObjectPicker& picker() const { return picker_; }
+  const FindCase& caseOf(int index) const {
+    OC_CHECK(index >= 0 && index < caseCount(), "a trial is of a case of its block");
+    return cases_[static_cast<size_t>(index)];
+  }
+  /// (x, z) of an object.
+  glm::dvec2 placeOf(const Landmark& object) const {
+    const glm::vec3 place = maze_.centerOf(object.cell) + maze_.cellSize * glm::vec3(object.east, 0, object.south);
+    return {static_cast<double>(place.x), static_cast<double>(place.z)};
+  }
+  /// From where the object of the scene stands.
+  glm::vec3 offsetTo(const glm::dvec2& place) const {
+    const glm::dvec2 by = place - placeOf(cases_.front().object);
+    return {static_cast<float>(by.x), 0, static_cast<float>(by.y)};
+  }
+
+ private:
+  static Maze withObject(Maze maze, const Landmark& object) {
+    maze.landmarks = {object};
+    return maze;
+  }
+
+  Maze maze_;
+  Controls controls_;
+  FindOptions options_;
+  std::vector<FindCase> cases_;
+  FloorPlan plan_;
+  EyeCamera camera_;
+  StudyScene scene_;
+  ObjectPicker picker_;
+};
+
+class FindRun : public TrialRun {
+ public:
+  FindRun(const FindBlock& block, const TrialPlan& plan, const TrialScreen& screen)
+      : block_(block),
+        view_(plan.view),
+        expected_(block.answerOf(plan)),
+        stage_(stageOf(screen)),
+        place_(block.placeOf(block.caseOf(plan.caseIndex).object)),
+        walker_(block_.plan(), block_.controls(), block_.options().start),
+        pointer_(stage_, block_.controls()) {
+    if (const std::optional<double> speed = block.options().movingMetersPerSecond) {
+      const ObjectWalk::Start start{block.caseOf(plan.caseIndex).object.cell, place_};
+      walk_.emplace(block_.maze(), std::span(&start, 1), *speed, plan.seed);
+    }
+  }
+
+  void handle(const InputEvent& event) override {
+    if (outcome_) {
+      return;
+    }
+    const bool isClick = pointer_.isClick(event);
+    walker_.handle(event);
+    pointer_.handle(event);
+    if (isClick) {
+      click();
+    }
+  }
+  void advance() override {
+    if (outcome_) {
+      return;
+    }
+    ++tick_;
+    walker_.advance();
+    pointer_.advance();
+    if (walk_) {
+      walk_->advance();
+      place_ = walk_->place(0);
+    }
+    if (tick_ >= ticksOf(block_.options().limitSeconds)) {
+      finish(false);
+    }
+  }
+  void frameShown() override {}
+
+  TrialLayout layout() const override {
+    TrialLayout layout;
+    layout.scene = &block_.scene();
+    layout.objectOffsets = {block_.offsetTo(place_)};
+    layout.views.push_back({stage_, camera()});
+    layout.prompt = "Find the object and click on it";
+    layout.targetObject = 0;
+    layout.pointer = pointer_.place();
+    return layout;
+  }
+  WalkerPose pose() const override { return walker_.pose(); }
+  std::optional<TrialOutcome> outcome() const override { return outcome_; }
+
+ private:
+  StudyCamera camera() const { return block_.camera().at(walker_.pose(), view_, sizeOf(stage_)); }
+
+  void click() {
+    const glm::dvec2 pixel = pointer_.place() - glm::dvec2(stage_.left, stage_.top);
+    if (block_.picker().isUnder(camera(), pixel, block_.options().clickTolerancePixels, 0, block_.offsetTo(place_))) {
+      finish(true);
+    } else {
+      ++wrongClicks_;
+    }
+  }
+  void finish(bool found) {
+    TrialOutcome outcome;
+    outcome.expected = expected_;
+    outcome.answer = found ? expected_ : "";
+    outcome.correct = found;
+    outcome.censored = !found;
+    outcome.responseTicks = tick_;
+    outcome.measures = {{"wrong_clicks", wrongClicks_},
+                        {"path_length_m", walker_.pathMeters()},
+                        {"turned_degrees", walker_.turnedDegrees()},
+                        {"collisions", walker_.collisions()}};
+    outcome_ = std::move(outcome);
+  }
+
+  const FindBlock& block_;
+  StudyView view_;
+  std::string expected_;
+  PixelRect stage_;
+  glm::dvec2 place_;  ///< of the object, (x, z)
+  Walker walker_;
+  TaskPointer pointer_;
+  std::optional<ObjectWalk> walk_{};
+  int64_t tick_ = 0;
+  int wrongClicks_ = 0;
+  std::optional<TrialOutcome> outcome_{};
+};
+
+std::unique_ptr<TrialRun> FindBlock::start(const TrialPlan& plan, const TrialScreen& screen) const {
+  return std::make_unique<FindRun>(*this, plan, screen);
+}
+
+std::shared_ptr<const TaskBlock> readFindTask(JsonFields& fields, const std::string& caseField,
+                                              const TaskSetting& setting) {
+  const Maze& maze = readMazeOf(fields, setting);
+  FindOptions options;
+  options.limitSeconds = fields.number("limit_seconds", 1, 3600, options.limitSeconds);
+  options.clickTolerancePixels = fields.number("click_tolerance_pixels", 0, 200, options.clickTolerancePixels);
+  options.movingMetersPerSecond = readMoving(fields);
+  options.start = readStart(fields, maze);
+  options.camera = readEyeCameraOptions(fields);
+  const ObjectLook look = readObjectLook(fields, true);
+  std::vector<FindCase> cases;
+  readCases(fields, caseField, [&](JsonFields& each, const std::string& label) {
+    Landmark object;
+    object.cell = readCell(each, maze);
+    object.shape = look.shape;
+    object.color = look.color;
+    object.east = static_cast<float>(each.number("east", -0.5, 0.5, 0));
+    object.south = static_cast<float>(each.number("south", -0.5, 0.5, 0));
+    Maze withObject = maze;
+    withObject.landmarks = {object};
+    validate(withObject, each.where());
+    cases.push_back({label, object});
+  });
+  return std::make_shared<FindBlock>(maze, setting.controls, options, std::move(cases));
+}
+
+std::unique_ptr<TaskPolicy> findPolicy(const PolicySetting& setting) {
+  return std::make_unique<FindPolicy>(setting.vision, setting.controls, setting.objectsMove, setting.memory(),
+                                      setting.seed);
+}
+
+double movingCovariate(const GeneratedTrial& trial) {
+  return trial.info.moving ? 1 : 0;
+}
+
+}  // namespace
+
+TaskKind findTask() {
+  return {.name = "find",
+          .description = "walk through a maze and click on an object",
+          .outcome = OutcomeKind::kTime,
+          .read = readFindTask,
+          .policy = findPolicy,
+          .generator = {.effects = {{"log_seconds", 2.5, "log seconds with the pinhole in the first session",
+                                     levelCovariate},
+                                    {kGraphEffect, -0.3, "the graph camera", graphCovariate},
+                                    {"moving", -0.3, "moving objects", movingCovariate},
+                                    {"session", -0.1, "each further session", sessionCovariate},
+                                    {kSubjectSd, 0.25, "between subjects"},
+                                    {kSubjectGraphSd, 0.1, "between subjects in the effect of the graph camera"},
+                                    {kItemSd, 0.35, "between cases"},
+                                    {kItemViewSd, 0, "between cases in the effect of the view"},
+                                    {kResidualSd, 0.45, "between searches of one subject for one case"}},
+                        .recordedAlways = true},
+          .images = findImages()};
+}
+
+}  // namespace ocelli

@@ -1,0 +1,67 @@
+// What the data-only subject (study/subject/data_generator.h) knows of a task: the effects on its outcomes, as named
+// numbers.
+//
+//   y = sum of effect * covariate(trial), over the fixed effects
+//       + subject + subjectGraph * [gc] + item + itemView * ([gc] - 1/2)
+//
+// y is the mean of log seconds, or the logit of a right answer (task_registry.h, OutcomeKind); of log seconds there is
+// a residual too. The last four and the residual are normal with mean 0. Items are the cases of a block in a session,
+// the same for all subjects. "itemView" is by how much the effect of the view on an item differs from the mean effect;
+// half of it counts for each view, so that without an effect of the view times and shares of all items are the same in
+// both views.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oc_core/base/random.h"
+#include "study/task/task.h"
+
+namespace ocelli {
+
+/// A trial as far as effects ask for it.
+struct GeneratedTrial {
+  std::string task;
+  StudyView view = StudyView::kPinhole;
+  CaseInfo info;
+  int session = 0;  ///< from 0
+};
+
+struct GeneratorEffect {
+  const char* name;  ///< in JSON
+  double value;      ///< where none is given; made up: nothing is known of people by it
+  const char* meaning;
+  /// What a fixed effect is multiplied by; nothing for a standard deviation.
+  double (*covariate)(const GeneratedTrial& trial) = nullptr;
+};
+
+// Names that mean the same in all tasks. A model without "subject_graph_sd" or "residual_sd" draws no such numbers.
+inline constexpr const char* kGraphEffect = "graph";
+inline constexpr const char* kSubjectSd = "subject_sd";
+inline constexpr const char* kSubjectGraphSd = "subject_graph_sd";
+inline constexpr const char* kItemSd = "item_sd";
+inline constexpr const char* kItemViewSd = "item_view_sd";
+inline constexpr const char* kResidualSd = "residual_sd";
+
+struct GeneratorModel {
+  /// In the order of their sum. The first is the level: y of the pinhole in the first session. All models have
+  /// "graph", "subject_sd", "item_sd" and "item_view_sd".
+  std::vector<GeneratorEffect> effects;
+  /// Another answer than the one expected, which is empty where the generator does not tell answers. None for tasks
+  /// whose outcome is a time.
+  std::string (*wrongAnswer)(const std::string& expected, Random& random) = nullptr;
+  /// Stands in the record of each simulated subject, whether its protocol has the task or not: as databases have it
+  /// that are older than the registry. New tasks leave it.
+  bool recordedAlways = false;
+
+  /// Index of an effect; nothing where the model has none of this name.
+  std::optional<size_t> indexOf(std::string_view name) const;
+};
+
+double levelCovariate(const GeneratedTrial& trial);    ///< 1
+double graphCovariate(const GeneratedTrial& trial);    ///< 1 with the graph camera, else 0
+double sessionCovariate(const GeneratedTrial& trial);  ///< sessions before
+
+}  // namespace ocelli

@@ -1,0 +1,413 @@
+// Which of two is nearer: two objects that look alike stand in sight, one to the left of the other in the image, and
+// one says which of them is nearer to where one stands. Nobody walks. It asks how well distances can be judged in the
+// views of a camera whose rays bend.
+//
+// Not of the source: the smallest task that uses all of a row. The answer is that of straight lines on the floor.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "oc_core/base/check.h"
+#include "oc_core/base/json_fields.h"
+#include "oc_core/render/identity_image.h"
+#include "oc_core/scene/maze_file.h"
+#include "study/task/choice_list.h"
+#include "study/task/eye_camera.h"
+#include "study/task/task_fields.h"
+#include "study/task/task_layout.h"
+#include "study/task/trial_image.h"
+#include "study/tasks/task_registry.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kTypicalNearerSeconds = 3;
+/// Distances that differ by less have no right answer, metres.
+constexpr double kMinDistanceDifference = 0.1;
+/// What a case is tried on when it is read. Each object must show with so many pixels.
+constexpr TrialScreen kNearerTrialScreen{640, 400, 60};
+constexpr size_t kMinNearerPixels = 40;
+
+enum Side : size_t { kLeftSide, kRightSide };
+constexpr std::array<const char*, 2> kSideNames{"left", "right"};
+constexpr std::array<Key, 2> kSideKeys{Key::kLeft, Key::kRight};
+
+struct NearerCase {
+  std::string label;
+  std::array<Landmark, 2> objects;  ///< by Side
+};
+
+struct NearerOptions {
+  double answerLimitSeconds = 20;
+  WalkerPose start{};
+  EyeCameraOptions camera{};
+};
+
+/// The views lie above the two choices.
+struct NearerStage {
+  explicit NearerStage(const TrialScreen& screen) {
+    constexpr double kChoicesShare = 0.14;
+    constexpr double kMargin = 0.15;  // of the choices' height, around them
+    const PixelRect stage = stageOf(screen);
+    const double height = std::floor(kChoicesShare * stage.height);
+    const double margin = std::floor(kMargin * height);
+    view = {stage.left, stage.top, stage.width, stage.height - height};
+    choices = gridOf({stage.left + margin, view.bottom() + margin, stage.width - 2 * margin, height - 2 * margin}, 1, 2,
+                     kMargin);
+  }
+
+  PixelRect view;
+  std::vector<PixelRect> choices;  ///< by Side
+};
+
+/// One scene shows all cases: its objects are moved to where they stand.
+class NearerBlock : public TaskBlock {
+ public:
+  NearerBlock(const Maze& maze, const Controls& controls, const NearerOptions& options, std::vector<NearerCase> cases)
+      : maze_(maze),
+        controls_(controls),
+        options_(options),
+        cases_(std::move(cases)),
+        camera_(maze, controls, options.camera),
+        scene_(withObjects(maze, cases_.front())) {}
+
+  int caseCount() const override { return static_cast<int>(cases_.size()); }
+  CaseInfo caseInfo(int caseIndex) const override {
+    CaseInfo info;
+    info.label = caseOf(caseIndex).label;
+    info.objects = 2;
+    info.longestSeconds = options_.answerLimitSeconds;
+    info.typicalSeconds = std::min(kTypicalNearerSeconds, options_.answerLimitSeconds);
+    return info;
+  }
+  std::string answerOf(const TrialPlan& plan) const override { return kSideNames[nearerSide(plan.caseIndex)]; }
+  std::unique_ptr<TrialRun> start(const TrialPlan& plan, const TrialScreen& screen) const override;
+
+  static Maze withObjects(Maze maze, const NearerCase& of) {
+    maze.landmarks.assign(of.objects.begin(), of.objects.end());
+    return maze;
+  }
+
+  const Controls& controls() const { return controls_; }
+  const NearerOptions& options() const { return options_; }
+  /// Metres on the floor.
+  double distanceTo(int caseIndex, Side side) const {
+    return glm::distance(placeOf(caseOf(caseIndex).objects[side]), {options_.start.x, options_.start.z});
+  }
+  Side nearerSide(int caseIndex) const {
+    return distanceTo(caseIndex, kLeftSide) < distanceTo(caseIndex, kRightSide) ? kLeftSide : kRightSide;
+  }
+  /// All but choices and prompt.
+  TrialLayout layoutOf(int caseIndex, StudyView view, const NearerStage& stage) const {
+    TrialLayout layout;
+    layout.scene = &scene_;
+    for (const Side side : {kLeftSide, kRightSide}) {
+      const glm::dvec2 by = placeOf(caseOf(caseIndex).objects[side]) - placeOf(cases_.front().objects[side]);
+      layout.objectOffsets.emplace_back(by.x, 0, by.y);
+    }
+    layout.views.push_back({stage.view, camera_.at(options_.start, view, sizeOf(stage.view))});
+    return layout;
+  }
+
+ private:
+  const NearerCase& caseOf(int index) const {
+    OC_CHECK(index >= 0 && index < caseCount(), "a trial is of a case of its block");
+    return cases_[static_cast<size_t>(index)];
+  }
+  /// (x, z).
+  glm::dvec2 placeOf(const Landmark& object) const {
+    const glm::vec3 place = maze_.centerOf(object.cell) + maze_.cellSize * glm::vec3(object.east, 0, object.south);
+    return {static_cast<double>(place.x), static_cast<double>(place.z)};
+  }
+
+  Maze maze_;
+  Controls controls_;
+  NearerOptions options_;
+  std::vector<NearerCase> cases_;
+  EyeCamera camera_;
+  StudyScene scene_;
+};
+
+class NearerRun : public TrialRun {
+ public:
+  NearerRun(const NearerBlock& block, const TrialPlan& plan, const TrialScreen& screen)
+      : block_(block),
+        case_(plan.caseIndex),
+        expected_(block.answerOf(plan)),
+        layout_(block.layoutOf(plan.caseIndex, plan.view, NearerStage(screen))),
+        pointer_(wholeScreen(screen), block.controls()),
+        choices_(choicesOf(NearerStage(screen))) {
+    layout_.prompt = "Which of the two is nearer to you?";
+  }
+
+  void handle(const InputEvent& event) override {
+    if (outcome_) {
+      return;
+    }
+    const std::optional<int> chosen = choices_.handle(event, pointer_);
+    pointer_.handle(event);
+    if (chosen) {
+      finish(kSideNames[static_cast<size_t>(*chosen)]);
+    }
+  }
+  void advance() override {
+    if (outcome_) {
+      return;
+    }
+    ++tick_;
+    pointer_.advance();
+    if (tick_ >= ticksOf(block_.options().answerLimitSeconds)) {
+      finish("");
+    }
+  }
+  void frameShown() override {}
+
+  TrialLayout layout() const override {
+    TrialLayout layout = layout_;
+    layout.choices = choices_.choices();
+    layout.pointer = pointer_.place();
+    return layout;
+  }
+  WalkerPose pose() const override { return block_.options().start; }
+  std::optional<TrialOutcome> outcome() const override { return outcome_; }
+
+ private:
+  static std::vector<TrialLayout::Choice> choicesOf(const NearerStage& stage) {
+    std::vector<TrialLayout::Choice> choices;
+    for (const Side side : {kLeftSide, kRightSide}) {
+      choices.push_back({stage.choices[side], fmt::format("the {} one", kSideNames[side]), kSideKeys[side]});
+    }
+    return choices;
+  }
+
+  void finish(const std::string& answer) {
+    TrialOutcome outcome;
+    outcome.expected = expected_;
+    outcome.answer = answer;
+    outcome.correct = answer == expected_;
+    outcome.censored = answer.empty();
+    outcome.responseTicks = tick_;
+    outcome.measures = {{"left_distance_m", block_.distanceTo(case_, kLeftSide)},
+                        {"right_distance_m", block_.distanceTo(case_, kRightSide)}};
+    outcome_ = std::move(outcome);
+  }
+
+  const NearerBlock& block_;
+  int case_;
+  std::string expected_;
+  TrialLayout layout_;
+  TaskPointer pointer_;
+  ChoiceList choices_;
+  int64_t tick_ = 0;
+  std::optional<TrialOutcome> outcome_{};
+};
+
+std::unique_ptr<TrialRun> NearerBlock::start(const TrialPlan& plan, const TrialScreen& screen) const {
+  return std::make_unique<NearerRun>(*this, plan, screen);
+}
+
+/// Throws unless the case has a right answer that each view can show: distances that differ, and both objects in sight,
+/// one wholly to the left of the other.
+void checkCase(const NearerBlock& block, int index, const std::string& where) {
+  const std::string of = fmt::format("{}, case \"{}\"", where, block.caseInfo(index).label);
+  const double difference = block.distanceTo(index, kLeftSide) - block.distanceTo(index, kRightSide);
+  if (std::abs(difference) < kMinDistanceDifference) {
+    throw InputError(fmt::format("the two objects are {:.2f} m and {:.2f} m away: neither is nearer",
+                                 block.distanceTo(index, kLeftSide), block.distanceTo(index, kRightSide)),
+                     of, fmt::format("let them differ by {:g} m or more", kMinDistanceDifference));
+  }
+  for (const StudyView view : kStudyViews) {
+    const TrialLayout layout = block.layoutOf(index, view, NearerStage(kNearerTrialScreen));
+    const FragmentImage image = rasterizeStudy(layout.views.front().camera, meshOf(layout));
+    std::array<ObjectSighting, 2> seen{};  // by Side
+    for (const ObjectSighting& each : sightings(identityImage(image, layout.scene->objectOfTriangle()))) {
+      seen[each.object - 1] = each;
+    }
+    for (const Side side : {kLeftSide, kRightSide}) {
+      if (seen[side].pixels < kMinNearerPixels) {
+        throw InputError(
+            fmt::format("the view {} shows {} pixels of the {} object on a screen of {} x {}", nameOf(view),
+                        seen[side].pixels, kSideNames[side], kNearerTrialScreen.width, kNearerTrialScreen.height),
+            of, "move it to where both views show it, or change \"start\", \"portals\" or the maze");
+      }
+    }
+    if (seen[kLeftSide].upper.x >= seen[kRightSide].lower.x) {
+      throw InputError(
+          fmt::format("the view {} does not show the left object wholly to the left of the right one", nameOf(view)),
+          of, "change their \"east\" and \"south\", or which of them is \"left\"");
+    }
+  }
+}
+
+Landmark readObject(JsonFields& fields, const char* name, const Maze& maze, const ObjectLook& look) {
+  JsonFields of(fields.value(name), fmt::format("{}, \"{}\"", fields.where(), name));
+  Landmark object;
+  object.cell = readCell(of, maze);
+  object.shape = look.shape;
+  object.color = look.color;
+  object.east = static_cast<float>(of.number("east", -0.5, 0.5, 0));
+  object.south = static_cast<float>(of.number("south", -0.5, 0.5, 0));
+  of.rejectUnknown();
+  return object;
+}
+
+std::shared_ptr<const TaskBlock> readNearerTask(JsonFields& fields, const std::string& caseField,
+                                                const TaskSetting& setting) {
+  const Maze& maze = readMazeOf(fields, setting);
+  NearerOptions options;
+  options.answerLimitSeconds = fields.number("answer_limit_seconds", 1, 3600, options.answerLimitSeconds);
+  options.start = readStart(fields, maze);
+  options.camera = readEyeCameraOptions(fields);
+  const ObjectLook look = readObjectLook(fields, true);
+  std::vector<NearerCase> cases;
+  readCases(fields, caseField, [&](JsonFields& each, const std::string& label) {
+    const NearerCase of{
+        label,
+        {readObject(each, kSideNames[kLeftSide], maze, look), readObject(each, kSideNames[kRightSide], maze, look)}};
+    validate(NearerBlock::withObjects(maze, of), each.where());
+    cases.push_back(of);
+  });
+  auto block = std::make_shared<NearerBlock>(maze, setting.controls, options, std::move(cases));
+  for (int i = 0; i < block->caseCount(); ++i) {
+    checkCase(*block, i, fields.where());
+  }
+  return block;
+}
+
+/// How a simulated observer does it: it looks at one object after the other and takes the taller one for the nearer, as
+/// they look alike. It misjudges heights by a share that is a guess, and does not know of bent rays.
+class NearerPolicy final : public TaskPolicy {
+ public:
+  NearerPolicy(const Vision& vision, uint64_t seed) : vision_(vision), random_(seed) {}
+
+  bool wantsFloor() const override { return false; }
+  double effort(double seconds) const override { return seconds; }
+
+  double think(const Percept& seen, int64_t from, int64_t now, MotorModel& motor) override {
+    if (seen.views.empty() || seen.choices.size() != judged_.size() || now < answersAgainAt_) {
+      return 0;
+    }
+    if (!began_) {
+      began_ = from;
+      gaze_ = seen.views.front().center();
+    }
+    const std::array<const Sighting*, 2> objects = objectsOf(seen);
+    for (const Side side : {kLeftSide, kRightSide}) {
+      const Sighting* object = objects[side];
+      if (object != nullptr && vision_.degrees(object->centroid, gaze_) <= kJudgedDegrees) {
+        judged_[side] = std::log(object->upper.y - object->lower.y) + normal(random_, 0, kHeightSpread);
+      }
+    }
+    if ((judged_[kLeftSide] && judged_[kRightSide]) || secondsOf(now - *began_) > kMaxLookSeconds) {
+      answer(seen, now, motor);
+      return 0;
+    }
+    const Side next = judged_[kLeftSide] ? kRightSide : kLeftSide;
+    // What does not stand out from here may do so from elsewhere: the middle of its side.
+    const PixelRect& view = seen.views.front();
+    const double side = next == kLeftSide ? -0.25 : 0.25;
+    gaze_ = objects[next] != nullptr ? objects[next]->centroid : view.center() + glm::dvec2(side * view.width, 0);
+    return 0;
+  }
+
+ private:
+  static constexpr double kJudgedDegrees = 2;
+  static constexpr double kHeightSpread = 0.06;  ///< of the logarithm of a height; a guess
+  static constexpr double kMaxLookSeconds = 4;   ///< then it guesses
+  static constexpr double kNearerAgainSeconds = 4;
+
+  /// The two largest things that are noticed, by Side; with one alone, its side of the view tells which it is.
+  std::array<const Sighting*, 2> objectsOf(const Percept& seen) const {
+    std::vector<const Sighting*> noticed;
+    for (const Sighting& each : seen.objects) {
+      if (vision_.notices(each, gaze_)) {
+        noticed.push_back(&each);
+      }
+    }
+    std::stable_sort(noticed.begin(), noticed.end(),
+                     [](const Sighting* a, const Sighting* b) { return a->pixels > b->pixels; });
+    if (noticed.empty()) {
+      return {};
+    }
+    if (noticed.size() == 1) {
+      const bool isLeft = noticed.front()->centroid.x < seen.views.front().center().x;
+      return isLeft ? std::array<const Sighting*, 2>{noticed.front(), nullptr}
+                    : std::array<const Sighting*, 2>{nullptr, noticed.front()};
+    }
+    const bool inOrder = noticed[0]->centroid.x < noticed[1]->centroid.x;
+    return {noticed[inOrder ? 0 : 1], noticed[inOrder ? 1 : 0]};
+  }
+
+  void answer(const Percept& seen, int64_t now, MotorModel& motor) {
+    const HumanFactors& factors = vision_.factors();
+    const bool isSure = judged_[kLeftSide] && judged_[kRightSide];
+    const bool isLeft = isSure ? *judged_[kLeftSide] > *judged_[kRightSide] : happens(random_, 0.5);
+    const bool slips = happens(random_, factors.slip);
+    const Side pressed = isLeft != slips ? kLeftSide : kRightSide;
+    motor.tap(seen.choices[pressed].key,
+              now + nanosecondsOf(factors.decideSeconds * normalWithin(random_, 1, 0.25, 0.4, 2.5)));
+    answersAgainAt_ = now + nanosecondsOf(kNearerAgainSeconds);
+  }
+
+  Vision vision_;
+  Random random_;
+  std::optional<int64_t> began_{};
+  glm::dvec2 gaze_{0};
+  std::array<std::optional<double>, 2> judged_{};  ///< by Side: the logarithm of the height, as it seems
+  int64_t answersAgainAt_ = 0;
+};
+
+/// Two objects in a hall, with corridors to its sides.
+InstructionExample nearerExample(StudyView view, const glm::ivec2& size) {
+  Maze maze = mazeFromJsonText(R"({"plan": [
+    "+-+-+-+-+-+",
+    "| | | | | |",
+    "+ +-+ + +-+",
+    "|         |",
+    "+ + +-+ +-+",
+    "| | | | | |",
+    "+ +-+-+-+-+"]})",
+                               "an example");
+  maze.landmarks = {{{1, 2}, LandmarkShape::kSphere, LandmarkColor::kOrange, 0, -0.2f},
+                    {{1, 3}, LandmarkShape::kSphere, LandmarkColor::kOrange, 0, 0.2f}};
+  const glm::vec3 start = maze.centerOf({1, 0});
+  const WalkerPose pose{static_cast<double>(start.x), static_cast<double>(start.z), radiansOf(Direction::kEast)};
+  InstructionExample example{std::make_shared<StudyScene>(maze), {}};
+  example.layout.scene = example.scene.get();
+  example.layout.views.push_back({wholeImage(size), EyeCamera(maze, {}, {}).at(pose, view, size)});
+  return example;
+}
+
+std::unique_ptr<TaskPolicy> nearerPolicy(const PolicySetting& setting) {
+  return std::make_unique<NearerPolicy>(setting.vision, setting.seed);
+}
+
+std::string otherSide(const std::string& expected, Random&) {
+  return kSideNames[expected == kSideNames[kLeftSide] ? kRightSide : kLeftSide];
+}
+
+}  // namespace
+
+TaskKind nearerTask() {
+  return {
+      .name = "nearer",
+      .description = "say which of two objects is nearer, the left one or the right one",
+      .outcome = OutcomeKind::kAnswer,
+      .read = readNearerTask,
+      .policy = nearerPolicy,
+      .generator = {.effects = {{"right", 1.5, "logit of a right answer with the pinhole in the first session",
+                                 levelCovariate},
+                                {kGraphEffect, -0.5, "the graph camera", graphCovariate},
+                                {"session", 0.1, "each further session", sessionCovariate},
+                                {kSubjectSd, 0.5, "between subjects"},
+                                {kItemSd, 0.6, "between cases"},
+                                {kItemViewSd, 0, "between cases in the effect of the view"}},
+                    .wrongAnswer = otherSide},
+      .images = {{"nearer_ppc", false, [](const glm::ivec2& size) { return nearerExample(StudyView::kPinhole, size); }},
+                 {"nearer_gc", true, [](const glm::ivec2& size) { return nearerExample(StudyView::kGraph, size); }}}};
+}
+
+}  // namespace ocelli
