@@ -51,22 +51,8 @@ std::string allUsages() {
   return all;
 }
 
-}  // namespace
-
-std::string DeviceKind::usage() const {
-  switch (rest) {
-    case Rest::kNone:
-      return name;
-    case Rest::kOptional:
-      return name + "[:" + restName + "]";
-    case Rest::kRequired:
-      return name + ":" + restName;
-  }
-  return name;
-}
-
-const std::vector<DeviceKind>& deviceKinds() {
-  static const std::vector<DeviceKind> kinds = {
+std::vector<DeviceKind> builtinDevices() {
+  return {
       {"file", Rest::kRequired, "PATH.svol", "a recording of what is shown",
        [](const std::string& rest, const DeviceOptions& options) { return openFileDevice(rest, profileOf(options)); }},
       {"multivox", Rest::kOptional, "NAME", "a display or simulator of the multivox project, in shared memory",
@@ -82,24 +68,58 @@ const std::vector<DeviceKind>& deviceKinds() {
        [](const std::string& rest, const DeviceOptions&) { return openUsb(rest); }},
 #endif
   };
-  return kinds;
+}
+
+Registry<DeviceKind>& deviceRegistry() {
+  static Registry<DeviceKind> registry("device", builtinDevices());
+  return registry;
+}
+
+}  // namespace
+
+std::string DeviceKind::usage() const {
+  switch (rest) {
+    case Rest::kNone:
+      return name;
+    case Rest::kOptional:
+      return name + "[:" + restName + "]";
+    case Rest::kRequired:
+      return name + ":" + restName;
+  }
+  return name;
+}
+
+Rows<DeviceKind> deviceKinds() {
+  return deviceRegistry().rows();
+}
+
+void registerDevice(DeviceKind kind) {
+  if (kind.name.empty() || kind.name.find(':') != std::string::npos) {
+    throw InputError("a device cannot have this name", "\"" + kind.name + "\"", "give it a name without a colon");
+  }
+  if (!kind.open) {
+    throw InputError("this device has no function that opens it", kind.name, "set `open` of its row");
+  }
+  deviceRegistry().add(std::move(kind));
 }
 
 std::unique_ptr<Device> openDevice(const std::string& text, const DeviceOptions& options) {
   const size_t colon = text.find(':');
   const std::string name = text.substr(0, colon);
   const std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
-  const auto kind = std::ranges::find(deviceKinds(), name, &DeviceKind::name);
-  if (kind == deviceKinds().end()) {
+  const Rows<DeviceKind> kinds = deviceKinds();
+  const auto found = std::ranges::find(kinds, name, &DeviceKind::name);
+  if (found == kinds.end()) {
     throw InputError("there is no such device", text, "one of " + allUsages());
   }
-  if (kind->rest == Rest::kNone && colon != std::string::npos) {
-    throw InputError("nothing follows the name of this device", text, kind->usage());
+  const DeviceKind& kind = *found;
+  if (kind.rest == Rest::kNone && colon != std::string::npos) {
+    throw InputError("nothing follows the name of this device", text, kind.usage());
   }
-  if (kind->rest == Rest::kRequired && rest.empty()) {
-    throw InputError("this device needs " + kind->restName, text, kind->usage());
+  if (kind.rest == Rest::kRequired && rest.empty()) {
+    throw InputError("this device needs " + kind.restName, text, kind.usage());
   }
-  return kind->open(rest, options);
+  return kind.open(rest, options);
 }
 
 }  // namespace ocelli

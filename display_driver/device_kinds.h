@@ -1,4 +1,5 @@
-// Devices by name: "null", "file:out.svol". The recipe for a new one stands in display_driver/device/device.h.
+// Devices by name: "null", "file:out.svol". The recipe for a new one stands in display_driver/device/device.h. A
+// program outside of the tree registers one of its own with registerDevice(): examples/add_a_device.
 #pragma once
 
 #include <functional>
@@ -9,6 +10,7 @@
 
 #include "display_driver/device/device.h"
 #include "display_driver/sim/sim_device.h"
+#include "oc_core/base/registry.h"
 
 namespace ocelli {
 
@@ -25,16 +27,22 @@ struct DeviceKind {
 
   std::string name;
   Rest rest = Rest::kNone;  ///< whether anything follows the name, after a colon
-  std::string restName;     ///< "PATH.svol", for people; empty where nothing follows
-  std::string help;         ///< one line
-  /// `rest` is what follows the colon; empty where nothing does.
-  std::function<std::unique_ptr<Device>(const std::string& rest, const DeviceOptions& options)> open;
+  std::string restName{};   ///< "PATH.svol", for people; empty where nothing follows
+  std::string help{};       ///< one line
+  /// `rest` is what follows the colon; empty where nothing does. Called from any thread.
+  std::function<std::unique_ptr<Device>(const std::string& rest, const DeviceOptions& options)> open{};
 
   /// "file:PATH.svol", "usb[:SERIAL]"
   std::string usage() const;
 };
 
-const std::vector<DeviceKind>& deviceKinds();
+/// The built-in ones, then those that were registered. A row stays where it is until the program ends. Any thread may
+/// call it at any time.
+Rows<DeviceKind> deviceKinds();
+
+/// Adds a kind: from then on openDevice() knows its name. Any thread may call it at any time. Throws InputError where
+/// the name is empty, is taken, or holds a colon, which ends names, and where there is no function that opens it.
+void registerDevice(DeviceKind kind);
 
 /// `text` is NAME or NAME:REST. Throws InputError for names of no device and what its kind says of the rest, WorkError
 /// where the device cannot be opened.

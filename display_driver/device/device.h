@@ -10,6 +10,7 @@
 //      takes volumes without making the caller wait, and never throws after it was opened except from close(): what
 //      goes wrong later ends frames (frame_fence.h) and shows in the telemetry.
 //   2. One line in `display_driver/device_kinds.cpp`: its name, what may follow the name, what it is, the function.
+//      From outside of the tree: registerDevice() with the same line, as in examples/add_a_device/main.cpp.
 // `ocelli present --device NAME`, `ocelli device list` and the tests that run over every device find it there.
 #pragma once
 

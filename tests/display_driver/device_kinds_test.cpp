@@ -54,5 +54,26 @@ TEST(DeviceKindsTest, whatFollowsTheNameIsChecked) {
   EXPECT_THAT(refusal("file:picture.png"), HasSubstr(".svol"));
 }
 
+// A kind that may be registered would be one too many for the other tests: examples/add_a_device registers one.
+TEST(RegisterDevice, refusesWhatNobodyCouldOpen) {
+  const auto refusalOf = [](DeviceKind kind) -> std::string {
+    try {
+      registerDevice(std::move(kind));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto open = [](const std::string&, const DeviceOptions&) { return std::unique_ptr<Device>(); };
+  const size_t before = deviceKinds().size();
+  for (const DeviceKind& kind : deviceKinds()) {
+    EXPECT_THAT(refusalOf({.name = kind.name, .open = open}), HasSubstr(kind.name));
+  }
+  EXPECT_THAT(refusalOf({.name = "my:display", .open = open}), HasSubstr("my:display"));
+  EXPECT_NE(refusalOf({.name = "", .open = open}), "");
+  EXPECT_THAT(refusalOf({.name = "mine"}), HasSubstr("mine"));
+  EXPECT_EQ(deviceKinds().size(), before);
+}
+
 }  // namespace
 }  // namespace ocelli

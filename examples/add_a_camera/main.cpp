@@ -1,0 +1,81 @@
+// A camera of one's own: checked, registered under a name, and used like those of the toolkit.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "fisheye_camera.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/png_file.h"
+#include "oc_core/ocri/cast_representation.h"
+#include "oc_core/ocri/union_mesh.h"
+#include "oc_core/scene/ply_file.h"
+#include "oc_core/scene/scene_source.h"
+
+using namespace ocelli;
+
+namespace {
+
+/// The contract of oc_core/camera/camera.h: the farthest that project(unproject(q)) comes out beside q, in pixels.
+float roundTripError(const FisheyeCamera& camera) {
+  float worst = 0;
+  for (int y = 0; y < camera.height(); y += 7) {
+    for (int x = 0; x < camera.width(); x += 7) {
+      const glm::vec2 pixel(float(x) + 0.5f, float(y) + 0.5f);
+      for (const float t : {0.1f, 1.0f, 30.0f}) {
+        if (const auto point = camera.unproject({pixel.x, pixel.y, t})) {
+          const auto back = camera.project(*point);
+          worst = std::max(worst, back ? glm::distance(pixel, glm::vec2(back->u, back->v)) : 1e9f);
+        }
+      }
+    }
+  }
+  return worst;
+}
+
+/// The share of samples that come out at the same place of the world, within a hundredth of their distance.
+double shareThatAgrees(const ReferenceImage& before, const ReferenceImage& after) {
+  const PinholeCamera pinhole = before.reference();
+  size_t agree = 0;
+  for (int y = 0; y < before.height(); ++y) {
+    for (int x = 0; x < before.width(); ++x) {
+      const auto a = before.pointOf(x, y, pinhole);
+      const auto b = after.pointOf(x, y, pinhole);
+      agree += a && b && glm::distance(*a, *b) < 0.01f * glm::distance(*a, pinhole.eye());
+    }
+  }
+  return double(agree) / double(before.sampleCount());
+}
+
+bool run() {
+  registerRepresentation(
+      castRepresentation("fisheye", "half of all directions, equidistant, as a disc",
+                         [](const RepresentationInputs& in) { return FisheyeCamera(in.reference); }));
+
+  // Above a crossing of the town, which is fitted into the unit sphere.
+  const View street{.eye = {0, 0.04f, 0}, .target = {0, 0.04f, -1}, .fovVerticalDegrees = 60, .zNear = 0.001f};
+  const PinholeCamera reference(street, 480, 480);
+  const float error = roundTripError(FisheyeCamera(reference));
+
+  const CameraChoice fisheye = cameraChoice("fisheye");
+  const ReferenceImages images = buildReferenceImages(fisheye, reference, loadScene("builtin:town"));
+  const Mesh mesh = unionMesh(images);
+  writePng("fisheye.png", srgbFromLinear(images.front().color));
+  writePly("fisheye.ply", mesh);
+
+  // From its own eye the mesh looks like the scene that it stands for.
+  const ReferenceImages again = buildReferenceImages(fisheye, reference, mesh);
+  const double agreement = shareThatAgrees(images.front(), again.front());
+
+  std::printf("round trip: within %.5f pixels\n", double(error));
+  std::printf("fisheye.png: %zu samples; fisheye.ply: %zu triangles\n", images.front().sampleCount(),
+              mesh.triangles.size());
+  std::printf("seen again by the fisheye, %.2f %% of the samples are where they were\n", 100 * agreement);
+  return error < 0.01f && agreement > 0.99;
+}
+
+}  // namespace
+
+int main() try { return run() ? EXIT_SUCCESS : EXIT_FAILURE; } catch (const Error& error) {
+  std::fprintf(stderr, "add_a_camera: %s\n", error.what());
+  return EXIT_FAILURE;
+}
