@@ -18,9 +18,9 @@
 
 #include "display_driver/emulator/client_process.h"
 #include "display_driver/emulator/usb_emulator.h"
-#include "display_driver/stream/stream_device.h"
 #include "display_driver/usb/usb_port.h"
 #include "display_driver/wire/bandwidth_plan.h"
+#include "display_driver/wire/stream_device.h"
 #include "display_driver/wire/wire_format.h"
 #include "display_sim/slicing/slicer.h"
 #include "oc_core/base/conventions.h"

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <system_error>
 
-#include "display_driver/sim/coarse_frames.h"
+#include "display_driver/devices/coarse_frames.h"
 #include "display_driver/wire/bandwidth_plan.h"
 #include "display_sim/observing/observer.h"
 #include "display_sim/slicing/slicer.h"

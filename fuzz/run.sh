@@ -25,7 +25,7 @@ camera constructor/corpus $seconds
 protocol study_protocol/corpus $seconds
 plan analysis_dataset/plan_corpus $seconds
 device_log display_driver_pacing/corpus $seconds
-wire_host display_driver_stream/corpus $seconds
+wire_host display_driver_wire/host_corpus $seconds
 ply scene/ply_corpus $seconds
 scene_record scene/record_corpus $seconds
 material scene/image_corpus $seconds

@@ -84,7 +84,7 @@ find_needs(core TARGETS Ocelli::ocri Ocelli::evaluation
 find_needs(display TARGETS Ocelli::core Ocelli::solidity
   PACKAGES SQLiteCpp Eigen3 Boost assimp glfw3
   LACKS SQLiteCpp assimp::assimp ${windows} ${usb} ${statistics} Ocelli::device Ocelli::viewer)
-find_needs(driver TARGETS Ocelli::core Ocelli::display Ocelli::display_driver
+find_needs(driver TARGETS Ocelli::core Ocelli::display Ocelli::devices
   PACKAGES SQLiteCpp Eigen3 Boost assimp glfw3
   LACKS SQLiteCpp assimp::assimp ${windows} ${statistics} Ocelli::study_task)
 find_needs(study TARGETS Ocelli::core Ocelli::study_store
