@@ -17,7 +17,7 @@ ocelli_component(driver    display_driver)
 ocelli_component(study     study)
 ocelli_component(analysis  analysis)
 if(OCELLI_WITH_OPENGL)
-  ocelli_component(opengl  oc_core/gl display_sim/gl display_sim/viewer study/screen)
+  ocelli_component(opengl  oc_core/gl oc_core/window display_sim/gl display_sim/viewer study/screen)
 endif()
 
 # The component of a folder, in `result`.

@@ -9,8 +9,8 @@
 #include "oc_core/scene/mesh.h"
 #include "oc_core/scene/scene_source.h"
 #ifdef WITH_OPENGL
-#include "oc_core/gl/gl_report.h"
-#include "oc_core/gl/gui_layer.h"
+#include "oc_core/window/gl_report.h"
+#include "oc_core/window/gui_layer.h"
 #endif
 
 namespace {

@@ -1,4 +1,4 @@
-#include "oc_core/gl/gl_window.h"
+#include "oc_core/window/gl_window.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -11,10 +11,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "oc_core/gl/frame_pacer.h"
 #include "oc_core/gl/gl_api.h"
-#include "oc_core/gl/glfw_input.h"
-#include "oc_core/gl/monitors.h"
+#include "oc_core/window/frame_pacer.h"
+#include "oc_core/window/glfw_input.h"
+#include "oc_core/window/monitors.h"
 
 namespace ocelli {
 namespace {

@@ -26,9 +26,9 @@
 
 #include "oc_core/base/input_event.h"
 #include "oc_core/gl/gl_context.h"
-#include "oc_core/gl/gui_renderer.h"
-#include "oc_core/gl/gui_style.h"
-#include "oc_core/gl/system_font.h"
+#include "oc_core/window/gui_renderer.h"
+#include "oc_core/window/gui_style.h"
+#include "oc_core/window/system_font.h"
 
 struct ImFont;
 struct ImGuiContext;

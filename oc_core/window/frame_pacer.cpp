@@ -1,4 +1,4 @@
-#include "oc_core/gl/frame_pacer.h"
+#include "oc_core/window/frame_pacer.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
-#include "oc_core/gl/gl_report.h"
+#include "oc_core/window/gl_report.h"
 
 #include "oc_core/base/check.h"
-#include "oc_core/gl/gl_window.h"
+#include "oc_core/window/gl_window.h"
 
 namespace ocelli {
 namespace {

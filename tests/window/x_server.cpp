@@ -1,4 +1,4 @@
-#include "tests/gl/x_server.h"
+#include "tests/window/x_server.h"
 
 #include "oc_core/gl/gl_error.h"
 

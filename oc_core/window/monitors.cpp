@@ -1,4 +1,4 @@
-#include "oc_core/gl/monitors.h"
+#include "oc_core/window/monitors.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

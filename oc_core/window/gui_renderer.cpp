@@ -1,4 +1,4 @@
-#include "oc_core/gl/gui_renderer.h"
+#include "oc_core/window/gui_renderer.h"
 
 #include <imgui.h>
 
@@ -10,7 +10,7 @@
 #include "oc_core/base/check.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"
-#include "oc_core/gl/shaders.h"
+#include "oc_core/window/shaders.h"
 
 namespace ocelli {
 namespace {

@@ -1,4 +1,4 @@
-#include "oc_core/gl/gui_style.h"
+#include "oc_core/window/gui_style.h"
 
 #include <imgui.h>
 

@@ -1,4 +1,4 @@
-#include "oc_core/gl/gui_layer.h"
+#include "oc_core/window/gui_layer.h"
 
 #include <imgui.h>
 
@@ -10,8 +10,8 @@
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
-#include "oc_core/gl/gui_style.h"
-#include "oc_core/gl/system_font.h"
+#include "oc_core/window/gui_style.h"
+#include "oc_core/window/system_font.h"
 
 namespace ocelli {
 namespace {

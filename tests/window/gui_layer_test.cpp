@@ -1,4 +1,4 @@
-#include "oc_core/gl/gui_layer.h"
+#include "oc_core/window/gui_layer.h"
 
 #include <gmock/gmock.h>
 #include <imgui.h>
@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "oc_core/gl/gl_api.h"
-#include "oc_core/gl/gui_style.h"
+#include "oc_core/window/gui_style.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/gl/gl_test_context.h"
 

@@ -1,4 +1,4 @@
-#include "oc_core/gl/glfw_input.h"
+#include "oc_core/window/glfw_input.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

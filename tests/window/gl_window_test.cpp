@@ -1,5 +1,5 @@
 // Runs on a virtual screen (xvfb-run), where CMake found one.
-#include "oc_core/gl/gl_window.h"
+#include "oc_core/window/gl_window.h"
 
 #include <gmock/gmock.h>
 #define GLFW_INCLUDE_NONE
@@ -15,10 +15,10 @@
 #include <thread>
 
 #include "oc_core/gl/gl_api.h"
-#include "oc_core/gl/gui_layer.h"
-#include "oc_core/gl/monitors.h"
+#include "oc_core/window/gui_layer.h"
+#include "oc_core/window/monitors.h"
 #include "tests/gl/gl_test_context.h"
-#include "tests/gl/x_server.h"
+#include "tests/window/x_server.h"
 
 namespace ocelli {
 namespace {

@@ -1,4 +1,4 @@
-#include "oc_core/gl/glfw_input.h"
+#include "oc_core/window/glfw_input.h"
 
 #include <gtest/gtest.h>
 #define GLFW_INCLUDE_NONE

@@ -1,4 +1,4 @@
-#include "oc_core/gl/system_font.h"
+#include "oc_core/window/system_font.h"
 
 #include <fontconfig/fontconfig.h>
 
