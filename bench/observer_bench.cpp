@@ -6,7 +6,7 @@
 
 #include "display_sim/observing/observer.h"
 #include "display_sim/slicing/exact_slicer.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

@@ -6,7 +6,7 @@
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/render/rasterize.h"
 #include "oc_core/render/raycast.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

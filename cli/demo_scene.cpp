@@ -16,7 +16,7 @@
 #include "oc_core/base/png_file.h"
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/render/rasterize.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

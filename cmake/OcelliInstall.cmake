@@ -39,7 +39,7 @@ foreach(schema IN ITEMS
     oc_core/constructor/curved_ray_camera.schema.json
     oc_core/constructor/graph_camera.schema.json
     oc_core/ocri/camera.schema.json
-    oc_core/scene/maze.schema.json
+    oc_core/worlds/maze.schema.json
     protocols/analysis_plan.schema.json
     protocols/protocol.schema.json)
   get_filename_component(folder ${schema} DIRECTORY)

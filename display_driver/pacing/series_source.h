@@ -11,7 +11,7 @@
 #include "display_sim/slicing/slice_mesh.h"
 #include "display_sim/slicing/slicer.h"
 #include "oc_core/base/progress.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 

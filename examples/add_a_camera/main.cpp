@@ -9,7 +9,7 @@
 #include "oc_core/ocri/cast_representation.h"
 #include "oc_core/ocri/union_mesh.h"
 #include "oc_core/scene/ply_file.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 using namespace ocelli;
 

@@ -4,7 +4,7 @@
 
 #include "display_sim/slicing/slicer.h"
 #include "oc_core/base/error.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 #include "text_device.h"
 
 using namespace ocelli;

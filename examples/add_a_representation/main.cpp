@@ -9,7 +9,7 @@
 #include "oc_core/ocri/representation.h"
 #include "oc_core/render/rasterize.h"
 #include "oc_core/scene/ply_file.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 #include "ring_representation.h"
 
 using namespace ocelli;

@@ -5,7 +5,7 @@
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/union_mesh.h"
 #include "oc_core/scene/ply_file.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 int main() {
   using namespace ocelli;

@@ -14,7 +14,7 @@
 #include "display_sim/slicing/exact_slicer.h"
 #include "display_sim/slicing/slicer.h"
 #include "oc_core/base/conventions.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 #include "tests/display_sim_slicing/flood_fill.h"
 #include "tests/display_sim_slicing/test_profiles.h"
 

@@ -6,7 +6,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/ocri/representation.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 #include "tests/display_sim_slicing/test_meshes.h"
 #include "tests/display_sim_slicing/test_profiles.h"
 

@@ -7,7 +7,7 @@
 #include "oc_core/base/png_file.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/scene/mesh.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 #ifdef WITH_OPENGL
 #include "oc_core/window/gl_report.h"
 #include "oc_core/window/gui_layer.h"
