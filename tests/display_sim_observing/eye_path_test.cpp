@@ -14,10 +14,10 @@ namespace {
 using testing::HasSubstr;
 
 // Coordinates are floats of about 10.
-constexpr float kRounding = 1e-5f;
+constexpr float kPathRounding = 1e-5f;
 
 void expectNear(const glm::vec3& got, const glm::vec3& expected) {
-  EXPECT_LT(glm::distance(got, expected), kRounding) << got.x << "," << got.y << "," << got.z;
+  EXPECT_LT(glm::distance(got, expected), kPathRounding) << got.x << "," << got.y << "," << got.z;
 }
 
 TEST(EyePath, eyesLieOnEitherSide) {

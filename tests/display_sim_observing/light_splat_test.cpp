@@ -20,7 +20,7 @@ Image<glm::vec3> imageOf(const LightImage& light, int width, int height) {
 }
 
 // Shares are rounded to 2^-24 each, and 60 x 60 pixels have one at most.
-constexpr double kRounding = 3600.0 / (1 << 24);
+constexpr double kSplatRounding = 3600.0 / (1 << 24);
 
 TEST(LightSplat, aBoxIsExact) {
   LightImage light(4, 3);
@@ -41,7 +41,7 @@ TEST(LightSplat, anEllipseHasItsAreaAndSpread) {
     LightImage light(60, 60);
     light.addEllipse(at.x, at.y, 40, 20, 5, {1, 1, 1});
     const Image<glm::vec3> image = imageOf(light, 60, 60);
-    EXPECT_NEAR(test::sumOf(image).x, 5, kRounding);
+    EXPECT_NEAR(test::sumOf(image).x, 5, kSplatRounding);
     const test::Spread spread = test::spreadOf(image);
     EXPECT_NEAR(spread.center.x, at.x, 1e-3);
     EXPECT_NEAR(spread.center.y, at.y, 1e-3);
@@ -55,7 +55,7 @@ TEST(LightSplat, anEllipseHasItsAreaAndSpread) {
 TEST(LightSplat, whatFallsOutsideIsLost) {
   LightImage light(60, 60);
   light.addEllipse(60, 0, 30, 30, 8, {1, 1, 1});
-  EXPECT_NEAR(test::sumOf(imageOf(light, 60, 60)).x, 2, kRounding) << "a quarter is inside";
+  EXPECT_NEAR(test::sumOf(imageOf(light, 60, 60)).x, 2, kSplatRounding) << "a quarter is inside";
   LightImage beside(60, 60);
   beside.addEllipse(-20, 30, 30, 30, 8, {1, 1, 1});
   beside.addEllipse(30, 90, 30, 30, 8, {1, 1, 1});
