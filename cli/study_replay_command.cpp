@@ -63,7 +63,7 @@ void writeFrames(const ReplayChoice& choice, const ReplayStudy& study, const Sto
   ReplayOptions options;
   options.onFrame = [&](const FrameRecord& record, const TrialRun& run) {
     if (record.frame % choice.every == 0) {
-      writePng(folder / fmt::format("context_{:06}.png", record.frame), paint(run.layout(), log.record.screen));
+      writePng(folder / fmt::format("frame_{:06}.png", record.frame), paint(run.layout(), log.record.screen));
       ++written;
     }
     report(context.progress(), "drawing frames",

@@ -210,8 +210,8 @@ std::unique_ptr<TrialRun> NearerBlock::start(const TrialPlan& plan, const TrialS
   return std::make_unique<NearerRun>(*this, plan, screen);
 }
 
-/// Throws unless the case has a right answer that each view can show: distances that differ, and both objects in sight,
-/// one wholly to the left of the other.
+/// Throws unless the case has a right answer that each view can show: distances that differ, and both objects in the
+/// image, one wholly to the left of the other.
 void checkCase(const NearerBlock& block, int index, const std::string& where) {
   const std::string of = fmt::format("{}, case \"{}\"", where, block.caseInfo(index).label);
   const double difference = block.distanceTo(index, kLeftSide) - block.distanceTo(index, kRightSide);
@@ -233,6 +233,11 @@ void checkCase(const NearerBlock& block, int index, const std::string& where) {
             fmt::format("the view {} shows {} pixels of the {} object on a screen of {} x {}", nameOf(view),
                         seen[side].pixels, kSideNames[side], kNearerTrialScreen.width, kNearerTrialScreen.height),
             of, "move it to where both views show it, or change \"start\", \"portals\" or the maze");
+      }
+      if (seen[side].atBorder) {
+        throw InputError(fmt::format("the border of the image of the view {} cuts off the {} object", nameOf(view),
+                                     kSideNames[side]),
+                         of, "move it farther away, or to the middle");
       }
     }
     if (seen[kLeftSide].upper.x >= seen[kRightSide].lower.x) {

@@ -88,6 +88,8 @@ TEST(NearerTask, RefusesCasesWithoutARightAnswer) {
   EXPECT_THAT(test::readError("nearer", nearerJson(kFar, kNear)), HasSubstr("wholly to the left"));
   EXPECT_THAT(test::readError("nearer", nearerJson(R"("row": 4, "column": 0)", kFar)),
               AllOf(HasSubstr("shows 0 pixels of the left object")));
+  EXPECT_THAT(test::readError("nearer", nearerJson(R"("row": 2, "column": 1, "south": -0.25)", kFar)),
+              HasSubstr("the border of the image of the view ppc cuts off the left object"));
   EXPECT_THAT(test::readError("nearer", nearerJson(R"("row": 2, "column": 2, "south": -0.5)", kFar)),
               HasSubstr("wall"));
   EXPECT_THAT(test::readError("nearer", nearerJson(R"("row": 2, "column": 9)", kFar)), HasSubstr("column"));
