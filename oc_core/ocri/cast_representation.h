@@ -22,7 +22,7 @@ RayFunction raysOf(C camera) {
   return [shared](const glm::vec2& pixel) { return shared->rayPath(pixel); };
 }
 
-/// What each ray of the camera meets, with the acceleration structure of the renderer, where it has one.
+/// How every camera can be drawn: along its rays, with the acceleration structure of the renderer, where it has one.
 template <Camera C>
 FragmentImage castAlongRays(const C& camera, const RepresentationInputs& in) {
   const RayScene* standing = in.renderer != nullptr ? in.renderer->rays() : nullptr;
@@ -54,8 +54,7 @@ RepresentationKind castRepresentation(const char* name, const char* description,
           .rays = [makeCamera](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
             return {raysOf(makeCamera(in))};
           },
-          .castsRays = true,
-          .needsCpu = "is cast along its rays, which only the CPU does"};
+          .castsRays = true};
 }
 
 }  // namespace ocelli

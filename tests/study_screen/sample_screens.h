@@ -132,48 +132,48 @@ struct SampleStudy {
   PauseScreen pause() const { return {"The experimenter will be with you in a moment. Your data are safe."}; }
   TrialScreenView finding(const TrialScreen& screen, StudyView view, bool patch = false) const {
     TrialScreenView trial;
-    trial.image.scene = &scene;
+    trial.layout.scene = &scene;
     const PixelRect place = stage(screen);
     const int width = static_cast<int>(place.width);
     const int height = static_cast<int>(place.height);
     if (view == StudyView::kGraph) {
-      trial.image.views.push_back({place, sampleGraphCamera(scene.maze(), width, height)});
+      trial.layout.views.push_back({place, sampleGraphCamera(scene.maze(), width, height)});
     } else {
-      trial.image.views.push_back({place, sampleEye(scene.maze(), width, height)});
+      trial.layout.views.push_back({place, sampleEye(scene.maze(), width, height)});
     }
-    trial.image.prompt = "Find this object and click on it";
-    trial.image.targetObject = 0;
-    trial.image.pointer = place.center() + glm::dvec2(40, -30);
+    trial.layout.prompt = "Find this object and click on it";
+    trial.layout.targetObject = 0;
+    trial.layout.pointer = place.center() + glm::dvec2(40, -30);
     trial.showsPatch = patch;
     trial.patchWhite = patch;
     return trial;
   }
   TrialScreenView counting(const TrialScreen& screen) const {
     TrialScreenView trial;
-    trial.image.prompt = "How many objects did you see?";
+    trial.layout.prompt = "How many objects did you see?";
     const PixelRect place = stage(screen);
     for (int i = 0; i < 7; ++i) {
       const double side = std::floor(place.width / 14);
-      trial.image.choices.push_back({{place.left + side * (1.5 + 1.6 * i), place.center().y - side / 2, side, side},
-                                     std::to_string(i + 2),
-                                     static_cast<Key>(static_cast<int>(Key::k2) + i),
-                                     i == 3});
+      trial.layout.choices.push_back({{place.left + side * (1.5 + 1.6 * i), place.center().y - side / 2, side, side},
+                                      std::to_string(i + 2),
+                                      static_cast<Key>(static_cast<int>(Key::k2) + i),
+                                      i == 3});
     }
-    trial.image.pointer = place.center() + glm::dvec2(0, 80);
+    trial.layout.pointer = place.center() + glm::dvec2(0, 80);
     return trial;
   }
   TrialScreenView matching(const TrialScreen& screen) const {
     TrialScreenView trial;
-    trial.image.prompt = "Which of these paths did you walk?";
+    trial.layout.prompt = "Which of these paths did you walk?";
     const PixelRect place = stage(screen);
     const double side = std::floor(place.width / 4);
     for (int i = 0; i < 3; ++i) {
       const PixelRect map{place.left + side * (0.25 + 1.25 * i), place.top + place.height * 0.2, side, side};
       const double turn = i < 2 ? 3 : -3;
       const double turned = i == 0 ? -1 : 1;
-      trial.image.maps.push_back(
+      trial.layout.maps.push_back(
           {map, {{0, 9}, {0, 3}, {6 * turned, 3}, {6 * turned, 3 + turn}, {9 * turned, 3 + turn}, {9 * turned, 12}}});
-      trial.image.choices.push_back(
+      trial.layout.choices.push_back(
           {map, std::to_string(i + 1), static_cast<Key>(static_cast<int>(Key::k1) + i), i == 1});
     }
     return trial;
