@@ -46,7 +46,11 @@ bool run() {
 
 }  // namespace
 
-int main() try { return run() ? EXIT_SUCCESS : EXIT_FAILURE; } catch (const Error& error) {
-  std::fprintf(stderr, "add_a_representation: %s\n", error.what());
-  return EXIT_FAILURE;
+int main() {
+  try {
+    return run() ? EXIT_SUCCESS : EXIT_FAILURE;
+  } catch (const Error& error) {
+    std::fprintf(stderr, "add_a_representation: %s\n", error.what());
+    return EXIT_FAILURE;
+  }
 }

@@ -47,13 +47,15 @@ bool run(const std::filesystem::path& protocolFile) {
 
 }  // namespace
 
-int main(int count, char** arguments) try {
-  if (count != 2) {
-    std::fprintf(stderr, "usage: add_a_task react.json\n");
+int main(int count, char** arguments) {
+  try {
+    if (count != 2) {
+      std::fprintf(stderr, "usage: add_a_task react.json\n");
+      return EXIT_FAILURE;
+    }
+    return run(arguments[1]) ? EXIT_SUCCESS : EXIT_FAILURE;
+  } catch (const Error& error) {
+    std::fprintf(stderr, "add_a_task: %s\n", error.what());
     return EXIT_FAILURE;
   }
-  return run(arguments[1]) ? EXIT_SUCCESS : EXIT_FAILURE;
-} catch (const Error& error) {
-  std::fprintf(stderr, "add_a_task: %s\n", error.what());
-  return EXIT_FAILURE;
 }

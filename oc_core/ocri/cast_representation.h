@@ -22,7 +22,7 @@ RayFunction raysOf(C camera) {
   return [shared](const glm::vec2& pixel) { return shared->rayPath(pixel); };
 }
 
-/// What each ray of the camera meets, with the acceleration structure of the renderer, where it has one.
+/// How every camera can be drawn: along its rays, with the acceleration structure of the renderer, where it has one.
 template <Camera C>
 FragmentImage castAlongRays(const C& camera, const RepresentationInputs& in) {
   const RayScene* standing = in.renderer != nullptr ? in.renderer->rays() : nullptr;
