@@ -6,8 +6,8 @@
 //
 // Recipe for a new representation, two places:
 //   1. oc_core/ocri/NAME_builder.h and .cpp: what builds its reference images.
-//   2. oc_core/ocri/representation_kinds.cpp: its row. Options of its own are described in
-//      oc_core/ocri/camera_option.cpp.
+//   2. oc_core/ocri/representation_kinds.cpp: its row.
+// Options of its own stand in CameraChoice (camera_choice.h) and are described in oc_core/ocri/camera_option.cpp.
 // tests/ocri/camera_choice_test.cpp runs over all rows; tests/ocri/camera_schema_test.cpp then says what
 // oc_core/ocri/camera.schema.json and docs/cameras.md lack.
 #pragma once

@@ -1,7 +1,8 @@
 // Scenes made by code: `builtin:NAME[,key=value...]`.
 //
 // Recipe for a new one, two files:
-//   1. oc_core/worlds/builtin_NAME.cpp: a function that returns its BuiltinScene, declared in builtin_list.h;
+//   1. oc_core/worlds/builtin_NAME.cpp: a function that returns its BuiltinScene, declared in
+//      oc_core/worlds/builtin_list.h;
 //   2. oc_core/worlds/builtin_scenes.cpp: add it to the list.
 // Those of one object fit the unit sphere, with their front towards +z, whence the default view looks. Those to walk
 // through (mazes, the town, the canyon) are in metres; fitting a scene scales them down, and GuidedScene says how.
