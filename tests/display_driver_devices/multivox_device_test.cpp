@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 using test::ActedDisplay;
 
-constexpr auto kLong = 20s;  // for what must happen; no test waits for it
+constexpr auto kLongMultivoxWait = 20s;  // for what must happen; no test waits for it
 
 /// Lit where a frame's number and a slice's say so: every frame differs from the others.
 Volume volumeOf(const DisplayProfile& profile, unsigned number) {
@@ -35,7 +35,7 @@ std::vector<uint8_t> cellsOf(const Volume& volume, int shownBits = 2) {
 
 template <class Condition>
 bool comesTrue(Condition&& condition) {
-  const auto end = std::chrono::steady_clock::now() + kLong;
+  const auto end = std::chrono::steady_clock::now() + kLongMultivoxWait;
   while (!condition()) {
     if (std::chrono::steady_clock::now() > end) {
       return false;
@@ -70,13 +70,13 @@ TEST(MultivoxDevice, showsWhatTheResamplerMakesAndTellsHowFarFramesAre) {
     const std::vector<uint8_t> before = display.shown();
     const auto fence = device->submit(volume);
     EXPECT_EQ(fence->number(), k);
-    const FrameState arrived = fence->wait(FrameStage::kArrived, kLong);
+    const FrameState arrived = fence->wait(FrameStage::kArrived, kLongMultivoxWait);
     EXPECT_EQ(arrived.stage, FrameStage::kArrived);
     EXPECT_EQ(arrived.bytes, bytes);
     EXPECT_EQ(display.shown(), before) << "it was not asked for yet";
     // There is no phase: one that never comes is shown at once.
     device->present(fence->number(), {.at = RotationPhase{.refresh = uint64_t{1} << 60}});
-    const FrameState shown = fence->wait(FrameStage::kShown, kLong);
+    const FrameState shown = fence->wait(FrameStage::kShown, kLongMultivoxWait);
     EXPECT_EQ(shown.stage, FrameStage::kShown);
     EXPECT_GE(shown.shown, shown.arrived);
     EXPECT_EQ(display.shown(), cellsOf(volume, 3));
@@ -105,7 +105,7 @@ TEST(MultivoxDevice, waitsForTheDisplayAndThenShowsTheNewest) {
   EXPECT_FALSE(device->telemetry().connected);
   EXPECT_EQ(fences[3]->state().stage, FrameStage::kWaiting);
   const ActedDisplay display(object);
-  EXPECT_EQ(fences[3]->wait(FrameStage::kShown, kLong).stage, FrameStage::kShown);
+  EXPECT_EQ(fences[3]->wait(FrameStage::kShown, kLongMultivoxWait).stage, FrameStage::kShown);
   EXPECT_EQ(display.shown(), cellsOf(volumeOf(device->profile(), 4)));
   for (int k = 0; k < 3; ++k) {
     EXPECT_EQ(fences[static_cast<size_t>(k)]->state().stage, FrameStage::kDropped);
@@ -127,7 +127,7 @@ TEST(MultivoxDevice, changesOfDroppedFramesAreNotLost) {
   }
   device->present(fence->number(), {});
   const ActedDisplay display(object);
-  EXPECT_EQ(fence->wait(FrameStage::kShown, kLong).stage, FrameStage::kShown);
+  EXPECT_EQ(fence->wait(FrameStage::kShown, kLongMultivoxWait).stage, FrameStage::kShown);
   EXPECT_EQ(display.shown(), cellsOf(volume));
 }
 
@@ -135,14 +135,14 @@ TEST(MultivoxDevice, aFrameThatNobodyAskedForGivesWayToANewerOne) {
   const ActedDisplay display(test::uniqueObject());
   const std::unique_ptr<Device> device = openMultivox(display.object());
   const auto first = device->submit(volumeOf(device->profile(), 1));
-  EXPECT_EQ(first->wait(FrameStage::kArrived, kLong).stage, FrameStage::kArrived);
+  EXPECT_EQ(first->wait(FrameStage::kArrived, kLongMultivoxWait).stage, FrameStage::kArrived);
   const auto second = device->submit(volumeOf(device->profile(), 2));
-  EXPECT_EQ(second->wait(FrameStage::kArrived, kLong).stage, FrameStage::kArrived);
+  EXPECT_EQ(second->wait(FrameStage::kArrived, kLongMultivoxWait).stage, FrameStage::kArrived);
   EXPECT_EQ(first->state().stage, FrameStage::kDropped);
   device->present(first->number(), {});  // too late, and harmless
   device->present(77, {});
   device->present(second->number(), {});
-  EXPECT_EQ(second->wait(FrameStage::kShown, kLong).stage, FrameStage::kShown);
+  EXPECT_EQ(second->wait(FrameStage::kShown, kLongMultivoxWait).stage, FrameStage::kShown);
   EXPECT_EQ(display.shown(), cellsOf(volumeOf(device->profile(), 2)));
   EXPECT_EQ(device->telemetry().framesDropped, 1u);
 }
@@ -153,15 +153,15 @@ TEST(MultivoxDevice, aStillImageComesBackWithTheDisplay) {
   const Volume volume = volumeOf(device->profile(), 1);
   const auto fence = device->submit(volume);
   device->present(fence->number(), {});
-  ASSERT_EQ(fence->wait(FrameStage::kShown, kLong).stage, FrameStage::kShown);
+  ASSERT_EQ(fence->wait(FrameStage::kShown, kLongMultivoxWait).stage, FrameStage::kShown);
   // A frame that arrived and waits is not lost with the memory either.
   const Volume next = volumeOf(device->profile(), 2);
   const auto waiting = device->submit(next);
-  ASSERT_EQ(waiting->wait(FrameStage::kArrived, kLong).stage, FrameStage::kArrived);
+  ASSERT_EQ(waiting->wait(FrameStage::kArrived, kLongMultivoxWait).stage, FrameStage::kArrived);
   display.restart();
   EXPECT_TRUE(comesTrue([&] { return display.shown() == cellsOf(volume); }));
   device->present(waiting->number(), {});
-  EXPECT_EQ(waiting->wait(FrameStage::kShown, kLong).stage, FrameStage::kShown);
+  EXPECT_EQ(waiting->wait(FrameStage::kShown, kLongMultivoxWait).stage, FrameStage::kShown);
   EXPECT_EQ(display.shown(), cellsOf(next));
   const Telemetry telemetry = device->telemetry();
   EXPECT_EQ(telemetry.reconnections, 1u);
@@ -175,9 +175,9 @@ TEST(MultivoxDevice, closingEndsWhatWaitsAndKeepsTheImage) {
   const Volume volume = volumeOf(device->profile(), 1);
   const auto shown = device->submit(volume);
   device->present(shown->number(), {});
-  ASSERT_EQ(shown->wait(FrameStage::kShown, kLong).stage, FrameStage::kShown);
+  ASSERT_EQ(shown->wait(FrameStage::kShown, kLongMultivoxWait).stage, FrameStage::kShown);
   const auto waiting = device->submit(volumeOf(device->profile(), 2));
-  ASSERT_EQ(waiting->wait(FrameStage::kArrived, kLong).stage, FrameStage::kArrived);
+  ASSERT_EQ(waiting->wait(FrameStage::kArrived, kLongMultivoxWait).stage, FrameStage::kArrived);
   device->close();
   EXPECT_EQ(waiting->state().stage, FrameStage::kLost);
   EXPECT_NE(waiting->state().problem, "");
@@ -194,7 +194,7 @@ TEST(MultivoxDevice, takesOtherProfiles) {
   const Volume volume = volumeOf(profile, 5);
   const auto fence = device->submit(volume);
   device->present(fence->number(), {});
-  EXPECT_EQ(fence->wait(FrameStage::kShown, kLong).stage, FrameStage::kShown);
+  EXPECT_EQ(fence->wait(FrameStage::kShown, kLongMultivoxWait).stage, FrameStage::kShown);
   EXPECT_EQ(display.shown(), cellsOf(volume));
 }
 

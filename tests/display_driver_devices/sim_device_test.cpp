@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kLong = 10s;
+constexpr auto kLongSimWait = 10s;
 
 /// Keeps the last whole refresh of a frame.
 class LastShown : public RefreshSink {
@@ -50,8 +50,8 @@ TEST(SimDevice, showsWhatWasSent) {
   const Volume volume = madeVolume(profile, 4);
   const auto fence = device->submit(volume);
   device->present(fence->number(), {});
-  ASSERT_EQ(fence->wait(FrameStage::kShown, kLong).stage, FrameStage::kShown);
-  const auto until = std::chrono::steady_clock::now() + kLong;
+  ASSERT_EQ(fence->wait(FrameStage::kShown, kLongSimWait).stage, FrameStage::kShown);
+  const auto until = std::chrono::steady_clock::now() + kLongSimWait;
   while (!shown.shows(fence->number(), volume)) {
     ASSERT_LT(std::chrono::steady_clock::now(), until);
     std::this_thread::sleep_for(1ms);
