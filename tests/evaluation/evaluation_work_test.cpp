@@ -106,8 +106,8 @@ TEST(EvaluationWork, refusesBrokenFiles) {
   };
   for (const std::string& bytes :
        {std::string(), std::string("{"), std::string("[]"), good.substr(0, good.size() / 2), without("/key"),
-        without("/representations"), with("/format", 2), with("/more", 1), with("/representations", 3),
-        with("/representations/0", 3), without("/representations/0/figures/edges/truth"),
+        without("/representations"), with("/format", 1), with("/format", 3), with("/more", 1),
+        with("/representations", 3), with("/representations/0", 3), without("/representations/0/figures/edges/truth"),
         with("/representations/0/figures/edges/truth", -1), with("/representations/0/figures/edges/truth", "many"),
         with("/representations/0/figures/offsets", 1), with("/representations/0/figures/offsets/0", 1),
         with("/representations/0/figures/more", 1)}) {
