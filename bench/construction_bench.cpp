@@ -79,7 +79,7 @@ Work drawWithOpenGl(const Case& c) {
   const ReferenceImage image = buildDepthImage(c.camera, c.scene);
   size_t same = 0;
   for (size_t i = 0; i < depths.size(); ++i) {
-    same += std::abs(depths[i] - image.z[i]) < 0.01f;
+    same += std::abs(depths[i] - image.t[i]) < 0.01f;
   }
   if (same < depths.size() / 100 * 98) {
     throw WorkError("OpenGL draws another image", renderer->name(), "check the matrices of osmesa_renderer.cpp");

@@ -34,7 +34,7 @@ double microsecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
 }
 
-/// MotorModel everything on, and adds up the time that it takes.
+/// Hands everything on, and adds up the time that it takes.
 class TimedSink final : public SessionSink {
  public:
   explicit TimedSink(SessionSink& sink) : sink_(sink) {}

@@ -22,6 +22,7 @@
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/multiperspective/multiperspective_image.h"
 #include "oc_core/multiperspective/plan_image.h"
+#include "oc_core/ocri/representation_kind.h"
 
 namespace ocelli {
 namespace {
@@ -52,13 +53,55 @@ MultiperspectiveCamera construct(const CameraInScene& choice, const GuidedScene&
   return constructCamera(choice.camera, scene, referenceOf(choice));
 }
 
-void addCameraList(CLI::App& camera, const CommandContext& context) {
-  CLI::App& command = *camera.add_subcommand("list", "List the constructors of graph and curved ray cameras");
-  context.finish(command, "  ocelli camera list", [context] {
-    for (const CameraConstructor& each : cameraConstructors()) {
-      context.print(fmt::format("{:<14} {}\n", each.name, each.description));
+std::string optionText(const CameraOption& option, const CameraChoice& choice) {
+  std::string value;
+  std::string range;
+  if (isDirection(option)) {
+    const glm::vec3 direction = directionOf(option, choice);
+    value = fmt::format("[{}, {}, {}]", direction.x, direction.y, direction.z);
+  } else if (isBoolean(option)) {
+    value = numberOf(option, choice) != 0 ? "true" : "false";
+  } else {
+    value = option.onOff.isOn != nullptr && !option.onOff.isOn(choice)
+                ? "off"
+                : fmt::format("{}", static_cast<float>(numberOf(option, choice)));
+    range = fmt::format(", {:g} to {:g}", option.min, option.max);
+  }
+  const std::string unit = *option.unit == '\0' ? "" : fmt::format(" {}", option.unit);
+  return fmt::format("  {:<30} {}{}{}\n      {}\n", option.name, value, unit, range, option.meaning);
+}
+
+/// One camera with the options of its file, or all cameras.
+void list(const std::string& name, const CommandContext& context) {
+  if (name.empty()) {
+    context.print("Cameras, and other representations of a scene:\n");
+    for (const CameraName& each : cameraNames()) {
+      context.print(fmt::format("  {:<18} {}\n", each.name, each.description));
     }
-  });
+    context.print("\nGraph and curved ray cameras, by what constructs them:\n");
+    for (const CameraConstructor& each : cameraConstructors()) {
+      context.print(fmt::format("  {:<18} {}\n", each.name, each.description));
+    }
+    context.print("\nOptions of one of the first list: `ocelli camera list NAME`.\n");
+    return;
+  }
+  const CameraChoice choice = cameraChoice(name);
+  context.print(fmt::format("{}: {}\n", name, choice.kind->description));
+  if (choice.kind->options.empty()) {
+    context.print("It has no options.\n");
+    return;
+  }
+  context.print(fmt::format("Options, fields of a JSON file with \"camera\": \"{}\" that --camera takes:\n", name));
+  for (const CameraOption* option : choice.kind->options) {
+    context.print(optionText(*option, choice));
+  }
+}
+
+void addCameraList(CLI::App& camera, const CommandContext& context) {
+  CLI::App& command = *camera.add_subcommand("list", "List all cameras, or the options of one");
+  const auto name = std::make_shared<std::string>();
+  command.add_option("NAME", *name, "A camera or its file; the list of all where not given");
+  context.finish(command, "  ocelli camera list\n  ocelli camera list ddoc", [name, context] { list(*name, context); });
 }
 
 struct ShowChoice {
@@ -253,7 +296,8 @@ void addEdit(CLI::App& camera, const CommandContext& context) {
 }  // namespace
 
 void addCameraCommand(CLI::App& program, const CommandContext& context) {
-  CLI::App& camera = *program.add_subcommand("camera", "Graph and curved ray cameras: list, show, describe, edit");
+  CLI::App& camera = *program.add_subcommand(
+      "camera", "List cameras and their options; show, describe and edit graph and curved ray cameras");
   camera.require_subcommand(1);
   addCameraList(camera, context);
   addShow(camera, context);

@@ -2,8 +2,8 @@
 //
 // Recipe for a new command, four files:
 //   1. cli/NAME_command.cpp: `void addNameCommand(CLI::App& program, const CommandContext& context)`. It adds a
-//   subcommand, its
-//      options, and ends with context.finish(command, examples, run). `run` calls a room and prints: no logic here.
+//      subcommand, its options, and ends with context.finish(command, examples, run). `run` calls a room and prints: no
+//      logic here.
 //   2. cli/command.h: its declaration.
 //   3. cli/main.cpp and cli/CMakeLists.txt: one line each.
 //

@@ -67,7 +67,7 @@ class DemoFolder {
 Image<glm::vec3> imageOf(const ReferenceImage& image) {
   Image<glm::vec3> picture = image.color;
   for (size_t i = 0; i < picture.size(); ++i) {
-    if (image.z[i] <= 0) {
+    if (image.t[i] <= 0) {
       picture[i] = kBackground;
     }
   }

@@ -27,9 +27,9 @@
 #include "display_driver/follow/series_source.h"
 #include "display_driver/follow/still_source.h"
 #include "display_driver/follow/turning_source.h"
+#include "display_driver/pacing/device_log_player.h"
 #include "display_driver/pacing/pacer.h"
 #include "display_driver/pacing/recording_device.h"
-#include "display_driver/pacing/session_player.h"
 #include "display_sim/exact_slicer.h"
 #include "display_sim/frames/svol_file.h"
 #include "oc_core/base/error.h"
@@ -63,8 +63,8 @@ struct PresentChoice {
 
   bool isRecording() const { return scene.source.ends_with(".svol"); }
   bool isSeries() const { return std::filesystem::is_directory(scene.source); }
-  bool isSession() const { return scene.source.ends_with(".session"); }
-  bool isScene() const { return !isRecording() && !isSeries() && !isSession(); }
+  bool isDeviceLog() const { return scene.source.ends_with(".session"); }
+  bool isScene() const { return !isRecording() && !isSeries() && !isDeviceLog(); }
   bool hasCamera() const { return !camera.empty() && camera != "none"; }
   bool moves() const { return turn || !eyes.empty() || isSeries(); }
 };
@@ -96,13 +96,13 @@ void check(const PresentChoice& choice) {
   refuse(!choice.eyes.empty() && choice.camera == "none", "without a camera the eye changes nothing", "--camera none",
          "--camera ddoc");
   refuse(choice.rate && !choice.isSeries(), "only a folder of meshes has a rate of its own", "--rate", "leave it out");
-  refuse((choice.isRecording() || choice.isSession()) && !choice.profile.empty(), "a volume has its profile already",
+  refuse((choice.isRecording() || choice.isDeviceLog()) && !choice.profile.empty(), "a volume has its profile already",
          "--profile", "leave it out");
-  refuse(choice.isSession() && (choice.loop || choice.tear || choice.coarse || choice.seconds || choice.follow ||
-                                !choice.timeLine.empty()),
-         "a recorded session is played as it was, once", "--loop, --tear, --coarse, --seconds, --follow or --timeline",
+  refuse(choice.isDeviceLog() && (choice.loop || choice.tear || choice.coarse || choice.seconds || choice.follow ||
+                                  !choice.timeLine.empty()),
+         "a device log is played as it was, once", "--loop, --tear, --coarse, --seconds, --follow or --timeline",
          "leave it out");
-  refuse(choice.fast && !choice.isSession(), "only a recorded session can go faster", "--fast", "leave it out");
+  refuse(choice.fast && !choice.isDeviceLog(), "only a device log can go faster", "--fast", "leave it out");
   refuse(choice.moves() && (choice.slicing.exact || needsExactSlicer(sliceOptionsOf(choice.slicing))),
          "what moves is sliced by the fast slicer alone", "--exact, --even-light or --dither diffusion",
          "leave it out");
@@ -298,8 +298,8 @@ Opened openFor(const PresentChoice& choice, DeviceOptions options, const Command
                      choice.profile.empty() ? choice.scene.source : "--profile", "slice the scene for that display");
   }
   if (!choice.record.empty()) {
-    opened.device = recordSession(std::move(opened.device), choice.record,
-                                  [&context](const std::string& what) { context.note(what); });
+    opened.device = recordDeviceLog(std::move(opened.device), choice.record,
+                                    [&context](const std::string& what) { context.note(what); });
   }
   return opened;
 }
@@ -322,21 +322,21 @@ void requireShown(const PresentationReport& report, const Presented& presented, 
 }
 
 /// Until what is missing is told.
-constexpr double kSessionWaitSeconds = 0.5;
+constexpr double kLogWaitSeconds = 0.5;
 
-void runSession(const PresentChoice& choice, const CommandContext& context) {
-  SessionReader reader(choice.scene.source);
+void runDeviceLog(const PresentChoice& choice, const CommandContext& context) {
+  DeviceLogReader reader(choice.scene.source);
   DeviceOptions options;
   options.profile = reader.profile();
   Opened opened = openFor(choice, options, context);
-  SessionPlayed played;
+  DeviceLogPlayed played;
   bool interrupted = false;
   {
     const InterruptGuard guard;
     // Frames come at their own times, display or not.
-    DisplayWait(*opened.device, context).untilThere(kSessionWaitSeconds, [] { return InterruptGuard::interrupted(); });
-    played = playSession(reader, *opened.device, realClock(), {.fast = choice.fast},
-                         [] { return InterruptGuard::interrupted(); });
+    DisplayWait(*opened.device, context).untilThere(kLogWaitSeconds, [] { return InterruptGuard::interrupted(); });
+    played = playDeviceLog(reader, *opened.device, realClock(), {.fast = choice.fast},
+                           [] { return InterruptGuard::interrupted(); });
     interrupted = InterruptGuard::interrupted();
   }
   const std::exception_ptr failure = opened.close(context);
@@ -351,7 +351,7 @@ void runSession(const PresentChoice& choice, const CommandContext& context) {
   }
   if (reader.ending() == RecordingEnding::kUnfinished) {
     if (played.submitted == 0) {
-      throw InputError("this session was cut short before its first frame", choice.scene.source, "record it again");
+      throw InputError("this log was cut short before its first frame", choice.scene.source, "record it again");
     }
     context.note("the recording was cut short");
   }
@@ -373,8 +373,8 @@ void addSource(Presented& presented, const PresentChoice& choice, const DisplayP
 void run(const PresentChoice& choice, const CommandContext& context) {
   check(choice);
   checkSecondOutput(choice.record, "--record", choice.scene.source);
-  if (choice.isSession()) {
-    runSession(choice, context);
+  if (choice.isDeviceLog()) {
+    runDeviceLog(choice, context);
     return;
   }
   checkSecondOutput(choice.timeLine, "--timeline", choice.record);
@@ -468,7 +468,7 @@ void addPresentCommand(CLI::App& program, const CommandContext& context) {
   addShownOptions(command, choice->shown);
   addSecondOutputOption(command, "--timeline", choice->timeLine, "A table of what became of each refresh", {".csv"});
   addSecondOutputOption(command, "--record", choice->record, "All that passes to the device and back", {".session"});
-  command.add_flag("--fast", choice->fast, "A recorded session as fast as the display goes");
+  command.add_flag("--fast", choice->fast, "A device log as fast as the display goes");
   command.add_flag("--json", choice->json, "Print the figures as JSON");
   context.finish(command,
                  "  ocelli present builtin:teapot --device sim --seconds 5 --watch seen.mp4\n"

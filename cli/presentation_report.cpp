@@ -140,12 +140,12 @@ std::string reportJson(const PresentationReport& report) {
   return textOfJson(json, 2) + "\n";
 }
 
-std::string reportText(const SessionPlayed& played) {
+std::string reportText(const DeviceLogPlayed& played) {
   return fmt::format("{} frames submitted and {} presented in {:.1f} s: {} shown, {} dropped, {} lost\n",
                      played.submitted, played.presented, played.seconds, played.shown, played.dropped, played.lost);
 }
 
-std::string reportJson(const SessionPlayed& played) {
+std::string reportJson(const DeviceLogPlayed& played) {
   const nlohmann::ordered_json json = {{"frames_submitted", played.submitted},
                                        {"frames_presented", played.presented},
                                        {"frames_shown", played.shown},

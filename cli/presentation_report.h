@@ -6,7 +6,7 @@
 
 #include "display_driver/device/device.h"
 #include "display_driver/follow/eyes_source.h"
-#include "display_driver/pacing/session_player.h"
+#include "display_driver/pacing/device_log_player.h"
 #include "display_driver/pacing/time_line.h"
 
 namespace ocelli {
@@ -27,9 +27,9 @@ struct PresentationReport {
 /// Lines for people, each with its end.
 std::string reportText(const PresentationReport& report);
 std::string reportJson(const PresentationReport& report);
-/// The same of a recorded session.
-std::string reportText(const SessionPlayed& played);
-std::string reportJson(const SessionPlayed& played);
+/// The same of a device log.
+std::string reportText(const DeviceLogPlayed& played);
+std::string reportJson(const DeviceLogPlayed& played);
 
 /// One line without its end: "refresh 1203 at 12.345 s: source late".
 std::string missText(const RefreshRecord& record, HostTime start);

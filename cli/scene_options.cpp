@@ -10,7 +10,7 @@
 namespace ocelli {
 namespace {
 
-const std::string kCameraHelp = "Camera, or a JSON file with its options:";
+const std::string kCameraHelp = "Camera, or a JSON file with its options (`ocelli camera list NAME` tells them):";
 constexpr const char* kCameraType = "NAME|FILE.json";
 
 template <class Named>

@@ -24,7 +24,7 @@ maze scene/maze_corpus $seconds
 camera constructor/corpus $seconds
 protocol study_protocol/corpus $seconds
 plan analysis_dataset/plan_corpus $seconds
-session display_driver_pacing/corpus $seconds
+device_log display_driver_pacing/corpus $seconds
 wire_host display_driver_stream/corpus $seconds
 ply scene/ply_corpus $seconds
 scene_record scene/record_corpus $seconds

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "display_driver/device/volume_pool.h"
-#include "display_driver/pacing/session_writer.h"
+#include "display_driver/pacing/device_log_writer.h"
 
 namespace ocelli {
 namespace {
@@ -54,11 +54,11 @@ class RecordingDevice final : public Device {
       changed_.notify_all();
     }
     if (failure_ && telemetry.lastProblem.empty()) {
-      telemetry.lastProblem = "the session is no longer recorded";
+      telemetry.lastProblem = "the log is no longer recorded";
     }
     if (failure_ && !std::exchange(breakTold_, true)) {
       lock.unlock();
-      tell("the session is no longer recorded: it cannot be written");
+      tell("the log is no longer recorded: it cannot be written");
     }
     return telemetry;
   }
@@ -73,7 +73,7 @@ class RecordingDevice final : public Device {
     }
     finish();
     if (leftOut_ > 0) {
-      tell(fmt::format("{} volumes are missing in the recorded session: they came faster than they could be written",
+      tell(fmt::format("{} volumes are missing in the device log: they came faster than they could be written",
                        leftOut_));
     }
     if (failure || failure_) {
@@ -123,7 +123,9 @@ class RecordingDevice final : public Device {
     }
   }
 
-  SessionWriter::Time now() const { return std::chrono::duration_cast<SessionWriter::Time>(Clock::now() - opened_); }
+  DeviceLogWriter::Time now() const {
+    return std::chrono::duration_cast<DeviceLogWriter::Time>(Clock::now() - opened_);
+  }
 
   void add(std::function<void()> work) {
     const std::lock_guard lock(mutex_);
@@ -212,12 +214,12 @@ class RecordingDevice final : public Device {
   std::unique_ptr<Device> device_;
   const HostTime opened_;
   const std::function<void(const std::string&)> tell_;
-  SessionWriter writer_;                                     ///< of the thread, and after it
+  DeviceLogWriter writer_;                                   ///< of the thread, and after it
   std::vector<std::shared_ptr<const FrameFence>> underWay_;  ///< likewise
   VolumePool copies_;
 
   std::mutex order_;       ///< over submissions and what follows, up to the other one
-  bool afterGap_ = false;  ///< the volume before is not in the session
+  bool afterGap_ = false;  ///< the volume before is not in the log
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<std::function<void()>> waiting_;
@@ -232,8 +234,8 @@ class RecordingDevice final : public Device {
 
 }  // namespace
 
-std::unique_ptr<Device> recordSession(std::unique_ptr<Device> device, const std::filesystem::path& path,
-                                      std::function<void(const std::string&)> tell) {
+std::unique_ptr<Device> recordDeviceLog(std::unique_ptr<Device> device, const std::filesystem::path& path,
+                                        std::function<void(const std::string&)> tell) {
   return std::make_unique<RecordingDevice>(std::move(device), path, std::move(tell));
 }
 

@@ -223,7 +223,7 @@ void drawNotes(const PanelDrawing& drawing, const PaneLayout& layout) {
 
 std::string sampleText(const ReferenceImage& image, const glm::ivec2& pixel) {
   const std::string where = fmt::format("pixel {}, {}: ", pixel.x, pixel.y);
-  const float z = image.z(pixel.x, pixel.y);
+  const float z = image.t(pixel.x, pixel.y);
   if (!(z > 0)) {
     return where + "no sample";
   }

@@ -38,10 +38,10 @@ GlObject uploaded(GlContext& context, GLenum internalFormat, GLenum format, cons
 
 ReferenceScale scaleOf(const ReferenceImage& image) {
   ReferenceScale scale{1e30f, 0, 0};
-  for (size_t i = 0; i < image.z.size(); ++i) {
-    if (image.z[i] > 0) {
-      scale.nearest = std::min(scale.nearest, image.z[i]);
-      scale.farthest = std::max(scale.farthest, image.z[i]);
+  for (size_t i = 0; i < image.t.size(); ++i) {
+    if (image.holds(i)) {
+      scale.nearest = std::min(scale.nearest, image.t[i]);
+      scale.farthest = std::max(scale.farthest, image.t[i]);
       scale.longestDisplacement = std::max(scale.longestDisplacement, glm::length(image.displacement[i]));
     }
   }
@@ -58,7 +58,7 @@ ReferencePane::ReferencePane(GlContext& context)
 
 void ReferencePane::upload(const ReferenceImage& image) {
   colors_ = uploaded(*context_, GL_RGB16F, GL_RGB, image.color);
-  depths_ = uploaded(*context_, GL_R32F, GL_RED, image.z);
+  depths_ = uploaded(*context_, GL_R32F, GL_RED, image.t);
   displacements_ = uploaded(*context_, GL_RG32F, GL_RG, image.displacement);
   scale_ = scaleOf(image);
 }

@@ -93,7 +93,7 @@ SampledRay sampledRay(const BuiltCamera& camera, const std::vector<RayFunction>&
   const PinholeCamera reference = image.reference();
   const float nearest = reference.view().zNear;
   const float farthest = depthsOf(reference, bounds).farthest;
-  const float z = image.z(at.pixel.x, at.pixel.y);
+  const float z = image.t(at.pixel.x, at.pixel.y);
   const RayPath ray = rays[index](glm::vec2(at.pixel) + 0.5f);
   if (!(z > 0)) {
     return {{}, rayBetween(ray, reference, nearest, farthest)};

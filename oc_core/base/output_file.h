@@ -25,7 +25,7 @@ class OutputFile {
 
   void write(std::span<const uint8_t> bytes);
   void write(std::string_view text);
-  /// MotorModel all that was written to the system: it is in the file even if this program is killed.
+  /// Hands all that was written to the system: it is in the file even if this program is killed.
   void flush();
   /// For files that are read while they grow: what was written so far appears under the name now, and stays whatever
   /// happens; further writes and commit() follow.

@@ -3,15 +3,15 @@
 // A camera maps world points to image points and pixels to rays. The rays of the cameras of this toolkit bend, so a ray
 // is a polyline from near to far; origin plus direction cannot say it.
 //
-//   project(worldPoint)  -> optional<ImagePoint>   nothing where the point has no image
+//   project(worldPoint)  -> optional<ImagePoint>   pixel and t; nothing where the point has no image
 //   unproject(imagePoint)-> optional<vec3>         nothing where no world point has that image
 //   rayPath(pixel)       -> RayPath                empty where the pixel has no ray
 //
-// `ImagePoint::z` grows along the ray, from near to far. For cameras that displace the image of a pinhole it is the
-// distance along the reference view direction (conventions.h), for panoramas the length of the ray, for graph and
-// curved ray cameras what graph_camera.h says. Wherever both succeed, project(unproject(q)) is q, and every point of
-// rayPath(p) projects to p. Renderers (oc_core/render) take the camera as a template parameter: no virtual call stands
-// in an inner loop.
+// t is the parameter of the ray: it grows along it, from near to far, and each camera says what it measures. For those
+// that displace the image of a pinhole it is z, the distance along the reference view direction (conventions.h), for
+// panoramas the length of the ray, for graph and curved ray cameras what graph_camera.h says. Wherever both succeed,
+// project(unproject(q)) is q, and the point of rayPath(p) at parameter t projects to p and t. Renderers
+// (oc_core/render) take the camera as a template parameter: no virtual call stands in an inner loop.
 //
 // Recipe for a new camera model, three places:
 //   1. oc_core/camera/NAME_camera.h and .cpp: the class, with its section and equations at the top; it must satisfy
@@ -30,11 +30,11 @@
 
 namespace ocelli {
 
-/// (u, v) in pixels from the top left corner; z as above, positive.
+/// (u, v) in pixels from the top left corner; t along the ray, as above.
 struct ImagePoint {
   float u = 0;
   float v = 0;
-  float z = 0;
+  float t = 0;
 };
 
 template <class C>

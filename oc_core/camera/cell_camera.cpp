@@ -63,7 +63,7 @@ bool CellCamera::reaches(size_t viewpoint, const ImagePoint& q) const {
   const Viewpoint& v = viewpoints_[viewpoint];
   const int x = static_cast<int>(std::floor(q.u));
   const int y = static_cast<int>(std::floor(q.v));
-  return v.reach.contains(x, y) && q.z <= v.reach(x, y) * (1 + kReachFootprints / v.camera.focalPixels());
+  return v.reach.contains(x, y) && q.t <= v.reach(x, y) * (1 + kReachFootprints / v.camera.focalPixels());
 }
 
 bool CellCamera::reachedBefore(size_t viewpoint, const glm::vec3& worldPoint) const {
@@ -130,10 +130,10 @@ std::optional<glm::vec3> CellCamera::pointAt(const Place& place, float reference
 
 std::optional<glm::vec3> CellCamera::unproject(const ImagePoint& q) const {
   const std::optional<Place> place = placeOf({q.u, q.v});
-  if (!place || !std::isfinite(q.z)) {
+  if (!place || !std::isfinite(q.t)) {
     return std::nullopt;
   }
-  const std::optional<glm::vec3> point = pointAt(*place, q.z);
+  const std::optional<glm::vec3> point = pointAt(*place, q.t);
   if (!point || !reaches(place->viewpoint, *viewpoints_[place->viewpoint].camera.project(*point)) ||
       reachedBefore(place->viewpoint, *point)) {
     return std::nullopt;
@@ -158,8 +158,16 @@ RayPath CellCamera::rayPath(const glm::vec2& pixel) const {
   // Half of the tolerance beyond the surface, so that a ray tracer finds it.
   const float end =
       std::min(v.reach(x, y) * (1 + 0.5f * kReachFootprints / v.camera.focalPixels()), v.camera.view().zFar);
+  const auto piece = [&](float zStart) {
+    RayPath path;
+    for (const float z : {zStart, end}) {
+      const glm::vec3 point = at(z);
+      path.add(point, place->viewpoint == 0 ? z : reference().cameraFromWorld(point).z);
+    }
+    return path;
+  };
   if (place->viewpoint == 0) {
-    return {at(v.camera.view().zNear), at(end)};
+    return piece(v.camera.view().zNear);
   }
   // Back from the surface, up to where an earlier viewpoint takes over.
   const float baseline = glm::distance(v.camera.eye(), reference().eye());
@@ -172,7 +180,7 @@ RayPath CellCamera::rayPath(const glm::vec2& pixel) const {
     }
     start = next;
   }
-  return start < end ? RayPath{at(start), at(end)} : RayPath{};
+  return start < end ? piece(start) : RayPath{};
 }
 
 }  // namespace ocelli

@@ -65,10 +65,10 @@ void CurvedRayCamera::bend(const TransitionPlanes& planes, const glm::dvec3& vie
   for (const glm::dvec2 corner :
        {glm::dvec2(0, 0), glm::dvec2(width, 0), glm::dvec2(width, height), glm::dvec2(0, height)}) {
     const Segment ray = segmentAfter(bends_.size(), corner);
-    double last = ray.z;
+    double last = ray.t;
     for (const Plane* plane : {&planes.from, &planes.middle}) {
       const double forward = glm::dot(plane->normal, ray.direction);
-      const double z = ray.z - plane->height(ray.from) / forward;
+      const double z = ray.t - plane->height(ray.from) / forward;
       if (!(forward > 0) || !(z > last) || !(z < static_cast<double>(root_.view().zFar))) {
         fail(number, "not every ray crosses its planes in order, behind the turn before and before zFar",
              "move its planes, or turn them towards the rays");
@@ -116,7 +116,7 @@ RayTransition::Arc CurvedRayCamera::arcOf(const Segment& segment, size_t bend) c
 CurvedRayCamera::Segment CurvedRayCamera::behind(const Segment& segment, const RayTransition::Arc& arc,
                                                  size_t bend) const {
   const double speed = glm::length(segment.direction);
-  return {arc.q, glm::normalize(arc.q - bends_[bend].beyond()) * speed, segment.zOf(arc.t) + arc.length() / speed};
+  return {arc.q, glm::normalize(arc.q - bends_[bend].beyond()) * speed, segment.tOf(arc.t) + arc.length() / speed};
 }
 
 CurvedRayCamera::Segment CurvedRayCamera::segmentAfter(size_t bends, const glm::dvec2& pixel) const {
@@ -146,7 +146,7 @@ std::optional<ExactImagePoint> CurvedRayCamera::inSegment(size_t bends, const gl
     return std::nullopt;
   }
   const std::optional<glm::dvec2> pixel = pixelOf(bends, point, rounding);
-  return pixel ? std::optional(ExactImagePoint{pixel->x, pixel->y, segmentAfter(bends, *pixel).zOf(point)})
+  return pixel ? std::optional(ExactImagePoint{pixel->x, pixel->y, segmentAfter(bends, *pixel).tOf(point)})
                : std::nullopt;
 }
 
@@ -162,7 +162,7 @@ std::optional<ExactImagePoint> CurvedRayCamera::inBend(size_t bend, const glm::d
   }
   const Segment segment = segmentAfter(bend, *pixel);
   const double advance = transition.shareAt(*place) * place->arc.length() / glm::length(segment.direction);
-  return ExactImagePoint{pixel->x, pixel->y, segment.zOf(place->arc.t) + advance};
+  return ExactImagePoint{pixel->x, pixel->y, segment.tOf(place->arc.t) + advance};
 }
 
 std::optional<ExactImagePoint> CurvedRayCamera::projectExactly(const glm::dvec3& worldPoint) const {
@@ -184,12 +184,12 @@ std::optional<ExactImagePoint> CurvedRayCamera::projectExactly(const glm::dvec3&
       return std::nullopt;
     }
   }
-  const bool inDepth = q->z <= static_cast<double>(root_.view().zFar) * (1 + kSingleDepthRounding);
+  const bool inDepth = q->t <= static_cast<double>(root_.view().zFar) * (1 + kSingleDepthRounding);
   return inDepth && std::isfinite(q->u) && std::isfinite(q->v) ? q : std::nullopt;
 }
 
 std::optional<glm::dvec3> CurvedRayCamera::unprojectExactly(const ExactImagePoint& q) const {
-  if (!(q.z >= static_cast<double>(root_.view().zNear) && q.z <= static_cast<double>(root_.view().zFar)) ||
+  if (!(q.t >= static_cast<double>(root_.view().zNear) && q.t <= static_cast<double>(root_.view().zFar)) ||
       !std::isfinite(q.u) || !std::isfinite(q.v)) {
     return std::nullopt;
   }
@@ -197,17 +197,17 @@ std::optional<glm::dvec3> CurvedRayCamera::unprojectExactly(const ExactImagePoin
   Segment segment = rootSegment({q.u, q.v});
   for (size_t i = 0; i < bends_.size(); ++i) {
     const RayTransition::Arc arc = arcOf(segment, i);
-    const double begin = segment.zOf(arc.t);
-    if (q.z <= begin) {
+    const double begin = segment.tOf(arc.t);
+    if (q.t <= begin) {
       break;
     }
     const Segment next = behind(segment, arc, i);
-    if (q.z < next.z) {
-      return ifFinite(arc.at(bends_[i].parameterAt(arc, (q.z - begin) / (next.z - begin))));
+    if (q.t < next.t) {
+      return ifFinite(arc.at(bends_[i].parameterAt(arc, (q.t - begin) / (next.t - begin))));
     }
     segment = next;
   }
-  return ifFinite(segment.from + segment.direction * (q.z - segment.z));
+  return ifFinite(segment.from + segment.direction * (q.t - segment.t));
 }
 
 std::optional<ImagePoint> CurvedRayCamera::project(const glm::vec3& worldPoint) const {
@@ -216,7 +216,7 @@ std::optional<ImagePoint> CurvedRayCamera::project(const glm::vec3& worldPoint) 
 
 std::optional<glm::vec3> CurvedRayCamera::unproject(const ImagePoint& q) const {
   const std::optional<glm::dvec3> point =
-      unprojectExactly({static_cast<double>(q.u), static_cast<double>(q.v), static_cast<double>(q.z)});
+      unprojectExactly({static_cast<double>(q.u), static_cast<double>(q.v), static_cast<double>(q.t)});
   return point ? std::optional(glm::vec3(*point)) : std::nullopt;
 }
 
@@ -226,17 +226,21 @@ RayPath CurvedRayCamera::rayPath(const glm::vec2& pixel) const {
     return path;
   }
   Segment segment = rootSegment(glm::dvec2(pixel));
-  path.push_back(glm::vec3(segment.from));
+  path.add(glm::vec3(segment.from), static_cast<float>(segment.t));
   const size_t points = std::min(kArcPoints, (RayPath::kMaxPoints - 2) / std::max<size_t>(bends_.size(), 1));
   for (size_t i = 0; i < bends_.size(); ++i) {
     const RayTransition::Arc arc = arcOf(segment, i);
+    const Segment next = behind(segment, arc, i);
+    const double begin = segment.tOf(arc.t);
     for (size_t k = 0; k < points; ++k) {
-      path.push_back(glm::vec3(arc.at(static_cast<double>(k) / static_cast<double>(points - 1))));
+      const RayTransition::Place place{arc, static_cast<double>(k) / static_cast<double>(points - 1)};
+      path.add(glm::vec3(arc.at(place.parameter)),
+               static_cast<float>(begin + bends_[i].shareAt(place) * (next.t - begin)));
     }
-    segment = behind(segment, arc, i);
+    segment = next;
   }
-  const double rest = static_cast<double>(root_.view().zFar) - segment.z;
-  path.push_back(glm::vec3(segment.from + segment.direction * std::max(rest, 0.0)));
+  const double rest = std::max(static_cast<double>(root_.view().zFar) - segment.t, 0.0);
+  path.add(glm::vec3(segment.from + segment.direction * rest), static_cast<float>(segment.t + rest));
   return path;
 }
 

@@ -9,7 +9,7 @@
 //
 // That is so with conics. With the text's first model, polynomial arcs, the arc through a point is searched for.
 //
-// z is measured along the ray as by the graph camera; along an arc it grows by the length of its control polygon, in
+// t is measured along the ray as by the graph camera; along an arc it grows by the length of its control polygon, in
 // proportion to RayTransition::shareAt(). Without bends, and where the viewpoints are one, it is the pinhole's z.
 #pragma once
 
@@ -53,13 +53,13 @@ class CurvedRayCamera {
   RayPath rayPath(const glm::vec2& pixel) const;
 
  private:
-  /// A straight piece of a ray: along a direction whose length advances z by 1.
+  /// A straight piece of a ray: along a direction whose length advances t by 1.
   struct Segment {
     glm::dvec3 from{0};
     glm::dvec3 direction{0};
-    double z = 0;
+    double t = 0;
 
-    double zOf(const glm::dvec3& point) const { return z + glm::distance(from, point) / glm::length(direction); }
+    double tOf(const glm::dvec3& point) const { return t + glm::distance(from, point) / glm::length(direction); }
   };
   Segment rootSegment(const glm::dvec2& pixel) const;
   /// The arc that a segment ends with, at the next bend, and the segment behind that.

@@ -1,6 +1,6 @@
 #include "oc_core/camera/cylinder_camera.h"
 
-#include "oc_core/camera/ray_length.h"
+#include "oc_core/camera/straight_ray.h"
 
 namespace ocelli {
 
@@ -18,18 +18,18 @@ std::optional<ImagePoint> CylinderCamera::project(const glm::vec3& worldPoint) c
 }
 
 std::optional<glm::vec3> CylinderCamera::unproject(const ImagePoint& q) const {
-  if (!isWithin(view(), static_cast<double>(q.z)) || !std::isfinite(q.u) || !std::isfinite(q.v)) {
+  if (!isWithin(view(), static_cast<double>(q.t)) || !std::isfinite(q.u) || !std::isfinite(q.v)) {
     return std::nullopt;
   }
   const double longitude = (static_cast<double>(q.u) / width() - 0.5) * 2 * kPi;
   const glm::dvec3 along(std::sin(longitude),
                          (static_cast<double>(q.v) - height() / 2.0) / static_cast<double>(reference_.focalPixels()),
                          std::cos(longitude));
-  return reference_.worldFromCamera(glm::vec3(along * (static_cast<double>(q.z) / glm::length(along))));
+  return reference_.worldFromCamera(glm::vec3(along * (static_cast<double>(q.t) / glm::length(along))));
 }
 
 RayPath CylinderCamera::rayPath(const glm::vec2& pixel) const {
-  return straightRay(*this, pixel);
+  return straightRay(*this, pixel, view());
 }
 
 }  // namespace ocelli

@@ -30,11 +30,11 @@ std::optional<ImagePoint> DdocCamera::undistort(const ImagePoint& q, const glm::
   float damping = 1;
   float lastError = 1e30f;
   for (int step = 0; step < kMaxSteps; ++step) {
-    const ImagePoint image = distort({x.x, x.y, q.z});
+    const ImagePoint image = distort({x.x, x.y, q.t});
     const glm::vec2 residual = target - glm::vec2(image.u, image.v);
     const float error = glm::length(residual);
     if (error < kTolerancePixels) {
-      return ImagePoint{x.x, x.y, q.z};
+      return ImagePoint{x.x, x.y, q.t};
     }
     damping = error > lastError ? std::max(damping * 0.5f, 0.1f) : damping;
     lastError = error;
@@ -76,7 +76,8 @@ RayPath DdocCamera::rayPath(const glm::vec2& pixel) const {
   constexpr float kStepsPerPixel = 4;
   constexpr float kMaxSteps = 96;
   const int steps = static_cast<int>(std::clamp(reach * kStepsPerPixel, 4.0f, kMaxSteps));
-  RayPath bent{path.front()};
+  RayPath bent;
+  bent.add(path.front(), path.tMin());
   glm::vec2 undistorted = pixel;
   glm::vec2 advance(0);
   const auto addPointAt = [&](float z) {
@@ -84,7 +85,7 @@ RayPath DdocCamera::rayPath(const glm::vec2& pixel) const {
       if (const std::optional<glm::vec3> point = reference_.unproject(*solved)) {
         advance = glm::vec2(solved->u, solved->v) - undistorted;
         undistorted = {solved->u, solved->v};
-        bent.push_back(*point);
+        bent.add(*point, z);
       }
     }
   };

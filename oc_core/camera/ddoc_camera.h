@@ -36,8 +36,8 @@ class DdocCamera {
   }
 
   ImagePoint distort(const ImagePoint& q) const {
-    const glm::vec2 displacement = map_.at(q.u, q.v).at(1 / q.z);
-    return {q.u + displacement.x, q.v + displacement.y, q.z};
+    const glm::vec2 displacement = map_.at(q.u, q.v).at(1 / q.t);
+    return {q.u + displacement.x, q.v + displacement.y, q.t};
   }
 
   std::optional<ImagePoint> project(const glm::vec3& worldPoint) const {

@@ -122,7 +122,7 @@ std::optional<ImagePoint> EpipolarCamera::project(const glm::vec3& worldPoint) c
     column += width_ - lines_.length(row);  // beyond the base image: beyond this one
   } else if (place.position >= 0) {
     const double x = lines_.x(row, place.position);
-    const double y = lines_.inverseZScale(x) / static_cast<double>(q->z);
+    const double y = lines_.inverseZScale(x) / static_cast<double>(q->t);
     const Disocclusion* disocclusion = disocclusionOf(row, cellOf(place.position), x - lines_.disparity() * y);
     if (disocclusion != nullptr && (y >= disocclusion->yFar || place.position < disocclusion->position)) {
       const double xFar = x - lines_.disparity() * std::max(0.0, y - disocclusion->yFar);
@@ -131,7 +131,7 @@ std::optional<ImagePoint> EpipolarCamera::project(const glm::vec3& worldPoint) c
       column += shiftAt(row, place.position);
     }
   }
-  return ImagePoint{static_cast<float>(column), static_cast<float>(place.row), q->z};
+  return ImagePoint{static_cast<float>(column), static_cast<float>(place.row), q->t};
 }
 
 EpipolarCamera::PlaneRay EpipolarCamera::straightRay(int row, double position) const {
@@ -210,7 +210,7 @@ std::optional<glm::vec3> EpipolarCamera::unproject(const ImagePoint& q) const {
   if (!ray) {
     return std::nullopt;
   }
-  const double w = 1.0 / static_cast<double>(q.z);
+  const double w = 1.0 / static_cast<double>(q.t);
   double x = ray->xFar;
   double y = w * lines_.inverseZScale(x);
   if (y > ray->yFar) {
@@ -227,7 +227,7 @@ std::optional<glm::vec3> EpipolarCamera::unproject(const ImagePoint& q) const {
     return std::nullopt;
   }
   const glm::dvec2 p = lines_.imagePoint({q.v, lines_.position(row, x)});
-  return base_.unproject({static_cast<float>(p.x), static_cast<float>(p.y), q.z});
+  return base_.unproject({static_cast<float>(p.x), static_cast<float>(p.y), q.t});
 }
 
 RayPath EpipolarCamera::rayPath(const glm::vec2& pixel) const {
@@ -241,8 +241,9 @@ RayPath EpipolarCamera::rayPath(const glm::vec2& pixel) const {
   }
   RayPath path;
   const auto add = [&](double x, double y) {
-    if (const std::optional<glm::vec3> point = base_.unproject(basePoint(pixel.y, x, y))) {
-      path.push_back(*point);
+    const ImagePoint q = basePoint(pixel.y, x, y);
+    if (const std::optional<glm::vec3> point = base_.unproject(q)) {
+      path.add(*point, q.t);
     }
   };
   const double disparity = lines_.disparity();

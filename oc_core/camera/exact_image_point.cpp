@@ -19,7 +19,7 @@ std::optional<ImagePoint> inSinglePrecision(const std::optional<ExactImagePoint>
   if (!q) {
     return std::nullopt;
   }
-  const ImagePoint image{static_cast<float>(q->u), static_cast<float>(q->v), static_cast<float>(q->z)};
+  const ImagePoint image{static_cast<float>(q->u), static_cast<float>(q->v), static_cast<float>(q->t)};
   return std::isfinite(image.u) && std::isfinite(image.v) ? std::optional(image) : std::nullopt;
 }
 

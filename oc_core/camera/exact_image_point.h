@@ -9,11 +9,11 @@
 
 namespace ocelli {
 
-/// As ImagePoint: u and v in pixels from the top left corner, z in world units as the camera measures it.
+/// As ImagePoint: u and v in pixels from the top left corner, t as the camera measures it.
 struct ExactImagePoint {
   double u = 0;
   double v = 0;
-  double z = 0;
+  double t = 0;
 };
 
 /// What rounding of world points to single precision amounts to, in the image of a camera that holds them.

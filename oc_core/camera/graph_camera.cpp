@@ -155,7 +155,7 @@ int GraphCamera::bend(int i, const Bend& bend, const std::string& name, const Pa
     const Segment ray = segmentIn(i, corner);
     const double along = glm::dot(bend.plane.normal, ray.direction);
     const double before = bend.plane.height(ray.from);
-    if (!(along > 0 && before < -kHeightRounding && ray.z - before / along < root_.view().zFar)) {
+    if (!(along > 0 && before < -kHeightRounding && ray.t - before / along < root_.view().zFar)) {
       fail(name,
            "not every ray of \"" + parent.name + "\" in its part crosses its plane, from before it and before zFar",
            "turn the plane towards those rays, move it, or make the part smaller");
@@ -267,23 +267,23 @@ GraphCamera::Segment GraphCamera::next(const Segment& segment, int i) const {
   const double advance = -child.plane.height(segment.from) / glm::dot(child.plane.normal, segment.direction);
   const glm::dvec3 from = segment.from + segment.direction * advance;
   const glm::dvec3 direction = glm::normalize(from - child.viewpoint) * glm::length(segment.direction);
-  return {from, direction, segment.z + advance};
+  return {from, direction, segment.t + advance};
 }
 
 GraphCamera::Segment GraphCamera::segmentIn(int i, const glm::dvec2& pixel) const {
   return i == kRoot ? rootSegment(pixel) : next(segmentIn(frusta_[static_cast<size_t>(i)].parent, pixel), i);
 }
 
-/// The z at which a ray of frustum `i` ends that goes on to no child.
+/// The t at which a ray of frustum `i` ends that goes on to no child.
 double GraphCamera::endOf(int i, const Segment& segment) const {
   double end = static_cast<double>(root_.view().zFar);
   for (const Plane& limit : frusta_[static_cast<size_t>(i)].limits) {
     const double height = limit.height(segment.from);
     const double rise = glm::dot(limit.normal, segment.direction);
     if (height >= 0) {
-      end = segment.z;
+      end = segment.t;
     } else if (rise > 0) {
-      end = std::min(end, segment.z - height / rise);
+      end = std::min(end, segment.t - height / rise);
     }
   }
   return end;
@@ -355,12 +355,12 @@ std::optional<ExactImagePoint> GraphCamera::projectExactly(const glm::dvec3& wor
   }
   const glm::dvec4 h = frusta_[static_cast<size_t>(i)].pixelFromWorld * glm::dvec4(worldPoint, 1);
   const ExactImagePoint q{h.x / h.w, h.y / h.w, depth(i, worldPoint)};
-  const bool inDepth = q.z <= static_cast<double>(root_.view().zFar) * (1 + kSingleDepthRounding);
+  const bool inDepth = q.t <= static_cast<double>(root_.view().zFar) * (1 + kSingleDepthRounding);
   return inDepth && std::isfinite(q.u) && std::isfinite(q.v) ? std::optional(q) : std::nullopt;
 }
 
 std::optional<glm::dvec3> GraphCamera::unprojectExactly(const ExactImagePoint& q) const {
-  if (!(q.z >= static_cast<double>(root_.view().zNear) && q.z <= static_cast<double>(root_.view().zFar)) ||
+  if (!(q.t >= static_cast<double>(root_.view().zNear) && q.t <= static_cast<double>(root_.view().zFar)) ||
       !std::isfinite(q.u) || !std::isfinite(q.v)) {
     return std::nullopt;
   }
@@ -368,16 +368,16 @@ std::optional<glm::dvec3> GraphCamera::unprojectExactly(const ExactImagePoint& q
   int last = kRoot;
   double end = 0;
   walk({q.u, q.v}, [&](int i, const Segment& segment) {
-    if (segment.z > q.z) {
+    if (segment.t > q.t) {
       return false;
     }
-    point = segment.from + segment.direction * (q.z - segment.z);
+    point = segment.from + segment.direction * (q.t - segment.t);
     last = i;
     end = endOf(i, segment);
     return true;
   });
   const bool ends = childAt(last, {q.u, q.v}) < 0;
-  const bool beyond = ends && q.z > end * (1 + kSingleDepthRounding);
+  const bool beyond = ends && q.t > end * (1 + kSingleDepthRounding);
   return beyond || !isFinite(point) ? std::nullopt : std::optional(point);
 }
 
@@ -387,7 +387,7 @@ std::optional<ImagePoint> GraphCamera::project(const glm::vec3& worldPoint) cons
 
 std::optional<glm::vec3> GraphCamera::unproject(const ImagePoint& q) const {
   const std::optional<glm::dvec3> point =
-      unprojectExactly({static_cast<double>(q.u), static_cast<double>(q.v), static_cast<double>(q.z)});
+      unprojectExactly({static_cast<double>(q.u), static_cast<double>(q.v), static_cast<double>(q.t)});
   return point ? std::optional(glm::vec3(*point)) : std::nullopt;
 }
 
@@ -397,12 +397,14 @@ RayPath GraphCamera::rayPath(const glm::vec2& pixel) const {
     return path;
   }
   glm::dvec3 end(0);
+  double tEnd = 0;
   walk(glm::dvec2(pixel), [&](int i, const Segment& segment) {
-    path.push_back(glm::vec3(segment.from));
-    end = segment.from + segment.direction * (endOf(i, segment) - segment.z);
+    path.add(glm::vec3(segment.from), static_cast<float>(segment.t));
+    tEnd = endOf(i, segment);
+    end = segment.from + segment.direction * (tEnd - segment.t);
     return true;
   });
-  path.push_back(glm::vec3(end));
+  path.add(glm::vec3(end), static_cast<float>(tEnd));
   return path;
 }
 

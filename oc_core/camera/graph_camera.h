@@ -14,7 +14,7 @@
 // to the root and of the root's projection, gives pixels in one step. Where a pixel lies within the part of a frustum,
 // its ray and the point are the same, so one test tells whether the frustum holds P.
 //
-// z is the length of the ray, bend after bend, times the cosine between its first segment and the view direction: for
+// t is the length of the ray, bend after bend, times the cosine between its first segment and the view direction: for
 // rays that do not turn it is the pinhole's z.
 //
 // DEVIATION: the text's graph, whose frusta have two parents after a merge, is kept as the tree that it projects with:
@@ -91,7 +91,7 @@ class GraphCamera {
   std::optional<glm::dvec3> unprojectExactly(const ExactImagePoint& imagePoint) const;
   /// The frustum that holds a point; -1 for none.
   int frustumOf(const glm::dvec3& worldPoint) const;
-  /// z of a point that frustum `i` holds.
+  /// t of a point that frustum `i` holds.
   double depth(int i, const glm::dvec3& point) const;
   /// The child of frustum `i` that rays of a pixel go on to; -1 where they go straight on.
   int childAt(int i, const glm::dvec2& pixel) const;
@@ -105,11 +105,11 @@ class GraphCamera {
  private:
   [[noreturn]] void fail(const std::string& name, const std::string& what, const std::string& next) const;
   bool holds(int i, const glm::dvec3& point, double pixelRounding) const;
-  /// The ray of a pixel in a frustum: from where it begins, along a direction whose length advances z by 1.
+  /// The ray of a pixel in a frustum: from where it begins, along a direction whose length advances t by 1.
   struct Segment {
     glm::dvec3 from;
     glm::dvec3 direction;
-    double z;
+    double t;
   };
   Segment rootSegment(const glm::dvec2& pixel) const;
   Segment next(const Segment& segment, int child) const;

@@ -1,6 +1,6 @@
 #include "oc_core/camera/panorama_camera.h"
 
-#include "oc_core/camera/ray_length.h"
+#include "oc_core/camera/straight_ray.h"
 
 namespace ocelli {
 
@@ -17,18 +17,18 @@ std::optional<ImagePoint> PanoramaCamera::project(const glm::vec3& worldPoint) c
 }
 
 std::optional<glm::vec3> PanoramaCamera::unproject(const ImagePoint& q) const {
-  if (!isWithin(view(), static_cast<double>(q.z)) || !std::isfinite(q.u) || !std::isfinite(q.v)) {
+  if (!isWithin(view(), static_cast<double>(q.t)) || !std::isfinite(q.u) || !std::isfinite(q.v)) {
     return std::nullopt;
   }
   const double longitude = (static_cast<double>(q.u) / width() - 0.5) * 2 * kPi;
   const double latitude = (0.5 - static_cast<double>(q.v) / height()) * kPi;
   const glm::dvec3 direction(std::cos(latitude) * std::sin(longitude), -std::sin(latitude),
                              std::cos(latitude) * std::cos(longitude));
-  return reference_.worldFromCamera(glm::vec3(direction * static_cast<double>(q.z)));
+  return reference_.worldFromCamera(glm::vec3(direction * static_cast<double>(q.t)));
 }
 
 RayPath PanoramaCamera::rayPath(const glm::vec2& pixel) const {
-  return straightRay(*this, pixel);
+  return straightRay(*this, pixel, view());
 }
 
 }  // namespace ocelli

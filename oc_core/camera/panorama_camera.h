@@ -2,7 +2,7 @@
 //
 // Columns are longitudes, from -180 degrees at the left border to 180 at the right one; the view direction is in the
 // middle, and what lies to the right of it has positive longitudes. Rows are latitudes, from 90 degrees (the view's up)
-// at the top to -90. z is the length of the ray. The field of view and the shift of the view say nothing here.
+// at the top to -90. t is the length of the ray. The field of view and the shift of the view say nothing here.
 #pragma once
 
 #include "oc_core/camera/camera.h"

@@ -2,6 +2,7 @@
 
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
+#include "oc_core/camera/straight_ray.h"
 
 namespace ocelli {
 
@@ -22,12 +23,7 @@ PinholeCamera::PinholeCamera(const View& view, int width, int height) : view_(vi
 }
 
 RayPath PinholeCamera::rayPath(const glm::vec2& pixel) const {
-  const std::optional<glm::vec3> nearest = unproject({pixel.x, pixel.y, view_.zNear});
-  const std::optional<glm::vec3> farthest = unproject({pixel.x, pixel.y, view_.zFar});
-  if (!nearest || !farthest) {
-    return {};
-  }
-  return {*nearest, *farthest};
+  return straightRay(*this, pixel, view_);
 }
 
 }  // namespace ocelli

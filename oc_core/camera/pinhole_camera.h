@@ -44,7 +44,7 @@ class PinholeCamera {
     return {centerU_ + focal_ * p.x / p.z, centerV_ + focal_ * p.y / p.z, p.z};
   }
   glm::vec3 cameraFromImage(const ImagePoint& q) const {
-    return {(q.u - centerU_) / focal_ * q.z, (q.v - centerV_) / focal_ * q.z, q.z};
+    return {(q.u - centerU_) / focal_ * q.t, (q.v - centerV_) / focal_ * q.t, q.t};
   }
 
   /// Nothing for a point nearer than zNear or farther than zFar along the view direction, or so far out that its image
@@ -61,7 +61,7 @@ class PinholeCamera {
     return std::isfinite(q.u) && std::isfinite(q.v) ? std::optional(q) : std::nullopt;
   }
   std::optional<glm::vec3> unproject(const ImagePoint& q) const {
-    if (!(q.z >= view_.zNear && q.z <= view_.zFar) || !std::isfinite(q.u) || !std::isfinite(q.v)) {
+    if (!(q.t >= view_.zNear && q.t <= view_.zFar) || !std::isfinite(q.u) || !std::isfinite(q.v)) {
       return std::nullopt;
     }
     return worldFromCamera(cameraFromImage(q));

@@ -1,6 +1,7 @@
 #include "oc_core/camera/reverse_pinhole_camera.h"
 
 #include "oc_core/base/error.h"
+#include "oc_core/camera/straight_ray.h"
 
 namespace ocelli {
 namespace {
@@ -39,8 +40,8 @@ ReversePinholeCamera ReversePinholeCamera::around(const PinholeCamera& reference
     const std::optional<ImagePoint> q = reference.project(point);
     if (q && q->u >= 0 && q->v >= 0 && q->u <= static_cast<float>(reference.width()) &&
         q->v <= static_cast<float>(reference.height())) {
-      nearest = std::min(nearest, q->z);
-      farthest = std::max(farthest, q->z);
+      nearest = std::min(nearest, q->t);
+      farthest = std::max(farthest, q->t);
     }
   }
   if (farthest == 0) {
@@ -67,17 +68,12 @@ std::optional<glm::vec3> ReversePinholeCamera::unproject(const ImagePoint& q) co
     return std::nullopt;
   }
   const glm::vec2 center = reference_.centerPixels();
-  const glm::vec2 undistorted = center + (glm::vec2(q.u, q.v) - center) / magnificationAt(q.z);
-  return reference_.unproject({undistorted.x, undistorted.y, q.z});
+  const glm::vec2 undistorted = center + (glm::vec2(q.u, q.v) - center) / magnificationAt(q.t);
+  return reference_.unproject({undistorted.x, undistorted.y, q.t});
 }
 
 RayPath ReversePinholeCamera::rayPath(const glm::vec2& pixel) const {
-  const std::optional<glm::vec3> nearest = unproject({pixel.x, pixel.y, reference_.view().zNear});
-  const std::optional<glm::vec3> farthest = unproject({pixel.x, pixel.y, reference_.view().zFar});
-  if (!nearest || !farthest) {
-    return {};
-  }
-  return {*nearest, *farthest};
+  return straightRay(*this, pixel, reference_.view());
 }
 
 ImageBox ReversePinholeCamera::displacementOver(const ImageBox& undistorted, float minInverseZ,

@@ -42,8 +42,8 @@ class ReversePinholeCamera {
 
   ImagePoint distort(const ImagePoint& q) const {
     const glm::vec2 center = reference_.centerPixels();
-    const glm::vec2 image = center + (glm::vec2(q.u, q.v) - center) * magnificationAt(q.z);
-    return {image.x, image.y, q.z};
+    const glm::vec2 image = center + (glm::vec2(q.u, q.v) - center) * magnificationAt(q.t);
+    return {image.x, image.y, q.t};
   }
   ImageBox displacementOver(const ImageBox& undistorted, float minInverseZ, float greatestInverseZ) const;
 

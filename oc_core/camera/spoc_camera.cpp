@@ -71,12 +71,12 @@ SpocCamera SpocCamera::aroundObject(const PinholeCamera& reference, std::span<co
   SpocDistortion distortion{pole, std::numeric_limits<float>::max()};
   for (const ImagePoint& q : images) {
     if (!options.maskPole || fromPole(q) <= radius) {
-      distortion.zNear = std::min(distortion.zNear, q.z);
+      distortion.zNear = std::min(distortion.zNear, q.t);
     }
   }
   for (const glm::vec3& point : scene) {
     if (const std::optional<ImagePoint> q = inView(point)) {
-      distortion.zFar = std::max(distortion.zFar, q->z);
+      distortion.zFar = std::max(distortion.zFar, q->t);
     }
   }
   distortion.farPixels = options.farDisplacementPerHeight * static_cast<float>(reference.height());
@@ -86,14 +86,14 @@ SpocCamera SpocCamera::aroundObject(const PinholeCamera& reference, std::span<co
 std::optional<ImagePoint> SpocCamera::project(const glm::vec3& worldPoint) const {
   const std::optional<ImagePoint> undistorted = reference_.project(worldPoint);
   if (!undistorted ||
-      (glm::vec2(undistorted->u, undistorted->v) == distortion_.pole && displacementAt(undistorted->z) > 0)) {
+      (glm::vec2(undistorted->u, undistorted->v) == distortion_.pole && displacementAt(undistorted->t) > 0)) {
     return std::nullopt;
   }
   return distort(*undistorted);
 }
 
 std::optional<ImagePoint> SpocCamera::undistort(const ImagePoint& q) const {
-  const float displacement = displacementAt(q.z);
+  const float displacement = displacementAt(q.t);
   if (displacement == 0) {
     return q;
   }
@@ -103,7 +103,7 @@ std::optional<ImagePoint> SpocCamera::undistort(const ImagePoint& q) const {
     return std::nullopt;
   }
   const glm::vec2 undistorted = distortion_.pole + fromPole * ((distance - displacement) / distance);
-  return ImagePoint{undistorted.x, undistorted.y, q.z};
+  return ImagePoint{undistorted.x, undistorted.y, q.t};
 }
 
 std::optional<glm::vec3> SpocCamera::unproject(const ImagePoint& q) const {
@@ -132,7 +132,7 @@ RayPath SpocCamera::rayPath(const glm::vec2& pixel) const {
         displacement > 0 ? distortion_.pole + (pixel - distortion_.pole) * ((fromPole - displacement) / fromPole)
                          : pixel;
     if (const std::optional<glm::vec3> point = reference_.unproject({undistorted.x, undistorted.y, z})) {
-      path.push_back(*point);
+      path.add(*point, z);
     }
   };
   if (displacementAt(zFirst) > std::max(longest, 0.0f)) {

@@ -64,8 +64,8 @@ class SpocCamera {
     const glm::vec2 fromPole = glm::vec2(q.u, q.v) - distortion_.pole;
     const float distance = glm::length(fromPole);
     const glm::vec2 direction = distance > 0 ? fromPole / distance : glm::vec2(1, 0);
-    const glm::vec2 displacement = direction * displacementAt(q.z);
-    return {q.u + displacement.x, q.v + displacement.y, q.z};
+    const glm::vec2 displacement = direction * displacementAt(q.t);
+    return {q.u + displacement.x, q.v + displacement.y, q.t};
   }
   ImageBox displacementOver(const ImageBox& undistorted, float minInverseZ, float greatestInverseZ) const;
 

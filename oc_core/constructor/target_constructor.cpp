@@ -47,19 +47,7 @@ std::vector<glm::vec3> pointsOf(const Box& box) {
 
 /// The ray path up to the place next to `point`, which it passes.
 std::vector<glm::vec3> pathTo(const RayPath& path, const glm::vec3& point) {
-  size_t nearest = 0;
-  float least = std::numeric_limits<float>::infinity();
-  for (size_t i = 0; i + 1 < path.size(); ++i) {
-    const glm::vec3 way = path[i + 1] - path[i];
-    const float length = std::max(glm::dot(way, way), 1e-30f);
-    const float share = std::clamp(glm::dot(point - path[i], way) / length, 0.0f, 1.0f);
-    const float distance = glm::distance(point, path[i] + way * share);
-    if (distance < least) {
-      least = distance;
-      nearest = i;
-    }
-  }
-  std::vector<glm::vec3> points(path.begin(), path.begin() + nearest + 1);
+  std::vector<glm::vec3> points(path.begin(), path.begin() + path.positionNear(point).segment + 1);
   points.push_back(point);
   return points;
 }

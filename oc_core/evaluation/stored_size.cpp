@@ -34,7 +34,7 @@ StoredSize& StoredSize::operator+=(const StoredSize& other) {
 
 StoredSize storedSize(const ReferenceImage& image) {
   StoredSize size = sizeOf(image.color);
-  size += sizeOf(image.z);
+  size += sizeOf(image.t);
   if (std::any_of(image.displacement.begin(), image.displacement.end(),
                   [](const glm::vec2& d) { return d != glm::vec2(0); })) {
     size += sizeOf(image.displacement);

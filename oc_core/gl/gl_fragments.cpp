@@ -6,7 +6,7 @@
 
 namespace ocelli {
 
-static_assert(sizeof(Fragment) == 16 && offsetof(Fragment, z) == 0 && offsetof(Fragment, triangle) == 4 &&
+static_assert(sizeof(Fragment) == 16 && offsetof(Fragment, t) == 0 && offsetof(Fragment, triangle) == 4 &&
                   offsetof(Fragment, b1) == 8 && offsetof(Fragment, b2) == 12,
               "a fragment is a texel");
 

@@ -46,7 +46,7 @@ void writeMultiperspectiveImage(const std::filesystem::path& path, const Fragmen
                      {{"R", &c->x, sizeof(*c)},
                       {"G", &c->y, sizeof(*c)},
                       {"B", &c->z, sizeof(*c)},
-                      {"Z", &fragments.data()->z, sizeof(Fragment)},
+                      {"Z", &fragments.data()->t, sizeof(Fragment)},
                       {"P.X", &p->x, sizeof(*p)},
                       {"P.Y", &p->y, sizeof(*p)},
                       {"P.Z", &p->z, sizeof(*p)},

@@ -146,7 +146,7 @@ size_t removeHarmful(std::vector<Part>& parts, const Mesh& mesh) {
     for (int y = 0; y < frame.height(); ++y) {
       for (int x = 0; x < frame.width(); ++x) {
         if (!isMissing(states(x, y)) || !frame(x, y).covered() ||
-            frame(x, y).z >= viewer.camera.cameraFromWorld(glm::vec3(viewer.truth(x, y))).z) {
+            frame(x, y).t >= viewer.camera.cameraFromWorld(glm::vec3(viewer.truth(x, y))).z) {
           continue;
         }
         const glm::uvec3& triangle = mesh.triangles[frame(x, y).triangle];
@@ -164,8 +164,8 @@ size_t removeHarmful(std::vector<Part>& parts, const Mesh& mesh) {
   size_t removed = 0;
   for (size_t i = 1; i < parts.size(); ++i) {
     for (size_t pixel = 0; pixel < harm[i].size(); ++pixel) {
-      if (harm[i][pixel] > 0 && parts[i].image.z[pixel] > 0) {
-        parts[i].image.z[pixel] = 0;
+      if (harm[i][pixel] > 0 && parts[i].image.holds(pixel)) {
+        parts[i].image.clear(pixel);
         ++removed;
       }
     }
@@ -264,7 +264,7 @@ CellCamera buildCellCamera(const PinholeCamera& reference, const Mesh& mesh, con
 
   std::vector<CellCamera::Viewpoint> viewpoints;
   for (Part& part : found.parts) {
-    viewpoints.push_back({part.camera, std::move(part.image.z)});
+    viewpoints.push_back({part.camera, std::move(part.image.t)});
   }
   for (float& reach : viewpoints[0].reach) {
     reach = reach > 0 ? reach : reference.view().zFar;

@@ -12,7 +12,8 @@ namespace {
 
 std::vector<DepthEdge> findEdges(const PinholeCamera& camera, const FragmentImage& seen, const DdocOptions& options) {
   Image<float> inverseZ(seen.width(), seen.height(), 0);
-  std::transform(seen.begin(), seen.end(), inverseZ.begin(), [](const Fragment& f) { return f.z > 0 ? 1 / f.z : 0; });
+  std::transform(seen.begin(), seen.end(), inverseZ.begin(),
+                 [](const Fragment& f) { return f.covered() ? 1 / f.t : 0; });
   DepthEdgeOptions edgeOptions;
   // A step counts when the view cell can uncover a pixel behind it.
   edgeOptions.minInverseZStep = 1 / (camera.focalPixels() * options.cellSideRadii / 2);

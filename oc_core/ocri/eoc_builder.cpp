@@ -242,7 +242,7 @@ EpipolarCamera cameraFrom(const PinholeCamera& base, const glm::vec3& right, con
       inverseZ.clear();
       for (int j = 0; j < lines.length(static_cast<int>(row)); ++j) {
         const Fragment& fragment = baseImage(j, static_cast<int>(row));
-        inverseZ.push_back(fragment.covered() ? 1 / fragment.z : 0);
+        inverseZ.push_back(fragment.covered() ? 1 / fragment.t : 0);
       }
       edges[row] = findEpipolarEdges(inverseZ, static_cast<int>(row), lines, base.view().zNear, background, options);
     }
@@ -382,7 +382,7 @@ ReferenceImage eocImage(const FragmentImage& fragments, const EpipolarCamera& ca
     for (size_t i = begin; i < end; ++i) {
       const int row = static_cast<int>(i);
       for (int column = 0; column < image.width(); ++column) {
-        const float z = image.z(column, row);
+        const float z = image.t(column, row);
         const std::optional<EpipolarCamera::PlaneRay> ray = z > 0 ? camera.planeRay(row, column + 0.5) : std::nullopt;
         if (ray && lines.inverseZScale(ray->xFar) < ray->yFar * static_cast<double>(z)) {
           const glm::dvec2 place = lines.imagePoint({row + 0.5, lines.position(row, ray->xFar)});

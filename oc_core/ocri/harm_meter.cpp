@@ -40,11 +40,10 @@ bool anyAround(const Image<char>& flags, int x, int y) {
 /// The samples that `isWanted` holds for, without colours.
 template <class Predicate>
 ReferenceImage selectSamples(const ReferenceImage& image, const Predicate& isWanted) {
-  ReferenceImage selected{image.camera, image.view, image.color, Image<float>(image.width(), image.height(), 0),
-                          image.displacement};
+  ReferenceImage selected = image;
   forPixels(image.width(), image.height(), [&](int x, int y) {
-    if (image.z(x, y) > 0 && isWanted(x, y)) {
-      selected.z(x, y) = image.z(x, y);
+    if (!isWanted(x, y)) {
+      selected.clear(selected.t.index(x, y));
     }
   });
   return selected;
@@ -56,14 +55,16 @@ ReferenceImage sampleImage(const FragmentImage& fragments, const Mesh& mesh, con
                            const PinholeCamera& reference) {
   const int width = fragments.width();
   const int height = fragments.height();
-  ReferenceImage image{"ddoc", reference.view(), Image<glm::vec3>(width, height), Image<float>(width, height, 0),
-                       Image<glm::vec2>(width, height, glm::vec2(0))};
+  ReferenceImage image = blankReferenceImage("ddoc", reference.view(), width, height);
   forPixels(width, height, [&](int x, int y) {
     const Fragment& fragment = fragments(x, y);
-    image.z(x, y) = fragment.z;
-    if (fragment.covered() && fragment != seen(x, y)) {
+    if (!fragment.covered()) {
+      return;
+    }
+    image.set(x, y, fragment.t, glm::vec3(0));
+    if (fragment != seen(x, y)) {
       const ImagePoint q = reference.imageFromCamera(reference.cameraFromWorld(positionOf(fragment, mesh)));
-      image.z(x, y) = q.z;
+      image.t(x, y) = q.t;
       image.displacement(x, y) = {static_cast<float>(x) + 0.5f - q.u, static_cast<float>(y) + 0.5f - q.v};
     }
   });
@@ -107,13 +108,13 @@ void HarmMeter::gatherSurfaces(const DdocCamera& camera, const ReferenceImage& i
 
   Image<char> hidden(width, height, 0);
   forPixels(width, height, [&](int x, int y) {
-    if (image.z(x, y) > 0 && image.displacement(x, y) != glm::vec2(0)) {
+    if (image.holds(x, y) && image.displacement(x, y) != glm::vec2(0)) {
       const ImagePoint q = image.undistorted(x, y);
       const int u = static_cast<int>(std::floor(q.u));
       const int v = static_cast<int>(std::floor(q.v));
-      const float footprint = q.z / reference_.focalPixels();
+      const float footprint = q.t / reference_.focalPixels();
       hidden(x, y) =
-          !seen_.contains(u, v) || !seen_(u, v).covered() || seen_(u, v).z < q.z - kHiddenFootprints * footprint;
+          !seen_.contains(u, v) || !seen_(u, v).covered() || seen_(u, v).t < q.t - kHiddenFootprints * footprint;
     }
   });
   // With their neighbours, so that no gap opens between the two meshes.
@@ -127,7 +128,7 @@ Image<SampleState> HarmMeter::compare(const DdocCamera& camera, const ReferenceI
   const int width = image.width();
   const int height = image.height();
   Image<char> changed(width, height, 0);
-  forPixels(width, height, [&](int x, int y) { changed(x, y) = image.z(x, y) != seen_(x, y).z; });
+  forPixels(width, height, [&](int x, int y) { changed(x, y) = image.t(x, y) != seen_(x, y).t; });
   const Mesh moved = imageMesh(selectSamples(image, [&](int x, int y) { return anyAround(changed, x, y); }));
   Image<glm::vec4> frame = positionImage(reference_, moved);
   Image<glm::vec4> truth(width, height, glm::vec4(0));
@@ -160,7 +161,7 @@ Harm HarmMeter::measure(const DdocCamera& camera, const std::vector<DistortionSp
     const int y = static_cast<int>(std::floor(undistorted.v));
     if (owners.contains(x, y) && owners(x, y) >= 0) {
       const auto owner = static_cast<size_t>(owners(x, y));
-      harm.ofSplats[owner] += 1 / undistorted.z < splats[owner].edge.inverseNear;
+      harm.ofSplats[owner] += 1 / undistorted.t < splats[owner].edge.inverseNear;
     }
   };
   for (int y = 0; y < seen_.height(); ++y) {
@@ -173,7 +174,7 @@ Harm HarmMeter::measure(const DdocCamera& camera, const std::vector<DistortionSp
       const ImagePoint q = camera.distort(p);
       for (int v = static_cast<int>(std::floor(q.v)) - 1; v <= static_cast<int>(std::floor(q.v)) + 1; ++v) {
         for (int u = static_cast<int>(std::floor(q.u)) - 1; u <= static_cast<int>(std::floor(q.u)) + 1; ++u) {
-          if (image.z.contains(u, v) && image.z(u, v) > 0 && image.z(u, v) < p.z) {
+          if (image.t.contains(u, v) && image.holds(u, v) && image.t(u, v) < p.t) {
             blame(image.undistorted(u, v));
           }
         }

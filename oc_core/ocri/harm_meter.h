@@ -33,7 +33,7 @@ class HarmMeter {
   void gatherSurfaces(const DdocCamera& camera, const ReferenceImage& image);
   Image<SampleState> compare(const DdocCamera& camera, const ReferenceImage& image) const;
   ImagePoint seenAt(int x, int y) const {
-    return {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, seen_(x, y).z};
+    return {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, seen_(x, y).t};
   }
 
   const PinholeCamera& reference_;

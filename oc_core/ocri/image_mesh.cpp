@@ -82,7 +82,7 @@ class ImageMesher {
           vertexOf_(x, y) = next;
           mesh_.positions[next] = *point;
           mesh_.colors[next] = image_.color(x, y);
-          pixelOfVertex_[next] = static_cast<uint32_t>(image_.z.index(x, y));
+          pixelOfVertex_[next] = static_cast<uint32_t>(image_.t.index(x, y));
           ++next;
         }
       }
@@ -122,8 +122,7 @@ class ImageMesher {
   ImagePoint sample(const Pixel& p) const { return valid(p) ? image_.undistorted(p.x, p.y) : ImagePoint{}; }
 
   PlacedSample placed(const Pixel& p) const {
-    return valid(p) ? PlacedSample{image_.position(p.x, p.y), image_.direction(p.x, p.y), image_.z(p.x, p.y)}
-                    : PlacedSample{};
+    return valid(p) ? PlacedSample{image_.position(p.x, p.y), image_.direction(p.x, p.y), true} : PlacedSample{};
   }
 
   /// Between the ray of a placed sample and the nearer of its neighbours in a direction; no limit where it has none.
@@ -206,7 +205,7 @@ class ImageMesher {
   }
 
   bool shorterAc(const Pixel& a, const Pixel& b, const Pixel& c, const Pixel& d) const {
-    const auto inverse = [&](const Pixel& p) { return 1 / image_.z(p.x, p.y); };
+    const auto inverse = [&](const Pixel& p) { return 1 / image_.t(p.x, p.y); };
     return std::abs(inverse(a) - inverse(c)) <= std::abs(inverse(b) - inverse(d));
   }
 
@@ -222,7 +221,7 @@ class ImageMesher {
       if (areJoined(p, q)) {
         const ImagePoint b = image_.undistorted(q.x, q.y);
         const glm::vec2 d(b.u - a.u, b.v - a.v);
-        rhs += d * (1 / b.z - 1 / a.z);
+        rhs += d * (1 / b.t - 1 / a.t);
         xx += d.x * d.x;
         xy += d.x * d.y;
         yy += d.y * d.y;
@@ -304,7 +303,7 @@ class ImageMesher {
                                 : inTile(p)       ? tileCorner(p, side)
                                                   : pinholeCorner(p, side));
       mesh_.colors.push_back(image_.color(p.x, p.y));
-      pixelOfVertex_.push_back(static_cast<uint32_t>(image_.z.index(p.x, p.y)));
+      pixelOfVertex_.push_back(static_cast<uint32_t>(image_.t.index(p.x, p.y)));
     };
     const auto first = static_cast<uint32_t>(mesh_.positions.size());
     mesh_.triangles.emplace_back(first, first + 1, first + 2);
@@ -358,7 +357,7 @@ class ImageMesher {
     if (count > 0) {
       return sum / count;
     }
-    const float footprint = image_.z(p.x, p.y) / camera_.focalPixels() * spacing(p);
+    const float footprint = image_.t(p.x, p.y) / camera_.focalPixels() * spacing(p);
     const glm::vec3 along(static_cast<float>(step.x) * footprint, static_cast<float>(step.y) * footprint, 0);
     return camera_.worldFromCamera(along) - camera_.worldFromCamera(glm::vec3(0));
   }

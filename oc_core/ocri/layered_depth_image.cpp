@@ -28,7 +28,7 @@ bool isSeen(const PinholeCamera& camera, const Image<float>& depths, const glm::
   if (!q || !depths.contains(static_cast<int>(std::floor(q->u)), static_cast<int>(std::floor(q->v)))) {
     return false;
   }
-  const float nearest = q->z * (1 - kToleranceFootprints / camera.focalPixels());
+  const float nearest = q->t * (1 - kToleranceFootprints / camera.focalPixels());
   for (int dv = -1; dv <= 1; ++dv) {
     for (int du = -1; du <= 1; ++du) {
       const int u = static_cast<int>(std::floor(q->u)) + du;
@@ -77,7 +77,7 @@ void dropUnseenSamples(ReferenceImages& layers, const Mesh& mesh, const ViewCell
   std::vector<Image<unsigned char>> seen(layers.size(), Image<unsigned char>(reference.width(), reference.height()));
   for (const View& view : cell.edgeViews(reference.view())) {
     const PinholeCamera camera(view, reference.width(), reference.height());
-    const Image<float> depths = buildDepthImage(camera, mesh).z;
+    const Image<float> depths = buildDepthImage(camera, mesh).t;
     for (size_t layer = 1; layer < layers.size(); ++layer) {
       parallelFor(depths.size(), 1 << 13, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
@@ -90,7 +90,9 @@ void dropUnseenSamples(ReferenceImages& layers, const Mesh& mesh, const ViewCell
   }
   for (size_t layer = 1; layer < layers.size(); ++layer) {
     for (size_t i = 0; i < seen[layer].size(); ++i) {
-      layers[layer].z[i] *= seen[layer][i];
+      if (seen[layer][i] == 0) {
+        layers[layer].clear(i);
+      }
     }
   }
 }

@@ -44,7 +44,7 @@ class LayeredMesher {
     if (x < 0 || y < 0 || x >= width_ || y >= height_) {
       return {};
     }
-    const size_t pixel = layers_[0].z.index(x, y);
+    const size_t pixel = layers_[0].t.index(x, y);
     return {first_[pixel], first_[pixel + 1]};
   }
 
@@ -56,7 +56,7 @@ class LayeredMesher {
           if (const auto point = camera_.unproject(layer.undistorted(x, y))) {
             mesh_.positions.push_back(*point);
             mesh_.colors.push_back(layer.color(x, y));
-            z_.push_back(layer.z(x, y));
+            z_.push_back(layer.t(x, y));
             pixel_.push_back({x, y});
           }
         }

@@ -1,8 +1,7 @@
 // Reference images of cameras that displace no pinhole's image: graph cameras, curved rays, panoramas. Each sample says
-// where it is, and how far along its ray; the camera is not needed to mesh it.
+// where it is, and the parameter of its ray there; the camera is not needed to mesh it.
 #pragma once
 
-#include "oc_core/camera/ray_length.h"
 #include "oc_core/ocri/reference_image.h"
 #include "oc_core/render/raycast.h"
 
@@ -15,10 +14,7 @@ ReferenceImage placedImage(const C& camera, const FragmentImage& fragments, cons
                            const std::string& name, bool wrapsAround = false) {
   const int width = fragments.width();
   const int height = fragments.height();
-  ReferenceImage image{name, view, Image<glm::vec3>(width, height), Image<float>(width, height),
-                       Image<glm::vec2>(width, height)};
-  image.position = Image<glm::vec3>(width, height);
-  image.direction = Image<glm::vec3>(width, height);
+  ReferenceImage image = blankReferenceImage(name, view, width, height, true);
   image.wrapsAround = wrapsAround;
   parallelFor(static_cast<size_t>(height), 8, [&](size_t begin, size_t end) {
     for (size_t row = begin; row < end; ++row) {
@@ -28,14 +24,11 @@ ReferenceImage placedImage(const C& camera, const FragmentImage& fragments, cons
         if (!fragment.covered()) {
           continue;
         }
-        const glm::vec3 point = positionOf(fragment, mesh);
-        const PlaceOnRay place =
-            placeOnRay(camera.rayPath({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}), point);
-        if (place.length > 0) {
-          image.color(x, y) = colorOf(fragment, mesh);
-          image.z(x, y) = view.zNear + place.length;
-          image.position(x, y) = point;
-          image.direction(x, y) = place.direction;
+        const RayPath ray = camera.rayPath({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+        if (ray.size() > 1) {
+          image.set(x, y, fragment.t, colorOf(fragment, mesh));
+          image.position(x, y) = positionOf(fragment, mesh);
+          image.direction(x, y) = ray.directionAt(ray.positionAt(fragment.t));
         }
       }
     }

@@ -8,15 +8,28 @@
 namespace ocelli {
 
 size_t ReferenceImage::sampleCount() const {
-  return static_cast<size_t>(std::count_if(z.begin(), z.end(), [](float depth) { return depth > 0; }));
+  return static_cast<size_t>(std::count(held.begin(), held.end(), uint8_t{1}));
+}
+
+ReferenceImage blankReferenceImage(const std::string& camera, const View& view, int width, int height, bool placed) {
+  ReferenceImage image{.camera = camera,
+                       .view = view,
+                       .color = Image<glm::vec3>(width, height),
+                       .t = Image<float>(width, height),
+                       .held = Image<uint8_t>(width, height),
+                       .displacement = Image<glm::vec2>(width, height)};
+  if (placed) {
+    image.position = Image<glm::vec3>(width, height);
+    image.direction = Image<glm::vec3>(width, height);
+  }
+  return image;
 }
 
 ReferenceImage referenceImage(const FragmentImage& fragments, const Mesh& mesh, const PinholeCamera& reference,
                               const std::string& camera) {
   const int width = fragments.width();
   const int height = fragments.height();
-  ReferenceImage image{camera, reference.view(), Image<glm::vec3>(width, height), Image<float>(width, height),
-                       Image<glm::vec2>(width, height)};
+  ReferenceImage image = blankReferenceImage(camera, reference.view(), width, height);
   parallelFor(static_cast<size_t>(height), 8, [&](size_t begin, size_t end) {
     for (size_t row = begin; row < end; ++row) {
       const int y = static_cast<int>(row);
@@ -26,8 +39,7 @@ ReferenceImage referenceImage(const FragmentImage& fragments, const Mesh& mesh, 
           continue;
         }
         const ImagePoint q = reference.imageFromCamera(reference.cameraFromWorld(positionOf(fragment, mesh)));
-        image.color(x, y) = colorOf(fragment, mesh);
-        image.z(x, y) = q.z;
+        image.set(x, y, q.t, colorOf(fragment, mesh));
         image.displacement(x, y) = {static_cast<float>(x) + 0.5f - q.u, static_cast<float>(y) + 0.5f - q.v};
       }
     }

@@ -3,6 +3,7 @@
 // depth image (DI).
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
@@ -27,7 +28,10 @@ struct ReferenceImage {
   std::string camera;  ///< "di", "ddoc", ...
   View view;           ///< of the reference pinhole
   Image<glm::vec3> color;
-  Image<float> z;                 ///< 0 marks an empty sample
+  /// The parameter of the ray at each sample (camera.h): z, but in images that displace no pinhole's. 0 where there is
+  /// no sample.
+  Image<float> t;
+  Image<uint8_t> held;            ///< whether the pixel holds a sample: 1 or 0
   Image<glm::vec2> displacement;  ///< (d_u, d_v), pixels: where the sample is minus where the pinhole sees it
   /// Triangles of the depth image's mesh for the same view: an OCRI's mesh keeps to it. 0 where there is no bound.
   size_t triangleBound = 0;
@@ -42,13 +46,24 @@ struct ReferenceImage {
   /// Its mesh is also looked at from other sides, where what stands out along its rays is seen.
   bool seenFromAside = false;
   /// Of an image that displaces no pinhole's (placed_image.h): where each sample is, world coordinates, and the way of
-  /// its ray there, a unit vector; z is then the length of the ray, and there is no displacement. Empty otherwise.
+  /// its ray there, a unit vector. There is no displacement then. Empty otherwise.
   Image<glm::vec3> position = {};
   Image<glm::vec3> direction = {};
   bool wrapsAround = false;  ///< the last column is next to the first
 
-  int width() const { return z.width(); }
-  int height() const { return z.height(); }
+  int width() const { return t.width(); }
+  int height() const { return t.height(); }
+  bool holds(int x, int y) const { return held(x, y) != 0; }
+  bool holds(size_t pixel) const { return held[pixel] != 0; }
+  void set(int x, int y, float parameter, const glm::vec3& linearColor) {
+    t(x, y) = parameter;
+    held(x, y) = 1;
+    color(x, y) = linearColor;
+  }
+  void clear(size_t pixel) {
+    t[pixel] = 0;
+    held[pixel] = 0;
+  }
   PinholeCamera reference() const {
     return pinholeSize.x > 0 ? PinholeCamera{view, pinholeSize.x, pinholeSize.y}
                              : PinholeCamera{view, width(), height()};
@@ -57,18 +72,22 @@ struct ReferenceImage {
   bool isPlaced() const { return position.size() > 0; }
   /// The world point of a sample; nothing for an empty one. `pinhole` is reference(), which takes a while to make.
   std::optional<glm::vec3> pointOf(int x, int y, const PinholeCamera& pinhole) const {
-    if (!(z(x, y) > 0)) {
+    if (!holds(x, y)) {
       return std::nullopt;
     }
     return isPlaced() ? std::optional(position(x, y)) : pinhole.unproject(undistorted(x, y));
   }
 
-  /// Where the reference pinhole sees the sample of pixel (x, y); z is 0 for an empty one.
+  /// Where the reference pinhole sees the sample of pixel (x, y); t is 0 for an empty one.
   ImagePoint undistorted(int x, int y) const {
     const glm::vec2& d = displacement(x, y);
-    return {static_cast<float>(x) + 0.5f - d.x, static_cast<float>(y) + 0.5f - d.y, z(x, y)};
+    return {static_cast<float>(x) + 0.5f - d.x, static_cast<float>(y) + 0.5f - d.y, t(x, y)};
   }
 };
+
+/// Without samples; `placed` as ReferenceImage::isPlaced().
+ReferenceImage blankReferenceImage(const std::string& camera, const View& view, int width, int height,
+                                   bool placed = false);
 
 /// A union: what they show together.
 using ReferenceImages = std::vector<ReferenceImage>;

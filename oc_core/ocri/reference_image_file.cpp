@@ -85,7 +85,7 @@ std::vector<ExrChannel> channelsOf(const ReferenceImage& image) {
   std::vector<ExrChannel> channels{{"R", &color->x, sizeof(*color)},
                                    {"G", &color->y, sizeof(*color)},
                                    {"B", &color->z, sizeof(*color)},
-                                   {"Z", image.z.data(), sizeof(float)}};
+                                   {"Z", image.t.data(), sizeof(float)}};
   if (image.isPlaced()) {
     const glm::vec3* position = image.position.data();
     const glm::vec3* direction = image.direction.data();
@@ -199,13 +199,13 @@ bool readAttribute(const std::string& text, const std::string& where, ReferenceI
 }
 
 void allocate(ReferenceImage& image, int width, int height, bool placed) {
-  image.color = Image<glm::vec3>(width, height);
-  image.z = Image<float>(width, height);
-  image.displacement = Image<glm::vec2>(width, height);
-  if (placed) {
-    image.position = Image<glm::vec3>(width, height);
-    image.direction = Image<glm::vec3>(width, height);
-  }
+  ReferenceImage blank = blankReferenceImage(image.camera, image.view, width, height, placed);
+  image.color = std::move(blank.color);
+  image.t = std::move(blank.t);
+  image.held = std::move(blank.held);
+  image.displacement = std::move(blank.displacement);
+  image.position = std::move(blank.position);
+  image.direction = std::move(blank.direction);
 }
 
 /// Camera, view and an image of the right size, from a header that fits a reference image of `fileBytes` bytes.
@@ -242,17 +242,24 @@ void readHeader(const Imf::Header& header, size_t fileBytes, const std::string& 
   allocate(image, static_cast<int>(width), static_cast<int>(height), placed);
 }
 
-void validate(const ReferenceImage& image, const std::string& where) {
+/// Which pixels hold a sample: where a pinhole's image is displaced those of positive z, elsewhere those whose rays
+/// have a direction. Throws InputError where the values are none of a reference image.
+void findSamples(ReferenceImage& image, const std::string& where) {
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
-      const float z = image.z(x, y);
+      const float t = image.t(x, y);
       const glm::vec2& d = image.displacement(x, y);
       const glm::vec3& c = image.color(x, y);
       const glm::vec3 place = image.isPlaced() ? image.position(x, y) + image.direction(x, y) : glm::vec3(0);
-      if (!(z >= 0) || !std::isfinite(z + d.x + d.y + c.x + c.y + c.z + place.x + place.y + place.z)) {
+      if (!(image.isPlaced() || t >= 0) ||
+          !std::isfinite(t + d.x + d.y + c.x + c.y + c.z + place.x + place.y + place.z)) {
         throw InputError("the sample at pixel (" + std::to_string(x) + ", " + std::to_string(y) +
                              ") has a negative depth or a value that is not a finite number",
                          where, kNext);
+      }
+      image.held(x, y) = image.isPlaced() ? image.direction(x, y) != glm::vec3(0) : t > 0;
+      if (!image.holds(x, y)) {
+        image.t(x, y) = 0;
       }
     }
   }
@@ -287,7 +294,7 @@ ReferenceImages referenceImagesFromBytes(std::string_view bytes, const std::stri
     for (const Imf::Header& header : headers) {
       images.emplace_back();
       readHeader(header, bytes.size(), partName(where, images.size() - 1, headers.size()), images.back());
-      pixels += static_cast<int64_t>(images.back().z.size());
+      pixels += static_cast<int64_t>(images.back().t.size());
       if (pixels > kMaxPixels) {
         throw InputError("its images have more than 2^26 pixels in all", where, kNext);
       }
@@ -306,7 +313,7 @@ ReferenceImages referenceImagesFromBytes(std::string_view bytes, const std::stri
   }
   for (size_t i = 0; i < images.size(); ++i) {
     const std::string part = partName(where, i, images.size());
-    validate(images[i], part);
+    findSamples(images[i], part);
     const ReferenceImage* before = i > 0 ? &images[i - 1] : nullptr;
     if (images[i].layer > 0 &&
         (before == nullptr || images[i].layer != before->layer + 1 || images[i].width() != before->width() ||

@@ -17,7 +17,7 @@ size_t Representation::sampleCount() const {
 size_t Representation::pixelCount() const {
   size_t pixels = 0;
   for (const ReferenceImage& image : images) {
-    pixels += image.z.size();
+    pixels += image.t.size();
   }
   return pixels;
 }

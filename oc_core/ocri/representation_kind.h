@@ -48,7 +48,7 @@ struct RepresentationKind {
   std::function<ReferenceImage(Technique, const RepresentationInputs&)> draw = {};
   /// The rays of each image. Builds the cameras, so it takes about as long.
   std::function<std::vector<RayFunction>(const RepresentationInputs&, const ReferenceImages&)> rays = {};
-  /// Whether it cannot be rasterised: its builder gets a renderer that has rays, whatever construction is asked for.
+  /// Whether no renderer draws it but along its rays: `auto` then makes the acceleration structure too.
   bool castsRays = false;
   /// Why OpenGL cannot draw it; empty where it can.
   const char* needsCpu = "";

@@ -66,6 +66,13 @@ std::vector<RayFunction> pinholeRays(const Inputs&, const ReferenceImages& image
 
 // ---- their images, drawn in another way
 
+/// How every camera can be drawn: with the acceleration structure of the renderer, where it has one.
+template <Camera C>
+FragmentImage castAlongRays(const C& camera, const Inputs& in) {
+  const RayScene* standing = in.renderer != nullptr ? in.renderer->rays() : nullptr;
+  return standing != nullptr ? raycast(camera, in.mesh, *standing) : raycast(camera, in.mesh, RayScene(in.mesh));
+}
+
 [[noreturn]] void refuse(const Inputs& in, const char* how) {
   throw InputError("camera \"" + in.choice.name + "\" is drawn " + how, "--method", "use raster or raycast");
 }
@@ -79,7 +86,7 @@ ReferenceImage drawnBy(Technique technique, const C& camera, const Inputs& in) {
       case Technique::kHybrid:
         return hybridRaycast(camera, in.mesh);
       case Technique::kRaycast:
-        return raycast(camera, in.mesh, RayScene(in.mesh));
+        return castAlongRays(camera, in);
     }
     OC_CHECK(false, "every technique draws");
   };
@@ -191,7 +198,7 @@ RepresentationKind eocRow(const char* name, const char* description, const glm::
                   refuse(in, "by epipolar spans or ray casting");
                 }
                 const EpipolarCamera camera = epipolarCamera(in, in.choice.segmentDirection);
-                return eocImage(raycast(camera, in.mesh, RayScene(in.mesh)), camera, in.mesh);
+                return eocImage(castAlongRays(camera, in), camera, in.mesh);
               },
           .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
             return {raysOf(epipolarCamera(in, in.choice.segmentDirection))};
@@ -223,25 +230,26 @@ RepresentationKind crossedRow(const char* name, const char* description, bool wi
 /// A camera that displaces no pinhole's image.
 template <class C>
 RepresentationKind castRow(const char* name, const char* description) {
-  const auto cast = [](const Inputs& in, const RayScene& rays) {
-    return placedImage(C(in.reference), in.mesh, rays, in.reference.view(), in.choice.name, C::kWrapsAround);
+  const auto cast = [](const Inputs& in) {
+    const C camera(in.reference);
+    return placedImage(camera, castAlongRays(camera, in), in.mesh, in.reference.view(), in.choice.name,
+                       C::kWrapsAround);
   };
   return {.name = name,
           .description = description,
-          .images = [cast](const Inputs& in) -> ReferenceImages { return {cast(in, *in.renderer->rays())}; },
+          .images = [cast](const Inputs& in) -> ReferenceImages { return {cast(in)}; },
           .rayCrossover = 0,
           .draw =
               [cast](Technique technique, const Inputs& in) {
                 if (technique != Technique::kRaycast) {
                   refuse(in, "by ray casting");
                 }
-                return cast(in, RayScene(in.mesh));
+                return cast(in);
               },
           .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
             return {raysOf(C(in.reference))};
           },
-          .castsRays = true,
-          .needsCpu = "is cast along its rays, which only the CPU does"};
+          .castsRays = true};
 }
 
 RepresentationKind meshRow(const char* name, const char* description,
@@ -334,7 +342,7 @@ std::vector<RepresentationKind> makeRows() {
                refuse(in, "from several viewpoints, not by points or hybrid rays");
              }
              const CellCamera camera = cellCamera(in);
-             return cellImage(camera, raycast(camera, in.mesh, RayScene(in.mesh)), in.mesh);
+             return cellImage(camera, castAlongRays(camera, in), in.mesh);
            },
        .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
          return {raysOf(cellCamera(in))};

@@ -95,7 +95,7 @@ class RowMesher {
   void addVertices() {
     for (int y = 0; y < image_.height(); ++y) {
       for (int x = 0; x < image_.width(); ++x) {
-        if (!(image_.z(x, y) > 0)) {
+        if (!image_.holds(x, y)) {
           continue;
         }
         const ImagePoint place = image_.undistorted(x, y);
@@ -180,13 +180,13 @@ class RowMesher {
     }
     const uint32_t begin = row.first[static_cast<size_t>(std::clamp(from, 0.0f, last))];
     const uint32_t end = row.first[static_cast<size_t>(std::clamp(to, 0.0f, last)) + 1];
-    const float depthStep = options_.depthStepFootprints * sample.place.z / focal_;
+    const float depthStep = options_.depthStepFootprints * sample.place.t / focal_;
     int best = kNoSample;
     float minCost = 1e30f;
     for (const uint32_t i : std::span(row.sorted).subspan(begin, end - begin)) {
       const RowSample& other = row.samples[i];
       const float offset = std::abs(other.along - along);
-      const float cost = offset + std::abs(other.place.z - sample.place.z) / depthStep;
+      const float cost = offset + std::abs(other.place.t - sample.place.t) / depthStep;
       if (offset <= kFarthestPartner && cost < minCost) {
         minCost = cost;
         best = static_cast<int>(i);
@@ -313,7 +313,7 @@ class RowMesher {
       const ImagePoint& p = a(ia).place;
       const ImagePoint& q = b(jb).place;
       return undistortedDistance(p, q) +
-             std::abs(p.z - q.z) * mesher.focal_ / (mesher.options_.depthStepFootprints * p.z);
+             std::abs(p.t - q.t) * mesher.focal_ / (mesher.options_.depthStepFootprints * p.t);
     }
     void add(uint32_t p, uint32_t q, uint32_t r) const {
       upper.triangles.emplace_back(p, mirrored ? r : q, mirrored ? q : r);
@@ -435,7 +435,7 @@ class RowMesher {
   /// Half the way to the neighbours of a sample, in pixels and 1/z, given the one before and the one after it.
   static std::optional<ImagePoint> halfStep(const ImagePoint& p, const ImagePoint* before, const ImagePoint* after) {
     const auto step = [](const ImagePoint& from, const ImagePoint& to, float share) {
-      return ImagePoint{(to.u - from.u) * share, (to.v - from.v) * share, (1 / to.z - 1 / from.z) * share};
+      return ImagePoint{(to.u - from.u) * share, (to.v - from.v) * share, (1 / to.t - 1 / from.t) * share};
     };
     if (before != nullptr && after != nullptr) {
       return step(*before, *after, 0.25f);
@@ -481,7 +481,7 @@ class RowMesher {
     for (const glm::vec2& side : {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)}) {
       const glm::vec2 share = side * options_.squarePixels;
       const ImagePoint offset{along.u * share.x + across.u * share.y, along.v * share.x + across.v * share.y,
-                              along.z * share.x + across.z * share.y};
+                              along.t * share.x + across.t * share.y};
       const ImagePoint q = squareCorner(sample.place, offset, focal_, options_);
       mesh_.positions.push_back(camera_.worldFromCamera(camera_.cameraFromImage(q)));
       mesh_.colors.push_back(mesh_.colors[sample.vertex]);

@@ -25,34 +25,33 @@ inline bool samplesJoin(const ImagePoint& before, const ImagePoint& a, const Ima
   /// skin across a gap.
   constexpr float kLongestScaledStep = 1.5f;
   const float distance = undistortedDistance(a, b);
-  if (!(a.z > 0) || !(b.z > 0) || !(distance <= options.longestStepPixels)) {
+  if (!(a.t > 0) || !(b.t > 0) || !(distance <= options.longestStepPixels)) {
     return false;
   }
-  const float footprint = std::min(a.z, b.z) / focalPixels * spacing;
-  if (std::abs(a.z - b.z) <=
+  const float footprint = std::min(a.t, b.t) / focalPixels * spacing;
+  if (std::abs(a.t - b.t) <=
       options.depthStepFootprints * footprint * std::clamp(distance / spacing, 1.0f, kLongestScaledStep)) {
     return true;
   }
   // A grazing or a stretched surface: large steps of z, but 1/z goes on as on one of the two sides.
-  const float tolerance = options.slopeToleranceFootprints * footprint / (a.z * b.z);
-  const float step = 1 / b.z - 1 / a.z;
+  const float tolerance = options.slopeToleranceFootprints * footprint / (a.t * b.t);
+  const float step = 1 / b.t - 1 / a.t;
   const auto goesOn = [&](const ImagePoint& p, const ImagePoint& q) {
-    if (!(p.z > 0) || !(q.z > 0)) {
+    if (!(p.t > 0) || !(q.t > 0)) {
       return false;
     }
-    const float other = 1 / q.z - 1 / p.z;
+    const float other = 1 / q.t - 1 / p.t;
     const float slope = other / std::max(undistortedDistance(p, q), 0.1f);
     return std::abs(step - slope * distance) <= tolerance || (evenSteps && std::abs(step - other) <= tolerance);
   };
   return goesOn(before, a) || goesOn(b, after);
 }
 
-/// A sample of an image that displaces no pinhole's: where it is, the way of its ray there, and how far along that; t =
-/// 0 where there is none.
+/// A sample of an image that displaces no pinhole's: whether there is one, where, and the way of its ray there.
 struct PlacedSample {
   glm::vec3 position{0};
   glm::vec3 direction{0};
-  float t = 0;
+  bool held = false;
 };
 
 /// Two neighbouring samples as the ray of the farther one sees them: how far the nearer one lies beside it, which is
@@ -73,7 +72,7 @@ inline PlacedStep stepBetween(const PlacedSample& a, const PlacedSample& b) {
 inline bool goesOnStraight(const PlacedSample& before, const PlacedSample& a, const PlacedSample& b, float tolerance) {
   /// A step that is so many times as long as the one before is none of a plane's.
   constexpr float kLongestGrowth = 4;
-  if (!(before.t > 0)) {
+  if (!before.held) {
     return false;
   }
   const glm::vec3 line = a.position - before.position;
@@ -87,7 +86,7 @@ inline bool goesOnStraight(const PlacedSample& before, const PlacedSample& a, co
 /// direction of the image than along the other, `across`, so steps of depth are judged by the smaller one.
 inline bool placedSamplesJoin(const PlacedSample& before, const PlacedSample& a, const PlacedSample& b,
                               const PlacedSample& after, float across, const ImageMeshOptions& options) {
-  if (!(a.t > 0) || !(b.t > 0)) {
+  if (!a.held || !b.held) {
     return false;
   }
   const auto [footprint, depth] = stepBetween(a, b);

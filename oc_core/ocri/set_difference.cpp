@@ -12,7 +12,7 @@ namespace {
 
 /// World position of the sample at (x, y), if there is one.
 std::optional<glm::vec3> positionAt(const ReferenceImage& image, const PinholeCamera& reference, int x, int y) {
-  return image.z.contains(x, y) ? image.pointOf(x, y, reference) : std::nullopt;
+  return image.t.contains(x, y) ? image.pointOf(x, y, reference) : std::nullopt;
 }
 
 bool holds(const ReferenceImage& other, const PinholeCamera& reference, const Projection& projection,
@@ -21,7 +21,7 @@ bool holds(const ReferenceImage& other, const PinholeCamera& reference, const Pr
   if (!q || !(std::abs(q->u) < PinholeCamera::kMaxPixelsASide && std::abs(q->v) < PinholeCamera::kMaxPixelsASide)) {
     return false;
   }
-  const float reach = maxFootprints * q->z / reference.focalPixels();
+  const float reach = maxFootprints * q->t / reference.focalPixels();
   const int x = static_cast<int>(std::floor(q->u));
   const int y = static_cast<int>(std::floor(q->v));
   for (int v = y - 1; v <= y + 1; ++v) {
@@ -71,11 +71,11 @@ void growAlongSurface(Image<uint8_t>& marks, const ReferenceImage& image) {
       for (size_t step = 0; step < steps; ++step) {
         const int u = x + kSteps[step].x;
         const int v = y + kSteps[step].y;
-        if (!marks.contains(u, v) || image.z(u, v) <= 0) {
+        if (!marks.contains(u, v) || !image.holds(u, v)) {
           continue;
         }
-        const float footprint = std::min(image.z(x, y), image.z(u, v)) / focal;
-        if (std::abs(image.z(x, y) - image.z(u, v)) <= ImageMeshOptions{}.depthStepFootprints * footprint) {
+        const float footprint = std::min(image.t(x, y), image.t(u, v)) / focal;
+        if (std::abs(image.t(x, y) - image.t(u, v)) <= ImageMeshOptions{}.depthStepFootprints * footprint) {
           marks(u, v) = 1;
         }
       }
@@ -85,7 +85,9 @@ void growAlongSurface(Image<uint8_t>& marks, const ReferenceImage& image) {
 
 void keepMarked(ReferenceImage& image, const Image<uint8_t>& marks) {
   for (size_t pixel = 0; pixel < marks.size(); ++pixel) {
-    image.z[pixel] = marks[pixel] != 0 ? image.z[pixel] : 0;
+    if (marks[pixel] == 0) {
+      image.clear(pixel);
+    }
   }
 }
 

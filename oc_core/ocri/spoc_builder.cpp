@@ -89,14 +89,14 @@ SpocCamera buildSpocCamera(const PinholeCamera& reference, const Mesh& mesh, con
   std::vector<float> inverseZ;
   for (const Fragment& fragment : seen) {
     if (fragment.covered()) {
-      inverseZ.push_back(1 / fragment.z);
+      inverseZ.push_back(1 / fragment.t);
     }
   }
   std::vector<glm::vec3> foreground;
   if (!inverseZ.empty()) {
     const float between = inverseZBetween(inverseZ);
     for (const Fragment& fragment : seen) {
-      if (fragment.covered() && 1 / fragment.z >= between) {
+      if (fragment.covered() && 1 / fragment.t >= between) {
         foreground.push_back(positionOf(fragment, mesh));
       }
     }

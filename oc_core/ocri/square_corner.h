@@ -13,14 +13,14 @@ namespace ocelli {
 /// shortened where it would reach deeper than the options allow.
 inline ImagePoint squareCorner(const ImagePoint& sample, const ImagePoint& step, float focalPixels,
                                const ImageMeshOptions& options) {
-  const float inverseZ = std::max(1 / sample.z + step.z, 0.5f / sample.z);
-  const float depth = std::abs(1 / inverseZ - sample.z);
-  const float most = options.deepestSquareFootprints * sample.z / focalPixels;
+  const float inverseZ = std::max(1 / sample.t + step.t, 0.5f / sample.t);
+  const float depth = std::abs(1 / inverseZ - sample.t);
+  const float most = options.deepestSquareFootprints * sample.t / focalPixels;
   if (depth <= most) {
     return {sample.u + step.u, sample.v + step.v, 1 / inverseZ};
   }
   const float part = most / depth;
-  return {sample.u + part * step.u, sample.v + part * step.v, 1 / (1 / sample.z + part * (inverseZ - 1 / sample.z))};
+  return {sample.u + part * step.u, sample.v + part * step.v, 1 / (1 / sample.t + part * (inverseZ - 1 / sample.t))};
 }
 
 }  // namespace ocelli

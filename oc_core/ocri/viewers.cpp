@@ -64,7 +64,7 @@ void subtract(ReferenceImage& image, const HeldSurface& held, int seamPixels) {
       const int y = static_cast<int>(row);
       for (int x = 0; x < image.width(); ++x) {
         const std::optional<glm::vec3> point = image.pointOf(x, y, reference);
-        marks(x, y) = point && !held.holds(*point, image.z(x, y) / reference.focalPixels()) ? 1 : 0;
+        marks(x, y) = point && !held.holds(*point, image.t(x, y) / reference.focalPixels()) ? 1 : 0;
       }
     }
   });

@@ -34,7 +34,7 @@ FragmentImage fragmentsOf(const OrderedBuffer& buffer, const Mesh& mesh, int wid
       if (fragment.covered()) {
         const double z = zOf(pixel, buffer.order(pixel), glm::dvec3(positionOf(fragment, mesh)));
         if (z <= zFar) {
-          fragment.z = static_cast<float>(z);
+          fragment.t = static_cast<float>(z);
           fragments[pixel] = fragment;
         }
       }

@@ -13,7 +13,7 @@ namespace ocelli {
 struct Fragment {
   static constexpr uint32_t kNoTriangle = 0xffffffffu;
 
-  float z = 0;  ///< along the reference view direction (conventions.h); 0 where nothing is seen
+  float t = 0;  ///< the parameter of the ray (camera.h); 0 where nothing is seen
   uint32_t triangle = kNoTriangle;
   float b1 = 0;  ///< barycentric weights of the second and third vertex
   float b2 = 0;

@@ -80,7 +80,7 @@ void GraphDepthSamples::readSamples(const GraphCamera& camera, const FragmentIma
         const Fragment& fragment = fragments(x, y);
         const glm::dvec2 pixel(x + 0.5, y + 0.5);
         const auto point = fragment.covered()
-                               ? camera.unprojectExactly({pixel.x, pixel.y, static_cast<double>(fragment.z)})
+                               ? camera.unprojectExactly({pixel.x, pixel.y, static_cast<double>(fragment.t)})
                                : std::nullopt;
         if (point) {
           samples_(x, y) = sampleOf(camera, pixel, *point);

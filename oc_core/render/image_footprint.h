@@ -72,8 +72,8 @@ PixelBox footprint(const C& camera, const std::array<glm::vec3, 3>& triangle) {
     const ImagePoint q = reference.imageFromCamera(polygon.vertices[i].p);
     box.lower = glm::min(box.lower, glm::vec2(q.u, q.v));
     box.upper = glm::max(box.upper, glm::vec2(q.u, q.v));
-    minInverseZ = std::min(minInverseZ, 1 / q.z);
-    greatestInverseZ = std::max(greatestInverseZ, 1 / q.z);
+    minInverseZ = std::min(minInverseZ, 1 / q.t);
+    greatestInverseZ = std::max(greatestInverseZ, 1 / q.t);
   }
   const ImageBox displacement = displacementOver(camera, box, minInverseZ, greatestInverseZ);
   const glm::vec2 lower = box.lower + displacement.lower - kFootprintSlackPixels;

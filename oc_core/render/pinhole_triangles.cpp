@@ -8,7 +8,7 @@ namespace {
 
 RasterVertex rasterVertex(const PinholeCamera& camera, const glm::vec3& cameraPoint) {
   const ImagePoint q = camera.imageFromCamera(cameraPoint);
-  return {q.u, q.v, 1 / q.z, 0, 0};
+  return {q.u, q.v, 1 / q.t, 0, 0};
 }
 
 bool withinMargin(const PinholeCamera& camera, const RasterVertex& v) {

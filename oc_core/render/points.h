@@ -170,7 +170,7 @@ FragmentImage renderPoints(const C& camera, const Mesh& mesh, const PointOptions
   };
   forTriangles([&](uint32_t triangle) {
     sampler.sample(triangle, [&](const ImagePoint& q, float, float) {
-      forPixels(q, [&](size_t pixel) { keys.offer(pixel, DepthKeys::key(q.z, triangle)); });
+      forPixels(q, [&](size_t pixel) { keys.offer(pixel, DepthKeys::key(q.t, triangle)); });
     });
   });
   // Once more for the triangles that can be seen: which of their samples it was, the first where several are as far.
@@ -186,8 +186,8 @@ FragmentImage renderPoints(const C& camera, const Mesh& mesh, const PointOptions
     }
     sampler.sample(triangle, [&](const ImagePoint& q, float b1, float b2) {
       forPixels(q, [&](size_t pixel) {
-        if (keys.holds(pixel, DepthKeys::key(q.z, triangle)) && !fragments[pixel].covered()) {
-          fragments[pixel] = {q.z, triangle, b1, b2};
+        if (keys.holds(pixel, DepthKeys::key(q.t, triangle)) && !fragments[pixel].covered()) {
+          fragments[pixel] = {q.t, triangle, b1, b2};
         }
       });
     });

@@ -204,7 +204,7 @@ class LineProjection {
  private:
   LineVertex project(const glm::vec3& cameraPoint) const {
     const ImagePoint q = base_.imageFromCamera(cameraPoint);
-    return {q.u, q.v, 1 / q.z, lines_.isParallel() ? q.v : static_cast<float>(lines_.place({q.u, q.v}).row)};
+    return {q.u, q.v, 1 / q.t, lines_.isParallel() ? q.v : static_cast<float>(lines_.place({q.u, q.v}).row)};
   }
   bool withinMargin(const LineVertex& v) const {
     return v.u > -kClipMargin && v.v > -kClipMargin && v.u < static_cast<float>(base_.width()) + kClipMargin &&
@@ -284,7 +284,7 @@ void keep(Fragment& fragment, uint32_t triangle, const LineTriangle& piece, cons
   const glm::dvec3 weights = glm::max(span.from.weights + (span.to.weights - span.from.weights) * t, 0.0);
   const double inverseZ = LineProjection::inverseZ(piece, weights);
   const auto z = static_cast<float>(1 / inverseZ);
-  if (!fragment.covered() || z < fragment.z || (z == fragment.z && triangle < fragment.triangle)) {
+  if (!fragment.covered() || z < fragment.t || (z == fragment.t && triangle < fragment.triangle)) {
     glm::dvec2 b(0);
     for (int i = 0; i < 3; ++i) {
       const LineCorner& corner = piece[static_cast<size_t>(i)];
@@ -494,7 +494,7 @@ FragmentImage baseFragments(const EpipolarCamera& camera, const FragmentImage& b
           continue;
         }
         const double x = lines.x(row, j + 0.5);
-        const double y = lines.inverseZScale(x) / static_cast<double>(fragment.z);
+        const double y = lines.inverseZScale(x) / static_cast<double>(fragment.t);
         if (camera.disocclusionOf(row, j + 1, x - lines.disparity() * y) == nullptr) {
           fragments(j + shift, row) = fragment;
         }

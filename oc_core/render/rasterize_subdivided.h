@@ -57,7 +57,7 @@ class SubdividingRasterizer {
   Vertex vertex(const glm::vec3& p, float b1, float b2) const {
     const ImagePoint q = camera_.reference().imageFromCamera(p);
     const ImagePoint d = camera_.distort(q);
-    return {p, {q.u, q.v}, {d.u, d.v, 1 / q.z, b1, b2}};
+    return {p, {q.u, q.v}, {d.u, d.v, 1 / q.t, b1, b2}};
   }
 
   /// Draws the part of a scene triangle that the piece abc covers, less what is displaced nowhere.
@@ -161,8 +161,8 @@ void keepUndisplaced(const C& camera, const FragmentImage& seen, FragmentImage& 
       for (int x = 0; x < seen.width(); ++x) {
         const Fragment& sample = seen(x, y);
         Fragment& drawn = fragments(x, y);
-        const ImagePoint q{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, sample.z};
-        if (sample.covered() && (!drawn.covered() || sample.z < drawn.z)) {
+        const ImagePoint q{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, sample.t};
+        if (sample.covered() && (!drawn.covered() || sample.t < drawn.t)) {
           const ImagePoint d = camera.distort(q);
           if (d.u == q.u && d.v == q.v) {
             drawn = sample;

@@ -1,275 +1,30 @@
 #include "oc_core/render/raycast.h"
 
-#include <embree3/rtcore.h>
-
-#include <cmath>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#include "oc_core/render/pixel_tiles.h"
 
 namespace ocelli {
-namespace {
 
-constexpr unsigned kLanes = 8;  ///< rays of a packet
-constexpr int kTile = 8;        ///< pixels a side: whose rays are cast together
-
-/// Embree stops the program where a ray is not finite, or as long as 1.8e18.
-bool castable(const glm::vec3& origin, const glm::vec3& step) {
-  constexpr float kMax = 1e18f;
-  const auto within = [](const glm::vec3& p) {
-    return std::abs(p.x) < kMax && std::abs(p.y) < kMax && std::abs(p.z) < kMax;
-  };
-  return within(origin) && within(step);
+std::optional<Hit> RayScene::hit(const RayPath& ray) const {
+  std::optional<Hit> result;
+  hits(std::span(&ray, 1), std::span(&result, 1));
+  return result;
 }
 
-/// How far a segment reaches, 1 being its end. A surface just where two segments meet must not fall between them: all
-/// but the last go on for as much as coordinates are rounded by.
-float reachOf(const RayPath& path, size_t segment) {
-  if (segment + 1 == path.size()) {
-    return 1;
+void RayScene::hits(std::span<const RayPath> rays, std::span<std::optional<Hit>> found) const {
+  std::vector<Fragment> fragments(rays.size());
+  intersect(rays, fragments);
+  for (size_t i = 0; i < rays.size(); ++i) {
+    const Fragment& f = fragments[i];
+    found[i] =
+        f.covered() ? std::optional(Hit{f.t, positionOf(f, mesh()), colorOf(f, mesh()), f.triangle}) : std::nullopt;
   }
-  constexpr float kRounding = 1e-6f;
-  const glm::vec3 largest = glm::max(glm::abs(path[segment - 1]), glm::abs(path[segment]));
-  const float length = glm::distance(path[segment - 1], path[segment]);
-  return 1 + kRounding * std::max({largest.x, largest.y, largest.z}) / std::max(length, kRounding);
-}
-
-RTCIntersectContext coherentContext() {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  return context;
-}
-
-/// The point of triangle (a, b, c) that is closest to `p`: of its plane where that lies inside, else of an edge.
-glm::vec3 closestPoint(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  const glm::vec3 normal = glm::cross(b - a, c - a);
-  const auto leftOf = [&](const glm::vec3& from, const glm::vec3& to) {
-    return glm::dot(glm::cross(to - from, p - from), normal) >= 0;
-  };
-  const float normal2 = glm::dot(normal, normal);
-  if (normal2 > 0 && leftOf(a, b) && leftOf(b, c) && leftOf(c, a)) {
-    return p - normal * (glm::dot(p - a, normal) / normal2);
-  }
-  const auto onEdge = [&](const glm::vec3& from, const glm::vec3& to) {
-    const glm::vec3 along = to - from;
-    const float length2 = glm::dot(along, along);
-    return from + along * (length2 > 0 ? glm::clamp(glm::dot(p - from, along) / length2, 0.0f, 1.0f) : 0.0f);
-  };
-  const auto nearer = [&](const glm::vec3& q, const glm::vec3& r) {
-    return glm::dot(q - p, q - p) <= glm::dot(r - p, r - p) ? q : r;
-  };
-  return nearer(nearer(onEdge(a, b), onEdge(b, c)), onEdge(c, a));
-}
-
-struct NearSearch {
-  const Mesh* mesh;
-  glm::vec3 point;
-  float reach;
-  std::optional<RayScene::SurfacePoint> found = std::nullopt;
-};
-
-/// Calls `visit(query, search, triangle, closest)` for every triangle that may come within the radius of the query; it
-/// returns whether it has changed that.
-template <class Visit>
-void searchNear(RTCScene scene, NearSearch& search, Visit) {
-  RTCPointQuery query{};
-  query.x = search.point.x;
-  query.y = search.point.y;
-  query.z = search.point.z;
-  query.radius = search.reach;
-  RTCPointQueryContext context;
-  rtcInitPointQueryContext(&context);
-  const auto callback = [](RTCPointQueryFunctionArguments* arguments) {
-    NearSearch& state = *static_cast<NearSearch*>(arguments->userPtr);
-    const glm::uvec3& t = state.mesh->triangles[arguments->primID];
-    const std::vector<glm::vec3>& positions = state.mesh->positions;
-    return Visit{}(*arguments->query, state, arguments->primID,
-                   closestPoint(state.point, positions[t.x], positions[t.y], positions[t.z]));
-  };
-  rtcPointQuery(scene, &query, &context, callback, &search);
-}
-
-}  // namespace
-
-struct RayScene::Impl {
-  const Mesh* mesh = nullptr;
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
-};
-
-RayScene::RayScene(const Mesh& mesh, Quality quality) : impl_(std::make_unique<Impl>()) {
-  impl_->mesh = &mesh;
-  impl_->device = rtcNewDevice(nullptr);
-  OC_CHECK(impl_->device != nullptr, "Embree has no device");
-  impl_->scene = rtcNewScene(impl_->device);
-  rtcSetSceneFlags(impl_->scene, RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(impl_->scene, quality == Quality::kLow ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM);
-  if (!mesh.triangles.empty()) {
-    RTCGeometry geometry = rtcNewGeometry(impl_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    // Embree reads 16 bytes at the last vertex, so the positions are copied into its own padded buffer.
-    auto* positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.positions.size()));
-    std::copy(mesh.positions.begin(), mesh.positions.end(), positions);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
-                               sizeof(glm::uvec3), mesh.triangles.size());
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(impl_->scene, geometry);
-    rtcReleaseGeometry(geometry);
-  }
-  rtcCommitScene(impl_->scene);
-}
-
-RayScene::~RayScene() {
-  rtcReleaseScene(impl_->scene);
-  rtcReleaseDevice(impl_->device);
-}
-
-Fragment RayScene::intersect(const RayPath& path) const {
-  for (size_t i = 1; i < path.size(); ++i) {
-    const glm::vec3& origin = path[i - 1];
-    const glm::vec3 step = path[i] - origin;
-    if (!castable(origin, step)) {
-      continue;
-    }
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    RTCRayHit hit{};
-    hit.ray.org_x = origin.x;
-    hit.ray.org_y = origin.y;
-    hit.ray.org_z = origin.z;
-    hit.ray.dir_x = step.x;
-    hit.ray.dir_y = step.y;
-    hit.ray.dir_z = step.z;
-    hit.ray.tnear = 0;
-    hit.ray.tfar = reachOf(path, i);
-    hit.ray.mask = 0xffffffffu;
-    hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(impl_->scene, &context, &hit);
-    if (hit.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
-      return {0, hit.hit.primID, hit.hit.u, hit.hit.v};
-    }
-  }
-  return {};
-}
-
-void RayScene::intersect(std::span<const RayPath> paths, std::span<Fragment> fragments) const {
-  OC_CHECK(paths.size() == fragments.size(), "one fragment a path");
-  RTCIntersectContext context = coherentContext();
-  std::fill(fragments.begin(), fragments.end(), Fragment{});
-  // All paths advance segment by segment; those that met something or ended drop out.
-  std::vector<size_t> active;
-  active.reserve(paths.size());
-  for (size_t i = 0; i < paths.size(); ++i) {
-    if (paths[i].size() > 1) {
-      active.push_back(i);
-    }
-  }
-  for (size_t segment = 1; !active.empty(); ++segment) {
-    size_t kept = 0;
-    for (size_t first = 0; first < active.size(); first += kLanes) {
-      const size_t count = std::min<size_t>(active.size() - first, kLanes);
-      RTC_ALIGN(32) int valid[kLanes];
-      RTCRayHit8 packet{};
-      for (size_t lane = 0; lane < kLanes; ++lane) {
-        const RayPath& path = paths[active[first + std::min(lane, count - 1)]];
-        const glm::vec3& origin = path[segment - 1];
-        const glm::vec3 step = path[segment] - origin;
-        valid[lane] = lane < count && castable(origin, step) ? -1 : 0;
-        packet.ray.org_x[lane] = origin.x;
-        packet.ray.org_y[lane] = origin.y;
-        packet.ray.org_z[lane] = origin.z;
-        packet.ray.dir_x[lane] = step.x;
-        packet.ray.dir_y[lane] = step.y;
-        packet.ray.dir_z[lane] = step.z;
-        packet.ray.tnear[lane] = 0;
-        packet.ray.tfar[lane] = reachOf(path, segment);
-        packet.ray.mask[lane] = 0xffffffffu;
-        packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
-      }
-      rtcIntersect8(valid, impl_->scene, &context, &packet);
-      for (size_t lane = 0; lane < count; ++lane) {
-        const size_t i = active[first + lane];
-        if (packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID) {
-          fragments[i] = {0, packet.hit.primID[lane], packet.hit.u[lane], packet.hit.v[lane]};
-        } else if (segment + 1 < paths[i].size()) {
-          active[kept++] = i;
-        }
-      }
-    }
-    active.resize(kept);
-  }
-}
-
-Box RayScene::bounds() const {
-  if (impl_->mesh->triangles.empty()) {
-    return {};
-  }
-  RTCBounds bounds;
-  rtcGetSceneBounds(impl_->scene, &bounds);
-  return {{bounds.lower_x, bounds.lower_y, bounds.lower_z}, {bounds.upper_x, bounds.upper_y, bounds.upper_z}};
-}
-
-bool RayScene::hasSurfaceNear(const glm::vec3& point, float reach) const {
-  NearSearch search{impl_->mesh, point, reach};
-  searchNear(impl_->scene, search,
-             [](RTCPointQuery& query, NearSearch& state, uint32_t triangle, const glm::vec3& closest) {
-               if (state.found || glm::distance(closest, state.point) > state.reach) {
-                 return false;
-               }
-               state.found = {closest, triangle};
-               query.radius = 0;  // there is nothing left to look for
-               return true;
-             });
-  return search.found.has_value();
-}
-
-std::optional<RayScene::SurfacePoint> RayScene::closestSurface(const glm::vec3& point, float reach) const {
-  NearSearch search{impl_->mesh, point, reach};
-  searchNear(
-      impl_->scene, search, [](RTCPointQuery& query, NearSearch& state, uint32_t triangle, const glm::vec3& closest) {
-        // Whoever is as close must still be visited, or the order in which they are would decide.
-        constexpr float kRounding = 1 + 1e-5f;
-        const float distance = glm::distance(closest, state.point);
-        if (distance > state.reach || (state.found && distance == state.reach && triangle > state.found->triangle)) {
-          return false;
-        }
-        state.found = {closest, triangle};
-        state.reach = distance;
-        query.radius = std::min(query.radius, distance * kRounding);
-        return true;
-      });
-  return search.found;
 }
 
 FragmentImage castRays(int width, int height, const RayScene& scene,
                        const std::function<RayPath(const glm::vec2&)>& rayPath) {
-  FragmentImage fragments(width, height);
-  const int across = (width + kTile - 1) / kTile;
-  const int down = (height + kTile - 1) / kTile;
-  parallelFor(static_cast<size_t>(across) * static_cast<size_t>(down), 4, [&](size_t begin, size_t end) {
-    std::vector<RayPath> paths;
-    std::vector<Fragment> met(kTile * kTile);
-    for (size_t tile = begin; tile < end; ++tile) {
-      const int x0 = static_cast<int>(tile) % across * kTile;
-      const int y0 = static_cast<int>(tile) / across * kTile;
-      const int x1 = std::min(x0 + kTile, width);
-      const int y1 = std::min(y0 + kTile, height);
-      paths.clear();
-      for (int y = y0; y < y1; ++y) {
-        for (int x = x0; x < x1; ++x) {
-          paths.push_back(rayPath({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}));
-        }
-      }
-      scene.intersect(paths, std::span(met).first(paths.size()));
-      auto next = met.begin();
-      for (int y = y0; y < y1; ++y) {
-        for (int x = x0; x < x1; ++x) {
-          fragments(x, y) = *next++;
-        }
-      }
-    }
+  return castTiles<Fragment>(width, height, rayPath, [&](std::span<const RayPath> rays, std::span<Fragment> fragments) {
+    scene.intersect(rays, fragments);
   });
-  return fragments;
 }
 
 }  // namespace ocelli

@@ -1,5 +1,6 @@
-// Ray casting along the rays of any camera, with Embree: the reference for every other renderer (section 6.1.1). With
-// its acceleration structure standing, its cost hardly grows with the scene.
+// Ray casting along the rays of any camera: the reference for every other renderer (section 6.1.1). With its
+// acceleration structure standing, its cost hardly grows with the scene. That is Embree's where the toolkit is built
+// with it, and a tree of our own, some times slower, where not (OCELLI_WITH_EMBREE).
 #pragma once
 
 #include <functional>
@@ -10,11 +11,12 @@
 #include "oc_core/base/parallel.h"
 #include "oc_core/camera/camera.h"
 #include "oc_core/render/fragment_image.h"
+#include "oc_core/render/ray_target.h"
 
 namespace ocelli {
 
 /// A mesh prepared for intersection with the rays of any number of cameras. The mesh must outlive it.
-class RayScene {
+class RayScene final : public RayTarget {
  public:
   enum class Quality {
     kLow,     ///< sooner built
@@ -22,17 +24,22 @@ class RayScene {
   };
 
   explicit RayScene(const Mesh& mesh, Quality quality = Quality::kMedium);
-  ~RayScene();
+  ~RayScene() override;
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
 
-  /// The first triangle that the polyline meets, with its barycentric weights; `z` is left 0. Coordinates that are not
-  /// finite meet nothing.
+  const Mesh& mesh() const;
+  /// The element is the triangle.
+  std::optional<Hit> hit(const RayPath& ray) const override;
+  void hits(std::span<const RayPath> rays, std::span<std::optional<Hit>> found) const override;
+
+  /// The first triangle that the polyline meets, with its barycentric weights and the t of the polyline. Coordinates
+  /// that are not finite meet nothing.
   Fragment intersect(const RayPath& path) const;
   /// The same for each of many paths, in packets: neighbours should run alike.
   void intersect(std::span<const RayPath> paths, std::span<Fragment> fragments) const;
   /// Around all triangles; empty as boundsOf() of an empty mesh.
-  Box bounds() const;
+  Box bounds() const override;
   /// Whether a point of the surface lies within `reach` of `point`.
   bool hasSurfaceNear(const glm::vec3& point, float reach) const;
 
@@ -49,7 +56,7 @@ class RayScene {
   std::unique_ptr<Impl> impl_;
 };
 
-/// What the ray path of each pixel centre meets first; `z` is left 0. On all threads.
+/// What the ray path of each pixel centre meets first. On all threads.
 FragmentImage castRays(int width, int height, const RayScene& scene,
                        const std::function<RayPath(const glm::vec2& pixel)>& rayPath);
 
@@ -65,8 +72,11 @@ FragmentImage raycast(const C& camera, const Mesh& mesh, const RayScene& scene, 
         fragments[i] = known[i];
       } else if (fragments[i].covered()) {
         const std::optional<ImagePoint> q = camera.project(positionOf(fragments[i], mesh));
-        fragments[i].z = q ? q->z : 0;
-        fragments[i] = q ? fragments[i] : Fragment{};
+        if (q) {
+          fragments[i].t = q->t;
+        } else {
+          fragments[i] = {};
+        }
       }
     }
   });

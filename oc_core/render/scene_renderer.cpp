@@ -32,7 +32,7 @@ FragmentImage RayRenderer::drawLines(const PinholeCamera& base, const EpipolarLi
   });
   parallelFor(image.size(), 1 << 12, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      image[i].z = image[i].covered() ? base.cameraFromWorld(positionOf(image[i], mesh_)).z : 0;
+      image[i].t = image[i].covered() ? base.cameraFromWorld(positionOf(image[i], mesh_)).z : 0;
     }
   });
   return image;

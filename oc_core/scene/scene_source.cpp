@@ -23,7 +23,7 @@ void refuseOwnFile(const std::string& source) {
                      "ocelli observe, ocelli present or ocelli volume info with it");
   }
   if (source.ends_with(".session")) {
-    throw InputError("this is a recorded session of a display", source, "ocelli present with it");
+    throw InputError("this is the log of a device", source, "ocelli present with it");
   }
   if (source.ends_with(".exr")) {
     throw InputError("this is an image; of a reference image ocelli slice and ocelli present take the mesh", source,

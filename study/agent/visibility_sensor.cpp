@@ -190,19 +190,7 @@ struct SpotSamples {
 /// Where the last straight piece of a ray begins that ends at a point which it meets.
 glm::vec3 beginOfLastPiece(const StudyCamera& camera, const glm::vec2& pixel, const glm::vec3& point) {
   const RayPath path = std::visit([&](const auto& each) { return each.rayPath(pixel); }, camera);
-  glm::vec3 begin = path.size() > 0 ? path[0] : point;
-  float nearest = 1e30f;
-  for (size_t i = 0; i + 1 < path.size(); ++i) {
-    const glm::vec3 along = path[i + 1] - path[i];
-    const float share =
-        std::clamp(glm::dot(point - path[i], along) / std::max(glm::dot(along, along), 1e-12f), 0.0f, 1.0f);
-    const float off = glm::distance(path[i] + along * share, point);
-    if (off < nearest) {
-      nearest = off;
-      begin = path[i];
-    }
-  }
-  return begin;
+  return path.size() > 1 ? path[path.positionNear(point).segment] : point;
 }
 
 /// Calls `visit(patch, place)` for the patches that a straight piece of a ray passes low above, each once.

@@ -29,7 +29,7 @@ class RunningTrial {
   /// When each frame was shown; the first of them began the trial.
   const std::vector<int64_t>& shownNanoseconds() const { return shown_; }
 
-  /// MotorModel the log so far to the sink.
+  /// Hands the log so far to the sink.
   void handOver();
 
  private:

@@ -1,6 +1,4 @@
 // The contract of camera.h, checked for every camera: each is one entry of `AllCameras` at the end of the fixture.
-// The cell camera is not among them: its rays end at the surfaces that they sample, and parts of its image have none.
-// cell_camera_test.cpp checks what the contract says of such a camera.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -15,6 +13,7 @@
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/ocri/eoc_builder.h"
 #include "oc_core/render/rasterize_spans.h"
+#include "tests/camera/test_cell_cameras.h"
 #include "tests/camera/test_curved_cameras.h"
 #include "tests/camera/test_graph_cameras.h"
 #include "tests/ocri/test_scenes.h"
@@ -40,6 +39,8 @@ struct Traits {
   static constexpr double kErrorGrowth = 1;       ///< of an error of the pinhole's image point, at most
   static constexpr bool kRaysRunFromNear = true;  ///< all of them begin at zNear, and only some end before zFar
   static constexpr bool kZRunsAlongTheView = true;
+  /// Of the t that a segment advances by: how far t may be off between its ends, where the segment stands for an arc.
+  static constexpr float kArcError = 0;
   static glm::ivec2 size() { return {kWidth, kHeight}; }
   template <class Camera>
   static const View& viewOf(const Camera& camera) {
@@ -58,6 +59,8 @@ struct Traits {
     return referenceOf(camera).cameraFromWorld(point).z;
   }
   static bool sameRay(const RayPath& a, const RayPath& b) { return a == b; }
+  /// Whether points on the ray of a pixel may have their image at another pixel, which shows the same.
+  static bool isRepeated(const glm::vec2&) { return false; }
   /// The pinhole's image point of an undistorted one.
   template <class Camera>
   static glm::dvec2 pinholePoint(const Camera&, const ImagePoint& q) {
@@ -93,7 +96,7 @@ struct SpocOf : Traits {
   static constexpr double kAside = kNearPixels > 0 ? 0.26 : 0;
   /// A point goes around a circle of d(z) more than its way from the pole.
   static float blowUp(const ImagePoint& q) {
-    const float displacement = make().displacementAt(q.z);
+    const float displacement = make().displacementAt(q.t);
     return 1 + displacement / std::max(glm::distance(glm::vec2(q.u, q.v), kPole) - displacement, 1e-3f);
   }
   static SpocCamera make() { return {smallCamera(), {kPole, 9, 11, kNearPixels, 5}}; }
@@ -131,7 +134,7 @@ EpipolarCamera eocAt(const glm::vec3& right, const Mesh& mesh) {
   for (int row = 0; row < lines.rowCount(); ++row) {
     std::vector<float> inverseZ;
     for (int j = 0; j < lines.length(row); ++j) {
-      inverseZ.push_back(seen(j, row).covered() ? 1 / seen(j, row).z : 0);
+      inverseZ.push_back(seen(j, row).covered() ? 1 / seen(j, row).t : 0);
     }
     edges.push_back(findEpipolarEdges(inverseZ, row, lines, base.view().zNear, 1 / 10.9f, {}));
   }
@@ -179,7 +182,7 @@ struct Graph : Traits {
   static float depthOf(const Camera& camera, const glm::vec3& point, const glm::vec2& pixel) {
     const std::optional<ExactImagePoint> q = camera.projectExactly(glm::dvec3(point));
     EXPECT_TRUE(q) << pixel.x << ", " << pixel.y;
-    return q ? static_cast<float>(q->z) : 0;
+    return q ? static_cast<float>(q->t) : 0;
   }
   /// A plane that is crossed without a turn is one more point of the ray.
   static bool sameRay(const RayPath& a, const RayPath& b) {
@@ -208,6 +211,7 @@ struct LimitedGraph : Graph {
 };
 
 struct CurvedRays : Graph {
+  static constexpr float kArcError = 0.02f;
   static CurvedRayCamera make() { return test::bendingTwice(); }
   static CurvedRayCamera undistorted() {
     CurvedRayCamera straight(smallCamera());
@@ -218,6 +222,7 @@ struct CurvedRays : Graph {
 
 /// The same along polynomial arcs.
 struct BezierRays : Graph {
+  static constexpr float kArcError = CurvedRays::kArcError;
   static CurvedRayCamera make() { return test::bendingTwice(smallCamera(), ArcModel::kBezier); }
   static CurvedRayCamera undistorted() {
     CurvedRayCamera straight(smallCamera(), ArcModel::kBezier);
@@ -226,7 +231,27 @@ struct BezierRays : Graph {
   }
 };
 
-/// Straight rays in all directions, whose z is their length.
+/// Rays that end at the surfaces which they sample; a second viewpoint adds the pieces of its rays that the first
+/// hides.
+struct Cell : Traits {
+  // At most depths nearly all of the 16 rows below the reference's 60, and what lies behind the surfaces: a third.
+  static constexpr double kUnsolvable = 0.85;
+  static constexpr double kShort = 1;
+  static constexpr double kAside = 0.02;
+  static constexpr bool kRaysRunFromNear = false;  // those of the second viewpoint begin behind the occluder
+  static glm::ivec2 size() { return {kWidth, kHeight + CellCamera::kTileSide}; }
+  static const View& viewOf(const CellCamera& camera) { return camera.reference().view(); }
+  static float depthAtEnd(const CellCamera& camera, const glm::vec3& point) {
+    return camera.reference().cameraFromWorld(point).z;
+  }
+  static float depthOf(const CellCamera& camera, const glm::vec3& point, const glm::vec2&) {
+    return depthAtEnd(camera, point);
+  }
+  static bool isRepeated(const glm::vec2& pixel) { return test::isRepeated(pixel); }
+  static CellCamera make() { return test::twoViewpoints(); }
+};
+
+/// Straight rays in all directions, whose t is their length.
 struct AllAround : Traits {
   template <class Camera>
   static const View& viewOf(const Camera& camera) {
@@ -268,7 +293,7 @@ class CameraContract : public ::testing::Test {
     return (1.5e-3f + kWidth / 2.0f * 1e-6f / z) * static_cast<float>(Source::kErrorGrowth);
   }
   static bool near(const ImagePoint& q, const glm::vec2& pixel) {
-    const float tolerance = pixels(q.z) * Source::blowUp({pixel.x, pixel.y, q.z});
+    const float tolerance = pixels(q.t) * Source::blowUp({pixel.x, pixel.y, q.t});
     return std::abs(q.u - pixel.x) < tolerance && std::abs(q.v - pixel.y) < tolerance;
   }
 
@@ -290,7 +315,7 @@ class CameraContract : public ::testing::Test {
 };
 
 using AllCameras = ::testing::Types<Pinhole, SmoothDdoc, SceneDdoc, Spoc, SteppingSpoc, ReversePinhole, EocAcross,
-                                    EocForward, Graph, LimitedGraph, CurvedRays, BezierRays, Panorama, Cylinder>;
+                                    EocForward, Graph, LimitedGraph, CurvedRays, BezierRays, Panorama, Cylinder, Cell>;
 TYPED_TEST_SUITE(CameraContract, AllCameras);
 
 /// What holds besides for cameras that look through the window of a pinhole, and bend or displace its rays.
@@ -316,9 +341,9 @@ TYPED_TEST(CameraContract, projectOfUnprojectIsTheImagePoint) {
       return;
     }
     const std::optional<ImagePoint> back = this->camera().project(*point);
-    ASSERT_TRUE(back) << q.u << " " << q.v << " " << q.z;
-    EXPECT_TRUE(this->near(*back, {q.u, q.v})) << q.u << " " << q.v << " " << q.z;
-    EXPECT_NEAR(back->z, q.z, 1e-6f * (1 + q.z)) << "rounding of world coordinates";
+    ASSERT_TRUE(back) << q.u << " " << q.v << " " << q.t;
+    EXPECT_TRUE(this->near(*back, {q.u, q.v}) || TypeParam::isRepeated({q.u, q.v})) << q.u << " " << q.v << " " << q.t;
+    EXPECT_NEAR(back->t, q.t, 1e-6f * (1 + q.t)) << "rounding of world coordinates";
   });
   EXPECT_LE(static_cast<double>(unsolved), TypeParam::kUnsolvable * static_cast<double>(tried));
 }
@@ -341,8 +366,8 @@ TYPED_TEST(CameraContract, rayPathProjectsToItsPixel) {
         // plane does so where it has no direction any more.
         const bool endsEarly =
             &point == &path.back() && TypeParam::depthAtEnd(this->camera(), point) < 0.999f * this->view().zFar;
-        holds =
-            holds && (endsEarly || (!q ? (&point == &path.front() || &point == &path.back()) : this->near(*q, pixel)));
+        holds = holds && (endsEarly || TypeParam::isRepeated(pixel) ||
+                          (!q ? (&point == &path.front() || &point == &path.back()) : this->near(*q, pixel)));
       }
       broken += !holds;
     }
@@ -385,6 +410,7 @@ TYPED_TEST(CameraContract, rayPathRunsFromNearToFar) {
       const auto depthOf = [&](const glm::vec3& point) { return TypeParam::depthOf(this->camera(), point, pixel); };
       for (size_t i = 1; i < path.size(); ++i) {
         EXPECT_GT(depthOf(path[i]), depthOf(path[i - 1]));
+        EXPECT_GT(path.t(i), path.t(i - 1));
       }
       // World coordinates of 10 (near end) and 1000 (far end) units round by half a unit in their last place.
       EXPECT_TRUE(!TypeParam::kRaysRunFromNear || std::abs(depthOf(path.front()) - this->view().zNear) < 2e-6f);
@@ -393,6 +419,33 @@ TYPED_TEST(CameraContract, rayPathRunsFromNearToFar) {
     }
   }
   EXPECT_LE(shortRays, (TypeParam::kUnsolvable + TypeParam::kShort) * rays);
+}
+
+/// What project() says t is, at the points of the ray and between them, is what the ray says.
+TYPED_TEST(CameraContract, rayPathGivesTheParameter) {
+  size_t compared = 0;
+  size_t different = 0;
+  for (int y = 0; y < this->camera().height(); y += 3) {
+    for (int x = 0; x < this->camera().width(); x += 3) {
+      const RayPath path = this->camera().rayPath({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+      for (size_t i = 1; i < path.size(); ++i) {
+        const float step = path.t(i) - path.t(i - 1);
+        EXPECT_GT(step, 0) << "t grows";
+        for (const float share : {0.5f, 1.0f}) {
+          const RayPath::Position position{i - 1, share};
+          const std::optional<ImagePoint> q = this->camera().project(path.pointAt(position));
+          if (q) {  // the other tests count those without
+            const float t = path.tAt(position);
+            ++compared;
+            // World coordinates of 10 units, and of t here, round by half of 1e-6; t is a sum of a few such lengths.
+            different += std::abs(q->t - t) > 4e-6f * (1 + t) + TypeParam::kArcError * step;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 100u);
+  EXPECT_LE(static_cast<double>(different), TypeParam::kAside * static_cast<double>(compared));
 }
 
 TYPED_TEST(WindowContract, imageBordersHaveRays) {
@@ -453,7 +506,7 @@ TYPED_TEST(WindowContract, pointsBehindTheEyeHaveNoImage) {
 
 TYPED_TEST(CameraContract, imagePointsWithoutAWorldPointHaveNone) {
   const auto hasNone = [&](const ImagePoint& q) {
-    EXPECT_FALSE(this->camera().unproject(q)) << q.u << " " << q.v << " " << q.z;
+    EXPECT_FALSE(this->camera().unproject(q)) << q.u << " " << q.v << " " << q.t;
   };
   for (const float z : {0.0f, -1.0f, 0.0099f, 1000.1f, kNan, kInfinity, -kInfinity}) {
     hasNone({45, 30, z});
@@ -481,7 +534,7 @@ void expectPinhole() {
         const glm::dvec2 p = Source::pinholePoint(camera, *q);
         EXPECT_NEAR(p.x, kWidth / 2.0 + focal * x / depth, 1e-4);
         EXPECT_NEAR(p.y, kHeight / 2.0 - focal * y / depth, 1e-4);
-        EXPECT_NEAR(q->z, depth, 2e-6);
+        EXPECT_NEAR(q->t, depth, 2e-6);
         const std::optional<glm::vec3> back = camera.unproject(*q);
         ASSERT_TRUE(back);
         EXPECT_LT(glm::distance(*back, glm::vec3(x, y, z)), 1e-5f);

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "tests/ocri/test_scenes.h"
+#include "tests/camera/test_cell_cameras.h"
 
 namespace ocelli {
 namespace {
@@ -13,43 +13,8 @@ using test::kHeight;
 using test::kWidth;
 using test::smallCamera;
 
-constexpr float kSideStep = 0.8f;
-constexpr float kWall = 10.9f;  ///< depth of what the reference sees beside the occluder
-constexpr float kFront = 9.3f;  ///< and of the occluder
 constexpr float kPixels =
     2e-3f;  ///< world coordinates of 10 units round by 1e-6, which a focal length of 300 makes this
-
-/// An occluder in the middle of the reference image, a wall around it.
-CellCamera::Viewpoint referenceViewpoint() {
-  CellCamera::Viewpoint viewpoint{smallCamera(), Image<float>(kWidth, kHeight, kWall)};
-  for (int y = 20; y < 40; ++y) {
-    for (int x = 30; x < 60; ++x) {
-      viewpoint.reach(x, y) = kFront;
-    }
-  }
-  return viewpoint;
-}
-
-/// Sees the wall from the right, and stores the columns in which the occluder hides it from the reference.
-CellCamera::Viewpoint satelliteViewpoint() {
-  const PinholeCamera camera(movedEye(View{}, {kSideStep, 0, 0}), kWidth, kHeight);
-  CellCamera::Viewpoint viewpoint{camera, Image<float>(kWidth, kHeight, 0)};
-  for (int y = 22; y < 38; ++y) {
-    for (int x = 50; x < 58; ++x) {
-      // The plane of the wall along the direction of this viewpoint.
-      const glm::vec3 direction = camera.worldFromCamera(camera.cameraFromImage(
-                                      {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, 1})) -
-                                  camera.eye();
-      viewpoint.reach(x, y) = (10 - kWall - camera.eye().z) / direction.z;
-    }
-  }
-  return viewpoint;
-}
-
-const CellCamera& cells() {
-  static const CellCamera camera({referenceViewpoint(), satelliteViewpoint()});
-  return camera;
-}
 
 glm::vec2 centre(int x, int y) {
   return {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
@@ -65,7 +30,7 @@ TEST(CellCamera, withoutSatellitesItIsThePinhole) {
     ASSERT_TRUE(q && expected);
     EXPECT_EQ(q->u, expected->u);
     EXPECT_EQ(q->v, expected->v);
-    EXPECT_EQ(q->z, expected->z);
+    EXPECT_EQ(q->t, expected->t);
     EXPECT_EQ(alone.unproject(*q), smallCamera().unproject(*q));
   }
   EXPECT_EQ(alone.rayPath({12.5f, 40.5f}), smallCamera().rayPath({12.5f, 40.5f}));
@@ -73,29 +38,30 @@ TEST(CellCamera, withoutSatellitesItIsThePinhole) {
 
 TEST(CellCamera, tilesOfTheSatelliteStandBelowTheReference) {
   // Columns 50 to 57 and rows 22 to 37 of the satellite: one tile across (45 to 59), two down (15 to 29, 30 to 44).
-  ASSERT_EQ(cells().tiles().size(), 2u);
-  EXPECT_EQ(cells().tiles()[0].corner, glm::ivec2(45, 15));
-  EXPECT_EQ(cells().tiles()[1].corner, glm::ivec2(45, 30));
-  EXPECT_EQ(cells().cornerOf(0), glm::ivec2(0, kHeight));
-  EXPECT_EQ(cells().cornerOf(1), glm::ivec2(CellCamera::kTileSide, kHeight));
-  EXPECT_EQ(cells().width(), kWidth);
-  EXPECT_EQ(cells().height(), kHeight + CellCamera::kTileSide);
+  ASSERT_EQ(test::twoViewpoints().tiles().size(), 2u);
+  EXPECT_EQ(test::twoViewpoints().tiles()[0].corner, glm::ivec2(45, 15));
+  EXPECT_EQ(test::twoViewpoints().tiles()[1].corner, glm::ivec2(45, 30));
+  EXPECT_EQ(test::twoViewpoints().cornerOf(0), glm::ivec2(0, kHeight));
+  EXPECT_EQ(test::twoViewpoints().cornerOf(1), glm::ivec2(CellCamera::kTileSide, kHeight));
+  EXPECT_EQ(test::twoViewpoints().width(), kWidth);
+  EXPECT_EQ(test::twoViewpoints().height(), kHeight + CellCamera::kTileSide);
 }
 
 TEST(CellCamera, pointsBehindTheOccluderHaveTheirImageInTheTiles) {
-  const CellCamera::Viewpoint& satellite = cells().viewpoints()[1];
+  const CellCamera::Viewpoint& satellite = test::twoViewpoints().viewpoints()[1];
   size_t hidden = 0;
   for (int y = 22; y < 38; ++y) {
     for (int x = 50; x < 58; ++x) {
       const glm::vec2 pixel = centre(x, y);
       const glm::vec3 point = *satellite.camera.unproject({pixel.x, pixel.y, satellite.reach(x, y)});
       const ImagePoint seen = *smallCamera().project(point);
-      const std::optional<ImagePoint> q = cells().project(point);
+      const std::optional<ImagePoint> q = test::twoViewpoints().project(point);
       ASSERT_TRUE(q);
-      EXPECT_NEAR(q->z, kWall, 1e-4f);
+      EXPECT_NEAR(q->t, test::kCellWall, 1e-4f);
       if (seen.u > 30 && seen.u < 60 && seen.v > 20 && seen.v < 40) {
         const size_t tile = y < 30 ? 0 : 1;
-        const glm::vec2 expected = pixel - glm::vec2(cells().tiles()[tile].corner) + glm::vec2(cells().cornerOf(tile));
+        const glm::vec2 expected = pixel - glm::vec2(test::twoViewpoints().tiles()[tile].corner) +
+                                   glm::vec2(test::twoViewpoints().cornerOf(tile));
         EXPECT_NEAR(q->u, expected.x, kPixels);
         EXPECT_NEAR(q->v, expected.y, kPixels);
         ++hidden;
@@ -109,32 +75,33 @@ TEST(CellCamera, pointsBehindTheOccluderHaveTheirImageInTheTiles) {
 }
 
 TEST(CellCamera, hiddenPointsThatNoSatelliteReachesHaveNone) {
-  EXPECT_FALSE(cells().project({-0.2f, 0, -0.5f})) << "behind the occluder, left of what the satellite stores";
-  EXPECT_FALSE(cells().project({2.0f, 0, -1.5f})) << "behind the wall";
-  EXPECT_TRUE(cells().project({-0.2f, 0, 0.9f})) << "in front of the occluder";
+  EXPECT_FALSE(test::twoViewpoints().project({-0.2f, 0, -0.5f}))
+      << "behind the occluder, left of what the satellite stores";
+  EXPECT_FALSE(test::twoViewpoints().project({2.0f, 0, -1.5f})) << "behind the wall";
+  EXPECT_TRUE(test::twoViewpoints().project({-0.2f, 0, 0.9f})) << "in front of the occluder";
 }
 
 TEST(CellCamera, projectOfUnprojectIsTheImagePoint) {
   size_t solved = 0;
   size_t below = 0;
-  for (int y = 0; y < cells().height(); ++y) {
+  for (int y = 0; y < test::twoViewpoints().height(); ++y) {
     for (int x = 0; x < kWidth; ++x) {
       for (const float z : {5.0f, 9.29f, 9.5f, 10.2f, 10.8f}) {
-        const std::optional<glm::vec3> point = cells().unproject({centre(x, y).x, centre(x, y).y, z});
+        const std::optional<glm::vec3> point = test::twoViewpoints().unproject({centre(x, y).x, centre(x, y).y, z});
         if (!point) {
           continue;
         }
-        const std::optional<ImagePoint> back = cells().project(*point);
+        const std::optional<ImagePoint> back = test::twoViewpoints().project(*point);
         ASSERT_TRUE(back) << x << " " << y << " " << z;
         ++solved;
         below += y >= kHeight;
         // A tile repeats the first row of the next one; the point projects to the original.
-        if (y >= kHeight && (x % CellCamera::kTileSide == 15 || y % CellCamera::kTileSide == (kHeight + 15) % 16)) {
+        if (test::isRepeated(centre(x, y))) {
           continue;
         }
         EXPECT_NEAR(back->u, centre(x, y).x, kPixels);
         EXPECT_NEAR(back->v, centre(x, y).y, kPixels);
-        EXPECT_NEAR(back->z, z, 1e-5f);
+        EXPECT_NEAR(back->t, z, 1e-5f);
       }
     }
   }
@@ -144,9 +111,9 @@ TEST(CellCamera, projectOfUnprojectIsTheImagePoint) {
 
 TEST(CellCamera, rayPathsProjectToTheirPixels) {
   size_t tiles = 0;
-  for (int y = 0; y < cells().height(); ++y) {
+  for (int y = 0; y < test::twoViewpoints().height(); ++y) {
     for (int x = 0; x < kWidth; ++x) {
-      const RayPath path = cells().rayPath(centre(x, y));
+      const RayPath path = test::twoViewpoints().rayPath(centre(x, y));
       if (y < kHeight) {
         ASSERT_EQ(path.size(), 2u) << "every pixel of the reference has its ray";
       }
@@ -158,12 +125,12 @@ TEST(CellCamera, rayPathsProjectToTheirPixels) {
           y >= kHeight && (x % CellCamera::kTileSide == 15 || (y - kHeight) % CellCamera::kTileSide == 15);
       for (int step = 0; step <= 8 && !copy; ++step) {
         const float t = static_cast<float>(step) / 8;
-        const std::optional<ImagePoint> q = cells().project(path[0] + (path[1] - path[0]) * t);
+        const std::optional<ImagePoint> q = test::twoViewpoints().project(path[0] + (path[1] - path[0]) * t);
         if (!q && step == 0) {
           continue;  // rounding may put the near end a hair before zNear
         }
         ASSERT_TRUE(q) << x << " " << y << " " << step;
-        const float slack = kPixels + 1e-3f / q->z;
+        const float slack = kPixels + 1e-3f / q->t;
         EXPECT_NEAR(q->u, centre(x, y).x, slack) << y << " " << step;
         EXPECT_NEAR(q->v, centre(x, y).y, slack) << x << " " << step;
       }
@@ -177,15 +144,15 @@ TEST(CellCamera, whatIsNoPixelOrNumberHasNone) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   for (const glm::vec2& pixel : {glm::vec2(-1, 5), glm::vec2(5, -1), glm::vec2(kWidth, 5), glm::vec2(5, 1e9f),
                                  glm::vec2(kNan, 5), glm::vec2(5, kInfinity), glm::vec2(70.5f, kHeight + 3.5f)}) {
-    EXPECT_TRUE(cells().rayPath(pixel).empty());
-    EXPECT_FALSE(cells().unproject({pixel.x, pixel.y, 9}));
+    EXPECT_TRUE(test::twoViewpoints().rayPath(pixel).empty());
+    EXPECT_FALSE(test::twoViewpoints().unproject({pixel.x, pixel.y, 9}));
   }
   for (const float z : {0.0f, -1.0f, kNan, kInfinity, 11.5f}) {
-    EXPECT_FALSE(cells().unproject({10.5f, 10.5f, z})) << z;
-    EXPECT_FALSE(cells().unproject({7.5f, kHeight + 9.5f, z})) << z;
+    EXPECT_FALSE(test::twoViewpoints().unproject({10.5f, 10.5f, z})) << z;
+    EXPECT_FALSE(test::twoViewpoints().unproject({7.5f, kHeight + 9.5f, z})) << z;
   }
   for (const glm::vec3& point : {glm::vec3(kNan, 0, 0), glm::vec3(0, kInfinity, 0), glm::vec3(0, 0, 11)}) {
-    EXPECT_FALSE(cells().project(point));
+    EXPECT_FALSE(test::twoViewpoints().project(point));
   }
 }
 

@@ -138,7 +138,7 @@ TEST(Continuity, ofGraphCamerasButAcrossSplitLines) {
           ++crossings;
           worstShare = std::max(worstShare, share);
           worstRest = std::max(worstRest, moved(graph, way, step));
-          EXPECT_NEAR(graph.projectExactly(way.at(step.from))->z, graph.projectExactly(way.at(step.to))->z, 1e-9);
+          EXPECT_NEAR(graph.projectExactly(way.at(step.from))->t, graph.projectExactly(way.at(step.to))->t, 1e-9);
         } else {
           // A jump, then: from the border of one part to that of another.
           ++jumps;
@@ -245,7 +245,7 @@ TEST(Continuity, ofCurvedRayCameras) {
         ASSERT_TRUE(before && beyond);
         ++crossings;
         worstRest = std::max(worstRest, glm::distance(pixelOf(*before), pixelOf(*beyond)));
-        EXPECT_NEAR(before->z, beyond->z, 1e-7 * before->z);
+        EXPECT_NEAR(before->t, beyond->t, 1e-7 * before->t);
       }
     }
   }

@@ -187,7 +187,7 @@ TEST(CurvedRayCamera, withoutABendItIsThePinhole) {
       ASSERT_TRUE(expected && got);
       EXPECT_NEAR(got->u, expected->u, 1e-3);
       EXPECT_NEAR(got->v, expected->v, 1e-3);
-      EXPECT_NEAR(got->z / expected->z, 1, 1e-5);
+      EXPECT_NEAR(got->t / expected->t, 1, 1e-5);
     }
   }
 }

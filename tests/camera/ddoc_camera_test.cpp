@@ -31,7 +31,7 @@ TEST(DdocCamera, projectsByEquation33) {
       ASSERT_TRUE(q);
       EXPECT_NEAR(q->u, 45 + 6 * share, 1e-4f) << depth;
       EXPECT_NEAR(q->v, 30 - 2 * share, 1e-4f) << depth;
-      EXPECT_NEAR(q->z, depth, 1e-5f);
+      EXPECT_NEAR(q->t, depth, 1e-5f);
     };
     expectShare(4, 0);
     expectShare(8, 0);
@@ -93,11 +93,11 @@ TEST(DdocCamera, rayIsStraightThenBentThenStraight) {
   const PinholeCamera reference = smallCamera();
   for (const glm::vec3& point : camera.rayPath({40.5f, 20.5f})) {
     const ImagePoint q = reference.imageFromCamera(reference.cameraFromWorld(point));
-    const float share = std::clamp((1 / 8.0f - 1 / q.z) / (1 / 8.0f - 1 / 12.0f), 0.0f, 1.0f);
+    const float share = std::clamp((1 / 8.0f - 1 / q.t) / (1 / 8.0f - 1 / 12.0f), 0.0f, 1.0f);
     // Next to the eye (z = 0.01) a world coordinate of 10 rounds by 5e-7, which is 0.015 pixels.
-    const float tolerance = q.z < 1 ? 0.05f : 2e-3f;
-    EXPECT_NEAR(q.u, 40.5f - 6 * share, tolerance) << q.z;
-    EXPECT_NEAR(q.v, 20.5f + 2 * share, tolerance) << q.z;
+    const float tolerance = q.t < 1 ? 0.05f : 2e-3f;
+    EXPECT_NEAR(q.u, 40.5f - 6 * share, tolerance) << q.t;
+    EXPECT_NEAR(q.v, 20.5f + 2 * share, tolerance) << q.t;
   }
 }
 
@@ -115,7 +115,7 @@ DdocCamera splitCamera(float left, float right) {
 void expectRayProjectsTo(const DdocCamera& camera, const glm::vec2& pixel) {
   for (const glm::vec3& point : camera.rayPath(pixel)) {
     if (const auto q = camera.project(point)) {
-      EXPECT_NEAR(q->u, pixel.x, q->z < 1 ? 0.05f : 2e-3f) << q->z;
+      EXPECT_NEAR(q->u, pixel.x, q->t < 1 ? 0.05f : 2e-3f) << q->t;
     }
   }
 }

@@ -74,8 +74,8 @@ TEST(EpipolarCamera, raysBendAtTheDepthOfTheBackground) {
   EXPECT_NEAR(knee.u, 45.5, kRounding);
   EXPECT_NEAR(end.u, 45.5, kRounding);
   const double disparity = camera.lines().disparity();
-  EXPECT_NEAR(1 / knee.z, 1 / 9.0 - 10 / disparity, 1e-6);
-  EXPECT_NEAR(end.z, base.view().zFar, 1e-3);
+  EXPECT_NEAR(1 / knee.t, 1 / 9.0 - 10 / disparity, 1e-6);
+  EXPECT_NEAR(end.t, base.view().zFar, 1e-3);
   // The first part is a ray of R: R, its start and its knee are on a line.
   const glm::vec3 a = glm::normalize(path[0] - kRight);
   const glm::vec3 b = glm::normalize(path[1] - kRight);

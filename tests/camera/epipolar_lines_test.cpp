@@ -112,7 +112,7 @@ TEST(EpipolarLines, pointsMoveAlongThemByTheDisparity) {
       const EpipolarLines::Place place = lines.place({q.u, q.v});
       const int row = lines.rowOf(place.row);
       const double x = lines.x(row, place.position);
-      const double y = lines.inverseZScale(x) / static_cast<double>(q.z);
+      const double y = lines.inverseZScale(x) / static_cast<double>(q.t);
       for (const float t : {0.25f, 0.5f, 1.0f}) {
         View view = base.view();
         view.eye = base.eye() + (right - base.eye()) * t;

@@ -47,7 +47,7 @@ TEST(GraphCamera, theRootAloneIsThePinhole) {
     ASSERT_TRUE(expected && got);
     EXPECT_NEAR(got->u, expected->u, 1e-3 * std::max(1.0f, std::abs(expected->u) / 100));
     EXPECT_NEAR(got->v, expected->v, 1e-3 * std::max(1.0f, std::abs(expected->v) / 100));
-    EXPECT_NEAR(got->z / expected->z, 1, 1e-6);
+    EXPECT_NEAR(got->t / expected->t, 1, 1e-6);
   }
 }
 
@@ -65,7 +65,7 @@ TEST(GraphCamera, bendByHand) {
   EXPECT_NEAR(got->u, expected->u, 1e-4);
   EXPECT_NEAR(got->v, expected->v, 1e-4);
   // Ray lengths |(0.6, 0.05, -10)| and |(-0.4, 0.05, -5)|, times the cosine 10 / |(0.6, 0.05, -10)|.
-  EXPECT_NEAR(got->z, 10 * (1 + std::sqrt(0.16 + 0.0025 + 25) / std::sqrt(0.36 + 0.0025 + 100)), 1e-5);
+  EXPECT_NEAR(got->t, 10 * (1 + std::sqrt(0.16 + 0.0025 + 25) / std::sqrt(0.36 + 0.0025 + 100)), 1e-5);
   EXPECT_EQ(graph.frustumOf(point), 1);
   EXPECT_EQ(graph.frustumOf({0, 0, 1}), 0);
   const RayPath path = graph.rayPath({got->u, got->v});
@@ -104,7 +104,7 @@ TEST(GraphCamera, imagesAreContinuousAcrossPlanes) {
       ASSERT_TRUE(before && beyond);
       EXPECT_NEAR(before->u, beyond->u, 1e-2);
       EXPECT_NEAR(before->v, beyond->v, 1e-2);
-      EXPECT_NEAR(before->z, beyond->z, 1e-4);
+      EXPECT_NEAR(before->t, beyond->t, 1e-4);
     }
   }
 }

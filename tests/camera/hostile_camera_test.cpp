@@ -40,14 +40,14 @@ void expectItWorks(const C& camera, Numbers& numbers) {
     const double hostility = i % 2 == 0 ? 0 : 0.4;
     const glm::dvec3 point = hostileVector(numbers, hostility);
     const auto image = camera.projectExactly(point);
-    ASSERT_TRUE(!image || isFinite(glm::dvec3(image->u, image->v, image->z)))
+    ASSERT_TRUE(!image || isFinite(glm::dvec3(image->u, image->v, image->t)))
         << point.x << ' ' << point.y << ' ' << point.z;
     const auto single = camera.project(glm::vec3(point));
-    ASSERT_TRUE(!single || std::isfinite(single->u + single->v + single->z));
+    ASSERT_TRUE(!single || std::isfinite(single->u + single->v + single->t));
     const ExactImagePoint q{numbers.between(0, camera.width()), hostileNumber(numbers, hostility) * 3 + 30,
                             std::abs(hostileNumber(numbers, hostility)) * 3};
     const auto world = camera.unprojectExactly(q);
-    ASSERT_TRUE(!world || isFinite(*world)) << q.u << ' ' << q.v << ' ' << q.z;
+    ASSERT_TRUE(!world || isFinite(*world)) << q.u << ' ' << q.v << ' ' << q.t;
     for (const glm::vec3& corner : camera.rayPath({q.u, q.v})) {
       const bool inImage = q.v >= 0 && q.v <= camera.height();
       ASSERT_TRUE(!inImage || isFinite(corner)) << q.u << ' ' << q.v;

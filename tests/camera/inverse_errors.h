@@ -37,12 +37,12 @@ InverseErrors worstInverse(const Camera& camera, const Visit& visit) {
     const auto point = camera.unprojectExactly(q);
     const auto back = point ? camera.projectExactly(*point) : std::nullopt;
     const auto again = back ? camera.unprojectExactly(*back) : std::nullopt;
-    EXPECT_TRUE(again) << q.u << ' ' << q.v << ' ' << q.z;
+    EXPECT_TRUE(again) << q.u << ' ' << q.v << ' ' << q.t;
     if (again) {
       visit(*point);
-      worst.point = std::max(worst.point, glm::distance(*again, *point) / q.z);
+      worst.point = std::max(worst.point, glm::distance(*again, *point) / q.t);
       worst.pixel = std::max({worst.pixel, std::abs(back->u - q.u) / camera.width(),
-                              std::abs(back->v - q.v) / camera.height(), std::abs(back->z - q.z) / q.z});
+                              std::abs(back->v - q.v) / camera.height(), std::abs(back->t - q.t) / q.t});
     }
   }
   return worst;

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "oc_core/camera/cylinder_camera.h"
-#include "oc_core/camera/ray_length.h"
 
 namespace ocelli {
 namespace {
@@ -22,7 +21,7 @@ void expectImage(const std::optional<ImagePoint>& q, float u, float v, float z) 
   ASSERT_TRUE(q);
   EXPECT_NEAR(q->u, u, 1e-4);
   EXPECT_NEAR(q->v, v, 1e-4);
-  EXPECT_NEAR(q->z, z, 1e-5);
+  EXPECT_NEAR(q->t, z, 1e-5);
 }
 
 TEST(PanoramaCamera, directionsAreLongitudesAndLatitudes) {
@@ -51,16 +50,6 @@ TEST(CylinderCamera, rowsAreThoseOfAPlane) {
   expectImage(camera.project({4, 2, 0}), 300, 25, std::sqrt(20.0f));  // the same height to the right
   expectImage(camera.project({0, -4, -4}), 200, 100, std::sqrt(32.0f));
   EXPECT_FALSE(camera.project({0, 1, 0})) << "on the axis";
-}
-
-TEST(PlaceOnRay, isTheLengthAlongThePolyline) {
-  const RayPath path{{0, 0, 0}, {3, 0, 0}, {3, 4, 0}};
-  EXPECT_EQ(placeOnRay(path, {2, 0.1f, 0}).length, 2);
-  EXPECT_EQ(placeOnRay(path, {2, 0.1f, 0}).direction, glm::vec3(1, 0, 0));
-  EXPECT_EQ(placeOnRay(path, {3.1f, 3, 0}).length, 6);
-  EXPECT_EQ(placeOnRay(path, {3.1f, 3, 0}).direction, glm::vec3(0, 1, 0));
-  EXPECT_EQ(placeOnRay(path, {3, 9, 0}).length, 7) << "beyond the end";
-  EXPECT_EQ(placeOnRay(RayPath{}, {1, 1, 1}).length, 0);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TEST(ReversePinholeCamera, seesWhatThePinholeAtTheMeetingPointSees) {
     const double depth = 10.0 - point.z;
     EXPECT_NEAR(q->u, 45 + focal * point.x / (20 - depth), 1e-4);
     EXPECT_NEAR(q->v, 30 - focal * point.y / (20 - depth), 1e-4);
-    EXPECT_NEAR(q->z, depth, 2e-6);
+    EXPECT_NEAR(q->t, depth, 2e-6);
   }
 }
 

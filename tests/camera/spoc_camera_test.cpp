@@ -39,7 +39,7 @@ TEST(SpocCamera, projectsByEquation31) {
     // World coordinates of 10 units round by 5e-7, 1.5e-4 pixels at these depths.
     EXPECT_NEAR(q->u, 46 + 0.6f * pixels, 1e-3f) << z;
     EXPECT_NEAR(q->v, 38 + 0.8f * pixels, 1e-3f) << z;
-    EXPECT_NEAR(q->z, z, 1e-5f * z);
+    EXPECT_NEAR(q->t, z, 1e-5f * z);
   };
   expectPushed(camera(), 4, 0);
   expectPushed(camera(), 8, 0);
@@ -72,7 +72,7 @@ TEST(SpocCamera, nothingProjectsOntoThePole) {
     for (const glm::vec2 offset : {glm::vec2(0.01f, 0), glm::vec2(0, -3), glm::vec2(7, 7)}) {
       const std::optional<ImagePoint> q = spoc.project(worldPoint({kPole.x + offset.x, kPole.y + offset.y, z}));
       ASSERT_TRUE(q);
-      EXPECT_GT(glm::distance(glm::vec2(q->u, q->v), kPole), spoc.displacementAt(q->z)) << z;
+      EXPECT_GT(glm::distance(glm::vec2(q->u, q->v), kPole), spoc.displacementAt(q->t)) << z;
     }
   }
   // With the pole on the view axis rounding does not blur it.
@@ -121,7 +121,7 @@ TEST(SpocCamera, everyPointOfARayProjectsToItsPixel) {
         const std::optional<ImagePoint> q = spoc.project(path[i - 1] + (path[i] - path[i - 1]) * share);
         ASSERT_TRUE(q);
         // Near the eye rounding is 0.015 pixels; around the pole it is magnified, up to 25 times here.
-        const float tolerance = q->z < 1 ? 0.02f : 5e-3f;
+        const float tolerance = q->t < 1 ? 0.02f : 5e-3f;
         EXPECT_NEAR(q->u, pixel.x, tolerance);
         EXPECT_NEAR(q->v, pixel.y, tolerance);
       }

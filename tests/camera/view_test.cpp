@@ -121,7 +121,7 @@ TEST(PinholeCamera, shearedFrustumMovesTheImageWithoutTurningIt) {
     ASSERT_TRUE(a && b);
     EXPECT_NEAR(b->u, a->u + 50, 1e-3);
     EXPECT_NEAR(b->v, a->v - 100, 1e-3);
-    EXPECT_EQ(b->z, a->z);
+    EXPECT_EQ(b->t, a->t);
     EXPECT_LT(glm::distance(*sheared.unproject(*b), point), 1e-5f);
   }
 }

@@ -44,6 +44,17 @@ TEST_F(CameraCommand, listNamesEveryConstructor) {
   const ProgramResult result = runProgram("camera list");
   EXPECT_EQ(result.exitCode, 0);
   EXPECT_THAT(result.output, AllOf(HasSubstr("graph "), HasSubstr("curved "), HasSubstr("comprehensive ")));
+  EXPECT_THAT(result.output, AllOf(HasSubstr("panorama "), HasSubstr("eoc-h ")));
+}
+
+TEST_F(CameraCommand, listOfOneTellsItsOptions) {
+  const ProgramResult result = runProgram("camera list ddoc");
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_THAT(result.output, AllOf(HasSubstr("\"camera\": \"ddoc\""), HasSubstr("safety_factor"), HasSubstr(" to ")));
+  EXPECT_THAT(runProgram("camera list di").output, HasSubstr("no options"));
+  const ProgramResult unknown = runProgram("camera list nosuch");
+  EXPECT_EQ(unknown.exitCode, 2);
+  EXPECT_THAT(unknown.error, HasSubstr("nosuch"));
 }
 
 TEST_F(CameraCommand, showDrawsAPlan) {

@@ -92,7 +92,7 @@ TEST_F(PresentCommand, aFolderOfMeshesIsAnAnimation) {
   EXPECT_LE(reader.frames().size(), 3u);
 }
 
-TEST_F(PresentCommand, aRecordedSessionGivesAnotherDeviceTheSameVolumes) {
+TEST_F(PresentCommand, aDeviceLogGivesAnotherDeviceTheSameVolumes) {
   const ProgramResult recorded = runProgram(std::string("present ") + kTeapot + toFile("first.svol") +
                                             "--turn 90 --seconds 0.5 --record " + quoted("a.session"));
   ASSERT_EQ(recorded.exitCode, 0) << recorded.error;
@@ -199,7 +199,7 @@ TEST_F(PresentCommand, theTextTellsOfEyesThatCouldNotBeUsed) {
   EXPECT_THAT(result.output, HasSubstr("2 lines could not be used; the first: not TIME,X,Y,Z (y is not a number)"));
 }
 
-TEST_F(PresentCommand, sessionsThatAreCutOrDamagedSaySo) {
+TEST_F(PresentCommand, logsThatAreCutOrDamagedSaySo) {
   ASSERT_EQ(
       runProgram(std::string("present ") + kTeapot + "--device null --seconds 0.4 --record " + quoted("a.session"))
           .exitCode,
@@ -218,7 +218,7 @@ TEST_F(PresentCommand, sessionsThatAreCutOrDamagedSaySo) {
   EXPECT_THAT(bad.output, HasSubstr("frames submitted"));
 }
 
-TEST_F(PresentCommand, everyFrameOfASessionOnADisplayThatIsNotThereIsCounted) {
+TEST_F(PresentCommand, everyFrameOfALogOnADisplayThatIsNotThereIsCounted) {
   ASSERT_EQ(runProgram(std::string("present ") + kTeapot + "--device null --turn 30 --seconds 0.4 --record " +
                        quoted("a.session"))
                 .exitCode,
@@ -264,7 +264,7 @@ TEST_F(PresentCommand, whatDoesNotGoTogetherIsRefused) {
   EXPECT_THAT(refusal(quoted("a.svol") + " --device null --profile test"), HasSubstr("profile already"));
   EXPECT_THAT(refusal(quoted("none.session") + " --device null"), HasSubstr("none.session"));
   EXPECT_THAT(refusal(quoted("none.session") + " --device null --loop"), HasSubstr("as it was"));
-  EXPECT_THAT(refusal("builtin:teapot --device null --fast"), HasSubstr("recorded session"));
+  EXPECT_THAT(refusal("builtin:teapot --device null --fast"), HasSubstr("device log"));
   EXPECT_THAT(refusal(quoted("none.svol") + " --device null"), HasSubstr("none.svol"));
   EXPECT_THAT(refusal(quoted("") + " --device null"), HasSubstr("no numbered .ply"));
 }

@@ -10,7 +10,7 @@ class JsonFields;
 
 namespace ocelli::test {
 
-/// MotorModel `read` the fields of the text, in which ' stands for ", and refuses those that it does not know.
+/// Hands `read` the fields of the text, in which ' stands for ", and refuses those that it does not know.
 void readText(std::string text, const std::function<void(JsonFields&)>& read);
 
 /// The message of the InputError that this throws, empty for none.

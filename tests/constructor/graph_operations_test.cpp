@@ -69,7 +69,7 @@ void expectSame(const GraphCamera& a, const GraphCamera& b) {
     if (one) {
       EXPECT_NEAR(one->u, other->u, 1e-9 * (1 + std::abs(one->u)));
       EXPECT_NEAR(one->v, other->v, 1e-9 * (1 + std::abs(one->v)));
-      EXPECT_NEAR(one->z, other->z, 1e-9);
+      EXPECT_NEAR(one->t, other->t, 1e-9);
     }
   }
 }

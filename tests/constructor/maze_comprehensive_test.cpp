@@ -151,7 +151,7 @@ TEST(ComprehensiveCamera, showsTheWallsThatItsRaysMeet) {
     const FragmentImage cast = raycast(camera, scene.mesh, RayScene(scene.mesh));
     size_t differing = 0;
     for (size_t i = 0; i < drawn.size(); ++i) {
-      differing += drawn[i].covered() != cast[i].covered() || std::abs(drawn[i].z - cast[i].z) > 1e-3f * cast[i].z;
+      differing += drawn[i].covered() != cast[i].covered() || std::abs(drawn[i].t - cast[i].t) > 1e-3f * cast[i].t;
     }
     EXPECT_LE(differing, drawn.size() / 200) << (fit ? "fitted" : "in metres");
   }

@@ -45,7 +45,7 @@ bool besideSilhouette(const FragmentImage& image, int x, int y, float step) {
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
       if (!image.contains(x + dx, y + dy) || image(x + dx, y + dy).covered() != middle.covered() ||
-          std::abs(image(x + dx, y + dy).z - middle.z) > step) {
+          std::abs(image(x + dx, y + dy).t - middle.t) > step) {
         return true;
       }
     }
@@ -60,8 +60,8 @@ Difference compare(const FragmentImage& expected, const FragmentImage& got, cons
   float most = 0;
   for (const Fragment& f : expected) {
     if (f.covered()) {
-      least = std::min(least, f.z);
-      most = std::max(most, f.z);
+      least = std::min(least, f.t);
+      most = std::max(most, f.t);
     }
   }
   const float range = std::max(most - least, 0.0f);
@@ -77,7 +77,7 @@ Difference compare(const FragmentImage& expected, const FragmentImage& got, cons
       bool differs = a.covered() != b.covered();
       if (!differs) {
         const glm::vec3 step = glm::abs(colorOf(a, mesh) - colorOf(b, mesh));
-        differs = std::abs(a.z - b.z) > 1e-3f * range || std::max({step.x, step.y, step.z}) > 1.0f / 255;
+        differs = std::abs(a.t - b.t) > 1e-3f * range || std::max({step.x, step.y, step.z}) > 1.0f / 255;
         difference.otherTriangles += !differs && a.triangle != b.triangle;
       }
       if (differs) {
@@ -182,8 +182,8 @@ TEST_P(GlRendererTest, agreesOnTheTextsMapButForTies) {
     FragmentImage onGpu = GlRenderer(*context_, mesh).draw(camera, rasterize(pinhole(), mesh), {});
     size_t ties = 0;
     for (size_t i = 0; i < onGpu.size(); ++i) {
-      const float z = onCpu[i].z;
-      const bool tie = onGpu[i].covered() && onCpu[i].covered() && std::abs(onGpu[i].z - z) < 2e-6f * z;
+      const float z = onCpu[i].t;
+      const bool tie = onGpu[i].covered() && onCpu[i].covered() && std::abs(onGpu[i].t - z) < 2e-6f * z;
       ties += tie && onGpu[i] != onCpu[i];
       onGpu[i] = tie ? onCpu[i] : onGpu[i];
     }
@@ -231,7 +231,7 @@ TEST_P(GlRendererTest, square) {
       const bool inside = x >= 40 && x < 60 && y >= 40 && y < 60;
       ASSERT_EQ(image(x, y).covered(), inside) << x << ", " << y;
       if (inside) {
-        EXPECT_NEAR(image(x, y).z, 5, 1e-5);
+        EXPECT_NEAR(image(x, y).t, 5, 1e-5);
         const glm::vec3 expected((static_cast<float>(x) + 0.5f - 50) / 10, (50 - static_cast<float>(y) - 0.5f) / 10,
                                  -5);
         EXPECT_LT(glm::distance(positionOf(image(x, y), square), expected), 1e-4f);
@@ -276,10 +276,10 @@ TEST_P(GlRendererTest, floorThatRunsUnderTheEye) {
         ++covered;
         const std::optional<ImagePoint> q = camera.project(positionOf(fragment, floor));
         ASSERT_TRUE(q) << x << ", " << y;
-        const float pixels = 1e-2f + camera.focalPixels() * kBeside / q->z;
+        const float pixels = 1e-2f + camera.focalPixels() * kBeside / q->t;
         EXPECT_NEAR(q->u, static_cast<float>(x) + 0.5f, pixels);
         EXPECT_NEAR(q->v, static_cast<float>(y) + 0.5f, pixels);
-        EXPECT_NEAR(fragment.z, q->z, kBeside + 1e-4f * q->z);
+        EXPECT_NEAR(fragment.t, q->t, kBeside + 1e-4f * q->t);
       }
     }
   }

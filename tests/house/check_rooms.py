@@ -92,6 +92,7 @@ PUBLIC_HEADER_EXCEPTIONS = {
     "study/store/database_state.h": {"SQLiteCpp/"},
     "study/store/sqlite_connection.h": {"SQLiteCpp/"},
     "study/store/trial_writer.h": {"SQLiteCpp/"},
+    "display_driver/emulator/usb_emulator_state.h": {"umockdev.h"},
     "display_driver/usb/usb_context.h": {"libusb.h"},
     "display_driver/usb/usb_handles.h": {"libusb.h"},
     "display_driver/usb/usb_link.h": {"libusb.h"},

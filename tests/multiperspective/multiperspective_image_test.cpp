@@ -60,7 +60,7 @@ void expectFile(const std::filesystem::path& path, const FragmentImage& fragment
   for (size_t i = 0; i < fragments.size(); ++i) {
     const Fragment& f = fragments[i];
     const bool covered = f.covered();
-    EXPECT_EQ(z[i], f.z) << i;
+    EXPECT_EQ(z[i], f.t) << i;
     EXPECT_EQ(objects[i], covered ? scene.objectOfTriangle[f.triangle] : kNothing) << i;
     const glm::vec3 itsColor = covered ? colorOf(f, scene.mesh) : glm::vec3(0);
     const glm::vec3 itsPoint = covered ? positionOf(f, scene.mesh) : glm::vec3(0);

@@ -152,10 +152,10 @@ TEST(RaycastReferenceImage, agreesWithTheRasterisedOne) {
     const ReferenceImage cast = raycastReferenceImage(cameraChoice(name), smallCamera(), mesh);
     EXPECT_EQ(cast.camera, drawn.camera);
     size_t count = 0;
-    for (size_t i = 0; i < drawn.z.size(); ++i) {
+    for (size_t i = 0; i < drawn.t.size(); ++i) {
       // Another depth, or a place more than a fifth of a pixel away.
       count +=
-          std::abs(drawn.z[i] - cast.z[i]) > 0.05f || glm::distance(drawn.displacement[i], cast.displacement[i]) > 0.2f;
+          std::abs(drawn.t[i] - cast.t[i]) > 0.05f || glm::distance(drawn.displacement[i], cast.displacement[i]) > 0.2f;
     }
     return count;
   };
@@ -173,9 +173,9 @@ TEST(DrawReferenceImage, techniquesDrawTheSameCamera) {
     const ReferenceImage points = drawReferenceImage(Technique::kPoints, choice, smallCamera(), mesh);
     size_t hybridDiffers = 0;
     size_t pointsLack = 0;
-    for (size_t i = 0; i < cast.z.size(); ++i) {
-      hybridDiffers += std::abs(hybrid.z[i] - cast.z[i]) > 1e-3f;
-      pointsLack += cast.z[i] > 0 && points.z[i] == 0;
+    for (size_t i = 0; i < cast.t.size(); ++i) {
+      hybridDiffers += std::abs(hybrid.t[i] - cast.t[i]) > 1e-3f;
+      pointsLack += cast.holds(i) && !points.holds(i);
     }
     EXPECT_EQ(hybrid.camera, name);
     EXPECT_EQ(points.camera, name);

@@ -43,7 +43,7 @@ TEST(CellBuilder, referencePixelsAreThoseOfTheDepthImage) {
   EXPECT_EQ(cell.pinholeSize, glm::ivec2(kWidth, kHeight));
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
-      EXPECT_NEAR(cell.z(x, y), depth.z(x, y), 1e-5f);
+      EXPECT_NEAR(cell.t(x, y), depth.t(x, y), 1e-5f);
       EXPECT_EQ(cell.color(x, y), depth.color(x, y));
     }
   }
@@ -58,7 +58,7 @@ TEST(CellBuilder, samplesStandWhereTheCameraProjectsThem) {
   size_t seams = 0;
   for (int y = kHeight; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
-      if (image.z(x, y) <= 0) {
+      if (!image.holds(x, y)) {
         continue;
       }
       const std::optional<ImagePoint> q = camera.project(*image.reference().unproject(image.undistorted(x, y)));
@@ -81,13 +81,13 @@ TEST(CellBuilder, agreesWithItsRaysCast) {
   size_t both = 0;
   size_t different = 0;
   size_t withoutRay = 0;
-  for (size_t i = 0; i < drawn.z.size(); ++i) {
-    if (drawn.z[i] > 0 && cast.z[i] > 0) {
+  for (size_t i = 0; i < drawn.t.size(); ++i) {
+    if (drawn.holds(i) && cast.holds(i)) {
       ++both;
-      different += std::abs(drawn.z[i] - cast.z[i]) > 0.05f;
+      different += std::abs(drawn.t[i] - cast.t[i]) > 0.05f;
     } else {
-      EXPECT_EQ(cast.z[i], 0) << "a ray finds nothing that the image does not hold";
-      withoutRay += drawn.z[i] > 0;
+      EXPECT_EQ(cast.t[i], 0) << "a ray finds nothing that the image does not hold";
+      withoutRay += drawn.holds(i);
     }
   }
   EXPECT_GT(both, static_cast<size_t>(kWidth * kHeight));
@@ -155,10 +155,10 @@ TEST(CellBuilder, sameBytesWithAnyNumberOfThreads) {
   for (const int threads : {1, 2, 8}) {
     setThreadCount(threads);
     const ReferenceImage image = buildCellImage(buildCellCamera(smallCamera(), mesh), mesh);
-    if (first.z.empty()) {
+    if (first.t.empty()) {
       first = image;
     }
-    EXPECT_TRUE(test::sameBytes(image.z, first.z)) << threads;
+    EXPECT_TRUE(test::sameBytes(image.t, first.t)) << threads;
     EXPECT_TRUE(test::sameBytes(image.color, first.color)) << threads;
     EXPECT_TRUE(test::sameBytes(image.displacement, first.displacement)) << threads;
   }

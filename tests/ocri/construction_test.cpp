@@ -110,9 +110,9 @@ size_t differing(const ReferenceImage& a, const ReferenceImage& b) {
   size_t count = 0;
   for (int y = 0; y < a.height(); ++y) {
     for (int x = 0; x < a.width(); ++x) {
-      const bool held = a.z(x, y) > 0;
-      count += held != (b.z(x, y) > 0) ||
-               (held && (std::abs(a.z(x, y) - b.z(x, y)) > kSameRadii ||
+      const bool held = a.holds(x, y);
+      count += held != (b.holds(x, y)) ||
+               (held && (std::abs(a.t(x, y) - b.t(x, y)) > kSameRadii ||
                          glm::distance(a.displacement(x, y), b.displacement(x, y)) > kSamePixels));
     }
   }
@@ -155,7 +155,7 @@ TEST(Construction, cellByRaysStoresTheSameSamples) {
 bool atSilhouette(const ReferenceImage& image, int x, int y) {
   for (int v = std::max(y - 1, 0); v <= std::min(y + 1, image.height() - 1); ++v) {
     for (int u = std::max(x - 1, 0); u <= std::min(x + 1, image.width() - 1); ++u) {
-      if (std::abs(image.z(u, v) - image.z(x, y)) > 0.2f) {
+      if (std::abs(image.t(u, v) - image.t(x, y)) > 0.2f) {
         return true;
       }
     }
@@ -183,11 +183,11 @@ TEST(Construction, sampledRaysSeeTheSameSurfaces) {
           continue;
         }
         ++inner;
-        differ += std::abs(drawn.z(x, y) - cast.z(x, y)) > 0.2f ||
+        differ += std::abs(drawn.t(x, y) - cast.t(x, y)) > 0.2f ||
                   glm::distance(drawn.displacement(x, y), cast.displacement(x, y)) > 0.25f;
       }
     }
-    EXPECT_GT(inner, drawn.z.size() / 2) << name;
+    EXPECT_GT(inner, drawn.t.size() / 2) << name;
     EXPECT_EQ(differ, 0u) << name;
   }
 }
@@ -203,7 +203,7 @@ TEST(Construction, sameBytesForAnyThreadCount) {
     setThreadCount(0);
     ASSERT_EQ(one.size(), five.size()) << name;
     for (size_t i = 0; i < one.size(); ++i) {
-      EXPECT_TRUE(sameBytes(one[i].z, five[i].z)) << name;
+      EXPECT_TRUE(sameBytes(one[i].t, five[i].t)) << name;
       EXPECT_TRUE(sameBytes(one[i].color, five[i].color)) << name;
       EXPECT_TRUE(sameBytes(one[i].displacement, five[i].displacement)) << name;
     }
@@ -268,7 +268,7 @@ TEST(DisplacementReach, raysBeyondItAreThePinholes) {
   const FragmentImage part = unreachedPart(camera, seen);
   for (size_t i = 0; i < whole.size(); ++i) {
     if (part[i].covered()) {
-      EXPECT_NEAR(part[i].z, whole[i].z, 1e-5f) << "rounding of floats of about 10";
+      EXPECT_NEAR(part[i].t, whole[i].t, 1e-5f) << "rounding of floats of about 10";
     }
   }
 }

@@ -42,7 +42,7 @@ TEST(CornerDepthImages, eachIsTheDepthImageOfItsView) {
   const Mesh scene = test::ballBeforePlane();
   for (const ReferenceImage& image : buildCornerDepthImages(smallCamera(), scene, ViewCell{}, 4)) {
     const ReferenceImage expected = buildDepthImage(image.reference(), scene);
-    EXPECT_TRUE(sameBytes(image.z, expected.z));
+    EXPECT_TRUE(sameBytes(image.t, expected.t));
     EXPECT_TRUE(sameBytes(image.color, expected.color));
     EXPECT_EQ(image.view.resolvedFovVerticalDegrees(), View{}.resolvedFovVerticalDegrees());
   }

@@ -37,7 +37,7 @@ HiddenSamples hiddenWallSamples(const ReferenceImage& image) {
       const ImagePoint q = image.undistorted(x, y);
       const glm::vec2 fromMiddle(q.u - kWidth / 2.0f, q.v - kHeight / 2.0f);
       const glm::vec2 inside = boxHalfPixels() - glm::abs(fromMiddle);
-      if (image.z(x, y) > 10.8f && inside.x > 0.02f && inside.y > 0.02f) {
+      if (image.t(x, y) > 10.8f && inside.x > 0.02f && inside.y > 0.02f) {
         hidden.left += inside.x < inside.y && fromMiddle.x < 0;
         hidden.right += inside.x < inside.y && fromMiddle.x > 0;
         hidden.top += inside.x >= inside.y && fromMiddle.y < 0;
@@ -83,7 +83,7 @@ TEST(DdocBuilder, everySampleUnprojectsOntoTheSurface) {
     EXPECT_GT(image.sampleCount(), static_cast<size_t>(kWidth * kHeight) * 9 / 10);
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
-        if (image.z(x, y) > 0) {
+        if (image.holds(x, y)) {
           const std::optional<glm::vec3> point = camera.unproject(image.undistorted(x, y));
           ASSERT_TRUE(point);
           // Single precision: coordinates of 10 units, image coordinates of 90 pixels of 0.03 units.
@@ -175,7 +175,7 @@ TEST(DdocBuilder, sameBytesWithAnyNumberOfThreads) {
     const auto [otherCamera, otherImage, otherMesh] = build(threads);
     EXPECT_TRUE(test::sameBytes(otherCamera.map().samples(), camera.map().samples())) << threads;
     EXPECT_TRUE(test::sameBytes(otherImage.color, image.color));
-    EXPECT_TRUE(test::sameBytes(otherImage.z, image.z));
+    EXPECT_TRUE(test::sameBytes(otherImage.t, image.t));
     EXPECT_TRUE(test::sameBytes(otherImage.displacement, image.displacement));
     EXPECT_TRUE(test::sameBytes(otherMesh.positions, ocriMesh.positions));
     EXPECT_TRUE(test::sameBytes(otherMesh.colors, ocriMesh.colors));

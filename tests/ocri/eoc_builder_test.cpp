@@ -84,7 +84,7 @@ TEST(BasePinhole, standsAtTheLeftEndAndLooksTheSameWay) {
     const ImagePoint b = *smallCamera().project(p);
     EXPECT_NEAR(a.u, b.u, 1e-3f);
     EXPECT_NEAR(a.v, b.v, 1e-3f);
-    EXPECT_NEAR(a.z, b.z, 1e-5f);
+    EXPECT_NEAR(a.t, b.t, 1e-5f);
   }
   // A wall at depth 12: from R the image begins f 0.8 (1/10 - 1/12) pixels to the left of the middle's, from L that
   // much to the right of it, and what the toed-in views of movedEye() see in the corners is a little more.
@@ -213,7 +213,7 @@ TEST(EocImage, ofASceneWithoutDiscontinuitiesIsTheDepthImage) {
     const ReferenceImage eoc = buildEocImage(smallCamera(), segment, mesh);
     const ReferenceImage depth = buildDepthImage(base, mesh);
     EXPECT_EQ(eoc.rows, ImageRows::kShifted);
-    EXPECT_TRUE(test::sameBytes(eoc.z, depth.z));
+    EXPECT_TRUE(test::sameBytes(eoc.t, depth.t));
     EXPECT_TRUE(test::sameBytes(eoc.color, depth.color));
     EXPECT_EQ(eoc.displacement, depth.displacement);
     EXPECT_EQ(eoc.view, depth.view);
@@ -237,13 +237,13 @@ TEST(EocImage, unprojectsByItsOffsetsAsAlongTheRaysOfItsCamera) {
     size_t lost = 0;
     for (int y = 0; y < image.height(); ++y) {
       for (int x = 0; x < image.width(); ++x) {
-        if (image.z(x, y) > 0) {
+        if (image.holds(x, y)) {
           ++samples;
           const std::optional<glm::vec3> byOffset = base.unproject(image.undistorted(x, y));
           ASSERT_TRUE(byOffset);
           EXPECT_LT(distanceToBoxOrFarWall(*byOffset), 2e-4f) << "vertices snap to 1/256 pixel";
           const std::optional<glm::vec3> alongRay =
-              camera.unproject({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, image.z(x, y)});
+              camera.unproject({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, image.t(x, y)});
           lost += !alongRay;
           if (alongRay) {
             EXPECT_LT(glm::distance(*alongRay, *byOffset), 2e-4f) << x << " " << y;
@@ -263,8 +263,8 @@ TEST(EocImage, holdsWhatIsCastAlongItsRays) {
       const ReferenceImage image = buildEocImage(camera, mesh);
       const ReferenceImage cast = eocImage(raycast(camera, mesh, RayScene(mesh)), camera, mesh);
       size_t differ = 0;
-      for (size_t i = 0; i < image.z.size(); ++i) {
-        differ += std::abs(image.z[i] - cast.z[i]) > 0.02f;
+      for (size_t i = 0; i < image.t.size(); ++i) {
+        differ += std::abs(image.t[i] - cast.t[i]) > 0.02f;
       }
       // Silhouettes are up to 80 pixels long and occur twice where columns are added; few of them pass that near to a
       // pixel centre. rasterize_spans_test.cpp looks at each such pixel.
@@ -279,7 +279,7 @@ TEST(EocImage, isTheSameInOneStepAndInTwo) {
     const ViewSegment segment = segmentAlong(direction);
     const ReferenceImage once = buildEocImage(smallCamera(), segment, mesh);
     const ReferenceImage twice = buildEocImage(buildEpipolarCamera(smallCamera(), segment, mesh), mesh);
-    EXPECT_TRUE(test::sameBytes(once.z, twice.z));
+    EXPECT_TRUE(test::sameBytes(once.t, twice.t));
     EXPECT_TRUE(test::sameBytes(once.color, twice.color));
     EXPECT_TRUE(test::sameBytes(once.displacement, twice.displacement));
   }
@@ -341,7 +341,7 @@ TEST(EocImage, sameBytesWithAnyNumberOfThreads) {
     const ReferenceImage image = build(1);
     for (const int threads : {2, 8}) {
       const ReferenceImage other = build(threads);
-      EXPECT_TRUE(test::sameBytes(other.z, image.z));
+      EXPECT_TRUE(test::sameBytes(other.t, image.t));
       EXPECT_TRUE(test::sameBytes(other.color, image.color));
       EXPECT_TRUE(test::sameBytes(other.displacement, image.displacement));
     }
@@ -377,7 +377,7 @@ TEST(EocImage, ofASegmentThroughTheSceneIsFinite) {
        {ViewSegment{{0, 0, 10}, {0, 0, -5}}, ViewSegment{{0.1f, 0, 3}, {0, 0.2f, -0.5f}},
         ViewSegment{{0, 0, -5}, {0, 0, 10}}, ViewSegment{{-0.7f, 0, 0.4f}, {0.7f, 0, 0.4f}}}) {
     const ReferenceImage image = buildEocImage(smallCamera(), segment, mesh);
-    for (const float z : image.z) {
+    for (const float z : image.t) {
       EXPECT_TRUE(std::isfinite(z) && z >= 0);
     }
     for (const glm::vec3& p : rowMesh(image).positions) {

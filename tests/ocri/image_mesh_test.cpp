@@ -27,8 +27,7 @@ size_t joinedTriangles(const Mesh& mesh, size_t samples) {
 }
 
 ReferenceImage emptyImage() {
-  return {"di", View{}, Image<glm::vec3>(kWidth, kHeight, glm::vec3(0.25f)), Image<float>(kWidth, kHeight),
-          Image<glm::vec2>(kWidth, kHeight)};
+  return blankReferenceImage("di", View{}, kWidth, kHeight);
 }
 
 TEST(ImageMesh, planesAreJoinedWholly) {
@@ -85,7 +84,7 @@ TEST(ImageMesh, everySampleIsAVertexWithItsColour) {
 
 TEST(ImageMesh, isolatedSampleKeepsASquareOfAPixel) {
   ReferenceImage image = emptyImage();
-  image.z(20, 30) = 8;
+  image.set(20, 30, 8, glm::vec3(0.25f));
   image.displacement(20, 30) = {4, -2};
   const Mesh mesh = imageMesh(image);
   ASSERT_EQ(mesh.triangles.size(), 2u);
@@ -96,7 +95,7 @@ TEST(ImageMesh, isolatedSampleKeepsASquareOfAPixel) {
     ASSERT_TRUE(q);
     EXPECT_NEAR(std::abs(q->u - 16.5f), 0.5f, 1e-3f);
     EXPECT_NEAR(std::abs(q->v - 32.5f), 0.5f, 1e-3f);
-    EXPECT_NEAR(q->z, 8, 1e-5f);
+    EXPECT_NEAR(q->t, 8, 1e-5f);
     EXPECT_EQ(mesh.colors[i], glm::vec3(0.25f));
   }
 }
@@ -107,7 +106,8 @@ TEST(ImageMesh, emptyImageGivesAnEmptyMesh) {
 
 TEST(ImageMesh, neighboursFarApartInSpaceAreNotJoined) {
   ReferenceImage image = emptyImage();
-  std::fill(image.z.begin(), image.z.end(), 10.0f);
+  std::fill(image.t.begin(), image.t.end(), 10.0f);
+  std::fill(image.held.begin(), image.held.end(), uint8_t{1});
   // Two halves at the same depth, seen 13 pixels apart: more than the longest step of 12.
   for (int y = 0; y < kHeight; ++y) {
     for (int x = kWidth / 2; x < kWidth; ++x) {
@@ -167,7 +167,7 @@ TEST(ImageMesh, squaresGrowWithTheSqueeze) {
     ReferenceImage image = emptyImage();
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 40; x < 50; ++x) {
-        image.z(x, y) = 10;
+        image.set(x, y, 10, glm::vec3(0));
         image.displacement(x, y) = {(1 - squeeze) * static_cast<float>(x - 45), 0};
       }
     }
@@ -192,7 +192,7 @@ TEST(ImageMesh, samplesOutOfTheDepthRangeAreLeftOut) {
   ReferenceImage image = buildDepthImage(smallCamera(), test::wall(0));
   for (int y = 10; y < 20; ++y) {
     for (int x = 10; x < 20; ++x) {
-      image.z(x, y) = x < 15 ? 1e9f : 1e-9f;
+      image.t(x, y) = x < 15 ? 1e9f : 1e-9f;
     }
   }
   const Mesh mesh = imageMesh(image);

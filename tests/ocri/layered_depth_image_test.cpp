@@ -72,7 +72,7 @@ TEST(LayeredDepthImage, layersOfBoxesAreWhereTheRayEntersThem) {
       }
       std::sort(expected.begin(), expected.end());
       for (size_t i = 0; i < layers.size(); ++i) {
-        ASSERT_NEAR(layers[i].z(x, y), i < expected.size() ? expected[i] : 0.0, 0.01)
+        ASSERT_NEAR(layers[i].t(x, y), i < expected.size() ? expected[i] : 0.0, 0.01)
             << x << " " << y << " layer " << i;
       }
       checked += expected.size();
@@ -85,7 +85,7 @@ TEST(LayeredDepthImage, theFirstLayerIsTheDepthImage) {
   const Mesh scene = test::ballBeforePlane();
   const ReferenceImage first = buildLayeredDepthImage(smallCamera(), scene, 3)[0];
   const ReferenceImage image = buildDepthImage(smallCamera(), scene);
-  EXPECT_TRUE(sameBytes(first.z, image.z));
+  EXPECT_TRUE(sameBytes(first.t, image.t));
   EXPECT_TRUE(sameBytes(first.color, image.color));
   EXPECT_TRUE(sameBytes(first.displacement, image.displacement));
   EXPECT_EQ(first.view, image.view);
@@ -100,7 +100,7 @@ TEST(LayeredDepthImage, solidsHaveNoBackAndSheetsHave) {
   }
   const ReferenceImages insideOut = buildLayeredDepthImage(smallCamera(), ball, 4);
   ASSERT_EQ(insideOut.size(), 1u);
-  EXPECT_NEAR(insideOut[0].z(kWidth / 2, kHeight / 2), 9, 0.01);
+  EXPECT_NEAR(insideOut[0].t(kWidth / 2, kHeight / 2), 9, 0.01);
 
   Mesh sheets = test::wall(0.5f);
   test::addQuad(sheets, {3, -3, 0}, {-3, -3, 0}, {-3, 3, 0}, {3, 3, 0});
@@ -126,7 +126,7 @@ TEST(LayeredDepthImage, unseenSamplesAreDropped) {
   ASSERT_EQ(layers.size(), 2u);
   const ReferenceImages all = layers;
   dropUnseenSamples(layers, scene, ViewCell{1.6f});
-  EXPECT_TRUE(sameBytes(layers[0].z, all[0].z));
+  EXPECT_TRUE(sameBytes(layers[0].t, all[0].t));
   // The wall in front hides |x|, |y| < 0.5 * 11 / 9 = 0.61 of the one behind. The corners of the cell that are nearest
   // to the scene, 0.8 further on, uncover a little more.
   const float hiddenHalf = 0.5f * 11 / 9;
@@ -136,16 +136,16 @@ TEST(LayeredDepthImage, unseenSamplesAreDropped) {
   size_t dropped = 0;
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
-      if (all[1].z(x, y) == 0) {
-        EXPECT_EQ(layers[1].z(x, y), 0);
+      if (!all[1].holds(x, y)) {
+        EXPECT_EQ(layers[1].t(x, y), 0);
         continue;
       }
       const glm::vec3 p = *camera.unproject(all[1].undistorted(x, y));
       const float fromRim = hiddenHalf - std::max(std::abs(p.x), std::abs(p.y));
       if (fromRim < least - 3 * pixel) {
-        EXPECT_EQ(layers[1].z(x, y), all[1].z(x, y)) << x << " " << y;
+        EXPECT_EQ(layers[1].t(x, y), all[1].t(x, y)) << x << " " << y;
       } else if (fromRim > most + 3 * pixel) {
-        EXPECT_EQ(layers[1].z(x, y), 0) << x << " " << y;
+        EXPECT_EQ(layers[1].t(x, y), 0) << x << " " << y;
         ++dropped;
       }
     }

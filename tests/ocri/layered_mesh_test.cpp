@@ -113,7 +113,7 @@ TEST(LayeredMesh, everySampleIsAVertexInPixelOrder) {
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       for (const ReferenceImage& layer : layers) {
-        if (layer.z(x, y) > 0) {
+        if (layer.holds(x, y)) {
           EXPECT_EQ(mesh.positions[vertex], *smallCamera().unproject(layer.undistorted(x, y)));
           EXPECT_EQ(mesh.colors[vertex++], layer.color(x, y));
         }

@@ -57,12 +57,12 @@ TEST(PlacedImage, samplesAreWhereRaysMeetTheScene) {
   const ReferenceImage image = panorama();
   const PanoramaCamera camera(inTheRoom(120, 60));
   ASSERT_TRUE(image.isPlaced());
-  EXPECT_EQ(image.sampleCount(), image.z.size()) << "walls all around";
+  EXPECT_EQ(image.sampleCount(), image.t.size()) << "walls all around";
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
       const glm::vec3& point = image.position(x, y);
       EXPECT_LT(distanceToWalls(point), 1e-5f);
-      EXPECT_NEAR(image.z(x, y), glm::distance(point, camera.view().eye), 1e-5f);
+      EXPECT_NEAR(image.t(x, y), glm::distance(point, camera.view().eye), 1e-5f);
       EXPECT_LT(glm::distance(image.direction(x, y), glm::normalize(point - camera.view().eye)), 1e-5f);
       EXPECT_LT(glm::distance(image.color(x, y), point / (2 * kHalf) + 0.5f), 1e-5f);
     }
@@ -113,7 +113,7 @@ TEST(PlacedImage, fileHoldsAllOfIt) {
   EXPECT_EQ(read[0].camera, "panorama");
   EXPECT_EQ(read[0].view, image.view);
   EXPECT_TRUE(read[0].wrapsAround);
-  EXPECT_TRUE(test::sameBytes(read[0].z, image.z));
+  EXPECT_TRUE(test::sameBytes(read[0].t, image.t));
   EXPECT_TRUE(test::sameBytes(read[0].color, image.color));
   EXPECT_TRUE(test::sameBytes(read[0].position, image.position));
   EXPECT_TRUE(test::sameBytes(read[0].direction, image.direction));
@@ -129,7 +129,7 @@ TEST(PlacedImage, emptySamplesStayEmpty) {
   const PinholeCamera reference(view, 80, 40);
   const ReferenceImage image = placedImage(PanoramaCamera(reference), mesh, RayScene(mesh), view, "panorama", true);
   EXPECT_GT(image.sampleCount(), 100u);
-  EXPECT_LT(image.sampleCount(), image.z.size() / 2);
+  EXPECT_LT(image.sampleCount(), image.t.size() / 2);
   for (const glm::vec3& p : imageMesh(image).positions) {
     EXPECT_NEAR(p.z, mesh.positions[0].z, 0.05f) << "no skin to where nothing is";
   }

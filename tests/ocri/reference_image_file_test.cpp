@@ -33,7 +33,7 @@ TEST(ReferenceImageFile, readsBackBitForBit) {
   EXPECT_EQ(back.camera, image.camera);
   EXPECT_EQ(back.triangleBound, image.triangleBound);
   EXPECT_TRUE(test::sameBytes(back.color, image.color));
-  EXPECT_TRUE(test::sameBytes(back.z, image.z));
+  EXPECT_TRUE(test::sameBytes(back.t, image.t));
   EXPECT_TRUE(test::sameBytes(back.displacement, image.displacement));
   View resolved = image.view;
   resolved.fovVerticalDegrees = image.view.resolvedFovVerticalDegrees();
@@ -47,7 +47,7 @@ TEST(ReferenceImageFile, unusualSizesReadBack) {
     const ReferenceImage image = buildDepthImage(PinholeCamera(View{}, width, height), test::wall(0));
     writeReferenceImages(folder / "image.exr", {image});
     const ReferenceImage back = readReferenceImages(folder / "image.exr").at(0);
-    EXPECT_TRUE(test::sameBytes(back.z, image.z)) << width << "x" << height;
+    EXPECT_TRUE(test::sameBytes(back.t, image.t)) << width << "x" << height;
     EXPECT_EQ(back.triangleBound, 0u);
   }
 }
@@ -75,7 +75,7 @@ TEST(ReferenceImageFile, unionReadsBackPartByPart) {
     EXPECT_EQ(back[i].tileSpacing, images[i].tileSpacing);
     EXPECT_EQ(back[i].seenFromAside, images[i].seenFromAside);
     EXPECT_EQ(back[i].reference().focalPixels(), images[i].reference().focalPixels());
-    EXPECT_TRUE(test::sameBytes(back[i].z, images[i].z));
+    EXPECT_TRUE(test::sameBytes(back[i].t, images[i].t));
     EXPECT_TRUE(test::sameBytes(back[i].displacement, images[i].displacement));
   }
 }

@@ -34,16 +34,15 @@ std::vector<glm::uvec3> trianglesAcrossRows(const Mesh& mesh, size_t samples) {
 
 /// The depth image with each row moved to the right by itself, as the rows of an EOC are.
 ReferenceImage shifted(const ReferenceImage& image, const std::function<int(int x, int y)>& shift, int surplus) {
-  ReferenceImage moved{"eoc", image.view, Image<glm::vec3>(image.width() + surplus, image.height()),
-                       Image<float>(image.width() + surplus, image.height()),
-                       Image<glm::vec2>(image.width() + surplus, image.height())};
+  ReferenceImage moved = blankReferenceImage("eoc", image.view, image.width() + surplus, image.height());
   moved.pinholeSize = {image.width(), image.height()};
   moved.rows = ImageRows::kShifted;
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
       const int column = x + shift(x, y);
-      moved.color(column, y) = image.color(x, y);
-      moved.z(column, y) = image.z(x, y);
+      if (image.holds(x, y)) {
+        moved.set(column, y, image.t(x, y), image.color(x, y));
+      }
       moved.displacement(column, y) = glm::vec2(static_cast<float>(shift(x, y)), 0);
     }
   }
@@ -81,7 +80,7 @@ TEST(RowMesh, everySampleIsAVertexWithItsColour) {
   size_t vertex = 0;
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
-      if (image.z(x, y) > 0) {
+      if (image.holds(x, y)) {
         EXPECT_EQ(mesh.colors[vertex], image.color(x, y));
         EXPECT_EQ(mesh.positions[vertex], *image.reference().unproject(image.undistorted(x, y)));
         ++vertex;
@@ -208,18 +207,20 @@ TEST(RowMesh, sameBytesWithAnyNumberOfThreads) {
 TEST(RowMesh, ofFewSamples) {
   ReferenceImage image = buildDepthImage(smallCamera(), test::wall(0));
   image.rows = ImageRows::kShiftedRing;
-  std::fill(image.z.begin(), image.z.end(), 0.0f);
+  for (size_t i = 0; i < image.t.size(); ++i) {
+    image.clear(i);
+  }
   EXPECT_TRUE(rowMesh(image).positions.empty());
   EXPECT_TRUE(rowMesh(image).triangles.empty());
-  image.z(10, 20) = 9;
+  image.set(10, 20, 9, glm::vec3(0));
   const Mesh square = rowMesh(image);
   EXPECT_EQ(square.positions.size(), 5u);
   EXPECT_EQ(square.triangles.size(), 2u);
   // It is a pixel of side 9 / f, and faces the eye.
   EXPECT_NEAR(glm::distance(square.positions[1], square.positions[2]), 9 / smallCamera().focalPixels(), 1e-5f);
   EXPECT_NEAR(glm::distance(square.positions[2], square.positions[3]), 9 / smallCamera().focalPixels(), 1e-5f);
-  image.z(10, 20) = std::numeric_limits<float>::quiet_NaN();
-  image.z(11, 20) = std::numeric_limits<float>::infinity();
+  image.t(10, 20) = std::numeric_limits<float>::quiet_NaN();
+  image.set(11, 20, std::numeric_limits<float>::infinity(), glm::vec3(0));
   EXPECT_TRUE(rowMesh(image).positions.empty());
 }
 

@@ -56,8 +56,8 @@ TEST(SetDifference, movedViewAddsTheColumnsThatComeIn) {
   EXPECT_GE(left0, least);
   EXPECT_LE(left0, most);
   for (int y = 0; y < kHeight; ++y) {
-    EXPECT_EQ(added.z(kWidth / 2, y), 0);
-    EXPECT_GT(added.z(kWidth - 1, y), 0);
+    EXPECT_EQ(added.t(kWidth / 2, y), 0);
+    EXPECT_GT(added.t(kWidth - 1, y), 0);
   }
 }
 
@@ -68,7 +68,7 @@ TEST(SetDifference, seamsReachAPixelIntoWhatIsHeld) {
   ReferenceImage held = image;
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 40; x < kWidth; ++x) {
-      held.z(x, y) = 0;
+      held.clear(held.t.index(x, y));
     }
   }
   const auto columnsLeft = [&](int seamPixels) {
@@ -85,11 +85,11 @@ TEST(SetDifference, seamsStayOnTheirSurface) {
   const PinholeCamera camera = smallCamera();
   ReferenceImage image = buildDepthImage(camera, test::boxBeforeWall());
   ReferenceImage held = image;
-  for (float& z : held.z) {  // the wall alone is held
+  for (float& z : held.t) {  // the wall alone is held
     z = z > 10.5f ? z : 0;
   }
   subtract(image, held, projectionOf(camera), {.seamPixels = 3});
-  for (const float z : image.z) {
+  for (const float z : image.t) {
     EXPECT_LT(z, 10.5f);
   }
   EXPECT_GT(image.sampleCount(), 100u);
@@ -107,10 +107,10 @@ TEST(SetDifference, occlusionCameraAddsOnlyWhatThePinholeHides) {
   EXPECT_LT(left, ocri.sampleCount() / 5);
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
-      if (added.z(x, y) > 0) {
+      if (added.holds(x, y)) {
         const ImagePoint q = added.undistorted(x, y);
-        const float front = depth.z(static_cast<int>(q.u), static_cast<int>(q.v));
-        EXPECT_GT(q.z, front - 0.05f) << "nothing in front of what the pinhole sees";
+        const float front = depth.t(static_cast<int>(q.u), static_cast<int>(q.v));
+        EXPECT_GT(q.t, front - 0.05f) << "nothing in front of what the pinhole sees";
       }
     }
   }

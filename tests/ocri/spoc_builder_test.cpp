@@ -60,7 +60,7 @@ TEST(SpocBuilder, samplesUnprojectToTheirSurface) {
     size_t wall = 0;
     for (int y = 0; y < image.height(); ++y) {
       for (int x = 0; x < image.width(); ++x) {
-        if (image.z(x, y) == 0) {
+        if (!image.holds(x, y)) {
           continue;
         }
         const glm::vec3 p = *reference.unproject(image.undistorted(x, y));

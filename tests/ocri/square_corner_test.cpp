@@ -15,11 +15,11 @@ TEST(SquareCorner, liesOnTheSurface) {
   const ImagePoint corner = squareCorner(kSample, kStep, kFocal, {});
   EXPECT_FLOAT_EQ(corner.u, 100.5f);
   EXPECT_FLOAT_EQ(corner.v, 50.25f);
-  EXPECT_NEAR(corner.z, 9.90099f, 1e-5);
+  EXPECT_NEAR(corner.t, 9.90099f, 1e-5);
 }
 
 TEST(SquareCorner, doesNotReachBehindTwiceTheDepth) {
-  EXPECT_FLOAT_EQ(squareCorner(kSample, {0.5f, 0, -0.2f}, kFocal, {}).z, 20);
+  EXPECT_FLOAT_EQ(squareCorner(kSample, {0.5f, 0, -0.2f}, kFocal, {}).t, 20);
 }
 
 // 0.099 deep in full; two footprints are 0.04. What is left lies on the way to the corner, at the same slope of 1/z.
@@ -29,12 +29,12 @@ TEST(SquareCorner, isDrawnInWhereItWouldReachTooDeep) {
   const float part = (corner.u - 100) / kStep.u;
   EXPECT_NEAR(part, 0.04f / 0.09901f, 1e-3);
   EXPECT_FLOAT_EQ((corner.v - 50) / kStep.v, part);
-  EXPECT_NEAR(1 / corner.z, 0.1f + part * 0.001f, 1e-6);
+  EXPECT_NEAR(1 / corner.t, 0.1f + part * 0.001f, 1e-6);
   // 1/z is shared out, and z with it but for as much as the corner is deep: a hundredth of z.
-  EXPECT_NEAR(std::abs(corner.z - 10), 0.04f, 0.04f / 100);
+  EXPECT_NEAR(std::abs(corner.t - 10), 0.04f, 0.04f / 100);
   const ImagePoint flat = squareCorner(kSample, {0.5f, 0.25f, 0}, kFocal, options);
   EXPECT_FLOAT_EQ(flat.u, 100.5f);
-  EXPECT_FLOAT_EQ(flat.z, 10);
+  EXPECT_FLOAT_EQ(flat.t, 10);
 }
 
 }  // namespace

@@ -55,10 +55,10 @@ TEST(ViewsAround, theSecondOfFourStandsToTheRight) {
 
 TEST(MergeViewers, aViewerAloneStaysAsHeIs) {
   std::vector<ReferenceImages> images = imagesOf("ddoc", {View{}}, test::boxBeforeWall(0.9f));
-  const Image<float> z = images[0][0].z;
+  const Image<float> z = images[0][0].t;
   const MergedViewers merged = mergeViewers(std::move(images));
   ASSERT_EQ(merged.images.size(), 1u);
-  EXPECT_EQ(merged.images[0].z, z);
+  EXPECT_EQ(merged.images[0].t, z);
   EXPECT_EQ(merged.shares[0].built, merged.shares[0].kept);
 }
 
@@ -122,7 +122,7 @@ TEST(MergeViewers, isTheSameWithAnyNumberOfThreads) {
   const MergedViewers three = merge(3);
   ASSERT_EQ(one.images.size(), three.images.size());
   for (size_t i = 0; i < one.images.size(); ++i) {
-    EXPECT_EQ(one.images[i].z, three.images[i].z);
+    EXPECT_EQ(one.images[i].t, three.images[i].t);
     EXPECT_EQ(one.images[i].displacement, three.images[i].displacement);
   }
 }

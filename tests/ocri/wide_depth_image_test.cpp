@@ -83,12 +83,12 @@ TEST(WideDepthImage, itsMiddleIsTheDepthImage) {
     size_t differ = 0;
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
-        differ += std::abs(wide.z(x + 14, y + 9) - image.z(x, y)) > 1e-3f;
+        differ += std::abs(wide.t(x + 14, y + 9) - image.t(x, y)) > 1e-3f;
       }
     }
     // Rounding of the focal length may move a vertex across the grid that triangles are snapped to.
     EXPECT_LE(differ, 4u);
-    EXPECT_EQ(wide.sampleCount(), wide.z.size()) << "the plane goes on beside the reference view";
+    EXPECT_EQ(wide.sampleCount(), wide.t.size()) << "the plane goes on beside the reference view";
   }
 }
 

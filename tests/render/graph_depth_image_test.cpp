@@ -11,7 +11,7 @@
 namespace ocelli {
 namespace {
 
-using Hit = GraphDepthImage::Hit;
+using DepthHit = GraphDepthImage::Hit;
 using Options = GraphDepthImage::Options;
 using test::aroundCorners;
 using test::crossingCorridors;
@@ -51,7 +51,7 @@ class Corridors : public testing::Test {
     const bool same = seen.covered() && glm::distance(positionOf(seen, mesh_), at) < 2e-3f;
     return same && q->u >= 0 && q->u < 480 && q->v >= 0 && q->v < 320 ? std::optional(at) : std::nullopt;
   }
-  std::optional<Hit> intersect(const TestRay& ray, bool coarse, size_t& steps) const {
+  std::optional<DepthHit> intersect(const TestRay& ray, bool coarse, size_t& steps) const {
     return image_.intersect(glm::dvec3(ray.origin), glm::dvec3(ray.direction), {0.01, coarse}, &steps);
   }
 
@@ -150,12 +150,12 @@ TEST_F(Corridors, agreesWithTheGenericAlgorithm) {
       const bool inside = q && q->u >= 0 && q->u < 480 && q->v >= 0 && q->v < 320;
       const Fragment seen = inside ? scene_.intersect(camera_.rayPath({q->u, q->v})) : Fragment{};
       const auto surface = seen.covered() ? camera_.project(positionOf(seen, mesh_)) : std::nullopt;
-      const auto gap = surface ? std::optional(static_cast<double>(q->z - surface->z)) : std::nullopt;
-      if (gap && lastGap && *gap * *lastGap <= 0 && std::abs(static_cast<double>(surface->z) - lastDepth) < 0.3) {
+      const auto gap = surface ? std::optional(static_cast<double>(q->t - surface->t)) : std::nullopt;
+      if (gap && lastGap && *gap * *lastGap <= 0 && std::abs(static_cast<double>(surface->t) - lastDepth) < 0.3) {
         return kMax * (k - *gap / (*gap - *lastGap)) / kSteps;
       }
       lastGap = gap;
-      lastDepth = surface ? static_cast<double>(surface->z) : 0;
+      lastDepth = surface ? static_cast<double>(surface->t) : 0;
     }
     return std::nullopt;
   };

@@ -26,7 +26,7 @@ FragmentImage bruteForce(const C& camera, const Mesh& mesh) {
       const auto meeting = paths.meet(
           pixel, {reference.cameraFromWorld(mesh.positions[t.x]), reference.cameraFromWorld(mesh.positions[t.y]),
                   reference.cameraFromWorld(mesh.positions[t.z])});
-      if (meeting && (!image[pixel].covered() || meeting->z < image[pixel].z)) {
+      if (meeting && (!image[pixel].covered() || meeting->z < image[pixel].t)) {
         image[pixel] = {meeting->z, static_cast<uint32_t>(i), meeting->b1, meeting->b2};
       }
     }
@@ -55,7 +55,7 @@ TEST(HybridRaycast, agreesWithEmbree) {
       different += hybrid[i].covered() != cast[i].covered();
       if (hybrid[i].covered() && cast[i].covered() && hybrid[i].triangle == cast[i].triangle) {
         // World coordinates of some units, met at up to 80 degrees.
-        EXPECT_NEAR(hybrid[i].z, cast[i].z, 1e-4f) << name;
+        EXPECT_NEAR(hybrid[i].t, cast[i].t, 1e-4f) << name;
         EXPECT_LT(glm::distance(positionOf(hybrid[i], mesh), positionOf(cast[i], mesh)), 1e-4f) << name;
       }
     }
@@ -115,7 +115,7 @@ TEST(HybridRaycast, badInputDoesNoHarm) {
   test::forEachSmallCamera([&](const char* name, const auto& camera) {
     EXPECT_TRUE(test::sameBytes(hybridRaycast(camera, Mesh{}), FragmentImage(kWidth, kHeight))) << name;
     for (const Fragment& f : hybridRaycast(camera, mesh)) {
-      ASSERT_TRUE(!f.covered() || (f.z > 0.009f && f.z < 1001 && f.triangle != 2 && f.triangle != 3)) << name;
+      ASSERT_TRUE(!f.covered() || (f.t > 0.009f && f.t < 1001 && f.triangle != 2 && f.triangle != 3)) << name;
     }
   });
 }
@@ -131,7 +131,7 @@ TEST(HybridRaycast, seesAFloorThatPassesUnderTheEye) {
     for (int x = 0; x < kWidth; ++x) {
       ASSERT_EQ(image(x, y).covered(), inverseZ > 1 / 15.0) << x << " " << y;
       if (image(x, y).covered()) {
-        EXPECT_NEAR(1 / image(x, y).z, inverseZ, 2e-6 * inverseZ);
+        EXPECT_NEAR(1 / image(x, y).t, inverseZ, 2e-6 * inverseZ);
       }
     }
   }

@@ -36,7 +36,7 @@ TEST(Points, everyFragmentIsASampleNextToItsPixel) {
           ASSERT_TRUE(q) << name;
           EXPECT_LE(std::abs(q->u - static_cast<float>(x) - 0.5f), splat / 2 + 1e-3f) << name;
           EXPECT_LE(std::abs(q->v - static_cast<float>(y) - 0.5f), splat / 2 + 1e-3f) << name;
-          EXPECT_FLOAT_EQ(q->z, f.z);
+          EXPECT_FLOAT_EQ(q->t, f.t);
         }
       }
       EXPECT_GT(covered, 1000u) << name;
@@ -87,12 +87,12 @@ TEST(Points, coverWhatTheRaysMeet) {
         float farthest = 0;
         for (int v = y - 1; v <= y + 1; ++v) {
           for (int u = x - 1; u <= x + 1; ++u) {
-            farthest = std::max(farthest, cast(u, v).z);
+            farthest = std::max(farthest, cast(u, v).t);
           }
         }
         missing += !points(x, y).covered();
         // A surface seen through another would be a hole in the nearer one.
-        farther += points(x, y).covered() && points(x, y).z > farthest + 1e-4f;
+        farther += points(x, y).covered() && points(x, y).t > farthest + 1e-4f;
       }
     }
     // In the ring around the pole (above): 2 pi 6 pixels long.
@@ -145,7 +145,7 @@ TEST(Points, badInputDoesNoHarm) {
   test::forEachSmallCamera([&](const char* name, const auto& camera) {
     EXPECT_TRUE(test::sameBytes(renderPoints(camera, Mesh{}), FragmentImage(kWidth, kHeight))) << name;
     for (const Fragment& f : renderPoints(camera, mesh)) {
-      ASSERT_TRUE(!f.covered() || (f.z > 0.009f && f.z < 1001)) << name;
+      ASSERT_TRUE(!f.covered() || (f.t > 0.009f && f.t < 1001)) << name;
     }
   });
 }
@@ -156,7 +156,7 @@ TEST(Points, trianglesWithoutAnAreaEnd) {
   mesh.triangles = {{0, 1, 2}, {1, 3, 0}, {2, 3, 0}};
   test::forEachSmallCamera([&](const char* name, const auto& camera) {
     for (const Fragment& f : renderPoints(camera, mesh)) {
-      ASSERT_TRUE(!f.covered() || f.z > 8) << name;
+      ASSERT_TRUE(!f.covered() || f.t > 8) << name;
     }
   });
 }
@@ -174,7 +174,7 @@ TEST(Points, seeAFloorThatPassesUnderTheEye) {
         ASSERT_EQ(image(x, y).covered(), inverseZ > 1 / 15.0) << x << " " << y;
       }
       if (image(x, y).covered()) {
-        EXPECT_NEAR(1 / image(x, y).z, inverseZ, halfPixel);
+        EXPECT_NEAR(1 / image(x, y).t, inverseZ, halfPixel);
       }
     }
   }

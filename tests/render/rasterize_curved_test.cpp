@@ -85,7 +85,7 @@ TEST(RasterizeCurved, showsPointsWhereTheyAre) {
         continue;
       }
       farthest = std::max(farthest, glm::distance(glm::dvec2(q->u, q->v), {x + 0.5, y + 0.5}));
-      depth = std::max(depth, std::abs(static_cast<double>(image(x, y).z) / q->z - 1));
+      depth = std::max(depth, std::abs(static_cast<double>(image(x, y).t) / q->t - 1));
     }
   }
   EXPECT_GT(seen, 20000u);
@@ -152,7 +152,7 @@ TEST(RasterizeCurved, enduresAnySize) {
   for (const float size : {1e-30f, 1e-6f, 1e6f, 1e20f, 3e38f}) {
     const Mesh mesh{{{-size, -size, 0}, {size, -size, -1}, {0, size, 1}, {0, size, -size}}, {}, {{0, 1, 2}, {0, 1, 3}}};
     for (const Fragment& f : rasterize(curved, mesh)) {
-      EXPECT_TRUE(!f.covered() || (f.z > 0 && std::isfinite(f.b1) && std::isfinite(f.b2)));
+      EXPECT_TRUE(!f.covered() || (f.t > 0 && std::isfinite(f.b1) && std::isfinite(f.b2)));
     }
   }
 }

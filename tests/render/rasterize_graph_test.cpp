@@ -143,7 +143,7 @@ TEST(RasterizeGraph, enduresAnySize) {
   for (const float size : {1e-30f, 1e-6f, 1e6f, 1e20f, 3e38f}) {
     const Mesh mesh{{{-size, -size, 0}, {size, -size, -1}, {0, size, 1}, {0, size, -size}}, {}, {{0, 1, 2}, {0, 1, 3}}};
     for (const Fragment& f : rasterize(graph, mesh)) {
-      EXPECT_TRUE(!f.covered() || (f.z > 0 && std::isfinite(f.b1) && std::isfinite(f.b2)));
+      EXPECT_TRUE(!f.covered() || (f.t > 0 && std::isfinite(f.b1) && std::isfinite(f.b2)));
     }
   }
 }

@@ -36,7 +36,7 @@ std::vector<FragmentImage> layersOneByOne(const PinholeCamera& camera, const Mes
       if (image[pixel].covered()) {
         Fragment fragment = image[pixel];
         fragment.triangle = static_cast<uint32_t>(i);
-        byDepth[pixel].emplace(fragment.z, fragment);  // keeps the first one of a depth
+        byDepth[pixel].emplace(fragment.t, fragment);  // keeps the first one of a depth
       }
     }
   }
@@ -99,7 +99,7 @@ TEST(RasterizeLayers, wallsOneBehindTheOtherAreLayers) {
   const float depths[] = {9.5f, 10, 10.5f};
   for (size_t pixel = 0; pixel < images[0].size(); ++pixel) {
     for (size_t layer = 0; layer < 3; ++layer) {
-      ASSERT_NEAR(images[layer][pixel].z, depths[layer], 1e-5f);
+      ASSERT_NEAR(images[layer][pixel].t, depths[layer], 1e-5f);
     }
     ASSERT_FALSE(images[3][pixel].covered());
   }

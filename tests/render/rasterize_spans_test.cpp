@@ -159,8 +159,8 @@ TEST(RasterizeSpans, samplesLieOnTheirRays) {
         if (fragments(x, y).covered()) {
           const glm::vec3 point = positionOf(fragments(x, y), mesh);
           const ImagePoint q = *camera.project(point);
-          const float z = fragments(x, y).z;
-          EXPECT_NEAR(z, q.z, 1e-4f * q.z);
+          const float z = fragments(x, y).t;
+          EXPECT_NEAR(z, q.t, 1e-4f * q.t);
           // Pinhole vertices snap to 1/256 pixel; hidden samples are exact.
           EXPECT_NEAR(q.u, static_cast<float>(x) + 0.5f, 0.03f) << right.x << " " << right.z << " " << y;
         }
@@ -202,7 +202,7 @@ TEST(RasterizeSpans, survivesHostileMeshes) {
       hostile.triangles.emplace_back(first + i, first + i, first + i);
     }
     for (const Fragment& fragment : rasterize(camera, hostile)) {
-      EXPECT_TRUE(!fragment.covered() || (std::isfinite(fragment.z) && fragment.z > 0));
+      EXPECT_TRUE(!fragment.covered() || (std::isfinite(fragment.t) && fragment.t > 0));
     }
   }
 }

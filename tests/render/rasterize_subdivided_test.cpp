@@ -70,7 +70,7 @@ TEST(RasterizeSubdivided, zeroMapGivesThePinholesImage) {
         } else if (w.covered()) {
           const test::TriangleImage image(camera, mesh, w.triangle);
           const double inverseZ = image.inverseZ({x + 0.5, y + 0.5});
-          EXPECT_NEAR(1 / p.z, inverseZ, glm::length(image.slope) * (kSnapPixels + 1e-4) + 2e-6 * inverseZ);
+          EXPECT_NEAR(1 / p.t, inverseZ, glm::length(image.slope) * (kSnapPixels + 1e-4) + 2e-6 * inverseZ);
         }
       }
     }
@@ -108,7 +108,7 @@ TEST(RasterizeSubdivided, whatIsNotDisplacedIsThePinholes) {
         different += got(x, y).triangle != expected(x, y).triangle;
         if (got(x, y).triangle == expected(x, y).triangle && got(x, y).covered()) {
           const test::TriangleImage image(camera, mesh, got(x, y).triangle);
-          EXPECT_NEAR(1 / got(x, y).z, 1 / expected(x, y).z, glm::length(image.slope) * 0.3 + 2e-6) << x << " " << y;
+          EXPECT_NEAR(1 / got(x, y).t, 1 / expected(x, y).t, glm::length(image.slope) * 0.3 + 2e-6) << x << " " << y;
         }
         // The longest displacement is 4.3 pixels.
         if (x < 24 || x >= 66 || y < 14 || y >= 46) {
@@ -162,7 +162,7 @@ TEST(RasterizeSubdivided, everyFragmentProjectsToItsPixel) {
       ASSERT_TRUE(q);
       EXPECT_NEAR(q->u, x + 0.5, piecePixels(x, y));
       EXPECT_NEAR(q->v, y + 0.5, piecePixels(x, y));
-      EXPECT_NEAR(q->z, image(x, y).z, 1e-4) << "rounding of weights on cells of a unit";
+      EXPECT_NEAR(q->t, image(x, y).t, 1e-4) << "rounding of weights on cells of a unit";
     }
   }
 }
@@ -176,7 +176,7 @@ TEST(RasterizeSubdivided, agreesWithRayCastingAlongTheRays) {
     // The ball's silhouette, where the depth steps by more than a unit or a part of it, passes within a pixel.
     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, kHeight - 1); ++v) {
       for (int u = std::max(x - 1, 0); u <= std::min(x + 1, kWidth - 1); ++u) {
-        if (std::abs(cast(u, v).z - cast(x, y).z) > 0.3f) {
+        if (std::abs(cast(u, v).t - cast(x, y).t) > 0.3f) {
           return true;
         }
       }
@@ -228,7 +228,7 @@ TEST(RasterizeSubdivided, absurdCoordinatesDoNoHarm) {
     const PinholeCamera reference(tilted, kWidth, kHeight);
     const FragmentImage image = rasterize(DdocCamera(reference, test::wavyMap(kWidth, kHeight, 3, 40)), mesh);
     for (const Fragment& f : image) {
-      ASSERT_TRUE(!f.covered() || (f.z > 0.009f && f.z < 1001)) << f.z;
+      ASSERT_TRUE(!f.covered() || (f.t > 0.009f && f.t < 1001)) << f.t;
     }
   }
 }

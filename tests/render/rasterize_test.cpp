@@ -45,7 +45,7 @@ TEST(Rasterize, tiltedPlaneHasItsAnalyticDepth) {
       const Fragment& fragment = image(x, y);
       ASSERT_TRUE(fragment.covered()) << x << " " << y;
       const double inverseZ = (1 + s * (centre.y - kHeight / 2.0) / f) / 10;
-      EXPECT_NEAR(1 / fragment.z, inverseZ, std::abs(s) / (10 * f) * kSnapPixels + 2e-6 * inverseZ + 1e-8);
+      EXPECT_NEAR(1 / fragment.t, inverseZ, std::abs(s) / (10 * f) * kSnapPixels + 2e-6 * inverseZ + 1e-8);
     });
   }
 }
@@ -62,7 +62,7 @@ TEST(Rasterize, weightsPutTheFragmentOntoTheRayOfItsPixel) {
     EXPECT_NEAR(q->u, centre.x, kSnapPixels + 1e-3);
     EXPECT_NEAR(q->v, centre.y, kSnapPixels + 1e-3);
     // Rounding of weights on a plane whose corners lie 6 units apart.
-    EXPECT_NEAR(q->z, image(x, y).z, 1e-4);
+    EXPECT_NEAR(q->t, image(x, y).t, 1e-4);
   });
 }
 
@@ -80,7 +80,7 @@ TEST(Rasterize, clipsAFloorThatPassesUnderTheEye) {
       ASSERT_EQ(image(x, y).covered(), inverseZ > 1 / 15.0) << x << " " << y;
     }
     if (image(x, y).covered()) {
-      EXPECT_NEAR(1 / image(x, y).z, inverseZ, kSnapPixels / f + 2e-6 * inverseZ);
+      EXPECT_NEAR(1 / image(x, y).t, inverseZ, kSnapPixels / f + 2e-6 * inverseZ);
       // Weights, on triangles 200 units across.
       EXPECT_NEAR(positionOf(image(x, y), mesh).y, -1, 1e-4);
     }
@@ -105,7 +105,7 @@ TEST(Rasterize, wallOfAnySizeFillsTheImageAtItsDepth) {
     const FragmentImage image = rasterize(smallCamera(), test::wall(-1, half));
     forPixels([&](int x, int y, const glm::dvec2&) {
       ASSERT_TRUE(image(x, y).covered()) << half;
-      EXPECT_NEAR(image(x, y).z, 11, 1e-4) << half;
+      EXPECT_NEAR(image(x, y).t, 11, 1e-4) << half;
     });
   }
 }
@@ -122,7 +122,7 @@ TEST(Rasterize, absurdCoordinatesDoNoHarm) {
     for (const PinholeCamera& camera : {smallCamera(), PinholeCamera(tilted, kWidth, kHeight)}) {
       const FragmentImage image = rasterize(camera, mesh);
       for (const Fragment& f : image) {
-        ASSERT_TRUE(!f.covered() || (f.z >= 0.99f * camera.view().zNear && f.z <= 1.01f * camera.view().zFar)) << f.z;
+        ASSERT_TRUE(!f.covered() || (f.t >= 0.99f * camera.view().zNear && f.t <= 1.01f * camera.view().zFar)) << f.t;
       }
     }
   }
@@ -205,8 +205,8 @@ TEST(Rasterize, agreesWithRayCasting) {
         const TriangleImage image(camera, mesh, d.triangle);
         const double slope = glm::length(image.slope);
         const double inverseZ = image.inverseZ(centre);
-        EXPECT_NEAR(1 / d.z, inverseZ, slope * kSnapPixels + 2e-6 * inverseZ);
-        EXPECT_NEAR(1 / c.z, inverseZ, slope * kRayPixels + 2e-6 * inverseZ);
+        EXPECT_NEAR(1 / d.t, inverseZ, slope * kSnapPixels + 2e-6 * inverseZ);
+        EXPECT_NEAR(1 / c.t, inverseZ, slope * kRayPixels + 2e-6 * inverseZ);
       }
     });
     EXPECT_LT(different, drawn.size() / 50);

@@ -15,7 +15,7 @@ inline size_t coveredPixels(const FragmentImage& image) {
 
 /// Whether two fragments of one pixel show the same place.
 inline bool alike(const Fragment& a, const Fragment& b, float depthTolerance) {
-  return a.covered() == b.covered() && std::abs(a.z - b.z) <= depthTolerance * a.z;
+  return a.covered() == b.covered() && std::abs(a.t - b.t) <= depthTolerance * a.t;
 }
 
 struct Disagreement {

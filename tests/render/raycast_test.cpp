@@ -39,7 +39,7 @@ TEST(Raycast, surfacesWhereSegmentsMeetAreHit) {
     for (int x = 0; x < test::kWidth; ++x) {
       if (std::max(std::abs(x + 0.5 - 45), std::abs(y + 0.5 - 30)) < half - 1e-3) {
         ++front;
-        EXPECT_NEAR(image(x, y).z, zNear, 1e-5f) << x << " " << y;
+        EXPECT_NEAR(image(x, y).t, zNear, 1e-5f) << x << " " << y;
       }
     }
   }
@@ -163,7 +163,7 @@ TEST(Raycast, ballHasItsAnalyticDepth) {
         ASSERT_TRUE(image(x, y).covered()) << x << " " << y;
         // Facets of 2 pi / 512 lie up to 1 - cos(pi / 512) = 2e-5 below the ball, times two the other way around, over
         // the cosine of incidence.
-        EXPECT_NEAR(image(x, y).z, (10 - std::sqrt(inside)) / (1 + t2), 6e-5 / std::sqrt(inside));
+        EXPECT_NEAR(image(x, y).t, (10 - std::sqrt(inside)) / (1 + t2), 6e-5 / std::sqrt(inside));
       } else if (inside < -0.05) {
         EXPECT_FALSE(image(x, y).covered()) << x << " " << y;
       }

@@ -79,8 +79,8 @@ Agreement compare(const FragmentImage& image, const FragmentImage& cast, float f
           anyCovered = anyCovered || f.covered();
           anyEmpty = anyEmpty || !f.covered();
           if (f.covered()) {
-            least = std::min(least, f.z);
-            greatest = std::max(greatest, f.z);
+            least = std::min(least, f.t);
+            greatest = std::max(greatest, f.t);
           }
         }
       }
@@ -90,7 +90,7 @@ Agreement compare(const FragmentImage& image, const FragmentImage& cast, float f
       const Fragment& f = image(x, y);
       different += f.covered() != cast(x, y).covered();
       // Between the rays around, give or take a footprint: what a facet between them may rise above them.
-      stray += f.covered() ? !anyCovered || f.z < least - footprint || f.z > greatest + footprint : !anyEmpty;
+      stray += f.covered() ? !anyCovered || f.t < least - footprint || f.t > greatest + footprint : !anyEmpty;
     }
   }
   const auto pixels = static_cast<double>(cast.size());

@@ -179,7 +179,7 @@ TEST(VisibilityBuffer, interpolatesLinearlyIn1OverZ) {
         const double inverseZ = (1 - s1 - s2) * w[0] + s1 * w[1] + s2 * w[2];
         EXPECT_EQ(f.triangle, 7u);
         // Single precision; and edges that are neither top nor left are moved by one unit of 2^16 to a pixel.
-        EXPECT_NEAR(f.z * inverseZ, 1, 2e-6);
+        EXPECT_NEAR(f.t * inverseZ, 1, 2e-6);
         EXPECT_NEAR(f.b1, s1 * w[1] / inverseZ, 2e-6);
         EXPECT_NEAR(f.b2, s2 * w[2] / inverseZ, 2e-6);
       }

@@ -68,7 +68,7 @@ TEST(VisibilitySensor, seesAnObjectAheadWithThePixelsOfItsImage) {
   // Where its middle is projected, as far as what shows of a sphere from above has its middle elsewhere: its radius.
   const auto middle = camera.project(scene.boxOf(0).center());
   ASSERT_TRUE(middle.has_value());
-  const double radius = static_cast<double>(camera.focalPixels() * scene.boxOf(0).size().x / 2 / middle->z);
+  const double radius = static_cast<double>(camera.focalPixels() * scene.boxOf(0).size().x / 2 / middle->t);
   EXPECT_NEAR(seen.centroid.x, static_cast<double>(middle->u), radius / 4);
   EXPECT_NEAR(seen.centroid.y, static_cast<double>(middle->v), radius / 4);
   const glm::vec3 place = scene.boxOf(0).center();

@@ -30,7 +30,7 @@ void say(const std::string& line) {
   }
 }
 
-/// MotorModel everything on to the store, and says which trials that acknowledged.
+/// Hands everything on to the store, and says which trials that acknowledged.
 class SayingSink final : public FakeSink {
  public:
   explicit SayingSink(SessionSink& store) : store_(store) {}

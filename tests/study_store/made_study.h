@@ -21,7 +21,7 @@ std::vector<FrameRecord> madeFrames(int first, int count, int salt);
 /// One of each kind of event.
 std::vector<InputRecord> madeInputs();
 
-/// MotorModel a whole trial to the sink, frames in pieces of 30.
+/// Hands a whole trial to the sink, frames in pieces of 30.
 void storeTrial(SessionSink& sink, int number, const TrialRecord& record, int frames, int salt,
                 std::function<void()> acknowledged = {});
 

@@ -42,7 +42,7 @@ TEST_P(CameraRays, goThroughTheSamplesOfTheirPixels) {
     const PinholeCamera own = images[i].reference();
     for (int y = 1; y < images[i].height(); y += 5) {
       for (int x = 1; x < images[i].width(); x += 3) {
-        if (!(images[i].z(x, y) > 0)) {
+        if (!images[i].holds(x, y)) {
           continue;
         }
         const ImagePoint undistorted = images[i].undistorted(x, y);
@@ -54,7 +54,7 @@ TEST_P(CameraRays, goThroughTheSamplesOfTheirPixels) {
         }
         ++samples;
         without += ray.empty();
-        beside += !ray.empty() && nearest > undistorted.z / own.focalPixels();
+        beside += !ray.empty() && nearest > undistorted.t / own.focalPixels();
       }
     }
   }

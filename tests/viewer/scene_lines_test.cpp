@@ -75,9 +75,9 @@ TEST(SceneLines, aSampledRayEndsAtItsSample) {
   for (int x = 0; x < image.width(); x += 7) {
     const int y = image.height() / 2;
     const SampledRay ray = sampledRay(built.camera, built.rays, built.bounds, {0, {x, y}});
-    EXPECT_EQ(ray.toSample.empty(), !(image.z(x, y) > 0));
+    EXPECT_EQ(ray.toSample.empty(), !image.holds(x, y));
     if (!ray.toSample.empty()) {
-      EXPECT_NEAR(built.camera.reference.cameraFromWorld(ray.toSample.back()).z, image.z(x, y), 1e-3f);
+      EXPECT_NEAR(built.camera.reference.cameraFromWorld(ray.toSample.back()).z, image.t(x, y), 1e-3f);
       ++checked;
     }
   }

@@ -71,7 +71,7 @@ TEST_P(ViewerPanesTest, theReferenceImageShowsItsSamples) {
   size_t samples = 0;
   for (int y = 20; y < 100; y += 7) {
     for (int x = 20; x < 160; x += 7) {
-      if (expected.z(x, y) > 0) {
+      if (expected.holds(x, y)) {
         const glm::ivec2 at(placement.paneFromImage(glm::vec2(x, y) + 0.5f));
         const glm::vec3 color = expected.color(x, y);
         const Rgb8 wanted(srgbByteFromLinear(color.x), srgbByteFromLinear(color.y), srgbByteFromLinear(color.z));
@@ -96,11 +96,11 @@ TEST_P(ViewerPanesTest, depthsRunFromLightToDark) {
   for (int y = 0; y < 120; ++y) {
     for (int x = 0; x < 180; ++x) {
       const glm::ivec2 at(placement.paneFromImage(glm::vec2(x, y) + 0.5f));
-      if (image.z(x, y) == scale.nearest) {
+      if (image.t(x, y) == scale.nearest) {
         EXPECT_TRUE(isNear(pane(at.x, at.y), bytesOf(kRampLight), 2));
         ++nearest;
       }
-      if (image.z(x, y) == scale.farthest) {
+      if (image.t(x, y) == scale.farthest) {
         EXPECT_TRUE(isNear(pane(at.x, at.y), bytesOf(kRampDark), 2));
         ++farthest;
       }
@@ -125,10 +125,9 @@ TEST_P(ViewerPanesTest, thePointerReadsASample) {
 }
 
 TEST(SampleText, saysWhatTheSampleHolds) {
-  ReferenceImage image{"di", {}, Image<glm::vec3>(2, 1), Image<float>(2, 1), Image<glm::vec2>(2, 1)};
-  image.z(1, 0) = 9.5f;
+  ReferenceImage image = blankReferenceImage("di", {}, 2, 1);
+  image.set(1, 0, 9.5f, {0.25f, 0.5f, 1});
   image.displacement(1, 0) = {12.25f, -0.001f};
-  image.color(1, 0) = {0.25f, 0.5f, 1};
   EXPECT_EQ(sampleText(image, {0, 0}), "pixel 0, 0: no sample");
   EXPECT_EQ(sampleText(image, {1, 0}), "pixel 1, 0: z 9.5000, displaced 12.25 0.00\ncolour 0.25 0.50 1.00 (linear)");
 }
@@ -166,7 +165,7 @@ TEST_P(ViewerPanesTest, theTruthIsTheScene) {
   const Image<Rgb8> truth = test.paneImage(Pane::kReconstruction);
   const auto places = placesBeside({truth.width(), truth.height()}, 1.5, 1);
   const PinholeCamera camera(test.viewer.state().reconstruction.view, places[0].size.x, places[0].size.y);
-  const Image<Rgb8> expected = renderFrame(camera, loadScene("builtin:room")).picture;
+  const Image<Rgb8> expected = renderFrame(camera, loadScene("builtin:room")).image;
   size_t different = 0;
   size_t compared = 0;
   const int captionHeight = 60;  // a text says what it is

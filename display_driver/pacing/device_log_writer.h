@@ -1,4 +1,4 @@
-// Writes a recorded session: all that passes the boundary of a device, with its times (docs/session_recording.md).
+// Writes a device log: all that passes the boundary of a device, with its times (docs/device_log.md).
 // Times are since the opening, and never decrease. Whatever ends the program, the file can be read up to the last whole
 // record. Every function throws WorkError where the disk is full; nothing more can be written then.
 #pragma once
@@ -12,18 +12,18 @@
 #include <vector>
 
 #include "display_driver/device/device.h"
-#include "display_driver/pacing/session_format.h"
+#include "display_driver/pacing/device_log_format.h"
 #include "display_driver/wire/frame_encoder.h"
 #include "oc_core/base/output_file.h"
 
 namespace ocelli {
 
-class SessionWriter {
+class DeviceLogWriter {
  public:
   using Time = std::chrono::microseconds;
 
   /// Throws WorkError where the file cannot be made.
-  SessionWriter(const std::filesystem::path& path, const DeviceInfo& device, const DisplayProfile& profile);
+  DeviceLogWriter(const std::filesystem::path& path, const DeviceInfo& device, const DisplayProfile& profile);
 
   /// A volume that was submitted, of which these slices may differ from the one before (nullopt: all).
   void submitted(FrameNumber frame, const Volume& volume, std::optional<std::span<const int>> changed, Time time);
@@ -34,8 +34,8 @@ class SessionWriter {
   void finish(Time time);
 
  private:
-  void write(session::RecordType type, Time time, std::span<const uint8_t> payload);
-  void writeText(session::RecordType type, Time time, const std::string& text);
+  void write(device_log::RecordType type, Time time, std::span<const uint8_t> payload);
+  void writeText(device_log::RecordType type, Time time, const std::string& text);
 
   OutputFile file_;
   uint64_t last_ = 0;

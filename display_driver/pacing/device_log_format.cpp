@@ -1,10 +1,10 @@
-#include "display_driver/pacing/session_format.h"
+#include "display_driver/pacing/device_log_format.h"
 
 #include <algorithm>
 
 #include "display_driver/wire/wire_format.h"
 
-namespace ocelli::session {
+namespace ocelli::device_log {
 namespace {
 
 constexpr size_t kChecksumAt = kRecordHeaderBytes - 4;
@@ -70,4 +70,4 @@ bool checksumFits(std::span<const uint8_t> header, std::span<const uint8_t> payl
   return load(header.data() + kChecksumAt, 4) == checksumOf(header, payload);
 }
 
-}  // namespace ocelli::session
+}  // namespace ocelli::device_log

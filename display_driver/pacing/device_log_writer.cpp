@@ -1,4 +1,4 @@
-#include "display_driver/pacing/session_writer.h"
+#include "display_driver/pacing/device_log_writer.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -10,8 +10,8 @@
 namespace ocelli {
 namespace {
 
+using device_log::RecordType;
 using nlohmann::ordered_json;
-using session::RecordType;
 
 constexpr size_t kSlicesAtOnce = 24;
 /// A stream goes to the file in pieces of this size or somewhat more.
@@ -44,9 +44,13 @@ void addTime(ordered_json& json, const char* name, HostTime time, HostTime opene
 
 }  // namespace
 
-SessionWriter::SessionWriter(const std::filesystem::path& path, const DeviceInfo& device, const DisplayProfile& profile)
-    : file_(path), encoder_(profile, session::kWireCapabilities), messages_(session::kWireSession), before_(profile) {
-  file_.write(session::fileHeader());
+DeviceLogWriter::DeviceLogWriter(const std::filesystem::path& path, const DeviceInfo& device,
+                                 const DisplayProfile& profile)
+    : file_(path),
+      encoder_(profile, device_log::kWireCapabilities),
+      messages_(device_log::kWireSession),
+      before_(profile) {
+  file_.write(device_log::fileHeader());
   const ordered_json opening = {{"kind", device.kind},
                                 {"name", device.name},
                                 {"serial", device.serial},
@@ -56,19 +60,19 @@ SessionWriter::SessionWriter(const std::filesystem::path& path, const DeviceInfo
   file_.publish();
 }
 
-void SessionWriter::write(RecordType type, Time time, std::span<const uint8_t> payload) {
+void DeviceLogWriter::write(RecordType type, Time time, std::span<const uint8_t> payload) {
   last_ = std::max(last_, static_cast<uint64_t>(std::max<int64_t>(0, time.count())));
-  file_.write(session::recordHeader(type, last_, payload));
+  file_.write(device_log::recordHeader(type, last_, payload));
   file_.write(payload);
   file_.flush();
 }
 
-void SessionWriter::writeText(RecordType type, Time time, const std::string& text) {
+void DeviceLogWriter::writeText(RecordType type, Time time, const std::string& text) {
   write(type, time, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
 }
 
-void SessionWriter::submitted(FrameNumber frame, const Volume& volume, std::optional<std::span<const int>> changed,
-                              Time time) {
+void DeviceLogWriter::submitted(FrameNumber frame, const Volume& volume, std::optional<std::span<const int>> changed,
+                                Time time) {
   const bool first = beforeNumber_ == 0;
   encoder_.begin(volume, first ? nullptr : &before_, first ? std::nullopt : changed);
   stream_.clear();
@@ -88,7 +92,7 @@ void SessionWriter::submitted(FrameNumber frame, const Volume& volume, std::opti
   beforeNumber_ = frame;
 }
 
-void SessionWriter::presented(FrameNumber frame, const Presentation& presentation, Time time) {
+void DeviceLogWriter::presented(FrameNumber frame, const Presentation& presentation, Time time) {
   stream_.clear();
   messages_.present(stream_, frame,
                     {.refresh = presentation.at ? presentation.at->refresh : 0,
@@ -99,7 +103,7 @@ void SessionWriter::presented(FrameNumber frame, const Presentation& presentatio
   write(RecordType::kStream, time, stream_);
 }
 
-void SessionWriter::ended(FrameNumber frame, const FrameState& state, HostTime opened, Time time) {
+void DeviceLogWriter::ended(FrameNumber frame, const FrameState& state, HostTime opened, Time time) {
   ordered_json json = {{"frame", frame}, {"stage", nameOf(state.stage)}};
   addTime(json, "sent", state.sent, opened);
   addTime(json, "arrived", state.arrived, opened);
@@ -115,7 +119,7 @@ void SessionWriter::ended(FrameNumber frame, const FrameState& state, HostTime o
   writeText(RecordType::kFate, time, textOfJson(json));
 }
 
-void SessionWriter::told(const Telemetry& telemetry, HostTime opened, Time time) {
+void DeviceLogWriter::told(const Telemetry& telemetry, HostTime opened, Time time) {
   ordered_json json = {{"connected", telemetry.connected}};
   if (telemetry.rotation) {
     addTime(json, "rotation_time", telemetry.rotation->time, opened);
@@ -141,7 +145,7 @@ void SessionWriter::told(const Telemetry& telemetry, HostTime opened, Time time)
   writeText(RecordType::kTelemetry, time, textOfJson(json));
 }
 
-void SessionWriter::finish(Time time) {
+void DeviceLogWriter::finish(Time time) {
   write(RecordType::kEnd, time, {});
   file_.commit();
 }

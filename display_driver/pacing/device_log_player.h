@@ -1,4 +1,4 @@
-// Gives a recorded session to another device: the same volumes, submitted and presented at the same times.
+// Gives a device log to another device: the same volumes, submitted and presented at the same times.
 #pragma once
 
 #include <cstdint>
@@ -7,17 +7,17 @@
 #include <vector>
 
 #include "display_driver/device/device.h"
+#include "display_driver/pacing/device_log_reader.h"
 #include "display_driver/pacing/pace_clock.h"
-#include "display_driver/pacing/session_reader.h"
 
 namespace ocelli {
 
-struct SessionPlayerOptions {
+struct DeviceLogPlayerOptions {
   /// Each frame as soon as the one before was shown, instead of at its own time.
   bool fast = false;
 };
 
-struct SessionPlayed {
+struct DeviceLogPlayed {
   uint64_t submitted = 0;
   uint64_t presented = 0;
   uint64_t shown = 0;
@@ -33,8 +33,8 @@ struct SessionPlayed {
 
 /// The phases at which frames were presented are carried over to the device's own count of refreshes, by where both
 /// screens were at the same time; where one of them does not tell, and with `fast`, frames are shown with the next
-/// refresh. The device has the session's profile. `stop` is asked now and then.
-SessionPlayed playSession(SessionReader& reader, Device& device, PaceClock& clock,
-                          const SessionPlayerOptions& options = {}, const std::function<bool()>& stop = {});
+/// refresh. The device has the log's profile. `stop` is asked now and then.
+DeviceLogPlayed playDeviceLog(DeviceLogReader& reader, Device& device, PaceClock& clock,
+                              const DeviceLogPlayerOptions& options = {}, const std::function<bool()>& stop = {});
 
 }  // namespace ocelli

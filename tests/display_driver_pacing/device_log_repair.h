@@ -1,4 +1,4 @@
-// Gives the records of a session, and the wire messages in them, checksums that fit: so that changed bytes reach the
+// Gives the records of a log, and the wire messages in them, checksums that fit: so that changed bytes reach the
 // decoders behind the checksums.
 #pragma once
 
@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "display_driver/pacing/session_format.h"
+#include "display_driver/pacing/device_log_format.h"
 #include "display_driver/wire/wire_format.h"
 
 namespace ocelli::test {
@@ -52,23 +52,24 @@ inline void repairMessages(std::span<uint8_t> stream) {
   }
 }
 
-inline void repairSessionChecksums(std::vector<uint8_t>& bytes) {
-  if (bytes.size() >= session::kHeaderBytes) {
-    std::ranges::copy(session::fileHeader(), bytes.begin());
+inline void repairDeviceLogChecksums(std::vector<uint8_t>& bytes) {
+  if (bytes.size() >= device_log::kHeaderBytes) {
+    std::ranges::copy(device_log::fileHeader(), bytes.begin());
   }
-  for (size_t at = session::kHeaderBytes; at + session::kRecordHeaderBytes <= bytes.size();) {
-    const auto header = session::recordHeaderFrom(std::span(bytes).subspan(at));
-    const size_t rest = bytes.size() - at - session::kRecordHeaderBytes;
+  for (size_t at = device_log::kHeaderBytes; at + device_log::kRecordHeaderBytes <= bytes.size();) {
+    const auto header = device_log::recordHeaderFrom(std::span(bytes).subspan(at));
+    const size_t rest = bytes.size() - at - device_log::kRecordHeaderBytes;
     if (!header || header->payloadBytes > rest) {
       return;
     }
-    const std::span<uint8_t> payload = std::span(bytes).subspan(at + session::kRecordHeaderBytes, header->payloadBytes);
-    if (header->type == session::RecordType::kStream) {
+    const std::span<uint8_t> payload =
+        std::span(bytes).subspan(at + device_log::kRecordHeaderBytes, header->payloadBytes);
+    if (header->type == device_log::RecordType::kStream) {
       repairMessages(payload);
     }
-    std::ranges::copy(session::recordHeader(header->type, header->microseconds, payload),
+    std::ranges::copy(device_log::recordHeader(header->type, header->microseconds, payload),
                       bytes.begin() + static_cast<std::ptrdiff_t>(at));
-    at += session::kRecordHeaderBytes + payload.size();
+    at += device_log::kRecordHeaderBytes + payload.size();
   }
 }
 

@@ -1,4 +1,4 @@
-#include "display_driver/pacing/session_player.h"
+#include "display_driver/pacing/device_log_player.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ constexpr std::chrono::seconds kMaxWait{2};
 
 class Player {
  public:
-  Player(SessionReader& reader, Device& device, PaceClock& clock, const SessionPlayerOptions& options,
+  Player(DeviceLogReader& reader, Device& device, PaceClock& clock, const DeviceLogPlayerOptions& options,
          const std::function<bool()>& stop)
       : reader_(reader),
         device_(device),
@@ -32,7 +32,7 @@ class Player {
         recorded_(1 / reader.profile().refreshHertz()),
         rotation_(1 / device.profile().refreshHertz()) {}
 
-  SessionPlayed play() {
+  DeviceLogPlayed play() {
     const HostTime begin = clock_.now();
     while (const auto record = reader_.next()) {
       const HostTime due = begin + std::chrono::microseconds(record->microseconds);
@@ -78,7 +78,7 @@ class Player {
   /// Those that wait without a time stay until the device is closed.
   bool ended() const { return presented_.empty(); }
 
-  void take(const SessionRecord::Submitted& submitted, HostTime) {
+  void take(const DeviceLogRecord::Submitted& submitted, HostTime) {
     const auto fence = played_.submitted == 0 ? device_.submit(*submitted.volume)
                                               : device_.submit(*submitted.volume, submitted.changed);
     ++played_.submitted;
@@ -89,7 +89,7 @@ class Player {
     played_.underWay.push_back(fence);
   }
 
-  void take(const SessionRecord::Presented& presented, HostTime then) {
+  void take(const DeviceLogRecord::Presented& presented, HostTime then) {
     const auto fence = numbers_.find(presented.frame);
     if (fence == numbers_.end()) {
       return;
@@ -110,7 +110,7 @@ class Player {
     }
   }
 
-  void take(const SessionRecord::Ended&, HostTime) {}
+  void take(const DeviceLogRecord::Ended&, HostTime) {}
   void take(const Telemetry& telemetry, HostTime) {
     if (telemetry.rotation) {
       recorded_.add(*telemetry.rotation);
@@ -130,21 +130,21 @@ class Player {
   /// Frames that may still be presented.
   static constexpr size_t kMaxNumbers = 64;
 
-  SessionReader& reader_;
+  DeviceLogReader& reader_;
   Device& device_;
   PaceClock& clock_;
-  SessionPlayerOptions options_;
+  DeviceLogPlayerOptions options_;
   const std::function<bool()>& stop_;
   RotationClock recorded_;
   RotationClock rotation_;
-  std::map<FrameNumber, std::shared_ptr<const FrameFence>> numbers_;  ///< by their numbers in the session
+  std::map<FrameNumber, std::shared_ptr<const FrameFence>> numbers_;  ///< by their numbers in the log
   std::set<std::shared_ptr<const FrameFence>> presented_;             ///< that have not ended
-  SessionPlayed played_;
+  DeviceLogPlayed played_;
 };
 
 }  // namespace
 
-void SessionPlayed::countEnded() {
+void DeviceLogPlayed::countEnded() {
   std::erase_if(underWay, [this](const std::shared_ptr<const FrameFence>& fence) {
     const FrameStage stage = fence->state().stage;
     shown += stage == FrameStage::kShown ? 1 : 0;
@@ -154,9 +154,9 @@ void SessionPlayed::countEnded() {
   });
 }
 
-SessionPlayed playSession(SessionReader& reader, Device& device, PaceClock& clock, const SessionPlayerOptions& options,
-                          const std::function<bool()>& stop) {
-  OC_CHECK(reader.profile() == device.profile(), "a session is played on another display");
+DeviceLogPlayed playDeviceLog(DeviceLogReader& reader, Device& device, PaceClock& clock,
+                              const DeviceLogPlayerOptions& options, const std::function<bool()>& stop) {
+  OC_CHECK(reader.profile() == device.profile(), "a log is played on another display");
   return Player(reader, device, clock, options, stop).play();
 }
 

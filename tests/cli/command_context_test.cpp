@@ -1,4 +1,4 @@
-// The frame of the commands, with commands of the test's own.
+// What commands share, with commands of the test's own.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,71 +10,71 @@
 namespace ocelli {
 namespace {
 
-class FrameTest : public testing::Test {
+class CommandContextTest : public testing::Test {
  protected:
-  FrameTest() {
-    frame_.addCommonOptions(program_);
+  CommandContextTest() {
+    context_.addCommonOptions(program_);
     CLI::App& outer = *program_.add_subcommand("outer", "has commands of its own");
     outer.require_subcommand(1);
-    frame_.finish(*outer.add_subcommand("inner", ""), "  ocelli outer inner", [this] { calls_ += "inner "; });
+    context_.finish(*outer.add_subcommand("inner", ""), "  ocelli outer inner", [this] { calls_ += "inner "; });
     CLI::App& copy = *program_.add_subcommand("copy", "");
     copy.add_option("FILE", file_)->required();
-    frame_.finish(copy, "  ocelli copy a.ply", [this] { calls_ += "copy " + file_ + " "; });
+    context_.finish(copy, "  ocelli copy a.ply", [this] { calls_ += "copy " + file_ + " "; });
   }
   void TearDown() override { setThreadCount(0); }
 
   void parse(const std::string& line) {
     program_.parse(line);
-    frame_.run();
+    context_.run();
   }
 
-  Frame frame_;
+  CommandContext context_;
   CLI::App program_;
   std::string file_;
   std::string calls_;
 };
 
-TEST_F(FrameTest, RunsTheChosenCommandAlone) {
+TEST_F(CommandContextTest, RunsTheChosenCommandAlone) {
   parse("copy a.ply");
   EXPECT_EQ(calls_, "copy a.ply ");
 }
 
-TEST_F(FrameTest, RunsANestedCommand) {
+TEST_F(CommandContextTest, RunsANestedCommand) {
   parse("outer inner");
   EXPECT_EQ(calls_, "inner ");
 }
 
-TEST_F(FrameTest, NothingRunsWhereTheLineIsWrong) {
+TEST_F(CommandContextTest, NothingRunsWhereTheLineIsWrong) {
   EXPECT_THROW(parse("copy"), CLI::ParseError);
   EXPECT_THROW(parse("copy a.ply b.ply"), CLI::ParseError);
   EXPECT_EQ(calls_, "");
 }
 
-TEST_F(FrameTest, ThreadsCountBeforeAndAfterTheCommand) {
+TEST_F(CommandContextTest, ThreadsCountBeforeAndAfterTheCommand) {
   parse("--threads 3 copy a.ply");
   EXPECT_EQ(threadCount(), 3);
   parse("outer inner --threads 2");
   EXPECT_EQ(threadCount(), 2);
 }
 
-TEST_F(FrameTest, HelpShowsTheExamples) {
+TEST_F(CommandContextTest, HelpShowsTheExamples) {
   EXPECT_THAT(program_.get_subcommand("copy")->help(), testing::HasSubstr("Examples:\n  ocelli copy a.ply"));
 }
 
-TEST_F(FrameTest, NotesGoToStandardErrorUnlessQuiet) {
+TEST_F(CommandContextTest, NotesGoToStandardErrorUnlessQuiet) {
   testing::internal::CaptureStderr();
-  frame_.note("wrote a.ply");
+  context_.note("wrote a.ply");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "wrote a.ply\n");
   parse("--quiet copy a.ply");
   testing::internal::CaptureStderr();
-  frame_.note("wrote a.ply");
+  context_.note("wrote a.ply");
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
-TEST_F(FrameTest, ResultsGoToStandardOutputEvenWhenQuiet) {
+TEST_F(CommandContextTest, ResultsGoToStandardOutputEvenWhenQuiet) {
   parse("--quiet copy a.ply");
   testing::internal::CaptureStdout();
-  frame_.print("42\n");
+  context_.print("42\n");
   flushStandardOutput();
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "42\n");
 }

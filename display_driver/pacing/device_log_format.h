@@ -1,4 +1,4 @@
-// The bytes of recorded sessions as their writer, their reader and their tests share them (docs/session_recording.md
+// The bytes of device logs as their writer, their reader and their tests share them (docs/device_log.md
 // says all of it). All numbers are little-endian.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 #include "display_driver/wire/wire_format.h"
 
-namespace ocelli::session {
+namespace ocelli::device_log {
 
 inline constexpr std::array<uint8_t, 8> kMagic = {0x89, 'O', 'S', 'E', 'S', '\r', '\n', 0x1a};
 inline constexpr uint32_t kVersion = 1;
@@ -22,7 +22,7 @@ inline constexpr size_t kRecordHeaderBytes = 28;
 inline constexpr size_t kMaxPayloadBytes = size_t{1} << 20;
 /// 285 years, which a double still counts exactly.
 inline constexpr uint64_t kMaxMicroseconds = (uint64_t{1} << 53) - 1;
-/// The session number of the wire messages in it.
+/// The log number of the wire messages in it.
 inline constexpr uint32_t kWireSession = 1;
 /// How its slices may be coded.
 inline constexpr uint32_t kWireCapabilities = wire::kCanRunLength | wire::kCanZstd | wire::kCanDelta;
@@ -32,7 +32,7 @@ enum class RecordType : uint32_t {
   kStream = 2,     ///< messages of the wire protocol, which go on in the next one
   kFate = 3,       ///< JSON: what became of a frame
   kTelemetry = 4,  ///< JSON
-  kEnd = 5,        ///< nothing: the session was closed
+  kEnd = 5,        ///< nothing: the log was closed
 };
 
 struct RecordHeader {
@@ -51,4 +51,4 @@ std::array<uint8_t, kRecordHeaderBytes> recordHeader(RecordType type, uint64_t m
 std::optional<RecordHeader> recordHeaderFrom(std::span<const uint8_t> bytes);
 bool checksumFits(std::span<const uint8_t> header, std::span<const uint8_t> payload);
 
-}  // namespace ocelli::session
+}  // namespace ocelli::device_log

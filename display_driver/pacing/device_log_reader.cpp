@@ -1,4 +1,4 @@
-#include "display_driver/pacing/session_reader.h"
+#include "display_driver/pacing/device_log_reader.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "display_driver/pacing/session_format.h"
+#include "display_driver/pacing/device_log_format.h"
 #include "display_driver/wire/frame_assembler.h"
 #include "display_driver/wire/message_reader.h"
 #include "oc_core/base/json_fields.h"
@@ -15,7 +15,7 @@
 namespace ocelli {
 namespace {
 
-using session::RecordType;
+using device_log::RecordType;
 
 constexpr double kMaxCount = 9007199254740991.0;  // 2^53 - 1
 constexpr double kMaxNumber = 1e12;
@@ -43,10 +43,10 @@ FrameStage stageOf(JsonFields& fields) {
   fields.fail("stage", "must be shown, dropped or lost");
 }
 
-SessionRecord::Ended endedFrom(const std::string& text, const std::string& where) {
+DeviceLogRecord::Ended endedFrom(const std::string& text, const std::string& where) {
   const nlohmann::json json = parseJson(text, where);
   JsonFields fields(json, where);
-  SessionRecord::Ended ended;
+  DeviceLogRecord::Ended ended;
   ended.frame = static_cast<FrameNumber>(fields.number("frame", 1, 4294967295.0));
   ended.state.stage = stageOf(fields);
   ended.state.sent = time(fields, "sent");
@@ -96,12 +96,12 @@ Telemetry telemetryFrom(const std::string& text, const std::string& where) {
 
 }  // namespace
 
-/// The messages of the wire protocol in a session, and what they have made so far.
-struct SessionReader::Stream {
+/// The messages of the wire protocol in a log, and what they have made so far.
+struct DeviceLogReader::Stream {
   explicit Stream(const DisplayProfile& profile)
       : messages(VolumeLayout(profile).sliceBytes + wire::frameBeginBytes(VolumeLayout(profile).slices) + 64),
-        assembler(profile, session::kWireCapabilities) {
-    messages.begin(session::kWireSession);
+        assembler(profile, device_log::kWireCapabilities) {
+    messages.begin(device_log::kWireSession);
   }
 
   wire::MessageReader messages;
@@ -111,10 +111,10 @@ struct SessionReader::Stream {
   FrameNumber baseNumber = 0;
   FrameNumber comingNumber = 0;
   std::vector<int> changed;
-  std::optional<SessionRecord> ready;
+  std::optional<DeviceLogRecord> ready;
 };
 
-SessionReader::SessionReader(const std::filesystem::path& path)
+DeviceLogReader::DeviceLogReader(const std::filesystem::path& path)
     : file_(path, std::ios::binary), in_(file_), where_(path.string()) {
   if (!file_) {
     throw InputError("cannot be opened", where_, "check that the file exists");
@@ -122,27 +122,27 @@ SessionReader::SessionReader(const std::filesystem::path& path)
   open(kMaxVolumeBytes);
 }
 
-SessionReader::SessionReader(std::istream& in, std::string where, size_t maxVolumeBytes)
+DeviceLogReader::DeviceLogReader(std::istream& in, std::string where, size_t maxVolumeBytes)
     : in_(in), where_(std::move(where)) {
   open(maxVolumeBytes);
 }
 
-SessionReader::~SessionReader() = default;
+DeviceLogReader::~DeviceLogReader() = default;
 
-void SessionReader::fail(const std::string& what) const {
+void DeviceLogReader::fail(const std::string& what) const {
   throw InputError(fmt::format("the record at byte {} is wrong: {}", offset_, what), where_,
                    "what comes before it can be used");
 }
 
-void SessionReader::open(size_t maxVolumeBytes) {
-  std::array<uint8_t, session::kHeaderBytes> header{};
+void DeviceLogReader::open(size_t maxVolumeBytes) {
+  std::array<uint8_t, device_log::kHeaderBytes> header{};
   in_.read(reinterpret_cast<char*>(header.data()), header.size());
-  if (in_.gcount() != static_cast<std::streamsize>(header.size()) || !session::isFileHeader(header)) {
-    throw InputError("this is no recorded session", where_, "ocelli present ... --record FILE.session makes one");
+  if (in_.gcount() != static_cast<std::streamsize>(header.size()) || !device_log::isFileHeader(header)) {
+    throw InputError("this is no device log", where_, "ocelli present ... --record FILE.session makes one");
   }
   offset_ = header.size();
   if (!readRecord() || type_ != static_cast<uint32_t>(RecordType::kOpening)) {
-    throw InputError("this session has no opening", where_, "record it again");
+    throw InputError("this log has no opening", where_, "record it again");
   }
   const nlohmann::json json = parseJson(std::string(payload_.begin(), payload_.end()), where_);
   JsonFields fields(json, where_);
@@ -155,18 +155,18 @@ void SessionReader::open(size_t maxVolumeBytes) {
   if (profile_->volumeBytes() > maxVolumeBytes) {
     throw InputError("the volumes of this display are too large", where_, "a smaller display");
   }
-  offset_ += session::kRecordHeaderBytes + payload_.size();
+  offset_ += device_log::kRecordHeaderBytes + payload_.size();
   payload_.clear();
 }
 
 /// The record at offset_. False where the file ends before it does.
-bool SessionReader::readRecord() {
-  std::array<uint8_t, session::kRecordHeaderBytes> bytes{};
+bool DeviceLogReader::readRecord() {
+  std::array<uint8_t, device_log::kRecordHeaderBytes> bytes{};
   in_.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
   if (in_.gcount() != static_cast<std::streamsize>(bytes.size())) {
     return false;
   }
-  const auto header = session::recordHeaderFrom(bytes);
+  const auto header = device_log::recordHeaderFrom(bytes);
   if (!header) {
     fail("it does not begin as records do");
   }
@@ -175,7 +175,7 @@ bool SessionReader::readRecord() {
   if (in_.gcount() != static_cast<std::streamsize>(payload_.size())) {
     return false;
   }
-  if (!session::checksumFits(bytes, payload_)) {
+  if (!device_log::checksumFits(bytes, payload_)) {
     fail("its checksum does not fit");
   }
   if (header->microseconds < microseconds_) {
@@ -187,7 +187,7 @@ bool SessionReader::readRecord() {
 }
 
 /// Until something is ready, or all bytes of the record have been taken.
-void SessionReader::readStream() {
+void DeviceLogReader::readStream() {
   if (stream_ == nullptr) {
     stream_ = std::make_unique<Stream>(*profile_);
   }
@@ -231,7 +231,8 @@ void SessionReader::readStream() {
         require(ofThisFrame && end && stream.assembler.end(*end) == wire::ErrorCode::kNone, "a frame ends wrongly");
         std::swap(stream.base, stream.coming);
         stream.baseNumber = stream.comingNumber;
-        stream.ready = {microseconds_, SessionRecord::Submitted{stream.baseNumber, stream.base.get(), stream.changed}};
+        stream.ready = {microseconds_,
+                        DeviceLogRecord::Submitted{stream.baseNumber, stream.base.get(), stream.changed}};
         break;
       }
       case wire::MessageType::kPresent: {
@@ -242,7 +243,7 @@ void SessionReader::readStream() {
         if (!present->atNextRefresh) {
           presentation.at = RotationPhase{present->refresh, present->slice};
         }
-        stream.ready = {microseconds_, SessionRecord::Presented{message.header.frame, presentation}};
+        stream.ready = {microseconds_, DeviceLogRecord::Presented{message.header.frame, presentation}};
         break;
       }
     }
@@ -253,7 +254,7 @@ void SessionReader::readStream() {
       {.message = take, .problem = [&](wire::ErrorCode, uint32_t) { fail("its messages do not follow one another"); }});
 }
 
-std::optional<SessionRecord> SessionReader::next() {
+std::optional<DeviceLogRecord> DeviceLogReader::next() {
   if (over_) {
     return std::nullopt;
   }
@@ -265,7 +266,7 @@ std::optional<SessionRecord> SessionReader::next() {
         if (stream_->ready) {
           return std::exchange(stream_->ready, std::nullopt);
         }
-        offset_ += session::kRecordHeaderBytes + payload_.size();
+        offset_ += device_log::kRecordHeaderBytes + payload_.size();
       }
       type_ = 0;
       payloadRead_ = 0;
@@ -277,17 +278,17 @@ std::optional<SessionRecord> SessionReader::next() {
       const std::string where = fmt::format("{}, the record at byte {}", where_, offset_);
       const auto type = static_cast<RecordType>(type_);
       if (type != RecordType::kStream) {
-        offset_ += session::kRecordHeaderBytes + payload_.size();
+        offset_ += device_log::kRecordHeaderBytes + payload_.size();
       }
       switch (type) {
         case RecordType::kOpening:
-          fail("a session has one opening");
+          fail("a log has one opening");
         case RecordType::kStream:
           break;
         case RecordType::kFate:
-          return SessionRecord{microseconds_, endedFrom(text, where)};
+          return DeviceLogRecord{microseconds_, endedFrom(text, where)};
         case RecordType::kTelemetry:
-          return SessionRecord{microseconds_, telemetryFrom(text, where)};
+          return DeviceLogRecord{microseconds_, telemetryFrom(text, where)};
         case RecordType::kEnd:
           over_ = true;
           ending_ = RecordingEnding::kFinished;

@@ -1,10 +1,10 @@
-// libFuzzer target: any bytes as a recorded session, as they are and once more with checksums that fit.
+// libFuzzer target: any bytes as a device log, as they are and once more with checksums that fit.
 #include <sstream>
 #include <string>
 
-#include "display_driver/pacing/session_reader.h"
+#include "display_driver/pacing/device_log_reader.h"
 #include "oc_core/base/error.h"
-#include "tests/display_driver_pacing/session_repair.h"
+#include "tests/display_driver_pacing/device_log_repair.h"
 
 namespace {
 
@@ -14,7 +14,7 @@ constexpr size_t kMaxBytes = size_t{1} << 20;
 void read(const std::vector<uint8_t>& bytes) {
   std::istringstream in(std::string(bytes.begin(), bytes.end()));
   try {
-    ocelli::SessionReader reader(in, "fuzz", kMaxBytes);
+    ocelli::DeviceLogReader reader(in, "fuzz", kMaxBytes);
     while (reader.next()) {
     }
   } catch (const ocelli::InputError&) {
@@ -27,7 +27,7 @@ void read(const std::vector<uint8_t>& bytes) {
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   std::vector<uint8_t> bytes(data, data + size);
   read(bytes);
-  ocelli::test::repairSessionChecksums(bytes);
+  ocelli::test::repairDeviceLogChecksums(bytes);
   read(bytes);
   return 0;
 }

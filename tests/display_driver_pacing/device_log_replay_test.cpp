@@ -1,4 +1,4 @@
-// A device whose session is recorded, and the session on another device.
+// A device with a log, and the log on another device.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -8,12 +8,12 @@
 
 #include "display_driver/device/file_device.h"
 #include "display_driver/device/null_device.h"
+#include "display_driver/pacing/device_log_player.h"
 #include "display_driver/pacing/recording_device.h"
-#include "display_driver/pacing/session_player.h"
 #include "display_sim/frames/svol_player.h"
 #include "oc_core/base/error.h"
 #include "tests/base/temporary_folder.h"
-#include "tests/display_driver_pacing/session_cases.h"
+#include "tests/display_driver_pacing/device_log_cases.h"
 #include "tests/display_driver_pacing/virtual_display.h"
 
 namespace ocelli {
@@ -71,11 +71,11 @@ class KeepingDevice final : public Device {
   std::map<FrameNumber, std::shared_ptr<FrameFence>> fences_;
 };
 
-TEST(SessionReplayTest, allThatPassesIsWrittenDown) {
+TEST(DeviceLogReplayTest, allThatPassesIsWrittenDown) {
   const test::TemporaryFolder folder;
   const std::vector<Volume> volumes = someVolumes(fastProfile());
   {
-    const auto device = recordSession(openNullDevice(fastProfile()), folder / "a.session");
+    const auto device = recordDeviceLog(openNullDevice(fastProfile()), folder / "a.session");
     EXPECT_EQ(device->info().kind, "null");
     for (const Volume& volume : volumes) {
       const auto fence = device->submit(volume);
@@ -85,19 +85,19 @@ TEST(SessionReplayTest, allThatPassesIsWrittenDown) {
     }
     device->close();
   }
-  SessionReader reader(folder / "a.session");
+  DeviceLogReader reader(folder / "a.session");
   EXPECT_EQ(reader.device().kind, "null");
-  const test::SessionContent content = test::readAll(reader);
+  const test::DeviceLogContent content = test::readAll(reader);
   EXPECT_EQ(content.ending, RecordingEnding::kFinished);
   EXPECT_EQ(content.volumes, volumes);
   size_t presented = 0;
   size_t shown = 0;
   size_t told = 0;
-  for (const SessionRecord& record : content.records) {
-    if (const auto* presentation = std::get_if<SessionRecord::Presented>(&record.what)) {
+  for (const DeviceLogRecord& record : content.records) {
+    if (const auto* presentation = std::get_if<DeviceLogRecord::Presented>(&record.what)) {
       EXPECT_TRUE(presentation->presentation.tearWhenLate);
       ++presented;
-    } else if (const auto* ended = std::get_if<SessionRecord::Ended>(&record.what)) {
+    } else if (const auto* ended = std::get_if<DeviceLogRecord::Ended>(&record.what)) {
       shown += ended->state.stage == FrameStage::kShown ? 1 : 0;
       EXPECT_GE(ended->state.shown, ended->state.sent);
     } else if (std::holds_alternative<Telemetry>(record.what)) {
@@ -109,15 +109,15 @@ TEST(SessionReplayTest, allThatPassesIsWrittenDown) {
   EXPECT_GE(told, 1u);
 }
 
-TEST(SessionReplayTest, anotherDeviceGetsTheSameBytesAtTheSameTimes) {
+TEST(DeviceLogReplayTest, anotherDeviceGetsTheSameBytesAtTheSameTimes) {
   const test::TemporaryFolder folder;
-  test::writeSession(folder / "a.session");
-  SessionReader reader(folder / "a.session");
+  test::writeDeviceLog(folder / "a.session");
+  DeviceLogReader reader(folder / "a.session");
   test::VirtualClock clock;
   KeepingDevice device(clock, reader.profile());
   const HostTime begin = clock.now();
-  const SessionPlayed played = playSession(reader, device, clock);
-  EXPECT_EQ(device.volumes, test::sessionVolumes());
+  const DeviceLogPlayed played = playDeviceLog(reader, device, clock);
+  EXPECT_EQ(device.volumes, test::deviceLogVolumes());
   EXPECT_EQ(played.submitted, 4u);
   EXPECT_EQ(played.presented, 4u);
   EXPECT_EQ(played.shown, 4u);
@@ -130,12 +130,12 @@ TEST(SessionReplayTest, anotherDeviceGetsTheSameBytesAtTheSameTimes) {
   EXPECT_TRUE(device.presented[2].second.tearWhenLate);
 }
 
-TEST(SessionReplayTest, phasesAreCarriedOverToTheDevicesOwnCount) {
+TEST(DeviceLogReplayTest, phasesAreCarriedOverToTheDevicesOwnCount) {
   const test::TemporaryFolder folder;
   const DisplayProfile profile = loadProfile("test");  // 24 refreshes a second
   {
     const HostTime opened(1h);
-    SessionWriter writer(folder / "a.session", {.kind = "usb", .name = {}, .serial = {}, .link = {}}, profile);
+    DeviceLogWriter writer(folder / "a.session", {.kind = "usb", .name = {}, .serial = {}, .link = {}}, profile);
     Telemetry telemetry;
     // The recorded screen was at refresh 5000 after half a second, so a second after it at 5024.
     telemetry.rotation = RotationReading{opened + 500ms, 5000, 0, 1.0 / 24};
@@ -144,30 +144,30 @@ TEST(SessionReplayTest, phasesAreCarriedOverToTheDevicesOwnCount) {
     writer.presented(1, {.at = RotationPhase{5024, 3}}, 1400ms);
     writer.finish(1600ms);
   }
-  SessionReader reader(folder / "a.session");
+  DeviceLogReader reader(folder / "a.session");
   test::VirtualClock clock;
   test::VirtualDisplay display(clock, {});  // at refresh 0 now
-  const SessionPlayed played = playSession(reader, display, clock);
+  const DeviceLogPlayed played = playDeviceLog(reader, display, clock);
   EXPECT_EQ(played.shown, 1u);
   // After 1.5 s it is at 36; shown there, at the third slice.
   const RotationPhase at = display.lastShownAt;
   EXPECT_EQ(at, (RotationPhase{36, 3}));
 }
 
-TEST(SessionReplayTest, asFastAsItGoesEveryFrameIsShown) {
+TEST(DeviceLogReplayTest, asFastAsItGoesEveryFrameIsShown) {
   const test::TemporaryFolder folder;
   const std::vector<Volume> volumes = someVolumes(fastProfile());
   {
-    SessionWriter writer(folder / "a.session", {.kind = "sim", .name = {}, .serial = {}, .link = {}}, fastProfile());
+    DeviceLogWriter writer(folder / "a.session", {.kind = "sim", .name = {}, .serial = {}, .link = {}}, fastProfile());
     for (uint32_t i = 0; i < volumes.size(); ++i) {
       writer.submitted(i + 1, volumes[i], std::nullopt, 1min * i);
       writer.presented(i + 1, {}, 1min * i);
     }
     writer.finish(1h);
   }
-  SessionReader reader(folder / "a.session");
+  DeviceLogReader reader(folder / "a.session");
   const auto device = openFileDevice(folder / "shown.svol", fastProfile());
-  const SessionPlayed played = playSession(reader, *device, realClock(), {.fast = true});
+  const DeviceLogPlayed played = playDeviceLog(reader, *device, realClock(), {.fast = true});
   device->close();
   EXPECT_EQ(played.shown, volumes.size());
   SvolReader shown(folder / "shown.svol");
@@ -179,14 +179,14 @@ TEST(SessionReplayTest, asFastAsItGoesEveryFrameIsShown) {
   }
 }
 
-TEST(SessionReplayTest, threadsMaySubmitFasterThanTheDiskAndWhatIsWrittenIsRight) {
+TEST(DeviceLogReplayTest, threadsMaySubmitFasterThanTheDiskAndWhatIsWrittenIsRight) {
   const test::TemporaryFolder folder;
   constexpr int kFrames = 30;
   std::map<FrameNumber, uint64_t> seeds;
   std::string told;
   {
-    const auto device = recordSession(openNullDevice(fastProfile()), folder / "a.session",
-                                      [&](const std::string& what) { told += what; });
+    const auto device = recordDeviceLog(openNullDevice(fastProfile()), folder / "a.session",
+                                        [&](const std::string& what) { told += what; });
     std::mutex mutex;
     std::vector<std::thread> threads;
     for (uint64_t seed = 0; seed < 3; ++seed) {
@@ -206,15 +206,15 @@ TEST(SessionReplayTest, threadsMaySubmitFasterThanTheDiskAndWhatIsWrittenIsRight
     }
     device->close();
   }
-  SessionReader reader(folder / "a.session");
+  DeviceLogReader reader(folder / "a.session");
   size_t written = 0;
   size_t ended = 0;
   while (const auto record = reader.next()) {
-    if (const auto* submitted = std::get_if<SessionRecord::Submitted>(&record->what)) {
+    if (const auto* submitted = std::get_if<DeviceLogRecord::Submitted>(&record->what)) {
       EXPECT_EQ(*submitted->volume, madeVolume(fastProfile(), seeds.at(submitted->frame))) << submitted->frame;
       ++written;
     }
-    ended += std::holds_alternative<SessionRecord::Ended>(record->what) ? 1 : 0;
+    ended += std::holds_alternative<DeviceLogRecord::Ended>(record->what) ? 1 : 0;
   }
   EXPECT_EQ(reader.ending(), RecordingEnding::kFinished);
   EXPECT_GE(written, 1u);
@@ -223,8 +223,8 @@ TEST(SessionReplayTest, threadsMaySubmitFasterThanTheDiskAndWhatIsWrittenIsRight
   EXPECT_EQ(told.empty() ? 0 : std::stoul(told), 3u * kFrames - written);
 }
 
-TEST(SessionReplayTest, aDiskThatIsFullIsSaid) {
-  EXPECT_THROW(recordSession(openNullDevice(fastProfile()), "/dev/full"), WorkError);
+TEST(DeviceLogReplayTest, aDiskThatIsFullIsSaid) {
+  EXPECT_THROW(recordDeviceLog(openNullDevice(fastProfile()), "/dev/full"), WorkError);
 }
 
 }  // namespace

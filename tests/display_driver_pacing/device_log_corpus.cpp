@@ -1,10 +1,10 @@
-// Writes the seed corpus of the session fuzzer anew: session_corpus tests/display_driver_pacing/corpus
+// Writes the seed corpus of the log fuzzer anew: device_log_corpus tests/display_driver_pacing/corpus
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
-#include "tests/display_driver_pacing/session_cases.h"
+#include "tests/display_driver_pacing/device_log_cases.h"
 
 int main(int argumentCount, char** arguments) {
   if (argumentCount != 2) {
@@ -12,7 +12,7 @@ int main(int argumentCount, char** arguments) {
   }
   const std::filesystem::path folder = arguments[1];
   const std::filesystem::path whole = folder / "whole.session";
-  ocelli::test::writeSession(whole);
+  ocelli::test::writeDeviceLog(whole);
   std::ifstream in(whole, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(in), {}};
   for (const double share : {0.2, 0.5, 0.9}) {

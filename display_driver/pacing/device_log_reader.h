@@ -1,5 +1,5 @@
-// Reads recorded sessions (docs/session_recording.md), record after record. Trusts nothing: volumes are those whose
-// checksums are right, and what is wrong ends the session there. Takes no more memory than three volumes of the
+// Reads device logs (docs/device_log.md), record after record. Trusts nothing: volumes are those whose
+// checksums are right, and what is wrong ends the log there. Takes no more memory than three volumes of the
 // display.
 #pragma once
 
@@ -25,7 +25,7 @@ enum class RecordingEnding {
 };
 
 /// Times of states and readings are those of a clock that was 0 at the opening.
-struct SessionRecord {
+struct DeviceLogRecord {
   struct Submitted {
     FrameNumber frame = 0;
     const Volume* volume = nullptr;  ///< valid until the next record
@@ -43,21 +43,21 @@ struct SessionRecord {
   std::variant<Submitted, Presented, Ended, Telemetry> what;
 };
 
-class SessionReader {
+class DeviceLogReader {
  public:
-  /// Throws InputError where it does not begin as a session does.
-  explicit SessionReader(const std::filesystem::path& path);
+  /// Throws InputError where it does not begin as a log does.
+  explicit DeviceLogReader(const std::filesystem::path& path);
   /// From a stream that outlives the reader; `where` names it in errors. Displays with larger volumes are refused.
-  SessionReader(std::istream& in, std::string where, size_t maxVolumeBytes = kMaxVolumeBytes);
-  ~SessionReader();
-  SessionReader(const SessionReader&) = delete;
-  SessionReader& operator=(const SessionReader&) = delete;
+  DeviceLogReader(std::istream& in, std::string where, size_t maxVolumeBytes = kMaxVolumeBytes);
+  ~DeviceLogReader();
+  DeviceLogReader(const DeviceLogReader&) = delete;
+  DeviceLogReader& operator=(const DeviceLogReader&) = delete;
 
   const DeviceInfo& device() const { return device_; }
   const DisplayProfile& profile() const { return *profile_; }
 
   /// nullopt at the end, for whatever reason: see ending().
-  std::optional<SessionRecord> next();
+  std::optional<DeviceLogRecord> next();
   /// After next() has given nullopt.
   RecordingEnding ending() const { return ending_; }
   /// Has a value where ending() is kDamaged.

@@ -1,27 +1,27 @@
-// A short recorded session.
+// A short device log.
 #pragma once
 
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "display_driver/pacing/session_reader.h"
-#include "display_driver/pacing/session_writer.h"
+#include "display_driver/pacing/device_log_reader.h"
+#include "display_driver/pacing/device_log_writer.h"
 #include "tests/display_driver_wire/made_volumes.h"
 
 namespace ocelli::test {
 
-/// What a session held, with volumes copied.
-struct SessionContent {
-  std::vector<SessionRecord> records;  ///< their volumes are nullptr
+/// What a log held, with volumes copied.
+struct DeviceLogContent {
+  std::vector<DeviceLogRecord> records;  ///< their volumes are nullptr
   std::vector<Volume> volumes;
   std::optional<RecordingEnding> ending;
 };
 
-inline SessionContent readAll(SessionReader& reader) {
-  SessionContent content;
+inline DeviceLogContent readAll(DeviceLogReader& reader) {
+  DeviceLogContent content;
   while (auto record = reader.next()) {
-    if (auto* submitted = std::get_if<SessionRecord::Submitted>(&record->what)) {
+    if (auto* submitted = std::get_if<DeviceLogRecord::Submitted>(&record->what)) {
       content.volumes.push_back(*submitted->volume);
       submitted->volume = nullptr;
     }
@@ -32,16 +32,16 @@ inline SessionContent readAll(SessionReader& reader) {
 }
 
 /// The kind of each record, and what tells it from others.
-inline std::vector<std::string> describe(const SessionContent& content) {
+inline std::vector<std::string> describe(const DeviceLogContent& content) {
   std::vector<std::string> lines;
-  for (const SessionRecord& record : content.records) {
+  for (const DeviceLogRecord& record : content.records) {
     std::string line = std::to_string(record.microseconds) + " ";
-    if (const auto* submitted = std::get_if<SessionRecord::Submitted>(&record.what)) {
+    if (const auto* submitted = std::get_if<DeviceLogRecord::Submitted>(&record.what)) {
       line += "submitted " + std::to_string(submitted->frame);
-    } else if (const auto* presented = std::get_if<SessionRecord::Presented>(&record.what)) {
+    } else if (const auto* presented = std::get_if<DeviceLogRecord::Presented>(&record.what)) {
       line += "presented " + std::to_string(presented->frame);
       line += presented->presentation.at ? " at " + std::to_string(presented->presentation.at->refresh) : " next";
-    } else if (const auto* ended = std::get_if<SessionRecord::Ended>(&record.what)) {
+    } else if (const auto* ended = std::get_if<DeviceLogRecord::Ended>(&record.what)) {
       line += "ended " + std::to_string(ended->frame) + " " + std::to_string(static_cast<int>(ended->state.stage));
     } else {
       line += "told " + std::to_string(std::get<Telemetry>(record.what).framesShown);
@@ -51,7 +51,7 @@ inline std::vector<std::string> describe(const SessionContent& content) {
   return lines;
 }
 
-inline std::vector<Volume> sessionVolumes() {
+inline std::vector<Volume> deviceLogVolumes() {
   const DisplayProfile profile = smallProfile(5);
   std::vector<Volume> volumes = {madeVolume(profile, 1)};
   volumes.push_back(volumes[0]);
@@ -61,11 +61,11 @@ inline std::vector<Volume> sessionVolumes() {
   return volumes;
 }
 
-inline void writeSession(const std::filesystem::path& path) {
+inline void writeDeviceLog(const std::filesystem::path& path) {
   using std::chrono::microseconds;
   const HostTime opened(std::chrono::hours(1));
-  SessionWriter writer(path, {.kind = "sim", .name = "a \"name\"", .serial = "7", .link = "memory"}, smallProfile(5));
-  const std::vector<Volume> volumes = sessionVolumes();
+  DeviceLogWriter writer(path, {.kind = "sim", .name = "a \"name\"", .serial = "7", .link = "memory"}, smallProfile(5));
+  const std::vector<Volume> volumes = deviceLogVolumes();
   Telemetry telemetry;
   telemetry.connected = true;
   telemetry.rotation = RotationReading{opened + microseconds(500), 100, 0.25, 1.0 / 24};

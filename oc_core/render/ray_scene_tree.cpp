@@ -1,0 +1,57 @@
+// RayScene without Embree: slower, with the same results but for rounding.
+#include <algorithm>
+
+#include "oc_core/render/ray_segment.h"
+#include "oc_core/render/raycast.h"
+#include "oc_core/render/triangle_tree.h"
+
+namespace ocelli {
+
+struct RayScene::Impl {
+  explicit Impl(const Mesh& ofMesh) : mesh(ofMesh), tree(ofMesh) {}
+
+  const Mesh& mesh;
+  TriangleTree tree;
+};
+
+RayScene::RayScene(const Mesh& mesh, Quality /*quality*/) : impl_(std::make_unique<Impl>(mesh)) {}
+RayScene::~RayScene() = default;
+
+Fragment RayScene::intersect(const RayPath& path) const {
+  for (size_t i = 1; i < path.size(); ++i) {
+    const glm::vec3& origin = path[i - 1];
+    const glm::vec3 step = path[i] - origin;
+    if (!castable(origin, step)) {
+      continue;
+    }
+    if (const auto meeting = impl_->tree.meet(origin, step, static_cast<double>(reachOf(path, i)))) {
+      const float share = std::min(static_cast<float>(meeting->share), 1.0f);
+      return {path.tAt({i - 1, share}), meeting->triangle, meeting->b1, meeting->b2};
+    }
+  }
+  return {};
+}
+
+void RayScene::intersect(std::span<const RayPath> paths, std::span<Fragment> fragments) const {
+  OC_CHECK(paths.size() == fragments.size(), "one fragment a path");
+  std::transform(paths.begin(), paths.end(), fragments.begin(), [&](const RayPath& path) { return intersect(path); });
+}
+
+const Mesh& RayScene::mesh() const {
+  return impl_->mesh;
+}
+
+Box RayScene::bounds() const {
+  return impl_->tree.bounds();
+}
+
+bool RayScene::hasSurfaceNear(const glm::vec3& point, float reach) const {
+  return impl_->tree.nearest(point, reach).has_value();
+}
+
+std::optional<RayScene::SurfacePoint> RayScene::closestSurface(const glm::vec3& point, float reach) const {
+  const auto found = impl_->tree.nearest(point, reach);
+  return found ? std::optional(SurfacePoint{found->position, found->triangle}) : std::nullopt;
+}
+
+}  // namespace ocelli
