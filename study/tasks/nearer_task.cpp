@@ -29,8 +29,8 @@ constexpr double kTypicalNearerSeconds = 3;
 /// Distances that differ by less have no right answer, metres.
 constexpr double kMinDistanceDifference = 0.1;
 /// What a case is tried on when it is read. Each object must show with so many pixels.
-constexpr TrialScreen kNearerTrialScreen{320, 200, 60};
-constexpr size_t kMinNearerPixels = 12;
+constexpr TrialScreen kNearerTrialScreen{640, 400, 60};
+constexpr size_t kMinNearerPixels = 40;
 
 enum Side : size_t { kLeftSide, kRightSide };
 constexpr std::array<const char*, 2> kSideNames{"left", "right"};

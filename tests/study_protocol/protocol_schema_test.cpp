@@ -134,7 +134,7 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfNearer) {
   document.at("blocks").at(0) = Json::parse(R"({"name": "nearer", "title": "Nearer", "task": "nearer", "maze": "hall",
       "object": {"shape": "cone"}, "start": {"row": 0, "column": 0, "heading": "east"}, "sessions": [1, 2],
       "instructions": [{"title": "Nearer", "paragraphs": ["Which?"]}], "practice": {},
-      "practice_cases": [{"left": {"row": 0, "column": 2, "south": -0.2}, "right": {"row": 0, "column": 3}}],
+      "practice_cases": [{"left": {"row": 0, "column": 2, "south": -0.2}, "right": {"row": 0, "column": 3, "south": 0.2}}],
       "cases": [{"left": {"row": 0, "column": 2, "south": -0.2}, "right": {"row": 0, "column": 3, "south": 0.2}}]})");
   // What decides whether a case can be seen.
   std::vector<std::string> own = kOwnOfBlocks;

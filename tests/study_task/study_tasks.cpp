@@ -54,10 +54,12 @@ const std::vector<TaskExample>& taskExamples() {
            "cases": [{"row": 2, "column": 3, "east": 0.3}, {"row": 0, "column": 0}]})"},
       {"count", "count", R"({"maze": "small", "answer_limit_seconds": 3, )" + pinholes + R"(,
            "cases": [{"objects": 4, "exposure_seconds": 0.5}, {"objects": 7, "exposure_seconds": 1,
-           "duplicate_colors": true}]})"},
+           "duplicate_colors": true}]})",
+       false},
       {"countMoving", "count",
        R"({"maze": "small", "answer_limit_seconds": 3, "moving": {"meters_per_second": 2}, )" + pinholes + R"(,
-           "cases": [{"objects": 5, "exposure_seconds": 2}, {"objects": 7, "exposure_seconds": 1}]})"},
+           "cases": [{"objects": 5, "exposure_seconds": 2}, {"objects": 7, "exposure_seconds": 1}]})",
+       false},
       {"path", "path",
        R"({"maze": "small", "meters_per_second": 6, "turns": 3, "least_seconds": 4, "most_seconds": 7,
            "answer_limit_seconds": 6, "cases": [{"label": "first"}, {"label": "second"}]})"},
@@ -66,7 +68,8 @@ const std::vector<TaskExample>& taskExamples() {
            {"label": "near", "left": {"row": 2, "column": 2, "south": -0.25},
                              "right": {"row": 2, "column": 4, "south": 0.25}},
            {"label": "far", "left": {"row": 2, "column": 5, "south": -0.25},
-                            "right": {"row": 2, "column": 3, "south": 0.25}}]})"},
+                            "right": {"row": 2, "column": 3, "south": 0.25}}]})",
+       false},
   };
   return examples;
 }

@@ -24,6 +24,7 @@ struct TaskExample {
   std::string name;
   std::string task;
   std::string json;
+  bool walks = true;  ///< the pose changes in a trial
 };
 const std::vector<TaskExample>& taskExamples();
 const TaskExample& taskExample(const std::string& name);
