@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
-#include "cli/demo_page.h"
 #include "cli/values.h"
+#include "display_driver/demo/demo_page.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/evaluation/evaluation_table.h"

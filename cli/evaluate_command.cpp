@@ -5,7 +5,6 @@
 #include <system_error>
 
 #include "cli/command.h"
-#include "cli/evaluate_page.h"
 #include "cli/interrupt.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
@@ -16,6 +15,7 @@
 #include "oc_core/base/output_file.h"
 #include "oc_core/evaluation/evaluation_csv.h"
 #include "oc_core/evaluation/evaluation_json.h"
+#include "oc_core/evaluation/evaluation_page.h"
 #include "oc_core/evaluation/evaluation_table.h"
 #include "oc_core/evaluation/evaluation_work.h"
 

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <regex>
 
-#include "cli/device_selftest_page.h"
+#include "display_driver/selftest/selftest_page.h"
 #include "display_driver/selftest/test_patterns.h"
 #include "display_sim/frames/svol_file.h"
 #include "oc_core/base/png_file.h"

@@ -1,4 +1,4 @@
-#include "cli/evaluate_page.h"
+#include "oc_core/evaluation/evaluation_page.h"
 
 #include <fmt/format.h>
 
@@ -8,12 +8,11 @@
 #include <functional>
 #include <limits>
 
-#include "cli/demo_page.h"
-#include "cli/demo_style.h"
-#include "cli/evaluate_plot.h"
-#include "cli/evaluate_style.h"
 #include "oc_core/evaluation/error_image.h"
+#include "oc_core/evaluation/evaluation_plot.h"
+#include "oc_core/evaluation/evaluation_style.h"
 #include "oc_core/evaluation/evaluation_work.h"
+#include "oc_core/page/html.h"
 
 namespace ocelli {
 namespace {
@@ -299,12 +298,9 @@ EvaluateImages imageNames(const std::string& name, const std::string& identity) 
 std::string evaluatePage(const EvaluatePage& page, const EvaluationOptions& options, const FigureRows& figures) {
   const std::string scene = htmlFromText(page.scene);
   const double sideInches = options.cell.sideRadii * kReferenceDisplayRadiusMetres / kInchMetres;
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\">\n<title>Evaluation of {0}</title>\n<link rel=\"icon\" "
-      "href=\"data:,\">\n<style>{1}{2}</style>\n</head>\n<body>\n<header>\n<h1>What stands for a scene, and what it "
-      "misses</h1>\n<p><code>{0}</code></p>\n",
-      scene, kDemoStyle, kEvaluateStyle);
+  std::string html = pageBegin("Evaluation of " + page.scene, {kEvaluationStyle});
+  html +=
+      fmt::format("<header>\n<h1>What stands for a scene, and what it misses</h1>\n<p><code>{}</code></p>\n", scene);
   html += fmt::format(
       "<p class=\"soft\">{} triangles; reference images of {} x {} pixels; a view cell that is a {} of {:g} in ({:g} "
       "display radii) around ({:g}, {:g}, {:g}); seed {}; made by ocelli {}.</p>\n",
@@ -343,7 +339,7 @@ std::string evaluatePage(const EvaluatePage& page, const EvaluationOptions& opti
   html += imageSection(page, options, figures) + "</section>\n";
   html += "<section aria-labelledby=\"meaning\">\n<h2 id=\"meaning\">What the figures mean</h2>\n" +
           definitions(options) + "</section>\n";
-  return html + "</main>\n</body>\n</html>\n";
+  return html + "</main>\n" + pageEnd();
 }
 
 }  // namespace ocelli

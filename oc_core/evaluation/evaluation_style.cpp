@@ -1,9 +1,9 @@
-#include "cli/evaluate_style.h"
+#include "oc_core/evaluation/evaluation_style.h"
 
 namespace ocelli {
 
 // Series take the colours of Okabe and Ito without the yellow, and differ in marker and dash too.
-const std::string_view kEvaluateStyle = R"css(
+const std::string_view kEvaluationStyle = R"css(
 :root {
   --series-0: #1c2126; --series-1: #0072b2; --series-2: #d55e00; --series-3: #00785a; --series-4: #a8487f;
   --series-5: #a86f00; --series-6: #2b83b8; --grid: #e4e3dc; --best: #e7f1f8;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/device_selftest_images.h"
+#include "display_driver/selftest/selftest_images.h"
 #include "display_driver/selftest/test_patterns.h"
 
 namespace ocelli {

@@ -1,4 +1,4 @@
-#include "cli/demo_scene.h"
+#include "display_driver/demo/demo_scene.h"
 
 #include <fmt/format.h>
 
@@ -15,6 +15,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/png_file.h"
 #include "oc_core/ocri/image_mesh.h"
+#include "oc_core/page/html.h"
 #include "oc_core/render/rasterize.h"
 #include "oc_core/worlds/scene_source.h"
 
@@ -238,15 +239,6 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
 }
 
 }  // namespace
-
-std::string groupedDigits(size_t number) {
-  std::string digits = std::to_string(number);
-  for (size_t at = digits.size(); at > 3;) {
-    at -= 3;
-    digits.insert(at, "\u202f");  // a narrow space that does not break
-  }
-  return digits;
-}
 
 DemoScene runDemoScene(const std::string& title, const std::string& source, const std::filesystem::path& folder,
                        const std::string& name, const DemoOptions& options, const Progress& progress) {

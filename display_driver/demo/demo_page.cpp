@@ -1,10 +1,11 @@
-#include "cli/demo_page.h"
+#include "display_driver/demo/demo_page.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "cli/demo_style.h"
+#include "display_driver/demo/demo_style.h"
+#include "oc_core/page/html.h"
 
 namespace ocelli {
 namespace {
@@ -149,36 +150,9 @@ std::string summaryTable(const std::vector<DemoScene>& scenes) {
 
 }  // namespace
 
-std::string htmlFromText(const std::string& text) {
-  std::string html;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      case '"':
-        html += "&quot;";
-        break;
-      default:
-        html += c;
-    }
-  }
-  return html;
-}
-
 std::string demoPage(const std::vector<DemoScene>& scenes, const DemoOptions& options, const std::string& version) {
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\">\n<title>Ocelli: from scene to display</title>\n<link "
-      "rel=\"icon\" "
-      "href=\"data:,\">\n<style>{}</style>\n</head>\n<body>\n<header>\n<h1>Ocelli: from scene to display</h1>\n",
-      kDemoStyle);
+  std::string html =
+      pageBegin("Ocelli: from scene to display", {kDemoStyle}) + "<header>\n<h1>Ocelli: from scene to display</h1>\n";
   html += fmt::format(
       "<p>A reference image is one layer of samples, taken with one camera. Its triangle mesh is bounded however large "
       "the "
@@ -204,7 +178,7 @@ std::string demoPage(const std::vector<DemoScene>& scenes, const DemoOptions& op
     }
     html += solidityTable(scene) + figuresTable(scene) + "</section>\n";
   }
-  return html + "</main>\n</body>\n</html>\n";
+  return html + "</main>\n" + pageEnd();
 }
 
 }  // namespace ocelli

@@ -1,4 +1,4 @@
-#include "cli/evaluate_plot.h"
+#include "oc_core/evaluation/evaluation_plot.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "cli/demo_page.h"
+#include "oc_core/page/html.h"
 
 namespace ocelli {
 namespace {

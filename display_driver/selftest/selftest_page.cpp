@@ -1,9 +1,9 @@
-#include "cli/device_selftest_page.h"
+#include "display_driver/selftest/selftest_page.h"
 
 #include <fmt/format.h>
 
-#include "cli/demo_page.h"
-#include "cli/device_selftest_style.h"
+#include "display_driver/selftest/selftest_style.h"
+#include "oc_core/page/html.h"
 
 namespace ocelli {
 namespace {
@@ -88,12 +88,8 @@ std::string patternSection(const SelftestSection& section, size_t number, const 
 
 std::string selftestPage(const std::vector<SelftestSection>& sections, const DisplayProfile& profile,
                          const std::string& version) {
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\">\n<title>Self-test of a volumetric display</title>\n<link "
-      "rel=\"icon\" href=\"data:,\">\n<style>{}</style>\n</head>\n<body>\n<header>\n<h1>Self-test of a volumetric "
-      "display</h1>\n",
-      kSelftestStyle);
+  std::string html = pageBegin("Self-test of a volumetric display", {kSelftestStyle}) +
+                     "<header>\n<h1>Self-test of a volumetric display</h1>\n";
   html +=
       "<p>Show one pattern after the other, compare what you see with the images, and tick what is right. Each "
       "pattern "
@@ -122,7 +118,8 @@ std::string selftestPage(const std::vector<SelftestSection>& sections, const Dis
   }
   return html + "</main>\n<footer><p class=\"soft\">Made by ocelli " + htmlFromText(version) +
          ". Ticks and notes stay on this page until you close it: print it to keep "
-         "them.</p></footer>\n</body>\n</html>\n";
+         "them.</p></footer>\n" +
+         pageEnd();
 }
 
 }  // namespace ocelli

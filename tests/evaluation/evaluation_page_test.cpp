@@ -1,4 +1,4 @@
-#include "cli/evaluate_page.h"
+#include "oc_core/evaluation/evaluation_page.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <regex>
 #include <set>
 
-#include "cli/evaluate_plot.h"
+#include "oc_core/evaluation/evaluation_plot.h"
 
 namespace ocelli {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/device_selftest_images.h"
+#include "display_driver/selftest/selftest_images.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,6 @@
 
 namespace ocelli {
 
-extern const std::string_view kEvaluateStyle;
+extern const std::string_view kEvaluationStyle;
 
 }  // namespace ocelli

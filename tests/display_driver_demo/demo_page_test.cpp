@@ -1,4 +1,4 @@
-#include "cli/demo_page.h"
+#include "display_driver/demo/demo_page.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -82,15 +82,6 @@ TEST(DemoPage, OpenedTagsAreClosed) {
     const std::string name(tag);
     EXPECT_EQ(matches(page, "(<" + name + "[ >])").size(), matches(page, "(</" + name + ">)").size()) << tag;
   }
-}
-
-TEST(DemoPage, TellsTheFigures) {
-  const std::string page = demoPage({scene("a")}, {}, "0.1");
-  EXPECT_THAT(page, HasSubstr("10.00 %"));  // 100 of 1000
-  EXPECT_THAT(page, HasSubstr("2.50 %"));
-  EXPECT_THAT(page, HasSubstr("25.0 %"));  // of the depth image's
-  EXPECT_THAT(page, HasSubstr(groupedDigits(1234567)));
-  EXPECT_THAT(page, HasSubstr("<td>37.50 %</td><td>20.0 dB</td>"));  // 3 of 8, 0.01
 }
 
 TEST(GroupedDigits, InThrees) {

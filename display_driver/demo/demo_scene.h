@@ -45,9 +45,6 @@ struct DemoOptions {
   DisplayProfile profile;
 };
 
-/// "189 082", with narrow spaces.
-std::string groupedDigits(size_t number);
-
 /// `source` as loadScene() takes it. Writes the images below `folder`/`name`; throws what the rooms throw.
 DemoScene runDemoScene(const std::string& title, const std::string& source, const std::filesystem::path& folder,
                        const std::string& name, const DemoOptions& options, const Progress& progress);

@@ -1,30 +1,13 @@
-#include "cli/device_selftest_style.h"
+#include "display_driver/selftest/selftest_style.h"
 
 namespace ocelli {
 
-// Colours of text keep a contrast of at least 4.5 : 1 to their ground in both schemes.
 const std::string_view kSelftestStyle = R"css(
-:root {
-  color-scheme: light dark;
-  --ground: #fbfaf7; --card: #ffffff; --text: #1c2126; --soft: #56606b; --line: #c9c9c2; --accent: #00558c;
-}
-@media (prefers-color-scheme: dark) {
-  :root { --ground: #14171a; --card: #1d2125; --text: #e8eaec; --soft: #a7b0b9; --line: #434a52; --accent: #7cc4f5; }
-}
-* { box-sizing: border-box; }
-body {
-  margin: 0 auto; padding: 2rem clamp(1rem, 4vw, 4rem) 4rem; max-width: 84rem;
-  background: var(--ground); color: var(--text); font: 1rem/1.55 system-ui, "DejaVu Sans", sans-serif;
-}
-h1 { font-size: 2rem; line-height: 1.2; margin: 0 0 .5rem; }
+body { max-width: 84rem; }
 h2 { font-size: 1.5rem; margin: 3rem 0 .25rem; padding-top: 1rem; border-top: 3px solid var(--accent); scroll-margin-top: 1rem; }
 h3 { font-size: 1.05rem; margin: 1.5rem 0 .25rem; }
 p, li { max-width: 50rem; }
 p { margin: .25rem 0 .75rem; }
-a { color: var(--accent); }
-a:focus-visible, input:focus-visible, .scroll:focus-visible { outline: 3px solid var(--accent); outline-offset: 2px; }
-code { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: .9em; overflow-wrap: anywhere; }
-.soft, figcaption { color: var(--soft); }
 .order { columns: 16rem; padding-left: 2rem; }
 .facts { display: flex; flex-wrap: wrap; gap: .25rem 2rem; margin: 1rem 0; }
 .facts div { white-space: nowrap; }
@@ -40,19 +23,18 @@ code { font-family: ui-monospace, "DejaVu Sans Mono", monospace; font-size: .9em
 .images { display: grid; grid-template-columns: repeat(5, minmax(0, 1fr)); gap: 1rem; margin: 1rem 0; }
 @media (max-width: 60rem) { .images { grid-template-columns: repeat(3, minmax(0, 1fr)); } }
 @media (max-width: 36rem) { .images { grid-template-columns: repeat(2, minmax(0, 1fr)); } }
-figure { margin: 0; }
 figure img { display: block; width: 100%; height: auto; aspect-ratio: 1; object-fit: contain; border: 1px solid var(--line);
   border-radius: 6px; background: #000000; }
 figcaption { font-size: .875rem; margin-top: .3rem; }
 .checks { list-style: none; padding: 0; margin: .25rem 0; }
 .checks label { display: flex; gap: .7rem; align-items: baseline; padding: .25rem 0; cursor: pointer; }
 .checks input { flex: none; width: 1.15rem; height: 1.15rem; margin: 0; position: relative; top: .2rem; accent-color: var(--accent); }
-.scroll { overflow-x: auto; }
 table { border-collapse: collapse; margin: .5rem 0; background: var(--card); width: 100%; min-width: 40rem; }
-th, td { padding: .4rem .7rem; border: 1px solid var(--line); text-align: left; vertical-align: top; font-weight: 400; }
+th, td { padding: .4rem .7rem; border: 1px solid var(--line); text-align: left; vertical-align: top; font-weight: 400;
+  white-space: normal; }
 tbody th { width: 40%; }
 tbody img { float: left; width: 8rem; height: 8rem; margin: 0 .8rem 0 0; border: 1px solid var(--line); border-radius: 4px; background: #000000; }
-thead th { color: var(--soft); font-weight: 600; }
+thead th { color: var(--soft); font-weight: 600; vertical-align: top; }
 /* On narrow screens each row stands as a block, and says itself what its cells are. */
 @media screen and (max-width: 40rem) {
   table { min-width: 0; }
