@@ -6,6 +6,8 @@
 #include <regex>
 #include <set>
 
+#include "oc_core/page/html.h"
+
 namespace ocelli {
 namespace {
 
@@ -84,11 +86,13 @@ TEST(DemoPage, OpenedTagsAreClosed) {
   }
 }
 
-TEST(GroupedDigits, InThrees) {
-  EXPECT_EQ(groupedDigits(0), "0");
-  EXPECT_EQ(groupedDigits(999), "999");
-  EXPECT_EQ(groupedDigits(1000), "1\u202f000");
-  EXPECT_EQ(groupedDigits(1234567), "1\u202f234\u202f567");
+TEST(DemoPage, TellsTheFigures) {
+  const std::string page = demoPage({scene("a")}, {}, "0.1");
+  EXPECT_THAT(page, HasSubstr("10.00 %"));  // 100 of 1000
+  EXPECT_THAT(page, HasSubstr("2.50 %"));
+  EXPECT_THAT(page, HasSubstr("25.0 %"));  // of the depth image's
+  EXPECT_THAT(page, HasSubstr(groupedDigits(1234567)));
+  EXPECT_THAT(page, HasSubstr("<td>37.50 %</td><td>20.0 dB</td>"));  // 3 of 8, 0.01
 }
 
 }  // namespace
