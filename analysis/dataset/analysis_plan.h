@@ -92,7 +92,7 @@ struct HypothesisFamily {
   std::vector<std::string> hypotheses;
 };
 
-/// Differences (gc less ppc) that are too small to matter.
+/// Differences (other less reference) that are too small to matter.
 struct PlannedEquivalence {
   std::string task;
   double lower = 0;  ///< of proportions of right answers

@@ -62,6 +62,7 @@ struct ProtocolFacts {
   std::vector<PlannedExclusion> exclusions{};
   std::vector<FormItem> items{};  ///< of "demographics", then of "survey"
   ProtocolScreen screen{};
+  ViewConditions conditions = defaultConditions();
 
   const ProtocolMaze* findMaze(const std::string& maze) const;
 };

@@ -69,9 +69,10 @@ class Navigation {
           result_.searchesWithoutLog, result_.searchesWithoutLog == 1 ? "search has" : "searches have"));
     }
     if (!result_.searches.empty()) {
-      result_.notes.emplace_back(
-          "In sight is what a pinhole at the eye would show in a straight line; with the graph camera the object may "
-          "have been seen before, around a corner.");
+      result_.notes.push_back(
+          fmt::format("In sight is what a pinhole at the eye would show in a straight line; with the {} the object may "
+                      "have been seen before, around a corner.",
+                      data_.conditions.labelOf(TrialView::kOther)));
     }
     return std::move(result_);
   }

@@ -124,8 +124,8 @@ TrialValues ofGroup(const Groups& groups, const TrialValues& values, bool stayed
 }
 
 SubjectNumbers viewEffects(const TrialValues& values) {
-  return subjectDifferences(subjectMeans(valuesOfView(values, TrialView::kPinhole)),
-                            subjectMeans(valuesOfView(values, TrialView::kGraph)));
+  return subjectDifferences(subjectMeans(valuesOfView(values, TrialView::kReference)),
+                            subjectMeans(valuesOfView(values, TrialView::kOther)));
 }
 
 /// What a task has to compare.
@@ -174,8 +174,8 @@ void addFigure(ReportWork& work, const Groups& groups, const std::vector<Measure
     plot.widthMillimetres = grid.columnMillimetres();
     plot.heightMillimetres = 55;
     plot.conditions = {"completed", "did not"};
-    for (const TrialView view : {TrialView::kPinhole, TrialView::kGraph}) {
-      GroupSeries series{labelOf(view), {}};
+    for (const TrialView view : kViews) {
+      GroupSeries series{labelOf(work, view), {}};
       for (const bool stayed : {true, false}) {
         const TrialValues some = valuesOfView(ofGroup(groups, values, stayed), view);
         series.groups.push_back(
@@ -205,7 +205,7 @@ void addTable(ReportWork& work, const Groups& groups, const Measured& measured) 
     const TrialValues left = ofGroup(groups, values, false);
     table.rows.push_back(compareGroups(label, subjectMeans(stayed), subjectMeans(left), scale, what));
     table.rows.push_back(compareGroups(effect, viewEffects(stayed), viewEffects(left), scaleOfDifferences(scale),
-                                       fmt::format("differences (gc less ppc) of {}", what)));
+                                       fmt::format("differences (@other@ less @reference@) of {}", what)));
   };
   if (!measured.logTimes.empty()) {
     TrialList timed;
@@ -213,12 +213,12 @@ void addTable(ReportWork& work, const Groups& groups, const Measured& measured) 
       timed.push_back(value.trial);
     }
     table.rows.push_back(compareRestrictedMeans(groups, timed, work.analysis.plan.findTimeouts));
-    add("Geometric mean time (s), as a ratio", "Effect of the view on times, gc / ppc, as a ratio", measured.logTimes,
-        ValueScale::kLogarithm, "mean logarithms");
+    add("Geometric mean time (s), as a ratio", "Effect of the view on times, @other@ / @reference@, as a ratio",
+        measured.logTimes, ValueScale::kLogarithm, "mean logarithms");
   }
   if (!measured.right.empty()) {
-    add(measured.id == "find" ? "Share found" : "Share of right answers", "Effect of the view on it, gc less ppc",
-        measured.right, ValueScale::kShare, "shares");
+    add(measured.id == "find" ? "Share found" : "Share of right answers",
+        "Effect of the view on it, @other@ less @reference@", measured.right, ValueScale::kShare, "shares");
   }
   addComparison(work.document, table);
 }

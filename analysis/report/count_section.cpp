@@ -36,7 +36,8 @@ void addMatched(ReportWork& work, const PlannedModel& model, const TrialList& tr
     return;
   }
   const Estimable<Estimate> clustered = matchedDifference(trials);
-  addOutcome(work, model, clustered, "difference of shares of right counts in matched scenes, gc less ppc");
+  addOutcome(work, model, clustered,
+             "difference of shares of right counts in matched scenes, @other@ less @reference@");
   const std::string source = fmt::format(
       "{} pairs of scenes of the same subject, session, block, exposure, number of "
       "objects and duplicates; {} trials have no partner",
@@ -48,19 +49,20 @@ void addMatched(ReportWork& work, const PlannedModel& model, const TrialList& tr
       "Matched scenes: difference of shares with subjects and kinds of scenes as clusters, and McNemar's test, "
       "which takes pairs as independent and rejects too often where scenes, or the gains of subjects, differ",
       model.name,
-      {{"gc less ppc: difference of shares, clustered", clustered, "", source, trials},
-       {"gc less ppc: difference of shares, McNemar's exact p", difference, "", source, trials},
-       {"Odds ratio gc / ppc, McNemar", test->oddsRatio, "", source, trials}});
-  work.document.add(ReportParagraph{fmt::format("Right in both {}, only in ppc {}, only in gc {}, in neither {}.",
-                                                counts.both, counts.onlyFirst, counts.onlySecond, counts.neither)});
+      {{"@other@ less @reference@: difference of shares, clustered", clustered, "", source, trials},
+       {"@other@ less @reference@: difference of shares, McNemar's exact p", difference, "", source, trials},
+       {"Odds ratio @other@ / @reference@, McNemar", test->oddsRatio, "", source, trials}});
+  work.document.add(
+      ReportParagraph{fmt::format("Right in both {}, only in @reference@ {}, only in @other@ {}, in neither {}.",
+                                  counts.both, counts.onlyFirst, counts.onlySecond, counts.neither)});
 }
 
 void addErrors(ReportWork& work, const PlannedModel& model, const TrialList& trials) {
   HistogramPlot plot;
   plot.title = "How far counts were off";
   plot.widthMillimetres = kDoubleColumnMillimetres;
-  for (const TrialView view : {TrialView::kPinhole, TrialView::kGraph}) {
-    HistogramPlot::Series series{labelOf(view), {}};
+  for (const TrialView view : kViews) {
+    HistogramPlot::Series series{labelOf(work, view), {}};
     for (const Trial* trial : trialsOfView(trials, view)) {
       if (const std::optional<double> error = signedError(*trial)) {
         ++series.counts[static_cast<int>(std::lround(std::clamp(*error, -kFarthest, kFarthest)))];
@@ -78,10 +80,11 @@ void addErrors(ReportWork& work, const PlannedModel& model, const TrialList& tri
   const Estimable<Estimate> center =
       test ? Estimable<Estimate>(test->center) : Estimable<Estimate>::impossible(test.reason());
   const Estimable<Estimate> clustered = errorDifference(trials);
-  addOutcome(work, model, clustered, "difference of mean signed errors in objects, gc less ppc");
+  addOutcome(work, model, clustered, "difference of mean signed errors in objects, @other@ less @reference@");
   const std::string source = fmt::format("{} subjects with both views", differences.size());
   addEstimates(work.document,
-               "Signed error (answer less true number): gc less ppc, one mean a subject. The mean counts subjects and "
+               "Signed error (answer less true number): @other@ less @reference@, one mean a subject. The mean counts "
+               "subjects and "
                "cases as drawn from more of theirs; Wilcoxon's test holds for these very cases",
                model.name,
                {{"Mean, subjects and cases as clusters", clustered, "", source, trials},

@@ -16,7 +16,7 @@ namespace {
 void addSubjectEffects(std::vector<EstimateRow>& rows, const TrialList& trials, const SubjectMeans& means,
                        const std::string& what) {
   const std::string source = fmt::format("{} of {} subjects with both views", what, means.differences.size());
-  const Estimable<PairedEffect> effect = pairedEffect(means.pinhole, means.graph);
+  const Estimable<PairedEffect> effect = pairedEffect(means.reference, means.other);
   const auto part = [&](const Estimate PairedEffect::*member) {
     return effect ? Estimable<Estimate>((*effect).*member) : Estimable<Estimate>::impossible(effect.reason());
   };
@@ -41,16 +41,16 @@ SubjectMeans subjectMeans(const TrialList& trials, const std::vector<double>& va
   };
   std::map<std::string, std::array<Sum, 2>> bySubject;
   for (size_t i = 0; i < trials.size(); ++i) {
-    Sum& sum = bySubject[trials[i]->subject][trials[i]->view == TrialView::kGraph];
+    Sum& sum = bySubject[trials[i]->subject][trials[i]->view == TrialView::kOther];
     sum.total += values[i];
     sum.count += 1;
   }
   SubjectMeans means;
   for (const auto& [subject, views] : bySubject) {
     if (views[0].count > 0 && views[1].count > 0) {
-      means.pinhole.push_back(views[0].total / views[0].count);
-      means.graph.push_back(views[1].total / views[1].count);
-      means.differences.push_back(differenceOf(means.pinhole.back(), means.graph.back()));
+      means.reference.push_back(views[0].total / views[0].count);
+      means.other.push_back(views[1].total / views[1].count);
+      means.differences.push_back(differenceOf(means.reference.back(), means.other.back()));
     }
   }
   return means;
@@ -64,27 +64,29 @@ void addTimeEffects(ReportWork& work, const TrialList& trials, const std::vector
   }
   std::vector<EstimateRow> rows;
   addSubjectEffects(rows, trials, subjectMeans(trials, logs), "mean log times");
-  addEstimates(work.document, "Sizes of the effect of the view on log times (gc less ppc), one mean a subject", id,
-               rows);
+  addEstimates(work.document,
+               "Sizes of the effect of the view on log times (@other@ less @reference@), one mean a subject", id, rows);
 }
 
 void addShareEffects(ReportWork& work, const TrialList& trials, const std::string& id) {
-  const Share pinhole = shareOf(trialsOfView(trials, TrialView::kPinhole));
-  const Share graph = shareOf(trialsOfView(trials, TrialView::kGraph));
-  const std::string source = fmt::format("{} right of {} with ppc, {} right of {} with gc; trials taken as independent",
-                                         pinhole.successes, pinhole.trials, graph.successes, graph.trials);
-  std::vector<EstimateRow> rows{{"Difference of shares", riskDifference(pinhole, graph), "", source, trials},
-                                {"Ratio of shares", riskRatio(pinhole, graph), "", source, trials},
-                                {"Odds ratio", oddsRatio(pinhole, graph), "", source, trials}};
+  const Share reference = shareOf(trialsOfView(trials, TrialView::kReference));
+  const Share other = shareOf(trialsOfView(trials, TrialView::kOther));
+  const std::string source =
+      fmt::format("{} right of {} with @reference@, {} right of {} with @other@; trials taken as independent",
+                  reference.successes, reference.trials, other.successes, other.trials);
+  std::vector<EstimateRow> rows{{"Difference of shares", riskDifference(reference, other), "", source, trials},
+                                {"Ratio of shares", riskRatio(reference, other), "", source, trials},
+                                {"Odds ratio", oddsRatio(reference, other), "", source, trials}};
   std::vector<double> right;
   for (const Trial* trial : trials) {
     right.push_back(trial->correct.value_or(false) ? 1 : 0);
   }
   addSubjectEffects(rows, trials, subjectMeans(trials, right), "shares of right answers");
-  addEstimates(work.document,
-               "Sizes of the effect of the view on right answers (gc against ppc): the first three take trials as "
-               "independent, the others have one share a subject",
-               id, rows);
+  addEstimates(
+      work.document,
+      "Sizes of the effect of the view on right answers (@other@ against @reference@): the first three take trials as "
+      "independent, the others have one share a subject",
+      id, rows);
 }
 
 }  // namespace ocelli

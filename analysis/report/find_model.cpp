@@ -58,10 +58,11 @@ void addResampledView(ReportWork& work, const PlannedModel& model, const TrialLi
   }
   const Estimable<BootstrapResult> resampled =
       bootstrapCensoredViewDifference(trials, logs, censoredOf(trials, treatment), bootstrapPlanOf(work.analysis.plan));
-  addResampled(work,
-               fmt::format("Ratio of geometric means (gc / ppc) by resampling subjects and cases, time-outs {}",
-                           labelOf(treatment)),
-               fmt::format("{}-resampled", model.name), {{"gc / ppc", resampled, trials, "", true}});
+  addResampled(
+      work,
+      fmt::format("Ratio of geometric means (@other@ / @reference@) by resampling subjects and cases, time-outs {}",
+                  labelOf(treatment)),
+      fmt::format("{}-resampled", model.name), {{"@other@ / @reference@", resampled, trials, "", true}});
   addResampledCaution(work, model, viewLogarithm(fit), resampled, 1);
 }
 
@@ -82,7 +83,7 @@ void addViewSensitivity(ReportWork& work, const PlannedModel& model, const Trial
   variants.notes.emplace_back(kFittedModelNote);
   addSensitivity(work,
                  {fmt::format("{}-sensitivity", model.name), "The effect of the view on times, analysed in other ways",
-                  "Ratio of geometric means, gc / ppc", "gc faster", "ppc faster"},
+                  "Ratio of geometric means, @other@ / @reference@", "@other@ faster", "@reference@ faster"},
                  variants,
                  [&](const Variant& variant) { return viewRatio(fitTimes(model, variant.trials, variant.timeouts)); });
 }

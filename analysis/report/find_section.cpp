@@ -49,23 +49,23 @@ void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment tim
     plot.riskTimes.push_back(limit * i / 6);
   }
   std::vector<EstimateRow> rows;
-  for (const TrialView view : {TrialView::kPinhole, TrialView::kGraph}) {
+  for (const TrialView view : kViews) {
     const TrialList seen = trialsOfView(trials, view);
-    const std::string source = fmt::format("Kaplan-Meier curve of {} with view {}", sizeText(seen), nameOf(view));
+    const std::string source = fmt::format("Kaplan-Meier curve of {} with view {}", sizeText(seen), markOf(view));
     const Estimable<SurvivalCurve> curve =
         survivalCurve(timesOf(seen, timeouts), 0.95, numbered(subjectsOf(seen)), caseNumbers(seen));
     if (!curve) {
-      addNotEstimable(work.document, fmt::format("Survival curve of {}", nameOf(view)), curve.reason());
+      addNotEstimable(work.document, fmt::format("Survival curve of {}", markOf(view)), curve.reason());
       continue;
     }
     if (!curve->noBands.empty()) {
-      addNotEstimable(work.document, fmt::format("Bands of the survival curve of {}", nameOf(view)), curve->noBands);
+      addNotEstimable(work.document, fmt::format("Bands of the survival curve of {}", markOf(view)), curve->noBands);
     }
-    plot.curves.push_back(plotCurve(labelOf(view), *curve, plot.riskTimes));
-    rows.push_back({fmt::format("{}: median time", nameOf(view)), medianTime(*curve), "s", source, seen});
+    plot.curves.push_back(plotCurve(labelOf(work, view), *curve, plot.riskTimes));
+    rows.push_back({fmt::format("{}: median time", markOf(view)), medianTime(*curve), "s", source, seen});
     const Estimable<RestrictedMean> mean =
         restrictedMean(timesOf(seen, timeouts), limit, numbered(subjectsOf(seen)), 0.95, caseNumbers(seen));
-    rows.push_back({fmt::format("{}: restricted mean to {:g} s", nameOf(view), limit),
+    rows.push_back({fmt::format("{}: restricted mean to {:g} s", markOf(view), limit),
                     mean ? Estimable<Estimate>(mean->mean) : Estimable<Estimate>::impossible(mean.reason()), "s",
                     source, seen});
   }
@@ -78,7 +78,7 @@ void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment tim
   }
   const Estimable<RestrictedMeanDifference> difference = restrictedMeanDifferenceOf(trials, timeouts, limit);
   rows.push_back(
-      {"gc less ppc: difference of restricted means",
+      {"@other@ less @reference@: difference of restricted means",
        difference ? Estimable<Estimate>(difference->difference) : Estimable<Estimate>::impossible(difference.reason()),
        "s", fmt::format("{}, subjects and cases as clusters", sizeText(trials)), trials});
   addEstimates(
@@ -87,10 +87,10 @@ void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment tim
                   "and cases as clusters, with Student's t",
                   nameOf(timeouts)),
       "find-survival", rows);
-  addResampled(work, "Difference of restricted means (gc less ppc) by resampling subjects and cases",
+  addResampled(work, "Difference of restricted means (@other@ less @reference@) by resampling subjects and cases",
                "find-survival-resampled",
-               {{"gc less ppc",
-                 bootstrapRestrictedMeanDifference(timesOf(trials, timeouts), areGraph(trials), limit,
+               {{"@other@ less @reference@",
+                 bootstrapRestrictedMeanDifference(timesOf(trials, timeouts), areOther(trials), limit,
                                                    numbered(subjectsOf(trials)), caseNumbers(trials),
                                                    bootstrapPlanOf(work.analysis.plan)),
                  trials, "s"}});
@@ -159,8 +159,8 @@ void addSurvivalSensitivity(ReportWork& work, const PlannedModel& model, const T
   addSensitivity(work,
                  {fmt::format("{}-sensitivity", model.name),
                   fmt::format("The effect of the view in the {}, analysed in other ways", wordsOf(model, false)),
-                  cox ? "Hazard ratio, gc / ppc" : "Ratio of times, gc / ppc", cox ? "ppc sooner" : "gc faster",
-                  cox ? "gc sooner" : "ppc faster"},
+                  cox ? "Hazard ratio, @other@ / @reference@" : "Ratio of times, @other@ / @reference@",
+                  cox ? "@reference@ sooner" : "@other@ faster", cox ? "@other@ sooner" : "@reference@ faster"},
                  variantsOf(trials, first, kMaxRows),
                  [&](const Variant& variant) { return viewOf(fitSurvival(model, variant.trials, variant.timeouts)); });
 }
@@ -205,7 +205,7 @@ void addCases(ReportWork& work, const TrialList& trials) {
     std::map<int, std::array<std::vector<double>, 2>> cases;
     for (const Trial* trial : trials) {
       if (trial->moving.value_or(false) == moving) {
-        cases[trial->caseIndex][trial->view == TrialView::kGraph].push_back(*trial->responseSeconds);
+        cases[trial->caseIndex][trial->view == TrialView::kOther].push_back(*trial->responseSeconds);
       }
     }
     if (cases.empty()) {
@@ -219,7 +219,7 @@ void addCases(ReportWork& work, const TrialList& trials) {
     plot.pointName = "one search";
     plot.rows = true;
     plot.widthMillimetres = kDoubleColumnMillimetres;
-    plot.series = {{labelOf(TrialView::kPinhole), {}}, {labelOf(TrialView::kGraph), {}}};
+    plot.series = {{labelOf(work, TrialView::kReference), {}}, {labelOf(work, TrialView::kOther), {}}};
     for (auto& [index, views] : cases) {
       plot.conditions.push_back(std::to_string(index + 1));
       for (size_t v = 0; v < 2; ++v) {

@@ -67,8 +67,8 @@ Outcome rightAnswersOf(const std::string& task, const TrialList& trials, const B
   return outcome;
 }
 
-GroupPlot chartOf(const std::string& title, const std::string& conditionLabel, const Outcome& outcome,
-                  const std::vector<Condition>& conditions, double widthMillimetres) {
+GroupPlot chartOf(const ReportWork& work, const std::string& title, const std::string& conditionLabel,
+                  const Outcome& outcome, const std::vector<Condition>& conditions, double widthMillimetres) {
   GroupPlot plot;
   plot.title = title;
   plot.conditionLabel = conditionLabel;
@@ -80,7 +80,7 @@ GroupPlot chartOf(const std::string& title, const std::string& conditionLabel, c
   plot.legend = false;
   plot.widthMillimetres = widthMillimetres;
   plot.heightMillimetres = 58;
-  plot.series = {{labelOf(TrialView::kPinhole), {}}, {labelOf(TrialView::kGraph), {}}};
+  plot.series = {{labelOf(work, TrialView::kReference), {}}, {labelOf(work, TrialView::kOther), {}}};
   for (const Condition& condition : conditions) {
     plot.conditions.push_back(condition.name);
     for (size_t v = 0; v < kViews.size(); ++v) {
@@ -97,12 +97,12 @@ void addFigure(ReportWork& work, const std::string& task, const std::string& tit
   grid.title = fmt::format("{}: times and right answers as subjects practise", title);
   for (const Outcome& outcome : outcomes) {
     const double width = grid.columnMillimetres();
-    const GroupPlot sessions = chartOf("By session", "Session", outcome, outcome.sessions(), width);
+    const GroupPlot sessions = chartOf(work, "By session", "Session", outcome, outcome.sessions(), width);
     grid.legend = groupLegend(sessions);
     grid.figures.push_back(groupFigure(sessions));
     if (!outcome.blocks->isEmpty()) {
       grid.figures.push_back(
-          groupFigure(chartOf("Within blocks", "Half of a block", outcome, outcome.halves(), width)));
+          groupFigure(chartOf(work, "Within blocks", "Half of a block", outcome, outcome.halves(), width)));
     }
   }
   addFigure(work, grid.title, fmt::format("figure-learning-{}", task), [&] { return gridFigure(grid); });
@@ -111,10 +111,10 @@ void addFigure(ReportWork& work, const std::string& task, const std::string& tit
 void addMeans(ReportWork& work, const std::string& id, const Outcome& outcome) {
   ComparisonTable table;
   table.caption = fmt::format(
-      "{}: {} with 95 % intervals; subjects of ppc, of gc, and of both", outcome.name,
+      "{}: {} with 95 % intervals; subjects of @reference@, of @other@, and of both", outcome.name,
       outcome.isTime() ? "geometric means over the geometric means of subjects" : "means over the shares of subjects");
   table.id = id;
-  table.difference = outcome.isTime() ? "gc / ppc" : "gc less ppc";
+  table.difference = outcome.isTime() ? "@other@ / @reference@" : "@other@ less @reference@";
   for (const Condition& session : outcome.sessions()) {
     table.rows.push_back(compareViews(fmt::format("Session {}", session.name), session.values, outcome.scale));
   }
@@ -130,8 +130,8 @@ void addMeans(ReportWork& work, const std::string& id, const Outcome& outcome) {
 /// without `needed` have none.
 void addTrend(std::vector<EstimateRow>& rows, const Outcome& outcome, const std::string& label, const std::string& what,
               const std::string& needed, const std::function<SubjectNumbers(const TrialValues&)>& change) {
-  const SubjectNumbers pinhole = change(valuesOfView(outcome.values, TrialView::kPinhole));
-  const SubjectNumbers graph = change(valuesOfView(outcome.values, TrialView::kGraph));
+  const SubjectNumbers reference = change(valuesOfView(outcome.values, TrialView::kReference));
+  const SubjectNumbers other = change(valuesOfView(outcome.values, TrialView::kOther));
   const ValueScale scale = scaleOfDifferences(outcome.scale);
   const auto add = [&](const std::string& which, const SubjectNumbers& numbers, ValueScale shownScale,
                        const std::string& numberOf) {
@@ -144,10 +144,10 @@ void addTrend(std::vector<EstimateRow>& rows, const Outcome& outcome, const std:
     }
     rows.push_back(row);
   };
-  add("ppc", pinhole, scale, what);
-  add("gc", graph, scale, what);
-  add(outcome.isTime() ? "gc / ppc" : "gc less ppc", subjectDifferences(pinhole, graph), scaleOfDifferences(scale),
-      fmt::format("differences (gc less ppc) of {}", what));
+  add("@reference@", reference, scale, what);
+  add("@other@", other, scale, what);
+  add(outcome.isTime() ? "@other@ / @reference@" : "@other@ less @reference@", subjectDifferences(reference, other),
+      scaleOfDifferences(scale), fmt::format("differences (@other@ less @reference@) of {}", what));
 }
 
 void addTrends(ReportWork& work, const std::string& id, const Outcome& outcome) {

@@ -31,7 +31,7 @@ void addFigure(ReportWork& work, const std::vector<NavigationGroup>& groups) {
     plot.widthMillimetres = grid.columnMillimetres();
     plot.heightMillimetres = 52;
     plot.summaryName = "mean of subjects, 95 % interval";
-    plot.series = {{labelOf(TrialView::kPinhole), {}}, {labelOf(TrialView::kGraph), {}}};
+    plot.series = {{labelOf(work, TrialView::kReference), {}}, {labelOf(work, TrialView::kOther), {}}};
     for (const NavigationGroup& group : groups) {
       const TrialValues values = valuesOf(work.analysis.data, group, measure);
       if (values.empty()) {
@@ -68,12 +68,12 @@ std::vector<HeatMap::Mark> objectMarks(const ProtocolFacts& facts, const Protoco
   return marks;
 }
 
-HeatMap::Map mapOfView(const MazeHeatMap& map, double cellSize) {
+HeatMap::Map mapOfView(const ReportWork& work, const MazeHeatMap& map, double cellSize) {
   double total = 0;
   for (const double seconds : map.seconds) {
     total += seconds;
   }
-  HeatMap::Map shown{fmt::format("{}, {} searches", labelOf(map.view), map.trials), {}, {}};
+  HeatMap::Map shown{fmt::format("{}, {} searches", labelOf(work, map.view), map.trials), {}, {}};
   for (int row = 0; row < map.rows; ++row) {
     for (int column = 0; column < map.columns; ++column) {
       const double seconds = map.seconds[static_cast<size_t>(row * map.columns + column)];
@@ -103,7 +103,7 @@ void addHeatMaps(ReportWork& work, const std::vector<MazeHeatMap>& maps) {
     for (; last < maps.size() && maps[last].maze == map.maze && maps[last].moving == map.moving &&
            maps[last].source == map.source;
          ++last) {
-      heat.maps.push_back(mapOfView(maps[last], maze.cellSize));
+      heat.maps.push_back(mapOfView(work, maps[last], maze.cellSize));
       heat.maps.back().marks = objectMarks(facts, maze, map.moving);
       outside += maps[last].secondsOutside;
     }

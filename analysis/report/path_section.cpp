@@ -31,29 +31,28 @@ void addEquivalence(ReportWork& work, const PlannedModel& model, const TrialList
       addNotEstimable(work.document, "Equivalence of the views", test.reason());
       return;
     }
-    work.outcomes.push_back(
-        {model.name, "", test->pValue,
-         TestedEffect{"difference of shares of right paths, gc less ppc", test->difference, 1 - 2 * test->alpha}});
+    work.outcomes.push_back({model.name, "", test->pValue,
+                             TestedEffect{"difference of shares of right paths, @other@ less @reference@",
+                                          test->difference, 1 - 2 * test->alpha}});
     const std::string source =
         fmt::format("{} subjects with both views, one difference each; subjects and cases as clusters", test->first);
     const auto row = [&](const std::string& what, const std::string& text, std::optional<double> value) {
       return ValueRow{what, text, value, source, trials};
     };
-    addValues(
-        work.document,
-        fmt::format(
-            "Two one-sided tests against the bounds of {}, {} to {} (gc less ppc): mean of the subjects' differences, "
-            "subjects and cases as clusters",
-            planName(work.analysis.plan), planned.lower, planned.upper),
-        model.name,
-        {row("Difference of shares", numberText(test->difference.value), test->difference.value),
-         withInterval(
-             row(fmt::format("{:g} % interval", 100 * (1 - 2 * test->alpha)),
-                 fmt::format("{} to {}", numberText(test->difference.lower), numberText(test->difference.upper)),
-                 std::nullopt),
-             intervalOf(test->difference)),
-         row(kEquivalenceTestRow, numberText(test->pValue), test->pValue),
-         row("Equivalent", test->equivalent ? "yes" : "not shown", std::nullopt)});
+    addValues(work.document,
+              fmt::format("Two one-sided tests against the bounds of {}, {} to {} (@other@ less @reference@): mean of "
+                          "the subjects' differences, "
+                          "subjects and cases as clusters",
+                          planName(work.analysis.plan), planned.lower, planned.upper),
+              model.name,
+              {row("Difference of shares", numberText(test->difference.value), test->difference.value),
+               withInterval(
+                   row(fmt::format("{:g} % interval", 100 * (1 - 2 * test->alpha)),
+                       fmt::format("{} to {}", numberText(test->difference.lower), numberText(test->difference.upper)),
+                       std::nullopt),
+                   intervalOf(test->difference)),
+               row(kEquivalenceTestRow, numberText(test->pValue), test->pValue),
+               row("Equivalent", test->equivalent ? "yes" : "not shown", std::nullopt)});
     return;
   }
   work.outcomes.push_back({model.name, "", Estimable<double>::impossible("the plan has no bounds for paths")});
@@ -96,8 +95,8 @@ void addAgainstChance(ReportWork& work, const PlannedModel& model, const TrialLi
   } else {
     work.outcomes.push_back({model.name, "", Estimable<double>::impossible(both.reason())});
   }
-  add("ppc", trialsOfView(trials, TrialView::kPinhole));
-  add("gc", trialsOfView(trials, TrialView::kGraph));
+  add("@reference@", trialsOfView(trials, TrialView::kReference));
+  add("@other@", trialsOfView(trials, TrialView::kOther));
   addEstimates(
       work.document,
       fmt::format("Shares of right paths against a chance of {:.3f}, exact; trials taken as independent", chance),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "analysis/plot/utf8.h"
@@ -26,6 +27,20 @@ std::string vectorOf(const std::vector<std::string>& texts) {
     all.push_back(quoted(text));
   }
   return fmt::format("c({})", fmt::join(all, ", "));
+}
+
+/// The functions with the names of the conditions; in names of R "-" becomes ".".
+std::string functionsFor(const ViewConditions& conditions) {
+  std::string text = kRFunctions;
+  for (const TrialView view : kViews) {
+    const std::string mark = fmt::format("_{}", markOf(view));
+    std::string part = fmt::format("_{}", conditions.nameOf(view));
+    std::replace(part.begin(), part.end(), '-', '.');
+    for (size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + part.size())) {
+      text.replace(at, mark.size(), part);
+    }
+  }
+  return withViewNames(text, conditions);
 }
 
 /// Planned slopes by group: "list(subject = c("view"), case = character(0))".
@@ -107,7 +122,7 @@ std::string rScript(const AnalysisData& analysis, const std::set<std::string>& o
       "# The models of the report once more, in R: Rscript analysis.R\n"
       "# It reads tables/trials.csv and tables/answers.csv beside it, and writes tables/r_results.csv.\n"
       "# Not repeated: resampling, effect sizes, sensitivity, and intervals of restricted means.\n";
-  text += kRFunctions;
+  text += functionsFor(analysis.data.conditions);
   text += fmt::format("\ncat({}, \"\\n\", {}, \"\\n\", {}, \"\\n\\n\", sep = \"\")\n", quoted("Ocelli " + version),
                       quoted(describe(analysis.plan)), quoted("SHA-256 of the data: " + analysis.dataSha256));
   text += "trials <- read(\"trials.csv\")\nanswers <- read(\"answers.csv\")\n\n";

@@ -100,6 +100,14 @@ TrialList trialsOfView(const TrialList& trials, TrialView view) {
   return list;
 }
 
+const std::string& labelOf(const ReportWork& work, TrialView view) {
+  return work.analysis.data.conditions.labelOf(view);
+}
+
+std::string withLabels(const ReportWork& work, const std::string& text) {
+  return withViewLabels(text, work.analysis.data.conditions);
+}
+
 std::vector<int> numbered(const std::vector<std::string>& labels) {
   std::map<std::string, int> numbers;
   std::vector<int> result;

@@ -9,7 +9,7 @@ namespace ocelli {
 
 Share shareOf(const TrialList& trials);
 
-/// Share of right answers of each subject who saw both views, gc less ppc.
+/// Share of right answers of each subject who saw both views, other less reference.
 std::vector<double> shareDifferences(const TrialList& trials);
 /// The mean of these, where subjects and cases are drawn from more of theirs.
 Estimable<Estimate> shareDifference(const TrialList& trials);

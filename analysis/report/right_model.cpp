@@ -34,7 +34,7 @@ void addRightSensitivity(ReportWork& work, const PlannedModel& model, const Tria
   addSensitivity(work,
                  {fmt::format("{}-sensitivity", model.name),
                   fmt::format("The effect of the view in the {}, analysed in other ways", wordsOf(model, false)),
-                  "Odds ratio, gc / ppc", "ppc better", "gc better"},
+                  "Odds ratio, @other@ / @reference@", "@reference@ better", "@other@ better"},
                  variants, [&](const Variant& variant) { return viewRatio(fitBinomial(model, variant.trials)); });
 }
 
@@ -62,8 +62,9 @@ void addRightModel(ReportWork& work, const PlannedModel& model, const TrialList&
   part("resampled", [&] {
     const Estimable<BootstrapResult> resampled =
         bootstrapViewDifference(trials, right, bootstrapPlanOf(work.analysis.plan));
-    addResampled(work, "Difference of shares of right answers (gc less ppc) by resampling subjects and cases",
-                 fmt::format("{}-resampled", model.name), {{"gc less ppc", resampled, trials}});
+    addResampled(work,
+                 "Difference of shares of right answers (@other@ less @reference@) by resampling subjects and cases",
+                 fmt::format("{}-resampled", model.name), {{"@other@ less @reference@", resampled, trials}});
     if (fit) {
       const double share = std::accumulate(right.begin(), right.end(), 0.0) / static_cast<double>(right.size());
       addResampledCaution(work, model, viewLogarithm(*fit), resampled, 1 / (share * (1 - share)));

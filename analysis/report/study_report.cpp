@@ -42,13 +42,17 @@ void addDesign(ReportWork& work) {
       break;
     }
   }
-  work.document.add(ReportParagraph{
-      "Two views are compared: a planar pinhole camera, or several (pinhole), and the graph camera. Intervals are of "
-      "95 % "
-      "where nothing else is said, and SE is the standard error, of ratios by the delta method; tests and intervals of "
+  const auto described = [&](TrialView view) {
+    const ViewCondition& condition = analysis.data.conditions.of(view);
+    return condition.description.empty() ? condition.label : condition.description;
+  };
+  work.document.add(ReportParagraph{fmt::format(
+      "Two views are compared: {}, and {}. Intervals are of 95 % where nothing else is said, and SE is the standard "
+      "error, of ratios by the delta method; tests and intervals of "
       "ratios are of their logarithm. Outside of the tables of hypotheses p values are not corrected for their number. "
       "Tables that are marked as exploratory are not of a registered plan. The supplement has checks of the models, "
-      "results without one case after the other, what was left out, and where each number comes from."});
+      "results without one case after the other, what was left out, and where each number comes from.",
+      described(TrialView::kReference), described(TrialView::kOther))});
   for (const std::string& note : analysis.data.notes) {
     work.document.add(ReportNote{NoteKind::kNote, note});
   }
@@ -87,13 +91,13 @@ std::string trialsCsv(const Dataset& data) {
       "source,trial_id,subject_id,session_number,plan_index,block,task,case_index,item,view,moving,exposure_s,objects,"
       "duplicate_colors,answer,expected,correct,censored,response_s,dropped_frames,simulated\r\n";
   for (const Trial& trial : data.trials) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", trial.source,
-                        trial.trialId, csvField(trial.subject), trial.session, trial.planIndex, csvField(trial.block),
-                        csvField(trial.task), trial.caseIndex, csvField(trial.item()), nameOf(trial.view),
-                        optionalText(trial.moving), optionalText(trial.exposureSeconds), optionalText(trial.objects),
-                        optionalText(trial.duplicateColors), csvField(trial.answer), csvField(trial.expected),
-                        optionalText(trial.correct), optionalText(trial.censored), optionalText(trial.responseSeconds),
-                        trial.droppedFrames, trial.simulated ? 1 : 0);
+    text += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", trial.source, trial.trialId,
+        csvField(trial.subject), trial.session, trial.planIndex, csvField(trial.block), csvField(trial.task),
+        trial.caseIndex, csvField(trial.item()), data.conditions.nameOf(trial.view), optionalText(trial.moving),
+        optionalText(trial.exposureSeconds), optionalText(trial.objects), optionalText(trial.duplicateColors),
+        csvField(trial.answer), csvField(trial.expected), optionalText(trial.correct), optionalText(trial.censored),
+        optionalText(trial.responseSeconds), trial.droppedFrames, trial.simulated ? 1 : 0);
   }
   return text;
 }
@@ -111,7 +115,7 @@ std::string answersCsv(const Dataset& data) {
                         csvField(answer.subject), answer.session, csvField(answer.form), csvField(answer.field),
                         csvField(answer.answer), csvField(item.question), place ? std::to_string(*place) : "",
                         item.isScale() ? std::to_string(item.steps()) : "",
-                        item.lastFavors ? nameOf(*item.lastFavors) : "");
+                        item.lastFavors ? data.conditions.nameOf(*item.lastFavors) : "");
   }
   return text;
 }
@@ -130,6 +134,7 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   for (const DataSource& source : analysis.data.sources) {
     document.origins.sources.push_back(source.path);
   }
+  document.origins.conditions = analysis.data.conditions;
   ReportWork work{analysis, document, options.only};
   if (simulated) {
     document.add(

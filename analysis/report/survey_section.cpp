@@ -100,7 +100,7 @@ void addFigures(ReportWork& work, const std::vector<ItemAnswers>& items) {
     plot.parted = scale.comparesViews();
     plot.lowest = scale.ends.size() == 2 ? scale.ends.front() : "";
     plot.highest = scale.ends.size() == 2 ? scale.ends.back() : "";
-    plot.lastIsGraph = scale.lastFavors == TrialView::kGraph;
+    plot.lastIsOther = scale.lastFavors == TrialView::kOther;
     plot.steps.clear();
     for (int place = 1; place <= scale.steps(); ++place) {
       const std::string& option = scale.options[static_cast<size_t>(place - 1)];
@@ -184,21 +184,21 @@ void addDescriptions(ReportWork& work, const std::vector<ItemAnswers>& items) {
 
 /// What a question that compares the views says of them.
 struct PreferenceTest {
-  Estimable<Estimate> shift;  ///< towards the graph camera, in steps
+  Estimable<Estimate> shift;  ///< towards the other condition, in steps
   std::string measure;
 };
 
 PreferenceTest testPreference(const ItemAnswers& each) {
   const FormItem& item = each.item;
   std::vector<int> places = placesOf(each);
-  if (item.lastFavors == TrialView::kPinhole) {
+  if (item.lastFavors == TrialView::kReference) {
     for (int& place : places) {
       place = item.steps() + 1 - place;
     }
   }
   const Estimable<MiddleTest> test = testAgainstMiddle(places, item.steps());
   return {test ? Estimable<Estimate>(test->signedRank.center) : Estimable<Estimate>::impossible(test.reason()),
-          fmt::format("\"{}\": steps from the middle of {} towards gc", item.label(), item.steps())};
+          fmt::format("\"{}\": steps from the middle of {} towards @other@", item.label(), item.steps())};
 }
 
 /// The model of the survey is one test: the smallest p value, corrected for the number of questions.
@@ -247,7 +247,7 @@ void addPreferences(ReportWork& work, const std::vector<ItemAnswers>& items) {
   }
   if (!rows.empty()) {
     addEstimates(work.document,
-                 "Which view the answers speak for: steps from the middle of each scale, above 0 towards gc "
+                 "Which view the answers speak for: steps from the middle of each scale, above 0 towards @other@ "
                  "(Hodges-Lehmann center, Wilcoxon's signed ranks)",
                  kSurveyTestsTable, rows);
   }

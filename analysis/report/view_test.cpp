@@ -34,10 +34,9 @@ ViewTest testOfView(const AnalysisData& analysis, const PlannedModel& model) {
   } else {
     fit = fitBinomial(model, completeTrials(model, answeredTrials(analysis, model.task)));
   }
-  if (!fit) {
-    return {Estimable<Estimate>::impossible(fit.reason())};
-  }
-  return {viewLogarithm(*fit), !fit->warnings.empty()};
+  const Estimable<Estimate> view = fit ? viewLogarithm(*fit) : Estimable<Estimate>::impossible(fit.reason());
+  return {view ? view : Estimable<Estimate>::impossible(withViewNames(view.reason(), analysis.data.conditions)),
+          fit && !fit->warnings.empty()};
 }
 
 const PlannedEquivalence* equivalenceBoundsOf(const AnalysisPlan& plan, const std::string& task) {

@@ -15,7 +15,7 @@ namespace ocelli {
 const PlannedModel* viewModelOf(const AnalysisPlan& plan, const std::string& task);
 
 struct ViewTest {
-  Estimable<Estimate> view;  ///< gc less ppc, in log seconds or logits
+  Estimable<Estimate> view;  ///< other less reference, in log seconds or logits
   bool warned = false;       ///< the fit is singular, did not converge, or lacks a column
 };
 

@@ -36,7 +36,7 @@ TEST(ObservedWalks, areAsLongAsTheStudyCounts) {
       EXPECT_NEAR(*search.travelSeconds + *search.detectionSeconds, *trial.responseSeconds, 1e-9);
     }
     // With the pinhole what was clicked on was in sight.
-    const bool foundByPinhole = trial.view == TrialView::kPinhole && !*trial.censored && !*trial.moving;
+    const bool foundByPinhole = trial.view == TrialView::kReference && !*trial.censored && !*trial.moving;
     EXPECT_TRUE(!foundByPinhole || search.travelSeconds) << trial.trialId;
     if (search.detour) {
       EXPECT_GT(*search.detour, 0.8) << trial.trialId;

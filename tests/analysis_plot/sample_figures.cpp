@@ -150,7 +150,7 @@ RatingPlot sampleFourSteps() {
   plot.steps = {"1", "2", "3", "4"};
   plot.lowest = "surely the bent view";
   plot.highest = "surely the plain view";
-  plot.lastIsGraph = false;
+  plot.lastIsOther = false;
   plot.questions = {{"Next time", {18, 12, 9, 6}, 2.07}};
   return plot;
 }

@@ -213,7 +213,7 @@ class Maker {
     trial.task = kBlocks[block].task;
     trial.caseIndex = caseIndex;
     trial.caseLabel = fmt::format("location {}", caseIndex + 1);
-    trial.view = graph ? TrialView::kGraph : TrialView::kPinhole;
+    trial.view = graph ? TrialView::kOther : TrialView::kReference;
     trial.subjectKind = "person";
     trial.moving = kBlocks[block].moving;
     trial.frames = 100;

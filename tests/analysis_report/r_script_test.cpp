@@ -89,7 +89,7 @@ class DrawnStudy {
     trial.block = task;
     trial.caseIndex = caseIndex;
     trial.caseLabel = fmt::format("case {}", caseIndex);
-    trial.view = view < 0 ? TrialView::kPinhole : TrialView::kGraph;
+    trial.view = view < 0 ? TrialView::kReference : TrialView::kOther;
     return trial;
   }
   bool rightWith(double logit) { return random_.uniform() < 1 / (1 + std::exp(-logit)); }

@@ -8,6 +8,11 @@
 namespace ocelli::test {
 namespace {
 
+/// Sections write marks where a study has the names of its view conditions.
+std::string named(const std::string& text) {
+  return withViewNames(text, defaultConditions());
+}
+
 const ReportCell* findCellOf(const ReportDocument& document, const std::string& table, const std::string& row,
                              const std::string& column) {
   for (const std::vector<ReportElement>* part : {&document.elements, &document.supplement}) {
@@ -17,9 +22,11 @@ const ReportCell* findCellOf(const ReportDocument& document, const std::string& 
         continue;
       }
       for (const std::vector<ReportCell>& cells : found->rows) {
-        for (size_t i = 0; i < cells.size() && (cells.front().text == row || cells.front().shortName == row); ++i) {
+        for (size_t i = 0; i < cells.size() && (named(cells.front().text) == row || cells.front().shortName == row);
+             ++i) {
           const ReportColumn& head = found->columns[i];
-          if (column == (head.group.empty() ? head.title : fmt::format("{} {}", head.group, head.title))) {
+          const std::string title = head.group.empty() ? head.title : fmt::format("{} {}", head.group, head.title);
+          if (column == named(title)) {
             return &cells[i];
           }
         }
@@ -97,7 +104,7 @@ std::vector<std::string> reasonsOf(const ReportDocument& document) {
   for (const ReportElement& element : document.elements) {
     const auto* note = std::get_if<ReportNote>(&element);
     if (note != nullptr && note->kind == NoteKind::kNotEstimable) {
-      reasons.push_back(note->text);
+      reasons.push_back(named(note->text));
     }
   }
   return reasons;

@@ -122,7 +122,7 @@ TEST_F(StudyReport, effectsHaveTheirDirections) {
 
 TEST_F(StudyReport, intervalsOfMediansTakeSubjectsAndCasesAsClusters) {
   const nlohmann::json report = reportOfMade({});
-  const TrialList seen = trialsOfView(trialsOfTask(analysis_, "find"), TrialView::kPinhole);
+  const TrialList seen = trialsOfView(trialsOfTask(analysis_, "find"), TrialView::kReference);
   const std::vector<SurvivalTime> times = timesOf(seen, TimeoutTreatment::kCensored);
   const auto textOf = [](const SurvivalCurve& curve) {
     const Estimate median = *medianTime(curve);
