@@ -6,9 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/base/analysis_error.h"
+#include "analysis/dataset/protocol_facts.h"
 #include "analysis/report/power_report.h"
 #include "analysis/report/report_files.h"
 #include "analysis/report/report_parts.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/view_test.h"
 #include "cli/command.h"
 #include "cli/power_simulation.h"
@@ -126,7 +128,7 @@ std::string tableText(const PowerStudy& study) {
   for (const PowerCurve& curve : study.curves) {
     const bool isPower = curve.question == PowerCurve::Question::kPower;
     const char* estimate = curve.test != PowerCurve::Test::kView ? "difference"
-                           : study.task == "find"                ? "time ratio"
+                           : isOfTimes(study)                    ? "time ratio"
                                                                  : "odds ratio";
     text += fmt::format("\n{}\n{:>8}  {:>8}  {:>8}  {:>15}  {:>10}  {:>9}  {:>8}\n", nameOf(curve), "subjects",
                         "analysed", isPower ? "power" : "errors", "95 % interval", estimate, "no result", "warnings");
@@ -185,7 +187,9 @@ std::vector<Truth> truthsOf(const PowerChoice& choice, const Protocol& protocol,
 
 void power(const PowerChoice& choice, const CommandContext& context) {
   const Protocol protocol = readProtocol(choice.protocol);
-  const AnalysisPlan plan = choice.plan.empty() ? defaultPlan() : readPlan(choice.plan);
+  const ProtocolFacts facts = protocolFacts(protocol.text, choice.protocol);
+  const AnalysisPlan plan =
+      choice.plan.empty() ? defaultPlan(facts.conditions) : readPlan(choice.plan, plannableTasks(tasksOf(facts)));
   const double alpha = choice.alpha.value_or(plan.alpha);
   check(choice, alpha);
   const std::string& task = choice.supposed.task;
@@ -211,6 +215,7 @@ void power(const PowerChoice& choice, const CommandContext& context) {
   study.protocolName = protocol.name;
   study.protocolSha256 = protocol.sha256;
   study.task = task;
+  study.conditions = facts.conditions;
   study.plan = plan;
   study.model = model->name;
   study.bounds = bounds == nullptr ? std::nullopt : std::optional(*bounds);

@@ -182,6 +182,16 @@ const ProtocolMaze* ProtocolFacts::findMaze(const std::string& maze) const {
   return found == mazes.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> tasksOf(const ProtocolFacts& facts) {
+  std::vector<std::string> tasks;
+  for (const ProtocolBlockFacts& block : facts.blocks) {
+    if (std::find(tasks.begin(), tasks.end(), block.task) == tasks.end()) {
+      tasks.push_back(block.task);
+    }
+  }
+  return tasks;
+}
+
 ProtocolFacts protocolFacts(const std::string& text, const std::string& where) {
   const JsonText json(text, where, "protocols/protocol.schema.json");
   JsonObject fields(json, json.root(), "");

@@ -67,6 +67,9 @@ struct ProtocolFacts {
   const ProtocolMaze* findMaze(const std::string& maze) const;
 };
 
+/// Of its blocks, each once.
+std::vector<std::string> tasksOf(const ProtocolFacts& facts);
+
 /// Throws AnalysisError that names `where` and the line.
 ProtocolFacts protocolFacts(const std::string& text, const std::string& where);
 

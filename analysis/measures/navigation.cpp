@@ -54,9 +54,9 @@ class Navigation {
     }
   }
 
-  NavigationData all() {
+  NavigationData all(const std::string& task) {
     for (size_t i = 0; i < data_.trials.size(); ++i) {
-      if (data_.trials[i].task == "find") {
+      if (data_.trials[i].task == task) {
         add(i);
       }
     }
@@ -186,8 +186,8 @@ void Navigation::addHeat(const Trial& trial, const std::string& maze, const Maze
 
 }  // namespace
 
-NavigationData navigationOf(const Dataset& data) {
-  return Navigation(data).all();
+NavigationData navigationOf(const Dataset& data, const std::string& task) {
+  return Navigation(data).all(task);
 }
 
 }  // namespace ocelli

@@ -48,7 +48,7 @@ struct NavigationData {
   std::vector<std::string> notes;     ///< whole sentences
 };
 
-/// Of all trials of the task "find". Reads the logs trial by trial. Throws AnalysisError.
-NavigationData navigationOf(const Dataset& data);
+/// Of all trials of a task that is a search. Reads the logs trial by trial. Throws AnalysisError.
+NavigationData navigationOf(const Dataset& data, const std::string& task);
 
 }  // namespace ocelli

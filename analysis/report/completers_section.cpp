@@ -130,8 +130,7 @@ SubjectNumbers viewEffects(const TrialValues& values) {
 
 /// What a task has to compare.
 struct Measured {
-  std::string id;
-  std::string title;  ///< "Finding"
+  const ReportTask& task;
   TrialList trials;
   TrialValues logTimes{};  ///< of searches
   TrialValues right{};
@@ -139,18 +138,14 @@ struct Measured {
   bool isEmpty() const { return logTimes.empty() && right.empty(); }
 };
 
-Measured measuredOf(const Groups& groups, const std::string& task, TimeoutTreatment timeouts) {
-  Measured measured{task,
-                    task == "find"    ? "Finding"
-                    : task == "count" ? "Counting"
-                                      : "Recognising paths",
-                    groups.firstSessions(task)};
+Measured measuredOf(const Groups& groups, const ReportTask& task, TimeoutTreatment timeouts) {
+  Measured measured{task, groups.firstSessions(task.name)};
   for (const Trial* trial : measured.trials) {
     if (trial->correct) {
       measured.right.push_back({trial, *trial->correct ? 1.0 : 0.0});
     }
     const bool removed = timeouts == TimeoutTreatment::kRemoved && isCensored(trial);
-    if (task == "find" && trial->responseSeconds && *trial->responseSeconds > 0 && !removed) {
+    if (task.isTimed && trial->responseSeconds && *trial->responseSeconds > 0 && !removed) {
       measured.logTimes.push_back({trial, std::log(*trial->responseSeconds)});
     }
   }
@@ -165,8 +160,8 @@ void addFigure(ReportWork& work, const Groups& groups, const std::vector<Measure
     const bool times = !measured.logTimes.empty();
     const TrialValues& values = times ? measured.logTimes : measured.right;
     GroupPlot plot;
-    plot.title = measured.title;
-    plot.valueLabel = times ? "Time to find (s)" : "Share of right answers";
+    plot.title = measured.task.title;
+    plot.valueLabel = times ? measured.task.timeName : std::string("Share of right answers");
     plot.summaryName = "mean of subjects (geometric of times), 95 % interval";
     plot.scale = times ? AxisScale::kLog : AxisScale::kLinear;
     plot.percent = !times;
@@ -193,8 +188,8 @@ void addTable(ReportWork& work, const Groups& groups, const Measured& measured) 
   ComparisonTable table;
   table.caption =
       fmt::format("{} in the first session: means over subjects' means, with 95 % intervals; subjects of either group",
-                  measured.title);
-  table.id = fmt::format("completers-{}", measured.id);
+                  measured.task.title);
+  table.id = fmt::format("completers-{}", measured.task.name);
   table.first = "Completed";
   table.second = "Did not";
   table.difference = "Did not, against completed";
@@ -217,15 +212,15 @@ void addTable(ReportWork& work, const Groups& groups, const Measured& measured) 
         measured.logTimes, ValueScale::kLogarithm, "mean logarithms");
   }
   if (!measured.right.empty()) {
-    add(measured.id == "find" ? "Share found" : "Share of right answers",
-        "Effect of the view on it, @other@ less @reference@", measured.right, ValueScale::kShare, "shares");
+    add(measured.task.rightName, "Effect of the view on it, @other@ less @reference@", measured.right,
+        ValueScale::kShare, "shares");
   }
   addComparison(work.document, table);
 }
 
 }  // namespace
 
-void addCompletersSection(ReportWork& work, const std::vector<std::string>& tasks) {
+void addCompletersSection(ReportWork& work, const std::vector<ReportTask>& tasks) {
   addHeading(work.document, 1, "Those who completed all sessions, and those who did not", "completers");
   const char* what = "Comparison of completers and drop-outs";
   const std::optional<int> planned = plannedSessions(work.analysis.data);
@@ -257,10 +252,11 @@ void addCompletersSection(ReportWork& work, const std::vector<std::string>& task
       "plan excludes are in neither group. Intervals are for other subjects with the same cases.",
       groups.stayed(), groups.stayed() + groups.left(), *planned, groups.left(), groups.leftAfter())});
   std::vector<Measured> all;
-  for (const std::string& task : tasks) {
-    Measured measured = measuredOf(groups, task, work.analysis.plan.findTimeouts);
+  for (const ReportTask& task : tasks) {
+    Measured measured = measuredOf(groups, task, task.timeouts(work.analysis.plan));
     if (measured.isEmpty()) {
-      addNotEstimable(work.document, fmt::format("{}, first session", measured.title), "there are no trials of it");
+      addNotEstimable(work.document, fmt::format("{}, first session", measured.task.title),
+                      "there are no trials of it");
     } else {
       all.push_back(std::move(measured));
     }
@@ -269,7 +265,7 @@ void addCompletersSection(ReportWork& work, const std::vector<std::string>& task
     addPart(work, "The figure of first sessions", [&] { addFigure(work, groups, all); });
   }
   for (const Measured& measured : all) {
-    addPart(work, fmt::format("{}, first session", measured.title), [&] { addTable(work, groups, measured); });
+    addPart(work, fmt::format("{}, first session", measured.task.title), [&] { addTable(work, groups, measured); });
   }
 }
 

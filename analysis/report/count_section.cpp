@@ -27,7 +27,7 @@ void addOutcome(ReportWork& work, const PlannedModel& model, const Estimable<Est
   }
 }
 
-void addMatched(ReportWork& work, const PlannedModel& model, const TrialList& trials) {
+void addMatched(ReportWork& work, const ReportTask& /*task*/, const PlannedModel& model, const TrialList& trials) {
   const PairedCounts counts = pairOutcomes(matchedScenes(trials));
   const Estimable<McNemarTest> test = mcNemarTest(counts);
   if (!test) {
@@ -57,7 +57,7 @@ void addMatched(ReportWork& work, const PlannedModel& model, const TrialList& tr
                                   counts.both, counts.onlyFirst, counts.onlySecond, counts.neither)});
 }
 
-void addErrors(ReportWork& work, const PlannedModel& model, const TrialList& trials) {
+void addErrors(ReportWork& work, const ReportTask& /*task*/, const PlannedModel& model, const TrialList& trials) {
   HistogramPlot plot;
   plot.title = "How far counts were off";
   plot.widthMillimetres = kDoubleColumnMillimetres;
@@ -91,12 +91,9 @@ void addErrors(ReportWork& work, const PlannedModel& model, const TrialList& tri
                 {"Hodges-Lehmann center, Wilcoxon", center, "", source, trials}});
 }
 
-}  // namespace
-
-void addCountSection(ReportWork& work) {
-  addHeading(work.document, 1, "Counting objects", "count");
-  TrialList trials = trialsOfTask(work.analysis, "count");
-  std::erase_if(trials, [](const Trial* trial) { return !trial->correct; });
+void addCountSection(ReportWork& work, const ReportTask& task) {
+  addHeading(work.document, 1, "Counting objects", task.name);
+  const TrialList trials = answeredTrials(trialsOfTask(work.analysis, task.name));
   if (trials.empty()) {
     addNotEstimable(work.document, "Counts", "there are no trials of this task");
     return;
@@ -105,31 +102,38 @@ void addCountSection(ReportWork& work) {
           [&] { addRightAnswers(work, trials, "Counts", "count-shares", std::nullopt); });
   addPart(work, "Counts by duration and duplicates", [&] { addCountConditions(work, trials); });
   addHeading(work.document, 2, "Models and tests", "count-models");
-  for (const PlannedModel& model : work.analysis.plan.models) {
-    if (model.task != "count") {
-      continue;
-    }
-    addPart(work, wordsOf(model), [&] {
-      if (model.kind == ModelKind::kBinomialMixed) {
-        addRightModel(
-            work, model, trials,
-            "Binomial mixed model of right counts: odds ratios, variances by restricted likelihood, intervals "
-            "and tests by Satterthwaite's degrees of freedom");
-      } else if (model.kind == ModelKind::kMcNemar) {
-        addMatched(work, model, trials);
-      } else if (model.kind == ModelKind::kSignedError) {
-        addErrors(work, model, trials);
-      } else {
-        addNotEstimable(work.document, wordsOf(model), fmt::format("{} is not done for counts", nameOf(model.kind)));
-      }
-    });
-  }
+  addTaskModels(work, task, trials);
   work.methods.push_back(
       "Right counts were compared by a binomial mixed model with random effects of subjects and cases (variances by "
       "restricted likelihood, Laplace's approximation; Satterthwaite's degrees of freedom) and, on scenes that differ "
       "in "
       "the view alone, by the difference of shares with errors robust to clusters of subjects and of scenes (Cameron, "
       "Gelbach and Miller 2011), beside McNemar's exact test.");
+}
+
+}  // namespace
+
+ReportTask countTask() {
+  ReportTask task;
+  task.name = "count";
+  task.title = "Counting";
+  task.trialsName = "counts";
+  task.timesOutcome = task.rightOutcome = "right counts";
+  task.parts = {{"Counting objects", "counts", 0.5, addCountSection}};
+  task.modelKinds = {{ModelKind::kBinomialMixed, addRightModel},
+                     {ModelKind::kMcNemar, addMatched},
+                     {ModelKind::kSignedError, addErrors}};
+  task.models = {{"count-right",
+                  "count",
+                  ModelKind::kBinomialMixed,
+                  {"view", "exposure", "duplicates", "session", "moving"},
+                  {{"subject", {"view"}}, {"case", {"view"}}}},
+                 {"count-matched", "count", ModelKind::kMcNemar},
+                 {"count-error", "count", ModelKind::kSignedError}};
+  task.hypotheses = {{{"count-better", "Counts are right more or less often with the @other@ than with @reference@s",
+                       "count-right", "view"},
+                      true}};
+  return task;
 }
 
 }  // namespace ocelli

@@ -10,12 +10,13 @@
 #include "analysis/inference/restricted_mean_bootstrap.h"
 #include "analysis/plot/group_plot.h"
 #include "analysis/plot/survival_plot.h"
-#include "analysis/report/find_model.h"
+#include "analysis/report/navigation_section.h"
 #include "analysis/report/part_guard.h"
 #include "analysis/report/planned_model.h"
 #include "analysis/report/resampled_effects.h"
 #include "analysis/report/search_times.h"
 #include "analysis/report/sensitivity.h"
+#include "analysis/report/time_model.h"
 
 namespace ocelli {
 namespace {
@@ -166,7 +167,8 @@ void addSurvivalSensitivity(ReportWork& work, const PlannedModel& model, const T
 }
 
 /// Cox or log-normal: as a table of ratios.
-void addSurvivalModel(ReportWork& work, const PlannedModel& model, const TrialList& all, TimeoutTreatment timeouts) {
+void addSurvivalModel(ReportWork& work, const ReportTask& task, const PlannedModel& model, const TrialList& all) {
+  const TimeoutTreatment timeouts = task.timeouts(work.analysis.plan);
   const TrialList complete = completeTrials(model, all);
   const TrialList trials = timeouts == TimeoutTreatment::kRemoved ? withoutTimeouts(complete) : complete;
   const std::string source = fmt::format("model {} of {}", model.name, sizeText(trials));
@@ -198,6 +200,11 @@ void addSurvivalModel(ReportWork& work, const PlannedModel& model, const TrialLi
                            namesCases(model) ? "subjects and cases" : "subjects"),
                model.name, rows);
   addSurvivalSensitivity(work, model, complete, timeouts);
+}
+
+void addKaplanMeier(ReportWork& work, const ReportTask& task, const PlannedModel& /*model*/, const TrialList& trials) {
+  const TimeoutTreatment timeouts = task.timeouts(work.analysis.plan);
+  addSurvival(work, timeouts == TimeoutTreatment::kRemoved ? withoutTimeouts(trials) : trials, timeouts);
 }
 
 void addCases(ReportWork& work, const TrialList& trials) {
@@ -236,43 +243,61 @@ void addCases(ReportWork& work, const TrialList& trials) {
   }
 }
 
-}  // namespace
-
-void addFindSection(ReportWork& work) {
-  addHeading(work.document, 1, "Finding objects", "find");
-  TrialList trials = trialsOfTask(work.analysis, "find");
+void addFindSection(ReportWork& work, const ReportTask& task) {
+  addHeading(work.document, 1, "Finding objects", task.name);
+  TrialList trials = trialsOfTask(work.analysis, task.name);
   std::erase_if(trials, [](const Trial* trial) { return !trial->responseSeconds; });
   if (trials.empty()) {
     addNotEstimable(work.document, "Searches", "there are no trials of this task");
     return;
   }
-  const TimeoutTreatment timeouts = work.analysis.plan.findTimeouts;
-  const TrialList kept = timeouts == TimeoutTreatment::kRemoved ? withoutTimeouts(trials) : trials;
-  work.document.add(ReportParagraph{fmt::format(
-      "{}, of which {} ended by the limit. Time-outs are treated as {} says: {}.", sizeText(trials),
-      std::count_if(trials.begin(), trials.end(), isCensored), planName(work.analysis.plan), nameOf(timeouts))});
-  for (const PlannedModel& model : work.analysis.plan.models) {
-    if (model.task != "find") {
-      continue;
-    }
-    addPart(work, wordsOf(model), [&] {
-      if (model.kind == ModelKind::kKaplanMeier) {
-        addSurvival(work, kept, timeouts);
-      } else if (model.kind == ModelKind::kCox || model.kind == ModelKind::kLogNormalSurvival) {
-        addSurvivalModel(work, model, trials, timeouts);
-      } else if (model.kind == ModelKind::kLinearMixed || model.kind == ModelKind::kLogNormalMixed) {
-        addFindModel(work, model, trials, timeouts);
-      } else {
-        addNotEstimable(work.document, wordsOf(model), fmt::format("{} is not done for searches", nameOf(model.kind)));
-      }
-    });
-  }
+  work.document.add(
+      ReportParagraph{fmt::format("{}, of which {} ended by the limit. Time-outs are treated as {} says: {}.",
+                                  sizeText(trials), std::count_if(trials.begin(), trials.end(), isCensored),
+                                  planName(work.analysis.plan), nameOf(task.timeouts(work.analysis.plan)))});
+  addTaskModels(work, task, trials);
   addPart(work, "Times of each case", [&] { addCases(work, trials); });
   work.methods.push_back(
       "Beside them stand Kaplan-Meier curves and restricted means, with errors of the infinitesimal jackknife by "
       "clusters "
       "of subjects and of cases (Cameron, Gelbach and Miller 2011), and regressions of survival, with jackknife errors "
       "by the same clusters (Lipsitz, Dear and Zhao 1994) and Student's t.");
+}
+
+}  // namespace
+
+ReportTask findTask() {
+  const std::vector<std::string> terms{"view", "session", "moving"};
+  const std::vector<RandomEffect> clusters{{"subject"}, {"case"}};
+  ReportTask task;
+  task.name = "find";
+  task.title = "Finding";
+  task.trialsName = "searches";
+  task.timesOutcome = task.rightOutcome = "times to find";
+  task.timeName = "Time to find (s)";
+  task.rightName = "Share found";
+  task.isTimed = true;
+  task.parts = {{"Finding objects", "searches", 0, addFindSection},
+                {"Navigation", "navigation", 0.4, addNavigationSection}};
+  task.modelKinds = {{ModelKind::kLogNormalMixed, addTimeModel},
+                     {ModelKind::kLinearMixed, addTimeModel},
+                     {ModelKind::kKaplanMeier, addKaplanMeier},
+                     {ModelKind::kCox, addSurvivalModel},
+                     {ModelKind::kLogNormalSurvival, addSurvivalModel}};
+  task.models = {{"find-time",
+                  "find",
+                  ModelKind::kLogNormalMixed,
+                  {"view", "session", "moving", "view:session", "view:moving"},
+                  {{"subject", {"view"}}, {"case", {"view"}}}},
+                 {"find-survival", "find", ModelKind::kKaplanMeier},
+                 {"find-hazard", "find", ModelKind::kCox, terms, clusters},
+                 {"find-log-normal", "find", ModelKind::kLogNormalSurvival, terms, clusters}};
+  task.hypotheses = {
+      {{"find-faster", "Objects are found in another time with the @other@ than with the @reference@", "find-time",
+        "view"},
+       true},
+      {{"find-learning", "Sessions change the times of the two views differently", "find-time", "view:session"}}};
+  return task;
 }
 
 }  // namespace ocelli

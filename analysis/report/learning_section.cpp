@@ -45,11 +45,10 @@ struct Outcome {
   }
 };
 
-Outcome timesOf(const std::string& task, const TrialList& trials, const BlockHalves& blocks,
-                TimeoutTreatment timeouts) {
-  Outcome outcome{task == "find" ? "Time to find (s)" : "Time to answer (s)", "times", ValueScale::kLogarithm, &blocks};
+Outcome timesOf(const ReportTask& task, const TrialList& trials, const BlockHalves& blocks, TimeoutTreatment timeouts) {
+  Outcome outcome{task.timeName, "times", ValueScale::kLogarithm, &blocks};
   for (const Trial* trial : trials) {
-    const bool removed = task == "find" && timeouts == TimeoutTreatment::kRemoved && isCensored(trial);
+    const bool removed = timeouts == TimeoutTreatment::kRemoved && isCensored(trial);
     if (trial->responseSeconds && *trial->responseSeconds > 0 && !removed) {
       outcome.values.push_back({trial, std::log(*trial->responseSeconds)});
     }
@@ -57,8 +56,8 @@ Outcome timesOf(const std::string& task, const TrialList& trials, const BlockHal
   return outcome;
 }
 
-Outcome rightAnswersOf(const std::string& task, const TrialList& trials, const BlockHalves& blocks) {
-  Outcome outcome{task == "find" ? "Share found" : "Share of right answers", "right", ValueScale::kShare, &blocks};
+Outcome rightAnswersOf(const ReportTask& task, const TrialList& trials, const BlockHalves& blocks) {
+  Outcome outcome{task.rightName, "right", ValueScale::kShare, &blocks};
   for (const Trial* trial : trials) {
     if (trial->correct) {
       outcome.values.push_back({trial, *trial->correct ? 1.0 : 0.0});
@@ -166,10 +165,10 @@ void addTrends(ReportWork& work, const std::string& id, const Outcome& outcome) 
                id, rows);
 }
 
-void addTask(ReportWork& work, const std::string& task) {
-  const std::string title = task == "find" ? "Finding" : task == "count" ? "Counting" : "Recognising paths";
-  addHeading(work.document, 2, title, fmt::format("learning-{}", task));
-  const TrialList trials = trialsOfTask(work.analysis, task);
+void addTask(ReportWork& work, const ReportTask& task) {
+  const std::string& title = task.title;
+  addHeading(work.document, 2, title, fmt::format("learning-{}", task.name));
+  const TrialList trials = trialsOfTask(work.analysis, task.name);
   if (trials.empty()) {
     addNotEstimable(work.document, title, "there are no trials of this task");
     return;
@@ -177,7 +176,7 @@ void addTask(ReportWork& work, const std::string& task) {
   const BlockHalves blocks(trials);
   std::vector<Outcome> outcomes;
   for (const Outcome& outcome :
-       {timesOf(task, trials, blocks, work.analysis.plan.findTimeouts), rightAnswersOf(task, trials, blocks)}) {
+       {timesOf(task, trials, blocks, task.timeouts(work.analysis.plan)), rightAnswersOf(task, trials, blocks)}) {
     if (outcome.values.empty()) {
       addNotEstimable(work.document, outcome.name, "no trial has a value");
     } else {
@@ -187,11 +186,11 @@ void addTask(ReportWork& work, const std::string& task) {
   if (outcomes.empty()) {
     return;
   }
-  addPart(work, fmt::format("The figure of {}", title), [&] { addFigure(work, task, title, outcomes); });
+  addPart(work, fmt::format("The figure of {}", title), [&] { addFigure(work, task.name, title, outcomes); });
   for (const Outcome& outcome : outcomes) {
     addPart(work, outcome.name, [&] {
-      addMeans(work, fmt::format("learning-{}-{}", task, outcome.id), outcome);
-      addTrends(work, fmt::format("learning-{}-{}-trends", task, outcome.id), outcome);
+      addMeans(work, fmt::format("learning-{}-{}", task.name, outcome.id), outcome);
+      addTrends(work, fmt::format("learning-{}-{}-trends", task.name, outcome.id), outcome);
     });
   }
   if (blocks.isEmpty()) {
@@ -201,7 +200,7 @@ void addTask(ReportWork& work, const std::string& task) {
 
 }  // namespace
 
-void addLearningSection(ReportWork& work, const std::vector<std::string>& tasks) {
+void addLearningSection(ReportWork& work, const std::vector<ReportTask>& tasks) {
   addHeading(work.document, 1, "Learning", "learning");
   const bool removed = work.analysis.plan.findTimeouts == TimeoutTreatment::kRemoved;
   work.document.add(ReportParagraph{fmt::format(
@@ -215,7 +214,7 @@ void addLearningSection(ReportWork& work, const std::vector<std::string>& tasks)
       removed ? "Searches whose time ran out are removed from the times."
               : "Searches whose time ran out count with the limit in the times, which makes their geometric means too "
                 "short where there are many.")});
-  for (const std::string& task : tasks) {
+  for (const ReportTask& task : tasks) {
     addTask(work, task);
   }
   work.methods.push_back(

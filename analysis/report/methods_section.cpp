@@ -10,8 +10,8 @@
 #include <iterator>
 
 #include "analysis/inference/holm.h"
-#include "analysis/report/path_section.h"
 #include "analysis/report/planned_model.h"
+#include "analysis/report/share_models.h"
 #include "analysis/report/survey_section.h"
 
 namespace ocelli {

@@ -52,10 +52,11 @@ void addFigure(ReportWork& work, const std::vector<NavigationGroup>& groups) {
 }
 
 /// Where the objects of the blocks with that maze are, or set out from.
-std::vector<HeatMap::Mark> objectMarks(const ProtocolFacts& facts, const ProtocolMaze& maze, bool moving) {
+std::vector<HeatMap::Mark> objectMarks(const ProtocolFacts& facts, const std::string& task, const ProtocolMaze& maze,
+                                       bool moving) {
   std::vector<HeatMap::Mark> marks;
   for (const ProtocolBlockFacts& block : facts.blocks) {
-    if (block.task == "find" && block.maze == maze.name && block.moving == moving) {
+    if (block.task == task && block.maze == maze.name && block.moving == moving) {
       for (size_t i = 0; i < block.cases.size(); ++i) {
         const ProtocolCase& place = block.cases[i];
         if (place.row && place.column) {
@@ -85,7 +86,7 @@ HeatMap::Map mapOfView(const ReportWork& work, const MazeHeatMap& map, double ce
 }
 
 /// Maps of the same maze and kind of object follow each other.
-void addHeatMaps(ReportWork& work, const std::vector<MazeHeatMap>& maps) {
+void addHeatMaps(ReportWork& work, const ReportTask& task, const std::vector<MazeHeatMap>& maps) {
   for (size_t first = 0; first < maps.size();) {
     const MazeHeatMap& map = maps[first];
     const DataSource& source = work.analysis.data.sources[static_cast<size_t>(map.source)];
@@ -104,7 +105,7 @@ void addHeatMaps(ReportWork& work, const std::vector<MazeHeatMap>& maps) {
            maps[last].source == map.source;
          ++last) {
       heat.maps.push_back(mapOfView(work, maps[last], maze.cellSize));
-      heat.maps.back().marks = objectMarks(facts, maze, map.moving);
+      heat.maps.back().marks = objectMarks(facts, task.name, maze, map.moving);
       outside += maps[last].secondsOutside;
     }
     const std::string id = fmt::format("figure-heat-{}-{}{}", map.maze, map.moving ? "moving" : "stationary",
@@ -126,9 +127,9 @@ void addHeatMaps(ReportWork& work, const std::vector<MazeHeatMap>& maps) {
 
 }  // namespace
 
-void addNavigationSection(ReportWork& work) {
+void addNavigationSection(ReportWork& work, const ReportTask& task) {
   addHeading(work.document, 1, "Navigation", "navigation");
-  const NavigationData navigation = navigationOf(work.analysis.data);
+  const NavigationData navigation = navigationOf(work.analysis.data, task.name);
   if (navigation.searches.empty()) {
     addNotEstimable(work.document, "Ways, sight and turns",
                     navigation.searchesWithoutLog == 0
@@ -158,7 +159,7 @@ void addNavigationSection(ReportWork& work) {
     addPart(work, fmt::format("Searches for {} objects", group.moving ? "moving" : "stationary"),
             [&] { addNavigationTables(work, group); });
   }
-  addPart(work, "Where subjects were", [&] { addHeatMaps(work, navigation.heatMaps); });
+  addPart(work, "Where subjects were", [&] { addHeatMaps(work, task, navigation.heatMaps); });
   work.methods.push_back(
       "Ways, turns and times in sight were taken from the log of where subjects stood; views were compared by the mean "
       "differences of subjects, with Student's intervals.");

@@ -24,7 +24,7 @@ std::string shortName(const PowerCurve& curve) {
 }
 
 std::string estimateName(const PowerStudy& study, const PowerCurve& curve) {
-  return !isView(curve) ? "difference of shares" : study.task == "find" ? "ratio of times" : "odds ratio";
+  return !isView(curve) ? "difference of shares" : isOfTimes(study) ? "ratio of times" : "odds ratio";
 }
 
 void addCurve(ReportDocument& document, const PowerStudy& study, const PowerCurve& curve, size_t number) {

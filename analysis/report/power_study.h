@@ -35,7 +35,7 @@ struct PowerCurve {
   };
   Question question = Question::kPower;
   Test test = Test::kView;
-  std::string truth;     ///< "other takes 0.8 of the time"
+  std::string truth;     ///< "bent takes 0.8 of the time"
   double trueValue = 0;  ///< what `estimate` should be: a ratio or a difference
   std::vector<PowerSize> sizes;
 };
@@ -60,7 +60,10 @@ struct PowerStudy {
 
 std::vector<PowerPoint> pointsOf(const PowerCurve& curve);
 
-/// "other takes 0.8 of the time, test of the view".
+/// Whether the model of the study is one of times, or else of right answers.
+bool isOfTimes(const PowerStudy& study);
+
+/// "bent takes 0.8 of the time, test of the view".
 std::string nameOf(const PowerCurve& curve);
 
 /// The answer in a sentence: how many subjects reach the power, or how often studies find what is not there.

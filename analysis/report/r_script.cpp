@@ -11,6 +11,7 @@
 #include "analysis/report/planned_model.h"
 #include "analysis/report/r_functions.h"
 #include "analysis/report/report_parts.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/search_times.h"
 
 namespace ocelli {
@@ -89,11 +90,24 @@ std::string callOf(const AnalysisData& analysis, const PlannedModel& model) {
     case ModelKind::kBayesFactor:
       return fmt::format("bayes_model({}, {})", name, trials);
     case ModelKind::kAgainstChance:
-      return fmt::format("chance_model({}, {}, {})", name, trials, pathChance(analysis.data));
+      return fmt::format("chance_model({}, {}, {})", name, trials, chanceOf(analysis.data, model.task));
     case ModelKind::kOrdinal:
       return fmt::format("ordinal_model({}, answers)", name);
   }
   return "";
+}
+
+/// Those of the plan, and what the report does for tasks that it does not name.
+std::vector<PlannedModel> modelsOf(const AnalysisData& analysis) {
+  std::vector<PlannedModel> models = analysis.plan.models;
+  for (const ReportTask& task : reportTasksOf(analysis.data)) {
+    for (const PlannedModel& model : modelsOfTask(analysis.plan, task)) {
+      if (analysis.plan.findModel(model.name) == nullptr) {
+        models.push_back(model);
+      }
+    }
+  }
+  return models;
 }
 
 std::string familyOf(const AnalysisPlan& plan, const HypothesisFamily& family, const std::set<std::string>& only) {
@@ -126,7 +140,7 @@ std::string rScript(const AnalysisData& analysis, const std::set<std::string>& o
   text += fmt::format("\ncat({}, \"\\n\", {}, \"\\n\", {}, \"\\n\\n\", sep = \"\")\n", quoted("Ocelli " + version),
                       quoted(describe(analysis.plan)), quoted("SHA-256 of the data: " + analysis.dataSha256));
   text += "trials <- read(\"trials.csv\")\nanswers <- read(\"answers.csv\")\n\n";
-  for (const PlannedModel& model : analysis.plan.models) {
+  for (const PlannedModel& model : modelsOf(analysis)) {
     if (only.empty() || only.contains(model.task)) {
       text += callOf(analysis, model) + "\n";
     }

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <set>
 
+#include "analysis/report/report_task.h"
+
 namespace ocelli {
 namespace {
 
@@ -55,11 +57,9 @@ const char* wordsOf(ModelKind kind) {
 }  // namespace
 
 std::string wordsOf(const PlannedModel& model, bool startsSentence) {
-  const char* what = model.task == "find"    ? "times to find"
-                     : model.task == "count" ? "right counts"
-                     : model.task == "path"  ? "right paths"
-                                             : "the survey";
-  std::string words = fmt::format("{} of {} ({})", wordsOf(model.kind), what, model.name);
+  const ReportTask task = reportTask(model.task);
+  std::string words = fmt::format("{} of {} ({})", wordsOf(model.kind),
+                                  isOfTimes(model.kind) ? task.timesOutcome : task.rightOutcome, model.name);
   if (startsSentence) {
     words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
   }

@@ -12,6 +12,11 @@
 
 namespace ocelli {
 
+TrialList answeredTrials(TrialList trials) {
+  std::erase_if(trials, [](const Trial* trial) { return !trial->correct; });
+  return trials;
+}
+
 Share shareOf(const TrialList& trials) {
   Share share;
   for (const Trial* trial : trials) {

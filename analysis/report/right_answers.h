@@ -7,6 +7,8 @@
 
 namespace ocelli {
 
+/// Those that say whether their answer was right.
+TrialList answeredTrials(TrialList trials);
 Share shareOf(const TrialList& trials);
 
 /// Share of right answers of each subject who saw both views, other less reference.

@@ -10,6 +10,7 @@
 #include "analysis/report/planned_model.h"
 #include "analysis/report/resampled_caution.h"
 #include "analysis/report/resampled_effects.h"
+#include "analysis/report/right_answers.h"
 #include "analysis/report/sensitivity.h"
 
 namespace ocelli {
@@ -40,15 +41,18 @@ void addRightSensitivity(ReportWork& work, const PlannedModel& model, const Tria
 
 }  // namespace
 
-void addRightModel(ReportWork& work, const PlannedModel& model, const TrialList& all, const std::string& caption) {
-  const TrialList trials = completeTrials(model, all);
+void addRightModel(ReportWork& work, const ReportTask& task, const PlannedModel& model, const TrialList& all) {
+  const TrialList trials = completeTrials(model, answeredTrials(all));
   const auto part = [&](const char* what, const std::function<void()>& add) {
     addPart(work, fmt::format("Model {}, {}", model.name, what), add);
   };
   Estimable<PlannedFit> fit = Estimable<PlannedFit>::impossible("it was not fitted");
   part("fit", [&] {
     fit = fitBinomial(model, trials);
-    addPlannedFit(work, model, trials, fit, caption);
+    addPlannedFit(work, model, trials, fit,
+                  fmt::format("Binomial mixed model of {}: odds ratios, variances by restricted likelihood, intervals "
+                              "and tests by Satterthwaite's degrees of freedom",
+                              task.rightOutcome));
   });
   if (fit) {
     part("checks", [&] { addBinomialChecks(work, model, trials, *fit); });

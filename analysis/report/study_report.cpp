@@ -9,18 +9,14 @@
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/report/apparatus_section.h"
 #include "analysis/report/completers_section.h"
-#include "analysis/report/count_section.h"
-#include "analysis/report/find_section.h"
 #include "analysis/report/flow_section.h"
 #include "analysis/report/learning_section.h"
 #include "analysis/report/methods_section.h"
-#include "analysis/report/navigation_section.h"
 #include "analysis/report/paper_section.h"
 #include "analysis/report/part_guard.h"
-#include "analysis/report/path_section.h"
 #include "analysis/report/provenance_section.h"
 #include "analysis/report/r_script.h"
-#include "analysis/report/survey_section.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/view_words.h"
 
 namespace ocelli {
@@ -144,40 +140,32 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   addPart(work, "Apparatus", [&] { addApparatus(work); });
   addPart(work, "Flow of subjects", [&] { addFlowSection(work); });
   addPart(work, "Tables of the study", [&] { addPaperSection(work, tables); });
-  std::vector<std::string> tasks;
-  for (const char* task : {"find", "count", "path"}) {
-    if (work.isWanted(task)) {
-      tasks.emplace_back(task);
-    }
-  }
-  const auto tell = [&](const char* stage, double done) {
-    if (options.progress) {
+  const auto tell = [&](const std::string& stage, double done) {
+    if (options.progress && !stage.empty()) {
       options.progress(stage, done);
     }
   };
-  // How far it is with all tasks, by what parts of a study of 45 subjects take.
-  if (work.isWanted("find")) {
-    tell("searches", 0);
-    addPart(work, "Finding objects", [&] { addFindSection(work); });
-    tell("navigation", 0.4);
-    addPart(work, "Navigation", [&] { addNavigationSection(work); });
-  }
-  if (work.isWanted("count")) {
-    tell("counts", 0.5);
-    addPart(work, "Counting objects", [&] { addCountSection(work); });
-  }
-  if (work.isWanted("path")) {
-    tell("paths", 0.9);
-    addPart(work, "Recognising paths", [&] { addPathSection(work); });
-  }
-  if (!tasks.empty()) {
+  std::vector<ReportTask> wanted = reportTasksOf(analysis.data);
+  std::erase_if(wanted, [&](const ReportTask& task) { return !work.isWanted(task.name); });
+  const auto addTasks = [&](bool withTrials) {
+    for (const ReportTask& task : wanted) {
+      for (const TaskPart& part : task.parts) {
+        if (task.hasTrials == withTrials) {
+          tell(part.stage, part.done);
+          addPart(work, part.title, [&] { part.add(work, task); });
+        }
+      }
+    }
+  };
+  addTasks(true);
+  std::vector<ReportTask> practised = wanted;
+  std::erase_if(practised, [](const ReportTask& task) { return !task.hasTrials; });
+  if (!practised.empty()) {
     tell("learning", 0.95);
-    addPart(work, "Learning", [&] { addLearningSection(work, tasks); });
-    addPart(work, "Comparison of completers and drop-outs", [&] { addCompletersSection(work, tasks); });
+    addPart(work, "Learning", [&] { addLearningSection(work, practised); });
+    addPart(work, "Comparison of completers and drop-outs", [&] { addCompletersSection(work, practised); });
   }
-  if (work.isWanted("survey")) {
-    addPart(work, "Survey", [&] { addSurveySection(work); });
-  }
+  addTasks(false);
   addPart(work, "Methods", [&] { addMethods(work, options.version); });
   addPart(work, "Provenance", [&] { addProvenance(work, options.version); });
   const size_t answers = document.elements.size();

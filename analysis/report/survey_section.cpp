@@ -254,9 +254,7 @@ void addPreferences(ReportWork& work, const std::vector<ItemAnswers>& items) {
   addOutcome(work, tests);
 }
 
-}  // namespace
-
-void addSurveySection(ReportWork& work) {
+void addSurveySection(ReportWork& work, const ReportTask& /*task*/) {
   addHeading(work.document, 1, "What subjects say", "survey");
   const std::vector<ItemAnswers> items = answersToForm(work.analysis.data, kForm);
   if (items.empty()) {
@@ -272,6 +270,21 @@ void addSurveySection(ReportWork& work) {
       "Answers to questions of the survey that compare the views were tested against the middle of their own scale by "
       "signed ranks; the p value of the survey is the smallest of these questions, corrected by Holm's method. Other "
       "questions are described.");
+}
+
+}  // namespace
+
+ReportTask surveyTask() {
+  ReportTask task;
+  task.name = kForm;
+  task.title = "Survey";
+  task.trialsName = "surveys";
+  task.timesOutcome = task.rightOutcome = "the survey";
+  task.hasTrials = false;
+  task.parts = {{"Survey", "", 0, addSurveySection}};
+  task.models = {{"survey", kForm, ModelKind::kOrdinal}};
+  task.hypotheses = {{{"survey-preference", "One of the views is said to be easier", "survey", ""}}};
+  return task;
 }
 
 }  // namespace ocelli

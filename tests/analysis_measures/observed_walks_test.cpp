@@ -21,7 +21,7 @@ TEST(ObservedWalks, areAsLongAsTheStudyCounts) {
   plan.screen = {320, 200, 60};
   simulateStudy(readProtocol(OCELLI_SOURCE_DIR "/protocols/short.json"), path, plan);
   const Dataset data = readDatabase(path);
-  const NavigationData navigation = navigationOf(data);
+  const NavigationData navigation = navigationOf(data, "find");
   ASSERT_EQ(navigation.searches.size(), 6u);
   EXPECT_EQ(navigation.searchesWithoutLog, 0);
   for (const SearchNavigation& search : navigation.searches) {

@@ -105,7 +105,8 @@ TEST(Ceiling, aReportSaysThatItCannotBeTested) {
   }
   study.analysis.plan.bootstrapSamples = 100;
   const ReportDocument document = documentOf(study.analysis, [](ReportWork& work) {
-    addPathSection(work);
+    const ReportTask task = reportTask("path");
+    task.parts.front().add(work, task);
     addHypotheses(work);
   });
   EXPECT_EQ(cellText(document, "path-equivalence", "Equivalent", "Value"), "no such cell");

@@ -10,6 +10,7 @@
 #include "analysis/base/random_numbers.h"
 #include "analysis/report/json_report.h"
 #include "analysis/report/report_files.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/study_report.h"
 #include "analysis/tables/paper_tables.h"
 #include "tests/analysis_dataset/made_study.h"

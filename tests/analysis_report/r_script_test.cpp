@@ -14,6 +14,7 @@
 
 #include "analysis/base/estimate.h"
 #include "analysis/base/random_numbers.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/study_report.h"
 
 namespace ocelli {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "analysis/report/report_task.h"
+
 namespace ocelli::test {
 namespace {
 
@@ -75,6 +77,12 @@ void SectionStudy::complete(const std::string& subject, int sessions) {
     session.ending = "completed";
     analysis.data.sessions.push_back(session);
   }
+}
+
+std::vector<ReportTask> rowsOf(const std::vector<std::string>& tasks) {
+  std::vector<ReportTask> rows;
+  std::transform(tasks.begin(), tasks.end(), std::back_inserter(rows), reportTask);
+  return rows;
 }
 
 ReportDocument documentOf(const AnalysisData& analysis, const std::function<void(ReportWork&)>& addSection) {

@@ -17,6 +17,7 @@
 #include "analysis/report/json_report.h"
 #include "analysis/report/report_files.h"
 #include "analysis/report/report_parts.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/resampled_effects.h"
 #include "analysis/report/search_times.h"
 #include "analysis/tables/paper_tables.h"
