@@ -259,14 +259,16 @@ void addEffectOptions(CLI::App& command, SupposedEffects& supposed) {
                           const CLI::Validator& range) {
     command.add_option(name, value, help)->check(range)->type_name("NUMBER");
   };
-  number("--ratio", supposed.ratio, "find: geometric mean time with the graph camera, divided by that with the pinhole",
+  number("--ratio", supposed.ratio,
+         "find: geometric mean time with the other view condition, divided by that with the reference",
          between(0.05, 20));
-  number("--seconds-ppc", supposed.secondsPpc, "find: geometric mean time with the pinhole, had searches no limit",
-         between(0.1, 3600));
-  number("--odds-ratio", supposed.oddsRatio, "count, path: odds of a right answer of a subject, gc to ppc",
-         between(0.01, 100));
-  number("--share-ppc", supposed.sharePpc, "count, path: share of right answers with the pinhole", share);
-  number("--share-gc", supposed.shareGc, "count, path: the same with the graph camera", share);
+  number("--seconds-reference,--seconds-ppc", supposed.secondsPpc,
+         "find: geometric mean time with the reference, had searches no limit", between(0.1, 3600));
+  number("--odds-ratio", supposed.oddsRatio,
+         "count, path: odds of a right answer of a subject, the other condition to the reference", between(0.01, 100));
+  number("--share-reference,--share-ppc", supposed.sharePpc, "count, path: share of right answers with the reference",
+         share);
+  number("--share-other,--share-gc", supposed.shareGc, "count, path: the same with the other condition", share);
   number("--subject-sd", supposed.subjectSd, "How subjects differ: standard deviation in log seconds, or logits",
          spread);
   number("--subject-view-sd", supposed.subjectViewSd, "find: how they differ in the effect of the view", spread);

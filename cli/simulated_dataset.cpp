@@ -87,7 +87,9 @@ Dataset simulate(const Protocol& protocol, const SimulationPlan& plan, bool tell
   source.protocolSha256 = protocol.sha256;
   source.protocolText = protocol.text;
   source.programVersion = programVersion();
-  data.conditions = protocolFacts(source.protocolText, source.path).conditions;
+  if (!source.protocolText.empty()) {
+    data.conditions = protocolFacts(source.protocolText, source.path).conditions;
+  }
   data.sources.push_back(std::move(source));
   for (size_t i = 0; i < plan.sessions.size(); ++i) {
     const auto slot = static_cast<int>(i);

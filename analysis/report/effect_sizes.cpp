@@ -8,6 +8,9 @@
 
 #include "analysis/inference/effect_size.h"
 #include "analysis/inference/sample.h"
+#include "analysis/inference/student.h"
+#include "analysis/plot/paired_plot.h"
+#include "analysis/report/part_guard.h"
 #include "analysis/report/right_answers.h"
 
 namespace ocelli {
@@ -30,6 +33,25 @@ void addSubjectEffects(std::vector<EstimateRow>& rows, const TrialList& trials, 
     rows.push_back({"d_av: over the spread within views", part(&PairedEffect::dav), "", source, trials});
   }
   rows.push_back({"Rank-biserial correlation of pairs", matchedRankBiserial(means.differences), "", source, trials});
+}
+
+/// A line a subject: who gained, and who did not. `plot` has its title and axis.
+void addPairs(ReportWork& work, PairedPlot plot, const SubjectMeans& means, const std::string& id) {
+  const bool isRatio = plot.scale == AxisScale::kLog;
+  const auto shown = [&](double value) { return isRatio ? std::exp(value) : value; };
+  for (size_t i = 0; i < means.reference.size(); ++i) {
+    plot.pairs.push_back({shown(means.reference[i]), shown(means.other[i])});
+  }
+  for (const TrialView view : kViews) {
+    const auto v = static_cast<size_t>(view);
+    plot.conditions[v] = labelOf(work, view);
+    const Estimable<Estimate> mean = studentMean(view == TrialView::kReference ? means.reference : means.other);
+    plot.summaries[v] = !mean     ? Interval{kNotKnown, kNotKnown, kNotKnown}
+                        : isRatio ? intervalOf(exponentiated(*mean))
+                                  : intervalOf(*mean);
+  }
+  addFigure(work, fmt::format("{}: a line a subject; beside them the {}", plot.title, plot.summaryName),
+            fmt::format("figure-{}-pairs", id), [&] { return pairedFigure(plot); });
 }
 
 }  // namespace
@@ -62,8 +84,15 @@ void addTimeEffects(ReportWork& work, const TrialList& trials, const std::vector
   for (const double time : seconds) {
     logs.push_back(std::log(time));
   }
+  const SubjectMeans means = subjectMeans(trials, logs);
+  PairedPlot plot;
+  plot.title = "Times of each subject with either view";
+  plot.valueLabel = "Geometric mean time (s)";
+  plot.summaryName = "geometric mean of subjects, 95 % interval";
+  plot.scale = AxisScale::kLog;
+  addPairs(work, plot, means, id);
   std::vector<EstimateRow> rows;
-  addSubjectEffects(rows, trials, subjectMeans(trials, logs), "mean log times");
+  addSubjectEffects(rows, trials, means, "mean log times");
   addEstimates(work.document,
                "Sizes of the effect of the view on log times (@other@ less @reference@), one mean a subject", id, rows);
 }
@@ -81,7 +110,14 @@ void addShareEffects(ReportWork& work, const TrialList& trials, const std::strin
   for (const Trial* trial : trials) {
     right.push_back(trial->correct.value_or(false) ? 1 : 0);
   }
-  addSubjectEffects(rows, trials, subjectMeans(trials, right), "shares of right answers");
+  const SubjectMeans means = subjectMeans(trials, right);
+  PairedPlot plot;
+  plot.title = "Right answers of each subject with either view";
+  plot.valueLabel = "Share of right answers";
+  plot.summaryName = "mean of subjects, 95 % interval";
+  plot.percent = true;
+  addPairs(work, plot, means, id);
+  addSubjectEffects(rows, trials, means, "shares of right answers");
   addEstimates(
       work.document,
       "Sizes of the effect of the view on right answers (@other@ against @reference@): the first three take trials as "

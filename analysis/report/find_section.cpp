@@ -7,6 +7,7 @@
 #include "analysis/inference/accelerated_failure_time.h"
 #include "analysis/inference/cox.h"
 #include "analysis/inference/kaplan_meier.h"
+#include "analysis/inference/log_rank.h"
 #include "analysis/inference/restricted_mean_bootstrap.h"
 #include "analysis/plot/group_plot.h"
 #include "analysis/plot/survival_plot.h"
@@ -95,6 +96,34 @@ void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment tim
                                                    numbered(subjectsOf(trials)), caseNumbers(trials),
                                                    bootstrapPlanOf(work.analysis.plan)),
                  trials, "s"}});
+}
+
+/// Whether the curves differ anywhere.
+void addLogRank(ReportWork& work, const TrialList& trials, TimeoutTreatment timeouts) {
+  std::vector<int> views;
+  for (const Trial* trial : trials) {
+    views.push_back(static_cast<int>(trial->view));
+  }
+  const Estimable<LogRankTest> test = logRankTest(timesOf(trials, timeouts), views, numbered(subjectsOf(trials)));
+  if (!test) {
+    addNotEstimable(work.document, "Log-rank test", test.reason());
+    return;
+  }
+  const std::string source = fmt::format("log-rank test of {}, subjects as strata", sizeText(trials));
+  std::vector<ValueRow> rows;
+  for (const LogRankGroup& group : test->groups) {
+    rows.push_back(
+        {fmt::format("{}: found, expected if the views were alike", markOf(kViews[static_cast<size_t>(group.label)])),
+         fmt::format("{:.0f}, {:.1f}", group.observed, group.expected), group.observed, source, trials});
+  }
+  const Estimate& chiSquared = test->chiSquared;
+  rows.push_back({"Chi-squared with 1 degree of freedom", fixedText(chiSquared.statistic, 2), chiSquared.statistic,
+                  source, trials});
+  rows.push_back({"p", pValueText(chiSquared.pValue), chiSquared.pValue, source, trials});
+  addValues(work.document,
+            "Log-rank test of the curves: the searches of each subject are compared with each other, and taken as "
+            "independent, also those for the same object",
+            "find-survival-log-rank", rows);
 }
 
 /// Ratios of the covariates by name, of hazards or of times.
@@ -204,7 +233,9 @@ void addSurvivalModel(ReportWork& work, const ReportTask& task, const PlannedMod
 
 void addKaplanMeier(ReportWork& work, const ReportTask& task, const PlannedModel& /*model*/, const TrialList& trials) {
   const TimeoutTreatment timeouts = task.timeouts(work.analysis.plan);
-  addSurvival(work, timeouts == TimeoutTreatment::kRemoved ? withoutTimeouts(trials) : trials, timeouts);
+  const TrialList kept = timeouts == TimeoutTreatment::kRemoved ? withoutTimeouts(trials) : trials;
+  addSurvival(work, kept, timeouts);
+  addLogRank(work, kept, timeouts);
 }
 
 void addCases(ReportWork& work, const TrialList& trials) {

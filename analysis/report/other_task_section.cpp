@@ -14,6 +14,11 @@
 namespace ocelli {
 namespace {
 
+/// What names of its parts begin with: none of a row does.
+std::string idOf(const std::string& task) {
+  return fmt::format("task-{}", namePart(task));
+}
+
 void addTimesByView(ReportWork& work, const ReportTask& task, const TrialList& trials) {
   TrialValues logarithms;
   for (const Trial* trial : trials) {
@@ -30,14 +35,14 @@ void addTimesByView(ReportWork& work, const ReportTask& task, const TrialList& t
       "{}: geometric means over the geometric means of subjects with 95 % intervals; those whose time ran out count "
       "with the limit; subjects of @reference@, of @other@, and of both",
       task.timeName);
-  table.id = fmt::format("{}-times", task.name);
+  table.id = fmt::format("{}-times", idOf(task.name));
   table.difference = "@other@ / @reference@";
   table.rows = {compareViews("All trials", logarithms, ValueScale::kLogarithm)};
   addComparison(work.document, table);
 }
 
 void addOtherTask(ReportWork& work, const ReportTask& task) {
-  addHeading(work.document, 1, task.title, task.name);
+  addHeading(work.document, 1, task.title, idOf(task.name));
   const TrialList trials = trialsOfTask(work.analysis, task.name);
   const AnalysisPlan& plan = work.analysis.plan;
   const bool isPlanned = std::any_of(plan.models.begin(), plan.models.end(),
@@ -49,8 +54,9 @@ void addOtherTask(ReportWork& work, const ReportTask& task) {
   if (answered.empty()) {
     addNotEstimable(work.document, task.rightName, "no trial says whether its answer was right");
   } else {
-    addPart(work, "Answers that are right",
-            [&] { addRightAnswers(work, answered, "Answers", fmt::format("{}-shares", task.name), std::nullopt); });
+    addPart(work, "Answers that are right", [&] {
+      addRightAnswers(work, answered, "Answers", fmt::format("{}-shares", idOf(task.name)), std::nullopt);
+    });
   }
   addPart(work, "Times by view", [&] { addTimesByView(work, task, trials); });
   addTaskModels(work, task, trials);
@@ -72,8 +78,9 @@ ReportTask otherTask(const std::string& name) {
                      {ModelKind::kLinearMixed, addTimeModel},
                      {ModelKind::kEquivalence, addEquivalenceModel},
                      {ModelKind::kBayesFactor, addBayesModel}};
-  task.models = {{fmt::format("{}-right", name), name, ModelKind::kBinomialMixed, {"view", "session"}, subjectAndCase},
-                 {fmt::format("{}-time", name), name, ModelKind::kLogNormalMixed, {"view", "session"}, subjectAndCase}};
+  task.models = {
+      {fmt::format("{}-right", idOf(name)), name, ModelKind::kBinomialMixed, {"view", "session"}, subjectAndCase},
+      {fmt::format("{}-time", idOf(name)), name, ModelKind::kLogNormalMixed, {"view", "session"}, subjectAndCase}};
   return task;
 }
 

@@ -42,8 +42,9 @@ ReportTask reportTask(const std::string& name) {
 std::vector<ReportTask> reportTasksOf(const Dataset& data) {
   std::vector<std::string> others;
   for (const Trial& trial : data.trials) {
+    // A form has no trials: those of its name are a task that nobody knows.
     const ReportTask* row = findRow(trial.task);
-    if (row == nullptr) {
+    if (row == nullptr || !row->hasTrials) {
       addOnce(others, trial.task);
     }
   }

@@ -73,8 +73,8 @@ TEST(ReportTasks, nameAllThatStudiesHave) {
 TEST(ReportTasks, unknownTasksStayThemselves) {
   const ReportTask task = reportTask("nearer");
   EXPECT_EQ(task.name, "nearer");
-  EXPECT_EQ(wordsOf(task.models[0]), "Binomial mixed model of right answers of nearer (nearer-right)");
-  EXPECT_EQ(wordsOf(task.models[1]), "Log-normal mixed model of times of nearer (nearer-time)");
+  EXPECT_EQ(wordsOf(task.models[0]), "Binomial mixed model of right answers of nearer (task-nearer-right)");
+  EXPECT_EQ(wordsOf(task.models[1]), "Log-normal mixed model of times of nearer (task-nearer-time)");
   EXPECT_EQ(modelsOfTask(defaultPlan(), task).size(), 2u);
   AnalysisPlan plan = defaultPlan();
   plan.models.push_back({"mine", "nearer", ModelKind::kEquivalence});
