@@ -207,7 +207,7 @@ void addTable(ReportWork& work, const Groups& groups, const Measured& measured) 
     for (const TrialValue& value : measured.logTimes) {
       timed.push_back(value.trial);
     }
-    table.rows.push_back(compareRestrictedMeans(groups, timed, work.analysis.plan.findTimeouts));
+    table.rows.push_back(compareRestrictedMeans(groups, timed, measured.task.timeouts(work.analysis.plan)));
     add("Geometric mean time (s), as a ratio", "Effect of the view on times, @other@ / @reference@, as a ratio",
         measured.logTimes, ValueScale::kLogarithm, "mean logarithms");
   }

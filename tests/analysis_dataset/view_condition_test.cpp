@@ -13,15 +13,15 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string protocolWith(const std::string& conditions) {
+std::string protocolOfConditions(const std::string& conditions) {
   return R"({"name": "a", "sessions": 1, "conditions": )" + conditions + "}";
 }
 
 const std::string kFlatAndBent =
-    protocolWith(R"([{"name": "flat", "label": "flat view", "view": {}}, {"name": "bent", "view": "any"}])");
+    protocolOfConditions(R"([{"name": "flat", "label": "flat view", "view": {}}, {"name": "bent", "view": "any"}])");
 
-std::string errorOf(const std::string& conditions) {
-  return analysisErrorOf([&] { protocolFacts(protocolWith(conditions), "p.json"); });
+std::string errorOfConditions(const std::string& conditions) {
+  return analysisErrorOf([&] { protocolFacts(protocolOfConditions(conditions), "p.json"); });
 }
 
 TEST(ViewConditions, areThoseOfTheProtocol) {
@@ -36,12 +36,13 @@ TEST(ViewConditions, areThoseOfTheProtocol) {
 
 TEST(ViewConditions, areTwoWithNamesOfTheirOwn) {
   for (const char* wrong : {"{}", "[]", R"([{"name": "a"}])", R"([{"name": "a"}, {"name": "b"}, {"name": "c"}])"}) {
-    EXPECT_THAT(errorOf(wrong), HasSubstr("must be a list of two conditions")) << wrong;
+    EXPECT_THAT(errorOfConditions(wrong), HasSubstr("must be a list of two conditions")) << wrong;
   }
-  EXPECT_THAT(errorOf(R"([{"name": "a"}, {"name": "a"}])"), HasSubstr("is that of the other condition too"));
-  EXPECT_THAT(errorOf(R"([{"name": "a"}, {"name": "b", "label": "a"}])"), HasSubstr("field \"label\" is that of"));
-  EXPECT_THAT(errorOf(R"([{"name": "a b"}, {"name": "c"}])"), HasSubstr("must be letters, digits"));
-  EXPECT_THAT(errorOf(R"([{"label": "a"}, {"name": "c"}])"), HasSubstr("name"));
+  EXPECT_THAT(errorOfConditions(R"([{"name": "a"}, {"name": "a"}])"), HasSubstr("is that of the other condition too"));
+  EXPECT_THAT(errorOfConditions(R"([{"name": "a"}, {"name": "b", "label": "a"}])"),
+              HasSubstr("field \"label\" is that of"));
+  EXPECT_THAT(errorOfConditions(R"([{"name": "a b"}, {"name": "c"}])"), HasSubstr("must be letters, digits"));
+  EXPECT_THAT(errorOfConditions(R"([{"label": "a"}, {"name": "c"}])"), HasSubstr("name"));
 }
 
 TEST(ViewConditions, areWhatScalesSpeakFor) {
