@@ -55,6 +55,20 @@ TEST_F(PowerEffects, OfSearchesAreRatiosAndSeconds) {
   EXPECT_NEAR(none.other, 20, 1e-9);
 }
 
+TEST_F(PowerEffects, AreSaidInTheNamesOfTheStudysConditions) {
+  protocol_.text.replace(
+      protocol_.text.find('{'), 1,
+      R"({"conditions": [{"name": "flat", "label": "flat view"}, {"name": "bent", "label": "bent view"}],)");
+  SupposedEffects supposed = of("find");
+  supposed.ratio = 0.8;
+  const Truth truth = truthOf(supposed);
+  EXPECT_EQ(truth.label, "bent takes 0.8 of the time");
+  EXPECT_THAT(describeTruth(truth, "find").front(), HasSubstr("s with the flat view and "));
+  supposed = of("count");
+  supposed.oddsRatio = 1;
+  EXPECT_THAT(describeTruth(truthOf(supposed), "count").front(), HasSubstr("% right with bent, "));
+}
+
 TEST_F(PowerEffects, OfAnswersAreTheSharesThatWereAskedFor) {
   for (const char* task : {"count", "path"}) {
     SupposedEffects supposed = of(task);
