@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "analysis/report/report_task.h"
 #include "analysis/report/right_answers.h"
 #include "analysis/report/view_test.h"
 

@@ -15,7 +15,7 @@ namespace {
 /// Of a simple term, before means are taken off.
 double valueOf(const Trial& trial, const std::string& term) {
   if (term == "view") {
-    return trial.view == TrialView::kGraph ? 0.5 : -0.5;
+    return trial.view == TrialView::kOther ? 0.5 : -0.5;
   }
   if (term == "moving") {
     return trial.moving.value() ? 0.5 : -0.5;
@@ -145,7 +145,7 @@ std::vector<Trial> plannedTrials(const Protocol& protocol, const std::string& ta
         trial.task = plan.task;
         trial.caseIndex = plan.caseIndex;
         trial.caseLabel = info.label;
-        trial.view = plan.view == StudyView::kGraph ? TrialView::kGraph : TrialView::kPinhole;
+        trial.view = plan.view == StudyView::kGraph ? TrialView::kOther : TrialView::kReference;
         trial.simulated = true;
         trial.moving = info.moving;
         trial.exposureSeconds = info.exposureSeconds;
@@ -233,7 +233,7 @@ double SimulatedStudy::shareDifference() const {
   const std::vector<double> right = probabilities();
   std::vector<std::array<Mean, 2>> bySubject(subjectCount_);
   for (size_t i = 0; i < trials_.size(); ++i) {
-    bySubject[subjects_[i]][trials_[i].view == TrialView::kGraph].add(right[i]);
+    bySubject[subjects_[i]][trials_[i].view == TrialView::kOther].add(right[i]);
   }
   Mean difference;
   for (const std::array<Mean, 2>& views : bySubject) {
@@ -247,7 +247,7 @@ double SimulatedStudy::limitedMeanDifference() const {
                                       std::hypot(truth_.ofItems, truth_.ofItemViews / 2), truth_.ofTrials);
   std::array<Mean, 2> means{};
   for (size_t i = 0; i < trials_.size(); ++i) {
-    means[trials_[i].view == TrialView::kGraph].add(limitedMean(predictor_[i], deviation, truth_.limitSeconds));
+    means[trials_[i].view == TrialView::kOther].add(limitedMean(predictor_[i], deviation, truth_.limitSeconds));
   }
   return means[1].value() - means[0].value();
 }

@@ -54,8 +54,8 @@ class SimulatedStudy {
 
   // Over all subjects and items that might be.
   std::vector<double> probabilities() const;  ///< of right answers, one a trial
-  double shareDifference() const;             ///< mean over the subjects of their share right in gc less ppc
-  double limitedMeanDifference() const;       ///< of times, in seconds up to the limit: gc less ppc
+  double shareDifference() const;  ///< mean over the subjects of their share right in the graph camera less the pinhole
+  double limitedMeanDifference() const;  ///< of times, in seconds up to the limit: the graph camera less the pinhole
 
  private:
   std::vector<Trial> trials_;

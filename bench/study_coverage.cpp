@@ -12,6 +12,7 @@
 #include "analysis/inference/wilcoxon.h"
 #include "analysis/report/count_pairs.h"
 #include "analysis/report/planned_model.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/right_answers.h"
 #include "analysis/report/search_times.h"
 

@@ -7,6 +7,7 @@
 
 #include "analysis/dataset/analysis_plan.h"
 #include "analysis/inference/binomial_test.h"
+#include "analysis/report/report_task.h"
 #include "bench/simulated_study.h"
 
 namespace ocelli {

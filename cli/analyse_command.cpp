@@ -1,13 +1,16 @@
 // `ocelli analyse`: from the trials of a study to a report.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "analysis/dataset/merge.h"
 #include "analysis/report/report_files.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/study_report.h"
 #include "analysis/tables/explain.h"
 #include "analysis/tables/paper_tables.h"
@@ -71,6 +74,15 @@ void noteReport(const AnalysisData& analysis, const std::string& folder, const s
   }
 }
 
+void checkTasks(const std::vector<std::string>& wanted, const std::vector<std::string>& known) {
+  for (const std::string& task : wanted) {
+    if (std::find(known.begin(), known.end(), task) == known.end()) {
+      throw InputError(fmt::format("this study has no task \"{}\"", task), "--only",
+                       fmt::format("some of {}", fmt::join(known, ",")));
+    }
+  }
+}
+
 void analyse(const AnalyseChoice& choice, const CommandContext& context) {
   if (!choice.folder.empty()) {
     checkReportFolder(choice.folder);
@@ -79,9 +91,12 @@ void analyse(const AnalyseChoice& choice, const CommandContext& context) {
   for (const std::string& source : choice.sources) {
     parts.push_back(readSource(source, choice.protocol));
   }
-  AnalysisPlan plan = choice.plan.empty() ? defaultPlan() : readPlan(choice.plan);
+  Dataset data = merge(std::move(parts), mergeOptions(choice));
+  const std::vector<std::string> tasks = plannableTasks(data);
+  checkTasks(choice.only, tasks);
+  AnalysisPlan plan = choice.plan.empty() ? defaultPlan(data.conditions) : readPlan(choice.plan, tasks);
   plan.seed = choice.seed.value_or(plan.seed);
-  const AnalysisData analysis = applyPlan(merge(std::move(parts), mergeOptions(choice)), plan);
+  const AnalysisData analysis = applyPlan(std::move(data), plan);
   const std::vector<Table> tables = paperTables(analysis);
   if (choice.folder.empty() && findCell(tables, choice.explain) != nullptr) {
     context.print(explainCell(tables, analysis.data, choice.explain));
@@ -145,10 +160,9 @@ void addAnalyseCommand(CLI::App& program, const CommandContext& context) {
       ->type_name("FILE");
   command.add_option("-o,--output", choice->folder, "Folder of the report: new, empty, or an earlier report")
       ->type_name("FOLDER");
-  command.add_option("--only", choice->only, "Leave out the other tasks")
+  command.add_option("--only", choice->only, "Leave out the other tasks; survey is one")
       ->delimiter(',')
-      ->check(CLI::IsMember({"find", "count", "path", "survey"}))
-      ->type_name("find,count,path,survey");
+      ->type_name("TASK,TASK,...");
   command
       .add_option("--simulated", choice->simulated, "Which rows to take where there are people and simulated subjects")
       ->check(CLI::IsMember({"unless-people", "only", "together"}))

@@ -7,9 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/base/analysis_error.h"
+#include "analysis/dataset/protocol_facts.h"
 #include "analysis/report/power_report.h"
 #include "analysis/report/report_files.h"
 #include "analysis/report/report_parts.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/view_test.h"
 #include "cli/command.h"
 #include "cli/power_simulation.h"
@@ -187,7 +189,9 @@ std::vector<Truth> truthsOf(const PowerChoice& choice, const Protocol& protocol,
 
 void power(const PowerChoice& choice, const CommandContext& context) {
   const Protocol protocol = readProtocol(choice.protocol);
-  const AnalysisPlan plan = choice.plan.empty() ? defaultPlan() : readPlan(choice.plan);
+  const ProtocolFacts facts = protocolFacts(protocol.text, choice.protocol);
+  const AnalysisPlan plan =
+      choice.plan.empty() ? defaultPlan(facts.conditions) : readPlan(choice.plan, plannableTasks(tasksOf(facts)));
   const double alpha = choice.alpha.value_or(plan.alpha);
   check(choice, alpha);
   const std::string& task = choice.supposed.task;
@@ -215,6 +219,7 @@ void power(const PowerChoice& choice, const CommandContext& context) {
   study.protocolName = protocol.name;
   study.protocolSha256 = protocol.sha256;
   study.task = task;
+  study.conditions = facts.conditions;
   study.plan = plan;
   study.model = model->name;
   study.bounds = bounds == nullptr ? std::nullopt : std::optional(*bounds);
@@ -262,14 +267,16 @@ void addEffectOptions(CLI::App& command, SupposedEffects& supposed) {
                           const CLI::Validator& range) {
     command.add_option(name, value, help)->check(range)->type_name("NUMBER");
   };
-  number("--ratio", supposed.ratio, "of times: geometric mean with the graph camera, divided by that with the pinhole",
+  number("--ratio", supposed.ratio,
+         "of times: geometric mean with the other view condition, divided by that with the reference",
          between(0.05, 20));
-  number("--seconds-ppc", supposed.secondsPpc, "of times: geometric mean with the pinhole, had trials no limit",
-         between(0.1, 3600));
-  number("--odds-ratio", supposed.oddsRatio, "of answers: odds of a right one of a subject, gc to ppc",
-         between(0.01, 100));
-  number("--share-ppc", supposed.sharePpc, "of answers: share of right ones with the pinhole", share);
-  number("--share-gc", supposed.shareGc, "of answers: the same with the graph camera", share);
+  number("--seconds-reference,--seconds-ppc", supposed.secondsPpc,
+         "of times: geometric mean with the reference, had trials no limit", between(0.1, 3600));
+  number("--odds-ratio", supposed.oddsRatio,
+         "of answers: odds of a right one of a subject, the other condition to the reference", between(0.01, 100));
+  number("--share-reference,--share-ppc", supposed.sharePpc, "of answers: share of right ones with the reference",
+         share);
+  number("--share-other,--share-gc", supposed.shareGc, "of answers: the same with the other condition", share);
   number("--subject-sd", supposed.subjectSd, "How subjects differ: standard deviation in log seconds, or logits",
          spread);
   number("--subject-view-sd", supposed.subjectViewSd, "of times: how they differ in the effect of the view", spread);

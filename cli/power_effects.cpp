@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/dataset/protocol_facts.h"
 #include "oc_core/base/error.h"
 #include "study/subject/generator_truth.h"
 #include "study/tasks/task_registry.h"
@@ -71,7 +72,9 @@ double level(const Protocol& protocol, const GeneratorEffects& effects, const st
 }
 
 std::string sharesText(const Truth& truth) {
-  return fmt::format("{:.1f} % right with gc, {:.1f} % with ppc", 100 * truth.gc, 100 * truth.ppc);
+  return withViewNames(
+      fmt::format("{:.1f} % right with @other@, {:.1f} % with @reference@", 100 * truth.other, 100 * truth.reference),
+      truth.conditions);
 }
 
 std::string casesText(double itemSd, double itemViewSd) {
@@ -83,12 +86,14 @@ std::string casesText(double itemSd, double itemViewSd) {
 
 /// Fills in what follows from the effects.
 void describe(const Protocol& protocol, const std::string& task, Truth& truth) {
+  truth.conditions = protocolFacts(protocol.text, protocol.name).conditions;
   truth.ratio = std::exp(graphEffect(truth.effects, task));
-  truth.ppc = level(protocol, truth.effects, task, StudyView::kPinhole);
-  truth.gc = level(protocol, truth.effects, task, StudyView::kGraph);
+  truth.reference = level(protocol, truth.effects, task, StudyView::kPinhole);
+  truth.other = level(protocol, truth.effects, task, StudyView::kGraph);
   truth.label = truth.kind == Truth::Kind::kNone ? "no effect of the view"
-                : isTime(task)                   ? fmt::format("gc takes {:.3g} of the time", truth.ratio)
-                                                 : sharesText(truth);
+                : isTime(task)
+                    ? withViewNames(fmt::format("@other@ takes {:.3g} of the time", truth.ratio), truth.conditions)
+                    : sharesText(truth);
 }
 
 void setSearches(const Protocol& protocol, const SupposedEffects& supposed, GeneratorEffects& effects) {
@@ -159,9 +164,9 @@ Truth truthWithoutEffect(const Protocol& protocol, const std::string& task, cons
 
 std::optional<Truth> truthAtBound(const Protocol& protocol, const Truth& wanted, const PlannedEquivalence& bounds) {
   constexpr double kEdge = 0.001;  // of shares, from 0 and 1
-  double share = wanted.ppc + bounds.upper;
+  double share = wanted.reference + bounds.upper;
   if (share > 1 - kEdge) {
-    share = wanted.ppc + bounds.lower;
+    share = wanted.reference + bounds.lower;
   }
   if (share < kEdge) {
     return std::nullopt;
@@ -179,10 +184,12 @@ std::vector<std::string> describeTruth(const Truth& truth, const std::string& ta
   const bool isOfTimes = isTime(task);
   std::vector<std::string> lines;
   if (isOfTimes) {
-    lines.push_back(fmt::format(
-        "trials take {:.3g} s with the pinhole and {:.3g} s with the graph camera (geometric means, had they "
-        "no limit)",
-        truth.ppc, truth.gc));
+    lines.push_back(withViewLabels(
+        fmt::format(
+            "trials take {:.3g} s with the @reference@ and {:.3g} s with the @other@ (geometric means, had they "
+            "no limit)",
+            truth.reference, truth.other),
+        truth.conditions));
   } else {
     lines.push_back(
         fmt::format("{}: an odds ratio of {:.3g} within a subject and case", sharesText(truth), truth.ratio));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "analysis/dataset/analysis_plan.h"
+#include "analysis/dataset/view_condition.h"
 #include "study/protocol/protocol.h"
 #include "study/subject/generator_effects.h"
 
@@ -35,11 +36,12 @@ struct Truth {
     kAtBound,  ///< they differ by a bound of equivalence
   };
   Kind kind = Kind::kWanted;
-  std::string label;         ///< "gc takes 0.8 of the time"
-  GeneratorEffects effects;  ///< of all tasks; only those of the task matter
-  double ratio = 1;          ///< of times or odds, gc to ppc
-  double ppc = 0;            ///< geometric mean seconds without a limit, or share of right answers
-  double gc = 0;
+  std::string label;            ///< "bent takes 0.8 of the time"
+  GeneratorEffects effects;     ///< of all tasks; only those of the task matter
+  ViewConditions conditions{};  ///< of the protocol: the reference is that of --share-ppc, the other that of --share-gc
+  double ratio = 1;             ///< of times or odds, the other to the reference
+  double reference = 0;         ///< geometric mean seconds without a limit, or share of right answers
+  double other = 0;
 };
 
 /// The effect that is wanted. Throws InputError for options of other tasks, for those that are missing or contradict

@@ -109,7 +109,7 @@ PowerCurve emptyCurve(const PowerWork& work, const Truth& truth, Test test) {
   PowerCurve curve;
   curve.test = test;
   curve.truth = truth.label;
-  const double difference = truth.gc - truth.ppc;
+  const double difference = truth.other - truth.reference;
   curve.trueValue = test == Test::kView ? truth.ratio : difference;
   const bool isThere = test == Test::kView ? truth.kind != Truth::Kind::kNone
                                            : truth.kind != Truth::Kind::kAtBound && difference > work.bounds->lower &&

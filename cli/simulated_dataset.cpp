@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/dataset/protocol_facts.h"
 #include "oc_core/base/check.h"
 #include "study/agent/chance.h"
 #include "study/session/session_sink.h"
@@ -52,7 +53,7 @@ void DatasetSink::trialEnds(int /*number*/, const TrialRecord& record, std::func
   trial.task = record.plan.task;
   trial.caseIndex = record.plan.caseIndex;
   trial.caseLabel = record.info.label;
-  trial.view = record.plan.view == StudyView::kGraph ? TrialView::kGraph : TrialView::kPinhole;
+  trial.view = record.plan.view == StudyView::kGraph ? TrialView::kOther : TrialView::kReference;
   trial.attempt = record.attempt;
   trial.simulated = true;
   trial.subjectKind = nameOf(SubjectKind::kGenerator);
@@ -86,6 +87,9 @@ Dataset simulate(const Protocol& protocol, const SimulationPlan& plan, bool tell
   source.protocolSha256 = protocol.sha256;
   source.protocolText = protocol.text;
   source.programVersion = programVersion();
+  if (!source.protocolText.empty()) {
+    data.conditions = protocolFacts(source.protocolText, source.path).conditions;
+  }
   data.sources.push_back(std::move(source));
   for (size_t i = 0; i < plan.sessions.size(); ++i) {
     const auto slot = static_cast<int>(i);

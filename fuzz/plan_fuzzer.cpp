@@ -7,7 +7,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   try {
-    const ocelli::AnalysisPlan plan = ocelli::planFromJsonText(std::string(data, data + size), "fuzz");
+    const ocelli::AnalysisPlan plan =
+        ocelli::planFromJsonText(std::string(data, data + size), "fuzz", {"find", "count", "path", "survey"});
     for (const ocelli::Hypothesis& hypothesis : plan.hypotheses) {
       if (plan.findModel(hypothesis.model) == nullptr) {
         std::abort();

@@ -61,6 +61,8 @@ inline constexpr ModelKind kModelKinds[] = {
     ModelKind::kCox,         ModelKind::kLogNormalSurvival, ModelKind::kMcNemar,       ModelKind::kSignedError,
     ModelKind::kEquivalence, ModelKind::kBayesFactor,       ModelKind::kAgainstChance, ModelKind::kOrdinal};
 const char* nameOf(ModelKind kind);
+/// Of times, or else of right answers or forms.
+bool isOfTimes(ModelKind kind);
 /// Whether the kind has random effects.
 bool isMixed(ModelKind kind);
 
@@ -72,7 +74,7 @@ struct RandomEffect {
 
 struct PlannedModel {
   std::string name;
-  std::string task;  ///< "find", "count", "path", "survey"
+  std::string task;  ///< "find"
   ModelKind kind = ModelKind::kLinearMixed;
   /// Of "view", "session", "moving", "exposure", "duplicates", "objects", "trial"; "view:session" is an interaction.
   std::vector<std::string> terms{};
@@ -92,7 +94,7 @@ struct HypothesisFamily {
   std::vector<std::string> hypotheses;
 };
 
-/// Differences (gc less ppc) that are too small to matter.
+/// Differences (other less reference) that are too small to matter.
 struct PlannedEquivalence {
   std::string task;
   double lower = 0;  ///< of proportions of right answers
@@ -124,15 +126,11 @@ struct AnalysisPlan {
   const Hypothesis* findHypothesis(const std::string& hypothesis) const;
 };
 
-/// What is done where nobody registered a plan: the protocol's own exclusions, time-outs as censored, and the models
-/// and families of protocols/rosen2010.plan.json.
-AnalysisPlan defaultPlan();
-
 /// "plan \"rosen2010\", registered ..., SHA-256 ..." or that no plan was registered and these are defaults.
 std::string describe(const AnalysisPlan& plan);
 
-/// Throws AnalysisError that says line and field.
-AnalysisPlan readPlan(const std::string& path);
-AnalysisPlan planFromJsonText(const std::string& text, const std::string& where);
+/// `tasks`: those that a plan may name. Throws AnalysisError that says line and field.
+AnalysisPlan readPlan(const std::string& path, const std::vector<std::string>& tasks);
+AnalysisPlan planFromJsonText(const std::string& text, const std::string& where, const std::vector<std::string>& tasks);
 
 }  // namespace ocelli

@@ -18,7 +18,6 @@ namespace {
 constexpr size_t kMaxNameBytes = 100;
 constexpr size_t kMaxTextBytes = 4000;
 constexpr size_t kMaxEntries = 1000;
-constexpr std::array<std::string_view, 4> kTasks{"find", "count", "path", "survey"};
 constexpr std::array<std::string_view, 7> kFactors{"view",       "session", "moving", "exposure",
                                                    "duplicates", "objects", "trial"};
 constexpr std::array<std::string_view, 2> kGroups{"subject", "case"};
@@ -90,10 +89,10 @@ std::vector<std::string> readTerms(JsonObject& fields, const char* name) {
   return terms;
 }
 
-PlannedModel readModel(JsonObject& fields, std::set<std::string>& names) {
+PlannedModel readModel(JsonObject& fields, const std::vector<std::string>& tasks, std::set<std::string>& names) {
   PlannedModel model;
   model.name = newName(fields, names);
-  model.task = choice(fields, "task", kTasks);
+  model.task = choice(fields, "task", tasks);
   model.kind = choiceOf(fields, "kind", kModelKinds);
   model.terms = readTerms(fields, "terms");
   std::set<std::string> groups;
@@ -128,8 +127,7 @@ Hypothesis readHypothesis(JsonObject& fields, const AnalysisPlan& plan, std::set
   if (model == nullptr) {
     fields.fail("model", fmt::format("is \"{}\", which \"models\" does not hold", hypothesis.model));
   }
-  if (model->task == "find" && model->kind == ModelKind::kLinearMixed &&
-      plan.findTimeouts == TimeoutTreatment::kCensored) {
+  if (model->kind == ModelKind::kLinearMixed && plan.findTimeouts == TimeoutTreatment::kCensored) {
     fields.fail(
         "model",
         fmt::format("is \"{}\", of the kind linear_mixed, which knows no censored times, but \"find_timeouts\" is "
@@ -188,7 +186,7 @@ PlannedExclusion readExclusion(JsonObject& fields) {
   return rule;
 }
 
-AnalysisPlan readFields(JsonObject& fields) {
+AnalysisPlan readFields(JsonObject& fields, const std::vector<std::string>& plannable) {
   AnalysisPlan plan;
   plan.name = fields.text("name", kMaxNameBytes);
   plan.registered = fields.textOr("registered", kMaxTextBytes, "");
@@ -212,7 +210,8 @@ AnalysisPlan readFields(JsonObject& fields) {
   std::set<std::string> familyNames;
   std::set<std::string> inFamilies;
   std::set<std::string> tasks;
-  fields.forEach("models", kMaxEntries, [&](JsonObject& each) { plan.models.push_back(readModel(each, modelNames)); });
+  fields.forEach("models", kMaxEntries,
+                 [&](JsonObject& each) { plan.models.push_back(readModel(each, plannable, modelNames)); });
   fields.forEach("hypotheses", kMaxEntries,
                  [&](JsonObject& each) { plan.hypotheses.push_back(readHypothesis(each, plan, hypothesisNames)); });
   fields.forEach("families", kMaxEntries,
@@ -226,7 +225,7 @@ AnalysisPlan readFields(JsonObject& fields) {
   }
   fields.forEach("equivalence", kMaxEntries, [&](JsonObject& each) {
     PlannedEquivalence bounds;
-    bounds.task = choice(each, "task", std::array<std::string_view, 2>{"count", "path"});
+    bounds.task = choice(each, "task", plannable);
     bounds.lower = each.number("lower", -1, 1);
     bounds.upper = each.number("upper", -1, 1);
     if (!(bounds.lower < 0 && bounds.upper > 0)) {
@@ -252,16 +251,17 @@ AnalysisPlan readFields(JsonObject& fields) {
 
 }  // namespace
 
-AnalysisPlan planFromJsonText(const std::string& text, const std::string& where) {
+AnalysisPlan planFromJsonText(const std::string& text, const std::string& where,
+                              const std::vector<std::string>& tasks) {
   const JsonText json(text, where, "protocols/analysis_plan.schema.json");
   JsonObject fields(json, json.root(), "");
-  AnalysisPlan plan = readFields(fields);
+  AnalysisPlan plan = readFields(fields, tasks);
   plan.sha256 = hexadecimal(sha256Of(text));
   return plan;
 }
 
-AnalysisPlan readPlan(const std::string& path) {
-  return planFromJsonText(fileBytes(path), path);
+AnalysisPlan readPlan(const std::string& path, const std::vector<std::string>& tasks) {
+  return planFromJsonText(fileBytes(path), path, tasks);
 }
 
 }  // namespace ocelli

@@ -77,7 +77,10 @@ class Reading {
     source.form = DataSource::Form::kCsv;
     if (!protocolFile.empty()) {
       source.protocolText = fileBytes(protocolFile);
-      source.protocolName = protocolFacts(source.protocolText, protocolFile).name;
+      const ProtocolFacts facts = protocolFacts(source.protocolText, protocolFile);
+      source.protocolName = facts.name;
+      data_.conditions = facts.conditions;
+      protocolIsKnown_ = true;
       source.protocolSha256 = hexadecimal(sha256Of(source.protocolText));
     }
     readSubjects();
@@ -97,6 +100,7 @@ class Reading {
   void readAnswers();
 
   std::string folder_;
+  bool protocolIsKnown_ = false;
   Dataset data_{};
   std::map<std::pair<std::string, int>, size_t> sessionIndex_{};
 };
@@ -218,10 +222,12 @@ void Reading::readTrials() {
     trial.caseIndex = table.smallInteger(at["case_index"]);
     trial.caseLabel = table.name(at["case_label"]);
     const std::string view = table.text(at["view"]);
-    if (view != nameOf(TrialView::kPinhole) && view != nameOf(TrialView::kGraph)) {
-      table.fail(at["view"], fmt::format("is \"{}\", but must be ppc or gc", view));
+    const std::optional<TrialView> condition = data_.conditions.viewNamed(view);
+    if (!condition) {
+      table.fail(at["view"], fmt::format("is \"{}\", but {}{}", view, data_.conditions.mustBe(),
+                                         protocolIsKnown_ ? "" : ", unless --protocol FILE names other conditions"));
     }
-    trial.view = view == nameOf(TrialView::kGraph) ? TrialView::kGraph : TrialView::kPinhole;
+    trial.view = *condition;
     trial.attempt = table.smallInteger(at["attempt"]);
     trial.subjectKind = table.text(at["subject_kind"]);
     trial.moving = table.optionalFlag(at["moving"]);
@@ -261,7 +267,7 @@ void Reading::readTrials() {
     trial.screenWidth = table.optionalInteger(at["screen_width_px"]);
     trial.screenHeight = table.optionalInteger(at["screen_height_px"]);
     trial.refreshHertz = table.optionalReal(at["refresh_hz"]);
-    trial.digest = digestOf(trial, unread);
+    trial.digest = digestOf(trial, view, unread);
     data_.trials.push_back(std::move(trial));
   }
 }

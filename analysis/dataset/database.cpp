@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/base/analysis_error.h"
+#include "analysis/dataset/protocol_facts.h"
 #include "analysis/dataset/row_digest.h"
 #include "analysis/dataset/sqlite_reading.h"
 #include "analysis/dataset/trial_check.h"
@@ -152,6 +153,7 @@ void DatabaseReading::readStudy() {
         "the database as the study wrote it");
   }
   source.withdrawals = readWithdrawals();
+  data_.conditions = protocolFacts(source.protocolText, fmt::format("{}, protocol", path_)).conditions;
   data_.sources.push_back(std::move(source));
 }
 
@@ -288,10 +290,11 @@ Trial DatabaseReading::trialOf(Row& row) const {
   trial.caseIndex = row.smallInteger();
   trial.caseLabel = row.name();
   const std::string view = row.text();
-  if (view != nameOf(TrialView::kPinhole) && view != nameOf(TrialView::kGraph)) {
-    row.fail("view", fmt::format("is \"{}\", but must be ppc or gc", view));
+  const std::optional<TrialView> condition = data_.conditions.viewNamed(view);
+  if (!condition) {
+    row.fail("view", fmt::format("is \"{}\", but {}", view, data_.conditions.mustBe()));
   }
-  trial.view = view == nameOf(TrialView::kGraph) ? TrialView::kGraph : TrialView::kPinhole;
+  trial.view = *condition;
   trial.attempt = row.smallInteger();
   trial.simulated = row.flag();
   trial.subjectKind = row.text();
@@ -326,7 +329,7 @@ Trial DatabaseReading::trialOf(Row& row) const {
   trial.screenWidth = row.optionalInteger();
   trial.screenHeight = row.optionalInteger();
   trial.refreshHertz = row.optionalReal();
-  trial.digest = digestOf(trial, unread);
+  trial.digest = digestOf(trial, view, unread);
   return trial;
 }
 

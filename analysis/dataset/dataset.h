@@ -123,6 +123,7 @@ struct LeftOutRow {
 
 struct Dataset {
   std::vector<DataSource> sources;
+  ViewConditions conditions = defaultConditions();
   std::vector<Subject> subjects;  ///< each id once
   std::vector<Session> sessions;
   std::vector<Consent> consents;

@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <map>
-#include <string_view>
 
 #include "analysis/dataset/protocol_facts.h"
 
@@ -63,7 +61,7 @@ std::vector<std::string> wordsOf(const std::string& text) {
   return words;
 }
 
-bool hasAnyOf(const std::string& text, const std::array<std::string_view, 3>& names) {
+bool hasAnyOf(const std::string& text, const std::vector<std::string>& names) {
   const std::vector<std::string> words = wordsOf(text);
   return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
     return std::find(names.begin(), names.end(), word) != names.end();
@@ -71,10 +69,10 @@ bool hasAnyOf(const std::string& text, const std::array<std::string_view, 3>& na
 }
 
 /// The one view that a text names.
-std::optional<TrialView> namedView(const std::string& text) {
-  const bool pinhole = hasAnyOf(text, {"plain", "pinhole", "ppc"});
-  const bool graph = hasAnyOf(text, {"bent", "graph", "gc"});
-  return pinhole == graph ? std::nullopt : std::optional(graph ? TrialView::kGraph : TrialView::kPinhole);
+std::optional<TrialView> viewInWords(const std::string& text, const ViewConditions& conditions) {
+  const bool reference = hasAnyOf(text, conditions.of(TrialView::kReference).wordsOfEnds);
+  const bool other = hasAnyOf(text, conditions.of(TrialView::kOther).wordsOfEnds);
+  return reference == other ? std::nullopt : std::optional(other ? TrialView::kOther : TrialView::kReference);
 }
 
 }  // namespace
@@ -104,12 +102,12 @@ std::string FormItem::scaleText() const {
                          : fmt::format("{} to {}", end(options.front(), 1, 0), end(options.back(), steps(), 1));
 }
 
-std::optional<TrialView> viewFavoredByLastEnd(const std::vector<std::string>& ends) {
+std::optional<TrialView> viewFavoredByLastEnd(const std::vector<std::string>& ends, const ViewConditions& conditions) {
   if (ends.size() != 2) {
     return std::nullopt;
   }
-  const std::optional<TrialView> first = namedView(ends[0]);
-  const std::optional<TrialView> last = namedView(ends[1]);
+  const std::optional<TrialView> first = viewInWords(ends[0], conditions);
+  const std::optional<TrialView> last = viewInWords(ends[1], conditions);
   return first && last && *first != *last ? last : std::nullopt;
 }
 

@@ -40,9 +40,9 @@ struct FormItem {
   bool operator==(const FormItem&) const = default;
 };
 
-/// By the words of the ends of a scale: "plain", "pinhole" or "ppc" in one, "bent", "graph" or "gc" in the other. For
-/// protocols from before the field "favors".
-std::optional<TrialView> viewFavoredByLastEnd(const std::vector<std::string>& ends);
+/// By the words of the ends of a scale, where one has a word of one condition and the other of the other. For protocols
+/// from before the field "favors".
+std::optional<TrialView> viewFavoredByLastEnd(const std::vector<std::string>& ends, const ViewConditions& conditions);
 
 /// The questions of all sources of a dataset.
 class FormItems {

@@ -60,6 +60,7 @@ class Merging {
     if (!options.allowOtherProtocols) {
       checkProtocols(merged_.sources);
     }
+    takeConditions();
     merged_.trials.reserve(trials);
     for (Dataset& part : parts_) {
       add(std::move(part));
@@ -89,6 +90,7 @@ class Merging {
   }
   const std::string& pathOf(int source) const { return merged_.sources[static_cast<size_t>(source)].path; }
 
+  void takeConditions();
   void add(Dataset part);
   void addSubjects(Dataset& part);
   void addSessions(Dataset& part);
@@ -107,6 +109,21 @@ class Merging {
   std::set<SessionKey> repeatedSessions_{};  ///< of the part that is added
   int64_t repeatedTrials_ = 0;
 };
+
+/// Labels are those of the first source.
+void Merging::takeConditions() {
+  merged_.conditions = parts_.front().conditions;
+  size_t source = 0;
+  for (const Dataset& part : parts_) {
+    if (!part.conditions.hasNamesOf(merged_.conditions)) {
+      const auto& [reference, other] = part.conditions.list;
+      refuse(fmt::format("these compare different view conditions: {} with {}, and {} with {}",
+                         merged_.conditions.list[0].name, merged_.conditions.list[1].name, reference.name, other.name),
+             merged_.sources.front().path, merged_.sources[source].path, "analyse them apart");
+    }
+    source += part.sources.size();
+  }
+}
 
 void Merging::addSubjects(Dataset& part) {
   for (Subject& subject : part.subjects) {

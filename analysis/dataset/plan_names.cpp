@@ -60,6 +60,26 @@ const char* nameOf(ModelKind kind) {
   return "";
 }
 
+bool isOfTimes(ModelKind kind) {
+  switch (kind) {
+    case ModelKind::kLinearMixed:
+    case ModelKind::kLogNormalMixed:
+    case ModelKind::kKaplanMeier:
+    case ModelKind::kCox:
+    case ModelKind::kLogNormalSurvival:
+      return true;
+    case ModelKind::kBinomialMixed:
+    case ModelKind::kMcNemar:
+    case ModelKind::kSignedError:
+    case ModelKind::kEquivalence:
+    case ModelKind::kBayesFactor:
+    case ModelKind::kAgainstChance:
+    case ModelKind::kOrdinal:
+      return false;
+  }
+  return false;
+}
+
 bool isMixed(ModelKind kind) {
   return kind == ModelKind::kLinearMixed || kind == ModelKind::kLogNormalMixed || kind == ModelKind::kBinomialMixed;
 }

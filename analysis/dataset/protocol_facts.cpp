@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 
 #include "analysis/dataset/exclusions.h"
 #include "analysis/dataset/json_text.h"
@@ -12,7 +14,16 @@ namespace {
 
 constexpr size_t kMaxBytes = 1'000'000;
 constexpr size_t kMaxOptions = 1000;
+constexpr size_t kMaxConditionBytes = 100;
 constexpr int kMaxSide = 64;  ///< cells of a maze
+
+/// What a study does where its protocol does not say it; 0: nothing is done so.
+struct UsualFields {
+  std::string_view task{};
+  double limitSeconds = 0;
+  int maps = 0;
+};
+constexpr UsualFields kUsualFields[] = {{"find", 60, 0}, {"path", 0, 3}};
 
 /// Calls `read` for the objects of a list; the study knows more fields than are read here.
 void forEachElement(const JsonText& text, const nlohmann::json& owner, const std::string& pointer, const char* name,
@@ -49,11 +60,14 @@ ProtocolBlockFacts readBlock(const JsonText& text, JsonObject& fields, const nlo
   block.bothViews = fields.textOr("views", kMaxBytes, "both") == "both";
   block.moving = fields.has("moving");
   block.fovHorizontalDegrees = fields.numberOr("fov_horizontal_degrees", 1, 179, block.fovHorizontalDegrees);
-  if (block.task == "find") {
-    block.limitSeconds = fields.numberOr("limit_seconds", 0, 1e6, 60);
+  const UsualFields* usual = std::find_if(std::begin(kUsualFields), std::end(kUsualFields),
+                                          [&](const UsualFields& each) { return each.task == block.task; });
+  const UsualFields known = usual == std::end(kUsualFields) ? UsualFields{} : *usual;
+  if (fields.has("limit_seconds") || known.limitSeconds > 0) {
+    block.limitSeconds = fields.numberOr("limit_seconds", 0, 1e6, known.limitSeconds);
   }
-  if (block.task == "path") {
-    block.maps = static_cast<int>(fields.integerOr("maps", 2, 100, 3));
+  if (fields.has("maps") || known.maps > 0) {
+    block.maps = static_cast<int>(fields.integerOr("maps", 2, 100, known.maps));
   }
   if (fields.has("practice")) {
     JsonObject practice(text, fields.value("practice"), fmt::format("{}/practice", pointer));
@@ -85,8 +99,37 @@ PlannedExclusion readRule(JsonObject& fields) {
   return rule;
 }
 
+/// A name of a condition stands in databases, tables, names of cells and commands.
+bool isName(const std::string& text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
+           c == '.';
+  });
+}
+
+ViewConditions readConditions(const JsonText& text, JsonObject& fields) {
+  const nlohmann::json& list = fields.value("conditions");
+  if (!list.is_array() || list.size() != kViews.size()) {
+    fields.fail("conditions", "must be a list of two conditions, of which the first is the reference");
+  }
+  ViewConditions conditions;
+  for (size_t i = 0; i < kViews.size(); ++i) {
+    JsonObject each(text, list[i], fmt::format("/conditions/{}", i));
+    ViewCondition& condition = conditions.list[i];
+    condition.name = each.text("name", kMaxConditionBytes);
+    condition.label = each.textOr("label", kMaxConditionBytes, condition.name);
+    if (!isName(condition.name)) {
+      each.fail("name", fmt::format("is \"{}\", but must be letters, digits, \"-\", \"_\" and \".\"", condition.name));
+    }
+    if (i > 0 && (condition.name == conditions.list[0].name || condition.label == conditions.list[0].label)) {
+      each.fail(condition.name == conditions.list[0].name ? "name" : "label", "is that of the other condition too");
+    }
+  }
+  return conditions;
+}
+
 /// Fields without options take any text.
-FormItem readItem(JsonObject& fields, const std::string& form) {
+FormItem readItem(JsonObject& fields, const std::string& form, const ViewConditions& conditions) {
   FormItem item;
   item.form = form;
   item.name = fields.text("name", kMaxBytes);
@@ -99,12 +142,14 @@ FormItem readItem(JsonObject& fields, const std::string& form) {
   }
   if (fields.has("favors")) {
     const std::vector<std::string> favors = fields.texts("favors", 2, kMaxBytes);
-    if (favors == std::vector<std::string>{"ppc", "gc"} || favors == std::vector<std::string>{"gc", "ppc"}) {
-      item.lastFavors = favors[1] == "gc" ? TrialView::kGraph : TrialView::kPinhole;
-    } else {
-      fields.fail("favors", R"(must be ["ppc", "gc"] or ["gc", "ppc"])");
+    const std::optional<TrialView> first = favors.size() == 2 ? conditions.viewNamed(favors[0]) : std::nullopt;
+    const std::optional<TrialView> last = favors.size() == 2 ? conditions.viewNamed(favors[1]) : std::nullopt;
+    if (!first || !last || first == last) {
+      const auto& [reference, other] = conditions.list;
+      fields.fail("favors", fmt::format(R"(must be ["{0}", "{1}"] or ["{1}", "{0}"])", reference.name, other.name));
     }
-  } else if (const std::optional<TrialView> view = viewFavoredByLastEnd(item.ends)) {
+    item.lastFavors = last;
+  } else if (const std::optional<TrialView> view = viewFavoredByLastEnd(item.ends, conditions)) {
     item.lastFavors = view;
     item.favorsFromWords = true;
   }
@@ -137,6 +182,16 @@ const ProtocolMaze* ProtocolFacts::findMaze(const std::string& maze) const {
   return found == mazes.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> tasksOf(const ProtocolFacts& facts) {
+  std::vector<std::string> tasks;
+  for (const ProtocolBlockFacts& block : facts.blocks) {
+    if (std::find(tasks.begin(), tasks.end(), block.task) == tasks.end()) {
+      tasks.push_back(block.task);
+    }
+  }
+  return tasks;
+}
+
 ProtocolFacts protocolFacts(const std::string& text, const std::string& where) {
   const JsonText json(text, where, "protocols/protocol.schema.json");
   JsonObject fields(json, json.root(), "");
@@ -164,11 +219,15 @@ ProtocolFacts protocolFacts(const std::string& text, const std::string& where) {
   forEachElement(json, json.root(), "", "exclusions", [&](JsonObject& each, const auto&, const std::string&) {
     facts.exclusions.push_back(readRule(each));
   });
+  if (fields.has("conditions")) {
+    facts.conditions = readConditions(json, fields);
+  }
   for (const char* form : {"demographics", "survey"}) {
     if (fields.has(form)) {
-      forEachElement(
-          json, fields.value(form), fmt::format("/{}", form), "fields",
-          [&](JsonObject& each, const auto&, const std::string&) { facts.items.push_back(readItem(each, form)); });
+      forEachElement(json, fields.value(form), fmt::format("/{}", form), "fields",
+                     [&](JsonObject& each, const auto&, const std::string&) {
+                       facts.items.push_back(readItem(each, form, facts.conditions));
+                     });
     }
   }
   facts.screen = readScreen(json, fields);

@@ -62,9 +62,13 @@ struct ProtocolFacts {
   std::vector<PlannedExclusion> exclusions{};
   std::vector<FormItem> items{};  ///< of "demographics", then of "survey"
   ProtocolScreen screen{};
+  ViewConditions conditions = defaultConditions();
 
   const ProtocolMaze* findMaze(const std::string& maze) const;
 };
+
+/// Of its blocks, each once.
+std::vector<std::string> tasksOf(const ProtocolFacts& facts);
 
 /// Throws AnalysisError that names `where` and the line.
 ProtocolFacts protocolFacts(const std::string& text, const std::string& where);

@@ -47,13 +47,13 @@ Digest RowBytes::digest() const {
   return sha256Of(bytes_);
 }
 
-Digest digestOf(const Trial& trial, const UnreadColumns& unread) {
+Digest digestOf(const Trial& trial, const std::string& view, const UnreadColumns& unread) {
   const auto number = [](const auto& value) {
     return value ? std::optional<int64_t>(static_cast<int64_t>(*value)) : std::nullopt;
   };
   RowBytes row("trial");
   row.text(trial.subject).integer(trial.session).integer(trial.planIndex).integer(trial.blockIndex).text(trial.block);
-  row.text(trial.task).integer(trial.caseIndex).text(trial.caseLabel).text(nameOf(trial.view)).integer(trial.attempt);
+  row.text(trial.task).integer(trial.caseIndex).text(trial.caseLabel).text(view).integer(trial.attempt);
   row.integer(trial.simulated ? 1 : 0).text(trial.subjectKind).integer(number(trial.moving));
   row.real(trial.exposureSeconds).integer(number(trial.objects)).integer(number(trial.duplicateColors));
   row.text(trial.answer).text(trial.expected).integer(number(trial.correct)).integer(number(trial.censored));

@@ -47,7 +47,8 @@ struct UnreadColumns {
   std::optional<int64_t> medianIntervalNs{};
   std::optional<int64_t> longestIntervalNs{};
 };
-Digest digestOf(const Trial& trial, const UnreadColumns& unread);
+/// `view`: the name of its condition.
+Digest digestOf(const Trial& trial, const std::string& view, const UnreadColumns& unread);
 
 Digest sha256Of(std::string_view bytes);
 /// Of the digests in the order of their bytes: the same whatever order they came in.

@@ -8,20 +8,9 @@
 #include <optional>
 #include <string>
 
+#include "analysis/dataset/view_condition.h"
+
 namespace ocelli {
-
-enum class TrialView : uint8_t { kPinhole, kGraph };
-inline constexpr std::array kViews = {TrialView::kPinhole, TrialView::kGraph};
-
-/// "ppc", "gc", as databases, tables and reports write it.
-constexpr const char* nameOf(TrialView view) {
-  return view == TrialView::kPinhole ? "ppc" : "gc";
-}
-
-/// In the words of the field, for readers.
-constexpr const char* labelOf(TrialView view) {
-  return view == TrialView::kPinhole ? "pinhole" : "graph camera";
-}
 
 /// SHA-256.
 using Digest = std::array<uint8_t, 32>;
@@ -41,7 +30,7 @@ struct Trial {
   std::string task;  ///< "find", "count", "path", ...
   int caseIndex = 0;
   std::string caseLabel;
-  TrialView view = TrialView::kPinhole;
+  TrialView view = TrialView::kReference;
   int attempt = 1;
   bool simulated = false;
   std::string subjectKind;  ///< "person", "simulated_observer", ...

@@ -54,9 +54,9 @@ class Navigation {
     }
   }
 
-  NavigationData all() {
+  NavigationData all(const std::string& task) {
     for (size_t i = 0; i < data_.trials.size(); ++i) {
-      if (data_.trials[i].task == "find") {
+      if (data_.trials[i].task == task) {
         add(i);
       }
     }
@@ -69,9 +69,10 @@ class Navigation {
           result_.searchesWithoutLog, result_.searchesWithoutLog == 1 ? "search has" : "searches have"));
     }
     if (!result_.searches.empty()) {
-      result_.notes.emplace_back(
-          "In sight is what a pinhole at the eye would show in a straight line; with the graph camera the object may "
-          "have been seen before, around a corner.");
+      result_.notes.push_back(
+          fmt::format("In sight is what a pinhole at the eye would show in a straight line; with the {} the object may "
+                      "have been seen before, around a corner.",
+                      data_.conditions.labelOf(TrialView::kOther)));
     }
     return std::move(result_);
   }
@@ -185,8 +186,8 @@ void Navigation::addHeat(const Trial& trial, const std::string& maze, const Maze
 
 }  // namespace
 
-NavigationData navigationOf(const Dataset& data) {
-  return Navigation(data).all();
+NavigationData navigationOf(const Dataset& data, const std::string& task) {
+  return Navigation(data).all(task);
 }
 
 }  // namespace ocelli

@@ -2,8 +2,8 @@
 // sight, and where in the maze the time went.
 //
 // What the log does not tell is said to be unknown: where a moving object was, what a CSV export does not hold, and
-// what the bent rays of a graph camera showed. For the latter, "in sight" means what a pinhole of the same eye would
-// have shown; the graph camera may have shown the object earlier.
+// what bent rays showed. For the latter, "in sight" means what a pinhole of the same eye would have shown; a view with
+// bent rays may have shown the object earlier.
 #pragma once
 
 #include <string>
@@ -32,7 +32,7 @@ struct SearchNavigation {
 struct MazeHeatMap {
   int source = 0;  ///< whose protocol draws the maze
   std::string maze;
-  TrialView view = TrialView::kPinhole;
+  TrialView view = TrialView::kReference;
   bool moving = false;  ///< the object
   int rows = 0;
   int columns = 0;
@@ -48,7 +48,7 @@ struct NavigationData {
   std::vector<std::string> notes;     ///< whole sentences
 };
 
-/// Of all trials of the task "find". Reads the logs trial by trial. Throws AnalysisError.
-NavigationData navigationOf(const Dataset& data);
+/// Of all trials of a task that is a search. Reads the logs trial by trial. Throws AnalysisError.
+NavigationData navigationOf(const Dataset& data, const std::string& task);
 
 }  // namespace ocelli

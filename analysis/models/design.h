@@ -2,7 +2,7 @@
 //
 //   FixedEffects fixed(rows);
 //   fixed.addIntercept();
-//   fixed.addFactor("view", views, {"ppc", "gc"}, Coding::kCentered);
+//   fixed.addFactor("view", views, {"flat", "bent"}, Coding::kCentered);
 //   fixed.addNumber("session", sessions);
 //   fixed.addInteraction("view", "session");
 //   RandomTerm subjects = randomIntercepts("subject", subjectOfRow);
@@ -31,10 +31,10 @@ class FixedEffects {
 
   void addIntercept();  ///< "(intercept)"
   void addNumber(const std::string& name, const std::vector<double>& values);
-  /// A column for each level but the first, "view=gc". `labels`: one a row, each of them one of `levels`.
+  /// A column for each level but the first, "view=bent". `labels`: one a row, each of them one of `levels`.
   void addFactor(const std::string& name, const std::vector<std::string>& labels,
                  const std::vector<std::string>& levels, Coding coding);
-  /// The products of the columns of two terms that were added, "view=gc:session". Is a term itself: "view:session".
+  /// The products of the columns of two terms that were added, "view=bent:session". Is a term itself: "view:session".
   void addInteraction(const std::string& first, const std::string& second);
 
   Eigen::Index rows() const { return columns_.rows(); }
@@ -61,7 +61,7 @@ struct RandomTerm {
   std::string group;                ///< "subject"
   std::vector<std::string> levels;  ///< sorted
   std::vector<int> levelOfRow;
-  std::vector<std::string> names;  ///< of the effects: "(intercept)", "view=gc"
+  std::vector<std::string> names;  ///< of the effects: "(intercept)", "view=bent"
   Eigen::MatrixXd columns;         ///< rows x effects: what they are multiplied with
   bool correlated = true;          ///< or each with a variance only
 };
@@ -91,7 +91,7 @@ struct Design {
   Eigen::MatrixXd triangle;
 
   Eigen::Index rows() const { return fixed.rows(); }
-  /// Rows with other values of the same columns, such as "all of them in the graph view", for predictions.
+  /// Rows with other values of the same columns, such as "all of them in the second view", for predictions.
   Eigen::MatrixXd rowsLike(const FixedEffects& other) const;
 };
 

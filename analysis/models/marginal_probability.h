@@ -7,7 +7,7 @@
 
 namespace ocelli {
 
-/// Rows as they would be, such as all of them in the graph view.
+/// Rows as they would be, such as all of them in the second view.
 struct Condition {
   Eigen::MatrixXd fixed;            ///< rows x coefficients
   Eigen::VectorXd randomVariances;  ///< of the sum of the random effects in each row, logits squared

@@ -22,8 +22,8 @@ struct ForestPlot {
   };
 
   std::string title;
-  std::string valueLabel;  ///< "Ratio of times, gc / ppc"
-  std::string lowerSide;   ///< left of the reference: "gc faster"
+  std::string valueLabel;  ///< "Ratio of times, bent / flat"
+  std::string lowerSide;   ///< left of the reference: "bent faster"
   std::string upperSide;
   std::vector<Row> rows;
   bool ratio = false;                                ///< log axis and reference 1, else reference 0

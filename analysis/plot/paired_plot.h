@@ -19,7 +19,7 @@ struct PairedPlot {
 
   std::string title;
   std::string valueLabel;
-  std::array<std::string, 2> conditions{"ppc", "gc"};
+  std::array<std::string, 2> conditions{};
   std::vector<Pair> pairs;              ///< those with a value that cannot be drawn are left out, and counted
   std::array<Interval, 2> summaries{};  ///< NaN where not known
   std::string summaryName = "mean, 95 % interval";

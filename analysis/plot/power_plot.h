@@ -15,7 +15,7 @@ struct PowerPlot {
     Interval power{};
   };
   struct Curve {
-    std::string name;  ///< "gc takes 0.8 of the time"
+    std::string name;  ///< "bent takes 0.8 of the time"
     std::vector<Point> points;
   };
 

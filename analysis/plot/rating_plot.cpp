@@ -17,9 +17,9 @@ constexpr double kRatingRowHeight = 24;
 constexpr double kMeanWidth = 78;
 
 // From the colour of one view over grey to that of the other; lightness falls to both ends.
-constexpr Paint kPinholePaint{0.78, 0.33, 0.0};
+constexpr Paint kFirstPaint{0.78, 0.33, 0.0};
 constexpr Paint kMiddlePaint{0.90, 0.90, 0.89};
-constexpr Paint kGraphPaint{0.0, 0.40, 0.66};
+constexpr Paint kSecondPaint{0.0, 0.40, 0.66};
 // Of scales that do not compare views: one hue that darkens.
 constexpr Paint kLittlePaint{0.90, 0.90, 0.90};
 constexpr Paint kMuchPaint{0.22, 0.24, 0.27};
@@ -39,8 +39,8 @@ Paint paintOf(const RatingPlot& plot, size_t step) {
   if (!plot.parted) {
     return mixed(kLittlePaint, kMuchPaint, (off + 1) / 2);
   }
-  const bool graph = (off > 0) == plot.lastIsGraph;
-  return mixed(kMiddlePaint, graph ? kGraphPaint : kPinholePaint, std::abs(off));
+  const bool second = (off > 0) == plot.lastIsOther;
+  return mixed(kMiddlePaint, second ? kSecondPaint : kFirstPaint, std::abs(off));
 }
 
 /// White on dark grounds.

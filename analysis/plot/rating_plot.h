@@ -25,7 +25,7 @@ struct RatingPlot {
   std::string lowest{};                                     ///< what the first step means; may be empty
   std::string highest{};                                    ///< and the last
   bool parted = true;                                       ///< the scale compares the views
-  bool lastIsGraph = true;                                  ///< the last step speaks for the graph camera: its colours
+  bool lastIsOther = true;                                  ///< the last step speaks for the second view: its colours
   std::vector<Question> questions;
   double widthMillimetres = kDoubleColumnMillimetres;
 };

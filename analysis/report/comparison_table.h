@@ -20,10 +20,10 @@ struct ComparisonRow {
 struct ComparisonTable {
   std::string caption;
   std::string id;
-  std::string first = "ppc";
-  std::string second = "gc";
-  std::string difference = "gc less ppc";  ///< or a ratio
-  bool tested = true;                      ///< with standard error, statistic and p value of the difference
+  std::string first = "@reference@";
+  std::string second = "@other@";
+  std::string difference = "@other@ less @reference@";  ///< or a ratio
+  bool tested = true;  ///< with standard error, statistic and p value of the difference
   std::vector<ComparisonRow> rows;
 };
 

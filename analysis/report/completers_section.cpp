@@ -124,14 +124,13 @@ TrialValues ofGroup(const Groups& groups, const TrialValues& values, bool stayed
 }
 
 SubjectNumbers viewEffects(const TrialValues& values) {
-  return subjectDifferences(subjectMeans(valuesOfView(values, TrialView::kPinhole)),
-                            subjectMeans(valuesOfView(values, TrialView::kGraph)));
+  return subjectDifferences(subjectMeans(valuesOfView(values, TrialView::kReference)),
+                            subjectMeans(valuesOfView(values, TrialView::kOther)));
 }
 
 /// What a task has to compare.
 struct Measured {
-  std::string id;
-  std::string title;  ///< "Finding"
+  const ReportTask& task;
   TrialList trials;
   TrialValues logTimes{};  ///< of searches
   TrialValues right{};
@@ -139,18 +138,14 @@ struct Measured {
   bool isEmpty() const { return logTimes.empty() && right.empty(); }
 };
 
-Measured measuredOf(const Groups& groups, const std::string& task, TimeoutTreatment timeouts) {
-  Measured measured{task,
-                    task == "find"    ? "Finding"
-                    : task == "count" ? "Counting"
-                                      : "Recognising paths",
-                    groups.firstSessions(task)};
+Measured measuredOf(const Groups& groups, const ReportTask& task, TimeoutTreatment timeouts) {
+  Measured measured{task, groups.firstSessions(task.name)};
   for (const Trial* trial : measured.trials) {
     if (trial->correct) {
       measured.right.push_back({trial, *trial->correct ? 1.0 : 0.0});
     }
     const bool removed = timeouts == TimeoutTreatment::kRemoved && isCensored(trial);
-    if (task == "find" && trial->responseSeconds && *trial->responseSeconds > 0 && !removed) {
+    if (task.isTimed && trial->responseSeconds && *trial->responseSeconds > 0 && !removed) {
       measured.logTimes.push_back({trial, std::log(*trial->responseSeconds)});
     }
   }
@@ -165,8 +160,8 @@ void addFigure(ReportWork& work, const Groups& groups, const std::vector<Measure
     const bool times = !measured.logTimes.empty();
     const TrialValues& values = times ? measured.logTimes : measured.right;
     GroupPlot plot;
-    plot.title = measured.title;
-    plot.valueLabel = times ? "Time to find (s)" : "Share of right answers";
+    plot.title = measured.task.title;
+    plot.valueLabel = times ? measured.task.timeName : std::string("Share of right answers");
     plot.summaryName = "mean of subjects (geometric of times), 95 % interval";
     plot.scale = times ? AxisScale::kLog : AxisScale::kLinear;
     plot.percent = !times;
@@ -174,8 +169,8 @@ void addFigure(ReportWork& work, const Groups& groups, const std::vector<Measure
     plot.widthMillimetres = grid.columnMillimetres();
     plot.heightMillimetres = 55;
     plot.conditions = {"completed", "did not"};
-    for (const TrialView view : {TrialView::kPinhole, TrialView::kGraph}) {
-      GroupSeries series{labelOf(view), {}};
+    for (const TrialView view : kViews) {
+      GroupSeries series{labelOf(work, view), {}};
       for (const bool stayed : {true, false}) {
         const TrialValues some = valuesOfView(ofGroup(groups, values, stayed), view);
         series.groups.push_back(
@@ -193,8 +188,8 @@ void addTable(ReportWork& work, const Groups& groups, const Measured& measured) 
   ComparisonTable table;
   table.caption =
       fmt::format("{} in the first session: means over subjects' means, with 95 % intervals; subjects of either group",
-                  measured.title);
-  table.id = fmt::format("completers-{}", measured.id);
+                  measured.task.title);
+  table.id = fmt::format("completers-{}", measured.task.name);
   table.first = "Completed";
   table.second = "Did not";
   table.difference = "Did not, against completed";
@@ -205,27 +200,27 @@ void addTable(ReportWork& work, const Groups& groups, const Measured& measured) 
     const TrialValues left = ofGroup(groups, values, false);
     table.rows.push_back(compareGroups(label, subjectMeans(stayed), subjectMeans(left), scale, what));
     table.rows.push_back(compareGroups(effect, viewEffects(stayed), viewEffects(left), scaleOfDifferences(scale),
-                                       fmt::format("differences (gc less ppc) of {}", what)));
+                                       fmt::format("differences (@other@ less @reference@) of {}", what)));
   };
   if (!measured.logTimes.empty()) {
     TrialList timed;
     for (const TrialValue& value : measured.logTimes) {
       timed.push_back(value.trial);
     }
-    table.rows.push_back(compareRestrictedMeans(groups, timed, work.analysis.plan.findTimeouts));
-    add("Geometric mean time (s), as a ratio", "Effect of the view on times, gc / ppc, as a ratio", measured.logTimes,
-        ValueScale::kLogarithm, "mean logarithms");
+    table.rows.push_back(compareRestrictedMeans(groups, timed, measured.task.timeouts(work.analysis.plan)));
+    add("Geometric mean time (s), as a ratio", "Effect of the view on times, @other@ / @reference@, as a ratio",
+        measured.logTimes, ValueScale::kLogarithm, "mean logarithms");
   }
   if (!measured.right.empty()) {
-    add(measured.id == "find" ? "Share found" : "Share of right answers", "Effect of the view on it, gc less ppc",
-        measured.right, ValueScale::kShare, "shares");
+    add(measured.task.rightName, "Effect of the view on it, @other@ less @reference@", measured.right,
+        ValueScale::kShare, "shares");
   }
   addComparison(work.document, table);
 }
 
 }  // namespace
 
-void addCompletersSection(ReportWork& work, const std::vector<std::string>& tasks) {
+void addCompletersSection(ReportWork& work, const std::vector<ReportTask>& tasks) {
   addHeading(work.document, 1, "Those who completed all sessions, and those who did not", "completers");
   const char* what = "Comparison of completers and drop-outs";
   const std::optional<int> planned = plannedSessions(work.analysis.data);
@@ -257,10 +252,11 @@ void addCompletersSection(ReportWork& work, const std::vector<std::string>& task
       "plan excludes are in neither group. Intervals are for other subjects with the same cases.",
       groups.stayed(), groups.stayed() + groups.left(), *planned, groups.left(), groups.leftAfter())});
   std::vector<Measured> all;
-  for (const std::string& task : tasks) {
-    Measured measured = measuredOf(groups, task, work.analysis.plan.findTimeouts);
+  for (const ReportTask& task : tasks) {
+    Measured measured = measuredOf(groups, task, task.timeouts(work.analysis.plan));
     if (measured.isEmpty()) {
-      addNotEstimable(work.document, fmt::format("{}, first session", measured.title), "there are no trials of it");
+      addNotEstimable(work.document, fmt::format("{}, first session", measured.task.title),
+                      "there are no trials of it");
     } else {
       all.push_back(std::move(measured));
     }
@@ -269,7 +265,7 @@ void addCompletersSection(ReportWork& work, const std::vector<std::string>& task
     addPart(work, "The figure of first sessions", [&] { addFigure(work, groups, all); });
   }
   for (const Measured& measured : all) {
-    addPart(work, fmt::format("{}, first session", measured.title), [&] { addTable(work, groups, measured); });
+    addPart(work, fmt::format("{}, first session", measured.task.title), [&] { addTable(work, groups, measured); });
   }
 }
 

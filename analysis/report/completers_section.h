@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/report/report_parts.h"
+#include "analysis/report/report_task.h"
 
 namespace ocelli {
 
-/// `tasks` of "find", "count", "path".
-void addCompletersSection(ReportWork& work, const std::vector<std::string>& tasks);
+/// Of tasks that have trials.
+void addCompletersSection(ReportWork& work, const std::vector<ReportTask>& tasks);
 
 }  // namespace ocelli

@@ -31,15 +31,15 @@ class Conditions {
   const TrialList& trials() const { return trials_; }
   const std::vector<double>& seconds() const { return seconds_; }
   const std::vector<bool>& duplicates() const { return duplicates_; }
-  size_t cellCount() const { return 2 * seconds_.size() * duplicates_.size(); }
+  size_t cellCount() const { return kViews.size() * seconds_.size() * duplicates_.size(); }
 
-  size_t cell(bool graph, size_t second, size_t duplicate) const {
-    return (second * duplicates_.size() + duplicate) * 2 + (graph ? 1 : 0);
+  size_t cell(TrialView view, size_t second, size_t duplicate) const {
+    return (second * duplicates_.size() + duplicate) * kViews.size() + static_cast<size_t>(view);
   }
   size_t cellOf(const Trial* trial) const {
     const auto second = std::find(seconds_.begin(), seconds_.end(), *trial->exposureSeconds) - seconds_.begin();
     const size_t duplicate = duplicates_.front() == *trial->duplicateColors ? 0 : 1;
-    return cell(trial->view == TrialView::kGraph, static_cast<size_t>(second), duplicate);
+    return cell(trial->view, static_cast<size_t>(second), duplicate);
   }
   TrialList trialsOf(size_t cell) const {
     TrialList list = trials_;
@@ -81,19 +81,19 @@ void addShares(ReportWork& work, const Conditions& conditions) {
     plot.connected = true;
     plot.summaryName = "share of all trials, 95 % interval";
     plot.widthMillimetres = kDoubleColumnMillimetres;
-    plot.series = {{labelOf(TrialView::kPinhole), {}}, {labelOf(TrialView::kGraph), {}}};
+    plot.series = {{labelOf(work, TrialView::kReference), {}}, {labelOf(work, TrialView::kOther), {}}};
     for (size_t second = 0; second < conditions.seconds().size(); ++second) {
       plot.conditions.push_back(fmt::format("{:g}", conditions.seconds()[second]));
-      for (const bool graph : {false, true}) {
-        const TrialList here = conditions.trialsOf(conditions.cell(graph, second, duplicate));
+      for (const TrialView view : kViews) {
+        const TrialList here = conditions.trialsOf(conditions.cell(view, second, duplicate));
         GroupValues values{{kNotKnown, kNotKnown, kNotKnown}, sharesOfSubjects(here)};
         if (!here.empty()) {
           const Estimate share = wilsonShare(shareOf(here));
           values.summary = intervalOf(share);
-          rows.push_back({fmt::format("{}, {}", conditions.name(second, duplicate), graph ? "gc" : "ppc"), share, "",
+          rows.push_back({fmt::format("{}, {}", conditions.name(second, duplicate), markOf(view)), share, "",
                           fmt::format("{} right of {}", shareOf(here).successes, sizeText(here)), here});
         }
-        plot.series[graph ? 1 : 0].groups.push_back(values);
+        plot.series[static_cast<size_t>(view)].groups.push_back(values);
       }
     }
     addFigure(work, plot.title + ", by duration; each dot is a subject",
@@ -121,16 +121,16 @@ void addDifferences(ReportWork& work, const Conditions& conditions) {
     effects.push_back(
         {label, bootstrapContrast(trials, right, cells, weights, bootstrapPlanOf(work.analysis.plan)), trials});
   };
-  /// Adds `weight` times gc less ppc.
+  /// Adds `weight` times other less reference.
   const auto put = [&](std::vector<double>& weights, size_t second, size_t duplicate, double weight) {
-    weights[conditions.cell(true, second, duplicate)] += weight;
-    weights[conditions.cell(false, second, duplicate)] -= weight;
+    weights[conditions.cell(TrialView::kOther, second, duplicate)] += weight;
+    weights[conditions.cell(TrialView::kReference, second, duplicate)] -= weight;
   };
   ForestPlot forest;
   forest.title = "Views in each condition";
-  forest.valueLabel = "Difference of shares, graph camera less pinhole";
-  forest.lowerSide = "pinhole better";
-  forest.upperSide = "graph camera better";
+  forest.valueLabel = withLabels(work, "Difference of shares, @other@ less @reference@");
+  forest.lowerSide = fmt::format("{} better", labelOf(work, TrialView::kReference));
+  forest.upperSide = fmt::format("{} better", labelOf(work, TrialView::kOther));
   for (size_t duplicate = 0; duplicate < duplicates; ++duplicate) {
     for (size_t second = 0; second < seconds; ++second) {
       std::vector<double> weights(conditions.cellCount());
@@ -170,11 +170,11 @@ void addDifferences(ReportWork& work, const Conditions& conditions) {
               "resampled subjects and cases",
               "figure-count-differences", [&] { return forestFigure(forest); });
   }
-  addResampled(
-      work,
-      "Difference of shares (gc less ppc) in each condition, and between conditions (each weighs the same), by "
-      "resampling subjects and cases",
-      "count-differences", effects);
+  addResampled(work,
+               "Difference of shares (@other@ less @reference@) in each condition, and between conditions (each weighs "
+               "the same), by "
+               "resampling subjects and cases",
+               "count-differences", effects);
 }
 
 }  // namespace

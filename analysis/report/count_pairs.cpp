@@ -26,9 +26,9 @@ std::vector<PairedOutcome> matchedScenes(const TrialList& trials) {
   std::vector<PairedOutcome> outcomes;
   for (const Trial* trial : trials) {
     const std::string scene = fmt::format("{}/{}", trial->subject, kindOf(*trial));
-    const int number = seen[fmt::format("{}/{}", scene, nameOf(trial->view))]++;
+    const int number = seen[fmt::format("{}/{}", scene, markOf(trial->view))]++;
     outcomes.push_back(
-        {fmt::format("{}/{}", scene, number), trial->view == TrialView::kGraph, trial->correct.value_or(false)});
+        {fmt::format("{}/{}", scene, number), trial->view == TrialView::kOther, trial->correct.value_or(false)});
   }
   return outcomes;
 }
@@ -69,7 +69,7 @@ std::vector<double> errorDifferences(const TrialList& trials) {
   std::map<std::string, std::array<Errors, 2>> bySubject;
   for (const Trial* trial : trials) {
     if (const std::optional<double> error = signedError(*trial)) {
-      Errors& errors = bySubject[trial->subject][trial->view == TrialView::kGraph];
+      Errors& errors = bySubject[trial->subject][trial->view == TrialView::kOther];
       errors.sum += *error;
       ++errors.count;
     }
@@ -85,16 +85,16 @@ std::vector<double> errorDifferences(const TrialList& trials) {
 
 Estimable<Estimate> errorDifference(const TrialList& trials) {
   std::vector<double> errors;
-  std::vector<bool> isGraph;
+  std::vector<bool> isOther;
   TrialList answered;
   for (const Trial* trial : trials) {
     if (const std::optional<double> error = signedError(*trial)) {
       errors.push_back(*error);
-      isGraph.push_back(trial->view == TrialView::kGraph);
+      isOther.push_back(trial->view == TrialView::kOther);
       answered.push_back(trial);
     }
   }
-  return clusteredMeanDifference(errors, isGraph, numbered(subjectsOf(answered)), caseNumbers(answered));
+  return clusteredMeanDifference(errors, isOther, numbered(subjectsOf(answered)), caseNumbers(answered));
 }
 
 }  // namespace ocelli

@@ -1,10 +1,10 @@
 // Counts: how often they are right, and how far off.
 #pragma once
 
-#include "analysis/report/report_parts.h"
+#include "analysis/report/report_task.h"
 
 namespace ocelli {
 
-void addCountSection(ReportWork& work);
+ReportTask countTask();
 
 }  // namespace ocelli

@@ -10,9 +10,9 @@ namespace ocelli {
 
 /// One mean a view of each subject who saw both, in the order of their ids.
 struct SubjectMeans {
-  std::vector<double> pinhole;
-  std::vector<double> graph;
-  std::vector<double> differences;  ///< gc less ppc
+  std::vector<double> reference;
+  std::vector<double> other;
+  std::vector<double> differences;  ///< other less reference
 };
 SubjectMeans subjectMeans(const TrialList& trials, const std::vector<double>& values);
 

@@ -7,15 +7,17 @@
 #include "analysis/inference/accelerated_failure_time.h"
 #include "analysis/inference/cox.h"
 #include "analysis/inference/kaplan_meier.h"
+#include "analysis/inference/log_rank.h"
 #include "analysis/inference/restricted_mean_bootstrap.h"
 #include "analysis/plot/group_plot.h"
 #include "analysis/plot/survival_plot.h"
-#include "analysis/report/find_model.h"
+#include "analysis/report/navigation_section.h"
 #include "analysis/report/part_guard.h"
 #include "analysis/report/planned_model.h"
 #include "analysis/report/resampled_effects.h"
 #include "analysis/report/search_times.h"
 #include "analysis/report/sensitivity.h"
+#include "analysis/report/time_model.h"
 
 namespace ocelli {
 namespace {
@@ -49,23 +51,23 @@ void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment tim
     plot.riskTimes.push_back(limit * i / 6);
   }
   std::vector<EstimateRow> rows;
-  for (const TrialView view : {TrialView::kPinhole, TrialView::kGraph}) {
+  for (const TrialView view : kViews) {
     const TrialList seen = trialsOfView(trials, view);
-    const std::string source = fmt::format("Kaplan-Meier curve of {} with view {}", sizeText(seen), nameOf(view));
+    const std::string source = fmt::format("Kaplan-Meier curve of {} with view {}", sizeText(seen), markOf(view));
     const Estimable<SurvivalCurve> curve =
         survivalCurve(timesOf(seen, timeouts), 0.95, numbered(subjectsOf(seen)), caseNumbers(seen));
     if (!curve) {
-      addNotEstimable(work.document, fmt::format("Survival curve of {}", nameOf(view)), curve.reason());
+      addNotEstimable(work.document, fmt::format("Survival curve of {}", markOf(view)), curve.reason());
       continue;
     }
     if (!curve->noBands.empty()) {
-      addNotEstimable(work.document, fmt::format("Bands of the survival curve of {}", nameOf(view)), curve->noBands);
+      addNotEstimable(work.document, fmt::format("Bands of the survival curve of {}", markOf(view)), curve->noBands);
     }
-    plot.curves.push_back(plotCurve(labelOf(view), *curve, plot.riskTimes));
-    rows.push_back({fmt::format("{}: median time", nameOf(view)), medianTime(*curve), "s", source, seen});
+    plot.curves.push_back(plotCurve(labelOf(work, view), *curve, plot.riskTimes));
+    rows.push_back({fmt::format("{}: median time", markOf(view)), medianTime(*curve), "s", source, seen});
     const Estimable<RestrictedMean> mean =
         restrictedMean(timesOf(seen, timeouts), limit, numbered(subjectsOf(seen)), 0.95, caseNumbers(seen));
-    rows.push_back({fmt::format("{}: restricted mean to {:g} s", nameOf(view), limit),
+    rows.push_back({fmt::format("{}: restricted mean to {:g} s", markOf(view), limit),
                     mean ? Estimable<Estimate>(mean->mean) : Estimable<Estimate>::impossible(mean.reason()), "s",
                     source, seen});
   }
@@ -78,7 +80,7 @@ void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment tim
   }
   const Estimable<RestrictedMeanDifference> difference = restrictedMeanDifferenceOf(trials, timeouts, limit);
   rows.push_back(
-      {"gc less ppc: difference of restricted means",
+      {"@other@ less @reference@: difference of restricted means",
        difference ? Estimable<Estimate>(difference->difference) : Estimable<Estimate>::impossible(difference.reason()),
        "s", fmt::format("{}, subjects and cases as clusters", sizeText(trials)), trials});
   addEstimates(
@@ -87,13 +89,41 @@ void addSurvival(ReportWork& work, const TrialList& trials, TimeoutTreatment tim
                   "and cases as clusters, with Student's t",
                   nameOf(timeouts)),
       "find-survival", rows);
-  addResampled(work, "Difference of restricted means (gc less ppc) by resampling subjects and cases",
+  addResampled(work, "Difference of restricted means (@other@ less @reference@) by resampling subjects and cases",
                "find-survival-resampled",
-               {{"gc less ppc",
-                 bootstrapRestrictedMeanDifference(timesOf(trials, timeouts), areGraph(trials), limit,
+               {{"@other@ less @reference@",
+                 bootstrapRestrictedMeanDifference(timesOf(trials, timeouts), areOther(trials), limit,
                                                    numbered(subjectsOf(trials)), caseNumbers(trials),
                                                    bootstrapPlanOf(work.analysis.plan)),
                  trials, "s"}});
+}
+
+/// Whether the curves differ anywhere.
+void addLogRank(ReportWork& work, const TrialList& trials, TimeoutTreatment timeouts) {
+  std::vector<int> views;
+  for (const Trial* trial : trials) {
+    views.push_back(static_cast<int>(trial->view));
+  }
+  const Estimable<LogRankTest> test = logRankTest(timesOf(trials, timeouts), views, numbered(subjectsOf(trials)));
+  if (!test) {
+    addNotEstimable(work.document, "Log-rank test", test.reason());
+    return;
+  }
+  const std::string source = fmt::format("log-rank test of {}, subjects as strata", sizeText(trials));
+  std::vector<ValueRow> rows;
+  for (const LogRankGroup& group : test->groups) {
+    rows.push_back(
+        {fmt::format("{}: found, expected if the views were alike", markOf(kViews[static_cast<size_t>(group.label)])),
+         fmt::format("{:.0f}, {:.1f}", group.observed, group.expected), group.observed, source, trials});
+  }
+  const Estimate& chiSquared = test->chiSquared;
+  rows.push_back({"Chi-squared with 1 degree of freedom", fixedText(chiSquared.statistic, 2), chiSquared.statistic,
+                  source, trials});
+  rows.push_back({"p", pValueText(chiSquared.pValue), chiSquared.pValue, source, trials});
+  addValues(work.document,
+            "Log-rank test of the curves: the searches of each subject are compared with each other, and taken as "
+            "independent, also those for the same object",
+            "find-survival-log-rank", rows);
 }
 
 /// Ratios of the covariates by name, of hazards or of times.
@@ -159,14 +189,15 @@ void addSurvivalSensitivity(ReportWork& work, const PlannedModel& model, const T
   addSensitivity(work,
                  {fmt::format("{}-sensitivity", model.name),
                   fmt::format("The effect of the view in the {}, analysed in other ways", wordsOf(model, false)),
-                  cox ? "Hazard ratio, gc / ppc" : "Ratio of times, gc / ppc", cox ? "ppc sooner" : "gc faster",
-                  cox ? "gc sooner" : "ppc faster"},
+                  cox ? "Hazard ratio, @other@ / @reference@" : "Ratio of times, @other@ / @reference@",
+                  cox ? "@reference@ sooner" : "@other@ faster", cox ? "@other@ sooner" : "@reference@ faster"},
                  variantsOf(trials, first, kMaxRows),
                  [&](const Variant& variant) { return viewOf(fitSurvival(model, variant.trials, variant.timeouts)); });
 }
 
 /// Cox or log-normal: as a table of ratios.
-void addSurvivalModel(ReportWork& work, const PlannedModel& model, const TrialList& all, TimeoutTreatment timeouts) {
+void addSurvivalModel(ReportWork& work, const ReportTask& task, const PlannedModel& model, const TrialList& all) {
+  const TimeoutTreatment timeouts = task.timeouts(work.analysis.plan);
   const TrialList complete = completeTrials(model, all);
   const TrialList trials = timeouts == TimeoutTreatment::kRemoved ? withoutTimeouts(complete) : complete;
   const std::string source = fmt::format("model {} of {}", model.name, sizeText(trials));
@@ -200,12 +231,19 @@ void addSurvivalModel(ReportWork& work, const PlannedModel& model, const TrialLi
   addSurvivalSensitivity(work, model, complete, timeouts);
 }
 
+void addKaplanMeier(ReportWork& work, const ReportTask& task, const PlannedModel& /*model*/, const TrialList& trials) {
+  const TimeoutTreatment timeouts = task.timeouts(work.analysis.plan);
+  const TrialList kept = timeouts == TimeoutTreatment::kRemoved ? withoutTimeouts(trials) : trials;
+  addSurvival(work, kept, timeouts);
+  addLogRank(work, kept, timeouts);
+}
+
 void addCases(ReportWork& work, const TrialList& trials) {
   for (const bool moving : {false, true}) {
     std::map<int, std::array<std::vector<double>, 2>> cases;
     for (const Trial* trial : trials) {
       if (trial->moving.value_or(false) == moving) {
-        cases[trial->caseIndex][trial->view == TrialView::kGraph].push_back(*trial->responseSeconds);
+        cases[trial->caseIndex][trial->view == TrialView::kOther].push_back(*trial->responseSeconds);
       }
     }
     if (cases.empty()) {
@@ -219,7 +257,7 @@ void addCases(ReportWork& work, const TrialList& trials) {
     plot.pointName = "one search";
     plot.rows = true;
     plot.widthMillimetres = kDoubleColumnMillimetres;
-    plot.series = {{labelOf(TrialView::kPinhole), {}}, {labelOf(TrialView::kGraph), {}}};
+    plot.series = {{labelOf(work, TrialView::kReference), {}}, {labelOf(work, TrialView::kOther), {}}};
     for (auto& [index, views] : cases) {
       plot.conditions.push_back(std::to_string(index + 1));
       for (size_t v = 0; v < 2; ++v) {
@@ -236,43 +274,61 @@ void addCases(ReportWork& work, const TrialList& trials) {
   }
 }
 
-}  // namespace
-
-void addFindSection(ReportWork& work) {
-  addHeading(work.document, 1, "Finding objects", "find");
-  TrialList trials = trialsOfTask(work.analysis, "find");
+void addFindSection(ReportWork& work, const ReportTask& task) {
+  addHeading(work.document, 1, "Finding objects", task.name);
+  TrialList trials = trialsOfTask(work.analysis, task.name);
   std::erase_if(trials, [](const Trial* trial) { return !trial->responseSeconds; });
   if (trials.empty()) {
     addNotEstimable(work.document, "Searches", "there are no trials of this task");
     return;
   }
-  const TimeoutTreatment timeouts = work.analysis.plan.findTimeouts;
-  const TrialList kept = timeouts == TimeoutTreatment::kRemoved ? withoutTimeouts(trials) : trials;
-  work.document.add(ReportParagraph{fmt::format(
-      "{}, of which {} ended by the limit. Time-outs are treated as {} says: {}.", sizeText(trials),
-      std::count_if(trials.begin(), trials.end(), isCensored), planName(work.analysis.plan), nameOf(timeouts))});
-  for (const PlannedModel& model : work.analysis.plan.models) {
-    if (model.task != "find") {
-      continue;
-    }
-    addPart(work, wordsOf(model), [&] {
-      if (model.kind == ModelKind::kKaplanMeier) {
-        addSurvival(work, kept, timeouts);
-      } else if (model.kind == ModelKind::kCox || model.kind == ModelKind::kLogNormalSurvival) {
-        addSurvivalModel(work, model, trials, timeouts);
-      } else if (model.kind == ModelKind::kLinearMixed || model.kind == ModelKind::kLogNormalMixed) {
-        addFindModel(work, model, trials, timeouts);
-      } else {
-        addNotEstimable(work.document, wordsOf(model), fmt::format("{} is not done for searches", nameOf(model.kind)));
-      }
-    });
-  }
+  work.document.add(
+      ReportParagraph{fmt::format("{}, of which {} ended by the limit. Time-outs are treated as {} says: {}.",
+                                  sizeText(trials), std::count_if(trials.begin(), trials.end(), isCensored),
+                                  planName(work.analysis.plan), nameOf(task.timeouts(work.analysis.plan)))});
+  addTaskModels(work, task, trials);
   addPart(work, "Times of each case", [&] { addCases(work, trials); });
   work.methods.push_back(
       "Beside them stand Kaplan-Meier curves and restricted means, with errors of the infinitesimal jackknife by "
       "clusters "
       "of subjects and of cases (Cameron, Gelbach and Miller 2011), and regressions of survival, with jackknife errors "
       "by the same clusters (Lipsitz, Dear and Zhao 1994) and Student's t.");
+}
+
+}  // namespace
+
+ReportTask findTask() {
+  const std::vector<std::string> terms{"view", "session", "moving"};
+  const std::vector<RandomEffect> clusters{{"subject"}, {"case"}};
+  ReportTask task;
+  task.name = "find";
+  task.title = "Finding";
+  task.trialsName = "searches";
+  task.timesOutcome = task.rightOutcome = "times to find";
+  task.timeName = "Time to find (s)";
+  task.rightName = "Share found";
+  task.isTimed = true;
+  task.parts = {{"Finding objects", "searches", 0, addFindSection},
+                {"Navigation", "navigation", 0.4, addNavigationSection}};
+  task.modelKinds = {{ModelKind::kLogNormalMixed, addTimeModel},
+                     {ModelKind::kLinearMixed, addTimeModel},
+                     {ModelKind::kKaplanMeier, addKaplanMeier},
+                     {ModelKind::kCox, addSurvivalModel},
+                     {ModelKind::kLogNormalSurvival, addSurvivalModel}};
+  task.models = {{"find-time",
+                  "find",
+                  ModelKind::kLogNormalMixed,
+                  {"view", "session", "moving", "view:session", "view:moving"},
+                  {{"subject", {"view"}}, {"case", {"view"}}}},
+                 {"find-survival", "find", ModelKind::kKaplanMeier},
+                 {"find-hazard", "find", ModelKind::kCox, terms, clusters},
+                 {"find-log-normal", "find", ModelKind::kLogNormalSurvival, terms, clusters}};
+  task.hypotheses = {
+      {{"find-faster", "Objects are found in another time with the @other@ than with the @reference@", "find-time",
+        "view"},
+       true},
+      {{"find-learning", "Sessions change the times of the two views differently", "find-time", "view:session"}}};
+  return task;
 }
 
 }  // namespace ocelli

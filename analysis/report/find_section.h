@@ -1,10 +1,10 @@
 // Searches: how long they take, of which some were cut off by the limit.
 #pragma once
 
-#include "analysis/report/report_parts.h"
+#include "analysis/report/report_task.h"
 
 namespace ocelli {
 
-void addFindSection(ReportWork& work);
+ReportTask findTask();
 
 }  // namespace ocelli

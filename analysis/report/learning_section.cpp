@@ -45,11 +45,10 @@ struct Outcome {
   }
 };
 
-Outcome timesOf(const std::string& task, const TrialList& trials, const BlockHalves& blocks,
-                TimeoutTreatment timeouts) {
-  Outcome outcome{task == "find" ? "Time to find (s)" : "Time to answer (s)", "times", ValueScale::kLogarithm, &blocks};
+Outcome timesOf(const ReportTask& task, const TrialList& trials, const BlockHalves& blocks, TimeoutTreatment timeouts) {
+  Outcome outcome{task.timeName, "times", ValueScale::kLogarithm, &blocks};
   for (const Trial* trial : trials) {
-    const bool removed = task == "find" && timeouts == TimeoutTreatment::kRemoved && isCensored(trial);
+    const bool removed = timeouts == TimeoutTreatment::kRemoved && isCensored(trial);
     if (trial->responseSeconds && *trial->responseSeconds > 0 && !removed) {
       outcome.values.push_back({trial, std::log(*trial->responseSeconds)});
     }
@@ -57,8 +56,8 @@ Outcome timesOf(const std::string& task, const TrialList& trials, const BlockHal
   return outcome;
 }
 
-Outcome rightAnswersOf(const std::string& task, const TrialList& trials, const BlockHalves& blocks) {
-  Outcome outcome{task == "find" ? "Share found" : "Share of right answers", "right", ValueScale::kShare, &blocks};
+Outcome rightAnswersOf(const ReportTask& task, const TrialList& trials, const BlockHalves& blocks) {
+  Outcome outcome{task.rightName, "right", ValueScale::kShare, &blocks};
   for (const Trial* trial : trials) {
     if (trial->correct) {
       outcome.values.push_back({trial, *trial->correct ? 1.0 : 0.0});
@@ -67,8 +66,8 @@ Outcome rightAnswersOf(const std::string& task, const TrialList& trials, const B
   return outcome;
 }
 
-GroupPlot chartOf(const std::string& title, const std::string& conditionLabel, const Outcome& outcome,
-                  const std::vector<Condition>& conditions, double widthMillimetres) {
+GroupPlot chartOf(const ReportWork& work, const std::string& title, const std::string& conditionLabel,
+                  const Outcome& outcome, const std::vector<Condition>& conditions, double widthMillimetres) {
   GroupPlot plot;
   plot.title = title;
   plot.conditionLabel = conditionLabel;
@@ -80,7 +79,7 @@ GroupPlot chartOf(const std::string& title, const std::string& conditionLabel, c
   plot.legend = false;
   plot.widthMillimetres = widthMillimetres;
   plot.heightMillimetres = 58;
-  plot.series = {{labelOf(TrialView::kPinhole), {}}, {labelOf(TrialView::kGraph), {}}};
+  plot.series = {{labelOf(work, TrialView::kReference), {}}, {labelOf(work, TrialView::kOther), {}}};
   for (const Condition& condition : conditions) {
     plot.conditions.push_back(condition.name);
     for (size_t v = 0; v < kViews.size(); ++v) {
@@ -97,12 +96,12 @@ void addFigure(ReportWork& work, const std::string& task, const std::string& tit
   grid.title = fmt::format("{}: times and right answers as subjects practise", title);
   for (const Outcome& outcome : outcomes) {
     const double width = grid.columnMillimetres();
-    const GroupPlot sessions = chartOf("By session", "Session", outcome, outcome.sessions(), width);
+    const GroupPlot sessions = chartOf(work, "By session", "Session", outcome, outcome.sessions(), width);
     grid.legend = groupLegend(sessions);
     grid.figures.push_back(groupFigure(sessions));
     if (!outcome.blocks->isEmpty()) {
       grid.figures.push_back(
-          groupFigure(chartOf("Within blocks", "Half of a block", outcome, outcome.halves(), width)));
+          groupFigure(chartOf(work, "Within blocks", "Half of a block", outcome, outcome.halves(), width)));
     }
   }
   addFigure(work, grid.title, fmt::format("figure-learning-{}", task), [&] { return gridFigure(grid); });
@@ -111,10 +110,10 @@ void addFigure(ReportWork& work, const std::string& task, const std::string& tit
 void addMeans(ReportWork& work, const std::string& id, const Outcome& outcome) {
   ComparisonTable table;
   table.caption = fmt::format(
-      "{}: {} with 95 % intervals; subjects of ppc, of gc, and of both", outcome.name,
+      "{}: {} with 95 % intervals; subjects of @reference@, of @other@, and of both", outcome.name,
       outcome.isTime() ? "geometric means over the geometric means of subjects" : "means over the shares of subjects");
   table.id = id;
-  table.difference = outcome.isTime() ? "gc / ppc" : "gc less ppc";
+  table.difference = outcome.isTime() ? "@other@ / @reference@" : "@other@ less @reference@";
   for (const Condition& session : outcome.sessions()) {
     table.rows.push_back(compareViews(fmt::format("Session {}", session.name), session.values, outcome.scale));
   }
@@ -130,8 +129,8 @@ void addMeans(ReportWork& work, const std::string& id, const Outcome& outcome) {
 /// without `needed` have none.
 void addTrend(std::vector<EstimateRow>& rows, const Outcome& outcome, const std::string& label, const std::string& what,
               const std::string& needed, const std::function<SubjectNumbers(const TrialValues&)>& change) {
-  const SubjectNumbers pinhole = change(valuesOfView(outcome.values, TrialView::kPinhole));
-  const SubjectNumbers graph = change(valuesOfView(outcome.values, TrialView::kGraph));
+  const SubjectNumbers reference = change(valuesOfView(outcome.values, TrialView::kReference));
+  const SubjectNumbers other = change(valuesOfView(outcome.values, TrialView::kOther));
   const ValueScale scale = scaleOfDifferences(outcome.scale);
   const auto add = [&](const std::string& which, const SubjectNumbers& numbers, ValueScale shownScale,
                        const std::string& numberOf) {
@@ -144,10 +143,10 @@ void addTrend(std::vector<EstimateRow>& rows, const Outcome& outcome, const std:
     }
     rows.push_back(row);
   };
-  add("ppc", pinhole, scale, what);
-  add("gc", graph, scale, what);
-  add(outcome.isTime() ? "gc / ppc" : "gc less ppc", subjectDifferences(pinhole, graph), scaleOfDifferences(scale),
-      fmt::format("differences (gc less ppc) of {}", what));
+  add("@reference@", reference, scale, what);
+  add("@other@", other, scale, what);
+  add(outcome.isTime() ? "@other@ / @reference@" : "@other@ less @reference@", subjectDifferences(reference, other),
+      scaleOfDifferences(scale), fmt::format("differences (@other@ less @reference@) of {}", what));
 }
 
 void addTrends(ReportWork& work, const std::string& id, const Outcome& outcome) {
@@ -166,10 +165,10 @@ void addTrends(ReportWork& work, const std::string& id, const Outcome& outcome) 
                id, rows);
 }
 
-void addTask(ReportWork& work, const std::string& task) {
-  const std::string title = task == "find" ? "Finding" : task == "count" ? "Counting" : "Recognising paths";
-  addHeading(work.document, 2, title, fmt::format("learning-{}", task));
-  const TrialList trials = trialsOfTask(work.analysis, task);
+void addTask(ReportWork& work, const ReportTask& task) {
+  const std::string& title = task.title;
+  addHeading(work.document, 2, title, fmt::format("learning-{}", task.name));
+  const TrialList trials = trialsOfTask(work.analysis, task.name);
   if (trials.empty()) {
     addNotEstimable(work.document, title, "there are no trials of this task");
     return;
@@ -177,7 +176,7 @@ void addTask(ReportWork& work, const std::string& task) {
   const BlockHalves blocks(trials);
   std::vector<Outcome> outcomes;
   for (const Outcome& outcome :
-       {timesOf(task, trials, blocks, work.analysis.plan.findTimeouts), rightAnswersOf(task, trials, blocks)}) {
+       {timesOf(task, trials, blocks, task.timeouts(work.analysis.plan)), rightAnswersOf(task, trials, blocks)}) {
     if (outcome.values.empty()) {
       addNotEstimable(work.document, outcome.name, "no trial has a value");
     } else {
@@ -187,11 +186,11 @@ void addTask(ReportWork& work, const std::string& task) {
   if (outcomes.empty()) {
     return;
   }
-  addPart(work, fmt::format("The figure of {}", title), [&] { addFigure(work, task, title, outcomes); });
+  addPart(work, fmt::format("The figure of {}", title), [&] { addFigure(work, task.name, title, outcomes); });
   for (const Outcome& outcome : outcomes) {
     addPart(work, outcome.name, [&] {
-      addMeans(work, fmt::format("learning-{}-{}", task, outcome.id), outcome);
-      addTrends(work, fmt::format("learning-{}-{}-trends", task, outcome.id), outcome);
+      addMeans(work, fmt::format("learning-{}-{}", task.name, outcome.id), outcome);
+      addTrends(work, fmt::format("learning-{}-{}-trends", task.name, outcome.id), outcome);
     });
   }
   if (blocks.isEmpty()) {
@@ -201,7 +200,7 @@ void addTask(ReportWork& work, const std::string& task) {
 
 }  // namespace
 
-void addLearningSection(ReportWork& work, const std::vector<std::string>& tasks) {
+void addLearningSection(ReportWork& work, const std::vector<ReportTask>& tasks) {
   addHeading(work.document, 1, "Learning", "learning");
   const bool removed = work.analysis.plan.findTimeouts == TimeoutTreatment::kRemoved;
   work.document.add(ReportParagraph{fmt::format(
@@ -215,7 +214,7 @@ void addLearningSection(ReportWork& work, const std::vector<std::string>& tasks)
       removed ? "Searches whose time ran out are removed from the times."
               : "Searches whose time ran out count with the limit in the times, which makes their geometric means too "
                 "short where there are many.")});
-  for (const std::string& task : tasks) {
+  for (const ReportTask& task : tasks) {
     addTask(work, task);
   }
   work.methods.push_back(

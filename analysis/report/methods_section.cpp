@@ -10,8 +10,8 @@
 #include <iterator>
 
 #include "analysis/inference/holm.h"
-#include "analysis/report/path_section.h"
 #include "analysis/report/planned_model.h"
+#include "analysis/report/share_models.h"
 #include "analysis/report/survey_section.h"
 
 namespace ocelli {
@@ -74,8 +74,8 @@ std::array<ReportCell, 3> effectCells(const TestedEffect* effect) {
   return cells;
 }
 
-/// "Objects are found ...: supported. Ratio of times, gc / ppc: 0.80 (95 % interval 0.67 to 0.95), p = 0.012, corrected
-/// p = 0.036."
+/// "Objects are found ...: supported. Ratio of times, other / reference: 0.80 (95 % interval 0.67 to 0.95), p = 0.012,
+/// corrected p = 0.036."
 std::string answerText(const std::string& statement, const std::string& result, const TestedEffect* effect,
                        double pValue, std::optional<double> adjusted) {
   std::string text = fmt::format("{}: {}.", withoutPoint(statement), result);
@@ -113,7 +113,7 @@ std::string testRowOf(const PlannedModel& model, const std::string& term) {
 /// all of its questions.
 std::vector<std::string> cellsOf(const ReportOrigins& origins, const PlannedModel& model, const std::string& term) {
   const bool isSurvey = model.kind == ModelKind::kOrdinal;
-  const std::string row = testRowOf(model, term);
+  const std::string row = withViewNames(testRowOf(model, term), origins.conditions);
   std::vector<std::string> cells;
   for (const Table& table : origins.tables) {
     if (table.name != (isSurvey ? kSurveyTestsTable : model.name)) {

@@ -5,7 +5,6 @@
 #include "analysis/plot/binned_residual_plot.h"
 #include "analysis/plot/model_check_plot.h"
 #include "analysis/report/part_guard.h"
-#include "analysis/report/view_words.h"
 
 namespace ocelli {
 namespace {
@@ -14,7 +13,7 @@ void addRandomEffects(ReportWork& work, const PlannedModel& model, const Planned
   QuantilePlot plot;
   plot.title = fmt::format("Random effects of the {}", wordsOf(model, false));
   for (const RandomEffectValues& effects : fit.effects) {
-    plot.panels.push_back({withViewWords(effects.name), effects.values});
+    plot.panels.push_back({withLabels(work, effects.name), effects.values});
   }
   addFigure(work,
             fmt::format(

@@ -31,7 +31,7 @@ void addFigure(ReportWork& work, const std::vector<NavigationGroup>& groups) {
     plot.widthMillimetres = grid.columnMillimetres();
     plot.heightMillimetres = 52;
     plot.summaryName = "mean of subjects, 95 % interval";
-    plot.series = {{labelOf(TrialView::kPinhole), {}}, {labelOf(TrialView::kGraph), {}}};
+    plot.series = {{labelOf(work, TrialView::kReference), {}}, {labelOf(work, TrialView::kOther), {}}};
     for (const NavigationGroup& group : groups) {
       const TrialValues values = valuesOf(work.analysis.data, group, measure);
       if (values.empty()) {
@@ -52,10 +52,11 @@ void addFigure(ReportWork& work, const std::vector<NavigationGroup>& groups) {
 }
 
 /// Where the objects of the blocks with that maze are, or set out from.
-std::vector<HeatMap::Mark> objectMarks(const ProtocolFacts& facts, const ProtocolMaze& maze, bool moving) {
+std::vector<HeatMap::Mark> objectMarks(const ProtocolFacts& facts, const std::string& task, const ProtocolMaze& maze,
+                                       bool moving) {
   std::vector<HeatMap::Mark> marks;
   for (const ProtocolBlockFacts& block : facts.blocks) {
-    if (block.task == "find" && block.maze == maze.name && block.moving == moving) {
+    if (block.task == task && block.maze == maze.name && block.moving == moving) {
       for (size_t i = 0; i < block.cases.size(); ++i) {
         const ProtocolCase& place = block.cases[i];
         if (place.row && place.column) {
@@ -68,12 +69,12 @@ std::vector<HeatMap::Mark> objectMarks(const ProtocolFacts& facts, const Protoco
   return marks;
 }
 
-HeatMap::Map mapOfView(const MazeHeatMap& map, double cellSize) {
+HeatMap::Map mapOfView(const ReportWork& work, const MazeHeatMap& map, double cellSize) {
   double total = 0;
   for (const double seconds : map.seconds) {
     total += seconds;
   }
-  HeatMap::Map shown{fmt::format("{}, {} searches", labelOf(map.view), map.trials), {}, {}};
+  HeatMap::Map shown{fmt::format("{}, {} searches", labelOf(work, map.view), map.trials), {}, {}};
   for (int row = 0; row < map.rows; ++row) {
     for (int column = 0; column < map.columns; ++column) {
       const double seconds = map.seconds[static_cast<size_t>(row * map.columns + column)];
@@ -85,7 +86,7 @@ HeatMap::Map mapOfView(const MazeHeatMap& map, double cellSize) {
 }
 
 /// Maps of the same maze and kind of object follow each other.
-void addHeatMaps(ReportWork& work, const std::vector<MazeHeatMap>& maps) {
+void addHeatMaps(ReportWork& work, const ReportTask& task, const std::vector<MazeHeatMap>& maps) {
   for (size_t first = 0; first < maps.size();) {
     const MazeHeatMap& map = maps[first];
     const DataSource& source = work.analysis.data.sources[static_cast<size_t>(map.source)];
@@ -103,8 +104,8 @@ void addHeatMaps(ReportWork& work, const std::vector<MazeHeatMap>& maps) {
     for (; last < maps.size() && maps[last].maze == map.maze && maps[last].moving == map.moving &&
            maps[last].source == map.source;
          ++last) {
-      heat.maps.push_back(mapOfView(maps[last], maze.cellSize));
-      heat.maps.back().marks = objectMarks(facts, maze, map.moving);
+      heat.maps.push_back(mapOfView(work, maps[last], maze.cellSize));
+      heat.maps.back().marks = objectMarks(facts, task.name, maze, map.moving);
       outside += maps[last].secondsOutside;
     }
     const std::string id = fmt::format("figure-heat-{}-{}{}", map.maze, map.moving ? "moving" : "stationary",
@@ -126,9 +127,9 @@ void addHeatMaps(ReportWork& work, const std::vector<MazeHeatMap>& maps) {
 
 }  // namespace
 
-void addNavigationSection(ReportWork& work) {
+void addNavigationSection(ReportWork& work, const ReportTask& task) {
   addHeading(work.document, 1, "Navigation", "navigation");
-  const NavigationData navigation = navigationOf(work.analysis.data);
+  const NavigationData navigation = navigationOf(work.analysis.data, task.name);
   if (navigation.searches.empty()) {
     addNotEstimable(work.document, "Ways, sight and turns",
                     navigation.searchesWithoutLog == 0
@@ -158,7 +159,7 @@ void addNavigationSection(ReportWork& work) {
     addPart(work, fmt::format("Searches for {} objects", group.moving ? "moving" : "stationary"),
             [&] { addNavigationTables(work, group); });
   }
-  addPart(work, "Where subjects were", [&] { addHeatMaps(work, navigation.heatMaps); });
+  addPart(work, "Where subjects were", [&] { addHeatMaps(work, task, navigation.heatMaps); });
   work.methods.push_back(
       "Ways, turns and times in sight were taken from the log of where subjects stood; views were compared by the mean "
       "differences of subjects, with Student's intervals.");

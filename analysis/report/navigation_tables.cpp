@@ -89,8 +89,9 @@ ReportCell countCell(const std::string& label, const TrialList& trials, size_t t
 void addMeans(ReportWork& work, const NavigationGroup& group) {
   ComparisonTable table;
   table.caption = fmt::format(
-      "Searches for {} objects: means over subjects' means and differences, with 95 % intervals; subjects of ppc, of "
-      "gc, "
+      "Searches for {} objects: means over subjects' means and differences, with 95 % intervals; subjects of "
+      "@reference@, of "
+      "@other@, "
       "and of both",
       kindOf(group));
   table.id = fmt::format("navigation-{}", kindOf(group));
@@ -106,7 +107,11 @@ void addMeans(ReportWork& work, const NavigationGroup& group) {
 void addMedians(ReportWork& work, const NavigationGroup& group) {
   ReportTable table{fmt::format("Searches for {} objects: medians and quartiles over searches", kindOf(group)),
                     fmt::format("navigation-{}-medians", kindOf(group)),
-                    {{"What", "", true}, {"searches", "ppc"}, {"median", "ppc"}, {"searches", "gc"}, {"median", "gc"}},
+                    {{"What", "", true},
+                     {"searches", "@reference@"},
+                     {"median", "@reference@"},
+                     {"searches", "@other@"},
+                     {"median", "@other@"}},
                     {}};
   OriginTable origins(work.document.origins, table.id, table.caption, {"searches", "median", "lower", "upper"});
   for (const NavigationMeasure& measure : navigationMeasures()) {
@@ -117,7 +122,7 @@ void addMedians(ReportWork& work, const NavigationGroup& group) {
     table.rows.push_back({ReportCell{measure.name}});
     for (const TrialView view : kViews) {
       for (const ReportCell& cell :
-           medianCells(fmt::format("{}, {}", measure.name, nameOf(view)), valuesOfView(values, view), origins)) {
+           medianCells(fmt::format("{}, {}", measure.name, markOf(view)), valuesOfView(values, view), origins)) {
         table.rows.back().push_back(cell);
       }
     }
@@ -151,13 +156,13 @@ void addOutcomes(ReportWork& work, const NavigationGroup& group) {
   }
   ReportTable table{"What became of searches for stationary objects, by straight sight",
                     "navigation-outcomes",
-                    {{"What", "", true}, {"ppc"}, {"gc"}},
+                    {{"What", "", true}, {"@reference@"}, {"@other@"}},
                     {}};
   OriginTable origins(work.document.origins, table.id, table.caption, {"count"});
   for (const auto& [outcome, trials] : byOutcome) {
     table.rows.push_back({ReportCell{outcome}});
     for (const TrialView view : kViews) {
-      table.rows.back().push_back(countCell(fmt::format("{}, {}", outcome, nameOf(view)), trialsOfView(trials, view),
+      table.rows.back().push_back(countCell(fmt::format("{}, {}", outcome, markOf(view)), trialsOfView(trials, view),
                                             trialsOfView(all, view).size(), origins));
     }
   }
@@ -169,7 +174,7 @@ void addUnknown(ReportWork& work, const NavigationGroup& group) {
   ReasonNotes unknownOfAll;
   ReportTable table{fmt::format("Searches for {} objects: what is not known of some", kindOf(group)),
                     fmt::format("navigation-{}-unknown", kindOf(group)),
-                    {{"What", "", true}, {"Because", "", true}, {"ppc"}, {"gc"}},
+                    {{"What", "", true}, {"Because", "", true}, {"@reference@"}, {"@other@"}},
                     {}};
   OriginTable origins(work.document.origins, table.id, table.caption, {"count"});
   for (const NavigationMeasure& measure : navigationMeasures()) {
@@ -187,7 +192,7 @@ void addUnknown(ReportWork& work, const NavigationGroup& group) {
     for (const auto& [reason, trials] : byReason) {
       table.rows.push_back({ReportCell{measure.name}, ReportCell{reason}});
       for (const TrialView view : kViews) {
-        table.rows.back().push_back(countCell(fmt::format("{}, {}, {}", measure.name, reason, nameOf(view)),
+        table.rows.back().push_back(countCell(fmt::format("{}, {}, {}", measure.name, reason, markOf(view)),
                                               trialsOfView(trials, view), 0, origins));
       }
     }

@@ -34,7 +34,7 @@ void addPaperSection(ReportWork& work, const std::vector<Table>& tables) {
     for (const std::string& head : table.headNames) {
       shown.columns.push_back({head, "", true});
     }
-    for (const std::string& name : table.cellNames) {
+    for (const std::string& name : table.shownNames.empty() ? table.cellNames : table.shownNames) {
       shown.columns.push_back({name});
     }
     for (const TableRow& row : table.rows) {

@@ -31,7 +31,7 @@ void addTerm(FixedEffects& fixed, const std::string& term, const TrialList& tria
   double sum = 0;
   for (const Trial* trial : trials) {
     if (term == "view") {
-      labels.push_back(nameOf(trial->view));
+      labels.push_back(markOf(trial->view));
     } else if (term == "moving") {
       labels.push_back(*trial->moving ? "moving" : "stationary");
     } else if (term == "duplicates") {
@@ -42,7 +42,7 @@ void addTerm(FixedEffects& fixed, const std::string& term, const TrialList& tria
     }
   }
   if (term == "view") {
-    fixed.addFactor(term, labels, {"ppc", "gc"}, Coding::kCentered);
+    fixed.addFactor(term, labels, {kReferenceMark, kOtherMark}, Coding::kCentered);
   } else if (term == "moving") {
     fixed.addFactor(term, labels, {"stationary", "moving"}, Coding::kCentered);
   } else if (term == "duplicates") {

@@ -31,7 +31,7 @@ namespace ocelli {
 
 /// The columns of the terms; all trials have a value of each.
 FixedEffects plannedColumns(const PlannedModel& model, const TrialList& trials, bool intercept);
-/// The first column of a term, "view=gc"; empty where there is none.
+/// The first column of a term, "view=other"; empty where there is none.
 std::string columnOf(const FixedEffects& fixed, const std::string& term);
 
 /// Of a restricted deviance, below which a slope is left out: the quantile of chi-squared with one degree of freedom

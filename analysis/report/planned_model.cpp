@@ -129,7 +129,7 @@ void addResiduals(const auto& fit, PlannedFit& result) {
 }  // namespace
 
 std::string labelOfTerm(const std::string& term) {
-  static const std::map<std::string, std::string> kLabels{{"view", "view (gc / ppc)"},
+  static const std::map<std::string, std::string> kLabels{{"view", "view (@other@ / @reference@)"},
                                                           {"moving", "moving (yes / no)"},
                                                           {"duplicates", "colours (shared / different)"},
                                                           {"session", "session (each more)"},
@@ -154,7 +154,7 @@ std::string measureOfTerm(const PlannedModel& model, const std::string& term) {
                                                               : Names{"ratio of times", "ratios of times"};
   return term.find(':') != std::string::npos
              ? fmt::format("ratio of {}, {}", ratio.several, labelOfTerm(term))
-             : fmt::format("{}, {}", ratio.one, term == "view" ? "gc / ppc" : labelOfTerm(term));
+             : fmt::format("{}, {}", ratio.one, term == "view" ? "@other@ / @reference@" : labelOfTerm(term));
 }
 
 std::string columnOfTerm(const PlannedModel& model, const TrialList& trials, const std::string& term) {

@@ -19,7 +19,7 @@ struct TermEstimate {
 
 /// Predictions of one random effect.
 struct RandomEffectValues {
-  std::string name;            ///< "subject view=gc"
+  std::string name;            ///< "subject view=other"
   std::vector<double> values;  ///< one a level
 };
 
@@ -66,10 +66,10 @@ Estimable<PlannedFit> fitBinomial(const PlannedModel& model, const TrialList& tr
 /// The columns of the terms that vary at all.
 std::vector<Covariate> covariatesOf(const PlannedModel& model, const TrialList& trials);
 
-/// For the reader, as ratios are read: "view (gc / ppc)", "session (each more)", "view x session".
+/// For the reader, as ratios are read: "view (other / reference)", "session (each more)", "view x session".
 std::string labelOfTerm(const std::string& term);
 
-/// What the ratio of a term is of: "ratio of times, gc / ppc", "odds ratio, session (each more)".
+/// What the ratio of a term is of: "ratio of times, other / reference", "odds ratio, session (each more)".
 std::string measureOfTerm(const PlannedModel& model, const std::string& term);
 
 /// The plan's term with that column; empty where there is none.

@@ -24,7 +24,7 @@ std::string shortName(const PowerCurve& curve) {
 }
 
 std::string estimateName(const PowerStudy& study, const PowerCurve& curve) {
-  return !isView(curve) ? "difference of shares" : study.task == "find" ? "ratio of times" : "odds ratio";
+  return !isView(curve) ? "difference of shares" : isOfTimes(study) ? "ratio of times" : "odds ratio";
 }
 
 void addCurve(ReportDocument& document, const PowerStudy& study, const PowerCurve& curve, size_t number) {
@@ -86,8 +86,10 @@ void addSuppositions(ReportDocument& document, const PowerStudy& study) {
                  {"Studies", fmt::format("{} of each number of subjects, of each kind", study.simulations)},
                  {"Seed", std::to_string(study.seed)}};
   if (study.bounds) {
-    facts.facts.push_back({"Bounds of equivalence", fmt::format("{:g} to {:g} (shares of right answers, gc less ppc)",
-                                                                study.bounds->lower, study.bounds->upper)});
+    facts.facts.push_back({"Bounds of equivalence",
+                           withViewNames(fmt::format("{:g} to {:g} (shares of right answers, @other@ less @reference@)",
+                                                     study.bounds->lower, study.bounds->upper),
+                                         study.conditions)});
   }
   document.add(facts);
   document.add(ReportExcerpt{

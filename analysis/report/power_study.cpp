@@ -70,6 +70,11 @@ std::vector<PowerPoint> pointsOf(const PowerCurve& curve) {
   return points;
 }
 
+bool isOfTimes(const PowerStudy& study) {
+  const PlannedModel* model = study.plan.findModel(study.model);
+  return model != nullptr && isOfTimes(model->kind);
+}
+
 std::string nameOf(const PowerCurve& curve) {
   return fmt::format("{}, {}", curve.truth,
                      curve.test == PowerCurve::Test::kView ? "test of the view" : "test of equivalence");

@@ -7,6 +7,7 @@
 
 #include "analysis/base/estimate.h"
 #include "analysis/dataset/analysis_plan.h"
+#include "analysis/dataset/view_condition.h"
 #include "analysis/inference/power_curve.h"
 
 namespace ocelli {
@@ -34,7 +35,7 @@ struct PowerCurve {
   };
   Question question = Question::kPower;
   Test test = Test::kView;
-  std::string truth;     ///< "gc takes 0.8 of the time"
+  std::string truth;     ///< "bent takes 0.8 of the time"
   double trueValue = 0;  ///< what `estimate` should be: a ratio or a difference
   std::vector<PowerSize> sizes;
 };
@@ -43,6 +44,7 @@ struct PowerStudy {
   std::string protocolName;
   std::string protocolSha256;
   std::string task;
+  ViewConditions conditions = defaultConditions();  ///< of the protocol
   AnalysisPlan plan;
   std::string model;  ///< of the plan
   std::optional<PlannedEquivalence> bounds{};
@@ -58,7 +60,10 @@ struct PowerStudy {
 
 std::vector<PowerPoint> pointsOf(const PowerCurve& curve);
 
-/// "gc takes 0.8 of the time, test of the view".
+/// Whether the model of the study is one of times, or else of right answers.
+bool isOfTimes(const PowerStudy& study);
+
+/// "bent takes 0.8 of the time, test of the view".
 std::string nameOf(const PowerCurve& curve);
 
 /// The answer in a sentence: how many subjects reach the power, or how often studies find what is not there.

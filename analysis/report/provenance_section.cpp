@@ -19,9 +19,9 @@ void addProvenance(ReportWork& work, const std::string& version) {
       facts.facts.push_back({fmt::format("Protocol {}", source.protocolName), source.protocolSha256, true});
     }
   }
+  const auto& [reference, other] = analysis.data.conditions.list;
   facts.facts.push_back({"Views in data and files",
-                         fmt::format("{}: {}; {}: {}", nameOf(TrialView::kPinhole), labelOf(TrialView::kPinhole),
-                                     nameOf(TrialView::kGraph), labelOf(TrialView::kGraph)),
+                         fmt::format("{}: {}; {}: {}", reference.name, reference.label, other.name, other.label),
                          true});
   work.document.add(facts);
 }

@@ -49,7 +49,7 @@ prepare <- function(trials, terms) {
   for (term in used) {
     values <- trials[[sources[[term]]]]
     prepared[[term]] <- switch(term,
-                               view = ifelse(values == "gc", 0.5, -0.5),
+                               view = ifelse(values == "@other@", 0.5, -0.5),
                                moving = ,
                                duplicates = values - 0.5,
                                values - mean(values))
@@ -248,19 +248,19 @@ keep_clustered <- function(model, term, estimate, contributions, subject, case, 
   half <- qt(0.975, degrees) * error
   keep(model, term, estimate, estimate - half, estimate + half, 2 * pt(-abs(estimate / error), degrees))
 }
-# Mean over the subjects who saw both views of their mean in gc less that in ppc, and what each trial contributes to it.
+# Mean over the subjects who saw both views of their mean in @other@ less that in @reference@, and what each trial contributes to it.
 view_difference <- function(data, values) {
   data <- data[!is.na(values), ]
   values <- values[!is.na(values)]
-  counts <- table(data$subject_id, factor(data$view, c("ppc", "gc")))
+  counts <- table(data$subject_id, factor(data$view, c("@reference@", "@other@")))
   both <- data$subject_id %in% rownames(counts)[counts[, 1] > 0 & counts[, 2] > 0]
   data <- data[both, ]
   values <- values[both]
   subjects <- length(unique(data$subject_id))
   weights <- 1 / (counts[cbind(data$subject_id, data$view)] * subjects)
   means <- tapply(weights * values, data$view, sum)
-  sign <- ifelse(data$view == "gc", 1, -1)
-  list(estimate = means[["gc"]] - means[["ppc"]], contributions = sign * weights * (values - means[data$view]),
+  sign <- ifelse(data$view == "@other@", 1, -1)
+  list(estimate = means[["@other@"]] - means[["@reference@"]], contributions = sign * weights * (values - means[data$view]),
        subject = data$subject_id, case = data$item)
 }
 
@@ -275,11 +275,11 @@ searches <- function(trials, timeouts, terms = "view") {
 # trials as independent, and only the means are kept.
 kaplan_meier <- function(model, trials, timeouts, limit) attempt(model, function() {
   data <- searches(trials, timeouts)
-  data$name <- ifelse(data$view > 0, "gc", "ppc")
+  data$name <- ifelse(data$view > 0, "@other@", "@reference@")
   fit <- survfit(Surv(response_s, event) ~ name, data)
   print(fit, rmean = limit)
   table <- summary(fit, rmean = limit)$table
-  for (name in c("ppc", "gc")) {
+  for (name in c("@reference@", "@other@")) {
     row <- table[paste0("name=", name), ]
     keep(model, paste(name, "median"), row[["median"]])
     keep(model, paste(name, "restricted mean"), row[[grep("rmean", names(row))[1]]])
@@ -324,25 +324,25 @@ mcnemar_model <- function(model, trials) attempt(model, function() {
   data$scene <- paste(data$subject_id, data$kind, sep = "/")
   data$place <- ave(seq_len(nrow(data)), data$scene, data$view, FUN = seq_along)
   columns <- c("scene", "place", "correct", "subject_id", "kind")
-  pairs <- merge(data[data$view == "ppc", columns], data[data$view == "gc", columns], by = c("scene", "place"),
-                 suffixes = c("_ppc", "_gc"))
-  only_ppc <- sum(pairs$correct_ppc == 1 & pairs$correct_gc == 0)
-  only_gc <- sum(pairs$correct_ppc == 0 & pairs$correct_gc == 1)
-  print(mcnemar.test(table(factor(pairs$correct_ppc, 0:1), factor(pairs$correct_gc, 0:1))))
-  exact <- binom.test(only_gc, only_gc + only_ppc)
+  pairs <- merge(data[data$view == "@reference@", columns], data[data$view == "@other@", columns], by = c("scene", "place"),
+                 suffixes = c("_@reference@", "_@other@"))
+  only_@reference@ <- sum(pairs$correct_@reference@ == 1 & pairs$correct_@other@ == 0)
+  only_@other@ <- sum(pairs$correct_@reference@ == 0 & pairs$correct_@other@ == 1)
+  print(mcnemar.test(table(factor(pairs$correct_@reference@, 0:1), factor(pairs$correct_@other@, 0:1))))
+  exact <- binom.test(only_@other@, only_@other@ + only_@reference@)
   odds <- function(share) share / (1 - share)
-  differences <- pairs$correct_gc - pairs$correct_ppc
+  differences <- pairs$correct_@other@ - pairs$correct_@reference@
   keep_clustered(model, "difference of shares, clustered", mean(differences),
-                 (differences - mean(differences)) / nrow(pairs), pairs$subject_id_ppc, pairs$kind_ppc)
-  keep(model, "difference of shares", (only_gc - only_ppc) / nrow(pairs), p = exact$p.value)
-  keep(model, "odds ratio", only_gc / only_ppc, odds(exact$conf.int[1]), odds(exact$conf.int[2]), exact$p.value)
+                 (differences - mean(differences)) / nrow(pairs), pairs$subject_id_@reference@, pairs$kind_@reference@)
+  keep(model, "difference of shares", (only_@other@ - only_@reference@) / nrow(pairs), p = exact$p.value)
+  keep(model, "odds ratio", only_@other@ / only_@reference@, odds(exact$conf.int[1]), odds(exact$conf.int[2]), exact$p.value)
 })
 
-# One mean a view of each subject who saw both: gc less ppc.
+# One mean a view of each subject who saw both: @other@ less @reference@.
 differences_of <- function(trials, values) {
   known <- !is.na(values)
-  means <- tapply(values[known], list(trials$subject_id[known], factor(trials$view[known], c("ppc", "gc"))), mean)
-  differences <- means[, "gc"] - means[, "ppc"]
+  means <- tapply(values[known], list(trials$subject_id[known], factor(trials$view[known], c("@reference@", "@other@"))), mean)
+  differences <- means[, "@other@"] - means[, "@reference@"]
   differences[!is.na(differences)]
 }
 # wilcox.test's pseudo-median of tied values solves an equation; the report has the median of all pairs' means.
@@ -390,13 +390,13 @@ chance_model <- function(model, trials, chance) attempt(model, function() {
 })
 
 # The last answer of each subject to each question that compares the views, as steps from the middle of its scale towards
-# gc. The p value of the model is the smallest, corrected for the number of questions.
+# @other@. The p value of the model is the smallest, corrected for the number of questions.
 ordinal_model <- function(model, answers) attempt(model, function() {
-  answers <- answers[answers$form %in% "survey" & answers$last_favors %in% c("ppc", "gc"), ]
+  answers <- answers[answers$form %in% "survey" & answers$last_favors %in% c("@reference@", "@other@"), ]
   answers <- answers[order(answers$session_number), ]
   answers <- answers[!duplicated(answers[c("field", "subject_id")], fromLast = TRUE), ]
   answers <- answers[!is.na(answers$option), ]
-  answers$off <- (answers$option - (answers$options + 1) / 2) * ifelse(answers$last_favors == "gc", 1, -1)
+  answers$off <- (answers$option - (answers$options + 1) / 2) * ifelse(answers$last_favors == "@other@", 1, -1)
   p <- c()
   for (field in sort(unique(answers$field))) {
     off <- answers$off[answers$field == field]

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "analysis/plot/utf8.h"
@@ -10,6 +11,7 @@
 #include "analysis/report/planned_model.h"
 #include "analysis/report/r_functions.h"
 #include "analysis/report/report_parts.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/search_times.h"
 
 namespace ocelli {
@@ -26,6 +28,20 @@ std::string vectorOf(const std::vector<std::string>& texts) {
     all.push_back(quoted(text));
   }
   return fmt::format("c({})", fmt::join(all, ", "));
+}
+
+/// The functions with the names of the conditions; in names of R "-" becomes ".".
+std::string functionsFor(const ViewConditions& conditions) {
+  std::string text = kRFunctions;
+  for (const TrialView view : kViews) {
+    const std::string mark = fmt::format("_{}", markOf(view));
+    std::string part = fmt::format("_{}", conditions.nameOf(view));
+    std::replace(part.begin(), part.end(), '-', '.');
+    for (size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + part.size())) {
+      text.replace(at, mark.size(), part);
+    }
+  }
+  return withViewNames(text, conditions);
 }
 
 /// Planned slopes by group: "list(subject = c("view"), case = character(0))".
@@ -74,11 +90,24 @@ std::string callOf(const AnalysisData& analysis, const PlannedModel& model) {
     case ModelKind::kBayesFactor:
       return fmt::format("bayes_model({}, {})", name, trials);
     case ModelKind::kAgainstChance:
-      return fmt::format("chance_model({}, {}, {})", name, trials, pathChance(analysis.data));
+      return fmt::format("chance_model({}, {}, {})", name, trials, chanceOf(analysis.data, model.task));
     case ModelKind::kOrdinal:
       return fmt::format("ordinal_model({}, answers)", name);
   }
   return "";
+}
+
+/// Those of the plan, and what the report does for tasks that it does not name.
+std::vector<PlannedModel> modelsOf(const AnalysisData& analysis) {
+  std::vector<PlannedModel> models = analysis.plan.models;
+  for (const ReportTask& task : reportTasksOf(analysis.data)) {
+    for (const PlannedModel& model : modelsOfTask(analysis.plan, task)) {
+      if (analysis.plan.findModel(model.name) == nullptr) {
+        models.push_back(model);
+      }
+    }
+  }
+  return models;
 }
 
 std::string familyOf(const AnalysisPlan& plan, const HypothesisFamily& family, const std::set<std::string>& only) {
@@ -107,11 +136,11 @@ std::string rScript(const AnalysisData& analysis, const std::set<std::string>& o
       "# The models of the report once more, in R: Rscript analysis.R\n"
       "# It reads tables/trials.csv and tables/answers.csv beside it, and writes tables/r_results.csv.\n"
       "# Not repeated: resampling, effect sizes, sensitivity, and intervals of restricted means.\n";
-  text += kRFunctions;
+  text += functionsFor(analysis.data.conditions);
   text += fmt::format("\ncat({}, \"\\n\", {}, \"\\n\", {}, \"\\n\\n\", sep = \"\")\n", quoted("Ocelli " + version),
                       quoted(describe(analysis.plan)), quoted("SHA-256 of the data: " + analysis.dataSha256));
   text += "trials <- read(\"trials.csv\")\nanswers <- read(\"answers.csv\")\n\n";
-  for (const PlannedModel& model : analysis.plan.models) {
+  for (const PlannedModel& model : modelsOf(analysis)) {
     if (only.empty() || only.contains(model.task)) {
       text += callOf(analysis, model) + "\n";
     }

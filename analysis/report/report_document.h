@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/dataset/view_condition.h"
 #include "analysis/plot/figure.h"
 #include "analysis/tables/table.h"
 
@@ -95,7 +96,8 @@ using ReportElement = std::variant<ReportHeading, ReportParagraph, ReportList, R
 
 /// Where the numbers of a report's tables came from, cell by cell: for `--explain`, tables/cells.csv and report.json.
 struct ReportOrigins {
-  std::vector<std::string> sources{};  ///< paths; RowRef::source counts them
+  std::vector<std::string> sources{};               ///< paths; RowRef::source counts them
+  ViewConditions conditions = defaultConditions();  ///< whose names stand in names of cells
   std::vector<Table> tables{};
 };
 

@@ -23,7 +23,7 @@ OriginTable::OriginTable(ReportOrigins& all, const std::string& id, const std::s
   for (int i = 2; isTaken(table_.name); ++i) {
     table_.name = fmt::format("{}-{}", id, i);
   }
-  table_.title = title;
+  table_.title = withViewNames(title, all.conditions);
   table_.headNames = {"what"};
   table_.cellNames = std::move(numbers);
 }
@@ -37,8 +37,9 @@ std::string OriginTable::uniqueName(const std::string& label) {
   return name;
 }
 
-std::string OriginTable::addRow(const std::string& label, const std::string& meaning, OriginRows origin,
+std::string OriginTable::addRow(const std::string& markedLabel, const std::string& meaning, OriginRows origin,
                                 const std::string& unit, const std::vector<double>& numbers) {
+  const std::string label = withViewNames(markedLabel, all_.conditions);
   rows_.clear();
   if (origin.rows.empty() && origin.cells.empty()) {
     return "";
@@ -54,7 +55,7 @@ std::string OriginTable::addRow(const std::string& label, const std::string& mea
     }
     cell.missing = "not known";
     cell.decimals = 4;
-    cell.meaning = fmt::format("{}, {}: {}", label, number, meaning);
+    cell.meaning = fmt::format("{}, {}: {}", label, number, withViewNames(meaning, all_.conditions));
     cell.unit = number == "p" || number == "statistic" || number == "df" ? "" : unit;
     if (i == 0) {
       cell.from = origin.from;

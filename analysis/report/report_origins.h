@@ -22,6 +22,7 @@ class OriginTable {
   /// `numbers` are the cells of each row. Where the document has a table `id` already, this one is ID-2.
   OriginTable(ReportOrigins& all, const std::string& id, const std::string& title, std::vector<std::string> numbers);
 
+  /// Labels and meanings may hold marks of view conditions, which get names here.
   /// Keeps the rows with the first number; the others refer to it. Returns what the names of its cells begin with,
   /// "ID/LABEL", or nothing where no rows are known. Numbers may be kNotKnown.
   std::string addRow(const std::string& label, const std::string& meaning, OriginRows origin, const std::string& unit,

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <set>
 
+#include "analysis/report/report_task.h"
+
 namespace ocelli {
 namespace {
 
@@ -55,11 +57,9 @@ const char* wordsOf(ModelKind kind) {
 }  // namespace
 
 std::string wordsOf(const PlannedModel& model, bool startsSentence) {
-  const char* what = model.task == "find"    ? "times to find"
-                     : model.task == "count" ? "right counts"
-                     : model.task == "path"  ? "right paths"
-                                             : "the survey";
-  std::string words = fmt::format("{} of {} ({})", wordsOf(model.kind), what, model.name);
+  const ReportTask task = reportTask(model.task);
+  std::string words = fmt::format("{} of {} ({})", wordsOf(model.kind),
+                                  isOfTimes(model.kind) ? task.timesOutcome : task.rightOutcome, model.name);
   if (startsSentence) {
     words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
   }
@@ -98,6 +98,14 @@ TrialList trialsOfView(const TrialList& trials, TrialView view) {
   std::copy_if(trials.begin(), trials.end(), std::back_inserter(list),
                [&](const Trial* trial) { return trial->view == view; });
   return list;
+}
+
+const std::string& labelOf(const ReportWork& work, TrialView view) {
+  return work.analysis.data.conditions.labelOf(view);
+}
+
+std::string withLabels(const ReportWork& work, const std::string& text) {
+  return withViewLabels(text, work.analysis.data.conditions);
 }
 
 std::vector<int> numbered(const std::vector<std::string>& labels) {

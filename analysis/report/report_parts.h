@@ -22,7 +22,8 @@ namespace ocelli {
 
 /// What a test is about, for the reader of a hypothesis.
 struct TestedEffect {
-  std::string measure;  ///< with its unit: "ratio of times, gc / ppc", "difference of shares, gc less ppc"
+  std::string
+      measure;  ///< with its unit: "ratio of times, other / reference", "difference of shares, other less reference"
   Estimate estimate;
   double level = 0.95;  ///< of its interval
 };
@@ -54,6 +55,10 @@ std::string wordsOf(const PlannedModel& model, bool startsSentence = true);
 
 TrialList trialsOfTask(const AnalysisData& analysis, const std::string& task);
 TrialList trialsOfView(const TrialList& trials, TrialView view);
+/// What figures call the view: they are drawn before marks get their words.
+const std::string& labelOf(const ReportWork& work, TrialView view);
+/// For what figures say of views: the text with labels in place of marks.
+std::string withLabels(const ReportWork& work, const std::string& text);
 
 /// 0, 1, ... for each different label, in the order in which they first come.
 std::vector<int> numbered(const std::vector<std::string>& labels);

@@ -62,7 +62,7 @@ Estimable<BootstrapResult> bootstrapViewDifference(const TrialList& trials, cons
                                                    const BootstrapPlan& plan) {
   std::vector<int> groups;
   for (const Trial* trial : trials) {
-    groups.push_back(trial->view == TrialView::kGraph ? 1 : 0);
+    groups.push_back(trial->view == TrialView::kOther ? 1 : 0);
   }
   return bootstrapContrast(trials, values, groups, {-1, 1}, plan);
 }
@@ -76,7 +76,7 @@ Estimable<BootstrapResult> bootstrapCensoredViewDifference(const TrialList& tria
   const BootstrapStatistic difference = [&](const std::vector<ResampledRow>& rows) {
     std::array<CensoredSums, 2> views;
     for (const ResampledRow& row : rows) {
-      views[trials[row.row]->view == TrialView::kGraph].add(values[row.row], censored[row.row]);
+      views[trials[row.row]->view == TrialView::kOther].add(values[row.row], censored[row.row]);
     }
     return censoredMeanDifference(views[0], views[1]);
   };

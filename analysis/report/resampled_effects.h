@@ -19,7 +19,7 @@ std::vector<int> caseNumbers(const TrialList& trials);
 Estimable<BootstrapResult> bootstrapContrast(const TrialList& trials, const std::vector<double>& values,
                                              const std::vector<int>& groups, const std::vector<double>& weights,
                                              const BootstrapPlan& plan);
-/// Mean of gc less mean of ppc.
+/// Mean of other less mean of reference.
 Estimable<BootstrapResult> bootstrapViewDifference(const TrialList& trials, const std::vector<double>& values,
                                                    const BootstrapPlan& plan);
 

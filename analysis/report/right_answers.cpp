@@ -12,6 +12,11 @@
 
 namespace ocelli {
 
+TrialList answeredTrials(TrialList trials) {
+  std::erase_if(trials, [](const Trial* trial) { return !trial->correct; });
+  return trials;
+}
+
 Share shareOf(const TrialList& trials) {
   Share share;
   for (const Trial* trial : trials) {
@@ -24,7 +29,7 @@ Share shareOf(const TrialList& trials) {
 std::vector<double> shareDifferences(const TrialList& trials) {
   std::map<std::string, std::array<TrialList, 2>> bySubject;
   for (const Trial* trial : trials) {
-    bySubject[trial->subject][trial->view == TrialView::kGraph].push_back(trial);
+    bySubject[trial->subject][trial->view == TrialView::kOther].push_back(trial);
   }
   std::vector<double> differences;
   for (const auto& [subject, views] : bySubject) {
@@ -38,12 +43,12 @@ std::vector<double> shareDifferences(const TrialList& trials) {
 
 Estimable<Estimate> shareDifference(const TrialList& trials) {
   std::vector<double> right;
-  std::vector<bool> isGraph;
+  std::vector<bool> isOther;
   for (const Trial* trial : trials) {
     right.push_back(trial->correct.value_or(false) ? 1 : 0);
-    isGraph.push_back(trial->view == TrialView::kGraph);
+    isOther.push_back(trial->view == TrialView::kOther);
   }
-  return clusteredMeanDifference(right, isGraph, numbered(subjectsOf(trials)), caseNumbers(trials));
+  return clusteredMeanDifference(right, isOther, numbered(subjectsOf(trials)), caseNumbers(trials));
 }
 
 Estimable<EquivalenceTest> shareEquivalence(const TrialList& trials, const EquivalenceBounds& bounds, double alpha) {
@@ -73,8 +78,8 @@ void addRightAnswers(ReportWork& work, const TrialList& trials, const std::strin
   plot.summaryName = "share of all trials, 95 % interval";
   plot.widthMillimetres = kDoubleColumnMillimetres;
   std::vector<EstimateRow> rows;
-  for (const TrialView view : {TrialView::kPinhole, TrialView::kGraph}) {
-    GroupSeries series{labelOf(view), {}};
+  for (const TrialView view : kViews) {
+    GroupSeries series{labelOf(work, view), {}};
     for (const int session : sessions) {
       TrialList here = trialsOfView(trials, view);
       std::erase_if(here, [&](const Trial* trial) { return trial->session != session; });
@@ -90,9 +95,9 @@ void addRightAnswers(ReportWork& work, const TrialList& trials, const std::strin
       if (!here.empty()) {
         const Estimate share = wilsonShare(shareOf(here));
         values.summary = intervalOf(share);
-        rows.push_back({fmt::format("{}, session {}", nameOf(view), session), share, "",
+        rows.push_back({fmt::format("{}, session {}", markOf(view), session), share, "",
                         fmt::format("{} right of {} with view {} in session {}", shareOf(here).successes,
-                                    sizeText(here), nameOf(view), session),
+                                    sizeText(here), markOf(view), session),
                         here});
       }
       series.groups.push_back(values);

@@ -7,9 +7,11 @@
 
 namespace ocelli {
 
+/// Those that say whether their answer was right.
+TrialList answeredTrials(TrialList trials);
 Share shareOf(const TrialList& trials);
 
-/// Share of right answers of each subject who saw both views, gc less ppc.
+/// Share of right answers of each subject who saw both views, other less reference.
 std::vector<double> shareDifferences(const TrialList& trials);
 /// The mean of these, where subjects and cases are drawn from more of theirs.
 Estimable<Estimate> shareDifference(const TrialList& trials);

@@ -10,6 +10,7 @@
 #include "analysis/report/planned_model.h"
 #include "analysis/report/resampled_caution.h"
 #include "analysis/report/resampled_effects.h"
+#include "analysis/report/right_answers.h"
 #include "analysis/report/sensitivity.h"
 
 namespace ocelli {
@@ -34,21 +35,24 @@ void addRightSensitivity(ReportWork& work, const PlannedModel& model, const Tria
   addSensitivity(work,
                  {fmt::format("{}-sensitivity", model.name),
                   fmt::format("The effect of the view in the {}, analysed in other ways", wordsOf(model, false)),
-                  "Odds ratio, gc / ppc", "ppc better", "gc better"},
+                  "Odds ratio, @other@ / @reference@", "@reference@ better", "@other@ better"},
                  variants, [&](const Variant& variant) { return viewRatio(fitBinomial(model, variant.trials)); });
 }
 
 }  // namespace
 
-void addRightModel(ReportWork& work, const PlannedModel& model, const TrialList& all, const std::string& caption) {
-  const TrialList trials = completeTrials(model, all);
+void addRightModel(ReportWork& work, const ReportTask& task, const PlannedModel& model, const TrialList& all) {
+  const TrialList trials = completeTrials(model, answeredTrials(all));
   const auto part = [&](const char* what, const std::function<void()>& add) {
     addPart(work, fmt::format("Model {}, {}", model.name, what), add);
   };
   Estimable<PlannedFit> fit = Estimable<PlannedFit>::impossible("it was not fitted");
   part("fit", [&] {
     fit = fitBinomial(model, trials);
-    addPlannedFit(work, model, trials, fit, caption);
+    addPlannedFit(work, model, trials, fit,
+                  fmt::format("Binomial mixed model of {}: odds ratios, variances by restricted likelihood, intervals "
+                              "and tests by Satterthwaite's degrees of freedom",
+                              task.rightOutcome));
   });
   if (fit) {
     part("checks", [&] { addBinomialChecks(work, model, trials, *fit); });
@@ -62,8 +66,9 @@ void addRightModel(ReportWork& work, const PlannedModel& model, const TrialList&
   part("resampled", [&] {
     const Estimable<BootstrapResult> resampled =
         bootstrapViewDifference(trials, right, bootstrapPlanOf(work.analysis.plan));
-    addResampled(work, "Difference of shares of right answers (gc less ppc) by resampling subjects and cases",
-                 fmt::format("{}-resampled", model.name), {{"gc less ppc", resampled, trials}});
+    addResampled(work,
+                 "Difference of shares of right answers (@other@ less @reference@) by resampling subjects and cases",
+                 fmt::format("{}-resampled", model.name), {{"@other@ less @reference@", resampled, trials}});
     if (fit) {
       const double share = std::accumulate(right.begin(), right.end(), 0.0) / static_cast<double>(right.size());
       addResampledCaution(work, model, viewLogarithm(*fit), resampled, 1 / (share * (1 - share)));

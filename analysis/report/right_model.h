@@ -1,12 +1,11 @@
-// The planned mixed model of right answers, and what stands beside it: checks, sizes, resampling, sensitivity. Counts
-// and paths have it in common.
+// The planned mixed model of right answers, and what stands beside it: checks, sizes, resampling, sensitivity.
 #pragma once
 
-#include "analysis/report/report_parts.h"
+#include "analysis/report/report_task.h"
 
 namespace ocelli {
 
-/// `caption`: of the table of odds ratios.
-void addRightModel(ReportWork& work, const PlannedModel& model, const TrialList& trials, const std::string& caption);
+/// Of the trials that say whether their answer was right.
+void addRightModel(ReportWork& work, const ReportTask& task, const PlannedModel& model, const TrialList& all);
 
 }  // namespace ocelli

@@ -33,12 +33,12 @@ double searchLimit(const TrialList& trials) {
   return limit > 0 ? limit : kUsualLimit;
 }
 
-std::vector<bool> areGraph(const TrialList& trials) {
-  std::vector<bool> isGraph;
+std::vector<bool> areOther(const TrialList& trials) {
+  std::vector<bool> isOther;
   for (const Trial* trial : trials) {
-    isGraph.push_back(trial->view == TrialView::kGraph);
+    isOther.push_back(trial->view == TrialView::kOther);
   }
-  return isGraph;
+  return isOther;
 }
 
 std::vector<SurvivalTime> timesOf(const TrialList& trials, TimeoutTreatment timeouts) {
@@ -65,7 +65,7 @@ SurvivalData survivalDataOf(const PlannedModel& model, const TrialList& trials, 
 
 Estimable<RestrictedMeanDifference> restrictedMeanDifferenceOf(const TrialList& trials, TimeoutTreatment timeouts,
                                                                double limit) {
-  return restrictedMeanDifference(timesOf(trials, timeouts), areGraph(trials), limit, numbered(subjectsOf(trials)),
+  return restrictedMeanDifference(timesOf(trials, timeouts), areOther(trials), limit, numbered(subjectsOf(trials)),
                                   0.95, caseNumbers(trials));
 }
 

@@ -14,7 +14,7 @@ const char* labelOf(TimeoutTreatment timeouts);
 TrialList withoutTimeouts(TrialList trials);
 /// Seconds after which searches were ended: the longest of the trials, or that of section 7.4.2 where none says.
 double searchLimit(const TrialList& trials);
-std::vector<bool> areGraph(const TrialList& trials);
+std::vector<bool> areOther(const TrialList& trials);
 std::vector<SurvivalTime> timesOf(const TrialList& trials, TimeoutTreatment timeouts);
 
 /// Whether cases are among what a model takes as drawn from more.
@@ -24,7 +24,7 @@ bool namesCases(const PlannedModel& model);
 /// model names them, for few of either.
 SurvivalData survivalDataOf(const PlannedModel& model, const TrialList& trials, TimeoutTreatment timeouts);
 
-/// gc less ppc, in seconds up to the limit; subjects and cases are clusters.
+/// other less reference, in seconds up to the limit; subjects and cases are clusters.
 Estimable<RestrictedMeanDifference> restrictedMeanDifferenceOf(const TrialList& trials, TimeoutTreatment timeouts,
                                                                double limit);
 

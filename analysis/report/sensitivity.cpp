@@ -11,7 +11,6 @@
 #include "analysis/base/failure.h"
 #include "analysis/plot/forest_plot.h"
 #include "analysis/report/part_guard.h"
-#include "analysis/report/view_words.h"
 
 namespace ocelli {
 namespace {
@@ -81,9 +80,9 @@ using VariantEffects = std::vector<std::pair<const Variant*, Estimable<Estimate>
 void addVariants(ReportWork& work, const SensitivityTable& about, const VariantEffects& effects) {
   ForestPlot forest;
   forest.title = about.title;
-  forest.valueLabel = withViewWords(about.value);
-  forest.lowerSide = withViewWords(about.lower);
-  forest.upperSide = withViewWords(about.upper);
+  forest.valueLabel = withLabels(work, about.value);
+  forest.lowerSide = withLabels(work, about.lower);
+  forest.upperSide = withLabels(work, about.upper);
   forest.ratio = true;
   std::vector<EstimateRow> rows;
   for (const auto& [variant, effect] : effects) {

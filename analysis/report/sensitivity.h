@@ -35,8 +35,8 @@ Variants variantsOf(const TrialList& trials, std::vector<Variant> first, size_t 
 struct SensitivityTable {
   std::string id;     ///< "find-time-sensitivity"
   std::string title;  ///< of the figure
-  std::string value;  ///< "Odds ratio, gc / ppc"
-  std::string lower;  ///< what values below 1 mean: "gc faster"
+  std::string value;  ///< "Odds ratio, other / reference"
+  std::string lower;  ///< what values below 1 mean: "other faster"
   std::string upper;
 };
 /// A forest of `effect`, a ratio, of each variant, and a table; those that leave cases out stand in the supplement, and

@@ -9,18 +9,14 @@
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/report/apparatus_section.h"
 #include "analysis/report/completers_section.h"
-#include "analysis/report/count_section.h"
-#include "analysis/report/find_section.h"
 #include "analysis/report/flow_section.h"
 #include "analysis/report/learning_section.h"
 #include "analysis/report/methods_section.h"
-#include "analysis/report/navigation_section.h"
 #include "analysis/report/paper_section.h"
 #include "analysis/report/part_guard.h"
-#include "analysis/report/path_section.h"
 #include "analysis/report/provenance_section.h"
 #include "analysis/report/r_script.h"
-#include "analysis/report/survey_section.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/view_words.h"
 
 namespace ocelli {
@@ -42,13 +38,17 @@ void addDesign(ReportWork& work) {
       break;
     }
   }
-  work.document.add(ReportParagraph{
-      "Two views are compared: a planar pinhole camera, or several (pinhole), and the graph camera. Intervals are of "
-      "95 % "
-      "where nothing else is said, and SE is the standard error, of ratios by the delta method; tests and intervals of "
+  const auto described = [&](TrialView view) {
+    const ViewCondition& condition = analysis.data.conditions.of(view);
+    return condition.description.empty() ? condition.label : condition.description;
+  };
+  work.document.add(ReportParagraph{fmt::format(
+      "Two views are compared: {}, and {}. Intervals are of 95 % where nothing else is said, and SE is the standard "
+      "error, of ratios by the delta method; tests and intervals of "
       "ratios are of their logarithm. Outside of the tables of hypotheses p values are not corrected for their number. "
       "Tables that are marked as exploratory are not of a registered plan. The supplement has checks of the models, "
-      "results without one case after the other, what was left out, and where each number comes from."});
+      "results without one case after the other, what was left out, and where each number comes from.",
+      described(TrialView::kReference), described(TrialView::kOther))});
   for (const std::string& note : analysis.data.notes) {
     work.document.add(ReportNote{NoteKind::kNote, note});
   }
@@ -87,13 +87,13 @@ std::string trialsCsv(const Dataset& data) {
       "source,trial_id,subject_id,session_number,plan_index,block,task,case_index,item,view,moving,exposure_s,objects,"
       "duplicate_colors,answer,expected,correct,censored,response_s,dropped_frames,simulated\r\n";
   for (const Trial& trial : data.trials) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", trial.source,
-                        trial.trialId, csvField(trial.subject), trial.session, trial.planIndex, csvField(trial.block),
-                        csvField(trial.task), trial.caseIndex, csvField(trial.item()), nameOf(trial.view),
-                        optionalText(trial.moving), optionalText(trial.exposureSeconds), optionalText(trial.objects),
-                        optionalText(trial.duplicateColors), csvField(trial.answer), csvField(trial.expected),
-                        optionalText(trial.correct), optionalText(trial.censored), optionalText(trial.responseSeconds),
-                        trial.droppedFrames, trial.simulated ? 1 : 0);
+    text += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", trial.source, trial.trialId,
+        csvField(trial.subject), trial.session, trial.planIndex, csvField(trial.block), csvField(trial.task),
+        trial.caseIndex, csvField(trial.item()), data.conditions.nameOf(trial.view), optionalText(trial.moving),
+        optionalText(trial.exposureSeconds), optionalText(trial.objects), optionalText(trial.duplicateColors),
+        csvField(trial.answer), csvField(trial.expected), optionalText(trial.correct), optionalText(trial.censored),
+        optionalText(trial.responseSeconds), trial.droppedFrames, trial.simulated ? 1 : 0);
   }
   return text;
 }
@@ -111,7 +111,7 @@ std::string answersCsv(const Dataset& data) {
                         csvField(answer.subject), answer.session, csvField(answer.form), csvField(answer.field),
                         csvField(answer.answer), csvField(item.question), place ? std::to_string(*place) : "",
                         item.isScale() ? std::to_string(item.steps()) : "",
-                        item.lastFavors ? nameOf(*item.lastFavors) : "");
+                        item.lastFavors ? data.conditions.nameOf(*item.lastFavors) : "");
   }
   return text;
 }
@@ -130,6 +130,7 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   for (const DataSource& source : analysis.data.sources) {
     document.origins.sources.push_back(source.path);
   }
+  document.origins.conditions = analysis.data.conditions;
   ReportWork work{analysis, document, options.only};
   if (simulated) {
     document.add(
@@ -139,40 +140,32 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   addPart(work, "Apparatus", [&] { addApparatus(work); });
   addPart(work, "Flow of subjects", [&] { addFlowSection(work); });
   addPart(work, "Tables of the study", [&] { addPaperSection(work, tables); });
-  std::vector<std::string> tasks;
-  for (const char* task : {"find", "count", "path"}) {
-    if (work.isWanted(task)) {
-      tasks.emplace_back(task);
-    }
-  }
-  const auto tell = [&](const char* stage, double done) {
-    if (options.progress) {
+  const auto tell = [&](const std::string& stage, double done) {
+    if (options.progress && !stage.empty()) {
       options.progress(stage, done);
     }
   };
-  // How far it is with all tasks, by what parts of a study of 45 subjects take.
-  if (work.isWanted("find")) {
-    tell("searches", 0);
-    addPart(work, "Finding objects", [&] { addFindSection(work); });
-    tell("navigation", 0.4);
-    addPart(work, "Navigation", [&] { addNavigationSection(work); });
-  }
-  if (work.isWanted("count")) {
-    tell("counts", 0.5);
-    addPart(work, "Counting objects", [&] { addCountSection(work); });
-  }
-  if (work.isWanted("path")) {
-    tell("paths", 0.9);
-    addPart(work, "Recognising paths", [&] { addPathSection(work); });
-  }
-  if (!tasks.empty()) {
+  std::vector<ReportTask> wanted = reportTasksOf(analysis.data);
+  std::erase_if(wanted, [&](const ReportTask& task) { return !work.isWanted(task.name); });
+  const auto addTasks = [&](bool withTrials) {
+    for (const ReportTask& task : wanted) {
+      for (const TaskPart& part : task.parts) {
+        if (task.hasTrials == withTrials) {
+          tell(part.stage, part.done);
+          addPart(work, part.title, [&] { part.add(work, task); });
+        }
+      }
+    }
+  };
+  addTasks(true);
+  std::vector<ReportTask> practised = wanted;
+  std::erase_if(practised, [](const ReportTask& task) { return !task.hasTrials; });
+  if (!practised.empty()) {
     tell("learning", 0.95);
-    addPart(work, "Learning", [&] { addLearningSection(work, tasks); });
-    addPart(work, "Comparison of completers and drop-outs", [&] { addCompletersSection(work, tasks); });
+    addPart(work, "Learning", [&] { addLearningSection(work, practised); });
+    addPart(work, "Comparison of completers and drop-outs", [&] { addCompletersSection(work, practised); });
   }
-  if (work.isWanted("survey")) {
-    addPart(work, "Survey", [&] { addSurveySection(work); });
-  }
+  addTasks(false);
   addPart(work, "Methods", [&] { addMethods(work, options.version); });
   addPart(work, "Provenance", [&] { addProvenance(work, options.version); });
   const size_t answers = document.elements.size();

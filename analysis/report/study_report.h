@@ -15,7 +15,7 @@
 namespace ocelli {
 
 struct StudyReportOptions {
-  std::set<std::string> only{};  ///< of "find", "count", "path", "survey"; empty: all
+  std::set<std::string> only{};  ///< names of tasks (report_task.h); empty: all
   std::string version;           ///< of the program
   std::string created = "2000-01-01T00:00:00Z";
   /// Is told before each part of the work what it is, and how much is done, from 0 to 1. May be empty.

@@ -133,17 +133,19 @@ EstimateRow rowOfSubjects(const std::string& label, const SubjectNumbers& number
 
 ComparisonRow compareViews(const std::string& label, const TrialValues& values, ValueScale scale) {
   const bool ratio = scale == ValueScale::kLogarithm;
-  const SubjectNumbers pinhole = subjectMeans(valuesOfView(values, TrialView::kPinhole));
-  const SubjectNumbers graph = subjectMeans(valuesOfView(values, TrialView::kGraph));
-  const SubjectNumbers difference = subjectDifferences(pinhole, graph);
+  const SubjectNumbers reference = subjectMeans(valuesOfView(values, TrialView::kReference));
+  const SubjectNumbers other = subjectMeans(valuesOfView(values, TrialView::kOther));
+  const SubjectNumbers difference = subjectDifferences(reference, other);
   const char* what = ratio ? "mean logarithms" : "means";
-  ComparisonRow row{label, untested(rowOfSubjects(fmt::format("{}, ppc", label), pinhole, scale, what)),
-                    untested(rowOfSubjects(fmt::format("{}, gc", label), graph, scale, what)),
-                    rowOfSubjects(fmt::format("{}, {}", label, ratio ? "gc / ppc" : "gc less ppc"), difference,
-                                  scaleOfDifferences(scale), fmt::format("differences (gc less ppc) of {}", what)),
-                    ""};
+  ComparisonRow row{
+      label, untested(rowOfSubjects(fmt::format("{}, @reference@", label), reference, scale, what)),
+      untested(rowOfSubjects(fmt::format("{}, @other@", label), other, scale, what)),
+      rowOfSubjects(fmt::format("{}, {}", label, ratio ? "@other@ / @reference@" : "@other@ less @reference@"),
+                    difference, scaleOfDifferences(scale),
+                    fmt::format("differences (@other@ less @reference@) of {}", what)),
+      ""};
   row.subjects =
-      fmt::format("{}, {}, {}", pinhole.bySubject.size(), graph.bySubject.size(), difference.bySubject.size());
+      fmt::format("{}, {}, {}", reference.bySubject.size(), other.bySubject.size(), difference.bySubject.size());
   if (!row.difference.estimate && difference.bySubject.empty()) {
     row.difference.estimate = Estimable<Estimate>::impossible("no subject has such trials in both views");
   }

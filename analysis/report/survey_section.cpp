@@ -11,6 +11,7 @@
 #include "analysis/dataset/form_item.h"
 #include "analysis/inference/holm.h"
 #include "analysis/inference/ordinal.h"
+#include "analysis/inference/proportional_odds.h"
 #include "analysis/plot/rating_plot.h"
 #include "analysis/report/part_guard.h"
 
@@ -100,7 +101,7 @@ void addFigures(ReportWork& work, const std::vector<ItemAnswers>& items) {
     plot.parted = scale.comparesViews();
     plot.lowest = scale.ends.size() == 2 ? scale.ends.front() : "";
     plot.highest = scale.ends.size() == 2 ? scale.ends.back() : "";
-    plot.lastIsGraph = scale.lastFavors == TrialView::kGraph;
+    plot.lastIsOther = scale.lastFavors == TrialView::kOther;
     plot.steps.clear();
     for (int place = 1; place <= scale.steps(); ++place) {
       const std::string& option = scale.options[static_cast<size_t>(place - 1)];
@@ -184,21 +185,27 @@ void addDescriptions(ReportWork& work, const std::vector<ItemAnswers>& items) {
 
 /// What a question that compares the views says of them.
 struct PreferenceTest {
-  Estimable<Estimate> shift;  ///< towards the graph camera, in steps
+  Estimable<Estimate> shift;  ///< towards the other condition, in steps
   std::string measure;
 };
 
-PreferenceTest testPreference(const ItemAnswers& each) {
-  const FormItem& item = each.item;
+/// The places of answers as if the last option of the scale spoke for the other condition.
+std::vector<int> placesTowardsOther(const ItemAnswers& each) {
   std::vector<int> places = placesOf(each);
-  if (item.lastFavors == TrialView::kPinhole) {
+  if (each.item.lastFavors == TrialView::kReference) {
     for (int& place : places) {
-      place = item.steps() + 1 - place;
+      place = each.item.steps() + 1 - place;
     }
   }
+  return places;
+}
+
+PreferenceTest testPreference(const ItemAnswers& each) {
+  const FormItem& item = each.item;
+  const std::vector<int> places = placesTowardsOther(each);
   const Estimable<MiddleTest> test = testAgainstMiddle(places, item.steps());
   return {test ? Estimable<Estimate>(test->signedRank.center) : Estimable<Estimate>::impossible(test.reason()),
-          fmt::format("\"{}\": steps from the middle of {} towards gc", item.label(), item.steps())};
+          fmt::format("\"{}\": steps from the middle of {} towards @other@", item.label(), item.steps())};
 }
 
 /// The model of the survey is one test: the smallest p value, corrected for the number of questions.
@@ -247,16 +254,75 @@ void addPreferences(ReportWork& work, const std::vector<ItemAnswers>& items) {
   }
   if (!rows.empty()) {
     addEstimates(work.document,
-                 "Which view the answers speak for: steps from the middle of each scale, above 0 towards gc "
+                 "Which view the answers speak for: steps from the middle of each scale, above 0 towards @other@ "
                  "(Hodges-Lehmann center, Wilcoxon's signed ranks)",
                  kSurveyTestsTable, rows);
   }
   addOutcome(work, tests);
 }
 
-}  // namespace
+/// With which view each subject began.
+std::map<std::string, TrialView> firstViews(const Dataset& data) {
+  std::map<std::string, const Trial*> first;
+  for (const Trial& trial : data.trials) {
+    const Trial*& known = first[trial.subject];
+    if (known == nullptr || std::pair(trial.session, trial.planIndex) < std::pair(known->session, known->planIndex)) {
+      known = &trial;
+    }
+  }
+  std::map<std::string, TrialView> views;
+  for (const auto& [subject, trial] : first) {
+    views[subject] = trial->view;
+  }
+  return views;
+}
 
-void addSurveySection(ReportWork& work) {
+/// Whether answers go with the view that came first.
+void addOrder(ReportWork& work, const std::vector<ItemAnswers>& items) {
+  const std::map<std::string, TrialView> began = firstViews(work.analysis.data);
+  std::vector<EstimateRow> rows;
+  for (const ItemAnswers& each : items) {
+    if (!each.item.comparesViews() || each.answers.empty()) {
+      continue;
+    }
+    const std::vector<int> all = placesTowardsOther(each);
+    std::vector<int> places;
+    Covariate otherFirst{"other view first", {}};
+    std::vector<RowRef> answers;
+    for (size_t i = 0; i < all.size(); ++i) {
+      const FormAnswer& row = *each.answers[i].row;
+      if (const auto found = began.find(row.subject); found != began.end()) {
+        places.push_back(all[i]);
+        otherFirst.values.push_back(found->second == TrialView::kOther ? 1 : 0);
+        answers.push_back({row.source, row.answerId});
+      }
+    }
+    using Ratio = Estimable<Estimate>;
+    Ratio ratio = Ratio::impossible("no subject with an answer has a trial");
+    const auto& first = otherFirst.values;
+    if (!places.empty() && std::count(first.begin(), first.end(), first.front()) == std::ssize(first)) {
+      ratio = Ratio::impossible("all subjects who answered began with the same view");
+    } else if (!places.empty()) {
+      const Estimable<ProportionalOddsFit> fit = fitProportionalOdds(places, {otherFirst});
+      ratio = fit ? Ratio(fit->terms.front().oddsRatio) : Ratio::impossible(fit.reason());
+    }
+    rows.push_back({each.item.label(),
+                    ratio,
+                    "",
+                    fmt::format("last answers of {} subjects to {}, by the view of their first trial", places.size(),
+                                each.item.name),
+                    {},
+                    answers});
+  }
+  if (!rows.empty()) {
+    addEstimates(work.document,
+                 "Whether answers go with the view of a subject's first trial: odds ratio of an answer farther towards "
+                 "@other@ where @other@ came first (proportional odds)",
+                 "survey-first-view", rows);
+  }
+}
+
+void addSurveySection(ReportWork& work, const ReportTask& /*task*/) {
   addHeading(work.document, 1, "What subjects say", "survey");
   const std::vector<ItemAnswers> items = answersToForm(work.analysis.data, kForm);
   if (items.empty()) {
@@ -268,10 +334,26 @@ void addSurveySection(ReportWork& work) {
   addFigures(work, items);
   addDescriptions(work, items);
   addPreferences(work, items);
+  addOrder(work, items);
   work.methods.push_back(
       "Answers to questions of the survey that compare the views were tested against the middle of their own scale by "
       "signed ranks; the p value of the survey is the smallest of these questions, corrected by Holm's method. Other "
       "questions are described.");
+}
+
+}  // namespace
+
+ReportTask surveyTask() {
+  ReportTask task;
+  task.name = kForm;
+  task.title = "Survey";
+  task.trialsName = "surveys";
+  task.timesOutcome = task.rightOutcome = "the survey";
+  task.hasTrials = false;
+  task.parts = {{"Survey", "", 0, addSurveySection}};
+  task.models = {{"survey", kForm, ModelKind::kOrdinal}};
+  task.hypotheses = {{{"survey-preference", "One of the views is said to be easier", "survey", ""}}};
+  return task;
 }
 
 }  // namespace ocelli

@@ -1,13 +1,13 @@
 // What subjects say of the views.
 #pragma once
 
-#include "analysis/report/report_parts.h"
+#include "analysis/report/report_task.h"
 
 namespace ocelli {
 
 /// The table whose p values the test of the survey is made of.
 inline constexpr const char* kSurveyTestsTable = "survey-preference";
 
-void addSurveySection(ReportWork& work);
+ReportTask surveyTask();
 
 }  // namespace ocelli

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analysis/report/planned_model.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/right_answers.h"
 
 namespace ocelli {
@@ -10,17 +11,12 @@ namespace {
 
 constexpr const char* kView = "view";
 
-TrialList answeredTrials(const AnalysisData& analysis, const std::string& task) {
-  TrialList trials = trialsOfTask(analysis, task);
-  std::erase_if(trials, [](const Trial* trial) { return !trial->correct; });
-  return trials;
-}
-
 }  // namespace
 
-const PlannedModel* viewModelOf(const AnalysisPlan& plan, const std::string& task) {
+const PlannedModel* viewModelOf(const AnalysisPlan& plan, const std::string& taskName) {
+  const ReportTask task = reportTask(taskName);
   const auto found = std::find_if(plan.models.begin(), plan.models.end(), [&](const PlannedModel& model) {
-    return model.task == task && isMixed(model.kind) && (model.kind == ModelKind::kBinomialMixed) == (task != "find") &&
+    return model.task == task.name && isMixed(model.kind) && task.findModelKind(model.kind) != nullptr &&
            std::find(model.terms.begin(), model.terms.end(), kView) != model.terms.end();
   });
   return found == plan.models.end() ? nullptr : &*found;
@@ -29,15 +25,14 @@ const PlannedModel* viewModelOf(const AnalysisPlan& plan, const std::string& tas
 ViewTest testOfView(const AnalysisData& analysis, const PlannedModel& model) {
   Estimable<PlannedFit> fit = Estimable<PlannedFit>::impossible("");
   if (model.kind != ModelKind::kBinomialMixed) {
-    const TimeoutTreatment timeouts = analysis.plan.findTimeouts;
+    const TimeoutTreatment timeouts = reportTask(model.task).timeouts(analysis.plan);
     fit = fitTimes(model, searchesOfMixedModel(model, trialsOfTask(analysis, model.task), timeouts), timeouts);
   } else {
-    fit = fitBinomial(model, completeTrials(model, answeredTrials(analysis, model.task)));
+    fit = fitBinomial(model, completeTrials(model, answeredTrials(trialsOfTask(analysis, model.task))));
   }
-  if (!fit) {
-    return {Estimable<Estimate>::impossible(fit.reason())};
-  }
-  return {viewLogarithm(*fit), !fit->warnings.empty()};
+  const Estimable<Estimate> view = fit ? viewLogarithm(*fit) : Estimable<Estimate>::impossible(fit.reason());
+  return {view ? view : Estimable<Estimate>::impossible(withViewNames(view.reason(), analysis.data.conditions)),
+          fit && !fit->warnings.empty()};
 }
 
 const PlannedEquivalence* equivalenceBoundsOf(const AnalysisPlan& plan, const std::string& task) {
@@ -48,7 +43,7 @@ const PlannedEquivalence* equivalenceBoundsOf(const AnalysisPlan& plan, const st
 
 Estimable<EquivalenceTest> testOfEquivalence(const AnalysisData& analysis, const PlannedEquivalence& bounds,
                                              double alpha) {
-  return shareEquivalence(answeredTrials(analysis, bounds.task), {bounds.lower, bounds.upper}, alpha);
+  return shareEquivalence(answeredTrials(trialsOfTask(analysis, bounds.task)), {bounds.lower, bounds.upper}, alpha);
 }
 
 }  // namespace ocelli

@@ -10,12 +10,12 @@
 
 namespace ocelli {
 
-/// The plan's first mixed model of the task that has the term "view": log-normal or linear for "find", binomial for
-/// "count" and "path". nullptr where there is none.
+/// The plan's first mixed model of the task that has the term "view", of a kind that is done for the task. nullptr
+/// where there is none.
 const PlannedModel* viewModelOf(const AnalysisPlan& plan, const std::string& task);
 
 struct ViewTest {
-  Estimable<Estimate> view;  ///< gc less ppc, in log seconds or logits
+  Estimable<Estimate> view;  ///< other less reference, in log seconds or logits
   bool warned = false;       ///< the fit is singular, did not converge, or lacks a column
 };
 

@@ -66,8 +66,9 @@ void appendTrials(std::string& text, const Cell& cell, const Dataset& data) {
     const Trial& trial = *found->second;
     fmt::format_to(std::back_inserter(text), "{}  {}  {}  {}  {}/{}  {}  {}  {}  {}  {}  {}\n", row.source + 1, row.row,
                    oneLine(trial.subject), trial.session, oneLine(trial.block), oneLine(trial.caseLabel),
-                   nameOf(trial.view), trial.responseSeconds ? fmt::format("{:.6g}", *trial.responseSeconds) : "-",
-                   flag(trial.censored), flag(trial.correct), oneLine(trial.answer), oneLine(trial.expected));
+                   data.conditions.nameOf(trial.view),
+                   trial.responseSeconds ? fmt::format("{:.6g}", *trial.responseSeconds) : "-", flag(trial.censored),
+                   flag(trial.correct), oneLine(trial.answer), oneLine(trial.expected));
   }
 }
 

@@ -28,7 +28,7 @@ constexpr NeutralName kNeutralNames[] = {
     {"table-7.3", "count-by-session", "Counts that are right, by session"},
     {"count-errors", "count-errors", "Counts: objects too many, or too few"},
     {"section-7.4.4", "path-means", "Paths that are recognised"},
-    {"section-7.4.5", kSurveyMeans, "Which view was easier, 1 for the pinhole to 5 for the graph camera"},
+    {"section-7.4.5", kSurveyMeans, "Which view was easier, 1 for the @reference@ to 5 for the @other@"},
 };
 
 void dropPublished(Table& table) {
@@ -36,9 +36,10 @@ void dropPublished(Table& table) {
     std::erase_if(row.cells, [](const Cell& cell) { return cell.isPublished(); });
   }
   std::erase(table.cellNames, kPublishedColumn);
+  std::erase(table.shownNames, kPublishedColumn);
 }
 
-void rename(Table& table, const NeutralName& neutral) {
+void rename(Table& table, const NeutralName& neutral, const ViewConditions& conditions) {
   const std::string before = fmt::format("{}/", neutral.paper);
   const std::string after = fmt::format("{}/", neutral.name);
   const auto renamed = [&](std::string& text) {
@@ -47,7 +48,7 @@ void rename(Table& table, const NeutralName& neutral) {
     }
   };
   table.name = neutral.name;
-  table.title = neutral.title;
+  table.title = withViewLabels(neutral.title, conditions);
   for (TableRow& row : table.rows) {
     for (Cell& cell : row.cells) {
       renamed(cell.name);
@@ -60,18 +61,19 @@ void rename(Table& table, const NeutralName& neutral) {
 }  // namespace
 
 bool isOfRosen2010(const Dataset& data) {
-  return !data.sources.empty() && std::all_of(data.sources.begin(), data.sources.end(), [](const DataSource& source) {
-    return source.protocolName == "rosen2010" || source.protocolName.starts_with("rosen2010-");
-  });
+  return data.conditions.hasNamesOf(defaultConditions()) && !data.sources.empty() &&
+         std::all_of(data.sources.begin(), data.sources.end(), [](const DataSource& source) {
+           return source.protocolName == "rosen2010" || source.protocolName.starts_with("rosen2010-");
+         });
 }
 
-void makeNeutral(std::vector<Table>& tables) {
+void makeNeutral(std::vector<Table>& tables, const ViewConditions& conditions) {
   for (Table& table : tables) {
     dropPublished(table);
     const auto* neutral = std::find_if(std::begin(kNeutralNames), std::end(kNeutralNames),
                                        [&](const NeutralName& each) { return table.name == each.paper; });
     if (neutral != std::end(kNeutralNames)) {
-      rename(table, *neutral);
+      rename(table, *neutral, conditions);
     }
     if (table.name == kSurveyMeans) {
       std::erase_if(table.rows, [](const TableRow& row) { return row.cells.front().rows.empty(); });

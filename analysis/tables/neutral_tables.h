@@ -9,11 +9,12 @@
 
 namespace ocelli {
 
-/// Whether all protocols are those of Rosen 2010, by their names: "rosen2010", "rosen2010-balanced", ...
+/// Whether all protocols are those of Rosen 2010, by their names, "rosen2010", "rosen2010-balanced", ..., and their
+/// view conditions.
 bool isOfRosen2010(const Dataset& data);
 
-/// "table-7.1/stationary/session-1/gc" becomes "find-by-session/stationary/session-1/gc"; columns of published values
-/// go, and rows of questions that nobody was asked.
-void makeNeutral(std::vector<Table>& tables);
+/// "table-7.1/stationary/session-1/bent" becomes "find-by-session/stationary/session-1/bent"; columns of published
+/// values go, and rows of questions that nobody was asked.
+void makeNeutral(std::vector<Table>& tables, const ViewConditions& conditions);
 
 }  // namespace ocelli

@@ -18,7 +18,6 @@
 namespace ocelli {
 namespace {
 
-constexpr TrialView kViews[] = {TrialView::kPinhole, TrialView::kGraph};
 constexpr int kPublishedSessions = 3;
 constexpr const char* kFirstSession = "Trials of the first session of all subjects.";
 
@@ -60,7 +59,7 @@ class PaperTables {
     std::vector<Table> tables{subjects(),    findMeans(),    timeouts(), table71(),     figure75(), countMeans(),
                               table72Left(), table72Right(), table73(),  countErrors(), paths(),    survey()};
     if (!isOfPaper_) {
-      makeNeutral(tables);
+      makeNeutral(tables, conditions());
     }
     return tables;
   }
@@ -117,17 +116,27 @@ class PaperTables {
                        isOfPaper_ ? "; the text leaves them out" : "");
   }
 
-  /// "ppc", "ppc published", "gc", "gc published".
-  static void addViews(TableRow& row, const std::string& name, const TrialList& trials, const CellOf& cellOf,
-                       const PublishedPair& published) {
+  const ViewConditions& conditions() const { return analysis_.data.conditions; }
+  /// Columns of cells, whose names may hold marks of view conditions.
+  void setColumns(Table& table, const std::vector<std::string>& marked) const {
+    table.shownNames = marked;
+    table.cellNames.clear();
+    for (const std::string& name : marked) {
+      table.cellNames.push_back(withViewNames(name, conditions()));
+    }
+  }
+
+  /// Either view, and what the text has.
+  void addViews(TableRow& row, const std::string& name, const TrialList& trials, const CellOf& cellOf,
+                const PublishedPair& published) const {
     for (const TrialView view : kViews) {
-      const std::string cellName = fmt::format("{}/{}", name, nameOf(view));
+      const std::string cellName = fmt::format("{}/{}", name, conditions().nameOf(view));
       row.cells.push_back(cellOf(cellName, ofView(trials, view)));
       row.cells.push_back(publishedCell(fmt::format("{}/published", cellName), published.of(view),
                                         row.cells.back().unit, "as the text reports it"));
     }
   }
-  /// After addViews(): "gc faster by", and the text's.
+  /// After addViews(): by how much the other view is faster, and the text's.
   static void addFasterBy(TableRow& row, const std::string& name, std::optional<double> published) {
     row.cells.push_back(lessByCell(fmt::format("{}/faster", name), row.cells[0], row.cells[2]));
     row.cells.push_back(
@@ -149,8 +158,9 @@ class PaperTables {
   std::map<std::string, TrialList> byTask_{};
 };
 
-const std::vector<std::string> kViewColumns{"ppc", "published", "gc", "published"};
-const std::vector<std::string> kTimeColumns{"ppc", "published", "gc", "published", "gc faster by", "published"};
+const std::vector<std::string> kViewColumns{"@reference@", "published", "@other@", "published"};
+const std::vector<std::string> kTimeColumns{"@reference@", "published",         "@other@",
+                                            "published",   "@other@ faster by", "published"};
 
 Table PaperTables::subjects() const {
   Table table{"subjects", "Section 7.4.1: subjects", {"step"}, {"subjects", "published"}, {}};
@@ -228,7 +238,8 @@ Table PaperTables::subjects() const {
 
 Table PaperTables::byObjects(const char* name, const char* title, const char* task, const CellOf& cellOf,
                              const std::function<PublishedPair(bool)>& published) const {
-  Table table{name, title, {"objects"}, kViewColumns, {}, {kFirstSession}};
+  Table table{name, title, {"objects"}, {}, {}, {kFirstSession}};
+  setColumns(table, kViewColumns);
   for (const bool moving : {false, true}) {
     const TrialList trials =
         trialsOf(task, [&](const Trial& trial) { return trial.session == 1 && trial.moving == moving; });
@@ -241,8 +252,8 @@ Table PaperTables::byObjects(const char* name, const char* title, const char* ta
 
 Table PaperTables::bySession(const char* name, const char* title, const char* task, const CellOf& cellOf,
                              const std::function<PublishedPair(bool, int)>& published) const {
-  Table table{name,         title, {"objects", "session"},
-              kViewColumns, {},    {fmt::format("Subjects who completed {}.", allSessions())}};
+  Table table{name, title, {"objects", "session"}, {}, {}, {fmt::format("Subjects who completed {}.", allSessions())}};
+  setColumns(table, kViewColumns);
   for (const bool moving : {false, true}) {
     for (int session = 1; session <= sessions_; ++session) {
       const TrialList trials = trialsOf(task, [&](const Trial& trial) {
@@ -260,7 +271,7 @@ Table PaperTables::bySession(const char* name, const char* title, const char* ta
 Table PaperTables::findMeans() const {
   Table table =
       byObjects("section-7.4.2", "Section 7.4.2: time to find objects", "find", meanTime(), publishedFindSeconds);
-  table.cellNames = kTimeColumns;
+  setColumns(table, kTimeColumns);
   table.notes.push_back(timeoutNote());
   for (const bool moving : {false, true}) {
     addFasterBy(table.rows[moving ? 1 : 0], fmt::format("section-7.4.2/{}", objectsName(moving)),
@@ -282,7 +293,7 @@ Table PaperTables::timeouts() const {
 Table PaperTables::table71() const {
   Table table =
       bySession("table-7.1", "Table 7.1: time to find objects, by session", "find", meanTime(), publishedTable71);
-  table.cellNames = kTimeColumns;
+  setColumns(table, kTimeColumns);
   table.notes.push_back(timeoutNote());
   size_t row = 0;
   for (const bool moving : {false, true}) {
@@ -298,9 +309,11 @@ Table PaperTables::figure75() const {
   Table table{"figure-7.5",
               "Figure 7.5: time to find objects, by case",
               {"objects", "case"},
-              {"ppc", "gc", "gc faster by", "published", "ppc time over", "gc time over"},
+              {},
               {},
               {kFirstSession, timeoutNote()}};
+  setColumns(table, {"@reference@", "@other@", "@other@ faster by", "published", "@reference@ time over",
+                     "@other@ time over"});
   std::map<std::tuple<bool, int, int>, TrialList> cases;  // of moving, block, case
   for (const Trial* trial : trialsOf("find", [](const Trial& t) { return t.session == 1 && t.moving.has_value(); })) {
     cases[{*trial->moving, trial->blockIndex, trial->caseIndex}].push_back(trial);
@@ -311,16 +324,17 @@ Table PaperTables::figure75() const {
     std::string name = fmt::format("figure-7.5/{}/{}", objectsName(moving), namePart(trials.front()->caseLabel));
     const int before = taken[name]++;
     name += before > 0 ? fmt::format("-{}", before + 1) : "";
-    const TrialList ofPinhole = ofView(trials, TrialView::kPinhole);
-    const TrialList ofGraph = ofView(trials, TrialView::kGraph);
+    const TrialList ofReference = ofView(trials, TrialView::kReference);
+    const TrialList ofOther = ofView(trials, TrialView::kOther);
+    const auto& [reference, other] = conditions().list;
     TableRow row{{objectsName(moving), trials.front()->caseLabel}, {}};
-    row.cells.push_back(meanTimeCell(fmt::format("{}/ppc", name), ofPinhole, options_.timeouts));
-    row.cells.push_back(meanTimeCell(fmt::format("{}/gc", name), ofGraph, options_.timeouts));
+    row.cells.push_back(meanTimeCell(fmt::format("{}/{}", name, reference.name), ofReference, options_.timeouts));
+    row.cells.push_back(meanTimeCell(fmt::format("{}/{}", name, other.name), ofOther, options_.timeouts));
     row.cells.push_back(lessByCell(fmt::format("{}/faster", name), row.cells[0], row.cells[1]));
     row.cells.push_back(publishedCell(fmt::format("{}/faster/published", name),
                                       publishedImprovement75(moving, index + 1), "%", "as the text reports it"));
-    row.cells.push_back(timeoutShareCell(fmt::format("{}/ppc/time-over", name), ofPinhole));
-    row.cells.push_back(timeoutShareCell(fmt::format("{}/gc/time-over", name), ofGraph));
+    row.cells.push_back(timeoutShareCell(fmt::format("{}/{}/time-over", name, reference.name), ofReference));
+    row.cells.push_back(timeoutShareCell(fmt::format("{}/{}/time-over", name, other.name), ofOther));
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -331,12 +345,9 @@ Table PaperTables::countMeans() const {
 }
 
 Table PaperTables::table72Left() const {
-  Table table{"table-7.2-left",
-              "Table 7.2, left: counts that are right, by exposure",
-              {"objects", "exposure"},
-              kViewColumns,
-              {},
+  Table table{"table-7.2-left", "Table 7.2, left: counts that are right, by exposure", {"objects", "exposure"}, {}, {},
               {kFirstSession}};
+  setColumns(table, kViewColumns);
   for (const bool moving : {false, true}) {
     std::set<double> exposures{5, 10, 20};
     for (const Trial* trial : trialsOf("count", [](const Trial& t) { return t.exposureSeconds.has_value(); })) {
@@ -356,12 +367,9 @@ Table PaperTables::table72Left() const {
 }
 
 Table PaperTables::table72Right() const {
-  Table table{"table-7.2-right",
-              "Table 7.2, right: counts that are right, by colours",
-              {"objects", "colours"},
-              kViewColumns,
-              {},
+  Table table{"table-7.2-right", "Table 7.2, right: counts that are right, by colours", {"objects", "colours"}, {}, {},
               {kFirstSession}};
+  setColumns(table, kViewColumns);
   for (const bool moving : {false, true}) {
     for (const bool duplicates : {true, false}) {
       const TrialList trials = trialsOf("count", [&](const Trial& trial) {
@@ -386,15 +394,16 @@ Table PaperTables::countErrors() const {
   Table table{"count-errors",
               "Counts: objects too many, or too few (not in the text)",
               {"objects"},
-              {"ppc", "gc"},
+              {},
               {},
               {"Trials of all sessions. Counts that were not given in time have no error."}};
+  setColumns(table, {kReferenceMark, kOtherMark});
   for (const bool moving : {false, true}) {
     const TrialList trials = trialsOf("count", [&](const Trial& trial) { return trial.moving == moving; });
     TableRow row{{objectsName(moving)}, {}};
     for (const TrialView view : kViews) {
-      row.cells.push_back(
-          meanErrorCell(fmt::format("count-errors/{}/{}", objectsName(moving), nameOf(view)), ofView(trials, view)));
+      row.cells.push_back(meanErrorCell(
+          fmt::format("count-errors/{}/{}", objectsName(moving), conditions().nameOf(view)), ofView(trials, view)));
     }
     table.rows.push_back(std::move(row));
   }
@@ -402,7 +411,8 @@ Table PaperTables::countErrors() const {
 }
 
 Table PaperTables::paths() const {
-  Table table{"section-7.4.4", "Section 7.4.4: paths that are recognised", {"subjects", "session"}, kViewColumns, {}};
+  Table table{"section-7.4.4", "Section 7.4.4: paths that are recognised", {"subjects", "session"}, {}, {}};
+  setColumns(table, kViewColumns);
   const TrialList first = trialsOf("path", [](const Trial& trial) { return trial.session == 1; });
   TableRow all{{"all", "1"}, {}};
   addViews(all, "section-7.4.4/all", first, rightShareCell, publishedPaths(0));
@@ -417,7 +427,7 @@ Table PaperTables::paths() const {
   return table;
 }
 
-/// The answers to a question of the text, 1 for the pinhole to 5 for the graph camera. Where no protocol says the
+/// The answers to a question of the text, 1 for the reference to 5 for the other view. Where no protocol says the
 /// scale, whole numbers from 1 to 5 are taken to be on it.
 struct TextAnswers {
   std::vector<double> numbers{};
@@ -445,19 +455,20 @@ TextAnswers textAnswers(const std::vector<ItemAnswers>& items, const std::string
       result.missing = "on a scale that is not known";
       return result;
     }
-    result.numbers.push_back(item.lastFavors == TrialView::kPinhole ? kSteps + 1 - *number : *number);
+    result.numbers.push_back(item.lastFavors == TrialView::kReference ? kSteps + 1 - *number : *number);
     result.rows.push_back({answer.row->source, answer.row->answerId});
   }
   return result;
 }
 
 Table PaperTables::survey() const {
-  Table table{"section-7.4.5",
-              "Section 7.4.5: which view was easier, 1 for the pinhole to 5 for the graph camera",
-              {"question"},
-              {"mean", "published"},
-              {},
-              {"The last answer of each subject; answers that are none of the options are left out."}};
+  Table table{
+      "section-7.4.5",
+      withViewLabels("Section 7.4.5: which view was easier, 1 for the @reference@ to 5 for the @other@", conditions()),
+      {"question"},
+      {"mean", "published"},
+      {},
+      {"The last answer of each subject; answers that are none of the options are left out."}};
   const std::vector<ItemAnswers> items = answersToForm(analysis_.data, "survey");
   for (const char* question : {"easier_find", "easier_count", "easier_path"}) {
     const TextAnswers answers = textAnswers(items, question);

@@ -12,7 +12,8 @@ struct PublishedPair {
   std::optional<double> pinhole{};
   std::optional<double> graph{};
 
-  const std::optional<double>& of(TrialView view) const { return view == TrialView::kPinhole ? pinhole : graph; }
+  /// The text compares pinholes, the reference, with graph cameras.
+  const std::optional<double>& of(TrialView view) const { return view == TrialView::kReference ? pinhole : graph; }
 };
 
 /// Section 7.4.2: mean seconds of searches that ended in time, all subjects.

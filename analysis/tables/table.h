@@ -25,7 +25,7 @@ struct Cell {
     kText,      ///< from the text of the dissertation: published
   };
 
-  std::string name;  ///< "table-7.1/stationary/session-1/gc": no other cell has it
+  std::string name;  ///< "table-7.1/stationary/session-1/bent": no other cell has it
   std::optional<double> value{};
   std::string missing{};  ///< why there is no value: "no trials"
   std::string unit{};     ///< "s", "%" or empty
@@ -53,7 +53,9 @@ struct Table {
   std::vector<std::string> headNames;
   std::vector<std::string> cellNames;
   std::vector<TableRow> rows;
-  std::vector<std::string> notes{};  ///< whole sentences: conventions, what is not known
+  std::vector<std::string> notes{};       ///< whole sentences: conventions, what is not known
+  std::vector<std::string> shownNames{};  ///< of the cells' columns for readers, with marks of view conditions; empty:
+                                          ///< cellNames
 };
 
 /// "12.9 s (n = 300)", "89.6 % (224/250)", "no trials"; a published value without more is "12.9 s".

@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "analysis/dataset/database.h"
 #include "study/export/study_export.h"
@@ -95,6 +96,28 @@ TEST_F(CsvExport, brokenRowsAreNamed) {
   EXPECT_THAT(errorWith("subjects.csv", "person", "simulated_observer"), HasSubstr("contradicts"));
   EXPECT_THAT(analysisErrorOf([&] { readCsvExport(folder.file("nowhere")); }), HasSubstr("cannot be read"));
   EXPECT_EQ(analysisErrorOf([&] { readCsvExport(tables); }), "");
+}
+
+TEST_F(CsvExport, viewsAreTheConditionsOfTheProtocol) {
+  exportSmallStudy();
+  std::string text = textOf(tables + "/trials.csv");
+  for (const auto& [from, to] : {std::pair(",ppc,", ",flat,"), std::pair(",gc,", ",bent,")}) {
+    for (size_t at = text.find(from); at != std::string::npos; at = text.find(from)) {
+      text.replace(at, std::string(from).size(), to);
+    }
+  }
+  std::ofstream(tables + "/trials.csv", std::ios::binary) << text;
+  EXPECT_THAT(analysisErrorOf([&] { readCsvExport(tables); }),
+              HasSubstr("must be ppc or gc, unless --protocol FILE names other conditions"));
+  const std::string protocol = folder.file("protocol.json");
+  std::ofstream(protocol) << R"({"name": "a", "conditions": [{"name": "flat"}, {"name": "bent"}]})";
+  const Dataset read = readCsvExport(tables, protocol);
+  const Dataset usual = readDatabase(path);
+  ASSERT_EQ(read.trials.size(), usual.trials.size());
+  for (size_t i = 0; i < read.trials.size(); ++i) {
+    EXPECT_EQ(read.trials[i].view, usual.trials[i].view) << i;
+  }
+  EXPECT_EQ(read.conditions.nameOf(TrialView::kOther), "bent");
 }
 
 }  // namespace

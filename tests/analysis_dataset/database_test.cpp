@@ -30,7 +30,7 @@ TEST_F(Database, givesWhatTheViewsGive) {
   ASSERT_EQ(data.trials.size(), 12u);
   const Trial& found = data.trials[1];
   EXPECT_EQ(found.subject, "S01");
-  EXPECT_EQ(found.view, TrialView::kGraph);
+  EXPECT_EQ(found.view, TrialView::kOther);
   EXPECT_EQ(found.caseLabel, "location 1");
   EXPECT_EQ(found.responseSeconds, 6.0);
   EXPECT_EQ(found.censored, false);

@@ -28,7 +28,7 @@ struct Exclusions : ::testing::Test {
   std::string path = folder.file("study.db");
 
   AnalysisData with(const PlannedExclusion& one) const {
-    AnalysisPlan plan = defaultPlan();
+    AnalysisPlan plan;
     plan.exclusions = {one};
     plan.excludesForcedSessions = false;
     return applyPlan(readDatabase(path), plan);
@@ -52,7 +52,7 @@ TEST_F(Exclusions, theProtocolsOwnRulesHold) {
   study.addSession("S05", 1, "declined");
   study.addConsent("S05", false);
 
-  const AnalysisData result = applyPlan(readDatabase(path), defaultPlan());
+  const AnalysisData result = applyPlan(readDatabase(path), AnalysisPlan());
   EXPECT_EQ(result.data.trials.size(), 12u);
   EXPECT_EQ(result.flow.enrolled, 5);
   EXPECT_EQ(result.flow.consented, 2);
@@ -73,7 +73,7 @@ TEST_F(Exclusions, theProtocolsOwnRulesHold) {
   EXPECT_EQ(result.data.leftOut[0].why, "motion sickness (ending is unwell)");
   EXPECT_EQ(result.dataSha256, dataHash(readDatabase(path)));
 
-  AnalysisPlan without = defaultPlan();
+  AnalysisPlan without;
   without.usesProtocolExclusions = false;
   EXPECT_EQ(applyPlan(readDatabase(path), without).data.trials.size(), 14u);
 }
@@ -124,12 +124,12 @@ TEST_F(Exclusions, timesBeyondTheLimitThatAreNotTimeOutsAreLeftOutAndNamed) {
   trial.plan = 11;
   trial.censored = true;
   study.addTrial(trial);
-  EXPECT_EQ(applyPlan(readDatabase(path), defaultPlan()).flow.excludedTrials, 0);
+  EXPECT_EQ(applyPlan(readDatabase(path), AnalysisPlan()).flow.excludedTrials, 0);
   trial.plan = 12;
   trial.censored = false;
   trial.response = 75;
   const int64_t id = study.addTrial(trial);
-  const AnalysisData result = applyPlan(readDatabase(path), defaultPlan());
+  const AnalysisData result = applyPlan(readDatabase(path), AnalysisPlan());
   EXPECT_EQ(result.flow.excludedTrials, 1);
   for (const Trial& kept : result.data.trials) {
     EXPECT_NE(kept.trialId, id);
@@ -162,7 +162,7 @@ TEST_F(Exclusions, forcedSessionsAreLeftOutUnlessThePlanSaysOtherwiseAndNamedEit
   SampleTrial trial;
   trial.subject = "S03";
   study.addTrial(trial);
-  AnalysisPlan plan = defaultPlan();
+  AnalysisPlan plan;
   AnalysisData result = applyPlan(readDatabase(path), plan);
   EXPECT_EQ(result.flow.analysed, 2);
   ASSERT_EQ(result.excluded.size(), 1u);
@@ -176,7 +176,7 @@ TEST_F(Exclusions, forcedSessionsAreLeftOutUnlessThePlanSaysOtherwiseAndNamedEit
   EXPECT_EQ(result.flow.analysed, 3);
   EXPECT_THAT(result.warnings, ::testing::ElementsAre(HasSubstr("they are analysed, as the plan says")));
   // A rule of the plan is not doubled.
-  plan = defaultPlan();
+  plan = AnalysisPlan();
   plan.exclusions = {rule("forced_session", ExclusionTest::kAlways, "")};
   result = applyPlan(readDatabase(path), plan);
   ASSERT_EQ(result.excluded.size(), 1u);
@@ -201,7 +201,7 @@ TEST_F(Exclusions, theLogTellsEveryRow) {
 TEST_F(Exclusions, aPlanMustFitTheStudy) {
   SampleStudy study(path);
   fillSmallStudy(study);
-  AnalysisPlan plan = defaultPlan();
+  AnalysisPlan plan;
   plan.name = "other";
   plan.protocolSha256 = std::string(64, 'a');
   EXPECT_THAT(analysisErrorOf([&] { applyPlan(readDatabase(path), plan); }),
@@ -212,7 +212,7 @@ TEST_F(Exclusions, aPlanMustFitTheStudy) {
 
 TEST_F(Exclusions, nothingIsLeftOfNothing) {
   SampleStudy study(path);
-  const AnalysisData result = applyPlan(readDatabase(path), defaultPlan());
+  const AnalysisData result = applyPlan(readDatabase(path), AnalysisPlan());
   EXPECT_EQ(result.flow.enrolled, 0);
   EXPECT_EQ(result.flow.analysed, 0);
   EXPECT_FALSE(result.flow.consented);

@@ -75,20 +75,23 @@ TEST(FormItem, ComparesTheViewsWhereTheProtocolSaysSo) {
     text.replace(text.find("%s"), 2, favors);
     return itemOf(text).lastFavors;
   };
-  EXPECT_EQ(favored(R"("this", "that")", R"(["ppc", "gc"])"), TrialView::kGraph);
+  EXPECT_EQ(favored(R"("this", "that")", R"(["ppc", "gc"])"), TrialView::kOther);
   // What the protocol says counts, not the words.
-  EXPECT_EQ(favored(R"("plain", "bent")", R"(["gc", "ppc"])"), TrialView::kPinhole);
+  EXPECT_EQ(favored(R"("plain", "bent")", R"(["gc", "ppc"])"), TrialView::kReference);
   EXPECT_THAT(analysisErrorOf([&] { favored(R"("a", "b")", R"(["gc", "gc"])"); }), HasSubstr("favors"));
 }
 
 TEST(FormItem, TakesTheWordsOfOldProtocols) {
-  EXPECT_EQ(viewFavoredByLastEnd({"plain view easier", "bent view easier"}), TrialView::kGraph);
-  EXPECT_EQ(viewFavoredByLastEnd({"Graph camera", "Pinhole"}), TrialView::kPinhole);
-  EXPECT_EQ(viewFavoredByLastEnd({"ppc", "gc"}), TrialView::kGraph);
-  EXPECT_FALSE(viewFavoredByLastEnd({"not at all", "very"}));
-  EXPECT_FALSE(viewFavoredByLastEnd({"plain", "plain and bent"})) << "both in one end";
-  EXPECT_FALSE(viewFavoredByLastEnd({"explain", "paragraph"})) << "words, not parts of them";
-  EXPECT_FALSE(viewFavoredByLastEnd({}));
+  const auto favoredByEnds = [](const std::vector<std::string>& ends) {
+    return viewFavoredByLastEnd(ends, defaultConditions());
+  };
+  EXPECT_EQ(favoredByEnds({"plain view easier", "bent view easier"}), TrialView::kOther);
+  EXPECT_EQ(favoredByEnds({"Graph camera", "Pinhole"}), TrialView::kReference);
+  EXPECT_EQ(favoredByEnds({"ppc", "gc"}), TrialView::kOther);
+  EXPECT_FALSE(favoredByEnds({"not at all", "very"}));
+  EXPECT_FALSE(favoredByEnds({"plain", "plain and bent"})) << "both in one end";
+  EXPECT_FALSE(favoredByEnds({"explain", "paragraph"})) << "words, not parts of them";
+  EXPECT_FALSE(favoredByEnds({}));
   EXPECT_TRUE(
       itemOf(R"({"name": "a", "question": "?", "options": ["1", "2"], "ends": ["plain", "bent"]})").favorsFromWords);
 }

@@ -42,7 +42,7 @@ TEST_F(Navigation, measuresAWalk) {
   SampleTrial trial;
   trial.response = 1;
   addWalk(trial);
-  const NavigationData data = navigationOf(readDatabase(path));
+  const NavigationData data = navigationOf(readDatabase(path), "find");
   ASSERT_EQ(data.searches.size(), 1u);
   const SearchNavigation& search = data.searches[0];
   EXPECT_NEAR(search.walk.pathMeters, 4, 1e-12);
@@ -75,7 +75,7 @@ TEST_F(Navigation, saysWhatIsNotKnown) {
   trial.plan = 2;
   trial.frames = 0;
   study.addTrial(trial);
-  const NavigationData data = navigationOf(readDatabase(path));
+  const NavigationData data = navigationOf(readDatabase(path), "find");
   ASSERT_EQ(data.searches.size(), 2u);
   EXPECT_FALSE(data.searches[0].travelSeconds);
   EXPECT_TRUE(data.searches[0].objectIsKnown);
@@ -91,7 +91,7 @@ TEST_F(Navigation, timeOutsHaveNoDetection) {
   SampleTrial trial;
   trial.censored = true;
   addWalk(trial);
-  const NavigationData data = navigationOf(readDatabase(path));
+  const NavigationData data = navigationOf(readDatabase(path), "find");
   EXPECT_TRUE(data.searches[0].travelSeconds);
   EXPECT_EQ(data.searches[0].detectionSeconds.reason(), "time ran out");
 }
@@ -100,7 +100,7 @@ TEST_F(Navigation, aLogOutsideOfTheMazeIsSaidToBe) {
   const int64_t id = study.addTrial({});
   study.addFrame(id, 0, -100, 1, 0);
   study.addFrame(id, 1, -100, 1e300, 0);
-  const NavigationData data = navigationOf(readDatabase(path));
+  const NavigationData data = navigationOf(readDatabase(path), "find");
   EXPECT_EQ(data.searches[0].detour.reason(), "the log leaves the maze");
   EXPECT_NEAR(data.heatMaps[0].secondsOutside, 4 / 240.0, 1e-12);
 }
@@ -117,13 +117,13 @@ TEST_F(Navigation, aMovingObjectIsNowhereInTheLog) {
   const int64_t id = moving.addTrial(trial);
   moving.addFrame(id, 0, 1, 1, 0);
   moving.addFrame(id, 1, 1, 1, 0);
-  const NavigationData data = navigationOf(readDatabase(other.file("moving.db")));
+  const NavigationData data = navigationOf(readDatabase(other.file("moving.db")), "find");
   EXPECT_EQ(data.searches[0].travelSeconds.reason(), "the log does not tell where a moving object was");
   EXPECT_EQ(data.searches[0].detour.reason(), "the search ended in the cell where it began");
 }
 
 TEST_F(Navigation, nothingToReadIsNoError) {
-  const NavigationData data = navigationOf(readDatabase(path));
+  const NavigationData data = navigationOf(readDatabase(path), "find");
   EXPECT_TRUE(data.searches.empty());
   EXPECT_TRUE(data.notes.empty());
 }

@@ -21,7 +21,7 @@ TEST(ObservedWalks, areAsLongAsTheStudyCounts) {
   plan.screen = {320, 200, 60};
   simulateStudy(readProtocol(OCELLI_SOURCE_DIR "/protocols/short.json"), path, plan);
   const Dataset data = readDatabase(path);
-  const NavigationData navigation = navigationOf(data);
+  const NavigationData navigation = navigationOf(data, "find");
   ASSERT_EQ(navigation.searches.size(), 6u);
   EXPECT_EQ(navigation.searchesWithoutLog, 0);
   for (const SearchNavigation& search : navigation.searches) {
@@ -36,7 +36,7 @@ TEST(ObservedWalks, areAsLongAsTheStudyCounts) {
       EXPECT_NEAR(*search.travelSeconds + *search.detectionSeconds, *trial.responseSeconds, 1e-9);
     }
     // With the pinhole what was clicked on was in sight.
-    const bool foundByPinhole = trial.view == TrialView::kPinhole && !*trial.censored && !*trial.moving;
+    const bool foundByPinhole = trial.view == TrialView::kReference && !*trial.censored && !*trial.moving;
     EXPECT_TRUE(!foundByPinhole || search.travelSeconds) << trial.trialId;
     if (search.detour) {
       EXPECT_GT(*search.detour, 0.8) << trial.trialId;

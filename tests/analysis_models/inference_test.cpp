@@ -1,11 +1,10 @@
-// Intervals, bootstrap and probabilities.
+// Intervals and probabilities.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
 #include "analysis/models/marginal_probability.h"
-#include "analysis/models/parametric_bootstrap.h"
 #include "analysis/models/quadrature.h"
 #include "analysis/models/separation.h"
 #include "tests/analysis_models/sample_models.h"
@@ -53,48 +52,6 @@ TEST(ContrastEstimate, HasOneDegreeOfFreedomAtLeast) {
   const Estimate estimate = contrastEstimate(fit, VectorXd::Ones(1));
   EXPECT_EQ(estimate.degreesOfFreedom, 1);
   EXPECT_NEAR(estimate.upper, 0.3 + 0.2 * 12.7062, 1e-4);
-}
-
-TEST(ParametricBootstrap, IsThatOfTheSeedAndNearTheWaldInterval) {
-  const LinearMixedModel model(sampleDesign(kInferenceSize));
-  RandomNumbers numbers(3);
-  const auto fit = model.fit(model.simulate(sampleLinearTruth(), numbers));
-  ASSERT_TRUE(fit);
-  BootstrapOptions options;
-  options.replicates = 200;
-  const auto first = parametricBootstrap(model, *fit, options);
-  const auto again = parametricBootstrap(model, *fit, options);
-  ASSERT_TRUE(first);
-  EXPECT_EQ(first->replicates + first->failed, 200);
-  for (size_t i = 0; i < 4; ++i) {
-    const Estimate& estimate = first->coefficients[i];
-    EXPECT_EQ(estimate.lower, again->coefficients[i].lower);
-    // A standard deviation of 200 draws has an error of 5 %; four of those.
-    EXPECT_NEAR(estimate.standardError / fit->standardErrors[static_cast<Eigen::Index>(i)], 1, 0.2);
-    EXPECT_LT(estimate.lower, estimate.value);
-    EXPECT_GT(estimate.upper, estimate.value);
-  }
-  ASSERT_EQ(first->standardDeviations.size(), 2U);
-  EXPECT_EQ(first->standardDeviations[0].size(), 2U);
-  options.seed = 2;
-  EXPECT_NE(parametricBootstrap(model, *fit, options)->coefficients[0].lower, first->coefficients[0].lower);
-}
-
-TEST(ParametricBootstrap, TestsWhatTheModelHasMore) {
-  const FixedEffects fixed = sampleFixedEffects(kInferenceSize);
-  FixedEffects without(fixed.rows());
-  without.addIntercept();
-  const BinomialMixedModel larger(makeDesign(fixed, {sampleRandomTerms(kInferenceSize, fixed)[1]}));
-  const BinomialMixedModel smaller(makeDesign(without, {sampleRandomTerms(kInferenceSize, fixed)[1]}));
-  RandomNumbers numbers(5);
-  const BinomialMixedModel whole(makeDesign(fixed, sampleRandomTerms(kInferenceSize, fixed)));
-  const BinomialResponse response = whole.simulate(sampleBinomialTruth(), VectorXd::Ones(400), numbers);
-  BootstrapOptions options;
-  options.replicates = 50;
-  const auto ratio = bootstrapLikelihoodRatio(smaller, larger, response, options);
-  ASSERT_TRUE(ratio) << ratio.reason();
-  EXPECT_EQ(ratio->degreesOfFreedom, 3);
-  EXPECT_EQ(ratio->pValue, 1.0 / 51);
 }
 
 // Both are exact: moments of the normal distribution.

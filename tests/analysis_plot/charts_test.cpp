@@ -154,6 +154,7 @@ TEST(FigureGrid, chartsStandBesideEachOtherUnderTheirTitles) {
 TEST(PairedPlot, linesJoinTheValuesOfASubject) {
   PairedPlot plot;
   plot.title = "Two subjects";
+  plot.conditions = {"flat", "bent"};
   plot.pairs = {{10, 5}, {20, 20}};
   const Figure figure = pairedFigure(plot);
   const std::vector<PlotBox> points = boxesOf(figure, "point");
@@ -163,7 +164,7 @@ TEST(PairedPlot, linesJoinTheValuesOfASubject) {
   EXPECT_NEAR(links[0].top, points[0].middleY(), 1e-9);
   EXPECT_NEAR(links[0].bottom, points[1].middleY(), 1e-9);
   EXPECT_NEAR(links[1].height(), 0, 1e-9);
-  EXPECT_THAT(figure.description, testing::HasSubstr("higher with gc for 0 subjects, lower for 1, the same for 1"));
+  EXPECT_THAT(figure.description, testing::HasSubstr("higher with bent for 0 subjects, lower for 1, the same for 1"));
 }
 
 TEST(SurvivalPlot, bandsHoldTheirCurvesInsideThePanel) {

@@ -104,6 +104,7 @@ GroupPlot sampleStrip() {
 PairedPlot samplePaired() {
   SampleNumbers numbers(7);
   PairedPlot plot;
+  plot.conditions = {"ppc", "gc"};
   plot.title = "Finding: mean times of each subject";
   plot.valueLabel = "Time to find (s)";
   plot.summaryName = "geometric mean, 95 % interval";
@@ -150,7 +151,7 @@ RatingPlot sampleFourSteps() {
   plot.steps = {"1", "2", "3", "4"};
   plot.lowest = "surely the bent view";
   plot.highest = "surely the plain view";
-  plot.lastIsGraph = false;
+  plot.lastIsOther = false;
   plot.questions = {{"Next time", {18, 12, 9, 6}, 2.07}};
   return plot;
 }
@@ -388,6 +389,7 @@ std::vector<SampleFigure> emptyFigures() {
   GroupPlot group;
   group.title = title;
   PairedPlot paired;
+  paired.conditions = {"ppc", "gc"};
   paired.title = title;
   SurvivalPlot survival;
   survival.title = title;
@@ -421,6 +423,7 @@ std::vector<SampleFigure> tinyFigures() {
   group.conditions = {"1"};
   group.series = {{"ppc", {{{7, kNaN, kNaN}, {7, kNaN}}}}, {"gc", {{{kNaN, kNaN, kNaN}, {}}}}};
   PairedPlot paired;
+  paired.conditions = {"ppc", "gc"};
   paired.title = "One pair";
   paired.pairs = {{5, 5}, {kNaN, 3}};
   paired.summaries = {{{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}}};

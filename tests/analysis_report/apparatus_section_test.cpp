@@ -34,7 +34,7 @@ class ApparatusSection : public testing::Test {
             "timing": {"late_factor": 1.5}})";
   }
   void addTrial(const std::string& subject, int session, int64_t frames, int64_t dropped, const std::string& verdict) {
-    Trial& trial = study_.add(subject, session, TrialView::kPinhole, 10);
+    Trial& trial = study_.add(subject, session, TrialView::kReference, 10);
     trial.frames = frames;
     trial.droppedFrames = dropped;
     trial.timingVerdict = verdict;

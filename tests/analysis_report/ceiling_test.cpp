@@ -30,9 +30,9 @@ HandMadeTrials alike(int subjects, int cases, const std::function<int(int subjec
   HandMadeTrials trials("path");
   for (int subject = 0; subject < subjects; ++subject) {
     for (int i = 0; i < cases; ++i) {
-      for (const TrialView view : {TrialView::kPinhole, TrialView::kGraph}) {
+      for (const TrialView view : {TrialView::kReference, TrialView::kOther}) {
         // The same share of more trials: sums in another order.
-        const int repeats = view == TrialView::kGraph && subject % 2 == 0 ? 3 : 1;
+        const int repeats = view == TrialView::kOther && subject % 2 == 0 ? 3 : 1;
         for (int k = 0; k < 4 * repeats; ++k) {
           trials.add({.subject = fmt::format("S{}", subject),
                       .caseIndex = i,
@@ -73,7 +73,7 @@ TEST(Ceiling, whereTimesAreAlikeNoDifferenceIsTested) {
     }
     EXPECT_FALSE(bootstrapViewDifference(trials.list(), logs, {1, 100}));
     const SubjectMeans means = subjectMeans(trials.list(), logs);
-    EXPECT_FALSE(pairedEffect(means.pinhole, means.graph));
+    EXPECT_FALSE(pairedEffect(means.reference, means.other));
     EXPECT_FALSE(signedRankTest(means.differences));
     EXPECT_FALSE(matchedRankBiserial(means.differences));
     EXPECT_FALSE(bayesFactorOfMean(means.differences));
@@ -98,14 +98,15 @@ TEST(Ceiling, aReportSaysThatItCannotBeTested) {
   SectionStudy study;
   for (int subject = 0; subject < 7; ++subject) {
     for (int i = 0; i < 6; ++i) {
-      Trial& trial = study.add(fmt::format("S{}", subject), 1, i % 2 == 0 ? TrialView::kPinhole : TrialView::kGraph, 3,
-                               true, "path");
+      Trial& trial = study.add(fmt::format("S{}", subject), 1, i % 2 == 0 ? TrialView::kReference : TrialView::kOther,
+                               3, true, "path");
       trial.caseIndex = i / 2;
     }
   }
   study.analysis.plan.bootstrapSamples = 100;
   const ReportDocument document = documentOf(study.analysis, [](ReportWork& work) {
-    addPathSection(work);
+    const ReportTask task = reportTask("path");
+    task.parts.front().add(work, task);
     addHypotheses(work);
   });
   EXPECT_EQ(cellText(document, "path-equivalence", "Equivalent", "Value"), "no such cell");

@@ -16,7 +16,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 ReportDocument completersOf(const SectionStudy& study, const std::vector<std::string>& tasks = {"find"}) {
-  return documentOf(study.analysis, [&](ReportWork& work) { addCompletersSection(work, tasks); });
+  return documentOf(study.analysis, [&](ReportWork& work) { addCompletersSection(work, rowsOf(tasks)); });
 }
 
 /// C1 and C2 complete both sessions, D1 and D2 the first alone. Seconds of ppc and gc in the first session.

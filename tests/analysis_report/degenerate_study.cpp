@@ -10,6 +10,7 @@
 #include "analysis/base/random_numbers.h"
 #include "analysis/report/json_report.h"
 #include "analysis/report/report_files.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/study_report.h"
 #include "analysis/tables/paper_tables.h"
 #include "tests/analysis_dataset/made_study.h"
@@ -213,7 +214,7 @@ class Maker {
     trial.task = kBlocks[block].task;
     trial.caseIndex = caseIndex;
     trial.caseLabel = fmt::format("location {}", caseIndex + 1);
-    trial.view = graph ? TrialView::kGraph : TrialView::kPinhole;
+    trial.view = graph ? TrialView::kOther : TrialView::kReference;
     trial.subjectKind = "person";
     trial.moving = kBlocks[block].moving;
     trial.frames = 100;

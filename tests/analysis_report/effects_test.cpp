@@ -115,8 +115,8 @@ TEST(SubjectMeans, areOfSubjectsWithBothViews) {
   trials.add({.subject = "B", .view = kGc, .seconds = 5});
   trials.add({.subject = "A", .view = kGc, .seconds = 1});
   const SubjectMeans means = subjectMeans(trials.list(), secondsOf(trials.list()));
-  EXPECT_THAT(means.pinhole, ElementsAre(6));
-  EXPECT_THAT(means.graph, ElementsAre(5));
+  EXPECT_THAT(means.reference, ElementsAre(6));
+  EXPECT_THAT(means.other, ElementsAre(5));
   EXPECT_THAT(means.differences, ElementsAre(-1));
 }
 

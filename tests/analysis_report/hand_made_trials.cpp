@@ -45,7 +45,7 @@ const ReportTable* findTable(const ReportDocument& document, const std::string& 
 
 const ReportCell* findCell(const ReportTable& table, const std::string& label, size_t column) {
   for (const std::vector<ReportCell>& row : table.rows) {
-    if (row.front().text == label) {
+    if (withViewNames(row.front().text, defaultConditions()) == label) {
       return &row[column];
     }
   }
@@ -56,7 +56,7 @@ std::vector<std::string> notesOf(const ReportDocument& document) {
   std::vector<std::string> notes;
   for (const ReportElement& element : document.elements) {
     if (const auto* note = std::get_if<ReportNote>(&element)) {
-      notes.push_back(note->text);
+      notes.push_back(withViewNames(note->text, defaultConditions()));
     }
   }
   return notes;

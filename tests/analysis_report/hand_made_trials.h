@@ -8,15 +8,15 @@
 
 namespace ocelli::test {
 
-inline constexpr TrialView kPpc = TrialView::kPinhole;
-inline constexpr TrialView kGc = TrialView::kGraph;
+inline constexpr TrialView kPpc = TrialView::kReference;
+inline constexpr TrialView kGc = TrialView::kOther;
 
 struct HandMadeTrial {
   std::string subject = "S1";
   int session = 1;
   int planIndex = 0;
   int caseIndex = 0;
-  TrialView view = TrialView::kPinhole;
+  TrialView view = TrialView::kReference;
   bool correct = false;
   std::optional<double> exposure{};
   std::optional<bool> duplicates{};

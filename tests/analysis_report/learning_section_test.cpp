@@ -19,7 +19,7 @@ using ::testing::IsEmpty;
 constexpr double kT2 = 4.302652729911;  // of 97.5 %, 2 degrees of freedom
 
 ReportDocument learningOf(const SectionStudy& study, const std::vector<std::string>& tasks = {"find"}) {
-  return documentOf(study.analysis, [&](ReportWork& work) { addLearningSection(work, tasks); });
+  return documentOf(study.analysis, [&](ReportWork& work) { addLearningSection(work, rowsOf(tasks)); });
 }
 
 /// Three subjects in two sessions. With ppc two of them halve their times and one stays; with gc all take 4 s always.

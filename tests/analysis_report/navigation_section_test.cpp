@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "analysis/dataset/database.h"
+#include "analysis/report/report_task.h"
 #include "tests/analysis_dataset/sample_study.h"
 #include "tests/analysis_report/section_study.h"
 
@@ -56,7 +57,8 @@ struct NavigationSection : ::testing::Test {
     }
   }
   ReportDocument document() const {
-    return documentOf(applyPlan(readDatabase(path), defaultPlan()), addNavigationSection);
+    return documentOf(applyPlan(readDatabase(path), defaultPlan()),
+                      [](ReportWork& work) { addNavigationSection(work, reportTask("find")); });
   }
 
   SampleFolder folder;

@@ -23,7 +23,7 @@ using test::HandMadeTrials;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr TrialView kViews[] = {TrialView::kPinhole, TrialView::kGraph};
+constexpr TrialView kViews[] = {TrialView::kReference, TrialView::kOther};
 
 PlannedModel modelOf(ModelKind kind) {
   return {"find-time", "find", kind, {"view"}, {{"subject", {"view"}}, {"case", {"view"}}}};
@@ -52,7 +52,7 @@ HandMadeTrials searchesOf(int subjects, int cases, const Deviations& deviations,
     for (int i = 0; i < cases; ++i) {
       for (const TrialView view : kViews) {
         const auto place = static_cast<size_t>(i);
-        const double x = view == TrialView::kGraph ? 0.5 : -0.5;
+        const double x = view == TrialView::kOther ? 0.5 : -0.5;
         const double seconds = std::exp(deviations.average + level + levels[place] +
                                         x * (deviations.effect + slope + slopes[place]) + 0.45 * numbers.normal());
         HandMadeTrial trial{.subject = fmt::format("S{:02}", subject), .caseIndex = i, .view = view};
@@ -77,7 +77,7 @@ TEST(PlannedDesign, slopesStayWhereCasesAreSeenInBothViews) {
   // Of one subject all cases, and of the others each case in one view.
   TrialList once = both.list();
   std::erase_if(once, [](const Trial* trial) {
-    return trial->subject != "S00" && (trial->caseIndex % 2 == 0) == (trial->view == TrialView::kGraph);
+    return trial->subject != "S00" && (trial->caseIndex % 2 == 0) == (trial->view == TrialView::kOther);
   });
   const FittedStructure split = structureByDesign(model, once);
   EXPECT_EQ(structureText(split.effects), "(1 + view || subject) + (1 | case)");

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/report/html_report.h"
+#include "analysis/report/report_task.h"
 
 namespace ocelli {
 namespace {

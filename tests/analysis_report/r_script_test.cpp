@@ -14,6 +14,7 @@
 
 #include "analysis/base/estimate.h"
 #include "analysis/base/random_numbers.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/study_report.h"
 
 namespace ocelli {
@@ -89,7 +90,7 @@ class DrawnStudy {
     trial.block = task;
     trial.caseIndex = caseIndex;
     trial.caseLabel = fmt::format("case {}", caseIndex);
-    trial.view = view < 0 ? TrialView::kPinhole : TrialView::kGraph;
+    trial.view = view < 0 ? TrialView::kReference : TrialView::kOther;
     return trial;
   }
   bool rightWith(double logit) { return random_.uniform() < 1 / (1 + std::exp(-logit)); }

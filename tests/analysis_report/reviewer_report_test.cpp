@@ -13,6 +13,7 @@
 #include "analysis/report/html_report.h"
 #include "analysis/report/json_report.h"
 #include "analysis/report/pdf_report.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/study_report.h"
 #include "analysis/tables/paper_tables.h"
 #include "tests/analysis_dataset/made_study.h"

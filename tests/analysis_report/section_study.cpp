@@ -5,8 +5,15 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "analysis/report/report_task.h"
+
 namespace ocelli::test {
 namespace {
+
+/// Sections write marks where a study has the names of its view conditions.
+std::string named(const std::string& text) {
+  return withViewNames(text, defaultConditions());
+}
 
 const ReportCell* findCellOf(const ReportDocument& document, const std::string& table, const std::string& row,
                              const std::string& column) {
@@ -17,9 +24,11 @@ const ReportCell* findCellOf(const ReportDocument& document, const std::string& 
         continue;
       }
       for (const std::vector<ReportCell>& cells : found->rows) {
-        for (size_t i = 0; i < cells.size() && (cells.front().text == row || cells.front().shortName == row); ++i) {
+        for (size_t i = 0; i < cells.size() && (named(cells.front().text) == row || cells.front().shortName == row);
+             ++i) {
           const ReportColumn& head = found->columns[i];
-          if (column == (head.group.empty() ? head.title : fmt::format("{} {}", head.group, head.title))) {
+          const std::string title = head.group.empty() ? head.title : fmt::format("{} {}", head.group, head.title);
+          if (column == named(title)) {
             return &cells[i];
           }
         }
@@ -70,6 +79,12 @@ void SectionStudy::complete(const std::string& subject, int sessions) {
   }
 }
 
+std::vector<ReportTask> rowsOf(const std::vector<std::string>& tasks) {
+  std::vector<ReportTask> rows;
+  std::transform(tasks.begin(), tasks.end(), std::back_inserter(rows), reportTask);
+  return rows;
+}
+
 ReportDocument documentOf(const AnalysisData& analysis, const std::function<void(ReportWork&)>& addSection) {
   ReportDocument document;
   for (const DataSource& source : analysis.data.sources) {
@@ -97,7 +112,7 @@ std::vector<std::string> reasonsOf(const ReportDocument& document) {
   for (const ReportElement& element : document.elements) {
     const auto* note = std::get_if<ReportNote>(&element);
     if (note != nullptr && note->kind == NoteKind::kNotEstimable) {
-      reasons.push_back(note->text);
+      reasons.push_back(named(note->text));
     }
   }
   return reasons;

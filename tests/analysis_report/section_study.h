@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/report/report_parts.h"
+#include "analysis/report/report_task.h"
 
 namespace ocelli::test {
 
@@ -23,6 +24,9 @@ class SectionStudy {
 
   AnalysisData analysis{};
 };
+
+/// The rows of these tasks.
+std::vector<ReportTask> rowsOf(const std::vector<std::string>& tasks);
 
 /// What the section writes.
 ReportDocument documentOf(const AnalysisData& analysis, const std::function<void(ReportWork&)>& addSection);

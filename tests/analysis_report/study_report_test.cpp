@@ -17,6 +17,7 @@
 #include "analysis/report/json_report.h"
 #include "analysis/report/report_files.h"
 #include "analysis/report/report_parts.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/resampled_effects.h"
 #include "analysis/report/search_times.h"
 #include "analysis/tables/paper_tables.h"
@@ -122,7 +123,7 @@ TEST_F(StudyReport, effectsHaveTheirDirections) {
 
 TEST_F(StudyReport, intervalsOfMediansTakeSubjectsAndCasesAsClusters) {
   const nlohmann::json report = reportOfMade({});
-  const TrialList seen = trialsOfView(trialsOfTask(analysis_, "find"), TrialView::kPinhole);
+  const TrialList seen = trialsOfView(trialsOfTask(analysis_, "find"), TrialView::kReference);
   const std::vector<SurvivalTime> times = timesOf(seen, TimeoutTreatment::kCensored);
   const auto textOf = [](const SurvivalCurve& curve) {
     const Estimate median = *medianTime(curve);

@@ -37,7 +37,8 @@ class SurveySection : public testing::Test {
     ReportDocument document;
     document.origins.sources = {"made.db"};
     ReportWork work{study_.analysis, document};
-    addSurveySection(work);
+    const ReportTask task = reportTask("survey");
+    task.parts.front().add(work, task);
     outcomes_ = work.outcomes;
     return document;
   }

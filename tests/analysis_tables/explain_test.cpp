@@ -17,7 +17,7 @@ struct Explain : ::testing::Test {
   std::string path = folder.file("it's.db");
 
   std::string of(const std::string& cell) {
-    const AnalysisData data = applyPlan(merge({readSource(path)}), defaultPlan());
+    const AnalysisData data = applyPlan(merge({readSource(path)}), AnalysisPlan());
     return explainCell(paperTables(data), data.data, cell);
   }
 };

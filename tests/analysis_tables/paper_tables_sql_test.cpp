@@ -37,7 +37,7 @@ struct SqlTables : ::testing::Test {
     plan.seed = 5;
     plan.kind = SubjectKind::kGenerator;
     simulateStudy(readProtocol(OCELLI_SOURCE_DIR "/protocols/rosen2010.json"), path, plan);
-    AnalysisPlan noExclusions = defaultPlan();  // the SQL has none
+    AnalysisPlan noExclusions;  // the SQL has none
     noExclusions.usesProtocolExclusions = false;
     tables = paperTables(applyPlan(merge({readSource(path)}), noExclusions));
   }

@@ -18,7 +18,7 @@ struct PaperTables : ::testing::Test {
   std::string path = folder.file("study.db");
 
   std::vector<Table> tables(const PaperTableOptions& options = {}) const {
-    return paperTables(applyPlan(merge({readSource(path)}), defaultPlan()), options);
+    return paperTables(applyPlan(merge({readSource(path)}), AnalysisPlan()), options);
   }
   std::string text(const std::string& cell, const PaperTableOptions& options = {}) const {
     const std::vector<Table> all = tables(options);
@@ -62,7 +62,7 @@ TEST_F(PaperTables, ofOtherProtocolsHaveNeitherItsNamesNorItsNumbers) {
   for (const char* other : {"short", "rosen2010b", ""}) {
     data.sources[0].protocolName = other;
     EXPECT_FALSE(isOfRosen2010(data));
-    const std::vector<Table> all = paperTables(applyPlan(data, defaultPlan()));
+    const std::vector<Table> all = paperTables(applyPlan(data, AnalysisPlan()));
     EXPECT_EQ(all.size(), 12u);
     for (const Table& table : all) {
       const std::string text = plainText(table) + cellsCsv({table});

@@ -44,15 +44,29 @@ TEST_F(PowerEffects, OfSearchesAreRatiosAndSeconds) {
   supposed.caseSd = 0.2;
   const Truth truth = truthOf(supposed);
   EXPECT_NEAR(truth.effects.at("find", "graph"), std::log(0.8), 1e-12);
-  EXPECT_NEAR(truth.ppc, 20, 1e-9);
-  EXPECT_NEAR(truth.gc, 16, 1e-9);
+  EXPECT_NEAR(truth.reference, 20, 1e-9);
+  EXPECT_NEAR(truth.other, 16, 1e-9);
   EXPECT_EQ(truth.effects.at("find", "subject_sd"), 0.4);
   EXPECT_EQ(truth.effects.at("find", "item_sd"), 0.2);
   EXPECT_EQ(truth.effects.at("find", "residual_sd"), GeneratorEffects().at("find", "residual_sd"));
   EXPECT_EQ(truth.label, "gc takes 0.8 of the time");
   const Truth none = truthWithoutEffect(protocol_, "find", truth);
   EXPECT_EQ(none.kind, Truth::Kind::kNone);
-  EXPECT_NEAR(none.gc, 20, 1e-9);
+  EXPECT_NEAR(none.other, 20, 1e-9);
+}
+
+TEST_F(PowerEffects, AreSaidInTheNamesOfTheStudysConditions) {
+  protocol_.text.replace(
+      protocol_.text.find('{'), 1,
+      R"({"conditions": [{"name": "flat", "label": "flat view"}, {"name": "bent", "label": "bent view"}],)");
+  SupposedEffects supposed = of("find");
+  supposed.ratio = 0.8;
+  const Truth truth = truthOf(supposed);
+  EXPECT_EQ(truth.label, "bent takes 0.8 of the time");
+  EXPECT_THAT(describeTruth(truth, "find").front(), HasSubstr("s with the flat view and "));
+  supposed = of("count");
+  supposed.oddsRatio = 1;
+  EXPECT_THAT(describeTruth(truthOf(supposed), "count").front(), HasSubstr("% right with bent, "));
 }
 
 TEST_F(PowerEffects, OfAnswersAreTheSharesThatWereAskedFor) {
@@ -88,7 +102,7 @@ TEST_F(PowerEffects, CasesMayDifferInTheEffectOfTheView) {
     EXPECT_THAT(describeTruth(truth, task), Contains(HasSubstr("in the effect of the view by 0.7")));
     // Without an effect shares are the same in both views, as cases gain or lose as often.
     const Truth none = truthWithoutEffect(protocol_, task, truth);
-    EXPECT_NEAR(none.gc, none.ppc, 1e-12);
+    EXPECT_NEAR(none.other, none.reference, 1e-12);
   }
 }
 
@@ -107,11 +121,11 @@ TEST_F(PowerEffects, AtTheBoundSharesDifferByIt) {
   const PlannedEquivalence bounds{"path", -0.1, 0.15};
   const auto above = truthAtBound(protocol_, truthOf(supposed), bounds);
   ASSERT_TRUE(above);
-  EXPECT_NEAR(above->gc - above->ppc, 0.15, 1e-9);
+  EXPECT_NEAR(above->other - above->reference, 0.15, 1e-9);
   supposed.sharePpc = 0.9;  // 1.05 is no share
   const auto below = truthAtBound(protocol_, truthOf(supposed), bounds);
   ASSERT_TRUE(below);
-  EXPECT_NEAR(below->gc - below->ppc, -0.1, 1e-9);
+  EXPECT_NEAR(below->other - below->reference, -0.1, 1e-9);
   EXPECT_FALSE(truthAtBound(protocol_, truthOf(supposed), {"path", -0.95, 0.95}));
 }
 

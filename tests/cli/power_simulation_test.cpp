@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "analysis/report/report_task.h"
 #include "analysis/report/view_test.h"
 #include "oc_core/base/parallel.h"
 #include "tests/cli/small_protocol.h"

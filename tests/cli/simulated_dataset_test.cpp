@@ -8,6 +8,7 @@
 
 #include "analysis/dataset/database.h"
 #include "analysis/dataset/exclusions.h"
+#include "analysis/report/report_task.h"
 #include "tests/base/temporary_folder.h"
 
 namespace ocelli {

@@ -80,7 +80,6 @@ PUBLIC_HEADER_EXCEPTIONS = {
     "analysis/models/marginal_probability.h": {"Eigen/"},
     "analysis/models/minimum.h": {"Eigen/"},
     "analysis/models/mixed_model.h": {"Eigen/"},
-    "analysis/models/parametric_bootstrap.h": {"Eigen/"},
     "analysis/models/quadrature.h": {"Eigen/"},
     "analysis/models/random_structure.h": {"Eigen/"},
     "analysis/models/response_family.h": {"Eigen/"},

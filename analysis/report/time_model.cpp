@@ -1,4 +1,4 @@
-#include "analysis/report/find_model.h"
+#include "analysis/report/time_model.h"
 
 #include <fmt/format.h>
 
@@ -22,24 +22,25 @@ namespace {
 constexpr size_t kMaxLinearRows = 2000000;
 constexpr size_t kMaxCensoredRows = 160000;
 
-/// How searches count whose time ran out, for a reader of the methods.
+/// How trials count whose time ran out, for a reader of the methods.
 const char* methodOf(TimeoutTreatment treatment) {
   switch (treatment) {
     case TimeoutTreatment::kCensored:
-      return "searches that the limit ended count as censored (restricted likelihood, Laplace's approximation)";
+      return "count as censored (restricted likelihood, Laplace's approximation)";
     case TimeoutTreatment::kSetToLimit:
-      return "searches that the limit ended count as if they had ended then";
+      return "count as if they had ended then";
     case TimeoutTreatment::kRemoved:
-      return "searches that the limit ended are left out";
+      return "are left out";
   }
   return "";
 }
 
-void addMethod(ReportWork& work, const PlannedModel& model, const PlannedFit& fit, TimeoutTreatment treatment) {
-  work.methods.push_back(
-      fmt::format("Log times to find were compared by the mixed model {} with Satterthwaite's degrees of freedom, in "
-                  "which {}; its random effects are {}.",
-                  model.name, methodOf(treatment), structureMethod(model, fit)));
+void addMethod(ReportWork& work, const ReportTask& task, const PlannedModel& model, const PlannedFit& fit,
+               TimeoutTreatment treatment) {
+  work.methods.push_back(fmt::format(
+      "Log {} were compared by the mixed model {} with Satterthwaite's degrees of freedom, in which {} that "
+      "the limit ended {}; its random effects are {}.",
+      task.timesOutcome, model.name, task.trialsName, methodOf(treatment), structureMethod(model, fit)));
 }
 
 std::vector<bool> censoredOf(const TrialList& trials, TimeoutTreatment treatment) {
@@ -58,10 +59,11 @@ void addResampledView(ReportWork& work, const PlannedModel& model, const TrialLi
   }
   const Estimable<BootstrapResult> resampled =
       bootstrapCensoredViewDifference(trials, logs, censoredOf(trials, treatment), bootstrapPlanOf(work.analysis.plan));
-  addResampled(work,
-               fmt::format("Ratio of geometric means (gc / ppc) by resampling subjects and cases, time-outs {}",
-                           labelOf(treatment)),
-               fmt::format("{}-resampled", model.name), {{"gc / ppc", resampled, trials, "", true}});
+  addResampled(
+      work,
+      fmt::format("Ratio of geometric means (@other@ / @reference@) by resampling subjects and cases, time-outs {}",
+                  labelOf(treatment)),
+      fmt::format("{}-resampled", model.name), {{"@other@ / @reference@", resampled, trials, "", true}});
   addResampledCaution(work, model, viewLogarithm(fit), resampled, 1);
 }
 
@@ -82,20 +84,23 @@ void addViewSensitivity(ReportWork& work, const PlannedModel& model, const Trial
   variants.notes.emplace_back(kFittedModelNote);
   addSensitivity(work,
                  {fmt::format("{}-sensitivity", model.name), "The effect of the view on times, analysed in other ways",
-                  "Ratio of geometric means, gc / ppc", "gc faster", "ppc faster"},
+                  "Ratio of geometric means, @other@ / @reference@", "@other@ faster", "@reference@ faster"},
                  variants,
                  [&](const Variant& variant) { return viewRatio(fitTimes(model, variant.trials, variant.timeouts)); });
 }
 
 }  // namespace
 
-void addFindModel(ReportWork& work, const PlannedModel& model, const TrialList& all, TimeoutTreatment timeouts) {
+void addTimeModel(ReportWork& work, const ReportTask& task, const PlannedModel& model, const TrialList& trialsOfAll) {
+  const TimeoutTreatment timeouts = task.timeouts(work.analysis.plan);
+  TrialList all = trialsOfAll;
+  std::erase_if(all, [](const Trial* trial) { return !trial->responseSeconds; });
   const TrialList timed = searchesOfMixedModel(model, all, TimeoutTreatment::kSetToLimit);
   const size_t atOnce = completeTrials(model, all).size() - timed.size();
   if (atOnce > 0) {
-    work.document.add(ReportNote{
-        NoteKind::kWarning, fmt::format("{} searches took 0 s, which has no logarithm: the {} leaves them out.", atOnce,
-                                        wordsOf(model, false))});
+    work.document.add(
+        ReportNote{NoteKind::kWarning, fmt::format("{} {} took 0 s, which has no logarithm: the {} leaves them out.",
+                                                   atOnce, task.trialsName, wordsOf(model, false))});
   }
   const TimeoutTreatment treatment = timesTreatmentOf(model, timeouts);
   const TrialList trials = searchesOfMixedModel(model, all, treatment);
@@ -109,11 +114,12 @@ void addFindModel(ReportWork& work, const PlannedModel& model, const TrialList& 
   }
   if (treatment != timeouts) {
     work.document.add(ReportNote{
-        NoteKind::kNote, fmt::format("The {} knows no censored times: searches whose time ran out count with the limit "
-                                     "here, and no hypothesis of the plan rests on it.",
-                                     wordsOf(model, false))});
+        NoteKind::kNote,
+        fmt::format("The {} knows no censored times: {} whose time ran out count with the limit here, and no "
+                    "hypothesis of the plan rests on it.",
+                    wordsOf(model, false), task.trialsName)});
   }
-  addMethod(work, model, *fit, treatment);
+  addMethod(work, task, model, *fit, treatment);
   const auto part = [&](const char* what, const std::function<void()>& add) {
     addPart(work, fmt::format("Model {}, {}", model.name, what), add);
   };

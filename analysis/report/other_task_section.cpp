@@ -1,0 +1,87 @@
+#include "analysis/report/other_task_section.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "analysis/report/part_guard.h"
+#include "analysis/report/right_answers.h"
+#include "analysis/report/right_model.h"
+#include "analysis/report/share_models.h"
+#include "analysis/report/subject_means.h"
+#include "analysis/report/time_model.h"
+
+namespace ocelli {
+namespace {
+
+/// What names of its parts begin with: none of a row does.
+std::string idOf(const std::string& task) {
+  return fmt::format("task-{}", namePart(task));
+}
+
+void addTimesByView(ReportWork& work, const ReportTask& task, const TrialList& trials) {
+  TrialValues logarithms;
+  for (const Trial* trial : trials) {
+    if (trial->responseSeconds && *trial->responseSeconds > 0) {
+      logarithms.push_back({trial, std::log(*trial->responseSeconds)});
+    }
+  }
+  if (logarithms.empty()) {
+    addNotEstimable(work.document, task.timeName, "no trial has a time");
+    return;
+  }
+  ComparisonTable table;
+  table.caption = fmt::format(
+      "{}: geometric means over the geometric means of subjects with 95 % intervals; those whose time ran out count "
+      "with the limit; subjects of @reference@, of @other@, and of both",
+      task.timeName);
+  table.id = fmt::format("{}-times", idOf(task.name));
+  table.difference = "@other@ / @reference@";
+  table.rows = {compareViews("All trials", logarithms, ValueScale::kLogarithm)};
+  addComparison(work.document, table);
+}
+
+void addOtherTask(ReportWork& work, const ReportTask& task) {
+  addHeading(work.document, 1, task.title, idOf(task.name));
+  const TrialList trials = trialsOfTask(work.analysis, task.name);
+  const AnalysisPlan& plan = work.analysis.plan;
+  const bool isPlanned = std::any_of(plan.models.begin(), plan.models.end(),
+                                     [&](const PlannedModel& model) { return model.task == task.name; });
+  work.document.add(ReportParagraph{fmt::format(
+      "{}. For this task Ocelli has no section of its own: it is described by right answers and times{}.",
+      sizeText(trials), isPlanned ? "" : fmt::format(", with the usual models, as {} has none", planName(plan)))});
+  const TrialList answered = answeredTrials(trials);
+  if (answered.empty()) {
+    addNotEstimable(work.document, task.rightName, "no trial says whether its answer was right");
+  } else {
+    addPart(work, "Answers that are right", [&] {
+      addRightAnswers(work, answered, "Answers", fmt::format("{}-shares", idOf(task.name)), std::nullopt);
+    });
+  }
+  addPart(work, "Times by view", [&] { addTimesByView(work, task, trials); });
+  addTaskModels(work, task, trials);
+}
+
+}  // namespace
+
+ReportTask otherTask(const std::string& name) {
+  const std::vector<RandomEffect> subjectAndCase{{"subject", {"view"}}, {"case", {"view"}}};
+  ReportTask task;
+  task.name = name;
+  task.title = fmt::format("Task {}", name);
+  task.trialsName = fmt::format("trials of {}", name);
+  task.timesOutcome = fmt::format("times of {}", name);
+  task.rightOutcome = fmt::format("right answers of {}", name);
+  task.parts = {{task.title, fmt::format("task {}", name), 0.94, addOtherTask}};
+  task.modelKinds = {{ModelKind::kBinomialMixed, addRightModel},
+                     {ModelKind::kLogNormalMixed, addTimeModel},
+                     {ModelKind::kLinearMixed, addTimeModel},
+                     {ModelKind::kEquivalence, addEquivalenceModel},
+                     {ModelKind::kBayesFactor, addBayesModel}};
+  task.models = {
+      {fmt::format("{}-right", idOf(name)), name, ModelKind::kBinomialMixed, {"view", "session"}, subjectAndCase},
+      {fmt::format("{}-time", idOf(name)), name, ModelKind::kLogNormalMixed, {"view", "session"}, subjectAndCase}};
+  return task;
+}
+
+}  // namespace ocelli

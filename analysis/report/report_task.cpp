@@ -1,0 +1,133 @@
+#include "analysis/report/report_task.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/dataset/protocol_facts.h"
+#include "analysis/report/count_section.h"
+#include "analysis/report/find_section.h"
+#include "analysis/report/other_task_section.h"
+#include "analysis/report/part_guard.h"
+#include "analysis/report/path_section.h"
+#include "analysis/report/survey_section.h"
+
+namespace ocelli {
+namespace {
+
+const ReportTask* findRow(const std::string& name) {
+  const std::vector<ReportTask>& rows = reportTasks();
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const ReportTask& each) { return each.name == name; });
+  return row == rows.end() ? nullptr : &*row;
+}
+
+void addOnce(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    names.push_back(name);
+  }
+}
+
+}  // namespace
+
+const std::vector<ReportTask>& reportTasks() {
+  static const std::vector<ReportTask> kRows{findTask(), countTask(), pathTask(), surveyTask()};
+  return kRows;
+}
+
+ReportTask reportTask(const std::string& name) {
+  const ReportTask* row = findRow(name);
+  return row == nullptr ? otherTask(name) : *row;
+}
+
+std::vector<ReportTask> reportTasksOf(const Dataset& data) {
+  std::vector<std::string> others;
+  for (const Trial& trial : data.trials) {
+    // A form has no trials: those of its name are a task that nobody knows.
+    const ReportTask* row = findRow(trial.task);
+    if (row == nullptr || !row->hasTrials) {
+      addOnce(others, trial.task);
+    }
+  }
+  std::vector<ReportTask> tasks = reportTasks();
+  for (const std::string& name : others) {
+    tasks.push_back(otherTask(name));
+  }
+  return tasks;
+}
+
+std::vector<std::string> plannableTasks(const std::vector<std::string>& ofProtocol) {
+  std::vector<std::string> names;
+  for (const ReportTask& row : reportTasks()) {
+    names.push_back(row.name);
+  }
+  for (const std::string& name : ofProtocol) {
+    addOnce(names, name);
+  }
+  return names;
+}
+
+std::vector<std::string> plannableTasks(const Dataset& data) {
+  std::vector<std::string> names;
+  for (const DataSource& source : data.sources) {
+    if (!source.protocolText.empty()) {
+      for (const std::string& task : tasksOf(protocolFacts(source.protocolText, source.path))) {
+        addOnce(names, task);
+      }
+    }
+  }
+  for (const Trial& trial : data.trials) {
+    addOnce(names, trial.task);
+  }
+  return plannableTasks(names);
+}
+
+const TaskModel* ReportTask::findModelKind(ModelKind kind) const {
+  const auto found =
+      std::find_if(modelKinds.begin(), modelKinds.end(), [&](const TaskModel& each) { return each.kind == kind; });
+  return found == modelKinds.end() ? nullptr : &*found;
+}
+
+TimeoutTreatment ReportTask::timeouts(const AnalysisPlan& plan) const {
+  return isTimed ? plan.findTimeouts : TimeoutTreatment::kCensored;
+}
+
+std::vector<PlannedModel> modelsOfTask(const AnalysisPlan& plan, const ReportTask& task) {
+  std::vector<PlannedModel> models;
+  std::copy_if(plan.models.begin(), plan.models.end(), std::back_inserter(models),
+               [&](const PlannedModel& model) { return model.task == task.name; });
+  return models.empty() && findRow(task.name) == nullptr ? task.models : models;
+}
+
+void addTaskModels(ReportWork& work, const ReportTask& task, const TrialList& trials) {
+  for (const PlannedModel& model : modelsOfTask(work.analysis.plan, task)) {
+    addPart(work, wordsOf(model), [&] {
+      if (const TaskModel* kind = task.findModelKind(model.kind)) {
+        kind->add(work, task, model, trials);
+      } else {
+        addNotEstimable(work.document, wordsOf(model),
+                        fmt::format("{} is not done for {}", nameOf(model.kind), task.trialsName));
+      }
+    });
+  }
+}
+
+AnalysisPlan defaultPlan(const ViewConditions& conditions) {
+  AnalysisPlan plan;
+  HypothesisFamily primary{"primary", true, {}};
+  HypothesisFamily secondary{"secondary", true, {}};
+  for (const ReportTask& task : reportTasks()) {
+    plan.models.insert(plan.models.end(), task.models.begin(), task.models.end());
+    for (const TaskHypothesis& each : task.hypotheses) {
+      plan.hypotheses.push_back(each.hypothesis);
+      plan.hypotheses.back().statement = withViewLabels(each.hypothesis.statement, conditions);
+      (each.primary ? primary : secondary).hypotheses.push_back(each.hypothesis.name);
+    }
+    if (task.equivalence) {
+      plan.equivalence.push_back(*task.equivalence);
+    }
+  }
+  plan.families = {primary, secondary};
+  return plan;
+}
+
+}  // namespace ocelli
