@@ -8,11 +8,11 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include ""
 #include "analysis/dataset/database.h"
 #include "analysis/dataset/merge.h"
 #include "analysis/report/json_report.h"
 #include "analysis/report/report_files.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/study_report.h"
 #include "analysis/tables/paper_tables.h"
 #include "tests/analysis_dataset/made_study.h"
