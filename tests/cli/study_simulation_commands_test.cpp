@@ -104,10 +104,10 @@ TEST_F(StudySimulationCommands, ANewTaskGoesAllTheWayToTheExport) {
     const auto count = [&](const std::string& where) {
       return stored.execAndGet("SELECT count(*) FROM trial WHERE practice = 0 AND " + where).getInt();
     };
-    EXPECT_EQ(count("task = 'nearer'"), 21 * 20);
+    EXPECT_EQ(count("task = 'nearer'"), 21 * 24);
     EXPECT_EQ(count("simulated = 0"), 0);
-    EXPECT_EQ(count("correct = (answer = expected)"), 21 * 20);
-    EXPECT_EQ(count("answer IN ('left', 'right') AND expected IN ('left', 'right')"), 21 * 20);
+    EXPECT_EQ(count("correct = (answer = expected)"), 21 * 24);
+    EXPECT_EQ(count("answer IN ('left', 'right') AND expected IN ('left', 'right')"), 21 * 24);
     EXPECT_GT(count("correct = 1"), 100);
     EXPECT_GT(count("correct = 0"), 10);
     EXPECT_GT(count("measures_json LIKE '%left_distance_m%'"), 15);

@@ -1,6 +1,7 @@
 // The protocols that come with the program.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "study/protocol/balance.h"
@@ -136,6 +137,17 @@ TEST(NearerProtocol, HasAsManyCasesOfEitherSide) {
     left += task.answerOf(plan) == "left" ? 1 : 0;
   }
   EXPECT_EQ(2 * left, task.caseCount());
+  // Nor does a view go with a side, in the first half of the trials either.
+  for (int slot = 0; slot < 4; ++slot) {
+    const SessionSchedule schedule = scheduleOf(protocol, slot, 0, protocol.seed);
+    std::map<std::pair<StudyView, std::string>, int> first;
+    for (size_t i = 0; i < schedule.trials.size() / 2; ++i) {
+      ++first[{schedule.trials[i].view, task.answerOf(schedule.trials[i])}];
+    }
+    for (const auto& [viewAndSide, count] : first) {
+      EXPECT_EQ(count, task.caseCount() / 4) << nameOf(viewAndSide.first) << viewAndSide.second;
+    }
+  }
   EXPECT_TRUE(warningsOf(protocol, protocol.seed).empty()) << warningsOf(protocol, protocol.seed).front();
 }
 
