@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "tests/analysis_power/small_protocol.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/cli/run_program.h"
-#include "tests/cli/small_protocol.h"
 
 namespace ocelli::test {
 namespace {

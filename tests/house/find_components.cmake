@@ -93,6 +93,9 @@ find_needs(study TARGETS Ocelli::core Ocelli::study_store
 find_needs(analysis TARGETS Ocelli::analysis_report
   PACKAGES glm PNG assimp embree hwy meshoptimizer zstd glfw3
   LACKS glm::glm PNG::PNG assimp::assimp embree hwy::hwy ${windows} ${usb} Ocelli::core Ocelli::base)
+find_needs(power TARGETS Ocelli::study Ocelli::analysis Ocelli::analysis_power
+  PACKAGES assimp hwy glfw3
+  LACKS assimp::assimp hwy::hwy ${windows} ${usb})
 find_needs(import TARGETS Ocelli::core Ocelli::scene_import
   PACKAGES SQLiteCpp Eigen3 Boost hwy glfw3
   LACKS SQLiteCpp hwy::hwy ${windows} ${usb} ${statistics})
@@ -106,14 +109,14 @@ endif()")
 
 # All.
 set(all "find_package(Ocelli REQUIRED)
-foreach(target IN ITEMS core import display driver study analysis)
+foreach(target IN ITEMS core import display driver study analysis power)
   if(NOT TARGET Ocelli::\${target})
     message(FATAL_ERROR \"no Ocelli::\${target}\")
   endif()
 endforeach()")
 must_configure("${all}")
 
-must_fail_saying("There is no component \"graphics\" here. Those of this installation: core, import, display, driver, study, analysis"
+must_fail_saying("There is no component \"graphics\" here. Those of this installation: core, import, display, driver, study, analysis, power"
   "find_package(Ocelli REQUIRED COMPONENTS core graphics)")
 must_fail_saying("SQLiteCpp, which \"study\" needs" "find_package(Ocelli REQUIRED COMPONENTS study)"
   -DCMAKE_DISABLE_FIND_PACKAGE_SQLiteCpp=ON)

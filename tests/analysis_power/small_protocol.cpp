@@ -1,4 +1,4 @@
-#include "tests/cli/small_protocol.h"
+#include "tests/analysis_power/small_protocol.h"
 
 namespace ocelli::test {
 

@@ -1,4 +1,4 @@
-#include "cli/power_simulation.h"
+#include "analysis/power/power_simulation.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "analysis/report/report_task.h"
 #include "analysis/report/view_test.h"
 #include "oc_core/base/parallel.h"
-#include "tests/cli/small_protocol.h"
+#include "tests/analysis_power/small_protocol.h"
 
 namespace ocelli {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/power_effects.h"
+#include "analysis/power/power_effects.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 
 #include "oc_core/base/error.h"
 #include "study/subject/generator_truth.h"
+#include "tests/analysis_power/small_protocol.h"
 #include "tests/base/temporary_folder.h"
-#include "tests/cli/small_protocol.h"
 
 namespace ocelli {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/power_simulation.h"
+#include "analysis/power/power_simulation.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <mutex>
 
 #include "analysis/base/failure.h"
+#include "analysis/power/simulated_dataset.h"
 #include "analysis/report/view_test.h"
-#include "cli/simulated_dataset.h"
 #include "oc_core/base/machine.h"
 #include "oc_core/base/parallel.h"
 #include "study/agent/chance.h"

@@ -1,4 +1,4 @@
-#include "cli/power_effects.h"
+#include "analysis/power/power_effects.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // The way without a database gives what the way through one does, row by row.
-#include "cli/simulated_dataset.h"
+#include "analysis/power/simulated_dataset.h"
 
 #include <gtest/gtest.h>
 

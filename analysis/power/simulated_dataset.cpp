@@ -1,4 +1,4 @@
-#include "cli/simulated_dataset.h"
+#include "analysis/power/simulated_dataset.h"
 
 #include <fmt/format.h>
 

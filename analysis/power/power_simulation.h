@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "analysis/power/power_effects.h"
 #include "analysis/report/power_study.h"
-#include "cli/power_effects.h"
 #include "oc_core/base/progress.h"
 
 namespace ocelli {
