@@ -17,7 +17,7 @@ SUFFIX = re.compile(r"^,? (?:and|or) (\.\w+)\b")  # "NAME_camera.h and .cpp"
 STEP = re.compile(r"^//\s+\d+\. ")
 BESIDES = re.compile(r"^(tests|docs|examples|protocols)/|\.schema\.json$|\.md$|/CMakeLists\.txt$")
 MAX_FILES = 3
-BUILD = re.compile(r"(^|/)(build[^/]*|demo|\.git)/")
+BUILD = re.compile(r"(^|/)(build[^/]*|\.git)/|^demo/")
 
 
 def files_of(root, pattern):
