@@ -113,7 +113,7 @@ void addCountSection(ReportWork& work, const ReportTask& task) {
 
 }  // namespace
 
-ReportTask countTask() {
+ReportTask countReportTask() {
   ReportTask task;
   task.name = "count";
   task.title = "Counting";

@@ -5,6 +5,6 @@
 
 namespace ocelli {
 
-ReportTask countTask();
+ReportTask countReportTask();
 
 }  // namespace ocelli

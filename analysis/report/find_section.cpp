@@ -297,7 +297,7 @@ void addFindSection(ReportWork& work, const ReportTask& task) {
 
 }  // namespace
 
-ReportTask findTask() {
+ReportTask findReportTask() {
   const std::vector<std::string> terms{"view", "session", "moving"};
   const std::vector<RandomEffect> clusters{{"subject"}, {"case"}};
   ReportTask task;

@@ -5,6 +5,6 @@
 
 namespace ocelli {
 
-ReportTask findTask();
+ReportTask findReportTask();
 
 }  // namespace ocelli

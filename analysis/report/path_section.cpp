@@ -71,7 +71,7 @@ double chanceOf(const Dataset& data, const std::string& task) {
   return 1 / kUsualMaps;
 }
 
-ReportTask pathTask() {
+ReportTask pathReportTask() {
   ReportTask task;
   task.name = "path";
   task.title = "Recognising paths";

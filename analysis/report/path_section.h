@@ -5,7 +5,7 @@
 
 namespace ocelli {
 
-ReportTask pathTask();
+ReportTask pathReportTask();
 
 /// How often a guess is right: by the maps that the protocol has for the task, or those of section 7.4.4 where none
 /// says.

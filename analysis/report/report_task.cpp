@@ -30,7 +30,7 @@ void addOnce(std::vector<std::string>& names, const std::string& name) {
 }  // namespace
 
 const std::vector<ReportTask>& reportTasks() {
-  static const std::vector<ReportTask> kRows{findTask(), countTask(), pathTask(), surveyTask()};
+  static const std::vector<ReportTask> kRows{findReportTask(), countReportTask(), pathReportTask(), surveyReportTask()};
   return kRows;
 }
 

@@ -306,7 +306,7 @@ void addOrder(ReportWork& work, const std::vector<ItemAnswers>& items) {
       const Estimable<ProportionalOddsFit> fit = fitProportionalOdds(places, {otherFirst});
       ratio = fit ? Ratio(fit->terms.front().oddsRatio) : Ratio::impossible(fit.reason());
     }
-    rows.push_back({each.item.label(),
+    rows.push_back({fmt::format("{} (@other@ first / @reference@ first)", each.item.label()),
                     ratio,
                     "",
                     fmt::format("last answers of {} subjects to {}, by the view of their first trial", places.size(),
@@ -343,7 +343,7 @@ void addSurveySection(ReportWork& work, const ReportTask& /*task*/) {
 
 }  // namespace
 
-ReportTask surveyTask() {
+ReportTask surveyReportTask() {
   ReportTask task;
   task.name = kForm;
   task.title = "Survey";

@@ -8,6 +8,6 @@ namespace ocelli {
 /// The table whose p values the test of the survey is made of.
 inline constexpr const char* kSurveyTestsTable = "survey-preference";
 
-ReportTask surveyTask();
+ReportTask surveyReportTask();
 
 }  // namespace ocelli

@@ -21,8 +21,14 @@ using ::testing::Not;
 class SurveySection : public testing::Test {
  protected:
   /// One question "q", answered by as many subjects.
-  ReportDocument surveyOf(const std::string& field, const std::vector<std::string>& answers) {
+  ReportDocument surveyOf(const std::string& field, const std::vector<std::string>& answers,
+                          const std::vector<TrialView>& firstViews = {}) {
     study_ = SectionStudy();
+    for (size_t i = 0; i < firstViews.size(); ++i) {
+      // The second session tells nothing of what came first.
+      study_.add(fmt::format("S{:02}", i), 2, TrialView::kReference, 10);
+      study_.add(fmt::format("S{:02}", i), 1, firstViews[i], 10);
+    }
     study_.analysis.data.sources[0].protocolText =
         field.empty() ? "" : fmt::format(R"({{"name": "made", "survey": {{"title": "S", "fields": [{}]}}}})", field);
     for (size_t i = 0; i < answers.size(); ++i) {
@@ -184,6 +190,22 @@ TEST_F(SurveySection, tablesOfAnswersHaveTheirScale) {
   EXPECT_THAT(answers, HasSubstr(",question,option,options,last_favors\r\n"));
   EXPECT_THAT(answers, HasSubstr("survey,q,6,Which view was easier?,6,7,gc\r\n"));
   EXPECT_THAT(answers, HasSubstr("survey,q,9,Which view was easier?,,7,gc\r\n"));
+}
+
+TEST_F(SurveySection, asksWhetherAnswersGoWithTheFirstView) {
+  const char* const kField = R"({"name": "q", "question": "Which?", "options": ["a", "b"], "ends": ["x", "y"],
+    "favors": ["ppc", "gc"]})";
+  const TrialView ppc = TrialView::kReference;
+  const TrialView gc = TrialView::kOther;
+  const std::vector<std::string> answers{"a", "a", "a", "b", "a", "b", "b", "b"};
+  // Odds of "b" are 1 to 3 where the reference came first, and 3 to 1 where the other did.
+  const ReportDocument document = surveyOf(kField, answers, {ppc, ppc, ppc, ppc, gc, gc, gc, gc});
+  const auto ratio = cellValue(document, "survey-first-view", "Which? (gc first / ppc first)", "Estimate");
+  ASSERT_TRUE(ratio);
+  EXPECT_NEAR(*ratio, 9, 1e-4);  // where the search for the maximum ends
+  EXPECT_THAT(reasonsOf(surveyOf(kField, answers, {gc, gc, gc, gc, gc, gc, gc, gc})),
+              Contains(HasSubstr("(gc first / ppc first): all subjects who answered began with the same view.")));
+  EXPECT_THAT(reasonsOf(surveyOf(kField, answers)), Contains(HasSubstr("no subject with an answer has a trial")));
 }
 
 }  // namespace
