@@ -5,7 +5,8 @@
 // the usual models (other_task_section.h).
 //
 // Recipe for a section of its own for a task:
-//   1. analysis/report/NAME_section.h and .cpp: the section, and `ReportTask NAMEReportTask()`, which says what is below.
+//   1. analysis/report/NAME_section.h and .cpp: the section, and `ReportTask NAMEReportTask()`, which says what is
+//   below.
 //   2. analysis/report/report_task.cpp: its line in reportTasks().
 #pragma once
 
