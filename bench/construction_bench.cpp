@@ -20,7 +20,7 @@
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/ocri/layered_depth_image.h"
 #include "oc_core/ocri/simplified_mesh.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 #ifdef OCELLI_BENCH_OSMESA
 #include "bench/osmesa_renderer.h"
 #endif

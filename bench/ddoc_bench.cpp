@@ -5,7 +5,7 @@
 #include <map>
 
 #include "oc_core/ocri/ddoc_builder.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

@@ -8,14 +8,14 @@
 #include <memory>
 
 #include "bench/timing.h"
-#include "display_sim/exact_slicer.h"
 #include "display_sim/gl/gl_observer.h"
 #include "display_sim/gl/gl_slicer.h"
-#include "display_sim/observer.h"
+#include "display_sim/observing/observer.h"
+#include "display_sim/slicing/exact_slicer.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/ocri/image_mesh.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

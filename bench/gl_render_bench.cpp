@@ -15,10 +15,10 @@
 
 #include "bench/bench_program.h"
 #include "bench/timing.h"
-#include "display_sim/exact_slicer.h"
 #include "display_sim/gl/gl_observer.h"
 #include "display_sim/gl/gl_slicer.h"
-#include "display_sim/observer.h"
+#include "display_sim/observing/observer.h"
+#include "display_sim/slicing/exact_slicer.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/gl/gl_api.h"
@@ -29,7 +29,7 @@
 #include "oc_core/ocri/spoc_builder.h"
 #include "oc_core/render/rasterize.h"
 #include "oc_core/render/rasterize_spans.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

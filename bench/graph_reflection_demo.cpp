@@ -16,9 +16,9 @@
 #include "oc_core/render/graph_depth_image.h"
 #include "oc_core/render/rasterize_graph.h"
 #include "oc_core/render/raycast.h"
-#include "oc_core/scene/scene_source.h"
-#include "oc_core/scene/solids.h"
-#include "oc_core/scene/teapot.h"
+#include "oc_core/worlds/scene_source.h"
+#include "oc_core/worlds/solids.h"
+#include "oc_core/worlds/teapot.h"
 
 namespace ocelli {
 namespace {

@@ -27,7 +27,7 @@
 #include "oc_core/render/rasterize.h"
 #include "oc_core/render/rasterize_curved.h"
 #include "oc_core/render/rasterize_graph.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

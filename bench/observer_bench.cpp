@@ -4,9 +4,9 @@
 
 #include <cstdlib>
 
-#include "display_sim/exact_slicer.h"
-#include "display_sim/observer.h"
-#include "oc_core/scene/scene_source.h"
+#include "display_sim/observing/observer.h"
+#include "display_sim/slicing/exact_slicer.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

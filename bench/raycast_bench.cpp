@@ -23,7 +23,7 @@
 #include "oc_core/render/rasterize.h"
 #include "oc_core/render/rasterize_subdivided.h"
 #include "oc_core/render/raycast.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

@@ -1,13 +1,12 @@
 // Rasterisation against ray casting (Embree) of the same image, and the fast slicer against its exact reference.
 #include <benchmark/benchmark.h>
 
-#include "display_sim/exact_slicer.h"
 #include "display_sim/frames/display_profile.h"
-#include "display_sim/slicer_reference.h"
+#include "display_sim/slicing/exact_slicer.h"
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/render/rasterize.h"
 #include "oc_core/render/raycast.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {
@@ -55,12 +54,6 @@ void sliceFast(benchmark::State& state) {
     benchmark::DoNotOptimize(sliceExactly(scene(), profile));
   }
 }
-void sliceReferenceExact(benchmark::State& state) {
-  const DisplayProfile profile = loadProfile("test");
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(sliceReference(scene(), profile));
-  }
-}
 
 BENCHMARK(rasterizePinhole)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(raycastPinhole)->Unit(benchmark::kMillisecond)->UseRealTime();
@@ -68,7 +61,6 @@ BENCHMARK(buildBvhOfRaycast)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(rasterizeDdoc)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(constructDdoc)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(sliceFast)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(sliceReferenceExact)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace ocelli

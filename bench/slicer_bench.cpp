@@ -16,15 +16,15 @@
 #include "bench/naive_slicer.h"
 #include "bench/slicer_peers.h"
 #include "bench/timing.h"
-#include "display_sim/exact_slicer.h"
-#include "display_sim/slicer.h"
+#include "display_sim/slicing/exact_slicer.h"
+#include "display_sim/slicing/slicer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/machine.h"
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/ocri/simplified_mesh.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "display_sim/frames/svol_player.h"
 #include "display_sim/frames/svol_writer.h"
-#include "display_sim/slicer.h"
+#include "display_sim/slicing/slicer.h"
 #include "oc_core/base/conventions.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

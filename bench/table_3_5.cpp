@@ -11,13 +11,13 @@
 
 #include "bench/timing.h"
 #include "display_sim/frames/display_profile.h"
-#include "display_sim/slicer.h"
+#include "display_sim/slicing/slicer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/ocri/simplified_mesh.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

@@ -31,7 +31,7 @@
 #include "oc_core/ocri/layered_mesh.h"
 #include "oc_core/ocri/simplified_mesh.h"
 #include "oc_core/ocri/union_mesh.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

@@ -18,14 +18,14 @@
 
 #include "display_driver/emulator/client_process.h"
 #include "display_driver/emulator/usb_emulator.h"
-#include "display_driver/stream/stream_device.h"
 #include "display_driver/usb/usb_port.h"
 #include "display_driver/wire/bandwidth_plan.h"
+#include "display_driver/wire/stream_device.h"
 #include "display_driver/wire/wire_format.h"
-#include "display_sim/slicer.h"
+#include "display_sim/slicing/slicer.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

@@ -8,7 +8,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/evaluation/evaluation_table.h"
-#include "oc_core/scene/builtin_scenes.h"
+#include "oc_core/worlds/builtin_scenes.h"
 
 namespace ocelli {
 namespace {

@@ -7,16 +7,16 @@
 #include <glm/geometric.hpp>
 #include <system_error>
 
-#include "display_driver/sim/coarse_frames.h"
+#include "display_driver/devices/coarse_frames.h"
 #include "display_driver/wire/bandwidth_plan.h"
-#include "display_sim/observer.h"
-#include "display_sim/slicer.h"
+#include "display_sim/observing/observer.h"
+#include "display_sim/slicing/slicer.h"
 #include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/png_file.h"
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/render/rasterize.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

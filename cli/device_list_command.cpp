@@ -6,7 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/device_command.h"
-#include "display_driver/device_kinds.h"
+#include "display_driver/devices/device_kinds.h"
 #include "oc_core/base/json_fields.h"
 #ifdef OCELLI_WITH_USB
 #include "display_driver/usb/usb_port.h"

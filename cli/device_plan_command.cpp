@@ -11,7 +11,7 @@
 #include "cli/device_command.h"
 #include "cli/scene_options.h"
 #include "display_driver/wire/bandwidth_plan.h"
-#include "display_sim/slicer.h"
+#include "display_sim/slicing/slicer.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"

@@ -11,7 +11,7 @@
 #include "cli/device_selftest_page.h"
 #include "cli/device_selftest_show.h"
 #include "cli/observer_choice.h"
-#include "display_driver/device_kinds.h"
+#include "display_driver/devices/device_kinds.h"
 #include "display_sim/frames/svol_file.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"

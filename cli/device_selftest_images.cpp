@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "display_sim/observer.h"
+#include "display_sim/observing/observer.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/png_file.h"
 

@@ -7,7 +7,7 @@
 
 #include "cli/command.h"
 #include "cli/dither_options.h"
-#include "display_sim/dither_report.h"
+#include "display_sim/dither_score/dither_report.h"
 #include "oc_core/base/error.h"
 
 namespace ocelli {

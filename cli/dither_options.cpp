@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "display_sim/dither_fields.h"
+#include "display_sim/dither_score/dither_fields.h"
 #include "oc_core/base/check.h"
 
 namespace ocelli {

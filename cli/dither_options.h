@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "display_sim/slice_options.h"
+#include "display_sim/dither/slice_options.h"
 
 namespace CLI {
 class Validator;

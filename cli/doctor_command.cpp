@@ -18,8 +18,8 @@
 #include "display_driver/emulator/usb_emulator.h"
 #endif
 #ifdef OCELLI_WITH_OPENGL
-#include "oc_core/gl/gl_report.h"
-#include "oc_core/gl/system_font.h"
+#include "oc_core/window/gl_report.h"
+#include "oc_core/window/system_font.h"
 #endif
 
 namespace ocelli {

@@ -10,7 +10,7 @@
 #include "cli/scene_options.h"
 #include "cli/values.h"
 #include "display_sim/frames/display_profile.h"
-#include "display_sim/slicer.h"
+#include "display_sim/slicing/slicer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/output_file.h"

@@ -18,7 +18,7 @@
 namespace ocelli {
 namespace {
 
-using Rows = std::vector<RepresentationFigures>;
+using FigureRows = std::vector<RepresentationFigures>;
 
 // The scene itself: it has no errors to be proud of.
 constexpr const char* kSceneItself = "geometry";
@@ -85,13 +85,12 @@ std::vector<Column> costColumns() {
       {"Milliseconds", "build", [](const Row& r) { return r.buildMilliseconds; }, timeText},
       {"Milliseconds", "mesh", [](const Row& r) { return r.meshMilliseconds; }, timeText},
       {"Milliseconds", "slice", [](const Row& r) { return r.sliceMilliseconds; }, timeText},
-      {"Milliseconds", "update", [](const Row& r) { return r.updateMilliseconds; }, timeText},
   };
 }
 
 /// The text that is marked: the best value as it is printed, so that equal texts are equally good. None where most
 /// are.
-std::string bestText(const Column& column, const Rows& rows) {
+std::string bestText(const Column& column, const FigureRows& rows) {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;
   for (const RepresentationFigures& row : rows) {
@@ -110,7 +109,7 @@ std::string bestText(const Column& column, const Rows& rows) {
   return 2 * static_cast<size_t>(holders) > rows.size() ? "" : best;
 }
 
-std::string tableOf(const std::string& caption, const std::vector<Column>& columns, const Rows& rows) {
+std::string tableOf(const std::string& caption, const std::vector<Column>& columns, const FigureRows& rows) {
   std::string html = fmt::format(
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{0}\"><table><caption>{0}</caption>\n<thead>"
       "<tr><th rowspan=\"2\" scope=\"col\">Representation</th>",
@@ -146,7 +145,7 @@ std::string tableOf(const std::string& caption, const std::vector<Column>& colum
 }
 
 std::vector<PlotSeries> seriesOf(
-    const Rows& rows,
+    const FigureRows& rows,
     const std::function<std::vector<std::pair<double, double>>(const RepresentationFigures&)>& points) {
   std::vector<PlotSeries> series;
   for (size_t i = 0; i < rows.size(); ++i) {
@@ -155,7 +154,7 @@ std::vector<PlotSeries> seriesOf(
   return series;
 }
 
-std::string frontierPlots(const Rows& rows) {
+std::string frontierPlots(const FigureRows& rows) {
   const auto plot = [&](const std::string& title, double (*error)(const RepresentationFigures&)) {
     return "<figure>" +
            frontierPlot(
@@ -172,7 +171,7 @@ std::string frontierPlots(const Rows& rows) {
          "</div>\n";
 }
 
-std::string offsetPlots(const EvaluationOptions& options, const Rows& rows) {
+std::string offsetPlots(const EvaluationOptions& options, const FigureRows& rows) {
   const auto plot = [&](const std::string& title, double (*error)(const FrameErrors&)) {
     return "<figure>" +
            curvePlot(title, "distance from the reference viewpoint, in half sides of the cell",
@@ -213,7 +212,7 @@ std::string descriptionOf(const std::string& name) {
   return "";
 }
 
-std::string imageSection(const EvaluatePage& page, const EvaluationOptions& options, const Rows& rows) {
+std::string imageSection(const EvaluatePage& page, const EvaluationOptions& options, const FigureRows& rows) {
   std::string html = fmt::format(
       "<div class=\"key\"><figure>{}<figcaption><b>The scene</b> as it is, from there.</figcaption></figure>\n"
       "<ul class=\"legend\">\n",
@@ -279,8 +278,7 @@ std::string definitions(const EvaluationOptions& options) {
                "Colours, depths and displacements of the images, or the arrays of the mesh, as 32-bit numbers; and "
                "compressed with zstd at level 3.") +
          entry("Milliseconds",
-               fmt::format("Building from the scene, meshing, slicing the mesh; update: making it again for a changed "
-                           "scene. The best of {}, on this machine.",
+               fmt::format("Building from the scene, meshing, slicing the mesh. The best of {}, on this machine.",
                            options.runs)) +
          "</dl>\n";
 }
@@ -298,7 +296,7 @@ EvaluateImages imageNames(const std::string& name, const std::string& identity) 
   return {"frame-" + stem + ".png", "errors-" + stem + ".png"};
 }
 
-std::string evaluatePage(const EvaluatePage& page, const EvaluationOptions& options, const Rows& figures) {
+std::string evaluatePage(const EvaluatePage& page, const EvaluationOptions& options, const FigureRows& figures) {
   const std::string scene = htmlFromText(page.scene);
   const double sideInches = options.cell.sideRadii * kReferenceDisplayRadiusMetres / kInchMetres;
   std::string html = fmt::format(

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "display_sim/exact_slicer.h"
-#include "display_sim/observe_series.h"
+#include "display_sim/observing/observe_series.h"
+#include "display_sim/slicing/exact_slicer.h"
 
 namespace ocelli {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "display_sim/observer.h"
+#include "display_sim/observing/observer.h"
 
 namespace CLI {
 class App;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "display_driver/device/device.h"
-#include "display_driver/follow/eyes_source.h"
 #include "display_driver/pacing/device_log_player.h"
+#include "display_driver/pacing/eyes_source.h"
 #include "display_driver/pacing/time_line.h"
 
 namespace ocelli {

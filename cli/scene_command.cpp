@@ -9,8 +9,8 @@
 #include "cli/scene_options.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/output_file.h"
-#include "oc_core/scene/builtin_scenes.h"
 #include "oc_core/scene/ply_file.h"
+#include "oc_core/worlds/builtin_scenes.h"
 
 namespace ocelli {
 namespace {

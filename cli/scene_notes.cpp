@@ -1,6 +1,6 @@
 #include "cli/scene_notes.h"
 
-#include "display_sim/display_bounds.h"
+#include "display_sim/slicing/display_bounds.h"
 #include "oc_core/scene/scene_light.h"
 
 namespace ocelli {

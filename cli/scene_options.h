@@ -6,7 +6,7 @@
 #include "cli/command.h"
 #include "cli/values.h"
 #include "oc_core/camera/view.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace CLI {
 class App;

@@ -11,8 +11,8 @@
 #include "cli/interrupt.h"
 #include "cli/observer_choice.h"
 #include "cli/values.h"
-#include "display_driver/sim/shown_images.h"
-#include "display_sim/frame_sink.h"
+#include "display_driver/devices/shown_images.h"
+#include "display_sim/observing/frame_sink.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 

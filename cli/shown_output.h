@@ -6,8 +6,8 @@
 #include <string>
 
 #include "cli/command.h"
-#include "display_driver/sim/shown_recorder.h"
-#include "display_sim/observer.h"
+#include "display_driver/devices/shown_recorder.h"
+#include "display_sim/observing/observer.h"
 
 namespace CLI {
 class App;

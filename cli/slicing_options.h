@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cli/scene_options.h"
-#include "display_sim/slice_options.h"
+#include "display_sim/dither/slice_options.h"
 #include "oc_core/base/progress.h"
 
 namespace CLI {

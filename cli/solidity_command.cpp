@@ -8,7 +8,7 @@
 #include "cli/command.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
-#include "display_sim/slicer.h"
+#include "display_sim/slicing/slicer.h"
 #include "display_sim/solidity/solidity_report.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"

@@ -3,9 +3,9 @@
 #include <string>
 
 #include "oc_core/base/error.h"
-#include "oc_core/scene/maze_file.h"
-#include "oc_core/scene/maze_graph.h"
-#include "oc_core/scene/maze_mesh.h"
+#include "oc_core/worlds/maze_file.h"
+#include "oc_core/worlds/maze_graph.h"
+#include "oc_core/worlds/maze_mesh.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   try {

@@ -20,12 +20,12 @@ xargs -L 1 -P "$(nproc)" sh -c '
 ' "$root" <<END
 wire display_driver_wire/corpus $([ "$seconds" -gt 60 ] && echo "$seconds" || echo 60)
 svol display_sim_frames/corpus $seconds
-maze scene/maze_corpus $seconds
+maze worlds/maze_corpus $seconds
 camera constructor/corpus $seconds
 protocol study_protocol/corpus $seconds
 plan analysis_dataset/plan_corpus $seconds
 device_log display_driver_pacing/corpus $seconds
-wire_host display_driver_stream/corpus $seconds
+wire_host display_driver_wire/host_corpus $seconds
 ply scene/ply_corpus $seconds
 scene_record scene/record_corpus $seconds
 material scene/image_corpus $seconds

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "display_driver/firmware/fault_script.h"
-#include "display_driver/stream/link_inbox.h"
+#include "display_driver/wire/link_inbox.h"
 #include "oc_core/base/error.h"
 
 namespace {

@@ -6,6 +6,8 @@ set -eu
 top=$(cd "$(dirname "$0")/.." && pwd)
 
 "$top/scripts/install_dependencies.sh"
+# On a terminal, a line that counts on.
+export NINJA_STATUS="[%f of %t, %p, %es] "
 (cd "$top" && cmake --preset release && cmake --build --preset release --target ocelli)
 # Paths of meshes are relative to where the user stands, so the folder does not change.
 "$top/build/release/cli/ocelli" demo -o "$top/demo" "$@"

@@ -6,10 +6,12 @@
 //   fence->wait(FrameStage::kShown, 1s);
 //
 // Recipe for a new device:
-//   1. `display_driver/NAME/NAME_device.h` and `.cpp`: a class that implements Device, and a function that opens it. It
+//   1. display_driver/devices/NAME_device.h and .cpp: a class that implements Device, and a function that opens it. It
 //      takes volumes without making the caller wait, and never throws after it was opened except from close(): what
 //      goes wrong later ends frames (frame_fence.h) and shows in the telemetry.
-//   2. One line in `display_driver/device_kinds.cpp`: its name, what may follow the name, what it is, the function.
+//   2. display_driver/devices/device_kinds.cpp: one line with its name, what may follow the name, what it is, the
+//      function.
+// From outside of the tree: registerDevice() with the same line, as in examples/add_a_device/main.cpp.
 // `ocelli present --device NAME`, `ocelli device list` and the tests that run over every device find it there.
 #pragma once
 

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "display_sim/eye_perspective.h"
 #include "display_sim/frames/sweep_geometry.h"
 #include "display_sim/gl/shaders.h"
+#include "display_sim/observing/eye_perspective.h"
 #include "oc_core/base/error.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"

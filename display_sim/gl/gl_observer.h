@@ -9,7 +9,7 @@
 
 #include "display_sim/gl/gl_volume.h"
 #include "display_sim/gl/sweep_window.h"
-#include "display_sim/observer.h"
+#include "display_sim/observing/observer.h"
 
 namespace ocelli {
 

@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "display_sim/exact_slicer.h"
 #include "display_sim/gl/gl_volume.h"
+#include "display_sim/slicing/exact_slicer.h"
 #include "oc_core/gl/gl_mesh.h"
 
 namespace ocelli {

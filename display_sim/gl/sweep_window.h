@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "display_sim/exposure.h"
+#include "display_sim/observing/exposure.h"
 
 namespace ocelli {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "display_sim/observer.h"
+#include "display_sim/observing/observer.h"
 #include "oc_core/base/color.h"
 #include "oc_core/base/parallel.h"
 

@@ -1,7 +1,7 @@
 // The image that a solid scene would give: its surfaces opaque, seen by the observer's eye at the observer's size.
 #pragma once
 
-#include "display_sim/observer.h"
+#include "display_sim/observing/observer.h"
 #include "oc_core/base/png_file.h"
 #include "oc_core/scene/mesh.h"
 

@@ -4,7 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "display_sim/observer.h"
+#include "display_sim/observing/observer.h"
 #include "display_sim/solidity/exposure_fit.h"
 #include "display_sim/solidity/opaque_image.h"
 #include "display_sim/solidity/voxel_visibility.h"

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "display_sim/slicer.h"
+#include "display_sim/slicing/slicer.h"
 
 namespace ocelli {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "display_sim/viewer/viewer_layout.h"
-#include "oc_core/gl/gui_style.h"
+#include "oc_core/window/gui_style.h"
 
 namespace ocelli {
 

@@ -31,11 +31,11 @@ bool inputText(const char* label, std::string& text) {
   return entered;
 }
 
-std::vector<const CameraName*> offeredCameras() {
-  std::vector<const CameraName*> offered;
+std::vector<CameraName> offeredCameras() {
+  std::vector<CameraName> offered;
   for (const CameraName& name : cameraNames()) {
     if (cameraChoice(name.name).hasImages()) {
-      offered.push_back(&name);
+      offered.push_back(name);
     }
   }
   return offered;
@@ -106,12 +106,12 @@ void SidePanel::drawCamera(const PanelDrawing& drawing) {
   sectionTitle("Camera");
   ImGui::SetNextItemWidth(-FLT_MIN);
   if (ImGui::BeginCombo("##camera", state.work.camera.name.c_str(), ImGuiComboFlags_HeightLarge)) {
-    for (const CameraName* name : offeredCameras()) {
-      if (ImGui::Selectable(name->name, state.work.camera.name == name->name)) {
-        chooseCamera(state, name->name);
+    for (const CameraName& camera : offeredCameras()) {
+      if (ImGui::Selectable(camera.name, state.work.camera.name == camera.name)) {
+        chooseCamera(state, camera.name);
       }
       if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("%s", name->description);
+        ImGui::SetTooltip("%s", camera.description);
       }
     }
     ImGui::EndCombo();

@@ -15,7 +15,7 @@
 #include "display_sim/viewer/reference_pane.h"
 #include "display_sim/viewer/scene_pane.h"
 #include "display_sim/viewer/side_panel.h"
-#include "oc_core/gl/gui_layer.h"
+#include "oc_core/window/gui_layer.h"
 
 namespace ocelli {
 

@@ -6,7 +6,7 @@
 #include <glm/vec4.hpp>
 
 #include "oc_core/evaluation/error_image.h"
-#include "oc_core/gl/gui_style.h"
+#include "oc_core/window/gui_style.h"
 
 namespace ocelli {
 

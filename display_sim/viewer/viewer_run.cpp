@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "display_sim/viewer/script_player.h"
-#include "oc_core/gl/gl_window.h"
+#include "oc_core/window/gl_window.h"
 
 namespace ocelli {
 namespace {

@@ -43,7 +43,7 @@ ViewCell cellOf(const CameraChoice& camera) {
 
 /// The names that the viewer offers, `step` places further on than `name`.
 std::string nameFurtherOn(const std::string& name, int step) {
-  const auto& names = cameraNames();
+  const std::vector<CameraName> names = cameraNames();
   const auto count = static_cast<int>(names.size());
   OC_CHECK(count > 0, "there are cameras");
   int at = 0;

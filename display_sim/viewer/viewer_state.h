@@ -11,7 +11,7 @@
 
 #include "oc_core/camera/view.h"
 #include "oc_core/ocri/camera_choice.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 

@@ -19,6 +19,7 @@
 //   2. tests/camera/camera_contract_test.cpp: add it to the list of cameras that the contract's suite runs over.
 //   3. oc_core/ocri/representation_kinds.cpp: a row says its name and how its image is built, so that `--camera NAME`
 //      finds it.
+// A program outside of the tree needs the class alone, and registers it: examples/add_a_camera.
 #pragma once
 
 #include <concepts>

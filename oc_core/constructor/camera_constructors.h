@@ -16,7 +16,7 @@
 
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/constructor/multiperspective_camera.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "oc_core/camera/curved_ray_camera.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 

@@ -187,8 +187,6 @@ RepresentationFigures Evaluator::measure(const std::string& name, const MakeRepr
     const bool first = run == 0;
     takeBest(figures.buildMilliseconds, times.buildMilliseconds, first);
     takeBest(figures.meshMilliseconds, times.meshMilliseconds, first);
-    // No representation reuses anything of an earlier one yet, so a changed scene costs as much as a new one.
-    takeBest(figures.updateMilliseconds, times.buildMilliseconds + times.meshMilliseconds, first);
     if (options.slice) {
       takeBest(figures.sliceMilliseconds, milliseconds([&] { options.slice(made.mesh); }), first);
     }

@@ -46,7 +46,6 @@ struct RepresentationFigures {
   double buildMilliseconds = 0;
   double meshMilliseconds = 0;
   double sliceMilliseconds = 0;
-  double updateMilliseconds = 0;
   FrameErrors edges;                 ///< over the edges of the cell
   FrameErrors interior;              ///< over seeded points inside
   FrameErrors reference;             ///< at the reference viewpoint

@@ -69,8 +69,8 @@ constexpr std::array<Measure, 7> kMeasures{{
 
 std::string evaluationCsv(const EvaluationOptions& options, const std::vector<RepresentationFigures>& figures) {
   CsvLine header;
-  for (const char* name : {"name", "triangles", "samples", "pixels", "bytes_raw", "bytes_zstd", "build_ms", "mesh_ms",
-                           "slice_ms", "update_ms"}) {
+  for (const char* name :
+       {"name", "triangles", "samples", "pixels", "bytes_raw", "bytes_zstd", "build_ms", "mesh_ms", "slice_ms"}) {
     header.add(name);
   }
   for (const Measure& measure : kMeasures) {
@@ -94,7 +94,6 @@ std::string evaluationCsv(const EvaluationOptions& options, const std::vector<Re
     } else {
       line.addMissing();
     }
-    line.addNumber(row.updateMilliseconds);
     for (const Measure& measure : kMeasures) {
       for (const FrameErrors* errors : placesOf(row)) {
         if (measure.ofImages && errors->images == 0) {

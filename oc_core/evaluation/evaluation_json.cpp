@@ -53,7 +53,6 @@ Json rowJson(const RepresentationFigures& row, const EvaluationOptions& options)
       atPlaces(row, [](const FrameErrors& errors) { return numberOrNull(errors.meanFlip(), errors.images > 0); });
   entry["pixels"] = row.pixels;
   entry["bytes"] = {{"raw", row.bytes.raw}, {"zstd", row.bytes.compressed}};
-  entry["update_ms"] = row.updateMilliseconds;
   Json curve{{"missing_strict", Json::array()},
              {"missing_thick", Json::array()},
              {"wrong_front", Json::array()},

@@ -20,14 +20,14 @@ std::string imageTable(const std::vector<RepresentationFigures>& figures) {
                                  "false skins", "pictures, edges", "megabytes", "");
   text += fmt::format("{:<16} {:>9} {:>9}   {:>8} {:>8} {:>8}   {:>9} {:>8} {:>7}   {:>8} {:>8}   {:>9}\n", "camera",
                       "edges", "at ref.", "edges", "interior", "at ref.", "PSNR dB", "SSIM", "FLIP", "raw", "zstd",
-                      "update ms");
+                      "build ms");
   for (const RepresentationFigures& row : figures) {
     text += fmt::format(
         "{:<16} {:>9} {:>9}   {:>8} {:>8} {:>8}   {:>9.2f} {:>8.4f} {:>7.4f}   {:>8} {:>8}   {:>9.1f}\n", row.name,
         percent(row.edges.wrongFrontRatio()), percent(row.reference.wrongFrontRatio()),
         percent(row.edges.falseSkinRatio()), percent(row.interior.falseSkinRatio()),
         percent(row.reference.falseSkinRatio()), row.edges.meanPsnrDecibels(), row.edges.meanSsim(),
-        row.edges.meanFlip(), megabytes(row.bytes.raw), megabytes(row.bytes.compressed), row.updateMilliseconds);
+        row.edges.meanFlip(), megabytes(row.bytes.raw), megabytes(row.bytes.compressed), row.buildMilliseconds);
   }
   return text;
 }

@@ -12,7 +12,7 @@
 namespace ocelli {
 namespace {
 
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;
 constexpr double kMaxCount = 9007199254740992.0;  // 2^53: above it a JSON number need not be a whole one
 constexpr double kMaxNumber = 1e300;
 
@@ -56,7 +56,6 @@ nlohmann::json jsonOf(const RepresentationFigures& figures) {
                       {"build_ms", figures.buildMilliseconds},
                       {"mesh_ms", figures.meshMilliseconds},
                       {"slice_ms", figures.sliceMilliseconds},
-                      {"update_ms", figures.updateMilliseconds},
                       {"edges", jsonOf(figures.edges)},
                       {"interior", jsonOf(figures.interior)},
                       {"reference", jsonOf(figures.reference)},
@@ -102,7 +101,6 @@ RepresentationFigures readFigures(const nlohmann::json& json, const std::string&
   figures.buildMilliseconds = fields.number("build_ms", 0, kMaxNumber);
   figures.meshMilliseconds = fields.number("mesh_ms", 0, kMaxNumber);
   figures.sliceMilliseconds = fields.number("slice_ms", 0, kMaxNumber);
-  figures.updateMilliseconds = fields.number("update_ms", 0, kMaxNumber);
   figures.edges = readErrors(fields.value("edges"), where);
   figures.interior = readErrors(fields.value("interior"), where);
   figures.reference = readErrors(fields.value("reference"), where);

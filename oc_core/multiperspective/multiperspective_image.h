@@ -10,7 +10,7 @@
 #include "oc_core/constructor/multiperspective_camera.h"
 #include "oc_core/render/fragment_image.h"
 #include "oc_core/render/scene_renderer.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 

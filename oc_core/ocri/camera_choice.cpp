@@ -1,7 +1,6 @@
 #include "oc_core/ocri/camera_choice.h"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 
 #include "oc_core/base/error.h"
@@ -21,37 +20,22 @@ std::string listOfNames() {
   return names;
 }
 
-/// N of "ldi-N" for a kind that takes such names, 0 where it is none.
-int countFromName(const RepresentationKind& kind, std::string_view name) {
-  const std::string_view own = kind.name;
-  const std::string_view stem = own.substr(0, own.rfind('-') + 1);
-  if (kind.maxCount == 0 || !name.starts_with(stem) || name.substr(stem.size()).starts_with('0')) {
-    return 0;
-  }
-  const char* end = name.data() + name.size();
-  int count = 0;
-  const auto [stopped, error] = std::from_chars(name.data() + stem.size(), end, count);
-  return error == std::errc() && stopped == end && count >= 1 && count <= kind.maxCount ? count : 0;
-}
-
 CameraChoice namedCamera(const std::string& name, const ViewCell& cell, const std::string& where) {
-  for (const RepresentationKind& kind : representationKinds()) {
-    const int count = countFromName(kind, name);
-    if (count > 0 || name == kind.name || (name == "ppc" && kind.name == CameraChoice().kind->name)) {
-      CameraChoice choice;
-      choice.kind = &kind;
-      choice.name = name;
-      if (kind.prepare) {
-        kind.prepare(choice);
-      }
-      choice.count = count > 0 ? count : choice.count;
-      setNumber(kCellSide, choice, static_cast<double>(cell.sideRadii));
-      choice.cell.cell = cell;
-      return choice;
-    }
+  const std::optional<NamedRepresentation> found = findRepresentation(name);
+  if (!found) {
+    throw InputError("there is no camera \"" + name + "\"", where,
+                     "use " + listOfNames() + ", or a JSON file with a \"camera\" field");
   }
-  throw InputError("there is no camera \"" + name + "\"", where,
-                   "use " + listOfNames() + ", or a JSON file with a \"camera\" field");
+  CameraChoice choice;
+  choice.kind = found->kind;
+  choice.name = name;
+  if (choice.kind->prepare) {
+    choice.kind->prepare(choice);
+  }
+  choice.count = found->count > 0 ? found->count : choice.count;
+  setNumber(kCellSide, choice, static_cast<double>(cell.sideRadii));
+  choice.cell.cell = cell;
+  return choice;
 }
 
 void readOption(JsonFields& fields, const CameraOption& option, CameraChoice& choice) {
@@ -111,7 +95,7 @@ void requireOutsideSegments(const CameraChoice& choice, const PinholeCamera& ref
 
 }  // namespace
 
-CameraChoice::CameraChoice() : kind(&representationKinds().front()), name(kind->name) {}
+CameraChoice::CameraChoice() : kind(&representationKinds().front().get()), name(kind->name) {}
 
 bool CameraChoice::hasImages() const {
   return static_cast<bool>(kind->images);
@@ -121,14 +105,11 @@ bool CameraChoice::isForSegment() const {
   return kind->segments && kind->segments(*this).size() == 1;
 }
 
-const std::vector<CameraName>& cameraNames() {
-  static const std::vector<CameraName> names = [] {
-    std::vector<CameraName> all;
-    for (const RepresentationKind& kind : representationKinds()) {
-      all.push_back({kind.name, kind.description});
-    }
-    return all;
-  }();
+std::vector<CameraName> cameraNames() {
+  std::vector<CameraName> names;
+  for (const RepresentationKind& kind : representationKinds()) {
+    names.push_back({kind.name, kind.description});
+  }
   return names;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct CameraChoice {
   EocOptions eoc;
   DdocOptions ddoc;
   CellOptions cell;
+  /// Options that registered representations have of their own, by name; 0 where `prepare` of the row sets no other
+  /// default.
+  std::map<std::string, float> ownOptions;
 
   /// Whether there are reference images; otherwise only buildRepresentation() makes it.
   bool hasImages() const;
@@ -43,8 +47,8 @@ struct CameraName {
   const char* description;
 };
 
-/// The names that cameraChoice() knows.
-const std::vector<CameraName>& cameraNames();
+/// The names that cameraChoice() knows now.
+std::vector<CameraName> cameraNames();
 
 /// A camera that is built for a view cell takes this one (all but the cell camera its size alone), unless its file
 /// sets another. Throws InputError for an unknown name, and for a file that is wrong.

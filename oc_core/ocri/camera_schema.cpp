@@ -80,8 +80,8 @@ Json namesOf(const std::vector<const RepresentationKind*>& kinds, bool withShort
   Json anyOf = Json::array();
   for (const RepresentationKind* kind : kinds) {
     own.push_back(kind->name);
-    if (withShortForms && kind == &representationKinds().front()) {
-      own.push_back("ppc");
+    if (withShortForms && *kind->otherName != '\0') {
+      own.push_back(kind->otherName);
     }
     if (kind->maxCount > 0) {
       const std::string name = kind->name;

@@ -111,7 +111,7 @@ ReferenceImage imageOf(const Built& built, const Mesh& mesh, const SubdivisionOp
   const FragmentImage fragments = renderer != nullptr ? renderer->draw(built.camera, built.seen, options)
                                                       : rasterize(built.camera, built.seen, built.part, options);
   ReferenceImage image = referenceImage(fragments, mesh, reference, "ddoc");
-  image.triangleBound = imageMesh(referenceImage(built.seen, mesh, reference, "di")).triangles.size();
+  image.triangleBound = imageMeshTriangles(referenceImage(built.seen, mesh, reference, "di"));
   return image;
 }
 

@@ -32,6 +32,23 @@ class ImageMesher {
         joins_(image.width(), image.height()),
         cellTriangles_(image.width(), image.height()) {}
 
+  /// Of the mesh without a bound.
+  size_t countTriangles() {
+    forRows([&](int y) {
+      for (int x = 0; x < image_.width(); ++x) {
+        vertexOf_(x, y) = image_.pointOf(x, y, camera_) ? 0 : kNoVertex;
+      }
+    });
+    joinPixels();
+    std::vector<size_t> ofRow(static_cast<size_t>(image_.height()), 0);
+    forRows([&](int y) {
+      std::vector<glm::uvec3> triangles;
+      addCells(y, triangles);
+      ofRow[static_cast<size_t>(y)] = triangles.size();
+    });
+    return std::accumulate(ofRow.begin(), ofRow.end(), 2 * openSamples().size());
+  }
+
   Mesh mesh(std::vector<uint32_t>* pixelOfVertex) {
     addVertices();
     joinPixels();
@@ -154,14 +171,16 @@ class ImageMesher {
   /// Each cell between four samples gives two triangles, one, or none.
   void joinNeighbours() {
     std::vector<std::vector<glm::uvec3>> rows(static_cast<size_t>(image_.height()));
-    forRows([&](int y) {
-      const int cells = image_.wrapsAround ? image_.width() : image_.width() - 1;
-      for (int x = 0; x < cells && y + 1 < image_.height(); ++x) {
-        addCell({x, y}, rows[static_cast<size_t>(y)]);
-      }
-    });
+    forRows([&](int y) { addCells(y, rows[static_cast<size_t>(y)]); });
     for (const std::vector<glm::uvec3>& row : rows) {
       mesh_.triangles.insert(mesh_.triangles.end(), row.begin(), row.end());
+    }
+  }
+
+  void addCells(int y, std::vector<glm::uvec3>& triangles) {
+    const int cells = image_.wrapsAround ? image_.width() : image_.width() - 1;
+    for (int x = 0; x < cells && y + 1 < image_.height(); ++x) {
+      addCell({x, y}, triangles);
     }
   }
 
@@ -239,8 +258,9 @@ class ImageMesher {
     return cellTriangles_.contains(cell, y) ? cellTriangles_(cell, y) : 0;
   }
 
-  /// Six of the eight triangles around a sample leave no opening that matters; with fewer, its surface ends here.
-  void addSquares() {
+  /// Where a surface ends, the most open samples first: six of the eight triangles around a sample leave no opening
+  /// that matters.
+  std::vector<Pixel> openSamples() const {
     constexpr size_t kClosed = 6;
     std::array<std::vector<Pixel>, kClosed> rimsByTriangles;
     for (int y = 0; y < image_.height(); ++y) {
@@ -251,10 +271,15 @@ class ImageMesher {
         }
       }
     }
-    std::vector<Pixel> rims;  // the most open first
+    std::vector<Pixel> rims;
     for (const std::vector<Pixel>& part : rimsByTriangles) {
       rims.insert(rims.end(), part.begin(), part.end());
     }
+    return rims;
+  }
+
+  void addSquares() {
+    const std::vector<Pixel> rims = openSamples();
     const size_t bound = image_.triangleBound > 0 ? image_.triangleBound : std::numeric_limits<size_t>::max();
     const size_t affordable = bound - std::min(bound, mesh_.triangles.size());
     const size_t covered = std::min(rims.size(), affordable);
@@ -423,6 +448,11 @@ class ImageMesher {
 };
 
 }  // namespace
+
+size_t imageMeshTriangles(const ReferenceImage& image) {
+  const ImageMeshOptions options;
+  return ImageMesher(image, options).countTriangles();
+}
 
 Mesh imageMesh(const ReferenceImage& image, const ImageMeshOptions& options, std::vector<uint32_t>* pixelOfVertex) {
   return ImageMesher(image, options).mesh(pixelOfVertex);

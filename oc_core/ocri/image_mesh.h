@@ -37,4 +37,8 @@ struct ImageMeshOptions {
 Mesh imageMesh(const ReferenceImage& image, const ImageMeshOptions& options = {},
                std::vector<uint32_t>* pixelOfVertex = nullptr);
 
+/// How many triangles that mesh has where nothing bounds them, of an image that displaces a pinhole's; without making
+/// it.
+size_t imageMeshTriangles(const ReferenceImage& image);
+
 }  // namespace ocelli

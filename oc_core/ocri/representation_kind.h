@@ -1,9 +1,13 @@
 // What can stand for a scene: one row a kind, and nothing else in the toolkit asks which kind it has.
 //
+// A program outside of the tree registers a row of its own with registerRepresentation():
+// examples/add_a_representation. The row of a camera is castRepresentation() of cast_representation.h:
+// examples/add_a_camera.
+//
 // Recipe for a new representation, two places:
 //   1. oc_core/ocri/NAME_builder.h and .cpp: what builds its reference images.
-//   2. oc_core/ocri/representation_kinds.cpp: its row. Options of its own are described in
-//      oc_core/ocri/camera_option.cpp.
+//   2. oc_core/ocri/representation_kinds.cpp: its row.
+// Options of its own stand in CameraChoice (camera_choice.h) and are described in oc_core/ocri/camera_option.cpp.
 // tests/ocri/camera_choice_test.cpp runs over all rows; tests/ocri/camera_schema_test.cpp then says what
 // oc_core/ocri/camera.schema.json and docs/cameras.md lack.
 #pragma once
@@ -11,8 +15,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "oc_core/base/registry.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/camera_option.h"
 
@@ -27,13 +33,17 @@ struct RepresentationInputs {
   const SceneRenderer* renderer = nullptr;
 };
 
+/// Its functions are called from any thread, and from several at once.
 struct RepresentationKind {
+  /// Both texts must stay until the program ends, as string literals do.
   const char* name;
   const char* description;
   /// In the order in which forms and tables show them.
   std::vector<const CameraOption*> options = {};
   /// What the name stands for, of that which is no option.
   std::function<void(CameraChoice&)> prepare = {};
+  /// Another name of the same; empty for none.
+  const char* otherName = "";
   /// Names that end in another number: "ldi-N" for N up to this, beside the row's own; 0 for none.
   int maxCount = 0;
   /// The reference images; empty for what is a mesh alone.
@@ -54,7 +64,23 @@ struct RepresentationKind {
   const char* needsCpu = "";
 };
 
-/// The rows, in the order of the list that users see.
-const std::vector<RepresentationKind>& representationKinds();
+/// The rows, in the order of the list that users see: the built-in ones, then those that were registered. A row stays
+/// where it is until the program ends. Any thread may call it at any time.
+Rows<RepresentationKind> representationKinds();
+
+/// The row that answers to a name, and the number at the end of the name, where it is one of several ("ldi-7"), or 0;
+/// nothing where none does.
+struct NamedRepresentation {
+  const RepresentationKind* kind;
+  int count = 0;
+};
+std::optional<NamedRepresentation> findRepresentation(std::string_view name);
+
+/// Adds a row. From then on cameraChoice() knows its name, and everything that takes a CameraChoice takes it: builders,
+/// evaluation, the viewer's list, cameraSchemaText(). Any thread may call it at any time; it is best done before
+/// anything else, as lists that were made before lack it. Throws InputError where the name is empty, ends in ".json",
+/// or some row answers to it already ("di", "ppc", "ldi-7"), and where the row has both `images` and `mesh`, or
+/// neither.
+void registerRepresentation(RepresentationKind kind);
 
 }  // namespace ocelli

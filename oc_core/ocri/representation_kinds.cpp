@@ -5,10 +5,10 @@
 #include "oc_core/base/error.h"
 #include "oc_core/camera/cylinder_camera.h"
 #include "oc_core/camera/panorama_camera.h"
+#include "oc_core/ocri/builtin_representations.h"
+#include "oc_core/ocri/cast_representation.h"
 #include "oc_core/ocri/corner_depth_images.h"
 #include "oc_core/ocri/layered_depth_image.h"
-#include "oc_core/ocri/placed_image.h"
-#include "oc_core/ocri/representation_kind.h"
 #include "oc_core/ocri/set_difference.h"
 #include "oc_core/ocri/simplified_mesh.h"
 #include "oc_core/ocri/wide_depth_image.h"
@@ -49,12 +49,6 @@ CellCamera cellCamera(const Inputs& in) {
 
 // ---- their rays
 
-template <class C>
-RayFunction raysOf(C camera) {
-  const auto shared = std::make_shared<const C>(std::move(camera));
-  return [shared](const glm::vec2& pixel) { return shared->rayPath(pixel); };
-}
-
 /// Each image is of a pinhole, which it names.
 std::vector<RayFunction> pinholeRays(const Inputs&, const ReferenceImages& images) {
   std::vector<RayFunction> rays;
@@ -65,13 +59,6 @@ std::vector<RayFunction> pinholeRays(const Inputs&, const ReferenceImages& image
 }
 
 // ---- their images, drawn in another way
-
-/// How every camera can be drawn: with the acceleration structure of the renderer, where it has one.
-template <Camera C>
-FragmentImage castAlongRays(const C& camera, const Inputs& in) {
-  const RayScene* standing = in.renderer != nullptr ? in.renderer->rays() : nullptr;
-  return standing != nullptr ? raycast(camera, in.mesh, *standing) : raycast(camera, in.mesh, RayScene(in.mesh));
-}
 
 [[noreturn]] void refuse(const Inputs& in, const char* how) {
   throw InputError("camera \"" + in.choice.name + "\" is drawn " + how, "--method", "use raster or raycast");
@@ -227,29 +214,11 @@ RepresentationKind crossedRow(const char* name, const char* description, bool wi
           }};
 }
 
-/// A camera that displaces no pinhole's image.
+/// A camera that displaces no pinhole's image, made of the reference alone.
 template <class C>
 RepresentationKind castRow(const char* name, const char* description) {
-  const auto cast = [](const Inputs& in) {
-    const C camera(in.reference);
-    return placedImage(camera, castAlongRays(camera, in), in.mesh, in.reference.view(), in.choice.name,
-                       C::kWrapsAround);
-  };
-  return {.name = name,
-          .description = description,
-          .images = [cast](const Inputs& in) -> ReferenceImages { return {cast(in)}; },
-          .rayCrossover = 0,
-          .draw =
-              [cast](Technique technique, const Inputs& in) {
-                if (technique != Technique::kRaycast) {
-                  refuse(in, "by ray casting");
-                }
-                return cast(in);
-              },
-          .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-            return {raysOf(C(in.reference))};
-          },
-          .castsRays = true};
+  return castRepresentation(
+      name, description, [](const Inputs& in) { return C(in.reference); }, C::kWrapsAround);
 }
 
 RepresentationKind meshRow(const char* name, const char* description,
@@ -257,10 +226,13 @@ RepresentationKind meshRow(const char* name, const char* description,
   return {.name = name, .description = description, .mesh = std::move(mesh)};
 }
 
-std::vector<RepresentationKind> makeRows() {
+}  // namespace
+
+std::vector<RepresentationKind> builtinRepresentations() {
   std::vector<RepresentationKind> rows;
   rows.push_back({.name = "di",
                   .description = "depth image of the planar pinhole camera (ppc is the same)",
+                  .otherName = "ppc",
                   .images = [](const Inputs& in) -> ReferenceImages {
                     return {buildDepthImage(in.reference, in.mesh, in.renderer)};
                   },
@@ -360,13 +332,6 @@ std::vector<RepresentationKind> makeRows() {
       [](const Mesh& mesh, size_t triangles) { return simplifyMesh(mesh, triangles, SimplifyMethod::kSloppy).mesh; }));
   rows.push_back(
       meshRow("geometry", "the scene itself: a mesh, no image", [](const Mesh& mesh, size_t) { return mesh; }));
-  return rows;
-}
-
-}  // namespace
-
-const std::vector<RepresentationKind>& representationKinds() {
-  static const std::vector<RepresentationKind> rows = makeRows();
   return rows;
 }
 

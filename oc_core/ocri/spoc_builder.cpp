@@ -77,7 +77,7 @@ std::vector<glm::vec3> pointsAlongRays(const FragmentImage& seen, const PinholeC
 
 ReferenceImage boundedBy(ReferenceImage image, const PinholeCamera& reference, const Mesh& mesh,
                          const SceneRenderer* renderer = nullptr) {
-  image.triangleBound = imageMesh(buildDepthImage(reference, mesh, renderer)).triangles.size();
+  image.triangleBound = imageMeshTriangles(buildDepthImage(reference, mesh, renderer));
   return image;
 }
 

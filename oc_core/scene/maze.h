@@ -132,9 +132,4 @@ struct Maze {
 /// The same maze where the transform of its scene puts it: a uniform scale and a translation.
 Maze moved(const Maze& maze, const glm::mat4& newFromOld);
 
-/// Throws InputError naming the cell where there is no entrance, where the entrance is not at the border behind it, a
-/// cell cannot be reached from it, a landmark is outside of its cell or in a wall, an arch is where no passage is to be
-/// spanned, or a size is out of range.
-void validate(const Maze& maze, const std::string& where);
-
 }  // namespace ocelli

@@ -8,7 +8,7 @@
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/sha256.h"
-#include "oc_core/scene/maze_file.h"
+#include "oc_core/worlds/maze_file.h"
 #include "study/protocol/protocol.h"
 #include "study/protocol/protocol_fields.h"
 #include "study/protocol/schedule.h"

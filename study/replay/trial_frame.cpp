@@ -9,7 +9,7 @@
 
 #include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
-#include "oc_core/scene/landmark_solids.h"
+#include "oc_core/worlds/landmark_solids.h"
 
 namespace ocelli {
 namespace {

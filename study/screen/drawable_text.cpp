@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "oc_core/gl/system_font.h"
+#include "oc_core/window/system_font.h"
 
 namespace ocelli {
 namespace {

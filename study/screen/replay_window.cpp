@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "oc_core/gl/gl_window.h"
+#include "oc_core/window/gl_window.h"
 #include "study/screen/study_painter.h"
 
 namespace ocelli {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "oc_core/gl/gl_context.h"
-#include "oc_core/gl/monitors.h"
+#include "oc_core/window/monitors.h"
 
 namespace ocelli {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "oc_core/gl/gl_window.h"
+#include "oc_core/window/gl_window.h"
 #include "study/screen/experimenter_console.h"
 #include "study/screen/timing_check.h"
 #include "study/session/session_flow.h"

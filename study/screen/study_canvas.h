@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "oc_core/gl/gui_layer.h"
+#include "oc_core/window/gui_layer.h"
 #include "study/screen/study_look.h"
 #include "study/task/pixel_rect.h"
 

@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "oc_core/gl/gui_style.h"
+#include "oc_core/window/gui_style.h"
 
 namespace ocelli {
 

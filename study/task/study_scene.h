@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "oc_core/scene/maze.h"
-#include "oc_core/scene/maze_mesh.h"
 #include "oc_core/scene/mesh.h"
+#include "oc_core/worlds/maze_mesh.h"
 
 namespace ocelli {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "oc_core/constructor/comprehensive_constructor.h"
-#include "oc_core/scene/maze_file.h"
+#include "oc_core/worlds/maze_file.h"
 
 namespace ocelli {
 namespace {

@@ -1,7 +1,7 @@
 #include "study/tasks/find_images.h"
 
 #include "oc_core/constructor/portal_constructor.h"
-#include "oc_core/scene/maze_file.h"
+#include "oc_core/worlds/maze_file.h"
 
 namespace ocelli {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/worlds/maze_validate.h"
 #include "study/task/eye_camera.h"
 #include "study/task/object_picker.h"
 #include "study/task/object_walk.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/registry.h"
 
 namespace ocelli {
 
@@ -14,9 +15,34 @@ TaskKind countTask();
 TaskKind pathTask();
 TaskKind nearerTask();
 
-const std::vector<TaskKind>& taskKinds() {
-  static const std::vector<TaskKind> kinds{findTask(), countTask(), pathTask(), nearerTask()};
-  return kinds;
+namespace {
+
+Registry<TaskKind>& taskRegistry() {
+  static Registry<TaskKind> registry("task", {findTask(), countTask(), pathTask(), nearerTask()});
+  return registry;
+}
+
+}  // namespace
+
+Rows<TaskKind> taskKinds() {
+  return taskRegistry().rows();
+}
+
+void registerTask(TaskKind kind) {
+  const auto isSmallLetter = [](char c) { return c >= 'a' && c <= 'z'; };
+  if (kind.name.empty() || !std::all_of(kind.name.begin(), kind.name.end(), isSmallLetter)) {
+    throw InputError("a task cannot have this name", fmt::format("\"{}\"", kind.name), "use small letters from a to z");
+  }
+  if (kind.read == nullptr || kind.policy == nullptr) {
+    throw InputError("this task has no reader or no policy", kind.name, "set `read` and `policy` of its row");
+  }
+  for (const char* effect : {kGraphEffect, kSubjectSd, kItemSd, kItemViewSd}) {
+    if (!kind.generator.indexOf(effect)) {
+      throw InputError(fmt::format("the model of this task lacks the effect \"{}\"", effect), kind.name,
+                       "add it to `generator` of its row");
+    }
+  }
+  taskRegistry().add(std::move(kind));
 }
 
 std::string taskNames() {
@@ -39,7 +65,7 @@ const InstructionImage* instructionImage(std::string_view name) {
 }
 
 const TaskKind& taskKind(std::string_view name, const std::string& where) {
-  const auto& kinds = taskKinds();
+  const Rows<TaskKind> kinds = taskKinds();
   const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const TaskKind& kind) { return kind.name == name; });
   if (found == kinds.end()) {
     throw InputError(fmt::format("there is no task \"{}\"", name), where, fmt::format("the tasks are {}", taskNames()));

@@ -9,6 +9,8 @@
 // Then its fields in protocols/protocol.schema.json, an example in tests/study_task/study_tasks.cpp, with which the
 // tests of the contract run, and its section of docs/protocols.md. `nearer`, in study/tasks/nearer_task.cpp, is the
 // example. Screens, databases, replays and exports take it as it is: what is its own goes into TrialOutcome::measures.
+//
+// A program outside of the tree registers a row of its own with registerTask(): examples/add_a_task/main.cpp.
 #pragma once
 
 #include <memory>
@@ -16,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#include "oc_core/base/registry.h"
 #include "study/agent/task_policy.h"
 #include "study/task/instruction_image.h"
 #include "study/task/task.h"
@@ -47,8 +50,15 @@ struct TaskKind {
   std::vector<InstructionImage> images{};
 };
 
-/// In the order in which the data-only subject draws its numbers: new rows come at the end.
-const std::vector<TaskKind>& taskKinds();
+/// In the order in which the data-only subject draws its numbers: new rows come at the end, then those that were
+/// registered. A row stays where it is until the program ends. Any thread may call it at any time.
+Rows<TaskKind> taskKinds();
+
+/// Adds a row: from then on protocols may name it. Any thread may call it at any time; it is best done before anything
+/// else, and by every program that reads such a protocol, or a database of one. Throws InputError where the name is
+/// taken, or is not all of small letters, as it stands in files' names, and where `read`, `policy`, or an effect that
+/// generator_model.h asks for is missing.
+void registerTask(TaskKind kind);
 
 /// "find, count, path, ...".
 std::string taskNames();

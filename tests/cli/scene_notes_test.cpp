@@ -141,7 +141,7 @@ TEST_F(SceneNotes, errorsInFilesOfOursNameTheirSchema) {
       {"render builtin:box -o x.png --camera " + at("curved.json"),
        "oc_core/constructor/curved_ray_camera.schema.json"},
       {"render builtin:box -o x.png --camera " + at("portal.json"), "oc_core/constructor/constructor.schema.json"},
-      {"scene info builtin:maze,file=" + (folder_ / "wrong.json").string(), "oc_core/scene/maze.schema.json"},
+      {"scene info builtin:maze,file=" + (folder_ / "wrong.json").string(), "oc_core/worlds/maze.schema.json"},
       {"slice builtin:box -o x.svol --profile" + file, "display_sim/frames/profiles/display_profile.schema.json"},
       {"study check" + file, "protocols/protocol.schema.json"},
       {"present builtin:box --profile test --device sim --faults" + file, "docs/emulated_device.md#faults"},

@@ -7,7 +7,7 @@
 #include "oc_core/constructor/comprehensive_constructor.h"
 #include "oc_core/render/rasterize_graph.h"
 #include "oc_core/render/raycast.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/constructor/maze_plans.h"
 #include "tests/constructor/maze_seen.h"

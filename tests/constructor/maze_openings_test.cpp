@@ -7,7 +7,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/random.h"
-#include "tests/scene/random_mazes.h"
+#include "tests/worlds/random_mazes.h"
 
 namespace ocelli {
 namespace {

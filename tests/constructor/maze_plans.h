@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "oc_core/base/error.h"
-#include "oc_core/scene/maze_file.h"
-#include "oc_core/scene/maze_mesh.h"
 #include "oc_core/scene/scene.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/maze_file.h"
+#include "oc_core/worlds/maze_mesh.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli::test {
 

@@ -6,10 +6,10 @@
 
 #include "oc_core/base/random.h"
 #include "oc_core/render/rasterize_graph.h"
-#include "oc_core/scene/maze_generator.h"
-#include "oc_core/scene/maze_mesh.h"
 #include "oc_core/scene/scene.h"
-#include "oc_core/scene/solids.h"
+#include "oc_core/worlds/maze_generator.h"
+#include "oc_core/worlds/maze_mesh.h"
+#include "oc_core/worlds/solids.h"
 
 namespace ocelli::test {
 namespace {

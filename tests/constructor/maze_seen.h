@@ -11,7 +11,7 @@
 #include "oc_core/camera/graph_camera.h"
 #include "oc_core/render/fragment_image.h"
 #include "oc_core/scene/maze.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli::test {
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "tests/constructor/maze_plans.h"
-#include "tests/scene/random_mazes.h"
+#include "tests/worlds/random_mazes.h"
 
 namespace ocelli {
 namespace {

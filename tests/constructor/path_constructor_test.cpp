@@ -6,7 +6,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/random.h"
-#include "oc_core/scene/canyon.h"
+#include "oc_core/worlds/canyon.h"
 
 namespace ocelli {
 namespace {

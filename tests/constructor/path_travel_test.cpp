@@ -4,7 +4,7 @@
 
 #include "oc_core/constructor/path_constructor.h"
 #include "oc_core/render/raycast.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 #include "tests/constructor/image_change.h"
 
 namespace ocelli {

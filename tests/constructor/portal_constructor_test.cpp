@@ -7,8 +7,8 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/random.h"
-#include "oc_core/scene/maze_generator.h"
-#include "oc_core/scene/town_plan.h"
+#include "oc_core/worlds/maze_generator.h"
+#include "oc_core/worlds/town_plan.h"
 #include "tests/constructor/random_walk.h"
 
 namespace ocelli {

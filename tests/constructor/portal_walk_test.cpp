@@ -7,7 +7,7 @@
 #include "oc_core/constructor/portal_constructor.h"
 #include "oc_core/render/rasterize.h"
 #include "oc_core/render/rasterize_graph.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 #include "tests/constructor/image_change.h"
 #include "tests/constructor/random_walk.h"
 

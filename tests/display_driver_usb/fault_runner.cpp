@@ -7,9 +7,9 @@
 #include <thread>
 
 #include "display_driver/emulator/usb_emulator.h"
-#include "display_driver/stream/stream_device.h"
 #include "display_driver/usb/usb_port.h"
-#include "tests/display_driver_stream/arrival_check.h"
+#include "display_driver/wire/stream_device.h"
+#include "tests/display_driver_wire/arrival_check.h"
 #include "tests/display_driver_wire/made_volumes.h"
 
 namespace ocelli {

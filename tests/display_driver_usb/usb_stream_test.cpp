@@ -1,9 +1,9 @@
 // Volumes that go to an emulated display over an emulated USB, through everything that lies between.
-#include "display_driver/stream/stream_device.h"
 #include "display_driver/usb/usb_port.h"
-#include "tests/display_driver_stream/arrival_check.h"
+#include "display_driver/wire/stream_device.h"
 #include "tests/display_driver_usb/fault_runner.h"
 #include "tests/display_driver_usb/usb_bench.h"
+#include "tests/display_driver_wire/arrival_check.h"
 
 namespace ocelli {
 namespace {

@@ -7,10 +7,10 @@
 #include "display_sim/frames/svol_format.h"
 #include "display_sim/frames/svol_writer.h"
 #include "tests/base/temporary_folder.h"
-#include "tests/display_sim/recorded_frames.h"
-#include "tests/display_sim/test_files.h"
-#include "tests/display_sim/test_meshes.h"
 #include "tests/display_sim_frames/svol_repair.h"
+#include "tests/display_sim_observing/recorded_frames.h"
+#include "tests/display_sim_slicing/test_files.h"
+#include "tests/display_sim_slicing/test_meshes.h"
 
 namespace ocelli::test {
 namespace {

@@ -9,9 +9,9 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "tests/base/temporary_folder.h"
-#include "tests/display_sim/recorded_frames.h"
-#include "tests/display_sim/test_files.h"
-#include "tests/display_sim/test_meshes.h"
+#include "tests/display_sim_observing/recorded_frames.h"
+#include "tests/display_sim_slicing/test_files.h"
+#include "tests/display_sim_slicing/test_meshes.h"
 
 namespace ocelli {
 namespace {

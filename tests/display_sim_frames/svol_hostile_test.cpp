@@ -8,9 +8,9 @@
 #include "display_sim/frames/svol_player.h"
 #include "display_sim/frames/svol_summary.h"
 #include "oc_core/base/error.h"
-#include "tests/display_sim/test_files.h"
 #include "tests/display_sim_frames/svol_cases.h"
 #include "tests/display_sim_frames/svol_repair.h"
+#include "tests/display_sim_slicing/test_files.h"
 
 namespace ocelli {
 namespace {

@@ -11,7 +11,7 @@
 #include "display_sim/frames/svol_player.h"
 #include "oc_core/base/error.h"
 #include "tests/base/temporary_folder.h"
-#include "tests/display_sim/recorded_frames.h"
+#include "tests/display_sim_observing/recorded_frames.h"
 
 namespace ocelli {
 namespace {

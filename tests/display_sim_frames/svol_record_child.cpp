@@ -1,6 +1,6 @@
 // Records frames until it is killed: `display_sim_svol_record_child FILE`. For svol_killed_test.cpp.
 #include "display_sim/frames/svol_writer.h"
-#include "tests/display_sim/recorded_frames.h"
+#include "tests/display_sim_observing/recorded_frames.h"
 
 int main(int argumentCount, char** arguments) {
   if (argumentCount != 2) {

@@ -12,8 +12,8 @@
 #include "display_sim/frames/svol_writer.h"
 #include "oc_core/base/error.h"
 #include "tests/base/temporary_folder.h"
-#include "tests/display_sim/recorded_frames.h"
-#include "tests/display_sim/test_files.h"
+#include "tests/display_sim_observing/recorded_frames.h"
+#include "tests/display_sim_slicing/test_files.h"
 
 namespace ocelli {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "oc_core/base/conventions.h"
-#include "tests/display_sim/test_profiles.h"
+#include "tests/display_sim_slicing/test_profiles.h"
 
 namespace ocelli {
 namespace {

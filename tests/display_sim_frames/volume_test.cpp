@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "tests/display_sim/test_profiles.h"
+#include "tests/display_sim_slicing/test_profiles.h"
 
 namespace ocelli {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "oc_core/base/error.h"
-#include "tests/display_sim/light_measures.h"
-#include "tests/display_sim/test_meshes.h"
-#include "tests/display_sim/test_profiles.h"
+#include "tests/display_sim_dither/light_measures.h"
+#include "tests/display_sim_slicing/test_meshes.h"
+#include "tests/display_sim_slicing/test_profiles.h"
 #include "tests/gl/gl_test_context.h"
 
 namespace ocelli {

@@ -6,8 +6,8 @@
 #include "display_sim/gl/gl_slicer.h"
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/ocri/image_mesh.h"
-#include "oc_core/scene/scene_source.h"
-#include "tests/display_sim/volume_checks.h"
+#include "oc_core/worlds/scene_source.h"
+#include "tests/display_sim_slicing/volume_checks.h"
 #include "tests/gl/gl_test_context.h"
 
 namespace ocelli {

@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "display_sim/slicer_reference.h"
-#include "tests/display_sim/flood_fill.h"
-#include "tests/display_sim/test_meshes.h"
-#include "tests/display_sim/test_profiles.h"
-#include "tests/display_sim/volume_checks.h"
+#include "tests/display_sim_slicing/flood_fill.h"
+#include "tests/display_sim_slicing/slicer_reference.h"
+#include "tests/display_sim_slicing/test_meshes.h"
+#include "tests/display_sim_slicing/test_profiles.h"
+#include "tests/display_sim_slicing/volume_checks.h"
 #include "tests/gl/gl_test_context.h"
 
 namespace ocelli {

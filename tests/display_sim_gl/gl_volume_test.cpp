@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "oc_core/base/error.h"
-#include "tests/display_sim/test_meshes.h"
-#include "tests/display_sim/test_profiles.h"
+#include "tests/display_sim_slicing/test_meshes.h"
+#include "tests/display_sim_slicing/test_profiles.h"
 #include "tests/gl/gl_test_context.h"
 
 namespace ocelli {

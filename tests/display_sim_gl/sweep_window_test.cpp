@@ -8,7 +8,7 @@
 
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
-#include "tests/display_sim/test_profiles.h"
+#include "tests/display_sim_slicing/test_profiles.h"
 
 namespace ocelli {
 namespace {

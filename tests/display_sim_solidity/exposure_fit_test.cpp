@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "display_sim/observer.h"
+#include "display_sim/observing/observer.h"
 #include "oc_core/base/color.h"
 
 namespace ocelli {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "display_sim/eye_perspective.h"
+#include "display_sim/observing/eye_perspective.h"
 #include "oc_core/base/color.h"
-#include "tests/display_sim/test_meshes.h"
+#include "tests/display_sim_slicing/test_meshes.h"
 
 namespace ocelli {
 namespace {

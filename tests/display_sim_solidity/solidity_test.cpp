@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "display_sim/exact_slicer.h"
+#include "display_sim/slicing/exact_slicer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/ocri/representation.h"
-#include "oc_core/scene/scene_source.h"
-#include "tests/display_sim/test_meshes.h"
-#include "tests/display_sim/test_profiles.h"
+#include "oc_core/worlds/scene_source.h"
+#include "tests/display_sim_slicing/test_meshes.h"
+#include "tests/display_sim_slicing/test_profiles.h"
 
 namespace ocelli {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "display_sim/exact_slicer.h"
 #include "display_sim/frames/sweep_geometry.h"
+#include "display_sim/slicing/exact_slicer.h"
 #include "oc_core/base/parallel.h"
-#include "tests/display_sim/test_meshes.h"
-#include "tests/display_sim/test_profiles.h"
+#include "tests/display_sim_slicing/test_meshes.h"
+#include "tests/display_sim_slicing/test_profiles.h"
 
 namespace ocelli {
 namespace {

@@ -78,11 +78,11 @@ TEST(Evaluation, jsonHasItsFields) {
   for (const auto& row : json["representations"]) {
     EXPECT_THAT(keysOf(row), ElementsAre("name", "triangles", "samples", "build_ms", "mesh_ms", "slice_ms",
                                          "missing_strict", "missing_thick", "ratio_to_di", "wrong_front", "false_skins",
-                                         "psnr_db", "ssim", "flip", "pixels", "bytes", "update_ms", "at_offsets"));
+                                         "psnr_db", "ssim", "flip", "pixels", "bytes", "at_offsets"));
     EXPECT_TRUE(row["triangles"].is_number_unsigned());
     EXPECT_TRUE(row["samples"].is_number_unsigned());
     triangles += row["triangles"].get<size_t>();
-    for (const char* time : {"build_ms", "mesh_ms", "slice_ms", "update_ms"}) {
+    for (const char* time : {"build_ms", "mesh_ms", "slice_ms"}) {
       EXPECT_GE(row[time].get<double>(), 0) << time;
     }
     for (const char* measure : {"missing_strict", "missing_thick", "wrong_front", "false_skins", "flip", "ssim"}) {
@@ -255,7 +255,7 @@ TEST(Evaluator, isTheSameForAnyNumberOfThreads) {
     auto figures = evaluate(mesh, choices({"di", "ddoc"}), options);
     setThreadCount(0);
     for (RepresentationFigures& row : figures) {
-      row.buildMilliseconds = row.meshMilliseconds = row.updateMilliseconds = 0;
+      row.buildMilliseconds = row.meshMilliseconds = 0;
     }
     return evaluationJson("x", options, figures);
   };
@@ -304,7 +304,6 @@ TEST(Evaluator, makesAndSlicesAsOftenAsToldAndTakesTheBest) {
   EXPECT_EQ(visits, 1);
   EXPECT_EQ(figures.buildMilliseconds, 5);
   EXPECT_EQ(figures.meshMilliseconds, 2);
-  EXPECT_EQ(figures.updateMilliseconds, 8) << "the best sum, not the sum of the best";
 }
 
 TEST(Evaluator, progressRunsFromZeroToOneAndMayThrow) {

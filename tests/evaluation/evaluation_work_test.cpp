@@ -26,7 +26,6 @@ RepresentationFigures figuresOf(const std::string& name) {
   row.buildMilliseconds = 1.0 / 3;
   row.meshMilliseconds = 2;
   row.sliceMilliseconds = 0.1;
-  row.updateMilliseconds = 7;
   row.edges.truth = 200;
   row.edges.strict = 50;
   row.edges.thick = 20;
@@ -107,8 +106,8 @@ TEST(EvaluationWork, refusesBrokenFiles) {
   };
   for (const std::string& bytes :
        {std::string(), std::string("{"), std::string("[]"), good.substr(0, good.size() / 2), without("/key"),
-        without("/representations"), with("/format", 2), with("/more", 1), with("/representations", 3),
-        with("/representations/0", 3), without("/representations/0/figures/edges/truth"),
+        without("/representations"), with("/format", 1), with("/format", 3), with("/more", 1),
+        with("/representations", 3), with("/representations/0", 3), without("/representations/0/figures/edges/truth"),
         with("/representations/0/figures/edges/truth", -1), with("/representations/0/figures/edges/truth", "many"),
         with("/representations/0/figures/offsets", 1), with("/representations/0/figures/offsets/0", 1),
         with("/representations/0/figures/more", 1)}) {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "oc_core/ocri/union_mesh.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 #include "tests/ocri/test_scenes.h"
 
 namespace ocelli {

@@ -9,10 +9,10 @@
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_object.h"
 #include "oc_core/gl/gl_program.h"
-#include "oc_core/gl/gl_report.h"
-#include "oc_core/gl/gl_window.h"
-#include "oc_core/gl/gui_layer.h"
 #include "oc_core/gl/shared_library.h"
+#include "oc_core/window/gl_report.h"
+#include "oc_core/window/gl_window.h"
+#include "oc_core/window/gui_layer.h"
 #include "tests/gl/gl_test_context.h"
 
 namespace ocelli {

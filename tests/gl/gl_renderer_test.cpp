@@ -13,7 +13,7 @@
 #include "oc_core/ocri/spoc_builder.h"
 #include "oc_core/render/rasterize.h"
 #include "oc_core/render/rasterize_spans.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 #include "tests/gl/gl_test_context.h"
 
 namespace ocelli {

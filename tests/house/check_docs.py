@@ -3,7 +3,8 @@
 Usage: check_docs.py ROOT. Prints one line a violation and exits with 1 where there is one.
 
 A recipe is a comment that starts with "Recipe for". In its paths NAME stands for any name, and at least one such file must
-exist: the recipe's steps have then been followed once.
+exist: the recipe's steps have then been followed once. The table of CONTRIBUTING.md names the files that the numbered steps of
+each recipe touch, three at most besides tests, documentation, schemas and lists of sources.
 """
 
 import pathlib
@@ -13,6 +14,9 @@ import sys
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 PATH = re.compile(r"\b(?:[\w]+/)+[\w]+\.(?:cpp|h|json|md|txt|py|cmake)\b")
 SUFFIX = re.compile(r"^,? (?:and|or) (\.\w+)\b")  # "NAME_camera.h and .cpp"
+STEP = re.compile(r"^//\s+\d+\. ")
+BESIDES = re.compile(r"^(tests|docs|examples|protocols)/|\.schema\.json$|\.md$|/CMakeLists\.txt$")
+MAX_FILES = 3
 BUILD = re.compile(r"(^|/)(build[^/]*|demo|\.git)/")
 
 
@@ -62,6 +66,38 @@ def recipe_violations(root):
         yield "no header holds a recipe"
 
 
+def touched_files(recipe):
+    """What the numbered steps of a recipe name, besides tests and the like; what stands in parentheses is there to read."""
+    files = set()
+    indent = None  # of the step that goes on
+    for _, line in recipe:
+        if STEP.match(line):
+            indent = len(STEP.match(line).group())
+        elif len(line[2:]) - len(line[2:].lstrip()) + 2 < (indent or 0):
+            indent = None
+        if indent is not None:
+            files.update(path for path in named_paths(re.sub(r"\([^)]*\)", "", line)) if not BESIDES.search(path))
+    return files
+
+
+def count_violations(root):
+    table = root / "CONTRIBUTING.md"
+    if not table.exists():
+        return
+    for number, line in enumerate(table.read_text(encoding="utf-8").splitlines(), 1):
+        cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
+        header = LINK.search(cells[1]) if len(cells) > 2 else None
+        if header is None or not header.group(1).endswith(".h") or not (root / header.group(1)).exists():
+            continue
+        for recipe in recipes_of((root / header.group(1)).read_text(encoding="utf-8")):
+            touched = touched_files(recipe)
+            told = set(re.findall(r"`([^`]+)`", cells[2]))
+            if touched != told:
+                yield f"CONTRIBUTING.md:{number}: the recipe touches {', '.join(sorted(touched))}; the table says otherwise"
+            if len(touched) > MAX_FILES:
+                yield f"{header.group(1)}: the recipe touches {len(touched)} files, more than {MAX_FILES}"
+
+
 def link_violations(root):
     for path, file in files_of(root, "*.md"):
         for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
@@ -73,6 +109,7 @@ def link_violations(root):
 def violations(root):
     root = pathlib.Path(root)
     yield from recipe_violations(root)
+    yield from count_violations(root)
     yield from link_violations(root)
 
 

@@ -54,6 +54,26 @@ class CheckDocs(unittest.TestCase):
         self.write("docs/guide.md", "\n[gone](gone.md)\n")
         self.assertEqual(self.found(), ["docs/guide.md:2: the link to gone.md leads nowhere"])
 
+    def test_finds_a_table_that_does_not_name_what_a_recipe_touches(self):
+        row = "| a camera | [src/camera.h](src/camera.h) | {} |\n"
+        self.write("CONTRIBUTING.md", row.format("`src/NAME_camera.h`, `src/NAME_camera.cpp`"))
+        self.assertEqual(self.found(), [])
+        self.write("CONTRIBUTING.md", row.format("`src/NAME_camera.h`"))
+        self.assertEqual(
+            self.found(),
+            ["CONTRIBUTING.md:1: the recipe touches src/NAME_camera.cpp, src/NAME_camera.h; the table says otherwise"],
+        )
+
+    def test_finds_a_recipe_that_touches_too_much(self):
+        self.write("src/a/list.h", "")
+        steps = "".join(f"//   {i}. src/{name}/list.h: a line.\n" for i, name in enumerate("abcd", 1))
+        for name in "abcd":
+            self.write(f"src/{name}/list.h", "")
+        self.write("src/wide.h", "// Recipe for a new one:\n" + steps + "// Then src/camera.h shows it.\n")
+        named = ", ".join(f"`src/{name}/list.h`" for name in "abcd")
+        self.write("CONTRIBUTING.md", f"| a wide one | [src/wide.h](src/wide.h) | {named} |\n")
+        self.assertEqual(self.found(), ["src/wide.h: the recipe touches 4 files, more than 3"])
+
     def test_leaves_build_folders_alone(self):
         self.write("build/release/notes.md", "[gone](gone.md)\n")
         self.assertEqual(self.found(), [])

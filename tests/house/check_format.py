@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 VERSION = 14  # others break lines differently
-FOLDERS = ("oc_core", "display_sim", "display_driver", "study", "analysis", "cli", "tests", "bench", "fuzz")
+FOLDERS = ("oc_core", "display_sim", "display_driver", "study", "analysis", "cli", "tests", "bench", "fuzz", "examples")
 
 
 def find_clang_format():

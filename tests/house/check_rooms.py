@@ -59,6 +59,8 @@ THIRD_PARTIES = {
 }
 # Made by ocelli_embed_shaders() in the build tree, for .cpp files.
 GENERATED_SHADERS = "shaders.h"
+# Projects of their own: a file there may include one beside it.
+PROJECTS = "examples/"
 # Found without a target: the system's own headers.
 SYSTEM_PREFIXES = (
     "sys/", "fuzzer/", "unistd.h", "dirent.h", "fcntl.h", "stdlib.h", "immintrin.h", "malloc.h", "dlfcn.h", "poll.h", "pty.h", "spawn.h", "linux/", "netinet/",
@@ -158,6 +160,8 @@ def links_of(root, room):
 def check_include(path, number, own, name, room, rooms, root):
     where = f"{path}:{number}: "
     public_header = path.endswith(".h") and room.startswith(("oc_core/", "display_", "study/", "analysis/"))
+    if own and room == PROJECTS and ((root / path).parent / name).exists():
+        return None
     if own:
         other = room_of(name, rooms)
         generated = other is not None and name == f"{other}{GENERATED_SHADERS}" and path.endswith(".cpp")

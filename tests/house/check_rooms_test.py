@@ -15,6 +15,7 @@ TABLE = """
 | `display_sim/` | | `oc_core/` |
 | `analysis/` | | nothing |
 | `cli/` | | everything |
+| `examples/` | | everything |
 """
 
 
@@ -64,6 +65,13 @@ class CheckRooms(unittest.TestCase):
     def test_finds_a_relative_include(self):
         self.write("oc_core/scene/bad.cpp", '#include "mesh.h"\n')
         self.assertFinds("give the path from the top")
+
+    def test_allows_files_beside_it_in_a_project_of_its_own(self):
+        self.write("examples/mine/mine.h", "")
+        self.write("examples/mine/main.cpp", '#include "mine.h"\n#include "oc_core/scene/mesh.h"\n')
+        self.assertEqual(list(check_rooms.violations(self.root)), [])
+        self.write("examples/other/main.cpp", '#include "mine.h"\n')
+        self.assertFinds('examples/other/main.cpp:1: "mine.h" is no file of a room')
 
     def test_finds_a_third_party_in_a_public_header(self):
         self.write("oc_core/scene/bad.h", "#include <assimp/scene.h>\n")

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "oc_core/scene/solids.h"
+#include "oc_core/worlds/solids.h"
 #include "tests/ocri/test_scenes.h"
 
 namespace ocelli {

@@ -8,7 +8,7 @@
 
 #include "oc_core/base/conventions.h"
 #include "oc_core/evaluation/evaluation.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

@@ -10,7 +10,7 @@
 #include "oc_core/ocri/eoc_builder.h"
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/ocri/row_mesh.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 namespace {

@@ -118,6 +118,14 @@ TEST(ImageMesh, neighboursFarApartInSpaceAreNotJoined) {
   EXPECT_EQ(joinedTriangles(mesh, kSamples), kJoined - 2 * (kHeight - 1));
 }
 
+TEST(ImageMesh, trianglesAreCountedWithoutTheMesh) {
+  for (const Mesh& scene : {test::wall(0), test::boxBeforeWall(), test::randomTriangles(40, 3)}) {
+    const ReferenceImage image = buildDepthImage(smallCamera(), scene);
+    EXPECT_EQ(imageMeshTriangles(image), imageMesh(image).triangles.size());
+  }
+  EXPECT_EQ(imageMeshTriangles(emptyImage()), 0u);
+}
+
 TEST(ImageMesh, squaresKeepToTheTriangleBound) {
   ReferenceImage image = buildDepthImage(smallCamera(), test::boxBeforeWall());
   const Mesh free = imageMesh(image);

@@ -11,7 +11,7 @@
 #include "oc_core/camera/distortion_map.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/scene/mesh.h"
-#include "oc_core/scene/solids.h"
+#include "oc_core/worlds/solids.h"
 
 namespace ocelli::test {
 

@@ -7,7 +7,7 @@
 
 #include "oc_core/base/random.h"
 #include "oc_core/render/rasterize_graph.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 #include "tests/camera/test_graph_cameras.h"
 
 namespace ocelli {

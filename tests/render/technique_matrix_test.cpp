@@ -12,8 +12,8 @@
 #include "oc_core/render/rasterize.h"
 #include "oc_core/render/rasterize_subdivided.h"
 #include "oc_core/render/raycast.h"
-#include "oc_core/scene/scene_source.h"
-#include "oc_core/scene/solids.h"
+#include "oc_core/worlds/scene_source.h"
+#include "oc_core/worlds/solids.h"
 #include "tests/ocri/test_scenes.h"
 
 namespace ocelli {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "oc_core/scene/solids.h"
+#include "oc_core/worlds/solids.h"
 
 namespace ocelli {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "oc_core/scene/edge_split.h"
-#include "oc_core/scene/solids.h"
-#include "oc_core/scene/teapot.h"
+#include "oc_core/worlds/solids.h"
+#include "oc_core/worlds/teapot.h"
 #include "tests/scene/mesh_checks.h"
 
 namespace ocelli {

@@ -8,7 +8,7 @@
 
 #include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
-#include "oc_core/scene/solids.h"
+#include "oc_core/worlds/solids.h"
 #include "tests/base/temporary_folder.h"
 
 namespace ocelli {

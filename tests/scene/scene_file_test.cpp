@@ -9,8 +9,8 @@
 
 #include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
-#include "oc_core/scene/scene_source.h"
-#include "oc_core/scene/solids.h"
+#include "oc_core/worlds/scene_source.h"
+#include "oc_core/worlds/solids.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/scene/mesh_checks.h"
 

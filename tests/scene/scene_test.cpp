@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "oc_core/base/error.h"
-#include "oc_core/scene/solids.h"
+#include "oc_core/worlds/solids.h"
 #include "tests/scene/mesh_checks.h"
 
 namespace ocelli {

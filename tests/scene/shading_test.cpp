@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "oc_core/scene/solids.h"
+#include "oc_core/worlds/solids.h"
 
 namespace ocelli {
 namespace {

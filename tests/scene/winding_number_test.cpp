@@ -6,8 +6,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "oc_core/base/error.h"
-#include "oc_core/scene/scene_source.h"
-#include "oc_core/scene/solids.h"
+#include "oc_core/worlds/scene_source.h"
+#include "oc_core/worlds/solids.h"
 
 namespace ocelli {
 namespace {

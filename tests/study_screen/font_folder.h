@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "oc_core/gl/system_font.h"
+#include "oc_core/window/system_font.h"
 #include "tests/base/temporary_folder.h"
 
 namespace ocelli::test {

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "oc_core/constructor/portal_constructor.h"
-#include "oc_core/scene/maze_file.h"
+#include "oc_core/worlds/maze_file.h"
 #include "study/session/session_screen.h"
 
 namespace ocelli::test {

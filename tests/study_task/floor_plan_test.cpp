@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "oc_core/base/conventions.h"
-#include "oc_core/scene/maze_generator.h"
+#include "oc_core/worlds/maze_generator.h"
 #include "tests/study_task/maze_walks.h"
 #include "tests/study_task/study_tasks.h"
 

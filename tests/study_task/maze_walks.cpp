@@ -8,7 +8,7 @@
 #include "oc_core/base/random.h"
 #include "study/task/eye_camera.h"
 #include "study/task/floor_plan.h"
-#include "tests/scene/random_mazes.h"
+#include "tests/worlds/random_mazes.h"
 
 namespace ocelli::test {
 namespace {

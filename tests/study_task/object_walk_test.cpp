@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "tests/scene/random_mazes.h"
 #include "tests/study_task/study_tasks.h"
+#include "tests/worlds/random_mazes.h"
 
 namespace ocelli {
 namespace {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "oc_core/base/json_fields.h"
-#include "oc_core/scene/maze_mesh.h"
+#include "oc_core/worlds/maze_mesh.h"
 #include "study/task/controls.h"
 #include "tests/study_task/study_tasks.h"
 

@@ -7,7 +7,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
-#include "oc_core/scene/maze_file.h"
+#include "oc_core/worlds/maze_file.h"
 #include "study/tasks/task_registry.h"
 #include "tests/study_task/study_maze_plan.h"
 

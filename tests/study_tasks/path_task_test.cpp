@@ -8,8 +8,8 @@
 #include "oc_core/base/conventions.h"
 #include "study/task/floor_plan.h"
 #include "study/task/maze_path.h"
-#include "tests/scene/random_mazes.h"
 #include "tests/study_task/study_tasks.h"
+#include "tests/worlds/random_mazes.h"
 
 namespace ocelli {
 namespace {

@@ -52,5 +52,39 @@ TEST(TaskRegistry, AnUnknownNameIsAnErrorThatListsTheKnownOnes) {
   }
 }
 
+// A row that may be registered would be one too many for the other tests: examples/add_a_task registers one.
+TEST(RegisterTask, RefusesRowsThatNobodyCouldUse) {
+  const auto refusalOf = [](TaskKind kind) -> std::string {
+    try {
+      registerTask(std::move(kind));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const TaskKind good = [] {
+    TaskKind kind = taskKind("nearer", "test");
+    kind.name = "mine";
+    return kind;
+  }();
+  const size_t before = taskKinds().size();
+  for (const char* name : {"", "Mine", "my task", "nearer", "path"}) {
+    TaskKind kind = good;
+    kind.name = name;
+    EXPECT_THAT(refusalOf(kind), testing::HasSubstr(name));
+    EXPECT_NE(refusalOf(kind), "");
+  }
+  TaskKind unread = good;
+  unread.read = nullptr;
+  EXPECT_THAT(refusalOf(unread), testing::HasSubstr("mine"));
+  TaskKind unanswered = good;
+  unanswered.policy = nullptr;
+  EXPECT_THAT(refusalOf(unanswered), testing::HasSubstr("mine"));
+  TaskKind unmodelled = good;
+  unmodelled.generator.effects.clear();
+  EXPECT_THAT(refusalOf(unmodelled), testing::HasSubstr("graph"));
+  EXPECT_EQ(taskKinds().size(), before);
+}
+
 }  // namespace
 }  // namespace ocelli

@@ -5,7 +5,7 @@
 #include "oc_core/evaluation/frame_errors.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/ocri/representation.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 #include "tests/gl/gl_test_context.h"
 
 namespace ocelli {

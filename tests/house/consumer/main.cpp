@@ -7,10 +7,10 @@
 #include "oc_core/base/png_file.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/scene/mesh.h"
-#include "oc_core/scene/scene_source.h"
+#include "oc_core/worlds/scene_source.h"
 #ifdef WITH_OPENGL
-#include "oc_core/gl/gl_report.h"
-#include "oc_core/gl/gui_layer.h"
+#include "oc_core/window/gl_report.h"
+#include "oc_core/window/gui_layer.h"
 #endif
 
 namespace {

@@ -1,0 +1,238 @@
+#include "display_driver/devices/multivox_device.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "oc_core/base/check.h"
+#include "oc_core/base/error.h"
+
+namespace ocelli {
+namespace {
+
+/// How often the thread looks whether the memory is still there, and what it tells.
+constexpr std::chrono::milliseconds kLookEvery{100};
+/// What drivers and simulators show when they start: a moment after the memory was made it may not be there yet.
+constexpr int kBitsAtStart = 2;
+constexpr size_t kLongestName = 200;  // bytes; systems allow 255 for the whole name
+
+}  // namespace
+
+MultivoxDevice::MultivoxDevice(const std::string& object, const DisplayProfile& profile, const VoxelGrid& grid)
+    : info_{.kind = "multivox",
+            .name = object.substr(1),
+            .serial = {},
+            .link = fmt::format("shared memory {}", object)},
+      profile_(profile),
+      newest_(profile),
+      newestDiff_(static_cast<size_t>(newest_.slices()), 0),
+      memory_(object, grid),
+      taken_(profile),
+      resampler_(profile, grid),
+      thread_([this] { run(); }) {}
+
+MultivoxDevice::~MultivoxDevice() {
+  close();
+}
+
+void MultivoxDevice::close() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+    wake_.notify_all();
+  }
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+  for (std::optional<Frame>* frame : {&staged_, &pending_}) {
+    if (*frame) {
+      ++telemetry_.framesLost;
+      end(**frame, FrameStage::kLost, "the device was closed before it was shown");
+      frame->reset();
+    }
+  }
+  telemetry_.connected = false;
+}
+
+std::shared_ptr<const FrameFence> MultivoxDevice::submitFrame(const Volume& volume,
+                                                              std::optional<std::span<const int>> changedSlices) {
+  OC_CHECK(volume.profile() == profile_, "a volume of another profile");
+  const std::lock_guard lock(mutex_);
+  OC_CHECK(!stop_, "the device is closed");
+  const auto copy = [&](int slice) {
+    std::ranges::copy(volume.slice(slice), newest_.slice(slice).begin());
+    newestDiff_[static_cast<size_t>(slice)] = 1;
+  };
+  if (changedSlices) {
+    std::ranges::for_each(*changedSlices, copy);
+  } else {
+    for (int slice = 0; slice < volume.slices(); ++slice) {
+      copy(slice);
+    }
+  }
+  ++telemetry_.framesSubmitted;
+  if (pending_) {
+    ++telemetry_.framesDropped;
+    end(*pending_, FrameStage::kDropped, "a newer frame took its place before it was written");
+  }
+  pending_ = Frame{.fence = std::make_shared<FrameFence>(++lastNumber_), .state = {}};
+  wake_.notify_all();
+  return pending_->fence;
+}
+
+void MultivoxDevice::present(FrameNumber frame, const Presentation&) {
+  const std::lock_guard lock(mutex_);
+  for (std::optional<Frame>* known : {&staged_, &pending_}) {
+    if (*known && (*known)->fence->number() == frame) {
+      (*known)->asked = true;
+      wake_.notify_all();
+    }
+  }
+}
+
+Telemetry MultivoxDevice::telemetry() {
+  const std::lock_guard lock(mutex_);
+  return telemetry_;
+}
+
+void MultivoxDevice::end(Frame& frame, FrameStage stage, const std::string& problem) {
+  frame.state.stage = stage;
+  frame.state.problem = problem;
+  frame.fence->moveTo(frame.state);
+}
+
+void MultivoxDevice::noteProblem() {
+  if (!memory_.problem().empty()) {
+    telemetry_.lastProblem = memory_.problem();
+  }
+}
+
+void MultivoxDevice::run() {
+  std::unique_lock lock(mutex_);
+  while (!stop_) {
+    if (!lookAtMemory(lock)) {
+      wake_.wait_for(lock, kLookEvery, [this] { return stop_; });
+      continue;
+    }
+    if (mustShow()) {
+      showStaged();
+      continue;
+    }
+    if (pending_) {
+      takeNewest(lock);  // while the page rests, so that the time is not lost; a newer one may still take its place
+    }
+    const bool write = shownMissing_ || (staged_ && !stagedWritten_);
+    if (!write) {
+      wake_.wait_for(lock, kLookEvery, [this] { return stop_ || pending_ || mustShow(); });
+    } else if (MultivoxMemory::Clock::now() < memory_.rested()) {
+      wake_.wait_until(lock, memory_.rested(), [this] { return stop_ || pending_; });
+    } else if (shownMissing_) {
+      showAgain();
+    } else {
+      writeStaged(lock);
+    }
+  }
+}
+
+/// Whether there is memory to write to.
+bool MultivoxDevice::lookAtMemory(std::unique_lock<std::mutex>& lock) {
+  lock.unlock();
+  const MultivoxMemory::Found found = memory_.look();
+  const std::optional<MultivoxStatus> status = memory_.status();
+  lock.lock();
+  noteProblem();
+  telemetry_.connected = status.has_value();
+  telemetry_.rotationsPerMinute = status ? status->revolutionsPerMinute : 0;
+  if (!status) {
+    stagedWritten_ = false;
+    return false;
+  }
+  shownBits_ = status->bitsPerChannel == 0 ? kBitsAtStart : std::min(status->bitsPerChannel, kMaxShownBits);
+  if (found == MultivoxMemory::Found::kNew) {
+    shownMissing_ = !shownCells_.empty();
+    stagedWritten_ = false;
+    telemetry_.reconnections += std::exchange(everConnected_, true) ? 1 : 0;
+  }
+  return true;
+}
+
+void MultivoxDevice::takeNewest(std::unique_lock<std::mutex>& lock) {
+  if (staged_) {
+    ++telemetry_.framesDropped;
+    end(*staged_, FrameStage::kDropped, "a newer frame took its place before it was shown");
+  }
+  staged_ = std::exchange(pending_, std::nullopt);
+  stagedWritten_ = false;
+  staged_->state.stage = FrameStage::kSending;
+  staged_->fence->moveTo(staged_->state);
+  std::vector<int> changed;
+  for (int slice = 0; slice < newest_.slices(); ++slice) {
+    if (std::exchange(newestDiff_[static_cast<size_t>(slice)], uint8_t{0}) != 0) {
+      std::ranges::copy(newest_.slice(slice), taken_.slice(slice).begin());
+      changed.push_back(slice);
+    }
+  }
+  lock.unlock();
+  resampler_.update(taken_, changed, shownBits_);
+  lock.lock();
+}
+
+void MultivoxDevice::writeStaged(std::unique_lock<std::mutex>& lock) {
+  lock.unlock();
+  stagedWritten_ = memory_.write(resampler_.cells());
+  const auto now = MultivoxMemory::Clock::now();
+  lock.lock();
+  noteProblem();
+  if (!stagedWritten_) {
+    return;
+  }
+  telemetry_.bytesSent += resampler_.cells().size();
+  FrameState& state = staged_->state;
+  if (state.stage != FrameStage::kArrived) {  // it has where the memory was made anew since
+    ++telemetry_.framesArrived;
+    state.stage = FrameStage::kArrived;
+    state.sent = state.arrived = now;
+    state.bytes = resampler_.cells().size();
+    staged_->fence->moveTo(state);
+  }
+}
+
+void MultivoxDevice::showStaged() {
+  if (!memory_.show()) {
+    stagedWritten_ = false;
+    noteProblem();
+    return;
+  }
+  shownCells_.assign(resampler_.cells().begin(), resampler_.cells().end());
+  ++telemetry_.framesShown;
+  ++telemetry_.bytesSent;
+  staged_->state.shown = MultivoxMemory::Clock::now();
+  end(*staged_, FrameStage::kShown, {});
+  staged_.reset();
+}
+
+void MultivoxDevice::showAgain() {
+  if (memory_.write(shownCells_) && memory_.show()) {
+    shownMissing_ = false;
+    telemetry_.bytesSent += shownCells_.size() + 1;
+  }
+  noteProblem();
+}
+
+std::string multivoxObject(const std::string& name) {
+  std::string object = name.starts_with('/') ? name : fmt::format("/{}_double_buffer", name.empty() ? "vortex" : name);
+  if (object.size() < 2 || object.size() > kLongestName || object.find('/', 1) != std::string::npos ||
+      object.find('\0') != std::string::npos) {
+    throw InputError(
+        "no shared memory can have this name", fmt::format("multivox:{}", name),
+        "give a display's name (multivox:vortex), or that of its shared memory with one slash at its front");
+  }
+  return object;
+}
+
+std::unique_ptr<Device> openMultivox(const std::string& name, const DisplayProfile& profile) {
+  return std::make_unique<MultivoxDevice>(multivoxObject(name), profile);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,100 @@
+// `multivox[:NAME]`: displays of the multivox project and their simulator, which show a grid of voxels in shared memory
+// (multivox_memory.h). Volumes are resampled to the grid (voxel_resampler.h) and written by a thread of the device.
+//
+// What is special about it:
+// - There is no display to be had at opening: the device waits for the shared memory, takes volumes meanwhile, and
+// writes
+//   the newest when it appears. When the memory is made anew, what was shown is shown again.
+// - The memory tells nothing of where the screen is. present() shows a frame at once, whatever phase is asked for,
+// which
+//   may be in the middle of a turn; frames are never late and never coarse, and the refreshes of fences are 0.
+// - At most 50 frames a second are shown; of more, the newest.
+// - A frame arrived when it is written, and is shown when the page is changed to it. Nobody confirms either: memory
+//   outlives the driver that made it, so `connected` says that there is memory, not that somebody reads it.
+// - Frames are not lost but wait while there is no memory; they end as lost when the device is closed.
+// - The last frame stays in the memory when the device is closed.
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "display_driver/device/device.h"
+#include "display_driver/devices/multivox_memory.h"
+#include "display_driver/devices/voxel_resampler.h"
+
+namespace ocelli {
+
+class MultivoxDevice final : public Device {
+ public:
+  /// `object` as in MultivoxMemory.
+  MultivoxDevice(const std::string& object, const DisplayProfile& profile, const VoxelGrid& grid = {});
+  ~MultivoxDevice() override;
+
+  const DeviceInfo& info() const override { return info_; }
+  const DisplayProfile& profile() const override { return profile_; }
+  void present(FrameNumber frame, const Presentation& presentation) override;
+  /// What the memory tells is at most 100 ms old.
+  Telemetry telemetry() override;
+  void close() override;
+
+ protected:
+  std::shared_ptr<const FrameFence> submitFrame(const Volume& volume,
+                                                std::optional<std::span<const int>> changedSlices) override;
+
+ private:
+  struct Frame {
+    std::shared_ptr<FrameFence> fence;
+    FrameState state;
+    bool asked = false;  ///< present() was called for it
+  };
+
+  void run();
+  bool lookAtMemory(std::unique_lock<std::mutex>& lock);
+  void takeNewest(std::unique_lock<std::mutex>& lock);
+  void writeStaged(std::unique_lock<std::mutex>& lock);
+  void showStaged();
+  void showAgain();
+  bool mustShow() const { return staged_ && stagedWritten_ && staged_->asked; }
+  void noteProblem();
+  static void end(Frame& frame, FrameStage stage, const std::string& problem);
+
+  DeviceInfo info_;
+  DisplayProfile profile_;
+
+  std::mutex mutex_;  ///< over what follows, up to the empty line
+  std::condition_variable wake_;
+  bool stop_ = false;
+  FrameNumber lastNumber_ = 0;
+  Telemetry telemetry_;
+  Volume newest_;                    ///< of the frame that was submitted last
+  std::vector<uint8_t> newestDiff_;  ///< 1 for slices in which newest_ may differ from taken_
+  std::optional<Frame> pending_;     ///< whose volume is newest_
+  std::optional<Frame> staged_;      ///< whose volume is taken_, until it is shown
+
+  // Of the thread alone.
+  MultivoxMemory memory_;
+  Volume taken_;
+  VoxelResampler resampler_;
+  int shownBits_ = kMaxShownBits;
+  bool stagedWritten_ = false;       ///< staged_ is whole in the memory
+  std::vector<uint8_t> shownCells_;  ///< of the frame that was shown last; empty before the first
+  bool shownMissing_ = false;        ///< the memory is new, and they are not in it
+  bool everConnected_ = false;
+
+  std::thread thread_;
+};
+
+/// The shared memory that a name stands for: "vortex", also where the name is empty, for "/vortex_double_buffer", and
+/// so on; a name that begins with a slash is the shared memory's own. Throws InputError for what cannot be one.
+std::string multivoxObject(const std::string& name);
+
+/// Opens the device for volumes of this profile; `vortex` of the built-in ones is made for it, any other is resampled.
+/// Does not wait for the display. Throws InputError for a name that cannot be.
+std::unique_ptr<Device> openMultivox(const std::string& name, const DisplayProfile& profile = loadProfile("vortex"));
+
+}  // namespace ocelli

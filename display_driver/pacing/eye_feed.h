@@ -1,0 +1,38 @@
+// Where the viewer's eye is: along a recorded way, or as a head tracker tells it, live.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "display_driver/device/device.h"
+
+namespace ocelli {
+
+class EyeFeed {
+ public:
+  virtual ~EyeFeed() = default;
+  /// Where the eye is at that time, in display radii, as well as it is known. nullopt: nobody has said yet.
+  virtual std::optional<glm::vec3> eyeAt(HostTime seen) = 0;
+  /// There will be no more.
+  virtual bool ended(HostTime seen) = 0;
+  /// Of lines and datagrams that were none; of the first one, for people, what was wrong: "not TIME,X,Y,Z (3 values
+  /// instead of 4): \"0,1,2\"".
+  virtual uint64_t malformed() const { return 0; }
+  virtual std::string firstMalformed() const { return {}; }
+};
+
+/// What `--eyes` takes: FILE.csv or FILE.json (display_sim/observing/eye_path.h; begins with the first question, and
+/// ends with its last pose, or begins again), `udp:[ADDRESS:]PORT` (datagrams of one line each; listens at 127.0.0.1
+/// where no address is given), `-` (lines of standard input). Lines are TIME,X,Y,Z; of those that have come the last
+/// one counts, whatever its time. Throws InputError for text that is none of these and files that are wrong, WorkError
+/// where the port cannot be opened.
+std::unique_ptr<EyeFeed> openEyeFeed(const std::string& text, bool loop);
+
+/// The same from a file descriptor, line by line. It stays open.
+std::unique_ptr<EyeFeed> eyeFeedFromLines(int descriptor);
+
+}  // namespace ocelli

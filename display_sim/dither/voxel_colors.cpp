@@ -1,0 +1,21 @@
+#include "display_sim/dither/voxel_colors.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+
+namespace ocelli {
+
+void sortAndUnite(SliceColors& voxels) {
+  std::ranges::sort(voxels, {}, &ColoredVoxel::place);
+  size_t kept = 0;
+  for (const ColoredVoxel& voxel : voxels) {
+    if (kept > 0 && voxels[kept - 1].place == voxel.place) {
+      voxels[kept - 1].color = glm::max(voxels[kept - 1].color, voxel.color);
+    } else {
+      voxels[kept++] = voxel;
+    }
+  }
+  voxels.resize(kept);
+}
+
+}  // namespace ocelli

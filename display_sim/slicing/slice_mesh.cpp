@@ -1,0 +1,184 @@
+#include "display_sim/slicing/slice_mesh.h"
+
+#include <meshoptimizer.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "oc_core/base/check.h"
+#include "oc_core/base/parallel.h"
+
+namespace ocelli {
+namespace {
+
+float lightSteps(float light) {
+  const float steps = std::round(std::clamp(light, 0.0f, 1.0f) * kLightSteps);
+  return light > 0 ? std::max(steps, 1.0f) : 0.0f;
+}
+
+/// Marks all but one of the places where an edge of a chunk occurs.
+class EdgeMarks {
+ public:
+  EdgeMarks() : keys_(kSlots), epochs_(kSlots) {}
+
+  void mark(std::span<uint16_t> corners) {
+    ++epoch_;
+    for (size_t t = 0; t < corners.size(); t += 3) {
+      const uint16_t corner[3] = {corners[t], corners[t + 1], corners[t + 2]};
+      for (size_t k = 0; k < 3; ++k) {
+        if (!insert(corner[k], corner[(k + 1) % 3])) {
+          corners[t + k] |= SliceMesh::kSharedEdge;
+        }
+      }
+    }
+  }
+
+ private:
+  static constexpr size_t kSlots = size_t{1} << 15;
+  static_assert(kSlots > 2 * SliceMesh::kChunkVertices, "a table that stays half empty");
+
+  /// Whether the edge is new.
+  bool insert(uint32_t a, uint32_t b) {
+    const uint32_t key = std::min(a, b) << 16 | std::max(a, b);
+    for (size_t slot = key * 2654435769u >> 17;; slot = (slot + 1) % kSlots) {
+      if (epochs_[slot] != epoch_) {
+        epochs_[slot] = epoch_;
+        keys_[slot] = key;
+        return true;
+      }
+      if (keys_[slot] == key) {
+        return false;
+      }
+    }
+  }
+
+  std::vector<uint32_t> keys_;
+  std::vector<uint32_t> epochs_;
+  uint32_t epoch_ = 0;
+};
+
+/// Numbers the vertices of a chunk in the order in which its triangles name them.
+class LocalNumbers {
+ public:
+  explicit LocalNumbers(size_t vertices) : chunk_(vertices, 0), number_(vertices) {}
+
+  void begin() {
+    ++current_;
+    sources_.clear();
+  }
+  uint16_t of(uint32_t vertex) {
+    if (chunk_[vertex] != current_) {
+      chunk_[vertex] = current_;
+      number_[vertex] = static_cast<uint16_t>(sources_.size());
+      sources_.push_back(vertex);
+    }
+    return number_[vertex];
+  }
+  const std::vector<uint32_t>& sources() const { return sources_; }
+
+ private:
+  std::vector<uint32_t> chunk_;
+  std::vector<uint16_t> number_;
+  std::vector<uint32_t> sources_;
+  uint32_t current_ = 0;
+};
+
+}  // namespace
+
+Mesh orderedForSlicing(const Mesh& mesh) {
+  if (mesh.triangles.empty()) {
+    return mesh;
+  }
+  const size_t indices = 3 * mesh.triangles.size();
+  Mesh ordered;
+  ordered.triangles.resize(mesh.triangles.size());
+  meshopt_spatialSortTriangles(&ordered.triangles[0].x, &mesh.triangles[0].x, indices, &mesh.positions[0].x,
+                               mesh.positions.size(), sizeof(glm::vec3));
+  std::vector<uint32_t> places(mesh.positions.size());
+  const size_t used =
+      meshopt_optimizeVertexFetchRemap(places.data(), &ordered.triangles[0].x, indices, mesh.positions.size());
+  meshopt_remapIndexBuffer(&ordered.triangles[0].x, &ordered.triangles[0].x, indices, places.data());
+  ordered.positions.resize(used);
+  meshopt_remapVertexBuffer(ordered.positions.data(), mesh.positions.data(), mesh.positions.size(), sizeof(glm::vec3),
+                            places.data());
+  if (!mesh.colors.empty()) {
+    ordered.colors.resize(used);
+    meshopt_remapVertexBuffer(ordered.colors.data(), mesh.colors.data(), mesh.colors.size(), sizeof(glm::vec3),
+                              places.data());
+  }
+  return ordered;
+}
+
+SliceMesh::SliceMesh(const Mesh& mesh) : sourceCount_(mesh.positions.size()) {
+  const std::vector<glm::uvec3>& triangles = mesh.triangles;
+  chunks_.resize((triangles.size() + kChunkTriangles - 1) / kChunkTriangles);
+  corners_.resize(3 * triangles.size());
+  std::vector<std::vector<uint32_t>> sources(chunks_.size());
+  parallelChunks(chunks_.size(), static_cast<size_t>(threadCount()), [&](size_t, size_t begin, size_t end) {
+    LocalNumbers numbers(begin < end ? sourceCount_ : 0);
+    EdgeMarks edges;
+    for (size_t c = begin; c < end; ++c) {
+      SliceChunk& chunk = chunks_[c];
+      chunk.firstTriangle = static_cast<uint32_t>(c * kChunkTriangles);
+      chunk.triangles = static_cast<uint32_t>(std::min(kChunkTriangles, triangles.size() - c * kChunkTriangles));
+      numbers.begin();
+      const std::span corners = std::span(corners_).subspan(3 * size_t{chunk.firstTriangle}, 3 * chunk.triangles);
+      for (size_t t = 0; t < chunk.triangles; ++t) {
+        const glm::uvec3& triangle = triangles[chunk.firstTriangle + t];
+        for (int k = 0; k < 3; ++k) {
+          corners[3 * t + static_cast<size_t>(k)] = numbers.of(triangle[k]);
+        }
+      }
+      edges.mark(corners);
+      sources[c] = numbers.sources();
+    }
+  });
+  for (size_t c = 0; c < chunks_.size(); ++c) {
+    chunks_[c].firstVertex = static_cast<uint32_t>(sources_.size());
+    chunks_[c].vertices = static_cast<uint32_t>(sources[c].size());
+    sources_.insert(sources_.end(), sources[c].begin(), sources[c].end());
+  }
+
+  for (std::vector<float>* coordinate : {&x_, &y_, &z_}) {
+    coordinate->resize(sources_.size() + kPadding);
+  }
+  setPositions(mesh.positions);
+  if (std::ranges::any_of(mesh.colors, [](const glm::vec3& color) { return color != glm::vec3(1); })) {
+    for (std::vector<float>* channel : {&red_, &green_, &blue_}) {
+      channel->resize(sources_.size() + kPadding);
+    }
+    parallelFor(sources_.size(), 1 << 14, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        const glm::vec3& color = mesh.colors[sources_[i]];
+        red_[i] = lightSteps(color.r);
+        green_[i] = lightSteps(color.g);
+        blue_[i] = lightSteps(color.b);
+      }
+    });
+  }
+}
+
+void SliceMesh::setPositions(std::span<const glm::vec3> positions) {
+  OC_CHECK(positions.size() == sourceCount_, "another number of vertices than the mesh had");
+  parallelFor(chunks_.size(), 4, [&](size_t begin, size_t end) {
+    for (size_t c = begin; c < end; ++c) {
+      SliceChunk& chunk = chunks_[c];
+      bool moved = false;
+      for (size_t i = chunk.firstVertex; i < chunk.firstVertex + size_t{chunk.vertices}; ++i) {
+        const glm::vec3& p = positions[sources_[i]];
+        moved |= p.x != x_[i] || p.y != y_[i] || p.z != z_[i];
+        x_[i] = p.x;
+        y_[i] = p.y;
+        z_[i] = p.z;
+      }
+      chunk.version += moved ? 1 : 0;
+    }
+  });
+}
+
+glm::vec3 SliceMesh::color(size_t vertex) const {
+  return white() ? glm::vec3(1)
+                 : glm::vec3(red_[vertex], green_[vertex], blue_[vertex]) / static_cast<float>(kLightSteps);
+}
+
+}  // namespace ocelli

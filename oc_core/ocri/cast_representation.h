@@ -1,0 +1,60 @@
+// The row of a camera whose image is cast along its rays: any class that satisfies Camera (oc_core/camera/camera.h) is
+// one, without further code.
+//
+//   registerRepresentation(castRepresentation("fisheye", "half a sphere around the view direction",
+//                                             [](const RepresentationInputs& in) { return Fisheye(in.reference); }));
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "oc_core/base/error.h"
+#include "oc_core/ocri/placed_image.h"
+#include "oc_core/ocri/representation_kind.h"
+#include "oc_core/render/scene_renderer.h"
+
+namespace ocelli {
+
+/// The rays of a camera, which the function keeps.
+template <Camera C>
+RayFunction raysOf(C camera) {
+  const auto shared = std::make_shared<const C>(std::move(camera));
+  return [shared](const glm::vec2& pixel) { return shared->rayPath(pixel); };
+}
+
+/// How every camera can be drawn: along its rays, with the acceleration structure of the renderer, where it has one.
+template <Camera C>
+FragmentImage castAlongRays(const C& camera, const RepresentationInputs& in) {
+  const RayScene* standing = in.renderer != nullptr ? in.renderer->rays() : nullptr;
+  return standing != nullptr ? raycast(camera, in.mesh, *standing) : raycast(camera, in.mesh, RayScene(in.mesh));
+}
+
+/// `makeCamera` makes the camera from RepresentationInputs. `wrapsAround`: whether the last column of its image is next
+/// to the first. Both texts must stay until the program ends.
+template <class MakeCamera>
+RepresentationKind castRepresentation(const char* name, const char* description, MakeCamera makeCamera,
+                                      bool wrapsAround = false) {
+  using Inputs = RepresentationInputs;
+  const auto cast = [makeCamera, wrapsAround](const Inputs& in) {
+    const auto camera = makeCamera(in);
+    return placedImage(camera, castAlongRays(camera, in), in.mesh, in.reference.view(), in.choice.name, wrapsAround);
+  };
+  return {.name = name,
+          .description = description,
+          .images = [cast](const Inputs& in) -> ReferenceImages { return {cast(in)}; },
+          .rayCrossover = 0,
+          .draw =
+              [cast](Technique technique, const Inputs& in) {
+                if (technique != Technique::kRaycast) {
+                  throw InputError("camera \"" + in.choice.name + "\" is drawn by ray casting", "--method",
+                                   "use raster or raycast");
+                }
+                return cast(in);
+              },
+          .rays = [makeCamera](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
+            return {raysOf(makeCamera(in))};
+          },
+          .castsRays = true};
+}
+
+}  // namespace ocelli

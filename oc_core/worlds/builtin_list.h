@@ -1,0 +1,21 @@
+// The built-in scenes, each defined in its own file. For builtin_scenes.cpp alone.
+#pragma once
+
+#include "oc_core/worlds/builtin_scenes.h"
+
+namespace ocelli {
+
+BuiltinScene boxScene();
+BuiltinScene boxesScene();
+BuiltinScene canyonScene();
+BuiltinScene doorsScene();
+BuiltinScene fenceScene();
+BuiltinScene mazeScene();
+BuiltinScene roomScene();
+BuiltinScene sphereScene();
+BuiltinScene statuesScene();
+BuiltinScene teapotScene();
+BuiltinScene torusScene();
+BuiltinScene townScene();
+
+}  // namespace ocelli

@@ -1,0 +1,69 @@
+// Scenes made by code: `builtin:NAME[,key=value...]`.
+//
+// Recipe for a new one, two files:
+//   1. oc_core/worlds/builtin_NAME.cpp: a function that returns its BuiltinScene, declared in
+//      oc_core/worlds/builtin_list.h;
+//   2. oc_core/worlds/builtin_scenes.cpp: add it to the list.
+// Those of one object fit the unit sphere, with their front towards +z, whence the default view looks. Those to walk
+// through (mazes, the town, the canyon) are in metres; fitting a scene scales them down, and GuidedScene says how.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "oc_core/scene/scene.h"
+
+namespace ocelli {
+
+struct BuiltinParameter {
+  enum class Kind {
+    kInteger,
+    kNumber,
+    kFile,  ///< a path; as given, else below $OCELLI_DATA_DIR
+  };
+
+  std::string name;
+  std::string summary;  ///< what it is, with its unit
+  Kind kind = Kind::kNumber;
+  std::string
+      otherwise;     ///< what stands where the user gives none, as the user would write it; may be empty for a path
+  double least = 0;  ///< both included; of no meaning for a path
+  double most = 0;
+};
+
+/// The values of a scene's parameters, checked against their kinds and ranges.
+class BuiltinValues {
+ public:
+  double number(const std::string& name) const;
+  size_t count(const std::string& name) const;
+  const std::string& path(const std::string& name) const;
+  /// Whether the user gave it.
+  bool isGiven(const std::string& name) const { return given_.contains(name); }
+
+ private:
+  friend class BuiltinReader;
+  std::map<std::string, double> numbers_;
+  std::map<std::string, std::string> paths_;
+  std::set<std::string> given_;
+};
+
+struct BuiltinScene {
+  std::string name;
+  std::string summary;  ///< one line
+  std::vector<BuiltinParameter> parameters;
+  std::function<Scene(const BuiltinValues&)> build;
+};
+
+const std::vector<BuiltinScene>& listBuiltinScenes();
+
+bool isBuiltinScene(std::string_view source);
+
+/// Builds the scene that `source` ("builtin:NAME,key=value,...") names. Throws InputError that lists the valid names,
+/// keys or the range for an unknown scene, an unknown, repeated or malformed parameter, or a value out of range.
+Scene makeBuiltinScene(const std::string& source);
+
+}  // namespace ocelli

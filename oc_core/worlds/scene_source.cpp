@@ -1,0 +1,70 @@
+#include "oc_core/worlds/scene_source.h"
+
+#include <utility>
+
+#include "oc_core/base/error.h"
+#include "oc_core/scene/scene.h"
+#include "oc_core/scene/scene_file.h"
+#include "oc_core/scene/shading.h"
+#include "oc_core/worlds/builtin_scenes.h"
+
+namespace ocelli {
+namespace {
+
+/// Takes the scene, so that it is gone when its mesh is worked on.
+GuidedScene flattened(Scene scene) {
+  return {flatten(scene), objectOfTriangles(scene), std::move(scene.guides), glm::mat4(1)};
+}
+
+/// What other commands take.
+void refuseOwnFile(const std::string& source) {
+  if (source.ends_with(".svol")) {
+    throw InputError("this is a volume, which is sliced already", source,
+                     "ocelli observe, ocelli present or ocelli volume info with it");
+  }
+  if (source.ends_with(".session")) {
+    throw InputError("this is the log of a device", source, "ocelli present with it");
+  }
+  if (source.ends_with(".exr")) {
+    throw InputError("this is an image; of a reference image ocelli slice and ocelli present take the mesh", source,
+                     "ocelli ocri mesh, and its mesh with --no-fit --shading none");
+  }
+}
+
+}  // namespace
+
+GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& options, const Progress& progress) {
+  refuseOwnFile(source);
+  report(progress, "loading the scene", 0);
+  Scene scene = isBuiltinScene(source) ? makeBuiltinScene(source)
+                                       : readSceneFile(source, {.textures = options.textures}, progress);
+  for (const std::string& warning : scene.warnings) {
+    if (options.warn) {
+      options.warn(warning);
+    }
+  }
+  GuidedScene loaded = flattened(std::move(scene));
+  Mesh& mesh = loaded.mesh;
+  validate(mesh, source);
+  report(progress, "loading the scene", 0.7);
+  if (options.fit) {
+    loaded.worldFromScene = unitFromWorld(mesh, source);
+    transform(mesh, loaded.worldFromScene);
+    loaded.guides = moved(loaded.guides, loaded.worldFromScene);
+  }
+  switch (options.shading) {
+    case Shading::kLambert:
+      bakeLambert(mesh);
+      break;
+    case Shading::kNone:
+      break;
+  }
+  report(progress, "loading the scene", 1);
+  return loaded;
+}
+
+Mesh loadScene(const std::string& source, const SceneOptions& options, const Progress& progress) {
+  return loadGuidedScene(source, options, progress).mesh;
+}
+
+}  // namespace ocelli

@@ -1,0 +1,248 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "display_driver/pacing/eyes_source.h"
+#include "display_driver/pacing/recording_source.h"
+#include "display_driver/pacing/series_source.h"
+#include "display_driver/pacing/still_source.h"
+#include "display_driver/pacing/turning_source.h"
+#include "display_sim/frames/svol_writer.h"
+#include "oc_core/base/error.h"
+#include "oc_core/ocri/union_mesh.h"
+#include "oc_core/scene/ply_file.h"
+#include "oc_core/scene/scene.h"
+#include "tests/base/temporary_folder.h"
+#include "tests/display_driver_wire/made_volumes.h"
+
+namespace ocelli {
+namespace {
+
+using namespace std::chrono_literals;
+using Kind = SourcedVolume::Kind;
+
+const HostTime kStart(100s);
+
+Mesh teapot() {
+  return loadScene("builtin:teapot,segments=4");
+}
+
+DisplayProfile smallDisplay() {
+  return loadProfile("test");
+}
+
+/// Slices that differ are among those that the source says.
+void expectListed(const Volume& before, const SourcedVolume& now) {
+  ASSERT_TRUE(now.changed);
+  for (int slice = 0; slice < before.slices(); ++slice) {
+    const bool same = std::ranges::equal(before.slice(slice), now.volume->slice(slice));
+    EXPECT_TRUE(same || std::ranges::count(*now.changed, slice) > 0) << slice;
+  }
+}
+
+TEST(StillSourceTest, givesItsVolumeOnce) {
+  StillSource source(madeVolume(smallDisplay(), 1));
+  const SourcedVolume first = source.volumeFor(kStart);
+  ASSERT_EQ(first.kind, Kind::kNew);
+  EXPECT_EQ(*first.volume, madeVolume(smallDisplay(), 1));
+  EXPECT_EQ(source.volumeFor(kStart + 1s).kind, Kind::kSame);
+}
+
+class RecordingSourceTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    SvolWriter writer(path, smallDisplay());
+    for (const uint64_t milliseconds : {500, 600, 800}) {  // what is first is seen first
+      volumes.push_back(madeVolume(smallDisplay(), milliseconds));
+      writer.append(volumes.back(), 1000 * milliseconds);
+    }
+    writer.finish();
+  }
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder / "a.svol";
+  std::vector<Volume> volumes;
+};
+
+TEST_F(RecordingSourceTest, framesComeAtTheirOwnTimes) {
+  RecordingSource source(path, false);
+  EXPECT_EQ(source.profile(), smallDisplay());
+  const SourcedVolume first = source.volumeFor(kStart);
+  EXPECT_EQ(*first.volume, volumes[0]);
+  EXPECT_FALSE(first.changed);
+  EXPECT_EQ(source.volumeFor(kStart + 99ms).kind, Kind::kSame);
+  const SourcedVolume second = source.volumeFor(kStart + 100ms);
+  ASSERT_EQ(second.kind, Kind::kNew);
+  EXPECT_EQ(*second.volume, volumes[1]);
+  expectListed(volumes[0], second);
+  EXPECT_EQ(*source.volumeFor(kStart + 320ms).volume, volumes[2]);
+  // The last one stays for one refresh, 1/24 s.
+  EXPECT_EQ(source.volumeFor(kStart + 341ms).kind, Kind::kSame);
+  EXPECT_EQ(source.volumeFor(kStart + 342ms).kind, Kind::kEnd);
+}
+
+TEST_F(RecordingSourceTest, inALoopItBeginsAgain) {
+  RecordingSource source(path, true);
+  source.volumeFor(kStart);
+  source.volumeFor(kStart + 310ms);
+  const SourcedVolume again = source.volumeFor(kStart + 342ms);  // 0.3 ms after its end
+  ASSERT_EQ(again.kind, Kind::kNew);
+  EXPECT_EQ(*again.volume, volumes[0]);
+  expectListed(volumes[2], again);
+}
+
+TEST_F(RecordingSourceTest, filesWithoutFramesAreRefused) {
+  SvolWriter(folder / "empty.svol", smallDisplay()).finish();
+  EXPECT_THROW(RecordingSource(folder / "empty.svol", false), InputError);
+}
+
+TEST(TurningSourceTest, isTheSliceOfTheTurnedMesh) {
+  const Mesh mesh = teapot();
+  TurningSource source(mesh, smallDisplay(), {}, 90);
+  EXPECT_EQ(*source.volumeFor(kStart).volume, slice(mesh, smallDisplay()));
+  // A quarter turn, counter-clockwise seen from above: what was at +z is at +x.
+  Mesh turned = mesh;
+  for (glm::vec3& p : turned.positions) {
+    p = {p.z, p.y, -p.x};
+  }
+  const Volume expected = slice(turned, smallDisplay());
+  const Volume& found = *source.volumeFor(kStart + 1s).volume;
+  size_t differs = 0;
+  for (int i = 0; i < expected.slices(); ++i) {
+    for (int y = 0; y < expected.height(); ++y) {
+      for (int x = 0; x < expected.width(); ++x) {
+        differs += found.colorBits(i, x, y) != expected.colorBits(i, x, y) ? 1 : 0;
+      }
+    }
+  }
+  // The cosine of the angle is a rounding away from 0: samples on the border of two voxels may change sides.
+  EXPECT_LT(differs, expected.litVoxels() / 50);
+  // After a whole turn the angle is 0 again.
+  EXPECT_EQ(*source.volumeFor(kStart + 4s).volume, slice(mesh, smallDisplay()));
+}
+
+class SeriesSourceTest : public testing::Test {
+ protected:
+  void add(const std::string& name, float size) {
+    Mesh mesh = teapot();
+    transform(mesh, glm::scale(glm::mat4(1), glm::vec3(size)));
+    writePly(folder / name, mesh);
+  }
+  const test::TemporaryFolder folder;
+};
+
+TEST_F(SeriesSourceTest, filesAreOrderedByTheirNumbers) {
+  for (const char* name : {"walk_10.ply", "walk_9.ply", "walk_007.ply", "readme.txt", "other.ply", "x11.obj"}) {
+    folder.write(name, "");
+  }
+  std::vector<std::string> names;
+  for (const auto& file : numberedFiles(folder.path(), ".ply")) {
+    names.push_back(file.filename().string());
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"walk_007.ply", "walk_9.ply", "walk_10.ply"}));
+  folder.write("run_9.ply", "");
+  EXPECT_THROW(numberedFiles(folder.path(), ".ply"), InputError);
+  EXPECT_THROW(numberedFiles(folder.path(), ".stl"), InputError);
+  EXPECT_THROW(numberedFiles(folder / "none", ".ply"), InputError);
+}
+
+TEST_F(SeriesSourceTest, meshesComeAtTheRateAndKeepTheirSizes) {
+  add("a1.ply", 0.5f);
+  add("a2.ply", 1);
+  SeriesSource source(numberedFiles(folder.path(), ".ply"), {}, smallDisplay(), {}, 10, false);
+  const SourcedVolume first = source.volumeFor(kStart);
+  ASSERT_EQ(first.kind, Kind::kNew);
+  const size_t small = first.volume->litVoxels();
+  EXPECT_EQ(source.volumeFor(kStart + 99ms).kind, Kind::kSame);
+  const SourcedVolume second = source.volumeFor(kStart + 101ms);
+  ASSERT_EQ(second.kind, Kind::kNew);
+  // One scale for both: the second has four times the surface, though not quite as many times the voxels.
+  EXPECT_GT(second.volume->litVoxels(), 2 * small);
+  EXPECT_EQ(source.volumeFor(kStart + 201ms).kind, Kind::kEnd);
+  SeriesSource again(numberedFiles(folder.path(), ".ply"), {}, smallDisplay(), {}, 10, true);
+  again.volumeFor(kStart);
+  again.volumeFor(kStart + 101ms);
+  EXPECT_EQ(again.volumeFor(kStart + 201ms).volume->litVoxels(), small);
+}
+
+TEST_F(SeriesSourceTest, tellsWhetherAPartOfAnyMeshIsCutOff) {
+  add("a1.ply", 0.1f);
+  add("a2.ply", 5);
+  const auto files = numberedFiles(folder.path(), ".ply");
+  const auto cutOff = [&](const std::vector<std::filesystem::path>& some, bool fit) {
+    SceneOptions scene;
+    scene.fit = fit;
+    return SeriesSource(some, scene, smallDisplay(), {}, 10, false).isCutOff();
+  };
+  EXPECT_TRUE(cutOff(files, false));
+  EXPECT_FALSE(cutOff({files[0]}, false));
+  EXPECT_FALSE(cutOff(files, true));
+}
+
+/// Eyes that a test sets.
+class SetEyes final : public EyeFeed {
+ public:
+  std::optional<glm::vec3> eyeAt(HostTime) override { return eye; }
+  bool ended(HostTime) override { return over; }
+  std::optional<glm::vec3> eye;
+  bool over = false;
+};
+
+class EyesSourceTest : public testing::Test {
+ protected:
+  static EyesOptions options(const char* camera) {
+    return {.camera = cameraChoice(camera), .width = 90, .height = 60, .slicing = {}};
+  }
+  const Mesh mesh = teapot();
+  SetEyes eyes;
+};
+
+TEST_F(EyesSourceTest, isTheSlicedMeshOfTheReferenceImageFromThere) {
+  EyesSource source(mesh, smallDisplay(), options("ddoc"), eyes);
+  EXPECT_EQ(source.volumeFor(kStart).kind, Kind::kSame);  // nobody is there
+  for (const glm::vec3 eye : {glm::vec3(0, 0, 10), glm::vec3(3, 1, 9), glm::vec3(0, 10, 0)}) {
+    eyes.eye = eye;
+    const SourcedVolume seen = source.volumeFor(kStart);
+    ASSERT_EQ(seen.kind, Kind::kNew);
+    View view;
+    view.eye = eye;
+    if (eye.y == 10) {
+      view.up = {0, 0, -1};
+    }
+    const PinholeCamera reference(view, 90, 60);
+    const Mesh expected = unionMesh(buildReferenceImages(cameraChoice("ddoc"), reference, mesh));
+    EXPECT_EQ(*seen.volume, slice(expected, smallDisplay()));
+    EXPECT_EQ(source.volumeFor(kStart + 1s).kind, Kind::kSame);
+  }
+  EXPECT_EQ(source.eyesLeftOut(), 0u);
+  for (const auto& stage : source.stages()) {
+    EXPECT_FALSE(stage.times.empty()) << stage.name;
+  }
+}
+
+TEST_F(EyesSourceTest, eyesThatSeeNothingAreLeftOut) {
+  EyesSource source(mesh, smallDisplay(), options("di"), eyes);
+  for (const glm::vec3 inside : {glm::vec3(0, 0, 0.5f), glm::vec3(0)}) {
+    eyes.eye = inside;
+    EXPECT_EQ(source.volumeFor(kStart).kind, Kind::kSame);
+  }
+  EXPECT_EQ(source.eyesLeftOut(), 2u);
+  EXPECT_FALSE(source.firstLeftOut().empty());
+  eyes.eye = glm::vec3(0, 0, 10);
+  EXPECT_EQ(source.volumeFor(kStart).kind, Kind::kNew);
+}
+
+TEST_F(EyesSourceTest, endsWhenTheLastPlaceHasBeenShown) {
+  EyesSource source(mesh, smallDisplay(), options("di"), eyes);
+  eyes.eye = glm::vec3(0, 0, 10);
+  eyes.over = true;
+  EXPECT_EQ(source.volumeFor(kStart).kind, Kind::kNew);
+  EXPECT_EQ(source.volumeFor(kStart).kind, Kind::kEnd);
+}
+
+TEST_F(EyesSourceTest, camerasWithoutImagesAreRefused) {
+  EXPECT_THROW(EyesSource(mesh, smallDisplay(), options("geometry"), eyes), InputError);
+}
+
+}  // namespace
+}  // namespace ocelli

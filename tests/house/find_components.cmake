@@ -1,0 +1,142 @@
+# find_package(Ocelli COMPONENTS ...) against the package in PREFIX, as projects call it that build nothing: each finds
+# what it asks for and looks for nothing that only others need, and what is not there is said. WORK_DIR, GENERATOR: as
+# in build_project.cmake. WITH_OPENGL: whether there is a component "opengl". DOCUMENTATION:
+# docs/install.md.
+
+# Configures a new project with these lines, with options of CMake; leaves what was printed in `said` and the status in
+# `failed`.
+function(configure lines)
+  file(REMOVE_RECURSE "${WORK_DIR}")
+  file(WRITE "${WORK_DIR}/CMakeLists.txt"
+    "cmake_minimum_required(VERSION 3.25)\nproject(Components LANGUAGES CXX)\n${lines}\n")
+  execute_process(COMMAND "${CMAKE_COMMAND}" -S "${WORK_DIR}" -B "${WORK_DIR}/build" -G "${GENERATOR}"
+    "-DCMAKE_PREFIX_PATH=${PREFIX}" ${ARGN}
+    RESULT_VARIABLE failed OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  string(REGEX REPLACE "\n.*" "" first "${lines}")
+  message(STATUS "${first} ${ARGN}: ${failed}")
+  set(failed "${failed}" PARENT_SCOPE)
+  set(said "${said}" PARENT_SCOPE)
+endfunction()
+
+function(must_configure lines)
+  configure("${lines}" ${ARGN})
+  if(failed)
+    message(FATAL_ERROR "${said}")
+  endif()
+endfunction()
+
+# `text` stands in what it says; spaces and line breaks count the same.
+function(must_fail_saying text lines)
+  configure("${lines}" ${ARGN})
+  string(REGEX REPLACE "[ \n]+" " " said "${said}")
+  string(FIND "${said}" "${text}" at)
+  if(NOT failed OR at EQUAL -1)
+    message(FATAL_ERROR "not \"${text}\", but: ${said}")
+  endif()
+endfunction()
+
+# find_needs(COMPONENT PACKAGES ... TARGETS ... LACKS ...): found where these packages cannot be. Has these targets and
+# lacks those.
+function(find_needs component)
+  cmake_parse_arguments(NEEDS "" "" "PACKAGES;TARGETS;LACKS" ${ARGN})
+  set(lines "find_package(Ocelli REQUIRED COMPONENTS ${component})\n")
+  foreach(target IN LISTS NEEDS_TARGETS ITEMS Ocelli::Ocelli Ocelli::${component})
+    string(APPEND lines "if(NOT TARGET ${target})\n  message(FATAL_ERROR \"no ${target}\")\nendif()\n")
+  endforeach()
+  foreach(target IN LISTS NEEDS_LACKS)
+    string(APPEND lines "if(TARGET ${target})\n  message(FATAL_ERROR \"${target} was looked for\")\nendif()\n")
+  endforeach()
+  set(hidden "")
+  foreach(package IN LISTS NEEDS_PACKAGES)
+    list(APPEND hidden -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+  endforeach()
+  must_configure("${lines}" ${hidden})
+endfunction()
+
+# The table of docs/install.md names each component with its packages.
+file(STRINGS "${PREFIX}/lib/cmake/Ocelli/OcelliConfig.cmake" rows REGEX "^set\\(OCELLI_")
+foreach(row IN LISTS rows)
+  string(REGEX MATCH "^set\\(([A-Za-z_]+) ?(.*)\\)$" row "${row}")
+  set(${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
+endforeach()
+include("${PREFIX}/lib/cmake/Ocelli/OcelliPackages.cmake")
+foreach(component IN LISTS OCELLI_COMPONENTS)
+  file(STRINGS "${DOCUMENTATION}" row REGEX "^. `${component}` .")
+  foreach(target IN LISTS OCELLI_${component}_PACKAGES)
+    set(package ${OCELLI_PACKAGE_${target}})
+    list(REMOVE_ITEM package PKG_CONFIG)
+    list(GET package 0 package)
+    string(REGEX REPLACE ">=.*" "" package "${package}")
+    string(FIND "${row}" "${package}" at)
+    if(at EQUAL -1)
+      message(FATAL_ERROR "${DOCUMENTATION}: the table of components does not say that \"${component}\" needs ${package}")
+    endif()
+  endforeach()
+endforeach()
+
+set(windows glfw PkgConfig::imgui PkgConfig::fontconfig)
+set(usb PkgConfig::libusb PkgConfig::umockdev PkgConfig::isal)
+set(statistics PkgConfig::nlopt Eigen3::Eigen Boost::headers)
+
+find_needs(core TARGETS Ocelli::ocri Ocelli::evaluation
+  PACKAGES SQLiteCpp Eigen3 Boost assimp hwy glfw3
+  LACKS SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${statistics} Ocelli::frames Ocelli::analysis_base Ocelli::gl)
+find_needs(display TARGETS Ocelli::core Ocelli::solidity
+  PACKAGES SQLiteCpp Eigen3 Boost assimp glfw3
+  LACKS SQLiteCpp assimp::assimp ${windows} ${usb} ${statistics} Ocelli::device Ocelli::viewer)
+find_needs(driver TARGETS Ocelli::core Ocelli::display Ocelli::devices
+  PACKAGES SQLiteCpp Eigen3 Boost assimp glfw3
+  LACKS SQLiteCpp assimp::assimp ${windows} ${statistics} Ocelli::study_task)
+find_needs(study TARGETS Ocelli::core Ocelli::study_store
+  PACKAGES Eigen3 Boost assimp hwy glfw3
+  LACKS assimp::assimp hwy::hwy ${windows} ${usb} ${statistics} Ocelli::frames Ocelli::study_screen)
+find_needs(analysis TARGETS Ocelli::analysis_report
+  PACKAGES glm PNG assimp embree hwy meshoptimizer zstd glfw3
+  LACKS glm::glm PNG::PNG assimp::assimp embree hwy::hwy ${windows} ${usb} Ocelli::core Ocelli::base)
+find_needs(import TARGETS Ocelli::core Ocelli::scene_import
+  PACKAGES SQLiteCpp Eigen3 Boost hwy glfw3
+  LACKS SQLiteCpp hwy::hwy ${windows} ${usb} ${statistics})
+
+# Several, and the same one twice.
+must_configure("find_package(Ocelli 0.1 REQUIRED COMPONENTS core)
+find_package(Ocelli 0.1 REQUIRED COMPONENTS analysis core)
+if(NOT TARGET Ocelli::core OR NOT TARGET Ocelli::analysis OR TARGET Ocelli::device)
+  message(FATAL_ERROR \"other targets\")
+endif()")
+
+# All.
+set(all "find_package(Ocelli REQUIRED)
+foreach(target IN ITEMS core import display driver study analysis)
+  if(NOT TARGET Ocelli::\${target})
+    message(FATAL_ERROR \"no Ocelli::\${target}\")
+  endif()
+endforeach()")
+must_configure("${all}")
+
+must_fail_saying("There is no component \"graphics\" here. Those of this installation: core, import, display, driver, study, analysis"
+  "find_package(Ocelli REQUIRED COMPONENTS core graphics)")
+must_fail_saying("SQLiteCpp, which \"study\" needs" "find_package(Ocelli REQUIRED COMPONENTS study)"
+  -DCMAKE_DISABLE_FIND_PACKAGE_SQLiteCpp=ON)
+# Of a component that is needed by what was asked for.
+must_fail_saying("glm, which \"core\" needs" "find_package(Ocelli REQUIRED COMPONENTS driver)"
+  -DCMAKE_DISABLE_FIND_PACKAGE_glm=ON)
+must_fail_saying("SQLiteCpp, which \"study\" needs" "find_package(Ocelli REQUIRED)"
+  -DCMAKE_DISABLE_FIND_PACKAGE_SQLiteCpp=ON)
+
+# What is optional may be missing: its packages, or itself.
+must_configure("find_package(Ocelli REQUIRED COMPONENTS core OPTIONAL_COMPONENTS study graphics)
+if(NOT Ocelli_core_FOUND OR Ocelli_study_FOUND OR Ocelli_graphics_FOUND OR TARGET Ocelli::study)
+  message(FATAL_ERROR \"found what is not there\")
+endif()" -DCMAKE_DISABLE_FIND_PACKAGE_SQLiteCpp=ON)
+must_configure("find_package(Ocelli QUIET COMPONENTS graphics)
+if(Ocelli_FOUND)
+  message(FATAL_ERROR \"found what is not there\")
+endif()")
+
+if(WITH_OPENGL)
+  find_needs(opengl TARGETS Ocelli::viewer Ocelli::study_screen Ocelli::gl PACKAGES Eigen3 Boost assimp
+    LACKS assimp::assimp ${usb} ${statistics})
+  must_fail_saying("glfw3, which \"opengl\" needs" "${all}" -DCMAKE_DISABLE_FIND_PACKAGE_glfw3=ON)
+else()
+  must_fail_saying("There is no component \"opengl\"" "find_package(Ocelli REQUIRED COMPONENTS opengl)")
+endif()
