@@ -35,11 +35,11 @@ figure img, .stack img { display: block; width: 100%; height: auto; aspect-ratio
   background: #05060a; }
 figcaption { font-size: .875rem; margin-top: .4rem; }
 figcaption b { color: var(--text); }
-.scroll { overflow-x: auto; }
+.scroll { overflow-x: auto; position: relative; }
 table { border-collapse: collapse; margin: .75rem 0; font-variant-numeric: tabular-nums; background: var(--card); }
 caption { text-align: left; color: var(--soft); padding-bottom: .4rem; max-width: 60rem; }
 th, td { padding: .35rem .8rem; border: 1px solid var(--line); text-align: right; white-space: nowrap; }
-th[scope=row], thead th:first-child { text-align: left; }
+th[scope=row], thead tr:first-child th:first-child { text-align: left; }
 thead th { color: var(--soft); font-weight: 600; vertical-align: bottom; }
 )css";
 
