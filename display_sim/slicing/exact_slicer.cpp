@@ -25,30 +25,30 @@ struct LitVoxel {
 /// The volume under construction. Raising levels gives the same result in any order, so threads add to it as they come.
 class LevelSink {
  public:
-  using Fragment = LitVoxel;
+  using Entry = LitVoxel;
 
   LevelSink(const DisplayProfile& profile, ColorReduction colors)
       : volume_(profile), dither_(colors), locks_(volume_.layout().slices) {}
 
-  std::optional<Fragment> fragment(int slice, int column, int row, const glm::vec3& color) const {
+  std::optional<Entry> entry(int slice, int column, int row, const glm::vec3& color) const {
     const Rgb8 levels = dither_.levels(color, volume_.fullLevel(), slice, column, row);
     if (levels == Rgb8(0)) {
       return std::nullopt;
     }
-    return Fragment{static_cast<uint16_t>(column), static_cast<uint16_t>(row), levels};
+    return Entry{static_cast<uint16_t>(column), static_cast<uint16_t>(row), levels};
   }
 
-  void add(size_t slice, const std::vector<Fragment>& fragments) {
+  void add(size_t slice, const std::vector<Entry>& entries) {
     const VolumeLayout& layout = volume_.layout();
     const std::scoped_lock lock(locks_[slice]);
     if (layout.planes > kColorChannels) {
-      for (const Fragment& f : fragments) {
+      for (const Entry& f : entries) {
         volume_.raise(static_cast<int>(slice), f.column, f.row, f.levels);
       }
       return;
     }
     uint8_t* planes = volume_.slice(static_cast<int>(slice)).data();
-    for (const Fragment& f : fragments) {
+    for (const Entry& f : entries) {
       uint8_t* byte = planes + f.row * layout.rowBytes + f.column / 8;
       for (int channel = 0; channel < kColorChannels; ++channel, byte += layout.planeBytes) {
         *byte |= static_cast<uint8_t>(f.levels[channel] << f.column % 8);
@@ -67,22 +67,22 @@ class LevelSink {
 /// Colours under construction. The order in which they come makes no difference, since sortAndUnite() takes maxima.
 class ColorSink {
  public:
-  using Fragment = ColoredVoxel;
+  using Entry = ColoredVoxel;
 
   explicit ColorSink(const DisplayProfile& profile)
       : width_(static_cast<uint32_t>(profile.width)), slices_(static_cast<size_t>(profile.storedSlices())) {}
 
-  std::optional<Fragment> fragment(int /*slice*/, int column, int row, const glm::vec3& color) const {
+  std::optional<Entry> entry(int /*slice*/, int column, int row, const glm::vec3& color) const {
     if (!(color.x > 0 || color.y > 0 || color.z > 0)) {
       return std::nullopt;
     }
-    return Fragment{static_cast<uint32_t>(row) * width_ + static_cast<uint32_t>(column), color};
+    return Entry{static_cast<uint32_t>(row) * width_ + static_cast<uint32_t>(column), color};
   }
 
-  void add(size_t index, const std::vector<Fragment>& fragments) {
+  void add(size_t index, const std::vector<Entry>& entries) {
     Slice& slice = slices_[index];
     const std::scoped_lock lock(slice.lock);
-    slice.voxels.insert(slice.voxels.end(), fragments.begin(), fragments.end());
+    slice.voxels.insert(slice.voxels.end(), entries.begin(), entries.end());
     // Often enough that no place takes much more room than it needs, seldom enough to take little time.
     if (slice.voxels.size() > 2 * slice.united + kMinUnited) {
       sortAndUnite(slice.voxels);
@@ -112,18 +112,18 @@ class ColorSink {
   std::vector<Slice> slices_;
 };
 
-/// Fragments of one thread, gathered by slice so that a slice is in the cache when they are added to it.
+/// Entries of one thread, gathered by slice so that a slice is in the cache when they are added to it.
 template <class Sink>
 class SliceBins {
  public:
-  using Fragment = typename Sink::Fragment;
+  using Entry = typename Sink::Entry;
 
   explicit SliceBins(Sink& sink, size_t slices) : sink_(sink), bins_(slices) {}
 
-  void push(int slice, const Fragment& fragment) {
-    std::vector<Fragment>& bin = bins_[static_cast<size_t>(slice)];
-    bin.push_back(fragment);
-    if (bin.size() == kMaxFragments) {
+  void push(int slice, const Entry& entry) {
+    std::vector<Entry>& bin = bins_[static_cast<size_t>(slice)];
+    bin.push_back(entry);
+    if (bin.size() == kMaxEntries) {
       sink_.add(static_cast<size_t>(slice), bin);
       bin.clear();
     }
@@ -137,9 +137,9 @@ class SliceBins {
   }
 
  private:
-  static constexpr size_t kMaxFragments = 2048;
+  static constexpr size_t kMaxEntries = 2048;
   Sink& sink_;
-  std::vector<std::vector<Fragment>> bins_;
+  std::vector<std::vector<Entry>> bins_;
 };
 
 std::vector<SweepVertex> sweepVertices(const Mesh& mesh, const SweepGeometry& sweep) {
@@ -239,8 +239,8 @@ class TriangleSlicer {
   }
 
   void store(int slice, int column, int row, const glm::vec3& color) {
-    if (const auto fragment = sink_.fragment(slice, column, row, color)) {
-      bins_.push(slice, *fragment);
+    if (const auto entry = sink_.entry(slice, column, row, color)) {
+      bins_.push(slice, *entry);
     }
   }
 

@@ -9,7 +9,7 @@
 
 #include "display_sim/dither/voxel_dither.h"
 #include "display_sim/slicing/exact_triangle.h"
-#include "display_sim/slicing/fragment_bins.h"
+#include "display_sim/slicing/packed_voxel_bins.h"
 #include "display_sim/slicing/slicer_kernels.h"
 #include "display_sim/slicing/triangle_lattice.h"
 #include "oc_core/base/parallel.h"
@@ -51,7 +51,7 @@ struct Worker {
         room(kRoomSamples),
         raster(profile.width, profile.height) {}
 
-  FragmentBins<Voxel> lit;
+  PackedVoxelBins<Voxel> lit;
   std::vector<SweepPoint> points;
   LitSamples voxels;
   std::vector<SampledTriangle> sampled;
@@ -227,7 +227,7 @@ class SlicePassOf final : public SlicePass {
     worker.lit.push(
         voxels.slice.data(),
         [&](size_t i) {
-          return Voxel::kLevelBits == 1 ? voxels.place[i] : makeFragment<Voxel>(voxels.place[i], voxels.levels[i]);
+          return Voxel::kLevelBits == 1 ? voxels.place[i] : packVoxel<Voxel>(voxels.place[i], voxels.levels[i]);
         },
         voxels.count);
     return reach;
@@ -271,7 +271,7 @@ class SlicePassOf final : public SlicePass {
       const uint32_t bin = binOfSlice_[static_cast<size_t>(slice)];
       const auto place = static_cast<uint32_t>(row * setup_.paddedColumns + column);
       worker.lit.push(
-          &bin, [&](size_t) { return makeFragment<Voxel>(place, packedLevels<Voxel>(levels)); }, 1);
+          &bin, [&](size_t) { return packVoxel<Voxel>(place, packedLevels<Voxel>(levels)); }, 1);
     }
   }
 
@@ -280,12 +280,12 @@ class SlicePassOf final : public SlicePass {
     std::memset(planes.data(), 0, planes.size());
     if constexpr (Voxel::kLevelBits == 1) {
       for (Worker<Voxel>& each : workers_) {
-        for (const auto fragment : each.lit.of(slice)) {
-          const uint32_t place = fragment >> 3;
+        for (const auto voxel : each.lit.of(slice)) {
+          const uint32_t place = voxel >> 3;
           uint8_t* byte = planes.data() + place / 8;
-          byte[0] |= static_cast<uint8_t>((fragment & 1u) << place % 8);
-          byte[volume.layout().planeBytes] |= static_cast<uint8_t>((fragment >> 1 & 1u) << place % 8);
-          byte[2 * volume.layout().planeBytes] |= static_cast<uint8_t>((fragment >> 2 & 1u) << place % 8);
+          byte[0] |= static_cast<uint8_t>((voxel & 1u) << place % 8);
+          byte[volume.layout().planeBytes] |= static_cast<uint8_t>((voxel >> 1 & 1u) << place % 8);
+          byte[2 * volume.layout().planeBytes] |= static_cast<uint8_t>((voxel >> 2 & 1u) << place % 8);
         }
         each.lit.clear(slice);
       }
@@ -299,10 +299,10 @@ class SlicePassOf final : public SlicePass {
     worker.hasLight.resize(layout.planeBytes);
     worker.litBytes.clear();
     for (Worker<Voxel>& each : workers_) {
-      for (const auto fragment : each.lit.of(slice)) {
-        const auto place = static_cast<uint32_t>(fragment >> 24);
+      for (const auto voxel : each.lit.of(slice)) {
+        const auto place = static_cast<uint32_t>(voxel >> 24);
         uint32_t& levels = worker.levels[place];
-        levels = higherLevels(levels, static_cast<uint32_t>(fragment & 0xffffffu));
+        levels = higherLevels(levels, static_cast<uint32_t>(voxel & 0xffffffu));
         if (!worker.hasLight[place / 8]) {
           worker.hasLight[place / 8] = true;
           worker.litBytes.push_back(place / 8);

@@ -65,8 +65,8 @@ struct SliceSamples {
   size_t count = 0;
 };
 
-/// What samples light (each at most four voxels): slices and places (fragment_bins.h) and levels. Where levels have one
-/// bit, `place` holds the whole fragment and `levels` nothing.
+/// What samples light (each at most four voxels): slices and places (packed_voxel_bins.h) and levels. Where levels have
+/// one bit, `place` holds the whole voxel and `levels` nothing.
 struct LitSamples {
   /// Room for what `samples` samples light.
   explicit LitSamples(size_t samples);

@@ -13,17 +13,17 @@ namespace ocelli {
 /// A lit voxel of a known slice: where it is (its row times the columns of a padded row, plus its column), and the
 /// levels of its channels from the least significant bit: one bit each for red, green and blue, or eight.
 struct OneBitVoxel {
-  using Fragment = uint32_t;
+  using PackedVoxel = uint32_t;
   static constexpr int kLevelBits = 1;
 };
 struct ManyBitVoxel {
-  using Fragment = uint64_t;
+  using PackedVoxel = uint64_t;
   static constexpr int kLevelBits = 8;
 };
 
 template <class Voxel>
-constexpr typename Voxel::Fragment makeFragment(uint32_t place, uint32_t levels) {
-  return static_cast<typename Voxel::Fragment>(place) << 3 * Voxel::kLevelBits | levels;
+constexpr typename Voxel::PackedVoxel packVoxel(uint32_t place, uint32_t levels) {
+  return static_cast<typename Voxel::PackedVoxel>(place) << 3 * Voxel::kLevelBits | levels;
 }
 
 template <class Voxel>
@@ -33,31 +33,31 @@ constexpr uint32_t packedLevels(const Rgb8& levels) {
 }
 
 template <class Voxel>
-class FragmentBins {
+class PackedVoxelBins {
  public:
-  using Fragment = typename Voxel::Fragment;
+  using PackedVoxel = typename Voxel::PackedVoxel;
 
-  explicit FragmentBins(size_t bins) : memory_(bins), bins_(bins) {
+  explicit PackedVoxelBins(size_t bins) : memory_(bins), bins_(bins) {
     for (size_t i = 0; i < bins; ++i) {
       memory_[i].resize(kFirstRoom);
       bins_[i] = {memory_[i].data(), memory_[i].data() + kFirstRoom};
     }
   }
 
-  /// Appends to bin `indices[i]` the i-th fragment of `count`. Of equal neighbours one is enough. The last bin stays
+  /// Appends to bin `indices[i]` the i-th voxel of `count`. Of equal neighbours one is enough. The last bin stays
   /// empty.
-  template <class FragmentOf>
-  void push(const uint32_t* indices, FragmentOf&& fragmentOf, size_t count) {
-    Fragment last = 0;
+  template <class VoxelOf>
+  void push(const uint32_t* indices, VoxelOf&& voxelOf, size_t count) {
+    PackedVoxel last = 0;
     const auto none = static_cast<uint32_t>(bins_.size() - 1);
     uint32_t lastIndex = none;
     for (size_t i = 0; i < count; ++i) {
       const uint32_t index = indices[i];
-      const Fragment fragment = fragmentOf(i);
+      const PackedVoxel voxel = voxelOf(i);
       Bin& bin = bins_[index];
-      *bin.next = fragment;
-      bin.next += (fragment != last || index != lastIndex) && index != none ? 1 : 0;
-      last = fragment;
+      *bin.next = voxel;
+      bin.next += (voxel != last || index != lastIndex) && index != none ? 1 : 0;
+      last = voxel;
       lastIndex = index;
       if (bin.next == bin.end) {
         grow(index);
@@ -65,7 +65,7 @@ class FragmentBins {
     }
   }
 
-  std::span<const Fragment> of(size_t index) const {
+  std::span<const PackedVoxel> of(size_t index) const {
     return {memory_[index].data(), static_cast<size_t>(bins_[index].next - memory_[index].data())};
   }
   void clear(size_t index) { bins_[index].next = memory_[index].data(); }
@@ -73,8 +73,8 @@ class FragmentBins {
  private:
   static constexpr size_t kFirstRoom = 1024;
   struct Bin {
-    Fragment* next = nullptr;
-    Fragment* end = nullptr;
+    PackedVoxel* next = nullptr;
+    PackedVoxel* end = nullptr;
   };
 
   void grow(size_t index) {
@@ -83,7 +83,7 @@ class FragmentBins {
     bins_[index] = {memory_[index].data() + size, memory_[index].data() + 2 * size};
   }
 
-  std::vector<std::vector<Fragment>> memory_;
+  std::vector<std::vector<PackedVoxel>> memory_;
   std::vector<Bin> bins_;
 };
 
