@@ -27,9 +27,9 @@ class EyeFeed {
 
 /// What `--eyes` takes: FILE.csv or FILE.json (display_sim/observing/eye_path.h; begins with the first question, and
 /// ends with its last pose, or begins again), `udp:[ADDRESS:]PORT` (datagrams of one line each; listens at 127.0.0.1
-/// where no address is given), `-` (lines of standard input). Lines are TIME,X,Y,Z; of those that have come the last
-/// one counts, whatever its time. Throws InputError for text that is none of these and files that are wrong, WorkError
-/// where the port cannot be opened.
+/// where no address is given), `-` (lines of standard input). Lines are TIME,X,Y,Z; the line that came
+/// last counts, whatever its time. Throws InputError for any other text and for invalid files, WorkError where the port
+/// cannot be opened.
 std::unique_ptr<EyeFeed> openEyeFeed(const std::string& text, bool loop);
 
 /// The same from a file descriptor, line by line. It stays open.

@@ -9,7 +9,7 @@
 // In the coordinates x, y of epipolar_lines.h an edge e at x_e, whose occluder has y_n, makes a disocclusion region:
 // what L does not see but is seen past e from somewhere on the segment, x - D y > x_e - D y_n, with x between where the
 // disocclusion is clipped and x_e. A point in several disocclusions belongs to the rightmost edge. Its column is that
-// of
+// of the point
 //     x' = x - D max(0, y - y_f)
 // moved by all columns that were added up to that edge; a point in no disocclusion is moved by those added before it. A
 // row is so a bijection between columns and what it samples.

@@ -61,8 +61,8 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
 
 /// The same by rasterisation or by rays. `rays` is the acceleration structure of the mesh where one stands; where rays
 /// are wanted and none does, it is built. Whether a viewpoint lies inside an object takes a look at all triangles:
-/// where a structure stands, whoever calls has checked that. Throws InputError where rays are wanted for a camera that
-/// is built by rasterisation only.
+/// where a structure stands, the caller must have checked that. Throws InputError where rays are wanted for a camera
+/// that is built by rasterisation only.
 ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                      const Progress& progress, Construction wanted, const RayScene* rays,
                                      ConstructionReport* report = nullptr);

@@ -44,7 +44,7 @@ const std::vector<const CameraOption*>& cellOptions();
 
 /// The value of a number, a count or a switch (0 or 1).
 double numberOf(const CameraOption& option, const CameraChoice& choice);
-/// Sets it; throws nothing: whoever calls has checked the range.
+/// Sets it without a check: the caller must have checked the range.
 void setNumber(const CameraOption& option, CameraChoice& choice, double value);
 glm::vec3 directionOf(const CameraOption& option, const CameraChoice& choice);
 void setDirection(const CameraOption& option, CameraChoice& choice, const glm::vec3& direction);

@@ -11,14 +11,14 @@
 namespace ocelli {
 
 enum class Construction {
-  kAuto,  ///< whichever is sooner done
+  kAuto,  ///< whichever is faster
   kRaster,
   kRays,
 };
 
-/// Triangles from which on rays are sooner done than rasterisation, where the acceleration structure stands: processor
-/// time at 720x480, measured by bench/raycast_bench on `builtin:statues`. In between the cost of rasterisation grows in
-/// proportion.
+/// Number of triangles above which rays are faster than rasterisation, where the acceleration structure stands: CPU
+/// time at 720x480, measured by bench/raycast_bench on `builtin:statues`. The cost of rasterisation grows in proportion
+/// to the triangles.
 struct RayCrossover {
   static constexpr size_t kDepthImage = 600'000;
   static constexpr size_t kSpoc = 0;

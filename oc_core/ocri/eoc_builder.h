@@ -60,7 +60,7 @@ std::vector<EpipolarEdge> findEpipolarEdges(const std::vector<float>& inverseZ, 
 
 /// Throws InputError where an end of the segment lies inside an object, or the segment is none. Where
 /// `renderer`, here and below, has rays, no step touches all triangles (construction.h): the box around the scene
-/// stands for its vertices, and whoever calls has checked the ends.
+/// stands for its vertices, and the caller must have checked the ends.
 EpipolarCamera buildEpipolarCamera(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
                                    const EocOptions& options = {}, const SceneRenderer* renderer = nullptr);
 /// As that throws; this touches all triangles.

@@ -19,8 +19,8 @@ namespace ocelli {
 class RayScene final : public RayTarget {
  public:
   enum class Quality {
-    kLow,     ///< sooner built
-    kMedium,  ///< sooner intersected
+    kLow,     ///< faster to build
+    kMedium,  ///< faster to intersect
   };
 
   explicit RayScene(const Mesh& mesh, Quality quality = Quality::kMedium);
