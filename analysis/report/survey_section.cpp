@@ -19,7 +19,8 @@ namespace ocelli {
 namespace {
 
 constexpr const char* kForm = "survey";
-constexpr size_t kMaxListed = 20;  ///< different answers to a question without a scale
+constexpr size_t kMaxListed = 20;   ///< different answers to a question without a scale
+constexpr size_t kMaxAnswer = 200;  ///< bytes of an answer that are listed
 
 std::vector<RowRef> rowsOf(const ItemAnswers& item) {
   std::vector<RowRef> rows;
@@ -37,11 +38,24 @@ std::vector<int> placesOf(const ItemAnswers& item) {
   return places;
 }
 
+/// An answer as a table can hold it; a longer one ends with its length.
+std::string shortAnswer(const std::string& answer) {
+  if (answer.size() <= kMaxAnswer) {
+    return answer;
+  }
+  const auto continuesCharacter = [&](size_t at) { return (static_cast<unsigned char>(answer[at]) & 0xC0U) == 0x80U; };
+  size_t end = kMaxAnswer;
+  while (end > 0 && continuesCharacter(end)) {
+    --end;
+  }
+  return fmt::format("{}... [{} bytes]", answer.substr(0, end), answer.size());
+}
+
 /// "\"6\" (2), \"7\" (1)".
 std::string answerCounts(const std::map<std::string, int>& counts) {
   std::vector<std::string> parts;
   for (const auto& [answer, count] : counts) {
-    parts.push_back(fmt::format("\"{}\" ({})", answer, count));
+    parts.push_back(fmt::format("\"{}\" ({})", shortAnswer(answer), count));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
