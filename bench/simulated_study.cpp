@@ -145,7 +145,7 @@ std::vector<Trial> plannedTrials(const Protocol& protocol, const std::string& ta
         trial.task = plan.task;
         trial.caseIndex = plan.caseIndex;
         trial.caseLabel = info.label;
-        trial.view = plan.view == StudyView::kGraph ? TrialView::kOther : TrialView::kReference;
+        trial.view = plan.view == TrialView::kOther ? TrialView::kOther : TrialView::kReference;
         trial.simulated = true;
         trial.moving = info.moving;
         trial.exposureSeconds = info.exposureSeconds;

@@ -190,8 +190,11 @@ std::vector<Truth> truthsOf(const PowerChoice& choice, const Protocol& protocol,
 void power(const PowerChoice& choice, const CommandContext& context) {
   const Protocol protocol = readProtocol(choice.protocol);
   const ProtocolFacts facts = protocolFacts(protocol.text, choice.protocol);
-  const AnalysisPlan plan =
-      choice.plan.empty() ? defaultPlan(facts.conditions) : readPlan(choice.plan, plannableTasks(tasksOf(facts)));
+  // That which is asked for is refused below where the protocol does not have it.
+  std::vector<std::string> tasks = tasksOf(facts);
+  tasks.push_back(choice.supposed.task);
+  const AnalysisPlan plan = choice.plan.empty() ? defaultPlan(facts.conditions, tasks)
+                                                : readPlan(choice.plan, plannableTasks(tasksOf(facts)));
   const double alpha = choice.alpha.value_or(plan.alpha);
   check(choice, alpha);
   const std::string& task = choice.supposed.task;

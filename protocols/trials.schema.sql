@@ -13,7 +13,7 @@
 -- Rows that were recorded stay as they are: triggers refuse to change or delete them. Only the end of a run or trial is
 -- filled in, once. Only a withdrawal deletes, and then all of a subject.
 PRAGMA application_id = 1331914092;  -- "Ocel"
-PRAGMA user_version = 1;
+PRAGMA user_version = 2;
 
 -- What is studied. One row.
 CREATE TABLE study (
@@ -119,7 +119,8 @@ CREATE TABLE trial (
   block                TEXT NOT NULL,  -- name of the block
   task                 TEXT NOT NULL,  -- 'find', 'count', 'path', ...
   case_index           INTEGER NOT NULL,  -- in the block's cases, or its practice cases
-  view                 TEXT NOT NULL CHECK (view IN ('ppc', 'gc')),  -- planar pinhole camera(s), or graph camera
+  view                 TEXT NOT NULL CHECK (view <> ''),  -- name of the view condition in the protocol; without names there:
+                                                        -- 'ppc', planar pinhole camera(s), or 'gc', graph camera
   trial_seed           INTEGER NOT NULL,  -- of what is random in it; 64 bits that SQLite shows with a sign
   -- How it ended. 'completed': it counts, unless a later attempt was completed too. 'redone', 'aborted': by the
   -- experimenter, or as the subject was unwell. NULL: it still runs, or the program was killed.

@@ -99,31 +99,20 @@ PlannedExclusion readRule(JsonObject& fields) {
   return rule;
 }
 
-/// A name of a condition stands in databases, tables, names of cells and commands.
-bool isName(const std::string& text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
-           c == '.';
-  });
-}
-
 ViewConditions readConditions(const JsonText& text, JsonObject& fields) {
   const nlohmann::json& list = fields.value("conditions");
   if (!list.is_array() || list.size() != kViews.size()) {
     fields.fail("conditions", "must be a list of two conditions, of which the first is the reference");
   }
   ViewConditions conditions;
+  std::vector<JsonObject> fieldsOf;
   for (size_t i = 0; i < kViews.size(); ++i) {
-    JsonObject each(text, list[i], fmt::format("/conditions/{}", i));
-    ViewCondition& condition = conditions.list[i];
-    condition.name = each.text("name", kMaxConditionBytes);
-    condition.label = each.textOr("label", kMaxConditionBytes, condition.name);
-    if (!isName(condition.name)) {
-      each.fail("name", fmt::format("is \"{}\", but must be letters, digits, \"-\", \"_\" and \".\"", condition.name));
-    }
-    if (i > 0 && (condition.name == conditions.list[0].name || condition.label == conditions.list[0].label)) {
-      each.fail(condition.name == conditions.list[0].name ? "name" : "label", "is that of the other condition too");
-    }
+    JsonObject& each = fieldsOf.emplace_back(text, list[i], fmt::format("/conditions/{}", i));
+    conditions.list[i].name = each.text("name", kMaxConditionBytes);
+    conditions.list[i].label = each.textOr("label", kMaxConditionBytes, conditions.list[i].name);
+  }
+  if (const std::optional<ViewConditions::Problem> problem = conditions.problem()) {
+    fieldsOf[problem->index].fail(problem->field, problem->what);
   }
   return conditions;
 }

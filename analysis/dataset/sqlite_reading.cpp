@@ -60,9 +60,9 @@ void checkVersion(SQLite::Database& database, const std::string& path) {
                            kKnownTrialsSchema),
                path, "a newer version of ocelli");
   }
-  if (version < kKnownTrialsSchema) {
-    failToRead(fmt::format("this database has version {} of the schema, and this program reads {}", version,
-                           kKnownTrialsSchema),
+  if (version < kOldestKnownTrialsSchema) {
+    failToRead(fmt::format("this database has version {} of the schema, and this program reads those from {}", version,
+                           kOldestKnownTrialsSchema),
                path, "`ocelli study subjects --db FILE`, which brings the file up to date");
   }
 }

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "analysis/dataset/view_condition.h"
+#include "study/trial/view_condition.h"
 
 namespace ocelli {
 

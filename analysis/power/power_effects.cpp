@@ -67,7 +67,7 @@ void setDeviations(const SupposedEffects& supposed, GeneratorEffects& effects) {
   }
 }
 
-double level(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task, StudyView view) {
+double level(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task, TrialView view) {
   return isTime(task) ? geometricMeanSeconds(protocol, effects, task, view) : shareRight(protocol, effects, task, view);
 }
 
@@ -88,8 +88,8 @@ std::string casesText(double itemSd, double itemViewSd) {
 void describe(const Protocol& protocol, const std::string& task, Truth& truth) {
   truth.conditions = protocolFacts(protocol.text, protocol.name).conditions;
   truth.ratio = std::exp(graphEffect(truth.effects, task));
-  truth.reference = level(protocol, truth.effects, task, StudyView::kPinhole);
-  truth.other = level(protocol, truth.effects, task, StudyView::kGraph);
+  truth.reference = level(protocol, truth.effects, task, TrialView::kReference);
+  truth.other = level(protocol, truth.effects, task, TrialView::kOther);
   truth.label = truth.kind == Truth::Kind::kNone ? "no effect of the view"
                 : isTime(task)
                     ? withViewNames(fmt::format("@other@ takes {:.3g} of the time", truth.ratio), truth.conditions)
@@ -107,7 +107,7 @@ void setSearches(const Protocol& protocol, const SupposedEffects& supposed, Gene
   graphEffect(effects, supposed.task) = std::log(*supposed.ratio);
   if (supposed.secondsPpc) {
     levelEffect(effects, supposed.task) +=
-        std::log(*supposed.secondsPpc / geometricMeanSeconds(protocol, effects, supposed.task, StudyView::kPinhole));
+        std::log(*supposed.secondsPpc / geometricMeanSeconds(protocol, effects, supposed.task, TrialView::kReference));
   }
 }
 
@@ -125,7 +125,7 @@ void setAnswers(const Protocol& protocol, const SupposedEffects& supposed, Gener
   setDeviations(supposed, effects);
   if (supposed.sharePpc) {
     solve(levelEffect(effects, supposed.task), *supposed.sharePpc,
-          [&] { return shareRight(protocol, effects, supposed.task, StudyView::kPinhole); });
+          [&] { return shareRight(protocol, effects, supposed.task, TrialView::kReference); });
   }
   double& graph = graphEffect(effects, supposed.task);
   if (supposed.oddsRatio) {
@@ -133,7 +133,7 @@ void setAnswers(const Protocol& protocol, const SupposedEffects& supposed, Gener
   } else if (supposed.shareGc == supposed.sharePpc) {
     graph = 0;
   } else {
-    solve(graph, *supposed.shareGc, [&] { return shareRight(protocol, effects, supposed.task, StudyView::kGraph); });
+    solve(graph, *supposed.shareGc, [&] { return shareRight(protocol, effects, supposed.task, TrialView::kOther); });
   }
 }
 
@@ -174,7 +174,7 @@ std::optional<Truth> truthAtBound(const Protocol& protocol, const Truth& wanted,
   Truth truth = wanted;
   truth.kind = Truth::Kind::kAtBound;
   solve(graphEffect(truth.effects, bounds.task), share,
-        [&] { return shareRight(protocol, truth.effects, bounds.task, StudyView::kGraph); });
+        [&] { return shareRight(protocol, truth.effects, bounds.task, TrialView::kOther); });
   describe(protocol, bounds.task, truth);
   return truth;
 }

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "analysis/dataset/analysis_plan.h"
-#include "analysis/dataset/view_condition.h"
 #include "study/protocol/protocol.h"
 #include "study/subject/generator_effects.h"
+#include "study/trial/view_condition.h"
 
 namespace ocelli {
 

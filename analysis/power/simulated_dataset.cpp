@@ -53,7 +53,7 @@ void DatasetSink::trialEnds(int /*number*/, const TrialRecord& record, std::func
   trial.task = record.plan.task;
   trial.caseIndex = record.plan.caseIndex;
   trial.caseLabel = record.info.label;
-  trial.view = record.plan.view == StudyView::kGraph ? TrialView::kOther : TrialView::kReference;
+  trial.view = record.plan.view == TrialView::kOther ? TrialView::kOther : TrialView::kReference;
   trial.attempt = record.attempt;
   trial.simulated = true;
   trial.subjectKind = nameOf(SubjectKind::kGenerator);

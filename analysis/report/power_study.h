@@ -7,8 +7,8 @@
 
 #include "analysis/base/estimate.h"
 #include "analysis/dataset/analysis_plan.h"
-#include "analysis/dataset/view_condition.h"
 #include "analysis/inference/power_curve.h"
+#include "study/trial/view_condition.h"
 
 namespace ocelli {
 

@@ -100,7 +100,7 @@ std::string callOf(const AnalysisData& analysis, const PlannedModel& model) {
 /// Those of the plan, and what the report does for tasks that it does not name.
 std::vector<PlannedModel> modelsOf(const AnalysisData& analysis) {
   std::vector<PlannedModel> models = analysis.plan.models;
-  for (const ReportTask& task : reportTasksOf(analysis.data)) {
+  for (const ReportTask& task : reportTasksOf(analysis.data, analysis.plan)) {
     for (const PlannedModel& model : modelsOfTask(analysis.plan, task)) {
       if (analysis.plan.findModel(model.name) == nullptr) {
         models.push_back(model);

@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/dataset/view_condition.h"
 #include "analysis/plot/figure.h"
 #include "analysis/tables/table.h"
+#include "study/trial/view_condition.h"
 
 namespace ocelli {
 

@@ -39,18 +39,39 @@ ReportTask reportTask(const std::string& name) {
   return row == nullptr ? otherTask(name) : *row;
 }
 
-std::vector<ReportTask> reportTasksOf(const Dataset& data) {
-  std::vector<std::string> others;
+std::vector<std::string> tasksOfStudy(const Dataset& data) {
+  std::vector<std::string> names;
+  for (const DataSource& source : data.sources) {
+    if (!source.protocolText.empty()) {
+      for (const std::string& task : tasksOf(protocolFacts(source.protocolText, source.path))) {
+        addOnce(names, task);
+      }
+    }
+  }
+  for (const Trial& trial : data.trials) {
+    addOnce(names, trial.task);
+  }
+  return names;
+}
+
+std::vector<ReportTask> reportTasksOf(const Dataset& data, const AnalysisPlan& plan) {
+  const std::vector<std::string> names = tasksOfStudy(data);
+  std::vector<ReportTask> tasks;
+  for (const ReportTask& row : reportTasks()) {
+    const bool isPlanned = std::any_of(plan.models.begin(), plan.models.end(),
+                                       [&](const PlannedModel& model) { return model.task == row.name; });
+    if (!row.hasTrials || isPlanned || std::find(names.begin(), names.end(), row.name) != names.end()) {
+      tasks.push_back(row);
+    }
+  }
   for (const Trial& trial : data.trials) {
     // A form has no trials: those of its name are a task that nobody knows.
     const ReportTask* row = findRow(trial.task);
-    if (row == nullptr || !row->hasTrials) {
-      addOnce(others, trial.task);
+    const bool isListed = std::any_of(
+        tasks.begin(), tasks.end(), [&](const ReportTask& task) { return task.name == trial.task && task.hasTrials; });
+    if (!isListed && (row == nullptr || !row->hasTrials)) {
+      tasks.push_back(otherTask(trial.task));
     }
-  }
-  std::vector<ReportTask> tasks = reportTasks();
-  for (const std::string& name : others) {
-    tasks.push_back(otherTask(name));
   }
   return tasks;
 }
@@ -67,18 +88,7 @@ std::vector<std::string> plannableTasks(const std::vector<std::string>& ofProtoc
 }
 
 std::vector<std::string> plannableTasks(const Dataset& data) {
-  std::vector<std::string> names;
-  for (const DataSource& source : data.sources) {
-    if (!source.protocolText.empty()) {
-      for (const std::string& task : tasksOf(protocolFacts(source.protocolText, source.path))) {
-        addOnce(names, task);
-      }
-    }
-  }
-  for (const Trial& trial : data.trials) {
-    addOnce(names, trial.task);
-  }
-  return plannableTasks(names);
+  return plannableTasks(tasksOfStudy(data));
 }
 
 const TaskModel* ReportTask::findModelKind(ModelKind kind) const {
@@ -111,11 +121,14 @@ void addTaskModels(ReportWork& work, const ReportTask& task, const TrialList& tr
   }
 }
 
-AnalysisPlan defaultPlan(const ViewConditions& conditions) {
+AnalysisPlan defaultPlan(const ViewConditions& conditions, const std::vector<std::string>& tasks) {
   AnalysisPlan plan;
   HypothesisFamily primary{"primary", true, {}};
   HypothesisFamily secondary{"secondary", true, {}};
   for (const ReportTask& task : reportTasks()) {
+    if (task.hasTrials && !tasks.empty() && std::find(tasks.begin(), tasks.end(), task.name) == tasks.end()) {
+      continue;
+    }
     plan.models.insert(plan.models.end(), task.models.begin(), task.models.end());
     for (const TaskHypothesis& each : task.hypotheses) {
       plan.hypotheses.push_back(each.hypothesis);
@@ -126,7 +139,11 @@ AnalysisPlan defaultPlan(const ViewConditions& conditions) {
       plan.equivalence.push_back(*task.equivalence);
     }
   }
-  plan.families = {primary, secondary};
+  for (const HypothesisFamily& family : {primary, secondary}) {
+    if (!family.hypotheses.empty()) {
+      plan.families.push_back(family);
+    }
+  }
   return plan;
 }
 

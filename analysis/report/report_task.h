@@ -67,8 +67,10 @@ struct ReportTask {
 const std::vector<ReportTask>& reportTasks();
 /// The row of the name, or what is done for a task without one.
 ReportTask reportTask(const std::string& name);
-/// The rows, and the tasks of trials that have none.
-std::vector<ReportTask> reportTasksOf(const Dataset& data);
+/// The tasks that the study has, as its protocols say, or its trials where there are none.
+std::vector<std::string> tasksOfStudy(const Dataset& data);
+/// The rows that the study or the plan has, forms, and the tasks of trials that have no row.
+std::vector<ReportTask> reportTasksOf(const Dataset& data, const AnalysisPlan& plan);
 
 /// What a plan may name as "task": the rows, and what the protocols and trials have. The list is what readPlan() takes.
 std::vector<std::string> plannableTasks(const Dataset& data);
@@ -80,7 +82,9 @@ std::vector<PlannedModel> modelsOfTask(const AnalysisPlan& plan, const ReportTas
 void addTaskModels(ReportWork& work, const ReportTask& task, const TrialList& trials);
 
 /// What is done where nobody registered a plan: the protocol's own exclusions, time-outs as censored, and the models
-/// and hypotheses of the rows, which are those of protocols/rosen2010.plan.json.
-AnalysisPlan defaultPlan(const ViewConditions& conditions = defaultConditions());
+/// and hypotheses of the rows, which are those of protocols/rosen2010.plan.json. Of `tasks` alone, and of forms, where
+/// there are some: what a study does not have is no hypothesis of it.
+AnalysisPlan defaultPlan(const ViewConditions& conditions = defaultConditions(),
+                         const std::vector<std::string>& tasks = {});
 
 }  // namespace ocelli

@@ -145,7 +145,7 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
       options.progress(stage, done);
     }
   };
-  std::vector<ReportTask> wanted = reportTasksOf(analysis.data);
+  std::vector<ReportTask> wanted = reportTasksOf(analysis.data, analysis.plan);
   std::erase_if(wanted, [&](const ReportTask& task) { return !work.isWanted(task.name); });
   const auto addTasks = [&](bool withTrials) {
     for (const ReportTask& task : wanted) {

@@ -1,6 +1,6 @@
 #include "analysis/report/view_words.h"
 
-#include "analysis/dataset/view_condition.h"
+#include "study/trial/view_condition.h"
 
 namespace ocelli {
 namespace {

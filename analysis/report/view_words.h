@@ -1,4 +1,4 @@
-// Sections write the view conditions as marks (analysis/dataset/view_condition.h), as they do not know what the study
+// Sections write the view conditions as marks (study/trial/view_condition.h), as they do not know what the study
 // calls them. Readers get labels; ids, sources, short names and code get the names that data and plans have.
 #pragma once
 

@@ -120,14 +120,19 @@ CameraChoice cameraChoice(const std::string& nameOrFile, const ViewCell& cell) {
   return readAs("oc_core/ocri/camera.schema.json", [&] {
     const nlohmann::json json = readJsonFile(nameOrFile);
     JsonFields fields(json, nameOrFile);
-    CameraChoice choice = namedCamera(fields.text("camera"), cell, nameOrFile + ", field \"camera\"");
-    choice.name = fields.text("name", choice.name);
-    for (const CameraOption* option : choice.kind->options) {
-      readOption(fields, *option, choice);
-    }
+    const CameraChoice choice = readCameraChoice(fields, cell);
     fields.rejectUnknown();
     return choice;
   });
+}
+
+CameraChoice readCameraChoice(JsonFields& fields, const ViewCell& cell) {
+  CameraChoice choice = namedCamera(fields.text("camera"), cell, fields.where() + ", field \"camera\"");
+  choice.name = fields.text("name", choice.name);
+  for (const CameraOption* option : choice.kind->options) {
+    readOption(fields, *option, choice);
+  }
+  return choice;
 }
 
 ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,

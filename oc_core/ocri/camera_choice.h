@@ -17,6 +17,7 @@
 
 namespace ocelli {
 
+class JsonFields;
 struct RepresentationKind;
 
 /// A representation with its options; the depth image of the reference view by default.
@@ -53,6 +54,10 @@ std::vector<CameraName> cameraNames();
 /// A camera that is built for a view cell takes this one (all but the cell camera its size alone), unless its file
 /// sets another. Throws InputError for an unknown name, and for a file that is wrong.
 CameraChoice cameraChoice(const std::string& nameOrFile, const ViewCell& cell = {});
+
+/// The same from the fields of an object: what stands in such a file. Others are left for the caller to ask for, and to
+/// reject. Throws InputError naming the field.
+CameraChoice readCameraChoice(JsonFields& fields, const ViewCell& cell = {});
 
 /// The reference images of a camera: one, but for those that are unions. Throws InputError where the eye lies inside an
 /// object, or the view sees nothing of the scene, and for choices that have no image.

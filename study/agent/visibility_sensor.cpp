@@ -61,8 +61,10 @@ struct Blob {
   }
 };
 
-/// Takes the pixels that hang together with one of an object out of `identities`.
-Blob takeBlob(Image<uint32_t>& identities, const FragmentImage& fragments, const Mesh& mesh, const glm::ivec2& first) {
+/// Takes the pixels that hang together with one of an object out of `identities`. `positionAt`: of the surface at a
+/// pixel.
+template <class PositionAt>
+Blob takeBlob(Image<uint32_t>& identities, const PositionAt& positionAt, const glm::ivec2& first) {
   Blob blob;
   blob.object = identities(first.x, first.y);
   std::vector<glm::ivec2> open{first};
@@ -70,7 +72,7 @@ Blob takeBlob(Image<uint32_t>& identities, const FragmentImage& fragments, const
   while (!open.empty()) {
     const glm::ivec2 pixel = open.back();
     open.pop_back();
-    blob.add(pixel, positionOf(fragments(pixel.x, pixel.y), mesh));
+    blob.add(pixel, positionAt(pixel));
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dx = -1; dx <= 1; ++dx) {
         const glm::ivec2 next = pixel + glm::ivec2(dx, dy);
@@ -212,9 +214,8 @@ void forEachPatchBelow(const Maze& maze, const glm::vec3& from, const glm::vec3&
   }
 }
 
-void addStructure(const StudyScene& scene, const StudyCamera& camera, const FragmentImage& fragments, const Mesh& mesh,
+void addStructure(const Maze& maze, const StudyCamera& camera, const FragmentImage& fragments, const ViewMesh& of,
                   int view, const glm::dvec2& corner, Percept& percept) {
-  const Maze& maze = scene.maze();
   const PinholeCamera& root = rootOf(camera);
   const int step = std::max(1, fragments.width() / kFloorRays);
   const float top = maze.origin.y + kLowShare * maze.cellSize;
@@ -223,10 +224,10 @@ void addStructure(const StudyScene& scene, const StudyCamera& camera, const Frag
   for (int y = step / 2; y < fragments.height(); y += step) {
     for (int x = step / 2; x < fragments.width(); x += step) {
       const Fragment& fragment = fragments(x, y);
-      if (!fragment.covered() || scene.objectOfTriangle()[fragment.triangle] != kStructure) {
+      if (!fragment.covered() || (*of.objectOfTriangle)[fragment.triangle] != kStructure) {
         continue;
       }
-      const glm::vec3 position = positionOf(fragment, mesh);
+      const glm::vec3 position = positionOf(fragment, *of.mesh);
       const glm::dvec2 pixel = glm::dvec2(x, y) + 0.5;
       const glm::ivec3 cube(glm::floor((position - maze.origin) / (kCubeShare * maze.cellSize)));
       SpotSamples& spot = spots[{cube.x, cube.y, cube.z}];
@@ -325,23 +326,33 @@ void VisibilitySensor::addView(const TrialLayout& layout, const Mesh& mesh, int 
   const TrialLayout::View& each = layout.views[static_cast<size_t>(view)];
   const StudyScene& scene = layout.scene->bare();
   const glm::dvec2 corner(each.place.left, each.place.top);
-  const FragmentImage fragments = renderer_(each.camera, mesh);
-  Image<uint32_t> identities = identityImage(fragments, scene.objectOfTriangle());
-  std::vector<Blob> blobs;
-  for (int y = 0; y < identities.height(); ++y) {
-    for (int x = 0; x < identities.width(); ++x) {
-      if (identities(x, y) != kStructure && identities(x, y) != kNothing) {
-        blobs.push_back(takeBlob(identities, fragments, mesh, {x, y}));
+  percept.views.push_back(each.place);
+  const auto addObjects = [&](Image<uint32_t> identities, const auto& positionAt) {
+    std::vector<Blob> blobs;
+    for (int y = 0; y < identities.height(); ++y) {
+      for (int x = 0; x < identities.width(); ++x) {
+        if (identities(x, y) != kStructure && identities(x, y) != kNothing) {
+          blobs.push_back(takeBlob(identities, positionAt, {x, y}));
+        }
       }
     }
+    joinNear(blobs, kGapShare * screen_.width);
+    for (const Blob& blob : blobs) {
+      percept.objects.push_back(sightingOf(blob, scene.maze().landmarks[blob.object - 1], view, corner));
+    }
+  };
+  const std::shared_ptr<const ShownContent> shown = shownIn(layout, each);
+  const std::optional<ViewMesh> of = viewMesh(shown.get(), scene, mesh);
+  if (!of) {
+    const auto& image = std::get<ShownImage>(*shown);
+    addObjects(image.objects, [&](const glm::ivec2& pixel) { return image.positions(pixel.x, pixel.y); });
+    return;
   }
-  joinNear(blobs, kGapShare * screen_.width);
-  percept.views.push_back(each.place);
-  for (const Blob& blob : blobs) {
-    percept.objects.push_back(sightingOf(blob, scene.maze().landmarks[blob.object - 1], view, corner));
-  }
+  const FragmentImage fragments = renderer_(each.camera, *of->mesh);
+  addObjects(identityImage(fragments, *of->objectOfTriangle),
+             [&](const glm::ivec2& pixel) { return positionOf(fragments(pixel.x, pixel.y), *of->mesh); });
   if (withFloor) {
-    addStructure(scene, each.camera, fragments, mesh, view, corner, percept);
+    addStructure(scene.maze(), each.camera, fragments, *of, view, corner, percept);
   }
 }
 

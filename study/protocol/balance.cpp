@@ -46,14 +46,14 @@ std::string orderName(const Protocol& protocol, const std::vector<int>& order) {
   return name;
 }
 
-std::string firstName(StudyView view) {
-  return fmt::format("{} first", nameOf(view));
+std::string firstName(const Protocol& protocol, TrialView view) {
+  return fmt::format("{} first", protocol.nameOf(view));
 }
 
 /// The view in which the subject sees each case of the block first.
-std::vector<StudyView> viewsOfCases(const Protocol& protocol, const SessionSchedule& schedule, int block) {
+std::vector<TrialView> viewsOfCases(const Protocol& protocol, const SessionSchedule& schedule, int block) {
   const int cases = protocol.blocks[static_cast<size_t>(block)].task->caseCount();
-  std::vector<StudyView> views(static_cast<size_t>(cases), StudyView::kPinhole);
+  std::vector<TrialView> views(static_cast<size_t>(cases), TrialView::kReference);
   for (auto trial = schedule.trials.rbegin(); trial != schedule.trials.rend(); ++trial) {
     if (trial->block == block) {
       views[static_cast<size_t>(trial->caseIndex)] = trial->view;
@@ -71,11 +71,11 @@ void addSessionTables(const Protocol& protocol, const Schedules& schedules, cons
   Table order("block order");
   Table both("first view x block order");
   Table places("block x place in the session");
-  for (const StudyView view : kStudyViews) {
-    first.declare(0, firstName(view));
+  for (const TrialView view : kViews) {
+    first.declare(0, firstName(protocol, view));
     for (const std::vector<int>& each : orders) {
       order.declare(0, orderName(protocol, each));
-      both.declare(0, fmt::format("{}; {}", firstName(view), orderName(protocol, each)));
+      both.declare(0, fmt::format("{}; {}", firstName(protocol, view), orderName(protocol, each)));
     }
   }
   const auto placeName = [&](int block, size_t place) {
@@ -87,9 +87,10 @@ void addSessionTables(const Protocol& protocol, const Schedules& schedules, cons
     }
   }
   for (const SessionSchedule& schedule : schedules) {
-    first.count(firstName(schedule.firstView));
+    first.count(firstName(protocol, schedule.firstView));
     order.count(orderName(protocol, schedule.blockOrder));
-    both.count(fmt::format("{}; {}", firstName(schedule.firstView), orderName(protocol, schedule.blockOrder)));
+    both.count(
+        fmt::format("{}; {}", firstName(protocol, schedule.firstView), orderName(protocol, schedule.blockOrder)));
     for (size_t place = 0; place < schedule.blockOrder.size(); ++place) {
       places.count(placeName(schedule.blockOrder[place], place));
     }
@@ -110,17 +111,17 @@ void addBlockTables(const Protocol& protocol, const Schedules& schedules, const 
   Table views(title);
   Table withFirst(fmt::format("{} x first view", title));
   Table withOrder(fmt::format("{} x block order", title));
-  const auto name = [&](int caseIndex, StudyView view) {
-    return fmt::format("{} in {}", block.task->caseInfo(caseIndex).label, nameOf(view));
+  const auto name = [&](int caseIndex, TrialView view) {
+    return fmt::format("{} in {}", block.task->caseInfo(caseIndex).label, protocol.nameOf(view));
   };
   const int cases = block.task->caseCount();
   for (int i = 0; i < cases; ++i) {
-    for (const StudyView view : kStudyViews) {
+    for (const TrialView view : kViews) {
       views.declare(i, name(i, view));
-      for (const StudyView firstView : kStudyViews) {
+      for (const TrialView firstView : kViews) {
         // The last of an odd number of cases always has the first view.
         if (cases % 2 == 0 || i != cases - 1 || firstView == view) {
-          withFirst.declare(i, fmt::format("{}, {}", name(i, view), firstName(firstView)));
+          withFirst.declare(i, fmt::format("{}, {}", name(i, view), firstName(protocol, firstView)));
         }
       }
       for (const std::vector<int>& order : orders) {
@@ -129,11 +130,11 @@ void addBlockTables(const Protocol& protocol, const Schedules& schedules, const 
     }
   }
   for (const SessionSchedule& schedule : schedules) {
-    const std::vector<StudyView> seenIn = viewsOfCases(protocol, schedule, index);
+    const std::vector<TrialView> seenIn = viewsOfCases(protocol, schedule, index);
     for (int i = 0; i < cases; ++i) {
       const std::string cell = name(i, seenIn[static_cast<size_t>(i)]);
       views.count(cell);
-      withFirst.count(fmt::format("{}, {}", cell, firstName(schedule.firstView)));
+      withFirst.count(fmt::format("{}, {}", cell, firstName(protocol, schedule.firstView)));
       withOrder.count(fmt::format("{}; {}", cell, orderName(protocol, schedule.blockOrder)));
     }
   }

@@ -54,8 +54,8 @@ std::string conditionText(const CaseInfo& info) {
 std::string lengthText(const Protocol& protocol, const SessionSchedule& schedule) {
   const std::vector<PartLength> parts = partsOf(protocol, schedule);
   std::string text = fmt::format("\nSession {} of the subject in slot {}: {} first\n\n  {:<28}{:>7}{:>14}{:>14}\n",
-                                 schedule.session + 1, schedule.slot, nameOf(schedule.firstView), "part", "trials",
-                                 "typical min", "longest min");
+                                 schedule.session + 1, schedule.slot, protocol.nameOf(schedule.firstView), "part",
+                                 "trials", "typical min", "longest min");
   int trials = 0;
   for (const PartLength& part : parts) {
     trials += part.trials;
@@ -76,7 +76,7 @@ std::string scheduleText(const Protocol& protocol, const SessionSchedule& schedu
     const ProtocolBlock& block = blockOf(protocol, trial);
     const CaseInfo info = block.task->caseInfo(trial.caseIndex);
     std::string line = fmt::format("  {:>5}  {:<20}{:<22}{:<5}{}", trial.index + 1, block.name, info.label,
-                                   nameOf(trial.view), conditionText(info));
+                                   protocol.nameOf(trial.view), conditionText(info));
     if (answers) {
       line += fmt::format("; {}", block.task->answerOf(trial));
     }
@@ -102,14 +102,14 @@ std::string balanceText(const std::vector<BalanceTable>& tables, int subjects, i
   return text;
 }
 
-std::string coverageText(const std::vector<BlockCoverage>& blocks) {
+std::string coverageText(const Protocol& protocol, const std::vector<BlockCoverage>& blocks) {
   std::string text = fmt::format(
       "\nCoverage: places where an object shows with {} pixels or more\n\n  {:<28}{:<6}{:>7}"
       "{:>8}{:>6}{:>7}{:>11}{:>15}\n",
       kMinSeenPixels, "block", "view", "images", "places", "seen", "twice", "sightings", "fewest pixels");
   for (const BlockCoverage& block : blocks) {
     for (const ViewCoverage& view : block.views) {
-      text += fmt::format("  {:<28}{:<6}{:>7}{:>8}{:>6}{:>7}{:>11.2f}{:>15}\n", block.block, nameOf(view.view),
+      text += fmt::format("  {:<28}{:<6}{:>7}{:>8}{:>6}{:>7}{:>11.2f}{:>15}\n", block.block, protocol.nameOf(view.view),
                           view.images, view.places, view.seen, view.twice,
                           static_cast<double>(view.sightings) / std::max(1, view.places), view.fewestPixels);
       for (const std::string& place : view.unseen) {
@@ -127,7 +127,7 @@ Json jsonOf(const Duration& duration) {
 Json jsonOf(const Protocol& protocol, const SessionSchedule& schedule, bool answers) {
   Json json{{"slot", schedule.slot},
             {"session", schedule.session + 1},
-            {"first_view", nameOf(schedule.firstView)},
+            {"first_view", protocol.nameOf(schedule.firstView)},
             {"length", jsonOf(durationOf(partsOf(protocol, schedule)))},
             {"parts", Json::array()},
             {"trials", Json::array()}};
@@ -141,8 +141,13 @@ Json jsonOf(const Protocol& protocol, const SessionSchedule& schedule, bool answ
     const TrialPlan& trial = schedule.trials[i];
     const ProtocolBlock& block = blockOf(protocol, trial);
     const CaseInfo info = block.task->caseInfo(trial.caseIndex);
-    Json entry{{"trial", trial.index + 1},   {"block", block.name},   {"task", trial.task}, {"case", info.label},
-               {"view", nameOf(trial.view)}, {"moving", info.moving}, {"seed", trial.seed}};
+    Json entry{{"trial", trial.index + 1},
+               {"block", block.name},
+               {"task", trial.task},
+               {"case", info.label},
+               {"view", protocol.nameOf(trial.view)},
+               {"moving", info.moving},
+               {"seed", trial.seed}};
     if (info.exposureSeconds) {
       entry["exposure_seconds"] = *info.exposureSeconds;
     }
@@ -173,13 +178,13 @@ Json jsonOf(const std::vector<BalanceTable>& tables) {
   return json;
 }
 
-Json jsonOf(const std::vector<BlockCoverage>& blocks) {
+Json jsonOf(const Protocol& protocol, const std::vector<BlockCoverage>& blocks) {
   Json json = Json::array();
   for (const BlockCoverage& block : blocks) {
     for (const ViewCoverage& view : block.views) {
       json.push_back({{"block", block.block},
                       {"of", block.ofCases ? "cases at the start" : "places of the maze"},
-                      {"view", nameOf(view.view)},
+                      {"view", protocol.nameOf(view.view)},
                       {"images", view.images},
                       {"places", view.places},
                       {"seen", view.seen},
@@ -212,7 +217,7 @@ std::string checkReport(const Protocol& protocol, const CheckOptions& options, c
               {"sessions", protocol.sessions}, {"subjects", options.subjects},
               {"balance", jsonOf(tables)},     {"schedule", jsonOf(protocol, schedule, options.answers)}};
     if (options.coverage) {
-      json["coverage"] = jsonOf(coverage);
+      json["coverage"] = jsonOf(protocol, coverage);
     }
     json["warnings"] = warnings;
     return textOfJson(json, 2) + "\n";
@@ -221,7 +226,7 @@ std::string checkReport(const Protocol& protocol, const CheckOptions& options, c
                      scheduleText(protocol, schedule, options.answers) +
                      balanceText(tables, options.subjects, options.session);
   if (options.coverage) {
-    text += coverageText(coverage);
+    text += coverageText(protocol, coverage);
   }
   text += warnings.empty() ? "\nNo warnings\n" : "\nWarnings\n\n";
   for (const std::string& warning : warnings) {

@@ -11,12 +11,10 @@ namespace {
 constexpr uint32_t kObject = 1;  // of a scene with a single one
 
 void addSightings(const std::string& place, const TrialLayout& layout, ViewCoverage& coverage) {
-  const Mesh mesh = meshOf(layout);
   int sightingsHere = 0;
   size_t largest = 0;
   for (const TrialLayout::View& view : layout.views) {
-    const FragmentImage fragments = rasterizeStudy(view.camera, mesh);
-    for (const ObjectSighting& each : sightings(identityImage(fragments, layout.scene->objectOfTriangle()))) {
+    for (const ObjectSighting& each : sightings(objectsIn(layout, view))) {
       if (each.object == kObject && each.pixels >= kMinSeenPixels) {
         ++sightingsHere;
         largest = std::max(largest, each.pixels);
@@ -62,7 +60,7 @@ std::vector<Place> placesOf(const Maze& maze) {
 }
 
 /// Puts one object, of the shape that the layout's scene has, in each place.
-ViewCoverage coverageOfMaze(TrialLayout layout, StudyView view) {
+ViewCoverage coverageOfMaze(TrialLayout layout, TrialView view) {
   Maze maze = layout.scene->maze();
   const MazeCell first = maze.landmarks.empty() ? maze.entrance->cell : maze.landmarks.front().cell;
   Landmark object;
@@ -80,7 +78,7 @@ ViewCoverage coverageOfMaze(TrialLayout layout, StudyView view) {
   return coverage;
 }
 
-TrialPlan planOf(const ProtocolBlock& block, int caseIndex, StudyView view) {
+TrialPlan planOf(const ProtocolBlock& block, int caseIndex, TrialView view) {
   TrialPlan plan;
   plan.task = block.taskName;
   plan.caseIndex = caseIndex;
@@ -97,7 +95,7 @@ std::vector<BlockCoverage> coverageOf(const Protocol& protocol, const TrialScree
     BlockCoverage coverage;
     coverage.block = block.name;
     coverage.ofCases = !block.task->caseInfo(0).exposureSeconds.has_value();
-    for (const StudyView view : kStudyViews) {
+    for (const TrialView view : kViews) {
       const std::unique_ptr<TrialRun> run = block.task->start(planOf(block, 0, view), screen);
       const TrialLayout first = run->layout();
       if (first.scene == nullptr || first.views.empty() || (coverage.ofCases && !first.targetObject)) {

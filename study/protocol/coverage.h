@@ -14,7 +14,7 @@ namespace ocelli {
 inline constexpr size_t kMinSeenPixels = 40;
 
 struct ViewCoverage {
-  StudyView view = StudyView::kPinhole;
+  TrialView view = TrialView::kReference;
   int images = 0;  ///< on the screen
   int places = 0;  ///< where an object was put, one at a time
   int seen = 0;    ///< of these, in one image or more

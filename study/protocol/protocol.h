@@ -29,7 +29,7 @@ struct FormField {
   std::string question;
   std::vector<std::string> options;  ///< one is chosen; always at least two
   std::vector<std::string> ends{};   ///< of a scale: what its first and last option mean; empty, or two
-  std::vector<StudyView> favors{};   ///< of a scale that compares the views: which one its first and its last option
+  std::vector<TrialView> favors{};   ///< of a scale that compares the views: which one its first and its last option
                                      ///< speak for; empty, or two
 };
 
@@ -120,6 +120,10 @@ struct Protocol {
   TimingLimits timing{};
   ResumePolicy resume = ResumePolicy::kNextTrial;
   std::vector<ExclusionRule> exclusions{};
+  StudyConditions conditions{};
+
+  /// Of a condition, as databases and exports write it.
+  const std::string& nameOf(TrialView view) const { return conditions.names.nameOf(view); }
 };
 
 /// A protocol that can be run. Throws InputError that says the file, the field and what to do.

@@ -87,24 +87,26 @@ std::string readColumnName(JsonFields& fields) {
   return name;
 }
 
-/// Both views, in either order.
-std::vector<StudyView> readFavors(JsonFields& fields) {
+/// Both conditions, in either order.
+std::vector<TrialView> readFavors(JsonFields& fields, const ViewConditions& conditions) {
   const nlohmann::json& list = fields.value("favors");
-  std::vector<StudyView> favors;
+  std::vector<TrialView> favors;
   for (size_t i = 0; list.is_array() && i < list.size(); ++i) {
-    if (const auto view = list[i].is_string() ? studyViewFromName(list[i].get<std::string>()) : std::nullopt) {
+    if (const auto view = list[i].is_string() ? conditions.viewNamed(list[i].get<std::string>()) : std::nullopt) {
       favors.push_back(*view);
     }
   }
   if (!list.is_array() || list.size() != 2 || favors.size() != 2 || favors[0] == favors[1]) {
+    const auto& [reference, other] = conditions.list;
     fields.fail("favors",
-                R"(must be ["ppc", "gc"] or ["gc", "ppc"]: the view that the first option speaks for, and that of )"
-                "the last");
+                fmt::format(R"(must be ["{0}", "{1}"] or ["{1}", "{0}"]: the condition that the first option )"
+                            "speaks for, and that of the last",
+                            reference.name, other.name));
   }
   return favors;
 }
 
-FormField fieldOf(const nlohmann::json& json, const std::string& where) {
+FormField fieldOf(const nlohmann::json& json, const std::string& where, const ViewConditions& conditions) {
   JsonFields fields(json, where);
   FormField field;
   field.name = readColumnName(fields);
@@ -117,7 +119,7 @@ FormField fieldOf(const nlohmann::json& json, const std::string& where) {
     field.ends = readTexts(fields, "ends", 2, 2, kMaxTitle);
   }
   if (fields.has("favors")) {
-    field.favors = readFavors(fields);
+    field.favors = readFavors(fields, conditions);
   }
   fields.rejectUnknown();
   return field;
@@ -205,7 +207,7 @@ std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name)
   return pages;
 }
 
-ProtocolForm readForm(JsonFields& fields, const std::string& name) {
+ProtocolForm readForm(JsonFields& fields, const std::string& name, const ViewConditions& conditions) {
   JsonFields inner(fields.value(name), fmt::format("{}, \"{}\"", fields.where(), name));
   ProtocolForm form;
   form.name = name;
@@ -215,7 +217,7 @@ ProtocolForm readForm(JsonFields& fields, const std::string& name) {
   }
   std::set<std::string> names;
   forEachObject(inner, "fields", 1, kMaxFields, [&](const nlohmann::json& json, const std::string& where) {
-    form.fields.push_back(fieldOf(json, where));
+    form.fields.push_back(fieldOf(json, where, conditions));
     if (!names.insert(form.fields.back().name).second) {
       inner.fail("fields", fmt::format("has two of the name \"{}\"", form.fields.back().name));
     }

@@ -23,7 +23,7 @@ std::string readName(JsonFields& fields, const std::string& name, const std::vec
 ProtocolPage readPage(JsonFields& fields, const std::string& name);
 /// Nothing where the field is missing.
 std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name);
-ProtocolForm readForm(JsonFields& fields, const std::string& name);
+ProtocolForm readForm(JsonFields& fields, const std::string& name, const ViewConditions& conditions);
 
 /// The fields "screen", "timing" and "exclusions"; defaults where they are missing.
 ScreenGeometry readScreen(JsonFields& fields);

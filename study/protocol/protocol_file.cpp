@@ -9,6 +9,7 @@
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/sha256.h"
 #include "oc_core/worlds/maze_file.h"
+#include "study/protocol/condition_fields.h"
 #include "study/protocol/protocol.h"
 #include "study/protocol/protocol_fields.h"
 #include "study/protocol/schedule.h"
@@ -188,15 +189,16 @@ Protocol protocolFromJsonText(const std::string& text, const std::string& where)
     protocol.minutesBetweenSessions =
         fields.integer("minutes_between_sessions", 0, kMaxMinutes, protocol.minutesBetweenSessions);
     protocol.seed = static_cast<uint64_t>(fields.integer("seed", 0, kMaxSeed, 1));
+    protocol.conditions = readConditions(fields);
     if (fields.has("consent")) {
       protocol.consent = readPage(fields, "consent");
     }
     if (fields.has("demographics")) {
-      protocol.demographics = readForm(fields, "demographics");
+      protocol.demographics = readForm(fields, "demographics", protocol.conditions.names);
     }
     protocol.welcome = readPages(fields, "welcome");
     if (fields.has("survey")) {
-      protocol.survey = readForm(fields, "survey");
+      protocol.survey = readForm(fields, "survey", protocol.conditions.names);
     }
     protocol.surveyAfterLastSessionOnly =
         fields.boolean("survey_after_last_session_only", protocol.surveyAfterLastSessionOnly);
@@ -211,7 +213,7 @@ Protocol protocolFromJsonText(const std::string& text, const std::string& where)
       protocol.controls = readControls(controls);
       controls.rejectUnknown();
     }
-    const TaskSetting setting{readMazes(fields), protocol.controls};
+    const TaskSetting setting{readMazes(fields), protocol.controls, protocol.conditions};
     readBlocks(fields, setting, protocol);
     fields.rejectUnknown();
     return protocol;

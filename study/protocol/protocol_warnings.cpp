@@ -32,7 +32,7 @@ std::vector<std::string> conditionsOf(const CaseInfo& info) {
 void addConfounded(const Protocol& protocol, const SessionSchedule& schedule, std::vector<std::string>& warnings) {
   for (const int index : schedule.blockOrder) {
     const ProtocolBlock& block = protocol.blocks[static_cast<size_t>(index)];
-    std::map<std::string, std::array<int, kStudyViews.size()>> counts;
+    std::map<std::string, std::array<int, kViews.size()>> counts;
     for (const TrialPlan& trial : schedule.trials) {
       if (trial.block == index) {
         for (const std::string& condition : conditionsOf(block.task->caseInfo(trial.caseIndex))) {
@@ -42,10 +42,10 @@ void addConfounded(const Protocol& protocol, const SessionSchedule& schedule, st
     }
     for (const auto& [condition, byView] : counts) {
       if (std::abs(byView[0] - byView[1]) > 1) {
-        warnings.push_back(
-            fmt::format("block \"{}\": a subject sees {} {} times with {} and {} times with {}. Give the cases at even "
-                        "places of the list and those at odd ones the same conditions",
-                        block.name, condition, byView[0], nameOf(kStudyViews[0]), byView[1], nameOf(kStudyViews[1])));
+        warnings.push_back(fmt::format(
+            "block \"{}\": a subject sees {} {} times with {} and {} times with {}. Give the cases at even "
+            "places of the list and those at odd ones the same conditions",
+            block.name, condition, byView[0], protocol.nameOf(kViews[0]), byView[1], protocol.nameOf(kViews[1])));
       }
     }
   }

@@ -25,11 +25,11 @@ uint64_t seedOf(uint64_t seed, uint64_t first, const std::string& name, uint64_t
 
 struct CaseView {
   int caseIndex = 0;
-  StudyView view = StudyView::kPinhole;
+  TrialView view = TrialView::kReference;
 };
 
 /// Takes the cases of the two views in turn.
-std::vector<CaseView> inTurn(const std::vector<int>& first, const std::vector<int>& second, StudyView firstView) {
+std::vector<CaseView> inTurn(const std::vector<int>& first, const std::vector<int>& second, TrialView firstView) {
   std::vector<CaseView> trials;
   for (size_t i = 0; i < first.size() + second.size(); ++i) {
     const bool isFirst = i % 2 == 0;
@@ -38,14 +38,14 @@ std::vector<CaseView> inTurn(const std::vector<int>& first, const std::vector<in
   return trials;
 }
 
-std::vector<CaseView> balancedTrials(int cases, ViewsOfCases views, StudyView firstView, int assignment,
+std::vector<CaseView> balancedTrials(int cases, ViewsOfCases views, TrialView firstView, int assignment,
                                      Random& random) {
   std::vector<int> first;
   std::vector<int> second;
   for (int i = 0; i < cases; ++i) {
     const bool isLastOfOdd = cases % 2 == 1 && i == cases - 1;
     // The assignment tells which view the even cases have, whatever view comes first.
-    const StudyView view = isLastOfOdd ? firstView : kStudyViews[static_cast<size_t>((i + assignment) % 2)];
+    const TrialView view = isLastOfOdd ? firstView : kViews[static_cast<size_t>((i + assignment) % 2)];
     (view == firstView ? first : second).push_back(i);
   }
   random.shuffle(first);
@@ -74,7 +74,7 @@ std::vector<CaseView> alternatingTrials(int cases, ViewsOfCases views) {
   const int count = views == ViewsOfCases::kBoth ? 2 * cases : cases;
   for (int i = 0; i < count; ++i) {
     const int shift = i >= cases && cases % 2 == 0 ? 1 : 0;
-    trials.push_back({(i + shift) % cases, kStudyViews[static_cast<size_t>(i % 2)]});
+    trials.push_back({(i + shift) % cases, kViews[static_cast<size_t>(i % 2)]});
   }
   return trials;
 }
@@ -121,7 +121,7 @@ SessionSchedule scheduleOf(const Protocol& protocol, int slot, int session, uint
   schedule.slot = slot;
   schedule.session = session;
   schedule.seed = seed;
-  schedule.firstView = kStudyViews[static_cast<size_t>(levels.firstView)];
+  schedule.firstView = kViews[static_cast<size_t>(levels.firstView)];
   schedule.blockOrder = orders[static_cast<size_t>(levels.order)];
   for (const int index : schedule.blockOrder) {
     const ProtocolBlock& block = protocol.blocks[static_cast<size_t>(index)];
@@ -152,7 +152,7 @@ TrialPlan practiceTrial(const SessionSchedule& schedule, const Protocol& protoco
   plan.block = block;
   plan.task = of.taskName;
   plan.caseIndex = number % cases;
-  const StudyView first = of.order == TrialOrder::kBalanced ? schedule.firstView : StudyView::kPinhole;
+  const TrialView first = of.order == TrialOrder::kBalanced ? schedule.firstView : TrialView::kReference;
   plan.view = (number + shift) % 2 == 0 ? first : otherThan(first);
   plan.seed = seedOf(schedule.seed, static_cast<uint64_t>(schedule.session), of.name + "/practice",
                      static_cast<uint64_t>(number));
@@ -160,12 +160,12 @@ TrialPlan practiceTrial(const SessionSchedule& schedule, const Protocol& protoco
   return plan;
 }
 
-std::string jsonText(const SessionSchedule& schedule) {
+std::string jsonText(const SessionSchedule& schedule, const ViewConditions& conditions) {
   nlohmann::ordered_json json;
   json["slot"] = schedule.slot;
   json["session"] = schedule.session;
   json["seed"] = schedule.seed;
-  json["first_view"] = nameOf(schedule.firstView);
+  json["first_view"] = conditions.nameOf(schedule.firstView);
   json["block_order"] = schedule.blockOrder;
   json["trials"] = nlohmann::ordered_json::array();
   for (const TrialPlan& trial : schedule.trials) {
@@ -173,7 +173,7 @@ std::string jsonText(const SessionSchedule& schedule) {
                               {"block", trial.block},
                               {"task", trial.task},
                               {"case", trial.caseIndex},
-                              {"view", nameOf(trial.view)},
+                              {"view", conditions.nameOf(trial.view)},
                               {"seed", trial.seed}});
   }
   return json.dump();

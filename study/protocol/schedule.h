@@ -25,7 +25,7 @@ namespace ocelli {
 struct SessionSchedule {
   int slot = 0;
   int session = 0;  ///< from 0
-  StudyView firstView = StudyView::kPinhole;
+  TrialView firstView = TrialView::kReference;
   std::vector<int> blockOrder;    ///< indices of the protocol's blocks
   std::vector<TrialPlan> trials;  ///< in order, without practice
   uint64_t seed = 1;
@@ -46,6 +46,6 @@ SessionSchedule scheduleOf(const Protocol& protocol, int slot, int session, uint
 TrialPlan practiceTrial(const SessionSchedule& schedule, const Protocol& protocol, int block, int number);
 
 /// As JSON text, for the database.
-std::string jsonText(const SessionSchedule& schedule);
+std::string jsonText(const SessionSchedule& schedule, const ViewConditions& conditions);
 
 }  // namespace ocelli

@@ -60,7 +60,7 @@ std::string ReplayStudy::nameOf(const StoredTrial& trial) const {
                                           : fmt::format("trial {}", plan.index + 1);
   const std::string again = trial.record.attempt > 1 ? fmt::format(", attempt {}", trial.record.attempt) : "";
   return fmt::format("{}, session {}, {}{} ({}, {}, {})", trial.subject, trial.session + 1, which, again, trial.block,
-                     ocelli::nameOf(plan.view), trial.record.info.label);
+                     protocol_.nameOf(plan.view), trial.record.info.label);
 }
 
 std::string ReplayStudy::rendererOf(const StoredTrial& trial) const {

@@ -9,6 +9,7 @@
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/multiperspective/multiperspective_image.h"
 #include "oc_core/render/rasterize.h"
+#include "study/task/trial_image.h"
 
 namespace ocelli {
 namespace {
@@ -105,6 +106,24 @@ void SceneViews::move(const StudyScene& scene, std::span<const glm::vec3> offset
   }
 }
 
+GlRenderer& SceneViews::rendererOf(const std::shared_ptr<const ShownContent>& shown) {
+  const auto known =
+      std::find_if(shown_.begin(), shown_.end(), [&](const ShownRenderer& each) { return each.shown == shown; });
+  if (known != shown_.end()) {
+    return *known->renderer;
+  }
+  const Mesh& mesh = std::get<ShownMesh>(*shown).mesh;
+  if (shown_.size() < kMaxShown) {
+    shown_.push_back({shown, std::make_unique<GlRenderer>(*context_, mesh)});
+  } else {
+    // The one that came first.
+    std::rotate(shown_.begin(), shown_.begin() + 1, shown_.end());
+    shown_.back().shown = shown;
+    shown_.back().renderer->setMesh(mesh);
+  }
+  return *shown_.back().renderer;
+}
+
 void SceneViews::draw(const TrialLayout& layout, const GlObject& target) {
   if (layout.scene == nullptr || layout.views.empty()) {
     return;
@@ -113,14 +132,27 @@ void SceneViews::draw(const TrialLayout& layout, const GlObject& target) {
   move(*layout.scene, layout.objectOffsets);
   const GladGLContext& gl = context_->gl();
   for (const TrialLayout::View& view : layout.views) {
+    const std::shared_ptr<const ShownContent> shown = shownIn(layout, view);
+    const auto left = static_cast<GLint>(view.place.left);
+    const auto top = static_cast<GLint>(view.place.top);
+    if (shown && std::holds_alternative<ShownImage>(*shown)) {
+      const Image<Rgb8>& pixels = std::get<ShownImage>(*shown).pixels;
+      OC_CHECK(pixels.width() == view.place.width && pixels.height() == view.place.height,
+               "a view is as large as its place");
+      gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+      gl.TextureSubImage2D(target.id(), 0, left, top, pixels.width(), pixels.height(), GL_RGB, GL_UNSIGNED_BYTE,
+                           pixels.data());
+      gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+      continue;
+    }
+    GlRenderer& renderer = shown ? rendererOf(shown) : *renderer_;
     const GlFragments fragments =
-        std::visit([&](const auto& camera) { return renderer_->drawOnGpu(camera); }, view.camera);
+        std::visit([&](const auto& camera) { return renderer.drawOnGpu(camera); }, view.camera);
     OC_CHECK(fragments.width() == view.place.width && fragments.height() == view.place.height,
              "a view is as large as its place");
-    const GlObject colors = renderer_->encodedColors(fragments, skyColor());
-    gl.CopyImageSubData(colors.id(), GL_TEXTURE_2D, 0, 0, 0, 0, target.id(), GL_TEXTURE_2D, 0,
-                        static_cast<GLint>(view.place.left), static_cast<GLint>(view.place.top), 0, fragments.width(),
-                        fragments.height(), 1);
+    const GlObject colors = renderer.encodedColors(fragments, skyColor());
+    gl.CopyImageSubData(colors.id(), GL_TEXTURE_2D, 0, 0, 0, 0, target.id(), GL_TEXTURE_2D, 0, left, top, 0,
+                        fragments.width(), fragments.height(), 1);
   }
   context_->check("drawing the views of a trial");
 }

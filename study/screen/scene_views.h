@@ -25,12 +25,20 @@ class SceneViews {
  private:
   void prepare(const StudyScene& scene);
   void move(const StudyScene& scene, std::span<const glm::vec3> offsets);
+  /// Of the mesh that stands for a scene, which stays uploaded for some images more.
+  GlRenderer& rendererOf(const std::shared_ptr<const ShownContent>& shown);
 
   GlContext* context_;
   std::unique_ptr<GlRenderer> renderer_;
   Mesh base_;   ///< of the scene that is uploaded
   Mesh moved_;  ///< as it is uploaded now
   std::vector<glm::vec3> offsets_;
+  struct ShownRenderer {
+    std::shared_ptr<const ShownContent> shown;
+    std::unique_ptr<GlRenderer> renderer;
+  };
+  static constexpr size_t kMaxShown = 8;
+  std::vector<ShownRenderer> shown_;
   struct Portrait {
     Mesh mesh;
     int pixels = 0;

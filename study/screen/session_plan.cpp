@@ -22,7 +22,7 @@ void requirePerson(const StoredSubject& subject, const std::string& where) {
 void requireSameSchedule(const StudyDatabase& database, const Protocol& protocol, const SessionPlan& plan) {
   const SessionSchedule schedule = scheduleOf(protocol, plan.subject.slot, plan.session.session, plan.session.seed);
   const std::optional<StoredSession> stored = database.session(plan.subject.id, plan.session.session);
-  if (stored && stored->scheduleJson != jsonText(schedule)) {
+  if (stored && stored->scheduleJson != jsonText(schedule, protocol.conditions.names)) {
     const std::vector<StoredRun> runs = database.runs(plan.subject.id, plan.session.session);
     throw InputError("this program puts the trials into another order than the one in which the session began",
                      fmt::format("session {} of {}", plan.session.session + 1, plan.subject.id),

@@ -168,9 +168,10 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   TrialStore store(database, protocol, run, schedule);
 
   SessionFlow flow(protocol, schedule, plan.session.done, flowOptions, store);
-  tell(options, fmt::format("session   {} of {} of subject {}, {} trials, {} of them done; slot {}, {} first",
-                            plan.session.session + 1, protocol.sessions, options.subject, schedule.trials.size(),
-                            plan.session.done.completedTrials.size(), plan.subject.slot, nameOf(schedule.firstView)));
+  tell(options,
+       fmt::format("session   {} of {} of subject {}, {} trials, {} of them done; slot {}, {} first",
+                   plan.session.session + 1, protocol.sessions, options.subject, schedule.trials.size(),
+                   plan.session.done.completedTrials.size(), plan.subject.slot, protocol.nameOf(schedule.firstView)));
   if (change) {
     tell(options, "warning   this subject has another screen than in the first trial: " + *change);
     flow.report("screen_changed", *change);

@@ -5,7 +5,7 @@
 namespace ocelli {
 
 void tryTrials(const Protocol& protocol, const SessionSchedule& schedule, const TrialScreen& screen) {
-  std::set<std::pair<int, StudyView>> tried;
+  std::set<std::pair<int, TrialView>> tried;
   for (const TrialPlan& plan : schedule.trials) {
     if (!tried.insert({plan.block, plan.view}).second) {
       continue;

@@ -51,7 +51,7 @@ std::string SessionFlow::State::nameOf(const TrialStep& step) const {
   const ProtocolBlock& block = blockOf(plan.block);
   return fmt::format("{}{}, {}, {}, {}", trial ? "" : "before ",
                      plan.practice ? "practice" : fmt::format("trial {} of {}", plan.index + 1, schedule.trials.size()),
-                     block.name, ocelli::nameOf(plan.view), taskOf(plan).caseInfo(plan.caseIndex).label);
+                     block.name, protocol.nameOf(plan.view), taskOf(plan).caseInfo(plan.caseIndex).label);
 }
 
 }  // namespace ocelli

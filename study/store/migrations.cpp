@@ -8,11 +8,12 @@
 
 #include "oc_core/base/error.h"
 #include "study/store/sqlite_connection.h"
+#include "study/store/trials_schema.h"
 
 namespace ocelli {
 
 const std::vector<Migration>& migrations() {
-  static const std::vector<Migration> steps{};
+  static const std::vector<Migration> steps{{1, migrationOfVersion1()}};
   return steps;
 }
 

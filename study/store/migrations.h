@@ -4,7 +4,8 @@
 //   1. protocols/trials.schema.sql: the new tables, and `user_version` one higher.
 //   2. study/store/trials_schema.h: the same number.
 //   3. study/store/migrations.cpp: one entry in the table, SQL that makes the old tables the new ones and keeps all
-//      rows, triggers included. tests/study_store/migrations_test.cpp checks that the numbers agree.
+//      rows, triggers included. It stays as it is when the tables change again. tests/study_store/migrations_test.cpp
+//      checks that the numbers agree, and that a file of each version becomes what new files are.
 #pragma once
 
 #include <filesystem>

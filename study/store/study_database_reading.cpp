@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "oc_core/base/error.h"
+#include "study/protocol/condition_fields.h"
 #include "study/store/database_state.h"
 #include "study/store/input_columns.h"
 
@@ -146,14 +147,14 @@ constexpr const char* kTrials =
     "longest_interval_ns, timing_verdict, screen_width_px, screen_height_px, refresh_hz "
     "FROM trial JOIN subject USING (subject_id) ";
 
-TrialPlan readPlan(const SQLite::Statement& row) {
+TrialPlan readPlan(const SQLite::Statement& row, const ViewConditions& conditions) {
   TrialPlan plan;
   plan.practice = numberOf(row, 6) != 0;
   plan.index = plan.practice ? -1 : numberOf(row, 7);
   plan.block = numberOf(row, 9);
   plan.task = textOf(row, 11);
   plan.caseIndex = numberOf(row, 12);
-  plan.view = known(studyViewFromName(textOf(row, 13)), "view", textOf(row, 13));
+  plan.view = known(conditions.viewNamed(textOf(row, 13)), "view condition", textOf(row, 13));
   plan.seed = bitsOf(row, 14);
   return plan;
 }
@@ -182,7 +183,7 @@ TrialOutcome readOutcome(const SQLite::Statement& row) {
   return outcome;
 }
 
-StoredTrial readTrial(const SQLite::Statement& row) {
+StoredTrial readTrial(const SQLite::Statement& row, const ViewConditions& conditions) {
   StoredTrial trial;
   trial.id = integerOf(row, 0);
   trial.run = integerOf(row, 1);
@@ -191,7 +192,7 @@ StoredTrial readTrial(const SQLite::Statement& row) {
   trial.session = numberOf(row, 4) - 1;
   trial.kind = known(subjectKindFromName(textOf(row, 5)), "kind of a subject", textOf(row, 5));
   trial.block = textOf(row, 10);
-  trial.record.plan = readPlan(row);
+  trial.record.plan = readPlan(row, conditions);
   trial.record.attempt = numberOf(row, 8);
   trial.ended = !row.isColumnNull(15);
   if (!trial.ended) {
@@ -237,6 +238,12 @@ InputRecord readInput(const SQLite::Statement& row) {
 template <class Row>
 std::optional<Row> firstOf(std::vector<Row> rows) {
   return rows.empty() ? std::nullopt : std::optional(std::move(rows.front()));
+}
+
+/// Reads trials of a database, whose protocol names the conditions.
+auto trialReader(const StudyDatabase& database) {
+  return [conditions = conditionNamesOf(database.study().protocolText, database.path().string())](
+             const SQLite::Statement& row) { return readTrial(row, conditions); };
 }
 
 }  // namespace
@@ -290,23 +297,24 @@ std::vector<StoredRun> StudyDatabase::runs(const std::string& subject, int sessi
 }
 
 std::vector<StoredTrial> StudyDatabase::trials() const {
-  return rowsOf(state_->database, state_->path, fmt::format("{} ORDER BY trial_id", kTrials), readTrial, kNothing);
+  return rowsOf(state_->database, state_->path, fmt::format("{} ORDER BY trial_id", kTrials), trialReader(*this),
+                kNothing);
 }
 
 std::vector<StoredTrial> StudyDatabase::trials(const std::string& subject) const {
   return rowsOf(state_->database, state_->path, fmt::format("{} WHERE subject_id = ? ORDER BY trial_id", kTrials),
-                readTrial, bindSubject(subject));
+                trialReader(*this), bindSubject(subject));
 }
 
 std::vector<StoredTrial> StudyDatabase::trials(const std::string& subject, int session) const {
   return rowsOf(state_->database, state_->path,
-                fmt::format("{} WHERE subject_id = ? AND session_number = ? ORDER BY trial_id", kTrials), readTrial,
-                bindSession(subject, session));
+                fmt::format("{} WHERE subject_id = ? AND session_number = ? ORDER BY trial_id", kTrials),
+                trialReader(*this), bindSession(subject, session));
 }
 
 StoredTrial StudyDatabase::trial(int64_t id) const {
   std::optional<StoredTrial> trial =
-      firstOf(rowsOf(state_->database, state_->path, fmt::format("{} WHERE trial_id = ?", kTrials), readTrial,
+      firstOf(rowsOf(state_->database, state_->path, fmt::format("{} WHERE trial_id = ?", kTrials), trialReader(*this),
                      [id](SQLite::Statement& statement) { statement.bind(1, id); }));
   if (!trial) {
     throw InputError(fmt::format("there is no trial {}", id), state_->path.string(),

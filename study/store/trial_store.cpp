@@ -33,13 +33,14 @@ std::vector<std::string> blockNames(const Protocol& protocol) {
   return names;
 }
 
-void insertSession(SQLite::Database& database, const RunRecord& run, const SessionSchedule& schedule, int simulated) {
+void insertSession(SQLite::Database& database, const RunRecord& run, const SessionSchedule& schedule,
+                   const ViewConditions& conditions, int simulated) {
   SQLite::Statement insert(database,
                            "INSERT INTO session (subject_id, session_number, schedule_json, seed, planned_trials, "
                            "started_utc, simulated) VALUES (?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING");
   insert.bind(1, run.subject);
   insert.bind(2, run.session + 1);
-  insert.bind(3, jsonText(schedule));
+  insert.bind(3, jsonText(schedule, conditions));
   insert.bind(4, static_cast<int64_t>(schedule.seed));
   insert.bind(5, static_cast<int>(schedule.trials.size()));
   insert.bind(6, run.startedUtc);
@@ -48,10 +49,11 @@ void insertSession(SQLite::Database& database, const RunRecord& run, const Sessi
 }
 
 /// The row of the run.
-int64_t insertRun(SQLite::Database& database, const RunRecord& run, const SessionSchedule& schedule) {
+int64_t insertRun(SQLite::Database& database, const RunRecord& run, const SessionSchedule& schedule,
+                  const ViewConditions& conditions) {
   const int simulated = run.kind == SubjectKind::kPerson ? 0 : 1;
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-  insertSession(database, run, schedule, simulated);
+  insertSession(database, run, schedule, conditions, simulated);
   SQLite::Statement insert(
       database,
       "INSERT INTO run (run_key, subject_id, session_number, run_number, started_utc, program_version, station, "
@@ -86,15 +88,16 @@ struct TrialStore::State {
       : blocks(static_cast<int>(protocol.blocks.size())),
         interval(options.flushSeconds),
         database(connectStudy(path, DatabaseAccess::kWrite)),
-        writer(database, prepare(run, schedule, options, path), run, blockNames(protocol)),
+        writer(database, prepare(run, schedule, protocol.conditions.names, options, path), run, blockNames(protocol),
+               protocol.conditions.names),
         thread([this] { work(); }) {}
 
   /// Calls from the session.
   void put(StoreMessage message, bool urgent);
   void checkBegun(int number) const;
 
-  int64_t prepare(const RunRecord& run, const SessionSchedule& schedule, const TrialStoreOptions& options,
-                  const std::filesystem::path& path);
+  int64_t prepare(const RunRecord& run, const SessionSchedule& schedule, const ViewConditions& conditions,
+                  const TrialStoreOptions& options, const std::filesystem::path& path);
   // On the thread.
   void work();
   bool storePending();
@@ -129,7 +132,8 @@ struct TrialStore::State {
 };
 
 int64_t TrialStore::State::prepare(const RunRecord& run, const SessionSchedule& schedule,
-                                   const TrialStoreOptions& options, const std::filesystem::path& path) {
+                                   const ViewConditions& conditions, const TrialStoreOptions& options,
+                                   const std::filesystem::path& path) {
   return withSqliteErrors("store that a session begins", path, [&] {
     database.exec("PRAGMA wal_autocheckpoint = 0");
     if (!options.durable) {
@@ -142,7 +146,7 @@ int64_t TrialStore::State::prepare(const RunRecord& run, const SessionSchedule& 
           return SQLITE_OK;
         },
         &logPages);
-    return insertRun(database, run, schedule);
+    return insertRun(database, run, schedule, conditions);
   });
 }
 

@@ -29,13 +29,14 @@ void execute(SQLite::Statement& statement) {
 }  // namespace
 
 TrialWriter::TrialWriter(SQLite::Database& database, int64_t run, const RunRecord& record,
-                         std::vector<std::string> blocks)
+                         std::vector<std::string> blocks, ViewConditions conditions)
     : database_(database),
       run_(run),
       subject_(record.subject),
       sessionNumber_(record.session + 1),
       simulated_(record.kind == SubjectKind::kPerson ? 0 : 1),
       blocks_(std::move(blocks)),
+      conditions_(std::move(conditions)),
       consent_(database,
                "INSERT INTO consent (run_id, subject_id, session_number, simulated, title, text, text_sha256, agreed, "
                "answered_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
@@ -126,7 +127,7 @@ void TrialWriter::write(const TrialBegins& message) {
   trialBegins_.bindNoCopy(10, blocks_.at(static_cast<size_t>(plan.block)));
   trialBegins_.bindNoCopy(11, plan.task);
   trialBegins_.bind(12, plan.caseIndex);
-  trialBegins_.bind(13, std::string(nameOf(plan.view)));
+  trialBegins_.bindNoCopy(13, conditions_.nameOf(plan.view));
   trialBegins_.bind(14, withSign(plan.seed));
   execute(trialBegins_);
   trials_[message.number] = database_.getLastInsertRowid();

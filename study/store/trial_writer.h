@@ -41,8 +41,9 @@ using StoreMessage = std::variant<ConsentRecord, AnswerRecord, EventRecord, Tria
 
 class TrialWriter {
  public:
-  /// `session` from 0. `blocks` are the names of the protocol's blocks.
-  TrialWriter(SQLite::Database& database, int64_t run, const RunRecord& record, std::vector<std::string> blocks);
+  /// `session` from 0. `blocks` are the names of the protocol's blocks, `conditions` its conditions.
+  TrialWriter(SQLite::Database& database, int64_t run, const RunRecord& record, std::vector<std::string> blocks,
+              ViewConditions conditions);
 
   /// To be called within a transaction. A message of a transaction that failed may be written again. Frames and input
   /// of a trial whose beginning was refused are dropped; its end throws.
@@ -70,6 +71,7 @@ class TrialWriter {
   const int sessionNumber_;
   const int simulated_;
   const std::vector<std::string> blocks_;
+  const ViewConditions conditions_;
   std::map<int, int64_t> trials_;  ///< their rows
   SQLite::Statement consent_;
   SQLite::Statement answer_;

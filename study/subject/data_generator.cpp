@@ -76,13 +76,13 @@ class RandomDraws {
         seedOf(session_.studySeed, hashOf(fmt::format("{}\n{}\n{}", block, info.label, session_.schedule.session))));
     const double item = normal(random, 0, effects_.at(plan.task, kItemSd));
     const double itemView = normal(random, 0, effects_.at(plan.task, kItemViewSd));
-    return item + (plan.view == StudyView::kGraph ? 0.5 : -0.5) * itemView;
+    return item + (plan.view == TrialView::kOther ? 0.5 : -0.5) * itemView;
   }
   /// Mean log seconds, or logit of a right answer.
   double meanOf(const TrialPlan& plan, const CaseInfo& info) const {
     const SubjectEffects& subject = subject_.at(plan.task);
     return fixedPart(effects_, {plan.task, plan.view, info, session_.schedule.session}) +
-           (plan.view == StudyView::kGraph ? subject.graph : 0) + subject.mean + itemOf(plan, info);
+           (plan.view == TrialView::kOther ? subject.graph : 0) + subject.mean + itemOf(plan, info);
   }
 
   const Protocol& protocol_;

@@ -22,28 +22,30 @@ bool mentions(const std::string& text, const std::string& word) {
   return found != text.end();
 }
 
-bool mentionsGraphView(const std::string& text) {
-  return mentions(text, "graph") || mentions(text, "bent") || mentions(text, "gc");
+bool mentionsAny(const std::string& text, const std::vector<std::string>& words) {
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return mentions(text, word); });
 }
 
-/// Of a scale with ends: its first option speaks for the graph camera. Protocols without "favors" say it in words.
-bool graphViewIsFirst(const FormField& asked) {
-  return asked.favors.empty() ? mentionsGraphView(asked.ends[0]) && !mentionsGraphView(asked.ends[1])
-                              : asked.favors[0] == StudyView::kGraph;
+/// Of a scale with ends: its first option speaks for the condition that is not the reference. Protocols without
+/// "favors" say it in words.
+bool otherIsFirst(const FormField& asked, const ViewConditions& conditions) {
+  const std::vector<std::string>& words = conditions.of(TrialView::kOther).wordsOfEnds;
+  return asked.favors.empty() ? mentionsAny(asked.ends[0], words) && !mentionsAny(asked.ends[1], words)
+                              : asked.favors[0] == TrialView::kOther;
 }
 
-/// By how much harder the pinhole is than the graph camera; nothing where the subject did not have both.
+/// By how much harder the reference is than the other condition; nothing where the subject did not have both.
 std::optional<double> preferenceOf(const std::string& task, const std::array<Effort, 2>& efforts) {
-  const Effort& pinhole = efforts[static_cast<size_t>(StudyView::kPinhole)];
-  const Effort& graph = efforts[static_cast<size_t>(StudyView::kGraph)];
-  if (pinhole.trials == 0 || graph.trials == 0) {
+  const Effort& reference = efforts[static_cast<size_t>(TrialView::kReference)];
+  const Effort& other = efforts[static_cast<size_t>(TrialView::kOther)];
+  if (reference.trials == 0 || other.trials == 0) {
     return std::nullopt;
   }
-  const double difference = pinhole.mean() - graph.mean();
+  const double difference = reference.mean() - other.mean();
   if (taskKind(task, "answers to forms").outcome == OutcomeKind::kTime) {
     return difference;  // of logarithms
   }
-  const double sum = pinhole.mean() + graph.mean();
+  const double sum = reference.mean() + other.mean();
   return sum > 0 ? 2 * difference / sum : 0;
 }
 
@@ -68,7 +70,7 @@ int optionOf(const Protocol& protocol, const ProtocolForm& form, int field, cons
     if (isScale && preference && (mentions(asked.name, task) || mentions(asked.question, task))) {
       const double felt = *preference + normal(random, 0, kSpread);
       const double strength = std::abs(felt) < kNoticed ? 0 : std::abs(felt) < kPlain ? 0.5 : 1;
-      const double side = (felt > 0) == graphViewIsFirst(asked) ? -1 : 1;
+      const double side = (felt > 0) == otherIsFirst(asked, protocol.conditions.names) ? -1 : 1;
       return static_cast<int>(std::lround((1 + side * strength) / 2 * (count - 1)));
     }
   }

@@ -13,7 +13,7 @@ namespace ocelli {
 namespace {
 
 /// As of slot 0: who comes first changes orders alone.
-std::vector<GeneratedTrial> trialsOf(const Protocol& protocol, const std::string& task, StudyView view) {
+std::vector<GeneratedTrial> trialsOf(const Protocol& protocol, const std::string& task, TrialView view) {
   std::vector<GeneratedTrial> trials;
   for (int session = 0; session < protocol.sessions; ++session) {
     for (const TrialPlan& plan : scheduleOf(protocol, 0, session, protocol.seed).trials) {
@@ -49,7 +49,7 @@ double meanProbability(double logit, double deviation) {
 }  // namespace
 
 double geometricMeanSeconds(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task,
-                            StudyView view) {
+                            TrialView view) {
   OC_CHECK(taskKind(task, protocol.name).outcome == OutcomeKind::kTime, "the outcome of the task is a time");
   const std::vector<GeneratedTrial> trials = trialsOf(protocol, task, view);
   double sum = 0;
@@ -59,7 +59,7 @@ double geometricMeanSeconds(const Protocol& protocol, const GeneratorEffects& ef
   return std::exp(sum / static_cast<double>(trials.size()));
 }
 
-double shareRight(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task, StudyView view) {
+double shareRight(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task, TrialView view) {
   OC_CHECK(taskKind(task, protocol.name).outcome == OutcomeKind::kAnswer, "the outcome of the task is an answer");
   const double deviation =
       std::hypot(effects.at(task, kSubjectSd), effects.at(task, kItemSd), effects.at(task, kItemViewSd) / 2);

@@ -12,10 +12,10 @@ namespace ocelli {
 /// Of a task whose outcome is a time: exp() of the mean of log seconds over all its trials in the protocol, had they
 /// this view and no limit. Throws InputError where the protocol has none, as below.
 double geometricMeanSeconds(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task,
-                            StudyView view);
+                            TrialView view);
 
 /// Of a task whose outcome is an answer: the share of right ones over all its trials in the protocol, had they this
 /// view, and over the normal effects of subjects and cases.
-double shareRight(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task, StudyView view);
+double shareRight(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task, TrialView view);
 
 }  // namespace ocelli

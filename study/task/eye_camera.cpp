@@ -5,11 +5,14 @@
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
+#include "study/task/task_layout.h"
 
 namespace ocelli {
 
-EyeCamera::EyeCamera(const Maze& maze, const Controls& controls, const EyeCameraOptions& options)
+EyeCamera::EyeCamera(const Maze& maze, const Controls& controls, const EyeCameraOptions& options,
+                     StudyConditions conditions)
     : options_(options),
+      conditions_(std::move(conditions)),
       eyeHeight_(static_cast<double>(maze.origin.y) + controls.eyeHeightMeters),
       // Walls are never nearer than the body's radius: the corners of the near rectangle stay before them.
       zNear_(controls.bodyRadiusMeters / 5) {
@@ -37,12 +40,14 @@ std::optional<GraphCamera> EyeCamera::portalCamera(const WalkerPose& pose, const
   }
 }
 
-StudyCamera EyeCamera::at(const WalkerPose& pose, StudyView view, const glm::ivec2& size) const {
-  if (view == StudyView::kPinhole) {
-    return pinhole(pose, size);
-  }
-  std::optional<GraphCamera> camera = portalCamera(pose, size);
-  return camera ? std::move(*camera) : GraphCamera(pinhole(pose, size));
+std::vector<TrialLayout::View> EyeCamera::views(const WalkerPose& pose, TrialView view, const PixelRect& place) const {
+  const PinholeCamera eye = pinhole(pose, sizeOf(place));
+  const auto graph = [&]() -> std::vector<TrialLayout::View> {
+    std::vector<TrialLayout::View> views;
+    views.emplace_back(place, portalCamera(pose, sizeOf(place)).value_or(GraphCamera(eye)));
+    return views;
+  };
+  return conditions_.viewsOf(view, {{{place, eye}}, graph});
 }
 
 EyeCameraOptions readEyeCameraOptions(JsonFields& fields) {

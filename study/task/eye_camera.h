@@ -1,5 +1,5 @@
-// What someone sees who walks in a maze: a pinhole at the eye, or the graph camera that the portal-based constructor
-// (sections 4.3.1.1 and 7.2) makes of it.
+// What someone sees who walks in a maze, in each condition of a study: made of a pinhole at the eye, and of the graph
+// camera that the portal-based constructor (sections 4.3.1.1 and 7.2) makes of it.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -19,17 +19,20 @@ struct EyeCameraOptions {
 
 class EyeCamera {
  public:
-  EyeCamera(const Maze& maze, const Controls& controls, const EyeCameraOptions& options);
+  EyeCamera(const Maze& maze, const Controls& controls, const EyeCameraOptions& options,
+            StudyConditions conditions = {});
 
   PinholeCamera pinhole(const WalkerPose& pose, const glm::ivec2& size) const;
   /// Nothing where the constructor refuses the pose.
   std::optional<GraphCamera> portalCamera(const WalkerPose& pose, const glm::ivec2& size) const;
-  /// Of either kind. A pose that the portal-based constructor refuses shows the pinhole.
-  StudyCamera at(const WalkerPose& pose, StudyView view, const glm::ivec2& size) const;
+  /// The views of a condition, all within `place`. Where the portal-based constructor refuses the pose, the pinhole
+  /// stands for the graph camera.
+  std::vector<TrialLayout::View> views(const WalkerPose& pose, TrialView view, const PixelRect& place) const;
 
  private:
   SceneGuides guides_;
   EyeCameraOptions options_;
+  StudyConditions conditions_;
   double eyeHeight_;
   double zNear_;
 };

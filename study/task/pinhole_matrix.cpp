@@ -63,9 +63,9 @@ PinholeMatrix readPinholeMatrix(JsonFields& fields, const Maze& maze) {
   return matrix;
 }
 
-std::vector<TrialLayout::View> viewsOf(const PinholeMatrix& matrix, const Maze& maze, const PixelRect& area) {
+std::vector<Vantage::Pane> panesOf(const PinholeMatrix& matrix, const Maze& maze, const PixelRect& area) {
   const std::vector<PixelRect> places = gridOf(area, matrix.rows, matrix.columns, kGap);
-  std::vector<TrialLayout::View> views;
+  std::vector<Vantage::Pane> panes;
   for (size_t i = 0; i < matrix.views.size(); ++i) {
     const MatrixView& of = matrix.views[i];
     const glm::ivec2 size = sizeOf(places[i]);
@@ -79,9 +79,9 @@ std::vector<TrialLayout::View> viewsOf(const PinholeMatrix& matrix, const Maze& 
     view.fovVerticalDegrees = degreesFromRadians(2 * std::atan(tangent * size.y / size.x));
     view.zNear = 0.02f * maze.cellSize;
     view.zFar = maze.cellSize * static_cast<float>(4 * (maze.rows() + maze.columns()));
-    views.push_back({places[i], PinholeCamera(view, size.x, size.y)});
+    panes.push_back({places[i], PinholeCamera(view, size.x, size.y)});
   }
-  return views;
+  return panes;
 }
 
 }  // namespace ocelli

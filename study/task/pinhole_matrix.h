@@ -30,6 +30,6 @@ struct PinholeMatrix {
 PinholeMatrix readPinholeMatrix(JsonFields& fields, const Maze& maze);
 
 /// Laid out in `area`.
-std::vector<TrialLayout::View> viewsOf(const PinholeMatrix& matrix, const Maze& maze, const PixelRect& area);
+std::vector<Vantage::Pane> panesOf(const PinholeMatrix& matrix, const Maze& maze, const PixelRect& area);
 
 }  // namespace ocelli

@@ -1,15 +1,24 @@
 #include "study/task/study_scene.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "oc_core/base/check.h"
 #include "oc_core/scene/scene.h"
 #include "oc_core/scene/shading.h"
 
 namespace ocelli {
+namespace {
+
+uint64_t nextId() {
+  static std::atomic<uint64_t> last{0};
+  return ++last;
+}
+
+}  // namespace
 
 StudyScene::StudyScene(const Maze& maze, const MazeLook& look)
-    : maze_(maze), ranges_(maze.landmarks.size()), boxes_(maze.landmarks.size()) {
+    : id_(nextId()), maze_(maze), ranges_(maze.landmarks.size()), boxes_(maze.landmarks.size()) {
   Scene scene = makeMazeScene(maze, look);
   // Shaded one by one: shading a mesh puts new vertices at its end, and objects must keep theirs together.
   for (Mesh& mesh : scene.meshes) {

@@ -29,6 +29,8 @@ class StudyScene {
   /// not how it looks.
   const StudyScene& bare() const { return bare_ ? *bare_ : *this; }
 
+  /// Another for each scene that is made; a copy, which shows the same, has that of its original.
+  uint64_t id() const { return id_; }
   const Maze& maze() const { return maze_; }
   size_t objectCount() const { return ranges_.size(); }
   /// Shaded, all objects where their landmarks stand.
@@ -46,6 +48,7 @@ class StudyScene {
  private:
   StudyScene(const Maze& maze, const MazeLook& look);
 
+  uint64_t id_;
   Maze maze_;
   Mesh mesh_;
   std::vector<uint32_t> objectOfTriangle_;

@@ -18,6 +18,7 @@
 
 #include "oc_core/base/input_event.h"
 #include "study/task/controls.h"
+#include "study/task/scene_view.h"
 #include "study/task/trial_layout.h"
 #include "study/task/trial_plan.h"
 
@@ -94,6 +95,7 @@ class TaskBlock {
 struct TaskSetting {
   std::map<std::string, Maze> mazes{};  ///< by name; valid, without landmarks
   Controls controls{};
+  StudyConditions conditions{};
 };
 
 }  // namespace ocelli

@@ -5,6 +5,7 @@
 
 #include "oc_core/base/check.h"
 #include "oc_core/multiperspective/multiperspective_image.h"
+#include "oc_core/render/identity_image.h"
 #include "oc_core/render/rasterize.h"
 #include "oc_core/render/rasterize_graph.h"
 
@@ -21,14 +22,37 @@ Mesh meshOf(const TrialLayout& layout) {
   return mesh;
 }
 
+std::shared_ptr<const ShownContent> shownIn(const TrialLayout& layout, const TrialLayout::View& view) {
+  return view.show ? view.show(layout) : nullptr;
+}
+
+std::optional<ViewMesh> viewMesh(const ShownContent* shown, const StudyScene& scene, const Mesh& mesh) {
+  if (shown == nullptr) {
+    return ViewMesh{&mesh, &scene.objectOfTriangle()};
+  }
+  const auto* other = std::get_if<ShownMesh>(shown);
+  return other != nullptr ? std::optional(ViewMesh{&other->mesh, &other->objectOfTriangle}) : std::nullopt;
+}
+
+Image<uint32_t> objectsIn(const TrialLayout& layout, const TrialLayout::View& view, const StudyRenderer& renderer) {
+  const Mesh scene = meshOf(layout);
+  const std::shared_ptr<const ShownContent> shown = shownIn(layout, view);
+  const std::optional<ViewMesh> of = viewMesh(shown.get(), *layout.scene, scene);
+  return of ? identityImage(renderer(view.camera, *of->mesh), *of->objectOfTriangle)
+            : std::get<ShownImage>(*shown).objects;
+}
+
 Image<Rgb8> viewsOf(const TrialLayout& layout, const TrialScreen& screen, const StudyRenderer& renderer) {
   Image<Rgb8> pixels(screen.width, screen.height, Rgb8(0));
   if (layout.views.empty()) {
     return pixels;
   }
-  const Mesh mesh = meshOf(layout);
+  const Mesh scene = meshOf(layout);
   for (const TrialLayout::View& view : layout.views) {
-    const Image<Rgb8> image = srgbFromLinear(colorImage(renderer(view.camera, mesh), mesh, skyColor()));
+    const std::shared_ptr<const ShownContent> shown = shownIn(layout, view);
+    const std::optional<ViewMesh> of = viewMesh(shown.get(), *layout.scene, scene);
+    const Image<Rgb8> image = of ? srgbFromLinear(colorImage(renderer(view.camera, *of->mesh), *of->mesh, skyColor()))
+                                 : std::get<ShownImage>(*shown).pixels;
     const int left = static_cast<int>(std::lround(view.place.left));
     const int top = static_cast<int>(std::lround(view.place.top));
     for (int y = std::max(0, -top); y < std::min(image.height(), screen.height - top); ++y) {

@@ -4,13 +4,18 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <glm/vec2.hpp>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "oc_core/base/image.h"
 #include "oc_core/base/input_event.h"
+#include "oc_core/base/png_file.h"
 #include "oc_core/camera/graph_camera.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "study/task/pixel_rect.h"
@@ -34,11 +39,33 @@ constexpr int promptHeight(const TrialScreen& screen) {
   return std::max(48, screen.height * 3 / 40);
 }
 
+struct TrialLayout;
+
+/// What stands for a scene where a view does not show the scene itself.
+struct ShownMesh {
+  Mesh mesh;
+  std::vector<uint32_t> objectOfTriangle;  ///< as StudyScene::objectOfTriangle()
+};
+/// An image that is as large as the place of its view, where no camera draws it from a mesh.
+struct ShownImage {
+  Image<Rgb8> pixels;
+  Image<uint32_t> objects;     ///< as identity_image.h
+  Image<glm::vec3> positions;  ///< where the surface is that shows, of pixels with an object
+};
+using ShownContent = std::variant<ShownMesh, ShownImage>;
+/// Makes it of the scene and the objects of a layout. Any thread may call it at any time; it may take long, and keep
+/// what it made.
+using ShowScene = std::function<std::shared_ptr<const ShownContent>(const TrialLayout& layout)>;
+
 struct TrialLayout {
-  /// An image of the scene, as large as its place.
+  /// An image, as large as its place.
   struct View {
+    View(const PixelRect& at, StudyCamera from, ShowScene shows = {})
+        : place(at), camera(std::move(from)), show(std::move(shows)) {}
+
     PixelRect place;
-    StudyCamera camera;
+    StudyCamera camera;  ///< where it is looked from
+    ShowScene show;      ///< what the camera shows; the scene where it is empty
   };
   /// A path drawn as a map: corners in metres, x to the east, y to the south; the first is the start.
   struct PathMap {

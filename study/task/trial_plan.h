@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "study/task/study_view.h"
+#include "study/trial/view_condition.h"
 
 namespace ocelli {
 
@@ -13,7 +13,7 @@ struct TrialPlan {
   int block = 0;      ///< in the protocol, from 0
   std::string task;   ///< its name in study/tasks/task_registry.h
   int caseIndex = 0;  ///< of the block's cases (task.h); of its practice cases in practice
-  StudyView view = StudyView::kPinhole;
+  TrialView view = TrialView::kReference;
   uint64_t seed = 1;  ///< all that is random within the trial comes of it
   bool practice = false;
 

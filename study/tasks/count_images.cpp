@@ -35,7 +35,7 @@ InstructionExample countExample(bool graph, const glm::ivec2& size) {
   if (graph) {
     ComprehensiveOptions options;
     options.nearness = 0.8;
-    example.layout.views.push_back({wholeImage(size), makeComprehensiveCamera(maze, options, size.x, size.y)});
+    example.layout.views.emplace_back(wholeImage(size), makeComprehensiveCamera(maze, options, size.x, size.y));
     return example;
   }
   constexpr int kColumns = 3;
@@ -53,7 +53,7 @@ InstructionExample countExample(bool graph, const glm::ivec2& size) {
     const PixelRect place{static_cast<double>(i % kColumns * (across + kGap)),
                           static_cast<double>(i / kColumns * (down + kGap)), static_cast<double>(across),
                           static_cast<double>(down)};
-    example.layout.views.push_back({place, exampleEye(maze, cell, heading, 1, {across, down})});
+    example.layout.views.emplace_back(place, exampleEye(maze, cell, heading, 1, {across, down}));
   }
   return example;
 }

@@ -57,13 +57,19 @@ std::vector<LandmarkColor> objectColors() {
 std::vector<TrialLayout::View> comprehensiveView(const Maze& maze, const ComprehensiveOptions& options,
                                                  const PixelRect& stage) {
   const glm::ivec2 size = sizeOf(stage);
-  return {{stage, makeComprehensiveCamera(maze, options, size.x, size.y)}};
+  std::vector<TrialLayout::View> views;
+  views.emplace_back(stage, makeComprehensiveCamera(maze, options, size.x, size.y));
+  return views;
 }
 
 class CountBlock : public TaskBlock {
  public:
-  CountBlock(const Maze& maze, const Controls& controls, const CountOptions& options, std::vector<CountCase> cases)
-      : maze_(maze), controls_(controls), options_(options), cases_(std::move(cases)) {}
+  CountBlock(const Maze& maze, const TaskSetting& setting, const CountOptions& options, std::vector<CountCase> cases)
+      : maze_(maze),
+        controls_(setting.controls),
+        conditions_(setting.conditions),
+        options_(options),
+        cases_(std::move(cases)) {}
 
   int caseCount() const override { return static_cast<int>(cases_.size()); }
   CaseInfo caseInfo(int caseIndex) const override {
@@ -116,13 +122,14 @@ class CountBlock : public TaskBlock {
   }
 
   /// Made once for each size of the screen. They may be asked for by several threads.
-  std::shared_ptr<const std::vector<TrialLayout::View>> views(StudyView view, const TrialScreen& screen) const {
+  std::shared_ptr<const std::vector<TrialLayout::View>> views(TrialView view, const TrialScreen& screen) const {
     const std::lock_guard lock(mutex_);
     auto& made = views_[{screen.width, screen.height, view}];
     if (!made) {
+      const PixelRect stage = stageOf(screen);
       made = std::make_shared<const std::vector<TrialLayout::View>>(
-          view == StudyView::kGraph ? comprehensiveView(maze_, options_.comprehensive, stageOf(screen))
-                                    : viewsOf(options_.pinholes, maze_, stageOf(screen)));
+          conditions_.viewsOf(view, {panesOf(options_.pinholes, maze_, stage),
+                                     [&] { return comprehensiveView(maze_, options_.comprehensive, stage); }}));
     }
     return made;
   }
@@ -130,10 +137,11 @@ class CountBlock : public TaskBlock {
  private:
   Maze maze_;
   Controls controls_;
+  StudyConditions conditions_;
   CountOptions options_;
   std::vector<CountCase> cases_;
   mutable std::mutex mutex_;
-  mutable std::map<std::tuple<int, int, StudyView>, std::shared_ptr<const std::vector<TrialLayout::View>>> views_;
+  mutable std::map<std::tuple<int, int, TrialView>, std::shared_ptr<const std::vector<TrialLayout::View>>> views_;
 };
 
 class CountRun : public TrialRun {
@@ -344,7 +352,7 @@ std::shared_ptr<const TaskBlock> readCountTask(JsonFields& fields, const std::st
   std::vector<CountCase> cases;
   readCases(fields, caseField,
             [&](JsonFields& each, const std::string& label) { cases.push_back(readCase(each, label, options)); });
-  return std::make_shared<CountBlock>(maze, setting.controls, options, std::move(cases));
+  return std::make_shared<CountBlock>(maze, setting, options, std::move(cases));
 }
 
 std::unique_ptr<TaskPolicy> countPolicy(const PolicySetting& setting) {
@@ -374,9 +382,9 @@ TaskKind countTask() {
           .outcome = OutcomeKind::kAnswer,
           .read = readCountTask,
           .policy = countPolicy,
-          .generator = {.effects = {{"right", 0.5, "logit of a right answer with the pinhole in the first session",
+          .generator = {.effects = {{"right", 0.5, "logit of a right answer with the reference in the first session",
                                      levelCovariate},
-                                    {kGraphEffect, 1.5, "the graph camera", graphCovariate},
+                                    {kGraphEffect, 1.5, "the condition that is not the reference", graphCovariate},
                                     {"duplicates", -0.4, "shared colours", duplicatesCovariate},
                                     {"doubled_exposure", 0.3, "twice the exposure", doubledExposureCovariate},
                                     {"session", 0.2, "each further session", sessionCovariate},

@@ -33,9 +33,9 @@ InstructionExample searchExample(bool graph, const glm::ivec2& size) {
     guides.maze = maze;
     PortalOptions options;
     options.bentBeyond = 1;
-    example.layout.views.push_back({wholeImage(size), buildPortalCamera(options, guides, eye)});
+    example.layout.views.emplace_back(wholeImage(size), buildPortalCamera(options, guides, eye));
   } else {
-    example.layout.views.push_back({wholeImage(size), eye});
+    example.layout.views.emplace_back(wholeImage(size), eye);
   }
   return example;
 }

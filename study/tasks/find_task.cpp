@@ -40,13 +40,13 @@ struct FindOptions {
 /// All that the trials of a block share. One scene shows all cases: its object is moved to where it stands.
 class FindBlock : public TaskBlock {
  public:
-  FindBlock(const Maze& maze, const Controls& controls, const FindOptions& options, std::vector<FindCase> cases)
+  FindBlock(const Maze& maze, const TaskSetting& setting, const FindOptions& options, std::vector<FindCase> cases)
       : maze_(maze),
-        controls_(controls),
+        controls_(setting.controls),
         options_(options),
         cases_(std::move(cases)),
-        plan_(maze, controls.bodyRadiusMeters),
-        camera_(maze, controls, options.camera),
+        plan_(maze, setting.controls.bodyRadiusMeters),
+        camera_(maze, setting.controls, options.camera, setting.conditions),
         scene_(withObject(maze, cases_.front().object)),
         picker_(scene_) {}
 
@@ -151,7 +151,7 @@ class FindRun : public TrialRun {
     TrialLayout layout;
     layout.scene = &block_.scene();
     layout.objectOffsets = {block_.offsetTo(place_)};
-    layout.views.push_back({stage_, camera()});
+    layout.views = views();
     layout.prompt = "Find the object and click on it";
     layout.targetObject = 0;
     layout.pointer = pointer_.place();
@@ -161,11 +161,16 @@ class FindRun : public TrialRun {
   std::optional<TrialOutcome> outcome() const override { return outcome_; }
 
  private:
-  StudyCamera camera() const { return block_.camera().at(walker_.pose(), view_, sizeOf(stage_)); }
+  std::vector<TrialLayout::View> views() const { return block_.camera().views(walker_.pose(), view_, stage_); }
 
   void click() {
-    const glm::dvec2 pixel = pointer_.place() - glm::dvec2(stage_.left, stage_.top);
-    if (block_.picker().isUnder(camera(), pixel, block_.options().clickTolerancePixels, 0, block_.offsetTo(place_))) {
+    const std::vector<TrialLayout::View> shown = views();
+    const bool hit = std::any_of(shown.begin(), shown.end(), [&](const TrialLayout::View& view) {
+      const glm::dvec2 pixel = pointer_.place() - glm::dvec2(view.place.left, view.place.top);
+      return block_.picker().isUnder(view.camera, pixel, block_.options().clickTolerancePixels, 0,
+                                     block_.offsetTo(place_));
+    });
+    if (hit) {
       finish(true);
     } else {
       ++wrongClicks_;
@@ -186,7 +191,7 @@ class FindRun : public TrialRun {
   }
 
   const FindBlock& block_;
-  StudyView view_;
+  TrialView view_;
   std::string expected_;
   PixelRect stage_;
   glm::dvec2 place_;  ///< of the object, (x, z)
@@ -225,7 +230,7 @@ std::shared_ptr<const TaskBlock> readFindTask(JsonFields& fields, const std::str
     validate(withObject, each.where());
     cases.push_back({label, object});
   });
-  return std::make_shared<FindBlock>(maze, setting.controls, options, std::move(cases));
+  return std::make_shared<FindBlock>(maze, setting, options, std::move(cases));
 }
 
 std::unique_ptr<TaskPolicy> findPolicy(const PolicySetting& setting) {
@@ -245,13 +250,13 @@ TaskKind findTask() {
           .outcome = OutcomeKind::kTime,
           .read = readFindTask,
           .policy = findPolicy,
-          .generator = {.effects = {{"log_seconds", 2.5, "log seconds with the pinhole in the first session",
+          .generator = {.effects = {{"log_seconds", 2.5, "log seconds with the reference in the first session",
                                      levelCovariate},
-                                    {kGraphEffect, -0.3, "the graph camera", graphCovariate},
+                                    {kGraphEffect, -0.3, "the condition that is not the reference", graphCovariate},
                                     {"moving", -0.3, "moving objects", movingCovariate},
                                     {"session", -0.1, "each further session", sessionCovariate},
                                     {kSubjectSd, 0.25, "between subjects"},
-                                    {kSubjectGraphSd, 0.1, "between subjects in the effect of the graph camera"},
+                                    {kSubjectGraphSd, 0.1, "between subjects in that effect"},
                                     {kItemSd, 0.35, "between cases"},
                                     {kItemViewSd, 0, "between cases in the effect of the view"},
                                     {kResidualSd, 0.45, "between searches of one subject for one case"}},

@@ -24,7 +24,7 @@ namespace ocelli {
 /// A trial as far as effects ask for it.
 struct GeneratedTrial {
   std::string task;
-  StudyView view = StudyView::kPinhole;
+  TrialView view = TrialView::kReference;
   CaseInfo info;
   int session = 0;  ///< from 0
 };

@@ -67,12 +67,13 @@ struct NearerStage {
 /// One scene shows all cases: its objects are moved to where they stand.
 class NearerBlock : public TaskBlock {
  public:
-  NearerBlock(const Maze& maze, const Controls& controls, const NearerOptions& options, std::vector<NearerCase> cases)
+  NearerBlock(const Maze& maze, const TaskSetting& setting, const NearerOptions& options, std::vector<NearerCase> cases)
       : maze_(maze),
-        controls_(controls),
+        controls_(setting.controls),
+        conditions_(setting.conditions.names),
         options_(options),
         cases_(std::move(cases)),
-        camera_(maze, controls, options.camera),
+        camera_(maze, setting.controls, options.camera, setting.conditions),
         scene_(withObjects(maze, cases_.front())) {}
 
   int caseCount() const override { return static_cast<int>(cases_.size()); }
@@ -93,6 +94,7 @@ class NearerBlock : public TaskBlock {
   }
 
   const Controls& controls() const { return controls_; }
+  const ViewConditions& conditions() const { return conditions_; }
   const NearerOptions& options() const { return options_; }
   /// Metres on the floor.
   double distanceTo(int caseIndex, Side side) const {
@@ -102,14 +104,14 @@ class NearerBlock : public TaskBlock {
     return distanceTo(caseIndex, kLeftSide) < distanceTo(caseIndex, kRightSide) ? kLeftSide : kRightSide;
   }
   /// All but choices and prompt.
-  TrialLayout layoutOf(int caseIndex, StudyView view, const NearerStage& stage) const {
+  TrialLayout layoutOf(int caseIndex, TrialView view, const NearerStage& stage) const {
     TrialLayout layout;
     layout.scene = &scene_;
     for (const Side side : {kLeftSide, kRightSide}) {
       const glm::dvec2 by = placeOf(caseOf(caseIndex).objects[side]) - placeOf(cases_.front().objects[side]);
       layout.objectOffsets.emplace_back(by.x, 0, by.y);
     }
-    layout.views.push_back({stage.view, camera_.at(options_.start, view, sizeOf(stage.view))});
+    layout.views = camera_.views(options_.start, view, stage.view);
     return layout;
   }
 
@@ -126,6 +128,7 @@ class NearerBlock : public TaskBlock {
 
   Maze maze_;
   Controls controls_;
+  ViewConditions conditions_;
   NearerOptions options_;
   std::vector<NearerCase> cases_;
   EyeCamera camera_;
@@ -220,30 +223,29 @@ void checkCase(const NearerBlock& block, int index, const std::string& where) {
                                  block.distanceTo(index, kLeftSide), block.distanceTo(index, kRightSide)),
                      of, fmt::format("let them differ by {:g} m or more", kMinDistanceDifference));
   }
-  for (const StudyView view : kStudyViews) {
+  for (const TrialView view : kViews) {
     const TrialLayout layout = block.layoutOf(index, view, NearerStage(kNearerTrialScreen));
-    const FragmentImage image = rasterizeStudy(layout.views.front().camera, meshOf(layout));
     std::array<ObjectSighting, 2> seen{};  // by Side
-    for (const ObjectSighting& each : sightings(identityImage(image, layout.scene->objectOfTriangle()))) {
+    for (const ObjectSighting& each : sightings(objectsIn(layout, layout.views.front()))) {
       seen[each.object - 1] = each;
     }
     for (const Side side : {kLeftSide, kRightSide}) {
       if (seen[side].pixels < kMinNearerPixels) {
-        throw InputError(
-            fmt::format("the view {} shows {} pixels of the {} object on a screen of {} x {}", nameOf(view),
-                        seen[side].pixels, kSideNames[side], kNearerTrialScreen.width, kNearerTrialScreen.height),
-            of, "move it to where both views show it, or change \"start\", \"portals\" or the maze");
+        throw InputError(fmt::format("the view {} shows {} pixels of the {} object on a screen of {} x {}",
+                                     block.conditions().nameOf(view), seen[side].pixels, kSideNames[side],
+                                     kNearerTrialScreen.width, kNearerTrialScreen.height),
+                         of, "move it to where both views show it, or change \"start\", \"portals\" or the maze");
       }
       if (seen[side].atBorder) {
-        throw InputError(fmt::format("the border of the image of the view {} cuts off the {} object", nameOf(view),
-                                     kSideNames[side]),
+        throw InputError(fmt::format("the border of the image of the view {} cuts off the {} object",
+                                     block.conditions().nameOf(view), kSideNames[side]),
                          of, "move it farther away, or to the middle");
       }
     }
     if (seen[kLeftSide].upper.x >= seen[kRightSide].lower.x) {
-      throw InputError(
-          fmt::format("the view {} does not show the left object wholly to the left of the right one", nameOf(view)),
-          of, "change their \"east\" and \"south\", or which of them is \"left\"");
+      throw InputError(fmt::format("the view {} does not show the left object wholly to the left of the right one",
+                                   block.conditions().nameOf(view)),
+                       of, "change their \"east\" and \"south\", or which of them is \"left\"");
     }
   }
 }
@@ -276,7 +278,7 @@ std::shared_ptr<const TaskBlock> readNearerTask(JsonFields& fields, const std::s
     validate(NearerBlock::withObjects(maze, of), each.where());
     cases.push_back(of);
   });
-  auto block = std::make_shared<NearerBlock>(maze, setting.controls, options, std::move(cases));
+  auto block = std::make_shared<NearerBlock>(maze, setting, options, std::move(cases));
   for (int i = 0; i < block->caseCount(); ++i) {
     checkCase(*block, i, fields.where());
   }
@@ -367,7 +369,7 @@ class NearerPolicy final : public TaskPolicy {
 };
 
 /// Two objects in a hall, with corridors to its sides.
-InstructionExample nearerExample(StudyView view, const glm::ivec2& size) {
+InstructionExample nearerExample(TrialView view, const glm::ivec2& size) {
   Maze maze = mazeFromJsonText(R"({"plan": [
     "+-+-+-+-+-+",
     "|   |   | |",
@@ -383,7 +385,7 @@ InstructionExample nearerExample(StudyView view, const glm::ivec2& size) {
   const WalkerPose pose{static_cast<double>(start.x), static_cast<double>(start.z), radiansOf(Direction::kEast)};
   InstructionExample example{std::make_shared<StudyScene>(maze), {}};
   example.layout.scene = example.scene.get();
-  example.layout.views.push_back({wholeImage(size), EyeCamera(maze, {}, {}).at(pose, view, size)});
+  example.layout.views = EyeCamera(maze, {}, {}).views(pose, view, wholeImage(size));
   return example;
 }
 
@@ -398,22 +400,22 @@ std::string otherSide(const std::string& expected, Random&) {
 }  // namespace
 
 TaskKind nearerTask() {
-  return {
-      .name = "nearer",
-      .description = "say which of two objects is nearer, the left one or the right one",
-      .outcome = OutcomeKind::kAnswer,
-      .read = readNearerTask,
-      .policy = nearerPolicy,
-      .generator = {.effects = {{"right", 1.5, "logit of a right answer with the pinhole in the first session",
-                                 levelCovariate},
-                                {kGraphEffect, -0.5, "the graph camera", graphCovariate},
-                                {"session", 0.1, "each further session", sessionCovariate},
-                                {kSubjectSd, 0.5, "between subjects"},
-                                {kItemSd, 0.6, "between cases"},
-                                {kItemViewSd, 0, "between cases in the effect of the view"}},
-                    .wrongAnswer = otherSide},
-      .images = {{"nearer_ppc", false, [](const glm::ivec2& size) { return nearerExample(StudyView::kPinhole, size); }},
-                 {"nearer_gc", true, [](const glm::ivec2& size) { return nearerExample(StudyView::kGraph, size); }}}};
+  return {.name = "nearer",
+          .description = "say which of two objects is nearer, the left one or the right one",
+          .outcome = OutcomeKind::kAnswer,
+          .read = readNearerTask,
+          .policy = nearerPolicy,
+          .generator = {.effects = {{"right", 1.5, "logit of a right answer with the reference in the first session",
+                                     levelCovariate},
+                                    {kGraphEffect, -0.5, "the condition that is not the reference", graphCovariate},
+                                    {"session", 0.1, "each further session", sessionCovariate},
+                                    {kSubjectSd, 0.5, "between subjects"},
+                                    {kItemSd, 0.6, "between cases"},
+                                    {kItemViewSd, 0, "between cases in the effect of the view"}},
+                        .wrongAnswer = otherSide},
+          .images = {
+              {"nearer_ppc", false, [](const glm::ivec2& size) { return nearerExample(TrialView::kReference, size); }},
+              {"nearer_gc", true, [](const glm::ivec2& size) { return nearerExample(TrialView::kOther, size); }}}};
 }
 
 }  // namespace ocelli

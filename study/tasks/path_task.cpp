@@ -58,15 +58,15 @@ struct PathItem {
 
 class PathBlock : public TaskBlock {
  public:
-  PathBlock(const Maze& maze, const Controls& controls, const PathOptions& options, const StepRange& steps,
+  PathBlock(const Maze& maze, const TaskSetting& setting, const PathOptions& options, const StepRange& steps,
             std::vector<std::string> labels)
       : maze_(maze),
-        controls_(controls),
+        controls_(setting.controls),
         options_(options),
         labels_(std::move(labels)),
         paths_(maze_, steps.least, steps.most),
         sequences_(paths_.sequences(options.turns)),
-        camera_(maze, controls, options.camera),
+        camera_(maze, setting.controls, options.camera, setting.conditions),
         scene_(maze) {}
 
   int caseCount() const override { return static_cast<int>(labels_.size()); }
@@ -181,7 +181,7 @@ class PathRun : public TrialRun {
     TrialLayout layout;
     layout.scene = &block_.scene();
     if (isWalking()) {
-      layout.views.push_back({stage_, block_.camera().at(pose(), view_, sizeOf(stage_))});
+      layout.views = block_.camera().views(pose(), view_, stage_);
       layout.prompt = "Watch the path";
       return layout;
     }
@@ -216,7 +216,7 @@ class PathRun : public TrialRun {
   }
 
   const PathBlock& block_;
-  StudyView view_;
+  TrialView view_;
   PathItem item_;
   PathWalk walk_;
   PixelRect stage_;
@@ -264,7 +264,7 @@ std::shared_ptr<const TaskBlock> readPathTask(JsonFields& fields, const std::str
                     PathWalk::secondsOf(options.turns + 1, options.turns, maze, options.speed)),
         fields.where(), next);
   }
-  auto block = std::make_shared<PathBlock>(maze, setting.controls, options, steps, std::move(labels));
+  auto block = std::make_shared<PathBlock>(maze, setting, options, steps, std::move(labels));
   if (static_cast<int>(block->sequences().size()) < options.maps) {
     throw InputError(
         fmt::format(
@@ -309,9 +309,9 @@ TaskKind pathTask() {
           .outcome = OutcomeKind::kAnswer,
           .read = readPathTask,
           .policy = pathPolicy,
-          .generator = {.effects = {{"right", 1, "logit of a right answer with the pinhole in the first session",
+          .generator = {.effects = {{"right", 1, "logit of a right answer with the reference in the first session",
                                      levelCovariate},
-                                    {kGraphEffect, 0.1, "the graph camera", graphCovariate},
+                                    {kGraphEffect, 0.1, "the condition that is not the reference", graphCovariate},
                                     {"session", 0.2, "each further session", sessionCovariate},
                                     {kSubjectSd, 0.5, "between subjects"},
                                     {kItemSd, 0.4, "between cases"},

@@ -1,4 +1,4 @@
-#include "analysis/dataset/view_condition.h"
+#include "study/trial/view_condition.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

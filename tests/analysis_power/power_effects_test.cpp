@@ -75,8 +75,8 @@ TEST_F(PowerEffects, OfAnswersAreTheSharesThatWereAskedFor) {
     supposed.sharePpc = 0.44;
     supposed.shareGc = 0.9;
     const Truth truth = truthOf(supposed);
-    EXPECT_NEAR(shareRight(protocol_, truth.effects, task, StudyView::kPinhole), 0.44, 1e-9);
-    EXPECT_NEAR(shareRight(protocol_, truth.effects, task, StudyView::kGraph), 0.9, 1e-9);
+    EXPECT_NEAR(shareRight(protocol_, truth.effects, task, TrialView::kReference), 0.44, 1e-9);
+    EXPECT_NEAR(shareRight(protocol_, truth.effects, task, TrialView::kOther), 0.9, 1e-9);
     // Shares of all subjects lie closer together than those of one, so its odds ratio is larger.
     EXPECT_GT(truth.ratio, (0.9 / 0.1) / (0.44 / 0.56));
   }
@@ -98,7 +98,7 @@ TEST_F(PowerEffects, CasesMayDifferInTheEffectOfTheView) {
     supposed.caseViewSd = 0.7;
     const Truth truth = truthOf(supposed);
     EXPECT_EQ(truth.effects.at(task, "item_view_sd"), 0.7);
-    EXPECT_NEAR(shareRight(protocol_, truth.effects, task, StudyView::kGraph), 0.8, 1e-9);
+    EXPECT_NEAR(shareRight(protocol_, truth.effects, task, TrialView::kOther), 0.8, 1e-9);
     EXPECT_THAT(describeTruth(truth, task), Contains(HasSubstr("in the effect of the view by 0.7")));
     // Without an effect shares are the same in both views, as cases gain or lose as often.
     const Truth none = truthWithoutEffect(protocol_, task, truth);

@@ -14,6 +14,21 @@ using ::testing::HasSubstr;
 
 const std::string kSample = OCELLI_SOURCE_DIR "/protocols/rosen2010.plan.json";
 
+TEST(DefaultPlan, HasNoHypothesesOfTasksThatTheStudyDoesNotHave) {
+  const AnalysisPlan all = defaultPlan();
+  const AnalysisPlan counting = defaultPlan(defaultConditions(), {"count", "nearer"});
+  EXPECT_LT(counting.hypotheses.size(), all.hypotheses.size());
+  for (const PlannedModel& model : counting.models) {
+    EXPECT_TRUE(model.task == "count" || model.task == "survey") << model.name;
+  }
+  for (const Hypothesis& hypothesis : counting.hypotheses) {
+    EXPECT_NE(counting.findModel(hypothesis.model), nullptr) << hypothesis.name;
+  }
+  const AnalysisPlan none = defaultPlan(defaultConditions(), {"nearer"});
+  ASSERT_EQ(none.families.size(), 1u) << "the survey's";
+  EXPECT_TRUE(none.equivalence.empty());
+}
+
 TEST(ReportTasks, defaultsAreThoseOfTheSample) {
   const AnalysisPlan sample = readPlan(kSample, plannableTasks(Dataset()));
   const AnalysisPlan plan = defaultPlan();

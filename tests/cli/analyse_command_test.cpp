@@ -428,7 +428,7 @@ TEST_F(AnalyseCommand, WhatIsNoStudyIsRefused) {
   folder_.write("tables/subjects.csv", "subject_id\nS01\n");
   expectRefused("tables", "subjects.csv:1");
   for (const auto& [sql, reason] : std::vector<std::pair<std::string, std::string>>{
-           {"PRAGMA user_version = 2", "a newer version of ocelli"},
+           {"PRAGMA user_version = 3", "a newer version of ocelli"},
            {"PRAGMA user_version = 0", "version 0"},
            {"PRAGMA application_id = 0", "no database of a study"},
            {"DELETE FROM study", "holds no study"},
@@ -444,7 +444,8 @@ TEST_F(AnalyseCommand, WhatIsNoStudyIsRefused) {
            {"UPDATE trial SET measures_json = '[' WHERE trial_id = 4", "trial_id 4, measures_json"},
            {"UPDATE trial SET measures_json = '{\"a\": 1e300}' WHERE trial_id = 4", "trial_id 4: a is 1e+300"},
            {"UPDATE trial SET case_label = printf('%.*c', 1000000, 'x') WHERE trial_id = 4", "has 1000000 bytes"},
-           {"PRAGMA ignore_check_constraints = 1; UPDATE trial SET view = 'both' WHERE trial_id = 4", "table trial"},
+           {"PRAGMA ignore_check_constraints = 1; UPDATE trial SET view = '' WHERE trial_id = 4", "table trial"},
+           {"UPDATE trial SET view = 'both' WHERE trial_id = 4", "must be ppc or gc"},
            {"PRAGMA ignore_check_constraints = 1; UPDATE trial SET censored = 7 WHERE trial_id = 4", "table trial"}}) {
     folder_.write("changed.db", bytes);
     change("changed.db", sql);

@@ -14,6 +14,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr int kWorkFailed = 1;
 constexpr int kInputWrong = 2;
@@ -116,6 +117,35 @@ TEST_F(StudySimulationCommands, ANewTaskGoesAllTheWayToTheExport) {
   const ProgramResult exported = runProgram("study export --db " + path("nearer.db") + " -o " + path("tables"));
   EXPECT_EQ(exported.exitCode, 0) << exported.error;
   EXPECT_THAT(fileBytes(folder_ / "tables/trials.csv"), AllOf(HasSubstr(",nearer,"), HasSubstr("left_distance_m")));
+}
+
+// The way of conditions that a protocol names itself: the mesh of an occlusion camera, seen from a moved eye.
+TEST_F(StudySimulationCommands, NamedConditionsGoAllTheWayToTheReport) {
+  const std::string protocol = OCELLI_SOURCE_DIR "/protocols/nearer-aside.json";
+  const ProgramResult checked = runProgram("study check " + protocol);
+  EXPECT_EQ(checked.exitCode, 0) << checked.error;
+  EXPECT_THAT(checked.output, AllOf(HasSubstr("pinhole first"), HasSubstr(" aside")));
+  const std::string database = " --db " + path("aside.db") + " --frame 240x150 ";
+  for (const char* kind : {"observer --first see- --hash-frames", "generator --first draw- --subjects 12"}) {
+    const ProgramResult made = runProgram("study simulate " + protocol + database + "--kind " + kind);
+    EXPECT_EQ(made.exitCode, 0) << made.error;
+  }
+  {
+    SQLite::Database stored(path("aside.db"), SQLite::OPEN_READONLY);
+    const auto count = [&](const std::string& view) {
+      return stored.execAndGet("SELECT count(*) FROM trial WHERE practice = 0 AND view = '" + view + "'").getInt();
+    };
+    EXPECT_EQ(count("pinhole"), 13 * 12);
+    EXPECT_EQ(count("aside"), 13 * 12);
+  }
+  const ProgramResult replayed = runProgram("study replay --all --subject see-0001 --db " + path("aside.db"));
+  EXPECT_EQ(replayed.exitCode, 0) << replayed.error;
+  EXPECT_THAT(replayed.output, HasSubstr("outcomes identical in 24"));
+  const ProgramResult analysed =
+      runProgram("analyse " + path("aside.db") + " --simulated together -o " + path("report"));
+  EXPECT_EQ(analysed.exitCode, 0) << analysed.error;
+  EXPECT_THAT(fileBytes(folder_ / "report/index.html"),
+              AllOf(HasSubstr("mesh from aside"), Not(HasSubstr("graph camera"))));
 }
 
 TEST_F(StudySimulationCommands, RejectWhatCannotBe) {

@@ -40,7 +40,7 @@ TrialLayout imageOf(const StudyScene& scene, const StudyCamera& camera, double l
   const auto* pinhole = std::get_if<PinholeCamera>(&camera);
   const int width = pinhole ? pinhole->width() : std::get<GraphCamera>(camera).width();
   const int height = pinhole ? pinhole->height() : std::get<GraphCamera>(camera).height();
-  layout.views.push_back({{left, top, static_cast<double>(width), static_cast<double>(height)}, camera});
+  layout.views.emplace_back(PixelRect{left, top, static_cast<double>(width), static_cast<double>(height)}, camera);
   return layout;
 }
 
@@ -141,16 +141,16 @@ TEST(VisibilitySensor, knowsWaysThatAreOpenAndNoOthers) {
 TEST(VisibilitySensor, seesAroundCornersWhatBentRaysShow) {
   // A find trial from the entrance: the portal-based camera shows side corridors, the pinhole does not.
   const auto block = test::readBlock("find", R"({"maze": "small", "cases": [{"row": 2, "column": 4}]})");
-  const auto percept = [&](StudyView view) {
+  const auto percept = [&](TrialView view) {
     return VisibilitySensor(kScreen).look(block->start(test::planOf("find", 0, view), kScreen)->layout(), true);
   };
   size_t bent = 0;
-  for (const FloorPatch& patch : percept(StudyView::kGraph).floor) {
+  for (const FloorPatch& patch : percept(TrialView::kOther).floor) {
     bent += patch.straight ? 0 : 1;
   }
   EXPECT_GT(bent, 0u);
-  EXPECT_THAT(percept(StudyView::kPinhole).floor, Each(Field(&FloorPatch::straight, true)));
-  EXPECT_GT(percept(StudyView::kGraph).floor.size(), percept(StudyView::kPinhole).floor.size());
+  EXPECT_THAT(percept(TrialView::kReference).floor, Each(Field(&FloorPatch::straight, true)));
+  EXPECT_GT(percept(TrialView::kOther).floor.size(), percept(TrialView::kReference).floor.size());
 }
 
 TEST(VisibilitySensor, joinsWhatAPostCutsInTwoAndKeepsThingsApart) {
@@ -170,7 +170,7 @@ TEST(VisibilitySensor, getsNothingOfABlackScreen) {
   const auto black = [](const StudyCamera& camera, const Mesh&) {
     return std::visit([](const auto& each) { return FragmentImage(each.width(), each.height()); }, camera);
   };
-  const auto run = block->start(test::planOf("find", 0, StudyView::kPinhole), kScreen);
+  const auto run = block->start(test::planOf("find", 0, TrialView::kReference), kScreen);
   const Percept percept = VisibilitySensor(kScreen, black).look(run->layout(), true);
   EXPECT_THAT(percept.objects, IsEmpty());
   EXPECT_THAT(percept.floor, IsEmpty());

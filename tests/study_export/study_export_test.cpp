@@ -76,7 +76,7 @@ TEST_F(StudyExportTest, WritesEveryTrialWithAllItsValues) {
     EXPECT_EQ(trials.at(row, "trial_id"), std::to_string(stored[row].id));
     EXPECT_EQ(trials.at(row, "subject_id"), stored[row].subject);
     EXPECT_EQ(trials.at(row, "session_number"), "1");
-    EXPECT_EQ(trials.at(row, "view"), nameOf(record.plan.view));
+    EXPECT_EQ(trials.at(row, "view"), defaultConditions().nameOf(record.plan.view));
     EXPECT_EQ(trials.at(row, "simulated"), stored[row].subject == "R1" ? "1" : "0");
     if (record.ending == TrialEnding::kCompleted && stored[row].ended) {
       EXPECT_EQ(trials.at(row, "answer"), record.outcome.answer);

@@ -17,7 +17,7 @@ TEST(Coverage, ShowsEveryPlaceOnceInTheGraphCameraAndAllInThePinholes) {
   ASSERT_EQ(blocks[1].views.size(), 2u);
   const ViewCoverage& pinholes = blocks[1].views[0];
   const ViewCoverage& graph = blocks[1].views[1];
-  EXPECT_EQ(pinholes.view, StudyView::kPinhole);
+  EXPECT_EQ(pinholes.view, TrialView::kReference);
   EXPECT_EQ(pinholes.images, 8);
   EXPECT_EQ(graph.images, 1);
   // 24 cells beside the entrance, and 26 passages.

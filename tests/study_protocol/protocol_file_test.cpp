@@ -5,6 +5,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/sha256.h"
+#include "study/protocol/condition_fields.h"
 #include "study/protocol/protocol.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/study_protocol/protocol_text.h"
@@ -29,7 +30,7 @@ TEST(ProtocolFile, IsReadAsItStands) {
   EXPECT_THAT(protocol.demographics->fields[0].options, ElementsAre("normal", "impaired"));
   ASSERT_TRUE(protocol.survey.has_value());
   EXPECT_THAT(protocol.survey->fields[0].ends, ElementsAre("this", "that"));
-  EXPECT_THAT(protocol.survey->fields[0].favors, ElementsAre(StudyView::kGraph, StudyView::kPinhole));
+  EXPECT_THAT(protocol.survey->fields[0].favors, ElementsAre(TrialView::kOther, TrialView::kReference));
   EXPECT_TRUE(protocol.demographics->fields[0].favors.empty());
   EXPECT_EQ(protocol.welcome[0].image, "controls");
   ASSERT_EQ(protocol.blocks.size(), 3u);
@@ -48,6 +49,61 @@ TEST(ProtocolFile, IsReadAsItStands) {
   EXPECT_EQ(protocol.screen.refreshHertz, 60);
   EXPECT_EQ(protocol.resume, ResumePolicy::kNextTrial);
   EXPECT_EQ(protocol.exclusions[0].value, "impaired");
+}
+
+/// The small protocol with conditions of its own.
+Json withConditions(const std::string& conditions) {
+  Json json = smallProtocol();
+  json["conditions"] = Json::parse(conditions);
+  json.at("survey").at("fields").at(0)["favors"] = {"left", "right"};
+  return json;
+}
+
+TEST(ProtocolFile, NamesItsConditions) {
+  const Protocol protocol = protocolFromJsonText(withConditions(R"([{"name": "left", "view": "pinhole"},
+                         {"name": "right", "label": "right one",
+                          "view": {"kind": "panes", "headings_degrees": [0, 90]}}])")
+                                                     .dump(),
+                                                 "study.json");
+  EXPECT_EQ(protocol.nameOf(TrialView::kReference), "left");
+  EXPECT_EQ(protocol.nameOf(TrialView::kOther), "right");
+  EXPECT_EQ(protocol.conditions.names.labelOf(TrialView::kReference), "left");
+  EXPECT_EQ(protocol.conditions.names.labelOf(TrialView::kOther), "right one");
+  EXPECT_THAT(protocol.survey->fields[0].favors, ElementsAre(TrialView::kReference, TrialView::kOther));
+  TrialPlan plan;
+  plan.task = "find";
+  plan.view = TrialView::kOther;
+  const TrialScreen screen{640, 400, 60};
+  EXPECT_EQ(protocol.blocks[0].task->start(plan, screen)->layout().views.size(), 2u);
+  EXPECT_EQ(protocol.blocks[0].practice->task->start(plan, screen)->layout().views.size(), 2u);
+  plan.view = TrialView::kReference;
+  EXPECT_EQ(protocol.blocks[0].task->start(plan, screen)->layout().views.size(), 1u);
+  EXPECT_EQ(conditionNamesOf(protocol.text, "study.json"), protocol.conditions.names);
+}
+
+TEST(ProtocolFile, WithoutConditionsComparesPinholeAndGraphCamera) {
+  const Protocol protocol = protocolFromJsonText(smallProtocol().dump(), "study.json");
+  EXPECT_EQ(protocol.conditions.names, defaultConditions());
+  EXPECT_EQ(conditionNamesOf(protocol.text, "study.json"), defaultConditions());
+}
+
+TEST(ProtocolFile, SaysWhatIsWrongWithConditions) {
+  const auto errorOf = [](const std::string& conditions) { return protocolError(withConditions(conditions)); };
+  EXPECT_THAT(errorOf("[]"), HasSubstr("two conditions"));
+  EXPECT_THAT(errorOf("{}"), HasSubstr("two conditions"));
+  EXPECT_THAT(errorOf(R"([{"name": "left", "view": "pinhole"}])"), HasSubstr("two conditions"));
+  EXPECT_THAT(errorOf(R"([{"name": "left", "view": "pinhole"}, {"name": "left", "view": "graph"}])"),
+              HasSubstr("that of the other condition too"));
+  EXPECT_THAT(errorOf(R"([{"name": "left", "view": "pinhole"}, {"name": "r i", "view": "graph"}])"),
+              HasSubstr("letters, digits"));
+  EXPECT_THAT(errorOf(R"([{"name": "left", "view": "pinhole"}, {"name": "right"}])"), HasSubstr("\"view\""));
+  EXPECT_THAT(errorOf(R"([{"name": "left", "view": "pinhole"}, {"name": "right", "view": "x"}])"),
+              HasSubstr("the views are pinhole"));
+  EXPECT_THAT(errorOf(R"([{"name": "left", "view": "pinhole", "eye": 1}, {"name": "right", "view": "graph"}])"),
+              HasSubstr("eye"));
+  EXPECT_THAT(errorOf(R"([{"name": "one", "view": "pinhole"}, {"name": "right", "view": "graph"}])"),
+              HasSubstr("must be [\"one\", \"right\"]"))
+      << "of favors";
 }
 
 TEST(ProtocolFile, KeepsItsTextByteByByte) {

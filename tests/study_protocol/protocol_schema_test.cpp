@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
+#include <set>
 
 #include "study/tasks/task_registry.h"
+#include "study/views/view_registry.h"
 #include "tests/base/schema_agreement.h"
 #include "tests/study_protocol/protocol_text.h"
 
@@ -77,7 +80,7 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfPagesFormsAndLimits) {
   const Json document = withBlock(0);
   Json everySession = document;
   everySession.at("blocks").at(0).erase("sessions");
-  expectAgreement(schema(), everySession, "");
+  expectAgreement(schema(), everySession, "", {"conditions"});
   expectAgreement(def("page"), document, "/consent");
   expectAgreement(def("page"), document, "/blocks/0/instructions/0");
   expectAgreement(def("form"), document, "/demographics");
@@ -90,6 +93,45 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfPagesFormsAndLimits) {
   expectAgreement(maze, document, "/mazes/ring", {"plan"});
   expectAgreement(def("controls"), document, "/controls",
                   {"forward", "backward", "left", "right", "turn_left", "turn_right", "select"});
+}
+
+TEST(ProtocolSchema, AgreesWithTheReaderOfConditions) {
+  Json document = withBlock(0);
+  document.at("blocks").at(0).erase("sessions");
+  document["conditions"] =
+      Json::parse(R"([{"name": "ppc", "label": "a", "view": "pinhole"}, {"name": "gc", "view": "graph"}])");
+  expectAgreement(def("condition"), document, "/conditions/0", {"view", "name"});
+  std::set<std::string> kinds;
+  for (const ViewKind& kind : viewKinds()) {
+    kinds.insert(kind.name);
+  }
+  EXPECT_EQ(def("view_kind").at("enum").get<std::set<std::string>>(), kinds);
+  // The schema names the options of all kinds together.
+  const std::map<std::string, std::pair<std::string, std::vector<std::string>>> kOptions{
+      {"panes", {R"({"headings_degrees": [0]})", {"headings_degrees", "fov_horizontal_degrees"}}},
+      {"ocri",
+       {R"({"camera": "ddoc", "eye_offset_meters": [0, 0, 0]})", {"camera", "eye_offset_meters", "image_scale"}}},
+      {"camera", {R"({"camera": "ddoc"})", {"camera"}}}};
+  for (const auto& [kind, options] : kOptions) {
+    Json description = def("view");
+    Json properties{{"$schema", Json::object()}, {"comment", Json::object()}, {"kind", Json::object()}};
+    for (const std::string& name : options.second) {
+      properties[name] = description.at("properties").at(name);
+    }
+    description["properties"] = properties;
+    Json view = Json::parse(options.first);
+    view["kind"] = kind;
+    document.at("conditions").at(1)["view"] = view;
+    description["required"] = Json::array({"kind"});
+    for (const auto& [name, value] : view.items()) {
+      if (name != "kind") {
+        description.at("required").push_back(name);
+      }
+    }
+    description["additionalProperties"] = false;
+    expectAgreement(description, document, "/conditions/1/view",
+                    {"kind", "camera", "eye_offset_meters", "headings_degrees", "$schema", "comment"});
+  }
 }
 
 // Fields whose choices depend on other parts of the protocol.

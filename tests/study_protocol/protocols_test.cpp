@@ -21,7 +21,7 @@ std::multiset<std::string> trialsOf(const Protocol& protocol, const std::string&
   for (const TrialPlan& trial : scheduleOf(protocol, slot, 0, protocol.seed).trials) {
     const ProtocolBlock& of = protocol.blocks[static_cast<size_t>(trial.block)];
     if (of.name == block) {
-      trials.insert(of.task->caseInfo(trial.caseIndex).label + " " + std::string(nameOf(trial.view)));
+      trials.insert(of.task->caseInfo(trial.caseIndex).label + " " + protocol.nameOf(trial.view));
     }
   }
   return trials;
@@ -140,12 +140,12 @@ TEST(NearerProtocol, HasAsManyCasesOfEitherSide) {
   // Nor does a view go with a side, in the first half of the trials either.
   for (int slot = 0; slot < 4; ++slot) {
     const SessionSchedule schedule = scheduleOf(protocol, slot, 0, protocol.seed);
-    std::map<std::pair<StudyView, std::string>, int> first;
+    std::map<std::pair<TrialView, std::string>, int> first;
     for (size_t i = 0; i < schedule.trials.size() / 2; ++i) {
       ++first[{schedule.trials[i].view, task.answerOf(schedule.trials[i])}];
     }
     for (const auto& [viewAndSide, count] : first) {
-      EXPECT_EQ(count, task.caseCount() / 4) << nameOf(viewAndSide.first) << viewAndSide.second;
+      EXPECT_EQ(count, task.caseCount() / 4) << protocol.nameOf(viewAndSide.first) << viewAndSide.second;
     }
   }
   EXPECT_TRUE(warningsOf(protocol, protocol.seed).empty()) << warningsOf(protocol, protocol.seed).front();

@@ -23,7 +23,7 @@ constexpr auto kOneView = ViewsOfCases::kOne;
 std::vector<std::string> written(const SessionSchedule& schedule) {
   std::vector<std::string> list;
   for (const TrialPlan& trial : schedule.trials) {
-    list.push_back(std::to_string(trial.caseIndex + 1).append(trial.view == StudyView::kPinhole ? "p" : "g"));
+    list.push_back(std::to_string(trial.caseIndex + 1).append(trial.view == TrialView::kReference ? "p" : "g"));
   }
   return list;
 }
@@ -171,7 +171,7 @@ TEST(Schedule, PracticesCasesAndViewsInTurn) {
   protocol.blocks[0].practice = ProtocolPractice{shamTask(2), 2, 8};
   for (int slot = 0; slot < 2; ++slot) {
     const SessionSchedule schedule = scheduleOf(protocol, slot, 0, 1);
-    std::set<std::pair<int, StudyView>> seen;
+    std::set<std::pair<int, TrialView>> seen;
     std::set<uint64_t> seeds;
     for (int i = 0; i < 4; ++i) {
       const TrialPlan plan = practiceTrial(schedule, protocol, 0, i);
@@ -189,12 +189,12 @@ TEST(Schedule, PracticesCasesAndViewsInTurn) {
 
 TEST(Schedule, IsWrittenAsJson) {
   const SessionSchedule schedule = oneBlock(3, kBalancedSchedule, kOneView, 4, 1);
-  const nlohmann::json json = nlohmann::json::parse(jsonText(schedule));
+  const nlohmann::json json = nlohmann::json::parse(jsonText(schedule, defaultConditions()));
   EXPECT_EQ(json.at("slot"), 4);
   EXPECT_EQ(json.at("session"), 1);
   EXPECT_EQ(json.at("trials").size(), 3u);
   EXPECT_EQ(json.at("trials").at(2).at("seed"), schedule.trials[2].seed);
-  EXPECT_EQ(json.at("trials").at(2).at("view"), nameOf(schedule.trials[2].view));
+  EXPECT_EQ(json.at("trials").at(2).at("view"), defaultConditions().nameOf(schedule.trials[2].view));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ inline constexpr int64_t kHashedFrames = 4;
 /// stopped.
 inline TrialLog madeLog(const TaskBlock& block, const TaskExample& example, uint64_t seed, int64_t ticks = 1 << 20) {
   TrialLog log;
-  log.record.plan = planOf(example.task, 0, seed % 2 == 0 ? StudyView::kPinhole : StudyView::kGraph, seed);
+  log.record.plan = planOf(example.task, 0, seed % 2 == 0 ? TrialView::kReference : TrialView::kOther, seed);
   log.record.info = block.caseInfo(0);
   log.record.screen = {120, 75, 60};
   const auto run = block.start(log.record.plan, log.record.screen);

@@ -74,7 +74,7 @@ TEST(TrialReplayOfASearch, catchesInputThatIsLeftOut) {
   const test::TaskExample& example = test::taskExamples().front();
   const auto block = test::readBlock(example.task, example.json);
   TrialLog log;
-  log.record.plan = test::planOf("find", 0, StudyView::kPinhole);
+  log.record.plan = test::planOf("find", 0, TrialView::kReference);
   log.record.screen = {200, 125, 60};
   const auto run = block->start(log.record.plan, log.record.screen);
   log.inputs = {{0, 10, test::press(Key::kE)}, {0, 50, test::release(Key::kE)}};

@@ -130,16 +130,16 @@ struct SampleStudy {
             "Experimenter: Enter goes on with the trials"};
   }
   PauseScreen pause() const { return {"The experimenter will be with you in a moment. Your data are safe."}; }
-  TrialScreenView finding(const TrialScreen& screen, StudyView view, bool patch = false) const {
+  TrialScreenView finding(const TrialScreen& screen, TrialView view, bool patch = false) const {
     TrialScreenView trial;
     trial.layout.scene = &scene;
     const PixelRect place = stage(screen);
     const int width = static_cast<int>(place.width);
     const int height = static_cast<int>(place.height);
-    if (view == StudyView::kGraph) {
-      trial.layout.views.push_back({place, sampleGraphCamera(scene.maze(), width, height)});
+    if (view == TrialView::kOther) {
+      trial.layout.views.emplace_back(place, sampleGraphCamera(scene.maze(), width, height));
     } else {
-      trial.layout.views.push_back({place, sampleEye(scene.maze(), width, height)});
+      trial.layout.views.emplace_back(place, sampleEye(scene.maze(), width, height));
     }
     trial.layout.prompt = "Find this object and click on it";
     trial.layout.targetObject = 0;
@@ -193,8 +193,8 @@ struct SampleStudy {
         {"unwell", unwell()},
         {"call", call()},
         {"pause", pause()},
-        {"find_ppc", finding(screen, StudyView::kPinhole)},
-        {"find_gc", finding(screen, StudyView::kGraph, true)},
+        {"find_ppc", finding(screen, TrialView::kReference)},
+        {"find_gc", finding(screen, TrialView::kOther, true)},
         {"count", counting(screen)},
         {"path", matching(screen)}};
     for (const char* image : {"find_ppc", "find_gc", "count_ppc", "count_gc", "path_maps", "controls"}) {

@@ -45,7 +45,7 @@ Image<uint8_t> pixelsOf(const TrialLayout& layout, uint32_t object) {
 
 TEST_P(SceneViewsTest, showsObjectsWhereTheCpuSeesThem) {
   SceneViews views(*context_);
-  for (const StudyView kind : kStudyViews) {
+  for (const TrialView kind : kViews) {
     TrialLayout layout = study_.finding(kViewScreen, kind).layout;
     const Image<Rgb8> image = draw(views, layout);
     size_t orange = 0;
@@ -60,13 +60,13 @@ TEST_P(SceneViewsTest, showsObjectsWhereTheCpuSeesThem) {
     EXPECT_GT(orange, 500u);
     // Renderers differ at silhouettes alone, where a pixel's middle is within rounding of an edge: one in 200, as in
     // the tests of the renderer.
-    EXPECT_LE(wrong, orange / 200) << nameOf(kind);
+    EXPECT_LE(wrong, orange / 200) << defaultConditions().nameOf(kind);
   }
 }
 
 TEST_P(SceneViewsTest, colorsAreThoseOfTheCpu) {
   SceneViews views(*context_);
-  const TrialLayout layout = study_.finding(kViewScreen, StudyView::kGraph).layout;
+  const TrialLayout layout = study_.finding(kViewScreen, TrialView::kOther).layout;
   const Image<Rgb8> image = draw(views, layout);
   const Image<Rgb8> expected = viewsOf(layout, kViewScreen, rasterizeStudy);
   size_t different = 0;
@@ -89,7 +89,7 @@ TEST_P(SceneViewsTest, colorsAreThoseOfTheCpu) {
 
 TEST_P(SceneViewsTest, movingObjectsAreAsUploadedAnew) {
   SceneViews views(*context_);
-  for (const StudyView kind : kStudyViews) {
+  for (const TrialView kind : kViews) {
     TrialLayout layout = study_.finding(kViewScreen, kind).layout;
     const Image<Rgb8> still = draw(views, layout);
     for (int step = 1; step <= 4; ++step) {
@@ -107,7 +107,7 @@ TEST_P(SceneViewsTest, movingObjectsAreAsUploadedAnew) {
 
 TEST_P(SceneViewsTest, anotherSceneTakesThePlaceOfTheOneBefore) {
   SceneViews views(*context_);
-  TrialLayout layout = study_.finding(kViewScreen, StudyView::kPinhole).layout;
+  TrialLayout layout = study_.finding(kViewScreen, TrialView::kReference).layout;
   layout.objectOffsets = {{0.5f, 0, 0}, {0, 0, 0}};
   draw(views, layout);
   Maze maze = test::sampleMaze();

@@ -46,7 +46,7 @@ TEST(TaskScreens, trialsAreDrawnFromTheirBeginToTheQuestion) {
   for (const test::TaskExample& example : test::taskExamples()) {
     SCOPED_TRACE(example.name);
     const auto block = test::readBlock(example.task, example.json);
-    for (const StudyView view : kStudyViews) {
+    for (const TrialView view : kViews) {
       const auto run = block->start(test::planOf(example.task, 0, view), kTaskScreen);
       expectDrawn(painter, run->layout());
       for (int64_t tick = 0; run->layout().choices.empty() && !run->outcome(); ++tick) {

@@ -22,7 +22,7 @@ INSTANTIATE_TEST_SUITE_P(Providers, TrialPainterTest, kOffscreenProviders, provi
 TEST_P(TrialPainterTest, rendersWhatASubjectSees) {
   TrialPainter painter(*context_, kPaintScreen);
   StudyPainter onScreen(*context_, kPaintScreen, Controls{});
-  for (const StudyView view : kStudyViews) {
+  for (const TrialView view : kViews) {
     const TrialScreenView trial = study_.finding(kPaintScreen, view);
     const Image<Rgb8> image = painter.render(trial.layout);
     const GlScope scope(*context_);
@@ -36,7 +36,7 @@ TEST_P(TrialPainterTest, hashesAreOfTheViewsAlone) {
   TrialPainter painter(*context_, kPaintScreen);
   StudyPainter onScreen(*context_, kPaintScreen, Controls{});
   const GlScope scope(*context_);
-  TrialScreenView trial = study_.finding(kPaintScreen, StudyView::kGraph, true);
+  TrialScreenView trial = study_.finding(kPaintScreen, TrialView::kOther, true);
   const StudyFrame frame = onScreen.draw(trial, 0.01, true);
   ASSERT_TRUE(frame.pixelHash);
   EXPECT_EQ(*frame.pixelHash, pixelHashOf(painter.renderViews(trial.layout)));
@@ -53,7 +53,7 @@ TEST_P(TrialPainterTest, hashesAreOfTheViewsAlone) {
 TEST_P(TrialPainterTest, thePatchIsInTheCornerAlone) {
   StudyPainter painter(*context_, kPaintScreen, Controls{});
   const GlScope scope(*context_);
-  TrialScreenView trial = study_.finding(kPaintScreen, StudyView::kPinhole);
+  TrialScreenView trial = study_.finding(kPaintScreen, TrialView::kReference);
   painter.draw(trial);
   const Image<Rgb8> without = painter.image();
   for (const bool white : {true, false}) {

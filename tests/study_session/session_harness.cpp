@@ -142,6 +142,7 @@ std::shared_ptr<const TaskBlock> digitTask(int cases) {
 Protocol smallProtocol() {
   Protocol protocol;
   protocol.name = "small";
+  protocol.text = "{}";
   protocol.title = "A small study";
   protocol.breakSeconds = 2;
   protocol.consent = ProtocolPage{"Consent", {"You may stop at any time.", "Do you take part?"}};

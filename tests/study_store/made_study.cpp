@@ -43,7 +43,7 @@ SessionSchedule madeSchedule(int slot, int session, int trials) {
     plan.block = i / trials;
     plan.task = plan.block == 0 ? "find" : "count";
     plan.caseIndex = i % trials;
-    plan.view = kStudyViews[static_cast<size_t>(i % 2)];
+    plan.view = kViews[static_cast<size_t>(i % 2)];
     plan.seed = 0xf000000000000000u + static_cast<uint64_t>(i);
     schedule.trials.push_back(plan);
   }

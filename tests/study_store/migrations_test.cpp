@@ -2,8 +2,14 @@
 #include "study/store/migrations.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
 
 #include "oc_core/base/error.h"
 #include "study/store/study_database.h"
@@ -49,7 +55,7 @@ TEST_F(MigrationsTest, TakeEveryStepAndKeepAllRows) {
             1);
   EXPECT_EQ(database.execAndGet("SELECT group_concat(action) FROM audit").getString(), "created,migrated");
   EXPECT_THAT(database.execAndGet("SELECT detail_json FROM audit WHERE action = 'migrated'").getString(),
-              HasSubstr("\"from\": 1, \"to\": 3"));
+              HasSubstr(fmt::format(R"("from": {}, "to": {})", kTrialsSchemaVersion, kTrialsSchemaVersion + 2)));
 }
 
 TEST_F(MigrationsTest, StartWhereTheDatabaseIs) {
@@ -99,6 +105,86 @@ TEST_F(MigrationsTest, LeadToTheVersionThatNewDatabasesHave) {
     })) << from;
   }
   EXPECT_EQ(migrations().size(), static_cast<size_t>(kTrialsSchemaVersion - 1));
+}
+
+/// A file of version 1, with the rows that a program of that version wrote.
+class Version1 : public testing::Test {
+ protected:
+  Version1() {
+    std::ifstream in(OCELLI_SOURCE_DIR "/tests/study_store/version_1.sql");
+    std::ostringstream sql;
+    sql << in.rdbuf();
+    SQLite::Database database(file_.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    database.exec(sql.str());
+    database.exec(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = 1", kTrialsApplicationId));
+    before_ = rowsOf(database);
+  }
+
+  /// All rows of all tables but the audit trail, to which the migration adds one.
+  static std::map<std::string, std::vector<std::string>> rowsOf(SQLite::Database& database) {
+    std::map<std::string, std::vector<std::string>> rows;
+    SQLite::Statement tables(database, "SELECT name FROM sqlite_schema WHERE type = 'table' AND name <> 'audit'");
+    while (tables.executeStep()) {
+      const std::string name = tables.getColumn(0).getString();
+      SQLite::Statement all(database, fmt::format("SELECT * FROM {}", name));
+      std::vector<std::string>& list = rows[name];
+      while (all.executeStep()) {
+        std::string row;
+        for (int i = 0; i < all.getColumnCount(); ++i) {
+          row += fmt::format("{}={}|", all.getColumnName(i), all.getColumn(i).getString());
+        }
+        list.push_back(row);
+      }
+    }
+    return rows;
+  }
+  /// Everything that SQLite knows of tables, views, triggers and indices, without comments and spaces.
+  static std::map<std::string, std::string> schemaOf(SQLite::Database& database) {
+    std::map<std::string, std::string> schema;
+    SQLite::Statement all(database, "SELECT type || ' ' || name, coalesce(sql, '') FROM sqlite_schema");
+    while (all.executeStep()) {
+      const std::string sql = std::regex_replace(all.getColumn(1).getString(), std::regex("--[^\n]*"), "");
+      schema[all.getColumn(0).getString()] = std::regex_replace(sql, std::regex("[\\s\"]+"), "");
+    }
+    return schema;
+  }
+
+  TemporaryFolder folder_;
+  const std::filesystem::path file_ = folder_ / "old.db";
+  std::map<std::string, std::vector<std::string>> before_;
+};
+
+TEST_F(Version1, OpensWithAllItsRows) {
+  const StudyDatabase study = StudyDatabase::openForReading(file_);
+  const std::vector<StoredTrial> trials = study.trials();
+  ASSERT_EQ(trials.size(), 6u);
+  EXPECT_EQ(std::count_if(trials.begin(), trials.end(),
+                          [](const StoredTrial& trial) { return trial.record.plan.view == TrialView::kOther; }),
+            3);
+  SQLite::Database database(file_.string(), SQLite::OPEN_READONLY);
+  EXPECT_EQ(rowsOf(database), before_);
+  EXPECT_EQ(before_.at("trial").size(), 6u);
+  EXPECT_EQ(before_.at("frame").size(), 110u);
+  EXPECT_EQ(database.execAndGet("SELECT count(*) FROM final_trial").getInt(), 6);
+  EXPECT_EQ(database.execAndGet("SELECT group_concat(action) FROM audit").getString(), "created,migrated");
+}
+
+TEST_F(Version1, BecomesWhatNewFilesAre) {
+  StudyDatabase::openForReading(file_);
+  const std::filesystem::path fresh = folder_ / "new.db";
+  StudyDatabase::openForSessions(fresh, madeProtocol());
+  SQLite::Database migrated(file_.string(), SQLite::OPEN_READONLY);
+  SQLite::Database made(fresh.string(), SQLite::OPEN_READONLY);
+  EXPECT_EQ(schemaOf(migrated), schemaOf(made));
+}
+
+TEST_F(Version1, StillKeepsWhatIsRecorded) {
+  StudyDatabase::openForReading(file_);
+  SQLite::Database database(file_.string(), SQLite::OPEN_READWRITE);
+  EXPECT_THROW(database.exec("UPDATE trial SET answer = 'x'"), SQLite::Exception);
+  EXPECT_THROW(database.exec("UPDATE trial SET view = 'x'"), SQLite::Exception);
+  EXPECT_THROW(database.exec("DELETE FROM trial"), SQLite::Exception);
+  EXPECT_THROW(database.exec("DELETE FROM frame"), SQLite::Exception);
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ TEST_F(TrialStoreTest, GivesBackWhatASessionStored) {
   const std::optional<StoredSession> session = database.session("S01", 0);
   ASSERT_TRUE(session);
   EXPECT_EQ(session->seed, 0xfedcba9876543210u);
-  EXPECT_EQ(session->scheduleJson, jsonText(madeSchedule(0, 0, 2)));
+  EXPECT_EQ(session->scheduleJson, jsonText(madeSchedule(0, 0, 2), defaultConditions()));
   EXPECT_EQ(session->plannedTrials, 4);
   EXPECT_EQ(session->completedTrials, 1);
   EXPECT_EQ(session->ending, SessionEnding::kUnwell);

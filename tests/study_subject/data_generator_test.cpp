@@ -125,7 +125,7 @@ TEST(DataGenerator, accuraciesAreThoseOfItsLogits) {
   effects.at("path", "session") = 0;
   effects.at("path", "subject_sd") = 0;
   effects.at("path", "item_sd") = 0;
-  std::map<std::pair<std::string, StudyView>, Mean> right;
+  std::map<std::pair<std::string, TrialView>, Mean> right;
   for (const TrialRecord& record : generate(effects, 100)) {
     right[{record.plan.task, record.plan.view}].add(record.outcome.correct ? 1 : 0);
     if (record.plan.task == "count") {
@@ -135,9 +135,9 @@ TEST(DataGenerator, accuraciesAreThoseOfItsLogits) {
   }
   const auto share = [](double logit) { return 1 / (1 + std::exp(-logit)); };
   // 800 and 400 trials: four standard errors of a share are at most 0.071 and 0.1.
-  EXPECT_NEAR((right[{"count", StudyView::kPinhole}].value()), share(0.4), 0.071);
-  EXPECT_NEAR((right[{"count", StudyView::kGraph}].value()), share(1.6), 0.071);
-  EXPECT_NEAR((right[{"path", StudyView::kPinhole}].value()), share(-0.5), 0.1);
+  EXPECT_NEAR((right[{"count", TrialView::kReference}].value()), share(0.4), 0.071);
+  EXPECT_NEAR((right[{"count", TrialView::kOther}].value()), share(1.6), 0.071);
+  EXPECT_NEAR((right[{"path", TrialView::kReference}].value()), share(-0.5), 0.1);
 }
 
 TEST(DataGenerator, subjectsAndItemsDifferAsMuchAsTheyShould) {
@@ -219,7 +219,7 @@ TEST(DataGenerator, effectsOfTheViewThatDifferLeaveTheOtherDrawsAsTheyAre) {
   const size_t eachSession = alike.size() / 4;
   for (size_t i = 0; i < alike.size(); ++i) {
     if (alike[i].plan.task == "find") {
-      const double half = (alike[i].plan.view == StudyView::kGraph ? 1 : -1) *
+      const double half = (alike[i].plan.view == TrialView::kOther ? 1 : -1) *
                           (std::log(responseSecondsOf(differing[i])) - std::log(responseSecondsOf(alike[i])));
       const auto [place, isNew] = halves.try_emplace({alike[i].info.label, i / eachSession % 2}, half);
       // Times of 1 s and more in ticks of 1/240 s: four roundings of half a tick.

@@ -14,7 +14,7 @@ Protocol protocolWithForms() {
   survey.fields.push_back({"find_reversed", "find", {"1", "2", "3", "4", "5"}, {"bent view", "plain view"}});
   survey.fields.push_back({"vision", "How is your vision?", {"colour-blind", "normal", "corrected"}});
   survey.fields.push_back(
-      {"find_unlabelled", "find", {"1", "2", "3", "4"}, {}, {StudyView::kGraph, StudyView::kPinhole}});
+      {"find_unlabelled", "find", {"1", "2", "3", "4"}, {}, {TrialView::kOther, TrialView::kReference}});
   protocol.survey = survey;
   protocol.exclusions.push_back({"form:vision", "is", "colour-blind", "colours matter"});
   return protocol;

@@ -59,7 +59,7 @@ TEST(GeneratorTruth, SharesAreThoseOfManySubjectsAndCases) {
       }
     }
   }
-  for (const StudyView view : kStudyViews) {
+  for (const TrialView view : kViews) {
     const auto v = static_cast<size_t>(view);
     // Trials of a subject are alike: its mean of 8 varies by 0.3, so that of all by 0.3 / sqrt(3000) = 0.0055.
     // With cases that gain alike it would be 0.04 off in the graph camera.
@@ -77,8 +77,8 @@ TEST(GeneratorTruth, SharesWithoutSpreadAreThoseOfTheLogit) {
   effects.at("count", "doubled_exposure") = 0;
   effects.at("count", "subject_sd") = 0;
   effects.at("count", "item_sd") = 0;
-  EXPECT_NEAR(shareRight(protocol, effects, "count", StudyView::kPinhole), 1 / (1 + std::exp(-1.0)), 1e-12);
-  EXPECT_NEAR(shareRight(protocol, effects, "count", StudyView::kGraph), 1 / (1 + std::exp(-1.5)), 1e-12);
+  EXPECT_NEAR(shareRight(protocol, effects, "count", TrialView::kReference), 1 / (1 + std::exp(-1.0)), 1e-12);
+  EXPECT_NEAR(shareRight(protocol, effects, "count", TrialView::kOther), 1 / (1 + std::exp(-1.5)), 1e-12);
 }
 
 TEST(GeneratorTruth, TimesAreGeometricMeansOverCasesAndSessions) {
@@ -87,12 +87,12 @@ TEST(GeneratorTruth, TimesAreGeometricMeansOverCasesAndSessions) {
   effects.at("find", "log_seconds") = 2;
   effects.at("find", "graph") = -0.4;
   effects.at("find", "session") = -0.2;
-  EXPECT_NEAR(geometricMeanSeconds(protocol, effects, "find", StudyView::kPinhole), std::exp(2 - 0.1), 1e-12);
-  EXPECT_NEAR(geometricMeanSeconds(protocol, effects, "find", StudyView::kGraph), std::exp(2 - 0.1 - 0.4), 1e-12);
+  EXPECT_NEAR(geometricMeanSeconds(protocol, effects, "find", TrialView::kReference), std::exp(2 - 0.1), 1e-12);
+  EXPECT_NEAR(geometricMeanSeconds(protocol, effects, "find", TrialView::kOther), std::exp(2 - 0.1 - 0.4), 1e-12);
 }
 
 TEST(GeneratorTruth, AProtocolWithoutTheTaskIsRejected) {
-  EXPECT_THROW(shareRight(protocolOfFindAndCount(), {}, "path", StudyView::kGraph), InputError);
+  EXPECT_THROW(shareRight(protocolOfFindAndCount(), {}, "path", TrialView::kOther), InputError);
 }
 
 }  // namespace

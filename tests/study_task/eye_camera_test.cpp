@@ -30,8 +30,15 @@ TEST(EyeCamera, theGraphCameraBendsIntoSideWays) {
   const auto graph = camera.portalCamera(pose, {640, 400});
   ASSERT_TRUE(graph.has_value());
   EXPECT_GT(graph->frusta().size(), 2u);
-  EXPECT_TRUE(std::holds_alternative<PinholeCamera>(camera.at(pose, StudyView::kPinhole, {640, 400})));
-  EXPECT_TRUE(std::holds_alternative<GraphCamera>(camera.at(pose, StudyView::kGraph, {640, 400})));
+  const PixelRect place{10, 20, 640, 400};
+  const auto pinholes = camera.views(pose, TrialView::kReference, place);
+  ASSERT_EQ(pinholes.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<PinholeCamera>(pinholes.front().camera));
+  EXPECT_EQ(pinholes.front().place, place);
+  const auto graphs = camera.views(pose, TrialView::kOther, place);
+  ASSERT_EQ(graphs.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<GraphCamera>(graphs.front().camera));
+  EXPECT_EQ(graphs.front().place, place);
 }
 
 TEST(EyeCamera, takesWhateverPoseOneCanHave) {

@@ -121,12 +121,12 @@ TEST(ObjectPicker, agreesWithWhatIsDrawnForBothCameras) {
   Random random(5);
   for (const WalkerPose& pose : {WalkerPose{2.5, 7.5, kPi / 2}, WalkerPose{7.2, 7.9, 1.2}, WalkerPose{7.5, 1.2, 1.9},
                                  WalkerPose{10.4, 7.3, -0.1}, WalkerPose{16.5, 7.5, -kPi / 2}}) {
-    for (const StudyView view : kStudyViews) {
+    for (const TrialView view : kViews) {
       std::vector<glm::vec3> offsets(3);
       for (glm::vec3& offset : offsets) {
         offset = {random.inRange(-0.3f, 0.3f), 0, random.inRange(-0.3f, 0.3f)};
       }
-      expectAsDrawn(picker, scene, eye.at(pose, view, {90, 60}), offsets, seen);
+      expectAsDrawn(picker, scene, eye.views(pose, view, {0, 0, 90, 60}).front().camera, offsets, seen);
     }
   }
   EXPECT_GT(seen, 150u);

@@ -83,7 +83,7 @@ const TaskExample& taskExample(const std::string& name) {
   throw std::logic_error("no example of this name");
 }
 
-TrialPlan planOf(const std::string& task, int caseIndex, StudyView view, uint64_t seed) {
+TrialPlan planOf(const std::string& task, int caseIndex, TrialView view, uint64_t seed) {
   TrialPlan plan;
   plan.task = task;
   plan.caseIndex = caseIndex;

@@ -29,7 +29,7 @@ struct TaskExample {
 const std::vector<TaskExample>& taskExamples();
 const TaskExample& taskExample(const std::string& name);
 
-TrialPlan planOf(const std::string& task, int caseIndex, StudyView view, uint64_t seed = 7);
+TrialPlan planOf(const std::string& task, int caseIndex, TrialView view, uint64_t seed = 7);
 
 KeyEvent press(Key key, bool shift = false);
 KeyEvent release(Key key);

@@ -19,7 +19,7 @@ std::shared_ptr<const TaskBlock> block(const std::string& cases, const std::stri
 
 /// With a scene that has been shown and is hidden.
 std::unique_ptr<TrialRun> hidden(const TaskBlock& of, int caseIndex = 0) {
-  auto run = of.start(test::planOf("count", caseIndex, StudyView::kGraph), kScreen);
+  auto run = of.start(test::planOf("count", caseIndex, TrialView::kOther), kScreen);
   while (!run->layout().views.empty()) {
     run->frameShown();
   }
@@ -33,7 +33,7 @@ TEST(CountTask, objectsStandInPlacesOfTheirOwnWithTheColoursAskedFor) {
   std::set<std::vector<MazeCell>> placements;
   for (uint64_t seed = 1; seed <= 40; ++seed) {
     for (int i = 0; i < 2; ++i) {
-      const auto run = of->start(test::planOf("count", i, StudyView::kPinhole, seed), kScreen);
+      const auto run = of->start(test::planOf("count", i, TrialView::kReference, seed), kScreen);
       const std::vector<Landmark> objects = run->layout().scene->maze().landmarks;
       std::vector<MazeCell> cells;
       std::set<LandmarkColor> colors;
@@ -54,8 +54,8 @@ TEST(CountTask, objectsStandInPlacesOfTheirOwnWithTheColoursAskedFor) {
 
 TEST(CountTask, bothViewsShowTheSameItem) {
   const auto of = block(R"([{"objects": 6, "exposure_seconds": 1}])");
-  const auto pinhole = of->start(test::planOf("count", 0, StudyView::kPinhole), kScreen);
-  const auto graph = of->start(test::planOf("count", 0, StudyView::kGraph), kScreen);
+  const auto pinhole = of->start(test::planOf("count", 0, TrialView::kReference), kScreen);
+  const auto graph = of->start(test::planOf("count", 0, TrialView::kOther), kScreen);
   EXPECT_EQ(pinhole->layout().scene->maze(), graph->layout().scene->maze());
   EXPECT_TRUE(std::holds_alternative<PinholeCamera>(pinhole->layout().views[0].camera));
   EXPECT_TRUE(std::holds_alternative<GraphCamera>(graph->layout().views[0].camera));
@@ -63,7 +63,7 @@ TEST(CountTask, bothViewsShowTheSameItem) {
 
 TEST(CountTask, theExposureIsCountedInFrames) {
   const auto of = block(R"([{"objects": 4, "exposure_seconds": 0.5}])");
-  const auto run = of->start(test::planOf("count", 0, StudyView::kGraph), kScreen);
+  const auto run = of->start(test::planOf("count", 0, TrialView::kOther), kScreen);
   for (int frame = 0; frame < 38; ++frame) {  // 37.5 of 75 a second
     EXPECT_FALSE(run->layout().views.empty()) << frame;
     run->handle(press(Key::k4));  // too early
@@ -123,7 +123,7 @@ TEST(CountTask, isAnsweredByDigitArrowsOrClick) {
 
 TEST(CountTask, objectsThatMoveStayInTheMaze) {
   const auto of = block(R"([{"objects": 7, "exposure_seconds": 20}])", R"(, "moving": {"meters_per_second": 3})");
-  const auto run = of->start(test::planOf("count", 0, StudyView::kGraph), kScreen);
+  const auto run = of->start(test::planOf("count", 0, TrialView::kOther), kScreen);
   const Maze maze = run->layout().scene->maze();
   double farthest = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -167,7 +167,7 @@ TEST(CountTask, pinholesLookWhereTheirFileSays) {
         {"row": 2, "column": 0, "heading": "east", "fov_horizontal_degrees": 90},
         {"row": 0, "column": 0, "heading": 135, "height_meters": 5, "pitch_degrees": -45},
         {"row": 0, "column": 5, "heading": "south", "east": 0.1, "south": -0.2}]}})");
-  const auto run = of->start(test::planOf("count", 0, StudyView::kPinhole), kScreen);
+  const auto run = of->start(test::planOf("count", 0, TrialView::kReference), kScreen);
   const TrialLayout layout = run->layout();
   ASSERT_EQ(layout.views.size(), 3u);
   const auto camera = [&](size_t i) { return std::get<PinholeCamera>(layout.views[i].camera); };

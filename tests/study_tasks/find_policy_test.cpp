@@ -19,7 +19,7 @@ struct Found {
 };
 
 /// A trial with one fixation after the other, 60 frames a second.
-Found find(const std::string& more, StudyView view, const StudyRenderer& renderer, uint64_t seed = 3) {
+Found find(const std::string& more, TrialView view, const StudyRenderer& renderer, uint64_t seed = 3) {
   std::string json = R"({"maze": "small", "limit_seconds": 40, )";
   json += more;
   json += "}";
@@ -57,9 +57,9 @@ Found find(const std::string& more, StudyView view, const StudyRenderer& rendere
 const std::string kAround = R"("cases": [{"row": 2, "column": 4}])";
 
 TEST(FindPolicy, walksToWhatItCannotSeeFromTheStartAndClicksOnIt) {
-  for (const StudyView view : kStudyViews) {
+  for (const TrialView view : kViews) {
     const Found found = find(kAround, view, rasterizeStudy);
-    EXPECT_TRUE(found.outcome.correct) << nameOf(view);
+    EXPECT_TRUE(found.outcome.correct) << defaultConditions().nameOf(view);
     EXPECT_LT(found.outcome.responseTicks, 40 * kTicksPerSecond);
     EXPECT_GT(found.meters, 1) << "it is not in sight at first";
   }
@@ -67,22 +67,22 @@ TEST(FindPolicy, walksToWhatItCannotSeeFromTheStartAndClicksOnIt) {
 
 TEST(FindPolicy, clicksWhereItStandsOnWhatIsInSight) {
   const Found found = find(R"("cases": [{"row": 2, "column": 3}], "start": {"row": 2, "column": 0, "heading": "east"})",
-                           StudyView::kPinhole, rasterizeStudy);
+                           TrialView::kReference, rasterizeStudy);
   EXPECT_TRUE(found.outcome.correct);
   EXPECT_LT(found.outcome.responseTicks, 6 * kTicksPerSecond);
   EXPECT_LT(found.meters, 3);
 }
 
 TEST(FindPolicy, doesTheSameAgain) {
-  EXPECT_EQ(find(kAround, StudyView::kGraph, rasterizeStudy), find(kAround, StudyView::kGraph, rasterizeStudy));
-  EXPECT_NE(find(kAround, StudyView::kGraph, rasterizeStudy, 1), find(kAround, StudyView::kGraph, rasterizeStudy, 2));
+  EXPECT_EQ(find(kAround, TrialView::kOther, rasterizeStudy), find(kAround, TrialView::kOther, rasterizeStudy));
+  EXPECT_NE(find(kAround, TrialView::kOther, rasterizeStudy, 1), find(kAround, TrialView::kOther, rasterizeStudy, 2));
 }
 
 TEST(FindPolicy, neverFindsWhatItIsNotShown) {
   const StudyRenderer black = [](const StudyCamera& camera, const Mesh&) {
     return std::visit([](const auto& each) { return FragmentImage(each.width(), each.height()); }, camera);
   };
-  const Found found = find(kAround, StudyView::kPinhole, black);
+  const Found found = find(kAround, TrialView::kReference, black);
   EXPECT_TRUE(found.outcome.censored);
   EXPECT_EQ(found.meters, 0) << "it knows no way";
 }
@@ -100,7 +100,7 @@ TEST(FindPolicy, doesNotFindAnObjectThatIsLeftOutOfWhatItIsShown) {
     }
     return rasterizeStudy(camera, structure);
   };
-  const Found found = find(kAround, StudyView::kPinhole, bare);
+  const Found found = find(kAround, TrialView::kReference, bare);
   EXPECT_TRUE(found.outcome.censored);
   EXPECT_GT(found.meters, 30);
 }

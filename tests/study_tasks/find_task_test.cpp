@@ -62,7 +62,7 @@ const std::string kFromTheWest = R"({"maze": "small", "start": {"row": 2, "colum
 
 TEST(FindTask, keysAloneAreEnough) {
   const auto block = test::readBlock("find", kFromTheWest + R"("cases": [{"row": 2, "column": 4}]})");
-  const auto run = block->start(test::planOf("find", 0, StudyView::kPinhole), kFindScreen);
+  const auto run = block->start(test::planOf("find", 0, TrialView::kReference), kFindScreen);
   run->handle(press(Key::kW));
   for (int i = 0; i < 240; ++i) {
     run->advance();
@@ -88,7 +88,7 @@ TEST(FindTask, keysAloneAreEnough) {
 TEST(FindTask, wrongClicksAreCounted) {
   const auto block =
       test::readBlock("find", kFromTheWest + R"("limit_seconds": 2, "cases": [{"row": 2, "column": 4}]})");
-  const auto run = block->start(test::planOf("find", 0, StudyView::kPinhole), kFindScreen);
+  const auto run = block->start(test::planOf("find", 0, TrialView::kReference), kFindScreen);
   run->handle(test::moveTo({600, 100}));
   for (int i = 0; i < 3; ++i) {
     run->handle(test::button(PointerButton::kLeft, true));
@@ -108,7 +108,7 @@ TEST(FindTask, wrongClicksAreCounted) {
 TEST(FindTask, theGraphCameraShowsWhatThePinholeHides) {
   // In the side way to the north, two crossings ahead.
   const auto block = test::readBlock("find", kFromTheWest + R"("cases": [{"row": 1, "column": 3}]})");
-  const auto ahead = [&](StudyView view) {
+  const auto ahead = [&](TrialView view) {
     auto run = block->start(test::planOf("find", 0, view), kFindScreen);
     run->handle(press(Key::kW));
     for (int i = 0; i < 150; ++i) {
@@ -117,8 +117,8 @@ TEST(FindTask, theGraphCameraShowsWhatThePinholeHides) {
     run->handle(release(Key::kW));
     return run;
   };
-  const auto pinhole = ahead(StudyView::kPinhole);
-  const auto graph = ahead(StudyView::kGraph);
+  const auto pinhole = ahead(TrialView::kReference);
+  const auto graph = ahead(TrialView::kOther);
   EXPECT_FALSE(seenAt(*pinhole).has_value());
   const auto at = seenAt(*graph);
   ASSERT_TRUE(at.has_value());
@@ -136,7 +136,7 @@ TEST(FindTask, movingObjectsAreFoundWhereTheyAre) {
   EXPECT_TRUE(block->caseInfo(0).moving);
   size_t found = 0;
   for (uint64_t seed = 1; seed <= 5; ++seed) {
-    const auto run = block->start(test::planOf("find", 0, StudyView::kPinhole, seed), kFindScreen);
+    const auto run = block->start(test::planOf("find", 0, TrialView::kReference, seed), kFindScreen);
     const glm::dvec2 first = seenAt(*run).value_or(glm::dvec2(0));
     for (int i = 0; i < 200; ++i) {
       run->advance();

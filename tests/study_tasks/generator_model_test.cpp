@@ -35,7 +35,7 @@ TEST(GeneratorModel, CovariatesAreOfTheTrial) {
   EXPECT_EQ(levelCovariate(trial), 1);
   EXPECT_EQ(graphCovariate(trial), 0);
   EXPECT_EQ(sessionCovariate(trial), 2);
-  trial.view = StudyView::kGraph;
+  trial.view = TrialView::kOther;
   EXPECT_EQ(graphCovariate(trial), 1);
   const GeneratorModel& count = taskKind("count", "test").generator;
   trial.info.exposureSeconds = 40;

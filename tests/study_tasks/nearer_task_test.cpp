@@ -23,15 +23,15 @@ const std::string kNear = R"("row": 2, "column": 2, "south": -0.25)";
 const std::string kFar = R"("row": 2, "column": 4, "south": 0.25)";
 
 std::unique_ptr<TrialRun> nearerRun(const TaskBlock& block) {
-  return block.start(test::planOf("nearer", 0, StudyView::kPinhole), kNearerScreen);
+  return block.start(test::planOf("nearer", 0, TrialView::kReference), kNearerScreen);
 }
 
 TEST(NearerTask, TheNearerSideIsRight) {
   const auto block = test::readBlock("nearer", nearerJson(kNear, kFar));
-  EXPECT_EQ(block->answerOf(test::planOf("nearer", 0, StudyView::kGraph)), "left");
+  EXPECT_EQ(block->answerOf(test::planOf("nearer", 0, TrialView::kOther)), "left");
   EXPECT_EQ(block->caseInfo(0).objects, 2);
   const auto farther = test::readBlock("nearer", nearerJson(R"("row": 2, "column": 5, "south": -0.25)", kFar));
-  EXPECT_EQ(farther->answerOf(test::planOf("nearer", 0, StudyView::kGraph)), "right");
+  EXPECT_EQ(farther->answerOf(test::planOf("nearer", 0, TrialView::kOther)), "right");
 }
 
 TEST(NearerTask, TheArrowsAnswerAtOnce) {

@@ -17,7 +17,7 @@ struct Watched {
   int chosen = -1;
   std::string expected;
 };
-Watched watch(StudyView view, uint64_t seed, const HumanFactors& factors) {
+Watched watch(TrialView view, uint64_t seed, const HumanFactors& factors) {
   const auto block = test::readBlock(
       "path", R"({"maze": "small", "turns": 5, "least_seconds": 20, "most_seconds": 40, "cases": [{}]})");
   const TrialPlan plan = test::planOf("path", 0, view, seed);
@@ -54,10 +54,10 @@ TEST(PathPolicy, noticesTurnsByWhatItSeesAndChoosesTheirMap) {
   HumanFactors factors;
   factors.turnLapse = 0;
   factors.slip = 0;
-  for (const StudyView view : kStudyViews) {
+  for (const TrialView view : kViews) {
     for (const uint64_t seed : {1u, 2u, 3u}) {
       const Watched watched = watch(view, seed, factors);
-      EXPECT_EQ(watched.turns, watched.expected) << nameOf(view) << seed;
+      EXPECT_EQ(watched.turns, watched.expected) << defaultConditions().nameOf(view) << seed;
       EXPECT_EQ(watched.chosen, 1);
     }
   }
@@ -66,7 +66,7 @@ TEST(PathPolicy, noticesTurnsByWhatItSeesAndChoosesTheirMap) {
 TEST(PathPolicy, losesTurnsAsOftenAsItLapses) {
   HumanFactors factors;
   factors.turnLapse = 1;
-  EXPECT_NE(watch(StudyView::kPinhole, 1, factors).turns, watch(StudyView::kPinhole, 1, factors).expected);
+  EXPECT_NE(watch(TrialView::kReference, 1, factors).turns, watch(TrialView::kReference, 1, factors).expected);
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ TEST(PathTask, offersTheRightMapAmongOthersOfTheSameMaze) {
   const auto block = test::readBlock("path", example.json);
   std::map<int, int> places;
   for (uint64_t seed = 1; seed <= 120; ++seed) {
-    const TrialPlan plan = test::planOf("path", 0, StudyView::kPinhole, seed);
+    const TrialPlan plan = test::planOf("path", 0, TrialView::kReference, seed);
     const auto run = block->start(plan, kPathScreen);
     EXPECT_TRUE(run->layout().maps.empty());
     // The turns of the walk, from its headings.

@@ -118,7 +118,7 @@ class TaskContract : public testing::TestWithParam<TaskExample> {
   void forEachTrial(const std::function<void(const TaskBlock& block, const TrialPlan& plan)>& visit) const {
     const auto block = test::readBlock(GetParam().task, GetParam().json);
     for (int i = 0; i < block->caseCount(); ++i) {
-      for (const StudyView view : kStudyViews) {
+      for (const TrialView view : kViews) {
         visit(*block, test::planOf(GetParam().task, i, view, static_cast<uint64_t>(11 + i)));
       }
     }

@@ -29,7 +29,7 @@ TEST(TasksSlow, aMillionEventsAreBorne) {
     int trials = 0;
     for (int i = 0; i < 200'000; ++i) {
       if (!run || run->outcome()) {
-        const StudyView view = kStudyViews[random.below(2)];
+        const TrialView view = kViews[random.below(2)];
         run = block->start(test::planOf(example.task, static_cast<int>(random.below(2)), view, random.next()), screen);
         ++trials;
       }

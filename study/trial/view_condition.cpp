@@ -1,4 +1,4 @@
-#include "analysis/dataset/view_condition.h"
+#include "study/trial/view_condition.h"
 
 #include <fmt/format.h>
 
@@ -31,6 +31,14 @@ std::string withoutMarks(std::string_view text, const WordOf& wordOf) {
   return result += text.substr(done);
 }
 
+/// A name stands in databases, tables, names of cells and commands.
+bool isName(const std::string& text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
+           c == '.';
+  });
+}
+
 }  // namespace
 
 std::optional<TrialView> ViewConditions::viewNamed(std::string_view name) const {
@@ -48,6 +56,26 @@ std::string ViewConditions::mustBe() const {
 
 bool ViewConditions::hasNamesOf(const ViewConditions& others) const {
   return list[0].name == others.list[0].name && list[1].name == others.list[1].name;
+}
+
+std::optional<ViewConditions::Problem> ViewConditions::problem() const {
+  for (size_t i = 0; i < list.size(); ++i) {
+    const ViewCondition& condition = list[i];
+    if (!isName(condition.name)) {
+      return Problem{i, "name",
+                     fmt::format("is \"{}\", but must be letters, digits, \"-\", \"_\" and \".\"", condition.name)};
+    }
+    if (condition.label.empty()) {
+      return Problem{i, "label", "must not be empty"};
+    }
+    if (i > 0 && condition.name == list[0].name) {
+      return Problem{i, "name", "is that of the other condition too"};
+    }
+    if (i > 0 && condition.label == list[0].label) {
+      return Problem{i, "label", "is that of the other condition too"};
+    }
+  }
+  return std::nullopt;
 }
 
 const ViewConditions& defaultConditions() {

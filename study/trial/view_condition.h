@@ -1,6 +1,6 @@
 // The two view conditions that a study compares. The protocol names them in its field "conditions"; the first is the
 // reference, and effects are those of the other against it. A protocol without that field compares planar pinhole
-// cameras with graph cameras (defaultConditions()), and nothing else in the analysis knows these two.
+// cameras with graph cameras (defaultConditions()). What a condition shows is said by study/task/scene_view.h.
 //
 // Texts are written before the names are put in: they hold the marks kReferenceMark and kOtherMark, which become the
 // labels where people read, and the names in cells, files and commands.
@@ -18,6 +18,9 @@ namespace ocelli {
 /// The condition of a trial.
 enum class TrialView : uint8_t { kReference, kOther };
 inline constexpr std::array kViews = {TrialView::kReference, TrialView::kOther};
+constexpr TrialView otherThan(TrialView view) {
+  return view == TrialView::kReference ? TrialView::kOther : TrialView::kReference;
+}
 
 struct ViewCondition {
   std::string name;                        ///< as databases, tables, plans and cells of reports have it: "gc"
@@ -39,6 +42,13 @@ struct ViewConditions {
   /// What a column of views may hold: "must be ppc or gc".
   std::string mustBe() const;
   bool hasNamesOf(const ViewConditions& others) const;
+  /// What is wrong with the names or labels, and of which condition it is; nothing where they can stand.
+  struct Problem {
+    size_t index = 0;
+    const char* field = "";
+    std::string what;
+  };
+  std::optional<Problem> problem() const;
 
   bool operator==(const ViewConditions&) const = default;
 };

@@ -1,0 +1,50 @@
+// What a view condition shows of a scene: the planar pinhole cameras or the graph camera of the task (chapter 7), or
+// anything else that is made of them. The kinds that protocols can name are the rows of study/views/view_registry.h.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "study/task/trial_layout.h"
+#include "study/trial/view_condition.h"
+
+namespace ocelli {
+
+/// Where a task looks at its scene from, at one moment of a trial.
+struct Vantage {
+  /// A planar pinhole camera and its place on the screen.
+  struct Pane {
+    PixelRect place;
+    PinholeCamera camera;
+  };
+  std::vector<Pane> pinholes;  ///< one at the eye, or several laid by hand; never none
+  /// The views by the graph camera that the task makes; made when it is called.
+  std::function<std::vector<TrialLayout::View>()> graph;
+};
+
+/// The same vantage always gives the same views. Any thread may call it at any time.
+class SceneView {
+ public:
+  virtual ~SceneView() = default;
+  /// At least one; each as large as its place, which lies within those of the vantage.
+  virtual std::vector<TrialLayout::View> views(const Vantage& from) const = 0;
+};
+
+/// The pinholes of the task, as they are.
+std::shared_ptr<const SceneView> pinholeView();
+/// The graph camera of the task.
+std::shared_ptr<const SceneView> graphView();
+
+/// The conditions of a study: their names, and what they show.
+struct StudyConditions {
+  ViewConditions names = defaultConditions();
+  std::array<std::shared_ptr<const SceneView>, kViews.size()> views{pinholeView(), graphView()};
+
+  std::vector<TrialLayout::View> viewsOf(TrialView view, const Vantage& from) const {
+    return views[static_cast<size_t>(view)]->views(from);
+  }
+};
+
+}  // namespace ocelli
