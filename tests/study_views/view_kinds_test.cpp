@@ -55,13 +55,16 @@ TEST(OcriView, OfADepthImageLacksWhatItsEyeDidNotSee) {
                                R"(", "eye_offset_meters": [0.3, 0, 0], "image_scale": 2})");
     const Image<Rgb8> image = imageOf(scene, view->views(viewVantage()));
     size_t holes = 0;
-    for (size_t i = 0; i < image.size(); ++i) {
-      holes += image[i] == sky && truth[i] != sky ? 1 : 0;
+    // Away from the sides, beyond which no image reaches.
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = image.width() / 4; x < image.width() * 3 / 4; ++x) {
+        holes += image(x, y) == sky && truth(x, y) != sky ? 1 : 0;
+      }
     }
-    return static_cast<double>(holes) / static_cast<double>(image.size());
+    return 2 * static_cast<double>(holes) / static_cast<double>(image.size());
   };
   const double depthImage = holesOf("di");
-  EXPECT_GT(depthImage, 0.02);
+  EXPECT_GT(depthImage, 0.005);
   EXPECT_LT(holesOf("ddoc"), depthImage / 2);
 }
 
