@@ -12,6 +12,7 @@ namespace ocelli {
 ViewKind panesViewKind();
 ViewKind ocriViewKind();
 ViewKind cameraViewKind();
+ViewKind displayViewKind();
 
 namespace {
 
@@ -21,7 +22,8 @@ Registry<ViewKind>& viewRegistry() {
                {"graph", "the graph camera that the task makes", [](JsonFields&) { return graphView(); }},
                panesViewKind(),
                ocriViewKind(),
-               cameraViewKind()});
+               cameraViewKind(),
+               displayViewKind()});
   return registry;
 }
 

@@ -107,30 +107,37 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfConditions) {
   }
   EXPECT_EQ(def("view_kind").at("enum").get<std::set<std::string>>(), kinds);
   // The schema names the options of all kinds together.
-  const std::map<std::string, std::pair<std::string, std::vector<std::string>>> kOptions{
-      {"panes", {R"({"headings_degrees": [0]})", {"headings_degrees", "fov_horizontal_degrees"}}},
-      {"ocri",
-       {R"({"camera": "ddoc", "eye_offset_meters": [0, 0, 0]})", {"camera", "eye_offset_meters", "image_scale"}}},
-      {"camera", {R"({"camera": "ddoc"})", {"camera"}}}};
-  for (const auto& [kind, options] : kOptions) {
+  struct KindOptions {
+    std::string kind;
+    std::string json;  ///< of a view
+    std::vector<std::string> required;
+    std::vector<std::string> others;
+  };
+  for (const KindOptions& options : std::vector<KindOptions>{
+           {"panes", R"({"headings_degrees": [0]})", {"headings_degrees"}, {"fov_horizontal_degrees"}},
+           {"ocri",
+            R"({"camera": "ddoc", "eye_offset_meters": [0, 0, 0]})",
+            {"camera", "eye_offset_meters"},
+            {"image_scale"}},
+           {"camera", R"({"camera": "ddoc"})", {"camera"}, {}},
+           {"display",
+            R"({"distance_meters": 100, "radius_meters": 0.01})",
+            {},
+            {"camera", "profile", "distance_meters", "radius_meters"}}}) {
     Json description = def("view");
     Json properties{{"$schema", Json::object()}, {"comment", Json::object()}, {"kind", Json::object()}};
-    for (const std::string& name : options.second) {
-      properties[name] = description.at("properties").at(name);
-    }
-    description["properties"] = properties;
-    Json view = Json::parse(options.first);
-    view["kind"] = kind;
-    document.at("conditions").at(1)["view"] = view;
-    description["required"] = Json::array({"kind"});
-    for (const auto& [name, value] : view.items()) {
-      if (name != "kind") {
-        description.at("required").push_back(name);
+    for (const std::vector<std::string>* names : {&options.required, &options.others}) {
+      for (const std::string& name : *names) {
+        properties[name] = description.at("properties").at(name);
       }
     }
-    description["additionalProperties"] = false;
+    description["properties"] = properties;
+    description["required"] = options.required;
+    Json view = Json::parse(options.json);
+    view["kind"] = options.kind;
+    document.at("conditions").at(1)["view"] = view;
     expectAgreement(description, document, "/conditions/1/view",
-                    {"kind", "camera", "eye_offset_meters", "headings_degrees", "$schema", "comment"});
+                    {"kind", "camera", "eye_offset_meters", "headings_degrees", "profile", "$schema", "comment"});
   }
 }
 

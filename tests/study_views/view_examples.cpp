@@ -14,7 +14,8 @@ const std::vector<ViewExample>& viewExamples() {
       {"ocri", R"({"kind": "ocri", "camera": "ddoc", "eye_offset_meters": [0.2, 0.1, 0]})"},
       {"ocri", R"({"kind": "ocri", "camera": "eoc-h", "eye_offset_meters": [0.3, 0, 0], "image_scale": 2})"},
       {"camera", R"({"kind": "camera", "camera": "panorama"})"},
-      {"camera", R"({"kind": "camera", "camera": "ddoc"})"}};
+      {"camera", R"({"kind": "camera", "camera": "ddoc"})"},
+      {"display", R"({"kind": "display", "profile": "test", "distance_meters": 7.5, "radius_meters": 4})"}};
   return kExamples;
 }
 

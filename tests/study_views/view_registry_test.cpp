@@ -39,6 +39,9 @@ TEST(ViewRegistry, SaysWhatIsWrongWithAView) {
   EXPECT_EQ(errorOfView(R"({"kind": "camera", "camera": {"camera": "ddoc", "smoothing_sigma_pixels": 1}})"), "");
   EXPECT_THAT(errorOfView(R"({"kind": "ocri", "camera": "ddoc", "eye_offset_meters": [0, 0, 99]})"),
               HasSubstr("eye_offset_meters"));
+  EXPECT_THAT(errorOfView(R"({"kind": "display", "profile": "cube"})"), HasSubstr("cube"));
+  EXPECT_THAT(errorOfView(R"({"kind": "display", "distance_meters": 4, "radius_meters": 3})"),
+              HasSubstr("outside of the display"));
   EXPECT_THAT(errorOfView(R"({"kind": "camera", "camera": "geometry"})"), HasSubstr("no image"));
 }
 
