@@ -27,44 +27,50 @@ size_t indexOf(const TaskKind& kind, const std::string& effect) {
                    fmt::format("its effects are {}", names));
 }
 
+std::vector<double> valuesOfRow(const TaskKind& kind) {
+  std::vector<double> values;
+  for (const GeneratorEffect& effect : kind.generator.effects) {
+    values.push_back(effect.value);
+  }
+  return values;
+}
+
 bool isDeviation(const GeneratorEffect& effect) {
   return effect.covariate == nullptr;
 }
 
 }  // namespace
 
-GeneratorEffects::GeneratorEffects() {
-  for (const TaskKind& kind : taskKinds()) {
-    std::vector<double>& values = values_[kind.name];
-    for (const GeneratorEffect& effect : kind.generator.effects) {
-      values.push_back(effect.value);
-    }
-  }
-}
-
-const std::vector<double>& GeneratorEffects::of(const std::string& task) const {
-  return values_.at(taskKind(task, kWhereEffects).name);
+std::vector<double> GeneratorEffects::of(const std::string& task) const {
+  const TaskKind& kind = taskKind(task, kWhereEffects);
+  const auto set = set_.find(kind.name);
+  return set == set_.end() ? valuesOfRow(kind) : set->second;
 }
 
 double& GeneratorEffects::at(const std::string& task, const std::string& effect) {
   const TaskKind& kind = taskKind(task, kWhereEffects);
-  return values_.at(kind.name)[indexOf(kind, effect)];
+  const size_t index = indexOf(kind, effect);
+  return set_.try_emplace(kind.name, valuesOfRow(kind)).first->second[index];
 }
 
 double GeneratorEffects::at(const std::string& task, const std::string& effect) const {
-  const TaskKind& kind = taskKind(task, kWhereEffects);
-  return values_.at(kind.name)[indexOf(kind, effect)];
+  return of(task)[indexOf(taskKind(task, kWhereEffects), effect)];
 }
 
 double GeneratorEffects::valueOr0(const std::string& task, const std::string& effect) const {
-  const TaskKind& kind = taskKind(task, kWhereEffects);
-  const std::optional<size_t> index = kind.generator.indexOf(effect);
-  return index ? values_.at(kind.name)[*index] : 0;
+  const std::optional<size_t> index = taskKind(task, kWhereEffects).generator.indexOf(effect);
+  return index ? of(task)[*index] : 0;
+}
+
+bool GeneratorEffects::operator==(const GeneratorEffects& other) const {
+  const Rows<TaskKind> kinds = taskKinds();
+  return std::all_of(kinds.begin(), kinds.end(),
+                     [&](const TaskKind& kind) { return of(kind.name) == other.of(kind.name); });
 }
 
 double fixedPart(const GeneratorEffects& effects, const GeneratedTrial& trial) {
   const std::vector<GeneratorEffect>& model = taskKind(trial.task, kWhereEffects).generator.effects;
-  const std::vector<double>& values = effects.of(trial.task);
+  const std::vector<double> values = effects.of(trial.task);
   double sum = 0;
   for (size_t i = 0; i < model.size(); ++i) {
     sum += isDeviation(model[i]) ? 0 : values[i] * model[i].covariate(trial);

@@ -12,23 +12,21 @@
 
 namespace ocelli {
 
+/// Of all tasks, those that are registered later included: the values of their rows, until they are set.
 class GeneratorEffects {
  public:
-  /// All tasks, with the values of their rows.
-  GeneratorEffects();
-
   /// Throws InputError for a task or an effect that is unknown.
   double& at(const std::string& task, const std::string& effect);
   double at(const std::string& task, const std::string& effect) const;
   /// 0 where the model of the task has no such number.
   double valueOr0(const std::string& task, const std::string& effect) const;
   /// Of a task, in the order of its model. Throws InputError.
-  const std::vector<double>& of(const std::string& task) const;
+  std::vector<double> of(const std::string& task) const;
 
-  bool operator==(const GeneratorEffects&) const = default;
+  bool operator==(const GeneratorEffects& other) const;
 
  private:
-  std::map<std::string, std::vector<double>> values_;
+  std::map<std::string, std::vector<double>> set_;  ///< of tasks of which one was set
 };
 
 /// The sum of the fixed effects: of a subject and a case without effects of their own.

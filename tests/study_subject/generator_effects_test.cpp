@@ -58,6 +58,17 @@ TEST(GeneratorEffects, ReadsThemBackAndRejectsUnknownOnes) {
   EXPECT_THROW(readGeneratorEffects(folder / "negative.json"), InputError);
 }
 
+TEST(GeneratorEffects, HaveTheTasksThatAreRegisteredLater) {
+  const GeneratorEffects effects;
+  TaskKind later = taskKinds().front().get();
+  later.name = "later";
+  later.images.clear();
+  later.generator.recordedAlways = false;
+  registerTask(later);
+  EXPECT_EQ(effects.of("later"), effects.of(taskKinds().front().get().name));
+  EXPECT_EQ(effects, GeneratorEffects());
+}
+
 TEST(GeneratorEffects, UnknownNamesAreErrorsThatListTheKnownOnes) {
   GeneratorEffects effects;
   EXPECT_THAT(problemOf([&] { effects.at("search", "graph") = 1; }),
