@@ -150,9 +150,9 @@ std::vector<double> xOfMarkers(const std::string& svg) {
 }
 
 TEST(FrontierPlot, DecadesAreEquallyFarApart) {
-  // All with the round marker.
+  // All with the round marker, which comes once in seven styles.
   const std::string svg =
-      frontierPlot("title", "x", "y", {{"a", {{1e3, 0.1}}, 0}, {"b", {{1e4, 0.01}}, 5}, {"c", {{1e5, 0.001}}, 10}});
+      frontierPlot("title", "x", "y", {{"a", {{1e3, 0.1}}, 1}, {"b", {{1e4, 0.01}}, 8}, {"c", {{1e5, 0.001}}, 15}});
   const std::vector<double> x = xOfMarkers(svg);
   ASSERT_EQ(x.size(), 3u);
   EXPECT_GT(x[1], x[0] + 50);

@@ -16,7 +16,4 @@ std::string cleanText(std::string_view text);
 std::vector<char32_t> codePoints(std::string_view text);
 std::string utf8FromCodePoint(char32_t code);
 
-/// The clean text with everything escaped that HTML and XML would read as markup, in text and in quoted attributes.
-std::string markupFromText(std::string_view text);
-
 }  // namespace ocelli
