@@ -132,7 +132,7 @@ void paint(cairo_t* context, const ClipShape& shape) {
 }  // namespace
 
 DrawingError::DrawingError(const std::string& what)
-    : std::runtime_error(fmt::format("a drawing: {}\n  try: make it smaller, or free some memory", what)) {}
+    : std::runtime_error(fmt::format("a drawing cannot be painted: {}", what)) {}
 
 void DestroyCairo::operator()(_cairo* context) const {
   cairo_destroy(context);

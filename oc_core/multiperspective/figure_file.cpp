@@ -2,6 +2,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
+#include "oc_core/drawing/drawing_error.h"
 
 namespace ocelli {
 
@@ -13,7 +14,12 @@ void requireFigureFile(const std::filesystem::path& path) {
 
 void writeFigure(const std::filesystem::path& path, const Figure& figure) {
   requireFigureFile(path);
-  const std::string bytes = path.extension() == ".png" ? pngBytes(figure, kPointsPerInch) : svgText(figure);
+  std::string bytes;
+  try {
+    bytes = path.extension() == ".png" ? pngBytes(figure, kPointsPerInch) : svgText(figure);
+  } catch (const DrawingError& error) {
+    throw WorkError(error.what(), path.string(), "make it smaller, or free some memory");
+  }
   OutputFile file(path);
   file.write(bytes);
   file.commit();

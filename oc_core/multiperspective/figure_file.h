@@ -12,7 +12,7 @@ namespace ocelli {
 void requireFigureFile(const std::filesystem::path& path);
 
 /// SVG or PNG, as `path` ends; of the PNG a pixel is a point. Throws InputError for other endings, WorkError where it
-/// cannot be written, DrawingError where it cannot be painted.
+/// cannot be painted or written.
 void writeFigure(const std::filesystem::path& path, const Figure& figure);
 
 }  // namespace ocelli

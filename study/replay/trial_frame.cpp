@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "oc_core/base/error.h"
+#include "oc_core/drawing/drawing_error.h"
 #include "oc_core/drawing/figure.h"
 #include "study/replay/landmark_paint.h"
 
@@ -104,6 +106,14 @@ class Overlay {
   double bar_;
 };
 
+Pixels paintedPixels(const Figure& frame) {
+  try {
+    return pixelsOf(frame);
+  } catch (const DrawingError& error) {
+    throw WorkError(error.what(), "frame", "is there enough memory?");
+  }
+}
+
 }  // namespace
 
 Image<Rgb8> trialFrame(const TrialLayout& layout, const TrialScreen& screen, const StudyRenderer& renderer) {
@@ -119,7 +129,7 @@ Image<Rgb8> trialFrame(const TrialLayout& layout, const TrialScreen& screen, con
   }
   frame.drawing.image("views", {0, 0, frame.width, frame.height}, std::move(views));
   Overlay(frame.drawing, layout, screen).draw();
-  const Pixels drawn = pixelsOf(frame);
+  const Pixels drawn = paintedPixels(frame);
   for (int y = 0; y < screen.height; ++y) {
     for (int x = 0; x < screen.width; ++x) {
       const uint32_t pixel = drawn.values[static_cast<size_t>(y) * static_cast<size_t>(screen.width) + x];

@@ -6,7 +6,7 @@
 
 namespace ocelli {
 
-/// Throws DrawingError where it cannot be drawn.
+/// Throws WorkError where it cannot be drawn.
 Image<Rgb8> trialFrame(const TrialLayout& layout, const TrialScreen& screen, const StudyRenderer& renderer);
 
 }  // namespace ocelli
