@@ -10,6 +10,7 @@
 #include "analysis/report/html_style.h"
 #include "tests/analysis_plot/well_formed.h"
 #include "tests/analysis_report/sample_document.h"
+#include "tests/page/unstyled_classes.h"
 
 namespace ocelli {
 namespace {
@@ -158,6 +159,10 @@ TEST(HtmlReport, figuresAreDescribed) {
   const MarkupReading reading = read(htmlReport(sampleDocument()));
   EXPECT_EQ(std::count(reading.tags.begin(), reading.tags.end(), "desc"), 13);
   EXPECT_THAT(valuesOf(reading, "role"), testing::Contains("img").Times(13));
+}
+
+TEST(HtmlReport, styleHasItsColours) {
+  EXPECT_THAT(test::undefinedProperties(htmlReport(sampleDocument())), testing::IsEmpty());
 }
 
 TEST(HtmlReport, sameDocumentSameBytes) {

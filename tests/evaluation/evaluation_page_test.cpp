@@ -7,6 +7,7 @@
 #include <set>
 
 #include "oc_core/evaluation/evaluation_plot.h"
+#include "tests/page/unstyled_classes.h"
 
 namespace ocelli {
 namespace {
@@ -65,6 +66,12 @@ void expectTagsClosed(const std::string& page) {
     const std::string name(tag);
     EXPECT_EQ(pageMatches(page, "(<" + name + "[ >])").size(), pageMatches(page, "(</" + name + ">)").size()) << tag;
   }
+}
+
+TEST(EvaluatePage, StyleHasItsClassesAndColours) {
+  const std::string page = pageOf({figures("di", 40, 300), figures("ddoc", 10, 900)}, "builtin:room", false);
+  EXPECT_THAT(test::unstyledClasses(page), testing::IsEmpty());
+  EXPECT_THAT(test::undefinedProperties(page), testing::IsEmpty());
 }
 
 TEST(EvaluatePage, OpenedTagsAreClosed) {
