@@ -2,7 +2,7 @@
 // (multivox_memory.h). Volumes are resampled to the grid (voxel_resampler.h) and written by a thread of the device.
 //
 // What is special about it:
-// - There is no display to be had at opening: the device waits for the shared memory, takes volumes meanwhile, and
+// - There may be no display at opening: the device waits for the shared memory, takes volumes meanwhile, and
 // writes
 //   the newest when it appears. When the memory is made anew, what was shown is shown again.
 // - The memory tells nothing of where the screen is. present() shows a frame at once, whatever phase is asked for,

@@ -79,7 +79,7 @@ inline PlacedStep stepBetween(const PlacedSample& a, const PlacedSample& b) {
 /// Whether `b` lies where the line through `before` and `a` goes on: a plane's samples along a row or column of
 /// straight rays lie on a line, however far apart the rays hit it.
 inline bool goesOnStraight(const PlacedSample& before, const PlacedSample& a, const PlacedSample& b, float tolerance) {
-  /// A step that is so many times as long as the one before is none of a plane's.
+  /// On a plane, a step is at most this many times as long as the one before.
   constexpr float kLongestGrowth = 4;
   if (!before.held) {
     return false;

@@ -8,8 +8,8 @@
 
 namespace ocelli {
 
-/// Valid UTF-8 of characters that XML 1.0 allows: bytes that are none, and control characters other than tab and
-/// newline, become U+FFFD.
+/// Valid UTF-8 of characters that XML 1.0 allows: invalid bytes, and control characters other than tab and newline,
+/// become U+FFFD.
 std::string cleanText(std::string_view text);
 
 /// Of clean text.
