@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/plot/drawing.h"
-#include "analysis/plot/figure.h"
+#include "oc_core/drawing/drawing.h"
+#include "oc_core/drawing/figure.h"
 
 namespace ocelli {
 

@@ -63,11 +63,11 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::vector<Volume> slicedScene(const Choice& choice, const DisplayProfile& profile) {
+std::vector<std::shared_ptr<const Volume>> slicedScene(const Choice& choice, const DisplayProfile& profile) {
   const Mesh mesh = orderedForSlicing(loadScene(choice.scene, {}, {}));
   Slicer slicer(profile, {});
   SliceMesh turned(mesh);
-  std::vector<Volume> volumes;
+  std::vector<std::shared_ptr<const Volume>> volumes;
   for (int i = 0; i < choice.volumes; ++i) {
     const auto radians = static_cast<float>(radiansFromDegrees(i * 360.0 / choice.volumes));
     const glm::mat3 turn(glm::rotate(glm::mat4(1), radians, glm::vec3(0, 1, 0)));
@@ -76,7 +76,8 @@ std::vector<Volume> slicedScene(const Choice& choice, const DisplayProfile& prof
       position = turn * position;
     }
     turned.setPositions(positions);
-    volumes.push_back(slicer.slice(turned));
+    slicer.slice(turned);
+    volumes.push_back(slicer.takeShared());
   }
   return volumes;
 }
@@ -115,10 +116,10 @@ void drive(const Choice& choice) {
     return;
   }
   const auto device = openStreamDevice(std::make_unique<UsbPort>(UsbPortOptions()), {.kind = "usb"});
-  const std::vector<Volume> volumes = slicedScene(choice, device->profile());
+  const std::vector<std::shared_ptr<const Volume>> volumes = slicedScene(choice, device->profile());
   std::vector<uint32_t> checksums;
-  for (const Volume& volume : volumes) {
-    checksums.push_back(checksumOf(volume));
+  for (const auto& volume : volumes) {
+    checksums.push_back(checksumOf(*volume));
   }
   const double idleBefore = processSeconds();
   std::this_thread::sleep_for(std::chrono::seconds(2));

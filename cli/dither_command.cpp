@@ -72,7 +72,7 @@ void addDitherCommand(CLI::App& program, const CommandContext& context) {
       ->check(radiusCheck())
       ->type_name("RADIUS,...");
   command.add_flag("--json", choice->json, "Print the figures as JSON");
-  command.add_option("-o,--output", choice->folder, "A folder for pictures")->type_name("DIR");
+  command.add_option("-o,--output", choice->folder, "A folder for images")->type_name("DIR");
   context.finish(command,
                  "  ocelli dither -o images\n"
                  "  ocelli dither --dither ordered,diffusion --bits 3 --even-light 0",

@@ -60,7 +60,7 @@ void addDisplay(CLI::App& command, ObserverChoice& choice) {
 }
 
 void addTone(CLI::App& command, ObserverChoice& choice) {
-  command.add_option("--gain", choice.gain, "Factor on the light; 0 chooses one for the picture")->type_name("FACTOR");
+  command.add_option("--gain", choice.gain, "Factor on the light; 0 chooses one for the image")->type_name("FACTOR");
   command.add_option("--tone", choice.tone, "What becomes of light above white")
       ->check(CLI::IsMember({"clip", "reinhard", "filmic"}))
       ->type_name("clip|reinhard|filmic");

@@ -77,7 +77,7 @@ void renderMultiperspective(const RenderChoice& choice, const PinholeCamera& ref
     writePng(choice.output, srgbFromLinear(colorImage(fragments, scene.mesh, skyColor())));
   }
   if (!choice.identity.empty()) {
-    writePng(choice.identity, identityPicture(identityImage(fragments, scene.objectOfTriangle)));
+    writePng(choice.identity, identityColors(identityImage(fragments, scene.objectOfTriangle)));
   }
   context.note(
       fmt::format("wrote {}: {} of {}x{}", choice.output, choice.camera, fragments.width(), fragments.height()));

@@ -143,7 +143,7 @@ void ShownOutput::finish(const CommandContext& context) {
     images = drawShown(record_, refreshes, observer_, rate, *sink, progress);
     sink->finish();
   });
-  context.note(fmt::format("wrote {}: {} pictures", choice_.watch, images));
+  context.note(fmt::format("wrote {}: {} images", choice_.watch, images));
 }
 
 }  // namespace ocelli

@@ -33,7 +33,7 @@ struct SolidityChoice {
   unsigned seed = 1;
   int imageSide = 0;
   std::string json;
-  std::string pictures;
+  std::string images;
 };
 
 /// What stands for the scene: by a camera, or finished images.
@@ -80,12 +80,11 @@ void prepareOutputs(const SolidityChoice& choice) {
   if (!choice.json.empty() && choice.json != "-") {
     checkWritable(choice.json);
   }
-  if (!choice.pictures.empty()) {
+  if (!choice.images.empty()) {
     std::error_code error;
-    fs::create_directories(choice.pictures, error);
+    fs::create_directories(choice.images, error);
     if (error) {
-      throw WorkError("cannot make this folder (" + error.message() + ")", choice.pictures,
-                      "choose another one with -o");
+      throw WorkError("cannot make this folder (" + error.message() + ")", choice.images, "choose another one with -o");
     }
   }
 }
@@ -105,7 +104,7 @@ void run(const SolidityChoice& choice, const CommandContext& context) {
   }
   constexpr int kMinSide = 16;  // FLIP looks at neighbourhoods
   if (const int side = choice.imageSide > 0 ? choice.imageSide : options.profile.height; side < kMinSide) {
-    throw InputError(fmt::format("images of {} pixels are too small to compare", side), "--picture-side",
+    throw InputError(fmt::format("images of {} pixels are too small to compare", side), "--image-side",
                      fmt::format("make it {} or more", kMinSide));
   }
   prepareOutputs(choice);
@@ -115,7 +114,7 @@ void run(const SolidityChoice& choice, const CommandContext& context) {
   const auto measure = [&](const std::string& name, const Volume& volume, size_t triangles,
                            SolidityMeter::Shown shown) {
     rows.push_back(
-        meter.measure(name, volume, triangles, shown, context.progress(), imageWriter(choice.pictures, name, options)));
+        meter.measure(name, volume, triangles, shown, context.progress(), imageWriter(choice.images, name, options)));
   };
   const Volume full = slice(scene, options.profile);
   measure("visible voxels", full, scene.triangles.size(), SolidityMeter::Shown::kVisibleOnly);
@@ -130,8 +129,8 @@ void run(const SolidityChoice& choice, const CommandContext& context) {
   if (!choice.json.empty() && choice.json != "-") {
     writeFile(choice.json, json);
   }
-  if (!choice.pictures.empty()) {
-    context.note("wrote images to " + choice.pictures);
+  if (!choice.images.empty()) {
+    context.note("wrote images to " + choice.images);
   }
 }
 
@@ -158,7 +157,7 @@ void addSolidityCommand(CLI::App& program, const CommandContext& context) {
       ->type_name("N");
   command.add_option("--seed", choice->seed, "Of the eyes inside")->type_name("S");
   command
-      .add_option("--picture-side", choice->imageSide,
+      .add_option("--image-side", choice->imageSide,
                   "Of the images, pixels; 0: as many as the display has rows, so that a voxel is about a pixel")
       ->check(CLI::Range(0, 8192))
       ->type_name("N");
@@ -166,7 +165,7 @@ void addSolidityCommand(CLI::App& program, const CommandContext& context) {
       ->expected(0, 1)
       ->default_str("-")
       ->type_name("FILE");
-  command.add_option("-o,--output", choice->pictures, "Also write images from the reference eye and a corner here")
+  command.add_option("-o,--output", choice->images, "Also write images from the reference eye and a corner here")
       ->type_name("DIR");
   context.finish(command,
                  "  ocelli solidity builtin:statues\n"

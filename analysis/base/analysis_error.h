@@ -1,4 +1,4 @@
-// What is thrown where an analysis cannot be done at all: a file that is none, a plan that contradicts itself. What
+// What is thrown where an analysis cannot be done at all: an invalid file, a plan that contradicts itself. What
 // merely cannot be estimated from the data at hand (one subject, nothing but time-outs) is no error but part of the
 // result: estimable.h.
 #pragma once

@@ -10,7 +10,7 @@ namespace ocelli {
 class RandomNumbers {
  public:
   explicit RandomNumbers(uint64_t seed);
-  /// Numbers of their own for each part of a work, whoever does it and in which order: replicate 3 of seed 1.
+  /// Each part of a work has its own numbers, with any number of threads and in any order: replicate 3 of seed 1.
   RandomNumbers(uint64_t seed, uint64_t part);
 
   uint64_t bits();

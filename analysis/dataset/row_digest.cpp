@@ -72,7 +72,7 @@ Digest digestOf(const Trial& trial, const std::string& view, const UnreadColumns
 Digest sha256Of(std::string_view bytes) {
   Digest digest{};
   if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, EVP_sha256(), nullptr) != 1) {
-    throw AnalysisError(AnalysisError::Kind::kWork, "SHA-256 is not to be had", "OpenSSL", "another build of OpenSSL");
+    throw AnalysisError(AnalysisError::Kind::kWork, "SHA-256 is unavailable", "OpenSSL", "another build of OpenSSL");
   }
   return digest;
 }

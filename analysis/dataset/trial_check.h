@@ -1,5 +1,5 @@
-// What columns of trials and answers cannot hold, whichever file they stand in: a damaged file, or one that was changed
-// by hand, must not give numbers that nobody measured.
+// The values that columns of trials and answers must not hold, in a database or a table. A damaged file, or one that
+// was changed by hand, must not give numbers that nobody measured.
 #pragma once
 
 #include <optional>

@@ -21,7 +21,7 @@ BayesFactor factorOf(double logForEffect, size_t count) {
 }  // namespace
 
 BayesFactor bayesFactorOfT(double t, size_t count, double priorScale) {
-  requireArgument(count >= 2 && std::isfinite(t) && priorScale > 0, "t, count or scale is none", "bayesFactorOfT");
+  requireArgument(count >= 2 && std::isfinite(t) && priorScale > 0, "t, count or scale is invalid", "bayesFactorOfT");
   const auto n = static_cast<double>(count);
   const double df = n - 1;
   // Over u = log g, where the integrand has a single peak.
@@ -74,7 +74,7 @@ Estimable<BayesFactor> bayesFactorOfShare(const Share& share, double chance, dou
   requireArgument(share.successes >= 0 && share.successes <= share.trials, "more successes than trials",
                   "bayesFactorOfShare");
   requireArgument(chance > 0 && chance < 1, "the chance is not between 0 and 1", "bayesFactorOfShare");
-  requireArgument(priorSuccesses > 0 && priorFailures > 0, "the prior is none", "bayesFactorOfShare");
+  requireArgument(priorSuccesses > 0 && priorFailures > 0, "the prior is invalid", "bayesFactorOfShare");
   if (share.trials == 0) {
     return Estimable<BayesFactor>::impossible("there are no trials");
   }

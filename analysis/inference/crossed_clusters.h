@@ -1,5 +1,5 @@
-// Variances of what trials contribute to an estimate, where trials of a subject are alike, and so are trials of a case
-// whoever has them.
+// Variances of what trials contribute to an estimate, where trials of a subject are alike, and so are trials of a case,
+// of all subjects.
 //
 //   Cameron, Gelbach and Miller 2011, J. Bus. Econ. Stat. 29(2), section 2   clusters that cross each other
 //

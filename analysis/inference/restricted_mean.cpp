@@ -55,7 +55,7 @@ Area areaUnderCurve(const std::vector<SurvivalTime>& times, double horizon) {
 
 /// By how much the area grows with the weight of each trial.
 std::vector<double> influences(const Area& area, const std::vector<SurvivalTime>& times) {
-  // Whoever was at risk at an event adds area; who had it then takes some away.
+  // A trial at risk at an event adds area; the trial that had the event takes some away.
   std::vector<double> gained(area.sets.size());
   double sum = 0;
   for (size_t i = 0; i < area.sets.size(); ++i) {
@@ -85,7 +85,7 @@ std::vector<double> influences(const Area& area, const std::vector<SurvivalTime>
   return values;
 }
 
-/// Why the mean of these trials cannot be had; empty where it can.
+/// Why the mean of these trials cannot be estimated; empty where it can.
 std::string obstacle(const std::vector<SurvivalTime>& times, double horizon, const Area& area) {
   if (times.empty()) {
     return "there are no trials";

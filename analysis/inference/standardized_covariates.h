@@ -46,7 +46,7 @@ std::vector<std::vector<double>> rowsOf(const Eigen::MatrixXd& matrix);
 /// most of that direction.
 std::optional<size_t> flatDirection(const Eigen::MatrixXd& information, const Eigen::MatrixXd& reference);
 
-/// The reason why robust errors cannot be had.
+/// The reason why robust errors cannot be estimated.
 std::string fewClusters(const CrossedClusters& clusters, size_t coefficients);
 
 }  // namespace ocelli

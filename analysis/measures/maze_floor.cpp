@@ -19,7 +19,7 @@ void check(const ProtocolMaze& maze) {
     isMaze = isMaze && line.size() == width && line.find_first_not_of("+-| ") == std::string::npos;
   }
   if (!isMaze) {
-    throw AnalysisError(AnalysisError::Kind::kInput, "this drawing is none of a maze",
+    throw AnalysisError(AnalysisError::Kind::kInput, "this drawing is not a valid maze",
                         fmt::format("maze \"{}\" of the protocol", maze.name), "the protocol as the study stored it");
   }
 }

@@ -108,7 +108,7 @@ void FixedEffects::addFactor(const std::string& name, const std::vector<std::str
   for (size_t row = 0; row < labels.size(); ++row) {
     const auto level = std::find(levels.begin(), levels.end(), labels[row]);
     if (level == levels.end()) {
-      throw inputError(fmt::format("\"{}\" is none of its levels", labels[row]),
+      throw inputError(fmt::format("\"{}\" is not one of its levels", labels[row]),
                        fmt::format("{}, row {}", name, row + 1), "rows of these levels, or more levels");
     }
     indicators(static_cast<Eigen::Index>(row), level - levels.begin()) = 1;

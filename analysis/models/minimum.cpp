@@ -14,16 +14,16 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Less curvature than this share of the largest is none.
+/// Less curvature than this share of the largest counts as 0.
 constexpr double kFlat = 1e-6;
 /// A Newton step is cut to this length, in the units of the first step.
 constexpr double kLongestNewtonStep = 1;
-/// More negative curvature than this share is that of a saddle, and no rounding.
+/// More negative curvature than this share is that of a saddle, not of rounding.
 constexpr double kSaddle = 1e-3;
 constexpr int kNewtonSteps = 10;
 /// Where the search starts again, as factors of where it started.
 constexpr std::array<double, 3> kRestarts = {0.3, 3, 0.05};
-/// Instead of a value that is none.
+/// In place of a value that is not finite.
 constexpr double kWorstValue = 1e300;
 
 class Search {

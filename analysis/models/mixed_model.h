@@ -94,8 +94,8 @@ Estimate estimateOf(double value, double standardError, double degreesOfFreedom,
 void describeFit(const Design& design, const RandomStructure& structure, const Minimum& minimum,
                  const Eigen::VectorXd& scaledTheta, const Eigen::VectorXd& b, double variance, MixedModelFit& fit);
 
-/// theta, the first values of `minimum`, without negative diagonals, and those that are as good as 0 set to it where
-/// the deviance does not rise.
+/// theta, the first values of `minimum`, without negative diagonals, and those that are nearly 0 set to 0 where the
+/// deviance does not rise.
 void settleAtBoundary(const RandomStructure& structure, const Objective& deviance, Minimum& minimum);
 
 }  // namespace ocelli

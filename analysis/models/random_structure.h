@@ -84,7 +84,7 @@ class RandomStructure {
 };
 
 /// L with L L' = P (Lambda' Z'WZ Lambda + I) P'. The term of the most effects comes first, level by level: its part of
-/// the matrix has no blocks but those of its levels. Where the other terms are few effects, what is left of them is
+/// the matrix has no blocks but those of its levels. Where the other terms are few effects, their remaining part is
 /// factored as a whole matrix; otherwise all of it as a sparse one, whose order of elimination and places of values are
 /// found once.
 class PenalizedCholesky {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/plot/figure.h"
 #include "analysis/plot/panel.h"
+#include "oc_core/drawing/figure.h"
 
 namespace ocelli {
 

@@ -54,7 +54,7 @@ std::vector<Line> linesOf(const std::vector<FlowDiagram::Loss>& lost, double wid
 
 void drawBox(Drawing& drawing, const std::string& part, const PlotBox& box, const std::vector<Line>& lines,
              bool centred) {
-  drawing.box(part, box, part == "stage" ? Paint{0.955, 0.965, 0.975} : kWhite, Pen{kAxisPaint, kThinLine});
+  drawing.box(part, box, part == "stage" ? paintOf(page_color::kTint) : kWhite, Pen{kAxisPaint, kThinLine});
   double y = box.top + kPadding + kLineHeight / 2;
   for (const Line& line : lines) {
     drawing.text(fmt::format("{} text", part), {centred ? box.middleX() : box.left + kPadding, y}, line.text,

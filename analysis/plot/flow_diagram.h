@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/plot/figure.h"
 #include "analysis/plot/style.h"
+#include "oc_core/drawing/figure.h"
 
 namespace ocelli {
 

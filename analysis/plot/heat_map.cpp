@@ -8,7 +8,7 @@
 
 #include "analysis/plot/axis.h"
 #include "analysis/plot/chart_text.h"
-#include "analysis/plot/color_scale.h"
+#include "oc_core/drawing/color_scale.h"
 
 namespace ocelli {
 namespace {

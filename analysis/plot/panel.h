@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "analysis/plot/axis.h"
-#include "analysis/plot/drawing.h"
 #include "analysis/plot/style.h"
+#include "oc_core/drawing/drawing.h"
 
 namespace ocelli {
 

@@ -13,7 +13,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kMaxLogit = 20;  // more is as good as always
+constexpr double kMaxLogit = 20;  // beyond this the probability is 1 or 0 in practice
 
 struct NamedOption {
   const char* name;

@@ -13,7 +13,7 @@
 namespace ocelli {
 namespace {
 
-/// What scenes that are alike have in common, whoever sees them.
+/// The key that scenes of one kind share, for all subjects.
 std::string kindOf(const Trial& trial) {
   return fmt::format("{}/{}/{}/{}/{}", trial.session, trial.block, trial.exposureSeconds.value_or(-1),
                      trial.objects.value_or(-1), trial.duplicateColors.value_or(false));

@@ -8,8 +8,9 @@
 #include <array>
 
 #include "analysis/plot/style.h"
-#include "analysis/plot/utf8.h"
 #include "analysis/report/html_style.h"
+#include "oc_core/page/html.h"
+#include "oc_core/page/page_colors.h"
 
 namespace ocelli {
 namespace {
@@ -22,7 +23,7 @@ constexpr const char* kSourcesPrefix = "sources-";
 constexpr double kMinShare = 0.85;
 
 std::string escaped(const std::string& text) {
-  return markupFromText(text);
+  return htmlFromText(text);
 }
 
 /// As a policy names a script: base64 of its SHA-256.
@@ -248,17 +249,17 @@ std::string page(const ReportDocument& document, const std::string& title, const
                  const std::string& nav, const std::string& body) {
   const std::string marking =
       document.marking.empty() ? "" : fmt::format("<p class=\"marking\">{}</p>\n", escaped(document.marking));
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
-      "http-equiv=\"Content-Security-Policy\" content=\"default-src &#39;none&#39;; style-src "
+  PageHead head;
+  head.title = title;
+  head.tags = fmt::format(
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src &#39;none&#39;; style-src "
       "&#39;unsafe-inline&#39;; script-src &#39;sha256-{}&#39;; base-uri &#39;none&#39;; form-action "
-      "&#39;none&#39;\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<meta name=\"generator\" "
-      "content=\"Ocelli {}\">\n<title>{}</title>\n<style>",
-      scriptDigest(kReportScript), escaped(document.version), escaped(title));
-  html += kReportStyle;
+      "&#39;none&#39;\">\n<meta name=\"generator\" content=\"Ocelli {}\">\n",
+      scriptDigest(kReportScript), escaped(document.version));
+  head.style = fmt::format("{}{}", pageColorsStyle(PageScheme::kLight), kReportStyle);
+  std::string html = pageBegin(head);
   html += fmt::format(
-      "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#report\">To the report</a>\n<div class=\"page\">\n"
+      "<a class=\"skip\" href=\"#report\">To the report</a>\n<div class=\"page\">\n"
       "<header>\n{}<h1>{}</h1>\n{}</header>\n{}<main id=\"report\">\n",
       marking, escaped(title), subtitle, nav);
   html += body;
@@ -266,8 +267,8 @@ std::string page(const ReportDocument& document, const std::string& title, const
       "</main>\n<footer>Ocelli {}, {}</footer>\n</div>\n<p id=\"shown\" aria-live=\"polite\"></p>\n<script>",
       escaped(document.version), escaped(document.created));
   html += kReportScript;
-  html += "</script>\n</body>\n</html>\n";
-  return html;
+  html += "</script>\n";
+  return html + pageEnd();
 }
 
 std::string subtitleMarkup(const ReportDocument& document, const std::string& more) {

@@ -2,20 +2,10 @@
 
 namespace ocelli {
 
-// Text keeps a contrast of at least 4.5 : 1 to its ground.
-const std::string_view kReportStyle = R"css(
-:root {
-  color-scheme: light;
-  --paper: #ffffff; --ground: #fbfaf7; --text: #1c2126; --soft: #56606b; --line: #d9d9d2; --rule: #8a9098;
-  --accent: #00558c; --caution: #8f3e00; --tint: #f1f5f8;
-  --serif: Charter, "Bitstream Charter", "Palatino Linotype", Palatino, P052, Georgia, "DejaVu Serif", serif;
-  --sans: Helvetica, "Nimbus Sans", "Liberation Sans", Arial, system-ui, "DejaVu Sans", sans-serif;
-  --mono: ui-monospace, "DejaVu Sans Mono", monospace;
-}
-* { box-sizing: border-box; }
+const std::string_view kReportStyle = R"css(:root { --rule: #8a9098; }
 html { scroll-padding-top: 1rem; -webkit-text-size-adjust: 100%; text-size-adjust: 100%; }
 body { margin: 0; background: var(--ground); color: var(--text); font: 1.0625rem/1.6 var(--serif); }
-.page { margin: 0 auto; padding: 2.5rem clamp(1rem, 4vw, 3.5rem) 5rem; max-width: 58rem; background: var(--paper); }
+.page { margin: 0 auto; padding: 2.5rem clamp(1rem, 4vw, 3.5rem) 5rem; max-width: 58rem; background: var(--card); }
 header { border-bottom: 1px solid var(--rule); padding-bottom: 1.25rem; margin-bottom: 1.5rem; }
 h1, h2, h3, h4, nav, table, figcaption, caption, .note b, dt, button, summary, .marking, .sources, footer {
   font-family: var(--sans); }
@@ -34,7 +24,7 @@ a { color: var(--accent); text-underline-offset: .15em; }
 :target { scroll-margin-top: 2rem; }
 td:target, th:target { background: #fff3c4; outline: 2px solid var(--caution); }
 .skip { position: absolute; left: -100rem; }
-.skip:focus { left: 1rem; top: .5rem; background: var(--paper); padding: .3rem .6rem; }
+.skip:focus { left: 1rem; top: .5rem; background: var(--card); padding: .3rem .6rem; }
 nav { font-size: .9rem; margin: 0 0 2rem; }
 nav h2 { font-size: .8125rem; letter-spacing: .06em; text-transform: uppercase; color: var(--soft); border: 0; margin: 0 0 .35rem;
   padding: 0; }
@@ -46,7 +36,7 @@ nav a:hover { text-decoration: underline; }
 dl.facts { display: grid; grid-template-columns: minmax(8rem, max-content) minmax(0, 1fr); gap: .2rem 1.25rem; margin: 0 0 1rem; }
 dl.facts dt { color: var(--soft); font-size: .875rem; padding-top: .15rem; }
 dl.facts dd { margin: 0; overflow-wrap: anywhere; }
-code { font-family: var(--mono); font-size: .85em; overflow-wrap: anywhere; }
+code { font-size: .85em; }
 .note { max-width: 42rem; margin: 0 0 1rem; padding: .6rem .9rem; border-left: 4px solid var(--accent); background: var(--tint);
   overflow-wrap: anywhere; }
 .note b { display: block; font-size: .875rem; color: var(--accent); }
@@ -59,12 +49,12 @@ code { font-family: var(--mono); font-size: .85em; overflow-wrap: anywhere; }
   border-bottom: 1px solid var(--line); background: var(--tint); }
 .excerpt h3, .excerpt h4 { margin: 0; font-size: .9rem; color: var(--text); }
 .excerpt .text { padding: .75rem .9rem; margin: 0; white-space: pre-wrap; max-width: none; user-select: text; }
-button { font-size: .875rem; padding: .2rem .8rem; min-height: 2rem; border: 1px solid var(--accent); background: var(--paper);
+button { font-size: .875rem; padding: .2rem .8rem; min-height: 2rem; border: 1px solid var(--accent); background: var(--card);
   color: var(--accent); cursor: pointer; }
 button:hover { background: var(--tint); }
 .scroll { overflow-x: auto; max-width: 100%; background:
-  linear-gradient(90deg, var(--paper) 40%, #fff0) 0 0 / 3rem 100% local no-repeat,
-  linear-gradient(270deg, var(--paper) 40%, #fff0) 100% 0 / 3rem 100% local no-repeat,
+  linear-gradient(90deg, var(--card) 40%, #fff0) 0 0 / 3rem 100% local no-repeat,
+  linear-gradient(270deg, var(--card) 40%, #fff0) 100% 0 / 3rem 100% local no-repeat,
   linear-gradient(90deg, #0003, #0000) 0 0 / .8rem 100% scroll no-repeat,
   linear-gradient(270deg, #0003, #0000) 100% 0 / .8rem 100% scroll no-repeat; }
 .table { margin: 1.5rem 0 1.75rem; }
@@ -78,7 +68,7 @@ tbody th { font-weight: 400; white-space: normal; min-width: 5.5rem; max-width: 
 thead th { font-weight: 600; vertical-align: bottom; white-space: normal; }
 thead tr:last-child th { border-bottom: 1px solid var(--text); }
 th[scope=colgroup] { text-align: center; border-bottom: 1px solid var(--rule); }
-tbody tr + tr > * { border-top: 1px solid #ecece6; }
+tbody tr + tr > * { border-top: 1px solid var(--grid); }
 tbody tr:hover > * { background: var(--tint); }
 td[title] { cursor: help; }
 td .source { text-decoration: underline dotted var(--rule); text-underline-offset: .25em; }

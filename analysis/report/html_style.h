@@ -1,4 +1,4 @@
-// What the page of a report looks like, and its script.
+// What the page of a report has beside the colours and fonts of all pages (oc_core/page/page_colors.h), and its script.
 #pragma once
 
 #include <string_view>

@@ -15,7 +15,8 @@ bool hasInterval(double value, double lower, double upper) {
   return std::isfinite(value) && std::isfinite(lower) && std::isfinite(upper) && upper > lower;
 }
 
-/// So that the shorter half of the interval has two significant digits, and no bound is a 0 that is none.
+/// So that the shorter half of the interval has two significant digits, and no bound is
+/// rounded to 0.
 int decimalsOf(double value, double lower, double upper) {
   const double shorter = std::min(value - lower, upper - value);
   const double half = shorter > 0 ? shorter : (upper - lower) / 2;  // the estimate may be a bound

@@ -14,7 +14,7 @@
 namespace ocelli {
 namespace {
 
-/// What names of its parts begin with: none of a row does.
+/// The start of the names of its parts. No name of a row of the table starts so.
 std::string idOf(const std::string& task) {
   return fmt::format("task-{}", namePart(task));
 }

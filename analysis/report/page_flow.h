@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/plot/pdf_file.h"
+#include "oc_core/drawing/pdf_file.h"
 
 namespace ocelli {
 
@@ -41,7 +41,7 @@ struct TextBlock {
   Face face = Face::kSerif;
   double size = 10;
   double lineHeight = 14;
-  Paint paint = {0.11, 0.13, 0.15};
+  Paint paint = paintOf(page_color::kText);
   double indent = 0;    ///< from the left margin
   double rightGap = 0;  ///< from the right one
 };

@@ -6,17 +6,17 @@
 #include <map>
 
 #include "analysis/plot/style.h"
-#include "analysis/plot/utf8.h"
 #include "analysis/report/page_flow.h"
 #include "analysis/report/table_layout.h"
+#include "oc_core/page/utf8.h"
 
 namespace ocelli {
 namespace {
 
 constexpr const char* kSupplementId = "the-supplement";
-constexpr Paint kAccent{0.0, 0.333, 0.549};
-constexpr Paint kCaution{0.561, 0.243, 0.0};
-constexpr Paint kTint{0.945, 0.961, 0.973};
+constexpr Paint kAccent = paintOf(page_color::kAccent);
+constexpr Paint kCaution = paintOf(page_color::kCaution);
+constexpr Paint kTint = paintOf(page_color::kTint);
 
 /// On which page the first layout put what the contents name.
 using PageNumbers = std::map<std::string, int>;

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "analysis/plot/pdf_file.h"
 #include "analysis/report/report_document.h"
+#include "oc_core/drawing/pdf_file.h"
 
 namespace ocelli {
 

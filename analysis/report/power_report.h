@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "analysis/plot/figure.h"
 #include "analysis/report/power_study.h"
 #include "analysis/report/report_document.h"
+#include "oc_core/drawing/figure.h"
 
 namespace ocelli {
 

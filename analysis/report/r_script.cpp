@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "analysis/plot/utf8.h"
 #include "analysis/report/path_section.h"
 #include "analysis/report/planned_model.h"
 #include "analysis/report/r_functions.h"
 #include "analysis/report/report_parts.h"
 #include "analysis/report/report_task.h"
 #include "analysis/report/search_times.h"
+#include "oc_core/page/utf8.h"
 
 namespace ocelli {
 namespace {

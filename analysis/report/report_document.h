@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "analysis/plot/figure.h"
 #include "analysis/tables/table.h"
+#include "oc_core/drawing/figure.h"
 #include "study/trial/view_condition.h"
 
 namespace ocelli {

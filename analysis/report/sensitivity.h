@@ -23,7 +23,7 @@ struct Variants {
   std::vector<std::string> notes;  ///< whole sentences about those that are not done, and why
 };
 
-/// The trial in which each subject met each case (block and label) for the first time, whichever the view.
+/// The trial in which each subject met each case (block and label) for the first time, with either view.
 TrialList firstExposures(const TrialList& trials);
 
 /// The first session, first exposures, trials without dropped frames, and all cases but one. `first` comes before them;

@@ -33,7 +33,7 @@ struct Cell {
   /// Of a share: rows that count, and all rows. Of a mean: nothing, and its rows.
   std::optional<int64_t> numerator{};
   std::optional<int64_t> denominator{};
-  std::string meaning{};  ///< "mean time of searches that ended in time": for whoever asks
+  std::string meaning{};  ///< "mean time of searches that ended in time": for readers who ask
   From from = From::kTrials;
   std::vector<RowRef> rows{};           ///< of the denominator
   std::vector<std::string> subjects{};  ///< ids

@@ -116,7 +116,7 @@ Cell lessByCell(std::string name, const Cell& worse, const Cell& better) {
   if (worse.value && better.value && *worse.value > 0) {
     cell.value = 100 * (*worse.value - *better.value) / *worse.value;
   } else {
-    cell.missing = "not to be had";
+    cell.missing = "not available";
   }
   return cell;
 }

@@ -66,13 +66,13 @@ class DemoFolder {
 };
 
 Image<glm::vec3> imageOf(const ReferenceImage& image) {
-  Image<glm::vec3> picture = image.color;
-  for (size_t i = 0; i < picture.size(); ++i) {
+  Image<glm::vec3> shown = image.color;
+  for (size_t i = 0; i < shown.size(); ++i) {
     if (image.t[i] <= 0) {
-      picture[i] = kBackground;
+      shown[i] = kBackground;
     }
   }
-  return picture;
+  return shown;
 }
 
 Image<glm::vec3> imageOf(const Mesh& mesh, const PinholeCamera& camera) {
@@ -80,22 +80,22 @@ Image<glm::vec3> imageOf(const Mesh& mesh, const PinholeCamera& camera) {
 }
 
 // Grey and dim, so that what is missing stands out.
-Image<glm::vec3> markMissing(Image<glm::vec3> picture, const Image<SampleState>& states) {
-  for (size_t i = 0; i < picture.size(); ++i) {
+Image<glm::vec3> markMissing(Image<glm::vec3> image, const Image<SampleState>& states) {
+  for (size_t i = 0; i < image.size(); ++i) {
     switch (states[i]) {
       case SampleState::kMissing:
-        picture[i] = kMissing;
+        image[i] = kMissing;
         break;
       case SampleState::kMissingThick:
-        picture[i] = kMissingThick;
+        image[i] = kMissingThick;
         break;
       case SampleState::kNoTruth:
       case SampleState::kPresent:
-        picture[i] = glm::vec3(kDimmed * glm::dot(picture[i], glm::vec3(0.2126f, 0.7152f, 0.0722f)));
+        image[i] = glm::vec3(kDimmed * glm::dot(image[i], glm::vec3(0.2126f, 0.7152f, 0.0722f)));
         break;
     }
   }
-  return picture;
+  return image;
 }
 
 DemoRow referenceRow(const DemoFolder& folder, const ReferenceImage& di, const ReferenceImage& ddoc) {

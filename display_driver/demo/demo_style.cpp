@@ -20,8 +20,8 @@ fieldset { border: 1px solid var(--line); border-radius: 6px; margin: .5rem 0; p
 .flip input:nth-of-type(3):checked ~ .stack img:nth-child(3),
 .flip input:nth-of-type(4):checked ~ .stack img:nth-child(4) { visibility: visible; }
 .bar { display: block; height: .45rem; min-width: 1px; margin: .2rem 0 .1rem; border-radius: 2px; }
-.di { background: var(--di); }
-.ddoc { background: repeating-linear-gradient(45deg, var(--ddoc) 0 4px, color-mix(in srgb, var(--ddoc) 55%, var(--card)) 4px 7px); }
+.di { background: var(--vermilion); }
+.ddoc { background: repeating-linear-gradient(45deg, var(--blue) 0 4px, color-mix(in srgb, var(--blue) 55%, var(--card)) 4px 7px); }
 )css";
 
 }  // namespace ocelli

@@ -1,7 +1,7 @@
 // A display that shows volumes, behind one interface: hardware over USB or shared memory, a simulator, a file.
 //
 //   std::unique_ptr<Device> device = openDevice("usb");
-//   const auto fence = device->submit(volume);
+//   const auto fence = device->submit(std::move(volume));
 //   device->present(fence->number(), {.at = RotationPhase{.refresh = 1200}});
 //   fence->wait(FrameStage::kShown, 1s);
 //
@@ -21,6 +21,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "display_driver/device/frame_fence.h"
 #include "display_sim/frames/display_profile.h"
@@ -93,13 +94,24 @@ class Device {
   virtual const DeviceInfo& info() const = 0;
   virtual const DisplayProfile& profile() const = 0;
 
-  /// Takes a copy of a volume of this profile, and returns at once. Where the device is still busy, the newest volume
-  /// takes the place of one that waits, which is dropped.
-  std::shared_ptr<const FrameFence> submit(const Volume& volume) { return submitFrame(volume, std::nullopt); }
+  /// Takes a volume of this profile, and returns at once. Where the device is still busy, the newest volume takes the
+  /// place of one that waits, which is dropped. The device keeps the volume as long as it needs it, without a copy:
+  /// nobody may change it any more.
+  std::shared_ptr<const FrameFence> submit(std::shared_ptr<const Volume> volume) {
+    return submitFrame(std::move(volume), std::nullopt);
+  }
   /// The same for a volume that differs from the one submitted before in these slices alone: a device may then send
   /// less, and looks at less.
-  std::shared_ptr<const FrameFence> submit(const Volume& volume, std::span<const int> changedSlices) {
-    return submitFrame(volume, changedSlices);
+  std::shared_ptr<const FrameFence> submit(std::shared_ptr<const Volume> volume, std::span<const int> changedSlices) {
+    return submitFrame(std::move(volume), changedSlices);
+  }
+  /// The same for a volume that the caller gives away (`std::move(volume)`), or else for a copy of it. A caller that
+  /// submits many copies makes them with a VolumePool.
+  std::shared_ptr<const FrameFence> submit(Volume volume) {
+    return submit(std::make_shared<const Volume>(std::move(volume)));
+  }
+  std::shared_ptr<const FrameFence> submit(Volume volume, std::span<const int> changedSlices) {
+    return submit(std::make_shared<const Volume>(std::move(volume)), changedSlices);
   }
 
   /// Says when a submitted frame is shown; without it a frame waits in the device until a newer one takes its place.
@@ -113,8 +125,8 @@ class Device {
   virtual void close() = 0;
 
  protected:
-  /// nullopt: all slices may have changed.
-  virtual std::shared_ptr<const FrameFence> submitFrame(const Volume& volume,
+  /// `volume` is not nullptr. nullopt: all slices may have changed.
+  virtual std::shared_ptr<const FrameFence> submitFrame(std::shared_ptr<const Volume> volume,
                                                         std::optional<std::span<const int>> changedSlices) = 0;
 };
 

@@ -33,11 +33,12 @@ IdealDevice::~IdealDevice() {
   end();
 }
 
-std::shared_ptr<const FrameFence> IdealDevice::submitFrame(const Volume& volume, std::optional<std::span<const int>>) {
-  OC_CHECK(volume.profile() == profile_, "a volume of another display was submitted");
+std::shared_ptr<const FrameFence> IdealDevice::submitFrame(std::shared_ptr<const Volume> volume,
+                                                           std::optional<std::span<const int>>) {
+  OC_CHECK(volume->profile() == profile_, "a volume of another display was submitted");
   IdealScreen::Frame frame;
   if (frames_ != nullptr) {
-    frame.volume = copies_.copyOf(volume);
+    frame.volume = std::move(volume);
   }
   const std::lock_guard lock(mutex_);
   frame.fence = std::make_shared<FrameFence>(++lastNumber_);

@@ -11,7 +11,6 @@
 
 #include "display_driver/device/device.h"
 #include "display_driver/device/ideal_screen.h"
-#include "display_driver/device/volume_pool.h"
 
 namespace ocelli {
 
@@ -38,7 +37,7 @@ class IdealDevice final : public Device {
   void close() override;
 
  protected:
-  std::shared_ptr<const FrameFence> submitFrame(const Volume& volume,
+  std::shared_ptr<const FrameFence> submitFrame(std::shared_ptr<const Volume> volume,
                                                 std::optional<std::span<const int>> changedSlices) override;
 
  private:
@@ -54,7 +53,6 @@ class IdealDevice final : public Device {
   const DeviceInfo info_;
   const DisplayProfile profile_;
   const std::unique_ptr<ShownFrames> frames_;
-  VolumePool copies_;
 
   std::mutex mutex_;
   std::condition_variable changed_;

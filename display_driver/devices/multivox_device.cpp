@@ -25,10 +25,8 @@ MultivoxDevice::MultivoxDevice(const std::string& object, const DisplayProfile& 
             .serial = {},
             .link = fmt::format("shared memory {}", object)},
       profile_(profile),
-      newest_(profile),
-      newestDiff_(static_cast<size_t>(newest_.slices()), 0),
+      newestDiff_(static_cast<size_t>(profile.storedSlices()), 0),
       memory_(object, grid),
-      taken_(profile),
       resampler_(profile, grid),
       thread_([this] { run(); }) {}
 
@@ -55,28 +53,24 @@ void MultivoxDevice::close() {
   telemetry_.connected = false;
 }
 
-std::shared_ptr<const FrameFence> MultivoxDevice::submitFrame(const Volume& volume,
+std::shared_ptr<const FrameFence> MultivoxDevice::submitFrame(std::shared_ptr<const Volume> volume,
                                                               std::optional<std::span<const int>> changedSlices) {
-  OC_CHECK(volume.profile() == profile_, "a volume of another profile");
+  OC_CHECK(volume->profile() == profile_, "a volume of another profile");
   const std::lock_guard lock(mutex_);
   OC_CHECK(!stop_, "the device is closed");
-  const auto copy = [&](int slice) {
-    std::ranges::copy(volume.slice(slice), newest_.slice(slice).begin());
-    newestDiff_[static_cast<size_t>(slice)] = 1;
-  };
   if (changedSlices) {
-    std::ranges::for_each(*changedSlices, copy);
-  } else {
-    for (int slice = 0; slice < volume.slices(); ++slice) {
-      copy(slice);
+    for (const int slice : *changedSlices) {
+      newestDiff_.at(static_cast<size_t>(slice)) = 1;
     }
+  } else {
+    std::ranges::fill(newestDiff_, uint8_t{1});
   }
   ++telemetry_.framesSubmitted;
   if (pending_) {
     ++telemetry_.framesDropped;
     end(*pending_, FrameStage::kDropped, "a newer frame took its place before it was written");
   }
-  pending_ = Frame{.fence = std::make_shared<FrameFence>(++lastNumber_), .state = {}};
+  pending_ = Frame{.fence = std::make_shared<FrameFence>(++lastNumber_), .volume = std::move(volume), .state = {}};
   wake_.notify_all();
   return pending_->fence;
 }
@@ -167,14 +161,14 @@ void MultivoxDevice::takeNewest(std::unique_lock<std::mutex>& lock) {
   staged_->state.stage = FrameStage::kSending;
   staged_->fence->moveTo(staged_->state);
   std::vector<int> changed;
-  for (int slice = 0; slice < newest_.slices(); ++slice) {
-    if (std::exchange(newestDiff_[static_cast<size_t>(slice)], uint8_t{0}) != 0) {
-      std::ranges::copy(newest_.slice(slice), taken_.slice(slice).begin());
-      changed.push_back(slice);
+  for (size_t slice = 0; slice < newestDiff_.size(); ++slice) {
+    if (std::exchange(newestDiff_[slice], uint8_t{0}) != 0) {
+      changed.push_back(static_cast<int>(slice));
     }
   }
+  const std::shared_ptr<const Volume> volume = std::move(staged_->volume);
   lock.unlock();
-  resampler_.update(taken_, changed, shownBits_);
+  resampler_.update(*volume, changed, shownBits_);
   lock.lock();
 }
 

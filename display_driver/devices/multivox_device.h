@@ -2,7 +2,7 @@
 // (multivox_memory.h). Volumes are resampled to the grid (voxel_resampler.h) and written by a thread of the device.
 //
 // What is special about it:
-// - There is no display to be had at opening: the device waits for the shared memory, takes volumes meanwhile, and
+// - There may be no display at opening: the device waits for the shared memory, takes volumes meanwhile, and
 // writes
 //   the newest when it appears. When the memory is made anew, what was shown is shown again.
 // - The memory tells nothing of where the screen is. present() shows a frame at once, whatever phase is asked for,
@@ -43,12 +43,13 @@ class MultivoxDevice final : public Device {
   void close() override;
 
  protected:
-  std::shared_ptr<const FrameFence> submitFrame(const Volume& volume,
+  std::shared_ptr<const FrameFence> submitFrame(std::shared_ptr<const Volume> volume,
                                                 std::optional<std::span<const int>> changedSlices) override;
 
  private:
   struct Frame {
     std::shared_ptr<FrameFence> fence;
+    std::shared_ptr<const Volume> volume;  ///< until it is resampled
     FrameState state;
     bool asked = false;  ///< present() was called for it
   };
@@ -71,14 +72,12 @@ class MultivoxDevice final : public Device {
   bool stop_ = false;
   FrameNumber lastNumber_ = 0;
   Telemetry telemetry_;
-  Volume newest_;                    ///< of the frame that was submitted last
-  std::vector<uint8_t> newestDiff_;  ///< 1 for slices in which newest_ may differ from taken_
-  std::optional<Frame> pending_;     ///< whose volume is newest_
-  std::optional<Frame> staged_;      ///< whose volume is taken_, until it is shown
+  std::vector<uint8_t> newestDiff_;  ///< 1 for slices in which pending_ may differ from what was resampled last
+  std::optional<Frame> pending_;     ///< the frame that was submitted last, until it is resampled
+  std::optional<Frame> staged_;      ///< the one that was resampled last, until it is shown
 
   // Of the thread alone.
   MultivoxMemory memory_;
-  Volume taken_;
   VoxelResampler resampler_;
   int shownBits_ = kMaxShownBits;
   bool stagedWritten_ = false;       ///< staged_ is whole in the memory

@@ -8,8 +8,8 @@
 // How a page stays whole. Readers take the number of the page, then read from that page. So after a page was changed
 // for the other, readers may still be reading it; it gets a rest of 20 ms, or of twice the microseconds per frame where
 // that is longer, before it is written again. A page of a megabyte is read in about a millisecond; the rest is for
-// readers that lose the CPU meanwhile. Whoever takes longer than the rest to read one page may get parts of two
-// frames, as the format has no way to know. It follows that at most 50 frames a second are shown, more than twice as
+// readers that lose the CPU meanwhile. A reader that takes longer than the rest to read one page may get parts of
+// two frames: the format has no way to know. It follows that at most 50 frames a second are shown, more than twice as
 // many as a screen of 600 rpm refreshes.
 //
 // Why pwrite() and not a mapping: where another program makes the object shorter, writing to a mapping ends the writer

@@ -27,9 +27,9 @@ class SimDevice : public Device {
   void close() override { device_->close(); }
 
  protected:
-  std::shared_ptr<const FrameFence> submitFrame(const Volume& volume,
+  std::shared_ptr<const FrameFence> submitFrame(std::shared_ptr<const Volume> volume,
                                                 std::optional<std::span<const int>> changedSlices) override {
-    return changedSlices ? device_->submit(volume, *changedSlices) : device_->submit(volume);
+    return changedSlices ? device_->submit(std::move(volume), *changedSlices) : device_->submit(std::move(volume));
   }
 
  private:

@@ -5,18 +5,18 @@
 // and where voxels are larger than cells (few slices, near the rim) each cell has the voxel that holds its centre: a
 // filled volume fills the grid, and a surface gets no holes that it did not have.
 //
-// What a cell shows: the light of its voxels, divided by the number of those that are lit, or by as many as the
-// thinnest cut through the cell has, whichever is more. Volumes are surfaces in empty space, so a mean over all voxels
-// would dim each surface by how finely its volume is sliced, most of all near the axis, where dozens of thin voxels
-// fall in a cell of which a surface needs few. A mean over lit voxels alone would lose what dithers say with dark ones.
-// The thinnest cut is the fewest voxels that a surface along the voxels' faces lights on its way through: N / max(a, b,
-// c) of the N voxels of a cell, for N = a (angles) x b (radii) x c (heights). So full light stays full light in every
-// direction, half of the voxels of a thinnest cut are half the light, and a surface that only touches a cell is dimmer
-// there. What remains too bright: dithered surfaces along the other directions, as lit and dark voxels cannot be told
-// from a surface that is thick and one that is thin. A cell of which any voxel is lit is lit (rgb332()).
+// What a cell shows: the light of its voxels, divided by the larger of two numbers: of its voxels that
+// are lit, and of voxels in the thinnest cut through the cell. Volumes are surfaces in empty space, so a mean over all
+// voxels would dim each surface by how finely its volume is sliced, most of all near the axis, where dozens of thin
+// voxels fall in a cell of which a surface needs few. A mean over lit voxels alone would lose what dithers say with
+// dark ones. The thinnest cut is the fewest voxels that a surface along the voxels' faces lights on its way through: N
+// / max(a, b, c) of the N voxels of a cell, for N = a (angles) x b (radii) x c (heights). So full light stays full
+// light in every direction, half of the voxels of a thinnest cut are half the light, and a surface that only touches a
+// cell is dimmer there. What remains too bright: dithered surfaces along the other directions, as lit and dark voxels
+// cannot be told from a surface that is thick and one that is thin. A cell of which any voxel is lit is lit (rgb332()).
 //
-// Where the second half turn has slices of its own, a place is seen twice, and its light is the mean of both times,
-// also where one of them is dark.
+// Where the second half turn has slices of its own, a voxel position is seen twice, and its light is the mean of both
+// times, also where one of them is dark.
 //
 // A profile that is higher than the grid, in radii, is shown smaller, so that all of it is seen; nothing is ever
 // stretched or enlarged.
@@ -50,8 +50,8 @@ class VoxelResampler {
   double scale() const { return scale_; }
 
  private:
-  /// Of a cell: levels summed over its lit places, and how many of those there are. A place is a voxel of the first
-  /// half turn, together with the one that the second half turn has at the same place.
+  /// Of a cell: levels summed over its lit voxel positions, and how many of those there are. A position is that of a
+  /// voxel of the first half turn, and of the one that the second half turn has there.
   struct Sum {
     uint32_t red = 0;
     uint32_t green = 0;
@@ -67,7 +67,8 @@ class VoxelResampler {
     }
   };
 
-  /// Places of a cell seen from above: those of all planes, and whichever is more: planes, or places of a plane.
+  /// Voxel positions of a cell seen from above: of all planes; and the larger of the number of planes and the number of
+  /// positions of a plane.
   struct Extent {
     double places = 0;
     double longest = 0;

@@ -8,7 +8,7 @@ namespace {
 
 /// How far a link of a given rate may run ahead of it: what a transport that looks every millisecond needs.
 constexpr double kBurstSeconds = 0.002;
-/// Bits are flipped within so many bytes from where they are due.
+/// Bits are flipped within this many bytes after the byte where they are due.
 constexpr size_t kFlipBytes = 4096;
 constexpr size_t kFrameSearchBytes = 512;
 

@@ -32,7 +32,7 @@ class EmulatedDevice {
   bool controlOut(uint8_t request, uint16_t value, std::span<const uint8_t> bytes, DeviceMicroseconds now);
 
   enum class Outcome {
-    kGoOn,   ///< offer what is left of the transfer later
+    kGoOn,   ///< offer the rest of the transfer later
     kShort,  ///< the transfer ends here, with what was taken of it
     kStall,  ///< the pipe halts here
   };
@@ -40,12 +40,13 @@ class EmulatedDevice {
     size_t bytes = 0;
     Outcome outcome = Outcome::kGoOn;
   };
-  /// Takes from the transfer that is the oldest one under way: what is left of it. Nothing while the pipe is halted.
+  /// Takes bytes of the oldest transfer under way; `rest` are those that were not taken yet. Nothing while the pipe is
+  /// halted.
   Taken takeBulk(std::span<const uint8_t> rest, DeviceMicroseconds now);
   bool halted() const { return halted_; }
   void clearHalt() { halted_ = false; }
 
-  /// Whole events, of so many bytes at most; empty where there are none.
+  /// Whole events, at most `most` bytes; empty where there are none.
   std::vector<uint8_t> takeEvents(size_t most, DeviceMicroseconds now);
 
   /// Moves everything on: the rotation, and faults that begin or end (pluggedIn() may change).

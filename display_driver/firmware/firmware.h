@@ -44,7 +44,7 @@ class Firmware {
   /// Takes bytes of the bulk stream, and says how many: fewer than there are while every frame buffer is in use, until
   /// advance() has freed one.
   size_t receive(std::span<const uint8_t> bytes, DeviceMicroseconds now);
-  /// Whole events, of so many bytes at most, oldest first.
+  /// Whole events, at most `most` bytes, oldest first.
   std::vector<uint8_t> takeEvents(size_t most);
 
   /// Turns the screen on. Call it often: frames change at the slice at which this is called.

@@ -79,8 +79,8 @@ class Player {
   bool ended() const { return presented_.empty(); }
 
   void take(const DeviceLogRecord::Submitted& submitted, HostTime) {
-    const auto fence = played_.submitted == 0 ? device_.submit(*submitted.volume)
-                                              : device_.submit(*submitted.volume, submitted.changed);
+    const auto fence =
+        played_.submitted == 0 ? device_.submit(submitted.volume) : device_.submit(submitted.volume, submitted.changed);
     ++played_.submitted;
     numbers_[submitted.frame] = fence;
     if (numbers_.size() > kMaxNumbers) {

@@ -10,6 +10,7 @@
 #include "display_driver/pacing/device_log_format.h"
 #include "display_driver/wire/frame_assembler.h"
 #include "display_driver/wire/message_reader.h"
+#include "display_sim/frames/volume_pool.h"
 #include "oc_core/base/json_fields.h"
 
 namespace ocelli {
@@ -106,8 +107,9 @@ struct DeviceLogReader::Stream {
 
   wire::MessageReader messages;
   wire::FrameAssembler assembler;
-  std::unique_ptr<Volume> base;    ///< the last whole frame; nullptr before the first
-  std::unique_ptr<Volume> coming;  ///< the one under way
+  VolumePool volumes;
+  std::shared_ptr<Volume> base;    ///< the last whole frame; nullptr before the first
+  std::shared_ptr<Volume> coming;  ///< the one under way
   FrameNumber baseNumber = 0;
   FrameNumber comingNumber = 0;
   std::vector<int> changed;
@@ -202,7 +204,7 @@ void DeviceLogReader::readStream() {
     require(frame && message.header.frame != 0 && !stream.assembler.active(), "a frame begins wrongly");
     require(frame->base == stream.baseNumber, "a frame refers to one that is not the one before it");
     if (stream.coming == nullptr) {
-      stream.coming = std::make_unique<Volume>(*profile_);
+      stream.coming = stream.volumes.take(*profile_);
     }
     stream.changed.clear();
     for (size_t i = 0; i < frame->records.size(); ++i) {
@@ -229,10 +231,9 @@ void DeviceLogReader::readStream() {
       case wire::MessageType::kFrameEnd: {
         const auto end = wire::frameEndFrom(message.payload);
         require(ofThisFrame && end && stream.assembler.end(*end) == wire::ErrorCode::kNone, "a frame ends wrongly");
-        std::swap(stream.base, stream.coming);
+        stream.base = std::exchange(stream.coming, nullptr);
         stream.baseNumber = stream.comingNumber;
-        stream.ready = {microseconds_,
-                        DeviceLogRecord::Submitted{stream.baseNumber, stream.base.get(), stream.changed}};
+        stream.ready = {microseconds_, DeviceLogRecord::Submitted{stream.baseNumber, stream.base, stream.changed}};
         break;
       }
       case wire::MessageType::kPresent: {

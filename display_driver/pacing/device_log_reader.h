@@ -1,6 +1,6 @@
 // Reads device logs (docs/device_log.md), record after record. Trusts nothing: volumes are those whose
 // checksums are right, and what is wrong ends the log there. Takes no more memory than three volumes of the
-// display.
+// display, beside the volumes that its caller holds.
 #pragma once
 
 #include <cstdint>
@@ -28,8 +28,8 @@ enum class RecordingEnding {
 struct DeviceLogRecord {
   struct Submitted {
     FrameNumber frame = 0;
-    const Volume* volume = nullptr;  ///< valid until the next record
-    std::vector<int> changed;        ///< slices that may differ from the volume before; of the first one from darkness
+    std::shared_ptr<const Volume> volume;
+    std::vector<int> changed;  ///< slices that may differ from the volume before; of the first one from darkness
   };
   struct Presented {
     FrameNumber frame = 0;

@@ -61,9 +61,9 @@ SourcedVolume EyesSource::volumeFor(HostTime seen) {
     finish(kBuilding);
     const Mesh seenMesh = unionMesh(images);
     finish(kMeshing);
-    const Volume& volume = slicer_.slice(SliceMesh(seenMesh));
+    slicer_.slice(SliceMesh(seenMesh));
     finish(kSlicing);
-    return {.kind = SourcedVolume::Kind::kNew, .volume = &volume};
+    return {.kind = SourcedVolume::Kind::kNew, .volume = slicer_.takeShared()};
   } catch (const InputError& error) {
     return leaveOut(error.what());
   }

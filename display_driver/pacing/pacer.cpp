@@ -264,7 +264,7 @@ void Pacer::makeAndSubmit(uint64_t refresh) {
     }
   }
   const auto fence =
-      sourced.changed ? device_.submit(*sourced.volume, *sourced.changed) : device_.submit(*sourced.volume);
+      sourced.changed ? device_.submit(sourced.volume, *sourced.changed) : device_.submit(sourced.volume);
   Presentation presentation{.tearWhenLate = options_.tearWhenLate, .coarseWhenLate = options_.coarseWhenLate};
   if (locked_) {
     presentation.at = RotationPhase{record.refresh, 0};

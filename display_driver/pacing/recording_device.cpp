@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "display_driver/device/volume_pool.h"
 #include "display_driver/pacing/device_log_writer.h"
 
 namespace ocelli {
@@ -82,7 +81,7 @@ class RecordingDevice final : public Device {
   }
 
  protected:
-  std::shared_ptr<const FrameFence> submitFrame(const Volume& volume,
+  std::shared_ptr<const FrameFence> submitFrame(std::shared_ptr<const Volume> volume,
                                                 std::optional<std::span<const int>> changedSlices) override {
     // Differences refer to the frame before, so frames are written in the order in which the device got them.
     const std::lock_guard order(order_);
@@ -106,9 +105,9 @@ class RecordingDevice final : public Device {
     if (changedSlices && !afterGap) {
       changed.emplace(changedSlices->begin(), changedSlices->end());
     }
-    add([this, copy = copies_.copyOf(volume), fence, changed = std::move(changed), time] {
-      writer_.submitted(fence->number(), *copy, changed ? std::optional<std::span<const int>>(*changed) : std::nullopt,
-                        time);
+    add([this, volume, fence, changed = std::move(changed), time] {
+      writer_.submitted(fence->number(), *volume,
+                        changed ? std::optional<std::span<const int>>(*changed) : std::nullopt, time);
       underWay_.push_back(fence);
       const std::lock_guard lock(mutex_);
       --volumes_;
@@ -216,7 +215,6 @@ class RecordingDevice final : public Device {
   const std::function<void(const std::string&)> tell_;
   DeviceLogWriter writer_;                                   ///< of the thread, and after it
   std::vector<std::shared_ptr<const FrameFence>> underWay_;  ///< likewise
-  VolumePool copies_;
 
   std::mutex order_;       ///< over submissions and what follows, up to the other one
   bool afterGap_ = false;  ///< the volume before is not in the log

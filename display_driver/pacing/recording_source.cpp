@@ -33,7 +33,7 @@ SourcedVolume RecordingSource::volumeFor(HostTime seen) {
   const bool first = !frame_;
   player_.seek(frame);
   frame_ = frame;
-  SourcedVolume sourced{.kind = SourcedVolume::Kind::kNew, .volume = &player_.volume()};
+  SourcedVolume sourced{.kind = SourcedVolume::Kind::kNew, .volume = copies_.copyOf(player_.volume())};
   if (!first) {
     sourced.changed = player_.changed();
   }

@@ -7,6 +7,7 @@
 #include "display_driver/pacing/volume_source.h"
 #include "display_sim/frames/svol_player.h"
 #include "display_sim/frames/svol_reader.h"
+#include "display_sim/frames/volume_pool.h"
 
 namespace ocelli {
 
@@ -25,6 +26,7 @@ class RecordingSource final : public VolumeSource {
  private:
   SvolReader reader_;
   SvolPlayer player_;
+  VolumePool copies_;  ///< the player makes the next volume from the last one
   bool loop_;
   std::optional<HostTime> start_;
   std::optional<size_t> frame_;

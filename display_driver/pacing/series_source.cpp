@@ -99,7 +99,8 @@ SourcedVolume SeriesSource::volumeFor(HostTime seen) {
     return {.kind = SourcedVolume::Kind::kSame};
   }
   mesh_ = mesh;
-  return {.kind = SourcedVolume::Kind::kNew, .volume = &slicer_.slice(meshes_[mesh])};
+  slicer_.slice(meshes_[mesh]);
+  return {.kind = SourcedVolume::Kind::kNew, .volume = slicer_.takeShared()};
 }
 
 }  // namespace ocelli

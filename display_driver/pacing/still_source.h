@@ -7,15 +7,15 @@ namespace ocelli {
 
 class StillSource final : public VolumeSource {
  public:
-  explicit StillSource(Volume volume) : volume_(std::move(volume)) {}
+  explicit StillSource(Volume volume) : volume_(std::make_shared<const Volume>(std::move(volume))) {}
   SourcedVolume volumeFor(HostTime) override {
     const bool first = !given_;
     given_ = true;
-    return {.kind = first ? SourcedVolume::Kind::kNew : SourcedVolume::Kind::kSame, .volume = &volume_};
+    return {.kind = first ? SourcedVolume::Kind::kNew : SourcedVolume::Kind::kSame, .volume = volume_};
   }
 
  private:
-  Volume volume_;
+  std::shared_ptr<const Volume> volume_;
   bool given_ = false;
 };
 

@@ -35,7 +35,8 @@ SourcedVolume TurningSource::volumeFor(HostTime seen) {
     }
   });
   mesh_.setPositions(turned_);
-  return {.kind = SourcedVolume::Kind::kNew, .volume = &slicer_.slice(mesh_)};
+  slicer_.slice(mesh_);
+  return {.kind = SourcedVolume::Kind::kNew, .volume = slicer_.takeShared()};
 }
 
 }  // namespace ocelli

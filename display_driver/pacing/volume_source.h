@@ -1,6 +1,7 @@
 // Where the volumes come from that are presented (pacer.h).
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -16,7 +17,7 @@ struct SourcedVolume {
     kEnd,   ///< there will be no more
   };
   Kind kind = Kind::kEnd;
-  const Volume* volume = nullptr;  ///< of kNew; stays as it is until the source is asked again
+  std::shared_ptr<const Volume> volume{};  ///< of kNew
   /// Slices in which it may differ from the last new one; nullopt: all.
   std::optional<std::vector<int>> changed{};
 };

@@ -66,7 +66,7 @@ std::string patternSection(const SelftestSection& section, size_t number, const 
       "<section aria-labelledby=\"{0}\">\n<h2 id=\"{0}\">{1}. {2}</h2>\n<p>{3} <span class=\"soft\">Show <a "
       "href=\"{4}\"><code>{4}</code></a>.</span></p>\n",
       pattern.name, number, htmlFromText(pattern.title), htmlFromText(pattern.shows), htmlFromText(section.volumeFile));
-  html += section.images.empty() ? "" : "<div class=\"pictures\">\n";
+  html += section.images.empty() ? "" : "<div class=\"images\">\n";
   for (const SelftestImage& image : section.images) {
     html += fmt::format(
         "<figure><a href=\"{0}\"><img src=\"{0}\" width=\"{1}\" height=\"{2}\" alt=\"{3}, as it should look: "

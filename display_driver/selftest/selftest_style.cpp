@@ -47,8 +47,6 @@ thead th { color: var(--soft); font-weight: 600; vertical-align: top; }
 }
 @media print {
   @page { size: A4; margin: 12mm; }
-  :root { color-scheme: light; --ground: #ffffff; --card: #ffffff; --text: #000000; --soft: #444444; --line: #999999;
-    --accent: #00558c; }
   body { padding: 0; font-size: 8.5pt; line-height: 1.35; }
   h2 { margin-top: 0; }
   section { break-before: page; }

@@ -191,8 +191,8 @@ void claim(const Handle& handle, const DisplayInterface& display) {
       fail(setting, fmt::format("cannot switch the interface of the display at {}", place));
     }
   }
-  // Whoever had the display before may have left them halted. Not possible where a transfer is under way: the host
-  // would count packets on, and the device from 0.
+  // The program that had the display before may have left them halted. Not possible where a transfer is under way: the
+  // host would count packets on, and the device from 0.
   libusb_clear_halt(handle.get(), display.out);
   libusb_clear_halt(handle.get(), display.in);
 }

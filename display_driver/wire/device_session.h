@@ -20,7 +20,7 @@ struct DisplayIdentity {
 };
 
 /// Asks. Throws LinkError where requests fail, and WorkError where the answers make no sense: another version of the
-/// protocol, a profile that is none.
+/// protocol, an invalid profile.
 DisplayIdentity identify(wire::Link& link);
 
 /// Arms the display for a new session. Throws LinkError.

@@ -1,5 +1,5 @@
 // Finds the messages in the bulk stream: bytes as they come, in pieces of any size, to whole messages whose checksums
-// are right. After bytes that are none it looks for the next header, byte by byte.
+// are right. After other bytes it looks for the next header, byte by byte.
 #pragma once
 
 #include <cstdint>

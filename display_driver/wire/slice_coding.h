@@ -16,7 +16,7 @@ namespace ocelli::wire {
 
 /// Runs of zero bytes and of others in turn: each pair is a count of zero bytes, a count of others, and those.
 std::vector<uint8_t> runLengthEncode(std::span<const uint8_t> content);
-/// Fills all of `content`; false where the payload is not the coding of so many bytes.
+/// Fills all of `content`; false where the payload does not code `content.size()` bytes.
 bool runLengthDecode(std::span<const uint8_t> payload, std::span<uint8_t> content);
 
 struct CodedSlice {

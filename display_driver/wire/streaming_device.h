@@ -10,7 +10,6 @@
 #include <optional>
 #include <thread>
 
-#include "display_driver/device/volume_pool.h"
 #include "display_driver/wire/device_session.h"
 #include "display_driver/wire/effort_choice.h"
 #include "display_driver/wire/link_inbox.h"
@@ -68,14 +67,12 @@ class StreamingDevice final : public Device {
   }
 
  protected:
-  std::shared_ptr<const FrameFence> submitFrame(const Volume& volume,
+  std::shared_ptr<const FrameFence> submitFrame(std::shared_ptr<const Volume> volume,
                                                 std::optional<std::span<const int>> changedSlices) override {
-    OC_CHECK(volume.profile() == *profile_, "a volume of another display");
-    const std::lock_guard submitLock(submitMutex_);
-    const std::shared_ptr<const Volume> copy = pool_.copyOf(volume);
+    OC_CHECK(volume->profile() == *profile_, "a volume of another display");
     const std::lock_guard lock(mutex_);
     const auto frame = std::make_shared<OutgoingFrame>(++lastNumber_);
-    frame->volume = copy;
+    frame->volume = std::move(volume);
     if (changedSlices) {
       frame->changed = {changedSlices->begin(), changedSlices->end()};
     }
@@ -180,8 +177,6 @@ class StreamingDevice final : public Device {
   Clock::time_point lastAnswer_;                  ///< to a request for telemetry
   std::optional<Clock::time_point> deviceStart_;  ///< the zero of the display's clock
 
-  std::mutex submitMutex_;
-  VolumePool pool_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   bool woken_ = false;

@@ -8,7 +8,7 @@
 namespace ocelli {
 namespace {
 
-/// What is left of a frame may take so long to leave, once it is coded, on any link.
+/// Once a frame is coded, the rest of it may take this long to send, on any link.
 constexpr std::chrono::milliseconds kShortBacklog(5);
 
 /// Something was wrong with a message, not with the display.

@@ -11,7 +11,7 @@ constexpr int kReach = 5;             ///< of the Gaussian, in voxels
 constexpr double kSigma = 1.5;        ///< Ulichney's, in voxels
 constexpr uint32_t kPeak = 1u << 20;  ///< of the Gaussian: whole numbers add up to the same in any order
 
-/// A pattern of points, and at every place the sum of the Gaussians around them.
+/// A pattern of points, and at every voxel the sum of the Gaussians around them.
 class Pattern {
  public:
   Pattern() : set_(kBlueNoiseRanks), energy_(kBlueNoiseRanks) {
@@ -31,44 +31,44 @@ class Pattern {
     }
   }
 
-  bool isSet(int place) const { return set_[static_cast<size_t>(place)] != 0; }
+  bool isSet(int voxel) const { return set_[static_cast<size_t>(voxel)] != 0; }
 
-  void set(int place, bool value) {
-    set_[static_cast<size_t>(place)] = value ? 1 : 0;
+  void set(int voxel, bool value) {
+    set_[static_cast<size_t>(voxel)] = value ? 1 : 0;
     const uint32_t sign = value ? 1u : ~0u;
     const uint32_t* weight = gaussian_.data();
     for (int z = -kReach; z <= kReach; ++z) {
       for (int y = -kReach; y <= kReach; ++y) {
-        const int row = wrap(place / kRows + z) * kSide + wrap(place / kSide % kSide + y);
+        const int row = wrap(voxel / kRows + z) * kSide + wrap(voxel / kSide % kSide + y);
         uint32_t* energies = &energy_[static_cast<size_t>(row) * kSide];
         for (int x = -kReach; x <= kReach; ++x) {
-          energies[wrap(place % kSide + x)] += sign * *weight++;
+          energies[wrap(voxel % kSide + x)] += sign * *weight++;
         }
         // What was best stays so where it was not touched and the others became worse.
-        tightest_.touch(row, place % kSide, value);
-        emptiest_.touch(row, place % kSide, !value);
+        tightest_.touch(row, voxel % kSide, value);
+        emptiest_.touch(row, voxel % kSide, !value);
       }
     }
   }
 
-  /// The set place that has most points around it.
+  /// The set voxel that has most points around it.
   int tightestCluster() {
     return best(tightest_, true, [](uint32_t a, uint32_t b) { return a > b; });
   }
-  /// The unset place that has fewest.
+  /// The unset voxel that has fewest.
   int largestVoid() {
     return best(emptiest_, false, [](uint32_t a, uint32_t b) { return a < b; });
   }
 
  private:
-  /// The best place of each row, -1 where it has none.
+  /// The best voxel of each row, -1 where it has none.
   struct RowBests {
-    std::vector<int> places = std::vector<int>(kRows, -1);
+    std::vector<int> voxels = std::vector<int>(kRows, -1);
     std::vector<uint8_t> stale = std::vector<uint8_t>(kRows, 1);
 
     void touch(int row, int column, bool othersBetter) {
-      const int place = places[static_cast<size_t>(row)];
-      if (othersBetter || (place >= 0 && wrap(place - column + kReach) <= 2 * kReach)) {
+      const int voxel = voxels[static_cast<size_t>(row)];
+      if (othersBetter || (voxel >= 0 && wrap(voxel - column + kReach) <= 2 * kReach)) {
         stale[static_cast<size_t>(row)] = 1;
       }
     }
@@ -78,23 +78,23 @@ class Pattern {
 
   template <class Better>
   int best(RowBests& rows, bool set, Better&& better) {
-    const auto beats = [&](int place, int other) {
-      return other < 0 || better(energy_[static_cast<size_t>(place)], energy_[static_cast<size_t>(other)]);
+    const auto beats = [&](int voxel, int other) {
+      return other < 0 || better(energy_[static_cast<size_t>(voxel)], energy_[static_cast<size_t>(other)]);
     };
     int found = -1;
     for (int row = 0; row < kRows; ++row) {
-      int& place = rows.places[static_cast<size_t>(row)];
+      int& voxel = rows.voxels[static_cast<size_t>(row)];
       if (rows.stale[static_cast<size_t>(row)] != 0) {
-        place = -1;
+        voxel = -1;
         for (int i = row * kSide; i < (row + 1) * kSide; ++i) {
-          if (isSet(i) == set && beats(i, place)) {
-            place = i;
+          if (isSet(i) == set && beats(i, voxel)) {
+            voxel = i;
           }
         }
         rows.stale[static_cast<size_t>(row)] = 0;
       }
-      if (place >= 0 && beats(place, found)) {
-        found = place;
+      if (voxel >= 0 && beats(voxel, found)) {
+        found = voxel;
       }
     }
     return found;
@@ -113,9 +113,9 @@ Pattern evenPattern(int points) {
   uint32_t random = 12345;
   for (int count = 0; count < points;) {
     random = random * 1664525u + 1013904223u;
-    const int place = static_cast<int>(random >> 17) % kBlueNoiseRanks;
-    if (!pattern.isSet(place)) {
-      pattern.set(place, true);
+    const int voxel = static_cast<int>(random >> 17) % kBlueNoiseRanks;
+    if (!pattern.isSet(voxel)) {
+      pattern.set(voxel, true);
       ++count;
     }
   }
@@ -138,16 +138,16 @@ std::vector<uint16_t> makeMask() {
   const Pattern even = evenPattern(kFirstPoints);
   Pattern pattern = even;
   for (int rank = kFirstPoints - 1; rank >= 0; --rank) {
-    const int place = pattern.tightestCluster();
-    pattern.set(place, false);
-    ranks[static_cast<size_t>(place)] = static_cast<uint16_t>(rank);
+    const int voxel = pattern.tightestCluster();
+    pattern.set(voxel, false);
+    ranks[static_cast<size_t>(voxel)] = static_cast<uint16_t>(rank);
   }
-  // With Gaussians that wrap around, the tightest cluster of unset places (Ulichney's third phase) is the largest void.
+  // With Gaussians that wrap around, the tightest cluster of unset voxels (Ulichney's third phase) is the largest void.
   pattern = even;
   for (int rank = kFirstPoints; rank < kBlueNoiseRanks; ++rank) {
-    const int place = pattern.largestVoid();
-    pattern.set(place, true);
-    ranks[static_cast<size_t>(place)] = static_cast<uint16_t>(rank);
+    const int voxel = pattern.largestVoid();
+    pattern.set(voxel, true);
+    ranks[static_cast<size_t>(voxel)] = static_cast<uint16_t>(rank);
   }
   return ranks;
 }

@@ -24,8 +24,9 @@ struct Offset {
 constexpr int kRings = kDiffusionReach;
 constexpr int kNone = -1;
 
-/// In the ring at `ring` columns or rows: places of the same slice that come later on the path (which leads `forward`
-/// to the right, else to the left), and all of the next slice's. The first ring has the next slice's place itself too.
+/// In the ring at `ring` columns or rows: voxels of the same slice that come later on the path (which leads `forward`
+/// to the right, else to the left), and all of the next slice's. The first ring has the next slice's voxel at the same
+/// position too.
 std::vector<Offset> ringOffsets(int ring, bool forward) {
   std::vector<Offset> offsets;
   for (int rows = -ring; rows <= ring; ++rows) {
@@ -44,26 +45,26 @@ std::vector<Offset> ringOffsets(int ring, bool forward) {
   return offsets;
 }
 
-/// The voxels of one slice, found by their place.
+/// The voxels of one slice, found by their position.
 class SliceMap {
  public:
-  explicit SliceMap(size_t places) : indices_(places, kNone) {}
+  explicit SliceMap(size_t positions) : indices_(positions, kNone) {}
 
   void fill(SliceColors* voxels) {
     if (voxels_ != nullptr) {
       for (const ColoredVoxel& voxel : *voxels_) {
-        indices_[voxel.place] = kNone;
+        indices_[voxel.position] = kNone;
       }
     }
     voxels_ = voxels;
     if (voxels_ != nullptr) {
       for (size_t i = 0; i < voxels_->size(); ++i) {
-        indices_[(*voxels_)[i].place] = static_cast<int>(i);
+        indices_[(*voxels_)[i].position] = static_cast<int>(i);
       }
     }
   }
 
-  int indexAt(size_t place) const { return indices_[place]; }
+  int indexAt(size_t position) const { return indices_[position]; }
 
  private:
   std::vector<int> indices_;
@@ -122,12 +123,12 @@ class Diffusion {
     }
   }
 
-  int rowOf(const ColoredVoxel& voxel) const { return static_cast<int>(voxel.place) / sweep_.width(); }
+  int rowOf(const ColoredVoxel& voxel) const { return static_cast<int>(voxel.position) / sweep_.width(); }
   static bool takesErrors(float light) { return light > 0 && light < 1; }
 
   void decide(int slice, int row, size_t index, bool forward) {
     const ColoredVoxel& voxel = voxels(slice)[index];
-    const int column = static_cast<int>(voxel.place) % sweep_.width();
+    const int column = static_cast<int>(voxel.position) % sweep_.width();
     const float threshold = ditherThreshold(slice, column, row);
     Rgb8 levels(0);
     glm::vec3 error(0);
@@ -186,8 +187,9 @@ class Diffusion {
     if (column < 0 || column >= sweep_.width() || row < 0 || row >= sweep_.height()) {
       return nullptr;
     }
-    const size_t place = static_cast<size_t>(row) * static_cast<size_t>(sweep_.width()) + static_cast<size_t>(column);
-    const int index = maps_[static_cast<size_t>(slicesOn)].indexAt(place);
+    const size_t position =
+        static_cast<size_t>(row) * static_cast<size_t>(sweep_.width()) + static_cast<size_t>(column);
+    const int index = maps_[static_cast<size_t>(slicesOn)].indexAt(position);
     if (index == kNone ||
         !takesErrors(colors_[static_cast<size_t>(slice + slicesOn)][static_cast<size_t>(index)].color[channel])) {
       return nullptr;
@@ -200,7 +202,7 @@ class Diffusion {
     const double away = std::abs(column + 0.5 - sweep_.columnsPerRadius());
     const double arc = offset.slices * away * sweep_.stepRadians();
     const double up = offset.rows * sweep_.rowHeight() / sweep_.columnWidth();
-    // At the axis the next slice's voxel lies at the same place: it takes almost everything.
+    // At the axis the next slice's voxel lies at the same point: it takes almost everything.
     constexpr double kMin = 0.25;
     return static_cast<float>(std::max(offset.columns * offset.columns + up * up + arc * arc, kMin * kMin));
   }

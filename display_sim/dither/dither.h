@@ -7,9 +7,9 @@
 // The steps of the lattice come from a search. First, any block of 8 columns, 8 rows and 4 slices has thresholds that
 // are spread almost evenly: sorted, each lies within 1.6 / 256 of its place in an even spread, and the mean error of
 // the block's light is 0.46 / 255. (Lattices whose blocks are spread perfectly exist, but by a theorem of Hajos their
-// lines in one of the three directions meet only 8, or 4, thresholds.) Then, as good as that leaves room for: smaller
-// and larger boxes, planes, lines in 13 directions, and voxels of consecutive slices at one place of the screen, which
-// near the axis lie at one place in space.
+// lines in one of the three directions meet only 8, or 4, thresholds.) Then, as even as the first condition allows:
+// smaller and larger boxes, planes, lines in 13 directions, and voxels of consecutive slices at one place of the
+// screen, which near the axis lie at one place in space.
 #pragma once
 
 #include <cstdint>

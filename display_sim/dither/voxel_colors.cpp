@@ -6,10 +6,10 @@
 namespace ocelli {
 
 void sortAndUnite(SliceColors& voxels) {
-  std::ranges::sort(voxels, {}, &ColoredVoxel::place);
+  std::ranges::sort(voxels, {}, &ColoredVoxel::position);
   size_t kept = 0;
   for (const ColoredVoxel& voxel : voxels) {
-    if (kept > 0 && voxels[kept - 1].place == voxel.place) {
+    if (kept > 0 && voxels[kept - 1].position == voxel.position) {
       voxels[kept - 1].color = glm::max(voxels[kept - 1].color, voxel.color);
     } else {
       voxels[kept++] = voxel;

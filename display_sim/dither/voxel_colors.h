@@ -9,18 +9,18 @@
 namespace ocelli {
 
 struct ColoredVoxel {
-  uint32_t place = 0;  ///< row * width + column
+  uint32_t position = 0;  ///< row * width + column
   glm::vec3 color{0};
 
   bool operator==(const ColoredVoxel&) const = default;
 };
 
-/// One slice's, each place once, from the top left row by row.
+/// One slice's, each position once, from the top left row by row.
 using SliceColors = std::vector<ColoredVoxel>;
 /// Of all stored slices.
 using VoxelColors = std::vector<SliceColors>;
 
-/// Puts voxels in order. A place that comes more than once gets its highest light in each channel.
+/// Puts voxels in order. A position that comes more than once gets its highest light in each channel.
 void sortAndUnite(SliceColors& voxels);
 
 }  // namespace ocelli

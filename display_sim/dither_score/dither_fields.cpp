@@ -67,7 +67,7 @@ std::vector<glm::vec3> diffusedLight(const DitherField& field, int bitsPerChanne
   std::vector<glm::vec3> light(field.voxels(), glm::vec3(0));
   for (int slice = 0; slice < field.slices; ++slice) {
     forEachLevel(volume, slice, [&](int column, int row, const Rgb8& levels) {
-      light[field.place(column - field.columns, row, slice)] =
+      light[field.index(column - field.columns, row, slice)] =
           glm::vec3(levels) / static_cast<float>(volume.fullLevel());
     });
   }
@@ -104,7 +104,7 @@ std::vector<glm::vec3> shownLight(const DitherField& field, ColorReduction color
   for (int slice = 0; slice < field.slices; ++slice) {
     for (int row = 0; row < field.rows; ++row) {
       for (int column = 0; column < field.columns; ++column) {
-        light[field.place(column, row, slice)] =
+        light[field.index(column, row, slice)] =
             glm::vec3(dither.levels(field.color(column, row, slice), full, slice, column, row)) /
             static_cast<float>(full);
       }

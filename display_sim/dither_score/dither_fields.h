@@ -32,7 +32,7 @@ struct DitherField {
   int slices = 0;
   std::function<glm::vec3(int column, int row, int slice)> color;  ///< in [0, 1]
 
-  size_t place(int column, int row, int slice) const {
+  size_t index(int column, int row, int slice) const {
     return static_cast<size_t>((slice * rows + row) * columns + column);
   }
   size_t voxels() const { return static_cast<size_t>(columns * rows * slices); }
@@ -47,7 +47,7 @@ DitherField colorWheelField();
 /// The three above.
 std::vector<DitherField> ditherFields();
 
-/// The light that every voxel of the field shows, in the order of DitherField::place().
+/// The light that every voxel of the field shows, in the order of DitherField::index().
 std::vector<glm::vec3> shownLight(const DitherField& field, ColorReduction colors, int bitsPerChannel);
 
 }  // namespace ocelli

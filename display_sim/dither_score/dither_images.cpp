@@ -24,10 +24,10 @@ Image<Rgb8> tile(const DitherField& field, Light&& light) {
   return srgbFromLinear(image);
 }
 
-void paste(Image<Rgb8>& picture, const Image<Rgb8>& part, int left, int top) {
+void paste(Image<Rgb8>& image, const Image<Rgb8>& part, int left, int top) {
   for (int y = 0; y < part.height(); ++y) {
     for (int x = 0; x < part.width(); ++x) {
-      picture(left + x, top + y) = part(x, y);
+      image(left + x, top + y) = part(x, y);
     }
   }
 }
@@ -115,7 +115,7 @@ Image<Rgb8> plotOf(const std::vector<LightSample>& samples) {
 Image<Rgb8> ditherImage(const DitherField& field, std::span<const NamedDither> dithers, int bitsPerChannel) {
   const int across = field.columns + kGap;
   const int down = field.rows + kGap;
-  Image<Rgb8> picture(4 * across - kGap, static_cast<int>(dithers.size()) * down - kGap, Rgb8(255));
+  Image<Rgb8> image(4 * across - kGap, static_cast<int>(dithers.size()) * down - kGap, Rgb8(255));
   const std::vector<glm::vec3> wanted = wantedLight(field);
   const std::vector<glm::dvec3> wantedMeans = blockMeans(field, wanted);
   const auto blockOf = [&](int column, int row) {
@@ -125,25 +125,25 @@ Image<Rgb8> ditherImage(const DitherField& field, std::span<const NamedDither> d
   for (const NamedDither& dither : dithers) {
     const std::vector<glm::vec3> shown = shownLight(field, dither.colors, bitsPerChannel);
     const std::vector<glm::dvec3> means = blockMeans(field, shown);
-    paste(picture, tile(field, [&](int x, int y) { return wanted[field.place(x, y, 0)]; }), 0, top);
-    paste(picture, tile(field, [&](int x, int y) { return shown[field.place(x, y, 0)]; }), across, top);
-    paste(picture, tile(field, [&](int x, int y) { return means[blockOf(x, y)]; }), 2 * across, top);
+    paste(image, tile(field, [&](int x, int y) { return wanted[field.index(x, y, 0)]; }), 0, top);
+    paste(image, tile(field, [&](int x, int y) { return shown[field.index(x, y, 0)]; }), across, top);
+    paste(image, tile(field, [&](int x, int y) { return means[blockOf(x, y)]; }), 2 * across, top);
     constexpr double kGrey = 0.2;
     const auto error = [&](int x, int y) { return kGrey + 32.0 * (means[blockOf(x, y)] - wantedMeans[blockOf(x, y)]); };
-    paste(picture, tile(field, error), 3 * across, top);
+    paste(image, tile(field, error), 3 * across, top);
     top += down;
   }
-  return picture;
+  return image;
 }
 
 Image<Rgb8> evennessImage(const std::vector<std::vector<LightSample>>& measured) {
   constexpr int kSpace = 12;
   const int plots = static_cast<int>(measured.size());
-  Image<Rgb8> picture(plots * (kPlotWidth + kSpace) - kSpace, kPlotHeight + 1, Rgb8(255));
+  Image<Rgb8> image(plots * (kPlotWidth + kSpace) - kSpace, kPlotHeight + 1, Rgb8(255));
   for (int i = 0; i < plots; ++i) {
-    paste(picture, plotOf(measured[static_cast<size_t>(i)]), i * (kPlotWidth + kSpace), 0);
+    paste(image, plotOf(measured[static_cast<size_t>(i)]), i * (kPlotWidth + kSpace), 0);
   }
-  return picture;
+  return image;
 }
 
 }  // namespace ocelli

@@ -66,8 +66,8 @@ double surfaceBlockError(const DisplayProfile& profile, ColorReduction colors) {
   std::map<int, std::pair<double, int>> blocks;  // error and voxels
   for (int slice = 0; slice < volume.slices(); ++slice) {
     for (const ColoredVoxel& voxel : wanted[static_cast<size_t>(slice)]) {
-      const int column = static_cast<int>(voxel.place) % profile.width;
-      const int row = static_cast<int>(voxel.place) / profile.width;
+      const int column = static_cast<int>(voxel.position) % profile.width;
+      const int row = static_cast<int>(voxel.position) / profile.width;
       auto& [error, voxels] =
           blocks[(slice / kBlockSlices * down + row / kBlockRows) * across + column / kBlockColumns];
       error += static_cast<double>(volume.levels(slice, column, row).g) / volume.fullLevel() - voxel.color.g;

@@ -52,7 +52,7 @@ double surfaceBlockError(const DisplayProfile& profile, ColorReduction colors);
 
 std::string textOf(const DitherReport& report);
 std::string jsonOf(const DitherReport& report);
-/// Writes ramp.png, grey-sphere.png, colour-wheel.png (ditherPicture()) and evenness.png (evennessPicture(), of the
+/// Writes ramp.png, grey-sphere.png, colour-wheel.png (ditherImage()) and evenness.png (evennessImage(), of the
 /// first dither) into a folder, which is made where it is missing. Throws WorkError.
 void writeImages(const DitherReport& report, const std::filesystem::path& folder);
 

@@ -111,7 +111,7 @@ std::vector<glm::vec3> wantedLight(const DitherField& field) {
   for (int slice = 0; slice < field.slices; ++slice) {
     for (int row = 0; row < field.rows; ++row) {
       for (int column = 0; column < field.columns; ++column) {
-        light[field.place(column, row, slice)] = field.color(column, row, slice);
+        light[field.index(column, row, slice)] = field.color(column, row, slice);
       }
     }
   }
@@ -129,7 +129,7 @@ std::vector<glm::dvec3> blockMeans(const DitherField& field, const std::vector<g
     for (int row = 0; row < field.rows; ++row) {
       for (int column = 0; column < field.columns; ++column) {
         const int block = (slice / kBlockSlices * down + row / kBlockRows) * across + column / kBlockColumns;
-        means[static_cast<size_t>(block)] += glm::dvec3(light[field.place(column, row, slice)]) /
+        means[static_cast<size_t>(block)] += glm::dvec3(light[field.index(column, row, slice)]) /
                                              static_cast<double>(kBlockColumns * kBlockRows * kBlockSlices);
       }
     }

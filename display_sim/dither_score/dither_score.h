@@ -28,7 +28,7 @@ struct DitherScore {
 /// `shown` as shownLight() gives it.
 DitherScore scoreDither(const DitherField& field, const std::vector<glm::vec3>& shown);
 
-/// The means of blocks of a field's lights, in the order of DitherField::place() for a field of blocks.
+/// The means of blocks of a field's lights, in the order of DitherField::index() for a field of blocks.
 std::vector<glm::dvec3> blockMeans(const DitherField& field, const std::vector<glm::vec3>& light);
 
 /// The light that every voxel should show.

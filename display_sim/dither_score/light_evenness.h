@@ -25,8 +25,8 @@ std::string_view nameOf(TestSurface surface);
 struct LightSample {
   TestSurface surface = TestSurface::kFloor;
   double radius = 0;  ///< display radii
-  /// In units of the light that a fully lit surface around the axis would have at radius 1, or one across it, whichever
-  /// is less: what even light to radius 1 aims at.
+  /// In units of the light that even light to radius 1 aims at: of fully lit surfaces at radius 1 around the axis and
+  /// across it, the darker one's.
   double lightPerArea = 0;
   double expected = 0;  ///< the same by even_light.h
 };

@@ -22,7 +22,7 @@ void append32(std::vector<uint8_t>& bytes, uint32_t value) {
   append16(bytes, value & 0xffff);
 }
 
-/// Of the PNG specification: whichever of left, above and above left is nearest to left + above - above left.
+/// Of the PNG specification: the one of left, above and above left that is nearest to left + above - above left.
 int paeth(int left, int above, int aboveLeft) {
   const int estimate = left + above - aboveLeft;
   const int toLeft = std::abs(estimate - left);
@@ -82,7 +82,7 @@ void appendCompressed(std::vector<uint8_t>& bytes, const std::vector<uint8_t>& r
 
 ApngWriter::ApngWriter(const std::filesystem::path& path, int width, int height, uint32_t images)
     : file_(path), width_(width), height_(height), images_(images) {
-  OC_CHECK(width > 0 && height > 0 && images > 0, "an animation needs pictures");
+  OC_CHECK(width > 0 && height > 0 && images > 0, "an animation needs images");
   file_.write("\x89PNG\r\n\x1a\n");
   std::vector<uint8_t> header;
   append32(header, static_cast<uint32_t>(width));

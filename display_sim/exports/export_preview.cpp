@@ -126,7 +126,7 @@ double previewReach(const Volume& volume) {
   std::vector<double> reaches(static_cast<size_t>(volume.slices()), 0.0);
   parallelFor(reaches.size(), 1, [&](size_t begin, size_t end) {
     for (size_t slice = begin; slice < end; ++slice) {
-      forEachLitPlace(volume, static_cast<int>(slice), [&](int column, int row) {
+      forEachLitVoxel(volume, static_cast<int>(slice), [&](int column, int row) {
         const double r = std::abs(sweep.columnRadius(column));
         const double y = std::abs(sweep.rowCenterY(row));
         const double upwards = y * std::cos(kTiltRadians) + r * std::sin(kTiltRadians);

@@ -3,7 +3,7 @@
 //
 // To add a profile:
 //   1. write `display_sim/frames/profiles/NAME.json` (its fields: `display_profile.schema.json` beside it);
-//   2. add NAME to OCELLI_PROFILES in `display_sim/CMakeLists.txt`, which compiles it in.
+//   2. add NAME to OCELLI_PROFILES in `display_sim/frames/CMakeLists.txt`, which compiles it in.
 // Nothing else: `ocelli slice --profile NAME` and the tests of every profile find it there. A profile of your own needs
 // no build: `--profile FILE.json`.
 #pragma once

@@ -37,7 +37,7 @@ void SvolPlayer::apply(size_t frame, std::vector<uint8_t>& changed) {
   for (size_t i = 1; i < slices; ++i) {
     begins[i] = begins[i - 1] + head.slices[i - 1].bytes;
   }
-  // The first problem is reported, whichever thread comes first.
+  // The problem of the first slice is reported, whatever thread is the first to find one.
   std::vector<std::string> problems(slices);
   parallelFor(slices, svol::kSlicesPerRange, [&](size_t begin, size_t end) {
     svol::SliceDecoder decoder(reader_.profile());

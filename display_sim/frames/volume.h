@@ -105,7 +105,7 @@ inline uint64_t anyOfEightBytes(const uint8_t* planes, size_t at, const VolumeLa
 
 /// Calls `visit(column, row)` for every lit voxel of a slice, row by row, left to right.
 template <class Visit>
-void forEachLitPlace(const Volume& volume, int slice, Visit&& visit) {
+void forEachLitVoxel(const Volume& volume, int slice, Visit&& visit) {
   const VolumeLayout& layout = volume.layout();
   const uint8_t* planes = volume.slice(slice).data();
   for (int row = 0; row < volume.height(); ++row) {
@@ -130,14 +130,14 @@ void forEachLitPlace(const Volume& volume, int slice, Visit&& visit) {
 /// The same with its colour: `visit(column, row, colorBits)`.
 template <class Visit>
 void forEachLit(const Volume& volume, int slice, Visit&& visit) {
-  forEachLitPlace(volume, slice,
+  forEachLitVoxel(volume, slice,
                   [&](int column, int row) { visit(column, row, volume.colorBits(slice, column, row)); });
 }
 
 /// The same with its levels: `visit(column, row, levels)`.
 template <class Visit>
 void forEachLevel(const Volume& volume, int slice, Visit&& visit) {
-  forEachLitPlace(volume, slice, [&](int column, int row) { visit(column, row, volume.levels(slice, column, row)); });
+  forEachLitVoxel(volume, slice, [&](int column, int row) { visit(column, row, volume.levels(slice, column, row)); });
 }
 
 }  // namespace ocelli

@@ -16,8 +16,8 @@ struct SweepWindow {
 
 inline constexpr double kMaxSweptTurns = 16;
 
-/// By slice; `passes` is what is left of the light, added up over the turns. Angles as exposedArcs() gives them. Throws
-/// InputError for windows that make no sense.
+/// By slice; `passes` is the share of the light that remains, added up over the turns. Angles as exposedArcs() gives
+/// them. Throws InputError for windows that make no sense.
 std::vector<ExposedArc> windowArcs(const DisplayProfile& profile, const SweepWindow& window, const Wobble& wobble = {});
 
 }  // namespace ocelli

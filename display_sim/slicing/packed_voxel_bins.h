@@ -22,8 +22,8 @@ struct ManyBitVoxel {
 };
 
 template <class Voxel>
-constexpr typename Voxel::PackedVoxel packVoxel(uint32_t place, uint32_t levels) {
-  return static_cast<typename Voxel::PackedVoxel>(place) << 3 * Voxel::kLevelBits | levels;
+constexpr typename Voxel::PackedVoxel packVoxel(uint32_t position, uint32_t levels) {
+  return static_cast<typename Voxel::PackedVoxel>(position) << 3 * Voxel::kLevelBits | levels;
 }
 
 template <class Voxel>

@@ -35,7 +35,7 @@ class SliceMesh {
   static constexpr size_t kPadding = 64;
   /// In a corner: the edge from here to the triangle's next corner is sampled with another triangle of the chunk.
   static constexpr uint16_t kSharedEdge = 1u << 15;
-  /// What is left of a corner without it: the vertex.
+  /// The bits of a corner without kSharedEdge: its vertex.
   static constexpr uint16_t kVertex = kSharedEdge - 1;
   static_assert(kChunkVertices <= kSharedEdge, "a corner is a vertex of its chunk in 15 bits");
 

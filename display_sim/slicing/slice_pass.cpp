@@ -227,7 +227,7 @@ class SlicePassOf final : public SlicePass {
     worker.lit.push(
         voxels.slice.data(),
         [&](size_t i) {
-          return Voxel::kLevelBits == 1 ? voxels.place[i] : packVoxel<Voxel>(voxels.place[i], voxels.levels[i]);
+          return Voxel::kLevelBits == 1 ? voxels.position[i] : packVoxel<Voxel>(voxels.position[i], voxels.levels[i]);
         },
         voxels.count);
     return reach;
@@ -269,9 +269,9 @@ class SlicePassOf final : public SlicePass {
     const Rgb8 levels = dither_.levels(color, setup_.fullLevel, slice, column, row);
     if (levels != Rgb8(0)) {
       const uint32_t bin = binOfSlice_[static_cast<size_t>(slice)];
-      const auto place = static_cast<uint32_t>(row * setup_.paddedColumns + column);
+      const auto position = static_cast<uint32_t>(row * setup_.paddedColumns + column);
       worker.lit.push(
-          &bin, [&](size_t) { return packVoxel<Voxel>(place, packedLevels<Voxel>(levels)); }, 1);
+          &bin, [&](size_t) { return packVoxel<Voxel>(position, packedLevels<Voxel>(levels)); }, 1);
     }
   }
 
@@ -281,11 +281,11 @@ class SlicePassOf final : public SlicePass {
     if constexpr (Voxel::kLevelBits == 1) {
       for (Worker<Voxel>& each : workers_) {
         for (const auto voxel : each.lit.of(slice)) {
-          const uint32_t place = voxel >> 3;
-          uint8_t* byte = planes.data() + place / 8;
-          byte[0] |= static_cast<uint8_t>((voxel & 1u) << place % 8);
-          byte[volume.layout().planeBytes] |= static_cast<uint8_t>((voxel >> 1 & 1u) << place % 8);
-          byte[2 * volume.layout().planeBytes] |= static_cast<uint8_t>((voxel >> 2 & 1u) << place % 8);
+          const uint32_t position = voxel >> 3;
+          uint8_t* byte = planes.data() + position / 8;
+          byte[0] |= static_cast<uint8_t>((voxel & 1u) << position % 8);
+          byte[volume.layout().planeBytes] |= static_cast<uint8_t>((voxel >> 1 & 1u) << position % 8);
+          byte[2 * volume.layout().planeBytes] |= static_cast<uint8_t>((voxel >> 2 & 1u) << position % 8);
         }
         each.lit.clear(slice);
       }
@@ -300,12 +300,12 @@ class SlicePassOf final : public SlicePass {
     worker.litBytes.clear();
     for (Worker<Voxel>& each : workers_) {
       for (const auto voxel : each.lit.of(slice)) {
-        const auto place = static_cast<uint32_t>(voxel >> 24);
-        uint32_t& levels = worker.levels[place];
+        const auto position = static_cast<uint32_t>(voxel >> 24);
+        uint32_t& levels = worker.levels[position];
         levels = higherLevels(levels, static_cast<uint32_t>(voxel & 0xffffffu));
-        if (!worker.hasLight[place / 8]) {
-          worker.hasLight[place / 8] = true;
-          worker.litBytes.push_back(place / 8);
+        if (!worker.hasLight[position / 8]) {
+          worker.hasLight[position / 8] = true;
+          worker.litBytes.push_back(position / 8);
         }
       }
       each.lit.clear(slice);

@@ -4,13 +4,14 @@
 #include <numeric>
 #include <utility>
 
+#include "display_sim/frames/volume_pool.h"
 #include "oc_core/base/check.h"
 
 namespace ocelli {
 
 struct Slicer::Impl {
   Impl(const DisplayProfile& display, const SliceOptions& options)
-      : profile(display), pass(makeSlicePass(display, options)), volume(display) {}
+      : profile(display), pass(makeSlicePass(display, options)), volume(volumes.take(display)) {}
 
   void makeAll(const SliceMesh& mesh) {
     spans.assign(mesh.chunks().size(), {});
@@ -51,7 +52,8 @@ struct Slicer::Impl {
 
   DisplayProfile profile;
   std::unique_ptr<SlicePass> pass;
-  Volume volume;
+  VolumePool volumes;
+  std::shared_ptr<Volume> volume;
   /// Of the chunks in the volume; none where the volume is new.
   std::vector<SectorSpan> spans;
   std::vector<uint32_t> versions;
@@ -60,7 +62,7 @@ struct Slicer::Impl {
 
  private:
   void make(const SliceMesh& mesh, const std::vector<size_t>& chunks, const std::vector<int>& slices) {
-    stages = pass->run(mesh, chunks, slices, spans, volume);
+    stages = pass->run(mesh, chunks, slices, spans, *volume);
     made = static_cast<int>(slices.size());
     versions.clear();
     for (const SliceChunk& chunk : mesh.chunks()) {
@@ -98,13 +100,13 @@ const DisplayProfile& Slicer::profile() const {
 
 const Volume& Slicer::slice(const SliceMesh& mesh) {
   impl_->makeAll(mesh);
-  return impl_->volume;
+  return *impl_->volume;
 }
 
 const Volume& Slicer::update(const SliceMesh& mesh) {
   OC_CHECK(impl_->versions.size() == mesh.chunks().size(), "another mesh than was sliced last, or none");
   impl_->makeMoved(mesh);
-  return impl_->volume;
+  return *impl_->volume;
 }
 
 int Slicer::slicesMade() const {
@@ -117,7 +119,14 @@ const SliceStages& Slicer::stages() const {
 
 Volume Slicer::takeVolume() {
   impl_->versions.clear();
-  return std::exchange(impl_->volume, Volume(impl_->profile));
+  return std::exchange(*impl_->volume, Volume(impl_->profile));
+}
+
+std::shared_ptr<const Volume> Slicer::takeShared() {
+  impl_->versions.clear();
+  std::shared_ptr<const Volume> taken = std::move(impl_->volume);
+  impl_->volume = impl_->volumes.take(impl_->profile);
+  return taken;
 }
 
 Volume slice(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options) {

@@ -16,7 +16,7 @@
 // lies within about 1e-4 voxels of the border). With antialiasing the two share light at other points of a voxel.
 //
 // The same bytes with any number of threads and on every processor: threads gather lit voxels by slice, and then each
-// slice is put together by one of them; the highest level of a voxel stays, in whichever order they come.
+// slice is put together by one of them; the highest level of a voxel stays, in any order of the samples.
 #pragma once
 
 #include <memory>
@@ -51,6 +51,8 @@ class Slicer {
 
   /// The volume; the slicer gets a new one.
   Volume takeVolume();
+  /// The same, for others that only look at it: as soon as nobody holds it any more the slicer uses its memory again.
+  std::shared_ptr<const Volume> takeShared();
 
  private:
   struct Impl;

@@ -104,9 +104,9 @@ HWY_ATTR HWY_INLINE IntVec thresholdAt(const SliceKernelSetup& setup, IntVec sli
   }
   static_assert(kBlueNoiseSide == 32);
   const IntVec last = hn::Set(di, kBlueNoiseSide - 1);
-  const IntVec place = hn::Or(hn::ShiftLeft<10>(hn::And(slice, last)),
-                              hn::Or(hn::ShiftLeft<5>(hn::And(row, last)), hn::And(column, last)));
-  return hn::GatherIndex(di, setup.mask.data(), place);
+  const IntVec position = hn::Or(hn::ShiftLeft<10>(hn::And(slice, last)),
+                                 hn::Or(hn::ShiftLeft<5>(hn::And(row, last)), hn::And(column, last)));
+  return hn::GatherIndex(di, setup.mask.data(), position);
 }
 
 /// The level, of those of the display, that a light has at a threshold in [0, kLightSteps).
@@ -169,7 +169,7 @@ HWY_ATTR HWY_INLINE void appendLit(const SliceKernelSetup& setup, const SweepVec
     column = hn::Sub(hn::Set(di, setup.lastColumn), column);
   }
   const IntVec row = hn::Min(hn::ShiftRight<16>(at.row), hn::Set(di, setup.lastRow));
-  const IntVec place = hn::Add(hn::Mul(row, hn::Set(di, setup.paddedColumns)), column);
+  const IntVec position = hn::Add(hn::Mul(row, hn::Set(di, setup.paddedColumns)), column);
 
   const IntVec threshold = thresholdAt(setup, slice, column, row);
   const IntVec red = levelOf(setup, light.red, threshold);
@@ -181,9 +181,9 @@ HWY_ATTR HWY_INLINE void appendLit(const SliceKernelSetup& setup, const SweepVec
   const IntVec bin = hn::IfThenElse(isDark, hn::Set(di, setup.noSlice), slice);
   hn::StoreU(hn::BitCast(dw, bin), dw, lit.slice.data() + to);
   if (setup.oneBit) {
-    hn::StoreU(hn::BitCast(dw, hn::Or(hn::ShiftLeft<3>(place), levels)), dw, lit.place.data() + to);
+    hn::StoreU(hn::BitCast(dw, hn::Or(hn::ShiftLeft<3>(position), levels)), dw, lit.position.data() + to);
   } else {
-    hn::StoreU(hn::BitCast(dw, place), dw, lit.place.data() + to);
+    hn::StoreU(hn::BitCast(dw, position), dw, lit.position.data() + to);
     hn::StoreU(hn::BitCast(dw, levels), dw, lit.levels.data() + to);
   }
 }
@@ -449,7 +449,7 @@ SliceKernelSetup::SliceKernelSetup(const DisplayProfile& profile, const SliceOpt
 
 LitSamples::LitSamples(size_t samples) {
   constexpr size_t kMaxPerSample = 4;  // in two slices, of both half turns
-  for (std::vector<uint32_t>* words : {&slice, &place, &levels}) {
+  for (std::vector<uint32_t>* words : {&slice, &position, &levels}) {
     words->resize(kMaxPerSample * (samples + SliceMesh::kPadding));
   }
 }

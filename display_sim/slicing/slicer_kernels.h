@@ -65,14 +65,14 @@ struct SliceSamples {
   size_t count = 0;
 };
 
-/// What samples light (each at most four voxels): slices and places (packed_voxel_bins.h) and levels. Where levels have
-/// one bit, `place` holds the whole voxel and `levels` nothing.
+/// What samples light (each at most four voxels): slices, positions (packed_voxel_bins.h) and levels. Where levels have
+/// one bit, `position` holds the whole voxel and `levels` nothing.
 struct LitSamples {
   /// Room for what `samples` samples light.
   explicit LitSamples(size_t samples);
   size_t count = 0;
   std::vector<uint32_t> slice;
-  std::vector<uint32_t> place;
+  std::vector<uint32_t> position;
   std::vector<uint32_t> levels;
 };
 

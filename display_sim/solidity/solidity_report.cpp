@@ -50,7 +50,7 @@ std::string solidityJson(const std::string& scene, const SolidityOptions& option
   Json json;
   json["scene"] = scene;
   json["profile"] = options.profile.name;
-  json["picture_side"] = options.imageSide > 0 ? options.imageSide : options.profile.height;
+  json["image_side"] = options.imageSide > 0 ? options.imageSide : options.profile.height;
   json["eyes"] = Json::object();
   for (const EyeGroup& group : options.groups) {
     Json eyes = Json::array();

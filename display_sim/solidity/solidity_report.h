@@ -11,7 +11,7 @@ namespace ocelli {
 /// One line a row of figures, the means over the first two groups beside each other.
 std::string solidityTable(const SolidityOptions& options, const std::vector<SolidityFigures>& rows);
 
-/// {"scene", "profile", "picture_side", "eyes", "representations"}.
+/// {"scene", "profile", "image_side", "eyes", "representations"}.
 std::string solidityJson(const std::string& scene, const SolidityOptions& options,
                          const std::vector<SolidityFigures>& rows);
 

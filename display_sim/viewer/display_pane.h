@@ -19,7 +19,8 @@ struct ShownSweep {
 
 /// The light of a slice fades over the persistence: over `persistence x speed` of sweep, but over one slice at least.
 /// Where that is a whole refresh or more, the eye sees a steady image. A display that turns slower shows each slice for
-/// longer: what is left of the sweep is as much brighter, up to kMaxSlowMotionGain.
+/// longer: the part of the sweep that is still shown is as much brighter, up to
+/// kMaxSlowMotionGain.
 ShownSweep shownSweep(const DisplayShown& shown, const DisplayProfile& profile);
 inline constexpr double kMaxSlowMotionGain = 6;
 

@@ -26,7 +26,7 @@ void showUntil(Viewer& viewer, double seconds, const IsDone& isDone) {
                   "leave out steps to find the one that keeps it busy");
 }
 
-/// The characters of a UTF-8 text; bytes that are none stand for themselves.
+/// The characters of a UTF-8 text; other bytes stand for themselves.
 std::u32string charactersOf(const std::string& text) {
   std::u32string characters;
   for (size_t i = 0; i < text.size();) {

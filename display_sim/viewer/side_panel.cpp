@@ -213,7 +213,7 @@ void SidePanel::drawShown(const PanelDrawing& drawing) {
     drawing.wishes.actions.push_back(ViewerAction::kHelp);
   }
   ImGui::SameLine();
-  if (ImGui::Button("Picture (S)")) {
+  if (ImGui::Button("Save image (S)")) {
     drawing.wishes.actions.push_back(ViewerAction::kScreenshot);
   }
   ImGui::SameLine();

@@ -21,7 +21,7 @@ inline constexpr std::array kPanes{Pane::kScene, Pane::kReference, Pane::kRecons
 /// "Scene", "Reference image", "Reconstruction", "Display".
 std::string_view titleOf(Pane pane);
 
-/// What has to be made; whoever changes a part of it gives it the next revision.
+/// What has to be made. Code that changes a part of it must give that part the next revision.
 struct WorkWanted {
   uint64_t lastRevision = 0;
   std::string source;

@@ -14,13 +14,13 @@ namespace {
 bool run() {
   registerDevice(textDevice());
   const std::unique_ptr<Device> device = openDevice("text:72");
-  const Volume volume = slice(loadScene("builtin:teapot"), device->profile());
+  const auto volume = std::make_shared<const Volume>(slice(loadScene("builtin:teapot"), device->profile()));
 
   const auto fence = device->submit(volume);
   device->present(fence->number(), {});
   const FrameState state = fence->wait(FrameStage::kShown, std::chrono::seconds(10));
   device->close();
-  std::printf("%zu voxels are lit\n", volume.litVoxels());
+  std::printf("%zu voxels are lit\n", volume->litVoxels());
   return state.stage == FrameStage::kShown;
 }
 

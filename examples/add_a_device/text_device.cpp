@@ -23,7 +23,7 @@ std::vector<std::string> lettersOf(const Volume& volume, int columns) {
   const SweepGeometry geometry(volume.profile());
   std::vector<size_t> light(size_t(columns) * size_t(rows));
   for (int slice = 0; slice < volume.slices(); ++slice) {
-    forEachLitPlace(volume, slice, [&](int column, int row) {
+    forEachLitVoxel(volume, slice, [&](int column, int row) {
       const glm::dvec3 place = geometry.voxelCenter(slice, column, row);
       const int x = std::clamp(int((place.x + 1) / 2 * columns), 0, columns - 1);
       const int y = std::clamp(int((1 - place.y) / 2 * rows), 0, rows - 1);

@@ -69,7 +69,7 @@ struct CloseEvent {};
 using InputEvent = std::variant<KeyEvent, TextEvent, PointerMoveEvent, PointerButtonEvent, ScrollEvent, ResizeEvent,
                                 DropEvent, CloseEvent>;
 
-/// "A", "5", "F1", "Left", "PageUp", "Escape", "Minus", ...; the other way round nothing for a name that is none.
+/// "A", "5", "F1", "Left", "PageUp", "Escape", "Minus", ...; the other way round nothing for an unknown name.
 std::string_view nameOf(Key key);
 std::optional<Key> keyFromName(std::string_view name);
 

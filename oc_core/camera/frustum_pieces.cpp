@@ -12,7 +12,7 @@ Plane reversed(const Plane& plane) {
   return {-plane.normal, -plane.distance};
 }
 
-/// What is left of a part without that of a child: convex polygons.
+/// A part without the part that a child takes, as convex polygons.
 std::vector<Part> without(Part part, const Part& taken) {
   std::vector<Part> left;
   for (size_t i = 0; i < taken.size() && !part.empty(); ++i) {

@@ -130,7 +130,7 @@ int GraphCamera::bend(int i, const Bend& bend, const std::string& name, const Pa
   }
   for (size_t k = 0; k < part.size(); ++k) {
     const glm::dvec2& next = part[(k + 1) % part.size()];
-    if (!(inside(part, next) >= -kPixelRounding)) {  // not for coordinates that are none
+    if (!(inside(part, next) >= -kPixelRounding)) {  // NaN fails too
       fail(name, "its part of the image is not convex, or its corners do not run clockwise", "order its corners");
     }
     if (!(inside(parent.part, part[k]) >= -kPixelRounding)) {

@@ -1,5 +1,5 @@
-// Interactive construction (section 4.3.2.1): a graph or curved ray camera that edits change one at a time. Whoever
-// shows the camera's image, a window or a script, sends edits and draws again after each.
+// Interactive construction (section 4.3.2.1): a graph or curved ray camera that edits change one at a time. A
+// window or a script shows the camera's image; it sends edits and draws again after each.
 //
 // The camera is a JSON document as `--camera` takes it (graph_operations.h, curved_bends.h). An edit is a JSON object:
 //   {"edit": "add", "operation": {...}}            of a graph camera; {"turn": {...}} of a curved ray camera

@@ -63,10 +63,10 @@ Image<glm::vec3> layOut(const GraphCamera& forward, const Image<glm::vec3>& ahea
   OC_CHECK(ahead.width() == behind.width(), "both images have one width");
   const Image<glm::vec3> above = withLines(forward, ahead);
   const Image<glm::vec3> below = withLines(backward, behind);
-  Image<glm::vec3> picture(above.width(), above.height() + below.height());
-  std::copy(above.begin(), above.end(), picture.begin());
-  std::reverse_copy(below.begin(), below.end(), picture.begin() + static_cast<std::ptrdiff_t>(above.size()));
-  return picture;
+  Image<glm::vec3> both(above.width(), above.height() + below.height());
+  std::copy(above.begin(), above.end(), both.begin());
+  std::reverse_copy(below.begin(), below.end(), both.begin() + static_cast<std::ptrdiff_t>(above.size()));
+  return both;
 }
 
 }  // namespace ocelli

@@ -66,9 +66,9 @@ std::vector<Column> errorColumns() {
       {"Wrong front, %", "at ref.", [](const Row& r) { return r.reference.wrongFrontRatio(); }, percentText},
       {"False skins, %", "edges", [](const Row& r) { return r.edges.falseSkinRatio(); }, percentText},
       {"False skins, %", "at ref.", [](const Row& r) { return r.reference.falseSkinRatio(); }, percentText},
-      {"Pictures, edges", "PSNR, dB", [](const Row& r) { return r.edges.meanPsnrDecibels(); }, decibelText, true},
-      {"Pictures, edges", "SSIM", [](const Row& r) { return r.edges.meanSsim(); }, fourDigits, true},
-      {"Pictures, edges", "FLIP", [](const Row& r) { return r.edges.meanFlip(); }, fourDigits},
+      {"Images, edges", "PSNR, dB", [](const Row& r) { return r.edges.meanPsnrDecibels(); }, decibelText, true},
+      {"Images, edges", "SSIM", [](const Row& r) { return r.edges.meanSsim(); }, fourDigits, true},
+      {"Images, edges", "FLIP", [](const Row& r) { return r.edges.meanFlip(); }, fourDigits},
   };
 }
 
@@ -332,7 +332,7 @@ std::string evaluatePage(const EvaluatePage& page, const EvaluationOptions& opti
     html += offsetPlots(options, figures) + "</section>\n";
   }
   html += fmt::format(
-      "<section aria-labelledby=\"pictures\">\n<h2 id=\"pictures\">Where the errors are</h2>\n<p>Seen from half a side "
+      "<section aria-labelledby=\"images\">\n<h2 id=\"images\">Where the errors are</h2>\n<p>Seen from half a side "
       "{}. Left: what the representation shows. Right: its errors in false colours over the scene. Select an image "
       "for its full size.</p>\n",
       options.cell.shape == ViewCell::Shape::kSegment ? "against the direction of the segment" : "to the left");

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "oc_core/drawing/series_style.h"
 #include "oc_core/page/html.h"
 
 namespace ocelli {
@@ -20,39 +21,35 @@ constexpr double kBottom = 56;
 constexpr double kZeroRow = 34;       // height of the row for zeros, below the axis
 constexpr double kLetterWidth = 7.4;  // of the labels, on average
 constexpr double kLineHeight = 15;
-constexpr double kMarker = 5.5;  // half size
-constexpr size_t kColors = 7;
+constexpr double kMarker = 5.5;     // half size
+constexpr double kDashScale = 1.8;  // lines are thicker than those of printed figures
 
-std::string colorOf(size_t style) {
-  return fmt::format("var(--series-{})", style % kColors);
+std::string colorOf(const SeriesStyle& style) {
+  return fmt::format("var(--{})", style.colorName);
 }
 
-std::string marker(double x, double y, size_t style) {
-  const std::string fill = colorOf(style);
-  const auto polygon = [&](const std::vector<std::pair<double, double>>& corners) {
-    std::string points;
-    for (const auto& [u, v] : corners) {
-      points += fmt::format("{:.1f},{:.1f} ", x + u * kMarker, y + v * kMarker);
-    }
-    return fmt::format(R"(<polygon points="{}" style="fill: {}"/>)", points, fill);
-  };
-  switch (style % 5) {
-    case 0:
-      return fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" style="fill: {}"/>)", x, y, kMarker, fill);
-    case 1:
-      return polygon({{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}});
-    case 2:
-      return polygon({{0, -1.1}, {1.1, 0.9}, {-1.1, 0.9}});
-    case 3:
-      return polygon({{0, -1.25}, {1.25, 0}, {0, 1.25}, {-1.25, 0}});
-    default:
-      return polygon({{0, 1.1}, {1.1, -0.9}, {-1.1, -0.9}});
+std::string markerSvg(double x, double y, const SeriesStyle& style) {
+  const std::string paint = colorOf(style);
+  const std::vector<PlotPoint> corners = markerCorners(style.marker);
+  if (corners.empty()) {
+    return fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" style="fill: {}"/>)", x, y, kMarker, paint);
   }
+  const bool strokes = style.marker == Marker::kPlus || style.marker == Marker::kCross;
+  std::string path;
+  for (size_t i = 0; i < corners.size(); ++i) {
+    const bool starts = strokes ? i % 2 == 0 : i == 0;
+    path += fmt::format("{}{:.1f} {:.1f}", starts ? "M" : "L", x + corners[i].x * kMarker, y + corners[i].y * kMarker);
+  }
+  return strokes ? fmt::format(R"(<path d="{}" style="stroke: {}; stroke-width: 2.5"/>)", path, paint)
+                 : fmt::format(R"(<path d="{}Z" style="fill: {}"/>)", path, paint);
 }
 
-std::string dashOf(size_t style) {
-  constexpr std::array<const char*, 4> kDashes{"none", "7 3", "2 3", "9 3 2 3"};
-  return kDashes[style % kDashes.size()];
+std::string dashOf(const SeriesStyle& style) {
+  std::string dash;
+  for (const double length : style.dash) {
+    dash += fmt::format("{}{:g}", dash.empty() ? "" : " ", kDashScale * length);
+  }
+  return dash.empty() ? "none" : dash;
 }
 
 std::string percentTick(double ratio) {
@@ -124,15 +121,7 @@ class LogAxis {
   double to_;
 };
 
-struct Rectangle {
-  double x, y, width, height;
-
-  bool overlaps(const Rectangle& o) const {
-    return x < o.x + o.width && o.x < x + width && y < o.y + o.height && o.y < y + height;
-  }
-};
-
-double textWidth(const std::string& text) {
+double labelWidth(const std::string& text) {
   return kLetterWidth * static_cast<double>(text.size());
 }
 
@@ -194,17 +183,18 @@ std::string xTitleText(double right, const std::string& title) {
 }
 
 /// A place beside the marker where the label covers nothing.
-std::optional<Rectangle> freePlace(double x, double y, const std::string& text, const std::vector<Rectangle>& taken,
-                                   double right) {
-  const double width = textWidth(text);
+std::optional<PlotBox> freePlace(double x, double y, const std::string& text, const std::vector<PlotBox>& taken,
+                                 double right) {
+  const double width = labelWidth(text);
   const double gap = kMarker + 4;
-  const std::array<Rectangle, 4> places{{{x + gap, y - kLineHeight / 2, width, kLineHeight},
-                                         {x - gap - width, y - kLineHeight / 2, width, kLineHeight},
-                                         {x - width / 2, y - gap - kLineHeight, width, kLineHeight},
-                                         {x - width / 2, y + gap, width, kLineHeight}}};
-  for (const Rectangle& place : places) {
-    const bool inside = place.x >= kLeft && place.x + place.width <= right && place.y >= kTop - kLineHeight / 2;
-    if (inside && std::none_of(taken.begin(), taken.end(), [&](const Rectangle& o) { return place.overlaps(o); })) {
+  const std::array<PlotPoint, 4> corners{{{x + gap, y - kLineHeight / 2},
+                                          {x - gap - width, y - kLineHeight / 2},
+                                          {x - width / 2, y - gap - kLineHeight},
+                                          {x - width / 2, y + gap}}};
+  for (const PlotPoint& corner : corners) {
+    const PlotBox place{corner.x, corner.y, corner.x + width, corner.y + kLineHeight};
+    const bool inside = place.left >= kLeft && place.right <= right && place.top >= kTop - kLineHeight / 2;
+    if (inside && std::none_of(taken.begin(), taken.end(), [&](const PlotBox& o) { return place.overlaps(o); })) {
       return place;
     }
   }
@@ -235,7 +225,7 @@ std::string marginLabels(std::vector<MarginLabel> labels, double right, double b
   std::string svg;
   for (size_t i = 0; i < labels.size(); ++i) {
     svg += line("leader", labels[i].x, labels[i].y, right + 18, at[i]) +
-           marker(right + 24, at[i], labels[i].series->style) +
+           markerSvg(right + 24, at[i], seriesStyle(labels[i].series->style)) +
            fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", right + 34, at[i] + 4,
                        htmlFromText(labels[i].series->name));
   }
@@ -246,7 +236,7 @@ std::string marginLabels(std::vector<MarginLabel> labels, double right, double b
 double rightEdge(const std::vector<PlotSeries>& series) {
   double widest = 0;
   for (const PlotSeries& each : series) {
-    widest = std::max(widest, textWidth(each.name));
+    widest = std::max(widest, labelWidth(each.name));
   }
   return kWidth - std::min(widest, kWidth / 3) - 50;
 }
@@ -292,10 +282,11 @@ FrontierDrawing drawFrontier(const std::string& title, const std::string& xTitle
   }
   svg += fmt::format("<path class=\"front\" d=\"{}\"/>\n", front);
 
-  std::vector<Rectangle> taken;
+  std::vector<PlotBox> taken;
   const auto xOf = [&](size_t i) { return horizontal.at(std::max(counts[i], 1.0)); };
   for (size_t i = 0; i < series.size(); ++i) {
-    taken.push_back({xOf(i) - kMarker, vertical.at(errors[i]) - kMarker, 2 * kMarker, 2 * kMarker});
+    const double y = vertical.at(errors[i]);
+    taken.push_back({xOf(i) - kMarker, y - kMarker, xOf(i) + kMarker, y + kMarker});
   }
   std::string labels;
   std::string markers;
@@ -304,10 +295,10 @@ FrontierDrawing drawFrontier(const std::string& title, const std::string& xTitle
     const double x = xOf(i);
     const double y = vertical.at(errors[i]);
     markers += fmt::format("<g><title>{}: {:.0f}, {:.4g} %</title>{}</g>\n", htmlFromText(series[i].name), counts[i],
-                           100 * errors[i], marker(x, y, series[i].style));
+                           100 * errors[i], markerSvg(x, y, seriesStyle(series[i].style)));
     if (const auto label = freePlace(x, y, series[i].name, taken, right)) {
       taken.push_back(*label);
-      labels += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", label->x, label->y + 11,
+      labels += fmt::format("<text class=\"label\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", label->left, label->top + 11,
                             htmlFromText(series[i].name));
     } else {
       inMargin.push_back({&series[i], x, y});
@@ -357,7 +348,7 @@ std::string curvePlot(const std::string& title, const std::string& xTitle, const
     svg += fmt::format(
         "<g><title>{}</title><path d=\"{}\" style=\"fill: none; stroke: {}; stroke-width: 2; stroke-dasharray: "
         "{}\"/></g>\n",
-        htmlFromText(each.name), path, colorOf(each.style), dashOf(each.style));
+        htmlFromText(each.name), path, colorOf(seriesStyle(each.style)), dashOf(seriesStyle(each.style)));
     labels.push_back({&each, right, end});
   }
   return svg + marginLabels(labels, right, vertical.bottom()) + "</svg>\n";

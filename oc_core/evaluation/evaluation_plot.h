@@ -1,5 +1,5 @@
 // The plots of the page of `ocelli evaluate`, as inline SVG. Errors are ratios on a logarithmic axis in percent; what
-// is 0 stands in a row of its own below it. Colours are those of the style sheet: --series-0 to --series-6.
+// is 0 stands in a row of its own below it. Series look as in all figures (oc_core/drawing/series_style.h).
 #pragma once
 
 #include <string>

@@ -17,7 +17,7 @@ std::string megabytes(size_t bytes) {
 
 std::string imageTable(const std::vector<RepresentationFigures>& figures) {
   std::string text = fmt::format("\n{:<16} {:^19}   {:^26}   {:^26}   {:^17}   {:>9}\n", "", "wrong front",
-                                 "false skins", "pictures, edges", "megabytes", "");
+                                 "false skins", "images, edges", "megabytes", "");
   text += fmt::format("{:<16} {:>9} {:>9}   {:>8} {:>8} {:>8}   {:>9} {:>8} {:>7}   {:>8} {:>8}   {:>9}\n", "camera",
                       "edges", "at ref.", "edges", "interior", "at ref.", "PSNR dB", "SSIM", "FLIP", "raw", "zstd",
                       "build ms");

@@ -4,17 +4,20 @@
 #include <filesystem>
 #include <string>
 
+#include "oc_core/drawing/figure.h"
 #include "oc_core/multiperspective/camera_plan.h"
 
 namespace ocelli {
 
 struct ImageOptions {
   std::string title{};      ///< above the plan; none where empty
-  int planPixels = 1200;    ///< longer side of the plan; the legend comes beside it
+  int planPixels = 1200;    ///< longer side of the plan, in points of an SVG; the legend comes beside it
   int maxLegendLines = 24;  ///< of the legend; how many more parts there are is said below
 };
 
-/// SVG or PNG, as `path` ends. Throws InputError for other endings, WorkError where it cannot be written.
+Figure planFigure(const CameraPlan& plan, const ImageOptions& options = {});
+
+/// SVG or PNG, as `path` ends. Throws as writeFigure() does (figure_file.h).
 void writePlan(const std::filesystem::path& path, const CameraPlan& plan, const ImageOptions& options = {});
 
 }  // namespace ocelli

@@ -56,7 +56,7 @@ DistortionMap mapOf(const std::vector<DistortionSplat>& splats, const SplatOwner
   return smoothMap(finalizeMap(splats, owners, DistortionMap::Lookup::kBilinear), options.smoothingSigmaPixels);
 }
 
-/// "Do no harm": what harms gives in.
+/// "Do no harm": shrinks the splats that hide visible samples.
 void shrinkHarmful(std::vector<DistortionSplat>& splats, const Harm& harm, const DdocOptions& options) {
   for (size_t i = 0; i < splats.size(); ++i) {
     if (static_cast<float>(harm.ofSplats[i]) > options.harmlessPerHiddenPixel * splats[i].hidden) {

@@ -1,5 +1,5 @@
 // Splats of the DDOC's construction, steps 3 to 6 (section 3.2.2): each depth edge claims the pixels around it,
-// conflicts shrink the claims, and what is left becomes the distortion map.
+// conflicts shrink the claims, and the remaining claims become the distortion map.
 #pragma once
 
 #include <vector>

@@ -176,7 +176,7 @@ float farthestInverseZ(const PinholeCamera& camera, std::span<const glm::vec3> p
   return 1 / std::clamp(farthest, camera.view().zNear, camera.view().zFar);
 }
 
-/// The acceleration structure of whoever draws the scene, where there is one.
+/// The acceleration structure of the renderer, where it has one.
 const RayScene* raysOf(const SceneRenderer* renderer) {
   return renderer != nullptr ? renderer->rays() : nullptr;
 }

@@ -8,7 +8,8 @@
 // segment can uncover `minAddedPixels` behind it. Planes, however grazing, have none.
 //
 // DEVIATION: what an edge adds is bounded by what its occluder hides ("compact" rows). Where a narrow occluder leaves
-// the text's rays of R without a sample (the black gaps of Figure 3.20, right), they turn into rays of L sooner.
+// the text's rays of R without a sample (the black gaps of Figure 3.20, right), they turn into rays of L earlier in the
+// row.
 //
 // DEVIATION: z_f is that of the farthest surface among the next `backgroundReachPixels` of the row. The text takes the
 // pixel next to the edge; what that surface hides in turn then stays hidden, though R sees it between the two.

@@ -155,7 +155,7 @@ Harm HarmMeter::measure(const DdocCamera& camera, const std::vector<DistortionSp
   const Image<SampleState> states = compare(camera, image);
   Harm harm;
   harm.ofSplats.resize(splats.size());
-  // Whoever moved is to blame: the sample itself, and what now lies in front of it.
+  // To blame are the splats that moved the sample, and those that moved what now lies in front of it.
   const auto blame = [&](const ImagePoint& undistorted) {
     const int x = static_cast<int>(std::floor(undistorted.u));
     const int y = static_cast<int>(std::floor(undistorted.v));

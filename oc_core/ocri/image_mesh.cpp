@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "oc_core/base/parallel.h"
+#include "oc_core/ocri/grid_cell.h"
 #include "oc_core/ocri/sample_join.h"
 #include "oc_core/ocri/square_corner.h"
 
@@ -188,44 +189,14 @@ class ImageMesher {
     const Pixel b = beside(a, 0, 1);
     const Pixel c = beside(a, 1, 1);
     const Pixel d = beside(a, 1, 0);
-    const bool ab = areJoined(a, b);
-    const bool bc = areJoined(b, c);
-    const bool cd = areJoined(c, d);
-    const bool da = areJoined(d, a);
-    if (ab + bc + cd + da < 2) {
-      return;
-    }
-    const bool ac = joined(a, 1, 1);
-    const bool bd = joined(b, 1, -1);
-    const int alongAc = ac ? (ab && bc) + (cd && da) : 0;
-    const int alongBd = bd ? (bc && cd) + (da && ab) : 0;
-    if (alongAc == 0 && alongBd == 0) {
-      return;
-    }
-    const auto add = [&](const Pixel& p, const Pixel& q, const Pixel& r) {
-      triangles.emplace_back(vertexOf_(p.x, p.y), vertexOf_(q.x, q.y), vertexOf_(r.x, r.y));
-      ++cellTriangles_(a.x, a.y);
-    };
-    if (alongAc > alongBd || (alongAc == alongBd && shorterAc(a, b, c, d))) {
-      if (ab && bc) {
-        add(a, b, c);
-      }
-      if (cd && da) {
-        add(a, c, d);
-      }
-    } else {
-      if (bc && cd) {
-        add(b, c, d);
-      }
-      if (da && ab) {
-        add(b, d, a);
-      }
-    }
-  }
-
-  bool shorterAc(const Pixel& a, const Pixel& b, const Pixel& c, const Pixel& d) const {
-    const auto inverse = [&](const Pixel& p) { return 1 / image_.t(p.x, p.y); };
-    return std::abs(inverse(a) - inverse(c)) <= std::abs(inverse(b) - inverse(d));
+    closeCell(
+        a, b, c, d, {areJoined(a, b), areJoined(b, c), areJoined(c, d), areJoined(d, a)},
+        [&](const Pixel& p, const Pixel& q) { return joined(p, 1, q.y - p.y); },
+        [&](const Pixel& p) { return 1 / image_.t(p.x, p.y); },
+        [&](const Pixel& p, const Pixel& q, const Pixel& r) {
+          triangles.emplace_back(vertexOf_(p.x, p.y), vertexOf_(q.x, q.y), vertexOf_(r.x, r.y));
+          ++cellTriangles_(a.x, a.y);
+        });
   }
 
   /// The change of 1/z for a pixel to the right and a pixel down in the undistorted image, from the joined neighbours.
@@ -258,15 +229,13 @@ class ImageMesher {
     return cellTriangles_.contains(cell, y) ? cellTriangles_(cell, y) : 0;
   }
 
-  /// Where a surface ends, the most open samples first: six of the eight triangles around a sample leave no opening
-  /// that matters.
+  /// Where a surface ends, the most open samples first.
   std::vector<Pixel> openSamples() const {
-    constexpr size_t kClosed = 6;
-    std::array<std::vector<Pixel>, kClosed> rimsByTriangles;
+    std::array<std::vector<Pixel>, kClosedTriangles> rimsByTriangles;
     for (int y = 0; y < image_.height(); ++y) {
       for (int x = 0; x < image_.width(); ++x) {
         const auto around = static_cast<size_t>(trianglesAround(x, y));
-        if (vertexOf_(x, y) != kNoVertex && around < kClosed) {
+        if (vertexOf_(x, y) != kNoVertex && around < rimsByTriangles.size()) {
           rimsByTriangles[around].push_back({x, y});
         }
       }
@@ -333,7 +302,7 @@ class ImageMesher {
     const auto first = static_cast<uint32_t>(mesh_.positions.size());
     mesh_.triangles.emplace_back(first, first + 1, first + 2);
     if (whole) {
-      for (const glm::vec2& side : {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)}) {
+      for (const glm::vec2& side : kSquareSides) {
         addCorner(side);
       }
       mesh_.triangles.emplace_back(first, first + 2, first + 3);

@@ -32,8 +32,8 @@ struct ImageMeshOptions {
 };
 
 /// World coordinates, linear colours. Vertices come in pixel order, first the samples, then the corners of squares.
-/// Where the mesh would exceed `image.triangleBound`, one triangle has to do for a square, and then none; the least
-/// open samples are the first to give in. `pixelOfVertex` receives the index of the pixel that each vertex comes from.
+/// Where the mesh would exceed `image.triangleBound`, squares become one triangle, and then none, those of the least
+/// open samples first. `pixelOfVertex` receives the index of the pixel that each vertex comes from.
 Mesh imageMesh(const ReferenceImage& image, const ImageMeshOptions& options = {},
                std::vector<uint32_t>* pixelOfVertex = nullptr);
 

@@ -6,13 +6,14 @@
 #include <glm/geometric.hpp>
 
 #include "oc_core/base/parallel.h"
+#include "oc_core/ocri/grid_cell.h"
+#include "oc_core/ocri/sample_join.h"
 #include "oc_core/ocri/square_corner.h"
 
 namespace ocelli {
 namespace {
 
 constexpr int kNone = -1;
-constexpr float kLongestScaledStep = 1.5f;  ///< as in image_mesh.cpp
 
 class LayeredMesher {
  public:
@@ -105,9 +106,8 @@ class LayeredMesher {
     if (distance(s, t) > options_.longestStepPixels) {
       return false;
     }
-    return std::abs(z(s) - z(t)) <=
-               options_.depthStepFootprints * footprint * std::clamp(distance(s, t), 1.0f, kLongestScaledStep) ||
-           std::min(bend.before, bend.after) <= options_.slopeToleranceFootprints * footprint / (z(s) * z(t));
+    return depthsJoin(z(s), z(t), footprint, distance(s, t), options_) ||
+           std::min(bend.before, bend.after) <= slopeTolerance(z(s), z(t), footprint, options_);
   }
   bool canJoin(int s, int t) const {
     float cost = 0;
@@ -165,39 +165,13 @@ class LayeredMesher {
   }
   static bool linked(const std::vector<int>& links, int s, int t) { return t != kNone && follow(links, s) == t; }
 
-  void addTriangle(int a, int b, int c) { mesh_.triangles.emplace_back(a, b, c); }
-
   /// The piece of one surface between four pixels: a top left, then counter-clockwise; kNone where it has no sample.
   void joinCell(int a, int b, int c, int d) {
-    const bool ab = linked(below_, a, b);
-    const bool bc = linked(right_, b, c);
-    const bool cd = linked(above_, c, d);
-    const bool da = linked(left_, d, a);
-    if (ab + bc + cd + da < 2) {
-      return;
-    }
-    const int alongAc = canJoin(a, c) ? (ab && bc) + (cd && da) : 0;
-    const int alongBd = canJoin(b, d) ? (bc && cd) + (da && ab) : 0;
-    if (alongAc == 0 && alongBd == 0) {
-      return;
-    }
     const size_t before = mesh_.triangles.size();
-    const auto unlike = [&](int s, int t) { return std::abs(inverseZ(s) - inverseZ(t)); };
-    if (alongAc > alongBd || (alongAc == alongBd && unlike(a, c) <= unlike(b, d))) {
-      if (ab && bc) {
-        addTriangle(a, b, c);
-      }
-      if (cd && da) {
-        addTriangle(a, c, d);
-      }
-    } else {
-      if (bc && cd) {
-        addTriangle(b, c, d);
-      }
-      if (da && ab) {
-        addTriangle(b, d, a);
-      }
-    }
+    closeCell(
+        a, b, c, d, {linked(below_, a, b), linked(right_, b, c), linked(above_, c, d), linked(left_, d, a)},
+        [&](int s, int t) { return canJoin(s, t); }, [&](int s) { return inverseZ(s); },
+        [&](int p, int q, int r) { mesh_.triangles.emplace_back(p, q, r); });
     for (const int corner : {a, b, c, d}) {
       if (corner != kNone) {
         trianglesAround_[static_cast<size_t>(corner)] += static_cast<uint8_t>(mesh_.triangles.size() - before);
@@ -248,12 +222,9 @@ class LayeredMesher {
     return {slope(right_, left_), slope(below_, above_)};
   }
 
-  /// As in imageMesh(): where fewer than six of the eight triangles around a sample are there, its surface ends, and it
-  /// gets a square that stands for its pixel.
   void addSquares() {
-    constexpr uint8_t kClosed = 6;
     for (int s = 0; s < static_cast<int>(z_.size()); ++s) {
-      if (trianglesAround_[static_cast<size_t>(s)] < kClosed) {
+      if (trianglesAround_[static_cast<size_t>(s)] < kClosedTriangles) {
         addSquare(s);
       }
     }
@@ -264,7 +235,7 @@ class LayeredMesher {
     const ImagePoint center{static_cast<float>(p.x) + 0.5f, static_cast<float>(p.y) + 0.5f, z_[static_cast<size_t>(s)]};
     const glm::vec2 slope = gradient(s);
     const auto corner = static_cast<uint32_t>(mesh_.positions.size());
-    for (const glm::vec2& side : {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)}) {
+    for (const glm::vec2& side : kSquareSides) {
       const glm::vec2 offset = side * (options_.squarePixels / 2);
       const ImagePoint step{offset.x, offset.y, glm::dot(slope, offset)};
       mesh_.positions.push_back(camera_.worldFromCamera(

@@ -243,7 +243,7 @@ void readHeader(const Imf::Header& header, size_t fileBytes, const std::string& 
 }
 
 /// Which pixels hold a sample: where a pinhole's image is displaced those of positive z, elsewhere those whose rays
-/// have a direction. Throws InputError where the values are none of a reference image.
+/// have a direction. Throws InputError where the values are not those of a reference image.
 void findSamples(ReferenceImage& image, const std::string& where) {
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {

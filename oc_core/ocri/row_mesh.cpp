@@ -478,7 +478,7 @@ class RowMesher {
     const ImagePoint across = halfStepAcross(y, sample);
     const bool mirrored = along.u * across.v - along.v * across.u < 0;
     const auto corner = static_cast<uint32_t>(mesh_.positions.size());
-    for (const glm::vec2& side : {glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1), glm::vec2(1, -1)}) {
+    for (const glm::vec2& side : kSquareSides) {
       const glm::vec2 share = side * options_.squarePixels;
       const ImagePoint offset{along.u * share.x + across.u * share.y, along.v * share.x + across.v * share.y,
                               along.t * share.x + across.t * share.y};

@@ -16,25 +16,34 @@ inline float undistortedDistance(const ImagePoint& a, const ImagePoint& b) {
   return glm::distance(glm::vec2(a.u, a.v), glm::vec2(b.u, b.v));
 }
 
+/// Whether two depths differ by no more than the step that joins neighbours so many steps apart.
+inline bool depthsJoin(float a, float b, float footprint, float steps, const ImageMeshOptions& options) {
+  /// Neighbours farther apart than this get no more tolerance of depth for it: a longer join is more likely to be a
+  /// skin across a gap.
+  constexpr float kLongestScaledStep = 1.5f;
+  return std::abs(a - b) <= options.depthStepFootprints * footprint * std::clamp(steps, 1.0f, kLongestScaledStep);
+}
+
+/// By how much the step of 1/z between two depths may differ from the one beside it on the same surface.
+inline float slopeTolerance(float a, float b, float footprint, const ImageMeshOptions& options) {
+  return options.slopeToleranceFootprints * footprint / (a * b);
+}
+
 /// Undistorted samples, with the ones before a and after b in the same direction; z = 0 where there is none. They are
 /// `evenSteps` where samples of a plane have equal steps of 1/z, however far apart they are undistorted. `spacing` is
 /// what lies between neighbours on a surface that faces the pinhole, pixels.
 inline bool samplesJoin(const ImagePoint& before, const ImagePoint& a, const ImagePoint& b, const ImagePoint& after,
                         bool evenSteps, float focalPixels, float spacing, const ImageMeshOptions& options) {
-  /// Neighbours farther apart than this get no more tolerance of depth for it: a longer join is more likely to be a
-  /// skin across a gap.
-  constexpr float kLongestScaledStep = 1.5f;
   const float distance = undistortedDistance(a, b);
   if (!(a.t > 0) || !(b.t > 0) || !(distance <= options.longestStepPixels)) {
     return false;
   }
   const float footprint = std::min(a.t, b.t) / focalPixels * spacing;
-  if (std::abs(a.t - b.t) <=
-      options.depthStepFootprints * footprint * std::clamp(distance / spacing, 1.0f, kLongestScaledStep)) {
+  if (depthsJoin(a.t, b.t, footprint, distance / spacing, options)) {
     return true;
   }
   // A grazing or a stretched surface: large steps of z, but 1/z goes on as on one of the two sides.
-  const float tolerance = options.slopeToleranceFootprints * footprint / (a.t * b.t);
+  const float tolerance = slopeTolerance(a.t, b.t, footprint, options);
   const float step = 1 / b.t - 1 / a.t;
   const auto goesOn = [&](const ImagePoint& p, const ImagePoint& q) {
     if (!(p.t > 0) || !(q.t > 0)) {
@@ -70,7 +79,7 @@ inline PlacedStep stepBetween(const PlacedSample& a, const PlacedSample& b) {
 /// Whether `b` lies where the line through `before` and `a` goes on: a plane's samples along a row or column of
 /// straight rays lie on a line, however far apart the rays hit it.
 inline bool goesOnStraight(const PlacedSample& before, const PlacedSample& a, const PlacedSample& b, float tolerance) {
-  /// A step that is so many times as long as the one before is none of a plane's.
+  /// On a plane, a step is at most this many times as long as the one before.
   constexpr float kLongestGrowth = 4;
   if (!before.held) {
     return false;

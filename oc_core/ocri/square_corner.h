@@ -2,12 +2,18 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/vec2.hpp>
 
 #include "oc_core/camera/camera.h"
 #include "oc_core/ocri/image_mesh.h"
 
 namespace ocelli {
+
+/// From a sample to the corners of its square, counter-clockwise, in halves of its sides: right and down.
+inline constexpr std::array<glm::vec2, 4> kSquareSides{glm::vec2(-1, -1), glm::vec2(-1, 1), glm::vec2(1, 1),
+                                                       glm::vec2(1, -1)};
 
 /// `step` leads from a sample to the corner along its surface: pixels in u and v, and in z the change of 1/z. It is
 /// shortened where it would reach deeper than the options allow.

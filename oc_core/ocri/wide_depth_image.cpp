@@ -12,8 +12,8 @@
 namespace ocelli {
 namespace {
 
-/// The position of a point on the image plane in halves of its width and height, whichever is more; infinite where it
-/// has none.
+/// The position of a point on the image plane in halves of its width and height, the larger of the two; infinite where
+/// it has none.
 float extentOf(const PinholeCamera& camera, const glm::vec3& world) {
   const auto q = camera.project(world);
   if (!q) {

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include "oc_core/page/page_style.h"
+#include "oc_core/page/utf8.h"
 
 namespace ocelli {
 
-std::string htmlFromText(const std::string& text) {
+std::string htmlFromText(std::string_view text) {
   std::string html;
-  for (const char c : text) {
+  for (const char c : cleanText(text)) {
     switch (c) {
       case '&':
         html += "&amp;";
@@ -21,6 +22,9 @@ std::string htmlFromText(const std::string& text) {
         break;
       case '"':
         html += "&quot;";
+        break;
+      case '\'':
+        html += "&#39;";
         break;
       default:
         html += c;
@@ -38,16 +42,20 @@ std::string groupedDigits(size_t number) {
   return digits;
 }
 
+std::string pageBegin(const PageHead& head) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n{}<meta name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<style>\n{}</style>\n</head>\n<body>\n",
+      head.tags, htmlFromText(head.title), head.style);
+}
+
 std::string pageBegin(const std::string& title, std::initializer_list<std::string_view> styles) {
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<link rel=\"icon\" href=\"data:,\">\n"
-      "<style>{}",
-      htmlFromText(title), kPageStyle);
+  // An empty icon: browsers ask the server for one otherwise.
+  PageHead head{title, "<link rel=\"icon\" href=\"data:,\">\n", pageStyle()};
   for (const std::string_view style : styles) {
-    html += style;
+    head.style += style;
   }
-  return html + "</style>\n</head>\n<body>\n";
+  return pageBegin(head);
 }
 
 std::string pageEnd() {

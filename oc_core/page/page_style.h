@@ -1,10 +1,10 @@
-// The style sheet that all pages share: colours for light and dark screens, text, links, tables.
+// The style sheet of the pages that the program makes: colours and fonts (page_colors.h), text, links, tables.
 #pragma once
 
-#include <string_view>
+#include <string>
 
 namespace ocelli {
 
-extern const std::string_view kPageStyle;
+std::string pageStyle();
 
 }  // namespace ocelli

@@ -8,7 +8,7 @@
 namespace ocelli {
 namespace {
 
-/// Beyond this, coordinates of images are as good as none, pixels.
+/// Image coordinates beyond this, in pixels, are of no use.
 constexpr double kMaxPixels = 1e6;
 /// Weights are at least this share of those in the middle plane.
 constexpr double kMinWeight = 0.05;

@@ -20,7 +20,7 @@ struct Polygon {
 };
 
 /// Sutherland-Hodgman against one plane: keeps where dot(normal, p) + offset >= 0. A cut is computed from its inner end
-/// to its outer one, so triangles that share an edge cut it at the same point whichever way they run along it.
+/// to its outer one, so triangles that share an edge cut it at the same point, in whatever direction they run along it.
 Polygon clip(const Polygon& polygon, const glm::dvec3& normal, double offset) {
   Polygon kept;
   for (size_t i = 0; i < polygon.count; ++i) {

@@ -32,7 +32,7 @@ class GraphDepthImage {
   };
   struct Options {
     double thickness = 0.01;  ///< of what the image shows, world units
-    bool coarse = true;       ///< passes tiles of pixels at once that the ray does not meet: sooner, the same hits
+    bool coarse = true;       ///< skips whole tiles of pixels that the ray does not meet: faster, with the same hits
   };
 
   /// `fragments` is the camera's image, whose frusta are disjoint (graph_overlap.h); its z is all that is used.

@@ -122,7 +122,7 @@ std::vector<ObjectSighting> sightings(const Image<uint32_t>& identities) {
   return sightings;
 }
 
-Image<Rgb8> identityPicture(const Image<uint32_t>& identities) {
+Image<Rgb8> identityColors(const Image<uint32_t>& identities) {
   Image<Rgb8> image(identities.width(), identities.height());
   std::transform(identities.begin(), identities.end(), image.begin(), falseColorOf);
   return image;

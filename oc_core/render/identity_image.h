@@ -36,6 +36,6 @@ std::vector<ObjectSighting> sightings(const Image<uint32_t>& identities);
 
 /// False colours for people, sRGB. Two objects whose identities differ by less than 14 have different colours, which
 /// differ to every kind of colour vision for those of one brightness; structure is grey, background black.
-Image<Rgb8> identityPicture(const Image<uint32_t>& identities);
+Image<Rgb8> identityColors(const Image<uint32_t>& identities);
 
 }  // namespace ocelli

@@ -24,7 +24,7 @@ struct LineVertex {
   float row = 0;       ///< coordinate of its epipolar line
 };
 
-/// A corner of a triangle, or of what is left of it by clipping, with its barycentric weights on the whole.
+/// A corner of a triangle, or of its clipped polygon, with its barycentric weights in the whole triangle.
 struct LineCorner {
   LineVertex vertex;
   float b1 = 0;

@@ -193,7 +193,7 @@ std::optional<RayScene::SurfacePoint> RayScene::closestSurface(const glm::vec3& 
   NearSearch search{impl_->mesh, point, reach};
   searchNear(
       impl_->scene, search, [](RTCPointQuery& query, NearSearch& state, uint32_t triangle, const glm::vec3& closest) {
-        // Whoever is as close must still be visited, or the order in which they are would decide.
+        // Triangles at the same distance must still be visited, or the order of the visits would decide.
         constexpr float kRounding = 1 + 1e-5f;
         const float distance = glm::distance(closest, state.point);
         if (distance > state.reach || (state.found && distance == state.reach && triangle > state.found->triangle)) {

@@ -34,7 +34,7 @@ class SceneRenderer {
   virtual FragmentImage draw(const GraphCamera& camera) const = 0;
   virtual FragmentImage draw(const CurvedRayCamera& camera) const = 0;
 
-  /// The acceleration structure, where there is one: whoever has it need not look at all triangles.
+  /// The acceleration structure, where there is one: with it, a caller need not look at all triangles.
   virtual const RayScene* rays() const { return nullptr; }
 };
 

@@ -36,7 +36,7 @@ Plan readPlan(JsonFields& fields, const std::string& where) {
   Plan plan;
   for (const nlohmann::json& line : value) {
     if (!line.is_string()) {
-      fields.fail("plan", fmt::format("must be an array of texts, but line {} is none", plan.size() + 1));
+      fields.fail("plan", fmt::format("must be an array of texts, but line {} is not a text", plan.size() + 1));
     }
     plan.push_back(line.get<std::string>());
     const size_t width = plan.back().size();

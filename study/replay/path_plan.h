@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "oc_core/drawing/figure.h"
 #include "oc_core/scene/maze.h"
 #include "study/replay/trial_replay.h"
 
@@ -41,8 +42,10 @@ struct PathPlan {
 /// From a log, by a replay of it.
 PathPlan pathPlanOf(const TaskBlock& block, const TrialLog& log, const std::string& title);
 
-/// SVG, or PNG, as the name ends. Throws InputError for other endings and where the trial shows no maze, WorkError
-/// where it cannot be written.
+/// Throws InputError where the trial shows no maze.
+Figure pathPlanFigure(const PathPlan& plan);
+
+/// SVG or PNG, as the name ends. Throws as pathPlanFigure() and writeFigure() do (figure_file.h).
 void writePathPlan(const std::filesystem::path& path, const PathPlan& plan);
 
 }  // namespace ocelli

@@ -10,7 +10,7 @@
 
 namespace ocelli {
 
-/// The characters of a text in UTF-8; U+FFFD for bytes that are none.
+/// The characters of a text in UTF-8; U+FFFD for invalid bytes.
 std::u32string charactersOf(std::string_view utf8);
 /// The same, without those that are no glyphs: line breaks and tabs.
 std::set<char32_t> glyphsOf(std::string_view utf8);

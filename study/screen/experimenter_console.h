@@ -24,8 +24,8 @@ class ExperimenterConsole {
   ExperimenterConsole(const ExperimenterConsole&) = delete;
   ExperimenterConsole& operator=(const ExperimenterConsole&) = delete;
 
-  /// Commands that were typed since the last call. "help", mistakes and empty lines are answered here; the others are
-  /// for whoever runs the session.
+  /// Commands that were typed since the last call. "help", mistakes and empty lines are answered here; the caller,
+  /// which runs the session, gets the others.
   std::vector<ConsoleCommand> take();
 
   /// `step` is where the session is, `figures` what else there is to know.

@@ -16,7 +16,7 @@ class InstructionImages {
   /// The context must outlive it.
   InstructionImages(GlContext& context, const Controls& controls) : context_(&context), controls_(controls) {}
 
-  /// Nothing for a name that is none. Hold a GlScope. Throws GlError.
+  /// Nothing for an unknown name. Hold a GlScope. Throws GlError.
   void draw(StudyCanvas& canvas, const std::string& name, const PixelRect& place);
 
  private:

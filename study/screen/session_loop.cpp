@@ -154,7 +154,7 @@ class ScreenRenderer {
 
   void takeInput(StudyPainter& painter, const TimedInput& timed) {
     if (std::holds_alternative<CloseEvent>(timed.event)) {
-      press(Key::kF10, timed.nanoseconds);  // as whoever feels unwell: it asks
+      press(Key::kF10, timed.nanoseconds);  // as a subject who feels unwell would: the session asks
       return;
     }
     if (const auto* button = std::get_if<PointerButtonEvent>(&timed.event)) {

@@ -1,5 +1,5 @@
 // Runs a session in a window. The main thread waits for events and gives each the time when it came; a thread of its
-// own draws and shows frames; the console has a third; whoever stores has a fourth. None waits for another.
+// own draws and shows frames; the console has a third; the store has a fourth. None waits for another.
 #pragma once
 
 #include <filesystem>

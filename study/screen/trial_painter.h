@@ -1,4 +1,4 @@
-// The layouts of a trial as images, without a window: for replays, and for whoever wants to see them.
+// The layouts of a trial as images, without a window: for replays and for renderers of simulated subjects.
 //
 // The same context and the same layout give the same bytes; another renderer may differ at silhouettes and in the
 // rounding of colours. The hashes that a session stores of its frames are pixelHashOf(renderViews()) (trial_image.h),

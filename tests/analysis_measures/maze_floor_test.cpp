@@ -147,7 +147,7 @@ TEST(MazeFloor, drawingsMustBeMazes) {
   maze.plan[1] = "|  |";
   EXPECT_THAT(analysisErrorOf([&] { MazeFloor{maze}; }), HasSubstr("maze \"small\" of the protocol"));
   maze.plan.clear();
-  EXPECT_THAT(analysisErrorOf([&] { MazeFloor{maze}; }), HasSubstr("none of a maze"));
+  EXPECT_THAT(analysisErrorOf([&] { MazeFloor{maze}; }), HasSubstr("not a valid maze"));
 }
 
 TEST(MazeFloor, wallLinesAreTheDrawing) {

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "analysis/plot/figure.h"
 #include "analysis/plot/figure_grid.h"
 #include "analysis/plot/forest_plot.h"
 #include "analysis/plot/group_plot.h"
 #include "analysis/plot/heat_map.h"
 #include "analysis/plot/survival_plot.h"
+#include "oc_core/drawing/figure.h"
 
 namespace ocelli {
 

@@ -7,10 +7,10 @@
 #include <regex>
 #include <set>
 
-#include "analysis/plot/color_scale.h"
 #include "analysis/report/html_style.h"
 #include "tests/analysis_plot/well_formed.h"
 #include "tests/analysis_report/sample_document.h"
+#include "tests/page/unstyled_classes.h"
 
 namespace ocelli {
 namespace {
@@ -161,24 +161,8 @@ TEST(HtmlReport, figuresAreDescribed) {
   EXPECT_THAT(valuesOf(reading, "role"), testing::Contains("img").Times(13));
 }
 
-/// Of a custom property of the style.
-Paint paintOf(const std::string& name) {
-  const std::string style(kReportStyle);
-  const size_t at = style.find("--" + name + ": #");
-  EXPECT_NE(at, std::string::npos) << name;
-  const unsigned long packed = std::stoul(style.substr(at + name.size() + 5, 6), nullptr, 16);
-  const auto channel = [&](int shift) { return static_cast<double>(packed >> shift & 0xFFU) / 255; };
-  return {channel(16), channel(8), channel(0)};
-}
-
-TEST(HtmlReport, textStandsOutFromItsGround) {
-  const auto luminance = [](const Paint& paint) { return std::pow((labOf(paint).lightness + 16) / 116, 3); };
-  for (const char* ground : {"paper", "ground", "tint"}) {
-    for (const char* text : {"text", "soft", "accent", "caution"}) {
-      const double contrast = (luminance(paintOf(ground)) + 0.05) / (luminance(paintOf(text)) + 0.05);
-      EXPECT_GE(contrast, 4.5) << text << " on " << ground;
-    }
-  }
+TEST(HtmlReport, styleHasItsColours) {
+  EXPECT_THAT(test::undefinedProperties(htmlReport(sampleDocument())), testing::IsEmpty());
 }
 
 TEST(HtmlReport, sameDocumentSameBytes) {

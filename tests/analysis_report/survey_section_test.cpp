@@ -7,8 +7,8 @@
 
 #include <algorithm>
 
-#include "analysis/plot/figure.h"
 #include "analysis/report/study_report.h"
+#include "oc_core/drawing/figure.h"
 #include "tests/analysis_report/section_study.h"
 
 namespace ocelli::test {

@@ -139,7 +139,7 @@ TEST_F(PaperTables, oneSubjectInOneView) {
   study.addTrial({});
   EXPECT_EQ(text("section-7.4.2/stationary/ppc"), "10.0 s (n = 1)");
   EXPECT_EQ(text("section-7.4.2/stationary/gc"), "no trials");
-  EXPECT_EQ(text("section-7.4.2/stationary/faster"), "not to be had");
+  EXPECT_EQ(text("section-7.4.2/stationary/faster"), "not available");
   EXPECT_EQ(text("subjects/consented"), "no consent is recorded");
 }
 

@@ -33,7 +33,7 @@ TEST(TableCells, meansSayOfHowMany) {
   EXPECT_EQ(displayText(rightShareCell("t/b", {&a, &b, &c})), "66.7 % (2/3)");
   EXPECT_EQ(displayText(timeoutShareCell("t/c", {&a, &b, &c})), "33.3 % (1/3)");
   EXPECT_EQ(displayText(rightShareCell("t/b", {})), "no trials");
-  EXPECT_EQ(displayText(lessByCell("t/d", removed, rightShareCell("t/b", {}))), "not to be had");
+  EXPECT_EQ(displayText(lessByCell("t/d", removed, rightShareCell("t/b", {}))), "not available");
   EXPECT_EQ(displayText(publishedCell("t/e", 12.9, "s", "")), "12.9 s");
   EXPECT_EQ(displayText(publishedCell("t/e", 0.00012, "", "")), "0.00012");
   EXPECT_EQ(displayText(publishedCell("t/e", std::nullopt, "s", "")), "not reported");

@@ -13,6 +13,7 @@
 #include "oc_core/base/png_file.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/cli/run_program.h"
+#include "tests/page/unstyled_classes.h"
 
 namespace ocelli::test {
 namespace {
@@ -52,6 +53,8 @@ TEST(DeviceSelftest, LeavesAPageWithImagesAndVolumes) {
   for (const std::string& image : images) {
     EXPECT_FALSE(readPng(page + "/" + image).empty());
   }
+  EXPECT_THAT(unstyledClasses(html), testing::IsEmpty());
+  EXPECT_THAT(undefinedProperties(html), testing::IsEmpty());
   // In the order of the checklist, not in that of the options.
   EXPECT_LT(html.find("id=\"dark\""), html.find("id=\"axis\""));
   EXPECT_LT(html.find("id=\"axis\""), html.find("id=\"wedges\""));

@@ -37,13 +37,13 @@ TEST(Solidity, ComparesCamerasAndImagesWithTheGeometry) {
 }
 
 TEST(Solidity, PrintsJsonAlone) {
-  const ProgramResult result = runProgram(kSmallSolidity + std::string("--cameras di --picture-side 20 --json"));
+  const ProgramResult result = runProgram(kSmallSolidity + std::string("--cameras di --image-side 20 --json"));
   ASSERT_EQ(result.exitCode, 0) << result.error;
-  EXPECT_EQ(nlohmann::json::parse(result.output)["picture_side"], 20);
+  EXPECT_EQ(nlohmann::json::parse(result.output)["image_side"], 20);
 }
 
 TEST(Solidity, RefusesWhatItCannotMeasure) {
-  for (const std::string arguments : {"--cell 0", "--cameras nothing", "--cameras missing.exr", "--picture-side -1",
+  for (const std::string arguments : {"--cell 0", "--cameras nothing", "--cameras missing.exr", "--image-side -1",
                                       "--profile nothing", "--interior -1", "--cell 100in"}) {
     const ProgramResult result = runProgram(kSmallSolidity + arguments);
     EXPECT_EQ(result.exitCode, 2) << arguments << result.error;

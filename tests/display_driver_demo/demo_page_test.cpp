@@ -7,6 +7,7 @@
 #include <set>
 
 #include "oc_core/page/html.h"
+#include "tests/page/unstyled_classes.h"
 
 namespace ocelli {
 namespace {
@@ -49,6 +50,12 @@ TEST(DemoPage, EscapesWhatTheUserNamed) {
   const std::string page = demoPage({scene("<b>\"rabbit\" & co</b>")}, {}, "0.1");
   EXPECT_THAT(page, HasSubstr("&lt;b&gt;&quot;rabbit&quot; &amp; co&lt;/b&gt;"));
   EXPECT_THAT(page, Not(HasSubstr("<b>\"rabbit\"")));
+}
+
+TEST(DemoPage, StyleHasItsClassesAndColours) {
+  const std::string page = demoPage({scene("a")}, {}, "0.1");
+  EXPECT_THAT(test::unstyledClasses(page), testing::IsEmpty());
+  EXPECT_THAT(test::undefinedProperties(page), testing::IsEmpty());
 }
 
 TEST(DemoPage, NeedsNothingFromElsewhere) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <thread>
 
 #include "oc_core/base/error.h"
 
@@ -41,6 +42,53 @@ TEST(IdealDeviceTest, aFailureEndsLaterFramesAndCloseThrowsIt) {
   EXPECT_FALSE(telemetry.connected);
   EXPECT_EQ(telemetry.lastProblem, state.problem);
   EXPECT_THROW(device.close(), WorkError);
+}
+
+const uint8_t* dataOf(const Volume& volume) {
+  return volume.slice(0).data();
+}
+
+/// Where the bytes of the last volume lie.
+class DataNoter final : public ShownFrames {
+ public:
+  explicit DataNoter(std::atomic<const uint8_t*>& data) : data_(data) {}
+  void shown(const Volume& volume, HostTime) override { data_ = dataOf(volume); }
+  void finish() override {}
+
+ private:
+  std::atomic<const uint8_t*>& data_;
+};
+
+TEST(IdealDeviceTest, volumesThatAreSharedOrGivenAwayAreNotCopied) {
+  std::atomic<const uint8_t*> data = nullptr;
+  IdealDevice device({.kind = "test", .name = {}, .serial = {}, .link = {}}, fastProfile(),
+                     std::make_unique<DataNoter>(data));
+  const auto show = [&](auto volume) {
+    const auto fence = device.submit(std::move(volume));
+    device.present(fence->number(), {});
+    EXPECT_EQ(fence->wait(FrameStage::kShown, 30s).stage, FrameStage::kShown);
+  };
+  const auto waitFor = [&](const uint8_t* expected) {
+    const auto end = std::chrono::steady_clock::now() + 30s;
+    while (data != expected && std::chrono::steady_clock::now() < end) {
+      device.telemetry();
+      std::this_thread::sleep_for(1ms);
+    }
+    return data == expected;
+  };
+  const auto shared = std::make_shared<const Volume>(fastProfile());
+  show(shared);
+  EXPECT_TRUE(waitFor(dataOf(*shared)));
+  Volume given(fastProfile());
+  const uint8_t* givenData = dataOf(given);
+  show(std::move(given));
+  EXPECT_TRUE(waitFor(givenData));
+  // As a part of it may have changed.
+  const std::vector<int> changed = {1};
+  Volume part(fastProfile());
+  const uint8_t* partData = dataOf(part);
+  device.present(device.submit(std::move(part), changed)->number(), {});
+  EXPECT_TRUE(waitFor(partData));
 }
 
 /// Takes nothing before it is told to.

@@ -57,8 +57,9 @@ class KeepingDevice final : public Device {
   std::vector<std::pair<FrameNumber, Presentation>> presented;
 
  protected:
-  std::shared_ptr<const FrameFence> submitFrame(const Volume& volume, std::optional<std::span<const int>>) override {
-    volumes.push_back(volume);
+  std::shared_ptr<const FrameFence> submitFrame(std::shared_ptr<const Volume> volume,
+                                                std::optional<std::span<const int>>) override {
+    volumes.push_back(*volume);
     times.push_back(clock_.now());
     const auto number = static_cast<FrameNumber>(volumes.size());
     return fences_[number] = std::make_shared<FrameFence>(number);

@@ -106,12 +106,12 @@ TEST(TurningSourceTest, isTheSliceOfTheTurnedMesh) {
     p = {p.z, p.y, -p.x};
   }
   const Volume expected = slice(turned, smallDisplay());
-  const Volume& found = *source.volumeFor(kStart + 1s).volume;
+  const std::shared_ptr<const Volume> found = source.volumeFor(kStart + 1s).volume;
   size_t differs = 0;
   for (int i = 0; i < expected.slices(); ++i) {
     for (int y = 0; y < expected.height(); ++y) {
       for (int x = 0; x < expected.width(); ++x) {
-        differs += found.colorBits(i, x, y) != expected.colorBits(i, x, y) ? 1 : 0;
+        differs += found->colorBits(i, x, y) != expected.colorBits(i, x, y) ? 1 : 0;
       }
     }
   }

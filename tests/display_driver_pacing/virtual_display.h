@@ -90,7 +90,8 @@ class VirtualDisplay final : public Device {
   RotationPhase lastShownAt;
 
  protected:
-  std::shared_ptr<const FrameFence> submitFrame(const Volume&, std::optional<std::span<const int>>) override {
+  std::shared_ptr<const FrameFence> submitFrame(std::shared_ptr<const Volume>,
+                                                std::optional<std::span<const int>>) override {
     advance();
     auto fence = std::make_shared<FrameFence>(++lastNumber_);
     IdealScreen::Frame frame{.fence = fence, .volume = nullptr, .state = {}, .presentation = {}};
@@ -171,7 +172,9 @@ class VirtualDisplay final : public Device {
 class VirtualSource final : public VolumeSource {
  public:
   VirtualSource(VirtualClock& clock, std::function<double(int)> milliseconds)
-      : clock_(clock), milliseconds_(std::move(milliseconds)), volume_(loadProfile("test")) {}
+      : clock_(clock),
+        milliseconds_(std::move(milliseconds)),
+        volume_(std::make_shared<const Volume>(loadProfile("test"))) {}
 
   SourcedVolume volumeFor(HostTime time) override {
     if (asked == ends) {
@@ -186,7 +189,7 @@ class VirtualSource final : public VolumeSource {
     if (after) {
       after(number);
     }
-    return {.kind = SourcedVolume::Kind::kNew, .volume = &volume_};
+    return {.kind = SourcedVolume::Kind::kNew, .volume = volume_};
   }
 
   std::vector<HostTime> seen;
@@ -198,7 +201,7 @@ class VirtualSource final : public VolumeSource {
  private:
   VirtualClock& clock_;
   std::function<double(int)> milliseconds_;
-  Volume volume_;
+  std::shared_ptr<const Volume> volume_;
 };
 
 }  // namespace ocelli::test

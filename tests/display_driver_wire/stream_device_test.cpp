@@ -90,6 +90,18 @@ TEST_F(StreamDeviceTest, framesArriveAndAreShown) {
   EXPECT_EQ(telemetry.reconnections, 0u);
 }
 
+TEST_F(StreamDeviceTest, aSharedVolumeIsKeptAndNotCopied) {
+  open(quickDisplay());
+  const auto volume = std::make_shared<const Volume>(madeVolume(device_->profile(), 1));
+  check_.expect(1, *volume);
+  const auto fence = device_->submit(volume);
+  EXPECT_GT(volume.use_count(), 1) << "a device that copied it would not hold it";
+  device_->present(fence->number(), {});
+  EXPECT_EQ(fence->wait(FrameStage::kShown, kLong).stage, FrameStage::kShown);
+  device_ = nullptr;
+  EXPECT_EQ(volume.use_count(), 1);
+}
+
 TEST_F(StreamDeviceTest, aFrameWithoutAPresentationIsNotShown) {
   open(quickDisplay());
   const Volume volume = madeVolume(device_->profile(), 1);

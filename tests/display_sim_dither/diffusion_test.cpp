@@ -72,8 +72,8 @@ TEST(Diffusion, keepsWhiteFullyLitAndBlackDarkBesideGrey) {
     const Volume volume = diffuse(colors, profile).volume;
     for (uint32_t slice = 0; slice < 12; ++slice) {
       for (const ColoredVoxel& voxel : colors[slice]) {
-        const Rgb8 levels = volume.levels(static_cast<int>(slice), static_cast<int>(voxel.place % 32),
-                                          static_cast<int>(voxel.place / 32));
+        const Rgb8 levels = volume.levels(static_cast<int>(slice), static_cast<int>(voxel.position % 32),
+                                          static_cast<int>(voxel.position / 32));
         for (int channel = 0; channel < 3; ++channel) {
           if (voxel.color[channel] != 0.4f) {
             ASSERT_EQ(levels[channel], voxel.color[channel] > 0 ? full : 0);
@@ -91,7 +91,7 @@ TEST(Diffusion, lightsNothingBesideTheSurface) {
   const Volume diffused = sliceExactly(mesh, profile, {ColorReduction::kDiffusion});
   EXPECT_GT(diffused.litVoxels(), 0u);
   for (int slice = 0; slice < diffused.slices(); ++slice) {
-    forEachLitPlace(diffused, slice,
+    forEachLitVoxel(diffused, slice,
                     [&](int column, int row) { ASSERT_NE(occupied.colorBits(slice, column, row), 0u); });
   }
 }
@@ -149,8 +149,8 @@ TEST(VoxelColorsTest, areThoseOfTheExactSlicer) {
   const VoxelColors colors = colorsExactly(mesh, profile, {.evenLightRadius = 0.5});
   for (int slice = 0; slice < volume.slices(); ++slice) {
     for (const ColoredVoxel& voxel : colors[static_cast<size_t>(slice)]) {
-      const int column = static_cast<int>(voxel.place) % 49;
-      const int row = static_cast<int>(voxel.place) / 49;
+      const int column = static_cast<int>(voxel.position) % 49;
+      const int row = static_cast<int>(voxel.position) / 49;
       volume.raise(slice, column, row, ditheredLevels(voxel.color, volume.fullLevel(), slice, column, row));
     }
   }

@@ -29,7 +29,7 @@ TEST(DitherScore, measuresKnownErrors) {
   for (int slice = 0; slice < field.slices; ++slice) {
     for (int row = 0; row < field.rows; ++row) {
       for (int column = 0; column < 16; ++column) {
-        shown[field.place(column, row, slice)].x += 0.25f;  // red, in a quarter of the columns
+        shown[field.index(column, row, slice)].x += 0.25f;  // red, in a quarter of the columns
       }
     }
   }

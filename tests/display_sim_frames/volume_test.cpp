@@ -34,7 +34,7 @@ TEST(Volume, visitsLitVoxelsInOrder) {
         }
       }
       std::vector<Place> visited;
-      forEachLitPlace(volume, 2, [&](int column, int row) { visited.push_back({column, row}); });
+      forEachLitVoxel(volume, 2, [&](int column, int row) { visited.push_back({column, row}); });
       EXPECT_EQ(visited, expected) << width << " " << bits;
       EXPECT_EQ(volume.litVoxels(), expected.size());
     }

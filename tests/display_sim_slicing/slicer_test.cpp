@@ -109,6 +109,25 @@ TEST(FastSlicer, cutsOffWhatLiesOutside) {
   EXPECT_EQ(slice(huge, profile), sliceExactly(huge, profile));
 }
 
+TEST(FastSlicer, sharedVolumesStayAsTheyAreAndTheirMemoryIsUsedAgain) {
+  const DisplayProfile profile = smallProfile(10, 16, 16);
+  const Mesh large = test::sphere(0.7, 40);
+  const Mesh small = test::sphere(0.3, 40);
+  Slicer slicer(profile);
+  slicer.slice(SliceMesh(large));
+  std::shared_ptr<const Volume> first = slicer.takeShared();
+  const uint8_t* data = first->slice(0).data();
+  slicer.slice(SliceMesh(small));
+  const std::shared_ptr<const Volume> second = slicer.takeShared();
+  EXPECT_EQ(*first, slice(large, profile));
+  EXPECT_EQ(*second, slice(small, profile));
+  // Nobody holds the first any more: its memory comes next, whatever is in it.
+  first = nullptr;
+  slicer.takeShared();
+  EXPECT_EQ(slicer.slice(SliceMesh(small)).slice(0).data(), data);
+  EXPECT_EQ(*slicer.takeShared(), *second);
+}
+
 TEST(FastSlicer, anEmptyMeshIsDark) {
   EXPECT_EQ(slice(Mesh(), smallProfile(10, 16, 16)).litVoxels(), 0u);
 }

@@ -22,7 +22,7 @@ std::vector<SolidityFigures> someFigures() {
 TEST(SolidityReport, jsonHasTheMeansOfEachGroup) {
   const auto json = nlohmann::json::parse(solidityJson("builtin:room", someOptions(), someFigures()));
   EXPECT_EQ(json["scene"], "builtin:room");
-  EXPECT_EQ(json["picture_side"], 20);
+  EXPECT_EQ(json["image_side"], 20);
   EXPECT_EQ(json["eyes"]["edges"], nlohmann::json::parse("[[1, 2, 9]]"));
   const nlohmann::json& row = json["representations"][0];
   EXPECT_EQ(row["name"], "a \"name\"");

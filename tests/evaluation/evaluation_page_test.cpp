@@ -7,6 +7,7 @@
 #include <set>
 
 #include "oc_core/evaluation/evaluation_plot.h"
+#include "tests/page/unstyled_classes.h"
 
 namespace ocelli {
 namespace {
@@ -65,6 +66,12 @@ void expectTagsClosed(const std::string& page) {
     const std::string name(tag);
     EXPECT_EQ(pageMatches(page, "(<" + name + "[ >])").size(), pageMatches(page, "(</" + name + ">)").size()) << tag;
   }
+}
+
+TEST(EvaluatePage, StyleHasItsClassesAndColours) {
+  const std::string page = pageOf({figures("di", 40, 300), figures("ddoc", 10, 900)}, "builtin:room", false);
+  EXPECT_THAT(test::unstyledClasses(page), testing::IsEmpty());
+  EXPECT_THAT(test::undefinedProperties(page), testing::IsEmpty());
 }
 
 TEST(EvaluatePage, OpenedTagsAreClosed) {
@@ -150,9 +157,9 @@ std::vector<double> xOfMarkers(const std::string& svg) {
 }
 
 TEST(FrontierPlot, DecadesAreEquallyFarApart) {
-  // All with the round marker.
+  // All with the round marker, which comes once in seven styles.
   const std::string svg =
-      frontierPlot("title", "x", "y", {{"a", {{1e3, 0.1}}, 0}, {"b", {{1e4, 0.01}}, 5}, {"c", {{1e5, 0.001}}, 10}});
+      frontierPlot("title", "x", "y", {{"a", {{1e3, 0.1}}, 1}, {"b", {{1e4, 0.01}}, 8}, {"c", {{1e5, 0.001}}, 15}});
   const std::vector<double> x = xOfMarkers(svg);
   ASSERT_EQ(x.size(), 3u);
   EXPECT_GT(x[1], x[0] + 50);

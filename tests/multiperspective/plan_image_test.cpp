@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "oc_core/base/error.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/camera/test_graph_cameras.h"
@@ -14,6 +16,40 @@ using testing::StartsWith;
 
 CameraPlan examplePlan() {
   return planOf(test::crossroads(), test::boxBeforeWall(), {.rays = 8, .groundPixels = 60});
+}
+
+size_t countOf(const Figure& figure, const std::string& part) {
+  const std::vector<Shape>& shapes = figure.drawing.shapes();
+  return static_cast<size_t>(
+      std::count_if(shapes.begin(), shapes.end(), [&](const Shape& shape) { return shape.part == part; }));
+}
+
+TEST(PlanImage, drawsEachPart) {
+  const CameraPlan plan = examplePlan();
+  const Figure figure = planFigure(plan);
+  size_t pieces = 0;
+  size_t hits = 0;
+  for (const CameraPlan::Ray& ray : plan.rays) {
+    pieces += ray.pieces.size();
+    hits += ray.meetsSurface ? 1 : 0;
+  }
+  EXPECT_EQ(countOf(figure, "ray"), pieces);
+  EXPECT_EQ(countOf(figure, "hit"), hits);
+  EXPECT_EQ(countOf(figure, "ground"), 1U);
+  EXPECT_EQ(countOf(figure, "legend"), 2 * plan.parts.size()) << "a square and a name each";
+  EXPECT_EQ(countOf(planFigure(plan, {.maxLegendLines = 1}), "legend"), 3U) << "and how many more there are";
+}
+
+TEST(PlanImage, textStaysWithinIt) {
+  CameraPlan plan = examplePlan();
+  plan.parts[1].name = std::string(300, 'w');
+  const Figure figure = planFigure(plan, {.title = "A plan", .planPixels = 300});
+  for (const Shape& shape : figure.drawing.shapes()) {
+    if (std::holds_alternative<TextShape>(shape.what)) {
+      EXPECT_TRUE(PlotBox({0, 0, figure.width, figure.height}).contains(boxOf(shape)))
+          << std::get<TextShape>(shape.what).text;
+    }
+  }
 }
 
 TEST(PlanImage, svgIsOne) {
@@ -56,6 +92,7 @@ TEST(PlanImage, namesOfAnyLengthAndScriptFit) {
 TEST(PlanImage, refusesOtherFiles) {
   const test::TemporaryFolder folder;
   EXPECT_THROW(writePlan(folder / "plan.pdf", examplePlan()), InputError);
+  EXPECT_THROW(writePlan(folder / "large.png", examplePlan(), {.planPixels = 100'000}), WorkError);
   EXPECT_THROW(writePlan(folder / "nowhere" / "plan.svg", examplePlan()), WorkError);
   EXPECT_THROW(writePlan(folder / "nowhere" / "plan.png", examplePlan()), WorkError);
 }

@@ -15,6 +15,7 @@ TEST(Html, digitsAreGroupedInThrees) {
 
 TEST(Html, textIsNoMarkup) {
   EXPECT_EQ(htmlFromText("<b>\"a\" & b</b>"), "&lt;b&gt;&quot;a&quot; &amp; b&lt;/b&gt;");
+  EXPECT_EQ(htmlFromText("<script>'a\xFF'"), "&lt;script&gt;&#39;a\uFFFD&#39;") << "invalid bytes are replaced";
   EXPECT_EQ(htmlFromText(""), "");
 }
 

@@ -134,10 +134,8 @@ TEST(IdentityImage, neighbouringIdentitiesDifferInTheImage) {
     identities[i] = i;
   }
   identities.push_back(kNone);
-  const Image<Rgb8> picture = identityPicture(imageOf(static_cast<int>(identities.size()), identities));
-  const auto difference = [&](size_t a, size_t b) {
-    return glm::distance(glm::vec3(picture[a]), glm::vec3(picture[b]));
-  };
+  const Image<Rgb8> colors = identityColors(imageOf(static_cast<int>(identities.size()), identities));
+  const auto difference = [&](size_t a, size_t b) { return glm::distance(glm::vec3(colors[a]), glm::vec3(colors[b])); };
   for (size_t i = 1; i < 200; ++i) {
     EXPECT_GT(difference(0, i), 40) << "structure, " << i;
     EXPECT_GT(difference(200, i), 40) << "background, " << i;
@@ -145,7 +143,7 @@ TEST(IdentityImage, neighbouringIdentitiesDifferInTheImage) {
       EXPECT_GT(difference(i, k), 30) << i << ", " << k;
     }
   }
-  EXPECT_EQ(picture[200], Rgb8(0));
+  EXPECT_EQ(colors[200], Rgb8(0));
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "oc_core/base/error.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/study_replay/made_log.h"
@@ -35,6 +37,21 @@ TEST(PathPlan, hasThePathTheObjectAndItsWay) {
 TEST(PathPlan, hasNoPathWhereNobodyWalked) {
   const PathPlan count = planOfExample(2, 2);
   EXPECT_THAT(count.objects, SizeIs(4));
+}
+
+TEST(PathPlan, isDrawnFromItsStartToItsLastClick) {
+  const PathPlan plan = planOfExample(0, 2);
+  std::map<std::string, int> parts;
+  const Figure figure = pathPlanFigure(plan);
+  for (const Shape& shape : figure.drawing.shapes()) {
+    ++parts[shape.part];
+  }
+  EXPECT_EQ(parts["object"], 1);
+  EXPECT_EQ(parts["object's way"], 0) << "it stands still";
+  EXPECT_EQ(parts["start"], 4) << "in the maze and in the legend, each a box and a letter";
+  EXPECT_GT(parts["walk"], 10);
+  EXPECT_GT(parts["arrow"], 0);
+  EXPECT_GE(parts["click"], static_cast<int>(plan.clicks.size()));
 }
 
 /// Whether tags close in the order in which they opened.

@@ -1,9 +1,10 @@
-// A share with its interval and a figure, with the component "analysis" alone: without GLM, oc_core/ and study/.
+// A share with its interval and a figure, with the component "analysis" alone: with the drawings that it needs, and
+// without GLM, the rest of oc_core/ and study/.
 #include <cmath>
 #include <cstdio>
 
 #include "analysis/inference/binomial_test.h"
-#include "analysis/plot/figure.h"
+#include "oc_core/drawing/figure.h"
 
 int main() {
   const auto share = ocelli::wilsonShare({.successes = 17, .trials = 20});

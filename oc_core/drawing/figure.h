@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/plot/drawing.h"
+#include "oc_core/drawing/drawing.h"
 
 namespace ocelli {
 
@@ -18,7 +18,7 @@ struct Figure {
 };
 
 /// A stand-alone SVG with title and description. Letters are outlines, so it looks the same everywhere. The same figure
-/// gives the same bytes on the same machine. AnalysisError where Cairo fails.
+/// gives the same bytes on the same machine. DrawingError where Cairo fails.
 std::string svgText(const Figure& figure);
 
 /// The same to stand inside a page of HTML: without namespaces and file head, its ids start with `idPrefix`, which no
@@ -30,5 +30,8 @@ std::string pdfBytes(const Figure& figure);
 
 /// On white, with so many pixels an inch.
 std::string pngBytes(const Figure& figure, double pixelsPerInch = 150);
+
+/// On white, a pixel a point.
+Pixels pixelsOf(const Figure& figure);
 
 }  // namespace ocelli

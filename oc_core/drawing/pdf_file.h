@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/plot/drawing.h"
+#include "oc_core/drawing/drawing.h"
 
 namespace ocelli {
 
@@ -45,7 +45,7 @@ struct PdfDocument {
   std::vector<PdfBookmark> bookmarks;
 };
 
-/// Links and bookmarks whose target does not exist are left out. AnalysisError where Cairo fails.
+/// Links and bookmarks whose target does not exist are left out. DrawingError where Cairo fails.
 std::string pdfBytes(const PdfDocument& document);
 
 }  // namespace ocelli

@@ -1,4 +1,4 @@
-#include "analysis/plot/figure.h"
+#include "oc_core/drawing/figure.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <regex>
 #include <set>
 
-#include "analysis/plot/pdf_file.h"
+#include "oc_core/drawing/pdf_file.h"
 #include "tests/analysis_plot/sample_figures.h"
 #include "tests/analysis_plot/well_formed.h"
 

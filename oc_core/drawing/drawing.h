@@ -1,19 +1,22 @@
-// A drawing as plain data: what is painted where, in points (1/72 inch) from the top left, later things on top. Charts
-// make drawings without knowing Cairo; figure.h and pdf_file.h paint them; tests and other readers find things in them
-// by the part that they play.
+// A drawing as plain data: what is painted where, in points (1/72 inch) from the top left, later things on top. Charts,
+// plans and pages make drawings without knowing Cairo; figure.h and pdf_file.h paint them; tests and other readers find
+// things in them by the part that they play.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "analysis/plot/typeface.h"
+#include "oc_core/drawing/typeface.h"
+#include "oc_core/page/page_colors.h"
 
 namespace ocelli {
 
-inline constexpr double kPointsPerMillimetre = 72 / 25.4;
+inline constexpr double kPointsPerInch = 72;
+inline constexpr double kPointsPerMillimetre = kPointsPerInch / 25.4;
 
 struct PlotPoint {
   double x = 0;
@@ -47,12 +50,21 @@ struct Paint {
   Paint faded(double newOpacity) const { return {red, green, blue, newOpacity}; }
 };
 
+constexpr Paint paintOf(uint32_t rgb) {
+  return {(rgb >> 16 & 0xff) / 255.0, (rgb >> 8 & 0xff) / 255.0, (rgb & 0xff) / 255.0};
+}
+/// As on light pages.
+constexpr Paint paintOf(const PageColor& color) {
+  return paintOf(color.light);
+}
+
 using Dash = std::vector<double>;  ///< lengths on and off, points; empty for a full line
 
 struct Pen {
   Paint paint;
   double width = 0.75;
   Dash dash = {};
+  bool roundEnds = false;  ///< else cut off at the end points
 };
 
 enum class Marker { kCircle, kSquare, kTriangle, kDiamond, kTriangleDown, kPlus, kCross };
@@ -81,9 +93,26 @@ struct TextShape {
   bool upward = false;  ///< turned by 90 degrees, to be read from below
 };
 
+/// sRGB as 0xRRGGBB, row by row from the top.
+struct Pixels {
+  int width = 0;
+  int height = 0;
+  std::vector<uint32_t> values;
+};
+
+struct ImageShape {
+  PlotBox box;
+  Pixels pixels;
+};
+
+/// Of what follows, only what lies in the box is painted; without a box everything again.
+struct ClipShape {
+  std::optional<PlotBox> box;
+};
+
 struct Shape {
   std::string part;  ///< "point", "interval", "tick label": what it stands for
-  std::variant<PathShape, MarkerShape, TextShape> what;
+  std::variant<PathShape, MarkerShape, TextShape, ImageShape, ClipShape> what;
 };
 
 enum class Across { kLeft, kMiddle, kRight };
@@ -92,7 +121,7 @@ enum class Down { kTop, kMiddle, kBaseline, kBottom };
 struct TextLook {
   double size = 8;
   Face face = Face::kSans;
-  Paint paint = {0.1, 0.1, 0.1};
+  Paint paint = paintOf(page_color::kText);
   Across across = Across::kLeft;  ///< which part of the text is at the given place
   Down down = Down::kBaseline;
   bool upward = false;  ///< then across is along the upward direction
@@ -108,6 +137,8 @@ class Drawing {
   void box(std::string part, const PlotBox& box, std::optional<Paint> fill, std::optional<Pen> pen = std::nullopt);
   void marker(std::string part, const MarkerShape& shape);
   void text(std::string part, PlotPoint at, std::string_view text, const TextLook& look);
+  void image(std::string part, const PlotBox& box, Pixels pixels);
+  void clip(std::optional<PlotBox> box);
   /// Everything of `other`, scaled and then moved.
   void add(const Drawing& other, PlotPoint offset, double scale = 1);
 
@@ -115,7 +146,7 @@ class Drawing {
   std::vector<Shape> shapes_;
 };
 
-/// What a shape covers: of lines the points themselves, of text its line, of markers the circle.
+/// What a shape covers: of lines the points themselves, of text its line, of markers the circle, of clips nothing.
 PlotBox boxOf(const Shape& shape);
 
 /// Whether all its numbers are finite: what is not cannot be painted.

@@ -8,15 +8,12 @@
 
 namespace ocelli {
 
-/// Valid UTF-8 of characters that XML 1.0 allows: bytes that are none, and control characters other than tab and
-/// newline, become U+FFFD.
+/// Valid UTF-8 of characters that XML 1.0 allows: invalid bytes, and control characters other than tab and newline,
+/// become U+FFFD.
 std::string cleanText(std::string_view text);
 
 /// Of clean text.
 std::vector<char32_t> codePoints(std::string_view text);
 std::string utf8FromCodePoint(char32_t code);
-
-/// The clean text with everything escaped that HTML and XML would read as markup, in text and in quoted attributes.
-std::string markupFromText(std::string_view text);
 
 }  // namespace ocelli

@@ -1,4 +1,4 @@
-#include "analysis/plot/color_scale.h"
+#include "oc_core/drawing/color_scale.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
-#include "analysis/plot/drawing.h"
+#include "oc_core/drawing/drawing.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "analysis/plot/utf8.h"
+#include "oc_core/page/utf8.h"
 
 namespace ocelli {
 namespace {
@@ -43,6 +43,22 @@ void place(TextShape& shape, PlotPoint offset, double scale) {
   shape.size *= scale;
 }
 
+PlotBox moved(const PlotBox& box, PlotPoint offset, double scale) {
+  const PlotPoint first = moved(PlotPoint{box.left, box.top}, offset, scale);
+  const PlotPoint last = moved(PlotPoint{box.right, box.bottom}, offset, scale);
+  return {first.x, first.y, last.x, last.y};
+}
+
+void place(ImageShape& shape, PlotPoint offset, double scale) {
+  shape.box = moved(shape.box, offset, scale);
+}
+
+void place(ClipShape& shape, PlotPoint offset, double scale) {
+  if (shape.box) {
+    shape.box = moved(*shape.box, offset, scale);
+  }
+}
+
 bool isFinite(PlotPoint point) {
   return std::isfinite(point.x) && std::isfinite(point.y);
 }
@@ -66,9 +82,33 @@ bool isFinite(const TextShape& shape) {
   return isFinite(shape.start) && std::isfinite(shape.size);
 }
 
-PlotBox cover(const PathShape& shape) {
+bool isFinite(const PlotBox& box) {
+  return isFinite(PlotPoint{box.left, box.top}) && isFinite(PlotPoint{box.right, box.bottom});
+}
+
+bool isFinite(const ImageShape& shape) {
+  return isFinite(shape.box);
+}
+
+bool isFinite(const ClipShape& shape) {
+  return !shape.box || isFinite(*shape.box);
+}
+
+PlotBox coverOfNothing() {
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  PlotBox box{kFar, kFar, -kFar, -kFar};
+  return {kFar, kFar, -kFar, -kFar};
+}
+
+PlotBox cover(const ImageShape& shape) {
+  return shape.box;
+}
+
+PlotBox cover(const ClipShape&) {
+  return coverOfNothing();
+}
+
+PlotBox cover(const PathShape& shape) {
+  PlotBox box = coverOfNothing();
   for (const std::vector<PlotPoint>& line : shape.lines) {
     for (const PlotPoint& point : line) {
       box = {std::min(box.left, point.x), std::min(box.top, point.y), std::max(box.right, point.x),
@@ -138,6 +178,14 @@ void Drawing::text(std::string part, PlotPoint at, std::string_view text, const 
   const PlotPoint start = look.upward ? PlotPoint{at.x + lower, at.y + back} : PlotPoint{at.x - back, at.y + lower};
   shapes_.push_back(
       {std::move(part), TextShape{start, std::move(clean), look.face, look.size, look.paint, look.upward}});
+}
+
+void Drawing::image(std::string part, const PlotBox& box, Pixels pixels) {
+  shapes_.push_back({std::move(part), ImageShape{box, std::move(pixels)}});
+}
+
+void Drawing::clip(std::optional<PlotBox> box) {
+  shapes_.push_back({"clip", ClipShape{box}});
 }
 
 void Drawing::add(const Drawing& other, PlotPoint offset, double scale) {

@@ -1,4 +1,4 @@
-#include "analysis/plot/utf8.h"
+#include "oc_core/page/utf8.h"
 
 #include <array>
 #include <optional>
@@ -78,32 +78,6 @@ std::string utf8FromCodePoint(char32_t code) {
   }
   return {byte(0xF0 | code >> 18), byte(0x80 | (code >> 12 & 0x3F)), byte(0x80 | (code >> 6 & 0x3F)),
           byte(0x80 | (code & 0x3F))};
-}
-
-std::string markupFromText(std::string_view text) {
-  std::string markup;
-  for (const char c : cleanText(text)) {
-    switch (c) {
-      case '&':
-        markup += "&amp;";
-        break;
-      case '<':
-        markup += "&lt;";
-        break;
-      case '>':
-        markup += "&gt;";
-        break;
-      case '"':
-        markup += "&quot;";
-        break;
-      case '\'':
-        markup += "&#39;";
-        break;
-      default:
-        markup += c;
-    }
-  }
-  return markup;
 }
 
 }  // namespace ocelli

@@ -1,16 +1,36 @@
-#include "analysis/plot/cairo_painter.h"
+#include "oc_core/drawing/cairo_painter.h"
 
 #include <cairo.h>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <numbers>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/drawing/drawing_error.h"
 
 namespace ocelli {
 namespace {
 
 void setPaint(cairo_t* context, const Paint& paint) {
   cairo_set_source_rgba(context, paint.red, paint.green, paint.blue, paint.opacity);
+}
+
+uint32_t* rowOf(cairo_surface_t* surface, int y) {
+  const auto stride = static_cast<std::ptrdiff_t>(cairo_image_surface_get_stride(surface));
+  return reinterpret_cast<uint32_t*>(cairo_image_surface_get_data(surface) + y * stride);
+}
+
+CairoSurface surfaceOf(const Pixels& pixels) {
+  CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels.width, pixels.height));
+  checkCairo(cairo_surface_status(surface.get()));
+  for (int y = 0; y < pixels.height; ++y) {
+    const auto first = pixels.values.begin() + static_cast<std::ptrdiff_t>(y) * pixels.width;
+    std::copy(first, first + pixels.width, rowOf(surface.get(), y));
+  }
+  cairo_surface_mark_dirty(surface.get());
+  return surface;
 }
 
 /// The path that stands is filled, stroked and gone.
@@ -22,6 +42,7 @@ void finishPath(cairo_t* context, const std::optional<Paint>& fill, const std::o
   if (pen) {
     setPaint(context, pen->paint);
     cairo_set_line_width(context, pen->width);
+    cairo_set_line_cap(context, pen->roundEnds ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT);
     cairo_set_dash(context, pen->dash.data(), static_cast<int>(pen->dash.size()), 0);
     cairo_stroke_preserve(context);
   }
@@ -87,7 +108,31 @@ void paint(cairo_t* context, const TextShape& shape) {
   cairo_new_path(context);  // text leaves a point behind
 }
 
+void paint(cairo_t* context, const ImageShape& shape) {
+  if (shape.pixels.values.empty()) {
+    return;
+  }
+  const CairoSurface image = surfaceOf(shape.pixels);
+  cairo_save(context);
+  cairo_translate(context, shape.box.left, shape.box.top);
+  cairo_scale(context, shape.box.width() / shape.pixels.width, shape.box.height() / shape.pixels.height);
+  cairo_set_source_surface(context, image.get(), 0, 0);
+  cairo_paint(context);
+  cairo_restore(context);
+}
+
+void paint(cairo_t* context, const ClipShape& shape) {
+  cairo_reset_clip(context);
+  if (shape.box) {
+    cairo_rectangle(context, shape.box->left, shape.box->top, shape.box->width(), shape.box->height());
+    cairo_clip(context);
+  }
+}
+
 }  // namespace
+
+DrawingError::DrawingError(const std::string& what)
+    : std::runtime_error(fmt::format("a drawing cannot be painted: {}", what)) {}
 
 void DestroyCairo::operator()(_cairo* context) const {
   cairo_destroy(context);
@@ -117,9 +162,31 @@ void appendBytes(void* closure, const unsigned char* data, unsigned int length) 
 
 void checkCairo(int status) {
   if (status != CAIRO_STATUS_SUCCESS) {
-    throw AnalysisError(AnalysisError::Kind::kWork, cairo_status_to_string(static_cast<cairo_status_t>(status)),
-                        "drawing a figure", "free some memory, and report this if it stays");
+    throw DrawingError(cairo_status_to_string(static_cast<cairo_status_t>(status)));
   }
+}
+
+CairoSurface paintedSurface(const Drawing& drawing, double width, double height, double scale) {
+  CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::ceil(width * scale)),
+                                                  static_cast<int>(std::ceil(height * scale))));
+  const CairoContext context(cairo_create(surface.get()));
+  cairo_set_source_rgb(context.get(), 1, 1, 1);
+  cairo_paint(context.get());
+  cairo_scale(context.get(), scale, scale);
+  paintDrawing(context.get(), drawing);
+  checkCairo(cairo_status(context.get()));
+  return surface;
+}
+
+Pixels pixelsOf(_cairo_surface* surface) {
+  cairo_surface_flush(surface);
+  Pixels pixels{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
+  for (int y = 0; y < pixels.height; ++y) {
+    const uint32_t* row = rowOf(surface, y);
+    std::transform(row, row + pixels.width, std::back_inserter(pixels.values),
+                   [](uint32_t pixel) { return pixel & 0xffffffU; });
+  }
+  return pixels;
 }
 
 std::string bytesOfSurface(const std::function<_cairo_surface*(void* closure)>& makeSurface,

@@ -1,26 +1,10 @@
+#include "oc_core/drawing/typeface.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "analysis/plot/typeface.h"
-#include "analysis/plot/utf8.h"
-
 namespace ocelli {
 namespace {
-
-TEST(Utf8, whatIsNoTextIsReplaced) {
-  const std::string replaced = "\uFFFD";
-  EXPECT_EQ(cleanText("a\xFF"), "a" + replaced);
-  EXPECT_EQ(cleanText(std::string_view("\0x", 2)), replaced + "x");
-  EXPECT_EQ(cleanText("\xC0\xAF"), replaced + replaced) << "an overlong slash";
-  EXPECT_EQ(cleanText("\xE2\x82"), replaced + replaced) << "cut off";
-  EXPECT_EQ(cleanText("\xED\xA0\x80"), replaced) << "half of a pair";
-  EXPECT_EQ(cleanText("\x1b[31m"), replaced + "[31m");
-  EXPECT_EQ(cleanText("Übung \u2264 \U0001F600\n"), "Übung \u2264 \U0001F600\n");
-}
-
-TEST(Utf8, markupIsEscaped) {
-  EXPECT_EQ(markupFromText("<script>\"a\" & 'b'"), "&lt;script&gt;&quot;a&quot; &amp; &#39;b&#39;");
-}
 
 TEST(Typeface, widthsAddUpAndGrowWithTheSize) {
   const double width = textWidth("Time to find", Face::kSans, 8);

@@ -1,4 +1,4 @@
-#include "analysis/plot/typeface.h"
+#include "oc_core/drawing/typeface.h"
 
 #include <cairo.h>
 
@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "analysis/plot/utf8.h"
+#include "oc_core/page/utf8.h"
 
 namespace ocelli {
 namespace {

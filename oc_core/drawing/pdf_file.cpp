@@ -1,4 +1,4 @@
-#include "analysis/plot/pdf_file.h"
+#include "oc_core/drawing/pdf_file.h"
 
 #include <cairo-pdf.h>
 #include <cairo.h>
@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <map>
 
-#include "analysis/plot/cairo_painter.h"
-#include "analysis/plot/utf8.h"
+#include "oc_core/drawing/cairo_painter.h"
+#include "oc_core/page/utf8.h"
 
 namespace ocelli {
 namespace {

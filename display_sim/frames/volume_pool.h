@@ -1,5 +1,5 @@
-// Copies of volumes that reuse the memory of copies that nobody needs any more: fresh memory for a volume of the
-// reference display costs more time than the copying.
+// Volumes that reuse the memory of those that nobody holds any more: fresh memory for a volume of the reference display
+// costs more time than filling it.
 #pragma once
 
 #include <memory>
@@ -10,10 +10,13 @@
 
 namespace ocelli {
 
-/// May be used from any thread; copies may outlive it.
+/// May be used from any thread; its volumes may outlive it.
 class VolumePool {
  public:
   VolumePool();
+
+  /// To be filled: a used one has the voxels that it had.
+  std::shared_ptr<Volume> take(const DisplayProfile& profile);
   std::shared_ptr<const Volume> copyOf(const Volume& volume);
 
  private:

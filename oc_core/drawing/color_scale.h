@@ -2,7 +2,7 @@
 // lightness falls evenly, so that equal steps look equal, also to the colour-blind and in grey print.
 #pragma once
 
-#include "analysis/plot/drawing.h"
+#include "oc_core/drawing/drawing.h"
 
 namespace ocelli {
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes the pictures of docs/graph_cameras.md anew, in docs/images. Build the program first.
+# Makes the images of docs/graph_cameras.md anew, in docs/images. Build the program first.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -7,8 +7,8 @@ ocelli="${OCELLI:-build/release/cli/ocelli} -q"
 examples=docs/cameras/examples
 images=docs/images
 
-# pictures NAME SCENE SIZE CUT [OPTION ...]: the camera's image and its plan, and what a pinhole sees where a view is given
-pictures() {
+# images NAME SCENE SIZE CUT [OPTION ...]: the camera's image and its plan, and what a pinhole sees where a view is given
+images() {
   name=$1 scene=$2 size=$3 cut=$4
   shift 4
   # shellcheck disable=SC2086  # the program and an option
@@ -25,16 +25,16 @@ pinhole() {
   $ocelli render "$scene" "$@" --camera "$examples/pinhole.json" --size "$size" -o "$images/graph-$name-pinhole.png"
 }
 
-pictures portal builtin:maze 800x450 "" --no-fit --view $examples/portal_maze_view.json
+images portal builtin:maze 800x450 "" --no-fit --view $examples/portal_maze_view.json
 pinhole portal builtin:maze 800x450 --no-fit --view $examples/portal_maze_view.json
-pictures occluder builtin:town 800x450 "" --no-fit --view $examples/occluder_view.json
+images occluder builtin:town 800x450 "" --no-fit --view $examples/occluder_view.json
 pinhole occluder builtin:town 800x450 --no-fit --view $examples/occluder_view.json
-pictures target builtin:boxes,count=700,floor=1 800x450 "" --view $examples/target_view.json
+images target builtin:boxes,count=700,floor=1 800x450 "" --view $examples/target_view.json
 pinhole target builtin:boxes,count=700,floor=1 800x450 --view $examples/target_view.json
-pictures path builtin:canyon 800x450 "--cut 400" --no-fit --view $examples/path_view.json
+images path builtin:canyon 800x450 "--cut 400" --no-fit --view $examples/path_view.json
 # A preview so short that nothing turns in it.
 $ocelli render builtin:canyon --no-fit --view $examples/path_view.json --camera $examples/path_pinhole.json \
   --size 800x450 -o $images/graph-path-pinhole.png
-pictures maze_forward "builtin:maze,file=$examples/street_maze.json" 800x500 "" --no-fit
-pictures maze_backward "builtin:maze,file=$examples/street_maze.json" 800x500 "" --no-fit
-pictures comprehensive builtin:maze 1200x750 ""
+images maze_forward "builtin:maze,file=$examples/street_maze.json" 800x500 "" --no-fit
+images maze_backward "builtin:maze,file=$examples/street_maze.json" 800x500 "" --no-fit
+images comprehensive builtin:maze 1200x750 ""

@@ -1,4 +1,4 @@
-#include "analysis/plot/figure.h"
+#include "oc_core/drawing/figure.h"
 
 #include <cairo-svg.h>
 #include <cairo.h>
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <map>
 
-#include "analysis/plot/cairo_painter.h"
-#include "analysis/plot/pdf_file.h"
-#include "analysis/plot/utf8.h"
+#include "oc_core/drawing/cairo_painter.h"
+#include "oc_core/drawing/pdf_file.h"
+#include "oc_core/page/html.h"
 
 namespace ocelli {
 namespace {
@@ -75,7 +75,7 @@ std::string describedSvg(const Figure& figure, const std::string& idPrefix, cons
       "<svg {}width=\"{:.2f}pt\" height=\"{:.2f}pt\" viewBox=\"0 0 {:.2f} {:.2f}\" role=\"img\" "
       "aria-labelledby=\"{}title {}desc\">\n<title id=\"{}title\">{}</title>\n<desc id=\"{}desc\">{}</desc>{}",
       namespaces, figure.width, figure.height, figure.width, figure.height, idPrefix, idPrefix, idPrefix,
-      markupFromText(figure.title), idPrefix, markupFromText(figure.description), renamed(svg, root + 1, idPrefix));
+      htmlFromText(figure.title), idPrefix, htmlFromText(figure.description), renamed(svg, root + 1, idPrefix));
 }
 
 }  // namespace
@@ -102,19 +102,15 @@ std::string pdfBytes(const Figure& figure) {
 }
 
 std::string pngBytes(const Figure& figure, double pixelsPerInch) {
-  const double scale = pixelsPerInch / 72;
-  const CairoSurface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24,
-                                                        static_cast<int>(std::ceil(figure.width * scale)),
-                                                        static_cast<int>(std::ceil(figure.height * scale))));
-  const CairoContext context(cairo_create(surface.get()));
-  cairo_set_source_rgb(context.get(), 1, 1, 1);
-  cairo_paint(context.get());
-  cairo_scale(context.get(), scale, scale);
-  paintDrawing(context.get(), figure.drawing);
-  checkCairo(cairo_status(context.get()));
+  const CairoSurface surface =
+      paintedSurface(figure.drawing, figure.width, figure.height, pixelsPerInch / kPointsPerInch);
   std::string bytes;
   checkCairo(cairo_surface_write_to_png_stream(surface.get(), writeBytes, &bytes));
   return bytes;
+}
+
+Pixels pixelsOf(const Figure& figure) {
+  return pixelsOf(paintedSurface(figure.drawing, figure.width, figure.height, 1).get());
 }
 
 }  // namespace ocelli
