@@ -165,7 +165,7 @@ void drive(const Choice& choice) {
       "{} frames of {:.1f} MB in {:.2f} s: {:.1f} frames/s, {} arrived, {} dropped, {} lost, {} underruns\n"
       "{:.2f} MB a frame on the link, {:.1f} MB/s; from submission to arrival {:.1f} ms (median), {:.1f} ms (99 %)\n"
       "the driver's process takes {:.0f} % of a core, of which {:.0f} % to ask an emulated USB, idle\n",
-      fences.size(), static_cast<double>(volumes[0].slices() * volumes[0].slice(0).size()) / 1e6, wall,
+      fences.size(), static_cast<double>(volumes[0]->slices() * volumes[0]->slice(0).size()) / 1e6, wall,
       static_cast<double>(telemetry.framesArrived) / wall, telemetry.framesArrived, telemetry.framesDropped,
       telemetry.framesLost, telemetry.underruns,
       bytes / static_cast<double>(std::max<size_t>(1, telemetry.framesArrived)) / 1e6,

@@ -157,7 +157,7 @@ void addSolidityCommand(CLI::App& program, const CommandContext& context) {
       ->type_name("N");
   command.add_option("--seed", choice->seed, "Of the eyes inside")->type_name("S");
   command
-      .add_option("--image-side", choice->imageSide,
+      .add_option("--image-side,--picture-side", choice->imageSide,
                   "Of the images, pixels; 0: as many as the display has rows, so that a voxel is about a pixel")
       ->check(CLI::Range(0, 8192))
       ->type_name("N");
