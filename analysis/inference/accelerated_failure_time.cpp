@@ -8,8 +8,8 @@
 #include <numbers>
 #include <optional>
 
+#include "analysis/base/distributions.h"
 #include "analysis/inference/cluster_jackknife.h"
-#include "analysis/inference/distributions.h"
 #include "analysis/inference/standardized_covariates.h"
 #include "analysis/inference/wald.h"
 

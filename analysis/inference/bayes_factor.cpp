@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "analysis/inference/distributions.h"
+#include "analysis/base/distributions.h"
 #include "analysis/inference/sample.h"
 #include "analysis/inference/wald.h"
 

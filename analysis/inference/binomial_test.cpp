@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/inference/distributions.h"
+#include "analysis/base/distributions.h"
 #include "analysis/inference/wald.h"
 
 namespace ocelli {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/base/distributions.h"
 #include "analysis/base/random_numbers.h"
-#include "analysis/inference/distributions.h"
 #include "analysis/inference/sample.h"
 #include "analysis/inference/wald.h"
 

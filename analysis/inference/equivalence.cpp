@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/inference/distributions.h"
+#include "analysis/base/distributions.h"
 #include "analysis/inference/sample.h"
 #include "analysis/inference/student.h"
 #include "analysis/inference/wald.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "analysis/base/distributions.h"
 #include "analysis/inference/crossed_clusters.h"
-#include "analysis/inference/distributions.h"
 #include "analysis/inference/wald.h"
 
 namespace ocelli {

@@ -8,8 +8,8 @@
 #include <map>
 #include <optional>
 
+#include "analysis/base/distributions.h"
 #include "analysis/inference/binomial_test.h"
-#include "analysis/inference/distributions.h"
 #include "analysis/inference/wald.h"
 
 namespace ocelli {

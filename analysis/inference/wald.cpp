@@ -4,7 +4,7 @@
 #include <unordered_map>
 
 #include "analysis/base/analysis_error.h"
-#include "analysis/inference/distributions.h"
+#include "analysis/base/distributions.h"
 
 namespace ocelli {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "analysis/inference/distributions.h"
+#include "analysis/base/distributions.h"
 #include "analysis/inference/sample.h"
 #include "analysis/inference/wald.h"
 

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
+
+#include "analysis/base/distributions.h"
 
 namespace ocelli {
 namespace {
@@ -84,8 +83,7 @@ Estimable<Estimate> likelihoodRatio(const MixedModelFit& smaller, const MixedMod
   Estimate estimate;
   estimate.value = estimate.statistic = std::max(0.0, statistic);
   estimate.degreesOfFreedom = larger.parameters - smaller.parameters;
-  const boost::math::chi_squared distribution(estimate.degreesOfFreedom);
-  estimate.pValue = boost::math::cdf(boost::math::complement(distribution, estimate.statistic));
+  estimate.pValue = chiSquaredTail(estimate.statistic, estimate.degreesOfFreedom);
   return estimate;
 }
 
@@ -123,20 +121,10 @@ Estimate estimateOf(double value, double standardError, double degreesOfFreedom,
   if (!(degreesOfFreedom > 0)) {
     return estimate;
   }
-  const auto fill = [&](const auto& distribution) {
-    const double reach = boost::math::quantile(distribution, (1 + level) / 2) * standardError;
-    estimate.lower = value - reach;
-    estimate.upper = value + reach;
-    estimate.pValue = 2 * boost::math::cdf(boost::math::complement(distribution, std::abs(estimate.statistic)));
-  };
-  if (std::isinf(degreesOfFreedom)) {
-    fill(boost::math::normal());
-  } else {
-    using Infinite =
-        boost::math::policies::policy<boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
-                                      boost::math::policies::evaluation_error<boost::math::policies::ignore_error>>;
-    fill(boost::math::students_t_distribution<double, Infinite>(degreesOfFreedom));
-  }
+  const double reach = studentQuantile((1 + level) / 2, degreesOfFreedom) * standardError;
+  estimate.lower = value - reach;
+  estimate.upper = value + reach;
+  estimate.pValue = 2 * studentTail(std::abs(estimate.statistic), degreesOfFreedom);
   return estimate;
 }
 

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/beta.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
+#include "analysis/base/distributions.h"
 #include "analysis/plot/chart_text.h"
 #include "analysis/plot/panel.h"
 #include "analysis/plot/swarm.h"
@@ -88,11 +87,7 @@ void drawQuantiles(Drawing& drawing, const std::string& label, std::vector<doubl
 }  // namespace
 
 NormalOrder normalOrder(size_t k, size_t n) {
-  // In double alone: in long double, Boost 1.74 finds no median of Beta(5, 5).
-  using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
-  const boost::math::beta_distribution<double, Policy> place(static_cast<double>(k) + 1, static_cast<double>(n - k));
-  const boost::math::normal normal;
-  const auto at = [&](double share) { return quantile(normal, quantile(place, share)); };
+  const auto at = [&](double share) { return normalQuantile(orderStatisticQuantile(share, k, n)); };
   return {at(0.025), at(0.5), at(0.975)};
 }
 

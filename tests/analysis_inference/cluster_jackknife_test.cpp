@@ -6,10 +6,10 @@
 #include <cmath>
 #include <functional>
 
+#include "analysis/base/distributions.h"
 #include "analysis/base/random_numbers.h"
 #include "analysis/inference/accelerated_failure_time.h"
 #include "analysis/inference/cox.h"
-#include "analysis/inference/distributions.h"
 
 namespace ocelli::test {
 namespace {

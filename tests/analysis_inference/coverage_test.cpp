@@ -10,10 +10,10 @@
 #include <numbers>
 #include <numeric>
 
+#include "analysis/base/distributions.h"
 #include "analysis/base/random_numbers.h"
 #include "analysis/inference/accelerated_failure_time.h"
 #include "analysis/inference/cox.h"
-#include "analysis/inference/distributions.h"
 #include "analysis/inference/restricted_mean.h"
 #include "analysis/inference/restricted_mean_bootstrap.h"
 

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "analysis/base/analysis_error.h"
+#include "analysis/base/distributions.h"
 #include "analysis/base/random_numbers.h"
-#include "analysis/inference/distributions.h"
 #include "tests/analysis_inference/golden.h"
 
 namespace ocelli::test {

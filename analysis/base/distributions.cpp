@@ -1,4 +1,4 @@
-#include "analysis/inference/distributions.h"
+#include "analysis/base/distributions.h"
 
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/binomial.hpp>
@@ -19,6 +19,15 @@ using boost::math::complement;
 using boost::math::pdf;
 using boost::math::quantile;
 
+/// Its quantiles are infinite where they are larger than a number can be.
+using Overflowing =
+    boost::math::policies::policy<boost::math::policies::overflow_error<boost::math::policies::ignore_error>,
+                                  boost::math::policies::evaluation_error<boost::math::policies::ignore_error>>;
+using Student = boost::math::students_t_distribution<double, Overflowing>;
+
+/// In double alone: in long double, Boost 1.74 finds no median of Beta(5, 5).
+using InDouble = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+
 }  // namespace
 
 double normalDensity(double z) {
@@ -38,12 +47,16 @@ double twoSidedNormal(double z) {
 }
 
 double studentProbability(double t, double degreesOfFreedom) {
-  return std::isinf(degreesOfFreedom) ? normalProbability(t) : cdf(boost::math::students_t(degreesOfFreedom), t);
+  return std::isinf(degreesOfFreedom) ? normalProbability(t) : cdf(Student(degreesOfFreedom), t);
+}
+
+double studentTail(double t, double degreesOfFreedom) {
+  return std::isinf(degreesOfFreedom) ? cdf(complement(boost::math::normal(), t))
+                                      : cdf(complement(Student(degreesOfFreedom), t));
 }
 
 double studentQuantile(double probability, double degreesOfFreedom) {
-  return std::isinf(degreesOfFreedom) ? normalQuantile(probability)
-                                      : quantile(boost::math::students_t(degreesOfFreedom), probability);
+  return std::isinf(degreesOfFreedom) ? normalQuantile(probability) : quantile(Student(degreesOfFreedom), probability);
 }
 
 double twoSidedStudent(double t, double degreesOfFreedom) {
@@ -60,6 +73,11 @@ double chiSquaredTail(double x, double degreesOfFreedom) {
 
 double betaQuantile(double probability, double a, double b) {
   return quantile(boost::math::beta_distribution(a, b), probability);
+}
+
+double orderStatisticQuantile(double share, size_t k, size_t n) {
+  return quantile(
+      boost::math::beta_distribution<double, InDouble>(static_cast<double>(k) + 1, static_cast<double>(n - k)), share);
 }
 
 double logBeta(double a, double b) {
