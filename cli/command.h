@@ -5,10 +5,11 @@
 //      subcommand, its options, and ends with context.finish(command, examples, run). `run` calls a room and prints: no
 //      logic here.
 //   2. cli/command.h: its declaration.
-//   3. cli/main.cpp and cli/CMakeLists.txt: one line each.
+//   3. cli/program.cpp and cli/CMakeLists.txt: one line each.
 //
-// `run` throws InputError for what the user gave wrongly (exit code 2) and WorkError where the work failed (1); main()
-// prints both as "ocelli: error: ...". AnalysisError is either, as it says. Any other exception is exit code 1 too.
+// `run` throws InputError for what the user gave wrongly (exit code 2) and WorkError where the work failed (1);
+// runProgram() prints both as "ocelli: error: ...". AnalysisError is either, as it says. Any other exception is exit
+// code 1 too.
 #pragma once
 
 #include <functional>

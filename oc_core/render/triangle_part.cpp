@@ -10,9 +10,9 @@ namespace {
 /// The places in [0, count) that `isWanted` holds for, in order.
 template <class Predicate>
 std::vector<uint32_t> placesWhere(size_t count, const Predicate& isWanted) {
-  constexpr size_t kChunks = 64;
-  std::vector<std::vector<uint32_t>> found(kChunks);
-  parallelChunks(count, kChunks, [&](size_t chunk, size_t begin, size_t end) {
+  constexpr size_t kPartChunks = 64;
+  std::vector<std::vector<uint32_t>> found(kPartChunks);
+  parallelChunks(count, kPartChunks, [&](size_t chunk, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       if (isWanted(i)) {
         found[chunk].push_back(static_cast<uint32_t>(i));

@@ -142,12 +142,12 @@ TEST(SpocCamera, ofDisplacementsItBoundsEachAndReachesThem) {
     const float zMost = zLeast + next(0, 4);
     const ImageBox bound = spoc.displacementOver({lower, lower + size}, 1 / zMost, 1 / zLeast);
     ImageBox reached{glm::vec2(100), glm::vec2(-100)};
-    constexpr int kSteps = 24;
-    for (int i = 0; i <= kSteps; ++i) {
-      for (int j = 0; j <= kSteps; ++j) {
+    constexpr int kBoxSteps = 24;
+    for (int i = 0; i <= kBoxSteps; ++i) {
+      for (int j = 0; j <= kBoxSteps; ++j) {
         for (int k = 0; k <= 8; ++k) {
-          const ImagePoint q{lower.x + size.x * static_cast<float>(i) / kSteps,
-                             lower.y + size.y * static_cast<float>(j) / kSteps,
+          const ImagePoint q{lower.x + size.x * static_cast<float>(i) / kBoxSteps,
+                             lower.y + size.y * static_cast<float>(j) / kBoxSteps,
                              zLeast + (zMost - zLeast) * static_cast<float>(k) / 8};
           const ImagePoint d = spoc.distort(q);
           reached.lower = glm::min(reached.lower, glm::vec2(d.u - q.u, d.v - q.v));
@@ -160,7 +160,7 @@ TEST(SpocCamera, ofDisplacementsItBoundsEachAndReachesThem) {
       EXPECT_GE(bound.upper[axis], reached.upper[axis] - 1e-4f);
       // Tight: off by what samples 1/24 of the box apart may miss, where the pole is far, and never by more than d.
       const glm::vec2 away = glm::max(glm::max(lower - kPole, kPole - lower - size), glm::vec2(0));
-      const float slack = glm::length(away) > 10 ? 10 * (glm::length(size) / kSteps) / 10 + 0.05f : 10;
+      const float slack = glm::length(away) > 10 ? 10 * (glm::length(size) / kBoxSteps) / 10 + 0.05f : 10;
       EXPECT_GE(bound.lower[axis], reached.lower[axis] - slack);
       EXPECT_LE(bound.upper[axis], reached.upper[axis] + slack);
     }

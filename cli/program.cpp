@@ -1,0 +1,135 @@
+#include "cli/program.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "analysis/base/analysis_error.h"
+#include "cli/command.h"
+#include "cli/interrupt.h"
+#include "oc_core/base/error.h"
+
+namespace ocelli {
+namespace {
+
+constexpr int kWorkFailed = 1;
+constexpr int kInputWrong = 2;
+
+// One line a command, in the order of `ocelli --help`.
+void addCommands(CLI::App& program, const CommandContext& context) {
+  addDemoCommand(program, context);
+  addSceneCommand(program, context);
+  addRenderCommand(program, context);
+  addCameraCommand(program, context);
+  addOcriCommand(program, context);
+  addSliceCommand(program, context);
+  addObserveCommand(program, context);
+  addVolumeCommand(program, context);
+  addPresentCommand(program, context);
+  addDitherCommand(program, context);
+  addDeviceCommand(program, context);
+  addEvaluateCommand(program, context);
+  addSolidityCommand(program, context);
+  addViewersCommand(program, context);
+  addViewCommand(program, context);
+  addStudyCommand(program, context);
+  addAnalyseCommand(program, context);
+  addPowerCommand(program, context);
+  addDoctorCommand(program, context);
+}
+
+// A closed standard stream would hand its number to the next file that is opened, and our messages would end up in
+// there.
+void openStandardStreams() {
+  int descriptor = open("/dev/null", O_RDWR);
+  while (descriptor >= 0 && descriptor <= STDERR_FILENO) {
+    descriptor = open("/dev/null", O_RDWR);
+  }
+  if (descriptor >= 0) {
+    close(descriptor);
+  }
+}
+
+int fail(const CommandContext& context, int code, const std::string& message) {
+  context.clearProgress();
+  std::fprintf(stderr, "ocelli: error: %s\n", message.c_str());
+  return code;
+}
+
+// The innermost command that the user named: its --help is the one to point at.
+std::string namedCommand(const CLI::App& program) {
+  std::string name = program.get_name();
+  for (const CLI::App* command = &program; !command->get_subcommands().empty();) {
+    command = command->get_subcommands().front();
+    name += " " + command->get_name();
+  }
+  return name;
+}
+
+int runCommand(int argumentCount, char** arguments) {
+  const CommandContext context;
+  CLI::App program("Ocelli: non-pinhole cameras, from a scene to a volumetric display.", "ocelli");
+  program.set_version_flag("--version", "ocelli " OCELLI_VERSION);
+  program.require_subcommand(1);
+  program.option_defaults()->always_capture_default();
+  program.footer("`ocelli COMMAND --help` shows the options of a command, with examples.");
+  context.addCommonOptions(program);
+  addCommands(program, context);
+  try {
+    program.parse(argumentCount, arguments);
+    context.run();
+    flushStandardOutput();
+    return 0;
+  } catch (const CLI::Success& help) {
+    std::ostringstream text;
+    program.exit(help, text, text);
+    context.print(text.str());
+    flushStandardOutput();
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    // CLI11 would only say that a command is missing.
+    const std::vector<std::string> rest = program.remaining();
+    if (program.get_subcommands().empty() && !rest.empty()) {
+      const std::string kind = rest.front().starts_with('-') ? "option" : "command";
+      return fail(context, kInputWrong, "there is no " + kind + " \"" + rest.front() + "\"\n  try: ocelli --help");
+    }
+    return fail(context, kInputWrong, std::string(error.what()) + "\n  try: " + namedCommand(program) + " --help");
+  } catch (const ExitCode& exit) {
+    flushStandardOutput();
+    return exit.code;
+  } catch (const InputError& error) {
+    return fail(context, kInputWrong, error.what());
+  } catch (const AnalysisError& error) {
+    return fail(context, error.kind() == AnalysisError::Kind::kInput ? kInputWrong : kWorkFailed, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(context, kWorkFailed, "out of memory\n  try: smaller input, or close other programs");
+  } catch (const std::exception& error) {
+    return fail(context, kWorkFailed, error.what());
+  } catch (...) {
+    return fail(context, kWorkFailed, "something that is no C++ exception was thrown\n  try: report this");
+  }
+}
+
+}  // namespace
+
+int runProgram(int argumentCount, char** arguments) {
+  openStandardStreams();
+  std::signal(SIGPIPE, SIG_IGN);
+  removeUnfinishedOutputsOnSignals();
+  try {
+    return runCommand(argumentCount, arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "ocelli: error: %s\n", error.what());
+    return kWorkFailed;
+  }
+}
+
+}  // namespace ocelli
