@@ -91,15 +91,16 @@ find_needs(display TARGETS Ocelli::core Ocelli::solidity
 find_needs(driver TARGETS Ocelli::core Ocelli::display Ocelli::devices
   PACKAGES SQLiteCpp Eigen3 Boost assimp glfw3
   LACKS SQLiteCpp assimp::assimp ${windows} ${statistics} Ocelli::study_task)
-find_needs(study TARGETS Ocelli::core Ocelli::study_store
-  PACKAGES Eigen3 Boost assimp hwy glfw3
-  LACKS assimp::assimp hwy::hwy ${windows} ${usb} ${statistics} Ocelli::frames Ocelli::study_screen)
+# What a condition of a study can show includes the simulated display.
+find_needs(study TARGETS Ocelli::core Ocelli::display Ocelli::study_store
+  PACKAGES Eigen3 Boost assimp glfw3
+  LACKS assimp::assimp ${windows} ${usb} ${statistics} Ocelli::device Ocelli::study_screen)
 find_needs(analysis TARGETS Ocelli::pages Ocelli::analysis_report
   PACKAGES glm PNG assimp embree hwy meshoptimizer zstd glfw3
   LACKS glm::glm PNG::PNG assimp::assimp embree hwy::hwy ${windows} ${usb} Ocelli::core Ocelli::base)
 find_needs(power TARGETS Ocelli::study Ocelli::analysis Ocelli::analysis_power
-  PACKAGES assimp hwy glfw3
-  LACKS assimp::assimp hwy::hwy ${windows} ${usb})
+  PACKAGES assimp glfw3
+  LACKS assimp::assimp ${windows} ${usb})
 find_needs(import TARGETS Ocelli::core Ocelli::scene_import
   PACKAGES SQLiteCpp Eigen3 Boost hwy glfw3
   LACKS SQLiteCpp hwy::hwy ${windows} ${usb} ${statistics})
