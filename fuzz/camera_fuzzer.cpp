@@ -18,7 +18,7 @@ void use(const ocelli::MultiperspectiveCamera& camera) {
         for (const glm::vec2 pixel : {glm::vec2(0, 0), glm::vec2(7.5f, 3.5f), glm::vec2(15, 9)}) {
           for (const glm::vec3& point : each.rayPath(pixel)) {
             const auto image = each.project(point);
-            if (image && !std::isfinite(image->u + image->v + image->z)) {
+            if (image && !std::isfinite(image->u + image->v + image->t)) {
               std::abort();
             }
           }

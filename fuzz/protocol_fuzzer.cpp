@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
         if (schedule.trials.empty()) {
           std::abort();
         }
-        ocelli::jsonText(schedule);
+        ocelli::jsonText(schedule, protocol.conditions.names);
       }
     }
     ocelli::CheckOptions options;

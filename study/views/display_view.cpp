@@ -1,6 +1,7 @@
 // What an eye before a swept-screen volumetric display sees, simulated: a part of the scene ahead of the task's eye
 // stands in the display, whole or as a representation holds it, and nothing hides anything (display_sim/observing).
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -137,10 +138,23 @@ class DisplayView final : public SceneView, public std::enable_shared_from_this<
   mutable ShownCache cache_;
 };
 
+/// A database holds all that its trials show: no profile stands in a file beside it.
+DisplayProfile readProfileField(JsonFields& fields) {
+  const nlohmann::json& value = fields.value("profile");
+  if (value.is_object()) {
+    return profileFromJsonText(value.dump(), fmt::format("{}, \"profile\"", fields.where()));
+  }
+  const std::vector<std::string>& names = builtinProfileNames();
+  if (!value.is_string() || std::find(names.begin(), names.end(), value.get<std::string>()) == names.end()) {
+    fields.fail("profile", fmt::format("must be one of {}, or an object with a profile", fmt::join(names, ", ")));
+  }
+  return loadProfile(value.get<std::string>());
+}
+
 std::shared_ptr<const SceneView> readDisplayView(JsonFields& fields) {
   DisplayViewOptions options{.profile = loadProfile("perspecta")};
   if (fields.has("profile")) {
-    options.profile = loadProfile(fields.text("profile"));
+    options.profile = readProfileField(fields);
   }
   options.distanceMeters = fields.number("distance_meters", 0.1, kMaxDistanceMeters, options.distanceMeters);
   options.radiusMeters = fields.number("radius_meters", 0.01, kMaxRadiusMeters, options.radiusMeters);

@@ -39,7 +39,13 @@ TEST(ViewRegistry, SaysWhatIsWrongWithAView) {
   EXPECT_EQ(errorOfView(R"({"kind": "camera", "camera": {"camera": "ddoc", "smoothing_sigma_pixels": 1}})"), "");
   EXPECT_THAT(errorOfView(R"({"kind": "ocri", "camera": "ddoc", "eye_offset_meters": [0, 0, 99]})"),
               HasSubstr("eye_offset_meters"));
-  EXPECT_THAT(errorOfView(R"({"kind": "display", "profile": "cube"})"), HasSubstr("cube"));
+  EXPECT_THAT(errorOfView(R"({"kind": "display", "profile": "cube"})"), HasSubstr("must be one of perspecta"));
+  EXPECT_THAT(errorOfView(R"({"kind": "display", "profile": "/tmp/profile.json"})"), HasSubstr("must be one of"));
+  EXPECT_THAT(errorOfView(R"({"kind": "display", "profile": 3})"), HasSubstr("must be one of"));
+  EXPECT_THAT(errorOfView(R"({"kind": "display", "profile": {"name": "mine"}})"), HasSubstr("\"profile\""));
+  EXPECT_EQ(errorOfView(R"({"kind": "display", "profile": {"name": "mine", "radius_metres": 0.1, "width": 64,
+                            "height": 64, "slices_per_half_turn": 16, "rotations_per_minute": 600}})"),
+            "");
   EXPECT_THAT(errorOfView(R"({"kind": "display", "distance_meters": 4, "radius_meters": 3})"),
               HasSubstr("outside of the display"));
   EXPECT_THAT(errorOfView(R"({"kind": "camera", "camera": "geometry"})"), HasSubstr("no image"));
