@@ -114,7 +114,7 @@ TEST(PanesView, TheMiddleOneLooksAhead) {
   const auto panes = readView(R"({"kind": "panes", "headings_degrees": [-90, 0, 90]})")->views(viewVantage());
   ASSERT_EQ(panes.size(), 3u);
   const auto forwardOf = [&](size_t i) { return std::get<PinholeCamera>(panes[i].camera).forward(); };
-  const PinholeCamera& ahead = viewVantage().pinholes.front().camera;
+  const PinholeCamera ahead = viewVantage().pinholes.front().camera;
   EXPECT_NEAR(static_cast<double>(glm::dot(forwardOf(1), ahead.forward())), 1, 1e-6);
   EXPECT_NEAR(static_cast<double>(glm::dot(forwardOf(2), ahead.right())), 1, 1e-6);
   EXPECT_NEAR(static_cast<double>(glm::dot(forwardOf(0), ahead.right())), -1, 1e-6);
