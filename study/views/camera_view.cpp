@@ -9,30 +9,19 @@
 #include "oc_core/render/identity_image.h"
 #include "study/task/trial_image.h"
 #include "study/views/camera_field.h"
-#include "study/views/shown_cache.h"
+#include "study/views/made_view.h"
 #include "study/views/shown_objects.h"
 #include "study/views/view_registry.h"
 
 namespace ocelli {
 namespace {
 
-class CameraView final : public SceneView, public std::enable_shared_from_this<CameraView> {
+class CameraView final : public MadeView {
  public:
   explicit CameraView(CameraChoice choice) : choice_(std::move(choice)) {}
 
-  std::vector<TrialLayout::View> views(const Vantage& from) const override {
-    std::vector<TrialLayout::View> views;
-    for (const Vantage::Pane& pane : from.pinholes) {
-      const auto show = [self = shared_from_this(), camera = pane.camera](const TrialLayout& layout) {
-        return self->cache_.get(layout, camera, [&] { return self->make(layout, camera); });
-      };
-      views.emplace_back(pane.place, pane.camera, show);
-    }
-    return views;
-  }
-
  private:
-  std::shared_ptr<const ShownContent> make(const TrialLayout& layout, const PinholeCamera& camera) const {
+  std::shared_ptr<const ShownContent> make(const TrialLayout& layout, const PinholeCamera& camera) const override {
     Image<glm::vec3> color(camera.width(), camera.height(), skyColor());
     ShownImage shown;
     shown.objects = Image<uint32_t>(camera.width(), camera.height(), kNothing);
@@ -64,7 +53,6 @@ class CameraView final : public SceneView, public std::enable_shared_from_this<C
   }
 
   CameraChoice choice_;
-  mutable ShownCache cache_;
 };
 
 std::shared_ptr<const SceneView> readCameraView(JsonFields& fields) {

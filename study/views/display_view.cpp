@@ -17,7 +17,7 @@
 #include "oc_core/render/identity_image.h"
 #include "study/task/trial_image.h"
 #include "study/views/camera_field.h"
-#include "study/views/shown_cache.h"
+#include "study/views/made_view.h"
 #include "study/views/shown_objects.h"
 #include "study/views/view_registry.h"
 
@@ -27,7 +27,7 @@ namespace {
 constexpr double kMaxDistanceMeters = 100;
 constexpr double kMaxRadiusMeters = 60;
 /// So far from the display's centre, in its radii, the eye is outside of it, wherever it stands.
-constexpr double kLeastDistanceRadii = 1.5;
+constexpr double kMinDistanceRadii = 1.5;
 /// Of the light of a pixel that an object must give to be seen there.
 constexpr float kOwnLightShare = 0.5f;
 
@@ -71,23 +71,12 @@ Mesh partOf(const Mesh& mesh, const std::vector<uint32_t>& objects, uint32_t obj
   return part;
 }
 
-class DisplayView final : public SceneView, public std::enable_shared_from_this<DisplayView> {
+class DisplayView final : public MadeView {
  public:
   explicit DisplayView(DisplayViewOptions options) : options_(std::move(options)) {}
 
-  std::vector<TrialLayout::View> views(const Vantage& from) const override {
-    std::vector<TrialLayout::View> views;
-    for (const Vantage::Pane& pane : from.pinholes) {
-      const auto show = [self = shared_from_this(), camera = pane.camera](const TrialLayout& layout) {
-        return self->cache_.get(layout, camera, [&] { return self->make(layout, camera); });
-      };
-      views.emplace_back(pane.place, pane.camera, show);
-    }
-    return views;
-  }
-
  private:
-  std::shared_ptr<const ShownContent> make(const TrialLayout& layout, const PinholeCamera& camera) const {
+  std::shared_ptr<const ShownContent> make(const TrialLayout& layout, const PinholeCamera& camera) const override {
     ShownImage shown;
     shown.objects = Image<uint32_t>(camera.width(), camera.height(), kNothing);
     shown.positions = Image<glm::vec3>(camera.width(), camera.height(), glm::vec3(0));
@@ -135,7 +124,6 @@ class DisplayView final : public SceneView, public std::enable_shared_from_this<
   }
 
   DisplayViewOptions options_;
-  mutable ShownCache cache_;
 };
 
 /// A database holds all that its trials show: no profile stands in a file beside it.
@@ -158,7 +146,7 @@ std::shared_ptr<const SceneView> readDisplayView(JsonFields& fields) {
   }
   options.distanceMeters = fields.number("distance_meters", 0.1, kMaxDistanceMeters, options.distanceMeters);
   options.radiusMeters = fields.number("radius_meters", 0.01, kMaxRadiusMeters, options.radiusMeters);
-  const double corner = std::max(kLeastDistanceRadii, std::hypot(1.0, options.profile.halfHeightRadii) + 0.01);
+  const double corner = std::max(kMinDistanceRadii, std::hypot(1.0, options.profile.halfHeightRadii) + 0.01);
   if (options.distanceMeters < corner * options.radiusMeters) {
     fields.fail("distance_meters", fmt::format("is {:g}, but must be {:.2f} times \"radius_meters\", which is {:g}, so "
                                                "that the eye is outside of the display",

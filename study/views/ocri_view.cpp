@@ -8,33 +8,22 @@
 #include "oc_core/ocri/representation.h"
 #include "study/task/trial_image.h"
 #include "study/views/camera_field.h"
-#include "study/views/shown_cache.h"
+#include "study/views/made_view.h"
 #include "study/views/shown_objects.h"
 #include "study/views/view_registry.h"
 
 namespace ocelli {
 namespace {
 
-constexpr double kMaxEyeOffset = 10;    // metres
-constexpr float kLeastCellSide = 0.2f;  // metres, where the eye hardly moves
+constexpr double kMaxEyeOffset = 10;  // metres
+constexpr float kMinCellSide = 0.2f;  // metres, where the eye hardly moves
 constexpr double kMaxImageScale = 4;
 
 /// Made anew wherever the eye goes, and whenever an object moves.
-class OcriView final : public SceneView, public std::enable_shared_from_this<OcriView> {
+class OcriView final : public MadeView {
  public:
   OcriView(CameraChoice choice, const glm::vec3& eyeOffset, double imageScale)
       : choice_(std::move(choice)), eyeOffset_(eyeOffset), imageScale_(imageScale) {}
-
-  std::vector<TrialLayout::View> views(const Vantage& from) const override {
-    std::vector<TrialLayout::View> views;
-    for (const Vantage::Pane& pane : from.pinholes) {
-      const auto show = [self = shared_from_this(), reference = referenceOf(pane.camera)](const TrialLayout& layout) {
-        return self->cache_.get(layout, reference, [&] { return self->make(layout, reference); });
-      };
-      views.emplace_back(pane.place, moved(pane.camera), show);
-    }
-    return views;
-  }
 
  private:
   /// What the representation is built from.
@@ -43,7 +32,7 @@ class OcriView final : public SceneView, public std::enable_shared_from_this<Ocr
     return {camera.view(), scaled(camera.width()), scaled(camera.height())};
   }
   /// It goes on looking into the same direction.
-  PinholeCamera moved(const PinholeCamera& camera) const {
+  PinholeCamera eyeOf(const PinholeCamera& camera) const override {
     View view = camera.view();
     const glm::vec3 by = eyeOffset_.x * camera.right() - eyeOffset_.y * camera.down() - eyeOffset_.z * camera.forward();
     view.eye += by;
@@ -51,10 +40,10 @@ class OcriView final : public SceneView, public std::enable_shared_from_this<Ocr
     return {view, camera.width(), camera.height()};
   }
   /// Where the representation cannot be made, as its eye would lie within a wall, there is nothing to see.
-  std::shared_ptr<const ShownContent> make(const TrialLayout& layout, const PinholeCamera& reference) const {
+  std::shared_ptr<const ShownContent> make(const TrialLayout& layout, const PinholeCamera& pinhole) const override {
     ShownMesh shown;
     try {
-      shown.mesh = buildRepresentation(choice_, reference, meshOf(layout)).mesh;
+      shown.mesh = buildRepresentation(choice_, referenceOf(pinhole), meshOf(layout)).mesh;
     } catch (const InputError&) {
       shown.mesh = {};
     }
@@ -65,7 +54,6 @@ class OcriView final : public SceneView, public std::enable_shared_from_this<Ocr
   CameraChoice choice_;
   glm::vec3 eyeOffset_;  ///< right, up and backward in the view, metres
   double imageScale_;
-  mutable ShownCache cache_;
 };
 
 std::shared_ptr<const SceneView> readOcriView(JsonFields& fields) {
@@ -73,7 +61,7 @@ std::shared_ptr<const SceneView> readOcriView(JsonFields& fields) {
   const glm::vec3 eyeOffset(offset[0], offset[1], offset[2]);
   // A cell that just holds the moved eye; a representation's own option says otherwise.
   ViewCell cell;
-  cell.sideRadii = std::max(kLeastCellSide, 2 * glm::length(eyeOffset));
+  cell.sideRadii = std::max(kMinCellSide, 2 * glm::length(eyeOffset));
   const double imageScale = fields.number("image_scale", 0.25, kMaxImageScale, 1);
   return std::make_shared<OcriView>(readCameraField(fields, cell), eyeOffset, imageScale);
 }

@@ -1,6 +1,7 @@
 // What a view showed lately: an image of a trial is asked for many times, by screens, simulated subjects and replays.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <mutex>
@@ -12,10 +13,12 @@ namespace ocelli {
 
 class ShownCache {
  public:
-  /// What was made for the same scene, objects and pinhole, or `make()`. Any thread may call it at any time; two that
-  /// ask for the same at once may both make it.
+  /// What was made for the same scene, objects and pinhole, or `make()`. It keeps what came last: of one moment, which
+  /// has so many panes, at the least, and of more moments while they have few pixels. Any thread may call it at any
+  /// time; two that ask for the same at once may both make it.
   template <class Make>
-  std::shared_ptr<const ShownContent> get(const TrialLayout& layout, const PinholeCamera& camera, const Make& make) {
+  std::shared_ptr<const ShownContent> get(const TrialLayout& layout, const PinholeCamera& camera, size_t panes,
+                                          const Make& make) {
     const Key key{layout.scene->id(), layout.objectOffsets, camera.view(), camera.width(), camera.height()};
     {
       const std::lock_guard lock(mutex_);
@@ -28,14 +31,16 @@ class ShownCache {
     std::shared_ptr<const ShownContent> shown = make();
     const std::lock_guard lock(mutex_);
     entries_.push_front({key, shown});
-    if (entries_.size() > kMaxEntries) {
+    pixels_ += key.pixels();
+    while (entries_.size() > panes && pixels_ > kMaxPixels) {
+      pixels_ -= entries_.back().key.pixels();
       entries_.pop_back();
     }
     return shown;
   }
 
  private:
-  static constexpr size_t kMaxEntries = 16;  // as many panes as a matrix may have, of one moment
+  static constexpr int64_t kMaxPixels = int64_t{1} << 23;  // a mesh takes some 50 bytes a pixel
 
   struct Key {
     uint64_t scene = 0;
@@ -44,6 +49,7 @@ class ShownCache {
     int width = 0;
     int height = 0;
 
+    int64_t pixels() const { return int64_t{width} * height; }
     bool operator==(const Key&) const = default;
   };
   struct Entry {
@@ -53,6 +59,7 @@ class ShownCache {
 
   std::mutex mutex_;
   std::deque<Entry> entries_;
+  int64_t pixels_ = 0;  ///< of all entries
 };
 
 }  // namespace ocelli

@@ -109,6 +109,27 @@ TEST(CameraView, SaysWhereItsObjectsStand) {
   EXPECT_GT(seen, 5u);
 }
 
+// A matrix of pinholes has up to a hundred panes, and each frame asks for all of them.
+TEST(MadeView, KeepsAllPanesOfAMoment) {
+  const StudyScene scene = viewScene();
+  TrialLayout layout = layoutOf(scene);
+  Vantage vantage = viewVantage({0, 0, 640, 400});
+  const View first = vantage.pinholes.front().camera.view();
+  for (int i = 1; i < 40; ++i) {
+    View turned = first;
+    turned.target.z += 0.01f * static_cast<float>(i);
+    vantage.pinholes.push_back({{0, 0, 640, 400}, PinholeCamera(turned, 640, 400)});
+  }
+  layout.views = readView(R"({"kind": "camera", "camera": "di"})")->views(vantage);
+  std::vector<std::shared_ptr<const ShownContent>> shown;
+  for (const TrialLayout::View& view : layout.views) {
+    shown.push_back(shownIn(layout, view));
+  }
+  for (size_t i = 0; i < shown.size(); ++i) {
+    EXPECT_EQ(shownIn(layout, layout.views[i]), shown[i]) << "made again";
+  }
+}
+
 TEST(PanesView, TheMiddleOneLooksAhead) {
   const StudyScene scene = viewScene();
   const auto panes = readView(R"({"kind": "panes", "headings_degrees": [-90, 0, 90]})")->views(viewVantage());
