@@ -10,9 +10,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "oc_core/base/error.h"
-#include "oc_core/base/png_file.h"
 #include "oc_core/camera/graph_overlap.h"
 #include "oc_core/constructor/comprehensive_constructor.h"
+#include "oc_core/image/png_file.h"
 #include "oc_core/render/graph_depth_image.h"
 #include "oc_core/render/rasterize_graph.h"
 #include "oc_core/render/raycast.h"

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "oc_core/base/image.h"
 #include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/image/image.h"
 #include "oc_core/scene/mesh.h"
 
 namespace ocelli {

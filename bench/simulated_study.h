@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/base/random_numbers.h"
 #include "analysis/tables/table_cells.h"
+#include "oc_core/base/random_numbers.h"
 #include "study/protocol/protocol.h"
 
 namespace ocelli {

@@ -8,8 +8,7 @@
 //   3. cli/program.cpp and cli/CMakeLists.txt: one line each.
 //
 // `run` throws InputError for what the user gave wrongly (exit code 2) and WorkError where the work failed (1);
-// runProgram() prints both as "ocelli: error: ...". AnalysisError is either, as it says. Any other exception is exit
-// code 1 too.
+// runProgram() prints both as "ocelli: error: ...". Any other exception is exit code 1 too.
 #pragma once
 
 #include <functional>

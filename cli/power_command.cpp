@@ -6,7 +6,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/power/power_simulation.h"
 #include "analysis/report/power_report.h"
@@ -187,7 +186,7 @@ std::vector<Truth> truthsOf(const PowerChoice& choice, const Protocol& protocol,
   return truths;
 }
 
-void power(const PowerChoice& choice, const CommandContext& context) {
+void runPower(const PowerChoice& choice, const CommandContext& context) {
   const Protocol protocol = readProtocol(choice.protocol);
   const ProtocolFacts facts = protocolFacts(protocol.text, choice.protocol);
   // That which is asked for is refused below where the protocol does not have it.
@@ -240,18 +239,6 @@ void power(const PowerChoice& choice, const CommandContext& context) {
       writeReportFolder(choice.folder, reportFiles(powerReport(study, OCELLI_VERSION, utcNow())));
     });
     context.note(fmt::format("wrote a report to {}", choice.folder));
-  }
-}
-
-void runPower(const PowerChoice& choice, const CommandContext& context) {
-  try {
-    power(choice, context);
-  } catch (const AnalysisError& error) {
-    // What of it is whose fault stays: the text is whole already.
-    if (error.kind() == AnalysisError::Kind::kInput) {
-      throw CLI::ValidationError(error.what());
-    }
-    throw;
   }
 }
 

@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "analysis/base/analysis_error.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "oc_core/base/error.h"
@@ -107,8 +106,6 @@ int runCommand(int argumentCount, char** arguments) {
     return exit.code;
   } catch (const InputError& error) {
     return fail(context, kInputWrong, error.what());
-  } catch (const AnalysisError& error) {
-    return fail(context, error.kind() == AnalysisError::Kind::kInput ? kInputWrong : kWorkFailed, error.what());
   } catch (const std::bad_alloc&) {
     return fail(context, kWorkFailed, "out of memory\n  try: smaller input, or close other programs");
   } catch (const std::exception& error) {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "oc_core/base/error.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 #include "oc_core/scene/import/file_materials.h"
 
 namespace {

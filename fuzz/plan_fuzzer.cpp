@@ -2,8 +2,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/dataset/exclusions.h"
+#include "oc_core/base/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   try {
@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       std::abort();
     }
     ocelli::applyPlan({}, plan);
-  } catch (const ocelli::AnalysisError&) {
+  } catch (const ocelli::InputError&) {
     // Any other exception is a finding.
   }
   return 0;

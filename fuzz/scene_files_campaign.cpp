@@ -21,7 +21,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 #include "oc_core/scene/scene_file.h"
 #include "tests/scene/scene_file_samples.h"
 

@@ -129,7 +129,7 @@ struct AnalysisPlan {
 /// "plan \"rosen2010\", registered ..., SHA-256 ..." or that no plan was registered and these are defaults.
 std::string describe(const AnalysisPlan& plan);
 
-/// `tasks`: those that a plan may name. Throws AnalysisError that says line and field.
+/// `tasks`: those that a plan may name. Throws InputError that says line and field.
 AnalysisPlan readPlan(const std::string& path, const std::vector<std::string>& tasks);
 AnalysisPlan planFromJsonText(const std::string& text, const std::string& where, const std::vector<std::string>& tasks);
 

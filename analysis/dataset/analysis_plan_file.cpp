@@ -5,18 +5,19 @@
 #include <set>
 #include <string_view>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/dataset/analysis_plan.h"
 #include "analysis/dataset/csv_table.h"
 #include "analysis/dataset/exclusions.h"
 #include "analysis/dataset/json_text.h"
 #include "analysis/dataset/row_digest.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 
 namespace ocelli {
 namespace {
 
 constexpr size_t kMaxNameBytes = 100;
-constexpr size_t kMaxTextBytes = 4000;
+constexpr size_t kMaxParagraphBytes = 4000;
 constexpr size_t kMaxEntries = 1000;
 constexpr std::array<std::string_view, 7> kFactors{"view",       "session", "moving", "exposure",
                                                    "duplicates", "objects", "trial"};
@@ -120,7 +121,7 @@ PlannedModel readModel(JsonObject& fields, const std::vector<std::string>& tasks
 Hypothesis readHypothesis(JsonObject& fields, const AnalysisPlan& plan, std::set<std::string>& names) {
   Hypothesis hypothesis;
   hypothesis.name = newName(fields, names);
-  hypothesis.statement = fields.text("statement", kMaxTextBytes);
+  hypothesis.statement = fields.text("statement", kMaxParagraphBytes);
   hypothesis.model = fields.text("model", kMaxNameBytes);
   hypothesis.term = fields.textOr("term", kMaxNameBytes, "");
   const PlannedModel* model = plan.findModel(hypothesis.model);
@@ -172,12 +173,12 @@ PlannedExclusion readExclusion(JsonObject& fields) {
   if (fields.has("value")) {
     const nlohmann::json& value = fields.value("value");
     if (value.is_string()) {
-      rule.text = fields.text("value", kMaxTextBytes);
+      rule.text = fields.text("value", kMaxParagraphBytes);
     } else {
       rule.number = fields.number("value", 0, 1e9);
     }
   }
-  rule.reason = fields.text("reason", kMaxTextBytes);
+  rule.reason = fields.text("reason", kMaxParagraphBytes);
   const std::string problem = problemOfRule(rule, test, fields.has("value"), !rule.text.empty());
   if (!problem.empty()) {
     fields.fail("what", problem);
@@ -189,7 +190,7 @@ PlannedExclusion readExclusion(JsonObject& fields) {
 AnalysisPlan readFields(JsonObject& fields, const std::vector<std::string>& plannable) {
   AnalysisPlan plan;
   plan.name = fields.text("name", kMaxNameBytes);
-  plan.registered = fields.textOr("registered", kMaxTextBytes, "");
+  plan.registered = fields.textOr("registered", kMaxParagraphBytes, "");
   plan.protocolSha256 = fields.textOr("protocol_sha256", 64, "");
   if (!plan.protocolSha256.empty() &&
       (plan.protocolSha256.size() != 64 ||
@@ -256,12 +257,12 @@ AnalysisPlan planFromJsonText(const std::string& text, const std::string& where,
   const JsonText json(text, where, "protocols/analysis_plan.schema.json");
   JsonObject fields(json, json.root(), "");
   AnalysisPlan plan = readFields(fields, tasks);
-  plan.sha256 = hexadecimal(sha256Of(text));
+  plan.sha256 = sha256(text);
   return plan;
 }
 
 AnalysisPlan readPlan(const std::string& path, const std::vector<std::string>& tasks) {
-  return planFromJsonText(fileBytes(path), path, tasks);
+  return planFromJsonText(readFile(path, kMaxTextBytes), path, tasks);
 }
 
 }  // namespace ocelli

@@ -9,11 +9,12 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/dataset/csv_table.h"
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/dataset/row_digest.h"
 #include "analysis/dataset/trial_check.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 
 namespace ocelli {
 namespace {
@@ -76,12 +77,12 @@ class Reading {
     source.path = folder_;
     source.form = DataSource::Form::kCsv;
     if (!protocolFile.empty()) {
-      source.protocolText = fileBytes(protocolFile);
+      source.protocolText = readFile(protocolFile, kMaxTextBytes);
       const ProtocolFacts facts = protocolFacts(source.protocolText, protocolFile);
       source.protocolName = facts.name;
       data_.conditions = facts.conditions;
       protocolIsKnown_ = true;
-      source.protocolSha256 = hexadecimal(sha256Of(source.protocolText));
+      source.protocolSha256 = sha256(source.protocolText);
     }
     readSubjects();
     readSessions(source);

@@ -9,7 +9,7 @@
 namespace ocelli {
 
 /// From subjects.csv, runs.csv, trials.csv and answers.csv of the folder, and `protocolFile` where one is given. Throws
-/// AnalysisError that says file, line and column.
+/// InputError that says file, line and column.
 Dataset readCsvExport(const std::string& folder, const std::string& protocolFile = "");
 
 }  // namespace ocelli

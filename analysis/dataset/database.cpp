@@ -5,16 +5,16 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/dataset/row_digest.h"
 #include "analysis/dataset/sqlite_reading.h"
 #include "analysis/dataset/trial_check.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
 
-/// The columns of a row of a statement, by the order in which they are asked for. Each throws AnalysisError for what is
+/// The columns of a row of a statement, by the order in which they are asked for. Each throws InputError for what is
 /// no such value.
 class Row {
  public:
@@ -66,9 +66,9 @@ class Row {
   }
   [[noreturn]] void fail(const std::string& column, const std::string& problem) {
     const SQLite::Column first = statement_.getColumn(0);
-    throw AnalysisError(AnalysisError::Kind::kInput, fmt::format("{} {}", column, problem),
-                        fmt::format("{}, {} {}", path_, first.getName(), first.getString()),
-                        "the database as the study wrote it");
+    throw InputError(fmt::format("{} {}", column, problem),
+                     fmt::format("{}, {} {}", path_, first.getName(), first.getString()),
+                     "the database as the study wrote it");
   }
 
  private:
@@ -143,12 +143,11 @@ void DatabaseReading::readStudy() {
     source.programVersion = row.text();
   });
   if (source.protocolSha256.empty()) {
-    throw AnalysisError(AnalysisError::Kind::kInput, "this database holds no study yet", path_,
-                        "again when a session has begun, which stores the protocol");
+    throw InputError("this database holds no study yet", path_,
+                     "again when a session has begun, which stores the protocol");
   }
-  if (hexadecimal(sha256Of(source.protocolText)) != source.protocolSha256) {
-    throw AnalysisError(
-        AnalysisError::Kind::kInput,
+  if (sha256(source.protocolText) != source.protocolSha256) {
+    throw InputError(
         "the protocol in this database does not have the SHA-256 that stands beside it: someone changed it", path_,
         "the database as the study wrote it");
   }
@@ -254,8 +253,8 @@ std::map<std::string, double> DatabaseReading::measuresOf(const std::string& tex
     return measures;
   }
   const auto fail = [&](const char* what) {
-    throw AnalysisError(AnalysisError::Kind::kInput, what, fmt::format("{}, trial_id {}, measures_json", path_, trial),
-                        "the database as the study wrote it");
+    throw InputError(what, fmt::format("{}, trial_id {}, measures_json", path_, trial),
+                     "the database as the study wrote it");
   };
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   if (!json.is_object()) {

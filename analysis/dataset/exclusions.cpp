@@ -11,10 +11,10 @@
 #include <string_view>
 #include <tuple>
 
-#include "analysis/base/analysis_error.h"
-#include "analysis/dataset/csv_table.h"
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/dataset/trial_check.h"
+#include "oc_core/base/csv.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -159,11 +159,9 @@ void Excluder::readProtocol() {
   for (const DataSource& source : sources) {
     if (!plan.protocolSha256.empty() && !source.protocolSha256.empty() &&
         plan.protocolSha256 != source.protocolSha256) {
-      throw AnalysisError(
-          AnalysisError::Kind::kInput,
-          fmt::format("plan \"{}\" is for the protocol with SHA-256 {}..., and this study's is {}...", plan.name,
-                      plan.protocolSha256.substr(0, 12), source.protocolSha256.substr(0, 12)),
-          source.path, "the plan that was registered for this study");
+      throw InputError(fmt::format("plan \"{}\" is for the protocol with SHA-256 {}..., and this study's is {}...",
+                                   plan.name, plan.protocolSha256.substr(0, 12), source.protocolSha256.substr(0, 12)),
+                       source.path, "the plan that was registered for this study");
     }
     if (!hasProtocol_ && !source.protocolText.empty()) {
       facts_ = protocolFacts(source.protocolText, fmt::format("{}, protocol", source.path));
@@ -347,16 +345,15 @@ void Excluder::apply(const PlannedExclusion& rule) {
     const bool wasLeftOut = std::any_of(data.leftOut.begin(), data.leftOut.end(),
                                         [&](const LeftOutRow& row) { return row.subject == rule.text; });
     if (!wasLeftOut) {
-      throw AnalysisError(
-          AnalysisError::Kind::kInput, fmt::format("no source holds subject \"{}\", whom the plan excludes", rule.text),
-          fmt::format("plan \"{}\"", result_.plan.name), "the plan of this study, or all of its databases");
+      throw InputError(fmt::format("no source holds subject \"{}\", whom the plan excludes", rule.text),
+                       fmt::format("plan \"{}\"", result_.plan.name),
+                       "the plan of this study, or all of its databases");
     }
   }
   if (rule.what == "practice_criterion" && !hasProtocol_) {
-    throw AnalysisError(AnalysisError::Kind::kInput,
-                        "the plan excludes by the criterion of practice, which stands in the protocol",
-                        data.sources.empty() ? "no source" : data.sources.front().path,
-                        "the database; or --protocol FILE, for exported tables");
+    throw InputError("the plan excludes by the criterion of practice, which stands in the protocol",
+                     data.sources.empty() ? "no source" : data.sources.front().path,
+                     "the database; or --protocol FILE, for exported tables");
   }
   switch (kind->level) {
     case Level::kSubject:
@@ -535,8 +532,8 @@ std::string exclusionLogCsv(const Dataset& data) {
   const auto path = [&](int source) { return data.sources[static_cast<size_t>(source)].path; };
   const auto add = [&](int source, const char* table, int64_t row, const std::string& subject, int session,
                        const std::string& why) {
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\r\n", csvField(path(source)), table, row,
-                   csvField(subject), session, csvField(why));
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\r\n", csvText(path(source)), table, row,
+                   csvText(subject), session, csvText(why));
   };
   for (const LeftOutRow& row : data.leftOut) {
     add(row.source, row.table == LeftOutRow::Table::kTrial ? "final_trial" : "final_answer", row.id, row.subject,

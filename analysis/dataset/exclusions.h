@@ -47,7 +47,7 @@ struct AnalysisData {
 
 /// Beside what the plan says, trials that contradict themselves (trial_check.h) are left out, and a warning names them;
 /// sessions that were forced past a failed check of the timing are named whether they are left out or not.
-/// Throws AnalysisError where the plan is for another protocol, names a subject that is not there, or has a rule that
+/// Throws InputError where the plan is for another protocol, names a subject that is not there, or has a rule that
 /// needs the protocol and there is none.
 AnalysisData applyPlan(Dataset data, const AnalysisPlan& plan);
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 constexpr int kMaxDepth = 100;
 
 [[noreturn]] void fail(const std::string& what, const std::string& where, const std::string& next) {
-  throw AnalysisError(AnalysisError::Kind::kInput, what, where, next);
+  throw InputError(what, where, next);
 }
 
 std::string escapedForPointer(const std::string& name) {

@@ -13,7 +13,7 @@ namespace ocelli {
 /// A JSON text and where its values stand. Comments are allowed.
 class JsonText {
  public:
-  /// Throws AnalysisError with line and column where it is no JSON, where a field stands twice in an object, or where
+  /// Throws InputError with line and column where it is no JSON, where a field stands twice in an object, or where
   /// it is nested deeper than 100 levels. `where` is the file; `schema` describes all fields of such a file, and is
   /// named where one of them is wrong.
   JsonText(std::string_view text, std::string where, std::string schema);
@@ -30,7 +30,7 @@ class JsonText {
   std::map<std::string, int> lines_;  ///< by pointer
 };
 
-/// The fields of an object; a missing, mistyped or unknown one is an AnalysisError with line and field.
+/// The fields of an object; a missing, mistyped or unknown one is an InputError with line and field.
 class JsonObject {
  public:
   JsonObject(const JsonText& text, const nlohmann::json& object, std::string pointer);

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/dataset/withdrawn_subjects.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -18,7 +18,7 @@ constexpr const char* kMergeFirst = "the newest copy alone; or `ocelli study mer
 
 [[noreturn]] void refuse(const std::string& what, const std::string& first, const std::string& second,
                          const std::string& next) {
-  throw AnalysisError(AnalysisError::Kind::kInput, what, fmt::format("{} and {}", first, second), next);
+  throw InputError(what, fmt::format("{} and {}", first, second), next);
 }
 
 void checkProtocols(const std::vector<DataSource>& sources) {
@@ -271,8 +271,7 @@ void Merging::choose(SimulatedRows rows) {
 
 Dataset merge(std::vector<Dataset> parts, const DatasetMergeOptions& options) {
   if (parts.empty()) {
-    throw AnalysisError(AnalysisError::Kind::kInput, "there is nothing to analyse", "the command",
-                        "the name of a database");
+    throw InputError("there is nothing to analyse", "the command", "the name of a database");
   }
   return Merging(std::move(parts)).all(options);
 }

@@ -20,7 +20,7 @@ struct DatasetMergeOptions {
 
 /// Rows that stand in several sources are taken once. What is left out is listed in `leftOut` and said in `notes`;
 /// who withdrew from one of the sources is in none of the others (withdrawn_subjects.h).
-/// Throws AnalysisError, naming files and subjects, where protocols differ or are not known, and where a subject or a
+/// Throws InputError, naming files and subjects, where protocols differ or are not known, and where a subject or a
 /// planned trial has different contents in two sources. One part may hold people and simulated subjects too: merge it
 /// alone.
 Dataset merge(std::vector<Dataset> parts, const DatasetMergeOptions& options = {});

@@ -70,7 +70,7 @@ struct ProtocolFacts {
 /// Of its blocks, each once.
 std::vector<std::string> tasksOf(const ProtocolFacts& facts);
 
-/// Throws AnalysisError that names `where` and the line.
+/// Throws InputError that names `where` and the line.
 ProtocolFacts protocolFacts(const std::string& text, const std::string& where);
 
 }  // namespace ocelli

@@ -1,13 +1,10 @@
 #include "analysis/dataset/row_digest.h"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
 #include <algorithm>
 #include <bit>
 #include <iterator>
-
-#include "analysis/base/analysis_error.h"
 
 namespace ocelli {
 
@@ -44,7 +41,7 @@ RowBytes& RowBytes::real(const std::optional<double>& value) {
 }
 
 Digest RowBytes::digest() const {
-  return sha256Of(bytes_);
+  return sha256Digest(bytes_);
 }
 
 Digest digestOf(const Trial& trial, const std::string& view, const UnreadColumns& unread) {
@@ -69,14 +66,6 @@ Digest digestOf(const Trial& trial, const std::string& view, const UnreadColumns
   return row.digest();
 }
 
-Digest sha256Of(std::string_view bytes) {
-  Digest digest{};
-  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, EVP_sha256(), nullptr) != 1) {
-    throw AnalysisError(AnalysisError::Kind::kWork, "SHA-256 is unavailable", "OpenSSL", "another build of OpenSSL");
-  }
-  return digest;
-}
-
 Digest sha256OfRows(std::vector<Digest> rows) {
   std::sort(rows.begin(), rows.end());
   std::string bytes;
@@ -84,15 +73,7 @@ Digest sha256OfRows(std::vector<Digest> rows) {
   for (const Digest& row : rows) {
     bytes.append(row.begin(), row.end());
   }
-  return sha256Of(bytes);
-}
-
-std::string hexadecimal(const Digest& digest) {
-  std::string text;
-  for (const uint8_t byte : digest) {
-    fmt::format_to(std::back_inserter(text), "{:02x}", byte);
-  }
-  return text;
+  return sha256Digest(bytes);
 }
 
 }  // namespace ocelli

@@ -50,10 +50,7 @@ struct UnreadColumns {
 /// `view`: the name of its condition.
 Digest digestOf(const Trial& trial, const std::string& view, const UnreadColumns& unread);
 
-Digest sha256Of(std::string_view bytes);
 /// Of the digests in the order of their bytes: the same whatever order they came in.
 Digest sha256OfRows(std::vector<Digest> rows);
-/// 64 small hexadecimal digits.
-std::string hexadecimal(const Digest& digest);
 
 }  // namespace ocelli

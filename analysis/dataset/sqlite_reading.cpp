@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <string_view>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/dataset/database.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -44,7 +44,7 @@ std::string uriForReading(const std::string& path) {
 }
 
 [[noreturn]] void failToRead(const std::string& what, const std::string& path, const std::string& next) {
-  throw AnalysisError(AnalysisError::Kind::kInput, what, path, next);
+  throw InputError(what, path, next);
 }
 
 void checkVersion(SQLite::Database& database, const std::string& path) {
@@ -77,8 +77,7 @@ void throwSqliteError(const SQLite::Exception& error, const std::string& path) {
       failToRead(fmt::format("this database is damaged ({})", error.getErrorStr()), path, kCopy);
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      throw AnalysisError(AnalysisError::Kind::kWork, "another program keeps this database locked", path,
-                          "again, when it has ended");
+      throw WorkError("another program keeps this database locked", path, "again, when it has ended");
     case SQLITE_CANTOPEN:
     case SQLITE_READONLY:
     case SQLITE_PERM:
@@ -90,8 +89,8 @@ void throwSqliteError(const SQLite::Exception& error, const std::string& path) {
       failToRead(fmt::format("this database has other tables than a study ({})", error.what()), path,
                  "check that its tables are those of protocols/trials.schema.sql");
     default:
-      throw AnalysisError(AnalysisError::Kind::kWork, fmt::format("cannot read this database ({})", error.what()), path,
-                          "check the disk; or a copy of the file");
+      throw WorkError(fmt::format("cannot read this database ({})", error.what()), path,
+                      "check the disk; or a copy of the file");
   }
 }
 

@@ -10,10 +10,10 @@ namespace ocelli {
 /// As readDatabase() in database.h says. The connection cannot write.
 SQLite::Database openStudyForReading(const std::string& path);
 
-/// Throws AnalysisError where rows that an analysis reads are damaged, or break the rules of the schema.
+/// Throws InputError where rows that an analysis reads are damaged, or break the rules of the schema.
 void checkIntegrity(SQLite::Database& database, const std::string& path);
 
-/// Throws what went wrong as AnalysisError.
+/// Throws what went wrong as InputError.
 [[noreturn]] void throwSqliteError(const SQLite::Exception& error, const std::string& path);
 
 template <class Work>

@@ -2,18 +2,15 @@
 // came from.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 
+#include "oc_core/base/sha256.h"
 #include "study/trial/view_condition.h"
 
 namespace ocelli {
-
-/// SHA-256.
-using Digest = std::array<uint8_t, 32>;
 
 struct Trial {
   // Where the row is.

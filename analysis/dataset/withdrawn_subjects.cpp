@@ -37,8 +37,7 @@ void removeWithdrawn(std::vector<Dataset>& parts) {
     std::string from;
     for (const Subject& subject : part.subjects) {
       const auto found = std::find_if(known.begin(), known.end(), [&](const KnownWithdrawal& each) {
-        return !subject.key.empty() &&
-               hexadecimal(sha256Of(each.withdrawal.salt + subject.key)) == each.withdrawal.keySha256;
+        return !subject.key.empty() && sha256(each.withdrawal.salt + subject.key) == each.withdrawal.keySha256;
       });
       if (found != known.end()) {
         gone.insert(subject.id);

@@ -38,7 +38,7 @@ struct FailureTimeFit {
 
 /// Without covariates it fits the intercept and sigma alone. Not possible without events, with a time of 0, with
 /// covariates that do not vary or depend on each other, where the likelihood grows without bound (no event in one
-/// group, a perfect fit), with no more clusters than coefficients, or where it does not converge. Throws AnalysisError
+/// group, a perfect fit), with no more clusters than coefficients, or where it does not converge. Throws InputError
 /// for data that contradict themselves, and for strata, which this model has none of.
 Estimable<FailureTimeFit> fitLogNormal(const SurvivalData& data, double level = 0.95);
 

@@ -30,7 +30,7 @@ struct BinomialTest {
   double pAbove = 1;        ///< exact and one-sided, of "no more often than by chance"
 };
 
-/// It takes trials as independent. Not possible without trials. Throws AnalysisError for invalid counts, and a
+/// It takes trials as independent. Not possible without trials. Throws InputError for invalid counts, and a
 /// chance that is not between 0 and 1.
 Estimable<BinomialTest> binomialTest(const Share& share, double chance, double level = 0.95);
 

@@ -1,15 +1,15 @@
 #include "analysis/inference/bootstrap.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "analysis/base/distributions.h"
-#include "analysis/base/random_numbers.h"
 #include "analysis/inference/sample.h"
 #include "analysis/inference/wald.h"
+#include "oc_core/base/parallel.h"
+#include "oc_core/base/random_numbers.h"
 
 namespace ocelli {
 namespace {
@@ -103,10 +103,12 @@ double quantileOfSorted(const std::vector<double>& sorted, double probability) {
 
 std::vector<std::optional<double>> computeAll(size_t count, const std::function<std::optional<double>(size_t)>& one) {
   std::vector<std::optional<double>> values(count);
-  tbb::parallel_for(size_t{0}, count, [&](size_t i) {
-    values[i] = one(i);
-    if (values[i] && !std::isfinite(*values[i])) {
-      values[i].reset();
+  parallelFor(count, 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      values[i] = one(i);
+      if (values[i] && !std::isfinite(*values[i])) {
+        values[i].reset();
+      }
     }
   });
   return values;

@@ -49,7 +49,7 @@ struct BootstrapResult {
 /// `subjects` and `cases` have a label a row; cases may be empty where they are not drawn. The numbers depend on the
 /// plan alone, not on how many threads there are. Not possible where the data do not give the statistic, with one
 /// subject or case, where more than half of the resamples give nothing, or where all give the same. Throws
-/// AnalysisError for lists of different lengths, and fewer than 100 resamples.
+/// InputError for lists of different lengths, and fewer than 100 resamples.
 Estimable<BootstrapResult> bootstrap(const std::vector<int>& subjects, const std::vector<int>& cases,
                                      const BootstrapStatistic& statistic, const BootstrapPlan& plan);
 

@@ -12,7 +12,7 @@ struct Covariate {
   std::vector<double> values;  ///< of each row
 };
 
-/// Throws AnalysisError where there is not one finite value a row.
+/// Throws InputError where there is not one finite value a row.
 void checkCovariates(const std::vector<Covariate>& covariates, size_t rows, const char* function);
 
 }  // namespace ocelli

@@ -41,7 +41,7 @@ struct CoxFit {
 
 /// Not possible without events, where covariates do not vary among those at risk together or depend on each other,
 /// where the likelihood grows without bound (no event in one group), with no more clusters than covariates, or where it
-/// does not converge. Throws AnalysisError for data that contradict themselves.
+/// does not converge. Throws InputError for data that contradict themselves.
 Estimable<CoxFit> fitCox(const SurvivalData& data, double level = 0.95);
 
 /// What hazard ratios are checked to be constant against.

@@ -27,7 +27,7 @@ struct PairedEffect {
 };
 
 /// Of second - first, one pair a subject. Not possible for fewer than 2 pairs, or where a spread is 0. Throws
-/// AnalysisError for lists of different lengths.
+/// InputError for lists of different lengths.
 Estimable<PairedEffect> pairedEffect(const std::vector<double>& first, const std::vector<double>& second,
                                      double level = 0.95);
 

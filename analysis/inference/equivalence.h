@@ -36,7 +36,7 @@ EquivalenceTest equivalenceOf(double difference, double standardError, double de
                               const EquivalenceBounds& bounds, double alpha = 0.05);
 
 /// Of the mean of differences, one a subject. Not possible for fewer than 2 or where all are the same. Throws
-/// AnalysisError for bounds that enclose nothing, as all of these do.
+/// InputError for bounds that enclose nothing, as all of these do.
 Estimable<EquivalenceTest> equivalenceOfPairedMeans(const std::vector<double>& differences,
                                                     const EquivalenceBounds& bounds, double alpha = 0.05);
 

@@ -11,7 +11,7 @@ namespace ocelli {
 
 /// In the same order. A test that could not be done (kNotKnown) stays so and counts as the largest p value: a family
 /// has the size that was planned, or else the data would decide how strict the others' correction is. Throws
-/// AnalysisError for numbers that are no p values.
+/// InputError for numbers that are no p values.
 std::vector<double> holmAdjusted(const std::vector<double>& pValues);
 
 struct FamilyTest {

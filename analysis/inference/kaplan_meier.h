@@ -36,7 +36,7 @@ struct SurvivalCurve {
 /// Without clusters the trials are taken as independent and the interval is normal. With clusters, such as a subject
 /// for each trial, and `items`, clusters that cross these such as cases, the error is that of crossed_clusters.h and
 /// the interval is Student's with its degrees of freedom. Of one cluster alone, or one item, the curve has no bands.
-/// Not possible without trials. Throws AnalysisError for invalid times, and lists of different lengths.
+/// Not possible without trials. Throws InputError for invalid times, and lists of different lengths.
 Estimable<SurvivalCurve> survivalCurve(const std::vector<SurvivalTime>& times, double level = 0.95,
                                        const std::vector<int>& clusters = {}, const std::vector<int>& items = {});
 

@@ -25,7 +25,7 @@ struct LogRankTest {
 
 /// `groups` and `strata` have a label a trial; without strata all trials are compared with each other. It takes trials
 /// as independent: several of one subject make its p value too small or, where subjects are in all groups, too large.
-/// Not possible for one group or without events. Throws AnalysisError for lists of different lengths.
+/// Not possible for one group or without events. Throws InputError for lists of different lengths.
 Estimable<LogRankTest> logRankTest(const std::vector<SurvivalTime>& times, const std::vector<int>& groups,
                                    const std::vector<int>& strata = {});
 

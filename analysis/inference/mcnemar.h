@@ -30,7 +30,7 @@ struct PairedCounts {
   int pairs() const { return both + onlyFirst + onlySecond + neither; }
 };
 
-/// Throws AnalysisError where a pair has two trials of the same condition.
+/// Throws InputError where a pair has two trials of the same condition.
 PairedCounts pairOutcomes(const std::vector<PairedOutcome>& outcomes);
 
 struct McNemarTest {

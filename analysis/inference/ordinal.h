@@ -22,7 +22,7 @@ struct OrdinalDistribution {
 };
 
 /// `answers` from 1 to `steps`, two or more; the middle is (steps + 1) / 2. Not possible without answers. Throws
-/// AnalysisError for other numbers, as does the test.
+/// InputError for other numbers, as does the test.
 Estimable<OrdinalDistribution> ordinalDistribution(const std::vector<int>& answers, int steps = 5, double level = 0.95);
 
 struct MiddleTest {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -14,8 +14,8 @@ using Place = NeededSubjects::Place;
 
 void check(const std::vector<PowerPoint>& points, double power) {
   const auto fail = [](const char* what) {
-    throw AnalysisError(AnalysisError::Kind::kInput, what, "simulated power",
-                        "rising numbers of subjects, with studies of each, and a power between 0 and 1");
+    throw InputError(what, "simulated power",
+                     "rising numbers of subjects, with studies of each, and a power between 0 and 1");
   };
   if (points.empty()) {
     fail("there is no number of subjects");

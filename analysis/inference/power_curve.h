@@ -34,7 +34,7 @@ struct SubjectsForPower {
   NeededSubjects most;
 };
 
-/// `power` is between 0 and 1. Throws AnalysisError for no points, sizes that do not rise, and sizes without studies.
+/// `power` is between 0 and 1. Throws InputError for no points, sizes that do not rise, and sizes without studies.
 SubjectsForPower subjectsForPower(const std::vector<PowerPoint>& points, double power, double level = 0.95);
 
 /// "about 26", "at most 10", "not reached with 50": whole subjects, rounded up.

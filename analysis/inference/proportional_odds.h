@@ -30,7 +30,7 @@ struct ProportionalOddsFit {
 
 /// It takes answers as independent: one a subject. Not possible where all answers are the same, where covariates do not
 /// vary or depend on each other, where the likelihood grows without bound (all low answers in one group), or where it
-/// does not converge. Throws AnalysisError for lists of different lengths.
+/// does not converge. Throws InputError for lists of different lengths.
 Estimable<ProportionalOddsFit> fitProportionalOdds(const std::vector<int>& answers,
                                                    const std::vector<Covariate>& covariates, double level = 0.95);
 

@@ -27,7 +27,7 @@ struct RestrictedMean {
 /// of clusters / (clusters - 1), and the interval is Student's with clusters - 1 degrees of freedom. `items`: clusters
 /// that cross these, as crossed_clusters.h has them. The p value is kNotKnown. Not possible where no trial has an event
 /// before the horizon, where all have it at one moment, where the curve ends before the horizon, or for a single
-/// cluster. Throws AnalysisError for invalid input.
+/// cluster. Throws InputError for invalid input.
 Estimable<RestrictedMean> restrictedMean(const std::vector<SurvivalTime>& times, double horizon,
                                          const std::vector<int>& clusters = {}, double level = 0.95,
                                          const std::vector<int>& items = {});

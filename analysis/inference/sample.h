@@ -27,7 +27,7 @@ struct Ranks {
 };
 Ranks ranksOf(const std::vector<double>& values);
 
-/// Throws AnalysisError where one is not.
+/// Throws InputError where one is not.
 void requireFinite(const std::vector<double>& values, const char* function);
 
 }  // namespace ocelli

@@ -15,7 +15,7 @@
 namespace ocelli {
 
 struct StandardizedCovariates {
-  /// Throws AnalysisError, naming `function`, where there is not one finite value a row.
+  /// Throws InputError, naming `function`, where there is not one finite value a row.
   StandardizedCovariates(const std::vector<Covariate>& covariates, size_t rows, const char* function);
 
   /// Why these cannot all have a coefficient of their own, from the information on them; empty where they can.

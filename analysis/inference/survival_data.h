@@ -37,7 +37,7 @@ struct SurvivalData {
   bool fewClusters = false;
 };
 
-/// Throws AnalysisError where lists differ in length, or a number is not finite or a time negative.
+/// Throws InputError where lists differ in length, or a number is not finite or a time negative.
 void checkTimes(const std::vector<SurvivalTime>& times, const char* function);
 void checkSurvivalData(const SurvivalData& data, const char* function);
 

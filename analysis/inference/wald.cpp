@@ -3,8 +3,8 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/base/distributions.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 
@@ -45,7 +45,7 @@ Estimate chiSquaredEstimate(double statistic, double degreesOfFreedom) {
 
 void requireArgument(bool holds, const std::string& what, const char* function) {
   if (!holds) {
-    throw AnalysisError(AnalysisError::Kind::kInput, what, function, "check the table that it was called with");
+    throw InputError(what, function, "check the table that it was called with");
   }
 }
 

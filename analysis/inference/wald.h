@@ -25,7 +25,7 @@ Estimate asRatio(const Estimate& logarithm);
 /// A chi-squared statistic with its p value.
 Estimate chiSquaredEstimate(double statistic, double degreesOfFreedom);
 
-/// Throws AnalysisError: `what` says what a caller did wrong, `function` which call it was.
+/// Throws InputError: `what` says what a caller did wrong, `function` which call it was.
 void requireArgument(bool holds, const std::string& what, const char* function);
 
 /// Labels such as subjects as indices from 0, in the order of their first appearance.

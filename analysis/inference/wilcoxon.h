@@ -22,7 +22,7 @@ struct SignedRankTest {
   Estimate center;
 };
 
-/// Pairs of values that a test holds in memory. More are refused by an AnalysisError: take one value a subject, not one
+/// Pairs of values that a test holds in memory. More are refused by an InputError: take one value a subject, not one
 /// a trial.
 inline constexpr size_t kMaxPairs = 20000000;
 

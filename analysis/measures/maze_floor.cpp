@@ -7,7 +7,7 @@
 #include <deque>
 #include <string_view>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -19,8 +19,8 @@ void check(const ProtocolMaze& maze) {
     isMaze = isMaze && line.size() == width && line.find_first_not_of("+-| ") == std::string::npos;
   }
   if (!isMaze) {
-    throw AnalysisError(AnalysisError::Kind::kInput, "this drawing is not a valid maze",
-                        fmt::format("maze \"{}\" of the protocol", maze.name), "the protocol as the study stored it");
+    throw InputError("this drawing is not a valid maze", fmt::format("maze \"{}\" of the protocol", maze.name),
+                     "the protocol as the study stored it");
   }
 }
 

@@ -27,7 +27,7 @@ struct FloorCell {
 
 class MazeFloor {
  public:
-  /// Throws AnalysisError where the drawing is not a valid maze.
+  /// Throws InputError where the drawing is not a valid maze.
   explicit MazeFloor(const ProtocolMaze& maze);
 
   int rows() const { return rows_; }

@@ -48,7 +48,7 @@ struct NavigationData {
   std::vector<std::string> notes;     ///< whole sentences
 };
 
-/// Of all trials of a task that is a search. Reads the logs trial by trial. Throws AnalysisError.
+/// Of all trials of a task that is a search. Reads the logs trial by trial. Throws InputError.
 NavigationData navigationOf(const Dataset& data, const std::string& task);
 
 }  // namespace ocelli

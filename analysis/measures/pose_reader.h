@@ -18,7 +18,7 @@ class PoseReader {
   PoseReader& operator=(const PoseReader&) = delete;
 
   /// Of a trial, in the order of its frames; empty where none are stored. Valid until the next call. Opens a database
-  /// for the first of its trials that has any; throws AnalysisError as readDatabase().
+  /// for the first of its trials that has any; throws InputError as readDatabase().
   const std::vector<Pose>& posesOf(const Trial& trial);
 
  private:

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/models/laplace_fit.h"
 #include "analysis/models/separation.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -83,7 +83,7 @@ BinomialMixedModel::BinomialMixedModel(Design design)
 
 void BinomialMixedModel::check(const BinomialResponse& response, int quadraturePoints) const {
   const auto fail = [](const std::string& what, const std::string& next) {
-    throw AnalysisError(AnalysisError::Kind::kInput, what, "binomial mixed model", next);
+    throw InputError(what, "binomial mixed model", next);
   };
   const Index rows = design_.rows();
   if (response.successes.size() != rows || response.trials.size() != rows) {

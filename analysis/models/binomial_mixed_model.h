@@ -2,8 +2,8 @@
 // likelihood as laplace_integral.h has it. beta and theta are optimized together.
 #pragma once
 
-#include "analysis/base/random_numbers.h"
 #include "analysis/models/mixed_model.h"
+#include "oc_core/base/random_numbers.h"
 
 namespace ocelli {
 
@@ -31,10 +31,10 @@ class BinomialMixedModel {
   const Design& design() const { return design_; }
 
   /// `quadraturePoints`: 1 for Laplace's approximation; 2 to 25 where there is one random effect a level of one term,
-  /// and otherwise AnalysisError. Impossible, as a whole: no rows, one level of a grouping factor, equal responses, as
+  /// and otherwise InputError. Impossible, as a whole: no rows, one level of a grouping factor, equal responses, as
   /// many random effects as rows of one trial, answers that the columns separate (the reason names them: their
   /// coefficients are infinite, and those of others depend on how far one goes), and levels that differ without limit.
-  /// A fit that did not converge, or is singular, says so itself. Throws AnalysisError for a response that is no count
+  /// A fit that did not converge, or is singular, says so itself. Throws InputError for a response that is no count
   /// of successes.
   Estimable<BinomialMixedFit> fit(const BinomialResponse& response, int quadraturePoints = 1) const;
 

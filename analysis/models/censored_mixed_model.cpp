@@ -8,10 +8,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/base/normal_tail.h"
 #include "analysis/models/laplace_fit.h"
 #include "analysis/models/separation.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -95,8 +95,8 @@ CensoredMixedModel::CensoredMixedModel(Design design)
 void CensoredMixedModel::check(const CensoredResponse& response) const {
   if (response.values.size() != design_.rows() || !response.values.allFinite() ||
       response.censored.size() != static_cast<size_t>(design_.rows())) {
-    throw AnalysisError(AnalysisError::Kind::kInput, "the response has a value that is not finite, or not one a row",
-                        "censored mixed model", "rows without missing values");
+    throw InputError("the response has a value that is not finite, or not one a row", "censored mixed model",
+                     "rows without missing values");
   }
 }
 

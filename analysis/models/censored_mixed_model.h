@@ -5,8 +5,8 @@
 // then this is the linear mixed model.
 #pragma once
 
-#include "analysis/base/random_numbers.h"
 #include "analysis/models/mixed_model.h"
+#include "oc_core/base/random_numbers.h"
 
 namespace ocelli {
 
@@ -34,7 +34,7 @@ class CensoredMixedModel {
   /// By the restricted likelihood (laplace_fit.h), with Satterthwaite's degrees of freedom. Impossible: as a linear
   /// mixed model is; where all rows are censored; where the fixed effects reproduce the rows that are not exactly; and
   /// where some combination of conditions has censored rows alone (the reason names the coefficients, which are
-  /// infinite). A fit that did not converge, or is singular, says so itself. Throws AnalysisError for a response that
+  /// infinite). A fit that did not converge, or is singular, says so itself. Throws InputError for a response that
   /// is not finite or of another length.
   Estimable<CensoredMixedFit> fitRestricted(const CensoredResponse& response) const;
 

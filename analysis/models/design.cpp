@@ -5,20 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
 
 constexpr double kRankTolerance = 1e-7;
 
-AnalysisError inputError(const std::string& what, const std::string& where, const std::string& next) {
-  return {AnalysisError::Kind::kInput, what, where, next};
-}
-
 void checkLength(size_t length, Eigen::Index rows, const std::string& name) {
   if (static_cast<Eigen::Index>(length) != rows) {
-    throw inputError(fmt::format("{} values for {} rows", length, rows), name, "one value a row");
+    throw InputError(fmt::format("{} values for {} rows", length, rows), name, "one value a row");
   }
 }
 
@@ -58,11 +54,11 @@ void checkRandomTerm(const RandomTerm& term, Eigen::Index rows) {
                                   [&](int level) { return level >= 0 && level < levels; });
   if (!inside || term.columns.rows() != rows || term.columns.cols() != static_cast<Eigen::Index>(term.names.size()) ||
       term.names.empty()) {
-    throw inputError("levels or columns of the random effects do not fit the rows", term.group,
+    throw InputError("levels or columns of the random effects do not fit the rows", term.group,
                      "randomIntercepts() and addSlope()");
   }
   if (!term.columns.allFinite()) {
-    throw inputError("a random slope has a value that is not finite", term.group, "rows without missing values");
+    throw InputError("a random slope has a value that is not finite", term.group, "rows without missing values");
   }
 }
 
@@ -72,7 +68,7 @@ FixedEffects::FixedEffects(Eigen::Index rows) : columns_(rows, 0) {}
 
 FixedEffects::Term& FixedEffects::startTerm(const std::string& name) {
   if (std::any_of(terms_.begin(), terms_.end(), [&](const Term& term) { return term.name == name; })) {
-    throw inputError("there is a term of this name", name, "another name");
+    throw InputError("there is a term of this name", name, "another name");
   }
   return terms_.emplace_back(Term{name, {}});
 }
@@ -93,7 +89,7 @@ void FixedEffects::addNumber(const std::string& name, const std::vector<double>&
   checkLength(values.size(), rows(), name);
   for (size_t row = 0; row < values.size(); ++row) {
     if (!std::isfinite(values[row])) {
-      throw inputError("the value is not a finite number", fmt::format("{}, row {}", name, row + 1),
+      throw InputError("the value is not a finite number", fmt::format("{}, row {}", name, row + 1),
                        "rows without missing values");
     }
   }
@@ -108,7 +104,7 @@ void FixedEffects::addFactor(const std::string& name, const std::vector<std::str
   for (size_t row = 0; row < labels.size(); ++row) {
     const auto level = std::find(levels.begin(), levels.end(), labels[row]);
     if (level == levels.end()) {
-      throw inputError(fmt::format("\"{}\" is not one of its levels", labels[row]),
+      throw InputError(fmt::format("\"{}\" is not one of its levels", labels[row]),
                        fmt::format("{}, row {}", name, row + 1), "rows of these levels, or more levels");
     }
     indicators(static_cast<Eigen::Index>(row), level - levels.begin()) = 1;
@@ -135,7 +131,7 @@ void FixedEffects::addInteraction(const std::string& first, const std::string& s
 std::vector<Eigen::Index> FixedEffects::columnsOf(const std::string& term) const {
   const auto found = std::find_if(terms_.begin(), terms_.end(), [&](const Term& each) { return each.name == term; });
   if (found == terms_.end()) {
-    throw inputError("there is no such term", term, "a term that was added before");
+    throw InputError("there is no such term", term, "a term that was added before");
   }
   return found->columns;
 }
@@ -178,7 +174,7 @@ Eigen::MatrixXd Design::rowsLike(const FixedEffects& other) const {
   Eigen::MatrixXd rows(other.rows(), fixed.cols());
   for (size_t i = 0; i < kept.size(); ++i) {
     if (kept[i] >= other.columns().cols() || other.names()[static_cast<size_t>(kept[i])] != fixedNames[i]) {
-      throw inputError("the columns are not those of the model", fixedNames[i], "the same terms in the same order");
+      throw InputError("the columns are not those of the model", fixedNames[i], "the same terms in the same order");
     }
     rows.col(static_cast<Eigen::Index>(i)) = other.columns().col(kept[i]);
   }

@@ -23,7 +23,7 @@ enum class Coding {
   kCentered,   ///< less 1 / levels, so that two levels are -0.5 and 0.5: other effects are means over the levels
 };
 
-/// Columns of fixed effects as they are asked for: they may depend on each other. Throws AnalysisError for values that
+/// Columns of fixed effects as they are asked for: they may depend on each other. Throws InputError for values that
 /// are not finite, lengths that differ, labels that are no level, and names that are taken or not there.
 class FixedEffects {
  public:
@@ -96,7 +96,7 @@ struct Design {
 };
 
 /// Drops the columns that those before them determine, as R does: what a column adds is less than 1e-7 of its length.
-/// Throws AnalysisError where the random terms do not fit the rows.
+/// Throws InputError where the random terms do not fit the rows.
 Design makeDesign(const FixedEffects& fixed, const std::vector<RandomTerm>& random);
 
 /// Why no model can be estimated from rows such as these; none where one may. `needsReplicates`: the model has a

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -122,8 +122,8 @@ double LinearMixedModel::deviance(const VectorXd& response, const VectorXd& thet
 Estimable<LinearMixedFit> LinearMixedModel::fit(const VectorXd& response, bool restricted) const {
   using Result = Estimable<LinearMixedFit>;
   if (response.size() != design_.rows() || !response.allFinite()) {
-    throw AnalysisError(AnalysisError::Kind::kInput, "the response has a value that is not finite, or not one a row",
-                        "linear mixed model", "rows without missing values");
+    throw InputError("the response has a value that is not finite, or not one a row", "linear mixed model",
+                     "rows without missing values");
   }
   if (const std::optional<std::string> reason = whyImpossible(design_, true)) {
     return Result::impossible(*reason);

@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-#include "analysis/base/random_numbers.h"
 #include "analysis/models/mixed_model.h"
+#include "oc_core/base/random_numbers.h"
 
 namespace ocelli {
 
@@ -23,7 +23,7 @@ class LinearMixedModel {
 
   /// One value a row. Impossible: no rows, one level of a grouping factor, as many random effects as rows, equal
   /// responses, or such as the effects reproduce exactly. A fit that did not converge, or is singular, says so itself.
-  /// Throws AnalysisError for a response that is not finite or of another length.
+  /// Throws InputError for a response that is not finite or of another length.
   Estimable<LinearMixedFit> fit(const Eigen::VectorXd& response, bool restricted = true) const;
 
   /// The profiled deviance at relative covariance factors `theta`, in lme4's order: what fit() minimises.

@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/models/quadrature.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -58,9 +58,8 @@ Condition conditionOf(const BinomialMixedModel& model, const BinomialMixedFit& f
     }
   }
   if (!alike) {
-    throw AnalysisError(AnalysisError::Kind::kInput,
-                        "the random effects are not those of the model, or there are no rows", "condition",
-                        "the same terms in the same order");
+    throw InputError("the random effects are not those of the model, or there are no rows", "condition",
+                     "the same terms in the same order");
   }
   return condition;
 }

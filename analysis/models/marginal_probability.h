@@ -13,7 +13,7 @@ struct Condition {
   Eigen::VectorXd randomVariances;  ///< of the sum of the random effects in each row, logits squared
 };
 
-/// `fixed` and `random`: built as those of the model were, with other values. Throws AnalysisError where they differ.
+/// `fixed` and `random`: built as those of the model were, with other values. Throws InputError where they differ.
 Condition conditionOf(const BinomialMixedModel& model, const BinomialMixedFit& fit, const FixedEffects& fixed,
                       const std::vector<RandomTerm>& random);
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/plot/chart_text.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -134,8 +134,7 @@ Figure ratingFigure(const RatingPlot& plot) {
   std::vector<RatingPlot::Question> questions;
   for (const RatingPlot::Question& question : plot.questions) {
     if (question.counts.size() != plot.steps.size()) {
-      throw AnalysisError(
-          AnalysisError::Kind::kInput,
+      throw InputError(
           fmt::format("a question has {} counts, but the scale {} steps", question.counts.size(), plot.steps.size()),
           question.text, "one count a step");
     }

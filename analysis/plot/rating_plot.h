@@ -30,7 +30,7 @@ struct RatingPlot {
   double widthMillimetres = kDoubleColumnMillimetres;
 };
 
-/// Questions without answers are left out. Throws AnalysisError where a question has not one count a step.
+/// Questions without answers are left out. Throws InputError where a question has not one count a step.
 Figure ratingFigure(const RatingPlot& plot);
 
 }  // namespace ocelli

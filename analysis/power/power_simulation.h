@@ -25,7 +25,7 @@ struct PowerWork {
 std::vector<int> sessionsOf(const Protocol& protocol, int subjects, double dropOut, uint64_t seed);
 
 /// A curve for each test of each truth, in their order. The same for any number of threads, and each number of subjects
-/// as if it were the only one. Throws AnalysisError where the plan is not for the protocol.
+/// as if it were the only one. Throws InputError where the plan is not for the protocol.
 std::vector<PowerCurve> simulatePower(const PowerWork& work, const std::vector<Truth>& truths,
                                       const Progress& progress = {});
 

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 #include <openssl/evp.h>
-#include <openssl/sha.h>
 
 #include <algorithm>
 #include <array>
 
 #include "analysis/plot/style.h"
 #include "analysis/report/html_style.h"
+#include "oc_core/base/sha256.h"
 #include "oc_core/page/html.h"
 #include "oc_core/page/page_colors.h"
 
@@ -28,9 +28,8 @@ std::string escaped(const std::string& text) {
 
 /// As a policy names a script: base64 of its SHA-256.
 std::string scriptDigest(std::string_view script) {
-  std::array<unsigned char, SHA256_DIGEST_LENGTH> digest{};
-  SHA256(reinterpret_cast<const unsigned char*>(script.data()), script.size(), digest.data());
-  std::array<unsigned char, 4 * ((SHA256_DIGEST_LENGTH + 2) / 3) + 1> text{};
+  const Digest digest = sha256Digest(script);
+  std::array<unsigned char, 4 * ((std::tuple_size_v<Digest> + 2) / 3) + 1> text{};
   const int length = EVP_EncodeBlock(text.data(), digest.data(), static_cast<int>(digest.size()));
   return {reinterpret_cast<const char*>(text.data()), static_cast<size_t>(length)};
 }

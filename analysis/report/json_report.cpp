@@ -7,7 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "oc_core/page/utf8.h"
+#include "oc_core/base/utf8.h"
 
 namespace ocelli {
 namespace {

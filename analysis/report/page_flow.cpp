@@ -1,6 +1,6 @@
 #include "analysis/report/page_flow.h"
 
-#include "oc_core/page/utf8.h"
+#include "oc_core/base/utf8.h"
 
 namespace ocelli {
 

@@ -8,7 +8,7 @@
 #include "analysis/plot/style.h"
 #include "analysis/report/page_flow.h"
 #include "analysis/report/table_layout.h"
-#include "oc_core/page/utf8.h"
+#include "oc_core/base/utf8.h"
 
 namespace ocelli {
 namespace {

@@ -12,7 +12,7 @@
 #include "analysis/report/report_parts.h"
 #include "analysis/report/report_task.h"
 #include "analysis/report/search_times.h"
-#include "oc_core/page/utf8.h"
+#include "oc_core/base/utf8.h"
 
 namespace ocelli {
 namespace {

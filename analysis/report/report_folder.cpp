@@ -15,8 +15,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/report/json_report.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -24,8 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void failWriting(const fs::path& where, int reason) {
-  throw AnalysisError(AnalysisError::Kind::kWork, fmt::format("cannot be written: {}", std::strerror(reason)),
-                      where.string(), "free some space there, or name a folder that can be written");
+  throw WorkError(fmt::format("cannot be written: {}", std::strerror(reason)), where.string(),
+                  "free some space there, or name a folder that can be written");
 }
 
 bool isReport(const fs::path& folder) {
@@ -44,8 +44,8 @@ void checkReplaceable(const fs::path& folder) {
   const bool replaceable =
       status.type() == fs::file_type::directory && (fs::is_empty(folder, error) || (!error && isReport(folder)));
   if (!replaceable) {
-    throw AnalysisError(AnalysisError::Kind::kInput, "exists, and is no report of an analysis", folder.string(),
-                        "name a folder that does not exist yet");
+    throw InputError("exists, and is no report of an analysis", folder.string(),
+                     "name a folder that does not exist yet");
   }
 }
 
@@ -160,8 +160,7 @@ void writeReportFolder(const fs::path& folder, const std::vector<ReportFile>& fi
   for (const ReportFile& file : files) {
     const fs::path name = fs::path(file.name).lexically_normal();
     if (name.empty() || name.is_absolute() || *name.begin() == ".." || !name.has_filename()) {
-      throw AnalysisError(AnalysisError::Kind::kInput, "is no name of a file in a report", file.name,
-                          "name it without '..' and '/' at its ends");
+      throw InputError("is no name of a file in a report", file.name, "name it without '..' and '/' at its ends");
     }
   }
   removeLeftovers(target);

@@ -21,7 +21,7 @@ std::filesystem::path unfinishedReportFolder(const std::filesystem::path& folder
 void checkReportFolder(const std::filesystem::path& folder);
 
 /// Written beside `folder` and then renamed to it. A report that was there before (its report.json says so) gives way
-/// only to the whole new one; an empty folder too. AnalysisError where there is anything else, for a name that leads
+/// only to the whole new one; an empty folder too. InputError where there is anything else, for a name that leads
 /// out of the folder, and where the disk is full or cannot be written: then nothing has changed.
 void writeReportFolder(const std::filesystem::path& folder, const std::vector<ReportFile>& files);
 

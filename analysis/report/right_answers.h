@@ -15,7 +15,7 @@ Share shareOf(const TrialList& trials);
 std::vector<double> shareDifferences(const TrialList& trials);
 /// The mean of these, where subjects and cases are drawn from more of theirs.
 Estimable<Estimate> shareDifference(const TrialList& trials);
-/// Two one-sided tests of it. Throws AnalysisError for bounds that enclose nothing.
+/// Two one-sided tests of it. Throws InputError for bounds that enclose nothing.
 Estimable<EquivalenceTest> shareEquivalence(const TrialList& trials, const EquivalenceBounds& bounds, double alpha);
 
 /// A figure of the share of each view by session, a dot a subject, and a table of shares with Wilson's intervals.

@@ -1,7 +1,6 @@
 #include "analysis/report/sensitivity.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "analysis/base/failure.h"
 #include "analysis/plot/forest_plot.h"
 #include "analysis/report/part_guard.h"
+#include "oc_core/base/parallel.h"
 
 namespace ocelli {
 namespace {
@@ -178,8 +178,11 @@ void addSensitivity(ReportWork& work, const SensitivityTable& about, const Varia
                     const std::function<Estimable<Estimate>(const Variant&)>& effect) {
   std::vector<Estimable<Estimate>> effects(variants.list.size(), Estimable<Estimate>::impossible(""));
   std::vector<std::optional<std::string>> failures(variants.list.size());
-  tbb::parallel_for(size_t{0}, variants.list.size(),
-                    [&](size_t i) { failures[i] = failureOf([&] { effects[i] = effect(variants.list[i]); }); });
+  parallelFor(effects.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      failures[i] = failureOf([&] { effects[i] = effect(variants.list[i]); });
+    }
+  });
   for (size_t i = 0; i < failures.size(); ++i) {
     if (failures[i]) {
       effects[i] = Estimable<Estimate>::impossible(addFailure(work, variants.list[i].label, *failures[i]));

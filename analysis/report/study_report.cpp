@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "analysis/dataset/csv_table.h"
 #include "analysis/dataset/form_item.h"
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/report/apparatus_section.h"
@@ -18,6 +17,7 @@
 #include "analysis/report/r_script.h"
 #include "analysis/report/report_task.h"
 #include "analysis/report/view_words.h"
+#include "oc_core/base/csv.h"
 
 namespace ocelli {
 namespace {
@@ -87,13 +87,13 @@ std::string trialsCsv(const Dataset& data) {
       "source,trial_id,subject_id,session_number,plan_index,block,task,case_index,item,view,moving,exposure_s,objects,"
       "duplicate_colors,answer,expected,correct,censored,response_s,dropped_frames,simulated\r\n";
   for (const Trial& trial : data.trials) {
-    text += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", trial.source, trial.trialId,
-        csvField(trial.subject), trial.session, trial.planIndex, csvField(trial.block), csvField(trial.task),
-        trial.caseIndex, csvField(trial.item()), data.conditions.nameOf(trial.view), optionalText(trial.moving),
-        optionalText(trial.exposureSeconds), optionalText(trial.objects), optionalText(trial.duplicateColors),
-        csvField(trial.answer), csvField(trial.expected), optionalText(trial.correct), optionalText(trial.censored),
-        optionalText(trial.responseSeconds), trial.droppedFrames, trial.simulated ? 1 : 0);
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", trial.source,
+                        trial.trialId, csvText(trial.subject), trial.session, trial.planIndex, csvText(trial.block),
+                        csvText(trial.task), trial.caseIndex, csvText(trial.item()), data.conditions.nameOf(trial.view),
+                        optionalText(trial.moving), optionalText(trial.exposureSeconds), optionalText(trial.objects),
+                        optionalText(trial.duplicateColors), csvText(trial.answer), csvText(trial.expected),
+                        optionalText(trial.correct), optionalText(trial.censored), optionalText(trial.responseSeconds),
+                        trial.droppedFrames, trial.simulated ? 1 : 0);
   }
   return text;
 }
@@ -107,9 +107,9 @@ std::string answersCsv(const Dataset& data) {
   for (const FormAnswer& answer : data.answers) {
     const FormItem item = items.of(answer);
     const std::optional<int> place = item.placeOf(answer.answer);
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\r\n", answer.source, answer.answerId,
-                        csvField(answer.subject), answer.session, csvField(answer.form), csvField(answer.field),
-                        csvField(answer.answer), csvField(item.question), place ? std::to_string(*place) : "",
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\r\n", answer.source, answer.answerId, csvText(answer.subject),
+                        answer.session, csvText(answer.form), csvText(answer.field), csvText(answer.answer),
+                        csvText(item.question), place ? std::to_string(*place) : "",
                         item.isScale() ? std::to_string(item.steps()) : "",
                         item.lastFavors ? data.conditions.nameOf(*item.lastFavors) : "");
   }

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "analysis/plot/style.h"
-#include "oc_core/page/utf8.h"
+#include "oc_core/base/utf8.h"
 
 namespace ocelli {
 namespace {

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <map>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -46,8 +46,8 @@ size_t commonStart(const std::string& a, const std::string& b) {
   for (size_t i = 0; i < std::min<size_t>(names.size(), 5); ++i) {
     close += fmt::format("{}{}", i == 0 ? "" : ", ", names[i]);
   }
-  throw AnalysisError(AnalysisError::Kind::kInput, "no table has this cell", oneLine(name),
-                      close.empty() ? "another cell" : fmt::format("one of the names of cells, such as {}", close));
+  throw InputError("no table has this cell", oneLine(name),
+                   close.empty() ? "another cell" : fmt::format("one of the names of cells, such as {}", close));
 }
 
 void appendTrials(std::string& text, const Cell& cell, const Dataset& data) {

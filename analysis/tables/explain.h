@@ -11,7 +11,7 @@ namespace ocelli {
 
 /// Text that says what the cell means, and lists its rows: of trials file, number, subject, session, case, view, time
 /// and answer; with the command of SQLite that shows them in their databases. `data` is what the tables were made of.
-/// Throws AnalysisError, with names that are close, where there is no such cell.
+/// Throws InputError, with names that are close, where there is no such cell.
 std::string explainCell(const std::vector<Table>& tables, const Dataset& data, const std::string& name);
 
 /// The command that lists these rows of one source, such as

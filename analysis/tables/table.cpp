@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "analysis/dataset/csv_table.h"
+#include "oc_core/base/csv.h"
 
 namespace ocelli {
 namespace {
@@ -98,10 +98,10 @@ std::string cellsCsv(const std::vector<Table>& tables) {
       }
       for (size_t i = 0; i < row.cells.size(); ++i) {
         const Cell& cell = row.cells[i];
-        fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{}\r\n", csvField(table.name),
-                       csvField(cell.name), csvField(heads), csvField(table.cellNames[i]), number(cell.value),
-                       cell.unit, number(cell.numerator), number(cell.denominator), cell.isPublished() ? 1 : 0,
-                       csvField(cell.value ? "" : cell.missing), csvField(cell.meaning));
+        fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{}\r\n", csvText(table.name),
+                       csvText(cell.name), csvText(heads), csvText(table.cellNames[i]), number(cell.value), cell.unit,
+                       number(cell.numerator), number(cell.denominator), cell.isPublished() ? 1 : 0,
+                       csvText(cell.value ? "" : cell.missing), csvText(cell.meaning));
       }
     }
   }

@@ -8,7 +8,7 @@
 #include "display_sim/frames/svol_reader.h"
 #include "display_sim/observing/tone.h"
 #include "oc_core/base/conventions.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli {
 namespace {

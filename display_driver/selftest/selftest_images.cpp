@@ -5,7 +5,7 @@
 
 #include "display_sim/observing/observer.h"
 #include "oc_core/base/conventions.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli {
 namespace {

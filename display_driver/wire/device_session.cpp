@@ -32,7 +32,8 @@ DisplayIdentity identify(wire::Link& link) {
     return {*identity, profileFromJsonText({profile.begin(), profile.end()}, "the profile of the display")};
   } catch (const InputError& error) {
     // What the device says is no input of the user's.
-    throw WorkError(error.what(), where, "mend the display's PROFILE answer");
+    throw WorkError("the profile that the display sent is wrong:", where, "mend the display's PROFILE answer",
+                    error.what());
   }
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "display_sim/dither/slice_options.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli {
 

@@ -6,7 +6,7 @@
 
 #include "display_sim/dither_score/dither_fields.h"
 #include "display_sim/dither_score/light_evenness.h"
-#include "oc_core/base/image.h"
+#include "oc_core/image/image.h"
 
 namespace ocelli {
 

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "oc_core/base/image.h"
 #include "oc_core/base/output_file.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/image.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli {
 

@@ -5,9 +5,9 @@
 
 #include "display_sim/frames/svol_reader.h"
 #include "display_sim/frames/volume.h"
-#include "oc_core/base/image.h"
-#include "oc_core/base/png_file.h"
 #include "oc_core/base/progress.h"
+#include "oc_core/image/image.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli {
 

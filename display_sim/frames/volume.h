@@ -15,8 +15,8 @@
 
 #include "display_sim/frames/display_profile.h"
 #include "oc_core/base/check.h"
-#include "oc_core/base/image.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/image.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli {
 

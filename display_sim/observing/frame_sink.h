@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli {
 

@@ -1,8 +1,8 @@
 #include "display_sim/observing/light_file.h"
 
-#include "oc_core/base/exr_writer.h"
 #include "oc_core/base/file_bytes.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/exr_writer.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli {
 

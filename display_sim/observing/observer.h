@@ -17,7 +17,7 @@
 #include "display_sim/observing/tone.h"
 #include "display_sim/observing/wobble.h"
 #include "oc_core/base/conventions.h"
-#include "oc_core/base/image.h"
+#include "oc_core/image/image.h"
 
 namespace ocelli {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "display_sim/observing/observer.h"
-#include "oc_core/base/color.h"
 #include "oc_core/base/parallel.h"
+#include "oc_core/image/color.h"
 
 namespace ocelli {
 namespace {

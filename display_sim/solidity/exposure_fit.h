@@ -3,7 +3,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli {
 

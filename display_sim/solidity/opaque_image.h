@@ -2,7 +2,7 @@
 #pragma once
 
 #include "display_sim/observing/observer.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 #include "oc_core/scene/mesh.h"
 
 namespace ocelli {

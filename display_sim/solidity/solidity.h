@@ -12,8 +12,8 @@
 
 #include "display_sim/frames/volume.h"
 #include "display_sim/solidity/eye_groups.h"
-#include "oc_core/base/png_file.h"
 #include "oc_core/base/progress.h"
+#include "oc_core/image/png_file.h"
 #include "oc_core/scene/mesh.h"
 
 namespace ocelli {

@@ -4,8 +4,8 @@
 
 #include <glm/vec3.hpp>
 
-#include "oc_core/base/png_file.h"
 #include "oc_core/gl/gl_object.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli {
 

@@ -5,7 +5,7 @@
 
 #include "fisheye_camera.h"
 #include "oc_core/base/error.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 #include "oc_core/ocri/cast_representation.h"
 #include "oc_core/ocri/union_mesh.h"
 #include "oc_core/scene/ply_file.h"

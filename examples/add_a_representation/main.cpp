@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "oc_core/base/error.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 #include "oc_core/ocri/coverage.h"
 #include "oc_core/ocri/representation.h"
 #include "oc_core/render/rasterize.h"

@@ -1,7 +1,7 @@
 // Scene, camera, reference image, bounded mesh: the whole way in a few lines.
 #include <cstdio>
 
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/union_mesh.h"
 #include "oc_core/scene/ply_file.h"

@@ -8,11 +8,14 @@ namespace ocelli {
 
 class Error : public std::runtime_error {
  public:
-  /// `where` is a file, a file with a line, or a field; `next` tells the user what to try.
-  Error(const std::string& what, const std::string& where, const std::string& next);
+  /// `where` is a file, a file with a line, or a field; `next` tells the user what to try. `details` are lines that
+  /// stand below `what`. What comes out of damaged files and databases may stand in all of them: control characters
+  /// become "?", `what` and `where` stay one line, and are cut where they are longer than any message of ours.
+  Error(const std::string& what, const std::string& where, const std::string& next, const std::string& details = "");
 };
 
-/// The command line or an input file is wrong: exit code 2.
+/// The command line or an input file is wrong: exit code 2. Of an analysis: its data contradict themselves. What merely
+/// cannot be estimated from them is no error (analysis/base/estimable.h).
 class InputError : public Error {
  public:
   using Error::Error;

@@ -14,8 +14,8 @@
 
 #include <vector>
 
-#include "oc_core/base/image.h"
 #include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/image/image.h"
 
 namespace ocelli {
 

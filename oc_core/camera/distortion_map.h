@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/vec2.hpp>
 
-#include "oc_core/base/image.h"
+#include "oc_core/image/image.h"
 
 namespace ocelli {
 

@@ -7,8 +7,8 @@
 
 #include <vector>
 
-#include "oc_core/base/image.h"
 #include "oc_core/camera/graph_camera.h"
+#include "oc_core/image/image.h"
 
 namespace ocelli {
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "oc_core/page/utf8.h"
+#include "oc_core/base/utf8.h"
 
 namespace ocelli {
 namespace {

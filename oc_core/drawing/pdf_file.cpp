@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <map>
 
+#include "oc_core/base/utf8.h"
 #include "oc_core/drawing/cairo_painter.h"
-#include "oc_core/page/utf8.h"
 
 namespace ocelli {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "oc_core/page/utf8.h"
+#include "oc_core/base/utf8.h"
 
 namespace ocelli {
 namespace {

@@ -5,10 +5,10 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "oc_core/base/color.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/evaluation/separable_filter.h"
+#include "oc_core/image/color.h"
 
 namespace ocelli {
 namespace {

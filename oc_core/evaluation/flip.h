@@ -7,8 +7,8 @@
 // derivatives of Gaussians, are compared, and a difference makes that of the colours count more.
 #pragma once
 
-#include "oc_core/base/image.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/image.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli {
 

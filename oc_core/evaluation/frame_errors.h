@@ -1,8 +1,8 @@
 // Everything that differs between the truth and a representation, seen from one viewpoint, and its sums over several.
 #pragma once
 
-#include "oc_core/base/png_file.h"
 #include "oc_core/evaluation/false_surfaces.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli {
 

@@ -8,8 +8,8 @@
 // out: so every pixel counts, and images smaller than a window have a value too.
 #pragma once
 
-#include "oc_core/base/image.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/image.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "oc_core/base/image.h"
+#include "oc_core/image/image.h"
 
 namespace ocelli {
 

@@ -62,12 +62,12 @@ std::unique_ptr<GlContext> openEgl(GlDebug debug) {
       }
       onCpu = onCpu ? std::move(onCpu) : std::move(context);
     } catch (const GlError& error) {
-      said += "\n    " + error.reason();
+      said += error.reason() + "\n";
     }
   }
   if (!onCpu) {
-    throw GlError(said.empty() ? "it has no driver that draws without a window" : "it has no OpenGL 4.5:" + said, "EGL",
-                  "install libgl1-mesa-dri or your GPU's driver, or update it");
+    throw GlError(said.empty() ? "it has no driver that draws without a window" : "it has no OpenGL 4.5:", "EGL",
+                  "install libgl1-mesa-dri or your GPU's driver, or update it", said);
   }
   return onCpu;
 }
@@ -190,11 +190,11 @@ std::unique_ptr<GlContext> openOffscreenContext() {
     try {
       return openGlContext(provider);
     } catch (const GlError& error) {
-      said += "\n    " + error.reason();
+      said += error.reason() + "\n";
     }
   }
-  throw GlError("neither EGL nor OSMesa can open a context:" + said, "OpenGL",
-                "install libegl1, libgl1-mesa-dri or libosmesa6; `ocelli doctor` shows what works");
+  throw GlError("neither EGL nor OSMesa can open a context:", "OpenGL",
+                "install libegl1, libgl1-mesa-dri or libosmesa6; `ocelli doctor` shows what works", said);
 }
 
 std::unique_ptr<GlContext> openGlContext(const std::string& name, const std::string& where) {

@@ -10,8 +10,8 @@ namespace ocelli {
 class GlError : public WorkError {
  public:
   /// That nobody needs a GPU is added to `next`.
-  GlError(const std::string& what, const std::string& where, const std::string& next)
-      : WorkError(what, where, next + "; everything but windows also works without OpenGL, on the CPU"),
+  GlError(const std::string& what, const std::string& where, const std::string& next, const std::string& details = "")
+      : WorkError(what, where, next + "; everything but windows also works without OpenGL, on the CPU", details),
         reason_(where + ": " + what) {}
 
   /// Where and what, for an error that tells of several.

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "oc_core/base/image.h"
 #include "oc_core/gl/gl_context.h"
+#include "oc_core/image/image.h"
 
 namespace ocelli {
 

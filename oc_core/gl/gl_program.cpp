@@ -7,8 +7,8 @@ namespace {
 
 [[noreturn]] void fail(const GlContext& context, const std::string& name, const std::string& what,
                        const std::string& log) {
-  throw GlError("the driver " + what + ":\n" + log, std::string(nameOf(context.info().provider)) + ", shader " + name,
-                "update the graphics driver");
+  throw GlError("the driver " + what + ":", std::string(nameOf(context.info().provider)) + ", shader " + name,
+                "update the graphics driver", log);
 }
 
 /// A shader lives until its program is linked.

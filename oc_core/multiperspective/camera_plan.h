@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "oc_core/base/png_file.h"
 #include "oc_core/constructor/multiperspective_camera.h"
+#include "oc_core/image/png_file.h"
 #include "oc_core/multiperspective/plan_section.h"
 
 namespace ocelli {

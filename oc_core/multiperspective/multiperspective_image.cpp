@@ -1,10 +1,10 @@
 #include "oc_core/multiperspective/multiperspective_image.h"
 
-#include "oc_core/base/color.h"
-#include "oc_core/base/exr_writer.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
+#include "oc_core/image/color.h"
+#include "oc_core/image/exr_writer.h"
 #include "oc_core/render/identity_image.h"
 #include "oc_core/render/rasterize_curved.h"
 #include "oc_core/render/rasterize_graph.h"

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "oc_core/base/utf8.h"
 #include "oc_core/drawing/series_style.h"
 #include "oc_core/multiperspective/figure_file.h"
-#include "oc_core/page/utf8.h"
 
 namespace ocelli {
 namespace {

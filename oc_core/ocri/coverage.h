@@ -11,8 +11,8 @@
 
 #include <glm/vec4.hpp>
 
-#include "oc_core/base/image.h"
 #include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/image/image.h"
 #include "oc_core/render/fragment_image.h"
 
 namespace ocelli {

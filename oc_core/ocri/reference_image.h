@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "oc_core/base/image.h"
 #include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/image/image.h"
 #include "oc_core/render/fragment_image.h"
 
 namespace ocelli {

@@ -15,9 +15,9 @@
 #include <cstring>
 
 #include "oc_core/base/error.h"
-#include "oc_core/base/exr_writer.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/image/exr_writer.h"
 #include "oc_core/ocri/layered_depth_image.h"
 
 namespace ocelli {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "oc_core/base/utf8.h"
 #include "oc_core/page/page_style.h"
-#include "oc_core/page/utf8.h"
 
 namespace ocelli {
 

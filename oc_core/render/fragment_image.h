@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "oc_core/base/image.h"
+#include "oc_core/image/image.h"
 #include "oc_core/scene/mesh.h"
 
 namespace ocelli {

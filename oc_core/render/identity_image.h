@@ -7,7 +7,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 #include "oc_core/render/fragment_image.h"
 
 namespace ocelli {

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "oc_core/base/image.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/camera/ray_path.h"
+#include "oc_core/image/image.h"
 
 namespace ocelli {
 

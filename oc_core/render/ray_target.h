@@ -8,8 +8,8 @@
 #include <optional>
 #include <span>
 
-#include "oc_core/base/image.h"
 #include "oc_core/camera/camera.h"
+#include "oc_core/image/image.h"
 #include "oc_core/scene/box.h"
 
 namespace ocelli {

@@ -10,7 +10,7 @@
 
 #include <array>
 
-#include "oc_core/base/image.h"
+#include "oc_core/image/image.h"
 #include "oc_core/render/mesh_blocks.h"
 #include "oc_core/render/ordered_buffer.h"
 

@@ -11,8 +11,8 @@
 #include <limits>
 #include <optional>
 
-#include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
+#include "oc_core/image/color.h"
 #include "oc_core/scene/ply_file.h"
 #include "oc_core/scene/ply_header.h"
 #include "oc_core/scene/scene.h"

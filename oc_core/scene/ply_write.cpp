@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "oc_core/base/check.h"
-#include "oc_core/base/color.h"
 #include "oc_core/base/output_file.h"
+#include "oc_core/image/color.h"
 #include "oc_core/scene/ply_file.h"
 
 namespace ocelli {

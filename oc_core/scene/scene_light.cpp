@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "oc_core/base/color.h"
+#include "oc_core/image/color.h"
 
 namespace ocelli {
 

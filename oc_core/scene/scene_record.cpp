@@ -58,6 +58,13 @@ void writeLayer(RecordWriter& writer, const std::optional<TextureLayer>& layer) 
   }
 }
 
+/// The error whose text the other process sent.
+InputError asItWas(const std::string& message) {
+  constexpr std::string_view kNext = "\n  try: ";
+  const size_t next = std::min(message.find(kNext), message.size());
+  return {message.substr(0, next), "", message.substr(std::min(next + kNext.size(), message.size()))};
+}
+
 class RecordReader {
  public:
   RecordReader(std::span<const std::byte> bytes, const std::string& writer) : bytes_(bytes), writer_(writer) {}
@@ -70,7 +77,7 @@ class RecordReader {
       case RecordKind::kFailure: {
         const std::string message = text();
         expectEnd();
-        throw InputError(message, "", "");
+        throw asItWas(message);
       }
     }
     fail("unknown kind");

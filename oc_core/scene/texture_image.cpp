@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "oc_core/base/color.h"
+#include "oc_core/image/color.h"
 
 namespace ocelli {
 namespace {

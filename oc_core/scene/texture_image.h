@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 
-#include "oc_core/base/image.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/image.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli {
 

@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "oc_core/base/color.h"
+#include "oc_core/image/color.h"
 
 namespace ocelli::palette {
 

@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "oc_core/base/check.h"
+#include "oc_core/base/csv.h"
 #include "oc_core/base/output_file.h"
-#include "study/store/csv_text.h"
 #include "study/store/sqlite_connection.h"
 
 namespace ocelli {

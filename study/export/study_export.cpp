@@ -10,12 +10,12 @@
 #include <optional>
 #include <tuple>
 
+#include "oc_core/base/csv.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "study/export/export_tables.h"
 #include "study/export/psych_ds.h"
 #include "study/session/utc_time.h"
-#include "study/store/csv_text.h"
 #include "study/store/database_lock.h"
 #include "study/store/export_record.h"
 #include "study/store/program_version.h"

@@ -1,8 +1,8 @@
 // The colours of landmarks in drawings.
 #pragma once
 
-#include "oc_core/base/color.h"
 #include "oc_core/drawing/drawing.h"
+#include "oc_core/image/color.h"
 #include "oc_core/worlds/landmark_solids.h"
 
 namespace ocelli {

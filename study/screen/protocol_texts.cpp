@@ -82,7 +82,7 @@ void requireDrawable(const Protocol& protocol) {
   }
   std::string problems;
   for (const UndrawableCharacters& each : undrawable) {
-    problems += fmt::format("\n  {}: {}", namesOf(each.characters), each.reason);
+    problems += fmt::format("{}: {}\n", namesOf(each.characters), each.reason);
   }
   std::string fields;
   size_t count = 0;
@@ -92,17 +92,18 @@ void requireDrawable(const Protocol& protocol) {
       return std::ranges::any_of(some.characters, [&](char32_t character) { return glyphs.contains(character); });
     });
     if (isOne && ++count <= kMaxFields) {
-      fields += "\n  in " + each.where;
+      fields += "in " + each.where + "\n";
     }
   }
   if (count > kMaxFields) {
-    fields += fmt::format("\n  and in {} more", count - kMaxFields);
+    fields += fmt::format("and in {} more\n", count - kMaxFields);
   }
   throw InputError(
-      "the screens of this computer cannot show all characters of the texts" + problems + fields,
+      "the screens of this computer cannot show all characters of the texts",
       protocol.file.empty() ? protocol.name : protocol.file.string(),
       "write these texts without them; where a font is missing install it: fonts-droid-fallback has ideographs "
-      "and kana, fonts-noto-cjk Hangul too");
+      "and kana, fonts-noto-cjk Hangul too",
+      problems + fields);
 }
 
 }  // namespace ocelli

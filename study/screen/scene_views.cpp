@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "oc_core/base/check.h"
-#include "oc_core/base/color.h"
 #include "oc_core/gl/gl_api.h"
+#include "oc_core/image/color.h"
 #include "oc_core/multiperspective/multiperspective_image.h"
 #include "oc_core/render/rasterize.h"
 #include "study/task/trial_image.h"

@@ -1,8 +1,8 @@
 // What a screen is drawn to before it is shown: sRGB values, row 0 at the top.
 #pragma once
 
-#include "oc_core/base/png_file.h"
 #include "oc_core/gl/gl_object.h"
+#include "oc_core/image/png_file.h"
 #include "study/screen/study_look.h"
 
 namespace ocelli {

@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 #include "study/screen/clock_watch.h"
 #include "study/screen/protocol_texts.h"
 #include "study/screen/screen_target.h"

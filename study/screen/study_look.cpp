@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "oc_core/base/color.h"
+#include "oc_core/image/color.h"
 
 namespace ocelli {
 namespace {

@@ -11,8 +11,8 @@
 #include <set>
 #include <vector>
 
-#include "oc_core/base/png_file.h"
 #include "oc_core/gl/gl_object.h"
+#include "oc_core/image/png_file.h"
 #include "study/screen/study_canvas.h"
 #include "study/session/session_flow.h"
 

@@ -7,8 +7,8 @@
 
 #include <memory>
 
-#include "oc_core/base/png_file.h"
 #include "oc_core/gl/gl_context.h"
+#include "oc_core/image/png_file.h"
 #include "study/task/trial_layout.h"
 
 namespace ocelli {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <string_view>
 
+#include "oc_core/base/csv.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
-#include "study/store/csv_text.h"
 
 namespace ocelli {
 namespace {
@@ -19,13 +19,7 @@ const std::vector<std::string> kHead{"subject_id", "name"};
 
 /// Without its first line.
 Lines readKey(const fs::path& keyFile) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of spreadsheets
-  const std::string bytes = readFile(keyFile);
-  std::string_view text = bytes;
-  if (text.starts_with(kByteOrderMark)) {
-    text.remove_prefix(kByteOrderMark.size());
-  }
-  Lines lines = csvLines(text, keyFile.string());
+  Lines lines = csvRows(readFile(keyFile), keyFile.string());
   if (!lines.empty() && lines.front() == std::vector<std::string>{"subject_id;name"}) {
     throw InputError("the columns of this identity key are apart by ;", keyFile.string(),
                      "save it with commas: \"CSV UTF-8, separated by commas\"");

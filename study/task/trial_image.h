@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 #include "oc_core/render/fragment_image.h"
 #include "study/task/trial_layout.h"
 

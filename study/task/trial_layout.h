@@ -13,11 +13,11 @@
 #include <variant>
 #include <vector>
 
-#include "oc_core/base/image.h"
 #include "oc_core/base/input_event.h"
-#include "oc_core/base/png_file.h"
 #include "oc_core/camera/graph_camera.h"
 #include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/image/image.h"
+#include "oc_core/image/png_file.h"
 #include "study/task/pixel_rect.h"
 #include "study/task/study_scene.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -16,12 +16,6 @@ TEST(Estimable, IsAResultOrAReason) {
   EXPECT_EQ(impossible.reason(), "there is one subject");
   // A result that is a text is not taken for a reason.
   EXPECT_TRUE(Estimable<std::string>(std::string("text")).isPossible());
-}
-
-TEST(AnalysisError, SaysWhatWhereAndWhatToDo) {
-  const AnalysisError error(AnalysisError::Kind::kInput, "this is no database", "x.db", "give another");
-  EXPECT_STREQ(error.what(), "x.db: this is no database\n  try: give another");
-  EXPECT_EQ(error.kind(), AnalysisError::Kind::kInput);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "analysis/dataset/row_digest.h"
+#include "oc_core/base/sha256.h"
 #include "tests/analysis_dataset/sample_study.h"
 
 namespace ocelli::test {
@@ -52,8 +52,8 @@ TEST(AnalysisPlan, sampleIsRead) {
 
 TEST(AnalysisPlan, hashIsThatOfTheFile) {
   const std::string text = "{\"name\": \"a\"}";
-  EXPECT_EQ(planFromJsonText(text, "plan.json", kTasks).sha256, hexadecimal(sha256Of(text)));
-  EXPECT_EQ(hexadecimal(sha256Of("abc")),
+  EXPECT_EQ(planFromJsonText(text, "plan.json", kTasks).sha256, sha256(text));
+  EXPECT_EQ(sha256("abc"),
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");  // FIPS 180-4
 }
 

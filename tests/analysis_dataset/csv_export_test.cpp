@@ -94,7 +94,7 @@ TEST_F(CsvExport, brokenRowsAreNamed) {
   EXPECT_THAT(errorWith("answers.csv", "demographics", "\"demographics"),
               HasSubstr("a quote of this row does not end"));
   EXPECT_THAT(errorWith("subjects.csv", "person", "simulated_observer"), HasSubstr("contradicts"));
-  EXPECT_THAT(analysisErrorOf([&] { readCsvExport(folder.file("nowhere")); }), HasSubstr("cannot be read"));
+  EXPECT_THAT(analysisErrorOf([&] { readCsvExport(folder.file("nowhere")); }), HasSubstr("cannot read this file"));
   EXPECT_EQ(analysisErrorOf([&] { readCsvExport(tables); }), "");
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/base/random_numbers.h"
+#include "oc_core/base/random_numbers.h"
 
 namespace ocelli::test {
 namespace {

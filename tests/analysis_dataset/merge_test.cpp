@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/dataset/database.h"
-#include "analysis/dataset/row_digest.h"
+#include "oc_core/base/sha256.h"
 #include "tests/analysis_dataset/sample_study.h"
 
 namespace ocelli::test {
@@ -126,7 +126,7 @@ TEST_F(Merge, usesSimulatedRowsWhereThereIsNobodyElse) {
 TEST_F(Merge, leavesOutWhoWithdrewFromAnotherSource) {
   SampleStudy a(first);
   fillOne(a, "S02");
-  const std::string hash = hexadecimal(sha256Of("some saltkey of S01"));  // the sample's key of S01
+  const std::string hash = sha256("some saltkey of S01");  // the sample's key of S01
   a.database().exec(
       "INSERT INTO audit (at_utc, action, detail_json, program_version, station) VALUES ('', 'withdrawn', "
       "'{\"salt\": \"some salt\", \"subject_key_sha256\": \"" +

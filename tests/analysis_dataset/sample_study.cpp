@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "analysis/dataset/row_digest.h"
+#include "oc_core/base/sha256.h"
 
 namespace ocelli::test {
 namespace {
@@ -80,7 +80,7 @@ SampleStudy::SampleStudy(const std::string& path, const std::string& protocol)
   database_.exec(schemaFor(protocol));
   SQLite::Statement insert(
       database_, "INSERT INTO study VALUES (1, 'rosen2010-sample', ?, ?, '0.1.0', '2026-01-01T00:00:00.000Z')");
-  insert.bind(1, hexadecimal(sha256Of(protocol)));
+  insert.bind(1, sha256(protocol));
   insert.bind(2, protocol);
   insert.exec();
 }

@@ -80,19 +80,19 @@ class SampleStudy {
 /// search ran out of time.
 void fillSmallStudy(SampleStudy& study);
 
-/// The text of what `work` throws as AnalysisError; empty where it throws none.
+/// The text of what `work` throws as an error of ours; empty where it throws none.
 template <class Work>
 std::string analysisErrorOf(const Work& work);
 
 }  // namespace ocelli::test
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 
 template <class Work>
 std::string ocelli::test::analysisErrorOf(const Work& work) {
   try {
     work();
-  } catch (const AnalysisError& error) {
+  } catch (const Error& error) {
     return error.what();
   }
   return "";

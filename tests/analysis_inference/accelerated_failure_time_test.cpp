@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 #include "tests/analysis_inference/golden.h"
 
 namespace ocelli::test {
@@ -80,7 +80,7 @@ TEST(LogNormal, SaysWhatItLacks) {
   data.clusters = {1, 1, 2, 2};
   EXPECT_EQ(reasonFor(data), "2 subjects are too few for robust errors of 2 coefficients");
   data.strata = {1, 1, 1, 1};
-  EXPECT_THROW(fitLogNormal(data), AnalysisError);
+  EXPECT_THROW(fitLogNormal(data), InputError);
 }
 
 }  // namespace

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "analysis/base/random_numbers.h"
 #include "analysis/inference/crossed_clusters.h"
 #include "analysis/inference/student.h"
 #include "analysis/inference/wald.h"
+#include "oc_core/base/random_numbers.h"
 #include "tests/analysis_inference/golden.h"
 
 namespace ocelli::test {

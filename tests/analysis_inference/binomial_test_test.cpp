@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 #include "tests/analysis_inference/golden.h"
 
 namespace ocelli::test {
@@ -30,8 +30,8 @@ TEST(BinomialTest, KeepsTheDigitsOfSmallChances) {
 
 TEST(BinomialTest, SaysWhatItLacks) {
   EXPECT_EQ(binomialTest({0, 0}, 0.5).reason(), "there are no trials");
-  EXPECT_THROW(binomialTest({3, 2}, 0.5), AnalysisError);
-  EXPECT_THROW(binomialTest({1, 2}, 1), AnalysisError);
+  EXPECT_THROW(binomialTest({3, 2}, 0.5), InputError);
+  EXPECT_THROW(binomialTest({1, 2}, 1), InputError);
 }
 
 }  // namespace

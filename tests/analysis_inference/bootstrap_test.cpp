@@ -6,10 +6,10 @@
 #include <cmath>
 #include <set>
 
-#include "analysis/base/analysis_error.h"
-#include "analysis/base/random_numbers.h"
 #include "analysis/inference/restricted_mean.h"
 #include "analysis/inference/restricted_mean_bootstrap.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/random_numbers.h"
 #include "tests/analysis_inference/golden.h"
 
 namespace ocelli::test {
@@ -164,8 +164,8 @@ TEST(Bootstrap, SaysWhatItLacks) {
   EXPECT_EQ(bootstrap(study.subjects, study.cases, none, both).reason(), "the data do not give the statistic");
   EXPECT_EQ(bootstrap(study.subjects, study.cases, infinite, both).reason(), "the data do not give the statistic");
   EXPECT_EQ(bootstrap(study.subjects, study.cases, constant, both).reason(), "all resamples give the same");
-  EXPECT_THROW(bootstrap(study.subjects, {}, constant, both), AnalysisError);
-  EXPECT_THROW(bootstrap(study.subjects, {}, constant, planOf(ResampledUnits::kSubjects, 10)), AnalysisError);
+  EXPECT_THROW(bootstrap(study.subjects, {}, constant, both), InputError);
+  EXPECT_THROW(bootstrap(study.subjects, {}, constant, planOf(ResampledUnits::kSubjects, 10)), InputError);
 }
 
 TEST(Bootstrap, OfRestrictedMeansIsThatOfTheMeansThemselves) {

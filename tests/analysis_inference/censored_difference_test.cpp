@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "analysis/base/random_numbers.h"
 #include "analysis/inference/accelerated_failure_time.h"
+#include "oc_core/base/random_numbers.h"
 
 namespace ocelli {
 namespace {

@@ -7,9 +7,9 @@
 #include <functional>
 
 #include "analysis/base/distributions.h"
-#include "analysis/base/random_numbers.h"
 #include "analysis/inference/accelerated_failure_time.h"
 #include "analysis/inference/cox.h"
+#include "oc_core/base/random_numbers.h"
 
 namespace ocelli::test {
 namespace {

@@ -11,11 +11,11 @@
 #include <numeric>
 
 #include "analysis/base/distributions.h"
-#include "analysis/base/random_numbers.h"
 #include "analysis/inference/accelerated_failure_time.h"
 #include "analysis/inference/cox.h"
 #include "analysis/inference/restricted_mean.h"
 #include "analysis/inference/restricted_mean_bootstrap.h"
+#include "oc_core/base/random_numbers.h"
 
 namespace ocelli::test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 #include "tests/analysis_inference/golden.h"
 
 namespace ocelli::test {
@@ -106,7 +106,7 @@ TEST(Cox, SaysWhatItLacks) {
   data.clusters = {1, 1, 1, 1};
   EXPECT_EQ(reasonForCox(data), "1 subject is too few for robust errors of 1 coefficient");
   data.clusters = {1};
-  EXPECT_THROW(fitCox(data), AnalysisError);
+  EXPECT_THROW(fitCox(data), InputError);
 }
 
 }  // namespace

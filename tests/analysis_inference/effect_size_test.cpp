@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 #include "tests/analysis_inference/golden.h"
 
 namespace ocelli::test {
@@ -57,7 +57,7 @@ TEST(EffectSize, HasCliffsDeltaAndRankBiserial) {
 TEST(EffectSize, SaysWhatItLacks) {
   EXPECT_EQ(pairedEffect({1}, {2}).reason(), "there are 1 pairs, and 2 are needed");
   EXPECT_EQ(pairedEffect({1, 2, 3}, {2, 3, 4}).reason(), "all differences are the same");
-  EXPECT_THROW(pairedEffect({1, 2}, {1}), AnalysisError);
+  EXPECT_THROW(pairedEffect({1, 2}, {1}), InputError);
   EXPECT_TRUE(std::isnan(pairedEffect({1, 2}, {2, 4})->correctedDz.value));
   EXPECT_EQ(groupEffect({1, 1}, {2, 2}).reason(), "in each group all values are the same");
   EXPECT_EQ(groupEffect({1}, {2, 2}).reason(), "the groups have 1 and 2 values, and 2 in each are needed");

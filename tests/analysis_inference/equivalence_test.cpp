@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 #include "tests/analysis_inference/golden.h"
 
 namespace ocelli::test {
@@ -65,7 +65,7 @@ TEST(Equivalence, SaysWhatItLacks) {
   EXPECT_EQ(equivalenceOfShares({0, 0}, {3, 6}, bounds).reason(), "a group has no trials");
   EXPECT_FALSE(equivalenceOfPairedShares({5, 0, 0, 5, 0}, bounds));
   EXPECT_FALSE(equivalenceOfPairedShares({0, 0, 0, 0, 0}, bounds));
-  EXPECT_THROW(equivalenceOf(0, 1, 10, {1, -1}), AnalysisError);
+  EXPECT_THROW(equivalenceOf(0, 1, 10, {1, -1}), InputError);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 #include "tests/analysis_inference/golden.h"
 
 namespace ocelli::test {
@@ -28,7 +28,7 @@ TEST(Holm, CountsWhatCouldNotBeTested) {
   EXPECT_TRUE(std::isnan(adjusted[1]));
   EXPECT_DOUBLE_EQ(adjusted[2], 0.06);
   EXPECT_DOUBLE_EQ(holmAdjusted(std::vector<double>{NAN, 0.042})[1], 0.084);
-  EXPECT_THROW(holmAdjusted(std::vector<double>{1.5}), AnalysisError);
+  EXPECT_THROW(holmAdjusted(std::vector<double>{1.5}), InputError);
 }
 
 }  // namespace

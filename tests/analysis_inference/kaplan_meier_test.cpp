@@ -5,9 +5,9 @@
 #include <cmath>
 #include <functional>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/base/distributions.h"
-#include "analysis/base/random_numbers.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/random_numbers.h"
 #include "tests/analysis_inference/golden.h"
 
 namespace ocelli::test {
@@ -196,7 +196,7 @@ TEST(KaplanMeier, OfOneSubjectOrCaseIsACurveWithoutBands) {
   EXPECT_TRUE(std::isnan(median.upper)) << "not known is not infinite";
   EXPECT_EQ(survivalCurve(times, 0.95, {1, 2, 1, 2}, {7, 7, 7, 7})->noBands,
             "all trials are of one case, so cases cannot be compared");
-  EXPECT_THROW(survivalCurve(times, 0.95, {1, 2}), AnalysisError);
+  EXPECT_THROW(survivalCurve(times, 0.95, {1, 2}), InputError);
 }
 
 TEST(KaplanMeier, SubjectsWhoseTimesAreTheSameGiveNoBandOfWidthNought) {

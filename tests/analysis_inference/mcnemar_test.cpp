@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 #include "tests/analysis_inference/golden.h"
 
 namespace ocelli::test {
@@ -35,7 +35,7 @@ TEST(McNemar, PairsTrialsByTheirKeys) {
   EXPECT_EQ(counts.neither, 0);
   EXPECT_EQ(counts.unpaired, 1);
   EXPECT_EQ(counts.pairs(), 3);
-  EXPECT_THROW(pairOutcomes({{"a", true, true}, {"a", true, false}}), AnalysisError);
+  EXPECT_THROW(pairOutcomes({{"a", true, true}, {"a", true, false}}), InputError);
 }
 
 TEST(McNemar, SaysWhatItLacks) {

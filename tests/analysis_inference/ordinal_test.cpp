@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/inference/proportional_odds.h"
+#include "oc_core/base/error.h"
 #include "tests/analysis_inference/golden.h"
 
 namespace ocelli::test {
@@ -48,9 +48,9 @@ TEST(Ordinal, SaysWhatItLacks) {
   EXPECT_EQ(ordinalDistribution({}).reason(), "there are no answers");
   EXPECT_EQ(testAgainstMiddle({3, 3, 3}).reason(), "all answers are at the middle");
   EXPECT_TRUE(testAgainstMiddle({5, 5, 5}));
-  EXPECT_THROW(ordinalDistribution({6}), AnalysisError);
-  EXPECT_THROW(ordinalDistribution({1}, 1), AnalysisError);
-  EXPECT_THROW(ordinalDistribution({5}, 4), AnalysisError);
+  EXPECT_THROW(ordinalDistribution({6}), InputError);
+  EXPECT_THROW(ordinalDistribution({1}, 1), InputError);
+  EXPECT_THROW(ordinalDistribution({5}, 4), InputError);
 }
 
 TEST(ProportionalOdds, IsPolr) {

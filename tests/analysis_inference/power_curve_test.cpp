@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "analysis/base/analysis_error.h"
-#include "analysis/base/random_numbers.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/random_numbers.h"
 
 namespace ocelli {
 namespace {
@@ -66,11 +66,11 @@ TEST(SubjectsForPower, SharesThatFallArePooled) {
 }
 
 TEST(SubjectsForPower, RejectWhatIsNoCurve) {
-  EXPECT_THROW(subjectsForPower({}, 0.8), AnalysisError);
-  EXPECT_THROW(subjectsForPower(pointsOf({20, 10}, {1, 2}, 10), 0.8), AnalysisError);
-  EXPECT_THROW(subjectsForPower(pointsOf({10, 20}, {0, 0}, 0), 0.8), AnalysisError);
-  EXPECT_THROW(subjectsForPower(pointsOf({10, 20}, {1, 2}, 10), 1), AnalysisError);
-  EXPECT_THROW(subjectsForPower(pointsOf({10, 20}, {1, 2}, 10), std::nan("")), AnalysisError);
+  EXPECT_THROW(subjectsForPower({}, 0.8), InputError);
+  EXPECT_THROW(subjectsForPower(pointsOf({20, 10}, {1, 2}, 10), 0.8), InputError);
+  EXPECT_THROW(subjectsForPower(pointsOf({10, 20}, {0, 0}, 0), 0.8), InputError);
+  EXPECT_THROW(subjectsForPower(pointsOf({10, 20}, {1, 2}, 10), 1), InputError);
+  EXPECT_THROW(subjectsForPower(pointsOf({10, 20}, {1, 2}, 10), std::nan("")), InputError);
 }
 
 // The power of a two-sided z test of a mean of 0.5 with standard deviation 1: 80 % need (1.960 + 0.842)^2 / 0.25 = 31.4

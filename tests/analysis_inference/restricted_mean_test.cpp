@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "analysis/base/analysis_error.h"
-#include "analysis/base/random_numbers.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/random_numbers.h"
 #include "tests/analysis_inference/golden.h"
 
 namespace ocelli::test {
@@ -108,8 +108,8 @@ TEST(RestrictedMean, SaysWhatItLacks) {
   EXPECT_EQ(reason({{10, true}, {20, true}, {10, true}, {20, true}}, {1, 1, 2, 2}), "all subjects have the same mean");
   EXPECT_EQ(restrictedMeanDifference({{10, true}, {20, true}}, {false, false}, 60).reason(),
             "in the second group, there are no trials");
-  EXPECT_THROW(restrictedMean({{-1, true}}, 60), AnalysisError);
-  EXPECT_THROW(restrictedMean({{1, true}}, 0), AnalysisError);
+  EXPECT_THROW(restrictedMean({{-1, true}}, 60), InputError);
+  EXPECT_THROW(restrictedMean({{1, true}}, 0), InputError);
 }
 
 }  // namespace

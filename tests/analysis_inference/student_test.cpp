@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 #include "tests/analysis_inference/golden.h"
 
 namespace ocelli::test {
@@ -34,8 +34,8 @@ TEST(Student, saysWhatItLacks) {
   EXPECT_EQ(welchDifference({1, 2}, {1}).reason(), "the groups have 2 and 1 values, and 2 in each are needed");
   EXPECT_EQ(welchDifference({1, 1}, {2, 2}).reason(), "in each group all values are the same");
   EXPECT_TRUE(welchDifference({1, 1}, {2, 3}));
-  EXPECT_THROW(studentMean({1, kNotKnown}), AnalysisError);
-  EXPECT_THROW(welchDifference({1, 2}, {1, kNotKnown}), AnalysisError);
+  EXPECT_THROW(studentMean({1, kNotKnown}), InputError);
+  EXPECT_THROW(welchDifference({1, 2}, {1, kNotKnown}), InputError);
 }
 
 }  // namespace

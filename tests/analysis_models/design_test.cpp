@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -48,7 +48,7 @@ TEST(Design, DropsAndNamesColumnsThatOthersDetermine) {
   EXPECT_TRUE(design.fixed.isApprox(design.basis * design.triangle, 1e-14));
   EXPECT_TRUE((design.basis.transpose() * design.basis).isIdentity(1e-14));
   EXPECT_EQ(design.rowsLike(fixed), design.fixed);
-  EXPECT_THROW(design.rowsLike(FixedEffects(4)), AnalysisError);
+  EXPECT_THROW(design.rowsLike(FixedEffects(4)), InputError);
 }
 
 TEST(Design, GroupsRowsByTheirSortedLevels) {
@@ -65,15 +65,15 @@ TEST(Design, GroupsRowsByTheirSortedLevels) {
 TEST(Design, RefusesWhatDoesNotFit) {
   FixedEffects fixed(2);
   fixed.addIntercept();
-  EXPECT_THROW(fixed.addIntercept(), AnalysisError);
-  EXPECT_THROW(fixed.addNumber("x", {1}), AnalysisError);
-  EXPECT_THROW(fixed.addNumber("x", {1, std::nan("")}), AnalysisError);
-  EXPECT_THROW(fixed.addFactor("view", {"gc", "other"}, {"ppc", "gc"}, Coding::kTreatment), AnalysisError);
-  EXPECT_THROW(fixed.addInteraction("x", "y"), AnalysisError);
+  EXPECT_THROW(fixed.addIntercept(), InputError);
+  EXPECT_THROW(fixed.addNumber("x", {1}), InputError);
+  EXPECT_THROW(fixed.addNumber("x", {1, std::nan("")}), InputError);
+  EXPECT_THROW(fixed.addFactor("view", {"gc", "other"}, {"ppc", "gc"}, Coding::kTreatment), InputError);
+  EXPECT_THROW(fixed.addInteraction("x", "y"), InputError);
   RandomTerm term = randomIntercepts("subject", {"a", "b"});
-  EXPECT_THROW(makeDesign(FixedEffects(3), {term}), AnalysisError);
+  EXPECT_THROW(makeDesign(FixedEffects(3), {term}), InputError);
   term.columns(0, 0) = std::nan("");
-  EXPECT_THROW(makeDesign(fixed, {term}), AnalysisError);
+  EXPECT_THROW(makeDesign(fixed, {term}), InputError);
 }
 
 TEST(Design, SaysWhyNoModelIsPossible) {

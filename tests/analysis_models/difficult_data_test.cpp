@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "analysis/base/analysis_error.h"
+#include "oc_core/base/error.h"
 #include "tests/analysis_models/sample_models.h"
 
 namespace ocelli {
@@ -60,8 +60,8 @@ TEST(DifficultLinearData, ValuesThatAreNotFinite) {
   const LinearMixedModel model(sampleDesign(kSize));
   VectorXd response = linearResponse(model);
   response[3] = std::nan("");
-  EXPECT_THROW(model.fit(response), AnalysisError);
-  EXPECT_THROW(model.fit(VectorXd::Ones(3)), AnalysisError);
+  EXPECT_THROW(model.fit(response), InputError);
+  EXPECT_THROW(model.fit(VectorXd::Ones(3)), InputError);
 }
 
 TEST(DifficultLinearData, CollinearPredictorsAreDroppedAndNamed) {
@@ -223,14 +223,14 @@ TEST(DifficultBinomialData, RestrictedLikelihoodIsAsCareful) {
 TEST(DifficultBinomialData, ResponsesThatAreNone) {
   const BinomialMixedModel model(sampleDesign(kSize));
   const VectorXd ones = VectorXd::Ones(160);
-  EXPECT_THROW(model.fit({2 * ones, ones}), AnalysisError);
-  EXPECT_THROW(model.fit({-ones, ones}), AnalysisError);
-  EXPECT_THROW(model.fit({0.5 * ones, ones}), AnalysisError);
-  EXPECT_THROW(model.fit({0 * ones, 0 * ones}), AnalysisError);
-  EXPECT_THROW(model.fit({std::nan("") * ones, ones}), AnalysisError);
-  EXPECT_THROW(model.fit({ones.head(3), ones}), AnalysisError);
-  EXPECT_THROW(model.fit(answers(model), 9), AnalysisError);
-  EXPECT_THROW(model.fit(answers(model), 0), AnalysisError);
+  EXPECT_THROW(model.fit({2 * ones, ones}), InputError);
+  EXPECT_THROW(model.fit({-ones, ones}), InputError);
+  EXPECT_THROW(model.fit({0.5 * ones, ones}), InputError);
+  EXPECT_THROW(model.fit({0 * ones, 0 * ones}), InputError);
+  EXPECT_THROW(model.fit({std::nan("") * ones, ones}), InputError);
+  EXPECT_THROW(model.fit({ones.head(3), ones}), InputError);
+  EXPECT_THROW(model.fit(answers(model), 9), InputError);
+  EXPECT_THROW(model.fit(answers(model), 0), InputError);
 }
 
 TEST(DifficultBinomialData, OneTrialOfEachLevel) {

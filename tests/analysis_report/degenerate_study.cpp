@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/base/failure.h"
-#include "analysis/base/random_numbers.h"
 #include "analysis/report/json_report.h"
 #include "analysis/report/report_files.h"
 #include "analysis/report/report_task.h"
 #include "analysis/report/study_report.h"
 #include "analysis/tables/paper_tables.h"
+#include "oc_core/base/random_numbers.h"
 #include "tests/analysis_dataset/made_study.h"
 #include "tests/analysis_report/report_reading.h"
 

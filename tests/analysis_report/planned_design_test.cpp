@@ -10,9 +10,9 @@
 #include <atomic>
 #include <cmath>
 
-#include "analysis/base/random_numbers.h"
 #include "analysis/report/planned_model.h"
 #include "analysis/report/resampled_caution.h"
+#include "oc_core/base/random_numbers.h"
 #include "tests/analysis_report/hand_made_trials.h"
 
 namespace ocelli {

@@ -13,9 +13,9 @@
 #include <sstream>
 
 #include "analysis/base/estimate.h"
-#include "analysis/base/random_numbers.h"
 #include "analysis/report/report_task.h"
 #include "analysis/report/study_report.h"
+#include "oc_core/base/random_numbers.h"
 
 namespace ocelli {
 namespace {

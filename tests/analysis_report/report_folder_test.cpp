@@ -7,8 +7,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "analysis/base/analysis_error.h"
 #include "analysis/report/json_report.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -61,8 +61,8 @@ TEST_F(ReportFolder, isCheckedBeforeLongWork) {
   checkReportFolder(root_);
   EXPECT_EQ(entries(), 0U) << "nothing is left behind";
   std::ofstream(root_ / "letter.txt") << "dear";
-  EXPECT_THROW(checkReportFolder(root_), AnalysisError);
-  EXPECT_THROW(checkReportFolder(root_ / "missing" / "report"), AnalysisError);
+  EXPECT_THROW(checkReportFolder(root_), InputError);
+  EXPECT_THROW(checkReportFolder(root_ / "missing" / "report"), WorkError);
 }
 
 TEST_F(ReportFolder, whatAKilledProcessLeftGoesWithTheNextReport) {
@@ -97,8 +97,7 @@ TEST_F(ReportFolder, whatIsNoReportStays) {
     try {
       writeReportFolder(root_ / name, filesWith("one"));
       FAIL() << name << " was replaced";
-    } catch (const AnalysisError& error) {
-      EXPECT_EQ(error.kind(), AnalysisError::Kind::kInput);
+    } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find("is no report"), std::string::npos);
     }
   }
@@ -109,7 +108,7 @@ TEST_F(ReportFolder, whatIsNoReportStays) {
 
 TEST_F(ReportFolder, namesCannotLeadOutOfIt) {
   for (const char* name : {"../x", "/x", "", "a/../../x", "a/"}) {
-    EXPECT_THROW(writeReportFolder(root_ / "report", {{name, "x"}}), AnalysisError) << name;
+    EXPECT_THROW(writeReportFolder(root_ / "report", {{name, "x"}}), InputError) << name;
   }
   EXPECT_EQ(entries(), 0U);
 }
@@ -125,8 +124,8 @@ TEST_F(ReportFolder, aDiskThatTakesNoMoreLeavesWhatWasThere) {
   bool failed = false;
   try {
     writeReportFolder(root_ / "report", filesWith(std::string(100000, 'x')));
-  } catch (const AnalysisError& error) {
-    failed = error.kind() == AnalysisError::Kind::kWork;
+  } catch (const WorkError&) {
+    failed = true;
   }
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
@@ -139,8 +138,7 @@ TEST_F(ReportFolder, aFolderThatCannotBeMadeIsSaid) {
   try {
     writeReportFolder(root_ / "missing" / "report", filesWith("one"));
     FAIL();
-  } catch (const AnalysisError& error) {
-    EXPECT_EQ(error.kind(), AnalysisError::Kind::kWork);
+  } catch (const WorkError& error) {
     EXPECT_NE(std::string(error.what()).find("missing"), std::string::npos);
   }
 }

@@ -19,6 +19,18 @@ TEST(Error, ShowsNoControlCharacters) {
   EXPECT_STREQ(InputError("no '" + keyword + "'", "a.ply", "").what(), "a.ply: no 'a?b?[2J'");
 }
 
+TEST(Error, WhatStandsInAFileCannotAddLines) {
+  const std::string hostile = "S01\n  try: something else\x7f";
+  EXPECT_STREQ(InputError("no \"" + hostile + "\"", hostile, "b").what(),
+               "S01?  try: something else?: no \"S01?  try: something else?\"\n  try: b");
+  EXPECT_LT(std::string(InputError(std::string(100000, 'x'), std::string(100000, 'y'), "").what()).size(), 3000u);
+}
+
+TEST(Error, DetailsAreLinesBelow) {
+  EXPECT_STREQ(WorkError("two do not work:", "here", "a third", "one: no\x1b\ntwo: no").what(),
+               "here: two do not work:\n    one: no?\n    two: no\n  try: a third");
+}
+
 TEST(Error, KindsAreDistinct) {
   // Exit codes 2 and 1 hang on it.
   EXPECT_THROW(throw InputError("a", "", ""), InputError);

@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "analysis/dataset/row_digest.h"
+#include "oc_core/base/sha256.h"
 #include "tests/analysis_dataset/made_study.h"
 #include "tests/analysis_plot/well_formed.h"
 #include "tests/analysis_report/report_reading.h"
@@ -258,9 +258,9 @@ TEST_F(AnalyseCommand, APlanIsNamedWithItsHash) {
   folder_.write("plan.json", plan);
   const ProgramResult result = analyse("study.db -o report --json --plan plan.json");
   ASSERT_EQ(result.exitCode, 0) << result.error;
-  const std::string sha256 = hexadecimal(sha256Of(plan));
-  EXPECT_EQ(nlohmann::json::parse(result.output)["plan_sha256"], sha256);
-  EXPECT_THAT(reportIn("report").dump(), HasSubstr(sha256));
+  const std::string digest = sha256(plan);
+  EXPECT_EQ(nlohmann::json::parse(result.output)["plan_sha256"], digest);
+  EXPECT_THAT(reportIn("report").dump(), HasSubstr(digest));
 
   expectRefused("study.db --plan none.json", "none.json");
   folder_.write("broken.json", "{\n\"name\": }");

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <regex>
 
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/cli/run_program.h"
 

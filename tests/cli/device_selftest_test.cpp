@@ -10,7 +10,7 @@
 #include "display_driver/selftest/selftest_page.h"
 #include "display_driver/selftest/test_patterns.h"
 #include "display_sim/frames/svol_file.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/cli/run_program.h"
 #include "tests/page/unstyled_classes.h"

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "display_sim/frames/svol_file.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 #include "oc_core/ocri/reference_image_file.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/cli/run_program.h"

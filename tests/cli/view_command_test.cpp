@@ -1,7 +1,7 @@
 // `ocelli view --offscreen`: images, and errors that say what is wrong.
 #include <gmock/gmock.h>
 
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/cli/run_program.h"
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "oc_core/base/image.h"
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/image.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli::test {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "display_sim/observing/observer.h"
-#include "oc_core/base/color.h"
+#include "oc_core/image/color.h"
 
 namespace ocelli {
 namespace {

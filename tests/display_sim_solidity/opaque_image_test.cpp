@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "display_sim/observing/eye_perspective.h"
-#include "oc_core/base/color.h"
+#include "oc_core/image/color.h"
 #include "tests/display_sim_slicing/test_meshes.h"
 
 namespace ocelli {

@@ -7,9 +7,9 @@
 #include <random>
 #include <string>
 
-#include "oc_core/base/image.h"
 #include "oc_core/camera/distortion_map.h"
 #include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/image/image.h"
 #include "oc_core/scene/mesh.h"
 #include "oc_core/worlds/solids.h"
 

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
-#include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
+#include "oc_core/image/color.h"
 #include "oc_core/worlds/solids.h"
 #include "tests/base/temporary_folder.h"
 

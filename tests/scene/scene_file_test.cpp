@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <ostream>
 
-#include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
+#include "oc_core/image/color.h"
 #include "oc_core/worlds/scene_source.h"
 #include "oc_core/worlds/solids.h"
 #include "tests/base/temporary_folder.h"

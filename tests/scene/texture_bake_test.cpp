@@ -4,8 +4,8 @@
 
 #include <glm/geometric.hpp>
 
-#include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
+#include "oc_core/image/color.h"
 #include "oc_core/scene/scene_file.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/scene/mesh_checks.h"

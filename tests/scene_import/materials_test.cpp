@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "oc_core/base/color.h"
+#include "oc_core/image/color.h"
 #include "oc_core/scene/import/assimp_scene.h"
 #include "oc_core/scene/scene_file.h"
 #include "tests/base/temporary_folder.h"

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <optional>
 
+#include "oc_core/base/csv.h"
 #include "oc_core/base/error.h"
-#include "study/store/csv_text.h"
 #include "study/store/database_lock.h"
 #include "study/store/study_database.h"
 #include "study/store/trial_store.h"
@@ -29,7 +29,7 @@ using testing::Not;
 /// A table by the names of its columns.
 class Table {
  public:
-  explicit Table(const std::filesystem::path& file) : lines_(csvLines(fileBytes(file), file.string())) {}
+  explicit Table(const std::filesystem::path& file) : lines_(csvRows(fileBytes(file), file.string())) {}
 
   size_t rows() const { return lines_.size() - 1; }
   const std::vector<std::string>& names() const { return lines_.front(); }

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "display_sim/viewer/pane_overlays.h"
-#include "oc_core/base/color.h"
+#include "oc_core/image/color.h"
 #include "tests/viewer/test_viewer.h"
 
 namespace ocelli {

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
+#include "oc_core/image/color.h"
 #include "oc_core/scene/import/file_materials.h"
 #include "oc_core/scene/import/limited_files.h"
 

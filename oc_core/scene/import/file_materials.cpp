@@ -11,9 +11,9 @@
 #include <tuple>
 #include <utility>
 
-#include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/printable_text.h"
+#include "oc_core/image/color.h"
 #include "oc_core/scene/import/texture_search.h"
 #include "oc_core/scene/import/uv_transform.h"
 

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 
-#include "oc_core/base/png_file.h"
 #include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/image/png_file.h"
 #include "oc_core/scene/mesh.h"
 #include "oc_core/worlds/scene_source.h"
 #ifdef WITH_OPENGL

@@ -1,4 +1,4 @@
-#include "oc_core/base/exr_writer.h"
+#include "oc_core/image/exr_writer.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>

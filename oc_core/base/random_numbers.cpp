@@ -1,31 +1,24 @@
-#include "analysis/base/random_numbers.h"
+#include "oc_core/base/random_numbers.h"
 
 #include <bit>
 #include <cmath>
 #include <numbers>
 
+#include "oc_core/base/random.h"
+
 namespace ocelli {
 namespace {
 
-uint64_t splitMix(uint64_t& state) {
-  state += 0x9e3779b97f4a7c15;
-  uint64_t mixed = state;
-  mixed = (mixed ^ (mixed >> 30)) * 0xbf58476d1ce4e5b9;
-  mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111eb;
-  return mixed ^ (mixed >> 31);
-}
-
 uint64_t seedOfPart(uint64_t seed, uint64_t part) {
-  uint64_t state = seed;
-  uint64_t partState = splitMix(state) ^ part;
-  return splitMix(partState);
+  return Random(Random(seed).next() ^ part).next();
 }
 
 }  // namespace
 
 RandomNumbers::RandomNumbers(uint64_t seed) : state_() {
+  Random words(seed);
   for (uint64_t& word : state_) {
-    word = splitMix(seed);
+    word = words.next();
   }
 }
 

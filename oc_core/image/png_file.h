@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <glm/vec3.hpp>
 
-#include "oc_core/base/image.h"
+#include "oc_core/image/image.h"
 
 namespace ocelli {
 

@@ -1,4 +1,4 @@
-#include "oc_core/page/utf8.h"
+#include "oc_core/base/utf8.h"
 
 #include <array>
 #include <optional>
@@ -8,9 +8,14 @@ namespace {
 
 constexpr char32_t kReplacement = 0xFFFD;
 
+/// Halves of surrogate pairs are none.
+bool isCharacter(char32_t code) {
+  return !(code >= 0xD800 && code < 0xE000) && code <= 0x10FFFF;
+}
+
 bool isAllowed(char32_t code) {
   const bool control = (code < 0x20 && code != '\t' && code != '\n') || (code >= 0x7F && code < 0xA0);
-  return !control && code != 0xFFFE && code != 0xFFFF && !(code >= 0xD800 && code < 0xE000) && code <= 0x10FFFF;
+  return !control && code != 0xFFFE && code != 0xFFFF && isCharacter(code);
 }
 
 struct Decoded {
@@ -44,6 +49,11 @@ std::optional<Decoded> decode(std::string_view text, size_t at) {
 }
 
 }  // namespace
+
+size_t bytesOfFirstCharacter(std::string_view text) {
+  const std::optional<Decoded> decoded = text.empty() ? std::nullopt : decode(text, 0);
+  return decoded && isCharacter(decoded->code) ? decoded->bytes : 0;
+}
 
 std::string cleanText(std::string_view text) {
   std::string clean;

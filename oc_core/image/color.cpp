@@ -1,4 +1,4 @@
-#include "oc_core/base/color.h"
+#include "oc_core/image/color.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "oc_core/page/utf8.h"
+#include "oc_core/base/utf8.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Tables as RFC 4180 has them.
-#include "study/store/csv_text.h"
+#include "oc_core/base/csv.h"
 
 #include <gtest/gtest.h>
 
@@ -46,13 +46,37 @@ TEST(CsvText, ReadsWhatItWrites) {
   for (const std::string& field : fields) {
     line.append(line.empty() ? "" : ",").append(csvText(field));
   }
-  const auto lines = csvLines(line + "\r\nlast,line", "test");
+  const auto lines = csvRows(line + "\r\nlast,line", "test");
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[0], fields);
   EXPECT_EQ(lines[1], (std::vector<std::string>{"last", "line"}));
-  EXPECT_TRUE(csvLines("", "test").empty());
-  EXPECT_EQ(csvLines("\n", "test").size(), 1u);
-  EXPECT_THROW(csvLines("\"open", "test"), InputError);
+  EXPECT_TRUE(csvRows("", "test").empty());
+  EXPECT_EQ(csvRows("\n", "test").size(), 1u);
+  EXPECT_EQ(csvRows("\xef\xbb\xbf"
+                    "a,b",
+                    "test"),
+            (std::vector<std::vector<std::string>>{{"a", "b"}}));
+}
+
+TEST(Csv, TellsTheLineOfARow) {
+  CsvReader reader("a,\"two\nlines\"\nb,c\n\"open", "test.csv");
+  std::vector<std::string> fields;
+  ASSERT_TRUE(reader.next(fields));
+  EXPECT_EQ(reader.place(), "test.csv:1");
+  ASSERT_TRUE(reader.next(fields));
+  EXPECT_EQ(reader.place(), "test.csv:3");
+  try {
+    reader.next(fields);
+    FAIL() << "an open quote was taken";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("test.csv:4"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Csv, TakesTheMarkOffWhatLooksLikeAFormula) {
+  for (const char* text : {"=1+1", "-1", "@x", "'tis", "plain", "'"}) {
+    EXPECT_EQ(textOfCsv(csvText(text)), text);
+  }
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "analysis/base/random_numbers.h"
+#include "oc_core/base/random_numbers.h"
 
 #include <gtest/gtest.h>
 

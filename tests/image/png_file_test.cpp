@@ -1,10 +1,10 @@
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
+#include "oc_core/image/color.h"
 #include "tests/base/temporary_folder.h"
 
 namespace ocelli {

@@ -1,4 +1,4 @@
-#include "oc_core/base/image.h"
+#include "oc_core/image/image.h"
 
 #include <gtest/gtest.h>
 

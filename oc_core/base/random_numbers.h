@@ -1,5 +1,5 @@
-// Random numbers that are the same on every machine: xoshiro256** (Blackman and Vigna 2021), seeded by splitmix64.
-// The distributions of the standard library differ from one library to the next.
+// Random numbers for statistics, the same on every machine: xoshiro256** (Blackman and Vigna 2021), seeded by Random
+// (random.h), which is smaller, and is what scenes, orders and tests take.
 #pragma once
 
 #include <array>

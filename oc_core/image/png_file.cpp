@@ -1,14 +1,14 @@
-#include "oc_core/base/png_file.h"
+#include "oc_core/image/png_file.h"
 
 #include <png.h>
 
 #include <string>
 #include <string_view>
 
-#include "oc_core/base/color.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/parallel.h"
+#include "oc_core/image/color.h"
 
 namespace ocelli {
 namespace {
