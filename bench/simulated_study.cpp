@@ -128,7 +128,7 @@ std::vector<int> sessionsOf2010() {
 std::vector<Trial> plannedTrials(const Protocol& protocol, const std::string& task, const std::vector<int>& sessions) {
   std::vector<Trial> trials;
   for (size_t subject = 0; subject < sessions.size(); ++subject) {
-    for (int session = 0; session < sessions[subject]; ++session) {
+    for (int session = 1; session <= sessions[subject]; ++session) {
       for (const TrialPlan& plan : scheduleOf(protocol, static_cast<int>(subject), session, protocol.seed).trials) {
         if (plan.task != task) {
           continue;
@@ -138,7 +138,7 @@ std::vector<Trial> plannedTrials(const Protocol& protocol, const std::string& ta
         Trial trial;
         trial.trialId = static_cast<int64_t>(trials.size());
         trial.subject = fmt::format("s{:03}", subject);
-        trial.session = session + 1;
+        trial.session = session;
         trial.planIndex = plan.index;
         trial.blockIndex = plan.block;
         trial.block = block.name;

@@ -145,7 +145,7 @@ void measure(const Choice& choice) {
   RunRecord run;
   run.subject = database.addSubject("bench", SubjectKind::kGenerator).id;
   run.kind = SubjectKind::kGenerator;
-  const SessionSchedule schedule = scheduleOf(protocol, 0, 0, 1);
+  const SessionSchedule schedule = scheduleOf(protocol, 0, 1, 1);
   TrialStore store(database, protocol, run, schedule);
   TimedSink sink(store);
   Frames frames = runSession(protocol, sink, schedule, choice.minutes);

@@ -66,7 +66,7 @@ TrialRecord recordOf(const TrialPlan& plan, int frames) {
   record.outcome.correct = true;
   record.outcome.responseTicks = 3600;
   record.outcome.measures = {{"path_length_m", 31.4159}, {"clicks", 1}};
-  record.timing = {frames, 0, 16'683'350, 16'900'000, "good"};
+  record.timing = {frames, 0, 16'683'350, 16'900'000, TimingVerdict::kGood};
   return record;
 }
 

@@ -28,7 +28,7 @@ void addStudyCheckCommand(CLI::App& study, const CommandContext& context) {
                   "Whose schedule to show: the first subject of the study has slot 0")
       ->check(CLI::Range(0, 1000000))
       ->capture_default_str();
-  command.add_option("--session", choice->session, "Of which session, from 1")
+  command.add_option("--session", choice->options.session, "Of which session, from 1")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   command.add_flag("--answers", choice->options.answers, "Show the right answers too");
@@ -39,7 +39,6 @@ void addStudyCheckCommand(CLI::App& study, const CommandContext& context) {
                  "  ocelli study check protocols/rosen2010-balanced.json\n"
                  "  ocelli study check protocols/short.json --subjects 60 --subject-slot 3 --answers",
                  [choice, context] {
-                   choice->options.session = choice->session - 1;
                    const Protocol protocol = readProtocol(choice->protocol);
 #ifdef OCELLI_WITH_OPENGL
                    requireDrawable(protocol);

@@ -35,8 +35,8 @@ struct SubjectsChoice {
 
 std::string describe(const StoredSession& session) {
   const std::string ending = session.ending ? nameOf(*session.ending) : "not ended";
-  return fmt::format("session {}: {} of {} trials, {}", session.session + 1, session.completedTrials,
-                     session.plannedTrials, ending);
+  return fmt::format("session {}: {} of {} trials, {}", session.session, session.completedTrials, session.plannedTrials,
+                     ending);
 }
 
 /// Of people whose session ended before it was complete. They may come back, so no new subject gets their slot.
@@ -85,7 +85,7 @@ std::string subjectsAsJson(const StudyDatabase& database) {
       if (session.ending) {
         ending = nameOf(*session.ending);
       }
-      sessions.push_back({{"session_number", session.session + 1},
+      sessions.push_back({{"session_number", session.session},
                           {"completed_trials", session.completedTrials},
                           {"planned_trials", session.plannedTrials},
                           {"runs", session.runs},

@@ -48,7 +48,7 @@ std::string textOf(const ReplaySummary& summary) {
   return text;
 }
 
-void writeFrames(const ReplayChoice& choice, const ReplayStudy& study, const StoredTrial& trial,
+void writeFrames(const ReplayChoice& choice, const ReplayStudy& study, const TrialRow& trial,
                  const CommandContext& context) {
   const std::filesystem::path folder = choice.frames;
   std::error_code failed;
@@ -73,10 +73,10 @@ void writeFrames(const ReplayChoice& choice, const ReplayStudy& study, const Sto
   context.note(fmt::format("wrote {} frames to {}", written, choice.frames));
 }
 
-void writePlanOf(const ReplayChoice& choice, const ReplayStudy& study, const StoredTrial& trial,
+void writePlanOf(const ReplayChoice& choice, const ReplayStudy& study, const TrialRow& trial,
                  const CommandContext& context) {
   PathPlan plan = pathPlanOf(study.blockOf(trial), study.logOf(trial), study.nameOf(trial));
-  plan.simulated = trial.kind == SubjectKind::kPerson ? "" : "a simulated subject";
+  plan.simulated = trial.simulated ? "a simulated subject" : "";
   writePathPlan(choice.plan, plan);
   context.note("wrote " + choice.plan);
 }
@@ -97,10 +97,10 @@ void replay(const ReplayChoice& choice, const CommandContext& context) {
   which.subject = choice.subject;
   which.withPractice = choice.practice;
   if (!choice.all) {
-    which.session = choice.session - 1;
+    which.session = choice.session;
     which.trial = choice.trial - 1;
   }
-  const std::vector<StoredTrial> trials = study.trials(which);
+  const std::vector<TrialRow> trials = study.trials(which);
   const ReplaySummary summary = study.check(trials, viewPainters(choice.renderer), context.progress());
   if (!choice.frames.empty()) {
     writeFrames(choice, study, trials.back(), context);
@@ -109,7 +109,7 @@ void replay(const ReplayChoice& choice, const CommandContext& context) {
     writePlanOf(choice, study, trials.back(), context);
   }
   if (choice.window) {
-    const StoredTrial& trial = trials.back();
+    const TrialRow& trial = trials.back();
     showInWindow(study.blockOf(trial), study.logOf(trial), study.protocol().controls,
                  {study.nameOf(trial), choice.speed});
   }

@@ -57,7 +57,7 @@ StudyRunOptions optionsOf(const RunChoice& choice, const CommandContext& context
   options.database = choice.database;
   options.subject = choice.subject;
   if (choice.session != 0) {
-    options.session = choice.session - 1;
+    options.session = choice.session;
   }
   options.monitor = choice.monitor;
   if (!choice.windowed.empty()) {

@@ -9,7 +9,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   try {
     const ocelli::Protocol protocol = ocelli::protocolFromJsonText(std::string(data, data + size), "fuzz");
-    for (int session = 0; session < protocol.sessions; ++session) {
+    for (int session = 1; session <= protocol.sessions; ++session) {
       for (int slot = 0; slot < 3; ++slot) {
         const ocelli::SessionSchedule schedule = ocelli::scheduleOf(protocol, slot, session, protocol.seed);
         if (schedule.trials.empty()) {

@@ -12,9 +12,9 @@
 #include "analysis/dataset/csv_table.h"
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/dataset/row_digest.h"
-#include "analysis/dataset/trial_check.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
+#include "study/trial/trial_check.h"
 
 namespace ocelli {
 namespace {
@@ -116,12 +116,12 @@ void Reading::readSubjects() {
   while (table.next()) {
     Subject subject;
     subject.id = table.name(id);
-    subject.kind = table.text(kind);
+    subject.kind = table.word(kind, kSubjectKinds);
     subject.simulated = table.flag(simulated);
     subject.slot = table.smallInteger(slot);
     subject.createdUtc = table.text(created);
-    if (subject.simulated != (subject.kind != "person")) {
-      table.fail(simulated, fmt::format("contradicts the kind of subject \"{}\"", subject.kind));
+    if (subject.simulated != isSimulated(subject.kind)) {
+      table.fail(simulated, fmt::format("contradicts the kind of subject \"{}\"", nameOf(subject.kind)));
     }
     data_.subjects.push_back(std::move(subject));
   }
@@ -158,7 +158,7 @@ void Reading::readSessions(DataSource& source) {
     int& last = lastRun[key];
     if (table.smallInteger(runNumber) > last) {
       last = table.smallInteger(runNumber);
-      session.ending = table.text(ending);
+      session.ending = table.optionalWord(ending, kSessionEndings);
     }
     source.programVersion = table.text(version);
     data_.runs.push_back({0, key.first, key.second, table.smallInteger(runNumber),
@@ -198,9 +198,9 @@ void Reading::readTrials() {
     trial.block = table.name(at["block"]);
     trial.simulated = table.flag(at["simulated"]);
     trial.correct = table.optionalFlag(at["correct"]);
-    const std::string ending = table.text(at["ending"]);
-    const bool practice = table.flag(at["practice"]);
-    if (!practice && ending == "completed") {
+    trial.ending = table.optionalWord(at["ending"], kTrialEndings);
+    trial.practice = table.flag(at["practice"]);
+    if (!trial.practice && trial.ending == TrialEnding::kCompleted) {
       const int plan = table.smallInteger(at["plan_index"]);
       int64_t& last = completed[{trial.subject, trial.session, plan}];
       const auto session = sessionIndex_.find({trial.subject, trial.session});
@@ -212,10 +212,10 @@ void Reading::readTrials() {
     }
     if (!table.flag(at["counts"])) {
       data_.otherAttempts.push_back({0, trial.trialId, trial.subject, trial.session, trial.blockIndex, trial.block,
-                                     trial.simulated, whyNotCounted(practice, ending), trial.correct});
+                                     trial.simulated, whyNotCounted(trial.practice, trial.ending), trial.correct});
       continue;
     }
-    if (practice || ending != "completed") {
+    if (trial.practice || trial.ending != TrialEnding::kCompleted) {
       table.fail(at["counts"], "is 1, but the trial is practice or was not completed");
     }
     trial.planIndex = table.smallInteger(at["plan_index"]);
@@ -230,7 +230,7 @@ void Reading::readTrials() {
     }
     trial.view = *condition;
     trial.attempt = table.smallInteger(at["attempt"]);
-    trial.subjectKind = table.text(at["subject_kind"]);
+    trial.subjectKind = table.word(at["subject_kind"], kSubjectKinds);
     trial.moving = table.optionalFlag(at["moving"]);
     trial.exposureSeconds = table.optionalReal(at["exposure_s"]);
     if (table.optionalInteger(at["objects"])) {
@@ -248,27 +248,27 @@ void Reading::readTrials() {
     }
     trial.frames = table.optionalInteger(at["frames"]).value_or(0);
     trial.droppedFrames = table.optionalInteger(at["dropped_frames"]).value_or(0);
-    trial.timingVerdict = table.text(at["timing_verdict"]);
+    trial.timingVerdict = table.optionalWord(at["timing_verdict"], kTimingVerdicts);
     if (const auto problem = problemOf(trial)) {
       table.fail(table.column(problem->column), problem->problem);
     }
-    UnreadColumns unread;
-    unread.trialNumber = table.integer(at["trial_number"]);
-    unread.trialSeed = table.optionalHexadecimal(at["trial_seed"]);
-    unread.startedNs = table.optionalInteger(at["started_ns"]);
-    unread.endedNs = table.optionalInteger(at["ended_ns"]);
-    unread.startedUtc = table.text(at["started_utc"]);
-    unread.endedUtc = table.text(at["ended_utc"]);
+    trial.runId = table.integer(at["run_id"]);
+    trial.trialNumber = table.smallInteger(at["trial_number"]);
+    trial.trialSeed = table.optionalHexadecimal(at["trial_seed"]);
+    trial.startedNs = table.optionalInteger(at["started_ns"]);
+    trial.endedNs = table.optionalInteger(at["ended_ns"]);
+    trial.startedUtc = table.text(at["started_utc"]);
+    trial.endedUtc = table.text(at["ended_utc"]);
     if (trial.responseSeconds) {
-      unread.responseTicks = std::llround(*trial.responseSeconds * kTicksPerSecond);
+      trial.responseTicks = std::llround(*trial.responseSeconds * kTicksPerSecond);
     }
-    unread.exposureFrames = table.optionalInteger(at["exposure_frames"]);
-    unread.medianIntervalNs = table.optionalInteger(at["median_interval_ns"]);
-    unread.longestIntervalNs = table.optionalInteger(at["longest_interval_ns"]);
+    trial.exposureFrames = table.optionalInteger(at["exposure_frames"]);
+    trial.medianIntervalNs = table.optionalInteger(at["median_interval_ns"]);
+    trial.longestIntervalNs = table.optionalInteger(at["longest_interval_ns"]);
     trial.screenWidth = table.optionalInteger(at["screen_width_px"]);
     trial.screenHeight = table.optionalInteger(at["screen_height_px"]);
     trial.refreshHertz = table.optionalReal(at["refresh_hz"]);
-    trial.digest = digestOf(trial, view, unread);
+    trial.digest = digestOf(trial, view);
     data_.trials.push_back(std::move(trial));
   }
 }

@@ -8,9 +8,9 @@
 #include <limits>
 #include <set>
 
-#include "analysis/dataset/trial_check.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
+#include "study/trial/trial_check.h"
 
 namespace ocelli {
 namespace {
@@ -135,7 +135,7 @@ std::optional<double> CsvTable::optionalReal(size_t column) const {
   return number;
 }
 
-std::optional<int64_t> CsvTable::optionalHexadecimal(size_t column) const {
+std::optional<uint64_t> CsvTable::optionalHexadecimal(size_t column) const {
   const std::string& field = fields_[column];
   if (field.empty()) {
     return std::nullopt;
@@ -144,7 +144,7 @@ std::optional<int64_t> CsvTable::optionalHexadecimal(size_t column) const {
   if (!number) {
     fail(column, fmt::format("is \"{}\", but must be 0x and hexadecimal digits", field));
   }
-  return static_cast<int64_t>(*number);
+  return number;
 }
 
 }  // namespace ocelli

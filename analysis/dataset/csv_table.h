@@ -1,12 +1,14 @@
 // A table with a head, row by row, whose fields are values of a kind.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "oc_core/base/csv.h"
+#include "study/trial/trial_words.h"
 
 namespace ocelli {
 
@@ -27,7 +29,7 @@ class CsvTable {
 
   /// Of the row. Each throws InputError, with line and column, for what is no such value.
   std::string text(size_t column) const;
-  std::string name(size_t column) const;  ///< of a subject, a block, ... (trial_check.h)
+  std::string name(size_t column) const;  ///< of a subject, a block, ... (study/trial/trial_check.h)
   int64_t integer(size_t column) const;
   int32_t smallInteger(size_t column) const;
   bool flag(size_t column) const;  ///< 0 or 1
@@ -35,7 +37,20 @@ class CsvTable {
   std::optional<bool> optionalFlag(size_t column) const;
   std::optional<double> optionalReal(size_t column) const;
   /// "0x" and digits: 64 bits.
-  std::optional<int64_t> optionalHexadecimal(size_t column) const;
+  std::optional<uint64_t> optionalHexadecimal(size_t column) const;
+  /// One of the words (study/trial/trial_words.h).
+  template <class Word, size_t kCount>
+  Word word(size_t column, const std::array<Word, kCount>& words) const {
+    const std::optional<Word> found = wordNamed(fields_[column], words);
+    if (!found) {
+      fail(column, "is \"" + fields_[column] + "\", but must be one of: " + namesOf(words));
+    }
+    return *found;
+  }
+  template <class Word, size_t kCount>
+  std::optional<Word> optionalWord(size_t column, const std::array<Word, kCount>& words) const {
+    return fields_[column].empty() ? std::nullopt : std::optional(word(column, words));
+  }
 
   [[noreturn]] void fail(size_t column, const std::string& problem) const;
 

@@ -5,10 +5,6 @@
 
 namespace ocelli {
 
-/// What this version reads: files of version 1 differ in nothing that an analysis asks for.
-inline constexpr int kOldestKnownTrialsSchema = 1;
-inline constexpr int kKnownTrialsSchema = 2;
-
 /// Everything is of one moment, also while a session writes the database; its -wal file is part of it. Nothing is
 /// written to it. Throws InputError where the file is missing, empty, damaged, no study's, or of another version of
 /// the schema; and for a row that the schema does not allow.

@@ -22,15 +22,15 @@ const char* describe(OtherAttempt::Why why) {
   return "";
 }
 
-OtherAttempt::Why whyNotCounted(bool practice, const std::string& ending) {
+OtherAttempt::Why whyNotCounted(bool practice, std::optional<TrialEnding> ending) {
   using Why = OtherAttempt::Why;
   if (practice) {
     return Why::kPractice;
   }
-  return ending == "redone"    ? Why::kRedone
-         : ending == "aborted" ? Why::kAborted
-         : ending.empty()      ? Why::kNotEnded
-                               : Why::kRepeated;
+  return !ending                           ? Why::kNotEnded
+         : ending == TrialEnding::kRedone  ? Why::kRedone
+         : ending == TrialEnding::kAborted ? Why::kAborted
+                                           : Why::kRepeated;
 }
 
 bool Dataset::isSimulated() const {
@@ -62,7 +62,7 @@ std::string dataHash(const Dataset& data) {
     rows.push_back(RowBytes("session")
                        .text(session.subject)
                        .integer(session.number)
-                       .text(session.ending)
+                       .text(session.ending ? nameOf(*session.ending) : "")
                        .integer(session.completedTrials)
                        .integer(session.runs)
                        .integer(session.forced ? 1 : 0)
@@ -71,7 +71,7 @@ std::string dataHash(const Dataset& data) {
   for (const Subject& subject : data.subjects) {
     rows.push_back(RowBytes("subject")
                        .text(subject.id)
-                       .text(subject.kind)
+                       .text(nameOf(subject.kind))
                        .integer(subject.slot)
                        .text(subject.createdUtc)
                        .digest());

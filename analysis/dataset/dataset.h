@@ -10,14 +10,9 @@
 #include <vector>
 
 #include "analysis/dataset/trial.h"
+#include "study/trial/withdrawal.h"
 
 namespace ocelli {
-
-/// That someone withdrew, in a form that names nobody: a salted hash of the random key that the subject had.
-struct WithdrawnKey {
-  std::string salt;
-  std::string keySha256;  ///< of the salt and the key, one after the other; 64 hexadecimal digits
-};
 
 /// A file, or a folder of tables.
 struct DataSource {
@@ -30,14 +25,14 @@ struct DataSource {
   std::string protocolSha256{};  ///< 64 hexadecimal digits
   std::string protocolText{};
   std::string programVersion{};  ///< of the program that made it
-  std::vector<WithdrawnKey> withdrawals{};
+  std::vector<Withdrawal> withdrawals{};
 };
 
 struct Subject {
   int source = 0;
   std::string id;
-  std::string key;   ///< random; empty where tables do not hold it
-  std::string kind;  ///< "person", "simulated_generator", "simulated_observer"
+  std::string key;  ///< random; empty where tables do not hold it
+  SubjectKind kind = SubjectKind::kPerson;
   bool simulated = false;
   int slot = 0;  ///< place in the counterbalancing
   std::string createdUtc;
@@ -52,8 +47,8 @@ struct Session {
   std::optional<int> plannedTrials{};  ///< not known from tables
   int completedTrials = 0;             ///< plans with an attempt that was completed
   int runs = 0;
-  std::string ending;   ///< of its last run: "completed", "unwell", ...; empty: it runs, or the program was killed
-  bool forced = false;  ///< some run was started although the check of the screen's timing refused
+  std::optional<SessionEnding> ending{};  ///< of its last run; nothing: it runs, or the program was killed
+  bool forced = false;                    ///< some run was started although the check of the screen's timing refused
 };
 
 /// One start of the program for a session.
@@ -107,7 +102,7 @@ struct OtherAttempt {
 /// "practice", "redone by the experimenter", ...
 const char* describe(OtherAttempt::Why why);
 /// By the columns of a row that does not count.
-OtherAttempt::Why whyNotCounted(bool practice, const std::string& ending);
+OtherAttempt::Why whyNotCounted(bool practice, std::optional<TrialEnding> ending);
 
 /// A row that counts in its file but is not in the data.
 struct LeftOutRow {

@@ -12,9 +12,9 @@
 #include <tuple>
 
 #include "analysis/dataset/protocol_facts.h"
-#include "analysis/dataset/trial_check.h"
 #include "oc_core/base/csv.h"
 #include "oc_core/base/error.h"
+#include "study/trial/trial_check.h"
 
 namespace ocelli {
 namespace {
@@ -40,9 +40,6 @@ constexpr RuleKind kRuleKinds[] = {
     {"trial_dropped_share", Level::kTrial, Value::kShare},
 };
 constexpr std::string_view kFormPrefix = "form:";
-constexpr std::string_view kEndings[] = {"completed", "unwell", "aborted", "declined", "failed"};
-constexpr std::string_view kVerdicts[] = {"good", "dropped_frames", "early_frames", "unstable_refresh",
-                                          "simulated_clock"};
 
 std::optional<RuleKind> kindOf(const std::string& what) {
   if (what.starts_with(kFormPrefix) && what.size() > kFormPrefix.size()) {
@@ -56,16 +53,17 @@ std::optional<RuleKind> kindOf(const std::string& what) {
   return std::nullopt;
 }
 
-template <size_t kCount>
-std::string problemOfChoice(const std::string& given, const std::string_view (&allowed)[kCount]) {
-  if (std::find(std::begin(allowed), std::end(allowed), given) != std::end(allowed)) {
-    return "";
-  }
-  std::string list;
-  for (const std::string_view each : allowed) {
-    list += fmt::format("{}{}", list.empty() ? "" : ", ", each);
-  }
-  return fmt::format("has the value \"{}\", but it must be one of: {}", given, list);
+template <class Word, size_t kCount>
+std::string problemOfChoice(const std::string& given, const std::array<Word, kCount>& words) {
+  return wordNamed(given, words)
+             ? ""
+             : fmt::format("has the value \"{}\", but it must be one of: {}", given, namesOf(words));
+}
+
+/// Empty for what has no such word.
+template <class Word>
+std::string nameOrNothing(const std::optional<Word>& word) {
+  return word ? nameOf(*word) : "";
 }
 
 bool matches(const PlannedExclusion& rule, const std::string& text) {
@@ -181,8 +179,8 @@ void Excluder::gatherTotals() {
   }
   for (const Session& session : data.sessions) {
     SubjectTotals& totals = totals_[session.subject];
-    totals.endings.push_back(session.ending);
-    totals.completed += session.ending == "completed" ? 1 : 0;
+    totals.endings.push_back(nameOrNothing(session.ending));
+    totals.completed += session.ending == SessionEnding::kCompleted ? 1 : 0;
   }
   for (const Trial& trial : data.trials) {
     SubjectTotals& totals = totals_[trial.subject];
@@ -365,7 +363,7 @@ void Excluder::apply(const PlannedExclusion& rule) {
       return;
     case Level::kSession:
       for (const Session& session : data.sessions) {
-        const bool met = rule.what == kForcedSession ? session.forced : session.ending != "completed";
+        const bool met = rule.what == kForcedSession ? session.forced : session.ending != SessionEnding::kCompleted;
         const std::string why = fmt::format("{} ({})", rule.reason, describe(rule));
         if (met && sessionWhy_.try_emplace({session.subject, session.number}, why).second) {
           result_.excluded.push_back({session.subject, session.number, describe(rule), rule.reason});
@@ -377,7 +375,7 @@ void Excluder::apply(const PlannedExclusion& rule) {
         const Trial& trial = data.trials[i];
         const double frames = static_cast<double>(trial.frames);
         const bool met = rule.what == "timing_verdict"
-                             ? matches(rule, trial.timingVerdict)
+                             ? matches(rule, nameOrNothing(trial.timingVerdict))
                              : trial.frames > 0 && matches(rule, static_cast<double>(trial.droppedFrames) / frames);
         if (met && trialWhy_[i].empty()) {
           trialWhy_[i] = fmt::format("{} ({})", rule.reason, describe(rule));
@@ -454,14 +452,14 @@ AnalysisData applyPlan(Dataset data, const AnalysisPlan& plan) {
 
 int completedSessions(const Dataset& data, const std::string& subject) {
   return static_cast<int>(std::count_if(data.sessions.begin(), data.sessions.end(), [&](const Session& session) {
-    return session.subject == subject && session.ending == "completed";
+    return session.subject == subject && session.ending == SessionEnding::kCompleted;
   }));
 }
 
 std::map<std::string, int> completedSessions(const Dataset& data) {
   std::map<std::string, int> completed;
   for (const Session& session : data.sessions) {
-    completed[session.subject] += session.ending == "completed" ? 1 : 0;
+    completed[session.subject] += session.ending == SessionEnding::kCompleted ? 1 : 0;
   }
   return completed;
 }
@@ -513,8 +511,8 @@ std::string problemOfRule(const PlannedExclusion& rule, const std::string& test,
       if (!isText || !hasValue || !valueIsText) {
         return fmt::format("is \"{}\", which needs the \"test\" is or is_not and a text as \"value\"", rule.what);
       }
-      return kind->what == "ending"           ? problemOfChoice(rule.text, kEndings)
-             : kind->what == "timing_verdict" ? problemOfChoice(rule.text, kVerdicts)
+      return kind->what == "ending"           ? problemOfChoice(rule.text, kSessionEndings)
+             : kind->what == "timing_verdict" ? problemOfChoice(rule.text, kTimingVerdicts)
                                               : "";
     case Value::kNumber:
     case Value::kShare:

@@ -44,24 +44,27 @@ Digest RowBytes::digest() const {
   return sha256Digest(bytes_);
 }
 
-Digest digestOf(const Trial& trial, const std::string& view, const UnreadColumns& unread) {
+Digest digestOf(const TrialRow& trial, const std::string& view) {
   const auto number = [](const auto& value) {
     return value ? std::optional<int64_t>(static_cast<int64_t>(*value)) : std::nullopt;
   };
   RowBytes row("trial");
   row.text(trial.subject).integer(trial.session).integer(trial.planIndex).integer(trial.blockIndex).text(trial.block);
   row.text(trial.task).integer(trial.caseIndex).text(trial.caseLabel).text(view).integer(trial.attempt);
-  row.integer(trial.simulated ? 1 : 0).text(trial.subjectKind).integer(number(trial.moving));
+  row.integer(trial.simulated ? 1 : 0).text(nameOf(trial.subjectKind)).integer(number(trial.moving));
   row.real(trial.exposureSeconds).integer(number(trial.objects)).integer(number(trial.duplicateColors));
   row.text(trial.answer).text(trial.expected).integer(number(trial.correct)).integer(number(trial.censored));
-  row.real(trial.responseSeconds).integer(trial.frames).integer(trial.droppedFrames).text(trial.timingVerdict);
+  row.real(trial.responseSeconds)
+      .integer(trial.frames)
+      .integer(trial.droppedFrames)
+      .text(trial.timingVerdict ? nameOf(*trial.timingVerdict) : "");
   row.integer(static_cast<int64_t>(trial.measures.size()));
   for (const auto& [name, value] : trial.measures) {
     row.text(name).real(value);
   }
-  row.integer(unread.trialNumber).integer(unread.trialSeed).integer(unread.startedNs).integer(unread.endedNs);
-  row.text(unread.startedUtc).text(unread.endedUtc).integer(unread.responseTicks).integer(unread.exposureFrames);
-  row.integer(unread.medianIntervalNs).integer(unread.longestIntervalNs).integer(trial.screenWidth);
+  row.integer(trial.trialNumber).integer(number(trial.trialSeed)).integer(trial.startedNs).integer(trial.endedNs);
+  row.text(trial.startedUtc).text(trial.endedUtc).integer(trial.responseTicks).integer(trial.exposureFrames);
+  row.integer(trial.medianIntervalNs).integer(trial.longestIntervalNs).integer(trial.screenWidth);
   row.integer(trial.screenHeight).real(trial.refreshHertz);
   return row.digest();
 }

@@ -34,21 +34,8 @@ class RowBytes {
   std::string bytes_;
 };
 
-/// The columns of a trial that no analysis reads, but that tell of a change.
-struct UnreadColumns {
-  int64_t trialNumber = 0;
-  std::optional<int64_t> trialSeed{};
-  std::optional<int64_t> startedNs{};
-  std::optional<int64_t> endedNs{};
-  std::string startedUtc{};
-  std::string endedUtc{};
-  std::optional<int64_t> responseTicks{};
-  std::optional<int64_t> exposureFrames{};
-  std::optional<int64_t> medianIntervalNs{};
-  std::optional<int64_t> longestIntervalNs{};
-};
-/// `view`: the name of its condition.
-Digest digestOf(const Trial& trial, const std::string& view, const UnreadColumns& unread);
+/// With the columns that no analysis reads, but that tell of a change. `view`: the name of its condition.
+Digest digestOf(const TrialRow& trial, const std::string& view);
 
 /// Of the digests in the order of their bytes: the same whatever order they came in.
 Digest sha256OfRows(std::vector<Digest> rows);

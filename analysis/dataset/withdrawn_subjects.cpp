@@ -6,13 +6,11 @@
 #include <set>
 #include <string>
 
-#include "analysis/dataset/row_digest.h"
-
 namespace ocelli {
 namespace {
 
 struct KnownWithdrawal {
-  WithdrawnKey withdrawal;
+  Withdrawal withdrawal;
   std::string path;  ///< of the database that tells of it
 };
 
@@ -20,7 +18,7 @@ std::vector<KnownWithdrawal> withdrawalsOf(const std::vector<Dataset>& parts) {
   std::vector<KnownWithdrawal> known;
   for (const Dataset& part : parts) {
     for (const DataSource& source : part.sources) {
-      for (const WithdrawnKey& withdrawal : source.withdrawals) {
+      for (const Withdrawal& withdrawal : source.withdrawals) {
         known.push_back({withdrawal, source.path});
       }
     }
@@ -37,7 +35,7 @@ void removeWithdrawn(std::vector<Dataset>& parts) {
     std::string from;
     for (const Subject& subject : part.subjects) {
       const auto found = std::find_if(known.begin(), known.end(), [&](const KnownWithdrawal& each) {
-        return !subject.key.empty() && sha256(each.withdrawal.salt + subject.key) == each.withdrawal.keySha256;
+        return !subject.key.empty() && each.withdrawal.isOf(subject.key);
       });
       if (found != known.end()) {
         gone.insert(subject.id);

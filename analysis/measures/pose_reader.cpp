@@ -1,6 +1,8 @@
 #include "analysis/measures/pose_reader.h"
 
-#include "analysis/dataset/sqlite_reading.h"
+#include <SQLiteCpp/Statement.h>
+
+#include "study/trial/trials_file.h"
 
 namespace ocelli {
 namespace {
@@ -8,7 +10,7 @@ namespace {
 struct OpenDatabase {
   explicit OpenDatabase(const std::string& file)
       : path(file),
-        database(openStudyForReading(file)),
+        database(openTrials(file)),
         frames(database, "SELECT tick, x_m, z_m, heading_rad FROM frame WHERE trial_id = ? ORDER BY frame") {}
 
   std::string path;
@@ -41,9 +43,9 @@ const std::vector<Pose>& PoseReader::posesOf(const Trial& trial) {
   }
   auto& open = state_->databases[static_cast<size_t>(trial.source)];
   if (open == nullptr) {
-    open = withSqliteErrors(source.path, [&] { return std::make_unique<OpenDatabase>(source.path); });
+    open = whileReading(source.path, [&] { return std::make_unique<OpenDatabase>(source.path); });
   }
-  withSqliteErrors(open->path, [&] {
+  whileReading(open->path, [&] {
     open->frames.reset();
     open->frames.bind(1, trial.trialId);
     while (open->frames.executeStep()) {

@@ -6,6 +6,7 @@
 #include "oc_core/base/check.h"
 #include "study/agent/chance.h"
 #include "study/session/session_sink.h"
+#include "study/session/trial_rows.h"
 #include "study/store/program_version.h"
 #include "study/subject/simulate_session.h"
 
@@ -15,15 +16,15 @@ namespace {
 /// Takes the records of one session as rows of the schema of trials (protocols/trials.schema.sql).
 class DatasetSink : public SessionSink {
  public:
-  DatasetSink(const Protocol& protocol, std::string subject, int session, Dataset& data)
-      : protocol_(protocol), subject_(std::move(subject)), session_(session + 1), data_(data) {}
+  DatasetSink(const Protocol& protocol, RunRecord run, Dataset& data)
+      : protocol_(protocol), run_(std::move(run)), data_(data) {}
 
   void consent(const ConsentRecord& record) override {
-    data_.consents.push_back({0, subject_, session_, record.agreed});
+    data_.consents.push_back({0, run_.subject, run_.session, record.agreed});
   }
   void answer(const AnswerRecord& record) override {
     const auto id = static_cast<int64_t>(data_.answers.size() + 1);
-    data_.answers.push_back({0, id, subject_, session_, record.form, record.field, record.answer, true});
+    data_.answers.push_back({0, id, run_.subject, run_.session, record.form, record.field, record.answer, true});
   }
   void trialBegins(int /*number*/, const TrialPlan& /*plan*/, int /*attempt*/) override {}
   void frames(int /*number*/, std::span<const FrameRecord> /*records*/) override {}
@@ -36,46 +37,21 @@ class DatasetSink : public SessionSink {
 
  private:
   const Protocol& protocol_;
-  std::string subject_;
-  int session_;
+  RunRecord run_;
   Dataset& data_;
   int trials_ = 0;
 };
 
-void DatasetSink::trialEnds(int /*number*/, const TrialRecord& record, std::function<void()> /*acknowledged*/) {
-  Trial& trial = data_.trials.emplace_back();
+void DatasetSink::trialEnds(int number, const TrialRecord& record, std::function<void()> /*acknowledged*/) {
+  Trial& trial = data_.trials.emplace_back(Trial{
+      rowOf(run_, number, record.plan, record.attempt, protocol_.blocks[static_cast<size_t>(record.plan.block)].name)});
   trial.trialId = static_cast<int64_t>(data_.trials.size());
-  trial.subject = subject_;
-  trial.session = session_;
-  trial.planIndex = record.plan.index;
-  trial.blockIndex = record.plan.block;
-  trial.block = protocol_.blocks[static_cast<size_t>(record.plan.block)].name;
-  trial.task = record.plan.task;
-  trial.caseIndex = record.plan.caseIndex;
-  trial.caseLabel = record.info.label;
-  trial.view = record.plan.view == TrialView::kOther ? TrialView::kOther : TrialView::kReference;
-  trial.attempt = record.attempt;
-  trial.simulated = true;
-  trial.subjectKind = nameOf(SubjectKind::kGenerator);
-  trial.moving = record.info.moving;
-  trial.exposureSeconds = record.info.exposureSeconds;
-  trial.objects = record.info.objects;
-  trial.duplicateColors = record.info.duplicateColors;
-  trial.longestSeconds = record.info.longestSeconds;
-  trial.answer = record.outcome.answer;
-  trial.expected = record.outcome.expected;
-  trial.correct = record.outcome.correct;
-  trial.censored = record.outcome.censored;
-  trial.responseSeconds = static_cast<double>(record.outcome.responseTicks) / static_cast<double>(kTicksPerSecond);
-  trial.measures = {record.outcome.measures.begin(), record.outcome.measures.end()};
-  trial.frames = record.timing.frames;
-  trial.droppedFrames = record.timing.dropped;
-  trial.timingVerdict = record.timing.verdict;
+  addEnd(trial, record);
   ++trials_;
 }
 
 void DatasetSink::sessionEnds(SessionEnding ending, const std::string& /*utc*/) {
-  data_.sessions.push_back({0, subject_, session_, true, trials_, trials_, 1, nameOf(ending), false});
+  data_.sessions.push_back({0, run_.subject, run_.session, true, trials_, trials_, 1, ending, false});
 }
 
 Dataset simulate(const Protocol& protocol, const SimulationPlan& plan, bool tellsAnswers) {
@@ -96,13 +72,18 @@ Dataset simulate(const Protocol& protocol, const SimulationPlan& plan, bool tell
     const uint64_t seed = seedOf(plan.seed, i);
     Subject subject;
     subject.id = fmt::format("{}{:04}", plan.idPrefix, i + 1);
-    subject.kind = nameOf(plan.kind);
+    subject.kind = plan.kind;
     subject.simulated = true;
     subject.slot = slot;
     data.subjects.push_back(subject);
-    for (int session = 0; session < plan.sessions[i]; ++session) {
+    for (int session = 1; session <= plan.sessions[i]; ++session) {
       const SessionSchedule schedule = scheduleOf(protocol, slot, session, seed);
-      DatasetSink sink(protocol, subject.id, session, data);
+      RunRecord run;
+      run.subject = subject.id;
+      run.kind = plan.kind;
+      run.slot = slot;
+      run.session = session;
+      DatasetSink sink(protocol, std::move(run), data);
       generateSession(protocol, {schedule, plan.effects, plan.seed, seed, tellsAnswers}, sink);
     }
   }

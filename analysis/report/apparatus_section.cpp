@@ -55,7 +55,7 @@ struct Frames {
     ++trials;
     frames += trial.frames;
     dropped += trial.droppedFrames;
-    ++verdicts[trial.timingVerdict];
+    ++verdicts[trial.timingVerdict ? nameOf(*trial.timingVerdict) : ""];
   }
   std::optional<double> droppedShare() const {
     return frames > 0 ? std::optional<double>(static_cast<double>(dropped) / static_cast<double>(frames))

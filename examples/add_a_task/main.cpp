@@ -7,6 +7,7 @@
 #include "oc_core/base/error.h"
 #include "react_task.h"
 #include "study/protocol/protocol.h"
+#include "study/session/trial_rows.h"
 #include "study/store/study_database.h"
 #include "study/subject/simulate_study.h"
 
@@ -33,10 +34,10 @@ bool run(const std::filesystem::path& protocolFile) {
 
   int pressed = 0;
   double sum = 0;
-  for (const StoredTrial& trial : StudyDatabase::openForReading("react.db").trials()) {
-    if (trial.record.outcome.correct) {
+  for (const TrialRow& trial : StudyDatabase::openForReading("react.db").trials()) {
+    if (trial.correct.value_or(false)) {
       ++pressed;
-      sum += reactionSeconds(trial.record.outcome);
+      sum += reactionSeconds(recordOf(trial).outcome);
     }
   }
   const int trials = kSubjects * protocol.blocks.front().task->caseCount();

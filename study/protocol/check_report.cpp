@@ -53,9 +53,9 @@ std::string conditionText(const CaseInfo& info) {
 
 std::string lengthText(const Protocol& protocol, const SessionSchedule& schedule) {
   const std::vector<PartLength> parts = partsOf(protocol, schedule);
-  std::string text = fmt::format("\nSession {} of the subject in slot {}: {} first\n\n  {:<28}{:>7}{:>14}{:>14}\n",
-                                 schedule.session + 1, schedule.slot, protocol.nameOf(schedule.firstView), "part",
-                                 "trials", "typical min", "longest min");
+  std::string text =
+      fmt::format("\nSession {} of the subject in slot {}: {} first\n\n  {:<28}{:>7}{:>14}{:>14}\n", schedule.session,
+                  schedule.slot, protocol.nameOf(schedule.firstView), "part", "trials", "typical min", "longest min");
   int trials = 0;
   for (const PartLength& part : parts) {
     trials += part.trials;
@@ -90,9 +90,9 @@ std::string scheduleText(const Protocol& protocol, const SessionSchedule& schedu
 
 std::string balanceText(const std::vector<BalanceTable>& tables, int subjects, int session) {
   if (tables.empty()) {
-    return fmt::format("\nBalance of session {}: all subjects have the same schedule\n", session + 1);
+    return fmt::format("\nBalance of session {}: all subjects have the same schedule\n", session);
   }
-  std::string text = fmt::format("\nBalance of session {} over {} subjects\n\n  {:<66}{:>6}{:>10}{:>12}\n", session + 1,
+  std::string text = fmt::format("\nBalance of session {} over {} subjects\n\n  {:<66}{:>6}{:>10}{:>12}\n", session,
                                  subjects, "cells of", "cells", "subjects", "difference");
   for (const BalanceTable& table : tables) {
     const auto [least, most] = rangeOf(table);
@@ -126,7 +126,7 @@ Json jsonOf(const Duration& duration) {
 
 Json jsonOf(const Protocol& protocol, const SessionSchedule& schedule, bool answers) {
   Json json{{"slot", schedule.slot},
-            {"session", schedule.session + 1},
+            {"session", schedule.session},
             {"first_view", protocol.nameOf(schedule.firstView)},
             {"length", jsonOf(durationOf(partsOf(protocol, schedule)))},
             {"parts", Json::array()},

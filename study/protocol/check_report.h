@@ -11,7 +11,7 @@ namespace ocelli {
 
 struct CheckOptions {
   int slot = 0;  ///< of the subject whose schedule is told
-  int session = 0;
+  int session = 1;
   int subjects = 24;      ///< over which the balance is counted
   bool answers = false;   ///< of each trial
   bool coverage = false;  ///< of the views: takes seconds

@@ -44,16 +44,16 @@ SlotLevels withTwo(int place) {
 
 }  // namespace
 
-SlotLevels levelsOf(int slot, int session, int orders) {
-  OC_CHECK(slot >= 0 && session >= 0, "slots and sessions count from 0");
+SlotLevels levelsOf(int slot, int sessionsBefore, int orders) {
+  OC_CHECK(slot >= 0 && sessionsBefore >= 0, "slots count from 0");
   OC_CHECK(orders == 2 || orders % 2 == 1 || orders % 4 == 0, "no layout of slots for so many orders");
   const int period = orders == 2 ? 8 : 4 * orders;
   const int place = slot % period;
   SlotLevels levels = orders == 2       ? withTwo(place)
                       : orders % 2 == 1 ? withOdd(place, orders)
                                         : withMultipleOfFour(place, orders);
-  levels.firstView ^= session % 2;
-  levels.assignment ^= session % 2;
+  levels.firstView ^= sessionsBefore % 2;
+  levels.assignment ^= sessionsBefore % 2;
   return levels;
 }
 

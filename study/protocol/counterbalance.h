@@ -23,7 +23,8 @@ struct SlotLevels {
 };
 
 /// `orders` is 1, 2, an odd number, or a multiple of 4. In every other session first view and assignment are swapped.
-SlotLevels levelsOf(int slot, int session, int orders);
+/// `sessionsBefore`: how many the subject has had.
+SlotLevels levelsOf(int slot, int sessionsBefore, int orders);
 
 /// Orders in which so many blocks come, by number: each block is equally often in each place, and, where `blocks` is
 /// even, equally often before each other. As many as there are blocks; twice as many, the second half backwards, where

@@ -67,7 +67,7 @@ struct ProtocolBlock {
   bool feedback = false;     ///< after each trial; practice always has it
   int breakEveryTrials = 0;  ///< a break after so many trials; 0 for none within the block
   bool breakAfter = true;
-  std::vector<int> sessions{};  ///< that have this block, from 0; empty for all
+  std::vector<int> sessions{};  ///< that have this block, from 1; empty for all
 };
 
 struct ScreenGeometry {

@@ -57,7 +57,6 @@ std::map<std::string, Maze> readMazes(JsonFields& fields) {
   return mazes;
 }
 
-/// Sessions stand in files from 1.
 std::vector<int> readSessions(JsonFields& fields, int sessions) {
   std::set<int> list;
   if (!fields.has("sessions")) {
@@ -72,7 +71,7 @@ std::vector<int> readSessions(JsonFields& fields, int sessions) {
                 fmt::format("must be an array of whole numbers from 1 to {}, the protocol's sessions", sessions));
   }
   for (const nlohmann::json& number : json) {
-    if (!list.insert(number.get<int>() - 1).second) {
+    if (!list.insert(number.get<int>()).second) {
       fields.fail("sessions", "has a session twice");
     }
   }
@@ -153,10 +152,10 @@ void readBlocks(JsonFields& fields, const TaskSetting& setting, Protocol& protoc
                                         protocol.blocks.back().name, i + 1));
     }
   }
-  for (int session = 0; session < protocol.sessions; ++session) {
+  for (int session = 1; session <= protocol.sessions; ++session) {
     const auto isIn = [&](const ProtocolBlock& block) { return isInSession(block, session); };
     if (std::none_of(protocol.blocks.begin(), protocol.blocks.end(), isIn)) {
-      fields.fail("sessions", fmt::format("is {}, but no block is in session {}", protocol.sessions, session + 1));
+      fields.fail("sessions", fmt::format("is {}, but no block is in session {}", protocol.sessions, session));
     }
   }
 }

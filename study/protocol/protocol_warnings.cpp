@@ -91,21 +91,21 @@ std::vector<std::string> warningsOf(const Protocol& protocol, uint64_t seed) {
   for (const ProtocolBlock& block : protocol.blocks) {
     addOfBlock(protocol, block, warnings);
   }
-  for (int session = 0; session < protocol.sessions; ++session) {
+  for (int session = 1; session <= protocol.sessions; ++session) {
     const SessionSchedule schedule = scheduleOf(protocol, 0, session, seed);
-    if (session == 0) {
+    if (session == 1) {
       addConfounded(protocol, schedule, warnings);
     }
     const double seconds = durationOf(partsOf(protocol, schedule)).typicalSeconds;
     if (seconds > kLongSession) {
-      warnings.push_back(fmt::format("session {} takes about {:.0f} minutes: people tire after {:.0f}", session + 1,
+      warnings.push_back(fmt::format("session {} takes about {:.0f} minutes: people tire after {:.0f}", session,
                                      seconds / 60, kLongSession / 60));
     }
     if (protocol.shuffleBlocks && blockOrdersOf(protocol, session).size() == 2) {
       warnings.push_back(
           fmt::format("session {}: with two orders of blocks, first view and the view of a case come "
                       "together evenly after each 8 subjects only",
-                      session + 1));
+                      session));
     }
   }
   return warnings;

@@ -79,6 +79,11 @@ std::vector<CaseView> alternatingTrials(int cases, ViewsOfCases views) {
   return trials;
 }
 
+/// What seeds are made of.
+uint64_t sessionsBefore(const SessionSchedule& schedule) {
+  return static_cast<uint64_t>(schedule.session - 1);
+}
+
 }  // namespace
 
 bool isInSession(const ProtocolBlock& block, int session) {
@@ -102,21 +107,21 @@ std::vector<std::vector<int>> blockOrdersOf(const Protocol& protocol, int sessio
       block = blocks[static_cast<size_t>(block)];
     }
     // A subject has another order in the next session, and each block is as often in each place as before.
-    std::rotate(order.begin(), order.begin() + session % static_cast<int>(order.size()), order.end());
+    std::rotate(order.begin(), order.begin() + (session - 1) % static_cast<int>(order.size()), order.end());
   }
   return orders;
 }
 
 SessionSchedule scheduleOf(const Protocol& protocol, int slot, int session, uint64_t seed) {
-  if (session < 0 || session >= protocol.sessions) {
-    throw InputError(fmt::format("there is no session {}: the protocol has {}", session + 1, protocol.sessions),
+  if (session < 1 || session > protocol.sessions) {
+    throw InputError(fmt::format("there is no session {}: the protocol has {}", session, protocol.sessions),
                      protocol.name, fmt::format("choose one from 1 to {}", protocol.sessions));
   }
   if (slot < 0) {
     throw InputError(fmt::format("there is no slot {}", slot), protocol.name, "choose a number from 0");
   }
   const std::vector<std::vector<int>> orders = blockOrdersOf(protocol, session);
-  const SlotLevels levels = levelsOf(slot, session, static_cast<int>(orders.size()));
+  const SlotLevels levels = levelsOf(slot, session - 1, static_cast<int>(orders.size()));
   SessionSchedule schedule;
   schedule.slot = slot;
   schedule.session = session;
@@ -126,16 +131,15 @@ SessionSchedule scheduleOf(const Protocol& protocol, int slot, int session, uint
   for (const int index : schedule.blockOrder) {
     const ProtocolBlock& block = protocol.blocks[static_cast<size_t>(index)];
     const int cases = block.task->caseCount();
-    Random random(seedOf(seed, static_cast<uint64_t>(session), block.name + "/order", static_cast<uint64_t>(slot)));
+    Random random(seedOf(seed, sessionsBefore(schedule), block.name + "/order", static_cast<uint64_t>(slot)));
     const std::vector<CaseView> trials =
         block.order == TrialOrder::kBalanced
             ? balancedTrials(cases, block.views, schedule.firstView, levels.assignment, random)
             : alternatingTrials(cases, block.views);
     for (const CaseView& trial : trials) {
-      const auto session64 = static_cast<uint64_t>(session);
-      schedule.trials.push_back({static_cast<int>(schedule.trials.size()), index, block.taskName, trial.caseIndex,
-                                 trial.view,
-                                 seedOf(seed, session64, block.name, static_cast<uint64_t>(trial.caseIndex)), false});
+      schedule.trials.push_back(
+          {static_cast<int>(schedule.trials.size()), index, block.taskName, trial.caseIndex, trial.view,
+           seedOf(seed, sessionsBefore(schedule), block.name, static_cast<uint64_t>(trial.caseIndex)), false});
     }
   }
   return schedule;
@@ -154,8 +158,7 @@ TrialPlan practiceTrial(const SessionSchedule& schedule, const Protocol& protoco
   plan.caseIndex = number % cases;
   const TrialView first = of.order == TrialOrder::kBalanced ? schedule.firstView : TrialView::kReference;
   plan.view = (number + shift) % 2 == 0 ? first : otherThan(first);
-  plan.seed = seedOf(schedule.seed, static_cast<uint64_t>(schedule.session), of.name + "/practice",
-                     static_cast<uint64_t>(number));
+  plan.seed = seedOf(schedule.seed, sessionsBefore(schedule), of.name + "/practice", static_cast<uint64_t>(number));
   plan.practice = true;
   return plan;
 }
@@ -163,7 +166,7 @@ TrialPlan practiceTrial(const SessionSchedule& schedule, const Protocol& protoco
 std::string jsonText(const SessionSchedule& schedule, const ViewConditions& conditions) {
   nlohmann::ordered_json json;
   json["slot"] = schedule.slot;
-  json["session"] = schedule.session;
+  json["session"] = sessionsBefore(schedule);  // as databases have it
   json["seed"] = schedule.seed;
   json["first_view"] = conditions.nameOf(schedule.firstView);
   json["block_order"] = schedule.blockOrder;

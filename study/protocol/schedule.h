@@ -24,7 +24,7 @@ namespace ocelli {
 
 struct SessionSchedule {
   int slot = 0;
-  int session = 0;  ///< from 0
+  int session = 1;  ///< from 1
   TrialView firstView = TrialView::kReference;
   std::vector<int> blockOrder;    ///< indices of the protocol's blocks
   std::vector<TrialPlan> trials;  ///< in order, without practice

@@ -50,7 +50,7 @@ Duration openingTime(const Protocol& protocol, const SessionSchedule& schedule) 
   if (protocol.consent) {
     time += readingTime(*protocol.consent);
   }
-  if (protocol.demographics && schedule.session == 0) {
+  if (protocol.demographics && schedule.session == 1) {
     time += formTime(*protocol.demographics);
   }
   for (const ProtocolPage& page : protocol.welcome) {
@@ -103,7 +103,7 @@ std::vector<PartLength> partsOf(const Protocol& protocol, const SessionSchedule&
     }
   }
   parts.push_back(breaks);
-  if (protocol.survey && (schedule.session == protocol.sessions - 1 || !protocol.surveyAfterLastSessionOnly)) {
+  if (protocol.survey && (schedule.session == protocol.sessions || !protocol.surveyAfterLastSessionOnly)) {
     parts.push_back({"survey", 0, formTime(*protocol.survey)});
   }
   return parts;

@@ -8,16 +8,16 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
+#include "study/session/trial_rows.h"
 
 namespace ocelli {
 namespace {
 
 constexpr size_t kMaxDifferences = 20;
 
-bool isChosen(const StoredTrial& trial, const TrialChoice& choice) {
-  const TrialPlan& plan = trial.record.plan;
-  return (!choice.session || trial.session == *choice.session) && (!plan.practice || choice.withPractice) &&
-         (!choice.trial || (!plan.practice && plan.index == *choice.trial));
+bool isChosen(const TrialRow& trial, const TrialChoice& choice) {
+  return (!choice.session || trial.session == *choice.session) && (!trial.practice || choice.withPractice) &&
+         (!choice.trial || (!trial.practice && trial.planIndex == *choice.trial));
 }
 
 }  // namespace
@@ -26,13 +26,13 @@ ReplayStudy::ReplayStudy(const std::filesystem::path& database)
     : database_(StudyDatabase::openForReading(database)),
       protocol_(protocolFromJsonText(database_.study().protocolText, database.string() + ", its protocol")) {}
 
-std::vector<StoredTrial> ReplayStudy::trials(const TrialChoice& choice) const {
+std::vector<TrialRow> ReplayStudy::trials(const TrialChoice& choice) const {
   if (!choice.subject.empty() && !database_.subject(choice.subject)) {
     throw InputError(fmt::format("there is no subject {}", choice.subject), database_.path().string(),
                      "list them with: ocelli study subjects --db FILE");
   }
-  std::vector<StoredTrial> all = choice.subject.empty() ? database_.trials() : database_.trials(choice.subject);
-  std::erase_if(all, [&](const StoredTrial& trial) { return !isChosen(trial, choice); });
+  std::vector<TrialRow> all = choice.subject.empty() ? database_.trials() : database_.trials(choice.subject);
+  std::erase_if(all, [&](const TrialRow& trial) { return !isChosen(trial, choice); });
   if (all.empty()) {
     throw InputError("there are no such trials", database_.path().string(),
                      "sessions and trials count from 1; a trial that did not begin left nothing");
@@ -40,35 +40,34 @@ std::vector<StoredTrial> ReplayStudy::trials(const TrialChoice& choice) const {
   return all;
 }
 
-TrialLog ReplayStudy::logOf(const StoredTrial& trial) const {
-  return {trial.record, database_.frames(trial.id), database_.inputs(trial.id)};
+TrialLog ReplayStudy::logOf(const TrialRow& trial) const {
+  return {recordOf(trial), database_.frames(trial.trialId), database_.inputs(trial.trialId)};
 }
 
-const TaskBlock& ReplayStudy::blockOf(const StoredTrial& trial) const {
-  const auto index = static_cast<size_t>(trial.record.plan.block);
-  if (index >= protocol_.blocks.size() || (trial.record.plan.practice && !protocol_.blocks[index].practice)) {
-    throw InputError(fmt::format("trial {} is of a block that the protocol does not have", trial.id),
+const TaskBlock& ReplayStudy::blockOf(const TrialRow& trial) const {
+  const auto index = static_cast<size_t>(trial.blockIndex);
+  if (index >= protocol_.blocks.size() || (trial.practice && !protocol_.blocks[index].practice)) {
+    throw InputError(fmt::format("trial {} is of a block that the protocol does not have", trial.trialId),
                      database_.path().string(), "the file was changed: use a copy of it from before");
   }
   const ProtocolBlock& block = protocol_.blocks[index];
-  return trial.record.plan.practice ? *block.practice->task : *block.task;
+  return trial.practice ? *block.practice->task : *block.task;
 }
 
-std::string ReplayStudy::nameOf(const StoredTrial& trial) const {
-  const TrialPlan& plan = trial.record.plan;
-  const std::string which = plan.practice ? fmt::format("practice, number {} of its run", trial.number + 1)
-                                          : fmt::format("trial {}", plan.index + 1);
-  const std::string again = trial.record.attempt > 1 ? fmt::format(", attempt {}", trial.record.attempt) : "";
-  return fmt::format("{}, session {}, {}{} ({}, {}, {})", trial.subject, trial.session + 1, which, again, trial.block,
-                     protocol_.nameOf(plan.view), trial.record.info.label);
+std::string ReplayStudy::nameOf(const TrialRow& trial) const {
+  const std::string which = trial.practice ? fmt::format("practice, number {} of its run", trial.trialNumber + 1)
+                                           : fmt::format("trial {}", trial.planIndex + 1);
+  const std::string again = trial.attempt > 1 ? fmt::format(", attempt {}", trial.attempt) : "";
+  return fmt::format("{}, session {}, {}{} ({}, {}, {})", trial.subject, trial.session, which, again, trial.block,
+                     protocol_.nameOf(trial.view), trial.caseLabel);
 }
 
-std::string ReplayStudy::rendererOf(const StoredTrial& trial) const {
+std::string ReplayStudy::rendererOf(const TrialRow& trial) const {
   for (const StoredRun& run : database_.runs(trial.subject, trial.session)) {
-    if (run.id != trial.run) {
+    if (run.id != trial.runId) {
       continue;
     }
-    const bool isPerson = trial.kind == SubjectKind::kPerson;
+    const bool isPerson = !trial.simulated;
     const nlohmann::json json =
         nlohmann::json::parse(isPerson ? run.record.environment : run.record.simulation, nullptr, false);
     const nlohmann::json& graphics =
@@ -78,7 +77,7 @@ std::string ReplayStudy::rendererOf(const StoredTrial& trial) const {
   return "";
 }
 
-ReplaySummary ReplayStudy::check(const std::vector<StoredTrial>& trials,
+ReplaySummary ReplayStudy::check(const std::vector<TrialRow>& trials,
                                  const std::map<std::string, ViewPainter>& painters, const Progress& progress) const {
   ReplaySummary summary;
   std::mutex reading;  // one connection
@@ -86,7 +85,7 @@ ReplaySummary ReplayStudy::check(const std::vector<StoredTrial>& trials,
   std::vector<std::string> differences(trials.size());
   size_t finished = 0;
   const auto replay = [&](size_t i) {
-    const StoredTrial& trial = trials[i];
+    const TrialRow& trial = trials[i];
     TrialLog log;
     ReplayOptions options;
     {
@@ -96,7 +95,7 @@ ReplaySummary ReplayStudy::check(const std::vector<StoredTrial>& trials,
         options.views = painter->second;
       }
     }
-    if (log.frames.empty() || !trial.ended) {
+    if (log.frames.empty() || !trial.ending) {
       const std::scoped_lock lock(counting);
       ++summary.withoutLog;
       return;

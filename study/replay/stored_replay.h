@@ -14,7 +14,7 @@ namespace ocelli {
 
 struct TrialChoice {
   std::string subject{};         ///< empty for all
-  std::optional<int> session{};  ///< from 0; missing for all
+  std::optional<int> session{};  ///< from 1; missing for all
   std::optional<int> trial{};    ///< of the schedule, from 0; missing for all
   bool withPractice = false;
 };
@@ -42,18 +42,18 @@ class ReplayStudy {
   const Protocol& protocol() const { return protocol_; }
   const StudyDatabase& database() const { return database_; }
   /// In the order in which they began. Throws InputError where there is none.
-  std::vector<StoredTrial> trials(const TrialChoice& choice) const;
-  TrialLog logOf(const StoredTrial& trial) const;
+  std::vector<TrialRow> trials(const TrialChoice& choice) const;
+  TrialLog logOf(const TrialRow& trial) const;
   /// Of the trial's plan, with the practice cases for practice.
-  const TaskBlock& blockOf(const StoredTrial& trial) const;
+  const TaskBlock& blockOf(const TrialRow& trial) const;
   /// "sim-0001, session 2, trial 14 (find stationary, gc, location 3)".
-  std::string nameOf(const StoredTrial& trial) const;
+  std::string nameOf(const TrialRow& trial) const;
   /// What drew it: of simulated subjects as `study simulate --renderer` has it, of people what OpenGL calls itself.
-  std::string rendererOf(const StoredTrial& trial) const;
+  std::string rendererOf(const TrialRow& trial) const;
 
   /// All of these, on all threads. Hashes are compared of trials by a renderer in `painters`, which are called by many
   /// threads at once.
-  ReplaySummary check(const std::vector<StoredTrial>& trials, const std::map<std::string, ViewPainter>& painters,
+  ReplaySummary check(const std::vector<TrialRow>& trials, const std::map<std::string, ViewPainter>& painters,
                       const Progress& progress = {}) const;
 
  private:

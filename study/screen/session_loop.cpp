@@ -267,7 +267,7 @@ class ScreenRenderer {
             ? ""
             : fmt::format(", last trial: {} frames, {} dropped, median {:.1f} ms, longest {:.1f} ms ({})",
                           timing.frames, timing.dropped, static_cast<double>(timing.medianNanoseconds) / 1e6,
-                          static_cast<double>(timing.longestNanoseconds) / 1e6, timing.verdict);
+                          static_cast<double>(timing.longestNanoseconds) / 1e6, nameOf(timing.verdict));
     return fmt::format("{} of {} trials done{}", status.progress.trialsDone, status.progress.trials, last);
   }
   /// Twice a second is as much as a person reads.

@@ -7,6 +7,7 @@
 
 #include "oc_core/base/error.h"
 #include "study/protocol/schedule.h"
+#include "study/session/trial_rows.h"
 #include "study/session/utc_time.h"
 
 namespace ocelli {
@@ -25,7 +26,7 @@ void requireSameSchedule(const StudyDatabase& database, const Protocol& protocol
   if (stored && stored->scheduleJson != jsonText(schedule, protocol.conditions.names)) {
     const std::vector<StoredRun> runs = database.runs(plan.subject.id, plan.session.session);
     throw InputError("this program puts the trials into another order than the one in which the session began",
-                     fmt::format("session {} of {}", plan.session.session + 1, plan.subject.id),
+                     fmt::format("session {} of {}", plan.session.session, plan.subject.id),
                      fmt::format("go on with the version of the program that began it{}",
                                  runs.empty() ? "" : ": " + runs.front().record.programVersion));
   }
@@ -45,9 +46,9 @@ SessionPlan planNewSession(const StudyDatabase* database, const Protocol& protoc
   const std::string where = "--subject " + options.subject;
   const std::optional<StoredSubject> known = database != nullptr ? database->subject(options.subject) : std::nullopt;
   if (!known) {
-    if (options.session.value_or(0) != 0) {
-      throw InputError(fmt::format("this subject is new, and cannot begin with session {}", *options.session + 1),
-                       where, "leave --session out, or check the id");
+    if (options.session.value_or(1) != 1) {
+      throw InputError(fmt::format("this subject is new, and cannot begin with session {}", *options.session), where,
+                       "leave --session out, or check the id");
     }
     SessionPlan plan;
     plan.isNewSubject = true;
@@ -62,13 +63,13 @@ SessionPlan planNewSession(const StudyDatabase* database, const Protocol& protoc
   }
   SessionPlan plan{*known, false, sessionToRun(*database, protocol, options.subject, utcNow(), options.anyTime)};
   if (plan.session.begunBefore) {
-    throw InputError(fmt::format("session {} of this subject was begun and not completed", plan.session.session + 1),
-                     where, "go on with it: ocelli study resume");
+    throw InputError(fmt::format("session {} of this subject was begun and not completed", plan.session.session), where,
+                     "go on with it: ocelli study resume");
   }
   if (plan.session.session != *options.session) {
-    throw InputError(fmt::format("the next session of this subject is {}", plan.session.session + 1),
-                     fmt::format("--session {}", *options.session + 1),
-                     fmt::format("give --session {}, or check the id", plan.session.session + 1));
+    throw InputError(fmt::format("the next session of this subject is {}", plan.session.session),
+                     fmt::format("--session {}", *options.session),
+                     fmt::format("give --session {}, or check the id", plan.session.session));
   }
   plan.session.seed = options.seed.value_or(plan.session.seed);
   return plan;
@@ -85,9 +86,9 @@ SessionPlan planResumedSession(const StudyDatabase& database, const Protocol& pr
   SessionPlan plan{*known, false, sessionToRun(database, protocol, options.subject, utcNow(), options.anyTime)};
   if (plan.session.begunBefore) {
     requireSameSchedule(database, protocol, plan);
-    for (const StoredTrial& trial : database.trials(options.subject, plan.session.session)) {
-      if (trial.record.plan.practice) {
-        plan.session.done.practiceBegun.push_back(trial.record.plan);
+    for (const TrialRow& trial : database.trials(options.subject, plan.session.session)) {
+      if (trial.practice) {
+        plan.session.done.practiceBegun.push_back(recordOf(trial).plan);
       }
     }
   }
@@ -96,12 +97,13 @@ SessionPlan planResumedSession(const StudyDatabase& database, const Protocol& pr
 
 std::optional<std::string> screenChange(const StudyDatabase& database, const std::string& subject,
                                         const TrialScreen& now, double tolerance) {
-  const std::vector<StoredTrial> trials = database.trials(subject);
-  const auto first = std::find_if(trials.begin(), trials.end(), [](const StoredTrial& trial) { return trial.ended; });
+  const std::vector<TrialRow> trials = database.trials(subject);
+  const auto first =
+      std::find_if(trials.begin(), trials.end(), [](const TrialRow& trial) { return trial.ending.has_value(); });
   if (first == trials.end()) {
     return std::nullopt;
   }
-  const TrialScreen& before = first->record.screen;
+  const TrialScreen before = recordOf(*first).screen;
   const bool same = before.width == now.width && before.height == now.height &&
                     std::abs(before.refreshHertz - now.refreshHertz) <= tolerance * before.refreshHertz;
   return same ? std::nullopt : std::optional(fmt::format("{} before, {} now", textOf(before), textOf(now)));

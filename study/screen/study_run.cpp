@@ -170,7 +170,7 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   SessionFlow flow(protocol, schedule, plan.session.done, flowOptions, store);
   tell(options,
        fmt::format("session   {} of {} of subject {}, {} trials, {} of them done; slot {}, {} first",
-                   plan.session.session + 1, protocol.sessions, options.subject, schedule.trials.size(),
+                   plan.session.session, protocol.sessions, options.subject, schedule.trials.size(),
                    plan.session.done.completedTrials.size(), plan.subject.slot, protocol.nameOf(schedule.firstView)));
   if (change) {
     tell(options, "warning   this subject has another screen than in the first trial: " + *change);

@@ -19,7 +19,7 @@ namespace ocelli {
 struct StudyRunOptions {
   std::filesystem::path database;
   std::string subject;
-  std::optional<int> session{};  ///< from 0; nothing for the first of a new subject, or the one to be resumed
+  std::optional<int> session{};  ///< from 1; nothing for the first of a new subject, or the one to be resumed
   int monitor = 0;               ///< of listMonitors()
   std::optional<glm::ivec2> windowed{};
   bool force = false;              ///< runs although the timing check refuses, and marks every trial

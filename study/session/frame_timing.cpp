@@ -25,11 +25,11 @@ TrialTiming timingOf(std::span<const int64_t> shownNanoseconds, const TimingLimi
   // They did not wait for the screen, so that what is counted in frames was too short.
   const bool early = timing.medianNanoseconds > 0 && static_cast<double>(timing.medianNanoseconds) * limits.lateFactor <
                                                          static_cast<double>(clock.intervalNanoseconds);
-  timing.verdict = clock.simulated  ? "simulated_clock"
-                   : clock.unstable ? "unstable_refresh"
-                   : early          ? "early_frames"
-                   : manyDropped    ? "dropped_frames"
-                                    : "good";
+  timing.verdict = clock.simulated  ? TimingVerdict::kSimulatedClock
+                   : clock.unstable ? TimingVerdict::kUnstableRefresh
+                   : early          ? TimingVerdict::kEarlyFrames
+                   : manyDropped    ? TimingVerdict::kDroppedFrames
+                                    : TimingVerdict::kGood;
   return timing;
 }
 

@@ -5,30 +5,20 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "oc_core/base/input_event.h"
 #include "study/task/task.h"
+#include "study/trial/trial_words.h"
 
 namespace ocelli {
-
-/// Who gives the answers. Every row that is stored says so.
-enum class SubjectKind : uint8_t {
-  kPerson,
-  kGenerator,  ///< simulated: numbers with known effects, which sees nothing
-  kObserver,   ///< simulated: sees identity images of the frames
-};
-/// "person", "simulated_generator", "simulated_observer".
-const char* nameOf(SubjectKind kind);
-std::optional<SubjectKind> subjectKindFromName(std::string_view name);
 
 /// One start of the program for a session: the first, or one that resumes it.
 struct RunRecord {
   std::string subject;  ///< pseudonymous id
   SubjectKind kind = SubjectKind::kPerson;
   int slot = 0;
-  int session = 0;  ///< from 0
+  int session = 1;  ///< from 1
   std::string startedUtc;
   std::string programVersion;
   std::string station;      ///< name of this computer
@@ -61,13 +51,9 @@ struct TrialTiming {
   int64_t dropped = 0;  ///< intervals of more than TimingLimits::lateFactor
   int64_t medianNanoseconds = 0;
   int64_t longestNanoseconds = 0;
-  /// "good"; "dropped_frames": too many of them; "early_frames": the median is less than the screen's interval divided
-  /// by that factor, so frames did not wait for the screen; "unstable_refresh": forced; "simulated_clock".
-  std::string verdict;
+  /// kEarlyFrames: the median is less than the screen's interval divided by TimingLimits::lateFactor.
+  TimingVerdict verdict = TimingVerdict::kGood;
 };
-
-enum class TrialEnding { kCompleted, kRedone, kAborted };
-const char* nameOf(TrialEnding ending);
 
 struct TrialRecord {
   TrialPlan plan;
@@ -108,8 +94,5 @@ struct EventRecord {
   std::string what;
   std::string detail{};
 };
-
-enum class SessionEnding { kCompleted, kUnwell, kAborted, kDeclined, kFailed };
-const char* nameOf(SessionEnding ending);
 
 }  // namespace ocelli

@@ -54,7 +54,7 @@ std::deque<SessionStep> agendaOf(const Protocol& protocol, const SessionSchedule
   if (protocol.consent && !done.consented) {
     agenda.push_back(ConsentStep{});
   }
-  if (schedule.session == 0) {
+  if (schedule.session == 1) {
     addForm(agenda, protocol.demographics, done);
   }
   if (!isResumed) {
@@ -88,7 +88,7 @@ std::deque<SessionStep> agendaOf(const Protocol& protocol, const SessionSchedule
       }
     }
   }
-  if (!protocol.surveyAfterLastSessionOnly || schedule.session + 1 == protocol.sessions) {
+  if (!protocol.surveyAfterLastSessionOnly || schedule.session == protocol.sessions) {
     addForm(agenda, protocol.survey, done);
   }
   agenda.push_back(EndStep{});

@@ -205,9 +205,9 @@ void SessionFlow::State::endTrial(TrialEnding how) {
     record.outcome = *trial->run().outcome();
   }
   sink.trialEnds(trial->number(), record);
-  if (record.timing.verdict == "dropped_frames") {
+  if (record.timing.verdict == TimingVerdict::kDroppedFrames) {
     event("late_frames", fmt::format("{} of {} frames of the trial", record.timing.dropped, record.timing.frames));
-  } else if (record.timing.verdict == "early_frames") {
+  } else if (record.timing.verdict == TimingVerdict::kEarlyFrames) {
     event("early_frames",
           fmt::format("every {:.2f} ms of {:.2f}", static_cast<double>(record.timing.medianNanoseconds) / 1e6,
                       static_cast<double>(options.intervalNanoseconds) / 1e6));

@@ -91,7 +91,7 @@ std::optional<StudyRow> studyOf(SQLite::Database& database) {
 /// Opens it to be read, and not brought up to date: sources stay as they are.
 SQLite::Database openSource(const fs::path& source) {
   SQLite::Database database = connectSqlite(source, DatabaseAccess::kRead);
-  withSqliteErrors("read this database", source, [&] {
+  whileReading(source, [&] {
     if (database.execAndGet("PRAGMA application_id").getInt() == kTrialsApplicationId &&
         database.execAndGet("PRAGMA user_version").getInt() < kTrialsSchemaVersion) {
       throw InputError("this database is of an older version", source.string(),
@@ -135,7 +135,7 @@ Checked checkSources(const fs::path& target, const std::vector<fs::path>& source
   }
   for (const fs::path& path : all) {
     SQLite::Database database = openIdle(path, target);
-    withSqliteErrors("read this database", path, [&] {
+    whileReading(path, [&] {
       const std::optional<StudyRow> here = studyOf(database);
       if (!here) {
         throw InputError("this database holds no study yet", path.string(), "leave it out");
@@ -156,7 +156,7 @@ Checked checkSources(const fs::path& target, const std::vector<fs::path>& source
   // Who withdrew from one of them does not come back by way of another.
   for (const fs::path& path : all) {
     SQLite::Database database = openIdle(path, target);
-    withSqliteErrors("read this database", path, [&] {
+    whileReading(path, [&] {
       checked.withdrawn[path] = withdrawnSubjects(database, checked.withdrawals);
       addHistories(database, path == target ? std::set<std::string>() : checked.withdrawn[path], histories, conflicts);
     });
@@ -212,7 +212,7 @@ MergeReport mergeDatabases(const fs::path& target, const std::vector<fs::path>& 
 
 std::vector<int> slotUse(const fs::path& path, bool simulated) {
   SQLite::Database database = connectStudy(path, DatabaseAccess::kRead);
-  return withSqliteErrors("read this database", path, [&] {
+  return whileReading(path, [&] {
     std::vector<int> use;
     SQLite::Statement row(database,
                           "SELECT slot, count(*) FROM subject WHERE simulated = ? GROUP BY slot ORDER BY slot");

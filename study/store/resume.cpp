@@ -72,14 +72,14 @@ SessionDone sessionDone(const StudyDatabase& database, const Protocol& protocol,
   }
   done.attempts.assign(static_cast<size_t>(stored->plannedTrials), 0);
   std::set<int> completed;
-  for (const StoredTrial& trial : database.trials(subject, session)) {
-    const int plan = trial.record.plan.index;
-    if (trial.record.plan.practice || plan < 0 || plan >= stored->plannedTrials) {
+  for (const TrialRow& trial : database.trials(subject, session)) {
+    const int plan = trial.planIndex;
+    if (trial.practice || plan < 0 || plan >= stored->plannedTrials) {
       continue;
     }
     int& attempts = done.attempts[static_cast<size_t>(plan)];
-    attempts = std::max(attempts, trial.record.attempt);
-    if (trial.ended && trial.record.ending == TrialEnding::kCompleted) {
+    attempts = std::max(attempts, trial.attempt);
+    if (trial.ending == TrialEnding::kCompleted) {
       completed.insert(plan);
     }
   }
@@ -112,13 +112,13 @@ SessionToRun sessionToRun(const StudyDatabase& database, const Protocol& protoco
     if (protocol.resume == ResumePolicy::kStop && trialsBegan) {
       throw InputError(fmt::format("session {} of this subject was interrupted, and the protocol says that such "
                                    "sessions are not resumed (\"resume\": \"stop\")",
-                                   last.session + 1),
+                                   last.session),
                        subject, "another subject");
     }
     return {last.session, true, last.seed, sessionDone(database, protocol, subject, last.session)};
   }
-  const int next = sessions.empty() ? 0 : sessions.back().session + 1;
-  if (next >= protocol.sessions) {
+  const int next = sessions.empty() ? 1 : sessions.back().session + 1;
+  if (next > protocol.sessions) {
     throw InputError(fmt::format("this subject has done all {} sessions", protocol.sessions), subject,
                      "another subject");
   }

@@ -10,7 +10,7 @@
 namespace ocelli {
 
 struct SessionToRun {
-  int session = 0;           ///< from 0
+  int session = 1;           ///< from 1
   bool begunBefore = false;  ///< it is resumed
   uint64_t seed = 1;         ///< of its schedule: as stored, or the protocol's own choice where it is new
   SessionDone done;

@@ -1,10 +1,8 @@
 #include "study/store/sqlite_connection.h"
 
 #include <SQLiteCpp/Transaction.h>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
-#include <unistd.h>
 
 #include <random>
 
@@ -21,9 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kBusyMilliseconds = 10'000;
-
-/// A connection for reading keeps itself from writing.
 int openFlags(DatabaseAccess access) {
   const int flags = SQLite::OPEN_READWRITE | SQLite::OPEN_URI;
   return access == DatabaseAccess::kCreate ? flags | SQLite::OPEN_CREATE : flags;
@@ -44,28 +39,13 @@ bool isOfAStudy(SQLite::Database& database) {
 
 }  // namespace
 
-std::string uriForReading(const fs::path& path) {
-  const fs::path absolute = withoutLinks(path);
-  std::string uri = "file:";
-  for (const char c : absolute.string()) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       std::string_view("/-_.~").find(c) != std::string_view::npos;
-    uri += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-  }
-  std::error_code error;
-  fs::path log = absolute;
-  log += "-wal";
-  if (fs::exists(log, error) && fs::file_size(log, error) > 0) {
-    return uri + "?mode=ro";
-  }
-  const bool folderIsWritable = faccessat(AT_FDCWD, absolute.parent_path().c_str(), W_OK, AT_EACCESS) == 0;
-  return uri + (folderIsWritable ? "?mode=rw" : "?immutable=1");
-}
-
 SQLite::Database connectSqlite(const fs::path& path, DatabaseAccess access) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
     throw InputError("this is a folder, not a database", path.string(), "the name of a file");
+  }
+  if (access == DatabaseAccess::kRead) {
+    return openForReading(path);
   }
   if (access != DatabaseAccess::kCreate && !fs::exists(path, ignored)) {
     throw InputError("there is no such database", path.string(),
@@ -73,27 +53,22 @@ SQLite::Database connectSqlite(const fs::path& path, DatabaseAccess access) {
   }
   return withSqliteErrors("open this database", path, [&] {
     // An absolute path is never one of SQLite's special names.
-    SQLite::Database database(access == DatabaseAccess::kRead ? uriForReading(path) : fs::absolute(path).string(),
-                              openFlags(access), kBusyMilliseconds);
-    if (access != DatabaseAccess::kRead && sqlite3_db_readonly(database.getHandle(), "main") == 1) {
+    SQLite::Database database(fs::absolute(path).string(), openFlags(access), kBusyMilliseconds);
+    if (sqlite3_db_readonly(database.getHandle(), "main") == 1) {
       throw WorkError("this database cannot be written: its file or folder is read-only", path.string(),
                       "change the rights, or copy the file to a folder that you may write to");
     }
     database.exec("PRAGMA foreign_keys = ON; PRAGMA recursive_triggers = ON; PRAGMA temp_store = MEMORY");
-    if (access == DatabaseAccess::kRead) {
-      database.exec("PRAGMA query_only = ON");
-    } else {
-      // Reads the file, and so finds out whether it is a database at all, before anything is changed.
-      if (!isOfAStudy(database) && (access != DatabaseAccess::kCreate || hasTables(database))) {
-        throwNotOurs(path);
-      }
-      const std::string mode = database.execAndGet("PRAGMA journal_mode = WAL").getString();
-      if (mode != "wal") {
-        throw WorkError("this file system cannot hold the log of a database (mode \"" + mode + "\")", path.string(),
-                        "a folder on a local disk");
-      }
-      database.exec("PRAGMA synchronous = FULL; PRAGMA secure_delete = ON");
+    // Reads the file, and so finds out whether it is a database at all, before anything is changed.
+    if (!isOfAStudy(database) && (access != DatabaseAccess::kCreate || hasTables(database))) {
+      throwNotOurs(path);
     }
+    const std::string mode = database.execAndGet("PRAGMA journal_mode = WAL").getString();
+    if (mode != "wal") {
+      throw WorkError("this file system cannot hold the log of a database (mode \"" + mode + "\")", path.string(),
+                      "a folder on a local disk");
+    }
+    database.exec("PRAGMA synchronous = FULL; PRAGMA secure_delete = ON");
     return database;
   });
 }
@@ -109,16 +84,7 @@ SQLite::Database connectStudy(const fs::path& path, DatabaseAccess access) {
       }
       transaction.commit();
     }
-    if (!isOfAStudy(database)) {
-      throwNotOurs(path);
-    }
-    const int version = database.execAndGet("PRAGMA user_version").getInt();
-    if (version > kTrialsSchemaVersion) {
-      throw InputError(fmt::format("this database has version {}, and this program knows those up to {}", version,
-                                   kTrialsSchemaVersion),
-                       path.string(), "a newer version of ocelli");
-    }
-    if (version < kTrialsSchemaVersion) {
+    if (trialsVersionOf(database, path) < kTrialsSchemaVersion) {
       if (access == DatabaseAccess::kRead) {
         SQLite::Database writable = connectSqlite(path, DatabaseAccess::kWrite);
         migrate(writable, migrations(), kTrialsSchemaVersion, path);
@@ -128,34 +94,6 @@ SQLite::Database connectStudy(const fs::path& path, DatabaseAccess access) {
     }
     return std::move(database);
   });
-}
-
-std::string describeSqliteError(const SQLite::Exception& error) {
-  switch (error.getErrorCode()) {
-    case SQLITE_FULL:
-      return "the disk is full: make room on it";
-    case SQLITE_READONLY:
-      return "the file or its folder is read-only: change the rights";
-    case SQLITE_IOERR:
-      return fmt::format("the disk fails ({}): check it, and that it is still there and has space",
-                         error.getErrorStr());
-    case SQLITE_BUSY:
-    case SQLITE_LOCKED:
-      return "another program holds the database: close that program";
-    case SQLITE_CANTOPEN:
-      return "the file cannot be opened: check that its folder exists and may be written to";
-    case SQLITE_CORRUPT:
-      return "the file is damaged: take the last backup, and keep this file";
-    default:
-      return error.what();
-  }
-}
-
-void throwSqliteError(const SQLite::Exception& error, const std::string& doing, const fs::path& path) {
-  if (error.getErrorCode() == SQLITE_NOTADB) {
-    throwNotOurs(path);
-  }
-  throw WorkError(fmt::format("cannot {}", doing), path.string(), describeSqliteError(error));
 }
 
 std::string textOf(const SQLite::Statement& row, int column) {

@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "study/trial/trials_file.h"
+
 namespace ocelli {
 
 enum class DatabaseAccess {
@@ -22,30 +24,9 @@ enum class DatabaseAccess {
 /// program's and to be written, which stays as it is; WorkError where it cannot be opened or written.
 SQLite::Database connectSqlite(const std::filesystem::path& path, DatabaseAccess access);
 
-/// How to open a database so that reading changes nothing and leaves no file behind: the log of a program that runs or
-/// was killed stays as it is; without one, the files that SQLite makes go when it is closed; in a folder that cannot be
-/// written none are made.
-std::string uriForReading(const std::filesystem::path& path);
-
 /// connectSqlite() to a database of a study of this version: an older one is brought up to date, a new one gets its
 /// tables. Throws InputError too for a database of another program or of a newer version.
 SQLite::Database connectStudy(const std::filesystem::path& path, DatabaseAccess access);
-
-/// What is thrown for an error of SQLite while doing something ("store a trial") to that file.
-[[noreturn]] void throwSqliteError(const SQLite::Exception& error, const std::string& doing,
-                                   const std::filesystem::path& path);
-/// What SQLite's error means, and what to do about it, in one line.
-std::string describeSqliteError(const SQLite::Exception& error);
-
-/// Calls `work()`, turning errors of SQLite into ours.
-template <class Work>
-auto withSqliteErrors(const std::string& doing, const std::filesystem::path& path, const Work& work) {
-  try {
-    return work();
-  } catch (const SQLite::Exception& error) {
-    throwSqliteError(error, doing, path);
-  }
-}
 
 // Values that may be missing.
 template <class Value>

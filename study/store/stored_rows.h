@@ -1,4 +1,4 @@
-// What a database of a study tells, row by row. Sessions count from 0 here, as in protocols; in the file from 1.
+// What a database of a study tells, row by row. Trials are TrialRow (study/trial/trial_row.h).
 #pragma once
 
 #include <optional>
@@ -25,7 +25,7 @@ struct StoredSubject {
 
 struct StoredSession {
   std::string subject;
-  int session = 0;  ///< from 0
+  int session = 1;  ///< from 1
   std::string scheduleJson;
   uint64_t seed = 1;
   std::string startedUtc;
@@ -44,32 +44,19 @@ struct StoredRun {
   std::string endedUtc{};
 };
 
-struct StoredTrial {
-  int64_t id = 0;
-  int64_t run = 0;
-  int number = 0;  ///< among those that the run began
-  std::string subject;
-  int session = 0;  ///< from 0
-  SubjectKind kind = SubjectKind::kPerson;
-  std::string block;
-  /// It ended; otherwise the program was killed, or it still runs, and of `record` only plan and attempt are known.
-  bool ended = false;
-  TrialRecord record;
-};
-
 struct StoredAnswer {
-  int session = 0;  ///< from 0
+  int session = 1;  ///< from 1
   AnswerRecord record;
 };
 
 struct StoredConsent {
-  int session = 0;  ///< from 0
+  int session = 1;  ///< from 1
   ConsentRecord record;
 };
 
 struct StoredEvent {
   int64_t run = 0;
-  int session = 0;  ///< from 0
+  int session = 1;  ///< from 1
   EventRecord record;
 };
 

@@ -9,6 +9,7 @@
 
 #include "study/protocol/schedule.h"
 #include "study/store/stored_rows.h"
+#include "study/trial/trial_row.h"
 
 namespace ocelli {
 
@@ -44,11 +45,11 @@ class StudyDatabase {
   std::optional<StoredSession> session(const std::string& subject, int session) const;
   std::vector<StoredRun> runs(const std::string& subject, int session) const;
   /// In the order in which they began, practice and attempts that do not count included.
-  std::vector<StoredTrial> trials() const;
-  std::vector<StoredTrial> trials(const std::string& subject) const;
-  std::vector<StoredTrial> trials(const std::string& subject, int session) const;
+  std::vector<TrialRow> trials() const;
+  std::vector<TrialRow> trials(const std::string& subject) const;
+  std::vector<TrialRow> trials(const std::string& subject, int session) const;
   /// Throws InputError where there is no such trial.
-  StoredTrial trial(int64_t id) const;
+  TrialRow trial(int64_t id) const;
   std::vector<FrameRecord> frames(int64_t trial) const;
   std::vector<InputRecord> inputs(int64_t trial) const;
   std::vector<StoredAnswer> answers(const std::string& subject) const;

@@ -39,7 +39,7 @@ void insertSession(SQLite::Database& database, const RunRecord& run, const Sessi
                            "INSERT INTO session (subject_id, session_number, schedule_json, seed, planned_trials, "
                            "started_utc, simulated) VALUES (?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING");
   insert.bind(1, run.subject);
-  insert.bind(2, run.session + 1);
+  insert.bind(2, run.session);
   insert.bind(3, jsonText(schedule, conditions));
   insert.bind(4, static_cast<int64_t>(schedule.seed));
   insert.bind(5, static_cast<int>(schedule.trials.size()));
@@ -61,7 +61,7 @@ int64_t insertRun(SQLite::Database& database, const RunRecord& run, const Sessio
       "1 FROM run WHERE subject_id = ?2 AND session_number = ?3), ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11)");
   insert.bind(1, randomKey());
   insert.bind(2, run.subject);
-  insert.bind(3, run.session + 1);
+  insert.bind(3, run.session);
   insert.bind(4, run.startedUtc);
   insert.bind(5, run.programVersion);
   insert.bind(6, run.station);

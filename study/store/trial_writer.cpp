@@ -1,8 +1,12 @@
 #include "study/store/trial_writer.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "study/session/trial_rows.h"
 #include "study/store/input_columns.h"
 
 namespace ocelli {
@@ -13,12 +17,74 @@ int64_t withSign(uint64_t bits) {
   return static_cast<int64_t>(bits);
 }
 
-std::string jsonOf(const std::vector<std::pair<std::string, double>>& measures) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+std::string jsonOf(const std::map<std::string, double>& measures) {
+  nlohmann::json json = nlohmann::json::object();
   for (const auto& [name, value] : measures) {
-    json[name] = value;
+    if (std::isfinite(value)) {  // JSON knows no other numbers
+      json[name] = value;
+    }
   }
   return json.dump();
+}
+
+/// Binds the fields of a row to parameters, one after the other.
+class FieldBinder {
+ public:
+  /// What is bound must live until the statement is executed.
+  FieldBinder(SQLite::Statement& statement, int first, const ViewConditions& conditions)
+      : statement_(statement), next_(first), conditions_(conditions) {}
+
+  void skip() { ++next_; }
+  void bind(int value) { statement_.bind(next_++, value); }
+  void bind(int64_t value) { statement_.bind(next_++, value); }
+  void bind(double value) { statement_.bind(next_++, value); }
+  void bind(bool value) { statement_.bind(next_++, value ? 1 : 0); }
+  void bind(uint64_t bits) { statement_.bind(next_++, withSign(bits)); }
+  void bind(const std::string& value) { statement_.bindNoCopy(next_++, value); }
+  void bind(const char* value) { statement_.bind(next_++, value); }
+  void bind(const std::map<std::string, double>& measures) { statement_.bind(next_++, jsonOf(measures)); }
+  void bind(TrialView view) { bind(conditions_.nameOf(view)); }
+  void bind(TrialEnding ending) { bind(nameOf(ending)); }
+  void bind(TimingVerdict verdict) { bind(nameOf(verdict)); }
+  template <class Value>
+  void bind(const std::optional<Value>& value) {
+    if (value) {
+      bind(*value);
+    } else {
+      statement_.bind(next_++);
+    }
+  }
+
+ private:
+  SQLite::Statement& statement_;
+  int next_;
+  const ViewConditions& conditions_;
+};
+
+/// "INSERT INTO trial (run_id, ..., trial_seed) VALUES (?, ...)", after run, subject, session and mark.
+std::string insertOfTrial() {
+  std::string columns = "run_id, subject_id, session_number, simulated";
+  std::string values = "?, ?, ?, ?";
+  const TrialRow any;
+  forEachPlanColumn(any, [&](const char* name, const auto&) {
+    columns.append(", ").append(name);
+    values += ", ?";
+  });
+  return fmt::format("INSERT INTO trial ({}) VALUES ({})", columns, values);
+}
+
+/// "UPDATE trial SET ending = ?, ... WHERE trial_id = ?1", from parameter 2 on.
+std::string updateOfTrial() {
+  std::string columns;
+  int parameter = 2;
+  const auto add = [&](const char* name, const auto&) {
+    columns += fmt::format("{}{} = ?{}", columns.empty() ? "" : ", ", name, parameter++);
+  };
+  const TrialRow any;
+  forEachCaseColumn(any, add);
+  forEachOutcomeColumn(any, add);
+  forEachTimingColumn(any, add);
+  return fmt::format("UPDATE trial SET {} WHERE trial_id = ?1", columns);
 }
 
 void execute(SQLite::Statement& statement) {
@@ -28,13 +94,12 @@ void execute(SQLite::Statement& statement) {
 
 }  // namespace
 
-TrialWriter::TrialWriter(SQLite::Database& database, int64_t run, const RunRecord& record,
-                         std::vector<std::string> blocks, ViewConditions conditions)
+TrialWriter::TrialWriter(SQLite::Database& database, int64_t runId, RunRecord run, std::vector<std::string> blocks,
+                         ViewConditions conditions)
     : database_(database),
-      run_(run),
-      subject_(record.subject),
-      sessionNumber_(record.session + 1),
-      simulated_(record.kind == SubjectKind::kPerson ? 0 : 1),
+      runId_(runId),
+      run_(std::move(run)),
+      simulated_(isSimulated(run_.kind) ? 1 : 0),
       blocks_(std::move(blocks)),
       conditions_(std::move(conditions)),
       consent_(database,
@@ -46,23 +111,14 @@ TrialWriter::TrialWriter(SQLite::Database& database, int64_t run, const RunRecor
       event_(database,
              "INSERT INTO event (run_id, subject_id, session_number, simulated, at_ns, at_utc, what, detail) "
              "VALUES (?, ?, ?, ?, ?, ?, ?, ?)"),
-      trialBegins_(database,
-                   "INSERT INTO trial (run_id, subject_id, session_number, simulated, trial_number, practice, "
-                   "plan_index, attempt, block_index, block, task, case_index, view, trial_seed) "
-                   "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+      trialBegins_(database, insertOfTrial()),
       frame_(database,
              "INSERT INTO frame (trial_id, frame, tick, shown_ns, x_m, z_m, heading_rad, pixel_hash, simulated) "
              "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       input_(database,
              "INSERT INTO input (trial_id, input_index, tick, came_ns, kind, what, pressed, modifiers, x, y, "
              "more_json, simulated) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-      trialEnds_(database,
-                 "UPDATE trial SET ending = ?2, started_ns = ?3, ended_ns = ?4, started_utc = ?5, ended_utc = ?6, "
-                 "case_label = ?7, moving = ?8, exposure_s = ?9, objects = ?10, duplicate_colors = ?11, "
-                 "longest_s = ?12, typical_s = ?13, answer = ?14, expected = ?15, correct = ?16, censored = ?17, "
-                 "response_s = ?18, response_ticks = ?19, exposure_frames = ?20, measures_json = ?21, frames = ?22, "
-                 "dropped_frames = ?23, median_interval_ns = ?24, longest_interval_ns = ?25, timing_verdict = ?26, "
-                 "screen_width_px = ?27, screen_height_px = ?28, refresh_hz = ?29 WHERE trial_id = ?1"),
+      trialEnds_(database, updateOfTrial()),
       sessionEnds_(database, "UPDATE run SET ending = ?2, ended_utc = ?3 WHERE run_id = ?1 AND ending IS NULL") {}
 
 void TrialWriter::write(const StoreMessage& message) {
@@ -76,15 +132,15 @@ void TrialWriter::reset() noexcept {
   }
 }
 
-std::optional<int64_t> TrialWriter::rowOf(int trial) const {
+std::optional<int64_t> TrialWriter::idOf(int trial) const {
   const auto found = trials_.find(trial);
   return found == trials_.end() ? std::nullopt : std::optional(found->second);
 }
 
 void TrialWriter::begin(SQLite::Statement& statement) const {
-  statement.bind(1, run_);
-  statement.bindNoCopy(2, subject_);
-  statement.bind(3, sessionNumber_);
+  statement.bind(1, runId_);
+  statement.bindNoCopy(2, run_.subject);
+  statement.bind(3, run_.session);
   statement.bind(4, simulated_);
 }
 
@@ -117,24 +173,23 @@ void TrialWriter::write(const EventRecord& record) {
 }
 
 void TrialWriter::write(const TrialBegins& message) {
-  const TrialPlan& plan = message.plan;
+  const TrialRow row = ocelli::rowOf(run_, message.number, message.plan, message.attempt,
+                                     blocks_.at(static_cast<size_t>(message.plan.block)));
   begin(trialBegins_);
-  trialBegins_.bind(5, message.number);
-  trialBegins_.bind(6, plan.practice ? 1 : 0);
-  bindOptional(trialBegins_, 7, plan.practice ? std::nullopt : std::optional(plan.index));
-  trialBegins_.bind(8, message.attempt);
-  trialBegins_.bind(9, plan.block);
-  trialBegins_.bindNoCopy(10, blocks_.at(static_cast<size_t>(plan.block)));
-  trialBegins_.bindNoCopy(11, plan.task);
-  trialBegins_.bind(12, plan.caseIndex);
-  trialBegins_.bindNoCopy(13, conditions_.nameOf(plan.view));
-  trialBegins_.bind(14, withSign(plan.seed));
+  FieldBinder binder(trialBegins_, 5, conditions_);
+  forEachPlanColumn(row, [&](const char*, const auto& field) {
+    if (static_cast<const void*>(&field) == &row.planIndex) {
+      binder.bind(row.practice ? std::nullopt : std::optional(row.planIndex));
+    } else {
+      binder.bind(field);
+    }
+  });
   execute(trialBegins_);
   trials_[message.number] = database_.getLastInsertRowid();
 }
 
 void TrialWriter::write(const TrialFrames& message) {
-  const std::optional<int64_t> trial = rowOf(message.number);
+  const std::optional<int64_t> trial = idOf(message.number);
   if (!trial) {
     return;
   }
@@ -153,7 +208,7 @@ void TrialWriter::write(const TrialFrames& message) {
 }
 
 void TrialWriter::write(const TrialInputs& message) {
-  const std::optional<int64_t> trial = rowOf(message.number);
+  const std::optional<int64_t> trial = idOf(message.number);
   if (!trial) {
     return;
   }
@@ -177,50 +232,30 @@ void TrialWriter::write(const TrialInputs& message) {
 }
 
 void TrialWriter::write(const TrialEnds& message) {
-  const std::optional<int64_t> trial = rowOf(message.number);
+  const std::optional<int64_t> trial = idOf(message.number);
   if (!trial) {
     throw std::runtime_error("a trial ends whose beginning was not stored");
   }
-  const TrialRecord& record = message.record;
-  SQLite::Statement& row = trialEnds_;
-  row.clearBindings();
-  row.bind(1, *trial);
-  row.bind(2, nameOf(record.ending));
-  row.bind(3, record.startedNanoseconds);
-  row.bind(4, record.endedNanoseconds);
-  row.bindNoCopy(5, record.startedUtc);
-  row.bindNoCopy(6, record.endedUtc);
-  row.bindNoCopy(7, record.info.label);
-  row.bind(8, record.info.moving ? 1 : 0);
-  bindOptional(row, 9, record.info.exposureSeconds);
-  bindOptional(row, 10, record.info.objects);
-  bindOptional(row, 11, record.info.duplicateColors);
-  row.bind(12, record.info.longestSeconds);
-  row.bind(13, record.info.typicalSeconds);
-  if (record.ending == TrialEnding::kCompleted) {
-    const TrialOutcome& outcome = record.outcome;
-    row.bindNoCopy(14, outcome.answer);
-    row.bindNoCopy(15, outcome.expected);
-    row.bind(16, outcome.correct ? 1 : 0);
-    row.bind(17, outcome.censored ? 1 : 0);
-    row.bind(18, static_cast<double>(outcome.responseTicks) / static_cast<double>(kTicksPerSecond));
-    row.bind(19, outcome.responseTicks);
-    row.bind(20, outcome.exposureFrames);
-    row.bind(21, jsonOf(outcome.measures));
-  }
-  row.bind(22, record.timing.frames);
-  row.bind(23, record.timing.dropped);
-  row.bind(24, record.timing.medianNanoseconds);
-  row.bind(25, record.timing.longestNanoseconds);
-  row.bindNoCopy(26, record.timing.verdict);
-  row.bind(27, record.screen.width);
-  row.bind(28, record.screen.height);
-  row.bind(29, record.screen.refreshHertz);
-  execute(row);
+  TrialRow row;
+  addEnd(row, message.record);
+  trialEnds_.clearBindings();
+  trialEnds_.bind(1, *trial);
+  FieldBinder binder(trialEnds_, 2, conditions_);
+  const auto bind = [&](const char*, const auto& field) { binder.bind(field); };
+  forEachCaseColumn(row, bind);
+  forEachOutcomeColumn(row, [&](const char*, const auto& field) {
+    if (row.ending == TrialEnding::kCompleted) {
+      binder.bind(field);
+    } else {
+      binder.skip();  // NULL
+    }
+  });
+  forEachTimingColumn(row, bind);
+  execute(trialEnds_);
 }
 
 void TrialWriter::write(const SessionEnds& message) {
-  sessionEnds_.bind(1, run_);
+  sessionEnds_.bind(1, runId_);
   sessionEnds_.bind(2, nameOf(message.ending));
   sessionEnds_.bindNoCopy(3, message.utc);
   execute(sessionEnds_);

@@ -41,8 +41,8 @@ using StoreMessage = std::variant<ConsentRecord, AnswerRecord, EventRecord, Tria
 
 class TrialWriter {
  public:
-  /// `session` from 0. `blocks` are the names of the protocol's blocks, `conditions` its conditions.
-  TrialWriter(SQLite::Database& database, int64_t run, const RunRecord& record, std::vector<std::string> blocks,
+  /// `blocks` are the names of the protocol's blocks, `conditions` its conditions.
+  TrialWriter(SQLite::Database& database, int64_t runId, RunRecord run, std::vector<std::string> blocks,
               ViewConditions conditions);
 
   /// To be called within a transaction. A message of a transaction that failed may be written again. Frames and input
@@ -61,14 +61,13 @@ class TrialWriter {
   void write(const TrialEnds& message);
   void write(const SessionEnds& message);
   /// Nothing where its beginning was refused.
-  std::optional<int64_t> rowOf(int trial) const;
+  std::optional<int64_t> idOf(int trial) const;
   /// Binds run, subject, session and mark to the first four parameters.
   void begin(SQLite::Statement& statement) const;
 
   SQLite::Database& database_;
-  const int64_t run_;
-  const std::string subject_;
-  const int sessionNumber_;
+  const int64_t runId_;
+  const RunRecord run_;
   const int simulated_;
   const std::vector<std::string> blocks_;
   const ViewConditions conditions_;

@@ -196,7 +196,7 @@ WithdrawReport withdrawSubject(const fs::path& path, const std::string& subject,
 
 std::vector<fs::path> exportsWith(const fs::path& path, const std::string& subject) {
   SQLite::Database database = connectStudy(path, DatabaseAccess::kRead);
-  return withSqliteErrors("read this database", path, [&] { return filesWith(database, subject); });
+  return whileReading(path, [&] { return filesWith(database, subject); });
 }
 
 }  // namespace ocelli

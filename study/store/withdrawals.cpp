@@ -3,7 +3,6 @@
 #include <SQLiteCpp/Transaction.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "oc_core/base/sha256.h"
@@ -12,29 +11,21 @@
 namespace ocelli {
 namespace {
 
-constexpr const char* kSalt = "salt";
-constexpr const char* kKeySha256 = "subject_key_sha256";
 constexpr const char* kWithdrawn = "withdrawn";
-
-std::string detailOf(const Withdrawal& withdrawal) {
-  const nlohmann::ordered_json detail = {{kSalt, withdrawal.salt}, {kKeySha256, withdrawal.keySha256}};
-  return detail.dump();
-}
 
 }  // namespace
 
 std::string withdrawalDetail(const std::string& subjectKey) {
   const std::string salt = randomKey();
-  return detailOf({salt, sha256(salt + subjectKey)});
+  return jsonText(Withdrawal{salt, sha256(salt + subjectKey)});
 }
 
 std::vector<Withdrawal> withdrawalsOf(SQLite::Database& database) {
   std::vector<Withdrawal> withdrawals;
-  SQLite::Statement row(database, "SELECT detail_json FROM audit WHERE action = 'withdrawn'");
+  SQLite::Statement row(database, kWithdrawalQuery);
   while (row.executeStep()) {
-    const auto detail = nlohmann::json::parse(textOf(row, 0), nullptr, false);
-    if (detail.is_object() && detail.contains(kSalt) && detail.contains(kKeySha256)) {
-      withdrawals.push_back({detail.value(kSalt, ""), detail.value(kKeySha256, "")});
+    if (const std::optional<Withdrawal> one = withdrawalOf(textOf(row, 0))) {
+      withdrawals.push_back(*one);
     }
   }
   return withdrawals;
@@ -48,7 +39,7 @@ void rememberWithdrawals(SQLite::Database& database, const std::vector<Withdrawa
   SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
   for (const Withdrawal& one : withdrawals) {
     if (known.insert(one.salt).second) {
-      addAudit(database, kWithdrawn, detailOf(one));
+      addAudit(database, kWithdrawn, jsonText(one));
     }
   }
   transaction.commit();
@@ -56,7 +47,7 @@ void rememberWithdrawals(SQLite::Database& database, const std::vector<Withdrawa
 
 bool isWithdrawn(const std::vector<Withdrawal>& withdrawals, const std::string& subjectKey) {
   return std::any_of(withdrawals.begin(), withdrawals.end(),
-                     [&](const Withdrawal& one) { return sha256(one.salt + subjectKey) == one.keySha256; });
+                     [&](const Withdrawal& one) { return one.isOf(subjectKey); });
 }
 
 }  // namespace ocelli

@@ -5,16 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "study/trial/withdrawal.h"
+
 namespace SQLite {
 class Database;
 }
 
 namespace ocelli {
-
-struct Withdrawal {
-  std::string salt;
-  std::string keySha256;  ///< of the salt and the subject's key, one after the other
-};
 
 /// Of a subject with that key, as the audit trail keeps it: JSON.
 std::string withdrawalDetail(const std::string& subjectKey);

@@ -72,8 +72,8 @@ class RandomDraws {
   /// What an item adds in a view.
   double itemOf(const TrialPlan& plan, const CaseInfo& info) const {
     const std::string& block = protocol_.blocks[static_cast<size_t>(plan.block)].name;
-    Random random(
-        seedOf(session_.studySeed, hashOf(fmt::format("{}\n{}\n{}", block, info.label, session_.schedule.session))));
+    Random random(seedOf(session_.studySeed,
+                         hashOf(fmt::format("{}\n{}\n{}", block, info.label, session_.schedule.session - 1))));
     const double item = normal(random, 0, effects_.at(plan.task, kItemSd));
     const double itemView = normal(random, 0, effects_.at(plan.task, kItemViewSd));
     return item + (plan.view == TrialView::kOther ? 0.5 : -0.5) * itemView;
@@ -112,7 +112,7 @@ std::string joined(const std::vector<std::string>& paragraphs) {
 
 void generateSession(const Protocol& protocol, const GeneratedSession& session, SessionSink& sink) {
   const int number = session.schedule.session;
-  Random random(seedOf(session.subjectSeed, 100 + static_cast<uint64_t>(number)));
+  Random random(seedOf(session.subjectSeed, 100 + static_cast<uint64_t>(number - 1)));
   RandomDraws draws(protocol, session);
   int64_t now = 0;
   const auto utc = [&] { return simulatedUtc(number, now); };
@@ -135,7 +135,7 @@ void generateSession(const Protocol& protocol, const GeneratedSession& session, 
     if (!session.tellsAnswers) {
       record.outcome.answer.clear();
     }
-    record.timing.verdict = "simulated_clock";
+    record.timing.verdict = TimingVerdict::kSimulatedClock;
     now += nanosecondsOf(static_cast<double>(record.outcome.responseTicks) / static_cast<double>(kTicksPerSecond) +
                          record.info.exposureSeconds.value_or(0));
     record.endedNanoseconds = now;
@@ -144,7 +144,7 @@ void generateSession(const Protocol& protocol, const GeneratedSession& session, 
     sink.trialEnds(begun++, record);
     now += nanosecondsOf(kPauseSeconds);
   }
-  if (protocol.survey && (!protocol.surveyAfterLastSessionOnly || number + 1 == protocol.sessions)) {
+  if (protocol.survey && (!protocol.surveyAfterLastSessionOnly || number == protocol.sessions)) {
     answerForm(protocol, *protocol.survey, utc(), random, sink);
   }
   sink.sessionEnds(SessionEnding::kCompleted, utc());

@@ -15,7 +15,7 @@ namespace {
 /// As of slot 0: who comes first changes orders alone.
 std::vector<GeneratedTrial> trialsOf(const Protocol& protocol, const std::string& task, TrialView view) {
   std::vector<GeneratedTrial> trials;
-  for (int session = 0; session < protocol.sessions; ++session) {
+  for (int session = 1; session <= protocol.sessions; ++session) {
     for (const TrialPlan& plan : scheduleOf(protocol, 0, session, protocol.seed).trials) {
       if (plan.task == task) {
         const TaskBlock& block = *protocol.blocks[static_cast<size_t>(plan.block)].task;

@@ -38,9 +38,10 @@ SessionObserver::SessionObserver(const Protocol& protocol, const ObserverSetting
 SessionObserver::~SessionObserver() = default;
 
 void SessionObserver::beginSession(int session) {
-  random_ = Random(seedOf(seed_, 1000 + static_cast<uint64_t>(session)));
-  motor_ = MotorModel(factors_, protocol_.controls, seedOf(seed_, 2000 + static_cast<uint64_t>(session)));
-  if (session > 0) {
+  const auto sessionsBefore = static_cast<uint64_t>(session - 1);
+  random_ = Random(seedOf(seed_, 1000 + sessionsBefore));
+  motor_ = MotorModel(factors_, protocol_.controls, seedOf(seed_, 2000 + sessionsBefore));
+  if (sessionsBefore > 0) {
     for (auto& [surroundings, memory] : mazes_) {
       memory.beginTrial(factors_.forgetBetweenSessions, random_);
     }

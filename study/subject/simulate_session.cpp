@@ -16,7 +16,7 @@ constexpr int64_t kLongestSession = int64_t{6} * 3600 * 1'000'000'000;
 }  // namespace
 
 std::string simulatedUtc(int session, int64_t nanoseconds) {
-  return utcText(kBeginMilliseconds + session * kWeekMilliseconds + nanoseconds / 1'000'000);
+  return utcText(kBeginMilliseconds + (session - 1) * kWeekMilliseconds + nanoseconds / 1'000'000);
 }
 
 SessionEnding simulateSession(const Protocol& protocol, const SimulatedSession& session, SessionObserver& observer,

@@ -58,7 +58,7 @@ std::string simulationJson(const Protocol& protocol, const SimulationPlan& plan,
 }
 
 void requireSame(const StudyDatabase& database, const SubjectWork& work) {
-  for (const StoredRun& run : database.runs(work.subject.id, 0)) {
+  for (const StoredRun& run : database.runs(work.subject.id, 1)) {
     if (run.record.simulation != work.simulation) {
       throw InputError(fmt::format("subject {} was simulated with other settings", work.subject.id),
                        database.path().string(),
@@ -83,7 +83,7 @@ std::vector<SubjectWork> prepare(StudyDatabase& database, const Protocol& protoc
     work.sessions = plan.sessions[i];
     work.simulation = simulationJson(protocol, plan, work.seed);
     requireSame(database, work);
-    for (int session = 0; session < work.sessions; ++session) {
+    for (int session = 1; session <= work.sessions; ++session) {
       const std::optional<StoredSession> stored = database.session(id, session);
       work.begun.push_back(stored.has_value());
       work.complete.push_back(stored && stored->ending == SessionEnding::kCompleted);
@@ -107,8 +107,8 @@ class SubjectRunner {
       observer.emplace(protocol_, ObserverSetting{plan_.screen, plan_.makeRenderer(), plan_.hashFrames}, work_.seed);
     }
     int open = work_.open();
-    for (int session = 0; session < work_.sessions && open > 0; ++session) {
-      const auto index = static_cast<size_t>(session);
+    for (int session = 1; session <= work_.sessions && open > 0; ++session) {
+      const auto index = static_cast<size_t>(session - 1);
       const SessionSchedule schedule = scheduleOf(protocol_, work_.subject.slot, session, work_.seed);
       if (work_.complete[index]) {
         if (observer) {
@@ -193,7 +193,7 @@ SimulationResult simulateStudy(const Protocol& protocol, const std::filesystem::
   SimulationResult result;
   for (const SubjectWork& work : all) {
     result.sessions += work.open();
-    for (int session = 0; session < work.sessions; ++session) {
+    for (int session = 1; session <= work.sessions; ++session) {
       result.trials += static_cast<int>(scheduleOf(protocol, work.subject.slot, session, work.seed).trials.size());
     }
   }

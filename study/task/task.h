@@ -56,8 +56,8 @@ struct TrialOutcome {
   /// end: where frames are counted, from the tick of the first frame without the scene, however long the scene took to
   /// draw. Like every frame that one is seen some time after its tick (FrameRecord), about an interval of the screen.
   int64_t responseTicks = 0;
-  int64_t exposureFrames = 0;                              ///< frames that showed the scene, of tasks with an exposure
-  std::vector<std::pair<std::string, double>> measures{};  ///< what else is to be told: "path_length_m", ...
+  int64_t exposureFrames = 0;                ///< frames that showed the scene, of tasks with an exposure
+  std::map<std::string, double> measures{};  ///< what else is to be told: "path_length_m", ...
 
   bool operator==(const TrialOutcome&) const = default;
 };

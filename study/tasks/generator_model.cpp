@@ -19,7 +19,7 @@ double graphCovariate(const GeneratedTrial& trial) {
 }
 
 double sessionCovariate(const GeneratedTrial& trial) {
-  return trial.session;
+  return trial.session - 1;
 }
 
 }  // namespace ocelli

@@ -26,7 +26,7 @@ struct GeneratedTrial {
   std::string task;
   TrialView view = TrialView::kReference;
   CaseInfo info;
-  int session = 0;  ///< from 0
+  int session = 1;  ///< from 1
 };
 
 struct GeneratorEffect {

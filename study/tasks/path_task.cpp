@@ -210,7 +210,7 @@ class PathRun : public TrialRun {
     outcome.responseTicks = tick_ - walkTicks_;
     outcome.measures = {{"playback_seconds", walk_.seconds()}, {"right_map", item_.right + 1}};
     if (chosen) {
-      outcome.measures.emplace_back("chosen_map", *chosen + 1);
+      outcome.measures["chosen_map"] = *chosen + 1;
     }
     outcome_ = std::move(outcome);
   }

@@ -36,11 +36,11 @@ TEST_F(Database, givesWhatTheViewsGive) {
   EXPECT_EQ(found.censored, false);
   EXPECT_EQ(found.measures.at("path_length_m"), 12.5);
   EXPECT_EQ(found.longestSeconds, 60.0);
-  EXPECT_EQ(found.subjectKind, "person");
+  EXPECT_EQ(found.subjectKind, SubjectKind::kPerson);
   EXPECT_FALSE(found.exposureSeconds);
   EXPECT_TRUE(data.trials[6].censored.value());
   ASSERT_EQ(data.sessions.size(), 4u);
-  EXPECT_EQ(data.sessions[0].ending, "completed");
+  EXPECT_EQ(data.sessions[0].ending, SessionEnding::kCompleted);
   EXPECT_EQ(data.sessions[0].completedTrials, 3);
   EXPECT_EQ(data.consents.size(), 2u);
   EXPECT_EQ(data.answers.size(), 4u);
@@ -74,7 +74,7 @@ TEST_F(Database, countsTheLastAttemptAndSaysWhatBecameOfTheOthers) {
   for (size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(data.otherAttempts[i].why, expected[i]) << i;
   }
-  EXPECT_EQ(data.sessions[0].ending, "");
+  EXPECT_FALSE(data.sessions[0].ending);
 }
 
 TEST_F(Database, readsALogThatWasNotYetPutBack) {
@@ -160,7 +160,7 @@ TEST_F(Database, everyChangedValueChangesTheHash) {
                              "dropped_frames = 1",
                              "median_interval_ns = 1",
                              "longest_interval_ns = 1",
-                             "timing_verdict = 'x'",
+                             "timing_verdict = 'early_frames'",
                              "screen_width_px = 1",
                              "screen_height_px = 1",
                              "refresh_hz = 60"}) {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/dataset/database.h"
-#include "analysis/dataset/trial_check.h"
+#include "study/trial/trial_check.h"
 #include "tests/analysis_dataset/sample_study.h"
 
 namespace ocelli::test {

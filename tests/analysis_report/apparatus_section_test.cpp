@@ -37,7 +37,7 @@ class ApparatusSection : public testing::Test {
     Trial& trial = study_.add(subject, session, TrialView::kReference, 10);
     trial.frames = frames;
     trial.droppedFrames = dropped;
-    trial.timingVerdict = verdict;
+    trial.timingVerdict = wordNamed(verdict, kTimingVerdicts);
   }
   ReportDocument document() const { return documentOf(study_.analysis, addApparatus); }
   static std::string factOf(const ReportDocument& document, const std::string& term) {

@@ -103,7 +103,7 @@ class Maker {
     Subject subject;
     subject.id = fmt::format("S{}", index + 1);
     subject.key = fmt::format("key {}", index);
-    subject.kind = "person";
+    subject.kind = SubjectKind::kPerson;
     subject.slot = index;
     data_.subjects.push_back(subject);
     data_.consents.push_back({0, subject.id, 1, true});
@@ -121,7 +121,11 @@ class Maker {
     Session session;
     session.subject = subject;
     session.number = number;
-    session.ending = happens(0.9) ? "completed" : happens(0.5) ? "aborted" : "";
+    if (happens(0.9)) {
+      session.ending = SessionEnding::kCompleted;
+    } else if (happens(0.5)) {
+      session.ending = SessionEnding::kAborted;
+    }
     session.runs = 1;
     session.forced = happens(0.03);
     data_.sessions.push_back(session);
@@ -215,11 +219,11 @@ class Maker {
     trial.caseIndex = caseIndex;
     trial.caseLabel = fmt::format("location {}", caseIndex + 1);
     trial.view = graph ? TrialView::kOther : TrialView::kReference;
-    trial.subjectKind = "person";
+    trial.subjectKind = SubjectKind::kPerson;
     trial.moving = kBlocks[block].moving;
     trial.frames = 100;
     trial.droppedFrames = happens(0.05) ? 3 : 0;
-    trial.timingVerdict = "good";
+    trial.timingVerdict = TimingVerdict::kGood;
     trial.responseSeconds = seconds;
     trial.correct = right;
     trial.expected = "there";

@@ -74,7 +74,7 @@ void SectionStudy::complete(const std::string& subject, int sessions) {
     Session session;
     session.subject = subject;
     session.number = number;
-    session.ending = "completed";
+    session.ending = SessionEnding::kCompleted;
     analysis.data.sessions.push_back(session);
   }
 }

@@ -50,7 +50,7 @@ TEST_F(StudyDataCommandsTest, ListSlotsOfWhoLeftEarly) {
   {
     StudyDatabase database = StudyDatabase::openForSessions(path("study.db"), madeProtocol());
     const int slot = database.addSubject("S09", SubjectKind::kPerson).slot;
-    TrialStore store(database, madeProtocol(), madeRun("S09", 0), madeSchedule(slot, 0, 2));
+    TrialStore store(database, madeProtocol(), madeRun("S09", 1), madeSchedule(slot, 1, 2));
     store.sessionEnds(SessionEnding::kDeclined, "2026-03-01T13:00:00.000Z");
   }
   EXPECT_THAT(run("subjects").output, HasSubstr("ended early: 2 (S09, declined)"));

@@ -20,8 +20,8 @@ void storeStudy(const std::filesystem::path& path) {
   StudyDatabase database = StudyDatabase::openForSessions(path, protocol);
   for (const char* subject : {"S01", "S02", "R1"}) {
     const SubjectKind kind = subject[0] == 'R' ? SubjectKind::kObserver : SubjectKind::kPerson;
-    const SessionSchedule schedule = madeSchedule(database.addSubject(subject, kind).slot, 0, 2);
-    TrialStore store(database, protocol, madeRun(subject, 0, kind), schedule);
+    const SessionSchedule schedule = madeSchedule(database.addSubject(subject, kind).slot, 1, 2);
+    TrialStore store(database, protocol, madeRun(subject, 1, kind), schedule);
     storeForms(store);
     int number = 0;
     if (std::string(subject) == "S01") {

@@ -10,6 +10,7 @@
 
 #include "oc_core/base/csv.h"
 #include "oc_core/base/error.h"
+#include "study/session/trial_rows.h"
 #include "study/store/database_lock.h"
 #include "study/store/study_database.h"
 #include "study/store/trial_store.h"
@@ -68,21 +69,21 @@ TEST_F(StudyExportTest, WritesEveryTrialWithAllItsValues) {
               ElementsAre("columns.csv", "trials.csv", "subjects.csv", "runs.csv", "answers.csv", "events.csv"));
   const Table trials(tables_ / "trials.csv");
   const StudyDatabase database = StudyDatabase::openForReading(file_);
-  const std::vector<StoredTrial> stored = database.trials();
+  const std::vector<TrialRow> stored = database.trials();
   ASSERT_EQ(trials.rows(), stored.size());
   ASSERT_EQ(trials.rows(), 3u + 3 * 4);
   for (size_t row = 0; row < stored.size(); ++row) {
-    const TrialRecord& record = stored[row].record;
-    EXPECT_EQ(trials.at(row, "trial_id"), std::to_string(stored[row].id));
+    const TrialRecord record = recordOf(stored[row]);
+    EXPECT_EQ(trials.at(row, "trial_id"), std::to_string(stored[row].trialId));
     EXPECT_EQ(trials.at(row, "subject_id"), stored[row].subject);
     EXPECT_EQ(trials.at(row, "session_number"), "1");
     EXPECT_EQ(trials.at(row, "view"), defaultConditions().nameOf(record.plan.view));
     EXPECT_EQ(trials.at(row, "simulated"), stored[row].subject == "R1" ? "1" : "0");
-    if (record.ending == TrialEnding::kCompleted && stored[row].ended) {
+    if (record.ending == TrialEnding::kCompleted && stored[row].ending) {
       EXPECT_EQ(trials.at(row, "answer"), record.outcome.answer);
       // Numbers come back to the last bit.
       EXPECT_EQ(std::stod(trials.at(row, "response_s")), static_cast<double>(record.outcome.responseTicks) / 240);
-      EXPECT_EQ(std::stod(trials.at(row, "path_length_m")), record.outcome.measures[0].second);
+      EXPECT_EQ(std::stod(trials.at(row, "path_length_m")), record.outcome.measures.at("path_length_m"));
       EXPECT_EQ(trials.at(row, "clicks"), "2");
     } else {
       EXPECT_EQ(trials.at(row, "answer"), "");
@@ -246,8 +247,8 @@ TEST_F(StudyExportTest, GivesEachMeasureAColumnOfItsOwn) {
   {
     StudyDatabase database = StudyDatabase::openForSessions(file, madeProtocol());
     database.addSubject("S01", SubjectKind::kPerson);
-    const SessionSchedule schedule = madeSchedule(0, 0, 1);
-    TrialStore store(database, madeProtocol(), madeRun("S01", 0), schedule);
+    const SessionSchedule schedule = madeSchedule(0, 1, 1);
+    TrialStore store(database, madeProtocol(), madeRun("S01", 1), schedule);
     TrialRecord record = madeTrial(schedule.trials[0], 1, 1);
     record.outcome.measures = {{"a b", 1}, {"a-b", 2}, {"A_b", 3}, {"a_b_2", 4}};
     storeTrial(store, 0, record, 3, 1);

@@ -22,7 +22,7 @@ Protocol protocolOf(int blocks, bool shuffle) {
 }
 
 void expectBalanced(const Protocol& protocol, bool twoOrders = false) {
-  for (int session = 0; session < protocol.sessions; ++session) {
+  for (int session = 1; session <= protocol.sessions; ++session) {
     for (int subjects = 1; subjects <= 60; ++subjects) {
       for (const BalanceTable& table : balanceOf(protocol, subjects, session, 5)) {
         const bool mayDifferByTwo = twoOrders && table.factors.ends_with("x first view");
@@ -45,7 +45,7 @@ TEST(Balance, HasOnePairThatDiffersByTwoWithTwoOrders) {
 }
 
 TEST(Balance, CountsEverySubjectInEveryTable) {
-  for (const BalanceTable& table : balanceOf(protocolOf(3, true), 7, 1, 5)) {
+  for (const BalanceTable& table : balanceOf(protocolOf(3, true), 7, 2, 5)) {
     int sum = 0;
     for (const BalanceCell& cell : table.cells) {
       sum += cell.subjects;
@@ -57,7 +57,7 @@ TEST(Balance, CountsEverySubjectInEveryTable) {
 
 TEST(Balance, SeesWhatIsNotBalanced) {
   // Of one subject, one of two cells is full. Of three over six orders no cell may have two.
-  const std::vector<BalanceTable> tables = balanceOf(protocolOf(3, true), 1, 0, 5);
+  const std::vector<BalanceTable> tables = balanceOf(protocolOf(3, true), 1, 1, 5);
   ASSERT_FALSE(tables.empty());
   for (const BalanceTable& table : tables) {
     EXPECT_EQ(table.difference, 1) << table.factors;
@@ -65,7 +65,7 @@ TEST(Balance, SeesWhatIsNotBalanced) {
 }
 
 TEST(Balance, SaysNothingOfBlocksThatAreTheSameForEveryone) {
-  EXPECT_TRUE(balanceOf(shamProtocol({shamBlock("a", 4, TrialOrder::kAlternating, kBoth)}, false), 10, 0, 5).empty());
+  EXPECT_TRUE(balanceOf(shamProtocol({shamBlock("a", 4, TrialOrder::kAlternating, kBoth)}, false), 10, 1, 5).empty());
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST(ProtocolFile, IsReadAsItStands) {
   EXPECT_EQ(protocol.blocks[0].taskName, "find");
   EXPECT_EQ(protocol.blocks[0].task->caseCount(), 2);
   EXPECT_EQ(protocol.blocks[0].task->caseInfo(1).label, "there");
-  EXPECT_THAT(protocol.blocks[0].sessions, ElementsAre(0));
+  EXPECT_THAT(protocol.blocks[0].sessions, ElementsAre(1));
   EXPECT_EQ(protocol.blocks[0].order, TrialOrder::kBalanced);
   EXPECT_EQ(protocol.blocks[0].views, ViewsOfCases::kBoth);
   ASSERT_TRUE(protocol.blocks[0].practice.has_value());

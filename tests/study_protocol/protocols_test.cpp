@@ -18,7 +18,7 @@ Protocol protocolOf(const std::string& name) {
 
 std::multiset<std::string> trialsOf(const Protocol& protocol, const std::string& block, int slot) {
   std::multiset<std::string> trials;
-  for (const TrialPlan& trial : scheduleOf(protocol, slot, 0, protocol.seed).trials) {
+  for (const TrialPlan& trial : scheduleOf(protocol, slot, 1, protocol.seed).trials) {
     const ProtocolBlock& of = protocol.blocks[static_cast<size_t>(trial.block)];
     if (of.name == block) {
       trials.insert(of.task->caseInfo(trial.caseIndex).label + " " + protocol.nameOf(trial.view));
@@ -37,13 +37,13 @@ TEST(Rosen2010, HasTheTrialsThatTheTextTells) {
   EXPECT_EQ(trialsOf(protocol, "count moving", 0).size(), 20u);
   EXPECT_EQ(trialsOf(protocol, "path", 0).size(), 10u);
   for (int slot = 1; slot < 4; ++slot) {
-    EXPECT_EQ(scheduleOf(protocol, slot, 0, 1).trials, scheduleOf(protocol, 0, 0, 1).trials);
+    EXPECT_EQ(scheduleOf(protocol, slot, 1, 1).trials, scheduleOf(protocol, 0, 1, 1).trials);
   }
   for (const char* find : {"find stationary", "find moving"}) {
     const std::multiset<std::string> trials = trialsOf(protocol, find, 0);
     EXPECT_EQ(std::set<std::string>(trials.begin(), trials.end()).size(), trials.size());
   }
-  const SessionSchedule schedule = scheduleOf(protocol, 0, 0, protocol.seed);
+  const SessionSchedule schedule = scheduleOf(protocol, 0, 1, protocol.seed);
   for (size_t i = 1; i < schedule.trials.size(); ++i) {
     if (schedule.trials[i].block == schedule.trials[i - 1].block) {
       EXPECT_NE(schedule.trials[i].view, schedule.trials[i - 1].view);
@@ -84,7 +84,7 @@ TEST(BalancedProtocol, HasTheSameTrialsAndCellsThatDifferByAtMostOneForOneToSixt
     EXPECT_EQ(trialsOf(protocol, find, 3), trialsOf(original, find, 3));
   }
   for (int subjects = 1; subjects <= 60; ++subjects) {
-    const int session = subjects % protocol.sessions;  // balance_test.cpp has all of them
+    const int session = 1 + subjects % protocol.sessions;  // balance_test.cpp has all of them
     const std::vector<BalanceTable> tables = balanceOf(protocol, subjects, session, protocol.seed);
     EXPECT_EQ(tables.size(), 4u + 3 * protocol.blocks.size());
     for (const BalanceTable& table : tables) {
@@ -97,7 +97,7 @@ TEST(BalancedProtocol, HasNoCaseTwiceInARowAndNoWarnings) {
   const Protocol protocol = protocolOf("rosen2010-balanced");
   EXPECT_TRUE(warningsOf(protocol, protocol.seed).empty());
   for (int slot = 0; slot < 60; ++slot) {
-    for (int session = 0; session < protocol.sessions; ++session) {
+    for (int session = 1; session <= protocol.sessions; ++session) {
       const SessionSchedule schedule = scheduleOf(protocol, slot, session, protocol.seed);
       EXPECT_EQ(schedule.trials.size(), 90u);
       for (size_t i = 1; i < schedule.trials.size(); ++i) {
@@ -114,7 +114,7 @@ TEST(BalancedProtocol, HasNoCaseTwiceInARowAndNoWarnings) {
 
 TEST(ShortProtocol, TakesTenMinutes) {
   const Protocol protocol = protocolOf("short");
-  const double seconds = durationOf(partsOf(protocol, scheduleOf(protocol, 0, 0, 1))).typicalSeconds;
+  const double seconds = durationOf(partsOf(protocol, scheduleOf(protocol, 0, 1, 1))).typicalSeconds;
   EXPECT_GT(seconds, 7 * 60);
   EXPECT_LT(seconds, 11 * 60);
 }
@@ -139,7 +139,7 @@ TEST(NearerProtocol, HasAsManyCasesOfEitherSide) {
   EXPECT_EQ(2 * left, task.caseCount());
   // Nor does a view go with a side, in the first half of the trials either.
   for (int slot = 0; slot < 4; ++slot) {
-    const SessionSchedule schedule = scheduleOf(protocol, slot, 0, protocol.seed);
+    const SessionSchedule schedule = scheduleOf(protocol, slot, 1, protocol.seed);
     std::map<std::pair<TrialView, std::string>, int> first;
     for (size_t i = 0; i < schedule.trials.size() / 2; ++i) {
       ++first[{schedule.trials[i].view, task.answerOf(schedule.trials[i])}];

@@ -28,7 +28,7 @@ std::vector<std::string> written(const SessionSchedule& schedule) {
   return list;
 }
 
-SessionSchedule oneBlock(int cases, TrialOrder order, ViewsOfCases views, int slot = 0, int session = 0) {
+SessionSchedule oneBlock(int cases, TrialOrder order, ViewsOfCases views, int slot = 0, int session = 1) {
   return scheduleOf(shamProtocol({shamBlock("only", cases, order, views)}), slot, session, 1);
 }
 
@@ -39,7 +39,7 @@ TEST(Schedule, AlternatesViewsInTheOrderOfTheFile) {
   EXPECT_THAT(written(oneBlock(4, kAlternating, kBothViews)),
               ElementsAre("1p", "2g", "3p", "4g", "2p", "3g", "4p", "1g"));
   EXPECT_EQ(oneBlock(4, kAlternating, kBothViews), oneBlock(4, kAlternating, kBothViews));
-  EXPECT_EQ(written(oneBlock(4, kAlternating, kBothViews, 7, 2)), written(oneBlock(4, kAlternating, kBothViews)));
+  EXPECT_EQ(written(oneBlock(4, kAlternating, kBothViews, 7, 3)), written(oneBlock(4, kAlternating, kBothViews)));
 }
 
 TEST(Schedule, ShowsEachCaseInEachViewOnceOrInOneView) {
@@ -63,7 +63,7 @@ TEST(Schedule, TakesViewsInTurnAndNoCaseTwiceInARow) {
   for (int cases = 3; cases <= 12; ++cases) {
     for (int slot = 0; slot < 60; ++slot) {
       for (const ViewsOfCases views : {kBothViews, kOneView}) {
-        const SessionSchedule schedule = oneBlock(cases, kBalancedSchedule, views, slot, slot % 3);
+        const SessionSchedule schedule = oneBlock(cases, kBalancedSchedule, views, slot, 1 + slot % 3);
         EXPECT_EQ(schedule.trials.front().view, schedule.firstView);
         for (size_t i = 1; i < schedule.trials.size(); ++i) {
           EXPECT_NE(schedule.trials[i].view, schedule.trials[i - 1].view);
@@ -86,7 +86,7 @@ TEST(Schedule, ShowsAllCasesBeforeOneComesAgain) {
 TEST(Schedule, ShufflesAnewForEachSubjectAndSession) {
   std::set<std::vector<std::string>> orders;
   for (int slot = 0; slot < 40; ++slot) {
-    for (int session = 0; session < 3; ++session) {
+    for (int session = 1; session <= 3; ++session) {
       orders.insert(written(oneBlock(12, kBalancedSchedule, kBothViews, slot, session)));
     }
   }
@@ -114,7 +114,7 @@ TEST(Schedule, SeedsTrialsBySessionBlockAndCaseAndNotBySubject) {
       shamProtocol({shamBlock("a", 4, kBalancedSchedule, kBothViews), shamBlock("b", 4, kBalancedSchedule, kOneView)});
   std::map<std::tuple<int, int, int>, std::set<uint64_t>> seeds;
   std::set<uint64_t> all;
-  for (int session = 0; session < 3; ++session) {
+  for (int session = 1; session <= 3; ++session) {
     for (int slot = 0; slot < 9; ++slot) {
       for (const TrialPlan& trial : scheduleOf(protocol, slot, session, 7).trials) {
         seeds[{session, trial.block, trial.caseIndex}].insert(trial.seed);
@@ -127,7 +127,7 @@ TEST(Schedule, SeedsTrialsBySessionBlockAndCaseAndNotBySubject) {
     EXPECT_EQ(of.size(), 1u);
   }
   EXPECT_EQ(all.size(), 3u * 2 * 4);
-  EXPECT_NE(scheduleOf(protocol, 0, 0, 8).trials[0].seed, scheduleOf(protocol, 0, 0, 7).trials[0].seed);
+  EXPECT_NE(scheduleOf(protocol, 0, 1, 8).trials[0].seed, scheduleOf(protocol, 0, 1, 7).trials[0].seed);
 }
 
 TEST(Schedule, LeavesBlocksInTheirOrderUnlessTheyAreShuffled) {
@@ -137,10 +137,10 @@ TEST(Schedule, LeavesBlocksInTheirOrderUnlessTheyAreShuffled) {
   }
   std::set<std::vector<int>> shuffled;
   for (int slot = 0; slot < 9; ++slot) {
-    EXPECT_THAT(scheduleOf(shamProtocol(blocks, false), slot, 0, 1).blockOrder, ElementsAre(0, 1, 2));
-    const SessionSchedule schedule = scheduleOf(shamProtocol(blocks), slot, 0, 1);
+    EXPECT_THAT(scheduleOf(shamProtocol(blocks, false), slot, 1, 1).blockOrder, ElementsAre(0, 1, 2));
+    const SessionSchedule schedule = scheduleOf(shamProtocol(blocks), slot, 1, 1);
     shuffled.insert(schedule.blockOrder);
-    EXPECT_NE(schedule.blockOrder, scheduleOf(shamProtocol(blocks), slot, 1, 1).blockOrder);
+    EXPECT_NE(schedule.blockOrder, scheduleOf(shamProtocol(blocks), slot, 2, 1).blockOrder);
     for (size_t i = 0; i < schedule.trials.size(); ++i) {
       EXPECT_EQ(schedule.trials[i].index, static_cast<int>(i));
       EXPECT_EQ(schedule.trials[i].block, schedule.blockOrder[i / 2]);
@@ -154,23 +154,23 @@ TEST(Schedule, HasTheBlocksOfItsSession) {
       shamProtocol({shamBlock("a", 2, kBalancedSchedule, kOneView), shamBlock("b", 2, kBalancedSchedule, kOneView),
                     shamBlock("c", 2, kBalancedSchedule, kOneView)},
                    false);
-  protocol.blocks[1].sessions = {0, 2};
-  EXPECT_THAT(scheduleOf(protocol, 0, 0, 1).blockOrder, ElementsAre(0, 1, 2));
-  EXPECT_THAT(scheduleOf(protocol, 0, 1, 1).blockOrder, ElementsAre(0, 2));
+  protocol.blocks[1].sessions = {1, 3};
+  EXPECT_THAT(scheduleOf(protocol, 0, 1, 1).blockOrder, ElementsAre(0, 1, 2));
+  EXPECT_THAT(scheduleOf(protocol, 0, 2, 1).blockOrder, ElementsAre(0, 2));
 }
 
 TEST(Schedule, RefusesSessionsAndSlotsThatAreNone) {
   const Protocol protocol = shamProtocol({shamBlock("a", 2, kBalancedSchedule, kOneView)});
-  EXPECT_THROW(scheduleOf(protocol, 0, 3, 1), InputError);
-  EXPECT_THROW(scheduleOf(protocol, 0, -1, 1), InputError);
-  EXPECT_THROW(scheduleOf(protocol, -1, 0, 1), InputError);
+  EXPECT_THROW(scheduleOf(protocol, 0, 4, 1), InputError);
+  EXPECT_THROW(scheduleOf(protocol, 0, 0, 1), InputError);
+  EXPECT_THROW(scheduleOf(protocol, -1, 1, 1), InputError);
 }
 
 TEST(Schedule, PracticesCasesAndViewsInTurn) {
   Protocol protocol = shamProtocol({shamBlock("a", 2, kBalancedSchedule, kOneView)});
   protocol.blocks[0].practice = ProtocolPractice{shamTask(2), 2, 8};
   for (int slot = 0; slot < 2; ++slot) {
-    const SessionSchedule schedule = scheduleOf(protocol, slot, 0, 1);
+    const SessionSchedule schedule = scheduleOf(protocol, slot, 1, 1);
     std::set<std::pair<int, TrialView>> seen;
     std::set<uint64_t> seeds;
     for (int i = 0; i < 4; ++i) {
@@ -188,10 +188,10 @@ TEST(Schedule, PracticesCasesAndViewsInTurn) {
 }
 
 TEST(Schedule, IsWrittenAsJson) {
-  const SessionSchedule schedule = oneBlock(3, kBalancedSchedule, kOneView, 4, 1);
+  const SessionSchedule schedule = oneBlock(3, kBalancedSchedule, kOneView, 4, 2);
   const nlohmann::json json = nlohmann::json::parse(jsonText(schedule, defaultConditions()));
   EXPECT_EQ(json.at("slot"), 4);
-  EXPECT_EQ(json.at("session"), 1);
+  EXPECT_EQ(json.at("session"), 1);  // from 0, as in databases of all versions
   EXPECT_EQ(json.at("trials").size(), 3u);
   EXPECT_EQ(json.at("trials").at(2).at("seed"), schedule.trials[2].seed);
   EXPECT_EQ(json.at("trials").at(2).at("view"), defaultConditions().nameOf(schedule.trials[2].view));

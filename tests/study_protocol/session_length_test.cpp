@@ -18,7 +18,7 @@ Protocol twoBlocks() {
 
 TEST(SessionLength, HasBreaksWithinBlocksAndBetweenThem) {
   const Protocol protocol = twoBlocks();
-  const SessionSchedule schedule = scheduleOf(protocol, 0, 0, 1);
+  const SessionSchedule schedule = scheduleOf(protocol, 0, 1, 1);
   std::vector<size_t> breaks;
   for (size_t i = 0; i < schedule.trials.size(); ++i) {
     if (hasBreakAfter(protocol, schedule, i)) {
@@ -31,7 +31,7 @@ TEST(SessionLength, HasBreaksWithinBlocksAndBetweenThem) {
 TEST(SessionLength, AddsUpTrialsPracticeAndBreaks) {
   Protocol protocol = twoBlocks();
   protocol.blocks[1].practice = ProtocolPractice{shamTask(1), 2, 6};
-  const std::vector<PartLength> parts = partsOf(protocol, scheduleOf(protocol, 0, 0, 1));
+  const std::vector<PartLength> parts = partsOf(protocol, scheduleOf(protocol, 0, 1, 1));
   ASSERT_EQ(parts.size(), 4u);
   EXPECT_EQ(parts[1].name, "a");
   EXPECT_EQ(parts[1].trials, 10);
@@ -47,13 +47,13 @@ TEST(SessionLength, AsksDemographicsFirstAndTheSurveyLast) {
   Protocol protocol = twoBlocks();
   protocol.demographics = ProtocolForm{"demographics", "You", "", {{"age", "Age?", {"a", "b"}, {}}}};
   protocol.survey = ProtocolForm{"survey", "Views", "", {{"easy", "Easier?", {"1", "2"}, {}}}};
-  const std::vector<PartLength> first = partsOf(protocol, scheduleOf(protocol, 0, 0, 1));
-  const std::vector<PartLength> last = partsOf(protocol, scheduleOf(protocol, 0, 1, 1));
+  const std::vector<PartLength> first = partsOf(protocol, scheduleOf(protocol, 0, 1, 1));
+  const std::vector<PartLength> last = partsOf(protocol, scheduleOf(protocol, 0, 2, 1));
   EXPECT_GT(first.front().duration.typicalSeconds, last.front().duration.typicalSeconds);
   EXPECT_EQ(first.back().name, "breaks");
   EXPECT_EQ(last.back().name, "survey");
   protocol.surveyAfterLastSessionOnly = false;
-  EXPECT_EQ(partsOf(protocol, scheduleOf(protocol, 0, 0, 1)).back().name, "survey");
+  EXPECT_EQ(partsOf(protocol, scheduleOf(protocol, 0, 1, 1)).back().name, "survey");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "oc_core/base/error.h"
 #include "study/replay/trial_frame.h"
+#include "study/session/trial_rows.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/study_subject/simulated_sessions.h"
 
@@ -20,7 +21,7 @@ TEST(StoredReplay, ofAllSimulatedTrialsIsTheSame) {
   plan.hashFrames = true;
   simulateStudy(test::simulatedProtocol(), folder / "study.db", plan);
   const ReplayStudy study(folder / "study.db");
-  const std::vector<StoredTrial> trials = study.trials({.withPractice = true});
+  const std::vector<TrialRow> trials = study.trials({.withPractice = true});
   const ReplaySummary summary = study.check(trials, {{"raster", views}});
   EXPECT_EQ(summary.trials, static_cast<int64_t>(trials.size()));
   EXPECT_TRUE(summary.allSame()) << summary.differences.front();
@@ -29,16 +30,16 @@ TEST(StoredReplay, ofAllSimulatedTrialsIsTheSame) {
   EXPECT_EQ(summary.withoutLog, 0);
   EXPECT_EQ(study.check(trials, {{"another", views}}).hashes, 0) << "it drew none of them";
 
-  EXPECT_EQ(study.trials({.subject = "sim-0002", .session = 0, .trial = 0}).size(), 1u);
+  EXPECT_EQ(study.trials({.subject = "sim-0002", .session = 1, .trial = 0}).size(), 1u);
   EXPECT_THROW(study.trials({.subject = "nobody"}), InputError);
   EXPECT_THROW(study.trials({.trial = 1000}), InputError);
 
   // Each frame of a trial can be drawn.
-  const StoredTrial trial = study.trials({.subject = "sim-0001", .session = 0, .trial = 0}).front();
+  const TrialRow trial = study.trials({.subject = "sim-0001", .session = 1, .trial = 0}).front();
   ReplayOptions options;
   options.onFrame = [&](const FrameRecord& frame, const TrialRun& run) {
     if (frame.frame % 100 == 0) {
-      const Image<Rgb8> drawn = trialFrame(run.layout(), trial.record.screen, rasterizeStudy);
+      const Image<Rgb8> drawn = trialFrame(run.layout(), recordOf(trial).screen, rasterizeStudy);
       EXPECT_EQ(drawn.width(), test::kSmallScreen.width);
       EXPECT_NE(drawn, Image<Rgb8>(drawn.width(), drawn.height(), Rgb8(0)));
     }
@@ -52,7 +53,7 @@ TEST(StoredReplay, knowsTrialsWithoutALog) {
   plan.kind = SubjectKind::kGenerator;
   simulateStudy(test::simulatedProtocol(false), folder / "study.db", plan);
   const ReplayStudy study(folder / "study.db");
-  const std::vector<StoredTrial> trials = study.trials({});
+  const std::vector<TrialRow> trials = study.trials({});
   const ReplaySummary summary = study.check(trials, {});
   EXPECT_EQ(summary.trials, 0);
   EXPECT_EQ(summary.withoutLog, static_cast<int64_t>(trials.size()));

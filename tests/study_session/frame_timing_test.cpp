@@ -16,7 +16,7 @@ TEST(FrameTiming, countsIntervalsBeyondTheLimit) {
   EXPECT_EQ(timing.dropped, 1);
   EXPECT_EQ(timing.medianNanoseconds, 120);  // the upper one of two
   EXPECT_EQ(timing.longestNanoseconds, 121);
-  EXPECT_EQ(timing.verdict, "dropped_frames");
+  EXPECT_EQ(timing.verdict, TimingVerdict::kDroppedFrames);
 }
 
 TEST(FrameTiming, aFewMayBeDropped) {
@@ -24,9 +24,9 @@ TEST(FrameTiming, aFewMayBeDropped) {
   for (int i = 0; i < 199; ++i) {
     shown.push_back(shown.back() + (i == 50 || i == 70 ? 200 : 100));
   }
-  EXPECT_EQ(timingOf(shown, kLimits, {.intervalNanoseconds = 100}).verdict, "good");
+  EXPECT_EQ(timingOf(shown, kLimits, {.intervalNanoseconds = 100}).verdict, TimingVerdict::kGood);
   shown.back() += 100;
-  EXPECT_EQ(timingOf(shown, kLimits, {.intervalNanoseconds = 100}).verdict, "dropped_frames");
+  EXPECT_EQ(timingOf(shown, kLimits, {.intervalNanoseconds = 100}).verdict, TimingVerdict::kDroppedFrames);
 }
 
 TEST(FrameTiming, framesThatDoNotWaitForTheScreenAreEarly) {
@@ -37,17 +37,17 @@ TEST(FrameTiming, framesThatDoNotWaitForTheScreenAreEarly) {
     }
     return timingOf(shown, kLimits, {.intervalNanoseconds = 1200}).verdict;
   };
-  EXPECT_EQ(verdict(1000), "good");  // 1200 / 1.2
-  EXPECT_EQ(verdict(999), "early_frames");
-  EXPECT_EQ(verdict(1), "early_frames");
+  EXPECT_EQ(verdict(1000), TimingVerdict::kGood);  // 1200 / 1.2
+  EXPECT_EQ(verdict(999), TimingVerdict::kEarlyFrames);
+  EXPECT_EQ(verdict(1), TimingVerdict::kEarlyFrames);
   // One frame has no intervals.
-  EXPECT_EQ(timingOf(std::vector<int64_t>{7}, kLimits, {.intervalNanoseconds = 1200}).verdict, "good");
+  EXPECT_EQ(timingOf(std::vector<int64_t>{7}, kLimits, {.intervalNanoseconds = 1200}).verdict, TimingVerdict::kGood);
 }
 
 TEST(FrameTiming, saysWhereItCannotBeTrusted) {
-  EXPECT_EQ(timingOf({}, kLimits, {}).verdict, "good");
-  EXPECT_EQ(timingOf({}, kLimits, {.unstable = true}).verdict, "unstable_refresh");
-  EXPECT_EQ(timingOf({}, kLimits, {.unstable = true, .simulated = true}).verdict, "simulated_clock");
+  EXPECT_EQ(timingOf({}, kLimits, {}).verdict, TimingVerdict::kGood);
+  EXPECT_EQ(timingOf({}, kLimits, {.unstable = true}).verdict, TimingVerdict::kUnstableRefresh);
+  EXPECT_EQ(timingOf({}, kLimits, {.unstable = true, .simulated = true}).verdict, TimingVerdict::kSimulatedClock);
 }
 
 TEST(UtcTime, isIso8601) {

@@ -60,7 +60,7 @@ TEST(SessionFlow, keysAloneLeadThroughAWholeSession) {
   for (const test::TrialEnds& end : ends) {
     EXPECT_TRUE(end.record.outcome.correct);
     EXPECT_EQ(end.record.attempt, 1);
-    EXPECT_EQ(end.record.timing.verdict, "good");
+    EXPECT_EQ(end.record.timing.verdict, TimingVerdict::kGood);
   }
   // Practice: two right ones in a row are enough, and come first.
   ASSERT_GE(ends.size(), 3u);
@@ -502,7 +502,7 @@ TEST(SessionFlow, lateFramesMarkTheTrial) {
   run.goOn([&] { return !run.inTrial(); });
   const TrialTiming timing = small.sink.all<test::TrialEnds>()[0].record.timing;
   EXPECT_EQ(timing.dropped, 1);
-  EXPECT_EQ(timing.verdict, "dropped_frames");
+  EXPECT_EQ(timing.verdict, TimingVerdict::kDroppedFrames);
   EXPECT_EQ(timing.longestNanoseconds, 2 * test::kFrameNanoseconds);
   EXPECT_EQ(timing.medianNanoseconds, test::kFrameNanoseconds);
   EXPECT_TRUE(small.sink.hasEvent("late_frames"));

@@ -174,7 +174,7 @@ Protocol smallProtocol() {
 }
 
 SessionSchedule smallSchedule(const Protocol& protocol) {
-  return scheduleOf(protocol, 0, 0, 17);
+  return scheduleOf(protocol, 0, 1, 17);
 }
 
 SessionRun::SessionRun(const Protocol& protocol, const SessionSchedule& schedule, FakeSink& sink,

@@ -50,7 +50,7 @@ class SessionReplay : public testing::TestWithParam<test::TaskExample> {};
 
 TEST_P(SessionReplay, reproducesPosesAndOutcomes) {
   const Protocol protocol = protocolOf(GetParam());
-  const SessionSchedule schedule = scheduleOf(protocol, 1, 0, 5);
+  const SessionSchedule schedule = scheduleOf(protocol, 1, 1, 5);
   size_t moved = 0;
   for (uint64_t seed = 1; seed <= 6; ++seed) {
     Random random(seed);
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Tasks, SessionReplay, testing::ValuesIn(test::taskExamp
 
 TEST(SessionExposure, isCountedInFramesHoweverLongTheyLast) {
   const Protocol protocol = protocolOf(test::taskExamples()[2]);
-  const SessionSchedule schedule = scheduleOf(protocol, 0, 0, 5);
+  const SessionSchedule schedule = scheduleOf(protocol, 0, 1, 5);
   FakeSink sink;
   SessionRun run(protocol, schedule, sink);
   Random random(9);

@@ -70,8 +70,8 @@ TEST(FullDisk, KeepsWhatWasStoredAndStoresTheRestOnceThereIsRoom) {
   const Protocol protocol = madeProtocol();
   StudyDatabase database = StudyDatabase::openForSessions(file, protocol);
   database.addSubject("S01", SubjectKind::kPerson);
-  const SessionSchedule schedule = madeSchedule(0, 0, 4);
-  TrialStore store(database, protocol, madeRun("S01", 0), schedule, {0.05});
+  const SessionSchedule schedule = madeSchedule(0, 1, 4);
+  TrialStore store(database, protocol, madeRun("S01", 1), schedule, {0.05});
   std::atomic<int> acknowledged{0};
   const auto storeOne = [&](int number) {
     storeTrial(store, number, madeTrial(schedule.trials[static_cast<size_t>(number)], 1, number), kFramesOfTrial,
@@ -94,9 +94,9 @@ TEST(FullDisk, KeepsWhatWasStoredAndStoresTheRestOnceThereIsRoom) {
   EXPECT_EQ(store.failure(), std::nullopt);
   EXPECT_EQ(acknowledged, 4);
   expectSound(file, 4);
-  for (const StoredTrial& trial : database.trials("S01")) {
-    EXPECT_EQ(database.frames(trial.id), madeFrames(0, kFramesOfTrial, trial.number));
-    EXPECT_EQ(database.inputs(trial.id).size(), madeInputs().size());
+  for (const TrialRow& trial : database.trials("S01")) {
+    EXPECT_EQ(database.frames(trial.trialId), madeFrames(0, kFramesOfTrial, trial.trialNumber));
+    EXPECT_EQ(database.inputs(trial.trialId).size(), madeInputs().size());
   }
 }
 
@@ -113,8 +113,8 @@ TEST(FullDisk, IsToldAsSuch) {
   {
     StudyDatabase database = StudyDatabase::openForSessions(file, protocol, {.minFreeBytes = 0});
     database.addSubject("S01", SubjectKind::kPerson);
-    const SessionSchedule schedule = madeSchedule(0, 0, 40);
-    TrialStore store(database, protocol, madeRun("S01", 0), schedule, {0.05});
+    const SessionSchedule schedule = madeSchedule(0, 1, 40);
+    TrialStore store(database, protocol, madeRun("S01", 1), schedule, {0.05});
     std::atomic<int> acknowledged{0};
     int number = 0;
     for (; number < 80 && !store.failure(); ++number) {

@@ -98,7 +98,7 @@ void runSubject(const std::string& path, const std::string& subject) {
     database.addSubject(subject, SubjectKind::kPerson);
   }
   const int slot = database.subject(subject)->slot;
-  for (int session = 0; session < protocol.sessions; ++session) {
+  for (int session = 1; session <= protocol.sessions; ++session) {
     if (const auto stored = database.session(subject, session); stored && stored->ending == SessionEnding::kCompleted) {
       continue;
     }

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "oc_core/base/random.h"
+#include "study/session/trial_rows.h"
 #include "study/store/study_database.h"
 #include "tests/study_store/kill_study.h"
 
@@ -198,10 +199,10 @@ class Harness {
     for (const auto& [subject, lines] : acknowledged_) {
       std::set<std::string> stored;
       std::map<int64_t, int> openTrials;
-      for (const StoredTrial& trial : database.trials(subject)) {
-        if (trial.ended) {
+      for (const TrialRow& trial : database.trials(subject)) {
+        if (trial.ending) {
           stored.insert(fmt::format("{} {}", trial.session, lineOf(toldOf(database, trial))));
-        } else if (++openTrials[trial.run] > 1) {
+        } else if (++openTrials[trial.runId] > 1) {
           problem("two trials of a run lack their ends");
         }
       }
@@ -213,15 +214,15 @@ class Harness {
     }
   }
 
-  static AcknowledgedTrial toldOf(const StudyDatabase& database, const StoredTrial& trial) {
+  static AcknowledgedTrial toldOf(const StudyDatabase& database, const TrialRow& trial) {
     TrialDigest digest;
-    for (const FrameRecord& frame : database.frames(trial.id)) {
+    for (const FrameRecord& frame : database.frames(trial.trialId)) {
       digest.add(frame);
     }
-    for (const InputRecord& input : database.inputs(trial.id)) {
+    for (const InputRecord& input : database.inputs(trial.trialId)) {
       digest.add(input);
     }
-    const TrialRecord& record = trial.record;
+    const TrialRecord record = recordOf(trial);
     return {record.plan.index,     record.attempt,        record.plan.practice,
             nameOf(record.ending), record.outcome.answer, digest.value()};
   }
@@ -236,11 +237,11 @@ class Harness {
       }
       for (const StoredSession& session : stored) {
         if (session.ending != SessionEnding::kCompleted || session.completedTrials != session.plannedTrials) {
-          problem(fmt::format("session {} of {} is not complete", session.session + 1, subject.id));
+          problem(fmt::format("session {} of {} is not complete", session.session, subject.id));
         }
       }
-      for (const StoredTrial& trial : database.trials(subject.id)) {
-        report_.interrupted += trial.ended ? 0 : 1;
+      for (const TrialRow& trial : database.trials(subject.id)) {
+        report_.interrupted += trial.ending ? 0 : 1;
       }
     }
     SQLite::Database raw(database_.string());

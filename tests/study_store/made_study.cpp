@@ -91,7 +91,7 @@ TrialRecord madeTrial(const TrialPlan& plan, int attempt, int salt) {
   record.outcome.responseTicks = 1000 + salt;
   record.outcome.exposureFrames = plan.task == "count" ? 300 : 0;
   record.outcome.measures = {{"path_length_m", 12.1 + salt / 3.0}, {"clicks", 2}};
-  record.timing = {900, 1, 16'683'350, 33'366'700, "good"};
+  record.timing = {900, 1, 16'683'350, 33'366'700, TimingVerdict::kGood};
   return record;
 }
 

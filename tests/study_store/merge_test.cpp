@@ -23,7 +23,7 @@ using testing::Not;
 class MergeTest : public testing::Test {
  protected:
   /// One session of a subject, who is added where that is needed.
-  void store(const std::string& file, const std::string& subject, int session = 0,
+  void store(const std::string& file, const std::string& subject, int session = 1,
              SubjectKind kind = SubjectKind::kPerson, const Protocol& protocol = madeProtocol()) const {
     StudyDatabase database = StudyDatabase::openForSessions(folder_ / file, protocol);
     if (!database.subject(subject)) {
@@ -71,7 +71,7 @@ TEST_F(MergeTest, BringsAllSubjectsWithAllTheyDid) {
   store("one.db", "A1");
   store("one.db", "A2");
   store("a %41 #strange? name.db", "B1");
-  store("a %41 #strange? name.db", "R1", 0, SubjectKind::kObserver);
+  store("a %41 #strange? name.db", "R1", 1, SubjectKind::kObserver);
   const MergeReport report = merge({"one.db", "a %41 #strange? name.db"});
   EXPECT_EQ(report.subjects, 4);
   EXPECT_EQ(report.runs, 4);
@@ -87,12 +87,12 @@ TEST_F(MergeTest, BringsAllSubjectsWithAllTheyDid) {
     EXPECT_EQ(database.answers(subject)[0].record.answer, subject);
     EXPECT_EQ(database.events(subject).size(), 1u);
     EXPECT_EQ(database.consents(subject).size(), 1u);
-    EXPECT_EQ(database.session(subject, 0)->completedTrials, 4);
-    const std::vector<StoredTrial> trials = database.trials(subject);
+    EXPECT_EQ(database.session(subject, 1)->completedTrials, 4);
+    const std::vector<TrialRow> trials = database.trials(subject);
     ASSERT_EQ(trials.size(), 4u);
-    for (const StoredTrial& trial : trials) {
-      EXPECT_EQ(database.frames(trial.id), madeFrames(0, 40, trial.number + saltOf(subject)));
-      EXPECT_EQ(database.inputs(trial.id).size(), madeInputs().size());
+    for (const TrialRow& trial : trials) {
+      EXPECT_EQ(database.frames(trial.trialId), madeFrames(0, 40, trial.trialNumber + saltOf(subject)));
+      EXPECT_EQ(database.inputs(trial.trialId).size(), madeInputs().size());
     }
   }
   SQLite::Database raw(target_.string());
@@ -133,7 +133,7 @@ TEST_F(MergeTest, DoesNothingTheSecondTime) {
 TEST_F(MergeTest, AddsWhatHasComeSince) {
   store("one.db", "A1");
   merge({"one.db"});
-  store("one.db", "A1", 1);
+  store("one.db", "A1", 2);
   store("one.db", "A2");
   const MergeReport report = merge({"one.db"});
   EXPECT_EQ(report.subjects, 1);
@@ -146,8 +146,8 @@ TEST_F(MergeTest, CompletesRunsOfWhichItHasACopyMadeMeanwhile) {
   {
     StudyDatabase database = StudyDatabase::openForSessions(folder_ / "one.db", madeProtocol());
     database.addSubject("A1", SubjectKind::kPerson);
-    const SessionSchedule schedule = madeSchedule(0, 0, 2);
-    TrialStore store(database, madeProtocol(), madeRun("A1", 0), schedule);
+    const SessionSchedule schedule = madeSchedule(0, 1, 2);
+    TrialStore store(database, madeProtocol(), madeRun("A1", 1), schedule);
     store.consent({"Consent", "", "", true, ""});
     store.event({1, "", "note", "same"});
     storeTrial(store, 0, madeTrial(schedule.trials[0], 1, 0), 40, 0);
@@ -167,13 +167,13 @@ TEST_F(MergeTest, CompletesRunsOfWhichItHasACopyMadeMeanwhile) {
     store.sessionEnds(SessionEnding::kAborted, "2026-03-01T13:00:00.000Z");
   }
   merge({"copy.db"});
-  EXPECT_FALSE(StudyDatabase::openForReading(target_).session("A1", 0)->ending);
+  EXPECT_FALSE(StudyDatabase::openForReading(target_).session("A1", 1)->ending);
   const MergeReport report = merge({"one.db"});
   EXPECT_EQ(report.runs, 0);
   EXPECT_EQ(report.runsThatWentOn, 1);
   EXPECT_EQ(report.trials, 1);
   EXPECT_TRUE(contents(target_) == contents(folder_ / "one.db"));
-  EXPECT_EQ(StudyDatabase::openForReading(target_).session("A1", 0)->ending, SessionEnding::kAborted);
+  EXPECT_EQ(StudyDatabase::openForReading(target_).session("A1", 1)->ending, SessionEnding::kAborted);
   EXPECT_EQ(merge({"one.db", "copy.db"}).runsThatWentOn, 0);
   EXPECT_TRUE(contents(target_) == contents(folder_ / "one.db"));
 }
@@ -246,15 +246,15 @@ TEST_F(MergeTest, RefusesIdsThatStandForDifferentPeopleAndListsThem) {
 TEST_F(MergeTest, RefusesCopiesThatWentOnApart) {
   store("one.db", "A1");
   std::filesystem::copy_file(folder_ / "one.db", folder_ / "two.db");
-  store("one.db", "A1", 1);
+  store("one.db", "A1", 2);
   EXPECT_EQ(merge({"one.db", "two.db"}).runs, 2);  // a copy that stood still is no conflict
-  store("two.db", "A1", 1);
+  store("two.db", "A1", 2);
   EXPECT_THAT(messageOf<InputError>([&] { merge({"two.db"}); }), HasSubstr("subjects: A1\n"));
 }
 
 TEST_F(MergeTest, RefusesAnotherProtocolARunningSessionAndItself) {
   store("one.db", "A1");
-  store("other.db", "B1", 0, SubjectKind::kPerson, madeProtocol("other"));
+  store("other.db", "B1", 1, SubjectKind::kPerson, madeProtocol("other"));
   EXPECT_THAT(messageOf<InputError>([&] { merge({"one.db", "other.db"}); }), HasSubstr("another protocol"));
   EXPECT_FALSE(std::filesystem::exists(target_));
   {
@@ -263,7 +263,7 @@ TEST_F(MergeTest, RefusesAnotherProtocolARunningSessionAndItself) {
   }
   EXPECT_THAT(messageOf<InputError>([&] { mergeDatabases(folder_ / "one.db", {folder_ / "one.db"}); }),
               HasSubstr("into itself"));
-  EXPECT_THAT(messageOf<InputError>([&] { merge({"none.db"}); }), HasSubstr("no such database"));
+  EXPECT_THAT(messageOf<InputError>([&] { merge({"none.db"}); }), HasSubstr("there is no such file"));
   merge({"one.db"});
 }
 

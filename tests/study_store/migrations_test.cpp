@@ -14,6 +14,7 @@
 #include "oc_core/base/error.h"
 #include "study/store/study_database.h"
 #include "study/store/trials_schema.h"
+#include "study/trial/trials_file.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/study_store/made_study.h"
 #include "tests/study_store/study_checks.h"
@@ -156,10 +157,10 @@ class Version1 : public testing::Test {
 
 TEST_F(Version1, OpensWithAllItsRows) {
   const StudyDatabase study = StudyDatabase::openForReading(file_);
-  const std::vector<StoredTrial> trials = study.trials();
+  const std::vector<TrialRow> trials = study.trials();
   ASSERT_EQ(trials.size(), 6u);
   EXPECT_EQ(std::count_if(trials.begin(), trials.end(),
-                          [](const StoredTrial& trial) { return trial.record.plan.view == TrialView::kOther; }),
+                          [](const TrialRow& trial) { return trial.view == TrialView::kOther; }),
             3);
   SQLite::Database database(file_.string(), SQLite::OPEN_READONLY);
   EXPECT_EQ(rowsOf(database), before_);

@@ -29,12 +29,12 @@ class ResumeTest : public testing::Test {
   TemporaryFolder folder_;
   Protocol protocol_ = madeProtocol();
   StudyDatabase database_ = StudyDatabase::openForSessions(folder_ / "study.db", protocol_);
-  SessionSchedule schedule_ = madeSchedule(0, 0, 2);
+  SessionSchedule schedule_ = madeSchedule(0, 1, 2);
 };
 
 TEST_F(ResumeTest, BeginsWithTheFirstSession) {
   const SessionToRun first = next();
-  EXPECT_EQ(first.session, 0);
+  EXPECT_EQ(first.session, 1);
   EXPECT_FALSE(first.begunBefore);
   EXPECT_EQ(first.seed, protocol_.seed);
   EXPECT_THAT(first.done.completedTrials, IsEmpty());
@@ -42,7 +42,7 @@ TEST_F(ResumeTest, BeginsWithTheFirstSession) {
 
 TEST_F(ResumeTest, KnowsWhatWasDone) {
   {
-    TrialStore store(database_, protocol_, madeRun("S01", 0), schedule_);
+    TrialStore store(database_, protocol_, madeRun("S01", 1), schedule_);
     store.consent({"Consent", "", "", true, ""});
     store.answer({"demographics", "age_band", "18-24", ""});
     store.answer({"demographics", "vision", "well", ""});
@@ -62,7 +62,7 @@ TEST_F(ResumeTest, KnowsWhatWasDone) {
     store.trialBegins(5, schedule_.trials[3], 1);  // and never ends
   }
   const SessionToRun again = next();
-  EXPECT_EQ(again.session, 0);
+  EXPECT_EQ(again.session, 1);
   EXPECT_TRUE(again.begunBefore);
   EXPECT_EQ(again.seed, schedule_.seed);
   EXPECT_TRUE(again.done.consented);
@@ -74,7 +74,7 @@ TEST_F(ResumeTest, KnowsWhatWasDone) {
 
 TEST_F(ResumeTest, AsksAgainForAFormOfWhichAnAnswerIsMissing) {
   {
-    TrialStore store(database_, protocol_, madeRun("S01", 0), schedule_);
+    TrialStore store(database_, protocol_, madeRun("S01", 1), schedule_);
     store.answer({"demographics", "age_band", "18-24", ""});
   }
   EXPECT_THAT(next().done.forms, IsEmpty());
@@ -82,7 +82,7 @@ TEST_F(ResumeTest, AsksAgainForAFormOfWhichAnAnswerIsMissing) {
 
 TEST_F(ResumeTest, AsksAgainWhoDeclined) {
   {
-    TrialStore store(database_, protocol_, madeRun("S01", 0), schedule_);
+    TrialStore store(database_, protocol_, madeRun("S01", 1), schedule_);
     store.consent({"Consent", "", "", false, ""});
     store.sessionEnds(SessionEnding::kDeclined, kNow);
   }
@@ -92,22 +92,22 @@ TEST_F(ResumeTest, AsksAgainWhoDeclined) {
 
 TEST_F(ResumeTest, WaitsBetweenSessions) {
   {
-    TrialStore store(database_, protocol_, madeRun("S01", 0), schedule_);
+    TrialStore store(database_, protocol_, madeRun("S01", 1), schedule_);
     store.consent({"Consent", "", "", true, ""});
     store.sessionEnds(SessionEnding::kCompleted, "2026-02-28T23:30:00.000Z");
   }
   // The protocol asks for 60 minutes, and midnight and the end of a month lie between.
   EXPECT_THAT(messageOf<InputError>([&] { next("2026-03-01T00:29:59.999Z"); }),
               HasSubstr("ended 59 minutes ago, and the protocol asks for 60"));
-  EXPECT_EQ(next("2026-03-01T00:29:00.000Z", true).session, 1);
+  EXPECT_EQ(next("2026-03-01T00:29:00.000Z", true).session, 2);
   const SessionToRun second = next("2026-03-01T00:30:00.000Z");
-  EXPECT_EQ(second.session, 1);
+  EXPECT_EQ(second.session, 2);
   EXPECT_FALSE(second.begunBefore);
   EXPECT_FALSE(second.done.consented);  // each session has its own
 }
 
 TEST_F(ResumeTest, EndsAfterTheLastSession) {
-  for (int session = 0; session < 2; ++session) {
+  for (int session = 1; session <= 2; ++session) {
     TrialStore store(database_, protocol_, madeRun("S01", session), madeSchedule(0, session, 2));
     store.sessionEnds(SessionEnding::kCompleted, "2026-03-01T10:00:00.000Z");
   }
@@ -119,12 +119,12 @@ TEST_F(ResumeTest, EndsAfterTheLastSession) {
 TEST_F(ResumeTest, StopsWhereTheProtocolSaysSo) {
   protocol_.resume = ResumePolicy::kStop;
   {
-    TrialStore store(database_, protocol_, madeRun("S01", 0), schedule_);
+    TrialStore store(database_, protocol_, madeRun("S01", 1), schedule_);
     store.consent({"Consent", "", "", true, ""});
   }
   EXPECT_TRUE(next().begunBefore);  // no trial began
   {
-    TrialStore store(database_, protocol_, madeRun("S01", 0), schedule_);
+    TrialStore store(database_, protocol_, madeRun("S01", 1), schedule_);
     store.trialBegins(0, schedule_.trials[0], 1);
   }
   EXPECT_THAT(messageOf<InputError>([&] { next(); }), HasSubstr("not resumed"));
@@ -132,18 +132,18 @@ TEST_F(ResumeTest, StopsWhereTheProtocolSaysSo) {
 
 TEST_F(ResumeTest, ShowsTheRunsOfASessionInTheirOrder) {
   for (int run = 0; run < 3; ++run) {
-    TrialStore store(database_, protocol_, madeRun("S01", 0), schedule_);
+    TrialStore store(database_, protocol_, madeRun("S01", 1), schedule_);
     if (run > 0) {
       store.sessionEnds(run == 1 ? SessionEnding::kUnwell : SessionEnding::kCompleted, kNow);
     }
   }
-  const std::vector<StoredRun> runs = database_.runs("S01", 0);
+  const std::vector<StoredRun> runs = database_.runs("S01", 1);
   ASSERT_EQ(runs.size(), 3u);
   EXPECT_EQ(runs[0].ending, std::nullopt);
   EXPECT_EQ(runs[1].ending, SessionEnding::kUnwell);
   EXPECT_EQ(runs[2].ending, SessionEnding::kCompleted);
-  EXPECT_EQ(database_.session("S01", 0)->ending, SessionEnding::kCompleted);
-  EXPECT_EQ(database_.session("S01", 0)->runs, 3);
+  EXPECT_EQ(database_.session("S01", 1)->ending, SessionEnding::kCompleted);
+  EXPECT_EQ(database_.session("S01", 1)->runs, 3);
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ TEST_F(StudyDatabaseTest, RefusesADatabaseOfAnotherProgram) {
 
 TEST_F(StudyDatabaseTest, RefusesFoldersAndFilesThatAreNotThere) {
   EXPECT_THAT(messageOf<InputError>([&] { StudyDatabase::openForReading(folder_.path()); }), HasSubstr("folder"));
-  EXPECT_THAT(messageOf<InputError>([&] { StudyDatabase::openForReading(file_); }), HasSubstr("no such database"));
+  EXPECT_THAT(messageOf<InputError>([&] { StudyDatabase::openForReading(file_); }), HasSubstr("there is no such file"));
   EXPECT_FALSE(std::filesystem::exists(file_));
   EXPECT_THAT(messageOf<WorkError>([&] { StudyDatabase::openForSessions(folder_ / "none/study.db", protocol_); }),
               HasSubstr("folder"));
@@ -255,8 +255,8 @@ TEST_F(StudyDatabaseTest, KeepsRecordedRowsAsTheyAre) {
   {
     StudyDatabase database = open();
     database.addSubject("S01", SubjectKind::kPerson);
-    const SessionSchedule schedule = madeSchedule(0, 0, 1);
-    TrialStore store(database, protocol_, madeRun("S01", 0), schedule);
+    const SessionSchedule schedule = madeSchedule(0, 1, 1);
+    TrialStore store(database, protocol_, madeRun("S01", 1), schedule);
     store.consent({"Consent", "You may stop.", "abc", true, "2026-03-01T12:00:00.500Z"});
     store.answer({"demographics", "age_band", "18-24", "2026-03-01T12:00:00.700Z"});
     store.event({5, "2026-03-01T12:00:00.800Z", "note", "x"});
@@ -283,8 +283,8 @@ TEST_F(StudyDatabaseTest, LetsNoRowContradictTheMarkOfItsSubject) {
   {
     StudyDatabase database = open();
     database.addSubject("S01", SubjectKind::kPerson);
-    const SessionSchedule schedule = madeSchedule(0, 0, 1);
-    TrialStore store(database, protocol_, madeRun("S01", 0), schedule);
+    const SessionSchedule schedule = madeSchedule(0, 1, 1);
+    TrialStore store(database, protocol_, madeRun("S01", 1), schedule);
     storeTrial(store, 0, madeTrial(schedule.trials[0], 1, 4), 3, 4);
   }
   SQLite::Database raw(file_.string(), SQLite::OPEN_READWRITE);

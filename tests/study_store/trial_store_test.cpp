@@ -9,6 +9,7 @@
 #include <chrono>
 #include <thread>
 
+#include "study/session/trial_rows.h"
 #include "study/store/input_columns.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/study_store/made_study.h"
@@ -22,8 +23,8 @@ class TrialStoreTest : public testing::Test {
  protected:
   /// Stores a whole session of `trials` trials a block and returns its schedule.
   SessionSchedule storeSession(StudyDatabase& database, const std::string& subject, SubjectKind kind, int trials) {
-    const SessionSchedule schedule = madeSchedule(database.subject(subject)->slot, 0, trials);
-    TrialStore store(database, protocol_, madeRun(subject, 0, kind), schedule);
+    const SessionSchedule schedule = madeSchedule(database.subject(subject)->slot, 1, trials);
+    TrialStore store(database, protocol_, madeRun(subject, 1, kind), schedule);
     for (const TrialPlan& plan : schedule.trials) {
       storeTrial(store, plan.index, madeTrial(plan, 1, plan.index), 50, plan.index);
     }
@@ -66,8 +67,8 @@ TEST_F(TrialStoreTest, GivesBackWhatASessionStored) {
   {
     StudyDatabase database = StudyDatabase::openForSessions(file_, protocol_);
     EXPECT_EQ(database.addSubject("S01", SubjectKind::kPerson).slot, 0);
-    const SessionSchedule schedule = madeSchedule(0, 0, 2);
-    TrialStore store(database, protocol_, madeRun("S01", 0), schedule);
+    const SessionSchedule schedule = madeSchedule(0, 1, 2);
+    TrialStore store(database, protocol_, madeRun("S01", 1), schedule);
     store.consent({"Consent", "You may stop.", "abc", true, "2026-03-01T12:00:00.500Z"});
     store.answer({"demographics", "age_band", "18-24", "2026-03-01T12:00:00.700Z"});
     store.event({5, "2026-03-01T12:00:00.800Z", "note", "a \"note\", with\nlines"});
@@ -81,29 +82,29 @@ TEST_F(TrialStoreTest, GivesBackWhatASessionStored) {
   ASSERT_EQ(database.subjects().size(), 1u);
   EXPECT_EQ(database.subjects()[0].id, "S01");
 
-  const std::optional<StoredSession> session = database.session("S01", 0);
+  const std::optional<StoredSession> session = database.session("S01", 1);
   ASSERT_TRUE(session);
   EXPECT_EQ(session->seed, 0xfedcba9876543210u);
-  EXPECT_EQ(session->scheduleJson, jsonText(madeSchedule(0, 0, 2), defaultConditions()));
+  EXPECT_EQ(session->scheduleJson, jsonText(madeSchedule(0, 1, 2), defaultConditions()));
   EXPECT_EQ(session->plannedTrials, 4);
   EXPECT_EQ(session->completedTrials, 1);
   EXPECT_EQ(session->ending, SessionEnding::kUnwell);
   EXPECT_EQ(session->endedUtc, "2026-03-01T12:10:00.000Z");
 
-  const std::vector<StoredRun> runs = database.runs("S01", 0);
+  const std::vector<StoredRun> runs = database.runs("S01", 1);
   ASSERT_EQ(runs.size(), 1u);
   EXPECT_EQ(runs[0].record.environment, R"({"clock": "made up"})");
   EXPECT_EQ(runs[0].record.station, "station-1");
   EXPECT_EQ(runs[0].record.simulation, "");
 
-  const std::vector<StoredTrial> trials = database.trials("S01");
+  const std::vector<TrialRow> trials = database.trials("S01");
   ASSERT_EQ(trials.size(), 1u);
-  EXPECT_TRUE(trials[0].ended);
+  EXPECT_TRUE(trials[0].ending);
   EXPECT_EQ(trials[0].block, "find stationary");
-  expectSame(trials[0].record, madeTrial(madeSchedule(0, 0, 2).trials[0], 1, 4));
-  EXPECT_EQ(database.frames(trials[0].id), madeFrames(0, 70, 4));
+  expectSame(recordOf(trials[0]), madeTrial(madeSchedule(0, 1, 2).trials[0], 1, 4));
+  EXPECT_EQ(database.frames(trials[0].trialId), madeFrames(0, 70, 4));
 
-  const std::vector<InputRecord> inputs = database.inputs(trials[0].id);
+  const std::vector<InputRecord> inputs = database.inputs(trials[0].trialId);
   const std::vector<InputRecord> put = madeInputs();
   ASSERT_EQ(inputs.size(), put.size());
   for (size_t i = 0; i < put.size(); ++i) {
@@ -131,13 +132,13 @@ TEST_F(TrialStoreTest, GivesBackWhatASessionStored) {
 TEST_F(TrialStoreTest, AcknowledgesATrialOnceItIsInTheFile) {
   StudyDatabase database = StudyDatabase::openForSessions(file_, protocol_);
   database.addSubject("S01", SubjectKind::kPerson);
-  const SessionSchedule schedule = madeSchedule(0, 0, 1);
+  const SessionSchedule schedule = madeSchedule(0, 1, 1);
   // Nothing but the end of the trial may make it store.
-  TrialStore store(database, protocol_, madeRun("S01", 0), schedule, {3600});
+  TrialStore store(database, protocol_, madeRun("S01", 1), schedule, {3600});
   std::atomic<int> seen{-1};
   storeTrial(store, 0, madeTrial(schedule.trials[0], 1, 1), 90, 1, [&] {
     const StudyDatabase reader = StudyDatabase::openForReading(file_);
-    seen = static_cast<int>(reader.frames(reader.trials("S01").at(0).id).size());
+    seen = static_cast<int>(reader.frames(reader.trials("S01").at(0).trialId).size());
   });
   for (int wait = 0; wait < 1000 && seen < 0; ++wait) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -148,25 +149,25 @@ TEST_F(TrialStoreTest, AcknowledgesATrialOnceItIsInTheFile) {
 TEST_F(TrialStoreTest, KeepsWhatWasSeenOfATrialThatNeverEnds) {
   StudyDatabase database = StudyDatabase::openForSessions(file_, protocol_);
   database.addSubject("S01", SubjectKind::kPerson);
-  const SessionSchedule schedule = madeSchedule(0, 0, 1);
-  TrialStore store(database, protocol_, madeRun("S01", 0), schedule, {0.01});
+  const SessionSchedule schedule = madeSchedule(0, 1, 1);
+  TrialStore store(database, protocol_, madeRun("S01", 1), schedule, {0.01});
   store.trialBegins(0, schedule.trials[0], 1);
   store.frames(0, madeFrames(0, 30, 1));
   size_t frames = 0;
   for (int wait = 0; wait < 1000 && frames == 0; ++wait) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    const std::vector<StoredTrial> trials = database.trials("S01");
-    frames = trials.empty() ? 0 : database.frames(trials[0].id).size();
+    const std::vector<TrialRow> trials = database.trials("S01");
+    frames = trials.empty() ? 0 : database.frames(trials[0].trialId).size();
   }
   EXPECT_EQ(frames, 30u);
-  EXPECT_FALSE(database.trials("S01").at(0).ended);
+  EXPECT_FALSE(database.trials("S01").at(0).ending);
 }
 
 TEST_F(TrialStoreTest, GoesOnAfterARecordThatContradictsOthers) {
   StudyDatabase database = StudyDatabase::openForSessions(file_, protocol_);
   database.addSubject("S01", SubjectKind::kPerson);
-  const SessionSchedule schedule = madeSchedule(0, 0, 1);
-  TrialStore store(database, protocol_, madeRun("S01", 0), schedule);
+  const SessionSchedule schedule = madeSchedule(0, 1, 1);
+  TrialStore store(database, protocol_, madeRun("S01", 1), schedule);
   std::atomic<int> acknowledged{0};
   store.trialBegins(0, schedule.trials[0], 1);
   store.frames(0, madeFrames(0, 30, 1));
@@ -177,10 +178,10 @@ TEST_F(TrialStoreTest, GoesOnAfterARecordThatContradictsOthers) {
   store.flush();
   EXPECT_EQ(acknowledged, 2);
   EXPECT_THAT(store.failure().value_or(""), HasSubstr("a record cannot be stored"));
-  const std::vector<StoredTrial> trials = database.trials("S01");
+  const std::vector<TrialRow> trials = database.trials("S01");
   ASSERT_EQ(trials.size(), 2u);
-  EXPECT_EQ(database.frames(trials[0].id).size(), 60u);
-  EXPECT_EQ(database.frames(trials[1].id).size(), 20u);
+  EXPECT_EQ(database.frames(trials[0].trialId).size(), 60u);
+  EXPECT_EQ(database.frames(trials[1].trialId).size(), 20u);
   ASSERT_EQ(database.events("S01").size(), 1u);
   EXPECT_EQ(database.events("S01")[0].record.what, "record_refused");
 }
@@ -188,8 +189,8 @@ TEST_F(TrialStoreTest, GoesOnAfterARecordThatContradictsOthers) {
 TEST_F(TrialStoreTest, GoesOnAfterATrialThatCannotBegin) {
   StudyDatabase database = StudyDatabase::openForSessions(file_, protocol_);
   database.addSubject("S01", SubjectKind::kPerson);
-  const SessionSchedule schedule = madeSchedule(0, 0, 1);
-  TrialStore store(database, protocol_, madeRun("S01", 0), schedule);
+  const SessionSchedule schedule = madeSchedule(0, 1, 1);
+  TrialStore store(database, protocol_, madeRun("S01", 1), schedule);
   std::atomic<int> acknowledged{0};
   TrialRecord broken = madeTrial(schedule.trials[0], 0, 1);  // attempts count from 1
   storeTrial(store, 0, broken, 20, 1, [&] { ++acknowledged; });
@@ -197,9 +198,9 @@ TEST_F(TrialStoreTest, GoesOnAfterATrialThatCannotBegin) {
   store.flush();
   EXPECT_EQ(acknowledged, 1);
   EXPECT_THAT(store.failure().value_or(""), HasSubstr("a record cannot be stored"));
-  const std::vector<StoredTrial> trials = database.trials("S01");
+  const std::vector<TrialRow> trials = database.trials("S01");
   ASSERT_EQ(trials.size(), 1u);
-  EXPECT_EQ(database.frames(trials[0].id).size(), 20u);
+  EXPECT_EQ(database.frames(trials[0].trialId).size(), 20u);
   ASSERT_EQ(database.events("S01").size(), 2u);  // its beginning and its end
   EXPECT_THAT(database.events("S01")[1].record.detail, HasSubstr("whose beginning was not stored"));
 }
@@ -207,8 +208,8 @@ TEST_F(TrialStoreTest, GoesOnAfterATrialThatCannotBegin) {
 TEST_F(TrialStoreTest, GivesUpWhereNotEvenTheRefusalCanBeStored) {
   StudyDatabase database = StudyDatabase::openForSessions(file_, protocol_);
   database.addSubject("S01", SubjectKind::kPerson);
-  const SessionSchedule schedule = madeSchedule(0, 0, 1);
-  TrialStore store(database, protocol_, madeRun("S01", 0), schedule);
+  const SessionSchedule schedule = madeSchedule(0, 1, 1);
+  TrialStore store(database, protocol_, madeRun("S01", 1), schedule);
   {
     SQLite::Database raw(file_.string(), SQLite::OPEN_READWRITE);
     raw.exec("UPDATE withdrawal SET subject_id = 'S01'; DELETE FROM run; UPDATE withdrawal SET subject_id = NULL");
@@ -223,12 +224,12 @@ TEST_F(TrialStoreTest, GivesUpWhereNotEvenTheRefusalCanBeStored) {
 TEST_F(TrialStoreTest, EndsARunOnce) {
   StudyDatabase database = StudyDatabase::openForSessions(file_, protocol_);
   database.addSubject("S01", SubjectKind::kPerson);
-  TrialStore store(database, protocol_, madeRun("S01", 0), madeSchedule(0, 0, 1));
+  TrialStore store(database, protocol_, madeRun("S01", 1), madeSchedule(0, 1, 1));
   store.sessionEnds(SessionEnding::kUnwell, "2026-03-01T12:10:00.000Z");
   store.sessionEnds(SessionEnding::kFailed, "2026-03-01T12:11:00.000Z");
   store.flush();
   EXPECT_EQ(store.failure(), std::nullopt);
-  EXPECT_EQ(database.session("S01", 0)->ending, SessionEnding::kUnwell);
+  EXPECT_EQ(database.session("S01", 1)->ending, SessionEnding::kUnwell);
 }
 
 TEST_F(TrialStoreTest, MarksEveryRowOfSimulatedSubjects) {

@@ -70,8 +70,8 @@ class WithdrawTest : public testing::Test {
 
   void storeSession(StudyDatabase& database, const std::string& subject) {
     database.addSubject(subject, SubjectKind::kPerson);
-    const SessionSchedule schedule = madeSchedule(0, 0, 3);
-    TrialStore store(database, protocol_, madeRun(subject, 0), schedule);
+    const SessionSchedule schedule = madeSchedule(0, 1, 3);
+    TrialStore store(database, protocol_, madeRun(subject, 1), schedule);
     const bool isThem = subject == kWho;
     store.answer({"demographics", "age_band", isThem ? kAnswer : "18-24", ""});
     store.event({1, "", "note", isThem ? kNote : "fine"});
@@ -129,10 +129,10 @@ TEST_F(WithdrawTest, LeavesNoByteInAnyFile) {
   const StudyDatabase database = StudyDatabase::openForReading(file_);
   EXPECT_EQ(database.subjects().size(), 2u);
   for (const char* other : {"S01", "S03"}) {
-    const std::vector<StoredTrial> trials = database.trials(other);
+    const std::vector<TrialRow> trials = database.trials(other);
     ASSERT_EQ(trials.size(), 6u);
-    for (const StoredTrial& trial : trials) {
-      EXPECT_EQ(database.frames(trial.id), madeFrames(0, 300, trial.number));
+    for (const TrialRow& trial : trials) {
+      EXPECT_EQ(database.frames(trial.trialId), madeFrames(0, 300, trial.trialNumber));
     }
   }
   ASSERT_EQ(database.audit().size(), 2u);
@@ -150,8 +150,8 @@ TEST_F(WithdrawTest, LeavesNoByteInTheLogOfAProgramThatWasKilled) {
   {
     StudyDatabase database = StudyDatabase::openForSessions(file_, protocol_);
     {
-      const SessionSchedule schedule = madeSchedule(0, 1, 1);
-      TrialStore store(database, protocol_, madeRun(kWho, 1), schedule);
+      const SessionSchedule schedule = madeSchedule(0, 2, 1);
+      TrialStore store(database, protocol_, madeRun(kWho, 2), schedule);
       store.event({1, "", "note", kNote});
       storeTrial(store, 0, madeTrial(schedule.trials[0], 1, 0), 30, 0);
     }
@@ -269,7 +269,7 @@ TEST_F(WithdrawTest, TakesTheLineOfTheIdentityKeyOut) {
 TEST_F(WithdrawTest, CountsNotesAboutOthersThatHoldTheId) {
   {
     StudyDatabase database = StudyDatabase::openForSessions(file_, protocol_);
-    TrialStore store(database, protocol_, madeRun("S01", 1), madeSchedule(0, 1, 1));
+    TrialStore store(database, protocol_, madeRun("S01", 2), madeSchedule(0, 2, 1));
     store.event({1, "", "note", std::string("came with ") + kWho});
     store.event({1, "", "note", std::string("came with ") + kWho + "0"});
   }

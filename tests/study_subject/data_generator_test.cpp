@@ -44,7 +44,7 @@ std::vector<TrialRecord> generate(const GeneratorEffects& effects, int subjects)
   const Protocol protocol = protocolOfAllTasks();
   std::vector<TrialRecord> records;
   for (int i = 0; i < subjects; ++i) {
-    for (int session = 0; session < 2; ++session) {
+    for (int session = 1; session <= 2; ++session) {
       const SessionSchedule schedule = scheduleOf(protocol, i, session, 1);
       test::FakeSink sink;
       generateSession(protocol, {schedule, effects, 1, static_cast<uint64_t>(i) + 100}, sink);
@@ -254,7 +254,7 @@ TEST(DataGenerator, everyTaskHasRightAndWrongOutcomes) {
       const bool isHigh = (kind.outcome == OutcomeKind::kAnswer) == isGood;
       effects.at(kind.name, kind.generator.effects.front().name) = isHigh ? 20 : -20;
     }
-    const SessionSchedule schedule = scheduleOf(protocol, 0, 0, 1);
+    const SessionSchedule schedule = scheduleOf(protocol, 0, 1, 1);
     test::FakeSink sink;
     generateSession(protocol, {schedule, effects, 1, 1}, sink);
     for (const test::TrialEnds& end : sink.all<test::TrialEnds>()) {
@@ -272,7 +272,7 @@ TEST(DataGenerator, everyTaskHasRightAndWrongOutcomes) {
 TEST(DataGenerator, aTaskThatIsUnknownIsAnError) {
   Protocol protocol = protocolOfAllTasks();
   protocol.blocks[1].taskName = "search";
-  const SessionSchedule schedule = scheduleOf(protocol, 0, 0, 1);
+  const SessionSchedule schedule = scheduleOf(protocol, 0, 1, 1);
   test::FakeSink sink;
   EXPECT_THROW(generateSession(protocol, {schedule}, sink), InputError);
 }

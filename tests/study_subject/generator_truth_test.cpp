@@ -46,7 +46,7 @@ TEST(GeneratorTruth, SharesAreThoseOfManySubjectsAndCases) {
   std::array<double, 2> trials{};
   constexpr uint64_t kStudies = 3000;  // cases are new in each
   for (uint64_t study = 0; study < kStudies; ++study) {
-    for (int session = 0; session < 2; ++session) {
+    for (int session = 1; session <= 2; ++session) {
       const SessionSchedule schedule = scheduleOf(protocol, static_cast<int>(study % 8), session, study);
       test::FakeSink sink;
       generateSession(protocol, {schedule, effects, study, study + 7}, sink);

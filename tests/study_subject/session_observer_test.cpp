@@ -25,12 +25,12 @@ FakeSink simulate(const Protocol& protocol, int session, SessionObserver& observ
 TEST(SessionObserver, goesThroughWholeSessionsOfAllTasks) {
   const Protocol protocol = test::simulatedProtocol();
   SessionObserver observer(protocol, {test::kSmallScreen}, 5);
-  const FakeSink sink = simulate(protocol, 0, observer);
+  const FakeSink sink = simulate(protocol, 1, observer);
   std::set<std::string> tasks;
   size_t completed = 0;
   for (const test::TrialEnds& end : sink.all<test::TrialEnds>()) {
     EXPECT_EQ(end.record.ending, TrialEnding::kCompleted);
-    EXPECT_EQ(end.record.timing.verdict, "simulated_clock");
+    EXPECT_EQ(end.record.timing.verdict, TimingVerdict::kSimulatedClock);
     EXPECT_EQ(end.record.startedUtc.substr(0, 10), "2000-01-03");
     tasks.insert(end.record.plan.task);
     completed += end.record.plan.practice ? 0 : 1;
@@ -38,7 +38,7 @@ TEST(SessionObserver, goesThroughWholeSessionsOfAllTasks) {
     EXPECT_TRUE(end.record.plan.task == "find" || !end.record.outcome.censored);
   }
   EXPECT_THAT(tasks, testing::ElementsAre("count", "find", "path"));
-  EXPECT_EQ(completed, scheduleOf(protocol, 0, 0, 3).trials.size());
+  EXPECT_EQ(completed, scheduleOf(protocol, 0, 1, 3).trials.size());
   ASSERT_EQ(sink.all<ConsentRecord>().size(), 1u);
   EXPECT_TRUE(sink.all<ConsentRecord>()[0].agreed);
   ASSERT_EQ(sink.all<AnswerRecord>().size(), 1u);
@@ -46,7 +46,7 @@ TEST(SessionObserver, goesThroughWholeSessionsOfAllTasks) {
   ASSERT_EQ(sink.all<test::SessionEnds>().size(), 1u);
 
   // The survey comes after the last session.
-  const FakeSink second = simulate(protocol, 1, observer);
+  const FakeSink second = simulate(protocol, 2, observer);
   ASSERT_EQ(second.all<AnswerRecord>().size(), 1u);
   EXPECT_EQ(second.all<AnswerRecord>()[0].form, "survey");
 }
@@ -58,7 +58,7 @@ TEST(SessionObserver, aTaskThatIsUnknownIsAnError) {
   }
   SessionObserver observer(protocol, {test::kSmallScreen}, 5);
   FakeSink sink;
-  const SessionSchedule schedule = scheduleOf(protocol, 0, 0, 3);
+  const SessionSchedule schedule = scheduleOf(protocol, 0, 1, 3);
   EXPECT_THROW(simulateSession(protocol, {schedule, test::kSmallScreen}, observer, sink), InputError);
 }
 
@@ -67,7 +67,7 @@ TEST(SessionObserver, doesTheSameForTheSameSeed) {
   const auto outcomes = [&](uint64_t seed) {
     SessionObserver observer(protocol, {test::kSmallScreen}, seed);
     std::vector<std::pair<std::string, int64_t>> all;
-    for (const test::TrialEnds& end : simulate(protocol, 0, observer).all<test::TrialEnds>()) {
+    for (const test::TrialEnds& end : simulate(protocol, 1, observer).all<test::TrialEnds>()) {
       all.emplace_back(end.record.outcome.answer, end.record.outcome.responseTicks);
     }
     return all;
@@ -83,7 +83,7 @@ TEST(SessionObserver, onABlackScreenFindsNothingAndIsNotRightMoreOftenThanByChan
     return std::visit([](const auto& each) { return FragmentImage(each.width(), each.height()); }, camera);
   };
   SessionObserver observer(protocol, {test::kSmallScreen, black}, 5);
-  for (const test::TrialEnds& end : simulate(protocol, 0, observer).all<test::TrialEnds>()) {
+  for (const test::TrialEnds& end : simulate(protocol, 1, observer).all<test::TrialEnds>()) {
     if (end.record.plan.task == "find") {
       EXPECT_TRUE(end.record.outcome.censored);
     } else if (end.record.plan.task == "count") {
@@ -95,7 +95,7 @@ TEST(SessionObserver, onABlackScreenFindsNothingAndIsNotRightMoreOftenThanByChan
 TEST(SessionObserver, hashesTheImagesThatItLooksAt) {
   const Protocol protocol = test::simulatedProtocol(false);
   SessionObserver observer(protocol, {test::kSmallScreen, rasterizeStudy, true}, 5);
-  const FakeSink sink = simulate(protocol, 0, observer);
+  const FakeSink sink = simulate(protocol, 1, observer);
   size_t hashed = 0;
   size_t frames = 0;
   for (const test::TrialFrames& part : sink.all<test::TrialFrames>()) {

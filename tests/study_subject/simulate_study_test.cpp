@@ -18,15 +18,14 @@ std::vector<std::string> storyOf(const std::filesystem::path& path) {
   std::vector<std::string> story;
   for (const StoredSubject& subject : database.subjects()) {
     story.push_back(subject.id + " " + nameOf(subject.kind) + " " + std::to_string(subject.slot));
-    for (const StoredTrial& trial : database.trials(subject.id)) {
-      std::string line = subject.id + " " + std::to_string(trial.session) + " " + trial.block + " " +
-                         trial.record.info.label + " " + std::to_string(trial.record.attempt) + " " +
-                         trial.record.startedUtc + " " + trial.record.outcome.answer + " " +
-                         std::to_string(trial.record.outcome.responseTicks);
-      for (const FrameRecord& frame : database.frames(trial.id)) {
+    for (const TrialRow& trial : database.trials(subject.id)) {
+      std::string line = subject.id + " " + std::to_string(trial.session) + " " + trial.block + " " + trial.caseLabel +
+                         " " + std::to_string(trial.attempt) + " " + trial.startedUtc + " " + trial.answer + " " +
+                         std::to_string(trial.responseTicks.value_or(0));
+      for (const FrameRecord& frame : database.frames(trial.trialId)) {
         line += " " + std::to_string(frame.pose.x) + "," + std::to_string(frame.shownNanoseconds);
       }
-      line += " " + std::to_string(database.inputs(trial.id).size());
+      line += " " + std::to_string(database.inputs(trial.trialId).size());
       story.push_back(line);
     }
     for (const StoredAnswer& answer : database.answers(subject.id)) {
@@ -74,18 +73,18 @@ TEST_F(SimulateStudy, goesOnWhereItStoppedAsIfItHadNot) {
   EXPECT_THROW(simulateStudy(protocol, file("parts.db"), failing), WorkError);
   {
     const StudyDatabase database = StudyDatabase::openForReading(file("parts.db"));
-    ASSERT_TRUE(database.session("sim-0001", 0).has_value());
-    EXPECT_GT(database.session("sim-0001", 0)->completedTrials, 0);
-    EXPECT_LT(database.session("sim-0001", 0)->completedTrials, database.session("sim-0001", 0)->plannedTrials);
+    ASSERT_TRUE(database.session("sim-0001", 1).has_value());
+    EXPECT_GT(database.session("sim-0001", 1)->completedTrials, 0);
+    EXPECT_LT(database.session("sim-0001", 1)->completedTrials, database.session("sim-0001", 1)->plannedTrials);
   }
   EXPECT_EQ(simulateStudy(protocol, file("parts.db"), test::observers(1, 2)).sessions, 2);
   const auto completed = [&](const std::string& name) {
     const StudyDatabase database = StudyDatabase::openForReading(file(name));
     std::vector<std::tuple<int, int, std::string, int64_t, size_t>> all;
-    for (const StoredTrial& trial : database.trials()) {
-      if (trial.ended && trial.record.ending == TrialEnding::kCompleted) {
-        all.emplace_back(trial.session, trial.record.plan.index, trial.record.outcome.answer,
-                         trial.record.outcome.responseTicks, database.frames(trial.id).size());
+    for (const TrialRow& trial : database.trials()) {
+      if (trial.ending == TrialEnding::kCompleted) {
+        all.emplace_back(trial.session, trial.planIndex, trial.answer, trial.responseTicks.value_or(0),
+                         database.frames(trial.trialId).size());
       }
     }
     return all;
@@ -109,11 +108,11 @@ TEST_F(SimulateStudy, generatesMarkedData) {
   EXPECT_EQ(simulateStudy(protocol, file("known.db"), plan).sessions, 24);
   const StudyDatabase database = StudyDatabase::openForReading(file("known.db"));
   EXPECT_EQ(database.subjects().size(), 12u);
-  for (const StoredTrial& trial : database.trials()) {
-    EXPECT_EQ(trial.kind, SubjectKind::kGenerator);
-    EXPECT_EQ(trial.record.timing.verdict, "simulated_clock");
+  for (const TrialRow& trial : database.trials()) {
+    EXPECT_EQ(trial.subjectKind, SubjectKind::kGenerator);
+    EXPECT_EQ(trial.timingVerdict, TimingVerdict::kSimulatedClock);
   }
-  EXPECT_THAT(database.runs("sim-0001", 0).at(0).record.simulation, testing::HasSubstr("residual_sd"));
+  EXPECT_THAT(database.runs("sim-0001", 1).at(0).record.simulation, testing::HasSubstr("residual_sd"));
 }
 
 TEST_F(SimulateStudy, refusesToMix) {

@@ -102,7 +102,7 @@ TEST(CountTask, isAnsweredByDigitArrowsOrClick) {
   EXPECT_EQ(digit->outcome()->expected, "6");
   EXPECT_FALSE(digit->outcome()->correct);
   EXPECT_FALSE(digit->outcome()->censored);
-  EXPECT_EQ(digit->outcome()->measures, (std::vector<std::pair<std::string, double>>{{"count_error", -1}}));
+  EXPECT_EQ(digit->outcome()->measures, (std::map<std::string, double>{{"count_error", -1}}));
 
   const auto arrows = hidden(*of);
   arrows->handle(press(Key::kEnter));  // nothing is marked

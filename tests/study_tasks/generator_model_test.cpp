@@ -31,7 +31,7 @@ TEST(GeneratorModel, HasALevelFirstAndWhatAllModelsHave) {
 
 TEST(GeneratorModel, CovariatesAreOfTheTrial) {
   GeneratedTrial trial;
-  trial.session = 2;
+  trial.session = 3;
   EXPECT_EQ(levelCovariate(trial), 1);
   EXPECT_EQ(graphCovariate(trial), 0);
   EXPECT_EQ(sessionCovariate(trial), 2);

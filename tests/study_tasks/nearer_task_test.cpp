@@ -49,9 +49,9 @@ TEST(NearerTask, TheArrowsAnswerAtOnce) {
     EXPECT_EQ(run->outcome()->responseTicks, 480);
     // 6 m and 12 m to the east, 0.75 m to the sides.
     ASSERT_EQ(run->outcome()->measures.size(), 2u);
-    EXPECT_EQ(run->outcome()->measures[0].first, "left_distance_m");
-    EXPECT_NEAR(run->outcome()->measures[0].second, std::hypot(6, 0.75), 1e-5);  // places are of single precision
-    EXPECT_NEAR(run->outcome()->measures[1].second, std::hypot(12, 0.75), 1e-5);
+    EXPECT_NEAR(run->outcome()->measures.at("left_distance_m"), std::hypot(6, 0.75),
+                1e-5);  // places are of single precision
+    EXPECT_NEAR(run->outcome()->measures.at("right_distance_m"), std::hypot(12, 0.75), 1e-5);
   }
 }
 

@@ -1,6 +1,8 @@
-#include "analysis/dataset/trial_check.h"
+#include "study/trial/trial_check.h"
 
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace ocelli {
 namespace {
@@ -29,7 +31,13 @@ std::string problemOfName(const std::string& name) {
              : fmt::format("has {} bytes, but a name has at most {}", name.size(), kLongestName);
 }
 
-std::optional<TrialProblem> problemOf(const Trial& trial) {
+std::optional<TrialProblem> problemOf(const TrialRow& trial) {
+  for (const auto& [column, name] : {std::pair("subject_id", &trial.subject), std::pair("block", &trial.block),
+                                     std::pair("task", &trial.task), std::pair("case_label", &trial.caseLabel)}) {
+    if (std::string problem = problemOfName(*name); !problem.empty()) {
+      return TrialProblem{column, std::move(problem)};
+    }
+  }
   using Frames = std::optional<int64_t>;
   for (const auto& problem : {outside("response_s", trial.responseSeconds, 0.0, kMaxSeconds),
                               outside("exposure_s", trial.exposureSeconds, 0.0, kMaxSeconds),
@@ -48,7 +56,7 @@ std::optional<TrialProblem> problemOf(const Trial& trial) {
   return std::nullopt;
 }
 
-std::string contradictionOf(const Trial& trial, std::optional<double> limitSeconds) {
+std::string contradictionOf(const TrialRow& trial, std::optional<double> limitSeconds) {
   const std::optional<double> limit = trial.longestSeconds ? trial.longestSeconds : limitSeconds;
   if (!limit || !trial.responseSeconds || trial.censored.value_or(false) ||
       *trial.responseSeconds <= *limit + kRoundingSeconds) {

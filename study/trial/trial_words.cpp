@@ -1,4 +1,4 @@
-#include "study/session/records.h"
+#include "study/trial/trial_words.h"
 
 namespace ocelli {
 
@@ -12,15 +12,6 @@ const char* nameOf(SubjectKind kind) {
       return "simulated_observer";
   }
   return "";
-}
-
-std::optional<SubjectKind> subjectKindFromName(std::string_view name) {
-  for (const SubjectKind kind : {SubjectKind::kPerson, SubjectKind::kGenerator, SubjectKind::kObserver}) {
-    if (nameOf(kind) == name) {
-      return kind;
-    }
-  }
-  return std::nullopt;
 }
 
 const char* nameOf(TrialEnding ending) {
@@ -47,6 +38,22 @@ const char* nameOf(SessionEnding ending) {
       return "declined";
     case SessionEnding::kFailed:
       return "failed";
+  }
+  return "";
+}
+
+const char* nameOf(TimingVerdict verdict) {
+  switch (verdict) {
+    case TimingVerdict::kGood:
+      return "good";
+    case TimingVerdict::kDroppedFrames:
+      return "dropped_frames";
+    case TimingVerdict::kEarlyFrames:
+      return "early_frames";
+    case TimingVerdict::kUnstableRefresh:
+      return "unstable_refresh";
+    case TimingVerdict::kSimulatedClock:
+      return "simulated_clock";
   }
   return "";
 }

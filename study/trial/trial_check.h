@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "analysis/dataset/trial.h"
+#include "study/trial/trial_row.h"
 
 namespace ocelli {
 
@@ -19,10 +19,10 @@ struct TrialProblem {
 std::string problemOfName(const std::string& name);
 
 /// The first one; nothing where there is none.
-std::optional<TrialProblem> problemOf(const Trial& trial);
+std::optional<TrialProblem> problemOf(const TrialRow& trial);
 
 /// What the columns of a trial say against each other, each of them possible by itself: that it took longer than its
 /// limit (of its row, or else `limitSeconds` of its block), but its time did not run out. A whole clause, or empty.
-std::string contradictionOf(const Trial& trial, std::optional<double> limitSeconds);
+std::string contradictionOf(const TrialRow& trial, std::optional<double> limitSeconds);
 
 }  // namespace ocelli
