@@ -116,11 +116,11 @@ void generateSession(const Protocol& protocol, const GeneratedSession& session, 
   RandomDraws draws(protocol, session);
   int64_t now = 0;
   const auto utc = [&] { return simulatedUtc(number, now); };
-  if (number == 0 && protocol.consent) {
+  if (number == 1 && protocol.consent) {
     const std::string text = joined(protocol.consent->paragraphs);
     sink.consent({protocol.consent->title, text, sha256(text), true, utc()});
   }
-  if (number == 0 && protocol.demographics) {
+  if (number == 1 && protocol.demographics) {
     answerForm(protocol, *protocol.demographics, utc(), random, sink);
   }
   int begun = 0;

@@ -269,6 +269,26 @@ TEST(DataGenerator, everyTaskHasRightAndWrongOutcomes) {
   }
 }
 
+TEST(DataGenerator, formsComeInTheSessionsThatThePersonWouldFillThemIn) {
+  Protocol protocol = protocolOfAllTasks();
+  protocol.consent = ProtocolPage{"Taking part", {"Go on if you agree."}};
+  protocol.demographics = ProtocolForm{"demographics", "About you", "", {{"age", "How old are you?", {"20", "30"}}}};
+  protocol.survey = ProtocolForm{"survey", "Survey", "", {{"easier", "Which was easier?", {"1", "2"}}}};
+  const auto asked = [&](int session) {
+    test::FakeSink sink;
+    generateSession(protocol, {scheduleOf(protocol, 0, session, 1), {}, 1, 1}, sink);
+    std::string forms = sink.all<ConsentRecord>().empty() ? "" : "consent ";
+    for (const AnswerRecord& answer : sink.all<AnswerRecord>()) {
+      forms += answer.form + " ";
+    }
+    return forms;
+  };
+  EXPECT_EQ(asked(1), "consent demographics ");
+  EXPECT_EQ(asked(2), "survey ");
+  protocol.surveyAfterLastSessionOnly = false;
+  EXPECT_EQ(asked(1), "consent demographics survey ");
+}
+
 TEST(DataGenerator, aTaskThatIsUnknownIsAnError) {
   Protocol protocol = protocolOfAllTasks();
   protocol.blocks[1].taskName = "search";
