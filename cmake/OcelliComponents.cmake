@@ -11,6 +11,7 @@ endmacro()
 
 set(OCELLI_COMPONENTS "")
 ocelli_component(foundation oc_core/base)
+ocelli_component(mazes     oc_core/maze)
 ocelli_component(pages     oc_core/page oc_core/drawing)
 ocelli_component(core      oc_core)
 ocelli_component(import    oc_core/scene/import)

@@ -8,6 +8,7 @@
 
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/measures/pose_reader.h"
+#include "analysis/measures/protocol_floor.h"
 
 namespace ocelli {
 namespace {
@@ -25,7 +26,7 @@ struct SourceMazes {
 SourceMazes mazesOf(const DataSource& source) {
   SourceMazes mazes{protocolFacts(source.protocolText, fmt::format("{}, protocol", source.path)), {}};
   for (const ProtocolMaze& maze : mazes.facts.mazes) {
-    mazes.floors.emplace(maze.name, MazeFloor(maze));
+    mazes.floors.emplace(maze.name, floorOf(maze));
   }
   return mazes;
 }
@@ -37,8 +38,7 @@ Number ratio(double walked, const Number& shortest, const char* whyNot) {
   return *shortest > 0 ? Number(walked / *shortest) : Number::impossible(whyNot);
 }
 
-Number shortestBetween(const MazeFloor& floor, const std::optional<FloorCell>& from,
-                       const std::optional<FloorCell>& to) {
+Number shortestBetween(const MazeFloor& floor, const std::optional<MazeCell>& from, const std::optional<MazeCell>& to) {
   if (!from || !to) {
     return Number::impossible("the log leaves the maze");
   }
@@ -136,8 +136,8 @@ SearchNavigation Navigation::measured(const Trial& trial, const std::vector<Pose
     return unknown("the protocol does not tell where the object stands");
   }
   const ProtocolCase& place = block.cases[caseIndex];
-  const FloorCell cell{*place.row, *place.column};
-  if (!floor.contains(cell)) {
+  const MazeCell cell{*place.row, *place.column};
+  if (!floor.plan().contains(cell)) {
     return unknown("the object stands outside of the maze");
   }
   SearchNavigation search = unknown("the object never came into straight sight");
@@ -145,7 +145,7 @@ SearchNavigation Navigation::measured(const Trial& trial, const std::vector<Pose
   search.shortestToObjectMeters = shortestBetween(floor, first, cell);
   search.walkedOverWayToObject =
       ratio(walk.pathMeters, search.shortestToObjectMeters, "the object stands in the cell where the search began");
-  const TargetObject object{floor.pointOf(cell, place.east, place.south), kObjectRadius * floor.cellSize()};
+  const TargetObject object{floor.grid().pointOf(cell, place.east, place.south), kObjectRadius * floor.grid().cellSize};
   if (const auto seen = firstInSight(floor, poses, object, block.fovHorizontalDegrees)) {
     search.travelSeconds = *seen;
     if (trial.censored.value_or(true) || !trial.responseSeconds) {
@@ -169,15 +169,15 @@ void Navigation::addHeat(const Trial& trial, const std::string& maze, const Maze
     map.maze = maze;
     map.view = trial.view;
     map.moving = moving;
-    map.rows = floor.rows();
-    map.columns = floor.columns();
+    map.rows = floor.plan().rows();
+    map.columns = floor.plan().columns();
     map.seconds.assign(static_cast<size_t>(map.rows) * static_cast<size_t>(map.columns), 0);
   }
   ++map.trials;
   for (size_t i = 1; i < poses.size(); ++i) {
     const double seconds = static_cast<double>(poses[i].tick - poses[i - 1].tick) / kPoseTicksPerSecond;
     if (const auto cell = floor.cellAt({poses[i - 1].x, poses[i - 1].z})) {
-      map.seconds[floor.indexOf(*cell)] += seconds;
+      map.seconds[floor.plan().indexOf(*cell)] += seconds;
     } else {
       map.secondsOutside += seconds;
     }

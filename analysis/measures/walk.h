@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "analysis/measures/maze_floor.h"
+#include "oc_core/maze/maze_floor.h"
 
 namespace ocelli {
 

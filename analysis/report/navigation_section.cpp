@@ -6,6 +6,7 @@
 
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/measures/navigation.h"
+#include "analysis/measures/protocol_floor.h"
 #include "analysis/plot/figure_grid.h"
 #include "analysis/plot/heat_map.h"
 #include "analysis/report/navigation_tables.h"
@@ -52,16 +53,16 @@ void addFigure(ReportWork& work, const std::vector<NavigationGroup>& groups) {
 }
 
 /// Where the objects of the blocks with that maze are, or set out from.
-std::vector<HeatMap::Mark> objectMarks(const ProtocolFacts& facts, const std::string& task, const ProtocolMaze& maze,
-                                       bool moving) {
+std::vector<HeatMap::Mark> objectMarks(const ProtocolFacts& facts, const std::string& task, const std::string& maze,
+                                       const MazeGrid& grid, bool moving) {
   std::vector<HeatMap::Mark> marks;
   for (const ProtocolBlockFacts& block : facts.blocks) {
-    if (block.task == task && block.maze == maze.name && block.moving == moving) {
+    if (block.task == task && block.maze == maze && block.moving == moving) {
       for (size_t i = 0; i < block.cases.size(); ++i) {
         const ProtocolCase& place = block.cases[i];
         if (place.row && place.column) {
-          marks.push_back({(*place.column + 0.5 + place.east) * maze.cellSize,
-                           (*place.row + 0.5 + place.south) * maze.cellSize, std::to_string(i + 1)});
+          const FloorPoint at = grid.pointOf({*place.row, *place.column}, place.east, place.south);
+          marks.push_back({at.x, at.z, std::to_string(i + 1)});
         }
       }
     }
@@ -91,21 +92,24 @@ void addHeatMaps(ReportWork& work, const ReportTask& task, const std::vector<Maz
     const MazeHeatMap& map = maps[first];
     const DataSource& source = work.analysis.data.sources[static_cast<size_t>(map.source)];
     const ProtocolFacts facts = protocolFacts(source.protocolText, source.path);
-    const ProtocolMaze& maze = *facts.findMaze(map.maze);
+    const MazeFloor floor = floorOf(*facts.findMaze(map.maze));
+    const double cellSize = floor.grid().cellSize;
     HeatMap heat;
     heat.title = fmt::format("Where subjects were, {} objects", map.moving ? "moving" : "stationary");
     heat.valueLabel = "Share of the time of all searches with that view";
     heat.percent = true;
     heat.rootScale = true;
-    heat.walls = wallLines(maze);
-    heat.cellSize = maze.cellSize;
+    for (const FloorLine& wall : floor.wallLines()) {
+      heat.walls.push_back({wall.from.x, wall.from.z, wall.to.x, wall.to.z});
+    }
+    heat.cellSize = cellSize;
     double outside = 0;
     size_t last = first;
     for (; last < maps.size() && maps[last].maze == map.maze && maps[last].moving == map.moving &&
            maps[last].source == map.source;
          ++last) {
-      heat.maps.push_back(mapOfView(work, maps[last], maze.cellSize));
-      heat.maps.back().marks = objectMarks(facts, task.name, maze, map.moving);
+      heat.maps.push_back(mapOfView(work, maps[last], cellSize));
+      heat.maps.back().marks = objectMarks(facts, task.name, map.maze, floor.grid(), map.moving);
       outside += maps[last].secondsOutside;
     }
     const std::string id = fmt::format("figure-heat-{}-{}{}", map.maze, map.moving ? "moving" : "stationary",

@@ -4,7 +4,8 @@
 
 #include <array>
 #include <charconv>
-#include <cmath>
+#include <optional>
+#include <vector>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
@@ -15,97 +16,41 @@
 namespace ocelli {
 namespace {
 
-constexpr char kPost = '+';
-constexpr char kEastWestWall = '-';
-constexpr char kNorthSouthWall = '|';
-constexpr char kFree = ' ';
+Maze mazeOf(const MazeDrawing& drawing, const std::string& where) {
+  if (drawing.gaps.size() > 1) {
+    throw InputError(fmt::format("the maze has two entrances, at the cells {} and {}", nameOf(drawing.gaps[0].cell),
+                                 nameOf(drawing.gaps[1].cell)),
+                     where, "leave one gap in the outer wall");
+  }
+  Maze maze(drawing.plan);
+  if (!drawing.gaps.empty()) {
+    maze.entrance = drawing.gaps.front();
+  }
+  return maze;
+}
 
-/// Line 0 of the plan is the northern wall, and character 0 of each line the western one.
-using Plan = std::vector<std::string>;
-
-Plan readPlan(JsonFields& fields, const std::string& where) {
-  constexpr size_t kMaxLines = 2 * kMaxMazeSide + 1;
+Maze readPlan(JsonFields& fields, const std::string& where) {
   const nlohmann::json& value = fields.value("plan");
   if (!value.is_array()) {
     fields.fail("plan", "must be an array of texts, the lines of the drawing");
   }
-  if (value.size() < 3 || value.size() % 2 == 0 || value.size() > kMaxLines) {
-    fields.fail("plan", fmt::format("has {} lines; it must have two for each row of cells and one more, {} at most",
-                                    value.size(), kMaxLines));
+  if (const auto fault = lineCountFault(value.size())) {
+    fields.fail("plan", *fault);
   }
-  Plan plan;
+  std::vector<std::string> lines;
   for (const nlohmann::json& line : value) {
     if (!line.is_string()) {
-      fields.fail("plan", fmt::format("must be an array of texts, but line {} is not a text", plan.size() + 1));
+      break;
     }
-    plan.push_back(line.get<std::string>());
-    const size_t width = plan.back().size();
-    if (width < 3 || width % 2 == 0 || width > kMaxLines) {
-      fields.fail("plan", fmt::format("has {} characters in line {}; they must be two for each column of cells and one "
-                                      "more, {} at most",
-                                      width, plan.size(), kMaxLines));
-    }
-    if (width != plan.front().size()) {
-      fields.fail("plan", fmt::format("has {} characters in line {}, but {} in line 1", width, plan.size(),
-                                      plan.front().size()));
-    }
+    lines.push_back(line.get<std::string>());
   }
-  const auto expect = [&](size_t line, size_t i, const std::string& allowed, const std::string& what) {
-    if (allowed.find(plan[line][i]) == std::string::npos) {
-      throw InputError(fmt::format("character {} of line {} of the plan must be {}", i + 1, line + 1, what), where,
-                       "draw posts as +, walls as - and |, passages and cells as spaces");
-    }
-  };
-  for (size_t line = 0; line < plan.size(); ++line) {
-    for (size_t i = 0; i < plan[line].size(); ++i) {
-      if (line % 2 == 0 && i % 2 == 0) {
-        expect(line, i, {kPost}, "a post '+'");
-      } else if (line % 2 == 1 && i % 2 == 1) {
-        expect(line, i, {kFree}, "a cell ' '");
-      } else if (line % 2 == 0) {
-        expect(line, i, {kEastWestWall, kFree}, "a wall '-' or a passage ' '");
-      } else {
-        expect(line, i, {kNorthSouthWall, kFree}, "a wall '|' or a passage ' '");
-      }
-    }
+  if (const auto fault = lineLengthFault(lines)) {
+    fields.fail("plan", *fault);
   }
-  return plan;
-}
-
-/// Where the wall on that side of the cell is drawn.
-std::array<size_t, 2> placeOf(const MazeCell& cell, Direction side) {
-  const glm::vec3 step = vectorOf(side);
-  return {static_cast<size_t>(2 * cell.row + 1 + static_cast<int>(step.z)),
-          static_cast<size_t>(2 * cell.column + 1 + static_cast<int>(step.x))};
-}
-
-template <class Visit>
-void forEachSide(const Maze& maze, const Visit& visit) {
-  for (int row = 0; row < maze.rows(); ++row) {
-    for (int column = 0; column < maze.columns(); ++column) {
-      for (const Direction side : kDirections) {
-        visit(MazeCell{row, column}, side);
-      }
-    }
+  if (lines.size() < value.size()) {
+    fields.fail("plan", fmt::format("must be an array of texts, but line {} is not a text", lines.size() + 1));
   }
-}
-
-Maze mazeOfPlan(const Plan& plan, const std::string& where) {
-  Maze maze(static_cast<int>(plan.size() / 2), static_cast<int>(plan.front().size() / 2));
-  forEachSide(maze, [&](const MazeCell& cell, Direction side) {
-    const auto [line, i] = placeOf(cell, side);
-    const bool open = plan[line][i] == kFree;
-    if (maze.contains(cell.neighbor(side))) {
-      maze.setOpen(cell, side, open);
-    } else if (open && maze.entrance) {
-      throw InputError(
-          fmt::format("the maze has two entrances, at the cells {} and {}", nameOf(maze.entrance->cell), nameOf(cell)),
-          where, "leave one gap in the outer wall");
-    } else if (open) {
-      maze.entrance = {cell, opposite(side)};
-    }
-  });
-  return maze;
+  return mazeOf(readDrawing(lines, where), where);
 }
 
 template <class Choice, size_t kCount>
@@ -166,7 +111,7 @@ double shortest(float value) {
 
 Maze readMaze(JsonFields& fields) {
   const std::string& where = fields.where();
-  Maze maze = mazeOfPlan(readPlan(fields, where), where);
+  Maze maze = readPlan(fields, where);
   maze.cellSize = static_cast<float>(fields.number("cell_size", 0.1, 100, maze.cellSize));
   maze.wallHeight = static_cast<float>(fields.number("wall_height", 0.1, 100, maze.wallHeight));
   maze.wallThickness = static_cast<float>(fields.number("wall_thickness", 0.01, 50, maze.wallThickness));
@@ -189,21 +134,12 @@ Maze readMaze(const std::filesystem::path& path) {
 }
 
 std::string jsonText(const Maze& maze) {
-  Plan plan(static_cast<size_t>(2 * maze.rows() + 1), std::string(static_cast<size_t>(2 * maze.columns() + 1), kFree));
-  for (size_t line = 0; line < plan.size(); line += 2) {
-    for (size_t i = 0; i < plan[line].size(); i += 2) {
-      plan[line][i] = kPost;
-    }
+  MazeDrawing drawing{maze};
+  if (maze.entrance) {
+    drawing.gaps.push_back(*maze.entrance);
   }
-  forEachSide(maze, [&](const MazeCell& cell, Direction side) {
-    const bool isGap = maze.entrance && maze.entrance->cell == cell && maze.entrance->heading == opposite(side);
-    if (!maze.isOpen(cell, side) && !isGap) {
-      const auto [line, i] = placeOf(cell, side);
-      plan[line][i] = isEastWest(side) ? kNorthSouthWall : kEastWestWall;
-    }
-  });
   nlohmann::ordered_json json;
-  json["plan"] = plan;
+  json["plan"] = linesOf(drawing);
   json["cell_size"] = shortest(maze.cellSize);
   json["wall_height"] = shortest(maze.wallHeight);
   json["wall_thickness"] = shortest(maze.wallThickness);

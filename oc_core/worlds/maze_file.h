@@ -1,10 +1,5 @@
-// Maze files: JSON, described by maze.schema.json and docs/files.md. The plan is a drawing:
-//
-//   +-+-+-+
-//   |     |      Line 2r + 1, character 2c + 1 is the cell in row r, column c. Beside it, `|` and `-` are walls and a
-//   + +-+ +      space is a passage; the one space in the outer wall is the entrance. Posts, `+`, always stand.
-//   |   | |
-//   +-+-+ +
+// Maze files: JSON, described by maze.schema.json and docs/files.md. The plan is a drawing
+// (oc_core/maze/maze_drawing.h) with one gap in the outer wall, the entrance.
 #pragma once
 
 #include <filesystem>

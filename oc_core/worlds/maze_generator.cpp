@@ -17,11 +17,6 @@ namespace {
 
 constexpr const char* kWhere = "generated maze";
 
-struct Wall {
-  MazeCell cell;
-  Direction side = Direction::kEast;
-};
-
 std::vector<MazeCell> allCells(const Maze& maze) {
   std::vector<MazeCell> cells;
   for (int row = 0; row < maze.rows(); ++row) {
@@ -133,7 +128,7 @@ int wallsAtPost(const Maze& maze, const MazeCell& cell) {
 }
 
 /// Opens the wall, if there is one within the maze, unless it is the last one at a post.
-bool openWall(Maze& maze, const Wall& wall) {
+bool openWall(Maze& maze, const MazeWall& wall) {
   if (!maze.contains(wall.cell.neighbor(wall.side)) || maze.isOpen(wall.cell, wall.side)) {
     return false;
   }
@@ -149,7 +144,7 @@ bool openWall(Maze& maze, const Wall& wall) {
 }
 
 void openLoops(Maze& maze, double share, Random& random) {
-  std::vector<Wall> walls;
+  std::vector<MazeWall> walls;
   for (const MazeCell& cell : allCells(maze)) {
     for (const Direction side : {Direction::kEast, Direction::kSouth}) {
       if (maze.contains(cell.neighbor(side)) && !maze.isOpen(cell, side)) {
@@ -159,7 +154,7 @@ void openLoops(Maze& maze, double share, Random& random) {
   }
   random.shuffle(walls);
   auto wanted = static_cast<size_t>(std::lround(share * static_cast<double>(walls.size())));
-  for (const Wall& wall : walls) {
+  for (const MazeWall& wall : walls) {
     if (wanted > 0 && openWall(maze, wall)) {
       --wanted;
     }

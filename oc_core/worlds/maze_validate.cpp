@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "oc_core/base/error.h"
 #include "oc_core/worlds/landmark_solids.h"
@@ -44,23 +46,10 @@ void checkEntrance(const Maze& maze, const std::string& where) {
 }
 
 void checkReachability(const Maze& maze, const std::string& where) {
-  std::vector<bool> reached(maze.cellCount());
-  std::vector<MazeCell> waiting{maze.entrance->cell};
-  reached[maze.indexOf(waiting.back())] = true;
-  while (!waiting.empty()) {
-    const MazeCell cell = waiting.back();
-    waiting.pop_back();
-    for (const Direction direction : maze.passages(cell)) {
-      const MazeCell next = cell.neighbor(direction);
-      if (!reached[maze.indexOf(next)]) {
-        reached[maze.indexOf(next)] = true;
-        waiting.push_back(next);
-      }
-    }
-  }
+  const std::vector<std::optional<int>> steps = maze.shortestStepsFrom(maze.entrance->cell);
   for (int row = 0; row < maze.rows(); ++row) {
     for (int column = 0; column < maze.columns(); ++column) {
-      if (!reached[maze.indexOf({row, column})]) {
+      if (!steps[maze.indexOf({row, column})]) {
         throw InputError(fmt::format("the cell {} cannot be reached from the entrance", nameOf(MazeCell{row, column})),
                          where, "open a wall that closes it off");
       }

@@ -24,26 +24,20 @@ FloorPlan::FloorPlan(const Maze& maze, double bodyRadius)
       rows_(maze.rows()),
       columns_(maze.columns()),
       around_(maze.cellCount()) {
-  const double thickness = static_cast<double>(maze.wallThickness);
-  OC_CHECK(radius_ > 0 && 2 * radius_ < cellSize_ - thickness, "a body must fit into passages");
-  const glm::dvec2 half(thickness / 2);
+  const MazeGrid grid{cellSize_, static_cast<double>(maze.wallThickness), {origin_.x, origin_.y}};
+  OC_CHECK(radius_ > 0 && 2 * radius_ < cellSize_ - grid.wallThickness, "a body must fit into passages");
   for (int row = 0; row < rows_; ++row) {
     for (int column = 0; column < columns_; ++column) {
-      std::vector<Rectangle>& around = around_[maze.indexOf({row, column})];
-      const auto corner = [&](int down, int right) {
-        return origin_ + cellSize_ * glm::dvec2(column + right, row + down);
-      };
+      const MazeCell cell{row, column};
+      std::vector<FloorRectangle>& around = around_[maze.indexOf(cell)];
       for (int down = 0; down < 2; ++down) {
         for (int right = 0; right < 2; ++right) {
-          around.push_back({corner(down, right) - half, corner(down, right) + half});
+          around.push_back(grid.postAt(grid.corner(cell, down, right)));
         }
       }
       for (const Direction side : kDirections) {
-        if (!maze.isOpen({row, column}, side)) {
-          const int down = side == Direction::kSouth ? 1 : 0;
-          const int right = side == Direction::kEast ? 1 : 0;
-          const glm::dvec2 along = isEastWest(side) ? glm::dvec2(0, cellSize_) : glm::dvec2(cellSize_, 0);
-          around.push_back({corner(down, right) - half, corner(down, right) + along + half});
+        if (!maze.isOpen(cell, side)) {
+          around.push_back(grid.wallOf(cell, side));
         }
       }
     }
@@ -58,8 +52,8 @@ FloorPlan::Nearest FloorPlan::nearest(const glm::dvec2& place) const {
   // What stands beyond this cell is farther away than its own posts and walls are.
   const auto index = static_cast<size_t>(cell.y) * static_cast<size_t>(columns_) + static_cast<size_t>(cell.x);
   Nearest best{place, std::numeric_limits<double>::infinity()};
-  for (const Rectangle& wall : around_[index]) {
-    const glm::dvec2 point = glm::clamp(place, wall.lower, wall.upper);
+  for (const FloorRectangle& wall : around_[index]) {
+    const glm::dvec2 point = glm::clamp(place, {wall.west, wall.north}, {wall.east, wall.south});
     const double distance = glm::length(place - point);
     if (distance < best.distance) {
       best = {point, distance};

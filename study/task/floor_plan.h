@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "oc_core/maze/maze_grid.h"
 #include "oc_core/scene/maze.h"
 
 namespace ocelli {
@@ -26,10 +27,6 @@ class FloorPlan {
   double bodyRadius() const { return radius_; }
 
  private:
-  struct Rectangle {
-    glm::dvec2 lower{0};
-    glm::dvec2 upper{0};
-  };
   struct Nearest {
     glm::dvec2 point{0};
     double distance = 0;
@@ -43,7 +40,8 @@ class FloorPlan {
   glm::dvec2 origin_;
   int rows_;
   int columns_;
-  std::vector<std::vector<Rectangle>> around_;  ///< of each cell: the walls and posts that a disc within it can reach
+  std::vector<std::vector<FloorRectangle>>
+      around_;  ///< of each cell: the walls and posts that a disc within it can reach
 };
 
 }  // namespace ocelli

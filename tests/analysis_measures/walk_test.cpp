@@ -51,8 +51,8 @@ TEST(Walk, oneFrameTellsNothing) {
 
 struct Sight : ::testing::Test {
   // One row of four cells, a wall between the third and the fourth.
-  MazeFloor floor{{"row", {"+-+-+-+-+", "|     | |", "+-+-+-+-+"}, 2, 0.2}};
-  TargetObject object{floor.pointOf({0, 2}), 0.26};
+  MazeFloor floor{readAnyDrawing({"+-+-+-+-+", "|     | |", "+-+-+-+-+"}), {2, 0.2}};
+  TargetObject object{floor.grid().pointOf({0, 2}), 0.26};
 };
 
 TEST_F(Sight, needsTheFieldOfView) {
@@ -63,13 +63,13 @@ TEST_F(Sight, needsTheFieldOfView) {
 }
 
 TEST_F(Sight, wallsHide) {
-  const TargetObject behind{floor.pointOf({0, 3}), 0.26};
+  const TargetObject behind{floor.grid().pointOf({0, 3}), 0.26};
   EXPECT_FALSE(isInSight(floor, {0, 1, 1, kPi / 2}, behind, 60));
 }
 
 TEST_F(Sight, aSideIsEnough) {
   // A wall hides the middle, not the right side: seen from the west, south of the object's middle.
-  const MazeFloor corner({"corner", {"+-+-+", "|   |", "+-+ +", "|   |", "+-+-+"}, 2, 0.2});
+  const MazeFloor corner(readAnyDrawing({"+-+-+", "|   |", "+-+ +", "|   |", "+-+-+"}), {2, 0.2});
   const TargetObject hidden{{3, 3}, 0.3};
   const Pose pose{0, 1, 1, kPi * 3 / 4};
   ASSERT_FALSE(corner.isClear({pose.x, pose.z}, hidden.place));

@@ -78,11 +78,17 @@ set(windows glfw PkgConfig::imgui PkgConfig::fontconfig)
 set(usb PkgConfig::libusb PkgConfig::umockdev PkgConfig::isal)
 set(statistics PkgConfig::nlopt Eigen3::Eigen Boost::headers)
 
+find_needs(foundation TARGETS Ocelli::base
+  PACKAGES glm PNG SQLiteCpp Eigen3 Boost assimp hwy glfw3
+  LACKS glm::glm PNG::PNG SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${statistics} Ocelli::page Ocelli::maze)
+find_needs(mazes TARGETS Ocelli::foundation Ocelli::maze
+  PACKAGES glm PNG SQLiteCpp Eigen3 Boost assimp hwy glfw3
+  LACKS glm::glm PNG::PNG SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${statistics} Ocelli::page Ocelli::scene)
 find_needs(pages TARGETS Ocelli::drawing Ocelli::page
-  PACKAGES glm TBB PNG nlohmann_json SQLiteCpp Eigen3 Boost assimp hwy glfw3
-  LACKS glm::glm TBB::tbb PNG::PNG SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${statistics} Ocelli::base
+  PACKAGES glm PNG SQLiteCpp Eigen3 Boost assimp hwy glfw3
+  LACKS glm::glm PNG::PNG SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${statistics} Ocelli::maze
     Ocelli::analysis_base)
-find_needs(core TARGETS Ocelli::pages Ocelli::ocri Ocelli::evaluation
+find_needs(core TARGETS Ocelli::pages Ocelli::mazes Ocelli::ocri Ocelli::evaluation
   PACKAGES SQLiteCpp Eigen3 Boost assimp hwy glfw3
   LACKS SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${statistics} Ocelli::frames Ocelli::analysis_base Ocelli::gl)
 find_needs(display TARGETS Ocelli::core Ocelli::solidity
@@ -95,9 +101,9 @@ find_needs(driver TARGETS Ocelli::core Ocelli::display Ocelli::devices
 find_needs(study TARGETS Ocelli::core Ocelli::display Ocelli::study_store
   PACKAGES Eigen3 Boost assimp glfw3
   LACKS assimp::assimp ${windows} ${usb} ${statistics} Ocelli::device Ocelli::study_screen)
-find_needs(analysis TARGETS Ocelli::pages Ocelli::analysis_report
+find_needs(analysis TARGETS Ocelli::pages Ocelli::mazes Ocelli::analysis_report
   PACKAGES glm PNG assimp embree hwy meshoptimizer zstd glfw3
-  LACKS glm::glm PNG::PNG assimp::assimp embree hwy::hwy ${windows} ${usb} Ocelli::core Ocelli::base)
+  LACKS glm::glm PNG::PNG assimp::assimp embree hwy::hwy ${windows} ${usb} Ocelli::core Ocelli::scene)
 find_needs(power TARGETS Ocelli::study Ocelli::analysis Ocelli::analysis_power
   PACKAGES assimp glfw3
   LACKS assimp::assimp ${windows} ${usb})
@@ -114,14 +120,14 @@ endif()")
 
 # All.
 set(all "find_package(Ocelli REQUIRED)
-foreach(target IN ITEMS pages core import display driver trials study analysis power)
+foreach(target IN ITEMS foundation mazes pages core import display driver trials study analysis power)
   if(NOT TARGET Ocelli::\${target})
     message(FATAL_ERROR \"no Ocelli::\${target}\")
   endif()
 endforeach()")
 must_configure("${all}")
 
-must_fail_saying("There is no component \"graphics\" here. Those of this installation: pages, core, import, display, driver, trials, study, analysis, power"
+must_fail_saying("There is no component \"graphics\" here. Those of this installation: foundation, mazes, pages, core, import, display, driver, trials, study, analysis, power"
   "find_package(Ocelli REQUIRED COMPONENTS core graphics)")
 must_fail_saying("SQLiteCpp, which \"study\" needs" "find_package(Ocelli REQUIRED COMPONENTS study)"
   -DCMAKE_DISABLE_FIND_PACKAGE_SQLiteCpp=ON)

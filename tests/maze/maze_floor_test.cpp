@@ -1,30 +1,37 @@
-#include "analysis/measures/maze_floor.h"
+#include "oc_core/maze/maze_floor.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
+#include <string>
+#include <vector>
 
-#include "tests/analysis_dataset/sample_study.h"
-
-namespace ocelli::test {
+namespace ocelli {
 namespace {
 
-using ::testing::HasSubstr;
+struct DrawnMaze {
+  std::vector<std::string> lines;
+  double cellSize = 0;
+  double wallThickness = 0;
 
-ProtocolMaze smallMaze() {
-  return {"small", {"+-+-+-+", "|     |", "+ +-+ +", "|   | |", "+ +-+-+"}, 2, 0.2};
+  MazeFloor floor() const { return {readAnyDrawing(lines), {cellSize, wallThickness}}; }
+};
+
+DrawnMaze smallMaze() {
+  return {{"+-+-+-+", "|     |", "+ +-+ +", "|   | |", "+ +-+-+"}, 2, 0.2};
 }
 
-ProtocolMaze randomMaze(std::mt19937_64& random) {
-  ProtocolMaze maze{"random", std::vector<std::string>(11, std::string(13, ' ')), 1.5, 0.3};
+DrawnMaze randomMaze(std::mt19937_64& random) {
+  DrawnMaze maze{std::vector<std::string>(11, std::string(13, ' ')), 1.5, 0.3};
   for (size_t line = 0; line < 11; ++line) {
     for (size_t i = 0; i < 13; ++i) {
       const bool isBorder = line == 0 || i == 0 || line == 10 || i == 12;
       if (line % 2 == 0 && i % 2 == 0) {
-        maze.plan[line][i] = '+';
+        maze.lines[line][i] = '+';
       } else if ((line % 2 == 0 || i % 2 == 0) && (isBorder || random() % 5 < 2)) {
-        maze.plan[line][i] = line % 2 == 0 ? '-' : '|';
+        maze.lines[line][i] = line % 2 == 0 ? '-' : '|';
       }
     }
   }
@@ -32,11 +39,11 @@ ProtocolMaze randomMaze(std::mt19937_64& random) {
 }
 
 /// Whether a wall or post stands at the point, by the drawing alone.
-bool isInWall(const ProtocolMaze& maze, double x, double z) {
+bool isInWall(const DrawnMaze& maze, double x, double z) {
   const double half = maze.wallThickness / 2;
-  for (size_t line = 0; line < maze.plan.size(); ++line) {
-    for (size_t i = 0; i < maze.plan[line].size(); ++i) {
-      const char c = maze.plan[line][i];
+  for (size_t line = 0; line < maze.lines.size(); ++line) {
+    for (size_t i = 0; i < maze.lines[line].size(); ++i) {
+      const char c = maze.lines[line][i];
       const double left = static_cast<double>(i / 2) * maze.cellSize;
       const double top = static_cast<double>(line / 2) * maze.cellSize;
       const double right = c == '-' ? left + maze.cellSize : left;
@@ -50,44 +57,44 @@ bool isInWall(const ProtocolMaze& maze, double x, double z) {
 }
 
 TEST(MazeFloor, waysInASmallMaze) {
-  const MazeFloor floor(smallMaze());
-  EXPECT_EQ(floor.rows(), 2);
-  EXPECT_EQ(floor.columns(), 3);
+  const MazeFloor floor = smallMaze().floor();
+  EXPECT_EQ(floor.plan().rows(), 2);
+  EXPECT_EQ(floor.plan().columns(), 3);
   EXPECT_EQ(floor.shortestMeters({0, 0}, {0, 0}), 0.0);
   EXPECT_EQ(floor.shortestMeters({0, 0}, {0, 2}), 4.0);
   EXPECT_EQ(floor.shortestMeters({1, 1}, {1, 2}), 10.0);  // around: west, north, east, east, south
   EXPECT_FALSE(floor.shortestMeters({0, 0}, {7, 7}));
-  EXPECT_EQ(floor.cellAt({3.9, 0.1}), (FloorCell{0, 1}));
+  EXPECT_EQ(floor.cellAt({3.9, 0.1}), (MazeCell{0, 1}));
   EXPECT_FALSE(floor.cellAt({-0.1, 1}));
   EXPECT_FALSE(floor.cellAt({1, 4.1}));
-  EXPECT_EQ(floor.pointOf({1, 2}, 0.25, -0.25).x, 5.5);
-  EXPECT_EQ(floor.pointOf({1, 2}, 0.25, -0.25).z, 2.5);
+  EXPECT_EQ(floor.grid().pointOf({1, 2}, 0.25, -0.25).x, 5.5);
+  EXPECT_EQ(floor.grid().pointOf({1, 2}, 0.25, -0.25).z, 2.5);
 }
 
 TEST(MazeFloor, shortestWaysAreThoseOfAllPairs) {
   std::mt19937_64 random(3);
   for (int repeat = 0; repeat < 20; ++repeat) {
-    const ProtocolMaze maze = randomMaze(random);
-    const MazeFloor floor(maze);
-    const int count = floor.rows() * floor.columns();
+    const DrawnMaze maze = randomMaze(random);
+    const MazeFloor floor = maze.floor();
+    const int count = floor.plan().rows() * floor.plan().columns();
     // Floyd and Warshall over the cells; cells beside each other are joined where no wall is drawn between.
     std::vector<std::vector<double>> meters(static_cast<size_t>(count),
                                             std::vector<double>(static_cast<size_t>(count), 1e9));
     for (int a = 0; a < count; ++a) {
-      const int row = a / floor.columns();
-      const int column = a % floor.columns();
+      const int row = a / floor.plan().columns();
+      const int column = a % floor.plan().columns();
       const auto join = [&](int b) {
         meters[static_cast<size_t>(a)][static_cast<size_t>(b)] = maze.cellSize;
         meters[static_cast<size_t>(b)][static_cast<size_t>(a)] = maze.cellSize;
       };
       meters[static_cast<size_t>(a)][static_cast<size_t>(a)] = 0;
-      if (column + 1 < floor.columns() &&
-          maze.plan[static_cast<size_t>(2 * row + 1)][static_cast<size_t>(2 * column + 2)] == ' ') {
+      if (column + 1 < floor.plan().columns() &&
+          maze.lines[static_cast<size_t>(2 * row + 1)][static_cast<size_t>(2 * column + 2)] == ' ') {
         join(a + 1);
       }
-      if (row + 1 < floor.rows() &&
-          maze.plan[static_cast<size_t>(2 * row + 2)][static_cast<size_t>(2 * column + 1)] == ' ') {
-        join(a + floor.columns());
+      if (row + 1 < floor.plan().rows() &&
+          maze.lines[static_cast<size_t>(2 * row + 2)][static_cast<size_t>(2 * column + 1)] == ' ') {
+        join(a + floor.plan().columns());
       }
     }
     for (size_t k = 0; k < meters.size(); ++k) {
@@ -99,8 +106,8 @@ TEST(MazeFloor, shortestWaysAreThoseOfAllPairs) {
     }
     for (int a = 0; a < count; ++a) {
       for (int b = 0; b < count; ++b) {
-        const auto shortest = floor.shortestMeters({a / floor.columns(), a % floor.columns()},
-                                                   {b / floor.columns(), b % floor.columns()});
+        const auto shortest = floor.shortestMeters({a / floor.plan().columns(), a % floor.plan().columns()},
+                                                   {b / floor.plan().columns(), b % floor.plan().columns()});
         const double expected = meters[static_cast<size_t>(a)][static_cast<size_t>(b)];
         EXPECT_EQ(shortest.has_value(), expected < 1e9);
         if (shortest) {
@@ -117,8 +124,8 @@ TEST(MazeFloor, sightIsWhatSmallStepsMeet) {
   int clear = 0;
   int hidden = 0;
   for (int repeat = 0; repeat < 30; ++repeat) {
-    const ProtocolMaze maze = randomMaze(random);
-    const MazeFloor floor(maze);
+    const DrawnMaze maze = randomMaze(random);
+    const MazeFloor floor = maze.floor();
     for (int pair = 0; pair < 100; ++pair) {
       const FloorPoint from{uniform(9), uniform(7.5)};
       const FloorPoint to{uniform(9), uniform(7.5)};
@@ -142,18 +149,13 @@ TEST(MazeFloor, sightIsWhatSmallStepsMeet) {
   EXPECT_LE(hidden, 3);  // corners that the steps jumped over
 }
 
-TEST(MazeFloor, drawingsMustBeMazes) {
-  ProtocolMaze maze = smallMaze();
-  maze.plan[1] = "|  |";
-  EXPECT_THAT(analysisErrorOf([&] { MazeFloor{maze}; }), HasSubstr("maze \"small\" of the protocol"));
-  maze.plan.clear();
-  EXPECT_THAT(analysisErrorOf([&] { MazeFloor{maze}; }), HasSubstr("not a valid maze"));
-}
-
 TEST(MazeFloor, wallLinesAreTheDrawing) {
-  const ProtocolMaze maze = smallMaze();
-  const MazeFloor floor(maze);
-  const auto lines = wallLines(maze);
+  const DrawnMaze maze = smallMaze();
+  const MazeFloor floor = maze.floor();
+  std::vector<std::array<double, 4>> lines;
+  for (const FloorLine& wall : floor.wallLines()) {
+    lines.push_back({wall.from.x, wall.from.z, wall.to.x, wall.to.z});
+  }
   EXPECT_EQ(lines.size(), 11u);
   EXPECT_THAT(lines, ::testing::Contains(std::array{2.0, 2.0, 4.0, 2.0}));
   for (const auto& [x0, z0, x1, z1] : lines) {
@@ -163,4 +165,4 @@ TEST(MazeFloor, wallLinesAreTheDrawing) {
 }
 
 }  // namespace
-}  // namespace ocelli::test
+}  // namespace ocelli
