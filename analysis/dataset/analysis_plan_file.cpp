@@ -8,20 +8,20 @@
 #include "analysis/dataset/analysis_plan.h"
 #include "analysis/dataset/csv_table.h"
 #include "analysis/dataset/exclusions.h"
-#include "analysis/dataset/json_text.h"
 #include "analysis/dataset/row_digest.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
+#include "oc_core/base/json_fields.h"
 
 namespace ocelli {
 namespace {
 
-constexpr size_t kMaxNameBytes = 100;
-constexpr size_t kMaxParagraphBytes = 4000;
+// Characters.
+constexpr size_t kMaxName = 100;
+constexpr size_t kMaxParagraph = 4000;
 constexpr size_t kMaxEntries = 1000;
 constexpr std::array<std::string_view, 7> kFactors{"view",       "session", "moving", "exposure",
                                                    "duplicates", "objects", "trial"};
-constexpr std::array<std::string_view, 2> kGroups{"subject", "case"};
 
 template <class List>
 std::string joined(const List& list) {
@@ -37,32 +37,16 @@ bool contains(const List& list, std::string_view value) {
   return std::find(list.begin(), list.end(), value) != list.end();
 }
 
-std::string choice(JsonObject& fields, const char* name, const auto& allowed) {
-  const std::string given = fields.text(name, kMaxNameBytes);
-  if (!contains(allowed, given)) {
-    fields.fail(name, fmt::format("is \"{}\", but must be one of: {}", given, joined(allowed)));
-  }
-  return given;
-}
-
-template <class Choice, size_t kCount>
-Choice choiceOf(JsonObject& fields, const char* name, const Choice (&choices)[kCount]) {
-  std::array<std::string_view, kCount> names;
-  std::transform(std::begin(choices), std::end(choices), names.begin(), [](Choice each) { return nameOf(each); });
-  const std::string given = choice(fields, name, names);
-  return choices[std::find(names.begin(), names.end(), given) - names.begin()];
-}
-
 /// A name that no earlier element has.
-std::string newName(JsonObject& fields, std::set<std::string>& names) {
-  std::string name = fields.text("name", kMaxNameBytes);
+std::string newName(JsonFields& fields, std::set<std::string>& names) {
+  std::string name = fields.shortText("name", kMaxName);
   if (!names.insert(name).second) {
     fields.fail("name", fmt::format("is \"{}\", as that of another in this list", name));
   }
   return name;
 }
 
-void checkTerm(const JsonObject& fields, const char* name, const std::string& term) {
+void checkTerm(const JsonFields& fields, const char* name, const std::string& term) {
   std::set<std::string_view> factors;
   for (std::string_view rest = term; !rest.empty();) {
     const size_t end = std::min(rest.find(':'), rest.size());
@@ -78,8 +62,8 @@ void checkTerm(const JsonObject& fields, const char* name, const std::string& te
   }
 }
 
-std::vector<std::string> readTerms(JsonObject& fields, const char* name) {
-  std::vector<std::string> terms = fields.texts(name, 50, kMaxNameBytes);
+std::vector<std::string> readTerms(JsonFields& fields, const char* name) {
+  std::vector<std::string> terms = fields.texts(name, 0, 50, kMaxName);
   std::set<std::string> seen;
   for (const std::string& term : terms) {
     checkTerm(fields, name, term);
@@ -90,16 +74,16 @@ std::vector<std::string> readTerms(JsonObject& fields, const char* name) {
   return terms;
 }
 
-PlannedModel readModel(JsonObject& fields, const std::vector<std::string>& tasks, std::set<std::string>& names) {
+PlannedModel readModel(JsonFields& fields, const std::vector<std::string>& tasks, std::set<std::string>& names) {
   PlannedModel model;
   model.name = newName(fields, names);
-  model.task = choice(fields, "task", tasks);
-  model.kind = choiceOf(fields, "kind", kModelKinds);
+  model.task = fields.choice("task", tasks);
+  model.kind = fields.choiceOf("kind", kModelKinds);
   model.terms = readTerms(fields, "terms");
   std::set<std::string> groups;
-  fields.forEach("random", 10, [&](JsonObject& each) {
+  fields.forEach("random", 0, 10, [&](JsonFields& each) {
     RandomEffect effect;
-    effect.group = choice(each, "group", kGroups);
+    effect.group = each.choice("group", {"subject", "case"});
     if (!groups.insert(effect.group).second) {
       each.fail("group", fmt::format("is \"{}\" a second time", effect.group));
     }
@@ -118,12 +102,12 @@ PlannedModel readModel(JsonObject& fields, const std::vector<std::string>& tasks
   return model;
 }
 
-Hypothesis readHypothesis(JsonObject& fields, const AnalysisPlan& plan, std::set<std::string>& names) {
+Hypothesis readHypothesis(JsonFields& fields, const AnalysisPlan& plan, std::set<std::string>& names) {
   Hypothesis hypothesis;
   hypothesis.name = newName(fields, names);
-  hypothesis.statement = fields.text("statement", kMaxParagraphBytes);
-  hypothesis.model = fields.text("model", kMaxNameBytes);
-  hypothesis.term = fields.textOr("term", kMaxNameBytes, "");
+  hypothesis.statement = fields.shortText("statement", kMaxParagraph);
+  hypothesis.model = fields.shortText("model", kMaxName);
+  hypothesis.term = fields.shortText("term", kMaxName, "");
   const PlannedModel* model = plan.findModel(hypothesis.model);
   if (model == nullptr) {
     fields.fail("model", fmt::format("is \"{}\", which \"models\" does not hold", hypothesis.model));
@@ -146,12 +130,12 @@ Hypothesis readHypothesis(JsonObject& fields, const AnalysisPlan& plan, std::set
   return hypothesis;
 }
 
-HypothesisFamily readFamily(JsonObject& fields, const AnalysisPlan& plan, std::set<std::string>& names,
+HypothesisFamily readFamily(JsonFields& fields, const AnalysisPlan& plan, std::set<std::string>& names,
                             std::set<std::string>& taken) {
   HypothesisFamily family;
   family.name = newName(fields, names);
-  family.holm = choice(fields, "correction", std::array<std::string_view, 2>{"holm", "none"}) == "holm";
-  family.hypotheses = fields.texts("hypotheses", kMaxEntries, kMaxNameBytes);
+  family.holm = fields.choice("correction", {"holm", "none"}) == "holm";
+  family.hypotheses = fields.texts("hypotheses", 0, kMaxEntries, kMaxName);
   for (const std::string& hypothesis : family.hypotheses) {
     if (plan.findHypothesis(hypothesis) == nullptr) {
       fields.fail("hypotheses", fmt::format("names \"{}\", which the plan does not hold", hypothesis));
@@ -166,19 +150,19 @@ HypothesisFamily readFamily(JsonObject& fields, const AnalysisPlan& plan, std::s
   return family;
 }
 
-PlannedExclusion readExclusion(JsonObject& fields) {
+PlannedExclusion readExclusion(JsonFields& fields) {
   PlannedExclusion rule;
-  rule.what = fields.text("what", kMaxNameBytes);
-  const std::string test = fields.textOr("test", kMaxNameBytes, nameOf(ExclusionTest::kAlways));
+  rule.what = fields.shortText("what", kMaxName);
+  const std::string test = fields.shortText("test", kMaxName, nameOf(ExclusionTest::kAlways));
   if (fields.has("value")) {
     const nlohmann::json& value = fields.value("value");
     if (value.is_string()) {
-      rule.text = fields.text("value", kMaxParagraphBytes);
+      rule.text = fields.shortText("value", kMaxParagraph);
     } else {
       rule.number = fields.number("value", 0, 1e9);
     }
   }
-  rule.reason = fields.text("reason", kMaxParagraphBytes);
+  rule.reason = fields.shortText("reason", kMaxParagraph);
   const std::string problem = problemOfRule(rule, test, fields.has("value"), !rule.text.empty());
   if (!problem.empty()) {
     fields.fail("what", problem);
@@ -187,36 +171,36 @@ PlannedExclusion readExclusion(JsonObject& fields) {
   return rule;
 }
 
-AnalysisPlan readFields(JsonObject& fields, const std::vector<std::string>& plannable) {
+AnalysisPlan readFields(JsonFields& fields, const std::vector<std::string>& plannable) {
   AnalysisPlan plan;
-  plan.name = fields.text("name", kMaxNameBytes);
-  plan.registered = fields.textOr("registered", kMaxParagraphBytes, "");
-  plan.protocolSha256 = fields.textOr("protocol_sha256", 64, "");
+  plan.name = fields.shortText("name", kMaxName);
+  plan.registered = fields.shortText("registered", kMaxParagraph, "");
+  plan.protocolSha256 = fields.shortText("protocol_sha256", 64, "");
   if (!plan.protocolSha256.empty() &&
       (plan.protocolSha256.size() != 64 ||
        plan.protocolSha256.find_first_not_of("0123456789abcdef") != std::string::npos)) {
     fields.fail("protocol_sha256", "must be 64 digits from 0 to 9 and a to f, as `sha256sum PROTOCOL` prints");
   }
-  plan.usesProtocolExclusions = fields.booleanOr("protocol_exclusions", true);
+  plan.usesProtocolExclusions = fields.boolean("protocol_exclusions", true);
   if (fields.has("forced_sessions")) {
-    plan.excludesForcedSessions =
-        choice(fields, "forced_sessions", std::array<std::string_view, 2>{"excluded", "analysed"}) == "excluded";
+    plan.excludesForcedSessions = fields.choice("forced_sessions", {"excluded", "analysed"}) == "excluded";
   }
-  fields.forEach("exclusions", kMaxEntries, [&](JsonObject& each) { plan.exclusions.push_back(readExclusion(each)); });
+  fields.forEach("exclusions", 0, kMaxEntries,
+                 [&](JsonFields& each) { plan.exclusions.push_back(readExclusion(each)); });
   if (fields.has("find_timeouts")) {
-    plan.findTimeouts = choiceOf(fields, "find_timeouts", kTimeoutTreatments);
+    plan.findTimeouts = fields.choiceOf("find_timeouts", kTimeoutTreatments);
   }
   std::set<std::string> modelNames;
   std::set<std::string> hypothesisNames;
   std::set<std::string> familyNames;
   std::set<std::string> inFamilies;
   std::set<std::string> tasks;
-  fields.forEach("models", kMaxEntries,
-                 [&](JsonObject& each) { plan.models.push_back(readModel(each, plannable, modelNames)); });
-  fields.forEach("hypotheses", kMaxEntries,
-                 [&](JsonObject& each) { plan.hypotheses.push_back(readHypothesis(each, plan, hypothesisNames)); });
-  fields.forEach("families", kMaxEntries,
-                 [&](JsonObject& each) { plan.families.push_back(readFamily(each, plan, familyNames, inFamilies)); });
+  fields.forEach("models", 0, kMaxEntries,
+                 [&](JsonFields& each) { plan.models.push_back(readModel(each, plannable, modelNames)); });
+  fields.forEach("hypotheses", 0, kMaxEntries,
+                 [&](JsonFields& each) { plan.hypotheses.push_back(readHypothesis(each, plan, hypothesisNames)); });
+  fields.forEach("families", 0, kMaxEntries,
+                 [&](JsonFields& each) { plan.families.push_back(readFamily(each, plan, familyNames, inFamilies)); });
   for (const Hypothesis& hypothesis : plan.hypotheses) {
     if (!inFamilies.contains(hypothesis.name)) {
       fields.fail("families",
@@ -224,9 +208,9 @@ AnalysisPlan readFields(JsonObject& fields, const std::vector<std::string>& plan
                               hypothesis.name));
     }
   }
-  fields.forEach("equivalence", kMaxEntries, [&](JsonObject& each) {
+  fields.forEach("equivalence", 0, kMaxEntries, [&](JsonFields& each) {
     PlannedEquivalence bounds;
-    bounds.task = choice(each, "task", plannable);
+    bounds.task = each.choice("task", plannable);
     bounds.lower = each.number("lower", -1, 1);
     bounds.upper = each.number("upper", -1, 1);
     if (!(bounds.lower < 0 && bounds.upper > 0)) {
@@ -242,10 +226,9 @@ AnalysisPlan readFields(JsonObject& fields, const std::vector<std::string>& plan
       fields.fail("equivalence", fmt::format("has no bounds for task \"{}\" of model \"{}\"", model.task, model.name));
     }
   }
-  plan.alpha = fields.numberOr("alpha", 1e-6, 0.5, plan.alpha);
-  plan.bootstrapSamples =
-      static_cast<int>(fields.integerOr("bootstrap_samples", 100, 1'000'000, plan.bootstrapSamples));
-  plan.seed = static_cast<uint64_t>(fields.integerOr("seed", 0, 2'147'483'647, static_cast<int64_t>(plan.seed)));
+  plan.alpha = fields.number("alpha", 1e-6, 0.5, plan.alpha);
+  plan.bootstrapSamples = fields.integer("bootstrap_samples", 100, 1'000'000, plan.bootstrapSamples);
+  plan.seed = static_cast<uint64_t>(fields.integer("seed", 0, 2'147'483'647, static_cast<int>(plan.seed)));
   fields.rejectUnknown();
   return plan;
 }
@@ -254,11 +237,13 @@ AnalysisPlan readFields(JsonObject& fields, const std::vector<std::string>& plan
 
 AnalysisPlan planFromJsonText(const std::string& text, const std::string& where,
                               const std::vector<std::string>& tasks) {
-  const JsonText json(text, where, "protocols/analysis_plan.schema.json");
-  JsonObject fields(json, json.root(), "");
-  AnalysisPlan plan = readFields(fields, tasks);
-  plan.sha256 = sha256(text);
-  return plan;
+  return readAs("protocols/analysis_plan.schema.json", [&] {
+    const JsonDocument document(text, where);
+    JsonFields fields(document);
+    AnalysisPlan plan = readFields(fields, tasks);
+    plan.sha256 = sha256(text);
+    return plan;
+  });
 }
 
 AnalysisPlan readPlan(const std::string& path, const std::vector<std::string>& tasks) {

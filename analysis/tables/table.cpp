@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "oc_core/base/csv.h"
+#include "oc_core/base/utf8.h"
 
 namespace ocelli {
 namespace {
@@ -17,12 +18,6 @@ std::string numberText(const Cell& cell) {
   const bool isSmall = value != 0 && std::abs(value) < 0.5 * std::pow(10, -cell.decimals);
   const std::string number = isSmall ? fmt::format("{:.2g}", value) : fmt::format("{:.{}f}", value, cell.decimals);
   return fmt::format("{}{}{}", number, cell.unit.empty() ? "" : " ", cell.unit);
-}
-
-/// Characters of a UTF-8 text.
-size_t widthOf(const std::string& text) {
-  return static_cast<size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
 }
 
 std::string printable(std::string text) {
@@ -41,7 +36,8 @@ std::vector<std::string> textsOf(const TableRow& row) {
 void appendLine(std::string& text, const std::vector<std::string>& fields, const std::vector<size_t>& widths) {
   std::string line;
   for (size_t i = 0; i < fields.size(); ++i) {
-    line += fmt::format("{}{}{}", i == 0 ? "" : "  ", fields[i], std::string(widths[i] - widthOf(fields[i]), ' '));
+    line +=
+        fmt::format("{}{}{}", i == 0 ? "" : "  ", fields[i], std::string(widths[i] - characterCount(fields[i]), ' '));
   }
   text += fmt::format("{}\n", line.substr(0, line.find_last_not_of(' ') + 1));
 }
@@ -71,7 +67,7 @@ std::string plainText(const Table& table) {
   std::vector<size_t> widths(names.size(), 0);
   for (const auto& line : lines) {
     for (size_t i = 0; i < line.size(); ++i) {
-      widths[i] = std::max(widths[i], widthOf(line[i]));
+      widths[i] = std::max(widths[i], characterCount(line[i]));
     }
   }
   std::string text = fmt::format("{}\n", table.title);

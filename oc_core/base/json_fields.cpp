@@ -4,37 +4,79 @@
 #include <sstream>
 
 #include "oc_core/base/error.h"
-#include "oc_core/base/file_bytes.h"
+#include "oc_core/base/json_lines.h"
+#include "oc_core/base/utf8.h"
 
 namespace ocelli {
 namespace {
 
-constexpr int kMaxDepth = 100;
+template <class List>
+std::string commaSeparated(const List& texts) {
+  std::string list;
+  for (const std::string& text : texts) {
+    list += list.empty() ? "" : ", ";
+    list += text;
+  }
+  return list;
+}
+
+std::string arrayOf(size_t min, size_t max, const char* elements) {
+  std::ostringstream text;
+  text << "must be an array of " << min << " to " << max << " " << elements;
+  return text.str();
+}
 
 }  // namespace
 
-JsonFieldError::JsonFieldError(const std::string& problem, const std::string& where)
-    : InputError(problem, where, "see docs/files.md"), problem_(problem), where_(where) {}
-
-JsonFields::JsonFields(const nlohmann::json& object, std::string where) : object_(object), where_(std::move(where)) {
-  if (!object_.is_object()) {
-    throw JsonFieldError("a JSON object { ... } is expected", where_);
+JsonFields::JsonFields(const nlohmann::json& object, std::string where) : object_(&object), where_(std::move(where)) {
+  if (!object_->is_object()) {
+    throw JsonFieldError("a JSON object { ... } is expected", this->where());
   }
+}
+
+JsonFields::JsonFields(const JsonDocument& document, UnknownFields unknown)
+    : object_(&document.root()), document_(&document), unknown_(unknown) {
+  if (!object_->is_object()) {
+    throw JsonFieldError("a JSON object { ... } is expected", where());
+  }
+}
+
+JsonFields::JsonFields(const JsonFields& outer, const nlohmann::json& object, std::string pointer,
+                       const std::string& inside)
+    : object_(&object),
+      where_(outer.where_),
+      document_(outer.document_),
+      unknown_(outer.unknown_),
+      pointer_(std::move(pointer)),
+      inside_(outer.inside_ + inside) {
+  if (!object_->is_object()) {
+    throw JsonFieldError("a JSON object { ... } is expected", where());
+  }
+}
+
+std::string JsonFields::placeOf(const std::string& pointer) const {
+  return (document_ == nullptr ? where_ : document_->placeOf(pointer)) + inside_;
+}
+
+void JsonFields::callIt(const std::string& name) {
+  inside_ += " (";
+  inside_ += name;
+  inside_ += ")";
 }
 
 bool JsonFields::has(const std::string& name) {
   known_.insert(name);
-  return object_.contains(name);
+  return object_->contains(name);
 }
 
 void JsonFields::fail(const std::string& name, const std::string& problem) const {
-  throw JsonFieldError("field \"" + name + "\" " + problem, where_);
+  throw JsonFieldError("field \"" + name + "\" " + problem, placeOf(pointerToField(pointer_, name)));
 }
 
 const nlohmann::json& JsonFields::value(const std::string& name) {
   known_.insert(name);
-  const auto found = object_.find(name);
-  if (found == object_.end()) {
+  const auto found = object_->find(name);
+  if (found == object_->end()) {
     fail(name, "is missing");
   }
   return *found;
@@ -72,10 +114,17 @@ std::vector<double> JsonFields::numbers(const std::string& name, size_t count, d
 }
 
 int JsonFields::integer(const std::string& name, int least, int most) {
-  if (!value(name).is_number_integer()) {
+  const nlohmann::json& field = value(name);
+  if (!field.is_number_integer()) {
     fail(name, "must be a whole number");
   }
-  return static_cast<int>(number(name, least, most));
+  const auto number = field.get<double>();
+  if (!(number >= least && number <= most)) {
+    std::ostringstream range;
+    range << "must lie between " << least << " and " << most << ", not " << field;
+    fail(name, range.str());
+  }
+  return field.get<int>();
 }
 
 int JsonFields::integer(const std::string& name, int least, int most, int otherwise) {
@@ -105,59 +154,107 @@ std::string JsonFields::text(const std::string& name, const std::string& otherwi
   return has(name) ? text(name) : otherwise;
 }
 
+std::string JsonFields::shortText(const std::string& name, size_t maxCharacters) {
+  std::string given = text(name);
+  const size_t count = characterCount(given);
+  if (count == 0 || count > maxCharacters) {
+    std::ostringstream limits;
+    limits << "must have 1 to " << maxCharacters << " characters, not " << count;
+    fail(name, limits.str());
+  }
+  return given;
+}
+
+std::string JsonFields::shortText(const std::string& name, size_t maxCharacters, const std::string& otherwise) {
+  return has(name) ? shortText(name, maxCharacters) : otherwise;
+}
+
+std::vector<std::string> JsonFields::texts(const std::string& name, size_t min, size_t max, size_t maxCharacters) {
+  std::vector<std::string> texts;
+  if (min == 0 && !has(name)) {
+    return texts;
+  }
+  const nlohmann::json& list = value(name);
+  if (!list.is_array() || list.size() < min || list.size() > max) {
+    fail(name, arrayOf(min, max, "texts"));
+  }
+  for (const nlohmann::json& each : list) {
+    const size_t count = each.is_string() ? characterCount(each.get_ref<const std::string&>()) : 0;
+    if (count == 0 || count > maxCharacters) {
+      std::ostringstream limits;
+      limits << "must be an array of texts of 1 to " << maxCharacters << " characters, but entry " << texts.size() + 1
+             << " is none";
+      fail(name, limits.str());
+    }
+    texts.push_back(each.get<std::string>());
+  }
+  return texts;
+}
+
+std::string JsonFields::choice(const std::string& name, const std::vector<std::string>& allowed) {
+  std::string given = text(name);
+  if (std::find(allowed.begin(), allowed.end(), given) == allowed.end()) {
+    fail(name, "must be one of " + commaSeparated(allowed) + ", not \"" + given + "\"");
+  }
+  return given;
+}
+
+std::string JsonFields::choice(const std::string& name, const std::vector<std::string>& allowed,
+                               const std::string& otherwise) {
+  return has(name) ? choice(name, allowed) : otherwise;
+}
+
+JsonFields JsonFields::inner(const std::string& name) {
+  return {*this, value(name), pointerToField(pointer_, name), ", \"" + name + "\""};
+}
+
+void JsonFields::forEach(const std::string& name, size_t min, size_t max,
+                         const std::function<void(JsonFields& each)>& read, const char* elements) {
+  if (min == 0 && !has(name)) {
+    return;
+  }
+  const nlohmann::json& list = value(name);
+  if (!list.is_array() || list.size() < min || list.size() > max) {
+    fail(name, arrayOf(min, max, elements));
+  }
+  const std::string pointer = pointerToField(pointer_, name);
+  for (size_t i = 0; i < list.size(); ++i) {
+    JsonFields each(*this, list[i], pointerToElement(pointer, i), ", \"" + name + "\" " + std::to_string(i + 1));
+    read(each);
+    each.rejectUnknown();
+  }
+}
+
+void JsonFields::forEachNamed(const std::string& name, size_t max,
+                              const std::function<void(const std::string& key, JsonFields& each)>& read,
+                              const char* elements) {
+  if (!has(name)) {
+    return;
+  }
+  const nlohmann::json& object = value(name);
+  if (!object.is_object() || object.size() > max) {
+    std::ostringstream limits;
+    limits << "must be an object of at most " << max << " " << elements << " by name";
+    fail(name, limits.str());
+  }
+  const std::string pointer = pointerToField(pointer_, name);
+  for (const auto& [key, json] : object.items()) {
+    JsonFields each(*this, json, pointerToField(pointer, key), ", \"" + name + "\" " + key);
+    read(key, each);
+    each.rejectUnknown();
+  }
+}
+
 void JsonFields::rejectUnknown() const {
-  for (const auto& [name, value] : object_.items()) {
+  if (unknown_ == UnknownFields::kIgnored) {
+    return;
+  }
+  for (const auto& [name, value] : object_->items()) {
     if (!known_.contains(name) && name != "$schema" && name != "comment") {
-      std::string allowed;
-      for (const std::string& field : known_) {
-        allowed += allowed.empty() ? field : ", " + field;
-      }
-      throw InputError("field \"" + name + "\" is unknown", where_, "use one of: " + allowed);
+      throw InputError("field \"" + name + "\" is unknown", placeOf(pointerToField(pointer_, name)),
+                       "use one of: " + commaSeparated(known_));
     }
   }
-}
-
-std::string textOfJson(const nlohmann::ordered_json& json, int indent) {
-  return json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
-
-nlohmann::json parseJson(const std::string& text, const std::string& where) {
-  // What reads and writes a document follows it down: far deeper than any file of ours it would run out of stack.
-  // Of two fields of one name the parser would keep the last; comments are not read.
-  std::vector<std::set<std::string>> names;
-  const auto check = [&](int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
-    if (depth > kMaxDepth) {
-      throw JsonFieldError("this JSON is nested deeper than " + std::to_string(kMaxDepth) + " levels", where);
-    }
-    using Event = nlohmann::json::parse_event_t;
-    if (event == Event::object_start) {
-      names.emplace_back();
-    } else if (event == Event::object_end) {
-      names.pop_back();
-    } else if (event == Event::key) {
-      const auto& name = parsed.get_ref<const std::string&>();
-      if (!names.back().insert(name).second && name != "comment") {
-        throw InputError("field \"" + name + "\" stands twice in one object", where, "keep one of them");
-      }
-    }
-    return true;
-  };
-  try {
-    return nlohmann::json::parse(text, check, true, true);
-  } catch (const nlohmann::json::parse_error& error) {
-    const size_t at = std::min<size_t>(error.byte > 0 ? error.byte - 1 : 0, text.size());
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    const size_t lineStart = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
-    const size_t column = at - (lineStart == std::string::npos ? 0 : lineStart + 1) + 1;
-    throw InputError("this is not valid JSON", where + ":" + std::to_string(line) + ":" + std::to_string(column),
-                     "look for a missing comma, quote or bracket there");
-  } catch (const nlohmann::json::out_of_range&) {
-    throw InputError("a number in this JSON is too large", where, "keep numbers below 1.8e308");
-  }
-}
-
-nlohmann::json readJsonFile(const std::filesystem::path& path) {
-  return parseJson(readFile(path, kMaxTextBytes), path.string());
 }
 
 }  // namespace ocelli

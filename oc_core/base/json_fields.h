@@ -2,44 +2,27 @@
 // Include it in .cpp files only: nlohmann/json is slow to compile.
 #pragma once
 
-#include <filesystem>
-#include <nlohmann/json.hpp>
+#include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "oc_core/base/error.h"
+#include "oc_core/base/json_document.h"
 
 namespace ocelli {
 
-/// What is wrong with a field, or with what should be an object. It names no schema yet: readAs() does.
-class JsonFieldError : public InputError {
- public:
-  JsonFieldError(const std::string& problem, const std::string& where);
-
-  const std::string& problem() const { return problem_; }
-  const std::string& where() const { return where_; }
-
- private:
-  std::string problem_;
-  std::string where_;
-};
-
-/// Calls `read`, which reads a file of one kind. What it finds wrong with a field then says where all fields of such a
-/// file are described: `description` is a path in the source tree, also where the toolkit is installed (docs/files.md).
-template <class Read>
-auto readAs(const char* description, const Read& read) {
-  try {
-    return read();
-  } catch (const JsonFieldError& error) {
-    throw InputError(error.problem(), error.where(), std::string("see ") + description);
-  }
-}
+/// What rejectUnknown() does: files that other versions of the toolkit wrote may have fields that this one does not
+/// know.
+enum class UnknownFields { kRejected, kIgnored };
 
 class JsonFields {
  public:
   /// `where` names the object in messages: a file, or file and field.
   JsonFields(const nlohmann::json& object, std::string where);
+  /// Messages name file and line of the field. The document must live as long as the fields and those inside of them.
+  explicit JsonFields(const JsonDocument& document, UnknownFields unknown = UnknownFields::kRejected);
+  explicit JsonFields(JsonDocument&& document, UnknownFields unknown = UnknownFields::kRejected) = delete;
 
   /// Marks the field as known.
   bool has(const std::string& name);
@@ -54,29 +37,78 @@ class JsonFields {
   bool boolean(const std::string& name, bool otherwise);
   std::string text(const std::string& name);
   std::string text(const std::string& name, const std::string& otherwise);
+  /// A text of 1 to so many characters of UTF-8.
+  std::string shortText(const std::string& name, size_t maxCharacters);
+  std::string shortText(const std::string& name, size_t maxCharacters, const std::string& otherwise);
+  /// An array of `min` to `max` texts, each of 1 to so many characters. A missing field is an empty array.
+  std::vector<std::string> texts(const std::string& name, size_t min, size_t max, size_t maxCharacters);
+  /// One of the texts.
+  std::string choice(const std::string& name, const std::vector<std::string>& allowed);
+  std::string choice(const std::string& name, const std::vector<std::string>& allowed, const std::string& otherwise);
+  /// One of the values, which stand in files as nameOf() writes them.
+  template <class List>
+  auto choiceOf(const std::string& name, const List& choices);
+  template <class List, class Choice>
+  Choice choiceOf(const std::string& name, const List& choices, const Choice& otherwise);
+
+  /// The fields of the object in a field: messages say `, "name"` after the place. The caller calls rejectUnknown().
+  JsonFields inner(const std::string& name);
+  /// Calls `read`, then rejectUnknown(), for each of `min` to `max` objects of an array: messages say `, "name" 2`. A
+  /// missing field is an empty array. `elements` is what messages call them.
+  void forEach(const std::string& name, size_t min, size_t max, const std::function<void(JsonFields& each)>& read,
+               const char* elements = "objects");
+
+  /// The same for at most so many objects in an object: messages say `, "name" key`.
+  void forEachNamed(const std::string& name, size_t max,
+                    const std::function<void(const std::string& key, JsonFields& each)>& read,
+                    const char* elements = "objects");
+
   /// The raw value; marks the field as known. Throws where it is missing.
   const nlohmann::json& value(const std::string& name);
 
-  /// Throws for every field that nothing above asked for. `$schema` and `comment` are always allowed.
+  /// Throws for every field that nothing above asked for, unless these are ignored. `$schema` and `comment` are always
+  /// allowed.
   void rejectUnknown() const;
 
   /// The object that these are the fields of, as messages name it.
-  const std::string& where() const { return where_; }
+  std::string where() const { return placeOf(pointer_); }
+  /// Messages say ` (name)` after the object.
+  void callIt(const std::string& name);
   [[noreturn]] void fail(const std::string& name, const std::string& problem) const;
 
  private:
-  const nlohmann::json& object_;
-  std::string where_;
+  /// An object inside of the object of `outer`.
+  JsonFields(const JsonFields& outer, const nlohmann::json& object, std::string pointer, const std::string& inside);
+
+  /// Of a field, or of the object itself.
+  std::string placeOf(const std::string& pointer) const;
+
+  const nlohmann::json* object_;
+  std::string where_;                       ///< of fields without a document
+  const JsonDocument* document_ = nullptr;  ///< or nothing
+  UnknownFields unknown_ = UnknownFields::kRejected;
+  std::string pointer_;  ///< to the object in the document
+  std::string inside_;   ///< what stands after the place: ", \"blocks\" 2"
   std::set<std::string> known_;
 };
 
-/// JSON as text, in one line or indented. Names of files, objects and cameras may hold any bytes: those that are not
-/// UTF-8 become U+FFFD, so that every reader takes the text.
-std::string textOfJson(const nlohmann::ordered_json& json, int indent = -1);
+template <class List>
+auto JsonFields::choiceOf(const std::string& name, const List& choices) {
+  std::vector<std::string> names;
+  for (const auto& each : choices) {
+    names.emplace_back(nameOf(each));
+  }
+  const std::string given = choice(name, names);
+  size_t index = 0;
+  while (names[index] != given) {
+    ++index;
+  }
+  return choices[index];
+}
 
-/// Parses a JSON file (// and /* */ comments allowed); an InputError says file, line and column. Throws for more than
-/// 100 levels of brackets too.
-nlohmann::json readJsonFile(const std::filesystem::path& path);
-nlohmann::json parseJson(const std::string& text, const std::string& where);
+template <class List, class Choice>
+Choice JsonFields::choiceOf(const std::string& name, const List& choices, const Choice& otherwise) {
+  return has(name) ? choiceOf(name, choices) : otherwise;
+}
 
 }  // namespace ocelli

@@ -1,5 +1,6 @@
 #include "oc_core/base/utf8.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -63,6 +64,11 @@ std::string cleanText(std::string_view text) {
     at += decoded ? decoded->bytes : 1;
   }
   return clean;
+}
+
+size_t characterCount(std::string_view text) {
+  return static_cast<size_t>(std::count_if(
+      text.begin(), text.end(), [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U; }));
 }
 
 std::vector<char32_t> codePoints(std::string_view text) {

@@ -26,7 +26,7 @@ std::optional<glm::ivec2> readSize(JsonFields& fields) {
   if (!fields.has("size")) {
     return std::nullopt;
   }
-  JsonFields size(fields.value("size"), fields.where() + ", \"size\"");
+  JsonFields size = fields.inner("size");
   const glm::ivec2 read(size.integer("width", 1, PinholeCamera::kMaxPixelsASide),
                         size.integer("height", 1, PinholeCamera::kMaxPixelsASide));
   size.rejectUnknown();

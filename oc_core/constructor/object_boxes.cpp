@@ -21,7 +21,7 @@ std::vector<Box> objectBoxes(const GuidedScene& scene) {
 }
 
 Box readBox(JsonFields& fields, const std::string& name) {
-  JsonFields ofBox(fields.value(name), fields.where() + ", \"" + name + "\"");
+  JsonFields ofBox = fields.inner(name);
   const Box box{glm::vec3(readVector(ofBox, "lower")), glm::vec3(readVector(ofBox, "upper"))};
   ofBox.rejectUnknown();
   for (int i = 0; i < 3; ++i) {

@@ -174,7 +174,7 @@ bool readAttribute(const std::string& text, const std::string& where, ReferenceI
   image.view = viewFromJsonText(fields.value("view").dump(), attribute + ", \"view\"");
   image.triangleBound = static_cast<size_t>(fields.integer("triangle_bound", 0, 2147483647, 0));
   if (fields.has("pinhole_size")) {
-    JsonFields size(fields.value("pinhole_size"), attribute + ", \"pinhole_size\"");
+    JsonFields size = fields.inner("pinhole_size");
     image.pinholeSize = {size.integer("width", 1, kMaxPixelsASide), size.integer("height", 1, kMaxPixelsASide)};
     size.rejectUnknown();
     if (int64_t{image.pinholeSize.x} * image.pinholeSize.y > kMaxPixels) {

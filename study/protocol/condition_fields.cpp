@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <vector>
 
 #include "oc_core/base/json_fields.h"
@@ -13,29 +14,23 @@ namespace {
 
 constexpr size_t kMaxConditionCharacters = 100;
 
-/// The objects of the list, each with what messages call it.
-std::vector<JsonFields> fieldsOfConditions(JsonFields& fields) {
+/// Calls `readRest` for each condition, by its index, when its name and label are read.
+ViewConditions readNames(JsonFields& fields, const std::function<void(JsonFields& each, size_t index)>& readRest) {
   const nlohmann::json& list = fields.value("conditions");
   if (!list.is_array() || list.size() != kViews.size()) {
     fields.fail("conditions", "must be a list of two conditions, of which the first is the reference");
   }
-  std::vector<JsonFields> each;
-  for (size_t i = 0; i < list.size(); ++i) {
-    each.emplace_back(list[i], fmt::format("{}, \"conditions\" {}", fields.where(), i + 1));
-  }
-  return each;
-}
-
-ViewConditions readNames(std::vector<JsonFields>& fields) {
   ViewConditions names;
-  for (size_t i = 0; i < kViews.size(); ++i) {
-    ViewCondition& condition = names.list[i];
-    condition.name = readShortText(fields[i], "name", kMaxConditionCharacters);
-    condition.label =
-        fields[i].has("label") ? readShortText(fields[i], "label", kMaxConditionCharacters) : condition.name;
-  }
+  std::vector<JsonFields> all;
+  fields.forEach("conditions", kViews.size(), kViews.size(), [&](JsonFields& each) {
+    ViewCondition& condition = names.list[all.size()];
+    condition.name = each.shortText("name", kMaxConditionCharacters);
+    condition.label = each.shortText("label", kMaxConditionCharacters, condition.name);
+    readRest(each, all.size());
+    all.push_back(each);
+  });
   if (const std::optional<ViewConditions::Problem> problem = names.problem()) {
-    fields[problem->index].fail(problem->field, problem->what);
+    all[problem->index].fail(problem->field, problem->what);
   }
   return names;
 }
@@ -47,23 +42,18 @@ StudyConditions readConditions(JsonFields& fields) {
   if (!fields.has("conditions")) {
     return conditions;
   }
-  std::vector<JsonFields> each = fieldsOfConditions(fields);
-  conditions.names = readNames(each);
-  for (size_t i = 0; i < each.size(); ++i) {
-    conditions.views[i] = readSceneView(each[i], "view");
-    each[i].rejectUnknown();
-  }
+  conditions.names =
+      readNames(fields, [&](JsonFields& each, size_t index) { conditions.views[index] = readSceneView(each, "view"); });
   return conditions;
 }
 
 ViewConditions conditionNamesOf(const std::string& protocolText, const std::string& where) {
-  const nlohmann::json json = parseJson(protocolText, where);
-  JsonFields fields(json, where);
+  const JsonDocument document(protocolText, where);
+  JsonFields fields(document, UnknownFields::kIgnored);
   if (!fields.has("conditions")) {
     return defaultConditions();
   }
-  std::vector<JsonFields> each = fieldsOfConditions(fields);
-  return readNames(each);
+  return readNames(fields, [](JsonFields&, size_t) {});
 }
 
 }  // namespace ocelli

@@ -1,6 +1,7 @@
 // A study as its protocol file describes it (protocols/protocol.schema.json, docs/protocols.md).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -44,10 +45,12 @@ enum class TrialOrder {
   kAlternating,  ///< cases in the order of the file, views in turn: the order of the original study
   kBalanced,     ///< shuffled anew for each subject; no case twice in a row; views in turn, counterbalanced
 };
+inline constexpr std::array kTrialOrders = {TrialOrder::kAlternating, TrialOrder::kBalanced};
 enum class ViewsOfCases {
   kBoth,  ///< each case is seen in both views
   kOne,   ///< each case is seen in one view, counterbalanced over subjects where the order is balanced
 };
+inline constexpr std::array kViewsOfCases = {ViewsOfCases::kBoth, ViewsOfCases::kOne};
 
 struct ProtocolPractice {
   std::shared_ptr<const TaskBlock> task;
@@ -88,6 +91,8 @@ struct TimingLimits {
 };
 
 enum class ResumePolicy { kNextTrial, kRestartBlock, kStop };
+inline constexpr std::array kResumePolicies = {ResumePolicy::kNextTrial, ResumePolicy::kRestartBlock,
+                                               ResumePolicy::kStop};
 
 /// A rule that the analysis applies: a subject for whom the test holds is left out. The study only stores it.
 struct ExclusionRule {

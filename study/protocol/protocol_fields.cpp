@@ -21,47 +21,10 @@ constexpr size_t kMaxFields = 40;
 constexpr size_t kMaxOptions = 20;
 constexpr size_t kMaxRules = 100;
 
-/// Of a text in UTF-8, as JSON is: bytes that continue a character do not count.
-size_t characterCount(const std::string& text) {
-  return static_cast<size_t>(
-      std::count_if(text.begin(), text.end(), [](char byte) { return (static_cast<uint8_t>(byte) & 0xc0U) != 0x80U; }));
-}
-
-std::vector<std::string> readTexts(JsonFields& fields, const std::string& name, size_t least, size_t most,
-                                   size_t longest) {
-  const nlohmann::json& list = fields.value(name);
-  if (!list.is_array() || list.size() < least || list.size() > most) {
-    fields.fail(name, fmt::format("must be an array of {} to {} texts", least, most));
-  }
-  std::vector<std::string> texts;
-  for (const nlohmann::json& text : list) {
-    if (!text.is_string() || text.get_ref<const std::string&>().empty() ||
-        characterCount(text.get_ref<const std::string&>()) > longest) {
-      fields.fail(name, fmt::format("must be an array of texts of 1 to {} characters, but entry {} is none", longest,
-                                    texts.size() + 1));
-    }
-    texts.push_back(text.get<std::string>());
-  }
-  return texts;
-}
-
-/// Calls `visit(object, where)` for each entry of an array.
-template <class Visit>
-void forEachObject(JsonFields& fields, const std::string& name, size_t least, size_t most, const Visit& visit) {
-  const nlohmann::json& list = fields.value(name);
-  if (!list.is_array() || list.size() < least || list.size() > most) {
-    fields.fail(name, fmt::format("must be an array of {} to {} objects", least, most));
-  }
-  for (size_t i = 0; i < list.size(); ++i) {
-    visit(list[i], fmt::format("{}, \"{}\" {}", fields.where(), name, i + 1));
-  }
-}
-
-ProtocolPage pageOf(const nlohmann::json& json, const std::string& where) {
-  JsonFields fields(json, where);
+ProtocolPage pageOf(JsonFields& fields) {
   ProtocolPage page;
-  page.title = readShortText(fields, "title", kMaxTitle);
-  page.paragraphs = readTexts(fields, "paragraphs", 1, kMaxParagraphs, kMaxParagraph);
+  page.title = fields.shortText("title", kMaxTitle);
+  page.paragraphs = fields.texts("paragraphs", 1, kMaxParagraphs, kMaxParagraph);
   if (fields.has("picture")) {
     std::vector<std::string> names;
     for (const TaskKind& kind : taskKinds()) {
@@ -70,16 +33,15 @@ ProtocolPage pageOf(const nlohmann::json& json, const std::string& where) {
       }
     }
     names.emplace_back(kControlsImage);
-    page.image = readName(fields, "picture", names);
+    page.image = fields.choice("picture", names);
   }
-  fields.rejectUnknown();
   return page;
 }
 
 /// What names columns of tables: "age_band".
 std::string readColumnName(JsonFields& fields) {
   constexpr size_t kMax = 60;
-  std::string name = readShortText(fields, "name", kMax);
+  std::string name = fields.shortText("name", kMax);
   const auto isAllowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
   if (!std::all_of(name.begin(), name.end(), isAllowed) || !(name.front() >= 'a' && name.front() <= 'z')) {
     fields.fail("name", "must be of small letters, digits and _, and begin with a letter, as it names a column");
@@ -106,22 +68,20 @@ std::vector<TrialView> readFavors(JsonFields& fields, const ViewConditions& cond
   return favors;
 }
 
-FormField fieldOf(const nlohmann::json& json, const std::string& where, const ViewConditions& conditions) {
-  JsonFields fields(json, where);
+FormField fieldOf(JsonFields& fields, const ViewConditions& conditions) {
   FormField field;
   field.name = readColumnName(fields);
-  field.question = readShortText(fields, "question", kMaxParagraph);
-  field.options = readTexts(fields, "options", 2, kMaxOptions, kMaxTitle);
+  field.question = fields.shortText("question", kMaxParagraph);
+  field.options = fields.texts("options", 2, kMaxOptions, kMaxTitle);
   if (std::set<std::string>(field.options.begin(), field.options.end()).size() != field.options.size()) {
     fields.fail("options", "must be different from each other");
   }
   if (fields.has("ends")) {
-    field.ends = readTexts(fields, "ends", 2, 2, kMaxTitle);
+    field.ends = fields.texts("ends", 2, 2, kMaxTitle);
   }
   if (fields.has("favors")) {
     field.favors = readFavors(fields, conditions);
   }
-  fields.rejectUnknown();
   return field;
 }
 
@@ -174,50 +134,28 @@ void checkRule(JsonFields& fields, const ExclusionRule& rule, const Protocol& pr
 
 }  // namespace
 
-std::string readShortText(JsonFields& fields, const std::string& name, size_t most) {
-  std::string text = fields.text(name);
-  if (text.empty() || characterCount(text) > most) {
-    fields.fail(name, fmt::format("must have 1 to {} characters, not {}", most, characterCount(text)));
-  }
-  return text;
-}
-
-std::string readName(JsonFields& fields, const std::string& name, const std::vector<std::string>& allowed,
-                     const std::string& otherwise) {
-  if (!otherwise.empty() && !fields.has(name)) {
-    return otherwise;
-  }
-  std::string given = fields.text(name);
-  if (std::find(allowed.begin(), allowed.end(), given) == allowed.end()) {
-    fields.fail(name, fmt::format("must be one of {}", fmt::join(allowed, ", ")));
-  }
-  return given;
-}
-
 ProtocolPage readPage(JsonFields& fields, const std::string& name) {
-  return pageOf(fields.value(name), fmt::format("{}, \"{}\"", fields.where(), name));
+  JsonFields inner = fields.inner(name);
+  ProtocolPage page = pageOf(inner);
+  inner.rejectUnknown();
+  return page;
 }
 
 std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name) {
   std::vector<ProtocolPage> pages;
-  if (fields.has(name)) {
-    forEachObject(fields, name, 0, kMaxPages,
-                  [&](const nlohmann::json& json, const std::string& where) { pages.push_back(pageOf(json, where)); });
-  }
+  fields.forEach(name, 0, kMaxPages, [&](JsonFields& each) { pages.push_back(pageOf(each)); });
   return pages;
 }
 
 ProtocolForm readForm(JsonFields& fields, const std::string& name, const ViewConditions& conditions) {
-  JsonFields inner(fields.value(name), fmt::format("{}, \"{}\"", fields.where(), name));
+  JsonFields inner = fields.inner(name);
   ProtocolForm form;
   form.name = name;
-  form.title = readShortText(inner, "title", kMaxTitle);
-  if (inner.has("introduction")) {
-    form.introduction = readShortText(inner, "introduction", kMaxParagraph);
-  }
+  form.title = inner.shortText("title", kMaxTitle);
+  form.introduction = inner.shortText("introduction", kMaxParagraph, "");
   std::set<std::string> names;
-  forEachObject(inner, "fields", 1, kMaxFields, [&](const nlohmann::json& json, const std::string& where) {
-    form.fields.push_back(fieldOf(json, where, conditions));
+  inner.forEach("fields", 1, kMaxFields, [&](JsonFields& each) {
+    form.fields.push_back(fieldOf(each, conditions));
     if (!names.insert(form.fields.back().name).second) {
       inner.fail("fields", fmt::format("has two of the name \"{}\"", form.fields.back().name));
     }
@@ -231,7 +169,7 @@ ScreenGeometry readScreen(JsonFields& fields) {
   if (!fields.has("screen")) {
     return screen;
   }
-  JsonFields inner(fields.value("screen"), fmt::format("{}, \"screen\"", fields.where()));
+  JsonFields inner = fields.inner("screen");
   screen.widthMillimeters = inner.number("width_millimeters", 50, 10000, screen.widthMillimeters);
   screen.heightMillimeters = inner.number("height_millimeters", 50, 10000, screen.heightMillimeters);
   screen.distanceMillimeters = inner.number("distance_millimeters", 50, 20000, screen.distanceMillimeters);
@@ -250,7 +188,7 @@ TimingLimits readTiming(JsonFields& fields) {
   if (!fields.has("timing")) {
     return timing;
   }
-  JsonFields inner(fields.value("timing"), fmt::format("{}, \"timing\"", fields.where()));
+  JsonFields inner = fields.inner("timing");
   timing.lateFactor = inner.number("late_factor", 1.01, 10, timing.lateFactor);
   timing.maxDroppedShare = inner.number("most_dropped_share", 0, 1, timing.maxDroppedShare);
   timing.maxJitterShare = inner.number("most_jitter_share", 0.001, 10, timing.maxJitterShare);
@@ -261,22 +199,17 @@ TimingLimits readTiming(JsonFields& fields) {
 
 std::vector<ExclusionRule> readExclusions(JsonFields& fields, const Protocol& protocol) {
   std::vector<ExclusionRule> rules;
-  if (!fields.has("exclusions")) {
-    return rules;
-  }
-  forEachObject(fields, "exclusions", 0, kMaxRules, [&](const nlohmann::json& json, const std::string& where) {
-    JsonFields inner(json, where);
+  fields.forEach("exclusions", 0, kMaxRules, [&](JsonFields& each) {
     ExclusionRule rule;
-    rule.what = inner.text("what");
-    rule.test = readName(inner, "test", {"at_least", "at_most", "is", "is_not"});
-    const nlohmann::json& value = inner.value("value");
+    rule.what = each.text("what");
+    rule.test = each.choice("test", {"at_least", "at_most", "is", "is_not"});
+    const nlohmann::json& value = each.value("value");
     if (!value.is_string() && !value.is_number()) {
-      inner.fail("value", "must be a text or a number");
+      each.fail("value", "must be a text or a number");
     }
     rule.value = value.is_string() ? value.get<std::string>() : value.dump();
-    rule.reason = readShortText(inner, "reason", kMaxParagraph);
-    checkRule(inner, rule, protocol);
-    inner.rejectUnknown();
+    rule.reason = each.shortText("reason", kMaxParagraph);
+    checkRule(each, rule, protocol);
     rules.push_back(rule);
   });
   return rules;

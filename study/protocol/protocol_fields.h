@@ -13,12 +13,6 @@ class JsonFields;
 /// Characters of a title.
 inline constexpr size_t kMaxTitle = 200;
 
-/// A text of 1 to `most` characters.
-std::string readShortText(JsonFields& fields, const std::string& name, size_t most);
-/// One of the names; `otherwise` where the field is missing and that is not empty.
-std::string readName(JsonFields& fields, const std::string& name, const std::vector<std::string>& allowed,
-                     const std::string& otherwise = "");
-
 /// In the field `name`.
 ProtocolPage readPage(JsonFields& fields, const std::string& name);
 /// Nothing where the field is missing.

@@ -26,7 +26,7 @@ constexpr int kMaxSessions = 20;
 constexpr int kMaxSeed = 2147483647;
 
 std::string readIdentifier(JsonFields& fields, const std::string& name, bool spaces) {
-  std::string text = readShortText(fields, name, kMaxName);
+  std::string text = fields.shortText(name, kMaxName);
   const auto isAllowed = [&](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            (spaces && c == ' ');
@@ -39,21 +39,15 @@ std::string readIdentifier(JsonFields& fields, const std::string& name, bool spa
 
 std::map<std::string, Maze> readMazes(JsonFields& fields) {
   std::map<std::string, Maze> mazes;
-  if (!fields.has("mazes")) {
-    return mazes;
-  }
-  const nlohmann::json& list = fields.value("mazes");
-  if (!list.is_object() || list.size() > kMaxMazes) {
-    fields.fail("mazes", fmt::format("must be an object of at most {} mazes by name", kMaxMazes));
-  }
-  for (const auto& [name, json] : list.items()) {
-    const std::string where = fmt::format("{}, \"mazes\" {}", fields.where(), name);
-    JsonFields maze(json, where);
-    if (maze.has("landmarks")) {
-      maze.fail("landmarks", "is not for protocols: where objects stand is for the cases of the blocks to say");
-    }
-    mazes.emplace(name, readMaze(maze));
-  }
+  fields.forEachNamed(
+      "mazes", kMaxMazes,
+      [&](const std::string& name, JsonFields& maze) {
+        if (maze.has("landmarks")) {
+          maze.fail("landmarks", "is not for protocols: where objects stand is for the cases of the blocks to say");
+        }
+        mazes.emplace(name, readMaze(maze));
+      },
+      "mazes");
   return mazes;
 }
 
@@ -79,13 +73,12 @@ std::vector<int> readSessions(JsonFields& fields, int sessions) {
 }
 
 const TaskKind& readTask(JsonFields& fields) {
-  const std::string name = fields.text("task");
+  std::vector<std::string> names;
   for (const TaskKind& kind : taskKinds()) {
-    if (name == kind.name) {
-      return kind;
-    }
+    names.emplace_back(kind.name);
   }
-  fields.fail("task", fmt::format("must be one of {}, not \"{}\"", taskNames(), name));
+  const std::string name = fields.choice("task", names);
+  return taskKinds()[static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin())];
 }
 
 std::optional<ProtocolPractice> readPractice(JsonFields& fields, const TaskKind& kind, const TaskSetting& setting) {
@@ -96,7 +89,7 @@ std::optional<ProtocolPractice> readPractice(JsonFields& fields, const TaskKind&
     }
     return std::nullopt;
   }
-  JsonFields inner(fields.value("practice"), fmt::format("{}, \"practice\"", fields.where()));
+  JsonFields inner = fields.inner("practice");
   ProtocolPractice practice;
   practice.minCorrect = inner.integer("least_correct", 1, kMaxTrials, practice.minCorrect);
   practice.maxTrials = inner.integer("most_trials", 1, kMaxTrials, practice.maxTrials);
@@ -108,50 +101,38 @@ std::optional<ProtocolPractice> readPractice(JsonFields& fields, const TaskKind&
   return practice;
 }
 
-ProtocolBlock readBlock(const nlohmann::json& json, const std::string& where, const Protocol& protocol,
-                        const TaskSetting& setting) {
+ProtocolBlock readBlock(JsonFields& fields, const Protocol& protocol, const TaskSetting& setting) {
   constexpr int kMaxTrials = 1000;
-  JsonFields unnamed(json, where);
-  const std::string name = readIdentifier(unnamed, "name", true);
-  JsonFields fields(json, fmt::format("{} ({})", where, name));
-  fields.has("name");
   ProtocolBlock block;
-  block.name = name;
-  block.title = readShortText(fields, "title", kMaxTitle);
+  block.name = readIdentifier(fields, "name", true);
+  fields.callIt(block.name);
+  block.title = fields.shortText("title", kMaxTitle);
   const TaskKind& kind = readTask(fields);
   block.taskName = kind.name;
   block.instructions = readPages(fields, "instructions");
-  const std::string balanced = nameOf(TrialOrder::kBalanced);
-  block.order = readName(fields, "order", {nameOf(TrialOrder::kAlternating), balanced}, balanced) == balanced
-                    ? TrialOrder::kBalanced
-                    : TrialOrder::kAlternating;
-  const std::string both = nameOf(ViewsOfCases::kBoth);
-  block.views = readName(fields, "views", {both, nameOf(ViewsOfCases::kOne)}, both) == both ? ViewsOfCases::kBoth
-                                                                                            : ViewsOfCases::kOne;
+  block.order = fields.choiceOf("order", kTrialOrders, block.order);
+  block.views = fields.choiceOf("views", kViewsOfCases, block.views);
   block.feedback = fields.boolean("feedback", block.feedback);
   block.breakEveryTrials = fields.integer("break_every_trials", 0, kMaxTrials, block.breakEveryTrials);
   block.breakAfter = fields.boolean("break_after", block.breakAfter);
   block.sessions = readSessions(fields, protocol.sessions);
   block.task = kind.read(fields, "cases", setting);
   block.practice = readPractice(fields, kind, setting);
-  fields.rejectUnknown();
   return block;
 }
 
 void readBlocks(JsonFields& fields, const TaskSetting& setting, Protocol& protocol) {
-  const nlohmann::json& list = fields.value("blocks");
-  if (!list.is_array() || list.empty() || list.size() > kMaxBlocks) {
-    fields.fail("blocks", fmt::format("must be an array of 1 to {} blocks", kMaxBlocks));
-  }
   std::set<std::string> names;
-  for (size_t i = 0; i < list.size(); ++i) {
-    const std::string where = fmt::format("{}, \"blocks\" {}", fields.where(), i + 1);
-    protocol.blocks.push_back(readBlock(list[i], where, protocol, setting));
-    if (!names.insert(protocol.blocks.back().name).second) {
-      fields.fail("blocks", fmt::format("has two of the name \"{}\": the second is block {}",
-                                        protocol.blocks.back().name, i + 1));
-    }
-  }
+  fields.forEach(
+      "blocks", 1, kMaxBlocks,
+      [&](JsonFields& each) {
+        const std::string& name = protocol.blocks.emplace_back(readBlock(each, protocol, setting)).name;
+        if (!names.insert(name).second) {
+          fields.fail("blocks",
+                      fmt::format("has two of the name \"{}\": the second is block {}", name, protocol.blocks.size()));
+        }
+      },
+      "blocks");
   for (int session = 1; session <= protocol.sessions; ++session) {
     const auto isIn = [&](const ProtocolBlock& block) { return isInSession(block, session); };
     if (std::none_of(protocol.blocks.begin(), protocol.blocks.end(), isIn)) {
@@ -160,29 +141,18 @@ void readBlocks(JsonFields& fields, const TaskSetting& setting, Protocol& protoc
   }
 }
 
-ResumePolicy readResume(JsonFields& fields) {
-  std::vector<std::string> names;
-  for (const ResumePolicy policy : {ResumePolicy::kNextTrial, ResumePolicy::kRestartBlock, ResumePolicy::kStop}) {
-    names.emplace_back(nameOf(policy));
-  }
-  const std::string name = readName(fields, "resume", names, names.front());
-  return static_cast<ResumePolicy>(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
 }  // namespace
 
 Protocol protocolFromJsonText(const std::string& text, const std::string& where) {
   return readAs("protocols/protocol.schema.json", [&] {
-    const nlohmann::json json = parseJson(text, where);
-    JsonFields fields(json, where);
+    const JsonDocument document(text, where);
+    JsonFields fields(document);
     Protocol protocol;
     protocol.text = text;
     protocol.sha256 = sha256(text);
     protocol.name = readIdentifier(fields, "name", false);
-    protocol.title = readShortText(fields, "title", kMaxTitle);
-    if (fields.has("description")) {
-      protocol.description = readShortText(fields, "description", kMaxText);
-    }
+    protocol.title = fields.shortText("title", kMaxTitle);
+    protocol.description = fields.shortText("description", kMaxText, "");
     constexpr int kMaxMinutes = 1'000'000;  // about two years
     protocol.sessions = fields.integer("sessions", 1, kMaxSessions, protocol.sessions);
     protocol.minutesBetweenSessions =
@@ -205,10 +175,10 @@ Protocol protocolFromJsonText(const std::string& text, const std::string& where)
     protocol.breakSeconds = fields.integer("break_seconds", 0, 3600, protocol.breakSeconds);
     protocol.screen = readScreen(fields);
     protocol.timing = readTiming(fields);
-    protocol.resume = readResume(fields);
+    protocol.resume = fields.choiceOf("resume", kResumePolicies, protocol.resume);
     protocol.exclusions = readExclusions(fields, protocol);
     if (fields.has("controls")) {
-      JsonFields controls(fields.value("controls"), fmt::format("{}, \"controls\"", where));
+      JsonFields controls = fields.inner("controls");
       protocol.controls = readControls(controls);
       controls.rejectUnknown();
     }

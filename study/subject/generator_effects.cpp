@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
 #include "study/tasks/task_registry.h"
 
@@ -80,14 +81,14 @@ double fixedPart(const GeneratorEffects& effects, const GeneratedTrial& trial) {
 
 GeneratorEffects readGeneratorEffects(const std::filesystem::path& file) {
   return readAs("docs/simulated_subjects.md", [&] {
-    const nlohmann::json json = readJsonFile(file);
-    JsonFields fields(json, file.string());
+    const JsonDocument document(readFile(file, kMaxTextBytes), file.string());
+    JsonFields fields(document);
     GeneratorEffects effects;
     for (const TaskKind& kind : taskKinds()) {
       if (!fields.has(kind.name)) {
         continue;
       }
-      JsonFields inner(fields.value(kind.name), fmt::format("{}, \"{}\"", fields.where(), kind.name));
+      JsonFields inner = fields.inner(kind.name);
       for (const GeneratorEffect& effect : kind.generator.effects) {
         double& value = effects.at(kind.name, effect.name);
         value = inner.number(effect.name, isDeviation(effect) ? 0 : -kLargestEffect, kLargestEffect, value);

@@ -54,7 +54,7 @@ EyeCameraOptions readEyeCameraOptions(JsonFields& fields) {
   EyeCameraOptions options;
   options.fovHorizontalDegrees = fields.number("fov_horizontal_degrees", 10, 150, options.fovHorizontalDegrees);
   if (fields.has("portals")) {
-    JsonFields portals(fields.value("portals"), fields.where() + ", \"portals\"");
+    JsonFields portals = fields.inner("portals");
     options.portals = readPortalOptions(portals);
     portals.rejectUnknown();
     if (!options.portals.portals.empty()) {

@@ -50,15 +50,10 @@ PinholeMatrix readPinholeMatrix(JsonFields& fields, const Maze& maze) {
   PinholeMatrix matrix;
   matrix.rows = fields.integer("rows", 1, 10);
   matrix.columns = fields.integer("columns", 1, 10);
-  const nlohmann::json& list = fields.value("views");
-  const auto places = static_cast<size_t>(matrix.rows * matrix.columns);
-  if (!list.is_array() || list.empty() || list.size() > places) {
-    fields.fail("views", fmt::format("must be a list of 1 to {} views, as many as there are rows and columns", places));
-  }
-  for (size_t i = 0; i < list.size(); ++i) {
-    JsonFields each(list[i], fmt::format("{}, \"views\" {}", fields.where(), i + 1));
-    matrix.views.push_back(readView(each, maze));
-  }
+  fields.forEach(
+      "views", 1, static_cast<size_t>(matrix.rows * matrix.columns),
+      [&](JsonFields& each) { matrix.views.push_back(readView(each, maze)); },
+      "views, as many as there are rows and columns");
   fields.rejectUnknown();
   return matrix;
 }

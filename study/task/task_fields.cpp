@@ -16,22 +16,6 @@ namespace {
 
 constexpr size_t kMaxCases = 1000;
 
-template <class Choice, size_t kCount>
-Choice readChoice(JsonFields& fields, const char* name, const std::array<Choice, kCount>& choices, Choice otherwise) {
-  if (!fields.has(name)) {
-    return otherwise;
-  }
-  const std::string given = fields.text(name);
-  std::string allowed;
-  for (const Choice choice : choices) {
-    if (given == nameOf(choice)) {
-      return choice;
-    }
-    allowed += fmt::format("{}{}", allowed.empty() ? "" : ", ", nameOf(choice));
-  }
-  fields.fail(name, fmt::format("is \"{}\", but must be one of {}", given, allowed));
-}
-
 }  // namespace
 
 const Maze& readMazeOf(JsonFields& fields, const TaskSetting& setting) {
@@ -79,7 +63,7 @@ WalkerPose readStart(JsonFields& fields, const Maze& maze) {
   MazeCell cell = maze.entrance->cell;
   Direction heading = maze.entrance->heading;
   if (fields.has("start")) {
-    JsonFields start(fields.value("start"), fields.where() + ", \"start\"");
+    JsonFields start = fields.inner("start");
     cell = readCell(start, maze);
     heading = readHeading(start);
     start.rejectUnknown();
@@ -93,13 +77,13 @@ ObjectLook readObjectLook(JsonFields& fields, bool withColor) {
   if (!fields.has("object")) {
     return look;
   }
-  JsonFields object(fields.value("object"), fields.where() + ", \"object\"");
-  look.shape = readChoice(object, "shape", kLandmarkShapes, look.shape);
+  JsonFields object = fields.inner("object");
+  look.shape = object.choiceOf("shape", kLandmarkShapes, look.shape);
   if (look.shape == LandmarkShape::kArch) {
     object.fail("shape", "is \"arch\", which spans a passage; the others stand on the floor");
   }
   if (withColor) {
-    look.color = readChoice(object, "color", kLandmarkColors, look.color);
+    look.color = object.choiceOf("color", kLandmarkColors, look.color);
   }
   object.rejectUnknown();
   return look;
@@ -109,7 +93,7 @@ std::optional<double> readMoving(JsonFields& fields) {
   if (!fields.has("moving")) {
     return std::nullopt;
   }
-  JsonFields moving(fields.value("moving"), fields.where() + ", \"moving\"");
+  JsonFields moving = fields.inner("moving");
   const double speed = moving.number("meters_per_second", 0.01, 20);
   moving.rejectUnknown();
   return speed;
@@ -117,20 +101,17 @@ std::optional<double> readMoving(JsonFields& fields) {
 
 void readCases(JsonFields& fields, const std::string& caseField,
                const std::function<void(JsonFields& fields, const std::string& label)>& read) {
-  const nlohmann::json& list = fields.value(caseField);
-  if (!list.is_array() || list.empty() || list.size() > kMaxCases) {
-    fields.fail(caseField, fmt::format("must be a list of 1 to {} cases", kMaxCases));
-  }
   std::set<std::string> labels;
-  for (size_t i = 0; i < list.size(); ++i) {
-    JsonFields each(list[i], fmt::format("{}, \"{}\" {}", fields.where(), caseField, i + 1));
-    const std::string label = each.text("label", fmt::format("case {}", i + 1));
-    if (label.empty() || !labels.insert(label).second) {
-      each.fail("label", fmt::format("is \"{}\", but must be a text that no other case of the block has", label));
-    }
-    read(each, label);
-    each.rejectUnknown();
-  }
+  fields.forEach(
+      caseField, 1, kMaxCases,
+      [&](JsonFields& each) {
+        const std::string label = each.text("label", fmt::format("case {}", labels.size() + 1));
+        if (label.empty() || !labels.insert(label).second) {
+          each.fail("label", fmt::format("is \"{}\", but must be a text that no other case of the block has", label));
+        }
+        read(each, label);
+      },
+      "cases");
 }
 
 std::string placeName(const MazeCell& cell) {

@@ -276,19 +276,16 @@ std::vector<MazeCell> readPlaces(JsonFields& fields, const Maze& maze) {
     }
     return places;
   }
-  const nlohmann::json& list = fields.value("places");
-  if (!list.is_array() || list.empty()) {
-    fields.fail("places", "must be a list of cells, {\"row\": 0, \"column\": 0}");
-  }
   std::set<MazeCell> seen;
-  for (const nlohmann::json& value : list) {
-    JsonFields each(value, fmt::format("{}, \"places\" {}", fields.where(), places.size() + 1));
-    places.push_back(readCell(each, maze));
-    each.rejectUnknown();
-    if (!seen.insert(places.back()).second) {
-      each.fail("row", fmt::format("and \"column\" name the cell {} a second time", nameOf(places.back())));
-    }
-  }
+  fields.forEach(
+      "places", 1, static_cast<size_t>(maze.rows() * maze.columns()),
+      [&](JsonFields& each) {
+        places.push_back(readCell(each, maze));
+        if (!seen.insert(places.back()).second) {
+          each.fail("row", fmt::format("and \"column\" name the cell {} a second time", nameOf(places.back())));
+        }
+      },
+      R"(cells, {"row": 0, "column": 0})");
   return places;
 }
 
@@ -339,13 +336,13 @@ std::shared_ptr<const TaskBlock> readCountTask(JsonFields& fields, const std::st
   }
   options.answerLimitSeconds = fields.number("answer_limit_seconds", 1, 3600, options.answerLimitSeconds);
   if (fields.has("comprehensive")) {
-    JsonFields comprehensive(fields.value("comprehensive"), fields.where() + ", \"comprehensive\"");
+    JsonFields comprehensive = fields.inner("comprehensive");
     options.comprehensive = readComprehensiveOptions(comprehensive);
     comprehensive.rejectUnknown();
   }
   // Tells now what no screen could show.
   comprehensiveView(maze, options.comprehensive, stageOf(TrialScreen{}));
-  JsonFields pinholes(fields.value("pinholes"), fields.where() + ", \"pinholes\"");
+  JsonFields pinholes = fields.inner("pinholes");
   options.pinholes = readPinholeMatrix(pinholes, maze);
   options.places = readPlaces(fields, maze);
   checkPlaces(fields, maze, options);

@@ -251,7 +251,7 @@ void checkCase(const NearerBlock& block, int index, const std::string& where) {
 }
 
 Landmark readObject(JsonFields& fields, const char* name, const Maze& maze, const ObjectLook& look) {
-  JsonFields of(fields.value(name), fmt::format("{}, \"{}\"", fields.where(), name));
+  JsonFields of = fields.inner(name);
   Landmark object;
   object.cell = readCell(of, maze);
   object.shape = look.shape;

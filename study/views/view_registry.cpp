@@ -65,7 +65,8 @@ std::shared_ptr<const SceneView> readSceneView(JsonFields& fields, const std::st
   if (!isName && !value.is_object()) {
     fields.fail(name, fmt::format("must be one of {}, or an object with the field \"kind\"", viewNames()));
   }
-  JsonFields options(isName ? kNoOptions : value, fmt::format("{}, \"{}\"", fields.where(), name));
+  JsonFields options =
+      isName ? JsonFields(kNoOptions, fmt::format("{}, \"{}\"", fields.where(), name)) : fields.inner(name);
   const ViewKind& kind =
       isName ? viewKindIn(fields, name, value.get<std::string>()) : viewKindIn(options, "kind", options.text("kind"));
   std::shared_ptr<const SceneView> view = kind.read(options);

@@ -62,7 +62,7 @@ TEST(AnalysisPlan, unknownFieldsAreNamedWithTheirLine) {
               HasSubstr("plan.json:4: field \"alhpa\" is unknown"));
   EXPECT_THAT(errorOf("{\"name\": \"a\",\n \"models\": [\n {\"name\": \"b\",\n \"task\": \"find\", \"kind\": "
                       "\"cox\",\n\"termz\": []}]}"),
-              HasSubstr("plan.json:5: field \"termz\" is unknown"));
+              HasSubstr("plan.json:5, \"models\" 1: field \"termz\" is unknown"));
   EXPECT_THAT(errorOf(std::string("{// one\r\"name\": \"a\", /* two\n */ // three\0\n\"alhpa\": 1}", 53)),
               HasSubstr("plan.json:3: field \"alhpa\" is unknown"));
   EXPECT_THAT(errorOf("{\"name\": \"a\", \"name\": \"b\"}"), HasSubstr("stands twice"));
@@ -79,15 +79,15 @@ TEST(AnalysisPlan, contradictionsAreRefused) {
     Json value;
     const char* says;
   } wrong[] = {
-      {"/alpha", 0.7, "field \"alpha\" must be a number from 1e-06 to 0.5"},
-      {"/seed", -1, "field \"seed\" must be a whole number"},
+      {"/alpha", 0.7, "field \"alpha\" must lie between 1e-06 and 0.5, not 0.7"},
+      {"/seed", -1, "field \"seed\" must lie between 0 and 2147483647, not -1"},
       {"/seed", 1.5, "field \"seed\" must be a whole number"},
-      {"/bootstrap_samples", 18446744073709551615ull, "must be a whole number"},
+      {"/bootstrap_samples", 18446744073709551615ull, "must lie between 100 and 1000000, not 18446744073709551615"},
       {"/protocol_sha256", "abc", "must be 64 digits"},
-      {"/forced_sessions", "kept", "must be one of: excluded, analysed"},
-      {"/find_timeouts", "gone", "must be one of: censored, removed, set_to_limit"},
-      {"/models/0/kind", "anova", "must be one of: linear_mixed"},
-      {"/models/0/task", "walk", "must be one of: find, count, path, survey"},
+      {"/forced_sessions", "kept", "field \"forced_sessions\" must be one of excluded, analysed, not \"kept\""},
+      {"/find_timeouts", "gone", "must be one of censored, removed, set_to_limit, not \"gone\""},
+      {"/models/0/kind", "anova", "must be one of linear_mixed"},
+      {"/models/0/task", "walk", "must be one of find, count, path, survey, not \"walk\""},
       {"/models/0/kind", "linear_mixed", "knows no censored times, but \"find_timeouts\" is censored"},
       {"/models/0/random/1/slopes", {"objects"}, "holds \"objects\", which is not a term of the model"},
       {"/models/0/terms", {"view", "colour"}, "holds \"colour\""},
@@ -102,7 +102,7 @@ TEST(AnalysisPlan, contradictionsAreRefused) {
       {"/families/0/hypotheses", {"find-faster", "count-better"}, "does not hold hypothesis \"path-alike\""},
       {"/families/0/hypotheses", {"find-slower"}, "names \"find-slower\""},
       {"/families/1/hypotheses/0", "find-faster", "which stands in a family already"},
-      {"/families/0/correction", "bonferroni", "must be one of: holm, none"},
+      {"/families/0/correction", "bonferroni", "must be one of holm, none, not \"bonferroni\""},
       {"/equivalence", Json::array(), "has no bounds for task \"path\""},
       {"/equivalence/0/lower", 0.05, "must lie below 0"},
       {"/exclusions/0/what", "mood", "is \"mood\", but must be one of: subject"},
@@ -122,7 +122,7 @@ TEST(AnalysisPlan, tasksAreThoseOfTheStudy) {
   Json json = sampleJson();
   json["models"][10]["task"] = "nearer";
   const std::string text = json.dump();
-  EXPECT_THAT(errorOf(text), HasSubstr("is \"nearer\", but must be one of: find, count, path, survey"));
+  EXPECT_THAT(errorOf(text), HasSubstr("must be one of find, count, path, survey, not \"nearer\""));
   std::vector<std::string> tasks = kTasks;
   tasks.push_back("nearer");
   EXPECT_EQ(planFromJsonText(text, "plan.json", tasks).models[10].task, "nearer");

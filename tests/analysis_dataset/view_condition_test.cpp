@@ -43,6 +43,11 @@ TEST(ViewConditions, areTwoWithNamesOfTheirOwn) {
               HasSubstr("field \"label\" is that of"));
   EXPECT_THAT(errorOfConditions(R"([{"name": "a b"}, {"name": "c"}])"), HasSubstr("must be letters, digits"));
   EXPECT_THAT(errorOfConditions(R"([{"label": "a"}, {"name": "c"}])"), HasSubstr("name"));
+  EXPECT_THAT(analysisErrorOf([] { protocolFacts("{\"name\": \"a\",\n\"sessions\": 0}", "p.json"); }),
+              HasSubstr("p.json:2: field \"sessions\" must lie between 1 and 1000"));
+  EXPECT_THAT(
+      analysisErrorOf([] { protocolFacts("{\"name\": \"a\", \"blocks\": [\n{\"task\": \"find\"}]}", "p.json"); }),
+      HasSubstr("p.json:2, \"blocks\" 1: field \"name\" is missing"));
 }
 
 TEST(ViewConditions, areWhatScalesSpeakFor) {

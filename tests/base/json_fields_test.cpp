@@ -3,30 +3,21 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "oc_core/base/error.h"
-#include "tests/base/temporary_folder.h"
+#include "tests/base/json_error.h"
 
 namespace ocelli {
 namespace {
 
+using test::jsonErrorOf;
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 nlohmann::json sample() {
   return parseJson(R"({"radius": 0.127, "slices": 198, "mirrored": true, "name": "perspecta", "list": [1, 2]})",
                    "p.json");
-}
-
-template <class Call>
-std::string messageOf(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
 }
 
 TEST(JsonFields, ReadsEachType) {
@@ -53,23 +44,23 @@ TEST(JsonFields, FallsBackWhereAFieldIsOptional) {
 TEST(JsonFields, NamesAMissingField) {
   const nlohmann::json object = sample();
   JsonFields fields(object, "p.json");
-  EXPECT_THAT(messageOf([&] { fields.text("colour"); }),
+  EXPECT_THAT(jsonErrorOf([&] { fields.text("colour"); }),
               AllOf(HasSubstr("p.json"), HasSubstr("\"colour\" is missing")));
 }
 
 TEST(JsonFields, NamesAFieldOfTheWrongType) {
   const nlohmann::json object = sample();
   JsonFields fields(object, "p.json");
-  EXPECT_THAT(messageOf([&] { fields.number("name", 0, 1); }), HasSubstr("\"name\" must be a number"));
-  EXPECT_THAT(messageOf([&] { fields.integer("radius", 0, 1); }), HasSubstr("\"radius\" must be a whole number"));
-  EXPECT_THAT(messageOf([&] { fields.boolean("slices", true); }), HasSubstr("\"slices\" must be true or false"));
-  EXPECT_THAT(messageOf([&] { fields.text("slices"); }), HasSubstr("\"slices\" must be a text"));
+  EXPECT_THAT(jsonErrorOf([&] { fields.number("name", 0, 1); }), HasSubstr("\"name\" must be a number"));
+  EXPECT_THAT(jsonErrorOf([&] { fields.integer("radius", 0, 1); }), HasSubstr("\"radius\" must be a whole number"));
+  EXPECT_THAT(jsonErrorOf([&] { fields.boolean("slices", true); }), HasSubstr("\"slices\" must be true or false"));
+  EXPECT_THAT(jsonErrorOf([&] { fields.text("slices"); }), HasSubstr("\"slices\" must be a text"));
 }
 
 TEST(JsonFields, NamesARangeThatIsLeft) {
   const nlohmann::json object = sample();
   JsonFields fields(object, "p.json");
-  EXPECT_THAT(messageOf([&] { fields.integer("slices", 1, 100); }), HasSubstr("must lie between 1 and 100, not 198"));
+  EXPECT_THAT(jsonErrorOf([&] { fields.integer("slices", 1, 100); }), HasSubstr("must lie between 1 and 100, not 198"));
   // The ends belong to the range.
   EXPECT_EQ(fields.integer("slices", 198, 198), 198);
 }
@@ -85,7 +76,7 @@ TEST(JsonFields, RejectsAnUnknownFieldByName) {
   const nlohmann::json object = sample();
   JsonFields fields(object, "p.json");
   fields.number("radius", 0, 1);
-  EXPECT_THAT(messageOf([&] { fields.rejectUnknown(); }), HasSubstr("list"));
+  EXPECT_THAT(jsonErrorOf([&] { fields.rejectUnknown(); }), HasSubstr("list"));
 }
 
 TEST(JsonFields, ListsTheKnownFieldsWhetherOrNotTheyAreThere) {
@@ -93,7 +84,7 @@ TEST(JsonFields, ListsTheKnownFieldsWhetherOrNotTheyAreThere) {
   JsonFields fields(object, "p.json");
   fields.number("radius", 0, 1, 0.5);
   fields.has("name");
-  EXPECT_THAT(messageOf([&] { fields.rejectUnknown(); }), HasSubstr("use one of: name, radius"));
+  EXPECT_THAT(jsonErrorOf([&] { fields.rejectUnknown(); }), HasSubstr("use one of: name, radius"));
 }
 
 TEST(JsonFields, AllowsSchemaAndComment) {
@@ -106,70 +97,130 @@ TEST(JsonFields, WantsAnObject) {
   EXPECT_THROW(JsonFields(list, "p.json"), InputError);
 }
 
-TEST(ParseJson, SaysLineAndColumn) {
-  EXPECT_THAT(messageOf([] { parseJson("{\n  \"a\": 1,\n  oops\n}", "p.json"); }), HasSubstr("p.json:3:3"));
-  EXPECT_THAT(messageOf([] { parseJson("oops", "p.json"); }), HasSubstr("p.json:1:1"));
+const char* const kStudyText = R"({
+  "name": "caf\u00e9 \u2615", // of 6 characters
+  "kind": "small",
+  "page": {"title": "t",
+           "lines": ["a", "bb"]},
+  "cases": [{"row": 1}, {"row": 2,
+    "column": 3}],
+  "mazes": {"a/b": {"side": 4},
+            "c": {"side": 5}}
+})";
+
+TEST(JsonFields, ReadsTextsOfLimitedLength) {
+  const JsonDocument document(kStudyText, "s.json");
+  JsonFields fields(document);
+  EXPECT_EQ(fields.shortText("name", 6), "caf\u00e9 \u2615") << "characters, not bytes";
+  EXPECT_THAT(jsonErrorOf([&] { fields.shortText("name", 5); }),
+              HasSubstr("s.json:2: field \"name\" must have 1 to 5 characters, not 6"));
+  EXPECT_EQ(fields.shortText("title", 6, "none"), "none");
+  EXPECT_THAT(jsonErrorOf([&] { fields.shortText("title", 6); }), HasSubstr("\"title\" is missing"));
+  EXPECT_THAT(jsonErrorOf([&] { fields.shortText("page", 6); }), HasSubstr("must be a text"));
+  const nlohmann::json empty{{"name", ""}};
+  EXPECT_THAT(jsonErrorOf([&] { JsonFields(empty, "s.json").shortText("name", 6, "none"); }),
+              HasSubstr("must have 1 to 6 characters, not 0"));
 }
 
-TEST(ParseJson, RejectsWhatIsCutShort) {
-  const std::string whole = R"({"a": [1, {"b": "c"}], "d": 1.5e3})";
-  for (size_t length = 0; length < whole.size(); ++length) {
-    EXPECT_THROW(parseJson(whole.substr(0, length), "p.json"), InputError) << length;
+TEST(JsonFields, ReadsListsOfTexts) {
+  const JsonDocument document(kStudyText, "s.json");
+  JsonFields page = JsonFields(document).inner("page");
+  EXPECT_THAT(page.texts("lines", 2, 2, 2), ElementsAre("a", "bb"));
+  EXPECT_THAT(page.texts("notes", 0, 2, 2), IsEmpty()) << "missing";
+  EXPECT_THAT(jsonErrorOf([&] { page.texts("notes", 1, 2, 2); }), HasSubstr("\"notes\" is missing"));
+  for (const auto& [min, max] : {std::pair{0u, 1u}, std::pair{3u, 4u}}) {
+    EXPECT_THAT(jsonErrorOf([&] { page.texts("lines", min, max, 2); }),
+                HasSubstr(testing::PrintToString(min) + " to " + testing::PrintToString(max) + " texts"));
   }
-  EXPECT_NO_THROW(parseJson(whole, "p.json"));
+  EXPECT_THAT(
+      jsonErrorOf([&] { page.texts("lines", 0, 2, 1); }),
+      HasSubstr("s.json:5, \"page\": field \"lines\" must be an array of texts of 1 to 1 characters, but entry 2"));
+  EXPECT_THAT(jsonErrorOf([&] { page.texts("title", 0, 2, 1); }), HasSubstr("must be an array of 0 to 2 texts"));
 }
 
-TEST(ParseJson, RejectsNumbersThatJsonDoesNotHave) {
-  for (const char* text : {"[NaN]", "[Infinity]", "[1e999]", "[01]", "[\"\xff\"]"}) {
-    EXPECT_THROW(parseJson(text, "p.json"), InputError) << text;
-  }
+enum class Size { kSmall, kLarge };
+constexpr Size kSizes[] = {Size::kSmall, Size::kLarge};
+const char* nameOf(Size size) {
+  return size == Size::kSmall ? "small" : "large";
 }
 
-TEST(ParseJson, AllowsComments) {
-  EXPECT_EQ(parseJson("{ // radius in metres\n \"r\": /* inches? no */ 1 }", "p.json").at("r"), 1);
+TEST(JsonFields, ReadsChoices) {
+  const JsonDocument document(kStudyText, "s.json");
+  JsonFields fields(document);
+  EXPECT_EQ(fields.choice("kind", {"large", "small"}), "small");
+  EXPECT_EQ(fields.choice("shape", {"round", "flat"}, "flat"), "flat");
+  EXPECT_THAT(jsonErrorOf([&] { fields.choice("shape", {"round"}); }), HasSubstr("\"shape\" is missing"));
+  EXPECT_THAT(jsonErrorOf([&] {
+                fields.choice("kind", {"round", "flat"}, "flat");
+              }),
+              HasSubstr("s.json:3: field \"kind\" must be one of round, flat, not \"small\""));
+  EXPECT_EQ(fields.choiceOf("kind", kSizes), Size::kSmall);
+  EXPECT_EQ(fields.choiceOf("size", kSizes, Size::kLarge), Size::kLarge);
+  EXPECT_THAT(jsonErrorOf([&] { fields.choiceOf("name", kSizes); }), HasSubstr("must be one of small, large"));
 }
 
-TEST(ReadJsonFile, ReadsAndNamesTheFile) {
-  const test::TemporaryFolder folder;
-  EXPECT_EQ(readJsonFile(folder.write("good.json", "{\"a\": 2}")).at("a"), 2);
-  const auto broken = folder.write("broken.json", "{");
-  EXPECT_THAT(messageOf([&] { readJsonFile(broken); }), HasSubstr("broken.json:1:2"));
+TEST(JsonFields, NameFileAndLineOfWhatIsInside) {
+  const JsonDocument document(kStudyText, "s.json");
+  JsonFields fields(document);
+  EXPECT_EQ(fields.where(), "s.json:1");
+  JsonFields page = fields.inner("page");
+  EXPECT_EQ(page.where(), "s.json:4, \"page\"");
+  page.text("title");
+  EXPECT_THAT(jsonErrorOf([&] { page.rejectUnknown(); }),
+              AllOf(HasSubstr("s.json:5, \"page\": field \"lines\" is unknown"), HasSubstr("use one of: title")));
+  page.callIt("first");
+  EXPECT_EQ(page.where(), "s.json:4, \"page\" (first)");
+  EXPECT_THAT(jsonErrorOf([&] { fields.inner("kind"); }), HasSubstr("s.json:3, \"kind\": a JSON object"));
+  EXPECT_THAT(jsonErrorOf([&] { fields.inner("none"); }), HasSubstr("s.json:1: field \"none\" is missing"));
+  // Without a document.
+  const nlohmann::json object = document.root();
+  EXPECT_EQ(JsonFields(object, "s.json, it").inner("page").where(), "s.json, it, \"page\"");
 }
 
-TEST(ReadJsonFile, RejectsMissingEmptyAndFolder) {
-  const test::TemporaryFolder folder;
-  EXPECT_THROW(readJsonFile(folder / "missing.json"), InputError);
-  EXPECT_THROW(readJsonFile(folder.write("empty.json", "")), InputError);
-  EXPECT_THROW(readJsonFile(folder.path()), InputError);
+TEST(JsonFields, CallsForEachObjectOfAnArray) {
+  const JsonDocument document(kStudyText, "s.json");
+  JsonFields fields(document);
+  std::vector<int> rows;
+  const auto read = [&](JsonFields& each) {
+    rows.push_back(each.integer("row", 0, 9));
+    each.has("column");
+  };
+  fields.forEach("cases", 2, 2, read);
+  fields.forEach("none", 0, 2, read);
+  EXPECT_THAT(rows, ElementsAre(1, 2));
+  EXPECT_THAT(jsonErrorOf([&] { fields.forEach("none", 1, 2, read); }), HasSubstr("\"none\" is missing"));
+  EXPECT_THAT(jsonErrorOf([&] { fields.forEach("cases", 3, 4, read); }),
+              HasSubstr("s.json:6: field \"cases\" must be an array of 3 to 4 objects"));
+  EXPECT_THAT(jsonErrorOf([&] { fields.forEach("cases", 0, 1, read, "cases"); }),
+              HasSubstr("an array of 0 to 1 cases"));
+  EXPECT_THAT(jsonErrorOf([&] { fields.forEach("page", 0, 1, read); }), HasSubstr("must be an array"));
+  EXPECT_THAT(jsonErrorOf([&] { fields.forEach("cases", 0, 9, [](JsonFields& each) { each.has("row"); }); }),
+              HasSubstr("s.json:7, \"cases\" 2: field \"column\" is unknown"));
 }
 
-TEST(JsonFields, DeepNestingIsAnError) {
-  EXPECT_NO_THROW(parseJson(std::string(90, '[') + std::string(90, ']'), "x.json"));
-  for (const size_t depth : {200u, 500000u}) {
-    EXPECT_THROW(parseJson(std::string(depth, '[') + std::string(depth, ']'), "x.json"), InputError);
-    EXPECT_THROW(parseJson(std::string(depth, '['), "x.json"), InputError);
-  }
+TEST(JsonFields, CallsForEachObjectByName) {
+  const JsonDocument document(kStudyText, "s.json");
+  JsonFields fields(document);
+  std::string read;
+  fields.forEachNamed("mazes", 2, [&](const std::string& name, JsonFields& each) {
+    read += name + "=" + std::to_string(each.integer("side", 0, 9)) + " ";
+  });
+  fields.forEachNamed("none", 2, [&](const std::string&, JsonFields&) { FAIL(); });
+  EXPECT_EQ(read, "a/b=4 c=5 ");
+  const auto ignore = [](const std::string&, JsonFields&) {};
+  EXPECT_THAT(jsonErrorOf([&] { fields.forEachNamed("mazes", 2, ignore); }),
+              HasSubstr("s.json:8, \"mazes\" a/b: field \"side\" is unknown"));
+  EXPECT_THAT(jsonErrorOf([&] { fields.forEachNamed("mazes", 1, ignore, "mazes"); }),
+              HasSubstr("must be an object of at most 1 mazes by name"));
+  EXPECT_THAT(jsonErrorOf([&] { fields.forEachNamed("cases", 9, ignore); }), HasSubstr("must be an object"));
 }
 
-TEST(JsonFields, tellsOfTwoFieldsOfOneName) {
-  EXPECT_THAT(messageOf([] { parseJson(R"({"a": {"seed": 1, "b": 2, "seed": 2}})", "p.json"); }),
-              AllOf(HasSubstr("\"seed\" stands twice"), HasSubstr("p.json")));
-  EXPECT_NO_THROW(parseJson(R"({"a": {"seed": 1}, "b": [{"seed": 1}, {"seed": 1}], "seed": 1})", "p.json"));
-  // Comments may be many.
-  EXPECT_NO_THROW(parseJson(R"({"comment": "one", "comment": "two"})", "p.json"));
-}
-
-TEST(JsonFields, readsNoEndlessFile) {
-  EXPECT_THAT(messageOf([] { readJsonFile("/dev/zero"); }), AllOf(HasSubstr("larger than"), HasSubstr("/dev/zero")));
-}
-
-TEST(TextOfJson, IsValidWhateverBytesNamesHold) {
-  const std::string name = "caf\xe9 \xc3\xa9 \xf0\x9f\x92 \"1\"\n";
-  const std::string text = textOfJson({{"name", name}, {"ratio", std::nan("")}});
-  const auto back = nlohmann::json::parse(text);
-  EXPECT_EQ(back["name"], "caf\xef\xbf\xbd \xc3\xa9 \xef\xbf\xbd \"1\"\n");
-  EXPECT_TRUE(back["ratio"].is_null());
-  EXPECT_EQ(textOfJson({{"a", 1}}, 2), "{\n  \"a\": 1\n}");
+TEST(JsonFields, IgnoreUnknownFieldsWhereToldTo) {
+  const JsonDocument document(kStudyText, "s.json");
+  JsonFields fields(document, UnknownFields::kIgnored);
+  EXPECT_NO_THROW(fields.rejectUnknown());
+  EXPECT_NO_THROW(fields.inner("page").rejectUnknown());
+  EXPECT_NO_THROW(fields.forEach("cases", 0, 9, [](JsonFields&) {}));
 }
 
 }  // namespace

@@ -17,5 +17,10 @@ TEST(Utf8, whatIsNoTextIsReplaced) {
   EXPECT_EQ(cleanText("Übung \u2264 \U0001F600\n"), "Übung \u2264 \U0001F600\n");
 }
 
+TEST(CharacterCount, countsCharactersAndNotBytes) {
+  EXPECT_EQ(characterCount(""), 0u);
+  EXPECT_EQ(characterCount("a\u00e9\u2615\U0001F600"), 4u);
+}
+
 }  // namespace
 }  // namespace ocelli

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "oc_core/base/error.h"
@@ -239,14 +240,14 @@ const Mutation kMutations[] = {
     {"/blocks/0/practice_cases", "", "field \"practice_cases\" is missing", "\"blocks\" 1 (find it)"},
     // Tasks: what cannot be.
     {"/blocks/0/maze", "\"loop\"", "field \"maze\" is \"loop\", but the mazes of this protocol are: ring", "\"blocks\" 1 (find it)"},
-    {"/blocks/0/cases", "[]", "field \"cases\" must be a list of 1 to", "\"blocks\" 1 (find it)"},
+    {"/blocks/0/cases", "[]", "field \"cases\" must be an array of 1 to 1000 cases", "\"blocks\" 1 (find it)"},
     {"/blocks/0/cases", "", "field \"cases\" is missing", "\"blocks\" 1 (find it)"},
     {"/blocks/0/cases/0/east", "0.45", "wall", "\"cases\" 1"},
     {"/blocks/0/cases/0/row", "3", "field \"row\" must lie between 0 and 2", "\"cases\" 1"},
     {"/blocks/0/cases/1/label", "\"here\"", "field \"label\" is \"here\"", "\"cases\" 2"},
     {"/blocks/0/limit_seconds", "0", "field \"limit_seconds\"", "\"blocks\" 1 (find it)"},
     {"/blocks/0/moving/meters_per_second", "-1", "field \"meters_per_second\"", "\"moving\""},
-    {"/blocks/0/object/color", "\"red\"", "field \"color\" is \"red\", but must be one of", "\"object\""},
+    {"/blocks/0/object/color", "\"red\"", "field \"color\" must be one of orange", "\"object\""},
     {"/blocks/0/portals/bent_beyond", "20", "\"bent_beyond\" must be less than \"farthest\"", "\"portals\""},
     {"/blocks/1/cases/0/objects", "6", "field \"objects\" is 6, but there are 5 places", "\"cases\" 1"},
     {"/blocks/1/cases/0/exposure_seconds", "-5", "field \"exposure_seconds\" must lie", "\"cases\" 1"},
@@ -268,6 +269,22 @@ TEST(ProtocolFile, RefusesSessionsWithoutBlocks) {
   Json json = smallProtocol();
   json["sessions"] = 3;
   EXPECT_THAT(protocolError(json), HasSubstr("field \"sessions\" is 3, but no block is in session 3"));
+}
+
+TEST(ProtocolFile, SaysTheLineOfAField) {
+  Json json = smallProtocol();
+  json.at("blocks").at(0).at("cases").at(0)["row"] = 9;
+  const std::string text = json.dump(1);
+  const auto line =
+      1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("\"row\": 9")), '\n');
+  try {
+    protocolFromJsonText(text, "study.json");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("study.json:" + std::to_string(line) +
+                                        ", \"blocks\" 1 (find it), \"cases\" 1: field \"row\" must lie"));
+    EXPECT_THAT(error.what(), HasSubstr("see protocols/protocol.schema.json"));
+  }
 }
 
 TEST(ProtocolFile, SaysWhereTheJsonIsBroken) {

@@ -1,0 +1,19 @@
+// On which line of a JSON text each of its values stands: the parser does not tell.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace ocelli {
+
+/// The JSON pointer (RFC 6901) of a field of the object at `pointer`.
+std::string pointerToField(const std::string& pointer, std::string_view name);
+/// The same of an element of an array.
+std::string pointerToElement(const std::string& pointer, size_t index);
+
+/// Lines from 1, by JSON pointer: of a field that of its name, of an element that of its value. `text` must
+/// have been parsed before; comments are allowed.
+std::map<std::string, int> linesOfJson(std::string_view text);
+
+}  // namespace ocelli
