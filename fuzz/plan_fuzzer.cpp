@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
         std::abort();
       }
     }
-    for (const ocelli::PlannedExclusion& exclusion : plan.exclusions) {
+    for (const ocelli::ExclusionRule& exclusion : plan.exclusions) {
       if (ocelli::describe(exclusion).empty()) {
         std::abort();
       }

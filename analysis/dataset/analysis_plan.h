@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "study/outline/exclusion_rule.h"
+
 namespace ocelli {
 
 /// How a trial counts whose time ran out.
@@ -18,29 +20,6 @@ enum class TimeoutTreatment : uint8_t {
 inline constexpr TimeoutTreatment kTimeoutTreatments[] = {TimeoutTreatment::kCensored, TimeoutTreatment::kRemoved,
                                                           TimeoutTreatment::kSetToLimit};
 const char* nameOf(TimeoutTreatment treatment);
-
-enum class ExclusionTest : uint8_t {
-  kAlways,  ///< what is told needs no value
-  kIs,
-  kIsNot,
-  kAtLeast,
-  kAtMost,
-};
-const char* nameOf(ExclusionTest test);
-
-/// What is left out.
-struct PlannedExclusion {
-  /// Of whole subjects: "subject" (an id), "ending" (of any session), "sessions_completed", "timeout_share",
-  /// "dropped_share" (of all its frames), "practice_criterion" (not reached in a block that has practice),
-  /// "form:FIELD". Of sessions: "incomplete_session", "forced_session". Of trials: "timing_verdict",
-  /// "trial_dropped_share".
-  std::string what;
-  ExclusionTest test = ExclusionTest::kAlways;
-  std::string text{};       ///< of kIs and kIsNot
-  double number = 0;        ///< of kAtLeast and kAtMost
-  std::string reason;       ///< for the log: "impaired vision"
-  bool ofProtocol = false;  ///< the protocol has the rule
-};
 
 enum class ModelKind : uint8_t {
   kLinearMixed,     ///< of the logarithm of times: knows no censored ones
@@ -110,7 +89,7 @@ struct AnalysisPlan {
   bool usesProtocolExclusions = true;
   /// Sessions whose timing check failed and that were started nevertheless; a rule about them says it too.
   bool excludesForcedSessions = true;
-  std::vector<PlannedExclusion> exclusions{};
+  std::vector<ExclusionRule> exclusions{};
   TimeoutTreatment findTimeouts = TimeoutTreatment::kCensored;
   std::vector<PlannedModel> models{};
   std::vector<Hypothesis> hypotheses{};

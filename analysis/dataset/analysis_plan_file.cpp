@@ -150,8 +150,8 @@ HypothesisFamily readFamily(JsonFields& fields, const AnalysisPlan& plan, std::s
   return family;
 }
 
-PlannedExclusion readExclusion(JsonFields& fields) {
-  PlannedExclusion rule;
+ExclusionRule readExclusion(JsonFields& fields) {
+  ExclusionRule rule;
   rule.what = fields.shortText("what", kMaxName);
   const std::string test = fields.shortText("test", kMaxName, nameOf(ExclusionTest::kAlways));
   if (fields.has("value")) {

@@ -19,40 +19,6 @@
 namespace ocelli {
 namespace {
 
-enum class Level : uint8_t { kSubject, kSession, kTrial };
-enum class Value : uint8_t { kNone, kText, kNumber, kShare };
-
-struct RuleKind {
-  std::string_view what;
-  Level level;
-  Value value;
-};
-constexpr RuleKind kRuleKinds[] = {
-    {"subject", Level::kSubject, Value::kText},
-    {"ending", Level::kSubject, Value::kText},
-    {"sessions_completed", Level::kSubject, Value::kNumber},
-    {"timeout_share", Level::kSubject, Value::kShare},
-    {"dropped_share", Level::kSubject, Value::kShare},
-    {"practice_criterion", Level::kSubject, Value::kNone},
-    {"incomplete_session", Level::kSession, Value::kNone},
-    {"forced_session", Level::kSession, Value::kNone},
-    {"timing_verdict", Level::kTrial, Value::kText},
-    {"trial_dropped_share", Level::kTrial, Value::kShare},
-};
-constexpr std::string_view kFormPrefix = "form:";
-
-std::optional<RuleKind> kindOf(const std::string& what) {
-  if (what.starts_with(kFormPrefix) && what.size() > kFormPrefix.size()) {
-    return RuleKind{kFormPrefix, Level::kSubject, Value::kText};
-  }
-  for (const RuleKind& kind : kRuleKinds) {
-    if (kind.what == what) {
-      return kind;
-    }
-  }
-  return std::nullopt;
-}
-
 template <class Word, size_t kCount>
 std::string problemOfChoice(const std::string& given, const std::array<Word, kCount>& words) {
   return wordNamed(given, words)
@@ -66,19 +32,18 @@ std::string nameOrNothing(const std::optional<Word>& word) {
   return word ? nameOf(*word) : "";
 }
 
-bool matches(const PlannedExclusion& rule, const std::string& text) {
+bool matches(const ExclusionRule& rule, const std::string& text) {
   return (rule.test == ExclusionTest::kIs) == (text == rule.text);
 }
 
-bool matches(const PlannedExclusion& rule, double number) {
+bool matches(const ExclusionRule& rule, double number) {
   return rule.test == ExclusionTest::kAtLeast ? number >= rule.number : number <= rule.number;
 }
 
 constexpr const char* kForcedSession = "forced_session";
 
-bool excludesForced(const std::vector<PlannedExclusion>& rules) {
-  return std::any_of(rules.begin(), rules.end(),
-                     [](const PlannedExclusion& rule) { return rule.what == kForcedSession; });
+bool excludesForced(const std::vector<ExclusionRule>& rules) {
+  return std::any_of(rules.begin(), rules.end(), [](const ExclusionRule& rule) { return rule.what == kForcedSession; });
 }
 
 /// The first of them, and how many more there are.
@@ -117,8 +82,8 @@ class Excluder {
     gatherTotals();
     countBefore();
     markContradictions();
-    const std::vector<PlannedExclusion> rules = allRules();
-    for (const PlannedExclusion& rule : rules) {
+    const std::vector<ExclusionRule> rules = allRules();
+    for (const ExclusionRule& rule : rules) {
       apply(rule);
     }
     warnOfForcedSessions(rules);
@@ -132,13 +97,13 @@ class Excluder {
   void gatherTotals();
   void countBefore();
   void markContradictions();
-  std::vector<PlannedExclusion> allRules() const;
-  void warnOfForcedSessions(const std::vector<PlannedExclusion>& rules);
-  void apply(const PlannedExclusion& rule);
-  void excludeSubject(const std::string& subject, const PlannedExclusion& rule);
+  std::vector<ExclusionRule> allRules() const;
+  void warnOfForcedSessions(const std::vector<ExclusionRule>& rules);
+  void apply(const ExclusionRule& rule);
+  void excludeSubject(const std::string& subject, const ExclusionRule& rule);
   void remove();
   void countAfter();
-  bool isMet(const PlannedExclusion& rule, const std::string& subject, const SubjectTotals& totals) const;
+  bool isMet(const ExclusionRule& rule, const std::string& subject, const SubjectTotals& totals) const;
   bool missesPractice(const SubjectTotals& totals) const;
 
   AnalysisData result_{};
@@ -246,13 +211,12 @@ void Excluder::markContradictions() {
   }
 }
 
-std::vector<PlannedExclusion> Excluder::allRules() const {
+std::vector<ExclusionRule> Excluder::allRules() const {
   const AnalysisPlan& plan = result_.plan;
-  std::vector<PlannedExclusion> rules =
-      plan.usesProtocolExclusions ? facts_.exclusions : std::vector<PlannedExclusion>();
+  std::vector<ExclusionRule> rules = plan.usesProtocolExclusions ? facts_.exclusions : std::vector<ExclusionRule>();
   rules.insert(rules.end(), plan.exclusions.begin(), plan.exclusions.end());
   if (plan.excludesForcedSessions && !excludesForced(rules)) {
-    PlannedExclusion rule;
+    ExclusionRule rule;
     rule.what = kForcedSession;
     rule.reason = "forced past a failed check of the screen's timing";
     rules.push_back(std::move(rule));
@@ -260,7 +224,7 @@ std::vector<PlannedExclusion> Excluder::allRules() const {
   return rules;
 }
 
-void Excluder::warnOfForcedSessions(const std::vector<PlannedExclusion>& rules) {
+void Excluder::warnOfForcedSessions(const std::vector<ExclusionRule>& rules) {
   std::vector<std::string> named;
   for (const Session& session : result_.data.sessions) {
     if (session.forced) {
@@ -276,23 +240,23 @@ void Excluder::warnOfForcedSessions(const std::vector<PlannedExclusion>& rules) 
 
 bool Excluder::missesPractice(const SubjectTotals& totals) const {
   for (const auto& [block, answers] : totals.practice) {
-    const auto& needed = static_cast<size_t>(block) < facts_.blocks.size()
-                             ? facts_.blocks[static_cast<size_t>(block)].practiceLeastCorrect
-                             : std::nullopt;
+    const auto practice = static_cast<size_t>(block) < facts_.blocks.size()
+                              ? facts_.blocks[static_cast<size_t>(block)].practice
+                              : std::nullopt;
     int longest = 0;
     int inRow = 0;
     for (const bool right : answers) {
       inRow = right ? inRow + 1 : 0;
       longest = std::max(longest, inRow);
     }
-    if (needed && longest < *needed) {
+    if (practice && longest < practice->minCorrect) {
       return true;
     }
   }
   return false;
 }
 
-bool Excluder::isMet(const PlannedExclusion& rule, const std::string& subject, const SubjectTotals& totals) const {
+bool Excluder::isMet(const ExclusionRule& rule, const std::string& subject, const SubjectTotals& totals) const {
   const auto share = [](int64_t part, int64_t whole) {
     return whole > 0 ? std::optional(static_cast<double>(part) / static_cast<double>(whole)) : std::nullopt;
   };
@@ -321,7 +285,7 @@ bool Excluder::isMet(const PlannedExclusion& rule, const std::string& subject, c
                                                 [&](const std::string& answer) { return matches(rule, answer); });
 }
 
-void Excluder::excludeSubject(const std::string& subject, const PlannedExclusion& rule) {
+void Excluder::excludeSubject(const std::string& subject, const ExclusionRule& rule) {
   if (!subjectWhy_.try_emplace(subject, fmt::format("{} ({})", rule.reason, describe(rule))).second) {
     return;
   }
@@ -336,9 +300,9 @@ void Excluder::excludeSubject(const std::string& subject, const PlannedExclusion
   }
 }
 
-void Excluder::apply(const PlannedExclusion& rule) {
+void Excluder::apply(const ExclusionRule& rule) {
   const Dataset& data = result_.data;
-  const std::optional<RuleKind> kind = kindOf(rule.what);
+  const std::optional<ExclusionKind> kind = exclusionKindOf(rule.what);
   if (rule.what == "subject" && rule.test == ExclusionTest::kIs && data.findSubject(rule.text) == nullptr) {
     const bool wasLeftOut = std::any_of(data.leftOut.begin(), data.leftOut.end(),
                                         [&](const LeftOutRow& row) { return row.subject == rule.text; });
@@ -354,14 +318,14 @@ void Excluder::apply(const PlannedExclusion& rule) {
                      "the database; or --protocol FILE, for exported tables");
   }
   switch (kind->level) {
-    case Level::kSubject:
+    case ExclusionLevel::kSubject:
       for (const auto& [subject, totals] : totals_) {
         if (isMet(rule, subject, totals)) {
           excludeSubject(subject, rule);
         }
       }
       return;
-    case Level::kSession:
+    case ExclusionLevel::kSession:
       for (const Session& session : data.sessions) {
         const bool met = rule.what == kForcedSession ? session.forced : session.ending != SessionEnding::kCompleted;
         const std::string why = fmt::format("{} ({})", rule.reason, describe(rule));
@@ -370,7 +334,7 @@ void Excluder::apply(const PlannedExclusion& rule) {
         }
       }
       return;
-    case Level::kTrial:
+    case ExclusionLevel::kTrial:
       for (size_t i = 0; i < data.trials.size(); ++i) {
         const Trial& trial = data.trials[i];
         const double frames = static_cast<double>(trial.frames);
@@ -464,7 +428,7 @@ std::map<std::string, int> completedSessions(const Dataset& data) {
   return completed;
 }
 
-std::string describe(const PlannedExclusion& rule) {
+std::string describe(const ExclusionRule& rule) {
   switch (rule.test) {
     case ExclusionTest::kAlways:
       return rule.what;
@@ -480,45 +444,35 @@ std::string describe(const PlannedExclusion& rule) {
   return "";
 }
 
-std::optional<ExclusionTest> exclusionTestOf(const std::string& name) {
-  for (const ExclusionTest test : {ExclusionTest::kAlways, ExclusionTest::kIs, ExclusionTest::kIsNot,
-                                   ExclusionTest::kAtLeast, ExclusionTest::kAtMost}) {
-    if (name == nameOf(test)) {
-      return test;
-    }
-  }
-  return std::nullopt;
-}
-
-std::string problemOfRule(const PlannedExclusion& rule, const std::string& test, bool hasValue, bool valueIsText) {
-  const std::optional<RuleKind> kind = kindOf(rule.what);
+std::string problemOfRule(const ExclusionRule& rule, const std::string& test, bool hasValue, bool valueIsText) {
+  const std::optional<ExclusionKind> kind = exclusionKindOf(rule.what);
   if (!kind) {
     std::string allowed;
-    for (const RuleKind& each : kRuleKinds) {
+    for (const ExclusionKind& each : kExclusionKinds) {
       allowed += fmt::format("{}, ", each.what);
     }
     return fmt::format("is \"{}\", but must be one of: {}form:FIELD", rule.what, allowed);
   }
   const std::optional<ExclusionTest> found = exclusionTestOf(test);
   const bool isText = found == ExclusionTest::kIs || found == ExclusionTest::kIsNot;
-  const bool isNumber = found == ExclusionTest::kAtLeast || found == ExclusionTest::kAtMost;
+  const bool isNumber = found && comparesNumbers(*found);
   switch (kind->value) {
-    case Value::kNone:
+    case ExclusionValue::kNone:
       return found == ExclusionTest::kAlways && !hasValue
                  ? ""
                  : fmt::format("is \"{}\", which takes no \"test\" and no \"value\"", rule.what);
-    case Value::kText:
+    case ExclusionValue::kText:
       if (!isText || !hasValue || !valueIsText) {
         return fmt::format("is \"{}\", which needs the \"test\" is or is_not and a text as \"value\"", rule.what);
       }
       return kind->what == "ending"           ? problemOfChoice(rule.text, kSessionEndings)
              : kind->what == "timing_verdict" ? problemOfChoice(rule.text, kTimingVerdicts)
                                               : "";
-    case Value::kNumber:
-    case Value::kShare:
-      if (!isNumber || !hasValue || valueIsText || (kind->value == Value::kShare && rule.number > 1)) {
+    case ExclusionValue::kNumber:
+    case ExclusionValue::kShare:
+      if (!isNumber || !hasValue || valueIsText || (kind->value == ExclusionValue::kShare && rule.number > 1)) {
         return fmt::format("is \"{}\", which needs the \"test\" at_least or at_most and a number{} as \"value\"",
-                           rule.what, kind->value == Value::kShare ? " from 0 to 1" : "");
+                           rule.what, kind->value == ExclusionValue::kShare ? " from 0 to 1" : "");
       }
       return "";
   }

@@ -60,10 +60,8 @@ std::map<std::string, int> completedSessions(const Dataset& data);
 std::string exclusionLogCsv(const Dataset& data);
 
 /// "ending is unwell".
-std::string describe(const PlannedExclusion& rule);
-/// The test of that name.
-std::optional<ExclusionTest> exclusionTestOf(const std::string& name);
+std::string describe(const ExclusionRule& rule);
 /// What is wrong with a rule as it was read, as the end of a sentence about its field "what"; empty where nothing is.
-std::string problemOfRule(const PlannedExclusion& rule, const std::string& test, bool hasValue, bool valueIsText);
+std::string problemOfRule(const ExclusionRule& rule, const std::string& test, bool hasValue, bool valueIsText);
 
 }  // namespace ocelli

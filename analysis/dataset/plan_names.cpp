@@ -14,22 +14,6 @@ const char* nameOf(TimeoutTreatment treatment) {
   return "";
 }
 
-const char* nameOf(ExclusionTest test) {
-  switch (test) {
-    case ExclusionTest::kAlways:
-      return "always";
-    case ExclusionTest::kIs:
-      return "is";
-    case ExclusionTest::kIsNot:
-      return "is_not";
-    case ExclusionTest::kAtLeast:
-      return "at_least";
-    case ExclusionTest::kAtMost:
-      return "at_most";
-  }
-  return "";
-}
-
 const char* nameOf(ModelKind kind) {
   switch (kind) {
     case ModelKind::kLinearMixed:

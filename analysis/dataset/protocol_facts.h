@@ -6,8 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "analysis/dataset/analysis_plan.h"
 #include "analysis/dataset/form_item.h"
+#include "study/outline/block_outline.h"
+#include "study/outline/exclusion_rule.h"
+#include "study/outline/screen_fields.h"
+#include "study/outline/usual_values.h"
 
 namespace ocelli {
 
@@ -28,27 +31,13 @@ struct ProtocolCase {
   double south = 0;
 };
 
-struct ProtocolBlockFacts {
-  std::string name;
-  std::string title;
-  std::string task;
-  std::string maze;                           ///< name of one of ProtocolFacts::mazes; empty where it has none
-  std::optional<int> practiceLeastCorrect{};  ///< in a row; nothing where there is no practice
-  bool bothViews = true;                      ///< a subject sees each case in both
+struct ProtocolBlockFacts : BlockOutline {
+  std::string maze{};  ///< name of one of ProtocolFacts::mazes; empty where it has none
   bool moving = false;
-  double fovHorizontalDegrees = 70;
+  double fovHorizontalDegrees = kUsualFovHorizontalDegrees;
   std::optional<double> limitSeconds{};  ///< of a search
   std::optional<int> maps{};             ///< among which a path is chosen
   std::vector<ProtocolCase> cases{};
-};
-
-/// Of the screen and its timing, as the study wants them.
-struct ProtocolScreen {
-  std::optional<double> widthMillimeters{};
-  std::optional<double> heightMillimeters{};
-  std::optional<double> distanceMillimeters{};  ///< from the eye
-  std::optional<double> refreshHertz{};
-  double lateFactor = 1.2;  ///< a frame of more intervals than that is a dropped one
 };
 
 struct ProtocolFacts {
@@ -59,9 +48,10 @@ struct ProtocolFacts {
   bool asksConsent = false;
   std::vector<ProtocolBlockFacts> blocks{};
   std::vector<ProtocolMaze> mazes{};
-  std::vector<PlannedExclusion> exclusions{};
+  std::vector<ExclusionRule> exclusions{};
   std::vector<FormItem> items{};  ///< of "demographics", then of "survey"
-  ProtocolScreen screen{};
+  StatedScreen screen{};
+  TimingLimits timing{};
   ViewConditions conditions = defaultConditions();
 
   const ProtocolMaze* findMaze(const std::string& maze) const;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "study/outline/run_fields.h"
+
 namespace ocelli {
 namespace {
 
@@ -51,26 +53,26 @@ class Fields {
 
 RunScreen screenOf(const Run& run) {
   const Fields environment(Json::parse(run.environment, nullptr, false));
-  const Fields monitor = environment.in("monitor");
-  const Fields graphics = environment.in("graphics");
+  const Fields monitor = environment.in(run_fields::kMonitor);
+  const Fields graphics = environment.in(run_fields::kGraphics);
   const Fields check(Json::parse(run.timingCheck, nullptr, false));
-  const Fields measured = check.in("measured");
+  const Fields measured = check.in(run_fields::kMeasured);
   RunScreen screen;
-  screen.simulated = environment.flag("simulated");
-  screen.monitor = monitor.text("name");
-  screen.widthPixels = monitor.positive("width");
-  screen.heightPixels = monitor.positive("height");
-  screen.widthMillimeters = monitor.positive("width_millimeters");
-  screen.heightMillimeters = monitor.positive("height_millimeters");
-  screen.refreshHertz = monitor.positive("refresh_hertz");
-  screen.graphics = graphics.text("renderer");
-  screen.softwareRendered = graphics.flag("software");
-  screen.pacedHertz = environment.positive("paced_hertz");
-  screen.notMeasured = environment.texts("not_measured");
-  screen.verdict = check.text("verdict");
-  screen.measuredHertz = measured.positive("hertz");
-  screen.jitterShare = measured.real("jitter_share");
-  screen.lateShare = measured.real("late_share");
+  screen.simulated = environment.flag(run_fields::kSimulated);
+  screen.monitor = monitor.text(run_fields::kName);
+  screen.widthPixels = monitor.positive(run_fields::kWidth);
+  screen.heightPixels = monitor.positive(run_fields::kHeight);
+  screen.widthMillimeters = monitor.positive(run_fields::kWidthMillimeters);
+  screen.heightMillimeters = monitor.positive(run_fields::kHeightMillimeters);
+  screen.refreshHertz = monitor.positive(run_fields::kRefreshHertz);
+  screen.graphics = graphics.text(run_fields::kRenderer);
+  screen.softwareRendered = graphics.flag(run_fields::kSoftware);
+  screen.pacedHertz = environment.positive(run_fields::kPacedHertz);
+  screen.notMeasured = environment.texts(run_fields::kNotMeasured);
+  screen.verdict = check.text(run_fields::kVerdict);
+  screen.measuredHertz = measured.positive(run_fields::kHertz);
+  screen.jitterShare = measured.real(run_fields::kJitterShare);
+  screen.lateShare = measured.real(run_fields::kLateShare);
   return screen;
 }
 

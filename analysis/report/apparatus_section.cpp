@@ -97,7 +97,9 @@ class Apparatus {
     }
     for (const DataSource& source : work.analysis.data.sources) {
       if (!wanted_ && !source.protocolText.empty()) {
-        wanted_ = protocolFacts(source.protocolText, source.path).screen;
+        const ProtocolFacts facts = protocolFacts(source.protocolText, source.path);
+        wanted_ = facts.screen;
+        timing_ = facts.timing;
       }
     }
   }
@@ -125,7 +127,8 @@ class Apparatus {
   std::map<SessionKey, Frames> bySession_{};
   std::map<SessionKey, const Trial*> firstTrials_{};
   Frames all_{};
-  std::optional<ProtocolScreen> wanted_{};
+  std::optional<StatedScreen> wanted_{};
+  TimingLimits timing_{};
 };
 
 /// As the monitor says; where it does not, as the trials had it.
@@ -218,7 +221,7 @@ void Apparatus::addFacts() {
   const std::optional<double> share = all_.droppedShare();
   facts.facts.push_back(
       {"Dropped frames", share ? fmt::format("{} of {} frames: intervals longer than {:g} times that of the screen",
-                                             percentText(*share), all_.frames, wanted_ ? wanted_->lateFactor : 1.2)
+                                             percentText(*share), all_.frames, timing_.lateFactor)
                                : std::string("not known: no frames were logged")});
   if (!graphics.empty()) {
     facts.facts.push_back({"Graphics", fmt::format("{}", fmt::join(graphics, "; "))});

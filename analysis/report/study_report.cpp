@@ -31,8 +31,9 @@ void addDesign(ReportWork& work) {
       work.document.add(ReportParagraph{fmt::format("{}. {}", protocol.title, protocol.description)});
       ReportList blocks;
       for (const ProtocolBlockFacts& block : protocol.blocks) {
-        blocks.items.push_back(fmt::format("{} (task {}): {} cases, {}", block.name, block.task, block.cases.size(),
-                                           block.bothViews ? "each in both views" : "each in one view"));
+        blocks.items.push_back(
+            fmt::format("{} (task {}): {} cases, {}", block.name, block.task, block.cases.size(),
+                        block.views == ViewsOfCases::kBoth ? "each in both views" : "each in one view"));
       }
       work.document.add(blocks);
       break;

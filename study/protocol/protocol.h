@@ -9,6 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "study/outline/block_outline.h"
+#include "study/outline/exclusion_rule.h"
+#include "study/outline/form_field.h"
+#include "study/outline/screen_fields.h"
 #include "study/task/task.h"
 
 namespace ocelli {
@@ -25,15 +29,6 @@ struct ProtocolPage {
   std::string image{};
 };
 
-struct FormField {
-  std::string name;  ///< of the answer in the database: "age_band"
-  std::string question;
-  std::vector<std::string> options;  ///< one is chosen; always at least two
-  std::vector<std::string> ends{};   ///< of a scale: what its first and last option mean; empty, or two
-  std::vector<TrialView> favors{};   ///< of a scale that compares the views: which one its first and its last option
-                                     ///< speak for; empty, or two
-};
-
 struct ProtocolForm {
   std::string name;  ///< "demographics", "survey"
   std::string title;
@@ -46,16 +41,10 @@ enum class TrialOrder {
   kBalanced,     ///< shuffled anew for each subject; no case twice in a row; views in turn, counterbalanced
 };
 inline constexpr std::array kTrialOrders = {TrialOrder::kAlternating, TrialOrder::kBalanced};
-enum class ViewsOfCases {
-  kBoth,  ///< each case is seen in both views
-  kOne,   ///< each case is seen in one view, counterbalanced over subjects where the order is balanced
-};
-inline constexpr std::array kViewsOfCases = {ViewsOfCases::kBoth, ViewsOfCases::kOne};
-
 struct ProtocolPractice {
   std::shared_ptr<const TaskBlock> task;
-  int minCorrect = 1;  ///< in a row, to go on
-  int maxTrials = 8;   ///< then the experimenter is called
+  int minCorrect = PracticeOutline().minCorrect;
+  int maxTrials = PracticeOutline().maxTrials;
 };
 
 struct ProtocolBlock {
@@ -83,24 +72,9 @@ struct ScreenGeometry {
   bool photodiodePatch = false;          ///< a square in the lower left corner, white in every other frame of a trial
 };
 
-struct TimingLimits {
-  double lateFactor = 1.2;         ///< a frame of more intervals than that is a dropped one
-  double maxDroppedShare = 0.01;   ///< of a trial's frames; with more the trial is marked
-  double maxJitterShare = 0.1;     ///< of the interval, standard deviation in the start-up check
-  double refreshTolerance = 0.02;  ///< of the measured rate, relative to what the monitor says
-};
-
 enum class ResumePolicy { kNextTrial, kRestartBlock, kStop };
 inline constexpr std::array kResumePolicies = {ResumePolicy::kNextTrial, ResumePolicy::kRestartBlock,
                                                ResumePolicy::kStop};
-
-/// A rule that the analysis applies: a subject for whom the test holds is left out. The study only stores it.
-struct ExclusionRule {
-  std::string what;  ///< "sessions_completed", "timeout_share", "dropped_share", "ending", or "form:FIELD"
-  std::string test;  ///< "at_least", "at_most", "is", "is_not"
-  std::string value;
-  std::string reason;
-};
 
 struct Protocol {
   std::string name;  ///< letters, digits and -
@@ -137,7 +111,6 @@ Protocol readProtocol(const std::filesystem::path& path);
 Protocol protocolFromJsonText(const std::string& text, const std::string& where);
 
 const char* nameOf(TrialOrder order);
-const char* nameOf(ViewsOfCases views);
 const char* nameOf(ResumePolicy policy);
 
 }  // namespace ocelli

@@ -18,24 +18,10 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kMaxName = 60;
-constexpr size_t kMaxText = 4000;
 constexpr size_t kMaxMazes = 20;
 constexpr size_t kMaxBlocks = 20;
 constexpr int kMaxSessions = 20;
 constexpr int kMaxSeed = 2147483647;
-
-std::string readIdentifier(JsonFields& fields, const std::string& name, bool spaces) {
-  std::string text = fields.shortText(name, kMaxName);
-  const auto isAllowed = [&](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-           (spaces && c == ' ');
-  };
-  if (!std::all_of(text.begin(), text.end(), isAllowed)) {
-    fields.fail(name, spaces ? "must be of letters, digits, - and spaces" : "must be of letters, digits and -");
-  }
-  return text;
-}
 
 std::map<std::string, Maze> readMazes(JsonFields& fields) {
   std::map<std::string, Maze> mazes;
@@ -81,43 +67,34 @@ const TaskKind& readTask(JsonFields& fields) {
   return taskKinds()[static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin())];
 }
 
-std::optional<ProtocolPractice> readPractice(JsonFields& fields, const TaskKind& kind, const TaskSetting& setting) {
-  constexpr int kMaxTrials = 100;
-  if (!fields.has("practice")) {
-    if (fields.has("practice_cases")) {
-      fields.fail("practice_cases", "is of no use without the field \"practice\", which says when practice ends");
-    }
-    return std::nullopt;
+std::optional<ProtocolPractice> readPractice(JsonFields& fields, const std::optional<PracticeOutline>& outline,
+                                             const TaskKind& kind, const TaskSetting& setting) {
+  if (outline) {
+    return ProtocolPractice{kind.read(fields, "practice_cases", setting), outline->minCorrect, outline->maxTrials};
   }
-  JsonFields inner = fields.inner("practice");
-  ProtocolPractice practice;
-  practice.minCorrect = inner.integer("least_correct", 1, kMaxTrials, practice.minCorrect);
-  practice.maxTrials = inner.integer("most_trials", 1, kMaxTrials, practice.maxTrials);
-  if (practice.minCorrect > practice.maxTrials) {
-    inner.fail("least_correct", fmt::format("must be at most \"most_trials\", which is {}", practice.maxTrials));
+  if (fields.has("practice_cases")) {
+    fields.fail("practice_cases", "is of no use without the field \"practice\", which says when practice ends");
   }
-  inner.rejectUnknown();
-  practice.task = kind.read(fields, "practice_cases", setting);
-  return practice;
+  return std::nullopt;
 }
 
 ProtocolBlock readBlock(JsonFields& fields, const Protocol& protocol, const TaskSetting& setting) {
   constexpr int kMaxTrials = 1000;
-  ProtocolBlock block;
-  block.name = readIdentifier(fields, "name", true);
-  fields.callIt(block.name);
-  block.title = fields.shortText("title", kMaxTitle);
+  const BlockOutline outline = readBlockOutline(fields, ProtocolReading::kByStudy);
   const TaskKind& kind = readTask(fields);
-  block.taskName = kind.name;
+  ProtocolBlock block;
+  block.name = outline.name;
+  block.title = outline.title;
+  block.taskName = outline.task;
   block.instructions = readPages(fields, "instructions");
   block.order = fields.choiceOf("order", kTrialOrders, block.order);
-  block.views = fields.choiceOf("views", kViewsOfCases, block.views);
+  block.views = outline.views;
   block.feedback = fields.boolean("feedback", block.feedback);
   block.breakEveryTrials = fields.integer("break_every_trials", 0, kMaxTrials, block.breakEveryTrials);
   block.breakAfter = fields.boolean("break_after", block.breakAfter);
   block.sessions = readSessions(fields, protocol.sessions);
   block.task = kind.read(fields, "cases", setting);
-  block.practice = readPractice(fields, kind, setting);
+  block.practice = readPractice(fields, outline.practice, kind, setting);
   return block;
 }
 
@@ -151,8 +128,8 @@ Protocol protocolFromJsonText(const std::string& text, const std::string& where)
     protocol.text = text;
     protocol.sha256 = sha256(text);
     protocol.name = readIdentifier(fields, "name", false);
-    protocol.title = fields.shortText("title", kMaxTitle);
-    protocol.description = fields.shortText("description", kMaxText, "");
+    protocol.title = fields.shortText("title", kMaxTitleCharacters);
+    protocol.description = fields.shortText("description", kMaxParagraphCharacters, "");
     constexpr int kMaxMinutes = 1'000'000;  // about two years
     protocol.sessions = fields.integer("sessions", 1, kMaxSessions, protocol.sessions);
     protocol.minutesBetweenSessions =
@@ -173,8 +150,8 @@ Protocol protocolFromJsonText(const std::string& text, const std::string& where)
         fields.boolean("survey_after_last_session_only", protocol.surveyAfterLastSessionOnly);
     protocol.shuffleBlocks = fields.boolean("shuffle_blocks", protocol.shuffleBlocks);
     protocol.breakSeconds = fields.integer("break_seconds", 0, 3600, protocol.breakSeconds);
-    protocol.screen = readScreen(fields);
-    protocol.timing = readTiming(fields);
+    protocol.screen = screenGeometry(readStatedScreen(fields, ProtocolReading::kByStudy));
+    protocol.timing = readTimingLimits(fields, ProtocolReading::kByStudy);
     protocol.resume = fields.choiceOf("resume", kResumePolicies, protocol.resume);
     protocol.exclusions = readExclusions(fields, protocol);
     if (fields.has("controls")) {

@@ -6,10 +6,6 @@ const char* nameOf(TrialOrder order) {
   return order == TrialOrder::kAlternating ? "alternating" : "balanced";
 }
 
-const char* nameOf(ViewsOfCases views) {
-  return views == ViewsOfCases::kBoth ? "both" : "one";
-}
-
 const char* nameOf(ResumePolicy policy) {
   switch (policy) {
     case ResumePolicy::kNextTrial:

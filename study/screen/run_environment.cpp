@@ -8,6 +8,7 @@
 
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/machine.h"
+#include "study/outline/run_fields.h"
 
 namespace ocelli {
 namespace {
@@ -48,19 +49,19 @@ std::string jsonText(const RunEnvironment& environment) {
       {"kernel", std::string(kernel.sysname) + " " + kernel.release},
       {"processor", machine.processor},
       {"memory_bytes", machine.memoryBytes},
-      {"graphics",
-       {{"renderer", graphics.renderer},
+      {run_fields::kGraphics,
+       {{run_fields::kRenderer, graphics.renderer},
         {"vendor", graphics.vendor},
         {"opengl", graphics.version},
-        {"software", graphics.isSoftware}}},
-      {"monitor",
+        {run_fields::kSoftware, graphics.isSoftware}}},
+      {run_fields::kMonitor,
        {{"number", environment.monitorNumber},
-        {"name", monitor.name},
-        {"width", monitor.width},
-        {"height", monitor.height},
-        {"refresh_hertz", monitor.refreshHertz > 0 ? Json(monitor.refreshHertz) : Json()},
-        {"width_millimeters", monitor.widthMillimeters},
-        {"height_millimeters", monitor.heightMillimeters}}},
+        {run_fields::kName, monitor.name},
+        {run_fields::kWidth, monitor.width},
+        {run_fields::kHeight, monitor.height},
+        {run_fields::kRefreshHertz, monitor.refreshHertz > 0 ? Json(monitor.refreshHertz) : Json()},
+        {run_fields::kWidthMillimeters, monitor.widthMillimeters},
+        {run_fields::kHeightMillimeters, monitor.heightMillimeters}}},
       {"window",
        {{"full_screen", environment.fullScreen},
         {"width", environment.windowWidth},
@@ -80,8 +81,8 @@ std::string jsonText(const RunEnvironment& environment) {
                     "by the program")
              : Json("steady clock after a swap of buffers with an interval of 1, a pixel drawn into the next buffer, "
                     "and glFinish")},
-      {"paced_hertz", paced ? Json(environment.pacedHertz) : Json()},
-      {"not_measured",
+      {run_fields::kPacedHertz, paced ? Json(environment.pacedHertz) : Json()},
+      {run_fields::kNotMeasured,
        {"latency of mouse and keyboard", "time from the swap of buffers to light", "response of the panel"}}};
   return textOfJson(json);
 }

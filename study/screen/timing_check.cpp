@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "oc_core/base/json_fields.h"
+#include "study/outline/run_fields.h"
 
 namespace ocelli {
 namespace {
@@ -134,15 +135,15 @@ std::string jsonText(const TimingCheck& check) {
   using Json = nlohmann::ordered_json;
   const TimingMeasurement& measured = check.measured;
   const TimingExpectation& expected = check.expected;
-  const Json json = {{"verdict", check.isGood() ? "good" : "refused"},
+  const Json json = {{run_fields::kVerdict, check.isGood() ? "good" : "refused"},
                      {"problems", check.problems},
                      {"vertical_sync", check.verticalSync},
-                     {"measured",
+                     {run_fields::kMeasured,
                       {{"intervals", measured.intervals},
                        {"seconds", measured.seconds},
-                       {"hertz", measured.hertz},
-                       {"jitter_share", measured.jitterShare},
-                       {"late_share", measured.lateShare},
+                       {run_fields::kHertz, measured.hertz},
+                       {run_fields::kJitterShare, measured.jitterShare},
+                       {run_fields::kLateShare, measured.lateShare},
                        {"longest_milliseconds", measured.longestMilliseconds}}},
                      {"expected",
                       {{"monitor_hertz", expected.monitorHertz > 0 ? Json(expected.monitorHertz) : Json()},

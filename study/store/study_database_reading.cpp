@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "oc_core/base/error.h"
-#include "study/protocol/condition_fields.h"
+#include "study/outline/condition_names.h"
 #include "study/store/database_state.h"
 #include "study/store/input_columns.h"
 #include "study/trial/stored_row.h"

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <optional>
+#include <string_view>
 
 #include "study/tasks/task_registry.h"
 
@@ -51,11 +52,12 @@ std::optional<double> preferenceOf(const std::string& task, const std::array<Eff
 
 /// What a rule is about where it is about the answers of a form: "form:vision".
 bool isAbout(const ExclusionRule& rule, const std::string& field) {
-  return rule.what == "form:" + field;
+  return rule.what.starts_with(kFormPrefix) && std::string_view(rule.what).substr(kFormPrefix.size()) == field;
 }
 
 bool excludes(const ExclusionRule& rule, const std::string& option) {
-  return (rule.test == "is" && option == rule.value) || (rule.test == "is_not" && option != rule.value);
+  return (rule.test == ExclusionTest::kIs && option == rule.text) ||
+         (rule.test == ExclusionTest::kIsNot && option != rule.text);
 }
 
 }  // namespace

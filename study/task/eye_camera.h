@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "oc_core/constructor/portal_constructor.h"
+#include "study/outline/usual_values.h"
 #include "study/task/task.h"
 
 namespace ocelli {
@@ -13,7 +14,7 @@ namespace ocelli {
 class JsonFields;
 
 struct EyeCameraOptions {
-  double fovHorizontalDegrees = 70;
+  double fovHorizontalDegrees = kUsualFovHorizontalDegrees;
   PortalOptions portals{};  ///< its list of portals is empty: they are the openings of the maze
 };
 

@@ -8,6 +8,7 @@
 #include "oc_core/base/check.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/worlds/maze_validate.h"
+#include "study/outline/usual_values.h"
 #include "study/task/eye_camera.h"
 #include "study/task/object_picker.h"
 #include "study/task/object_walk.h"
@@ -30,7 +31,7 @@ struct FindCase {
 };
 
 struct FindOptions {
-  double limitSeconds = 60;
+  double limitSeconds = kUsualFindLimitSeconds;
   double clickTolerancePixels = 6;
   std::optional<double> movingMetersPerSecond{};
   WalkerPose start{};

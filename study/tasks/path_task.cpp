@@ -9,6 +9,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/random.h"
+#include "study/outline/usual_values.h"
 #include "study/task/choice_list.h"
 #include "study/task/eye_camera.h"
 #include "study/task/maze_path.h"
@@ -28,7 +29,7 @@ struct PathOptions {
   double minSeconds = 20;
   double maxSeconds = 40;
   PathWalk::Speed speed{};
-  int maps = 3;
+  int maps = kUsualPathMaps;
   double answerLimitSeconds = 60;
   EyeCameraOptions camera{};
 };

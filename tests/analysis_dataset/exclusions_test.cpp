@@ -13,8 +13,8 @@ namespace {
 
 using ::testing::HasSubstr;
 
-PlannedExclusion rule(std::string what, ExclusionTest test, std::string text, double number = 0) {
-  PlannedExclusion made;
+ExclusionRule rule(std::string what, ExclusionTest test, std::string text, double number = 0) {
+  ExclusionRule made;
   made.what = std::move(what);
   made.test = test;
   made.text = std::move(text);
@@ -27,7 +27,7 @@ struct Exclusions : ::testing::Test {
   SampleFolder folder;
   std::string path = folder.file("study.db");
 
-  AnalysisData with(const PlannedExclusion& one) const {
+  AnalysisData with(const ExclusionRule& one) const {
     AnalysisPlan plan;
     plan.exclusions = {one};
     plan.excludesForcedSessions = false;

@@ -6,7 +6,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/sha256.h"
-#include "study/protocol/condition_fields.h"
+#include "study/outline/condition_names.h"
 #include "study/protocol/protocol.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/study_protocol/protocol_text.h"
@@ -49,7 +49,7 @@ TEST(ProtocolFile, IsReadAsItStands) {
   EXPECT_EQ(protocol.blocks[1].views, ViewsOfCases::kOne);
   EXPECT_EQ(protocol.screen.refreshHertz, 60);
   EXPECT_EQ(protocol.resume, ResumePolicy::kNextTrial);
-  EXPECT_EQ(protocol.exclusions[0].value, "impaired");
+  EXPECT_EQ(protocol.exclusions[0].text, "impaired");
 }
 
 /// The small protocol with conditions of its own.

@@ -16,7 +16,7 @@ Protocol protocolWithForms() {
   survey.fields.push_back(
       {"find_unlabelled", "find", {"1", "2", "3", "4"}, {}, {TrialView::kOther, TrialView::kReference}});
   protocol.survey = survey;
-  protocol.exclusions.push_back({"form:vision", "is", "colour-blind", "colours matter"});
+  protocol.exclusions.push_back({"form:vision", ExclusionTest::kIs, "colour-blind", 0, "colours matter"});
   return protocol;
 }
 
