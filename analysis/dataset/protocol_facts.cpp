@@ -9,6 +9,7 @@
 
 #include "analysis/dataset/exclusions.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/maze/maze_plan.h"
 #include "study/outline/condition_names.h"
 #include "study/outline/form_field.h"
 
@@ -16,7 +17,6 @@ namespace ocelli {
 namespace {
 
 constexpr size_t kMaxListed = 1'000'000;
-constexpr int kMaxSide = 64;  ///< cells of a maze
 
 /// What a study does where its protocol does not say it; 0: nothing is done so.
 struct UsualFields {
@@ -29,7 +29,7 @@ constexpr UsualFields kUsualFields[] = {{"find", kUsualFindLimitSeconds, 0}, {"p
 ProtocolMaze readMazePlan(const std::string& name, JsonFields& fields) {
   ProtocolMaze maze;
   maze.name = name;
-  maze.plan = fields.texts("plan", 0, 2 * kMaxSide + 1, 2 * kMaxSide + 1);
+  maze.plan = fields.texts("plan", 0, 2 * kMaxMazeSide + 1, 2 * kMaxMazeSide + 1);
   maze.cellSize = fields.number("cell_size", 0.01, 1000, maze.cellSize);
   maze.wallThickness = fields.number("wall_thickness", 0.001, 500, maze.wallThickness);
   return maze;
@@ -39,8 +39,8 @@ ProtocolCase readCase(JsonFields& fields, size_t index) {
   ProtocolCase result;
   result.label = fields.shortText("label", kMaxStoredCharacters, fmt::format("case {}", index + 1));
   if (fields.has("row") && fields.has("column")) {
-    result.row = fields.integer("row", 0, kMaxSide - 1, 0);
-    result.column = fields.integer("column", 0, kMaxSide - 1, 0);
+    result.row = fields.integer("row", 0, kMaxMazeSide - 1, 0);
+    result.column = fields.integer("column", 0, kMaxMazeSide - 1, 0);
   }
   result.east = fields.number("east", -0.5, 0.5, 0);
   result.south = fields.number("south", -0.5, 0.5, 0);
