@@ -3,6 +3,7 @@
 #include <array>
 
 #include "oc_core/gl/gl_api.h"
+#include "oc_core/gl/gl_image.h"
 
 namespace ocelli {
 
@@ -28,13 +29,7 @@ void ScreenTarget::bind() {
 }
 
 Image<Rgb8> ScreenTarget::read() const {
-  using Rgba8 = std::array<uint8_t, 4>;
-  const auto pixels = readTexture<Rgba8>(*context_, color_, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE);
-  Image<Rgb8> image(width_, height_);
-  for (size_t i = 0; i < pixels.size(); ++i) {
-    image[i] = {pixels[i][0], pixels[i][1], pixels[i][2]};
-  }
-  return image;
+  return readRgb8(*context_, color_, width_, height_);
 }
 
 }  // namespace ocelli
