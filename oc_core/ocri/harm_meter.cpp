@@ -42,7 +42,7 @@ template <class Predicate>
 ReferenceImage selectSamples(const ReferenceImage& image, const Predicate& isWanted) {
   ReferenceImage selected = image;
   forPixels(image.width(), image.height(), [&](int x, int y) {
-    if (!isWanted(x, y)) {
+    if (image.holds(x, y) && !isWanted(x, y)) {
       selected.clear(selected.t.index(x, y));
     }
   });

@@ -161,12 +161,20 @@ class ImageMesher {
     if (!valid(p) || !valid(q) || !sameTile(p, q)) {
       return false;
     }
-    const Pixel before = beside(p, -dx, -dy);
-    const Pixel after = beside(q, dx, dy);
-    return image_.isPlaced() ? placedSamplesJoin(placed(before), placed(p), placed(q), placed(after),
-                                                 std::min(widthAt(p, dy, dx), widthAt(q, dy, dx)), options_)
-                             : samplesJoin(sample(before), sample(p), sample(q), sample(after), false,
-                                           camera_.focalPixels(), spacing(p), options_);
+    if (image_.isPlaced()) {
+      return joinedPlaced(p, q, dx, dy);
+    }
+    const ImagePoint a = image_.undistorted(p.x, p.y);
+    const ImagePoint b = image_.undistorted(q.x, q.y);
+    if (const auto sure = samplesJoinByThemselves(a, b, camera_.focalPixels(), spacing(p), options_)) {
+      return *sure;
+    }
+    return samplesJoin(sample(beside(p, -dx, -dy)), a, b, sample(beside(q, dx, dy)), false, camera_.focalPixels(),
+                       spacing(p), options_);
+  }
+  bool joinedPlaced(const Pixel& p, const Pixel& q, int dx, int dy) const {
+    return placedSamplesJoin(placed(beside(p, -dx, -dy)), placed(p), placed(q), placed(beside(q, dx, dy)),
+                             std::min(widthAt(p, dy, dx), widthAt(q, dy, dx)), options_);
   }
 
   /// Each cell between four samples gives two triangles, one, or none.

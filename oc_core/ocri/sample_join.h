@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <optional>
 
 #include "oc_core/camera/camera.h"
 #include "oc_core/ocri/image_mesh.h"
@@ -29,19 +30,27 @@ inline float slopeTolerance(float a, float b, float footprint, const ImageMeshOp
   return options.slopeToleranceFootprints * footprint / (a * b);
 }
 
-/// Undistorted samples, with the ones before a and after b in the same direction; z = 0 where there is none. They are
-/// `evenSteps` where samples of a plane have equal steps of 1/z, however far apart they are undistorted. `spacing` is
-/// what lies between neighbours on a surface that faces the pinhole, pixels.
-inline bool samplesJoin(const ImagePoint& before, const ImagePoint& a, const ImagePoint& b, const ImagePoint& after,
-                        bool evenSteps, float focalPixels, float spacing, const ImageMeshOptions& options) {
+/// What two undistorted samples say alone: that they join, that they do not, or nothing, where their neighbours decide.
+inline std::optional<bool> samplesJoinByThemselves(const ImagePoint& a, const ImagePoint& b, float focalPixels,
+                                                   float spacing, const ImageMeshOptions& options) {
   const float distance = undistortedDistance(a, b);
   if (!(a.t > 0) || !(b.t > 0) || !(distance <= options.longestStepPixels)) {
     return false;
   }
   const float footprint = std::min(a.t, b.t) / focalPixels * spacing;
-  if (depthsJoin(a.t, b.t, footprint, distance / spacing, options)) {
-    return true;
+  return depthsJoin(a.t, b.t, footprint, distance / spacing, options) ? std::optional(true) : std::nullopt;
+}
+
+/// Undistorted samples, with the ones before a and after b in the same direction; z = 0 where there is none. They are
+/// `evenSteps` where samples of a plane have equal steps of 1/z, however far apart they are undistorted. `spacing` is
+/// what lies between neighbours on a surface that faces the pinhole, pixels.
+inline bool samplesJoin(const ImagePoint& before, const ImagePoint& a, const ImagePoint& b, const ImagePoint& after,
+                        bool evenSteps, float focalPixels, float spacing, const ImageMeshOptions& options) {
+  if (const std::optional<bool> sure = samplesJoinByThemselves(a, b, focalPixels, spacing, options)) {
+    return *sure;
   }
+  const float distance = undistortedDistance(a, b);
+  const float footprint = std::min(a.t, b.t) / focalPixels * spacing;
   // A grazing or a stretched surface: large steps of z, but 1/z goes on as on one of the two sides.
   const float tolerance = slopeTolerance(a.t, b.t, footprint, options);
   const float step = 1 / b.t - 1 / a.t;
