@@ -68,6 +68,49 @@ constexpr std::array<std::string_view, 45> kTrialColumns{"row_id",
                                                          "ended_utc",
                                                          "station"};
 
+/// Reads a column of a row into a field of a trial, whose type says which values it may have.
+class TrialFields {
+ public:
+  TrialFields(const CsvTable& table, const ViewConditions& conditions, bool conditionsAreKnown)
+      : table_(table), conditions_(conditions), conditionsAreKnown_(conditionsAreKnown) {}
+
+  void read(size_t column, std::string& field) const { field = table_.text(column); }
+  void read(size_t column, int& field) const { field = table_.smallInteger(column); }
+  void read(size_t column, int64_t& field) const { field = table_.optionalInteger(column).value_or(0); }
+  void read(size_t column, bool& field) const { field = table_.flag(column); }
+  void read(size_t column, std::optional<bool>& field) const { field = table_.optionalFlag(column); }
+  void read(size_t column, std::optional<int64_t>& field) const { field = table_.optionalInteger(column); }
+  void read(size_t column, std::optional<double>& field) const { field = table_.optionalReal(column); }
+  void read(size_t column, std::optional<uint64_t>& field) const { field = table_.optionalHexadecimal(column); }
+  void read(size_t column, std::optional<int>& field) const {
+    if (table_.optionalInteger(column)) {
+      field = table_.smallInteger(column);
+    }
+  }
+  void read(size_t column, std::optional<TrialEnding>& field) const {
+    field = table_.optionalWord(column, kTrialEndings);
+  }
+  void read(size_t column, std::optional<TimingVerdict>& field) const {
+    field = table_.optionalWord(column, kTimingVerdicts);
+  }
+  void read(size_t column, TrialView& field) const {
+    const std::string name = table_.text(column);
+    const std::optional<TrialView> view = conditions_.viewNamed(name);
+    if (!view) {
+      table_.fail(column, fmt::format("is \"{}\", but {}{}", name, conditions_.mustBe(),
+                                      conditionsAreKnown_ ? "" : ", unless --protocol FILE names other conditions"));
+    }
+    field = *view;
+  }
+  /// Each measure has a column of its own.
+  void read(size_t, std::map<std::string, double>&) const {}
+
+ private:
+  const CsvTable& table_;
+  const ViewConditions& conditions_;
+  bool conditionsAreKnown_;
+};
+
 class Reading {
  public:
   explicit Reading(const std::string& folder) : folder_(folder) {}
@@ -218,57 +261,26 @@ void Reading::readTrials() {
     if (trial.practice || trial.ending != TrialEnding::kCompleted) {
       table.fail(at["counts"], "is 1, but the trial is practice or was not completed");
     }
-    trial.planIndex = table.smallInteger(at["plan_index"]);
-    trial.task = table.name(at["task"]);
-    trial.caseIndex = table.smallInteger(at["case_index"]);
-    trial.caseLabel = table.name(at["case_label"]);
-    const std::string view = table.text(at["view"]);
-    const std::optional<TrialView> condition = data_.conditions.viewNamed(view);
-    if (!condition) {
-      table.fail(at["view"], fmt::format("is \"{}\", but {}{}", view, data_.conditions.mustBe(),
-                                         protocolIsKnown_ ? "" : ", unless --protocol FILE names other conditions"));
-    }
-    trial.view = *condition;
-    trial.attempt = table.smallInteger(at["attempt"]);
     trial.subjectKind = table.word(at["subject_kind"], kSubjectKinds);
-    trial.moving = table.optionalFlag(at["moving"]);
-    trial.exposureSeconds = table.optionalReal(at["exposure_s"]);
-    if (table.optionalInteger(at["objects"])) {
-      trial.objects = table.smallInteger(at["objects"]);
-    }
-    trial.duplicateColors = table.optionalFlag(at["duplicate_colors"]);
-    trial.answer = table.text(at["answer"]);
-    trial.expected = table.text(at["expected"]);
-    trial.censored = table.optionalFlag(at["censored"]);
-    trial.responseSeconds = table.optionalReal(at["response_s"]);
+    trial.runId = table.integer(at["run_id"]);
+    const TrialFields fields(table, data_.conditions, protocolIsKnown_);
+    forEachTrialColumn(trial, [&](std::string_view name, auto& field) {
+      if (const auto found = at.find(name); found != at.end()) {
+        fields.read(found->second, field);
+      }
+    });
     for (const size_t measure : measures) {
       if (const auto value = table.optionalReal(measure)) {
         trial.measures[table.columns()[measure]] = *value;
       }
     }
-    trial.frames = table.optionalInteger(at["frames"]).value_or(0);
-    trial.droppedFrames = table.optionalInteger(at["dropped_frames"]).value_or(0);
-    trial.timingVerdict = table.optionalWord(at["timing_verdict"], kTimingVerdicts);
-    if (const auto problem = problemOf(trial)) {
-      table.fail(table.column(problem->column), problem->problem);
-    }
-    trial.runId = table.integer(at["run_id"]);
-    trial.trialNumber = table.smallInteger(at["trial_number"]);
-    trial.trialSeed = table.optionalHexadecimal(at["trial_seed"]);
-    trial.startedNs = table.optionalInteger(at["started_ns"]);
-    trial.endedNs = table.optionalInteger(at["ended_ns"]);
-    trial.startedUtc = table.text(at["started_utc"]);
-    trial.endedUtc = table.text(at["ended_utc"]);
     if (trial.responseSeconds) {
       trial.responseTicks = std::llround(*trial.responseSeconds * kTicksPerSecond);
     }
-    trial.exposureFrames = table.optionalInteger(at["exposure_frames"]);
-    trial.medianIntervalNs = table.optionalInteger(at["median_interval_ns"]);
-    trial.longestIntervalNs = table.optionalInteger(at["longest_interval_ns"]);
-    trial.screenWidth = table.optionalInteger(at["screen_width_px"]);
-    trial.screenHeight = table.optionalInteger(at["screen_height_px"]);
-    trial.refreshHertz = table.optionalReal(at["refresh_hz"]);
-    trial.digest = digestOf(trial, view);
+    if (const auto problem = problemOf(trial)) {
+      table.fail(table.column(problem->column), problem->problem);
+    }
+    trial.digest = digestOf(trial, data_.conditions.nameOf(trial.view));
     data_.trials.push_back(std::move(trial));
   }
 }

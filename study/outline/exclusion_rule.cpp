@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "oc_core/base/json_fields.h"
+#include "study/trial/trial_words.h"
 
 namespace ocelli {
 namespace {
@@ -37,12 +38,7 @@ const char* nameOf(ExclusionTest test) {
 }
 
 std::optional<ExclusionTest> exclusionTestOf(std::string_view name) {
-  for (const ExclusionTest test : kExclusionTests) {
-    if (name == nameOf(test)) {
-      return test;
-    }
-  }
-  return std::nullopt;
+  return wordNamed(name, kExclusionTests);
 }
 
 std::optional<ExclusionKind> exclusionKindOf(std::string_view what) {

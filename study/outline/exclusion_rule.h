@@ -2,6 +2,7 @@
 // own.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,8 +19,8 @@ enum class ExclusionTest : uint8_t {
   kAtLeast,
   kAtMost,
 };
-inline constexpr ExclusionTest kExclusionTests[] = {ExclusionTest::kAlways, ExclusionTest::kIs, ExclusionTest::kIsNot,
-                                                    ExclusionTest::kAtLeast, ExclusionTest::kAtMost};
+inline constexpr std::array kExclusionTests{ExclusionTest::kAlways, ExclusionTest::kIs, ExclusionTest::kIsNot,
+                                            ExclusionTest::kAtLeast, ExclusionTest::kAtMost};
 const char* nameOf(ExclusionTest test);
 /// The test of that name.
 std::optional<ExclusionTest> exclusionTestOf(std::string_view name);

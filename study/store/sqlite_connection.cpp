@@ -100,18 +100,6 @@ std::string textOf(const SQLite::Statement& row, int column) {
   return row.getColumn(column).getString();
 }
 
-std::optional<std::string> optionalTextOf(const SQLite::Statement& row, int column) {
-  return row.isColumnNull(column) ? std::nullopt : std::optional(row.getColumn(column).getString());
-}
-
-std::optional<double> optionalNumberOf(const SQLite::Statement& row, int column) {
-  return row.isColumnNull(column) ? std::nullopt : std::optional(row.getColumn(column).getDouble());
-}
-
-std::optional<int64_t> optionalIntegerOf(const SQLite::Statement& row, int column) {
-  return row.isColumnNull(column) ? std::nullopt : std::optional(row.getColumn(column).getInt64());
-}
-
 void insertStudy(SQLite::Database& database, const std::string& protocolName, const std::string& protocolSha256,
                  const std::string& protocolText) {
   SQLite::Statement insert(database,

@@ -28,7 +28,7 @@ SQLite::Database connectSqlite(const std::filesystem::path& path, DatabaseAccess
 /// tables. Throws InputError too for a database of another program or of a newer version.
 SQLite::Database connectStudy(const std::filesystem::path& path, DatabaseAccess access);
 
-// Values that may be missing.
+/// NULL for what is missing.
 template <class Value>
 void bindOptional(SQLite::Statement& statement, int index, const std::optional<Value>& value) {
   if (value) {
@@ -38,9 +38,6 @@ void bindOptional(SQLite::Statement& statement, int index, const std::optional<V
   }
 }
 std::string textOf(const SQLite::Statement& row, int column);
-std::optional<std::string> optionalTextOf(const SQLite::Statement& row, int column);
-std::optional<double> optionalNumberOf(const SQLite::Statement& row, int column);
-std::optional<int64_t> optionalIntegerOf(const SQLite::Statement& row, int column);
 
 /// Stores what the study of a new database is, with a line in the audit trail.
 void insertStudy(SQLite::Database& database, const std::string& protocolName, const std::string& protocolSha256,
