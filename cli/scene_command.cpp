@@ -11,6 +11,7 @@
 #include "oc_core/base/output_file.h"
 #include "oc_core/scene/ply_file.h"
 #include "oc_core/worlds/builtin_scenes.h"
+#include "oc_core/worlds/packed_source.h"
 
 namespace ocelli {
 namespace {
@@ -135,14 +136,55 @@ void addSceneExport(CLI::App& parent, const CommandContext& context) {
                  });
 }
 
+std::string packText(const std::string& path, const PackReport& report) {
+  return fmt::format(
+      "{}\n  triangles  {} of the scene, {} with all levels\n  clusters   {} in {} groups\n  bytes      {}\n", path,
+      report.triangles, report.storedTriangles, report.clusters, report.groups, report.bytes);
+}
+
+std::string packJson(const std::string& path, const PackReport& report) {
+  return textOfJson(Json{{"file", path},
+                         {"triangles", report.triangles},
+                         {"stored_triangles", report.storedTriangles},
+                         {"clusters", report.clusters},
+                         {"groups", report.groups},
+                         {"bytes", report.bytes},
+                         {"parts", report.parts},
+                         {"parts_at_hand", report.partsAtHand}},
+                    2) +
+         "\n";
+}
+
+void addScenePack(CLI::App& parent, const CommandContext& context) {
+  CLI::App& command = *parent.add_subcommand("pack", "Prepare a scene once, so that large ones are drawn in a moment");
+  const auto scene = std::make_shared<SceneChoice>();
+  const auto path = std::make_shared<std::string>();
+  const auto asJson = std::make_shared<bool>(false);
+  addSceneOptions(command, *scene, context);
+  addOutputOption(command, *path, "The packed scene; every command takes it as a SCENE", {".opack"});
+  command.add_flag("--json", *asJson, "Print the figures as JSON");
+  context.finish(command,
+                 "  ocelli scene pack statue.ply -o statue.opack\n"
+                 "  ocelli scene pack builtin:crowd,copies=1000,triangles=200000000 -o crowd.opack",
+                 [scene, path, asJson, context] {
+                   const PackReport made = packSource(scene->source, scene->options, *path, context.progress());
+                   if (made.partsAtHand > 0) {
+                     context.note(fmt::format("{} of {} parts were at hand from a job that was ended", made.partsAtHand,
+                                              made.parts));
+                   }
+                   context.print(*asJson ? packJson(*path, made) : packText(*path, made));
+                 });
+}
+
 }  // namespace
 
 void addSceneCommand(CLI::App& program, const CommandContext& context) {
-  CLI::App& command = *program.add_subcommand("scene", "List built-in scenes, look into a scene, export it");
+  CLI::App& command = *program.add_subcommand("scene", "List built-in scenes, look into a scene, export it, pack it");
   command.require_subcommand(1);
   addSceneList(command, context);
   addSceneInfo(command, context);
   addSceneExport(command, context);
+  addScenePack(command, context);
 }
 
 }  // namespace ocelli

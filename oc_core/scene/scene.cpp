@@ -21,6 +21,26 @@ glm::vec3 movedPoint(const glm::mat4& newFromOld, const glm::vec3& point) {
   return glm::vec3(newFromOld * glm::vec4(point, 1));
 }
 
+/// Writes a copy of `part` into `flat`, which has room for it, and for its colours where it has any.
+void placeInstance(const Mesh& part, const Instance& instance, Mesh& flat, size_t firstVertex, size_t firstTriangle) {
+  parallelFor(part.positions.size(), kItemsPerRange, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      flat.positions[firstVertex + i] = movedPoint(instance.worldFromMesh, part.positions[i]);
+      if (!flat.colors.empty()) {
+        flat.colors[firstVertex + i] = part.color(static_cast<uint32_t>(i)) * instance.tint;
+      }
+    }
+  });
+  const bool mirrored = glm::determinant(glm::mat3(instance.worldFromMesh)) < 0;
+  parallelFor(part.triangles.size(), kItemsPerRange, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const glm::uvec3& t = part.triangles[i];
+      flat.triangles[firstTriangle + i] =
+          (mirrored ? glm::uvec3(t.x, t.z, t.y) : t) + static_cast<uint32_t>(firstVertex);
+    }
+  });
+}
+
 }  // namespace
 
 void Scene::add(Mesh mesh, const glm::mat4& worldFromMesh) {
@@ -55,25 +75,22 @@ Mesh flatten(const Scene& scene) {
   size_t firstTriangle = 0;
   for (const Instance& instance : scene.instances) {
     const Mesh& part = scene.meshes[instance.mesh];
-    parallelFor(part.positions.size(), kItemsPerRange, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        flat.positions[firstVertex + i] = movedPoint(instance.worldFromMesh, part.positions[i]);
-        if (colored) {
-          flat.colors[firstVertex + i] = part.color(static_cast<uint32_t>(i)) * instance.tint;
-        }
-      }
-    });
-    const bool mirrored = glm::determinant(glm::mat3(instance.worldFromMesh)) < 0;
-    parallelFor(part.triangles.size(), kItemsPerRange, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        const glm::uvec3& t = part.triangles[i];
-        flat.triangles[firstTriangle + i] =
-            (mirrored ? glm::uvec3(t.x, t.z, t.y) : t) + static_cast<uint32_t>(firstVertex);
-      }
-    });
+    placeInstance(part, instance, flat, firstVertex, firstTriangle);
     firstVertex += part.positions.size();
     firstTriangle += part.triangles.size();
   }
+  return flat;
+}
+
+Mesh flattenInstance(const Scene& scene, size_t instance) {
+  OC_CHECK(instance < scene.instances.size() && scene.instances[instance].mesh < scene.meshes.size(),
+           "an instance is one of its scene, and names one of its meshes");
+  const Mesh& part = scene.meshes[scene.instances[instance].mesh];
+  Mesh flat;
+  flat.positions.resize(part.positions.size());
+  flat.colors.resize(part.positions.size());
+  flat.triangles.resize(part.triangles.size());
+  placeInstance(part, scene.instances[instance], flat, 0, 0);
   return flat;
 }
 
@@ -86,14 +103,7 @@ std::vector<uint32_t> objectOfTriangles(const Scene& scene) {
   return objects;
 }
 
-glm::mat4 unitFromWorld(const Mesh& mesh, const std::string& where) {
-  const Box box = boundsOf(mesh);
-  OC_CHECK(!box.empty(), "only a mesh with vertices has a bounding sphere");
-  const glm::dvec3 center = (glm::dvec3(box.lower) + glm::dvec3(box.upper)) * 0.5;
-  double radius = 0;
-  for (const glm::vec3& position : mesh.positions) {
-    radius = std::max(radius, glm::length(glm::dvec3(position) - center));
-  }
+glm::mat4 unitFromSphere(const glm::dvec3& center, double radius, const std::string& where) {
   const double scale = 1 / radius;
   const glm::vec3 translation(-center * scale);
   if (!std::isfinite(static_cast<float>(scale)) || static_cast<float>(scale) < 1e-30f) {
@@ -104,6 +114,21 @@ glm::mat4 unitFromWorld(const Mesh& mesh, const std::string& where) {
   glm::mat4 unit(static_cast<float>(scale));
   unit[3] = glm::vec4(translation, 1);
   return unit;
+}
+
+double reachOf(const Mesh& mesh, const glm::dvec3& center) {
+  double reach = 0;
+  for (const glm::vec3& position : mesh.positions) {
+    reach = std::max(reach, glm::length(glm::dvec3(position) - center));
+  }
+  return reach;
+}
+
+glm::mat4 unitFromWorld(const Mesh& mesh, const std::string& where) {
+  const Box box = boundsOf(mesh);
+  OC_CHECK(!box.empty(), "only a mesh with vertices has a bounding sphere");
+  const glm::dvec3 center = (glm::dvec3(box.lower) + glm::dvec3(box.upper)) * 0.5;
+  return unitFromSphere(center, reachOf(mesh, center), where);
 }
 
 void transform(Mesh& mesh, const glm::mat4& newFromOld) {

@@ -40,6 +40,9 @@ size_t triangleCount(const Scene& scene);
 /// tint.
 Mesh flatten(const Scene& scene);
 
+/// One copy alone: the vertices and triangles that it has in the flat mesh, with colours.
+Mesh flattenInstance(const Scene& scene, size_t instance);
+
 /// The identity of each triangle that flatten() makes.
 std::vector<uint32_t> objectOfTriangles(const Scene& scene);
 
@@ -47,6 +50,11 @@ std::vector<uint32_t> objectOfTriangles(const Scene& scene);
 /// The sphere is the one around the centre of the bounding box that holds every vertex. Throws InputError naming
 /// `where` if the mesh has no extent.
 glm::mat4 unitFromWorld(const Mesh& mesh, const std::string& where);
+
+/// The same of a sphere.
+glm::mat4 unitFromSphere(const glm::dvec3& center, double radius, const std::string& where);
+/// The distance of the farthest vertex from a point.
+double reachOf(const Mesh& mesh, const glm::dvec3& center);
 
 /// Moves every vertex. `newFromOld` must be affine and must not mirror: append() is the one that turns triangles round.
 void transform(Mesh& mesh, const glm::mat4& newFromOld);

@@ -8,6 +8,7 @@ namespace ocelli {
 BuiltinScene boxScene();
 BuiltinScene boxesScene();
 BuiltinScene canyonScene();
+BuiltinScene crowdScene();
 BuiltinScene doorsScene();
 BuiltinScene fenceScene();
 BuiltinScene mazeScene();

@@ -135,9 +135,9 @@ const std::string& BuiltinValues::path(const std::string& name) const {
 }
 
 const std::vector<BuiltinScene>& listBuiltinScenes() {
-  static const std::vector<BuiltinScene> scenes{teapotScene(), roomScene(),   statuesScene(), fenceScene(),
-                                                doorsScene(),  boxesScene(),  mazeScene(),    townScene(),
-                                                canyonScene(), sphereScene(), torusScene(),   boxScene()};
+  static const std::vector<BuiltinScene> scenes{
+      teapotScene(), roomScene(), statuesScene(), crowdScene(),  fenceScene(), doorsScene(), boxesScene(),
+      mazeScene(),   townScene(), canyonScene(),  sphereScene(), torusScene(), boxScene()};
   return scenes;
 }
 

@@ -1,5 +1,7 @@
 #include "oc_core/worlds/scene_source.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "oc_core/base/error.h"
@@ -7,6 +9,7 @@
 #include "oc_core/scene/scene_file.h"
 #include "oc_core/scene/shading.h"
 #include "oc_core/worlds/builtin_scenes.h"
+#include "oc_core/worlds/packed_source.h"
 
 namespace ocelli {
 namespace {
@@ -36,12 +39,22 @@ void refuseOwnFile(const std::string& source) {
 GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& options, const Progress& progress) {
   refuseOwnFile(source);
   report(progress, "loading the scene", 0);
+  if (isPackedScene(source)) {
+    Mesh mesh = unpackedMesh(openPacked(source, options));
+    std::vector<uint32_t> objects(mesh.triangles.size(), 0);
+    return {std::move(mesh), std::move(objects), {}, glm::mat4(1)};
+  }
   Scene scene = isBuiltinScene(source) ? makeBuiltinScene(source)
                                        : readSceneFile(source, {.textures = options.textures}, progress);
   for (const std::string& warning : scene.warnings) {
     if (options.warn) {
       options.warn(warning);
     }
+  }
+  if (const size_t triangles = triangleCount(scene); triangles > kMaxSceneTriangles) {
+    throw InputError(fmt::format("this scene has {} triangles, more than the {} that fit into memory as one mesh",
+                                 triangles, kMaxSceneTriangles),
+                     source, "pack it with ocelli scene pack, and give the .opack file");
   }
   GuidedScene loaded = flattened(std::move(scene));
   Mesh& mesh = loaded.mesh;

@@ -1,0 +1,65 @@
+// Which clusters of a packed scene stand for it: fine where it matters, coarse where nobody sees the difference, and
+// none where nobody looks.
+#pragma once
+
+#include <vector>
+
+#include "oc_core/pack/packed_scene.h"
+
+namespace ocelli {
+
+/// Goes down from the root. `isVisible(sphere)` tells whether anything in a sphere may be seen; `isCloseEnough(sphere,
+/// error)` whether a surface that is wrong by `error` somewhere in the sphere will do. It must hold for every smaller
+/// error and for every smaller sphere within.
+///
+/// Where two clusters meet that were chosen, they have the same border: the surface has no crack.
+template <class IsVisible, class IsCloseEnough>
+std::vector<ClusterChoice> chooseClusters(const PackedScene& scene, const IsVisible& isVisible,
+                                          const IsCloseEnough& isCloseEnough) {
+  std::vector<ClusterChoice> chosen;
+  std::vector<uint8_t> isKnown(scene.groupCount(), 0);
+  std::vector<uint32_t> open;
+  const auto visit = [&](uint32_t group) {
+    if (isKnown[group] == 0) {
+      isKnown[group] = 1;
+      open.push_back(group);
+    }
+  };
+  visit(scene.root());
+  while (!open.empty()) {
+    const uint32_t at = open.back();
+    open.pop_back();
+    const PackedGroupInfo group = scene.group(at);
+    if (!isVisible(group.sphere)) {
+      continue;
+    }
+    for (uint32_t inner = 0; inner < group.innerGroups; ++inner) {
+      visit(group.firstInner + inner);
+    }
+    for (uint32_t i = 0; i < group.clusters; ++i) {
+      const PackedClusterInfo cluster = scene.cluster(at, i);
+      if (cluster.finer != PackedClusterInfo::kNone) {
+        const PackedGroupInfo finer = scene.group(cluster.finer);
+        if (!isCloseEnough(finer.sphere, finer.error)) {
+          visit(cluster.finer);
+          continue;
+        }
+      }
+      if (isVisible(cluster.bounds)) {
+        chosen.push_back({at, i});
+      }
+    }
+  }
+  return chosen;
+}
+
+/// The triangles of the scene itself, in an order that depends on the file alone.
+std::vector<ClusterChoice> allClusters(const PackedScene& scene);
+
+/// Their triangles, cluster after cluster in the order of `chosen`; each cluster has vertices of its own.
+Mesh meshOf(const PackedScene& scene, const std::vector<ClusterChoice>& chosen);
+
+/// The same with vertices that clusters share: what needs to know neighbours takes it.
+Mesh weldedMeshOf(const PackedScene& scene, const std::vector<ClusterChoice>& chosen);
+
+}  // namespace ocelli

@@ -1,0 +1,198 @@
+#include "oc_core/pack/pack_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <iterator>
+#include <mutex>
+
+#include "oc_core/base/check.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
+#include "oc_core/base/output_file.h"
+#include "oc_core/base/parallel.h"
+#include "oc_core/pack/pack_file_writer.h"
+#include "oc_core/pack/part_file.h"
+#include "oc_core/pack/scene_parts.h"
+#include "oc_core/pack/sorted_triangles.h"
+
+namespace ocelli {
+namespace {
+
+/// Clusters that a part leaves to those above, at most, where they were never simplified.
+constexpr size_t kMaxRest = 2000;
+
+/// The folder of a job: what has been made so far.
+class WorkFolder {
+ public:
+  WorkFolder(const std::filesystem::path& output, const std::string& sourceKey) : folder_(output) {
+    folder_ += ".work";
+    const std::filesystem::path key = folder_ / "source";
+    std::error_code none;
+    const bool goesOn = !sourceKey.empty() && std::filesystem::exists(key, none) && readFile(key) == sourceKey;
+    if (!goesOn) {
+      std::filesystem::remove_all(folder_, none);
+    }
+    std::error_code error;
+    std::filesystem::create_directories(folder_, error);
+    if (error) {
+      throw WorkError("this folder cannot be made: " + error.message(), folder_.string(), "write somewhere else");
+    }
+    writeFile(key, sourceKey);
+  }
+
+  std::filesystem::path triangles() const { return folder_ / "triangles"; }
+  std::filesystem::path part(uint32_t index) const { return folder_ / fmt::format("part_{}", index); }
+  void remove() const {
+    std::error_code none;
+    std::filesystem::remove_all(folder_, none);
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+class PackJob {
+ public:
+  PackJob(const TriangleSource& source, const std::filesystem::path& output, const PackOptions& options,
+          const Progress& progress)
+      : output_(output),
+        options_(options),
+        progress_(progress),
+        folder_(output, options.sourceKey),
+        plan_(planOf(source, output.string())) {
+    report_.triangles = plan_.triangles;
+    report_.parts = plan_.parts.size();
+    if (!std::filesystem::exists(folder_.triangles())) {
+      report(progress, "sorting triangles", 0);
+      sortTriangles(source, plan_, folder_.triangles(),
+                    [&](double share) { report(progress_, "sorting triangles", share); });
+    }
+  }
+
+  PackReport run() {
+    makeParts();
+    PackFileWriter file(output_);
+    for (uint32_t i = 0; i < plan_.parts.size(); ++i) {
+      PackedPart part = partOf(i);
+      if (i + 1 == plan_.parts.size()) {
+        settle(part, part.rest);
+      }
+      file.add(part);
+      report(progress_, "writing", static_cast<double>(i) / static_cast<double>(plan_.parts.size()));
+    }
+    report_.bytes = file.finish(plan_, options_.description, report_);
+    folder_.remove();
+    report_.partsAtHand = atHand_;
+    return report_;
+  }
+
+ private:
+  /// Those without children side by side, as many as there are threads; the others one after the other.
+  void makeParts() {
+    std::vector<uint32_t> leaves;
+    for (uint32_t i = 0; i < plan_.parts.size(); ++i) {
+      if (plan_.parts[i].children.empty()) {
+        leaves.push_back(i);
+      }
+    }
+    parallelFor(leaves.size(), 1, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        makeLeaf(leaves[i]);
+      }
+    });
+    for (uint32_t i = 0; i < plan_.parts.size(); ++i) {
+      if (!plan_.parts[i].children.empty()) {
+        makeInner(i);
+      }
+    }
+  }
+
+  bool isAtHand(uint32_t index) const {
+    return !options_.sourceKey.empty() && readPart(folder_.part(index)).has_value();
+  }
+
+  void makeLeaf(uint32_t index) {
+    if (isAtHand(index)) {
+      ++atHand_;
+    } else {
+      make(index, levelClusters(clustersOf(readPartTriangles(folder_.triangles(), plan_.parts[index]))));
+    }
+    tell(plan_.parts[index].triangles);
+  }
+
+  void makeInner(uint32_t index) {
+    if (isAtHand(index)) {
+      ++atHand_;
+      return;
+    }
+    std::vector<LevelCluster> clusters;
+    for (const uint32_t child : plan_.parts[index].children) {
+      PackedPart part = partOf(child);
+      std::move(part.rest.begin(), part.rest.end(), std::back_inserter(clusters));
+    }
+    make(index, std::move(clusters));
+  }
+
+  void make(uint32_t index, std::vector<LevelCluster> clusters) {
+    PackedPart part;
+    const auto take = [&](const ClusterGroup& group) {
+      part.groups.push_back(packedGroup(group));
+      return GroupName{index, static_cast<uint32_t>(part.groups.size() - 1)};
+    };
+    part.rest = coarsened(std::move(clusters), take);
+    // What is in pieces that nothing simplifies would fill the memory of the parts above.
+    if (part.rest.size() > kMaxRest) {
+      const auto stays = std::stable_partition(part.rest.begin(), part.rest.end(),
+                                               [](const LevelCluster& level) { return !level.finer.isNone(); });
+      std::vector<LevelCluster> staying(std::make_move_iterator(stays), std::make_move_iterator(part.rest.end()));
+      part.rest.erase(stays, part.rest.end());
+      settle(part, staying);
+    }
+    writePart(folder_.part(index), part);
+  }
+
+  static void settle(PackedPart& part, std::vector<LevelCluster>& clusters) {
+    for (const ClusterGroup& group : standingGroups(std::move(clusters))) {
+      part.groups.push_back(packedGroup(group));
+    }
+    clusters.clear();
+  }
+
+  PackedPart partOf(uint32_t index) const {
+    std::optional<PackedPart> part = readPart(folder_.part(index));
+    if (!part) {
+      throw WorkError("what was made of a part of the scene is damaged", folder_.part(index).string(),
+                      "remove it, and pack the scene again");
+    }
+    return std::move(*part);
+  }
+
+  void tell(uint64_t triangles) {
+    const std::scoped_lock lock(telling_);
+    told_ += triangles;
+    report(progress_, "making levels of detail", static_cast<double>(told_) / static_cast<double>(plan_.triangles));
+  }
+
+  std::filesystem::path output_;
+  const PackOptions& options_;
+  const Progress& progress_;
+  WorkFolder folder_;
+  ScenePlan plan_;
+  PackReport report_;
+  std::atomic<size_t> atHand_{0};
+  std::mutex telling_;
+  uint64_t told_ = 0;
+};
+
+}  // namespace
+
+PackReport packScene(const TriangleSource& source, const std::filesystem::path& path, const PackOptions& options,
+                     const Progress& progress) {
+  checkWritable(path);
+  report(progress, "counting triangles", 0);
+  return PackJob(source, path, options, progress).run();
+}
+
+}  // namespace ocelli

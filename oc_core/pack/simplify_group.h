@@ -1,0 +1,34 @@
+// A coarser form of some triangles, with an error that is measured.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "oc_core/pack/cluster.h"
+
+namespace ocelli {
+
+/// World units.
+struct LevelError {
+  /// How far any vertex that was there lies from the coarser surface.
+  float distance = 0;
+  /// Where the colour of such a vertex differs by a share c of full light from that of the coarser surface: c s / 3,
+  /// with s the longest side of the triangle there. The difference vanishes at its corners, so its integral over the
+  /// triangle is that of a tent, c s^2 / 3: as much as where an edge of full light, as long as s, is off by so much.
+  float color = 0;
+
+  float larger() const { return std::max(distance, color); }
+};
+
+struct SimplifiedTriangles {
+  WeldedTriangles triangles;
+  LevelError error;
+};
+
+/// About half as many triangles, whose open edges are those of `welded`, vertex by vertex: what was next to it still
+/// fits. Nothing where it cannot be made to have less than kWorthwhile of its triangles.
+std::optional<SimplifiedTriangles> simplified(const WeldedTriangles& welded);
+
+inline constexpr float kWorthwhile = 0.85f;
+
+}  // namespace ocelli

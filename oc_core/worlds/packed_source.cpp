@@ -1,0 +1,133 @@
+#include "oc_core/worlds/packed_source.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <glm/common.hpp>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/json_document.h"
+#include "oc_core/base/json_fields.h"
+#include "oc_core/pack/cluster_cut.h"
+#include "oc_core/scene/scene_file.h"
+#include "oc_core/scene/shading.h"
+#include "oc_core/worlds/builtin_scenes.h"
+
+namespace ocelli {
+namespace {
+
+const char* nameOf(Shading shading) {
+  return shading == Shading::kLambert ? "lambert" : "none";
+}
+
+/// The copies of a scene one after the other, as they stand in the mesh that loadScene() gives.
+class CopiesSource final : public TriangleSource {
+ public:
+  CopiesSource(Scene scene, const SceneOptions& options, std::string where)
+      : scene_(std::move(scene)), shading_(options.shading), where_(std::move(where)) {
+    Box box;
+    forEachCopy([&](const Mesh& copy) {
+      const Box one = boundsOf(copy);
+      box.lower = glm::min(box.lower, one.lower);
+      box.upper = glm::max(box.upper, one.upper);
+    });
+    if (options.fit) {
+      const glm::dvec3 center = (glm::dvec3(box.lower) + glm::dvec3(box.upper)) * 0.5;
+      double reach = 0;
+      forEachCopy([&](const Mesh& copy) { reach = std::max(reach, reachOf(copy, center)); });
+      worldFromScene_ = unitFromSphere(center, reach, where_);
+    }
+  }
+
+  void forEachPart(const std::function<void(const Mesh& part)>& visit) const override {
+    forEachCopy([&](Mesh& copy) {
+      transform(copy, worldFromScene_);
+      if (shading_ == Shading::kLambert) {
+        bakeLambert(copy);
+      }
+      visit(copy);
+    });
+  }
+
+ private:
+  template <class Visit>
+  void forEachCopy(const Visit& visit) const {
+    for (size_t i = 0; i < scene_.instances.size(); ++i) {
+      Mesh copy = flattenInstance(scene_, i);
+      if (!copy.empty()) {
+        validate(copy, where_);
+        visit(copy);
+      }
+    }
+  }
+
+  Scene scene_;
+  Shading shading_;
+  std::string where_;
+  glm::mat4 worldFromScene_{1};
+};
+
+/// What tells that a source is the same as in an earlier job.
+std::string sourceKeyOf(const std::string& source, const SceneOptions& options) {
+  std::string key =
+      fmt::format("{} fit={} shading={} textures={}", source, options.fit, nameOf(options.shading), options.textures);
+  std::error_code none;
+  const auto time = std::filesystem::last_write_time(source, none);
+  if (!none) {
+    key += fmt::format(" bytes={} time={}", std::filesystem::file_size(source, none), time.time_since_epoch().count());
+  }
+  return key;
+}
+
+}  // namespace
+
+bool isPackedScene(const std::string& source) {
+  return source.ends_with(".opack");
+}
+
+PackReport packSource(const std::string& source, const SceneOptions& options, const std::filesystem::path& path,
+                      const Progress& progress) {
+  if (isPackedScene(source)) {
+    throw InputError("this scene is packed already", source, "copy the file");
+  }
+  report(progress, "loading the scene", 0);
+  Scene scene = isBuiltinScene(source) ? makeBuiltinScene(source)
+                                       : readSceneFile(source, {.textures = options.textures}, progress);
+  for (const std::string& warning : scene.warnings) {
+    if (options.warn) {
+      options.warn(warning);
+    }
+  }
+  const nlohmann::ordered_json description{
+      {"scene", source}, {"fit", options.fit}, {"shading", nameOf(options.shading)}};
+  const CopiesSource copies(std::move(scene), options, source);
+  return packScene(copies, path, {.description = textOfJson(description), .sourceKey = sourceKeyOf(source, options)},
+                   progress);
+}
+
+PackedScene openPacked(const std::string& source, const SceneOptions& options) {
+  PackedScene scene(source);
+  const JsonDocument description(scene.description(), source);
+  JsonFields fields(description, UnknownFields::kIgnored);
+  const std::string shading = fields.text("shading", nameOf(Shading::kNone));
+  if (!options.fit && fields.boolean("fit", false)) {
+    throw InputError("this scene was fitted when it was packed", source, "pack it with --no-fit");
+  }
+  if (shading != nameOf(options.shading) && options.shading != Shading::kLambert) {
+    throw InputError("this scene was shaded when it was packed", source, "pack it with --shading none");
+  }
+  return scene;
+}
+
+Mesh unpackedMesh(const PackedScene& scene) {
+  if (scene.triangleCount() > kMaxSceneTriangles) {
+    throw InputError(fmt::format("this scene has {} triangles, more than the {} that this command takes at once",
+                                 scene.triangleCount(), kMaxSceneTriangles),
+                     scene.path().string(), "use a command that reads packed scenes level by level");
+  }
+  return weldedMeshOf(scene, allClusters(scene));
+}
+
+}  // namespace ocelli
