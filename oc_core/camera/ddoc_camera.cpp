@@ -2,21 +2,34 @@
 
 #include <glm/geometric.hpp>
 
+#include "oc_core/base/parallel.h"
+
 namespace ocelli {
 
 DdocCamera::DdocCamera(const PinholeCamera& reference, DistortionMap map)
     : reference_(reference),
       map_(std::move(map)),
       longestDisplacement_(map_.longestDisplacement()),
-      bounds_(map_),
+      bounds_(std::make_shared<LazyBounds>()),
       displacedBefore_(reference.width() + 1, reference.height() + 1, 0) {
   OC_CHECK(map_.samples().width() == reference.width() && map_.samples().height() == reference.height(),
            "a distortion map has one sample for each pixel of its reference camera");
+  // Within each row, then each row on top of the one above.
+  parallelFor(static_cast<size_t>(height()), 32, [&](size_t begin, size_t end) {
+    for (size_t row = begin; row < end; ++row) {
+      const int y = static_cast<int>(row);
+      uint32_t inRow = 0;
+      for (int x = 0; x < width(); ++x) {
+        inRow += map_.samples()(x, y).displacement != glm::vec2(0);
+        displacedBefore_(x + 1, y + 1) = inRow;
+      }
+    }
+  });
   for (int y = 0; y < height(); ++y) {
-    uint32_t inRow = 0;
-    for (int x = 0; x < width(); ++x) {
-      inRow += map_.samples()(x, y).displacement != glm::vec2(0);
-      displacedBefore_(x + 1, y + 1) = displacedBefore_(x + 1, y) + inRow;
+    const uint32_t* above = &displacedBefore_(0, y);
+    uint32_t* counts = &displacedBefore_(0, y + 1);
+    for (int x = 0; x <= width(); ++x) {
+      counts[x] += above[x];
     }
   }
 }
@@ -61,7 +74,7 @@ RayPath DdocCamera::rayPath(const glm::vec2& pixel) const {
   float reach = longestDisplacement_;
   DisplacementBounds::Range around;
   for (int round = 0; round < 4 && reach > 0; ++round) {
-    around = bounds_.over({pixel - reach, pixel + reach});
+    around = bounds().over({pixel - reach, pixel + reach});
     if (around.longest() >= reach) {
       break;
     }

@@ -10,6 +10,8 @@
 
 #include <cstdint>
 #include <glm/common.hpp>
+#include <memory>
+#include <mutex>
 
 #include "oc_core/camera/displacement_bounds.h"
 #include "oc_core/camera/distorted_pinhole.h"
@@ -32,7 +34,7 @@ class DdocCamera {
   /// Map samples that displace, above and to the left of each corner of a pixel.
   const Image<uint32_t>& displacedBefore() const { return displacedBefore_; }
   ImageBox displacementOver(const ImageBox& undistorted, float minInverseZ, float greatestInverseZ) const {
-    return bounds_.over(undistorted).at(minInverseZ, greatestInverseZ);
+    return bounds().over(undistorted).at(minInverseZ, greatestInverseZ);
   }
 
   ImagePoint distort(const ImagePoint& q) const {
@@ -48,12 +50,21 @@ class DdocCamera {
   RayPath rayPath(const glm::vec2& pixel) const;
 
  private:
+  /// Made when they are first needed: rasterisation takes none. Safe from several threads.
+  struct LazyBounds {
+    std::once_flag made;
+    DisplacementBounds bounds;
+  };
+  const DisplacementBounds& bounds() const {
+    std::call_once(bounds_->made, [&] { bounds_->bounds = DisplacementBounds(map_); });
+    return bounds_->bounds;
+  }
   std::optional<ImagePoint> undistort(const ImagePoint& q, const glm::vec2& guess) const;
 
   PinholeCamera reference_;
   DistortionMap map_;
   float longestDisplacement_;
-  DisplacementBounds bounds_;
+  std::shared_ptr<LazyBounds> bounds_;  ///< copies of the camera share them
   Image<uint32_t> displacedBefore_;
 };
 

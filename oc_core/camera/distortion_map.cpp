@@ -5,11 +5,11 @@
 namespace ocelli {
 
 float DistortionMap::longestDisplacement() const {
-  float longest = 0;
+  float longest = 0;  // squared
   for (const DistortionSample& sample : samples_) {
-    longest = std::max(longest, glm::length(sample.displacement));
+    longest = std::max(longest, glm::dot(sample.displacement, sample.displacement));
   }
-  return longest;
+  return std::sqrt(longest);
 }
 
 }  // namespace ocelli

@@ -72,14 +72,7 @@ ReferenceImage sampleImage(const FragmentImage& fragments, const Mesh& mesh, con
 }
 
 TrianglePart wholeOf(const Mesh& mesh, const PinholeCamera& reference) {
-  TrianglePart part;
-  part.points.resize(mesh.positions.size());
-  std::transform(mesh.positions.begin(), mesh.positions.end(), part.points.begin(),
-                 [&](const glm::vec3& point) { return reference.cameraFromWorld(point); });
-  part.triangles = mesh.triangles;
-  part.meshTriangles.resize(mesh.triangles.size());
-  std::iota(part.meshTriangles.begin(), part.meshTriangles.end(), 0u);
-  return part;
+  return selectTriangles(std::make_shared<const ProjectedMesh>(reference, mesh), [](const ImageBox&) { return true; });
 }
 
 }  // namespace

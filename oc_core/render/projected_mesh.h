@@ -28,6 +28,10 @@ class CentreCell {
 
   CentreCell() = default;
   CentreCell(float u, float v) : bits_(axis(u) | axis(v) << 16) {}
+  /// The same, unknown() where it must be.
+  static CentreCell at(float u, float v) {
+    return std::max(std::abs(u), std::abs(v)) < kMaxPixels ? CentreCell(u, v) : unknown();
+  }
   /// The cell of a point that no triangle is left out for.
   static CentreCell unknown() { return {}; }
 
