@@ -3,9 +3,9 @@
 //
 // Projection (Equation 3.3) is closed: project with the pinhole, look the distortion up at the undistorted pixel,
 // displace. The inverse is not: the map is sampled, so `unproject` and `rayPath` solve for the undistorted pixel depth
-// by depth. Where the field folds (possible with the discontinuous map of the text, kept small by the smooth one), one
-// of the solutions is returned, or none. A reference image therefore stores the displacement of each sample and
-// unprojects exactly (3.2.3).
+// by depth, in one or two steps from the slopes of the map's cells. Where the field folds (possible with the
+// discontinuous map of the text, kept small by the smooth one), one of the solutions is returned, or none. A reference
+// image therefore stores the displacement of each sample and unprojects exactly (3.2.3).
 #pragma once
 
 #include <cstdint>
@@ -59,7 +59,11 @@ class DdocCamera {
     std::call_once(bounds_->made, [&] { bounds_->bounds = DisplacementBounds(map_); });
     return bounds_->bounds;
   }
+  /// The undistorted image point that is displaced to q, found from a guess: directly where the field is smooth, by
+  /// a search where it is not.
   std::optional<ImagePoint> undistort(const ImagePoint& q, const glm::vec2& guess) const;
+  std::optional<ImagePoint> undistortDirectly(const ImagePoint& q, const glm::vec2& guess) const;
+  std::optional<ImagePoint> searchUndistorted(const ImagePoint& q, const glm::vec2& guess) const;
 
   PinholeCamera reference_;
   DistortionMap map_;

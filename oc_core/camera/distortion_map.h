@@ -42,6 +42,13 @@ class DistortionMap {
 
   /// The sample at undistorted image coordinates; beyond the borders the nearest one inside.
   DistortionSample at(float u, float v) const;
+  /// The same, with how it changes for a pixel along u and v: within a cell between samples, bilinearly.
+  struct Sloped {
+    DistortionSample value;
+    DistortionSample alongU;
+    DistortionSample alongV;
+  };
+  Sloped slopedAt(float u, float v) const;
   /// The longest displacement in the map, pixels.
   float longestDisplacement() const;
 

@@ -117,8 +117,10 @@ ReferenceImage imageOf(const Built& built, const Mesh& mesh, const SubdivisionOp
   const PinholeCamera& reference = built.camera.reference();
   const FragmentImage fragments = renderer != nullptr ? renderer->draw(built.camera, built.seen, options)
                                                       : rasterize(built.camera, built.seen, built.part, options);
-  ReferenceImage image = referenceImage(fragments, mesh, reference, "ddoc");
-  image.triangleBound = imageMeshTriangles(referenceImage(built.seen, mesh, reference, "di"));
+  // Most samples are the pinhole's own.
+  ReferenceImage image = referenceImage(built.seen, mesh, reference, "ddoc");
+  image.triangleBound = imageMeshTriangles(image);
+  updateReferenceImage(image, built.seen, fragments, mesh, reference);
   return image;
 }
 

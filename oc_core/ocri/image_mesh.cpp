@@ -93,6 +93,8 @@ class ImageMesher {
     return t >= camera_.view().zNear && t <= camera_.view().zFar && std::isfinite(d.x) && std::isfinite(d.y);
   }
 
+  bool isEmpty(int y) const { return firstOfRow_[static_cast<size_t>(y)] == firstOfRow_[static_cast<size_t>(y) + 1]; }
+
   /// Numbers the samples that have a point.
   void findVertices() {
     forRows([&](int y) {
@@ -211,6 +213,9 @@ class ImageMesher {
 
   void joinPixels() {
     forRowPairs([&](int y, const UndistortedRow* here, const UndistortedRow& below) {
+      if (isEmpty(y)) {
+        return;
+      }
       const std::vector<int> right = here != nullptr ? judged(here, 0, *here, 1) : judged(nullptr, 0, below, 0);
       const std::vector<int> down = judged(here, 0, below, 0);
       for (int x = 0; x < image_.width(); ++x) {
@@ -287,7 +292,7 @@ class ImageMesher {
   /// Each cell between four samples gives two triangles, one, or none.
   void closeCells() {
     forRowPairs([&](int y, const UndistortedRow* here, const UndistortedRow& below) {
-      if (y + 1 >= image_.height()) {
+      if (y + 1 >= image_.height() || isEmpty(y)) {
         return;
       }
       const std::vector<int> falling = judged(here, 0, below, 1);
@@ -308,16 +313,14 @@ class ImageMesher {
     const uint8_t joinsA = joins_(a.x, a.y);
     const CellSides sides{(joinsA & kJoinedDown) != 0, (joins_(a.x, a.y + 1) & kJoinedRight) != 0,
                           (joins_(right, a.y) & kJoinedDown) != 0, (joinsA & kJoinedRight) != 0};
-    const std::array<Pixel, 4> corners{{a, {a.x, a.y + 1}, {right, a.y + 1}, {right, a.y}}};
     uint8_t triangles = 0;
     // Corners a to d are 0 to 3.
     closeCell(
         0, 1, 2, 3, sides,
-        [&](int p, int) { return p == 0 ? decided(falling, corners[0], 1, 1) : decided(rising, corners[1], 1, -1); },
-        [&](int p) {
-          const Pixel& corner = corners[static_cast<size_t>(p)];
-          return 1 / image_.t(corner.x, corner.y);
+        [&](int p, int) {
+          return p == 0 ? decided(falling, a, 1, 1) : decided(rising, {a.x, a.y + 1}, 1, -1);
         },
+        [&](int p) { return 1 / image_.t(p < 2 ? a.x : right, p == 0 || p == 3 ? a.y : a.y + 1); },
         [&](int p, int q, int) { triangles |= bitOfTriangle(p, q); });
     return triangles;
   }
@@ -381,10 +384,9 @@ class ImageMesher {
     return rims;
   }
 
-  /// The square around an open sample, or half of one.
   struct Square {
     Pixel sample;
-    bool whole;
+    bool whole;  ///< or the half that points to the opening
   };
 
   void planSquares(const std::vector<Pixel>& rims) {
@@ -415,10 +417,9 @@ class ImageMesher {
   }
 
   void addSquares() {
-    // Whole ones come first.
     parallelFor(squares_.size(), 64, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
-        const size_t before = std::min(i, wholeSquares_);
+        const size_t before = std::min(i, wholeSquares_);  // whole ones come first
         addSquare(squares_[i], firstOfRow_.back() + 3 * i + before, firstTriangleOfRow_.back() + i + before);
       }
     });
@@ -453,7 +454,6 @@ class ImageMesher {
     return {static_cast<float>((right > 0) - (right < 0)), static_cast<float>((down > 0) - (down < 0))};
   }
 
-  /// A square around the sample or, in one triangle, the half of it that points to the opening.
   void addSquare(const Square& square, size_t vertex, size_t triangle) {
     const Pixel& p = square.sample;
     const auto first = static_cast<uint32_t>(vertex);
