@@ -136,7 +136,6 @@ DdocOptions DdocOptions::paper(float constantRadiusPixels) {
   options.feedbackRounds = 0;
   options.steepestBandGrowth = 0;
   options.smoothingSigmaPixels = 0;
-  options.subdivision = {};
   return options;
 }
 

@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
-#include <optional>
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/ocri/grid_cell.h"
@@ -70,8 +69,8 @@ class ImageMesher {
   }
   template <class Body>
   void forRows(const Body& body) const {
-    forBands([&](int begin, int end) {
-      for (int y = begin; y < end; ++y) {
+    forBands([&](int y, int end) {
+      for (; y < end; ++y) {
         body(y);
       }
     });
@@ -106,9 +105,8 @@ class ImageMesher {
     });
     std::partial_sum(firstOfRow_.begin(), firstOfRow_.end(), firstOfRow_.begin());
     forRows([&](int y) {
-      const uint32_t first = firstOfRow_[static_cast<size_t>(y)];
       for (int x = 0; x < image_.width(); ++x) {
-        vertexOf_(x, y) += vertexOf_(x, y) != kNoVertex ? first : 0;
+        vertexOf_(x, y) += vertexOf_(x, y) != kNoVertex ? firstOfRow_[static_cast<size_t>(y)] : 0;
       }
     });
   }
@@ -116,10 +114,9 @@ class ImageMesher {
   /// What the mesh takes, all at once: vectors fill themselves with zeros.
   void allocate(const std::vector<uint32_t>* pixelOfVertex) {
     const size_t vertices = firstOfRow_.back() + squareVertices_;
-    const size_t triangles = firstTriangleOfRow_.back() + squareTriangles_;
     parallelChunks(2, 2, [&](size_t chunk, size_t, size_t) {
       if (chunk == 0) {
-        mesh_.triangles.resize(triangles);
+        mesh_.triangles.resize(firstTriangleOfRow_.back() + squareTriangles_);
       } else {
         mesh_.positions.resize(vertices);
         mesh_.colors.resize(image_.color.empty() ? 0 : vertices);
@@ -272,7 +269,8 @@ class ImageMesher {
       return false;
     }
     if (image_.isPlaced()) {
-      return joinedPlaced(p, q, dx, dy);
+      return placedSamplesJoin(placed(beside(p, -dx, -dy)), placed(p), placed(q), placed(beside(q, dx, dy)),
+                               std::min(widthAt(p, dy, dx), widthAt(q, dy, dx)), options_);
     }
     const ImagePoint a = image_.undistorted(p.x, p.y);
     const ImagePoint b = image_.undistorted(q.x, q.y);
@@ -281,10 +279,6 @@ class ImageMesher {
     }
     return samplesJoin(sample(beside(p, -dx, -dy)), a, b, sample(beside(q, dx, dy)), false, camera_.focalPixels(),
                        spacing(p), options_);
-  }
-  bool joinedPlaced(const Pixel& p, const Pixel& q, int dx, int dy) const {
-    return placedSamplesJoin(placed(beside(p, -dx, -dy)), placed(p), placed(q), placed(beside(q, dx, dy)),
-                             std::min(widthAt(p, dy, dx), widthAt(q, dy, dx)), options_);
   }
 
   int cellColumns() const { return image_.wrapsAround ? image_.width() : image_.width() - 1; }
@@ -360,16 +354,14 @@ class ImageMesher {
     using Rims = std::array<std::vector<Pixel>, kClosedTriangles>;  // by triangles around
     std::vector<Rims> ofRow(static_cast<size_t>(image_.height()));
     forRows([&](int y) {
-      const bool isInner = y > 0 && y + 1 < image_.height();
       for (int x = 0; x < image_.width(); ++x) {
         if (vertexOf_(x, y) == kNoVertex) {
           continue;
         }
         const auto around =
-            static_cast<size_t>(isInner && x > 0 && x + 1 < image_.width()
-                                    ? triangleCount(cells_(x - 1, y - 1)) + triangleCount(cells_(x, y - 1)) +
-                                          triangleCount(cells_(x - 1, y)) + triangleCount(cells_(x, y))
-                                    : trianglesAround(x, y));
+            static_cast<size_t>(y > 0 && x > 0 ? triangleCount(cells_(x - 1, y - 1)) + triangleCount(cells_(x, y - 1)) +
+                                                     triangleCount(cells_(x - 1, y)) + triangleCount(cells_(x, y))
+                                               : trianglesAround(x, y));
         if (around < kClosedTriangles) {
           ofRow[static_cast<size_t>(y)][around].push_back({x, y});
         }
@@ -386,7 +378,7 @@ class ImageMesher {
 
   struct Square {
     Pixel sample;
-    bool whole;  ///< or the half that points to the opening
+    bool whole;  ///< or half
   };
 
   void planSquares(const std::vector<Pixel>& rims) {
@@ -457,11 +449,15 @@ class ImageMesher {
   void addSquare(const Square& square, size_t vertex, size_t triangle) {
     const Pixel& p = square.sample;
     const auto first = static_cast<uint32_t>(vertex);
+    Surface surface;
+    if (!image_.isPlaced() && !inTile(p)) {
+      surface = {image_.undistorted(p.x, p.y), sampleStep(p, {1, 0}), sampleStep(p, {0, 1}), gradient(p)};
+    }
     const auto addCorner = [&](const glm::vec2& side) {
       setVertex(vertex++,
                 image_.isPlaced() ? placedCorner(p, side)
                 : inTile(p)       ? tileCorner(p, side)
-                                  : pinholeCorner(p, side),
+                                  : pinholeCorner(surface, side),
                 p);
     };
     mesh_.triangles[triangle] = {first, first + 1, first + 2};
@@ -471,8 +467,8 @@ class ImageMesher {
       }
       mesh_.triangles[triangle + 1] = {first, first + 2, first + 3};
     } else {
-      glm::vec2 outward = opening(p);
-      outward = outward == glm::vec2(0) ? glm::vec2(1, 0) : outward;
+      const glm::vec2 open = opening(p);
+      const glm::vec2 outward = open == glm::vec2(0) ? glm::vec2(1, 0) : open;
       // A little inwards, so that the sample itself is safely covered.
       constexpr float kOverlap = 0.25f;
       const glm::vec2 along(-outward.y, outward.x);
@@ -482,13 +478,17 @@ class ImageMesher {
     }
   }
 
+  struct Surface {
+    ImagePoint center;
+    glm::vec2 right, down;  ///< steps of a pixel
+    glm::vec2 gradient;
+  };
   /// Half a step away from the sample in the pinhole's image, on the plane of the surface.
-  glm::vec3 pinholeCorner(const Pixel& p, const glm::vec2& side) const {
-    const ImagePoint q = image_.undistorted(p.x, p.y);
-    const glm::vec2 offset =
-        (sampleStep(p, {1, 0}) * side.x + sampleStep(p, {0, 1}) * side.y) * (options_.squarePixels / 2);
-    const ImagePoint step{offset.x, offset.y, glm::dot(gradient(p), offset)};
-    return camera_.worldFromCamera(camera_.cameraFromImage(squareCorner(q, step, camera_.focalPixels(), options_)));
+  glm::vec3 pinholeCorner(const Surface& s, const glm::vec2& side) const {
+    const glm::vec2 offset = (s.right * side.x + s.down * side.y) * (options_.squarePixels / 2);
+    const ImagePoint q =
+        squareCorner(s.center, {offset.x, offset.y, glm::dot(s.gradient, offset)}, camera_.focalPixels(), options_);
+    return camera_.worldFromCamera(camera_.cameraFromImage(q));
   }
 
   /// Half way to the next samples of the tile. Another viewpoint took them: the surface may lie along the rays of the
