@@ -3,13 +3,15 @@
 //
 // Projection (Equation 3.3) is closed: project with the pinhole, look the distortion up at the undistorted pixel,
 // displace. The inverse is not: the map is sampled, so `unproject` and `rayPath` solve for the undistorted pixel depth
-// by depth. Where the field folds (possible with the discontinuous map of the text, kept small by the smooth one), one
-// of the solutions is returned, or none. A reference image therefore stores the displacement of each sample and
-// unprojects exactly (3.2.3).
+// by depth, in one or two steps from the slopes of the map's cells. Where the field folds (possible with the
+// discontinuous map of the text, kept small by the smooth one), one of the solutions is returned, or none. A reference
+// image therefore stores the displacement of each sample and unprojects exactly (3.2.3).
 #pragma once
 
 #include <cstdint>
 #include <glm/common.hpp>
+#include <memory>
+#include <mutex>
 
 #include "oc_core/camera/displacement_bounds.h"
 #include "oc_core/camera/distorted_pinhole.h"
@@ -32,7 +34,7 @@ class DdocCamera {
   /// Map samples that displace, above and to the left of each corner of a pixel.
   const Image<uint32_t>& displacedBefore() const { return displacedBefore_; }
   ImageBox displacementOver(const ImageBox& undistorted, float minInverseZ, float greatestInverseZ) const {
-    return bounds_.over(undistorted).at(minInverseZ, greatestInverseZ);
+    return bounds().over(undistorted).at(minInverseZ, greatestInverseZ);
   }
 
   ImagePoint distort(const ImagePoint& q) const {
@@ -48,12 +50,25 @@ class DdocCamera {
   RayPath rayPath(const glm::vec2& pixel) const;
 
  private:
+  /// Made when they are first needed: rasterisation takes none. Safe from several threads.
+  struct LazyBounds {
+    std::once_flag made;
+    DisplacementBounds bounds;
+  };
+  const DisplacementBounds& bounds() const {
+    std::call_once(bounds_->made, [&] { bounds_->bounds = DisplacementBounds(map_); });
+    return bounds_->bounds;
+  }
+  /// The undistorted image point that is displaced to q, found from a guess: directly where the field is smooth, by
+  /// a search where it is not.
   std::optional<ImagePoint> undistort(const ImagePoint& q, const glm::vec2& guess) const;
+  std::optional<ImagePoint> undistortDirectly(const ImagePoint& q, const glm::vec2& guess) const;
+  std::optional<ImagePoint> searchUndistorted(const ImagePoint& q, const glm::vec2& guess) const;
 
   PinholeCamera reference_;
   DistortionMap map_;
   float longestDisplacement_;
-  DisplacementBounds bounds_;
+  std::shared_ptr<LazyBounds> bounds_;  ///< copies of the camera share them
   Image<uint32_t> displacedBefore_;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/vec2.hpp>
 
@@ -41,6 +42,13 @@ class DistortionMap {
 
   /// The sample at undistorted image coordinates; beyond the borders the nearest one inside.
   DistortionSample at(float u, float v) const;
+  /// The same, with how it changes for a pixel along u and v: within a cell between samples, bilinearly.
+  struct Sloped {
+    DistortionSample value;
+    DistortionSample alongU;
+    DistortionSample alongV;
+  };
+  Sloped slopedAt(float u, float v) const;
   /// The longest displacement in the map, pixels.
   float longestDisplacement() const;
 
@@ -67,13 +75,12 @@ inline DistortionSample DistortionMap::at(float u, float v) const {
   const float w10 = fx * (1 - fy);
   const float w01 = (1 - fx) * fy;
   const float w11 = fx * fy;
-  const DistortionSample& a = samples_(x0, y0);
-  const DistortionSample& b = samples_(x1, y0);
-  const DistortionSample& c = samples_(x0, y1);
-  const DistortionSample& d = samples_(x1, y1);
-  return {a.displacement * w00 + b.displacement * w10 + c.displacement * w01 + d.displacement * w11,
-          a.inverseNear * w00 + b.inverseNear * w10 + c.inverseNear * w01 + d.inverseNear * w11,
-          a.inverseFar * w00 + b.inverseFar * w10 + c.inverseFar * w01 + d.inverseFar * w11};
+  // All four numbers of a sample at once.
+  using Four = float __attribute__((vector_size(16)));
+  static_assert(sizeof(DistortionSample) == sizeof(Four));
+  const auto four = [&](int column, int row) { return std::bit_cast<Four>(samples_(column, row)); };
+  return std::bit_cast<DistortionSample>(four(x0, y0) * w00 + four(x1, y0) * w10 + four(x0, y1) * w01 +
+                                         four(x1, y1) * w11);
 }
 
 }  // namespace ocelli

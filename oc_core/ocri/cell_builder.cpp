@@ -176,37 +176,67 @@ size_t removeHarmful(std::vector<Part>& parts, const Mesh& mesh) {
 /// The reference part, then the satellites that add to it.
 struct Found {
   std::vector<Part> parts;
-  Mesh mesh;           ///< of all parts
-  size_t samples = 0;  ///< that they take
+  Mesh mesh;                       ///< of all parts
+  size_t samples = 0;              ///< that they take
+  std::vector<View> candidates{};  ///< viewpoints that would add something if their samples were a pixel apart
 };
 
 size_t maxSamples(const Found& found, const CellOptions& options) {
   return static_cast<size_t>(options.maxSamples * static_cast<float>(found.parts[0].image.sampleCount()));
 }
 
-/// With satellites whose samples are `spacing` apart. Once they take too many samples: what there is so far where it
-/// `mayStop`, nothing otherwise.
-std::optional<Found> findParts(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
-                               float spacing, bool mayStop, const Progress& progress, const SceneRenderer* renderer) {
+/// The depth image of a viewpoint, without colours.
+ReferenceImage geometrySeenFrom(const PinholeCamera& camera, const Mesh& mesh, const SceneRenderer* renderer) {
+  const FragmentImage seen = seenFrom(camera, mesh, renderer);
+  ReferenceImage image{.camera = "di",
+                       .view = camera.view(),
+                       .color = {},
+                       .t = Image<float>(seen.width(), seen.height()),
+                       .held = Image<uint8_t>(seen.width(), seen.height()),
+                       .displacement = Image<glm::vec2>(seen.width(), seen.height())};
+  parallelFor(seen.size(), 1 << 12, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      if (seen[i].covered()) {
+        image.t[i] = camera.cameraFromWorld(positionOf(seen[i], mesh)).z;
+        image.held[i] = 1;
+      }
+    }
+  });
+  return image;
+}
+
+/// The reference part alone.
+Found referencePart(const PinholeCamera& reference, const Mesh& mesh, const SceneRenderer* renderer) {
   Found found;
-  found.parts.push_back({reference, {}, buildDepthImage(reference, mesh, renderer)});
+  found.parts.push_back({reference, {}, geometrySeenFrom(reference, mesh, renderer)});
   found.parts[0].truth = positionsOf(found.parts[0].image);
   found.samples = found.parts[0].image.sampleCount();
-  const auto least = static_cast<size_t>(options.minShare * static_cast<float>(found.samples));
   appendPart(found.mesh, found.parts[0]);
+  return found;
+}
 
+/// Adds satellites at those of `views` that matter, their samples `spacing` apart. Once they take too many samples:
+/// what there is so far where it `mayStop`, nothing otherwise.
+std::optional<Found> findParts(Found found, const Mesh& mesh, const std::vector<View>& views,
+                               const CellOptions& options, float spacing, bool mayStop, const Progress& progress,
+                               const SceneRenderer* renderer) {
+  const PinholeCamera reference = found.parts[0].camera;
+  const auto least = static_cast<size_t>(options.minShare * static_cast<float>(found.samples));
   const auto scaled = [&](int pixels) {
     return std::max(static_cast<int>(std::lround(static_cast<float>(pixels) / spacing)), 1);
   };
-  const std::vector<View> views = satelliteViews(reference.view(), options);
   for (size_t i = 0; i < views.size(); ++i) {
     report(progress, "satellites", static_cast<double>(i) / static_cast<double>(views.size()));
     const PinholeCamera camera(views[i], scaled(reference.width()), scaled(reference.height()));
-    Part part{camera, {}, buildDepthImage(camera, mesh, renderer)};
+    Part part{camera, {}, geometrySeenFrom(camera, mesh, renderer)};
     part.truth = positionsOf(part.image);
     Image<uint8_t> marks =
         missingGroups(compareFrames(camera, part.truth, positionImage(camera, found.mesh)), options.minGroup);
-    if (static_cast<size_t>(std::count(marks.begin(), marks.end(), 1)) <= least) {
+    const auto missing = static_cast<size_t>(std::count(marks.begin(), marks.end(), 1));
+    if (2 * static_cast<float>(missing) * spacing * spacing > static_cast<float>(least)) {
+      found.candidates.push_back(views[i]);
+    }
+    if (missing <= least) {
       continue;
     }
     for (int step = 0; step < options.seamPixels; ++step) {
@@ -250,11 +280,15 @@ void takeOutHarmful(Found& found, const CellOptions& options, const Progress& pr
 CellCamera buildCellCamera(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
                            const Progress& progress, const SceneRenderer* renderer) {
   constexpr float kCoarser = 1.12f;
-  Found found = *findParts(reference, mesh, options, options.coarsestSpacing, true, progress, renderer);
+  const Found alone = referencePart(reference, mesh, renderer);
+  Found found = *findParts(alone, mesh, satelliteViews(reference.view(), options), options, options.coarsestSpacing,
+                           true, progress, renderer);
+  // Closer together, samples are looked for only from the viewpoints that may have some then.
+  const std::vector<View> views = found.candidates;
   float spacing = std::max(expectedSpacing(found, options), 1.0f);
   std::optional<Found> finer;
   while (!finer && spacing < options.coarsestSpacing) {
-    finer = findParts(reference, mesh, options, spacing, false, progress, renderer);
+    finer = findParts(alone, mesh, views, options, spacing, false, progress, renderer);
     spacing *= kCoarser;
   }
   if (finer) {

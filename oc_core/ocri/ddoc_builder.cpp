@@ -65,6 +65,12 @@ void shrinkHarmful(std::vector<DistortionSplat>& splats, const Harm& harm, const
   }
 }
 
+/// What all drawing of the mesh starts from; nothing where another draws it.
+std::shared_ptr<const ProjectedMesh> projectedFor(const PinholeCamera& reference, const Mesh& mesh,
+                                                  const SceneRenderer* renderer) {
+  return renderer == nullptr ? std::make_shared<const ProjectedMesh>(reference, mesh) : nullptr;
+}
+
 /// A camera under construction with what its image can share.
 struct Built {
   FragmentImage seen;  ///< by the reference pinhole
@@ -76,7 +82,8 @@ Built construct(const PinholeCamera& reference, const Mesh& mesh, const DdocOpti
                 const SceneRenderer* renderer) {
   // Steps 1 and 2.
   report(progress, "depth edges", 0);
-  FragmentImage seen = seenFrom(reference, mesh, renderer);
+  const std::shared_ptr<const ProjectedMesh> projected = projectedFor(reference, mesh, renderer);
+  FragmentImage seen = projected ? rasterize(*projected) : renderer->draw(reference);
   const std::vector<DepthEdge> edges = findEdges(reference, seen, options);
 
   // Steps 3 to 6.
@@ -89,7 +96,7 @@ Built construct(const PinholeCamera& reference, const Mesh& mesh, const DdocOpti
     return DdocCamera(reference, mapOf(splats, owners, options));
   };
   DdocCamera camera = cameraOfSplats();
-  TrianglePart part = renderer != nullptr ? TrianglePart{} : displacedPart(camera, mesh);
+  TrianglePart part = projected ? displacedPart(camera, projected) : TrianglePart{};
 
   HarmMeter meter(reference, mesh, seen, part, options.feedbackSubdivision, renderer);
   for (int round = 0; round < options.feedbackRounds; ++round) {
@@ -110,8 +117,10 @@ ReferenceImage imageOf(const Built& built, const Mesh& mesh, const SubdivisionOp
   const PinholeCamera& reference = built.camera.reference();
   const FragmentImage fragments = renderer != nullptr ? renderer->draw(built.camera, built.seen, options)
                                                       : rasterize(built.camera, built.seen, built.part, options);
-  ReferenceImage image = referenceImage(fragments, mesh, reference, "ddoc");
-  image.triangleBound = imageMeshTriangles(referenceImage(built.seen, mesh, reference, "di"));
+  // Most samples are the pinhole's own.
+  ReferenceImage image = referenceImage(built.seen, mesh, reference, "ddoc");
+  image.triangleBound = imageMeshTriangles(image);
+  updateReferenceImage(image, built.seen, fragments, mesh, reference);
   return image;
 }
 
@@ -144,8 +153,11 @@ DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, con
 
 ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options,
                               const SceneRenderer* renderer) {
-  TrianglePart part = renderer != nullptr ? TrianglePart{} : displacedPart(camera, mesh);
-  return imageOf({seenFrom(camera.reference(), mesh, renderer), camera, std::move(part)}, mesh, options, renderer);
+  const std::shared_ptr<const ProjectedMesh> projected = projectedFor(camera.reference(), mesh, renderer);
+  if (!projected) {
+    return imageOf({renderer->draw(camera.reference()), camera, {}}, mesh, options, renderer);
+  }
+  return imageOf({rasterize(*projected), camera, displacedPart(camera, projected)}, mesh, options, renderer);
 }
 
 ReferenceImage buildDdocImage(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,

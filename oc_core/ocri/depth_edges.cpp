@@ -87,10 +87,12 @@ std::vector<DepthEdge> findDepthEdges(const Image<float>& inverseZ, const DepthE
     const float w = at(x, y);
     return !onZ ? w : w > 0 ? 1 / w : std::numeric_limits<float>::max();
   };
-  std::vector<DepthEdge> edges;
-  const auto addIfEdge = [&](int x, int y, int dx, int dy) {
+  const auto addIfEdge = [&](int x, int y, int dx, int dy, std::vector<DepthEdge>& edges) {
     const float first = at(x, y);
     const float second = at(x + dx, y + dy);
+    if (first == second || (!onZ && !(std::abs(first - second) > minStep))) {
+      return;  // nearly all
+    }
     if (isDiscontinuity(measured(x - dx, y - dy), measured(x, y), measured(x + dx, y + dy),
                         measured(x + 2 * dx, y + 2 * dy), minStep)) {
       const glm::vec2 along(static_cast<float>(dx), static_cast<float>(dy));
@@ -99,15 +101,23 @@ std::vector<DepthEdge> findDepthEdges(const Image<float>& inverseZ, const DepthE
                                      : DepthEdge{position, -along, second, first});
     }
   };
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      if (x + 1 < width) {
-        addIfEdge(x, y, 1, 0);
-      }
-      if (y + 1 < height) {
-        addIfEdge(x, y, 0, 1);
+  std::vector<std::vector<DepthEdge>> edgesOfRow(static_cast<size_t>(height));
+  parallelFor(edgesOfRow.size(), 8, [&](size_t begin, size_t end) {
+    for (size_t row = begin; row < end; ++row) {
+      const int y = static_cast<int>(row);
+      for (int x = 0; x < width; ++x) {
+        if (x + 1 < width) {
+          addIfEdge(x, y, 1, 0, edgesOfRow[row]);
+        }
+        if (y + 1 < height) {
+          addIfEdge(x, y, 0, 1, edgesOfRow[row]);
+        }
       }
     }
+  });
+  std::vector<DepthEdge> edges;
+  for (const std::vector<DepthEdge>& row : edgesOfRow) {
+    edges.insert(edges.end(), row.begin(), row.end());
   }
 
   // Edges of one pixel must stand together for the neighbourhood search.

@@ -54,8 +54,24 @@ SplatOwners claimPixels(const std::vector<DistortionSplat>& splats, int width, i
   Image<float> nearest(width, height, 1e30f);
   // Bands of rows, so that each pixel is written by one thread and sees the splats in order.
   constexpr size_t kBands = 64;
+  // Where splats come in row order, a band looks at those alone that may reach it.
+  const auto above = [](const DistortionSplat& a, const DistortionSplat& b) {
+    return std::floor(a.edge.position.y) < std::floor(b.edge.position.y);
+  };
+  const bool inOrder = std::is_sorted(splats.begin(), splats.end(), above);
+  float farthest = 0;
+  for (const DistortionSplat& splat : splats) {
+    farthest = std::max(farthest, splat.reach());
+  }
+  const auto firstFrom = [&](float row) {
+    DistortionSplat at;
+    at.edge.position.y = row;
+    return static_cast<size_t>(std::lower_bound(splats.begin(), splats.end(), at, above) - splats.begin());
+  };
   parallelChunks(static_cast<size_t>(height), kBands, [&](size_t, size_t firstRow, size_t lastRow) {
-    for (size_t i = 0; i < splats.size(); ++i) {
+    const size_t begin = inOrder ? firstFrom(static_cast<float>(firstRow) - farthest - 2) : 0;
+    const size_t end = inOrder ? firstFrom(static_cast<float>(lastRow) + farthest + 2) : splats.size();
+    for (size_t i = begin; i < end; ++i) {
       const DistortionSplat& splat = splats[i];
       const glm::vec2 centre = splat.edge.position;
       const float reach = splat.reach();
@@ -215,37 +231,56 @@ DistortionMap smoothMap(const DistortionMap& map, float sigmaPixels) {
     }
   };
 
+  std::vector<float> columnWeights;  // of the pixels of a row
+  for (int x = 0; x < width; ++x) {
+    columnWeights.push_back(wholeWeight(x, width));
+  }
   DistortionMap smooth(width, height, DistortionMap::Lookup::kBilinear);
   constexpr int kBandRows = 32;
   const auto bands = static_cast<size_t>((height + kBandRows - 1) / kBandRows);
   parallelChunks(static_cast<size_t>(height), bands, [&](size_t, size_t begin, size_t end) {
     const int firstRow = std::max(static_cast<int>(begin) - reach, 0);
     const int lastRow = std::min(static_cast<int>(end) + reach, height);
-    // Along the rows first, then along the columns; both only where there is something to average.
+    // Along the rows first, then along the columns; both only where there is something to average: in [first, last).
+    struct Extent {
+      int first;
+      int last = 0;
+    };
     Image<Sums> rows(width, lastRow - firstRow);
+    std::vector<Extent> extents(static_cast<size_t>(lastRow - firstRow), Extent{width});
     for (int y = firstRow; y < lastRow; ++y) {
+      Extent& extent = extents[static_cast<size_t>(y - firstRow)];
       for (int x = 0; x < width; ++x) {
         const DistortionSample& s = map.samples()(x, y);
         if (s.inverseNear > s.inverseFar) {
           for (int i = std::max(-reach, -x); i <= std::min(reach, width - 1 - x); ++i) {
             rows(x + i, y - firstRow).add({s.displacement, s.inverseNear, s.inverseFar, 1}, weight(i));
           }
+          extent.first = std::min(extent.first, std::max(x - reach, 0));
+          extent.last = std::min(x + reach + 1, width);
         }
       }
     }
+    std::vector<Sums> sums(static_cast<size_t>(width));
     for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
-      const float columnWeight = wholeWeight(y, height);
-      for (int x = 0; x < width; ++x) {
-        Sums sums;
-        for (int i = std::max(-reach, -y); i <= std::min(reach, height - 1 - y); ++i) {
+      const float rowWeight = wholeWeight(y, height);
+      Extent any{width};
+      std::fill(sums.begin(), sums.end(), Sums{});
+      for (int i = std::max(-reach, -y); i <= std::min(reach, height - 1 - y); ++i) {
+        const Extent& extent = extents[static_cast<size_t>(y + i - firstRow)];
+        for (int x = extent.first; x < extent.last; ++x) {
           const Sums& row = rows(x, y + i - firstRow);
           if (row.weight > 0) {
-            sums.add(row, weight(i));
+            sums[static_cast<size_t>(x)].add(row, weight(i));
           }
         }
-        if (sums.weight > 1e-6f) {
-          smooth.samples()(x, y) = {sums.displacement / (columnWeight * wholeWeight(x, width)),
-                                    sums.inverseNear / sums.weight, sums.inverseFar / sums.weight};
+        any = {std::min(any.first, extent.first), std::max(any.last, extent.last)};
+      }
+      for (int x = any.first; x < any.last; ++x) {
+        const Sums& sum = sums[static_cast<size_t>(x)];
+        if (sum.weight > 1e-6f) {
+          smooth.samples()(x, y) = {sum.displacement / (rowWeight * columnWeights[static_cast<size_t>(x)]),
+                                    sum.inverseNear / sum.weight, sum.inverseFar / sum.weight};
         }
       }
     }

@@ -57,4 +57,29 @@ void closeCell(const Corner& a, const Corner& b, const Corner& c, const Corner& 
   }
 }
 
+/// The triangles that closeCell() adds, one bit each: abc, acd, bcd and bda. Given by their first two corners, where a
+/// to d are 0 to 3.
+inline uint8_t bitOfTriangle(int first, int second) {
+  return first == 0 ? (second == 1 ? 1 : 2) : (second == 2 ? 4 : 8);
+}
+inline int triangleCount(uint8_t bits) {
+  return (bits & 1) + (bits >> 1 & 1) + (bits >> 2 & 1) + (bits >> 3 & 1);
+}
+/// Calls `add` for each, in the order of closeCell().
+template <class Corner, class Add>
+void forTrianglesOf(uint8_t bits, const Corner& a, const Corner& b, const Corner& c, const Corner& d, const Add& add) {
+  if ((bits & 1) != 0) {
+    add(a, b, c);
+  }
+  if ((bits & 2) != 0) {
+    add(a, c, d);
+  }
+  if ((bits & 4) != 0) {
+    add(b, c, d);
+  }
+  if ((bits & 8) != 0) {
+    add(b, d, a);
+  }
+}
+
 }  // namespace ocelli

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/ocri/image_mesh.h"
@@ -26,42 +25,65 @@ void forPixels(int width, int height, const Body& body) {
   });
 }
 
-bool anyAround(const Image<char>& flags, int x, int y) {
-  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, flags.height() - 1); ++v) {
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, flags.width() - 1); ++u) {
-      if (flags(u, v) != 0) {
-        return true;
-      }
-    }
+/// Those flags, and those around them.
+Image<char> widened(const Image<char>& flags) {
+  const int width = flags.width();
+  const int height = flags.height();
+  Image<char> along = flags;
+  for (size_t i = 1; i + 1 < flags.size(); ++i) {
+    along[i] = static_cast<char>(flags[i - 1] | flags[i] | flags[i + 1]);
   }
-  return false;
+  for (int y = 0; y < height && width > 1; ++y) {  // the next pixel of the first and of the last is of another row
+    along(0, y) = static_cast<char>(flags(0, y) | flags(1, y));
+    along(width - 1, y) = static_cast<char>(flags(width - 2, y) | flags(width - 1, y));
+  }
+  Image<char> wide = along;
+  const auto columns = static_cast<size_t>(width);
+  for (size_t i = columns; i < flags.size(); ++i) {
+    wide[i] = static_cast<char>(wide[i] | along[i - columns]);
+    wide[i - columns] = static_cast<char>(wide[i - columns] | along[i]);
+  }
+  return wide;
 }
 
-/// The samples that `isWanted` holds for, without colours.
+/// An image of geometry alone: without colours.
+ReferenceImage blankGeometry(const PinholeCamera& reference) {
+  const int width = reference.width();
+  const int height = reference.height();
+  return {.camera = "ddoc",
+          .view = reference.view(),
+          .color = {},
+          .t = Image<float>(width, height),
+          .held = Image<uint8_t>(width, height),
+          .displacement = Image<glm::vec2>(width, height)};
+}
+
+/// The samples that `isWanted` holds for.
 template <class Predicate>
-ReferenceImage selectSamples(const ReferenceImage& image, const Predicate& isWanted) {
-  ReferenceImage selected = image;
+ReferenceImage selectSamples(const ReferenceImage& image, const PinholeCamera& reference, const Predicate& isWanted) {
+  ReferenceImage selected = blankGeometry(reference);
   forPixels(image.width(), image.height(), [&](int x, int y) {
-    if (image.holds(x, y) && !isWanted(x, y)) {
-      selected.clear(selected.t.index(x, y));
+    if (image.holds(x, y) && isWanted(x, y)) {
+      selected.t(x, y) = image.t(x, y);
+      selected.held(x, y) = 1;
+      selected.displacement(x, y) = image.displacement(x, y);
     }
   });
   return selected;
 }
 
-/// The geometry of an occlusion camera's image; its samples are all black. Fragments that are the pinhole's own have no
-/// displacement, whatever mesh they are from.
+/// The geometry of an occlusion camera's image. Fragments that are the pinhole's own have no displacement, whatever
+/// mesh they are from.
 ReferenceImage sampleImage(const FragmentImage& fragments, const Mesh& mesh, const FragmentImage& seen,
                            const PinholeCamera& reference) {
-  const int width = fragments.width();
-  const int height = fragments.height();
-  ReferenceImage image = blankReferenceImage("ddoc", reference.view(), width, height);
-  forPixels(width, height, [&](int x, int y) {
+  ReferenceImage image = blankGeometry(reference);
+  forPixels(fragments.width(), fragments.height(), [&](int x, int y) {
     const Fragment& fragment = fragments(x, y);
     if (!fragment.covered()) {
       return;
     }
-    image.set(x, y, fragment.t, glm::vec3(0));
+    image.t(x, y) = fragment.t;
+    image.held(x, y) = 1;
     if (fragment != seen(x, y)) {
       const ImagePoint q = reference.imageFromCamera(reference.cameraFromWorld(positionOf(fragment, mesh)));
       image.t(x, y) = q.t;
@@ -72,14 +94,7 @@ ReferenceImage sampleImage(const FragmentImage& fragments, const Mesh& mesh, con
 }
 
 TrianglePart wholeOf(const Mesh& mesh, const PinholeCamera& reference) {
-  TrianglePart part;
-  part.points.resize(mesh.positions.size());
-  std::transform(mesh.positions.begin(), mesh.positions.end(), part.points.begin(),
-                 [&](const glm::vec3& point) { return reference.cameraFromWorld(point); });
-  part.triangles = mesh.triangles;
-  part.meshTriangles.resize(mesh.triangles.size());
-  std::iota(part.meshTriangles.begin(), part.meshTriangles.end(), 0u);
-  return part;
+  return selectTriangles(std::make_shared<const ProjectedMesh>(reference, mesh), [](const ImageBox&) { return true; });
 }
 
 }  // namespace
@@ -100,11 +115,15 @@ ReferenceImage HarmMeter::draw(const DdocCamera& camera) {
 void HarmMeter::gatherSurfaces(const DdocCamera& camera, const ReferenceImage& image) {
   const int width = image.width();
   const int height = image.height();
-  const ReferenceImage seen = sampleImage(seen_, mesh_, seen_, reference_);
-  surfaces_ = imageMesh(selectSamples(seen, [&](int x, int y) {
+  ReferenceImage seen = blankGeometry(reference_);
+  forPixels(width, height, [&](int x, int y) {
     const glm::vec2 corner(static_cast<float>(x), static_cast<float>(y));
-    return camera.displacesWithin({corner - 1.0f, corner + 2.0f});
-  }));
+    if (seen_(x, y).covered() && camera.displacesWithin({corner - 1.0f, corner + 2.0f})) {
+      seen.t(x, y) = seen_(x, y).t;
+      seen.held(x, y) = 1;
+    }
+  });
+  surfaces_ = imageMesh(seen);
 
   Image<char> hidden(width, height, 0);
   forPixels(width, height, [&](int x, int y) {
@@ -118,7 +137,8 @@ void HarmMeter::gatherSurfaces(const DdocCamera& camera, const ReferenceImage& i
     }
   });
   // With their neighbours, so that no gap opens between the two meshes.
-  append(surfaces_, imageMesh(selectSamples(image, [&](int x, int y) { return anyAround(hidden, x, y); })));
+  hidden = widened(hidden);
+  append(surfaces_, imageMesh(selectSamples(image, reference_, [&](int x, int y) { return hidden(x, y) != 0; })));
   surfacesPart_ = wholeOf(surfaces_, reference_);
 }
 
@@ -129,21 +149,22 @@ Image<SampleState> HarmMeter::compare(const DdocCamera& camera, const ReferenceI
   const int height = image.height();
   Image<char> changed(width, height, 0);
   forPixels(width, height, [&](int x, int y) { changed(x, y) = image.t(x, y) != seen_(x, y).t; });
-  const Mesh moved = imageMesh(selectSamples(image, [&](int x, int y) { return anyAround(changed, x, y); }));
+  const Image<char> nearChanged = widened(changed);
+  const Mesh moved = imageMesh(selectSamples(image, reference_, [&](int x, int y) { return nearChanged(x, y) != 0; }));
   Image<glm::vec4> frame = positionImage(reference_, moved);
   Image<glm::vec4> truth(width, height, glm::vec4(0));
+  const auto seenPoint = [&](int x, int y) { return glm::vec4(positionOf(seen_(x, y), mesh_), 1); };
+  Image<char> judged(width, height, 0);
   forPixels(width, height, [&](int x, int y) {
-    if (!seen_(x, y).covered()) {
-      return;
+    if (seen_(x, y).covered() && (changed(x, y) != 0 || !keepsPlace(camera, x, y, seen_(x, y).t))) {
+      truth(x, y) = seenPoint(x, y);
+      judged(x, y) = 1;
     }
-    const glm::vec4 point(positionOf(seen_(x, y), mesh_), 1);
-    const ImagePoint p = seenAt(x, y);
-    const ImagePoint q = camera.distort(p);
-    if (changed(x, y) != 0 || q.u != p.u || q.v != p.v) {
-      truth(x, y) = point;
-    }
-    if (changed(x, y) == 0) {
-      frame(x, y) = point;
+  });
+  const Image<char> nearJudged = widened(judged);
+  forPixels(width, height, [&](int x, int y) {
+    if (nearJudged(x, y) != 0 && seen_(x, y).covered() && changed(x, y) == 0) {
+      frame(x, y) = seenPoint(x, y);
     }
   });
   return compareFrames(reference_, truth, frame);

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
-#include <optional>
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/ocri/grid_cell.h"
 #include "oc_core/ocri/sample_join.h"
+#include "oc_core/ocri/sample_pairs.h"
 #include "oc_core/ocri/square_corner.h"
 
 namespace ocelli {
@@ -30,30 +29,26 @@ class ImageMesher {
         options_(options),
         camera_(image.reference()),
         vertexOf_(image.width(), image.height(), kNoVertex),
+        firstOfRow_(static_cast<size_t>(image.height()) + 1, 0),
         joins_(image.width(), image.height()),
-        cellTriangles_(image.width(), image.height()) {}
+        cells_(image.width(), image.height()),
+        firstTriangleOfRow_(static_cast<size_t>(image.height()) + 1, 0) {}
 
   /// Of the mesh without a bound.
   size_t countTriangles() {
-    forRows([&](int y) {
-      for (int x = 0; x < image_.width(); ++x) {
-        vertexOf_(x, y) = image_.pointOf(x, y, camera_) ? 0 : kNoVertex;
-      }
-    });
+    findVertices();
     joinPixels();
-    std::vector<size_t> ofRow(static_cast<size_t>(image_.height()), 0);
-    forRows([&](int y) {
-      std::vector<glm::uvec3> triangles;
-      addCells(y, triangles);
-      ofRow[static_cast<size_t>(y)] = triangles.size();
-    });
-    return std::accumulate(ofRow.begin(), ofRow.end(), 2 * openSamples().size());
+    closeCells();
+    return firstTriangleOfRow_.back() + 2 * openSamples().size();
   }
 
   Mesh mesh(std::vector<uint32_t>* pixelOfVertex) {
-    addVertices();
+    findVertices();
     joinPixels();
-    joinNeighbours();
+    closeCells();
+    planSquares(openSamples());
+    allocate(pixelOfVertex);
+    addVertices();
     addSquares();
     if (pixelOfVertex != nullptr) {
       *pixelOfVertex = std::move(pixelOfVertex_);
@@ -66,11 +61,17 @@ class ImageMesher {
     int x, y;
   };
 
-  /// Rows in parallel: what `body` writes belongs to its row.
-  void forRows(const std::function<void(int y)>& body) const {
-    parallelFor(static_cast<size_t>(image_.height()), 8, [&](size_t begin, size_t end) {
-      for (size_t y = begin; y < end; ++y) {
-        body(static_cast<int>(y));
+  /// Rows in parallel, some at a time: what `body(begin, end)` writes belongs to its rows.
+  template <class Body>
+  void forBands(const Body& body) const {
+    parallelFor(static_cast<size_t>(image_.height()), 8,
+                [&](size_t begin, size_t end) { body(static_cast<int>(begin), static_cast<int>(end)); });
+  }
+  template <class Body>
+  void forRows(const Body& body) const {
+    forBands([&](int y, int end) {
+      for (; y < end; ++y) {
+        body(y);
       }
     });
   }
@@ -81,37 +82,143 @@ class ImageMesher {
 
   bool valid(const Pixel& p) const { return vertexOf_.contains(p.x, p.y) && vertexOf_(p.x, p.y) != kNoVertex; }
 
-  void addVertices() {
-    const auto pointOf = [&](int x, int y) { return image_.pointOf(x, y, camera_); };
-    std::vector<uint32_t> firstOfRow(static_cast<size_t>(image_.height()) + 1, 0);
+  /// Whether the sample has a world point: ReferenceImage::pointOf().
+  bool hasPoint(int x, int y) const {
+    if (!image_.holds(x, y) || image_.isPlaced()) {
+      return image_.holds(x, y);
+    }
+    const float t = image_.t(x, y);
+    const glm::vec2& d = image_.displacement(x, y);
+    return t >= camera_.view().zNear && t <= camera_.view().zFar && std::isfinite(d.x) && std::isfinite(d.y);
+  }
+
+  bool isEmpty(int y) const { return firstOfRow_[static_cast<size_t>(y)] == firstOfRow_[static_cast<size_t>(y) + 1]; }
+
+  /// Numbers the samples that have a point.
+  void findVertices() {
     forRows([&](int y) {
+      uint32_t count = 0;
       for (int x = 0; x < image_.width(); ++x) {
-        firstOfRow[static_cast<size_t>(y) + 1] += pointOf(x, y).has_value();
+        vertexOf_(x, y) = hasPoint(x, y) ? count++ : kNoVertex;
       }
+      firstOfRow_[static_cast<size_t>(y) + 1] = count;
     });
-    std::partial_sum(firstOfRow.begin(), firstOfRow.end(), firstOfRow.begin());
-    mesh_.positions.resize(firstOfRow.back());
-    mesh_.colors.resize(firstOfRow.back());
-    pixelOfVertex_.resize(firstOfRow.back());
+    std::partial_sum(firstOfRow_.begin(), firstOfRow_.end(), firstOfRow_.begin());
     forRows([&](int y) {
-      uint32_t next = firstOfRow[static_cast<size_t>(y)];
       for (int x = 0; x < image_.width(); ++x) {
-        if (const std::optional<glm::vec3> point = pointOf(x, y)) {
-          vertexOf_(x, y) = next;
-          mesh_.positions[next] = *point;
-          mesh_.colors[next] = image_.color(x, y);
-          pixelOfVertex_[next] = static_cast<uint32_t>(image_.t.index(x, y));
-          ++next;
-        }
+        vertexOf_(x, y) += vertexOf_(x, y) != kNoVertex ? firstOfRow_[static_cast<size_t>(y)] : 0;
       }
     });
   }
 
-  void joinPixels() {
+  /// What the mesh takes, all at once: vectors fill themselves with zeros.
+  void allocate(const std::vector<uint32_t>* pixelOfVertex) {
+    const size_t vertices = firstOfRow_.back() + squareVertices_;
+    parallelChunks(2, 2, [&](size_t chunk, size_t, size_t) {
+      if (chunk == 0) {
+        mesh_.triangles.resize(firstTriangleOfRow_.back() + squareTriangles_);
+      } else {
+        mesh_.positions.resize(vertices);
+        mesh_.colors.resize(image_.color.empty() ? 0 : vertices);
+        pixelOfVertex_.resize(pixelOfVertex != nullptr ? vertices : 0);
+      }
+    });
+  }
+
+  void setVertex(size_t vertex, const glm::vec3& position, const Pixel& p) {
+    mesh_.positions[vertex] = position;
+    if (!mesh_.colors.empty()) {
+      mesh_.colors[vertex] = image_.color(p.x, p.y);
+    }
+    if (!pixelOfVertex_.empty()) {
+      pixelOfVertex_[vertex] = static_cast<uint32_t>(image_.t.index(p.x, p.y));
+    }
+  }
+
+  /// The samples, and the triangles of cells.
+  void addVertices() {
     forRows([&](int y) {
       for (int x = 0; x < image_.width(); ++x) {
-        joins_(x, y) =
-            static_cast<uint8_t>((joined({x, y}, 1, 0) ? kJoinedRight : 0) | (joined({x, y}, 0, 1) ? kJoinedDown : 0));
+        if (vertexOf_(x, y) != kNoVertex) {
+          setVertex(vertexOf_(x, y), *image_.pointOf(x, y, camera_), {x, y});
+        }
+      }
+      glm::uvec3* next = mesh_.triangles.data() + firstTriangleOfRow_[static_cast<size_t>(y)];
+      for (int x = 0; x < cellColumns() && y + 1 < image_.height(); ++x) {
+        const uint8_t triangles = cells_(x, y);
+        if (triangles == 0) {
+          continue;
+        }
+        const int right = column(x + 1);
+        const uint32_t a = vertexOf_(x, y);
+        const uint32_t b = vertexOf_(x, y + 1);
+        const uint32_t c = vertexOf_(right, y + 1);
+        const uint32_t d = vertexOf_(right, y);
+        forTrianglesOf(triangles, a, b, c, d, [&](uint32_t i, uint32_t j, uint32_t k) { *next++ = {i, j, k}; });
+      }
+    });
+  }
+
+  /// Whether pairs of samples of rows up to this one can be judged many at a time: where a pinhole stands behind them,
+  /// and nothing parts tiles.
+  bool isPlain(int lastRow) const {
+    return !image_.isPlaced() && (image_.tileSide <= 0 || lastRow < image_.pinholeSize.y);
+  }
+  void undistort(int y, UndistortedRow& row) const {
+    for (int x = 0; x < image_.width(); ++x) {
+      const ImagePoint q = image_.undistorted(x, y);
+      const auto i = static_cast<size_t>(x);
+      row.u[i] = q.u;
+      row.v[i] = q.v;
+      row.t[i] = vertexOf_(x, y) != kNoVertex ? q.t : 0;
+    }
+  }
+  bool decided(int said, const Pixel& p, int dx, int dy) const {
+    return said == kNeighboursDecide ? joined(p, dx, dy) : said == kJoined;
+  }
+
+  /// Calls `body(y, here, below)` for each row, with its undistorted samples and those of the next one, or with none
+  /// where pairs of them must be judged one by one.
+  template <class Body>
+  void forRowPairs(const Body& body) const {
+    forBands([&](int begin, int end) {
+      UndistortedRow here(image_.width());
+      UndistortedRow below(image_.width());
+      if (isPlain(begin)) {
+        undistort(begin, below);
+      }
+      for (int y = begin; y < end; ++y) {
+        std::swap(here, below);
+        const bool isPair = y + 1 < image_.height() && isPlain(y + 1);
+        if (isPair) {
+          undistort(y + 1, below);
+        }
+        body(y, isPair ? &here : nullptr, below);
+      }
+    });
+  }
+  /// pairsByThemselves() of all samples of a row that have a partner.
+  std::vector<int> judged(const UndistortedRow* a, size_t firstA, const UndistortedRow& b, size_t firstB) const {
+    const auto width = static_cast<size_t>(image_.width());
+    std::vector<int> said(width, kNeighboursDecide);
+    if (a != nullptr) {
+      pairsByThemselves(*a, firstA, b, firstB, width - std::max(firstA, firstB), camera_.focalPixels(), options_,
+                        said.data());
+    }
+    return said;
+  }
+
+  void joinPixels() {
+    forRowPairs([&](int y, const UndistortedRow* here, const UndistortedRow& below) {
+      if (isEmpty(y)) {
+        return;
+      }
+      const std::vector<int> right = here != nullptr ? judged(here, 0, *here, 1) : judged(nullptr, 0, below, 0);
+      const std::vector<int> down = judged(here, 0, below, 0);
+      for (int x = 0; x < image_.width(); ++x) {
+        const auto i = static_cast<size_t>(x);
+        joins_(x, y) = static_cast<uint8_t>((decided(right[i], {x, y}, 1, 0) ? kJoinedRight : 0) |
+                                            (decided(down[i], {x, y}, 0, 1) ? kJoinedDown : 0));
       }
     });
   }
@@ -162,7 +269,8 @@ class ImageMesher {
       return false;
     }
     if (image_.isPlaced()) {
-      return joinedPlaced(p, q, dx, dy);
+      return placedSamplesJoin(placed(beside(p, -dx, -dy)), placed(p), placed(q), placed(beside(q, dx, dy)),
+                               std::min(widthAt(p, dy, dx), widthAt(q, dy, dx)), options_);
     }
     const ImagePoint a = image_.undistorted(p.x, p.y);
     const ImagePoint b = image_.undistorted(q.x, q.y);
@@ -172,39 +280,43 @@ class ImageMesher {
     return samplesJoin(sample(beside(p, -dx, -dy)), a, b, sample(beside(q, dx, dy)), false, camera_.focalPixels(),
                        spacing(p), options_);
   }
-  bool joinedPlaced(const Pixel& p, const Pixel& q, int dx, int dy) const {
-    return placedSamplesJoin(placed(beside(p, -dx, -dy)), placed(p), placed(q), placed(beside(q, dx, dy)),
-                             std::min(widthAt(p, dy, dx), widthAt(q, dy, dx)), options_);
-  }
+
+  int cellColumns() const { return image_.wrapsAround ? image_.width() : image_.width() - 1; }
 
   /// Each cell between four samples gives two triangles, one, or none.
-  void joinNeighbours() {
-    std::vector<std::vector<glm::uvec3>> rows(static_cast<size_t>(image_.height()));
-    forRows([&](int y) { addCells(y, rows[static_cast<size_t>(y)]); });
-    for (const std::vector<glm::uvec3>& row : rows) {
-      mesh_.triangles.insert(mesh_.triangles.end(), row.begin(), row.end());
-    }
+  void closeCells() {
+    forRowPairs([&](int y, const UndistortedRow* here, const UndistortedRow& below) {
+      if (y + 1 >= image_.height() || isEmpty(y)) {
+        return;
+      }
+      const std::vector<int> falling = judged(here, 0, below, 1);
+      const std::vector<int> rising = judged(here, 1, below, 0);
+      size_t count = 0;
+      for (int x = 0; x < cellColumns(); ++x) {
+        cells_(x, y) = trianglesOfCell({x, y}, falling[static_cast<size_t>(x)], rising[static_cast<size_t>(x)]);
+        count += static_cast<size_t>(triangleCount(cells_(x, y)));
+      }
+      firstTriangleOfRow_[static_cast<size_t>(y) + 1] = count;
+    });
+    std::partial_sum(firstTriangleOfRow_.begin(), firstTriangleOfRow_.end(), firstTriangleOfRow_.begin());
   }
 
-  void addCells(int y, std::vector<glm::uvec3>& triangles) {
-    const int cells = image_.wrapsAround ? image_.width() : image_.width() - 1;
-    for (int x = 0; x < cells && y + 1 < image_.height(); ++x) {
-      addCell({x, y}, triangles);
-    }
-  }
-
-  void addCell(const Pixel& a, std::vector<glm::uvec3>& triangles) {
-    const Pixel b = beside(a, 0, 1);
-    const Pixel c = beside(a, 1, 1);
-    const Pixel d = beside(a, 1, 0);
+  /// `falling` and `rising` are what the ends of its diagonals say alone.
+  uint8_t trianglesOfCell(const Pixel& a, int falling, int rising) const {
+    const int right = column(a.x + 1);
+    const uint8_t joinsA = joins_(a.x, a.y);
+    const CellSides sides{(joinsA & kJoinedDown) != 0, (joins_(a.x, a.y + 1) & kJoinedRight) != 0,
+                          (joins_(right, a.y) & kJoinedDown) != 0, (joinsA & kJoinedRight) != 0};
+    uint8_t triangles = 0;
+    // Corners a to d are 0 to 3.
     closeCell(
-        a, b, c, d, {areJoined(a, b), areJoined(b, c), areJoined(c, d), areJoined(d, a)},
-        [&](const Pixel& p, const Pixel& q) { return joined(p, 1, q.y - p.y); },
-        [&](const Pixel& p) { return 1 / image_.t(p.x, p.y); },
-        [&](const Pixel& p, const Pixel& q, const Pixel& r) {
-          triangles.emplace_back(vertexOf_(p.x, p.y), vertexOf_(q.x, q.y), vertexOf_(r.x, r.y));
-          ++cellTriangles_(a.x, a.y);
-        });
+        0, 1, 2, 3, sides,
+        [&](int p, int) {
+          return p == 0 ? decided(falling, a, 1, 1) : decided(rising, {a.x, a.y + 1}, 1, -1);
+        },
+        [&](int p) { return 1 / image_.t(p < 2 ? a.x : right, p == 0 || p == 3 ? a.y : a.y + 1); },
+        [&](int p, int q, int) { triangles |= bitOfTriangle(p, q); });
+    return triangles;
   }
 
   /// The change of 1/z for a pixel to the right and a pixel down in the undistorted image, from the joined neighbours.
@@ -234,36 +346,75 @@ class ImageMesher {
   }
   int trianglesOf(int x, int y) const {
     const int cell = column(x);
-    return cellTriangles_.contains(cell, y) ? cellTriangles_(cell, y) : 0;
+    return cells_.contains(cell, y) ? triangleCount(cells_(cell, y)) : 0;
   }
 
   /// Where a surface ends, the most open samples first.
   std::vector<Pixel> openSamples() const {
-    std::array<std::vector<Pixel>, kClosedTriangles> rimsByTriangles;
-    for (int y = 0; y < image_.height(); ++y) {
+    using Rims = std::array<std::vector<Pixel>, kClosedTriangles>;  // by triangles around
+    std::vector<Rims> ofRow(static_cast<size_t>(image_.height()));
+    forRows([&](int y) {
       for (int x = 0; x < image_.width(); ++x) {
-        const auto around = static_cast<size_t>(trianglesAround(x, y));
-        if (vertexOf_(x, y) != kNoVertex && around < rimsByTriangles.size()) {
-          rimsByTriangles[around].push_back({x, y});
+        if (vertexOf_(x, y) == kNoVertex) {
+          continue;
+        }
+        const auto around =
+            static_cast<size_t>(y > 0 && x > 0 ? triangleCount(cells_(x - 1, y - 1)) + triangleCount(cells_(x, y - 1)) +
+                                                     triangleCount(cells_(x - 1, y)) + triangleCount(cells_(x, y))
+                                               : trianglesAround(x, y));
+        if (around < kClosedTriangles) {
+          ofRow[static_cast<size_t>(y)][around].push_back({x, y});
         }
       }
-    }
+    });
     std::vector<Pixel> rims;
-    for (const std::vector<Pixel>& part : rimsByTriangles) {
-      rims.insert(rims.end(), part.begin(), part.end());
+    for (size_t around = 0; around < kClosedTriangles; ++around) {
+      for (const Rims& row : ofRow) {
+        rims.insert(rims.end(), row[around].begin(), row[around].end());
+      }
     }
     return rims;
   }
 
-  void addSquares() {
-    const std::vector<Pixel> rims = openSamples();
+  struct Square {
+    Pixel sample;
+    bool whole;  ///< or half
+  };
+
+  void planSquares(const std::vector<Pixel>& rims) {
     const size_t bound = image_.triangleBound > 0 ? image_.triangleBound : std::numeric_limits<size_t>::max();
-    const size_t affordable = bound - std::min(bound, mesh_.triangles.size());
+    const size_t affordable = bound - std::min(bound, firstTriangleOfRow_.back());
     const size_t covered = std::min(rims.size(), affordable);
-    const size_t squares = std::min(covered, affordable - covered);
-    for (size_t i = 0; i < covered; ++i) {
-      addRim(rims[i], i < squares);
+    const size_t whole = std::min(covered, affordable - covered);
+    std::vector<char> wanted(covered, 1);
+    if (image_.isPlaced()) {
+      parallelFor(covered, 256, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          wanted[i] = hasWidth(rims[i]);
+        }
+      });
     }
+    for (size_t i = 0; i < covered; ++i) {
+      if (wanted[i] != 0) {
+        wholeSquares_ += i < whole;
+        squares_.push_back({rims[i], i < whole});
+      }
+    }
+    squareVertices_ = 3 * squares_.size() + wholeSquares_;
+    squareTriangles_ = squares_.size() + wholeSquares_;
+  }
+  /// A placed sample that is all alone has none: nothing says how wide it is.
+  bool hasWidth(const Pixel& p) const {
+    return placedStep(p, 1, 0) != glm::vec3(0) && placedStep(p, 0, 1) != glm::vec3(0);
+  }
+
+  void addSquares() {
+    parallelFor(squares_.size(), 64, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        const size_t before = std::min(i, wholeSquares_);  // whole ones come first
+        addSquare(squares_[i], firstOfRow_.back() + 3 * i + before, firstTriangleOfRow_.back() + i + before);
+      }
+    });
   }
 
   /// What a step of one pixel is in the undistorted image, from the joined neighbours: longer where samples are
@@ -295,28 +446,29 @@ class ImageMesher {
     return {static_cast<float>((right > 0) - (right < 0)), static_cast<float>((down > 0) - (down < 0))};
   }
 
-  /// A square around the sample or, in one triangle, the half of it that points to the opening.
-  void addRim(const Pixel& p, bool whole) {
-    if (image_.isPlaced() && (placedStep(p, 1, 0) == glm::vec3(0) || placedStep(p, 0, 1) == glm::vec3(0))) {
-      return;  // alone, so that nothing says how wide it is
+  void addSquare(const Square& square, size_t vertex, size_t triangle) {
+    const Pixel& p = square.sample;
+    const auto first = static_cast<uint32_t>(vertex);
+    Surface surface;
+    if (!image_.isPlaced() && !inTile(p)) {
+      surface = {image_.undistorted(p.x, p.y), sampleStep(p, {1, 0}), sampleStep(p, {0, 1}), gradient(p)};
     }
     const auto addCorner = [&](const glm::vec2& side) {
-      mesh_.positions.push_back(image_.isPlaced() ? placedCorner(p, side)
-                                : inTile(p)       ? tileCorner(p, side)
-                                                  : pinholeCorner(p, side));
-      mesh_.colors.push_back(image_.color(p.x, p.y));
-      pixelOfVertex_.push_back(static_cast<uint32_t>(image_.t.index(p.x, p.y)));
+      setVertex(vertex++,
+                image_.isPlaced() ? placedCorner(p, side)
+                : inTile(p)       ? tileCorner(p, side)
+                                  : pinholeCorner(surface, side),
+                p);
     };
-    const auto first = static_cast<uint32_t>(mesh_.positions.size());
-    mesh_.triangles.emplace_back(first, first + 1, first + 2);
-    if (whole) {
+    mesh_.triangles[triangle] = {first, first + 1, first + 2};
+    if (square.whole) {
       for (const glm::vec2& side : kSquareSides) {
         addCorner(side);
       }
-      mesh_.triangles.emplace_back(first, first + 2, first + 3);
+      mesh_.triangles[triangle + 1] = {first, first + 2, first + 3};
     } else {
-      glm::vec2 outward = opening(p);
-      outward = outward == glm::vec2(0) ? glm::vec2(1, 0) : outward;
+      const glm::vec2 open = opening(p);
+      const glm::vec2 outward = open == glm::vec2(0) ? glm::vec2(1, 0) : open;
       // A little inwards, so that the sample itself is safely covered.
       constexpr float kOverlap = 0.25f;
       const glm::vec2 along(-outward.y, outward.x);
@@ -326,13 +478,17 @@ class ImageMesher {
     }
   }
 
+  struct Surface {
+    ImagePoint center;
+    glm::vec2 right, down;  ///< steps of a pixel
+    glm::vec2 gradient;
+  };
   /// Half a step away from the sample in the pinhole's image, on the plane of the surface.
-  glm::vec3 pinholeCorner(const Pixel& p, const glm::vec2& side) const {
-    const ImagePoint q = image_.undistorted(p.x, p.y);
-    const glm::vec2 offset =
-        (sampleStep(p, {1, 0}) * side.x + sampleStep(p, {0, 1}) * side.y) * (options_.squarePixels / 2);
-    const ImagePoint step{offset.x, offset.y, glm::dot(gradient(p), offset)};
-    return camera_.worldFromCamera(camera_.cameraFromImage(squareCorner(q, step, camera_.focalPixels(), options_)));
+  glm::vec3 pinholeCorner(const Surface& s, const glm::vec2& side) const {
+    const glm::vec2 offset = (s.right * side.x + s.down * side.y) * (options_.squarePixels / 2);
+    const ImagePoint q =
+        squareCorner(s.center, {offset.x, offset.y, glm::dot(s.gradient, offset)}, camera_.focalPixels(), options_);
+    return camera_.worldFromCamera(camera_.cameraFromImage(q));
   }
 
   /// Half way to the next samples of the tile. Another viewpoint took them: the surface may lie along the rays of the
@@ -418,8 +574,14 @@ class ImageMesher {
   const ImageMeshOptions& options_;
   PinholeCamera camera_;
   Image<uint32_t> vertexOf_;
-  Image<uint8_t> joins_;          ///< to the neighbours on the right and below
-  Image<uint8_t> cellTriangles_;  ///< of the cell between pixel (x, y) and (x + 1, y + 1)
+  std::vector<uint32_t> firstOfRow_;  ///< vertex
+  Image<uint8_t> joins_;              ///< to the neighbours on the right and below
+  Image<uint8_t> cells_;              ///< triangles of the cell between pixel (x, y) and (x + 1, y + 1)
+  std::vector<size_t> firstTriangleOfRow_;
+  std::vector<Square> squares_;
+  size_t wholeSquares_ = 0;
+  size_t squareVertices_ = 0;
+  size_t squareTriangles_ = 0;
   Mesh mesh_;
   std::vector<uint32_t> pixelOfVertex_;
 };

@@ -31,9 +31,10 @@ struct ImageMeshOptions {
   float deepestSquareFootprints = std::numeric_limits<float>::infinity();
 };
 
-/// World coordinates, linear colours. Vertices come in pixel order, first the samples, then the corners of squares.
-/// Where the mesh would exceed `image.triangleBound`, squares become one triangle, and then none, those of the least
-/// open samples first. `pixelOfVertex` receives the index of the pixel that each vertex comes from.
+/// World coordinates, linear colours; none where the image has none. Vertices come in pixel order, first the samples,
+/// then the corners of squares. Where the mesh would exceed `image.triangleBound`, squares become one triangle, and
+/// then none, those of the least open samples first. `pixelOfVertex` receives the index of the pixel that each vertex
+/// comes from.
 Mesh imageMesh(const ReferenceImage& image, const ImageMeshOptions& options = {},
                std::vector<uint32_t>* pixelOfVertex = nullptr);
 

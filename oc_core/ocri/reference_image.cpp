@@ -25,26 +25,55 @@ ReferenceImage blankReferenceImage(const std::string& camera, const View& view, 
   return image;
 }
 
-ReferenceImage referenceImage(const FragmentImage& fragments, const Mesh& mesh, const PinholeCamera& reference,
-                              const std::string& camera) {
-  const int width = fragments.width();
-  const int height = fragments.height();
-  ReferenceImage image = blankReferenceImage(camera, reference.view(), width, height);
-  parallelFor(static_cast<size_t>(height), 8, [&](size_t begin, size_t end) {
+namespace {
+
+void setSample(ReferenceImage& image, int x, int y, const Fragment& fragment, const Mesh& mesh,
+               const PinholeCamera& reference) {
+  const ImagePoint q = reference.imageFromCamera(reference.cameraFromWorld(positionOf(fragment, mesh)));
+  image.set(x, y, q.t, colorOf(fragment, mesh));
+  image.displacement(x, y) = {static_cast<float>(x) + 0.5f - q.u, static_cast<float>(y) + 0.5f - q.v};
+}
+
+/// Calls `body(x, y, fragment)` for each pixel, on all threads.
+template <class Body>
+void forFragments(const FragmentImage& fragments, const Body& body) {
+  parallelFor(static_cast<size_t>(fragments.height()), 8, [&](size_t begin, size_t end) {
     for (size_t row = begin; row < end; ++row) {
       const int y = static_cast<int>(row);
-      for (int x = 0; x < width; ++x) {
-        const Fragment& fragment = fragments(x, y);
-        if (!fragment.covered()) {
-          continue;
-        }
-        const ImagePoint q = reference.imageFromCamera(reference.cameraFromWorld(positionOf(fragment, mesh)));
-        image.set(x, y, q.t, colorOf(fragment, mesh));
-        image.displacement(x, y) = {static_cast<float>(x) + 0.5f - q.u, static_cast<float>(y) + 0.5f - q.v};
+      for (int x = 0; x < fragments.width(); ++x) {
+        body(x, y, fragments(x, y));
       }
     }
   });
+}
+
+}  // namespace
+
+ReferenceImage referenceImage(const FragmentImage& fragments, const Mesh& mesh, const PinholeCamera& reference,
+                              const std::string& camera) {
+  ReferenceImage image = blankReferenceImage(camera, reference.view(), fragments.width(), fragments.height());
+  forFragments(fragments, [&](int x, int y, const Fragment& fragment) {
+    if (fragment.covered()) {
+      setSample(image, x, y, fragment, mesh, reference);
+    }
+  });
   return image;
+}
+
+void updateReferenceImage(ReferenceImage& image, const FragmentImage& before, const FragmentImage& fragments,
+                          const Mesh& mesh, const PinholeCamera& reference) {
+  forFragments(fragments, [&](int x, int y, const Fragment& fragment) {
+    if (fragment == before(x, y)) {
+      return;
+    }
+    if (fragment.covered()) {
+      setSample(image, x, y, fragment, mesh, reference);
+    } else {
+      image.clear(image.t.index(x, y));
+      image.color(x, y) = glm::vec3(0);
+      image.displacement(x, y) = glm::vec2(0);
+    }
+  });
 }
 
 ReferenceImage depthImage(const FragmentImage& seen, const PinholeCamera& camera, const Mesh& mesh) {

@@ -97,6 +97,10 @@ using ReferenceImages = std::vector<ReferenceImage>;
 ReferenceImage referenceImage(const FragmentImage& fragments, const Mesh& mesh, const PinholeCamera& reference,
                               const std::string& camera);
 
+/// The same where `image` is that of the fragments `before`: only those that are others now change it.
+void updateReferenceImage(ReferenceImage& image, const FragmentImage& before, const FragmentImage& fragments,
+                          const Mesh& mesh, const PinholeCamera& reference);
+
 /// The depth image: what the pinhole sees; by `renderer` where there is one.
 ReferenceImage buildDepthImage(const PinholeCamera& camera, const Mesh& mesh, const SceneRenderer* renderer = nullptr);
 /// The same from what the pinhole saw.

@@ -39,7 +39,18 @@ struct Row {
   std::vector<uint32_t> sorted;
   /// Of the strip to the next row.
   std::vector<glm::uvec3> triangles;
+  std::vector<uint32_t> open;  ///< indices of samples that get a square
 };
+
+/// Where what belongs to each row starts in a list of all rows, and where the list ends.
+template <class SizeOf>
+std::vector<size_t> startsOf(const std::vector<Row>& rows, const SizeOf& sizeOf) {
+  std::vector<size_t> starts{0};
+  for (const Row& row : rows) {
+    starts.push_back(starts.back() + sizeOf(row));
+  }
+  return starts;
+}
 
 class RowMesher {
  public:
@@ -51,10 +62,16 @@ class RowMesher {
         rows_(static_cast<size_t>(image.height())) {}
 
   Mesh mesh() {
-    addVertices();
-    if (mesh_.positions.empty()) {
+    forRows([&](size_t y) { findSamples(y); });
+    firstVertex_ = startsOf(rows_, [](const Row& row) { return row.samples.size(); });
+    if (firstVertex_.back() == 0) {
       return std::move(mesh_);
     }
+    forRows([&](size_t y) {
+      for (RowSample& sample : rows_[y].samples) {
+        sample.vertex += static_cast<uint32_t>(firstVertex_[y]);
+      }
+    });
     setDirections();
     forRows([&](size_t y) { sortSamples(rows_[y]); });
     forRows([&](size_t y) {
@@ -62,10 +79,8 @@ class RowMesher {
       joinAlong(rows_[y]);
     });
     forRows([&](size_t y) { closeStrip(y); });
-    for (const Row& row : rows_) {
-      mesh_.triangles.insert(mesh_.triangles.end(), row.triangles.begin(), row.triangles.end());
-    }
-    addSquares();
+    forRows([&](size_t y) { findOpen(rows_[y]); });
+    writeMesh();
     return std::move(mesh_);
   }
 
@@ -92,22 +107,44 @@ class RowMesher {
     return image_.rows == ImageRows::kShiftedRing && rows_.size() > 2 ? std::optional(rows_.size() - 1) : std::nullopt;
   }
 
-  void addVertices() {
-    for (int y = 0; y < image_.height(); ++y) {
-      for (int x = 0; x < image_.width(); ++x) {
-        if (!image_.holds(x, y)) {
-          continue;
-        }
-        const ImagePoint place = image_.undistorted(x, y);
-        if (const auto point = camera_.unproject(place)) {
-          RowSample sample{place, x};
-          sample.vertex = static_cast<uint32_t>(mesh_.positions.size());
-          rows_[static_cast<size_t>(y)].samples.push_back(sample);
-          mesh_.positions.push_back(*point);
-          mesh_.colors.push_back(image_.color(x, y));
-        }
+  void findSamples(size_t row) {
+    const int y = static_cast<int>(row);
+    std::vector<RowSample>& samples = rows_[row].samples;
+    samples.reserve(static_cast<size_t>(image_.width()));
+    for (int x = 0; x < image_.width(); ++x) {
+      if (image_.holds(x, y) && camera_.unproject(image_.undistorted(x, y))) {
+        RowSample sample{image_.undistorted(x, y), x};
+        sample.vertex = static_cast<uint32_t>(samples.size());  // of the row
+        samples.push_back(sample);
       }
     }
+  }
+
+  /// First the samples, then the corners of squares; first the triangles of strips, then those of squares; row by row.
+  void writeMesh() {
+    const std::vector<size_t> firstTriangle = startsOf(rows_, [](const Row& row) { return row.triangles.size(); });
+    const std::vector<size_t> firstSquare = startsOf(rows_, [](const Row& row) { return row.open.size(); });
+    parallelChunks(2, 2, [&](size_t chunk, size_t, size_t) {
+      if (chunk == 0) {
+        mesh_.triangles.resize(firstTriangle.back() + 2 * firstSquare.back());
+      } else {
+        mesh_.positions.resize(firstVertex_.back() + 4 * firstSquare.back());
+        mesh_.colors.resize(mesh_.positions.size());
+      }
+    });
+    forRows([&](size_t y) {
+      const Row& row = rows_[y];
+      for (const RowSample& sample : row.samples) {
+        mesh_.positions[sample.vertex] = *camera_.unproject(sample.place);
+        mesh_.colors[sample.vertex] = image_.color(sample.column, static_cast<int>(y));
+      }
+      std::copy(row.triangles.begin(), row.triangles.end(),
+                mesh_.triangles.begin() + static_cast<std::ptrdiff_t>(firstTriangle[y]));
+      for (size_t i = 0; i < row.open.size(); ++i) {
+        const size_t square = firstSquare[y] + i;
+        addSquare(y, row.open[i], firstVertex_.back() + 4 * square, firstTriangle.back() + 2 * square);
+      }
+    });
   }
 
   /// Rows run towards larger columns. One whose samples are all at one place runs as the next one
@@ -415,19 +452,17 @@ class RowMesher {
 
   /// A sample with triangles on three of its four sides leaves no opening that matters; with fewer, its surface ends
   /// here.
-  void addSquares() {
+  static void findOpen(Row& row) {
     constexpr int kClosed = 3;
-    for (size_t y = 0; y < rows_.size(); ++y) {
-      for (size_t i = 0; i < rows_[y].samples.size(); ++i) {
-        const RowSample& sample = rows_[y].samples[i];
-        int closed = sample.closedAbove + sample.closedBelow;
-        if (i > 0) {
-          const RowSample& last = rows_[y].samples[i - 1];
-          closed += last.closedAbove + last.closedBelow;
-        }
-        if (closed < kClosed) {
-          addSquare(y, i);
-        }
+    for (size_t i = 0; i < row.samples.size(); ++i) {
+      const RowSample& sample = row.samples[i];
+      int closed = sample.closedAbove + sample.closedBelow;
+      if (i > 0) {
+        const RowSample& last = row.samples[i - 1];
+        closed += last.closedAbove + last.closedBelow;
+      }
+      if (closed < kClosed) {
+        row.open.push_back(static_cast<uint32_t>(i));
       }
     }
   }
@@ -472,22 +507,22 @@ class RowMesher {
         .value_or(ImagePoint{-direction.y / 2, direction.x / 2, 0});
   }
 
-  void addSquare(size_t y, size_t i) {
+  void addSquare(size_t y, size_t i, size_t vertex, size_t triangle) {
     const RowSample& sample = rows_[y].samples[i];
     const ImagePoint along = halfStepAlong(rows_[y], i);
     const ImagePoint across = halfStepAcross(y, sample);
     const bool mirrored = along.u * across.v - along.v * across.u < 0;
-    const auto corner = static_cast<uint32_t>(mesh_.positions.size());
+    const auto corner = static_cast<uint32_t>(vertex);
     for (const glm::vec2& side : kSquareSides) {
       const glm::vec2 share = side * options_.squarePixels;
       const ImagePoint offset{along.u * share.x + across.u * share.y, along.v * share.x + across.v * share.y,
                               along.t * share.x + across.t * share.y};
       const ImagePoint q = squareCorner(sample.place, offset, focal_, options_);
-      mesh_.positions.push_back(camera_.worldFromCamera(camera_.cameraFromImage(q)));
-      mesh_.colors.push_back(mesh_.colors[sample.vertex]);
+      mesh_.positions[vertex] = camera_.worldFromCamera(camera_.cameraFromImage(q));
+      mesh_.colors[vertex++] = image_.color(sample.column, static_cast<int>(y));
     }
-    mesh_.triangles.emplace_back(corner, corner + (mirrored ? 2u : 1u), corner + (mirrored ? 1u : 2u));
-    mesh_.triangles.emplace_back(corner, corner + (mirrored ? 3u : 2u), corner + (mirrored ? 2u : 3u));
+    mesh_.triangles[triangle] = {corner, corner + (mirrored ? 2u : 1u), corner + (mirrored ? 1u : 2u)};
+    mesh_.triangles[triangle + 1] = {corner, corner + (mirrored ? 3u : 2u), corner + (mirrored ? 2u : 3u)};
   }
 
   const ReferenceImage& image_;
@@ -495,6 +530,7 @@ class RowMesher {
   PinholeCamera camera_;
   float focal_;
   std::vector<Row> rows_;
+  std::vector<size_t> firstVertex_;  ///< of each row
   Mesh mesh_;
 };
 

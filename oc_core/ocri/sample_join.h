@@ -17,11 +17,12 @@ inline float undistortedDistance(const ImagePoint& a, const ImagePoint& b) {
   return glm::distance(glm::vec2(a.u, a.v), glm::vec2(b.u, b.v));
 }
 
+/// Neighbours farther apart than this get no more tolerance of depth for it: a longer join is more likely to be a skin
+/// across a gap.
+inline constexpr float kLongestScaledStep = 1.5f;
+
 /// Whether two depths differ by no more than the step that joins neighbours so many steps apart.
 inline bool depthsJoin(float a, float b, float footprint, float steps, const ImageMeshOptions& options) {
-  /// Neighbours farther apart than this get no more tolerance of depth for it: a longer join is more likely to be a
-  /// skin across a gap.
-  constexpr float kLongestScaledStep = 1.5f;
   return std::abs(a - b) <= options.depthStepFootprints * footprint * std::clamp(steps, 1.0f, kLongestScaledStep);
 }
 

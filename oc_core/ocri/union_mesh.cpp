@@ -14,6 +14,13 @@ constexpr float kDeepestSquareFromAside = 2;
 
 Mesh unionMesh(const ReferenceImages& images) {
   Mesh mesh;
+  const auto add = [&](Mesh part) {
+    if (mesh.positions.empty()) {
+      mesh = std::move(part);
+    } else {
+      append(mesh, part);
+    }
+  };
   for (size_t first = 0; first < images.size();) {
     size_t end = first + 1;
     while (end < images.size() && images[end].layer > 0) {
@@ -25,9 +32,9 @@ Mesh unionMesh(const ReferenceImages& images) {
     }
     const auto part = images.begin() + static_cast<std::ptrdiff_t>(first);
     if (end - first > 1) {
-      append(mesh, layeredMesh({part, part + static_cast<std::ptrdiff_t>(end - first)}, options));
+      add(layeredMesh({part, part + static_cast<std::ptrdiff_t>(end - first)}, options));
     } else {
-      append(mesh, part->rows == ImageRows::kAligned ? imageMesh(*part, options) : rowMesh(*part, options));
+      add(part->rows == ImageRows::kAligned ? imageMesh(*part, options) : rowMesh(*part, options));
     }
     first = end;
   }

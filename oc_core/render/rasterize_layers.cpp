@@ -74,7 +74,8 @@ std::vector<FragmentImage> rasterizeLayers(const PinholeCamera& camera, const Me
   OC_CHECK(layers >= 1 && layers <= kMaxLayers, "the number of layers is 1 to kMaxLayers");
   OC_CHECK(sides.empty() || sides.size() == mesh.triangles.size(), "each triangle has its sides");
   const auto layerCount = static_cast<size_t>(layers);
-  const PinholeTriangles triangles(camera, mesh);
+  const ProjectedMesh projected(camera, mesh);
+  const PinholeTriangles triangles(projected);
   std::vector<FragmentImage> images(layerCount, FragmentImage(camera.width(), camera.height()));
   const size_t pixels = images[0].size();
   const LayerBuffer buffer = drawOnBuffers(

@@ -6,7 +6,8 @@
 // displacement.
 //
 // Where the camera displaces nothing its image is the pinhole's: those pixels are taken from there, and only what lies
-// in or reaches into the displaced part of the image is split and drawn.
+// in or reaches into the displaced part of the image is split and drawn. Most pieces lie between pixel centres, and are
+// left out by the cells of their corners (projected_mesh.h).
 #pragma once
 
 #include <array>
@@ -52,12 +53,13 @@ class SubdividingRasterizer {
     glm::vec3 p;            ///< in the camera space of the reference pinhole
     glm::vec2 undistorted;  ///< pixels
     RasterVertex image;
+    CentreCell cell;  ///< of the image
   };
 
   Vertex vertex(const glm::vec3& p, float b1, float b2) const {
     const ImagePoint q = camera_.reference().imageFromCamera(p);
     const ImagePoint d = camera_.distort(q);
-    return {p, {q.u, q.v}, {d.u, d.v, 1 / q.t, b1, b2}};
+    return {p, {q.u, q.v}, {d.u, d.v, 1 / q.t, b1, b2}, CentreCell::at(d.u, d.v)};
   }
 
   /// Draws the part of a scene triangle that the piece abc covers, less what is displaced nowhere.
@@ -68,7 +70,7 @@ class SubdividingRasterizer {
     const bool splitCa = mustSplit(c, a);
     const int splits = splitAb + splitBc + splitCa;
     if (splits == 0 || depth >= kDeepest) {
-      if (!torn(a, b) && !torn(b, c) && !torn(c, a)) {
+      if (!CentreCell::missCentres(a.cell, b.cell, c.cell) && !torn(a, b) && !torn(b, c) && !torn(c, a)) {
         buffer.draw(triangle, a.image, b.image, c.image);
       }
       return;
@@ -147,9 +149,24 @@ class SubdividingRasterizer {
 
 /// The triangles with something to draw that the camera may displace.
 template <DistortedPinhole C>
-TrianglePart displacedPart(const C& camera, const Mesh& mesh) {
-  return selectTriangles(mesh, camera.reference(),
+TrianglePart displacedPart(const C& camera, std::shared_ptr<const ProjectedMesh> mesh) {
+  return selectTriangles(std::move(mesh),
                          [&](const ImageBox& undistorted) { return displacesWithin(camera, undistorted); });
+}
+template <DistortedPinhole C>
+TrianglePart displacedPart(const C& camera, const Mesh& mesh) {
+  return displacedPart(camera, std::make_shared<const ProjectedMesh>(camera.reference(), mesh));
+}
+
+/// Whether the camera leaves the sample at a pixel centre where the reference pinhole sees it.
+template <DistortedPinhole C>
+bool keepsPlace(const C& camera, int x, int y, float t) {
+  const ImagePoint q{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, t};
+  if (!displacesWithin(camera, ImageBox{{q.u, q.v}, {q.u, q.v}})) {
+    return true;
+  }
+  const ImagePoint d = camera.distort(q);
+  return d.u == q.u && d.v == q.v;
 }
 
 /// A sample of the pinhole's that is not displaced stays where it is, behind nothing but what was drawn nearer.
@@ -161,68 +178,138 @@ void keepUndisplaced(const C& camera, const FragmentImage& seen, FragmentImage& 
       for (int x = 0; x < seen.width(); ++x) {
         const Fragment& sample = seen(x, y);
         Fragment& drawn = fragments(x, y);
-        const ImagePoint q{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f, sample.t};
-        if (sample.covered() && (!drawn.covered() || sample.t < drawn.t)) {
-          const ImagePoint d = camera.distort(q);
-          if (d.u == q.u && d.v == q.v) {
-            drawn = sample;
-          }
+        if (sample.covered() && (!drawn.covered() || sample.t < drawn.t) && keepsPlace(camera, x, y, sample.t)) {
+          drawn = sample;
         }
       }
     }
   });
 }
 
+/// The triangles of a mesh as a camera sees them: their vertices displaced once.
+template <DistortedPinhole C>
+class DisplacedTriangles {
+ public:
+  /// All must outlive it.
+  DisplacedTriangles(const C& camera, const ProjectedMesh& mesh, const SubdivisionOptions& options)
+      : reference_(camera.reference()),
+        mesh_(mesh),
+        renderer_(camera, options),
+        // No edge of a small triangle is split for its undistorted length, or torn, where options are as usual.
+        unsplit_(options.longestEdgePixels >= 1 && options.tornEdgePixels >= 1 ? 1.0f : -1.0f),
+        margin_(camera.longestDisplacement() + 2),
+        upper_(glm::vec2(reference_.width(), reference_.height()) + margin_),
+        images_(mesh.mesh().positions.size()) {
+    parallelFor(images_.size(), 1 << 12, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        const ProjectedVertex& q = mesh.vertex(static_cast<uint32_t>(i));
+        if (!isOutside(q)) {
+          const ImagePoint d = displacesWithin(camera, ImageBox{{q.u, q.v}, {q.u, q.v}})
+                                   ? camera.distort({q.u, q.v, reference_.cameraFromWorld(mesh.mesh().positions[i]).z})
+                                   : ImagePoint{q.u, q.v, 0};
+          images_[i] = {{d.u, d.v}, CentreCell::at(d.u, d.v)};
+        }
+      }
+    });
+  }
+
+  /// `isSmall` as TrianglePart::Block has it.
+  void draw(VisibilityBuffer& buffer, uint32_t triangle, bool isSmall) const {
+    const glm::uvec3& t = mesh_.mesh().triangles[triangle];
+    if (isSmall && drawSmall(buffer, triangle, t)) {
+      return;
+    }
+    if (isOutside(mesh_.vertex(t.x)) || isOutside(mesh_.vertex(t.y)) || isOutside(mesh_.vertex(t.z))) {
+      drawClipped(buffer, triangle);
+      return;
+    }
+    renderer_.draw(buffer, triangle, corner(t.x, 0, 0), corner(t.y, 1, 0), corner(t.z, 0, 1));
+  }
+
+ private:
+  using Rasterizer = SubdividingRasterizer<C>;
+  using Vertex = typename Rasterizer::Vertex;
+
+  struct Displaced {
+    glm::vec2 image{0};
+    CentreCell cell;
+  };
+
+  bool isOutside(const ProjectedVertex& q) const {
+    return q.inverseZ <= 0 || q.u < -margin_ || q.v < -margin_ || q.u > upper_.x || q.v > upper_.y;
+  }
+  bool isShort(const glm::vec2& a, const glm::vec2& b, const glm::vec2& c) const {
+    const auto squared = [](const glm::vec2& v) { return v.x * v.x + v.y * v.y; };
+    return squared(a - b) <= unsplit_ && squared(b - c) <= unsplit_ && squared(c - a) <= unsplit_;
+  }
+  /// Draws a small triangle, unless it has to be split or clipped: most of a dense scene, and of those most cover no
+  /// pixel centre.
+  bool drawSmall(VisibilityBuffer& buffer, uint32_t triangle, const glm::uvec3& t) const {
+    const Displaced& a = images_[t.x];
+    const Displaced& b = images_[t.y];
+    const Displaced& c = images_[t.z];
+    if (!isShort(a.image, b.image, c.image)) {
+      return false;
+    }
+    if (CentreCell::missCentres(a.cell, b.cell, c.cell)) {
+      return true;
+    }
+    const ProjectedVertex& qa = mesh_.vertex(t.x);
+    const ProjectedVertex& qb = mesh_.vertex(t.y);
+    const ProjectedVertex& qc = mesh_.vertex(t.z);
+    if (isOutside(qa) || isOutside(qb) || isOutside(qc)) {
+      return false;
+    }
+    buffer.draw(triangle, {a.image.x, a.image.y, qa.inverseZ, 0, 0}, {b.image.x, b.image.y, qb.inverseZ, 1, 0},
+                {c.image.x, c.image.y, qc.inverseZ, 0, 1});
+    return true;
+  }
+  Vertex corner(uint32_t i, float b1, float b2) const {
+    const ProjectedVertex& q = mesh_.vertex(i);
+    const Displaced& d = images_[i];
+    return {reference_.cameraFromWorld(mesh_.mesh().positions[i]),
+            {q.u, q.v},
+            {d.image.x, d.image.y, q.inverseZ, b1, b2},
+            d.cell};
+  }
+  void drawClipped(VisibilityBuffer& buffer, uint32_t triangle) const {
+    const glm::uvec3& t = mesh_.mesh().triangles[triangle];
+    const auto point = [&](uint32_t i) { return reference_.cameraFromWorld(mesh_.mesh().positions[i]); };
+    const ClipPolygon polygon = clipToFrustum({point(t.x), point(t.y), point(t.z)}, reference_, margin_);
+    const auto clipped = [&](size_t k) {
+      return renderer_.vertex(polygon.vertices[k].p, polygon.vertices[k].b1, polygon.vertices[k].b2);
+    };
+    for (size_t k = 2; k < polygon.count; ++k) {
+      renderer_.draw(buffer, triangle, clipped(0), clipped(k - 1), clipped(k));
+    }
+  }
+
+  const PinholeCamera& reference_;
+  const ProjectedMesh& mesh_;
+  Rasterizer renderer_;
+  float unsplit_;  ///< edges up to this, squared, of small triangles are neither split nor torn
+  float margin_;
+  glm::vec2 upper_;
+  std::vector<Displaced> images_;  ///< of vertices that are not outside
+};
+
 /// As below, for scenes that are drawn more than once. `seen` is what the reference pinhole sees of the scene, `part`
 /// holds at least what displacedPart() gives.
 template <DistortedPinhole C>
 FragmentImage rasterize(const C& camera, const FragmentImage& seen, const TrianglePart& part,
                         const SubdivisionOptions& options = {}) {
-  using Rasterizer = SubdividingRasterizer<C>;
-  using Vertex = typename Rasterizer::Vertex;
-  const Rasterizer renderer(camera, options);
-  const PinholeCamera& reference = camera.reference();
-  const float margin = camera.longestDisplacement() + 2;
-
-  std::vector<Vertex> projected(part.points.size());
-  parallelFor(projected.size(), 1 << 12, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      if (reference.projectCamera(part.points[i])) {
-        projected[i] = renderer.vertex(part.points[i], 0, 0);
-      }
-    }
-  });
-  const auto outside = [&](const Vertex& v) {
-    return v.image.inverseZ <= 0 || v.undistorted.x < -margin || v.undistorted.y < -margin ||
-           v.undistorted.x > static_cast<float>(reference.width()) + margin ||
-           v.undistorted.y > static_cast<float>(reference.height()) + margin;
-  };
-
-  FragmentImage fragments = drawParallel(
-      camera.width(), camera.height(), part.triangles.size(), [&](VisibilityBuffer& buffer, size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-          const uint32_t triangle = part.meshTriangles[i];
-          const glm::uvec3& t = part.triangles[i];
-          Vertex a = projected[t.x];
-          Vertex b = projected[t.y];
-          Vertex c = projected[t.z];
-          if (!outside(a) && !outside(b) && !outside(c)) {
-            b.image.b1 = 1;
-            c.image.b2 = 1;
-            renderer.draw(buffer, triangle, a, b, c);
-            continue;
+  FragmentImage fragments(camera.width(), camera.height());
+  if (!part.blocks.empty()) {
+    const DisplacedTriangles<C> triangles(camera, *part.mesh, options);
+    constexpr size_t kEach = TrianglePart::kTriangles;
+    fragments = drawParallel(
+        camera.width(), camera.height(), part.blocks.size() * kEach,
+        [&](VisibilityBuffer& buffer, size_t begin, size_t end) {
+          for (size_t i = begin / kEach; i < end / kEach; ++i) {
+            part.blocks[i].forEach([&](uint32_t triangle, bool isSmall) { triangles.draw(buffer, triangle, isSmall); });
           }
-          const ClipPolygon polygon =
-              clipToFrustum({part.points[t.x], part.points[t.y], part.points[t.z]}, reference, margin);
-          const auto clipped = [&](size_t k) {
-            return renderer.vertex(polygon.vertices[k].p, polygon.vertices[k].b1, polygon.vertices[k].b2);
-          };
-          for (size_t k = 2; k < polygon.count; ++k) {
-            renderer.draw(buffer, triangle, clipped(0), clipped(k - 1), clipped(k));
-          }
-        }
-      });
-
+        });
+  }
   keepUndisplaced(camera, seen, fragments);
   return fragments;
 }
@@ -230,7 +317,8 @@ FragmentImage rasterize(const C& camera, const FragmentImage& seen, const Triang
 /// The closest fragment at each pixel of `camera`; both sides of triangles are drawn.
 template <DistortedPinhole C>
 FragmentImage rasterize(const C& camera, const Mesh& mesh, const SubdivisionOptions& options = {}) {
-  return rasterize(camera, rasterize(camera.reference(), mesh), displacedPart(camera, mesh), options);
+  const auto projected = std::make_shared<const ProjectedMesh>(camera.reference(), mesh);
+  return rasterize(camera, rasterize(*projected), displacedPart(camera, projected), options);
 }
 
 }  // namespace ocelli

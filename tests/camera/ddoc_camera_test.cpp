@@ -147,5 +147,68 @@ TEST(DdocCameraDeathTest, mapMustHaveTheSizeOfTheCamera) {
   EXPECT_DEATH(DdocCamera(smallCamera(), DistortionMap(3, 3, DistortionMap::Lookup::kNearest)), "distortion map");
 }
 
+/// The slow reference: the undistorted point by a damped fixed-point search, until it is displaced to within 1e-5
+/// pixels of the target.
+glm::dvec2 searched(const DdocCamera& camera, const ImagePoint& target) {
+  glm::dvec2 x(target.u, target.v);
+  for (int step = 0; step < 2000; ++step) {
+    const ImagePoint image = camera.distort({static_cast<float>(x.x), static_cast<float>(x.y), target.t});
+    const glm::dvec2 residual(target.u - image.u, target.v - image.v);
+    if (glm::length(residual) < 1e-5) {
+      break;
+    }
+    x += residual * 0.5;
+  }
+  return x;
+}
+
+// The field's slope is 3 (2 pi / 40) = 0.47 at most, so an error of the displaced point, 6e-5 pixels, is less than
+// twice as large in the undistorted one, which rounds by some 5e-5 when it is unprojected and projected again. Where a
+// border between cells turns the steps back and forth, the camera searches too, to 1e-3 pixels.
+TEST(DdocCamera, invertsAsTheSearchDoes) {
+  const DdocCamera camera(smallCamera(), test::wavyMap(kWidth, kHeight, 3, 40));
+  const PinholeCamera reference = smallCamera();
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> u(8, kWidth - 8);
+  std::uniform_real_distribution<float> v(8, kHeight - 8);
+  std::uniform_real_distribution<float> z(7, 16);
+  int searches = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const ImagePoint q{u(random), v(random), z(random)};
+    const std::optional<glm::vec3> point = camera.unproject(q);
+    ASSERT_TRUE(point);
+    const ImagePoint got = reference.imageFromCamera(reference.cameraFromWorld(*point));
+    const glm::dvec2 expected = searched(camera, q);
+    const double error = glm::distance(glm::dvec2(got.u, got.v), expected);
+    EXPECT_LT(error, 2e-3) << i;
+    searches += error > 3e-4;
+  }
+  EXPECT_LT(searches, 50);
+}
+
+// Between its points a path is straight: it may be off there by the chord of a bend, of which each step may take 0.04
+// pixels, twice as much where the field's slope is felt.
+TEST(DdocCamera, pathsKeepToTheirPixelsBetweenTheirPoints) {
+  const DdocCamera camera(smallCamera(), test::wavyMap(kWidth, kHeight, 3, 40));
+  size_t points = 0;
+  size_t paths = 0;
+  for (int y = 10; y < kHeight - 10; y += 3) {
+    for (int x = 10; x < kWidth - 10; x += 3) {
+      const glm::vec2 pixel(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+      const RayPath path = camera.rayPath(pixel);
+      points += path.size();
+      ++paths;
+      for (float depth = 6; depth < 18; depth += 0.037f) {
+        const std::optional<ImagePoint> q = camera.project(path.pointAt(path.positionAt(depth)));
+        ASSERT_TRUE(q);
+        EXPECT_NEAR(q->u, pixel.x, 0.08f) << depth;
+        EXPECT_NEAR(q->v, pixel.y, 0.08f) << depth;
+      }
+    }
+  }
+  // The longest displacement of 4.3 pixels takes 17 steps, were each taken by itself.
+  EXPECT_LT(points, 15 * paths);
+}
+
 }  // namespace
 }  // namespace ocelli

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "oc_core/ocri/ddoc_builder.h"
+#include "oc_core/ocri/grid_cell.h"
+#include "oc_core/ocri/sample_join.h"
 #include "tests/ocri/test_scenes.h"
 
 namespace ocelli {
@@ -208,6 +210,74 @@ TEST(ImageMesh, samplesOutOfTheDepthRangeAreLeftOut) {
   for (const glm::uvec3& t : mesh.triangles) {
     ASSERT_LT(std::max({t.x, t.y, t.z}), mesh.positions.size());
   }
+}
+
+/// The slow reference: the triangles of all cells, one pair of samples at a time.
+std::vector<glm::uvec3> cellTrianglesOneByOne(const ReferenceImage& image) {
+  const PinholeCamera camera = image.reference();
+  Image<uint32_t> vertexOf(image.width(), image.height(), 0xffffffffu);
+  uint32_t vertices = 0;
+  for (size_t i = 0; i < vertexOf.size(); ++i) {
+    const int x = static_cast<int>(i) % image.width();
+    const int y = static_cast<int>(i) / image.width();
+    vertexOf[i] = image.pointOf(x, y, camera) ? vertices++ : vertexOf[i];
+  }
+  const auto sample = [&](const glm::ivec2& p) {
+    return vertexOf.contains(p.x, p.y) && vertexOf(p.x, p.y) != 0xffffffffu ? image.undistorted(p.x, p.y)
+                                                                            : ImagePoint{};
+  };
+  const auto joins = [&](const glm::ivec2& p, const glm::ivec2& q) {
+    const glm::ivec2 step = q - p;
+    return samplesJoin(sample(p - step), sample(p), sample(q), sample(q + step), false, camera.focalPixels(), 1, {});
+  };
+  std::vector<glm::uvec3> triangles;
+  for (int y = 0; y + 1 < image.height(); ++y) {
+    for (int x = 0; x + 1 < image.width(); ++x) {
+      const glm::ivec2 a(x, y);
+      const glm::ivec2 b(x, y + 1);
+      const glm::ivec2 c(x + 1, y + 1);
+      const glm::ivec2 d(x + 1, y);
+      closeCell(
+          a, b, c, d, {joins(a, b), joins(b, c), joins(d, c), joins(a, d)}, joins,
+          [&](const glm::ivec2& p) { return 1 / image.t(p.x, p.y); },
+          [&](const glm::ivec2& p, const glm::ivec2& q, const glm::ivec2& r) {
+            triangles.emplace_back(vertexOf(p.x, p.y), vertexOf(q.x, q.y), vertexOf(r.x, r.y));
+          });
+    }
+  }
+  return triangles;
+}
+
+TEST(ImageMesh, joinsManyPairsAsItJoinsOne) {
+  const Mesh steep = test::tiltedPlane(9, 60);
+  std::vector<ReferenceImage> images;
+  for (const Mesh& scene : {test::boxBeforeWall(), test::ballBeforePlane(), steep, test::randomTriangles(200, 3)}) {
+    images.push_back(buildDepthImage(smallCamera(), scene));
+    images.push_back(buildDdocImage(buildDdocCamera(smallCamera(), scene), scene));
+    images.push_back(buildDdocImage(DdocCamera(smallCamera(), test::wavyMap(kWidth, kHeight, 9, 25)), scene));
+  }
+  for (ReferenceImage& image : images) {
+    // Samples that no point belongs to, and one whose place is none.
+    for (size_t i = 7; i < image.t.size(); i += 97) {
+      image.clear(i);
+    }
+    image.displacement[1000].x = NAN;
+    const std::vector<glm::uvec3> expected = cellTrianglesOneByOne(image);
+    Mesh mesh = imageMesh(image);
+    ASSERT_GE(mesh.triangles.size(), expected.size());
+    mesh.triangles.resize(expected.size());
+    EXPECT_TRUE(test::sameBytes(mesh.triangles, expected));
+  }
+}
+
+TEST(ImageMesh, hasNoColorsWhereTheImageHasNone) {
+  ReferenceImage image = buildDepthImage(smallCamera(), test::boxBeforeWall());
+  const Mesh colored = imageMesh(image);
+  image.color = {};
+  const Mesh mesh = imageMesh(image);
+  EXPECT_TRUE(mesh.colors.empty());
+  EXPECT_TRUE(test::sameBytes(mesh.positions, colored.positions));
+  EXPECT_TRUE(test::sameBytes(mesh.triangles, colored.triangles));
 }
 
 }  // namespace
