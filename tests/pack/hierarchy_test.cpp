@@ -1,0 +1,114 @@
+#include "oc_core/pack/hierarchy.h"
+
+#include <gtest/gtest.h>
+
+#include "oc_core/pack/pack_scene.h"
+#include "tests/base/temporary_folder.h"
+#include "tests/pack/packed_meshes.h"
+
+namespace ocelli {
+namespace {
+
+using test::TemporaryFolder;
+
+bool contains(const Sphere& outer, const Sphere& inner) {
+  return glm::distance(outer.center, inner.center) + inner.radius <= outer.radius * (1 + 1e-5f);
+}
+
+TEST(Hierarchy, NeitherSpheresNorErrorsShrinkFromALevelToTheNext) {
+  const TemporaryFolder folder;
+  const PackedScene scene = test::packed(test::bumpyBall(60'000), folder / "ball.opack");
+  size_t replaced = 0;
+  for (uint32_t g = 0; g < scene.groupCount(); ++g) {
+    const PackedGroupInfo group = scene.group(g);
+    for (uint32_t inner = 0; inner < group.innerGroups; ++inner) {
+      EXPECT_TRUE(contains(group.sphere, scene.group(group.firstInner + inner).sphere));
+    }
+    for (uint32_t i = 0; i < group.clusters; ++i) {
+      const PackedClusterInfo cluster = scene.cluster(g, i);
+      EXPECT_TRUE(contains(group.sphere, cluster.bounds));
+      if (cluster.finer != PackedClusterInfo::kNone) {
+        const PackedGroupInfo finer = scene.group(cluster.finer);
+        EXPECT_TRUE(contains(group.sphere, finer.sphere));
+        EXPECT_LE(finer.error, group.error);
+        ++replaced;
+      }
+    }
+  }
+  EXPECT_GT(replaced, 100U);
+}
+
+TEST(Hierarchy, BecomesAFewClusters) {
+  const TemporaryFolder folder;
+  const PackedScene scene = test::packed(test::bumpyBall(60'000), folder / "ball.opack");
+  const std::vector<ClusterChoice> coarsest = chooseClusters(
+      scene, [](const Sphere&) { return true; }, [](const Sphere&, float) { return true; });
+  EXPECT_LE(coarsest.size(), 24U);
+}
+
+/// What is drawn fine on one side and coarse on the other still fits.
+TEST(Hierarchy, CutsOfAClosedSurfaceAreClosed) {
+  const TemporaryFolder folder;
+  const Mesh ball = test::bumpyBall(60'000);
+  ASSERT_EQ(test::openEdges(ball), 0U);
+  const PackedScene scene = test::packed(ball, folder / "ball.opack");
+  std::vector<size_t> sizes;
+  for (const float finest : {1e-5f, 1e-4f, 1e-3f, 1e-2f}) {
+    // Finer towards one side.
+    const std::vector<ClusterChoice> cut = chooseClusters(
+        scene, [](const Sphere&) { return true; },
+        [&](const Sphere& sphere, float error) {
+          const float distance = std::max(0.0f, glm::distance(sphere.center, glm::vec3(0.9f, 0, 0)) - sphere.radius);
+          return error <= finest * (0.1f + 5 * distance);
+        });
+    const Mesh mesh = meshOf(scene, cut);
+    EXPECT_EQ(test::openEdges(mesh), 0U) << "error " << finest;
+    sizes.push_back(mesh.triangles.size());
+  }
+  EXPECT_TRUE(std::is_sorted(sizes.rbegin(), sizes.rend()));
+  EXPECT_LT(sizes.back(), sizes.front() / 10);
+}
+
+/// Brute force: a vertex of the scene is no farther from the cut than the error says.
+TEST(Hierarchy, ErrorsBoundTheDistanceOfVertices) {
+  const TemporaryFolder folder;
+  const Mesh ball = test::bumpyBall(20'000);
+  const PackedScene scene = test::packed(ball, folder / "ball.opack");
+  for (const float error : {1e-3f, 4e-3f, 1e-2f}) {
+    const Mesh mesh = meshOf(
+        scene, chooseClusters(
+                   scene, [](const Sphere&) { return true; }, [&](const Sphere&, float e) { return e <= error; }));
+    float worst = 0;
+    for (size_t i = 0; i < ball.positions.size(); i += 7) {
+      const glm::vec3& p = ball.positions[i];
+      float nearest = 1e30f;
+      for (const glm::uvec3& t : mesh.triangles) {
+        const glm::vec3& a = mesh.positions[t.x];
+        const glm::vec3& b = mesh.positions[t.y];
+        const glm::vec3& c = mesh.positions[t.z];
+        if (glm::distance(p, a) > nearest + glm::distance(a, b) + glm::distance(a, c)) {
+          continue;
+        }
+        // The distance along a dense lattice of the triangle: never less than the true one.
+        constexpr int kSteps = 12;
+        for (int k = 0; k <= kSteps; ++k) {
+          for (int l = 0; k + l <= kSteps; ++l) {
+            const glm::vec3 q =
+                a + (b - a) * (static_cast<float>(k) / kSteps) + (c - a) * (static_cast<float>(l) / kSteps);
+            nearest = std::min(nearest, glm::distance(p, q));
+          }
+        }
+      }
+      worst = std::max(worst, nearest);
+    }
+    float longest = 0;
+    for (const glm::uvec3& t : mesh.triangles) {
+      longest = std::max(longest, glm::distance(mesh.positions[t.x], mesh.positions[t.y]));
+    }
+    // The lattice misses the nearest point by a part of a side at most; hypot, as it is off along the surface.
+    EXPECT_LE(worst, std::hypot(error, longest / 12)) << error;
+  }
+}
+
+}  // namespace
+}  // namespace ocelli
