@@ -71,12 +71,12 @@ TEST(PackedScene, LeavesNothingElseBehind) {
 
 TEST(PackedScene, AJobThatWasEndedGoesOn) {
   const TemporaryFolder folder;
-  const Mesh ball = test::bumpyBall(1'000'000);
+  const Mesh ball = test::bumpyBall(600'000);
   const PackOptions options{.sourceKey = "the ball"};
   const int threads = threadCount();
   setThreadCount(1);
   const auto stop = [](std::string_view stage, double share) {
-    if (stage == "making levels of detail" && share > 0.4) {
+    if (stage == "making levels of detail" && share > 0.1) {
       throw std::runtime_error("killed");
     }
   };
