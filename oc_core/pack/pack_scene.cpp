@@ -30,9 +30,15 @@ class WorkFolder {
     folder_ += ".work";
     const std::filesystem::path key = folder_ / "source";
     std::error_code none;
-    const bool goesOn = !sourceKey.empty() && std::filesystem::exists(key, none) && readFile(key) == sourceKey;
-    if (!goesOn) {
-      std::filesystem::remove_all(folder_, none);
+    if (std::filesystem::exists(folder_, none)) {
+      // Only what such a job has made is removed.
+      if (!std::filesystem::is_regular_file(key, none) && !std::filesystem::is_empty(folder_, none)) {
+        throw WorkError("there is something where this job keeps what it has made", folder_.string(),
+                        "move it away, or write the packed scene somewhere else");
+      }
+      if (sourceKey.empty() || !std::filesystem::exists(key, none) || readFile(key) != sourceKey) {
+        std::filesystem::remove_all(folder_, none);
+      }
     }
     std::error_code error;
     std::filesystem::create_directories(folder_, error);

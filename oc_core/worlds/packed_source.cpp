@@ -2,14 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <glm/common.hpp>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_document.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/base/sha256.h"
 #include "oc_core/pack/cluster_cut.h"
 #include "oc_core/scene/scene_file.h"
 #include "oc_core/scene/shading.h"
@@ -69,14 +71,23 @@ class CopiesSource final : public TriangleSource {
   glm::mat4 worldFromScene_{1};
 };
 
-/// What tells that a source is the same as in an earlier job.
-std::string sourceKeyOf(const std::string& source, const SceneOptions& options) {
-  std::string key =
-      fmt::format("{} fit={} shading={} textures={}", source, options.fit, nameOf(options.shading), options.textures);
-  std::error_code none;
-  const auto time = std::filesystem::last_write_time(source, none);
-  if (!none) {
-    key += fmt::format(" bytes={} time={}", std::filesystem::file_size(source, none), time.time_since_epoch().count());
+template <class T>
+std::string digestOf(const std::vector<T>& values) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  return sha256({reinterpret_cast<const uint8_t*>(values.data()), values.size() * sizeof(T)});
+}
+
+/// What tells that a scene is the same as in an earlier job: all that the packed file depends on.
+std::string sourceKeyOf(const Scene& scene, const SceneOptions& options, const std::string& description) {
+  // What this says of how scenes are packed changes with that.
+  std::string key = fmt::format("packing 1 {} fit={} shading={}", description, options.fit, nameOf(options.shading));
+  for (const Mesh& mesh : scene.meshes) {
+    key += "\n" + digestOf(mesh.positions) + digestOf(mesh.colors) + digestOf(mesh.triangles);
+  }
+  for (const Instance& instance : scene.instances) {
+    const std::vector<glm::mat4> place{instance.worldFromMesh};
+    key += fmt::format("\n{} {} {} {} {}", instance.mesh, digestOf(place), instance.tint.r, instance.tint.g,
+                       instance.tint.b);
   }
   return key;
 }
@@ -100,11 +111,11 @@ PackReport packSource(const std::string& source, const SceneOptions& options, co
       options.warn(warning);
     }
   }
-  const nlohmann::ordered_json description{
-      {"scene", source}, {"fit", options.fit}, {"shading", nameOf(options.shading)}};
+  const std::string description =
+      textOfJson({{"scene", source}, {"fit", options.fit}, {"shading", nameOf(options.shading)}});
+  const std::string key = sourceKeyOf(scene, options, description);
   const CopiesSource copies(std::move(scene), options, source);
-  return packScene(copies, path, {.description = textOfJson(description), .sourceKey = sourceKeyOf(source, options)},
-                   progress);
+  return packScene(copies, path, {.description = description, .sourceKey = key}, progress);
 }
 
 PackedScene openPacked(const std::string& source, const SceneOptions& options) {

@@ -90,6 +90,29 @@ TEST(PackedScene, AJobThatWasEndedGoesOn) {
   EXPECT_EQ(fileBytes(folder / "ended.opack"), fileBytes(folder / "whole.opack"));
 }
 
+TEST(PackedScene, AFolderOfSomeoneElseStays) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "ball.opack.work");
+  folder.write("ball.opack.work/notes.txt", "mine");
+  EXPECT_THROW(packScene(MeshSource(test::bumpyBall(2'000)), folder / "ball.opack"), WorkError);
+  EXPECT_EQ(fileBytes(folder / "ball.opack.work" / "notes.txt"), "mine");
+}
+
+TEST(PackedScene, WhatWasMadeOfAnotherSceneIsNotUsed) {
+  const TemporaryFolder folder;
+  const auto stop = [](std::string_view stage, double) {
+    if (stage == "making levels of detail") {
+      throw std::runtime_error("killed");
+    }
+  };
+  EXPECT_THROW(packScene(MeshSource(test::bumpyBall(2'000)), folder / "ball.opack", {.sourceKey = "small"}, stop),
+               std::runtime_error);
+  const Mesh other = test::bumpyBall(8'000);
+  const PackReport report = packScene(MeshSource(other), folder / "ball.opack", {.sourceKey = "large"});
+  EXPECT_EQ(report.partsAtHand, 0U);
+  EXPECT_EQ(report.triangles, other.triangles.size());
+}
+
 TEST(PackedScene, WhatIsNoneIsRefused) {
   const TemporaryFolder folder;
   EXPECT_NE(complaint([&] { PackedScene scene(folder / "none.opack"); }).find("No such file"), std::string::npos);
