@@ -8,6 +8,7 @@
 #include "cli/scene_notes.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
+#include "cli/viewed_scene.h"
 #include "cli/viewers_option.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
@@ -79,12 +80,12 @@ ReferenceImages builtImages(const BuildChoice& choice, const std::vector<View>& 
   const Construction construction = constructionFromText(onGpu ? "auto" : choice.construction, "--construction");
   const CameraChoice camera = cameraChoice(choice.camera);
   const auto gl = onGpu ? std::make_unique<GlDrawing>(choice.gl) : nullptr;
-  const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, context.progress());
-  noteBlackScene(context, mesh);
+  ViewedScene scene(choice.scene, context);
   ConstructionReport report;
   std::vector<ReferenceImages> viewers;
   for (const View& view : views) {
     const PinholeCamera reference(view, size.width, size.height);
+    const Mesh& mesh = scene.meshFor(camera, reference);
     viewers.push_back(
         gl != nullptr
             ? buildReferenceImages(camera, reference, mesh, context.progress(), gl->rendererOf(mesh))

@@ -20,6 +20,7 @@
 #include "cli/shown_output.h"
 #include "cli/slicing_options.h"
 #include "cli/values.h"
+#include "cli/viewed_scene.h"
 #include "display_driver/devices/device_kinds.h"
 #include "display_driver/pacing/device_log_player.h"
 #include "display_driver/pacing/eye_feed.h"
@@ -35,6 +36,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/ocri/union_mesh.h"
+#include "oc_core/worlds/packed_source.h"
 
 namespace ocelli {
 namespace {
@@ -54,6 +56,7 @@ struct PresentChoice {
   std::optional<double> rate;
   bool tear = false;
   bool coarse = false;
+  double minImageScale = 0.25;
   std::string timeLine;
   std::string record;
   bool fast = false;
@@ -121,7 +124,7 @@ void check(const PresentChoice& choice) {
 
 /// What is presented, and what it needs to stand.
 struct Presented {
-  Mesh mesh;
+  std::optional<ViewedScene> scene;
   std::unique_ptr<EyeFeed> feed;
   std::unique_ptr<VolumeSource> source;
   EyesSource* eyes = nullptr;
@@ -133,30 +136,56 @@ Volume sliceOnce(const Mesh& mesh, const DisplayProfile& profile, const SlicingC
                                                    : slice(mesh, profile, options);
 }
 
+/// What is looked at, with what there is to say of it: of a packed scene, of its coarse shape.
+void addViewedScene(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile,
+                    const CommandContext& context) {
+  Mesh mesh = loadMeshToSlice(choice.scene, profile, false, context.progress());
+  noteSlicedScene(context, mesh, profile);
+  if (isPackedScene(choice.scene.source)) {
+    presented.scene.emplace(choice.scene, context);
+  } else {
+    presented.scene.emplace(std::move(mesh));
+  }
+}
+
 void addSceneSource(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile,
                     const CommandContext& context) {
   const SliceOptions options = sliceOptionsOf(choice.slicing);
-  presented.mesh = loadMeshToSlice(choice.scene, context.progress());
-  noteSlicedScene(context, presented.mesh, profile);
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   if (!choice.eyes.empty()) {
     const CameraChoice camera = cameraChoice(choice.hasCamera() ? choice.camera : "ddoc");
+    if (!camera.hasImages()) {
+      throw InputError("this camera has no image to build for an eye", camera.name, "--camera ddoc");
+    }
+    addViewedScene(presented, choice, profile, context);
     presented.feed = openEyeFeed(choice.eyes, choice.loop);
     auto source = std::make_unique<EyesSource>(
-        presented.mesh, profile,
-        EyesOptions{.camera = camera, .width = size.width, .height = size.height, .slicing = options}, *presented.feed);
+        [&scene = *presented.scene, camera](const PinholeCamera& reference) {
+          return buildReferenceImages(camera, reference, scene.meshFor(camera, reference));
+        },
+        profile,
+        EyesOptions{
+            .width = size.width, .height = size.height, .slicing = options, .minImageScale = choice.minImageScale},
+        *presented.feed);
     presented.eyes = source.get();
     presented.source = std::move(source);
-  } else if (choice.turn) {
-    presented.source =
-        std::make_unique<TurningSource>(orderedForSlicing(presented.mesh), profile, options, *choice.turn);
-  } else if (choice.hasCamera()) {
+    return;
+  }
+  if (!choice.turn && choice.hasCamera()) {
+    const CameraChoice camera = cameraChoice(choice.camera);
     const PinholeCamera reference(View{}, size.width, size.height);
-    const Mesh seen =
-        unionMesh(buildReferenceImages(cameraChoice(choice.camera), reference, presented.mesh, context.progress()));
+    addViewedScene(presented, choice, profile, context);
+    const Mesh& scene = presented.scene->meshFor(camera, reference);
+    const Mesh seen = unionMesh(buildReferenceImages(camera, reference, scene, context.progress()));
     presented.source = std::make_unique<StillSource>(sliceOnce(seen, profile, choice.slicing));
+    return;
+  }
+  const Mesh mesh = loadMeshToSlice(choice.scene, profile, choice.slicing.exact, context.progress());
+  noteSlicedScene(context, mesh, profile);
+  if (choice.turn) {
+    presented.source = std::make_unique<TurningSource>(orderedForSlicing(mesh), profile, options, *choice.turn);
   } else {
-    presented.source = std::make_unique<StillSource>(sliceOnce(presented.mesh, profile, choice.slicing));
+    presented.source = std::make_unique<StillSource>(sliceOnce(mesh, profile, choice.slicing));
   }
 }
 
@@ -459,6 +488,13 @@ void addPresentCommand(CLI::App& program, const CommandContext& context) {
       ->type_name("FILE.csv|FILE.json|udp:[ADDRESS:]PORT|-");
   addCameraOption(command, choice->camera);
   addSizeOption(command, choice->size);
+  command
+      .add_option("--min-scale", choice->minImageScale,
+                  "When time runs short, the images for --eyes may have this share of the pixels each way; 1: always "
+                  "all of them, though refreshes are missed")
+      ->check(numberCheck(0.05, 1))
+      ->type_name("SHARE")
+      ->capture_default_str();
   command.add_option("--rate", choice->rate, "Meshes a second of a folder; by default one a refresh")
       ->check(numberCheck(1e-3, 1e4))
       ->type_name("HERTZ");

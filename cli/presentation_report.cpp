@@ -83,6 +83,11 @@ std::string reportText(const PresentationReport& report) {
   text += spreadText("submitting", summary.submitting);
   text += spreadText("sending", summary.sending);
   text += spreadText("from making to light", summary.latency);
+  if (summary.smallerImages > 0) {
+    text += fmt::format(
+        "  smaller images: {} of {} frames, as time ran short; the smallest with {:.0f} % of the pixels each way\n",
+        summary.smallerImages, summary.framesShown, 100 * summary.leastImageScale);
+  }
   if (report.malformedEyes > 0) {
     text += fmt::format("  eyes: {} line{} could not be used; the first: {}\n", report.malformedEyes,
                         report.malformedEyes == 1 ? "" : "s", report.firstMalformedEye);
@@ -122,6 +127,8 @@ std::string reportJson(const PresentationReport& report) {
                                        {"misses", summary.misses},
                                        {"outcomes", outcomes},
                                        {"frames_shown", summary.framesShown},
+                                       {"smaller_images", summary.smallerImages},
+                                       {"smallest_image_scale", summary.leastImageScale},
                                        {"making", spreadJson(summary.making)},
                                        {"making_stages_ms", stages},
                                        {"submitting", spreadJson(summary.submitting)},

@@ -8,6 +8,7 @@
 #include "cli/scene_notes.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
+#include "cli/viewed_scene.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/constructor/camera_constructors.h"
@@ -98,8 +99,8 @@ void render(const RenderChoice& choice, const CommandContext& context) {
   }
   const CameraChoice camera = cameraChoice(choice.camera);
   const auto gl = choice.method == "gl" ? std::make_unique<GlDrawing>(choice.gl) : nullptr;
-  const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, context.progress());
-  noteBlackScene(context, mesh);
+  ViewedScene scene(choice.scene, context);
+  const Mesh& mesh = scene.meshFor(camera, reference);
   const auto technique = techniqueOf(choice.method);
   const ReferenceImages images =
       technique       ? ReferenceImages{drawReferenceImage(*technique, camera, reference, mesh, context.progress())}

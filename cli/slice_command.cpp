@@ -95,8 +95,8 @@ void run(const SliceChoice& choice, const CommandContext& context) {
   checkWritable(choice.output);
   const auto gl = choice.method == "gl" ? std::make_unique<GlDisplay>(choice.gl) : nullptr;
   const DisplayProfile profile = loadProfile(choice.profile);
-  const Mesh mesh = loadMeshToSlice(choice.scene, context.progress());
   const bool exact = choice.slicing.exact || needsExactSlicer(options);
+  const Mesh mesh = loadMeshToSlice(choice.scene, profile, choice.slicing.exact, context.progress());
   Times times;
   const Volume volume = gl != nullptr ? times.run(choice.repeat, [&] { return gl->slice(mesh, profile, options); })
                         : exact       ? times.run(choice.repeat, [&] { return sliceExactly(mesh, profile, options); })

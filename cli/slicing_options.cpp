@@ -1,6 +1,7 @@
 #include "cli/slicing_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/dither_options.h"
@@ -8,8 +9,21 @@
 #include "oc_core/base/json_fields.h"
 #include "oc_core/ocri/reference_image_file.h"
 #include "oc_core/ocri/union_mesh.h"
+#include "oc_core/pack/cluster_cut.h"
+#include "oc_core/worlds/packed_source.h"
 
 namespace ocelli {
+namespace {
+
+/// How far the surfaces of a packed scene may be off where they are sliced.
+constexpr float kMaxVoxelsOff = 0.25f;
+
+/// Display radii. Within a slice: between slices voxels are as wide as that at some radius, and narrower inside.
+double shortestVoxelSide(const DisplayProfile& profile) {
+  return std::min(2.0 / profile.width, 2 * profile.halfHeightRadii / profile.height);
+}
+
+}  // namespace
 
 void addSlicingOptions(CLI::App& command, SlicingChoice& choice) {
   const auto undithered =
@@ -44,9 +58,15 @@ void addProfileOption(CLI::App& command, std::string& profile) {
       ->type_name("NAME|FILE.json");
 }
 
-Mesh loadMeshToSlice(const SceneChoice& scene, const Progress& progress) {
-  return scene.source.ends_with(".exr") ? unionMesh(readReferenceImages(scene.source))
-                                        : loadScene(scene.source, scene.options, progress);
+Mesh loadMeshToSlice(const SceneChoice& scene, const DisplayProfile& profile, bool exact, const Progress& progress) {
+  if (scene.source.ends_with(".exr")) {
+    return unionMesh(readReferenceImages(scene.source));
+  }
+  if (!isPackedScene(scene.source) || exact) {
+    return loadScene(scene.source, scene.options, progress);
+  }
+  const PackedScene packed = openPacked(scene.source, scene.options);
+  return weldedMeshOf(packed, coarsestClusters(packed, kMaxVoxelsOff * static_cast<float>(shortestVoxelSide(profile))));
 }
 
 std::string sliceMetadata(const SceneChoice& scene, const SlicingChoice& choice) {

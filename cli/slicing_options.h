@@ -5,6 +5,7 @@
 
 #include "cli/scene_options.h"
 #include "display_sim/dither/slice_options.h"
+#include "display_sim/frames/display_profile.h"
 #include "oc_core/base/progress.h"
 
 namespace CLI {
@@ -29,8 +30,9 @@ SliceOptions sliceOptionsOf(const SlicingChoice& choice);
 /// Adds --profile. Read it with loadProfile() when the command runs.
 void addProfileOption(CLI::App& command, std::string& profile);
 
-/// A scene, or the mesh of a reference image (.exr).
-Mesh loadMeshToSlice(const SceneChoice& scene, const Progress& progress);
+/// A scene, or the mesh of a reference image (.exr). Of a packed scene its surfaces as coarse as a quarter of a voxel
+/// of that display allows, so that its size does not matter; or all of it, where `exact` asks for that.
+Mesh loadMeshToSlice(const SceneChoice& scene, const DisplayProfile& profile, bool exact, const Progress& progress);
 /// What `ocelli volume info` tells later of a volume that was sliced so.
 std::string sliceMetadata(const SceneChoice& scene, const SlicingChoice& choice);
 

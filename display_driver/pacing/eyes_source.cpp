@@ -1,5 +1,7 @@
 #include "display_driver/pacing/eyes_source.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -13,18 +15,45 @@ namespace {
 
 enum Step { kBuilding, kMeshing, kSlicing };
 
+/// Of a refresh, what a stage may take: the rest is for what else the machine does.
+constexpr double kShareOfRefresh = 0.85;
+
+class StopWatch {
+ public:
+  /// Since the last time, or since it was made.
+  std::chrono::nanoseconds lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return now - std::exchange(begin_, now);
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+View viewFrom(const glm::vec3& eye) {
+  View view;
+  view.eye = eye;
+  // Straight above, any direction is up.
+  if (std::abs(glm::dot(glm::normalize(view.eye), view.up)) > 0.9999f) {
+    view.up = {0, 0, -1};
+  }
+  validate(view, "the eye");
+  return view;
+}
+
+int scaled(int pixels, double scale) {
+  return std::max(1, static_cast<int>(std::lround(pixels * scale)));
+}
+
 }  // namespace
 
-EyesSource::EyesSource(const Mesh& mesh, const DisplayProfile& profile, EyesOptions options, EyeFeed& feed)
-    : mesh_(mesh),
-      options_(std::move(options)),
+EyesSource::EyesSource(ImagesFor imagesFor, const DisplayProfile& profile, const EyesOptions& options, EyeFeed& feed)
+    : imagesFor_(std::move(imagesFor)),
+      options_(options),
       feed_(feed),
       slicer_(profile, options_.slicing),
-      stages_{{"reference image", {}}, {"mesh", {}}, {"slices", {}}} {
-  if (!options_.camera.hasImages()) {
-    throw InputError("this camera has no image to build for an eye", options_.camera.name, "--camera ddoc");
-  }
-}
+      stages_{{"reference image", {}}, {"mesh", {}}, {"slices", {}}},
+      scale_(kShareOfRefresh / profile.refreshHertz(), options_.minImageScale) {}
 
 EyesSource::~EyesSource() = default;
 
@@ -35,38 +64,57 @@ SourcedVolume EyesSource::leaveOut(const std::string& why) {
   return {.kind = SourcedVolume::Kind::kSame};
 }
 
-SourcedVolume EyesSource::volumeFor(HostTime seen) {
+TwoStageLine::SecondStage EyesSource::begin(HostTime seen) {
+  const auto nothing = [](const SourcedVolume& volume) { return [volume] { return volume; }; };
   const bool ended = feed_.ended(seen);
   const std::optional<glm::vec3> eye = feed_.eyeAt(seen);
   if (!eye || eye == eye_) {
-    return {.kind = ended ? SourcedVolume::Kind::kEnd : SourcedVolume::Kind::kSame};
+    return nothing({.kind = ended ? SourcedVolume::Kind::kEnd : SourcedVolume::Kind::kSame});
   }
   eye_ = eye;
-  auto begin = std::chrono::steady_clock::now();
-  const auto finish = [&](Step step) {
-    const auto end = std::chrono::steady_clock::now();
-    stages_[step].times.add(end - begin);
-    begin = end;
-  };
+  const double scale = [&] {
+    const std::lock_guard lock(scaleMutex_);
+    return scale_.next();
+  }();
+  StopWatch watch;
   try {
-    View view;
-    view.eye = *eye;
-    // Straight above, any direction is up.
-    if (std::abs(glm::dot(glm::normalize(view.eye), view.up)) > 0.9999f) {
-      view.up = {0, 0, -1};
-    }
-    validate(view, "the eye");
-    const PinholeCamera reference(view, options_.width, options_.height);
-    const ReferenceImages images = buildReferenceImages(options_.camera, reference, mesh_);
-    finish(kBuilding);
-    const Mesh seenMesh = unionMesh(images);
-    finish(kMeshing);
-    slicer_.slice(SliceMesh(seenMesh));
-    finish(kSlicing);
-    return {.kind = SourcedVolume::Kind::kNew, .volume = slicer_.takeShared()};
+    const PinholeCamera reference(viewFrom(*eye), scaled(options_.width, scale), scaled(options_.height, scale));
+    auto images = std::make_shared<const ReferenceImages>(imagesFor_(reference));
+    const auto took = watch.lap();
+    stages_[kBuilding].times.add(took);
+    return [this, images, scale, seconds = std::chrono::duration<double>(took).count()] {
+      return sliced(*images, static_cast<float>(scale), seconds);
+    };
   } catch (const InputError& error) {
-    return leaveOut(error.what());
+    return nothing(leaveOut(error.what()));
   }
+}
+
+SourcedVolume EyesSource::sliced(const ReferenceImages& images, float imageScale, double imageSeconds) {
+  StopWatch watch;
+  const Mesh mesh = unionMesh(images);
+  const auto meshing = watch.lap();
+  slicer_.slice(SliceMesh(mesh));
+  const auto slicing = watch.lap();
+  stages_[kMeshing].times.add(meshing);
+  stages_[kSlicing].times.add(slicing);
+  {
+    const std::lock_guard lock(scaleMutex_);
+    scale_.add(static_cast<double>(imageScale),
+               std::max(imageSeconds, std::chrono::duration<double>(meshing + slicing).count()));
+  }
+  return {.kind = SourcedVolume::Kind::kNew, .volume = slicer_.takeShared(), .imageScale = imageScale};
+}
+
+SourcedVolume EyesSource::volumeFor(HostTime seen) {
+  return begin(seen)();
+}
+
+VolumeLine* EyesSource::line() {
+  if (line_ == nullptr) {
+    line_ = std::make_unique<TwoStageLine>([this](HostTime seen) { return begin(seen); });
+  }
+  return line_.get();
 }
 
 }  // namespace ocelli

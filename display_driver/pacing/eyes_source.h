@@ -2,36 +2,48 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "display_driver/pacing/eye_feed.h"
+#include "display_driver/pacing/image_scale.h"
 #include "display_driver/pacing/stage_times.h"
+#include "display_driver/pacing/two_stage_line.h"
 #include "display_driver/pacing/volume_source.h"
 #include "display_sim/slicing/slicer.h"
-#include "oc_core/ocri/camera_choice.h"
+#include "oc_core/ocri/reference_image.h"
 
 namespace ocelli {
 
 struct EyesOptions {
-  CameraChoice camera;
   int width = 720;
   int height = 480;
   SliceOptions slicing;
+  /// When time runs short, images have this share of the pixels each way at least, in (0, 1]; 1: always all of them.
+  double minImageScale = 0.25;
 };
 
 class EyesSource final : public VolumeSource {
  public:
-  /// `mesh` is validated, its positions in display radii. The feed outlives the source. Throws InputError for a camera
-  /// without images.
-  EyesSource(const Mesh& mesh, const DisplayProfile& profile, EyesOptions options, EyeFeed& feed);
+  /// Reference images for a view of a scene whose positions are in display radii. Throws InputError for views from
+  /// which it cannot be seen. Called by one thread at a time.
+  using ImagesFor = std::function<ReferenceImages(const PinholeCamera& reference)>;
+
+  /// The feed outlives the source.
+  EyesSource(ImagesFor imagesFor, const DisplayProfile& profile, const EyesOptions& options, EyeFeed& feed);
   ~EyesSource() override;
 
   /// Ends where the feed has ended and its last place has been shown. Eyes from which the scene cannot be seen (inside
   /// of it, or of the display) are left out, and the last volume stays.
   SourcedVolume volumeFor(HostTime seen) override;
+  /// The first stage builds the image, the second slices its mesh.
+  VolumeLine* line() override;
+
+  // Of a source that makes nothing at the moment.
 
   /// Whether anybody ever said where the eye is.
   bool eyeCame() const { return eye_.has_value(); }
@@ -47,9 +59,11 @@ class EyesSource final : public VolumeSource {
   const std::vector<Stage>& stages() const { return stages_; }
 
  private:
+  TwoStageLine::SecondStage begin(HostTime seen);
   SourcedVolume leaveOut(const std::string& why);
+  SourcedVolume sliced(const ReferenceImages& images, float imageScale, double imageSeconds);
 
-  const Mesh& mesh_;
+  ImagesFor imagesFor_;
   EyesOptions options_;
   EyeFeed& feed_;
   Slicer slicer_;
@@ -57,6 +71,9 @@ class EyesSource final : public VolumeSource {
   std::vector<Stage> stages_;
   uint64_t leftOut_ = 0;
   std::string firstLeftOut_;
+  std::mutex scaleMutex_;
+  ImageScale scale_;
+  std::unique_ptr<TwoStageLine> line_;  ///< last: its threads use what is above
 };
 
 }  // namespace ocelli

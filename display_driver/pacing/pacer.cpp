@@ -13,6 +13,8 @@ using Duration = std::chrono::nanoseconds;
 
 /// How often the device is asked how it is while nothing else is to be done.
 constexpr Duration kLookInterval = 5ms;
+/// And how often while a volume is being made beside the pacer.
+constexpr Duration kBriefLookInterval = 500us;
 /// What clocks and threads may be late by.
 constexpr Duration kGuard = 1ms;
 /// Of a device that tells its rotation, from when it is there.
@@ -39,6 +41,7 @@ bool known(HostTime time) {
 Pacer::Pacer(Device& device, VolumeSource& source, PaceClock& clock, const PacerOptions& options)
     : device_(device),
       source_(source),
+      line_(source.line()),
       clock_(clock),
       options_(options),
       ideal_(1 / device.profile().refreshHertz()),
@@ -68,7 +71,8 @@ void Pacer::observe() {
     // Refreshes are counted anew.
     locked_ = locked;
     restarts_ = rotation_.restarts();
-    keepSkipped(false);
+    ++counting_;
+    keepSkipped(skipped_, false);
     last_.reset();
     lastFrameDue_.reset();
     target_.reset();
@@ -119,7 +123,9 @@ void Pacer::settle(Pending& pending, const FrameState& state) {
   record.arrived = state.arrived;
   record.problem = state.problem;
   const bool arrivedInTime = known(state.arrived) && state.arrived <= record.due;
-  const RefreshOutcome late = arrivedInTime ? RefreshOutcome::kRefused : RefreshOutcome::kLinkLate;
+  const RefreshOutcome late = pending.sourceLate ? RefreshOutcome::kSourceLate
+                              : arrivedInTime    ? RefreshOutcome::kRefused
+                                                 : RefreshOutcome::kLinkLate;
   switch (state.stage) {
     case FrameStage::kShown: {
       record.shown = state.shown;
@@ -127,6 +133,7 @@ void Pacer::settle(Pending& pending, const FrameState& state) {
       // Without a rotation a frame is due some time in its refresh, and shown with the next one.
       record.late = pending.locked ? state.late || state.shownRefresh > record.refresh
                                    : state.shown > record.due + fromSeconds(1.5 * refreshSeconds());
+      record.late = record.late || pending.sourceLate;
       record.outcome = record.late || state.coarse ? late : RefreshOutcome::kShown;
       if (state.coarse) {
         record.problem = "shown in part";
@@ -188,7 +195,13 @@ Duration Pacer::safeLead() const {
   if (locked_) {
     guard += fromSeconds(3 * rotation_.uncertaintySeconds(clock_.now()));
   }
-  return std::max(usualLead(), making_.high() + transit_.high()) + guard;
+  Duration lead = std::max(usualLead(), making_.high() + transit_.high());
+  if (line_ != nullptr) {
+    // What holds up one of a line holds up the next one, too, which then is no exception. Devices keep one frame that
+    // waits for its refresh: more than one refresh too early is no use.
+    lead = std::min(lead, usualLead() + fromSeconds(refreshSeconds()));
+  }
+  return lead + guard;
 }
 
 void Pacer::chooseTarget(HostTime now) {
@@ -222,8 +235,8 @@ void Pacer::skipUpTo(uint64_t refresh, RefreshOutcome why) {
   }
 }
 
-void Pacer::keepSkipped(bool nothingNew) {
-  for (RefreshRecord& record : std::exchange(skipped_, {})) {
+void Pacer::keepSkipped(std::vector<RefreshRecord>& skipped, bool nothingNew) {
+  for (RefreshRecord& record : std::exchange(skipped, {})) {
     if (nothingNew) {
       record.outcome = RefreshOutcome::kUnchanged;
     }
@@ -231,17 +244,44 @@ void Pacer::keepSkipped(bool nothingNew) {
   }
 }
 
-void Pacer::makeAndSubmit(uint64_t refresh) {
-  RefreshRecord record{.refresh = refresh, .due = beginOf(refresh), .makingBegan = clock_.now()};
-  const SourcedVolume sourced = source_.volumeFor(record.due);
+void Pacer::beginMaking(uint64_t refresh) {
+  const HostTime due = beginOf(refresh);
+  makings_.push_back({.record = {.refresh = refresh, .due = due, .makingBegan = clock_.now()},
+                      .skipped = std::exchange(skipped_, {}),
+                      .counting = counting_});
+  last_ = refresh;
+  if (line_ != nullptr) {
+    line_->begin(due);
+    return;
+  }
+  const SourcedVolume sourced = source_.volumeFor(due);
+  Making making = std::move(makings_.front());
+  makings_.pop_front();
+  submit(std::move(making), sourced);
+}
+
+void Pacer::takeMade() {
+  while (!makings_.empty()) {
+    const std::optional<SourcedVolume> sourced = line_->finished();
+    if (!sourced) {
+      return;
+    }
+    Making making = std::move(makings_.front());
+    makings_.pop_front();
+    submit(std::move(making), *sourced);
+  }
+}
+
+void Pacer::submit(Making making, const SourcedVolume& sourced) {
+  RefreshRecord record = std::move(making.record);
   record.makingEnded = clock_.now();
-  keepSkipped(sourced.kind == SourcedVolume::Kind::kSame);
+  record.imageScale = sourced.imageScale;
+  keepSkipped(making.skipped, sourced.kind == SourcedVolume::Kind::kSame);
   switch (sourced.kind) {
     case SourcedVolume::Kind::kEnd:
       ended_ = true;
       return;
     case SourcedVolume::Kind::kSame:
-      last_ = refresh;
       pending_.push_back({.record = record});
       return;
     case SourcedVolume::Kind::kNew:
@@ -249,18 +289,28 @@ void Pacer::makeAndSubmit(uint64_t refresh) {
   }
   OC_CHECK(sourced.volume != nullptr, "a source gave no volume");
   making_.add(record.makingEnded - record.makingBegan);
+  if (making.counting != counting_) {
+    // The refresh that it was made for has no number any more.
+    record.outcome = RefreshOutcome::kSourceLate;
+    pending_.push_back({.record = record});
+    return;
+  }
   const HostTime there = record.makingEnded + (transit_.empty() ? Duration(0) : transit_.median());
+  bool late = false;
   if (there > record.due) {
     // It is late for this refresh, but not for one after it.
     const uint64_t reached = refreshAfter(there);
     record.outcome = RefreshOutcome::kSourceLate;
-    if (reached > refresh) {
+    if (last_ && *last_ > record.refresh) {
+      // Those after it are being made, or are given up already.
+      late = true;
+    } else if (reached > record.refresh) {
       pending_.push_back({.record = record});
-      last_ = refresh;
       skipUpTo(reached, RefreshOutcome::kSourceLate);
-      keepSkipped(false);
+      keepSkipped(skipped_, false);
       record.refresh = reached;
       record.due = beginOf(reached);
+      target_.reset();
     }
   }
   const auto fence =
@@ -272,9 +322,9 @@ void Pacer::makeAndSubmit(uint64_t refresh) {
   device_.present(fence->number(), presentation);
   record.frame = fence->number();
   record.submitted = clock_.now();
-  last_ = record.refresh;
+  last_ = std::max(last_.value_or(0), record.refresh);
   lastFrameDue_ = record.due;
-  pending_.push_back({.record = record, .fence = fence, .locked = locked_});
+  pending_.push_back({.record = record, .fence = fence, .locked = locked_, .sourceLate = late});
 }
 
 void Pacer::waitForRotation() {
@@ -295,12 +345,20 @@ TimeLineSummary Pacer::run(const Stop& stop, const OnRecord& onRecord) {
   };
   for (HostTime now = begin; goesOn(now); now = clock_.now()) {
     observe();
+    takeMade();
     flush(onRecord);
+    const Duration look = makings_.empty() ? kLookInterval : kBriefLookInterval;
     if (!connected_ || underWay() >= kMaxUnderWay) {
       target_.reset();
       skipUpTo(refreshAfter(now), connected_ ? RefreshOutcome::kLinkLate : RefreshOutcome::kNotConnected);
-      keepSkipped(false);
-      clock_.waitUntil(now + kLookInterval);
+      if (makings_.empty()) {
+        keepSkipped(skipped_, false);
+      }
+      clock_.waitUntil(now + look);
+      continue;
+    }
+    if (line_ != nullptr && !line_->ready()) {
+      clock_.waitUntil(now + look);
       continue;
     }
     if (!target_) {
@@ -308,18 +366,23 @@ TimeLineSummary Pacer::run(const Stop& stop, const OnRecord& onRecord) {
     }
     const HostTime start = beginOf(*target_) - safeLead();
     if (now < start) {
-      clock_.waitUntil(std::min(start, now + kLookInterval));
+      clock_.waitUntil(std::min(start, now + look));
       continue;
     }
-    makeAndSubmit(*std::exchange(target_, std::nullopt));
+    beginMaking(*std::exchange(target_, std::nullopt));
   }
   finish(onRecord);
   return timeLine_.summary();
 }
 
 void Pacer::finish(const OnRecord& onRecord) {
+  while (!makings_.empty()) {
+    takeMade();
+    observe();
+    clock_.waitUntil(clock_.now() + kBriefLookInterval);
+  }
   const HostTime begin = clock_.now();
-  keepSkipped(false);
+  keepSkipped(skipped_, false);
   observe();
   flush(onRecord);
   while (!pending_.empty() && clock_.now() - begin < kMaxWaitForEnd) {

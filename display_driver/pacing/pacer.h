@@ -10,6 +10,9 @@
 // link takes longer than a refresh for a frame, only every second or third refresh gets one: nothing ever waits in a
 // queue, so that the latency stays what the stages take.
 //
+// A source that makes volumes beside the pacer (VolumeLine) has two of them under way at a time: where making one takes
+// longer than a refresh, but none of its stages does, every refresh still gets its own.
+//
 // Where the device does not tell its rotation, refreshes are counted from the begin at the rate of the profile, and
 // frames are shown as soon as they are there.
 #pragma once
@@ -54,6 +57,13 @@ class Pacer {
     RefreshRecord record;
     std::shared_ptr<const FrameFence> fence{};  ///< nullptr: all is known
     bool locked = false;                        ///< it was told at which refresh
+    bool sourceLate = false;                    ///< it was late before it was submitted
+  };
+  /// A volume that is being made.
+  struct Making {
+    RefreshRecord record;
+    std::vector<RefreshRecord> skipped;  ///< before it
+    uint64_t counting = 0;               ///< of its refreshes
   };
 
   void waitForRotation();
@@ -65,8 +75,10 @@ class Pacer {
   void finish(const OnRecord& onRecord);
   void chooseTarget(HostTime now);
   void skipUpTo(uint64_t refresh, RefreshOutcome why);
-  void keepSkipped(bool nothingNew);
-  void makeAndSubmit(uint64_t refresh);
+  void keepSkipped(std::vector<RefreshRecord>& skipped, bool nothingNew);
+  void beginMaking(uint64_t refresh);
+  void takeMade();
+  void submit(Making making, const SourcedVolume& sourced);
   size_t underWay() const;
 
   // The rotation, as the device tells it or as it is made up.
@@ -79,22 +91,25 @@ class Pacer {
 
   Device& device_;
   VolumeSource& source_;
+  VolumeLine* line_;
   PaceClock& clock_;
   PacerOptions options_;
   RotationClock ideal_;     ///< of a device that does not tell its rotation
   RotationClock rotation_;  ///< as the device tells it
   uint64_t restarts_ = 0;
+  uint64_t counting_ = 0;  ///< how often refreshes were counted anew
   bool locked_ = false;
   bool connected_ = false;
   bool ended_ = false;
 
-  std::optional<uint64_t> last_;    ///< refresh that has been dealt with
+  std::optional<uint64_t> last_;    ///< refresh that has been dealt with, or whose volume is being made
   std::optional<uint64_t> target_;  ///< the next one that gets a frame
   std::optional<HostTime> lastFrameDue_;
   StageTimes making_;
   StageTimes transit_;  ///< from the end of the making to the arrival
   StageTimes sending_;  ///< while the link was busy with a frame
   HostTime lastSent_{};
+  std::deque<Making> makings_;
   std::deque<Pending> pending_;
   std::vector<Pending> givenUp_;        ///< told as missed, and still on their way to the device: at most two
   std::vector<RefreshRecord> skipped_;  ///< until the source says whether it had anything for them

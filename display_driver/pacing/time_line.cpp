@@ -79,6 +79,8 @@ void TimeLine::add(const RefreshRecord& record) {
   }
   if (record.shown != kUnknown) {
     ++summary_.framesShown;
+    summary_.smallerImages += record.imageScale < 1 ? 1 : 0;
+    summary_.leastImageScale = std::min(summary_.leastImageScale, record.imageScale);
     latency_.push_back(millisecondsBetween(record.makingBegan, record.shown));
   }
 }
@@ -94,16 +96,17 @@ TimeLineSummary TimeLine::summary() const {
 
 std::string timeLineHeader() {
   return "refresh,due_ms,frame,outcome,making_began_ms,making_ended_ms,submitted_ms,sent_ms,arrived_ms,shown_ms,"
-         "shown_refresh,late,problem\n";
+         "shown_refresh,late,image_scale,problem\n";
 }
 
 std::string timeLineRow(const RefreshRecord& record, HostTime start) {
   const bool shown = record.shown != kUnknown;
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", record.refresh, cell(record.due, start),
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", record.refresh, cell(record.due, start),
                      record.frame == 0 ? "" : std::to_string(record.frame), nameOf(record.outcome),
                      cell(record.makingBegan, start), cell(record.makingEnded, start), cell(record.submitted, start),
                      cell(record.sent, start), cell(record.arrived, start), cell(record.shown, start),
-                     shown ? std::to_string(record.shownRefresh) : "", record.late ? 1 : 0, quoted(record.problem));
+                     shown ? std::to_string(record.shownRefresh) : "", record.late ? 1 : 0,
+                     record.frame == 0 ? "" : fmt::format("{:.3g}", record.imageScale), quoted(record.problem));
 }
 
 }  // namespace ocelli

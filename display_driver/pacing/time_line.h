@@ -39,7 +39,8 @@ struct RefreshRecord {
   HostTime arrived{};
   HostTime shown{};
   uint64_t shownRefresh = 0;
-  bool late = false;  ///< its frame was shown, after this refresh had begun
+  bool late = false;     ///< its frame was shown, after this refresh had begun
+  float imageScale = 1;  ///< of the images that its frame was made of (volume_source.h)
   std::string problem{};
 };
 
@@ -54,8 +55,10 @@ struct TimeLineSummary {
   uint64_t refreshes = 0;
   std::array<uint64_t, kRefreshOutcomes> outcomes{};
   uint64_t misses = 0;
-  uint64_t framesShown = 0;  ///< in time or late
-  double seconds = 0;        ///< from the first refresh to the last
+  uint64_t framesShown = 0;    ///< in time or late
+  uint64_t smallerImages = 0;  ///< of these those made of smaller images than asked for, as time ran short
+  float leastImageScale = 1;   ///< of these
+  double seconds = 0;          ///< from the first refresh to the last
   Spread making;
   Spread submitting;
   Spread sending;  ///< from submit() to the last byte, or to the arrival where that is not known

@@ -33,6 +33,12 @@ struct RepresentationInputs {
   const SceneRenderer* renderer = nullptr;
 };
 
+/// What of a scene a construction may look at, beside what the reference view shows.
+struct ViewedPart {
+  float reach = 0;         ///< its viewpoints lie within this distance of the reference eye, display radii
+  float marginPixels = 0;  ///< it sees no farther than this beside the reference's image
+};
+
 /// Its functions are called from any thread, and from several at once.
 struct RepresentationKind {
   /// Both texts must stay until the program ends, as string literals do.
@@ -54,6 +60,8 @@ struct RepresentationKind {
   std::optional<size_t> rayCrossover = {};
   /// Directions of the view segments that it is made for; empty where it is made for a cell, or the reference eye.
   std::function<std::vector<glm::vec3>(const CameraChoice&)> segments = {};
+  /// What it looks at, where that is less than the whole scene; empty, or nothing: the whole scene.
+  std::function<std::optional<ViewedPart>(const CameraChoice&, const PinholeCamera& reference)> viewed = {};
   /// The image drawn in another way; empty where there is one way only. Throws InputError for ways that it lacks.
   std::function<ReferenceImage(Technique, const RepresentationInputs&)> draw = {};
   /// The rays of each image. Builds the cameras, so it takes about as long.

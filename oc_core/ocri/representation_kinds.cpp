@@ -80,6 +80,50 @@ ReferenceImage drawnBy(Technique technique, const C& camera, const Inputs& in) {
   return referenceImage(fragments(), in.mesh, in.reference, in.choice.name);
 }
 
+// ---- what of a scene they look at (representation_kind.h)
+
+std::optional<ViewedPart> viewedFromEye(const CameraChoice&, const PinholeCamera&) {
+  return ViewedPart{};
+}
+
+/// What a pinhole displaces into its image.
+std::optional<ViewedPart> viewedDisplaced(const CameraChoice& choice, const PinholeCamera&) {
+  constexpr float kBetweenPixels = 4;
+  const float longest = std::max(choice.ddoc.maxHiddenPixels, choice.ddoc.constantRadiusPixels);
+  return ViewedPart{.marginPixels = 2 * longest + kBetweenPixels};
+}
+
+/// From viewpoints that far away that look at the same target.
+std::optional<ViewedPart> viewedWithin(float reach, const PinholeCamera& reference) {
+  const View& view = reference.view();
+  const glm::vec3 step = view.target - view.eye;
+  const float distance = glm::length(step);
+  constexpr float kUpright = 0.9f;  // nearer to their up directions viewpoints roll
+  if (reach >= distance / 2 || std::abs(glm::dot(step, glm::normalize(view.up))) > kUpright * distance) {
+    return std::nullopt;
+  }
+  const float f = reference.focalPixels();
+  const float half = static_cast<float>(std::max(reference.width(), reference.height())) *
+                     (0.5f + std::max(std::abs(view.centerShift.x), std::abs(view.centerShift.y)));
+  // How far a point at the border moves where the view turns by that angle, and comes nearer by that share.
+  const float angle = reach / (distance - reach);
+  return ViewedPart{reach, angle * (f + 2 * half + half * half / f)};
+}
+
+std::optional<ViewedPart> viewedFromCell(const CameraChoice& choice, const PinholeCamera& reference) {
+  return viewedWithin(choice.cellSideRadii * 0.8661f, reference);  // half the diagonal of a cube
+}
+
+std::optional<ViewedPart> viewedFromSegment(const CameraChoice& choice, const PinholeCamera& reference) {
+  std::optional<ViewedPart> part = viewedWithin(choice.cellSideRadii / 2, reference);
+  const glm::vec3 along = glm::normalize(choice.segmentDirection);
+  if (part && std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)}) < 0.999f) {
+    // The image is rolled, and holds the reference's.
+    part->marginPixels += static_cast<float>(std::max(reference.width(), reference.height())) / 2;
+  }
+  return part;
+}
+
 // ---- images of several cameras
 
 ReferenceImages layeredDepthImage(const Inputs& in) {
@@ -144,6 +188,7 @@ RepresentationKind cornersRow(const char* name, const char* description, int cou
               [](const Inputs& in) {
                 return buildCornerDepthImages(in.reference, in.mesh, cubeOf(in.choice), in.choice.count, in.renderer);
               },
+          .viewed = viewedFromCell,
           .rays = pinholeRays};
 }
 
@@ -156,6 +201,7 @@ RepresentationKind ddocRow(const char* name, const char* description, std::funct
             return {buildDdocImage(in.reference, in.mesh, in.choice.ddoc, in.progress, in.renderer)};
           },
           .rayCrossover = RayCrossover::kDdoc,
+          .viewed = viewedDisplaced,
           .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, ddocCamera(in), in); },
           .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
             return {raysOf(ddocCamera(in))};
@@ -179,6 +225,7 @@ RepresentationKind eocRow(const char* name, const char* description, const glm::
           },
           .rayCrossover = RayCrossover::kEoc,
           .segments = [](const CameraChoice& choice) { return std::vector{choice.segmentDirection}; },
+          .viewed = viewedFromSegment,
           .draw =
               [](Technique technique, const Inputs& in) {
                 if (technique != Technique::kRaycast) {
@@ -202,6 +249,14 @@ RepresentationKind crossedRow(const char* name, const char* description, bool wi
       .segments =
           [](const CameraChoice&) {
             return std::vector{kHorizontalSegment, kVerticalSegment};
+          },
+      .viewed =
+          [withDdoc](const CameraChoice& choice, const PinholeCamera& reference) {
+            std::optional<ViewedPart> part = viewedWithin(choice.cellSideRadii / 2, reference);
+            if (part && withDdoc) {
+              part->marginPixels = std::max(part->marginPixels, viewedDisplaced(choice, reference)->marginPixels);
+            }
+            return part;
           },
       .rays =
           [withDdoc](const Inputs& in, const ReferenceImages&) {
@@ -237,6 +292,7 @@ std::vector<RepresentationKind> builtinRepresentations() {
                     return {buildDepthImage(in.reference, in.mesh, in.renderer)};
                   },
                   .rayCrossover = RayCrossover::kDepthImage,
+                  .viewed = viewedFromEye,
                   .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, in.reference, in); },
                   .rays = pinholeRays});
   rows.push_back({.name = "di-wide",
@@ -256,6 +312,7 @@ std::vector<RepresentationKind> builtinRepresentations() {
                   .prepare = [](CameraChoice& choice) { choice.count = 4; },
                   .maxCount = kMaxLayers,
                   .images = layeredDepthImage,
+                  .viewed = viewedFromEye,
                   .rays = pinholeRays,
                   .needsCpu = "peels layers, which only rasterisation on the CPU does"});
   rows.push_back(
@@ -308,6 +365,10 @@ std::vector<RepresentationKind> builtinRepresentations() {
          return {buildCellImage(cellCamera(in), in.mesh, in.renderer)};
        },
        .rayCrossover = RayCrossover::kCell,
+       .viewed =
+           [](const CameraChoice& choice, const PinholeCamera& reference) {
+             return viewedWithin(choice.cell.cell.sideRadii * 0.8661f, reference);
+           },
        .draw =
            [](Technique technique, const Inputs& in) {
              if (technique != Technique::kRaycast) {

@@ -10,6 +10,11 @@ std::vector<ClusterChoice> allClusters(const PackedScene& scene) {
       scene, [](const Sphere&) { return true; }, [](const Sphere&, float) { return false; });
 }
 
+std::vector<ClusterChoice> coarsestClusters(const PackedScene& scene, float maxError) {
+  return chooseClusters(
+      scene, [](const Sphere&) { return true; }, [&](const Sphere&, float error) { return error <= maxError; });
+}
+
 Mesh meshOf(const PackedScene& scene, const std::vector<ClusterChoice>& chosen) {
   struct Place {
     size_t vertex = 0;

@@ -56,6 +56,9 @@ std::vector<ClusterChoice> chooseClusters(const PackedScene& scene, const IsVisi
 /// The triangles of the scene itself, in an order that depends on the file alone.
 std::vector<ClusterChoice> allClusters(const PackedScene& scene);
 
+/// All of the scene, as coarse as it may be where no surface is off by more than that, world units.
+std::vector<ClusterChoice> coarsestClusters(const PackedScene& scene, float maxError);
+
 /// Their triangles, cluster after cluster in the order of `chosen`; each cluster has vertices of its own.
 Mesh meshOf(const PackedScene& scene, const std::vector<ClusterChoice>& chosen);
 

@@ -47,12 +47,12 @@ std::vector<LevelCluster> levelClusters(std::vector<Cluster> clusters) {
   return levels;
 }
 
-std::vector<LevelCluster> coarsened(std::vector<LevelCluster> clusters, const TakeGroup& take) {
+std::vector<LevelCluster> coarsened(std::vector<LevelCluster> clusters, size_t enough, const TakeGroup& take) {
   // What could not be simplified may be later, with other neighbours.
   constexpr float kGoesOn = 0.9f;
-  for (size_t before = 0; clusters.size() > 1 && (before == 0 || static_cast<float>(clusters.size()) <
-                                                                     kGoesOn * static_cast<float>(before));) {
-    before = clusters.size();
+  bool helps = true;
+  while (helps && clusters.size() > enough) {
+    const size_t before = clusters.size();
     std::vector<const Cluster*> plain;
     plain.reserve(clusters.size());
     for (const LevelCluster& level : clusters) {
@@ -82,6 +82,7 @@ std::vector<LevelCluster> coarsened(std::vector<LevelCluster> clusters, const Ta
       }
     }
     clusters = std::move(next);
+    helps = static_cast<float>(clusters.size()) < kGoesOn * static_cast<float>(before);
   }
   return clusters;
 }

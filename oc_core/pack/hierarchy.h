@@ -49,9 +49,9 @@ using TakeGroup = std::function<GroupName(ClusterGroup group)>;
 /// Clusters of the scene itself.
 std::vector<LevelCluster> levelClusters(std::vector<Cluster> clusters);
 
-/// Replaces clusters by coarser ones for as long as that makes them fewer; those that are left come back. On all
-/// threads.
-std::vector<LevelCluster> coarsened(std::vector<LevelCluster> clusters, const TakeGroup& take);
+/// Replaces clusters by coarser ones until there are no more than `enough`, or that does not make them fewer; those
+/// that are left come back. On all threads.
+std::vector<LevelCluster> coarsened(std::vector<LevelCluster> clusters, size_t enough, const TakeGroup& take);
 
 /// Groups that nothing replaces, for clusters that stay.
 std::vector<ClusterGroup> standingGroups(std::vector<LevelCluster> clusters);

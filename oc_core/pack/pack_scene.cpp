@@ -20,6 +20,10 @@
 namespace ocelli {
 namespace {
 
+/// Clusters at which a part leaves the rest to the one above. The border of a part stays as fine as the scene itself:
+/// to go on within it would bend what is inside around a border that is finer by far.
+constexpr size_t kEnough = 1000;
+
 /// Clusters that a part leaves to those above, at most, where they were never simplified.
 constexpr size_t kMaxRest = 2000;
 
@@ -147,7 +151,8 @@ class PackJob {
       part.groups.push_back(packedGroup(group));
       return GroupName{index, static_cast<uint32_t>(part.groups.size() - 1)};
     };
-    part.rest = coarsened(std::move(clusters), take);
+    const bool isWhole = index + 1 == plan_.parts.size();
+    part.rest = coarsened(std::move(clusters), isWhole ? 1 : kEnough, take);
     // What is in pieces that nothing simplifies would fill the memory of the parts above.
     if (part.rest.size() > kMaxRest) {
       const auto stays = std::stable_partition(part.rest.begin(), part.rest.end(),

@@ -59,7 +59,7 @@ glm::vec3 nearestWeights(const glm::vec3& p, const glm::vec3& a, const glm::vec3
 struct Facet {
   std::array<uint32_t, 3> corners;
   Sphere bounds;
-  float longestSide = 0;
+  float height = 0;  ///< over its longest side
 };
 
 std::vector<Facet> facetsOf(const std::vector<uint32_t>& indices, const std::vector<glm::vec3>& positions) {
@@ -69,7 +69,9 @@ std::vector<Facet> facetsOf(const std::vector<uint32_t>& indices, const std::vec
     Facet facet{{indices[i], indices[i + 1], indices[i + 2]}, {}, 0};
     const std::array<glm::vec3, 3> p{positions[indices[i]], positions[indices[i + 1]], positions[indices[i + 2]]};
     facet.bounds = aroundPoints(p);
-    facet.longestSide = std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
+    const float longest = std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
+    const float twiceArea = glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
+    facet.height = longest > 0 ? twiceArea / longest : 0;
     facets.push_back(facet);
   }
   return facets;
@@ -104,7 +106,58 @@ LevelError errorAt(uint32_t vertex, const WeldedTriangles& fine, const std::vect
                           linearColor(fine.colors[found->corners[1]]) * weights.y +
                           linearColor(fine.colors[found->corners[2]]) * weights.z;
   const glm::vec3 off = glm::abs(color - linearColor(fine.colors[vertex]));
-  return {nearest, std::max({off.r, off.g, off.b}) * found->longestSide / 3};
+  return {nearest, std::max({off.r, off.g, off.b}) * found->height / 3};
+}
+
+/// The triangles that meshoptimizer makes of `part`, with its open edges as they are, so that the whole has `target`
+/// indices or more.
+std::vector<uint32_t> fewerTriangles(const std::vector<uint32_t>& part, const WeldedTriangles& welded, size_t target) {
+  std::vector<uint32_t> fewer(part.size());
+  constexpr float kAnyError = 1;  // of the extent: as much as the target asks for
+  fewer.resize(meshopt_simplify(fewer.data(), part.data(), part.size(), &welded.positions[0].x, welded.positions.size(),
+                                sizeof(glm::vec3), target, kAnyError, meshopt_SimplifyLockBorder, nullptr));
+  return fewer;
+}
+
+/// What some coarser triangles are off by, at the vertices that they left out.
+struct LeftOut {
+  uint32_t vertex = 0;
+  LevelError error;
+};
+
+std::vector<LeftOut> errorsOf(const std::vector<uint32_t>& coarse, const WeldedTriangles& welded) {
+  std::vector<uint8_t> isLeft(welded.positions.size(), 0);
+  for (const uint32_t vertex : coarse) {
+    isLeft[vertex] = 1;
+  }
+  const std::vector<Facet> facets = facetsOf(coarse, welded.positions);
+  std::vector<LeftOut> errors;
+  for (uint32_t vertex = 0; vertex < welded.positions.size(); ++vertex) {
+    if (isLeft[vertex] == 0) {
+      errors.push_back({vertex, errorAt(vertex, welded, facets)});
+    }
+  }
+  return errors;
+}
+
+/// The vertices that are off by far more than most: one of them would count for all of the group.
+std::vector<uint32_t> farOff(const std::vector<LeftOut>& errors) {
+  std::vector<float> sorted;
+  for (const LeftOut& each : errors) {
+    sorted.push_back(each.error.larger());
+  }
+  const size_t most = sorted.size() * 3 / 4;
+  std::vector<uint32_t> vertices;
+  if (most < sorted.size()) {
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(most), sorted.end());
+    constexpr float kFarMore = 5;
+    for (const LeftOut& each : errors) {
+      if (each.error.larger() > kFarMore * sorted[most]) {
+        vertices.push_back(each.vertex);
+      }
+    }
+  }
+  return vertices;
 }
 
 }  // namespace
@@ -112,25 +165,39 @@ LevelError errorAt(uint32_t vertex, const WeldedTriangles& fine, const std::vect
 std::optional<SimplifiedTriangles> simplified(const WeldedTriangles& welded) {
   const std::vector<uint32_t>& fine = welded.indices;
   const size_t target = welded.triangleCount() / 2 * 3;
-  std::vector<uint32_t> coarse(fine.size());
-  constexpr float kAnyError = 1;  // of the extent: as much as the target asks for
-  coarse.resize(meshopt_simplify(coarse.data(), fine.data(), fine.size(), &welded.positions[0].x,
-                                 welded.positions.size(), sizeof(glm::vec3), target, kAnyError,
-                                 meshopt_SimplifyLockBorder, nullptr));
+  std::vector<uint8_t> stays(welded.positions.size(), 0);
+  std::vector<uint32_t> coarse = fewerTriangles(fine, welded, target);
+  std::vector<LeftOut> errors = errorsOf(coarse, welded);
+  constexpr int kMaxRounds = 6;
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const std::vector<uint32_t> off = farOff(errors);
+    if (off.empty()) {
+      break;
+    }
+    // The triangles around them stay as they are.
+    for (const uint32_t vertex : off) {
+      stays[vertex] = 1;
+    }
+    std::vector<uint32_t> staying;
+    std::vector<uint32_t> rest;
+    for (size_t i = 0; i < fine.size(); i += 3) {
+      const bool stay = stays[fine[i]] != 0 || stays[fine[i + 1]] != 0 || stays[fine[i + 2]] != 0;
+      (stay ? staying : rest).insert((stay ? staying : rest).end(), {fine[i], fine[i + 1], fine[i + 2]});
+    }
+    if (rest.empty()) {
+      return std::nullopt;
+    }
+    coarse = fewerTriangles(rest, welded, target > staying.size() ? target - staying.size() : 0);
+    coarse.insert(coarse.end(), staying.begin(), staying.end());
+    errors = errorsOf(coarse, welded);
+  }
   if (coarse.empty() || static_cast<float>(coarse.size()) > kWorthwhile * static_cast<float>(fine.size())) {
     return std::nullopt;
   }
-  std::vector<uint8_t> isLeft(welded.positions.size(), 0);
-  for (const uint32_t vertex : coarse) {
-    isLeft[vertex] = 1;
-  }
-  const std::vector<Facet> facets = facetsOf(coarse, welded.positions);
   SimplifiedTriangles result;
-  for (uint32_t vertex = 0; vertex < welded.positions.size(); ++vertex) {
-    if (isLeft[vertex] == 0) {
-      const LevelError error = errorAt(vertex, welded, facets);
-      result.error = {std::max(result.error.distance, error.distance), std::max(result.error.color, error.color)};
-    }
+  for (const LeftOut& each : errors) {
+    result.error = {std::max(result.error.distance, each.error.distance),
+                    std::max(result.error.color, each.error.color)};
   }
   Welder welder(coarse.size() / 3);
   for (size_t i = 0; i < coarse.size(); i += 3) {

@@ -12,9 +12,10 @@ namespace ocelli {
 struct LevelError {
   /// How far any vertex that was there lies from the coarser surface.
   float distance = 0;
-  /// Where the colour of such a vertex differs by a share c of full light from that of the coarser surface: c s / 3,
-  /// with s the longest side of the triangle there. The difference vanishes at its corners, so its integral over the
-  /// triangle is that of a tent, c s^2 / 3: as much as where an edge of full light, as long as s, is off by so much.
+  /// Where the colour of such a vertex differs by a share c of full light from that of the coarser surface: c w / 3,
+  /// with w the height of the triangle there over its longest side s. The difference vanishes at the corners: two
+  /// thirds of c all over the triangle, whose area is s w / 2, are as much as where an edge of full light, as long as
+  /// s, is off by so much.
   float color = 0;
 
   float larger() const { return std::max(distance, color); }

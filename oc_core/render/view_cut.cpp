@@ -47,10 +47,28 @@ class WideFrustum {
   std::array<glm::vec3, 4> sides_{};  ///< inward normals, in camera coordinates
 };
 
+/// All of the scene, by its distance from a ball of eyes.
+std::vector<ClusterChoice> cutAllAround(const PackedScene& scene, const PinholeCamera& camera,
+                                        const ViewCutOptions& options) {
+  // Of a panorama whose image is as large, a pixel takes up more than that.
+  const float pixelsPerRadian = std::max(camera.focalPixels(), static_cast<float>(camera.width()) / 2);
+  const float pixelsPerError = pixelsPerRadian / options.maxErrorPixels;
+  const glm::vec3 eye = camera.eye();
+  return chooseClusters(
+      scene, [](const Sphere&) { return true; },
+      [&](const Sphere& sphere, float error) {
+        const float distance = glm::distance(sphere.center, eye) - sphere.radius - options.reach;
+        return error * pixelsPerError <= std::max(distance, camera.view().zNear);
+      });
+}
+
 }  // namespace
 
 std::vector<ClusterChoice> viewCut(const PackedScene& scene, const PinholeCamera& camera,
                                    const ViewCutOptions& options) {
+  if (options.allAround) {
+    return cutAllAround(scene, camera, options);
+  }
   const WideFrustum frustum(camera, options);
   return chooseClusters(
       scene, [&](const Sphere& sphere) { return frustum.meets(sphere); },

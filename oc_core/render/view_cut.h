@@ -16,6 +16,8 @@ struct ViewCutOptions {
   float marginPixels = 0;
   /// The viewpoints lie within this distance of the eye, world units.
   float reach = 0;
+  /// Whether rays go anywhere, and not into the image alone: then nothing is left out, and the margin has no meaning.
+  bool allAround = false;
 };
 
 /// For pinholes with the view direction and the image of `camera`, and for cameras that displace their samples.

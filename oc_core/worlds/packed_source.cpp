@@ -80,7 +80,7 @@ std::string digestOf(const std::vector<T>& values) {
 /// What tells that a scene is the same as in an earlier job: all that the packed file depends on.
 std::string sourceKeyOf(const Scene& scene, const SceneOptions& options, const std::string& description) {
   // What this says of how scenes are packed changes with that.
-  std::string key = fmt::format("packing 1 {} fit={} shading={}", description, options.fit, nameOf(options.shading));
+  std::string key = fmt::format("packing 2 {} fit={} shading={}", description, options.fit, nameOf(options.shading));
   for (const Mesh& mesh : scene.meshes) {
     key += "\n" + digestOf(mesh.positions) + digestOf(mesh.colors) + digestOf(mesh.triangles);
   }

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <mutex>
+#include <thread>
 
 #include "display_driver/pacing/eyes_source.h"
 #include "display_driver/pacing/recording_source.h"
@@ -10,6 +14,7 @@
 #include "display_driver/pacing/turning_source.h"
 #include "display_sim/frames/svol_writer.h"
 #include "oc_core/base/error.h"
+#include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/union_mesh.h"
 #include "oc_core/scene/ply_file.h"
 #include "oc_core/scene/scene.h"
@@ -182,23 +187,33 @@ TEST_F(SeriesSourceTest, tellsWhetherAPartOfAnyMeshIsCutOff) {
 /// Eyes that a test sets.
 class SetEyes final : public EyeFeed {
  public:
-  std::optional<glm::vec3> eyeAt(HostTime) override { return eye; }
+  std::optional<glm::vec3> eyeAt(HostTime) override {
+    const std::lock_guard lock(mutex);
+    return eye;
+  }
   bool ended(HostTime) override { return over; }
+  std::mutex mutex;
   std::optional<glm::vec3> eye;
   bool over = false;
 };
 
 class EyesSourceTest : public testing::Test {
  protected:
-  static EyesOptions options(const char* camera) {
-    return {.camera = cameraChoice(camera), .width = 90, .height = 60, .slicing = {}};
+  EyesSource sourceFor(const char* camera, double minImageScale = 1) {
+    return EyesSource(imagesBy(camera), smallDisplay(),
+                      {.width = 90, .height = 60, .slicing = {}, .minImageScale = minImageScale}, eyes);
+  }
+  EyesSource::ImagesFor imagesBy(const char* camera) const {
+    return [this, choice = cameraChoice(camera)](const PinholeCamera& reference) {
+      return buildReferenceImages(choice, reference, mesh);
+    };
   }
   const Mesh mesh = teapot();
   SetEyes eyes;
 };
 
 TEST_F(EyesSourceTest, isTheSlicedMeshOfTheReferenceImageFromThere) {
-  EyesSource source(mesh, smallDisplay(), options("ddoc"), eyes);
+  EyesSource source = sourceFor("ddoc");
   EXPECT_EQ(source.volumeFor(kStart).kind, Kind::kSame);  // nobody is there
   for (const glm::vec3 eye : {glm::vec3(0, 0, 10), glm::vec3(3, 1, 9), glm::vec3(0, 10, 0)}) {
     eyes.eye = eye;
@@ -221,7 +236,7 @@ TEST_F(EyesSourceTest, isTheSlicedMeshOfTheReferenceImageFromThere) {
 }
 
 TEST_F(EyesSourceTest, eyesThatSeeNothingAreLeftOut) {
-  EyesSource source(mesh, smallDisplay(), options("di"), eyes);
+  EyesSource source = sourceFor("di");
   for (const glm::vec3 inside : {glm::vec3(0, 0, 0.5f), glm::vec3(0)}) {
     eyes.eye = inside;
     EXPECT_EQ(source.volumeFor(kStart).kind, Kind::kSame);
@@ -233,15 +248,75 @@ TEST_F(EyesSourceTest, eyesThatSeeNothingAreLeftOut) {
 }
 
 TEST_F(EyesSourceTest, endsWhenTheLastPlaceHasBeenShown) {
-  EyesSource source(mesh, smallDisplay(), options("di"), eyes);
+  EyesSource source = sourceFor("di");
   eyes.eye = glm::vec3(0, 0, 10);
   eyes.over = true;
   EXPECT_EQ(source.volumeFor(kStart).kind, Kind::kNew);
   EXPECT_EQ(source.volumeFor(kStart).kind, Kind::kEnd);
 }
 
-TEST_F(EyesSourceTest, camerasWithoutImagesAreRefused) {
-  EXPECT_THROW(EyesSource(mesh, smallDisplay(), options("geometry"), eyes), InputError);
+TEST_F(EyesSourceTest, makesTheSameBesideTheCaller) {
+  EyesSource source = sourceFor("eoc-h");
+  EyesSource beside = sourceFor("eoc-h");
+  VolumeLine& line = *beside.line();
+  const std::vector<glm::vec3> places{{0, 0, 10}, {3, 1, 9}, {0, 0, 0.5f}, {3, 1, 8}, {-3, 1, 9}};
+  std::vector<SourcedVolume> made;
+  for (const glm::vec3& place : places) {
+    while (!line.ready()) {
+      if (const auto volume = line.finished()) {
+        made.push_back(*volume);
+      }
+      std::this_thread::sleep_for(1ms);
+    }
+    const std::lock_guard lock(eyes.mutex);
+    eyes.eye = place;
+    line.begin(kStart);
+  }
+  while (made.size() < places.size()) {
+    if (const auto volume = line.finished()) {
+      made.push_back(*volume);
+    }
+  }
+  for (size_t i = 0; i < places.size(); ++i) {
+    eyes.eye = places[i];
+    const SourcedVolume expected = source.volumeFor(kStart);
+    ASSERT_EQ(made[i].kind, expected.kind) << i;
+    if (expected.kind == Kind::kNew) {
+      EXPECT_EQ(*made[i].volume, *expected.volume) << i;
+    }
+  }
+  EXPECT_EQ(beside.eyesLeftOut(), 1u);
+}
+
+TEST_F(EyesSourceTest, imagesAreSmallerWhileTimeIsShort) {
+  const auto images = imagesBy("di");
+  std::atomic<bool> slow = true;
+  std::vector<int> widths;
+  EyesSource source(
+      [&](const PinholeCamera& reference) {
+        widths.push_back(reference.width());
+        std::this_thread::sleep_for(slow ? 70ms : 0ms);
+        return images(reference);
+      },
+      smallDisplay(), {.width = 90, .height = 60, .slicing = {}, .minImageScale = 0.5}, eyes);
+  float scale = 0;
+  const auto next = [&](int i) {
+    eyes.eye = glm::vec3(0.01f * static_cast<float>(i), 0, 10);
+    const SourcedVolume made = source.volumeFor(kStart);
+    ASSERT_EQ(made.kind, Kind::kNew);
+    EXPECT_EQ(widths.back(), static_cast<int>(std::lround(90.0f * made.imageScale)));
+    scale = made.imageScale;
+  };
+  for (int i = 0; i < 8; ++i) {
+    next(i);
+  }
+  EXPECT_EQ(widths.front(), 90);
+  EXPECT_FLOAT_EQ(scale, 0.5f);
+  slow = false;
+  for (int i = 8; i < 80; ++i) {
+    next(i);
+  }
+  EXPECT_GT(scale, 0.55f) << "it grows again";
 }
 
 }  // namespace

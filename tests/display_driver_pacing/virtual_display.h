@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -176,6 +177,12 @@ class VirtualSource final : public VolumeSource {
         milliseconds_(std::move(milliseconds)),
         volume_(std::make_shared<const Volume>(loadProfile("test"))) {}
 
+  /// Makes volumes in two stages from now on: this one, and that which was given first.
+  void overlap(std::function<double(int)> secondMilliseconds) {
+    line_ = std::make_unique<Line>(*this, std::move(secondMilliseconds));
+  }
+  VolumeLine* line() override { return line_.get(); }
+
   SourcedVolume volumeFor(HostTime time) override {
     if (asked == ends) {
       return {};
@@ -192,6 +199,47 @@ class VirtualSource final : public VolumeSource {
     return {.kind = SourcedVolume::Kind::kNew, .volume = volume_};
   }
 
+  /// As if each stage had a processor of its own.
+  class Line final : public VolumeLine {
+   public:
+    Line(VirtualSource& source, std::function<double(int)> second) : source_(source), second_(std::move(second)) {}
+    bool ready() const override { return source_.clock_.now() >= firstFree_ && underWay_.size() < 2; }
+    void begin(HostTime seen) override {
+      const HostTime now = source_.clock_.now();
+      if (source_.asked == source_.ends) {
+        underWay_.push_back({now, {}});
+        return;
+      }
+      const int number = source_.asked++;
+      if (source_.same && source_.same(number)) {
+        underWay_.push_back({now, {.kind = SourcedVolume::Kind::kSame}});
+        return;
+      }
+      source_.seen.push_back(seen);
+      firstFree_ = now + milliseconds(source_.milliseconds_(number));
+      secondFree_ = std::max(firstFree_, secondFree_) + milliseconds(second_(number));
+      underWay_.push_back({secondFree_, {.kind = SourcedVolume::Kind::kNew, .volume = source_.volume_}});
+      if (source_.after) {
+        source_.after(number);
+      }
+    }
+    std::optional<SourcedVolume> finished() override {
+      if (underWay_.empty() || underWay_.front().first > source_.clock_.now()) {
+        return std::nullopt;
+      }
+      const SourcedVolume volume = underWay_.front().second;
+      underWay_.pop_front();
+      return volume;
+    }
+
+   private:
+    VirtualSource& source_;
+    std::function<double(int)> second_;
+    HostTime firstFree_{};
+    HostTime secondFree_{};
+    std::deque<std::pair<HostTime, SourcedVolume>> underWay_;
+  };
+
   std::vector<HostTime> seen;
   std::function<bool(int)> same;
   std::function<void(int)> after;
@@ -202,6 +250,7 @@ class VirtualSource final : public VolumeSource {
   VirtualClock& clock_;
   std::function<double(int)> milliseconds_;
   std::shared_ptr<const Volume> volume_;
+  std::unique_ptr<Line> line_;
 };
 
 }  // namespace ocelli::test
