@@ -181,32 +181,43 @@ const RayScene* raysOf(const SceneRenderer* renderer) {
   return renderer != nullptr ? renderer->rays() : nullptr;
 }
 
-/// How the scene is looked at: by a renderer where there is one.
-struct Scene {
-  const Mesh& mesh;
-  const SceneRenderer* renderer;
-  std::vector<glm::vec3> corners{};
-
-  Scene(const Mesh& ofMesh, const SceneRenderer* by) : mesh(ofMesh), renderer(by) {
+/// How the scene is looked at in one construction: by a renderer where there is one.
+class Scene {
+ public:
+  Scene(const Mesh& mesh, const SceneRenderer* by) : mesh_(mesh), renderer_(by) {
     const Box box = raysOf(by) != nullptr ? raysOf(by)->bounds() : Box();
     if (!box.empty()) {
       const std::array<glm::vec3, 8> ofBox = cornersOf(box);
-      corners.assign(ofBox.begin(), ofBox.end());
+      corners_.assign(ofBox.begin(), ofBox.end());
     }
   }
 
   /// The scene lies between these: its vertices, or the corners of the box around it.
-  std::span<const glm::vec3> outerPoints() const { return raysOf(renderer) != nullptr ? corners : mesh.positions; }
+  std::span<const glm::vec3> outerPoints() const { return raysOf(renderer_) != nullptr ? corners_ : mesh_.positions; }
 
-  /// What `base` sees along its epipolar lines.
-  FragmentImage lines(const PinholeCamera& base, const EpipolarLines& lines) const {
-    return renderer != nullptr ? renderer->drawLines(base, lines) : rasterizeLines(base, lines, mesh);
+  /// What `base` sees along its epipolar lines. Both are those of all cameras that are drawn later, and outlive this.
+  FragmentImage lines(const PinholeCamera& base, const EpipolarLines& lines) {
+    if (renderer_ != nullptr) {
+      return renderer_->drawLines(base, lines);
+    }
+    drawing_.emplace(base, lines, mesh_);
+    return drawing_->baseImage();
   }
 
   /// The closest fragment along each ray.
-  FragmentImage draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const {
-    return renderer != nullptr ? renderer->draw(camera, baseImage) : rasterize(camera, mesh, baseImage);
+  FragmentImage draw(const EpipolarCamera& camera, const FragmentImage& baseImage) {
+    return renderer_ != nullptr ? renderer_->draw(camera, baseImage) : drawing_->draw(camera, baseImage);
   }
+  /// The same for the last camera that was drawn without some of its columns.
+  FragmentImage drawTrimmed(const EpipolarCamera& camera, const FragmentImage& baseImage) {
+    return renderer_ != nullptr ? renderer_->draw(camera, baseImage) : drawing_->drawAgain(camera, baseImage);
+  }
+
+ private:
+  const Mesh& mesh_;
+  const SceneRenderer* renderer_;
+  std::vector<glm::vec3> corners_;
+  std::optional<LineDrawing> drawing_;
 };
 
 /// The edges of a row without the columns at their left ends that hold no sample: rays of R that graze the occluder.
@@ -233,7 +244,7 @@ std::vector<EpipolarEdge> trimmedEdges(const EpipolarCamera& camera, int row, co
 }
 
 EpipolarCamera cameraFrom(const PinholeCamera& base, const glm::vec3& right, const EpipolarLines& lines,
-                          const FragmentImage& baseImage, const Scene& scene, const EocOptions& options) {
+                          const FragmentImage& baseImage, Scene& scene, const EocOptions& options) {
   const float background = farthestInverseZ(base, scene.outerPoints());
   std::vector<std::vector<EpipolarEdge>> edges(static_cast<size_t>(lines.rowCount()));
   parallelFor(edges.size(), 8, [&](size_t begin, size_t end) {
@@ -365,7 +376,7 @@ EpipolarCamera buildEpipolarCamera(const PinholeCamera& reference, const ViewSeg
   if (raysOf(renderer) == nullptr) {
     requireOutsideEnds(segment, mesh);
   }
-  const Scene scene(mesh, renderer);
+  Scene scene(mesh, renderer);
   const PinholeCamera base = baseAround(reference, segment, scene.outerPoints());
   const EpipolarLines lines(base, segment.right);
   return cameraFrom(base, segment.right, lines, scene.lines(base, lines), scene, options);
@@ -395,8 +406,9 @@ ReferenceImage eocImage(const FragmentImage& fragments, const EpipolarCamera& ca
 }
 
 ReferenceImage buildEocImage(const EpipolarCamera& camera, const Mesh& mesh, const SceneRenderer* renderer) {
-  const Scene scene(mesh, renderer);
-  return eocImage(scene.draw(camera, scene.lines(camera.base(), camera.lines())), camera, mesh);
+  Scene scene(mesh, renderer);
+  const FragmentImage baseImage = scene.lines(camera.base(), camera.lines());
+  return eocImage(scene.draw(camera, baseImage), camera, mesh);
 }
 
 ReferenceImage buildEocImage(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
@@ -404,12 +416,13 @@ ReferenceImage buildEocImage(const PinholeCamera& reference, const ViewSegment& 
   if (raysOf(renderer) == nullptr) {
     requireOutsideEnds(segment, mesh);
   }
-  const Scene scene(mesh, renderer);
+  Scene scene(mesh, renderer);
   const PinholeCamera base = baseAround(reference, segment, scene.outerPoints());
   const EpipolarLines lines(base, segment.right);
   const FragmentImage baseImage = scene.lines(base, lines);
   const EpipolarCamera camera = cameraFrom(base, segment.right, lines, baseImage, scene, options);
-  return eocImage(scene.draw(camera, baseImage), camera, mesh);
+  const FragmentImage fragments = options.trim ? scene.drawTrimmed(camera, baseImage) : scene.draw(camera, baseImage);
+  return eocImage(fragments, camera, mesh);
 }
 
 }  // namespace ocelli

@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/render/frustum_clip.h"
+#include "oc_core/render/projected_mesh.h"
 #include "oc_core/render/rasterize.h"
 
 namespace ocelli {
@@ -56,25 +58,23 @@ struct RowRange {
 class LineProjection {
  public:
   LineProjection(const PinholeCamera& base, const EpipolarLines& lines, const Mesh& mesh)
-      : base_(base), lines_(lines), mesh_(mesh), vertices_(mesh.positions.size()) {
-    if (!lines.isParallel()) {
-      for (int row = 0; row < lines.rowCount(); ++row) {
-        directions_.push_back(lines.direction(row + 0.5));
-      }
+      : base_(base), lines_(lines), mesh_(mesh), projected_(base, mesh) {
+    if (lines.isParallel()) {
+      return;
     }
-    parallelFor(vertices_.size(), 1 << 13, [&](size_t begin, size_t end) {
+    for (int row = 0; row < lines.rowCount(); ++row) {
+      directions_.push_back(lines.direction(row + 0.5));
+    }
+    rows_.resize(mesh.positions.size());
+    parallelFor(rows_.size(), 1 << 13, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
-        const glm::vec3 p = base.cameraFromWorld(mesh.positions[i]);
-        if (p.z >= base.view().zNear && p.z <= base.view().zFar) {
-          const LineVertex vertex = project(p);
-          if (withinMargin(vertex)) {
-            vertices_[i] = vertex;
-          }
-        }
+        const ProjectedVertex& q = projected_.vertex(static_cast<uint32_t>(i));
+        rows_[i] = q.inverseZ > 0 ? static_cast<float>(lines_.place({q.u, q.v}).row) : 0;
       }
     });
   }
 
+  const ProjectedMesh& projected() const { return projected_; }
   const PinholeCamera& base() const { return base_; }
   const EpipolarLines& lines() const { return lines_; }
 
@@ -82,7 +82,7 @@ class LineProjection {
   template <class Body>
   void forPieces(uint32_t triangle, const Body& body) const {
     const glm::uvec3& t = mesh_.triangles[triangle];
-    const LineTriangle whole{{{vertices_[t.x], 0, 0}, {vertices_[t.y], 1, 0}, {vertices_[t.z], 0, 1}}};
+    const LineTriangle whole{{{vertex(t.x), 0, 0}, {vertex(t.y), 1, 0}, {vertex(t.z), 0, 1}}};
     if (whole[0].vertex.inverseZ > 0 && whole[1].vertex.inverseZ > 0 && whole[2].vertex.inverseZ > 0) {
       body(whole);
       return;
@@ -92,8 +92,8 @@ class LineProjection {
                        base_.cameraFromWorld(mesh_.positions[t.z])},
                       base_, kClipMargin);
     const auto corner = [&](size_t i) {
-      const ClipVertex& vertex = polygon.vertices[i];
-      return LineCorner{project(vertex.p), vertex.b1, vertex.b2};
+      const ClipVertex& clipped = polygon.vertices[i];
+      return LineCorner{project(clipped.p), clipped.b1, clipped.b2};
     };
     for (size_t i = 2; i < polygon.count; ++i) {
       body(LineTriangle{{corner(0), corner(i - 1), corner(i)}});
@@ -206,9 +206,12 @@ class LineProjection {
     const ImagePoint q = base_.imageFromCamera(cameraPoint);
     return {q.u, q.v, 1 / q.t, lines_.isParallel() ? q.v : static_cast<float>(lines_.place({q.u, q.v}).row)};
   }
-  bool withinMargin(const LineVertex& v) const {
-    return v.u > -kClipMargin && v.v > -kClipMargin && v.u < static_cast<float>(base_.width()) + kClipMargin &&
-           v.v < static_cast<float>(base_.height()) + kClipMargin;
+  LineVertex vertex(uint32_t i) const {
+    const ProjectedVertex& q = projected_.vertex(i);
+    const bool within = q.u > -kClipMargin && q.v > -kClipMargin &&
+                        q.u < static_cast<float>(base_.width()) + kClipMargin &&
+                        q.v < static_cast<float>(base_.height()) + kClipMargin;
+    return {q.u, q.v, within ? q.inverseZ : 0, lines_.isParallel() ? q.v : rows_[i]};
   }
   glm::dvec2 fromEpipole(const LineVertex& vertex) const { return glm::dvec2(vertex.u, vertex.v) - lines_.epipole(); }
   /// A row belongs to what crosses its centre; a little more for rounding.
@@ -227,24 +230,29 @@ class LineProjection {
   const PinholeCamera& base_;
   const EpipolarLines& lines_;
   const Mesh& mesh_;
-  std::vector<LineVertex> vertices_;
+  ProjectedMesh projected_;
+  std::vector<float> rows_;  ///< of the vertices, where lines are not parallel
   std::vector<glm::dvec2> directions_;
 };
 
-/// Draws the triangles that `touches(piece, range)` accepts: `draw(fragments, triangle, piece, span)` for each span.
-template <class Touches, class Draw>
-void drawSpans(FragmentImage& fragments, const LineProjection& projection, size_t triangles, const Touches& touches,
-               const Draw& draw) {
-  const int rows = fragments.height();
+/// Draws those of `count` triangles, `triangleAt(i)`, that `touches(piece, range)` accepts: `draw(triangle, piece,
+/// span)` for each span, in `rows` rows. Returns the triangles that were accepted.
+template <class TriangleAt, class Touches, class Draw>
+std::vector<uint32_t> drawSpans(int rows, const LineProjection& projection, size_t count, const TriangleAt& triangleAt,
+                                const Touches& touches, const Draw& draw) {
   const auto bands = static_cast<size_t>((rows + kBandRows - 1) / kBandRows);
   std::vector<std::vector<uint32_t>> bins(kChunks * bands);  // by chunk, then by band
-  parallelChunks(triangles, kChunks, [&](size_t chunk, size_t begin, size_t end) {
+  std::array<std::vector<uint32_t>, kChunks> accepted;
+  parallelChunks(count, kChunks, [&](size_t chunk, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      const auto triangle = static_cast<uint32_t>(i);
+      const uint32_t triangle = triangleAt(i);
       projection.forPieces(triangle, [&](const LineTriangle& piece) {
         const RowRange range = projection.rowsOf(piece);
         if (range.first > range.last || !touches(piece, range)) {
           return;
+        }
+        if (accepted[chunk].empty() || accepted[chunk].back() != triangle) {
+          accepted[chunk].push_back(triangle);
         }
         for (int row = range.first; row <= range.last;) {
           const int band = projection.row(row) / kBandRows;
@@ -277,6 +285,11 @@ void drawSpans(FragmentImage& fragments, const LineProjection& projection, size_
       }
     }
   });
+  std::vector<uint32_t> all;
+  for (const std::vector<uint32_t>& part : accepted) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
 }
 
 /// Keeps the sample at `t` of the way along a span where it is the closest at its pixel.
@@ -304,11 +317,26 @@ RowRange centresWithin(double from, double to, int length) {
 class DisocclusionRasterizer {
  public:
   DisocclusionRasterizer(const EpipolarCamera& camera, FragmentImage& fragments)
-      : camera_(camera), lines_(camera.lines()), fragments_(fragments), tops_(lines_.longest() + 1, lines_.rowCount()) {
+      : camera_(camera),
+        lines_(camera.lines()),
+        fragments_(fragments),
+        tops_(lines_.longest() + 1, lines_.rowCount(), 0),
+        tileTops_((tops_.width() >> kTileBits) + 1, (tops_.height() >> kTileBits) + 1, 0) {
     parallelFor(static_cast<size_t>(lines_.rowCount()), 16, [&](size_t begin, size_t end) {
       for (size_t row = begin; row < end; ++row) {
         for (int cell = 0; cell < camera.cellCount(static_cast<int>(row)); ++cell) {
           tops_(cell, static_cast<int>(row)) = disocclusionTop(static_cast<int>(row), cell);
+        }
+      }
+    });
+    parallelFor(static_cast<size_t>(tileTops_.height()), 1, [&](size_t begin, size_t end) {
+      for (size_t tileRow = begin; tileRow < end; ++tileRow) {
+        const int first = static_cast<int>(tileRow) << kTileBits;
+        for (int row = first; row < std::min(first + (1 << kTileBits), tops_.height()); ++row) {
+          for (int cell = 0; cell < tops_.width(); ++cell) {
+            float& top = tileTops_(cell >> kTileBits, static_cast<int>(tileRow));
+            top = std::max(top, tops_(cell, row));
+          }
         }
       }
     });
@@ -317,6 +345,9 @@ class DisocclusionRasterizer {
   /// Whether some of a triangle may lie in a disocclusion.
   bool touches(const LineProjection& projection, const LineTriangle& piece, const RowRange& range) const {
     const float farthest = std::min({piece[0].vertex.inverseZ, piece[1].vertex.inverseZ, piece[2].vertex.inverseZ});
+    if (lines_.isParallel() && missesTiles(piece, range, farthest)) {
+      return false;
+    }
     constexpr int kMaxCells = 64;  // larger ones are few: take them
     int cells = 0;
     for (int i = range.first; i <= range.last; ++i) {
@@ -361,6 +392,23 @@ class DisocclusionRasterizer {
   }
 
  private:
+  /// Whether a triangle, whose positions are the same in all rows, is nearer than the disocclusions of all tiles around
+  /// it.
+  bool missesTiles(const LineTriangle& piece, const RowRange& range, float farthest) const {
+    const auto [least, most] = std::minmax({piece[0].vertex.u, piece[1].vertex.u, piece[2].vertex.u});
+    const auto length = static_cast<float>(lines_.longest());
+    const int firstTile = EpipolarCamera::cellOf(std::clamp(least, 0.0f, length)) >> kTileBits;
+    const int lastTile = EpipolarCamera::cellOf(std::clamp(most, 0.0f, length)) >> kTileBits;
+    for (int tileRow = range.first >> kTileBits; tileRow <= range.last >> kTileBits; ++tileRow) {
+      for (int tile = firstTile; tile <= lastTile; ++tile) {
+        if (farthest < tileTops_(tile, tileRow)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
   /// The greatest 1/z of a disocclusion over a cell; 0 for none.
   float disocclusionTop(int row, int cell) const {
     const std::span<const uint32_t> over = camera_.disocclusionsOver(row, cell);
@@ -451,28 +499,12 @@ class DisocclusionRasterizer {
   const EpipolarCamera& camera_;
   const EpipolarLines& lines_;
   FragmentImage& fragments_;
+  static constexpr int kTileBits = 3;
   Image<float> tops_;
+  Image<float> tileTops_;  ///< the greatest of each square of them
 };
 
 }  // namespace
-
-FragmentImage rasterizeLines(const PinholeCamera& base, const EpipolarLines& lines, const Mesh& mesh) {
-  if (lines.isParallel()) {
-    return rasterize(base, mesh);
-  }
-  FragmentImage fragments(lines.longest(), lines.rowCount());
-  const LineProjection projection(base, lines, mesh);
-  drawSpans(
-      fragments, projection, mesh.triangles.size(), [](const LineTriangle&, const RowRange&) { return true; },
-      [&](uint32_t triangle, const LineTriangle& piece, const Span& span) {
-        const RowRange centres = centresWithin(span.from.position, span.to.position, lines.length(span.row));
-        for (int j = centres.first; j <= centres.last; ++j) {
-          keep(fragments(j, span.row), triangle, piece, span,
-               (j + 0.5 - span.from.position) / (span.to.position - span.from.position));
-        }
-      });
-  return fragments;
-}
 
 FragmentImage baseFragments(const EpipolarCamera& camera, const FragmentImage& baseImage) {
   const EpipolarLines& lines = camera.lines();
@@ -504,19 +536,69 @@ FragmentImage baseFragments(const EpipolarCamera& camera, const FragmentImage& b
   return fragments;
 }
 
+struct LineDrawing::Impl {
+  const EpipolarLines& lines;
+  LineProjection projection;
+  uint32_t triangles;
+  std::vector<uint32_t> touched{};  ///< disocclusions, the last time
+
+  FragmentImage allAlongLines() const {
+    FragmentImage fragments(lines.longest(), lines.rowCount());
+    drawSpans(
+        fragments.height(), projection, triangles, [](size_t i) { return static_cast<uint32_t>(i); },
+        [](const LineTriangle&, const RowRange&) { return true; },
+        [&](uint32_t triangle, const LineTriangle& piece, const Span& span) {
+          const RowRange centres = centresWithin(span.from.position, span.to.position, lines.length(span.row));
+          for (int j = centres.first; j <= centres.last; ++j) {
+            keep(fragments(j, span.row), triangle, piece, span,
+                 (j + 0.5 - span.from.position) / (span.to.position - span.from.position));
+          }
+        });
+    return fragments;
+  }
+
+  template <class TriangleAt>
+  FragmentImage inDisocclusions(const EpipolarCamera& camera, const FragmentImage& baseImage, size_t count,
+                                const TriangleAt& triangleAt) {
+    FragmentImage fragments = baseFragments(camera, baseImage);
+    DisocclusionRasterizer renderer(camera, fragments);
+    touched = drawSpans(
+        fragments.height(), projection, count, triangleAt,
+        [&](const LineTriangle& piece, const RowRange& range) { return renderer.touches(projection, piece, range); },
+        [&](uint32_t triangle, const LineTriangle& piece, const Span& span) { renderer.draw(triangle, piece, span); });
+    return fragments;
+  }
+};
+
+LineDrawing::LineDrawing(const PinholeCamera& base, const EpipolarLines& lines, const Mesh& mesh)
+    : impl_(new Impl{lines, LineProjection(base, lines, mesh), static_cast<uint32_t>(mesh.triangles.size())}) {}
+
+LineDrawing::~LineDrawing() = default;
+
+FragmentImage LineDrawing::baseImage() const {
+  return impl_->lines.isParallel() ? rasterize(impl_->projection.projected()) : impl_->allAlongLines();
+}
+
+FragmentImage LineDrawing::draw(const EpipolarCamera& camera, const FragmentImage& baseImage) {
+  return impl_->inDisocclusions(camera, baseImage, impl_->triangles, [](size_t i) { return static_cast<uint32_t>(i); });
+}
+
+FragmentImage LineDrawing::drawAgain(const EpipolarCamera& camera, const FragmentImage& baseImage) {
+  const std::vector<uint32_t> before = std::move(impl_->touched);
+  return impl_->inDisocclusions(camera, baseImage, before.size(), [&](size_t i) { return before[i]; });
+}
+
+FragmentImage rasterizeLines(const PinholeCamera& base, const EpipolarLines& lines, const Mesh& mesh) {
+  return LineDrawing(base, lines, mesh).baseImage();
+}
+
 FragmentImage rasterize(const EpipolarCamera& camera, const Mesh& mesh, const FragmentImage& baseImage) {
-  FragmentImage fragments = baseFragments(camera, baseImage);
-  const LineProjection projection(camera.base(), camera.lines(), mesh);
-  DisocclusionRasterizer renderer(camera, fragments);
-  drawSpans(
-      fragments, projection, mesh.triangles.size(),
-      [&](const LineTriangle& piece, const RowRange& range) { return renderer.touches(projection, piece, range); },
-      [&](uint32_t triangle, const LineTriangle& piece, const Span& span) { renderer.draw(triangle, piece, span); });
-  return fragments;
+  return LineDrawing(camera.base(), camera.lines(), mesh).draw(camera, baseImage);
 }
 
 FragmentImage rasterize(const EpipolarCamera& camera, const Mesh& mesh) {
-  return rasterize(camera, mesh, rasterizeLines(camera.base(), camera.lines(), mesh));
+  LineDrawing drawing(camera.base(), camera.lines(), mesh);
+  return drawing.draw(camera, drawing.baseImage());
 }
 
 }  // namespace ocelli

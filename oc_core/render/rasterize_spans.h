@@ -12,6 +12,8 @@
 // index on a tie. Rows are drawn in bands, each by one thread: the same bytes for any number of threads.
 #pragma once
 
+#include <memory>
+
 #include "oc_core/camera/epipolar_camera.h"
 #include "oc_core/render/fragment_image.h"
 
@@ -22,6 +24,26 @@ FragmentImage rasterizeLines(const PinholeCamera& base, const EpipolarLines& lin
 
 /// What the base pinhole sees, where it is in no disocclusion, at the columns of its rays; nothing at all others.
 FragmentImage baseFragments(const EpipolarCamera& camera, const FragmentImage& baseImage);
+
+/// Draws a mesh by cameras that share their base pinhole and their lines, and projects it once. All must outlive it.
+class LineDrawing {
+ public:
+  LineDrawing(const PinholeCamera& base, const EpipolarLines& lines, const Mesh& mesh);
+  ~LineDrawing();
+  LineDrawing(const LineDrawing&) = delete;
+  LineDrawing& operator=(const LineDrawing&) = delete;
+
+  /// rasterizeLines() of the base.
+  FragmentImage baseImage() const;
+  /// The closest fragment along each ray of a camera with this base and these lines; `baseImage` is that of above.
+  FragmentImage draw(const EpipolarCamera& camera, const FragmentImage& baseImage);
+  /// The same, where the disocclusions of the camera lie within those of the last one that was drawn.
+  FragmentImage drawAgain(const EpipolarCamera& camera, const FragmentImage& baseImage);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 /// The closest fragment along each ray of `camera`. `baseImage` is rasterizeLines() of its base and lines.
 FragmentImage rasterize(const EpipolarCamera& camera, const Mesh& mesh, const FragmentImage& baseImage);
