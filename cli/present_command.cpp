@@ -51,6 +51,7 @@ struct PresentChoice {
   bool follow = false;
   std::optional<double> turn;
   std::string eyes;
+  std::string prediction = "kalman";
   std::string camera;
   std::string size = "720x480";
   std::optional<double> rate;
@@ -158,7 +159,7 @@ void addSceneSource(Presented& presented, const PresentChoice& choice, const Dis
       throw InputError("this camera has no image to build for an eye", camera.name, "--camera ddoc");
     }
     addViewedScene(presented, choice, profile, context);
-    presented.feed = openEyeFeed(choice.eyes, choice.loop);
+    presented.feed = openEyeFeed(choice.eyes, choice.loop, eyePredictionFromName(choice.prediction, "--predict"));
     auto source = std::make_unique<EyesSource>(
         [&scene = *presented.scene, camera](const PinholeCamera& reference) {
           return buildReferenceImages(camera, reference, scene.meshFor(camera, reference));
@@ -272,6 +273,7 @@ PresentationReport present(Device& device, Presented& presented, const PresentCh
     result.eyesLeftOut = presented.eyes->eyesLeftOut();
     result.malformedEyes = presented.feed->malformed();
     result.firstMalformedEye = presented.feed->firstMalformed();
+    result.prediction = presented.feed->predictionErrors();
   }
   return result;
 }
@@ -486,6 +488,13 @@ void addPresentCommand(CLI::App& program, const CommandContext& context) {
                   "Where the viewer's eye is: a file with the header time,x,y,z, or such lines live; \"-\" is standard "
                   "input. For each place a reference image is built")
       ->type_name("FILE.csv|FILE.json|udp:[ADDRESS:]PORT|-");
+  command
+      .add_option("--predict", choice->prediction,
+                  "Where live eyes will be when they see what is made for them: as they were last, at constant "
+                  "velocity, or by a Kalman filter")
+      ->check(CLI::IsMember(eyePredictionNames()))
+      ->type_name("NAME")
+      ->capture_default_str();
   addCameraOption(command, choice->camera);
   addSizeOption(command, choice->size);
   command

@@ -26,6 +26,18 @@ nlohmann::ordered_json spreadJson(const Spread& spread) {
   return {{"median_ms", spread.median}, {"worst_ms", spread.worst}};
 }
 
+nlohmann::ordered_json predictionJson(const PredictionErrors& errors) {
+  if (errors.count == 0) {
+    return nullptr;
+  }
+  return {{"predictions", errors.count},
+          {"ahead_ms", 1000 * errors.aheadSeconds},
+          {"median_radii", errors.median},
+          {"within_95_percent_radii", errors.most},
+          {"last_known_median_radii", errors.medianLast},
+          {"last_known_within_95_percent_radii", errors.mostLast}};
+}
+
 double milliseconds(StageTimes::Duration time) {
   return std::chrono::duration<double, std::milli>(time).count();
 }
@@ -88,6 +100,13 @@ std::string reportText(const PresentationReport& report) {
         "  smaller images: {} of {} frames, as time ran short; the smallest with {:.0f} % of the pixels each way\n",
         summary.smallerImages, summary.framesShown, 100 * summary.leastImageScale);
   }
+  if (const PredictionErrors& errors = report.prediction; errors.count > 0) {
+    text += fmt::format(
+        "  eyes foreseen by {:.0f} ms: off by {:.4f} radii in the median, {:.4f} at most in 95 %; the last one known "
+        "by "
+        "{:.4f} and {:.4f}\n",
+        1000 * errors.aheadSeconds, errors.median, errors.most, errors.medianLast, errors.mostLast);
+  }
   if (report.malformedEyes > 0) {
     text += fmt::format("  eyes: {} line{} could not be used; the first: {}\n", report.malformedEyes,
                         report.malformedEyes == 1 ? "" : "s", report.firstMalformedEye);
@@ -134,6 +153,7 @@ std::string reportJson(const PresentationReport& report) {
                                        {"submitting", spreadJson(summary.submitting)},
                                        {"sending", spreadJson(summary.sending)},
                                        {"latency", spreadJson(summary.latency)},
+                                       {"foreseen_eyes", predictionJson(report.prediction)},
                                        {"eyes_left_out", report.eyesLeftOut},
                                        {"malformed_eyes", report.malformedEyes},
                                        {"first_malformed_eye", report.firstMalformedEye},

@@ -20,6 +20,7 @@ struct PresentationReport {
   uint64_t eyesLeftOut = 0;
   uint64_t malformedEyes = 0;
   std::string firstMalformedEye{};  ///< with what is wrong with it
+  PredictionErrors prediction;      ///< of live eyes
   bool absent = false;              ///< the display never was there
   bool interrupted = false;
 };

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -17,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "display_driver/pacing/foreseen_eyes.h"
 #include "display_sim/observing/eye_path.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/printable_text.h"
@@ -60,17 +62,22 @@ constexpr size_t kMaxShownBytes = 80;
 /// Reads on a thread of its own, so that of all that has come the newest is there when it is asked for.
 class LiveFeed : public EyeFeed {
  public:
+  explicit LiveFeed(EyePrediction prediction) : eyes_(prediction) {}
   ~LiveFeed() override { stop(); }
 
-  std::optional<glm::vec3> eyeAt(HostTime) override {
+  std::optional<glm::vec3> eyeAt(HostTime seen) override {
     const std::lock_guard lock(mutex_);
-    return eye_;
+    return eyes_.at(seen);
   }
   bool ended(HostTime) override { return ended_; }
   uint64_t malformed() const override { return malformed_; }
   std::string firstMalformed() const override {
     const std::lock_guard lock(mutex_);
     return firstMalformed_;
+  }
+  PredictionErrors predictionErrors() const override {
+    const std::lock_guard lock(mutex_);
+    return eyes_.errors();
   }
 
  protected:
@@ -105,7 +112,7 @@ class LiveFeed : public EyeFeed {
     const auto pose = line.size() <= kMaxLineBytes ? poseFromLine(line) : std::nullopt;
     const std::lock_guard lock(mutex_);
     if (pose) {
-      eye_ = pose->eye;
+      eyes_.add(*pose, std::chrono::steady_clock::now());
     } else if (malformed_++ == 0) {
       const std::string problem = line.size() > kMaxLineBytes ? "too long" : problemOfLine(line);
       firstMalformed_ = "not TIME,X,Y,Z (" + problem + "): \"" + printableText(line.substr(0, kMaxShownBytes)) + "\"";
@@ -114,7 +121,7 @@ class LiveFeed : public EyeFeed {
 
  private:
   mutable std::mutex mutex_;
-  std::optional<glm::vec3> eye_;
+  ForeseenEyes eyes_;
   std::string firstMalformed_;
   std::atomic<uint64_t> malformed_ = 0;
   std::atomic<bool> ended_ = false;
@@ -124,7 +131,7 @@ class LiveFeed : public EyeFeed {
 
 class LineFeed final : public LiveFeed {
  public:
-  explicit LineFeed(int descriptor) {
+  LineFeed(int descriptor, EyePrediction prediction) : LiveFeed(prediction) {
     start(descriptor, [this, descriptor] { return readSome(descriptor); });
   }
   ~LineFeed() override { stop(); }
@@ -156,7 +163,8 @@ class LineFeed final : public LiveFeed {
 
 class DatagramFeed final : public LiveFeed {
  public:
-  DatagramFeed(const std::string& address, uint16_t port, const std::string& where) {
+  DatagramFeed(const std::string& address, uint16_t port, const std::string& where, EyePrediction prediction)
+      : LiveFeed(prediction) {
     sockaddr_in here{};
     here.sin_family = AF_INET;
     here.sin_port = htons(port);
@@ -191,13 +199,13 @@ class DatagramFeed final : public LiveFeed {
 
 }  // namespace
 
-std::unique_ptr<EyeFeed> eyeFeedFromLines(int descriptor) {
-  return std::make_unique<LineFeed>(descriptor);
+std::unique_ptr<EyeFeed> eyeFeedFromLines(int descriptor, EyePrediction prediction) {
+  return std::make_unique<LineFeed>(descriptor, prediction);
 }
 
-std::unique_ptr<EyeFeed> openEyeFeed(const std::string& text, bool loop) {
+std::unique_ptr<EyeFeed> openEyeFeed(const std::string& text, bool loop, EyePrediction prediction) {
   if (text == "-") {
-    return eyeFeedFromLines(STDIN_FILENO);
+    return eyeFeedFromLines(STDIN_FILENO, prediction);
   }
   if (!text.starts_with("udp:")) {
     return std::make_unique<PathFeed>(readEyePath(text), loop);
@@ -211,7 +219,7 @@ std::unique_ptr<EyeFeed> openEyeFeed(const std::string& text, bool loop) {
     throw InputError("this is no port: " + number, "--eyes " + text, "--eyes udp:5005");
   }
   return std::make_unique<DatagramFeed>(colon == std::string::npos ? "127.0.0.1" : rest.substr(0, colon), port,
-                                        "--eyes " + text);
+                                        "--eyes " + text, prediction);
 }
 
 }  // namespace ocelli
