@@ -70,7 +70,8 @@ ReferenceImages finished(ReferenceImages images, const CameraChoice& choice, con
   return images;
 }
 
-ReferenceImages imagesOf(const RepresentationInputs& inputs) {
+ReferenceImages imagesOf(const RepresentationInputs& inputs,
+                         const std::function<ReferenceImages(const RepresentationInputs&)>& make) {
   const CameraChoice& choice = inputs.choice;
   const RepresentationKind& kind = *choice.kind;
   if (!kind.images) {
@@ -81,7 +82,11 @@ ReferenceImages imagesOf(const RepresentationInputs& inputs) {
     throw InputError("camera \"" + choice.name + "\" " + kind.needsCpu, "--camera",
                      "draw it without OpenGL, or choose another camera");
   }
-  return finished(kind.images(inputs), choice, inputs.reference, inputs.mesh);
+  return finished(make(inputs), choice, inputs.reference, inputs.mesh);
+}
+
+ReferenceImages imagesOf(const RepresentationInputs& inputs) {
+  return imagesOf(inputs, inputs.choice.kind->images);
 }
 
 /// The ends of the segments of epipolar cameras; those that rasterise check them on their own.
@@ -178,6 +183,24 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
                                      const Progress& progress, const SceneRenderer& renderer) {
   requireOutside(mesh, reference.eye(), "view");
   return imagesOf({choice, reference, mesh, progress, &renderer});
+}
+
+MovingImages::MovingImages(CameraChoice choice)
+    : choice_(std::move(choice)), sequence_(choice_.kind->sequence ? choice_.kind->sequence() : nullptr) {}
+
+MovingImages::~MovingImages() = default;
+
+ReferenceImages MovingImages::next(const PinholeCamera& reference, const Mesh& mesh, const Progress& progress) {
+  requireOutside(mesh, reference.eye(), "view");
+  return imagesOf({choice_, reference, mesh, progress}, [&](const RepresentationInputs& inputs) {
+    if (!sequence_) {
+      ++coldStarts_;
+      return choice_.kind->images(inputs);
+    }
+    ImageSequence::Next next = sequence_->next(inputs);
+    coldStarts_ += next.warm ? 0 : 1;
+    return std::move(next.images);
+  });
 }
 
 ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choice, const PinholeCamera& reference,

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ namespace ocelli {
 
 class JsonFields;
 struct RepresentationKind;
+class ImageSequence;
 
 /// A representation with its options; the depth image of the reference view by default.
 struct CameraChoice {
@@ -63,6 +65,27 @@ CameraChoice readCameraChoice(JsonFields& fields, const ViewCell& cell = {});
 /// object, or the view sees nothing of the scene, and for choices that have no image.
 ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                      const Progress& progress = {});
+
+/// The reference images of an eye that moves, by rasterisation. Each begins from what the last one knew, where the row
+/// of the choice has a way to (representation_kind.h), and the eye has not jumped. Called by one thread at a time.
+class MovingImages {
+ public:
+  explicit MovingImages(CameraChoice choice);
+  ~MovingImages();
+
+  const CameraChoice& choice() const { return choice_; }
+  /// Throws as buildReferenceImages() does, which gives an image of about the same errors.
+  ReferenceImages next(const PinholeCamera& reference, const Mesh& mesh, const Progress& progress = {});
+
+  /// Whether images may begin from the last one.
+  bool remembers() const { return sequence_ != nullptr; }
+  size_t coldStarts() const { return coldStarts_; }
+
+ private:
+  CameraChoice choice_;
+  std::unique_ptr<ImageSequence> sequence_;
+  size_t coldStarts_ = 0;
+};
 
 /// The same by rasterisation or by rays. `rays` is the acceleration structure of the mesh where one stands; where rays
 /// are wanted and none does, it is built. Whether a viewpoint lies inside an object takes a look at all triangles:

@@ -1,6 +1,7 @@
 #include "oc_core/ocri/ddoc_builder.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "oc_core/ocri/construction.h"
 #include "oc_core/ocri/depth_edges.h"
@@ -56,10 +57,14 @@ DistortionMap mapOf(const std::vector<DistortionSplat>& splats, const SplatOwner
   return smoothMap(finalizeMap(splats, owners, DistortionMap::Lookup::kBilinear), options.smoothingSigmaPixels);
 }
 
+bool isHarmful(const DistortionSplat& splat, int harm, const DdocOptions& options) {
+  return static_cast<float>(harm) > options.harmlessPerHiddenPixel * splat.hidden;
+}
+
 /// "Do no harm": shrinks the splats that hide visible samples.
 void shrinkHarmful(std::vector<DistortionSplat>& splats, const Harm& harm, const DdocOptions& options) {
   for (size_t i = 0; i < splats.size(); ++i) {
-    if (static_cast<float>(harm.ofSplats[i]) > options.harmlessPerHiddenPixel * splats[i].hidden) {
+    if (isHarmful(splats[i], harm.ofSplats[i], options)) {
       splats[i].hidden *= options.feedbackShrink;
     }
   }
@@ -78,39 +83,107 @@ struct Built {
   TrianglePart part;  ///< what the camera may displace; nothing where another draws it
 };
 
-Built construct(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options, const Progress& progress,
-                const SceneRenderer* renderer) {
-  // Steps 1 and 2.
-  report(progress, "depth edges", 0);
-  const std::shared_ptr<const ProjectedMesh> projected = projectedFor(reference, mesh, renderer);
-  FragmentImage seen = projected ? rasterize(*projected) : renderer->draw(reference);
-  const std::vector<DepthEdge> edges = findEdges(reference, seen, options);
-
-  // Steps 3 to 6.
-  std::vector<DistortionSplat> splats = makeSplats(edges, reference, options);
-  SplatOwners owners = claimPixels(splats, seen.width(), seen.height());
-  shrinkConflicts(splats, owners, options.conflicts, options.maxHiddenPerRoom);
-  const auto cameraOfSplats = [&] {
-    limitBandGrowth(splats, options.steepestBandGrowth);
-    owners = options.reclaimPixels ? claimPixels(splats, seen.width(), seen.height()) : owners;
-    return DdocCamera(reference, mapOf(splats, owners, options));
-  };
-  DdocCamera camera = cameraOfSplats();
-  TrianglePart part = projected ? displacedPart(camera, projected) : TrianglePart{};
-
-  HarmMeter meter(reference, mesh, seen, part, options.feedbackSubdivision, renderer);
-  for (int round = 0; round < options.feedbackRounds; ++round) {
-    report(progress, "do no harm", static_cast<double>(round) / options.feedbackRounds);
-    const Harm harm = meter.measure(camera, splats, owners);
-    if (harm.missing == 0) {
-      break;
-    }
-    shrinkHarmful(splats, harm, options);
-    camera = cameraOfSplats();
+class DdocConstruction {
+ public:
+  /// Steps 1 to 4. All must outlive it.
+  DdocConstruction(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
+                   const Progress& progress, const SceneRenderer* renderer)
+      : reference_(reference), mesh_(mesh), options_(options), progress_(progress), renderer_(renderer) {
+    report(progress_, "depth edges", 0);
+    projected_ = projectedFor(reference, mesh, renderer);
+    seen_ = projected_ ? rasterize(*projected_) : renderer->draw(reference);
+    splats_ = makeSplats(findEdges(reference, seen_, options), reference, options);
+    owners_ = claimPixels(splats_, seen_.width(), seen_.height());
+    shrinkConflicts(splats_, owners_, options.conflicts, options.maxHiddenPerRoom);
   }
-  report(progress, "do no harm", 1);
-  return {std::move(seen), std::move(camera), std::move(part)};
-}
+
+  const std::vector<DistortionSplat>& splats() const { return splats_; }
+
+  /// Steps 5 and 6, and the rounds of feedback.
+  Built cold() {
+    DdocCamera camera = cameraOfSplats();
+    noteWholeBands();
+    TrianglePart part = displaced(camera);
+    HarmMeter meter(reference_, mesh_, seen_, part, options_.feedbackSubdivision, renderer_);
+    for (int round = 0; round < options_.feedbackRounds; ++round) {
+      report(progress_, "do no harm", static_cast<double>(round) / options_.feedbackRounds);
+      const Harm harm = meter.measure(camera, splats_, owners_);
+      if (harm.missing == 0) {
+        break;
+      }
+      shrinkHarmful(splats_, harm, options_);
+      camera = cameraOfSplats();
+    }
+    report(progress_, "do no harm", 1);
+    return {std::move(seen_), std::move(camera), std::move(part)};
+  }
+
+  /// Steps 5 and 6 with bands of which so much is kept, without rounds.
+  Built warm(const std::vector<float>& kept) {
+    limitBandGrowth(splats_, options_.steepestBandGrowth);
+    noteWholeBands();
+    for (size_t i = 0; i < splats_.size(); ++i) {
+      splats_[i].hidden *= kept[i];
+    }
+    DdocCamera camera = cameraOfSplats();
+    TrianglePart part = displaced(camera);
+    return {std::move(seen_), std::move(camera), std::move(part)};
+  }
+
+  /// What is left of the bands that the parallax asks for.
+  std::vector<float> kept() const {
+    std::vector<float> kept(splats_.size(), 1.0f);
+    for (size_t i = 0; i < kept.size(); ++i) {
+      kept[i] = wholeBands_[i] > 0 ? std::min(splats_[i].hidden / wholeBands_[i], 1.0f) : 1.0f;
+    }
+    return kept;
+  }
+  /// The same for the next image, after what this one shows.
+  std::vector<float> keptAfter(const ReferenceImage& image, const Built& built) const {
+    const HarmMeter meter(reference_, mesh_, built.seen, built.part, options_.feedbackSubdivision, renderer_);
+    const Harm harm = meter.measureIn(image, built.camera, splats_, owners_);
+    std::vector<float> next = kept();
+    for (size_t i = 0; i < next.size(); ++i) {
+      next[i] = isHarmful(splats_[i], harm.ofSplats[i], options_)
+                    ? std::max(next[i] * options_.feedbackShrink, leastKept())
+                    : std::min(next[i] * kRegrowth, 1.0f);
+    }
+    return next;
+  }
+
+ private:
+  /// In some 15 images a band that has been halved is back: one of so many that must stay small is too wide.
+  static constexpr float kRegrowth = 1.05f;
+
+  /// What the rounds of a cold start leave at the least.
+  float leastKept() const { return std::pow(options_.feedbackShrink, static_cast<float>(options_.feedbackRounds)); }
+
+  void noteWholeBands() {
+    wholeBands_.clear();
+    for (const DistortionSplat& splat : splats_) {
+      wholeBands_.push_back(splat.hidden);
+    }
+  }
+  DdocCamera cameraOfSplats() {
+    limitBandGrowth(splats_, options_.steepestBandGrowth);
+    owners_ = options_.reclaimPixels ? claimPixels(splats_, seen_.width(), seen_.height()) : std::move(owners_);
+    return DdocCamera(reference_, mapOf(splats_, owners_, options_));
+  }
+  TrianglePart displaced(const DdocCamera& camera) const {
+    return projected_ ? displacedPart(camera, projected_) : TrianglePart{};
+  }
+
+  const PinholeCamera& reference_;
+  const Mesh& mesh_;
+  const DdocOptions& options_;
+  const Progress& progress_;
+  const SceneRenderer* renderer_;
+  std::shared_ptr<const ProjectedMesh> projected_;
+  FragmentImage seen_;
+  std::vector<DistortionSplat> splats_;
+  SplatOwners owners_;
+  std::vector<float> wholeBands_;  ///< hidden bands of the splats, before any feedback
+};
 
 ReferenceImage imageOf(const Built& built, const Mesh& mesh, const SubdivisionOptions& options,
                        const SceneRenderer* renderer) {
@@ -148,7 +221,7 @@ DdocOptions DdocOptions::literal() {
 
 DdocCamera buildDdocCamera(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
                            const Progress& progress, const SceneRenderer* renderer) {
-  return construct(reference, mesh, options, progress, renderer).camera;
+  return DdocConstruction(reference, mesh, options, progress, renderer).cold().camera;
 }
 
 ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const SubdivisionOptions& options,
@@ -162,7 +235,20 @@ ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const 
 
 ReferenceImage buildDdocImage(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
                               const Progress& progress, const SceneRenderer* renderer) {
-  return imageOf(construct(reference, mesh, options, progress, renderer), mesh, options.subdivision, renderer);
+  return imageOf(DdocConstruction(reference, mesh, options, progress, renderer).cold(), mesh, options.subdivision,
+                 renderer);
+}
+
+NextDdocImage buildNextDdocImage(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
+                                 BandMemory& memory, const Progress& progress, const SceneRenderer* renderer) {
+  DdocConstruction construction(reference, mesh, options, progress, renderer);
+  const BandMemory::Recalled recalled = memory.recall(reference, construction.splats());
+  const bool warm = options.feedbackRounds > 0 && 2 * recalled.known > construction.splats().size();
+  const Built built = warm ? construction.warm(recalled.kept) : construction.cold();
+  NextDdocImage next{imageOf(built, mesh, options.subdivision, renderer), warm};
+  memory.remember(reference, construction.splats(),
+                  warm ? construction.keptAfter(next.image, built) : construction.kept());
+  return next;
 }
 
 }  // namespace ocelli

@@ -18,6 +18,7 @@
 
 #include "oc_core/base/progress.h"
 #include "oc_core/camera/ddoc_camera.h"
+#include "oc_core/ocri/band_memory.h"
 #include "oc_core/ocri/distortion_splats.h"
 #include "oc_core/ocri/reference_image.h"
 #include "oc_core/render/rasterize_subdivided.h"
@@ -75,5 +76,17 @@ ReferenceImage buildDdocImage(const DdocCamera& camera, const Mesh& mesh, const 
 /// The same image without the camera: both share what they draw, which is faster than one after the other.
 ReferenceImage buildDdocImage(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
                               const Progress& progress = {}, const SceneRenderer* renderer = nullptr);
+
+struct NextDdocImage {
+  ReferenceImage image;
+  bool warm = false;  ///< whether it began from what the last one knew
+};
+
+/// For an eye that moves: the same image, whose bands begin as they ended in the last one, in place of the rounds of
+/// feedback, and are judged by this image itself for the next one. It is built cold, as above, where the last image's
+/// silhouettes are not most of this one's: the first time, and where the eye has jumped.
+NextDdocImage buildNextDdocImage(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
+                                 BandMemory& memory, const Progress& progress = {},
+                                 const SceneRenderer* renderer = nullptr);
 
 }  // namespace ocelli

@@ -172,7 +172,11 @@ Image<SampleState> HarmMeter::compare(const DdocCamera& camera, const ReferenceI
 
 Harm HarmMeter::measure(const DdocCamera& camera, const std::vector<DistortionSplat>& splats,
                         const SplatOwners& owners) {
-  const ReferenceImage image = draw(camera);
+  return measureIn(draw(camera), camera, splats, owners);
+}
+
+Harm HarmMeter::measureIn(const ReferenceImage& image, const DdocCamera& camera,
+                          const std::vector<DistortionSplat>& splats, const SplatOwners& owners) const {
   const Image<SampleState> states = compare(camera, image);
   Harm harm;
   harm.ofSplats.resize(splats.size());

@@ -27,6 +27,9 @@ class HarmMeter {
   /// Each camera may displace less than the one before, but nothing that this one did not. `splats` and `owners` are
   /// those that its map was made from.
   Harm measure(const DdocCamera& camera, const std::vector<DistortionSplat>& splats, const SplatOwners& owners);
+  /// The same of an image that has been drawn.
+  Harm measureIn(const ReferenceImage& image, const DdocCamera& camera, const std::vector<DistortionSplat>& splats,
+                 const SplatOwners& owners) const;
 
  private:
   ReferenceImage draw(const DdocCamera& camera);

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,6 +40,17 @@ struct ViewedPart {
   float marginPixels = 0;  ///< it sees no farther than this beside the reference's image
 };
 
+/// The images of an eye that moves, each from what the last one knew. Called by one thread at a time.
+class ImageSequence {
+ public:
+  struct Next {
+    ReferenceImages images;
+    bool warm = false;  ///< whether it began from what the last one knew
+  };
+  virtual ~ImageSequence() = default;
+  virtual Next next(const RepresentationInputs& inputs) = 0;
+};
+
 /// Its functions are called from any thread, and from several at once.
 struct RepresentationKind {
   /// Both texts must stay until the program ends, as string literals do.
@@ -54,6 +66,8 @@ struct RepresentationKind {
   int maxCount = 0;
   /// The reference images; empty for what is a mesh alone.
   std::function<ReferenceImages(const RepresentationInputs&)> images = {};
+  /// What makes them for an eye that moves; empty where each is made by itself.
+  std::function<std::unique_ptr<ImageSequence>()> sequence = {};
   /// What is a mesh alone, of so many triangles as the depth image's mesh has.
   std::function<Mesh(const Mesh& mesh, size_t triangles)> mesh = {};
   /// Triangles from which on rays are faster; nothing where it is built by rasterisation only.

@@ -192,6 +192,17 @@ RepresentationKind cornersRow(const char* name, const char* description, int cou
           .rays = pinholeRays};
 }
 
+class DdocSequence final : public ImageSequence {
+ public:
+  Next next(const Inputs& in) override {
+    NextDdocImage next = buildNextDdocImage(in.reference, in.mesh, in.choice.ddoc, memory_, in.progress, in.renderer);
+    return {{std::move(next.image)}, next.warm};
+  }
+
+ private:
+  BandMemory memory_;
+};
+
 RepresentationKind ddocRow(const char* name, const char* description, std::function<void(CameraChoice&)> prepare) {
   return {.name = name,
           .description = description,
@@ -200,6 +211,7 @@ RepresentationKind ddocRow(const char* name, const char* description, std::funct
           .images = [](const Inputs& in) -> ReferenceImages {
             return {buildDdocImage(in.reference, in.mesh, in.choice.ddoc, in.progress, in.renderer)};
           },
+          .sequence = [] { return std::make_unique<DdocSequence>(); },
           .rayCrossover = RayCrossover::kDdoc,
           .viewed = viewedDisplaced,
           .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, ddocCamera(in), in); },
