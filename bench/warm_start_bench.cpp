@@ -110,7 +110,7 @@ void measure(const Choice& choice) {
         judge.add(cold.errors, images, reference);
       }
     }
-    coldStarts += moving.coldStarts();
+    coldStarts += moving.starts().cold;
   }
   if (choice.json) {
     fmt::print("{}\n", nlohmann::json{{"scene", choice.scene},

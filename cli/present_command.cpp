@@ -126,6 +126,7 @@ void check(const PresentChoice& choice) {
 /// What is presented, and what it needs to stand.
 struct Presented {
   std::optional<ViewedScene> scene;
+  std::unique_ptr<MovingImages> images;  ///< of an eye that moves
   std::unique_ptr<EyeFeed> feed;
   std::unique_ptr<VolumeSource> source;
   EyesSource* eyes = nullptr;
@@ -160,9 +161,10 @@ void addSceneSource(Presented& presented, const PresentChoice& choice, const Dis
     }
     addViewedScene(presented, choice, profile, context);
     presented.feed = openEyeFeed(choice.eyes, choice.loop, eyePredictionFromName(choice.prediction, "--predict"));
+    presented.images = std::make_unique<MovingImages>(camera);
     auto source = std::make_unique<EyesSource>(
-        [&scene = *presented.scene, camera](const PinholeCamera& reference) {
-          return buildReferenceImages(camera, reference, scene.meshFor(camera, reference));
+        [&scene = *presented.scene, &moving = *presented.images](const PinholeCamera& reference) {
+          return moving.next(reference, scene.meshFor(moving.choice(), reference));
         },
         profile,
         EyesOptions{
@@ -273,6 +275,9 @@ PresentationReport present(Device& device, Presented& presented, const PresentCh
     result.eyesLeftOut = presented.eyes->eyesLeftOut();
     result.malformedEyes = presented.feed->malformed();
     result.firstMalformedEye = presented.feed->firstMalformed();
+    if (presented.images->remembers()) {
+      result.starts = presented.images->starts();
+    }
     result.prediction = presented.feed->predictionErrors();
   }
   return result;

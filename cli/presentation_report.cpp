@@ -107,6 +107,10 @@ std::string reportText(const PresentationReport& report) {
         "{:.4f} and {:.4f}\n",
         1000 * errors.aheadSeconds, errors.median, errors.most, errors.medianLast, errors.mostLast);
   }
+  if (report.starts && report.starts->cold > 1) {
+    text += fmt::format("  images started cold: {} of {}, the others from what the last one knew\n",
+                        report.starts->cold, report.starts->images);
+  }
   if (report.malformedEyes > 0) {
     text += fmt::format("  eyes: {} line{} could not be used; the first: {}\n", report.malformedEyes,
                         report.malformedEyes == 1 ? "" : "s", report.firstMalformedEye);
@@ -135,35 +139,37 @@ std::string reportJson(const PresentationReport& report) {
     }
   }
   const Telemetry& telemetry = report.telemetry;
-  const nlohmann::ordered_json json = {{"device", report.device.kind},
-                                       {"name", report.device.name},
-                                       {"serial", report.device.serial},
-                                       {"link", report.device.link},
-                                       {"profile", report.profile},
-                                       {"refreshes", summary.refreshes},
-                                       {"seconds", summary.seconds},
-                                       {"hertz", hertz(summary)},
-                                       {"misses", summary.misses},
-                                       {"outcomes", outcomes},
-                                       {"frames_shown", summary.framesShown},
-                                       {"smaller_images", summary.smallerImages},
-                                       {"smallest_image_scale", summary.leastImageScale},
-                                       {"making", spreadJson(summary.making)},
-                                       {"making_stages_ms", stages},
-                                       {"submitting", spreadJson(summary.submitting)},
-                                       {"sending", spreadJson(summary.sending)},
-                                       {"latency", spreadJson(summary.latency)},
-                                       {"foreseen_eyes", predictionJson(report.prediction)},
-                                       {"eyes_left_out", report.eyesLeftOut},
-                                       {"malformed_eyes", report.malformedEyes},
-                                       {"first_malformed_eye", report.firstMalformedEye},
-                                       {"frames_submitted", telemetry.framesSubmitted},
-                                       {"frames_arrived", telemetry.framesArrived},
-                                       {"frames_dropped", telemetry.framesDropped},
-                                       {"frames_lost", telemetry.framesLost},
-                                       {"underruns", telemetry.underruns},
-                                       {"reconnections", telemetry.reconnections},
-                                       {"bytes_sent", telemetry.bytesSent}};
+  const nlohmann::ordered_json json = {
+      {"device", report.device.kind},
+      {"name", report.device.name},
+      {"serial", report.device.serial},
+      {"link", report.device.link},
+      {"profile", report.profile},
+      {"refreshes", summary.refreshes},
+      {"seconds", summary.seconds},
+      {"hertz", hertz(summary)},
+      {"misses", summary.misses},
+      {"outcomes", outcomes},
+      {"frames_shown", summary.framesShown},
+      {"cold_starts", report.starts ? nlohmann::ordered_json(report.starts->cold) : nlohmann::ordered_json()},
+      {"smaller_images", summary.smallerImages},
+      {"smallest_image_scale", summary.leastImageScale},
+      {"making", spreadJson(summary.making)},
+      {"making_stages_ms", stages},
+      {"submitting", spreadJson(summary.submitting)},
+      {"sending", spreadJson(summary.sending)},
+      {"latency", spreadJson(summary.latency)},
+      {"foreseen_eyes", predictionJson(report.prediction)},
+      {"eyes_left_out", report.eyesLeftOut},
+      {"malformed_eyes", report.malformedEyes},
+      {"first_malformed_eye", report.firstMalformedEye},
+      {"frames_submitted", telemetry.framesSubmitted},
+      {"frames_arrived", telemetry.framesArrived},
+      {"frames_dropped", telemetry.framesDropped},
+      {"frames_lost", telemetry.framesLost},
+      {"underruns", telemetry.underruns},
+      {"reconnections", telemetry.reconnections},
+      {"bytes_sent", telemetry.bytesSent}};
   return textOfJson(json, 2) + "\n";
 }
 

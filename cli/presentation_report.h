@@ -1,6 +1,7 @@
 // What `ocelli present` tells: of each miss, and of all in the end.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "display_driver/pacing/device_log_player.h"
 #include "display_driver/pacing/eyes_source.h"
 #include "display_driver/pacing/time_line.h"
+#include "oc_core/ocri/camera_choice.h"
 
 namespace ocelli {
 
@@ -19,9 +21,10 @@ struct PresentationReport {
   std::vector<EyesSource::Stage> stages;  ///< of the making; may be empty
   uint64_t eyesLeftOut = 0;
   uint64_t malformedEyes = 0;
-  std::string firstMalformedEye{};  ///< with what is wrong with it
-  PredictionErrors prediction;      ///< of live eyes
-  bool absent = false;              ///< the display never was there
+  std::string firstMalformedEye{};        ///< with what is wrong with it
+  PredictionErrors prediction;            ///< of live eyes
+  std::optional<StartedImages> starts{};  ///< of a camera whose images begin from what the last one knew
+  bool absent = false;                    ///< the display never was there
   bool interrupted = false;
 };
 

@@ -71,6 +71,7 @@ BandMemory::Recalled BandMemory::recall(const PinholeCamera& camera, const std::
 void BandMemory::remember(const PinholeCamera& camera, const std::vector<DistortionSplat>& splats,
                           const std::vector<float>& kept) {
   OC_CHECK(kept.size() == splats.size(), "each splat keeps a share of its band");
+  eye_ = camera.eye();
   bands_.clear();
   for (size_t i = 0; i < splats.size(); ++i) {
     const DepthEdge& edge = splats[i].edge;

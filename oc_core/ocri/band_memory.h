@@ -6,6 +6,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "oc_core/camera/pinhole_camera.h"
@@ -15,8 +16,6 @@ namespace ocelli {
 
 class BandMemory {
  public:
-  bool isEmpty() const { return bands_.empty(); }
-
   /// How much of its hidden band each splat keeps, in (0, 1]: that of the silhouette that is remembered nearest to it,
   /// about as near to the eye, within a few pixels; and for how many there is one.
   struct Recalled {
@@ -24,6 +23,9 @@ class BandMemory {
     size_t known = 0;
   };
   Recalled recall(const PinholeCamera& camera, const std::vector<DistortionSplat>& splats) const;
+
+  /// From where the last image was seen; nothing before the first.
+  const std::optional<glm::vec3>& eye() const { return eye_; }
 
   /// Of each splat, as `camera` has it, what it keeps from now on.
   void remember(const PinholeCamera& camera, const std::vector<DistortionSplat>& splats,
@@ -34,6 +36,7 @@ class BandMemory {
     glm::vec3 occluder{0};  ///< a point of the silhouette, world coordinates
     float kept = 1;
   };
+  std::optional<glm::vec3> eye_;
   std::vector<Band> bands_;
 };
 

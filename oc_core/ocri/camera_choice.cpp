@@ -193,12 +193,9 @@ MovingImages::~MovingImages() = default;
 ReferenceImages MovingImages::next(const PinholeCamera& reference, const Mesh& mesh, const Progress& progress) {
   requireOutside(mesh, reference.eye(), "view");
   return imagesOf({choice_, reference, mesh, progress}, [&](const RepresentationInputs& inputs) {
-    if (!sequence_) {
-      ++coldStarts_;
-      return choice_.kind->images(inputs);
-    }
-    ImageSequence::Next next = sequence_->next(inputs);
-    coldStarts_ += next.warm ? 0 : 1;
+    ImageSequence::Next next = sequence_ ? sequence_->next(inputs) : ImageSequence::Next{choice_.kind->images(inputs)};
+    ++starts_.images;
+    starts_.cold += next.warm ? 0 : 1;
     return std::move(next.images);
   });
 }

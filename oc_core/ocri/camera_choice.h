@@ -66,6 +66,11 @@ CameraChoice readCameraChoice(JsonFields& fields, const ViewCell& cell = {});
 ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                      const Progress& progress = {});
 
+struct StartedImages {
+  size_t images = 0;
+  size_t cold = 0;  ///< began by themselves, and not from what the last one knew
+};
+
 /// The reference images of an eye that moves, by rasterisation. Each begins from what the last one knew, where the row
 /// of the choice has a way to (representation_kind.h), and the eye has not jumped. Called by one thread at a time.
 class MovingImages {
@@ -79,12 +84,12 @@ class MovingImages {
 
   /// Whether images may begin from the last one.
   bool remembers() const { return sequence_ != nullptr; }
-  size_t coldStarts() const { return coldStarts_; }
+  const StartedImages& starts() const { return starts_; }
 
  private:
   CameraChoice choice_;
   std::unique_ptr<ImageSequence> sequence_;
-  size_t coldStarts_ = 0;
+  StartedImages starts_;
 };
 
 /// The same by rasterisation or by rays. `rays` is the acceleration structure of the mesh where one stands; where rays

@@ -84,7 +84,7 @@ struct NextDdocImage {
 
 /// For an eye that moves: the same image, whose bands begin as they ended in the last one, in place of the rounds of
 /// feedback, and are judged by this image itself for the next one. It is built cold, as above, where the last image's
-/// silhouettes are not most of this one's: the first time, and where the eye has jumped.
+/// silhouettes are not most of this one's, and where the eye has left its view cell: the first time, and after a jump.
 NextDdocImage buildNextDdocImage(const PinholeCamera& reference, const Mesh& mesh, const DdocOptions& options,
                                  BandMemory& memory, const Progress& progress = {},
                                  const SceneRenderer* renderer = nullptr);
