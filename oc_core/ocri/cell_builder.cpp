@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <optional>
 
 #include "oc_core/base/parallel.h"
@@ -113,8 +114,9 @@ Image<uint8_t> missingGroups(const Image<SampleState>& states, int least) {
 /// What one viewpoint sees, and what of it is stored.
 struct Part {
   PinholeCamera camera;
+  FragmentImage seen;
+  ReferenceImage image;  ///< the depth image, without colours
   Image<glm::vec4> truth;
-  ReferenceImage image;
   size_t firstVertex = 0;  ///< of its mesh in the mesh of all
   std::vector<uint32_t> pixelOfVertex{};
 };
@@ -176,65 +178,64 @@ size_t removeHarmful(std::vector<Part>& parts, const Mesh& mesh) {
 /// The reference part, then the satellites that add to it.
 struct Found {
   std::vector<Part> parts;
-  Mesh mesh;                       ///< of all parts
-  size_t samples = 0;              ///< that they take
-  std::vector<View> candidates{};  ///< viewpoints that would add something if their samples were a pixel apart
+  Mesh mesh;                         ///< of all parts
+  size_t samples = 0;                ///< that they take
+  std::vector<size_t> candidates{};  ///< viewpoints that would add something if their samples were a pixel apart
 };
 
 size_t maxSamples(const Found& found, const CellOptions& options) {
   return static_cast<size_t>(options.maxSamples * static_cast<float>(found.parts[0].image.sampleCount()));
 }
 
-/// The depth image of a viewpoint, without colours.
-ReferenceImage geometrySeenFrom(const PinholeCamera& camera, const Mesh& mesh, const SceneRenderer* renderer) {
-  const FragmentImage seen = seenFrom(camera, mesh, renderer);
-  ReferenceImage image{.camera = "di",
-                       .view = camera.view(),
-                       .color = {},
-                       .t = Image<float>(seen.width(), seen.height()),
-                       .held = Image<uint8_t>(seen.width(), seen.height()),
-                       .displacement = Image<glm::vec2>(seen.width(), seen.height())};
+Part partSeenFrom(const PinholeCamera& camera, const Mesh& mesh, const SceneRenderer* renderer) {
+  Part part{camera, seenFrom(camera, mesh, renderer), {}, {}};
+  const FragmentImage& seen = part.seen;
+  part.image = {.camera = "di",
+                .view = camera.view(),
+                .color = {},
+                .t = Image<float>(seen.width(), seen.height()),
+                .held = Image<uint8_t>(seen.width(), seen.height()),
+                .displacement = Image<glm::vec2>(seen.width(), seen.height())};
   parallelFor(seen.size(), 1 << 12, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       if (seen[i].covered()) {
-        image.t[i] = camera.cameraFromWorld(positionOf(seen[i], mesh)).z;
-        image.held[i] = 1;
+        part.image.t[i] = camera.cameraFromWorld(positionOf(seen[i], mesh)).z;
+        part.image.held[i] = 1;
       }
     }
   });
-  return image;
+  part.truth = positionsOf(part.image);
+  return part;
 }
 
 /// The reference part alone.
 Found referencePart(const PinholeCamera& reference, const Mesh& mesh, const SceneRenderer* renderer) {
   Found found;
-  found.parts.push_back({reference, {}, geometrySeenFrom(reference, mesh, renderer)});
-  found.parts[0].truth = positionsOf(found.parts[0].image);
+  found.parts.push_back(partSeenFrom(reference, mesh, renderer));
   found.samples = found.parts[0].image.sampleCount();
   appendPart(found.mesh, found.parts[0]);
   return found;
 }
 
-/// Adds satellites at those of `views` that matter, their samples `spacing` apart. Once they take too many samples:
-/// what there is so far where it `mayStop`, nothing otherwise.
+/// Adds satellites at those of the `tried` ones of `views` that matter, their samples `spacing` apart. Once they take
+/// too many samples: what there is so far where it `mayStop`, nothing otherwise.
 std::optional<Found> findParts(Found found, const Mesh& mesh, const std::vector<View>& views,
-                               const CellOptions& options, float spacing, bool mayStop, const Progress& progress,
-                               const SceneRenderer* renderer) {
+                               const std::vector<size_t>& tried, const CellOptions& options, float spacing,
+                               bool mayStop, const Progress& progress, const SceneRenderer* renderer) {
   const PinholeCamera reference = found.parts[0].camera;
   const auto least = static_cast<size_t>(options.minShare * static_cast<float>(found.samples));
   const auto scaled = [&](int pixels) {
     return std::max(static_cast<int>(std::lround(static_cast<float>(pixels) / spacing)), 1);
   };
-  for (size_t i = 0; i < views.size(); ++i) {
-    report(progress, "satellites", static_cast<double>(i) / static_cast<double>(views.size()));
-    const PinholeCamera camera(views[i], scaled(reference.width()), scaled(reference.height()));
-    Part part{camera, {}, geometrySeenFrom(camera, mesh, renderer)};
-    part.truth = positionsOf(part.image);
+  for (size_t i = 0; i < tried.size(); ++i) {
+    report(progress, "satellites", static_cast<double>(i) / static_cast<double>(tried.size()));
+    const PinholeCamera camera(views[tried[i]], scaled(reference.width()), scaled(reference.height()));
+    Part part = partSeenFrom(camera, mesh, renderer);
     Image<uint8_t> marks =
         missingGroups(compareFrames(camera, part.truth, positionImage(camera, found.mesh)), options.minGroup);
     const auto missing = static_cast<size_t>(std::count(marks.begin(), marks.end(), 1));
     if (2 * static_cast<float>(missing) * spacing * spacing > static_cast<float>(least)) {
-      found.candidates.push_back(views[i]);
+      found.candidates.push_back(tried[i]);
     }
     if (missing <= least) {
       continue;
@@ -275,35 +276,119 @@ void takeOutHarmful(Found& found, const CellOptions& options, const Progress& pr
   report(progress, "do no harm", 1);
 }
 
+/// While samples of satellites are looked for again, they are taken so much farther apart each time.
+constexpr float kCoarser = 1.12f;
+
+struct Constructed {
+  Found found;
+  float spacing = 1;  ///< of the samples of satellites
+};
+
+Constructed constructCold(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
+                          const Progress& progress, const SceneRenderer* renderer) {
+  const std::vector<View> views = satelliteViews(reference.view(), options);
+  std::vector<size_t> all(views.size());
+  std::iota(all.begin(), all.end(), size_t{0});
+  const Found alone = referencePart(reference, mesh, renderer);
+  Found found = *findParts(alone, mesh, views, all, options, options.coarsestSpacing, true, progress, renderer);
+  // Closer together, samples are looked for only from the viewpoints that may have some then.
+  const std::vector<size_t> candidates = found.candidates;
+  for (float spacing = std::max(expectedSpacing(found, options), 1.0f); spacing < options.coarsestSpacing;
+       spacing *= kCoarser) {
+    if (auto finer = findParts(alone, mesh, views, candidates, options, spacing, false, progress, renderer)) {
+      return {std::move(*finer), spacing};
+    }
+  }
+  return {std::move(found), options.coarsestSpacing};
+}
+
+/// Some of the viewpoints that added nothing, others each time: what they see may have changed.
+std::vector<size_t> viewpointsToTry(CellMemory& memory, size_t count) {
+  constexpr size_t kOthers = 2;
+  std::vector<size_t> tried = memory.useful;
+  for (size_t i = 0, others = 0; i < count && others < kOthers; ++i) {
+    memory.lastTried = (memory.lastTried + 1) % count;
+    if (std::find(memory.useful.begin(), memory.useful.end(), memory.lastTried) == memory.useful.end()) {
+      tried.push_back(memory.lastTried);
+      ++others;
+    }
+  }
+  std::sort(tried.begin(), tried.end());
+  return tried;
+}
+
+Constructed constructWarm(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
+                          CellMemory& memory, const Progress& progress, const SceneRenderer* renderer) {
+  const std::vector<View> views = satelliteViews(reference.view(), options);
+  const std::vector<size_t> tried = viewpointsToTry(memory, views.size());
+  const Found alone = referencePart(reference, mesh, renderer);
+  for (float spacing = memory.spacing;; spacing *= kCoarser) {
+    const bool isCoarsest = spacing >= options.coarsestSpacing;
+    spacing = std::min(spacing, options.coarsestSpacing);
+    if (auto found = findParts(alone, mesh, views, tried, options, spacing, isCoarsest, progress, renderer)) {
+      return {std::move(*found), spacing};
+    }
+  }
+}
+
+/// The samples of the next image lie closer together where those of this one left room.
+CellMemory memoryOf(const Constructed& constructed, const CellOptions& options, const PinholeCamera& reference,
+                    size_t lastTried) {
+  constexpr float kRoomLeft = 0.94f;
+  constexpr float kCloser = 0.97f;
+  const Found& found = constructed.found;
+  const auto own = static_cast<float>(found.parts[0].image.sampleCount());
+  const float taken = static_cast<float>(found.samples) - own;
+  const bool mayGrow = taken < kRoomLeft * (options.maxSamples - 1) * own;
+  return {reference.eye(), found.candidates,
+          std::max(mayGrow ? constructed.spacing * kCloser : constructed.spacing, 1.0f), lastTried};
+}
+
+CellCamera cameraOf(const std::vector<Part>& parts) {
+  std::vector<CellCamera::Viewpoint> viewpoints;
+  for (const Part& part : parts) {
+    viewpoints.push_back({part.camera, part.image.t});
+  }
+  for (float& reach : viewpoints[0].reach) {
+    reach = reach > 0 ? reach : parts[0].camera.view().zFar;
+  }
+  return CellCamera(std::move(viewpoints));
+}
+
+/// The image of what each viewpoint sees; `seenBy` is called for one after the other.
+template <class SeenBy>
+ReferenceImage imageOf(const CellCamera& camera, const Mesh& mesh, const SeenBy& seenBy) {
+  FragmentImage fragments(camera.width(), camera.height());
+  const auto copy = [&](size_t viewpoint, const FragmentImage& seen, const glm::ivec2& from, const glm::ivec2& extent,
+                        const glm::ivec2& to) {
+    const Image<float>& reach = camera.viewpoints()[viewpoint].reach;
+    for (int y = 0; y < extent.y; ++y) {
+      for (int x = 0; x < extent.x; ++x) {
+        if (reach.contains(from.x + x, from.y + y) && reach(from.x + x, from.y + y) > 0) {
+          fragments(to.x + x, to.y + y) = seen(from.x + x, from.y + y);
+        }
+      }
+    }
+  };
+  const PinholeCamera& reference = camera.reference();
+  copy(0, seenBy(0), {0, 0}, {reference.width(), reference.height()}, {0, 0});
+  for (size_t tile = 0; tile < camera.tiles().size();) {
+    const size_t viewpoint = camera.tiles()[tile].viewpoint;
+    const FragmentImage& seen = seenBy(viewpoint);
+    for (; tile < camera.tiles().size() && camera.tiles()[tile].viewpoint == viewpoint; ++tile) {
+      copy(viewpoint, seen, camera.tiles()[tile].corner, glm::ivec2(CellCamera::kTileSide), camera.cornerOf(tile));
+    }
+  }
+  return cellImage(camera, fragments, mesh);
+}
+
 }  // namespace
 
 CellCamera buildCellCamera(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
                            const Progress& progress, const SceneRenderer* renderer) {
-  constexpr float kCoarser = 1.12f;
-  const Found alone = referencePart(reference, mesh, renderer);
-  Found found = *findParts(alone, mesh, satelliteViews(reference.view(), options), options, options.coarsestSpacing,
-                           true, progress, renderer);
-  // Closer together, samples are looked for only from the viewpoints that may have some then.
-  const std::vector<View> views = found.candidates;
-  float spacing = std::max(expectedSpacing(found, options), 1.0f);
-  std::optional<Found> finer;
-  while (!finer && spacing < options.coarsestSpacing) {
-    finer = findParts(alone, mesh, views, options, spacing, false, progress, renderer);
-    spacing *= kCoarser;
-  }
-  if (finer) {
-    found = std::move(*finer);
-  }
+  Found found = constructCold(reference, mesh, options, progress, renderer).found;
   takeOutHarmful(found, options, progress);
-
-  std::vector<CellCamera::Viewpoint> viewpoints;
-  for (Part& part : found.parts) {
-    viewpoints.push_back({part.camera, std::move(part.image.t)});
-  }
-  for (float& reach : viewpoints[0].reach) {
-    reach = reach > 0 ? reach : reference.view().zFar;
-  }
-  return CellCamera(std::move(viewpoints));
+  return cameraOf(found.parts);
 }
 
 ReferenceImage cellImage(const CellCamera& camera, const FragmentImage& fragments, const Mesh& mesh) {
@@ -318,28 +403,27 @@ ReferenceImage cellImage(const CellCamera& camera, const FragmentImage& fragment
 }
 
 ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh, const SceneRenderer* renderer) {
-  FragmentImage fragments(camera.width(), camera.height());
-  const auto copy = [&](size_t viewpoint, const FragmentImage& seen, const glm::ivec2& from, const glm::ivec2& extent,
-                        const glm::ivec2& to) {
-    const Image<float>& reach = camera.viewpoints()[viewpoint].reach;
-    for (int y = 0; y < extent.y; ++y) {
-      for (int x = 0; x < extent.x; ++x) {
-        if (reach.contains(from.x + x, from.y + y) && reach(from.x + x, from.y + y) > 0) {
-          fragments(to.x + x, to.y + y) = seen(from.x + x, from.y + y);
-        }
-      }
-    }
-  };
-  const PinholeCamera& reference = camera.reference();
-  copy(0, seenFrom(reference, mesh, renderer), {0, 0}, {reference.width(), reference.height()}, {0, 0});
-  for (size_t tile = 0; tile < camera.tiles().size();) {
-    const size_t viewpoint = camera.tiles()[tile].viewpoint;
-    const FragmentImage seen = seenFrom(camera.viewpoints()[viewpoint].camera, mesh, renderer);
-    for (; tile < camera.tiles().size() && camera.tiles()[tile].viewpoint == viewpoint; ++tile) {
-      copy(viewpoint, seen, camera.tiles()[tile].corner, glm::ivec2(CellCamera::kTileSide), camera.cornerOf(tile));
-    }
-  }
-  return cellImage(camera, fragments, mesh);
+  return imageOf(camera, mesh,
+                 [&](size_t viewpoint) { return seenFrom(camera.viewpoints()[viewpoint].camera, mesh, renderer); });
+}
+
+ReferenceImage buildCellImage(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
+                              const Progress& progress, const SceneRenderer* renderer) {
+  CellMemory memory;
+  return buildNextCellImage(reference, mesh, options, memory, progress, renderer).image;
+}
+
+NextCellImage buildNextCellImage(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
+                                 CellMemory& memory, const Progress& progress, const SceneRenderer* renderer) {
+  const bool warm = memory.spacing > 0 && glm::distance(memory.eye, reference.eye()) <= options.cell.halfSide();
+  Constructed constructed = warm ? constructWarm(reference, mesh, options, memory, progress, renderer)
+                                 : constructCold(reference, mesh, options, progress, renderer);
+  memory = memoryOf(constructed, options, reference, memory.lastTried);
+  takeOutHarmful(constructed.found, options, progress);
+  const std::vector<Part>& parts = constructed.found.parts;
+  return {
+      imageOf(cameraOf(parts), mesh, [&](size_t viewpoint) -> const FragmentImage& { return parts[viewpoint].seen; }),
+      warm};
 }
 
 }  // namespace ocelli
