@@ -14,6 +14,8 @@ PackSummary summaryOf(const PackedScene& scene, const Progress& progress) {
   uint64_t triangles = 0;
   uint64_t clusters = 0;
   std::vector<uint32_t> levels(scene.groupCount(), 0);  // of the highest cluster of a group
+  // What stands above a group comes after it: where each but the root stands below one, all stand below the root.
+  std::vector<uint8_t> standsBelow(scene.groupCount(), 0);
   for (uint32_t i = 0; i < scene.groupCount(); ++i) {
     const PackedGroupInfo group = scene.group(i);
     for (uint32_t k = 0; k < group.clusters; ++k) {
@@ -21,8 +23,14 @@ PackSummary summaryOf(const PackedScene& scene, const Progress& progress) {
       const bool isOfScene = cluster.finer == PackedClusterInfo::kNone;
       // Groups that something replaces stand before the clusters that replace them.
       levels[i] = std::max(levels[i], isOfScene ? 1 : levels[cluster.finer] + 1);
+      if (!isOfScene) {
+        standsBelow[cluster.finer] = 1;
+      }
       summary.finestTriangles += isOfScene ? cluster.triangles : 0;
       summary.finestClusters += isOfScene ? 1 : 0;
+    }
+    for (uint32_t k = 0; k < group.innerGroups; ++k) {
+      standsBelow[group.firstInner + k] = 1;
     }
     summary.levels = std::max(summary.levels, levels[i]);
     if (std::isinf(group.error)) {
@@ -36,8 +44,9 @@ PackSummary summaryOf(const PackedScene& scene, const Progress& progress) {
       scene.release();
     }
   }
-  if (triangles != scene.storedTriangles() || clusters != scene.clusterCount() ||
-      summary.finestTriangles > scene.triangleCount()) {
+  standsBelow[scene.root()] = 1;
+  if (std::ranges::count(standsBelow, 0) > 0 || triangles != scene.storedTriangles() ||
+      clusters != scene.clusterCount() || summary.finestTriangles > scene.triangleCount()) {
     throw InputError("this packed scene is damaged: it does not hold what its end says", scene.path().string(),
                      "pack the scene again");
   }

@@ -95,7 +95,7 @@ std::string sourceKeyOf(const Scene& scene, const SceneOptions& options, const s
 }  // namespace
 
 bool isPackedScene(const std::string& source) {
-  return source.ends_with(".opack");
+  return !isBuiltinScene(source) && source.ends_with(".opack");
 }
 
 PackReport packSource(const std::string& source, const SceneOptions& options, const std::filesystem::path& path,

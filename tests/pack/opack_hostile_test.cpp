@@ -7,6 +7,7 @@
 #include <set>
 
 #include "oc_core/base/error.h"
+#include "oc_core/pack/cluster_cut.h"
 #include "oc_core/pack/pack_summary.h"
 #include "oc_core/worlds/packed_source.h"
 #include "tests/base/temporary_folder.h"
