@@ -15,6 +15,7 @@
 #include "oc_core/render/view_cut.h"
 #include "oc_core/worlds/solids.h"
 #include "tests/base/temporary_folder.h"
+#include "tests/ocri/seen_by_reference.h"
 #include "tests/pack/packed_meshes.h"
 
 namespace ocelli {
@@ -180,49 +181,6 @@ size_t otherSamples(const ReferenceImages& wanted, const ReferenceImages& got) {
   return others;
 }
 
-/// The distance from the reference's eye at each pixel of the reference that any of the images shows, 0 elsewhere.
-/// Cameras put samples elsewhere when an edge moves by a pixel, and images become wider or higher; the reference sees
-/// the same.
-Image<float> seenByReference(const ReferenceImages& images, const PinholeCamera& view) {
-  Image<float> seen(view.width(), view.height(), 0);
-  for (const ReferenceImage& image : images) {
-    const PinholeCamera own = image.reference();
-    for (int y = 0; y < image.height(); ++y) {
-      for (int x = 0; x < image.width(); ++x) {
-        const std::optional<glm::vec3> point = image.pointOf(x, y, own);
-        const std::optional<ImagePoint> at = point ? view.project(*point) : std::nullopt;
-        if (at && at->u >= 0 && at->v >= 0 && at->u < static_cast<float>(view.width()) &&
-            at->v < static_cast<float>(view.height())) {
-          float& t = seen(static_cast<int>(at->u), static_cast<int>(at->v));
-          t = t == 0 ? at->t : std::min(t, at->t);
-        }
-      }
-    }
-  }
-  return seen;
-}
-
-size_t samplesOf(const ReferenceImages& images) {
-  size_t samples = 0;
-  for (const ReferenceImage& image : images) {
-    samples += image.sampleCount();
-  }
-  return samples;
-}
-
-/// The share of the reference's pixels that one of the two lacks, or that show something a hundredth nearer or farther.
-double otherShare(const ReferenceImages& wanted, const ReferenceImages& got, const PinholeCamera& view) {
-  const Image<float> a = seenByReference(wanted, view);
-  const Image<float> b = seenByReference(got, view);
-  size_t covered = 0;
-  size_t others = 0;
-  for (size_t i = 0; i < a.size(); ++i) {
-    covered += a[i] > 0 ? 1 : 0;
-    others += (a[i] > 0) != (b[i] > 0) || std::abs(a[i] - b[i]) > 0.01f * a[i] ? 1 : 0;
-  }
-  return static_cast<double>(others) / static_cast<double>(covered);
-}
-
 bool hasAllTriangles(const Mesh& mesh, const Mesh& of) {
   const auto some = test::trianglesOf(mesh);
   const auto all = test::trianglesOf(of);
@@ -232,30 +190,22 @@ bool hasAllTriangles(const Mesh& mesh, const Mesh& of) {
 /// Where no error is allowed, images hold the same samples bit by bit: the triangles are the scene's own, each pixel
 /// has one of them whatever their order, and what is left out would be in no image.
 TEST(PackedView, WithoutErrorEveryRepresentationIsThatOfTheScene) {
-  for (const PinholeCamera& view : {defaultView(), nearView()}) {
+  struct Case {
+    const PackedMesh& made;
+    PinholeCamera view;
+  };
+  for (const auto& [made, view] :
+       {Case{ballsAndWall(), defaultView()}, Case{ballsAndWall(), nearView()}, Case{ballsAndSky(), defaultView()}}) {
     for (const CameraChoice& choice : everyChoice()) {
-      const Mesh viewed = meshForView(ballsAndWall().scene, choice, view, kNoError);
-      EXPECT_TRUE(hasAllTriangles(viewed, ballsAndWall().mesh)) << choice.name;
+      const Mesh viewed = meshForView(made.scene, choice, view, kNoError);
+      EXPECT_TRUE(hasAllTriangles(viewed, made.mesh)) << choice.name;
       if (!viewedPart(choice, view)) {
-        EXPECT_EQ(viewed.triangles.size(), ballsAndWall().mesh.triangles.size()) << choice.name;
+        EXPECT_EQ(viewed.triangles.size(), made.mesh.triangles.size()) << choice.name;
       }
       if (choice.hasImages()) {
-        const ReferenceImages wanted = buildReferenceImages(choice, view, ballsAndWall().mesh);
-        EXPECT_GT(samplesOf(wanted), 300U) << choice.name;
+        const ReferenceImages wanted = buildReferenceImages(choice, view, made.mesh);
+        EXPECT_GT(test::samplesOf(wanted), 50U) << choice.name;
         EXPECT_EQ(otherSamples(wanted, buildReferenceImages(choice, view, viewed)), 0U) << choice.name;
-      }
-    }
-  }
-}
-
-TEST(PackedView, ProbeSky) {
-  for (const PinholeCamera& view : {defaultView(), nearView()}) {
-    for (const CameraChoice& choice : everyChoice()) {
-      if (choice.hasImages()) {
-        const Mesh viewed = meshForView(ballsAndSky().scene, choice, view, kNoError);
-        const ReferenceImages wanted = buildReferenceImages(choice, view, ballsAndSky().mesh);
-        std::cout << choice.name << " " << otherSamples(wanted, buildReferenceImages(choice, view, viewed)) << " of "
-                  << samplesOf(wanted) << "\n";
       }
     }
   }
@@ -269,10 +219,10 @@ TEST(PackedView, WhatLiesBesideTheFrustumIsNeeded) {
   for (const CameraChoice& choice : everyChoice()) {
     const std::optional<ViewedPart> part = viewedPart(choice, view);
     if (part && (part->reach > 0 || part->marginPixels > 0)) {
-      std::cout << choice.name << " " << part->reach << " " << part->marginPixels << " "
-                << otherSamples(buildReferenceImages(choice, view, ballsAndWall().mesh),
-                                buildReferenceImages(choice, view, narrow))
-                << "\n";
+      EXPECT_GT(otherSamples(buildReferenceImages(choice, view, ballsAndWall().mesh),
+                             buildReferenceImages(choice, view, narrow)),
+                50U)
+          << choice.name;
     }
   }
 }
@@ -316,12 +266,14 @@ TEST(PackedView, EverySampleLiesInWhatIsViewed) {
 }
 
 TEST(PackedView, ClustersOutOfReachAreLeftOut) {
-  const PinholeCamera view = nearView();
-  // The largest box of a cluster of the scene.
-  float longest = 0;
+  View narrow = nearView().view();
+  narrow.fovVerticalDegrees = 6;
+  const PinholeCamera view(narrow, 60, 40);
+  // The largest sphere of a cluster of the scene.
+  float largest = 0;
   const PackedScene& scene = ballsAndWall().scene;
   for (const ClusterChoice& cluster : allClusters(scene)) {
-    longest = std::max(longest, 2 * scene.cluster(cluster.group, cluster.cluster).bounds.radius);
+    largest = std::max(largest, scene.cluster(cluster.group, cluster.cluster).bounds.radius);
   }
   for (const CameraChoice& choice : everyChoice()) {
     std::optional<ViewedPart> part = viewedPart(choice, view);
@@ -329,13 +281,18 @@ TEST(PackedView, ClustersOutOfReachAreLeftOut) {
       continue;
     }
     const Mesh viewed = meshForView(scene, choice, view, kNoError);
+    EXPECT_GT(viewed.triangles.size(), 0U) << choice.name;
     EXPECT_LT(viewed.triangles.size(), ballsAndWall().mesh.triangles.size()) << choice.name;
-    part->reach += longest;
+    // A cluster whose sphere is reached may lie behind its centre.
+    part->reach += 2 * largest;
     EXPECT_TRUE(std::ranges::all_of(viewed.positions, [&](const glm::vec3& p) { return isViewed(*part, view, p); }))
         << choice.name;
   }
 }
 
+/// At the default of half a pixel. Where surfaces are off by that, silhouettes move by as much: of 21,600 pixels some
+/// thousands lie beside one. Of these one in a hundred shows another surface (at worst 1.0 % with ddoc, whose samples
+/// stand where an edge displaces them; 0.04 % with the others). Errors of eight pixels move a fifth of ddoc's samples.
 TEST(PackedView, ByDefaultTheReferenceSeesTheSame) {
   for (const PinholeCamera& view : {defaultView(), nearView()}) {
     for (const CameraChoice& choice : everyChoice()) {
@@ -344,12 +301,25 @@ TEST(PackedView, ByDefaultTheReferenceSeesTheSame) {
       }
       const ReferenceImages wanted = buildReferenceImages(choice, view, ballsAndWall().mesh);
       const ReferenceImages got = buildReferenceImages(choice, view, ballsAndWall().scene);
-      const Mesh coarse = meshForView(ballsAndWall().scene, choice, view, 8);
-      std::cout << choice.name << " " << otherShare(wanted, got, view) << " "
-                << static_cast<double>(samplesOf(got)) / static_cast<double>(samplesOf(wanted)) << " "
-                << meshForView(ballsAndWall().scene, choice, view).triangles.size() << " coarse "
-                << otherShare(wanted, buildReferenceImages(choice, view, coarse), view) << "\n";
+      const bool isDisplaced = choice.name.starts_with("ddoc");
+      EXPECT_LT(test::otherShare(wanted, got, view), isDisplaced ? 0.015 : 0.001) << choice.name;
+      EXPECT_NEAR(static_cast<double>(test::samplesOf(got)), static_cast<double>(test::samplesOf(wanted)),
+                  0.02 * static_cast<double>(test::samplesOf(wanted)))
+          << choice.name;
     }
+  }
+}
+
+/// That the bounds of the test above can be broken.
+TEST(PackedView, ErrorsOfEightPixelsAreFound) {
+  const PinholeCamera view = defaultView();
+  for (const char* name : {"di", "ddoc", "eoc-h", "cell", "spoc", "corners-4"}) {
+    const CameraChoice choice = cameraChoice(name);
+    const Mesh coarse = meshForView(ballsAndWall().scene, choice, view, 8);
+    EXPECT_GT(test::otherShare(buildReferenceImages(choice, view, ballsAndWall().mesh),
+                               buildReferenceImages(choice, view, coarse), view),
+              choice.name == "ddoc" ? 0.1 : 0.004)
+        << name;
   }
 }
 
@@ -359,54 +329,27 @@ TEST(PackedView, ViewpointsInsideAnObjectAreRefusedAsInTheScene) {
   struct Case {
     const char* where;
     glm::vec3 center;
+    bool isRefused;  ///< by some representation
   };
-  for (const Case& each : {Case{"nowhere", {0, 0, -6}}, Case{"eye", {0, 0, 10}}, Case{"left", {-0.8f, 0, 10}},
-                           Case{"top", {0, 0.8f, 10}}, Case{"corner", {0.8f, 0.8f, 9.2f}}}) {
+  for (const Case& each : {Case{"nowhere", {0, 0, -6}, false}, Case{"eye", {0, 0, 10}, true},
+                           Case{"left end", {-0.8f, 0, 10}, true}, Case{"upper end", {0, 0.8f, 10}, true}}) {
     Mesh scene = bumpyBall(64);
     append(scene, bumpyBall(64), glm::scale(glm::translate(glm::mat4(1), each.center), glm::vec3(0.3f)));
     Numbers().paint(scene);
     const PackedMesh made(scene);
+    size_t refused = 0;
     for (const CameraChoice& choice : everyChoice()) {
       if (choice.hasImages()) {
         const std::string wanted = errorOf([&] { buildReferenceImages(choice, view, made.mesh); });
         EXPECT_EQ(errorOf([&] { buildReferenceImages(choice, view, made.scene); }), wanted)
             << choice.name << ", " << each.where;
-        EXPECT_EQ(wanted.empty(), each.where != std::string("eye") && wanted.empty());
+        refused += wanted.empty() ? 0 : 1;
         if (each.where == std::string("eye")) {
           EXPECT_THAT(wanted, HasSubstr("inside")) << choice.name;
         }
       }
     }
-  }
-}
-
-/// In a room with thick walls and a small window: the inner faces of the walls may be one cluster, whose sum of solid
-/// angles is that of a closed object.
-TEST(PackedView, AnEyeInARoomIsNoEyeInAWall) {
-  Mesh room = makeSphere(12);
-  std::erase_if(room.triangles, [&](const glm::uvec3& t) { return t == room.triangles.front(); });
-  for (glm::uvec3& t : room.triangles) {
-    std::swap(t.y, t.z);
-  }
-  // The window: what lies at the hole leads to the outer face.
-  Mesh outer = makeSphere(64);
-  for (glm::vec3& p : room.positions) {
-    p *= 1.0f;
-  }
-  append(room, outer, glm::scale(glm::mat4(1), glm::vec3(1.5f)));
-  Numbers().paint(room);
-  View inside;
-  inside.eye = {0.1f, 0, 0.1f};
-  inside.target = {0.1f, 0, -10};
-  inside.fovVerticalDegrees = 40;
-  const PinholeCamera view(inside, kWidth, kHeight);
-  const PackedMesh made(room);
-  for (const CameraChoice& choice : everyChoice()) {
-    if (choice.hasImages()) {
-      EXPECT_EQ(errorOf([&] { buildReferenceImages(choice, view, made.scene); }),
-                errorOf([&] { buildReferenceImages(choice, view, made.mesh); }))
-          << choice.name;
-    }
+    EXPECT_EQ(refused > 0, each.isRefused) << each.where;
   }
 }
 
