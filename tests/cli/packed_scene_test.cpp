@@ -186,13 +186,13 @@ TEST_F(PackedSceneCommands, WhatItCannotDoIsAnErrorThatSaysWhatToDo) {
 /// The first job is held up where it has made a part, then killed.
 TEST_F(PackedSceneCommands, ASecondJobIsRefusedAndAKilledOneGoesOn) {
   const ProgramResult result = runShell("cd " + inQuotes(folder_.path()) + R"(
-"$OCELLI" scene pack builtin:statues,triangles=1300000 -o many.opack -q & job=$!
+"$OCELLI" scene pack builtin:statues,triangles=800000 -o many.opack -q & job=$!
 while kill -0 $job && ! ls many.opack.work/part_0 2>/dev/null >&2; do sleep 0.01; done
 kill -STOP $job
 "$OCELLI" scene pack builtin:box -o many.opack; echo "second $?"
 kill -KILL $job; wait $job 2>/dev/null
 ls many.opack many.opack.partial 2>/dev/null
-"$OCELLI" scene pack builtin:statues,triangles=1300000 -o many.opack --json; echo "third $?"
+"$OCELLI" scene pack builtin:statues,triangles=800000 -o many.opack --json; echo "third $?"
 ls)");
   EXPECT_THAT(result.output, AllOf(HasSubstr("second 1"), HasSubstr("third 0"), Not(HasSubstr("many.opack.work"))));
   EXPECT_THAT(result.error, AllOf(HasSubstr("many.opack: another job"), HasSubstr("were at hand")));

@@ -90,7 +90,7 @@ TEST(PackJob, AFolderOfSomeoneElseStaysAsItIs) {
 /// Whatever it is doing when the disk is full, the next job goes on from there.
 TEST(PackJob, GoesOnAfterAFullDisk) {
   const TemporaryFolder folder;
-  const Mesh ball = test::bumpyBall(600'000);
+  const Mesh ball = test::bumpyBall(60'000);
   const PackOptions options{.sourceKey = "ball"};
   packScene(MeshSource(ball), folder / "wanted.opack", options);
   const std::string wanted = fileBytes(folder / "wanted.opack");
@@ -108,7 +108,9 @@ TEST(PackJob, GoesOnAfterAFullDisk) {
     EXPECT_FALSE(std::filesystem::exists(folder / "ball.opack.partial"));
     limit.reset();
     const PackReport report = packScene(MeshSource(ball), folder / "ball.opack", options);
-    EXPECT_EQ(report.partsAtHand, full == std::string("writing") ? report.parts : report.partsAtHand);
+    if (full == std::string("writing")) {
+      EXPECT_EQ(report.partsAtHand, report.parts);
+    }
     EXPECT_EQ(fileBytes(folder / "ball.opack"), wanted) << full;
     std::filesystem::remove(folder / "ball.opack");
   }
