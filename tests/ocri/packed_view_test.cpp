@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
+#include <map>
 #include <optional>
 #include <random>
 
@@ -350,6 +351,65 @@ TEST(PackedView, ViewpointsInsideAnObjectAreRefusedAsInTheScene) {
       }
     }
     EXPECT_EQ(refused > 0, each.isRefused) << each.where;
+  }
+}
+
+/// A room with a thick wall: a coarse inner face, a fine outer one, and a window, through which they are one object. A
+/// cluster of the inner face alone is closed but for the window, as an object around the eye would be.
+TEST(PackedView, AnEyeInARoomIsInNoObject) {
+  constexpr int kSegments = 10;
+  Mesh room = makeSphere(kSegments);
+  const glm::uvec3 window = room.triangles[room.triangles.size() / 2];
+  std::erase(room.triangles, window);
+  Mesh outer = room;
+  for (glm::uvec3& t : room.triangles) {
+    std::swap(t.y, t.z);
+  }
+  const auto first = static_cast<uint32_t>(room.positions.size());
+  append(room, outer, glm::scale(glm::mat4(1), glm::vec3(1.2f)));
+  for (glm::length_t i = 0; i < 3; ++i) {
+    const uint32_t a = window[i];
+    const uint32_t b = window[(i + 1) % 3];
+    room.triangles.insert(room.triangles.end(), {{a, b, first + b}, {a, first + b, first + a}});
+  }
+  // The outer face becomes fine: each of its triangles into 64.
+  for (int round = 0; round < 3; ++round) {
+    Mesh finer;
+    finer.positions = room.positions;
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
+    for (const glm::uvec3& t : room.triangles) {
+      const bool isOuter = std::min({t.x, t.y, t.z}) >= first;
+      if (!isOuter) {
+        finer.triangles.push_back(t);
+        continue;
+      }
+      const auto middle = [&](uint32_t a, uint32_t b) {
+        const auto [known, isNew] = middles.try_emplace(std::minmax(a, b), finer.positions.size());
+        if (isNew) {
+          finer.positions.push_back((room.positions[a] + room.positions[b]) * 0.5f);
+        }
+        return known->second;
+      };
+      const uint32_t ab = middle(t.x, t.y);
+      const uint32_t bc = middle(t.y, t.z);
+      const uint32_t ca = middle(t.z, t.x);
+      finer.triangles.insert(finer.triangles.end(), {{t.x, ab, ca}, {ab, t.y, bc}, {ca, bc, t.z}, {ab, bc, ca}});
+    }
+    room = std::move(finer);
+  }
+  Numbers().paint(room);
+  View inside;
+  inside.eye = {0.1f, 0.05f, 0.1f};
+  inside.target = {0.1f, 0, -10};
+  inside.fovVerticalDegrees = 40;
+  const PinholeCamera view(inside, kWidth, kHeight);
+  const PackedMesh made(room);
+  for (const CameraChoice& choice : everyChoice()) {
+    if (choice.hasImages()) {
+      EXPECT_EQ(errorOf([&] { buildReferenceImages(choice, view, made.scene); }),
+                errorOf([&] { buildReferenceImages(choice, view, made.mesh); }))
+          << choice.name;
+    }
   }
 }
 
