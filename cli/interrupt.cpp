@@ -1,9 +1,13 @@
 #include "cli/interrupt.h"
 
+#include <unistd.h>
+
 #include <cstdint>
+#include <cstring>
 #include <ctime>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/mapped_file.h"
 #include "oc_core/base/unfinished_output.h"
 
 namespace ocelli {
@@ -12,6 +16,7 @@ namespace {
 // A signal handler can reach nothing but a global.
 volatile std::sig_atomic_t noted = 0;
 volatile int64_t notedMilliseconds = 0;
+volatile std::sig_atomic_t exitCodeOnLostFiles = 1;
 
 /// May be called in a signal handler.
 int64_t milliseconds() {
@@ -36,6 +41,29 @@ void noteOrEnd(int signal) {
   } else if (signal != SIGHUP && milliseconds() - notedMilliseconds > kSameMilliseconds) {
     end(signal);
   }
+}
+
+/// May be called in a signal handler.
+void say(const char* text) {
+  // Nobody is left who could be told of a failure.
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text, std::strlen(text));
+}
+
+void endOnLostFile(int signal, siginfo_t* info, void*) {
+  const char* const path = mappedFileAt(info->si_addr);
+  if (path == nullptr) {
+    end(signal);
+    return;
+  }
+  removeUnfinishedOutputs();
+  if (isatty(STDERR_FILENO) == 1) {
+    say("\r\033[K");
+  }
+  say("ocelli: error: ");
+  say(path);
+  say(": this file became shorter, or its disk failed, while it was read\n"
+      "  try: the same command again; write files anew under another name and rename them\n");
+  _exit(exitCodeOnLostFiles);
 }
 
 struct sigaction actionOf(void (*handler)(int)) {
@@ -64,6 +92,14 @@ void removeUnfinishedOutputsOnSignals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     install(signal, action, old);
   }
+}
+
+void endOnLostFiles(int exitCode) {
+  exitCodeOnLostFiles = exitCode;
+  struct sigaction action {};
+  action.sa_sigaction = endOnLostFile;
+  action.sa_flags = SA_SIGINFO;
+  sigaction(SIGBUS, &action, nullptr);
 }
 
 InterruptGuard::InterruptGuard() {

@@ -14,6 +14,11 @@ namespace ocelli {
 /// under a temporary name (oc_core/base/unfinished_output.h). Where a signal is ignored (nohup) it stays so.
 void removeUnfinishedOutputsOnSignals();
 
+/// From now on a SIGBUS because a file that is mapped (oc_core/base/mapped_file.h) became shorter or cannot be read
+/// ends the program with `exitCode` and one line that names the file, after what is half written was removed. Any other
+/// SIGBUS ends it as it does by itself.
+void endOnLostFiles(int exitCode);
+
 /// While it lives, the first SIGINT or SIGTERM is noted; one that comes more than 0.2 s later ends the program at once,
 /// without what is half written. SIGHUP, of a terminal that is closed, is noted however often it comes. At most one
 /// lives at a time. Where a signal is ignored (nohup) it stays so.

@@ -121,6 +121,7 @@ int runProgram(int argumentCount, char** arguments) {
   openStandardStreams();
   std::signal(SIGPIPE, SIG_IGN);
   removeUnfinishedOutputsOnSignals();
+  endOnLostFiles(kWorkFailed);
   try {
     return runCommand(argumentCount, arguments);
   } catch (const std::exception& error) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
@@ -9,6 +10,8 @@
 #include "cli/scene_options.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/output_file.h"
+#include "oc_core/base/printable_text.h"
+#include "oc_core/pack/pack_summary.h"
 #include "oc_core/scene/ply_file.h"
 #include "oc_core/worlds/builtin_scenes.h"
 #include "oc_core/worlds/packed_source.h"
@@ -72,29 +75,70 @@ size_t trianglesInFile(const SceneChoice& scene, const Mesh& mesh, const Progres
       .triangles.size();
 }
 
+void appendBox(std::string& text, const Box& box) {
+  fmt::format_to(std::back_inserter(text),
+                 "  x          {:.6g} to {:.6g}\n  y          {:.6g} to {:.6g}\n  z          {:.6g} to {:.6g}\n",
+                 box.lower.x, box.upper.x, box.lower.y, box.upper.y, box.lower.z, box.upper.z);
+}
+
+void putBox(Json& info, const Box& box) {
+  const auto list = [](const glm::vec3& p) { return Json::array({p.x, p.y, p.z}); };
+  info["lower"] = list(box.lower);
+  info["upper"] = list(box.upper);
+}
+
 std::string infoAsText(const std::string& source, const Mesh& mesh, size_t inFile) {
-  const Box box = boundsOf(mesh);
   const size_t triangles = mesh.triangles.size();
   const std::string count =
       triangles == inFile
           ? std::to_string(triangles)
           : fmt::format("{} in the file, {} after its textures were baked to vertices", inFile, triangles);
-  return fmt::format(
-      "{}\n  triangles  {}\n  vertices   {}\n  x          {:.6g} to {:.6g}\n  y          {:.6g} to {:.6g}\n"
-      "  z          {:.6g} to {:.6g}\n",
-      source, count, mesh.positions.size(), box.lower.x, box.upper.x, box.lower.y, box.upper.y, box.lower.z,
-      box.upper.z);
+  std::string text = fmt::format("{}\n  triangles  {}\n  vertices   {}\n", source, count, mesh.positions.size());
+  appendBox(text, boundsOf(mesh));
+  return text;
 }
 
 std::string infoAsJson(const std::string& source, const Mesh& mesh, size_t inFile) {
-  const Box box = boundsOf(mesh);
-  const auto list = [](const glm::vec3& p) { return Json::array({p.x, p.y, p.z}); };
-  const Json info{{"scene", source},
-                  {"triangles", mesh.triangles.size()},
-                  {"triangles_in_file", inFile},
-                  {"vertices", mesh.positions.size()},
-                  {"lower", list(box.lower)},
-                  {"upper", list(box.upper)}};
+  Json info{{"scene", source},
+            {"triangles", mesh.triangles.size()},
+            {"triangles_in_file", inFile},
+            {"vertices", mesh.positions.size()}};
+  putBox(info, boundsOf(mesh));
+  return textOfJson(info, 2) + "\n";
+}
+
+std::string packInfoAsText(const PackedScene& scene, const PackSummary& holds) {
+  const PackedOrigin origin = originOf(scene);
+  std::string text = fmt::format(
+      "{}\n  source     {}, {}, shading {}\n  triangles  {} at the finest level, {} at the coarsest, {} with all "
+      "levels\n"
+      "  clusters   {} at the finest level, {} at the coarsest, {} with all levels, in {} groups\n  levels     {}\n"
+      "  bytes      {}\n",
+      scene.path().string(), origin.scene.empty() ? "unknown" : printableText(origin.scene),
+      origin.fit ? "fitted" : "not fitted", printableText(origin.shading), holds.finestTriangles,
+      holds.coarsestTriangles, scene.storedTriangles(), holds.finestClusters, holds.coarsestClusters,
+      scene.clusterCount(), scene.groupCount(), holds.levels, scene.fileBytes());
+  appendBox(text, scene.bounds());
+  return text;
+}
+
+std::string packInfoAsJson(const PackedScene& scene, const PackSummary& holds) {
+  const PackedOrigin origin = originOf(scene);
+  Json info{{"scene", scene.path().string()},
+            {"source", origin.scene},
+            {"fit", origin.fit},
+            {"shading", origin.shading},
+            {"triangles", holds.finestTriangles},
+            {"triangles_in_file", scene.triangleCount()},
+            {"coarsest_triangles", holds.coarsestTriangles},
+            {"stored_triangles", scene.storedTriangles()},
+            {"finest_clusters", holds.finestClusters},
+            {"coarsest_clusters", holds.coarsestClusters},
+            {"clusters", scene.clusterCount()},
+            {"groups", scene.groupCount()},
+            {"levels", holds.levels},
+            {"bytes", scene.fileBytes()}};
+  putBox(info, scene.bounds());
   return textOfJson(info, 2) + "\n";
 }
 
@@ -107,7 +151,8 @@ void addSceneList(CLI::App& parent, const CommandContext& context) {
 }
 
 void addSceneInfo(CLI::App& parent, const CommandContext& context) {
-  CLI::App& command = *parent.add_subcommand("info", "Count what is in a scene, as everything downstream sees it");
+  CLI::App& command = *parent.add_subcommand(
+      "info", "Count what is in a scene, as everything downstream sees it; of a packed scene, check all of it");
   const auto scene = std::make_shared<SceneChoice>();
   const auto asJson = std::make_shared<bool>(false);
   addSceneOptions(command, *scene, context);
@@ -115,6 +160,12 @@ void addSceneInfo(CLI::App& parent, const CommandContext& context) {
   context.finish(
       command, "  ocelli scene info bunny.obj\n  ocelli scene info bunny.obj --no-fit --shading none",
       [scene, asJson, context] {
+        if (isPackedScene(scene->source)) {
+          const PackedScene packed = openPacked(scene->source, scene->options);
+          const PackSummary holds = summaryOf(packed, context.progress());
+          context.print(*asJson ? packInfoAsJson(packed, holds) : packInfoAsText(packed, holds));
+          return;
+        }
         const Mesh mesh = loadScene(scene->source, scene->options, context.progress());
         const size_t inFile = trianglesInFile(*scene, mesh, context.progress());
         context.print(*asJson ? infoAsJson(scene->source, mesh, inFile) : infoAsText(scene->source, mesh, inFile));

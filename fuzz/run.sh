@@ -20,6 +20,7 @@ xargs -L 1 -P "$(nproc)" sh -c '
 ' "$root" <<END
 wire display_driver_wire/corpus $([ "$seconds" -gt 60 ] && echo "$seconds" || echo 60)
 svol display_sim_frames/corpus $seconds
+opack pack/corpus $seconds
 maze worlds/maze_corpus $seconds
 camera constructor/corpus $seconds
 protocol study_protocol/corpus $seconds

@@ -37,7 +37,9 @@ Mesh meshForView(const PackedScene& scene, const CameraChoice& choice, const Pin
   } else {
     options.reach = choice.cellSideRadii;
   }
-  return meshOf(scene, viewCut(scene, reference, options));
+  Mesh mesh = meshOf(scene, viewCut(scene, reference, options));
+  mesh.isPart = true;
+  return mesh;
 }
 
 void requireViewpointsOutside(const PackedScene& scene, const CameraChoice& choice, const PinholeCamera& reference) {

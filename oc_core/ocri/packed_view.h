@@ -11,7 +11,10 @@ namespace ocelli {
 inline constexpr float kPackedErrorPixels = 0.5f;
 
 /// The part of the scene that the reference images of this choice are made of: everything that the construction takes a
-/// mesh for takes this one, but for the question whether an eye lies inside an object (requireViewpointsOutside).
+/// mesh for takes this one, but for the question whether an eye lies inside an object (requireViewpointsOutside), which
+/// it does not ask of this mesh (Mesh::isPart).
+///
+/// With an error near 0 the samples are those of the scene itself, bit by bit, and colours within a step of 1/65535.
 Mesh meshForView(const PackedScene& scene, const CameraChoice& choice, const PinholeCamera& reference,
                  float maxErrorPixels = kPackedErrorPixels);
 

@@ -334,8 +334,8 @@ std::vector<RepresentationKind> builtinRepresentations() {
                   .description = "layered depth image of four layers (any number from ldi-1 to ldi-16)",
                   .prepare = [](CameraChoice& choice) { choice.count = 4; },
                   .maxCount = kMaxLayers,
+                  // Which sides of its surfaces are seen tells an object as a whole, so it looks at all of the scene.
                   .images = layeredDepthImage,
-                  .viewed = viewedFromEye,
                   .rays = pinholeRays,
                   .needsCpu = "peels layers, which only rasterisation on the CPU does"});
   rows.push_back(

@@ -34,7 +34,10 @@ void append(std::vector<uint8_t>& bytes, const std::vector<T>& values) {
 template <class T>
 const uint8_t* take(const uint8_t* from, std::vector<T>& values, size_t count) {
   values.resize(count);
-  std::memcpy(values.data(), from, count * sizeof(T));
+  // Of nothing there may be no address.
+  if (count > 0) {
+    std::memcpy(values.data(), from, count * sizeof(T));
+  }
   return from + count * sizeof(T);
 }
 

@@ -1,7 +1,5 @@
 #include "oc_core/pack/pack_scene.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <iterator>
@@ -9,13 +7,12 @@
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
-#include "oc_core/base/file_bytes.h"
-#include "oc_core/base/output_file.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/pack/pack_file_writer.h"
 #include "oc_core/pack/part_file.h"
 #include "oc_core/pack/scene_parts.h"
 #include "oc_core/pack/sorted_triangles.h"
+#include "oc_core/pack/work_folder.h"
 
 namespace ocelli {
 namespace {
@@ -26,42 +23,6 @@ constexpr size_t kEnough = 1000;
 
 /// Clusters that a part leaves to those above, at most, where they were never simplified.
 constexpr size_t kMaxRest = 2000;
-
-/// The folder of a job: what has been made so far.
-class WorkFolder {
- public:
-  WorkFolder(const std::filesystem::path& output, const std::string& sourceKey) : folder_(output) {
-    folder_ += ".work";
-    const std::filesystem::path key = folder_ / "source";
-    std::error_code none;
-    if (std::filesystem::exists(folder_, none)) {
-      // Only what such a job has made is removed.
-      if (!std::filesystem::is_regular_file(key, none) && !std::filesystem::is_empty(folder_, none)) {
-        throw WorkError("there is something where this job keeps what it has made", folder_.string(),
-                        "move it away, or write the packed scene somewhere else");
-      }
-      if (sourceKey.empty() || !std::filesystem::exists(key, none) || readFile(key) != sourceKey) {
-        std::filesystem::remove_all(folder_, none);
-      }
-    }
-    std::error_code error;
-    std::filesystem::create_directories(folder_, error);
-    if (error) {
-      throw WorkError("this folder cannot be made: " + error.message(), folder_.string(), "write somewhere else");
-    }
-    writeFile(key, sourceKey);
-  }
-
-  std::filesystem::path triangles() const { return folder_ / "triangles"; }
-  std::filesystem::path part(uint32_t index) const { return folder_ / fmt::format("part_{}", index); }
-  void remove() const {
-    std::error_code none;
-    std::filesystem::remove_all(folder_, none);
-  }
-
- private:
-  std::filesystem::path folder_;
-};
 
 class PackJob {
  public:
@@ -201,7 +162,6 @@ class PackJob {
 
 PackReport packScene(const TriangleSource& source, const std::filesystem::path& path, const PackOptions& options,
                      const Progress& progress) {
-  checkWritable(path);
   report(progress, "counting triangles", 0);
   return PackJob(source, path, options, progress).run();
 }

@@ -32,7 +32,8 @@ struct PackReport {
 
 /// Writes `path`, which appears complete or not at all; beside it stands a folder `PATH.work` until then, which an
 /// ended job leaves and the next one with the same source goes on with. The same source gives the same bytes. Throws
-/// InputError where the source has no triangle, WorkError where a disk is full, and what `progress` throws.
+/// InputError where the source has no triangle, WorkError where a disk is full or another job is writing `path`, and
+/// what `progress` throws.
 PackReport packScene(const TriangleSource& source, const std::filesystem::path& path, const PackOptions& options = {},
                      const Progress& progress = {});
 

@@ -4,8 +4,10 @@
 //   const std::vector<ClusterChoice> cut = chooseClusters(scene, isVisible, isCloseEnough);
 //   const Mesh mesh = meshOf(scene, cut);
 //
-// The file is mapped into memory: what is not touched is not read, and the system gives pages back when it needs them.
-// Everything is checked when it is first touched.
+// The file is mapped into memory (mapped_file.h, which says what happens where it becomes shorter meanwhile): what is
+// not touched is not read, and the system gives pages back when it needs them. Everything is checked when it is first
+// touched, against checksums and against files that were made to mislead: no way through the groups goes in circles, no
+// byte stands for two groups, and so what can be asked for is bounded by the size of the file.
 #pragma once
 
 #include <atomic>
@@ -16,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "oc_core/base/mapped_file.h"
 #include "oc_core/base/progress.h"
 #include "oc_core/pack/sphere.h"
 #include "oc_core/scene/box.h"
@@ -47,9 +50,6 @@ class PackedScene {
  public:
   /// Throws InputError where the file is missing, no packed scene, of another version, or damaged at its end.
   explicit PackedScene(const std::filesystem::path& path);
-  ~PackedScene();
-  PackedScene(PackedScene&& other) noexcept;
-  PackedScene& operator=(PackedScene&&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
   const Box& bounds() const { return bounds_; }
@@ -82,7 +82,15 @@ class PackedScene {
   [[noreturn]] void refuse(const std::string& what) const;
   std::span<const uint8_t> blob(uint32_t group) const;
 
+  struct Checked {
+    explicit Checked(uint32_t groupCount) : groups(groupCount) {}
+
+    std::vector<std::atomic<uint8_t>> groups;  ///< bit 0: the record is whole, bit 1: the clusters are
+    std::atomic<uint64_t> blobBytes = 0;       ///< of all groups whose clusters are
+  };
+
   std::filesystem::path path_;
+  MappedFile file_;
   std::span<const uint8_t> bytes_;
   uint64_t tableOffset_ = 0;
   uint32_t groups_ = 0;
@@ -91,8 +99,7 @@ class PackedScene {
   uint64_t clusters_ = 0;
   Box bounds_;
   std::string description_;
-  /// What is known to be whole: bit 0 the record of a group, bit 1 its clusters.
-  std::unique_ptr<std::atomic<uint8_t>[]> checked_;
+  std::unique_ptr<Checked> checked_;  ///< what is known to be whole
 };
 
 /// A cluster by its group and its number there.

@@ -43,8 +43,8 @@ class PlacedFile {
     const auto* from = static_cast<const uint8_t*>(bytes);
     while (count > 0) {
       const ssize_t done = ::pwrite(file_, from, count, static_cast<off_t>(at));
-      if (done < 0 && errno != EINTR) {
-        fail(errno);
+      if (done == 0 || (done < 0 && errno != EINTR)) {
+        fail(done == 0 ? ENOSPC : errno);
       }
       const size_t some = done > 0 ? static_cast<size_t>(done) : 0;
       from += some;
@@ -113,7 +113,11 @@ void sortTriangles(const TriangleSource& source, const ScenePlan& plan, const st
                "a source gives the same triangles each time");
     }
   }
-  std::filesystem::rename(growing, path);
+  std::error_code error;
+  std::filesystem::rename(growing, path, error);
+  if (error) {
+    throw WorkError("this file cannot be renamed: " + error.message(), growing.string(), "check its folder");
+  }
 }
 
 WeldedTriangles readPartTriangles(const std::filesystem::path& path, const ScenePart& part) {

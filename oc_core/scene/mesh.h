@@ -15,6 +15,9 @@ struct Mesh {
   std::vector<glm::vec3> positions;   ///< world coordinates
   std::vector<glm::vec3> colors;      ///< linear RGB in [0, 1], one a vertex; empty means white
   std::vector<glm::uvec3> triangles;  ///< vertex indices; counter-clockwise seen from outside, though nothing culls
+  /// Only what some viewpoints need of a scene: its surfaces end anywhere, so that it does not tell what is inside of
+  /// objects.
+  bool isPart = false;
 
   bool empty() const { return triangles.empty(); }
   glm::vec3 color(uint32_t vertex) const { return colors.empty() ? glm::vec3(1) : colors[vertex]; }

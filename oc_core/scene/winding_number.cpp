@@ -90,7 +90,8 @@ double windingNumber(const Mesh& mesh, const glm::vec3& point) {
 }
 
 void requireOutside(const Mesh& mesh, const glm::vec3& eye, const std::string& where) {
-  if (holds(boundsOf(mesh), eye) && (isInside(windingNumber(mesh, eye)) || isInsideAnObject(mesh, eye))) {
+  if (!mesh.isPart && holds(boundsOf(mesh), eye) &&
+      (isInside(windingNumber(mesh, eye)) || isInsideAnObject(mesh, eye))) {
     throw InputError("the eye lies inside an object of the scene, so the view would show its inside only", where,
                      "move \"eye\" out of it, or leave --view away");
   }

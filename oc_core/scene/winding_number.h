@@ -14,7 +14,8 @@ double windingNumber(const Mesh& mesh, const glm::vec3& point);
 
 /// Throws InputError where `eye` lies inside a closed object, so that a view from there shows its inside only. An
 /// object is what shares vertices, or the mesh as a whole. Costs nothing to speak of for an eye out of the mesh's
-/// bounds.
+/// bounds. Of a part of a scene (Mesh::isPart) that cannot be told, and nothing is thrown: who takes the part must have
+/// asked the scene.
 void requireOutside(const Mesh& mesh, const glm::vec3& eye, const std::string& where);
 
 }  // namespace ocelli

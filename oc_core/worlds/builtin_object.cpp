@@ -7,6 +7,7 @@
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/scene/scene_file.h"
+#include "oc_core/worlds/packed_source.h"
 #include "oc_core/worlds/palette.h"
 #include "oc_core/worlds/panels.h"
 #include "oc_core/worlds/teapot.h"
@@ -57,6 +58,10 @@ Mesh readObject(const BuiltinValues& values, std::vector<std::string>& warnings)
     object = makeTeapot(24);
   } else {
     const fs::path path = findFile(given, "mesh");
+    if (isPackedScene(path.string())) {
+      throw InputError("a packed scene is fitted and shaded already, and no object of a built-in one", path.string(),
+                       "give the file that it was packed from");
+    }
     const Scene scene = readSceneFile(path);
     object = flatten(scene);
     warnings.insert(warnings.end(), scene.warnings.begin(), scene.warnings.end());

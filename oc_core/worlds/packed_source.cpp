@@ -95,7 +95,7 @@ std::string sourceKeyOf(const Scene& scene, const SceneOptions& options, const s
 }  // namespace
 
 bool isPackedScene(const std::string& source) {
-  return source.ends_with(".opack");
+  return !isBuiltinScene(source) && source.ends_with(".opack");
 }
 
 PackReport packSource(const std::string& source, const SceneOptions& options, const std::filesystem::path& path,
@@ -118,15 +118,19 @@ PackReport packSource(const std::string& source, const SceneOptions& options, co
   return packScene(copies, path, {.description = description, .sourceKey = key}, progress);
 }
 
+PackedOrigin originOf(const PackedScene& scene) {
+  const JsonDocument description(scene.description(), scene.path().string());
+  JsonFields fields(description, UnknownFields::kIgnored);
+  return {fields.text("scene", ""), fields.boolean("fit", false), fields.text("shading", nameOf(Shading::kNone))};
+}
+
 PackedScene openPacked(const std::string& source, const SceneOptions& options) {
   PackedScene scene(source);
-  const JsonDocument description(scene.description(), source);
-  JsonFields fields(description, UnknownFields::kIgnored);
-  const std::string shading = fields.text("shading", nameOf(Shading::kNone));
-  if (!options.fit && fields.boolean("fit", false)) {
+  const PackedOrigin origin = originOf(scene);
+  if (!options.fit && origin.fit) {
     throw InputError("this scene was fitted when it was packed", source, "pack it with --no-fit");
   }
-  if (shading != nameOf(options.shading) && options.shading != Shading::kLambert) {
+  if (origin.shading != nameOf(options.shading) && options.shading != Shading::kLambert) {
     throw InputError("this scene was shaded when it was packed", source, "pack it with --shading none");
   }
   return scene;
@@ -138,7 +142,16 @@ Mesh unpackedMesh(const PackedScene& scene) {
                                  scene.triangleCount(), kMaxSceneTriangles),
                      scene.path().string(), "use a command that reads packed scenes level by level");
   }
-  return weldedMeshOf(scene, allClusters(scene));
+  const std::vector<ClusterChoice> all = allClusters(scene);
+  uint64_t triangles = 0;
+  for (const ClusterChoice& choice : all) {
+    triangles += scene.cluster(choice.group, choice.cluster).triangles;
+  }
+  if (triangles > scene.triangleCount()) {
+    throw InputError("this packed scene is damaged: it holds more triangles than its end says", scene.path().string(),
+                     "pack the scene again");
+  }
+  return weldedMeshOf(scene, all);
 }
 
 }  // namespace ocelli

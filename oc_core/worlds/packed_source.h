@@ -21,6 +21,15 @@ PackReport packSource(const std::string& source, const SceneOptions& options, co
 /// Opens one. Throws InputError where `options` ask for another fit or shading than it was packed with.
 PackedScene openPacked(const std::string& source, const SceneOptions& options);
 
+/// What a packed scene says of where it comes from.
+struct PackedOrigin {
+  std::string scene;  ///< as it was given to `scene pack`; empty where the file does not say
+  bool fit = false;
+  std::string shading;
+};
+/// Throws InputError where its description is none.
+PackedOrigin originOf(const PackedScene& scene);
+
 /// All of it as one mesh. Throws InputError where it has more than kMaxSceneTriangles.
 Mesh unpackedMesh(const PackedScene& scene);
 

@@ -1,6 +1,10 @@
 // `ocelli view --offscreen`: images, and errors that say what is wrong.
 #include <gmock/gmock.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
 #include "oc_core/image/png_file.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/cli/run_program.h"
@@ -28,6 +32,30 @@ TEST(ViewCommand, writesTheFramesOfAScript) {
     EXPECT_EQ(readPng(folder / "frames/a.png").width(), 640);
     std::filesystem::remove(folder / "frames/a.png");
   }
+}
+
+TEST(ViewCommand, aPackedSceneLooksAsItsSource) {
+  const TemporaryFolder folder;
+  const std::string source = "builtin:statues,triangles=20000";
+  const std::string packed = inQuotes(folder / "statues.opack");
+  ASSERT_EQ(runProgram("scene pack " + source + " -q -o " + packed).exitCode, 0);
+  std::vector<Image<Rgb8>> images;
+  for (const std::string& scene : {source, packed}) {
+    const ProgramResult result =
+        view(scene, R"({"size": [640, 400], "steps": [{"wait": "idle"}, {"save": "a.png"}]})", folder, "--gl osmesa");
+    ASSERT_EQ(result.exitCode, 0) << result.error;
+    images.push_back(readPng(folder / "frames/a.png"));
+    std::filesystem::remove(folder / "frames/a.png");
+  }
+  ASSERT_EQ(images[0].size(), images[1].size());
+  size_t different = 0;
+  for (size_t i = 0; i < images[0].size(); ++i) {
+    const Rgb8 a = images[0][i];
+    const Rgb8 b = images[1][i];
+    different += std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b) > 48 ? 1 : 0;
+  }
+  // The panels name the scene and tell times; the panes show all triangles of both.
+  EXPECT_LT(different, images[0].size() / 50);
 }
 
 TEST(ViewCommand, aSceneThatIsNoneIsAnError) {

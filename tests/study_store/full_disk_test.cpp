@@ -1,12 +1,11 @@
 // A disk that is full: nothing that was stored is lost, one is told, and what came since is stored once there is room.
+#include "tests/base/full_disk.h"
+
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/mount.h>
-#include <sys/resource.h>
 
 #include <atomic>
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 
@@ -20,40 +19,6 @@ namespace ocelli::test {
 namespace {
 
 using testing::HasSubstr;
-
-/// No file of this process may become larger than that, while it lives.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) {
-    std::signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
-
- private:
-  rlimit before_{};
-};
-
-/// A disk of its own, of that size, where the system lets one make it.
-class SmallDisk {
- public:
-  SmallDisk(const std::filesystem::path& folder, const std::string& size) : folder_(folder) {
-    std::filesystem::create_directories(folder);
-    mounted_ = mount("ocelli_test", folder.c_str(), "tmpfs", 0, ("size=" + size).c_str()) == 0;
-  }
-  ~SmallDisk() {
-    if (mounted_) {
-      umount2(folder_.c_str(), MNT_DETACH);
-    }
-  }
-  bool works() const { return mounted_; }
-
- private:
-  std::filesystem::path folder_;
-  bool mounted_ = false;
-};
 
 constexpr int kFramesOfTrial = 600;
 
