@@ -1,12 +1,16 @@
 #include "oc_core/compositing/shared_renderer.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <chrono>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/parallel.h"
 #include "oc_core/render/rasterize_curved.h"
 #include "oc_core/render/rasterize_graph.h"
 #include "oc_core/render/rasterize_spans.h"
@@ -67,12 +71,49 @@ struct NearestOrdered {
   }
 };
 
-}  // namespace
+/// Vertices [first, last].
+struct VertexRange {
+  uint32_t first = std::numeric_limits<uint32_t>::max();
+  uint32_t last = 0;
 
-Mesh trianglesOf(const Mesh& mesh, size_t begin, size_t end) {
+  size_t size() const { return first <= last ? size_t{last} - first + 1 : 0; }
+};
+
+VertexRange verticesOf(std::span<const glm::uvec3> triangles) {
+  constexpr size_t kChunks = 32;
+  std::array<VertexRange, kChunks> ranges;
+  parallelChunks(triangles.size(), kChunks, [&](size_t chunk, size_t begin, size_t end) {
+    VertexRange range;
+    for (const glm::uvec3& t : triangles.subspan(begin, end - begin)) {
+      range.first = std::min({range.first, t.x, t.y, t.z});
+      range.last = std::max({range.last, t.x, t.y, t.z});
+    }
+    ranges[chunk] = range;
+  });
+  VertexRange all;
+  for (const VertexRange& range : ranges) {
+    all = {std::min(all.first, range.first), std::max(all.last, range.last)};
+  }
+  return all;
+}
+
+Mesh withRange(const Mesh& mesh, std::span<const glm::uvec3> triangles, const VertexRange& range) {
+  Mesh part;
+  part.triangles.resize(triangles.size());
+  parallelFor(triangles.size(), 1 << 14, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      part.triangles[i] = triangles[i] - range.first;
+    }
+  });
+  const auto first = mesh.positions.begin() + range.first;
+  part.positions.assign(first, first + static_cast<std::ptrdiff_t>(range.size()));
+  return part;
+}
+
+Mesh withNewNumbers(const Mesh& mesh, std::span<const glm::uvec3> triangles) {
   constexpr uint32_t kNew = std::numeric_limits<uint32_t>::max();
   Mesh part;
-  part.triangles.reserve(end - begin);
+  part.triangles.reserve(triangles.size());
   std::vector<uint32_t> numbers(mesh.positions.size(), kNew);
   const auto numberOf = [&](uint32_t vertex) {
     if (numbers[vertex] == kNew) {
@@ -81,13 +122,21 @@ Mesh trianglesOf(const Mesh& mesh, size_t begin, size_t end) {
     }
     return numbers[vertex];
   };
-  for (size_t i = begin; i < end; ++i) {
-    const glm::uvec3& t = mesh.triangles[i];
+  for (const glm::uvec3& t : triangles) {
     const uint32_t a = numberOf(t.x);
     const uint32_t b = numberOf(t.y);
     part.triangles.emplace_back(a, b, numberOf(t.z));
   }
   return part;
+}
+
+}  // namespace
+
+Mesh trianglesOf(const Mesh& mesh, size_t begin, size_t end) {
+  const std::span<const glm::uvec3> triangles(mesh.triangles.data() + begin, end - begin);
+  const VertexRange range = verticesOf(triangles);
+  // Of a scene in a coherent order a share has its own range of vertices.
+  return range.size() <= triangles.size() ? withRange(mesh, triangles, range) : withNewNumbers(mesh, triangles);
 }
 
 void requireAgreement(Ranks& ranks, uint64_t number) {
@@ -98,6 +147,16 @@ void requireAgreement(Ranks& ranks, uint64_t number) {
                     "run the same ocelli with the same files on machines with CPUs of one kind");
   }
 }
+
+/// A share as it is drawn along epipolar lines: kept for the cameras of one construction.
+struct SharedLines {
+  SharedLines(const PinholeCamera& basePinhole, const EpipolarLines& epipolarLines, const Mesh& part)
+      : base(basePinhole), lines(epipolarLines), drawing(base, lines, part) {}
+
+  PinholeCamera base;
+  EpipolarLines lines;
+  LineDrawing drawing;
+};
 
 struct SharedRenderer::Impl {
   Impl(const Mesh& whole, Ranks& all, Compositing compositing) : mesh(whole), ranks(all), how(compositing) {
@@ -122,11 +181,35 @@ struct SharedRenderer::Impl {
 
   /// The share as a pinhole sees it: kept for the next image, which is often of the same pinhole.
   const std::shared_ptr<const ProjectedMesh>& projectedBy(const PinholeCamera& camera) {
-    if (!projected || !(projected->camera().view() == camera.view()) || projected->camera().width() != camera.width() ||
-        projected->camera().height() != camera.height()) {
+    if (!projected || projected->camera() != camera) {
       projected = std::make_shared<const ProjectedMesh>(camera, part);
     }
     return projected;
+  }
+
+  /// Whether these are the lines that the share was drawn along before.
+  bool isAlong(const PinholeCamera& base, const EpipolarLines& along) const {
+    return lines && lines->base == base && lines->lines == along;
+  }
+  LineDrawing& drawingAlong(const PinholeCamera& base, const EpipolarLines& along) {
+    if (!isAlong(base, along)) {
+      lines = std::make_unique<SharedLines>(base, along, part);
+    }
+    return lines->drawing;
+  }
+
+  /// `drawSpans(nothing)` draws what the share shows in disocclusions; nothing is what the base sees of it.
+  template <class DrawSpans>
+  FragmentImage disoccluded(const EpipolarCamera& camera, const FragmentImage& baseImage, const DrawSpans& drawSpans) {
+    const FragmentImage nothing(baseImage.width(), baseImage.height());
+    const FragmentImage spans = together([&] { return drawSpans(nothing); });
+    FragmentImage image = baseFragments(camera, baseImage);
+    for (size_t i = 0; i < image.size(); ++i) {
+      if (NearestFragment::isNearer(spans[i], image[i])) {
+        image[i] = spans[i];
+      }
+    }
+    return image;
   }
 
   template <class C>
@@ -185,6 +268,7 @@ struct SharedRenderer::Impl {
   std::optional<MeshBlocks> blocks;  ///< of the part
   uint32_t first = 0;                ///< triangle of the mesh in the part
   std::shared_ptr<const ProjectedMesh> projected;
+  std::unique_ptr<SharedLines> lines;
   SharedDrawing cost;
 };
 
@@ -218,19 +302,20 @@ FragmentImage SharedRenderer::draw(const DdocCamera& camera, const FragmentImage
 }
 
 FragmentImage SharedRenderer::drawLines(const PinholeCamera& base, const EpipolarLines& lines) const {
-  return impl_->together([&] { return rasterizeLines(base, lines, impl_->part); });
+  return impl_->together([&] { return impl_->drawingAlong(base, lines).baseImage(); });
 }
 
 FragmentImage SharedRenderer::draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const {
-  const FragmentImage nothing(baseImage.width(), baseImage.height());
-  const FragmentImage spans = impl_->together([&] { return rasterize(camera, impl_->part, nothing); });
-  FragmentImage image = baseFragments(camera, baseImage);
-  for (size_t i = 0; i < image.size(); ++i) {
-    if (NearestFragment::isNearer(spans[i], image[i])) {
-      image[i] = spans[i];
-    }
-  }
-  return image;
+  return impl_->disoccluded(camera, baseImage, [&](const FragmentImage& nothing) {
+    return impl_->drawingAlong(camera.base(), camera.lines()).draw(camera, nothing);
+  });
+}
+
+FragmentImage SharedRenderer::drawTrimmed(const EpipolarCamera& camera, const FragmentImage& baseImage) const {
+  OC_CHECK(impl_->isAlong(camera.base(), camera.lines()), "an epipolar camera of these lines was drawn before");
+  return impl_->disoccluded(camera, baseImage, [&](const FragmentImage& nothing) {
+    return impl_->drawingAlong(camera.base(), camera.lines()).drawAgain(camera, nothing);
+  });
 }
 
 FragmentImage SharedRenderer::draw(const GraphCamera& camera) const {

@@ -35,6 +35,7 @@ class SharedRenderer final : public SceneRenderer {
                      const SubdivisionOptions& subdivision) const override;
   FragmentImage drawLines(const PinholeCamera& base, const EpipolarLines& lines) const override;
   FragmentImage draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const override;
+  FragmentImage drawTrimmed(const EpipolarCamera& camera, const FragmentImage& baseImage) const override;
   FragmentImage draw(const GraphCamera& camera) const override;
   FragmentImage draw(const CurvedRayCamera& camera) const override;
 
@@ -49,7 +50,7 @@ class SharedRenderer final : public SceneRenderer {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Triangles [begin, end) of a mesh with the vertices that they use, without colours.
+/// Triangles [begin, end) of a mesh with the vertices that they use, and perhaps some between these; without colours.
 Mesh trianglesOf(const Mesh& mesh, size_t begin, size_t end);
 
 /// Throws WorkError where ranks come here with different numbers: they have not computed the same, and would wait for

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "oc_core/base/random.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/representation_kind.h"
 #include "oc_core/render/rasterize_curved.h"
@@ -66,16 +67,29 @@ TEST(SharedRays, OfSeveralPiecesMeetWhatIsFirstAlongThem) {
   expectDrawnAlike(bendingTwice(), loadScene("builtin:statues,triangles=3000", {}));
 }
 
+/// The corners of each triangle.
+std::vector<glm::vec3> cornersOf(const Mesh& mesh, size_t begin, size_t end) {
+  std::vector<glm::vec3> corners;
+  for (size_t i = begin; i < end; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      corners.push_back(mesh.positions[mesh.triangles[i][k]]);
+    }
+  }
+  return corners;
+}
+
 TEST(TrianglesOf, ArePartsWithTheirVertices) {
-  Mesh mesh;
-  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
-  mesh.triangles = {{0, 1, 2}, {3, 2, 1}};
-  const Mesh part = trianglesOf(mesh, 1, 2);
-  ASSERT_EQ(part.triangles.size(), 1u);
-  EXPECT_EQ(part.positions.size(), 3u);
-  EXPECT_EQ(part.positions[part.triangles[0].x], mesh.positions[3]);
-  EXPECT_EQ(part.positions[part.triangles[0].z], mesh.positions[1]);
-  EXPECT_TRUE(trianglesOf(mesh, 1, 1).empty());
+  const Mesh inOrder = loadScene("builtin:statues,triangles=3000", {});
+  Mesh shuffled = inOrder;
+  Random(7).shuffle(shuffled.triangles);
+  for (const Mesh& mesh : {inOrder, shuffled}) {
+    for (const size_t end : {size_t{1}, size_t{100}, mesh.triangles.size()}) {
+      const Mesh part = trianglesOf(mesh, end / 2, end);
+      EXPECT_EQ(cornersOf(part, 0, part.triangles.size()), cornersOf(mesh, end / 2, end));
+      EXPECT_LE(part.positions.size(), 3 * part.triangles.size());
+    }
+  }
+  EXPECT_TRUE(trianglesOf(inOrder, 1, 1).positions.empty());
 }
 
 }  // namespace
