@@ -17,6 +17,7 @@
 #include <string_view>
 
 #include "oc_core/base/progress.h"
+#include "oc_core/ranks/ranks.h"
 
 namespace CLI {
 class App;
@@ -31,8 +32,14 @@ class CommandContext {
   /// Ends the declaration of a command: adds --threads and --quiet, and shows `examples` (one command line a line)
   /// below its --help. `run` is called once after the whole command line has been read, if the user chose this command.
   void finish(CLI::App& command, const std::string& examples, std::function<void()> run) const;
+  /// The same for a command that divides its work among the ranks of an MPI job (docs/many_machines.md), which all call
+  /// `run`. Others refuse to run in a job of several.
+  void finishShared(CLI::App& command, const std::string& examples, std::function<void()> run) const;
   /// Adds --threads and --quiet alone: for the program itself.
   void addCommonOptions(CLI::App& command) const;
+
+  /// Those that run the command together, while it runs. All but the first print nothing and show no progress.
+  Ranks& ranks() const;
 
   /// Prints a result to standard output, or to standard error where an output file of the command goes to standard
   /// output (-o /dev/stdout). Throws WorkError where that is full; a reader that has gone is no error.
@@ -46,8 +53,12 @@ class CommandContext {
   void run() const;
   /// Takes the bar off the terminal, so that a message can follow.
   void clearProgress() const;
+  /// Ends the other ranks, where there are any: they would wait for this one, which has failed.
+  void abandon(int exitCode) const;
 
  private:
+  void declare(CLI::App& command, const std::string& examples, std::function<void()> run, bool divides) const;
+
   struct State;
   std::shared_ptr<State> state_;
 };

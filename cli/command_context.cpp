@@ -6,6 +6,8 @@
 
 #include "cli/command.h"
 #include "cli/progress_bar.h"
+#include "cli/started_ranks.h"
+#include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/base/parallel.h"
@@ -42,6 +44,11 @@ struct CommandContext::State {
   bool fileOnStandardOutput = false;
   ProgressBar bar;
   std::function<void()> chosen;
+  std::string command;
+  bool divides = false;
+  std::unique_ptr<Ranks> ranks;
+
+  bool isSilent() const { return ranks && !ranks->isFirst(); }
 };
 
 CommandContext::CommandContext() : state_(std::make_shared<State>()) {}
@@ -53,30 +60,49 @@ void CommandContext::addCommonOptions(CLI::App& command) const {
   command.add_flag("-q,--quiet", state_->quiet, "Print results and errors only");
 }
 
-void CommandContext::finish(CLI::App& command, const std::string& examples, std::function<void()> run) const {
+void CommandContext::declare(CLI::App& command, const std::string& examples, std::function<void()> run,
+                             bool divides) const {
   addCommonOptions(command);
   command.footer("Examples:\n" + examples);
-  command.callback([state = state_, run = std::move(run), &command] {
+  command.callback([state = state_, run = std::move(run), divides, &command] {
     state->fileOnStandardOutput = namesStandardOutput(command);
+    state->command = command.get_name();
+    state->divides = divides;
     state->chosen = run;
   });
 }
 
+void CommandContext::finish(CLI::App& command, const std::string& examples, std::function<void()> run) const {
+  declare(command, examples, std::move(run), false);
+}
+
+void CommandContext::finishShared(CLI::App& command, const std::string& examples, std::function<void()> run) const {
+  declare(command, examples, std::move(run), true);
+}
+
+Ranks& CommandContext::ranks() const {
+  OC_CHECK(state_->ranks != nullptr, "ranks are there while a command runs");
+  return *state_->ranks;
+}
+
 void CommandContext::print(std::string_view text) const {
+  if (state_->isSilent()) {
+    return;
+  }
   clearProgress();
   std::FILE* const stream = state_->fileOnStandardOutput ? stderr : stdout;
   checkStandardOutput(std::fwrite(text.data(), 1, text.size(), stream) == text.size());
 }
 
 void CommandContext::note(std::string_view text) const {
-  if (!state_->quiet) {
+  if (!state_->quiet && !state_->isSilent()) {
     clearProgress();
     std::fprintf(stderr, "%.*s\n", static_cast<int>(text.size()), text.data());
   }
 }
 
 Progress CommandContext::progress() const {
-  if (state_->quiet || !ProgressBar::possible()) {
+  if (state_->quiet || state_->isSilent() || !ProgressBar::possible()) {
     return {};
   }
   return [state = state_](std::string_view stage, double fraction) { state->bar.show(stage, fraction); };
@@ -85,8 +111,17 @@ Progress CommandContext::progress() const {
 void CommandContext::run() const {
   if (state_->chosen) {
     setThreadCount(state_->threads);
+    state_->ranks = startedRanks(state_->divides, state_->command);
     state_->chosen();
     clearProgress();
+    flushStandardOutput();
+    state_->ranks.reset();
+  }
+}
+
+void CommandContext::abandon(int exitCode) const {
+  if (state_->ranks) {
+    state_->ranks->abort(exitCode);
   }
 }
 

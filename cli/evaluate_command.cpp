@@ -82,10 +82,13 @@ EvaluationOptions evaluationOptions(const EvaluateChoice& choice) {
   return options;
 }
 
-/// Where the results of `ocelli evaluate` go. Each place is checked before the work begins.
+/// Where the results of `ocelli evaluate` go. Each place is checked before the work begins, where this `writes`.
 class Outputs {
  public:
-  explicit Outputs(const EvaluateChoice& choice) : choice_(choice) {
+  Outputs(const EvaluateChoice& choice, bool writes) : choice_(choice) {
+    if (!writes) {
+      return;
+    }
     for (const std::string& path : files()) {
       checkWritable(path);
     }
@@ -195,7 +198,9 @@ void runEvaluate(const EvaluateChoice& choice, const CommandContext& context) {
   const std::vector<AskedCamera> cameras = askedCameras(choice.cameras, options.cell);
   const DisplayProfile profile = loadProfile(choice.profile);
   options.slice = [&profile](const Mesh& mesh) { slice(mesh, profile); };
-  const Outputs outputs(choice);
+  Ranks& ranks = context.ranks();
+  options.ranks = &ranks;
+  const Outputs outputs(choice, ranks.isFirst());
 
   const InterruptGuard guard;
   std::string position;  // "2/16 " before the name of what is measured
@@ -210,13 +215,13 @@ void runEvaluate(const EvaluateChoice& choice, const CommandContext& context) {
   try {
     const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, progress);
     sceneTriangles = mesh.triangles.size();
-    if (const auto file = outputs.workFile()) {
+    if (const auto file = outputs.workFile(); file && ranks.isFirst()) {
       work.emplace(*file, evaluationKey(mesh, options,
                                         fmt::format("{} {} {}", choice.scene.source, profile.name, programStamp())));
       resume(*work, *file, choice.resume, context);
     }
     Evaluator evaluator(mesh, options);
-    if (outputs.hasPage()) {
+    if (outputs.hasPage() && ranks.isFirst()) {
       writePng(outputs.inPage(truthImageName()), evaluator.exampleImage());
     }
     for (const AskedCamera& camera : cameras) {
@@ -226,9 +231,14 @@ void runEvaluate(const EvaluateChoice& choice, const CommandContext& context) {
       if (work && outputs.haveImages(names)) {
         row = work->find(camera.identity);
       }
+      // The first rank alone knows what is finished: all go on with the same.
+      const bool isFinished = ranks.largest(row ? 1 : 0) != 0;
+      if (isFinished && !ranks.isFirst()) {
+        continue;
+      }
       if (!row) {
         row = evaluator.measure(camera.choice, progress, [&](const Mesh& representation) {
-          if (outputs.hasPage()) {
+          if (outputs.hasPage() && ranks.isFirst()) {
             const Evaluator::Example example = evaluator.example(representation);
             writePng(outputs.inPage(names.frame), example.image);
             writePng(outputs.inPage(names.errors), example.errors);
@@ -242,13 +252,16 @@ void runEvaluate(const EvaluateChoice& choice, const CommandContext& context) {
       images.push_back(names);
     }
   } catch (const Interrupted&) {
-    if (!rows.empty()) {
+    if (!rows.empty() && ranks.isFirst()) {
       writeOutputs(choice, outputs, options, rows, images, sceneTriangles, context);
     }
     throw WorkError(fmt::format("interrupted with {} of {} representations done", rows.size(), cameras.size()),
                     work ? outputs.workFile()->string() : choice.scene.source,
                     work ? "the same command again goes on from there"
                          : "give --json FILE, --csv FILE or --page DIR, so that an interrupted run can go on");
+  }
+  if (!ranks.isFirst()) {
+    return;
   }
   writeOutputs(choice, outputs, options, rows, images, sceneTriangles, context);
   if (work) {
@@ -306,11 +319,11 @@ void addEvaluateCommand(CLI::App& program, const CommandContext& context) {
       .add_flag_callback(
           "--no-resume", [choice] { choice->resume = false; }, "Start again")
       ->excludes(resume);
-  context.finish(command,
-                 "  ocelli evaluate builtin:statues\n"
-                 "  ocelli evaluate bunny.obj --cameras di,ddoc,ddoc-constant --cell 4in --json bunny.json\n"
-                 "  ocelli evaluate builtin:fence --cell-shape segment --page fence",
-                 [choice, context] { runEvaluate(*choice, context); });
+  context.finishShared(command,
+                       "  ocelli evaluate builtin:statues\n"
+                       "  ocelli evaluate bunny.obj --cameras di,ddoc,ddoc-constant --cell 4in --json bunny.json\n"
+                       "  ocelli evaluate builtin:fence --cell-shape segment --page fence",
+                       [choice, context] { runEvaluate(*choice, context); });
 }
 
 }  // namespace ocelli

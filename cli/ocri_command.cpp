@@ -12,12 +12,14 @@
 #include "cli/viewers_option.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
+#include "oc_core/compositing/shared_renderer.h"
 #include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/multiperspective/multiperspective_image.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/nothing_seen.h"
 #include "oc_core/ocri/placed_image.h"
 #include "oc_core/ocri/reference_image_file.h"
+#include "oc_core/ocri/representation_kind.h"
 #include "oc_core/ocri/union_mesh.h"
 #include "oc_core/ocri/viewers.h"
 #include "oc_core/scene/ply_file.h"
@@ -34,6 +36,7 @@ struct BuildChoice {
   std::string size;
   std::string construction = "auto";
   std::string gl = "auto";
+  std::string compositing = "direct";
   std::string output;
 };
 
@@ -51,6 +54,29 @@ std::string describe(const ReferenceImages& images) {
   return fmt::format("{}{}{}, {} samples", first.camera, count, size, samples);
 }
 
+/// Of more than one rank: what they draw together. Nothing otherwise.
+std::unique_ptr<SharedRenderer> sharedRenderer(const BuildChoice& choice, const Mesh& mesh,
+                                               const CommandContext& context) {
+  if (context.ranks().size() == 1) {
+    return nullptr;
+  }
+  if (choice.construction == "rays" || choice.construction == "gl") {
+    throw InputError("ranks draw together by rasterisation alone", "--construction " + choice.construction,
+                     "use auto or raster, or run it without mpirun");
+  }
+  return std::make_unique<SharedRenderer>(mesh, context.ranks(),
+                                          compositingFromText(choice.compositing, "--compositing"));
+}
+
+std::string describe(const SharedRenderer& shared, const CommandContext& context) {
+  const SharedDrawing& cost = shared.cost();
+  return fmt::format(
+      "drawn by {} ranks: {} images composited; rank 0 drew for {:.1f} ms, waited {:.1f} ms, composited {:.1f} ms and "
+      "sent {:.2f} MB",
+      context.ranks().size(), cost.images, 1000 * cost.drawSeconds, 1000 * cost.waitSeconds, 1000 * cost.mergeSeconds,
+      static_cast<double>(context.ranks().bytesSent()) / 1e6);
+}
+
 /// Of a graph or curved ray camera, made for a scene that one walks through.
 ReferenceImage constructedImage(const BuildChoice& choice, const View& view, const ImageSize& size,
                                 const CommandContext& context) {
@@ -63,7 +89,18 @@ ReferenceImage constructedImage(const BuildChoice& choice, const View& view, con
   const PinholeCamera reference(view, size.width, size.height);
   const MultiperspectiveCamera camera = constructCamera(choice.camera, scene, reference);
   const bool byRays = constructionFromText(choice.construction, "--construction") == Construction::kRays;
-  const FragmentImage fragments = byRays ? raycast(camera, scene.mesh) : rasterize(camera, scene.mesh);
+  const std::unique_ptr<SharedRenderer> shared = sharedRenderer(choice, scene.mesh, context);
+  const FragmentImage fragments = std::visit(
+      [&](const auto& each) {
+        return shared != nullptr ? shared->draw(each)
+               : byRays          ? raycast(each, scene.mesh)
+                                 : rasterize(each, scene.mesh);
+      },
+      camera);
+  if (shared != nullptr) {
+    shared->finish();
+    context.note(describe(*shared, context));
+  }
   const ReferenceImage image = std::visit(
       [&](const auto& each) { return placedImage(each, fragments, scene.mesh, view, choice.camera); }, camera);
   if (image.sampleCount() == 0) {
@@ -73,6 +110,11 @@ ReferenceImage constructedImage(const BuildChoice& choice, const View& view, con
   return image;
 }
 
+/// What no renderer draws but along its rays, or as layers.
+bool drawnInOneRank(const CameraChoice& camera) {
+  return camera.kind->castsRays || *camera.kind->needsCpu != 0;
+}
+
 /// Of every other camera, for each viewer.
 ReferenceImages builtImages(const BuildChoice& choice, const std::vector<View>& views, const ImageSize& size,
                             const CommandContext& context) {
@@ -80,16 +122,30 @@ ReferenceImages builtImages(const BuildChoice& choice, const std::vector<View>& 
   const Construction construction = constructionFromText(onGpu ? "auto" : choice.construction, "--construction");
   const CameraChoice camera = cameraChoice(choice.camera);
   const auto gl = onGpu ? std::make_unique<GlDrawing>(choice.gl) : nullptr;
+  if (context.ranks().size() > 1 && drawnInOneRank(camera)) {
+    context.note("camera \"" + camera.name + "\" is not divided among ranks: the first one draws it");
+    if (!context.ranks().isFirst()) {
+      return {};
+    }
+  }
   ViewedScene scene(choice.scene, context);
   ConstructionReport report;
   std::vector<ReferenceImages> viewers;
   for (const View& view : views) {
     const PinholeCamera reference(view, size.width, size.height);
     const Mesh& mesh = scene.meshFor(camera, reference);
-    viewers.push_back(
-        gl != nullptr
-            ? buildReferenceImages(camera, reference, mesh, context.progress(), gl->rendererOf(mesh))
-            : buildReferenceImages(camera, reference, mesh, context.progress(), construction, nullptr, &report));
+    const std::unique_ptr<SharedRenderer> shared =
+        drawnInOneRank(camera) ? nullptr : sharedRenderer(choice, mesh, context);
+    if (shared != nullptr) {
+      viewers.push_back(buildReferenceImages(camera, reference, mesh, context.progress(), *shared));
+      shared->finish();
+      context.note(describe(*shared, context));
+    } else {
+      viewers.push_back(
+          gl != nullptr
+              ? buildReferenceImages(camera, reference, mesh, context.progress(), gl->rendererOf(mesh))
+              : buildReferenceImages(camera, reference, mesh, context.progress(), construction, nullptr, &report));
+    }
   }
   context.note("constructed " + (gl != nullptr ? "with " + gl->description() : describe(report)));
   return mergeViewers(std::move(viewers)).images;
@@ -110,29 +166,43 @@ void addBuild(CLI::App& ocri, const CommandContext& context) {
       ->type_name("auto|raster|rays|gl")
       ->capture_default_str();
   addGlOption(command, choice->gl);
+  command
+      .add_option("--compositing", choice->compositing,
+                  "How ranks of an MPI job bring their images together: direct sends each part to the rank that owns "
+                  "it, swap halves parts between pairs of ranks. The image is the same")
+      ->check(CLI::IsMember({"direct", "swap"}))
+      ->type_name("direct|swap")
+      ->capture_default_str();
   addOutputOption(command, choice->output, "Where the image goes", {".exr"});
-  context.finish(command,
-                 "  ocelli ocri build builtin:statues -o statues.exr\n"
-                 "  ocelli ocri build bunny.obj --camera di --size 180x120 -o bunny.exr\n"
-                 "  ocelli ocri build builtin:statues --viewers 4 -o around.exr\n"
-                 "  ocelli ocri build builtin:town --camera panorama --size 1440x720 --view street.json -o town.exr\n"
-                 "  ocelli ocri build builtin:maze --camera comprehensive --size 1920x1200 -o maze.exr",
-                 [choice, context] {
-                   checkWritable(choice->output);
-                   requireGlUsed(choice->gl, choice->construction == "gl", "--construction gl");
-                   const ImageSize size = cameraImageSize(choice->camera, choice->size, kBuildSize);
-                   const std::vector<View> views = viewsOf(choice->viewers);
-                   const bool constructed = namesConstructor(choice->camera);
-                   if (constructed && views.size() != 1) {
-                     throw InputError("graph and curved ray cameras are made for one viewer", "--viewers",
-                                      "leave it out, or choose another camera");
-                   }
-                   const ReferenceImages images =
-                       constructed ? ReferenceImages{constructedImage(*choice, views.front(), size, context)}
-                                   : builtImages(*choice, views, size, context);
-                   writeReferenceImages(choice->output, images);
-                   context.note("wrote " + choice->output + ": " + describe(images));
-                 });
+  context.finishShared(
+      command,
+      "  ocelli ocri build builtin:statues -o statues.exr\n"
+      "  ocelli ocri build bunny.obj --camera di --size 180x120 -o bunny.exr\n"
+      "  ocelli ocri build builtin:statues --viewers 4 -o around.exr\n"
+      "  ocelli ocri build builtin:town --camera panorama --size 1440x720 --view street.json -o town.exr\n"
+      "  ocelli ocri build builtin:maze --camera comprehensive --size 1920x1200 -o maze.exr",
+      [choice, context] {
+        const bool writes = context.ranks().isFirst();
+        if (writes) {
+          checkWritable(choice->output);
+        }
+        requireGlUsed(choice->gl, choice->construction == "gl", "--construction gl");
+        const ImageSize size = cameraImageSize(choice->camera, choice->size, kBuildSize);
+        const std::vector<View> views = viewsOf(choice->viewers);
+        const bool constructed = namesConstructor(choice->camera);
+        if (constructed && views.size() != 1) {
+          throw InputError("graph and curved ray cameras are made for one viewer", "--viewers",
+                           "leave it out, or choose another camera");
+        }
+        const ReferenceImages images = constructed
+                                           ? ReferenceImages{constructedImage(*choice, views.front(), size, context)}
+                                           : builtImages(*choice, views, size, context);
+        if (!writes) {
+          return;
+        }
+        writeReferenceImages(choice->output, images);
+        context.note("wrote " + choice->output + ": " + describe(images));
+      });
 }
 
 void addMesh(CLI::App& ocri, const CommandContext& context) {

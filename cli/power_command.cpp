@@ -211,13 +211,17 @@ void runPower(const PowerChoice& choice, const CommandContext& context) {
         fmt::format(R"("equivalence": [{{"task": "{}", "lower": -0.1, "upper": 0.1}}] in the plan)", task));
   }
   const std::vector<Truth> truths = truthsOf(choice, protocol, bounds, context);
-  if (!choice.folder.empty()) {
+  Ranks& ranks = context.ranks();
+  if (!choice.folder.empty() && ranks.isFirst()) {
     checkReportFolder(choice.folder);
   }
   const PowerWork work{protocol,           plan,  *model,         bounds,     choice.subjects,
                        choice.simulations, alpha, choice.dropOut, choice.seed};
   PowerStudy study;
-  study.curves = simulatePower(work, truths, context.progress());
+  study.curves = simulatePower(work, truths, ranks, context.progress());
+  if (!ranks.isFirst()) {
+    return;
+  }
   study.protocolName = protocol.name;
   study.protocolSha256 = protocol.sha256;
   study.task = task;
@@ -315,11 +319,12 @@ void addPowerCommand(CLI::App& program, const CommandContext& context) {
   command.add_option("-o,--output", choice->folder, "Folder of a report: new, empty, or an earlier report")
       ->type_name("FOLDER");
   command.add_flag("--json", choice->asJson, "Print the numbers as JSON");
-  context.finish(command,
-                 "  ocelli power protocols/rosen2010.json --task find --ratio 0.85 --subjects 6,12,18,24\n"
-                 "  ocelli power study.json --plan plan.json --task count --share-ppc 0.5 --share-gc 0.6 -o power\n"
-                 "  ocelli power study.json --task path --share-ppc 0.7 --share-gc 0.7 --equivalence --drop-out 0.2",
-                 [choice, context] { runPower(*choice, context); });
+  context.finishShared(
+      command,
+      "  ocelli power protocols/rosen2010.json --task find --ratio 0.85 --subjects 6,12,18,24\n"
+      "  ocelli power study.json --plan plan.json --task count --share-ppc 0.5 --share-gc 0.6 -o power\n"
+      "  ocelli power study.json --task path --share-ppc 0.7 --share-gc 0.7 --equivalence --drop-out 0.2",
+      [choice, context] { runPower(*choice, context); });
 }
 
 }  // namespace ocelli

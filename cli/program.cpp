@@ -14,7 +14,9 @@
 
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/started_ranks.h"
 #include "oc_core/base/error.h"
+#include "oc_core/ranks/mpi_launch.h"
 
 namespace ocelli {
 namespace {
@@ -59,7 +61,10 @@ void openStandardStreams() {
 
 int fail(const CommandContext& context, int code, const std::string& message) {
   context.clearProgress();
-  std::fprintf(stderr, "ocelli: error: %s\n", message.c_str());
+  const std::string rank = beforeFailureOfRank();
+  std::fprintf(stderr, "ocelli: error: %s%s\n", rank.c_str(), message.c_str());
+  std::fflush(stdout);  // a job that is ended prints nothing any more
+  context.abandon(code);
   return code;
 }
 
@@ -88,6 +93,9 @@ int runCommand(int argumentCount, char** arguments) {
     flushStandardOutput();
     return 0;
   } catch (const CLI::Success& help) {
+    if (const auto launch = mpiLaunch(); launch && launch->rank > 0) {
+      return 0;
+    }
     std::ostringstream text;
     program.exit(help, text, text);
     context.print(text.str());

@@ -17,6 +17,7 @@
 #include "cli/slicing_options.h"
 #include "display_sim/frames/svol_file.h"
 #include "display_sim/slicing/exact_slicer.h"
+#include "display_sim/slicing/shared_slicing.h"
 #include "display_sim/slicing/slicer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
@@ -92,15 +93,26 @@ void run(const SliceChoice& choice, const CommandContext& context) {
     throw InputError("OpenGL has the ordered dither alone, no antialiasing, and does not even out light", "--method gl",
                      "leave out --dither, --antialias and --even-light, or --method gl");
   }
-  checkWritable(choice.output);
+  Ranks& ranks = context.ranks();
+  if (ranks.size() > 1 && choice.method == "gl") {
+    throw InputError("ranks slice together on CPUs alone", "--method gl", "use --method cpu, or run it without mpirun");
+  }
+  if (ranks.isFirst()) {
+    checkWritable(choice.output);
+  }
   const auto gl = choice.method == "gl" ? std::make_unique<GlDisplay>(choice.gl) : nullptr;
   const DisplayProfile profile = loadProfile(choice.profile);
   const bool exact = choice.slicing.exact || needsExactSlicer(options);
   const Mesh mesh = loadMeshToSlice(choice.scene, profile, choice.slicing.exact, context.progress());
   Times times;
-  const Volume volume = gl != nullptr ? times.run(choice.repeat, [&] { return gl->slice(mesh, profile, options); })
-                        : exact       ? times.run(choice.repeat, [&] { return sliceExactly(mesh, profile, options); })
-                                      : sliceFast(mesh, profile, options, choice.repeat, times);
+  const auto together = [&] { return sliceTogether(mesh, profile, options, exact, ranks); };
+  const Volume volume = ranks.size() > 1 ? times.run(choice.repeat, together)
+                        : gl != nullptr  ? times.run(choice.repeat, [&] { return gl->slice(mesh, profile, options); })
+                        : exact ? times.run(choice.repeat, [&] { return sliceExactly(mesh, profile, options); })
+                                : sliceFast(mesh, profile, options, choice.repeat, times);
+  if (!ranks.isFirst()) {
+    return;
+  }
   writeSvol(choice.output, volume, sliceMetadata(choice.scene, choice.slicing));
   noteSlicedScene(context, mesh, profile);
   if (choice.json) {
@@ -114,8 +126,12 @@ void run(const SliceChoice& choice, const CommandContext& context) {
                                          {"runs", times.slicing.size()},
                                          {"volumes_per_second", 1000 / times.least()},
                                          {"threads", threadCount()},
+                                         {"ranks", ranks.size()},
                                          {"instruction_set", sliceInstructionSet()}};
     context.print(textOfJson(json, 2) + "\n");
+  }
+  if (ranks.size() > 1) {
+    context.note(fmt::format("sliced by {} ranks, each the slices of its angles", ranks.size()));
   }
   if (gl != nullptr) {
     context.note("sliced with " + gl->description());
@@ -141,11 +157,12 @@ void addSliceCommand(CLI::App& program, const CommandContext& context) {
   addGlOption(command, choice->gl);
   command.add_flag("--json", choice->json, "Print the figures as JSON");
   addOutputOption(command, choice->output, "Where the volume goes", {".svol"});
-  context.finish(command,
-                 "  ocelli slice builtin:teapot -o teapot.svol\n"
-                 "  ocelli slice statues.exr --profile perspecta-99 -o statues.svol\n"
-                 "  ocelli slice statues.ply --no-fit --shading none -o statues.svol   (a mesh of `ocelli ocri mesh`)",
-                 [choice, context] { run(*choice, context); });
+  context.finishShared(
+      command,
+      "  ocelli slice builtin:teapot -o teapot.svol\n"
+      "  ocelli slice statues.exr --profile perspecta-99 -o statues.svol\n"
+      "  ocelli slice statues.ply --no-fit --shading none -o statues.svol   (a mesh of `ocelli ocri mesh`)",
+      [choice, context] { run(*choice, context); });
 }
 
 }  // namespace ocelli

@@ -11,7 +11,7 @@
 #include "oc_core/base/error.h"
 #include "study/protocol/protocol.h"
 #include "study/store/study_database.h"
-#include "study/subject/simulate_study.h"
+#include "study/subject/simulate_together.h"
 
 namespace ocelli {
 namespace {
@@ -57,7 +57,8 @@ void simulate(const SimulateChoice& choice, const CommandContext& context) {
   plan.renderer = choice.renderer;
   plan.makeRenderer = [renderer = choice.renderer] { return studyRenderer(renderer); };
   plan.hashFrames = choice.hashFrames;
-  const SimulationResult result = simulateStudy(protocol, choice.database, plan, context.progress());
+  const SimulationResult result =
+      simulateTogether(protocol, choice.database, plan, context.ranks(), context.progress());
   context.note(fmt::format("{}: {} simulated subjects, {} sessions simulated, {} there before; {} trials in all",
                            choice.database, choice.subjects, result.sessions, result.sessionsBefore, result.trials));
 }
@@ -96,12 +97,13 @@ void addStudySimulateCommand(CLI::App& study, const CommandContext& context) {
   command.add_option("--effects", choice->effects, "JSON file with the generator's effects")->type_name("FILE");
   command.add_flag("--hash-frames", choice->hashFrames,
                    "Store a hash of the pixels of each image that an observer looks at, for replays to compare");
-  context.finish(command,
-                 "  ocelli study simulate protocols/short.json --db trial.sqlite --subjects 4 --seed 1\n"
-                 "  ocelli study simulate protocols/rosen2010.json --db simulated.sqlite --subjects 45 --seed 7 "
-                 "--sessions 3x25,1x20\n"
-                 "  ocelli study simulate protocols/rosen2010.json --db known.sqlite --subjects 200 --kind generator",
-                 [choice, context] { simulate(*choice, context); });
+  context.finishShared(
+      command,
+      "  ocelli study simulate protocols/short.json --db trial.sqlite --subjects 4 --seed 1\n"
+      "  ocelli study simulate protocols/rosen2010.json --db simulated.sqlite --subjects 45 --seed 7 "
+      "--sessions 3x25,1x20\n"
+      "  ocelli study simulate protocols/rosen2010.json --db known.sqlite --subjects 200 --kind generator",
+      [choice, context] { simulate(*choice, context); });
 }
 
 }  // namespace ocelli

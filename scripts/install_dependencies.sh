@@ -9,6 +9,7 @@ packages="cmake ninja-build g++ ccache pkg-config python3 git
   libglm-dev libtbb-dev libpng-dev zlib1g-dev libassimp-dev libembree-dev libopenexr-dev libimath-dev
   nlohmann-json3-dev libzstd-dev libmeshoptimizer-dev libhwy-dev libstb-dev libisal-dev libcairo2-dev libfmt-dev libcli11-dev libssl-dev libsqlitecpp-dev libsqlite3-dev
   libeigen3-dev libnlopt-cxx-dev libboost-dev
+  libopenmpi-dev openmpi-bin
   libusb-1.0-0-dev libumockdev-dev umockdev
   libgtest-dev libgmock-dev libbenchmark-dev libosmesa6-dev libosmesa6 libegl-dev libegl1
   libgl1-mesa-dri libglfw3-dev libimgui-dev libfontconfig-dev fonts-dejavu-core fonts-droid-fallback python3-glad xvfb xauth libxtst6 xdotool"

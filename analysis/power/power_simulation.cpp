@@ -12,6 +12,8 @@
 #include "analysis/report/view_test.h"
 #include "oc_core/base/machine.h"
 #include "oc_core/base/parallel.h"
+#include "oc_core/ranks/packed_bytes.h"
+#include "oc_core/ranks/shared_tasks.h"
 #include "study/agent/chance.h"
 
 namespace ocelli {
@@ -33,6 +35,31 @@ struct StudyResults {
   StudyResult view;
   StudyResult equivalence;
 };
+
+Bytes packed(const StudyResults& results) {
+  BytePacker packer;
+  packer.add(results.analysed);
+  for (const StudyResult* result : {&results.view, &results.equivalence}) {
+    packer.add(result->found);
+    packer.add(result->warned);
+    packer.add(result->estimate);
+    packer.add(result->reason);
+  }
+  return packer.take();
+}
+
+StudyResults unpacked(const Bytes& bytes) {
+  ByteUnpacker unpacker(bytes);
+  StudyResults results;
+  results.analysed = unpacker.value<int>();
+  for (StudyResult* result : {&results.view, &results.equivalence}) {
+    result->found = unpacker.value<bool>();
+    result->warned = unpacker.value<bool>();
+    result->estimate = unpacker.value<double>();
+    result->reason = unpacker.text();
+  }
+  return results;
+}
 
 /// A test that fails is one without a result.
 void take(StudyResult& result, const std::function<void(StudyResult&)>& test) {
@@ -135,23 +162,39 @@ std::vector<int> sessionsOf(const Protocol& protocol, int subjects, double dropO
 
 std::vector<PowerCurve> simulatePower(const PowerWork& work, const std::vector<Truth>& truths,
                                       const Progress& progress) {
+  const std::unique_ptr<Ranks> alone = serialRanks();
+  return simulatePower(work, truths, *alone, progress);
+}
+
+std::vector<PowerCurve> simulatePower(const PowerWork& work, const std::vector<Truth>& truths, Ranks& ranks,
+                                      const Progress& progress) {
   keepFreedMemory();
   const size_t sizes = work.subjects.size();
   const auto studies = static_cast<size_t>(work.simulations);
-  std::vector<StudyResults> results(truths.size() * sizes * studies);
+  const size_t count = truths.size() * sizes * studies;
+  const std::vector<size_t> tasks = tasksOfRank(ranks, count);
+  std::vector<Bytes> mine(tasks.size());
   std::mutex mutex;
   size_t finished = 0;
   report(progress, "simulating studies", 0);
-  parallelFor(results.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
+  parallelFor(tasks.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t task = begin; task < end; ++task) {
+      const size_t i = tasks[task];
       const int subjects = work.subjects[i / studies % sizes];
       // Truths are compared with the same subjects, cases and chances.
       const uint64_t seed = seedOf(seedOf(work.seed, static_cast<uint64_t>(subjects)), i % studies);
-      runAlone([&] { results[i] = analyseStudy(work, truths[i / studies / sizes], subjects, seed); });
+      runAlone([&] { mine[task] = packed(analyseStudy(work, truths[i / studies / sizes], subjects, seed)); });
       const std::scoped_lock lock(mutex);
-      report(progress, "simulating studies", static_cast<double>(++finished) / static_cast<double>(results.size()));
+      report(progress, "simulating studies", static_cast<double>(++finished) / static_cast<double>(tasks.size()));
     }
   });
+  std::vector<StudyResults> results;
+  for (const Bytes& result : gatherTasks(ranks, count, mine)) {
+    results.push_back(unpacked(result));
+  }
+  if (!ranks.isFirst()) {
+    return {};
+  }
   std::vector<PowerCurve> curves;
   for (size_t t = 0; t < truths.size(); ++t) {
     for (const Test test : {Test::kView, Test::kEquivalence}) {

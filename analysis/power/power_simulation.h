@@ -6,6 +6,7 @@
 #include "analysis/power/power_effects.h"
 #include "analysis/report/power_study.h"
 #include "oc_core/base/progress.h"
+#include "oc_core/ranks/ranks.h"
 
 namespace ocelli {
 
@@ -27,6 +28,9 @@ std::vector<int> sessionsOf(const Protocol& protocol, int subjects, double dropO
 /// A curve for each test of each truth, in their order. The same for any number of threads, and each number of subjects
 /// as if it were the only one. Throws InputError where the plan is not for the protocol.
 std::vector<PowerCurve> simulatePower(const PowerWork& work, const std::vector<Truth>& truths,
+                                      const Progress& progress = {});
+/// The same by ranks together, each of which simulates some of the studies: rank 0 has the curves, the others nothing.
+std::vector<PowerCurve> simulatePower(const PowerWork& work, const std::vector<Truth>& truths, Ranks& ranks,
                                       const Progress& progress = {});
 
 }  // namespace ocelli

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <numeric>
 #include <optional>
 
 #include "display_sim/dither/diffusion.h"
@@ -154,11 +155,27 @@ std::vector<SweepVertex> sweepVertices(const Mesh& mesh, const SweepGeometry& sw
 
 /// What the slicing of every triangle needs.
 struct Scene {
-  Scene(const Mesh& sceneMesh, const DisplayProfile& profile, const SliceOptions& options)
+  /// `slices` are those to be made.
+  Scene(const Mesh& sceneMesh, const DisplayProfile& profile, const SliceOptions& options, std::span<const int> slices)
       : mesh(sceneMesh),
         sweep(profile),
         vertices(sweepVertices(mesh, sweep)),
-        antialiased(options.angularAntialiasing) {
+        antialiased(options.angularAntialiasing),
+        wanted(static_cast<size_t>(profile.storedSlices())),
+        sectors(static_cast<size_t>(sweep.sectors())) {
+    for (const int slice : slices) {
+      wanted[static_cast<size_t>(slice)] = 1;
+    }
+    // With antialiasing a sector lights the slices beside its own too.
+    const int neighbours = antialiased ? 1 : 0;
+    for (int sector = 0; sector < sweep.sectors(); ++sector) {
+      for (int i = sector - neighbours; i <= sector + neighbours; ++i) {
+        const auto slice = static_cast<size_t>(sweep.sliceOfSector((i + sweep.sectors()) % sweep.sectors()));
+        if (wantsSlice(slice)) {
+          sectors[static_cast<size_t>(sector)] = 1;
+        }
+      }
+    }
     if (options.evenLightRadius > 0 && options.colors != ColorReduction::kOccupancy) {
       evenLight.emplace(sweep, options.evenLightRadius);
     }
@@ -168,7 +185,16 @@ struct Scene {
   SweepGeometry sweep;
   std::vector<SweepVertex> vertices;
   bool antialiased;
+  std::vector<char> wanted;   ///< by stored slice
+  std::vector<char> sectors;  ///< those that light a wanted slice
   std::optional<EvenLight> evenLight;
+
+ private:
+  /// Or the slice of the other half turn.
+  bool wantsSlice(size_t slice) const {
+    const size_t other = slice + static_cast<size_t>(sweep.slicesPerHalfTurn());
+    return wanted[slice] != 0 || (other < wanted.size() && wanted[other] != 0);
+  }
 };
 
 /// Slices triangles one by one into its bins. One for each thread.
@@ -200,14 +226,23 @@ class TriangleSlicer {
       facingSlice_ = -1;
     }
     const SectorRange range = sectorsOf(a, b, c, sweep_.sectors());
-    forEachTouchedCell(sweep_, raster_, triangle, range, [&](int sector, int column, int row, double b1, double b2) {
-      light(sector, column, row, b1, b2);
-    });
+    for (int done = 0; done < range.count;) {
+      SectorRange part{(range.first + done) % sweep_.sectors(), 0};
+      while (done + part.count < range.count && isWanted(range.first + done + part.count)) {
+        ++part.count;
+      }
+      forEachTouchedCell(sweep_, raster_, triangle, part, [&](int sector, int column, int row, double b1, double b2) {
+        light(sector, column, row, b1, b2);
+      });
+      done += std::max(part.count, 1);
+    }
   }
 
   void flush() { bins_.flush(); }
 
  private:
+  bool isWanted(int sector) const { return scene_.sectors[static_cast<size_t>(sector % sweep_.sectors())] != 0; }
+
   void light(int sector, int column, int row, double b1, double b2) {
     const int slice = sweep_.sliceOfSector(sector);
     glm::vec3 color = color_ + colorB_ * static_cast<float>(b1) + colorC_ * static_cast<float>(b2);
@@ -239,6 +274,9 @@ class TriangleSlicer {
   }
 
   void store(int slice, int column, int row, const glm::vec3& color) {
+    if (scene_.wanted[static_cast<size_t>(slice)] == 0) {
+      return;
+    }
     if (const auto entry = sink_.entry(slice, column, row, color)) {
       bins_.push(slice, *entry);
     }
@@ -262,8 +300,9 @@ class TriangleSlicer {
 };
 
 template <class Sink>
-void sliceInto(Sink& sink, const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options) {
-  const Scene scene(mesh, profile, options);
+void sliceInto(Sink& sink, const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options,
+               std::span<const int> slices) {
+  const Scene scene(mesh, profile, options, slices);
   // A few parts for each thread even out the load; each part has its own bins, so not too many.
   const size_t parts = std::min<size_t>(static_cast<size_t>(threadCount()) * 4, mesh.triangles.size() / 256 + 1);
   parallelChunks(mesh.triangles.size(), parts, [&](size_t, size_t begin, size_t end) {
@@ -275,20 +314,37 @@ void sliceInto(Sink& sink, const Mesh& mesh, const DisplayProfile& profile, cons
   });
 }
 
+std::vector<int> allSlices(const DisplayProfile& profile) {
+  std::vector<int> slices(static_cast<size_t>(profile.storedSlices()));
+  std::iota(slices.begin(), slices.end(), 0);
+  return slices;
+}
+
 }  // namespace
 
 Volume sliceExactly(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options) {
   if (options.colors == ColorReduction::kDiffusion) {
     return diffuse(colorsExactly(mesh, profile, options), profile).volume;
   }
+  return makeSlicesExactly(mesh, profile, options, allSlices(profile));
+}
+
+Volume makeSlicesExactly(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options,
+                         std::span<const int> slices) {
+  OC_CHECK(options.colors != ColorReduction::kDiffusion, "error diffusion needs all slices");
   LevelSink sink(profile, options.colors);
-  sliceInto(sink, mesh, profile, options);
+  sliceInto(sink, mesh, profile, options, slices);
   return sink.take();
 }
 
 VoxelColors colorsExactly(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options) {
+  return colorsOfSlices(mesh, profile, options, allSlices(profile));
+}
+
+VoxelColors colorsOfSlices(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options,
+                           std::span<const int> slices) {
   ColorSink sink(profile);
-  sliceInto(sink, mesh, profile, options);
+  sliceInto(sink, mesh, profile, options, slices);
   return sink.take();
 }
 

@@ -10,6 +10,8 @@
 // surface lights nothing.
 #pragma once
 
+#include <span>
+
 #include "display_sim/dither/slice_options.h"
 #include "display_sim/dither/voxel_colors.h"
 #include "display_sim/frames/display_profile.h"
@@ -23,9 +25,17 @@ namespace ocelli {
 /// surface.
 Volume sliceExactly(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options = {});
 
+/// Only these slices; the others are dark. Not with error diffusion, which passes errors from slice to slice.
+Volume makeSlicesExactly(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options,
+                         std::span<const int> slices);
+
 /// The colours of the voxels that sliceExactly() lights, weighed for even light, before they are reduced to levels;
 /// black ones are left out. Takes 16 bytes a voxel, and about as much again on the way.
 VoxelColors colorsExactly(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options = {});
+
+/// Only of these slices.
+VoxelColors colorsOfSlices(const Mesh& mesh, const DisplayProfile& profile, const SliceOptions& options,
+                           std::span<const int> slices);
 
 /// How far, in columns, rounding may move a cell's face, for coordinates of at most one display radius: some tens of
 /// operations in double precision on screen coordinates of at most 4096. Grows in proportion with larger coordinates.

@@ -15,11 +15,9 @@ struct Slicer::Impl {
 
   void makeAll(const SliceMesh& mesh) {
     spans.assign(mesh.chunks().size(), {});
-    std::vector<size_t> chunks(mesh.chunks().size());
-    std::iota(chunks.begin(), chunks.end(), size_t{0});
     std::vector<int> slices(static_cast<size_t>(profile.storedSlices()));
     std::iota(slices.begin(), slices.end(), 0);
-    make(mesh, chunks, slices);
+    make(mesh, allChunks(mesh), slices);
   }
 
   void makeMoved(const SliceMesh& mesh) {
@@ -39,15 +37,18 @@ struct Slicer::Impl {
         slices.push_back(static_cast<int>(i));
       }
     }
-    std::vector<size_t> chunks;
-    for (size_t c = 0; c < spans.size(); ++c) {
-      bool touches = false;
-      forEachSlice(spans[c], [&](size_t slice) { touches |= dirty[slice] != 0; });
-      if (touches) {
-        chunks.push_back(c);
-      }
+    make(mesh, chunksTouching(dirty), slices);
+  }
+
+  void makeSome(const SliceMesh& mesh, std::span<const int> slices) {
+    spans.assign(mesh.chunks().size(), {});
+    pass->findSpans(mesh, allChunks(mesh), spans);
+    std::vector<char> wanted(static_cast<size_t>(profile.storedSlices()));
+    for (const int slice : slices) {
+      wanted[static_cast<size_t>(slice)] = 1;
     }
-    make(mesh, chunks, slices);
+    make(mesh, chunksTouching(wanted), {slices.begin(), slices.end()});
+    versions.clear();  // the volume is not whole
   }
 
   DisplayProfile profile;
@@ -61,6 +62,24 @@ struct Slicer::Impl {
   SliceStages stages;
 
  private:
+  static std::vector<size_t> allChunks(const SliceMesh& mesh) {
+    std::vector<size_t> chunks(mesh.chunks().size());
+    std::iota(chunks.begin(), chunks.end(), size_t{0});
+    return chunks;
+  }
+
+  std::vector<size_t> chunksTouching(const std::vector<char>& wanted) const {
+    std::vector<size_t> chunks;
+    for (size_t c = 0; c < spans.size(); ++c) {
+      bool touches = false;
+      forEachSlice(spans[c], [&](size_t slice) { touches |= wanted[slice] != 0; });
+      if (touches) {
+        chunks.push_back(c);
+      }
+    }
+    return chunks;
+  }
+
   void make(const SliceMesh& mesh, const std::vector<size_t>& chunks, const std::vector<int>& slices) {
     stages = pass->run(mesh, chunks, slices, spans, *volume);
     made = static_cast<int>(slices.size());
@@ -100,6 +119,11 @@ const DisplayProfile& Slicer::profile() const {
 
 const Volume& Slicer::slice(const SliceMesh& mesh) {
   impl_->makeAll(mesh);
+  return *impl_->volume;
+}
+
+const Volume& Slicer::slice(const SliceMesh& mesh, std::span<const int> slices) {
+  impl_->makeSome(mesh, slices);
   return *impl_->volume;
 }
 

@@ -20,6 +20,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "display_sim/dither/slice_options.h"
@@ -41,6 +42,9 @@ class Slicer {
 
   /// What lies outside of the display is cut off. The volume stays the slicer's, until it slices again.
   const Volume& slice(const SliceMesh& mesh);
+
+  /// Only these slices, as slice() makes them; the others stay as they were, dark in a new volume.
+  const Volume& slice(const SliceMesh& mesh, std::span<const int> slices);
 
   /// The same volume as slice() gives, where `mesh` is what was sliced last, perhaps with other positions: only slices
   /// that moved triangles touch now, or touched before, are made again.

@@ -88,6 +88,8 @@ class EpipolarLines {
   /// y for each 1/z, at x.
   double inverseZScale(double x) const { return parallel_ ? 1 : forward_ ? x : -x; }
 
+  bool operator==(const EpipolarLines&) const = default;
+
  private:
   void setParallelRows(const PinholeCamera& base);
   void setRadialRows(const PinholeCamera& base);

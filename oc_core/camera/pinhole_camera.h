@@ -68,6 +68,8 @@ class PinholeCamera {
   }
   RayPath rayPath(const glm::vec2& pixel) const;
 
+  bool operator==(const PinholeCamera&) const = default;
+
  private:
   View view_;
   int width_;

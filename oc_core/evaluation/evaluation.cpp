@@ -12,6 +12,8 @@
 #include "oc_core/evaluation/error_image.h"
 #include "oc_core/evaluation/truth_frames.h"
 #include "oc_core/ocri/union_mesh.h"
+#include "oc_core/ranks/packed_bytes.h"
+#include "oc_core/ranks/shared_tasks.h"
 #include "oc_core/scene/winding_number.h"
 
 namespace ocelli {
@@ -95,19 +97,46 @@ struct Evaluator::Impl {
   }
 
   const PinholeCamera& reference() const { return truth.camera(viewpoints.reference.first); }
+  Ranks& ranks() const { return options.ranks != nullptr ? *options.ranks : *alone; }
+
+  /// `measure(k)` for each k below `count`: the same in all ranks.
+  template <class Result, class Measure>
+  std::vector<Result> atEach(size_t count, const Measure& measure) {
+    const std::vector<size_t> tasks = tasksOfRank(ranks(), count);
+    std::vector<Bytes> mine(tasks.size());
+    parallelFor(tasks.size(), 1, [&](size_t begin, size_t end) {
+      for (size_t task = begin; task < end; ++task) {
+        BytePacker packer;
+        packer.add(Result(measure(tasks[task])));
+        mine[task] = packer.take();
+      }
+    });
+    std::vector<Result> results;
+    for (const Bytes& result : gatherTasksToAll(ranks(), count, mine)) {
+      results.push_back(ByteUnpacker(result).value<Result>());
+    }
+    return results;
+  }
 
   /// Errors are measured once at each viewpoint, although the reference belongs to two places.
+  /// Those that were not measured before are handed out to the ranks, and all get what each has measured.
   class Measured {
    public:
     Measured(Impl& impl, const Mesh& mesh, const std::string& name, const Progress& progress)
         : impl_(impl), mesh_(mesh), name_(name), progress_(progress), errors_(impl.truth.count()) {}
 
     FrameErrors at(const Place& place, bool images) {
-      parallelFor(place.last - place.first, 1, [&](size_t begin, size_t end) {
-        for (size_t i = place.first + begin; i < place.first + end; ++i) {
-          measure(i, images);
+      std::vector<size_t> open;
+      for (size_t i = place.first; i < place.last; ++i) {
+        if (!errors_[i]) {
+          open.push_back(i);
         }
-      });
+      }
+      const std::vector<FrameErrors> errors =
+          impl_.atEach<FrameErrors>(open.size(), [&](size_t k) { return measure(open[k], images); });
+      for (size_t k = 0; k < open.size(); ++k) {
+        errors_[open[k]] = errors[k];
+      }
       FrameErrors sum;
       for (size_t i = place.first; i < place.last; ++i) {
         sum += *errors_[i];
@@ -116,17 +145,16 @@ struct Evaluator::Impl {
     }
 
    private:
-    void measure(size_t i, bool images) {
-      if (errors_[i]) {
-        return;
-      }
-      report(progress_, name_, static_cast<double>(done_++) / static_cast<double>(errors_.size()));
+    FrameErrors measure(size_t i, bool images) {
+      const auto ranks = static_cast<size_t>(impl_.ranks().size());
+      report(progress_, name_, static_cast<double>(ranks * done_++) / static_cast<double>(errors_.size()));
       const std::shared_ptr<const ViewFrame> truth = impl_.truth.frame(i);
       const ViewFrame frame = renderFrame(impl_.truth.camera(i), mesh_);
-      errors_[i] = countErrors(compareViewFrames(impl_.truth.camera(i), *truth, frame, impl_.surface), frame);
+      FrameErrors errors = countErrors(compareViewFrames(impl_.truth.camera(i), *truth, frame, impl_.surface), frame);
       if (images) {
-        addImageErrors(*errors_[i], *truth, frame);
+        addImageErrors(errors, *truth, frame);
       }
+      return errors;
     }
 
     Impl& impl_;
@@ -141,10 +169,13 @@ struct Evaluator::Impl {
   const MissingSamples& missingFromDepthImage() {
     if (!depthImage) {
       const Mesh mesh = unionMesh({buildDepthImage(reference(), scene)});
+      const size_t first = viewpoints.edges.first;
       MissingSamples missing;
-      for (size_t i = viewpoints.edges.first; i < viewpoints.edges.last; ++i) {
-        missing +=
-            countMissing(compareFrames(truth.camera(i), truth.frame(i)->points, positionImage(truth.camera(i), mesh)));
+      for (const MissingSamples& each : atEach<MissingSamples>(viewpoints.edges.last - first, [&](size_t k) {
+             const PinholeCamera& camera = truth.camera(first + k);
+             return countMissing(compareFrames(camera, truth.frame(first + k)->points, positionImage(camera, mesh)));
+           })) {
+        missing += each;
       }
       depthImage = missing;
     }
@@ -153,6 +184,7 @@ struct Evaluator::Impl {
 
   const Mesh& scene;
   EvaluationOptions options;
+  std::unique_ptr<Ranks> alone = serialRanks();
   Viewpoints viewpoints;
   TruthFrames truth;
   RayScene surface;
@@ -180,7 +212,8 @@ RepresentationFigures Evaluator::measure(const std::string& name, const MakeRepr
   RepresentationFigures figures;
   figures.name = name;
   Representation made;
-  for (int run = 0; run < std::max(options.runs, 1); ++run) {
+  const int runs = impl_->ranks().isFirst() ? options.runs : 1;
+  for (int run = 0; run < std::max(runs, 1); ++run) {
     report(progress, name, 0);
     RepresentationTimes times;
     made = make(times);

@@ -14,6 +14,7 @@
 #include "oc_core/evaluation/stored_size.h"
 #include "oc_core/ocri/representation.h"
 #include "oc_core/ocri/view_cell.h"
+#include "oc_core/ranks/ranks.h"
 
 namespace ocelli {
 
@@ -32,6 +33,9 @@ struct EvaluationOptions {
   int runs = 1;              ///< how often each representation is made and sliced; the best times count
   /// Slices a mesh; its time is `sliceMilliseconds`. May be empty: the rooms above this one know how.
   std::function<void(const Mesh&)> slice;
+  /// Those that measure together, each at some of the viewpoints; all call measure() with the same. Each makes the
+  /// representations, only the first one more than once. None: this program alone.
+  Ranks* ranks = nullptr;
 };
 
 /// The distances that the `evaluate` command takes: closer where errors begin.

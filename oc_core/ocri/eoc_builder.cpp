@@ -210,7 +210,7 @@ class Scene {
   }
   /// The same for the last camera that was drawn without some of its columns.
   FragmentImage drawTrimmed(const EpipolarCamera& camera, const FragmentImage& baseImage) {
-    return renderer_ != nullptr ? renderer_->draw(camera, baseImage) : drawing_->drawAgain(camera, baseImage);
+    return renderer_ != nullptr ? renderer_->drawTrimmed(camera, baseImage) : drawing_->drawAgain(camera, baseImage);
   }
 
  private:

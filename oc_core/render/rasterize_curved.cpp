@@ -31,7 +31,7 @@ double depthOf(const CurvedRayCamera& camera, PixelRay ray, size_t order, const 
 
 }  // namespace
 
-FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {
+OrderedBuffer drawOrdered(const CurvedRayCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {
   const PixelLeaves leaves(camera.width(), camera.height(), 0);
   const std::vector<StraightSegment> segments = segmentsOf(camera);
   std::vector<SegmentRasterizer> straight;
@@ -50,7 +50,7 @@ FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh, const M
     SegmentRasterizer::Scratch straight;
     BendRasterizer::Scratch bend;
   };
-  const OrderedBuffer buffer = drawTasks(
+  return drawTasks(
       leaves.size(), tasks, [] { return Scratch(); },
       [&](OrderedBuffer& drawn, const BlockTask& task, Scratch& scratch) {
         if (task.piece % 2 == 0) {
@@ -59,6 +59,9 @@ FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh, const M
           bends[task.piece / 2].draw(drawn, task, scratch.bend);
         }
       });
+}
+
+FragmentImage fragmentsOf(const CurvedRayCamera& camera, const OrderedBuffer& buffer, const Mesh& mesh) {
   const PixelRays rays(camera.root());
   const auto width = static_cast<size_t>(camera.width());
   return fragmentsOf(buffer, mesh, camera.width(), camera.height(), static_cast<double>(camera.root().view().zFar),
@@ -67,6 +70,10 @@ FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh, const M
                                                static_cast<double>(pixel / width) + 0.5);
                        return depthOf(camera, PixelRay(rays, centre), order, point);
                      });
+}
+
+FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {
+  return fragmentsOf(camera, drawOrdered(camera, mesh, blocks), mesh);
 }
 
 FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh) {

@@ -8,6 +8,7 @@
 #include "oc_core/camera/curved_ray_camera.h"
 #include "oc_core/render/fragment_image.h"
 #include "oc_core/render/mesh_blocks.h"
+#include "oc_core/render/ordered_buffer.h"
 
 namespace ocelli {
 
@@ -15,5 +16,9 @@ namespace ocelli {
 FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh);
 /// The same, of a mesh that is drawn more than once: `blocks` are its own.
 FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh, const MeshBlocks& blocks);
+
+/// The two steps of it, as rasterize_graph.h has them.
+OrderedBuffer drawOrdered(const CurvedRayCamera& camera, const Mesh& mesh, const MeshBlocks& blocks);
+FragmentImage fragmentsOf(const CurvedRayCamera& camera, const OrderedBuffer& buffer, const Mesh& mesh);
 
 }  // namespace ocelli

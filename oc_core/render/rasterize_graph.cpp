@@ -6,7 +6,7 @@
 
 namespace ocelli {
 
-FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {
+OrderedBuffer drawOrdered(const GraphCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {
   const PixelLeaves leaves = leavesOf(camera);
   const std::vector<StraightSegment> segments = segmentsOf(camera, leaves);
   std::vector<SegmentRasterizer> renderers;
@@ -15,12 +15,15 @@ FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh, const MeshB
     renderers.emplace_back(segment, mesh, blocks, leaves);
     renderers.back().bounds().findBlocks(blocks, static_cast<uint32_t>(renderers.size() - 1), tasks);
   }
-  const OrderedBuffer buffer = drawTasks(
+  return drawTasks(
       leaves.size(), tasks, [] { return SegmentRasterizer::Scratch(); },
       [&](OrderedBuffer& drawn, const BlockTask& task, SegmentRasterizer::Scratch& scratch) {
         renderers[task.piece].draw(drawn, task, scratch);
       });
+}
 
+FragmentImage fragmentsOf(const GraphCamera& camera, const OrderedBuffer& buffer, const Mesh& mesh) {
+  const PixelLeaves leaves = leavesOf(camera);
   // The frusta on the way to each leaf, from the root.
   std::vector<std::vector<const GraphCamera::Frustum*>> ways;
   for (const GraphCamera::Frustum& frustum : camera.frusta()) {
@@ -38,6 +41,10 @@ FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh, const MeshB
         }
         return ray.zOf(point);
       });
+}
+
+FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {
+  return fragmentsOf(camera, drawOrdered(camera, mesh, blocks), mesh);
 }
 
 FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh) {

@@ -9,6 +9,7 @@
 #include "oc_core/camera/graph_camera.h"
 #include "oc_core/render/fragment_image.h"
 #include "oc_core/render/mesh_blocks.h"
+#include "oc_core/render/ordered_buffer.h"
 
 namespace ocelli {
 
@@ -16,5 +17,10 @@ namespace ocelli {
 FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh);
 /// The same, of a mesh that is drawn more than once: `blocks` are its own.
 FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh, const MeshBlocks& blocks);
+
+/// The two steps of it, for those who draw a mesh part by part: the nearest of what each part leaves in a buffer is the
+/// image of all. The mesh of the second is the one whose triangles the buffer names.
+OrderedBuffer drawOrdered(const GraphCamera& camera, const Mesh& mesh, const MeshBlocks& blocks);
+FragmentImage fragmentsOf(const GraphCamera& camera, const OrderedBuffer& buffer, const Mesh& mesh);
 
 }  // namespace ocelli

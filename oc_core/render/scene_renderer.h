@@ -31,6 +31,10 @@ class SceneRenderer {
   virtual FragmentImage drawLines(const PinholeCamera& base, const EpipolarLines& lines) const = 0;
   /// `baseImage` is what drawLines() gives for the base and the lines of the camera.
   virtual FragmentImage draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const = 0;
+  /// The same, where the disocclusions of the camera lie within those of the epipolar camera that was drawn before.
+  virtual FragmentImage drawTrimmed(const EpipolarCamera& camera, const FragmentImage& baseImage) const {
+    return draw(camera, baseImage);
+  }
   virtual FragmentImage draw(const GraphCamera& camera) const = 0;
   virtual FragmentImage draw(const CurvedRayCamera& camera) const = 0;
 

@@ -1,18 +1,32 @@
 #include "oc_core/scene/mesh.h"
 
+#include <array>
+#include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/finite.h"
+#include "oc_core/base/parallel.h"
 
 namespace ocelli {
 
 Box boundsOf(const Mesh& mesh) {
-  Box box;
-  for (const glm::vec3& position : mesh.positions) {
-    box.add(position);
+  constexpr size_t kChunks = 32;
+  std::array<Box, kChunks> boxes;
+  parallelChunks(mesh.positions.size(), kChunks, [&](size_t chunk, size_t begin, size_t end) {
+    Box box;
+    for (size_t i = begin; i < end; ++i) {
+      box.lower = glm::min(box.lower, mesh.positions[i]);
+      box.upper = glm::max(box.upper, mesh.positions[i]);
+    }
+    boxes[chunk] = box;
+  });
+  Box bounds;
+  for (const Box& box : boxes) {
+    bounds.lower = glm::min(bounds.lower, box.lower);
+    bounds.upper = glm::max(bounds.upper, box.upper);
   }
-  return box;
+  return bounds;
 }
 
 void append(Mesh& mesh, const Mesh& part, const glm::mat4& worldFromPart) {

@@ -6,7 +6,6 @@
 #include <charconv>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
@@ -157,6 +156,21 @@ class SubjectRunner {
   const std::function<void()>& sessionDone_;
 };
 
+/// What there is to do.
+SimulationResult workIn(const std::vector<SubjectWork>& all, const Protocol& protocol) {
+  SimulationResult result;
+  int total = 0;
+  for (const SubjectWork& work : all) {
+    total += work.sessions;
+    result.sessions += work.open();
+    for (int session = 1; session <= work.sessions; ++session) {
+      result.trials += static_cast<int>(scheduleOf(protocol, work.subject.slot, session, work.seed).trials.size());
+    }
+  }
+  result.sessionsBefore = total - result.sessions;
+  return result;
+}
+
 }  // namespace
 
 std::vector<int> sessionsFromText(const std::string& text, int subjects, int most, const std::string& where) {
@@ -184,20 +198,22 @@ std::vector<int> sessionsFromText(const std::string& text, int subjects, int mos
   return sessions;
 }
 
+SimulationResult addSubjects(const Protocol& protocol, const std::filesystem::path& path, const SimulationPlan& plan) {
+  StudyDatabase database = StudyDatabase::openForSessions(path, protocol);
+  return workIn(prepare(database, protocol, plan), protocol);
+}
+
 SimulationResult simulateStudy(const Protocol& protocol, const std::filesystem::path& path, const SimulationPlan& plan,
                                const Progress& progress) {
   keepFreedMemory();
   StudyDatabase database = StudyDatabase::openForSessions(path, protocol);
-  const std::vector<SubjectWork> all = prepare(database, protocol, plan);
-  const int total = std::accumulate(plan.sessions.begin(), plan.sessions.end(), 0);
-  SimulationResult result;
-  for (const SubjectWork& work : all) {
-    result.sessions += work.open();
-    for (int session = 1; session <= work.sessions; ++session) {
-      result.trials += static_cast<int>(scheduleOf(protocol, work.subject.slot, session, work.seed).trials.size());
-    }
+  std::vector<SubjectWork> all = prepare(database, protocol, plan);
+  std::vector<SubjectWork> mine;
+  for (auto i = static_cast<size_t>(plan.part); i < all.size(); i += static_cast<size_t>(plan.parts)) {
+    mine.push_back(std::move(all[i]));
   }
-  result.sessionsBefore = total - result.sessions;
+  const SimulationResult result = workIn(mine, protocol);
+  const int total = result.sessions + result.sessionsBefore;
   std::mutex mutex;
   int finished = result.sessionsBefore;
   const std::function<void()> sessionFinished = [&] {
@@ -205,9 +221,9 @@ SimulationResult simulateStudy(const Protocol& protocol, const std::filesystem::
     report(progress, "simulating sessions", static_cast<double>(++finished) / std::max(total, 1));
   };
   report(progress, "simulating sessions", static_cast<double>(finished) / std::max(total, 1));
-  parallelFor(all.size(), 1, [&](size_t begin, size_t end) {
+  parallelFor(mine.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      runAlone([&] { SubjectRunner(protocol, database, plan, all[i], sessionFinished).run(); });
+      runAlone([&] { SubjectRunner(protocol, database, plan, mine[i], sessionFinished).run(); });
     }
   });
   return result;

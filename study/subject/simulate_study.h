@@ -25,6 +25,9 @@ struct SimulationPlan {
   /// A renderer for the thread that calls it.
   std::function<StudyRenderer()> makeRenderer = [] { return StudyRenderer(rasterizeStudy); };
   bool hashFrames = false;
+  /// Of the subjects, which are all added, only `part`, `part` + `parts` and so on are simulated, counted from 0.
+  int part = 0;
+  int parts = 1;
 };
 
 struct SimulationResult {
@@ -36,6 +39,10 @@ struct SimulationResult {
 /// What "3x25,1x20" says: three sessions for 25 subjects, then one for 20. Throws InputError, naming `where`, for other
 /// texts, for other than `subjects` subjects, and for more sessions than `most`.
 std::vector<int> sessionsFromText(const std::string& text, int subjects, int most, const std::string& where);
+
+/// Adds the subjects alone, whom simulateStudy() adds otherwise. The result is what there is to do, of all of them.
+SimulationResult addSubjects(const Protocol& protocol, const std::filesystem::path& database,
+                             const SimulationPlan& plan);
 
 /// Sessions that are in the database already stay as they are; one that stopped half way goes on. The result is the
 /// same for any number of threads, and for a run that was stopped and run again. Throws InputError where the database

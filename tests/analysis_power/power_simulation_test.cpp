@@ -8,6 +8,7 @@
 #include "analysis/report/view_test.h"
 #include "oc_core/base/parallel.h"
 #include "tests/analysis_power/small_protocol.h"
+#include "tests/ranks/thread_ranks.h"
 
 namespace ocelli {
 namespace {
@@ -156,6 +157,25 @@ TEST_F(PowerSimulation, SubjectsDropOutAfterSessions) {
   EXPECT_NEAR(share(1), 0.25, 0.028);
   EXPECT_NEAR(share(2), 0.75 * 0.25, 0.028);
   EXPECT_NEAR(share(3), 0.75 * 0.75, 0.028);
+}
+
+TEST_F(PowerSimulation, IsTheSameForAnyNumberOfRanks) {
+  const PowerWork work = workOf("find", {4, 8}, 20);
+  const std::vector<Truth> truths{searches(0.8), searches(1)};
+  const auto alone = simulatePower(work, truths);
+  for (const int size : {2, 3}) {
+    test::runInRanks(size, [&](Ranks& ranks) {
+      const auto together = simulatePower(work, truths, ranks);
+      ASSERT_EQ(together.size(), ranks.isFirst() ? alone.size() : 0);
+      for (size_t curve = 0; curve < together.size(); ++curve) {
+        for (size_t i = 0; i < alone[curve].sizes.size(); ++i) {
+          EXPECT_EQ(together[curve].sizes[i].found.successes, alone[curve].sizes[i].found.successes);
+          EXPECT_EQ(together[curve].sizes[i].estimate, alone[curve].sizes[i].estimate);
+          EXPECT_EQ(together[curve].sizes[i].analysed, alone[curve].sizes[i].analysed);
+        }
+      }
+    });
+  }
 }
 
 }  // namespace

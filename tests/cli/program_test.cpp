@@ -74,5 +74,23 @@ TEST(Program, AReaderThatIsGoneDoesNoHarm) {
   EXPECT_THAT(result.error, IsEmpty());
 }
 
+TEST(Program, WhatDoesNotDivideItsWorkRefusesToRunInAJobOfRanks) {
+  const ProgramResult result = runShell("OMPI_COMM_WORLD_RANK=0 OMPI_COMM_WORLD_SIZE=4 \"$OCELLI\" scene list");
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_THAT(result.error, HasSubstr("does not divide its work among 4 ranks"));
+}
+
+#ifndef OCELLI_WITH_MPI
+TEST(Program, WithoutMpiRefusesToRunInAJobOfRanks) {
+  const ProgramResult result =
+      runShell("OMPI_COMM_WORLD_RANK=0 OMPI_COMM_WORLD_SIZE=4 \"$OCELLI\" ocri build builtin:teapot -o /dev/null");
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_THAT(result.error, HasSubstr("built without MPI"));
+  const ProgramResult one = runShell(
+      "OMPI_COMM_WORLD_RANK=0 OMPI_COMM_WORLD_SIZE=1 \"$OCELLI\" slice builtin:teapot --profile test -o /dev/null");
+  EXPECT_EQ(one.exitCode, 0) << one.error;
+}
+#endif
+
 }  // namespace
 }  // namespace ocelli::test

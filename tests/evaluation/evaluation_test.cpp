@@ -13,6 +13,7 @@
 #include "oc_core/evaluation/evaluation_table.h"
 #include "oc_core/ocri/image_mesh.h"
 #include "tests/ocri/test_scenes.h"
+#include "tests/ranks/thread_ranks.h"
 
 namespace ocelli {
 namespace {
@@ -346,6 +347,34 @@ TEST(DefaultOffsets, runFromNoneToHalfASide) {
   EXPECT_EQ(offsets.front(), 0);
   EXPECT_EQ(offsets.back(), 1);
   EXPECT_TRUE(std::is_sorted(offsets.begin(), offsets.end()));
+}
+
+/// Times differ from run to run.
+RepresentationFigures withoutTimes(RepresentationFigures figures) {
+  figures.buildMilliseconds = 0;
+  figures.meshMilliseconds = 0;
+  figures.sliceMilliseconds = 0;
+  return figures;
+}
+
+TEST(Evaluation, isTheSameForAnyNumberOfRanks) {
+  const Mesh mesh = test::boxBeforeWall();
+  EvaluationOptions options = smallOptions();
+  options.compareImages = true;
+  options.offsets = {0, 0.5f, 1};
+  const auto jsonOf = [&](std::vector<RepresentationFigures> rows) {
+    std::transform(rows.begin(), rows.end(), rows.begin(), withoutTimes);
+    return evaluationJson("scene", options, rows);
+  };
+  const std::vector<CameraChoice> cameras = choices({"di", "ddoc"});
+  const std::string alone = jsonOf(evaluate(mesh, cameras, options));
+  for (const int size : {2, 3, 8}) {
+    test::runInRanks(size, [&](Ranks& ranks) {
+      EvaluationOptions shared = options;
+      shared.ranks = &ranks;
+      EXPECT_EQ(jsonOf(evaluate(mesh, cameras, shared)), alone);
+    });
+  }
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ THIRD_PARTIES = {
     "assimp/": "assimp::assimp",
     "hwy/": "hwy::hwy",
     "isa-l/": "PkgConfig::isal",
+    "mpi.h": "MPI::MPI_CXX",
     "libusb.h": "PkgConfig::libusb",
     "umockdev.h": "PkgConfig::umockdev",
     "gio/": "PkgConfig::umockdev",

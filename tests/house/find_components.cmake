@@ -1,6 +1,6 @@
 # find_package(Ocelli COMPONENTS ...) against the package in PREFIX, as projects call it that build nothing: each finds
 # what it asks for and looks for nothing that only others need, and what is not there is said. WORK_DIR, GENERATOR: as
-# in build_project.cmake. WITH_OPENGL: whether there is a component "opengl". DOCUMENTATION:
+# in build_project.cmake. WITH_OPENGL, WITH_MPI: whether there is a component "opengl", "mpi". DOCUMENTATION:
 # docs/install.md.
 
 # Configures a new project with these lines, with options of CMake; leaves what was printed in `said` and the status in
@@ -89,8 +89,8 @@ find_needs(pages TARGETS Ocelli::drawing Ocelli::page
   LACKS glm::glm PNG::PNG SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${statistics} Ocelli::maze
     Ocelli::analysis_base)
 find_needs(core TARGETS Ocelli::pages Ocelli::mazes Ocelli::ocri Ocelli::evaluation
-  PACKAGES SQLiteCpp Eigen3 Boost assimp hwy glfw3
-  LACKS SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${statistics} Ocelli::frames Ocelli::analysis_base Ocelli::gl)
+  PACKAGES SQLiteCpp Eigen3 Boost assimp hwy glfw3 MPI
+  LACKS MPI::MPI_CXX SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${statistics} Ocelli::frames Ocelli::analysis_base Ocelli::gl)
 find_needs(display TARGETS Ocelli::core Ocelli::solidity
   PACKAGES SQLiteCpp Eigen3 Boost assimp glfw3
   LACKS SQLiteCpp assimp::assimp ${windows} ${usb} ${statistics} Ocelli::device Ocelli::viewer)
@@ -147,6 +147,13 @@ if(Ocelli_FOUND)
   message(FATAL_ERROR \"found what is not there\")
 endif()")
 
+if(WITH_MPI)
+  find_needs(mpi TARGETS Ocelli::core Ocelli::mpi_ranks PACKAGES SQLiteCpp Eigen3 Boost assimp hwy glfw3
+    LACKS SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${statistics})
+  must_fail_saying("MPI COMPONENTS CXX, which \"mpi\" needs" "${all}" -DCMAKE_DISABLE_FIND_PACKAGE_MPI=ON)
+else()
+  must_fail_saying("There is no component \"mpi\"" "find_package(Ocelli REQUIRED COMPONENTS mpi)")
+endif()
 if(WITH_OPENGL)
   find_needs(opengl TARGETS Ocelli::viewer Ocelli::study_screen Ocelli::gl PACKAGES Eigen3 Boost assimp
     LACKS assimp::assimp ${usb} ${statistics})

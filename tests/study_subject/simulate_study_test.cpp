@@ -1,12 +1,12 @@
-#include "study/subject/simulate_study.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "study/store/study_database.h"
+#include "study/subject/simulate_together.h"
 #include "tests/base/temporary_folder.h"
+#include "tests/ranks/thread_ranks.h"
 #include "tests/study_subject/simulated_sessions.h"
 
 namespace ocelli {
@@ -55,6 +55,48 @@ TEST_F(SimulateStudy, isTheSameForAnyNumberOfThreads) {
   for (const StoredSubject& subject : StudyDatabase::openForReading(file("one.db")).subjects()) {
     EXPECT_EQ(subject.kind, SubjectKind::kObserver);
   }
+}
+
+TEST_F(SimulateStudy, isTheSameForAnyNumberOfRanks) {
+  const Protocol protocol = test::simulatedProtocol(false);
+  const SimulationPlan plan = test::observers(3);
+  const SimulationResult alone = simulateStudy(protocol, file("alone.db"), plan);
+  for (const int size : {2, 4}) {
+    const std::filesystem::path together = file("together" + std::to_string(size) + ".db");
+    for (const int sessionsBefore : {0, alone.sessions}) {
+      test::runInRanks(size, [&](Ranks& ranks) {
+        const SimulationResult result = simulateTogether(protocol, together, plan, ranks);
+        if (ranks.isFirst()) {
+          EXPECT_EQ(result.sessions, alone.sessions - sessionsBefore);
+          EXPECT_EQ(result.sessionsBefore, sessionsBefore);
+          EXPECT_EQ(result.trials, alone.trials);
+        }
+      });
+    }
+    EXPECT_EQ(storyOf(together), storyOf(file("alone.db")));
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+      EXPECT_EQ(entry.path().filename().string().find(".rank"), std::string::npos) << entry.path();
+    }
+  }
+}
+
+TEST_F(SimulateStudy, takesOverWhatAJobOfRanksLeft) {
+  const Protocol protocol = test::simulatedProtocol(false);
+  const SimulationPlan plan = test::observers(2);
+  simulateStudy(protocol, file("alone.db"), plan);
+  addSubjects(protocol, file("together.db"), plan);
+  std::filesystem::copy_file(file("together.db"), file("together.db.rank1"));
+  SimulationPlan second = plan;
+  second.part = 1;
+  second.parts = 2;
+  simulateStudy(protocol, file("together.db.rank1"), second);
+  test::runInRanks(2, [&](Ranks& ranks) {
+    const SimulationResult result = simulateTogether(protocol, file("together.db"), plan, ranks);
+    if (ranks.isFirst()) {
+      EXPECT_EQ(result.sessionsBefore, 1);
+    }
+  });
+  EXPECT_EQ(storyOf(file("together.db")), storyOf(file("alone.db")));
 }
 
 TEST_F(SimulateStudy, goesOnWhereItStoppedAsIfItHadNot) {
