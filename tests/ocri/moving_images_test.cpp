@@ -143,7 +143,7 @@ std::vector<const char*> remembering() {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RememberingImages, ::testing::ValuesIn(remembering()),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& named) { return std::string(named.param); });
 
 // Without the memory, whole bands would bury what the reference view sees.
 TEST(MovingImages, BandsThatDoHarmStayNarrow) {
