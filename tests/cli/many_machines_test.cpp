@@ -72,6 +72,21 @@ INSTANTIATE_TEST_SUITE_P(
                     Work{"slice builtin:teapot --profile test --dither diffusion -o x.svol", "x.svol"},
                     Work{"slice builtin:teapot --profile test --repeat 3 -o x.svol", "x.svol"}));
 
+TEST(ManyMachines, takePackedScenesAndSceneFiles) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(runAlone(fmt::format("scene export {} --no-fit -o x.ply -q", kScene), folder).exitCode, 0);
+  ASSERT_EQ(runAlone(fmt::format("scene pack {} -o x.opack -q", kScene), folder).exitCode, 0);
+  for (const char* scene : {"x.ply", "x.opack"}) {
+    const std::string command = fmt::format("ocri build {} --size 120x80 -q -o ", scene);
+    const ProgramResult one = runAlone(command + "one.exr", folder);
+    ASSERT_EQ(one.exitCode, 0) << one.error;
+    const ProgramResult many = runRanks(4, command + "many.exr", folder);
+    ASSERT_EQ(many.exitCode, 0) << many.error;
+    EXPECT_EQ(many.error, "");
+    EXPECT_TRUE(fileBytes(folder / "many.exr") == fileBytes(folder / "one.exr")) << scene;
+  }
+}
+
 /// Without times, which differ from run to run.
 nlohmann::json figuresOf(const std::filesystem::path& file) {
   nlohmann::json json = nlohmann::json::parse(fileBytes(file));
