@@ -9,7 +9,7 @@
 
 #include "display_sim/dither/slice_options.h"
 #include "display_sim/frames/sweep_geometry.h"
-#include "display_sim/slicing/triangle_lattice.h"
+#include "display_sim/slicing/triangle_strips.h"
 
 namespace ocelli {
 
@@ -22,6 +22,9 @@ struct SliceKernelSetup {
   int32_t sectorCount;
   int32_t slicesPerHalfTurn;
   float radiansPerStep;
+  int32_t smallSectors;  ///< what a triangle may span whose corners suffice, in kSweepUnit (triangle_strips.h)
+  int32_t smallColumns;
+  int32_t smallRows;
   float columnsPerRadius;
   float axisOffset;  ///< from the axis to the left side of the column that holds it, or begins at it
   float columnsOutwards;
@@ -43,7 +46,7 @@ struct SliceKernelSetup {
 };
 
 /// Where a point lies in the sweep, in 1/65536: sectors, columns from the axis, rows. `special` is kSpecial for points
-/// outside of the display or next to the axis, else 0.
+/// outside of the display or next to the axis, kNearAxis where triangles need a closer look, else 0.
 struct SweepPoint {
   int32_t sector;
   int32_t column;
@@ -52,6 +55,7 @@ struct SweepPoint {
 };
 inline constexpr int32_t kSweepUnit = 1 << 16;
 inline constexpr int32_t kSpecial = 1 << 30;
+inline constexpr int32_t kNearAxis = 1 << 29;
 
 /// Points with their light, as SliceMesh stores them; no light means white. Arrays can be read SliceMesh::kPadding
 /// elements beyond their end.
@@ -89,21 +93,17 @@ struct SectorReach {
 SectorReach lightSamples(const SliceKernelSetup& setup, const SliceSamples& samples, SweepPoint* points,
                          LitSamples& lit);
 
-/// A triangle of a mesh, and which weights of its corners (TriangleLattices) its samples have.
-struct SampledTriangle {
-  uint32_t corners[3];
-  uint32_t firstWeight;
-  uint32_t samples;
-};
-
-/// The triangles of a chunk that need more than their corners.
+/// The triangles of a chunk that may need more than their corners.
 struct WideTriangles {
+  static constexpr int32_t kFoundExactly = -1;
+  static constexpr int32_t kCornersSuffice = -2;
+
   explicit WideTriangles(size_t most);
   size_t count = 0;
   std::vector<uint16_t> number;  ///< of the triangle, in its chunk
-  std::vector<SweepPoint> span;  ///< of its corners, `special` as the highest of them
-  std::vector<SweepPoint> lowest;
-  std::vector<int32_t> parts;  ///< into how many its sides are divided; 0 where it has no good lattice
+  std::vector<SweepPoint> corners[3];
+  std::vector<int32_t> pattern;  ///< of TriangleStrips, or one of the constants
+  std::vector<int32_t> order;    ///< of the corners, for the pattern
 };
 
 /// `corners` are as in SliceMesh, their vertices the points'.
@@ -127,7 +127,7 @@ struct SampleRoom {
 
 /// Appends the samples of as many triangles as the room holds; returns how many triangles these are. `mesh` holds
 /// the vertices.
-size_t sampleTriangles(const SliceSamples& mesh, const TriangleLattices& lattices, const SampledTriangle* triangles,
+size_t sampleTriangles(const SliceSamples& mesh, const TriangleStrips& strips, const SampledTriangle* triangles,
                        size_t count, SampleRoom& room);
 
 /// Writes these bytes of the bit planes of a slice (volume.h), and makes their levels 0 again. `levels` has a word for
