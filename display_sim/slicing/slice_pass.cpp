@@ -11,6 +11,7 @@
 #include "display_sim/slicing/packed_voxel_bins.h"
 #include "display_sim/slicing/slicer_kernels.h"
 #include "display_sim/slicing/triangle_strips.h"
+#include "display_sim/slicing/wide_triangles.h"
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {

@@ -22,9 +22,6 @@ struct SliceKernelSetup {
   int32_t sectorCount;
   int32_t slicesPerHalfTurn;
   float radiansPerStep;
-  int32_t smallSectors;  ///< what a triangle may span whose corners suffice, in kSweepUnit (triangle_strips.h)
-  int32_t smallColumns;
-  int32_t smallRows;
   float columnsPerRadius;
   float axisOffset;  ///< from the axis to the left side of the column that holds it, or begins at it
   float columnsOutwards;
@@ -46,7 +43,7 @@ struct SliceKernelSetup {
 };
 
 /// Where a point lies in the sweep, in 1/65536: sectors, columns from the axis, rows. `special` is kSpecial for points
-/// outside of the display or next to the axis, kNearAxis where triangles need a closer look, else 0.
+/// outside of the display or next to the axis, else 0.
 struct SweepPoint {
   int32_t sector;
   int32_t column;
@@ -55,7 +52,6 @@ struct SweepPoint {
 };
 inline constexpr int32_t kSweepUnit = 1 << 16;
 inline constexpr int32_t kSpecial = 1 << 30;
-inline constexpr int32_t kNearAxis = 1 << 29;
 
 /// Points with their light, as SliceMesh stores them; no light means white. Arrays can be read SliceMesh::kPadding
 /// elements beyond their end.
@@ -92,23 +88,6 @@ struct SectorReach {
 /// rounded up to SliceMesh::kPadding.
 SectorReach lightSamples(const SliceKernelSetup& setup, const SliceSamples& samples, SweepPoint* points,
                          LitSamples& lit);
-
-/// The triangles of a chunk that may need more than their corners.
-struct WideTriangles {
-  static constexpr int32_t kFoundExactly = -1;
-  static constexpr int32_t kCornersSuffice = -2;
-
-  explicit WideTriangles(size_t most);
-  size_t count = 0;
-  std::vector<uint16_t> number;  ///< of the triangle, in its chunk
-  std::vector<SweepPoint> corners[3];
-  std::vector<int32_t> pattern;  ///< of TriangleStrips, or one of the constants
-  std::vector<int32_t> order;    ///< of the corners, for the pattern
-};
-
-/// `corners` are as in SliceMesh, their vertices the points'.
-void findWideTriangles(const SliceKernelSetup& setup, const SweepPoint* points, const uint16_t* corners,
-                       size_t triangles, WideTriangles& wide);
 
 /// Samples that are written, with SliceMesh::kPadding elements of room more than `capacity`.
 struct SampleRoom {

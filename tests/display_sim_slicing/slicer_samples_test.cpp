@@ -234,7 +234,8 @@ TEST_P(SlicerSamples, coverTrianglesNearTheAxis) {
   test::PointSource source(12);
   Mesh mesh;
   for (int i = 0; i < 2500; ++i) {
-    const SweepPosition a{source.uniform(0, 400), 2.1 + 20 * std::pow(source.uniform(0, 1), 2.0f), profile_.height / 2.0};
+    const SweepPosition a{source.uniform(0, 400), 2.1 + 20 * std::pow(source.uniform(0, 1), 2.0f),
+                          profile_.height / 2.0};
     const float size = std::pow(10.0f, source.uniform(-0.5f, 1));
     const auto near = [&]() -> SweepPosition {
       return {a[0] + source.uniform(-size, size), a[1] + source.uniform(-size, size),

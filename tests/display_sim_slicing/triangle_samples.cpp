@@ -3,6 +3,7 @@
 #include "display_sim/slicing/slice_mesh.h"
 #include "display_sim/slicing/slicer_kernels.h"
 #include "display_sim/slicing/triangle_strips.h"
+#include "display_sim/slicing/wide_triangles.h"
 
 namespace ocelli::test {
 
