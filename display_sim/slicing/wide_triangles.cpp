@@ -244,27 +244,32 @@ HWY_ATTR void findWide(const SliceKernelSetup& setup, const SweepPoint* points, 
   uint16_t* const number = wide.number.data();
   SweepPoint* const found[3] = {wide.corners[0].data(), wide.corners[1].data(), wide.corners[2].data()};
   size_t count = 0;
-  for (size_t first = 0; first < triangles; first += lanes) {
-    // Written behind those that are kept, which are no more.
-    SweepPoint* const next[3] = {found[0] + count, found[1] + count, found[2] + count};
-    const size_t here = std::min(lanes, triangles - first);
-    for (size_t i = 0; i < here; ++i, corners += 3) {
-      next[0][i] = points[corners[0]];
-      next[1][i] = points[corners[1]];
-      next[2][i] = points[corners[2]];
+  // Copied by blocks, so that a vector is not read while its points are still on their way to the cache.
+  constexpr size_t kBlock = 128;
+  static_assert(hn::MaxLanes(Ints()) <= 32);
+  SweepPoint block[3][kBlock] = {};
+  for (size_t start = 0; start < triangles; start += kBlock) {
+    const size_t filled = std::min(kBlock, triangles - start);
+    for (size_t i = 0; i < filled; ++i, corners += 3) {
+      block[0][i] = points[corners[0]];
+      block[1][i] = points[corners[1]];
+      block[2][i] = points[corners[2]];
     }
-    uint8_t bytes[8] = {};
-    const auto mayBe = hn::And(mayBeWide(setup, loadCorners(setup, {next[0], next[1], next[2]})), hn::FirstN(di, here));
-    hn::StoreMaskBits(di, mayBe, bytes);
-    static_assert(hn::MaxLanes(Ints()) <= 32);
-    uint32_t bits = bytes[0] | static_cast<uint32_t>(bytes[1]) << 8 | static_cast<uint32_t>(bytes[2]) << 16 |
-                    static_cast<uint32_t>(bytes[3]) << 24;
-    for (; bits != 0; bits &= bits - 1, ++count) {
-      const auto i = static_cast<size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits));
-      number[count] = static_cast<uint16_t>(first + i);
-      found[0][count] = next[0][i];
-      found[1][count] = next[1][i];
-      found[2][count] = next[2][i];
+    for (size_t first = 0; first < filled; first += lanes) {
+      const auto mayBe =
+          hn::And(mayBeWide(setup, loadCorners(setup, {&block[0][first], &block[1][first], &block[2][first]})),
+                  hn::FirstN(di, filled - first));
+      uint8_t bytes[8] = {};
+      hn::StoreMaskBits(di, mayBe, bytes);
+      uint32_t bits = bytes[0] | static_cast<uint32_t>(bytes[1]) << 8 | static_cast<uint32_t>(bytes[2]) << 16 |
+                      static_cast<uint32_t>(bytes[3]) << 24;
+      for (; bits != 0; bits &= bits - 1, ++count) {
+        const size_t i = first + hwy::Num0BitsBelowLS1Bit_Nonzero32(bits);
+        number[count] = static_cast<uint16_t>(start + i);
+        found[0][count] = block[0][i];
+        found[1][count] = block[1][i];
+        found[2][count] = block[2][i];
+      }
     }
   }
   wide.count = count;
