@@ -6,7 +6,7 @@
 
 namespace ocelli {
 
-TriangleStrips::TriangleStrips() : ranges_(static_cast<size_t>(pattern(kMaxStrips, kMaxPieces, kFootSteps / 2)) + 1) {
+TriangleStrips::TriangleStrips() : ranges_(static_cast<size_t>(latticePattern(3)) + 1) {
   for (int foot = 0; foot <= kFootSteps / 2; ++foot) {
     for (int strips = 1; strips <= kMaxStrips; ++strips) {
       for (int pieces = 1; pieces <= kMaxPieces; ++pieces) {
@@ -19,8 +19,25 @@ TriangleStrips::TriangleStrips() : ranges_(static_cast<size_t>(pattern(kMaxStrip
       }
     }
   }
+  addLattice(2);
+  addLattice(3);
   weightsOfB_.resize(weightsOfB_.size() + SliceMesh::kPadding);
   weightsOfC_.resize(weightsOfC_.size() + SliceMesh::kPadding);
+}
+
+void TriangleStrips::addLattice(int parts) {
+  Range& range = ranges_[static_cast<size_t>(latticePattern(parts))];
+  range.first = static_cast<uint32_t>(weightsOfB_.size());
+  for (int b = 0; b <= parts; ++b) {
+    for (int c = 0; b + c <= parts; ++c) {
+      const bool isCorner = b == parts || c == parts || b + c == 0;
+      if (!isCorner) {
+        weightsOfB_.push_back(static_cast<float>(b) / static_cast<float>(parts));
+        weightsOfC_.push_back(static_cast<float>(c) / static_cast<float>(parts));
+      }
+    }
+  }
+  range.count = static_cast<uint32_t>(weightsOfB_.size()) - range.first;
 }
 
 void TriangleStrips::addStrip(int strip, int strips, int pieces, double foot) {

@@ -1,4 +1,5 @@
-// Where a triangle is sampled: in strips along its longest side, each divided along and across by itself.
+// Where a triangle is sampled: in strips along its longest side, as far apart along and across as each direction allows;
+// small ones in a lattice of two or three parts where that has fewer samples.
 //
 // Claim: each point of a sampled triangle has a sample of that triangle, or a corner of it, less than half a voxel away
 // in each direction of the sweep: sectors u, columns v, rows w. So a side that two triangles share needs no agreement
@@ -34,6 +35,9 @@
 //   As x, y < 1, c > 1/2 and 1 - c > 1/2. For v, Q may lie k nearer to P: 1/2 - k <= c V, and c > 1/2 as V + 2 k < 1.
 // - All have the same one on the same side: u and w of P lie between those of the corners, v at most k beside them.
 //
+// Lattices. A triangle that is divided in p^2 similar ones whose corners are samples has (3) for each of these if it
+// has it with x / p, V / p + 2 k and z / p: its sides are p times shorter, its k is no larger.
+//
 // Figures of the display in single precision are some 1e-4 voxels off; (2) and (3) keep 0.005 from their limits.
 #pragma once
 
@@ -52,7 +56,7 @@ struct SampledTriangle {
   uint32_t samples;
 };
 
-/// Weights of corners for all patterns of strips.
+/// Weights of corners for all patterns of strips and lattices.
 class TriangleStrips {
  public:
   static constexpr int kMaxStrips = 16;
@@ -64,6 +68,9 @@ class TriangleStrips {
   static constexpr int pattern(int strips, int pieces, int foot) {
     return (foot * (kMaxStrips + 1) + strips) * (kMaxPieces + 1) + pieces;
   }
+
+  /// A number for lattices without the corners, p = 2 and 3: 3 and 7 samples.
+  static constexpr int latticePattern(int parts) { return pattern(kMaxStrips, kMaxPieces, kFootSteps / 2) + parts - 1; }
 
   TriangleStrips();
 
@@ -85,6 +92,7 @@ class TriangleStrips {
     uint32_t first = 0;
     uint32_t count = 0;
   };
+  void addLattice(int parts);
   void addStrip(int strip, int strips, int pieces, double foot);
 
   std::vector<Range> ranges_;

@@ -177,10 +177,13 @@ HWY_ATTR HWY_INLINE void findPatterns(const SliceKernelSetup& setup, const Corne
     length[k] = largest(spans[k]);
   }
   const FloatVec bend = hn::Mul(largestOf(radius[0], radius[1], radius[2]), hn::Mul(angle, angle));  // >= 2 k
-  const auto cornersSuffice =
-      doCornersSuffice(largestOf(spans[0].sectors, spans[1].sectors, spans[2].sectors),
-                       hn::Add(largestOf(spans[0].columns, spans[1].columns, spans[2].columns), bend),
-                       largestOf(spans[0].rows, spans[1].rows, spans[2].rows));
+  const FloatVec x = largestOf(spans[0].sectors, spans[1].sectors, spans[2].sectors);
+  const FloatVec y = largestOf(spans[0].columns, spans[1].columns, spans[2].columns);
+  const FloatVec z = largestOf(spans[0].rows, spans[1].rows, spans[2].rows);
+  const auto latticeSuffices = [&](float parts) HWY_ATTR {
+    const FloatVec share = hn::Set(d, 1 / parts);
+    return doCornersSuffice(hn::Mul(x, share), hn::Add(hn::Mul(y, share), bend), hn::Mul(z, share));
+  };
   // AB is the longest side.
   const auto secondIs = hn::Gt(length[1], length[0]);
   const auto thirdIs = hn::Gt(length[2], hn::Max(length[0], length[1]));
@@ -231,7 +234,14 @@ HWY_ATTR HWY_INLINE void findPatterns(const SliceKernelSetup& setup, const Corne
   const FloatVec row = hn::Add(hn::Mul(foot, hn::Set(d, TriangleStrips::kMaxStrips + 1.0f)), strips);
   IntVec found = hn::ConvertTo(di, hn::Add(hn::Mul(row, most), pieces));
   found = hn::IfThenElse(hn::RebindMask(di, fits), found, hn::Set(di, WideTriangles::kFoundExactly));
-  found = hn::IfThenElse(hn::RebindMask(di, cornersSuffice), hn::Set(di, WideTriangles::kCornersSuffice), found);
+  // Lattices where strips have more samples: more than 7, and more than 3.
+  const auto takeLattice = [&](int parts, float cost) HWY_ATTR {
+    const auto fewer = hn::And(latticeSuffices(static_cast<float>(parts)), hn::Gt(leastCost, hn::Set(d, cost)));
+    found = hn::IfThenElse(hn::RebindMask(di, fewer), hn::Set(di, TriangleStrips::latticePattern(parts)), found);
+  };
+  takeLattice(3, 15);
+  takeLattice(2, 8);
+  found = hn::IfThenElse(hn::RebindMask(di, latticeSuffices(1)), hn::Set(di, WideTriangles::kCornersSuffice), found);
   found = hn::IfThenElse(hn::RebindMask(di, good), found, hn::Set(di, WideTriangles::kFoundExactly));
   hn::StoreU(found, di, pattern);
   hn::StoreU(hn::IfThenElse(hn::RebindMask(di, mirrored), hn::Add(corner, hn::Set(di, 3)), corner), di, order);
