@@ -1,5 +1,5 @@
-// Where a triangle is sampled: in strips along its longest side, as far apart along and across as each direction allows;
-// small ones in a lattice of two or three parts where that has fewer samples.
+// Where a triangle is sampled: in strips along its longest side, as far apart along and across as each direction
+// allows; small ones in a lattice of two or three parts where that has fewer samples.
 //
 // Claim: each point of a sampled triangle has a sample of that triangle, or a corner of it, less than half a voxel away
 // in each direction of the sweep: sectors u, columns v, rows w. So a side that two triangles share needs no agreement
