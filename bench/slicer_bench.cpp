@@ -91,7 +91,11 @@ double memoryFloor(const DisplayProfile& profile, int runs) {
 }
 
 nlohmann::ordered_json stagesJson(const SliceStages& stages) {
-  return {{"sampling_ms", stages.sampling}, {"exact_ms", stages.exact}, {"assembling_ms", stages.assembling}};
+  return {{"sampling_ms", stages.sampling},
+          {"exact_ms", stages.exact},
+          {"assembling_ms", stages.assembling},
+          {"samples", stages.samples},
+          {"exact_cells", stages.exactCells}};
 }
 
 /// All ways get the mesh in the same order, the one that is good for Ocelli.

@@ -16,47 +16,6 @@ float lightSteps(float light) {
   return light > 0 ? std::max(steps, 1.0f) : 0.0f;
 }
 
-/// Marks all but one of the places where an edge of a chunk occurs.
-class EdgeMarks {
- public:
-  EdgeMarks() : keys_(kSlots), epochs_(kSlots) {}
-
-  void mark(std::span<uint16_t> corners) {
-    ++epoch_;
-    for (size_t t = 0; t < corners.size(); t += 3) {
-      const uint16_t corner[3] = {corners[t], corners[t + 1], corners[t + 2]};
-      for (size_t k = 0; k < 3; ++k) {
-        if (!insert(corner[k], corner[(k + 1) % 3])) {
-          corners[t + k] |= SliceMesh::kSharedEdge;
-        }
-      }
-    }
-  }
-
- private:
-  static constexpr size_t kSlots = size_t{1} << 15;
-  static_assert(kSlots > 2 * SliceMesh::kChunkVertices, "a table that stays half empty");
-
-  /// Whether the edge is new.
-  bool insert(uint32_t a, uint32_t b) {
-    const uint32_t key = std::min(a, b) << 16 | std::max(a, b);
-    for (size_t slot = key * 2654435769u >> 17;; slot = (slot + 1) % kSlots) {
-      if (epochs_[slot] != epoch_) {
-        epochs_[slot] = epoch_;
-        keys_[slot] = key;
-        return true;
-      }
-      if (keys_[slot] == key) {
-        return false;
-      }
-    }
-  }
-
-  std::vector<uint32_t> keys_;
-  std::vector<uint32_t> epochs_;
-  uint32_t epoch_ = 0;
-};
-
 /// Numbers the vertices of a chunk in the order in which its triangles name them.
 class LocalNumbers {
  public:
@@ -116,7 +75,6 @@ SliceMesh::SliceMesh(const Mesh& mesh) : sourceCount_(mesh.positions.size()) {
   std::vector<std::vector<uint32_t>> sources(chunks_.size());
   parallelChunks(chunks_.size(), static_cast<size_t>(threadCount()), [&](size_t, size_t begin, size_t end) {
     LocalNumbers numbers(begin < end ? sourceCount_ : 0);
-    EdgeMarks edges;
     for (size_t c = begin; c < end; ++c) {
       SliceChunk& chunk = chunks_[c];
       chunk.firstTriangle = static_cast<uint32_t>(c * kChunkTriangles);
@@ -129,7 +87,6 @@ SliceMesh::SliceMesh(const Mesh& mesh) : sourceCount_(mesh.positions.size()) {
           corners[3 * t + static_cast<size_t>(k)] = numbers.of(triangle[k]);
         }
       }
-      edges.mark(corners);
       sources[c] = numbers.sources();
     }
   });

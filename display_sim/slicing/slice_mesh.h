@@ -33,11 +33,7 @@ class SliceMesh {
   static constexpr size_t kChunkVertices = 3 * kChunkTriangles;
   /// Arrays of vertices go on for so many elements more than there are, for those who read whole vectors.
   static constexpr size_t kPadding = 64;
-  /// In a corner: the edge from here to the triangle's next corner is sampled with another triangle of the chunk.
-  static constexpr uint16_t kSharedEdge = 1u << 15;
-  /// The bits of a corner without kSharedEdge: its vertex.
-  static constexpr uint16_t kVertex = kSharedEdge - 1;
-  static_assert(kChunkVertices <= kSharedEdge, "a corner is a vertex of its chunk in 15 bits");
+  static_assert(kChunkVertices <= 1 << 16, "a corner is a vertex of its chunk in 16 bits");
 
   /// `mesh` is validated, its positions in display radii.
   explicit SliceMesh(const Mesh& mesh);
@@ -58,7 +54,7 @@ class SliceMesh {
   const float* red() const { return red_.data(); }
   const float* green() const { return green_.data(); }
   const float* blue() const { return blue_.data(); }
-  /// Three for each triangle: vertices counted from their chunk's first, with kSharedEdge.
+  /// Three for each triangle: vertices counted from their chunk's first.
   const uint16_t* corners() const { return corners_.data(); }
 
   /// Of a vertex of a chunk.

@@ -1,7 +1,6 @@
 #include "display_sim/slicing/slice_pass.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstring>
@@ -11,7 +10,8 @@
 #include "display_sim/slicing/exact_triangle.h"
 #include "display_sim/slicing/packed_voxel_bins.h"
 #include "display_sim/slicing/slicer_kernels.h"
-#include "display_sim/slicing/triangle_lattice.h"
+#include "display_sim/slicing/triangle_strips.h"
+#include "display_sim/slicing/wide_triangles.h"
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {
@@ -19,7 +19,6 @@ namespace {
 
 constexpr size_t kRoomSamples = 8192;
 constexpr int kSectorsPerTask = 32;
-constexpr uint16_t kVertex = SliceMesh::kVertex;
 
 /// A part of a triangle that is found exactly: its vertices and some of its sectors.
 struct ExactTask {
@@ -38,6 +37,12 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
+
+/// Made once for all slicers.
+const TriangleStrips& allStrips() {
+  static const TriangleStrips strips;
+  return strips;
+}
 
 /// What one thread works with.
 template <class Voxel>
@@ -63,6 +68,8 @@ struct Worker {
   std::vector<uint32_t> levels;
   std::vector<char> hasLight;
   std::vector<uint32_t> litBytes;
+  size_t samples = 0;
+  size_t exactCells = 0;
 };
 
 template <class Voxel>
@@ -73,6 +80,7 @@ class SlicePassOf final : public SlicePass {
         sweep_(profile),
         setup_(profile, options),
         dither_(options.colors),
+        strips_(allStrips()),
         noSlice_(static_cast<uint32_t>(profile.storedSlices())),
         binOfSlice_(noSlice_ + 1) {}
 
@@ -110,6 +118,10 @@ class SlicePassOf final : public SlicePass {
     forEachItem(wanted.size(), 1,
                 [&](Worker<Voxel>& worker, size_t i) { putTogether(worker, static_cast<size_t>(wanted[i]), volume); });
     stages.assembling = watch.lap();
+    for (Worker<Voxel>& worker : workers_) {
+      stages.samples += std::exchange(worker.samples, 0);
+      stages.exactCells += std::exchange(worker.exactCells, 0);
+    }
     return stages;
   }
 
@@ -145,7 +157,7 @@ class SlicePassOf final : public SlicePass {
     const size_t sampled = sortTriangles(worker, chunk);
     for (size_t done = 0; done < sampled;) {
       worker.room.count = 0;
-      done += sampleTriangles(samples_, lattices_, worker.sampled.data() + done, sampled - done, worker.room);
+      done += sampleTriangles(samples_, strips_, worker.sampled.data() + done, sampled - done, worker.room);
       light(worker, worker.room.samples(mesh_->white()), nullptr);
     }
     return spanOf(reach);
@@ -158,16 +170,16 @@ class SlicePassOf final : public SlicePass {
     findWideTriangles(setup_, worker.points.data(), corners, chunk.triangles, worker.wide);
     size_t sampled = 0;
     for (size_t i = 0; i < wide.count; ++i) {
+      if (wide.pattern[i] == WideTriangles::kCornersSuffice) {
+        continue;
+      }
       const uint16_t* corner = corners + 3 * wide.number[i];
-      const uint32_t a = chunk.firstVertex + (corner[0] & kVertex);
-      const uint32_t b = chunk.firstVertex + (corner[1] & kVertex);
-      const uint32_t c = chunk.firstVertex + (corner[2] & kVertex);
-      if (wide.parts[i] == 0) {
-        addExact(worker, {a, b, c});
+      const uint32_t vertices[3] = {chunk.firstVertex + corner[0], chunk.firstVertex + corner[1],
+                                    chunk.firstVertex + corner[2]};
+      if (wide.pattern[i] == WideTriangles::kFoundExactly) {
+        addExact(worker, vertices);
       } else {
-        const unsigned shared = corner[0] >> 15 | (corner[1] >> 15) << 1 | (corner[2] >> 15) << 2;
-        const TriangleLattices::Range& range = lattices_.range(wide.parts[i], shared);
-        worker.sampled[sampled++] = {{a, b, c}, range.first, range.count};
+        worker.sampled[sampled++] = strips_.sampled(vertices, wide.pattern[i], wide.order[i]);
       }
     }
     return sampled;
@@ -196,7 +208,7 @@ class SlicePassOf final : public SlicePass {
     return vertices;
   }
 
-  void addExact(Worker<Voxel>& worker, const std::array<uint32_t, 3>& corners) const {
+  void addExact(Worker<Voxel>& worker, const uint32_t (&corners)[3]) const {
     SweepVertex vertices[3];
     double lowest = sweep_.height();
     double highest = 0;
@@ -218,6 +230,7 @@ class SlicePassOf final : public SlicePass {
 
   SectorReach light(Worker<Voxel>& worker, const SliceSamples& samples, SweepPoint* points) {
     const SectorReach reach = lightSamples(setup_, samples, points, worker.voxels);
+    worker.samples += samples.count;
     LitSamples& voxels = worker.voxels;
     if (!allSlices_) {
       for (size_t i = 0; i < voxels.count; ++i) {
@@ -244,6 +257,7 @@ class SlicePassOf final : public SlicePass {
     }
     forEachTouchedCell(
         sweep_, worker.raster, triangle, task.sectors, [&](int sector, int column, int row, double b1, double b2) {
+          ++worker.exactCells;
           const auto mix = [&](const glm::vec3& first, const glm::vec3& second, const glm::vec3& third) {
             return first + (second - first) * static_cast<float>(b1) + (third - first) * static_cast<float>(b2);
           };
@@ -324,7 +338,7 @@ class SlicePassOf final : public SlicePass {
   SweepGeometry sweep_;
   SliceKernelSetup setup_;
   VoxelDither dither_;
-  TriangleLattices lattices_;
+  const TriangleStrips& strips_;
   uint32_t noSlice_;
   std::vector<uint32_t> binOfSlice_;  ///< its own, or noSlice_ for one that is not wanted
   bool allSlices_ = true;

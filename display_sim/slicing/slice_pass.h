@@ -19,11 +19,13 @@ struct SectorSpan {
   int count = 0;
 };
 
-/// What a pass took, in milliseconds.
+/// What a pass took, in milliseconds, and what it did.
 struct SliceStages {
   double sampling = 0;    ///< finding the voxels of samples
-  double exact = 0;       ///< finding the voxels of triangles without a lattice
+  double exact = 0;       ///< finding the voxels of triangles that are found exactly
   double assembling = 0;  ///< clearing slices and putting them together
+  size_t samples = 0;     ///< points of the surface, vertices included
+  size_t exactCells = 0;  ///< cells of triangles that are found exactly
 };
 
 class SlicePass {

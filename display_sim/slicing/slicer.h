@@ -1,15 +1,12 @@
 // Slicing at the rate of the display: from a mesh to the lit voxels of a swept-screen display.
 //
 // The surface is sampled, and a voxel that holds a sample is lit. In the coordinates of the sweep (sectors, columns
-// from the axis, rows) every point of a triangle has a sample of it less than half a voxel away in each direction. So
-// between the centres of two voxels that share a face and have the surface between them, one of the two is lit: nothing
-// leaks through a closed surface from face to face. The samples are vertices; larger triangles get more of them, in a
-// lattice. What has no good lattice is found exactly (exact_triangle.h): triangles that are very large, lie near to the
-// axis, or reach beyond the display.
-//
-// DEVIATION: a side that two triangles share is sampled with one of them alone. Where they are divided differently,
-// points beside it may be 0.56 voxels from the next sample, at worst. No leak was found in closed scans that were
-// turned and sliced at random; the tests turn some.
+// from the axis, rows) every point of a triangle has a sample of it less than half a voxel away in each direction: the
+// proof is in triangle_strips.h. So nothing leaks through a closed surface from face to face: where the segment between
+// the centres of two voxels that share a face meets the surface, the sample next to that point is in one of the two.
+// The samples are corners; larger triangles get more of them, each by itself, whatever its neighbours, in strips along
+// its longest side. What would need too many is found exactly (exact_triangle.h): triangles that are very large, lie
+// near to the axis, or reach beyond the display.
 //
 // This lights fewer voxels than the definition of a lit voxel does (exact_slicer.h): not those that the surface just
 // grazes. It lights none that sliceExactly() does not, but for rounding (a sample may fall into the neighbour where it

@@ -244,114 +244,26 @@ HWY_ATTR SectorReach light(const SliceKernelSetup& setup, const SliceSamples& sa
   return reach.last - reach.first <= around.last - around.first ? reach : around;
 }
 
-/// The span of three points in every direction, `special` as the highest of them.
-HWY_ATTR HWY_INLINE bool isWide(const SweepPoint& p, const SweepPoint& q, const SweepPoint& r, int32_t limit,
-                                SweepPoint& span, SweepPoint& lowest) {
-#if HWY_TARGET == HWY_SCALAR
-  const auto least = [](int32_t a, int32_t b, int32_t c) { return std::min({a, b, c}); };
-  const auto most = [](int32_t a, int32_t b, int32_t c) { return std::max({a, b, c}); };
-  lowest = {least(p.sector, q.sector, r.sector), least(p.column, q.column, r.column), least(p.row, q.row, r.row), 0};
-  span = {most(p.sector, q.sector, r.sector) - lowest.sector, most(p.column, q.column, r.column) - lowest.column,
-          most(p.row, q.row, r.row) - lowest.row, most(p.special, q.special, r.special)};
-  return span.sector > limit || span.column > limit || span.row > limit || span.special != 0;
-#else
-  const hn::FixedTag<int32_t, 4> d;
-  alignas(16) constexpr int32_t kAllButSpecial[4] = {-1, -1, -1, 0};
-  alignas(16) const int32_t limits[4] = {limit, limit, limit, 0};
-  const auto a = hn::LoadU(d, &p.sector);
-  const auto b = hn::LoadU(d, &q.sector);
-  const auto c = hn::LoadU(d, &r.sector);
-  const auto low = hn::And(hn::Min(a, hn::Min(b, c)), hn::Load(d, kAllButSpecial));
-  const auto extent = hn::Sub(hn::Max(a, hn::Max(b, c)), low);
-  hn::StoreU(low, d, &lowest.sector);
-  hn::StoreU(extent, d, &span.sector);
-  return !hn::AllFalse(d, hn::Gt(extent, hn::Load(d, limits)));
-#endif
-}
-
-/// Into how many parts the sides of triangles are divided, from what findWideTriangles() found; 0 where there is no
-/// good lattice.
-HWY_ATTR HWY_INLINE IntVec latticeParts(const SliceKernelSetup& setup, IntVec sectorSpan, IntVec columnSpan,
-                                        IntVec rowSpan, IntVec special, IntVec nearestColumn) {
-  const Floats d;
-  const Ints di;
-  const FloatVec unit = hn::Set(d, 1.0f / kSweepUnit);
-  const FloatVec one = hn::Set(d, 1.0f);
-  const FloatVec sectors = hn::Mul(hn::ConvertTo(d, sectorSpan), unit);
-  const FloatVec columns = hn::Mul(hn::ConvertTo(d, columnSpan), unit);
-  const FloatVec rows = hn::Mul(hn::ConvertTo(d, rowSpan), unit);
-  const FloatVec nearest = hn::Sub(hn::Mul(hn::ConvertTo(d, nearestColumn), unit), hn::Set(d, setup.axisOffset));
-  constexpr float kWidestAngle = 0.5f;  // radians
-  const FloatVec angle = hn::Mul(sectors, hn::Set(d, setup.radiansPerStep));
-  // Along a straight line the angle changes as 1 / radius^2; a chord comes nearer to the axis than its ends by its
-  // angle's versed sine.
-  const FloatVec versine = hn::Mul(hn::Mul(angle, angle), hn::Set(d, 0.125f));
-  const FloatVec inner = hn::Mul(nearest, hn::Sub(one, versine));
-  const FloatVec stretch = hn::Div(hn::Add(nearest, columns), hn::Max(inner, hn::Set(d, 1e-3f)));
-  const FloatVec widest =
-      hn::Max(hn::Mul(sectors, hn::Mul(stretch, stretch)), hn::Max(hn::Add(columns, hn::Sub(nearest, inner)), rows));
-  const FloatVec parts = hn::Min(hn::Mul(widest, hn::Set(d, 1 / kWidestCell)),
-                                 hn::Set(d, static_cast<float>(TriangleLattices::kMaxParts)));
-  const auto good = hn::And(hn::And(hn::Le(angle, hn::Set(d, kWidestAngle)), hn::Le(columns, nearest)),
-                            hn::Lt(parts, hn::Set(d, static_cast<float>(TriangleLattices::kMaxParts))));
-  const IntVec whole = hn::Max(hn::Add(hn::ConvertTo(di, parts), hn::Set(di, 1)), hn::Set(di, 2));
-  return hn::IfThenElseZero(hn::And(hn::RebindMask(di, good), hn::Eq(special, hn::Zero(di))), whole);
-}
-
-HWY_ATTR void findWide(const SliceKernelSetup& setup, const SweepPoint* points, const uint16_t* corners,
-                       size_t triangles, WideTriangles& wide) {
-  constexpr uint16_t kVertex = SliceMesh::kVertex;
-  constexpr auto kLimit = static_cast<int32_t>(kWidestCell * kSweepUnit);
-  const Ints di;
-  const int32_t halfTurn = setup.slicesPerHalfTurn * kSweepUnit;
-  uint16_t* number = wide.number.data();
-  SweepPoint* span = wide.span.data();
-  SweepPoint* lowest = wide.lowest.data();
-  size_t count = 0;
-  for (size_t t = 0; t < triangles; ++t, corners += 3) {
-    const SweepPoint& a = points[corners[0] & kVertex];
-    const SweepPoint& b = points[corners[1] & kVertex];
-    const SweepPoint& c = points[corners[2] & kVertex];
-    number[count] = static_cast<uint16_t>(t);
-    const bool isOne = isWide(a, b, c, kLimit, span[count], lowest[count]);
-    if (HWY_UNLIKELY(span[count].sector > halfTurn)) {
-      // Past the last sector comes the first: measured from -N to N.
-      const auto shifted = [&](int32_t sector) { return sector < halfTurn ? sector : sector - 2 * halfTurn; };
-      const int32_t s[3] = {shifted(a.sector), shifted(b.sector), shifted(c.sector)};
-      span[count].sector = std::max({s[0], s[1], s[2]}) - std::min({s[0], s[1], s[2]});
-    }
-    count += isOne ? 1 : 0;
-  }
-  wide.count = count;
-  for (size_t i = 0; i < count; i += hn::Lanes(di)) {
-    IntVec sectors, columns, rows, special, unused, nearest;
-    hn::LoadInterleaved4(di, &span[i].sector, sectors, columns, rows, special);
-    hn::LoadInterleaved4(di, &lowest[i].sector, unused, nearest, unused, unused);
-    hn::StoreU(latticeParts(setup, sectors, columns, rows, special, nearest), di, &wide.parts[i]);
-  }
-}
-
 int64_t target() {
   return HWY_TARGET;
 }
 
 /// Writes what a mixture of a triangle's corners has, where these have `values`.
 template <class D>
-HWY_ATTR HWY_INLINE void mixCorners(D d, const float* HWY_RESTRICT values, const SampledTriangle& t, hn::Vec<D> first,
-                                    hn::Vec<D> second, hn::Vec<D> third, float* HWY_RESTRICT to) {
-  const auto sum = hn::Add(
-      hn::Mul(first, hn::Set(d, values[t.corners[0]])),
-      hn::Add(hn::Mul(second, hn::Set(d, values[t.corners[1]])), hn::Mul(third, hn::Set(d, values[t.corners[2]]))));
-  hn::StoreU(sum, d, to);
+HWY_ATTR HWY_INLINE void mixCorners(D d, const float* HWY_RESTRICT values, const SampledTriangle& t, hn::Vec<D> ofB,
+                                    hn::Vec<D> ofC, float* HWY_RESTRICT to) {
+  const float a = values[t.corners[0]];
+  const auto second = hn::Mul(ofB, hn::Set(d, values[t.corners[1]] - a));
+  const auto third = hn::Mul(ofC, hn::Set(d, values[t.corners[2]] - a));
+  hn::StoreU(hn::Add(hn::Set(d, a), hn::Add(second, third)), d, to);
 }
 
-HWY_ATTR size_t sample(const SliceSamples& mesh, const TriangleLattices& lattices, const SampledTriangle* triangles,
+HWY_ATTR size_t sample(const SliceSamples& mesh, const TriangleStrips& strips, const SampledTriangle* triangles,
                        size_t count, SampleRoom& room) {
   const hn::CappedTag<float, 8> d;
   const SliceSamples from = mesh;
-  const float* HWY_RESTRICT weights1 = lattices.weights1();
-  const float* HWY_RESTRICT weights2 = lattices.weights2();
-  const float* HWY_RESTRICT weights3 = lattices.weights3();
+  const float* HWY_RESTRICT weightsOfB = strips.weightsOfB();
+  const float* HWY_RESTRICT weightsOfC = strips.weightsOfC();
   float* const x = room.x.data();
   float* const y = room.y.data();
   float* const z = room.z.data();
@@ -363,16 +275,15 @@ HWY_ATTR size_t sample(const SliceSamples& mesh, const TriangleLattices& lattice
   for (; done < count && end + triangles[done].samples <= room.capacity; ++done) {
     const SampledTriangle t = triangles[done];
     for (size_t i = 0; i < t.samples; i += hn::Lanes(d)) {
-      const auto first = hn::LoadU(d, weights1 + t.firstWeight + i);
-      const auto second = hn::LoadU(d, weights2 + t.firstWeight + i);
-      const auto third = hn::LoadU(d, weights3 + t.firstWeight + i);
-      mixCorners(d, from.x, t, first, second, third, x + end + i);
-      mixCorners(d, from.y, t, first, second, third, y + end + i);
-      mixCorners(d, from.z, t, first, second, third, z + end + i);
+      const auto ofB = hn::LoadU(d, weightsOfB + t.firstWeight + i);
+      const auto ofC = hn::LoadU(d, weightsOfC + t.firstWeight + i);
+      mixCorners(d, from.x, t, ofB, ofC, x + end + i);
+      mixCorners(d, from.y, t, ofB, ofC, y + end + i);
+      mixCorners(d, from.z, t, ofB, ofC, z + end + i);
       if (from.red != nullptr) {
-        mixCorners(d, from.red, t, first, second, third, red + end + i);
-        mixCorners(d, from.green, t, first, second, third, green + end + i);
-        mixCorners(d, from.blue, t, first, second, third, blue + end + i);
+        mixCorners(d, from.red, t, ofB, ofC, red + end + i);
+        mixCorners(d, from.green, t, ofB, ofC, green + end + i);
+        mixCorners(d, from.blue, t, ofB, ofC, blue + end + i);
       }
     }
     end += t.samples;
@@ -411,7 +322,6 @@ namespace ocelli {
 namespace {
 
 HWY_EXPORT(light);
-HWY_EXPORT(findWide);
 HWY_EXPORT(sample);
 HWY_EXPORT(planesOf);
 HWY_EXPORT(target);
@@ -454,12 +364,6 @@ LitSamples::LitSamples(size_t samples) {
   }
 }
 
-WideTriangles::WideTriangles(size_t most)
-    : number(most + 1),
-      span(most + SliceMesh::kPadding),
-      lowest(most + SliceMesh::kPadding),
-      parts(most + SliceMesh::kPadding) {}
-
 SampleRoom::SampleRoom(size_t room) : capacity(room) {
   for (std::vector<float>* values : {&x, &y, &z, &red, &green, &blue}) {
     values->resize(capacity + SliceMesh::kPadding);
@@ -479,14 +383,9 @@ SectorReach lightSamples(const SliceKernelSetup& setup, const SliceSamples& samp
   return HWY_DYNAMIC_DISPATCH(light)(setup, samples, points, lit);
 }
 
-void findWideTriangles(const SliceKernelSetup& setup, const SweepPoint* points, const uint16_t* corners,
-                       size_t triangles, WideTriangles& wide) {
-  HWY_DYNAMIC_DISPATCH(findWide)(setup, points, corners, triangles, wide);
-}
-
-size_t sampleTriangles(const SliceSamples& mesh, const TriangleLattices& lattices, const SampledTriangle* triangles,
+size_t sampleTriangles(const SliceSamples& mesh, const TriangleStrips& strips, const SampledTriangle* triangles,
                        size_t count, SampleRoom& room) {
-  return HWY_DYNAMIC_DISPATCH(sample)(mesh, lattices, triangles, count, room);
+  return HWY_DYNAMIC_DISPATCH(sample)(mesh, strips, triangles, count, room);
 }
 
 void writePlanes(uint32_t* levels, std::span<const uint32_t> bytes, int bitsPerChannel, uint8_t* planes,

@@ -9,7 +9,7 @@
 
 #include "display_sim/dither/slice_options.h"
 #include "display_sim/frames/sweep_geometry.h"
-#include "display_sim/slicing/triangle_lattice.h"
+#include "display_sim/slicing/triangle_strips.h"
 
 namespace ocelli {
 
@@ -89,27 +89,6 @@ struct SectorReach {
 SectorReach lightSamples(const SliceKernelSetup& setup, const SliceSamples& samples, SweepPoint* points,
                          LitSamples& lit);
 
-/// A triangle of a mesh, and which weights of its corners (TriangleLattices) its samples have.
-struct SampledTriangle {
-  uint32_t corners[3];
-  uint32_t firstWeight;
-  uint32_t samples;
-};
-
-/// The triangles of a chunk that need more than their corners.
-struct WideTriangles {
-  explicit WideTriangles(size_t most);
-  size_t count = 0;
-  std::vector<uint16_t> number;  ///< of the triangle, in its chunk
-  std::vector<SweepPoint> span;  ///< of its corners, `special` as the highest of them
-  std::vector<SweepPoint> lowest;
-  std::vector<int32_t> parts;  ///< into how many its sides are divided; 0 where it has no good lattice
-};
-
-/// `corners` are as in SliceMesh, their vertices the points'.
-void findWideTriangles(const SliceKernelSetup& setup, const SweepPoint* points, const uint16_t* corners,
-                       size_t triangles, WideTriangles& wide);
-
 /// Samples that are written, with SliceMesh::kPadding elements of room more than `capacity`.
 struct SampleRoom {
   explicit SampleRoom(size_t capacity);
@@ -127,7 +106,7 @@ struct SampleRoom {
 
 /// Appends the samples of as many triangles as the room holds; returns how many triangles these are. `mesh` holds
 /// the vertices.
-size_t sampleTriangles(const SliceSamples& mesh, const TriangleLattices& lattices, const SampledTriangle* triangles,
+size_t sampleTriangles(const SliceSamples& mesh, const TriangleStrips& strips, const SampledTriangle* triangles,
                        size_t count, SampleRoom& room);
 
 /// Writes these bytes of the bit planes of a slice (volume.h), and makes their levels 0 again. `levels` has a word for

@@ -30,7 +30,7 @@ std::map<std::array<Corner, 3>, int> trianglesOf(const SliceMesh& mesh) {
     for (size_t t = chunk.firstTriangle; t < chunk.firstTriangle + size_t{chunk.triangles}; ++t) {
       std::array<Corner, 3> corners;
       for (size_t k = 0; k < 3; ++k) {
-        const size_t vertex = mesh.corners()[3 * t + k] & SliceMesh::kVertex;
+        const size_t vertex = mesh.corners()[3 * t + k];
         EXPECT_LT(vertex, chunk.vertices);
         corners[k] = cornerOf(mesh.position(chunk.firstVertex + vertex));
       }
@@ -65,16 +65,6 @@ TEST(OrderedForSlicing, keepsTrianglesAndColors) {
   }
   EXPECT_EQ(trianglesOf(ordered), trianglesOf(mesh));
   EXPECT_TRUE(orderedForSlicing(Mesh()).empty());
-}
-
-TEST(SliceMesh, samplesEachSideOfAChunkOnce) {
-  const Mesh mesh = test::torus(0.6, 0.3, 40, 30);  // one chunk; a closed surface has three sides for two triangles
-  const SliceMesh prepared(mesh);
-  size_t own = 0;
-  for (size_t i = 0; i < 3 * mesh.triangles.size(); ++i) {
-    own += (prepared.corners()[i] & SliceMesh::kSharedEdge) == 0 ? 1 : 0;
-  }
-  EXPECT_EQ(own, mesh.triangles.size() * 3 / 2);
 }
 
 TEST(SliceMesh, onlyMovedChunksAreNew) {
