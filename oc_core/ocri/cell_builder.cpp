@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <optional>
 
 #include "oc_core/base/parallel.h"
@@ -178,9 +177,9 @@ size_t removeHarmful(std::vector<Part>& parts, const Mesh& mesh) {
 /// The reference part, then the satellites that add to it.
 struct Found {
   std::vector<Part> parts;
-  Mesh mesh;                         ///< of all parts
-  size_t samples = 0;                ///< that they take
-  std::vector<size_t> candidates{};  ///< viewpoints that would add something if their samples were a pixel apart
+  Mesh mesh;                       ///< of all parts
+  size_t samples = 0;              ///< that they take
+  std::vector<View> candidates{};  ///< viewpoints that would add something if their samples were a pixel apart
 };
 
 size_t maxSamples(const Found& found, const CellOptions& options) {
@@ -217,25 +216,25 @@ Found referencePart(const PinholeCamera& reference, const Mesh& mesh, const Scen
   return found;
 }
 
-/// Adds satellites at those of the `tried` ones of `views` that matter, their samples `spacing` apart. Once they take
-/// too many samples: what there is so far where it `mayStop`, nothing otherwise.
+/// Adds satellites at those of `views` that matter, their samples `spacing` apart. Once they take too many samples:
+/// what there is so far where it `mayStop`, nothing otherwise.
 std::optional<Found> findParts(Found found, const Mesh& mesh, const std::vector<View>& views,
-                               const std::vector<size_t>& tried, const CellOptions& options, float spacing,
-                               bool mayStop, const Progress& progress, const SceneRenderer* renderer) {
+                               const CellOptions& options, float spacing, bool mayStop, const Progress& progress,
+                               const SceneRenderer* renderer) {
   const PinholeCamera reference = found.parts[0].camera;
   const auto least = static_cast<size_t>(options.minShare * static_cast<float>(found.samples));
   const auto scaled = [&](int pixels) {
     return std::max(static_cast<int>(std::lround(static_cast<float>(pixels) / spacing)), 1);
   };
-  for (size_t i = 0; i < tried.size(); ++i) {
-    report(progress, "satellites", static_cast<double>(i) / static_cast<double>(tried.size()));
-    const PinholeCamera camera(views[tried[i]], scaled(reference.width()), scaled(reference.height()));
+  for (size_t i = 0; i < views.size(); ++i) {
+    report(progress, "satellites", static_cast<double>(i) / static_cast<double>(views.size()));
+    const PinholeCamera camera(views[i], scaled(reference.width()), scaled(reference.height()));
     Part part = partSeenFrom(camera, mesh, renderer);
     Image<uint8_t> marks =
         missingGroups(compareFrames(camera, part.truth, positionImage(camera, found.mesh)), options.minGroup);
     const auto missing = static_cast<size_t>(std::count(marks.begin(), marks.end(), 1));
     if (2 * static_cast<float>(missing) * spacing * spacing > static_cast<float>(least)) {
-      found.candidates.push_back(tried[i]);
+      found.candidates.push_back(views[i]);
     }
     if (missing <= least) {
       continue;
@@ -276,72 +275,26 @@ void takeOutHarmful(Found& found, const CellOptions& options, const Progress& pr
   report(progress, "do no harm", 1);
 }
 
-/// While samples of satellites are looked for again, they are taken so much farther apart each time.
-constexpr float kCoarser = 1.12f;
-
-struct Constructed {
-  Found found;
-  float spacing = 1;  ///< of the samples of satellites
-};
-
-Constructed constructCold(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
-                          const Progress& progress, const SceneRenderer* renderer) {
-  const std::vector<View> views = satelliteViews(reference.view(), options);
-  std::vector<size_t> all(views.size());
-  std::iota(all.begin(), all.end(), size_t{0});
+/// The parts of the camera, the reference first.
+std::vector<Part> construct(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
+                            const Progress& progress, const SceneRenderer* renderer) {
+  constexpr float kCoarser = 1.12f;
   const Found alone = referencePart(reference, mesh, renderer);
-  Found found = *findParts(alone, mesh, views, all, options, options.coarsestSpacing, true, progress, renderer);
+  Found found = *findParts(alone, mesh, satelliteViews(reference.view(), options), options, options.coarsestSpacing,
+                           true, progress, renderer);
   // Closer together, samples are looked for only from the viewpoints that may have some then.
-  const std::vector<size_t> candidates = found.candidates;
-  for (float spacing = std::max(expectedSpacing(found, options), 1.0f); spacing < options.coarsestSpacing;
-       spacing *= kCoarser) {
-    if (auto finer = findParts(alone, mesh, views, candidates, options, spacing, false, progress, renderer)) {
-      return {std::move(*finer), spacing};
-    }
+  const std::vector<View> views = found.candidates;
+  float spacing = std::max(expectedSpacing(found, options), 1.0f);
+  std::optional<Found> finer;
+  while (!finer && spacing < options.coarsestSpacing) {
+    finer = findParts(alone, mesh, views, options, spacing, false, progress, renderer);
+    spacing *= kCoarser;
   }
-  return {std::move(found), options.coarsestSpacing};
-}
-
-/// Some of the viewpoints that added nothing, others each time: what they see may have changed.
-std::vector<size_t> viewpointsToTry(CellMemory& memory, size_t count) {
-  constexpr size_t kOthers = 2;
-  std::vector<size_t> tried = memory.useful;
-  for (size_t i = 0, others = 0; i < count && others < kOthers; ++i) {
-    memory.lastTried = (memory.lastTried + 1) % count;
-    if (std::find(memory.useful.begin(), memory.useful.end(), memory.lastTried) == memory.useful.end()) {
-      tried.push_back(memory.lastTried);
-      ++others;
-    }
+  if (finer) {
+    found = std::move(*finer);
   }
-  std::sort(tried.begin(), tried.end());
-  return tried;
-}
-
-Constructed constructWarm(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
-                          CellMemory& memory, const Progress& progress, const SceneRenderer* renderer) {
-  const std::vector<View> views = satelliteViews(reference.view(), options);
-  const std::vector<size_t> tried = viewpointsToTry(memory, views.size());
-  const Found alone = referencePart(reference, mesh, renderer);
-  for (float spacing = memory.spacing;; spacing *= kCoarser) {
-    const bool isCoarsest = spacing >= options.coarsestSpacing;
-    spacing = std::min(spacing, options.coarsestSpacing);
-    if (auto found = findParts(alone, mesh, views, tried, options, spacing, isCoarsest, progress, renderer)) {
-      return {std::move(*found), spacing};
-    }
-  }
-}
-
-/// The samples of the next image lie closer together where those of this one left room.
-CellMemory memoryOf(const Constructed& constructed, const CellOptions& options, const PinholeCamera& reference,
-                    size_t lastTried) {
-  constexpr float kRoomLeft = 0.94f;
-  constexpr float kCloser = 0.97f;
-  const Found& found = constructed.found;
-  const auto own = static_cast<float>(found.parts[0].image.sampleCount());
-  const float taken = static_cast<float>(found.samples) - own;
-  const bool mayGrow = taken < kRoomLeft * (options.maxSamples - 1) * own;
-  return {reference.eye(), found.candidates,
-          std::max(mayGrow ? constructed.spacing * kCloser : constructed.spacing, 1.0f), lastTried};
+  takeOutHarmful(found, options, progress);
+  return std::move(found.parts);
 }
 
 CellCamera cameraOf(const std::vector<Part>& parts) {
@@ -386,9 +339,7 @@ ReferenceImage imageOf(const CellCamera& camera, const Mesh& mesh, const SeenBy&
 
 CellCamera buildCellCamera(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
                            const Progress& progress, const SceneRenderer* renderer) {
-  Found found = constructCold(reference, mesh, options, progress, renderer).found;
-  takeOutHarmful(found, options, progress);
-  return cameraOf(found.parts);
+  return cameraOf(construct(reference, mesh, options, progress, renderer));
 }
 
 ReferenceImage cellImage(const CellCamera& camera, const FragmentImage& fragments, const Mesh& mesh) {
@@ -409,21 +360,9 @@ ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh, const 
 
 ReferenceImage buildCellImage(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
                               const Progress& progress, const SceneRenderer* renderer) {
-  CellMemory memory;
-  return buildNextCellImage(reference, mesh, options, memory, progress, renderer).image;
-}
-
-NextCellImage buildNextCellImage(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
-                                 CellMemory& memory, const Progress& progress, const SceneRenderer* renderer) {
-  const bool warm = memory.spacing > 0 && glm::distance(memory.eye, reference.eye()) <= options.cell.halfSide();
-  Constructed constructed = warm ? constructWarm(reference, mesh, options, memory, progress, renderer)
-                                 : constructCold(reference, mesh, options, progress, renderer);
-  memory = memoryOf(constructed, options, reference, memory.lastTried);
-  takeOutHarmful(constructed.found, options, progress);
-  const std::vector<Part>& parts = constructed.found.parts;
-  return {
-      imageOf(cameraOf(parts), mesh, [&](size_t viewpoint) -> const FragmentImage& { return parts[viewpoint].seen; }),
-      warm};
+  const std::vector<Part> parts = construct(reference, mesh, options, progress, renderer);
+  return imageOf(cameraOf(parts), mesh,
+                 [&](size_t viewpoint) -> const FragmentImage& { return parts[viewpoint].seen; });
 }
 
 }  // namespace ocelli

@@ -42,26 +42,6 @@ ReferenceImage buildCellImage(const CellCamera& camera, const Mesh& mesh, const 
 ReferenceImage buildCellImage(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
                               const Progress& progress = {}, const SceneRenderer* renderer = nullptr);
 
-/// What a construction found out, for that of an eye that has moved on.
-struct CellMemory {
-  glm::vec3 eye{0};            ///< of the last reference view
-  std::vector<size_t> useful;  ///< of the viewpoints that are tried, those that added something, or nearly, in order
-  float spacing = 0;           ///< to begin with, of the samples of satellites; 0: nothing is known
-  size_t lastTried = 0;        ///< of the others
-};
-
-struct NextCellImage {
-  ReferenceImage image;
-  bool warm = false;  ///< whether it began from what the last one knew
-};
-
-/// For an eye that moves: the same image, for which satellites are looked for from the viewpoints that were of use to
-/// the last one, and from two others in turn, with their samples as far apart as they were. It is built cold, as above,
-/// the first time, and where the eye has left the last one's view cell.
-NextCellImage buildNextCellImage(const PinholeCamera& reference, const Mesh& mesh, const CellOptions& options,
-                                 CellMemory& memory, const Progress& progress = {},
-                                 const SceneRenderer* renderer = nullptr);
-
 /// The same from fragments that some renderer left at the pixels of the camera.
 ReferenceImage cellImage(const CellCamera& camera, const FragmentImage& fragments, const Mesh& mesh);
 

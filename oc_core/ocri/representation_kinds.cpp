@@ -192,25 +192,16 @@ RepresentationKind cornersRow(const char* name, const char* description, int cou
           .rays = pinholeRays};
 }
 
-/// Of one image each, that `make` makes with what is kept of the last one.
-template <class Memory, class Make>
-class MemorySequence final : public ImageSequence {
+class DdocSequence final : public ImageSequence {
  public:
-  explicit MemorySequence(Make make) : make_(std::move(make)) {}
   Next next(const Inputs& in) override {
-    auto next = make_(in, memory_);
+    NextDdocImage next = buildNextDdocImage(in.reference, in.mesh, in.choice.ddoc, memory_, in.progress, in.renderer);
     return {{std::move(next.image)}, next.warm};
   }
 
  private:
-  Make make_;
-  Memory memory_;
+  BandMemory memory_;
 };
-
-template <class Memory, class Make>
-std::function<std::unique_ptr<ImageSequence>()> sequenceWith(Make make) {
-  return [make] { return std::make_unique<MemorySequence<Memory, Make>>(make); };
-}
 
 RepresentationKind ddocRow(const char* name, const char* description, std::function<void(CameraChoice&)> prepare) {
   return {.name = name,
@@ -220,9 +211,7 @@ RepresentationKind ddocRow(const char* name, const char* description, std::funct
           .images = [](const Inputs& in) -> ReferenceImages {
             return {buildDdocImage(in.reference, in.mesh, in.choice.ddoc, in.progress, in.renderer)};
           },
-          .sequence = sequenceWith<BandMemory>([](const Inputs& in, BandMemory& memory) {
-            return buildNextDdocImage(in.reference, in.mesh, in.choice.ddoc, memory, in.progress, in.renderer);
-          }),
+          .sequence = [] { return std::make_unique<DdocSequence>(); },
           .rayCrossover = RayCrossover::kDdoc,
           .viewed = viewedDisplaced,
           .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, ddocCamera(in), in); },
@@ -387,9 +376,6 @@ std::vector<RepresentationKind> builtinRepresentations() {
        .images = [](const Inputs& in) -> ReferenceImages {
          return {buildCellImage(in.reference, in.mesh, in.choice.cell, in.progress, in.renderer)};
        },
-       .sequence = sequenceWith<CellMemory>([](const Inputs& in, CellMemory& memory) {
-         return buildNextCellImage(in.reference, in.mesh, in.choice.cell, memory, in.progress, in.renderer);
-       }),
        .rayCrossover = RayCrossover::kCell,
        .viewed =
            [](const CameraChoice& choice, const PinholeCamera& reference) {

@@ -32,6 +32,8 @@ ProgramResult runAlone(const std::string& what, const TemporaryFolder& folder) {
 struct Work {
   const char* command;
   const char* output;
+
+  friend std::ostream& operator<<(std::ostream& stream, const Work& work) { return stream << work.command; }
 };
 
 class ManyMachinesWrite : public testing::TestWithParam<Work> {};
