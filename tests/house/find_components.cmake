@@ -75,18 +75,19 @@ foreach(component IN LISTS OCELLI_COMPONENTS)
 endforeach()
 
 set(windows glfw PkgConfig::imgui PkgConfig::fontconfig)
-set(usb PkgConfig::libusb PkgConfig::umockdev PkgConfig::isal)
+set(usb PkgConfig::libusb PkgConfig::umockdev)
+set(checksums PkgConfig::isal)
 set(statistics PkgConfig::nlopt Eigen3::Eigen Boost::headers)
 
 find_needs(foundation TARGETS Ocelli::base
   PACKAGES glm PNG SQLiteCpp Eigen3 Boost assimp hwy glfw3
-  LACKS glm::glm PNG::PNG SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${statistics} Ocelli::page Ocelli::maze)
+  LACKS glm::glm PNG::PNG SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${checksums} ${statistics} Ocelli::page Ocelli::maze)
 find_needs(mazes TARGETS Ocelli::foundation Ocelli::maze
   PACKAGES glm PNG SQLiteCpp Eigen3 Boost assimp hwy glfw3
-  LACKS glm::glm PNG::PNG SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${statistics} Ocelli::page Ocelli::scene)
+  LACKS glm::glm PNG::PNG SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${checksums} ${statistics} Ocelli::page Ocelli::scene)
 find_needs(pages TARGETS Ocelli::drawing Ocelli::page
   PACKAGES glm PNG SQLiteCpp Eigen3 Boost assimp hwy glfw3
-  LACKS glm::glm PNG::PNG SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${statistics} Ocelli::maze
+  LACKS glm::glm PNG::PNG SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${checksums} ${statistics} Ocelli::maze
     Ocelli::analysis_base)
 find_needs(core TARGETS Ocelli::pages Ocelli::mazes Ocelli::ocri Ocelli::evaluation
   PACKAGES SQLiteCpp Eigen3 Boost assimp hwy glfw3 MPI
@@ -103,7 +104,7 @@ find_needs(study TARGETS Ocelli::core Ocelli::display Ocelli::study_store
   LACKS assimp::assimp ${windows} ${usb} ${statistics} Ocelli::device Ocelli::study_screen)
 find_needs(analysis TARGETS Ocelli::pages Ocelli::mazes Ocelli::analysis_report
   PACKAGES glm PNG assimp embree hwy meshoptimizer zstd glfw3
-  LACKS glm::glm PNG::PNG assimp::assimp embree hwy::hwy ${windows} ${usb} Ocelli::core Ocelli::scene)
+  LACKS glm::glm PNG::PNG assimp::assimp embree hwy::hwy ${windows} ${usb} ${checksums} Ocelli::core Ocelli::scene)
 find_needs(power TARGETS Ocelli::study Ocelli::analysis Ocelli::analysis_power
   PACKAGES assimp glfw3
   LACKS assimp::assimp ${windows} ${usb})
