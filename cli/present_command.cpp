@@ -58,6 +58,7 @@ struct PresentChoice {
   bool tear = false;
   bool coarse = false;
   double minImageScale = 0.25;
+  int refreshesToMake = 1;
   std::string timeLine;
   std::string record;
   bool fast = false;
@@ -164,11 +165,15 @@ void addSceneSource(Presented& presented, const PresentChoice& choice, const Dis
     presented.images = std::make_unique<MovingImages>(camera);
     auto source = std::make_unique<EyesSource>(
         [&scene = *presented.scene, &moving = *presented.images](const PinholeCamera& reference) {
-          return moving.next(reference, scene.meshFor(moving.choice(), reference));
+          ReferenceImages images = moving.next(reference, scene.meshFor(moving.choice(), reference));
+          return EyesSource::Made(std::move(images), moving.lastBeganCold());
         },
         profile,
-        EyesOptions{
-            .width = size.width, .height = size.height, .slicing = options, .minImageScale = choice.minImageScale},
+        EyesOptions{.width = size.width,
+                    .height = size.height,
+                    .slicing = options,
+                    .minImageScale = choice.minImageScale,
+                    .refreshesToMake = choice.refreshesToMake},
         *presented.feed);
     presented.eyes = source.get();
     presented.source = std::move(source);
@@ -508,6 +513,13 @@ void addPresentCommand(CLI::App& program, const CommandContext& context) {
                   "all of them, though refreshes are missed")
       ->check(numberCheck(0.05, 1))
       ->type_name("SHARE")
+      ->capture_default_str();
+  command
+      .add_option("--making-refreshes", choice->refreshesToMake,
+                  "Refreshes that making what an eye sees may take. 1: what is seen is young; 2: the image of one is "
+                  "built while another is sliced, so images are larger, and a refresh older")
+      ->check(CLI::Range(1, 2))
+      ->type_name("1|2")
       ->capture_default_str();
   command.add_option("--rate", choice->rate, "Meshes a second of a folder; by default one a refresh")
       ->check(numberCheck(1e-3, 1e4))

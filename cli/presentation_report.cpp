@@ -14,16 +14,16 @@ double hertz(const TimeLineSummary& summary) {
 }
 
 std::string spreadText(const char* name, const Spread& spread) {
-  return spread.count == 0
-             ? ""
-             : fmt::format("  {}: median {:.1f} ms, worst {:.1f} ms\n", name, spread.median, spread.worst);
+  return spread.count == 0 ? ""
+                           : fmt::format("  {}: median {:.1f} ms, 95 % within {:.1f} ms, worst {:.1f} ms\n", name,
+                                         spread.median, spread.within95, spread.worst);
 }
 
 nlohmann::ordered_json spreadJson(const Spread& spread) {
   if (spread.count == 0) {
     return nullptr;
   }
-  return {{"median_ms", spread.median}, {"worst_ms", spread.worst}};
+  return {{"median_ms", spread.median}, {"within_95_percent_ms", spread.within95}, {"worst_ms", spread.worst}};
 }
 
 nlohmann::ordered_json predictionJson(const PredictionErrors& errors) {
@@ -97,8 +97,10 @@ std::string reportText(const PresentationReport& report) {
   text += spreadText("from making to light", summary.latency);
   if (summary.smallerImages > 0) {
     text += fmt::format(
-        "  smaller images: {} of {} frames, as time ran short; the smallest with {:.0f} % of the pixels each way\n",
-        summary.smallerImages, summary.framesShown, 100 * summary.leastImageScale);
+        "  smaller images: {} of {} frames, as time ran short; of the pixels each way {:.0f} % in the median, {:.0f} % "
+        "at "
+        "least\n",
+        summary.smallerImages, summary.framesShown, 100 * summary.medianImageScale, 100 * summary.leastImageScale);
   }
   if (const PredictionErrors& errors = report.prediction; errors.count > 0) {
     text += fmt::format(
@@ -154,6 +156,7 @@ std::string reportJson(const PresentationReport& report) {
       {"cold_starts", report.starts ? nlohmann::ordered_json(report.starts->cold) : nlohmann::ordered_json()},
       {"smaller_images", summary.smallerImages},
       {"smallest_image_scale", summary.leastImageScale},
+      {"median_image_scale", summary.medianImageScale},
       {"making", spreadJson(summary.making)},
       {"making_stages_ms", stages},
       {"submitting", spreadJson(summary.submitting)},

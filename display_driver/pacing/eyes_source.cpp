@@ -15,7 +15,7 @@ namespace {
 
 enum Step { kBuilding, kMeshing, kSlicing };
 
-/// Of a refresh, what a stage may take: the rest is for what else the machine does.
+/// Of a refresh, what making may take: the rest is for what else the machine does.
 constexpr double kShareOfRefresh = 0.85;
 
 class StopWatch {
@@ -79,18 +79,20 @@ TwoStageLine::SecondStage EyesSource::begin(HostTime seen) {
   StopWatch watch;
   try {
     const PinholeCamera reference(viewFrom(*eye), scaled(options_.width, scale), scaled(options_.height, scale));
-    auto images = std::make_shared<const ReferenceImages>(imagesFor_(reference));
+    const auto made = std::make_shared<const Made>(imagesFor_(reference));
     const auto took = watch.lap();
     stages_[kBuilding].times.add(took);
-    return [this, images, scale, seconds = std::chrono::duration<double>(took).count()] {
-      return sliced(*images, static_cast<float>(scale), seconds);
-    };
+    // One cold image comes once; where one follows the other they are the rule.
+    const bool isException = made->beganCold && !lastBeganCold_;
+    lastBeganCold_ = made->beganCold;
+    const ImageCost cost{static_cast<float>(scale), std::chrono::duration<double>(took).count(), isException};
+    return [this, made, cost] { return sliced(made->images, cost); };
   } catch (const InputError& error) {
     return nothing(leaveOut(error.what()));
   }
 }
 
-SourcedVolume EyesSource::sliced(const ReferenceImages& images, float imageScale, double imageSeconds) {
+SourcedVolume EyesSource::sliced(const ReferenceImages& images, const ImageCost& cost) {
   StopWatch watch;
   const Mesh mesh = unionMesh(images);
   const auto meshing = watch.lap();
@@ -98,12 +100,13 @@ SourcedVolume EyesSource::sliced(const ReferenceImages& images, float imageScale
   const auto slicing = watch.lap();
   stages_[kMeshing].times.add(meshing);
   stages_[kSlicing].times.add(slicing);
-  {
+  if (!cost.isException) {
+    const double slicingSeconds = std::chrono::duration<double>(meshing + slicing).count();
     const std::lock_guard lock(scaleMutex_);
-    scale_.add(static_cast<double>(imageScale),
-               std::max(imageSeconds, std::chrono::duration<double>(meshing + slicing).count()));
+    scale_.add(static_cast<double>(cost.scale),
+               options_.refreshesToMake == 1 ? cost.seconds + slicingSeconds : std::max(cost.seconds, slicingSeconds));
   }
-  return {.kind = SourcedVolume::Kind::kNew, .volume = slicer_.takeShared(), .imageScale = imageScale};
+  return {.kind = SourcedVolume::Kind::kNew, .volume = slicer_.takeShared(), .imageScale = cost.scale};
 }
 
 SourcedVolume EyesSource::volumeFor(HostTime seen) {

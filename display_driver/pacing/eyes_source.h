@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "display_driver/pacing/eye_feed.h"
@@ -25,13 +26,23 @@ struct EyesOptions {
   SliceOptions slicing;
   /// When time runs short, images have this share of the pixels each way at least, in (0, 1]; 1: always all of them.
   double minImageScale = 0.25;
+  /// Refreshes that making a volume may take, 1 or 2. With 1 all of it is made in one: what is seen is young. With 2
+  /// the image of one is built while another is sliced: images are larger, and a refresh older.
+  int refreshesToMake = 1;
 };
 
 class EyesSource final : public VolumeSource {
  public:
+  struct Made {
+    Made(ReferenceImages madeImages, bool imagesBeganCold = false)
+        : images(std::move(madeImages)), beganCold(imagesBeganCold) {}
+
+    ReferenceImages images;
+    bool beganCold = false;  ///< took longer than most do, as it could not begin from the last one
+  };
   /// Reference images for a view of a scene whose positions are in display radii. Throws InputError for views from
   /// which it cannot be seen. Called by one thread at a time.
-  using ImagesFor = std::function<ReferenceImages(const PinholeCamera& reference)>;
+  using ImagesFor = std::function<Made(const PinholeCamera& reference)>;
 
   /// The feed outlives the source.
   EyesSource(ImagesFor imagesFor, const DisplayProfile& profile, const EyesOptions& options, EyeFeed& feed);
@@ -61,7 +72,13 @@ class EyesSource final : public VolumeSource {
  private:
   TwoStageLine::SecondStage begin(HostTime seen);
   SourcedVolume leaveOut(const std::string& why);
-  SourcedVolume sliced(const ReferenceImages& images, float imageScale, double imageSeconds);
+  /// What an image took, and with how many of the pixels asked for each way.
+  struct ImageCost {
+    float scale = 1;
+    double seconds = 0;
+    bool isException = false;  ///< says nothing of the next ones
+  };
+  SourcedVolume sliced(const ReferenceImages& images, const ImageCost& cost);
 
   ImagesFor imagesFor_;
   EyesOptions options_;
@@ -69,6 +86,7 @@ class EyesSource final : public VolumeSource {
   Slicer slicer_;
   std::optional<glm::vec3> eye_;
   std::vector<Stage> stages_;
+  bool lastBeganCold_ = false;
   uint64_t leftOut_ = 0;
   std::string firstLeftOut_;
   std::mutex scaleMutex_;

@@ -15,32 +15,37 @@ constexpr double kGrowth = 1.5;
 constexpr double kRoomToGrow = 0.9;
 /// What must have been in time in a row for the image to grow by a step.
 constexpr int kToGrow = 6;
+/// Images after a late one during which another late one means that it was no hiccup.
+constexpr int kWatched = 4;
 
 }  // namespace
 
-ImageScale::ImageScale(double stageSeconds, double minScale) : stageSeconds_(stageSeconds), minScale_(minScale) {}
+ImageScale::ImageScale(double seconds, double minScale) : seconds_(seconds), minScale_(minScale) {}
 
-void ImageScale::add(double scale, double longestStageSeconds) {
-  if (longestStageSeconds > stageSeconds_) {
-    // In whole steps, so that few sizes are in use.
+void ImageScale::add(double scale, double seconds) {
+  if (seconds > seconds_) {
+    // In whole steps, so that few sizes are in use. One late image alone may be a hiccup, and costs a step.
     double smaller = scale;
-    double expected = longestStageSeconds;
-    while (expected > stageSeconds_ && smaller > minScale_) {
+    double expected = seconds;
+    const bool isHiccup = watched_ == 0;
+    while (expected > seconds_ && smaller > minScale_) {
       smaller *= kStep;
-      expected *= std::pow(kStep, kGrowth);
+      expected = isHiccup ? 0 : expected * std::pow(kStep, kGrowth);
     }
     scale_ = std::max(std::min(scale_, smaller), minScale_);
     inTime_ = 0;
+    watched_ = kWatched;
     return;
   }
+  watched_ = std::max(watched_ - 1, 0);
   // One of before it grew, or shrank, says nothing of the scale now.
   if (scale != scale_ || scale_ >= 1) {
     return;
   }
   const double larger = std::min(scale_ / kStep, 1.0);
   // Here at its worst: as the number of pixels.
-  const double expected = longestStageSeconds * (larger / scale_) * (larger / scale_);
-  inTime_ = expected <= kRoomToGrow * stageSeconds_ ? inTime_ + 1 : 0;
+  const double expected = seconds * (larger / scale_) * (larger / scale_);
+  inTime_ = expected <= kRoomToGrow * seconds_ ? inTime_ + 1 : 0;
   if (inTime_ >= kToGrow) {
     // Steps of 1/1000 hide rounding: four up and four down meet.
     scale_ = std::min(std::round(larger * 1000) / 1000, 1.0);

@@ -6,19 +6,21 @@ namespace ocelli {
 
 class ImageScale {
  public:
-  /// Each stage of making one may take `stageSeconds`; scales are `minScale`, in (0, 1], to 1.
-  ImageScale(double stageSeconds, double minScale);
+  /// What is measured of making one may take `seconds`; scales are `minScale`, in (0, 1], to 1.
+  ImageScale(double seconds, double minScale);
 
   /// Pixels each way, for each that were asked for.
   double next() const { return scale_; }
-  /// What the longest stage of the last one took, which was made at `scale`.
-  void add(double scale, double longestStageSeconds);
+  /// What the last one took, which was made at `scale`. The first that is late makes the next one a step smaller, a
+  /// second one soon after it as small as it has to be.
+  void add(double scale, double seconds);
 
  private:
-  double stageSeconds_;
+  double seconds_;
   double minScale_;
   double scale_ = 1;
-  int inTime_ = 0;  ///< in a row, that would have been in time with the next larger scale
+  int inTime_ = 0;   ///< in a row, that would have been in time with the next larger scale
+  int watched_ = 0;  ///< images until a late one is a hiccup again
 };
 
 }  // namespace ocelli

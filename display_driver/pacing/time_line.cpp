@@ -17,9 +17,13 @@ Spread spreadOf(std::vector<float> times) {
   if (times.empty()) {
     return {};
   }
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), middle, times.end());
-  return {times.size(), static_cast<double>(*middle), static_cast<double>(*std::ranges::max_element(times))};
+  std::sort(times.begin(), times.end());
+  // The smallest that as many as 95 % do not exceed.
+  const size_t within95 = (times.size() * 95 + 99) / 100 - 1;
+  return {.count = times.size(),
+          .median = static_cast<double>(times[times.size() / 2]),
+          .within95 = static_cast<double>(times[within95]),
+          .worst = static_cast<double>(times.back())};
 }
 
 std::string cell(HostTime time, HostTime start) {
@@ -81,6 +85,7 @@ void TimeLine::add(const RefreshRecord& record) {
     ++summary_.framesShown;
     summary_.smallerImages += record.imageScale < 1 ? 1 : 0;
     summary_.leastImageScale = std::min(summary_.leastImageScale, record.imageScale);
+    imageScales_.push_back(record.imageScale);
     latency_.push_back(millisecondsBetween(record.makingBegan, record.shown));
   }
 }
@@ -91,6 +96,9 @@ TimeLineSummary TimeLine::summary() const {
   summary.submitting = spreadOf(submitting_);
   summary.sending = spreadOf(sending_);
   summary.latency = spreadOf(latency_);
+  if (!imageScales_.empty()) {
+    summary.medianImageScale = static_cast<float>(spreadOf(imageScales_).median);
+  }
   return summary;
 }
 

@@ -48,6 +48,7 @@ struct RefreshRecord {
 struct Spread {
   size_t count = 0;
   double median = 0;
+  double within95 = 0;  ///< that 95 % do not exceed
   double worst = 0;
 };
 
@@ -58,8 +59,9 @@ struct TimeLineSummary {
   uint64_t framesShown = 0;    ///< in time or late
   uint64_t smallerImages = 0;  ///< of these those made of smaller images than asked for, as time ran short
   float leastImageScale = 1;   ///< of these
+  float medianImageScale = 1;  ///< of all frames shown
   double seconds = 0;          ///< from the first refresh to the last
-  Spread making;
+  Spread making;  ///< from when its input was taken, such as an eye, to when the volume could be handed over
   Spread submitting;
   Spread sending;  ///< from submit() to the last byte, or to the arrival where that is not known
   Spread latency;  ///< from the begin of its making, when its input was taken, to when it was seen
@@ -67,7 +69,7 @@ struct TimeLineSummary {
   uint64_t count(RefreshOutcome outcome) const { return outcomes[static_cast<size_t>(outcome)]; }
 };
 
-/// Sums up records in their order; keeps 16 bytes for each.
+/// Sums up records in their order; keeps 20 bytes for each.
 class TimeLine {
  public:
   void add(const RefreshRecord& record);
@@ -82,6 +84,7 @@ class TimeLine {
   std::vector<float> submitting_;
   std::vector<float> sending_;
   std::vector<float> latency_;
+  std::vector<float> imageScales_;
 };
 
 /// A table of comma-separated values: its header, and one line for a record, with times in milliseconds since `start`.

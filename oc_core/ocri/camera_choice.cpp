@@ -196,6 +196,7 @@ ReferenceImages MovingImages::next(const PinholeCamera& reference, const Mesh& m
     ImageSequence::Next next = sequence_ ? sequence_->next(inputs) : ImageSequence::Next{choice_.kind->images(inputs)};
     ++starts_.images;
     starts_.cold += next.warm ? 0 : 1;
+    lastBeganCold_ = remembers() && !next.warm;
     return std::move(next.images);
   });
 }

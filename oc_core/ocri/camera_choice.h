@@ -85,11 +85,14 @@ class MovingImages {
   /// Whether images may begin from the last one.
   bool remembers() const { return sequence_ != nullptr; }
   const StartedImages& starts() const { return starts_; }
+  /// Whether the last one began by itself, though it could have begun from one before: it took longer than most.
+  bool lastBeganCold() const { return lastBeganCold_; }
 
  private:
   CameraChoice choice_;
   std::unique_ptr<ImageSequence> sequence_;
   StartedImages starts_;
+  bool lastBeganCold_ = false;
 };
 
 /// The same by rasterisation or by rays. `rays` is the acceleration structure of the mesh where one stands; where rays
