@@ -22,7 +22,11 @@ std::vector<ClusterChoice> chooseClusters(const PackedScene& scene, const IsVisi
   const auto visit = [&](uint32_t group) {
     if (isKnown[group] == 0) {
       isKnown[group] = 1;
-      open.push_back(group);
+      if (isVisible(scene.group(group).sphere)) {
+        // It is read from disk while those that are on top of it are looked at.
+        scene.willNeed(group);
+        open.push_back(group);
+      }
     }
   };
   visit(scene.root());
@@ -30,9 +34,6 @@ std::vector<ClusterChoice> chooseClusters(const PackedScene& scene, const IsVisi
     const uint32_t at = open.back();
     open.pop_back();
     const PackedGroupInfo group = scene.group(at);
-    if (!isVisible(group.sphere)) {
-      continue;
-    }
     for (uint32_t inner = 0; inner < group.innerGroups; ++inner) {
       visit(group.firstInner + inner);
     }

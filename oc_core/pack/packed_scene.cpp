@@ -174,6 +174,9 @@ void PackedScene::read(uint32_t group, uint32_t cluster, std::span<glm::vec3> po
 }
 
 void PackedScene::willNeed(uint32_t group) const {
+  if ((checked_->groups[group].load(std::memory_order_relaxed) & kBlobIsWhole) != 0) {
+    return;
+  }
   const auto record = recordAt<opack::GroupRecord>(bytes_, tableOffset_ + uint64_t{group} * sizeof(opack::GroupRecord));
   if (record.offset <= tableOffset_ && record.blobBytes <= tableOffset_ - record.offset) {
     file_.willNeed(record.offset, record.offset + record.blobBytes);
@@ -186,7 +189,11 @@ void PackedScene::release() const {
 
 void PackedScene::verify(const Progress& progress) const {
   constexpr uint32_t kBetween = 1024;
+  constexpr uint32_t kAhead = 64;
   for (uint32_t i = 0; i < groups_; ++i) {
+    if (i + kAhead < groups_) {
+      willNeed(i + kAhead);
+    }
     blob(i);
     if (i % kBetween == 0) {
       report(progress, "checking", static_cast<double>(i) / groups_);

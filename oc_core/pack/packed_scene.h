@@ -70,7 +70,7 @@ class PackedScene {
   void read(uint32_t group, uint32_t cluster, std::span<glm::vec3> positions, std::span<glm::vec3> colors,
             std::span<glm::uvec3> triangles, uint32_t firstVertex) const;
 
-  /// Reads ahead what a group holds.
+  /// Begins to read what a group holds, where that was not read before. Does not wait for it.
   void willNeed(uint32_t group) const;
   /// Gives the memory of what was read back to the system: for those who go through all of a large file.
   void release() const;

@@ -25,6 +25,27 @@ Mesh readPly(const std::filesystem::path& path);
 /// The same of a stream of `size` bytes; `where` stands in messages.
 Mesh readPly(std::istream& stream, uint64_t size, const std::string& where);
 
+/// What a PLY file holds, one after the other: for meshes that need not fit into memory.
+class PlyVisitor {
+ public:
+  virtual ~PlyVisitor() = default;
+  /// Before the first vertex.
+  virtual void beginVertices(uint64_t count, bool colored) = 0;
+  /// `color` is linear, and has no meaning where vertices have none.
+  virtual void addVertex(const glm::vec3& position, const glm::vec3& color) = 0;
+  /// Before the first face, of which each has one triangle or more.
+  virtual void beginFaces(uint64_t count) = 0;
+  /// Each corner is a vertex that came before.
+  virtual void addTriangle(const glm::uvec3& corners) = 0;
+};
+
+/// Faces that the header of a PLY file tells of; 0 where it has none. Throws as readPly() does.
+uint64_t plyFaceCount(const std::filesystem::path& path);
+
+/// Visits what readPly() reads, and throws as that does. The memory that it takes does not depend on the file, which
+/// may have `maxTriangles` triangles, and as many faces, and three times as many vertices.
+void visitPly(const std::filesystem::path& path, PlyVisitor& visitor, uint64_t maxTriangles);
+
 /// Writes the whole file or nothing: it grows under a temporary name in the same folder and gets its own at the end.
 /// Throws WorkError naming the file where that fails. Memory use does not depend on the size of the mesh.
 void writePly(const std::filesystem::path& path, const Mesh& mesh);

@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "oc_core/base/error.h"
 #include "oc_core/image/color.h"
@@ -154,12 +155,16 @@ float linearColor(double value, Type type) {
 
 class PlyReader {
  public:
-  PlyReader(std::istream& stream, uint64_t bytes, const std::string& where)
-      : where_(where), header_(ply::readHeader(stream, where)), scalars_(stream, header_.encoding) {
+  PlyReader(std::istream& stream, uint64_t bytes, const std::string& where, PlyVisitor& visitor, uint64_t maxTriangles)
+      : where_(where),
+        header_(ply::readHeader(stream, where)),
+        scalars_(stream, header_.encoding),
+        visitor_(visitor),
+        maxTriangles_(maxTriangles) {
     checkSize(bytes - static_cast<uint64_t>(stream.tellg()));
   }
 
-  Mesh read() {
+  void read() {
     bool hasFaces = false;
     for (const Element& element : header_.elements) {
       if (element.name == "vertex") {
@@ -174,7 +179,6 @@ class PlyReader {
     if (!hasFaces) {
       fail("the file has no faces", "export it as a triangle mesh, not as points or strips");
     }
-    return std::move(mesh_);
   }
 
  private:
@@ -197,7 +201,7 @@ class PlyReader {
              "copy or export it again: it looks truncated");
       }
       left -= element.count * row;
-      const uint64_t most = element.name == "face" ? kMaxSceneTriangles : 3 * kMaxSceneTriangles;
+      const uint64_t most = element.name == "face" ? maxTriangles_ : 3 * maxTriangles_;
       if (element.count > most) {
         fail("the file has more than " + std::to_string(most) + " rows of '" + element.name + "'", "reduce the mesh");
       }
@@ -254,13 +258,14 @@ class PlyReader {
     if (!found[0] || !found[1] || !found[2]) {
       fail("the vertices do not have x, y and z", "export it again with positions");
     }
-    if (!mesh_.positions.empty()) {
+    if (vertices_ > 0) {
       fail("there are two lists of vertices", "export it again");
     }
     const bool colored = found[3] && found[4] && found[5];
-    mesh_.positions.resize(element.count);
-    mesh_.colors.resize(colored ? element.count : 0);
+    visitor_.beginVertices(element.count, colored);
     for (uint64_t row = 0; row < element.count; ++row) {
+      glm::vec3 position(0);
+      glm::vec3 color(1);
       for (size_t i = 0; i < slots.size(); ++i) {
         const Property& property = element.properties[i];
         if (slots[i] < 0) {
@@ -269,12 +274,14 @@ class PlyReader {
         }
         const double scalar = value(element, row, property.type);
         if (slots[i] < 3) {
-          mesh_.positions[row][slots[i]] = static_cast<float>(scalar);
+          position[slots[i]] = static_cast<float>(scalar);
         } else if (colored) {
-          mesh_.colors[row][slots[i] - 3] = linearColor(scalar, property.type);
+          color[slots[i] - 3] = linearColor(scalar, property.type);
         }
       }
+      visitor_.addVertex(position, color);
     }
+    vertices_ = element.count;
   }
 
   static int slotNamed(const std::string& name) {
@@ -299,7 +306,7 @@ class PlyReader {
     if (std::none_of(element.properties.begin(), element.properties.end(), isCorners)) {
       fail("the faces have no list 'vertex_indices'", "export it as a triangle mesh");
     }
-    mesh_.triangles.reserve(element.count);
+    visitor_.beginFaces(element.count);
     for (uint64_t row = 0; row < element.count; ++row) {
       for (const Property& property : element.properties) {
         readOther(element, row, property);
@@ -313,18 +320,19 @@ class PlyReader {
   /// The corners in `items_` as triangles around the first one.
   void addFan(uint64_t row) {
     for (const double item : items_) {
-      if (!(item >= 0 && item < static_cast<double>(mesh_.positions.size()))) {
+      if (!(item >= 0 && item < static_cast<double>(vertices_))) {
         fail("face " + std::to_string(row) + " names vertex " + fmt::format("{:.15g}", item) + " of " +
-                 std::to_string(mesh_.positions.size()),
+                 std::to_string(vertices_),
              "repair the mesh, or export it again");
       }
     }
-    if (mesh_.triangles.size() + items_.size() > kMaxSceneTriangles + 2) {
-      fail("the file has more than " + std::to_string(kMaxSceneTriangles) + " triangles", "reduce the mesh");
+    if (triangles_ + items_.size() > maxTriangles_ + 2) {
+      fail("the file has more than " + std::to_string(maxTriangles_) + " triangles", "reduce the mesh");
     }
     for (size_t i = 2; i < items_.size(); ++i) {
-      mesh_.triangles.push_back(
+      visitor_.addTriangle(
           {static_cast<uint32_t>(items_[0]), static_cast<uint32_t>(items_[i - 1]), static_cast<uint32_t>(items_[i])});
+      ++triangles_;
     }
   }
 
@@ -334,24 +342,72 @@ class PlyReader {
   ply::Header header_;
   ScalarStream scalars_;
   std::vector<double> items_;
-  Mesh mesh_;
+  PlyVisitor& visitor_;
+  uint64_t maxTriangles_;
+  uint64_t vertices_ = 0;
+  uint64_t triangles_ = 0;
 };
 
-}  // namespace
+/// Of a mesh in memory.
+class MeshVisitor final : public PlyVisitor {
+ public:
+  void beginVertices(uint64_t count, bool colored) override {
+    mesh.positions.reserve(count);
+    mesh.colors.reserve(colored ? count : 0);
+    colored_ = colored;
+  }
+  void addVertex(const glm::vec3& position, const glm::vec3& color) override {
+    mesh.positions.push_back(position);
+    if (colored_) {
+      mesh.colors.push_back(color);
+    }
+  }
+  void beginFaces(uint64_t count) override { mesh.triangles.reserve(count); }
+  void addTriangle(const glm::uvec3& corners) override { mesh.triangles.push_back(corners); }
 
-Mesh readPly(const fs::path& path) {
-  const std::string where = path.string();
+  Mesh mesh;
+
+ private:
+  bool colored_ = false;
+};
+
+/// A stream of a file, and how many bytes it has.
+std::pair<std::ifstream, uint64_t> opened(const fs::path& path) {
   std::error_code error;
   const uint64_t bytes = fs::file_size(path, error);
   std::ifstream stream(path, std::ios::binary);
   if (error || !stream) {
-    throw InputError("cannot open this file", where, "check that it exists and may be read");
+    throw InputError("cannot open this file", path.string(), "check that it exists and may be read");
   }
-  return readPly(stream, bytes, where);
+  return {std::move(stream), bytes};
+}
+
+}  // namespace
+
+Mesh readPly(const fs::path& path) {
+  auto [stream, bytes] = opened(path);
+  return readPly(stream, bytes, path.string());
 }
 
 Mesh readPly(std::istream& stream, uint64_t size, const std::string& where) {
-  return PlyReader(stream, size, where).read();
+  MeshVisitor visitor;
+  PlyReader(stream, size, where, visitor, kMaxSceneTriangles).read();
+  return std::move(visitor.mesh);
+}
+
+uint64_t plyFaceCount(const fs::path& path) {
+  auto [stream, bytes] = opened(path);
+  uint64_t faces = 0;
+  for (const Element& element : ply::readHeader(stream, path.string()).elements) {
+    faces += element.name == "face" ? element.count : 0;
+  }
+  return faces;
+}
+
+void visitPly(const fs::path& path, PlyVisitor& visitor, uint64_t maxTriangles) {
+  auto [stream, bytes] = opened(path);
+  const std::string where = path.string();
+  PlyReader(stream, bytes, where, visitor, maxTriangles).read();
 }
 
 }  // namespace ocelli

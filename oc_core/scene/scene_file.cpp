@@ -43,16 +43,6 @@ void checkFile(const fs::path& path) {
   }
 }
 
-/// By its name or its first bytes: what claims to be PLY never reaches Assimp.
-bool isPly(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  std::array<char, 4> start{};
-  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
-  return extension == ".ply" || (std::string_view(start.data(), 3) == "ply" && (start[3] == '\n' || start[3] == '\r'));
-}
-
 Scene readOther(const fs::path& path, const SceneFileOptions& options, const Progress& progress) {
   SceneRecord record = readInOtherProcess(path, options.textures, progress);
   bakeTextures(record.parts, std::move(record.textures), options.textureTriangles);
@@ -74,10 +64,20 @@ Scene readOther(const fs::path& path, const SceneFileOptions& options, const Pro
 
 }  // namespace
 
+bool isPlyFile(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::array<char, 4> start{};
+  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
+  return extension == ".ply" || (std::string_view(start.data(), 3) == "ply" && (start[3] == '\n' || start[3] == '\r'));
+}
+
 Scene readSceneFile(const fs::path& path, const SceneFileOptions& options, const Progress& progress) {
   checkFile(path);
   Scene scene;
-  if (isPly(path)) {
+  // What claims to be PLY never reaches Assimp.
+  if (isPlyFile(path)) {
     scene.add(readPly(path));
     dropUnusedVertices(scene.meshes.back());
   } else {

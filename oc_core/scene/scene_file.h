@@ -16,6 +16,9 @@ struct SceneFileOptions {
   size_t textureTriangles = 1'000'000;
 };
 
+/// Whether a file is PLY by its name or its first bytes.
+bool isPlyFile(const std::filesystem::path& path);
+
 /// Reads a file with its node transforms and copies. Polygons are triangulated, points and lines left out, vertices
 /// that no triangle uses dropped, and formats that repeat a vertex for each triangle (OBJ, STL) get shared ones back.
 ///

@@ -47,26 +47,10 @@ std::vector<glm::vec3> areaNormals(const Mesh& mesh) {
   parallelFor(normals.size(), kVerticesPerRange, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const glm::uvec3& t = mesh.triangles[i];
-      const glm::vec3& a = mesh.positions[t.x];
-      const glm::vec3 normal = glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a);
-      const float length2 = glm::dot(normal, normal);
-      normals[i] = length2 > 0 && std::isfinite(length2) ? normal : glm::vec3(0);
+      normals[i] = areaNormal(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]);
     }
   });
   return normals;
-}
-
-/// Whether two area normals are closer than the crease angle. A face without an area goes with any.
-bool smoothTogether(const glm::vec3& a, const glm::vec3& b) {
-  static const float cosine = static_cast<float>(std::cos(radiansFromDegrees(kCreaseDegrees)));
-  const float ab = glm::dot(a, b);
-  const float lengths2 = glm::dot(a, a) * glm::dot(b, b);
-  return lengths2 <= 0 || (ab > 0 && ab * ab >= cosine * cosine * lengths2);
-}
-
-float shadeOfSum(const glm::vec3& normalSum) {
-  const float length = glm::length(normalSum);
-  return length > 0 ? lambertShade(normalSum / length) : 1.0f;
 }
 
 /// One smooth side of a crease.
@@ -81,6 +65,24 @@ float lambertShade(const glm::vec3& normal) {
   static const glm::vec3 toLight = directionToLight();
   const float cosine = glm::dot(normal, toLight);
   return std::min(1.0f, kAmbient + (1 - kAmbient) * std::max(0.0f, cosine) + kBack * std::max(0.0f, -cosine));
+}
+
+bool smoothTogether(const glm::vec3& a, const glm::vec3& b) {
+  static const float cosine = static_cast<float>(std::cos(radiansFromDegrees(kCreaseDegrees)));
+  const float ab = glm::dot(a, b);
+  const float lengths2 = glm::dot(a, a) * glm::dot(b, b);
+  return lengths2 <= 0 || (ab > 0 && ab * ab >= cosine * cosine * lengths2);
+}
+
+glm::vec3 areaNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  const glm::vec3 normal = glm::cross(b - a, c - a);
+  const float length2 = glm::dot(normal, normal);
+  return length2 > 0 && std::isfinite(length2) ? normal : glm::vec3(0);
+}
+
+float shadeOfSum(const glm::vec3& normalSum) {
+  const float length = glm::length(normalSum);
+  return length > 0 ? lambertShade(normalSum / length) : 1.0f;
 }
 
 void bakeLambert(Mesh& mesh) {

@@ -20,6 +20,15 @@ inline constexpr double kCreaseDegrees = 50;
 /// The factor of the formula above, in (0, 1], for a unit normal.
 float lambertShade(const glm::vec3& normal);
 
+/// Whether two normals of faces, of any length, are closer than that. One without a length goes with any.
+bool smoothTogether(const glm::vec3& a, const glm::vec3& b);
+
+/// The normal of a triangle, as long as twice its area; zero where it has none.
+glm::vec3 areaNormal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
+
+/// The shade of a sum of normals; 1 where there is none.
+float shadeOfSum(const glm::vec3& normalSum);
+
 /// Multiplies the colour of every vertex (white where there is none) with the shade of its normal: the area-weighted
 /// mean of the normals of its faces. A vertex on a crease becomes one vertex for each smooth side; the copies stand at
 /// the end. Triangles keep their order. Faces without an area leave the shade to their neighbours; a vertex with no

@@ -11,11 +11,14 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_document.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/base/mapped_file.h"
 #include "oc_core/base/sha256.h"
 #include "oc_core/pack/cluster_cut.h"
+#include "oc_core/scene/ply_file.h"
 #include "oc_core/scene/scene_file.h"
 #include "oc_core/scene/shading.h"
 #include "oc_core/worlds/builtin_scenes.h"
+#include "oc_core/worlds/streamed_ply.h"
 
 namespace ocelli {
 namespace {
@@ -77,10 +80,14 @@ std::string digestOf(const std::vector<T>& values) {
   return sha256({reinterpret_cast<const uint8_t*>(values.data()), values.size() * sizeof(T)});
 }
 
-/// What tells that a scene is the same as in an earlier job: all that the packed file depends on.
-std::string sourceKeyOf(const Scene& scene, const SceneOptions& options, const std::string& description) {
+/// What tells that a scene is the same as in an earlier job: all that the packed file depends on, but its triangles.
+std::string sourceKeyOf(const SceneOptions& options, const std::string& description) {
   // What this says of how scenes are packed changes with that.
-  std::string key = fmt::format("packing 2 {} fit={} shading={}", description, options.fit, nameOf(options.shading));
+  return fmt::format("packing 2 {} fit={} shading={}", description, options.fit, nameOf(options.shading));
+}
+
+std::string sourceKeyOf(const Scene& scene, const SceneOptions& options, const std::string& description) {
+  std::string key = sourceKeyOf(options, description);
   for (const Mesh& mesh : scene.meshes) {
     key += "\n" + digestOf(mesh.positions) + digestOf(mesh.colors) + digestOf(mesh.triangles);
   }
@@ -90,6 +97,21 @@ std::string sourceKeyOf(const Scene& scene, const SceneOptions& options, const s
                        instance.tint.b);
   }
   return key;
+}
+
+/// Whether it has more triangles than fit into memory as one mesh, and can be read without one.
+bool isStreamed(const std::string& source) {
+  std::error_code noFile;
+  return !isBuiltinScene(source) && std::filesystem::is_regular_file(source, noFile) && isPlyFile(source) &&
+         plyFaceCount(source) > kMaxSceneTriangles;
+}
+
+PackReport packStreamed(const std::string& source, const SceneOptions& options, const std::string& description,
+                        const std::filesystem::path& path, const Progress& progress) {
+  report(progress, "looking at the file", 0);
+  const std::string key = sourceKeyOf(options, description) + " streamed " + sha256(MappedFile(source).bytes());
+  const StreamedPly triangles(source, options, path.parent_path(), progress);
+  return packScene(triangles, path, {.description = description, .sourceKey = key}, progress);
 }
 
 }  // namespace
@@ -103,6 +125,11 @@ PackReport packSource(const std::string& source, const SceneOptions& options, co
   if (isPackedScene(source)) {
     throw InputError("this scene is packed already", source, "copy the file");
   }
+  const std::string description =
+      textOfJson({{"scene", source}, {"fit", options.fit}, {"shading", nameOf(options.shading)}});
+  if (isStreamed(source)) {
+    return packStreamed(source, options, description, path, progress);
+  }
   report(progress, "loading the scene", 0);
   Scene scene = isBuiltinScene(source) ? makeBuiltinScene(source)
                                        : readSceneFile(source, {.textures = options.textures}, progress);
@@ -111,8 +138,6 @@ PackReport packSource(const std::string& source, const SceneOptions& options, co
       options.warn(warning);
     }
   }
-  const std::string description =
-      textOfJson({{"scene", source}, {"fit", options.fit}, {"shading", nameOf(options.shading)}});
   const std::string key = sourceKeyOf(scene, options, description);
   const CopiesSource copies(std::move(scene), options, source);
   return packScene(copies, path, {.description = description, .sourceKey = key}, progress);

@@ -14,7 +14,7 @@ namespace ocelli {
 bool isPackedScene(const std::string& source);
 
 /// Packs what SCENE names, fitted and shaded as `options` say. It may be larger than memory where it is made of copies
-/// that are not. Throws as loadScene() and packScene() do.
+/// that are not, and where it is a PLY file (streamed_ply.h). Throws as loadScene() and packScene() do.
 PackReport packSource(const std::string& source, const SceneOptions& options, const std::filesystem::path& path,
                       const Progress& progress = {});
 
