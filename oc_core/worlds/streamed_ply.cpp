@@ -34,6 +34,11 @@ struct StreamedPly::Arrays {
   std::span<glm::vec3> colors{};      ///< linear; none where the file has none
   std::span<glm::vec3> normals{};     ///< sums over the faces of a vertex; none without shading
   std::span<glm::uvec3> triangles{};  ///< as in the file
+  std::vector<bool> isCreased{};      ///< of each vertex; none without shading
+
+  glm::vec3 areaNormalOf(const glm::uvec3& t) const {
+    return areaNormal(positions[t.x], positions[t.y], positions[t.z]);
+  }
 
   void release() const {
     positionFile.release();
@@ -160,9 +165,19 @@ StreamedPly::StreamedPly(const std::filesystem::path& path, const SceneOptions& 
     all.inRuns(all.triangles.size(), "shading", progress, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         const glm::uvec3& t = all.triangles[i];
-        const glm::vec3 normal = areaNormal(all.positions[t.x], all.positions[t.y], all.positions[t.z]);
+        const glm::vec3 normal = all.areaNormalOf(t);
         for (const uint32_t v : {t.x, t.y, t.z}) {
           all.normals[v] += normal;
+        }
+      }
+    });
+    all.isCreased.assign(all.positions.size(), false);
+    all.inRuns(all.triangles.size(), "shading", progress, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        const glm::uvec3& t = all.triangles[i];
+        const glm::vec3 normal = all.areaNormalOf(t);
+        for (const uint32_t v : {t.x, t.y, t.z}) {
+          all.isCreased[v] = all.isCreased[v] || !smoothTogether(all.normals[v], normal);
         }
       }
     });
@@ -180,13 +195,12 @@ void StreamedPly::forEachPart(const std::function<void(const Mesh& part)>& visit
     part.triangles.reserve(end - begin);
     for (size_t i = begin; i < end; ++i) {
       const glm::uvec3& t = all.triangles[i];
-      const glm::vec3 face = areaNormal(all.positions[t.x], all.positions[t.y], all.positions[t.z]);
+      const glm::vec3 face = all.areaNormalOf(t);
       const auto first = static_cast<uint32_t>(part.positions.size());
       for (const uint32_t v : {t.x, t.y, t.z}) {
         glm::vec3 color = all.colors.empty() ? glm::vec3(1) : all.colors[v];
         if (shading_ == Shading::kLambert) {
-          const glm::vec3& sum = all.normals[v];
-          color *= shadeOfSum(smoothTogether(sum, face) ? sum : face);
+          color *= shadeOfSum(all.isCreased[v] ? face : all.normals[v]);
         }
         part.positions.push_back(all.positions[v]);
         part.colors.push_back(color);
