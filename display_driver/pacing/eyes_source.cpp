@@ -17,6 +17,8 @@ enum Step { kBuilding, kMeshing, kSlicing };
 
 /// Of a refresh, what making may take: the rest is for what else the machine does.
 constexpr double kShareOfRefresh = 0.85;
+/// Refreshes that an eye must rest until it is shown all pixels of what it sees, however long that takes.
+constexpr int kRestingRefreshes = 12;
 
 class StopWatch {
  public:
@@ -68,14 +70,17 @@ TwoStageLine::SecondStage EyesSource::begin(HostTime seen) {
   const auto nothing = [](const SourcedVolume& volume) { return [volume] { return volume; }; };
   const bool ended = feed_.ended(seen);
   const std::optional<glm::vec3> eye = feed_.eyeAt(seen);
-  if (!eye || eye == eye_) {
+  resting_ = eye == eye_ ? resting_ + 1 : 0;
+  const bool refines = lastScale_ < 1 && resting_ >= kRestingRefreshes;
+  if (!eye || (eye == eye_ && !refines)) {
     return nothing({.kind = ended ? SourcedVolume::Kind::kEnd : SourcedVolume::Kind::kSame});
   }
   eye_ = eye;
   const double scale = [&] {
     const std::lock_guard lock(scaleMutex_);
-    return scale_.next();
+    return refines ? 1 : scale_.next();
   }();
+  lastScale_ = scale;
   StopWatch watch;
   try {
     const PinholeCamera reference(viewFrom(*eye), scaled(options_.width, scale), scaled(options_.height, scale));
@@ -83,9 +88,9 @@ TwoStageLine::SecondStage EyesSource::begin(HostTime seen) {
     const auto took = watch.lap();
     stages_[kBuilding].times.add(took);
     // One cold image comes once; where one follows the other they are the rule.
-    const bool isException = made->beganCold && !lastBeganCold_;
+    const bool isException = refines || (made->beganCold && !lastBeganCold_);
     lastBeganCold_ = made->beganCold;
-    const ImageCost cost{static_cast<float>(scale), std::chrono::duration<double>(took).count(), isException};
+    const ImageCost cost{scale, std::chrono::duration<double>(took).count(), isException};
     return [this, made, cost] { return sliced(made->images, cost); };
   } catch (const InputError& error) {
     return nothing(leaveOut(error.what()));
@@ -106,7 +111,8 @@ SourcedVolume EyesSource::sliced(const ReferenceImages& images, const ImageCost&
     scale_.add(static_cast<double>(cost.scale),
                options_.refreshesToMake == 1 ? cost.seconds + slicingSeconds : std::max(cost.seconds, slicingSeconds));
   }
-  return {.kind = SourcedVolume::Kind::kNew, .volume = slicer_.takeShared(), .imageScale = cost.scale};
+  return {
+      .kind = SourcedVolume::Kind::kNew, .volume = slicer_.takeShared(), .imageScale = static_cast<float>(cost.scale)};
 }
 
 SourcedVolume EyesSource::volumeFor(HostTime seen) {

@@ -1,4 +1,5 @@
-// A scene as an occlusion camera sees it from where the viewer's eye is, sliced anew whenever the eye has moved.
+// A scene as an occlusion camera sees it from where the viewer's eye is, sliced anew whenever the eye has moved, and
+// once more with all pixels where it rests after images that were smaller, as time ran short.
 #pragma once
 
 #include <cstdint>
@@ -74,7 +75,7 @@ class EyesSource final : public VolumeSource {
   SourcedVolume leaveOut(const std::string& why);
   /// What an image took, and with how many of the pixels asked for each way.
   struct ImageCost {
-    float scale = 1;
+    double scale = 1;  ///< as ImageScale gave it, to be told apart from others
     double seconds = 0;
     bool isException = false;  ///< says nothing of the next ones
   };
@@ -87,6 +88,8 @@ class EyesSource final : public VolumeSource {
   std::optional<glm::vec3> eye_;
   std::vector<Stage> stages_;
   bool lastBeganCold_ = false;
+  double lastScale_ = 1;
+  int resting_ = 0;  ///< refreshes for which the eye has not moved
   uint64_t leftOut_ = 0;
   std::string firstLeftOut_;
   std::mutex scaleMutex_;

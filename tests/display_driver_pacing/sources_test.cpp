@@ -201,7 +201,8 @@ class EyesSourceTest : public testing::Test {
  protected:
   EyesSource sourceFor(const char* camera, double minImageScale = 1) {
     return EyesSource(imagesBy(camera), smallDisplay(),
-                      {.width = 90, .height = 60, .slicing = {}, .minImageScale = minImageScale}, eyes);
+                      {.width = 90, .height = 60, .slicing = {}, .minImageScale = minImageScale, .refreshesToMake = 1},
+                      eyes);
   }
   EyesSource::ImagesFor imagesBy(const char* camera) const {
     return [this, choice = cameraChoice(camera)](const PinholeCamera& reference) {
@@ -298,7 +299,7 @@ TEST_F(EyesSourceTest, imagesAreSmallerWhileTimeIsShort) {
         std::this_thread::sleep_for(slow ? 70ms : 0ms);
         return images(reference);
       },
-      smallDisplay(), {.width = 90, .height = 60, .slicing = {}, .minImageScale = 0.5}, eyes);
+      smallDisplay(), {.width = 90, .height = 60, .slicing = {}, .minImageScale = 0.5, .refreshesToMake = 1}, eyes);
   float scale = 0;
   const auto next = [&](int i) {
     eyes.eye = glm::vec3(0.01f * static_cast<float>(i), 0, 10);
@@ -310,13 +311,28 @@ TEST_F(EyesSourceTest, imagesAreSmallerWhileTimeIsShort) {
   for (int i = 0; i < 8; ++i) {
     next(i);
   }
-  EXPECT_EQ(widths.front(), 90);
+  EXPECT_EQ(widths.front(), 45) << "it begins small";
   EXPECT_FLOAT_EQ(scale, 0.5f);
   slow = false;
   for (int i = 8; i < 80; ++i) {
     next(i);
   }
-  EXPECT_GT(scale, 0.55f) << "it grows again";
+  EXPECT_FLOAT_EQ(scale, 1) << "it grows again, by more than one step";
+}
+
+TEST_F(EyesSourceTest, anEyeThatRestsSeesAllPixels) {
+  EyesSource source = sourceFor("di", 0.5);
+  eyes.eye = glm::vec3(0, 0, 10);
+  ASSERT_FLOAT_EQ(source.volumeFor(kStart).imageScale, 0.5f);
+  std::vector<SourcedVolume> made;
+  for (int i = 0; i < 40; ++i) {
+    if (SourcedVolume volume = source.volumeFor(kStart); volume.kind != Kind::kSame) {
+      made.push_back(std::move(volume));
+    }
+  }
+  ASSERT_EQ(made.size(), 1u);
+  EXPECT_FLOAT_EQ(made.front().imageScale, 1);
+  EXPECT_EQ(*made.front().volume, *sourceFor("di").volumeFor(kStart).volume);
 }
 
 }  // namespace
