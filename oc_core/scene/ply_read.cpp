@@ -191,6 +191,11 @@ class PlyReader {
          "copy or export it again");
   }
 
+  std::string whatIfTooLarge() const {
+    return maxTriangles_ > kMaxSceneTriangles ? "reduce the mesh"
+                                              : "reduce the mesh, or pack it with ocelli scene pack, which takes more";
+  }
+
   /// A count that the file cannot hold is found before any memory is taken for it.
   void checkSize(uint64_t bytes) const {
     uint64_t left = bytes + 1;  // the last number of an ascii file may have nothing after it
@@ -203,7 +208,7 @@ class PlyReader {
       left -= element.count * row;
       const uint64_t most = element.name == "face" ? maxTriangles_ : 3 * maxTriangles_;
       if (element.count > most) {
-        fail("the file has more than " + std::to_string(most) + " rows of '" + element.name + "'", "reduce the mesh");
+        fail("the file has more than " + std::to_string(most) + " rows of '" + element.name + "'", whatIfTooLarge());
       }
     }
   }
@@ -327,7 +332,7 @@ class PlyReader {
       }
     }
     if (triangles_ + items_.size() > maxTriangles_ + 2) {
-      fail("the file has more than " + std::to_string(maxTriangles_) + " triangles", "reduce the mesh");
+      fail("the file has more than " + std::to_string(maxTriangles_) + " triangles", whatIfTooLarge());
     }
     for (size_t i = 2; i < items_.size(); ++i) {
       visitor_.addTriangle(

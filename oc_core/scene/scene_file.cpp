@@ -36,7 +36,8 @@ void checkFile(const fs::path& path) {
     throw InputError("the file is empty", path.string(), "copy or export it again");
   }
   if (bytes > kMaxFileBytes) {
-    throw InputError("the file is larger than 8 GiB", path.string(), "reduce the mesh");
+    throw InputError("the file is larger than 8 GiB", path.string(),
+                     "reduce the mesh, or give it as PLY to ocelli scene pack, which takes more");
   }
   if (!std::ifstream(path, std::ios::binary)) {
     throw InputError("this file cannot be opened", path.string(), "check its permissions");
