@@ -13,7 +13,7 @@
 namespace ocelli {
 namespace {
 
-enum Step { kBuilding, kMeshing, kSlicing };
+enum Step { kBuilding, kMeshing, kSlicing, kMoving };
 
 /// Of a refresh, what a stage may take: the rest is for what else the machine does.
 constexpr double kShareOfRefresh = 0.85;
@@ -53,7 +53,11 @@ EyesSource::EyesSource(ImagesFor imagesFor, const DisplayProfile& profile, const
       feed_(feed),
       slicer_(profile, options_.slicing),
       stages_{{"reference image", {}}, {"mesh", {}}, {"slices", {}}},
-      scale_(kShareOfRefresh / profile.refreshHertz(), options_.minImageScale) {}
+      scale_(kShareOfRefresh / profile.refreshHertz(), options_.minImageScale) {
+  if (options_.moveScene) {
+    stages_.push_back({"motion", {}});
+  }
+}
 
 EyesSource::~EyesSource() = default;
 
@@ -66,9 +70,13 @@ SourcedVolume EyesSource::leaveOut(const std::string& why) {
 
 TwoStageLine::SecondStage EyesSource::begin(HostTime seen) {
   const auto nothing = [](const SourcedVolume& volume) { return [volume] { return volume; }; };
-  const bool ended = feed_.ended(seen);
+  StopWatch watch;
+  const auto scene = options_.moveScene ? options_.moveScene(seen) : EyesOptions::SceneState::kSame;
+  const auto moving = watch.lap();
+  const bool ended = feed_.ended(seen) || scene == EyesOptions::SceneState::kEnded;
+  // After the scene has moved, so that the place is as late as can be.
   const std::optional<glm::vec3> eye = feed_.eyeAt(seen);
-  if (!eye || eye == eye_) {
+  if (!eye || scene == EyesOptions::SceneState::kEnded || (eye == eye_ && scene == EyesOptions::SceneState::kSame)) {
     return nothing({.kind = ended ? SourcedVolume::Kind::kEnd : SourcedVolume::Kind::kSame});
   }
   eye_ = eye;
@@ -76,13 +84,15 @@ TwoStageLine::SecondStage EyesSource::begin(HostTime seen) {
     const std::lock_guard lock(scaleMutex_);
     return scale_.next();
   }();
-  StopWatch watch;
   try {
     const PinholeCamera reference(viewFrom(*eye), scaled(options_.width, scale), scaled(options_.height, scale));
     auto images = std::make_shared<const ReferenceImages>(imagesFor_(reference));
     const auto took = watch.lap();
     stages_[kBuilding].times.add(took);
-    return [this, images, scale, seconds = std::chrono::duration<double>(took).count()] {
+    if (options_.moveScene) {
+      stages_[kMoving].times.add(moving);
+    }
+    return [this, images, scale, seconds = std::chrono::duration<double>(moving + took).count()] {
       return sliced(*images, static_cast<float>(scale), seconds);
     };
   } catch (const InputError& error) {

@@ -15,10 +15,19 @@ std::string grouped(size_t number) {
 
 }  // namespace
 
-bool constructWithRays(Construction wanted, size_t crossover, size_t triangleCount, bool structureStands) {
+bool constructWithRays(Construction wanted, size_t crossover, size_t triangleCount, RayStructure structure) {
+  const auto triangles = static_cast<double>(triangleCount);
   switch (wanted) {
     case Construction::kAuto:
-      return structureStands && triangleCount >= crossover;
+      switch (structure) {
+        case RayStructure::kNone:
+          return false;
+        case RayStructure::kStands:
+          return triangleCount >= crossover;
+        case RayStructure::kRefits:
+          return triangles >= kRefitCrossover * static_cast<double>(crossover);
+      }
+      OC_CHECK(false, "every structure is decided");
     case Construction::kRaster:
       return false;
     case Construction::kRays:

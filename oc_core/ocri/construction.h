@@ -27,9 +27,20 @@ struct RayCrossover {
   static constexpr size_t kCell = 400'000;
 };
 
+/// What there is to cast rays at.
+enum class RayStructure {
+  kNone,
+  kStands,
+  kRefits,  ///< it follows a scene that moves before each image (RayScene::update())
+};
+
+/// Number of triangles above which rays are faster where the structure is refitted for each image, in relation to a
+/// structure that stands: bench/moving_scene_bench measures what refitting takes.
+inline constexpr double kRefitCrossover = 1.5;
+
 /// Whether to construct by rays. Where no acceleration structure stands, kAuto rasterises: to build the structure takes
 /// longer than to draw all triangles of any scene once. Only a cell camera, which draws many views, would gain.
-bool constructWithRays(Construction wanted, size_t crossover, size_t triangleCount, bool structureStands);
+bool constructWithRays(Construction wanted, size_t crossover, size_t triangleCount, RayStructure structure);
 
 /// Throws InputError, naming `where`, for anything but "auto", "raster" and "rays".
 Construction constructionFromText(const std::string& text, const std::string& where);

@@ -103,6 +103,9 @@ PackReport packSource(const std::string& source, const SceneOptions& options, co
   if (isPackedScene(source)) {
     throw InputError("this scene is packed already", source, "copy the file");
   }
+  if (options.motion.seconds) {
+    throw InputError("a moment of a moving scene is not packed", source, "write it with ocelli scene export first");
+  }
   report(progress, "loading the scene", 0);
   Scene scene = isBuiltinScene(source) ? makeBuiltinScene(source)
                                        : readSceneFile(source, {.textures = options.textures}, progress);

@@ -34,17 +34,20 @@ TEST(Construction, isDecidedByTheStructureAndTheSizeOfTheScene) {
   struct Case {
     Construction wanted;
     size_t triangles;
-    bool stands;
+    RayStructure structure;
     bool byRays;
   };
   constexpr size_t kCrossover = 1000;
+  using enum RayStructure;
   for (const Case& each :
-       {Case{Construction::kAuto, 999, true, false}, Case{Construction::kAuto, 1000, true, true},
-        Case{Construction::kAuto, 999, false, false}, Case{Construction::kAuto, size_t{1} << 40, false, false},
-        Case{Construction::kRaster, size_t{1} << 40, true, false}, Case{Construction::kRays, 0, false, true},
-        Case{Construction::kRays, 0, true, true}}) {
-    EXPECT_EQ(constructWithRays(each.wanted, kCrossover, each.triangles, each.stands), each.byRays)
-        << static_cast<int>(each.wanted) << " " << each.triangles << " " << each.stands;
+       {Case{Construction::kAuto, 999, kStands, false}, Case{Construction::kAuto, 1000, kStands, true},
+        Case{Construction::kAuto, 999, kNone, false}, Case{Construction::kAuto, size_t{1} << 40, kNone, false},
+        Case{Construction::kAuto, 1000, kRefits, false},
+        Case{Construction::kAuto, static_cast<size_t>(1000 * kRefitCrossover) + 1, kRefits, true},
+        Case{Construction::kRaster, size_t{1} << 40, kStands, false}, Case{Construction::kRays, 0, kNone, true},
+        Case{Construction::kRays, 0, kStands, true}, Case{Construction::kRays, 0, kRefits, true}}) {
+    EXPECT_EQ(constructWithRays(each.wanted, kCrossover, each.triangles, each.structure), each.byRays)
+        << static_cast<int>(each.wanted) << " " << each.triangles << " " << static_cast<int>(each.structure);
   }
 }
 
