@@ -67,7 +67,11 @@ std::unique_ptr<MovingScene> openMotion(const std::string& source, const SceneOp
   if (isBuiltinScene(source)) {
     return makeBuiltinMotion(source);
   }
-  return nullptr;
+  std::vector<std::string> warnings;
+  std::unique_ptr<MovingScene> scene =
+      readAnimatedFile(source, {.textures = options.textures}, options.motion.animation, warnings, progress);
+  tell(options, warnings);
+  return scene;
 }
 
 }  // namespace
