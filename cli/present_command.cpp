@@ -198,8 +198,7 @@ void addMotionSource(Presented& presented, const PresentChoice& choice, std::uni
   const MotionPlayback playback{.speed = choice.speed, .loop = choice.loop};
   noteBlackScene(context, motion->at(0));
   if (choice.eyes.empty() && !choice.hasCamera()) {
-    auto source =
-        std::make_unique<MotionSource>(std::move(motion), profile, sliceOptionsOf(choice.slicing), playback);
+    auto source = std::make_unique<MotionSource>(std::move(motion), profile, sliceOptionsOf(choice.slicing), playback);
     if (source->isCutOff()) {
       noteCutOffScene(context);
     }

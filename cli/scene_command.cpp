@@ -110,7 +110,9 @@ void putMotion(Json& info, const SceneMotion& motion) {
   for (const MotionFacts::Animation& animation : facts.animations) {
     animations.push_back({{"name", animation.name}, {"seconds", animation.seconds}});
   }
-  info["motion"] = {{"seconds", motion.durationSeconds()}, {"meshes", facts.meshes}, {"topologies", facts.topologies},
+  info["motion"] = {{"seconds", motion.durationSeconds()},
+                    {"meshes", facts.meshes},
+                    {"topologies", facts.topologies},
                     {"animations", animations}};
 }
 
@@ -201,29 +203,29 @@ void addSceneList(CLI::App& parent, const CommandContext& context) {
 }
 
 void addSceneInfo(CLI::App& parent, const CommandContext& context) {
-  CLI::App& command = *parent.add_subcommand(
-      "info", "Count what is in a scene, as everything downstream sees it, and tell how it moves; of a packed scene, check all of "
-      "it");
+  CLI::App& command = *parent.add_subcommand("info",
+                                             "Count what is in a scene, as everything downstream sees it, and tell how "
+                                             "it moves; of a packed scene, check all of "
+                                             "it");
   const auto scene = std::make_shared<SceneChoice>();
   const auto asJson = std::make_shared<bool>(false);
   addSceneOptions(command, *scene, context);
   addMotionOptions(command, *scene);
   command.add_flag("--json", *asJson, "Print the figures as JSON");
-  context.finish(
-      command, "  ocelli scene info bunny.obj\n  ocelli scene info bunny.obj --no-fit --shading none",
-      [scene, asJson, context] {
-        if (isPackedScene(scene->source)) {
-          const PackedScene packed = openPacked(scene->source, scene->options);
-          const PackSummary holds = summaryOf(packed, context.progress());
-          context.print(*asJson ? packInfoAsJson(packed, holds) : packInfoAsText(packed, holds));
-          return;
-        }
-        const std::unique_ptr<SceneMotion> motion = motionToTell(*scene, context.progress());
-        const Mesh mesh = meshToTell(*scene, motion.get(), context.progress());
-        const size_t inFile = trianglesInFile(*scene, mesh, context.progress());
-        context.print(*asJson ? infoAsJson(scene->source, mesh, inFile, motion.get())
-                              : infoAsText(scene->source, mesh, inFile, motion.get()));
-      });
+  context.finish(command, "  ocelli scene info bunny.obj\n  ocelli scene info bunny.obj --no-fit --shading none",
+                 [scene, asJson, context] {
+                   if (isPackedScene(scene->source)) {
+                     const PackedScene packed = openPacked(scene->source, scene->options);
+                     const PackSummary holds = summaryOf(packed, context.progress());
+                     context.print(*asJson ? packInfoAsJson(packed, holds) : packInfoAsText(packed, holds));
+                     return;
+                   }
+                   const std::unique_ptr<SceneMotion> motion = motionToTell(*scene, context.progress());
+                   const Mesh mesh = meshToTell(*scene, motion.get(), context.progress());
+                   const size_t inFile = trianglesInFile(*scene, mesh, context.progress());
+                   context.print(*asJson ? infoAsJson(scene->source, mesh, inFile, motion.get())
+                                         : infoAsText(scene->source, mesh, inFile, motion.get()));
+                 });
 }
 
 void addSceneExport(CLI::App& parent, const CommandContext& context) {

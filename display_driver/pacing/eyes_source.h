@@ -46,8 +46,8 @@ class EyesSource final : public VolumeSource {
   EyesSource(ImagesFor imagesFor, const DisplayProfile& profile, const EyesOptions& options, EyeFeed& feed);
   ~EyesSource() override;
 
-  /// Ends where the feed has ended and its last place has been shown, or the motion of the scene is over. Eyes from which the scene cannot be seen (inside
-  /// of it, or of the display) are left out, and the last volume stays.
+  /// Ends where the feed has ended and its last place has been shown, or the motion of the scene is over. Eyes from
+  /// which the scene cannot be seen (inside of it, or of the display) are left out, and the last volume stays.
   SourcedVolume volumeFor(HostTime seen) override;
   /// The first stage builds the image, the second slices its mesh.
   VolumeLine* line() override;

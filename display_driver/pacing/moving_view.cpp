@@ -6,10 +6,7 @@ namespace ocelli {
 
 MovingView::MovingView(std::unique_ptr<SceneMotion> motion, MovingImages& images, const MotionPlayback& playback,
                        Construction wanted)
-    : motion_(std::move(motion)),
-      images_(images),
-      clock_(motion_->durationSeconds(), playback),
-      wanted_(wanted) {
+    : motion_(std::move(motion)), images_(images), clock_(motion_->durationSeconds(), playback), wanted_(wanted) {
   motion_->at(0);
   followWithRays();
 }

@@ -199,12 +199,14 @@ ReferenceImages MovingImages::next(const PinholeCamera& reference, const Mesh& m
     requireOutsideSegments(choice_, reference, mesh);
     renderer.emplace(mesh, *rays);
   }
-  return imagesOf({choice_, reference, mesh, progress, renderer ? &*renderer : nullptr}, [&](const RepresentationInputs& inputs) {
-    ImageSequence::Next next = sequence_ ? sequence_->next(inputs) : ImageSequence::Next{choice_.kind->images(inputs)};
-    ++starts_.images;
-    starts_.cold += next.warm ? 0 : 1;
-    return std::move(next.images);
-  });
+  return imagesOf({choice_, reference, mesh, progress, renderer ? &*renderer : nullptr},
+                  [&](const RepresentationInputs& inputs) {
+                    ImageSequence::Next next =
+                        sequence_ ? sequence_->next(inputs) : ImageSequence::Next{choice_.kind->images(inputs)};
+                    ++starts_.images;
+                    starts_.cold += next.warm ? 0 : 1;
+                    return std::move(next.images);
+                  });
 }
 
 ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choice, const PinholeCamera& reference,

@@ -71,8 +71,9 @@ struct StartedImages {
   size_t cold = 0;  ///< began by themselves, and not from what the last one knew
 };
 
-/// The reference images of an eye that moves, or of a scene that does. Each begins from what the last one knew, where the row
-/// of the choice has a way to (representation_kind.h), and the eye has not jumped. Called by one thread at a time.
+/// The reference images of an eye that moves, or of a scene that does. Each begins from what the last one knew, where
+/// the row of the choice has a way to (representation_kind.h), and the eye has not jumped. Called by one thread at a
+/// time.
 class MovingImages {
  public:
   explicit MovingImages(CameraChoice choice);

@@ -73,8 +73,8 @@ struct RayScene::Impl {
       rtcReleaseScene(scene);
     }
     scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, motion == Motion::kMoves ? RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC
-                                                     : RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(scene,
+                     motion == Motion::kMoves ? RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(scene, quality == Quality::kLow ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM);
     if (!mesh->triangles.empty()) {
       geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -116,8 +116,8 @@ struct RayScene::Impl {
   Motion motion;
   RTCDevice device;
   RTCScene scene = nullptr;
-  RTCGeometry geometry = nullptr;          ///< the scene holds it; nullptr where there is no triangle
-  glm::vec3* positions = nullptr;          ///< its vertices
+  RTCGeometry geometry = nullptr;            ///< the scene holds it; nullptr where there is no triangle
+  glm::vec3* positions = nullptr;            ///< its vertices
   std::optional<RefitQuality> refitQuality;  ///< of a scene that moves
 };
 

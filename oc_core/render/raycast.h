@@ -34,8 +34,8 @@ class RayScene final : public RayTarget {
   RayScene& operator=(const RayScene&) = delete;
 
   enum class Update { kRefitted, kRebuilt };
-  /// The vertices of the mesh stand elsewhere now; its triangles are the same, and it has as many vertices. The boxes of
-  /// the structure follow, which is some ten times faster than to build it; where that has made it too bad
+  /// The vertices of the mesh stand elsewhere now; its triangles are the same, and it has as many vertices. The boxes
+  /// of the structure follow, which is some ten times faster than to build it; where that has made it too bad
   /// (refit_quality.h), it is built anew. Nothing may intersect meanwhile. For scenes that move alone.
   Update update();
 

@@ -22,8 +22,8 @@ class RefitQuality {
   /// Groups the triangles as they stand now. The mesh must outlive it, and have the same triangles.
   explicit RefitQuality(const Mesh& mesh);
 
-  /// The mean area of the boxes of the groups, as a share of the area of the box around the mesh, now and in relation to
-  /// that at the begin. 1 where the mesh is empty. Looks at a part of the triangles: the same ones each time.
+  /// The mean area of the boxes of the groups, as a share of the area of the box around the mesh, now and in relation
+  /// to that at the begin. 1 where the mesh is empty. Looks at a part of the triangles: the same ones each time.
   double ratio() const;
 
  private:

@@ -93,9 +93,9 @@ std::vector<float> morphWeights(const RigPart& part, uint32_t node, const RigAni
 AnimatedScene::AnimatedScene(std::vector<RiggedMesh> meshes, std::vector<Instance> instances, Rig rig,
                              const std::string& animation, const std::string& where)
     : meshes_(std::move(meshes)), instances_(std::move(instances)), rig_(std::move(rig)), where_(where) {
-  OC_CHECK(!rig_.animations.empty() && rig_.parts.size() == meshes_.size() &&
-               rig_.instanceNodes.size() == instances_.size(),
-           "a rig is of these meshes and copies, and moves them");
+  OC_CHECK(
+      !rig_.animations.empty() && rig_.parts.size() == meshes_.size() && rig_.instanceNodes.size() == instances_.size(),
+      "a rig is of these meshes and copies, and moves them");
   animation_ = animationNamed(rig_, animation, where);
   for (const RiggedMesh& mesh : meshes_) {
     used_.push_back(usedVertices(mesh.mesh));

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 9> kMeshEndings{".ply",  ".obj", ".stl", ".off", ".gltf",
+constexpr std::array<std::string_view, 9> kMeshEndings{".ply", ".obj", ".stl", ".off", ".gltf",
                                                        ".glb", ".fbx", ".dae", ".3ds"};
 constexpr size_t kSeriesVerticesPerRange = 1 << 14;
 
@@ -108,13 +108,12 @@ MeshSeries::MeshSeries(std::vector<Mesh> meshes, const SeriesOptions& options) :
   OC_CHECK(!meshes.empty() && options.meshesPerSecond > 0, "a series has meshes and a rate");
   const auto sameTopology = [&](const Mesh& mesh, size_t frame) {
     return mesh.positions.size() == frames_[frame].positions.size() &&
-           mesh.colors.size() == frames_[frame].colors.size() &&
-           mesh.triangles == topologies_[frames_[frame].topology];
+           mesh.colors.size() == frames_[frame].colors.size() && mesh.triangles == topologies_[frames_[frame].topology];
   };
   std::vector<size_t> firstFrames;  // of each topology
   for (Mesh& mesh : meshes) {
-    const auto known =
-        std::ranges::find_if(firstFrames, [&](size_t frame) { return sameTopology(mesh, frame); }) - firstFrames.begin();
+    const auto known = std::ranges::find_if(firstFrames, [&](size_t frame) { return sameTopology(mesh, frame); }) -
+                       firstFrames.begin();
     const auto topology = static_cast<size_t>(known);
     if (topology == firstFrames.size()) {
       firstFrames.push_back(frames_.size());
@@ -144,8 +143,8 @@ std::vector<double> MeshSeries::sampleTimes() const {
 void MeshSeries::moveTo(double seconds, MovedMesh& moved) const {
   // The time of a mesh is the quotient that rounds to its number.
   constexpr double kRounding = 1e-9;
-  const double at = std::clamp(seconds * options_.meshesPerSecond + kRounding, 0.0,
-                               static_cast<double>(frames_.size() - 1));
+  const double at =
+      std::clamp(seconds * options_.meshesPerSecond + kRounding, 0.0, static_cast<double>(frames_.size() - 1));
   const auto number = static_cast<size_t>(at);
   const Frame& frame = frames_[number];
   if (moved.topology != frame.topology + 1) {

@@ -1,5 +1,5 @@
-// A scene whose surface moves in time: a series of meshes (mesh_series.h), a file with animations (animated_scene.h), or
-// one made by code (oc_core/worlds/waving_scene.h). Who plays one sees triangles that stay the same as long as the
+// A scene whose surface moves in time: a series of meshes (mesh_series.h), a file with animations (animated_scene.h),
+// or one made by code (oc_core/worlds/waving_scene.h). Who plays one sees triangles that stay the same as long as the
 // topology does, so that whatever depends on it alone (creases, orders, acceleration structures) is made once.
 #pragma once
 
@@ -46,8 +46,8 @@ class MovingScene {
   virtual std::vector<double> sampleTimes() const = 0;
 
   /// Sets `moved` to the scene at that time; times before the begin and after the end stand for these. `moved` is new,
-  /// or what an earlier call of the same scene left, which makes it faster. Where the topology is the same its triangles
-  /// are not touched. The same bytes for any number of threads, and whatever was there before.
+  /// or what an earlier call of the same scene left, which makes it faster. Where the topology is the same its
+  /// triangles are not touched. The same bytes for any number of threads, and whatever was there before.
   virtual void moveTo(double seconds, MovedMesh& moved) const = 0;
 };
 

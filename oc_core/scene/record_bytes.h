@@ -1,5 +1,5 @@
-// The bytes of a record (scene_record.h): numbers as they are in memory, lists, texts. For the .cpp files that write and
-// read its parts.
+// The bytes of a record (scene_record.h): numbers as they are in memory, lists, texts. For the .cpp files that write
+// and read its parts.
 #pragma once
 
 #include <cstdint>

@@ -39,7 +39,7 @@ struct RigMorph {
 /// How a mesh is moved other than by its node.
 struct RigPart {
   std::vector<RigBone> bones;
-  std::vector<uint32_t> first;  ///< vertices + 1 offsets into `weights`; empty where there are no bones
+  std::vector<uint32_t> first;     ///< vertices + 1 offsets into `weights`; empty where there are no bones
   std::vector<RigWeight> weights;  ///< of a vertex: none, which leaves it to the node, or some whose sum is 1
   std::vector<RigMorph> morphs;
 };
@@ -86,8 +86,8 @@ void sample(const RigChannel& channel, double seconds, float* value);
 std::vector<glm::mat4> worldFromNodes(const Rig& rig, const RigAnimation& animation, double seconds);
 
 /// The mesh `positions`, as it is bound, moved by bones: the weighted sum of what each of its bones makes of a vertex
-/// (linear blend skinning). What has no weights is moved by `worldFromMesh`. `morphWeights`: one a morph. Writes as many
-/// vertices to `moved`. On all threads.
+/// (linear blend skinning). What has no weights is moved by `worldFromMesh`. `morphWeights`: one a morph. Writes as
+/// many vertices to `moved`. On all threads.
 void skin(const RigPart& part, const std::vector<glm::vec3>& positions, const std::vector<glm::mat4>& worldFromNode,
           const glm::mat4& worldFromMesh, const std::vector<float>& morphWeights, std::vector<glm::vec3>& moved);
 

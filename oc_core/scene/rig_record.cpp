@@ -73,7 +73,8 @@ RigPart readPart(RecordParser& parser, size_t vertices, size_t nodes) {
   for (uint32_t left = parser.count(sizeof(float)); left > 0; --left) {
     RigMorph morph{{}, parser.value<float>()};
     morph.offsets = parser.list<glm::vec3>(vertices);
-    if (!std::isfinite(morph.weight) || !std::ranges::all_of(morph.offsets, [](const glm::vec3& v) { return isFinite(v); })) {
+    if (!std::isfinite(morph.weight) ||
+        !std::ranges::all_of(morph.offsets, [](const glm::vec3& v) { return isFinite(v); })) {
       parser.fail("a morph target is no number");
     }
     part.morphs.push_back(std::move(morph));

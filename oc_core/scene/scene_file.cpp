@@ -75,9 +75,9 @@ Scene readOther(const fs::path& path, const SceneFileOptions& options, const Pro
 
 void checkCount(size_t triangles, const fs::path& path) {
   if (triangles > kMaxSceneTriangles) {
-    throw InputError("the scene has " + std::to_string(triangles) + " triangles, more than " +
-                         std::to_string(kMaxSceneTriangles),
-                     path.string(), "reduce the mesh");
+    throw InputError(
+        "the scene has " + std::to_string(triangles) + " triangles, more than " + std::to_string(kMaxSceneTriangles),
+        path.string(), "reduce the mesh");
   }
 }
 

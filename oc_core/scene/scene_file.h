@@ -36,8 +36,8 @@ Scene readSceneFile(const std::filesystem::path& path, const SceneFileOptions& o
                     const Progress& progress = {});
 
 /// The same file as it moves: the meshes of its copies as an animation moves them, by nodes, bones and morph targets.
-/// Nothing where it has no animation that takes some time, as files of PLY. `animation` is a name or a number from 1 on;
-/// empty for the first one. What the file says that is not played so is among `warnings`, as are missing textures.
+/// Nothing where it has no animation that takes some time, as files of PLY. `animation` is a name or a number from 1
+/// on; empty for the first one. What the file says that is not played so is among `warnings`, as are missing textures.
 /// Throws as readSceneFile() does, and InputError for an animation that is not there.
 ///
 /// Vertices are not shared anew: where a file repeats them for each triangle, triangles are shaded one by one.

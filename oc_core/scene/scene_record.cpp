@@ -177,7 +177,6 @@ class RecordReader : public RecordParser {
     }
     return instance;
   }
-
 };
 
 }  // namespace

@@ -66,7 +66,7 @@ float shadeOfSum(const glm::vec3& normalSum) {
 
 /// One smooth side of a crease.
 struct Side {
-  glm::vec3 seed{0};   ///< normal of its first face that has an area
+  glm::vec3 seed{0};    ///< normal of its first face that has an area
   uint32_t vertex = 0;  ///< that it gets
 };
 

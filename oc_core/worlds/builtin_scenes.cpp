@@ -157,7 +157,7 @@ const std::string& BuiltinValues::path(const std::string& name) const {
 const std::vector<BuiltinScene>& listBuiltinScenes() {
   static const std::vector<BuiltinScene> scenes{
       teapotScene(), roomScene(), statuesScene(), crowdScene(),  fenceScene(), doorsScene(), boxesScene(),
-      mazeScene(),   townScene(), canyonScene(),  sphereScene(), torusScene(), boxScene(), wavingScene()};
+      mazeScene(),   townScene(), canyonScene(),  sphereScene(), torusScene(), boxScene(),   wavingScene()};
   return scenes;
 }
 

@@ -55,8 +55,8 @@ std::unique_ptr<MovingScene> readSeries(const std::string& folder, const SceneOp
   }
   const SeriesOptions defaults;
   return std::make_unique<MeshSeries>(
-      std::move(meshes), SeriesOptions{options.motion.meshesPerSecond.value_or(defaults.meshesPerSecond),
-                                       options.motion.between});
+      std::move(meshes),
+      SeriesOptions{options.motion.meshesPerSecond.value_or(defaults.meshesPerSecond), options.motion.between});
 }
 
 std::unique_ptr<MovingScene> openMotion(const std::string& source, const SceneOptions& options,

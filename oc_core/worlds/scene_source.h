@@ -26,8 +26,8 @@ enum class Shading {
 struct MotionOptions {
   /// The moment of its motion that is taken; nothing: it is taken as it is at rest, as a still scene.
   std::optional<double> seconds{};
-  std::string animation{};                   ///< of a file: its name, or its number from 1 on; empty: the first one
-  std::optional<double> meshesPerSecond{};   ///< of a folder of meshes; nothing: 24
+  std::string animation{};                  ///< of a file: its name, or its number from 1 on; empty: the first one
+  std::optional<double> meshesPerSecond{};  ///< of a folder of meshes; nothing: 24
   BetweenMeshes between = BetweenMeshes::kHold;
 };
 

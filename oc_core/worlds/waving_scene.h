@@ -8,7 +8,8 @@ namespace ocelli {
 
 class WavingScene final : public MovingScene {
  public:
-  /// `rest` is validated. A vertex at the height h, from 0 at the bottom of the mesh to 1 at its top, stands at time t at
+  /// `rest` is validated. A vertex at the height h, from 0 at the bottom of the mesh to 1 at its top, stands at time t
+  /// at
   ///   rest + sway (cos a, 0, sin a),  a = 2 pi (t / seconds - h).
   /// `sway` is in the lengths of the mesh; `seconds`, one round, is positive.
   WavingScene(Mesh rest, double seconds, float sway);

@@ -11,21 +11,22 @@
 namespace ocelli {
 namespace {
 
-constexpr float kHalf = 0.70710678f;  // sin and cos of 45 degrees: half of a quaternion that turns by 90
+constexpr float kHalfTurn = 0.70710678f;  // sin and cos of 45 degrees: half of a quaternion that turns by 90
 
 RigChannel channel(RigTarget target, std::vector<float> times, std::vector<float> values, bool steps = false) {
   const auto width = static_cast<uint32_t>(values.size() / times.size());
   return {0, target, steps, width, std::move(times), std::move(values)};
 }
 
-void expectNear(const glm::vec3& a, const glm::vec3& b) {
+void expectMovedTo(const glm::vec3& a, const glm::vec3& b) {
   EXPECT_LT(glm::distance(a, b), 1e-5f) << a.x << " " << a.y << " " << a.z;  // some roundings of single precision
 }
 
 TEST(RigChannel, RunsStraightBetweenItsKeysAndStaysBeyondThem) {
   const RigChannel moves = channel(RigTarget::kPosition, {1, 3}, {0, 0, 0, 4, 8, -4});
   std::array<float, 3> v{};
-  for (const auto& [seconds, x] : std::vector<std::pair<double, float>>{{0, 0}, {1, 0}, {1.5, 1}, {2, 2}, {3, 4}, {9, 4}}) {
+  for (const auto& [seconds, x] :
+       std::vector<std::pair<double, float>>{{0, 0}, {1, 0}, {1.5, 1}, {2, 2}, {3, 4}, {9, 4}}) {
     sample(moves, seconds, v.data());
     EXPECT_FLOAT_EQ(v[0], x) << seconds;
     EXPECT_FLOAT_EQ(v[1], 2 * x) << seconds;
@@ -36,7 +37,8 @@ TEST(RigChannel, RunsStraightBetweenItsKeysAndStaysBeyondThem) {
 TEST(RigChannel, StepsAtItsKeys) {
   const RigChannel jumps = channel(RigTarget::kWeights, {0, 1, 2}, {5, 6, 7}, true);
   float v = 0;
-  for (const auto& [seconds, value] : std::vector<std::pair<double, float>>{{0, 5}, {0.99, 5}, {1, 6}, {1.5, 6}, {2, 7}, {3, 7}}) {
+  for (const auto& [seconds, value] :
+       std::vector<std::pair<double, float>>{{0, 5}, {0.99, 5}, {1, 6}, {1.5, 6}, {2, 7}, {3, 7}}) {
     sample(jumps, seconds, &v);
     EXPECT_EQ(v, value) << seconds;
   }
@@ -47,13 +49,13 @@ TEST(RigChannel, StepsAtItsKeys) {
 TEST(RigChannel, TurnsAtAConstantRate) {
   for (const float sign : {1.0f, -1.0f}) {
     const RigChannel turns =
-        channel(RigTarget::kRotation, {0, 2}, {0, 0, 0, 1, 0, 0, sign * kHalf, sign * kHalf});
+        channel(RigTarget::kRotation, {0, 2}, {0, 0, 0, 1, 0, 0, sign * kHalfTurn, sign * kHalfTurn});
     Rig rig;
     rig.nodes.resize(1);
     const RigAnimation animation{"", {turns}};
     const glm::mat4 half = worldFromNodes(rig, animation, 1)[0];
-    expectNear(glm::vec3(half * glm::vec4(1, 0, 0, 1)), {kHalf, kHalf, 0});
-    expectNear(glm::vec3(worldFromNodes(rig, animation, 5)[0] * glm::vec4(1, 0, 0, 1)), {0, 1, 0});
+    expectMovedTo(glm::vec3(half * glm::vec4(1, 0, 0, 1)), {kHalfTurn, kHalfTurn, 0});
+    expectMovedTo(glm::vec3(worldFromNodes(rig, animation, 5)[0] * glm::vec4(1, 0, 0, 1)), {0, 1, 0});
   }
 }
 
@@ -61,13 +63,13 @@ TEST(RigNodes, AreMovedWithTheirParents) {
   Rig rig;
   rig.nodes = {{kNoRigParent, glm::translate(glm::mat4(1), glm::vec3(1, 0, 0))},
                {0, glm::translate(glm::mat4(1), glm::vec3(0, 2, 0))}};
-  RigAnimation animation{"", {channel(RigTarget::kRotation, {0}, {0, 0, kHalf, kHalf})}};
+  RigAnimation animation{"", {channel(RigTarget::kRotation, {0}, {0, 0, kHalfTurn, kHalfTurn})}};
   // The root has a channel: it stands by that alone, at the origin.
-  expectNear(glm::vec3(worldFromNodes(rig, animation, 0)[1] * glm::vec4(0, 0, 0, 1)), {-2, 0, 0});
+  expectMovedTo(glm::vec3(worldFromNodes(rig, animation, 0)[1] * glm::vec4(0, 0, 0, 1)), {-2, 0, 0});
   animation.channels.push_back(channel(RigTarget::kPosition, {0, 1}, {0, 0, 0, 0, 0, 6}));
   animation.channels.push_back(channel(RigTarget::kScale, {0}, {2, 2, 2}));
   // Scale, then rotation, then position.
-  expectNear(glm::vec3(worldFromNodes(rig, animation, 0.5)[1] * glm::vec4(0, 1, 0, 1)), {-6, 0, 3});
+  expectMovedTo(glm::vec3(worldFromNodes(rig, animation, 0.5)[1] * glm::vec4(0, 1, 0, 1)), {-6, 0, 3});
   EXPECT_EQ(animation.seconds(), 1);
 }
 
@@ -77,15 +79,16 @@ TEST(Skin, IsTheWeightedSumOfWhatItsBonesDo) {
   part.first = {0, 1, 3, 4, 4};
   part.weights = {{0, 1}, {0, 0.5f}, {1, 0.5f}, {1, 1}};
   const std::vector<glm::mat4> worldFromNode{
-      glm::mat4(1), glm::rotate(glm::translate(glm::mat4(1), glm::vec3(0, 1, 0)), static_cast<float>(kPi / 2), glm::vec3(0, 0, 1))};
+      glm::mat4(1),
+      glm::rotate(glm::translate(glm::mat4(1), glm::vec3(0, 1, 0)), static_cast<float>(kPi / 2), glm::vec3(0, 0, 1))};
   const std::vector<glm::vec3> bound{{0, 2, 0}, {0, 2, 0}, {0, 2, 0}, {0, 2, 0}};
   std::vector<glm::vec3> moved;
   skin(part, bound, worldFromNode, glm::translate(glm::mat4(1), glm::vec3(0, 0, 9)), {}, moved);
   ASSERT_EQ(moved.size(), 4u);
-  expectNear(moved[0], {0, 2, 0});          // by the bone that stands still
-  expectNear(moved[2], {-1, 1, 0});         // by the one that turns about (0, 1, 0) by a right angle
-  expectNear(moved[1], {-0.5f, 1.5f, 0});   // half and half
-  expectNear(moved[3], {0, 2, 9});          // by no bone: by its node
+  expectMovedTo(moved[0], {0, 2, 0});         // by the bone that stands still
+  expectMovedTo(moved[2], {-1, 1, 0});        // by the one that turns about (0, 1, 0) by a right angle
+  expectMovedTo(moved[1], {-0.5f, 1.5f, 0});  // half and half
+  expectMovedTo(moved[3], {0, 2, 9});         // by no bone: by its node
 }
 
 TEST(Skin, MorphsBeforeItMoves) {
@@ -93,7 +96,7 @@ TEST(Skin, MorphsBeforeItMoves) {
   part.morphs = {{{{1, 0, 0}}, 0}, {{{0, 0, 2}}, 0}};
   std::vector<glm::vec3> moved;
   skin(part, {{0, 1, 0}}, {}, glm::scale(glm::mat4(1), glm::vec3(10)), {0.5f, 0.25f}, moved);
-  expectNear(moved[0], {5, 10, 5});
+  expectMovedTo(moved[0], {5, 10, 5});
 }
 
 }  // namespace

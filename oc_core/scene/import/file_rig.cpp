@@ -251,8 +251,8 @@ class RigReader {
 
   void warn() {
     if (cubic_) {
-      rig_.warnings.push_back(path_.string() +
-                              ": its animations have cubic splines, which are played as straight lines from key to key");
+      rig_.warnings.push_back(
+          path_.string() + ": its animations have cubic splines, which are played as straight lines from key to key");
     }
     if (!missing_.empty()) {
       rig_.warnings.push_back(path_.string() + ": its animations or skins name " + std::to_string(missing_.size()) +
