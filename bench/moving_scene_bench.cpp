@@ -133,13 +133,17 @@ class HeadFeed final : public EyeFeed {
   HeadFeed(uint64_t seed, double seconds) : path_(madeUpHeadPath(seed, seconds, kRate)) {}
   std::optional<glm::vec3> eyeAt(HostTime seen) override {
     start_ = start_ ? start_ : seen;
+    asked_.push_back(realClock().now());
     const double at = std::chrono::duration<double>(seen - *start_).count() * kRate;
     return path_[std::min(static_cast<size_t>(std::max(at, 0.0)), path_.size() - 1)].eye;
   }
   bool ended(HostTime) override { return false; }
+  /// When eyes were asked for, one after the other; not while a source is at work.
+  const std::vector<HostTime>& asked() const { return asked_; }
 
  private:
   static constexpr double kRate = 120;
+  std::vector<HostTime> asked_;
   std::vector<EyePose> path_;
   std::optional<HostTime> start_;
 };
@@ -154,7 +158,8 @@ double share(std::vector<double> sorted, double part) {
 Json measurePresenting(const Choice& choice, double minScale) {
   const DisplayProfile profile = loadProfile("perspecta");
   MovingImages images(cameraChoice(choice.camera));
-  MovingView view(loadMotion(choice.scene, {}), images, {.loop = true},
+  const double fewestPixels = choice.width * minScale * choice.height * minScale;
+  MovingView view(loadMotion(choice.scene, {}), images, {.loop = true}, static_cast<size_t>(fewestPixels),
                   constructionFromText(choice.construction, "--construction"));
   HeadFeed feed(11, choice.seconds + 2);
   EyesSource source([&](const PinholeCamera& reference) { return view.imagesFrom(reference); }, profile,
@@ -166,14 +171,25 @@ Json measurePresenting(const Choice& choice, double minScale) {
                     feed);
   const auto device = openDevice("null", {.profile = profile});
   Pacer pacer(*device, source, realClock(), {.seconds = choice.seconds});
-  std::vector<double> latencies;
-  std::vector<double> scales;
+  std::vector<RefreshRecord> shown;
   const TimeLineSummary summary = pacer.run({}, [&](const RefreshRecord& record) {
     if (record.shown != HostTime{} && record.frame != 0) {
-      latencies.push_back(std::chrono::duration<double, std::milli>(record.shown - record.makingBegan).count());
-      scales.push_back(static_cast<double>(record.imageScale));
+      shown.push_back(record);
     }
   });
+  std::vector<double> latencies;
+  std::vector<double> poseLatencies;
+  std::vector<double> scales;
+  for (const RefreshRecord& record : shown) {
+    const auto since = [&](HostTime time) {
+      return std::chrono::duration<double, std::milli>(record.shown - time).count();
+    };
+    latencies.push_back(since(record.makingBegan));
+    // Eyes are asked for one after the other: this one's is the first after its making began.
+    poseLatencies.push_back(since(*std::ranges::lower_bound(feed.asked(), record.makingBegan)));
+    scales.push_back(static_cast<double>(record.imageScale));
+  }
+  std::ranges::sort(poseLatencies);
   std::ranges::sort(latencies);
   std::ranges::sort(scales);
   Json stages;
@@ -181,12 +197,15 @@ Json measurePresenting(const Choice& choice, double minScale) {
     stages[stage.name] = std::chrono::duration<double, std::milli>(stage.times.median()).count();
   }
   return {{"min_scale", minScale},
-          {"by_rays", view.castsRays()},
+          {"images", view.imagesMade()},
+          {"images_by_rays", view.imagesByRays()},
           {"refreshes", summary.refreshes},
           {"new_images", latencies.size()},
           {"in_time", summary.count(RefreshOutcome::kShown)},
           {"making_to_light_median_ms", share(latencies, 0.5)},
           {"making_to_light_95_ms", share(latencies, 0.95)},
+          {"pose_to_light_median_ms", share(poseLatencies, 0.5)},
+          {"pose_to_light_95_ms", share(poseLatencies, 0.95)},
           {"image_scale_median", share(scales, 0.5)},
           {"stages_ms", stages}};
 }

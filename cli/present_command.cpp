@@ -206,7 +206,10 @@ void addMotionSource(Presented& presented, const PresentChoice& choice, std::uni
     return;
   }
   presented.images = std::make_unique<MovingImages>(eyesCamera(choice));
-  presented.view = std::make_unique<MovingView>(std::move(motion), *presented.images, playback);
+  const EyesOptions size = eyesOptions(choice);
+  const double fewestPixels = size.width * size.minImageScale * size.height * size.minImageScale;
+  presented.view =
+      std::make_unique<MovingView>(std::move(motion), *presented.images, playback, static_cast<size_t>(fewestPixels));
   if (choice.eyes.empty()) {
     presented.feed = std::make_unique<StandingEye>();
   } else {

@@ -5,10 +5,16 @@
 namespace ocelli {
 
 MovingView::MovingView(std::unique_ptr<SceneMotion> motion, MovingImages& images, const MotionPlayback& playback,
-                       Construction wanted)
-    : motion_(std::move(motion)), images_(images), clock_(motion_->durationSeconds(), playback), wanted_(wanted) {
+                       size_t fewestPixels, Construction wanted)
+    : motion_(std::move(motion)),
+      images_(images),
+      clock_(motion_->durationSeconds(), playback),
+      wanted_(wanted),
+      fewestPixels_(fewestPixels) {
   motion_->at(0);
-  followWithRays();
+  if (castsFor(fewestPixels_)) {
+    followWithRays();
+  }
 }
 
 EyesOptions::SceneState MovingView::moveTo(HostTime seen) {
@@ -16,32 +22,41 @@ EyesOptions::SceneState MovingView::moveTo(HostTime seen) {
   if (!seconds) {
     return EyesOptions::SceneState::kEnded;
   }
-  const uint64_t before = motion_->topology();
   motion_->at(*seconds);
   const std::pair now(motion_->topology(), motion_->shape());
   if (std::exchange(shown_, now) == now) {
     return EyesOptions::SceneState::kSame;
   }
-  if (before != now.first) {
-    followWithRays();
-  } else if (rays_ != nullptr && rays_->update() == RayScene::Update::kRebuilt) {
-    ++rebuilds_;
-  }
+  raysAreBehind_ = true;
   return EyesOptions::SceneState::kMoved;
 }
 
+bool MovingView::castsFor(size_t pixels) const {
+  const RepresentationKind& kind = *images_.choice().kind;
+  return kind.castsRays ||
+         (kind.rayCrossover && constructWithRays(wanted_, *kind.rayCrossover, motion_->mesh().triangles.size(),
+                                                 RayStructure::kRefits, {kind.refitShare, pixels}));
+}
+
 void MovingView::followWithRays() {
-  rebuilds_ += rays_ != nullptr ? 1 : 0;
-  rays_.reset();
-  const std::optional<size_t> crossover = images_.choice().kind->rayCrossover;
-  if (images_.choice().kind->castsRays ||
-      (crossover && constructWithRays(wanted_, *crossover, motion_->mesh().triangles.size(), RayStructure::kRefits))) {
+  if (rays_ == nullptr || raysTopology_ != motion_->topology()) {
+    rebuilds_ += rays_ != nullptr ? 1 : 0;
     rays_ = std::make_unique<RayScene>(motion_->mesh(), RayScene::Quality::kLow, RayScene::Motion::kMoves);
+    raysTopology_ = motion_->topology();
+  } else if (raysAreBehind_ && rays_->update() == RayScene::Update::kRebuilt) {
+    ++rebuilds_;
   }
+  raysAreBehind_ = false;
 }
 
 ReferenceImages MovingView::imagesFrom(const PinholeCamera& reference) {
-  return images_.next(reference, motion_->mesh(), rays_.get());
+  const bool cast = castsFor(static_cast<size_t>(reference.width()) * static_cast<size_t>(reference.height()));
+  if (cast) {
+    followWithRays();
+  }
+  ++imagesMade_;
+  imagesByRays_ += cast ? 1 : 0;
+  return images_.next(reference, motion_->mesh(), cast ? rays_.get() : nullptr);
 }
 
 }  // namespace ocelli

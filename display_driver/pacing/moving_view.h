@@ -19,10 +19,11 @@ namespace ocelli {
 /// Called by one thread at a time.
 class MovingView {
  public:
-  /// `images` outlives it. Positions are in display radii. The acceleration structure, where images are constructed by
-  /// rays (constructWithRays()), is built here, and follows the motion from then on.
+  /// `images` outlives it. Positions are in display radii. Images have `fewestPixels` or more. The acceleration
+  /// structure, where images of so few pixels are constructed by rays (constructWithRays()), is built here, and follows
+  /// the motion from then on.
   MovingView(std::unique_ptr<SceneMotion> motion, MovingImages& images, const MotionPlayback& playback,
-             Construction wanted = Construction::kAuto);
+             size_t fewestPixels, Construction wanted = Construction::kAuto);
 
   /// Moves the scene to where it is at that time.
   EyesOptions::SceneState moveTo(HostTime seen);
@@ -30,20 +31,27 @@ class MovingView {
   ReferenceImages imagesFrom(const PinholeCamera& reference);
 
   const SceneMotion& motion() const { return *motion_; }
-  /// Whether images are constructed by rays.
-  bool castsRays() const { return rays_ != nullptr; }
+  /// How many images were constructed, and of these by rays.
+  int imagesMade() const { return imagesMade_; }
+  int imagesByRays() const { return imagesByRays_; }
   /// How often the structure was built anew since.
   int rebuilds() const { return rebuilds_; }
 
  private:
+  bool castsFor(size_t pixels) const;
   void followWithRays();
 
   std::unique_ptr<SceneMotion> motion_;
   MovingImages& images_;
   MotionClock clock_;
   Construction wanted_;
+  size_t fewestPixels_;
   std::unique_ptr<RayScene> rays_;
+  uint64_t raysTopology_ = 0;
+  bool raysAreBehind_ = false;                          ///< the scene has moved since they followed
   std::optional<std::pair<uint64_t, uint64_t>> shown_;  ///< topology and shape
+  int imagesMade_ = 0;
+  int imagesByRays_ = 0;
   int rebuilds_ = 0;
 };
 

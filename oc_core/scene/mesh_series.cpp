@@ -155,6 +155,7 @@ void MeshSeries::moveTo(double seconds, MovedMesh& moved) const {
   const auto share = static_cast<float>(at - static_cast<double>(number));
   const bool blended = options_.between == BetweenMeshes::kLinear && share > 1e-6f && next.topology == frame.topology;
   moved.shape = std::bit_cast<uint64_t>(blended ? at : static_cast<double>(number));
+  moved.coloring = moved.shape;
   if (blended) {
     blend(frame.positions, next.positions, share, moved.mesh.positions);
     blend(frame.colors, next.colors, share, moved.mesh.colors);

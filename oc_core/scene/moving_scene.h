@@ -20,6 +20,8 @@ struct MovedMesh {
   uint64_t topology = 0;
   /// The same number stands for the same positions and colours, where the topology is the same, too.
   uint64_t shape = 0;
+  /// The same number stands for the same colours, where the topology is the same, too.
+  uint64_t coloring = 0;
 };
 
 /// What there is to tell of a motion.

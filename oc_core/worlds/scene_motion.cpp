@@ -121,24 +121,32 @@ const Mesh& SceneMotion::at(double seconds) {
     return mesh_;
   }
   Topology& topology = prepare();
-  if (topology_ != raw_.topology) {
-    topology_ = raw_.topology;
+  const bool newTopology = std::exchange(topology_, raw_.topology) != raw_.topology;
+  if (newTopology) {
     mesh_.triangles = topology.triangles;
   }
   const size_t vertices = topology.sources.size();
-  const bool colored = !raw_.mesh.colors.empty();
   mesh_.positions.resize(vertices);
-  std::vector<glm::vec3>& colors = topology.shading != nullptr ? unshaded_ : mesh_.colors;
-  colors.resize(colored ? vertices : 0);
+  // A uniform scale and a translation, as unitFromMotion() makes them, or neither.
+  const float scale = worldFromScene_[0][0];
+  const glm::vec3 shift(worldFromScene_[3]);
   parallelFor(vertices, kMotionVerticesPerRange, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      const uint32_t source = topology.sources[i];
-      mesh_.positions[i] = glm::vec3(worldFromScene_ * glm::vec4(raw_.mesh.positions[source], 1));
-      if (colored) {
-        colors[i] = raw_.mesh.colors[source];
-      }
+      mesh_.positions[i] = raw_.mesh.positions[topology.sources[i]] * scale + shift;
     }
   });
+  if (std::exchange(coloring_, raw_.coloring) != raw_.coloring || newTopology) {
+    const bool colored = !raw_.mesh.colors.empty();
+    unshaded_.resize(colored ? vertices : 0);
+    parallelFor(unshaded_.size(), kMotionVerticesPerRange, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        unshaded_[i] = raw_.mesh.colors[topology.sources[i]];
+      }
+    });
+    if (topology.shading == nullptr) {
+      mesh_.colors = unshaded_;
+    }
+  }
   if (topology.shading != nullptr) {
     topology.shading->shade(mesh_, unshaded_);
   }

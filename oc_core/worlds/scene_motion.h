@@ -51,6 +51,7 @@ class SceneMotion {
   std::map<uint64_t, Topology> topologies_;
   Mesh mesh_;
   std::vector<glm::vec3> unshaded_;
+  uint64_t coloring_ = 0;  ///< of the unshaded colours
   uint64_t topology_ = 0;
 };
 

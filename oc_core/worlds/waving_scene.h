@@ -22,8 +22,7 @@ class WavingScene final : public MovingScene {
  private:
   Mesh rest_;
   double seconds_;
-  float sway_;
-  Box bounds_;
+  std::vector<glm::vec2> circles_;  ///< of each vertex: sway (cos b, sin b), b = -2 pi h
 };
 
 }  // namespace ocelli

@@ -339,8 +339,7 @@ TEST_F(EyesSourceTest, seesTheSceneAsItIsAtTheTime) {
   const std::string scene = "builtin:waving,seconds=2";
   for (const Construction construction : {Construction::kRaster, Construction::kRays}) {
     MovingImages images(cameraChoice("eoc-h"));
-    MovingView view(loadMotion(scene, {}), images, {}, construction);
-    EXPECT_EQ(view.castsRays(), construction == Construction::kRays);
+    MovingView view(loadMotion(scene, {}), images, {}, 90 * 60, construction);
     EyesSource source([&](const PinholeCamera& reference) { return view.imagesFrom(reference); }, smallDisplay(),
                       {.width = 90,
                        .height = 60,
@@ -375,6 +374,8 @@ TEST_F(EyesSourceTest, seesTheSceneAsItIsAtTheTime) {
     }
     EXPECT_EQ(source.volumeFor(kStart + 2s).kind, Kind::kEnd);
     EXPECT_FALSE(source.stages().back().times.empty()) << "moving the scene is a stage";
+    EXPECT_EQ(view.imagesMade(), 3);
+    EXPECT_EQ(view.imagesByRays(), construction == Construction::kRays ? 3 : 0);
   }
 }
 

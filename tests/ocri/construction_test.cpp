@@ -42,13 +42,24 @@ TEST(Construction, isDecidedByTheStructureAndTheSizeOfTheScene) {
   for (const Case& each :
        {Case{Construction::kAuto, 999, kStands, false}, Case{Construction::kAuto, 1000, kStands, true},
         Case{Construction::kAuto, 999, kNone, false}, Case{Construction::kAuto, size_t{1} << 40, kNone, false},
-        Case{Construction::kAuto, 1000, kRefits, false},
-        Case{Construction::kAuto, static_cast<size_t>(1000 * kRefitCrossover) + 1, kRefits, true},
         Case{Construction::kRaster, size_t{1} << 40, kStands, false}, Case{Construction::kRays, 0, kNone, true},
         Case{Construction::kRays, 0, kStands, true}, Case{Construction::kRays, 0, kRefits, true}}) {
     EXPECT_EQ(constructWithRays(each.wanted, kCrossover, each.triangles, each.structure), each.byRays)
         << static_cast<int>(each.wanted) << " " << each.triangles << " " << static_cast<int>(each.structure);
   }
+}
+
+// Rays of a quarter of the pixels cost a quarter, refitting as much as before.
+TEST(Construction, ofWhatMovesIsDecidedByThePixelsToo) {
+  constexpr size_t kPixels = 720 * 480;
+  const auto byRays = [](size_t triangles, const RefitCost& refit) {
+    return constructWithRays(Construction::kAuto, 1000, triangles, RayStructure::kRefits, refit);
+  };
+  EXPECT_FALSE(byRays(1999, {0.5, kPixels}));
+  EXPECT_TRUE(byRays(2000, {0.5, kPixels}));
+  EXPECT_FALSE(byRays(499, {0.5, kPixels / 4}));
+  EXPECT_TRUE(byRays(500, {0.5, kPixels / 4}));
+  EXPECT_FALSE(byRays(size_t{1} << 40, {1, kPixels})) << "drawing takes no longer than refitting";
 }
 
 TEST(Construction, isReadFromText) {
