@@ -98,6 +98,13 @@ void refuseSlowSlicers(const PresentChoice& choice) {
          "leave it out");
 }
 
+/// Of a scene that does not move by itself.
+void refuseOptionsOfMotion(const PresentChoice& choice) {
+  refuse(choice.follow && !choice.turn && choice.eyes.empty(), "nothing moves in this scene", "--follow",
+         "--turn 30, or --eyes FILE.csv");
+  refuse(choice.speed != 1, "nothing moves by itself in this scene", "--speed", "leave it out");
+}
+
 void check(const PresentChoice& choice) {
   refuse(choice.turn && !choice.isScene(), "only a scene can be turned", "--turn", "give a scene, or leave out --turn");
   refuse(!choice.eyes.empty() && !choice.isScene(), "only a scene can be seen from somewhere else", "--eyes",
@@ -126,6 +133,9 @@ void check(const PresentChoice& choice) {
   refuse(choice.device != "sim" && (choice.simulated.given() || choice.shown.given()),
          "only the simulated display has a link, faults and an observer of its own",
          "--link, --faults, --jitter, --shown or --watch", "--device sim");
+  if (choice.isScene() && !choice.mayPlay()) {
+    refuseOptionsOfMotion(choice);
+  }
   if (choice.device.starts_with("file:")) {
     refuseOwnSource(choice, choice.device.substr(5), "--device");
   }
@@ -230,9 +240,7 @@ void addSceneSource(Presented& presented, const PresentChoice& choice, const Dis
     addMotionSource(presented, choice, std::move(motion), profile, context);
     return;
   }
-  refuse(choice.follow && !choice.turn && choice.eyes.empty(), "nothing moves in this scene", "--follow",
-         "--turn 30, or --eyes FILE.csv");
-  refuse(choice.speed != 1, "nothing moves by itself in this scene", "--speed", "leave it out");
+  refuseOptionsOfMotion(choice);
   const SliceOptions options = sliceOptionsOf(choice.slicing);
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   if (!choice.eyes.empty()) {

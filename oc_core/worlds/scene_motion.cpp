@@ -165,6 +165,9 @@ std::unique_ptr<SceneMotion> loadMotion(const std::string& source, const SceneOp
   if (options.motion.meshesPerSecond && !isFolder(source)) {
     throw InputError("only a folder of meshes has a rate of its own", "--rate", "leave it out");
   }
+  if (!options.motion.animation.empty() && !isAnimatedFormat(source)) {
+    throw InputError("only a file has animations of its own", "--animation", "leave it out");
+  }
   report(progress, "loading the scene", 0);
   std::unique_ptr<MovingScene> scene = openMotion(source, options, progress);
   if (scene == nullptr) {

@@ -139,6 +139,7 @@ TEST(LoadScene, RefusesMomentsThatAreNotThere) {
   refusal("builtin:waving", {.seconds = -1}, "from 0 to 4");
   refusal("builtin:waving", {.seconds = 1, .meshesPerSecond = 5}, "only a folder");
   refusal("builtin:waving", {.animation = "walk"}, "give --time");
+  refusal("builtin:waving", {.seconds = 1, .animation = "walk"}, "only a file");
   refusal(series.path(), {}, "--time 0");
   refusal("builtin:waving,sway=11", {.seconds = 0}, "sway");
 }
