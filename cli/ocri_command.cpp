@@ -155,6 +155,7 @@ void addBuild(CLI::App& ocri, const CommandContext& context) {
   CLI::App& command = *ocri.add_subcommand("build", "Build the reference image of a scene");
   const auto choice = std::make_shared<BuildChoice>();
   addSceneOptions(command, choice->scene, context);
+  addMotionOptions(command, choice->scene);
   addAnyCameraOption(command, choice->camera);
   addViewersOptions(command, choice->viewers);
   addCameraSizeOption(command, choice->size, kBuildSize);

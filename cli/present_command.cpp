@@ -13,6 +13,7 @@
 #include "cli/display_wait.h"
 #include "cli/emulated_display.h"
 #include "cli/interrupt.h"
+#include "cli/number_check.h"
 #include "cli/output_option.h"
 #include "cli/presentation_report.h"
 #include "cli/scene_notes.h"
@@ -25,10 +26,11 @@
 #include "display_driver/pacing/device_log_player.h"
 #include "display_driver/pacing/eye_feed.h"
 #include "display_driver/pacing/eyes_source.h"
+#include "display_driver/pacing/motion_source.h"
+#include "display_driver/pacing/moving_view.h"
 #include "display_driver/pacing/pacer.h"
 #include "display_driver/pacing/recording_device.h"
 #include "display_driver/pacing/recording_source.h"
-#include "display_driver/pacing/series_source.h"
 #include "display_driver/pacing/still_source.h"
 #include "display_driver/pacing/turning_source.h"
 #include "display_sim/frames/svol_file.h"
@@ -37,6 +39,7 @@
 #include "oc_core/base/output_file.h"
 #include "oc_core/ocri/union_mesh.h"
 #include "oc_core/worlds/packed_source.h"
+#include "oc_core/worlds/scene_motion.h"
 
 namespace ocelli {
 namespace {
@@ -54,7 +57,7 @@ struct PresentChoice {
   std::string prediction = "kalman";
   std::string camera;
   std::string size = "720x480";
-  std::optional<double> rate;
+  double speed = 1;
   bool tear = false;
   bool coarse = false;
   double minImageScale = 0.25;
@@ -67,11 +70,12 @@ struct PresentChoice {
   bool json = false;
 
   bool isRecording() const { return scene.source.ends_with(".svol"); }
-  bool isSeries() const { return std::filesystem::is_directory(scene.source); }
+  bool isFolder() const { return std::filesystem::is_directory(scene.source); }
   bool isDeviceLog() const { return scene.source.ends_with(".session"); }
-  bool isScene() const { return !isRecording() && !isSeries() && !isDeviceLog(); }
+  bool isScene() const { return !isRecording() && !isDeviceLog(); }
   bool hasCamera() const { return !camera.empty() && camera != "none"; }
-  bool moves() const { return turn || !eyes.empty() || isSeries(); }
+  /// Of a file only loadMotion() tells.
+  bool mayPlay() const { return isScene() && !turn && !scene.options.motion.seconds && mayMove(scene.source); }
 };
 
 void refuse(bool refused, const char* what, const char* option, const char* next) {
@@ -89,6 +93,19 @@ void refuseOwnSource(const PresentChoice& choice, const std::filesystem::path& o
   }
 }
 
+void refuseSlowSlicers(const PresentChoice& choice) {
+  refuse(choice.slicing.exact || needsExactSlicer(sliceOptionsOf(choice.slicing)),
+         "what moves is sliced by the fast slicer alone", "--exact, --even-light or --dither diffusion",
+         "leave it out");
+}
+
+/// Of a scene that does not move by itself.
+void refuseOptionsOfMotion(const PresentChoice& choice) {
+  refuse(choice.follow && !choice.turn && choice.eyes.empty(), "nothing moves in this scene", "--follow",
+         "--turn 30, or --eyes FILE.csv");
+  refuse(choice.speed != 1, "nothing moves by itself in this scene", "--speed", "leave it out");
+}
+
 void check(const PresentChoice& choice) {
   refuse(choice.turn && !choice.isScene(), "only a scene can be turned", "--turn", "give a scene, or leave out --turn");
   refuse(!choice.eyes.empty() && !choice.isScene(), "only a scene can be seen from somewhere else", "--eyes",
@@ -100,7 +117,10 @@ void check(const PresentChoice& choice) {
   refuse(choice.hasCamera() && !choice.isScene(), "only scenes are seen by a camera", "--camera", "leave it out");
   refuse(!choice.eyes.empty() && choice.camera == "none", "without a camera the eye changes nothing", "--camera none",
          "--camera ddoc");
-  refuse(choice.rate && !choice.isSeries(), "only a folder of meshes has a rate of its own", "--rate", "leave it out");
+  refuse(choice.scene.options.motion.meshesPerSecond && !choice.isFolder(),
+         "only a folder of meshes has a rate of its own", "--rate", "leave it out");
+  refuse(choice.turn && choice.isFolder() && !choice.scene.options.motion.seconds,
+         "a scene either turns or moves by itself", "--turn", "leave it out, or turn one moment of it (--time)");
   refuse((choice.isRecording() || choice.isDeviceLog()) && !choice.profile.empty(), "a volume has its profile already",
          "--profile", "leave it out");
   refuse(choice.isDeviceLog() && (choice.loop || choice.tear || choice.coarse || choice.seconds || choice.follow ||
@@ -108,26 +128,28 @@ void check(const PresentChoice& choice) {
          "a device log is played as it was, once", "--loop, --tear, --coarse, --seconds, --follow or --timeline",
          "leave it out");
   refuse(choice.fast && !choice.isDeviceLog(), "only a device log can go faster", "--fast", "leave it out");
-  refuse(choice.moves() && (choice.slicing.exact || needsExactSlicer(sliceOptionsOf(choice.slicing))),
-         "what moves is sliced by the fast slicer alone", "--exact, --even-light or --dither diffusion",
-         "leave it out");
+  if (choice.turn || !choice.eyes.empty()) {
+    refuseSlowSlicers(choice);
+  }
   refuse(choice.device != "sim" && (choice.simulated.given() || choice.shown.given()),
          "only the simulated display has a link, faults and an observer of its own",
          "--link, --faults, --jitter, --shown or --watch", "--device sim");
+  if (choice.isScene() && !choice.mayPlay()) {
+    refuseOptionsOfMotion(choice);
+  }
   if (choice.device.starts_with("file:")) {
     refuseOwnSource(choice, choice.device.substr(5), "--device");
   }
   if (!choice.shown.folder.empty()) {
     refuseOwnSource(choice, shownRecord(choice.shown), "--shown");
   }
-  refuse(choice.follow && choice.isScene() && !choice.moves(), "nothing moves in this scene", "--follow",
-         "--turn 30, or --eyes FILE.csv");
 }
 
 /// What is presented, and what it needs to stand.
 struct Presented {
   std::optional<ViewedScene> scene;
-  std::unique_ptr<MovingImages> images;  ///< of an eye that moves
+  std::unique_ptr<MovingImages> images;  ///< of an eye or a scene that moves
+  std::unique_ptr<MovingView> view;      ///< of a scene that does
   std::unique_ptr<EyeFeed> feed;
   std::unique_ptr<VolumeSource> source;
   EyesSource* eyes = nullptr;
@@ -151,15 +173,83 @@ void addViewedScene(Presented& presented, const PresentChoice& choice, const Dis
   }
 }
 
+CameraChoice eyesCamera(const PresentChoice& choice) {
+  const CameraChoice camera = cameraChoice(choice.hasCamera() ? choice.camera : "ddoc");
+  if (!camera.hasImages()) {
+    throw InputError("this camera has no image to build for an eye", camera.name, "--camera ddoc");
+  }
+  return camera;
+}
+
+EyesOptions eyesOptions(const PresentChoice& choice) {
+  const ImageSize size = imageSizeFromText(choice.size, "--size");
+  return {.width = size.width,
+          .height = size.height,
+          .slicing = sliceOptionsOf(choice.slicing),
+          .minImageScale = choice.minImageScale,
+          .refreshesToMake = choice.refreshesToMake};
+}
+
+/// The scene, where it moves: nullptr otherwise.
+std::unique_ptr<SceneMotion> motionOf(const PresentChoice& choice, const DisplayProfile& profile,
+                                      const CommandContext& context) {
+  if (!choice.mayPlay()) {
+    return nullptr;
+  }
+  SceneOptions options = choice.scene.options;
+  if (choice.isFolder() && !options.motion.meshesPerSecond) {
+    options.motion.meshesPerSecond = profile.refreshHertz();
+  }
+  return loadMotion(choice.scene.source, options, context.progress());
+}
+
+/// As it moves, and where a camera looks at it, from an eye that stands still or moves, too.
+void addMotionSource(Presented& presented, const PresentChoice& choice, std::unique_ptr<SceneMotion> motion,
+                     const DisplayProfile& profile, const CommandContext& context) {
+  refuseSlowSlicers(choice);
+  const MotionPlayback playback{.speed = choice.speed, .loop = choice.loop};
+  noteBlackScene(context, motion->at(0));
+  if (choice.eyes.empty() && !choice.hasCamera()) {
+    auto source = std::make_unique<MotionSource>(std::move(motion), profile, sliceOptionsOf(choice.slicing), playback);
+    if (source->isCutOff()) {
+      noteCutOffScene(context);
+    }
+    presented.source = std::move(source);
+    return;
+  }
+  presented.images = std::make_unique<MovingImages>(eyesCamera(choice));
+  const EyesOptions size = eyesOptions(choice);
+  const double fewestPixels = size.width * size.minImageScale * size.height * size.minImageScale;
+  presented.view =
+      std::make_unique<MovingView>(std::move(motion), *presented.images, playback, static_cast<size_t>(fewestPixels));
+  if (choice.eyes.empty()) {
+    presented.feed = std::make_unique<StandingEye>();
+  } else {
+    presented.feed = openEyeFeed(choice.eyes, choice.loop, eyePredictionFromName(choice.prediction, "--predict"));
+  }
+  EyesOptions options = eyesOptions(choice);
+  options.moveScene = [&view = *presented.view](HostTime seen) { return view.moveTo(seen); };
+  auto source = std::make_unique<EyesSource>(
+      [&view = *presented.view, &moving = *presented.images](const PinholeCamera& reference) {
+        ReferenceImages images = view.imagesFrom(reference);
+        return EyesSource::Made(std::move(images), moving.lastBeganCold());
+      },
+      profile, options, *presented.feed);
+  presented.eyes = source.get();
+  presented.source = std::move(source);
+}
+
 void addSceneSource(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile,
                     const CommandContext& context) {
+  if (std::unique_ptr<SceneMotion> motion = motionOf(choice, profile, context)) {
+    addMotionSource(presented, choice, std::move(motion), profile, context);
+    return;
+  }
+  refuseOptionsOfMotion(choice);
   const SliceOptions options = sliceOptionsOf(choice.slicing);
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   if (!choice.eyes.empty()) {
-    const CameraChoice camera = cameraChoice(choice.hasCamera() ? choice.camera : "ddoc");
-    if (!camera.hasImages()) {
-      throw InputError("this camera has no image to build for an eye", camera.name, "--camera ddoc");
-    }
+    const CameraChoice camera = eyesCamera(choice);
     addViewedScene(presented, choice, profile, context);
     presented.feed = openEyeFeed(choice.eyes, choice.loop, eyePredictionFromName(choice.prediction, "--predict"));
     presented.images = std::make_unique<MovingImages>(camera);
@@ -168,13 +258,7 @@ void addSceneSource(Presented& presented, const PresentChoice& choice, const Dis
           ReferenceImages images = moving.next(reference, scene.meshFor(moving.choice(), reference));
           return EyesSource::Made(std::move(images), moving.lastBeganCold());
         },
-        profile,
-        EyesOptions{.width = size.width,
-                    .height = size.height,
-                    .slicing = options,
-                    .minImageScale = choice.minImageScale,
-                    .refreshesToMake = choice.refreshesToMake},
-        *presented.feed);
+        profile, eyesOptions(choice), *presented.feed);
     presented.eyes = source.get();
     presented.source = std::move(source);
     return;
@@ -195,17 +279,6 @@ void addSceneSource(Presented& presented, const PresentChoice& choice, const Dis
   } else {
     presented.source = std::make_unique<StillSource>(sliceOnce(mesh, profile, choice.slicing));
   }
-}
-
-void addSeriesSource(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile,
-                     const CommandContext& context) {
-  auto source = std::make_unique<SeriesSource>(
-      numberedFiles(choice.scene.source, ".ply"), choice.scene.options, profile, sliceOptionsOf(choice.slicing),
-      choice.rate.value_or(profile.refreshHertz()), choice.loop, context.progress());
-  if (source->isCutOff()) {
-    noteCutOffScene(context);
-  }
-  presented.source = std::move(source);
 }
 
 class TimeLineFile {
@@ -404,9 +477,7 @@ void runDeviceLog(const PresentChoice& choice, const CommandContext& context) {
 
 void addSource(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile,
                const CommandContext& context) {
-  if (choice.isSeries()) {
-    addSeriesSource(presented, choice, profile, context);
-  } else if (choice.isScene()) {
+  if (choice.isScene()) {
     addSceneSource(presented, choice, profile, context);
   }
 }
@@ -461,34 +532,24 @@ std::string deviceHelp() {
   return help;
 }
 
-CLI::Validator numberCheck(double least, double most) {
-  return CLI::Validator(
-      [least, most](std::string& text) {
-        double value = 0;
-        // CLI::Range lets "nan" pass.
-        return CLI::detail::lexical_cast(text, value) && value >= least && value <= most
-                   ? std::string()
-                   : fmt::format("\"{}\" is no number from {} to {}", text, least, most);
-      },
-      "");
-}
-
 }  // namespace
 
 void addPresentCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand("present", "Show a scene or a volume on a display, in time with it");
   const auto choice = std::make_shared<PresentChoice>();
   addSceneOptions(command, choice->scene, context);
+  addMotionOptions(command, choice->scene);
+  command.get_option("--rate")->description("Meshes a second of a folder of numbered meshes; by default one a refresh");
   command.get_option("SCENE")->description(
-      "A scene, the mesh of a reference image (.exr), a volume or recording (.svol), or a folder of numbered .ply "
-      "files");
+      "A scene, which plays where it moves, the mesh of a reference image (.exr), a volume or recording (.svol), or a "
+      "folder of numbered meshes");
   command.add_option("--device", choice->device, deviceHelp())->type_name("DEVICE")->required();
   addProfileOption(command, choice->profile);
   addSlicingOptions(command, choice->slicing);
   command.add_option("--seconds", choice->seconds, "Stop after so long; otherwise at the end, or with Ctrl-C")
       ->check(numberCheck(0, 1e9))
       ->type_name("SECONDS");
-  command.add_flag("--loop", choice->loop, "At the end of a recording, a series or a path of eyes begin again");
+  command.add_flag("--loop", choice->loop, "At the end of a recording, a motion or a path of eyes begin again");
   command.add_flag("--follow", choice->follow, "Tell of every refresh that was missed, when it is");
   command.add_option("--turn", choice->turn, "Turn the scene about the display's axis")
       ->check(numberCheck(-1e5, 1e5))
@@ -521,9 +582,10 @@ void addPresentCommand(CLI::App& program, const CommandContext& context) {
       ->check(CLI::Range(1, 2))
       ->type_name("1|2")
       ->capture_default_str();
-  command.add_option("--rate", choice->rate, "Meshes a second of a folder; by default one a refresh")
-      ->check(numberCheck(1e-3, 1e4))
-      ->type_name("HERTZ");
+  command.add_option("--speed", choice->speed, "Of a scene that moves: so many times as fast")
+      ->check(numberCheck(1e-3, 1e3))
+      ->type_name("FACTOR")
+      ->capture_default_str();
   command.add_flag("--tear", choice->tear, "Show frames that come late at once, in the middle of a turn");
   command.add_flag("--coarse", choice->coarse, "Show the part of a frame that is there in time");
   addEmulatedDisplayOptions(command, choice->simulated, "of the simulated display: unlimited");

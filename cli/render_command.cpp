@@ -128,6 +128,7 @@ void addRenderCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand("render", "Render a scene with any camera");
   const auto choice = std::make_shared<RenderChoice>();
   addSceneOptions(command, choice->scene, context);
+  addMotionOptions(command, choice->scene);
   addAnyCameraOption(command, choice->camera);
   command
       .add_option(

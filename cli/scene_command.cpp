@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iterator>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/command.h"
@@ -15,6 +17,7 @@
 #include "oc_core/scene/ply_file.h"
 #include "oc_core/worlds/builtin_scenes.h"
 #include "oc_core/worlds/packed_source.h"
+#include "oc_core/worlds/scene_motion.h"
 
 namespace ocelli {
 namespace {
@@ -68,7 +71,8 @@ std::string listAsJson() {
 /// Of the file itself: where it has textures, some are split to bake these to vertices.
 size_t trianglesInFile(const SceneChoice& scene, const Mesh& mesh, const Progress& progress) {
   // Neither has textures.
-  if (!scene.options.textures || isBuiltinScene(scene.source) || scene.source.ends_with(".ply")) {
+  if (!scene.options.textures || isBuiltinScene(scene.source) || scene.source.ends_with(".ply") ||
+      scene.options.motion.seconds) {
     return mesh.triangles.size();
   }
   return loadScene(scene.source, {.fit = false, .shading = Shading::kNone, .textures = false}, progress)
@@ -87,7 +91,49 @@ void putBox(Json& info, const Box& box) {
   info["upper"] = list(box.upper);
 }
 
-std::string infoAsText(const std::string& source, const Mesh& mesh, size_t inFile) {
+void appendMotion(std::string& text, const SceneMotion& motion) {
+  const MotionFacts facts = motion.facts();
+  text += fmt::format("  moves      for {:.6g} s", motion.durationSeconds());
+  if (facts.meshes > 0) {
+    text += fmt::format(": {} meshes, {} of them with triangles of their own", facts.meshes, facts.topologies);
+  }
+  text += "\n";
+  for (size_t i = 0; i < facts.animations.size(); ++i) {
+    text += fmt::format("  animation  {} \"{}\", {:.6g} s{}\n", i + 1, printableText(facts.animations[i].name),
+                        facts.animations[i].seconds, i == facts.played ? ", the one that plays" : "");
+  }
+}
+
+void putMotion(Json& info, const SceneMotion& motion) {
+  const MotionFacts facts = motion.facts();
+  Json animations = Json::array();
+  for (const MotionFacts::Animation& animation : facts.animations) {
+    animations.push_back({{"name", animation.name}, {"seconds", animation.seconds}});
+  }
+  info["motion"] = {{"seconds", motion.durationSeconds()},
+                    {"meshes", facts.meshes},
+                    {"topologies", facts.topologies},
+                    {"animations", animations}};
+}
+
+/// Of a scene that moves: its motion is told, too.
+std::unique_ptr<SceneMotion> motionToTell(const SceneChoice& scene, const Progress& progress) {
+  return mayMove(scene.source) ? loadMotion(scene.source, scene.options, progress) : nullptr;
+}
+
+/// A folder of meshes is told of at its begin.
+Mesh meshToTell(const SceneChoice& scene, SceneMotion* motion, const Progress& progress) {
+  if (motion != nullptr && (scene.options.motion.seconds || std::filesystem::is_directory(scene.source))) {
+    SceneOptions options = scene.options;
+    options.motion.seconds = options.motion.seconds.value_or(0);
+    return loadScene(scene.source, options, progress);
+  }
+  SceneOptions options = scene.options;
+  options.motion = {};
+  return loadScene(scene.source, options, progress);
+}
+
+std::string infoAsText(const std::string& source, const Mesh& mesh, size_t inFile, const SceneMotion* motion) {
   const size_t triangles = mesh.triangles.size();
   const std::string count =
       triangles == inFile
@@ -95,15 +141,21 @@ std::string infoAsText(const std::string& source, const Mesh& mesh, size_t inFil
           : fmt::format("{} in the file, {} after its textures were baked to vertices", inFile, triangles);
   std::string text = fmt::format("{}\n  triangles  {}\n  vertices   {}\n", source, count, mesh.positions.size());
   appendBox(text, boundsOf(mesh));
+  if (motion != nullptr) {
+    appendMotion(text, *motion);
+  }
   return text;
 }
 
-std::string infoAsJson(const std::string& source, const Mesh& mesh, size_t inFile) {
+std::string infoAsJson(const std::string& source, const Mesh& mesh, size_t inFile, const SceneMotion* motion) {
   Json info{{"scene", source},
             {"triangles", mesh.triangles.size()},
             {"triangles_in_file", inFile},
             {"vertices", mesh.positions.size()}};
   putBox(info, boundsOf(mesh));
+  if (motion != nullptr) {
+    putMotion(info, *motion);
+  }
   return textOfJson(info, 2) + "\n";
 }
 
@@ -151,25 +203,29 @@ void addSceneList(CLI::App& parent, const CommandContext& context) {
 }
 
 void addSceneInfo(CLI::App& parent, const CommandContext& context) {
-  CLI::App& command = *parent.add_subcommand(
-      "info", "Count what is in a scene, as everything downstream sees it; of a packed scene, check all of it");
+  CLI::App& command = *parent.add_subcommand("info",
+                                             "Count what is in a scene, as everything downstream sees it, and tell how "
+                                             "it moves; of a packed scene, check all of "
+                                             "it");
   const auto scene = std::make_shared<SceneChoice>();
   const auto asJson = std::make_shared<bool>(false);
   addSceneOptions(command, *scene, context);
+  addMotionOptions(command, *scene);
   command.add_flag("--json", *asJson, "Print the figures as JSON");
-  context.finish(
-      command, "  ocelli scene info bunny.obj\n  ocelli scene info bunny.obj --no-fit --shading none",
-      [scene, asJson, context] {
-        if (isPackedScene(scene->source)) {
-          const PackedScene packed = openPacked(scene->source, scene->options);
-          const PackSummary holds = summaryOf(packed, context.progress());
-          context.print(*asJson ? packInfoAsJson(packed, holds) : packInfoAsText(packed, holds));
-          return;
-        }
-        const Mesh mesh = loadScene(scene->source, scene->options, context.progress());
-        const size_t inFile = trianglesInFile(*scene, mesh, context.progress());
-        context.print(*asJson ? infoAsJson(scene->source, mesh, inFile) : infoAsText(scene->source, mesh, inFile));
-      });
+  context.finish(command, "  ocelli scene info bunny.obj\n  ocelli scene info bunny.obj --no-fit --shading none",
+                 [scene, asJson, context] {
+                   if (isPackedScene(scene->source)) {
+                     const PackedScene packed = openPacked(scene->source, scene->options);
+                     const PackSummary holds = summaryOf(packed, context.progress());
+                     context.print(*asJson ? packInfoAsJson(packed, holds) : packInfoAsText(packed, holds));
+                     return;
+                   }
+                   const std::unique_ptr<SceneMotion> motion = motionToTell(*scene, context.progress());
+                   const Mesh mesh = meshToTell(*scene, motion.get(), context.progress());
+                   const size_t inFile = trianglesInFile(*scene, mesh, context.progress());
+                   context.print(*asJson ? infoAsJson(scene->source, mesh, inFile, motion.get())
+                                         : infoAsText(scene->source, mesh, inFile, motion.get()));
+                 });
 }
 
 void addSceneExport(CLI::App& parent, const CommandContext& context) {
@@ -177,6 +233,7 @@ void addSceneExport(CLI::App& parent, const CommandContext& context) {
   const auto scene = std::make_shared<SceneChoice>();
   const auto path = std::make_shared<std::string>();
   addSceneOptions(command, *scene, context);
+  addMotionOptions(command, *scene);
   addOutputOption(command, *path, "The mesh, as binary PLY with vertex colours", {".ply"});
   context.finish(command, "  ocelli scene export builtin:statues,triangles=4600000 -o statues.ply",
                  [scene, path, context] {

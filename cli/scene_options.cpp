@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/number_check.h"
 #include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/ocri/camera_choice.h"
 
@@ -42,6 +43,33 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContex
       ->type_name("NAME");
   command.add_flag_callback(
       "--no-textures", [&choice] { choice.options.textures = false; }, "Leave the textures of a file out");
+}
+
+void addMotionOptions(CLI::App& command, SceneChoice& choice) {
+  MotionOptions& motion = choice.options.motion;
+  command
+      .add_option("--time", motion.seconds,
+                  "Of a scene that moves: this moment of its motion. Without it a file is as it stands at rest")
+      ->check(numberCheck(0, 1e9))
+      ->type_name("SECONDS");
+  command
+      .add_option("--animation", motion.animation,
+                  "Which animation of a file: its name, or its number from 1 on; by default the first")
+      ->type_name("NAME|NUMBER");
+  command.add_option("--rate", motion.meshesPerSecond, "Meshes a second of a folder of numbered meshes; 24 by default")
+      ->check(numberCheck(1e-3, 1e4))
+      ->type_name("HERTZ");
+  command
+      .add_option_function<std::string>(
+          "--between",
+          [&motion](const std::string& name) {
+            motion.between = name == "linear" ? BetweenMeshes::kLinear : BetweenMeshes::kHold;
+          },
+          "Between two meshes of a folder: the earlier one, or, where their triangles are the same, a mesh whose "
+          "vertices are on the way from one to the other")
+      ->check(CLI::IsMember({"hold", "linear"}))
+      ->default_str("hold")
+      ->type_name("NAME");
 }
 
 void addCameraOption(CLI::App& command, std::string& camera) {

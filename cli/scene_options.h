@@ -23,6 +23,9 @@ struct SceneChoice {
 /// say of the scene that is loaded then, such as a missing texture, becomes a note of `frame`.
 void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContext& context);
 
+/// Adds what there is to say of a SCENE that moves: --time, --animation, --rate and --between.
+void addMotionOptions(CLI::App& command, SceneChoice& choice);
+
 /// Adds --camera NAME|FILE.json, for the cameras that build reference images.
 void addCameraOption(CLI::App& command, std::string& camera);
 /// The same for constructors of graph and curved ray cameras; it is required.

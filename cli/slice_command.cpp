@@ -148,6 +148,7 @@ void addSliceCommand(CLI::App& program, const CommandContext& context) {
       *program.add_subcommand("slice", "Slice a scene, a mesh or a reference image (.exr) for a display");
   const auto choice = std::make_shared<SliceChoice>();
   addSceneOptions(command, choice->scene, context);
+  addMotionOptions(command, choice->scene);
   addProfileOption(command, choice->profile);
   addSlicingOptions(command, choice->slicing);
   command.add_option("--repeat", choice->repeat, "Slice so often, and tell the shortest time")

@@ -70,11 +70,14 @@ Mesh loadMeshToSlice(const SceneChoice& scene, const DisplayProfile& profile, bo
 }
 
 std::string sliceMetadata(const SceneChoice& scene, const SlicingChoice& choice) {
-  const nlohmann::ordered_json json = {{"software", "ocelli " OCELLI_VERSION},
-                                       {"scene", scene.source},
-                                       {"dither", choice.undithered ? "none: any light is full light" : choice.dither},
-                                       {"even_light_radius", choice.evenLightRadius},
-                                       {"antialiased", choice.antialiased}};
+  nlohmann::ordered_json json = {{"software", "ocelli " OCELLI_VERSION},
+                                 {"scene", scene.source},
+                                 {"dither", choice.undithered ? "none: any light is full light" : choice.dither},
+                                 {"even_light_radius", choice.evenLightRadius},
+                                 {"antialiased", choice.antialiased}};
+  if (scene.options.motion.seconds) {
+    json["time_seconds"] = *scene.options.motion.seconds;
+  }
   return textOfJson(json);
 }
 

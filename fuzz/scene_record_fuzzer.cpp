@@ -1,9 +1,10 @@
 // libFuzzer target: any bytes as what `ocelli-read-scene` hands back. What is read is baked, and written as the same
-// bytes again.
+// bytes again; what moves is played.
 #include <algorithm>
 #include <cstdlib>
 
 #include "oc_core/base/error.h"
+#include "oc_core/scene/animated_scene.h"
 #include "oc_core/scene/scene_record.h"
 
 namespace {
@@ -11,6 +12,7 @@ namespace {
 // A larger texture, or more triangles of it, takes long and is baked in the same way.
 constexpr uint64_t kMaxPixels = 1 << 12;
 constexpr size_t kMaxTextureTriangles = 2000;
+constexpr size_t kMaxPlayedTriangles = 10'000;
 
 void check(const ocelli::Mesh& mesh) {
   if (!mesh.colors.empty() && mesh.colors.size() != mesh.positions.size()) {
@@ -20,6 +22,27 @@ void check(const ocelli::Mesh& mesh) {
     if (std::max({t.x, t.y, t.z}) >= mesh.positions.size()) {
       std::abort();
     }
+  }
+}
+
+/// A rig that was read can be played at any time; numbers may only be refused.
+void play(ocelli::SceneRecord& record) {
+  size_t triangles = 0;
+  for (const ocelli::Instance& instance : record.instances) {
+    triangles += record.parts[instance.mesh].mesh.triangles.size();
+  }
+  if (!record.rig || triangles > kMaxPlayedTriangles) {
+    return;
+  }
+  std::vector<ocelli::RiggedMesh> meshes;
+  for (const ocelli::TexturedMesh& part : record.parts) {
+    meshes.push_back({part.mesh, part.middles});
+  }
+  const ocelli::AnimatedScene scene(meshes, record.instances, *record.rig, "", "fuzz");
+  ocelli::MovedMesh moved;
+  for (const double share : {0.0, 0.5, 1.0}) {
+    scene.moveTo(share * scene.durationSeconds(), moved);
+    check(moved.mesh);
   }
 }
 
@@ -45,6 +68,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     for (const ocelli::TexturedMesh& part : record.parts) {
       check(part.mesh);
     }
+    play(record);
   } catch (const ocelli::Error&) {
     // Any other exception is a finding.
   }

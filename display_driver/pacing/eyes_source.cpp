@@ -13,7 +13,7 @@
 namespace ocelli {
 namespace {
 
-enum Step { kBuilding, kMeshing, kSlicing };
+enum Step { kBuilding, kMeshing, kSlicing, kMoving };
 
 /// Of a refresh, what making may take: the rest is for what else the machine does.
 constexpr double kShareOfRefresh = 0.85;
@@ -55,7 +55,11 @@ EyesSource::EyesSource(ImagesFor imagesFor, const DisplayProfile& profile, const
       feed_(feed),
       slicer_(profile, options_.slicing),
       stages_{{"reference image", {}}, {"mesh", {}}, {"slices", {}}},
-      scale_(kShareOfRefresh / profile.refreshHertz(), options_.minImageScale) {}
+      scale_(kShareOfRefresh / profile.refreshHertz(), options_.minImageScale) {
+  if (options_.moveScene) {
+    stages_.push_back({"motion", {}});
+  }
+}
 
 EyesSource::~EyesSource() = default;
 
@@ -68,11 +72,16 @@ SourcedVolume EyesSource::leaveOut(const std::string& why) {
 
 TwoStageLine::SecondStage EyesSource::begin(HostTime seen) {
   const auto nothing = [](const SourcedVolume& volume) { return [volume] { return volume; }; };
-  const bool ended = feed_.ended(seen);
+  StopWatch watch;
+  const auto scene = options_.moveScene ? options_.moveScene(seen) : EyesOptions::SceneState::kSame;
+  const auto moving = watch.lap();
+  const bool ended = feed_.ended(seen) || scene == EyesOptions::SceneState::kEnded;
+  // After the scene has moved, so that the place is as late as can be.
   const std::optional<glm::vec3> eye = feed_.eyeAt(seen);
-  resting_ = eye == eye_ ? resting_ + 1 : 0;
+  const bool isSame = eye == eye_ && scene == EyesOptions::SceneState::kSame;
+  resting_ = isSame ? resting_ + 1 : 0;
   const bool refines = lastScale_ < 1 && resting_ >= kRestingRefreshes;
-  if (!eye || (eye == eye_ && !refines)) {
+  if (!eye || scene == EyesOptions::SceneState::kEnded || (isSame && !refines)) {
     return nothing({.kind = ended ? SourcedVolume::Kind::kEnd : SourcedVolume::Kind::kSame});
   }
   eye_ = eye;
@@ -81,16 +90,18 @@ TwoStageLine::SecondStage EyesSource::begin(HostTime seen) {
     return refines ? 1 : scale_.next();
   }();
   lastScale_ = scale;
-  StopWatch watch;
   try {
     const PinholeCamera reference(viewFrom(*eye), scaled(options_.width, scale), scaled(options_.height, scale));
     const auto made = std::make_shared<const Made>(imagesFor_(reference));
     const auto took = watch.lap();
     stages_[kBuilding].times.add(took);
+    if (options_.moveScene) {
+      stages_[kMoving].times.add(moving);
+    }
     // One cold image comes once; where one follows the other they are the rule.
     const bool isException = refines || (made->beganCold && !lastBeganCold_);
     lastBeganCold_ = made->beganCold;
-    const ImageCost cost{scale, std::chrono::duration<double>(took).count(), isException};
+    const ImageCost cost{scale, std::chrono::duration<double>(moving + took).count(), isException};
     return [this, made, cost] { return sliced(made->images, cost); };
   } catch (const InputError& error) {
     return nothing(leaveOut(error.what()));
@@ -108,7 +119,7 @@ SourcedVolume EyesSource::sliced(const ReferenceImages& images, const ImageCost&
   if (!cost.isException) {
     const double slicingSeconds = std::chrono::duration<double>(meshing + slicing).count();
     const std::lock_guard lock(scaleMutex_);
-    scale_.add(static_cast<double>(cost.scale),
+    scale_.add(cost.scale,
                options_.refreshesToMake == 1 ? cost.seconds + slicingSeconds : std::max(cost.seconds, slicingSeconds));
   }
   return {

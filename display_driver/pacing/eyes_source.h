@@ -30,6 +30,15 @@ struct EyesOptions {
   /// Refreshes that making a volume may take, 1 or 2. With 1 all of it is made in one: what is seen is young. With 2
   /// the image of one is built while another is sliced: images are larger, and a refresh older.
   int refreshesToMake = 1;
+
+  enum class SceneState {
+    kSame,
+    kMoved,
+    kEnded,  ///< its motion is over
+  };
+  /// Of a scene that moves in time: moves it to where it is when it will be seen, before the images of it are made;
+  /// empty where it stands still. Called by one thread at a time, the one that makes the images.
+  std::function<SceneState(HostTime seen)> moveScene = {};
 };
 
 class EyesSource final : public VolumeSource {
@@ -49,8 +58,8 @@ class EyesSource final : public VolumeSource {
   EyesSource(ImagesFor imagesFor, const DisplayProfile& profile, const EyesOptions& options, EyeFeed& feed);
   ~EyesSource() override;
 
-  /// Ends where the feed has ended and its last place has been shown. Eyes from which the scene cannot be seen (inside
-  /// of it, or of the display) are left out, and the last volume stays.
+  /// Ends where the feed has ended and its last place has been shown, or the motion of the scene is over. Eyes from
+  /// which the scene cannot be seen (inside of it, or of the display) are left out, and the last volume stays.
   SourcedVolume volumeFor(HostTime seen) override;
   /// The first stage builds the image, the second slices its mesh.
   VolumeLine* line() override;
@@ -67,7 +76,7 @@ class EyesSource final : public VolumeSource {
     const char* name = "";
     StageTimes times;
   };
-  /// Of the last frames: building the reference image, its mesh, slicing.
+  /// Of the last frames: building the reference image, its mesh, slicing; last, moving the scene where it moves.
   const std::vector<Stage>& stages() const { return stages_; }
 
  private:

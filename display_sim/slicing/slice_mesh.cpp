@@ -44,15 +44,22 @@ class LocalNumbers {
 
 }  // namespace
 
+std::vector<glm::uvec3> trianglesForSlicing(const Mesh& mesh) {
+  std::vector<glm::uvec3> triangles(mesh.triangles.size());
+  if (!triangles.empty()) {
+    meshopt_spatialSortTriangles(&triangles[0].x, &mesh.triangles[0].x, 3 * triangles.size(), &mesh.positions[0].x,
+                                 mesh.positions.size(), sizeof(glm::vec3));
+  }
+  return triangles;
+}
+
 Mesh orderedForSlicing(const Mesh& mesh) {
   if (mesh.triangles.empty()) {
     return mesh;
   }
   const size_t indices = 3 * mesh.triangles.size();
   Mesh ordered;
-  ordered.triangles.resize(mesh.triangles.size());
-  meshopt_spatialSortTriangles(&ordered.triangles[0].x, &mesh.triangles[0].x, indices, &mesh.positions[0].x,
-                               mesh.positions.size(), sizeof(glm::vec3));
+  ordered.triangles = trianglesForSlicing(mesh);
   std::vector<uint32_t> places(mesh.positions.size());
   const size_t used =
       meshopt_optimizeVertexFetchRemap(places.data(), &ordered.triangles[0].x, indices, mesh.positions.size());
@@ -100,19 +107,32 @@ SliceMesh::SliceMesh(const Mesh& mesh) : sourceCount_(mesh.positions.size()) {
     coordinate->resize(sources_.size() + kPadding);
   }
   setPositions(mesh.positions);
-  if (std::ranges::any_of(mesh.colors, [](const glm::vec3& color) { return color != glm::vec3(1); })) {
-    for (std::vector<float>* channel : {&red_, &green_, &blue_}) {
-      channel->resize(sources_.size() + kPadding);
-    }
-    parallelFor(sources_.size(), 1 << 14, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        const glm::vec3& color = mesh.colors[sources_[i]];
-        red_[i] = lightSteps(color.r);
-        green_[i] = lightSteps(color.g);
-        blue_[i] = lightSteps(color.b);
-      }
-    });
+  setColors(mesh.colors);
+}
+
+void SliceMesh::setColors(std::span<const glm::vec3> colors) {
+  OC_CHECK(colors.empty() || colors.size() == sourceCount_, "another number of colours than the mesh had vertices");
+  if (white() && std::ranges::all_of(colors, [](const glm::vec3& color) { return color == glm::vec3(1); })) {
+    return;
   }
+  for (std::vector<float>* channel : {&red_, &green_, &blue_}) {
+    channel->resize(sources_.size() + kPadding, static_cast<float>(kLightSteps));
+  }
+  parallelFor(chunks_.size(), 4, [&](size_t begin, size_t end) {
+    for (size_t c = begin; c < end; ++c) {
+      SliceChunk& chunk = chunks_[c];
+      bool changed = false;
+      for (size_t i = chunk.firstVertex; i < chunk.firstVertex + size_t{chunk.vertices}; ++i) {
+        const glm::vec3 color = colors.empty() ? glm::vec3(1) : colors[sources_[i]];
+        const glm::vec3 steps(lightSteps(color.r), lightSteps(color.g), lightSteps(color.b));
+        changed |= steps != glm::vec3(red_[i], green_[i], blue_[i]);
+        red_[i] = steps.r;
+        green_[i] = steps.g;
+        blue_[i] = steps.b;
+      }
+      chunk.version += changed ? 1 : 0;
+    }
+  });
 }
 
 void SliceMesh::setPositions(std::span<const glm::vec3> positions) {

@@ -17,6 +17,8 @@ inline constexpr int kLightSteps = 1 << 15;
 /// The same mesh with neighbours in space one after the other, triangles and vertices, without vertices of no triangle.
 /// Makes slicing several times faster where the order is random; worth it for what is sliced often.
 Mesh orderedForSlicing(const Mesh& mesh);
+/// The triangles of the mesh alone in that order, for vertices that stay where they are in its arrays.
+std::vector<glm::uvec3> trianglesForSlicing(const Mesh& mesh);
 
 /// Triangles and vertices first, first + 1, ... of the mesh's arrays.
 struct SliceChunk {
@@ -24,7 +26,7 @@ struct SliceChunk {
   uint32_t vertices = 0;
   uint32_t firstTriangle = 0;
   uint32_t triangles = 0;
-  uint32_t version = 0;  ///< changes whenever a vertex of it moves
+  uint32_t version = 0;  ///< changes whenever a vertex of it moves, or changes its colour
 };
 
 class SliceMesh {
@@ -40,6 +42,8 @@ class SliceMesh {
 
   /// New places for the vertices of the mesh that this was made from, in its order; as many as it had.
   void setPositions(std::span<const glm::vec3> positions);
+  /// New colours for them; as many, or none, which stands for white.
+  void setColors(std::span<const glm::vec3> colors);
 
   size_t triangleCount() const { return corners_.size() / 3; }
   std::span<const SliceChunk> chunks() const { return chunks_; }

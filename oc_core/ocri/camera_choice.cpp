@@ -155,7 +155,8 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
   }
   ConstructionReport done{
       .byRays = choice.kind->castsRays ||
-                (crossover && constructWithRays(wanted, *crossover, mesh.triangles.size(), rays != nullptr)),
+                (crossover && constructWithRays(wanted, *crossover, mesh.triangles.size(),
+                                                rays != nullptr ? RayStructure::kStands : RayStructure::kNone)),
       .triangles = mesh.triangles.size()};
   if (rays == nullptr || !done.byRays) {
     requireOutside(mesh, reference.eye(), "view");
@@ -190,15 +191,23 @@ MovingImages::MovingImages(CameraChoice choice)
 
 MovingImages::~MovingImages() = default;
 
-ReferenceImages MovingImages::next(const PinholeCamera& reference, const Mesh& mesh, const Progress& progress) {
+ReferenceImages MovingImages::next(const PinholeCamera& reference, const Mesh& mesh, const RayScene* rays,
+                                   const Progress& progress) {
   requireOutside(mesh, reference.eye(), "view");
-  return imagesOf({choice_, reference, mesh, progress}, [&](const RepresentationInputs& inputs) {
-    ImageSequence::Next next = sequence_ ? sequence_->next(inputs) : ImageSequence::Next{choice_.kind->images(inputs)};
-    ++starts_.images;
-    starts_.cold += next.warm ? 0 : 1;
-    lastBeganCold_ = remembers() && !next.warm;
-    return std::move(next.images);
-  });
+  std::optional<RayRenderer> renderer;
+  if (rays != nullptr) {
+    requireOutsideSegments(choice_, reference, mesh);
+    renderer.emplace(mesh, *rays);
+  }
+  return imagesOf({choice_, reference, mesh, progress, renderer ? &*renderer : nullptr},
+                  [&](const RepresentationInputs& inputs) {
+                    ImageSequence::Next next =
+                        sequence_ ? sequence_->next(inputs) : ImageSequence::Next{choice_.kind->images(inputs)};
+                    ++starts_.images;
+                    starts_.cold += next.warm ? 0 : 1;
+                    lastBeganCold_ = remembers() && !next.warm;
+                    return std::move(next.images);
+                  });
 }
 
 ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choice, const PinholeCamera& reference,

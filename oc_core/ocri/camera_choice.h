@@ -71,16 +71,19 @@ struct StartedImages {
   size_t cold = 0;  ///< began by themselves, and not from what the last one knew
 };
 
-/// The reference images of an eye that moves, by rasterisation. Each begins from what the last one knew, where the row
-/// of the choice has a way to (representation_kind.h), and the eye has not jumped. Called by one thread at a time.
+/// The reference images of an eye that moves, or of a scene that does. Each begins from what the last one knew, where
+/// the row of the choice has a way to (representation_kind.h), and the eye has not jumped. Called by one thread at a
+/// time.
 class MovingImages {
  public:
   explicit MovingImages(CameraChoice choice);
   ~MovingImages();
 
   const CameraChoice& choice() const { return choice_; }
-  /// Throws as buildReferenceImages() does, which gives an image of about the same errors.
-  ReferenceImages next(const PinholeCamera& reference, const Mesh& mesh, const Progress& progress = {});
+  /// By rasterisation, or by `rays` against the acceleration structure of the mesh where there is one. Throws as
+  /// buildReferenceImages() does, which gives an image of about the same errors.
+  ReferenceImages next(const PinholeCamera& reference, const Mesh& mesh, const RayScene* rays = nullptr,
+                       const Progress& progress = {});
 
   /// Whether images may begin from the last one.
   bool remembers() const { return sequence_ != nullptr; }

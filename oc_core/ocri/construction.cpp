@@ -8,6 +8,9 @@
 namespace ocelli {
 namespace {
 
+/// Of the images that the crossovers were measured with.
+constexpr double kCrossoverPixels = 720 * 480;
+
 /// With a comma between thousands.
 std::string grouped(size_t number) {
   return number < 1000 ? fmt::format("{}", number) : fmt::format("{},{:03}", grouped(number / 1000), number % 1000);
@@ -15,10 +18,20 @@ std::string grouped(size_t number) {
 
 }  // namespace
 
-bool constructWithRays(Construction wanted, size_t crossover, size_t triangleCount, bool structureStands) {
+bool constructWithRays(Construction wanted, size_t crossover, size_t triangleCount, RayStructure structure,
+                       const RefitCost& refit) {
   switch (wanted) {
     case Construction::kAuto:
-      return structureStands && triangleCount >= crossover;
+      switch (structure) {
+        case RayStructure::kNone:
+          return false;
+        case RayStructure::kStands:
+          return triangleCount >= crossover;
+        case RayStructure::kRefits:
+          return static_cast<double>(triangleCount) * (1 - refit.share) >=
+                 static_cast<double>(crossover) * static_cast<double>(refit.pixels) / kCrossoverPixels;
+      }
+      OC_CHECK(false, "every structure is decided");
     case Construction::kRaster:
       return false;
     case Construction::kRays:

@@ -27,9 +27,32 @@ struct RayCrossover {
   static constexpr size_t kCell = 400'000;
 };
 
-/// Whether to construct by rays. Where no acceleration structure stands, kAuto rasterises: to build the structure takes
-/// longer than to draw all triangles of any scene once. Only a cell camera, which draws many views, would gain.
-bool constructWithRays(Construction wanted, size_t crossover, size_t triangleCount, bool structureStands);
+/// What there is to cast rays at.
+enum class RayStructure {
+  kNone,
+  kStands,
+  kRefits,  ///< it follows a scene that moves before each image (RayScene::update())
+};
+
+/// What refitting the structure for each image of a scene that moves takes, as a share of what it takes to draw its
+/// triangles for the image: of the CPU times of bench/moving_scene_bench, one million triangles.
+struct RefitShare {
+  static constexpr double kDepthImage = 0.8;
+  static constexpr double kOther = 0.25;  ///< of cameras that draw them more than once; eoc-h: 0.21
+};
+
+/// Of a structure that follows a scene that moves.
+struct RefitCost {
+  double share = RefitShare::kOther;
+  size_t pixels = 0;  ///< of the image
+};
+
+/// Whether to construct by rays. The cost of rays grows with the pixels, that of refitting and of drawing with the
+/// triangles; so images of what moves that are made smaller, as time runs short, are sooner cast than drawn. Where no
+/// acceleration structure stands, kAuto rasterises: to build the structure takes longer than to draw all triangles of
+/// any scene once. Only a cell camera, which draws many views, would gain.
+bool constructWithRays(Construction wanted, size_t crossover, size_t triangleCount, RayStructure structure,
+                       const RefitCost& refit = {});
 
 /// Throws InputError, naming `where`, for anything but "auto", "raster" and "rays".
 Construction constructionFromText(const std::string& text, const std::string& where);

@@ -72,6 +72,8 @@ struct RepresentationKind {
   std::function<Mesh(const Mesh& mesh, size_t triangles)> mesh = {};
   /// Triangles from which on rays are faster; nothing where it is built by rasterisation only.
   std::optional<size_t> rayCrossover = {};
+  /// Of a scene that moves: what refitting the acceleration structure takes, as a share of drawing the triangles.
+  double refitShare = RefitShare::kOther;
   /// Directions of the view segments that it is made for; empty where it is made for a cell, or the reference eye.
   std::function<std::vector<glm::vec3>(const CameraChoice&)> segments = {};
   /// What it looks at, where that is less than the whole scene; empty, or nothing: the whole scene.

@@ -304,6 +304,7 @@ std::vector<RepresentationKind> builtinRepresentations() {
                     return {buildDepthImage(in.reference, in.mesh, in.renderer)};
                   },
                   .rayCrossover = RayCrossover::kDepthImage,
+                  .refitShare = RefitShare::kDepthImage,
                   .viewed = viewedFromEye,
                   .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, in.reference, in); },
                   .rays = pinholeRays});

@@ -1,12 +1,16 @@
 // RayScene with Embree. ray_scene_tree.cpp is what stands in its place without.
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <optional>
 
+#include "oc_core/base/parallel.h"
 #include "oc_core/render/ray_segment.h"
 #include "oc_core/render/raycast.h"
+#include "oc_core/render/refit_quality.h"
 #include "oc_core/render/triangle_point.h"
 
 namespace ocelli {
@@ -52,36 +56,87 @@ void searchNear(RTCScene scene, NearSearch& search, Visit) {
 }  // namespace
 
 struct RayScene::Impl {
-  const Mesh* mesh = nullptr;
-  RTCDevice device = nullptr;
+  Impl(const Mesh& ofMesh, Quality wanted, Motion ofScene)
+      : mesh(&ofMesh), quality(wanted), motion(ofScene), device(rtcNewDevice(nullptr)) {
+    OC_CHECK(device != nullptr, "Embree has no device");
+    build();
+  }
+  ~Impl() {
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  void build() {
+    if (scene != nullptr) {
+      rtcReleaseScene(scene);
+    }
+    scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene,
+                     motion == Motion::kMoves ? RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_DYNAMIC : RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(scene, quality == Quality::kLow ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM);
+    if (!mesh->triangles.empty()) {
+      geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+      if (motion == Motion::kMoves) {
+        rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_REFIT);  // its first commit builds
+      }
+      // Embree reads 16 bytes at the last vertex, so the positions are copied into its own padded buffer.
+      positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
+          geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh->positions.size()));
+      copyPositions();
+      rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh->triangles.data(), 0,
+                                 sizeof(glm::uvec3), mesh->triangles.size());
+      rtcCommitGeometry(geometry);
+      rtcAttachGeometry(scene, geometry);
+      rtcReleaseGeometry(geometry);
+    }
+    rtcCommitScene(scene);
+    if (motion == Motion::kMoves) {
+      refitQuality.emplace(*mesh);
+    }
+  }
+
+  void refit() {
+    copyPositions();
+    rtcUpdateGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0);
+    rtcCommitGeometry(geometry);
+    rtcCommitScene(scene);
+  }
+
+  void copyPositions() const {
+    parallelFor(mesh->positions.size(), 1 << 15, [&](size_t begin, size_t end) {
+      std::copy(mesh->positions.begin() + static_cast<ptrdiff_t>(begin),
+                mesh->positions.begin() + static_cast<ptrdiff_t>(end), positions + begin);
+    });
+  }
+
+  const Mesh* mesh;
+  Quality quality;
+  Motion motion;
+  RTCDevice device;
   RTCScene scene = nullptr;
+  RTCGeometry geometry = nullptr;            ///< the scene holds it; nullptr where there is no triangle
+  glm::vec3* positions = nullptr;            ///< its vertices
+  std::optional<RefitQuality> refitQuality;  ///< of a scene that moves
 };
 
-RayScene::RayScene(const Mesh& mesh, Quality quality) : impl_(std::make_unique<Impl>()) {
-  impl_->mesh = &mesh;
-  impl_->device = rtcNewDevice(nullptr);
-  OC_CHECK(impl_->device != nullptr, "Embree has no device");
-  impl_->scene = rtcNewScene(impl_->device);
-  rtcSetSceneFlags(impl_->scene, RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(impl_->scene, quality == Quality::kLow ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM);
-  if (!mesh.triangles.empty()) {
-    RTCGeometry geometry = rtcNewGeometry(impl_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    // Embree reads 16 bytes at the last vertex, so the positions are copied into its own padded buffer.
-    auto* positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.positions.size()));
-    std::copy(mesh.positions.begin(), mesh.positions.end(), positions);
-    rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
-                               sizeof(glm::uvec3), mesh.triangles.size());
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(impl_->scene, geometry);
-    rtcReleaseGeometry(geometry);
-  }
-  rtcCommitScene(impl_->scene);
-}
+RayScene::RayScene(const Mesh& mesh, Quality quality, Motion motion)
+    : impl_(std::make_unique<Impl>(mesh, quality, motion)) {}
 
-RayScene::~RayScene() {
-  rtcReleaseScene(impl_->scene);
-  rtcReleaseDevice(impl_->device);
+RayScene::~RayScene() = default;
+
+RayScene::Update RayScene::update() {
+  OC_CHECK(impl_->refitQuality.has_value(), "only a scene that moves is updated");
+  if (impl_->geometry == nullptr) {
+    return Update::kRefitted;
+  }
+  if (impl_->refitQuality->ratio() < RefitQuality::kMaxRatio) {
+    impl_->refit();
+    return Update::kRefitted;
+  }
+  impl_->build();
+  return Update::kRebuilt;
 }
 
 Fragment RayScene::intersect(const RayPath& path) const {

@@ -1,21 +1,39 @@
 // RayScene without Embree: slower, with the same results but for rounding.
 #include <algorithm>
+#include <optional>
 
 #include "oc_core/render/ray_segment.h"
 #include "oc_core/render/raycast.h"
+#include "oc_core/render/refit_quality.h"
 #include "oc_core/render/triangle_tree.h"
 
 namespace ocelli {
 
 struct RayScene::Impl {
-  explicit Impl(const Mesh& ofMesh) : mesh(ofMesh), tree(ofMesh) {}
+  Impl(const Mesh& ofMesh, Motion motion) : mesh(ofMesh), tree(ofMesh) {
+    if (motion == Motion::kMoves) {
+      quality.emplace(mesh);
+    }
+  }
 
   const Mesh& mesh;
   TriangleTree tree;
+  std::optional<RefitQuality> quality;  ///< of a scene that moves
 };
 
-RayScene::RayScene(const Mesh& mesh, Quality /*quality*/) : impl_(std::make_unique<Impl>(mesh)) {}
+RayScene::RayScene(const Mesh& mesh, Quality /*quality*/, Motion motion)
+    : impl_(std::make_unique<Impl>(mesh, motion)) {}
 RayScene::~RayScene() = default;
+
+RayScene::Update RayScene::update() {
+  OC_CHECK(impl_->quality.has_value(), "only a scene that moves is updated");
+  if (impl_->quality->ratio() < RefitQuality::kMaxRatio) {
+    impl_->tree.refit();
+    return Update::kRefitted;
+  }
+  impl_ = std::make_unique<Impl>(impl_->mesh, Motion::kMoves);
+  return Update::kRebuilt;
+}
 
 Fragment RayScene::intersect(const RayPath& path) const {
   for (size_t i = 1; i < path.size(); ++i) {

@@ -23,10 +23,21 @@ class RayScene final : public RayTarget {
     kMedium,  ///< faster to intersect
   };
 
-  explicit RayScene(const Mesh& mesh, Quality quality = Quality::kMedium);
+  enum class Motion {
+    kStill,
+    kMoves,  ///< update() will be called; a little slower to build and to intersect
+  };
+
+  explicit RayScene(const Mesh& mesh, Quality quality = Quality::kMedium, Motion motion = Motion::kStill);
   ~RayScene() override;
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
+
+  enum class Update { kRefitted, kRebuilt };
+  /// The vertices of the mesh stand elsewhere now; its triangles are the same, and it has as many vertices. The boxes
+  /// of the structure follow, which is some ten times faster than to build it; where that has made it too bad
+  /// (refit_quality.h), it is built anew. Nothing may intersect meanwhile. For scenes that move alone.
+  Update update();
 
   const Mesh& mesh() const;
   /// The element is the triangle.

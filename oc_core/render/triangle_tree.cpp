@@ -8,12 +8,14 @@
 #include <limits>
 #include <numeric>
 
+#include "oc_core/base/parallel.h"
 #include "oc_core/render/triangle_point.h"
 
 namespace ocelli {
 namespace {
 
 constexpr uint32_t kLeafTriangles = 4;
+constexpr size_t kNodesPerRange = 1 << 13;
 constexpr size_t kMaxDepth = 64;  ///< nodes that wait: halves of 2^32 triangles, and some
 
 /// Where the way enters a box, as a share of `step`; nothing where it misses it before `reach`.
@@ -82,6 +84,30 @@ void TriangleTree::build(std::vector<glm::vec3>& centers, uint32_t begin, uint32
   build(centers, begin, middle);
   nodes_[index].second = static_cast<uint32_t>(nodes_.size());
   build(centers, middle, end);
+}
+
+void TriangleTree::refit() {
+  parallelFor(nodes_.size(), kNodesPerRange, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      Node& node = nodes_[i];
+      node.box = Box{};
+      for (uint32_t k = node.begin; k < node.begin + node.count; ++k) {
+        const glm::uvec3& t = mesh_.triangles[order_[k]];
+        for (int corner = 0; corner < 3; ++corner) {
+          node.box.add(mesh_.positions[t[corner]]);
+        }
+      }
+    }
+  });
+  // Children stand behind their parents.
+  for (size_t i = nodes_.size(); i-- > 0;) {
+    if (nodes_[i].count == 0) {
+      for (const Box& box : {nodes_[i + 1].box, nodes_[nodes_[i].second].box}) {
+        nodes_[i].box.lower = glm::min(nodes_[i].box.lower, box.lower);
+        nodes_[i].box.upper = glm::max(nodes_[i].box.upper, box.upper);
+      }
+    }
+  }
 }
 
 std::optional<TriangleTree::Meeting> TriangleTree::meet(const glm::vec3& from, const glm::vec3& way,

@@ -19,6 +19,10 @@ class TriangleTree {
   /// The mesh must outlive it.
   explicit TriangleTree(const Mesh& mesh);
 
+  /// The vertices of the mesh stand elsewhere now; its triangles are the same. Boxes follow from the leaves up; nodes
+  /// keep their triangles.
+  void refit();
+
   struct Meeting {
     uint32_t triangle = 0;
     double share = 0;  ///< of the way from the origin, 1 being `origin + step`

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "oc_core/base/error.h"
+#include "oc_core/scene/animated_scene.h"
 #include "oc_core/scene/ply_file.h"
 #include "oc_core/scene/scene_reader.h"
 #include "oc_core/scene/share_vertices.h"
@@ -63,6 +64,14 @@ Scene readOther(const fs::path& path, const SceneFileOptions& options, const Pro
   return scene;
 }
 
+void checkCount(size_t triangles, const fs::path& path) {
+  if (triangles > kMaxSceneTriangles) {
+    throw InputError(
+        "the scene has " + std::to_string(triangles) + " triangles, more than " + std::to_string(kMaxSceneTriangles),
+        path.string(), "reduce the mesh");
+  }
+}
+
 }  // namespace
 
 bool isPlyFile(const fs::path& path) {
@@ -85,12 +94,35 @@ Scene readSceneFile(const fs::path& path, const SceneFileOptions& options, const
     scene = readOther(path, options, progress);
   }
   scene.name = path.string();
-  if (triangleCount(scene) > kMaxSceneTriangles) {
-    throw InputError("the scene has " + std::to_string(triangleCount(scene)) + " triangles, more than " +
-                         std::to_string(kMaxSceneTriangles),
-                     path.string(), "reduce the mesh");
-  }
+  checkCount(triangleCount(scene), path);
   return scene;
+}
+
+std::unique_ptr<MovingScene> readAnimatedFile(const fs::path& path, const SceneFileOptions& options,
+                                              const std::string& animation, std::vector<std::string>& warnings,
+                                              const Progress& progress) {
+  checkFile(path);
+  if (isPly(path)) {
+    return nullptr;
+  }
+  SceneRecord record = readInOtherProcess(path, options.textures, progress);
+  if (!record.rig) {
+    return nullptr;
+  }
+  warnings.insert(warnings.end(), record.warnings.begin(), record.warnings.end());
+  warnings.insert(warnings.end(), record.rig->warnings.begin(), record.rig->warnings.end());
+  bakeTextures(record.parts, std::move(record.textures), options.textureTriangles);
+  std::vector<RiggedMesh> meshes;
+  for (TexturedMesh& part : record.parts) {
+    meshes.push_back({std::move(part.mesh), std::move(part.middles)});
+  }
+  size_t triangles = 0;
+  for (const Instance& instance : record.instances) {
+    triangles += meshes[instance.mesh].mesh.triangles.size();
+  }
+  checkCount(triangles, path);
+  return std::make_unique<AnimatedScene>(std::move(meshes), std::move(record.instances), std::move(*record.rig),
+                                         animation, path.string());
 }
 
 }  // namespace ocelli

@@ -4,8 +4,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "oc_core/base/progress.h"
+#include "oc_core/scene/moving_scene.h"
 #include "oc_core/scene/scene.h"
 
 namespace ocelli {
@@ -33,5 +37,15 @@ bool isPlyFile(const std::filesystem::path& path);
 /// reads it is missing. `progress` is called some times a second, and may throw to end the reading.
 Scene readSceneFile(const std::filesystem::path& path, const SceneFileOptions& options = {},
                     const Progress& progress = {});
+
+/// The same file as it moves: the meshes of its copies as an animation moves them, by nodes, bones and morph targets.
+/// Nothing where it has no animation that takes some time, as files of PLY. `animation` is a name or a number from 1
+/// on; empty for the first one. What the file says that is not played so is among `warnings`, as are missing textures.
+/// Throws as readSceneFile() does, and InputError for an animation that is not there.
+///
+/// Vertices are not shared anew: where a file repeats them for each triangle, triangles are shaded one by one.
+std::unique_ptr<MovingScene> readAnimatedFile(const std::filesystem::path& path, const SceneFileOptions& options,
+                                              const std::string& animation, std::vector<std::string>& warnings,
+                                              const Progress& progress = {});
 
 }  // namespace ocelli

@@ -12,6 +12,8 @@
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/finite.h"
+#include "oc_core/scene/record_bytes.h"
+#include "oc_core/scene/rig_record.h"
 
 namespace ocelli {
 namespace {
@@ -23,33 +25,6 @@ enum PartFlag : uint8_t { kColors = 1, kBase = 2, kEmissive = 4 };
 
 static_assert(sizeof(glm::vec2) == 8 && sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12 && sizeof(Rgb8) == 3,
               "arrays of them are written as they stand");
-
-class RecordWriter {
- public:
-  explicit RecordWriter(const ByteSink& sink) : sink_(sink) {}
-
-  template <class Value>
-  void list(const std::vector<Value>& values) {
-    raw(values.data(), values.size() * sizeof(Value));
-  }
-  template <class Value>
-  void value(const Value& value) {
-    static_assert(std::is_trivially_copyable_v<Value>);
-    raw(&value, sizeof(value));
-  }
-  void count(size_t number) {
-    OC_CHECK(number <= std::numeric_limits<uint32_t>::max(), "a record counts with 32 bits");
-    value(static_cast<uint32_t>(number));
-  }
-  void text(std::string_view text) {
-    count(text.size());
-    raw(text.data(), text.size());
-  }
-  void raw(const void* data, size_t bytes) { sink_({static_cast<const std::byte*>(data), bytes}); }
-
- private:
-  const ByteSink& sink_;
-};
 
 void writeLayer(RecordWriter& writer, const std::optional<TextureLayer>& layer) {
   if (layer) {
@@ -65,9 +40,9 @@ InputError asItWas(const std::string& message) {
   return {message.substr(0, next), "", message.substr(std::min(next + kNext.size(), message.size()))};
 }
 
-class RecordReader {
+class RecordReader : public RecordParser {
  public:
-  RecordReader(std::span<const std::byte> bytes, const std::string& writer) : bytes_(bytes), writer_(writer) {}
+  using RecordParser::RecordParser;
 
   SceneRecord read() {
     expect(kStart);
@@ -84,62 +59,9 @@ class RecordReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw WorkError("the program that reads scene files gave back what is no scene (" + what + ")", writer_,
-                    "convert the scene to binary PLY, and report this");
-  }
-
-  std::span<const std::byte> take(uint64_t bytes) {
-    if (bytes > bytes_.size()) {
-      fail("it ends too early");
-    }
-    const auto taken = bytes_.first(bytes);
-    bytes_ = bytes_.subspan(bytes);
-    return taken;
-  }
-
-  template <class Value>
-  Value value() {
-    Value value;
-    std::memcpy(&value, take(sizeof(value)).data(), sizeof(value));
-    return value;
-  }
-
-  uint32_t number() { return value<uint32_t>(); }
-
-  template <class Value>
-  std::vector<Value> list(uint64_t count) {
-    const auto source = take(count * sizeof(Value));
-    std::vector<Value> values(count);
-    if (count > 0) {
-      std::memcpy(values.data(), source.data(), source.size());
-    }
-    return values;
-  }
-
-  /// A count of things of which each takes so many bytes at least.
-  uint32_t count(size_t minBytes) {
-    const uint32_t count = number();
-    if (count > bytes_.size() / minBytes) {
-      fail("a count is too large");
-    }
-    return count;
-  }
-
-  std::string text() {
-    const auto bytes = take(number());
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-  }
-
-  void expect(std::string_view word) {
-    if (std::memcmp(take(word.size()).data(), word.data(), word.size()) != 0) {
-      fail("a mark is missing");
-    }
-  }
-
   void expectEnd() {
     expect(kEnd);
-    if (!bytes_.empty()) {
+    if (!atEnd()) {
       fail("bytes are left over");
     }
   }
@@ -157,6 +79,11 @@ class RecordReader {
     }
     for (uint32_t left = count(sizeof(uint32_t) + sizeof(glm::mat4)); left > 0; --left) {
       record.instances.push_back(instance(record.parts.size()));
+    }
+    if (const uint32_t rigs = number(); rigs > 1) {
+      fail("it has more than one rig");
+    } else if (rigs == 1) {
+      record.rig = readRig(*this, record);
     }
     expectEnd();
     return record;
@@ -250,9 +177,6 @@ class RecordReader {
     }
     return instance;
   }
-
-  std::span<const std::byte> bytes_;  ///< those that are still to be read
-  const std::string& writer_;
 };
 
 }  // namespace
@@ -291,6 +215,10 @@ void writeSceneRecord(const SceneRecord& record, const ByteSink& sink) {
   for (const Instance& instance : record.instances) {
     writer.count(instance.mesh);
     writer.value(instance.worldFromMesh);
+  }
+  writer.count(record.rig ? 1 : 0);
+  if (record.rig) {
+    writeRig(writer, *record.rig);
   }
   writer.raw(kEnd.data(), kEnd.size());
 }

@@ -11,16 +11,28 @@
 //              3 f32 a vertex, 3 f32 a vertex where there are colours, 3 u32 a triangle, then the layers: u32 texture,
 //              2 f32 a vertex
 //            u32 instances, each u32 part, 16 f32 (columns of worldFromPart)
+//            u32 rigs, 0 or 1; where it is 1 (rig.h):
+//              u32 warnings, each a text
+//              u32 nodes, each u32 parent or 2^32 - 1, 16 f32 (columns of parentFromNode)
+//              of each instance u32 node
+//              of each part
+//                u32 bones, each u32 node, 16 f32 (columns of boneFromMesh); where there are some
+//                  u32 a vertex and one more (where its weights begin), u32 weights, each u32 bone, f32 weight
+//                u32 morphs, each f32 weight at rest, 3 f32 a vertex
+//              u32 animations, each a text and u32 channels, each u32 node, u8 target, u8 steps, u32 values of a key,
+//                u32 keys, f32 time of each, the values of each
 //   bytes "END."
 //   text:    u32 bytes, then the bytes
 #pragma once
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "oc_core/scene/rig.h"
 #include "oc_core/scene/scene.h"
 #include "oc_core/scene/texture_bake.h"
 
@@ -31,6 +43,7 @@ struct SceneRecord {
   std::vector<TexturedMesh> parts;
   std::vector<Instance> instances;    ///< `mesh` is an index into parts; no tint, no identity
   std::vector<std::string> warnings;  ///< what the user should know of, a sentence each
+  std::optional<Rig> rig;             ///< of a file with animations: what moves parts and instances
 };
 
 using ByteSink = std::function<void(std::span<const std::byte>)>;

@@ -83,7 +83,8 @@ std::vector<float> pixelLengths(const Mesh& mesh, const EdgeList& list, const st
 }
 
 /// Splits until no edge is longer than kPixelsInEdge, or the mesh has `most` triangles or more.
-void splitToPixels(Mesh& mesh, const std::vector<LayerPixels>& layers, size_t most) {
+void splitToPixels(TexturedMesh& part, const std::vector<LayerPixels>& layers, size_t most) {
+  Mesh& mesh = part.mesh;
   for (int round = 0; round < kMaxRounds && mesh.triangles.size() < most; ++round) {
     const EdgeList list = findEdges(mesh);
     const std::vector<float> lengths = pixelLengths(mesh, list, layers);
@@ -97,6 +98,9 @@ void splitToPixels(Mesh& mesh, const std::vector<LayerPixels>& layers, size_t mo
       return;
     }
     splitEdges(mesh, list, chosen);
+    for (const uint32_t edge : chosen) {
+      part.middles.emplace_back(list.edges[edge].low, list.edges[edge].high);
+    }
     for (const auto& [layer, pixels] : layers) {
       for (const uint32_t edge : chosen) {
         layer.uvs.push_back((layer.uvs[list.edges[edge].low] + layer.uvs[list.edges[edge].high]) * 0.5f);
@@ -147,7 +151,7 @@ void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> texture
   for (TexturedMesh& part : parts) {
     if (maxTriangles > 0 && part.hasTexture()) {
       const std::vector<LayerPixels> layers = layersOf(part, textures);
-      splitToPixels(part.mesh, layers,
+      splitToPixels(part, layers,
                     part.mesh.triangles.size() + static_cast<size_t>(factor * estimateNew(part.mesh, layers)));
     }
     if (part.hasTexture() || part.emission != glm::vec3(0)) {

@@ -24,6 +24,8 @@ struct TexturedMesh {
   std::optional<TextureLayer> base;
   glm::vec3 emission{0};  ///< linear, 0 or more
   std::optional<TextureLayer> emissive;
+  /// Of the vertices that baking has added, which stand at the end, the two that each is the middle of.
+  std::vector<glm::uvec2> middles{};
 
   bool hasTexture() const { return base || emissive; }
 };

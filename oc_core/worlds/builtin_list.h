@@ -18,5 +18,6 @@ BuiltinScene statuesScene();
 BuiltinScene teapotScene();
 BuiltinScene torusScene();
 BuiltinScene townScene();
+BuiltinScene wavingScene();
 
 }  // namespace ocelli

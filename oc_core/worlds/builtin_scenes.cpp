@@ -118,6 +118,26 @@ class BuiltinReader {
   BuiltinValues values_;
 };
 
+namespace {
+
+struct ParsedBuiltin {
+  const BuiltinScene* scene;
+  BuiltinValues values;
+};
+
+ParsedBuiltin parsed(const std::string& source) {
+  OC_CHECK(isBuiltinScene(source), "callers ask isBuiltinScene() first");
+  const std::vector<std::string> pieces = splitAtCommas(source.substr(kPrefix.size()));
+  const BuiltinScene& builtin = findScene(pieces[0], source);
+  BuiltinReader reader(builtin, source);
+  for (size_t i = 1; i < pieces.size(); ++i) {
+    reader.read(pieces[i]);
+  }
+  return {&builtin, reader.values()};
+}
+
+}  // namespace
+
 double BuiltinValues::number(const std::string& name) const {
   const auto found = numbers_.find(name);
   OC_CHECK(found != numbers_.end(), "a scene asks for the parameters that it lists");
@@ -137,7 +157,7 @@ const std::string& BuiltinValues::path(const std::string& name) const {
 const std::vector<BuiltinScene>& listBuiltinScenes() {
   static const std::vector<BuiltinScene> scenes{
       teapotScene(), roomScene(), statuesScene(), crowdScene(),  fenceScene(), doorsScene(), boxesScene(),
-      mazeScene(),   townScene(), canyonScene(),  sphereScene(), torusScene(), boxScene()};
+      mazeScene(),   townScene(), canyonScene(),  sphereScene(), torusScene(), boxScene(),   wavingScene()};
   return scenes;
 }
 
@@ -146,16 +166,21 @@ bool isBuiltinScene(std::string_view source) {
 }
 
 Scene makeBuiltinScene(const std::string& source) {
-  OC_CHECK(isBuiltinScene(source), "callers ask isBuiltinScene() first");
-  const std::vector<std::string> pieces = splitAtCommas(source.substr(kPrefix.size()));
-  const BuiltinScene& builtin = findScene(pieces[0], source);
-  BuiltinReader reader(builtin, source);
-  for (size_t i = 1; i < pieces.size(); ++i) {
-    reader.read(pieces[i]);
-  }
-  Scene scene = builtin.build(reader.values());
+  const auto [builtin, values] = parsed(source);
+  Scene scene = builtin->build(values);
   scene.name = source;
   return scene;
+}
+
+bool isMovingBuiltin(const std::string& source) {
+  const std::vector<std::string> pieces = splitAtCommas(source.substr(kPrefix.size()));
+  return static_cast<bool>(findScene(pieces[0], source).motion);
+}
+
+std::unique_ptr<MovingScene> makeBuiltinMotion(const std::string& source) {
+  const auto [builtin, values] = parsed(source);
+  OC_CHECK(builtin->motion != nullptr, "callers ask isMovingBuiltin() first");
+  return builtin->motion(values);
 }
 
 }  // namespace ocelli

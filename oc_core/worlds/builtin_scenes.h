@@ -10,11 +10,13 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "oc_core/scene/moving_scene.h"
 #include "oc_core/scene/scene.h"
 
 namespace ocelli {
@@ -56,6 +58,8 @@ struct BuiltinScene {
   std::string summary;  ///< one line
   std::vector<BuiltinParameter> parameters;
   std::function<Scene(const BuiltinValues&)> build;
+  /// Of a scene that moves; empty where it stands still. `build` makes what it is at rest.
+  std::function<std::unique_ptr<MovingScene>(const BuiltinValues&)> motion = {};
 };
 
 const std::vector<BuiltinScene>& listBuiltinScenes();
@@ -65,5 +69,10 @@ bool isBuiltinScene(std::string_view source);
 /// Builds the scene that `source` ("builtin:NAME,key=value,...") names. Throws InputError that lists the valid names,
 /// keys or the range for an unknown scene, an unknown, repeated or malformed parameter, or a value out of range.
 Scene makeBuiltinScene(const std::string& source);
+
+/// Whether the one that `source` names moves. Throws as makeBuiltinScene() does for an unknown one.
+bool isMovingBuiltin(const std::string& source);
+/// Its motion. Throws as makeBuiltinScene() does. Only where isMovingBuiltin() holds.
+std::unique_ptr<MovingScene> makeBuiltinMotion(const std::string& source);
 
 }  // namespace ocelli

@@ -125,6 +125,9 @@ PackReport packSource(const std::string& source, const SceneOptions& options, co
   if (isPackedScene(source)) {
     throw InputError("this scene is packed already", source, "copy the file");
   }
+  if (options.motion.seconds) {
+    throw InputError("a moment of a moving scene is not packed", source, "write it with ocelli scene export first");
+  }
   const std::string description =
       textOfJson({{"scene", source}, {"fit", options.fit}, {"shading", nameOf(options.shading)}});
   if (isStreamed(source)) {

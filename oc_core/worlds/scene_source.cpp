@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <utility>
 
 #include "oc_core/base/error.h"
@@ -10,6 +11,7 @@
 #include "oc_core/scene/shading.h"
 #include "oc_core/worlds/builtin_scenes.h"
 #include "oc_core/worlds/packed_source.h"
+#include "oc_core/worlds/scene_motion.h"
 
 namespace ocelli {
 namespace {
@@ -34,11 +36,43 @@ void refuseOwnFile(const std::string& source) {
   }
 }
 
+/// A moving scene at one time.
+GuidedScene momentOf(const std::string& source, const SceneOptions& options, const Progress& progress) {
+  const std::unique_ptr<SceneMotion> motion = loadMotion(source, options, progress);
+  if (motion == nullptr) {
+    throw InputError("this scene does not move", source, "leave out --time, or give a scene that moves");
+  }
+  const double seconds = *options.motion.seconds;
+  if (!(seconds >= 0 && seconds <= motion->durationSeconds())) {
+    throw InputError(fmt::format("this motion has no time {:g} s: it takes {:g} s", seconds, motion->durationSeconds()),
+                     "--time", fmt::format("give a time from 0 to {:g}", motion->durationSeconds()));
+  }
+  Mesh mesh = motion->at(seconds);
+  std::vector<uint32_t> objects(mesh.triangles.size(), 0);
+  return {std::move(mesh), std::move(objects), {}, motion->worldFromScene()};
+}
+
+/// What is said of a motion where none is played.
+void refuseUnusedMotion(const std::string& source, const SceneOptions& options) {
+  if (std::error_code ignored; std::filesystem::is_directory(source, ignored)) {
+    throw InputError("this is a folder; of numbered meshes in a folder a command takes one moment", source,
+                     "--time 0 where the command has it, one of the meshes, or ocelli present");
+  }
+  if (!options.motion.animation.empty() || options.motion.meshesPerSecond) {
+    throw InputError("an animation and a rate are of a moving scene at a time", source,
+                     "give --time, or leave out --animation and --rate");
+  }
+}
+
 }  // namespace
 
 GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& options, const Progress& progress) {
   refuseOwnFile(source);
   report(progress, "loading the scene", 0);
+  if (options.motion.seconds) {
+    return momentOf(source, options, progress);
+  }
+  refuseUnusedMotion(source, options);
   if (isPackedScene(source)) {
     Mesh mesh = unpackedMesh(openPacked(source, options));
     std::vector<uint32_t> objects(mesh.triangles.size(), 0);

@@ -1,15 +1,18 @@
 // From what a user writes (`SCENE` on the command line) to the mesh that everything downstream takes.
 //
-// SCENE is a file that Assimp reads, or `builtin:NAME[,key=value...]` (see builtin_scenes.h).
+// SCENE is a file that Assimp reads, `builtin:NAME[,key=value...]` (see builtin_scenes.h), or, of a moving scene at a
+// time, a folder of numbered meshes.
 #pragma once
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "oc_core/base/progress.h"
 #include "oc_core/scene/mesh.h"
+#include "oc_core/scene/mesh_series.h"
 #include "oc_core/scene/scene_guides.h"
 
 namespace ocelli {
@@ -19,10 +22,20 @@ enum class Shading {
   kNone,     ///< vertex colours as they are
 };
 
+/// Of a SCENE that moves in time (scene_motion.h).
+struct MotionOptions {
+  /// The moment of its motion that is taken; nothing: it is taken as it is at rest, as a still scene.
+  std::optional<double> seconds{};
+  std::string animation{};                  ///< of a file: its name, or its number from 1 on; empty: the first one
+  std::optional<double> meshesPerSecond{};  ///< of a folder of meshes; nothing: 24
+  BetweenMeshes between = BetweenMeshes::kHold;
+};
+
 struct SceneOptions {
   bool fit = true;  ///< into the unit sphere
   Shading shading = Shading::kLambert;
   bool textures = true;  ///< bake the textures of a file to vertex colours
+  MotionOptions motion{};
   /// Is told what the user should know of the scene, a sentence each: a texture that is missing, for example.
   std::function<void(const std::string&)> warn{};
 };
@@ -35,7 +48,7 @@ struct GuidedScene {
   glm::mat4 worldFromScene{1};             ///< what fitted it: a uniform scale and a translation
 };
 
-/// Throws InputError for a spec or a file that is wrong.
+/// Throws InputError for a spec or a file that is wrong, and where a moment is asked of a scene that stands still.
 GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& options = {}, const Progress& progress = {});
 
 /// The scene as one validated mesh. Throws InputError for a spec or a file that is wrong.

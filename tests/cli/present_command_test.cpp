@@ -92,6 +92,22 @@ TEST_F(PresentCommand, aFolderOfMeshesIsAnAnimation) {
   EXPECT_LE(reader.frames().size(), 3u);
 }
 
+TEST_F(PresentCommand, whatMovesIsPlayedWithACameraAndForAnEye) {
+  folder_.write("way.csv", "time,x,y,z\n0,0,0,10\n0.1,0.5,0,10\n");
+  const std::string moving = "present 'builtin:waving,seconds=0.5' --profile test --device null --json ";
+  for (const std::string options :
+       {"", "--camera di --size 90x60", "--speed 2", "--camera eoc-h --size 90x60 --loop --seconds 0.4"}) {
+    const ProgramResult result = runProgram(moving + options);
+    ASSERT_EQ(result.exitCode, 0) << result.error;
+    EXPECT_GE(nlohmann::json::parse(result.output)["frames_shown"], 2) << options;
+  }
+  const ProgramResult seen =
+      runProgram(moving + "--camera di --size 90x60 --loop --eyes " + quoted("way.csv") + " --seconds 0.4");
+  ASSERT_EQ(seen.exitCode, 0) << seen.error;
+  EXPECT_THAT(seen.output, HasSubstr("motion"));
+  EXPECT_EQ(runProgram("present 'builtin:waving' --time 1 --profile test --device null --seconds 0.1").exitCode, 0);
+}
+
 TEST_F(PresentCommand, aDeviceLogGivesAnotherDeviceTheSameVolumes) {
   const ProgramResult recorded = runProgram(std::string("present ") + kTeapot + toFile("first.svol") +
                                             "--turn 90 --seconds 0.5 --record " + quoted("a.session"));
@@ -260,13 +276,16 @@ TEST_F(PresentCommand, whatDoesNotGoTogetherIsRefused) {
   EXPECT_THAT(refusal("builtin:teapot --device null --eyes a.csv --camera none"), HasSubstr("changes nothing"));
   EXPECT_THAT(refusal("builtin:teapot --device null --profile test --eyes udp:0"), HasSubstr("port"));
   EXPECT_THAT(refusal("builtin:teapot --device null --rate 5"), HasSubstr("rate"));
+  EXPECT_THAT(refusal("builtin:teapot --device null --speed 2"), HasSubstr("nothing moves by itself"));
+  EXPECT_THAT(refusal("builtin:teapot --device null --time 0"), HasSubstr("does not move"));
+  EXPECT_THAT(refusal("builtin:waving --device null --exact"), HasSubstr("fast slicer"));
   EXPECT_THAT(refusal(quoted("a.svol") + " --device null --turn 5"), HasSubstr("only a scene"));
   EXPECT_THAT(refusal(quoted("a.svol") + " --device null --profile test"), HasSubstr("profile already"));
   EXPECT_THAT(refusal(quoted("none.session") + " --device null"), HasSubstr("none.session"));
   EXPECT_THAT(refusal(quoted("none.session") + " --device null --loop"), HasSubstr("as it was"));
   EXPECT_THAT(refusal("builtin:teapot --device null --fast"), HasSubstr("device log"));
   EXPECT_THAT(refusal(quoted("none.svol") + " --device null"), HasSubstr("none.svol"));
-  EXPECT_THAT(refusal(quoted("") + " --device null"), HasSubstr("no numbered .ply"));
+  EXPECT_THAT(refusal(quoted("") + " --device null"), HasSubstr("no numbered mesh"));
 }
 
 }  // namespace

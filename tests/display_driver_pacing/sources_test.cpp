@@ -8,8 +8,9 @@
 #include <thread>
 
 #include "display_driver/pacing/eyes_source.h"
+#include "display_driver/pacing/motion_source.h"
+#include "display_driver/pacing/moving_view.h"
 #include "display_driver/pacing/recording_source.h"
-#include "display_driver/pacing/series_source.h"
 #include "display_driver/pacing/still_source.h"
 #include "display_driver/pacing/turning_source.h"
 #include "display_sim/frames/svol_writer.h"
@@ -126,35 +127,26 @@ TEST(TurningSourceTest, isTheSliceOfTheTurnedMesh) {
   EXPECT_EQ(*source.volumeFor(kStart + 4s).volume, slice(mesh, smallDisplay()));
 }
 
-class SeriesSourceTest : public testing::Test {
+class MotionSourceTest : public testing::Test {
  protected:
   void add(const std::string& name, float size) {
     Mesh mesh = teapot();
     transform(mesh, glm::scale(glm::mat4(1), glm::vec3(size)));
     writePly(folder / name, mesh);
   }
+  std::unique_ptr<SceneMotion> series(bool fit = true) const {
+    SceneOptions options;
+    options.fit = fit;
+    options.motion.meshesPerSecond = 10;
+    return loadMotion(folder.path().string(), options);
+  }
   const test::TemporaryFolder folder;
 };
 
-TEST_F(SeriesSourceTest, filesAreOrderedByTheirNumbers) {
-  for (const char* name : {"walk_10.ply", "walk_9.ply", "walk_007.ply", "readme.txt", "other.ply", "x11.obj"}) {
-    folder.write(name, "");
-  }
-  std::vector<std::string> names;
-  for (const auto& file : numberedFiles(folder.path(), ".ply")) {
-    names.push_back(file.filename().string());
-  }
-  EXPECT_EQ(names, (std::vector<std::string>{"walk_007.ply", "walk_9.ply", "walk_10.ply"}));
-  folder.write("run_9.ply", "");
-  EXPECT_THROW(numberedFiles(folder.path(), ".ply"), InputError);
-  EXPECT_THROW(numberedFiles(folder.path(), ".stl"), InputError);
-  EXPECT_THROW(numberedFiles(folder / "none", ".ply"), InputError);
-}
-
-TEST_F(SeriesSourceTest, meshesComeAtTheRateAndKeepTheirSizes) {
+TEST_F(MotionSourceTest, meshesComeAtTheRateAndKeepTheirSizes) {
   add("a1.ply", 0.5f);
   add("a2.ply", 1);
-  SeriesSource source(numberedFiles(folder.path(), ".ply"), {}, smallDisplay(), {}, 10, false);
+  MotionSource source(series(), smallDisplay(), {}, {});
   const SourcedVolume first = source.volumeFor(kStart);
   ASSERT_EQ(first.kind, Kind::kNew);
   const size_t small = first.volume->litVoxels();
@@ -164,24 +156,47 @@ TEST_F(SeriesSourceTest, meshesComeAtTheRateAndKeepTheirSizes) {
   // One scale for both: the second has four times the surface, though not quite as many times the voxels.
   EXPECT_GT(second.volume->litVoxels(), 2 * small);
   EXPECT_EQ(source.volumeFor(kStart + 201ms).kind, Kind::kEnd);
-  SeriesSource again(numberedFiles(folder.path(), ".ply"), {}, smallDisplay(), {}, 10, true);
+  MotionSource again(series(), smallDisplay(), {}, {.loop = true});
   again.volumeFor(kStart);
   again.volumeFor(kStart + 101ms);
   EXPECT_EQ(again.volumeFor(kStart + 201ms).volume->litVoxels(), small);
 }
 
-TEST_F(SeriesSourceTest, tellsWhetherAPartOfAnyMeshIsCutOff) {
+TEST_F(MotionSourceTest, tellsWhetherAPartOfAnyMeshIsCutOff) {
   add("a1.ply", 0.1f);
+  EXPECT_FALSE(MotionSource(series(false), smallDisplay(), {}, {}).isCutOff());
   add("a2.ply", 5);
-  const auto files = numberedFiles(folder.path(), ".ply");
-  const auto cutOff = [&](const std::vector<std::filesystem::path>& some, bool fit) {
-    SceneOptions scene;
-    scene.fit = fit;
-    return SeriesSource(some, scene, smallDisplay(), {}, 10, false).isCutOff();
-  };
-  EXPECT_TRUE(cutOff(files, false));
-  EXPECT_FALSE(cutOff({files[0]}, false));
-  EXPECT_FALSE(cutOff(files, true));
+  EXPECT_TRUE(MotionSource(series(false), smallDisplay(), {}, {}).isCutOff());
+  EXPECT_FALSE(MotionSource(series(), smallDisplay(), {}, {}).isCutOff());
+}
+
+// The mesh of each time in the slicer's order, which a slicer that begins anew makes the same volume of.
+TEST_F(MotionSourceTest, isWhatSlicingEachMomentByItselfGives) {
+  const std::string source = "builtin:waving,seconds=2";
+  MotionSource played(loadMotion(source, {}), smallDisplay(), {}, {.speed = 2});
+  const auto motion = loadMotion(source, {});
+  std::vector<glm::uvec3> order;
+  for (const double seconds : {0.0, 0.3, 0.6, 0.9}) {
+    const HostTime seen = kStart + std::chrono::milliseconds(static_cast<int>(1000 * seconds));
+    const SourcedVolume volume = played.volumeFor(seen);
+    ASSERT_EQ(volume.kind, Kind::kNew) << seconds;
+    Mesh mesh = motion->at(2 * std::chrono::duration<double>(seen - kStart).count());
+    order = order.empty() ? trianglesForSlicing(mesh) : order;
+    mesh.triangles = order;
+    EXPECT_EQ(*volume.volume, slice(mesh, smallDisplay())) << seconds;
+    EXPECT_EQ(played.volumeFor(seen).kind, Kind::kSame);
+  }
+  EXPECT_EQ(played.volumeFor(kStart + 1s).kind, Kind::kEnd);
+}
+
+TEST(MotionClockTest, runsAtItsSpeedFromTheFirstQuestionOn) {
+  MotionClock once(3, {.speed = 2});
+  EXPECT_EQ(once.at(kStart), 0);
+  EXPECT_EQ(once.at(kStart + 1s), 2);
+  EXPECT_EQ(once.at(kStart + 1500ms), std::nullopt);
+  MotionClock again(3, {.speed = 2, .loop = true});
+  again.at(kStart);
+  EXPECT_EQ(again.at(kStart + 2s), 1);
 }
 
 /// Eyes that a test sets.
@@ -333,6 +348,51 @@ TEST_F(EyesSourceTest, anEyeThatRestsSeesAllPixels) {
   ASSERT_EQ(made.size(), 1u);
   EXPECT_FLOAT_EQ(made.front().imageScale, 1);
   EXPECT_EQ(*made.front().volume, *sourceFor("di").volumeFor(kStart).volume);
+}
+
+// What an eye sees that moves, too: for each time the image of the scene as it is then, by whichever construction.
+TEST_F(EyesSourceTest, seesTheSceneAsItIsAtTheTime) {
+  const std::string scene = "builtin:waving,seconds=2";
+  for (const Construction construction : {Construction::kRaster, Construction::kRays}) {
+    MovingImages images(cameraChoice("eoc-h"));
+    MovingView view(loadMotion(scene, {}), images, {}, 90 * 60, construction);
+    EyesSource source([&](const PinholeCamera& reference) { return view.imagesFrom(reference); }, smallDisplay(),
+                      {.width = 90,
+                       .height = 60,
+                       .slicing = {},
+                       .minImageScale = 1,
+                       .moveScene = [&](HostTime seen) { return view.moveTo(seen); }},
+                      eyes);
+    const auto motion = loadMotion(scene, {});
+    eyes.eye = glm::vec3(0, 0, 10);
+    for (const double seconds : {0.0, 0.5, 1.0}) {
+      const HostTime seen = kStart + std::chrono::milliseconds(static_cast<int>(1000 * seconds));
+      const SourcedVolume volume = source.volumeFor(seen);
+      ASSERT_EQ(volume.kind, Kind::kNew) << seconds;
+      const Mesh& now = motion->at(seconds);
+      View fromEye;
+      fromEye.eye = *eyes.eye;
+      const RayScene rays(now);
+      const ReferenceImages expected =
+          buildReferenceImages(cameraChoice("eoc-h"), PinholeCamera(fromEye, 90, 60), now, {}, construction,
+                               construction == Construction::kRays ? &rays : nullptr);
+      const Volume still = slice(unionMesh(expected), smallDisplay());
+      if (construction == Construction::kRaster) {
+        EXPECT_EQ(*volume.volume, still) << seconds;
+      } else {
+        // Rays that meet an edge may tell either of its triangles, as the structures were not built alike.
+        EXPECT_NEAR(static_cast<double>(volume.volume->litVoxels()), static_cast<double>(still.litVoxels()),
+                    0.002 * static_cast<double>(still.litVoxels()));
+      }
+      // The eye stands still, and so does the time.
+      EXPECT_EQ(source.volumeFor(seen).kind, Kind::kSame);
+      eyes.eye = *eyes.eye + glm::vec3(0.3f, 0, 0);
+    }
+    EXPECT_EQ(source.volumeFor(kStart + 2s).kind, Kind::kEnd);
+    EXPECT_FALSE(source.stages().back().times.empty()) << "moving the scene is a stage";
+    EXPECT_EQ(view.imagesMade(), 3);
+    EXPECT_EQ(view.imagesByRays(), construction == Construction::kRays ? 3 : 0);
+  }
 }
 
 }  // namespace

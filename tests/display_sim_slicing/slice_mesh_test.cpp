@@ -51,6 +51,40 @@ TEST(SliceMesh, holdsTheTrianglesOfTheMesh) {
   }
 }
 
+// As if it had been made of the mesh with those colours, whatever it had before.
+TEST(SliceMesh, takesNewColors) {
+  Mesh mesh = test::torus(0.6, 0.3, 150, 90);
+  SliceMesh prepared(mesh);
+  ASSERT_TRUE(prepared.white());
+  prepared.setColors(mesh.colors);
+  EXPECT_TRUE(prepared.white());
+  const auto versions = [&] {
+    std::vector<uint32_t> all;
+    for (const SliceChunk& chunk : prepared.chunks()) {
+      all.push_back(chunk.version);
+    }
+    return all;
+  };
+  const std::vector<uint32_t> before = versions();
+  for (const float scale : {0.5f, 1.0f}) {
+    mesh.colors.clear();
+    for (const glm::vec3& p : mesh.positions) {
+      mesh.colors.push_back(scale * glm::abs(p));
+    }
+    prepared.setColors(mesh.colors);
+    const SliceMesh expected(mesh);
+    for (size_t v = 0; v < prepared.chunks().back().firstVertex; ++v) {
+      ASSERT_EQ(prepared.color(v), expected.color(v));
+    }
+  }
+  EXPECT_NE(versions(), before);
+  const std::vector<uint32_t> colored = versions();
+  prepared.setColors(mesh.colors);
+  EXPECT_EQ(versions(), colored);
+  prepared.setColors({});
+  EXPECT_EQ(prepared.color(7), glm::vec3(1));
+}
+
 TEST(OrderedForSlicing, keepsTrianglesAndColors) {
   Mesh mesh = test::torus(0.6, 0.3, 50, 30);
   for (const glm::vec3& p : mesh.positions) {

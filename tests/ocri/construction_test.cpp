@@ -34,18 +34,32 @@ TEST(Construction, isDecidedByTheStructureAndTheSizeOfTheScene) {
   struct Case {
     Construction wanted;
     size_t triangles;
-    bool stands;
+    RayStructure structure;
     bool byRays;
   };
   constexpr size_t kCrossover = 1000;
+  using enum RayStructure;
   for (const Case& each :
-       {Case{Construction::kAuto, 999, true, false}, Case{Construction::kAuto, 1000, true, true},
-        Case{Construction::kAuto, 999, false, false}, Case{Construction::kAuto, size_t{1} << 40, false, false},
-        Case{Construction::kRaster, size_t{1} << 40, true, false}, Case{Construction::kRays, 0, false, true},
-        Case{Construction::kRays, 0, true, true}}) {
-    EXPECT_EQ(constructWithRays(each.wanted, kCrossover, each.triangles, each.stands), each.byRays)
-        << static_cast<int>(each.wanted) << " " << each.triangles << " " << each.stands;
+       {Case{Construction::kAuto, 999, kStands, false}, Case{Construction::kAuto, 1000, kStands, true},
+        Case{Construction::kAuto, 999, kNone, false}, Case{Construction::kAuto, size_t{1} << 40, kNone, false},
+        Case{Construction::kRaster, size_t{1} << 40, kStands, false}, Case{Construction::kRays, 0, kNone, true},
+        Case{Construction::kRays, 0, kStands, true}, Case{Construction::kRays, 0, kRefits, true}}) {
+    EXPECT_EQ(constructWithRays(each.wanted, kCrossover, each.triangles, each.structure), each.byRays)
+        << static_cast<int>(each.wanted) << " " << each.triangles << " " << static_cast<int>(each.structure);
   }
+}
+
+// Rays of a quarter of the pixels cost a quarter, refitting as much as before.
+TEST(Construction, ofWhatMovesIsDecidedByThePixelsToo) {
+  constexpr size_t kPixels = 720 * 480;
+  const auto byRays = [](size_t triangles, const RefitCost& refit) {
+    return constructWithRays(Construction::kAuto, 1000, triangles, RayStructure::kRefits, refit);
+  };
+  EXPECT_FALSE(byRays(1999, {0.5, kPixels}));
+  EXPECT_TRUE(byRays(2000, {0.5, kPixels}));
+  EXPECT_FALSE(byRays(499, {0.5, kPixels / 4}));
+  EXPECT_TRUE(byRays(500, {0.5, kPixels / 4}));
+  EXPECT_FALSE(byRays(size_t{1} << 40, {1, kPixels})) << "drawing takes no longer than refitting";
 }
 
 TEST(Construction, isReadFromText) {

@@ -174,7 +174,8 @@ TEST(LoadBadScene, MissingFileAndFolder) {
   const std::string missing = (folder.path() / "none.ply").string();
   EXPECT_THAT([&] { loadScene(missing); },
               ThrowsMessage<InputError>(AllOf(HasSubstr(missing), HasSubstr("no such file"), HasSubstr("try:"))));
-  EXPECT_THAT([&] { loadScene(folder.path().string()); }, ThrowsMessage<InputError>(HasSubstr("not a file")));
+  EXPECT_THAT([&] { loadScene(folder.path().string()); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("this is a folder"), HasSubstr("--time"))));
   EXPECT_THROW(loadScene(""), InputError);
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <functional>
 #include <limits>
 
 #include "oc_core/base/error.h"
@@ -47,6 +48,25 @@ SceneRecord sample() {
   return record;
 }
 
+/// The same with all that a rig has.
+SceneRecord sampleWithRig() {
+  SceneRecord record = sample();
+  Rig rig;
+  rig.warnings = {"something is not played"};
+  rig.nodes = {{kNoRigParent, glm::mat4(2)}, {0, glm::mat4(1)}};
+  rig.instanceNodes = {1, 0, 1};
+  rig.parts.resize(2);
+  rig.parts[0].bones = {{1, glm::mat4(3)}, {0, glm::mat4(1)}};
+  rig.parts[0].first = {0, 1, 3, 3};
+  rig.parts[0].weights = {{0, 1}, {0, 0.25f}, {1, 0.75f}};
+  rig.parts[0].morphs = {{{{1, 2, 3}, {0, 0, 0}, {4, 5, 6}}, 0.5f}};
+  rig.animations = {{"walk",
+                     {{1, RigTarget::kRotation, false, 4, {0, 0.5f}, {0, 0, 0, 1, 1, 0, 0, 0}},
+                      {0, RigTarget::kWeights, true, 2, {1}, {7, 8}}}}};
+  record.rig = rig;
+  return record;
+}
+
 void expectRefused(const Bytes& bytes, const std::string& why) {
   EXPECT_THAT([&] { read(bytes); }, ThrowsMessage<WorkError>(HasSubstr(why)));
 }
@@ -72,6 +92,61 @@ TEST(SceneRecord, ComesBackAsItWas) {
   EXPECT_EQ(back.instances[1].mesh, 1u);
 }
 
+TEST(SceneRecord, BringsBackTheRig) {
+  const Bytes bytes = written(sampleWithRig());
+  const SceneRecord back = read(bytes);
+  EXPECT_EQ(written(back), bytes);
+  EXPECT_FALSE(read(written(sample())).rig);
+  ASSERT_TRUE(back.rig);
+  EXPECT_THAT(back.rig->warnings, ElementsAre("something is not played"));
+  EXPECT_EQ(back.rig->nodes[0].parentFromNode, glm::mat4(2));
+  EXPECT_EQ(back.rig->nodes[1].parent, 0u);
+  EXPECT_THAT(back.rig->instanceNodes, ElementsAre(1, 0, 1));
+  const RigPart& part = back.rig->parts[0];
+  EXPECT_EQ(part.bones[0].boneFromMesh, glm::mat4(3));
+  EXPECT_THAT(part.first, ElementsAre(0, 1, 3, 3));
+  EXPECT_EQ(part.weights[2].weight, 0.75f);
+  EXPECT_EQ(part.morphs[0].offsets[2], glm::vec3(4, 5, 6));
+  EXPECT_TRUE(back.rig->parts[1].bones.empty());
+  const RigAnimation& walk = back.rig->animations[0];
+  EXPECT_EQ(walk.name, "walk");
+  EXPECT_EQ(walk.seconds(), 1);
+  EXPECT_THAT(walk.channels[0].values, ElementsAre(0, 0, 0, 1, 1, 0, 0, 0));
+  EXPECT_TRUE(walk.channels[1].steps);
+}
+
+TEST(SceneRecord, RefusesRigsThatCannotBe) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  const auto refusedWith = [](const std::function<void(Rig&)>& spoil) {
+    SceneRecord record = sampleWithRig();
+    spoil(*record.rig);
+    EXPECT_THROW(read(written(record)), WorkError);
+  };
+  refusedWith([](Rig& rig) { rig.nodes[0].parent = 0; });
+  refusedWith([](Rig& rig) { rig.nodes[1].parent = 1; });
+  refusedWith([](Rig& rig) { rig.nodes[1].parentFromNode[2][1] = kNan; });
+  refusedWith([](Rig& rig) { rig.instanceNodes[1] = 2; });
+  refusedWith([](Rig& rig) { rig.parts[0].bones[1].node = 2; });
+  refusedWith([](Rig& rig) { rig.parts[0].first = {0, 1, 3, 2}; });
+  refusedWith([](Rig& rig) { rig.parts[0].first = {0, 4, 3, 3}; });
+  refusedWith([](Rig& rig) { rig.parts[0].first = {1, 1, 3, 3}; });
+  refusedWith([](Rig& rig) { rig.parts[0].weights[2].bone = 2; });
+  refusedWith([](Rig& rig) { rig.parts[0].weights[0].weight = 0.9f; });
+  refusedWith([](Rig& rig) { rig.parts[0].weights[0].weight = kNan; });
+  refusedWith([](Rig& rig) { rig.parts[0].weights = {{0, 1}, {0, -0.25f}, {1, 1.25f}}; });
+  refusedWith([](Rig& rig) { rig.parts[0].morphs[0].weight = kNan; });
+  refusedWith([](Rig& rig) { rig.parts[0].morphs[0].offsets[1].x = kNan; });
+  refusedWith([](Rig& rig) { rig.animations.clear(); });
+  refusedWith([](Rig& rig) { rig.animations[0].channels[0].node = 2; });
+  refusedWith([](Rig& rig) { rig.animations[0].channels[0].target = static_cast<RigTarget>(4); });
+  refusedWith([](Rig& rig) { rig.animations[0].channels[0].times = {0.5f, 0.5f}; });
+  refusedWith([](Rig& rig) { rig.animations[0].channels[0].times = {-1, 0.5f}; });
+  refusedWith([](Rig& rig) { rig.animations[0].channels[0].times = {0, kNan}; });
+  refusedWith([](Rig& rig) { rig.animations[0].channels[0].values[3] = kNan; });
+  refusedWith([](Rig& rig) { rig.animations[0].channels[1].width = 0; });
+  refusedWith([](Rig& rig) { rig.animations[0].channels.clear(); });  // takes no time
+}
+
 TEST(SceneRecord, GivesTheMessageOfAFailureAsItIs) {
   Bytes bytes;
   const std::string message = "a.obj: cannot read this\n  try: another one";
@@ -81,7 +156,7 @@ TEST(SceneRecord, GivesTheMessageOfAFailureAsItIs) {
 }
 
 TEST(SceneRecord, IsRefusedWhereverItEnds) {
-  const Bytes whole = written(sample());
+  const Bytes whole = written(sampleWithRig());
   for (size_t size = 0; size < whole.size(); ++size) {
     EXPECT_THROW(read(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size))), WorkError) << size;
   }
@@ -92,7 +167,7 @@ TEST(SceneRecord, IsRefusedWhereverItEnds) {
 
 // Each number of 32 bits becomes one that no record of this size can hold.
 TEST(SceneRecord, NeverTrustsANumber) {
-  const Bytes whole = written(sample());
+  const Bytes whole = written(sampleWithRig());
   size_t refused = 0;
   for (size_t at = 0; at + 4 <= whole.size(); ++at) {
     Bytes changed = whole;

@@ -17,6 +17,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/image/color.h"
 #include "oc_core/scene/import/file_materials.h"
+#include "oc_core/scene/import/file_rig.h"
 #include "oc_core/scene/import/limited_files.h"
 
 namespace ocelli {
@@ -128,7 +129,9 @@ glm::mat4 matrixOf(const aiMatrix4x4& m) {
   return glm::transpose(glm::make_mat4(&m.a1));
 }
 
-void addNode(SceneRecord& record, const aiNode& node, const glm::mat4& worldFromParent, const fs::path& path) {
+/// `nodes` get the node of each copy.
+void addNode(SceneRecord& record, std::vector<const aiNode*>& nodes, const aiNode& node,
+             const glm::mat4& worldFromParent, const fs::path& path) {
   const glm::mat4 worldFromNode = worldFromParent * matrixOf(node.mTransformation);
   const float* first = glm::value_ptr(worldFromNode);
   if (!std::all_of(first, first + 16, [](float x) { return std::isfinite(x); })) {
@@ -137,6 +140,7 @@ void addNode(SceneRecord& record, const aiNode& node, const glm::mat4& worldFrom
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
     if (node.mMeshes[i] < record.parts.size() && !record.parts[node.mMeshes[i]].mesh.empty()) {
       record.instances.push_back({node.mMeshes[i], worldFromNode});
+      nodes.push_back(&node);
     }
   }
   if (record.instances.size() > kMaxInstances) {
@@ -144,7 +148,7 @@ void addNode(SceneRecord& record, const aiNode& node, const glm::mat4& worldFrom
                      "reduce it");
   }
   for (unsigned i = 0; i < node.mNumChildren; ++i) {
-    addNode(record, *node.mChildren[i], worldFromNode, path);
+    addNode(record, nodes, *node.mChildren[i], worldFromNode, path);
   }
 }
 
@@ -182,7 +186,9 @@ SceneRecord readWithAssimp(const fs::path& path, bool withTextures, ReadingBudge
         "the scene has " + std::to_string(triangles) + " triangles, more than " + std::to_string(kMaxSceneTriangles),
         path.string(), "reduce the mesh");
   }
-  addNode(record, *source->mRootNode, glm::mat4(1), path);
+  std::vector<const aiNode*> nodes;
+  addNode(record, nodes, *source->mRootNode, glm::mat4(1), path);
+  record.rig = readFileRig(*source, record, nodes, path);
   record.textures = std::move(found.textures);
   record.warnings = std::move(found.warnings);
   return record;

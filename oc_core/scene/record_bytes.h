@@ -1,0 +1,112 @@
+// The bytes of a record (scene_record.h): numbers as they are in memory, lists, texts. For the .cpp files that write
+// and read its parts.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "oc_core/base/check.h"
+#include "oc_core/base/error.h"
+#include "oc_core/scene/scene_record.h"
+
+namespace ocelli {
+
+class RecordWriter {
+ public:
+  explicit RecordWriter(const ByteSink& sink) : sink_(sink) {}
+
+  template <class Value>
+  void list(const std::vector<Value>& values) {
+    raw(values.data(), values.size() * sizeof(Value));
+  }
+  template <class Value>
+  void value(const Value& value) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    raw(&value, sizeof(value));
+  }
+  void count(size_t number) {
+    OC_CHECK(number <= std::numeric_limits<uint32_t>::max(), "a record counts with 32 bits");
+    value(static_cast<uint32_t>(number));
+  }
+  void text(std::string_view text) {
+    count(text.size());
+    raw(text.data(), text.size());
+  }
+  void raw(const void* data, size_t bytes) { sink_({static_cast<const std::byte*>(data), bytes}); }
+
+ private:
+  const ByteSink& sink_;
+};
+
+/// Trusts nothing, and asks for no more memory than there are bytes.
+class RecordParser {
+ public:
+  RecordParser(std::span<const std::byte> bytes, const std::string& writer) : bytes_(bytes), writer_(writer) {}
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw WorkError("the program that reads scene files gave back what is no scene (" + what + ")", writer_,
+                    "convert the scene to binary PLY, and report this");
+  }
+
+  bool atEnd() const { return bytes_.empty(); }
+
+  std::span<const std::byte> take(uint64_t bytes) {
+    if (bytes > bytes_.size()) {
+      fail("it ends too early");
+    }
+    const auto taken = bytes_.first(bytes);
+    bytes_ = bytes_.subspan(bytes);
+    return taken;
+  }
+
+  template <class Value>
+  Value value() {
+    Value value;
+    std::memcpy(&value, take(sizeof(value)).data(), sizeof(value));
+    return value;
+  }
+
+  uint32_t number() { return value<uint32_t>(); }
+
+  template <class Value>
+  std::vector<Value> list(uint64_t count) {
+    const auto source = take(count * sizeof(Value));
+    std::vector<Value> values(count);
+    if (count > 0) {
+      std::memcpy(values.data(), source.data(), source.size());
+    }
+    return values;
+  }
+
+  /// A count of things of which each takes so many bytes at least.
+  uint32_t count(size_t minBytes) {
+    const uint32_t count = number();
+    if (count > bytes_.size() / minBytes) {
+      fail("a count is too large");
+    }
+    return count;
+  }
+
+  std::string text() {
+    const auto bytes = take(number());
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  }
+
+  void expect(std::string_view word) {
+    if (std::memcmp(take(word.size()).data(), word.data(), word.size()) != 0) {
+      fail("a mark is missing");
+    }
+  }
+
+ private:
+  std::span<const std::byte> bytes_;  ///< those that are still to be read
+  const std::string& writer_;
+};
+
+}  // namespace ocelli
