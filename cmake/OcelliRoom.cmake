@@ -45,8 +45,6 @@ function(ocelli_room name)
   set_target_properties(ocelli_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(ocelli_${name} PUBLIC ocelli_settings ${ROOM_PUBLIC}
     PRIVATE $<BUILD_INTERFACE:ocelli_strict> ${ROOM_PRIVATE})
-  target_compile_options(ocelli_${name} PRIVATE ${OCELLI_OPTIONS_${ROOM_OPTIMIZE}}
-    # What fuzzers steer by. Tests have no use for it in their own code.
-    $<$<BOOL:${OCELLI_BUILD_FUZZERS}>:-fsanitize=fuzzer-no-link>)
+  target_compile_options(ocelli_${name} PRIVATE ${OCELLI_OPTIONS_${ROOM_OPTIMIZE}})
   set_property(GLOBAL APPEND PROPERTY OCELLI_ROOMS ocelli_${name})
 endfunction()
