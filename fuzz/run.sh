@@ -1,7 +1,7 @@
 #!/bin/sh
 # fuzz/run.sh [SECONDS]: builds the fuzz targets (preset asan, which needs clang) and runs each for so long (60 by
-# default; continuous integration gives each 10), starting from the seed corpora in tests/. A finding ends it with an error and leaves the bytes in
-# build/asan/fuzz/.
+# default; continuous integration gives each 10), starting from the seed corpora in tests/. A finding ends it with an error
+# and leaves the bytes in build/asan/fuzz/.
 set -eu
 seconds=${1:-60}
 root=$(cd "$(dirname "$0")/.." && pwd)
