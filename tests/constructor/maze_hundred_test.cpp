@@ -1,5 +1,5 @@
-// The comprehensive camera over 40 of 100 seeded mazes (6 x 6 to 10 x 10 cells, 20 objects each): what it shows of each cell
-// and each object, at 1920 x 1200. maze_seen.h says what "seen exactly once" means.
+// The comprehensive camera over 40 of 100 seeded mazes (6 x 6 to 10 x 10 cells, 20 objects each): what it shows of each
+// cell and each object, at 1920 x 1200. maze_seen.h says what "seen exactly once" means.
 #include <gtest/gtest.h>
 
 #include <algorithm>
