@@ -16,7 +16,7 @@ packages="cmake ninja-build g++ ccache pkg-config python3 git
 
 case "${1-}" in
   "") ;;
-  --developer) packages="$packages clang-16 libclang-rt-16-dev llvm-16 clang-format clang-tidy" ;;
+  --developer) packages="$packages clang-16 lld libclang-rt-16-dev llvm-16 clang-format clang-tidy" ;;
   --benchmarks) packages="$packages libvtk9-dev libopenvdb-dev" ;;
   *)
     echo "usage: $0 [--developer|--benchmarks]" >&2

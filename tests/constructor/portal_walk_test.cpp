@@ -57,7 +57,7 @@ constexpr float kStepDegrees = 4.5f;
 /// How many mazes; OCELLI_TEST_WALKS=100 gives those that docs/results.md tells of.
 uint64_t walkCount() {
   const char* given = std::getenv("OCELLI_TEST_WALKS");
-  return given != nullptr ? std::strtoull(given, nullptr, 10) : 40;
+  return given != nullptr ? std::strtoull(given, nullptr, 10) : 12;
 }
 
 TEST(PortalWalk, imagesChangeAsThePinholesDoInMazes) {
