@@ -311,6 +311,9 @@ void measure(const Choice& choice) {
                                  {"profile", profile.name},
                                  {"runs", choice.runs},
                                  {"memory_floor_ms", memoryFloor(profile, choice.runs)}};
+#ifdef OCELLI_BENCH_VTK
+  json["vtk"] = vtkThreads();
+#endif
   fmt::print("{}\n", json.dump(2));
   const auto wants = [&](const char* part) { return std::ranges::find(choice.parts, part) != choice.parts.end(); };
   if (wants("triangles")) {

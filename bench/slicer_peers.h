@@ -19,6 +19,8 @@ struct SlicerPeer {
 };
 
 std::vector<SlicerPeer> vtkPeers();
+/// What VTK's filters run on: as many threads as Ocelli's loops.
+std::string vtkThreads();
 std::vector<SlicerPeer> openVdbPeers();
 
 }  // namespace ocelli

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCutter.h>
 #include <vtkFloatArray.h>
@@ -6,10 +7,12 @@
 #include <vtkPlaneCutter.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSMPTools.h>
 #include <vtkSmartPointer.h>
 
 #include "bench/slicer_peers.h"
 #include "display_sim/frames/sweep_geometry.h"
+#include "oc_core/base/parallel.h"
 
 namespace ocelli {
 namespace {
@@ -38,6 +41,7 @@ template <class Cutter, class SetPlane>
 std::function<void()> cutting(const Mesh& mesh, const DisplayProfile& profile, SetPlane&& setPlane) {
   const auto cutter = vtkSmartPointer<Cutter>::New();
   const auto plane = vtkSmartPointer<vtkPlane>::New();
+  vtkSMPTools::Initialize(threadCount());
   cutter->SetInputData(polyData(mesh));
   setPlane(*cutter, plane);
   return [cutter, plane, sweep = SweepGeometry(profile)] {
@@ -50,6 +54,11 @@ std::function<void()> cutting(const Mesh& mesh, const DisplayProfile& profile, S
 }
 
 }  // namespace
+
+std::string vtkThreads() {
+  vtkSMPTools::Initialize(threadCount());
+  return fmt::format("{}, {} threads", vtkSMPTools::GetBackend(), vtkSMPTools::GetEstimatedNumberOfThreads());
+}
 
 std::vector<SlicerPeer> vtkPeers() {
   return {{"vtkPlaneCutter", "segments, its tree made once", 1'500'000,

@@ -5,7 +5,7 @@
 // time, and as it stands in the slicer's best order, made once. Reference images are built from the scene's mesh in
 // memory, and with --packs from a packed scene too: the clusters that the view needs, and the image. The peer in the
 // same run is meshoptimizer: the scene decimated once to as many triangles as the OCRI has, its time taken as
-// construction. Times are medians of --runs runs, after one run that is not counted; the slicer keeps its memory.
+// construction. Times are the least of --runs runs, after one run that is not counted; the slicer keeps its memory.
 // Prints rows of a table in Markdown. turning_bench has scenes that move.
 #include <fmt/format.h>
 
@@ -76,7 +76,7 @@ class Table {
     print("geometry", scene, {}, {}, geometry_, row_.geometry);
     const Mesh ordered = orderedForSlicing(scene);
     const SliceMesh prepared(ordered);
-    print("geometry, best order", ordered, {}, {}, medianMilliseconds(runs_, [&] { slicer_.slice(prepared); }), {});
+    print("geometry, best order", ordered, {}, {}, leastMilliseconds(runs_, [&] { slicer_.slice(prepared); }), {});
     std::optional<PackedScene> packed;
     if (!choice.packs.empty()) {
       packed.emplace(packedScene(row_, choice.packs));
@@ -86,11 +86,11 @@ class Table {
       const CameraChoice chosen = cameraChoice(name);
       Mesh mesh;
       const double build =
-          medianMilliseconds(runs_, [&] { mesh = unionMesh(buildReferenceImages(chosen, camera, scene)); });
+          leastMilliseconds(runs_, [&] { mesh = unionMesh(buildReferenceImages(chosen, camera, scene)); });
       std::optional<double> packedBuild;
       if (packed) {
         packedBuild =
-            medianMilliseconds(runs_, [&] { mesh = unionMesh(buildReferenceImages(chosen, camera, *packed)); });
+            leastMilliseconds(runs_, [&] { mesh = unionMesh(buildReferenceImages(chosen, camera, *packed)); });
       }
       print(name, mesh, build, packedBuild, sliceTime(mesh),
             name == "di"     ? row_.depthImage
@@ -108,7 +108,7 @@ class Table {
 
  private:
   double sliceTime(const Mesh& mesh) {
-    return medianMilliseconds(runs_, [&] { slicer_.slice(SliceMesh(mesh)); });
+    return leastMilliseconds(runs_, [&] { slicer_.slice(SliceMesh(mesh)); });
   }
 
   void print(const std::string& what, const Mesh& mesh, std::optional<double> build, std::optional<double> packedBuild,
@@ -135,8 +135,7 @@ class Table {
 };
 
 void measure(const Choice& choice) {
-  fmt::print("{} threads, display {}, medians of {} runs, milliseconds\n\n", threadCount(), choice.profile,
-             choice.runs);
+  fmt::print("{} threads, display {}, least of {} runs, milliseconds\n\n", threadCount(), choice.profile, choice.runs);
   fmt::print(
       "| scene | sliced | triangles | build, mesh | build, pack | slice | speedup | with build, mesh | with build, "
       "pack "

@@ -6,8 +6,8 @@
 // in memory as one mesh, and images are built of it by rasterisation and by rays against a standing acceleration
 // structure; larger scenes are sliced in parts. "level" is the scene as coarse as a quarter of a voxel allows, which is
 // what `ocelli slice` takes of a pack: chosen once, as what turns about the axis stays as far from it.
-// Ways take turns; times are medians of --refreshes refreshes, after one that is not counted, of three where one takes
-// more than a second. `--json` keeps all figures and their stages, `--svg` draws them.
+// Ways take turns; times are those of the fastest of --runs refreshes, after one that is not counted; of three where
+// one takes more than a second. `--json` keeps all figures and their stages, `--svg` draws them.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -57,28 +57,19 @@ struct Timed {
   TurningWay way;
   std::vector<std::vector<double>> stages;  ///< of each refresh
 
-  double median(size_t stage) const {
-    std::vector<double> times;
-    for (const std::vector<double>& each : stages) {
-      times.push_back(each[stage]);
-    }
-    std::ranges::nth_element(times, times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2));
-    return times[times.size() / 2];
+  /// The fastest refresh.
+  const std::vector<double>& best() const {
+    return *std::ranges::min_element(stages, {}, [](const std::vector<double>& each) { return total(each); });
   }
-  double median() const {
-    std::vector<double> times;
-    for (const std::vector<double>& each : stages) {
-      times.push_back(std::accumulate(each.begin(), each.end(), 0.0));
-    }
-    std::ranges::nth_element(times, times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2));
-    return times[times.size() / 2];
-  }
+  double least() const { return total(best()); }
+
+  static double total(const std::vector<double>& each) { return std::accumulate(each.begin(), each.end(), 0.0); }
 };
 
 void runInTurns(std::vector<Timed>& ways, int runs) {
   for (int refresh = 0; refresh <= runs; ++refresh) {
     for (Timed& each : ways) {
-      const bool isLong = !each.stages.empty() && each.median() > kLongMilliseconds;
+      const bool isLong = !each.stages.empty() && each.least() > kLongMilliseconds;
       if (isLong && each.stages.size() >= kFewRuns) {
         continue;
       }
@@ -116,9 +107,9 @@ class SceneWays {
                                 {"triangles", packed_.triangleCount()},
                                 {"level_triangles", levelTriangles_}};
     for (const Timed& each : ways_) {
-      json["ms"][each.name] = each.median();
-      for (size_t i = 0; i < each.stages.front().size() && each.stages.front().size() > 1; ++i) {
-        json["stages_ms"][each.name].push_back(each.median(i));
+      json["ms"][each.name] = each.least();
+      if (each.best().size() > 1) {
+        json["stages_ms"][each.name] = each.best();
       }
       json["runs"][each.name] = each.stages.size();
     }

@@ -81,14 +81,14 @@ PartsTimes sliceInParts(const PackedScene& scene, size_t trianglesOfPart, int ru
       triangles += scene.cluster(clusters[first].group, clusters[first].cluster).triangles;
       part.push_back(clusters[first]);
     }
-    times.streamed += medianMilliseconds(runs, [&] {
+    times.streamed += leastMilliseconds(runs, [&] {
       Mesh mesh = meshOf(scene, part);
       turnAboutAxis(mesh.positions, kTurnDegrees * kPi / 180, mesh.positions);
       join(all, slicer.slice(SliceMesh(mesh)));
     });
     const auto source = turning(orderedForSlicing(weldedMeshOf(scene, part)), profile);
     int refresh = 0;
-    times.standing += medianMilliseconds(runs, [&] { join(all, *source->volumeFor(timeOf(refresh++)).volume); });
+    times.standing += leastMilliseconds(runs, [&] { join(all, *source->volumeFor(timeOf(refresh++)).volume); });
     ++times.parts;
   }
   return times;
