@@ -312,7 +312,7 @@ void measure(const Choice& choice) {
                                  {"runs", choice.runs},
                                  {"memory_floor_ms", memoryFloor(profile, choice.runs)}};
 #ifdef OCELLI_BENCH_VTK
-  json["vtk"] = vtkThreads();
+  json["vtk_threads"] = vtkThreads();
 #endif
   fmt::print("{}\n", json.dump(2));
   const auto wants = [&](const char* part) { return std::ranges::find(choice.parts, part) != choice.parts.end(); };

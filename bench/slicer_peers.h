@@ -19,7 +19,7 @@ struct SlicerPeer {
 };
 
 std::vector<SlicerPeer> vtkPeers();
-/// What VTK's filters run on: as many threads as Ocelli's loops.
+/// The library whose threads VTK's filters run on. "TBB" has as many for VTK as for Ocelli (parallel.h).
 std::string vtkThreads();
 std::vector<SlicerPeer> openVdbPeers();
 

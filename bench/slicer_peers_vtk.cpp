@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCutter.h>
 #include <vtkFloatArray.h>
@@ -7,12 +6,11 @@
 #include <vtkPlaneCutter.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSMPTools.h>
+#include <vtkSMP.h>
 #include <vtkSmartPointer.h>
 
 #include "bench/slicer_peers.h"
 #include "display_sim/frames/sweep_geometry.h"
-#include "oc_core/base/parallel.h"
 
 namespace ocelli {
 namespace {
@@ -41,7 +39,6 @@ template <class Cutter, class SetPlane>
 std::function<void()> cutting(const Mesh& mesh, const DisplayProfile& profile, SetPlane&& setPlane) {
   const auto cutter = vtkSmartPointer<Cutter>::New();
   const auto plane = vtkSmartPointer<vtkPlane>::New();
-  vtkSMPTools::Initialize(threadCount());
   cutter->SetInputData(polyData(mesh));
   setPlane(*cutter, plane);
   return [cutter, plane, sweep = SweepGeometry(profile)] {
@@ -56,8 +53,7 @@ std::function<void()> cutting(const Mesh& mesh, const DisplayProfile& profile, S
 }  // namespace
 
 std::string vtkThreads() {
-  vtkSMPTools::Initialize(threadCount());
-  return fmt::format("{}, {} threads", vtkSMPTools::GetBackend(), vtkSMPTools::GetEstimatedNumberOfThreads());
+  return VTK_SMP_BACKEND;
 }
 
 std::vector<SlicerPeer> vtkPeers() {
