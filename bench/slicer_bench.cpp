@@ -61,7 +61,7 @@ struct Way {
 };
 
 /// What takes longer than this runs three times at most.
-constexpr double kSlowMilliseconds = 400;
+constexpr double kSlowMilliseconds = 1000;
 
 void runInterleaved(std::vector<Way>& ways, int runs) {
   for (int i = 0; i < runs; ++i) {
