@@ -19,6 +19,8 @@ struct SlicerPeer {
 };
 
 std::vector<SlicerPeer> vtkPeers();
+/// The library whose threads VTK's filters run on. "TBB" has as many for VTK as for Ocelli (parallel.h).
+std::string vtkThreads();
 std::vector<SlicerPeer> openVdbPeers();
 
 }  // namespace ocelli

@@ -6,6 +6,7 @@
 #include <vtkPlaneCutter.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSMP.h>
 #include <vtkSmartPointer.h>
 
 #include "bench/slicer_peers.h"
@@ -50,6 +51,10 @@ std::function<void()> cutting(const Mesh& mesh, const DisplayProfile& profile, S
 }
 
 }  // namespace
+
+std::string vtkThreads() {
+  return VTK_SMP_BACKEND;
+}
 
 std::vector<SlicerPeer> vtkPeers() {
   return {{"vtkPlaneCutter", "segments, its tree made once", 1'500'000,

@@ -14,7 +14,18 @@ double milliseconds(const Work& work) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Of `runs` runs, after one run that is not counted.
+/// The least of `runs` runs, after one run that is not counted: what other work on the machine disturbs the least.
+template <class Work>
+double leastMilliseconds(int runs, const Work& work) {
+  work();
+  double least = milliseconds(work);
+  for (int i = 1; i < runs; ++i) {
+    least = std::min(least, milliseconds(work));
+  }
+  return least;
+}
+
+/// The median of `runs` runs, after one run that is not counted.
 template <class Work>
 double medianMilliseconds(int runs, const Work& work) {
   work();

@@ -34,12 +34,14 @@ struct EvaluateChoice {
   std::string size = "720x480";
   std::string profile = "perspecta";
   int interiorViews = 12;
+  int edgeViews = 1;
   unsigned seed = 1;
   int offsetDirections = 4;
   int runs = 3;
   std::string json;
   std::string csv;
   std::string offsetsCsv;
+  std::string sequencesCsv;
   std::string page;
   std::optional<bool> resume;
 };
@@ -74,6 +76,11 @@ EvaluationOptions evaluationOptions(const EvaluateChoice& choice) {
                      "--segment-direction 1,0,0");
   }
   options.interiorViews = choice.interiorViews;
+  options.edgeViews = choice.edgeViews;
+  if (options.cell.shape != ViewCell::Shape::kCube && (choice.edgeViews != 1 || !choice.sequencesCsv.empty())) {
+    throw InputError("only a cube has edges to move along", "--cell-shape " + choice.cellShape,
+                     "leave out --edge-views and --csv-sequences, or use --cell-shape cube");
+  }
   options.seed = choice.seed;
   options.compareImages = true;
   options.offsets = choice.offsetDirections > 0 ? defaultOffsets() : std::vector<float>{};
@@ -129,7 +136,7 @@ class Outputs {
  private:
   std::vector<std::string> files() const {
     std::vector<std::string> paths;
-    for (const std::string& path : {choice_.json, choice_.csv, choice_.offsetsCsv}) {
+    for (const std::string& path : {choice_.json, choice_.csv, choice_.offsetsCsv, choice_.sequencesCsv}) {
       if (!path.empty() && path != "-") {
         paths.push_back(path);
       }
@@ -185,6 +192,9 @@ void writeOutputs(const EvaluateChoice& choice, const Outputs& outputs, const Ev
   }
   if (!choice.offsetsCsv.empty()) {
     writeFile(choice.offsetsCsv, offsetsCsv(options, rows));
+  }
+  if (!choice.sequencesCsv.empty()) {
+    writeFile(choice.sequencesCsv, sequencesCsv(options, rows));
   }
   if (outputs.hasPage()) {
     const EvaluatePage page{choice.scene.source, OCELLI_VERSION, sceneTriangles, truthImageName(), images, complete};
@@ -291,6 +301,10 @@ void addEvaluateCommand(CLI::App& program, const CommandContext& context) {
   addViewOption(command, choice->view);
   addSizeOption(command, choice->size);
   command.add_option("--profile", choice->profile, "Display whose slicing is timed")->type_name("NAME|FILE.json");
+  command
+      .add_option("--edge-views", choice->edgeViews, "How many viewpoints between the corners of each edge of a cube")
+      ->check(CLI::Range(0, 1000))
+      ->type_name("N");
   command.add_option("--interior", choice->interiorViews, "How many viewpoints inside of the cell")
       ->check(CLI::Range(0, 10000))
       ->type_name("N");
@@ -309,6 +323,8 @@ void addEvaluateCommand(CLI::App& program, const CommandContext& context) {
       ->type_name("FILE");
   command.add_option("--csv", choice->csv, "Also write the figures here, a line a representation")->type_name("FILE");
   command.add_option("--csv-offsets", choice->offsetsCsv, "Also write the errors against the offset here")
+      ->type_name("FILE");
+  command.add_option("--csv-sequences", choice->sequencesCsv, "Also write the errors along each edge of a cube here")
       ->type_name("FILE");
   command.add_option("--page", choice->page, "Also make a page with plots and images in this folder")->type_name("DIR");
   CLI::Option* resume = command.add_flag_callback(

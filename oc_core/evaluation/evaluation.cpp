@@ -39,7 +39,7 @@ struct Place {
 class Viewpoints {
  public:
   explicit Viewpoints(const EvaluationOptions& options) {
-    edges = add(options.cell.edgeViews(options.view));
+    edges = add(options.cell.edgeViews(options.view, options.edgeViews));
     interior = add(options.cell.interiorViews(options.view, options.interiorViews, options.seed));
     reference = add({options.view});
     const std::vector<glm::vec3> directions = options.cell.directions(options.offsetDirections, options.seed);
@@ -126,6 +126,14 @@ struct Evaluator::Impl {
         : impl_(impl), mesh_(mesh), name_(name), progress_(progress), errors_(impl.truth.count()) {}
 
     FrameErrors at(const Place& place, bool images) {
+      FrameErrors sum;
+      for (const FrameErrors& each : atEachOf(place, images)) {
+        sum += each;
+      }
+      return sum;
+    }
+
+    std::vector<FrameErrors> atEachOf(const Place& place, bool images) {
       std::vector<size_t> open;
       for (size_t i = place.first; i < place.last; ++i) {
         if (!errors_[i]) {
@@ -137,11 +145,11 @@ struct Evaluator::Impl {
       for (size_t k = 0; k < open.size(); ++k) {
         errors_[open[k]] = errors[k];
       }
-      FrameErrors sum;
+      std::vector<FrameErrors> all;
       for (size_t i = place.first; i < place.last; ++i) {
-        sum += *errors_[i];
+        all.push_back(*errors_[i]);
       }
-      return sum;
+      return all;
     }
 
    private:
@@ -235,6 +243,7 @@ RepresentationFigures Evaluator::measure(const std::string& name, const MakeRepr
   }
   Impl::Measured measured(*impl_, made.mesh, name, progress);
   figures.edges = measured.at(impl_->viewpoints.edges, options.compareImages);
+  figures.edgeViews = measured.atEachOf(impl_->viewpoints.edges, options.compareImages);
   figures.interior = measured.at(impl_->viewpoints.interior, options.compareImages);
   figures.reference = measured.at(impl_->viewpoints.reference, options.compareImages);
   for (const Place& place : impl_->viewpoints.offsets) {

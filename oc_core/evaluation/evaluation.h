@@ -24,6 +24,7 @@ struct EvaluationOptions {
   int height = 0;
   ViewCell cell;
   int interiorViews = 12;
+  int edgeViews = 1;  ///< between the corners of each edge of a cube
   unsigned seed = 1;
   /// Whether PSNR, SSIM and FLIP are measured: most of the time that viewpoints take.
   bool compareImages = false;
@@ -50,10 +51,11 @@ struct RepresentationFigures {
   double buildMilliseconds = 0;
   double meshMilliseconds = 0;
   double sliceMilliseconds = 0;
-  FrameErrors edges;                 ///< over the edges of the cell
-  FrameErrors interior;              ///< over seeded points inside
-  FrameErrors reference;             ///< at the reference viewpoint
-  std::vector<FrameErrors> offsets;  ///< at each distance of the options
+  FrameErrors edges;                   ///< over the edges of the cell
+  std::vector<FrameErrors> edgeViews;  ///< at each viewpoint of them, in the order of ViewCell::edgeViews()
+  FrameErrors interior;                ///< over seeded points inside
+  FrameErrors reference;               ///< at the reference viewpoint
+  std::vector<FrameErrors> offsets;    ///< at each distance of the options
   /// Missing over the edges, relative to the depth image of the same view; 0 where that lacks nothing.
   double strictRatioToDi = 0;
   double thickRatioToDi = 0;

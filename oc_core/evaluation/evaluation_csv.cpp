@@ -65,6 +65,14 @@ constexpr std::array<Measure, 7> kMeasures{{
     {"flip", [](const FrameErrors& errors) { return errors.meanFlip(); }, true},
 }};
 
+void addMeasure(CsvLine& line, const Measure& measure, const FrameErrors& errors) {
+  if (measure.ofImages && errors.images == 0) {
+    line.addMissing();
+  } else {
+    line.addNumber(measure.value(errors));
+  }
+}
+
 }  // namespace
 
 std::string evaluationCsv(const EvaluationOptions& options, const std::vector<RepresentationFigures>& figures) {
@@ -96,16 +104,42 @@ std::string evaluationCsv(const EvaluationOptions& options, const std::vector<Re
     }
     for (const Measure& measure : kMeasures) {
       for (const FrameErrors* errors : placesOf(row)) {
-        if (measure.ofImages && errors->images == 0) {
-          line.addMissing();
-        } else {
-          line.addNumber(measure.value(*errors));
-        }
+        addMeasure(line, measure, *errors);
       }
     }
     line.addNumber(row.strictRatioToDi);
     line.addNumber(row.thickRatioToDi);
     text += line.end();
+  }
+  return text;
+}
+
+std::string sequencesCsv(const EvaluationOptions& options, const std::vector<RepresentationFigures>& figures) {
+  CsvLine header;
+  for (const char* name : {"name", "edge", "right", "up", "backward"}) {
+    header.add(name);
+  }
+  for (const Measure& measure : kMeasures) {
+    header.add(measure.name);
+  }
+  std::string text = header.end();
+  const std::vector<EdgeSequence> sequences = options.cell.edgeSequences(options.edgeViews);
+  for (const RepresentationFigures& row : figures) {
+    for (size_t edge = 0; edge < sequences.size() && !row.edgeViews.empty(); ++edge) {
+      for (size_t step = 0; step < sequences[edge].views.size(); ++step) {
+        CsvLine line;
+        line.add(row.name);
+        line.addNumber(edge);
+        for (int axis = 0; axis < 3; ++axis) {
+          line.addNumber(sequences[edge].places[step][axis]);
+        }
+        const FrameErrors& errors = row.edgeViews.at(sequences[edge].views[step]);
+        for (const Measure& measure : kMeasures) {
+          addMeasure(line, measure, errors);
+        }
+        text += line.end();
+      }
+    }
   }
   return text;
 }

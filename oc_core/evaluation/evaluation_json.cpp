@@ -24,12 +24,40 @@ Json cellJson(const EvaluationOptions& options) {
   Json cell;
   cell["side_radii"] = options.cell.sideRadii;
   cell["interior_views"] = options.interiorViews;
+  if (options.cell.shape == ViewCell::Shape::kCube) {
+    cell["edge_views"] = options.edgeViews;
+  }
   cell["shape"] = cellShapeName(options.cell.shape);
   if (options.cell.shape == ViewCell::Shape::kSegment) {
     const glm::vec3& direction = options.cell.segmentDirection;
     cell["segment_direction"] = {direction.x, direction.y, direction.z};
   }
   return cell;
+}
+
+/// Each measure along each edge of a cube, corner to corner.
+Json alongEdges(const RepresentationFigures& row, const EvaluationOptions& options) {
+  Json edges = Json::array();
+  if (row.edgeViews.empty()) {
+    return edges;
+  }
+  for (const EdgeSequence& sequence : options.cell.edgeSequences(options.edgeViews)) {
+    Json edge{{"from", Json::array()},          {"to", Json::array()},          {"missing_strict", Json::array()},
+              {"missing_thick", Json::array()}, {"wrong_front", Json::array()}, {"false_skins", Json::array()}};
+    for (int axis = 0; axis < 3; ++axis) {
+      edge["from"].push_back(sequence.places.front()[axis]);
+      edge["to"].push_back(sequence.places.back()[axis]);
+    }
+    for (const size_t view : sequence.views) {
+      const FrameErrors& errors = row.edgeViews.at(view);
+      edge["missing_strict"].push_back(errors.strictRatio());
+      edge["missing_thick"].push_back(errors.thickRatio());
+      edge["wrong_front"].push_back(errors.wrongFrontRatio());
+      edge["false_skins"].push_back(errors.falseSkinRatio());
+    }
+    edges.push_back(edge);
+  }
+  return edges;
 }
 
 Json rowJson(const RepresentationFigures& row, const EvaluationOptions& options) {
@@ -53,6 +81,7 @@ Json rowJson(const RepresentationFigures& row, const EvaluationOptions& options)
       atPlaces(row, [](const FrameErrors& errors) { return numberOrNull(errors.meanFlip(), errors.images > 0); });
   entry["pixels"] = row.pixels;
   entry["bytes"] = {{"raw", row.bytes.raw}, {"zstd", row.bytes.compressed}};
+  entry["along_edges"] = alongEdges(row, options);
   Json curve{{"missing_strict", Json::array()},
              {"missing_thick", Json::array()},
              {"wrong_front", Json::array()},

@@ -233,10 +233,13 @@ std::string imageSection(const EvaluatePage& page, const EvaluationOptions& opti
   return html + "</div>\n";
 }
 
-std::string edgesText(ViewCell::Shape shape) {
-  switch (shape) {
+std::string edgesText(const EvaluationOptions& options) {
+  switch (options.cell.shape) {
     case ViewCell::Shape::kCube:
-      return "the 12 edge midpoints and 8 corners of the cube";
+      return options.edgeViews == 1
+                 ? "the 12 edge midpoints and 8 corners of the cube"
+                 : fmt::format("{} viewpoints on each of the 12 edges of the cube, and its 8 corners",
+                               options.edgeViews);
     case ViewCell::Shape::kSphere:
       return "20 points of the sphere, the corners of a regular dodecahedron";
     case ViewCell::Shape::kSegment:
@@ -252,7 +255,7 @@ std::string definitions(const EvaluationOptions& options) {
   return "<dl>\n" +
          entry("Edges, inside, at ref.",
                fmt::format("Viewpoints: {}; {} seeded points inside; the reference viewpoint itself.",
-                           edgesText(options.cell.shape), options.interiorViews)) +
+                           edgesText(options), options.interiorViews)) +
          entry("Missing, strict",
                "Samples of the scene\u2019s own rendering with no sample of the representation\u2019s rendering in the "
                "3 x 3 pixels around them that lies within 1.5 pixel footprints of them in space. Ratio of the "

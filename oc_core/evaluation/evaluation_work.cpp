@@ -12,7 +12,7 @@
 namespace ocelli {
 namespace {
 
-constexpr int kFormat = 2;
+constexpr int kFormat = 3;
 constexpr double kMaxCount = 9007199254740992.0;  // 2^53: above it a JSON number need not be a whole one
 constexpr double kMaxNumber = 1e300;
 
@@ -59,9 +59,13 @@ nlohmann::json jsonOf(const RepresentationFigures& figures) {
                       {"edges", jsonOf(figures.edges)},
                       {"interior", jsonOf(figures.interior)},
                       {"reference", jsonOf(figures.reference)},
+                      {"edge_views", nlohmann::json::array()},
                       {"offsets", nlohmann::json::array()},
                       {"strict_ratio_to_di", figures.strictRatioToDi},
                       {"thick_ratio_to_di", figures.thickRatioToDi}};
+  for (const FrameErrors& errors : figures.edgeViews) {
+    json["edge_views"].push_back(jsonOf(errors));
+  }
   for (const FrameErrors& errors : figures.offsets) {
     json["offsets"].push_back(jsonOf(errors));
   }
@@ -89,6 +93,18 @@ FrameErrors readErrors(const nlohmann::json& json, const std::string& where) {
   return errors;
 }
 
+std::vector<FrameErrors> readAllErrors(JsonFields& fields, const std::string& name, const std::string& where) {
+  const nlohmann::json& array = fields.value(name);
+  if (!array.is_array()) {
+    fields.fail(name, "must be an array");
+  }
+  std::vector<FrameErrors> all;
+  for (const nlohmann::json& errors : array) {
+    all.push_back(readErrors(errors, where));
+  }
+  return all;
+}
+
 RepresentationFigures readFigures(const nlohmann::json& json, const std::string& where) {
   JsonFields fields(json, where);
   RepresentationFigures figures;
@@ -104,13 +120,8 @@ RepresentationFigures readFigures(const nlohmann::json& json, const std::string&
   figures.edges = readErrors(fields.value("edges"), where);
   figures.interior = readErrors(fields.value("interior"), where);
   figures.reference = readErrors(fields.value("reference"), where);
-  const nlohmann::json& offsets = fields.value("offsets");
-  if (!offsets.is_array()) {
-    fields.fail("offsets", "must be an array");
-  }
-  for (const nlohmann::json& errors : offsets) {
-    figures.offsets.push_back(readErrors(errors, where));
-  }
+  figures.edgeViews = readAllErrors(fields, "edge_views", where);
+  figures.offsets = readAllErrors(fields, "offsets", where);
   figures.strictRatioToDi = fields.number("strict_ratio_to_di", 0, kMaxNumber);
   figures.thickRatioToDi = fields.number("thick_ratio_to_di", 0, kMaxNumber);
   fields.rejectUnknown();
@@ -131,10 +142,11 @@ std::string evaluationKey(const Mesh& scene, const EvaluationOptions& options, c
   hash.add(scene.colors);
   hash.add(scene.triangles);
   const glm::vec3& direction = options.cell.segmentDirection;
-  hash.add(fmt::format("{} {}x{} {} {} {},{},{} {} {} {} {} {} {} ", jsonText(options.view), options.width,
+  hash.add(fmt::format("{} {}x{} {} {} {},{},{} {} {} {} {} {} {} {} ", jsonText(options.view), options.width,
                        options.height, options.cell.sideRadii, cellShapeName(options.cell.shape), direction.x,
-                       direction.y, direction.z, options.interiorViews, options.seed, options.compareImages,
-                       options.offsetDirections, options.runs, static_cast<bool>(options.slice)));
+                       direction.y, direction.z, options.edgeViews, options.interiorViews, options.seed,
+                       options.compareImages, options.offsetDirections, options.runs,
+                       static_cast<bool>(options.slice)));
   hash.add(options.offsets);
   hash.add(more);
   return hash.text();

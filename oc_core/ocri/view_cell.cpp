@@ -41,14 +41,33 @@ glm::vec3 cubeCorner(int corner) {
   return {sign(corner, 1), sign(corner, 2), sign(corner, 4)};
 }
 
-std::vector<glm::vec3> cubeEdges() {
+constexpr int kCubeEdges = 12;
+
+/// The middle of an edge; four along each axis.
+glm::vec3 cubeEdge(int edge) {
+  const int axis = edge / 4;
+  glm::vec3 place(0);
+  place[(axis + 1) % 3] = sign(edge, 1);
+  place[(axis + 2) % 3] = sign(edge, 2);
+  return place;
+}
+
+/// A place on an edge, from -1 at one corner to 1 at the other.
+glm::vec3 onCubeEdge(int edge, float along) {
+  glm::vec3 place = cubeEdge(edge);
+  place[edge / 4] = along;
+  return place;
+}
+
+float stepAlong(int step, int between) {
+  return 2 * static_cast<float>(step) / static_cast<float>(between + 1) - 1;
+}
+
+std::vector<glm::vec3> cubeEdges(int between) {
   std::vector<glm::vec3> places;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int edge = 0; edge < 4; ++edge) {
-      glm::vec3 place(0);
-      place[(axis + 1) % 3] = sign(edge, 1);
-      place[(axis + 2) % 3] = sign(edge, 2);
-      places.push_back(place);
+  for (int edge = 0; edge < kCubeEdges; ++edge) {
+    for (int step = 1; step <= between; ++step) {
+      places.push_back(onCubeEdge(edge, stepAlong(step, between)));
     }
   }
   for (int corner = 0; corner < 8; ++corner) {
@@ -85,16 +104,36 @@ std::vector<View> moved(const View& reference, const std::vector<glm::vec3>& pla
 
 }  // namespace
 
-std::vector<View> ViewCell::edgeViews(const View& reference) const {
+std::vector<View> ViewCell::edgeViews(const View& reference, int between) const {
   switch (shape) {
     case Shape::kCube:
-      return moved(reference, cubeEdges(), halfSide());
+      return moved(reference, cubeEdges(between), halfSide());
     case Shape::kSphere:
       return moved(reference, dodecahedron(), halfSide());
     case Shape::kSegment:
       return moved(reference, directions(2, 0), halfSide());
   }
   OC_CHECK(false, "every shape has edges");
+}
+
+std::vector<EdgeSequence> ViewCell::edgeSequences(int between) const {
+  std::vector<EdgeSequence> sequences;
+  if (shape != Shape::kCube) {
+    return sequences;
+  }
+  const auto inside = static_cast<size_t>(between);
+  for (int edge = 0; edge < kCubeEdges; ++edge) {
+    EdgeSequence sequence;
+    for (int step = 0; step <= between + 1; ++step) {
+      const glm::vec3 place = onCubeEdge(edge, stepAlong(step, between));
+      const size_t corner = kCubeEdges * inside + (place.x > 0 ? 1 : 0) + (place.y > 0 ? 2 : 0) + (place.z > 0 ? 4 : 0);
+      const bool isCorner = step == 0 || step == between + 1;
+      sequence.views.push_back(isCorner ? corner : static_cast<size_t>(edge) * inside + static_cast<size_t>(step - 1));
+      sequence.places.push_back(place);
+    }
+    sequences.push_back(std::move(sequence));
+  }
+  return sequences;
 }
 
 std::vector<View> ViewCell::interiorViews(const View& reference, int count, unsigned seed) const {

@@ -9,6 +9,12 @@
 
 namespace ocelli {
 
+/// Viewpoints along an edge, from one corner of the cell to another.
+struct EdgeSequence {
+  std::vector<size_t> views;      ///< their numbers in edgeViews(), both corners included
+  std::vector<glm::vec3> places;  ///< of each: right, up and backward, in half sides
+};
+
 struct ViewCell {
   enum class Shape {
     kCube,
@@ -22,9 +28,13 @@ struct ViewCell {
 
   float halfSide() const { return sideRadii / 2; }
 
-  /// The farthest viewpoints. Cube: 12 edge midpoints, then 8 corners. Sphere: the 20 corners of the regular
-  /// dodecahedron in it. Segment: its two ends.
-  std::vector<View> edgeViews(const View& reference) const;
+  /// The farthest viewpoints. Cube: `between` of them on each of the 12 edges, which they and the corners divide into
+  /// equal steps, edge after edge, then the 8 corners. Sphere: the 20 corners of the regular dodecahedron in it.
+  /// Segment: its two ends. Those two have as many, whatever `between` is.
+  std::vector<View> edgeViews(const View& reference, int between = 1) const;
+  /// The ways along the edges of a cube that section 3.5.5.7 moves the viewpoint on, in the order of edgeViews(); other
+  /// shapes have none.
+  std::vector<EdgeSequence> edgeSequences(int between = 1) const;
   /// `count` viewpoints inside, uniform, from a seed.
   std::vector<View> interiorViews(const View& reference, int count, unsigned seed) const;
   /// Unit vectors along which the viewpoint can move half a side from the middle: uniform over the sphere, from a seed.

@@ -68,10 +68,25 @@ TEST(Evaluate, TakesEveryShapeOfCell) {
   }
 }
 
+TEST(Evaluate, WalksAlongTheEdgesOfACube) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      runProgram(kSmallEvaluation + std::string("--cameras di --edge-views 4 --json - --csv-sequences ") +
+                 inQuotes(folder / "s.csv"));
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json["cell"]["edge_views"], 4);
+  ASSERT_EQ(json["representations"][0]["along_edges"].size(), 12u);
+  EXPECT_EQ(json["representations"][0]["along_edges"][11]["missing_thick"].size(), 6u);
+  const std::string csv = fileBytes(folder / "s.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 12 * 6);
+}
+
 TEST(Evaluate, RefusesWhatMakesNoCell) {
   for (const std::string arguments :
        {"--cell 0", "--cell 0in", "--cell -1in", "--cell-shape ball", "--segment-direction 0,0,0",
-        "--segment-direction 1,2", "--runs 0", "--directions -1", "--size 0x5", "--cameras nothing", "--resume"}) {
+        "--segment-direction 1,2", "--runs 0", "--directions -1", "--edge-views -1",
+        "--edge-views 2 --cell-shape sphere", "--size 0x5", "--cameras nothing", "--resume"}) {
     const TemporaryFolder folder;
     const ProgramResult result = runProgram(kSmallEvaluation + arguments + " --json " + inQuotes(folder / "x.json"));
     EXPECT_EQ(result.exitCode, 2) << arguments << result.error;

@@ -110,5 +110,31 @@ TEST(OffsetsCsv, hasALineForEachDistance) {
   EXPECT_THAT(lines[2], ElementsAre("di", "0.02", "0.25", "0", "0", "0.01"));
 }
 
+// The corner at (-1, -1, -1) is where edges 0, 4 and 8 begin; edges have their midpoints as viewpoints 0 to 11.
+TEST(SequencesCsv, hasALineForEachViewpointOfEachEdge) {
+  RepresentationFigures row = figures("di");
+  row.edgeViews = std::vector<FrameErrors>(20, row.edges);
+  row.edgeViews[0].strict = 100;
+  row.edgeViews[12].strict = 20;
+  const auto lines = readCsv(sequencesCsv({}, {row}));
+  ASSERT_EQ(lines.size(), 1u + 12 * 3);
+  EXPECT_EQ(fieldOf(lines, 1, "name"), "di");
+  EXPECT_EQ(fieldOf(lines, 1, "right"), "-1");
+  EXPECT_EQ(fieldOf(lines, 2, "right"), "0");
+  EXPECT_EQ(fieldOf(lines, 2, "backward"), "-1");
+  for (size_t line = 1; line < lines.size(); ++line) {
+    const std::string expected = line == 2 ? "0.5" : line == 1 || line == 13 || line == 25 ? "0.1" : "0.25";
+    EXPECT_EQ(fieldOf(lines, line, "missing_strict"), expected) << line;
+    EXPECT_EQ(fieldOf(lines, line, "edge"), std::to_string((line - 1) / 3));
+    EXPECT_EQ(fieldOf(lines, line, "flip"), "") << "no images were compared";
+  }
+}
+
+TEST(SequencesCsv, hasNoLinesForOtherCells) {
+  EvaluationOptions options;
+  options.cell.shape = ViewCell::Shape::kSphere;
+  EXPECT_EQ(readCsv(sequencesCsv(options, {figures("di")})).size(), 1u);
+}
+
 }  // namespace
 }  // namespace ocelli

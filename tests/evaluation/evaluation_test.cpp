@@ -70,6 +70,7 @@ TEST(Evaluation, jsonHasItsFields) {
   EXPECT_EQ(json["size"], nlohmann::ordered_json({90, 60}));
   EXPECT_NEAR(json["cell"]["side_radii"].get<double>(), 1.6, 1e-6);
   EXPECT_EQ(json["cell"]["shape"], "cube");
+  EXPECT_EQ(json["cell"]["edge_views"], 1);
   EXPECT_EQ(json["view"]["eye"], nlohmann::ordered_json({0, 0, 10}));
   EXPECT_EQ(json["offsets"]["half_sides"], nlohmann::ordered_json({0.0, 0.5, 1.0}));
   EXPECT_EQ(json["offsets"]["directions"], 2);
@@ -79,7 +80,7 @@ TEST(Evaluation, jsonHasItsFields) {
   for (const auto& row : json["representations"]) {
     EXPECT_THAT(keysOf(row), ElementsAre("name", "triangles", "samples", "build_ms", "mesh_ms", "slice_ms",
                                          "missing_strict", "missing_thick", "ratio_to_di", "wrong_front", "false_skins",
-                                         "psnr_db", "ssim", "flip", "pixels", "bytes", "at_offsets"));
+                                         "psnr_db", "ssim", "flip", "pixels", "bytes", "along_edges", "at_offsets"));
     EXPECT_TRUE(row["triangles"].is_number_unsigned());
     EXPECT_TRUE(row["samples"].is_number_unsigned());
     triangles += row["triangles"].get<size_t>();
@@ -250,7 +251,8 @@ TEST(Evaluator, takesASinglePixel) {
 
 TEST(Evaluator, isTheSameForAnyNumberOfThreads) {
   const Mesh mesh = test::boxBeforeWall(0.9f);
-  const EvaluationOptions options = fullOptions();
+  EvaluationOptions options = fullOptions();
+  options.edgeViews = 2;
   const auto jsonWith = [&](int threads) {
     setThreadCount(threads);
     auto figures = evaluate(mesh, choices({"di", "ddoc"}), options);
@@ -349,6 +351,56 @@ TEST(DefaultOffsets, runFromNoneToHalfASide) {
   EXPECT_TRUE(std::is_sorted(offsets.begin(), offsets.end()));
 }
 
+TEST(Evaluator, moreViewsOnEdgesAreMeasuredEachByItself) {
+  const Mesh mesh = test::boxBeforeWall(0.9f);
+  EvaluationOptions options = smallOptions();
+  options.edgeViews = 2;
+  const RepresentationFigures figures = evaluate(mesh, choices({"di"}), options)[0];
+  const std::vector<View> views = options.cell.edgeViews(options.view, 2);
+  ASSERT_EQ(figures.edgeViews.size(), 12u * 2 + 8);
+  ASSERT_EQ(figures.edgeViews.size(), views.size());
+  FrameErrors sum;
+  for (size_t i = 0; i < views.size(); ++i) {
+    // Measured alone, the same viewpoint misses the same.
+    const PinholeCamera camera(views[i], test::kWidth, test::kHeight);
+    const Mesh depthImage = imageMesh(buildDepthImage(test::smallCamera(), mesh));
+    const MissingSamples alone =
+        countMissing(compareFrames(camera, positionImage(camera, mesh), positionImage(camera, depthImage)));
+    EXPECT_EQ(figures.edgeViews[i].strict, alone.strict) << i;
+    EXPECT_EQ(figures.edgeViews[i].thick, alone.thick) << i;
+    sum += figures.edgeViews[i];
+  }
+  EXPECT_EQ(sum.strict, figures.edges.strict);
+  EXPECT_GT(sum.strict, 0u);
+}
+
+// One viewpoint on each edge is its midpoint: the figures are those of the default.
+TEST(Evaluation, jsonHasTheErrorsAlongEachEdge) {
+  const Mesh mesh = test::boxBeforeWall(0.9f);
+  EvaluationOptions options = smallOptions();
+  const auto plain = evaluate(mesh, choices({"di"}), options);
+  const auto one = nlohmann::json::parse(evaluationJson("x", options, plain))["representations"][0];
+  options.edgeViews = 3;
+  const auto more = evaluate(mesh, choices({"di"}), options);
+  const auto three = nlohmann::json::parse(evaluationJson("x", options, more))["representations"][0];
+  ASSERT_EQ(one["along_edges"].size(), 12u);
+  ASSERT_EQ(three["along_edges"].size(), 12u);
+  for (size_t edge = 0; edge < 12; ++edge) {
+    const auto& coarse = one["along_edges"][edge];
+    const auto& fine = three["along_edges"][edge];
+    EXPECT_EQ(coarse["from"], fine["from"]);
+    ASSERT_EQ(coarse["missing_strict"].size(), 3u);
+    ASSERT_EQ(fine["missing_strict"].size(), 5u);
+    for (const char* measure : {"missing_strict", "missing_thick", "wrong_front", "false_skins"}) {
+      for (size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(coarse[measure][i], fine[measure][2 * i]) << measure << " at corner, middle, corner of " << edge;
+      }
+    }
+  }
+  EXPECT_EQ(one["along_edges"][0]["from"], nlohmann::json({-1.0, -1.0, -1.0}));
+  EXPECT_EQ(one["along_edges"][0]["to"], nlohmann::json({1.0, -1.0, -1.0}));
+}
+
 /// Times differ from run to run.
 RepresentationFigures withoutTimes(RepresentationFigures figures) {
   figures.buildMilliseconds = 0;
@@ -361,6 +413,7 @@ TEST(Evaluation, isTheSameForAnyNumberOfRanks) {
   const Mesh mesh = test::boxBeforeWall();
   EvaluationOptions options = smallOptions();
   options.compareImages = true;
+  options.edgeViews = 2;
   options.offsets = {0, 0.5f, 1};
   const auto jsonOf = [&](std::vector<RepresentationFigures> rows) {
     std::transform(rows.begin(), rows.end(), rows.begin(), withoutTimes);

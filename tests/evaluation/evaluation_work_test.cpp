@@ -39,6 +39,8 @@ RepresentationFigures figuresOf(const std::string& name) {
   row.interior = row.edges;
   row.interior.truth = 7;
   row.reference.truth = 1;
+  row.edgeViews = std::vector<FrameErrors>(20, row.edges);
+  row.edgeViews[3].strict = 60;
   row.offsets = {row.edges, row.reference};
   row.strictRatioToDi = 0.3;
   row.thickRatioToDi = 0.1;
@@ -60,6 +62,8 @@ TEST(EvaluationWork, keepsFiguresToTheLastBit) {
   ASSERT_TRUE(read.find("ddoc").has_value());
   EXPECT_EQ(jsonOf(*read.find("ddoc")), jsonOf(figuresOf("ddoc")));
   EXPECT_FALSE(read.find("other").has_value());
+  ASSERT_EQ(read.find("di")->edgeViews.size(), 20u);
+  EXPECT_EQ(read.find("di")->edgeViews[3].strict, 60u);
   // What the public JSON does not show.
   EXPECT_EQ(read.find("di")->edges.frame, 190u);
   EXPECT_EQ(read.find("di")->edges.flip, 1e-300);
@@ -104,13 +108,27 @@ TEST(EvaluationWork, refusesBrokenFiles) {
     json[nlohmann::json::json_pointer(pointer)] = value;
     return json.dump();
   };
-  for (const std::string& bytes :
-       {std::string(), std::string("{"), std::string("[]"), good.substr(0, good.size() / 2), without("/key"),
-        without("/representations"), with("/format", 1), with("/format", 3), with("/more", 1),
-        with("/representations", 3), with("/representations/0", 3), without("/representations/0/figures/edges/truth"),
-        with("/representations/0/figures/edges/truth", -1), with("/representations/0/figures/edges/truth", "many"),
-        with("/representations/0/figures/offsets", 1), with("/representations/0/figures/offsets/0", 1),
-        with("/representations/0/figures/more", 1)}) {
+  for (const std::string& bytes : {std::string(),
+                                   std::string("{"),
+                                   std::string("[]"),
+                                   good.substr(0, good.size() / 2),
+                                   without("/key"),
+                                   without("/representations"),
+                                   with("/format", 1),
+                                   with("/format", 2),
+                                   with("/format", 4),
+                                   with("/more", 1),
+                                   with("/representations", 3),
+                                   with("/representations/0", 3),
+                                   without("/representations/0/figures/edges/truth"),
+                                   with("/representations/0/figures/edges/truth", -1),
+                                   with("/representations/0/figures/edges/truth", "many"),
+                                   with("/representations/0/figures/offsets", 1),
+                                   with("/representations/0/figures/edge_views", 1),
+                                   with("/representations/0/figures/edge_views/3/strict", -1),
+                                   without("/representations/0/figures/edge_views"),
+                                   with("/representations/0/figures/offsets/0", 1),
+                                   with("/representations/0/figures/more", 1)}) {
     EvaluationWork work(folder.write("x.work", bytes), "key");
     EXPECT_THROW(work.load(), InputError) << bytes;
     EXPECT_EQ(work.count(), 0u);

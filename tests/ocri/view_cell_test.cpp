@@ -37,6 +37,69 @@ TEST(ViewCell, edgeViewsAreTwelveMidpointsThenEightCorners) {
   EXPECT_EQ(places.size(), 20u) << "all different";
 }
 
+// Three between corners that are 1.6 radii apart: steps of 0.4 radii. The first edge runs along x at y = z = -0.8.
+TEST(ViewCell, moreEdgeViewsDivideEachEdgeIntoEqualSteps) {
+  const std::vector<View> views = ViewCell{}.edgeViews(View{}, 3);
+  ASSERT_EQ(views.size(), 12u * 3 + 8);
+  for (size_t i = 0; i < 3; ++i) {
+    const glm::vec3 offset = views[i].eye - View{}.eye;
+    EXPECT_LT(glm::distance(offset, glm::vec3(-0.4f + 0.4f * static_cast<float>(i), -0.8f, -0.8f)), 2e-6f) << i;
+  }
+  EXPECT_LT(glm::distance(views.back().eye, View{}.eye + glm::vec3(0.8f)), 2e-6f) << "the last corner";
+  std::set<std::tuple<long, long, long>> places;
+  for (const View& view : views) {
+    const glm::vec3 offset = (view.eye - View{}.eye) / 0.4f;
+    places.emplace(std::lround(offset.x), std::lround(offset.y), std::lround(offset.z));
+    int ends = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      ends += std::abs(std::lround(offset[axis])) == 2;
+    }
+    EXPECT_GE(ends, 2) << "on an edge";
+  }
+  EXPECT_EQ(places.size(), views.size()) << "all different";
+}
+
+TEST(ViewCell, oneViewOnEachEdgeIsItsMidpointAndNoneLeavesTheCorners) {
+  EXPECT_EQ(ViewCell{}.edgeViews(View{}, 1), ViewCell{}.edgeViews(View{}));
+  const std::vector<View> all = ViewCell{}.edgeViews(View{});
+  EXPECT_EQ(ViewCell{}.edgeViews(View{}, 0), std::vector<View>(all.begin() + 12, all.end()));
+}
+
+TEST(ViewCell, edgeSequencesRunFromCornerToCorner) {
+  for (const int between : {0, 1, 4}) {
+    const std::vector<View> views = ViewCell{}.edgeViews(View{}, between);
+    const std::vector<EdgeSequence> sequences = ViewCell{}.edgeSequences(between);
+    ASSERT_EQ(sequences.size(), 12u);
+    std::multiset<size_t> seen;
+    for (const EdgeSequence& sequence : sequences) {
+      ASSERT_EQ(sequence.views.size(), static_cast<size_t>(between) + 2);
+      ASSERT_EQ(sequence.places.size(), sequence.views.size());
+      for (size_t i = 0; i < sequence.views.size(); ++i) {
+        seen.insert(sequence.views[i]);
+        ASSERT_LT(sequence.views[i], views.size());
+        const glm::vec3 offset = views[sequence.views[i]].eye - View{}.eye;
+        EXPECT_LT(glm::distance(offset, 0.8f * sequence.places[i]), 2e-6f);
+        if (i > 0) {
+          EXPECT_NEAR(glm::distance(sequence.places[i], sequence.places[i - 1]), 2.0f / static_cast<float>(between + 1),
+                      1e-6f);
+        }
+      }
+      EXPECT_NEAR(glm::distance(sequence.places.front(), sequence.places.back()), 2, 1e-6f);
+    }
+    for (size_t i = 0; i < views.size(); ++i) {
+      EXPECT_EQ(seen.count(i), i < 12u * static_cast<size_t>(between) ? 1u : 3u) << "three edges meet in a corner";
+    }
+  }
+}
+
+TEST(ViewCell, onlyACubeHasEdgeSequences) {
+  for (const auto shape : {ViewCell::Shape::kSphere, ViewCell::Shape::kSegment}) {
+    const ViewCell cell{1, shape};
+    EXPECT_TRUE(cell.edgeSequences(3).empty());
+    EXPECT_EQ(cell.edgeViews(View{}, 3), cell.edgeViews(View{}));
+  }
+}
+
 TEST(ViewCell, interiorViewsAreSeededAndFillTheCell) {
   const ViewCell cell{1.0f};
   const std::vector<View> views = cell.interiorViews(View{}, 400, 7);
