@@ -102,7 +102,7 @@ std::unique_ptr<MovingScene> readAnimatedFile(const fs::path& path, const SceneF
                                               const std::string& animation, std::vector<std::string>& warnings,
                                               const Progress& progress) {
   checkFile(path);
-  if (isPly(path)) {
+  if (isPlyFile(path)) {
     return nullptr;
   }
   SceneRecord record = readInOtherProcess(path, options.textures, progress);
