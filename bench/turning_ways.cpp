@@ -7,6 +7,7 @@
 #include "display_sim/slicing/turn_about_axis.h"
 #include "oc_core/base/check.h"
 #include "oc_core/base/conventions.h"
+#include "oc_core/base/parallel.h"
 #include "oc_core/ocri/union_mesh.h"
 #include "oc_core/pack/cluster_cut.h"
 

@@ -34,8 +34,8 @@ struct PartsTimes {
   double streamed = 0;  ///< every part is read from the pack anew, which lies in the memory of the system
 };
 
-/// Every part in turn, so that one alone need be in memory; the least of `runs` refreshes, added up. The display has one
-/// bit a channel.
+/// Every part in turn, so that one alone need be in memory; the least of `runs` refreshes, added up. The display has
+/// one bit a channel.
 PartsTimes sliceInParts(const PackedScene& scene, size_t trianglesOfPart, int runs, const DisplayProfile& profile);
 
 }  // namespace ocelli

@@ -11,8 +11,8 @@
 // This lights fewer voxels than the definition of a lit voxel does (exact_slicer.h): not those that the surface just
 // grazes. It lights none that sliceExactly() does not, but for what lies next to a border. Rounding takes a sample into
 // the neighbour within about 1e-4 voxels. And a column is measured along its slice, a sample from the axis: beside the
-// middle of its sector a sample is up to 1 - cos(pi / 2N) of its radius farther out, at the rim of the reference display
-// 0.012 columns. With antialiasing the two share light at other points of a voxel.
+// middle of its sector a sample is up to 1 - cos(pi / 2N) of its radius farther out, at the rim of the reference
+// display 0.012 columns. With antialiasing the two share light at other points of a voxel.
 //
 // The same bytes with any number of threads and on every processor: threads gather lit voxels by slice, and then each
 // slice is put together by one of them; the highest level of a voxel stays, in any order of the samples.

@@ -94,11 +94,14 @@ TEST(FastSlicer, isNoFartherBesideTheExactOneThanTheSagOfASector) {
       double nearest = 1e300;
       const glm::dvec2& direction = sweep.sectorDirection(i);
       for (const glm::dvec3& p : points) {
-        const double along = p.x * direction.x + p.z * direction.y;
-        const double steps = std::abs(std::atan((p.z * direction.x - p.x * direction.y) / along)) / sweep.stepRadians();
-        const double columns = std::abs(along - sweep.columnRadius(column)) / sweep.columnWidth();
         const double rows = std::abs(p.y - sweep.rowCenterY(row)) / sweep.rowHeight();
-        nearest = std::min(nearest, std::max({steps, columns, rows}) - 0.5);
+        const double along = p.x * direction.x + p.z * direction.y;
+        const double columns = std::abs(along - sweep.columnRadius(column)) / sweep.columnWidth();
+        if (std::max(rows, columns) < 1) {
+          const double across = p.z * direction.x - p.x * direction.y;
+          const double steps = std::abs(std::atan(across / along)) / sweep.stepRadians();
+          nearest = std::min(nearest, std::max({steps, columns, rows}) - 0.5);
+        }
       }
       farthest = std::max(farthest, nearest);
     });
