@@ -116,8 +116,8 @@ void addMotionSource(Presented& presented, const PresentChoice& choice, std::uni
     return;
   }
   presented.images = std::make_unique<MovingImages>(eyesCamera(choice));
-  const EyesOptions size = eyesOptions(choice);
-  const double fewestPixels = size.width * size.minImageScale * size.height * size.minImageScale;
+  EyesOptions options = eyesOptions(choice);
+  const double fewestPixels = options.width * options.minImageScale * options.height * options.minImageScale;
   presented.view =
       std::make_unique<MovingView>(std::move(motion), *presented.images, playback, static_cast<size_t>(fewestPixels));
   if (choice.eyes.empty()) {
@@ -125,7 +125,6 @@ void addMotionSource(Presented& presented, const PresentChoice& choice, std::uni
   } else {
     presented.feed = openEyeFeed(choice.eyes, choice.loop, eyePredictionFromName(choice.prediction, "--predict"));
   }
-  EyesOptions options = eyesOptions(choice);
   options.moveScene = [&view = *presented.view](HostTime seen) { return view.moveTo(seen); };
   auto source = std::make_unique<EyesSource>(
       [&view = *presented.view, &moving = *presented.images](const PinholeCamera& reference) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "display_driver/pacing/motion_clock.h"
 #include "display_driver/pacing/volume_source.h"

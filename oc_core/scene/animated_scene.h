@@ -1,6 +1,7 @@
 // A file's animation as a moving scene: its meshes as the nodes, bones and morph targets of a rig move them.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <string>
 #include <vector>
 

@@ -2,6 +2,9 @@
 // the one below. All triangles move at all times, and its motion repeats without a jump.
 #pragma once
 
+#include <glm/vec2.hpp>
+#include <vector>
+
 #include "oc_core/scene/moving_scene.h"
 
 namespace ocelli {

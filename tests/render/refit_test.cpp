@@ -1,6 +1,7 @@
 // Acceleration structures that follow moving triangles, against such as are built anew.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
 

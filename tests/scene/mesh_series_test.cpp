@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cmath>
+
 #include "oc_core/base/error.h"
 #include "tests/base/temporary_folder.h"
 

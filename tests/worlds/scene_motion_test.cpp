@@ -90,7 +90,7 @@ TEST(SceneMotion, IsTheMeshOfItsTimeFittedWithAllOthers) {
 }
 
 TEST(SceneMotion, IsTheSameWhateverWasAskedBefore) {
-  const std::string source = "builtin:waving,room=1,seconds=2";
+  const std::string source = "builtin:waving,seconds=2";
   const auto motion = loadMotion(source, {});
   for (const double time : {1.9, 0.0, 0.7}) {
     motion->at(time);
