@@ -8,6 +8,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <span>
+
+#include "oc_core/pack/one_color.h"
 
 namespace ocelli {
 namespace {
@@ -77,8 +80,8 @@ std::vector<Facet> facetsOf(const std::vector<uint32_t>& indices, const std::vec
   return facets;
 }
 
-/// How far the surface made of `facets` is from a vertex of the finer one.
-LevelError errorAt(uint32_t vertex, const WeldedTriangles& fine, const std::vector<Facet>& facets) {
+/// How far the surface made of `facets` is from a vertex of the finer one, whose own colour is off by `spread`.
+LevelError errorAt(uint32_t vertex, const WeldedTriangles& fine, const std::vector<Facet>& facets, float spread) {
   const glm::vec3 p = fine.positions[vertex];
   float nearest = std::numeric_limits<float>::infinity();
   const Facet* found = nullptr;
@@ -106,7 +109,7 @@ LevelError errorAt(uint32_t vertex, const WeldedTriangles& fine, const std::vect
                           linearColor(fine.colors[found->corners[1]]) * weights.y +
                           linearColor(fine.colors[found->corners[2]]) * weights.z;
   const glm::vec3 off = glm::abs(color - linearColor(fine.colors[vertex]));
-  return {nearest, std::max({off.r, off.g, off.b}) * found->height / 3};
+  return {nearest, (std::max({off.r, off.g, off.b}) + spread) * found->height / 3};
 }
 
 /// The triangles that meshoptimizer makes of `part`, with its open edges as they are, so that the whole has `target`
@@ -125,7 +128,8 @@ struct LeftOut {
   LevelError error;
 };
 
-std::vector<LeftOut> errorsOf(const std::vector<uint32_t>& coarse, const WeldedTriangles& welded) {
+std::vector<LeftOut> errorsOf(const std::vector<uint32_t>& coarse, const WeldedTriangles& welded,
+                              std::span<const float> spread) {
   std::vector<uint8_t> isLeft(welded.positions.size(), 0);
   for (const uint32_t vertex : coarse) {
     isLeft[vertex] = 1;
@@ -134,7 +138,7 @@ std::vector<LeftOut> errorsOf(const std::vector<uint32_t>& coarse, const WeldedT
   std::vector<LeftOut> errors;
   for (uint32_t vertex = 0; vertex < welded.positions.size(); ++vertex) {
     if (isLeft[vertex] == 0) {
-      errors.push_back({vertex, errorAt(vertex, welded, facets)});
+      errors.push_back({vertex, errorAt(vertex, welded, facets, spread.empty() ? 0 : spread[vertex])});
     }
   }
   return errors;
@@ -160,14 +164,26 @@ std::vector<uint32_t> farOff(const std::vector<LeftOut>& errors) {
   return vertices;
 }
 
-}  // namespace
+/// What the vertices that are left are off by, as they stand for several colours.
+float spreadError(const std::vector<uint32_t>& coarse, const WeldedTriangles& welded, std::span<const float> spread) {
+  float error = 0;
+  if (!spread.empty()) {
+    for (const Facet& facet : facetsOf(coarse, welded.positions)) {
+      for (const uint32_t corner : facet.corners) {
+        error = std::max(error, spread[corner] * facet.height / 3);
+      }
+    }
+  }
+  return error;
+}
 
-std::optional<SimplifiedTriangles> simplified(const WeldedTriangles& welded) {
+/// `spread`: by how much the colour of each vertex is off; empty where none is.
+std::optional<SimplifiedTriangles> simplifiedAsTheyAre(const WeldedTriangles& welded, std::span<const float> spread) {
   const std::vector<uint32_t>& fine = welded.indices;
   const size_t target = welded.triangleCount() / 2 * 3;
   std::vector<uint8_t> stays(welded.positions.size(), 0);
   std::vector<uint32_t> coarse = fewerTriangles(fine, welded, target);
-  std::vector<LeftOut> errors = errorsOf(coarse, welded);
+  std::vector<LeftOut> errors = errorsOf(coarse, welded, spread);
   constexpr int kMaxRounds = 6;
   for (int round = 0; round < kMaxRounds; ++round) {
     const std::vector<uint32_t> off = farOff(errors);
@@ -189,12 +205,13 @@ std::optional<SimplifiedTriangles> simplified(const WeldedTriangles& welded) {
     }
     coarse = fewerTriangles(rest, welded, target > staying.size() ? target - staying.size() : 0);
     coarse.insert(coarse.end(), staying.begin(), staying.end());
-    errors = errorsOf(coarse, welded);
+    errors = errorsOf(coarse, welded, spread);
   }
   if (coarse.empty() || static_cast<float>(coarse.size()) > kWorthwhile * static_cast<float>(fine.size())) {
     return std::nullopt;
   }
   SimplifiedTriangles result;
+  result.error.color = spreadError(coarse, welded, spread);
   for (const LeftOut& each : errors) {
     result.error = {std::max(result.error.distance, each.error.distance),
                     std::max(result.error.color, each.error.color)};
@@ -209,6 +226,18 @@ std::optional<SimplifiedTriangles> simplified(const WeldedTriangles& welded) {
   }
   result.triangles = welder.take();
   return result;
+}
+
+}  // namespace
+
+std::optional<SimplifiedTriangles> simplified(const WeldedTriangles& welded) {
+  if (std::optional<SimplifiedTriangles> coarse = simplifiedAsTheyAre(welded, {})) {
+    return coarse;
+  }
+  const OneColorTriangles oneColor = withOneColor(welded);
+  return oneColor.triangles.positions.size() < welded.positions.size()
+             ? simplifiedAsTheyAre(oneColor.triangles, oneColor.spread)
+             : std::nullopt;
 }
 
 }  // namespace ocelli

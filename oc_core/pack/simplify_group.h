@@ -26,8 +26,9 @@ struct SimplifiedTriangles {
   LevelError error;
 };
 
-/// About half as many triangles, whose open edges are those of `welded`, vertex by vertex: what was next to it still
-/// fits. Nothing where it cannot be made to have less than kWorthwhile of its triangles.
+/// About half as many triangles, whose open edges have the positions of those of `welded`, vertex by vertex: what was
+/// next to it still fits. Where vertices at one place have several colours, and so little can be simplified, they get
+/// one; that is part of the error. Nothing where it cannot be made to have less than kWorthwhile of its triangles.
 std::optional<SimplifiedTriangles> simplified(const WeldedTriangles& welded);
 
 inline constexpr float kWorthwhile = 0.85f;

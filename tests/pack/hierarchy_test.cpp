@@ -70,6 +70,33 @@ TEST(Hierarchy, CutsOfAClosedSurfaceAreClosed) {
   EXPECT_LT(sizes.back(), sizes.front() / 2);
 }
 
+/// Each triangle with a colour of its own, so that no vertex is shared.
+Mesh patchwork(size_t triangles) {
+  const Mesh ball = test::bumpyBall(triangles);
+  Mesh mesh;
+  for (size_t i = 0; i < ball.triangles.size(); ++i) {
+    const auto first = static_cast<uint32_t>(mesh.positions.size());
+    for (glm::length_t k = 0; k < 3; ++k) {
+      mesh.positions.push_back(ball.positions[ball.triangles[i][k]]);
+      mesh.colors.push_back(glm::vec3(0.4f + 0.2f * static_cast<float>(i % 3)));
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+TEST(Hierarchy, WhatColorsSplitIsSimplifiedToo) {
+  const TemporaryFolder folder;
+  const PackedScene scene = test::packed(patchwork(20'000), folder / "patches.opack");
+  const std::vector<ClusterChoice> coarsest = coarsestClusters(scene, 1e9f);
+  EXPECT_LE(coarsest.size(), 24U);
+  for (const float maxError : {1e-3f, 1e-2f, 1e9f}) {
+    EXPECT_EQ(test::openEdges(meshOf(scene, coarsestClusters(scene, maxError))), 0U) << maxError;
+  }
+  // Colours of neighbours differ by 0.2 of full light from their mean, over triangles that are some 0.02 high.
+  EXPECT_EQ(meshOf(scene, coarsestClusters(scene, 1e-5f)).triangles.size(), patchwork(20'000).triangles.size());
+}
+
 /// Brute force: a vertex of the scene is no farther from the cut than the error says.
 TEST(Hierarchy, ErrorsBoundTheDistanceOfVertices) {
   const TemporaryFolder folder;
