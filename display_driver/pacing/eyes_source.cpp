@@ -80,7 +80,7 @@ TwoStageLine::SecondStage EyesSource::begin(HostTime seen) {
   const std::optional<glm::vec3> eye = feed_.eyeAt(seen);
   const bool isSame = eye == eye_ && scene == EyesOptions::SceneState::kSame;
   resting_ = isSame ? resting_ + 1 : 0;
-  const bool refines = lastScale_ < 1 && resting_ >= kRestingRefreshes;
+  const bool refines = isSame && lastScale_ < 1 && (ended || resting_ >= kRestingRefreshes);
   if (!eye || scene == EyesOptions::SceneState::kEnded || (isSame && !refines)) {
     return nothing({.kind = ended ? SourcedVolume::Kind::kEnd : SourcedVolume::Kind::kSame});
   }
@@ -104,6 +104,7 @@ TwoStageLine::SecondStage EyesSource::begin(HostTime seen) {
     const ImageCost cost{scale, std::chrono::duration<double>(moving + took).count(), isException};
     return [this, made, cost] { return sliced(made->images, cost); };
   } catch (const InputError& error) {
+    lastScale_ = 1;  // nothing to refine
     return nothing(leaveOut(error.what()));
   }
 }

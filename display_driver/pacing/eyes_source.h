@@ -1,5 +1,5 @@
 // A scene as an occlusion camera sees it from where the viewer's eye is, sliced anew whenever the eye has moved, and
-// once more with all pixels where it rests after images that were smaller, as time ran short.
+// once more with all pixels where it rests, or the feed has ended, after images that were smaller, as time ran short.
 #pragma once
 
 #include <cstdint>

@@ -369,6 +369,26 @@ TEST_F(EyesSourceTest, imagesAreSmallerWhileTimeIsShort) {
   EXPECT_FLOAT_EQ(scale, 1) << "it grows again, by more than one step";
 }
 
+TEST_F(EyesSourceTest, theLastPlaceIsShownWithAllPixels) {
+  EyesSource source = sourceFor("di", 0.5);
+  eyes.eye = glm::vec3(0, 0, 10);
+  eyes.over = true;
+  ASSERT_FLOAT_EQ(source.volumeFor(kStart).imageScale, 0.5f);
+  const SourcedVolume last = source.volumeFor(kStart);
+  ASSERT_EQ(last.kind, Kind::kNew);
+  EXPECT_FLOAT_EQ(last.imageScale, 1);
+  EXPECT_EQ(source.volumeFor(kStart).kind, Kind::kEnd);
+}
+
+TEST_F(EyesSourceTest, anEyeThatSeesNothingIsLeftOutOnce) {
+  EyesSource source = sourceFor("di", 0.5);
+  eyes.eye = glm::vec3(0, 0, 0.5f);
+  for (int i = 0; i < 40; ++i) {
+    EXPECT_EQ(source.volumeFor(kStart).kind, Kind::kSame);
+  }
+  EXPECT_EQ(source.eyesLeftOut(), 1u);
+}
+
 TEST_F(EyesSourceTest, anEyeThatRestsSeesAllPixels) {
   EyesSource source = sourceFor("di", 0.5);
   eyes.eye = glm::vec3(0, 0, 10);
