@@ -121,15 +121,14 @@ std::unique_ptr<SceneMotion> motionToTell(const SceneChoice& scene, const Progre
   return mayMove(scene.source) ? loadMotion(scene.source, scene.options, progress) : nullptr;
 }
 
-/// A folder of meshes is told of at its begin.
-Mesh meshToTell(const SceneChoice& scene, SceneMotion* motion, const Progress& progress) {
-  if (motion != nullptr && (scene.options.motion.seconds || std::filesystem::is_directory(scene.source))) {
-    SceneOptions options = scene.options;
-    options.motion.seconds = options.motion.seconds.value_or(0);
-    return loadScene(scene.source, options, progress);
-  }
+/// At the time that is asked for; otherwise at rest, and a folder of meshes at its begin.
+Mesh meshToTell(const SceneChoice& scene, const Progress& progress) {
   SceneOptions options = scene.options;
-  options.motion = {};
+  if (std::filesystem::is_directory(scene.source)) {
+    options.motion.seconds = options.motion.seconds.value_or(0);
+  } else if (!options.motion.seconds) {
+    options.motion = {};
+  }
   return loadScene(scene.source, options, progress);
 }
 
@@ -214,14 +213,14 @@ void addSceneInfo(CLI::App& parent, const CommandContext& context) {
   command.add_flag("--json", *asJson, "Print the figures as JSON");
   context.finish(command, "  ocelli scene info bunny.obj\n  ocelli scene info bunny.obj --no-fit --shading none",
                  [scene, asJson, context] {
-                   if (isPackedScene(scene->source)) {
+                   if (isPackedScene(scene->source) && !scene->options.motion.seconds) {
                      const PackedScene packed = openPacked(scene->source, scene->options);
                      const PackSummary holds = summaryOf(packed, context.progress());
                      context.print(*asJson ? packInfoAsJson(packed, holds) : packInfoAsText(packed, holds));
                      return;
                    }
                    const std::unique_ptr<SceneMotion> motion = motionToTell(*scene, context.progress());
-                   const Mesh mesh = meshToTell(*scene, motion.get(), context.progress());
+                   const Mesh mesh = meshToTell(*scene, context.progress());
                    const size_t inFile = trianglesInFile(*scene, mesh, context.progress());
                    context.print(*asJson ? infoAsJson(scene->source, mesh, inFile, motion.get())
                                          : infoAsText(scene->source, mesh, inFile, motion.get()));

@@ -48,6 +48,7 @@ TEST(SceneCommand, ExitCodesTellWhoseFaultItIs) {
   EXPECT_EQ(runProgram("scene info").exitCode, 2);
   EXPECT_EQ(runProgram("scene info /no/such/file.ply").exitCode, 2);
   EXPECT_EQ(runProgram("scene info builtin:castle").exitCode, 2);
+  EXPECT_EQ(runProgram("scene info builtin:box --time 1").exitCode, 2);
   EXPECT_EQ(runProgram("scene export builtin:box").exitCode, 2);
   const ProgramResult unwritable = runProgram("scene export builtin:box -o /no/such/folder/x.ply");
   EXPECT_EQ(unwritable.exitCode, 1);
