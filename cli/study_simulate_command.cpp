@@ -28,6 +28,7 @@ struct SimulateChoice {
   double hertz = 60;
   std::string first = "sim-";
   std::string effects;
+  std::string factors;
   bool hashFrames = false;
 };
 
@@ -41,6 +42,9 @@ void simulate(const SimulateChoice& choice, const CommandContext& context) {
   if (!generates && !choice.effects.empty()) {
     throw InputError("effects are for the generator", "--effects", "add --kind generator, or leave it out");
   }
+  if (generates && !choice.factors.empty()) {
+    throw InputError("factors are for observers", "--factors", "leave it out, or leave out --kind generator");
+  }
   const ImageSize size = imageSizeFromText(choice.frame, "--frame");
   if (!std::isfinite(choice.hertz)) {
     throw InputError("this is no rate", "--hertz", "give frames a second, such as 60");
@@ -53,6 +57,7 @@ void simulate(const SimulateChoice& choice, const CommandContext& context) {
   plan.kind = generates ? SubjectKind::kGenerator : SubjectKind::kObserver;
   plan.idPrefix = choice.first;
   plan.effects = choice.effects.empty() ? GeneratorEffects{} : readGeneratorEffects(choice.effects);
+  plan.factors = choice.factors.empty() ? FactorMeans{} : readFactorMeans(choice.factors);
   plan.screen = {size.width, size.height, choice.hertz};
   plan.renderer = choice.renderer;
   plan.makeRenderer = [renderer = choice.renderer] { return studyRenderer(renderer); };
@@ -95,6 +100,10 @@ void addStudySimulateCommand(CLI::App& study, const CommandContext& context) {
       ->type_name("TEXT")
       ->capture_default_str();
   command.add_option("--effects", choice->effects, "JSON file with the generator's effects")->type_name("FILE");
+  command
+      .add_option("--factors", choice->factors,
+                  "JSON file with means of what observers can do, such as {\"place_error_degrees\": 1}")
+      ->type_name("FILE");
   command.add_flag("--hash-frames", choice->hashFrames,
                    "Store a hash of the pixels of each image that an observer looks at, for replays to compare");
   context.finishShared(

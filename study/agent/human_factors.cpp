@@ -1,78 +1,110 @@
 #include "study/agent/human_factors.h"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
+#include "oc_core/base/file_bytes.h"
+#include "oc_core/base/json_fields.h"
 #include "study/agent/chance.h"
 
 namespace ocelli {
+namespace {
 
-HumanFactors drawHumanFactors(uint64_t seed) {
+struct FactorRow {
+  const char* name;
+  double HumanFactors::*member;
+  double deviation;  ///< between subjects; 0: all are alike
+  double least;      ///< of subjects with the usual mean
+  double greatest;
+  double lower;  ///< what the mean can be
+  double upper;
+  double step = 0;  ///< subjects have multiples of it; 0: any value
+};
+
+using H = HumanFactors;
+
+constexpr double kAny = 0;
+
+/// In the order in which they are drawn and written.
+constexpr std::array kFactorRows = {
+    FactorRow{"fixation_seconds", &H::fixationSeconds, 0.03, 0.22, 0.38, 0.1, 2},
+    FactorRow{"fixation_spread_seconds", &H::fixationSpread, 0, kAny, kAny, 0, 0.5},
+    FactorRow{"saccade_seconds", &H::saccadeSeconds, 0, kAny, kAny, 0.01, 0.2},
+    FactorRow{"useful_field_degrees", &H::usefulFieldDegrees, 1.5, 9, 16, 1, 60},
+    FactorRow{"noticed_degrees", &H::noticedDegrees, 0.03, 0.08, 0.3, 0.01, 5},
+    FactorRow{"doubling_degrees", &H::doublingDegrees, 0.5, 2, 4, 0.5, 60},
+    FactorRow{"notice_seconds", &H::noticeSeconds, 0.04, 0.1, 0.35, 0.02, 2},
+    FactorRow{"least_floor_degrees", &H::minFloorDegrees, 0, kAny, kAny, 0.01, 5},
+    FactorRow{"item_seconds", &H::itemSeconds, 0.04, 0.22, 0.4, 0.02, 3},
+    FactorRow{"group_seconds", &H::groupSeconds, 0.015, 0.04, 0.1, 0.01, 1},
+    FactorRow{"group_items", &H::groupItems, 0.6, 3, 4, 1, 10, 1},
+    FactorRow{"group_radius_degrees", &H::groupRadiusDegrees, 0, kAny, kAny, 1, 30},
+    FactorRow{"tracked_items", &H::trackedItems, 0.8, 2, 6, 0, 20, 1},
+    FactorRow{"working_memory_items", &H::workingMemoryItems, 0.8, 2.5, 6, 0, 100},
+    FactorRow{"place_error_degrees", &H::placeErrorDegrees, 0.1, 0.2, 0.9, 0, 20},
+    FactorRow{"turn_error_degrees", &H::turnErrorDegrees, 5, 8, 35, 0, 90},
+    FactorRow{"reaction_seconds", &H::reactionSeconds, 0.03, 0.14, 0.3, 0.05, 2},
+    FactorRow{"key_spread_seconds", &H::keySpread, 0.008, 0.012, 0.06, 0, 0.3},
+    FactorRow{"mouse_share", &H::mouseShare, 0, kAny, kAny, 0, 1},
+    FactorRow{"bits_per_second", &H::bitsPerSecond, 0.5, 3.2, 5.5, 0.5, 20},
+    FactorRow{"click_seconds", &H::clickSeconds, 0.02, 0.08, 0.18, 0.02, 1},
+    FactorRow{"hold_seconds", &H::holdSeconds, 0, kAny, kAny, 0.02, 0.5},
+    FactorRow{"read_seconds", &H::readSeconds, 0.6, 1.2, 5, 0.1, 60},
+    FactorRow{"decide_seconds", &H::decideSeconds, 0.2, 0.4, 1.6, 0.05, 20},
+    FactorRow{"way_noise", &H::wayNoise, 0.05, 0.03, 0.35, 0, 2},
+    FactorRow{"search_memory_seconds", &H::searchMemorySeconds, 12, 30, 100, 1, 3600},
+    FactorRow{"forget_per_trial", &H::forgetPerTrial, 0.04, 0.01, 0.25, 0, 1},
+    FactorRow{"forget_between_sessions", &H::forgetBetweenSessions, 0.12, 0.1, 0.8, 0, 1},
+    FactorRow{"turn_lapse", &H::turnLapse, 0.03, 0.01, 0.18, 0, 1},
+    FactorRow{"time_spread", &H::timeSpread, 0.03, 0.08, 0.25, 0, 1},
+    FactorRow{"slip", &H::slip, 0, kAny, kAny, 0, 1},
+};
+
+}  // namespace
+
+HumanFactors drawHumanFactors(uint64_t seed, const FactorMeans& means) {
   HumanFactors factors;
   factors.seed = seed;
   Random random(seedOf(seed, 0));
-  const auto draw = [&](double& value, double deviation, double least, double most) {
-    value = normalWithin(random, value, deviation, least, most);
-  };
-  draw(factors.fixationSeconds, 0.03, 0.22, 0.38);
-  draw(factors.usefulFieldDegrees, 1.5, 9, 16);
-  draw(factors.noticedDegrees, 0.03, 0.08, 0.3);
-  draw(factors.doublingDegrees, 0.5, 2, 4);
-  draw(factors.noticeSeconds, 0.04, 0.1, 0.35);
-  draw(factors.itemSeconds, 0.04, 0.22, 0.4);
-  draw(factors.groupSeconds, 0.015, 0.04, 0.1);
-  factors.groupItems = happens(random, 0.5) ? 4 : 3;
-  draw(factors.workingMemoryItems, 0.8, 2.5, 6);
-  draw(factors.placeErrorMeters, 0.1, 0.2, 0.9);
-  draw(factors.crossViewErrorMeters, 0.8, 1, 5);
-  draw(factors.reactionSeconds, 0.03, 0.14, 0.3);
-  draw(factors.keySpread, 0.008, 0.012, 0.06);
-  factors.turnsByMouse = happens(random, 0.8);
-  draw(factors.bitsPerSecond, 0.5, 3.2, 5.5);
-  draw(factors.clickSeconds, 0.02, 0.08, 0.18);
-  draw(factors.readSeconds, 0.6, 1.2, 5);
-  draw(factors.decideSeconds, 0.2, 0.4, 1.6);
-  draw(factors.wayNoise, 0.05, 0.03, 0.35);
-  draw(factors.searchMemorySeconds, 12, 30, 100);
-  draw(factors.forgetPerTrial, 0.04, 0.01, 0.25);
-  draw(factors.forgetBetweenSessions, 0.12, 0.1, 0.8);
-  draw(factors.turnLapse, 0.03, 0.01, 0.18);
-  draw(factors.timeSpread, 0.03, 0.08, 0.25);
+  for (const FactorRow& row : kFactorRows) {
+    double& value = factors.*row.member;
+    const double usual = value;
+    if (row.deviation > 0) {
+      value = normalWithin(random, usual, row.deviation, row.least, row.greatest);
+    }
+    if (const auto given = means.find(row.name); given != means.end()) {
+      value = std::clamp(value * given->second / usual, row.lower, row.upper);
+    }
+    if (row.step > 0) {
+      value = std::round(value / row.step) * row.step;
+    }
+  }
+  factors.mouseShare = happens(random, factors.mouseShare) ? 1 : 0;
   return factors;
 }
 
-std::string jsonText(const HumanFactors& f) {
-  const nlohmann::ordered_json json{{"fixation_seconds", f.fixationSeconds},
-                                    {"fixation_spread_seconds", f.fixationSpread},
-                                    {"saccade_seconds", f.saccadeSeconds},
-                                    {"useful_field_degrees", f.usefulFieldDegrees},
-                                    {"noticed_degrees", f.noticedDegrees},
-                                    {"doubling_degrees", f.doublingDegrees},
-                                    {"notice_seconds", f.noticeSeconds},
-                                    {"least_floor_degrees", f.minFloorDegrees},
-                                    {"item_seconds", f.itemSeconds},
-                                    {"group_seconds", f.groupSeconds},
-                                    {"group_items", f.groupItems},
-                                    {"group_radius_degrees", f.groupRadiusDegrees},
-                                    {"working_memory_items", f.workingMemoryItems},
-                                    {"place_error_meters", f.placeErrorMeters},
-                                    {"cross_view_error_meters", f.crossViewErrorMeters},
-                                    {"reaction_seconds", f.reactionSeconds},
-                                    {"key_spread_seconds", f.keySpread},
-                                    {"turns_by_mouse", f.turnsByMouse},
-                                    {"bits_per_second", f.bitsPerSecond},
-                                    {"click_seconds", f.clickSeconds},
-                                    {"hold_seconds", f.holdSeconds},
-                                    {"read_seconds", f.readSeconds},
-                                    {"decide_seconds", f.decideSeconds},
-                                    {"way_noise", f.wayNoise},
-                                    {"search_memory_seconds", f.searchMemorySeconds},
-                                    {"forget_per_trial", f.forgetPerTrial},
-                                    {"forget_between_sessions", f.forgetBetweenSessions},
-                                    {"turn_lapse", f.turnLapse},
-                                    {"time_spread", f.timeSpread},
-                                    {"slip", f.slip}};
+std::string jsonText(const HumanFactors& factors) {
+  nlohmann::ordered_json json;
+  for (const FactorRow& row : kFactorRows) {
+    json[row.name] = factors.*row.member;
+  }
   return json.dump();
+}
+
+FactorMeans readFactorMeans(const std::filesystem::path& file) {
+  return readAs("docs/simulated_subjects.md", [&] {
+    const JsonDocument document(readFile(file, kMaxTextBytes), file.string());
+    JsonFields fields(document);
+    FactorMeans means;
+    for (const FactorRow& row : kFactorRows) {
+      if (fields.has(row.name)) {
+        means[row.name] = fields.number(row.name, row.lower, row.upper);
+      }
+    }
+    fields.rejectUnknown();
+    return means;
+  });
 }
 
 }  // namespace ocelli

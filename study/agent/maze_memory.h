@@ -27,6 +27,11 @@ class MazeMemory {
   /// One has walked into a wall: whatever it looks like, there is no way in this trial.
   void feelWall(const MazeCell& cell, Direction direction);
 
+  /// What was sought here was seen to move, or to stay.
+  void noteMotion(bool moves) { soughtMoves_ = moves; }
+  /// As one saw it last, in this trial or one before.
+  bool soughtMoves() const { return soughtMoves_; }
+
   bool knowsWay(const MazeCell& cell, Direction direction) const;
   size_t waysKnown() const { return ways_.size(); }
   /// Whether that patch has been seen, not before `since`.
@@ -54,6 +59,7 @@ class MazeMemory {
   void seeWay(const Passage& way);
   static Passage passage(const MazeCell& cell, Direction direction);
 
+  bool soughtMoves_ = false;
   std::map<Passage, Known> ways_;
   std::set<Passage> walls_;                          ///< that were felt
   std::map<MazeCell, std::array<int64_t, 9>> seen_;  ///< when, of each ninth; -1 for never

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "oc_core/scene/maze.h"
+#include "study/agent/picture_perspective.h"
 #include "study/task/task.h"
 
 namespace ocelli {
@@ -28,6 +29,8 @@ struct Sighting {
   glm::dvec2 centroid{0};  ///< likewise
   glm::dvec2 aim{0};       ///< the middle of its pixel nearest to the centroid
   glm::dvec2 place{0};     ///< east and south, metres: the mean of what shows of it
+  /// How the picture shows the floor around it, where that can be told.
+  std::optional<PicturePerspective> perspective{};
 };
 
 /// A ninth of the floor of a cell, or the floor between two cells where no wall stands: pixels show it, or what lies

@@ -29,7 +29,6 @@ class TaskPolicy {
 struct PolicySetting {
   const Vision& vision;
   const Controls& controls;
-  bool objectsMove = false;             ///< the instructions of the block say so
   std::function<MazeMemory&()> memory;  ///< of the maze that the first layout shows; it outlives the trial
   uint64_t seed = 1;
 };

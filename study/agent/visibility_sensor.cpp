@@ -16,6 +16,10 @@ namespace {
 /// Gaps between pixels of an object that people look over: what stands behind a post is one thing. Share of the width
 /// of the screen.
 constexpr double kGapShare = 0.01;
+/// How a picture shows the floor around an object is taken from what shows so far around it (share of the width of the
+/// screen), at every n-th pixel so that so many are across.
+constexpr double kAroundShare = 0.03;
+constexpr int kAroundPixels = 24;
 /// The floor is looked at along the rays of so many pixels of the width of the screen.
 constexpr int kFloorRays = 120;
 /// Lower than that above the floor, in cell sizes, a ray would have met whatever stands there.
@@ -105,7 +109,8 @@ void joinNear(std::vector<Blob>& blobs, double gap) {
   }
 }
 
-Sighting sightingOf(const Blob& blob, const Landmark& landmark, int view, const glm::dvec2& corner) {
+Sighting sightingOf(const Blob& blob, const Landmark& landmark, int view, const glm::dvec2& corner,
+                    const std::optional<PicturePerspective>& perspective) {
   const glm::dvec2 middle = blob.sum / static_cast<double>(blob.pixels);
   const auto nearest =
       std::min_element(blob.points.begin(), blob.points.end(), [&](const glm::ivec2& a, const glm::ivec2& b) {
@@ -119,7 +124,27 @@ Sighting sightingOf(const Blob& blob, const Landmark& landmark, int view, const 
           .upper = corner + blob.upper,
           .centroid = corner + middle,
           .aim = corner + glm::dvec2(*nearest) + 0.5,
-          .place = blob.placeSum / static_cast<double>(blob.pixels)};
+          .place = blob.placeSum / static_cast<double>(blob.pixels),
+          .perspective = perspective};
+}
+
+/// From what shows in and around the box of a blob. `positionAt`: of the surface at a pixel that shows one.
+template <class PositionAt>
+std::optional<PicturePerspective> perspectiveAround(const Blob& blob, const Image<uint32_t>& identities,
+                                                    const PositionAt& positionAt, double around) {
+  const glm::ivec2 lower = glm::max(glm::ivec2(glm::floor(blob.lower - around)), glm::ivec2(0));
+  const glm::ivec2 upper =
+      glm::min(glm::ivec2(glm::ceil(blob.upper + around)), glm::ivec2(identities.width(), identities.height()));
+  const int step = std::max(1, std::max(upper.x - lower.x, upper.y - lower.y) / kAroundPixels);
+  PerspectiveFit fit;
+  for (int y = lower.y + step / 2; y < upper.y; y += step) {
+    for (int x = lower.x + step / 2; x < upper.x; x += step) {
+      if (identities(x, y) != kNothing) {
+        fit.add(glm::dvec2(x, y) + 0.5, glm::dvec3(positionAt({x, y})));
+      }
+    }
+  }
+  return fit.result();
 }
 
 /// Which patch of the maze a point is above: index of the cell times kPatches, plus the patch; nothing at the
@@ -327,18 +352,21 @@ void VisibilitySensor::addView(const TrialLayout& layout, const Mesh& mesh, int 
   const StudyScene& scene = layout.scene->bare();
   const glm::dvec2 corner(each.place.left, each.place.top);
   percept.views.push_back(each.place);
-  const auto addObjects = [&](Image<uint32_t> identities, const auto& positionAt) {
+  const auto addObjects = [&](const Image<uint32_t>& identities, const auto& positionAt) {
     std::vector<Blob> blobs;
-    for (int y = 0; y < identities.height(); ++y) {
-      for (int x = 0; x < identities.width(); ++x) {
-        if (identities(x, y) != kStructure && identities(x, y) != kNothing) {
-          blobs.push_back(takeBlob(identities, positionAt, {x, y}));
+    Image<uint32_t> left = identities;
+    for (int y = 0; y < left.height(); ++y) {
+      for (int x = 0; x < left.width(); ++x) {
+        if (left(x, y) != kStructure && left(x, y) != kNothing) {
+          blobs.push_back(takeBlob(left, positionAt, {x, y}));
         }
       }
     }
     joinNear(blobs, kGapShare * screen_.width);
     for (const Blob& blob : blobs) {
-      percept.objects.push_back(sightingOf(blob, scene.maze().landmarks[blob.object - 1], view, corner));
+      percept.objects.push_back(
+          sightingOf(blob, scene.maze().landmarks[blob.object - 1], view, corner,
+                     perspectiveAround(blob, identities, positionAt, kAroundShare * screen_.width)));
     }
   };
   const std::shared_ptr<const ShownContent> shown = shownIn(layout, each);

@@ -29,7 +29,7 @@ SessionObserver::SessionObserver(const Protocol& protocol, const ObserverSetting
     : protocol_(protocol),
       setting_(setting),
       seed_(seed),
-      factors_(drawHumanFactors(seed)),
+      factors_(drawHumanFactors(seed, setting.factors)),
       vision_(factors_, pixelsPerDegree(protocol, setting.screen)),
       eye_(setting.screen, setting.renderer),
       random_(seedOf(seed, 1)),
@@ -110,11 +110,9 @@ const Percept& SessionObserver::see(const TrialLayout& layout) {
 
 std::optional<uint64_t> SessionObserver::fixate(const TrialLayout& layout, int64_t now) {
   if (!policy_) {
-    const ProtocolBlock& block = protocol_.blocks[static_cast<size_t>(plan_->block)];
     policy_ = taskKind(plan_->task, protocol_.name)
                   .policy({.vision = vision_,
                            .controls = protocol_.controls,
-                           .objectsMove = block.task->caseInfo(0).moving,
                            .memory = [&]() -> MazeMemory& { return mazes_[eye_.look(layout, true).grid.surroundings]; },
                            .seed = seedOf(seed_, 1'000'000 + trials_)});
   }

@@ -17,6 +17,7 @@ struct ObserverSetting {
   TrialScreen screen{};
   StudyRenderer renderer = rasterizeStudy;
   bool hashFrames = false;  ///< of the views of each layout that is looked at
+  FactorMeans factors{};    ///< other than the usual ones
 };
 
 class SessionObserver {

@@ -51,7 +51,7 @@ std::string simulationJson(const Protocol& protocol, const SimulationPlan& plan,
     json["frame_height"] = plan.screen.height;
     json["refresh_hertz"] = plan.screen.refreshHertz;
     json["hashes_frames"] = plan.hashFrames;
-    json["factors"] = nlohmann::ordered_json::parse(jsonText(drawHumanFactors(subjectSeed)));
+    json["factors"] = nlohmann::ordered_json::parse(jsonText(drawHumanFactors(subjectSeed, plan.factors)));
   }
   return textOfJson(json);
 }
@@ -59,10 +59,10 @@ std::string simulationJson(const Protocol& protocol, const SimulationPlan& plan,
 void requireSame(const StudyDatabase& database, const SubjectWork& work) {
   for (const StoredRun& run : database.runs(work.subject.id, 1)) {
     if (run.record.simulation != work.simulation) {
-      throw InputError(fmt::format("subject {} was simulated with other settings", work.subject.id),
-                       database.path().string(),
-                       "give the same --seed, --kind, --frame, --renderer and --effects as before, another --first, or "
-                       "another file");
+      throw InputError(
+          fmt::format("subject {} was simulated with other settings", work.subject.id), database.path().string(),
+          "give the same --seed, --kind, --frame, --renderer, --factors and --effects as before, another --first, or "
+          "another file");
     }
   }
 }
@@ -103,7 +103,8 @@ class SubjectRunner {
   void run() const {
     std::optional<SessionObserver> observer;
     if (plan_.kind == SubjectKind::kObserver) {
-      observer.emplace(protocol_, ObserverSetting{plan_.screen, plan_.makeRenderer(), plan_.hashFrames}, work_.seed);
+      observer.emplace(protocol_, ObserverSetting{plan_.screen, plan_.makeRenderer(), plan_.hashFrames, plan_.factors},
+                       work_.seed);
     }
     int open = work_.open();
     for (int session = 1; session <= work_.sessions && open > 0; ++session) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "oc_core/base/progress.h"
+#include "study/agent/human_factors.h"
 #include "study/session/records.h"
 #include "study/subject/data_generator.h"
 #include "study/task/trial_image.h"
@@ -25,6 +26,7 @@ struct SimulationPlan {
   /// A renderer for the thread that calls it.
   std::function<StudyRenderer()> makeRenderer = [] { return StudyRenderer(rasterizeStudy); };
   bool hashFrames = false;
+  FactorMeans factors{};  ///< of observers, other than the usual ones
   /// Of the subjects, which are all added, only `part`, `part` + `parts` and so on are simulated, counted from 0.
   int part = 0;
   int parts = 1;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "oc_core/base/conventions.h"
+
 namespace ocelli {
 namespace {
 
@@ -15,8 +17,11 @@ constexpr double kDriftDegreesPerSecond = 2.5;
 constexpr double kMotionDegrees = 0.03;
 /// An object may have gone so far meanwhile, metres; people know how fast things go here.
 constexpr double kDriftMetersPerSecond = 1;
-/// Places that differ by more than so many times their errors are two places: one is wrong in one of eight such cases.
+/// Places that differ by more than so many times the error of their difference are two places: one is wrong in one of
+/// seven such cases (exp(-kErrorsApart^2 / 2)).
 constexpr double kErrorsApart = 2;
+/// Turns of the picture by that much, or more, are all alike.
+constexpr double kFullTurn = kPi / 2;
 constexpr double kCountAgainSeconds = 4;
 
 }  // namespace
@@ -30,6 +35,7 @@ double CountPolicy::think(const Percept& seen, int64_t from, int64_t now, MotorM
     layOutRegions(seen);
   }
   noteMotion(seen);
+  followWithEyes(seen, from);
   const double seconds = attend(seen, from);
   lookOn(seen, from);
   return seconds;
@@ -46,7 +52,6 @@ double CountPolicy::effort(double /*seconds*/) const {
 }
 
 void CountPolicy::layOutRegions(const Percept& seen) {
-  singleView_ = seen.views.size() == 1;
   for (const PixelRect& view : seen.views) {
     const double step = kRegionDegrees * vision_.pixelsPerDegree();
     const int columns = std::max(1, static_cast<int>(std::lround(view.width / step)));
@@ -74,41 +79,80 @@ bool CountPolicy::isAttended(const Sighting& sighting, int64_t from) const {
   return std::any_of(items_.begin(), items_.end(), isThat) || std::any_of(passed_.begin(), passed_.end(), isThat);
 }
 
+CountPolicy::Item CountPolicy::itemOf(const Sighting& sighting, int64_t from) {
+  Item item{.shape = sighting.shape,
+            .color = sighting.color,
+            .view = sighting.view,
+            .onScreen = sighting.centroid,
+            .at = from,
+            .place = sighting.place,
+            .seemsAt = sighting.place,
+            .perspective = sighting.perspective,
+            .attendedAt = from};
+  if (item.perspective) {
+    const double pixels = vision_.factors().placeErrorDegrees * vision_.pixelsPerDegree();
+    item.seemsAt += item.perspective->metersFrom({normal(random_, 0, pixels), normal(random_, 0, pixels)});
+  }
+  return item;
+}
+
+/// Whether two things may be at one place, as far as one can tell. Where the picture does not tell places, they may.
+bool CountPolicy::placesMatch(const Item& item, const Item& seen) {
+  if (!item.perspective || !seen.perspective) {
+    return true;
+  }
+  const HumanFactors& factors = vision_.factors();
+  const double pixels = factors.placeErrorDegrees * vision_.pixelsPerDegree();
+  // A place is remembered by what is around it in the picture, as far as one takes that in. Carried over to where the
+  // picture is turned, it comes to lie aside by the error of the turn, at half of that distance on average.
+  const double around = factors.usefulFieldDegrees / 2 * vision_.pixelsPerDegree() / item.perspective->pixelsPerMeter();
+  const double turn = std::min(turnBetween(*item.perspective, *seen.perspective) / kFullTurn, 1.0);
+  const double aside = around * radiansFromDegrees(factors.turnErrorDegrees) * turn;
+  const glm::dmat2 covariance =
+      item.perspective->placeCovariance(pixels) + seen.perspective->placeCovariance(pixels) + glm::dmat2(aside * aside);
+  glm::dvec2 apart = seen.seemsAt - item.seemsAt + glm::dvec2(normal(random_, 0, aside), normal(random_, 0, aside));
+  const double drift = moves_ ? kDriftMetersPerSecond * secondsOf(seen.at - item.at) : 0;
+  const double length = glm::length(apart);
+  apart *= length > 0 ? std::max(0.0, 1 - drift / length) : 1;
+  if (!(glm::determinant(covariance) > 0)) {
+    return apart == glm::dvec2(0);  // one that is never wrong
+  }
+  return glm::dot(apart, glm::inverse(covariance) * apart) <= kErrorsApart * kErrorsApart;
+}
+
 /// Whether it is taken for something that was counted elsewhere: in another view, or before it moved.
-bool CountPolicy::seemsSame(const Item& item, const Sighting& sighting, int64_t from, const glm::dvec2& seemsAt) {
-  const bool otherView = item.view != sighting.view;
-  if (item.shape != sighting.shape || item.color != sighting.color || (!otherView && (!moves_ || item.at == from))) {
+bool CountPolicy::seemsSame(const Item& item, const Item& seen) {
+  const bool otherView = item.view != seen.view;
+  if (item.shape != seen.shape || item.color != seen.color || (!otherView && (!moves_ || item.at == seen.at))) {
     return false;
   }
   judgements_ += otherView ? 1 : 0;
-  const HumanFactors& factors = vision_.factors();
-  const bool isRemembered = happens(random_, factors.workingMemoryItems / static_cast<double>(items_.size()));
-  const double error = std::sqrt(2.0) * (otherView ? factors.crossViewErrorMeters : factors.placeErrorMeters);
-  const double drift = moves_ ? kDriftMetersPerSecond * secondsOf(from - item.at) : 0;
-  return isRemembered && glm::distance(item.seemsAt, seemsAt) <= kErrorsApart * error + drift;
+  const bool isRemembered = happens(random_, vision_.factors().workingMemoryItems / static_cast<double>(items_.size()));
+  return isRemembered && placesMatch(item, seen);
 }
 
 void CountPolicy::count(const Sighting& sighting, int64_t from) {
-  const double error = singleView_ ? vision_.factors().placeErrorMeters : vision_.factors().crossViewErrorMeters;
-  const Item seen{sighting.shape, sighting.color,
-                  sighting.view,  sighting.centroid,
-                  from,           sighting.place + glm::dvec2(normal(random_, 0, error), normal(random_, 0, error))};
+  const Item seen = itemOf(sighting, from);
   const auto goesOnAs = [&](Item& item) {
     item.onScreen = seen.onScreen;
     item.at = from;
+    item.attendedAt = from;
+    item.followedAt = -1;
+    item.place = seen.place;
     item.seemsAt = seen.seemsAt;
+    item.perspective = seen.perspective;
   };
   for (std::vector<Item>* list : {&items_, &passed_}) {
     for (Item& item : *list) {
       // One thing is not two at once.
-      if (item.at < from && isThere(item, sighting, from)) {
+      if ((item.at < from || item.followedAt == from) && isThere(item, sighting, from)) {
         goesOnAs(item);
         return;
       }
     }
   }
   for (Item& item : items_) {
-    if (item.metAt < from && seemsSame(item, sighting, from, seen.seemsAt)) {
+    if (item.metAt < from && seemsSame(item, seen)) {
       item.metAt = from;
       if (item.view == sighting.view) {
         goesOnAs(item);
@@ -119,6 +163,48 @@ void CountPolicy::count(const Sighting& sighting, int64_t from) {
     }
   }
   items_.push_back(seen);
+}
+
+void CountPolicy::followWithEyes(const Percept& seen, int64_t from) {
+  // Those looked at last; what was counted and what was taken for it alike.
+  std::vector<Item*> moving;
+  for (std::vector<Item>* list : {&items_, &passed_}) {
+    for (Item& item : *list) {
+      if (moves_ && item.at < from) {
+        moving.push_back(&item);
+      }
+    }
+  }
+  std::stable_sort(moving.begin(), moving.end(), [](const Item* a, const Item* b) {
+    return a->moves != b->moves ? a->moves : a->attendedAt > b->attendedAt;
+  });
+  moving.resize(std::min(moving.size(), static_cast<size_t>(vision_.factors().trackedItems)));
+  for (Item* item : moving) {
+    const double reach = kSamePlaceDegrees + kDriftDegreesPerSecond * secondsOf(from - item->at);
+    const Sighting* nearest = nullptr;
+    double least = reach;
+    for (const Sighting& each : seen.objects) {
+      const double degrees = vision_.degrees(each.centroid, item->onScreen);
+      if (each.view == item->view && each.color == item->color && each.shape == item->shape && degrees <= least &&
+          vision_.notices(each, *gaze_)) {
+        nearest = &each;
+        least = degrees;
+      }
+    }
+    if (nearest != nullptr) {
+      const bool isLookedAt = vision_.degrees(item->onScreen, *gaze_) < kSamePlaceDegrees;
+      item->moves = item->moves || least > kMotionDegrees;
+      item->seemsAt += nearest->place - item->place;
+      item->place = nearest->place;
+      item->onScreen = nearest->centroid;
+      item->perspective = nearest->perspective;
+      item->at = from;
+      item->followedAt = from;
+      if (isLookedAt) {
+        gaze_ = nearest->centroid;  // the eye goes with it
+      }
+    }
+  }
 }
 
 void CountPolicy::noteMotion(const Percept& seen) {

@@ -30,6 +30,10 @@ constexpr double kMaxBack = 2;
 constexpr double kStickiness = 1.25;
 /// Where one has looked before, but is not sure of it any more, one looks again when it is that much nearer.
 constexpr double kAgainFactor = 3;
+/// What is seen so far from where it was first seen moves: more than the radius of an object, half of which may have
+/// been hidden. What is not, after so long, stays.
+constexpr double kMovedMeters = 0.5;
+constexpr double kStayedSeconds = 1;
 /// Of something that moves one knows for so much shorter where it was not.
 constexpr double kMovingShare = 0.5;
 /// For something to look at in the distance, pixels of floor count with that power: much floor is not much more.
@@ -44,8 +48,8 @@ glm::dvec2 placeOf(const WalkerPose& pose) {
 
 }  // namespace
 
-FindPolicy::FindPolicy(const Vision& vision, const Controls& controls, bool moves, MazeMemory& memory, uint64_t seed)
-    : vision_(vision), controls_(controls), moves_(moves), memory_(memory), random_(seed) {
+FindPolicy::FindPolicy(const Vision& vision, const Controls& controls, MazeMemory& memory, uint64_t seed)
+    : vision_(vision), controls_(controls), memory_(memory), random_(seed) {
   memory_.beginTrial(vision.factors().forgetPerTrial, random_);
 }
 
@@ -65,6 +69,7 @@ double FindPolicy::think(const Percept& seen, int64_t from, int64_t now, MotorMo
     inSight_ += secondsOf(now - from);
     gaze_ = object->centroid;
     foundAt_ = object->place;
+    noteWhetherItMoves(object->place, from);
     foundFrom_ = seen.standing.value_or(foundFrom_);
     if (!found_ && inSight_ >= vision_.factors().noticeSeconds) {
       stopFor(now, motor);
@@ -95,6 +100,16 @@ double FindPolicy::think(const Percept& seen, int64_t from, int64_t now, MotorMo
     }
   }
   return 0;
+}
+
+void FindPolicy::noteWhetherItMoves(const glm::dvec2& place, int64_t from) {
+  if (!first_) {
+    first_ = Seen{place, from};
+  } else if (glm::distance(place, first_->place) > kMovedMeters) {
+    memory_.noteMotion(true);
+  } else if (secondsOf(from - first_->at) > kStayedSeconds) {
+    memory_.noteMotion(false);
+  }
 }
 
 void FindPolicy::stopFor(int64_t now, MotorModel& motor) {
@@ -138,7 +153,7 @@ void FindPolicy::learn(const Percept& seen, int64_t from) {
   if (seen.standing && !stood_) {
     memory_.visit(seen.grid.cellAt(placeOf(*seen.standing)), from);
   }
-  sure_ = from - nanosecondsOf(vision_.factors().searchMemorySeconds * (moves_ ? kMovingShare : 1));
+  sure_ = from - nanosecondsOf(vision_.factors().searchMemorySeconds * (memory_.soughtMoves() ? kMovingShare : 1));
 }
 
 void FindPolicy::goFor(const Sighting& object, int64_t from, int64_t now, MotorModel& motor) {
@@ -215,18 +230,18 @@ std::optional<MazeCell> FindPolicy::chooseGoal(const std::map<MazeCell, MazeMemo
 }
 
 void FindPolicy::turn(double degrees, int64_t at, std::vector<MotorModel::Hold> holds, MotorModel& motor) const {
-  if (!vision_.factors().turnsByMouse) {
+  if (!vision_.factors().turnsByMouse()) {
     holds.push_back({degrees > 0 ? controls_.turnRight : controls_.turnLeft, at, at + turnTime(degrees, motor)});
   }
   motor.plan(at, holds);
-  if (vision_.factors().turnsByMouse) {
+  if (vision_.factors().turnsByMouse()) {
     motor.pan(degrees, at);
   }
 }
 
 int64_t FindPolicy::turnTime(double degrees, const MotorModel& motor) const {
-  return nanosecondsOf(vision_.factors().turnsByMouse ? motor.panSeconds(degrees)
-                                                      : std::abs(degrees) / controls_.turnDegreesPerSecond);
+  return nanosecondsOf(vision_.factors().turnsByMouse() ? motor.panSeconds(degrees)
+                                                        : std::abs(degrees) / controls_.turnDegreesPerSecond);
 }
 
 void FindPolicy::turnAround(int64_t at, MotorModel& motor) const {
@@ -259,7 +274,7 @@ void FindPolicy::walkTo(const std::vector<glm::dvec2>& corners, bool looksAtLast
     double away = looksOnly ? 0 : glm::distance(corners[i], place);
     const int64_t seconds = turnTime(degrees, motor);
     const double reach = isLarge ? motor.panReach(degrees) : 0;
-    if (isLarge && vision_.factors().turnsByMouse && std::abs(degrees) < kMaxRoundedDegrees && walks &&
+    if (isLarge && vision_.factors().turnsByMouse() && std::abs(degrees) < kMaxRoundedDegrees && walks &&
         straight > reach - kArrived && away > reach) {
       const int64_t begin = std::max(at, time - nanosecondsOf(reach / speed));
       pans.emplace_back(degrees, begin);
@@ -269,7 +284,7 @@ void FindPolicy::walkTo(const std::vector<glm::dvec2>& corners, bool looksAtLast
       if (isLarge) {
         stop();
       }
-      if (vision_.factors().turnsByMouse) {
+      if (vision_.factors().turnsByMouse()) {
         pans.emplace_back(degrees, time);
       } else {
         holds.push_back({degrees > 0 ? controls_.turnRight : controls_.turnLeft, time, time + seconds});

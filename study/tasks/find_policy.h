@@ -13,8 +13,8 @@ namespace ocelli {
 
 class FindPolicy final : public TaskPolicy {
  public:
-  /// `memory` is of this maze and outlives the trial. `moves`: one was told that the object moves.
-  FindPolicy(const Vision& vision, const Controls& controls, bool moves, MazeMemory& memory, uint64_t seed);
+  /// `memory` is of this maze and outlives the trial.
+  FindPolicy(const Vision& vision, const Controls& controls, MazeMemory& memory, uint64_t seed);
 
   bool wantsFloor() const override { return true; }
   double think(const Percept& seen, int64_t from, int64_t now, MotorModel& motor) override;
@@ -22,6 +22,7 @@ class FindPolicy final : public TaskPolicy {
 
  private:
   void learn(const Percept& seen, int64_t from);
+  void noteWhetherItMoves(const glm::dvec2& place, int64_t from);
   /// For what one has made out, or caught a glimpse of.
   void stopFor(int64_t now, MotorModel& motor);
   void goFor(const Sighting& object, int64_t from, int64_t now, MotorModel& motor);
@@ -42,7 +43,6 @@ class FindPolicy final : public TaskPolicy {
 
   Vision vision_;
   Controls controls_;
-  bool moves_;
   MazeMemory& memory_;
   Random random_;
   std::optional<glm::dvec2> gaze_{};
@@ -63,6 +63,7 @@ class FindPolicy final : public TaskPolicy {
     int64_t at = 0;
   };
   std::optional<Seen> before_{};  ///< the object on the screen, a fixation ago
+  std::optional<Seen> first_{};   ///< the object in the maze, metres, when it was first seen
   std::optional<WalkerPose> stood_{};
   int64_t stoodAt_ = 0;
   int stuck_ = 0;

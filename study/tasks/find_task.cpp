@@ -235,8 +235,7 @@ std::shared_ptr<const TaskBlock> readFindTask(JsonFields& fields, const std::str
 }
 
 std::unique_ptr<TaskPolicy> findPolicy(const PolicySetting& setting) {
-  return std::make_unique<FindPolicy>(setting.vision, setting.controls, setting.objectsMove, setting.memory(),
-                                      setting.seed);
+  return std::make_unique<FindPolicy>(setting.vision, setting.controls, setting.memory(), setting.seed);
 }
 
 double movingCovariate(const GeneratedTrial& trial) {

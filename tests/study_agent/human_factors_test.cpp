@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "oc_core/base/error.h"
 #include "study/agent/chance.h"
+#include "tests/base/temporary_folder.h"
 
 namespace ocelli {
 namespace {
@@ -40,6 +42,27 @@ TEST(HumanFactors, AreAllInTheirJson) {
   const nlohmann::json json = nlohmann::json::parse(jsonText(HumanFactors{}));
   // One field a member, but the seed.
   EXPECT_EQ(json.size() * sizeof(double), sizeof(HumanFactors) - sizeof(uint64_t));
+}
+
+TEST(HumanFactors, OtherMeansMoveEachSubjectByTheSameShare) {
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    const HumanFactors usual = drawHumanFactors(seed);
+    const HumanFactors other = drawHumanFactors(seed, {{"place_error_degrees", 1.5}, {"tracked_items", 0}});
+    EXPECT_NEAR(other.placeErrorDegrees / usual.placeErrorDegrees, 3, 1e-12);
+    EXPECT_EQ(other.trackedItems, 0);
+    EXPECT_EQ(other.fixationSeconds, usual.fixationSeconds);
+    EXPECT_EQ(other.turnsByMouse(), usual.turnsByMouse());
+  }
+}
+
+TEST(HumanFactors, AreReadFromAFileByName) {
+  const test::TemporaryFolder folder;
+  const auto read = [&](const std::string& text) { return readFactorMeans(folder.write("factors.json", text)); };
+  EXPECT_EQ(read(R"({"place_error_degrees": 1, "slip": 0})"),
+            (FactorMeans{{"place_error_degrees", 1.0}, {"slip", 0.0}}));
+  EXPECT_THROW(read(R"({"place_error": 1})"), InputError);
+  EXPECT_THROW(read(R"({"slip": 1.5})"), InputError);
+  EXPECT_THROW(read("[]"), InputError);
 }
 
 TEST(Chance, NormalNumbersHaveTheirMeanAndDeviation) {

@@ -106,6 +106,32 @@ TEST(VisibilitySensor, seesNothingBehindAWallAndNothingBehindItsBack) {
   }
 }
 
+TEST(VisibilitySensor, tellsAtWhatScaleAndTurnedWhichWayThePictureIs) {
+  const StudyScene scene = sceneWith({{2, 2}});
+  const Box& box = scene.boxOf(0);
+  for (const glm::vec3 up : {glm::vec3(0, 0, -1), glm::vec3(1, 0, 0)}) {
+    // From straight above; what is at the top of the picture is in the north, or in the east.
+    View view;
+    view.target = glm::vec3(box.center().x, 0, box.center().z);
+    view.eye = view.target + glm::vec3(0, 20, 0);
+    view.up = up;
+    view.fovVerticalDegrees = 30;
+    view.zNear = 0.1f;
+    view.zFar = 100;
+    const PinholeCamera camera(view, 320, 200);
+    const Percept percept = VisibilitySensor(kScreen).look(imageOf(scene, camera), false);
+    ASSERT_THAT(percept.objects, SizeIs(1));
+    ASSERT_TRUE(percept.objects[0].perspective.has_value());
+    const PicturePerspective& seen = *percept.objects[0].perspective;
+    // Walls and the object are nearer than the floor, by up to 2.4 m of 20.
+    const double least = static_cast<double>(camera.focalPixels()) / 20;
+    EXPECT_GT(seen.pixelsPerMeter(), least);
+    EXPECT_LT(seen.pixelsPerMeter(), least * 20 / (20 - 2.4));
+    // East at the top: the picture of the maze is turned to the left.
+    EXPECT_NEAR(seen.turnRadians(), up.x > 0 ? -kPi / 2 : 0, 0.05);
+  }
+}
+
 TEST(VisibilitySensor, placesThingsOnTheScreenWhereTheirViewIs) {
   const StudyScene scene = sceneWith({{2, 2}});
   const PinholeCamera camera = cameraIn(scene.maze(), {2, 0}, Direction::kEast, 160, 100);

@@ -2,16 +2,21 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "oc_core/base/conventions.h"
+
 namespace ocelli {
 namespace {
 
 constexpr int64_t kSecond = 1'000'000'000;
+constexpr double kPixelsPerMeter = 40;
 
 HumanFactors sharpFactors() {
   HumanFactors factors;
   factors.slip = 0;
-  factors.placeErrorMeters = 1e-6;
-  factors.crossViewErrorMeters = 1e-6;
+  factors.placeErrorDegrees = 1e-6;
+  factors.turnErrorDegrees = 1e-6;
   factors.workingMemoryItems = 100;
   return factors;
 }
@@ -35,6 +40,7 @@ class CountPolicyTest : public testing::Test {
     seen.pixels = 400;
     seen.centroid = at;
     seen.place = place;
+    seen.perspective = PicturePerspective{{{kPixelsPerMeter, 0}, {0, kPixelsPerMeter}}};
     return seen;
   }
   /// What is answered after looking for so long: 3 to 9.
@@ -104,6 +110,58 @@ TEST_F(CountPolicyTest, followsWhatMoves) {
             5);
 }
 
+/// Four alike, one above the other, that go 3.2 degrees a second to the right: faster than one allows for where one
+/// does not follow them.
+Percept walkers(const std::function<Sighting(int, LandmarkColor, const glm::dvec2&, const glm::dvec2&)>& object,
+                int64_t now) {
+  Percept percept;
+  percept.views = {{0, 0, 440, 600}};
+  for (int i = 0; i < 4; ++i) {
+    const glm::dvec2 at(60 + 64 * secondsOf(now), 90 + 140.0 * i);
+    percept.objects.push_back(object(0, LandmarkColor::kOrange, at, at / kPixelsPerMeter));
+    percept.objects.back().pixels = 900;  // large enough to be noticed 27 degrees from the gaze
+  }
+  return percept;
+}
+
+TEST_F(CountPolicyTest, followsWithItsEyesAsManyAsItCan) {
+  factors.workingMemoryItems = 0;  // so that what it loses from sight counts as new
+  const auto scene = [&](int64_t now) { return walkers(object, now); };
+  factors.trackedItems = 4;
+  EXPECT_EQ(answerTo(scene, 5), 4);
+  factors.trackedItems = 0;
+  EXPECT_GT(answerTo(scene, 5), 4);
+}
+
+TEST_F(CountPolicyTest, isLessSureWherePicturesAreTurnedOrSmall) {
+  // One thing in two views; how often it is taken for two.
+  const auto takenForTwo = [&](const PicturePerspective& first, const PicturePerspective& second, double metersApart) {
+    int count = 0;
+    for (uint64_t seed = 1; seed <= 60; ++seed) {
+      Percept percept;
+      percept.views = {{0, 0, 200, 150}, {220, 0, 200, 150}};
+      for (int i = 0; i < 3; ++i) {
+        percept.objects.push_back(object(0, static_cast<LandmarkColor>(i), {30 + 45.0 * i, 70}, {20.0 * i, 0}));
+      }
+      percept.objects[0].perspective = first;
+      percept.objects.push_back(object(1, LandmarkColor::kOrange, {260, 70}, {metersApart, 0}));
+      percept.objects.back().perspective = second;
+      count += answerTo([&](int64_t) { return percept; }, 8, seed) > 3 ? 1 : 0;
+    }
+    return count;
+  };
+  const PicturePerspective large{{{40, 0}, {0, 40}}};
+  const PicturePerspective small{{{4, 0}, {0, 4}}};
+  const PicturePerspective turned{{{0, 40}, {-40, 0}}};
+  factors.placeErrorDegrees = 0.5;  // 10 pixels: 0.25 m in the large one, 2.5 m in the small one
+  factors.turnErrorDegrees = 20;    // of 3 m around a thing in the large one: 1 m
+  EXPECT_GE(takenForTwo(large, large, 2), 55);
+  EXPECT_LE(takenForTwo(small, small, 2), 40);
+  EXPECT_LE(takenForTwo(large, turned, 2), takenForTwo(large, large, 2) - 5);
+  factors.turnErrorDegrees = 0;
+  EXPECT_GE(takenForTwo(large, turned, 2), 55);
+}
+
 /// Four objects, three of which show in both views of a matrix.
 Percept matrix(const std::function<Sighting(int, LandmarkColor, const glm::dvec2&, const glm::dvec2&)>& object) {
   Percept percept;
@@ -120,14 +178,14 @@ Percept matrix(const std::function<Sighting(int, LandmarkColor, const glm::dvec2
 }
 
 TEST_F(CountPolicyTest, tellsThatThingsInOtherViewsAreTheSame) {
-  // It takes one for another in one of eight cases: of three things that show twice that leaves 5 or 6.
+  // It takes one thing for two in one of seven cases (exp(-2)): of three that show twice that leaves 5 or 6.
   int sum = 0;
   for (uint64_t seed = 1; seed <= 40; ++seed) {
     const int answer = answerTo([&](int64_t) { return matrix(object); }, 15, seed);
     EXPECT_GE(answer, 5);
     sum += answer;
   }
-  EXPECT_NEAR(sum / 40.0, 5 + 3 / 8.0, 0.35);  // four standard errors
+  EXPECT_NEAR(sum / 40.0, 5 + 3 * std::exp(-2), 0.38);  // four standard errors
 }
 
 TEST_F(CountPolicyTest, countsTwiceWhatItHasNotInMind) {
@@ -136,7 +194,7 @@ TEST_F(CountPolicyTest, countsTwiceWhatItHasNotInMind) {
 }
 
 TEST_F(CountPolicyTest, takesDistantThingsOfOneColorForOneWhereItCannotTellPlaces) {
-  factors.crossViewErrorMeters = 50;
+  factors.placeErrorDegrees = 100;  // 50 m
   EXPECT_LE(answerTo(
                 [&](int64_t) {
                   Percept percept = matrix(object);
@@ -145,6 +203,20 @@ TEST_F(CountPolicyTest, takesDistantThingsOfOneColorForOneWhereItCannotTellPlace
                 },
                 15),
             5);
+}
+
+TEST_F(CountPolicyTest, takesThingsForOneWhereThePictureTellsNoPlaces) {
+  EXPECT_EQ(answerTo(
+                [&](int64_t) {
+                  Percept percept = matrix(object);
+                  percept.objects.back().color = LandmarkColor::kOrange;
+                  for (Sighting& seen : percept.objects) {
+                    seen.perspective.reset();
+                  }
+                  return percept;
+                },
+                15),
+            4);
 }
 
 TEST_F(CountPolicyTest, guessesForWhatItHadNoTimeToLookAt) {

@@ -28,7 +28,7 @@ Found find(const std::string& more, TrialView view, const StudyRenderer& rendere
   const VisibilitySensor eye(kScreen, renderer);
   const HumanFactors factors;
   MazeMemory memory;
-  FindPolicy policy(Vision(factors, kScreen.width / 46.7), Controls{}, false, memory, seed);
+  FindPolicy policy(Vision(factors, kScreen.width / 46.7), Controls{}, memory, seed);
   MotorModel motor(factors, Controls{}, seed);
   Found found;
   int64_t nextLook = 0;
@@ -108,7 +108,7 @@ TEST(FindPolicy, doesNotFindAnObjectThatIsLeftOutOfWhatItIsShown) {
 TEST(FindPolicy, turnsBackToWhatItCaughtAGlimpseOf) {
   const HumanFactors factors;
   MazeMemory memory;
-  FindPolicy policy(Vision(factors, 20), Controls{}, false, memory, 1);
+  FindPolicy policy(Vision(factors, 20), Controls{}, memory, 1);
   MotorModel motor(factors, Controls{}, 1);
   constexpr int64_t kFixation = kSecond / 10;
   static_assert(kFixation < 2 * kSecond / 10);  // shorter than it takes to make something out

@@ -107,7 +107,7 @@ TEST(NearerTask, TheObserverTakesTheTallerOneForTheNearer) {
   const auto block = test::readBlock("nearer", nearerJson(kNear, kFar));
   for (uint64_t seed = 1; seed <= 10; ++seed) {
     const auto run = nearerRun(*block);
-    const auto policy = taskKind("nearer", "test").policy({vision, controls, false, {}, seed});
+    const auto policy = taskKind("nearer", "test").policy({vision, controls, {}, seed});
     MotorModel motor(factors, controls, seed);
     int64_t now = 0;
     for (int i = 0; i < 10 && !run->outcome(); ++i, now += 300'000'000) {

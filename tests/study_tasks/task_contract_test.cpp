@@ -90,8 +90,7 @@ TrialOutcome observed(const TaskKind& kind, const TaskBlock& block, const TrialP
   const Vision vision(factors, 5);
   const Controls controls;
   MazeMemory memory;
-  const auto policy = kind.policy(
-      {vision, controls, block.caseInfo(plan.caseIndex).moving, [&]() -> MazeMemory& { return memory; }, plan.seed});
+  const auto policy = kind.policy({vision, controls, [&]() -> MazeMemory& { return memory; }, plan.seed});
   MotorModel motor(factors, controls, plan.seed);
   int64_t nextLook = 0;
   for (int64_t tick = 0; tick <= longestTicks(block, plan) && !run->outcome(); ++tick) {
