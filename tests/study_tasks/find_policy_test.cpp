@@ -105,6 +105,41 @@ TEST(FindPolicy, doesNotFindAnObjectThatIsLeftOutOfWhatItIsShown) {
   EXPECT_GT(found.meters, 30);
 }
 
+TEST(FindPolicy, learnsWhetherThingsMoveBySeeingThem) {
+  const HumanFactors factors;
+  MazeMemory memory;
+  MotorModel motor(factors, Controls{}, 1);
+  Percept seen;
+  seen.views = {{0, 0, 400, 300}};
+  seen.grid = {{0, 0}, 3, 1};
+  seen.standing = WalkerPose{4.5, 4.5, 0};
+  seen.soughtShape = LandmarkShape::kSphere;
+  seen.soughtColor = LandmarkColor::kOrange;
+  seen.objects = {{.shape = LandmarkShape::kSphere,
+                   .color = LandmarkColor::kOrange,
+                   .pixels = 900,
+                   .lower = {180, 130},
+                   .upper = {210, 160},
+                   .centroid = {195, 145},
+                   .aim = {195, 145},
+                   .place = {5, -3}}};
+  const auto watch = [&](double metersPerSecond) {
+    FindPolicy policy(Vision(factors, 20), Controls{}, memory, 1);
+    for (int64_t now = 0; now < 2 * kSecond; now += 3 * kSecond / 10) {
+      seen.objects[0].place.x = 5 + metersPerSecond * secondsOf(now);
+      policy.think(seen, now, now + 3 * kSecond / 10, motor);
+    }
+  };
+  EXPECT_FALSE(memory.soughtMoves());
+  watch(0.8);
+  EXPECT_TRUE(memory.soughtMoves());
+  Random random(1);
+  memory.beginTrial(0, random);
+  EXPECT_TRUE(memory.soughtMoves()) << "what was seen in one trial is expected in the next";
+  watch(0);
+  EXPECT_FALSE(memory.soughtMoves());
+}
+
 TEST(FindPolicy, turnsBackToWhatItCaughtAGlimpseOf) {
   const HumanFactors factors;
   MazeMemory memory;
