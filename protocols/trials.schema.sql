@@ -13,7 +13,7 @@
 -- Rows that were recorded stay as they are: triggers refuse to change or delete them. Only the end of a run or trial is
 -- filled in, once. Only a withdrawal deletes, and then all of a subject.
 PRAGMA application_id = 1331914092;  -- "Ocel"
-PRAGMA user_version = 2;
+PRAGMA user_version = 3;
 
 -- What is studied. One row.
 CREATE TABLE study (
@@ -158,6 +158,10 @@ CREATE TABLE trial (
   screen_height_px     INTEGER,
   refresh_hz           REAL,
   simulated            INTEGER NOT NULL,
+  exposure_rule        TEXT CHECK (exposure_rule IN ('clock', 'frames')),  -- what ended the exposure; NULL where there is
+                                                                           -- none, and in rows of versions 1 and 2:
+                                                                           -- frames were counted
+  exposure_shown_s     REAL,  -- from the first frame with the scene to the first without it, in steps of 1/240 s
   UNIQUE (run_id, trial_number),
   UNIQUE (trial_id, simulated),
   FOREIGN KEY (run_id, subject_id, session_number, simulated)

@@ -68,6 +68,9 @@ constexpr std::array<std::string_view, 45> kTrialColumns{"row_id",
                                                          "ended_utc",
                                                          "station"};
 
+/// Likewise, but exports of older programs do not have them.
+constexpr std::array<std::string_view, 2> kLaterTrialColumns{"exposure_rule", "exposure_shown_s"};
+
 /// Reads a column of a row into a field of a trial, whose type says which values it may have.
 class TrialFields {
  public:
@@ -92,6 +95,9 @@ class TrialFields {
   }
   void read(size_t column, std::optional<TimingVerdict>& field) const {
     field = table_.optionalWord(column, kTimingVerdicts);
+  }
+  void read(size_t column, std::optional<ExposureRule>& field) const {
+    field = table_.optionalWord(column, kExposureRules);
   }
   void read(size_t column, TrialView& field) const {
     const std::string name = table_.text(column);
@@ -216,7 +222,10 @@ void Reading::readTrials() {
   std::map<std::string_view, size_t> at;
   std::vector<size_t> measures;
   for (const std::string& name : table.columns()) {
-    if (std::find(kTrialColumns.begin(), kTrialColumns.end(), name) == kTrialColumns.end()) {
+    const auto later = std::find(kLaterTrialColumns.begin(), kLaterTrialColumns.end(), name);
+    if (later != kLaterTrialColumns.end()) {
+      at[*later] = column(name.c_str());
+    } else if (std::find(kTrialColumns.begin(), kTrialColumns.end(), name) == kTrialColumns.end()) {
       measures.push_back(column(name.c_str()));
     }
   }

@@ -170,7 +170,8 @@ void DatabaseReading::readAnswers() {
 }
 
 void DatabaseReading::readTrials() {
-  const std::string query = fmt::format("SELECT {} FROM final_trial ORDER BY trial_id", trialColumns("subject_kind"));
+  const std::string query = fmt::format("SELECT {} FROM final_trial ORDER BY trial_id",
+                                        trialColumns("subject_kind", trialsVersionOf(database_, path_)));
   forEachRow(query.c_str(), [&](StoredRow& row) {
     Trial trial{readTrial(row, data_.conditions)};
     trial.digest = digestOf(trial, data_.conditions.nameOf(trial.view));

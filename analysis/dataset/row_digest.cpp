@@ -66,6 +66,9 @@ Digest digestOf(const TrialRow& trial, const std::string& view) {
   row.text(trial.startedUtc).text(trial.endedUtc).integer(trial.responseTicks).integer(trial.exposureFrames);
   row.integer(trial.medianIntervalNs).integer(trial.longestIntervalNs).integer(trial.screenWidth);
   row.integer(trial.screenHeight).real(trial.refreshHertz);
+  if (trial.exposureRule) {  // rows of older tables keep their digests
+    row.text(nameOf(*trial.exposureRule)).real(trial.exposureShownSeconds);
+  }
   return row.digest();
 }
 

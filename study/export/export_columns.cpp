@@ -70,6 +70,8 @@ const std::vector<ColumnMeaning>& columnMeanings() {
       {"correct", "", "1: the answer is right"},
       {"censored", "", "1: time ran out, and the response would have come after response_s"},
       {"response_s", "s", "time to the answer or to the end of the time; with an exposure, from its end"},
+      {"exposure_rule", "", "what ended the exposure: clock, or frames (databases before version 3, empty there)"},
+      {"exposure_shown_s", "s", "from the first frame with the scene to the first without it"},
       {"exposure_frames", "frames", "frames that showed the scene, of tasks with an exposure"},
       {"frames", "frames", "frames that the trial showed"},
       {"dropped_frames", "", "intervals between frames that were too long by the protocol's limit"},

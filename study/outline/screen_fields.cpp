@@ -4,6 +4,18 @@
 
 namespace ocelli {
 
+const char* nameOf(DistanceMeasure measure) {
+  switch (measure) {
+    case DistanceMeasure::kStated:
+      return "stated";
+    case DistanceMeasure::kTape:
+      return "tape";
+    case DistanceMeasure::kBlindSpot:
+      return "blind_spot";
+  }
+  return "";
+}
+
 StatedScreen readStatedScreen(JsonFields& protocol, ProtocolReading reading) {
   StatedScreen screen;
   if (!protocol.has("screen")) {
@@ -25,6 +37,19 @@ StatedScreen readStatedScreen(JsonFields& protocol, ProtocolReading reading) {
     };
     screen.minWidth = pixels("least_width", 640);
     screen.minHeight = pixels("least_height", 480);
+    screen.gamma = number("gamma", 0.5, 4);
+    if (fields.has("calibration")) {
+      JsonFields calibration = fields.inner("calibration");
+      CalibrationWishes wishes;
+      wishes.card = calibration.boolean("card", wishes.card);
+      wishes.distance = calibration.choiceOf("distance", kDistanceMeasures, wishes.distance);
+      wishes.tolerance = calibration.number("tolerance", 0.005, 0.5, wishes.tolerance);
+      if (!wishes.card && wishes.distance == DistanceMeasure::kStated) {
+        calibration.fail("card", "is false and no \"distance\" is measured: leave the calibration out");
+      }
+      calibration.rejectUnknown();
+      screen.calibration = wishes;
+    }
     screen.photodiodePatch = fields.boolean("photodiode_patch", screen.photodiodePatch);
     fields.rejectUnknown();
   }

@@ -1,6 +1,7 @@
 // What a study wants of its screen and of the timing of frames: the fields "screen" and "timing" of a protocol.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "study/outline/protocol_reading.h"
@@ -8,6 +9,20 @@
 namespace ocelli {
 
 class JsonFields;
+
+/// How the distance from the eye to the screen is known: as the protocol states it, by a tape, or by the blind spot.
+enum class DistanceMeasure { kStated, kTape, kBlindSpot };
+inline constexpr std::array kDistanceMeasures{DistanceMeasure::kStated, DistanceMeasure::kTape,
+                                              DistanceMeasure::kBlindSpot};
+/// "stated", "tape", "blind_spot".
+const char* nameOf(DistanceMeasure measure);
+
+/// What a session measures of its screen before it begins (study/screen/calibration.h).
+struct CalibrationWishes {
+  bool card = true;  ///< the size, with a card
+  DistanceMeasure distance = DistanceMeasure::kStated;
+  double tolerance = 0.05;  ///< by what share the screen may be off from what the protocol states
+};
 
 /// What is not said is empty.
 struct StatedScreen {
@@ -18,6 +33,8 @@ struct StatedScreen {
   // Not read by analyses.
   std::optional<int> minWidth{};  ///< pixels
   std::optional<int> minHeight{};
+  std::optional<double> gamma{};  ///< exponent from pixel values to light, as the monitor is set; stated, not measured
+  std::optional<CalibrationWishes> calibration{};
   bool photodiodePatch = false;  ///< a square in the lower left corner, white in every other frame of a trial
 };
 

@@ -69,7 +69,9 @@ struct ScreenGeometry {
   int minWidth = 1024;               ///< pixels
   int minHeight = 640;
   std::optional<double> refreshHertz{};  ///< that the monitor must have
-  bool photodiodePatch = false;          ///< a square in the lower left corner, white in every other frame of a trial
+  std::optional<double> gamma{};         ///< as the monitor is set; stated, not measured
+  std::optional<CalibrationWishes> calibration{};
+  bool photodiodePatch = false;  ///< a square in the lower left corner, white in every other frame of a trial
 };
 
 enum class ResumePolicy { kNextTrial, kRestartBlock, kStop };

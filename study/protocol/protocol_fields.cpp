@@ -132,6 +132,8 @@ ScreenGeometry screenGeometry(const StatedScreen& stated) {
   screen.minWidth = stated.minWidth.value_or(screen.minWidth);
   screen.minHeight = stated.minHeight.value_or(screen.minHeight);
   screen.refreshHertz = stated.refreshHertz;
+  screen.gamma = stated.gamma;
+  screen.calibration = stated.calibration;
   screen.photodiodePatch = stated.photodiodePatch;
   return screen;
 }

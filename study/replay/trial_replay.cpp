@@ -64,7 +64,7 @@ class Replay {
     if (options_.onFrame) {
       options_.onFrame(frame, *run_);
     }
-    run_->frameShown();
+    run_->frameShown(ticksBetween(log_.frames.front().shownNanoseconds, frame.shownNanoseconds));
   }
 
   void compareOutcome(bool completed) {

@@ -66,6 +66,10 @@ std::string jsonText(const RunEnvironment& environment) {
        {{"full_screen", environment.fullScreen},
         {"width", environment.windowWidth},
         {"height", environment.windowHeight}}},
+      {"stated_gamma", environment.screen.gamma ? Json(*environment.screen.gamma) : Json()},
+      {"calibration", environment.screen.calibration
+                          ? Json::parse(environment.calibration.jsonText(*environment.screen.calibration))
+                          : Json()},
       {"session",
        {{"type", textOf("XDG_SESSION_TYPE")},
         {"desktop", textOf("XDG_CURRENT_DESKTOP")},

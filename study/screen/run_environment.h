@@ -5,6 +5,8 @@
 
 #include "oc_core/gl/gl_context.h"
 #include "oc_core/window/monitors.h"
+#include "study/protocol/protocol.h"
+#include "study/screen/calibration.h"
 
 namespace ocelli {
 
@@ -16,6 +18,8 @@ struct RunEnvironment {
   bool fullScreen = true;
   int windowWidth = 0;  ///< pixels
   int windowHeight = 0;
+  ScreenGeometry screen{};          ///< as the protocol states it
+  ScreenCalibration calibration{};  ///< empty where the protocol wants none
   double pacedHertz = 0;  ///< frames that do not wait for the screen are held back to this rate; 0 where they wait
 };
 

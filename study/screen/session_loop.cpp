@@ -11,9 +11,11 @@
 
 #include "oc_core/image/png_file.h"
 #include "study/screen/clock_watch.h"
+#include "study/screen/frame_measurement.h"
 #include "study/screen/protocol_texts.h"
 #include "study/screen/screen_target.h"
 #include "study/screen/study_painter.h"
+#include "study/screen/window_input.h"
 
 namespace ocelli {
 namespace {
@@ -21,9 +23,6 @@ namespace {
 constexpr double kPollSeconds = 0.1;
 constexpr int64_t kNanosecondsPerSecond = 1'000'000'000;
 
-int64_t steadyNow() {
-  return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 int64_t systemNow() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
       .count();
@@ -63,14 +62,6 @@ class Pace {
   int64_t interval_;
   int64_t due_ = 0;
 };
-
-/// Positions in pixels of the screen that trials are laid out for.
-InputEvent inPixels(const InputEvent& event, double pixelsPerUnit) {
-  if (const auto* move = std::get_if<PointerMoveEvent>(&event)) {
-    return PointerMoveEvent{move->x * pixelsPerUnit, move->y * pixelsPerUnit};
-  }
-  return event;
-}
 
 class ScreenRenderer {
  public:
@@ -319,31 +310,6 @@ void passEventsOn(GlWindow& window, Exchange& exchange, const SessionLoopOptions
 }
 
 }  // namespace
-
-std::vector<int64_t> measureFrames(GlWindow& window, double seconds, const std::string& message) {
-  constexpr int kSettlingFrames = 15;  // until the driver's queue has its length
-  const GlScope scope(window.context());
-  StudyPainter painter(window.context(), {window.pixelWidth(), window.pixelHeight(), 60}, {});
-  PageScreen page;
-  page.title = message;
-  std::vector<int64_t> shown;
-  int frames = 0;
-  for (int64_t start = steadyNow(); static_cast<double>(steadyNow() - start) < seconds * 1e9 || frames < 2;) {
-    window.pollTimed(0);
-    if (frames == 0) {
-      painter.draw(page);
-    }
-    window.present(painter.framebuffer(), window.pixelWidth(), window.pixelHeight());
-    window.awaitFrame();
-    if (++frames == kSettlingFrames) {
-      start = steadyNow();
-    }
-    if (frames > kSettlingFrames) {
-      shown.push_back(steadyNow());
-    }
-  }
-  return shown;
-}
 
 SessionEnding runSessionLoop(GlWindow& window, const Protocol& protocol, SessionFlow& flow,
                              ExperimenterConsole& console, const SessionLoopOptions& options) {

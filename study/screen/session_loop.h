@@ -23,9 +23,6 @@ struct SessionLoopOptions {
   std::function<bool()> interrupted{};  ///< whether the program shall end; asked ten times a second
 };
 
-/// Shows a plain screen for so many seconds, and returns when each frame was shown. On the main thread.
-std::vector<int64_t> measureFrames(GlWindow& window, double seconds, const std::string& message);
-
 /// Until the session is over. On the main thread, which must not hold the window's context. Throws what went wrong in
 /// any of the threads; the session has been ended as aborted then.
 SessionEnding runSessionLoop(GlWindow& window, const Protocol& protocol, SessionFlow& flow,

@@ -4,6 +4,8 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/machine.h"
+#include "study/screen/calibration_drawing.h"
+#include "study/screen/frame_measurement.h"
 #include "study/screen/protocol_texts.h"
 #include "study/screen/run_environment.h"
 #include "study/screen/session_loop.h"
@@ -126,9 +128,9 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   GlWindow window(windowOptions(protocol, options));
   const GlInfo& graphics = window.context().info();
   tell(options, fmt::format("graphics  {}{}", graphics.renderer, graphics.isSoftware ? " (software: slow)" : ""));
-  const TimingCheck check = checkWindow(window, monitor, protocol, options);
-  const bool forced = !check.isGood();
-  tell(options, fmt::format("timing    {}: {}", forced ? "NOT GOOD, forced" : "good", describe(check.measured)));
+  TimingCheck check = checkWindow(window, monitor, protocol, options);
+  tell(options,
+       fmt::format("timing    {}: {}", check.isGood() ? "good" : "NOT GOOD, forced", describe(check.measured)));
   for (const std::string& problem : check.problems) {
     tell(options, "          " + problem);
   }
@@ -138,10 +140,35 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   const double hertz = pacedHertz > 0 ? pacedHertz : refreshRateOf(check);
   flowOptions.screen = {window.pixelWidth(), window.pixelHeight(), hertz};
   flowOptions.intervalNanoseconds = static_cast<int64_t>(1e9 / (pacedHertz > 0 ? pacedHertz : check.measured.hertz));
-  flowOptions.unstableRefresh = forced;
   // Of a new subject the slot is not known; every slot has trials of each block and view.
-  tryTrials(protocol, scheduleOf(protocol, plan.subject.slot, plan.session.session, plan.session.seed),
-            flowOptions.screen);
+  const CalibratedScreen stated{window.pixelWidth(), window.pixelHeight(),
+                                protocol.screen.widthMillimeters * window.pixelWidth() / monitor.width,
+                                protocol.screen.distanceMillimeters};
+  ScreenCalibration calibration;
+  std::vector<std::string> deviations;
+  if (const std::optional<CalibrationWishes>& wishes = protocol.screen.calibration) {
+    calibration = runCalibration(window, *wishes, stated, options.interrupted);
+    deviations = deviationsOf(calibration, stated, wishes->tolerance);
+    tell(options, "screen    " + describe(calibration, stated));
+    for (const std::string& deviation : deviations) {
+      tell(options, "warning   " + deviation);
+    }
+  }
+  const SessionSchedule likely = scheduleOf(protocol, plan.subject.slot, plan.session.session, plan.session.seed);
+  tryTrials(protocol, likely, flowOptions.screen);
+  const std::vector<std::string> slow =
+      slowTrials(measureTrials(window, protocol, likely, flowOptions.screen, flowOptions.intervalNanoseconds));
+  if (!slow.empty() && !options.force) {
+    throw WorkError(joined(slow), "timing check",
+                    "use the graphics driver of the maker of the graphics card, a faster card or a smaller mode of the "
+                    "screen; for trials without a subject, --force runs all the same and marks every trial");
+  }
+  for (const std::string& problem : slow) {
+    tell(options, "warning   " + problem);
+  }
+  check.problems.insert(check.problems.end(), slow.begin(), slow.end());
+  const bool forced = !check.isGood();
+  flowOptions.unstableRefresh = forced;
 
   if (!known) {
     known.emplace(StudyDatabase::openForSessions(options.database, protocol));
@@ -161,8 +188,9 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   run.startedUtc = utcNow();
   run.programVersion = programVersion();
   run.station = computerName();
-  run.environment = jsonText(RunEnvironment{run.programVersion, graphics, monitor, options.monitor, !options.windowed,
-                                            window.pixelWidth(), window.pixelHeight(), pacedHertz});
+  run.environment =
+      jsonText(RunEnvironment{run.programVersion, graphics, monitor, options.monitor, !options.windowed,
+                              window.pixelWidth(), window.pixelHeight(), protocol.screen, calibration, pacedHertz});
   run.timingCheck = jsonText(check);
   run.forced = forced;
   TrialStore store(database, protocol, run, schedule);
@@ -172,6 +200,9 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
        fmt::format("session   {} of {} of subject {}, {} trials, {} of them done; slot {}, {} first",
                    plan.session.session, protocol.sessions, options.subject, schedule.trials.size(),
                    plan.session.done.completedTrials.size(), plan.subject.slot, protocol.nameOf(schedule.firstView)));
+  for (const std::string& deviation : deviations) {
+    flow.report("screen_deviates", deviation);
+  }
   if (change) {
     tell(options, "warning   this subject has another screen than in the first trial: " + *change);
     flow.report("screen_changed", *change);

@@ -5,19 +5,12 @@
 namespace ocelli {
 namespace {
 
-constexpr int64_t kNanosecondsPerSecond = 1'000'000'000;
-constexpr int64_t kHandOverEvery = kNanosecondsPerSecond / 2;
+constexpr int64_t kHandOverEvery = 500'000'000;  // nanoseconds
 
 }  // namespace
 
 int64_t RunningTrial::tickAt(int64_t nanoseconds) const {
-  if (shown_.empty() || nanoseconds <= shown_.front()) {
-    return 0;
-  }
-  // Whole seconds first: a product of all nanoseconds would overflow after years.
-  const int64_t since = nanoseconds - shown_.front();
-  return since / kNanosecondsPerSecond * kTicksPerSecond +
-         since % kNanosecondsPerSecond * kTicksPerSecond / kNanosecondsPerSecond;
+  return shown_.empty() ? 0 : ticksBetween(shown_.front(), nanoseconds);
 }
 
 void RunningTrial::advanceTo(int64_t tick) {
@@ -52,7 +45,7 @@ void RunningTrial::frameShown(int64_t nanoseconds, std::optional<uint64_t> pixel
   frames_.push_back({nextFrame(), tick_, nanoseconds, run_->pose(), pixelHash});
   shown_.push_back(nanoseconds);
   lastShownTick_ = tick_;
-  run_->frameShown();
+  run_->frameShown(tickAt(nanoseconds));
 }
 
 void RunningTrial::handOver() {

@@ -1,5 +1,7 @@
 #include "study/session/trial_rows.h"
 
+#include <cmath>
+
 namespace ocelli {
 
 TrialRow rowOf(const RunRecord& run, int number, const TrialPlan& plan, int attempt, const std::string& block) {
@@ -30,6 +32,9 @@ void addEnd(TrialRow& row, const TrialRecord& record) {
   row.caseLabel = record.info.label;
   row.moving = record.info.moving;
   row.exposureSeconds = record.info.exposureSeconds;
+  if (record.info.exposureSeconds) {
+    row.exposureRule = record.plan.exposure;
+  }
   row.objects = record.info.objects;
   row.duplicateColors = record.info.duplicateColors;
   row.longestSeconds = record.info.longestSeconds;
@@ -43,6 +48,9 @@ void addEnd(TrialRow& row, const TrialRecord& record) {
     row.responseSeconds = static_cast<double>(outcome.responseTicks) / static_cast<double>(kTicksPerSecond);
     row.responseTicks = outcome.responseTicks;
     row.exposureFrames = outcome.exposureFrames;
+    if (outcome.exposureTicks) {
+      row.exposureShownSeconds = static_cast<double>(*outcome.exposureTicks) / static_cast<double>(kTicksPerSecond);
+    }
     row.measures = outcome.measures;
   }
   row.frames = record.timing.frames;
@@ -59,6 +67,9 @@ TrialRecord recordOf(const TrialRow& row) {
   TrialRecord record;
   record.plan = {row.planIndex, row.blockIndex, row.task, row.caseIndex, row.view, row.trialSeed.value_or(0),
                  row.practice};
+  if (row.exposureSeconds) {
+    record.plan.exposure = row.exposureRule.value_or(ExposureRule::kFrames);
+  }
   record.attempt = row.attempt;
   if (!row.ending) {
     return record;
@@ -71,13 +82,17 @@ TrialRecord recordOf(const TrialRow& row) {
   record.info = {row.caseLabel,       row.moving.value_or(false),     row.exposureSeconds,           row.objects,
                  row.duplicateColors, row.longestSeconds.value_or(0), row.typicalSeconds.value_or(0)};
   if (record.ending == TrialEnding::kCompleted) {
-    record.outcome = {row.answer,
-                      row.expected,
-                      row.correct.value_or(false),
-                      row.censored.value_or(false),
-                      row.responseTicks.value_or(0),
-                      row.exposureFrames.value_or(0),
-                      row.measures};
+    record.outcome = {
+        row.answer,
+        row.expected,
+        row.correct.value_or(false),
+        row.censored.value_or(false),
+        row.responseTicks.value_or(0),
+        row.exposureFrames.value_or(0),
+        row.exposureShownSeconds
+            ? std::optional(std::llround(*row.exposureShownSeconds * static_cast<double>(kTicksPerSecond)))
+            : std::nullopt,
+        row.measures};
   }
   record.timing = {row.frames, row.droppedFrames, row.medianIntervalNs.value_or(0), row.longestIntervalNs.value_or(0),
                    row.timingVerdict.value_or(TimingVerdict::kGood)};

@@ -46,6 +46,7 @@ class FieldBinder {
   void bind(TrialView view) { bind(conditions_.nameOf(view)); }
   void bind(TrialEnding ending) { bind(nameOf(ending)); }
   void bind(TimingVerdict verdict) { bind(nameOf(verdict)); }
+  void bind(ExposureRule rule) { bind(nameOf(rule)); }
   template <class Value>
   void bind(const std::optional<Value>& value) {
     if (value) {

@@ -9,4 +9,7 @@ const char* trialsSchema();
 /// SQL that makes a database of version 2 of one of version 1 (study/store/migration_1.sql).
 const char* migrationOfVersion1();
 
+/// SQL that makes a database of version 3 of one of version 2 (study/store/migration_2.sql).
+const char* migrationOfVersion2();
+
 }  // namespace ocelli

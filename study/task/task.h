@@ -27,6 +27,15 @@ namespace ocelli {
 /// Steps in which the time of a trial passes.
 inline constexpr int64_t kTicksPerSecond = 240;
 
+/// Ticks over since a trial began, both times in nanoseconds of the same clock.
+constexpr int64_t ticksBetween(int64_t began, int64_t now) {
+  // Whole seconds first: a product of all nanoseconds would overflow after years.
+  constexpr int64_t kNanosecondsPerSecond = 1'000'000'000;
+  const int64_t since = now > began ? now - began : 0;
+  return since / kNanosecondsPerSecond * kTicksPerSecond +
+         since % kNanosecondsPerSecond * kTicksPerSecond / kNanosecondsPerSecond;
+}
+
 /// Where the subject stands, in the coordinates of the maze: x to the east, z to the south.
 struct WalkerPose {
   double x = 0;
@@ -53,10 +62,11 @@ struct TrialOutcome {
   bool correct = false;
   bool censored = false;  ///< time ran out before the answer
   /// From the first tick to the answer; to the end of the time where it ran out. Of tasks with an exposure, from its
-  /// end: where frames are counted, from the tick of the first frame without the scene, however long the scene took to
-  /// draw. Like every frame that one is seen some time after its tick (FrameRecord), about an interval of the screen.
+  /// end: from the tick of the first frame without the scene. Like every frame that one is seen some time after its
+  /// tick (FrameRecord), about an interval of the screen.
   int64_t responseTicks = 0;
   int64_t exposureFrames = 0;                ///< frames that showed the scene, of tasks with an exposure
+  std::optional<int64_t> exposureTicks{};    ///< from the first of these to the first that did not, by the clock
   std::map<std::string, double> measures{};  ///< what else is to be told: "path_length_m", ...
 
   bool operator==(const TrialOutcome&) const = default;
@@ -70,8 +80,8 @@ class TrialRun {
   virtual void handle(const InputEvent& event) = 0;
   /// A tick passes. Nothing happens any more once there is an outcome.
   virtual void advance() = 0;
-  /// The layout has been shown for one frame.
-  virtual void frameShown() = 0;
+  /// The layout has come to the screen, as one frame, at that tick: 0 for the first.
+  virtual void frameShown(int64_t tick) = 0;
 
   virtual TrialLayout layout() const = 0;
   virtual WalkerPose pose() const = 0;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "study/trial/trial_words.h"
 #include "study/trial/view_condition.h"
 
 namespace ocelli {
@@ -16,6 +17,7 @@ struct TrialPlan {
   TrialView view = TrialView::kReference;
   uint64_t seed = 1;  ///< all that is random within the trial comes of it
   bool practice = false;
+  ExposureRule exposure = ExposureRule::kClock;
 
   bool operator==(const TrialPlan&) const = default;
 };

@@ -15,6 +15,7 @@
 #include "oc_core/worlds/landmark_solids.h"
 #include "oc_core/worlds/maze_validate.h"
 #include "study/task/choice_list.h"
+#include "study/task/exposure.h"
 #include "study/task/object_walk.h"
 #include "study/task/pinhole_matrix.h"
 #include "study/task/task_fields.h"
@@ -151,8 +152,7 @@ class CountRun : public TrialRun {
         expected_(block.caseOf(plan.caseIndex).objects),
         scene_(block.withObjects(plan), false),
         views_(block.views(plan.view, screen)),
-        exposureFrames_(
-            std::max<int64_t>(1, std::llround(block.caseOf(plan.caseIndex).exposureSeconds * screen.refreshHertz))),
+        exposure_(plan.exposure, block.caseOf(plan.caseIndex).exposureSeconds, screen.refreshHertz),
         pointer_(wholeScreen(screen), block.controls()),
         choices_(choicesOf(block.options(), screen)) {
     if (const std::optional<double> speed = block.options().movingMetersPerSecond) {
@@ -190,12 +190,11 @@ class CountRun : public TrialRun {
       finish(std::nullopt);
     }
   }
-  void frameShown() override {
-    if (isShowing()) {
-      ++framesShown_;
-    } else if (!hiddenAt_) {
+  void frameShown(int64_t tick) override {
+    if (!isShowing() && !hiddenAt_) {
       hiddenAt_ = tick_;
     }
+    exposure_.frameShown(tick);
   }
 
   TrialLayout layout() const override {
@@ -230,7 +229,7 @@ class CountRun : public TrialRun {
     return choices;
   }
 
-  bool isShowing() const { return framesShown_ < exposureFrames_; }
+  bool isShowing() const { return !exposure_.isOver(); }
 
   void finish(std::optional<int> answer) {
     TrialOutcome outcome;
@@ -239,7 +238,8 @@ class CountRun : public TrialRun {
     outcome.correct = answer == expected_;
     outcome.censored = !answer;
     outcome.responseTicks = tick_ - *hiddenAt_;
-    outcome.exposureFrames = framesShown_;
+    outcome.exposureFrames = exposure_.frames();
+    outcome.exposureTicks = exposure_.shownTicks();
     if (answer) {
       outcome.measures = {{"count_error", *answer - expected_}};
     }
@@ -250,12 +250,11 @@ class CountRun : public TrialRun {
   int expected_;
   StudyScene scene_;
   std::shared_ptr<const std::vector<TrialLayout::View>> views_;
-  int64_t exposureFrames_;
+  Exposure exposure_;
   TaskPointer pointer_;
   ChoiceList choices_;
   std::optional<ObjectWalk> walk_{};
   int64_t tick_ = 0;
-  int64_t framesShown_ = 0;
   std::optional<int64_t> hiddenAt_{};  ///< tick of the first frame without the scene
   std::optional<TrialOutcome> outcome_{};
 };

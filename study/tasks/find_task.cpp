@@ -146,7 +146,7 @@ class FindRun : public TrialRun {
       finish(false);
     }
   }
-  void frameShown() override {}
+  void frameShown(int64_t /*tick*/) override {}
 
   TrialLayout layout() const override {
     TrialLayout layout;

@@ -167,7 +167,7 @@ class NearerRun : public TrialRun {
       finish("");
     }
   }
-  void frameShown() override {}
+  void frameShown(int64_t /*tick*/) override {}
 
   TrialLayout layout() const override {
     TrialLayout layout = layout_;

@@ -176,7 +176,7 @@ class PathRun : public TrialRun {
       finish(std::nullopt);
     }
   }
-  void frameShown() override {}
+  void frameShown(int64_t /*tick*/) override {}
 
   TrialLayout layout() const override {
     TrialLayout layout;

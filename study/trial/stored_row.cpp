@@ -30,6 +30,7 @@ class FieldReader {
   void read(std::map<std::string, double>& field) const { field = row_.measures(); }
   void read(std::optional<TrialEnding>& field) const { field = row_.optionalWord(kTrialEndings); }
   void read(std::optional<TimingVerdict>& field) const { field = row_.optionalWord(kTimingVerdicts); }
+  void read(std::optional<ExposureRule>& field) const { field = row_.optionalWord(kExposureRules); }
   void read(std::optional<uint64_t>& field) const {
     const std::optional<int64_t> bits = row_.optionalInteger();
     field = bits ? std::optional(static_cast<uint64_t>(*bits)) : std::nullopt;
@@ -163,9 +164,11 @@ std::map<std::string, double> StoredRow::measures() {
   return measures;
 }
 
-std::string trialColumns(const std::string& kind) {
+std::string trialColumns(const std::string& kind, int version) {
   std::string columns = fmt::format("trial_id, run_id, subject_id, {}, simulated, session_number", kind);
-  const auto add = [&](const char* name, const auto&) { columns.append(", ").append(name); };
+  const auto add = [&](const char* name, const auto&) {
+    columns.append(firstVersionOf(name) > version ? ", NULL AS " : ", ").append(name);
+  };
   const TrialRow any;
   forEachTrialColumn(any, add);
   return columns;

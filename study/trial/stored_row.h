@@ -12,6 +12,7 @@
 
 #include "study/trial/trial_row.h"
 #include "study/trial/trial_words.h"
+#include "study/trial/trials_file.h"
 
 namespace ocelli {
 
@@ -75,8 +76,8 @@ class StoredRow {
 };
 
 /// Between SELECT and FROM, for readTrial(): of the table `trial` or the view `final_trial`, beside whatever else.
-/// `kind` is the expression that has the kind of the subject.
-std::string trialColumns(const std::string& kind);
+/// `kind` is the expression that has the kind of the subject; columns that tables of that version do not have are NULL.
+std::string trialColumns(const std::string& kind, int version = kTrialsSchemaVersion);
 
 /// A trial whose columns come next in the row. It throws as StoredRow does, and for values that no study writes
 /// (trial_check.h). `conditions` are those of the protocol.

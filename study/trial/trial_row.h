@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "study/trial/trial_words.h"
 #include "study/trial/view_condition.h"
@@ -46,8 +47,9 @@ struct TrialRow {
   // The case, where it has these.
   std::string caseLabel{};
   std::optional<bool> moving{};
-  std::optional<double> exposureSeconds{};  ///< planned; missing where the subject ends it
-  std::optional<int> objects{};             ///< how many there are, where that is the question
+  std::optional<double> exposureSeconds{};     ///< planned; missing where the subject ends it
+  std::optional<ExposureRule> exposureRule{};  ///< missing in files before version 3: frames were counted
+  std::optional<int> objects{};                ///< how many there are, where that is the question
   std::optional<bool> duplicateColors{};
   std::optional<double> longestSeconds{};  ///< until the trial ends by itself, answering included
   std::optional<double> typicalSeconds{};
@@ -60,7 +62,8 @@ struct TrialRow {
   std::optional<double> responseSeconds{};  ///< in steps of 1/240 s; with an exposure from its end
   std::optional<int64_t> responseTicks{};   ///< the same in these steps
   std::optional<int64_t> exposureFrames{};
-  std::map<std::string, double> measures{};  ///< what else the task tells
+  std::optional<double> exposureShownSeconds{};  ///< from the first frame with the scene to the first without it
+  std::map<std::string, double> measures{};      ///< what else the task tells
 
   // The timing of its frames.
   int64_t frames = 0;
@@ -81,6 +84,11 @@ struct TrialRow {
 // The columns, each with the field that holds it, in the order of the table. Reading a database, storing a trial and
 // reading tables go through these, so that each column is named once. `visit(name, field)` is called with the fields of
 // `row`, which may be const; a field's type says which values its column has.
+
+/// The version of the tables (trials_file.h) that brought a column.
+constexpr int firstVersionOf(std::string_view column) {
+  return column == "exposure_rule" || column == "exposure_shown_s" ? 3 : 1;
+}
 
 /// Known when a trial begins. Which subject, session and run it belongs to has its columns in all tables.
 template <class Row, class Visit>
@@ -108,6 +116,7 @@ void forEachCaseColumn(Row& row, const Visit& visit) {
   visit("case_label", row.caseLabel);
   visit("moving", row.moving);
   visit("exposure_s", row.exposureSeconds);
+  visit("exposure_rule", row.exposureRule);
   visit("objects", row.objects);
   visit("duplicate_colors", row.duplicateColors);
   visit("longest_s", row.longestSeconds);
@@ -124,6 +133,7 @@ void forEachOutcomeColumn(Row& row, const Visit& visit) {
   visit("response_s", row.responseSeconds);
   visit("response_ticks", row.responseTicks);
   visit("exposure_frames", row.exposureFrames);
+  visit("exposure_shown_s", row.exposureShownSeconds);
   visit("measures_json", row.measures);
 }
 

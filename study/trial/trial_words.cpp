@@ -58,4 +58,14 @@ const char* nameOf(TimingVerdict verdict) {
   return "";
 }
 
+const char* nameOf(ExposureRule rule) {
+  switch (rule) {
+    case ExposureRule::kClock:
+      return "clock";
+    case ExposureRule::kFrames:
+      return "frames";
+  }
+  return "";
+}
+
 }  // namespace ocelli

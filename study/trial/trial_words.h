@@ -49,6 +49,13 @@ inline constexpr std::array kTimingVerdicts{TimingVerdict::kGood, TimingVerdict:
 /// "good", "dropped_frames", "early_frames", "unstable_refresh", "simulated_clock".
 const char* nameOf(TimingVerdict verdict);
 
+/// What ends an exposure: the time for which the scene has been on the screen, or the number of frames that showed it,
+/// as in databases before version 3.
+enum class ExposureRule : uint8_t { kClock, kFrames };
+inline constexpr std::array kExposureRules{ExposureRule::kClock, ExposureRule::kFrames};
+/// "clock", "frames".
+const char* nameOf(ExposureRule rule);
+
 /// The word of `words` that has the name; nothing where none has it.
 template <class Word, size_t kCount>
 std::optional<Word> wordNamed(std::string_view name, const std::array<Word, kCount>& words) {

@@ -154,6 +154,8 @@ TEST_F(Database, everyChangedValueChangesTheHash) {
                              "ended_utc = 'x'",
                              "response_ticks = 1",
                              "exposure_frames = 1",
+                             "exposure_rule = 'frames'",
+                             "exposure_rule = 'clock', exposure_shown_s = 2",
                              "measures_json = '{\"path_length_m\": 12.6, \"wrong_clicks\": 0}'",
                              "measures_json = '{\"path_length_m\": 12.5}'",
                              "frames = 1",
@@ -209,7 +211,7 @@ TEST_F(Database, saysWhatIsWrong) {
     SampleStudy study(path);
     study.database().exec("PRAGMA user_version = 9");
   }
-  EXPECT_THAT(errorOfReading(), HasSubstr("has version 9 of the schema, and this program knows those up to 2"));
+  EXPECT_THAT(errorOfReading(), HasSubstr("has version 9 of the schema, and this program knows those up to 3"));
   EXPECT_THAT(errorOfReading(), HasSubstr("a newer version of ocelli"));
   std::filesystem::remove(path);
   {

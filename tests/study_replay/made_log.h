@@ -8,6 +8,11 @@ namespace ocelli::test {
 
 inline constexpr int64_t kHashedFrames = 4;
 
+/// Nanoseconds at which a frame of these logs is shown.
+inline int64_t shownAt(int64_t tick) {
+  return tick * 1'000'000'000 / kTicksPerSecond;
+}
+
 /// Of a trial of the example with input that makes little sense, until it is over or `ticks` have passed, and then
 /// stopped.
 inline TrialLog madeLog(const TaskBlock& block, const TaskExample& example, uint64_t seed, int64_t ticks = 1 << 20) {
@@ -21,19 +26,19 @@ inline TrialLog madeLog(const TaskBlock& block, const TaskExample& example, uint
     for (size_t i = random.below(4) == 0 ? 1 : 0; i > 0; --i) {
       const InputEvent event = randomInput(random, log.record.screen);
       run->handle(event);
-      log.inputs.push_back({tick * 1'000'000'000 / kTicksPerSecond, tick, event});
+      log.inputs.push_back({shownAt(tick), tick, event});
     }
     if (tick % 4 == 0 && !run->outcome()) {
       FrameRecord frame;
       frame.frame = static_cast<int64_t>(log.frames.size());
       frame.tick = tick;
-      frame.shownNanoseconds = tick * 1'000'000'000 / kTicksPerSecond;
+      frame.shownNanoseconds = shownAt(tick);
       frame.pose = run->pose();
       if (frame.frame < kHashedFrames) {
         frame.pixelHash = pixelHashOf(viewsOf(run->layout(), log.record.screen, rasterizeStudy));
       }
       log.frames.push_back(frame);
-      run->frameShown();
+      run->frameShown(ticksBetween(0, shownAt(tick)));
     }
     run->advance();
   }

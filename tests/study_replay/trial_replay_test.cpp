@@ -84,8 +84,8 @@ TEST(TrialReplayOfASearch, catchesInputThatIsLeftOut) {
       run->handle(log.inputs[next].event);
     }
     if (tick % 4 == 0) {
-      log.frames.push_back({tick / 4, tick, 0, run->pose(), {}});
-      run->frameShown();
+      log.frames.push_back({tick / 4, tick, test::shownAt(tick), run->pose(), {}});
+      run->frameShown(ticksBetween(0, test::shownAt(tick)));
     }
     run->advance();
   }

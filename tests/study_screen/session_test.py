@@ -5,6 +5,7 @@ manager; 1280x800, which the mouse needs, by default. Leaves the database and a 
 with 1, and says what is wrong, where something is.
 """
 
+import json
 import math
 import pathlib
 import queue
@@ -161,7 +162,20 @@ class ByKeyboard:
         key("2")
 
 
+def calibrate(session, subject):
+    """Takes the frame for as large as the card, and five times half a second for what the disc takes to vanish."""
+    session.wait_for("timing")
+    time.sleep(1)
+    subject.go_on()
+    for _ in range(5):
+        key("space")
+        time.sleep(0.5)
+        key("space")
+    session.wait_for("warning   the distance from the eye is ")
+
+
 def run(session, subject):
+    calibrate(session, subject)
     session.wait_for("consent")
     xdotool("mousemove", 5, 795)
     subject.go_on()
@@ -229,6 +243,13 @@ def check_database(path, way):
     check("runs", rows("SELECT subject_id, session_number, ending, forced, simulated FROM run"),
           [("S01", 1, "completed", 1, 0)])
     check("consent", rows("SELECT agreed FROM consent"), [(1,)])
+    environment = json.loads(rows("SELECT environment_json FROM run")[0][0])
+    check("stated gamma", environment["stated_gamma"], 2.2)
+    calibration = environment["calibration"]
+    # The frame begins at 0.8 of what the protocol states: 1280 pixels are 518 mm.
+    check("size", abs(calibration["pixels_per_millimeter"] - 0.8 * 1280 / 518) < 0.01, True)
+    check("distance", 40 / math.tan(math.radians(13.5)) < calibration["distance_millimeters"] < 400, True)
+    check("deviations", rows("SELECT count(*) FROM event WHERE what = 'screen_deviates'"), [(2,)])
     check("answers", rows("SELECT form, field, answer FROM answer ORDER BY answer_id"),
           [("demographics", "age_band", "30-44"), ("demographics", "experience", "3"),
            ("survey", "find_easier", "4")])
@@ -239,8 +260,12 @@ def check_database(path, way):
                                         (0, "count", "gc"), (0, "path", "ppc"), (0, "path", "gc")]])
     check("found objects", rows("SELECT correct, censored FROM trial WHERE task = 'find'"), [(1, 0)] * 3)
     check("answers to the others", rows("SELECT answer <> '', censored FROM trial WHERE task <> 'find'"), [(1, 0)] * 4)
-    # Two seconds of 60 frames each, however late they were.
-    check("exposures", rows("SELECT exposure_frames FROM trial WHERE task = 'count'"), [(120,), (120,)])
+    # Two seconds by the clock, and at most one frame more, however late that one was; half an interval less.
+    for rule, shown, frames, longest in rows("SELECT exposure_rule, exposure_shown_s, exposure_frames, "
+                                             "longest_interval_ns FROM trial WHERE task = 'count'"):
+        check("rule of the exposure", rule, "clock")
+        check("exposure", 2 - 0.5 / 60 - 1 / 240 <= shown <= 2 + longest / 1e9, True)
+        check("frames of the exposure", 0 < frames <= 121, True)
     # Times count from the start of the run, which lasted some minutes at most.
     for table, column in (("event", "at_ns"), ("frame", "shown_ns"), ("input", "came_ns")):
         first, last = rows(f"SELECT min({column}), max({column}) FROM {table}")[0]

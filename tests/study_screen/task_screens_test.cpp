@@ -51,7 +51,7 @@ TEST(TaskScreens, trialsAreDrawnFromTheirBeginToTheQuestion) {
       expectDrawn(painter, run->layout());
       for (int64_t tick = 0; run->layout().choices.empty() && !run->outcome(); ++tick) {
         if (tick % 4 == 0) {
-          run->frameShown();
+          run->frameShown(tick);
         }
         run->advance();
       }

@@ -26,7 +26,7 @@ class DigitRun : public TrialRun {
       finish(std::nullopt);
     }
   }
-  void frameShown() override { ++frames_; }
+  void frameShown(int64_t /*tick*/) override { ++frames_; }
   TrialLayout layout() const override {
     TrialLayout layout;
     layout.prompt = std::to_string(right_);

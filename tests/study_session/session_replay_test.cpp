@@ -36,7 +36,7 @@ void replay(const TaskBlock& block, const TrialRecord& record, const std::vector
     }
     for (; frame < frames.size() && frames[frame].tick == tick; ++frame) {
       EXPECT_TRUE(run->pose() == frames[frame].pose) << "frame " << frame;
-      run->frameShown();
+      run->frameShown(ticksBetween(frames.front().shownNanoseconds, frames[frame].shownNanoseconds));
     }
     ASSERT_LT(tick, 100 * kTicksPerSecond);
     run->advance();
@@ -95,7 +95,7 @@ TEST_P(SessionReplay, reproducesPosesAndOutcomes) {
 INSTANTIATE_TEST_SUITE_P(Tasks, SessionReplay, testing::ValuesIn(test::taskExamples()),
                          [](const auto& example) { return example.param.name; });
 
-TEST(SessionExposure, isCountedInFramesHoweverLongTheyLast) {
+TEST(SessionExposure, endsByTheClockHoweverLongFramesLast) {
   const Protocol protocol = protocolOf(test::taskExamples()[2]);
   const SessionSchedule schedule = scheduleOf(protocol, 0, 1, 5);
   FakeSink sink;
@@ -110,8 +110,13 @@ TEST(SessionExposure, isCountedInFramesHoweverLongTheyLast) {
   }
   const auto ends = sink.all<test::TrialEnds>();
   ASSERT_EQ(ends.size(), 4u);
+  constexpr double kLongestSeconds = 3 * static_cast<double>(test::kFrameNanoseconds) / 1e9;
   for (const test::TrialEnds& end : ends) {
-    EXPECT_EQ(end.record.outcome.exposureFrames, std::lround(*end.record.info.exposureSeconds * 60));
+    ASSERT_TRUE(end.record.outcome.exposureTicks.has_value());
+    const double seconds = static_cast<double>(*end.record.outcome.exposureTicks) / kTicksPerSecond;
+    // At most one of the long frames to either side, and what is lost in ticks.
+    EXPECT_NEAR(seconds, *end.record.info.exposureSeconds, kLongestSeconds + 1.0 / kTicksPerSecond);
+    EXPECT_LT(end.record.outcome.exposureFrames, std::lround(*end.record.info.exposureSeconds * 60));
     EXPECT_GT(end.record.timing.dropped, 0);
   }
 }

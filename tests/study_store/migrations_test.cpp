@@ -9,6 +9,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "oc_core/base/error.h"
@@ -121,7 +122,8 @@ class Version1 : public testing::Test {
     before_ = rowsOf(database);
   }
 
-  /// All rows of all tables but the audit trail, to which the migration adds one.
+  static inline const std::set<std::string> kLaterColumns{"exposure_rule", "exposure_shown_s"};
+  /// All rows of all tables but the audit trail, to which the migration adds one; without columns that came later.
   static std::map<std::string, std::vector<std::string>> rowsOf(SQLite::Database& database) {
     std::map<std::string, std::vector<std::string>> rows;
     SQLite::Statement tables(database, "SELECT name FROM sqlite_schema WHERE type = 'table' AND name <> 'audit'");
@@ -132,6 +134,10 @@ class Version1 : public testing::Test {
       while (all.executeStep()) {
         std::string row;
         for (int i = 0; i < all.getColumnCount(); ++i) {
+          if (kLaterColumns.contains(all.getColumnName(i))) {
+            EXPECT_TRUE(all.getColumn(i).isNull());
+            continue;
+          }
           row += fmt::format("{}={}|", all.getColumnName(i), all.getColumn(i).getString());
         }
         list.push_back(row);

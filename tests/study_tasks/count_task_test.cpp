@@ -20,10 +20,11 @@ std::shared_ptr<const TaskBlock> block(const std::string& cases, const std::stri
 /// With a scene that has been shown and is hidden.
 std::unique_ptr<TrialRun> hidden(const TaskBlock& of, int caseIndex = 0) {
   auto run = of.start(test::planOf("count", caseIndex, TrialView::kOther), kScreen);
-  while (!run->layout().views.empty()) {
-    run->frameShown();
+  int64_t tick = 0;
+  for (; !run->layout().views.empty(); tick += 4) {
+    run->frameShown(tick);
   }
-  run->frameShown();
+  run->frameShown(tick);
   return run;
 }
 
@@ -61,35 +62,59 @@ TEST(CountTask, bothViewsShowTheSameItem) {
   EXPECT_TRUE(std::holds_alternative<GraphCamera>(graph->layout().views[0].camera));
 }
 
-TEST(CountTask, theExposureIsCountedInFrames) {
+/// A trial of half a second whose frames come `ticks` of 1/240 s apart: how many show the scene.
+int framesShown(TrialRun& run, int64_t ticks) {
+  int frames = 0;
+  int64_t tick = 0;
+  for (; !run.layout().views.empty(); ++frames, tick += ticks) {
+    run.handle(press(Key::k4));  // too early
+    run.frameShown(tick);
+    for (int64_t i = 0; i < ticks; ++i) {
+      run.advance();
+    }
+  }
+  run.handle(press(Key::k4));
+  EXPECT_FALSE(run.outcome().has_value()) << "the last frame of the scene is still on the screen";
+  run.frameShown(tick);  // the first without it
+  return frames;
+}
+
+TEST(CountTask, theExposureEndsByTheClock) {
   const auto of = block(R"([{"objects": 4, "exposure_seconds": 0.5}])");
-  const auto run = of->start(test::planOf("count", 0, TrialView::kOther), kScreen);
-  for (int frame = 0; frame < 38; ++frame) {  // 37.5 of 75 a second
-    EXPECT_FALSE(run->layout().views.empty()) << frame;
-    run->handle(press(Key::k4));  // too early
-    for (int i = 0; i < 50; ++i) {
+  // On a screen of 80 Hz whose frames take 1, 2, 10 and 30 times their interval: 120 ticks are half a second.
+  struct Expected {
+    int64_t ticks;
+    int frames;
+    int64_t shownTicks;
+  };
+  for (const Expected& expected : {Expected{3, 40, 120}, {6, 20, 120}, {30, 4, 120}, {90, 2, 180}}) {
+    const auto run = of->start(test::planOf("count", 0, TrialView::kOther), {800, 600, 80});
+    EXPECT_EQ(framesShown(*run, expected.ticks), expected.frames);
+    EXPECT_EQ(run->layout().choices.size(), 4u);
+    for (int i = 0; i < 120; ++i) {
       run->advance();
     }
-    run->frameShown();
+    run->handle(press(Key::k4));
+    ASSERT_TRUE(run->outcome().has_value());
+    EXPECT_TRUE(run->outcome()->correct);
+    EXPECT_EQ(run->outcome()->exposureFrames, expected.frames);
+    EXPECT_EQ(run->outcome()->exposureTicks, expected.shownTicks);
+    EXPECT_EQ(run->outcome()->responseTicks, 120);
   }
-  EXPECT_TRUE(run->layout().views.empty());
-  EXPECT_EQ(run->layout().choices.size(), 4u);
-  // The last frame of the scene is still on the screen, however long it takes.
-  for (int i = 0; i < 18; ++i) {
-    run->advance();
+}
+
+TEST(CountTask, theExposureOfOlderDatabasesIsCountedInFrames) {
+  const auto of = block(R"([{"objects": 4, "exposure_seconds": 0.5}])");
+  TrialPlan plan = test::planOf("count", 0, TrialView::kOther);
+  plan.exposure = ExposureRule::kFrames;
+  for (const int64_t ticks : {1, 3, 50}) {
+    const auto run = of->start(plan, kScreen);
+    EXPECT_EQ(framesShown(*run, ticks), 38) << "37.5 of 75 a second";
+    run->handle(press(Key::k4));
+    ASSERT_TRUE(run->outcome().has_value());
+    EXPECT_EQ(run->outcome()->exposureFrames, 38);
+    EXPECT_FALSE(run->outcome()->exposureTicks.has_value());
   }
-  run->handle(press(Key::k4));
-  EXPECT_FALSE(run->outcome().has_value());
-  run->frameShown();  // the first without it
-  for (int i = 0; i < 120; ++i) {
-    run->advance();
-  }
-  run->frameShown();
-  run->handle(press(Key::k4));
-  ASSERT_TRUE(run->outcome().has_value());
-  EXPECT_TRUE(run->outcome()->correct);
-  EXPECT_EQ(run->outcome()->exposureFrames, 38);
-  EXPECT_EQ(run->outcome()->responseTicks, 120);
 }
 
 TEST(CountTask, isAnsweredByDigitArrowsOrClick) {

@@ -62,7 +62,7 @@ std::vector<std::string> follow(TrialRun& run, int64_t ticks, const std::functio
   for (int64_t tick = 0; tick < ticks && !run.outcome(); ++tick) {
     input(tick);
     if (tick % kTicksPerFrame == 0) {
-      run.frameShown();
+      run.frameShown(tick);
     }
     if (tick % imageEvery == 0) {
       const WalkerPose pose = run.pose();
@@ -103,7 +103,7 @@ TrialOutcome observed(const TaskKind& kind, const TaskBlock& block, const TrialP
       run->handle(input.event);
     }
     if (tick % kTicksPerFrame == 0) {
-      run->frameShown();
+      run->frameShown(tick);
     }
     run->advance();
   }
@@ -182,7 +182,7 @@ TEST_P(TaskContract, nothingHappensAfterTheOutcome) {
     for (int i = 0; i < 2000; ++i) {
       run->handle(test::randomInput(random, kContractScreen));
       run->advance();
-      run->frameShown();
+      run->frameShown(i);
     }
     EXPECT_TRUE(run->outcome() == outcome);
     EXPECT_TRUE(run->pose() == pose);
@@ -264,13 +264,14 @@ TEST_P(TaskContract, answersMayBeRightOrWrong) {
     // Of one that asks: one of the choices is right.
     const auto toTheQuestion = [&] {
       auto run = block.start(plan, kContractScreen);
-      for (int64_t tick = 0; run->layout().choices.empty() && tick < longestTicks(block, plan); ++tick) {
+      int64_t tick = 0;
+      for (; run->layout().choices.empty() && tick < longestTicks(block, plan); ++tick) {
         if (tick % kTicksPerFrame == 0) {
-          run->frameShown();
+          run->frameShown(tick);
         }
         run->advance();
       }
-      run->frameShown();
+      run->frameShown(tick);
       return run;
     };
     const size_t choices = toTheQuestion()->layout().choices.size();

@@ -27,18 +27,21 @@ TEST(TasksSlow, aMillionEventsAreBorne) {
     Random random(1);
     std::unique_ptr<TrialRun> run;
     int trials = 0;
+    int64_t tick = 0;
     for (int i = 0; i < 200'000; ++i) {
       if (!run || run->outcome()) {
         const TrialView view = kViews[random.below(2)];
         run = block->start(test::planOf(example.task, static_cast<int>(random.below(2)), view, random.next()), screen);
         ++trials;
+        tick = 0;
       }
       run->handle(test::randomInput(random, screen));
       if (random.below(3) != 0) {
         run->advance();
+        ++tick;
       }
       if (random.below(8) == 0) {
-        run->frameShown();
+        run->frameShown(tick);
       }
       if (random.below(100) == 0) {
         run->layout();
