@@ -65,7 +65,7 @@ class ReactRun final : public TrialRun {
       finish("");
     }
   }
-  void frameShown() override {}
+  void frameShown(int64_t /*tick*/) override {}
 
   TrialLayout layout() const override {
     TrialLayout layout;

@@ -11,7 +11,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kTextWidth = 860;  // at 1280 x 800, as all lengths here
+constexpr double kCalibrationTextWidth = 860;  // at 1280 x 800, as all lengths here
 
 /// Title and text at the top. Returns the lower end.
 double writeHead(StudyCanvas& canvas, const std::string& title, const std::string& text) {
@@ -19,7 +19,7 @@ double writeHead(StudyCanvas& canvas, const std::string& title, const std::strin
   double y = canvas.length(36);
   canvas.writeLine({StudyText::kTitle, kStudyText, kStudyBackground, TextAlign::kCenter}, {middle, y}, title);
   y += canvas.lineHeight(StudyText::kTitle) + canvas.length(10);
-  const double width = std::min(canvas.length(kTextWidth), canvas.width() * 0.9);
+  const double width = std::min(canvas.length(kCalibrationTextWidth), canvas.width() * 0.9);
   return canvas.write({StudyText::kBody, kStudyText, kStudyBackground, TextAlign::kCenter},
                       {middle - width / 2, y, width, 0}, text);
 }
@@ -46,11 +46,11 @@ void drawCard(StudyCanvas& canvas, CalibrationSteps& steps) {
   const double side = canvas.length(64);
   const double gap = canvas.length(24);
   if (drawButton(canvas, "narrower", {card.left - gap - side, middle.y - side / 2, side, side},
-                 {.label = "-", .primary = false})) {
+                 {.label = "-", .key = "", .primary = false})) {
     steps.widenCard(-1);
   }
   if (drawButton(canvas, "wider", {card.right() + gap, middle.y - side / 2, side, side},
-                 {.label = "+", .primary = false})) {
+                 {.label = "+", .key = "", .primary = false})) {
     steps.widenCard(1);
   }
   if (drawGoOn(canvas, {.label = "The card fits", .key = "Enter"})) {

@@ -18,8 +18,8 @@ void Exposure::frameShown(int64_t tick) {
     }
     return;
   }
-  // The next frame is expected after the interval of the screen, or after that of the frames so far where these come slower.
-  // It is the first without the scene where the end of the time is nearer to it than to the frame after it.
+  // The next frame is expected after the interval of the screen, or after that of the frames so far where these come
+  // slower. It is the first without the scene where the end of the time is nearer to it than to the frame after it.
   const auto now = static_cast<double>(tick);
   const double interval = std::max(intervalTicks_, frames_ > 0 ? now / static_cast<double>(frames_) : 0);
   ++frames_;
