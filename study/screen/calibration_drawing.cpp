@@ -11,7 +11,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kCalibrationTextWidth = 860;  // at 1280 x 800, as all lengths here
+constexpr double kCalibrationTextWidth = 920;  // at 1280 x 800, as all lengths here
 
 /// Title and text at the top. Returns the lower end.
 double writeHead(StudyCanvas& canvas, const std::string& title, const std::string& text) {
@@ -29,7 +29,8 @@ bool drawGoOn(StudyCanvas& canvas, const ButtonLook& look) {
   const PixelRect footer = drawFooter(canvas);
   const double width = buttonWidth(canvas, look);
   const double height = canvas.length(58);
-  return drawButton(canvas, "go on", {footer.right() - width, footer.center().y - height / 2, width, height}, look);
+  return drawButton(canvas, "go on",
+                    {footer.right() - canvas.length(36) - width, footer.center().y - height / 2, width, height}, look);
 }
 
 void drawCard(StudyCanvas& canvas, CalibrationSteps& steps) {
