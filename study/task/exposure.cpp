@@ -18,12 +18,16 @@ void Exposure::frameShown(int64_t tick) {
     }
     return;
   }
-  // The next frame is expected after the interval of the screen, or after that of the frames so far where these come
-  // slower. It is the first without the scene where the end of the time is nearer to it than to the frame after it.
-  const auto now = static_cast<double>(tick);
-  const double interval = std::max(intervalTicks_, frames_ > 0 ? now / static_cast<double>(frames_) : 0);
+  // The next frame is expected after the interval of the screen, or after the shorter of the last two where frames come
+  // slower: one late frame alone tells nothing of the next. It is the first without the scene where it comes at the end
+  // of the time or, by half an interval of the screen, before it.
+  const int64_t last = tick - lastTick_;
+  const double interval = std::max(intervalTicks_, frames_ > 1 ? static_cast<double>(std::min(last, before_)) : 0);
+  before_ = last;
+  lastTick_ = tick;
   ++frames_;
-  over_ = rule_ == ExposureRule::kFrames ? frames_ >= maxFrames_ : now + 1.5 * interval >= endTick_;
+  over_ = rule_ == ExposureRule::kFrames ? frames_ >= maxFrames_
+                                         : static_cast<double>(tick) + interval >= endTick_ - intervalTicks_ / 2;
 }
 
 }  // namespace ocelli

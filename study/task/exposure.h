@@ -1,5 +1,6 @@
-// How long a scene is shown for. By the clock, the frame that is the first without it is the one nearest to the end of
-// the time: a screen that is slow shows fewer frames, and ends at most one of its own frames too late.
+// How long a scene is shown for. By the clock, the first frame without it is the one that comes at the end of the time:
+// a screen that is slow shows fewer frames, and ends by at most one of its own frames too early or too late, once three
+// frames have told how slow it is.
 #pragma once
 
 #include <cstdint>
@@ -32,6 +33,8 @@ class Exposure {
   double intervalTicks_;  ///< of the screen
   int64_t maxFrames_;     ///< where frames are counted
   int64_t frames_ = 0;
+  int64_t lastTick_ = 0;  ///< of the last frame
+  int64_t before_ = 0;    ///< between that and the one before, ticks
   bool over_ = false;
   std::optional<int64_t> shownTicks_{};
 };

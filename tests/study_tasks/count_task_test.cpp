@@ -87,7 +87,7 @@ TEST(CountTask, theExposureEndsByTheClock) {
     int frames;
     int64_t shownTicks;
   };
-  for (const Expected& expected : {Expected{3, 40, 120}, {6, 20, 120}, {30, 4, 120}, {90, 2, 180}}) {
+  for (const Expected& expected : {Expected{3, 40, 120}, {6, 20, 120}, {30, 4, 120}, {90, 3, 270}}) {
     const auto run = of->start(test::planOf("count", 0, TrialView::kOther), {800, 600, 80});
     EXPECT_EQ(framesShown(*run, expected.ticks), expected.frames);
     EXPECT_EQ(run->layout().choices.size(), 4u);
