@@ -8,7 +8,7 @@
 namespace ocelli {
 
 /// How far a surface may be off in an image that is built of a packed scene, pixels of the reference view.
-inline constexpr float kPackedErrorPixels = 0.5f;
+inline constexpr float kPackedErrorPixels = 0.25f;
 
 /// The part of the scene that the reference images of this choice are made of: everything that the construction takes a
 /// mesh for takes this one, but for the question whether an eye lies inside an object (requireViewpointsOutside), which
