@@ -60,6 +60,10 @@ std::vector<ClusterChoice> allClusters(const PackedScene& scene);
 /// All of the scene, as coarse as it may be where no surface is off by more than that, world units.
 std::vector<ClusterChoice> coarsestClusters(const PackedScene& scene, float maxError);
 
+/// How far a surface may be off in a volume that is sliced of a packed scene, shares of the shortest side of a voxel.
+/// At twice as much, 2 to 3.5 % of the lit voxels are lost, against 2 to 3 %.
+inline constexpr float kPackedErrorVoxels = 0.125f;
+
 /// Their triangles, cluster after cluster in the order of `chosen`; each cluster has vertices of its own.
 Mesh meshOf(const PackedScene& scene, const std::vector<ClusterChoice>& chosen);
 

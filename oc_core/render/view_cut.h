@@ -9,9 +9,13 @@
 
 namespace ocelli {
 
+/// How far a surface may be off in an image that is made of a packed scene, pixels. Errors are bounds at vertices: at
+/// twice as much, silhouettes of an occlusion camera show another surface at one sample of thirty.
+inline constexpr float kPackedErrorPixels = 0.25f;
+
 struct ViewCutOptions {
   /// How far a surface may be off in the image, pixels.
-  float maxErrorPixels = 0.5f;
+  float maxErrorPixels = kPackedErrorPixels;
   /// Around the image: how far a camera displaces what a pinhole sees, pixels.
   float marginPixels = 0;
   /// The viewpoints lie within this distance of the eye, world units.
