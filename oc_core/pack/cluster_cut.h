@@ -61,7 +61,7 @@ std::vector<ClusterChoice> allClusters(const PackedScene& scene);
 std::vector<ClusterChoice> coarsestClusters(const PackedScene& scene, float maxError);
 
 /// How far a surface may be off in a volume that is sliced of a packed scene, shares of the shortest side of a voxel.
-/// At twice as much, 2 to 3.5 % of the lit voxels are lost, against 2 to 3 %.
+/// Of 0.3 million triangles 1.0 % of the lit voxels are lost (of 10 million 4.8 %), at twice as much 1.6 % (5.4 %).
 inline constexpr float kPackedErrorVoxels = 0.125f;
 
 /// Their triangles, cluster after cluster in the order of `chosen`; each cluster has vertices of its own.

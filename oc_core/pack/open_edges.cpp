@@ -5,6 +5,8 @@
 #include <iterator>
 #include <numeric>
 
+#include "oc_core/pack/disjoint_sets.h"
+
 namespace ocelli {
 namespace {
 
@@ -24,20 +26,6 @@ void forEachPass(std::span<const uint32_t> indices, std::span<const uint32_t> pl
       }
     }
   }
-}
-
-uint32_t leastOf(std::vector<uint32_t>& parents, uint32_t place) {
-  while (parents[place] != place) {
-    parents[place] = parents[parents[place]];
-    place = parents[place];
-  }
-  return place;
-}
-
-void join(std::vector<uint32_t>& parents, uint32_t a, uint32_t b) {
-  a = leastOf(parents, a);
-  b = leastOf(parents, b);
-  parents[std::max(a, b)] = std::min(a, b);
 }
 
 }  // namespace
@@ -94,14 +82,14 @@ bool keepsBorders(std::span<const OpenEdge> fine, std::span<const OpenEdge> coar
 }
 
 std::vector<uint32_t> connectedPieces(std::span<const uint32_t> indices, std::span<const uint32_t> places) {
-  std::vector<uint32_t> pieces(places.size());
-  std::iota(pieces.begin(), pieces.end(), 0U);
+  DisjointSets sets(places.size());
   for (size_t i = 0; i + 2 < indices.size(); i += 3) {
-    join(pieces, places[indices[i]], places[indices[i + 1]]);
-    join(pieces, places[indices[i]], places[indices[i + 2]]);
+    sets.join(places[indices[i]], places[indices[i + 1]]);
+    sets.join(places[indices[i]], places[indices[i + 2]]);
   }
+  std::vector<uint32_t> pieces(places.size());
   for (uint32_t i = 0; i < pieces.size(); ++i) {
-    pieces[i] = leastOf(pieces, i);
+    pieces[i] = sets.least(i);
   }
   return pieces;
 }

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "oc_core/pack/disjoint_sets.h"
 #include "oc_core/pack/sphere.h"
 
 namespace ocelli {
@@ -19,14 +20,6 @@ float squaredDistanceToSegment(const glm::vec3& p, const glm::vec3& a, const glm
   return glm::dot(off, off);
 }
 
-uint32_t rootOf(std::vector<uint32_t>& parents, uint32_t place) {
-  while (parents[place] != place) {
-    parents[place] = parents[parents[place]];
-    place = parents[place];
-  }
-  return place;
-}
-
 }  // namespace
 
 RimErrors::RimErrors(std::span<const glm::vec3> positions, std::span<const OpenEdge> fine,
@@ -35,19 +28,14 @@ RimErrors::RimErrors(std::span<const glm::vec3> positions, std::span<const OpenE
   if (fine.empty()) {
     return;
   }
-  std::vector<uint32_t> parents(positions.size());
-  for (uint32_t i = 0; i < parents.size(); ++i) {
-    parents[i] = i;
-  }
+  DisjointSets sets(positions.size());
   for (const OpenEdge& edge : fine) {
-    const uint32_t a = rootOf(parents, edge.from);
-    const uint32_t b = rootOf(parents, edge.to);
-    parents[std::max(a, b)] = std::min(a, b);
+    sets.join(edge.from, edge.to);
   }
   std::vector<std::vector<glm::vec3>> points;
   for (const OpenEdge& edge : fine) {
     for (const uint32_t place : {edge.from, edge.to}) {
-      uint32_t& rim = rimOf_[rootOf(parents, place)];
+      uint32_t& rim = rimOf_[sets.least(place)];
       if (rim == kNone) {
         rim = static_cast<uint32_t>(points.size());
         points.emplace_back();

@@ -34,7 +34,8 @@ std::vector<uint32_t> farOff(const std::vector<LeftOut>& errors, float negligibl
     std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(most), sorted.end());
     constexpr float kFarMore = 5;
     for (const LeftOut& each : errors) {
-      if (each.error.larger() > std::max(kFarMore * sorted[most], negligible)) {
+      const float error = each.error.larger();
+      if (error > std::max(kFarMore * sorted[most], negligible) || !std::isfinite(error)) {
         vertices.push_back(each.vertex);
       }
     }
