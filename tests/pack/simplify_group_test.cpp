@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "oc_core/pack/open_edges.h"
+#include "oc_core/pack/place_bits.h"
 #include "tests/pack/packed_meshes.h"
 
 namespace ocelli {
