@@ -55,8 +55,8 @@ class PackedSceneCommands : public testing::Test {
 };
 std::unique_ptr<TemporaryFolder> PackedSceneCommands::shared_;
 
-/// A quarter of a pixel at silhouettes. ddoc and spoc displace samples by where an edge is, so more of them show another
-/// surface.
+/// A quarter of a pixel at silhouettes. ddoc and spoc displace samples by where an edge is, so more of them show
+/// another surface.
 TEST_F(PackedSceneCommands, OcriBuildShowsTheSource) {
   const PinholeCamera view(View{}, 360, 240);
   for (const std::string camera :
