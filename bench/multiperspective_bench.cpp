@@ -13,7 +13,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <ctime>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -78,12 +77,6 @@ Street standpoint(const std::string& source, const GuidedScene& scene) {
     street.toCrossing = static_cast<double>(glm::length(box.size()));
   }
   return street;
-}
-
-double processorMilliseconds(const Work& work) {
-  const std::clock_t start = std::clock();
-  work();
-  return static_cast<double>(std::clock() - start) * 1000 / CLOCKS_PER_SEC;
 }
 
 template <Camera C>

@@ -9,10 +9,10 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <ctime>
 #include <functional>
 
 #include "bench/bench_program.h"
+#include "bench/timing.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/camera/spoc_camera.h"
 #include "oc_core/ocri/camera_choice.h"
@@ -37,12 +37,6 @@ struct BenchChoice {
   int height = kDefaultHeight;
   bool drawing = true;
 };
-
-double processorMilliseconds(const std::function<void()>& work) {
-  const std::clock_t start = std::clock();
-  work();
-  return static_cast<double>(std::clock() - start) * 1000 / CLOCKS_PER_SEC;
-}
 
 struct Technique {
   const char* name;

@@ -4,7 +4,7 @@
 //
 // Geometry is sliced in the slicer's best order, which is made once. Up to --max-in-memory triangles the scene is also
 // in memory as one mesh, and images are built of it by rasterisation and by rays against a standing acceleration
-// structure; larger scenes are sliced in parts. "level" is the scene as coarse as a quarter of a voxel allows, which is
+// structure; larger scenes are sliced in parts. "level" is the scene as coarse as an eighth of a voxel allows, which is
 // what `ocelli slice` takes of a pack: chosen once, as what turns about the axis stays as far from it.
 // Ways take turns; times are those of the fastest of --runs refreshes, after one that is not counted; of three where
 // one takes more than a second. `--json` keeps all figures and their stages, `--svg` draws them.
@@ -88,7 +88,7 @@ class SceneWays {
   SceneWays(const std::string& path, const Choice& choice, const DisplayProfile& profile)
       : choice_(choice), profile_(profile), packed_(path) {
     const SweepGeometry sweep(profile);
-    const auto error = static_cast<float>(0.25 * std::min(sweep.columnWidth(), sweep.rowHeight()));
+    const auto error = kPackedErrorVoxels * static_cast<float>(std::min(sweep.columnWidth(), sweep.rowHeight()));
     const Mesh level = orderedForSlicing(weldedMeshOf(packed_, coarsestClusters(packed_, error)));
     levelTriangles_ = level.triangles.size();
     ways_.push_back({kLevel, geometryWay(level, profile), {}});

@@ -15,9 +15,6 @@
 namespace ocelli {
 namespace {
 
-/// How far the surfaces of a packed scene may be off where they are sliced.
-constexpr float kMaxVoxelsOff = 0.25f;
-
 /// Display radii. Within a slice: between slices voxels are as wide as that at some radius, and narrower inside.
 double shortestVoxelSide(const DisplayProfile& profile) {
   return std::min(2.0 / profile.width, 2 * profile.halfHeightRadii / profile.height);
@@ -66,7 +63,8 @@ Mesh loadMeshToSlice(const SceneChoice& scene, const DisplayProfile& profile, bo
     return loadScene(scene.source, scene.options, progress);
   }
   const PackedScene packed = openPacked(scene.source, scene.options);
-  return weldedMeshOf(packed, coarsestClusters(packed, kMaxVoxelsOff * static_cast<float>(shortestVoxelSide(profile))));
+  return weldedMeshOf(packed,
+                      coarsestClusters(packed, kPackedErrorVoxels * static_cast<float>(shortestVoxelSide(profile))));
 }
 
 std::string sliceMetadata(const SceneChoice& scene, const SlicingChoice& choice) {

@@ -30,7 +30,7 @@ SliceOptions sliceOptionsOf(const SlicingChoice& choice);
 /// Adds --profile. Read it with loadProfile() when the command runs.
 void addProfileOption(CLI::App& command, std::string& profile);
 
-/// A scene, or the mesh of a reference image (.exr). Of a packed scene its surfaces as coarse as a quarter of a voxel
+/// A scene, or the mesh of a reference image (.exr). Of a packed scene its surfaces as coarse as an eighth of a voxel
 /// of that display allows, so that its size does not matter; or all of it, where `exact` asks for that.
 Mesh loadMeshToSlice(const SceneChoice& scene, const DisplayProfile& profile, bool exact, const Progress& progress);
 /// What `ocelli volume info` tells later of a volume that was sliced so.

@@ -4,7 +4,6 @@
 
 #include "oc_core/ocri/nothing_seen.h"
 #include "oc_core/ocri/representation_kind.h"
-#include "oc_core/render/view_cut.h"
 #include "oc_core/scene/winding_number.h"
 
 namespace ocelli {

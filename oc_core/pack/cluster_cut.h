@@ -60,6 +60,10 @@ std::vector<ClusterChoice> allClusters(const PackedScene& scene);
 /// All of the scene, as coarse as it may be where no surface is off by more than that, world units.
 std::vector<ClusterChoice> coarsestClusters(const PackedScene& scene, float maxError);
 
+/// How far a surface may be off in a volume that is sliced of a packed scene, shares of the shortest side of a voxel.
+/// Of 0.3 million triangles 1.0 % of the lit voxels are lost (of 10 million 4.8 %), at twice as much 1.6 % (5.4 %).
+inline constexpr float kPackedErrorVoxels = 0.125f;
+
 /// Their triangles, cluster after cluster in the order of `chosen`; each cluster has vertices of its own.
 Mesh meshOf(const PackedScene& scene, const std::vector<ClusterChoice>& chosen);
 

@@ -1,13 +1,13 @@
 #include "oc_core/pack/cluster_groups.h"
 
 #include <algorithm>
-#include <bit>
 #include <glm/common.hpp>
 #include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
 
+#include "oc_core/pack/place_bits.h"
 #include "oc_core/scene/box.h"
 
 namespace ocelli {
@@ -30,19 +30,15 @@ struct Neighbor {
 /// The neighbours of each cluster, in their order.
 std::vector<std::vector<Neighbor>> neighborsOf(std::span<const Cluster* const> clusters) {
   struct Place {
-    glm::uvec3 bits;
-    uint32_t cluster;
-    bool operator<(const Place& o) const {
-      return bits.x != o.bits.x   ? bits.x < o.bits.x
-             : bits.y != o.bits.y ? bits.y < o.bits.y
-             : bits.z != o.bits.z ? bits.z < o.bits.z
-                                  : cluster < o.cluster;
-    }
+    PlaceBits bits;
+    uint32_t cluster = 0;
+
+    auto operator<=>(const Place&) const = default;
   };
   std::vector<Place> places;
   for (uint32_t i = 0; i < clusters.size(); ++i) {
     for (const glm::vec3& p : clusters[i]->positions) {
-      places.push_back({{std::bit_cast<uint32_t>(p.x), std::bit_cast<uint32_t>(p.y), std::bit_cast<uint32_t>(p.z)}, i});
+      places.push_back({placeBits(p), i});
     }
   }
   std::sort(places.begin(), places.end());

@@ -1,10 +1,11 @@
 // Levels of detail: groups of clusters are replaced by coarser clusters, again and again (B. Karis et al., Nanite,
 // SIGGRAPH 2021 course; F. Ponchio, Multiresolution structures for interactive visualization, 2008).
 //
-// Each step joins neighbouring clusters to a group and simplifies it with its border as it is, so that what is drawn
-// fine on one side of the border and coarse on the other still fits. The coarser clusters are grouped anew in the next
-// step, so that borders do not stay. A group knows a sphere around all that it stands for and the error of the coarser
-// clusters that replace it; neither ever shrinks from a step to the next.
+// Each step joins neighbouring clusters to a group and simplifies it with its border to others as it is, so that what
+// is drawn fine on one side of the border and coarse on the other still fits. The coarser clusters are grouped anew in
+// the next step, so that borders do not stay. A group whose error would be far above those of the others waits for the
+// next step: all that comes of it would have that error at least. A group knows a sphere around all that it stands for
+// and the error of the coarser clusters that replace it; neither ever shrinks from a step to the next.
 //
 // Distances add up from step to step, so that the sum bounds how far a vertex of the scene lies from any level. Errors
 // of colours do not: vertices that are left have the colours that they have in the scene.
@@ -50,8 +51,10 @@ using TakeGroup = std::function<GroupName(ClusterGroup group)>;
 std::vector<LevelCluster> levelClusters(std::vector<Cluster> clusters);
 
 /// Replaces clusters by coarser ones until there are no more than `enough`, or that does not make them fewer; those
-/// that are left come back. On all threads.
-std::vector<LevelCluster> coarsened(std::vector<LevelCluster> clusters, size_t enough, const TakeGroup& take);
+/// that are left come back. Vertices at `fixed` places stay: what is not among the clusters may have them, too. On all
+/// threads.
+std::vector<LevelCluster> coarsened(std::vector<LevelCluster> clusters, size_t enough, const PlaceSet& fixed,
+                                    const TakeGroup& take);
 
 /// Groups that nothing replaces, for clusters that stay.
 std::vector<ClusterGroup> standingGroups(std::vector<LevelCluster> clusters);

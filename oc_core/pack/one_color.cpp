@@ -1,32 +1,25 @@
 #include "oc_core/pack/one_color.h"
 
 #include <algorithm>
-#include <bit>
 #include <glm/common.hpp>
 #include <numeric>
 #include <tuple>
 
+#include "oc_core/pack/place_bits.h"
+
 namespace ocelli {
-namespace {
-
-std::tuple<uint32_t, uint32_t, uint32_t> bitsOf(const glm::vec3& p) {
-  return {std::bit_cast<uint32_t>(p.x), std::bit_cast<uint32_t>(p.y), std::bit_cast<uint32_t>(p.z)};
-}
-
-}  // namespace
-
 OneColorTriangles withOneColor(const WeldedTriangles& welded) {
   std::vector<uint32_t> order(welded.positions.size());
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-    return std::tuple(bitsOf(welded.positions[a]), a) < std::tuple(bitsOf(welded.positions[b]), b);
+    return std::tuple(placeBits(welded.positions[a]), a) < std::tuple(placeBits(welded.positions[b]), b);
   });
   std::vector<PackedColor> means(order.size());
   std::vector<float> spreads(order.size(), 0);
   for (size_t begin = 0; begin < order.size();) {
     size_t end = begin;
     glm::vec3 sum(0);
-    while (end < order.size() && bitsOf(welded.positions[order[end]]) == bitsOf(welded.positions[order[begin]])) {
+    while (end < order.size() && placeBits(welded.positions[order[end]]) == placeBits(welded.positions[order[begin]])) {
       sum += linearColor(welded.colors[order[end++]]);
     }
     const PackedColor mean = packedColor(sum / static_cast<float>(end - begin));

@@ -37,8 +37,7 @@ class PackJob {
     report_.parts = plan_.parts.size();
     if (!std::filesystem::exists(folder_.triangles())) {
       report(progress, "sorting triangles", 0);
-      sortTriangles(source, plan_, folder_.triangles(),
-                    [&](double share) { report(progress_, "sorting triangles", share); });
+      sortTriangles(source, plan_, sortedPaths(), [&](double share) { report(progress_, "sorting triangles", share); });
     }
   }
 
@@ -88,7 +87,8 @@ class PackJob {
     if (isAtHand(index)) {
       ++atHand_;
     } else {
-      make(index, levelClusters(clustersOf(readPartTriangles(folder_.triangles(), plan_.parts[index]))));
+      PartTriangles part = readPartTriangles(sortedPaths(), plan_, index);
+      make(index, levelClusters(clustersOf(part.triangles)), std::move(part.fixed));
     }
     tell(plan_.parts[index].triangles);
   }
@@ -99,30 +99,54 @@ class PackJob {
       return;
     }
     std::vector<LevelCluster> clusters;
+    std::vector<FixedPlace> fixed;
     for (const uint32_t child : plan_.parts[index].children) {
       PackedPart part = partOf(child);
       std::move(part.rest.begin(), part.rest.end(), std::back_inserter(clusters));
+      fixed.insert(fixed.end(), part.fixed.begin(), part.fixed.end());
     }
-    make(index, std::move(clusters));
+    make(index, std::move(clusters), fixedAbove(plan_, index, std::move(fixed)));
   }
 
-  void make(uint32_t index, std::vector<LevelCluster> clusters) {
+  SortedPaths sortedPaths() const { return {folder_.triangles(), folder_.places()}; }
+
+  void make(uint32_t index, std::vector<LevelCluster> clusters, std::vector<FixedPlace> fixed) {
     PackedPart part;
+    part.fixed = std::move(fixed);
     const auto take = [&](const ClusterGroup& group) {
       part.groups.push_back(packedGroup(group));
       return GroupName{index, static_cast<uint32_t>(part.groups.size() - 1)};
     };
     const bool isWhole = index + 1 == plan_.parts.size();
-    part.rest = coarsened(std::move(clusters), isWhole ? 1 : kEnough, take);
+    part.rest = coarsened(std::move(clusters), isWhole ? 1 : kEnough, placesOf(part.fixed), take);
     // What is in pieces that nothing simplifies would fill the memory of the parts above.
     if (part.rest.size() > kMaxRest) {
       const auto stays = std::stable_partition(part.rest.begin(), part.rest.end(),
                                                [](const LevelCluster& level) { return !level.finer.isNone(); });
       std::vector<LevelCluster> staying(std::make_move_iterator(stays), std::make_move_iterator(part.rest.end()));
       part.rest.erase(stays, part.rest.end());
+      fixForEver(part, staying);
       settle(part, staying);
     }
     writePart(folder_.part(index), part);
+  }
+
+  /// What clusters that stay have in common with others stays as well.
+  static void fixForEver(PackedPart& part, const std::vector<LevelCluster>& staying) {
+    std::vector<PlaceBits> others;
+    for (const LevelCluster& level : part.rest) {
+      std::ranges::transform(level.cluster.positions, std::back_inserter(others), placeBits);
+    }
+    std::ranges::transform(part.fixed, std::back_inserter(others), [](const FixedPlace& each) { return each.place; });
+    const PlaceSet shared(std::move(others));
+    for (const LevelCluster& level : staying) {
+      for (const glm::vec3& p : level.cluster.positions) {
+        if (shared.contains(placeBits(p))) {
+          part.fixed.push_back({placeBits(p), FixedPlace::kForEver});
+        }
+      }
+    }
+    sortPlaces(part.fixed);
   }
 
   static void settle(PackedPart& part, std::vector<LevelCluster>& clusters) {

@@ -12,6 +12,9 @@
 namespace ocelli {
 namespace {
 
+/// Another one with each change of what follows it.
+constexpr uint64_t kMark = 0x32747261'706c6c65U;  // "ellpart2"
+
 template <class T>
 void put(std::string& bytes, const T& value) {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -67,6 +70,7 @@ PackedGroup packedGroup(const ClusterGroup& group) {
 
 void writePart(const std::filesystem::path& path, const PackedPart& part) {
   std::string bytes;
+  put(bytes, kMark);
   put(bytes, static_cast<uint64_t>(part.groups.size()));
   for (const PackedGroup& group : part.groups) {
     put(bytes, group.sphere);
@@ -85,6 +89,7 @@ void writePart(const std::filesystem::path& path, const PackedPart& part) {
     putAll(bytes, level.cluster.colors);
     putAll(bytes, level.cluster.triangles);
   }
+  putAll(bytes, part.fixed);
   put(bytes, checkOfText(bytes));
   writeFile(path, bytes);
 }
@@ -106,6 +111,9 @@ std::optional<PackedPart> readPart(const std::filesystem::path& path) {
     return std::nullopt;
   }
   PartBytes from(bytes);
+  if (bytes.size() < sizeof(kMark) || from.take<uint64_t>() != kMark) {
+    return std::nullopt;
+  }
   PackedPart part;
   part.groups.resize(from.take<uint64_t>());
   for (PackedGroup& group : part.groups) {
@@ -125,6 +133,7 @@ std::optional<PackedPart> readPart(const std::filesystem::path& path) {
     level.cluster.colors = from.takeAll<PackedColor>();
     level.cluster.triangles = from.takeAll<Cluster::Corners>();
   }
+  part.fixed = from.takeAll<FixedPlace>();
   return part;
 }
 

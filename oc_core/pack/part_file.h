@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "oc_core/pack/fixed_places.h"
 #include "oc_core/pack/hierarchy.h"
 
 namespace ocelli {
@@ -27,12 +28,14 @@ struct PackedPart {
   std::vector<PackedGroup> groups;
   /// Clusters that coarser parts go on with. What they replace has the spheres and errors of LevelCluster.
   std::vector<LevelCluster> rest;
+  /// Of the places of `rest` those that other parts may have, too.
+  std::vector<FixedPlace> fixed;
 };
 
 /// Appears complete or not at all. Throws WorkError.
 void writePart(const std::filesystem::path& path, const PackedPart& part);
 
-/// Nothing where the file is missing or not as it was written.
+/// Nothing where the file is missing, not as it was written, or of another version of this code.
 std::optional<PackedPart> readPart(const std::filesystem::path& path);
 
 }  // namespace ocelli

@@ -76,12 +76,20 @@ class Planner {
 
 }  // namespace
 
-uint32_t ScenePlan::cellOf(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) const {
-  const glm::dvec3 middle = (glm::dvec3(glm::min(a, glm::min(b, c))) + glm::dvec3(glm::max(a, glm::max(b, c)))) * 0.5;
+glm::uvec3 ScenePlan::cellAt(const glm::dvec3& point) const {
   const glm::dvec3 extent(box.size());
   const double side = std::max({extent.x, extent.y, extent.z, 1e-30});
-  const glm::dvec3 cell = (middle - glm::dvec3(box.lower)) * (kCellsPerAxis / side);
-  return mortonOf(glm::uvec3(glm::clamp(cell, 0.0, kCellsPerAxis - 1.0)));
+  const glm::dvec3 cell = (point - glm::dvec3(box.lower)) * (kCellsPerAxis / side);
+  return glm::uvec3(glm::clamp(cell, 0.0, kCellsPerAxis - 1.0));
+}
+
+uint32_t ScenePlan::cellOf(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) const {
+  return mortonOf(cellAt((glm::dvec3(glm::min(a, glm::min(b, c))) + glm::dvec3(glm::max(a, glm::max(b, c)))) * 0.5));
+}
+
+bool ScenePlan::isWithinOneCell(const std::array<glm::vec3, 3>& corners) const {
+  const auto& [a, b, c] = corners;
+  return cellAt(glm::dvec3(glm::min(a, glm::min(b, c)))) == cellAt(glm::dvec3(glm::max(a, glm::max(b, c))));
 }
 
 ScenePlan planOf(const TriangleSource& source, const std::string& where) {

@@ -1,6 +1,7 @@
 // How a scene is cut into parts that fit into memory: cells of an octree, each with a bounded number of triangles.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -28,9 +29,14 @@ struct ScenePlan {
 
   /// By the middle of its box.
   uint32_t cellOf(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) const;
+  /// Whether a triangle and so its middle lie in one cell.
+  bool isWithinOneCell(const std::array<glm::vec3, 3>& corners) const;
   /// The part without children of a cell.
   uint32_t partOf(uint32_t cell) const { return partOfCell[cell]; }
   std::vector<uint32_t> partOfCell;
+
+ private:
+  glm::uvec3 cellAt(const glm::dvec3& point) const;
 };
 
 /// Goes through the source twice. Throws InputError naming `where` where it has no triangle, or more than the file can

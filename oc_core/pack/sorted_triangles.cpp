@@ -1,15 +1,12 @@
 #include "oc_core/pack/sorted_triangles.h"
 
 #include <fcntl.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <system_error>
 
 #include "oc_core/base/check.h"
-#include "oc_core/base/error.h"
+#include "oc_core/pack/placed_file.h"
 
 namespace ocelli {
 namespace {
@@ -27,63 +24,17 @@ StoredCorner storedCorner(const Mesh& mesh, uint32_t vertex) {
   return {{p.x, p.y, p.z}, packedColor(mesh.color(vertex))};
 }
 
-/// A file that is read and written at any place.
-class PlacedFile {
- public:
-  PlacedFile(const std::filesystem::path& path, int flags) : path_(path), file_(::open(path.c_str(), flags, 0666)) {
-    if (file_ < 0) {
-      fail(errno);
-    }
-  }
-  ~PlacedFile() { ::close(file_); }
-  PlacedFile(const PlacedFile&) = delete;
-  PlacedFile& operator=(const PlacedFile&) = delete;
-
-  void write(const void* bytes, size_t count, uint64_t at) const {
-    const auto* from = static_cast<const uint8_t*>(bytes);
-    while (count > 0) {
-      const ssize_t done = ::pwrite(file_, from, count, static_cast<off_t>(at));
-      if (done == 0 || (done < 0 && errno != EINTR)) {
-        fail(done == 0 ? ENOSPC : errno);
-      }
-      const size_t some = done > 0 ? static_cast<size_t>(done) : 0;
-      from += some;
-      at += some;
-      count -= some;
-    }
-  }
-  void read(void* bytes, size_t count, uint64_t at) const {
-    auto* to = static_cast<uint8_t*>(bytes);
-    while (count > 0) {
-      const ssize_t done = ::pread(file_, to, count, static_cast<off_t>(at));
-      if (done == 0 || (done < 0 && errno != EINTR)) {
-        fail(done == 0 ? EIO : errno);
-      }
-      const size_t some = done > 0 ? static_cast<size_t>(done) : 0;
-      to += some;
-      at += some;
-      count -= some;
-    }
-  }
-
- private:
-  [[noreturn]] void fail(int reason) const {
-    throw WorkError("the triangles cannot be sorted on disk: " + std::generic_category().message(reason),
-                    path_.string(), "free some space, or write the packed scene to another disk");
-  }
-
-  std::filesystem::path path_;
-  int file_;
-};
-
 }  // namespace
 
-void sortTriangles(const TriangleSource& source, const ScenePlan& plan, const std::filesystem::path& path,
+void sortTriangles(const TriangleSource& source, const ScenePlan& plan, const SortedPaths& paths,
                    const std::function<void(double share)>& progress) {
   constexpr size_t kBuffered = 2048;  // triangles of a part
-  std::filesystem::path growing = path;
+  std::filesystem::path growing = paths.triangles;
   growing += ".partial";
+  std::filesystem::path growingPlaces = paths.places;
+  growingPlaces += ".partial";
   {
+    FixedPlaceWriter places(growingPlaces, plan.parts.size());
     const PlacedFile file(growing, O_WRONLY | O_CREAT | O_TRUNC);
     std::vector<std::vector<StoredTriangle>> buffers(plan.parts.size());
     std::vector<uint64_t> written(plan.parts.size(), 0);
@@ -97,7 +48,11 @@ void sortTriangles(const TriangleSource& source, const ScenePlan& plan, const st
     };
     source.forEachPart([&](const Mesh& mesh) {
       for (const glm::uvec3& t : mesh.triangles) {
-        const uint32_t part = plan.partOf(plan.cellOf(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]));
+        const std::array<glm::vec3, 3> corners{mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]};
+        const uint32_t part = plan.partOf(plan.cellOf(corners[0], corners[1], corners[2]));
+        forEachStrayCorner(plan, part, corners, [&](const PlaceBits& place, uint32_t home) {
+          places.add(home, {place, part});
+        });
         buffers[part].push_back({storedCorner(mesh, t.x), storedCorner(mesh, t.y), storedCorner(mesh, t.z)});
         if (buffers[part].size() == kBuffered) {
           flush(part);
@@ -112,32 +67,40 @@ void sortTriangles(const TriangleSource& source, const ScenePlan& plan, const st
       OC_CHECK(!plan.parts[part].children.empty() || written[part] == plan.parts[part].triangles,
                "a source gives the same triangles each time");
     }
+    places.finish();
   }
-  std::error_code error;
-  std::filesystem::rename(growing, path, error);
-  if (error) {
-    throw WorkError("this file cannot be renamed: " + error.message(), growing.string(), "check its folder");
-  }
+  // The triangles last: where they are, both are.
+  renameComplete(growingPlaces, paths.places);
+  renameComplete(growing, paths.triangles);
 }
 
-WeldedTriangles readPartTriangles(const std::filesystem::path& path, const ScenePart& part) {
+PartTriangles readPartTriangles(const SortedPaths& paths, const ScenePlan& plan, uint32_t index) {
   constexpr size_t kAtOnce = 1 << 14;
-  const PlacedFile file(path, O_RDONLY);
+  const ScenePart& part = plan.parts[index];
+  const PlacedFile file(paths.triangles, O_RDONLY);
+  PartTriangles result{{}, readFixedPlaces(paths.places, index)};
   std::vector<StoredTriangle> some;
   Welder welder(part.triangles);
   for (uint64_t first = 0; first < part.triangles; first += kAtOnce) {
     some.resize(std::min<uint64_t>(kAtOnce, part.triangles - first));
     file.read(some.data(), some.size() * sizeof(StoredTriangle), (part.firstTriangle + first) * sizeof(StoredTriangle));
     for (const StoredTriangle& triangle : some) {
+      std::array<glm::vec3, 3> positions{};
       std::array<uint32_t, 3> corners{};
       for (size_t k = 0; k < 3; ++k) {
         const auto& [p, color, unused] = triangle[k];
-        corners[k] = welder.vertex({p[0], p[1], p[2]}, color);
+        positions[k] = {p[0], p[1], p[2]};
+        corners[k] = welder.vertex(positions[k], color);
       }
       welder.add(corners[0], corners[1], corners[2]);
+      forEachStrayCorner(plan, index, positions, [&](const PlaceBits& place, uint32_t home) {
+        result.fixed.push_back({place, home});
+      });
     }
   }
-  return welder.take();
+  result.triangles = welder.take();
+  sortPlaces(result.fixed);
+  return result;
 }
 
 }  // namespace ocelli

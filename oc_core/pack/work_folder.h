@@ -20,6 +20,7 @@ class WorkFolder {
   WorkFolder& operator=(const WorkFolder&) = delete;
 
   std::filesystem::path triangles() const { return folder_ / "triangles"; }
+  std::filesystem::path places() const { return folder_ / "places"; }
   std::filesystem::path part(uint32_t index) const;
   /// With all that is in it.
   void remove() const;

@@ -83,7 +83,7 @@ std::string digestOf(const std::vector<T>& values) {
 /// What tells that a scene is the same as in an earlier job: all that the packed file depends on, but its triangles.
 std::string sourceKeyOf(const SceneOptions& options, const std::string& description) {
   // What this says of how scenes are packed changes with that.
-  return fmt::format("packing 3 {} fit={} shading={}", description, options.fit, nameOf(options.shading));
+  return fmt::format("packing 4 {} fit={} shading={}", description, options.fit, nameOf(options.shading));
 }
 
 std::string sourceKeyOf(const Scene& scene, const SceneOptions& options, const std::string& description) {

@@ -55,8 +55,8 @@ class PackedSceneCommands : public testing::Test {
 };
 std::unique_ptr<TemporaryFolder> PackedSceneCommands::shared_;
 
-/// Half a pixel at silhouettes. ddoc and spoc displace samples by where an edge is, so more of them show another
-/// surface.
+/// A quarter of a pixel at silhouettes. ddoc and spoc displace samples by where an edge is, so more of them show
+/// another surface.
 TEST_F(PackedSceneCommands, OcriBuildShowsTheSource) {
   const PinholeCamera view(View{}, 360, 240);
   for (const std::string camera :
@@ -90,7 +90,7 @@ TEST_F(PackedSceneCommands, SlicesLightTheSameSurface) {
   for (const std::string options : {"", "--undithered", "--antialias"}) {
     runBoth("slice", "--profile test " + options, ".svol");
     const auto source = static_cast<double>(readSvol(folder_ / "source.svol").litVoxels());
-    // A surface that is off by a quarter of a voxel touches another voxel at some places.
+    // A surface that is off by an eighth of a voxel touches another voxel at some places.
     EXPECT_NEAR(static_cast<double>(readSvol(folder_ / "packed.svol").litVoxels()), source, 0.06 * source) << options;
   }
   runBoth("slice", "--profile test --exact", ".svol");

@@ -60,10 +60,10 @@ Mesh bumpyBall(int segments) {
 /// Balls everywhere in the frustum of the default view and well beside it. Some stand near the eye and reach only a few
 /// pixels into the image, all along its border: what they hide lies outside of it, within reach of cameras that look
 /// around them.
-Mesh ballsBesideTheFrustum() {
+Mesh ballsBesideTheFrustum(int detail = 1) {
   Numbers numbers;
   Mesh scene;
-  Mesh ball = bumpyBall(32);
+  Mesh ball = bumpyBall(32 * detail);
   const auto add = [&](const glm::vec3& at, float radius) {
     numbers.paint(ball);
     append(scene, ball, glm::scale(glm::translate(glm::mat4(1), at), glm::vec3(radius)));
@@ -85,20 +85,20 @@ Mesh ballsBesideTheFrustum() {
 }
 
 /// The same before a wall that fills the image.
-Mesh ballsBeforeAWall() {
-  Mesh scene = ballsBesideTheFrustum();
-  constexpr int kColumns = 200;
-  constexpr int kRows = 150;
+Mesh ballsBeforeAWall(int detail = 1) {
+  Mesh scene = ballsBesideTheFrustum(detail);
+  const int columns = 200 * detail;
+  const int rows = 150 * detail;
   Mesh wall;
-  for (int row = 0; row <= kRows; ++row) {
-    for (int column = 0; column <= kColumns; ++column) {
-      const float x = 10.0f * static_cast<float>(column) / kColumns - 5;
-      const float y = 8.0f * static_cast<float>(row) / kRows - 4;
+  for (int row = 0; row <= rows; ++row) {
+    for (int column = 0; column <= columns; ++column) {
+      const float x = 10.0f * static_cast<float>(column) / static_cast<float>(columns) - 5;
+      const float y = 8.0f * static_cast<float>(row) / static_cast<float>(rows) - 4;
       wall.positions.emplace_back(x, y, -3 + 0.1f * std::sin(5 * x) * std::cos(4 * y));
-      if (row < kRows && column < kColumns) {
-        const auto at = static_cast<uint32_t>(row * (kColumns + 1) + column);
-        wall.triangles.emplace_back(at, at + 1, at + kColumns + 2);
-        wall.triangles.emplace_back(at, at + kColumns + 2, at + kColumns + 1);
+      if (row < rows && column < columns) {
+        const auto at = static_cast<uint32_t>(row * (columns + 1) + column);
+        wall.triangles.emplace_back(at, at + 1, at + columns + 2);
+        wall.triangles.emplace_back(at, at + columns + 2, at + columns + 1);
       }
     }
   }
@@ -121,6 +121,12 @@ const PackedMesh& ballsAndWall() {
 }
 const PackedMesh& ballsAndSky() {
   static const PackedMesh made(ballsBesideTheFrustum());
+  return made;
+}
+
+/// The same with triangles so small that a quarter of a pixel allows coarser ones.
+const PackedMesh& fineBallsAndWall() {
+  static const PackedMesh made(ballsBeforeAWall(2));
   return made;
 }
 
@@ -291,19 +297,24 @@ TEST(PackedView, ClustersOutOfReachAreLeftOut) {
   }
 }
 
-/// At the default of half a pixel. Where surfaces are off by that, silhouettes move by as much: of 21,600 pixels some
-/// thousands lie beside one. Of these one in a hundred shows another surface (at worst 1.0 % with ddoc, whose samples
-/// stand where an edge displaces them; 0.04 % with the others). Errors of eight pixels move a fifth of ddoc's samples.
+/// At the default of a quarter of a pixel. Where surfaces are off by that, silhouettes move by as much: of 21,600
+/// pixels some thousands lie beside one, and one in two thousand at most shows another surface. A DDOC puts its samples
+/// where edges displace them: where an edge is found one pixel on, the samples beside it are others, and the reference
+/// lacks some that it had: 0.03 to 2.5 %. Errors of sixteen pixels move a fifth of its samples.
 TEST(PackedView, ByDefaultTheReferenceSeesTheSame) {
   for (const PinholeCamera& view : {defaultView(), nearView()}) {
     for (const CameraChoice& choice : everyChoice()) {
       if (!choice.hasImages()) {
         continue;
       }
-      const ReferenceImages wanted = buildReferenceImages(choice, view, ballsAndWall().mesh);
-      const ReferenceImages got = buildReferenceImages(choice, view, ballsAndWall().scene);
+      const ReferenceImages wanted = buildReferenceImages(choice, view, fineBallsAndWall().mesh);
+      const ReferenceImages got = buildReferenceImages(choice, view, fineBallsAndWall().scene);
+      // That there is anything to see: some clusters are coarser ones.
+      const size_t looked = meshForView(fineBallsAndWall().scene, choice, view).triangles.size();
+      EXPECT_LT(looked, meshForView(fineBallsAndWall().scene, choice, view, kNoError).triangles.size() * 49 / 50)
+          << choice.name;
       const bool isDisplaced = choice.name.starts_with("ddoc");
-      EXPECT_LT(test::otherShare(wanted, got, view), isDisplaced ? 0.015 : 0.001) << choice.name;
+      EXPECT_LT(test::otherShare(wanted, got, view), isDisplaced ? 0.03 : 0.001) << choice.name;
       EXPECT_NEAR(static_cast<double>(test::samplesOf(got)), static_cast<double>(test::samplesOf(wanted)),
                   0.02 * static_cast<double>(test::samplesOf(wanted)))
           << choice.name;
@@ -312,11 +323,11 @@ TEST(PackedView, ByDefaultTheReferenceSeesTheSame) {
 }
 
 /// That the bounds of the test above can be broken.
-TEST(PackedView, ErrorsOfEightPixelsAreFound) {
+TEST(PackedView, ErrorsOfSixteenPixelsAreFound) {
   const PinholeCamera view = defaultView();
   for (const char* name : {"di", "ddoc", "eoc-h", "cell", "spoc", "corners-4"}) {
     const CameraChoice choice = cameraChoice(name);
-    const Mesh coarse = meshForView(ballsAndWall().scene, choice, view, 8);
+    const Mesh coarse = meshForView(ballsAndWall().scene, choice, view, 16);
     EXPECT_GT(test::otherShare(buildReferenceImages(choice, view, ballsAndWall().mesh),
                                buildReferenceImages(choice, view, coarse), view),
               choice.name == "ddoc" ? 0.1 : 0.004)

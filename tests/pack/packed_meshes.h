@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "oc_core/pack/cluster.h"
 #include "oc_core/pack/cluster_cut.h"
 #include "oc_core/pack/pack_scene.h"
 #include "oc_core/scene/densify.h"
@@ -31,6 +32,40 @@ inline Mesh bumpyBall(size_t triangles) {
 inline PackedScene packed(const Mesh& mesh, const std::filesystem::path& path) {
   packScene(MeshSource(mesh), path);
   return PackedScene(path);
+}
+
+inline WeldedTriangles weldedOf(const Mesh& mesh) {
+  Welder welder(mesh.positions.size());
+  for (const glm::uvec3& t : mesh.triangles) {
+    std::array<uint32_t, 3> corners{};
+    for (glm::length_t k = 0; k < 3; ++k) {
+      corners[static_cast<size_t>(k)] = welder.vertex(mesh.positions[t[k]], packedColor(mesh.color(t[k])));
+    }
+    welder.add(corners[0], corners[1], corners[2]);
+  }
+  return welder.take();
+}
+
+/// The grid of a plane, (n + 1)^2 vertices, with a vertex of its own for each corner of each triangle.
+inline Mesh looseGrid(int n) {
+  Mesh mesh;
+  const auto corner = [&](int x, int y) {
+    mesh.positions.emplace_back(static_cast<float>(x), static_cast<float>(y), 0.0f);
+    return static_cast<uint32_t>(mesh.positions.size() - 1);
+  };
+  for (int y = 0; y < n; ++y) {
+    for (int x = 0; x < n; ++x) {
+      const uint32_t a = corner(x, y);
+      const uint32_t b = corner(x + 1, y);
+      const uint32_t c = corner(x + 1, y + 1);
+      mesh.triangles.emplace_back(a, b, c);
+      const uint32_t d = corner(x, y);
+      const uint32_t e = corner(x + 1, y + 1);
+      const uint32_t f = corner(x, y + 1);
+      mesh.triangles.emplace_back(d, e, f);
+    }
+  }
+  return mesh;
 }
 
 using Corner = std::tuple<float, float, float>;

@@ -45,9 +45,9 @@ TEST(ViewCut, LooksAsTheSceneItself) {
     const PinholeCamera camera(view, 360, 240);
     const Mesh cut = meshOf(scene, viewCut(scene, camera));
     EXPECT_LT(cut.triangles.size(), ball.triangles.size() / 2);
-    const Difference found = difference(ball, cut, camera, 0.5f);
+    const Difference found = difference(ball, cut, camera, kPackedErrorPixels);
     ASSERT_GT(found.covered, 3000U);
-    // Half a pixel at the silhouette, some 600 pixels long, and where bumps hide each other.
+    // A quarter of a pixel at the silhouette, some 600 pixels long, and where bumps hide each other.
     EXPECT_LT(found.onlyOne, 300U);
     EXPECT_LT(found.otherDepth, found.covered / 50);
   }
@@ -95,7 +95,7 @@ TEST(ViewCut, TheMarginHoldsWhatMovedEyesSee) {
         return aside;
       }(),
       300, 300);
-  const Difference found = difference(ball, cut, moved, 0.5f);
+  const Difference found = difference(ball, cut, moved, kPackedErrorPixels);
   EXPECT_LT(found.onlyOne, 300U);
 }
 
