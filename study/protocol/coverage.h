@@ -20,9 +20,17 @@ struct ViewCoverage {
   int seen = 0;    ///< of these, in one image or more
   int twice = 0;   ///< in two images or more, or twice in one
   int sightings = 0;
-  size_t fewestPixels = 0;            ///< of the largest sighting of an object that was seen
+  std::vector<size_t> pixels{};       ///< of the largest sighting of each object that was seen, fewest first
+  std::vector<double> degreesDown{};  ///< of the ray in the middle of that sighting, where it meets the object
   std::vector<std::string> unseen{};  ///< where the object was not
 };
+
+/// The middle of a list in ascending order; the mean of two; 0 of an empty one.
+template <class Number>
+double medianOf(const std::vector<Number>& ascending) {
+  const size_t n = ascending.size();
+  return n == 0 ? 0 : (static_cast<double>(ascending[(n - 1) / 2]) + static_cast<double>(ascending[n / 2])) / 2;
+}
 
 struct BlockCoverage {
   std::string block;
@@ -30,6 +38,8 @@ struct BlockCoverage {
   std::vector<ViewCoverage> views;
 };
 
+/// As shares do not depend on it, and pixels go with its area, a screen with fewer pixels tells the same, from 640 rows
+/// on (promptHeight()).
 /// Of the blocks that begin with an image of a scene: those with an exposure (an object in the middle of every cell
 /// but the entrance, and of every passage) and those with something to be found.
 std::vector<BlockCoverage> coverageOf(const Protocol& protocol, const TrialScreen& screen,
