@@ -107,12 +107,12 @@ class PlaceViews {
 
 /// The object is moved by `offset`; `middle` is then its middle.
 void addSightings(const std::string& place, PlaceViews& from, const glm::vec3& offset, const glm::vec3& middle,
-                  ViewCoverage& coverage) {
+                  size_t minPixels, ViewCoverage& coverage) {
   int sightingsHere = 0;
   Largest largest;
   for (size_t i = 0; i < from.views().size(); ++i) {
     const std::optional<ObjectSighting> each = from.sighting(i, offset);
-    if (each && each->pixels >= kMinSeenPixels) {
+    if (each && each->pixels >= minPixels) {
       ++sightingsHere;
       if (each->pixels > largest.sighting.pixels) {
         largest = {&from.views()[i].camera, *each};
@@ -168,7 +168,7 @@ std::vector<Place> placesOf(const Maze& maze) {
 }
 
 /// Puts one object, of the shape that the layout's scene has, in each place.
-ViewCoverage coverageOfMaze(TrialLayout layout, TrialView view) {
+ViewCoverage coverageOfMaze(TrialLayout layout, TrialView view, size_t minPixels) {
   Maze maze = layout.scene->maze();
   const MazeCell first = maze.landmarks.empty() ? maze.entrance->cell : maze.landmarks.front().cell;
   Landmark object;
@@ -182,7 +182,7 @@ ViewCoverage coverageOfMaze(TrialLayout layout, TrialView view) {
   coverage.view = view;
   for (const Place& place : placesOf(maze)) {
     const glm::vec3 offset = place.point - maze.centerOf(first);
-    addSightings(place.name, views, offset, middleOf(*layout.scene, offset), coverage);
+    addSightings(place.name, views, offset, middleOf(*layout.scene, offset), minPixels, coverage);
   }
   sort(coverage);
   return coverage;
@@ -198,6 +198,13 @@ TrialPlan planOf(const ProtocolBlock& block, int caseIndex, TrialView view) {
 
 }  // namespace
 
+size_t minSeenPixels(const TrialScreen& screen) {
+  constexpr TrialScreen kFull;
+  const double share =
+      static_cast<double>(screen.width) * screen.height / (static_cast<double>(kFull.width) * kFull.height);
+  return std::max<size_t>(1, static_cast<size_t>(std::lround(static_cast<double>(kMinSeenPixels) * share)));
+}
+
 std::vector<BlockCoverage> coverageOf(const Protocol& protocol, const TrialScreen& screen, const Progress& progress) {
   std::vector<BlockCoverage> blocks;
   for (size_t i = 0; i < protocol.blocks.size(); ++i) {
@@ -212,7 +219,7 @@ std::vector<BlockCoverage> coverageOf(const Protocol& protocol, const TrialScree
         continue;
       }
       if (!coverage.ofCases) {
-        coverage.views.push_back(coverageOfMaze(first, view));
+        coverage.views.push_back(coverageOfMaze(first, view, minSeenPixels(screen)));
         continue;
       }
       ViewCoverage cases;
@@ -223,7 +230,8 @@ std::vector<BlockCoverage> coverageOf(const Protocol& protocol, const TrialScree
         layout.scene = &layout.scene->bare();
         PlaceViews views(layout);
         const glm::vec3 offset = layout.objectOffsets.empty() ? glm::vec3(0) : layout.objectOffsets.front();
-        addSightings(block.task->caseInfo(k).label, views, offset, middleOf(*layout.scene, offset), cases);
+        addSightings(block.task->caseInfo(k).label, views, offset, middleOf(*layout.scene, offset),
+                     minSeenPixels(screen), cases);
       }
       sort(cases);
       coverage.views.push_back(cases);

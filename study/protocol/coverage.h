@@ -10,8 +10,10 @@
 
 namespace ocelli {
 
-/// An object of so many pixels in one image counts as seen.
+/// An object of so many pixels in one image counts as seen, on a screen of 1920 x 1200 pixels.
 inline constexpr size_t kMinSeenPixels = 40;
+/// The same for another screen: as many as its share of the pixels; one at the least.
+size_t minSeenPixels(const TrialScreen& screen);
 
 struct ViewCoverage {
   TrialView view = TrialView::kReference;
@@ -38,10 +40,10 @@ struct BlockCoverage {
   std::vector<ViewCoverage> views;
 };
 
-/// As shares do not depend on it, and pixels go with its area, a screen with fewer pixels tells the same, from 640 rows
-/// on (promptHeight()).
 /// Of the blocks that begin with an image of a scene: those with an exposure (an object in the middle of every cell
-/// but the entrance, and of every passage) and those with something to be found.
+/// but the entrance, and of every passage) and those with something to be found. Pixels are
+/// those of the screen: one of the same shape with fewer of them shows the same places, from 640 rows on
+/// (promptHeight()).
 std::vector<BlockCoverage> coverageOf(const Protocol& protocol, const TrialScreen& screen,
                                       const Progress& progress = {});
 

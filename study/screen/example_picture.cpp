@@ -26,12 +26,12 @@ PixelRect around(const std::vector<TrialLayout::View>& views) {
   return box;
 }
 
-std::vector<ExamplePicture::Mark> marksOf(const TrialLayout& layout, const PixelRect& box) {
+std::vector<ExamplePicture::Mark> marksOf(const TrialLayout& layout, const PixelRect& box, size_t minPixels) {
   std::vector<ExamplePicture::Mark> marks;
   for (const TrialLayout::View& view : layout.views) {
     const glm::dvec2 from(view.place.left - box.left, view.place.top - box.top);
     for (const ObjectSighting& each : sightings(objectsIn(layout, view))) {
-      if (each.pixels >= kMinSeenPixels) {
+      if (each.pixels >= minPixels) {
         const glm::ivec2 size = each.upper - each.lower + 1;
         marks.push_back({from + each.centroid, std::max(size.x, size.y) / 2.0});
       }
@@ -54,7 +54,7 @@ ExamplePicture examplePicture(GlContext& context, const PageExample& example, co
   const auto left = static_cast<int>(std::lround(box.left));
   const auto top = static_cast<int>(std::lround(box.top));
   ExamplePicture picture{{static_cast<int>(std::lround(box.width)), static_cast<int>(std::lround(box.height))},
-                         marksOf(layout, box)};
+                         marksOf(layout, box, minSeenPixels(screen))};
   for (int y = 0; y < picture.pixels.height(); ++y) {
     for (int x = 0; x < picture.pixels.width(); ++x) {
       picture.pixels(x, y) = all(left + x, top + y);

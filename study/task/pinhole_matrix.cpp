@@ -12,7 +12,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kMaxGap = 0.4;
+constexpr double kGap = 0.01;  // between views, of the height of all
 
 glm::vec3 eyeOf(const MatrixView& view, const Maze& maze) {
   return maze.centerOf(view.cell) +
@@ -50,7 +50,6 @@ PinholeMatrix readPinholeMatrix(JsonFields& fields, const Maze& maze) {
   PinholeMatrix matrix;
   matrix.rows = fields.integer("rows", 1, 10);
   matrix.columns = fields.integer("columns", 1, 10);
-  matrix.gap = fields.number("gap", 0, kMaxGap, matrix.gap);
   fields.forEach(
       "views", 1, static_cast<size_t>(matrix.rows * matrix.columns),
       [&](JsonFields& each) { matrix.views.push_back(readView(each, maze)); },
@@ -60,7 +59,7 @@ PinholeMatrix readPinholeMatrix(JsonFields& fields, const Maze& maze) {
 }
 
 std::vector<Vantage::Pane> panesOf(const PinholeMatrix& matrix, const Maze& maze, const PixelRect& area) {
-  const std::vector<PixelRect> places = gridOf(area, matrix.rows, matrix.columns, matrix.gap);
+  const std::vector<PixelRect> places = gridOf(area, matrix.rows, matrix.columns, kGap);
   std::vector<Vantage::Pane> panes;
   for (size_t i = 0; i < matrix.views.size(); ++i) {
     const MatrixView& of = matrix.views[i];

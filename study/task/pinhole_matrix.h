@@ -22,7 +22,6 @@ struct MatrixView {
 struct PinholeMatrix {
   int rows = 1;
   int columns = 1;
-  double gap = 0.01;                ///< between places, of the height of all
   std::vector<MatrixView> views{};  ///< row by row; no more than there are places
 };
 

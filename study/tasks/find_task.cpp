@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "oc_core/base/check.h"
@@ -29,6 +30,7 @@ namespace {
 constexpr double kTypicalSeconds = 20;
 constexpr int kMaxDistanceBands = 12;
 constexpr int kUsualDistanceBands = 4;
+constexpr const char* kDrawnCases = "cases";
 
 struct FindCase {
   std::string label;
@@ -222,6 +224,40 @@ std::unique_ptr<TrialRun> FindBlock::start(const TrialPlan& plan, const TrialScr
   return std::make_unique<FindRun>(*this, plan, screen);
 }
 
+/// Throws InputError where the object reaches into a wall.
+void checkObject(Maze maze, const Landmark& object, const std::string& where) {
+  maze.landmarks = {object};
+  validate(maze, where);
+}
+
+/// Of the cells of its band, from which case `i` of `count` draws: every so many, so that no two draw the same one.
+void giveCells(const std::vector<MazeCell>& cells, size_t i, size_t count, const Maze& maze, const std::string& where,
+               FindCase& of) {
+  for (size_t k = i; k < cells.size(); k += count) {
+    of.cells.push_back(cells[k]);
+    of.object.cell = cells[k];
+    checkObject(maze, of.object, fmt::format("{}, case \"{}\"", where, of.label));
+  }
+  of.object.cell = of.cells.front();
+}
+
+/// The cells that any case of the block names, those of practice and examples too: where a subject may have been.
+std::set<MazeCell> namedCells(JsonFields& fields) {
+  std::set<MazeCell> cells;
+  for (const char* list : {"cases", "practice_cases", "example_cases"}) {
+    if (!fields.has(list)) {
+      continue;
+    }
+    for (const nlohmann::json& each : fields.value(list)) {
+      if (each.is_object() && each.contains("row") && each.contains("column") && each["row"].is_number_integer() &&
+          each["column"].is_number_integer()) {
+        cells.insert({each["row"].get<int>(), each["column"].get<int>()});
+      }
+    }
+  }
+  return cells;
+}
+
 std::shared_ptr<const TaskBlock> readFindTask(JsonFields& fields, const std::string& caseField,
                                               const TaskSetting& setting) {
   const Maze& maze = readMazeOf(fields, setting);
@@ -241,6 +277,9 @@ std::shared_ptr<const TaskBlock> readFindTask(JsonFields& fields, const std::str
       if (each.has("row") || each.has("column")) {
         each.fail("distance_band", "draws the cell, which \"row\" and \"column\" name: give one or the other");
       }
+      if (caseField != kDrawnCases) {
+        each.fail("distance_band", "is for the trials: practice and examples name their cells, which are not drawn");
+      }
       casesOfBand[each.integer("distance_band", 1, bands)].push_back(cases.size());
     } else {
       object.cell = readCell(each, maze);
@@ -249,15 +288,17 @@ std::shared_ptr<const TaskBlock> readFindTask(JsonFields& fields, const std::str
     object.color = look.color;
     object.east = static_cast<float>(each.number("east", -0.5, 0.5, 0));
     object.south = static_cast<float>(each.number("south", -0.5, 0.5, 0));
-    Maze withObject = maze;
-    withObject.landmarks = {object};
-    validate(withObject, each.where());
     cases.push_back({label, object});
+    if (!each.has("distance_band")) {
+      checkObject(maze, object, each.where());
+    }
   });
   if (!casesOfBand.empty()) {
     const SightSetting sight{EyeCamera(maze, setting.controls, options.camera, setting.conditions), options.start,
                              cases.front().object};
-    const std::vector<MazeCell> hidden = hiddenCells(maze, sight);
+    std::vector<MazeCell> hidden = hiddenCells(maze, sight);
+    const std::set<MazeCell> named = namedCells(fields);
+    std::erase_if(hidden, [&](const MazeCell& cell) { return named.contains(cell); });
     for (const auto& [band, list] : casesOfBand) {
       const std::vector<MazeCell> cells = cellsOfBand(hidden, band - 1, bands);
       if (cells.size() < list.size()) {
@@ -267,11 +308,7 @@ std::shared_ptr<const TaskBlock> readFindTask(JsonFields& fields, const std::str
                                 list.size(), band, bands, hidden.size(), cells.size()));
       }
       for (size_t i = 0; i < list.size(); ++i) {
-        FindCase& of = cases[list[i]];
-        for (size_t k = i; k < cells.size(); k += list.size()) {
-          of.cells.push_back(cells[k]);
-        }
-        of.object.cell = of.cells.front();
+        giveCells(cells, i, list.size(), maze, fields.where(), cases[list[i]]);
       }
     }
   }
