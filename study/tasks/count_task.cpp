@@ -381,9 +381,13 @@ std::shared_ptr<const TaskBlock> readCountTask(JsonFields& fields, const std::st
         options.variants.emplace(name, variant);
       },
       "variants");
-  // Tells now which variants conditions lack.
+  // Tells now which variants conditions lack; of nothing, as only the names matter.
+  Vantage nothing{{}, [] { return std::vector<TrialLayout::View>(); }};
+  for (const auto& [name, variant] : options.variants) {
+    nothing.variants.push_back({name, {{}, nothing.graph}});
+  }
   for (const TrialView view : kViews) {
-    setting.conditions.viewsOf(view, vantageOf(maze, options, stageOf(TrialScreen{})));
+    setting.conditions.viewsOf(view, nothing);
   }
   options.places = readPlaces(fields, maze);
   checkPlaces(fields, maze, options);
