@@ -56,14 +56,12 @@ TEST_F(ExamplePictureTest, ringsEveryObjectThatItShowsInEveryCondition) {
   for (const TrialView view : kViews) {
     const ExamplePicture picture = examplePicture(*context_, *exampleOf("nearer", view), kPictureScreen);
     ASSERT_EQ(picture.marks.size(), 2u);
-    const Rgb8 wall = picture.pixels(2, 2);
     for (const ExamplePicture::Mark& mark : picture.marks) {
       EXPECT_GT(mark.radius, 3);
-      // An object of a colour is in the middle: walls and floor are grey.
+      // The orange object is in the middle: walls and floor are grey, the sky is blue.
       const Rgb8 middle = picture.pixels(static_cast<int>(mark.center.x), static_cast<int>(mark.center.y));
-      EXPECT_GT(std::abs(middle.x - middle.z), 20);
+      EXPECT_GT(middle.x - middle.z, 60);
     }
-    EXPECT_LT(std::abs(wall.x - wall.z), 20);
   }
 }
 
