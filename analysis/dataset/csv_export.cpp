@@ -264,7 +264,8 @@ void Reading::readTrials() {
     }
     if (!table.flag(at["counts"])) {
       data_.otherAttempts.push_back({0, trial.trialId, trial.subject, trial.session, trial.blockIndex, trial.block,
-                                     trial.simulated, whyNotCounted(trial.practice, trial.ending), trial.correct});
+                                     trial.simulated, whyNotCounted(trial.practice, trial.ending), trial.correct,
+                                     table.text(at["view"])});
       continue;
     }
     if (trial.practice || trial.ending != TrialEnding::kCompleted) {

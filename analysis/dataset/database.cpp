@@ -181,7 +181,7 @@ void DatabaseReading::readTrials() {
 
 void DatabaseReading::readOtherAttempts() {
   forEachRow(
-      "SELECT trial_id, subject_id, session_number, block_index, block, simulated, practice, ending, correct "
+      "SELECT trial_id, subject_id, session_number, block_index, block, simulated, practice, ending, correct, view "
       "FROM trial WHERE practice = 1 OR ending IS NOT 'completed' OR trial_id NOT IN (SELECT trial_id FROM "
       "final_trial) "
       "ORDER BY trial_id",
@@ -196,6 +196,7 @@ void DatabaseReading::readOtherAttempts() {
         const bool practice = row.flag();
         attempt.why = whyNotCounted(practice, row.optionalWord(kTrialEndings));
         attempt.correct = row.optionalFlag();
+        attempt.view = row.text();
         data_.otherAttempts.push_back(std::move(attempt));
       });
 }

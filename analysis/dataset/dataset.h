@@ -97,6 +97,7 @@ struct OtherAttempt {
   bool simulated = false;
   Why why = Why::kPractice;
   std::optional<bool> correct{};
+  std::string view{};  ///< its name, as it is stored
 };
 
 /// "practice", "redone by the experimenter", ...

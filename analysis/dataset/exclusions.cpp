@@ -66,7 +66,11 @@ struct SubjectTotals {
   int64_t timeouts = 0;
   int64_t frames = 0;
   int64_t dropped = 0;
-  std::map<int, std::vector<bool>> practice;  ///< by block: right answers in their order
+  struct Practiced {
+    std::string view;
+    bool right = false;
+  };
+  std::map<int, std::vector<Practiced>> practice;  ///< by block, in their order
 };
 
 class Excluder {
@@ -156,7 +160,7 @@ void Excluder::gatherTotals() {
   }
   for (const OtherAttempt& attempt : data.otherAttempts) {
     if (attempt.why == OtherAttempt::Why::kPractice) {
-      totals_[attempt.subject].practice[attempt.blockIndex].push_back(attempt.correct.value_or(false));
+      totals_[attempt.subject].practice[attempt.blockIndex].push_back({attempt.view, attempt.correct.value_or(false)});
     }
   }
   for (const FormAnswer& answer : data.answers) {
@@ -243,13 +247,19 @@ bool Excluder::missesPractice(const SubjectTotals& totals) const {
     const auto practice = static_cast<size_t>(block) < facts_.blocks.size()
                               ? facts_.blocks[static_cast<size_t>(block)].practice
                               : std::nullopt;
-    int longest = 0;
-    int inRow = 0;
-    for (const bool right : answers) {
-      inRow = right ? inRow + 1 : 0;
-      longest = std::max(longest, inRow);
+    if (!practice) {
+      continue;
     }
-    if (practice && longest < practice->minCorrect) {
+    // Where each view is practised by itself, each has to meet the criterion.
+    std::map<std::string, int> longest;
+    std::map<std::string, int> inRow;
+    for (const SubjectTotals::Practiced& answer : answers) {
+      const std::string& round = practice->eachView ? answer.view : "";
+      inRow[round] = answer.right ? inRow[round] + 1 : 0;
+      longest[round] = std::max(longest[round], inRow[round]);
+    }
+    const auto misses = [&](const auto& round) { return round.second < practice->minCorrect; };
+    if (std::any_of(longest.begin(), longest.end(), misses)) {
       return true;
     }
   }

@@ -15,6 +15,7 @@ PracticeOutline readPracticeOutline(JsonFields& block, ProtocolReading reading) 
   constexpr int kMaxTrials = 100;
   JsonFields fields = block.inner("practice");
   PracticeOutline practice;
+  practice.eachView = fields.boolean("each_view", practice.eachView);
   if (reading == ProtocolReading::kByAnalysis) {
     practice.minCorrect = fields.integer("least_correct", 1, 1000, practice.minCorrect);
     return practice;

@@ -22,6 +22,9 @@ const char* nameOf(ViewsOfCases views);
 struct PracticeOutline {
   int minCorrect = 1;  ///< in a row, to go on
   int maxTrials = 8;   ///< then the experimenter is called; not read by analyses
+  /// One view after the other, each until the criterion is met in it: both numbers are of each view. Else the views
+  /// take turns, and the criterion asks for no view in particular.
+  bool eachView = false;
 };
 
 struct BlockOutline {

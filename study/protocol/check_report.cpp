@@ -105,19 +105,24 @@ std::string balanceText(const std::vector<BalanceTable>& tables, int subjects, i
 std::string coverageText(const Protocol& protocol, const std::vector<BlockCoverage>& blocks) {
   std::string text = fmt::format(
       "\nCoverage: places where an object shows with {} pixels or more\n\n  {:<28}{:<6}{:>7}"
-      "{:>8}{:>6}{:>7}{:>11}{:>15}\n",
-      kMinSeenPixels, "block", "view", "images", "places", "seen", "twice", "sightings", "fewest pixels");
+      "{:>8}{:>6}{:>7}{:>11}{:>8}{:>8}{:>8}{:>6}\n",
+      kMinSeenPixels, "block", "view", "images", "places", "seen", "twice", "sightings", "median", "least", "most",
+      "down");
   for (const BlockCoverage& block : blocks) {
     for (const ViewCoverage& view : block.views) {
-      text += fmt::format("  {:<28}{:<6}{:>7}{:>8}{:>6}{:>7}{:>11.2f}{:>15}\n", block.block, protocol.nameOf(view.view),
-                          view.images, view.places, view.seen, view.twice,
-                          static_cast<double>(view.sightings) / std::max(1, view.places), view.fewestPixels);
+      text += fmt::format("  {:<28}{:<6}{:>7}{:>8}{:>6}{:>7}{:>11.2f}{:>8.0f}{:>8}{:>8}{:>6.0f}\n", block.block,
+                          protocol.nameOf(view.view), view.images, view.places, view.seen, view.twice,
+                          static_cast<double>(view.sightings) / std::max(1, view.places), medianOf(view.pixels),
+                          view.pixels.empty() ? 0 : view.pixels.front(), view.pixels.empty() ? 0 : view.pixels.back(),
+                          medianOf(view.degreesDown));
       for (const std::string& place : view.unseen) {
         text += block.ofCases ? "" : fmt::format("    not seen: {}\n", place);
       }
     }
   }
-  return text + "\n  Of blocks where an object is to be found: the cases in sight at the start.\n";
+  return text +
+         "\n  median, least, most: pixels of an object, where it shows largest. down: degrees by which rays to it run "
+         "down, median.\n  Of blocks where an object is to be found: the cases in sight at the start.\n";
 }
 
 Json jsonOf(const Duration& duration) {
@@ -190,7 +195,10 @@ Json jsonOf(const Protocol& protocol, const std::vector<BlockCoverage>& blocks) 
                       {"seen", view.seen},
                       {"seen_twice", view.twice},
                       {"sightings", view.sightings},
-                      {"fewest_pixels", view.fewestPixels},
+                      {"fewest_pixels", view.pixels.empty() ? 0 : view.pixels.front()},
+                      {"median_pixels", medianOf(view.pixels)},
+                      {"most_pixels", view.pixels.empty() ? 0 : view.pixels.back()},
+                      {"median_degrees_down", medianOf(view.degreesDown)},
                       {"unseen", view.unseen}});
     }
   }

@@ -20,6 +20,12 @@ namespace ocelli {
 /// The keys and what they do.
 inline constexpr const char* kControlsImage = "controls";
 
+/// A trial whose first moment a page shows, as the trial itself would: with the block's own cameras and options.
+struct PageExample {
+  std::shared_ptr<const TaskBlock> task;  ///< of the block's example cases
+  TrialPlan plan;
+};
+
 /// A page of text that is shown until a key is pressed.
 struct ProtocolPage {
   std::string title;
@@ -27,6 +33,7 @@ struct ProtocolPage {
   /// An image that the program draws: one of a task's row (study/tasks/task_registry.h), or kControlsImage; empty for
   /// none.
   std::string image{};
+  std::shared_ptr<const PageExample> example{};  ///< shown in place of an image; null for none
 };
 
 struct ProtocolForm {
@@ -45,6 +52,7 @@ struct ProtocolPractice {
   std::shared_ptr<const TaskBlock> task;
   int minCorrect = PracticeOutline().minCorrect;
   int maxTrials = PracticeOutline().maxTrials;
+  bool eachView = PracticeOutline().eachView;
 };
 
 struct ProtocolBlock {
@@ -52,6 +60,7 @@ struct ProtocolBlock {
   std::string title;  ///< for the subject
   std::string taskName;
   std::shared_ptr<const TaskBlock> task;
+  std::shared_ptr<const TaskBlock> examples{};  ///< of the example cases, for pages; null where there are none
   std::vector<ProtocolPage> instructions;
   std::optional<ProtocolPractice> practice{};
   TrialOrder order = TrialOrder::kBalanced;

@@ -19,11 +19,38 @@ constexpr size_t kMaxPages = 20;
 constexpr size_t kMaxFields = 40;
 constexpr size_t kMaxRules = 100;
 
-ProtocolPage pageOf(JsonFields& fields) {
+/// The field "picture" where it is an object: which example case of the block, and in which condition.
+std::shared_ptr<const PageExample> readExample(JsonFields& fields, const PageTrials* trials) {
+  if (trials == nullptr) {
+    fields.fail("picture", "shows a trial, which only the instructions of a block can");
+  }
+  if (!trials->examples) {
+    fields.fail("picture", "shows a trial, but the block has no field \"example_cases\" that says of which case");
+  }
+  JsonFields picture = fields.inner("picture");
+  std::vector<std::string> views;
+  for (const ViewCondition& condition : trials->conditions.list) {
+    views.push_back(condition.name);
+  }
+  std::vector<std::string> labels;
+  for (int i = 0; i < trials->examples->caseCount(); ++i) {
+    labels.push_back(trials->examples->caseInfo(i).label);
+  }
+  auto example = std::make_shared<PageExample>(PageExample{trials->examples, trials->plan});
+  example->plan.view = *trials->conditions.viewNamed(picture.choice("condition", views));
+  const std::string label = picture.has("case") ? picture.choice("case", labels) : labels.front();
+  example->plan.caseIndex = static_cast<int>(std::find(labels.begin(), labels.end(), label) - labels.begin());
+  picture.rejectUnknown();
+  return example;
+}
+
+ProtocolPage pageOf(JsonFields& fields, const PageTrials* trials = nullptr) {
   ProtocolPage page;
   page.title = fields.shortText("title", kMaxTitleCharacters);
   page.paragraphs = fields.texts("paragraphs", 1, kMaxParagraphs, kMaxParagraphCharacters);
-  if (fields.has("picture")) {
+  if (fields.has("picture") && fields.value("picture").is_object()) {
+    page.example = readExample(fields, trials);
+  } else if (fields.has("picture")) {
     std::vector<std::string> names;
     for (const TaskKind& kind : taskKinds()) {
       for (const InstructionImage& image : kind.images) {
@@ -101,9 +128,9 @@ ProtocolPage readPage(JsonFields& fields, const std::string& name) {
   return page;
 }
 
-std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name) {
+std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name, const PageTrials* trials) {
   std::vector<ProtocolPage> pages;
-  fields.forEach(name, 0, kMaxPages, [&](JsonFields& each) { pages.push_back(pageOf(each)); });
+  fields.forEach(name, 0, kMaxPages, [&](JsonFields& each) { pages.push_back(pageOf(each, trials)); });
   return pages;
 }
 

@@ -11,10 +11,17 @@ namespace ocelli {
 
 class JsonFields;
 
+/// Trials that the pages of a block may show.
+struct PageTrials {
+  const ViewConditions& conditions;
+  std::shared_ptr<const TaskBlock> examples;  ///< null where the block has no example cases
+  TrialPlan plan;                             ///< but for case and view
+};
+
 /// In the field `name`.
 ProtocolPage readPage(JsonFields& fields, const std::string& name);
-/// Nothing where the field is missing.
-std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name);
+/// Nothing where the field is missing. Without `trials` pages cannot show any.
+std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name, const PageTrials* trials = nullptr);
 ProtocolForm readForm(JsonFields& fields, const std::string& name, const ViewConditions& conditions);
 
 /// Defaults where fields are missing.

@@ -70,7 +70,8 @@ const TaskKind& readTask(JsonFields& fields) {
 std::optional<ProtocolPractice> readPractice(JsonFields& fields, const std::optional<PracticeOutline>& outline,
                                              const TaskKind& kind, const TaskSetting& setting) {
   if (outline) {
-    return ProtocolPractice{kind.read(fields, "practice_cases", setting), outline->minCorrect, outline->maxTrials};
+    return ProtocolPractice{kind.read(fields, "practice_cases", setting), outline->minCorrect, outline->maxTrials,
+                            outline->eachView};
   }
   if (fields.has("practice_cases")) {
     fields.fail("practice_cases", "is of no use without the field \"practice\", which says when practice ends");
@@ -86,7 +87,6 @@ ProtocolBlock readBlock(JsonFields& fields, const Protocol& protocol, const Task
   block.name = outline.name;
   block.title = outline.title;
   block.taskName = outline.task;
-  block.instructions = readPages(fields, "instructions");
   block.order = fields.choiceOf("order", kTrialOrders, block.order);
   block.views = outline.views;
   block.feedback = fields.boolean("feedback", block.feedback);
@@ -95,6 +95,16 @@ ProtocolBlock readBlock(JsonFields& fields, const Protocol& protocol, const Task
   block.sessions = readSessions(fields, protocol.sessions);
   block.task = kind.read(fields, "cases", setting);
   block.practice = readPractice(fields, outline.practice, kind, setting);
+  if (fields.has("example_cases")) {
+    block.examples = kind.read(fields, "example_cases", setting);
+  }
+  PageTrials trials{protocol.conditions.names, block.examples, {}};
+  trials.plan.index = -1;
+  trials.plan.block = static_cast<int>(protocol.blocks.size());
+  trials.plan.task = block.taskName;
+  trials.plan.seed = protocol.seed;
+  trials.plan.practice = true;
+  block.instructions = readPages(fields, "instructions", &trials);
   return block;
 }
 

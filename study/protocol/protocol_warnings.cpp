@@ -12,6 +12,7 @@ namespace ocelli {
 namespace {
 
 constexpr double kLongSession = 60 * 60;
+constexpr const char* kPlaceholder = "[fill in:";
 
 /// What a case is apart from its label, by factor.
 std::vector<std::string> conditionsOf(const CaseInfo& info) {
@@ -51,6 +52,21 @@ void addConfounded(const Protocol& protocol, const SessionSchedule& schedule, st
   }
 }
 
+/// Of a consent that is still the sample: what is to be filled in.
+void addPlaceholders(const ProtocolPage& consent, std::vector<std::string>& warnings) {
+  std::vector<std::string> texts = consent.paragraphs;
+  texts.insert(texts.begin(), consent.title);
+  for (const std::string& text : texts) {
+    for (size_t at = text.find(kPlaceholder); at != std::string::npos; at = text.find(kPlaceholder, at + 1)) {
+      const size_t end = text.find(']', at);
+      warnings.push_back(
+          fmt::format("the consent still says \"{}\": put your own words there, as your review board "
+                      "approved them",
+                      text.substr(at, end == std::string::npos ? end : end + 1 - at)));
+    }
+  }
+}
+
 void addOfBlock(const Protocol& protocol, const ProtocolBlock& block, std::vector<std::string>& warnings) {
   if (!block.practice) {
     warnings.push_back(fmt::format("block \"{}\": there is no practice, so its first trials are it", block.name));
@@ -81,6 +97,8 @@ std::vector<std::string> warningsOf(const Protocol& protocol, uint64_t seed) {
   std::vector<std::string> warnings;
   if (!protocol.consent) {
     warnings.emplace_back("there is no consent: nobody is asked whether they want to take part");
+  } else {
+    addPlaceholders(*protocol.consent, warnings);
   }
   if (!protocol.demographics) {
     warnings.emplace_back("there are no demographics: results cannot be told by age, experience or vision");

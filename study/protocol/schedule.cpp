@@ -79,6 +79,10 @@ std::vector<CaseView> alternatingTrials(int cases, ViewsOfCases views) {
   return trials;
 }
 
+TrialView firstViewOf(const SessionSchedule& schedule, const ProtocolBlock& block) {
+  return block.order == TrialOrder::kBalanced ? schedule.firstView : TrialView::kReference;
+}
+
 /// What seeds are made of.
 uint64_t sessionsBefore(const SessionSchedule& schedule) {
   return static_cast<uint64_t>(schedule.session - 1);
@@ -145,20 +149,38 @@ SessionSchedule scheduleOf(const Protocol& protocol, int slot, int session, uint
   return schedule;
 }
 
-TrialPlan practiceTrial(const SessionSchedule& schedule, const Protocol& protocol, int block, int number) {
+std::vector<std::optional<TrialView>> practiceRounds(const SessionSchedule& schedule, const Protocol& protocol,
+                                                     int block) {
+  const ProtocolBlock& of = protocol.blocks.at(static_cast<size_t>(block));
+  if (!of.practice) {
+    return {};
+  }
+  if (!of.practice->eachView) {
+    return {std::nullopt};
+  }
+  const TrialView first = firstViewOf(schedule, of);
+  return {first, otherThan(first)};
+}
+
+TrialPlan practiceTrial(const SessionSchedule& schedule, const Protocol& protocol, int block, int number,
+                        std::optional<TrialView> round) {
   const ProtocolBlock& of = protocol.blocks.at(static_cast<size_t>(block));
   OC_CHECK(of.practice.has_value() && number >= 0, "only blocks with practice have practice trials");
   const int cases = of.practice->task->caseCount();
   // With an even number of cases each gets its other view in the next round.
   const int shift = cases % 2 == 0 ? number / cases : 0;
+  const TrialView first = firstViewOf(schedule, of);
+  const TrialView inTurn = (number + shift) % 2 == 0 ? first : otherThan(first);
   TrialPlan plan;
   plan.index = -1;
   plan.block = block;
   plan.task = of.taskName;
   plan.caseIndex = number % cases;
-  const TrialView first = of.order == TrialOrder::kBalanced ? schedule.firstView : TrialView::kReference;
-  plan.view = (number + shift) % 2 == 0 ? first : otherThan(first);
-  plan.seed = seedOf(schedule.seed, sessionsBefore(schedule), of.name + "/practice", static_cast<uint64_t>(number));
+  plan.view = round.value_or(inTurn);
+  // What is random in the second round is not what was in the first.
+  const int before = round && *round != first ? of.practice->maxTrials : 0;
+  plan.seed =
+      seedOf(schedule.seed, sessionsBefore(schedule), of.name + "/practice", static_cast<uint64_t>(before + number));
   plan.practice = true;
   return plan;
 }

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,8 +43,15 @@ std::vector<std::vector<int>> blockOrdersOf(const Protocol& protocol, int sessio
 /// The same for the same protocol, slot, session and seed. Throws InputError where the protocol has no such session.
 SessionSchedule scheduleOf(const Protocol& protocol, int slot, int session, uint64_t seed);
 
-/// The practice trial number `number` (from 0) of a block: cases and views in turn.
-TrialPlan practiceTrial(const SessionSchedule& schedule, const Protocol& protocol, int block, int number);
+/// The rounds of the practice of a block: one a view, the first view first, where each is practised by itself; else a
+/// single one of no view in particular. None where the block has no practice.
+std::vector<std::optional<TrialView>> practiceRounds(const SessionSchedule& schedule, const Protocol& protocol,
+                                                     int block);
+
+/// The practice trial number `number` (from 0) of a round of a block: cases in turn; views in turn where the round is
+/// of no view in particular.
+TrialPlan practiceTrial(const SessionSchedule& schedule, const Protocol& protocol, int block, int number,
+                        std::optional<TrialView> round = {});
 
 /// As JSON text, for the database.
 std::string jsonText(const SessionSchedule& schedule, const ViewConditions& conditions);

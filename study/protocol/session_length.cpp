@@ -37,10 +37,12 @@ Duration trialTime(const TaskBlock& task, int caseIndex) {
 Duration practiceTime(const SessionSchedule& schedule, const Protocol& protocol, int block) {
   const ProtocolPractice& practice = *protocol.blocks[static_cast<size_t>(block)].practice;
   Duration time;
-  for (int i = 0; i < practice.maxTrials; ++i) {
-    const Duration trial = trialTime(*practice.task, practiceTrial(schedule, protocol, block, i).caseIndex);
-    time.longestSeconds += trial.longestSeconds;
-    time.typicalSeconds += i < practice.minCorrect ? trial.typicalSeconds : 0;
+  for (const std::optional<TrialView> round : practiceRounds(schedule, protocol, block)) {
+    for (int i = 0; i < practice.maxTrials; ++i) {
+      const Duration trial = trialTime(*practice.task, practiceTrial(schedule, protocol, block, i, round).caseIndex);
+      time.longestSeconds += trial.longestSeconds;
+      time.typicalSeconds += i < practice.minCorrect ? trial.typicalSeconds : 0;
+    }
   }
   return time;
 }

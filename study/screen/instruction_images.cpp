@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "oc_core/gl/gl_api.h"
-#include "study/protocol/protocol.h"
+#include "study/screen/example_picture.h"
 #include "study/screen/screen_target.h"
 #include "study/screen/study_pieces.h"
 #include "study/screen/trial_overlay.h"
@@ -47,6 +47,11 @@ void moveBy(TrialLayout& layout, const glm::dvec2& offset) {
   for (TrialLayout::PathMap& map : layout.maps) {
     move(map.place);
   }
+}
+
+void ringAround(StudyCanvas& canvas, const glm::dvec2& center, double radius) {
+  canvas.ring(center, radius, kStudyInk, canvas.length(7));
+  canvas.ring(center, radius, {255, 255, 255}, canvas.length(3));
 }
 
 struct KeyRow {
@@ -96,6 +101,42 @@ void drawControls(StudyCanvas& canvas, const PixelRect& place, const Controls& c
 
 }  // namespace
 
+const InstructionImages::Example& InstructionImages::exampleOf(const std::shared_ptr<const PageExample>& example,
+                                                               const PixelRect& place) {
+  Example& known = examples_[example];
+  if (known.place == place) {
+    return known;
+  }
+  const ExamplePicture picture = examplePicture(*context_, *example, screen_);
+  const double scale = std::min({1.0, place.width / picture.pixels.width(), place.height / picture.pixels.height()});
+  const auto scaled = [&](int length) { return std::max(1, static_cast<int>(scale * length)); };
+  const Image<Rgb8> small = shrunk(picture.pixels, scaled(picture.pixels.width()), scaled(picture.pixels.height()));
+  Image<std::array<uint8_t, 4>> texels(small.width(), small.height());
+  std::transform(small.begin(), small.end(), texels.begin(), [](const Rgb8& pixel) {
+    return std::array<uint8_t, 4>{pixel.x, pixel.y, pixel.z, 255};
+  });
+  known = {place, makeTexture(*context_, GL_RGBA8, small.width(), small.height()), {}, {}};
+  context_->gl().TextureSubImage2D(known.texture.id(), 0, 0, 0, small.width(), small.height(), GL_RGBA,
+                                   GL_UNSIGNED_BYTE, texels.data());
+  known.image = {std::round(place.center().x - small.width() / 2.0),
+                 std::round(place.center().y - small.height() / 2.0), static_cast<double>(small.width()),
+                 static_cast<double>(small.height())};
+  for (const ExamplePicture::Mark& mark : picture.marks) {
+    known.marks.push_back({scale * mark.center, scale * mark.radius});
+  }
+  return known;
+}
+
+void InstructionImages::drawExample(StudyCanvas& canvas, const std::shared_ptr<const PageExample>& example,
+                                    const PixelRect& place) {
+  const Example& of = exampleOf(example, place);
+  canvas.image(of.texture, of.image);
+  canvas.outline(of.image, kStudyLine, canvas.length(1.5));
+  for (const auto& [center, radius] : of.marks) {
+    ringAround(canvas, glm::dvec2(of.image.left, of.image.top) + center, radius + canvas.length(9));
+  }
+}
+
 const InstructionImages::View& InstructionImages::viewOf(const InstructionImage& image, int width, int height) {
   const std::string key = fmt::format("{} {}x{}", image.name, width, height);
   if (const auto found = views_.find(key); found != views_.end()) {
@@ -115,7 +156,12 @@ const InstructionImages::View& InstructionImages::viewOf(const InstructionImage&
   return views_.emplace(key, std::move(view)).first->second;
 }
 
-void InstructionImages::draw(StudyCanvas& canvas, const std::string& name, const PixelRect& place) {
+void InstructionImages::draw(StudyCanvas& canvas, const PageScreen& page, const PixelRect& place) {
+  if (page.example) {
+    drawExample(canvas, page.example, place);
+    return;
+  }
+  const std::string& name = page.image;
   if (name == kControlsImage) {
     drawControls(canvas, place, controls_);
     return;
@@ -135,9 +181,7 @@ void InstructionImages::draw(StudyCanvas& canvas, const std::string& name, const
   canvas.outline(place, kStudyLine, canvas.length(1.5));
   for (size_t i = 0; i < view.marks.size(); ++i) {
     const glm::dvec2 center = glm::dvec2(place.left, place.top) + view.marks[i];
-    const double radius = canvas.length(view.marks.size() == 1 ? 44 : 30);
-    canvas.ring(center, radius, kStudyInk, canvas.length(7));
-    canvas.ring(center, radius, {255, 255, 255}, canvas.length(3));
+    ringAround(canvas, center, canvas.length(view.marks.size() == 1 ? 44 : 30));
   }
 }
 

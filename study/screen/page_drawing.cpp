@@ -113,7 +113,7 @@ void drawIllustrated(StudyCanvas& canvas, const PageScreen& page, const PixelRec
   writeParagraphs(canvas, {text.left, y, text.width, text.bottom() - y}, page.paragraphs, kStudyBackground,
                   TextAlign::kLeft, scroll);
   const double imageHeight = std::floor(std::min(area.height, imageWidth * 0.72));
-  images.draw(canvas, page.image,
+  images.draw(canvas, page,
               {std::round(text.right() + gap), std::round(area.center().y - imageHeight / 2), imageWidth, imageHeight});
 }
 
@@ -163,7 +163,7 @@ void PageScroll::move(double pixels) {
 PageClick drawPage(StudyCanvas& canvas, const PageScreen& page, InstructionImages& images, PageScroll& scroll) {
   const PixelRect footer = drawFooter(canvas);
   const PixelRect area = areaAbove(canvas, footer);
-  if (page.image.empty()) {
+  if (page.image.empty() && !page.example) {
     drawCentered(canvas, page, area, scroll);
   } else {
     drawIllustrated(canvas, page, area, images, scroll);

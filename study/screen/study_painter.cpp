@@ -25,7 +25,7 @@ struct StudyPainter::State {
         target(of, screen.width, screen.height),
         canvas(of, screen.width, screen.height, characters),
         views(of),
-        images(of, controls) {}
+        images(of, screen, controls) {}
 
   /// White or black, in the lower left corner, over all else.
   void drawPatch(bool white) {

@@ -73,8 +73,10 @@ std::deque<SessionStep> agendaOf(const Protocol& protocol, const SessionSchedule
     for (const ProtocolPage& page : of.instructions) {
       agenda.push_back(TextStep{&page});
     }
-    if (of.practice && !contains(done.blocksPracticed, block)) {
-      agenda.push_back(PracticeStep{block});
+    if (!contains(done.blocksPracticed, block)) {
+      for (const std::optional<TrialView> round : practiceRounds(schedule, protocol, block)) {
+        agenda.push_back(PracticeStep{block, round});
+      }
     }
     for (size_t i = 0; i < trials.size(); ++i) {
       if (contains(kept, trials[i].index)) {

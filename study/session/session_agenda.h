@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <variant>
 
 #include "study/session/session_flow.h"
@@ -16,13 +17,15 @@ struct FormStep {
 struct TextStep {
   const ProtocolPage* page = nullptr;
 };
-/// Decides whether another practice trial of the block comes.
+/// Decides whether another practice trial of the block comes, of a round of its practice (practiceRounds()).
 struct PracticeStep {
-  int block = 0;  ///< in the protocol
+  int block = 0;                     ///< in the protocol
+  std::optional<TrialView> round{};  ///< its view
 };
 /// Practice did not succeed: the experimenter is asked for.
 struct CallStep {
   int block = 0;
+  std::optional<TrialView> round{};
 };
 /// A page before the trial, for subjects to begin when they are ready; then the trial.
 struct TrialStep {

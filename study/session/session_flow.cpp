@@ -138,8 +138,8 @@ bool SessionFlow::redo() {
     if (const auto* step = state.current<TrialStep>(); step != nullptr && step->plan == plan) {
       return true;  // it comes again anyway
     }
-    State::Practice& practice = state.practice[plan.block];
-    if (plan.practice && practice.trials > 0) {
+    if (plan.practice && state.practiceOf(plan).trials > 0) {
+      State::Practice& practice = state.practiceOf(plan);
       --practice.trials;
       practice.inARow = practice.inARowBefore;
     }
@@ -147,7 +147,7 @@ bool SessionFlow::redo() {
     if (state.current<FeedbackStep>() != nullptr) {
       state.agenda.pop_front();  // it was of that trial
     } else if (state.current<CallStep>() != nullptr) {
-      state.agenda.front() = PracticeStep{plan.block};
+      state.agenda.front() = PracticeStep{plan.block, state.roundOf(plan)};
     }
     state.agenda.push_front(TrialStep{plan});
     state.form.reset();

@@ -18,6 +18,7 @@ PageScreen page(const std::string& title, const std::vector<std::string>& paragr
 PageScreen pageOf(const ProtocolPage& text) {
   PageScreen made = page(text.title, text.paragraphs, "Enter: go on");
   made.image = text.image;
+  made.example = text.example;
   return made;
 }
 

@@ -1,6 +1,7 @@
 // What the screen shows at a moment of a session. The session decides what; whoever draws decides how it looks.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -26,8 +27,9 @@ struct PageScreen {
   std::string image{};         ///< of ProtocolPage
   std::optional<bool> good{};  ///< feedback: right or wrong, shown by shape and word as well as colour
   std::optional<SessionProgress> progress{};
-  double waitSeconds = 0;  ///< left until one may go on
-  std::string action;      ///< "Enter: begin"
+  double waitSeconds = 0;                        ///< left until one may go on
+  std::string action;                            ///< "Enter: begin"
+  std::shared_ptr<const PageExample> example{};  ///< of ProtocolPage
 };
 
 struct ConsentScreen {

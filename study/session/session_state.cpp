@@ -96,29 +96,37 @@ void SessionFlow::State::enterStep() {
       event("break", "begins");
     }
   } else if (const auto* practiceStep = current<PracticeStep>()) {
-    goOnWithPractice(practiceStep->block);
+    goOnWithPractice(*practiceStep);
   } else if (current<EndStep>() != nullptr) {
     end(SessionEnding::kCompleted, "Thank you", {"This was all for today.", "Please call the experimenter."});
   }
 }
 
-void SessionFlow::State::goOnWithPractice(int block) {
+void SessionFlow::State::goOnWithPractice(const PracticeStep& step) {
+  const auto [block, round] = step;
   const ProtocolPractice& rules = *blockOf(block).practice;
-  const Practice& so = practice[block];
+  const Practice& so = practice[{block, round}];
   if (so.inARow >= rules.minCorrect) {
-    event("practice_passed", std::to_string(block));
+    // Whoever resumes a session asks for the last round alone.
+    event(isLastRound(block) ? "practice_passed" : "practice_view_passed", std::to_string(block));
     nextStep();
   } else if (so.trials >= rules.maxTrials) {
     event("practice_failed", std::to_string(block));
-    agenda.front() = CallStep{block};
+    agenda.front() = CallStep{block, round};
   } else {
-    agenda.push_front(TrialStep{practiceTrial(schedule, protocol, block, so.trials)});
+    agenda.push_front(TrialStep{practiceTrial(schedule, protocol, block, so.trials, round)});
   }
 }
 
 void SessionFlow::State::continueAfterPractice() {
-  event("practice_continued", std::to_string(current<CallStep>()->block));
+  const int block = current<CallStep>()->block;
+  event(isLastRound(block) ? "practice_continued" : "practice_view_continued", std::to_string(block));
   nextStep();
+}
+
+bool SessionFlow::State::isLastRound(int block) const {
+  const PracticeStep* next = agenda.size() > 1 ? std::get_if<PracticeStep>(&agenda[1]) : nullptr;
+  return next == nullptr || next->block != block;
 }
 
 void SessionFlow::State::decline() {
@@ -225,7 +233,7 @@ void SessionFlow::State::completeTrial() {
   bool feedback = blockOf(plan.block).feedback;
   if (plan.practice) {
     feedback = true;
-    Practice& so = practice[plan.block];
+    Practice& so = practiceOf(plan);
     ++so.trials;
     so.inARowBefore = so.inARow;
     so.inARow = record.outcome.correct ? so.inARow + 1 : 0;

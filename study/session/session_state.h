@@ -36,7 +36,7 @@ struct SessionFlow::State {
     int inARow = 0;
     int inARowBefore = 0;  ///< the last trial
   };
-  std::map<int, Practice> practice{};  ///< of blocks
+  std::map<std::pair<int, std::optional<TrialView>>, Practice> practice{};  ///< of blocks and rounds
   std::unique_ptr<RunningTrial> trial{};
   TrialRecord record{};  ///< of the trial that runs
   bool trialWasOnScreen = false;
@@ -75,8 +75,15 @@ struct SessionFlow::State {
   /// What happens when a step comes under way. Steps that show nothing are done at once.
   void enterStep();
 
-  void goOnWithPractice(int block);
+  void goOnWithPractice(const PracticeStep& step);
   void continueAfterPractice();
+  /// Whether the step under way, of practice or of its failure, is the last of the practice of its block.
+  bool isLastRound(int block) const;
+  /// To which a practice trial belongs.
+  Practice& practiceOf(const TrialPlan& plan) { return practice[{plan.block, roundOf(plan)}]; }
+  std::optional<TrialView> roundOf(const TrialPlan& plan) const {
+    return blockOf(plan.block).practice->eachView ? std::optional(plan.view) : std::nullopt;
+  }
 
   void decline();
   ConsentRecord consentRecord(bool agreed) const;

@@ -5,12 +5,15 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "study/task/trial_layout.h"
 #include "study/trial/view_condition.h"
 
 namespace ocelli {
+
+struct NamedVantage;
 
 /// Where a task looks at its scene from, at one moment of a trial.
 struct Vantage {
@@ -22,6 +25,15 @@ struct Vantage {
   std::vector<Pane> pinholes;  ///< one at the eye, or several laid by hand; never none
   /// The views by the graph camera that the task makes; made when it is called.
   std::function<std::vector<TrialLayout::View>()> graph;
+  /// Other places to look from, which the block names and a view condition asks for.
+  std::vector<NamedVantage> variants{};
+
+  /// The variant of that name; all of this where it is empty. Throws InputError where there is none.
+  const Vantage& variant(const std::string& name) const;
+};
+struct NamedVantage {
+  std::string name;
+  Vantage vantage;
 };
 
 /// The same vantage always gives the same views. Any thread may call it at any time.
@@ -32,10 +44,10 @@ class SceneView {
   virtual std::vector<TrialLayout::View> views(const Vantage& from) const = 0;
 };
 
-/// The pinholes of the task, as they are.
-std::shared_ptr<const SceneView> pinholeView();
-/// The graph camera of the task.
-std::shared_ptr<const SceneView> graphView();
+/// The pinholes of the task, or of a variant of its vantage, as they are.
+std::shared_ptr<const SceneView> pinholeView(const std::string& variant = {});
+/// The graph camera of the task, or of a variant.
+std::shared_ptr<const SceneView> graphView(const std::string& variant = {});
 
 /// The conditions of a study: their names, and what they show.
 struct StudyConditions {

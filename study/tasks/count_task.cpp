@@ -29,6 +29,7 @@ namespace {
 
 constexpr double kTypicalCountSeconds = 4;
 constexpr int kMaxAnswer = 9;  // a digit
+constexpr size_t kMaxVariants = 16;
 
 struct CountCase {
   std::string label;
@@ -37,14 +38,20 @@ struct CountCase {
   bool duplicateColors = false;
 };
 
+/// From where the maze is shown: by a condition, or by one that asks for this variant.
+struct CountVantage {
+  ComprehensiveOptions comprehensive{};
+  PinholeMatrix pinholes{};
+};
+
 struct CountOptions {
   LandmarkShape shape = LandmarkShape::kSphere;
   std::optional<double> movingMetersPerSecond{};
   int minAnswer = 4;
   int maxAnswer = 7;
   double answerLimitSeconds = 30;
-  ComprehensiveOptions comprehensive{};
-  PinholeMatrix pinholes{};
+  CountVantage vantage{};
+  std::map<std::string, CountVantage> variants{};
   std::vector<MazeCell> places{};
 };
 
@@ -61,6 +68,20 @@ std::vector<TrialLayout::View> comprehensiveView(const Maze& maze, const Compreh
   std::vector<TrialLayout::View> views;
   views.emplace_back(stage, makeComprehensiveCamera(maze, options, size.x, size.y));
   return views;
+}
+
+Vantage vantageOf(const Maze& maze, const CountVantage& of, const PixelRect& stage) {
+  return {panesOf(of.pinholes, maze, stage),
+          [&maze, &of, stage] { return comprehensiveView(maze, of.comprehensive, stage); }};
+}
+
+/// It holds on to the maze and to the options.
+Vantage vantageOf(const Maze& maze, const CountOptions& options, const PixelRect& stage) {
+  Vantage vantage = vantageOf(maze, options.vantage, stage);
+  for (const auto& [name, variant] : options.variants) {
+    vantage.variants.push_back({name, vantageOf(maze, variant, stage)});
+  }
+  return vantage;
 }
 
 class CountBlock : public TaskBlock {
@@ -127,10 +148,8 @@ class CountBlock : public TaskBlock {
     const std::lock_guard lock(mutex_);
     auto& made = views_[{screen.width, screen.height, view}];
     if (!made) {
-      const PixelRect stage = stageOf(screen);
       made = std::make_shared<const std::vector<TrialLayout::View>>(
-          conditions_.viewsOf(view, {panesOf(options_.pinholes, maze_, stage),
-                                     [&] { return comprehensiveView(maze_, options_.comprehensive, stage); }}));
+          conditions_.viewsOf(view, vantageOf(maze_, options_, stageOf(screen))));
     }
     return made;
   }
@@ -322,6 +341,17 @@ CountCase readCase(JsonFields& fields, const std::string& label, const CountOpti
   return of;
 }
 
+/// The field "comprehensive", where it is.
+void readVantage(JsonFields& fields, const Maze& maze, CountVantage& vantage) {
+  if (fields.has("comprehensive")) {
+    JsonFields comprehensive = fields.inner("comprehensive");
+    vantage.comprehensive = readComprehensiveOptions(comprehensive);
+    comprehensive.rejectUnknown();
+  }
+  // Tells now what no screen could show.
+  comprehensiveView(maze, vantage.comprehensive, stageOf(TrialScreen{}));
+}
+
 std::shared_ptr<const TaskBlock> readCountTask(JsonFields& fields, const std::string& caseField,
                                                const TaskSetting& setting) {
   const Maze& maze = readMazeOf(fields, setting);
@@ -334,15 +364,30 @@ std::shared_ptr<const TaskBlock> readCountTask(JsonFields& fields, const std::st
     fields.fail("most_answer", "must be more than \"least_answer\": there is nothing to choose");
   }
   options.answerLimitSeconds = fields.number("answer_limit_seconds", 1, 3600, options.answerLimitSeconds);
-  if (fields.has("comprehensive")) {
-    JsonFields comprehensive = fields.inner("comprehensive");
-    options.comprehensive = readComprehensiveOptions(comprehensive);
-    comprehensive.rejectUnknown();
-  }
-  // Tells now what no screen could show.
-  comprehensiveView(maze, options.comprehensive, stageOf(TrialScreen{}));
+  readVantage(fields, maze, options.vantage);
   JsonFields pinholes = fields.inner("pinholes");
-  options.pinholes = readPinholeMatrix(pinholes, maze);
+  options.vantage.pinholes = readPinholeMatrix(pinholes, maze);
+  fields.forEachNamed(
+      "variants", kMaxVariants,
+      [&](const std::string& name, JsonFields& each) {
+        CountVantage variant = options.vantage;
+        readVantage(each, maze, variant);
+        if (each.has("pinholes")) {
+          JsonFields matrix = each.inner("pinholes");
+          variant.pinholes = readPinholeMatrix(matrix, maze);
+        }
+        each.rejectUnknown();
+        options.variants.emplace(name, variant);
+      },
+      "variants");
+  // Tells now which variants conditions lack; of nothing, as only the names matter.
+  Vantage nothing{{}, [] { return std::vector<TrialLayout::View>(); }};
+  for (const auto& [name, variant] : options.variants) {
+    nothing.variants.push_back({name, {{}, nothing.graph}});
+  }
+  for (const TrialView view : kViews) {
+    setting.conditions.viewsOf(view, nothing);
+  }
   options.places = readPlaces(fields, maze);
   checkPlaces(fields, maze, options);
   std::vector<CountCase> cases;

@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <vector>
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/base/random.h"
 #include "oc_core/worlds/maze_validate.h"
 #include "study/outline/usual_values.h"
 #include "study/task/eye_camera.h"
+#include "study/task/hidden_cells.h"
 #include "study/task/object_picker.h"
 #include "study/task/object_walk.h"
 #include "study/task/task_fields.h"
@@ -24,10 +28,14 @@ namespace ocelli {
 namespace {
 
 constexpr double kTypicalSeconds = 20;
+constexpr int kMaxDistanceBands = 12;
+constexpr int kUsualDistanceBands = 4;
+constexpr const char* kDrawnCases = "cases";
 
 struct FindCase {
   std::string label;
   Landmark object;
+  std::vector<MazeCell> cells{};  ///< one of them is drawn for each trial; empty where the object's own is meant
 };
 
 struct FindOptions {
@@ -61,9 +69,7 @@ class FindBlock : public TaskBlock {
     info.typicalSeconds = std::min(kTypicalSeconds, options_.limitSeconds);
     return info;
   }
-  std::string answerOf(const TrialPlan& plan) const override {
-    return "object at " + placeName(caseOf(plan.caseIndex).object.cell);
-  }
+  std::string answerOf(const TrialPlan& plan) const override { return "object at " + placeName(objectOf(plan).cell); }
   std::unique_ptr<TrialRun> start(const TrialPlan& plan, const TrialScreen& screen) const override;
 
   const Maze& maze() const { return maze_; }
@@ -76,6 +82,16 @@ class FindBlock : public TaskBlock {
   const FindCase& caseOf(int index) const {
     OC_CHECK(index >= 0 && index < caseCount(), "a trial is of a case of its block");
     return cases_[static_cast<size_t>(index)];
+  }
+  /// What is to be found, where it stands at first.
+  Landmark objectOf(const TrialPlan& plan) const {
+    const FindCase& of = caseOf(plan.caseIndex);
+    Landmark object = of.object;
+    if (!of.cells.empty()) {
+      // Another seed than that of its walk.
+      object.cell = of.cells[Random(Random(plan.seed).next()).below(of.cells.size())];
+    }
+    return object;
   }
   /// (x, z) of an object.
   glm::dvec2 placeOf(const Landmark& object) const {
@@ -111,11 +127,11 @@ class FindRun : public TrialRun {
         view_(plan.view),
         expected_(block.answerOf(plan)),
         stage_(stageOf(screen)),
-        place_(block.placeOf(block.caseOf(plan.caseIndex).object)),
+        place_(block.placeOf(block.objectOf(plan))),
         walker_(block_.plan(), block_.controls(), block_.options().start),
         pointer_(stage_, block_.controls()) {
     if (const std::optional<double> speed = block.options().movingMetersPerSecond) {
-      const ObjectWalk::Start start{block.caseOf(plan.caseIndex).object.cell, place_};
+      const ObjectWalk::Start start{block.objectOf(plan).cell, place_};
       walk_.emplace(block_.maze(), std::span(&start, 1), *speed, plan.seed);
     }
   }
@@ -208,6 +224,40 @@ std::unique_ptr<TrialRun> FindBlock::start(const TrialPlan& plan, const TrialScr
   return std::make_unique<FindRun>(*this, plan, screen);
 }
 
+/// Throws InputError where the object reaches into a wall.
+void checkObject(Maze maze, const Landmark& object, const std::string& where) {
+  maze.landmarks = {object};
+  validate(maze, where);
+}
+
+/// Of the cells of its band, from which case `i` of `count` draws: every so many, so that no two draw the same one.
+void giveCells(const std::vector<MazeCell>& cells, size_t i, size_t count, const Maze& maze, const std::string& where,
+               FindCase& of) {
+  for (size_t k = i; k < cells.size(); k += count) {
+    of.cells.push_back(cells[k]);
+    of.object.cell = cells[k];
+    checkObject(maze, of.object, fmt::format("{}, case \"{}\"", where, of.label));
+  }
+  of.object.cell = of.cells.front();
+}
+
+/// The cells that any case of the block names, those of practice and examples too: where a subject may have been.
+std::set<MazeCell> namedCells(JsonFields& fields) {
+  std::set<MazeCell> cells;
+  for (const char* list : {"cases", "practice_cases", "example_cases"}) {
+    if (!fields.has(list)) {
+      continue;
+    }
+    for (const nlohmann::json& each : fields.value(list)) {
+      if (each.is_object() && each.contains("row") && each.contains("column") && each["row"].is_number_integer() &&
+          each["column"].is_number_integer()) {
+        cells.insert({each["row"].get<int>(), each["column"].get<int>()});
+      }
+    }
+  }
+  return cells;
+}
+
 std::shared_ptr<const TaskBlock> readFindTask(JsonFields& fields, const std::string& caseField,
                                               const TaskSetting& setting) {
   const Maze& maze = readMazeOf(fields, setting);
@@ -218,19 +268,50 @@ std::shared_ptr<const TaskBlock> readFindTask(JsonFields& fields, const std::str
   options.start = readStart(fields, maze);
   options.camera = readEyeCameraOptions(fields);
   const ObjectLook look = readObjectLook(fields, true);
+  const int bands = fields.integer("distance_bands", 1, kMaxDistanceBands, kUsualDistanceBands);
   std::vector<FindCase> cases;
+  std::map<int, std::vector<size_t>> casesOfBand;
   readCases(fields, caseField, [&](JsonFields& each, const std::string& label) {
     Landmark object;
-    object.cell = readCell(each, maze);
+    if (each.has("distance_band")) {
+      if (each.has("row") || each.has("column")) {
+        each.fail("distance_band", "draws the cell, which \"row\" and \"column\" name: give one or the other");
+      }
+      if (caseField != kDrawnCases) {
+        each.fail("distance_band", "is for the trials: practice and examples name their cells, which are not drawn");
+      }
+      casesOfBand[each.integer("distance_band", 1, bands)].push_back(cases.size());
+    } else {
+      object.cell = readCell(each, maze);
+    }
     object.shape = look.shape;
     object.color = look.color;
     object.east = static_cast<float>(each.number("east", -0.5, 0.5, 0));
     object.south = static_cast<float>(each.number("south", -0.5, 0.5, 0));
-    Maze withObject = maze;
-    withObject.landmarks = {object};
-    validate(withObject, each.where());
     cases.push_back({label, object});
+    if (!each.has("distance_band")) {
+      checkObject(maze, object, each.where());
+    }
   });
+  if (!casesOfBand.empty()) {
+    const SightSetting sight{EyeCamera(maze, setting.controls, options.camera, setting.conditions), options.start,
+                             cases.front().object};
+    std::vector<MazeCell> hidden = hiddenCells(maze, sight);
+    const std::set<MazeCell> named = namedCells(fields);
+    std::erase_if(hidden, [&](const MazeCell& cell) { return named.contains(cell); });
+    for (const auto& [band, list] : casesOfBand) {
+      const std::vector<MazeCell> cells = cellsOfBand(hidden, band - 1, bands);
+      if (cells.size() < list.size()) {
+        fields.fail(caseField,
+                    fmt::format("has {} cases in band {} of {}, but of the {} cells that are out of sight at "
+                                "the start {} are in it: fewer cases or bands, or a larger maze",
+                                list.size(), band, bands, hidden.size(), cells.size()));
+      }
+      for (size_t i = 0; i < list.size(); ++i) {
+        giveCells(cells, i, list.size(), maze, fields.where(), cases[list[i]]);
+      }
+    }
+  }
   return std::make_shared<FindBlock>(maze, setting, options, std::move(cases));
 }
 

@@ -16,14 +16,21 @@ ViewKind displayViewKind();
 
 namespace {
 
+/// "variant": the name that blocks give to other places to look from.
+std::string readVariant(JsonFields& fields) {
+  constexpr size_t kMaxVariantCharacters = 60;
+  return fields.has("variant") ? fields.shortText("variant", kMaxVariantCharacters) : "";
+}
+
 Registry<ViewKind>& viewRegistry() {
-  static Registry<ViewKind> registry(
-      "view", {{"pinhole", "the planar pinhole cameras of the task", [](JsonFields&) { return pinholeView(); }},
-               {"graph", "the graph camera that the task makes", [](JsonFields&) { return graphView(); }},
-               panesViewKind(),
-               ocriViewKind(),
-               cameraViewKind(),
-               displayViewKind()});
+  static Registry<ViewKind> registry("view", {{"pinhole", "the planar pinhole cameras of the task",
+                                               [](JsonFields& fields) { return pinholeView(readVariant(fields)); }},
+                                              {"graph", "the graph camera that the task makes",
+                                               [](JsonFields& fields) { return graphView(readVariant(fields)); }},
+                                              panesViewKind(),
+                                              ocriViewKind(),
+                                              cameraViewKind(),
+                                              displayViewKind()});
   return registry;
 }
 

@@ -78,6 +78,33 @@ TEST_F(Exclusions, theProtocolsOwnRulesHold) {
   EXPECT_EQ(applyPlan(readDatabase(path), without).data.trials.size(), 14u);
 }
 
+TEST_F(Exclusions, theCriterionOfPracticeHoldsForEachViewWhereTheProtocolSaysSo) {
+  for (const bool eachView : {false, true}) {
+    path = folder.file(eachView ? "each.db" : "any.db");
+    std::string protocol = kSampleProtocol;
+    if (eachView) {
+      const std::string criterion = R"("least_correct": 2)";
+      protocol.replace(protocol.find(criterion), criterion.size(), criterion + R"(, "each_view": true)");
+    }
+    SampleStudy study(path, protocol);
+    fillSmallStudy(study);
+    study.addSubject("S03");
+    study.addSession("S03", 1);
+    SampleTrial trial;
+    trial.subject = "S03";
+    study.addTrial(trial);
+    // Two right ones in a row in one view alone.
+    for (const auto& [view, right] : std::vector<std::pair<const char*, bool>>{
+             {"ppc", true}, {"ppc", true}, {"gc", true}, {"gc", false}, {"gc", true}}) {
+      trial.plan.reset();
+      trial.view = view;
+      trial.correct = right;
+      study.addTrial(trial);
+    }
+    EXPECT_EQ(with(rule("practice_criterion", ExclusionTest::kAlways, "")).data.trials.size(), eachView ? 12u : 13u);
+  }
+}
+
 TEST_F(Exclusions, eachRuleTakesWhatItSays) {
   SampleStudy study(path);
   fillSmallStudy(study);

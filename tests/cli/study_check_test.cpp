@@ -22,8 +22,9 @@ TEST(StudyCheck, TellsScheduleLengthAndBalance) {
   EXPECT_EQ(result.exitCode, 0) << result.error;
   EXPECT_THAT(result.error, IsEmpty());
   EXPECT_THAT(result.output, AllOf(HasSubstr("Session 1 of the subject in slot 0"), HasSubstr("typical min"),
-                                   HasSubstr("location 3"), HasSubstr("object at row 6, column 5"),
-                                   HasSubstr("Balance of session 1 over 3 subjects"), HasSubstr("No warnings")));
+                                   HasSubstr("location 3"), HasSubstr("object at row "),
+                                   HasSubstr("Balance of session 1 over 3 subjects"),
+                                   HasSubstr("the consent still says \"[fill in: name and address]\"")));
   EXPECT_THAT(runProgram("study check " + kShort).output, Not(HasSubstr("object at row")));
 }
 
@@ -62,7 +63,7 @@ TEST(StudyCheck, RefusesTextsThatTheScreenWouldNotShow) {
   const ProgramResult run = runProgram("study run " + path + " --db '" + database + "' --subject S01");
   for (const ProgramResult& result : {checked, run}) {
     EXPECT_EQ(result.exitCode, 2) << result.error;
-    EXPECT_THAT(result.error, AllOf(HasSubstr("\"consent\", \"paragraphs\" 5"), HasSubstr("U+0633"),
+    EXPECT_THAT(result.error, AllOf(HasSubstr("\"consent\", \"paragraphs\" 8"), HasSubstr("U+0633"),
                                     HasSubstr("from right to left")));
   }
   EXPECT_FALSE(std::filesystem::exists(database));

@@ -57,6 +57,7 @@ Json withConditions(const std::string& conditions) {
   Json json = smallProtocol();
   json["conditions"] = Json::parse(conditions);
   json.at("survey").at("fields").at(0)["favors"] = {"left", "right"};
+  json["blocks"][0]["instructions"][0]["picture"]["condition"] = "right";
   return json;
 }
 
@@ -105,6 +106,27 @@ TEST(ProtocolFile, SaysWhatIsWrongWithConditions) {
   EXPECT_THAT(errorOf(R"([{"name": "one", "view": "pinhole"}, {"name": "right", "view": "graph"}])"),
               HasSubstr("must be [\"one\", \"right\"]"))
       << "of favors";
+}
+
+TEST(ProtocolFile, PagesNeedExampleCasesToShow) {
+  Json json = smallProtocol();
+  json["blocks"][0].erase("example_cases");
+  EXPECT_THAT(protocolError(json), HasSubstr("field \"picture\" shows a trial, but the block has no field"));
+}
+
+TEST(ProtocolFile, AsksForTheVariantsOfItsConditions) {
+  const std::string conditions = R"([{"name": "left", "view": {"kind": "pinhole", "variant": "low"}},
+                                     {"name": "right", "view": {"kind": "graph", "variant": "high"}}])";
+  Json json = withConditions(conditions);
+  json["blocks"] = Json::array({json.at("blocks").at(1)});
+  json["blocks"][0]["sessions"] = {1, 2};
+  EXPECT_THAT(protocolError(json), HasSubstr("asks for the variant \"high\", but a block has \"low\""));
+  json["blocks"][0]["variants"]["high"] = {{"comprehensive", {{"eye_height", 5}}}};
+  EXPECT_EQ(protocolError(json), "");
+  json["blocks"][0].erase("variants");
+  EXPECT_THAT(protocolError(json), HasSubstr("but a block has none"));
+  json["blocks"][0]["variants"] = {{"low", {{"maze", "ring"}}}};
+  EXPECT_THAT(protocolError(json), HasSubstr("field \"maze\" is unknown"));
 }
 
 TEST(ProtocolFile, KeepsItsTextByteByByte) {
@@ -187,6 +209,11 @@ const Mutation kMutations[] = {
     {"/consent/paragraphs/0", "\"\"", "field \"paragraphs\"", "\"consent\""},
     {"/consent/text", "\"x\"", "field \"text\" is unknown", "\"consent\""},
     {"/welcome/0/picture", "\"maze\"", "field \"picture\" must be one of find_ppc", "\"welcome\" 1"},
+    {"/welcome/0/picture", R"({"condition": "gc"})", "which only the instructions of a block can", "\"welcome\" 1"},
+    {"/blocks/1/instructions/0/picture", R"({"condition": "bent"})", "field \"condition\" must be one of ppc, gc", "\"instructions\" 1"},
+    {"/blocks/0/instructions/0/picture/case", "\"here\"", "field \"case\" must be one of seen", "\"instructions\" 1"},
+    {"/blocks/0/instructions/0/picture/trial", "1", "field \"trial\" is unknown", "\"instructions\" 1"},
+    {"/blocks/0/practice/each_view", "1", "field \"each_view\" must be true or false", "\"practice\""},
     {"/demographics/fields", "[]", "field \"fields\" must be an array of 1 to", "\"demographics\""},
     {"/demographics/fields/0/name", "\"Vision\"", "field \"name\" must be of small letters", "\"fields\" 1"},
     {"/demographics/fields/0/options", "[\"one\"]", "field \"options\" must be an array of 2 to", "\"fields\" 1"},

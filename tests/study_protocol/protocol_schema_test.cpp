@@ -83,6 +83,7 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfPagesFormsAndLimits) {
   expectAgreement(schema(), everySession, "", {"conditions"});
   expectAgreement(def("page"), document, "/consent");
   expectAgreement(def("page"), document, "/blocks/0/instructions/0");
+  expectAgreement(def("example"), document, "/blocks/0/instructions/0/picture", {"condition", "case"});  // names
   expectAgreement(def("form"), document, "/demographics");
   expectAgreement(def("form_field"), document, "/survey/fields/0", {"favors"});  // both views, not any two of them
   expectAgreement(def("screen"), document, "/screen");
@@ -114,6 +115,8 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfConditions) {
     std::vector<std::string> others;
   };
   for (const KindOptions& options : std::vector<KindOptions>{
+           {"pinhole", "{}", {}, {"variant"}},
+           {"graph", "{}", {}, {"variant"}},
            {"panes", R"({"headings_degrees": [0]})", {"headings_degrees"}, {"fov_horizontal_degrees"}},
            {"ocri",
             R"({"camera": "ddoc", "eye_offset_meters": [0, 0, 0]})",
@@ -150,7 +153,16 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfFind) {
   expectAgreement(block, document, "/blocks/0", kOwnOfBlocks);
   expectAgreement(block.at("properties").at("object"), document, "/blocks/0/object");
   expectAgreement(block.at("properties").at("start"), document, "/blocks/0/start");
-  expectAgreement(def("find_case"), document, "/blocks/0/cases/0");
+  expectAgreement(def("find_case"), document, "/blocks/0/cases/0", {"distance_band"});  // in place of row and column
+  Json drawn = document;
+  drawn["mazes"]["ring"]["plan"] = {"+-+-+-+", "|     |", "+-+ + +", "|   | |", "+ +-+ +", "|     |", "+-+ +-+"};
+  drawn["blocks"][0]["cases"] = {{{"distance_band", 1}}};
+  const Json::json_pointer at("/blocks/0/cases/0/distance_band");
+  EXPECT_EQ(protocolError(drawn), "");
+  for (const Json& number : {Json(0), Json(5), Json(1.5), Json("1")}) {
+    drawn.at(at) = number;
+    EXPECT_NE(protocolError(drawn).find("field \"distance_band\""), std::string::npos) << protocolError(drawn);
+  }
   expectAgreement(def("moving"), document, "/blocks/0/moving");
   document.at("blocks").at(0).at("practice")["most_trials"] = 100;
   expectAgreement(block.at("properties").at("practice"), document, "/blocks/0/practice");
@@ -161,6 +173,7 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfCount) {
   expectAgreement(def("count_case"), document, "/blocks/0/cases/0", {"objects"});
   expectAgreement(def("comprehensive"), document, "/blocks/0/comprehensive");
   expectAgreement(def("pinholes"), document, "/blocks/0/pinholes");
+  expectAgreement(def("count_variant"), document, "/blocks/0/variants/low");
   Json pinhole = def("pinhole");
   pinhole.at("properties").at("heading") = pinhole.at("properties").at("heading").at("anyOf").at(1);
   expectAgreement(pinhole, document, "/blocks/0/pinholes/views/0", {"east", "south"});
@@ -184,6 +197,7 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfNearer) {
       "object": {"shape": "cone"}, "start": {"row": 0, "column": 0, "heading": "east"}, "sessions": [1, 2],
       "instructions": [{"title": "Nearer", "paragraphs": ["Which?"]}], "practice": {},
       "practice_cases": [{"left": {"row": 0, "column": 2, "south": -0.2}, "right": {"row": 0, "column": 3, "south": 0.2}}],
+      "example_cases": [{"left": {"row": 0, "column": 2, "south": -0.2}, "right": {"row": 0, "column": 3, "south": 0.2}}],
       "cases": [{"left": {"row": 0, "column": 2, "south": -0.2}, "right": {"row": 0, "column": 3, "south": 0.2}}]})");
   // What decides whether a case can be seen.
   std::vector<std::string> own = kOwnOfBlocks;
@@ -193,6 +207,7 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfNearer) {
   // Other places of an object are out of sight, so that ranges cannot be tried; they are those of a place to find.
   Json place = def("find_case").at("properties");
   place.erase("label");
+  place.erase("distance_band");
   EXPECT_EQ(def("nearer_object").at("properties"), place);
   document["blocks"][0]["cases"][0]["left"]["north"] = 0.1;
   EXPECT_NE(protocolError(document).find("field \"north\" is unknown"), std::string::npos) << protocolError(document);

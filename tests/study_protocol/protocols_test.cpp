@@ -1,7 +1,11 @@
 // The protocols that come with the program.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "study/protocol/balance.h"
@@ -11,6 +15,9 @@
 
 namespace ocelli::test {
 namespace {
+
+using testing::Each;
+using testing::HasSubstr;
 
 Protocol protocolOf(const std::string& name) {
   return readProtocol(std::filesystem::path(OCELLI_SOURCE_DIR "/protocols") / (name + ".json"));
@@ -95,7 +102,7 @@ TEST(BalancedProtocol, HasTheSameTrialsAndCellsThatDifferByAtMostOneForOneToSixt
 
 TEST(BalancedProtocol, HasNoCaseTwiceInARowAndNoWarnings) {
   const Protocol protocol = protocolOf("rosen2010-balanced");
-  EXPECT_TRUE(warningsOf(protocol, protocol.seed).empty());
+  EXPECT_THAT(warningsOf(protocol, protocol.seed), Each(HasSubstr("[fill in:")));
   for (int slot = 0; slot < 60; ++slot) {
     for (int session = 1; session <= protocol.sessions; ++session) {
       const SessionSchedule schedule = scheduleOf(protocol, slot, session, protocol.seed);
@@ -117,6 +124,23 @@ TEST(ShortProtocol, TakesTenMinutes) {
   const double seconds = durationOf(partsOf(protocol, scheduleOf(protocol, 0, 1, 1))).typicalSeconds;
   EXPECT_GT(seconds, 7 * 60);
   EXPECT_LT(seconds, 11 * 60);
+}
+
+TEST(CheckReport, WarnsWhileTheConsentIsTheSample) {
+  for (const char* name : {"short", "rosen2010", "rosen2010-balanced", "nearer"}) {
+    nlohmann::json json =
+        nlohmann::json::parse(std::ifstream(OCELLI_SOURCE_DIR "/protocols/" + std::string(name) + ".json"));
+    json["blocks"] = nlohmann::json::array({json.at("blocks").at(0)});
+    const auto placeholders = [&] {
+      const Protocol protocol = protocolFromJsonText(json.dump(), name);
+      const std::vector<std::string> warnings = warningsOf(protocol, 1);
+      return std::count_if(warnings.begin(), warnings.end(),
+                           [](const std::string& warning) { return warning.find("[fill in:") != std::string::npos; });
+    };
+    EXPECT_EQ(placeholders(), 5) << name;  // controller, contact, purpose, retention, complaints
+    json["consent"]["paragraphs"] = {"Do you agree [really]?"};
+    EXPECT_EQ(placeholders(), 0) << name;
+  }
 }
 
 TEST(CheckReport, WarnsOfWhatTheOriginalDoes) {
@@ -148,7 +172,7 @@ TEST(NearerProtocol, HasAsManyCasesOfEitherSide) {
       EXPECT_EQ(count, task.caseCount() / 4) << protocol.nameOf(viewAndSide.first) << viewAndSide.second;
     }
   }
-  EXPECT_TRUE(warningsOf(protocol, protocol.seed).empty()) << warningsOf(protocol, protocol.seed).front();
+  EXPECT_THAT(warningsOf(protocol, protocol.seed), Each(HasSubstr("[fill in:")));
 }
 
 }  // namespace

@@ -325,6 +325,63 @@ TEST(SessionFlow, aPracticeTrialThatIsRedoneCountsOnce) {
   EXPECT_TRUE(small.sink.hasEvent("practice_passed"));
 }
 
+/// Of each practice trial that ended, in which view it was; "!" after a wrong one.
+std::string practiced(const FakeSink& sink) {
+  std::string views;
+  for (const test::TrialEnds& end : sink.all<test::TrialEnds>()) {
+    if (end.record.plan.practice) {
+      views += end.record.plan.view == TrialView::kReference ? "r" : "o";
+      views += end.record.outcome.correct ? "" : "!";
+    }
+  }
+  return views;
+}
+
+TEST(SessionFlow, eachViewIsPractisedToItsCriterionWhereTheProtocolAsksForIt) {
+  Small small;
+  small.protocol.blocks[0].practice->maxTrials = 4;
+  small.protocol.blocks[0].practice->eachView = true;
+  SessionRun run(small.protocol, small.schedule, small.sink);
+  const auto isDone = [&](size_t count) {
+    return [&small, count] { return small.sink.all<test::TrialEnds>().size() == count; };
+  };
+  run.goOn(isDone(1));
+  run.answer = Key::k9;
+  run.goOn(isDone(2));  // wrong: it begins again
+  run.answer.reset();
+  run.goOn(isDone(4));
+  EXPECT_FALSE(small.sink.hasEvent("practice_view_passed"));
+  run.tap(Key::kEnter);
+  EXPECT_TRUE(small.sink.hasEvent("practice_view_passed"));
+  EXPECT_FALSE(small.sink.hasEvent("practice_passed"));
+  run.goOn([&] { return run.inTrial() && !run.flow.trialPlan()->practice; });
+  EXPECT_TRUE(small.sink.hasEvent("practice_passed"));
+  EXPECT_EQ(practiced(small.sink), small.schedule.firstView == TrialView::kReference ? "rr!rroo" : "oo!oorr");
+  std::set<uint64_t> seeds;
+  for (const test::TrialEnds& end : small.sink.all<test::TrialEnds>()) {
+    EXPECT_TRUE(seeds.insert(end.record.plan.seed).second);
+  }
+}
+
+TEST(SessionFlow, aViewThatFailsInPracticeCallsTheExperimenterAndTheOtherIsPractisedAllTheSame) {
+  Small small;
+  small.protocol.blocks[0].practice->eachView = true;
+  SessionRun run(small.protocol, small.schedule, small.sink);
+  run.answer = Key::k9;
+  run.goOn([&] { return small.sink.hasEvent("practice_failed"); });
+  EXPECT_EQ(small.sink.all<test::TrialEnds>().size(), 3u);  // "most trials", of one view
+  run.flow.resume();
+  EXPECT_TRUE(small.sink.hasEvent("practice_view_continued"));
+  // Who resumes the session now practises both again.
+  EXPECT_TRUE(test::doneAfter(small.sink.calls, small.schedule, small.protocol).blocksPracticed.empty());
+  run.answer.reset();
+  run.goOn([&] { return run.inTrial() && !run.flow.trialPlan()->practice; });
+  EXPECT_EQ(practiced(small.sink), small.schedule.firstView == TrialView::kReference ? "r!r!r!oo" : "o!o!o!rr");
+  EXPECT_TRUE(small.sink.hasEvent("practice_passed"));
+  EXPECT_FALSE(small.sink.hasEvent("practice_continued"));
+  EXPECT_EQ(test::doneAfter(small.sink.calls, small.schedule, small.protocol).blocksPracticed, (std::vector{0}));
+}
+
 TEST(SessionFlow, logsHoldWhatTasksCanUse) {
   Small small;
   SessionRun run(small.protocol, small.schedule, small.sink);

@@ -186,6 +186,41 @@ TEST(CountTask, saysWhatIsWrong) {
          "into a wall");
 }
 
+/// Of the viewpoints of a condition, metres.
+std::set<double> heightsOf(const TaskBlock& of, TrialView view) {
+  std::set<double> heights;
+  for (const TrialLayout::View& each : of.start(test::planOf("count", 0, view), kScreen)->layout().views) {
+    if (const auto* graph = std::get_if<GraphCamera>(&each.camera)) {
+      for (const GraphCamera::Frustum& frustum : graph->frusta()) {
+        heights.insert(std::round(100 * frustum.viewpoint.y) / 100);
+      }
+    } else {
+      heights.insert(std::round(100 * static_cast<double>(std::get<PinholeCamera>(each.camera).eye().y)) / 100);
+    }
+  }
+  return heights;
+}
+
+TEST(CountTask, conditionsShowTheVariantThatTheyAskFor) {
+  TaskSetting setting = test::studySetting();
+  const double walls = static_cast<double>(setting.mazes.at("small").wallHeight);
+  const std::string json = R"({"maze": "small", )" + kPinholes + R"(, "comprehensive": {"eye_height": 4},
+      "variants": {"low": {"comprehensive": {"eye_height": 3}},
+                   "top": {"pinholes": {"rows": 1, "columns": 1, "views": [{"row": 2, "column": 2, "heading": "north",
+                           "height_meters": 20, "pitch_degrees": -89}]}}},
+      "cases": [{"objects": 4, "exposure_seconds": 1}]})";
+  const auto heights = [&](const std::string& pinholes, const std::string& graph) {
+    setting.conditions.views = {pinholeView(pinholes), graphView(graph)};
+    const auto of = test::readBlock("count", json, setting);
+    return std::pair(heightsOf(*of, TrialView::kReference), heightsOf(*of, TrialView::kOther));
+  };
+  using Heights = std::pair<std::set<double>, std::set<double>>;
+  const auto rounded = [](double meters) { return std::round(100 * meters) / 100; };
+  EXPECT_EQ(heights("", ""), (Heights{{1.6}, {rounded(4 * walls)}}));
+  EXPECT_EQ(heights("top", "low"), (Heights{{20}, {rounded(3 * walls)}}));
+  EXPECT_EQ(heights("low", "top"), (Heights{{1.6}, {rounded(4 * walls)}}));  // what a variant does not say is the block's
+}
+
 TEST(CountTask, pinholesLookWhereTheirFileSays) {
   const auto of = test::readBlock("count", R"({"maze": "small", "cases": [{"objects": 4, "exposure_seconds": 1}],
       "pinholes": {"rows": 2, "columns": 2, "views": [

@@ -1,6 +1,9 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "oc_core/multiperspective/multiperspective_image.h"
 #include "oc_core/render/identity_image.h"
@@ -40,6 +43,10 @@ double measure(const TrialOutcome& outcome, const std::string& name) {
   }
   ADD_FAILURE() << "no measure " << name;
   return 0;
+}
+
+std::string placeNameOf(const MazeCell& cell) {
+  return fmt::format("row {}, column {}", cell.row, cell.column);
 }
 
 /// Moves the pointer with Shift and the arrows.
@@ -153,6 +160,56 @@ TEST(FindTask, movingObjectsAreFoundWhereTheyAre) {
   EXPECT_GE(found, 1u);
 }
 
+TEST(FindTask, placesAreDrawnFromBandsOfDistanceAlikeForAllViewsAndEachOnce) {
+  const auto block = test::readBlock("find", kFromTheWest + R"("distance_bands": 2, "cases": [
+      {"label": "a", "distance_band": 1}, {"label": "b", "distance_band": 2}, {"label": "c", "distance_band": 1}]})");
+  const Maze maze = test::studyMaze();
+  std::set<std::string> ofA;
+  std::vector<int> near;
+  std::vector<int> far;
+  for (uint64_t seed = 1; seed <= 60; ++seed) {
+    const auto cellOf = [&](int index) {
+      const TrialPlan plan = test::planOf("find", index, TrialView::kReference, seed);
+      const auto run = block->start(plan, kFindScreen);
+      const TrialLayout layout = run->layout();
+      const MazeCell cell =
+          *maze.cellAt(layout.scene->maze().centerOf(layout.scene->maze().landmarks[0].cell) + layout.objectOffsets[0]);
+      EXPECT_EQ(block->answerOf(plan), "object at " + placeNameOf(cell));
+      EXPECT_FALSE(seenAt(*run).has_value()) << nameOf(cell);
+      TrialPlan other = plan;
+      other.view = TrialView::kOther;
+      EXPECT_EQ(block->answerOf(other), block->answerOf(plan));
+      EXPECT_FALSE(seenAt(*block->start(other, kFindScreen)).has_value()) << nameOf(cell);
+      return cell;
+    };
+    const MazeCell a = cellOf(0);
+    ofA.insert(nameOf(a));
+    EXPECT_NE(a, cellOf(2));
+    near.push_back(*maze.shortestSteps({2, 0}, a));
+    far.push_back(*maze.shortestSteps({2, 0}, cellOf(1)));
+  }
+  EXPECT_GT(ofA.size(), 1u);
+  EXPECT_LE(*std::max_element(near.begin(), near.end()), *std::min_element(far.begin(), far.end()));
+}
+
+TEST(FindTask, namedCellsAreNotDrawn) {
+  const std::string drawn = R"("distance_bands": 1, "cases": [{"distance_band": 1}])";
+  const auto free = test::readBlock("find", kFromTheWest + drawn + "}");
+  std::map<std::string, int> cells;
+  for (uint64_t seed = 1; seed <= 400; ++seed) {
+    ++cells[free->answerOf(test::planOf("find", 0, TrialView::kReference, seed))];
+  }
+  ASSERT_GT(cells.size(), 3u);
+  // "object at row 0, column 5"
+  const std::string& one = cells.begin()->first;
+  const std::string named =
+      fmt::format(R"("practice_cases": [{{"row": {}, "column": {}}}])", one.substr(14, 1), one.substr(one.size() - 1));
+  const auto block = test::readBlock("find", kFromTheWest + drawn + ", " + named + "}");
+  for (uint64_t seed = 1; seed <= 400; ++seed) {
+    EXPECT_NE(block->answerOf(test::planOf("find", 0, TrialView::kReference, seed)), one);
+  }
+}
+
 TEST(FindTask, saysWhatIsWrong) {
   const auto error = [](const std::string& rest) {
     return test::readError("find", R"({"maze": "small", )" + rest + "}");
@@ -166,6 +223,12 @@ TEST(FindTask, saysWhatIsWrong) {
   expect(error(R"("cases": [{"row": 0, "column": 0, "east": 0.45}])"), "reaches into a wall");
   expect(error(R"("cases": [{"label": "a", "row": 0, "column": 0}, {"label": "a", "row": 0, "column": 1}])"), "label");
   expect(error(R"("cases": [{"row": 0, "column": 0, "colour": 1}])"), "colour");
+  expect(error(R"("cases": [{"row": 0, "column": 0, "distance_band": 1}])"), "give one or the other");
+  expect(error(R"("distance_bands": 2, "cases": [{"distance_band": 3}])"), "distance_band");
+  expect(error(R"("distance_bands": 12, "cases": [{"distance_band": 1}, {"distance_band": 1}, {"distance_band": 1},
+                  {"distance_band": 1}])"),
+         "has 4 cases in band 1 of 12");
+  expect(error(R"("cases": [{"distance_band": 1, "east": 0.45}])"), "reaches into a wall");
   expect(error(R"("object": {"shape": "arch"}, "cases": [{"row": 0, "column": 0}])"), "arch");
   expect(error(R"("object": {"color": "red"}, "cases": [{"row": 0, "column": 0}])"), "vermilion");
   expect(error(R"("limit_seconds": 0, "cases": [{"row": 0, "column": 0}])"), "limit_seconds");
