@@ -12,10 +12,10 @@ namespace ocelli {
 class JsonFields;
 
 /// In the field `name`.
-ProtocolPage readPage(JsonFields& fields, const std::string& name);
+ProtocolPage readPage(JsonFields& fields, const std::string& name, const std::string& language);
 /// Nothing where the field is missing.
-std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name);
-ProtocolForm readForm(JsonFields& fields, const std::string& name, const ViewConditions& conditions);
+std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name, const std::string& language);
+ProtocolForm readForm(JsonFields& fields, const std::string& name, const FormSetting& setting);
 
 /// Defaults where fields are missing.
 ScreenGeometry screenGeometry(const StatedScreen& stated);

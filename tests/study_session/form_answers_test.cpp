@@ -15,11 +15,11 @@ TEST(FormAnswers, arrowsMoveAndChoose) {
   EXPECT_FALSE(answers.press(Key::kUp));
   EXPECT_EQ(answers.screen().focus, 0);
   answers.press(Key::kRight);
-  EXPECT_EQ(answers.screen().chosen[0], 0);
+  EXPECT_EQ(answers.screen().entries[0].chosen, std::vector<int>{0});
   answers.press(Key::kRight);
   answers.press(Key::kRight);
   answers.press(Key::kRight);  // no further
-  EXPECT_EQ(answers.screen().chosen[0], 2);
+  EXPECT_EQ(answers.screen().entries[0].chosen, std::vector<int>{2});
   answers.press(Key::kLeft);
   EXPECT_EQ(answers.answer(0), "green");
   answers.press(Key::kDown);

@@ -229,7 +229,7 @@ void SessionRun::goOn(const std::function<bool()>& until) {
       answerTrial();
     } else if (const auto* form = std::get_if<FormScreen>(&screen_)) {
       const auto focus = static_cast<size_t>(form->focus);
-      tap(focus < form->chosen.size() && !form->chosen[focus] ? Key::kRight : Key::kEnter);
+      tap(focus < form->entries.size() && form->entries[focus].isEmpty() ? Key::kRight : Key::kEnter);
     } else if (const auto* text = std::get_if<PageScreen>(&screen_); text != nullptr && text->waitSeconds > 0) {
       frame();
     } else {
