@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "oc_core/base/json_fields.h"
+#include "study/outline/condition_names.h"
 #include "study/outline/local_text.h"
 #include "study/outline/question_kinds.h"
 #include "study/outline/questionnaire.h"
@@ -67,6 +69,36 @@ std::vector<ProtocolForm> readFormList(JsonFields& fields, const std::string& na
       },
       "forms");
   return forms;
+}
+
+std::vector<ProtocolForm> readAllForms(JsonFields& protocol, const FormSetting& setting) {
+  std::vector<ProtocolForm> forms;
+  const auto addOwn = [&](const std::string& name) {
+    if (protocol.has(name)) {
+      JsonFields inner = protocol.inner(name);
+      forms.push_back(readFormOutline(inner, name, setting));
+    }
+  };
+  const auto addList = [&](JsonFields& of, const std::string& name, const std::string& when) {
+    std::ranges::move(readFormList(of, name, when, setting), std::back_inserter(forms));
+  };
+  addOwn("demographics");
+  addList(protocol, "before", "before");
+  protocol.forEach("blocks", 0, kMaxListed, [&](JsonFields& each) {
+    addList(each, "after", "after " + each.shortText("name", kMaxStoredCharacters));
+  });
+  addList(protocol, "after", "after");
+  addOwn("survey");
+  return forms;
+}
+
+std::vector<ProtocolForm> formsOfProtocolText(const std::string& text, const std::string& where) {
+  return readAs("protocols/protocol.schema.json", [&] {
+    const JsonDocument document(text, where);
+    JsonFields fields(document, UnknownFields::kIgnored);
+    const ViewConditions conditions = readConditionNames(fields, [](JsonFields&, TrialView) {});
+    return readAllForms(fields, {conditions, ProtocolReading::kByAnalysis, readLanguage(fields)});
+  });
 }
 
 }  // namespace ocelli

@@ -33,4 +33,10 @@ ProtocolForm readFormOutline(JsonFields& fields, const std::string& name, const 
 std::vector<ProtocolForm> readFormList(JsonFields& fields, const std::string& name, const std::string& when,
                                        const FormSetting& setting);
 
+/// All forms of a protocol, from the fields of the whole: demographics, those before, those after each block, those
+/// after, survey. For whoever reads stored protocols and knows no tasks.
+std::vector<ProtocolForm> readAllForms(JsonFields& protocol, const FormSetting& setting);
+/// The same of a protocol's text, with its own language and conditions. Throws InputError that names `where`.
+std::vector<ProtocolForm> formsOfProtocolText(const std::string& text, const std::string& where);
+
 }  // namespace ocelli

@@ -36,6 +36,7 @@ SubjectCatalogue subjectCatalogueFromJsonText(const std::string& text, const std
   catalogue.name = fields.shortText("name", kMaxTitleCharacters);
   catalogue.rightToLeft = fields.boolean("right_to_left", false);
   catalogue.isDraft = fields.boolean("draft", false);
+  catalogue.letters = fields.shortText("letters", kMaxParagraphCharacters, "");
   JsonFields texts = fields.inner("texts");
   const nlohmann::json& object = fields.value("texts");
   if (object.size() > kMaxTexts) {

@@ -22,6 +22,7 @@ struct SubjectCatalogue {
   std::string name;          ///< in the language itself: "Deutsch"
   bool rightToLeft = false;  ///< so is the screen laid out
   bool isDraft = false;      ///< nobody whose first language it is has read it yet
+  std::string letters;       ///< that subjects may type besides those of Europe, so that the screens have them
   std::map<std::string, std::string> texts;  ///< by id
 };
 

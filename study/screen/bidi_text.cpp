@@ -53,15 +53,17 @@ std::u32string BidiParagraph::visual(size_t from, size_t to) const {
   }
   std::vector<FriBidiChar> text(characters_.begin(), characters_.end());
   std::vector<FriBidiLevel> levels(levels_.begin(), levels_.end());
-  fribidi_reorder_line(FRIBIDI_FLAGS_DEFAULT, types_.data(), static_cast<FriBidiStrIndex>(to - from),
-                       static_cast<FriBidiStrIndex>(from), rightToLeft_ ? FRIBIDI_PAR_RTL : FRIBIDI_PAR_LTR,
-                       levels.data(), text.data(), nullptr);
+  const FriBidiLevel known = fribidi_reorder_line(
+      FRIBIDI_FLAGS_DEFAULT, types_.data(), static_cast<FriBidiStrIndex>(to - from), static_cast<FriBidiStrIndex>(from),
+      rightToLeft_ ? FRIBIDI_PAR_RTL : FRIBIDI_PAR_LTR, levels.data(), text.data(), nullptr);
+  OC_CHECK(known != 0, "a line can be put in order");
   return {text.begin() + static_cast<std::ptrdiff_t>(from), text.begin() + static_cast<std::ptrdiff_t>(to)};
 }
 
 std::set<char32_t> shapedGlyphsOf(std::string_view utf8) {
   std::set<char32_t> glyphs;
-  for (const char32_t character : BidiParagraph(utf8, false).characters()) {
+  const BidiParagraph paragraph(utf8, false);
+  for (const char32_t character : paragraph.characters()) {
     if (character != U'\n' && character != U'\t') {
       glyphs.insert(character);
     }
@@ -81,9 +83,9 @@ std::set<char32_t> shapedAlphabet(std::string_view letters) {
     }
   }
   if (all.find(U'\u0644') != std::u32string::npos) {
-    for (const char32_t alef : U"\u0622\u0623\u0625\u0627") {
-      glyphs.merge(alef == 0 ? std::set<char32_t>()
-                             : shapedGlyphsOf(utf8Of(std::u32string(U"\u0644") + alef + U" \u0628\u0644" + alef)));
+    // Lam and alef are one letter, alone and after one that joins.
+    for (const char32_t alef : std::u32string_view(U"\u0622\u0623\u0625\u0627")) {
+      glyphs.merge(shapedGlyphsOf(utf8Of(std::u32string(U"\u0644") + alef + U" \u0628\u0644" + alef)));
     }
   }
   return glyphs;

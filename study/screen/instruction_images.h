@@ -24,6 +24,8 @@ class InstructionImages {
     GlObject texture;
     std::vector<glm::dvec2> marks;  ///< objects that are seen, pixels of the view
   };
+  /// What is not text is not mirrored.
+  void drawTaskImage(StudyCanvas& canvas, const std::string& name, const PixelRect& place);
   const View& viewOf(const InstructionImage& image, int width, int height);
 
   GlContext* context_;

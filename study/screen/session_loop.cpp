@@ -90,7 +90,7 @@ class ScreenRenderer {
   /// On its own thread.
   void run() {
     const GlScope scope(window_.context());
-    StudyPainter painter(window_.context(), screen_, protocol_.controls, glyphsOf(protocol_));
+    StudyPainter painter(window_.context(), screen_, protocol_.controls, glyphsOf(protocol_), protocol_.texts);
     int64_t last = runNow();
     while (!flow_.isOver() && !quits_) {
       takeEvents(painter);
@@ -130,7 +130,7 @@ class ScreenRenderer {
       if (const auto* focus = std::get_if<FocusEvent>(&timed.event)) {
         if (!focus->focused && hadFocus_) {
           flow_.report("focus_lost", "");
-          flow_.pause("The window has lost the keyboard. The experimenter goes on.");
+          flow_.pause(protocol_.texts.say("paused_keyboard"));
         }
         hadFocus_ = focus->focused;
       } else if (const auto* lost = std::get_if<MonitorLostEvent>(&timed.event)) {
@@ -167,7 +167,7 @@ class ScreenRenderer {
 
   /// What the screen cannot show is not stored as if it had been shown.
   void pause(const std::string& reason, const StudyPainter& painter) {
-    const std::string usual = "The experimenter will be with you in a moment.";
+    const std::string usual = protocol_.texts.say("paused_moment");
     const bool shown = painter.canShow(reason);
     flow_.pause(reason.empty() || !shown ? usual : reason);
     if (!shown) {
@@ -320,12 +320,12 @@ void passEventsOn(GlWindow& window, Exchange& exchange, const SessionLoopOptions
 
 }  // namespace
 
-std::vector<int64_t> measureFrames(GlWindow& window, double seconds, const std::string& message) {
+std::vector<int64_t> measureFrames(GlWindow& window, double seconds, const SubjectTexts& texts) {
   constexpr int kSettlingFrames = 15;  // until the driver's queue has its length
   const GlScope scope(window.context());
-  StudyPainter painter(window.context(), {window.pixelWidth(), window.pixelHeight(), 60}, {});
+  StudyPainter painter(window.context(), {window.pixelWidth(), window.pixelHeight(), 60}, {}, {}, texts);
   PageScreen page;
-  page.title = message;
+  page.title = texts.say("one_moment");
   std::vector<int64_t> shown;
   int frames = 0;
   for (int64_t start = steadyNow(); static_cast<double>(steadyNow() - start) < seconds * 1e9 || frames < 2;) {

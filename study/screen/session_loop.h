@@ -24,7 +24,7 @@ struct SessionLoopOptions {
 };
 
 /// Shows a plain screen for so many seconds, and returns when each frame was shown. On the main thread.
-std::vector<int64_t> measureFrames(GlWindow& window, double seconds, const std::string& message);
+std::vector<int64_t> measureFrames(GlWindow& window, double seconds, const SubjectTexts& texts);
 
 /// Until the session is over. On the main thread, which must not hold the window's context. Throws what went wrong in
 /// any of the threads; the session has been ended as aborted then.

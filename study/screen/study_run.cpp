@@ -95,7 +95,7 @@ GlWindowOptions windowOptions(const Protocol& protocol, const StudyRunOptions& o
 /// Throws WorkError where it refuses and nobody insists.
 TimingCheck checkWindow(GlWindow& window, const Monitor& monitor, const Protocol& protocol,
                         const StudyRunOptions& options) {
-  const std::vector<int64_t> shown = measureFrames(window, kCheckSeconds, "One moment, please");
+  const std::vector<int64_t> shown = measureFrames(window, kCheckSeconds, protocol.texts);
   TimingExpectation expected;
   expected.monitorHertz = monitor.refreshHertz;
   expected.wantedHertz = protocol.screen.refreshHertz;
@@ -202,6 +202,10 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
 
 void tellProtocol(const Protocol& protocol, const StudyRunOptions& options) {
   tell(options, fmt::format("protocol  {} ({})", protocol.name, protocol.sha256.substr(0, 12)));
+  if (const SubjectCatalogue& catalogue = protocol.texts.catalogue(); catalogue.language != kSourceLanguage) {
+    tell(options, fmt::format("language  {}{}", catalogue.name,
+                              catalogue.isDraft ? ": a DRAFT, nobody whose first language it is has read it yet" : ""));
+  }
   std::error_code error;
   const auto space =
       std::filesystem::space(options.database.parent_path().empty() ? "." : options.database.parent_path(), error);

@@ -44,6 +44,7 @@ THIRD_PARTIES = {
     "GLFW/": "glfw",
     "imgui": "PkgConfig::imgui",
     "fontconfig/": "PkgConfig::fontconfig",
+    "fribidi": "PkgConfig::fribidi",
     "openssl/": "OpenSSL::Crypto",
     "SQLiteCpp/": "SQLiteCpp",
     "sqlite3.h": "SQLiteCpp",

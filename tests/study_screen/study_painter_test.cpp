@@ -184,9 +184,9 @@ TEST_F(StudyPainterTest, reportsClicks) {
   const SessionScreen form = study_.formScreen(false);
   const StudyFrame option = clickOn(painter, form, "35-44");
   ASSERT_TRUE(option.action);
-  EXPECT_EQ(option.action->kind, FormAction::Kind::kChoose);
-  EXPECT_EQ(option.action->field, 0);
-  EXPECT_EQ(option.action->option, 2);
+  EXPECT_EQ(option.action->kind, FormAction::Kind::kClick);
+  EXPECT_EQ(option.action->item, 0);
+  EXPECT_EQ(option.action->click.option, 2);
   const StudyFrame done = clickOn(painter, form, "Go on");
   ASSERT_TRUE(done.action);
   EXPECT_EQ(done.action->kind, FormAction::Kind::kGoOn);
