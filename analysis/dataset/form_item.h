@@ -79,8 +79,9 @@ std::optional<double> numberOfAnswer(const std::string& answer);
 /// The choices of an answer of QuestionValue::kOptions; empty for a text that is no list of these.
 std::vector<std::string> choicesOfAnswer(const std::string& answer);
 
-/// Answers that are empty were left open, and are not among these. Of all questions with answers: those of the protocol in its order, then others by name. Where sources have different
-/// questions of one name they stand apart. Pointers are into `data`.
+/// Answers that are empty were left open, and are not among these. Of all questions with answers: those of the protocol
+/// in its order, then others by name. Where sources have different questions of one name they stand apart. Pointers are
+/// into `data`.
 std::vector<ItemAnswers> answersToForm(const Dataset& data, const std::string& form);
 
 }  // namespace ocelli

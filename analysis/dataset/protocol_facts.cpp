@@ -129,7 +129,8 @@ ProtocolFacts protocolFacts(const std::string& text, const std::string& where) {
       facts.mazes.push_back(readMazePlan(name, each));
     });
     facts.conditions = readConditionNames(fields, [](JsonFields&, TrialView) {});
-    fields.forEach("blocks", 0, kMaxListed, [&](JsonFields& each) { facts.blocks.push_back(readBlock(each, language)); });
+    fields.forEach("blocks", 0, kMaxListed,
+                   [&](JsonFields& each) { facts.blocks.push_back(readBlock(each, language)); });
     fields.forEach("exclusions", 0, kMaxListed, [&](JsonFields& each) { facts.exclusions.push_back(readRule(each)); });
     for (const ProtocolForm& form : readAllForms(fields, {facts.conditions, ProtocolReading::kByAnalysis, language})) {
       if (form.name == "demographics" || form.name == "survey") {

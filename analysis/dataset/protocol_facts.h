@@ -50,7 +50,7 @@ struct ProtocolFacts {
   std::vector<ProtocolBlockFacts> blocks{};
   std::vector<ProtocolMaze> mazes{};
   std::vector<ExclusionRule> exclusions{};
-  std::vector<FormItem> items{};  ///< of "demographics", then of "survey", then of all other forms
+  std::vector<FormItem> items{};           ///< of "demographics", then of "survey", then of all other forms
   std::vector<ProtocolForm> otherForms{};  ///< asked before and after sessions, and after blocks
   StatedScreen screen{};
   TimingLimits timing{};

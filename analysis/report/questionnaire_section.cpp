@@ -130,14 +130,13 @@ void addScores(ReportWork& work, const std::vector<SubjectScore>& scores) {
     const std::vector<const SubjectScore*>& group = groups[key];
     const SubjectScore& first = *group.front();
     const ScoreSummary summary = summaryOf(group);
-    const std::string label =
-        fmt::format("{} {}, session {}{}", first.form, first.score, first.session,
-                    first.view ? fmt::format(", {}", conditions.nameOf(*first.view)) : "");
-    const std::string meaning = fmt::format("{} of {} subjects, session {}", first.title, summary.subjects, first.session);
+    const std::string label = fmt::format("{} {}, session {}{}", first.form, first.score, first.session,
+                                          first.view ? fmt::format(", {}", conditions.nameOf(*first.view)) : "");
+    const std::string meaning =
+        fmt::format("{} of {} subjects, session {}", first.title, summary.subjects, first.session);
     const auto subjects = static_cast<double>(summary.subjects);
-    const std::string origin =
-        origins.addRow(label, meaning, {summary.rows, Cell::From::kAnswers}, "",
-                       {subjects, summary.mean, summary.deviation, summary.least, summary.most});
+    const std::string origin = origins.addRow(label, meaning, {summary.rows, Cell::From::kAnswers}, "",
+                                              {subjects, summary.mean, summary.deviation, summary.least, summary.most});
     const std::string source = origins.sourceText(meaning);
     const auto cell = [&](const std::string& text, const char* column, double value) {
       ReportCell result{text, origin.empty() ? "" : fmt::format("{}/{}", origin, column), source};
@@ -152,7 +151,8 @@ void addScores(ReportWork& work, const std::vector<SubjectScore>& scores) {
     table.rows.push_back({score, ReportCell{asked}, ReportCell{std::to_string(first.session)},
                           ReportCell{first.view ? conditions.of(*first.view).label : std::string("-")},
                           cell(std::to_string(summary.subjects), "subjects", subjects),
-                          ReportCell{std::to_string(summary.open)}, cell(numberText(summary.mean), "mean", summary.mean),
+                          ReportCell{std::to_string(summary.open)},
+                          cell(numberText(summary.mean), "mean", summary.mean),
                           cell(numberText(summary.deviation), "sd", summary.deviation),
                           cell(numberText(summary.least), "lowest", summary.least),
                           cell(numberText(summary.most), "highest", summary.most)});
@@ -166,8 +166,8 @@ void addScores(ReportWork& work, const std::vector<SubjectScore>& scores) {
 std::vector<SubjectScore> scoresOf(const Dataset& data) {
   std::vector<SubjectScore> scores;
   for (const ProtocolForm& form : otherFormsOf(data)) {
-    const auto questionnaire = form.questionnaire.empty() ? std::nullopt
-                                                          : findQuestionnaire(form.questionnaire, kSourceLanguage);
+    const auto questionnaire =
+        form.questionnaire.empty() ? std::nullopt : findQuestionnaire(form.questionnaire, kSourceLanguage);
     if (!questionnaire) {
       continue;
     }
@@ -183,8 +183,13 @@ std::vector<SubjectScore> scoresOf(const Dataset& data) {
     }
     for (const QuestionnaireScore& score : questionnaire->scores) {
       for (const auto& [key, answers] : given) {
-        SubjectScore one{form.name, form.questionnaire, key.second, key.first,
-                         viewBefore(data, form.name, key.second, key.first), score.name, score.title,
+        SubjectScore one{form.name,
+                         form.questionnaire,
+                         key.second,
+                         key.first,
+                         viewBefore(data, form.name, key.second, key.first),
+                         score.name,
+                         score.title,
                          scoreOf(score, answers.numbers)};
         for (const auto& [item, weight] : score.weights) {
           if (const auto row = answers.rows.find(item); row != answers.rows.end()) {
@@ -208,7 +213,8 @@ void addQuestionnaires(ReportWork& work) {
   if (!scores.empty()) {
     addScores(work, scores);
     work.methods.push_back(
-        "Questionnaires were scored as published (protocols/questionnaires); a score with an item that was left open is "
+        "Questionnaires were scored as published (protocols/questionnaires); a score with an item that was left open "
+        "is "
         "missing, and is in no mean. A view is told where all trials before the questionnaire were in it.");
   }
   int described = 0;

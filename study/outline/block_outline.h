@@ -34,7 +34,8 @@ struct BlockOutline {
 };
 
 /// Reads "name", "title", "task", "views" and "practice". After the name has been read, messages call the object
-/// "... (name)". The title is in the language. An analysis takes a block without a title, which is then its name. Throws InputError naming the field.
+/// "... (name)". The title is in the language. An analysis takes a block without a title, which is then its name.
+/// Throws InputError naming the field.
 BlockOutline readBlockOutline(JsonFields& fields, ProtocolReading reading,
                               const std::string& language = kSourceLanguage);
 

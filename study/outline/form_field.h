@@ -31,8 +31,8 @@ struct FormField {
   std::vector<QuestionRow> rows{};     ///< of a matrix
   double least = 0;                    ///< of numbers and sliders
   double most = 100;
-  double step = 1;          ///< of a slider, from one place of the mark to the next; of a number, what it is a multiple of
-  std::string unit{};       ///< that stands beside a number
+  double step = 1;     ///< of a slider, from one place of the mark to the next; of a number, what it is a multiple of
+  std::string unit{};  ///< that stands beside a number
   int maxCharacters = 500;  ///< of a text
 };
 

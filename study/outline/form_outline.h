@@ -27,9 +27,9 @@ struct FormSetting {
 /// A form that is written out, from its own fields. Throws InputError naming the field.
 ProtocolForm readFormOutline(JsonFields& fields, const std::string& name, const FormSetting& setting);
 
-/// Forms of a list: {"questionnaire": "ssq"}, or {"name": "fatigue", "title": ..., "fields": ...}. Each is called by its
-/// name and by when it is asked: "ssq before". A missing field is an empty list. An analysis leaves out questionnaires
-/// that this program does not know. Throws InputError naming the field.
+/// Forms of a list: {"questionnaire": "ssq"}, or {"name": "fatigue", "title": ..., "fields": ...}. Each is called by
+/// its name and by when it is asked: "ssq before". A missing field is an empty list. An analysis leaves out
+/// questionnaires that this program does not know. Throws InputError naming the field.
 std::vector<ProtocolForm> readFormList(JsonFields& fields, const std::string& name, const std::string& when,
                                        const FormSetting& setting);
 

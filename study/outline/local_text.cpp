@@ -30,8 +30,8 @@ std::string pickText(const JsonFields& fields, const std::string& name, const nl
   }
   for (const auto& [code, text] : json.items()) {
     if (!isLanguage(code)) {
-      fields.fail(name, fmt::format("{}names the language \"{}\", but must name some of {}", place, code,
-                                    languageCodes()));
+      fields.fail(name,
+                  fmt::format("{}names the language \"{}\", but must name some of {}", place, code, languageCodes()));
     }
     checked(text);
   }
@@ -70,8 +70,7 @@ std::vector<std::string> localTexts(JsonFields& fields, const std::string& name,
   }
   std::vector<std::string> texts;
   for (const nlohmann::json& each : list) {
-    texts.push_back(
-        pickText(fields, name, each, fmt::format("{}: ", texts.size() + 1), maxCharacters, language));
+    texts.push_back(pickText(fields, name, each, fmt::format("{}: ", texts.size() + 1), maxCharacters, language));
   }
   return texts;
 }

@@ -62,7 +62,7 @@ std::optional<double> numberOf(const FormField& field, const QuestionEntry& entr
   }
   const double steps = number / field.step;
   return std::abs(steps - std::round(steps)) <= kRounding * std::max(1.0, std::abs(steps)) ? std::optional(number)
-                                                                                          : std::nullopt;
+                                                                                           : std::nullopt;
 }
 
 std::optional<std::string> storedNumber(const FormField& field, const QuestionEntry& entry) {

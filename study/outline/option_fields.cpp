@@ -22,9 +22,8 @@ bool areDifferent(const std::vector<std::string>& texts) {
 /// Texts, or whole numbers, which are stored as they are written.
 std::vector<std::string> readValues(JsonFields& fields, size_t count, size_t maxCharacters) {
   const nlohmann::json& list = fields.value("values");
-  if (list.is_array() && list.size() == count && std::ranges::all_of(list, [](const nlohmann::json& each) {
-        return each.is_number_integer();
-      })) {
+  if (list.is_array() && list.size() == count &&
+      std::ranges::all_of(list, [](const nlohmann::json& each) { return each.is_number_integer(); })) {
     std::vector<std::string> values;
     for (const nlohmann::json& each : list) {
       values.push_back(fmt::format("{}", each.get<int64_t>()));

@@ -1,6 +1,6 @@
-// The kinds of questions that forms ask, a row each: what a protocol says of one, how it is filled in by keys and by the
-// mouse, what is seen of it, and what is stored. Nothing outside of a kind's own file knows its name: forms, screens,
-// simulated subjects, exports and analyses ask its row.
+// The kinds of questions that forms ask, a row each: what a protocol says of one, how it is filled in by keys and by
+// the mouse, what is seen of it, and what is stored. Nothing outside of a kind's own file knows its name: forms,
+// screens, simulated subjects, exports and analyses ask its row.
 //
 // Recipe for a new kind, two places and a line:
 //   1. study/outline/NAME_question.cpp: a function that makes the row.
@@ -37,10 +37,10 @@ const char* nameOf(QuestionValue value);
 
 /// What has been filled in of one item of a question. Nothing is chosen, marked or typed at first.
 struct QuestionEntry {
-  std::vector<int> chosen{};      ///< options, ascending
-  int cursor = 0;                 ///< the option that keys act on, where several can be chosen
+  std::vector<int> chosen{};       ///< options, ascending
+  int cursor = 0;                  ///< the option that keys act on, where several can be chosen
   std::optional<double> number{};  ///< that is marked on a track
-  std::string typed{};            ///< UTF-8
+  std::string typed{};             ///< UTF-8
 
   bool isEmpty() const { return chosen.empty() && !number && typed.empty(); }
   bool operator==(const QuestionEntry&) const = default;
@@ -54,8 +54,8 @@ struct QuestionLook {
     bool underCursor = false;
   };
   std::vector<Option> options{};
-  bool severalOptions = false;        ///< square marks with ticks in place of round ones
-  std::vector<std::string> ends{};    ///< of the options or the track; empty, or two
+  bool severalOptions = false;      ///< square marks with ticks in place of round ones
+  std::vector<std::string> ends{};  ///< of the options or the track; empty, or two
   struct Track {
     std::optional<double> share{};  ///< of the mark, from 0 to 1; nothing where there is none
     int steps = 1;                  ///< ticks are drawn between so many, where they are few
@@ -125,7 +125,7 @@ bool isQuestionKind(std::string_view name);
 
 /// One thing that is filled in and stored: a question, or a row of a matrix.
 struct QuestionItem {
-  int field = 0;  ///< of the form
+  int field = 0;      ///< of the form
   std::string name;   ///< of the answer in the database: that of the field, or "FIELD_ROW"
   std::string label;  ///< the question, or what the row says
 };

@@ -42,7 +42,8 @@ void readSlider(JsonFields& fields, FormField& field, ProtocolReading reading, c
   field.step = fields.number("step", 1e-6, kMaxOfTrack, field.step);
   const double steps = (field.most - field.least) / field.step;
   if (!(steps >= 1 && steps <= kMaxSteps) || std::abs(steps - std::round(steps)) > 1e-6) {
-    fields.fail("step", fmt::format("must divide the way from \"least\" to \"most\" into 1 to {} equal parts", kMaxSteps));
+    fields.fail("step",
+                fmt::format("must divide the way from \"least\" to \"most\" into 1 to {} equal parts", kMaxSteps));
   }
 }
 

@@ -2,7 +2,7 @@
 // catalogues, a file a language: protocols/languages/LANGUAGE.json, which are built into the program. English is the
 // source: it has all texts, and the others must have the same ones with the same placeholders ("{count}").
 //
-// Recipe for a further language: protocols/languages/CODE.json with all texts of en.json, and its code in
+// Recipe for a further language: protocols/languages/NAME.json with all texts of en.json, and its name in
 // study/outline/CMakeLists.txt. tests/study_outline/subject_texts_test.cpp then checks it. It says "draft": true until
 // someone whose first language it is has read it.
 #pragma once

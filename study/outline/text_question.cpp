@@ -19,7 +19,8 @@ void readTextQuestion(JsonFields& fields, FormField& field, ProtocolReading read
 void typeText(const FormField& field, QuestionEntry& entry, char32_t character) {
   const bool isControl = character < 0x20 || (character >= 0x7f && character < 0xa0);
   const bool leads = entry.typed.empty() && character == U' ';
-  if (!isControl && !leads && character <= 0x10ffff && countUtf8(entry.typed) < static_cast<size_t>(field.maxCharacters)) {
+  if (!isControl && !leads && character <= 0x10ffff &&
+      countUtf8(entry.typed) < static_cast<size_t>(field.maxCharacters)) {
     appendUtf8(entry.typed, character);
   }
 }

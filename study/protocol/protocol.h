@@ -53,7 +53,7 @@ struct ProtocolBlock {
   bool feedback = false;     ///< after each trial; practice always has it
   int breakEveryTrials = 0;  ///< a break after so many trials; 0 for none within the block
   bool breakAfter = true;
-  std::vector<int> sessions{};  ///< that have this block, from 1; empty for all
+  std::vector<int> sessions{};        ///< that have this block, from 1; empty for all
   std::vector<ProtocolForm> after{};  ///< asked once its trials are done
 };
 
@@ -87,8 +87,8 @@ struct Protocol {
   std::vector<ProtocolForm> before{};  ///< asked in every session before the welcome
   std::vector<ProtocolPage> welcome{};
   std::vector<ProtocolBlock> blocks;
-  bool shuffleBlocks = false;  ///< their order is counterbalanced over subjects
-  int breakSeconds = 60;       ///< the least length of a break
+  bool shuffleBlocks = false;         ///< their order is counterbalanced over subjects
+  int breakSeconds = 60;              ///< the least length of a break
   std::vector<ProtocolForm> after{};  ///< asked at the end of every session, before the survey
   std::optional<ProtocolForm> survey{};
   bool surveyAfterLastSessionOnly = true;

@@ -17,8 +17,7 @@ bool isRightToLeft(char32_t character) {
 
 }  // namespace
 
-BidiParagraph::BidiParagraph(std::string_view utf8, bool rightToLeft)
-    : characters_(charactersOf(utf8)), rightToLeft_(rightToLeft) {
+BidiParagraph::BidiParagraph(std::string_view utf8, bool rightToLeft) : characters_(charactersOf(utf8)) {
   if (characters_.empty() || (!rightToLeft && std::ranges::none_of(characters_, isRightToLeft))) {
     return;
   }
@@ -27,12 +26,13 @@ BidiParagraph::BidiParagraph(std::string_view utf8, bool rightToLeft)
   std::vector<FriBidiCharType> types(text.size());
   std::vector<FriBidiBracketType> brackets(text.size());
   std::vector<FriBidiLevel> levels(text.size());
-  FriBidiParType direction = rightToLeft ? FRIBIDI_PAR_RTL : FRIBIDI_PAR_LTR;
+  FriBidiParType direction = rightToLeft ? FRIBIDI_PAR_WRTL : FRIBIDI_PAR_WLTR;
   fribidi_get_bidi_types(text.data(), count, types.data());
   fribidi_get_bracket_types(text.data(), count, types.data(), brackets.data());
   const FriBidiLevel known =
       fribidi_get_par_embedding_levels_ex(types.data(), brackets.data(), count, &direction, levels.data());
   OC_CHECK(known != 0, "the levels of a text can be found");
+  rightToLeft_ = FRIBIDI_IS_RTL(direction);
   std::vector<FriBidiArabicProp> joining(text.size());
   fribidi_get_joining_types(text.data(), count, joining.data());
   fribidi_join_arabic(types.data(), count, levels.data(), joining.data());

@@ -15,7 +15,7 @@ namespace ocelli {
 /// A paragraph. It is cut into lines in the order of reading, and each line then put into that of the screen.
 class BidiParagraph {
  public:
-  /// `rightToLeft` is the direction of the paragraph, that of its language.
+  /// The direction of the paragraph is that of its first letter; of one without letters, that of its language.
   BidiParagraph(std::string_view utf8, bool rightToLeft);
 
   /// In the order of reading, in the forms in which they are drawn. A ligature is one character.
@@ -25,7 +25,7 @@ class BidiParagraph {
 
  private:
   std::u32string characters_;
-  bool rightToLeft_;
+  bool rightToLeft_ = false;
   // Of each character, as FriBidi has them; empty where nothing is to be reordered.
   std::vector<uint32_t> types_{};
   std::vector<signed char> levels_{};

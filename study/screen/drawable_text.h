@@ -18,7 +18,8 @@ std::string utf8Of(std::u32string_view characters);
 /// Of charactersOf(), without those that are no glyphs: line breaks and tabs.
 std::set<char32_t> glyphsOf(std::string_view utf8);
 
-/// Why the screens show a character wrongly in any font: "its letters are joined or reordered". Nothing where they do not.
+/// Why the screens show a character wrongly in any font: "its letters are joined or reordered". Nothing where they do
+/// not.
 std::optional<std::string> scriptProblem(char32_t character);
 
 /// Characters that cannot be shown, and why.

@@ -36,8 +36,9 @@ double noteWidth(const StudyCanvas& canvas, const FormField& field) {
   wrong.typed = "-";
   if (const std::optional<QuestionProblem> problem = kind.problem(field, wrong)) {
     width = std::max(
-        width, canvas.widthOf("! " + canvas.texts().say(problem->text, {{"least", problem->least}, {"most", problem->most}}),
-                              StudyText::kSmall));
+        width,
+        canvas.widthOf("! " + canvas.texts().say(problem->text, {{"least", problem->least}, {"most", problem->most}}),
+                       StudyText::kSmall));
   }
   return width + canvas.length(20);
 }
@@ -74,14 +75,17 @@ class FormLayout {
       // The rows of a matrix have their options beside the label where there is room for both.
       const double beside = optionsWidth(canvas, look) + endsWidth(canvas, look);
       const bool isBeside = isRow && beside + canvas.length(kMinLabel) <= inner;
-      const double labelWidth = isBeside ? inner - beside - canvas.length(kCardPadding)
-                                         : inner - noteWidth(canvas, field);
-      const double label = canvas.heightOf(screen.items[i].label, isRow ? StudyText::kBody : StudyText::kStrong,
-                                           labelWidth);
-      ItemPlace place{look, headTop, {}, height_ + pad, labelWidth, {}, {canvas, look, isBeside ? beside : inner}};
+      const double labelWidth =
+          isBeside ? inner - beside - canvas.length(kCardPadding) : inner - noteWidth(canvas, field);
+      const double label =
+          canvas.heightOf(screen.items[i].label, isRow ? StudyText::kBody : StudyText::kStrong, labelWidth);
+      ItemPlace place{
+          look, headTop, {}, height_ + pad, labelWidth, {}, {canvas, look, isBeside ? beside : inner, isRow}};
       double bottom = 0;
       if (isBeside) {
-        const double tall = std::max(label + noteHeight(canvas, screen, i), place.places.height());
+        const double words = label + noteHeight(canvas, screen, i);
+        const double tall = std::max(words, place.places.height());
+        place.labelTop += (tall - words) / 2;
         place.answer = {width - pad - beside, height_ + pad + (tall - place.places.height()) / 2};
         bottom = height_ + pad + tall;
       } else {
@@ -142,9 +146,9 @@ std::optional<QuestionClick> drawItem(StudyCanvas& canvas, const FormScreen& scr
   if (screen.focus == static_cast<int>(index)) {
     drawFocusRing(canvas, card, canvas.length(12));
   }
-  const double below = canvas.write({field.rows.empty() ? StudyText::kStrong : StudyText::kBody, kStudyText, kStudyCard},
-                                    {card.left + pad, top + place.labelTop, place.labelWidth, 0},
-                                    screen.items[index].label);
+  const double below =
+      canvas.write({field.rows.empty() ? StudyText::kStrong : StudyText::kBody, kStudyText, kStudyCard},
+                   {card.left + pad, top + place.labelTop, place.labelWidth, 0}, screen.items[index].label);
   if (!noteOf(canvas, screen, index).empty()) {
     const bool isBeside = place.answer.x > pad;
     drawNote(canvas, screen, index,

@@ -76,11 +76,12 @@ void drawProgress(StudyCanvas& canvas, const PixelRect& place, const SessionProg
   if (share > 0) {
     canvas.fill({bar.left, bar.top, std::max(height, bar.width * share), height}, kStudyAccent, height / 2);
   }
-  const std::string done = canvas.texts().say(progress.blocks > 1 ? "progress_part" : "progress",
-                                              {{"done", fmt::format("{}", progress.trialsDone)},
-                                               {"count", fmt::format("{}", progress.trials)},
-                                               {"part", fmt::format("{}", std::min(progress.block + 1, progress.blocks))},
-                                               {"parts", fmt::format("{}", progress.blocks)}});
+  const std::string done =
+      canvas.texts().say(progress.blocks > 1 ? "progress_part" : "progress",
+                         {{"done", fmt::format("{}", progress.trialsDone)},
+                          {"count", fmt::format("{}", progress.trials)},
+                          {"part", fmt::format("{}", std::min(progress.block + 1, progress.blocks))},
+                          {"parts", fmt::format("{}", progress.blocks)}});
   canvas.writeLine({StudyText::kSmall, kStudyTextDim, kStudyBackground, TextAlign::kCenter},
                    {place.center().x, bar.bottom() + canvas.length(14)}, done);
 }

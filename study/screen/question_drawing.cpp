@@ -63,7 +63,10 @@ bool drawOption(StudyCanvas& canvas, const std::string& name, const PixelRect& p
   const GuiColor background = option.chosen ? kStudyAccentDeep : (touch.hovered ? kStudyFieldHovered : kStudyField);
   canvas.fill(place, background, rounding);
   const bool lit = option.chosen || option.underCursor;
-  canvas.outline(place, lit ? kStudyAccent : kStudyLine, canvas.length(option.underCursor ? 3 : lit ? 2 : 1.5),
+  canvas.outline(place, lit ? kStudyAccent : kStudyLine,
+                 canvas.length(option.underCursor ? 3
+                               : lit              ? 2
+                                                  : 1.5),
                  rounding);
   const glm::dvec2 mark(place.left + canvas.length(24), place.center().y);
   if (several) {
@@ -84,9 +87,10 @@ double optionsWidth(const StudyCanvas& canvas, const QuestionLook& look) {
   return count * widestOption(canvas, look) + (count - 1) * canvas.length(kOptionGap);
 }
 
-QuestionPlaces::QuestionPlaces(const StudyCanvas& canvas, const QuestionLook& look, double width) : width_(width) {
+QuestionPlaces::QuestionPlaces(const StudyCanvas& canvas, const QuestionLook& look, double width, bool inColumns)
+    : width_(width) {
   if (!look.options.empty() && (look.ends.size() != 2 || !placeOnScale(canvas, look, width))) {
-    placeInRows(canvas, look, width);
+    placeInRows(canvas, look, width, inColumns);
   }
   if (look.track) {
     placeTrack(canvas, look, width);
@@ -109,19 +113,20 @@ bool QuestionPlaces::placeOnScale(const StudyCanvas& canvas, const QuestionLook&
     options_.push_back({left + static_cast<double>(i) * (widest + gap), 0, widest, optionHeight(canvas)});
   }
   height_ = optionHeight(canvas);
-  isScale_ = oneLine_ = true;
+  isScale_ = true;
   return true;
 }
 
 /// In rows, from the left.
-void QuestionPlaces::placeInRows(const StudyCanvas& canvas, const QuestionLook& look, double width) {
+void QuestionPlaces::placeInRows(const StudyCanvas& canvas, const QuestionLook& look, double width, bool inColumns) {
   const double gap = canvas.length(kOptionGap);
   const double height = optionHeight(canvas);
+  const double widest = widestOption(canvas, look);
   double x = 0;
   double y = 0;
   for (const QuestionLook::Option& option : look.options) {
-    const double own = std::min(optionWidth(canvas, option.label), width);
-    if (x > 0 && x + own > width) {
+    const double own = std::min(inColumns ? widest : optionWidth(canvas, option.label), width);
+    if (x > 0 && x + own > width + 0.5) {  // to rounding
       x = 0;
       y += height + gap;
     }
@@ -129,7 +134,6 @@ void QuestionPlaces::placeInRows(const StudyCanvas& canvas, const QuestionLook& 
     x += own + gap;
   }
   height_ = y + height;
-  oneLine_ = y == 0 && look.ends.size() != 2;
   if (look.ends.size() == 2) {
     endsTop_ = height_ + canvas.length(6);
     height_ = *endsTop_ + canvas.lineHeight(StudyText::kSmall);
@@ -214,10 +218,10 @@ std::optional<QuestionClick> QuestionPlaces::draw(StudyCanvas& canvas, const Que
     canvas.write({StudyText::kBody, kStudyText, kStudyField},
                  {place.left + pad, place.top + pad, place.width - 2 * pad - canvas.length(6), 0}, look.box->text);
     if (!look.box->unit.empty()) {
-      canvas.writeLine({StudyText::kBody, kStudyTextDim, kStudyCard},
-                       {place.right() + canvas.length(12),
-                        place.center().y - canvas.look().textPixels(StudyText::kBody) / 2},
-                       look.box->unit);
+      canvas.writeLine(
+          {StudyText::kBody, kStudyTextDim, kStudyCard},
+          {place.right() + canvas.length(12), place.center().y - canvas.look().textPixels(StudyText::kBody) / 2},
+          look.box->unit);
     }
     if (touch.clicked) {
       click = QuestionClick{};

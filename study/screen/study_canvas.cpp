@@ -178,12 +178,13 @@ double StudyCanvas::heightOf(const std::string& text, StudyText style, double wi
 }
 
 void StudyCanvas::fill(const PixelRect& place, GuiColor color, double rounding) {
-  list_->AddRectFilled(topLeft(onScreen(place)), bottomRight(onScreen(place)), color.packed(), static_cast<float>(rounding));
+  list_->AddRectFilled(topLeft(onScreen(place)), bottomRight(onScreen(place)), color.packed(),
+                       static_cast<float>(rounding));
 }
 
 void StudyCanvas::outline(const PixelRect& place, GuiColor color, double thickness, double rounding) {
-  list_->AddRect(topLeft(onScreen(place)), bottomRight(onScreen(place)), color.packed(), static_cast<float>(rounding), 0,
-                 static_cast<float>(thickness));
+  list_->AddRect(topLeft(onScreen(place)), bottomRight(onScreen(place)), color.packed(), static_cast<float>(rounding),
+                 0, static_cast<float>(thickness));
 }
 
 void StudyCanvas::line(std::span<const glm::dvec2> points, GuiColor color, double thickness) {
@@ -199,7 +200,8 @@ void StudyCanvas::disc(const glm::dvec2& center, double radius, GuiColor color) 
 }
 
 void StudyCanvas::ring(const glm::dvec2& center, double radius, GuiColor color, double thickness) {
-  list_->AddCircle(vec(onScreen(center)), static_cast<float>(radius), color.packed(), 48, static_cast<float>(thickness));
+  list_->AddCircle(vec(onScreen(center)), static_cast<float>(radius), color.packed(), 48,
+                   static_cast<float>(thickness));
 }
 
 void StudyCanvas::arc(const glm::dvec2& center, double radius, double share, GuiColor color, double thickness) {

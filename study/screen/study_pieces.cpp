@@ -15,7 +15,8 @@ double capHeight(const StudyCanvas& canvas) {
 }  // namespace
 
 double keyCapWidth(const StudyCanvas& canvas, const std::string& name) {
-  return std::max(canvas.widthOf(canvas.texts().keyName(name), StudyText::kSmall) + 2 * canvas.length(kCapPadding), capHeight(canvas));
+  return std::max(canvas.widthOf(canvas.texts().keyName(name), StudyText::kSmall) + 2 * canvas.length(kCapPadding),
+                  capHeight(canvas));
 }
 
 double drawKeyCap(StudyCanvas& canvas, double left, double middle, const std::string& name, GuiColor background) {

@@ -9,8 +9,8 @@
 
 namespace ocelli {
 
-/// A key as it looks on a keyboard, by its name in the language of the canvas; its left border at `left`, in the middle of a line around `middle`. Returns its
-/// right border.
+/// A key as it looks on a keyboard, by its name in the language of the canvas; its left border at `left`, in the middle
+/// of a line around `middle`. Returns its right border.
 double drawKeyCap(StudyCanvas& canvas, double left, double middle, const std::string& name, GuiColor background);
 double keyCapWidth(const StudyCanvas& canvas, const std::string& name);
 

@@ -9,9 +9,9 @@
 
 namespace ocelli {
 
-/// Of each line its first character and the one after its last, without the spaces and the newline at its end. `advance`
-/// is the width of a character. A word that is wider than a line is cut anywhere; no line is without a character, but
-/// for those between two newlines.
+/// Of each line its first character and the one after its last, without the spaces and the newline at its end.
+/// `advance` is the width of a character. A word that is wider than a line is cut anywhere; no line is without a
+/// character, but for those between two newlines.
 std::vector<std::pair<size_t, size_t>> wrapLines(std::u32string_view text, double width,
                                                  const std::function<double(char32_t character)>& advance);
 

@@ -23,8 +23,7 @@ void drawPrompt(StudyCanvas& canvas, const TrialLayout& layout, SceneViews& view
   // What ends the session, at the right.
   const double textTop = middle - canvas.look().textPixels(StudyText::kSmall) / 2;
   const double right = strip.right() - canvas.length(24);
-  canvas.writeLine({StudyText::kSmall, kStudyTextDim, kStudyBackground, TextAlign::kRight}, {right, textTop},
-                   unwell);
+  canvas.writeLine({StudyText::kSmall, kStudyTextDim, kStudyBackground, TextAlign::kRight}, {right, textTop}, unwell);
   const double capLeft = right - canvas.widthOf(unwell, StudyText::kSmall) - gap - keyCapWidth(canvas, kUnwellKey);
   drawKeyCap(canvas, capLeft, middle, kUnwellKey, kStudyBackground);
 

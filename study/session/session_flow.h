@@ -10,9 +10,9 @@
 //     flow.frameShown(nanoseconds);     // when the frame was on the screen
 //   }
 //
-// Everything can be done by keys alone: Enter goes on, arrows and digits choose, texts are typed; F10 is "I feel unwell". Where practice
-// failed a person's Enter does nothing: the experimenter goes on, by resume() or F12. A key that is pressed again
-// without having been released is a repeat: pages do not take it, so keys must be released.
+// Everything can be done by keys alone: Enter goes on, arrows and digits choose, texts are typed; F10 is "I feel
+// unwell". Where practice failed a person's Enter does nothing: the experimenter goes on, by resume() or F12. A key
+// that is pressed again without having been released is a repeat: pages do not take it, so keys must be released.
 //
 // Ticks. A trial begins when its first frame is shown: that is tick 0. An event takes effect at the tick into which it
 // falls; where that is over already (it came late, or a frame has shown that tick), at the next one. So a trial is the

@@ -59,9 +59,9 @@ PageScreen callPage(const SubjectTexts& texts, SubjectKind kind) {
 }
 
 PageScreen unwellPage(const SubjectTexts& texts) {
-  return page(texts.say("unwell"), {texts.say("unwell_may_stop")},
-              actionOf(Key::kEnter, texts.say("end_session")) + "    " +
-                  actionOf(Key::kEscape, texts.say("go_on_with_it")));
+  return page(
+      texts.say("unwell"), {texts.say("unwell_may_stop")},
+      actionOf(Key::kEnter, texts.say("end_session")) + "    " + actionOf(Key::kEscape, texts.say("go_on_with_it")));
 }
 
 PageScreen lastPage(const SubjectTexts& texts, const std::string& title, const std::vector<std::string>& paragraphs) {

@@ -126,9 +126,7 @@ struct SessionFlow::State {
   SessionScreen screenOf(const CallStep&) const { return callPage(protocol.texts, options.kind); }
   SessionScreen screenOf(const TrialStep& step) const;
   SessionScreen screenOf(const FeedbackStep& step) const { return feedbackPage(protocol.texts, step.outcome); }
-  SessionScreen screenOf(const BreakStep&) const {
-    return breakPage(protocol.texts, progress(), breakSecondsLeft());
-  }
+  SessionScreen screenOf(const BreakStep&) const { return breakPage(protocol.texts, progress(), breakSecondsLeft()); }
   SessionScreen screenOf(const EndStep&) const { return PageScreen{}; }  // likewise
   SessionScreen screen() const;
 

@@ -92,8 +92,9 @@ QuestionEntry entryOf(const Protocol& protocol, const ProtocolForm& form, const 
                       const Experience& experience, Random& random) {
   const FormField& field = form.fields[static_cast<size_t>(item.field)];
   const QuestionKind& kind = questionKind(field.kind);
-  return kind.value == QuestionValue::kOption ? QuestionEntry{{optionOf(protocol, form, item.field, experience, random)}}
-                                              : kind.atRandom(field, random);
+  return kind.value == QuestionValue::kOption
+             ? QuestionEntry{{optionOf(protocol, form, item.field, experience, random)}}
+             : kind.atRandom(field, random);
 }
 
 }  // namespace ocelli

@@ -179,9 +179,9 @@ void SessionObserver::fillIn(const FormScreen& form, int64_t now) {
     // Where the form comes again to a question that was answered, the answer stays.
     meant_ = entry.isEmpty() ? entryOf(protocol_, *form.form, item, experience_, random_) : entry;
   }
-  const double seconds =
-      entry.isEmpty() ? factors_.decideSeconds + static_cast<double>(wordsOf(item.label)) / kWordsPerSecond
-                      : factors_.reactionSeconds * 2;
+  const double seconds = entry.isEmpty()
+                             ? factors_.decideSeconds + static_cast<double>(wordsOf(item.label)) / kWordsPerSecond
+                             : factors_.reactionSeconds * 2;
   const std::optional<QuestionStroke> stroke = kind.towards(field, entry, meant_);
   if (!stroke) {
     pressAfter(Key::kEnter, seconds);

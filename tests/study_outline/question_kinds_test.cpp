@@ -111,9 +111,9 @@ TEST(QuestionKinds, EachHasAnExample) {
 
 /// The recipe: nothing outside of its own file names a kind.
 TEST(QuestionKinds, AreNamedInTheirOwnFilesAlone) {
-  for (const char* file : {"study/session/form_answers.cpp", "study/screen/form_drawing.cpp",
-                           "study/screen/question_drawing.cpp", "study/subject/form_taste.cpp",
-                           "study/subject/session_observer.cpp", "analysis/dataset/form_item.cpp"}) {
+  for (const char* file :
+       {"study/session/form_answers.cpp", "study/screen/form_drawing.cpp", "study/screen/question_drawing.cpp",
+        "study/subject/form_taste.cpp", "study/subject/session_observer.cpp", "analysis/dataset/form_item.cpp"}) {
     std::ifstream in(std::string(OCELLI_SOURCE_DIR) + "/" + file);
     ASSERT_TRUE(in) << file;
     std::stringstream text;
@@ -147,7 +147,8 @@ std::vector<QuestionStroke> typed(std::u32string_view text) {
 }
 
 TEST(QuestionKinds, NumbersAreTypedInManyWaysAndStoredInOne) {
-  const std::string any = R"({"name": "a", "question": "?", "kind": "number", "least": -100, "most": 100, "step": 0.5})";
+  const std::string any =
+      R"({"name": "a", "question": "?", "kind": "number", "least": -100, "most": 100, "step": 0.5})";
   EXPECT_EQ(storedOf(any, typed(U"7")), "7");
   EXPECT_EQ(storedOf(any, typed(U"-3,50")), "-3.5");
   EXPECT_EQ(storedOf(any, typed(U"\u0664\u0662")), "42") << "Arabic digits";
@@ -228,10 +229,9 @@ TEST(QuestionKinds, WhatCannotBeIsRefused) {
 }
 
 TEST(QuestionKinds, AnUnknownKindIsATextToAnAnalysis) {
-  const FormField field = readOutline(R"({"name": "a", "question": "?", "kind": "drawing"})", ProtocolReading::kByAnalysis,
-                                      [](JsonFields& fields, ProtocolReading reading) {
-                                        return readFormField(fields, defaultConditions(), reading);
-                                      });
+  const FormField field = readOutline(
+      R"({"name": "a", "question": "?", "kind": "drawing"})", ProtocolReading::kByAnalysis,
+      [](JsonFields& fields, ProtocolReading reading) { return readFormField(fields, defaultConditions(), reading); });
   EXPECT_EQ(questionKind(field.kind).value, QuestionValue::kText);
 }
 

@@ -94,8 +94,8 @@ TEST(Questionnaires, RawTlxIsTheMeanOfSixScales) {
     EXPECT_EQ(field.most, 100);
     EXPECT_EQ(field.step, 5);
   }
-  const std::map<std::string, double> answers{{"mental", 80}, {"physical", 10}, {"temporal", 55},
-                                              {"performance", 25}, {"effort", 70}, {"frustration", 30}};
+  const std::map<std::string, double> answers{{"mental", 80},      {"physical", 10}, {"temporal", 55},
+                                              {"performance", 25}, {"effort", 70},   {"frustration", 30}};
   EXPECT_NEAR(score(tlx, "raw", answers), 45, kRounding);  // 270 / 6
   EXPECT_DOUBLE_EQ(score(tlx, "effort", answers), 70);
 }

@@ -43,6 +43,12 @@ TEST(BidiText, numbersAndWordsWithinKeepTheirDirection) {
   EXPECT_EQ(shown("a \u05d0\u05d1 b", false), U"a \u05d1\u05d0 b") << "and in a text from the left";
 }
 
+TEST(BidiText, aParagraphRunsAsItsFirstLetterDoes) {
+  EXPECT_EQ(shown("Which \u05d0?", true), U"Which \u05d0?") << "an English text on an Arabic screen";
+  EXPECT_EQ(shown("\u05d0 x?", false), U"?x \u05d0") << "and the other way round";
+  EXPECT_EQ(shown("12?", true), U"?12") << "without letters as the language does";
+}
+
 TEST(BidiText, bracketsAreMirrored) {
   EXPECT_EQ(shown("(\u05d0)", true), U"(\u05d0)");
   EXPECT_EQ(shown("\u05d0 (\u05d1", true), U"\u05d1) \u05d0");
@@ -59,8 +65,8 @@ TEST(BidiText, linesAreTurnedOneByOne) {
 TEST(BidiText, alphabetsHaveTheFormsOfAllWords) {
   const std::string letters = "\u0628\u0627\u0644\u062f\u0633\u0645";
   const std::set<char32_t> known = shapedAlphabet(letters);
-  for (const char* word : {"\u0633\u0644\u0627\u0645", "\u0628\u0627\u0628", "\u0628\u0644\u0627\u062f", "\u0645\u0627\u062f\u0627\u0645",
-                           "\u0644\u0627 \u0633\u0628\u0628"}) {
+  for (const char* word : {"\u0633\u0644\u0627\u0645", "\u0628\u0627\u0628", "\u0628\u0644\u0627\u062f",
+                           "\u0645\u0627\u062f\u0627\u0645", "\u0644\u0627 \u0633\u0628\u0628"}) {
     for (const char32_t glyph : shapedGlyphsOf(word)) {
       EXPECT_TRUE(glyph == U' ' || known.contains(glyph)) << word << ": " << namesOf(std::u32string(1, glyph));
     }

@@ -24,10 +24,9 @@ TEST(DrawableText, knowsTheScriptsThatItCannotWrite) {
     EXPECT_EQ(scriptProblem(plain), std::nullopt) << static_cast<uint32_t>(plain);
   }
   const std::pair<char32_t, const char*> cases[] = {
-      {U'\u0710', "joined"},        {U'\u064e', "NFC"},           {U'\u05b0', "NFC"},
-      {U'\u0915', "joined"},        {U'\u0e01', "joined"},        {U'\u1100', "joined"},
-      {U'\u0301', "NFC"},           {U'\u200f', "control"},       {U'\ufe0f', "control"},
-      {U'\u0007', "control"},       {U'\ue000', "not defined"},   {U'\U0001f600', "above U+FFFF"}};
+      {U'\u0710', "joined"},  {U'\u064e', "NFC"},     {U'\u05b0', "NFC"},         {U'\u0915', "joined"},
+      {U'\u0e01', "joined"},  {U'\u1100', "joined"},  {U'\u0301', "NFC"},         {U'\u200f', "control"},
+      {U'\ufe0f', "control"}, {U'\u0007', "control"}, {U'\ue000', "not defined"}, {U'\U0001f600', "above U+FFFF"}};
   for (const auto& [character, reason] : cases) {
     EXPECT_THAT(scriptProblem(character).value_or(""), HasSubstr(reason)) << static_cast<uint32_t>(character);
   }

@@ -68,11 +68,13 @@ TEST(ProtocolTexts, everyTextThatSubjectsReadIsLookedAt) {
        },
        "\"paragraphs\" 1"}};
   for (const auto& [change, where] : cases) {
-    EXPECT_THAT(refusalOf(protocolWith(change)),
-                AllOf(HasSubstr(where), HasSubstr("U+0928"), HasSubstr("joined")));
+    EXPECT_THAT(refusalOf(protocolWith(change)), AllOf(HasSubstr(where), HasSubstr("U+0928"), HasSubstr("joined")));
   }
   for (const auto& [change, where] : std::vector<std::pair<std::function<void(Protocol&)>, const char*>>{
-           {[&](Protocol& p) { p.after.push_back({"own after", hindi, "", {}}); }, "\"after\" 1, \"title\""},
+           {[&](Protocol& p) {
+              p.after.push_back({"own after", hindi, "", {}});
+            },
+            "\"after\" 1, \"title\""},
            {[&](Protocol& p) {
               p.blocks[0].after.push_back({"own after", "x", "", {}});
               p.blocks[0].after[0].fields.push_back({"a", "?", {"x", "y"}});

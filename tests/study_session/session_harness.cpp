@@ -127,8 +127,8 @@ SessionDone doneAfter(std::span<const SinkCall> calls, const SessionSchedule& sc
       }
     }
   }
-  for (const auto& form : {protocol.demographics, protocol.survey}) {
-    if (form && answers[form->name] >= form->fields.size()) {
+  for (const ProtocolForm* form : formsOf(protocol)) {
+    if (answers[form->name] >= itemsOf(form->fields).size()) {
       done.forms.push_back(form->name);
     }
   }
