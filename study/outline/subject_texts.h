@@ -1,6 +1,6 @@
 // The fixed texts that a subject reads: buttons, hints, breaks, what forms find wrong, prompts of tasks. They come from
 // catalogues, a file a language: protocols/languages/LANGUAGE.json, which are built into the program. English is the
-// source: it has all texts, and the others must have the same ones with the same placeholders ("{count}").
+// source: it has all texts, and the others must have the same ones with the same placeholders ("{total}").
 //
 // Recipe for a further language: protocols/languages/NAME.json with all texts of en.json, and its name in
 // study/outline/CMakeLists.txt. tests/study_outline/subject_texts_test.cpp then checks it. It says "draft": true until

@@ -79,7 +79,7 @@ void drawProgress(StudyCanvas& canvas, const PixelRect& place, const SessionProg
   const std::string done =
       canvas.texts().say(progress.blocks > 1 ? "progress_part" : "progress",
                          {{"done", fmt::format("{}", progress.trialsDone)},
-                          {"count", fmt::format("{}", progress.trials)},
+                          {"total", fmt::format("{}", progress.trials)},
                           {"part", fmt::format("{}", std::min(progress.block + 1, progress.blocks))},
                           {"parts", fmt::format("{}", progress.blocks)}});
   canvas.writeLine({StudyText::kSmall, kStudyTextDim, kStudyBackground, TextAlign::kCenter},

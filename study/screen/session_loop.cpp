@@ -109,7 +109,11 @@ class ScreenRenderer {
       } else {
         window_.awaitFrame();
       }
-      flow_.frameShown(runNow(), frame.pixelHash);
+      const int64_t shown = runNow();
+      if (options_.frameShown) {
+        options_.frameShown(shown);
+      }
+      flow_.frameShown(shown, frame.pixelHash);
       if (frame.action) {
         flow_.act(*frame.action, runNow());
       }

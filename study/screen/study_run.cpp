@@ -4,6 +4,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/machine.h"
+#include "study/markers/marker_feed.h"
 #include "study/screen/protocol_texts.h"
 #include "study/screen/run_environment.h"
 #include "study/screen/session_loop.h"
@@ -143,6 +144,11 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   tryTrials(protocol, scheduleOf(protocol, plan.subject.slot, plan.session.session, plan.session.seed),
             flowOptions.screen);
 
+  std::vector<std::unique_ptr<MarkerOutput>> markerOutputs;
+  for (const std::string& each : options.markers) {
+    markerOutputs.push_back(openMarkerOutput(each));
+  }
+
   if (!known) {
     known.emplace(StudyDatabase::openForSessions(options.database, protocol));
   }
@@ -167,7 +173,8 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   run.forced = forced;
   TrialStore store(database, protocol, run, schedule);
 
-  SessionFlow flow(protocol, schedule, plan.session.done, flowOptions, store);
+  MarkerFeed feed(store, protocol, std::move(markerOutputs));
+  SessionFlow flow(protocol, schedule, plan.session.done, flowOptions, feed);
   tell(options,
        fmt::format("session   {} of {} of subject {}, {} trials, {} of them done; slot {}, {} first",
                    plan.session.session, protocol.sessions, options.subject, schedule.trials.size(),
@@ -184,10 +191,22 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   loop.hashEvery = options.hashEvery;
   loop.screenshots = options.screenshots;
   loop.interrupted = options.interrupted;
+  int64_t lastShown = 0;
+  loop.frameShown = [&](int64_t nanoseconds) {
+    lastShown = nanoseconds;
+    feed.frameShown(nanoseconds);
+  };
   SessionEnding ending = SessionEnding::kFailed;
   {
     ExperimenterConsole console;
     ending = runSessionLoop(window, protocol, flow, console, loop);
+  }
+  feed.finish(lastShown);
+  for (size_t i = 0; i < options.markers.size(); ++i) {
+    const MarkerCounts counts = feed.counts()[i];
+    const std::string text = fmt::format("{}: {} sent, {} lost", options.markers[i], counts.sent, counts.lost);
+    flow.report("markers", text);
+    tell(options, "markers   " + text);
   }
   store.flush();
   if (const std::optional<std::string> failure = store.failure()) {

@@ -25,7 +25,7 @@ SessionProgress SessionFlow::State::progress() const {
 std::string SessionFlow::State::nameOfTrial(const TrialPlan& plan, const SubjectTexts& texts) const {
   return plan.practice ? texts.say("practice")
                        : texts.say("trial", {{"number", fmt::format("{}", plan.index + 1)},
-                                             {"count", fmt::format("{}", schedule.trials.size())}});
+                                             {"total", fmt::format("{}", schedule.trials.size())}});
 }
 
 SessionScreen SessionFlow::State::screenOf(const TrialStep& step) const {

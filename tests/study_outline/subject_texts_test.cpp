@@ -40,9 +40,9 @@ TEST(SubjectTexts, FilesAreNamedAfterTheirLanguage) {
 }
 
 TEST(SubjectTexts, PlaceholdersAreFilledIn) {
-  EXPECT_EQ(SubjectTexts().say("trial", {{"number", "3"}, {"count", "12"}}), "Trial 3 of 12");
-  EXPECT_EQ(SubjectTexts("de").say("trial", {{"number", "3"}, {"count", "12"}}), "Durchgang 3 von 12");
-  EXPECT_EQ(SubjectTexts("de").say("trial", {{"number", "{count}"}, {"count", "{number}"}}).find("{}"),
+  EXPECT_EQ(SubjectTexts().say("trial", {{"number", "3"}, {"total", "12"}}), "Trial 3 of 12");
+  EXPECT_EQ(SubjectTexts("de").say("trial", {{"number", "3"}, {"total", "12"}}), "Durchgang 3 von 12");
+  EXPECT_EQ(SubjectTexts("de").say("trial", {{"number", "{total}"}, {"total", "{number}"}}).find("{}"),
             std::string::npos);
   EXPECT_THAT(placeholdersOf("{b} of {a}, {b}"), ElementsAre("a", "b", "b"));
 }

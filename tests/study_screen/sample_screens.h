@@ -218,7 +218,7 @@ struct SampleStudy {
     const SessionProgress progress{31, 86, 1, 5};
     const std::string language = texts.catalogue().language;
     std::vector<std::pair<std::string, SessionScreen>> screens{
-        {"ready", readyPage(texts, texts.say("trial", {{"number", "12"}, {"count", "86"}}), texts.say("prompt_count"),
+        {"ready", readyPage(texts, texts.say("trial", {{"number", "12"}, {"total", "86"}}), texts.say("prompt_count"),
                             progress)},
         {"right", feedbackPage(texts, outcome(true))},
         {"wrong", feedbackPage(texts, outcome(false))},
@@ -272,7 +272,7 @@ struct SampleStudy {
         {"pause", pause()},
         {"find_ppc", finding(screen, TrialView::kReference)},
         {"find_gc", finding(screen, TrialView::kOther, true)},
-        {"count", counting(screen)},
+        {"total", counting(screen)},
         {"path", matching(screen)}};
     for (const char* image : {"find_ppc", "find_gc", "count_ppc", "count_gc", "path_maps", "controls"}) {
       screens.emplace_back(std::string("page_") + image, instructions(image));

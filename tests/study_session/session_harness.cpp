@@ -177,7 +177,7 @@ SessionSchedule smallSchedule(const Protocol& protocol) {
   return scheduleOf(protocol, 0, 1, 17);
 }
 
-SessionRun::SessionRun(const Protocol& protocol, const SessionSchedule& schedule, FakeSink& sink,
+SessionRun::SessionRun(const Protocol& protocol, const SessionSchedule& schedule, SessionSink& sink,
                        const SessionDone& done)
     : flow(protocol, schedule, done,
            SessionFlowOptions{.screen = {640, 480, 60},
@@ -191,6 +191,9 @@ SessionRun::SessionRun(const Protocol& protocol, const SessionSchedule& schedule
 void SessionRun::frame(int64_t nanoseconds) {
   now += nanoseconds;
   flow.update(now);
+  if (whenShown) {
+    whenShown(now + 1'000'000);
+  }
   flow.frameShown(now + 1'000'000);
 }
 
