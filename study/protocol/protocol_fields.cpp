@@ -79,7 +79,7 @@ void checkRule(JsonFields& fields, const ExclusionRule& rule, const Protocol& pr
   if (kind->what == kFormPrefix) {
     const FormField* field = findField(protocol, rule.what.substr(kFormPrefix.size()));
     if (field == nullptr) {
-      fields.fail("what", fmt::format("names \"{}\", but neither demographics nor survey ask for that", rule.what));
+      fields.fail("what", fmt::format("names \"{}\", but no form asks for that", rule.what));
     }
     if (questionKind(field->kind).value != QuestionValue::kOption) {
       fields.fail("what", fmt::format("names \"{}\", whose answers are not one of several options", rule.what));

@@ -158,20 +158,13 @@ TEST(FileMarkers, areLinesOfATable) {
   EXPECT_THROW(openMarkerOutput("file:" + path), InputError) << "it is not overwritten";
 }
 
-TEST(FileMarkers, areCountedWhereTheDiskIsFull) {
-  if (access("/dev/full", W_OK) != 0) {
-    GTEST_SKIP() << "there is no /dev/full";
-  }
-  const TemporaryFolder folder;
-  EXPECT_THROW(openMarkerOutput("file:/no such folder/markers.csv"), WorkError);
-}
-
 TEST(MarkerOutputs, saysWhatIsWrong) {
   for (const char* text : {"udp", "radio:7", "udp:localhost", "udp::5", "udp:localhost:0", "udp:localhost:65536",
                            "udp:localhost:5x", "serial:", "serial:/dev/null,7", "serial:/dev/null", "file:"}) {
     EXPECT_THROW(openMarkerOutput(text), InputError) << text;
   }
   EXPECT_THROW(openMarkerOutput("serial:/dev/no such device"), WorkError);
+  EXPECT_THROW(openMarkerOutput("file:/no such folder/markers.csv"), WorkError);
   EXPECT_THAT(markerOutputForms(), HasSubstr("serial:DEVICE[,BAUD]"));
 }
 
