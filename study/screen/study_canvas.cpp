@@ -230,10 +230,19 @@ void StudyCanvas::endClip() {
 }
 
 Touch StudyCanvas::touch(const std::string& name, const PixelRect& place) {
-  const PixelRect shown = onScreen(place);
-  ImGui::SetCursorScreenPos(topLeft(shown));
-  const ImVec2 size{static_cast<float>(std::max(place.width, 1.0)), static_cast<float>(std::max(place.height, 1.0))};
   Touch touch;
+  PixelRect shown = onScreen(place);
+  if (!clips_.empty()) {
+    // What is scrolled away must not take clicks from what stands there now.
+    const double top = std::max(shown.top, clips_.back().top);
+    shown.height = std::min(shown.bottom(), clips_.back().bottom()) - top;
+    shown.top = top;
+    if (shown.height < 1) {
+      return touch;
+    }
+  }
+  ImGui::SetCursorScreenPos(topLeft(shown));
+  const ImVec2 size{static_cast<float>(std::max(shown.width, 1.0)), static_cast<float>(std::max(shown.height, 1.0))};
   touch.clicked = ImGui::InvisibleButton(name.c_str(), size);
   touch.hovered = ImGui::IsItemHovered();
   touch.held = ImGui::IsItemActive();

@@ -101,6 +101,7 @@ class StudyCanvas {
   void beginClip(const PixelRect& place);
   void endClip();
 
+  /// Of the part of the place that the clip leaves, where there is one.
   Touch touch(const std::string& name, const PixelRect& place);
   /// Steps of the wheel since the last frame, up is positive.
   double wheel() const;

@@ -115,7 +115,7 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfQuestions) {
             {"options", "values", "ends", "favors"}},
            {"multiple", R"({"options": ["a", "b"], "values": ["x", "y"]})", {"options", "values"}},
            {"text", "{}", {"max_characters"}},
-           {"number", "{}", {"least", "most", "step", "unit"}},
+           {"number", R"({"least": 5})", {"least", "most", "step", "unit"}},
            {"slider",
             R"({"ends": ["p", "q"], "least": 0, "most": 0.7, "step": 0.35})",
             {"least", "most", "step", "ends"}},
@@ -141,10 +141,11 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfQuestions) {
     document.at("survey").at("fields").erase(document.at("survey").at("fields").begin() + 1,
                                              document.at("survey").at("fields").end());
     document.erase("exclusions");
-    // What depends on other fields of the question: a line of 0.7 in steps of 0.35 takes a 1 nowhere.
-    std::vector<std::string> own{"kind", "favors", "values"};
+    // What depends on other fields of the question: numbers from 5 on take no 1 as the highest, and a line of 0.7 in
+    // steps of 0.35 takes a 1 nowhere.
+    std::vector<std::string> own{"kind", "favors", "values", "most"};
     if (fields.kind == "slider") {
-      own.insert(own.end(), {"least", "most", "step"});
+      own.insert(own.end(), {"least", "step"});
     }
     expectAgreement(description, document, "/survey/fields/0", own);
   }
