@@ -27,6 +27,7 @@ struct RunChoice {
   int hashFrames = 0;
   std::optional<uint64_t> seed;
   std::string screenshots;
+  std::vector<std::string> markers;
 };
 
 #ifdef OCELLI_WITH_OPENGL
@@ -69,6 +70,7 @@ StudyRunOptions optionsOf(const RunChoice& choice, const CommandContext& context
   options.hashEvery = choice.hashFrames;
   options.seed = choice.seed;
   options.screenshots = choice.screenshots;
+  options.markers = choice.markers;
   options.interrupted = [] { return InterruptGuard::interrupted(); };
   options.tell = [context](const std::string& line) { context.note(line); };
   return options;
@@ -125,6 +127,13 @@ void addScreenOptions(CLI::App& command, RunChoice& choice) {
   command
       .add_option("--screenshots", choice.screenshots, "Keep an image of each screen that comes; frames are late then")
       ->type_name("DIR");
+  command
+      .add_option("--markers", choice.markers,
+                  "Tell other devices of trials and answers at the frames that show them; may be given several times: "
+                  "udp:HOST:PORT, serial:DEVICE[,BAUD], file:PATH")
+      ->type_name("OUTPUT")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 }  // namespace

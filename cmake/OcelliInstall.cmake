@@ -41,7 +41,9 @@ foreach(schema IN ITEMS
     oc_core/ocri/camera.schema.json
     oc_core/worlds/maze.schema.json
     protocols/analysis_plan.schema.json
-    protocols/protocol.schema.json)
+    protocols/language.schema.json
+    protocols/protocol.schema.json
+    protocols/questionnaire.schema.json)
   get_filename_component(folder ${schema} DIRECTORY)
   install(FILES ${schema} DESTINATION ${CMAKE_INSTALL_DATADIR}/ocelli/${folder})
 endforeach()

@@ -88,7 +88,7 @@ CREATE TABLE consent (
 ) STRICT;
 CREATE INDEX consent_of_run ON consent (run_id);
 
--- Answers to the questions of forms: demographics, survey.
+-- Answers to the questions of forms: demographics, survey, questionnaires. A row of a matrix is a question.
 CREATE TABLE answer (
   answer_id       INTEGER PRIMARY KEY,
   run_id          INTEGER NOT NULL,
@@ -96,7 +96,8 @@ CREATE TABLE answer (
   session_number  INTEGER NOT NULL,
   form            TEXT NOT NULL,  -- name of the form in the protocol
   field           TEXT NOT NULL,  -- name of the question
-  answer          TEXT NOT NULL,  -- the option that was chosen
+  answer          TEXT NOT NULL,  -- the option that was chosen, or its value; a number; a text; a JSON array of options;
+                                  -- '' where the question was left open
   answered_utc    TEXT NOT NULL,
   simulated       INTEGER NOT NULL,
   FOREIGN KEY (run_id, subject_id, session_number, simulated)

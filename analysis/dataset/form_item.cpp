@@ -7,20 +7,12 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "analysis/dataset/protocol_facts.h"
 
 namespace ocelli {
 namespace {
-
-std::optional<double> wholeNumber(const std::string& text) {
-  double number = 0;
-  const char* end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, number);
-  return !text.empty() && read.ec == std::errc() && read.ptr == end && std::isfinite(number)
-             ? std::optional<double>(number)
-             : std::nullopt;
-}
 
 /// First number and step of options that are numbers at equal distances.
 struct EvenNumbers {
@@ -31,7 +23,7 @@ struct EvenNumbers {
 std::optional<EvenNumbers> evenNumbers(const std::vector<std::string>& options) {
   std::vector<double> numbers;
   for (const std::string& option : options) {
-    if (const std::optional<double> number = wholeNumber(option)) {
+    if (const std::optional<double> number = numberOfAnswer(option)) {
       numbers.push_back(*number);
     }
   }
@@ -77,6 +69,26 @@ std::optional<TrialView> viewInWords(const std::string& text, const ViewConditio
 
 }  // namespace
 
+std::optional<double> numberOfAnswer(const std::string& answer) {
+  double number = 0;
+  const char* end = answer.data() + answer.size();
+  const auto read = std::from_chars(answer.data(), end, number);
+  return !answer.empty() && read.ec == std::errc() && read.ptr == end && std::isfinite(number)
+             ? std::optional<double>(number)
+             : std::nullopt;
+}
+
+std::vector<std::string> choicesOfAnswer(const std::string& answer) {
+  const nlohmann::json list = nlohmann::json::parse(answer, nullptr, false);
+  std::vector<std::string> choices;
+  for (size_t i = 0; list.is_array() && i < list.size(); ++i) {
+    if (list[i].is_string()) {
+      choices.push_back(list[i].get<std::string>());
+    }
+  }
+  return choices;
+}
+
 bool FormItem::isScale() const {
   return options.size() >= 2 && (ends.size() == 2 || lastFavors || evenNumbers(options));
 }
@@ -98,7 +110,9 @@ std::string FormItem::scaleText() const {
     const std::string meaning = ends.size() == 2 ? ends[which] : numbers ? "" : option;
     return meaning.empty() ? shown : fmt::format("{} ({})", shown, meaning);
   };
-  return options.empty() ? std::string("any text")
+  return options.empty() ? std::string(value == QuestionValue::kNumber    ? "a number"
+                                       : value == QuestionValue::kOptions ? "several choices"
+                                                                          : "any text")
                          : fmt::format("{} to {}", end(options.front(), 1, 0), end(options.back(), steps(), 1));
 }
 
@@ -149,6 +163,9 @@ std::vector<ItemAnswers> answersToForm(const Dataset& data, const std::string& f
       continue;
     }
     const FormItem item = known.of(answer);
+    if (answer.answer.empty() && item.isInProtocol()) {
+      continue;
+    }
     auto found = std::find_if(all.begin(), all.end(), [&](const ItemAnswers& each) { return each.item == item; });
     if (found == all.end()) {
       found = all.insert(all.end(), {item});
@@ -159,6 +176,12 @@ std::vector<ItemAnswers> answersToForm(const Dataset& data, const std::string& f
   }
   for (size_t i = 0; i < all.size(); ++i) {
     for (const auto& [subject, row] : last[i]) {
+      const FormItem& item = all[i].item;
+      if ((item.value == QuestionValue::kNumber && !numberOfAnswer(row->answer)) ||
+          (item.value == QuestionValue::kOptions && choicesOfAnswer(row->answer).empty())) {
+        all[i].notOptions.push_back(row);
+        continue;
+      }
       const std::optional<int> place = all[i].item.placeOf(row->answer);
       if (place || all[i].item.options.empty()) {
         all[i].answers.push_back({row, place.value_or(0)});

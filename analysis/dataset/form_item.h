@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "analysis/dataset/dataset.h"
+#include "study/outline/question_kinds.h"
 
 namespace ocelli {
 
 /// A question. Its options in order are its scale where they are numbers or have ends, or where the ends speak for the
-/// views; else they are choices without an order. A question without options takes any text, or is not in the protocol.
+/// views; else they are choices without an order. A question without options takes any text, a number or several
+/// choices, as `value` says, or is not in the protocol.
 struct FormItem {
   std::string form;
   std::string name;                       ///< "easier_find": as databases and tables write it
@@ -19,6 +21,8 @@ struct FormItem {
   std::vector<std::string> ends{};        ///< what the first and the last option mean; empty, or two
   std::optional<TrialView> lastFavors{};  ///< the view that the last option speaks for, and the first for the other
   bool favorsFromWords = false;           ///< taken from the words of `ends`, as the protocol has no "favors"
+  QuestionValue value = QuestionValue::kOption;
+  std::vector<std::string> choices{};  ///< of which several can be chosen
 
   bool isInProtocol() const { return !question.empty(); }
   bool isScale() const;
@@ -70,8 +74,14 @@ struct ItemAnswers {
   std::vector<const FormAnswer*> notOptions{};  ///< last answers that are none of the item's options
 };
 
-/// Of all questions with answers: those of the protocol in its order, then others by name. Where sources have different
-/// questions of one name they stand apart. Pointers are into `data`.
+/// A number that stands in a text alone.
+std::optional<double> numberOfAnswer(const std::string& answer);
+/// The choices of an answer of QuestionValue::kOptions; empty for a text that is no list of these.
+std::vector<std::string> choicesOfAnswer(const std::string& answer);
+
+/// Answers that are empty were left open, and are not among these. Of all questions with answers: those of the protocol
+/// in its order, then others by name. Where sources have different questions of one name they stand apart. Pointers are
+/// into `data`.
 std::vector<ItemAnswers> answersToForm(const Dataset& data, const std::string& form);
 
 }  // namespace ocelli

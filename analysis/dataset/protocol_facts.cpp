@@ -11,7 +11,8 @@
 #include "oc_core/base/json_fields.h"
 #include "oc_core/maze/maze_plan.h"
 #include "study/outline/condition_names.h"
-#include "study/outline/form_field.h"
+#include "study/outline/local_text.h"
+#include "study/outline/question_kinds.h"
 
 namespace ocelli {
 namespace {
@@ -47,8 +48,8 @@ ProtocolCase readCase(JsonFields& fields, size_t index) {
   return result;
 }
 
-ProtocolBlockFacts readBlock(JsonFields& fields) {
-  ProtocolBlockFacts block{readBlockOutline(fields, ProtocolReading::kByAnalysis)};
+ProtocolBlockFacts readBlock(JsonFields& fields, const std::string& language) {
+  ProtocolBlockFacts block{readBlockOutline(fields, ProtocolReading::kByAnalysis, language)};
   block.maze = fields.shortText("maze", kMaxStoredCharacters, "");
   block.moving = fields.has("moving");
   block.fovHorizontalDegrees = fields.number("fov_horizontal_degrees", 1, 179, block.fovHorizontalDegrees);
@@ -76,16 +77,24 @@ ExclusionRule readRule(JsonFields& fields) {
   return rule;
 }
 
-FormItem readItem(JsonFields& fields, const std::string& form, const ViewConditions& conditions) {
-  const FormField field = readFormField(fields, conditions, ProtocolReading::kByAnalysis);
-  FormItem item{form, field.name, field.question, field.options, field.ends};
-  if (!field.favors.empty()) {
-    item.lastFavors = field.favors.back();
-  } else if (const std::optional<TrialView> view = viewFavoredByLastEnd(item.ends, conditions)) {
-    item.lastFavors = view;
-    item.favorsFromWords = true;
+/// Of all questions, each row of a matrix for itself.
+void addItems(ProtocolFacts& facts, const ProtocolForm& form) {
+  for (const QuestionItem& each : itemsOf(form.fields)) {
+    const FormField& field = form.fields[static_cast<size_t>(each.field)];
+    FormItem item{form.name, each.name, each.label, storedOptions(field), field.ends};
+    item.value = questionKind(field.kind).value;
+    if (item.value != QuestionValue::kOption) {
+      std::swap(item.options, item.choices);
+    }
+    if (!field.favors.empty()) {
+      item.lastFavors = field.favors.back();
+    } else if (const auto view = viewFavoredByLastEnd(item.ends, facts.conditions);
+               view && item.value == QuestionValue::kOption) {
+      item.lastFavors = view;
+      item.favorsFromWords = true;
+    }
+    facts.items.push_back(item);
   }
-  return item;
 }
 
 }  // namespace
@@ -111,22 +120,27 @@ ProtocolFacts protocolFacts(const std::string& text, const std::string& where) {
     JsonFields fields(document, UnknownFields::kIgnored);
     ProtocolFacts facts;
     facts.name = fields.shortText("name", kMaxStoredCharacters);
-    facts.title = fields.shortText("title", kMaxStoredCharacters, facts.name);
-    facts.description = fields.shortText("description", kMaxStoredCharacters, "");
+    const std::string language = readLanguage(fields);
+    facts.title = localText(fields, "title", kMaxStoredCharacters, language, facts.name);
+    facts.description = localText(fields, "description", kMaxStoredCharacters, language, "");
     facts.sessions = fields.integer("sessions", 1, 1000, 1);
     facts.asksConsent = fields.has("consent");
     fields.forEachNamed("mazes", kMaxListed, [&](const std::string& name, JsonFields& each) {
       facts.mazes.push_back(readMazePlan(name, each));
     });
-    fields.forEach("blocks", 0, kMaxListed, [&](JsonFields& each) { facts.blocks.push_back(readBlock(each)); });
-    fields.forEach("exclusions", 0, kMaxListed, [&](JsonFields& each) { facts.exclusions.push_back(readRule(each)); });
     facts.conditions = readConditionNames(fields, [](JsonFields&, TrialView) {});
-    for (const char* form : {"demographics", "survey"}) {
-      if (fields.has(form)) {
-        fields.inner(form).forEach("fields", 0, kMaxListed, [&](JsonFields& each) {
-          facts.items.push_back(readItem(each, form, facts.conditions));
-        });
+    fields.forEach("blocks", 0, kMaxListed,
+                   [&](JsonFields& each) { facts.blocks.push_back(readBlock(each, language)); });
+    fields.forEach("exclusions", 0, kMaxListed, [&](JsonFields& each) { facts.exclusions.push_back(readRule(each)); });
+    for (const ProtocolForm& form : readAllForms(fields, {facts.conditions, ProtocolReading::kByAnalysis, language})) {
+      if (form.name == "demographics" || form.name == "survey") {
+        addItems(facts, form);
+      } else {
+        facts.otherForms.push_back(form);
       }
+    }
+    for (const ProtocolForm& form : facts.otherForms) {
+      addItems(facts, form);
     }
     facts.screen = readStatedScreen(fields, ProtocolReading::kByAnalysis);
     facts.timing = readTimingLimits(fields, ProtocolReading::kByAnalysis);

@@ -9,6 +9,7 @@
 #include "analysis/dataset/form_item.h"
 #include "study/outline/block_outline.h"
 #include "study/outline/exclusion_rule.h"
+#include "study/outline/form_outline.h"
 #include "study/outline/screen_fields.h"
 #include "study/outline/usual_values.h"
 
@@ -49,7 +50,8 @@ struct ProtocolFacts {
   std::vector<ProtocolBlockFacts> blocks{};
   std::vector<ProtocolMaze> mazes{};
   std::vector<ExclusionRule> exclusions{};
-  std::vector<FormItem> items{};  ///< of "demographics", then of "survey"
+  std::vector<FormItem> items{};           ///< of "demographics", then of "survey", then of all other forms
+  std::vector<ProtocolForm> otherForms{};  ///< asked before and after sessions, and after blocks
   StatedScreen screen{};
   TimingLimits timing{};
   ViewConditions conditions = defaultConditions();

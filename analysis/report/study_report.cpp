@@ -14,6 +14,7 @@
 #include "analysis/report/paper_section.h"
 #include "analysis/report/part_guard.h"
 #include "analysis/report/provenance_section.h"
+#include "analysis/report/questionnaire_section.h"
 #include "analysis/report/r_script.h"
 #include "analysis/report/report_task.h"
 #include "analysis/report/view_words.h"
@@ -167,6 +168,9 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
     addPart(work, "Comparison of completers and drop-outs", [&] { addCompletersSection(work, practised); });
   }
   addTasks(false);
+  if (hasOtherForms(analysis.data)) {
+    addPart(work, "Questionnaires", [&] { addQuestionnaires(work); });
+  }
   addPart(work, "Methods", [&] { addMethods(work, options.version); });
   addPart(work, "Provenance", [&] { addProvenance(work, options.version); });
   const size_t answers = document.elements.size();
@@ -184,6 +188,9 @@ std::vector<ReportFile> tableFiles(const AnalysisData& analysis, const ReportDoc
   if (trials) {
     files.push_back({"tables/trials.csv", trialsCsv(analysis.data)});
     files.push_back({"tables/answers.csv", answersCsv(analysis.data)});
+    if (hasOtherForms(analysis.data)) {
+      files.push_back({"tables/scores.csv", scoresCsv(analysis.data)});
+    }
     files.push_back({"analysis.R", rScript(analysis, options.only, options.version)});
   }
   return files;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "analysis/dataset/form_item.h"
@@ -36,6 +37,20 @@ std::vector<int> placesOf(const ItemAnswers& item) {
     places.push_back(answer.place);
   }
   return places;
+}
+
+std::vector<double> numbersOf(const ItemAnswers& item) {
+  std::vector<double> numbers;
+  for (const ItemAnswers::Answer& answer : item.answers) {
+    numbers.push_back(numberOfAnswer(answer.row->answer).value_or(kNotKnown));
+  }
+  return numbers;
+}
+
+double medianOf(std::vector<double> numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  const size_t middle = numbers.size() / 2;
+  return numbers.size() % 2 == 1 ? numbers[middle] : (numbers[middle - 1] + numbers[middle]) / 2;
 }
 
 /// An answer as a table can hold it; a longer one ends with its length.
@@ -143,10 +158,10 @@ void addFigures(ReportWork& work, const std::vector<ItemAnswers>& items) {
 }
 
 /// Each question on its own scale: how many answered, what on average, and what most.
-void addDescriptions(ReportWork& work, const std::vector<ItemAnswers>& items) {
-  const char* id = "survey-answers";
+void addDescriptions(ReportWork& work, const std::vector<ItemAnswers>& items, const std::string& id,
+                     const std::string& caption) {
   ReportTable table{
-      "Answers to the survey, each question on its own scale; the last answer of each subject",
+      caption,
       id,
       {{"Question", "", true}, {"Scale", "", true}, {"Subjects"}, {"Mean"}, {"Median"}, {"Answers", "", true}},
       {}};
@@ -161,12 +176,23 @@ void addDescriptions(ReportWork& work, const std::vector<ItemAnswers>& items) {
       mean = item.numberAt(distribution.mean);
       median = item.numberAt(distribution.median);
       counts = fmt::format("{}", fmt::join(distribution.counts, " / "));
+    } else if (item.value == QuestionValue::kNumber && !each.answers.empty()) {
+      std::vector<double> numbers = numbersOf(each);
+      mean = std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
+      median = medianOf(numbers);
+      counts = fmt::format("{} to {}", *std::min_element(numbers.begin(), numbers.end()),
+                           *std::max_element(numbers.begin(), numbers.end()));
     } else {
       std::map<std::string, int> given;
       for (const ItemAnswers::Answer& answer : each.answers) {
-        ++given[answer.row->answer];
+        for (const std::string& one : item.value == QuestionValue::kOptions
+                                          ? choicesOfAnswer(answer.row->answer)
+                                          : std::vector<std::string>{answer.row->answer}) {
+          ++given[one];
+        }
       }
-      const bool anyText = item.isInProtocol() && item.options.empty();  // in a subject's own words
+      // In a subject's own words.
+      const bool anyText = item.isInProtocol() && item.options.empty() && item.value != QuestionValue::kOptions;
       counts = anyText || given.size() > kMaxListed ? fmt::format("{} different", given.size()) : answerCounts(given);
     }
     const auto subjects = static_cast<double>(each.answers.size());
@@ -186,7 +212,7 @@ void addDescriptions(ReportWork& work, const std::vector<ItemAnswers>& items) {
     table.rows.push_back({question,
                           ReportCell{!item.isInProtocol()   ? std::string("not known")
                                      : item.isScale()       ? item.scaleText()
-                                     : item.options.empty() ? std::string("any text")
+                                     : item.options.empty() ? item.scaleText()
                                                             : std::string("choices without an order")},
                           cell(std::to_string(each.answers.size()), "subjects", subjects),
                           cell(std::isfinite(mean) ? fixedText(mean, 2) : "-", "mean", mean),
@@ -346,7 +372,8 @@ void addSurveySection(ReportWork& work, const ReportTask& /*task*/) {
   }
   addCautions(work, items);
   addFigures(work, items);
-  addDescriptions(work, items);
+  addDescriptions(work, items, "survey-answers",
+                  "Answers to the survey, each question on its own scale; the last answer of each subject");
   addPreferences(work, items);
   addOrder(work, items);
   work.methods.push_back(
@@ -356,6 +383,12 @@ void addSurveySection(ReportWork& work, const ReportTask& /*task*/) {
 }
 
 }  // namespace
+
+void addItemDescriptions(ReportWork& work, const std::vector<ItemAnswers>& items, const std::string& id,
+                         const std::string& caption) {
+  addCautions(work, items);
+  addDescriptions(work, items, id, caption);
+}
 
 ReportTask surveyReportTask() {
   ReportTask task;

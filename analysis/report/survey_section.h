@@ -1,6 +1,7 @@
 // What subjects say of the views.
 #pragma once
 
+#include "analysis/dataset/form_item.h"
 #include "analysis/report/report_task.h"
 
 namespace ocelli {
@@ -9,5 +10,9 @@ namespace ocelli {
 inline constexpr const char* kSurveyTestsTable = "survey-preference";
 
 ReportTask surveyReportTask();
+
+/// A table of what was answered, each question on its own scale, and notes on answers that are none of the options.
+void addItemDescriptions(ReportWork& work, const std::vector<ItemAnswers>& items, const std::string& id,
+                         const std::string& caption);
 
 }  // namespace ocelli

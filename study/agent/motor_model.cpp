@@ -91,6 +91,10 @@ void MotorModel::tap(Key key, int64_t at) {
   add(KeyEvent{key, false, {}}, at + nanosecondsOf(normalWithin(random_, factors_.holdSeconds, 0.015, 0.04, 0.2)));
 }
 
+void MotorModel::type(char32_t character, int64_t at) {
+  add(TextEvent{character}, at);
+}
+
 void MotorModel::click(int64_t at) {
   add(PointerButtonEvent{PointerButton::kLeft, true, {}}, at);
   add(PointerButtonEvent{PointerButton::kLeft, false, {}},

@@ -28,6 +28,8 @@ class MotorModel {
   /// mouse that were yet to begin are dropped.
   void plan(int64_t from, const std::vector<Hold>& holds);
   void tap(Key key, int64_t at);
+  /// Types a character: what the window system makes of the keys of it.
+  void type(char32_t character, int64_t at);
   /// Moves the pointer there, as fast as one can who is to hit something of that size (Fitts' law), from what is done
   /// with it before. Returns when it is there.
   int64_t point(const glm::dvec2& to, double sizePixels, int64_t from);

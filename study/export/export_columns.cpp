@@ -85,6 +85,10 @@ const std::vector<ColumnMeaning>& columnMeanings() {
       {"ended_ns", "ns", "when the trial ended, since the start of its run, by a clock that never jumps"},
       {"form", "", "name of the form in the protocol"},
       {"field", "", "name of the question"},
+      {"answer_type", "",
+       "option: one of several; options: a JSON array of some of several; text; number; empty where the protocol does "
+       "not have the question"},
+      {"answered", "", "1: the question was answered; 0: it was left open, and answer is empty"},
       {"answered_utc", "", "when it was answered, by the computer's clock (UTC)"},
       {"at_ns", "ns", "when it happened, since the start of the run, by a clock that never jumps"},
       {"at_utc", "", "when it happened, by the computer's clock (UTC)"},

@@ -9,6 +9,7 @@
 #include "oc_core/base/check.h"
 #include "oc_core/base/csv.h"
 #include "oc_core/base/output_file.h"
+#include "study/outline/question_kinds.h"
 #include "study/store/sqlite_connection.h"
 
 namespace ocelli {
@@ -106,12 +107,24 @@ ExportTable trialsTable(SQLite::Database& database, const std::string& task) {
   return table;
 }
 
-ExportTable answersTable() {
-  return {
-      "answers",
-      "SELECT row_number() OVER (ORDER BY answer_id) AS row_id, subject_id, simulated, session_number, run_id, form, "
-      "field, answer, answer_id IN (SELECT answer_id FROM final_answer) AS counts, answered_utc "
-      "FROM answer ORDER BY answer_id"};
+ExportTable answersTable(const std::vector<ProtocolForm>& forms) {
+  // What each answer is comes of the protocol: databases hold texts.
+  std::string types;
+  for (const ProtocolForm& form : forms) {
+    for (const QuestionItem& item : itemsOf(form.fields)) {
+      const FormField& field = form.fields[static_cast<size_t>(item.field)];
+      types += fmt::format("{}({}, {}, '{}')", types.empty() ? "VALUES " : ", ", inQuotes(form.name, '\''),
+                           inQuotes(item.name, '\''), nameOf(questionKind(field.kind).value));
+    }
+  }
+  return {"answers",
+          fmt::format("WITH question(form, field, type) AS ({}) "
+                      "SELECT row_number() OVER (ORDER BY answer_id) AS row_id, subject_id, simulated, session_number, "
+                      "run_id, answer.form, answer.field, coalesce(type, '') AS answer_type, answer, "
+                      "answer <> '' AS answered, "
+                      "answer_id IN (SELECT answer_id FROM final_answer) AS counts, answered_utc "
+                      "FROM answer LEFT JOIN question USING (form, field) ORDER BY answer_id",
+                      types.empty() ? "SELECT '', '', '' WHERE 0" : types)};
 }
 
 ExportTable eventsTable(bool notes) {

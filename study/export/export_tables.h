@@ -9,6 +9,7 @@
 
 #include "study/export/export_columns.h"
 #include "study/export/study_export.h"
+#include "study/outline/form_outline.h"
 
 namespace ocelli {
 
@@ -22,7 +23,8 @@ ExportTable subjectsTable();
 ExportTable runsTable();
 /// Of one task, or of all where `task` is empty.
 ExportTable trialsTable(SQLite::Database& database, const std::string& task);
-ExportTable answersTable();
+/// `forms` are those of the protocol.
+ExportTable answersTable(const std::vector<ProtocolForm>& forms);
 ExportTable eventsTable(bool notes);
 ExportTable framesTable();
 ExportTable inputsTable();

@@ -46,8 +46,10 @@ Study studyOf(SQLite::Database& database, const fs::path& path) {
   return {textOf(row, 0), textOf(row, 1), textOf(row, 2)};
 }
 
-std::vector<ExportTable> tablesBesideTrials(const ExportOptions& options) {
-  std::vector<ExportTable> tables{subjectsTable(), runsTable(), answersTable(), eventsTable(options.notes)};
+std::vector<ExportTable> tablesBesideTrials(const Study& study, const ExportOptions& options) {
+  std::vector<ExportTable> tables{subjectsTable(), runsTable(),
+                                  answersTable(formsOfProtocolText(study.protocol, "the stored protocol")),
+                                  eventsTable(options.notes)};
   if (options.frames) {
     tables.push_back(framesTable());
   }
@@ -67,7 +69,7 @@ std::vector<PlannedFile> planFiles(SQLite::Database& database, const Study& stud
   } else {
     files.push_back({trialsTable(database, ""), "trials.csv"});
   }
-  for (ExportTable& table : tablesBesideTrials(options)) {
+  for (ExportTable& table : tablesBesideTrials(study, options)) {
     std::string file =
         isPsychDs ? "data/" + psychDsFileName(study.name, "description", table.name) : table.name + ".csv";
     files.push_back({std::move(table), std::move(file)});

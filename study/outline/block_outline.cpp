@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "oc_core/base/json_fields.h"
+#include "study/outline/local_text.h"
 
 namespace ocelli {
 namespace {
@@ -35,18 +36,18 @@ const char* nameOf(ViewsOfCases views) {
   return views == ViewsOfCases::kBoth ? "both" : "one";
 }
 
-BlockOutline readBlockOutline(JsonFields& fields, ProtocolReading reading) {
+BlockOutline readBlockOutline(JsonFields& fields, ProtocolReading reading, const std::string& language) {
   BlockOutline block;
   const size_t maxTitle = maxCharacters(reading, kMaxTitleCharacters);
   if (reading == ProtocolReading::kByStudy) {
     block.name = readIdentifier(fields, "name", true);
     fields.callIt(block.name);
-    block.title = fields.shortText("title", maxTitle);
+    block.title = localText(fields, "title", maxTitle, language);
     block.views = fields.choiceOf("views", kViewsOfCases, block.views);
   } else {
     block.name = fields.shortText("name", maxTitle);
     fields.callIt(block.name);
-    block.title = fields.shortText("title", maxTitle, block.name);
+    block.title = localText(fields, "title", maxTitle, language, block.name);
     // Whatever another version calls it.
     const bool both = fields.text("views", nameOf(ViewsOfCases::kBoth)) == nameOf(ViewsOfCases::kBoth);
     block.views = both ? ViewsOfCases::kBoth : ViewsOfCases::kOne;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "study/outline/protocol_reading.h"
+#include "study/outline/subject_texts.h"
 
 namespace ocelli {
 
@@ -36,8 +37,10 @@ struct BlockOutline {
 };
 
 /// Reads "name", "title", "task", "views" and "practice". After the name has been read, messages call the object
-/// "... (name)". An analysis takes a block without a title, which is then its name. Throws InputError naming the field.
-BlockOutline readBlockOutline(JsonFields& fields, ProtocolReading reading);
+/// "... (name)". The title is in the language. An analysis takes a block without a title, which is then its name.
+/// Throws InputError naming the field.
+BlockOutline readBlockOutline(JsonFields& fields, ProtocolReading reading,
+                              const std::string& language = kSourceLanguage);
 
 /// A name of letters, digits, "-" and, where `spaces` says so, spaces.
 std::string readIdentifier(JsonFields& fields, const std::string& name, bool spaces);

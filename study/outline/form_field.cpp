@@ -3,24 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "oc_core/base/json_fields.h"
+#include "study/outline/local_text.h"
+#include "study/outline/question_kinds.h"
 
 namespace ocelli {
 namespace {
 
 constexpr size_t kMaxColumnName = 60;
-constexpr size_t kMaxOptionsOfStudy = 20;
-constexpr size_t kMaxOptionsOfAnalysis = 1000;
-
-/// What names columns of tables: "age_band".
-void checkColumnName(const JsonFields& fields, const std::string& name) {
-  const auto isAllowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
-  if (!std::all_of(name.begin(), name.end(), isAllowed) || !(name.front() >= 'a' && name.front() <= 'z')) {
-    fields.fail("name", "must be of small letters, digits and _, and begin with a letter, as it names a column");
-  }
-}
 
 /// Both conditions, in either order.
 std::vector<TrialView> readFavors(JsonFields& fields, const ViewConditions& conditions) {
@@ -41,28 +32,45 @@ std::vector<TrialView> readFavors(JsonFields& fields, const ViewConditions& cond
   return favors;
 }
 
+std::string readKind(JsonFields& fields, ProtocolReading reading) {
+  const std::string usual = questionKinds().front().name;
+  if (reading == ProtocolReading::kByAnalysis) {
+    return fields.text("kind", usual);
+  }
+  std::vector<std::string> names;
+  for (const QuestionKind& kind : questionKinds()) {
+    names.push_back(kind.name);
+  }
+  return fields.choice("kind", names, usual);
+}
+
 }  // namespace
 
-FormField readFormField(JsonFields& fields, const ViewConditions& conditions, ProtocolReading reading) {
-  const bool byStudy = reading == ProtocolReading::kByStudy;
-  const size_t maxOption = maxCharacters(reading, kMaxTitleCharacters);
+std::string readColumnName(JsonFields& fields, const std::string& name, ProtocolReading reading) {
+  std::string text = fields.shortText(name, maxCharacters(reading, kMaxColumnName));
+  const auto isAllowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+  if (reading == ProtocolReading::kByStudy &&
+      (!std::ranges::all_of(text, isAllowed) || !(text.front() >= 'a' && text.front() <= 'z'))) {
+    fields.fail(name, "must be of small letters, digits and _, and begin with a letter, as it names a column");
+  }
+  return text;
+}
+
+FormField readFormField(JsonFields& fields, const ViewConditions& conditions, ProtocolReading reading,
+                        const std::string& language) {
   const size_t maxQuestion = maxCharacters(reading, kMaxParagraphCharacters);
   FormField field;
-  field.name = fields.shortText("name", maxCharacters(reading, kMaxColumnName));
-  if (byStudy) {
-    checkColumnName(fields, field.name);
-  }
-  field.question =
-      byStudy ? fields.shortText("question", maxQuestion) : fields.shortText("question", maxQuestion, field.name);
-  field.options =
-      fields.texts("options", byStudy ? 2 : 0, byStudy ? kMaxOptionsOfStudy : kMaxOptionsOfAnalysis, maxOption);
-  if (byStudy && std::set<std::string>(field.options.begin(), field.options.end()).size() != field.options.size()) {
-    fields.fail("options", "must be different from each other");
-  }
-  if (fields.has("ends")) {
-    field.ends = fields.texts("ends", byStudy ? 2 : 0, 2, maxOption);
-  }
+  field.name = readColumnName(fields, "name", reading);
+  field.question = reading == ProtocolReading::kByStudy
+                       ? localText(fields, "question", maxQuestion, language)
+                       : localText(fields, "question", maxQuestion, language, field.name);
+  field.kind = readKind(fields, reading);
+  field.required = fields.boolean("required", field.required);
+  questionKind(field.kind).read(fields, field, reading, language);
   if (fields.has("favors")) {
+    if (questionKind(field.kind).name != questionKinds().front().name) {
+      fields.fail("favors", "is of questions of the kind \"" + questionKinds().front().name + "\" alone");
+    }
     field.favors = readFavors(fields, conditions);
   }
   return field;

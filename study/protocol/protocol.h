@@ -11,8 +11,9 @@
 
 #include "study/outline/block_outline.h"
 #include "study/outline/exclusion_rule.h"
-#include "study/outline/form_field.h"
+#include "study/outline/form_outline.h"
 #include "study/outline/screen_fields.h"
+#include "study/outline/subject_texts.h"
 #include "study/task/task.h"
 
 namespace ocelli {
@@ -34,13 +35,6 @@ struct ProtocolPage {
   /// none.
   std::string image{};
   std::shared_ptr<const PageExample> example{};  ///< shown in place of an image; null for none
-};
-
-struct ProtocolForm {
-  std::string name;  ///< "demographics", "survey"
-  std::string title;
-  std::string introduction{};
-  std::vector<FormField> fields;
 };
 
 enum class TrialOrder {
@@ -68,7 +62,8 @@ struct ProtocolBlock {
   bool feedback = false;     ///< after each trial; practice always has it
   int breakEveryTrials = 0;  ///< a break after so many trials; 0 for none within the block
   bool breakAfter = true;
-  std::vector<int> sessions{};  ///< that have this block, from 1; empty for all
+  std::vector<int> sessions{};        ///< that have this block, from 1; empty for all
+  std::vector<ProtocolForm> after{};  ///< asked once its trials are done
 };
 
 struct ScreenGeometry {
@@ -97,12 +92,15 @@ struct Protocol {
   uint64_t seed = 1;   ///< of schedules and trials
   int sessions = 1;
   int minutesBetweenSessions = 0;
+  SubjectTexts texts{};  ///< of the language that subjects read, the field "language"
   std::optional<ProtocolPage> consent{};
   std::optional<ProtocolForm> demographics{};
+  std::vector<ProtocolForm> before{};  ///< asked in every session before the welcome
   std::vector<ProtocolPage> welcome{};
   std::vector<ProtocolBlock> blocks;
-  bool shuffleBlocks = false;  ///< their order is counterbalanced over subjects
-  int breakSeconds = 60;       ///< the least length of a break
+  bool shuffleBlocks = false;         ///< their order is counterbalanced over subjects
+  int breakSeconds = 60;              ///< the least length of a break
+  std::vector<ProtocolForm> after{};  ///< asked at the end of every session, before the survey
   std::optional<ProtocolForm> survey{};
   bool surveyAfterLastSessionOnly = true;
   Controls controls{};
@@ -115,6 +113,9 @@ struct Protocol {
   /// Of a condition, as databases and exports write it.
   const std::string& nameOf(TrialView view) const { return conditions.names.nameOf(view); }
 };
+
+/// All of its forms: demographics, those before, those after each block, those after, survey.
+std::vector<const ProtocolForm*> formsOf(const Protocol& protocol);
 
 /// A protocol that can be run. Throws InputError that says the file, the field and what to do.
 Protocol readProtocol(const std::filesystem::path& path);

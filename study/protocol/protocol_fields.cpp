@@ -4,10 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
+#include "study/outline/local_text.h"
+#include "study/outline/question_kinds.h"
 #include "study/tasks/task_registry.h"
 #include "study/trial/trial_words.h"
 
@@ -16,7 +17,6 @@ namespace {
 
 constexpr size_t kMaxParagraphs = 40;
 constexpr size_t kMaxPages = 20;
-constexpr size_t kMaxFields = 40;
 constexpr size_t kMaxRules = 100;
 
 /// The field "picture" where it is an object: which example case of the block, and in which condition.
@@ -44,10 +44,10 @@ std::shared_ptr<const PageExample> readExample(JsonFields& fields, const PageTri
   return example;
 }
 
-ProtocolPage pageOf(JsonFields& fields, const PageTrials* trials = nullptr) {
+ProtocolPage pageOf(JsonFields& fields, const std::string& language, const PageTrials* trials = nullptr) {
   ProtocolPage page;
-  page.title = fields.shortText("title", kMaxTitleCharacters);
-  page.paragraphs = fields.texts("paragraphs", 1, kMaxParagraphs, kMaxParagraphCharacters);
+  page.title = localText(fields, "title", kMaxTitleCharacters, language);
+  page.paragraphs = localTexts(fields, "paragraphs", 1, kMaxParagraphs, kMaxParagraphCharacters, language);
   if (fields.has("picture") && fields.value("picture").is_object()) {
     page.example = readExample(fields, trials);
   } else if (fields.has("picture")) {
@@ -63,13 +63,12 @@ ProtocolPage pageOf(JsonFields& fields, const PageTrials* trials = nullptr) {
   return page;
 }
 
+/// The question whose answer is called so.
 const FormField* findField(const Protocol& protocol, const std::string& name) {
-  for (const std::optional<ProtocolForm>* form : {&protocol.demographics, &protocol.survey}) {
-    if (*form) {
-      for (const FormField& field : (*form)->fields) {
-        if (field.name == name) {
-          return &field;
-        }
+  for (const ProtocolForm* form : formsOf(protocol)) {
+    for (const QuestionItem& item : itemsOf(form->fields)) {
+      if (item.name == name) {
+        return &form->fields[static_cast<size_t>(item.field)];
       }
     }
   }
@@ -107,9 +106,12 @@ void checkRule(JsonFields& fields, const ExclusionRule& rule, const Protocol& pr
   if (kind->what == kFormPrefix) {
     const FormField* field = findField(protocol, rule.what.substr(kFormPrefix.size()));
     if (field == nullptr) {
-      fields.fail("what", fmt::format("names \"{}\", but neither demographics nor survey ask for that", rule.what));
+      fields.fail("what", fmt::format("names \"{}\", but no form asks for that", rule.what));
     }
-    values = field->options;
+    if (questionKind(field->kind).value != QuestionValue::kOption) {
+      fields.fail("what", fmt::format("names \"{}\", whose answers are not one of several options", rule.what));
+    }
+    values = storedOptions(*field);
   }
   if (comparesNumbers(rule.test)) {
     fields.fail("test", fmt::format("must be is or is_not, as \"{}\" is no number", rule.what));
@@ -121,32 +123,23 @@ void checkRule(JsonFields& fields, const ExclusionRule& rule, const Protocol& pr
 
 }  // namespace
 
-ProtocolPage readPage(JsonFields& fields, const std::string& name) {
+ProtocolPage readPage(JsonFields& fields, const std::string& name, const std::string& language) {
   JsonFields inner = fields.inner(name);
-  ProtocolPage page = pageOf(inner);
+  ProtocolPage page = pageOf(inner, language);
   inner.rejectUnknown();
   return page;
 }
 
-std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name, const PageTrials* trials) {
+std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name, const std::string& language,
+                                    const PageTrials* trials) {
   std::vector<ProtocolPage> pages;
-  fields.forEach(name, 0, kMaxPages, [&](JsonFields& each) { pages.push_back(pageOf(each, trials)); });
+  fields.forEach(name, 0, kMaxPages, [&](JsonFields& each) { pages.push_back(pageOf(each, language, trials)); });
   return pages;
 }
 
-ProtocolForm readForm(JsonFields& fields, const std::string& name, const ViewConditions& conditions) {
+ProtocolForm readForm(JsonFields& fields, const std::string& name, const FormSetting& setting) {
   JsonFields inner = fields.inner(name);
-  ProtocolForm form;
-  form.name = name;
-  form.title = inner.shortText("title", kMaxTitleCharacters);
-  form.introduction = inner.shortText("introduction", kMaxParagraphCharacters, "");
-  std::set<std::string> names;
-  inner.forEach("fields", 1, kMaxFields, [&](JsonFields& each) {
-    form.fields.push_back(readFormField(each, conditions, ProtocolReading::kByStudy));
-    if (!names.insert(form.fields.back().name).second) {
-      inner.fail("fields", fmt::format("has two of the name \"{}\"", form.fields.back().name));
-    }
-  });
+  ProtocolForm form = readFormOutline(inner, name, setting);
   inner.rejectUnknown();
   return form;
 }

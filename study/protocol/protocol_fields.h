@@ -19,10 +19,11 @@ struct PageTrials {
 };
 
 /// In the field `name`.
-ProtocolPage readPage(JsonFields& fields, const std::string& name);
+ProtocolPage readPage(JsonFields& fields, const std::string& name, const std::string& language);
 /// Nothing where the field is missing. Without `trials` pages cannot show any.
-std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name, const PageTrials* trials = nullptr);
-ProtocolForm readForm(JsonFields& fields, const std::string& name, const ViewConditions& conditions);
+std::vector<ProtocolPage> readPages(JsonFields& fields, const std::string& name, const std::string& language,
+                                    const PageTrials* trials = nullptr);
+ProtocolForm readForm(JsonFields& fields, const std::string& name, const FormSetting& setting);
 
 /// Defaults where fields are missing.
 ScreenGeometry screenGeometry(const StatedScreen& stated);

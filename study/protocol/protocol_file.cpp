@@ -9,6 +9,7 @@
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/sha256.h"
 #include "oc_core/worlds/maze_file.h"
+#include "study/outline/local_text.h"
 #include "study/protocol/condition_fields.h"
 #include "study/protocol/protocol.h"
 #include "study/protocol/protocol_fields.h"
@@ -79,9 +80,10 @@ std::optional<ProtocolPractice> readPractice(JsonFields& fields, const std::opti
   return std::nullopt;
 }
 
-ProtocolBlock readBlock(JsonFields& fields, const Protocol& protocol, const TaskSetting& setting) {
+ProtocolBlock readBlock(JsonFields& fields, const Protocol& protocol, const TaskSetting& setting,
+                        const FormSetting& forms) {
   constexpr int kMaxTrials = 1000;
-  const BlockOutline outline = readBlockOutline(fields, ProtocolReading::kByStudy);
+  const BlockOutline outline = readBlockOutline(fields, ProtocolReading::kByStudy, forms.language);
   const TaskKind& kind = readTask(fields);
   ProtocolBlock block;
   block.name = outline.name;
@@ -93,6 +95,7 @@ ProtocolBlock readBlock(JsonFields& fields, const Protocol& protocol, const Task
   block.breakEveryTrials = fields.integer("break_every_trials", 0, kMaxTrials, block.breakEveryTrials);
   block.breakAfter = fields.boolean("break_after", block.breakAfter);
   block.sessions = readSessions(fields, protocol.sessions);
+  block.after = readFormList(fields, "after", "after " + block.name, forms);
   block.task = kind.read(fields, "cases", setting);
   block.practice = readPractice(fields, outline.practice, kind, setting);
   if (fields.has("example_cases")) {
@@ -104,16 +107,16 @@ ProtocolBlock readBlock(JsonFields& fields, const Protocol& protocol, const Task
   trials.plan.task = block.taskName;
   trials.plan.seed = protocol.seed;
   trials.plan.practice = true;
-  block.instructions = readPages(fields, "instructions", &trials);
+  block.instructions = readPages(fields, "instructions", forms.language, &trials);
   return block;
 }
 
-void readBlocks(JsonFields& fields, const TaskSetting& setting, Protocol& protocol) {
+void readBlocks(JsonFields& fields, const TaskSetting& setting, const FormSetting& forms, Protocol& protocol) {
   std::set<std::string> names;
   fields.forEach(
       "blocks", 1, kMaxBlocks,
       [&](JsonFields& each) {
-        const std::string& name = protocol.blocks.emplace_back(readBlock(each, protocol, setting)).name;
+        const std::string& name = protocol.blocks.emplace_back(readBlock(each, protocol, setting, forms)).name;
         if (!names.insert(name).second) {
           fields.fail("blocks",
                       fmt::format("has two of the name \"{}\": the second is block {}", name, protocol.blocks.size()));
@@ -138,23 +141,28 @@ Protocol protocolFromJsonText(const std::string& text, const std::string& where)
     protocol.text = text;
     protocol.sha256 = sha256(text);
     protocol.name = readIdentifier(fields, "name", false);
-    protocol.title = fields.shortText("title", kMaxTitleCharacters);
-    protocol.description = fields.shortText("description", kMaxParagraphCharacters, "");
+    const std::string language = readLanguage(fields);
+    protocol.texts = SubjectTexts(language);
+    protocol.title = localText(fields, "title", kMaxTitleCharacters, language);
+    protocol.description = localText(fields, "description", kMaxParagraphCharacters, language, "");
     constexpr int kMaxMinutes = 1'000'000;  // about two years
     protocol.sessions = fields.integer("sessions", 1, kMaxSessions, protocol.sessions);
     protocol.minutesBetweenSessions =
         fields.integer("minutes_between_sessions", 0, kMaxMinutes, protocol.minutesBetweenSessions);
     protocol.seed = static_cast<uint64_t>(fields.integer("seed", 0, kMaxSeed, 1));
     protocol.conditions = readConditions(fields);
+    const FormSetting forms{protocol.conditions.names, ProtocolReading::kByStudy, language};
     if (fields.has("consent")) {
-      protocol.consent = readPage(fields, "consent");
+      protocol.consent = readPage(fields, "consent", language);
     }
     if (fields.has("demographics")) {
-      protocol.demographics = readForm(fields, "demographics", protocol.conditions.names);
+      protocol.demographics = readForm(fields, "demographics", forms);
     }
-    protocol.welcome = readPages(fields, "welcome");
+    protocol.before = readFormList(fields, "before", "before", forms);
+    protocol.welcome = readPages(fields, "welcome", language);
+    protocol.after = readFormList(fields, "after", "after", forms);
     if (fields.has("survey")) {
-      protocol.survey = readForm(fields, "survey", protocol.conditions.names);
+      protocol.survey = readForm(fields, "survey", forms);
     }
     protocol.surveyAfterLastSessionOnly =
         fields.boolean("survey_after_last_session_only", protocol.surveyAfterLastSessionOnly);
@@ -163,14 +171,14 @@ Protocol protocolFromJsonText(const std::string& text, const std::string& where)
     protocol.screen = screenGeometry(readStatedScreen(fields, ProtocolReading::kByStudy));
     protocol.timing = readTimingLimits(fields, ProtocolReading::kByStudy);
     protocol.resume = fields.choiceOf("resume", kResumePolicies, protocol.resume);
-    protocol.exclusions = readExclusions(fields, protocol);
     if (fields.has("controls")) {
       JsonFields controls = fields.inner("controls");
       protocol.controls = readControls(controls);
       controls.rejectUnknown();
     }
     const TaskSetting setting{readMazes(fields), protocol.controls, protocol.conditions};
-    readBlocks(fields, setting, protocol);
+    readBlocks(fields, setting, forms, protocol);
+    protocol.exclusions = readExclusions(fields, protocol);
     fields.rejectUnknown();
     return protocol;
   });

@@ -95,6 +95,12 @@ void addOfBlock(const Protocol& protocol, const ProtocolBlock& block, std::vecto
 
 std::vector<std::string> warningsOf(const Protocol& protocol, uint64_t seed) {
   std::vector<std::string> warnings;
+  if (const SubjectCatalogue& catalogue = protocol.texts.catalogue(); catalogue.isDraft) {
+    warnings.push_back(fmt::format(
+        "the fixed texts in {} ({}) are a draft: nobody whose first language it is has read them yet. Have them read, "
+        "protocols/languages/{}.json",
+        catalogue.name, catalogue.language, catalogue.language));
+  }
   if (!protocol.consent) {
     warnings.emplace_back("there is no consent: nobody is asked whether they want to take part");
   } else {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "study/outline/question_kinds.h"
+
 namespace ocelli {
 namespace {
 
@@ -24,8 +26,16 @@ Duration readingTime(const ProtocolPage& page) {
 }
 
 Duration formTime(const ProtocolForm& form) {
-  const auto count = static_cast<double>(form.fields.size());
+  const auto count = static_cast<double>(itemsOf(form.fields).size());
   return {kTypicalPage + count * kField.typicalSeconds, kLongestPage + count * kField.longestSeconds};
+}
+
+Duration formsTime(const std::vector<ProtocolForm>& forms) {
+  Duration time;
+  for (const ProtocolForm& form : forms) {
+    time += formTime(form);
+  }
+  return time;
 }
 
 /// Between two trials one is told of the next.
@@ -55,6 +65,7 @@ Duration openingTime(const Protocol& protocol, const SessionSchedule& schedule) 
   if (protocol.demographics && schedule.session == 1) {
     time += formTime(*protocol.demographics);
   }
+  time += formsTime(protocol.before);
   for (const ProtocolPage& page : protocol.welcome) {
     time += readingTime(page);
   }
@@ -95,6 +106,7 @@ std::vector<PartLength> partsOf(const Protocol& protocol, const SessionSchedule&
         part.duration += trialTime(*block.task, trial.caseIndex);
       }
     }
+    part.duration += formsTime(block.after);
     parts.push_back(part);
   }
   PartLength breaks{"breaks", 0, {}};
@@ -105,6 +117,9 @@ std::vector<PartLength> partsOf(const Protocol& protocol, const SessionSchedule&
     }
   }
   parts.push_back(breaks);
+  if (!protocol.after.empty()) {
+    parts.push_back({"forms after", 0, formsTime(protocol.after)});
+  }
   if (protocol.survey && (schedule.session == protocol.sessions || !protocol.surveyAfterLastSessionOnly)) {
     parts.push_back({"survey", 0, formTime(*protocol.survey)});
   }

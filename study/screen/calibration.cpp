@@ -14,8 +14,6 @@ namespace {
 
 constexpr double kMinCardPixels = 60;
 constexpr size_t kMaxDigits = 4;
-constexpr int kMinTapeMillimeters = 100;
-constexpr int kMaxTapeMillimeters = 5000;
 constexpr int kBlindSpotTrials = 5;
 /// The disc moves so far in a second: slowly enough for half a second of reaction to cost 5 %.
 constexpr double kDiscMillimetersPerSecond = 15;

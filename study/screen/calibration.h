@@ -24,6 +24,9 @@ namespace ocelli {
 inline constexpr double kCardWidthMillimeters = 85.60;
 inline constexpr double kCardHeightMillimeters = 53.98;
 inline constexpr double kBlindSpotDegrees = 13.5;
+/// Distances that may be typed.
+inline constexpr int kMinTapeMillimeters = 100;
+inline constexpr int kMaxTapeMillimeters = 5000;
 
 /// What was measured; empty where it was not.
 struct ScreenCalibration {

@@ -1,6 +1,6 @@
 #include "study/screen/calibration_drawing.h"
 
-#include <fmt/format.h>
+#include <algorithm>
 
 #include "oc_core/base/error.h"
 #include "study/screen/frame_measurement.h"
@@ -13,18 +13,19 @@ namespace {
 
 constexpr double kCalibrationTextWidth = 920;  // at 1280 x 800, as all lengths here
 
-/// Title and text at the top. Returns the lower end.
-double writeHead(StudyCanvas& canvas, const std::string& title, const std::string& text) {
+/// Title and text at the top, by their ids in the catalogues. Returns the lower end.
+double writeHead(StudyCanvas& canvas, std::string_view title, std::string_view text) {
   const double middle = canvas.width() / 2.0;
   double y = canvas.length(36);
-  canvas.writeLine({StudyText::kTitle, kStudyText, kStudyBackground, TextAlign::kCenter}, {middle, y}, title);
+  canvas.writeLine({StudyText::kTitle, kStudyText, kStudyBackground, TextAlign::kCenter}, {middle, y},
+                   canvas.texts().say(title));
   y += canvas.lineHeight(StudyText::kTitle) + canvas.length(10);
   const double width = std::min(canvas.length(kCalibrationTextWidth), canvas.width() * 0.9);
   return canvas.write({StudyText::kBody, kStudyText, kStudyBackground, TextAlign::kCenter},
-                      {middle - width / 2, y, width, 0}, text);
+                      {middle - width / 2, y, width, 0}, canvas.texts().say(text));
 }
 
-/// A button in the middle of the footer, or nothing clicked where it is not enabled.
+/// The button of the footer: whether it was clicked.
 bool drawGoOn(StudyCanvas& canvas, const ButtonLook& look) {
   const PixelRect footer = drawFooter(canvas);
   const double width = buttonWidth(canvas, look);
@@ -34,10 +35,7 @@ bool drawGoOn(StudyCanvas& canvas, const ButtonLook& look) {
 }
 
 void drawCard(StudyCanvas& canvas, CalibrationSteps& steps) {
-  const double head =
-      writeHead(canvas, "How large is this screen?",
-                "Hold a bank card, or any card of that size, flat against the screen, over the frame. Make "
-                "the frame as wide as the card: Left and Right by one pixel, Up and Down by ten.");
+  const double head = writeHead(canvas, "calibration_size_title", "calibration_size");
   const glm::dvec2 size = steps.cardPixels();
   const double footer = canvas.height() - canvas.length(100);
   const glm::dvec2 middle(canvas.width() / 2.0, std::max((head + footer) / 2, head + size.y / 2 + canvas.length(10)));
@@ -54,15 +52,13 @@ void drawCard(StudyCanvas& canvas, CalibrationSteps& steps) {
                  {.label = "+", .key = "", .primary = false})) {
     steps.widenCard(1);
   }
-  if (drawGoOn(canvas, {.label = "The card fits", .key = "Enter"})) {
+  if (drawGoOn(canvas, {.label = canvas.texts().say("calibration_fits"), .key = "Enter"})) {
     steps.press(Key::kEnter, 0);
   }
 }
 
 void drawTape(StudyCanvas& canvas, CalibrationSteps& steps) {
-  writeHead(
-      canvas, "How far is the eye from the screen?",
-      "Sit as in the study. Measure from the eye to the middle of the screen with a tape, and type the millimetres.");
+  writeHead(canvas, "calibration_distance_title", "calibration_tape");
   const double middle = canvas.height() / 2.0;
   const double width = canvas.length(260);
   const PixelRect field{canvas.width() / 2.0 - width / 2, middle - canvas.length(40), width, canvas.length(80)};
@@ -73,18 +69,19 @@ void drawTape(StudyCanvas& canvas, CalibrationSteps& steps) {
                    (steps.typed().empty() ? "..." : steps.typed()) + " mm");
   if (!steps.typed().empty() && !steps.typedIsPossible()) {
     canvas.writeLine({StudyText::kBody, kStudyBad, kStudyBackground, TextAlign::kCenter},
-                     {field.center().x, field.bottom() + canvas.length(16)}, "From 100 to 5000 mm");
+                     {field.center().x, field.bottom() + canvas.length(16)},
+                     canvas.texts().say("calibration_tape_range", {{"least", std::to_string(kMinTapeMillimeters)},
+                                                                   {"most", std::to_string(kMaxTapeMillimeters)}}));
   }
-  if (drawGoOn(canvas, {.label = "Go on", .key = "Enter", .enabled = steps.typedIsPossible()})) {
+  if (drawGoOn(canvas, {.label = canvas.texts().say("go_on"), .key = "Enter", .enabled = steps.typedIsPossible()})) {
     steps.press(Key::kEnter, 0);
   }
 }
 
 void drawBlindSpot(StudyCanvas& canvas, CalibrationSteps& steps, double seconds) {
-  writeHead(
-      canvas, "How far is the eye from the screen?",
-      "Sit as in the study. Close the right eye and keep looking at the cross with the left one. Press Space: a disc "
-      "moves to the left. Press Space again as soon as it vanishes.");
+  writeHead(canvas, "calibration_distance_title", "calibration_blind_spot");
+  // The blind spot of the left eye lies to the left, whatever way one writes.
+  const bool wasMirrored = canvas.setMirrored(false);
   const glm::dvec2 cross = steps.cross();
   const double arm = canvas.length(14);
   const std::vector<glm::dvec2> across{{cross.x - arm, cross.y}, {cross.x + arm, cross.y}};
@@ -94,14 +91,17 @@ void drawBlindSpot(StudyCanvas& canvas, CalibrationSteps& steps, double seconds)
   if (const std::optional<glm::dvec2> disc = steps.disc(seconds); disc && !steps.ranOut(seconds)) {
     canvas.disc(*disc, canvas.length(9), kStudyBad);
   }
-  const std::string state = steps.ranOut(seconds)
-                                ? "It did not vanish: look at the cross, and press Space to try again"
-                                : fmt::format("Measured {} of {} times", steps.measured(), steps.wanted());
+  canvas.setMirrored(wasMirrored);
+  const std::string state =
+      steps.ranOut(seconds) ? canvas.texts().say("calibration_again")
+                            : canvas.texts().say("calibration_measured", {{"done", std::to_string(steps.measured())},
+                                                                          {"total", std::to_string(steps.wanted())}});
   canvas.writeLine(
       {StudyText::kBody, steps.ranOut(seconds) ? kStudyBad : kStudyTextDim, kStudyBackground, TextAlign::kCenter},
       {canvas.width() / 2.0, canvas.height() * 0.75}, state);
   const bool moves = steps.disc(seconds) && !steps.ranOut(seconds);
-  if (drawGoOn(canvas, {.label = moves ? "It vanished" : "Start", .key = "Space"})) {
+  if (drawGoOn(canvas,
+               {.label = canvas.texts().say(moves ? "calibration_vanished" : "calibration_start"), .key = "Space"})) {
     steps.press(Key::kSpace, seconds);
   }
 }
@@ -125,10 +125,10 @@ void drawCalibration(StudyCanvas& canvas, CalibrationSteps& steps, double second
 }
 
 ScreenCalibration runCalibration(GlWindow& window, const CalibrationWishes& wishes, const CalibratedScreen& screen,
-                                 const std::function<bool()>& interrupted) {
+                                 const SubjectTexts& texts, const std::function<bool()>& interrupted) {
   const GlScope scope(window.context());
   ScreenTarget target(window.context(), screen.width, screen.height);
-  StudyCanvas canvas(window.context(), screen.width, screen.height);
+  StudyCanvas canvas(window.context(), screen.width, screen.height, {}, texts);
   CalibrationSteps steps(wishes, screen);
   const auto secondsNow = [began = steadyNow()] { return static_cast<double>(steadyNow() - began) / 1e9; };
   const double pixelsPerUnit = window.size().pixelsPerUnit;

@@ -15,6 +15,6 @@ void drawCalibration(StudyCanvas& canvas, CalibrationSteps& steps, double second
 /// Until all is measured. On the main thread, which must not hold the window's context. Throws WorkError where Escape
 /// or F10 is pressed, the window is closed, or `interrupted` says so.
 ScreenCalibration runCalibration(GlWindow& window, const CalibrationWishes& wishes, const CalibratedScreen& screen,
-                                 const std::function<bool()>& interrupted);
+                                 const SubjectTexts& texts, const std::function<bool()>& interrupted);
 
 }  // namespace ocelli

@@ -12,7 +12,6 @@ namespace {
 
 constexpr char32_t kReplacement = 0xfffd;
 
-constexpr const char* kRightToLeft = "it is written from right to left, which these screens cannot do";
 constexpr const char* kShaped = "its letters are joined or reordered, which these screens cannot do";
 constexpr const char* kCombining = "it joins the letter before it: write one character for both (Unicode NFC)";
 constexpr const char* kInvisible = "it is a control that shows nothing: delete it";
@@ -28,16 +27,19 @@ struct Range {
 // Blocks of Unicode 15 up to U+FFFF.
 constexpr std::array kRanges = {
     Range{0x0000, 0x001f, kInvisible}, Range{0x007f, 0x009f, kInvisible}, Range{0x00ad, 0x00ad, kInvisible},
-    Range{0x0300, 0x036f, kCombining}, Range{0x0483, 0x0489, kCombining}, Range{0x0590, 0x08ff, kRightToLeft},
-    Range{0x0900, 0x0fff, kShaped},    Range{0x1000, 0x109f, kShaped},    Range{0x1100, 0x11ff, kShaped},
-    Range{0x135d, 0x135f, kCombining}, Range{0x1700, 0x18af, kShaped},    Range{0x1900, 0x1cff, kShaped},
-    Range{0x1ab0, 0x1aff, kCombining}, Range{0x1dc0, 0x1dff, kCombining}, Range{0x200b, 0x200f, kInvisible},
-    Range{0x2028, 0x202e, kInvisible}, Range{0x2060, 0x206f, kInvisible}, Range{0x20d0, 0x20ff, kCombining},
-    Range{0x2de0, 0x2dff, kCombining}, Range{0x302a, 0x302f, kCombining}, Range{0x3099, 0x309a, kCombining},
-    Range{0xa66f, 0xa67d, kCombining}, Range{0xa800, 0xaaff, kShaped},    Range{0xabc0, 0xabff, kShaped},
-    Range{0xd7b0, 0xd7ff, kShaped},    Range{0xe000, 0xf8ff, kPrivate},   Range{0xfb1d, 0xfdff, kRightToLeft},
-    Range{0xfe00, 0xfe0f, kInvisible}, Range{0xfe20, 0xfe2f, kCombining}, Range{0xfe70, 0xfefe, kRightToLeft},
-    Range{0xfeff, 0xfeff, kInvisible}, Range{0xfff0, 0xfffb, kInvisible}};
+    Range{0x0300, 0x036f, kCombining}, Range{0x0483, 0x0489, kCombining}, Range{0x0591, 0x05bd, kCombining},
+    Range{0x05bf, 0x05bf, kCombining}, Range{0x05c1, 0x05c2, kCombining}, Range{0x05c4, 0x05c5, kCombining},
+    Range{0x05c7, 0x05c7, kCombining}, Range{0x0600, 0x0605, kInvisible}, Range{0x0610, 0x061a, kCombining},
+    Range{0x061c, 0x061c, kInvisible}, Range{0x064b, 0x065f, kCombining}, Range{0x0670, 0x0670, kCombining},
+    Range{0x06d6, 0x06ed, kCombining}, Range{0x0700, 0x08ff, kShaped},    Range{0x0900, 0x0fff, kShaped},
+    Range{0x1000, 0x109f, kShaped},    Range{0x1100, 0x11ff, kShaped},    Range{0x135d, 0x135f, kCombining},
+    Range{0x1700, 0x18af, kShaped},    Range{0x1900, 0x1cff, kShaped},    Range{0x1ab0, 0x1aff, kCombining},
+    Range{0x1dc0, 0x1dff, kCombining}, Range{0x200b, 0x200f, kInvisible}, Range{0x2028, 0x202e, kInvisible},
+    Range{0x2060, 0x206f, kInvisible}, Range{0x20d0, 0x20ff, kCombining}, Range{0x2de0, 0x2dff, kCombining},
+    Range{0x302a, 0x302f, kCombining}, Range{0x3099, 0x309a, kCombining}, Range{0xa66f, 0xa67d, kCombining},
+    Range{0xa800, 0xaaff, kShaped},    Range{0xabc0, 0xabff, kShaped},    Range{0xd7b0, 0xd7ff, kShaped},
+    Range{0xe000, 0xf8ff, kPrivate},   Range{0xfb1e, 0xfb1e, kCombining}, Range{0xfe00, 0xfe0f, kInvisible},
+    Range{0xfe20, 0xfe2f, kCombining}, Range{0xfeff, 0xfeff, kInvisible}, Range{0xfff0, 0xfffb, kInvisible}};
 
 void append(std::string& utf8, char32_t character) {
   const auto part = [&](unsigned shift, unsigned lead) {
@@ -70,6 +72,14 @@ int continuationsOf(unsigned char lead) {
 }
 
 }  // namespace
+
+std::string utf8Of(std::u32string_view characters) {
+  std::string utf8;
+  for (const char32_t character : characters) {
+    append(utf8, character);
+  }
+  return utf8;
+}
 
 std::u32string charactersOf(std::string_view utf8) {
   std::u32string characters;

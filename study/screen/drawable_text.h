@@ -1,5 +1,6 @@
-// Which characters the screens of a study can show. They draw one glyph a character, from the left to the right, so
-// scripts that are joined, reordered or written from the right are out, whatever fonts are installed. Needs no OpenGL.
+// Which characters the screens of a study can show. They draw one glyph a character, in the forms and the order of
+// bidi_text.h: Arabic and Hebrew can be shown, other scripts that are joined or reordered cannot, whatever fonts are
+// installed. Needs no OpenGL.
 #pragma once
 
 #include <optional>
@@ -12,10 +13,13 @@ namespace ocelli {
 
 /// The characters of a text in UTF-8; U+FFFD for invalid bytes.
 std::u32string charactersOf(std::string_view utf8);
-/// The same, without those that are no glyphs: line breaks and tabs.
+/// The other way round.
+std::string utf8Of(std::u32string_view characters);
+/// Of charactersOf(), without those that are no glyphs: line breaks and tabs.
 std::set<char32_t> glyphsOf(std::string_view utf8);
 
-/// Why the screens show a character wrongly in any font: "it is written from right to left". Nothing where they do not.
+/// Why the screens show a character wrongly in any font: "its letters are joined or reordered". Nothing where they do
+/// not.
 std::optional<std::string> scriptProblem(char32_t character);
 
 /// Characters that cannot be shown, and why.

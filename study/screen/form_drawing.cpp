@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "study/screen/question_drawing.h"
 #include "study/screen/study_pieces.h"
 
 namespace ocelli {
@@ -12,123 +13,106 @@ namespace {
 // Lengths at 1280 x 800.
 constexpr double kCardPadding = 18;
 constexpr double kCardGap = 16;
-constexpr double kOptionGap = 12;
+constexpr double kRowGap = 10;     ///< between the rows of a matrix
+constexpr double kMinLabel = 320;  ///< of a row that has its options beside it
 
-/// Where the options of a field stand, relative to the top left of its options.
-struct OptionPlaces {
-  std::vector<PixelRect> places;
-  double height = 0;
-};
-
-double optionHeight(const StudyCanvas& canvas) {
-  return canvas.look().textPixels(StudyText::kBody) + canvas.length(20);
+/// "! please answer", once the subject wanted to go on; or that the item may stay open.
+std::string noteOf(const StudyCanvas& canvas, const FormScreen& screen, size_t index) {
+  const SubjectTexts& texts = canvas.texts();
+  if (const std::optional<QuestionProblem> problem = problemOf(screen, index); problem && screen.missing) {
+    return "! " + texts.say(problem->text, {{"least", problem->least}, {"most", problem->most}});
+  }
+  return screen.fieldOf(index).required ? "" : texts.say("form_optional");
 }
 
-/// Mark, label, and the digit that chooses it.
-double optionWidth(const StudyCanvas& canvas, const std::string& label) {
-  return canvas.length(14 + 20 + 10 + 18) + canvas.widthOf(label, StudyText::kBody);
+/// Room that a question leaves for what may be said beside it.
+double noteWidth(const StudyCanvas& canvas, const FormField& field) {
+  const QuestionKind& kind = questionKind(field.kind);
+  double width = canvas.widthOf("! " + canvas.texts().say("form_open"), StudyText::kSmall);
+  if (!field.required) {
+    width = std::max(width, canvas.widthOf(canvas.texts().say("form_optional"), StudyText::kSmall));
+  }
+  QuestionEntry wrong;
+  wrong.typed = "-";
+  if (const std::optional<QuestionProblem> problem = kind.problem(field, wrong)) {
+    width = std::max(
+        width,
+        canvas.widthOf("! " + canvas.texts().say(problem->text, {{"least", problem->least}, {"most", problem->most}}),
+                       StudyText::kSmall));
+  }
+  return width + canvas.length(20);
 }
 
-/// In rows, from the left.
-OptionPlaces placeOptions(const StudyCanvas& canvas, const FormField& field, double width) {
-  OptionPlaces options;
-  const double gap = canvas.length(kOptionGap);
-  const double height = optionHeight(canvas);
-  double x = 0;
-  double y = 0;
-  for (const std::string& label : field.options) {
-    const double own = std::min(optionWidth(canvas, label), width);
-    if (x > 0 && x + own > width) {
-      x = 0;
-      y += height + gap;
-    }
-    options.places.push_back({x, y, own, height});
-    x += own + gap;
-  }
-  options.height = y + height;
-  return options;
+double noteHeight(const StudyCanvas& canvas, const FormScreen& screen, size_t index) {
+  return noteOf(canvas, screen, index).empty() ? 0 : canvas.lineHeight(StudyText::kSmall);
 }
 
-/// Options of a scale, side by side between what its ends mean; empty where they do not fit on a line.
-OptionPlaces placeScale(const StudyCanvas& canvas, const FormField& field, double width) {
-  const double gap = canvas.length(kOptionGap);
-  double widest = 0;
-  for (const std::string& label : field.options) {
-    widest = std::max(widest, optionWidth(canvas, label));
-  }
-  const double left = canvas.widthOf(field.ends[0], StudyText::kBody) + canvas.length(18);
-  const double right = canvas.widthOf(field.ends[1], StudyText::kBody) + canvas.length(18);
-  const auto count = static_cast<double>(field.options.size());
-  if (left + count * widest + (count - 1) * gap + right > width) {
-    return {};
-  }
-  OptionPlaces options;
-  for (size_t i = 0; i < field.options.size(); ++i) {
-    options.places.push_back({left + static_cast<double>(i) * (widest + gap), 0, widest, optionHeight(canvas)});
-  }
-  options.height = optionHeight(canvas);
-  return options;
-}
-
-bool drawOption(StudyCanvas& canvas, const std::string& name, const PixelRect& place, const std::string& label,
-                bool chosen) {
-  const Touch touch = canvas.touch(name, place);
-  const double rounding = canvas.length(9);
-  const GuiColor background = chosen ? kStudyAccentDeep : (touch.hovered ? kStudyFieldHovered : kStudyField);
-  canvas.fill(place, background, rounding);
-  canvas.outline(place, chosen ? kStudyAccent : kStudyLine, canvas.length(chosen ? 2 : 1.5), rounding);
-  const glm::dvec2 mark(place.left + canvas.length(24), place.center().y);
-  canvas.ring(mark, canvas.length(10), chosen ? kStudyAccent : kStudyTextDim, canvas.length(2));
-  if (chosen) {
-    canvas.disc(mark, canvas.length(5.5), kStudyAccent);
-  }
-  canvas.writeLine({StudyText::kBody, kStudyText, background},
-                   {place.left + canvas.length(44), mark.y - canvas.look().textPixels(StudyText::kBody) / 2}, label);
-  return touch.clicked;
-}
-
-/// A field where it stands in the form.
-struct FieldPlace {
-  PixelRect card;  ///< from the top of the form
-  OptionPlaces options;
-  bool isScale = false;
-  double optionsTop = 0;
-  double endsTop = 0;  ///< of a scale whose ends stand below it
+/// An item where it stands in the form.
+struct ItemPlace {
+  QuestionLook look;
+  std::optional<double> headTop{};  ///< of the question above the first row of a matrix
+  PixelRect card;                   ///< from the top of the form
+  double labelTop = 0;
+  double labelWidth = 0;
+  glm::dvec2 answer{0};
+  QuestionPlaces places;
 };
 
 class FormLayout {
  public:
-  FormLayout(const StudyCanvas& canvas, const ProtocolForm& form, double width) {
+  FormLayout(const StudyCanvas& canvas, const FormScreen& screen, double width) {
     const double pad = canvas.length(kCardPadding);
     const double inner = width - 2 * pad;
-    for (const FormField& field : form.fields) {
-      FieldPlace place;
-      const double question = canvas.heightOf(field.question, StudyText::kStrong, inner) + canvas.length(8);
-      place.optionsTop = height_ + pad + question;
-      if (field.ends.size() == 2) {
-        place.options = placeScale(canvas, field, inner);
-        place.isScale = !place.options.places.empty();
+    for (size_t i = 0; i < screen.items.size(); ++i) {
+      const FormField& field = screen.fieldOf(i);
+      const QuestionLook look = questionKind(field.kind).look(field, screen.entries[i]);
+      const bool isRow = !field.rows.empty();
+      std::optional<double> headTop;
+      if (isRow && (i == 0 || screen.items[i - 1].field != screen.items[i].field)) {
+        headTop = height_;
+        height_ += canvas.heightOf(field.question, StudyText::kStrong, width) + canvas.length(8);
       }
-      if (!place.isScale) {
-        place.options = placeOptions(canvas, field, inner);
-      }
-      double bottom = place.optionsTop + place.options.height;
-      if (field.ends.size() == 2 && !place.isScale) {
-        place.endsTop = bottom + canvas.length(6);
-        bottom = place.endsTop + canvas.lineHeight(StudyText::kSmall);
+      // The rows of a matrix have their options beside the label where there is room for both.
+      const double beside = optionsWidth(canvas, look) + endsWidth(canvas, look);
+      const bool isBeside = isRow && beside + canvas.length(kMinLabel) <= inner;
+      const double labelWidth =
+          isBeside ? inner - beside - canvas.length(kCardPadding) : inner - noteWidth(canvas, field);
+      const double label =
+          canvas.heightOf(screen.items[i].label, isRow ? StudyText::kBody : StudyText::kStrong, labelWidth);
+      ItemPlace place{
+          look, headTop, {}, height_ + pad, labelWidth, {}, {canvas, look, isBeside ? beside : inner, isRow}};
+      double bottom = 0;
+      if (isBeside) {
+        const double words = label + noteHeight(canvas, screen, i);
+        const double tall = std::max(words, place.places.height());
+        place.labelTop += (tall - words) / 2;
+        place.answer = {width - pad - beside, height_ + pad + (tall - place.places.height()) / 2};
+        bottom = height_ + pad + tall;
+      } else {
+        place.answer = {pad, height_ + pad + label + canvas.length(8)};
+        bottom = place.answer.y + place.places.height();
       }
       place.card = {0, height_, width, bottom + pad - height_};
-      height_ = place.card.bottom() + canvas.length(kCardGap);
-      fields_.push_back(std::move(place));
+      const bool nextIsRow = isRow && i + 1 < screen.items.size() && screen.items[i + 1].field == screen.items[i].field;
+      height_ = place.card.bottom() + canvas.length(nextIsRow ? kRowGap : kCardGap);
+      items_.push_back(std::move(place));
     }
-    height_ -= fields_.empty() ? 0 : canvas.length(kCardGap);
+    height_ -= items_.empty() ? 0 : canvas.length(kCardGap);
   }
 
-  const std::vector<FieldPlace>& fields() const { return fields_; }
+  const std::vector<ItemPlace>& items() const { return items_; }
   double height() const { return height_; }
 
  private:
-  std::vector<FieldPlace> fields_;
+  static double endsWidth(const StudyCanvas& canvas, const QuestionLook& look) {
+    double width = 0;
+    for (const std::string& end : look.ends) {
+      width += canvas.widthOf(end, StudyText::kBody) + canvas.length(18);
+    }
+    return width;
+  }
+
+  std::vector<ItemPlace> items_;
   double height_ = 0;
 };
 
@@ -136,66 +120,81 @@ PixelRect shifted(const PixelRect& rect, double left, double top) {
   return {rect.left + left, rect.top + top, rect.width, rect.height};
 }
 
-/// The option that was clicked.
-std::optional<int> drawField(StudyCanvas& canvas, const FormScreen& screen, size_t index, const FieldPlace& place,
-                             double left, double top) {
-  const FormField& field = screen.form->fields[index];
-  const bool focused = screen.focus == static_cast<int>(index);
-  const bool isOpen = screen.missing && !screen.chosen[index];
+/// What is wrong with an item, once the subject wanted to go on; or that it may stay open.
+void drawNote(StudyCanvas& canvas, const FormScreen& screen, size_t index, const glm::dvec2& topRight, bool below) {
+  const std::string text = noteOf(canvas, screen, index);
+  const bool isWrong = screen.missing && problemOf(screen, index);
+  canvas.writeLine({StudyText::kSmall, isWrong ? kStudyBad : kStudyTextDim, kStudyCard,
+                    below ? TextAlign::kLeft : TextAlign::kRight},
+                   topRight, text);
+}
+
+/// What was clicked.
+std::optional<QuestionClick> drawItem(StudyCanvas& canvas, const FormScreen& screen, size_t index,
+                                      const ItemPlace& place, double left, double top) {
+  const FormField& field = screen.fieldOf(index);
+  const bool isWrong = screen.missing && problemOf(screen, index);
   const PixelRect card = shifted(place.card, left, top);
   const double pad = canvas.length(kCardPadding);
+  if (place.headTop) {
+    canvas.write({StudyText::kStrong}, {card.left, top + *place.headTop, card.width, 0}, field.question);
+  }
   canvas.fill(card, kStudyCard, canvas.length(12));
-  if (isOpen) {
+  if (isWrong) {
     canvas.outline(card, kStudyBad, canvas.length(2), canvas.length(12));
   }
-  if (focused) {
+  if (screen.focus == static_cast<int>(index)) {
     drawFocusRing(canvas, card, canvas.length(12));
   }
-  canvas.write({StudyText::kStrong, kStudyText, kStudyCard}, {card.left + pad, card.top + pad, card.width - 2 * pad, 0},
-               field.question);
-  if (isOpen) {
-    const std::string text = "! please answer";
-    canvas.writeLine({StudyText::kSmall, kStudyBad, kStudyCard, TextAlign::kRight},
-                     {card.right() - pad, card.top + pad}, text);
+  const double below =
+      canvas.write({field.rows.empty() ? StudyText::kStrong : StudyText::kBody, kStudyText, kStudyCard},
+                   {card.left + pad, top + place.labelTop, place.labelWidth, 0}, screen.items[index].label);
+  if (!noteOf(canvas, screen, index).empty()) {
+    const bool isBeside = place.answer.x > pad;
+    drawNote(canvas, screen, index,
+             isBeside ? glm::dvec2(card.left + pad, below) : glm::dvec2(card.right() - pad, card.top + pad), isBeside);
   }
-  std::optional<int> clicked;
-  for (size_t i = 0; i < field.options.size(); ++i) {
-    const PixelRect option = shifted(place.options.places[i], card.left + pad, top + place.optionsTop);
-    const bool chosen = screen.chosen[index] == static_cast<int>(i);
-    if (drawOption(canvas, fmt::format("{} {}", index, i), option, field.options[i], chosen)) {
-      clicked = static_cast<int>(i);
-    }
-  }
-  if (field.ends.size() == 2) {
-    const double right = card.left + pad + place.options.places.back().right() + canvas.length(18);
-    const double y =
-        place.isScale ? top + place.optionsTop + (optionHeight(canvas) - canvas.look().textPixels(StudyText::kBody)) / 2
-                      : top + place.endsTop;
-    const StudyText text = place.isScale ? StudyText::kBody : StudyText::kSmall;
-    canvas.writeLine({text, kStudyTextDim, kStudyCard}, {card.left + pad, y}, field.ends[0]);
-    if (place.isScale) {
-      canvas.writeLine({text, kStudyTextDim, kStudyCard}, {right, y}, field.ends[1]);
-    } else {
-      canvas.writeLine({text, kStudyTextDim, kStudyCard, TextAlign::kRight}, {card.right() - pad, y}, field.ends[1]);
-    }
-  }
-  return clicked;
+  return place.places.draw(canvas, place.look, fmt::format("item {}", index),
+                           {left + place.answer.x, top + place.answer.y});
 }
 
 /// What the keys do here.
-void drawKeys(StudyCanvas& canvas, const PixelRect& footer, double right) {
+void drawKeys(StudyCanvas& canvas, const FormScreen& screen, const PixelRect& footer, double right) {
   struct Hint {
     const char* key;
     const char* text;
   };
+  std::vector<Hint> hints{{"Enter", "hint_next"}};
+  const auto focus = static_cast<size_t>(std::max(screen.focus, 0));
+  if (focus < screen.items.size()) {
+    const FormField& field = screen.fieldOf(focus);
+    const QuestionLook look = questionKind(field.kind).look(field, screen.entries[focus]);
+    if (look.severalOptions) {
+      hints.push_back({"Space", "hint_switch"});
+    }
+    if (look.box) {
+      hints.push_back({"Backspace", "hint_erase"});
+    } else {
+      hints.push_back({"Left/Right", look.severalOptions || look.track ? "hint_move" : "hint_choose"});
+    }
+  } else {
+    hints.push_back({"Left/Right", "hint_choose"});
+  }
+  hints.push_back({"Up/Down", "hint_question"});
   const double gap = canvas.length(10);
   const double middle = footer.center().y;
+  // What there is no room for, beside the key that ends the session, is left out.
+  const double least = footer.left + unwellWidth(canvas) + canvas.length(24);
   double x = right;
-  for (const Hint& hint : {Hint{"Enter", "next"}, Hint{"Left/Right", "choose"}, Hint{"Up/Down", "question"}}) {
-    x -= canvas.widthOf(hint.text, StudyText::kSmall) + gap + keyCapWidth(canvas, hint.key);
-    const double text = drawKeyCap(canvas, x, middle, hint.key, kStudyCard) + gap;
+  for (const Hint& hint : hints) {
+    const std::string text = canvas.texts().say(hint.text);
+    x -= canvas.widthOf(text, StudyText::kSmall) + gap + keyCapWidth(canvas, hint.key);
+    if (x < least) {
+      return;
+    }
+    const double at = drawKeyCap(canvas, x, middle, hint.key, kStudyCard) + gap;
     canvas.writeLine({StudyText::kSmall, kStudyTextDim, kStudyCard},
-                     {text, middle - canvas.look().textPixels(StudyText::kSmall) / 2}, hint.text);
+                     {at, middle - canvas.look().textPixels(StudyText::kSmall) / 2}, text);
     x -= 2 * gap;
   }
 }
@@ -207,7 +206,7 @@ std::optional<FormAction> drawForm(StudyCanvas& canvas, const FormScreen& screen
   const PixelRect footer = drawFooter(canvas);
   const double width = std::min(canvas.width() - canvas.length(112), canvas.length(1040));
   const double left = std::round((canvas.width() - width) / 2);
-  const FormLayout layout(canvas, form, width);
+  const FormLayout layout(canvas, screen, width);
   const double room = canvas.length(8);  // for the ring around a card
   // Short forms stand in the middle, long ones use all there is.
   const double head =
@@ -222,17 +221,17 @@ std::optional<FormAction> drawForm(StudyCanvas& canvas, const FormScreen& screen
   }
   const PixelRect area{left - room, y + canvas.length(6), width + 2 * room, footer.top - y - canvas.length(14)};
   scroll.most = std::max(0.0, layout.height() + 2 * room - area.height);
-  if (screen.focus >= 0 && static_cast<size_t>(screen.focus) < layout.fields().size()) {
-    const PixelRect& card = layout.fields()[static_cast<size_t>(screen.focus)].card;
+  if (screen.focus >= 0 && static_cast<size_t>(screen.focus) < layout.items().size()) {
+    const PixelRect& card = layout.items()[static_cast<size_t>(screen.focus)].card;
     scroll.offset = std::clamp(scroll.offset, card.bottom() + 2 * room - area.height, card.top);
   }
   scroll.move(0);
 
   std::optional<FormAction> action;
   canvas.beginClip(area);
-  for (size_t i = 0; i < layout.fields().size(); ++i) {
-    if (const auto option = drawField(canvas, screen, i, layout.fields()[i], left, area.top + room - scroll.offset)) {
-      action = FormAction{FormAction::Kind::kChoose, static_cast<int>(i), *option};
+  for (size_t i = 0; i < layout.items().size(); ++i) {
+    if (const auto click = drawItem(canvas, screen, i, layout.items()[i], left, area.top + room - scroll.offset)) {
+      action = FormAction{FormAction::Kind::kClick, static_cast<int>(i), *click};
     }
   }
   canvas.endClip();
@@ -245,14 +244,15 @@ std::optional<FormAction> drawForm(StudyCanvas& canvas, const FormScreen& screen
         kStudyAccent, canvas.length(4));
   }
 
-  const ButtonLook look{"Go on", "Enter", true, screen.focus == static_cast<int>(form.fields.size())};
+  const ButtonLook look{canvas.texts().say("form_go_on"), "Enter", true,
+                        screen.focus == static_cast<int>(screen.items.size())};
   const double height = canvas.length(58);
   const double buttonLeft = footer.right() - canvas.length(36) - buttonWidth(canvas, look);
   const PixelRect place{buttonLeft, footer.center().y - height / 2, buttonWidth(canvas, look), height};
   if (drawButton(canvas, "go on", place, look)) {
     action = FormAction{FormAction::Kind::kGoOn};
   }
-  drawKeys(canvas, footer, buttonLeft - canvas.length(28));
+  drawKeys(canvas, screen, footer, buttonLeft - canvas.length(28));
   return action;
 }
 

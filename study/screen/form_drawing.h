@@ -1,4 +1,4 @@
-// Forms: questions with options to choose from.
+// Forms: questions of all kinds, a card each.
 #pragma once
 
 #include <optional>

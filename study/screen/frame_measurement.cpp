@@ -45,11 +45,11 @@ int64_t steadyNow() {
   return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-std::vector<int64_t> measureFrames(GlWindow& window, double seconds, const std::string& message) {
+std::vector<int64_t> measureFrames(GlWindow& window, double seconds, const SubjectTexts& texts) {
   const GlScope scope(window.context());
-  StudyPainter painter(window.context(), {window.pixelWidth(), window.pixelHeight(), 60}, {});
+  StudyPainter painter(window.context(), {window.pixelWidth(), window.pixelHeight(), 60}, {}, {}, texts);
   PageScreen page;
-  page.title = message;
+  page.title = texts.say("one_moment");
   return showFrames(window, painter, kSettlingFrames, seconds, 2, [&](int frame) {
     if (frame == 0) {
       painter.draw(page);
@@ -60,7 +60,7 @@ std::vector<int64_t> measureFrames(GlWindow& window, double seconds, const std::
 std::vector<MeasuredTrial> measureTrials(GlWindow& window, const Protocol& protocol, const SessionSchedule& schedule,
                                          const TrialScreen& screen, int64_t intervalNanoseconds) {
   const GlScope scope(window.context());
-  StudyPainter painter(window.context(), screen, protocol.controls, glyphsOf(protocol));
+  StudyPainter painter(window.context(), screen, protocol.controls, glyphsOf(protocol), protocol.texts);
   std::vector<MeasuredTrial> all;
   std::set<std::pair<int, TrialView>> measured;
   for (const TrialPlan& plan : schedule.trials) {

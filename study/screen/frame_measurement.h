@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "oc_core/window/gl_window.h"
+#include "study/outline/subject_texts.h"
 #include "study/protocol/schedule.h"
 #include "study/session/records.h"
 
@@ -15,7 +16,7 @@ namespace ocelli {
 int64_t steadyNow();
 
 /// Shows a plain page for so many seconds, and returns when each frame was shown. On the main thread.
-std::vector<int64_t> measureFrames(GlWindow& window, double seconds, const std::string& message);
+std::vector<int64_t> measureFrames(GlWindow& window, double seconds, const SubjectTexts& texts);
 
 /// One block in one condition.
 struct MeasuredTrial {

@@ -59,19 +59,19 @@ struct KeyRow {
   std::string meaning;
 };
 
-std::vector<KeyRow> rowsOf(const Controls& controls) {
+std::vector<KeyRow> rowsOf(const Controls& controls, const SubjectTexts& texts) {
   const auto name = [](Key key) { return std::string(nameOf(key)); };
-  return {{{name(controls.forward), "Up"}, "walk forward"},
-          {{name(controls.backward), "Down"}, "walk backward"},
-          {{name(controls.left), name(controls.right)}, "step to the side"},
-          {{name(controls.turnLeft), name(controls.turnRight), "Left", "Right"}, "turn"},
-          {{"right mouse button"}, "hold, move: turn"},
-          {{"Shift", "arrows"}, "move the pointer"},
-          {{name(controls.select), "left click"}, "choose"}};
+  return {{{name(controls.forward), "Up"}, texts.say("walk_forward")},
+          {{name(controls.backward), "Down"}, texts.say("walk_backward")},
+          {{name(controls.left), name(controls.right)}, texts.say("step_aside")},
+          {{name(controls.turnLeft), name(controls.turnRight), "Left", "Right"}, texts.say("turn")},
+          {{"right mouse button"}, texts.say("turn_by_mouse")},
+          {{"Shift", "arrows"}, texts.say("move_pointer")},
+          {{name(controls.select), "left click"}, texts.say("choose")}};
 }
 
 void drawControls(StudyCanvas& canvas, const PixelRect& place, const Controls& controls) {
-  const std::vector<KeyRow> rows = rowsOf(controls);
+  const std::vector<KeyRow> rows = rowsOf(controls, canvas.texts());
   const double gap = canvas.length(8);
   double column = 0;
   for (const KeyRow& row : rows) {
@@ -166,6 +166,11 @@ void InstructionImages::draw(StudyCanvas& canvas, const PageScreen& page, const 
     drawControls(canvas, place, controls_);
     return;
   }
+  drawTaskImage(canvas, name, canvas.onScreen(place));
+}
+
+void InstructionImages::drawTaskImage(StudyCanvas& canvas, const std::string& name, const PixelRect& place) {
+  const MirrorScope unmirrored(canvas, false);
   const InstructionImage* image = instructionImage(name);
   if (image == nullptr) {
     return;
@@ -173,6 +178,9 @@ void InstructionImages::draw(StudyCanvas& canvas, const PageScreen& page, const 
   const glm::ivec2 size(place.width, place.height);
   if (InstructionExample example = image->make(size); example.layout.views.empty()) {
     moveBy(example.layout, {place.left, place.top});
+    for (TrialLayout::Choice& choice : example.layout.choices) {
+      choice.label = canvas.texts().translated(choice.label);
+    }
     drawChoicesAndMaps(canvas, example.layout);
     return;
   }

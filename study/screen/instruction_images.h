@@ -33,6 +33,8 @@ class InstructionImages {
     PixelRect image{};  ///< in the middle of that place, with the shape of the trial's screen
     std::vector<std::pair<glm::dvec2, double>> marks;  ///< middles and radii, pixels of the image
   };
+  /// What is not text is not mirrored.
+  void drawTaskImage(StudyCanvas& canvas, const std::string& name, const PixelRect& place);
   const View& viewOf(const InstructionImage& image, int width, int height);
   const Example& exampleOf(const std::shared_ptr<const PageExample>& example, const PixelRect& place);
   void drawExample(StudyCanvas& canvas, const std::shared_ptr<const PageExample>& example, const PixelRect& place);

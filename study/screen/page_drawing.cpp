@@ -28,7 +28,8 @@ void drawScrollHint(StudyCanvas& canvas, double left, double middle, GuiColor ba
   double x = drawKeyCap(canvas, left, middle, "PageUp", background);
   x = drawKeyCap(canvas, x + gap, middle, "PageDown", background);
   canvas.writeLine({StudyText::kSmall, kStudyTextDim, background},
-                   {x + gap, middle - canvas.look().textPixels(StudyText::kSmall) / 2}, "show the rest");
+                   {x + gap, middle - canvas.look().textPixels(StudyText::kSmall) / 2},
+                   canvas.texts().say("show_rest"));
 }
 
 /// Paragraphs in a column; where they are too long for it, as far as they are scrolled, with a bar beside them.
@@ -75,13 +76,14 @@ void drawProgress(StudyCanvas& canvas, const PixelRect& place, const SessionProg
   if (share > 0) {
     canvas.fill({bar.left, bar.top, std::max(height, bar.width * share), height}, kStudyAccent, height / 2);
   }
-  const std::string blocks =
-      progress.blocks > 1
-          ? fmt::format(", part {} of {}", std::min(progress.block + 1, progress.blocks), progress.blocks)
-          : "";
+  const std::string done =
+      canvas.texts().say(progress.blocks > 1 ? "progress_part" : "progress",
+                         {{"done", fmt::format("{}", progress.trialsDone)},
+                          {"total", fmt::format("{}", progress.trials)},
+                          {"part", fmt::format("{}", std::min(progress.block + 1, progress.blocks))},
+                          {"parts", fmt::format("{}", progress.blocks)}});
   canvas.writeLine({StudyText::kSmall, kStudyTextDim, kStudyBackground, TextAlign::kCenter},
-                   {place.center().x, bar.bottom() + canvas.length(14)},
-                   fmt::format("{} of {} tasks done{}", progress.trialsDone, progress.trials, blocks));
+                   {place.center().x, bar.bottom() + canvas.length(14)}, done);
 }
 double progressHeight(const StudyCanvas& canvas) {
   return canvas.length(30) + canvas.lineHeight(StudyText::kSmall) + canvas.length(24);
@@ -198,8 +200,8 @@ PageClick drawConsent(StudyCanvas& canvas, const ConsentScreen& consent, PageScr
   canvas.fill(card, kStudyCard, canvas.length(12));
   writeParagraphs(canvas, {card.left + pad, card.top + pad, card.width - 2 * pad, card.height - 2 * pad},
                   consent.text.paragraphs, kStudyCard, TextAlign::kLeft, scroll);
-  const ButtonLook agree{"I agree", "Enter", true, true};
-  const ButtonLook decline{"I do not agree", "Escape", false};
+  const ButtonLook agree{canvas.texts().say("agree"), "Enter", true, true};
+  const ButtonLook decline{canvas.texts().say("do_not_agree"), "Escape", false};
   const PixelRect agreePlace = buttonPlace(canvas, footer, footer.right() - canvas.length(36), agree);
   const PixelRect declinePlace = buttonPlace(canvas, footer, agreePlace.left - canvas.length(24), decline);
   PageClick click;
@@ -224,7 +226,7 @@ void drawPause(StudyCanvas& canvas, const PauseScreen& pause) {
   drawPauseSign(canvas, {area.center().x, y + radius}, radius * 0.8, kStudyText);
   y += canvas.length(130);
   y = canvas.write({StudyText::kTitle, kStudyText, kStudyBackground, TextAlign::kCenter}, {left, y, width, 0},
-                   "Paused") +
+                   canvas.texts().say("paused")) +
       canvas.length(14);
   canvas.write({StudyText::kBody, kStudyText, kStudyBackground, TextAlign::kCenter}, {left, y, width, 0}, pause.reason);
 }

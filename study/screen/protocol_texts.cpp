@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "oc_core/base/error.h"
+#include "study/screen/bidi_text.h"
 #include "study/screen/drawable_text.h"
 
 namespace ocelli {
@@ -40,6 +41,16 @@ void add(std::vector<ProtocolText>& texts, const std::string& where, const Proto
     add(texts, here + ", \"question\"", field.question);
     add(texts, here + ", \"options\"", field.options);
     add(texts, here + ", \"ends\"", field.ends);
+    add(texts, here + ", \"unit\"", field.unit);
+    for (size_t row = 0; row < field.rows.size(); ++row) {
+      add(texts, fmt::format("{}, \"rows\" {}", here, row + 1), field.rows[row].label);
+    }
+  }
+}
+
+void add(std::vector<ProtocolText>& texts, const std::string& where, const std::vector<ProtocolForm>& forms) {
+  for (size_t i = 0; i < forms.size(); ++i) {
+    add(texts, fmt::format("{} {}", where, i + 1), forms[i]);
   }
 }
 
@@ -53,15 +64,21 @@ std::vector<ProtocolText> textsOf(const Protocol& protocol) {
   if (protocol.demographics) {
     add(texts, "\"demographics\"", *protocol.demographics);
   }
+  add(texts, "\"before\"", protocol.before);
   add(texts, "\"welcome\"", protocol.welcome);
   for (size_t i = 0; i < protocol.blocks.size(); ++i) {
     const ProtocolBlock& block = protocol.blocks[i];
     const std::string here = fmt::format("\"blocks\" {} ({})", i + 1, block.name);
     add(texts, here + ", \"title\"", block.title);
     add(texts, here + ", \"instructions\"", block.instructions);
+    add(texts, here + ", \"after\"", block.after);
   }
+  add(texts, "\"after\"", protocol.after);
   if (protocol.survey) {
     add(texts, "\"survey\"", *protocol.survey);
+  }
+  for (const auto& [id, text] : protocol.texts.catalogue().texts) {
+    add(texts, fmt::format("the texts of the language \"{}\"", protocol.texts.catalogue().language), text);
   }
   return texts;
 }
@@ -69,7 +86,7 @@ std::vector<ProtocolText> textsOf(const Protocol& protocol) {
 std::set<char32_t> glyphsOf(const Protocol& protocol) {
   std::set<char32_t> all;
   for (const ProtocolText& each : textsOf(protocol)) {
-    all.merge(glyphsOf(each.text));
+    all.merge(shapedGlyphsOf(each.text));
   }
   return all;
 }
@@ -87,7 +104,7 @@ void requireDrawable(const Protocol& protocol) {
   std::string fields;
   size_t count = 0;
   for (const ProtocolText& each : textsOf(protocol)) {
-    const std::set<char32_t> glyphs = glyphsOf(each.text);
+    const std::set<char32_t> glyphs = shapedGlyphsOf(each.text);
     const bool isOne = std::ranges::any_of(undrawable, [&](const UndrawableCharacters& some) {
       return std::ranges::any_of(some.characters, [&](char32_t character) { return glyphs.contains(character); });
     });

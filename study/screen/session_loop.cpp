@@ -81,7 +81,7 @@ class ScreenRenderer {
   /// On its own thread.
   void run() {
     const GlScope scope(window_.context());
-    StudyPainter painter(window_.context(), screen_, protocol_.controls, glyphsOf(protocol_));
+    StudyPainter painter(window_.context(), screen_, protocol_.controls, glyphsOf(protocol_), protocol_.texts);
     int64_t last = runNow();
     while (!flow_.isOver() && !quits_) {
       takeEvents(painter);
@@ -100,7 +100,11 @@ class ScreenRenderer {
       } else {
         window_.awaitFrame();
       }
-      flow_.frameShown(runNow(), frame.pixelHash);
+      const int64_t shown = runNow();
+      if (options_.frameShown) {
+        options_.frameShown(shown);
+      }
+      flow_.frameShown(shown, frame.pixelHash);
       if (frame.action) {
         flow_.act(*frame.action, runNow());
       }
@@ -121,7 +125,7 @@ class ScreenRenderer {
       if (const auto* focus = std::get_if<FocusEvent>(&timed.event)) {
         if (!focus->focused && hadFocus_) {
           flow_.report("focus_lost", "");
-          flow_.pause("The window has lost the keyboard. The experimenter goes on.");
+          flow_.pause(protocol_.texts.say("paused_keyboard"));
         }
         hadFocus_ = focus->focused;
       } else if (const auto* lost = std::get_if<MonitorLostEvent>(&timed.event)) {
@@ -158,7 +162,7 @@ class ScreenRenderer {
 
   /// What the screen cannot show is not stored as if it had been shown.
   void pause(const std::string& reason, const StudyPainter& painter) {
-    const std::string usual = "The experimenter will be with you in a moment.";
+    const std::string usual = protocol_.texts.say("paused_moment");
     const bool shown = painter.canShow(reason);
     flow_.pause(reason.empty() || !shown ? usual : reason);
     if (!shown) {

@@ -20,6 +20,8 @@ struct SessionLoopOptions {
   double pacedHertz = 0;
   int hashEvery = 0;                    ///< every so many frames of a trial the hash of its image is stored; 0: none
   std::filesystem::path screenshots{};  ///< folder for an image of each screen that comes; empty for none
+  /// Right after each frame was shown, with its time as records have it, on the thread that draws; must not wait.
+  std::function<void(int64_t nanoseconds)> frameShown{};
   std::function<bool()> interrupted{};  ///< whether the program shall end; asked ten times a second
 };
 

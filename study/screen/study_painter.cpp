@@ -20,10 +20,11 @@ struct Overloaded : Functions... {
 }  // namespace
 
 struct StudyPainter::State {
-  State(GlContext& of, const TrialScreen& screen, const Controls& controls, const std::set<char32_t>& characters)
+  State(GlContext& of, const TrialScreen& screen, const Controls& controls, const std::set<char32_t>& characters,
+        const SubjectTexts& texts)
       : context(of),
         target(of, screen.width, screen.height),
-        canvas(of, screen.width, screen.height, characters),
+        canvas(of, screen.width, screen.height, characters, texts),
         views(of),
         images(of, screen, controls) {}
 
@@ -48,9 +49,9 @@ struct StudyPainter::State {
 };
 
 StudyPainter::StudyPainter(GlContext& context, const TrialScreen& screen, const Controls& controls,
-                           const std::set<char32_t>& characters) {
+                           const std::set<char32_t>& characters, const SubjectTexts& texts) {
   const GlScope scope(context);
-  state_ = std::make_unique<State>(context, screen, controls, characters);
+  state_ = std::make_unique<State>(context, screen, controls, characters, texts);
 }
 
 StudyPainter::~StudyPainter() = default;

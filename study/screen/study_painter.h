@@ -26,10 +26,10 @@ struct StudyFrame {
 
 class StudyPainter {
  public:
-  /// The context must outlive it. `characters` are those of the texts (protocol_texts.h) besides those of Europe.
-  /// Throws GlError.
+  /// The context must outlive it. `characters` are those of the texts (protocol_texts.h) besides those of Europe;
+  /// `texts` are those of the language. Throws GlError.
   StudyPainter(GlContext& context, const TrialScreen& screen, const Controls& controls,
-               const std::set<char32_t>& characters = {});
+               const std::set<char32_t>& characters = {}, const SubjectTexts& texts = SubjectTexts());
   ~StudyPainter();
   StudyPainter(const StudyPainter&) = delete;
   StudyPainter& operator=(const StudyPainter&) = delete;

@@ -15,7 +15,8 @@ double capHeight(const StudyCanvas& canvas) {
 }  // namespace
 
 double keyCapWidth(const StudyCanvas& canvas, const std::string& name) {
-  return std::max(canvas.widthOf(name, StudyText::kSmall) + 2 * canvas.length(kCapPadding), capHeight(canvas));
+  return std::max(canvas.widthOf(canvas.texts().keyName(name), StudyText::kSmall) + 2 * canvas.length(kCapPadding),
+                  capHeight(canvas));
 }
 
 double drawKeyCap(StudyCanvas& canvas, double left, double middle, const std::string& name, GuiColor background) {
@@ -25,7 +26,8 @@ double drawKeyCap(StudyCanvas& canvas, double left, double middle, const std::st
   canvas.fill(cap, background, canvas.length(5));
   canvas.outline(cap, kStudyTextDim, canvas.length(1.5), canvas.length(5));
   canvas.writeLine({StudyText::kSmall, kStudyText, background, TextAlign::kCenter},
-                   {cap.center().x, cap.center().y - canvas.look().textPixels(StudyText::kSmall) / 2}, name);
+                   {cap.center().x, cap.center().y - canvas.look().textPixels(StudyText::kSmall) / 2},
+                   canvas.texts().keyName(name));
   return cap.right();
 }
 
@@ -57,7 +59,9 @@ bool drawButton(StudyCanvas& canvas, const std::string& name, const PixelRect& p
   return touch.clicked;
 }
 
-void drawTick(StudyCanvas& canvas, const glm::dvec2& center, double size, GuiColor color, double thickness) {
+void drawTick(StudyCanvas& canvas, const glm::dvec2& at, double size, GuiColor color, double thickness) {
+  const glm::dvec2 center = canvas.onScreen(at);
+  const MirrorScope unmirrored(canvas, false);
   const std::array tick{center + size * glm::dvec2(-0.5, 0.02), center + size * glm::dvec2(-0.14, 0.36),
                         center + size * glm::dvec2(0.5, -0.36)};
   canvas.line(tick, color, thickness);
@@ -97,8 +101,14 @@ PixelRect drawFooter(StudyCanvas& canvas) {
   const double middle = strip.center().y;
   const double x = drawKeyCap(canvas, canvas.length(36), middle, kUnwellKey, kStudyCard);
   canvas.writeLine({StudyText::kSmall, kStudyTextDim, kStudyCard},
-                   {x + canvas.length(12), middle - canvas.look().textPixels(StudyText::kSmall) / 2}, kUnwellText);
+                   {x + canvas.length(12), middle - canvas.look().textPixels(StudyText::kSmall) / 2},
+                   canvas.texts().say("unwell_hint"));
   return strip;
+}
+
+double unwellWidth(const StudyCanvas& canvas) {
+  return canvas.length(36 + 12) + keyCapWidth(canvas, kUnwellKey) +
+         canvas.widthOf(canvas.texts().say("unwell_hint"), StudyText::kSmall);
 }
 
 std::vector<PageChoice> pageChoices(const std::string& action) {

@@ -9,8 +9,8 @@
 
 namespace ocelli {
 
-/// A key as it looks on a keyboard, its left border at `left`, in the middle of a line around `middle`. Returns its
-/// right border.
+/// A key as it looks on a keyboard, by its name in the language of the canvas; its left border at `left`, in the middle
+/// of a line around `middle`. Returns its right border.
 double drawKeyCap(StudyCanvas& canvas, double left, double middle, const std::string& name, GuiColor background);
 double keyCapWidth(const StudyCanvas& canvas, const std::string& name);
 
@@ -38,6 +38,8 @@ void drawFocusRing(StudyCanvas& canvas, const PixelRect& place, double rounding)
 /// The strip at the bottom of every screen but trials: the key that ends the session, and room for buttons. Returns the
 /// strip.
 PixelRect drawFooter(StudyCanvas& canvas);
+/// How much of it that key takes, from the left.
+double unwellWidth(const StudyCanvas& canvas);
 /// What a page offers: "Enter: begin", or several with spaces between them. Where what stands before the colon is no
 /// key, all of it is the label.
 struct PageChoice {
@@ -48,6 +50,5 @@ std::vector<PageChoice> pageChoices(const std::string& action);
 
 /// What ends a session; shown everywhere.
 inline constexpr const char* kUnwellKey = "F10";
-inline constexpr const char* kUnwellText = "I feel unwell: stop";
 
 }  // namespace ocelli

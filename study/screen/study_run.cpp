@@ -4,6 +4,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/machine.h"
+#include "study/markers/marker_feed.h"
 #include "study/screen/calibration_drawing.h"
 #include "study/screen/frame_measurement.h"
 #include "study/screen/protocol_texts.h"
@@ -97,7 +98,7 @@ GlWindowOptions windowOptions(const Protocol& protocol, const StudyRunOptions& o
 /// Throws WorkError where it refuses and nobody insists.
 TimingCheck checkWindow(GlWindow& window, const Monitor& monitor, const Protocol& protocol,
                         const StudyRunOptions& options) {
-  const std::vector<int64_t> shown = measureFrames(window, kCheckSeconds, "One moment, please");
+  const std::vector<int64_t> shown = measureFrames(window, kCheckSeconds, protocol.texts);
   TimingExpectation expected;
   expected.monitorHertz = monitor.refreshHertz;
   expected.wantedHertz = protocol.screen.refreshHertz;
@@ -147,7 +148,7 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   ScreenCalibration calibration;
   std::vector<std::string> deviations;
   if (const std::optional<CalibrationWishes>& wishes = protocol.screen.calibration) {
-    calibration = runCalibration(window, *wishes, stated, options.interrupted);
+    calibration = runCalibration(window, *wishes, stated, protocol.texts, options.interrupted);
     deviations = deviationsOf(calibration, stated, wishes->tolerance);
     tell(options, "screen    " + describe(calibration, stated));
     for (const std::string& deviation : deviations) {
@@ -169,6 +170,11 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   check.problems.insert(check.problems.end(), slow.begin(), slow.end());
   const bool forced = !check.isGood();
   flowOptions.unstableRefresh = forced;
+
+  std::vector<std::unique_ptr<MarkerOutput>> markerOutputs;
+  for (const std::string& each : options.markers) {
+    markerOutputs.push_back(openMarkerOutput(each));
+  }
 
   if (!known) {
     known.emplace(StudyDatabase::openForSessions(options.database, protocol));
@@ -195,7 +201,8 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   run.forced = forced;
   TrialStore store(database, protocol, run, schedule);
 
-  SessionFlow flow(protocol, schedule, plan.session.done, flowOptions, store);
+  MarkerFeed feed(store, protocol, std::move(markerOutputs));
+  SessionFlow flow(protocol, schedule, plan.session.done, flowOptions, feed);
   tell(options,
        fmt::format("session   {} of {} of subject {}, {} trials, {} of them done; slot {}, {} first",
                    plan.session.session, protocol.sessions, options.subject, schedule.trials.size(),
@@ -215,10 +222,22 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   loop.hashEvery = options.hashEvery;
   loop.screenshots = options.screenshots;
   loop.interrupted = options.interrupted;
+  int64_t lastShown = 0;
+  loop.frameShown = [&](int64_t nanoseconds) {
+    lastShown = nanoseconds;
+    feed.frameShown(nanoseconds);
+  };
   SessionEnding ending = SessionEnding::kFailed;
   {
     ExperimenterConsole console;
     ending = runSessionLoop(window, protocol, flow, console, loop);
+  }
+  feed.finish(lastShown);
+  for (size_t i = 0; i < options.markers.size(); ++i) {
+    const MarkerCounts counts = feed.counts()[i];
+    const std::string text = fmt::format("{}: {} sent, {} lost", options.markers[i], counts.sent, counts.lost);
+    flow.report("markers", text);
+    tell(options, "markers   " + text);
   }
   store.flush();
   if (const std::optional<std::string> failure = store.failure()) {
@@ -233,6 +252,10 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
 
 void tellProtocol(const Protocol& protocol, const StudyRunOptions& options) {
   tell(options, fmt::format("protocol  {} ({})", protocol.name, protocol.sha256.substr(0, 12)));
+  if (const SubjectCatalogue& catalogue = protocol.texts.catalogue(); catalogue.language != kSourceLanguage) {
+    tell(options, fmt::format("language  {}{}", catalogue.name,
+                              catalogue.isDraft ? ": a DRAFT, nobody whose first language it is has read it yet" : ""));
+  }
   std::error_code error;
   const auto space =
       std::filesystem::space(options.database.parent_path().empty() ? "." : options.database.parent_path(), error);

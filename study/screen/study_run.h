@@ -10,6 +10,7 @@
 #include <glm/vec2.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "study/protocol/protocol.h"
 #include "study/session/records.h"
@@ -27,6 +28,7 @@ struct StudyRunOptions {
   std::optional<uint64_t> seed{};  ///< instead of the protocol's, for a session that begins
   bool anyTime = false;            ///< although the time between sessions has not passed
   std::filesystem::path screenshots{};
+  std::vector<std::string> markers{};  ///< where markers go (study/markers/marker_output.h)
   std::function<bool()> interrupted{};
   std::function<void(const std::string& line)> tell{};  ///< what the experimenter reads before the session
 };

@@ -12,6 +12,8 @@ namespace ocelli {
 namespace {
 
 void drawPrompt(StudyCanvas& canvas, const TrialLayout& layout, SceneViews& views) {
+  const MirrorScope mirrored(canvas, canvas.texts().rightToLeft());
+  const std::string unwell = canvas.texts().say("unwell_hint");
   const PixelRect strip{0, 0, static_cast<double>(canvas.width()),
                         static_cast<double>(promptHeight({canvas.width(), canvas.height(), 60}))};
   canvas.fill(strip, kStudyBackground);
@@ -21,9 +23,8 @@ void drawPrompt(StudyCanvas& canvas, const TrialLayout& layout, SceneViews& view
   // What ends the session, at the right.
   const double textTop = middle - canvas.look().textPixels(StudyText::kSmall) / 2;
   const double right = strip.right() - canvas.length(24);
-  canvas.writeLine({StudyText::kSmall, kStudyTextDim, kStudyBackground, TextAlign::kRight}, {right, textTop},
-                   kUnwellText);
-  const double capLeft = right - canvas.widthOf(kUnwellText, StudyText::kSmall) - gap - keyCapWidth(canvas, kUnwellKey);
+  canvas.writeLine({StudyText::kSmall, kStudyTextDim, kStudyBackground, TextAlign::kRight}, {right, textTop}, unwell);
+  const double capLeft = right - canvas.widthOf(unwell, StudyText::kSmall) - gap - keyCapWidth(canvas, kUnwellKey);
   drawKeyCap(canvas, capLeft, middle, kUnwellKey, kStudyBackground);
 
   double left = canvas.length(24);
@@ -134,13 +135,14 @@ void drawPathMap(StudyCanvas& canvas, const PixelRect& place, std::span<const gl
   canvas.ring(path.front(), radius, kStudyInk, canvas.length(2));
   // The word stands where the path does not go: beyond the dot, away from the first leg.
   const glm::dvec2 away = -glm::normalize(path[1] - path[0]);
-  const double width = canvas.widthOf("Start", StudyText::kSmall);
+  const std::string start = canvas.texts().say("start");
+  const double width = canvas.widthOf(start, StudyText::kSmall);
   const glm::dvec2 middle =
       path.front() + away * (radius + canvas.length(5) + (std::abs(away.x) > 0.5 ? width / 2 : textPixels / 2));
   const double x =
       std::clamp(middle.x, place.left + width / 2 + canvas.length(8), place.right() - width / 2 - canvas.length(8));
   const double y = std::clamp(middle.y - textPixels / 2, place.top + 2, place.bottom() - textPixels - 2);
-  canvas.writeLine({StudyText::kSmall, kStudyText, background, TextAlign::kCenter}, {x, y}, "Start");
+  canvas.writeLine({StudyText::kSmall, kStudyText, background, TextAlign::kCenter}, {x, y}, start);
 }
 
 void drawChoicesAndMaps(StudyCanvas& canvas, const TrialLayout& layout) {
@@ -159,6 +161,8 @@ void drawChoicesAndMaps(StudyCanvas& canvas, const TrialLayout& layout) {
 }
 
 void drawTrialOverlay(StudyCanvas& canvas, const TrialLayout& layout, SceneViews& views) {
+  // What a trial shows has its place on the screen.
+  const MirrorScope unmirrored(canvas, false);
   drawPrompt(canvas, layout, views);
   drawChoicesAndMaps(canvas, layout);
   if (layout.pointer) {

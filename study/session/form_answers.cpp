@@ -6,51 +6,70 @@
 
 namespace ocelli {
 
-void FormAnswers::choose(int field, int option) {
-  if (field < 0 || field >= fieldCount()) {
+std::optional<QuestionProblem> problemOf(const FormScreen& screen, size_t item) {
+  const FormField& field = screen.fieldOf(item);
+  const QuestionEntry& entry = screen.entries[item];
+  if (entry.isEmpty()) {
+    return field.required ? std::optional(QuestionProblem{"form_open"}) : std::nullopt;
+  }
+  const QuestionKind& kind = questionKind(field.kind);
+  if (std::optional<QuestionProblem> problem = kind.problem(field, entry)) {
+    return problem;
+  }
+  return kind.stored(field, entry) || !field.required ? std::nullopt : std::optional(QuestionProblem{"form_open"});
+}
+
+FormAnswers::FormAnswers(const ProtocolForm& form, bool rightToLeft)
+    : rightToLeft_(rightToLeft), screen_{&form, itemsOf(form.fields), {}, 0, false} {
+  screen_.entries.resize(screen_.items.size());
+}
+
+void FormAnswers::click(int item, const QuestionClick& click) {
+  if (item < 0 || item >= itemCount()) {
     return;
   }
-  const auto index = static_cast<size_t>(field);
-  if (option >= 0 && option < static_cast<int>(form_.fields[index].options.size())) {
-    screen_.chosen[index] = option;
-    screen_.focus = field;
+  const auto index = static_cast<size_t>(item);
+  kindOf(index).click(screen_.fieldOf(index), screen_.entries[index], click);
+  screen_.focus = item;
+}
+
+void FormAnswers::type(char32_t character) {
+  if (screen_.focus < itemCount()) {
+    const auto index = static_cast<size_t>(screen_.focus);
+    kindOf(index).type(screen_.fieldOf(index), screen_.entries[index], character);
   }
 }
 
 bool FormAnswers::goOn() {
-  const auto open = std::find(screen_.chosen.begin(), screen_.chosen.end(), std::nullopt);
-  screen_.missing = open != screen_.chosen.end();
-  screen_.focus = static_cast<int>(open - screen_.chosen.begin());
+  int open = 0;
+  while (open < itemCount() && !problemOf(screen_, static_cast<size_t>(open))) {
+    ++open;
+  }
+  screen_.missing = open < itemCount();
+  screen_.focus = open;
   return !screen_.missing;
 }
 
 bool FormAnswers::press(Key key) {
-  const bool onButton = screen_.focus >= fieldCount();
+  const bool onButton = screen_.focus >= itemCount();
   if (key == Key::kEnter && onButton) {
     return goOn();
   }
   if (key == Key::kDown || key == Key::kEnter || key == Key::kTab) {
-    screen_.focus = std::min(screen_.focus + 1, fieldCount());
+    screen_.focus = std::min(screen_.focus + 1, itemCount());
   } else if (key == Key::kUp) {
     screen_.focus = std::max(screen_.focus - 1, 0);
   } else if (!onButton) {
     const auto index = static_cast<size_t>(screen_.focus);
-    const int last = static_cast<int>(form_.fields[index].options.size()) - 1;
-    const std::optional<int> now = screen_.chosen[index];
-    if (key == Key::kRight) {
-      choose(screen_.focus, now ? std::min(*now + 1, last) : 0);
-    } else if (key == Key::kLeft) {
-      choose(screen_.focus, now ? std::max(*now - 1, 0) : last);
-    } else if (key >= Key::k1 && key <= Key::k9) {
-      choose(screen_.focus, static_cast<int>(key) - static_cast<int>(Key::k1));
-    }
+    const Key meant = !rightToLeft_ ? key : key == Key::kLeft ? Key::kRight : key == Key::kRight ? Key::kLeft : key;
+    kindOf(index).press(screen_.fieldOf(index), screen_.entries[index], meant);
   }
   return false;
 }
 
-const std::string& FormAnswers::answer(size_t field) const {
-  OC_CHECK(screen_.chosen[field].has_value(), "a form that is done has all answers");
-  return form_.fields[field].options[static_cast<size_t>(*screen_.chosen[field])];
+std::string FormAnswers::answer(size_t item) const {
+  OC_CHECK(!problemOf(screen_, item), "a form that is done has all answers");
+  return kindOf(item).stored(screen_.fieldOf(item), screen_.entries[item]).value_or("");
 }
 
 }  // namespace ocelli

@@ -1,4 +1,4 @@
-// A form as it is filled in, by keys or by widgets.
+// A form as it is filled in, by keys, by typing or by widgets.
 #pragma once
 
 #include "study/session/session_screen.h"
@@ -7,25 +7,26 @@ namespace ocelli {
 
 class FormAnswers {
  public:
-  /// `form` must outlive it.
-  explicit FormAnswers(const ProtocolForm& form) : form_(form), screen_{&form, {}, 0, false} {
-    screen_.chosen.resize(form.fields.size());
-  }
+  /// `form` must outlive it. On screens that are laid out from the right to the left, the left arrow goes on.
+  explicit FormAnswers(const ProtocolForm& form, bool rightToLeft = false);
 
   const FormScreen& screen() const { return screen_; }
-  /// Up and down change the field, left, right and digits its option, Enter goes on to the next. Returns whether the
-  /// form is done: all fields have an answer, and Enter was pressed on the button.
+  /// Up and down go from item to item, Enter and Tab to the next; other keys are for the kind of the question. Returns
+  /// whether the form is done: each item that is required has an answer, none a wrong one, and Enter was pressed on the
+  /// button.
   bool press(Key key);
-  void choose(int field, int option);
-  /// The button. Where fields are open it says so, and goes to the first of them.
+  void type(char32_t character);
+  void click(int item, const QuestionClick& click);
+  /// The button. Where items are open it says so, and goes to the first of them.
   bool goOn();
-  /// Of a form that is done.
-  const std::string& answer(size_t field) const;
+  /// Of a form that is done, as the database holds it; empty where the subject left the item open.
+  std::string answer(size_t item) const;
 
  private:
-  int fieldCount() const { return static_cast<int>(form_.fields.size()); }
+  int itemCount() const { return static_cast<int>(screen_.items.size()); }
+  const QuestionKind& kindOf(size_t item) const { return questionKind(screen_.fieldOf(item).kind); }
 
-  const ProtocolForm& form_;
+  bool rightToLeft_;
   FormScreen screen_;
 };
 

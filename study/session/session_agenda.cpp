@@ -11,9 +11,15 @@ bool contains(const std::vector<int>& list, int element) {
   return std::find(list.begin(), list.end(), element) != list.end();
 }
 
-void addForm(std::deque<SessionStep>& agenda, const std::optional<ProtocolForm>& form, const SessionDone& done) {
-  if (form && std::find(done.forms.begin(), done.forms.end(), form->name) == done.forms.end()) {
-    agenda.push_back(FormStep{&*form});
+void addForm(std::deque<SessionStep>& agenda, const ProtocolForm& form, const SessionDone& done) {
+  if (std::find(done.forms.begin(), done.forms.end(), form.name) == done.forms.end()) {
+    agenda.push_back(FormStep{&form});
+  }
+}
+
+void addForms(std::deque<SessionStep>& agenda, const std::vector<ProtocolForm>& forms, const SessionDone& done) {
+  for (const ProtocolForm& form : forms) {
+    addForm(agenda, form, done);
   }
 }
 
@@ -54,9 +60,10 @@ std::deque<SessionStep> agendaOf(const Protocol& protocol, const SessionSchedule
   if (protocol.consent && !done.consented) {
     agenda.push_back(ConsentStep{});
   }
-  if (schedule.session == 1) {
-    addForm(agenda, protocol.demographics, done);
+  if (schedule.session == 1 && protocol.demographics) {
+    addForm(agenda, *protocol.demographics, done);
   }
+  addForms(agenda, protocol.before, done);
   if (!isResumed) {
     for (const ProtocolPage& page : protocol.welcome) {
       agenda.push_back(TextStep{&page});
@@ -68,6 +75,7 @@ std::deque<SessionStep> agendaOf(const Protocol& protocol, const SessionSchedule
     const ProtocolBlock& of = protocol.blocks[static_cast<size_t>(block)];
     const std::vector<TrialPlan> trials = trialsOf(schedule, block);
     if (std::all_of(trials.begin(), trials.end(), [&](const TrialPlan& plan) { return contains(kept, plan.index); })) {
+      addForms(agenda, of.after, done);
       continue;
     }
     for (const ProtocolPage& page : of.instructions) {
@@ -84,14 +92,18 @@ std::deque<SessionStep> agendaOf(const Protocol& protocol, const SessionSchedule
       }
       agenda.push_back(TrialStep{trials[i]});
       const bool isLast = i + 1 == trials.size();
+      if (isLast) {
+        addForms(agenda, of.after, done);
+      }
       if (isLast ? of.breakAfter && b + 1 < schedule.blockOrder.size()
                  : of.breakEveryTrials > 0 && (static_cast<int>(i) + 1) % of.breakEveryTrials == 0) {
         agenda.push_back(BreakStep{});
       }
     }
   }
-  if (!protocol.surveyAfterLastSessionOnly || schedule.session == protocol.sessions) {
-    addForm(agenda, protocol.survey, done);
+  addForms(agenda, protocol.after, done);
+  if (protocol.survey && (!protocol.surveyAfterLastSessionOnly || schedule.session == protocol.sessions)) {
+    addForm(agenda, *protocol.survey, done);
   }
   agenda.push_back(EndStep{});
   return agenda;

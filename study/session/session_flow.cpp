@@ -34,7 +34,7 @@ void SessionFlow::act(const FormAction& action, int64_t nanoseconds) {
   State& state = *state_;
   state.update(nanoseconds);
   if (state.asksUnwell && !state.closingPage) {
-    if (action.kind != FormAction::Kind::kChoose) {
+    if (action.kind != FormAction::Kind::kClick) {
       state.answerUnwell(action.kind == FormAction::Kind::kGoOn);
     }
     return;
@@ -43,9 +43,9 @@ void SessionFlow::act(const FormAction& action, int64_t nanoseconds) {
     return;
   }
   switch (action.kind) {
-    case FormAction::Kind::kChoose:
+    case FormAction::Kind::kClick:
       if (state.form) {
-        state.form->choose(action.field, action.option);
+        state.form->click(action.item, action.click);
       }
       break;
     case FormAction::Kind::kGoOn:
@@ -132,7 +132,7 @@ bool SessionFlow::redo() {
   }
   if (state.trial) {
     state.interruptTrial(TrialEnding::kRedone);
-    state.event("redo", state.nameOfTrial(*state.lastPlan));
+    state.event("redo", state.nameOfTrial(*state.lastPlan, SubjectTexts()));
   } else {
     const TrialPlan plan = *state.lastPlan;
     if (const auto* step = state.current<TrialStep>(); step != nullptr && step->plan == plan) {
@@ -143,7 +143,7 @@ bool SessionFlow::redo() {
       --practice.trials;
       practice.inARow = practice.inARowBefore;
     }
-    state.event("redo", state.nameOfTrial(plan));
+    state.event("redo", state.nameOfTrial(plan, SubjectTexts()));
     if (state.current<FeedbackStep>() != nullptr) {
       state.agenda.pop_front();  // it was of that trial
     } else if (state.current<CallStep>() != nullptr) {
@@ -163,7 +163,7 @@ void SessionFlow::abort(const std::string& reason) {
   }
   state.interruptTrial(TrialEnding::kAborted);
   state.event("abort", reason);
-  state.end(SessionEnding::kAborted, "The session has ended", {"The experimenter has ended the session."});
+  state.end(SessionEnding::kAborted, state.say("ended"), {state.say("ended_by_experimenter")});
 }
 
 bool SessionFlow::note(const std::string& text) {

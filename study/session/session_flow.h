@@ -10,9 +10,9 @@
 //     flow.frameShown(nanoseconds);     // when the frame was on the screen
 //   }
 //
-// Everything can be done by keys alone: Enter goes on, arrows and digits choose; F10 is "I feel unwell". Where practice
-// failed a person's Enter does nothing: the experimenter goes on, by resume() or F12. A key that is pressed again
-// without having been released is a repeat: pages do not take it, so keys must be released.
+// Everything can be done by keys alone: Enter goes on, arrows and digits choose, texts are typed; F10 is "I feel
+// unwell". Where practice failed a person's Enter does nothing: the experimenter goes on, by resume() or F12. A key
+// that is pressed again without having been released is a repeat: pages do not take it, so keys must be released.
 //
 // Ticks. A trial begins when its first frame is shown: that is tick 0. An event takes effect at the tick into which it
 // falls; where that is over already (it came late, or a frame has shown that tick), at the next one. So a trial is the
@@ -55,10 +55,10 @@ struct SessionFlowOptions {
 /// What the subject does to a form or page by the mouse: what widgets report. To go on is what Enter does on a page, to
 /// decline what Escape does.
 struct FormAction {
-  enum class Kind { kChoose, kGoOn, kDecline };
+  enum class Kind { kClick, kGoOn, kDecline };
   Kind kind = Kind::kGoOn;
-  int field = 0;
-  int option = 0;
+  int item = 0;  ///< of FormScreen::items
+  QuestionClick click{};
 };
 
 /// What an experimenter's console shows.

@@ -13,53 +13,60 @@ PageScreen page(const std::string& title, const std::vector<std::string>& paragr
   return made;
 }
 
+/// What a key does: "Enter: go on".
+std::string actionOf(Key key, const std::string& does) {
+  return fmt::format("{}: {}", nameOf(key), does);
+}
+
 }  // namespace
 
-PageScreen pageOf(const ProtocolPage& text) {
-  PageScreen made = page(text.title, text.paragraphs, "Enter: go on");
+PageScreen pageOf(const SubjectTexts& texts, const ProtocolPage& text) {
+  PageScreen made = page(text.title, text.paragraphs, actionOf(Key::kEnter, texts.say("go_on")));
   made.image = text.image;
   made.example = text.example;
   return made;
 }
 
-PageScreen readyPage(const std::string& trialName, const std::string& blockTitle, const SessionProgress& progress) {
-  PageScreen made = page(trialName, {blockTitle}, "Enter: begin");
+PageScreen readyPage(const SubjectTexts& texts, const std::string& trialName, const std::string& blockTitle,
+                     const SessionProgress& progress) {
+  PageScreen made = page(trialName, {blockTitle}, actionOf(Key::kEnter, texts.say("begin")));
   made.progress = progress;
   return made;
 }
 
-PageScreen feedbackPage(const TrialOutcome& outcome) {
+PageScreen feedbackPage(const SubjectTexts& texts, const TrialOutcome& outcome) {
   PageScreen made;
-  made.title = outcome.correct ? "Right" : outcome.censored ? "Time is over" : "Not right";
+  made.title = texts.say(outcome.correct ? "right" : outcome.censored ? "time_over" : "not_right");
   if (outcome.correct) {
-    made.paragraphs = {fmt::format("It took you {:.1f} seconds.",
-                                   static_cast<double>(outcome.responseTicks) / static_cast<double>(kTicksPerSecond))};
+    const double seconds = static_cast<double>(outcome.responseTicks) / static_cast<double>(kTicksPerSecond);
+    made.paragraphs = {texts.say("took_seconds", {{"seconds", fmt::format("{:.1f}", seconds)}})};
   }
   made.good = outcome.correct;
-  made.action = "Enter: go on";
+  made.action = actionOf(Key::kEnter, texts.say("go_on"));
   return made;
 }
 
-PageScreen breakPage(const SessionProgress& progress, double waitSeconds) {
-  PageScreen made = page("A break", {"Please rest your eyes."}, waitSeconds > 0 ? "" : "Enter: go on");
+PageScreen breakPage(const SubjectTexts& texts, const SessionProgress& progress, double waitSeconds) {
+  PageScreen made = page(texts.say("break"), {texts.say("break_rest")},
+                         waitSeconds > 0 ? "" : actionOf(Key::kEnter, texts.say("go_on")));
   made.progress = progress;
   made.waitSeconds = waitSeconds;
   return made;
 }
 
-PageScreen callPage(SubjectKind kind) {
-  return page("Please call the experimenter",
-              {"You have done all trials of the practice.", "The experimenter will go on with you."},
-              kind == SubjectKind::kPerson ? "" : "Enter: go on");
+PageScreen callPage(const SubjectTexts& texts, SubjectKind kind) {
+  return page(texts.say("call"), {texts.say("call_practice_done"), texts.say("call_goes_on")},
+              kind == SubjectKind::kPerson ? "" : actionOf(Key::kEnter, texts.say("go_on")));
 }
 
-PageScreen unwellPage() {
-  return page("Do you feel unwell?", {"You may stop at any time, without giving a reason."},
-              "Enter: end the session    Escape: go on with it");
+PageScreen unwellPage(const SubjectTexts& texts) {
+  return page(
+      texts.say("unwell"), {texts.say("unwell_may_stop")},
+      actionOf(Key::kEnter, texts.say("end_session")) + "    " + actionOf(Key::kEscape, texts.say("go_on_with_it")));
 }
 
-PageScreen lastPage(const std::string& title, const std::vector<std::string>& paragraphs) {
-  return page(title, paragraphs, "Enter: close");
+PageScreen lastPage(const SubjectTexts& texts, const std::string& title, const std::vector<std::string>& paragraphs) {
+  return page(title, paragraphs, actionOf(Key::kEnter, texts.say("close")));
 }
 
 }  // namespace ocelli

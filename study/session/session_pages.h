@@ -1,4 +1,4 @@
-// The pages that a session has of its own, besides those of the protocol.
+// The pages that a session has of its own, besides those of the protocol, in its language.
 #pragma once
 
 #include <string>
@@ -8,14 +8,15 @@
 
 namespace ocelli {
 
-PageScreen pageOf(const ProtocolPage& page);
-PageScreen readyPage(const std::string& trialName, const std::string& blockTitle, const SessionProgress& progress);
-PageScreen feedbackPage(const TrialOutcome& outcome);
-PageScreen breakPage(const SessionProgress& progress, double waitSeconds);
+PageScreen pageOf(const SubjectTexts& texts, const ProtocolPage& page);
+PageScreen readyPage(const SubjectTexts& texts, const std::string& trialName, const std::string& blockTitle,
+                     const SessionProgress& progress);
+PageScreen feedbackPage(const SubjectTexts& texts, const TrialOutcome& outcome);
+PageScreen breakPage(const SubjectTexts& texts, const SessionProgress& progress, double waitSeconds);
 /// Practice did not succeed. People wait for the experimenter.
-PageScreen callPage(SubjectKind kind);
-PageScreen unwellPage();
+PageScreen callPage(const SubjectTexts& texts, SubjectKind kind);
+PageScreen unwellPage(const SubjectTexts& texts);
 /// The last one: one title, what to know, and that Enter closes it.
-PageScreen lastPage(const std::string& title, const std::vector<std::string>& paragraphs);
+PageScreen lastPage(const SubjectTexts& texts, const std::string& title, const std::vector<std::string>& paragraphs);
 
 }  // namespace ocelli

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "study/outline/question_kinds.h"
 #include "study/protocol/protocol.h"
 #include "study/task/trial_layout.h"
 
@@ -38,10 +39,15 @@ struct ConsentScreen {
 
 struct FormScreen {
   const ProtocolForm* form = nullptr;
-  std::vector<std::optional<int>> chosen;  ///< of each field, the option
-  int focus = 0;                           ///< the field that keys act on; fields.size() is the button to go on
-  bool missing = false;                    ///< one wanted to go on though fields are open
+  std::vector<QuestionItem> items;     ///< what is filled in
+  std::vector<QuestionEntry> entries;  ///< of each item
+  int focus = 0;                       ///< the item that keys act on; items.size() is the button to go on
+  bool missing = false;                ///< one wanted to go on though items are open or wrong
+
+  const FormField& fieldOf(size_t item) const { return form->fields[static_cast<size_t>(items[item].field)]; }
 };
+/// What keeps an item of a form from being done: the id of a text with {least} and {most}; nothing where it is done.
+std::optional<QuestionProblem> problemOf(const FormScreen& screen, size_t item);
 
 struct TrialScreenView {
   TrialLayout layout;

@@ -63,7 +63,7 @@ void SessionFlow::State::end(SessionEnding how, const std::string& title, const 
     ending = how;
     sink.sessionEnds(how, options.utcNow());
   }
-  closingPage = lastPage(title, paragraphs);
+  closingPage = lastPage(protocol.texts, title, paragraphs);
 }
 
 void SessionFlow::State::checkSink() {
@@ -71,8 +71,7 @@ void SessionFlow::State::checkSink() {
   if (why && ending != SessionEnding::kFailed) {
     failure = *why;
     trial.reset();
-    end(SessionEnding::kFailed, "The session has stopped",
-        {"Nothing more can be stored. What was stored before is safe.", "Please call the experimenter.", *why});
+    end(SessionEnding::kFailed, say("stopped"), {say("stopped_storing"), say("call_experimenter"), *why});
   }
 }
 
@@ -85,7 +84,7 @@ void SessionFlow::State::enterStep() {
   OC_CHECK(!agenda.empty(), "a session ends with its last step");
   form.reset();
   if (const auto* formStep = current<FormStep>()) {
-    form.emplace(*formStep->form);
+    form.emplace(*formStep->form, protocol.texts.rightToLeft());
   } else if (const auto* text = current<TextStep>()) {
     event("page", text->page->title);
   } else if (auto* step = current<BreakStep>()) {
@@ -98,7 +97,7 @@ void SessionFlow::State::enterStep() {
   } else if (const auto* practiceStep = current<PracticeStep>()) {
     goOnWithPractice(*practiceStep);
   } else if (current<EndStep>() != nullptr) {
-    end(SessionEnding::kCompleted, "Thank you", {"This was all for today.", "Please call the experimenter."});
+    end(SessionEnding::kCompleted, say("thanks"), {say("thanks_all"), say("call_experimenter")});
   }
 }
 
@@ -131,8 +130,7 @@ bool SessionFlow::State::isLastRound(int block) const {
 
 void SessionFlow::State::decline() {
   sink.consent(consentRecord(false));
-  end(SessionEnding::kDeclined, "Thank you",
-      {"You do not take part. Nothing more is stored.", "Please call the experimenter."});
+  end(SessionEnding::kDeclined, say("thanks"), {say("declined"), say("call_experimenter")});
 }
 
 ConsentRecord SessionFlow::State::consentRecord(bool agreed) const {
@@ -174,9 +172,9 @@ double SessionFlow::State::breakSecondsLeft() const {
 }
 
 void SessionFlow::State::storeForm() {
-  const ProtocolForm& of = *form->screen().form;
-  for (size_t i = 0; i < of.fields.size(); ++i) {
-    sink.answer({of.name, of.fields[i].name, form->answer(i), options.utcNow()});
+  const FormScreen& of = form->screen();
+  for (size_t i = 0; i < of.items.size(); ++i) {
+    sink.answer({of.form->name, of.items[i].name, form->answer(i), options.utcNow()});
   }
   nextStep();
 }
@@ -271,8 +269,8 @@ void SessionFlow::State::press(Key key, bool isRepeat) {
   } else if (pauseReason) {
     return;
   } else if (form) {
-    // Arrows may repeat.
-    if ((!isRepeat || key != Key::kEnter) && form->press(key)) {
+    // Arrows may repeat; what switches something does not.
+    if ((!isRepeat || (key != Key::kEnter && key != Key::kSpace)) && form->press(key)) {
       storeForm();
     }
   } else if (isEnter) {
@@ -284,11 +282,17 @@ void SessionFlow::State::press(Key key, bool isRepeat) {
   }
 }
 
+void SessionFlow::State::type(char32_t character) {
+  if (form && !closingPage && !asksUnwell && !pauseReason) {
+    form->type(character);
+  }
+}
+
 void SessionFlow::State::answerUnwell(bool ends) {
   asksUnwell = false;
   event("unwell", ends ? "ends the session" : "goes on");
   if (ends) {
-    end(SessionEnding::kUnwell, "The session has ended", {"Please rest, and tell the experimenter."});
+    end(SessionEnding::kUnwell, say("ended"), {say("ended_rest")});
   }
 }
 
@@ -313,6 +317,9 @@ bool SessionFlow::State::take(const TimedInput& input) {
     if (!toTrial && key->pressed) {
       press(key->key, isRepeat);
     }
+  }
+  if (const auto* text = std::get_if<TextEvent>(&input.event)) {
+    type(text->character);
   }
   if (trial && trial->isOver()) {
     completeTrial();

@@ -53,6 +53,11 @@ struct SessionFlow::State {
   std::string failure{};  ///< of the sink
   bool closed = false;
 
+  /// Of the language of the protocol.
+  std::string say(std::string_view id, std::initializer_list<TextArgument> arguments = {}) const {
+    return protocol.texts.say(id, arguments);
+  }
+
   template <class Step>
   Step* current() {
     return agenda.empty() ? nullptr : std::get_if<Step>(&agenda.front());
@@ -106,6 +111,7 @@ struct SessionFlow::State {
 
   // Input
   void press(Key key, bool isRepeat);
+  void type(char32_t character);
   /// To the page that asks whether the subject feels unwell.
   void answerUnwell(bool ends);
 
@@ -117,16 +123,17 @@ struct SessionFlow::State {
   // What is shown
   SessionProgress progress() const;
 
-  std::string nameOfTrial(const TrialPlan& plan) const;
+  /// As subjects read it, and for records in English.
+  std::string nameOfTrial(const TrialPlan& plan, const SubjectTexts& texts) const;
 
   SessionScreen screenOf(const ConsentStep&) const { return ConsentScreen{*protocol.consent}; }
   SessionScreen screenOf(const FormStep&) const { return form->screen(); }
-  SessionScreen screenOf(const TextStep& step) const { return pageOf(*step.page); }
+  SessionScreen screenOf(const TextStep& step) const { return pageOf(protocol.texts, *step.page); }
   SessionScreen screenOf(const PracticeStep&) const { return PageScreen{}; }  // done as it begins
-  SessionScreen screenOf(const CallStep&) const { return callPage(options.kind); }
+  SessionScreen screenOf(const CallStep&) const { return callPage(protocol.texts, options.kind); }
   SessionScreen screenOf(const TrialStep& step) const;
-  SessionScreen screenOf(const FeedbackStep& step) const { return feedbackPage(step.outcome); }
-  SessionScreen screenOf(const BreakStep&) const { return breakPage(progress(), breakSecondsLeft()); }
+  SessionScreen screenOf(const FeedbackStep& step) const { return feedbackPage(protocol.texts, step.outcome); }
+  SessionScreen screenOf(const BreakStep&) const { return breakPage(protocol.texts, progress(), breakSecondsLeft()); }
   SessionScreen screenOf(const EndStep&) const { return PageScreen{}; }  // likewise
   SessionScreen screen() const;
 

@@ -22,15 +22,22 @@ SessionProgress SessionFlow::State::progress() const {
   return so;
 }
 
-std::string SessionFlow::State::nameOfTrial(const TrialPlan& plan) const {
-  return plan.practice ? "Practice" : fmt::format("Trial {} of {}", plan.index + 1, schedule.trials.size());
+std::string SessionFlow::State::nameOfTrial(const TrialPlan& plan, const SubjectTexts& texts) const {
+  return plan.practice ? texts.say("practice")
+                       : texts.say("trial", {{"number", fmt::format("{}", plan.index + 1)},
+                                             {"total", fmt::format("{}", schedule.trials.size())}});
 }
 
 SessionScreen SessionFlow::State::screenOf(const TrialStep& step) const {
   if (trial) {
-    return TrialScreenView{trial->run().layout(), trial->nextFrame() % 2 == 0, protocol.screen.photodiodePatch};
+    TrialScreenView view{trial->run().layout(), trial->nextFrame() % 2 == 0, protocol.screen.photodiodePatch};
+    view.layout.prompt = protocol.texts.translated(view.layout.prompt);
+    for (TrialLayout::Choice& choice : view.layout.choices) {
+      choice.label = protocol.texts.translated(choice.label);
+    }
+    return view;
   }
-  return readyPage(nameOfTrial(step.plan), blockOf(step.plan.block).title, progress());
+  return readyPage(protocol.texts, nameOfTrial(step.plan, protocol.texts), blockOf(step.plan.block).title, progress());
 }
 
 SessionScreen SessionFlow::State::screen() const {
@@ -38,7 +45,7 @@ SessionScreen SessionFlow::State::screen() const {
     return *closingPage;
   }
   if (asksUnwell) {
-    return unwellPage();
+    return unwellPage(protocol.texts);
   }
   if (pauseReason) {
     return PauseScreen{*pauseReason};

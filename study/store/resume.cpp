@@ -8,14 +8,16 @@
 #include <set>
 
 #include "oc_core/base/error.h"
+#include "study/outline/question_kinds.h"
 
 namespace ocelli {
 namespace {
 
 bool isAnswered(const ProtocolForm& form, const std::vector<StoredAnswer>& answers, int session) {
-  return std::all_of(form.fields.begin(), form.fields.end(), [&](const FormField& field) {
+  const std::vector<QuestionItem> items = itemsOf(form.fields);
+  return std::all_of(items.begin(), items.end(), [&](const QuestionItem& item) {
     return std::any_of(answers.begin(), answers.end(), [&](const StoredAnswer& answer) {
-      return answer.session == session && answer.record.form == form.name && answer.record.field == field.name;
+      return answer.session == session && answer.record.form == form.name && answer.record.field == item.name;
     });
   });
 }
@@ -91,9 +93,9 @@ SessionDone sessionDone(const StudyDatabase& database, const Protocol& protocol,
     }
   }
   const std::vector<StoredAnswer> answers = database.answers(subject);
-  for (const std::optional<ProtocolForm>* form : {&protocol.demographics, &protocol.survey}) {
-    if (*form && isAnswered(**form, answers, session)) {
-      done.forms.push_back((*form)->name);
+  for (const ProtocolForm* form : formsOf(protocol)) {
+    if (isAnswered(*form, answers, session)) {
+      done.forms.push_back(form->name);
     }
   }
   return done;

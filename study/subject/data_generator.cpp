@@ -93,9 +93,17 @@ class RandomDraws {
 
 void answerForm(const Protocol& protocol, const ProtocolForm& form, const std::string& utc, Random& random,
                 SessionSink& sink) {
-  for (size_t i = 0; i < form.fields.size(); ++i) {
-    const int option = optionOf(protocol, form, static_cast<int>(i), {}, random);
-    sink.answer({form.name, form.fields[i].name, form.fields[i].options[static_cast<size_t>(option)], utc});
+  for (const QuestionItem& item : itemsOf(form.fields)) {
+    const FormField& field = form.fields[static_cast<size_t>(item.field)];
+    const QuestionEntry entry = entryOf(protocol, form, item, {}, random);
+    sink.answer({form.name, item.name, questionKind(field.kind).stored(field, entry).value_or(""), utc});
+  }
+}
+
+void answerForms(const Protocol& protocol, const std::vector<ProtocolForm>& forms, const std::string& utc,
+                 Random& random, SessionSink& sink) {
+  for (const ProtocolForm& form : forms) {
+    answerForm(protocol, form, utc, random, sink);
   }
 }
 
@@ -123,9 +131,13 @@ void generateSession(const Protocol& protocol, const GeneratedSession& session, 
   if (number == 1 && protocol.demographics) {
     answerForm(protocol, *protocol.demographics, utc(), random, sink);
   }
+  answerForms(protocol, protocol.before, utc(), random, sink);
   int begun = 0;
-  for (const TrialPlan& plan : session.schedule.trials) {
-    const TaskBlock& task = *protocol.blocks[static_cast<size_t>(plan.block)].task;
+  const std::vector<TrialPlan>& plans = session.schedule.trials;
+  for (size_t i = 0; i < plans.size(); ++i) {
+    const TrialPlan& plan = plans[i];
+    const ProtocolBlock& block = protocol.blocks[static_cast<size_t>(plan.block)];
+    const TaskBlock& task = *block.task;
     TrialRecord record;
     record.plan = plan;
     record.info = task.caseInfo(plan.caseIndex);
@@ -143,7 +155,11 @@ void generateSession(const Protocol& protocol, const GeneratedSession& session, 
     sink.trialBegins(begun, plan, 1);
     sink.trialEnds(begun++, record);
     now += nanosecondsOf(kPauseSeconds);
+    if (i + 1 == plans.size() || plans[i + 1].block != plan.block) {
+      answerForms(protocol, block.after, utc(), random, sink);
+    }
   }
+  answerForms(protocol, protocol.after, utc(), random, sink);
   if (protocol.survey && (!protocol.surveyAfterLastSessionOnly || number == protocol.sessions)) {
     answerForm(protocol, *protocol.survey, utc(), random, sink);
   }

@@ -80,12 +80,21 @@ int optionOf(const Protocol& protocol, const ProtocolForm& form, int field, cons
                                    [&](const ExclusionRule& rule) { return isAbout(rule, asked.name); });
   for (int option = 0; matters && option < count; ++option) {
     if (std::none_of(protocol.exclusions.begin(), protocol.exclusions.end(), [&](const ExclusionRule& rule) {
-          return isAbout(rule, asked.name) && excludes(rule, asked.options[static_cast<size_t>(option)]);
+          return isAbout(rule, asked.name) && excludes(rule, storedOptions(asked)[static_cast<size_t>(option)]);
         })) {
       return option;
     }
   }
   return static_cast<int>(random.below(asked.options.size()));
+}
+
+QuestionEntry entryOf(const Protocol& protocol, const ProtocolForm& form, const QuestionItem& item,
+                      const Experience& experience, Random& random) {
+  const FormField& field = form.fields[static_cast<size_t>(item.field)];
+  const QuestionKind& kind = questionKind(field.kind);
+  return kind.value == QuestionValue::kOption
+             ? QuestionEntry{{optionOf(protocol, form, item.field, experience, random)}}
+             : kind.atRandom(field, random);
 }
 
 }  // namespace ocelli

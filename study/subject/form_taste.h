@@ -6,6 +6,7 @@
 #include <string>
 
 #include "study/agent/task_policy.h"
+#include "study/outline/question_kinds.h"
 #include "study/protocol/protocol.h"
 
 namespace ocelli {
@@ -19,5 +20,9 @@ using Experience = std::map<std::string, std::array<Effort, 2>>;
 /// its first option that excludes nobody.
 int optionOf(const Protocol& protocol, const ProtocolForm& form, int field, const Experience& experience,
              Random& random);
+
+/// What is answered to a question of any kind: the option above where one of several is chosen, else anything.
+QuestionEntry entryOf(const Protocol& protocol, const ProtocolForm& form, const QuestionItem& item,
+                      const Experience& experience, Random& random);
 
 }  // namespace ocelli

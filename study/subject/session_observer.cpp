@@ -50,6 +50,7 @@ void SessionObserver::beginSession(int session) {
   policy_.reset();
   nextLook_ = 0;
   page_.clear();
+  question_.clear();
 }
 
 std::vector<TimedInput> SessionObserver::act(int64_t until) {
@@ -162,20 +163,38 @@ void SessionObserver::fillIn(const FormScreen& form, int64_t now) {
   const auto pressAfter = [&](Key key, double seconds) {
     press(key, now + nanosecondsOf(seconds * normalWithin(random_, 1, 0.2, 0.5, 2)), kAgain / 10);
   };
-  if (form.form == nullptr || form.focus >= static_cast<int>(form.form->fields.size())) {
+  if (form.form == nullptr || form.focus >= static_cast<int>(form.items.size())) {
     pressAfter(Key::kEnter, factors_.decideSeconds);
     return;
   }
-  const auto focus = static_cast<size_t>(form.focus);
-  if (form.chosen[focus]) {
-    pressAfter(Key::kEnter, factors_.reactionSeconds * 2);
-    return;
+  const QuestionItem& item = form.items[static_cast<size_t>(form.focus)];
+  const QuestionEntry& entry = form.entries[static_cast<size_t>(form.focus)];
+  const FormField& field = form.form->fields[static_cast<size_t>(item.field)];
+  const QuestionKind& kind = questionKind(field.kind);
+  const std::string question = form.form->name + "/" + item.name;
+  if (question != question_) {
+    question_ = question;
+    // Where the form comes again to a question that was answered, the answer stays.
+    meant_ = entry.isEmpty() ? entryOf(protocol_, *form.form, item, experience_, random_) : entry;
   }
-  const int option = optionOf(protocol_, *form.form, form.focus, experience_, random_);
-  const double words = static_cast<double>(wordsOf(form.form->fields[focus].question));
-  const double seconds = factors_.decideSeconds + words / kWordsPerSecond;
-  constexpr int kDigits = 9;
-  pressAfter(option < kDigits ? static_cast<Key>(static_cast<int>(Key::k1) + option) : Key::kLeft, seconds);
+  const double seconds = entry.isEmpty()
+                             ? factors_.decideSeconds + static_cast<double>(wordsOf(item.label)) / kWordsPerSecond
+                             : factors_.reactionSeconds * 2;
+  const std::optional<QuestionStroke> stroke = kind.towards(field, entry, meant_);
+  if (!stroke) {
+    pressAfter(Key::kEnter, seconds);
+  } else if (stroke->key) {
+    const bool mirrored = protocol_.texts.rightToLeft();
+    const Key key = *stroke->key;
+    pressAfter(mirrored && key == Key::kLeft    ? Key::kRight
+               : mirrored && key == Key::kRight ? Key::kLeft
+                                                : key,
+               seconds);
+  } else {
+    const int64_t at = now + nanosecondsOf(seconds * normalWithin(random_, 1, 0.2, 0.5, 2));
+    motor_.type(stroke->character, at);
+    nextLook_ = at + kAgain / 10;
+  }
 }
 
 }  // namespace ocelli

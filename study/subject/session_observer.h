@@ -60,8 +60,10 @@ class SessionObserver {
   std::optional<TrialPlan> plan_{};
   int64_t trialBegan_ = 0;
   std::unique_ptr<TaskPolicy> policy_{};
-  int64_t nextLook_ = 0;  ///< when the next fixation begins, or something is to be read or pressed
-  std::string page_{};    ///< that was read
+  int64_t nextLook_ = 0;    ///< when the next fixation begins, or something is to be read or pressed
+  std::string page_{};      ///< that was read
+  std::string question_{};  ///< that is being answered: form and item
+  QuestionEntry meant_{};   ///< what the answer is to be
   struct Seen {
     const StudyScene* scene = nullptr;
     std::vector<glm::vec3> offsets{};

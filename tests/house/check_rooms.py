@@ -44,6 +44,7 @@ THIRD_PARTIES = {
     "GLFW/": "glfw",
     "imgui": "PkgConfig::imgui",
     "fontconfig/": "PkgConfig::fontconfig",
+    "fribidi": "PkgConfig::fribidi",
     "openssl/": "OpenSSL::Crypto",
     "SQLiteCpp/": "SQLiteCpp",
     "sqlite3.h": "SQLiteCpp",
@@ -64,7 +65,7 @@ GENERATED_SHADERS = "shaders.h"
 PROJECTS = "examples/"
 # Found without a target: the system's own headers.
 SYSTEM_PREFIXES = (
-    "sys/", "fuzzer/", "unistd.h", "dirent.h", "fcntl.h", "stdlib.h", "immintrin.h", "malloc.h", "dlfcn.h", "poll.h", "pty.h", "spawn.h", "linux/", "netinet/",
+    "sys/", "fuzzer/", "unistd.h", "dirent.h", "fcntl.h", "stdlib.h", "immintrin.h", "malloc.h", "dlfcn.h", "poll.h", "pty.h", "termios.h", "netdb.h", "spawn.h", "linux/", "netinet/",
     "arpa/",
 )
 

@@ -74,7 +74,7 @@ foreach(component IN LISTS OCELLI_COMPONENTS)
   endforeach()
 endforeach()
 
-set(windows glfw PkgConfig::imgui PkgConfig::fontconfig)
+set(windows glfw PkgConfig::imgui PkgConfig::fontconfig PkgConfig::fribidi)
 set(usb PkgConfig::libusb PkgConfig::umockdev)
 set(checksums PkgConfig::isal)
 set(statistics PkgConfig::nlopt Eigen3::Eigen Boost::headers)

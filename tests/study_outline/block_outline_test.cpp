@@ -8,6 +8,8 @@
 namespace ocelli::test {
 namespace {
 
+const auto kReadBlock = [](JsonFields& fields, ProtocolReading reading) { return readBlockOutline(fields, reading); };
+
 using testing::HasSubstr;
 
 constexpr ProtocolReading kStudy = ProtocolReading::kByStudy;
@@ -17,17 +19,17 @@ TEST(BlockOutline, IsTheSameToBoth) {
   for (const ProtocolReading reading : kBothReadings) {
     const BlockOutline block = readOutline(
         R"({"name": "find it", "title": "Find", "task": "find", "views": "one", "practice": {"least_correct": 3}})",
-        reading, readBlockOutline);
+        reading, kReadBlock);
     EXPECT_EQ(block.name, "find it");
     EXPECT_EQ(block.title, "Find");
     EXPECT_EQ(block.task, "find");
     EXPECT_EQ(block.views, ViewsOfCases::kOne);
     ASSERT_TRUE(block.practice.has_value());
     EXPECT_EQ(block.practice->minCorrect, 3);
-    const BlockOutline least = readOutline(R"({"name": "b", "title": "B", "task": "t"})", reading, readBlockOutline);
+    const BlockOutline least = readOutline(R"({"name": "b", "title": "B", "task": "t"})", reading, kReadBlock);
     EXPECT_EQ(least.views, ViewsOfCases::kBoth);
     EXPECT_FALSE(least.practice.has_value());
-    EXPECT_THAT(outlineErrorOf("{\"name\": \"b\",\n\"task\": 3, \"title\": \"B\"}", reading, readBlockOutline),
+    EXPECT_THAT(outlineErrorOf("{\"name\": \"b\",\n\"task\": 3, \"title\": \"B\"}", reading, kReadBlock),
                 HasSubstr("p.json:2 (b): field \"task\" must be a text"));
   }
 }
@@ -42,10 +44,10 @@ TEST(BlockOutline, IsStrictToAStudyAlone) {
       R"({"name": "b", "title": "B", "task": "t", "practice": {"most_minutes": 2}})",
   };
   for (const char* text : wrong) {
-    EXPECT_NE(outlineErrorOf(text, kStudy, readBlockOutline), "") << text;
-    EXPECT_EQ(outlineErrorOf(text, kAnalysis, readBlockOutline), "") << text;
+    EXPECT_NE(outlineErrorOf(text, kStudy, kReadBlock), "") << text;
+    EXPECT_EQ(outlineErrorOf(text, kAnalysis, kReadBlock), "") << text;
   }
-  EXPECT_EQ(readOutline(wrong[1], kAnalysis, readBlockOutline).title, "b") << "its name";
+  EXPECT_EQ(readOutline(wrong[1], kAnalysis, kReadBlock).title, "b") << "its name";
 }
 
 }  // namespace

@@ -231,7 +231,7 @@ const Mutation kMutations[] = {
     {"/controls/forward", "\"Up\"", "field \"forward\"", "\"controls\""},
     {"/controls/walk_meters_per_second", "0", "field \"walk_meters_per_second\"", "\"controls\""},
     // Rules of exclusion.
-    {"/exclusions/0/what", "\"form:hearing\"", "neither demographics nor survey ask", "\"exclusions\" 1"},
+    {"/exclusions/0/what", "\"form:hearing\"", "no form asks for that", "\"exclusions\" 1"},
     {"/exclusions/0/what", "\"age\"", "field \"what\" must be one of", "\"exclusions\" 1"},
     {"/exclusions/0/value", "\"blurred\"", "field \"value\" must be one of: normal, impaired", "\"exclusions\" 1"},
     {"/exclusions/0/value", "true", "field \"value\" must be a text or a number", "\"exclusions\" 1"},

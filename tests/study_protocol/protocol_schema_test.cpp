@@ -6,6 +6,8 @@
 #include <map>
 #include <set>
 
+#include "study/outline/question_kinds.h"
+#include "study/outline/questionnaire.h"
 #include "study/tasks/task_registry.h"
 #include "study/views/view_registry.h"
 #include "tests/base/schema_agreement.h"
@@ -80,12 +82,11 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfPagesFormsAndLimits) {
   const Json document = withBlock(0);
   Json everySession = document;
   everySession.at("blocks").at(0).erase("sessions");
-  expectAgreement(schema(), everySession, "", {"conditions"});
+  expectAgreement(schema(), everySession, "", {"conditions", "before", "after"});
   expectAgreement(def("page"), document, "/consent");
   expectAgreement(def("page"), document, "/blocks/0/instructions/0");
   expectAgreement(def("example"), document, "/blocks/0/instructions/0/picture", {"condition", "case"});  // names
   expectAgreement(def("form"), document, "/demographics");
-  expectAgreement(def("form_field"), document, "/survey/fields/0", {"favors"});  // both views, not any two of them
   expectAgreement(def("screen"), document, "/screen");
   expectAgreement(def("timing"), document, "/timing");
   expectAgreement(def("exclusion"), document, "/exclusions/0", {"test"});
@@ -94,6 +95,77 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfPagesFormsAndLimits) {
   expectAgreement(maze, document, "/mazes/ring", {"plan"});
   expectAgreement(def("controls"), document, "/controls",
                   {"forward", "backward", "left", "right", "turn_left", "turn_right", "select"});
+}
+
+/// The schema names the fields of all kinds of questions together.
+TEST(ProtocolSchema, AgreesWithTheReaderOfQuestions) {
+  std::set<std::string> kinds;
+  for (const QuestionKind& kind : questionKinds()) {
+    kinds.insert(kind.name);
+  }
+  EXPECT_EQ(def("form_field").at("properties").at("kind").at("enum").get<std::set<std::string>>(), kinds);
+  struct KindFields {
+    std::string kind;
+    std::string json;
+    std::vector<std::string> names;
+  };
+  std::set<std::string> described{"$schema", "comment", "name", "question", "kind", "required"};
+  for (const KindFields& fields : std::vector<KindFields>{
+           {"choice",
+            R"({"options": ["a", "b"], "values": ["x", "y"], "ends": ["p", "q"], "favors": ["ppc", "gc"]})",
+            {"options", "values", "ends", "favors"}},
+           {"multiple", R"({"options": ["a", "b"], "values": ["x", "y"]})", {"options", "values"}},
+           {"text", "{}", {"max_characters"}},
+           {"number", R"({"least": 5})", {"least", "most", "step", "unit"}},
+           {"slider",
+            R"({"ends": ["p", "q"], "least": 0, "most": 0.7, "step": 0.35})",
+            {"least", "most", "step", "ends"}},
+           {"matrix",
+            R"({"options": ["a", "b"], "values": ["x", "y"], "ends": ["p", "q"],
+                          "rows": [{"name": "r", "label": "R"}]})",
+            {"options", "values", "ends", "rows"}}}) {
+    SCOPED_TRACE(fields.kind);
+    Json description = def("form_field");
+    const Json all = description.at("properties");
+    Json& properties = description.at("properties");
+    for (const auto& [name, property] : all.items()) {
+      const bool isOwn = std::find(fields.names.begin(), fields.names.end(), name) != fields.names.end();
+      if (!described.contains(name) && !isOwn) {
+        properties.erase(name);
+      }
+    }
+    properties["favors"] = Json::object();  // which the reader of all kinds knows, to refuse it with a reason
+    Json document = withBlock(0);
+    Json field = Json::parse(fields.json);
+    field.update({{"name", "q"}, {"question", "Which?"}, {"kind", fields.kind}});
+    document.at("survey").at("fields").at(0) = field;
+    document.at("survey").at("fields").erase(document.at("survey").at("fields").begin() + 1,
+                                             document.at("survey").at("fields").end());
+    document.erase("exclusions");
+    // What depends on other fields of the question: numbers from 5 on take no 1 as the highest, and a line of 0.7 in
+    // steps of 0.35 takes a 1 nowhere.
+    std::vector<std::string> own{"kind", "favors", "values", "most"};
+    if (fields.kind == "slider") {
+      own.insert(own.end(), {"least", "step"});
+    }
+    expectAgreement(description, document, "/survey/fields/0", own);
+  }
+  const Json document = [] {
+    Json json = withBlock(0);
+    json["after"] = Json::parse(R"([{"name": "own", "title": "T", "fields": [{"name": "a", "question": "?",
+        "kind": "matrix", "options": ["x", "y"], "rows": [{"name": "r", "label": "R"}]}]}])");
+    json.at("blocks").at(0)["after"] = json["after"];
+    return json;
+  }();
+  expectAgreement(def("form_field").at("properties").at("rows").at("items"), document, "/after/0/fields/0/rows/0",
+                  {"name"});
+  EXPECT_EQ(def("listed_form").at("properties").at("questionnaire").at("enum").get<std::vector<std::string>>(),
+            questionnaireNames());
+  std::vector<std::string> languages;
+  for (const SubjectCatalogue& each : subjectCatalogues()) {
+    languages.push_back(each.language);
+  }
+  EXPECT_EQ(schema().at("properties").at("language").at("enum").get<std::vector<std::string>>(), languages);
 }
 
 TEST(ProtocolSchema, AgreesWithTheReaderOfConditions) {
@@ -145,7 +217,7 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfConditions) {
 }
 
 // Fields whose choices depend on other parts of the protocol.
-const std::vector<std::string> kOwnOfBlocks{"maze", "task", "sessions"};
+const std::vector<std::string> kOwnOfBlocks{"maze", "task", "sessions", "after"};
 
 TEST(ProtocolSchema, AgreesWithTheReaderOfFind) {
   Json document = withBlock(0);

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "study/outline/question_kinds.h"
+#include "study/outline/questionnaire.h"
 #include "study/protocol/balance.h"
 #include "study/protocol/check_report.h"
 #include "study/protocol/protocol_warnings.h"
@@ -148,6 +150,38 @@ TEST(CheckReport, WarnsOfWhatTheOriginalDoes) {
   EXPECT_NE(report.find("differences between views include those of learning"), std::string::npos);
   EXPECT_NE(report.find("all subjects have the same schedule"), std::string::npos);
   EXPECT_NE(report.find("90"), std::string::npos);
+}
+
+TEST(QuestionsProtocol, CanBeReadInAllLanguages) {
+  const std::string text = protocolOf("questions").text;
+  const std::string english = protocolOf("questions").title;
+  for (const SubjectCatalogue& language : subjectCatalogues()) {
+    std::string other = text;
+    const std::string field = R"("language": "en")";
+    ASSERT_NE(other.find(field), std::string::npos);
+    other.replace(other.find(field), field.size(), R"("language": ")" + language.language + '"');
+    const Protocol protocol = protocolFromJsonText(other, language.language);
+    EXPECT_EQ(protocol.title == english, language.language == kSourceLanguage);
+    EXPECT_EQ(protocol.demographics->fields[1].values[2], "colour-blind") << "what is stored has no language";
+    const bool warns = checkReport(protocol, {}).find("are a draft") != std::string::npos;
+    EXPECT_EQ(warns, language.isDraft) << language.language;
+  }
+}
+
+TEST(QuestionsProtocol, HasAllKindsOfQuestionsAndAllQuestionnaires) {
+  const Protocol protocol = protocolOf("questions");
+  std::set<std::string> kinds;
+  std::set<std::string> questionnaires;
+  for (const ProtocolForm* form : formsOf(protocol)) {
+    questionnaires.insert(form->questionnaire);
+    for (const FormField& field : form->fields) {
+      kinds.insert(field.kind);
+    }
+  }
+  EXPECT_EQ(kinds.size(), questionKinds().size());
+  for (const std::string& name : questionnaireNames()) {
+    EXPECT_TRUE(questionnaires.contains(name)) << name;
+  }
 }
 
 TEST(NearerProtocol, HasAsManyCasesOfEitherSide) {

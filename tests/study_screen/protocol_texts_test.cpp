@@ -46,33 +46,52 @@ TEST(ProtocolTexts, ideographsAreShownWhereAFontHasThem) {
 }
 
 TEST(ProtocolTexts, everyTextThatSubjectsReadIsLookedAt) {
-  const std::string arabic = "سلام";
+  const std::string hindi = "नम";
   const std::pair<std::function<void(Protocol&)>, const char*> cases[] = {
-      {[&](Protocol& p) { p.consent->title = arabic; }, "\"consent\", \"title\""},
-      {[&](Protocol& p) { p.demographics->introduction = arabic; }, "\"demographics\", \"introduction\""},
-      {[&](Protocol& p) { p.demographics->fields[1].question = arabic; },
+      {[&](Protocol& p) { p.consent->title = hindi; }, "\"consent\", \"title\""},
+      {[&](Protocol& p) { p.demographics->introduction = hindi; }, "\"demographics\", \"introduction\""},
+      {[&](Protocol& p) { p.demographics->fields[1].question = hindi; },
        "\"demographics\", \"fields\" 2, \"question\""},
-      {[&](Protocol& p) { p.demographics->fields[0].options[2] = arabic; },
+      {[&](Protocol& p) { p.demographics->fields[0].options[2] = hindi; },
        "\"demographics\", \"fields\" 1, \"options\" 3"},
       {[&](Protocol& p) {
-         p.survey->fields[0].ends = {"no", arabic};
+         p.survey->fields[0].ends = {"no", hindi};
        },
        "\"survey\", \"fields\" 1, \"ends\" 2"},
       {[&](Protocol& p) {
-         p.welcome.push_back({arabic, {"x"}});
+         p.welcome.push_back({hindi, {"x"}});
        },
        "\"title\""},
-      {[&](Protocol& p) { p.blocks[0].title = arabic; }, "\"blocks\" 1"},
+      {[&](Protocol& p) { p.blocks[0].title = hindi; }, "\"blocks\" 1"},
       {[&](Protocol& p) {
-         p.blocks[1].instructions.push_back({"x", {arabic}});
+         p.blocks[1].instructions.push_back({"x", {hindi}});
        },
        "\"paragraphs\" 1"}};
   for (const auto& [change, where] : cases) {
-    EXPECT_THAT(refusalOf(protocolWith(change)),
-                AllOf(HasSubstr(where), HasSubstr("U+0633"), HasSubstr("right to left")));
+    EXPECT_THAT(refusalOf(protocolWith(change)), AllOf(HasSubstr(where), HasSubstr("U+0928"), HasSubstr("joined")));
+  }
+  for (const auto& [change, where] : std::vector<std::pair<std::function<void(Protocol&)>, const char*>>{
+           {[&](Protocol& p) {
+              p.after.push_back({"own after", hindi, "", {}});
+            },
+            "\"after\" 1, \"title\""},
+           {[&](Protocol& p) {
+              p.blocks[0].after.push_back({"own after", "x", "", {}});
+              p.blocks[0].after[0].fields.push_back({"a", "?", {"x", "y"}});
+              p.blocks[0].after[0].fields[0].rows.push_back({"row", hindi});
+            },
+            "\"fields\" 1, \"rows\" 1"}}) {
+    EXPECT_THAT(refusalOf(protocolWith(change)), HasSubstr(where));
   }
   // Not shown to them.
-  EXPECT_EQ(refusalOf(protocolWith([&](Protocol& p) { p.description = arabic; })), "");
+  EXPECT_EQ(refusalOf(protocolWith([&](Protocol& p) { p.description = hindi; })), "");
+}
+
+TEST(ProtocolTexts, everyLanguageOfTheCatalogueCanBeShown) {
+  for (const SubjectCatalogue& language : subjectCatalogues()) {
+    const Protocol protocol = protocolWith([&](Protocol& p) { p.texts = SubjectTexts(language.language); });
+    EXPECT_EQ(refusalOf(protocol), "") << language.language << ": install fonts-dejavu-core and fonts-droid-fallback";
+  }
 }
 
 TEST(ProtocolTexts, saysOfEachCharacterWhy) {

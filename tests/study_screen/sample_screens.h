@@ -1,11 +1,15 @@
 // A screen of each kind, as a session shows them, for tests of what draws them.
 #pragma once
 
+#include <map>
 #include <memory>
 
 #include "oc_core/constructor/portal_constructor.h"
 #include "oc_core/worlds/maze_file.h"
+#include "study/outline/questionnaire.h"
+#include "study/session/session_pages.h"
 #include "study/session/session_screen.h"
+#include "tests/study_outline/question_examples.h"
 
 namespace ocelli::test {
 
@@ -58,9 +62,19 @@ struct SampleStudy {
        {"vision", "Is your vision normal, if need be with glasses or lenses?", {"yes", "no"}, {}},
        {"colors", "Can you tell colours apart?", {"yes", "not all of them", "I would rather not say"}, {}},
        {"hand", "Which hand holds the mouse?", {"right", "left"}, {}}}};
+  std::map<std::string, std::vector<ProtocolForm>> questionnaires;  ///< by language
+  ProtocolForm kinds{"kinds", "Questions of all kinds", "", {}};
   std::vector<std::string> consent;
 
   SampleStudy() {
+    for (const SubjectCatalogue& language : subjectCatalogues()) {
+      for (const std::string& name : questionnaireNames()) {
+        questionnaires[language.language].push_back(findQuestionnaire(name, language.language)->form);
+      }
+    }
+    for (const std::string& example : questionExamples()) {
+      kinds.fields.push_back(questionExample(example));
+    }
     for (int i = 1; i <= 7; ++i) {
       consent.push_back(
           "You are invited to take part in a study of how people find their way in scenes on a screen. You will walk "
@@ -87,7 +101,18 @@ struct SampleStudy {
   }
   ConsentScreen consentScreen() const { return {{"Consent to take part", consent}}; }
   FormScreen formScreen(bool missing) const {
-    FormScreen screen{&form, {1, 3, std::nullopt, std::nullopt, 0}, missing ? 2 : 1, missing};
+    const std::vector<QuestionEntry> entries{{{1}}, {{3}}, {}, {}, {{0}}};
+    return {&form, itemsOf(form.fields), entries, missing ? 2 : 1, missing};
+  }
+  /// Questions of all kinds, half of them filled in.
+  FormScreen kindsScreen(bool missing, int focus) const {
+    FormScreen screen{&kinds, itemsOf(kinds.fields), {}, focus, missing};
+    Random random(5);
+    for (size_t i = 0; i < screen.items.size(); ++i) {
+      const FormField& field = screen.fieldOf(i);
+      screen.entries.push_back(i % 2 == 0 ? questionKind(field.kind).atRandom(field, random) : QuestionEntry());
+    }
+    screen.entries[5].typed = "7777";  // more than it may be
     return screen;
   }
   PageScreen feedback(bool good) const {
@@ -179,11 +204,63 @@ struct SampleStudy {
     return trial;
   }
 
+  /// Right after 8 seconds, or out of time.
+  static TrialOutcome outcome(bool right) {
+    TrialOutcome of;
+    of.correct = right;
+    of.censored = !right;
+    of.responseTicks = 8 * kTicksPerSecond;
+    return of;
+  }
+  /// What a session says by itself, in a language; with the questionnaires.
+  std::vector<std::pair<std::string, SessionScreen>> ofLanguage(const SubjectTexts& texts,
+                                                                const TrialScreen& screen) const {
+    const SessionProgress progress{31, 86, 1, 5};
+    const std::string language = texts.catalogue().language;
+    std::vector<std::pair<std::string, SessionScreen>> screens{
+        {"ready", readyPage(texts, texts.say("trial", {{"number", "12"}, {"total", "86"}}), texts.say("prompt_count"),
+                            progress)},
+        {"right", feedbackPage(texts, outcome(true))},
+        {"wrong", feedbackPage(texts, outcome(false))},
+        {"break_wait", breakPage(texts, progress, 38.2)},
+        {"break", breakPage(texts, progress, 0)},
+        {"call", callPage(texts, SubjectKind::kPerson)},
+        {"unwell", unwellPage(texts)},
+        {"end", lastPage(texts, texts.say("stopped"), {texts.say("stopped_storing"), texts.say("call_experimenter")})},
+        {"declined", lastPage(texts, texts.say("thanks"), {texts.say("declined"), texts.say("call_experimenter")})},
+        {"pause", PauseScreen{texts.say("paused_keyboard")}},
+        {"form", formScreen(true)},
+        {"kinds", kindsScreen(true, 2)},
+        {"consent", consentScreen()}};
+    for (const ProtocolForm& each : questionnaires.at(language)) {
+      FormScreen asked{&each, itemsOf(each.fields), {}, 1, true};
+      asked.entries.resize(asked.items.size());
+      screens.emplace_back(each.name, asked);
+    }
+    TrialScreenView find = finding(screen, TrialView::kReference);
+    find.layout.prompt = texts.say("prompt_find");
+    screens.emplace_back("find", find);
+    TrialScreenView path = matching(screen);
+    path.layout.prompt = texts.say("prompt_which_path");
+    screens.emplace_back("path", path);
+    for (const char* image : {"path_maps", "controls"}) {
+      PageScreen page = instructions(image);
+      page.title = texts.say("prompt_find");
+      page.paragraphs = {texts.say("prompt_find"), texts.say("unwell_may_stop")};
+      page.action = "Enter: " + texts.say("begin");
+      screens.emplace_back(std::string("page_") + image, page);
+    }
+    return screens;
+  }
+
   std::vector<std::pair<std::string, SessionScreen>> all(const TrialScreen& screen) const {
     std::vector<std::pair<std::string, SessionScreen>> screens{
         {"consent", consentScreen()},
         {"form", formScreen(false)},
         {"form_missing", formScreen(true)},
+        {"kinds", kindsScreen(false, 2)},
+        {"kinds_missing", kindsScreen(true, 5)},
+        {"kinds_end", kindsScreen(true, 9)},
         {"text", PageScreen{"Welcome", {consent[0], consent[1], consent[2]}, {}, {}, {}, 0, "Enter: go on"}},
         {"right", feedback(true)},
         {"wrong", feedback(false)},
@@ -195,7 +272,7 @@ struct SampleStudy {
         {"pause", pause()},
         {"find_ppc", finding(screen, TrialView::kReference)},
         {"find_gc", finding(screen, TrialView::kOther, true)},
-        {"count", counting(screen)},
+        {"total", counting(screen)},
         {"path", matching(screen)}};
     for (const char* image : {"find_ppc", "find_gc", "count_ppc", "count_gc", "path_maps", "controls"}) {
       screens.emplace_back(std::string("page_") + image, instructions(image));

@@ -5,6 +5,7 @@ manager; 1280x800, which the mouse needs, by default. Leaves the database and a 
 with 1, and says what is wrong, where something is.
 """
 
+import csv
 import json
 import math
 import pathlib
@@ -37,7 +38,7 @@ class Session:
     def __init__(self, ocelli, protocol, folder):
         self.screens = folder / "screens"
         command = [ocelli, "study", "run", protocol, "--db", folder / "tiny.db", "--subject", "S01", "--force",
-                   "--hash-frames", "5", "--screenshots", self.screens]
+                   "--hash-frames", "5", "--screenshots", self.screens, "--markers", f"file:{folder / 'markers.csv'}"]
         self.program = subprocess.Popen([str(part) for part in command], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=subprocess.STDOUT, text=True)
         self.lines = queue.Queue()
@@ -215,9 +216,13 @@ def run(session, subject):
     session.wait_for("page Tell paths apart")
     subject.go_on()
     session.wait_for("before trial 5 of 6")
-    for after in ("before trial 6 of 6", "form survey"):
+    for after in ("before trial 6 of 6", "form extra after"):
         subject.go_on()
         session.do_until(subject.match, after)
+    # Typed, also by who has the mouse in the hand: a number, a text, and a mark that begins in the middle.
+    for name in ("4", "2", "Return", "o", "k", "Return", "Right", "Right", "Return", "Return"):
+        key(name)
+    session.wait_for("form survey")
     session.type("note all went well")
     subject.survey()
     session.wait_for("ended: completed")
@@ -252,6 +257,7 @@ def check_database(path, way):
     check("deviations", rows("SELECT count(*) FROM event WHERE what = 'screen_deviates'"), [(2,)])
     check("answers", rows("SELECT form, field, answer FROM answer ORDER BY answer_id"),
           [("demographics", "age_band", "30-44"), ("demographics", "experience", "3"),
+           ("extra after", "age", "42"), ("extra after", "remarks", "ok"), ("extra after", "effort", "60"),
            ("survey", "find_easier", "4")])
     trials = rows("SELECT practice, task, view, ending, timing_verdict FROM trial ORDER BY trial_id")
     check("trials", trials,
@@ -283,6 +289,20 @@ def check_database(path, way):
         check("hashes", [hashed for _, _, hashed in shown], [int(i % 5 == 0) for i in range(frames)])
 
 
+def check_markers(folder):
+    """The file tells of each trial at the moment that the database has for its first frame."""
+    with open(folder / "markers.csv", newline="") as file:
+        markers = list(csv.DictReader(file))
+    database = sqlite3.connect(folder / "tiny.db")
+    check("starts", [(int(each["trial_number"]), int(each["nanoseconds"])) for each in markers
+                     if each["name"].startswith(("trial_start", "practice_start"))],
+          database.execute("SELECT trial_number, started_ns FROM trial ORDER BY trial_number").fetchall())
+    check("ends", len([each for each in markers if each["name"] == "trial_end"]), 7)
+    check("first and last", (markers[0]["name"], markers[-1]["name"]), ("session_start", "session_end"))
+    told = database.execute("SELECT detail FROM event WHERE what = 'markers'").fetchall()
+    check("told", [detail.split(": ")[-1] for (detail,) in told], [f"{len(markers)} sent, 0 lost"])
+
+
 def main():
     ocelli, protocol, way, folder = sys.argv[1], sys.argv[2], sys.argv[3], pathlib.Path(sys.argv[4])
     shutil.rmtree(folder, ignore_errors=True)
@@ -293,6 +313,7 @@ def main():
     finally:
         session.program.kill()
     check_database(folder / "tiny.db", way)
+    check_markers(folder)
     print("a session by", way, "is complete")
 
 

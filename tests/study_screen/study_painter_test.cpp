@@ -184,9 +184,9 @@ TEST_F(StudyPainterTest, reportsClicks) {
   const SessionScreen form = study_.formScreen(false);
   const StudyFrame option = clickOn(painter, form, "35-44");
   ASSERT_TRUE(option.action);
-  EXPECT_EQ(option.action->kind, FormAction::Kind::kChoose);
-  EXPECT_EQ(option.action->field, 0);
-  EXPECT_EQ(option.action->option, 2);
+  EXPECT_EQ(option.action->kind, FormAction::Kind::kClick);
+  EXPECT_EQ(option.action->item, 0);
+  EXPECT_EQ(option.action->click.option, 2);
   const StudyFrame done = clickOn(painter, form, "Go on");
   ASSERT_TRUE(done.action);
   EXPECT_EQ(done.action->kind, FormAction::Kind::kGoOn);
@@ -204,6 +204,45 @@ TEST_F(StudyPainterTest, reportsClicks) {
   unwell.action = "Enter: end the session    Escape: go on with it";
   EXPECT_EQ(clickOn(painter, unwell, "Go on with it").key, Key::kEscape);
   EXPECT_EQ(clickOn(painter, unwell, "End the session").key, Key::kEnter);
+}
+
+TEST_F(StudyPainterTest, whatIsScrolledAwayTakesNoClicks) {
+  StudyPainter painter(*context_, kScreens[1], Controls{});
+  const GlScope scope(*context_);
+  for (const ProtocolForm& each : study_.questionnaires.at("en")) {
+    FormScreen form{&each, itemsOf(each.fields), {}, 0, false};
+    form.entries.resize(form.items.size());
+    for (; form.focus < static_cast<int>(form.items.size()); ++form.focus) {
+      const StudyFrame frame = clickOn(painter, form, "Go on");
+      ASSERT_TRUE(frame.action) << each.name << " " << form.focus;
+      EXPECT_EQ(frame.action->kind, FormAction::Kind::kGoOn) << each.name << " " << form.focus;
+    }
+  }
+}
+
+TEST_F(StudyPainterTest, slidersTakeTheirPlaceFromTheMouse) {
+  const auto tlx = findQuestionnaire("nasa-tlx", "en");
+  FormScreen form{&tlx->form, itemsOf(tlx->form.fields), {}, 0, false};
+  form.entries.resize(form.items.size());
+  for (const char* language : {"en", "ar"}) {
+    StudyPainter painter(*context_, kScreens[1], Controls{}, {}, SubjectTexts(language));
+    const GlScope scope(*context_);
+    painter.draw(form);
+    const auto end = std::ranges::find(painter.textBoxes(), "very much", &TextBox::text);
+    ASSERT_NE(end, painter.textBoxes().end());
+    // The line ends above the words, half a mark from the border of the card.
+    const bool mirrored = std::string(language) == "ar";
+    const double x = mirrored ? end->place.left + 17 : end->place.right() - 17;
+    painter.handle(PointerMoveEvent{x, end->place.top - 25});
+    painter.handle(PointerButtonEvent{PointerButton::kLeft, true, {}});
+    StudyFrame frame;
+    for (int i = 0; i < 6 && !frame.action; ++i) {
+      frame = painter.draw(form);
+    }
+    ASSERT_TRUE(frame.action) << language;
+    EXPECT_EQ(frame.action->item, 0);
+    EXPECT_NEAR(frame.action->click.share, 1, 0.01) << language;
+  }
 }
 
 TEST_F(StudyPainterTest, aBreakCannotBeClickedAway) {

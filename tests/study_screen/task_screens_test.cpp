@@ -40,6 +40,16 @@ void expectDrawn(TrialPainter& painter, const TrialLayout& layout) {
   }
 }
 
+/// What tasks say is in the catalogues, under the English words.
+void expectTranslated(const TrialLayout& layout) {
+  const SubjectTexts german("de");
+  EXPECT_NE(german.translated(layout.prompt), layout.prompt) << "protocols/languages/en.json lacks the prompt";
+  for (const TrialLayout::Choice& choice : layout.choices) {
+    const bool isNumber = choice.label.find_first_not_of("0123456789") == std::string::npos;
+    EXPECT_TRUE(isNumber || german.translated(choice.label) != choice.label) << choice.label;
+  }
+}
+
 TEST(TaskScreens, trialsAreDrawnFromTheirBeginToTheQuestion) {
   const std::unique_ptr<GlContext> context = openTestContext(GlProvider::kOsMesa);
   TrialPainter painter(*context, kTaskScreen);
@@ -49,6 +59,7 @@ TEST(TaskScreens, trialsAreDrawnFromTheirBeginToTheQuestion) {
     for (const TrialView view : kViews) {
       const auto run = block->start(test::planOf(example.task, 0, view), kTaskScreen);
       expectDrawn(painter, run->layout());
+      expectTranslated(run->layout());
       for (int64_t tick = 0; run->layout().choices.empty() && !run->outcome(); ++tick) {
         if (tick % 4 == 0) {
           run->frameShown(tick);
@@ -56,6 +67,7 @@ TEST(TaskScreens, trialsAreDrawnFromTheirBeginToTheQuestion) {
         run->advance();
       }
       expectDrawn(painter, run->layout());
+      expectTranslated(run->layout());
     }
   }
 }

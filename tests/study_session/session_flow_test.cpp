@@ -499,17 +499,17 @@ TEST(SessionFlow, widgetsDoWhatKeysDo) {
   Small small;
   SessionRun run(small.protocol, small.schedule, small.sink);
   const auto act = [&](FormAction::Kind kind, int field = 0, int option = 0) {
-    run.flow.act({kind, field, option}, run.now);
+    run.flow.act({kind, field, {option}}, run.now);
     run.frame();
   };
   act(FormAction::Kind::kGoOn);
   act(FormAction::Kind::kGoOn);
   ASSERT_TRUE(std::holds_alternative<FormScreen>(run.flow.screen()));
   EXPECT_TRUE(std::get<FormScreen>(run.flow.screen()).missing);
-  act(FormAction::Kind::kChoose, 0, 2);
-  act(FormAction::Kind::kChoose, 1, 1);
-  act(FormAction::Kind::kChoose, 1, 7);   // no such option
-  act(FormAction::Kind::kChoose, -1, 0);  // no such field
+  act(FormAction::Kind::kClick, 0, 2);
+  act(FormAction::Kind::kClick, 1, 1);
+  act(FormAction::Kind::kClick, 1, 7);   // no such option
+  act(FormAction::Kind::kClick, -1, 0);  // no such field
   act(FormAction::Kind::kGoOn);
   const auto answers = small.sink.all<AnswerRecord>();
   ASSERT_EQ(answers.size(), 2u);

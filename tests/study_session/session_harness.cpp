@@ -127,8 +127,8 @@ SessionDone doneAfter(std::span<const SinkCall> calls, const SessionSchedule& sc
       }
     }
   }
-  for (const auto& form : {protocol.demographics, protocol.survey}) {
-    if (form && answers[form->name] >= form->fields.size()) {
+  for (const ProtocolForm* form : formsOf(protocol)) {
+    if (answers[form->name] >= itemsOf(form->fields).size()) {
       done.forms.push_back(form->name);
     }
   }
@@ -177,7 +177,7 @@ SessionSchedule smallSchedule(const Protocol& protocol) {
   return scheduleOf(protocol, 0, 1, 17);
 }
 
-SessionRun::SessionRun(const Protocol& protocol, const SessionSchedule& schedule, FakeSink& sink,
+SessionRun::SessionRun(const Protocol& protocol, const SessionSchedule& schedule, SessionSink& sink,
                        const SessionDone& done)
     : flow(protocol, schedule, done,
            SessionFlowOptions{.screen = {640, 480, 60},
@@ -191,6 +191,9 @@ SessionRun::SessionRun(const Protocol& protocol, const SessionSchedule& schedule
 void SessionRun::frame(int64_t nanoseconds) {
   now += nanoseconds;
   flow.update(now);
+  if (whenShown) {
+    whenShown(now + 1'000'000);
+  }
   flow.frameShown(now + 1'000'000);
 }
 
@@ -229,7 +232,7 @@ void SessionRun::goOn(const std::function<bool()>& until) {
       answerTrial();
     } else if (const auto* form = std::get_if<FormScreen>(&screen_)) {
       const auto focus = static_cast<size_t>(form->focus);
-      tap(focus < form->chosen.size() && !form->chosen[focus] ? Key::kRight : Key::kEnter);
+      tap(focus < form->entries.size() && form->entries[focus].isEmpty() ? Key::kRight : Key::kEnter);
     } else if (const auto* text = std::get_if<PageScreen>(&screen_); text != nullptr && text->waitSeconds > 0) {
       frame();
     } else {

@@ -95,7 +95,8 @@ constexpr int64_t kFrameNanoseconds = 16'666'667;
 /// A running session, frame by frame.
 class SessionRun {
  public:
-  SessionRun(const Protocol& protocol, const SessionSchedule& schedule, FakeSink& sink, const SessionDone& done = {});
+  SessionRun(const Protocol& protocol, const SessionSchedule& schedule, SessionSink& sink,
+             const SessionDone& done = {});
 
   /// The time between frames passes, and one is shown.
   void frame(int64_t nanoseconds = kFrameNanoseconds);
@@ -114,6 +115,8 @@ class SessionRun {
   int64_t now = 5'000'000'000;  ///< clocks do not begin at 0
   /// Digits to answer with instead of the right ones.
   std::optional<Key> answer{};
+  /// Called with the time of each frame, before the session is told of it.
+  std::function<void(int64_t nanoseconds)> whenShown{};
   SessionFlow flow;
 
   /// Two frames, and the right digit, or `answer`.

@@ -74,6 +74,36 @@ TEST(SessionResume, completesTheScheduleExactlyOnceWhereverItWasCut) {
                 });
 }
 
+TEST(SessionResume, formsBeforeAndAfterAreAskedWhereverItWasCut) {
+  Protocol protocol = test::smallProtocol();
+  const auto form = [](const std::string& name) {
+    return ProtocolForm{name, "Form", "", {{"a", "A?", {"x", "y"}}, {"b", "B?", {"x", "y"}}}};
+  };
+  protocol.before = {form("own before")};
+  protocol.after = {form("own after")};
+  for (ProtocolBlock& block : protocol.blocks) {
+    block.after = {form("own after " + block.name)};
+  }
+  const size_t forms = 2 + protocol.blocks.size();
+  cutEverywhere(
+      protocol, [&](std::span<const test::SinkCall> before, const FakeSink& after, const SessionSchedule& schedule) {
+        const SessionDone done = test::doneAfter(before, schedule, protocol);
+        std::map<std::string, int> asked;
+        for (const AnswerRecord& answer : after.all<AnswerRecord>()) {
+          ++asked[answer.form];
+        }
+        size_t own = 0;
+        for (const auto& [name, answers] : asked) {
+          EXPECT_EQ(answers, name == "demographics" ? 2 : name == "survey" ? 1 : 2) << name;
+          EXPECT_EQ(std::count(done.forms.begin(), done.forms.end(), name), 0) << name << " was answered before";
+          own += name.starts_with("own") ? 1 : 0;
+        }
+        const auto isOwn = [](const std::string& name) { return name.starts_with("own"); };
+        const auto answered = static_cast<size_t>(std::count_if(done.forms.begin(), done.forms.end(), isOwn));
+        EXPECT_EQ(own + answered, forms) << "each is asked in the end";
+      });
+}
+
 TEST(SessionResume, attemptsAtPracticeAreCountedOnAcrossRuns) {
   const Protocol protocol = test::smallProtocol();
   cutEverywhere(protocol, [&](std::span<const test::SinkCall> before, const FakeSink& after, const SessionSchedule&) {
