@@ -19,7 +19,7 @@ std::vector<GeneratedTrial> trialsOf(const Protocol& protocol, const std::string
     for (const TrialPlan& plan : scheduleOf(protocol, 0, session, protocol.seed).trials) {
       if (plan.task == task) {
         const TaskBlock& block = *protocol.blocks[static_cast<size_t>(plan.block)].task;
-        trials.push_back({task, view, block.caseInfo(plan.caseIndex), session});
+        trials.push_back({task, view, block.caseInfo(plan.caseIndex), session, protocol.nameOf(view)});
       }
     }
   }
