@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -76,6 +77,13 @@ int levelsThatTell(const std::vector<std::string>& groups, const std::vector<std
 
 ConditionStructure byDesign(const PlannedModel& model, const ConditionTerms& terms) {
   ConditionStructure structure{model.randomEffects};
+  for (const Slope& slope : slopesIn(structure)) {
+    const std::string term = structure.effects[slope.effect].slopes[slope.slope];
+    if (!terms.isCategorical(term) &&
+        std::find(terms.terms().begin(), terms.terms().end(), term) == terms.terms().end()) {
+      structure = without(structure, slope, "it is no term of the model that varies");
+    }
+  }
   for (const Slope& slope : slopesIn(structure)) {
     const RandomEffect effect = structure.effects[slope.effect];
     const std::string& term = effect.slopes[slope.slope];
@@ -185,7 +193,7 @@ class GridSums {
   const MixedModelFit& fit_;
 };
 
-void describeConditions(const PlannedModel& model, const ConditionTerms& terms, const ConditionStructure& structure,
+void describeConditions(const ConditionTerms& terms, const ConditionStructure& structure,
                         const std::vector<PlannedContrast>& contrasts, const MixedModelFit& fit, ConditionFit& result) {
   const Design design = designOf(terms, structure);
   const GridSums sums(terms, design, fit);
@@ -198,7 +206,7 @@ void describeConditions(const PlannedModel& model, const ConditionTerms& terms, 
         {contrast, weights ? sums.of(*weights) : Estimable<Estimate>::impossible(weights.reason())});
   }
   const FixedEffects columns = terms.columns();
-  for (const std::string& term : model.terms) {
+  for (const std::string& term : terms.terms()) {
     const std::vector<Eigen::Index> ofTerm = columns.columnsOf(term);
     if (term != "view" && ofTerm.size() == 1) {
       result.covariates.push_back(
@@ -213,7 +221,8 @@ void describeConditions(const PlannedModel& model, const ConditionTerms& terms, 
     }
   }
   result.structure = conditionStructureText(structure.effects);
-  result.leftOut = structure.reasons;
+  result.leftOut = terms.leftOut();
+  result.leftOut.insert(result.leftOut.end(), structure.reasons.begin(), structure.reasons.end());
   result.warnings = fit.warnings;
   result.search = fmt::format("the search for the optimum {} after {} evaluations, and {}",
                               fit.convergence.converged ? "converged" : "did not converge", fit.convergence.evaluations,
@@ -233,7 +242,7 @@ Estimable<ConditionFit> fitByTerms(const PlannedModel& model, const ConditionTer
     return Estimable<ConditionFit>::impossible(fit.reason());
   }
   ConditionFit result;
-  describeConditions(model, terms, structure, contrasts, *fit, result);
+  describeConditions(terms, structure, contrasts, *fit, result);
   return result;
 }
 

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "analysis/dataset/protocol_facts.h"
+#include "analysis/models/design.h"
 #include "oc_core/base/check.h"
 
 namespace ocelli {
@@ -68,7 +70,30 @@ ConditionTerms::ConditionTerms(const Dataset& data, const PlannedModel& model, c
   std::copy_if(trials.begin(), trials.end(), std::back_inserter(trials_), [&](const Trial* trial) {
     return std::all_of(used.begin(), used.end(), [&](const std::string& factor) { return hasValue(*trial, factor); });
   });
+  leaveOutTerms();
   makeGrid();
+}
+
+bool ConditionTerms::varies(const std::string& factor) const {
+  if (!levelsOf(factor).empty()) {
+    const std::vector<std::string> labels = labelsOf(factor);
+    return std::adjacent_find(labels.begin(), labels.end(), std::not_equal_to<>()) != labels.end();
+  }
+  return std::any_of(trials_.begin(), trials_.end(), [&](const Trial* trial) {
+    return covariateOf(*trial, factor) != covariateOf(*trials_.front(), factor);
+  });
+}
+
+void ConditionTerms::leaveOutTerms() {
+  for (const std::string& term : model_.terms) {
+    const std::vector<std::string> parts = partsOf(term);
+    const auto constant = std::find_if(parts.begin(), parts.end(), [&](const auto& part) { return !varies(part); });
+    if (constant == parts.end() || trials_.empty()) {
+      terms_.push_back(term);
+    } else {
+      leftOut_.push_back(fmt::format("the term {} is left out: {} is the same in all trials", term, *constant));
+    }
+  }
 }
 
 std::string ConditionTerms::problem() const {
@@ -173,7 +198,7 @@ void ConditionTerms::makeGrid() {
     grid_.push_back({i});
   }
   std::set<std::string> crossed;
-  for (const std::string& term : model_.terms) {
+  for (const std::string& term : terms_) {
     for (const std::string& part : partsOf(term)) {
       const StudyFactor* factor = findFactor(part);
       const bool isOfConditions = part == "view" || (factor != nullptr && !factor->ofCases);
@@ -200,7 +225,7 @@ void ConditionTerms::makeGrid() {
 FixedEffects ConditionTerms::columns() const {
   FixedEffects fixed(static_cast<Eigen::Index>(trials_.size()));
   fixed.addIntercept();
-  for (const std::string& term : model_.terms) {
+  for (const std::string& term : terms_) {
     const size_t colon = term.find(':');
     if (colon != std::string::npos) {
       fixed.addInteraction(term.substr(0, colon), term.substr(colon + 1));
@@ -225,7 +250,7 @@ FixedEffects ConditionTerms::columns() const {
 FixedEffects ConditionTerms::gridColumns() const {
   FixedEffects fixed(static_cast<Eigen::Index>(grid_.size()));
   fixed.addIntercept();
-  for (const std::string& term : model_.terms) {
+  for (const std::string& term : terms_) {
     const size_t colon = term.find(':');
     if (colon != std::string::npos) {
       fixed.addInteraction(term.substr(0, colon), term.substr(colon + 1));

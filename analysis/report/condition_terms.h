@@ -9,12 +9,14 @@
 
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "analysis/models/design.h"
 #include "analysis/report/report_parts.h"
 
 namespace ocelli {
+
+class FixedEffects;
 
 /// The levels of factors of cases, as the protocols of the sources have them.
 class CaseFactors {
@@ -36,11 +38,15 @@ struct GridCell {
 
 class ConditionTerms {
  public:
-  /// Takes the trials that have a value of each term and slope.
+  /// Takes the trials that have a value of each term and slope, and leaves out terms that do not vary over them.
   ConditionTerms(const Dataset& data, const PlannedModel& model, const TrialList& trials);
 
   const ViewConditions& conditions() const { return data_.conditions; }
   const TrialList& trials() const { return trials_; }
+  /// Those of the model that vary, in its order.
+  const std::vector<std::string>& terms() const { return terms_; }
+  /// Which terms do not, and why: whole clauses.
+  const std::vector<std::string>& leftOut() const { return leftOut_; }
   /// Why the terms cannot be made into columns; empty where they can.
   std::string problem() const;
 
@@ -61,12 +67,16 @@ class ConditionTerms {
   std::string labelOf(const Trial& trial, const std::string& factor) const;
   std::string labelOf(const GridCell& cell, const std::string& factor) const;
   bool hasValue(const Trial& trial, const std::string& factor) const;
+  bool varies(const std::string& factor) const;
+  void leaveOutTerms();
   void makeGrid();
 
   const Dataset& data_;
   const PlannedModel& model_;
   CaseFactors cases_;
   TrialList trials_{};
+  std::vector<std::string> terms_{};
+  std::vector<std::string> leftOut_{};
   std::vector<GridCell> grid_{};
 };
 

@@ -218,13 +218,17 @@ std::string conditionsText(const Protocol& protocol) {
     return "";
   }
   std::string text = "\nConditions\n\n";
+  size_t labelWidth = 28;
+  for (const ViewCondition& condition : conditions.list) {
+    labelWidth = std::max(labelWidth, condition.label.size());
+  }
   for (const ViewCondition& condition : conditions.list) {
     std::string levels;
     for (const StudyFactor& factor : factorsOf(conditions, FactorsOf::kConditions)) {
       levels += fmt::format("{}{} {}", levels.empty() ? "" : ", ", factor.name, condition.levels.at(factor.name));
     }
     const std::string line =
-        fmt::format("  {:<{}}{:<30}{}", condition.name, viewWidth(protocol, 12), condition.label, levels);
+        fmt::format("  {:<{}}{:<{}}  {}", condition.name, viewWidth(protocol, 12), condition.label, labelWidth, levels);
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
   const FactorCrossing crossing = crossingOf(conditions);

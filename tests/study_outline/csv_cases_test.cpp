@@ -44,9 +44,10 @@ class CsvCasesTest : public testing::Test {
 };
 
 TEST_F(CsvCasesTest, StandInTheProtocol) {
-  write("label,row,start.column,size,moving,places,look\n"
-        "1,2,3,small,true,\"[{\"\"row\"\": 1}]\",north\n"
-        "\"two, or so\",-0.5,,large,false,,\n");
+  write(
+      "label,row,start.column,size,moving,places,look\n"
+      "1,2,3,small,true,\"[{\"\"row\"\": 1}]\",north\n"
+      "\"two, or so\",-0.5,,large,false,,\n");
   const ProtocolText text = read();
   const nlohmann::json json = nlohmann::json::parse(text.text, nullptr, true, true);
   EXPECT_EQ(json["blocks"][1]["cases"], nlohmann::json::parse(R"([
@@ -73,10 +74,12 @@ TEST_F(CsvCasesTest, LeaveOtherProtocolsAlone) {
 }
 
 TEST_F(CsvCasesTest, SayFileLineAndColumnOfWhatIsWrong) {
-  EXPECT_THAT(errorOf("row,column\n1,2\n3\n"), HasSubstr("cases.csv:3: this line has 1 fields, but the first line names 2"));
+  EXPECT_THAT(errorOf("row,column\n1,2\n3\n"),
+              HasSubstr("cases.csv:3: this line has 1 fields, but the first line names 2"));
   EXPECT_THAT(errorOf("row,row\n1,2\n"), HasSubstr("cases.csv:1, column 2 (row): this column stands twice"));
   EXPECT_THAT(errorOf("row,start.\n1,2\n"), HasSubstr("column 2 (start.): a column must have the name of a field"));
-  EXPECT_THAT(errorOf("row,places\n1,[2\n"), HasSubstr("cases.csv:2, column 2 (places): this is neither a list nor an"));
+  EXPECT_THAT(errorOf("row,places\n1,[2\n"),
+              HasSubstr("cases.csv:2, column 2 (places): this is neither a list nor an"));
   EXPECT_THAT(errorOf("start,start.row\n1,2\n"), HasSubstr("another column gives this object a value"));
   EXPECT_THAT(errorOf("start.row,start\n1,2\n"), HasSubstr("another column has this field"));
   EXPECT_THAT(errorOf("size,factors.size\nsmall,small\n"), HasSubstr("another column has this field"));
@@ -95,7 +98,8 @@ TEST_F(CsvCasesTest, AreNamedRelativeToTheProtocol) {
     return std::string();
   };
   EXPECT_THAT(errorOfField(R"({"csv": "none.csv"})"), HasSubstr("none.csv"));
-  EXPECT_THAT(errorOfField(R"({"csv": "/cases.csv"})"), HasSubstr("study.json:1: field \"cases\" must be a list of cases"));
+  EXPECT_THAT(errorOfField(R"({"csv": "/cases.csv"})"),
+              HasSubstr("study.json:1: field \"cases\" must be a list of cases"));
   EXPECT_THAT(errorOfField(R"({"csv": 3})"), HasSubstr("must be a list of cases"));
   EXPECT_THAT(errorOfField(R"({"csv": "a.csv", "more": 1})"), HasSubstr("must be a list of cases"));
 }

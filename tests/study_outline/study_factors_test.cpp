@@ -5,6 +5,7 @@
 
 #include "oc_core/base/json_fields.h"
 #include "study/outline/condition_names.h"
+#include "tests/study_outline/outline_text.h"
 
 namespace ocelli::test {
 namespace {
@@ -34,8 +35,8 @@ std::string errorOf(const std::string& text) {
 }
 
 TEST(StudyFactors, DescribeConditions) {
-  const ViewConditions conditions = conditionNamesOf(
-      textOf(condition("a", "pinhole", "low") + "," + condition("b", "graph", "low")), "study.json");
+  const ViewConditions conditions =
+      conditionNamesOf(textOf(condition("a", "pinhole", "low") + "," + condition("b", "graph", "low")), "study.json");
   ASSERT_EQ(conditions.factors.size(), 3u);
   EXPECT_TRUE(conditions.factors[2].ofCases);
   EXPECT_THAT(conditions.factors[1].levels, ElementsAre("low", "high"));
@@ -64,7 +65,12 @@ TEST(StudyFactors, HaveALevelOfEachInEachCondition) {
   EXPECT_THAT(errorOf(textOf(R"({"name": "a"})")), HasSubstr("field \"factors\" is missing"));
   EXPECT_THAT(errorOf(textOf(R"({"name": "a", "factors": {"camera": "graph"}})")),
               HasSubstr("field \"height\" is missing"));
-  EXPECT_THAT(errorOf(textOf(R"({"name": "a", "factors": {"camera": "graph", "height": "low", "size": "small"}})")),
+  const std::string ofCases =
+      textOf(R"({"name": "a", "factors": {"camera": "graph", "height": "low", "size": "small"}})");
+  EXPECT_THAT(outlineErrorOf(ofCases, ProtocolReading::kByStudy,
+                             [](JsonFields& fields, ProtocolReading) {
+                               readConditionNames(fields, [](JsonFields&, TrialView) {});
+                             }),
               HasSubstr("field \"size\" is unknown"))
       << "which is of cases";
   EXPECT_THAT(errorOf(textOf(R"({"name": "a", "factors": {}})", R"("comment": "none")")), testing::Eq(""));

@@ -13,8 +13,8 @@
 namespace ocelli::test {
 namespace {
 
-constexpr auto kAll = ViewsOfCases::kAll;
-constexpr auto kOne = ViewsOfCases::kOne;
+constexpr auto kInAll = ViewsOfCases::kAll;
+constexpr auto kInOne = ViewsOfCases::kOne;
 
 Protocol protocolOf(size_t conditions, int cases, ViewsOfCases views, int blocks = 1) {
   std::vector<ProtocolBlock> all;
@@ -94,7 +94,7 @@ TEST_P(Conditions, AreBalancedOverSlots) {
   }
   // One run of cases, and one that leaves some over.
   for (const int cases : {conditions, conditions + 2}) {
-    const Protocol protocol = protocolOf(static_cast<size_t>(conditions), cases, kAll);
+    const Protocol protocol = protocolOf(static_cast<size_t>(conditions), cases, kInAll);
     const int slots = conditions % 2 == 0 ? conditions : 2 * conditions;
     std::vector<std::vector<int>> sequences;
     for (int slot = 0; slot < slots; ++slot) {
@@ -130,7 +130,7 @@ TEST_P(Conditions, ShowEachCaseEquallyOftenWhereItIsSeenOnce) {
   if (conditions == 2) {
     GTEST_SKIP() << "a pair has a layout of its own (counterbalance_test.cpp)";
   }
-  const Protocol protocol = protocolOf(static_cast<size_t>(conditions), 2 * conditions + 1, kOne);
+  const Protocol protocol = protocolOf(static_cast<size_t>(conditions), 2 * conditions + 1, kInOne);
   std::map<std::pair<int, size_t>, int> counts;
   std::map<std::pair<int, std::pair<int, size_t>>, int> byRun;
   for (int slot = 0; slot < conditions * conditions; ++slot) {
@@ -175,7 +175,7 @@ TEST_P(Conditions, GoWithEachOrderOfBlocks) {
 }
 
 TEST(ConditionOrder, SeldomRepeatsACaseAtOnce) {
-  const Protocol protocol = protocolOf(4, 8, kAll);
+  const Protocol protocol = protocolOf(4, 8, kInAll);
   for (int slot = 0; slot < 16; ++slot) {
     const SessionSchedule schedule = scheduleOf(protocol, slot, 2, 9);
     for (size_t i = 1; i < schedule.trials.size(); ++i) {
@@ -186,14 +186,14 @@ TEST(ConditionOrder, SeldomRepeatsACaseAtOnce) {
 }
 
 TEST(ConditionOrder, MovesOnFromSessionToSession) {
-  const Protocol protocol = protocolOf(5, 5, kOne);
+  const Protocol protocol = protocolOf(5, 5, kInOne);
   for (int session = 1; session <= 3; ++session) {
     EXPECT_EQ(indexOfCondition(scheduleOf(protocol, 1, session, 5).firstView), static_cast<size_t>(session % 5));
   }
 }
 
 TEST(ConditionOrder, PracticesEachCaseInEachCondition) {
-  Protocol protocol = protocolOf(3, 3, kAll);
+  Protocol protocol = protocolOf(3, 3, kInAll);
   protocol.blocks[0].practice = ProtocolPractice{shamTask(2), 1, 8};
   const SessionSchedule schedule = scheduleOf(protocol, 1, 1, 5);
   std::set<std::pair<int, TrialView>> seen;
@@ -207,7 +207,7 @@ TEST(ConditionOrder, PracticesEachCaseInEachCondition) {
 }
 
 TEST(ConditionOrder, IsTheSameForAllInAlternatingBlocks) {
-  Protocol protocol = protocolOf(3, 4, kAll);
+  Protocol protocol = protocolOf(3, 4, kInAll);
   protocol.blocks[0].order = TrialOrder::kAlternating;
   EXPECT_EQ(viewsOf(scheduleOf(protocol, 0, 1, 5)), (std::vector<int>{0, 1, 2, 0, 1, 2, 0, 1, 2, 0, 1, 2}));
   EXPECT_EQ(scheduleOf(protocol, 0, 1, 5).trials.back().caseIndex, 3);
@@ -215,7 +215,7 @@ TEST(ConditionOrder, IsTheSameForAllInAlternatingBlocks) {
 }
 
 TEST(ConditionOrder, IsCountedByTheBalance) {
-  const std::vector<BalanceTable> tables = balanceOf(protocolOf(5, 5, kAll, 2), 50, 1, 5);
+  const std::vector<BalanceTable> tables = balanceOf(protocolOf(5, 5, kInAll, 2), 50, 1, 5);
   std::map<std::string, const BalanceTable*> byFactors;
   for (const BalanceTable& table : tables) {
     byFactors[table.factors] = &table;
@@ -228,7 +228,7 @@ TEST(ConditionOrder, IsCountedByTheBalance) {
   EXPECT_EQ(byFactors["first view"]->difference, 0);
   EXPECT_EQ(byFactors["first view x block order"]->difference, 0);
   // A layout that is not balanced is told: 7 subjects are no multiple of 5.
-  EXPECT_GT(balanceOf(protocolOf(5, 5, kAll, 2), 7, 1, 5).front().difference, 0);
+  EXPECT_GT(balanceOf(protocolOf(5, 5, kInAll, 2), 7, 1, 5).front().difference, 0);
 }
 
 }  // namespace
