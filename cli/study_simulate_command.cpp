@@ -53,6 +53,7 @@ void simulate(const SimulateChoice& choice, const CommandContext& context) {
   plan.kind = generates ? SubjectKind::kGenerator : SubjectKind::kObserver;
   plan.idPrefix = choice.first;
   plan.effects = choice.effects.empty() ? GeneratorEffects{} : readGeneratorEffects(choice.effects);
+  checkConditions(plan.effects, protocol, choice.effects);
   plan.screen = {size.width, size.height, choice.hertz};
   plan.renderer = choice.renderer;
   plan.makeRenderer = [renderer = choice.renderer] { return studyRenderer(renderer); };

@@ -46,12 +46,7 @@ Truth contrastTruth(const Protocol& protocol, const SupposedEffects& supposed, c
   refuseOptionsOfPairs(supposed);
   Truth truth;
   truth.effects = readGeneratorEffects(supposed.file);
-  for (const auto& [name, effect] : truth.effects.ofConditions(supposed.task)) {
-    if (!protocol.conditions.names.viewNamed(name)) {
-      throw InputError(fmt::format("the protocol has no condition \"{}\"", name), supposed.file,
-                       "one of " + protocol.conditions.names.namesText());
-    }
-  }
+  checkConditions(truth.effects, protocol, supposed.file);
   const std::array<std::pair<const char*, std::optional<double>>, 5> deviations{
       {{kSubjectSd, supposed.subjectSd},
        {kSubjectGraphSd, supposed.subjectViewSd},

@@ -129,6 +129,17 @@ GeneratorEffects readGeneratorEffects(const std::filesystem::path& file) {
   });
 }
 
+void checkConditions(const GeneratorEffects& effects, const Protocol& protocol, const std::string& where) {
+  for (const TaskKind& kind : taskKinds()) {
+    for (const auto& [name, effect] : effects.ofConditions(kind.name)) {
+      if (!protocol.conditions.names.viewNamed(name)) {
+        throw InputError(fmt::format("the protocol has no condition \"{}\"", name), where,
+                         "one of " + protocol.conditions.names.namesText());
+      }
+    }
+  }
+}
+
 std::string jsonText(const GeneratorEffects& effects, const Protocol& protocol) {
   nlohmann::ordered_json json;
   for (const TaskKind& kind : taskKinds()) {

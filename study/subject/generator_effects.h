@@ -44,6 +44,9 @@ double fixedPart(const GeneratorEffects& effects, const GeneratedTrial& trial);
 /// InputError.
 GeneratorEffects readGeneratorEffects(const std::filesystem::path& file);
 
+/// Throws InputError, naming `where`, for effects of conditions that the protocol does not have.
+void checkConditions(const GeneratorEffects& effects, const Protocol& protocol, const std::string& where);
+
 /// As JSON text with the same fields, for the record of a simulated subject: of the tasks of the protocol, and of those
 /// that are always recorded.
 std::string jsonText(const GeneratorEffects& effects, const Protocol& protocol);
