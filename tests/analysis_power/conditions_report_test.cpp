@@ -10,6 +10,7 @@
 #include "analysis/power/contrast_effects.h"
 #include "analysis/power/power_simulation.h"
 #include "analysis/power/simulated_dataset.h"
+#include "analysis/report/contrast_weights.h"
 #include "analysis/report/report_task.h"
 #include "analysis/report/study_report.h"
 #include "analysis/tables/explain.h"
