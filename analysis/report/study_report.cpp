@@ -9,6 +9,7 @@
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/report/apparatus_section.h"
 #include "analysis/report/completers_section.h"
+#include "analysis/report/condition_terms.h"
 #include "analysis/report/conditions_section.h"
 #include "analysis/report/flow_section.h"
 #include "analysis/report/learning_section.h"
@@ -129,15 +130,27 @@ std::string optionalText(const std::optional<Value>& value) {
 std::string trialsCsv(const Dataset& data) {
   std::string text =
       "source,trial_id,subject_id,session_number,plan_index,block,task,case_index,item,view,moving,exposure_s,objects,"
-      "duplicate_colors,answer,expected,correct,censored,response_s,dropped_frames,simulated\r\n";
+      "duplicate_colors,answer,expected,correct,censored,response_s,dropped_frames,simulated";
+  const CaseFactors cases(data);
+  const std::vector<StudyFactor>& factors = data.conditions.factors;
+  for (const StudyFactor& factor : factors) {
+    text += "," + factor.name;
+  }
+  text += "\r\n";
   for (const Trial& trial : data.trials) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n", trial.source,
-                        trial.trialId, csvText(trial.subject), trial.session, trial.planIndex, csvText(trial.block),
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", trial.source, trial.trialId,
+                        csvText(trial.subject), trial.session, trial.planIndex, csvText(trial.block),
                         csvText(trial.task), trial.caseIndex, csvText(trial.item()), data.conditions.nameOf(trial.view),
                         optionalText(trial.moving), optionalText(trial.exposureSeconds), optionalText(trial.objects),
                         optionalText(trial.duplicateColors), csvText(trial.answer), csvText(trial.expected),
                         optionalText(trial.correct), optionalText(trial.censored), optionalText(trial.responseSeconds),
                         trial.droppedFrames, trial.simulated ? 1 : 0);
+    for (const StudyFactor& factor : factors) {
+      const FactorLevels& levels = factor.ofCases ? cases.of(trial) : data.conditions.of(trial.view).levels;
+      const auto level = levels.find(factor.name);
+      text += "," + (level == levels.end() ? std::string() : csvText(level->second));
+    }
+    text += "\r\n";
   }
   return text;
 }

@@ -110,6 +110,11 @@ TEST_F(ConditionsReport, HasTheContrastsOfThePlanByFamily) {
   EXPECT_THAT(explainCell(document.origins.tables, analysis_.data, cell->cells[0]), HasSubstr("contrast of model"));
   for (const ReportFile& file : tableFiles(analysis_, document, {}, true)) {
     EXPECT_NE(file.name, "analysis.R");
+    if (file.name == "tables/trials.csv") {
+      EXPECT_THAT(file.bytes, HasSubstr("dropped_frames,simulated,camera,height,size\r\n"));
+      EXPECT_THAT(file.bytes, HasSubstr(",1,bent,low,large\r\n"));
+      EXPECT_THAT(file.bytes, HasSubstr(",1,bent,low,\r\n")) << "of paths, whose cases have no size";
+    }
   }
 }
 
