@@ -58,6 +58,7 @@ void simulate(const SimulateChoice& choice, const CommandContext& context) {
   plan.idPrefix = choice.first;
   plan.effects = choice.effects.empty() ? GeneratorEffects{} : readGeneratorEffects(choice.effects);
   plan.factors = choice.factors.empty() ? FactorMeans{} : readFactorMeans(choice.factors);
+  checkConditions(plan.effects, protocol, choice.effects);
   plan.screen = {size.width, size.height, choice.hertz};
   plan.renderer = choice.renderer;
   plan.makeRenderer = [renderer = choice.renderer] { return studyRenderer(renderer); };

@@ -13,6 +13,7 @@
 #include "study/outline/condition_names.h"
 #include "study/outline/local_text.h"
 #include "study/outline/question_kinds.h"
+#include "study/outline/study_factors.h"
 
 namespace ocelli {
 namespace {
@@ -36,7 +37,7 @@ ProtocolMaze readMazePlan(const std::string& name, JsonFields& fields) {
   return maze;
 }
 
-ProtocolCase readCase(JsonFields& fields, size_t index) {
+ProtocolCase readCase(JsonFields& fields, size_t index, const std::vector<StudyFactor>& factors) {
   ProtocolCase result;
   result.label = fields.shortText("label", kMaxStoredCharacters, fmt::format("case {}", index + 1));
   if (fields.has("row") && fields.has("column")) {
@@ -45,10 +46,13 @@ ProtocolCase readCase(JsonFields& fields, size_t index) {
   }
   result.east = fields.number("east", -0.5, 0.5, 0);
   result.south = fields.number("south", -0.5, 0.5, 0);
+  if (fields.has("factors")) {
+    result.levels = readLevels(fields, factors, FactorsOf::kCases);
+  }
   return result;
 }
 
-ProtocolBlockFacts readBlock(JsonFields& fields, const std::string& language) {
+ProtocolBlockFacts readBlock(JsonFields& fields, const std::vector<StudyFactor>& factors, const std::string& language) {
   ProtocolBlockFacts block{readBlockOutline(fields, ProtocolReading::kByAnalysis, language)};
   block.maze = fields.shortText("maze", kMaxStoredCharacters, "");
   block.moving = fields.has("moving");
@@ -63,7 +67,7 @@ ProtocolBlockFacts readBlock(JsonFields& fields, const std::string& language) {
     block.maps = fields.integer("maps", 2, 100, known.maps);
   }
   fields.forEach("cases", 0, kMaxListed,
-                 [&](JsonFields& each) { block.cases.push_back(readCase(each, block.cases.size())); });
+                 [&](JsonFields& each) { block.cases.push_back(readCase(each, block.cases.size(), factors)); });
   return block;
 }
 
@@ -88,9 +92,11 @@ void addItems(ProtocolFacts& facts, const ProtocolForm& form) {
     }
     if (!field.favors.empty()) {
       item.lastFavors = field.favors.back();
+      item.firstFavors = field.favors.front();
     } else if (const auto view = viewFavoredByLastEnd(item.ends, facts.conditions);
                view && item.value == QuestionValue::kOption) {
       item.lastFavors = view;
+      item.firstFavors = otherThan(*view);
       item.favorsFromWords = true;
     }
     facts.items.push_back(item);
@@ -129,8 +135,9 @@ ProtocolFacts protocolFacts(const std::string& text, const std::string& where) {
       facts.mazes.push_back(readMazePlan(name, each));
     });
     facts.conditions = readConditionNames(fields, [](JsonFields&, TrialView) {});
+    const std::vector<StudyFactor>& factors = facts.conditions.factors;
     fields.forEach("blocks", 0, kMaxListed,
-                   [&](JsonFields& each) { facts.blocks.push_back(readBlock(each, language)); });
+                   [&](JsonFields& each) { facts.blocks.push_back(readBlock(each, factors, language)); });
     fields.forEach("exclusions", 0, kMaxListed, [&](JsonFields& each) { facts.exclusions.push_back(readRule(each)); });
     for (const ProtocolForm& form : readAllForms(fields, {facts.conditions, ProtocolReading::kByAnalysis, language})) {
       if (form.name == "demographics" || form.name == "survey") {

@@ -142,6 +142,10 @@ void setAnswers(const Protocol& protocol, const SupposedEffects& supposed, Gener
 Truth wantedTruth(const Protocol& protocol, const SupposedEffects& supposed) {
   Truth truth;
   truth.effects = supposed.file.empty() ? GeneratorEffects{} : readGeneratorEffects(supposed.file);
+  if (!truth.effects.ofConditions(supposed.task).empty()) {
+    throw InputError("effects of conditions by their names are for contrasts", supposed.file,
+                     "--contrast NAME; or the effect \"graph\" in the file, and options that say what it is");
+  }
   if (isTime(supposed.task)) {
     setSearches(protocol, supposed, truth.effects);
   } else {

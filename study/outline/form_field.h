@@ -23,8 +23,8 @@ struct FormField {
   std::string question;
   std::vector<std::string> options{};  ///< of kinds with options; in a study always at least two
   std::vector<std::string> ends{};     ///< of a scale: what its first and last option mean; empty, or two
-  std::vector<TrialView> favors{};     ///< of a scale that compares the views: which one its first and its last option
-                                       ///< speak for; empty, or two
+  std::vector<TrialView> favors{};     ///< of a scale that compares two conditions: which one its first and its last
+                                       ///< option speak for; empty, or two
   std::string kind = "choice";         ///< a row of study/outline/question_kinds.h
   std::vector<std::string> values{};   ///< stored in place of the options; empty, or as many
   bool required = true;                ///< the form waits for an answer

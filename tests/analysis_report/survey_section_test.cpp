@@ -208,5 +208,40 @@ TEST_F(SurveySection, asksWhetherAnswersGoWithTheFirstView) {
   EXPECT_THAT(reasonsOf(surveyOf(kField, answers)), Contains(HasSubstr("no subject with an answer has a trial")));
 }
 
+TEST(SurveyOfThreeConditions, LooksAtTheTwoThatAQuestionCompares) {
+  SectionStudy study;
+  study.analysis.data.conditions = {{{"a", "view a"}, {"b", "view b"}, {"c", "view c"}}};
+  study.analysis.data.sources[0].protocolText =
+      R"({"name": "made", "conditions": [{"name": "a", "label": "view a"}, {"name": "b", "label": "view b"},
+          {"name": "c", "label": "view c"}], "survey": {"title": "S", "fields": [{"name": "q", "question": "Easier?",
+          "options": ["1", "2", "3", "4", "5"], "ends": ["this", "that"], "favors": ["c", "a"]}]}})";
+  // All begin with b, which the question does not compare; then half see a before c. These answer for a, the last
+  // option, by one step more.
+  for (int i = 0; i < 12; ++i) {
+    const std::string subject = fmt::format("S{:02}", i);
+    const bool aFirst = i % 2 == 0;
+    study.add(subject, 1, conditionAt(1), 10);
+    study.add(subject, 1, conditionAt(aFirst ? 0 : 2), 10);
+    study.add(subject, 1, conditionAt(aFirst ? 2 : 0), 10);
+    FormAnswer answer;
+    answer.answerId = i + 1;
+    answer.subject = subject;
+    answer.form = "survey";
+    answer.field = "q";
+    answer.answer = std::to_string((aFirst ? 3 : 2) + (i % 3 == 0 ? 1 : 0) + (i % 4 < 2 ? 1 : 0));
+    study.analysis.data.answers.push_back(answer);
+  }
+  const ReportDocument document = documentOf(study.analysis, [](ReportWork& work) {
+    const ReportTask task = reportTask("survey");
+    task.parts.front().add(work, task);
+  });
+  const std::string order = "Easier? (view a first / view c first)";
+  EXPECT_GT(cellValue(document, "survey-first-view", order, "Estimate").value_or(0), 1.0)
+      << "which would not be known by the first view of all, which is b for everyone";
+  const std::string test = "Easier? (1 (this) to 5 (that)), towards view a";
+  EXPECT_GT(cellValue(document, "survey-preference", test, "Estimate").value_or(-1), 0.0)
+      << "as they are: the last option is for a, although a comes first in the protocol";
+}
+
 }  // namespace
 }  // namespace ocelli::test

@@ -33,5 +33,18 @@ TEST(JsonLines, PointersEscapeNames) {
               ElementsAre(Pair("", 1), Pair("/a~1b", 1), Pair("/a~1b/A", 2), Pair("/a~1b/~0", 2)));
 }
 
+TEST(JsonLines, TellTheBytesOfAValue) {
+  const std::string text = "{\"a\": [1, {\"b\": /* { */ {\"c\": \"}\"} }], \"d\": -1.5e3\n}";
+  const auto valueAt = [&](const std::string& pointer) {
+    const auto [begin, end] = bytesOfJson(text, pointer);
+    return text.substr(begin, end - begin);
+  };
+  EXPECT_EQ(valueAt("/a/1/b"), "{\"c\": \"}\"}");
+  EXPECT_EQ(valueAt("/a/0"), "1");
+  EXPECT_EQ(valueAt("/d"), "-1.5e3");
+  EXPECT_EQ(valueAt(""), text);
+  EXPECT_EQ(bytesOfJson(text, "/none"), std::pair(size_t{0}, size_t{0}));
+}
+
 }  // namespace
 }  // namespace ocelli::test
