@@ -163,7 +163,7 @@ std::vector<ItemAnswers> answersToForm(const Dataset& data, const std::string& f
       continue;
     }
     const FormItem item = known.of(answer);
-    if (answer.answer.empty() && item.isInProtocol()) {
+    if (answer.answer.empty() && item.mayStayOpen) {
       continue;
     }
     auto found = std::find_if(all.begin(), all.end(), [&](const ItemAnswers& each) { return each.item == item; });

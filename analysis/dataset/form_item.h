@@ -24,6 +24,7 @@ struct FormItem {
   std::optional<TrialView> firstFavors{};  ///< the view that the first option speaks for
   QuestionValue value = QuestionValue::kOption;
   std::vector<std::string> choices{};  ///< of which several can be chosen
+  bool mayStayOpen = false;            ///< then an empty answer is none, and not a wrong one
 
   bool isInProtocol() const { return !question.empty(); }
   bool isScale() const;
@@ -80,9 +81,9 @@ std::optional<double> numberOfAnswer(const std::string& answer);
 /// The choices of an answer of QuestionValue::kOptions; empty for a text that is no list of these.
 std::vector<std::string> choicesOfAnswer(const std::string& answer);
 
-/// Answers that are empty were left open, and are not among these. Of all questions with answers: those of the protocol
-/// in its order, then others by name. Where sources have different questions of one name they stand apart. Pointers are
-/// into `data`.
+/// Answers to questions that may stay open are not among these where they are empty. Of all questions with answers:
+/// those of the protocol in its order, then others by name. Where sources have different questions of one name they
+/// stand apart. Pointers are into `data`.
 std::vector<ItemAnswers> answersToForm(const Dataset& data, const std::string& form);
 
 }  // namespace ocelli

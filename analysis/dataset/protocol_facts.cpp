@@ -87,6 +87,7 @@ void addItems(ProtocolFacts& facts, const ProtocolForm& form) {
     const FormField& field = form.fields[static_cast<size_t>(each.field)];
     FormItem item{form.name, each.name, each.label, storedOptions(field), field.ends};
     item.value = questionKind(field.kind).value;
+    item.mayStayOpen = !field.required;
     if (item.value != QuestionValue::kOption) {
       std::swap(item.options, item.choices);
     }

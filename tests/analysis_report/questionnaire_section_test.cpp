@@ -18,7 +18,7 @@ constexpr const char* kProtocol = R"({"name": "made", "before": [{"questionnaire
   "after": [{"questionnaire": "mood"},
             {"name": "own", "title": "Own", "fields": [
               {"name": "age", "question": "How old?", "kind": "number"},
-              {"name": "devices", "question": "With what?", "kind": "multiple", "options": ["mouse", "keys"]},
+              {"name": "devices", "question": "With what?", "kind": "multiple", "required": false, "options": ["mouse", "keys"]},
               {"name": "rows", "question": "How?", "kind": "matrix", "options": ["bad", "good"], "values": [1, 2],
                "rows": [{"name": "a", "label": "Row A"}]}]}]})";
 
