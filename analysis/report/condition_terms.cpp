@@ -205,13 +205,14 @@ void ConditionTerms::makeGrid() {
       if (isOfConditions || levelsOf(part).empty() || !crossed.insert(part).second) {
         continue;
       }
-      // Of a level without trials a model says nothing: means are those over the others.
+      // Of a level without trials a model says nothing: means are those over the others. Where there are no trials at
+      // all, what is asked is what a study would tell that has them.
       const std::vector<std::string> labels = labelsOf(part);
       const std::set<std::string> seen(labels.begin(), labels.end());
       std::vector<GridCell> finer;
       for (const GridCell& cell : grid_) {
         for (const std::string& level : levelsOf(part)) {
-          if (seen.contains(level)) {
+          if (seen.contains(level) || trials_.empty()) {
             finer.push_back(cell);
             finer.back().levels[part] = level;
           }

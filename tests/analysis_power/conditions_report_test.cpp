@@ -111,9 +111,10 @@ TEST_F(ConditionsReport, HasTheContrastsOfThePlanByFamily) {
   for (const ReportFile& file : tableFiles(analysis_, document, {}, true)) {
     EXPECT_NE(file.name, "analysis.R");
     if (file.name == "tables/trials.csv") {
-      EXPECT_THAT(file.bytes, HasSubstr("dropped_frames,simulated,camera,height,size\r\n"));
-      EXPECT_THAT(file.bytes, HasSubstr(",1,bent,low,large\r\n"));
-      EXPECT_THAT(file.bytes, HasSubstr(",1,bent,low,\r\n")) << "of paths, whose cases have no size";
+      // Of paths, whose cases have no size, an empty one.
+      for (const char* text : {"simulated,camera,height,size\r\n", ",1,bent,low,large\r\n", ",1,bent,low,\r\n"}) {
+        EXPECT_NE(file.bytes.find(text), std::string::npos) << text;
+      }
     }
   }
 }
