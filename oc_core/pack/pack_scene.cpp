@@ -35,7 +35,7 @@ class PackJob {
         plan_(planOf(source, output.string())) {
     report_.triangles = plan_.triangles;
     report_.parts = plan_.parts.size();
-    if (!std::filesystem::exists(folder_.triangles())) {
+    if (!std::filesystem::exists(folder_.triangles()) || !std::filesystem::exists(folder_.places())) {
       report(progress, "sorting triangles", 0);
       sortTriangles(source, plan_, sortedPaths(), [&](double share) { report(progress_, "sorting triangles", share); });
     }
