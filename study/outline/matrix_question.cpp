@@ -10,13 +10,13 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kMaxRows = 40;
+constexpr size_t kMaxMatrixRows = 40;
 
 void readMatrix(JsonFields& fields, FormField& field, ProtocolReading reading, const std::string& language) {
   readOptions(fields, field, reading, language);
   readEnds(fields, field, reading, language);
   fields.forEach(
-      "rows", reading == ProtocolReading::kByStudy ? 1 : 0, kMaxRows,
+      "rows", reading == ProtocolReading::kByStudy ? 1 : 0, kMaxMatrixRows,
       [&](JsonFields& each) {
         field.rows.push_back({readColumnName(each, "name", reading),
                               localText(each, "label", maxCharacters(reading, kMaxParagraphCharacters), language)});
