@@ -11,8 +11,11 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <set>
+#include <utility>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
