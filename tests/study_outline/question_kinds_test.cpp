@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "oc_core/base/json_fields.h"
 #include "tests/study_outline/outline_text.h"
 #include "tests/study_outline/question_examples.h"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "oc_core/base/file_bytes.h"
-#include "study/outline/questionnaire.h"
+#include "study/outline/question_kinds.h"
 #include "study/store/study_database.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/study_subject/simulated_sessions.h"
