@@ -118,7 +118,6 @@ TEST_F(ConditionsReport, HasTheContrastsOfThePlanByFamily) {
     }
   }
 }
-}
 
 TEST_F(ConditionsReport, ComparesWithTheFirstWhereThereIsNoPlan) {
   const ReportDocument document = reportOf(defaultPlan(protocol_.conditions.names, {"find", "path"}));
