@@ -112,8 +112,8 @@ TEST_F(ConditionsReport, HasTheContrastsOfThePlanByFamily) {
     EXPECT_NE(file.name, "analysis.R");
     if (file.name == "tables/trials.csv") {
       // Of paths, whose cases have no size, an empty one.
-      for (const char* text : {"simulated,camera,height,size\r\n", ",1,bent,low,large\r\n", ",1,bent,low,\r\n"}) {
-        EXPECT_NE(file.bytes.find(text), std::string::npos) << text;
+      for (const char* part : {"simulated,camera,height,size\r\n", ",1,bent,low,large\r\n", ",1,bent,low,\r\n"}) {
+        EXPECT_NE(file.bytes.find(part), std::string::npos) << part;
       }
     }
   }

@@ -59,7 +59,7 @@ TEST(ViewWords, labelsStandInAllThatReadersReadAndNamesElsewhere) {
 
 TEST(ViewWords, areThoseOfTheStudy) {
   ReportDocument document;
-  document.origins.conditions = {{{{"flat", "flat view"}, {"on", "bent view"}}}};
+  document.origins.conditions = {{{"flat", "flat view"}, {"on", "bent view"}}};
   document.add(ReportParagraph{"@other@ less @reference@, depending on the view"});
   spellOutViews(document);
   EXPECT_EQ(std::get<ReportParagraph>(document.elements[0]).text, "Bent view less flat view, depending on the view");
