@@ -95,7 +95,7 @@ ScoreSummary summaryOf(const std::vector<const SubjectScore*>& scores) {
   return summary;
 }
 
-std::string numberText(double value) {
+std::string scoreText(double value) {
   return std::isfinite(value) ? fixedText(value, 2) : "-";
 }
 
@@ -152,10 +152,10 @@ void addScores(ReportWork& work, const std::vector<SubjectScore>& scores) {
                           ReportCell{first.view ? conditions.of(*first.view).label : std::string("-")},
                           cell(std::to_string(summary.subjects), "subjects", subjects),
                           ReportCell{std::to_string(summary.open)},
-                          cell(numberText(summary.mean), "mean", summary.mean),
-                          cell(numberText(summary.deviation), "sd", summary.deviation),
-                          cell(numberText(summary.least), "lowest", summary.least),
-                          cell(numberText(summary.most), "highest", summary.most)});
+                          cell(scoreText(summary.mean), "mean", summary.mean),
+                          cell(scoreText(summary.deviation), "sd", summary.deviation),
+                          cell(scoreText(summary.least), "lowest", summary.least),
+                          cell(scoreText(summary.most), "highest", summary.most)});
   }
   work.document.add(table);
   origins.finish();
