@@ -145,8 +145,12 @@ void addCovariates(ReportWork& work, const PlannedModel& model, const ConditionF
                     fmt::format("term of model {} of {}", model.name, sizeText(fit.trials)), fit.trials});
   }
   if (!rows.empty()) {
-    addEstimates(work.document, fmt::format("Other terms of model {}, as ratios", model.name),
-                 fmt::format("{}-terms", model.name), rows);
+    addEstimates(
+        work.document,
+        fmt::format("Other terms of model {}, as ratios: numbers of each unit more, factors of their second level "
+                    "to their first",
+                    model.name),
+        fmt::format("{}-terms", model.name), rows);
   }
 }
 
