@@ -24,7 +24,9 @@ template <class T>
 void putAll(std::string& bytes, const std::vector<T>& values) {
   static_assert(std::is_trivially_copyable_v<T>);
   put(bytes, static_cast<uint64_t>(values.size()));
-  bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+  if (!values.empty()) {
+    bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+  }
 }
 
 /// Of bytes whose checksum was right, so what they say is what was written.
@@ -42,7 +44,9 @@ class PartBytes {
   template <class T>
   std::vector<T> takeAll() {
     std::vector<T> values(take<uint64_t>());
-    std::memcpy(values.data(), bytes_.data() + at_, values.size() * sizeof(T));
+    if (!values.empty()) {
+      std::memcpy(values.data(), bytes_.data() + at_, values.size() * sizeof(T));
+    }
     at_ += values.size() * sizeof(T);
     return values;
   }
