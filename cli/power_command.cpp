@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/dataset/protocol_facts.h"
+#include "analysis/power/contrast_effects.h"
 #include "analysis/power/power_simulation.h"
+#include "analysis/report/contrast_weights.h"
 #include "analysis/report/power_report.h"
 #include "analysis/report/report_files.h"
 #include "analysis/report/report_parts.h"
@@ -30,6 +32,7 @@ struct PowerChoice {
   std::string protocol;
   std::string plan;
   SupposedEffects supposed{};
+  std::string contrast;
   double dropOut = 0;
   bool equivalence = false;
   bool withoutNone = false;
@@ -112,6 +115,9 @@ std::string jsonText(const PowerStudy& study) {
                                  {"drop_out", study.dropOut},
                                  {"seed", study.seed},
                                  {"supposed", study.supposed}};
+  if (!study.contrast.empty()) {
+    json["contrast"] = study.contrast;
+  }
   json["curves"] = nlohmann::ordered_json::array();
   for (const PowerCurve& curve : study.curves) {
     json["curves"].push_back(jsonOf(study, curve));
@@ -165,8 +171,53 @@ void check(const PowerChoice& choice, double alpha) {
   }
 }
 
-std::vector<Truth> truthsOf(const PowerChoice& choice, const Protocol& protocol, const PlannedEquivalence* bounds,
-                            const CommandContext& context) {
+/// What is tested: the term "view" of a model of a pair, or a contrast.
+struct TestedModel {
+  const PlannedModel* model = nullptr;
+  std::optional<PlannedContrast> contrast{};
+};
+
+TestedModel contrastNamed(const PowerChoice& choice, const AnalysisPlan& plan, const ViewConditions& conditions) {
+  std::vector<std::string> names;
+  for (const PlannedModel& model : plan.models) {
+    if (model.task != choice.supposed.task || !isMixed(model.kind)) {
+      continue;
+    }
+    for (const PlannedContrast& contrast : contrastsOf(plan, model, conditions)) {
+      if (contrast.name == choice.contrast || comparisonText(contrast) == choice.contrast) {
+        return {&model, contrast};
+      }
+      names.push_back(contrast.name);
+    }
+  }
+  throw InputError(choice.contrast.empty()
+                       ? fmt::format("the study has {} conditions: which contrast should be found?", conditions.size())
+                       : fmt::format("there is no contrast \"{}\" of the task", choice.contrast),
+                   "--contrast", fmt::format("one of: {}", fmt::join(names, "; ")));
+}
+
+TestedModel testedModel(const PowerChoice& choice, const AnalysisPlan& plan, const ViewConditions& conditions) {
+  if (!conditions.isPair() || !choice.contrast.empty()) {
+    return contrastNamed(choice, plan, conditions);
+  }
+  const PlannedModel* model = viewModelOf(plan, choice.supposed.task);
+  if (model == nullptr) {
+    throw InputError(fmt::format("the plan has no mixed model of {} with the term \"view\"", choice.supposed.task),
+                     choice.plan.empty() ? "the default plan" : choice.plan,
+                     "a model of the kind log_normal_mixed, of times, or binomial_mixed, of answers, with that term");
+  }
+  return {model};
+}
+
+std::vector<Truth> truthsOf(const PowerChoice& choice, const Protocol& protocol, const TestedModel& tested,
+                            const PlannedEquivalence* bounds, const CommandContext& context) {
+  if (tested.contrast) {
+    std::vector<Truth> ofContrast{contrastTruth(protocol, choice.supposed, *tested.model, *tested.contrast)};
+    if (!choice.withoutNone) {
+      ofContrast.push_back(contrastTruthWithoutEffect(protocol, choice.supposed.task, ofContrast.front()));
+    }
+    return ofContrast;
+  }
   std::vector<Truth> truths{wantedTruth(protocol, choice.supposed)};
   if (choice.withoutNone) {
     return truths;
@@ -197,11 +248,9 @@ void runPower(const PowerChoice& choice, const CommandContext& context) {
   const double alpha = choice.alpha.value_or(plan.alpha);
   check(choice, alpha);
   const std::string& task = choice.supposed.task;
-  const PlannedModel* model = viewModelOf(plan, task);
-  if (model == nullptr) {
-    throw InputError(fmt::format("the plan has no mixed model of {} with the term \"view\"", task),
-                     choice.plan.empty() ? "the default plan" : choice.plan,
-                     "a model of the kind log_normal_mixed, of times, or binomial_mixed, of answers, with that term");
+  const TestedModel tested = testedModel(choice, plan, facts.conditions);
+  if (tested.contrast && choice.equivalence) {
+    throw InputError("equivalence is tested of two conditions, and not of contrasts", "--equivalence", "leave it out");
   }
   const PlannedEquivalence* bounds = choice.equivalence ? equivalenceBoundsOf(plan, task) : nullptr;
   if (choice.equivalence && bounds == nullptr) {
@@ -210,13 +259,14 @@ void runPower(const PowerChoice& choice, const CommandContext& context) {
         choice.plan.empty() ? "the default plan" : choice.plan,
         fmt::format(R"("equivalence": [{{"task": "{}", "lower": -0.1, "upper": 0.1}}] in the plan)", task));
   }
-  const std::vector<Truth> truths = truthsOf(choice, protocol, bounds, context);
+  const std::vector<Truth> truths = truthsOf(choice, protocol, tested, bounds, context);
   Ranks& ranks = context.ranks();
   if (!choice.folder.empty() && ranks.isFirst()) {
     checkReportFolder(choice.folder);
   }
-  const PowerWork work{protocol,           plan,  *model,         bounds,     choice.subjects,
-                       choice.simulations, alpha, choice.dropOut, choice.seed};
+  const PowerWork work{
+      protocol,           plan,  *tested.model,  bounds,      choice.subjects,
+      choice.simulations, alpha, choice.dropOut, choice.seed, tested.contrast ? &*tested.contrast : nullptr};
   PowerStudy study;
   study.curves = simulatePower(work, truths, ranks, context.progress());
   if (!ranks.isFirst()) {
@@ -227,9 +277,11 @@ void runPower(const PowerChoice& choice, const CommandContext& context) {
   study.task = task;
   study.conditions = facts.conditions;
   study.plan = plan;
-  study.model = model->name;
+  study.model = tested.model->name;
+  study.contrast = tested.contrast ? tested.contrast->name : "";
   study.bounds = bounds == nullptr ? std::nullopt : std::optional(*bounds);
-  study.supposed = describeTruth(truths.front(), task);
+  study.supposed =
+      tested.contrast ? describeContrastTruth(protocol, truths.front(), task) : describeTruth(truths.front(), task);
   study.sessions = protocol.sessions;
   study.dropOut = choice.dropOut;
   study.simulations = choice.simulations;
@@ -291,6 +343,12 @@ void addPowerCommand(CLI::App& program, const CommandContext& context) {
   command.add_option("PROTOCOL", choice->protocol, "The protocol of the study")->required();
   command.add_option("--plan", choice->plan, "The registered plan of the analysis")->type_name("FILE");
   addEffectOptions(command, choice->supposed);
+  command
+      .add_option(
+          "--contrast", choice->contrast,
+          "of other numbers of conditions than two: the contrast of the plan, or NAME / FIRST; --effects has the "
+          "effects of conditions")
+      ->type_name("NAME");
   command.add_option("--drop-out", choice->dropOut, "Share of subjects who do not come back after each session")
       ->check(between(0, 0.95))
       ->type_name("SHARE")

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "study/outline/exclusion_rule.h"
@@ -55,7 +56,8 @@ struct PlannedModel {
   std::string name;
   std::string task;  ///< "find"
   ModelKind kind = ModelKind::kLinearMixed;
-  /// Of "view", "session", "moving", "exposure", "duplicates", "objects", "trial"; "view:session" is an interaction.
+  /// Of "view" (the condition), "session", "moving", "exposure", "duplicates", "objects", "trial", and of
+  /// AnalysisPlan::factors; "view:session" is an interaction.
   std::vector<std::string> terms{};
   std::vector<RandomEffect> randomEffects{};
 };
@@ -65,6 +67,25 @@ struct Hypothesis {
   std::string statement;  ///< for the reader
   std::string model;      ///< name of the model that tests it
   std::string term;       ///< of the model; empty where the test has but one
+};
+
+/// Two levels of a factor that a contrast compares.
+struct ContrastLevels {
+  std::string factor;
+  std::string first;   ///< less
+  std::string second;  ///< this one
+};
+
+/// A comparison of conditions by a model: weights of conditions, which sum to 0, or levels of factors. Of one factor
+/// the levels are a main effect (means over the other factors), of several their interaction (difference of
+/// differences).
+struct PlannedContrast {
+  std::string name;
+  std::string statement{};                                ///< for the reader; empty: the name
+  std::string model;                                      ///< name of the mixed model that estimates it
+  std::string family{};                                   ///< p values are corrected in it by Holm's method
+  std::vector<std::pair<std::string, double>> weights{};  ///< by names of conditions
+  std::vector<ContrastLevels> levels{};
 };
 
 struct HypothesisFamily {
@@ -95,6 +116,8 @@ struct AnalysisPlan {
   std::vector<Hypothesis> hypotheses{};
   std::vector<HypothesisFamily> families{};
   std::vector<PlannedEquivalence> equivalence{};
+  std::vector<std::string> factors{};  ///< of the protocol, that terms and slopes may name
+  std::vector<PlannedContrast> contrasts{};
 
   double alpha = 0.05;
   int bootstrapSamples = 2000;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <string_view>
 
@@ -46,14 +47,15 @@ std::string newName(JsonFields& fields, std::set<std::string>& names) {
   return name;
 }
 
-void checkTerm(const JsonFields& fields, const char* name, const std::string& term) {
+void checkTerm(const JsonFields& fields, const char* name, const std::string& term,
+               const std::vector<std::string>& ofProtocol) {
   std::set<std::string_view> factors;
   for (std::string_view rest = term; !rest.empty();) {
     const size_t end = std::min(rest.find(':'), rest.size());
     const std::string_view factor = rest.substr(0, end);
-    if (!contains(kFactors, factor) || !factors.insert(factor).second) {
+    if ((!contains(kFactors, factor) && !contains(ofProtocol, factor)) || !factors.insert(factor).second) {
       fields.fail(name, fmt::format("holds \"{}\", but terms are made of different factors among {}, joined by \":\"",
-                                    term, joined(kFactors)));
+                                    term, joined(kFactors) + (ofProtocol.empty() ? "" : ", " + joined(ofProtocol))));
     }
     rest = end < rest.size() ? rest.substr(end + 1) : std::string_view();
   }
@@ -62,11 +64,25 @@ void checkTerm(const JsonFields& fields, const char* name, const std::string& te
   }
 }
 
-std::vector<std::string> readTerms(JsonFields& fields, const char* name) {
+/// "condition" is another word for "view".
+std::string withViewForCondition(const std::string& term) {
+  std::string result;
+  for (size_t at = 0; at <= term.size();) {
+    const size_t end = std::min(term.find(':', at), term.size());
+    const std::string factor = term.substr(at, end - at);
+    result += factor == "condition" ? std::string("view") : factor;
+    result += end < term.size() ? ":" : "";
+    at = end + 1;
+  }
+  return result;
+}
+
+std::vector<std::string> readTerms(JsonFields& fields, const char* name, const std::vector<std::string>& ofProtocol) {
   std::vector<std::string> terms = fields.texts(name, 0, 50, kMaxName);
   std::set<std::string> seen;
-  for (const std::string& term : terms) {
-    checkTerm(fields, name, term);
+  for (std::string& term : terms) {
+    term = withViewForCondition(term);
+    checkTerm(fields, name, term, ofProtocol);
     if (!seen.insert(term).second) {
       fields.fail(name, fmt::format("holds \"{}\" twice", term));
     }
@@ -74,12 +90,13 @@ std::vector<std::string> readTerms(JsonFields& fields, const char* name) {
   return terms;
 }
 
-PlannedModel readModel(JsonFields& fields, const std::vector<std::string>& tasks, std::set<std::string>& names) {
+PlannedModel readModel(JsonFields& fields, const std::vector<std::string>& tasks,
+                       const std::vector<std::string>& factors, std::set<std::string>& names) {
   PlannedModel model;
   model.name = newName(fields, names);
   model.task = fields.choice("task", tasks);
   model.kind = fields.choiceOf("kind", kModelKinds);
-  model.terms = readTerms(fields, "terms");
+  model.terms = readTerms(fields, "terms", factors);
   std::set<std::string> groups;
   fields.forEach("random", 0, 10, [&](JsonFields& each) {
     RandomEffect effect;
@@ -87,9 +104,9 @@ PlannedModel readModel(JsonFields& fields, const std::vector<std::string>& tasks
     if (!groups.insert(effect.group).second) {
       each.fail("group", fmt::format("is \"{}\" a second time", effect.group));
     }
-    effect.slopes = readTerms(each, "slopes");
+    effect.slopes = readTerms(each, "slopes", factors);
     for (const std::string& slope : effect.slopes) {
-      if (isMixed(model.kind) && !model.terms.empty() && !contains(model.terms, slope)) {
+      if (!contains(factors, slope) && isMixed(model.kind) && !model.terms.empty() && !contains(model.terms, slope)) {
         each.fail("slopes",
                   fmt::format("holds \"{}\", which is not a term of the model: {}", slope, joined(model.terms)));
       }
@@ -128,6 +145,67 @@ Hypothesis readHypothesis(JsonFields& fields, const AnalysisPlan& plan, std::set
     fields.fail("term", fmt::format("is missing; model \"{}\" has the terms: {}", model->name, joined(model->terms)));
   }
   return hypothesis;
+}
+
+ContrastLevels readContrastLevels(const JsonFields& fields, const std::string& factor, const nlohmann::json& levels,
+                                  const AnalysisPlan& plan) {
+  const bool areTwo = levels.is_array() && levels.size() == 2 && levels[0].is_string() && levels[1].is_string();
+  if (!areTwo || levels[0] == levels[1]) {
+    fields.fail("factors", fmt::format("must give two different levels for \"{}\": [\"graph\", \"pinhole\"] is graph "
+                                       "less pinhole",
+                                       factor));
+  }
+  if (!contains(plan.factors, factor)) {
+    fields.fail("factors", fmt::format("names \"{}\", but the field \"factors\" of the plan has: {}", factor,
+                                       joined(plan.factors)));
+  }
+  return {factor, levels[0].get<std::string>(), levels[1].get<std::string>()};
+}
+
+PlannedContrast readContrast(JsonFields& fields, const AnalysisPlan& plan, std::set<std::string>& names) {
+  constexpr double kMaxWeight = 1000;
+  PlannedContrast contrast;
+  contrast.name = newName(fields, names);
+  contrast.statement = fields.shortText("statement", kMaxParagraph, "");
+  contrast.model = fields.shortText("model", kMaxName);
+  contrast.family = fields.shortText("family", kMaxName, contrast.model);
+  const PlannedModel* model = plan.findModel(contrast.model);
+  if (model == nullptr || !isMixed(model->kind)) {
+    fields.fail("model", fmt::format("is \"{}\", which is no mixed model of \"models\"", contrast.model));
+  }
+  const int ways =
+      (fields.has("conditions") ? 1 : 0) + (fields.has("weights") ? 1 : 0) + (fields.has("factors") ? 1 : 0);
+  if (ways != 1) {
+    fields.fail("conditions", "or \"weights\" or \"factors\" must say what is compared: one of them");
+  }
+  if (fields.has("conditions")) {
+    const std::vector<std::string> pair = fields.texts("conditions", 2, 2, kMaxName);
+    if (pair[0] == pair[1]) {
+      fields.fail("conditions", "must be two different conditions: the first is compared with the second");
+    }
+    contrast.weights = {{pair[0], 1}, {pair[1], -1}};
+  } else if (fields.has("weights")) {
+    JsonFields weights = fields.inner("weights");
+    double sum = 0;
+    for (const auto& [condition, weight] : fields.value("weights").items()) {
+      contrast.weights.emplace_back(condition, weights.number(condition, -kMaxWeight, kMaxWeight));
+      sum += contrast.weights.back().second;
+    }
+    weights.rejectUnknown();
+    const auto isNone = [](const auto& each) { return each.second == 0; };
+    if (std::abs(sum) > 1e-9 || std::all_of(contrast.weights.begin(), contrast.weights.end(), isNone)) {
+      fields.fail("weights", fmt::format("must sum to 0 and not all be 0, but their sum is {:g}", sum));
+    }
+  } else {
+    JsonFields levels = fields.inner("factors");
+    for (const auto& [factor, two] : fields.value("factors").items()) {
+      contrast.levels.push_back(readContrastLevels(fields, factor, levels.value(factor), plan));
+    }
+    if (contrast.levels.empty()) {
+      fields.fail("factors", "is empty");
+    }
+  }
+  return contrast;
 }
 
 HypothesisFamily readFamily(JsonFields& fields, const AnalysisPlan& plan, std::set<std::string>& names,
@@ -194,9 +272,14 @@ AnalysisPlan readFields(JsonFields& fields, const std::vector<std::string>& plan
   std::set<std::string> hypothesisNames;
   std::set<std::string> familyNames;
   std::set<std::string> inFamilies;
+  std::set<std::string> contrastNames;
   std::set<std::string> tasks;
-  fields.forEach("models", 0, kMaxEntries,
-                 [&](JsonFields& each) { plan.models.push_back(readModel(each, plannable, modelNames)); });
+  plan.factors = fields.texts("factors", 0, 20, kMaxName);
+  fields.forEach("models", 0, kMaxEntries, [&](JsonFields& each) {
+    plan.models.push_back(readModel(each, plannable, plan.factors, modelNames));
+  });
+  fields.forEach("contrasts", 0, kMaxEntries,
+                 [&](JsonFields& each) { plan.contrasts.push_back(readContrast(each, plan, contrastNames)); });
   fields.forEach("hypotheses", 0, kMaxEntries,
                  [&](JsonFields& each) { plan.hypotheses.push_back(readHypothesis(each, plan, hypothesisNames)); });
   fields.forEach("families", 0, kMaxEntries,

@@ -13,7 +13,7 @@
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/dataset/row_digest.h"
 #include "oc_core/base/error.h"
-#include "oc_core/base/file_bytes.h"
+#include "study/outline/csv_cases.h"
 #include "study/trial/trial_check.h"
 
 namespace ocelli {
@@ -120,7 +120,7 @@ class Reading {
     source.path = folder_;
     source.form = DataSource::Form::kCsv;
     if (!protocolFile.empty()) {
-      source.protocolText = readFile(protocolFile, kMaxTextBytes);
+      source.protocolText = readProtocolText(protocolFile).text;
       const ProtocolFacts facts = protocolFacts(source.protocolText, protocolFile);
       source.protocolName = facts.name;
       data_.conditions = facts.conditions;

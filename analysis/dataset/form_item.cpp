@@ -103,7 +103,7 @@ std::string FormItem::scaleText() const {
 }
 
 std::optional<TrialView> viewFavoredByLastEnd(const std::vector<std::string>& ends, const ViewConditions& conditions) {
-  if (ends.size() != 2) {
+  if (ends.size() != 2 || !conditions.isPair()) {
     return std::nullopt;
   }
   const std::optional<TrialView> first = viewInWords(ends[0], conditions);

@@ -13,12 +13,13 @@ namespace ocelli {
 /// views; else they are choices without an order. A question without options takes any text, or is not in the protocol.
 struct FormItem {
   std::string form;
-  std::string name;                       ///< "easier_find": as databases and tables write it
-  std::string question{};                 ///< as subjects read it; empty where no protocol has it
-  std::vector<std::string> options{};     ///< in the order of the protocol
-  std::vector<std::string> ends{};        ///< what the first and the last option mean; empty, or two
-  std::optional<TrialView> lastFavors{};  ///< the view that the last option speaks for, and the first for the other
-  bool favorsFromWords = false;           ///< taken from the words of `ends`, as the protocol has no "favors"
+  std::string name;                        ///< "easier_find": as databases and tables write it
+  std::string question{};                  ///< as subjects read it; empty where no protocol has it
+  std::vector<std::string> options{};      ///< in the order of the protocol
+  std::vector<std::string> ends{};         ///< what the first and the last option mean; empty, or two
+  std::optional<TrialView> lastFavors{};   ///< the view that the last option speaks for, of a scale that compares two
+  bool favorsFromWords = false;            ///< taken from the words of `ends`, as the protocol has no "favors"
+  std::optional<TrialView> firstFavors{};  ///< the view that the first option speaks for
 
   bool isInProtocol() const { return !question.empty(); }
   bool isScale() const;

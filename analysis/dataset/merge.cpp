@@ -116,9 +116,9 @@ void Merging::takeConditions() {
   size_t source = 0;
   for (const Dataset& part : parts_) {
     if (!part.conditions.hasNamesOf(merged_.conditions)) {
-      const auto& [reference, other] = part.conditions.list;
-      refuse(fmt::format("these compare different view conditions: {} with {}, and {} with {}",
-                         merged_.conditions.list[0].name, merged_.conditions.list[1].name, reference.name, other.name),
+      const char* with = merged_.conditions.isPair() && part.conditions.isPair() ? "with" : "and";
+      refuse(fmt::format("these compare different view conditions: {}, and {}", merged_.conditions.namesText(with),
+                         part.conditions.namesText(with)),
              merged_.sources.front().path, merged_.sources[source].path, "analyse them apart");
     }
     source += part.sources.size();

@@ -12,6 +12,7 @@
 #include "oc_core/maze/maze_plan.h"
 #include "study/outline/condition_names.h"
 #include "study/outline/form_field.h"
+#include "study/outline/study_factors.h"
 
 namespace ocelli {
 namespace {
@@ -35,7 +36,7 @@ ProtocolMaze readMazePlan(const std::string& name, JsonFields& fields) {
   return maze;
 }
 
-ProtocolCase readCase(JsonFields& fields, size_t index) {
+ProtocolCase readCase(JsonFields& fields, size_t index, const std::vector<StudyFactor>& factors) {
   ProtocolCase result;
   result.label = fields.shortText("label", kMaxStoredCharacters, fmt::format("case {}", index + 1));
   if (fields.has("row") && fields.has("column")) {
@@ -44,10 +45,13 @@ ProtocolCase readCase(JsonFields& fields, size_t index) {
   }
   result.east = fields.number("east", -0.5, 0.5, 0);
   result.south = fields.number("south", -0.5, 0.5, 0);
+  if (fields.has("factors")) {
+    result.levels = readLevels(fields, factors, FactorsOf::kCases);
+  }
   return result;
 }
 
-ProtocolBlockFacts readBlock(JsonFields& fields) {
+ProtocolBlockFacts readBlock(JsonFields& fields, const std::vector<StudyFactor>& factors) {
   ProtocolBlockFacts block{readBlockOutline(fields, ProtocolReading::kByAnalysis)};
   block.maze = fields.shortText("maze", kMaxStoredCharacters, "");
   block.moving = fields.has("moving");
@@ -62,7 +66,7 @@ ProtocolBlockFacts readBlock(JsonFields& fields) {
     block.maps = fields.integer("maps", 2, 100, known.maps);
   }
   fields.forEach("cases", 0, kMaxListed,
-                 [&](JsonFields& each) { block.cases.push_back(readCase(each, block.cases.size())); });
+                 [&](JsonFields& each) { block.cases.push_back(readCase(each, block.cases.size(), factors)); });
   return block;
 }
 
@@ -81,8 +85,10 @@ FormItem readItem(JsonFields& fields, const std::string& form, const ViewConditi
   FormItem item{form, field.name, field.question, field.options, field.ends};
   if (!field.favors.empty()) {
     item.lastFavors = field.favors.back();
+    item.firstFavors = field.favors.front();
   } else if (const std::optional<TrialView> view = viewFavoredByLastEnd(item.ends, conditions)) {
     item.lastFavors = view;
+    item.firstFavors = otherThan(*view);
     item.favorsFromWords = true;
   }
   return item;
@@ -118,9 +124,11 @@ ProtocolFacts protocolFacts(const std::string& text, const std::string& where) {
     fields.forEachNamed("mazes", kMaxListed, [&](const std::string& name, JsonFields& each) {
       facts.mazes.push_back(readMazePlan(name, each));
     });
-    fields.forEach("blocks", 0, kMaxListed, [&](JsonFields& each) { facts.blocks.push_back(readBlock(each)); });
-    fields.forEach("exclusions", 0, kMaxListed, [&](JsonFields& each) { facts.exclusions.push_back(readRule(each)); });
     facts.conditions = readConditionNames(fields, [](JsonFields&, TrialView) {});
+    const std::vector<StudyFactor>& factors = facts.conditions.factors;
+    fields.forEach("blocks", 0, kMaxListed,
+                   [&](JsonFields& each) { facts.blocks.push_back(readBlock(each, factors)); });
+    fields.forEach("exclusions", 0, kMaxListed, [&](JsonFields& each) { facts.exclusions.push_back(readRule(each)); });
     for (const char* form : {"demographics", "survey"}) {
       if (fields.has(form)) {
         fields.inner(form).forEach("fields", 0, kMaxListed, [&](JsonFields& each) {

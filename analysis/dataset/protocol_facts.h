@@ -29,6 +29,7 @@ struct ProtocolCase {
   std::optional<int> column{};
   double east = 0;  ///< from the middle of the cell, in cell sizes
   double south = 0;
+  FactorLevels levels{};  ///< of each factor of cases, where the block has these
 };
 
 struct ProtocolBlockFacts : BlockOutline {

@@ -82,7 +82,8 @@ StudyResults analyseStudy(const PowerWork& work, const Truth& truth, int subject
   results.analysed = analysis.flow.analysed;
   if (truth.kind != Truth::Kind::kAtBound) {
     take(results.view, [&](StudyResult& result) {
-      const ViewTest test = testOfView(analysis, work.model);
+      const ViewTest test = work.contrast == nullptr ? testOfView(analysis, work.model)
+                                                     : testOfContrast(analysis, work.model, *work.contrast);
       result.warned = test.warned;
       if (test.view && std::isfinite(test.view->pValue)) {
         result.found = test.view->pValue <= work.alpha;
@@ -136,6 +137,7 @@ PowerCurve emptyCurve(const PowerWork& work, const Truth& truth, Test test) {
   PowerCurve curve;
   curve.test = test;
   curve.truth = truth.label;
+  curve.contrast = work.contrast == nullptr || test != Test::kView ? "" : work.contrast->name;
   const double difference = truth.other - truth.reference;
   curve.trueValue = test == Test::kView ? truth.ratio : difference;
   const bool isThere = test == Test::kView ? truth.kind != Truth::Kind::kNone

@@ -13,13 +13,14 @@ namespace ocelli {
 struct PowerWork {
   const Protocol& protocol;
   const AnalysisPlan& plan;
-  const PlannedModel& model;                   ///< of the plan, as viewModelOf() gives it
+  const PlannedModel& model;                   ///< of the plan, as viewModelOf() gives it, or that of the contrast
   const PlannedEquivalence* bounds = nullptr;  ///< of the plan, where equivalence is tested too
   std::vector<int> subjects{};                 ///< rising
   int simulations = 1;                         ///< studies of each number of subjects and truth
   double alpha = 0.05;
   double dropOut = 0;  ///< share of subjects who do not come back after each session
   uint64_t seed = 1;
+  const PlannedContrast* contrast = nullptr;  ///< of the model, that is tested in place of its term "view"
 };
 
 /// How many sessions each subject of a study takes part in.

@@ -231,7 +231,9 @@ void addHypotheses(ReportWork& work) {
                       family.name, pValues.size(), planName(plan), untested)});
     }
   }
-  work.document.add(answers);
+  if (!answers.items.empty() || work.analysis.data.conditions.isPair()) {
+    work.document.add(answers);
+  }
   for (ReportTable& table : tables) {
     work.document.add(std::move(table));
   }

@@ -81,7 +81,8 @@ void addSuppositions(ReportDocument& document, const PowerStudy& study) {
                  {"SHA-256 of the protocol", study.protocolSha256, true},
                  {"Task", study.task},
                  {"Plan", describe(study.plan)},
-                 {"Model", fmt::format("{}, its term view", study.model)},
+                 {"Model", study.contrast.empty() ? fmt::format("{}, its term view", study.model)
+                                                  : fmt::format("{}, its contrast {}", study.model, study.contrast)},
                  {"Alpha", fmt::format("{:g}, two-sided", study.alpha)},
                  {"Studies", fmt::format("{} of each number of subjects, of each kind", study.simulations)},
                  {"Seed", std::to_string(study.seed)}};
@@ -94,13 +95,15 @@ void addSuppositions(ReportDocument& document, const PowerStudy& study) {
   document.add(facts);
   document.add(ReportExcerpt{
       "For a methods section",
-      fmt::format(
-          "Power was found by simulation: for each number of subjects, {} studies were drawn with the schedule "
-          "and counterbalancing of the protocol, thinned by the exclusions of the plan, and analysed by its "
-          "model \"{}\"; power is the share of studies in which the effect of the view had p <= {:g}. Intervals "
-          "are exact (Clopper and Pearson); the number of subjects for a power of {:g} is interpolated "
-          "linearly between the simulated numbers.",
-          study.simulations, study.model, study.alpha, study.power)});
+      fmt::format("Power was found by simulation: for each number of subjects, {} studies were drawn with the schedule "
+                  "and counterbalancing of the protocol, thinned by the exclusions of the plan, and analysed by its "
+                  "model \"{}\"; power is the share of studies in which {} had p <= {:g}. Intervals "
+                  "are exact (Clopper and Pearson); the number of subjects for a power of {:g} is interpolated "
+                  "linearly between the simulated numbers.",
+                  study.simulations, study.model,
+                  study.contrast.empty() ? std::string("the effect of the view")
+                                         : fmt::format("the contrast \"{}\"", study.contrast),
+                  study.alpha, study.power)});
 }
 
 }  // namespace

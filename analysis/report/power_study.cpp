@@ -60,6 +60,24 @@ void addCorrections(const PowerStudy& study, std::vector<std::string>& cautions)
   }
 }
 
+/// The same of a contrast.
+void addCorrectionOfContrast(const PowerStudy& study, std::vector<std::string>& cautions) {
+  const std::vector<PlannedContrast>& contrasts = study.plan.contrasts;
+  const auto tested = std::find_if(contrasts.begin(), contrasts.end(),
+                                   [&](const PlannedContrast& each) { return each.name == study.contrast; });
+  if (tested == contrasts.end()) {
+    return;
+  }
+  const auto inFamily = std::count_if(contrasts.begin(), contrasts.end(),
+                                      [&](const PlannedContrast& each) { return each.family == tested->family; });
+  if (inFamily > 1) {
+    cautions.push_back(fmt::format(
+        "The plan tests \"{}\" with {} others in the family \"{}\" by Holm's correction, and the power here "
+        "is that of the test alone, at alpha {:g}: at {:.3g} it holds whatever the others give",
+        tested->name, inFamily - 1, tested->family, study.alpha, study.plan.alpha / static_cast<double>(inFamily)));
+  }
+}
+
 }  // namespace
 
 std::vector<PowerPoint> pointsOf(const PowerCurve& curve) {
@@ -77,7 +95,9 @@ bool isOfTimes(const PowerStudy& study) {
 
 std::string nameOf(const PowerCurve& curve) {
   return fmt::format("{}, {}", curve.truth,
-                     curve.test == PowerCurve::Test::kView ? "test of the view" : "test of equivalence");
+                     !curve.contrast.empty()                 ? fmt::format("test of {}", curve.contrast)
+                     : curve.test == PowerCurve::Test::kView ? std::string("test of the view")
+                                                             : std::string("test of equivalence"));
 }
 
 std::string answerOf(const PowerStudy& study, const PowerCurve& curve) {
@@ -123,6 +143,7 @@ std::vector<std::string> cautionsOf(const PowerStudy& study) {
     }
   }
   addCorrections(study, cautions);
+  addCorrectionOfContrast(study, cautions);
   return cautions;
 }
 

@@ -30,13 +30,14 @@ struct PowerCurve {
     kFalseAlarm  ///< it is not: the share of studies that find it nevertheless is the type-I error
   };
   enum class Test {
-    kView,        ///< the views differ: the model's term "view"
+    kView,        ///< the views differ: the model's term "view", or a contrast
     kEquivalence  ///< they do not differ by as much as the plan's bounds
   };
   Question question = Question::kPower;
   Test test = Test::kView;
-  std::string truth;     ///< "bent takes 0.8 of the time"
-  double trueValue = 0;  ///< what `estimate` should be: a ratio or a difference
+  std::string truth;       ///< "bent takes 0.8 of the time"
+  std::string contrast{};  ///< that is tested in place of the view; empty in studies of two conditions
+  double trueValue = 0;    ///< what `estimate` should be: a ratio or a difference
   std::vector<PowerSize> sizes;
 };
 
@@ -46,7 +47,8 @@ struct PowerStudy {
   std::string task;
   ViewConditions conditions = defaultConditions();  ///< of the protocol
   AnalysisPlan plan;
-  std::string model;  ///< of the plan
+  std::string model;       ///< of the plan
+  std::string contrast{};  ///< name of the one that is tested; empty: the model's term "view"
   std::optional<PlannedEquivalence> bounds{};
   std::vector<std::string> supposed;  ///< what else was taken to be true, a line each
   int sessions = 1;

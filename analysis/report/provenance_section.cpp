@@ -19,10 +19,11 @@ void addProvenance(ReportWork& work, const std::string& version) {
       facts.facts.push_back({fmt::format("Protocol {}", source.protocolName), source.protocolSha256, true});
     }
   }
-  const auto& [reference, other] = analysis.data.conditions.list;
-  facts.facts.push_back({"Views in data and files",
-                         fmt::format("{}: {}; {}: {}", reference.name, reference.label, other.name, other.label),
-                         true});
+  std::string views;
+  for (const ViewCondition& condition : analysis.data.conditions.list) {
+    views += fmt::format("{}{}: {}", views.empty() ? "" : "; ", condition.name, condition.label);
+  }
+  facts.facts.push_back({"Views in data and files", views, true});
   work.document.add(facts);
 }
 

@@ -121,7 +121,28 @@ void addTaskModels(ReportWork& work, const ReportTask& task, const TrialList& tr
   }
 }
 
+namespace {
+
+/// Of another number of conditions than two: the mixed models of the tasks, whose contrasts are those with the first
+/// condition (contrast_weights.h).
+AnalysisPlan defaultPlanOfConditions(const std::vector<std::string>& tasks) {
+  AnalysisPlan plan;
+  for (const ReportTask& task : reportTasks()) {
+    if (task.hasTrials && !tasks.empty() && std::find(tasks.begin(), tasks.end(), task.name) == tasks.end()) {
+      continue;
+    }
+    std::copy_if(task.models.begin(), task.models.end(), std::back_inserter(plan.models),
+                 [](const PlannedModel& model) { return isMixed(model.kind) || model.kind == ModelKind::kOrdinal; });
+  }
+  return plan;
+}
+
+}  // namespace
+
 AnalysisPlan defaultPlan(const ViewConditions& conditions, const std::vector<std::string>& tasks) {
+  if (!conditions.isPair()) {
+    return defaultPlanOfConditions(tasks);
+  }
   AnalysisPlan plan;
   HypothesisFamily primary{"primary", true, {}};
   HypothesisFamily secondary{"secondary", true, {}};

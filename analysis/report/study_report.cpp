@@ -1,6 +1,7 @@
 #include "analysis/report/study_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -8,6 +9,7 @@
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/report/apparatus_section.h"
 #include "analysis/report/completers_section.h"
+#include "analysis/report/conditions_section.h"
 #include "analysis/report/flow_section.h"
 #include "analysis/report/learning_section.h"
 #include "analysis/report/methods_section.h"
@@ -22,6 +24,34 @@
 namespace ocelli {
 namespace {
 
+/// Of another number of conditions than two.
+void addConditionsOfDesign(ReportWork& work) {
+  const ViewConditions& conditions = work.analysis.data.conditions;
+  ReportList list;
+  for (const ViewCondition& condition : conditions.list) {
+    std::vector<std::string> levels;
+    for (const auto& [factor, level] : condition.levels) {
+      levels.push_back(fmt::format("{} {}", factor, level));
+    }
+    list.items.push_back(levels.empty()
+                             ? fmt::format("{}: {}", condition.name, condition.label)
+                             : fmt::format("{}: {} ({})", condition.name, condition.label, fmt::join(levels, ", ")));
+  }
+  work.document.add(ReportParagraph{
+      fmt::format("The study has {} condition{}:", conditions.size(), conditions.size() == 1 ? "" : "s")});
+  work.document.add(list);
+  work.document.add(ReportParagraph{
+      "Intervals are of 95 %; tests and intervals of ratios are of their logarithm, and SE is the standard error, of "
+      "ratios by the delta method. Contrasts compare conditions, or levels of factors with the other factors at their "
+      "means, each cell counting alike; their p values are corrected by Holm's method within their family. Tables that "
+      "are marked as exploratory are not of a registered plan."});
+  work.document.add(ReportNote{
+      NoteKind::kNote,
+      "Left out, as they compare two views: the tables of Rosen 2010, learning by view, navigation, the comparison of "
+      "completers and drop-outs, resampling, sizes of effects, sensitivity to cases, checks of residuals, and "
+      "analysis.R."});
+}
+
 void addDesign(ReportWork& work) {
   const AnalysisData& analysis = work.analysis;
   addHeading(work.document, 1, "Design and data", "design");
@@ -33,7 +63,10 @@ void addDesign(ReportWork& work) {
       for (const ProtocolBlockFacts& block : protocol.blocks) {
         blocks.items.push_back(
             fmt::format("{} (task {}): {} cases, {}", block.name, block.task, block.cases.size(),
-                        block.views == ViewsOfCases::kBoth ? "each in both views" : "each in one view"));
+                        !analysis.data.conditions.isPair()
+                            ? (block.views == ViewsOfCases::kAll ? "each in all conditions" : "each in one condition")
+                        : block.views == ViewsOfCases::kAll ? "each in both views"
+                                                            : "each in one view"));
       }
       work.document.add(blocks);
       break;
@@ -43,13 +76,18 @@ void addDesign(ReportWork& work) {
     const ViewCondition& condition = analysis.data.conditions.of(view);
     return condition.description.empty() ? condition.label : condition.description;
   };
-  work.document.add(ReportParagraph{fmt::format(
-      "Two views are compared: {}, and {}. Intervals are of 95 % where nothing else is said, and SE is the standard "
-      "error, of ratios by the delta method; tests and intervals of "
-      "ratios are of their logarithm. Outside of the tables of hypotheses p values are not corrected for their number. "
-      "Tables that are marked as exploratory are not of a registered plan. The supplement has checks of the models, "
-      "results without one case after the other, what was left out, and where each number comes from.",
-      described(TrialView::kReference), described(TrialView::kOther))});
+  if (!analysis.data.conditions.isPair()) {
+    addConditionsOfDesign(work);
+  } else {
+    work.document.add(ReportParagraph{fmt::format(
+        "Two views are compared: {}, and {}. Intervals are of 95 % where nothing else is said, and SE is the standard "
+        "error, of ratios by the delta method; tests and intervals of "
+        "ratios are of their logarithm. Outside of the tables of hypotheses p values are not corrected for their "
+        "number. "
+        "Tables that are marked as exploratory are not of a registered plan. The supplement has checks of the models, "
+        "results without one case after the other, what was left out, and where each number comes from.",
+        described(TrialView::kReference), described(TrialView::kOther))});
+  }
   for (const std::string& note : analysis.data.notes) {
     work.document.add(ReportNote{NoteKind::kNote, note});
   }
@@ -60,6 +98,11 @@ void markExploratory(ReportDocument& document, const AnalysisPlan& plan) {
   const auto isPlanned = [&](const std::string& id) {
     return plan.isRegistered() &&
            (plan.findModel(id) != nullptr ||
+            std::any_of(plan.contrasts.begin(), plan.contrasts.end(),
+                        [&](const PlannedContrast& contrast) {
+                          return id == contrastTableOf(contrast.model) ||
+                                 id == fmt::format("family-{}", contrast.family);
+                        }) ||
             std::any_of(plan.families.begin(), plan.families.end(),
                         [&](const HypothesisFamily& family) { return id == fmt::format("family-{}", family.name); }));
   };
@@ -140,7 +183,10 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   addPart(work, "Design and data", [&] { addDesign(work); });
   addPart(work, "Apparatus", [&] { addApparatus(work); });
   addPart(work, "Flow of subjects", [&] { addFlowSection(work); });
-  addPart(work, "Tables of the study", [&] { addPaperSection(work, tables); });
+  const bool isPair = analysis.data.conditions.isPair();
+  if (isPair) {
+    addPart(work, "Tables of the study", [&] { addPaperSection(work, tables); });
+  }
   const auto tell = [&](const std::string& stage, double done) {
     if (options.progress && !stage.empty()) {
       options.progress(stage, done);
@@ -148,20 +194,36 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   };
   std::vector<ReportTask> wanted = reportTasksOf(analysis.data, analysis.plan);
   std::erase_if(wanted, [&](const ReportTask& task) { return !work.isWanted(task.name); });
+  ContrastFamilies families;
+  const auto addConditions = [&](const ReportTask& task) {
+    tell(task.parts.front().stage, task.parts.front().done);
+    addHeading(work.document, 1, task.title, fmt::format("conditions-of-{}", namePart(task.name)));
+    addPart(work, fmt::format("Conditions of {}", task.name), [&] { addConditionTables(work, task); });
+    addConditionModels(work, task, true, families);
+  };
   const auto addTasks = [&](bool withTrials) {
     for (const ReportTask& task : wanted) {
+      if (!isPair && task.hasTrials) {
+        if (withTrials) {
+          addConditions(task);
+        }
+        continue;
+      }
       for (const TaskPart& part : task.parts) {
         if (task.hasTrials == withTrials) {
           tell(part.stage, part.done);
           addPart(work, part.title, [&] { part.add(work, task); });
         }
       }
+      if (withTrials && task.hasTrials) {
+        addConditionModels(work, task, false, families);
+      }
     }
   };
   addTasks(true);
   std::vector<ReportTask> practised = wanted;
   std::erase_if(practised, [](const ReportTask& task) { return !task.hasTrials; });
-  if (!practised.empty()) {
+  if (!practised.empty() && isPair) {
     tell("learning", 0.95);
     addPart(work, "Learning", [&] { addLearningSection(work, practised); });
     addPart(work, "Comparison of completers and drop-outs", [&] { addCompletersSection(work, practised); });
@@ -171,6 +233,7 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   addPart(work, "Provenance", [&] { addProvenance(work, options.version); });
   const size_t answers = document.elements.size();
   addPart(work, "Hypotheses", [&] { addHypotheses(work); });
+  addPart(work, "Families of contrasts", [&] { families.write(work); });
   moveToFront(document.elements, answers, simulated ? 1 : 0);
   markExploratory(document, analysis.plan);
   spellOutViews(document);
@@ -184,7 +247,9 @@ std::vector<ReportFile> tableFiles(const AnalysisData& analysis, const ReportDoc
   if (trials) {
     files.push_back({"tables/trials.csv", trialsCsv(analysis.data)});
     files.push_back({"tables/answers.csv", answersCsv(analysis.data)});
-    files.push_back({"analysis.R", rScript(analysis, options.only, options.version)});
+    if (analysis.data.conditions.isPair()) {
+      files.push_back({"analysis.R", rScript(analysis, options.only, options.version)});
+    }
   }
   return files;
 }

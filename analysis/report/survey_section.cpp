@@ -203,10 +203,25 @@ struct PreferenceTest {
   std::string measure;
 };
 
-/// The places of answers as if the last option of the scale spoke for the other condition.
-std::vector<int> placesTowardsOther(const ItemAnswers& each) {
+/// The two conditions that a question compares, for readers: of a pair @reference@ and @other@, or else those of the
+/// first and the last option.
+struct ComparedWords {
+  std::string from;
+  std::string towards;
+};
+
+ComparedWords comparedBy(const ReportWork& work, const FormItem& item) {
+  const ViewConditions& conditions = work.analysis.data.conditions;
+  return conditions.isPair() || !item.firstFavors || !item.lastFavors
+             ? ComparedWords{kReferenceMark, kOtherMark}
+             : ComparedWords{conditions.labelOf(*item.firstFavors), conditions.labelOf(*item.lastFavors)};
+}
+
+/// The places of answers as if the last option of the scale spoke for the other condition; of other numbers of
+/// conditions than two, as they are.
+std::vector<int> placesTowardsOther(const ReportWork& work, const ItemAnswers& each) {
   std::vector<int> places = placesOf(each);
-  if (each.item.lastFavors == TrialView::kReference) {
+  if (work.analysis.data.conditions.isPair() && each.item.lastFavors == TrialView::kReference) {
     for (int& place : places) {
       place = each.item.steps() + 1 - place;
     }
@@ -214,12 +229,13 @@ std::vector<int> placesTowardsOther(const ItemAnswers& each) {
   return places;
 }
 
-PreferenceTest testPreference(const ItemAnswers& each) {
+PreferenceTest testPreference(const ReportWork& work, const ItemAnswers& each) {
   const FormItem& item = each.item;
-  const std::vector<int> places = placesTowardsOther(each);
+  const std::vector<int> places = placesTowardsOther(work, each);
   const Estimable<MiddleTest> test = testAgainstMiddle(places, item.steps());
   return {test ? Estimable<Estimate>(test->signedRank.center) : Estimable<Estimate>::impossible(test.reason()),
-          fmt::format("\"{}\": steps from the middle of {} towards @other@", item.label(), item.steps())};
+          fmt::format("\"{}\": steps from the middle of {} towards {}", item.label(), item.steps(),
+                      comparedBy(work, item).towards)};
 }
 
 /// The model of the survey is one test: the smallest p value, corrected for the number of questions.
@@ -253,12 +269,15 @@ void addOutcome(ReportWork& work, const std::vector<PreferenceTest>& tests) {
 }
 
 void addPreferences(ReportWork& work, const std::vector<ItemAnswers>& items) {
+  const bool isPair = work.analysis.data.conditions.isPair();
   std::vector<EstimateRow> rows;
   std::vector<PreferenceTest> tests;
   for (const ItemAnswers& each : items) {
     if (each.item.comparesViews() && !each.answers.empty()) {
-      tests.push_back(testPreference(each));
-      rows.push_back({fmt::format("{} ({})", each.item.label(), each.item.scaleText()),
+      tests.push_back(testPreference(work, each));
+      rows.push_back({isPair ? fmt::format("{} ({})", each.item.label(), each.item.scaleText())
+                             : fmt::format("{} ({}), towards {}", each.item.label(), each.item.scaleText(),
+                                           comparedBy(work, each.item).towards),
                       tests.back().shift,
                       "steps",
                       fmt::format("last answers of {} subjects to {}", each.answers.size(), each.item.name),
@@ -267,18 +286,23 @@ void addPreferences(ReportWork& work, const std::vector<ItemAnswers>& items) {
     }
   }
   if (!rows.empty()) {
-    addEstimates(work.document,
-                 "Which view the answers speak for: steps from the middle of each scale, above 0 towards @other@ "
-                 "(Hodges-Lehmann center, Wilcoxon's signed ranks)",
-                 kSurveyTestsTable, rows);
+    addEstimates(
+        work.document,
+        fmt::format("Which view the answers speak for: steps from the middle of each scale, above 0 towards {} "
+                    "(Hodges-Lehmann center, Wilcoxon's signed ranks)",
+                    isPair ? kOtherMark : "the view that the last option speaks for"),
+        kSurveyTestsTable, rows);
   }
   addOutcome(work, tests);
 }
 
-/// With which view each subject began.
-std::map<std::string, TrialView> firstViews(const Dataset& data) {
+/// Which of the views that the question compares each subject saw first.
+std::map<std::string, TrialView> firstViews(const Dataset& data, const FormItem& item) {
   std::map<std::string, const Trial*> first;
   for (const Trial& trial : data.trials) {
+    if (!data.conditions.isPair() && item.firstFavors != trial.view && item.lastFavors != trial.view) {
+      continue;
+    }
     const Trial*& known = first[trial.subject];
     if (known == nullptr || std::pair(trial.session, trial.planIndex) < std::pair(known->session, known->planIndex)) {
       known = &trial;
@@ -293,13 +317,16 @@ std::map<std::string, TrialView> firstViews(const Dataset& data) {
 
 /// Whether answers go with the view that came first.
 void addOrder(ReportWork& work, const std::vector<ItemAnswers>& items) {
-  const std::map<std::string, TrialView> began = firstViews(work.analysis.data);
+  const bool isPair = work.analysis.data.conditions.isPair();
   std::vector<EstimateRow> rows;
   for (const ItemAnswers& each : items) {
     if (!each.item.comparesViews() || each.answers.empty()) {
       continue;
     }
-    const std::vector<int> all = placesTowardsOther(each);
+    const std::map<std::string, TrialView> began = firstViews(work.analysis.data, each.item);
+    const TrialView other = isPair ? TrialView::kOther : *each.item.lastFavors;
+    const ComparedWords words = comparedBy(work, each.item);
+    const std::vector<int> all = placesTowardsOther(work, each);
     std::vector<int> places;
     Covariate otherFirst{"other view first", {}};
     std::vector<RowRef> answers;
@@ -307,7 +334,7 @@ void addOrder(ReportWork& work, const std::vector<ItemAnswers>& items) {
       const FormAnswer& row = *each.answers[i].row;
       if (const auto found = began.find(row.subject); found != began.end()) {
         places.push_back(all[i]);
-        otherFirst.values.push_back(found->second == TrialView::kOther ? 1 : 0);
+        otherFirst.values.push_back(found->second == other ? 1 : 0);
         answers.push_back({row.source, row.answerId});
       }
     }
@@ -320,7 +347,7 @@ void addOrder(ReportWork& work, const std::vector<ItemAnswers>& items) {
       const Estimable<ProportionalOddsFit> fit = fitProportionalOdds(places, {otherFirst});
       ratio = fit ? Ratio(fit->terms.front().oddsRatio) : Ratio::impossible(fit.reason());
     }
-    rows.push_back({fmt::format("{} (@other@ first / @reference@ first)", each.item.label()),
+    rows.push_back({fmt::format("{} ({} first / {} first)", each.item.label(), words.towards, words.from),
                     ratio,
                     "",
                     fmt::format("last answers of {} subjects to {}, by the view of their first trial", places.size(),
@@ -330,8 +357,11 @@ void addOrder(ReportWork& work, const std::vector<ItemAnswers>& items) {
   }
   if (!rows.empty()) {
     addEstimates(work.document,
-                 "Whether answers go with the view of a subject's first trial: odds ratio of an answer farther towards "
-                 "@other@ where @other@ came first (proportional odds)",
+                 isPair
+                     ? "Whether answers go with the view of a subject's first trial: odds ratio of an answer farther "
+                       "towards @other@ where @other@ came first (proportional odds)"
+                     : "Whether answers go with which of the two views a subject saw first: odds ratio of an answer "
+                       "farther towards the view of the last option where that came first (proportional odds)",
                  "survey-first-view", rows);
   }
 }

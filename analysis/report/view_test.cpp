@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "analysis/report/condition_model.h"
 #include "analysis/report/planned_model.h"
 #include "analysis/report/report_task.h"
 #include "analysis/report/right_answers.h"
@@ -33,6 +34,12 @@ ViewTest testOfView(const AnalysisData& analysis, const PlannedModel& model) {
   const Estimable<Estimate> view = fit ? viewLogarithm(*fit) : Estimable<Estimate>::impossible(fit.reason());
   return {view ? view : Estimable<Estimate>::impossible(withViewNames(view.reason(), analysis.data.conditions)),
           fit && !fit->warnings.empty()};
+}
+
+ViewTest testOfContrast(const AnalysisData& analysis, const PlannedModel& model, const PlannedContrast& contrast) {
+  const Estimable<ConditionFit> fit = fitConditions(analysis.data, model, trialsOfTask(analysis, model.task),
+                                                    reportTask(model.task).timeouts(analysis.plan), {contrast});
+  return {fit ? fit->contrasts.front().estimate : Estimable<Estimate>::impossible(fit.reason()), fit && fit->warned()};
 }
 
 const PlannedEquivalence* equivalenceBoundsOf(const AnalysisPlan& plan, const std::string& task) {

@@ -22,6 +22,9 @@ struct ViewTest {
 /// `model` is one that viewModelOf() gives for the plan of these data.
 ViewTest testOfView(const AnalysisData& analysis, const PlannedModel& model);
 
+/// The contrast, likewise, in a study of any number of conditions.
+ViewTest testOfContrast(const AnalysisData& analysis, const PlannedModel& model, const PlannedContrast& contrast);
+
 /// The bounds that the plan has for the task; nullptr where it has none.
 const PlannedEquivalence* equivalenceBoundsOf(const AnalysisPlan& plan, const std::string& task);
 /// Of the mean of the subjects' differences of shares of right answers, against these bounds.

@@ -326,7 +326,8 @@ Table PaperTables::figure75() const {
     name += before > 0 ? fmt::format("-{}", before + 1) : "";
     const TrialList ofReference = ofView(trials, TrialView::kReference);
     const TrialList ofOther = ofView(trials, TrialView::kOther);
-    const auto& [reference, other] = conditions().list;
+    const ViewCondition& reference = conditions().of(TrialView::kReference);
+    const ViewCondition& other = conditions().of(TrialView::kOther);
     TableRow row{{objectsName(moving), trials.front()->caseLabel}, {}};
     row.cells.push_back(meanTimeCell(fmt::format("{}/{}", name, reference.name), ofReference, options_.timeouts));
     row.cells.push_back(meanTimeCell(fmt::format("{}/{}", name, other.name), ofOther, options_.timeouts));
@@ -498,7 +499,7 @@ Table PaperTables::survey() const {
 }  // namespace
 
 std::vector<Table> paperTables(const AnalysisData& analysis, const PaperTableOptions& options) {
-  return PaperTables(analysis, options).all();
+  return analysis.data.conditions.isPair() ? PaperTables(analysis, options).all() : std::vector<Table>{};
 }
 
 }  // namespace ocelli

@@ -9,11 +9,15 @@ namespace {
 /// Goes through a text that is known to be JSON, and notes the line of each value, or of the name before it.
 class LineWalk {
  public:
-  LineWalk(std::string_view text, std::map<std::string, int>& lines) : text_(text), lines_(lines) {}
+  LineWalk(std::string_view text, std::map<std::string, int>& lines, std::string wanted = "")
+      : text_(text), lines_(lines), wanted_(std::move(wanted)) {}
+
+  std::pair<size_t, size_t> bytesOfWanted() const { return bytes_; }
 
   void value(const std::string& pointer) {
     skipSpace();
     lines_.emplace(pointer, line_);
+    const size_t begin = at_;
     if (peek() == '{') {
       members(pointer);
     } else if (peek() == '[') {
@@ -24,6 +28,9 @@ class LineWalk {
       while (at_ < text_.size() && std::string_view(",]} \t\r\n/").find(text_[at_]) == std::string_view::npos) {
         ++at_;
       }
+    }
+    if (pointer == wanted_) {
+      bytes_ = {begin, at_};
     }
     skipSpace();
   }
@@ -104,6 +111,8 @@ class LineWalk {
 
   std::string_view text_;
   std::map<std::string, int>& lines_;
+  std::string wanted_;  ///< pointer whose bytes are noted
+  std::pair<size_t, size_t> bytes_{};
   size_t at_ = 0;
   int line_ = 1;
 };
@@ -133,6 +142,13 @@ std::map<std::string, int> linesOfJson(std::string_view text) {
   std::map<std::string, int> lines;
   LineWalk(text, lines).value("");
   return lines;
+}
+
+std::pair<size_t, size_t> bytesOfJson(std::string_view text, const std::string& pointer) {
+  std::map<std::string, int> lines;
+  LineWalk walk(text, lines, pointer);
+  walk.value("");
+  return walk.bytesOfWanted();
 }
 
 }  // namespace ocelli

@@ -10,6 +10,7 @@ namespace ocelli {
 namespace {
 
 constexpr size_t kMaxIdentifier = 60;
+constexpr const char* kAllViews = "all";
 
 PracticeOutline readPracticeOutline(JsonFields& block, ProtocolReading reading) {
   constexpr int kMaxTrials = 100;
@@ -31,10 +32,6 @@ PracticeOutline readPracticeOutline(JsonFields& block, ProtocolReading reading) 
 
 }  // namespace
 
-const char* nameOf(ViewsOfCases views) {
-  return views == ViewsOfCases::kBoth ? "both" : "one";
-}
-
 BlockOutline readBlockOutline(JsonFields& fields, ProtocolReading reading) {
   BlockOutline block;
   const size_t maxTitle = maxCharacters(reading, kMaxTitleCharacters);
@@ -42,14 +39,15 @@ BlockOutline readBlockOutline(JsonFields& fields, ProtocolReading reading) {
     block.name = readIdentifier(fields, "name", true);
     fields.callIt(block.name);
     block.title = fields.shortText("title", maxTitle);
-    block.views = fields.choiceOf("views", kViewsOfCases, block.views);
+    block.views =
+        fields.choice("views", {"both", "one", "all"}, kAllViews) == "one" ? ViewsOfCases::kOne : ViewsOfCases::kAll;
   } else {
     block.name = fields.shortText("name", maxTitle);
     fields.callIt(block.name);
     block.title = fields.shortText("title", maxTitle, block.name);
     // Whatever another version calls it.
-    const bool both = fields.text("views", nameOf(ViewsOfCases::kBoth)) == nameOf(ViewsOfCases::kBoth);
-    block.views = both ? ViewsOfCases::kBoth : ViewsOfCases::kOne;
+    const std::string views = fields.text("views", kAllViews);
+    block.views = views == kAllViews || views == "both" ? ViewsOfCases::kAll : ViewsOfCases::kOne;
   }
   block.task = fields.shortText("task", maxTitle);
   if (fields.has("practice")) {

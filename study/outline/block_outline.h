@@ -1,7 +1,6 @@
 // What every block of a protocol has, whatever its task.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,11 +12,9 @@ namespace ocelli {
 class JsonFields;
 
 enum class ViewsOfCases : uint8_t {
-  kBoth,  ///< each case is seen in both views
-  kOne,   ///< each case is seen in one view, counterbalanced over subjects where the order is balanced
+  kAll,  ///< each case is seen in all conditions: "all", or "both", which is the older word
+  kOne,  ///< each case is seen in one condition, counterbalanced over subjects where the order is balanced
 };
-inline constexpr std::array kViewsOfCases = {ViewsOfCases::kBoth, ViewsOfCases::kOne};
-const char* nameOf(ViewsOfCases views);
 
 struct PracticeOutline {
   int minCorrect = 1;  ///< in a row, to go on
@@ -31,7 +28,7 @@ struct BlockOutline {
   std::string name;   ///< unique: "find stationary"
   std::string title;  ///< for the subject
   std::string task;   ///< whether there is such a task is for the caller to check
-  ViewsOfCases views = ViewsOfCases::kBoth;
+  ViewsOfCases views = ViewsOfCases::kAll;
   std::optional<PracticeOutline> practice{};
 };
 

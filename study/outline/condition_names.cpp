@@ -1,8 +1,12 @@
 #include "study/outline/condition_names.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <vector>
 
 #include "oc_core/base/json_fields.h"
+#include "study/outline/study_factors.h"
 
 namespace ocelli {
 namespace {
@@ -12,20 +16,30 @@ constexpr size_t kMaxConditionCharacters = 100;
 }  // namespace
 
 ViewConditions readConditionNames(JsonFields& protocol, const ReadRestOfCondition& readRest) {
+  std::vector<StudyFactor> factors = readFactors(protocol);
   if (!protocol.has("conditions")) {
-    return defaultConditions();
+    if (std::any_of(factors.begin(), factors.end(), [](const StudyFactor& factor) { return !factor.ofCases; })) {
+      protocol.fail("factors",
+                    "describes conditions, but the field \"conditions\" is missing: list them with their levels");
+    }
+    ViewConditions conditions = defaultConditions();
+    conditions.factors = std::move(factors);
+    return conditions;
   }
   const nlohmann::json& list = protocol.value("conditions");
-  if (!list.is_array() || list.size() != kViews.size()) {
-    protocol.fail("conditions", "must be a list of two conditions, of which the first is the reference");
+  if (!list.is_array() || list.empty() || list.size() > kMaxConditions) {
+    protocol.fail("conditions", fmt::format("must be a list of 1 to {} conditions, of which the first is the reference",
+                                            kMaxConditions));
   }
   ViewConditions conditions;
+  conditions.factors = std::move(factors);
   std::vector<JsonFields> all;
-  protocol.forEach("conditions", kViews.size(), kViews.size(), [&](JsonFields& each) {
-    ViewCondition& condition = conditions.list[all.size()];
+  protocol.forEach("conditions", 1, kMaxConditions, [&](JsonFields& each) {
+    ViewCondition& condition = conditions.list.emplace_back();
     condition.name = each.shortText("name", kMaxConditionCharacters);
     condition.label = each.shortText("label", kMaxConditionCharacters, condition.name);
-    readRest(each, kViews[all.size()]);
+    condition.levels = readLevels(each, conditions.factors, FactorsOf::kConditions);
+    readRest(each, conditionAt(all.size()));
     all.push_back(each);
   });
   if (const std::optional<ViewConditions::Problem> problem = conditions.problem()) {

@@ -1,4 +1,5 @@
-// The names and labels of the two view conditions that a study compares: the field "conditions" of its protocol.
+// The names, labels and levels of factors of the conditions of a study: the fields "conditions" and "factors" of its
+// protocol.
 #pragma once
 
 #include <functional>
@@ -10,7 +11,7 @@ namespace ocelli {
 
 class JsonFields;
 
-/// What a protocol says of a condition beside its name and label.
+/// What a protocol says of a condition beside its name, label and levels.
 using ReadRestOfCondition = std::function<void(JsonFields& fields, TrialView view)>;
 
 /// defaultConditions() where the field is missing. Throws InputError naming the field.

@@ -22,7 +22,7 @@ void checkColumnName(const JsonFields& fields, const std::string& name) {
   }
 }
 
-/// Both conditions, in either order.
+/// Two conditions, in either order.
 std::vector<TrialView> readFavors(JsonFields& fields, const ViewConditions& conditions) {
   const nlohmann::json& list = fields.value("favors");
   std::vector<TrialView> favors;
@@ -32,7 +32,13 @@ std::vector<TrialView> readFavors(JsonFields& fields, const ViewConditions& cond
     }
   }
   if (!list.is_array() || list.size() != 2 || favors.size() != 2 || favors[0] == favors[1]) {
-    const auto& [reference, other] = conditions.list;
+    if (!conditions.isPair()) {
+      fields.fail("favors", fmt::format("must be a list of two conditions, of {}: the one that the first option speaks "
+                                        "for, and that of the last",
+                                        conditions.namesText("and")));
+    }
+    const ViewCondition& reference = conditions.list[0];
+    const ViewCondition& other = conditions.list[1];
     fields.fail("favors",
                 fmt::format(R"(must be ["{0}", "{1}"] or ["{1}", "{0}"]: the condition that the first option )"
                             "speaks for, and that of the last",

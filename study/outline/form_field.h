@@ -16,8 +16,8 @@ struct FormField {
   std::string question;
   std::vector<std::string> options;  ///< one is chosen; in a study always at least two
   std::vector<std::string> ends{};   ///< of a scale: what its first and last option mean; empty, or two
-  std::vector<TrialView> favors{};   ///< of a scale that compares the views: which one its first and its last option
-                                     ///< speak for; empty, or two
+  std::vector<TrialView> favors{};   ///< of a scale that compares two conditions: which one its first and its last
+                                     ///< option speak for; empty, or two
 };
 
 /// An analysis takes a field without a question, which is then its name, and one without options, which takes any text.

@@ -11,7 +11,10 @@ namespace {
 /// Counts subjects in cells. Cells of one group are to be alike.
 class Table {
  public:
-  explicit Table(std::string factors) { table_.factors = std::move(factors); }
+  explicit Table(std::string factors, bool ofTrials = false) {
+    table_.factors = std::move(factors);
+    table_.ofTrials = ofTrials;
+  }
 
   void declare(int group, const std::string& levels) {
     if (index_.emplace(levels, table_.cells.size()).second) {
@@ -71,7 +74,7 @@ void addSessionTables(const Protocol& protocol, const Schedules& schedules, cons
   Table order("block order");
   Table both("first view x block order");
   Table places("block x place in the session");
-  for (const TrialView view : kViews) {
+  for (const TrialView view : protocol.conditions.names.all()) {
     first.declare(0, firstName(protocol, view));
     for (const std::vector<int>& each : orders) {
       order.declare(0, orderName(protocol, each));
@@ -115,12 +118,13 @@ void addBlockTables(const Protocol& protocol, const Schedules& schedules, const 
     return fmt::format("{} in {}", block.task->caseInfo(caseIndex).label, protocol.nameOf(view));
   };
   const int cases = block.task->caseCount();
+  const ViewConditions& conditions = protocol.conditions.names;
   for (int i = 0; i < cases; ++i) {
-    for (const TrialView view : kViews) {
+    for (const TrialView view : conditions.all()) {
       views.declare(i, name(i, view));
-      for (const TrialView firstView : kViews) {
-        // The last of an odd number of cases always has the first view.
-        if (cases % 2 == 0 || i != cases - 1 || firstView == view) {
+      for (const TrialView firstView : conditions.all()) {
+        // Of a pair the last of an odd number of cases always has the first view.
+        if (!conditions.isPair() || cases % 2 == 0 || i != cases - 1 || firstView == view) {
           withFirst.declare(i, fmt::format("{}, {}", name(i, view), firstName(protocol, firstView)));
         }
       }
@@ -145,6 +149,52 @@ void addBlockTables(const Protocol& protocol, const Schedules& schedules, const 
   }
 }
 
+/// Conditions by place in the block, and by the condition of the trial before.
+void addOrderTables(const Protocol& protocol, const Schedules& schedules, int index,
+                    std::vector<BalanceTable>& tables) {
+  const ViewConditions& conditions = protocol.conditions.names;
+  const std::string& block = protocol.blocks[static_cast<size_t>(index)].name;
+  Table places(fmt::format("{}: view x place in the block", block));
+  Table neighbors(fmt::format("{}: view x view of the trial before", block), true);
+  const auto placeName = [&](size_t place, TrialView view) {
+    return fmt::format("{} in place {}", conditions.nameOf(view), place + 1);
+  };
+  const auto pairName = [&](TrialView before, TrialView after) {
+    return fmt::format("{} after {}", conditions.nameOf(after), conditions.nameOf(before));
+  };
+  const auto viewsOf = [&](const SessionSchedule& schedule) {
+    std::vector<TrialView> views;
+    for (const TrialPlan& trial : schedule.trials) {
+      if (trial.block == index) {
+        views.push_back(trial.view);
+      }
+    }
+    return views;
+  };
+  const size_t length = schedules.empty() ? 0 : viewsOf(schedules.front()).size();
+  for (const TrialView view : conditions.all()) {
+    for (size_t place = 0; place < length; ++place) {
+      places.declare(0, placeName(place, view));
+    }
+    for (const TrialView other : conditions.all()) {
+      if (other != view) {
+        neighbors.declare(0, pairName(view, other));
+      }
+    }
+  }
+  for (const SessionSchedule& schedule : schedules) {
+    const std::vector<TrialView> views = viewsOf(schedule);
+    for (size_t place = 0; place < views.size(); ++place) {
+      places.count(placeName(place, views[place]));
+      if (place > 0 && views[place] != views[place - 1]) {
+        neighbors.count(pairName(views[place - 1], views[place]));
+      }
+    }
+  }
+  tables.push_back(places.finish());
+  tables.push_back(neighbors.finish());
+}
+
 }  // namespace
 
 std::vector<BalanceTable> balanceOf(const Protocol& protocol, int subjects, int session, uint64_t seed) {
@@ -158,12 +208,18 @@ std::vector<BalanceTable> balanceOf(const Protocol& protocol, int subjects, int 
   };
   std::vector<BalanceTable> tables;
   const std::vector<int>& blocks = orders.front();
+  if (protocol.conditions.names.size() == 1 && orders.size() == 1) {
+    return tables;
+  }
   if (orders.size() > 1 || std::any_of(blocks.begin(), blocks.end(), isBalanced)) {
     addSessionTables(protocol, schedules, orders, tables);
   }
   for (const int block : blocks) {
     if (isBalanced(block)) {
       addBlockTables(protocol, schedules, orders, block, tables);
+      if (protocol.conditions.names.size() > 2) {
+        addOrderTables(protocol, schedules, block, tables);
+      }
     }
   }
   return tables;

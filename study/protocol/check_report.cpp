@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "oc_core/base/json_fields.h"
+#include "study/outline/study_factors.h"
 #include "study/protocol/balance.h"
 #include "study/protocol/coverage.h"
 #include "study/protocol/protocol_warnings.h"
@@ -68,15 +69,25 @@ std::string lengthText(const Protocol& protocol, const SessionSchedule& schedule
                             minutes(all.longestSeconds));
 }
 
+/// Of the column of views: as it has always been for a pair.
+size_t viewWidth(const Protocol& protocol, size_t ofPair) {
+  size_t width = ofPair;
+  for (const ViewCondition& condition : protocol.conditions.names.list) {
+    width = protocol.conditions.names.isPair() ? width : std::max(width, condition.name.size() + 2);
+  }
+  return width;
+}
+
 std::string scheduleText(const Protocol& protocol, const SessionSchedule& schedule, bool answers) {
-  std::string text = fmt::format("\nSchedule\n\n  {:>5}  {:<20}{:<22}{:<5}{}{}\n", "trial", "block", "case", "view",
-                                 "conditions", answers ? "; answer" : "");
+  const size_t width = viewWidth(protocol, 5);
+  std::string text = fmt::format("\nSchedule\n\n  {:>5}  {:<20}{:<22}{:<{}}{}{}\n", "trial", "block", "case", "view",
+                                 width, "conditions", answers ? "; answer" : "");
   for (size_t i = 0; i < schedule.trials.size(); ++i) {
     const TrialPlan& trial = schedule.trials[i];
     const ProtocolBlock& block = blockOf(protocol, trial);
     const CaseInfo info = block.task->caseInfo(trial.caseIndex);
-    std::string line = fmt::format("  {:>5}  {:<20}{:<22}{:<5}{}", trial.index + 1, block.name, info.label,
-                                   protocol.nameOf(trial.view), conditionText(info));
+    std::string line = fmt::format("  {:>5}  {:<20}{:<22}{:<{}}{}", trial.index + 1, block.name, info.label,
+                                   protocol.nameOf(trial.view), width, conditionText(info));
     if (answers) {
       line += fmt::format("; {}", block.task->answerOf(trial));
     }
@@ -92,8 +103,10 @@ std::string balanceText(const std::vector<BalanceTable>& tables, int subjects, i
   if (tables.empty()) {
     return fmt::format("\nBalance of session {}: all subjects have the same schedule\n", session);
   }
-  std::string text = fmt::format("\nBalance of session {} over {} subjects\n\n  {:<66}{:>6}{:>10}{:>12}\n", session,
-                                 subjects, "cells of", "cells", "subjects", "difference");
+  const bool hasTrials = std::any_of(tables.begin(), tables.end(), [](const auto& table) { return table.ofTrials; });
+  std::string text = fmt::format("\nBalance of session {} over {} subjects{}\n\n  {:<66}{:>6}{:>10}{:>12}\n", session,
+                                 subjects, hasTrials ? "; cells of views one after the other count trials" : "",
+                                 "cells of", "cells", "subjects", "difference");
   for (const BalanceTable& table : tables) {
     const auto [least, most] = rangeOf(table);
     text += fmt::format("  {:<66}{:>6}{:>10}{:>12}\n", table.factors, table.cells.size(),
@@ -103,15 +116,16 @@ std::string balanceText(const std::vector<BalanceTable>& tables, int subjects, i
 }
 
 std::string coverageText(const Protocol& protocol, const std::vector<BlockCoverage>& blocks) {
+  const size_t width = viewWidth(protocol, 6);
   std::string text = fmt::format(
-      "\nCoverage: places where an object shows with {} pixels or more\n\n  {:<28}{:<6}{:>7}"
+      "\nCoverage: places where an object shows with {} pixels or more\n\n  {:<28}{:<{}}{:>7}"
       "{:>8}{:>6}{:>7}{:>11}{:>8}{:>8}{:>8}{:>6}\n",
-      kMinSeenPixels, "block", "view", "images", "places", "seen", "twice", "sightings", "median", "least", "most",
-      "down");
+      kMinSeenPixels, "block", "view", width, "images", "places", "seen", "twice", "sightings", "median", "least",
+      "most", "down");
   for (const BlockCoverage& block : blocks) {
     for (const ViewCoverage& view : block.views) {
-      text += fmt::format("  {:<28}{:<6}{:>7}{:>8}{:>6}{:>7}{:>11.2f}{:>8.0f}{:>8}{:>8}{:>6.0f}\n", block.block,
-                          protocol.nameOf(view.view), view.images, view.places, view.seen, view.twice,
+      text += fmt::format("  {:<28}{:<{}}{:>7}{:>8}{:>6}{:>7}{:>11.2f}{:>8.0f}{:>8}{:>8}{:>6.0f}\n", block.block,
+                          protocol.nameOf(view.view), width, view.images, view.places, view.seen, view.twice,
                           static_cast<double>(view.sightings) / std::max(1, view.places), medianOf(view.pixels),
                           view.pixels.empty() ? 0 : view.pixels.front(), view.pixels.empty() ? 0 : view.pixels.back(),
                           medianOf(view.degreesDown));
@@ -205,6 +219,48 @@ Json jsonOf(const Protocol& protocol, const std::vector<BlockCoverage>& blocks) 
   return json;
 }
 
+/// The conditions with their labels and levels; nothing for a pair without factors.
+std::string conditionsText(const Protocol& protocol) {
+  const ViewConditions& conditions = protocol.conditions.names;
+  if (conditions.isPair() && conditions.factors.empty()) {
+    return "";
+  }
+  std::string text = "\nConditions\n\n";
+  size_t labelWidth = 28;
+  for (const ViewCondition& condition : conditions.list) {
+    labelWidth = std::max(labelWidth, condition.label.size());
+  }
+  for (const ViewCondition& condition : conditions.list) {
+    std::string levels;
+    for (const StudyFactor& factor : factorsOf(conditions, FactorsOf::kConditions)) {
+      levels += fmt::format("{}{} {}", levels.empty() ? "" : ", ", factor.name, condition.levels.at(factor.name));
+    }
+    const std::string line =
+        fmt::format("  {:<{}}{:<{}}  {}", condition.name, viewWidth(protocol, 12), condition.label, labelWidth, levels);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  const FactorCrossing crossing = crossingOf(conditions);
+  for (const std::string& cell : crossing.missing) {
+    text += fmt::format("  missing: {}\n", cell);
+  }
+  for (const std::string& cell : crossing.doubled) {
+    text += fmt::format("  doubled: {}\n", cell);
+  }
+  return text;
+}
+
+Json conditionsJson(const Protocol& protocol) {
+  Json json = Json::array();
+  for (const ViewCondition& condition : protocol.conditions.names.list) {
+    Json entry{{"name", condition.name}, {"label", condition.label}};
+    if (!condition.levels.empty()) {
+      entry["factors"] = condition.levels;
+    }
+    json.push_back(entry);
+  }
+  return json;
+}
+
 std::string headText(const Protocol& protocol) {
   return fmt::format("{}: {}\n  sha256    {}\n  sessions  {}\n  blocks    {}{}\n  seed      {}\n", protocol.name,
                      protocol.title, protocol.sha256, protocol.sessions, protocol.blocks.size(),
@@ -224,13 +280,19 @@ std::string checkReport(const Protocol& protocol, const CheckOptions& options, c
               {"sha256", protocol.sha256},     {"seed", protocol.seed},
               {"sessions", protocol.sessions}, {"subjects", options.subjects},
               {"balance", jsonOf(tables)},     {"schedule", jsonOf(protocol, schedule, options.answers)}};
+    if (!conditionsText(protocol).empty()) {
+      const FactorCrossing crossing = crossingOf(protocol.conditions.names);
+      json["conditions"] = conditionsJson(protocol);
+      json["missing_cells"] = crossing.missing;
+      json["doubled_cells"] = crossing.doubled;
+    }
     if (options.coverage) {
       json["coverage"] = jsonOf(protocol, coverage);
     }
     json["warnings"] = warnings;
     return textOfJson(json, 2) + "\n";
   }
-  std::string text = headText(protocol) + lengthText(protocol, schedule) +
+  std::string text = headText(protocol) + conditionsText(protocol) + lengthText(protocol, schedule) +
                      scheduleText(protocol, schedule, options.answers) +
                      balanceText(tables, options.subjects, options.session);
   if (options.coverage) {

@@ -8,9 +8,12 @@ namespace ocelli {
 
 StudyConditions readConditions(JsonFields& fields) {
   StudyConditions conditions;
-  conditions.names = readConditionNames(fields, [&](JsonFields& each, TrialView view) {
-    conditions.views[static_cast<size_t>(view)] = readSceneView(each, "view");
-  });
+  std::vector<std::shared_ptr<const SceneView>> views;
+  conditions.names =
+      readConditionNames(fields, [&](JsonFields& each, TrialView) { views.push_back(readSceneView(each, "view")); });
+  if (!views.empty()) {
+    conditions.views = std::move(views);
+  }
   return conditions;
 }
 

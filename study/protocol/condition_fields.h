@@ -1,4 +1,4 @@
-// The field "conditions" of a protocol: the two view conditions that its study compares.
+// The field "conditions" of a protocol: the conditions of its study, and what each shows.
 #pragma once
 
 #include "study/task/scene_view.h"

@@ -212,7 +212,7 @@ std::vector<BlockCoverage> coverageOf(const Protocol& protocol, const TrialScree
     BlockCoverage coverage;
     coverage.block = block.name;
     coverage.ofCases = !block.task->caseInfo(0).exposureSeconds.has_value();
-    for (const TrialView view : kViews) {
+    for (const TrialView view : protocol.conditions.names.all()) {
       const std::unique_ptr<TrialRun> run = block.task->start(planOf(block, 0, view), screen);
       const TrialLayout first = run->layout();
       if (first.scene == nullptr || first.views.empty() || (coverage.ofCases && !first.targetObject)) {

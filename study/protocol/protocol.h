@@ -64,11 +64,12 @@ struct ProtocolBlock {
   std::vector<ProtocolPage> instructions;
   std::optional<ProtocolPractice> practice{};
   TrialOrder order = TrialOrder::kBalanced;
-  ViewsOfCases views = ViewsOfCases::kBoth;
+  ViewsOfCases views = ViewsOfCases::kAll;
   bool feedback = false;     ///< after each trial; practice always has it
   int breakEveryTrials = 0;  ///< a break after so many trials; 0 for none within the block
   bool breakAfter = true;
-  std::vector<int> sessions{};  ///< that have this block, from 1; empty for all
+  std::vector<int> sessions{};             ///< that have this block, from 1; empty for all
+  std::vector<FactorLevels> caseLevels{};  ///< of each case; empty where the block has no factors of cases
 };
 
 struct ScreenGeometry {
@@ -90,7 +91,7 @@ struct Protocol {
   std::string title;
   std::string description{};
   std::filesystem::path file{};
-  std::string text;    ///< of the file, byte by byte; included mazes stand in it
+  std::string text;    ///< of the file, byte by byte; included mazes stand in it, and tables of cases
   std::string sha256;  ///< of `text`, hexadecimal
   uint64_t seed = 1;   ///< of schedules and trials
   int sessions = 1;

@@ -2,13 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <regex>
 #include <set>
 
 #include "oc_core/base/error.h"
-#include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/sha256.h"
 #include "oc_core/worlds/maze_file.h"
+#include "study/outline/csv_cases.h"
+#include "study/outline/study_factors.h"
 #include "study/protocol/condition_fields.h"
 #include "study/protocol/protocol.h"
 #include "study/protocol/protocol_fields.h"
@@ -22,6 +24,22 @@ constexpr size_t kMaxMazes = 20;
 constexpr size_t kMaxBlocks = 20;
 constexpr int kMaxSessions = 20;
 constexpr int kMaxSeed = 2147483647;
+
+/// The tables that the cases of a block came from; nullptr where they stand in the protocol.
+struct BlockTables {
+  const CsvCases* cases = nullptr;
+  const CsvCases* practice = nullptr;
+};
+
+BlockTables tablesOf(const std::vector<CsvCases>& tables, size_t block) {
+  const auto find = [&](const char* field) {
+    const std::string pointer = fmt::format("/blocks/{}/{}", block, field);
+    const auto found =
+        std::find_if(tables.begin(), tables.end(), [&](const CsvCases& each) { return each.pointer == pointer; });
+    return found == tables.end() ? nullptr : &*found;
+  };
+  return {find("cases"), find("practice_cases")};
+}
 
 std::map<std::string, Maze> readMazes(JsonFields& fields) {
   std::map<std::string, Maze> mazes;
@@ -79,7 +97,55 @@ std::optional<ProtocolPractice> readPractice(JsonFields& fields, const std::opti
   return std::nullopt;
 }
 
-ProtocolBlock readBlock(JsonFields& fields, const Protocol& protocol, const TaskSetting& setting) {
+/// Of all cases of the block, or of none: a task may have cases that the factors do not describe.
+std::vector<FactorLevels> readCaseLevels(JsonFields& fields, const std::vector<StudyFactor>& factors) {
+  std::vector<FactorLevels> levels;
+  const nlohmann::json& cases = fields.value("cases");
+  const auto hasLevels = [](const nlohmann::json& each) { return each.contains("factors"); };
+  if (!cases.is_array() || std::none_of(cases.begin(), cases.end(), hasLevels)) {
+    return levels;
+  }
+  fields.forEach("cases", 1, cases.size(), [&](JsonFields& each) {
+    for (const auto& [name, value] : cases[levels.size()].items()) {
+      each.has(name);  // the task has checked them
+    }
+    levels.push_back(readLevels(each, factors, FactorsOf::kCases));
+  });
+  return levels;
+}
+
+/// What is wrong with cases of a table is told with its line and column.
+template <class Read>
+auto readFromTable(const CsvCases* table, const Read& read) {
+  if (table == nullptr) {
+    return read();
+  }
+  try {
+    return read();
+  } catch (const JsonFieldError& error) {
+    static const std::regex kCase("cases\" ([0-9]+)");
+    static const std::regex kField("^field \"([^\"]*)\"");
+    std::smatch found;
+    if (!std::regex_search(error.where(), found, kCase)) {
+      throw;
+    }
+    const size_t index = std::stoul(found[1]) - 1;
+    const bool hasField = std::regex_search(error.problem(), found, kField);
+    throw JsonFieldError(error.problem(), table->placeOf(index, hasField ? found[1].str() : std::string()));
+  } catch (const InputError& error) {
+    // A field that no case has: its message is made already.
+    static const std::regex kUnknown("cases\" ([0-9]+)[^:]*: (field \"([^\"]*)\" is unknown)\\s+try: ([^\\n]*)");
+    const std::string message = error.what();
+    std::smatch found;
+    if (!std::regex_search(message, found, kUnknown)) {
+      throw;
+    }
+    throw InputError(found[2], table->placeOf(std::stoul(found[1]) - 1, found[3]), found[4]);
+  }
+}
+
+ProtocolBlock readBlock(JsonFields& fields, const Protocol& protocol, const TaskSetting& setting,
+                        const BlockTables& tables) {
   constexpr int kMaxTrials = 1000;
   const BlockOutline outline = readBlockOutline(fields, ProtocolReading::kByStudy);
   const TaskKind& kind = readTask(fields);
@@ -93,8 +159,11 @@ ProtocolBlock readBlock(JsonFields& fields, const Protocol& protocol, const Task
   block.breakEveryTrials = fields.integer("break_every_trials", 0, kMaxTrials, block.breakEveryTrials);
   block.breakAfter = fields.boolean("break_after", block.breakAfter);
   block.sessions = readSessions(fields, protocol.sessions);
-  block.task = kind.read(fields, "cases", setting);
-  block.practice = readPractice(fields, outline.practice, kind, setting);
+  readFromTable(tables.cases, [&] {
+    block.task = kind.read(fields, "cases", setting);
+    block.caseLevels = readCaseLevels(fields, protocol.conditions.names.factors);
+  });
+  readFromTable(tables.practice, [&] { block.practice = readPractice(fields, outline.practice, kind, setting); });
   if (fields.has("example_cases")) {
     block.examples = kind.read(fields, "example_cases", setting);
   }
@@ -108,12 +177,14 @@ ProtocolBlock readBlock(JsonFields& fields, const Protocol& protocol, const Task
   return block;
 }
 
-void readBlocks(JsonFields& fields, const TaskSetting& setting, Protocol& protocol) {
+void readBlocks(JsonFields& fields, const TaskSetting& setting, const std::vector<CsvCases>& tables,
+                Protocol& protocol) {
   std::set<std::string> names;
   fields.forEach(
       "blocks", 1, kMaxBlocks,
       [&](JsonFields& each) {
-        const std::string& name = protocol.blocks.emplace_back(readBlock(each, protocol, setting)).name;
+        const BlockTables ofBlock = tablesOf(tables, protocol.blocks.size());
+        const std::string& name = protocol.blocks.emplace_back(readBlock(each, protocol, setting, ofBlock)).name;
         if (!names.insert(name).second) {
           fields.fail("blocks",
                       fmt::format("has two of the name \"{}\": the second is block {}", name, protocol.blocks.size()));
@@ -128,9 +199,8 @@ void readBlocks(JsonFields& fields, const TaskSetting& setting, Protocol& protoc
   }
 }
 
-}  // namespace
-
-Protocol protocolFromJsonText(const std::string& text, const std::string& where) {
+Protocol protocolOf(const ProtocolText& source, const std::string& where) {
+  const std::string& text = source.text;
   return readAs("protocols/protocol.schema.json", [&] {
     const JsonDocument document(text, where);
     JsonFields fields(document);
@@ -170,14 +240,20 @@ Protocol protocolFromJsonText(const std::string& text, const std::string& where)
       controls.rejectUnknown();
     }
     const TaskSetting setting{readMazes(fields), protocol.controls, protocol.conditions};
-    readBlocks(fields, setting, protocol);
+    readBlocks(fields, setting, source.tables, protocol);
     fields.rejectUnknown();
     return protocol;
   });
 }
 
+}  // namespace
+
+Protocol protocolFromJsonText(const std::string& text, const std::string& where) {
+  return protocolOf({text}, where);
+}
+
 Protocol readProtocol(const std::filesystem::path& path) {
-  Protocol protocol = protocolFromJsonText(readFile(path, kMaxTextBytes), path.string());
+  Protocol protocol = protocolOf(readProtocolText(path), path.string());
   protocol.file = path;
   return protocol;
 }

@@ -1,11 +1,12 @@
 #include "study/protocol/protocol_warnings.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <array>
-#include <cstdlib>
+#include <algorithm>
 #include <map>
 
+#include "study/outline/study_factors.h"
 #include "study/protocol/session_length.h"
 
 namespace ocelli {
@@ -33,21 +34,32 @@ std::vector<std::string> conditionsOf(const CaseInfo& info) {
 void addConfounded(const Protocol& protocol, const SessionSchedule& schedule, std::vector<std::string>& warnings) {
   for (const int index : schedule.blockOrder) {
     const ProtocolBlock& block = protocol.blocks[static_cast<size_t>(index)];
-    std::map<std::string, std::array<int, kViews.size()>> counts;
+    const ViewConditions& views = protocol.conditions.names;
+    std::map<std::string, std::vector<int>> counts;
     for (const TrialPlan& trial : schedule.trials) {
       if (trial.block == index) {
         for (const std::string& condition : conditionsOf(block.task->caseInfo(trial.caseIndex))) {
-          ++counts[condition][static_cast<size_t>(trial.view)];
+          std::vector<int>& byView = counts.try_emplace(condition, views.size()).first->second;
+          ++byView[indexOfCondition(trial.view)];
         }
       }
     }
     for (const auto& [condition, byView] : counts) {
-      if (std::abs(byView[0] - byView[1]) > 1) {
-        warnings.push_back(fmt::format(
-            "block \"{}\": a subject sees {} {} times with {} and {} times with {}. Give the cases at even "
-            "places of the list and those at odd ones the same conditions",
-            block.name, condition, byView[0], protocol.nameOf(kViews[0]), byView[1], protocol.nameOf(kViews[1])));
+      const auto [least, most] = std::minmax_element(byView.begin(), byView.end());
+      if (*most - *least <= 1) {
+        continue;
       }
+      std::string times;
+      for (size_t i = 0; i < byView.size(); ++i) {
+        const char* before = i == 0 ? "" : i + 1 == byView.size() ? " and " : ", ";
+        times += fmt::format("{}{} times with {}", before, byView[i], views.list[i].name);
+      }
+      warnings.push_back(fmt::format(
+          "block \"{}\": a subject sees {} {}. Give the cases at {} the same conditions", block.name, condition, times,
+          views.isPair() ? std::string("even places of the list and those at odd ones")
+                         : fmt::format("places 1, {0} + 1, 2 x {0} + 1, ... of the list, those "
+                                       "at places 2, {0} + 2, ... and so on",
+                                       views.size())));
     }
   }
 }
@@ -79,7 +91,13 @@ void addOfBlock(const Protocol& protocol, const ProtocolBlock& block, std::vecto
         fmt::format("block \"{}\": all subjects see the same cases in the same views at the same "
                     "places, so differences between views include those of learning",
                     block.name));
-  } else if (block.views == ViewsOfCases::kBoth && block.task->caseCount() < 3) {
+  } else if (const auto conditions = static_cast<int>(protocol.conditions.names.size());
+             conditions > 2 && block.task->caseCount() % conditions != 0) {
+    warnings.push_back(fmt::format(
+        "block \"{}\": {} cases are no multiple of the {} conditions, so the last run of each pass does not "
+        "hold all conditions, and neighbours are balanced only nearly",
+        block.name, block.task->caseCount(), conditions));
+  } else if (conditions == 2 && block.views == ViewsOfCases::kAll && block.task->caseCount() < 3) {
     warnings.push_back(
         fmt::format("block \"{}\": with fewer than 3 cases one comes twice in a row, in both views", block.name));
   }
@@ -95,6 +113,17 @@ void addOfBlock(const Protocol& protocol, const ProtocolBlock& block, std::vecto
 
 std::vector<std::string> warningsOf(const Protocol& protocol, uint64_t seed) {
   std::vector<std::string> warnings;
+  const FactorCrossing crossing = crossingOf(protocol.conditions.names);
+  if (!crossing.missing.empty()) {
+    warnings.push_back(
+        fmt::format("no condition has the levels {}: contrasts of factors that need these cells cannot be "
+                    "estimated",
+                    fmt::join(crossing.missing, "; ")));
+  }
+  if (!crossing.doubled.empty()) {
+    warnings.push_back(fmt::format("several conditions have the levels {}: contrasts of factors take their mean",
+                                   fmt::join(crossing.doubled, "; ")));
+  }
   if (!protocol.consent) {
     warnings.emplace_back("there is no consent: nobody is asked whether they want to take part");
   } else {
@@ -119,7 +148,7 @@ std::vector<std::string> warningsOf(const Protocol& protocol, uint64_t seed) {
       warnings.push_back(fmt::format("session {} takes about {:.0f} minutes: people tire after {:.0f}", session,
                                      seconds / 60, kLongSession / 60));
     }
-    if (protocol.shuffleBlocks && blockOrdersOf(protocol, session).size() == 2) {
+    if (protocol.conditions.names.isPair() && protocol.shuffleBlocks && blockOrdersOf(protocol, session).size() == 2) {
       warnings.push_back(
           fmt::format("session {}: with two orders of blocks, first view and the view of a case come "
                       "together evenly after each 8 subjects only",

@@ -9,6 +9,7 @@
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/random.h"
+#include "study/protocol/condition_order.h"
 #include "study/protocol/counterbalance.h"
 
 namespace ocelli {
@@ -23,14 +24,10 @@ uint64_t seedOf(uint64_t seed, uint64_t first, const std::string& name, uint64_t
   return Random(Random(mixed).next() ^ second).next() >> 11;
 }
 
-struct CaseView {
-  int caseIndex = 0;
-  TrialView view = TrialView::kReference;
-};
-
 /// Takes the cases of the two views in turn.
-std::vector<CaseView> inTurn(const std::vector<int>& first, const std::vector<int>& second, TrialView firstView) {
-  std::vector<CaseView> trials;
+std::vector<CaseInCondition> inTurn(const std::vector<int>& first, const std::vector<int>& second,
+                                    TrialView firstView) {
+  std::vector<CaseInCondition> trials;
   for (size_t i = 0; i < first.size() + second.size(); ++i) {
     const bool isFirst = i % 2 == 0;
     trials.push_back({(isFirst ? first : second)[i / 2], isFirst ? firstView : otherThan(firstView)});
@@ -38,8 +35,8 @@ std::vector<CaseView> inTurn(const std::vector<int>& first, const std::vector<in
   return trials;
 }
 
-std::vector<CaseView> balancedTrials(int cases, ViewsOfCases views, TrialView firstView, int assignment,
-                                     Random& random) {
+std::vector<CaseInCondition> balancedTrials(int cases, ViewsOfCases views, TrialView firstView, int assignment,
+                                            Random& random) {
   std::vector<int> first;
   std::vector<int> second;
   for (int i = 0; i < cases; ++i) {
@@ -50,7 +47,7 @@ std::vector<CaseView> balancedTrials(int cases, ViewsOfCases views, TrialView fi
   }
   random.shuffle(first);
   random.shuffle(second);
-  std::vector<CaseView> trials = inTurn(first, second, firstView);
+  std::vector<CaseInCondition> trials = inTurn(first, second, firstView);
   if (views == ViewsOfCases::kOne) {
     return trials;
   }
@@ -64,14 +61,14 @@ std::vector<CaseView> balancedTrials(int cases, ViewsOfCases views, TrialView fi
   if (next.front() == last && next.size() > 1) {
     std::swap(next.front(), next[1 + random.below(next.size() - 1)]);
   }
-  const std::vector<CaseView> again = inTurn(next, other, otherThan(trials.back().view));
+  const std::vector<CaseInCondition> again = inTurn(next, other, otherThan(trials.back().view));
   trials.insert(trials.end(), again.begin(), again.end());
   return trials;
 }
 
-std::vector<CaseView> alternatingTrials(int cases, ViewsOfCases views) {
-  std::vector<CaseView> trials;
-  const int count = views == ViewsOfCases::kBoth ? 2 * cases : cases;
+std::vector<CaseInCondition> alternatingTrials(int cases, ViewsOfCases views) {
+  std::vector<CaseInCondition> trials;
+  const int count = views == ViewsOfCases::kAll ? 2 * cases : cases;
   for (int i = 0; i < count; ++i) {
     const int shift = i >= cases && cases % 2 == 0 ? 1 : 0;
     trials.push_back({(i + shift) % cases, kViews[static_cast<size_t>(i % 2)]});
@@ -82,6 +79,38 @@ std::vector<CaseView> alternatingTrials(int cases, ViewsOfCases views) {
 TrialView firstViewOf(const SessionSchedule& schedule, const ProtocolBlock& block) {
   return block.order == TrialOrder::kBalanced ? schedule.firstView : TrialView::kReference;
 }
+
+/// What the slot decides: of a pair by its own layout, of other numbers of conditions by Williams designs.
+class BlockTrials {
+ public:
+  BlockTrials(const Protocol& protocol, int slot, int sessionsBefore, int orders)
+      : conditions_(static_cast<int>(protocol.conditions.names.size())) {
+    if (conditions_ == 2) {
+      pair_ = levelsOf(slot, sessionsBefore, orders);
+    } else {
+      levels_ = conditionLevelsOf(slot, sessionsBefore, conditions_, orders);
+    }
+  }
+
+  TrialView firstView() const {
+    return conditionAt(static_cast<size_t>(conditions_ == 2 ? pair_.firstView : levels_.first));
+  }
+  int order() const { return conditions_ == 2 ? pair_.order : levels_.order; }
+  std::vector<CaseInCondition> of(const ProtocolBlock& block, Random& random) const {
+    const int cases = block.task->caseCount();
+    const bool all = block.views == ViewsOfCases::kAll;
+    if (block.order == TrialOrder::kAlternating) {
+      return conditions_ == 2 ? alternatingTrials(cases, block.views) : trialsInTurn(cases, conditions_, all);
+    }
+    return conditions_ == 2 ? balancedTrials(cases, block.views, firstView(), pair_.assignment, random)
+                            : trialsInRuns(cases, conditions_, all, levels_, random);
+  }
+
+ private:
+  int conditions_;
+  SlotLevels pair_{};
+  ConditionLevels levels_{};
+};
 
 /// What seeds are made of.
 uint64_t sessionsBefore(const SessionSchedule& schedule) {
@@ -125,22 +154,17 @@ SessionSchedule scheduleOf(const Protocol& protocol, int slot, int session, uint
     throw InputError(fmt::format("there is no slot {}", slot), protocol.name, "choose a number from 0");
   }
   const std::vector<std::vector<int>> orders = blockOrdersOf(protocol, session);
-  const SlotLevels levels = levelsOf(slot, session - 1, static_cast<int>(orders.size()));
+  const BlockTrials trialsOfBlocks(protocol, slot, session - 1, static_cast<int>(orders.size()));
   SessionSchedule schedule;
   schedule.slot = slot;
   schedule.session = session;
   schedule.seed = seed;
-  schedule.firstView = kViews[static_cast<size_t>(levels.firstView)];
-  schedule.blockOrder = orders[static_cast<size_t>(levels.order)];
+  schedule.firstView = trialsOfBlocks.firstView();
+  schedule.blockOrder = orders[static_cast<size_t>(trialsOfBlocks.order())];
   for (const int index : schedule.blockOrder) {
     const ProtocolBlock& block = protocol.blocks[static_cast<size_t>(index)];
-    const int cases = block.task->caseCount();
     Random random(seedOf(seed, sessionsBefore(schedule), block.name + "/order", static_cast<uint64_t>(slot)));
-    const std::vector<CaseView> trials =
-        block.order == TrialOrder::kBalanced
-            ? balancedTrials(cases, block.views, schedule.firstView, levels.assignment, random)
-            : alternatingTrials(cases, block.views);
-    for (const CaseView& trial : trials) {
+    for (const CaseInCondition& trial : trialsOfBlocks.of(block, random)) {
       schedule.trials.push_back(
           {static_cast<int>(schedule.trials.size()), index, block.taskName, trial.caseIndex, trial.view,
            seedOf(seed, sessionsBefore(schedule), block.name, static_cast<uint64_t>(trial.caseIndex)), false});
@@ -158,8 +182,12 @@ std::vector<std::optional<TrialView>> practiceRounds(const SessionSchedule& sche
   if (!of.practice->eachView) {
     return {std::nullopt};
   }
-  const TrialView first = firstViewOf(schedule, of);
-  return {first, otherThan(first)};
+  const size_t conditions = protocol.conditions.names.size();
+  std::vector<std::optional<TrialView>> rounds;
+  for (size_t i = 0; i < conditions; ++i) {
+    rounds.emplace_back(conditionAt((indexOfCondition(firstViewOf(schedule, of)) + i) % conditions));
+  }
+  return rounds;
 }
 
 TrialPlan practiceTrial(const SessionSchedule& schedule, const Protocol& protocol, int block, int number,
@@ -170,17 +198,27 @@ TrialPlan practiceTrial(const SessionSchedule& schedule, const Protocol& protoco
   // With an even number of cases each gets its other view in the next round.
   const int shift = cases % 2 == 0 ? number / cases : 0;
   const TrialView first = firstViewOf(schedule, of);
-  const TrialView inTurn = (number + shift) % 2 == 0 ? first : otherThan(first);
   TrialPlan plan;
   plan.index = -1;
   plan.block = block;
   plan.task = of.taskName;
   plan.caseIndex = number % cases;
-  plan.view = round.value_or(inTurn);
-  // What is random in the second round is not what was in the first.
-  const int before = round && *round != first ? of.practice->maxTrials : 0;
+  const size_t conditions = protocol.conditions.names.size();
+  // What is random in one round is not what was in those before.
+  uint64_t before = 0;
+  if (round) {
+    plan.view = *round;
+    const size_t place = (indexOfCondition(*round) + conditions - indexOfCondition(first)) % conditions;
+    before = place * static_cast<uint64_t>(of.practice->maxTrials);
+  } else if (conditions == 2) {
+    plan.view = (number + shift) % 2 == 0 ? first : otherThan(first);
+  } else {
+    // In each round of the cases every one has its next condition.
+    const auto turn = static_cast<size_t>(number % cases + number / cases);
+    plan.view = conditionAt((indexOfCondition(first) + turn) % conditions);
+  }
   plan.seed =
-      seedOf(schedule.seed, sessionsBefore(schedule), of.name + "/practice", static_cast<uint64_t>(before + number));
+      seedOf(schedule.seed, sessionsBefore(schedule), of.name + "/practice", before + static_cast<uint64_t>(number));
   plan.practice = true;
   return plan;
 }

@@ -1,8 +1,9 @@
 // Who does what in which order: the trials of each session of each subject, counterbalanced over subjects.
 //
 // A subject has a slot: subject 0, 1, 2, ... of the study. Slots decide what is counterbalanced: the view that comes
-// first, the order of blocks, and which view shows a case first, or alone (counterbalance.h). Over the slots 0 to n -
-// 1, for any n, the counts of the levels of each of these, and of their combinations, differ by at most one.
+// first, the order of blocks, and which view shows a case first, or alone. What follows is of a study of two conditions
+// (counterbalance.h): over the slots 0 to n - 1, for any n, the counts of the levels of each of these, and of their
+// combinations, differ by at most one. Other numbers of conditions follow Williams designs (condition_order.h).
 //
 // Balanced blocks. The cases come in one pass, or in two where each is seen in both views. In a pass views take turns,
 // beginning with the first view of the session; even and odd cases have different views (the last one of an odd number

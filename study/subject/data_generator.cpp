@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <numbers>
 
 #include "oc_core/base/sha256.h"
 #include "study/subject/form_taste.h"
@@ -36,6 +37,10 @@ class RandomDraws {
       if (kind.generator.indexOf(kSubjectGraphSd)) {
         subject.graph = normal(random, 0, effects_.at(kind.name, kSubjectGraphSd));
       }
+      if (!isPair()) {
+        Random ofConditions(seedOf(session.subjectSeed, hashOf(kind.name + "\nconditions")));
+        subject.conditions = drawConditions(ofConditions, effects_.valueOr0(kind.name, kSubjectGraphSd));
+      }
     }
   }
 
@@ -66,8 +71,19 @@ class RandomDraws {
   /// What one subject adds to the mean of a task.
   struct SubjectEffects {
     double mean = 0;
-    double graph = 0;  ///< with the graph camera
+    double graph = 0;                  ///< of a pair: in the other condition
+    std::vector<double> conditions{};  ///< of other numbers of conditions: in each
   };
+
+  bool isPair() const { return protocol_.conditions.names.isPair(); }
+  /// One number a condition, such that two of them differ by `deviation`.
+  std::vector<double> drawConditions(Random& random, double deviation) const {
+    std::vector<double> drawn(protocol_.conditions.names.size());
+    for (double& each : drawn) {
+      each = normal(random, 0, deviation / std::numbers::sqrt2);
+    }
+    return drawn;
+  }
 
   /// What an item adds in a view.
   double itemOf(const TrialPlan& plan, const CaseInfo& info) const {
@@ -75,14 +91,20 @@ class RandomDraws {
     Random random(seedOf(session_.studySeed,
                          hashOf(fmt::format("{}\n{}\n{}", block, info.label, session_.schedule.session - 1))));
     const double item = normal(random, 0, effects_.at(plan.task, kItemSd));
+    if (!isPair()) {
+      return item + drawConditions(random, effects_.at(plan.task, kItemViewSd)).at(indexOfCondition(plan.view));
+    }
     const double itemView = normal(random, 0, effects_.at(plan.task, kItemViewSd));
     return item + (plan.view == TrialView::kOther ? 0.5 : -0.5) * itemView;
   }
   /// Mean log seconds, or logit of a right answer.
   double meanOf(const TrialPlan& plan, const CaseInfo& info) const {
     const SubjectEffects& subject = subject_.at(plan.task);
-    return fixedPart(effects_, {plan.task, plan.view, info, session_.schedule.session}) +
-           (plan.view == TrialView::kOther ? subject.graph : 0) + subject.mean + itemOf(plan, info);
+    const double ofView = !isPair()                        ? subject.conditions.at(indexOfCondition(plan.view))
+                          : plan.view == TrialView::kOther ? subject.graph
+                                                           : 0;
+    return fixedPart(effects_, {plan.task, plan.view, info, session_.schedule.session, protocol_.nameOf(plan.view)}) +
+           ofView + subject.mean + itemOf(plan, info);
   }
 
   const Protocol& protocol_;

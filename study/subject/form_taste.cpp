@@ -30,15 +30,32 @@ bool mentionsAny(const std::string& text, const std::vector<std::string>& words)
 /// Of a scale with ends: its first option speaks for the condition that is not the reference. Protocols without
 /// "favors" say it in words.
 bool otherIsFirst(const FormField& asked, const ViewConditions& conditions) {
+  if (!conditions.isPair()) {
+    return true;  // comparedBy() takes them so
+  }
   const std::vector<std::string>& words = conditions.of(TrialView::kOther).wordsOfEnds;
   return asked.favors.empty() ? mentionsAny(asked.ends[0], words) && !mentionsAny(asked.ends[1], words)
                               : asked.favors[0] == TrialView::kOther;
 }
 
+/// Two conditions that a scale compares: of a pair the reference and the other, or else those of its field "favors".
+struct ComparedConditions {
+  TrialView reference = TrialView::kReference;
+  TrialView other = TrialView::kOther;
+};
+
+std::optional<ComparedConditions> comparedBy(const FormField& asked, const ViewConditions& conditions) {
+  if (conditions.isPair()) {
+    return ComparedConditions{};
+  }
+  return asked.favors.size() == 2 ? std::optional(ComparedConditions{asked.favors[1], asked.favors[0]}) : std::nullopt;
+}
+
 /// By how much harder the reference is than the other condition; nothing where the subject did not have both.
-std::optional<double> preferenceOf(const std::string& task, const std::array<Effort, 2>& efforts) {
-  const Effort& reference = efforts[static_cast<size_t>(TrialView::kReference)];
-  const Effort& other = efforts[static_cast<size_t>(TrialView::kOther)];
+std::optional<double> preferenceOf(const std::string& task, const Efforts& efforts,
+                                   const ComparedConditions& compared) {
+  const Effort& reference = efforts[indexOfCondition(compared.reference)];
+  const Effort& other = efforts[indexOfCondition(compared.other)];
   if (reference.trials == 0 || other.trials == 0) {
     return std::nullopt;
   }
@@ -67,7 +84,8 @@ int optionOf(const Protocol& protocol, const ProtocolForm& form, int field, cons
   const FormField& asked = form.fields[static_cast<size_t>(field)];
   const auto count = static_cast<int>(asked.options.size());
   for (const auto& [task, efforts] : experience) {
-    const std::optional<double> preference = preferenceOf(task, efforts);
+    const std::optional<ComparedConditions> compared = comparedBy(asked, protocol.conditions.names);
+    const std::optional<double> preference = compared ? preferenceOf(task, efforts, *compared) : std::nullopt;
     const bool isScale = asked.ends.size() == 2 || asked.favors.size() == 2;
     if (isScale && preference && (mentions(asked.name, task) || mentions(asked.question, task))) {
       const double felt = *preference + normal(random, 0, kSpread);

@@ -63,10 +63,28 @@ double GeneratorEffects::valueOr0(const std::string& task, const std::string& ef
   return index ? of(task)[*index] : 0;
 }
 
+void GeneratorEffects::setCondition(const std::string& task, const std::string& condition, double effect) {
+  conditions_[taskKind(task, kWhereEffects).name][condition] = effect;
+}
+
+std::map<std::string, double> GeneratorEffects::ofConditions(const std::string& task) const {
+  const auto ofTask = conditions_.find(task);
+  return ofTask == conditions_.end() ? std::map<std::string, double>{} : ofTask->second;
+}
+
+std::optional<double> GeneratorEffects::ofCondition(const std::string& task, const std::string& condition) const {
+  const auto ofTask = conditions_.find(task);
+  if (ofTask == conditions_.end() || !ofTask->second.contains(condition)) {
+    return std::nullopt;
+  }
+  return ofTask->second.at(condition);
+}
+
 bool GeneratorEffects::operator==(const GeneratorEffects& other) const {
   const Rows<TaskKind> kinds = taskKinds();
-  return std::all_of(kinds.begin(), kinds.end(),
-                     [&](const TaskKind& kind) { return of(kind.name) == other.of(kind.name); });
+  return conditions_ == other.conditions_ && std::all_of(kinds.begin(), kinds.end(), [&](const TaskKind& kind) {
+           return of(kind.name) == other.of(kind.name);
+         });
 }
 
 double fixedPart(const GeneratorEffects& effects, const GeneratedTrial& trial) {
@@ -74,7 +92,12 @@ double fixedPart(const GeneratorEffects& effects, const GeneratedTrial& trial) {
   const std::vector<double> values = effects.of(trial.task);
   double sum = 0;
   for (size_t i = 0; i < model.size(); ++i) {
-    sum += isDeviation(model[i]) ? 0 : values[i] * model[i].covariate(trial);
+    if (isDeviation(model[i])) {
+      continue;
+    }
+    const bool isOfCondition = model[i].name == std::string_view(kGraphEffect);
+    const std::optional<double> set = isOfCondition ? effects.ofCondition(trial.task, trial.condition) : std::nullopt;
+    sum += set.value_or(values[i]) * model[i].covariate(trial);
   }
   return sum;
 }
@@ -93,6 +116,12 @@ GeneratorEffects readGeneratorEffects(const std::filesystem::path& file) {
         double& value = effects.at(kind.name, effect.name);
         value = inner.number(effect.name, isDeviation(effect) ? 0 : -kLargestEffect, kLargestEffect, value);
       }
+      if (inner.has("conditions")) {
+        JsonFields conditions = inner.inner("conditions");
+        for (const auto& [name, value] : inner.value("conditions").items()) {
+          effects.setCondition(kind.name, name, conditions.number(name, -kLargestEffect, kLargestEffect));
+        }
+      }
       inner.rejectUnknown();
     }
     fields.rejectUnknown();
@@ -110,6 +139,9 @@ std::string jsonText(const GeneratorEffects& effects, const Protocol& protocol) 
     }
     for (const GeneratorEffect& effect : kind.generator.effects) {
       json[kind.name][effect.name] = effects.at(kind.name, effect.name);
+    }
+    for (const auto& [name, value] : effects.ofConditions(kind.name)) {
+      json[kind.name]["conditions"][name] = value;
     }
   }
   return json.dump();

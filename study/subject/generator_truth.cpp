@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
@@ -19,7 +20,7 @@ std::vector<GeneratedTrial> trialsOf(const Protocol& protocol, const std::string
     for (const TrialPlan& plan : scheduleOf(protocol, 0, session, protocol.seed).trials) {
       if (plan.task == task) {
         const TaskBlock& block = *protocol.blocks[static_cast<size_t>(plan.block)].task;
-        trials.push_back({task, view, block.caseInfo(plan.caseIndex), session});
+        trials.push_back({task, view, block.caseInfo(plan.caseIndex), session, protocol.nameOf(view)});
       }
     }
   }
@@ -61,8 +62,10 @@ double geometricMeanSeconds(const Protocol& protocol, const GeneratorEffects& ef
 
 double shareRight(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task, TrialView view) {
   OC_CHECK(taskKind(task, protocol.name).outcome == OutcomeKind::kAnswer, "the outcome of the task is an answer");
+  // Of a pair half of it counts for each view; of other numbers of conditions each draws its own (generator_model.h).
+  const double share = protocol.conditions.names.isPair() ? 0.5 : 1 / std::numbers::sqrt2;
   const double deviation =
-      std::hypot(effects.at(task, kSubjectSd), effects.at(task, kItemSd), effects.at(task, kItemViewSd) / 2);
+      std::hypot(effects.at(task, kSubjectSd), effects.at(task, kItemSd), effects.at(task, kItemViewSd) * share);
   const std::vector<GeneratedTrial> trials = trialsOf(protocol, task, view);
   double sum = 0;
   for (const GeneratedTrial& trial : trials) {

@@ -2,7 +2,6 @@
 // anything else that is made of them. The kinds that protocols can name are the rows of study/views/view_registry.h.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -49,13 +48,13 @@ std::shared_ptr<const SceneView> pinholeView(const std::string& variant = {});
 /// The graph camera of the task, or of a variant.
 std::shared_ptr<const SceneView> graphView(const std::string& variant = {});
 
-/// The conditions of a study: their names, and what they show.
+/// The conditions of a study: their names, and what they show. Tasks take the view of a trial's condition from here.
 struct StudyConditions {
   ViewConditions names = defaultConditions();
-  std::array<std::shared_ptr<const SceneView>, kViews.size()> views{pinholeView(), graphView()};
+  std::vector<std::shared_ptr<const SceneView>> views{pinholeView(), graphView()};  ///< one a condition
 
   std::vector<TrialLayout::View> viewsOf(TrialView view, const Vantage& from) const {
-    return views[static_cast<size_t>(view)]->views(from);
+    return views.at(indexOfCondition(view))->views(from);
   }
 };
 

@@ -386,7 +386,7 @@ std::shared_ptr<const TaskBlock> readCountTask(JsonFields& fields, const std::st
   for (const auto& [name, variant] : options.variants) {
     nothing.variants.push_back({name, {{}, nothing.graph}});
   }
-  for (const TrialView view : kViews) {
+  for (const TrialView view : setting.conditions.names.all()) {
     setting.conditions.viewsOf(view, nothing);
   }
   options.places = readPlaces(fields, maze);

@@ -15,7 +15,7 @@ double levelCovariate(const GeneratedTrial&) {
 }
 
 double graphCovariate(const GeneratedTrial& trial) {
-  return trial.view == TrialView::kOther ? 1 : 0;
+  return trial.view == TrialView::kReference ? 0 : 1;
 }
 
 double sessionCovariate(const GeneratedTrial& trial) {

@@ -2,13 +2,16 @@
 // numbers.
 //
 //   y = sum of effect * covariate(trial), over the fixed effects
-//       + subject + subjectGraph * [gc] + item + itemView * ([gc] - 1/2)
+//       + subject + subjectGraph * [gc] + item + itemView * ([gc] - 1/2)     of a pair of conditions, "gc" the other
+//       + subject + subjectCondition + item + itemCondition                  of other numbers of conditions
 //
 // y is the mean of log seconds, or the logit of a right answer (task_registry.h, OutcomeKind); of log seconds there is
 // a residual too. The last four and the residual are normal with mean 0. Items are the cases of a block in a session,
 // the same for all subjects. "itemView" is by how much the effect of the view on an item differs from the mean effect;
 // half of it counts for each view, so that without an effect of the view times and shares of all items are the same in
-// both views.
+// both views. Of other numbers of conditions each subject, and each item, draws a number for each condition, with the
+// deviations subject_graph_sd and item_view_sd over the square root of 2: two conditions differ by as much as in a
+// pair.
 #pragma once
 
 #include <optional>
@@ -26,7 +29,8 @@ struct GeneratedTrial {
   std::string task;
   TrialView view = TrialView::kReference;
   CaseInfo info;
-  int session = 1;  ///< from 1
+  int session = 1;          ///< from 1
+  std::string condition{};  ///< its name; where it is empty, effects that were set by names do not count
 };
 
 struct GeneratorEffect {
@@ -61,7 +65,7 @@ struct GeneratorModel {
 };
 
 double levelCovariate(const GeneratedTrial& trial);    ///< 1
-double graphCovariate(const GeneratedTrial& trial);    ///< 1 with the graph camera, else 0
+double graphCovariate(const GeneratedTrial& trial);    ///< 0 in the reference, else 1
 double sessionCovariate(const GeneratedTrial& trial);  ///< sessions before
 
 }  // namespace ocelli

@@ -223,7 +223,7 @@ void checkCase(const NearerBlock& block, int index, const std::string& where) {
                                  block.distanceTo(index, kLeftSide), block.distanceTo(index, kRightSide)),
                      of, fmt::format("let them differ by {:g} m or more", kMinDistanceDifference));
   }
-  for (const TrialView view : kViews) {
+  for (const TrialView view : block.conditions().all()) {
     const TrialLayout layout = block.layoutOf(index, view, NearerStage(kNearerTrialScreen));
     std::array<ObjectSighting, 2> seen{};  // by Side
     for (const ObjectSighting& each : sightings(objectsIn(layout, layout.views.front()))) {

@@ -12,15 +12,16 @@ bool startsSentence(std::string_view text, size_t at) {
   return at == 0 || (at >= 2 && text[at - 1] == ' ' && (text[at - 2] == '.' || text[at - 2] == ':'));
 }
 
-/// `wordOf`: what stands for the mark of a view that begins at a place of the text.
+/// `conditions`: how many there are; marks of others stay. `wordOf`: what stands for the mark of a view that begins at
+/// a place of the text.
 template <class WordOf>
-std::string withoutMarks(std::string_view text, const WordOf& wordOf) {
+std::string withoutMarks(std::string_view text, size_t conditions, const WordOf& wordOf) {
   std::string result;
   size_t done = 0;
   for (size_t at = text.find('@'); at != std::string_view::npos; at = text.find('@', std::max(at + 1, done))) {
     for (const TrialView view : kViews) {
       const std::string_view mark = markOf(view);
-      if (text.substr(at, mark.size()) == mark) {
+      if (indexOfCondition(view) < conditions && text.substr(at, mark.size()) == mark) {
         result += text.substr(done, at - done);
         result += wordOf(view, at);
         done = at + mark.size();
@@ -41,21 +42,36 @@ bool isName(const std::string& text) {
 
 }  // namespace
 
-std::optional<TrialView> ViewConditions::viewNamed(std::string_view name) const {
-  for (const TrialView view : kViews) {
-    if (nameOf(view) == name) {
-      return view;
-    }
+std::vector<TrialView> ViewConditions::all() const {
+  std::vector<TrialView> views;
+  for (size_t i = 0; i < list.size(); ++i) {
+    views.push_back(conditionAt(i));
   }
-  return std::nullopt;
+  return views;
+}
+
+std::optional<TrialView> ViewConditions::viewNamed(std::string_view name) const {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [&](const ViewCondition& condition) { return condition.name == name; });
+  return found == list.end() ? std::nullopt : std::optional(conditionAt(static_cast<size_t>(found - list.begin())));
+}
+
+std::string ViewConditions::namesText(const char* lastWord) const {
+  std::string text;
+  for (size_t i = 0; i < list.size(); ++i) {
+    const bool isLast = i + 1 == list.size();
+    text += i == 0 ? list[i].name : isLast ? fmt::format(" {} {}", lastWord, list[i].name) : ", " + list[i].name;
+  }
+  return text;
 }
 
 std::string ViewConditions::mustBe() const {
-  return fmt::format("must be {} or {}", list[0].name, list[1].name);
+  return "must be " + namesText();
 }
 
 bool ViewConditions::hasNamesOf(const ViewConditions& others) const {
-  return list[0].name == others.list[0].name && list[1].name == others.list[1].name;
+  return std::equal(list.begin(), list.end(), others.list.begin(), others.list.end(),
+                    [](const ViewCondition& a, const ViewCondition& b) { return a.name == b.name; });
 }
 
 std::optional<ViewConditions::Problem> ViewConditions::problem() const {
@@ -68,11 +84,13 @@ std::optional<ViewConditions::Problem> ViewConditions::problem() const {
     if (condition.label.empty()) {
       return Problem{i, "label", "must not be empty"};
     }
-    if (i > 0 && condition.name == list[0].name) {
-      return Problem{i, "name", "is that of the other condition too"};
+    const char* taken = isPair() ? "is that of the other condition too" : "is that of an earlier condition too";
+    const auto before = list.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::any_of(list.begin(), before, [&](const ViewCondition& each) { return each.name == condition.name; })) {
+      return Problem{i, "name", taken};
     }
-    if (i > 0 && condition.label == list[0].label) {
-      return Problem{i, "label", "is that of the other condition too"};
+    if (std::any_of(list.begin(), before, [&](const ViewCondition& each) { return each.label == condition.label; })) {
+      return Problem{i, "label", taken};
     }
   }
   return std::nullopt;
@@ -80,17 +98,17 @@ std::optional<ViewConditions::Problem> ViewConditions::problem() const {
 
 const ViewConditions& defaultConditions() {
   static const ViewConditions kConditions{
-      {{{"ppc", "pinhole", "a planar pinhole camera, or several (pinhole)", {"plain", "pinhole", "ppc"}},
-        {"gc", "graph camera", "the graph camera", {"bent", "graph", "gc"}}}}};
+      {{"ppc", "pinhole", "a planar pinhole camera, or several (pinhole)", {"plain", "pinhole", "ppc"}},
+       {"gc", "graph camera", "the graph camera", {"bent", "graph", "gc"}}}};
   return kConditions;
 }
 
 std::string withViewNames(std::string_view text, const ViewConditions& conditions) {
-  return withoutMarks(text, [&](TrialView view, size_t) { return conditions.nameOf(view); });
+  return withoutMarks(text, conditions.size(), [&](TrialView view, size_t) { return conditions.nameOf(view); });
 }
 
 std::string withViewLabels(std::string_view text, const ViewConditions& conditions) {
-  return withoutMarks(text, [&](TrialView view, size_t at) {
+  return withoutMarks(text, conditions.size(), [&](TrialView view, size_t at) {
     std::string word = conditions.labelOf(view);
     if (startsSentence(text, at) && !word.empty()) {
       word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));

@@ -13,14 +13,18 @@
 namespace ocelli::test {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using Json = nlohmann::ordered_json;
 
 const std::vector<std::string> kTasks{"find", "count", "path", "survey"};
 const std::string kSample = OCELLI_SOURCE_DIR "/protocols/rosen2010.plan.json";
 
+/// The sample with a contrast, which it has none of.
 Json sampleJson() {
-  return Json::parse(std::ifstream(kSample));
+  Json json = Json::parse(std::ifstream(kSample));
+  json["contrasts"] = Json::parse(R"([{"name": "views", "model": "find-time", "conditions": ["gc", "ppc"]}])");
+  return json;
 }
 
 /// What the reader says of the sample with a change at a JSON pointer.
@@ -149,6 +153,48 @@ TEST(AnalysisPlan, linearModelsTestWhatTheyCan) {
   EXPECT_THAT(errorOf(json.dump()), HasSubstr("give the model the kind log_normal_mixed, or set \"find_timeouts\""));
 }
 
+TEST(AnalysisPlan, namesContrasts) {
+  const auto planOf = [](const std::string& contrast, const std::string& term = "condition") {
+    return R"({"name": "p", "factors": ["camera", "height"],
+      "models": [{"name": "time", "task": "find", "kind": "log_normal_mixed", "terms": [")" +
+           term + R"("],
+                  "random": [{"group": "subject", "slopes": ["camera"]}]},
+                 {"name": "curve", "task": "find", "kind": "kaplan_meier"}],
+      "contrasts": [{"name": "first", "model": "time", "conditions": ["a", "b"]}, )" +
+           contrast + "]}";
+  };
+  const AnalysisPlan plan = planFromJsonText(
+      planOf(
+          R"({"name": "c", "model": "time", "family": "f", "factors": {"camera": ["bent", "flat"], "height": ["x", "y"]}},
+                {"name": "w", "model": "time", "statement": "So it is", "weights": {"a": 1, "b": -0.5, "c": -0.5}})"),
+      "plan.json", kTasks);
+  EXPECT_THAT(plan.models[0].terms, ElementsAre("view")) << "another word for it";
+  ASSERT_EQ(plan.contrasts.size(), 3u);
+  EXPECT_EQ(plan.contrasts[0].family, "time");
+  EXPECT_EQ(plan.contrasts[0].weights, (std::vector<std::pair<std::string, double>>{{"a", 1}, {"b", -1}}));
+  ASSERT_EQ(plan.contrasts[1].levels.size(), 2u);
+  EXPECT_EQ(plan.contrasts[1].levels[0].first, "bent");
+  EXPECT_EQ(plan.contrasts[2].weights.size(), 3u);
+  const auto error = [&](const std::string& contrast) { return errorOf(planOf(contrast)); };
+  EXPECT_THAT(error(R"({"name": "first", "model": "time", "conditions": ["a", "c"]})"),
+              HasSubstr("as that of another"));
+  EXPECT_THAT(error(R"({"name": "c", "model": "none", "conditions": ["a", "c"]})"), HasSubstr("no mixed model"));
+  EXPECT_THAT(error(R"({"name": "c", "model": "curve", "conditions": ["a", "c"]})"), HasSubstr("no mixed model"));
+  EXPECT_THAT(error(R"({"name": "c", "model": "time"})"), HasSubstr("must say what is compared"));
+  EXPECT_THAT(error(R"({"name": "c", "model": "time", "conditions": ["a", "b"], "weights": {"a": 1, "b": -1}})"),
+              HasSubstr("must say what is compared"));
+  EXPECT_THAT(error(R"({"name": "c", "model": "time", "conditions": ["a", "a"]})"), HasSubstr("two different"));
+  EXPECT_THAT(error(R"({"name": "c", "model": "time", "weights": {"a": 1, "b": -0.5}})"),
+              HasSubstr("their sum is 0.5"));
+  EXPECT_THAT(error(R"({"name": "c", "model": "time", "weights": {"a": 0, "b": 0}})"), HasSubstr("not all be 0"));
+  EXPECT_THAT(error(R"({"name": "c", "model": "time", "factors": {"camera": ["bent"]}})"),
+              HasSubstr("two different levels"));
+  EXPECT_THAT(error(R"({"name": "c", "model": "time", "factors": {"lens": ["a", "b"]}})"),
+              HasSubstr("but the field \"factors\" of the plan has: camera, height"));
+  EXPECT_THAT(errorOf(planOf(R"({"name": "c", "model": "time", "conditions": ["a", "c"]})", "lens")),
+              HasSubstr("objects, trial, camera, height, joined by"));
+}
+
 /// The fields that the schema knows are those that the reader takes, object by object.
 TEST(AnalysisPlan, schemaAndReaderKnowTheSameFields) {
   const Json schema = Json::parse(std::ifstream(OCELLI_SOURCE_DIR "/protocols/analysis_plan.schema.json"));
@@ -158,6 +204,7 @@ TEST(AnalysisPlan, schemaAndReaderKnowTheSameFields) {
       {"/$defs/model", "/models/0"},
       {"/$defs/random", "/models/0/random/0"},
       {"/$defs/hypothesis", "/hypotheses/0"},
+      {"/$defs/contrast", "/contrasts/0"},
       {"/$defs/family", "/families/0"},
       {"/$defs/bounds", "/equivalence/0"},
   };

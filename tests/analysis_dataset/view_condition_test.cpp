@@ -34,9 +34,9 @@ TEST(ViewConditions, areThoseOfTheProtocol) {
   EXPECT_EQ(protocolFacts(R"({"name": "a"})", "p.json").conditions, defaultConditions());
 }
 
-TEST(ViewConditions, areTwoWithNamesOfTheirOwn) {
-  for (const char* wrong : {"{}", "[]", R"([{"name": "a"}])", R"([{"name": "a"}, {"name": "b"}, {"name": "c"}])"}) {
-    EXPECT_THAT(errorOfConditions(wrong), HasSubstr("must be a list of two conditions")) << wrong;
+TEST(ViewConditions, haveNamesOfTheirOwn) {
+  for (const char* wrong : {"{}", "[]", "3"}) {
+    EXPECT_THAT(errorOfConditions(wrong), HasSubstr("must be a list of 1 to 16 conditions")) << wrong;
   }
   EXPECT_THAT(errorOfConditions(R"([{"name": "a"}, {"name": "a"}])"), HasSubstr("is that of the other condition too"));
   EXPECT_THAT(errorOfConditions(R"([{"name": "a"}, {"name": "b", "label": "a"}])"),

@@ -25,7 +25,7 @@ TEST(BlockOutline, IsTheSameToBoth) {
     ASSERT_TRUE(block.practice.has_value());
     EXPECT_EQ(block.practice->minCorrect, 3);
     const BlockOutline least = readOutline(R"({"name": "b", "title": "B", "task": "t"})", reading, readBlockOutline);
-    EXPECT_EQ(least.views, ViewsOfCases::kBoth);
+    EXPECT_EQ(least.views, ViewsOfCases::kAll);
     EXPECT_FALSE(least.practice.has_value());
     EXPECT_THAT(outlineErrorOf("{\"name\": \"b\",\n\"task\": 3, \"title\": \"B\"}", reading, readBlockOutline),
                 HasSubstr("p.json:2 (b): field \"task\" must be a text"));

@@ -31,7 +31,7 @@ TEST(ConditionNames, AreReadWithWhatStandsBesideThem) {
   EXPECT_EQ(conditionNamesOf(kConditions, "study.db"), conditions) << "whatever else they have";
 }
 
-TEST(ConditionNames, AreTwoAndDifferent) {
+TEST(ConditionNames, AreOneToSixteenAndDifferent) {
   const auto error = [](const std::string& list) {
     try {
       conditionNamesOf("{\n\"conditions\":\n" + list + "}", "study.db");
@@ -40,7 +40,10 @@ TEST(ConditionNames, AreTwoAndDifferent) {
     }
     return std::string();
   };
-  EXPECT_THAT(error(R"([{"name": "a"}])"), HasSubstr("study.db:2: field \"conditions\" must be a list of two"));
+  EXPECT_THAT(error("[]"), HasSubstr("study.db:2: field \"conditions\" must be a list of 1 to 16 conditions"));
+  EXPECT_EQ(error(R"([{"name": "a"}])"), "");
+  EXPECT_THAT(error("[{\"name\": \"a\"},\n{\"name\": \"b\"}, {\"name\": \"b\"}]"),
+              HasSubstr("study.db:4, \"conditions\" 3: field \"name\" is that of an earlier condition too"));
   EXPECT_THAT(error("[{\"name\": \"a\"},\n{\"name\": \"a\"}]"),
               HasSubstr("study.db:4, \"conditions\" 2: field \"name\" is that of the other condition too"));
   EXPECT_THAT(error(R"([{"name": "a"}, {"name": "b", "label": ""}])"), HasSubstr("must have 1 to 100 characters"));

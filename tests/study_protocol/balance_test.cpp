@@ -8,7 +8,7 @@ namespace ocelli::test {
 namespace {
 
 constexpr auto kBalanced = TrialOrder::kBalanced;
-constexpr auto kBoth = ViewsOfCases::kBoth;
+constexpr auto kBoth = ViewsOfCases::kAll;
 constexpr auto kOne = ViewsOfCases::kOne;
 
 /// So many blocks, of even and odd numbers of cases, in both views and in one.

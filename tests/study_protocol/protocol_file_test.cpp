@@ -41,7 +41,7 @@ TEST(ProtocolFile, IsReadAsItStands) {
   EXPECT_EQ(protocol.blocks[0].task->caseInfo(1).label, "there");
   EXPECT_THAT(protocol.blocks[0].sessions, ElementsAre(1));
   EXPECT_EQ(protocol.blocks[0].order, TrialOrder::kBalanced);
-  EXPECT_EQ(protocol.blocks[0].views, ViewsOfCases::kBoth);
+  EXPECT_EQ(protocol.blocks[0].views, ViewsOfCases::kAll);
   ASSERT_TRUE(protocol.blocks[0].practice.has_value());
   EXPECT_EQ(protocol.blocks[0].practice->maxTrials, 2);
   EXPECT_EQ(protocol.blocks[0].practice->task->caseCount(), 1);
@@ -91,9 +91,16 @@ TEST(ProtocolFile, WithoutConditionsComparesPinholeAndGraphCamera) {
 
 TEST(ProtocolFile, SaysWhatIsWrongWithConditions) {
   const auto errorOf = [](const std::string& conditions) { return protocolError(withConditions(conditions)); };
-  EXPECT_THAT(errorOf("[]"), HasSubstr("two conditions"));
-  EXPECT_THAT(errorOf("{}"), HasSubstr("two conditions"));
-  EXPECT_THAT(errorOf(R"([{"name": "left", "view": "pinhole"}])"), HasSubstr("two conditions"));
+  EXPECT_THAT(errorOf("[]"), HasSubstr("1 to 16 conditions"));
+  EXPECT_THAT(errorOf("{}"), HasSubstr("1 to 16 conditions"));
+  std::string many;
+  for (int i = 0; i < 17; ++i) {
+    many += (i == 0 ? R"([{"name": "c)" : R"(, {"name": "c)") + std::to_string(i) + R"(", "view": "pinhole"})";
+  }
+  EXPECT_THAT(errorOf(many + "]"), HasSubstr("1 to 16 conditions"));
+  EXPECT_THAT(errorOf(R"([{"name": "a", "view": "pinhole"}, {"name": "b", "view": "graph"},
+                          {"name": "b", "view": "pinhole"}])"),
+              HasSubstr("that of an earlier condition too"));
   EXPECT_THAT(errorOf(R"([{"name": "left", "view": "pinhole"}, {"name": "left", "view": "graph"}])"),
               HasSubstr("that of the other condition too"));
   EXPECT_THAT(errorOf(R"([{"name": "left", "view": "pinhole"}, {"name": "r i", "view": "graph"}])"),

@@ -80,7 +80,7 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfPagesFormsAndLimits) {
   const Json document = withBlock(0);
   Json everySession = document;
   everySession.at("blocks").at(0).erase("sessions");
-  expectAgreement(schema(), everySession, "", {"conditions"});
+  expectAgreement(schema(), everySession, "", {"conditions", "factors"});
   expectAgreement(def("page"), document, "/consent");
   expectAgreement(def("page"), document, "/blocks/0/instructions/0");
   expectAgreement(def("example"), document, "/blocks/0/instructions/0/picture", {"condition", "case"});  // names
@@ -106,6 +106,13 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfConditions) {
   for (const ViewKind& kind : viewKinds()) {
     kinds.insert(kind.name);
   }
+  document["factors"] = Json::parse(R"([{"name": "size", "levels": ["small", "large"], "of": "cases"}])");
+  for (Json& each : document.at("blocks").at(0).at("cases")) {
+    each["factors"] = Json::parse(R"({"size": "small"})");
+  }
+  expectAgreement(def("factor"), document, "/factors/0", {"name", "levels", "of"});
+  EXPECT_EQ(def("factor").at("properties").at("levels").at("maxItems"), 16);
+  EXPECT_EQ(schema().at("properties").at("conditions").at("maxItems"), kMaxConditions);
   EXPECT_EQ(def("view_kind").at("enum").get<std::set<std::string>>(), kinds);
   // The schema names the options of all kinds together.
   struct KindOptions {
@@ -208,6 +215,7 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfNearer) {
   Json place = def("find_case").at("properties");
   place.erase("label");
   place.erase("distance_band");
+  place.erase("factors");
   EXPECT_EQ(def("nearer_object").at("properties"), place);
   document["blocks"][0]["cases"][0]["left"]["north"] = 0.1;
   EXPECT_NE(protocolError(document).find("field \"north\" is unknown"), std::string::npos) << protocolError(document);

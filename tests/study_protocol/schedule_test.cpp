@@ -17,7 +17,7 @@ using testing::ElementsAre;
 
 constexpr auto kAlternating = TrialOrder::kAlternating;
 constexpr auto kBalancedSchedule = TrialOrder::kBalanced;
-constexpr auto kBothViews = ViewsOfCases::kBoth;
+constexpr auto kBothViews = ViewsOfCases::kAll;
 constexpr auto kOneView = ViewsOfCases::kOne;
 
 std::vector<std::string> written(const SessionSchedule& schedule) {

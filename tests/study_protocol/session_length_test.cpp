@@ -8,7 +8,7 @@ namespace ocelli::test {
 namespace {
 
 Protocol twoBlocks() {
-  Protocol protocol = shamProtocol({shamBlock("a", 5, TrialOrder::kBalanced, ViewsOfCases::kBoth),
+  Protocol protocol = shamProtocol({shamBlock("a", 5, TrialOrder::kBalanced, ViewsOfCases::kAll),
                                     shamBlock("b", 4, TrialOrder::kBalanced, ViewsOfCases::kOne)},
                                    false, 2);
   protocol.blocks[0].breakEveryTrials = 4;

@@ -18,7 +18,7 @@ Protocol protocolOf(const test::TaskExample& example) {
   block.title = "Only";
   block.taskName = example.task;
   block.task = test::readBlock(example.task, example.json);
-  block.views = ViewsOfCases::kBoth;
+  block.views = ViewsOfCases::kAll;
   protocol.blocks = {block};
   return protocol;
 }
