@@ -64,6 +64,9 @@ TEST(Coverage, BothViewsOfCountingLookFromTheSameHeightsAtAllPlacesAndShowAnObje
   EXPECT_LE(pinholes.twice, 10);  // as in the protocol for replication
   // Medians to within 5 %: a quarter of what the least difference is that people see in areas.
   EXPECT_NEAR(medianOf(pinholes.pixels) / medianOf(graph.pixels), 1, 0.05);
+  // What stays, as docs/experimenters.md says: the graph camera draws balls out.
+  EXPECT_LT(medianOf(pinholes.stretches), 1.3);
+  EXPECT_GT(medianOf(graph.stretches), medianOf(pinholes.stretches));
 }
 
 TEST(Coverage, DefaultProtocolsHaveTheSameViewsOfCounting) {
