@@ -119,16 +119,17 @@ std::string coverageText(const Protocol& protocol, const std::vector<BlockCovera
   const size_t width = viewWidth(protocol, 6);
   std::string text = fmt::format(
       "\nCoverage: places where an object shows with {} pixels or more\n\n  {:<28}{:<{}}{:>7}"
-      "{:>8}{:>6}{:>7}{:>11}{:>8}{:>8}{:>8}{:>6}\n",
+      "{:>8}{:>6}{:>7}{:>11}{:>8}{:>8}{:>8}{:>6}{:>9}\n",
       kMinSeenPixels, "block", "view", width, "images", "places", "seen", "twice", "sightings", "median", "least",
-      "most", "down");
+      "most", "down", "stretch");
   for (const BlockCoverage& block : blocks) {
     for (const ViewCoverage& view : block.views) {
-      text += fmt::format("  {:<28}{:<{}}{:>7}{:>8}{:>6}{:>7}{:>11.2f}{:>8.0f}{:>8}{:>8}{:>6.0f}\n", block.block,
-                          protocol.nameOf(view.view), width, view.images, view.places, view.seen, view.twice,
-                          static_cast<double>(view.sightings) / std::max(1, view.places), medianOf(view.pixels),
-                          view.pixels.empty() ? 0 : view.pixels.front(), view.pixels.empty() ? 0 : view.pixels.back(),
-                          medianOf(view.degreesDown));
+      text +=
+          fmt::format("  {:<28}{:<{}}{:>7}{:>8}{:>6}{:>7}{:>11.2f}{:>8.0f}{:>8}{:>8}{:>6.0f}{:>9.1f}\n", block.block,
+                      protocol.nameOf(view.view), width, view.images, view.places, view.seen, view.twice,
+                      static_cast<double>(view.sightings) / std::max(1, view.places), medianOf(view.pixels),
+                      view.pixels.empty() ? 0 : view.pixels.front(), view.pixels.empty() ? 0 : view.pixels.back(),
+                      medianOf(view.degreesDown), medianOf(view.stretches));
       for (const std::string& place : view.unseen) {
         text += block.ofCases ? "" : fmt::format("    not seen: {}\n", place);
       }
@@ -136,7 +137,8 @@ std::string coverageText(const Protocol& protocol, const std::vector<BlockCovera
   }
   return text +
          "\n  median, least, most: pixels of an object, where it shows largest. down: degrees by which rays to it run "
-         "down, median.\n  Of blocks where an object is to be found: the cases in sight at the start.\n";
+         "down, stretch: its longer side by its shorter one, medians.\n  Of blocks where an object is to be found: the "
+         "cases in sight at the start.\n";
 }
 
 Json jsonOf(const Duration& duration) {
@@ -213,6 +215,7 @@ Json jsonOf(const Protocol& protocol, const std::vector<BlockCoverage>& blocks) 
                       {"median_pixels", medianOf(view.pixels)},
                       {"most_pixels", view.pixels.empty() ? 0 : view.pixels.back()},
                       {"median_degrees_down", medianOf(view.degreesDown)},
+                      {"median_stretch", medianOf(view.stretches)},
                       {"unseen", view.unseen}});
     }
   }

@@ -128,6 +128,8 @@ void addSightings(const std::string& place, PlaceViews& from, const glm::vec3& o
   }
   coverage.pixels.push_back(largest.sighting.pixels);
   coverage.degreesDown.push_back(degreesDown(largest, middle));
+  const glm::dvec2 size(largest.sighting.upper - largest.sighting.lower + 1);
+  coverage.stretches.push_back(std::max(size.x, size.y) / std::min(size.x, size.y));
   ++coverage.seen;
   coverage.twice += sightingsHere > 1 ? 1 : 0;
 }
@@ -135,6 +137,7 @@ void addSightings(const std::string& place, PlaceViews& from, const glm::vec3& o
 void sort(ViewCoverage& coverage) {
   std::sort(coverage.pixels.begin(), coverage.pixels.end());
   std::sort(coverage.degreesDown.begin(), coverage.degreesDown.end());
+  std::sort(coverage.stretches.begin(), coverage.stretches.end());
 }
 
 glm::vec3 middleOf(const StudyScene& scene, const glm::vec3& offset) {

@@ -24,6 +24,7 @@ struct ViewCoverage {
   int sightings = 0;
   std::vector<size_t> pixels{};       ///< of the largest sighting of each object that was seen, fewest first
   std::vector<double> degreesDown{};  ///< of the ray in the middle of that sighting, where it meets the object
+  std::vector<double> stretches{};    ///< of that sighting: its longer side by its shorter one, along the image's sides
   std::vector<std::string> unseen{};  ///< where the object was not
 };
 

@@ -23,6 +23,7 @@ class EyeCamera {
   EyeCamera(const Maze& maze, const Controls& controls, const EyeCameraOptions& options,
             StudyConditions conditions = {});
 
+  const StudyConditions& conditions() const { return conditions_; }
   PinholeCamera pinhole(const WalkerPose& pose, const glm::ivec2& size) const;
   /// Nothing where the constructor refuses the pose.
   std::optional<GraphCamera> portalCamera(const WalkerPose& pose, const glm::ivec2& size) const;

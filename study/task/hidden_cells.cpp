@@ -66,7 +66,7 @@ std::vector<MazeCell> hiddenCells(const Maze& maze, const SightSetting& setting)
   layout.objectOffsets.assign(reached.size(), glm::vec3(0));
   std::vector<bool> isSeen(reached.size(), false);
   const glm::vec3 away(0, -1000 * maze.wallHeight, 0);
-  for (const TrialView view : setting.conditions) {
+  for (const TrialView view : setting.camera.conditions().names.all()) {
     layout.views = setting.camera.views(setting.start, view, stageOf(kSightScreen));
     for (bool more = true; more;) {
       more = false;

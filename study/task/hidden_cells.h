@@ -9,10 +9,9 @@
 namespace ocelli {
 
 struct SightSetting {
-  EyeCamera camera;                                                 ///< with the conditions of the study
-  WalkerPose start;                                                 ///< where one looks from
-  Landmark object{};                                                ///< what stands there; its cell does not matter
-  std::vector<TrialView> conditions{kViews.begin(), kViews.end()};  ///< all in which one looks
+  EyeCamera camera;   ///< with the conditions of the study
+  WalkerPose start;   ///< where one looks from
+  Landmark object{};  ///< what stands there; its cell does not matter
 };
 
 /// The cells in which no view shows a pixel of the object, on a screen of 1024 x 640 pixels: nearest first, by the

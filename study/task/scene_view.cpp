@@ -37,23 +37,23 @@ class GraphView final : public SceneView {
 
 }  // namespace
 
-const Vantage& Vantage::variant(const std::string& name) const {
-  if (name.empty()) {
+const Vantage& Vantage::variant(const std::string& asked) const {
+  if (asked.empty()) {
     return *this;
   }
   const auto found =
-      std::find_if(variants.begin(), variants.end(), [&](const NamedVantage& each) { return each.name == name; });
+      std::find_if(variants.begin(), variants.end(), [&](const Vantage& each) { return each.name == asked; });
   if (found == variants.end()) {
     std::string names;
-    for (const NamedVantage& each : variants) {
+    for (const Vantage& each : variants) {
       names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", each.name);
     }
-    throw InputError(fmt::format("a condition asks for the variant \"{}\", but a block has {}", name,
+    throw InputError(fmt::format("a condition asks for the variant \"{}\", but a block has {}", asked,
                                  names.empty() ? "none" : names),
                      "conditions, \"view\", \"variant\"",
                      "name it in \"variants\" of each block whose task has them, or leave \"variant\" away");
   }
-  return found->vantage;
+  return *found;
 }
 
 std::shared_ptr<const SceneView> pinholeView(const std::string& variant) {

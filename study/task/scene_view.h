@@ -12,8 +12,6 @@
 
 namespace ocelli {
 
-struct NamedVantage;
-
 /// Where a task looks at its scene from, at one moment of a trial.
 struct Vantage {
   /// A planar pinhole camera and its place on the screen.
@@ -25,14 +23,11 @@ struct Vantage {
   /// The views by the graph camera that the task makes; made when it is called.
   std::function<std::vector<TrialLayout::View>()> graph;
   /// Other places to look from, which the block names and a view condition asks for.
-  std::vector<NamedVantage> variants{};
+  std::vector<Vantage> variants{};
+  std::string name{};  ///< of a variant
 
   /// The variant of that name; all of this where it is empty. Throws InputError where there is none.
-  const Vantage& variant(const std::string& name) const;
-};
-struct NamedVantage {
-  std::string name;
-  Vantage vantage;
+  const Vantage& variant(const std::string& asked) const;
 };
 
 /// The same vantage always gives the same views. Any thread may call it at any time.

@@ -79,7 +79,8 @@ Vantage vantageOf(const Maze& maze, const CountVantage& of, const PixelRect& sta
 Vantage vantageOf(const Maze& maze, const CountOptions& options, const PixelRect& stage) {
   Vantage vantage = vantageOf(maze, options.vantage, stage);
   for (const auto& [name, variant] : options.variants) {
-    vantage.variants.push_back({name, vantageOf(maze, variant, stage)});
+    vantage.variants.push_back(vantageOf(maze, variant, stage));
+    vantage.variants.back().name = name;
   }
   return vantage;
 }
@@ -383,7 +384,7 @@ std::shared_ptr<const TaskBlock> readCountTask(JsonFields& fields, const std::st
   // Tells now which variants conditions lack; of nothing, as only the names matter.
   Vantage nothing{{}, [] { return std::vector<TrialLayout::View>(); }};
   for (const auto& [name, variant] : options.variants) {
-    nothing.variants.push_back({name, {{}, nothing.graph}});
+    nothing.variants.push_back({{}, nothing.graph, {}, name});
   }
   for (const TrialView view : setting.conditions.names.all()) {
     setting.conditions.viewsOf(view, nothing);

@@ -295,7 +295,7 @@ std::shared_ptr<const TaskBlock> readFindTask(JsonFields& fields, const std::str
   });
   if (!casesOfBand.empty()) {
     const SightSetting sight{EyeCamera(maze, setting.controls, options.camera, setting.conditions), options.start,
-                             cases.front().object, setting.conditions.names.all()};
+                             cases.front().object};
     std::vector<MazeCell> hidden = hiddenCells(maze, sight);
     const std::set<MazeCell> named = namedCells(fields);
     std::erase_if(hidden, [&](const MazeCell& cell) { return named.contains(cell); });

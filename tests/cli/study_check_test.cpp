@@ -21,10 +21,10 @@ TEST(StudyCheck, TellsScheduleLengthAndBalance) {
   const ProgramResult result = runProgram("study check " + kShort + " --subjects 3 --answers");
   EXPECT_EQ(result.exitCode, 0) << result.error;
   EXPECT_THAT(result.error, IsEmpty());
-  EXPECT_THAT(result.output, AllOf(HasSubstr("Session 1 of the subject in slot 0"), HasSubstr("typical min"),
-                                   HasSubstr("location 3"), HasSubstr("object at row "),
-                                   HasSubstr("Balance of session 1 over 3 subjects"),
-                                   HasSubstr("the consent still says \"[fill in: name and address]\"")));
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("Session 1 of the subject in slot 0"), HasSubstr("typical min"), HasSubstr("location 3"),
+                    HasSubstr("object at row "), HasSubstr("Balance of session 1 over 3 subjects"),
+                    HasSubstr("the consent still says \"[fill in: name and address]\"")));
   EXPECT_THAT(runProgram("study check " + kShort).output, Not(HasSubstr("object at row")));
 }
 

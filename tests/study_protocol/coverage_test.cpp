@@ -64,6 +64,9 @@ TEST(Coverage, BothViewsOfCountingLookFromTheSameHeightsAtAllPlacesAndShowAnObje
   EXPECT_LE(pinholes.twice, 10);  // as in the protocol for replication
   // Medians to within 5 %: a quarter of what the least difference is that people see in areas.
   EXPECT_NEAR(medianOf(pinholes.pixels) / medianOf(graph.pixels), 1, 0.05);
+  // What stays, as docs/experimenters.md says: the graph camera draws balls out.
+  EXPECT_LT(medianOf(pinholes.stretches), 1.3);
+  EXPECT_GT(medianOf(graph.stretches), medianOf(pinholes.stretches));
 }
 
 TEST(Coverage, DefaultProtocolsHaveTheSameViewsOfCounting) {
@@ -133,7 +136,37 @@ TEST(Coverage, DefaultProtocolsHaveNothingToFindInSightAtTheStart) {
   }
 }
 
-/// A hall, and a pillar that hides one of its cells from each pinhole.
+TEST(Coverage, FiveConditionsTakeCameraHeightAndImagesApart) {
+  const Protocol protocol = shippedProtocol("counting-heights");
+  const std::vector<BlockCoverage> blocks = coverageOf(protocol, kCoverageScreen);
+  ASSERT_EQ(blocks.size(), 1u);
+  struct Shown {
+    const char* condition;
+    int images;
+    double height;
+  };
+  const std::vector<Shown> expected{{"pinholes-low", 8, 2.2},
+                                    {"pinholes-high", 8, 19.2},
+                                    {"graph-low", 1, 12},
+                                    {"graph-high", 1, 19.2},
+                                    {"top", 1, 19.2}};
+  ASSERT_EQ(blocks[0].views.size(), expected.size());
+  std::vector<double> medians;
+  for (size_t i = 0; i < expected.size(); ++i) {
+    const ViewCoverage& view = blocks[0].views[i];
+    SCOPED_TRACE(expected[i].condition);
+    EXPECT_EQ(protocol.nameOf(view.view), expected[i].condition);
+    EXPECT_EQ(view.images, expected[i].images);
+    EXPECT_EQ(eyeHeights(*protocol.blocks[0].task, view.view), (std::set<double>{expected[i].height}));
+    EXPECT_EQ(view.seen, 50);
+    medians.push_back(medianOf(view.pixels));
+  }
+  // Without a size that goes with the height: of both cameras together, low and high.
+  EXPECT_NEAR((medians[0] + medians[2]) / (medians[1] + medians[3]), 1, 0.05);
+  EXPECT_LT(*std::max_element(medians.begin(), medians.end()), 1.6 * *std::min_element(medians.begin(), medians.end()));
+}
+
+/// A hall of three cells that two pinholes look along.
 TEST(Coverage, CountsWhatIsDrawn) {
   const Protocol protocol = protocolFromJsonText(R"({"name": "hall", "title": "Hall",
       "mazes": {"hall": {"plan": ["+-+-+-+", "|     |", "+ +-+-+"]}}, "blocks": [{"name": "count", "title": "Count",

@@ -218,7 +218,8 @@ TEST(CountTask, conditionsShowTheVariantThatTheyAskFor) {
   const auto rounded = [](double meters) { return std::round(100 * meters) / 100; };
   EXPECT_EQ(heights("", ""), (Heights{{1.6}, {rounded(4 * walls)}}));
   EXPECT_EQ(heights("top", "low"), (Heights{{20}, {rounded(3 * walls)}}));
-  EXPECT_EQ(heights("low", "top"), (Heights{{1.6}, {rounded(4 * walls)}}));  // what a variant does not say is the block's
+  EXPECT_EQ(heights("low", "top"),
+            (Heights{{1.6}, {rounded(4 * walls)}}));  // what a variant does not say is the block's
 }
 
 TEST(CountTask, pinholesLookWhereTheirFileSays) {
