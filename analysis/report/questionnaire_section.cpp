@@ -151,8 +151,7 @@ void addScores(ReportWork& work, const std::vector<SubjectScore>& scores) {
     table.rows.push_back({score, ReportCell{asked}, ReportCell{std::to_string(first.session)},
                           ReportCell{first.view ? conditions.of(*first.view).label : std::string("-")},
                           cell(std::to_string(summary.subjects), "subjects", subjects),
-                          ReportCell{std::to_string(summary.open)},
-                          cell(scoreText(summary.mean), "mean", summary.mean),
+                          ReportCell{std::to_string(summary.open)}, cell(scoreText(summary.mean), "mean", summary.mean),
                           cell(scoreText(summary.deviation), "sd", summary.deviation),
                           cell(scoreText(summary.least), "lowest", summary.least),
                           cell(scoreText(summary.most), "highest", summary.most)});

@@ -428,7 +428,7 @@ TEST_F(AnalyseCommand, WhatIsNoStudyIsRefused) {
   folder_.write("tables/subjects.csv", "subject_id\nS01\n");
   expectRefused("tables", "subjects.csv:1");
   for (const auto& [sql, reason] : std::vector<std::pair<std::string, std::string>>{
-           {"PRAGMA user_version = 3", "a newer version of ocelli"},
+           {"PRAGMA user_version = 99", "a newer version of ocelli"},
            {"PRAGMA user_version = 0", "version 0"},
            {"PRAGMA application_id = 0", "no database of a study"},
            {"DELETE FROM study", "holds no study"},
