@@ -143,11 +143,16 @@ TrialList firstExposures(const TrialList& trials) {
 Variants variantsOf(const TrialList& trials, std::vector<Variant> first, size_t maxRows) {
   Variants variants;
   first.front().main = true;
-  const std::vector<Variant> more{
+  std::vector<Variant> more{
       {"First session only", keptIf(trials, [](const Trial* trial) { return trial->session == 1; })},
       {"First exposure to each case only", firstExposures(trials)},
       {"Without trials with dropped frames",
        keptIf(trials, [](const Trial* trial) { return trial->droppedFrames == 0; })}};
+  // Broken off and done again, by the experimenter or after a pause: its case had been seen before.
+  const TrialList once = keptIf(trials, [](const Trial* trial) { return trial->attempt == 1; });
+  if (once.size() < trials.size()) {
+    more.push_back({fmt::format("Without trials that were done again ({})", trials.size() - once.size()), once});
+  }
   // Alternatives before these may treat the same trials in other ways: they stay.
   variants.list = first;
   for (const Variant& variant : more) {

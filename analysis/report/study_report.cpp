@@ -20,6 +20,7 @@
 #include "analysis/report/questionnaire_section.h"
 #include "analysis/report/r_script.h"
 #include "analysis/report/report_task.h"
+#include "analysis/report/speed_accuracy_section.h"
 #include "analysis/report/view_words.h"
 #include "oc_core/base/csv.h"
 
@@ -241,6 +242,9 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
     tell("learning", 0.95);
     addPart(work, "Learning", [&] { addLearningSection(work, practised); });
     addPart(work, "Comparison of completers and drop-outs", [&] { addCompletersSection(work, practised); });
+  }
+  if (!practised.empty()) {
+    addPart(work, "Speed against accuracy", [&] { addSpeedAccuracySection(work, practised); });
   }
   addTasks(false);
   if (hasOtherForms(analysis.data)) {

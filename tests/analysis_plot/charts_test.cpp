@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analysis/plot/flow_diagram.h"
 #include "analysis/plot/model_check_plot.h"
 #include "analysis/plot/paired_plot.h"
 #include "analysis/plot/style.h"
+#include "analysis/plot/trade_off_plot.h"
 #include "tests/analysis_plot/sample_figures.h"
 
 namespace ocelli {
@@ -165,6 +167,23 @@ TEST(PairedPlot, linesJoinTheValuesOfASubject) {
   EXPECT_NEAR(links[0].bottom, points[1].middleY(), 1e-9);
   EXPECT_NEAR(links[1].height(), 0, 1e-9);
   EXPECT_THAT(figure.description, testing::HasSubstr("higher with bent for 0 subjects, lower for 1, the same for 1"));
+}
+
+TEST(TradeOffPlot, joinsTheConditionsOfASubjectAndLeavesOutWhatIsNotKnown) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  TradeOffPlot plot;
+  plot.title = "Three subjects";
+  plot.conditions = {{"flat", {{2, 0.5}, {4, 1}, {nan, nan}}, {std::sqrt(8.0), 0.75}},
+                     {"bent", {{4, 0.5}, {nan, nan}, {8, 0}}, {std::sqrt(32.0), 0.25}}};
+  const Figure figure = tradeOffFigure(plot);
+  const std::vector<PlotBox> points = boxesOf(figure, "point");
+  ASSERT_EQ(points.size(), 4U);
+  const std::vector<PlotBox> links = boxesOf(figure, "link");
+  ASSERT_EQ(links.size(), 1U);
+  EXPECT_NEAR(links[0].height(), 0, 1e-9);  // as often right with both
+  // Times are on a logarithmic axis: 2 to 4 s is as far as 4 to 8.
+  EXPECT_NEAR(points[2].middleX() - points[0].middleX(), points[3].middleX() - points[2].middleX(), 1e-6);
+  EXPECT_THAT(figure.description, testing::HasSubstr("of 3 subjects. Means: flat 2.83 s, 75 %; bent 5.66 s, 25 %."));
 }
 
 TEST(SurvivalPlot, bandsHoldTheirCurvesInsideThePanel) {

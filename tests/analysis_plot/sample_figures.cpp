@@ -13,6 +13,7 @@
 #include "analysis/plot/paired_plot.h"
 #include "analysis/plot/power_plot.h"
 #include "analysis/plot/rating_plot.h"
+#include "analysis/plot/trade_off_plot.h"
 
 namespace ocelli {
 namespace {
@@ -365,12 +366,34 @@ HeatMap sampleHeat() {
   return map;
 }
 
+TradeOffPlot sampleTradeOff() {
+  TradeOffPlot plot;
+  plot.title = "Counting: speed against accuracy";
+  plot.timeLabel = "Time to answer (s)";
+  plot.shareLabel = "Share of right answers";
+  plot.conditions = {{"pinhole camera", {}, {}}, {"graph camera", {}, {}}, {"top view", {}, {}}};
+  SampleNumbers numbers(17);
+  for (size_t i = 0; i < plot.conditions.size(); ++i) {
+    TradeOffPlot::Condition& condition = plot.conditions[i];
+    for (int subject = 0; subject < 24; ++subject) {
+      const double seconds = std::exp(0.6 + 0.3 * static_cast<double>(i) + 0.3 * numbers.normal());
+      const double share = std::clamp(0.6 + 0.12 * static_cast<double>(i) + 0.12 * numbers.normal(), 0.0, 1.0);
+      condition.subjects.push_back({seconds, share});
+      condition.mean.seconds += std::log(seconds) / 24;
+      condition.mean.share += share / 24;
+    }
+    condition.mean.seconds = std::exp(condition.mean.seconds);
+  }
+  return plot;
+}
+
 std::vector<SampleFigure> sampleFigures() {
   return {{"learning", groupFigure(sampleLearning())},
           {"cases", groupFigure(sampleCases())},
           {"accuracy", groupFigure(sampleAccuracy())},
           {"strip", groupFigure(sampleStrip())},
           {"paired", pairedFigure(samplePaired())},
+          {"trade-off", tradeOffFigure(sampleTradeOff())},
           {"survival", survivalFigure(sampleSurvival())},
           {"ratings", ratingFigure(sampleRatings())},
           {"ratings-7", ratingFigure(sampleSevenSteps())},
@@ -406,14 +429,17 @@ std::vector<SampleFigure> emptyFigures() {
   check.title = title;
   PowerPlot power;
   power.title = title;
+  TradeOffPlot tradeOff;
+  tradeOff.title = title;
   FlowDiagram flow;
   flow.title = title;
   FigureGrid grid;
   grid.title = title;
-  return {{"group", groupFigure(group)},     {"paired", pairedFigure(paired)},   {"survival", survivalFigure(survival)},
-          {"ratings", ratingFigure(rating)}, {"forest", forestFigure(forest)},   {"errors", histogramFigure(histogram)},
-          {"heat", heatFigure(heat)},        {"check", modelCheckFigure(check)}, {"power", powerFigure(power)},
-          {"flow", flowFigure(flow)},        {"grid", gridFigure(grid)}};
+  return {
+      {"group", groupFigure(group)},     {"paired", pairedFigure(paired)},   {"survival", survivalFigure(survival)},
+      {"ratings", ratingFigure(rating)}, {"forest", forestFigure(forest)},   {"errors", histogramFigure(histogram)},
+      {"heat", heatFigure(heat)},        {"check", modelCheckFigure(check)}, {"power", powerFigure(power)},
+      {"flow", flowFigure(flow)},        {"grid", gridFigure(grid)},         {"trade-off", tradeOffFigure(tradeOff)}};
 }
 
 std::vector<SampleFigure> tinyFigures() {
@@ -449,13 +475,17 @@ std::vector<SampleFigure> tinyFigures() {
   PowerPlot power;
   power.title = "One number";
   power.curves = {{"a", {{10, {0.5, kNaN, kNaN}}}}};
+  TradeOffPlot tradeOff;
+  tradeOff.title = "One subject";
+  tradeOff.conditions = {{"a", {{3, 1}}, {3, 1}}, {"b", {{kNaN, kNaN}}, {kNaN, kNaN}}};
   FlowDiagram flow;
   flow.title = "One stage";
   flow.stages = {{"Consented", 1, "subject", {{"left", 1}}}};
-  return {{"group", groupFigure(group)},     {"paired", pairedFigure(paired)},   {"survival", survivalFigure(survival)},
-          {"ratings", ratingFigure(rating)}, {"forest", forestFigure(forest)},   {"errors", histogramFigure(histogram)},
-          {"heat", heatFigure(heat)},        {"check", modelCheckFigure(check)}, {"power", powerFigure(power)},
-          {"flow", flowFigure(flow)}};
+  return {
+      {"group", groupFigure(group)},     {"paired", pairedFigure(paired)},       {"survival", survivalFigure(survival)},
+      {"ratings", ratingFigure(rating)}, {"forest", forestFigure(forest)},       {"errors", histogramFigure(histogram)},
+      {"heat", heatFigure(heat)},        {"check", modelCheckFigure(check)},     {"power", powerFigure(power)},
+      {"flow", flowFigure(flow)},        {"trade-off", tradeOffFigure(tradeOff)}};
 }
 
 }  // namespace ocelli

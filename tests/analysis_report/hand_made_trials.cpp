@@ -21,6 +21,7 @@ const Trial* HandMadeTrials::add(const HandMadeTrial& made) {
   trial.censored = made.censored;
   trial.droppedFrames = made.dropped;
   trial.responseSeconds = made.seconds;
+  trial.attempt = made.attempt;
   trials_.push_back(trial);
   list_.push_back(&trials_.back());
   return list_.back();

@@ -23,6 +23,7 @@ struct HandMadeTrial {
   bool censored = false;
   int dropped = 0;
   double seconds = 1;
+  int attempt = 1;
 };
 
 /// Keeps the trials, whose list stays good while it lives; trial ids count from 1.

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/analysis_report/hand_made_trials.h"
 
 namespace ocelli {
@@ -14,6 +16,7 @@ using test::idsOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 using test::kGc;
 using test::kPpc;
@@ -65,6 +68,18 @@ TEST(Variants, keepFirstSessionFirstExposuresAndLeaveCasesOut) {
   EXPECT_EQ(variants.list[3].trials.size(), 16u);
   EXPECT_THAT(idsOf(variants.list[5].trials), ElementsAre(1, 3, 5, 7, 9, 11, 13, 15));
   EXPECT_TRUE(variants.notes.empty()) << variants.notes.front();
+}
+
+TEST(Variants, leaveOutWhatWasDoneAgainWhereSomethingWas) {
+  HandMadeTrials trials = searches();
+  trials.add({.subject = "S1", .planIndex = 8, .caseIndex = 1, .attempt = 2});
+  const Variants variants = variantsOf(trials.list(), {{"All", trials.list()}}, kEnoughRows);
+  ASSERT_THAT(labelsOf(variants), Contains("Without trials that were done again (1)"));
+  const auto found = std::find_if(variants.list.begin(), variants.list.end(), [](const Variant& variant) {
+    return variant.label == "Without trials that were done again (1)";
+  });
+  EXPECT_EQ(found->trials.size(), 16u);
+  EXPECT_THAT(idsOf(found->trials), Not(Contains(17)));
 }
 
 TEST(Variants, thatKeepTheSameTrialsAreNotedInsteadOfDoneAgain) {
