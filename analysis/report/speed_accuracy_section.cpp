@@ -86,7 +86,8 @@ void addTask(ReportWork& work, const ReportTask& task) {
   });
   std::vector<EstimateRow> rows;
   for (const TrialView view : work.analysis.data.conditions.all()) {
-    const std::string& label = labelOf(work, view);
+    const ViewConditions& conditions = work.analysis.data.conditions;
+    const std::string label = conditions.isPair() ? markOf(view) : conditions.nameOf(view);
     const TrialValues times = valuesOfView(answers.logarithms, view);
     rows.push_back(untested(rowOfSubjects(fmt::format("{}: time to answer (s)", label), subjectMeans(times),
                                           ValueScale::kLogarithm, "geometric means")));

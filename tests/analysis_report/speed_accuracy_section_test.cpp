@@ -36,15 +36,15 @@ TEST(SpeedAccuracySection, tellsTimesSharesAndTheirRatio) {
   const ReportDocument document = speedAccuracyOf(study);
   const std::string table = "speed-accuracy-count";
   // (8 * 2 * 4)^(1/3) = 4 of both subjects.
-  EXPECT_NEAR(*cellValue(document, table, "pinhole: time to answer (s)", "Estimate"), 4, 1e-12);
-  EXPECT_NEAR(*cellValue(document, table, "pinhole: share of right answers", "Estimate"), 2.0 / 3, 1e-12);
+  EXPECT_NEAR(*cellValue(document, table, "ppc: time to answer (s)", "Estimate"), 4, 1e-12);
+  EXPECT_NEAR(*cellValue(document, table, "ppc: share of right answers", "Estimate"), 2.0 / 3, 1e-12);
   // sqrt(4 * 2): each subject counts once.
-  EXPECT_NEAR(*cellValue(document, table, "graph camera: time to answer (s)", "Estimate"), std::sqrt(8.0), 1e-12);
-  EXPECT_NEAR(*cellValue(document, table, "graph camera: share of right answers", "Estimate"), 1, 1e-12);
+  EXPECT_NEAR(*cellValue(document, table, "gc: time to answer (s)", "Estimate"), std::sqrt(8.0), 1e-12);
+  EXPECT_NEAR(*cellValue(document, table, "gc: share of right answers", "Estimate"), 1, 1e-12);
   // Right ones take sqrt(8 * 2) = 4 s, wrong ones 4 s.
   EXPECT_NEAR(
-      *cellValue(document, table, "pinhole: time of right answers / of wrong ones (2 subjects with both)", "Estimate"),
-      1, 1e-12);
+      *cellValue(document, table, "ppc: time of right answers / of wrong ones (2 subjects with both)", "Estimate"), 1,
+      1e-12);
   EXPECT_THAT(reasonsOf(document), Contains(HasSubstr("fewer than two subjects have both right and wrong answers")));
   EXPECT_TRUE(hasFigure(document, "figure-speed-accuracy-count"));
 }
@@ -53,7 +53,7 @@ TEST(SpeedAccuracySection, leavesOutWhatHasNoAnswer) {
   SectionStudy study = answers();
   study.add("S1", 1, kPpc, 30, false, "count").censored = true;
   const ReportDocument document = speedAccuracyOf(study);
-  EXPECT_NEAR(*cellValue(document, "speed-accuracy-count", "pinhole: time to answer (s)", "Estimate"), 4, 1e-12);
+  EXPECT_NEAR(*cellValue(document, "speed-accuracy-count", "ppc: time to answer (s)", "Estimate"), 4, 1e-12);
 }
 
 TEST(SpeedAccuracySection, isNotOfTasksWhoseOutcomeIsTheTime) {
